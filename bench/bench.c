@@ -42,7 +42,7 @@ static void *memory(size_t size)
     return p;
 }
 
-/* The built-in scene with the light of key a, above left. */
+/* Prepares the built-in scene with the light of key a, above left. */
 static void prepare(struct frame *f, uint16_t width, uint16_t height)
 {
     size_t view_size, hits_size;

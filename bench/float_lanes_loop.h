@@ -44,7 +44,7 @@ INLINE V v_sel(M m, V a, V b)
     return (V){f_sel(m, a.x, b.x), f_sel(m, a.y, b.y), f_sel(m, a.z, b.z)};
 }
 
-/* What a ray sees: the sphere 0 unless it is 1 or the light. */
+/* The hit of a ray: the sphere 0 unless it is 1 or the light. */
 struct seen {
     F t;
     M any, second, light;
@@ -71,7 +71,7 @@ INLINE struct seen look(const struct lanes_world *w, V d)
     return s;
 }
 
-/* Lit unless a sphere stands between the point and the light. */
+/* Returns the lit lanes where no sphere stands between the point and the light. */
 INLINE M unhidden(const struct lanes_world *w, V p, V to, M lit)
 {
     for (int i = 1; i >= 0; i--) {
@@ -82,7 +82,7 @@ INLINE M unhidden(const struct lanes_world *w, V p, V to, M lit)
     return lit;
 }
 
-/* Of the sphere that is seen. */
+/* The sphere that is hit. */
 struct sphere {
     V centre, colour;
     F per_radius;
@@ -139,7 +139,7 @@ INLINE V ray(const struct lanes_world *w, int x, float vy)
 
 void DRAW(const struct lanes_world *world, int width, int height, tia_rgb565 *pixels)
 {
-    const struct lanes_world w = *world; /* which pixels cannot alias */
+    const struct lanes_world w = *world; /* a copy, which pixels cannot alias */
     uint16_t last[N];
 
     for (int y = 0; y < height; y++, pixels += width) {

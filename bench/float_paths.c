@@ -10,7 +10,7 @@ enum { ROULETTE = 3, BOUNCES_MAX = 1024 };
 
 struct material {
     float colour[3], specular[3], mirror[3], emission[3], exponent;
-    float below[2]; /* the chance of a mirror, of that or the glossy lobe */
+    float below[2]; /* chances: of a mirror; of that or the glossy lobe */
     bool black;
 };
 
@@ -33,7 +33,7 @@ struct float_paths {
 struct path {
     const struct float_paths *scene;
     struct float_ray ray;
-    float throughput[3], sum[3], density; /* times pi; 0: of a mirror, or from the eye */
+    float throughput[3], sum[3], density; /* times pi; 0: scattered by a mirror, or from the eye */
     unsigned bounce;
     uint64_t rays, state;
 };
@@ -129,7 +129,7 @@ void float_paths_close(struct float_paths *p)
 
 /* ---- samples ---- */
 
-/* xorshift64*: 0 up to 1. */
+/* Returns a random number from 0 up to 1, by xorshift64*. */
 static float uniform(struct path *p)
 {
     p->state ^= p->state >> 12;
@@ -160,13 +160,13 @@ static bool meets_light(const struct light *l, const struct float_ray *ray, floa
     return true;
 }
 
-/* pi/(area's solid angle) */
+/* Returns pi/(area's solid angle). */
 static float density_of(const struct light *l, struct vec direction, float t)
 {
     return PI * t * t / (l->area * fabsf(vec_dot(direction, l->normal)));
 }
 
-/* Of what is met: the balance heuristic's weight. */
+/* Adds a light that is hit, with the balance heuristic's weight. */
 static void add_light(struct path *p, const struct light *l, float t)
 {
     float chosen = density_of(l, p->ray.direction, t) / (float)p->scene->light_count;
@@ -179,7 +179,7 @@ static struct vec reflected(struct vec d, struct vec n)
     return vec_along(d, -2 * vec_dot(d, n), n);
 }
 
-/* Reflectance times the cosine, and the density, both times pi. */
+/* Gives the reflectance times the cosine, and the density, both times pi. */
 static float evaluate(const struct material *m, struct vec from, struct vec n, struct vec to, float f[3])
 {
     float cosine = vec_dot(to, n), along = vec_dot(to, reflected(from, n));
@@ -217,7 +217,7 @@ static void look_for_light(struct path *p, const struct material *m, struct vec 
     add(p, f, 1);
 }
 
-/* Where the path goes on; false: it ends. */
+/* Continues the path; false: it ends. */
 static bool bounce(struct path *p, const struct material *m, struct vec n)
 {
     float choice = uniform(p), turn = 2 * PI * uniform(p), u = uniform(p), f[3];
@@ -255,7 +255,7 @@ static bool survives(struct path *p)
     return true;
 }
 
-/* One ray, and what its end adds. */
+/* Follows one ray, and adds the light at its end. */
 static bool step(struct path *p)
 {
     const struct float_paths *s = p->scene;

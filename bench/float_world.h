@@ -16,7 +16,8 @@ struct float_item {
 
 struct float_node {
     struct vec low, high;
-    uint32_t first, count; /* of items; or count is 0 and `first` the first of two nodes, which differ along `axis` */
+    /* Leaf: its items; inner node: count is 0 and `first` the first of two nodes, which differ along `axis`. */
+    uint32_t first, count;
     int axis;
 };
 
@@ -35,11 +36,11 @@ struct float_world {
     uint32_t count, node_count;
 };
 
-/* False when the scene has other objects, or memory is short. */
+/* Builds the hierarchy; false when the scene has other objects, or memory is short. */
 bool float_world_build(struct float_world *world, const struct tia_scene *scene);
 void float_world_free(struct float_world *world);
 
-/* The nearest item before hit->t; with `any` some item. */
+/* Finds the nearest item before hit->t; with `any` some item. */
 void float_world_meet(const struct float_world *world, const struct float_ray *ray, bool any, struct float_hit *hit);
 
 static inline struct vec float_place(struct tia_vec3 v)

@@ -1,4 +1,4 @@
-/* mesh.h - what the benchmarks of the rasteriser draw: a ball, a box and a ring on a ground. */
+/* mesh.h - the scene of the rasteriser's benchmarks: a ball, a box and a ring on a ground. */
 #ifndef BENCH_MESH_H
 #define BENCH_MESH_H
 
@@ -19,7 +19,7 @@ struct mesh {
     uint32_t count, first[MESH_SOLIDS + 1];
 };
 
-/* 98, 350, 1358, 5390, 21518 or 86030 faces, into corners for MESH_FACES_MAX. */
+/* Makes 98, 350, 1358, 5390, 21518 or 86030 faces, into corners for MESH_FACES_MAX. */
 void bench_mesh(struct mesh *m, int depth);
 
 #endif

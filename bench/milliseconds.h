@@ -11,7 +11,7 @@ static inline double milliseconds(void)
     return (double)clock_now_us() * 1e-3;
 }
 
-/* Of processor time, which other programs do not add to. */
+/* Returns milliseconds of processor time, which other programs do not add to. */
 static inline double cpu_milliseconds(void)
 {
     struct timespec t;
@@ -20,7 +20,7 @@ static inline double cpu_milliseconds(void)
     return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
 }
 
-/* Keeps the least of several measurements, each begun with a value of 0 that stands for none. */
+/* Keeps the smallest of several measurements, which begins as 0: none. */
 static inline void keep_least(double *least, double ms)
 {
     if (*least <= 0 || ms < *least)

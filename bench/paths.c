@@ -13,7 +13,7 @@
 
 enum { SIDE = 128, SPP = 16, ROUNDS = 2, LEVELS = 8 };
 
-/* Who draws: samples of processor time, of all rounds the least, and the picture's mean. */
+/* A drawer and its results: the least processor time of a sample over all rounds, and the picture's mean. */
 struct run {
     const char *simd;
     double ms, mean[3];
@@ -27,7 +27,7 @@ static void must(int status)
     }
 }
 
-/* `level` NULL: plain C. */
+/* Draws the sums; `level` NULL: plain C. */
 static void draw_sums(const struct tia_core *core, const struct tia_estimator *estimator, const struct tia_simd *simd,
                       const struct tia_scene *scene, struct run *run)
 {
@@ -73,7 +73,8 @@ static void print(const char *name, const struct run *run, double rays)
            run->mean[1], run->mean[2]);
 }
 
-/* The balls have highlights and mirrors: together they reflect more than they get, and light along paths has no end. */
+/* Returns materials without highlights. The balls have highlights and mirrors: together they reflect more light than
+ * they receive, so the light along paths would grow without limit. */
 static struct tia_material *without_highlights(struct tia_scene *scene)
 {
     struct tia_material *copy = calloc(scene->material_count + 1, sizeof *copy);
@@ -127,7 +128,7 @@ static void measure(const char *path)
     free(materials);
 }
 
-/* The estimators are the same, so the rays that the small tracer counts are those of all, on average. */
+/* Measures. The estimators are the same, so the rays that the small tracer counts are those of all, on average. */
 void bench_paths(void)
 {
     printf("\n| paths, %dx%d, %d samples a pixel | | samples/s | ns a ray | mean |\n|---|---|--:|--:|---|\n", SIDE,

@@ -1,4 +1,4 @@
-/* paths.h - measures light along random paths. */
+/* paths.h - measures the path integrator. */
 #ifndef BENCH_PATHS_H
 #define BENCH_PATHS_H
 

@@ -20,7 +20,7 @@ struct city {
     struct tia_radio_room *room;
 };
 
-/* side x side houses of 8 to 14 m, 20 m apart, on a ground; turned all together or not. */
+/* Builds side x side houses of 8 to 14 m, 20 m apart, on a ground; turned all together or not. */
 static bool build(struct city *c, int side, bool turned)
 {
     uint64_t dice = 7;
@@ -66,7 +66,7 @@ static bool count_ray(void *ctx, const struct tia_radio_ray *ray)
     return true;
 }
 
-/* In the street that goes through the middle, 12 m apart. */
+/* Returns the link in the street that goes through the middle, 12 m long. */
 static struct tia_radio_link link_of(uint32_t order, unsigned *count)
 {
     return (struct tia_radio_link){TIA_VEC3(1, 9, 1.5), TIA_VEC3(1.5, 1.5, 13), order, 0, count_path, count};

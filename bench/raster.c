@@ -9,7 +9,7 @@
 #define ROUNDS 15
 #define RANGE 5 /* clip coordinates stay below 32 */
 
-/* Seen from (0.5, 4.2, 9) towards (0.2, 0.9, 0.3), 45 degrees high. */
+/* Projects a point, seen from (0.5, 4.2, 9) towards (0.2, 0.9, 0.3), 45 degrees high. */
 static struct tia_raster_vertex seen(const struct tia_lattice *l, struct point p)
 {
     static const double nx = 0.3, ny = 3.3, nz = 8.7, cot = 2.414213562373095;
@@ -55,7 +55,7 @@ void raster_bench_free(struct raster_bench *b)
 }
 
 static const struct tia_raster_state nearest = {.depth = TIA_LESS, .depth_write = true};
-/* What is behind counts up, seen from outside, or down. */
+/* Counts surfaces behind the visible one up, if seen from outside, or down. */
 static const struct tia_raster_state behind = {
     .depth = TIA_LESS,
     .front = {.test = TIA_ALWAYS, .mask = 255, .write = 255, .zfail = TIA_DECR_WRAP},

@@ -6,7 +6,7 @@
 
 #include <tia/raster.h>
 
-/* A mesh as an image sees it, in that image's buffers. */
+/* A mesh projected to an image, in that image's buffers. */
 struct raster_bench {
     struct tia_lattice lattice;
     struct tia_raster_target target;
@@ -15,14 +15,14 @@ struct raster_bench {
     void *memory;
 };
 
-/* Ends the program when something is not fine. */
+/* Ends the program if `fine` is false. */
 void raster_bench_must(bool fine);
 
 void raster_bench_init(struct raster_bench *b, struct mesh *m, int level, uint16_t width, uint16_t height,
                        unsigned buffers);
 void raster_bench_free(struct raster_bench *b);
 
-/* The nearest face of each pixel, into a target that may lack buffers of the benchmark's. */
+/* Draws the nearest face of each pixel into a target that may lack buffers of the benchmark's. */
 void raster_bench_nearest(const struct raster_bench *b, struct tia_raster_target *target);
 
 void bench_raster(void);

@@ -8,7 +8,7 @@
 #include "common/thread_pool.h"
 #include "milliseconds.h"
 
-#define BUILDS 3 /* of which the fastest counts */
+#define BUILDS 3 /* the fastest of these counts */
 
 void *ray_scene_memory(size_t size)
 {
@@ -48,11 +48,11 @@ static void build(struct ray_scene *s)
 }
 
 struct ball {
-    struct point at, away; /* away from the ball that this one is on */
+    struct point at, away; /* `away`: direction away from the ball that this one is on */
     double radius;
 };
 
-/* The nine places on a ball whose own place is at +z. */
+/* Returns one of the nine positions on a ball whose own position is at +z. */
 static struct point place(int i)
 {
     static const double angle[3] = {45, 15, 75};
@@ -62,7 +62,7 @@ static struct point place(int i)
     return (struct point){wide * cos(turn), wide * sin(turn), height};
 }
 
-/* v turned as z is when it becomes w. */
+/* Returns v, rotated as z is when it becomes w. */
 static struct point turned(struct point v, struct point w)
 {
     if (w.z < -0.999999)
@@ -86,7 +86,7 @@ static size_t write_balls(char *text, struct ball b, int depth)
     return length;
 }
 
-#define LINE 80 /* bytes of a ball's, at most */
+#define LINE 80 /* bytes of a ball's line, at most */
 
 void ray_scene_balls(struct ray_scene *s, int depth)
 {

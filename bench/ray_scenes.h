@@ -8,21 +8,21 @@
 
 struct ray_scene {
     struct tia_scene scene;
-    double built[2];     /* milliseconds that the hierarchy took one thread and two */
-    size_t memory_bytes; /* that it needed */
+    double built[2];     /* milliseconds to build the hierarchy by one thread and by two */
+    size_t memory_bytes; /* memory of the hierarchy */
     void *memory[5];
 };
 
-/* The databases' sphere flake: (9^(level + 1) - 1)/8 spheres on the ground and under the lights of balls_1.nff; levels
- * 1 to 4 are balls_1.nff to balls_4.nff. */
+/* Makes the databases' sphere flake: (9^(level + 1) - 1)/8 spheres on the ground and under the lights of balls_1.nff;
+ * levels 1 to 4 are balls_1.nff to balls_4.nff. */
 void ray_scene_balls(struct ray_scene *s, int depth);
 
-/* The solids of bench_mesh as one mesh of 84 4^level + 12 faces. */
+/* Makes the solids of bench_mesh as one mesh of 84 4^level + 12 faces. */
 void ray_scene_mesh(struct ray_scene *s, int depth);
 
 void ray_scene_free(struct ray_scene *s);
 
-/* malloc, but the program ends when there is none. */
+/* Calls malloc; ends the program if it fails. */
 void *ray_scene_memory(size_t size);
 
 #endif

@@ -20,7 +20,7 @@ static void must(int status)
     }
 }
 
-/* Milliseconds for one frame, including tia_view_init. */
+/* Returns the milliseconds for one frame, including tia_view_init. */
 static double draw(const struct tia_core *core, const struct tia_scene *scene)
 {
     size_t view_size = core->view_size(scene, scene->light_count), hits_size = core->hits_size(scene, area);

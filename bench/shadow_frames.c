@@ -8,7 +8,7 @@
 #include <tia/tia.h>
 
 #define ROUNDS 7
-#define PATIENCE 250 /* ms: after this, no more rounds */
+#define PATIENCE 250 /* ms: after this time, no more rounds */
 
 static const struct technique {
     const char *name;
@@ -73,7 +73,7 @@ static void close_frame(struct shown *f)
         free(f->memory[i]);
 }
 
-/* A frame is what is seen and then its light, which alone is drawn again when lights have moved. */
+/* Measures frames: tracing and lighting, and lighting alone, as after lights have moved. */
 static void measure(struct times *least, const struct tia_scene *scene, const struct drawn_case *c)
 {
     double spent = 0;

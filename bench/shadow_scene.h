@@ -17,15 +17,16 @@ struct shadow_scene {
     struct tia_scene scene;
 };
 
-/* Ends the program when something is not fine. */
+/* Ends the program if `fine` is false. */
 void shadow_must(bool fine);
 
-/* Memory for all levels; then a scene of one, MESH_SIZES in all. */
+/* Allocates memory for all levels. */
 void shadow_scene_init(struct shadow_scene *s);
+/* Makes the scene of a level, one of MESH_LEVELS. */
 void shadow_scene_make(struct shadow_scene *s, int level);
 void shadow_scene_free(struct shadow_scene *s);
 
-/* Its passes in one image. Depths without the counts, counts for the scene's light. */
+/* The passes of the scene in one image: depths without the counts, and counts for the scene's light. */
 struct shadow_passes {
     struct tia_flat_scene flat;
     tia_flat_light light;

@@ -20,9 +20,9 @@ void bench_shadows_gl(const char *driver)
 #include <unistd.h>
 
 #define ROUNDS 7
-#define PATIENCE 500 /* ms: after this, no more rounds than 2; llvmpipe compiles in the first */
+#define PATIENCE 500 /* ms: after this time, no more rounds than 2; llvmpipe compiles in the first */
 
-/* ---- what is drawn ---- */
+/* ---- recording ---- */
 
 struct drawn {
     double corner[4][4];
@@ -30,7 +30,7 @@ struct drawn {
     uint32_t face;
 };
 
-/* All polygons of a pass have one state. */
+/* The polygons of a pass; all have one state. */
 static struct {
     struct tia_raster_state state[SHADOW_PASSES];
     enum shadow_pass pass;
@@ -39,7 +39,7 @@ static struct {
     bool on;
 } drawn;
 
-/* The linker puts this before the rasteriser's. */
+/* The linker puts this in front of the rasteriser's. */
 int __real_tia_draw_polygon(struct tia_raster_target *target, const struct tia_raster_state *state,
                             const struct tia_raster_vertex *corners, unsigned count, uint32_t face);
 int __wrap_tia_draw_polygon(struct tia_raster_target *target, const struct tia_raster_state *state,
@@ -75,7 +75,7 @@ int __wrap_tia_draw_polygon(struct tia_raster_target *target, const struct tia_r
     return __real_tia_draw_polygon(target, state, corners, count, face);
 }
 
-/* ---- by GL ---- */
+/* ---- drawing by GL ---- */
 
 static double draw(struct gl_raster *gl, enum shadow_pass pass, size_t first, size_t end)
 {
@@ -101,7 +101,7 @@ static void record(struct shadow_passes *p, enum shadow_pass pass)
     drawn.on = false;
 }
 
-/* What both have drawn: by this library's rasteriser, and by GL. */
+/* The times of both: this library's rasteriser, and GL. */
 struct times {
     double depth[2], zfail[2];
 };
@@ -169,7 +169,7 @@ static void measure_all(const char *driver)
     shadow_scene_free(&s);
 }
 
-/* The driver is chosen before the library is loaded, for good. */
+/* Measures; the driver is chosen before the library is loaded, which is never unloaded. */
 void bench_shadows_gl(const char *driver)
 {
     (void)fflush(stdout);

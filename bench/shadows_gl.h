@@ -2,7 +2,7 @@
 #ifndef BENCH_SHADOWS_GL_H
 #define BENCH_SHADOWS_GL_H
 
-/* "llvmpipe" or "softpipe": in a process of its own. */
+/* Measures with "llvmpipe" or "softpipe": in a process of its own. */
 void bench_shadows_gl(const char *driver);
 
 #endif

@@ -13,7 +13,7 @@
 
 #define ROUNDS 25
 
-/* The best of the rounds: others may run on this machine, and no round is too fast. */
+/* The best of the rounds: other programs may run on this machine, and no round is too fast. */
 struct best {
     double wall, cpu;
 };
@@ -46,7 +46,7 @@ struct measured {
     struct best full, relit, floats;
 };
 
-/* The loop in float that a level is measured against; in plain C one without lanes. */
+/* Draws by the loop in float, a level's baseline; for plain C one without lanes. */
 static void draw_floats(const struct picture *p, const char *simd)
 {
     if (simd)
@@ -55,7 +55,7 @@ static void draw_floats(const struct picture *p, const char *simd)
         plain_render(&p->scene, p->area.width, p->area.height, p->surface.pixels);
 }
 
-/* In turns, so that a change of the machine's speed meets all three. */
+/* Measures the three in turns, so that a change of the machine's speed affects them alike. */
 static void measure_rounds(const struct picture *p, const char *simd, struct tia_view *view, struct tia_hits *hits,
                            struct measured *m)
 {
@@ -128,7 +128,7 @@ void bench_simd(void)
         row(&p, "plain", NULL);
         for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
             (void)tia_simd_named(names[k], &simd);
-            if (simd && simd != last) /* not a narrower one in its place */
+            if (simd && simd != last) /* tia_simd_named may have given a narrower one in its place */
                 row(&p, names[k], simd);
             last = simd;
         }

@@ -12,12 +12,13 @@
 #include "ray_scenes.h"
 
 #define ROUNDS 5
-#define STRIP 16   /* rows that a thread draws at a time */
-#define DRAWERS 11 /* at most: plain C, the levels, the last of them in two threads, double precision, Embree */
+#define STRIP 16 /* rows that a thread draws at a time */
+/* Largest number: plain C, the levels, the last of them in two threads, double precision, Embree. */
+#define DRAWERS 11
 
 const char *bench_scene;
 
-/* Who draws: a core, by a level or without; or, without a core, Embree. */
+/* A drawer: a core, by a level or without; or, without a core, Embree. */
 struct drawer {
     const char *name;
     const struct tia_core *core;
@@ -25,10 +26,10 @@ struct drawer {
     unsigned threads;
 };
 
-/* Of the databases' scenes: how many times as fast as each drawer Embree is. */
+/* For the databases' scenes: the factor by which Embree is faster than each drawer. */
 static struct against {
     char name[32];
-    double logarithm; /* the sum of all */
+    double logarithm; /* sum over all scenes */
     unsigned scenes, lost;
 } against[DRAWERS];
 
@@ -77,7 +78,7 @@ static void begin_core(struct canvas *c)
         must(tia_view_set_simd(c->view, by->simd, c->simd_memory, more));
 }
 
-/* False: Embree does not draw it. */
+/* Begins a scene; false: Embree does not draw it. */
 static bool begin(struct canvas *c, const struct drawer *by, const struct tia_scene *scene, uint16_t width,
                   uint16_t height)
 {
@@ -132,7 +133,7 @@ static void count(void *ctx, const struct tia_traced *traced)
     ++*(double *)ctx;
 }
 
-/* How many rays the picture takes, shadow rays included. */
+/* Returns the number of rays of the picture, shadow rays included. */
 static double rays_of(const struct tia_scene *scene, uint16_t width, uint16_t height)
 {
     static const struct drawer watched = {"watched", &tia_core_watched, NULL, 1};
@@ -164,7 +165,7 @@ static int find_drawers(struct drawer to[DRAWERS])
     return n;
 }
 
-/* Of all pixels, per mille, those that another program draws with a channel more than two levels of red off. */
+/* Returns the share of pixels, per mille, that another program draws with a channel more than two levels of red off. */
 static double different(const struct canvas *a, const struct canvas *b)
 {
     size_t count = (size_t)a->width * a->height, wrong = 0;
@@ -214,7 +215,7 @@ static void print_against(void)
         printf("| %s | %.2f | %u |\n", against[i].name, exp(against[i].logarithm / against[i].scenes), against[i].lost);
 }
 
-/* All in turns, so that a change of the machine's speed meets all; the pictures must be the same. */
+/* Measures all in turns, so that a change of the machine's speed affects all; the pictures must be the same. */
 static void measure(const char *name, const struct tia_scene *scene, uint16_t width, uint16_t height, bool database)
 {
     struct drawer drawers[DRAWERS];

@@ -27,8 +27,8 @@ struct picture {
     ZBuffer *buffer;
 };
 
-/* Clip coordinates, z being w - 2: the near plane is at 1. TinyGL takes the fourth coordinate of what it is given to be
- * 1, so here w is the third. */
+/* Clip coordinates, z being w - 2: the near plane is at 1. TinyGL assumes that the fourth coordinate of its input is 1,
+ * so here w is the third. */
 static const GLfloat from_corner[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 0, -2, 0};
 
 static void open_picture(struct picture *p, struct mesh *m, int level, uint16_t width, uint16_t height)
@@ -63,7 +63,7 @@ static void close_picture(struct picture *p)
     raster_bench_free(&p->exact);
 }
 
-/* The colour of which TinyGL makes `byte`: it multiplies by 254, adds nearly 1 and rounds down. */
+/* Returns the colour that TinyGL converts to `byte`: it multiplies by 254, adds nearly 1 and rounds down. */
 static GLfloat shade(uint32_t byte)
 {
     return byte ? ((GLfloat)byte - 0.25f) / 254 : 0;
@@ -82,7 +82,7 @@ static void draw(const struct picture *p)
     glEnd();
 }
 
-/* Pixels where it shows another face, or none. */
+/* Returns the number of pixels where it shows another face, or none. */
 static uint32_t differences(const struct picture *p)
 {
     const struct tia_raster_target *t = &p->exact.target;

@@ -14,7 +14,7 @@
 
 enum { WIDTH = 1920, HEIGHT = 1080, ROWS = 16, ROUNDS = 25, FRAMES = 10, STARTS = 15 };
 
-/* What a frame is drawn with, and into. */
+/* The data to draw a frame, and its target. */
 struct stage {
     struct tia_scene scene;
     struct tia_view *view;
@@ -32,7 +32,7 @@ static void *checked(void *memory)
     return memory;
 }
 
-/* Memory as tia takes it. */
+/* Prepares a stage; its memory is allocated as in tia. */
 static void set(struct stage *s, const struct tia_simd *simd)
 {
     const struct tia_tile all = {0, 0, WIDTH, HEIGHT};
@@ -75,7 +75,7 @@ static void draw(struct threads *pool, struct stage *s, bool relit)
     threads_workers.run(pool, strip, s, (HEIGHT + ROWS - 1) / ROWS);
 }
 
-/* Whoever runs job n gets the n-th of the processors that this program may use, for itself: schedulers may put threads
+/* Ties the thread that runs job n to the n-th of the processors that this program may use: schedulers may put threads
  * that run for half a millisecond on one. Each job waits for the other, so that no thread runs both. */
 static void settle(void *arg, unsigned index)
 {
@@ -100,8 +100,8 @@ struct cost {
     double wall, cpu;
 };
 
-/* Frames one after the other, as they are when a key is held; the first are not counted: until the other thread looks
- * for the next one. */
+/* Measures frames in sequence, as when a key is held. The first are not counted: until the other thread spins for the
+ * next round. */
 static void take(struct threads *pool, struct stage *s, bool relit, struct cost *best)
 {
     for (int i = 0; i < FRAMES; i++)
@@ -113,7 +113,7 @@ static void take(struct threads *pool, struct stage *s, bool relit, struct cost 
     keep_least(&best->cpu, (cpu_milliseconds() - cpu) / FRAMES);
 }
 
-/* One thread and two in turns, so that a change of the machine's speed meets both. */
+/* Measures one thread and two in turns, so that a change of the machine's speed affects both. */
 static void measure_frames(const struct tia_simd *simd)
 {
     struct threads *pool[2] = {checked(threads_create(1)), checked(threads_create(2))};
@@ -153,7 +153,7 @@ static double median(double values[STARTS])
     return values[STARTS / 2];
 }
 
-/* New memory and a new pool each time. */
+/* Measures with new memory and a new pool each time. */
 static void measure_start(const struct tia_simd *simd)
 {
     double memory[STARTS], first[STARTS], tenth[STARTS];
@@ -183,7 +183,7 @@ void bench_threads(void)
 {
     const struct tia_simd *simd = tia_simd_best();
 
-    (void)mallopt(M_MMAP_THRESHOLD, 1 << 20); /* what is taken again comes from the system again */
+    (void)mallopt(M_MMAP_THRESHOLD, 1 << 20); /* memory that is freed goes back to the system */
     printf("\n| %ux%u | threads | full, ms | CPU | relit, ms | CPU | full, times | relit, times |\n", WIDTH, HEIGHT);
     printf("|---|--:|--:|--:|--:|--:|--:|--:|\n");
     measure_frames(NULL);

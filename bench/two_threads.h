@@ -1,4 +1,4 @@
-/* two_threads.h - how much faster a frame is on two threads. */
+/* two_threads.h - measures the gain of a frame on two threads. */
 #ifndef BENCH_TWO_THREADS_H
 #define BENCH_TWO_THREADS_H
 

@@ -10,13 +10,13 @@
 
 #define PORT_WHY 256
 
-/* What the user asked for; zero means the device's own choice. */
+/* The user's wishes; zero means the device's own choice. */
 struct port_wish {
     const char *device; /* a node, or NULL: the first that works */
     uint16_t width, height;
     const char *connector; /* DRM: a connector's name, or NULL */
     const char *mode;      /* DRM: "preferred", "WxH" or "WxH@R", or NULL */
-    bool pointer;          /* of an input: report where its pointer is */
+    bool pointer;          /* for an input: report its pointer's position */
     char *why;             /* [PORT_WHY] */
 };
 
@@ -27,9 +27,10 @@ struct port_display {
     const char *name, *summary;
     bool takes_screen; /* covers the console: must not be opened without an input */
     const struct tia_display *ops;
-    void *(*create)(const struct port_wish *wish); /* NULL: *why says what failed */
+    void *(*create)(const struct port_wish *wish); /* NULL on failure; the reason is in *why */
     void (*destroy)(void *ctx);                    /* after close */
-    void (*list)(port_line *line, void *arg);      /* each device found, modes, formats, or why it cannot be opened */
+    /* Prints each device found, its modes and formats, or the reason why it cannot be opened. */
+    void (*list)(port_line *line, void *arg);
 };
 
 struct port_input {

@@ -1,4 +1,4 @@
-/* against.h - a picture of the library held against the oracle's, pixel by pixel. */
+/* against.h - compares a picture of the library with the oracle's, pixel by pixel. */
 #ifndef TESTS_AGAINST_H
 #define TESTS_AGAINST_H
 
@@ -22,8 +22,8 @@ struct against_note {
 
 struct against {
     struct tally tally;
-    uint64_t undecided; /* those of the flips that lie within AGAINST_REACH of a boundary */
-    double margin;      /* of the pixels off by one level and no flip, the largest: what the errors reached */
+    uint64_t undecided; /* flips that lie within AGAINST_REACH of a boundary */
+    double margin;      /* largest error of the pixels off by one level without a flip */
     unsigned note_count;
     struct against_note notes[AGAINST_NOTES];
 };
@@ -60,7 +60,7 @@ static inline void against_differs(void *arg, unsigned core, enum verdict verdic
     (void)pthread_mutex_unlock(&c->lock);
 }
 
-/* Draws what `what` says with its cores and with the oracle, once. A negative tia_status: it could not be drawn. */
+/* Draws `what` with its cores and with the oracle, once. A negative tia_status: it could not be drawn. */
 static inline int against_oracle_with(struct measure what, struct against out[])
 {
     struct against_comparison comparison = {&what, out, PTHREAD_MUTEX_INITIALIZER};

@@ -1,4 +1,4 @@
-/* conform.h - what every display has to do, whatever it shows its frames on. */
+/* conform.h - the test suite of every display, independent of its device. */
 #ifndef TESTS_CONFORM_H
 #define TESTS_CONFORM_H
 
@@ -8,12 +8,12 @@
 
 #include "check.h"
 
-/* What the suite tests. */
+/* The display under test. */
 struct subject {
     const struct tia_display *ops;
     void *ctx;
     const char *why;
-    /* Pixel (x, y) of the frame presented last, as RGB565; NULL: it cannot be read. */
+    /* Returns pixel (x, y) of the frame presented last, as RGB565; NULL: it cannot be read. */
     tia_rgb565 (*pixel)(void *arg, unsigned x, unsigned y);
     /* NULL, or waits until so many frames have been shown, those left out that changed nothing. */
     void (*settle)(void *arg, unsigned frames);
@@ -24,7 +24,7 @@ struct subject {
 static struct subject subject;
 static struct tia_mode mode;
 
-/* 40503 is odd: every colour comes before one comes again, and neighbours differ. */
+/* Returns a pixel's colour. 40503 is odd: every colour comes before one comes again, and neighbours differ. */
 static inline tia_rgb565 wanted(unsigned x, unsigned y, unsigned frame)
 {
     return (tia_rgb565)((x + y * mode.width + frame * 7919) * 40503u);
@@ -75,7 +75,7 @@ static inline unsigned smaller(unsigned a, unsigned b)
     return a < b ? a : b;
 }
 
-/* Every `every`th tile from `first` on, the last one first. */
+/* Draws every `every`th tile from `first` on, the last one first. */
 static inline void *draw_cut(void *arg)
 {
     struct cut *cut = arg;

@@ -1,5 +1,5 @@
-/* edge_scene.h - scenes that no corpus has: spheres and lights of any magnitude, lights on, in and behind spheres, all
- * fields of view, narrow and very wide images. Some are refused by tia_scene_check. */
+/* edge_scene.h - scenes beyond those of the corpora: spheres and lights of any magnitude, lights on, in and behind
+ * spheres, all fields of view, narrow and very wide images. Some are refused by tia_scene_check. */
 #ifndef TESTS_EDGE_SCENE_H
 #define TESTS_EDGE_SCENE_H
 
@@ -24,7 +24,7 @@ static inline uint32_t edge_below(uint64_t *state, uint32_t limit)
     return (uint32_t)(dice_next(state) % limit);
 }
 
-/* Of any magnitude below 2^bits, any sign. */
+/* Returns a number of any magnitude below 2^bits, with either sign. */
 static inline int32_t edge_any(uint64_t *state, int bits)
 {
     uint64_t range = UINT64_C(2) << edge_below(state, (uint32_t)bits);

@@ -1,5 +1,5 @@
-/* exhaustive.c - every argument of the integer kernels where 32 bits go in, and for the 64-bit
- * root r^2 - 1, r^2 and r^2 + 2r for every 32-bit r. Ten minutes; `make check-exhaustive`. */
+/* exhaustive.c - every argument of the integer kernels with 32-bit arguments, and for the 64-bit root r^2 - 1, r^2 and
+ * r^2 + 2r for every 32-bit r. Ten minutes; `make check-exhaustive`. */
 #include "check.h"
 #include "sweeps.h"
 

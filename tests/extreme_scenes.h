@@ -13,7 +13,7 @@ static tia_q16 random_size(uint64_t *state)
     return sizes[dice_next(state) % (sizeof sizes / sizeof *sizes)];
 }
 
-/* A place as far away as something of that size may be; on an axis, or on what is there already. */
+/* Returns a position as far away as an object of that size may be; on an axis, or on an existing object. */
 static struct tia_vec3 random_place(uint64_t *state, const struct tia_scene *s, tia_q16 size)
 {
     tia_q16 away = dice_one_in(state, 2) ? size + TIA_Q16(4) : dice_between(state, 0, TIA_Q16(200));
@@ -42,7 +42,7 @@ static void make_extreme_light(uint64_t *state, struct corpus_rays *c, struct ti
     l->side[1].z++;
 }
 
-/* Materials that send on more than they receive, highlights as narrow or wide as can be, indices next to 1. */
+/* Makes materials that reflect more than they receive, highlights as narrow or wide as possible, indices next to 1. */
 static void make_extreme_material(uint64_t *state, struct tia_material *m)
 {
     const struct tia_rgb white = {TIA_Q30_ONE, TIA_Q30_ONE, TIA_Q30_ONE};
@@ -59,7 +59,7 @@ static void make_extreme_material(uint64_t *state, struct tia_material *m)
     m->index = dice_one_in(state, 2) ? TIA_Q16_ONE + 1 : TIA_Q16(4);
 }
 
-/* Cylinders and cones 1000 times as large around their bases. */
+/* Makes cylinders and cones 1000 times as large around their bases. */
 static void make_huge(struct tia_shape *s)
 {
     struct tia_vec3 along;
@@ -154,8 +154,8 @@ static void look_from(double x, double y, double z, double fov)
                                        .fov = TIA_Q16(fov)};
 }
 
-/* A box around the eye of a material that reflects in every way all that it receives: each path takes one of them in
- * four, and is worth four times as much. */
+/* Makes a box around the eye of a material that reflects all light in every way: each path takes one of four, and is
+ * worth four times as much. */
 static struct tia_material *world_of_all_lobes(uint16_t bounces)
 {
     world_begin(TIA_PATHS);
@@ -172,14 +172,14 @@ static struct tia_material *world_of_all_lobes(uint16_t bounces)
     return &world_materials[0];
 }
 
-/* Throughputs of 2^17 and more, which are cut, on their way to a background of 2^-28. */
+/* Makes throughputs of 2^17 and more, which are cut, on their way to a background of 2^-28. */
 static void make_cut_throughput(void)
 {
     (void)world_of_all_lobes(12);
     world.background = (struct tia_rgb){4, 4, 4};
 }
 
-/* The same behind two walls that do not bend: after 7 bounces they alone bring a path beyond 2^17. */
+/* Makes the same behind two walls without refraction: after 7 bounces they alone bring a path beyond 2^17. */
 static void make_cut_layers(void)
 {
     world_of_all_lobes(8)->index = TIA_Q16(1);
@@ -188,7 +188,8 @@ static void make_cut_layers(void)
         (struct tia_box){{-TIA_Q16(2), -TIA_Q16(2), -TIA_Q16(2)}, {TIA_Q16(2), TIA_Q16(2), TIA_Q16(2)}};
 }
 
-/* A light that is more likely chosen than met: throughput times radiance is cut, though the weight leaves less. */
+/* Makes a light that is more likely chosen than met: throughput times radiance is cut, though the weight leaves less.
+ */
 static void make_cut_radiance(void)
 {
     struct tia_light *lamp;
@@ -199,8 +200,8 @@ static void make_cut_radiance(void)
     lamp->emission_bits = 12;
 }
 
-/* A light as long as 5,200 and no wider than 2^-15: some of its places lie farther behind its plane than shadow rays
- * end before it. */
+/* Makes a light as long as 5,200 and no wider than 2^-15: some of its points lie farther behind its plane than the gap
+ * at the end of shadow rays. */
 static void make_sliver(void)
 {
     world_begin(TIA_PATHS);
@@ -216,7 +217,7 @@ static void make_sliver(void)
     look_from(0, 0, 3, 40);
 }
 
-/* Rays that go on straight where they graze a sphere that is scaled: a unit of its own axes is 2^-35, and some start
+/* Makes rays that go straight on where they graze a scaled sphere: a unit of its own axes is 2^-35, and some start
  * outside again, as they are 2^-26 times an angle behind its surface. */
 static void make_grazed(void)
 {

@@ -22,7 +22,7 @@ static inline void open_world(const char *text)
     CHECK_MSG(!world.status, "%u: %s", (unsigned)world.reader.error.line, world.reader.error.text);
 }
 
-/* Units of 2^-16. */
+/* Returns a ball's centre in units of 2^-16. */
 static inline struct tia_vec3 centre(const struct tia_scene *scene, uint32_t ball)
 {
     const struct tia_shape *s = &world.scene.shapes[world.scene.falling->balls[ball].shape];

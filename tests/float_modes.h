@@ -1,5 +1,5 @@
-/* float_modes.h - floating-point environments that a program may have when it calls a level: rounding other than to
- * nearest, and, where a processor can, subnormal numbers that become 0, and traps.
+/* float_modes.h - floating-point environments in which a program may call a level: rounding other than to nearest, and,
+ * where a processor can, subnormal numbers that become 0, and traps.
  *
  * A program with this header runs in the mode that the variable SIMD_MODE names: tests/slow/simd runs tests of
  * levels in each. */
@@ -56,7 +56,7 @@ static inline void float_mode_set(const struct float_mode *mode)
 #endif
 }
 
-/* What an entry of a level does: for tests of what is behind it. */
+/* Sets the environment that an entry of a level sets: for tests of the functions behind it. */
 static inline void float_mode_of_simd(void)
 {
     struct environment caller;

@@ -1,4 +1,4 @@
-/* hierarchy.h - scenes of spheres and meshes, their hierarchies, and the boxes that these are built of. */
+/* hierarchy.h - scenes of spheres and meshes, their hierarchies, and the boxes from which these are built. */
 #ifndef TESTS_HIERARCHY_H
 #define TESTS_HIERARCHY_H
 
@@ -19,7 +19,7 @@ static struct tia_mesh meshes[3];
 static struct tia_transform transform;
 static struct tia_scene scene;
 
-/* In -most..most. */
+/* Returns a number in -most..most. */
 static tia_q16 number(int32_t most)
 {
     return (tia_q16)((int64_t)(random_u32() % (2 * (uint32_t)most)) - most);
@@ -38,7 +38,7 @@ static inline void set_spheres(uint32_t count)
         spheres[i] = (struct tia_sphere){point(100 * ONE), 64 + (tia_q16)(random_u32() % (3 * ONE)), 0};
 }
 
-/* Each sphere twice as far away as the one before, in every direction; many at every distance. */
+/* Sets spheres, each twice as far away as the one before, in every direction; many at every distance. */
 static inline void set_exponential_spheres(void)
 {
     set_spheres(MOST);
@@ -49,7 +49,7 @@ static inline void set_exponential_spheres(void)
     }
 }
 
-/* What was built, and the memory that it is in. */
+/* The hierarchy, and its memory. */
 static const struct tia_bvh *bvh;
 static void *memory;
 static size_t used;
@@ -65,7 +65,7 @@ static inline void build(void)
     CHECK(used <= size);
 }
 
-/* The box of an item; `mesh` is NULL for objects. */
+/* Returns the box of an item; `mesh` is NULL for objects. */
 static inline struct tia_bounds box_of(const struct tia_mesh *mesh, uint32_t item)
 {
     if (!mesh)
@@ -115,7 +115,7 @@ static inline void set_everything(void)
     scene.transform_count = 1;
 }
 
-/* Says stop when it is asked for the *ctx-th time, and goes on to say so. */
+/* A `stop` callback that returns true from its *ctx-th call on. */
 static inline bool count_down(void *ctx)
 {
     unsigned *left = ctx;

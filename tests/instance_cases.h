@@ -3,7 +3,7 @@
 #include "ray_cases.h"
 #include "render/geometry/instance.h"
 
-/* What a coordinate in the world may be off by, when the largest of them has that size; and a direction. */
+/* Error bounds of a coordinate in the world, when the largest of them has that size; and of a direction. */
 #ifdef TIA_NUM_F64
 #define ERROR(size) (16 * 0x1p-52L * (size))
 #define ANGLE 0x1p-49L
@@ -51,7 +51,7 @@ static void make(struct matrix *m, const tia_q16 scale[3], long double reach)
     instance_prepare(&m->instance, &m->transform, &m->box);
 }
 
-/* Scales of all sizes, often the extremes. */
+/* Makes scales of all sizes, often the extremes. */
 static void make_random(struct matrix *m)
 {
     tia_q16 scale[3];
@@ -73,7 +73,7 @@ static real3 to_world(const struct matrix *m, real3 q)
     return plus(plus(p, m->axes[1], q.y * m->scale[1]), m->axes[2], q.z * m->scale[2]);
 }
 
-/* Of a vector. */
+/* Transforms a vector. */
 static real3 to_shape(const struct matrix *m, real3 v)
 {
     return (real3){dot(v, m->axes[0]) / m->scale[0], dot(v, m->axes[1]) / m->scale[1],
@@ -85,7 +85,7 @@ static long double between(int64_t a, int64_t b)
     return ((long double)a + (long double)(b - a) * (random_real() + 1) / 2) / 65536;
 }
 
-/* In the box, or out of it by up to `beyond` of its size; in the shape's axes. */
+/* Returns a point in the box, or out of it by up to `beyond` of its size; in the shape's axes. */
 static real3 in_box(const struct matrix *m, int64_t beyond)
 {
     int64_t out[3];
@@ -114,7 +114,7 @@ static struct ray ray_at(real3 target)
     return ray_towards(from, target);
 }
 
-/* |a_i - b_i| <= the world's error over the scale */
+/* True if |a_i - b_i| <= the world's error over the scale. */
 static bool is_near(const struct matrix *m, real3 a, real3 b, long double error)
 {
     return fabsl(a.x - b.x) <= error / m->scale[0] && fabsl(a.y - b.y) <= error / m->scale[1] &&
@@ -145,7 +145,7 @@ static void tia_check_placed(const struct matrix *m, const struct ray *ray, real
         CHECK_MSG(fabsl(there - wanted) < k * error + 1e-12L * (1 + wanted), "%Lg there, not %Lg", there, wanted);
     long double back = real_of(instance_distance_back(&placed, num_of(wanted)));
     CHECK_MSG(t <= start || fabsl(back - t) < error + 4 * 0x1p-45L / k, "%Lg back, not %Lg", back, t);
-    /* The ray comes from the box's side, unless it begins behind it: so numbers stay as large as the shape. */
+    /* the ray comes from the box's side, unless it begins behind it: so numbers stay as large as the shape */
     for (int i = 0; i < 3; i++) {
         long double x = i == 0   ? local.x
                         : i == 1 ? local.y
@@ -170,7 +170,7 @@ TEST(rays_are_placed_as_matrices_say)
     }
 }
 
-/* The ray in the box, in long double: by how much of the box's size it passes it, below 0: it meets it. */
+/* Returns near - far of the slab test with the box enlarged by `grown`: negative if the ray meets it. */
 static long double passes(const struct matrix *m, const struct ray *ray, long double grown)
 {
     real3 o = to_shape(m, minus(real3_of(ray->origin), m->position)), d = to_shape(m, real3_dir(ray->direction));
@@ -243,7 +243,7 @@ TEST(normals_are_placed_by_the_inverse_transpose)
     }
 }
 
-/* A sphere around (1, 2, 3) of radius 2 becomes an ellipsoid; its box says where. */
+/* A sphere around (1, 2, 3) of radius 2 becomes an ellipsoid; its bounding box shows where. */
 TEST(ellipsoids_are_met_where_they_are)
 {
     static const struct tia_vec3 centre = TIA_VEC3(1, 2, 3);

@@ -68,7 +68,7 @@ static inline struct tia_light *world_light(enum tia_light_kind kind, double x, 
     return l;
 }
 
-/* A room of matt walls with a mirror, a glass and a glossy ball below a lamp. */
+/* Makes a room of matt walls with a mirror, a glass and a glossy ball below a lamp. */
 static inline void world_room(void)
 {
     static const double walls[5][6] = {
@@ -114,7 +114,7 @@ static inline void world_close(struct world_view *v)
     free(v->memory);
 }
 
-/* A tile's pixels, and their paths' hashes unless NULL. */
+/* Draws a tile's pixels, and their paths' hashes unless NULL. */
 static inline void world_draw(const struct tia_core *core, const struct world_view *v, unsigned width, unsigned height,
                               tia_rgb565 *pixels, uint32_t *hashes)
 {
@@ -131,7 +131,7 @@ static inline void world_draw(const struct tia_core *core, const struct world_vi
     free(memory);
 }
 
-/* The mean of red in the probe's pixel for one seed. */
+/* Returns the mean of red in the probe's pixel for one seed. */
 static inline double world_mean(uint32_t seed, uint32_t count)
 {
     struct tia_sum sum = {{0, 0, 0}};
@@ -171,7 +171,7 @@ static inline void floor_below(enum tia_integrator integrator)
     world_plane(0, 0, 0, 0, 0, 1);
 }
 
-/* The mean is within three standard errors, and those are small. */
+/* Checks that the mean is within three standard errors, and that those are small. */
 #define CHECK_LIGHT(want)                                                                                              \
     do {                                                                                                               \
         struct world_estimate e_ = world_measure(SEEDS, SAMPLES);                                                      \

@@ -1,4 +1,5 @@
-/* limit_cases.h - a scene, what brings it to each of its limits and one step beyond, and what is then said. */
+/* limit_cases.h - a scene, changes that bring it to each of its limits and one step beyond, and the faults then
+ * reported. */
 #ifndef TESTS_LIMIT_CASES_H
 #define TESTS_LIMIT_CASES_H
 
@@ -9,7 +10,7 @@
 #define UNIT "each channel must be in 0..1"
 #define LENGTH "its length must be in 0.5..1.5"
 
-/* A thing before the eye, on a floor, lit: a case changes something of it. */
+/* An object before the eye, on a floor, lit: a case changes a part of it. */
 static struct tia_scene scene;
 static struct tia_material materials[2];
 static struct tia_shape shapes[2];
@@ -45,7 +46,7 @@ static void set_up(void)
     scene.transform_count = scene.texture_count = scene.grid_count = 1;
 }
 
-/* Each changes the scene to a limit, or if `beyond` is 1, and not 0, to one step beyond. */
+/* Each function changes the scene to a limit, or if `beyond` is 1 to one step beyond. */
 #define LIMIT(name) static void name(int beyond)
 
 LIMIT(narrowest_view)
@@ -181,7 +182,7 @@ LIMIT(longest_direction)
     light.direction.y = -TIA_Q30_ONE / 2 * 3 - beyond;
 }
 
-/* At 2^-5 from the ball what is left is 1/32. */
+/* At 2^-5 from the ball 1/32 remains. */
 LIMIT(steepest_attenuation)
 {
     light.quadratic = 32767 * ONE + beyond;
@@ -362,7 +363,7 @@ static const struct {
     ROW(smallest_disc, "shape", 1, "radius", "must be at least 2^-10"),
     ROW(shortest_cylinder, "shape", 1, "top", "must be at least 2^-10 from the base"),
     ROW(thinnest_cylinder, "shape", 1, "radius", "must be at least 2^-10"),
-    ROW(bluntest_cone, "shape", 1, "top_radius", "must not be the base's"),
+    ROW(bluntest_cone, "shape", 1, "top_radius", "must differ from the base's"),
     ROW(thinnest_box, "shape", 1, "max", "must be above min"),
     ROW(narrowest_triangle, "shape", 1, "corners", "must not be on one line"),
     ROW(smallest_scale, "transform", 0, "scale", "must be in 2^-10..1024"),

@@ -27,7 +27,7 @@ static const struct tia_core *const cores[] = {&tia_core_q16, &oracle_core,
 #endif
 };
 
-/* A small image, upright, around the axis from the eye along -z, 2 wide and high. */
+/* Draws a small image, upright, around the axis from the eye along -z, 2 wide and high. */
 static void draw(const struct tia_core *core, unsigned size, tia_rgb565 *pixels)
 {
     const struct tia_tile all = {0, 0, (uint16_t)size, (uint16_t)size};
@@ -49,7 +49,7 @@ static void draw(const struct tia_core *core, unsigned size, tia_rgb565 *pixels)
     free(memory[1]);
 }
 
-/* What a ray sees from (x, y, z), in the plane of y and z, by so many degrees up from -z: in every arithmetic. */
+/* Checks the colour of a ray from (x, y, z), in the plane of y and z, by `degrees` up from -z: in every arithmetic. */
 static void see(double x, double y, double z, double degrees, tia_rgb565 want)
 {
     tia_rgb565 pixel = 1;
@@ -108,7 +108,7 @@ static void add_ball(double y, double z, double radius, uint32_t material)
     s->sphere.radius = Q16(radius);
 }
 
-/* From z = -near to z = -far. */
+/* Adds a slab from z = -near to z = -far. */
 static void add_slab(double near, double far, uint32_t material)
 {
     struct tia_shape *s = add(TIA_BOX, material);

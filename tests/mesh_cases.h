@@ -1,5 +1,5 @@
-/* mesh_cases.h - src/render/geometry/mesh.c, in whatever arithmetic they are compiled for: nothing passes
- * between two faces, and the nearest face is that of all faces. */
+/* mesh_cases.h - src/render/geometry/mesh.c, in whatever arithmetic it is compiled for: no ray passes between two
+ * faces, and the nearest face is that of all faces. */
 #include "mesh_made.h"
 #include "render/geometry/triangle.h"
 
@@ -16,7 +16,7 @@ static real3 vertex(const struct made *m, uint32_t face, int k)
     return real3_vec(m->vertices[m->faces[face].corner[k].vertex]);
 }
 
-/* On an edge of a random face, often its end. */
+/* Returns a point on an edge of a random face, often its end. */
 static real3 edge_point(const struct made *m, uint32_t *face)
 {
     *face = (uint32_t)(random_bits() % m->mesh.face_count);
@@ -35,7 +35,7 @@ static bool meets(const struct shape *shape, const struct ray *ray, struct inter
     return met;
 }
 
-/* From inside a convex mesh, through edges and corners. */
+/* Checks rays from inside a convex mesh, through edges and corners. */
 static void check_inside(const struct made *m, real3 centre, long double within, int rays)
 {
     struct shape shape = shape_of(m);
@@ -54,7 +54,7 @@ static void check_inside(const struct made *m, real3 centre, long double within,
     }
 }
 
-/* Whether all faces whose plane holds the point turn to the eye. */
+/* True if all faces whose plane holds the point turn to the eye. */
 static bool faces_eye(const struct made *m, real3 eye, real3 point)
 {
     long double apart = length(minus(eye, point));
@@ -67,7 +67,7 @@ static bool faces_eye(const struct made *m, real3 eye, real3 point)
     return true;
 }
 
-/* From outside a convex mesh, whose faces turn outwards. */
+/* Checks rays from outside a convex mesh, whose faces turn outwards. */
 static void check_outside(const struct made *m, real3 centre, long double away, int rays)
 {
     struct shape shape = shape_of(m);
@@ -147,7 +147,7 @@ TEST(tetrahedra_have_no_holes)
     }
 }
 
-/* Faces in disorder: what each alone says, against the search. */
+/* Compares the search in a mesh of random faces with each face alone. */
 static void check_nearest(const struct made *m, long double size, int rays, unsigned hits[2])
 {
     struct shape shape = shape_of(m);

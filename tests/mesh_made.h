@@ -48,7 +48,7 @@ static inline void made_face(struct made *m, uint32_t a, uint32_t b, uint32_t c)
         {{a, TIA_NO_INDEX, TIA_NO_INDEX}, {b, TIA_NO_INDEX, TIA_NO_INDEX}, {c, TIA_NO_INDEX, TIA_NO_INDEX}}};
 }
 
-/* A vertex halfway between two, moved out to the sphere; one that is there already is shared. */
+/* Returns a vertex halfway between two, moved out to the sphere; an existing one is shared. */
 static inline uint32_t made_middle(struct made *m, uint32_t a, uint32_t b, struct tia_vec3 centre, long double radius)
 {
     real3 c = real3_vec(centre),
@@ -62,7 +62,7 @@ static inline uint32_t made_middle(struct made *m, uint32_t a, uint32_t b, struc
     return made_vertex(m, v);
 }
 
-/* An octahedron whose faces are split into four, `times`; faces turn outwards. */
+/* Makes an octahedron whose faces are split into four, `times`; faces turn outwards. */
 static inline struct made *made_sphere(struct tia_vec3 centre, long double radius, int times)
 {
     struct made *m = made_new();
@@ -109,7 +109,7 @@ static inline struct made *made_cube(struct tia_vec3 min, tia_q16 edge)
     return m;
 }
 
-/* Any but a very thin one. */
+/* Makes any tetrahedron but a very thin one. */
 static inline struct made *made_tetrahedron(long double size)
 {
     struct made *m = made_new();
@@ -130,7 +130,7 @@ static inline struct made *made_tetrahedron(long double size)
     return m;
 }
 
-/* Random faces over random vertices. */
+/* Makes random faces over random vertices. */
 static inline struct made *made_disorder(long double size, uint32_t count)
 {
     struct made *m = made_new();
@@ -144,7 +144,7 @@ static inline struct made *made_disorder(long double size, uint32_t count)
     return m;
 }
 
-/* Normals and uvs for all corners. */
+/* Adds normals and uvs for all corners. */
 static inline void made_dress(struct made *m)
 {
     m->mesh.normal_count = m->mesh.uv_count = m->mesh.vertex_count;
@@ -172,7 +172,7 @@ static inline void made_include(struct tia_bounds *b, struct tia_vec3 v)
     b->max.z = v.z + 1 > b->max.z ? v.z + 1 : b->max.z;
 }
 
-/* What lies below the middle, or above: by the first corner's coordinate along an axis. */
+/* Moves the faces below the middle to the front: by the first corner's coordinate along an axis. */
 static inline uint32_t made_part(struct made *m, uint32_t first, uint32_t count, unsigned axis)
 {
     uint32_t low = first;

@@ -1,5 +1,5 @@
 /* misuse.h - calls that no program should make, each in a process of its own: it must not crash, hang or trip a
- * sanitizer, and return what the headers say.
+ * sanitizer, and must return the value that the headers name.
  *
  *     TEST(misuse_of_views) { GIVES(TIA_ERR_ARGUMENT, tia_view_init(NULL, ...)); HARMLESS(tia_f(NULL)); misuse_end(); }
  */
@@ -13,12 +13,12 @@
 
 #include "check.h"
 
-#define MISUSE_SECONDS 20 /* of processor time, of which none takes a tenth: what loops for ever is ended */
+#define MISUSE_SECONDS 20 /* processor time; no call takes a tenth of it: endless loops are ended */
 
 static unsigned misuse_count, misuse_wrong;
 static char misuse_first[400];
 
-/* In the child 0; *in is where it says what the call returned. */
+/* Forks. Returns 0 in the child; it writes the call's result to *in. */
 static inline pid_t misuse_begin(int pipes[2])
 {
     const struct rlimit none = {0, 0}, seconds = {MISUSE_SECONDS, MISUSE_SECONDS};
@@ -77,7 +77,7 @@ static inline void misuse_judge(pid_t pid, const int pipes[2], intmax_t want, co
 
 #define REFUSES(...) GIVES(TIA_ERR_ARGUMENT, __VA_ARGS__)
 
-/* Of a call that returns nothing. */
+/* Checks a call that returns nothing. */
 #define HARMLESS(...) GIVES(0, (__VA_ARGS__, 0))
 
 static inline void misuse_end(void)

@@ -32,7 +32,7 @@ static inline struct tia_reader misuse_reader(void)
     return (struct tia_reader){.format = TIA_FORMAT_TIA, .text = misuse_text, .length = sizeof misuse_text - 1};
 }
 
-/* The scene. */
+/* Reads the scene. */
 static inline void misuse_read(void)
 {
     struct tia_reader reader = misuse_reader();
@@ -49,7 +49,7 @@ static inline int misuse_init(struct tia_view **view, void *memory, size_t size,
     return tia_view_init(view, memory, size, scene, MISUSE_LIGHTS, width, height);
 }
 
-/* The scene with a view and hits; nothing is traced. */
+/* Prepares the scene with a view and hits; no pixel is traced. */
 static inline void misuse_prepare(void)
 {
     misuse_read();

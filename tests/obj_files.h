@@ -1,4 +1,4 @@
-/* obj_files.h - models read with what they name: libraries as strings or from scenes/obj, images made up. */
+/* obj_files.h - models read with their libraries as strings or from scenes/obj, and made-up images. */
 #ifndef TESTS_OBJ_FILES_H
 #define TESTS_OBJ_FILES_H
 
@@ -6,7 +6,7 @@
 
 #define SCENES "scenes/obj/"
 
-/* What the text names: files of strings; others lie in scenes/obj. */
+/* The files that the text names: strings; others are in scenes/obj. */
 struct files {
     const char *names[20], *texts[20];
     char *loaded[4];
@@ -35,7 +35,7 @@ static inline int fetch_library(void *ctx, const char *name, const char **text, 
     return found ? TIA_OK : TIA_ERR_ARGUMENT;
 }
 
-/* Every image is two texels of 1, 2, 3 and 4, 5, 6. */
+/* Fetches an image; every one is two texels of 1, 2, 3 and 4, 5, 6. */
 static inline int fetch_image(void *ctx, const char *name, struct tia_texture *texture, const char **why)
 {
     static const uint8_t texels[] = {1, 2, 3, 4, 5, 6};
@@ -51,7 +51,7 @@ static inline int fetch_image(void *ctx, const char *name, struct tia_texture *t
     return TIA_OK;
 }
 
-/* The number of the channel, and in "whole.ppm" all 255. */
+/* Fetches an opacity: the number of the channel, and in "whole.ppm" all 255. */
 static inline int fetch_opacity(void *ctx, const char *name, enum tia_channel channel, struct tia_texture *texture,
                                 const char **why)
 {

@@ -1,4 +1,4 @@
-/* prepared.h - shapes as rays meet them, without the scene that they would be of. */
+/* prepared.h - prepared shapes without a scene. */
 #ifndef TESTS_PREPARED_H
 #define TESTS_PREPARED_H
 

@@ -1,4 +1,4 @@
-/* pseudo.h - the pseudo-terminal that the tests of the guardian make raw and want cooked again. */
+/* pseudo.h - the pseudo-terminal that the tests of the guardian make raw and expect cooked again. */
 #ifndef TESTS_PSEUDO_H
 #define TESTS_PSEUDO_H
 
@@ -62,8 +62,7 @@ static inline void keep_and_make_raw(void)
         make_raw();
 }
 
-/* True when the terminal is cooked again within 10 s: a change of its modes is no event that one
- * could wait for. */
+/* True when the terminal is cooked again within 10 s: a change of its modes causes no event to wait for. */
 static inline bool cooked_again(void)
 {
     for (int i = 0; i < 1000; i++) {

@@ -1,5 +1,5 @@
-/* random.h - what a test draws by chance, the same in every run: SplitMix64, which draws the corpus too. A case alone
- * takes the numbers that it takes among the others. */
+/* random.h - random numbers for tests, the same in every run: SplitMix64, as in the corpus. A case alone takes the
+ * numbers that it takes among the others. */
 #ifndef TESTS_RANDOM_H
 #define TESTS_RANDOM_H
 
@@ -19,13 +19,13 @@ static inline uint32_t random_u32(void)
     return (uint32_t)(random_bits() >> 32);
 }
 
-/* Below 2^bits, of any length. */
+/* Returns a number below 2^bits, of any length. */
 static inline uint64_t random_short(unsigned bits)
 {
     return random_bits() >> (64 - bits) >> random_bits() % bits;
 }
 
-/* -1..1 */
+/* Returns a number in -1..1. */
 static inline long double random_real(void)
 {
     return (long double)(int64_t)random_bits() / 9223372036854775808.0L;

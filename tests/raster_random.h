@@ -1,4 +1,4 @@
-/* raster_random.h - polygons and states by chance, and a target to compare with the oracle's. */
+/* raster_random.h - random polygons and states, and a target to compare with the oracle's. */
 #ifndef TESTS_RASTER_RANDOM_H
 #define TESTS_RASTER_RANDOM_H
 
@@ -19,13 +19,13 @@ static inline int64_t random_below(uint64_t n)
     return (int64_t)(random_bits() % n);
 }
 
-/* -most..most */
+/* Returns a number in -most..most. */
 static inline int64_t random_size(int64_t most)
 {
     return random_below(2 * (uint64_t)most + 1) - most;
 }
 
-/* A coordinate: any number, or one of a few, so that corners, edges and planes coincide. */
+/* Returns a coordinate: any number, or one of a few, so that corners, edges and planes coincide. */
 static inline int64_t random_coordinate(bool lattice, int64_t most)
 {
     return lattice ? random_size(4) * (most / 4) : random_size(most);
@@ -42,7 +42,8 @@ static inline struct tia_raster_vertex random_vertex(bool lattice, int64_t most,
     return v;
 }
 
-/* At the centre of a pixel of the area, or a little outside it; exactly, or almost, often in the same row as others. */
+/* Returns a point at the centre of a pixel of the area, or a little outside it; exactly, or almost, often in the same
+ * row as others. */
 static inline struct tia_raster_vertex random_centre(const struct tia_lattice *l, struct tia_tile area, int64_t most)
 {
     int64_t i = area.x + random_size(area.width), j = area.y + random_size(random_below(2) ? area.height : 1);
@@ -57,13 +58,13 @@ static inline struct tia_raster_vertex random_centre(const struct tia_lattice *l
                                       v.w * times + random_size(off), 1};
 }
 
-/* a - b, a direction. */
+/* Returns a - b, a direction. */
 static inline struct tia_raster_vertex difference(struct tia_raster_vertex a, struct tia_raster_vertex b)
 {
     return (struct tia_raster_vertex){a.x - b.x, a.y - b.y, a.w - b.w, a.h - b.h};
 }
 
-/* The side of a shadow volume: a, b and the same drawn to infinity away from l. */
+/* Makes the side of a shadow volume: a, b and the same drawn to infinity away from l. */
 static inline void random_quad(struct random_polygon *p, bool lattice, int64_t most, bool flat)
 {
     struct tia_raster_vertex l = random_vertex(lattice, most, flat);
@@ -75,7 +76,7 @@ static inline void random_quad(struct random_polygon *p, bool lattice, int64_t m
     p->v[3] = difference(p->v[0], l);
 }
 
-/* A convex polygon of 3..8 corners in the plane through three points. */
+/* Makes a convex polygon of 3..8 corners in the plane through three points. */
 static inline void random_flat_polygon(struct random_polygon *p, bool lattice, int64_t most, bool flat)
 {
     static const int8_t octagon[8][2] = {{2, 1}, {1, 2}, {-1, 2}, {-2, 1}, {-2, -1}, {-1, -2}, {1, -2}, {2, -1}};
@@ -95,7 +96,8 @@ static inline void random_flat_polygon(struct random_polygon *p, bool lattice, i
     }
 }
 
-/* All coordinates of points up to `most`, a multiple of 40. Every polygon is flat, to the bit. At first count is 0. */
+/* Makes a polygon. All coordinates of points up to `most`, a multiple of 40. Every polygon is flat, to the bit. At
+ * first count is 0. */
 static inline void random_polygon(struct random_polygon *p, const struct tia_lattice *l, struct tia_tile area,
                                   int64_t most)
 {
@@ -174,7 +176,7 @@ static inline void *allocated(size_t size)
     return p;
 }
 
-/* A target of its own memory: free(target.planes) or, without depth, what comes first. */
+/* Returns a target with memory of its own: free(target.planes) or, without depth, the first buffer. */
 static inline struct tia_raster_target target_of(const struct tia_lattice *lattice, struct tia_tile area,
                                                  unsigned buffers, uint32_t faces, void **memory)
 {

@@ -1,4 +1,4 @@
-/* ray_cases.h - what the tests of general rays share, in whatever arithmetic they are compiled for: random numbers,
+/* ray_cases.h - shared by the tests of general rays, in whatever arithmetic they are compiled for: random numbers,
  * rays, and the numbers of the core as long doubles. */
 #ifndef TESTS_RAY_CASES_H
 #define TESTS_RAY_CASES_H
@@ -9,7 +9,7 @@
 #include "prepared.h"
 #include "random.h"
 
-/* A coordinate of any size from 2^-16 up to `most`. */
+/* Returns a coordinate of any size from 2^-16 up to `most`. */
 static inline tia_q16 random_q16(long double most)
 {
     return (tia_q16)(random_real() * most * 65536);
@@ -90,7 +90,7 @@ static inline real3 random_real3(long double most)
     return (real3){random_real() * most, random_real() * most, random_real() * most};
 }
 
-/* From one point towards another. */
+/* Returns a ray from one point towards another. */
 static inline struct ray ray_towards(real3 from, real3 to)
 {
     struct ray ray = {.origin = point_of(from)};

@@ -1,4 +1,4 @@
-/* ray_edges.h - for test_ray_edges.c: small worlds, and rays close to where what they meet changes. */
+/* ray_edges.h - for test_ray_edges.c: small worlds, and rays close to places where their hits change. */
 #ifndef TESTS_RAY_EDGES_H
 #define TESTS_RAY_EDGES_H
 
@@ -16,7 +16,7 @@ static const struct ray_view *view;
 static const struct sure_scene *scene;
 static void *memory[3];
 static struct light_room lights;
-static long double unit; /* of the file */
+static long double unit; /* unit of the file */
 
 static const char common[] = "camera perspective eye 0 0 9 look 0 0 0 fov 40\n"
                              "texture squares checker even 0.2 0.3 0.2 odd 0.9 0.8 0.7 scale 0.3 0.3\n"
@@ -57,7 +57,7 @@ static const struct world {
                   "box min -1 -1 -1 max 1 1 1 at -0.8 -0.2 0.3 rotate 30 40 10 scale 0.2 0.5 0.3 material mirror\n"
                   "cylinder base 0 0 0 top 0 1 0 radius 0.4 capped at 0.2 -0.9 0.2 rotate 5 70 10 scale 0.6 0.8 0.6 "
                   "material thin\n"},
-    {"thin", /* with something far away, so that the unit of length is no smaller than the file's */
+    {"thin", /* with a distant object, so that the unit of length is no smaller than the file's */
      "sphere centre 0 0 -20000 radius 1 material plain\n"
      "sphere radius 0.1 at 0 0.2 0 rotate 10 20 30 scale 4 0.001 4 material thin\n"
      "cone base -0.4 -0.002 0 top -0.4 0 0 radii 0.4 0 capped material thin\n"
@@ -139,7 +139,7 @@ static struct real3 random3(long double size)
     return (struct real3){{size * random_real(), size * random_real(), size * random_real()}};
 }
 
-/* On the unit sphere. */
+/* Returns a point on the unit sphere. */
 static struct real3 random_unit(void)
 {
     struct real3 a;
@@ -184,7 +184,7 @@ static struct real3 between(struct real3 a, struct real3 b, long double part)
     return a;
 }
 
-/* A ray from `origin` close to where what it meets changes, mostly; `gap` is how close. */
+/* Returns a ray from `origin`, mostly within `gap` of a place where its hit changes. */
 static struct ray edge_ray(struct real3 origin, long double gap)
 {
     struct real3 a = random3(unit), b = random3(unit);
@@ -225,7 +225,7 @@ static struct ray edge_ray(struct real3 origin, long double gap)
     return ray;
 }
 
-/* The ray as doubles have it: off by up to eo and ed. */
+/* Returns the ray in doubles: off by up to eo and ed. */
 static struct packet moved(const struct ray *ray, double eo, double ed)
 {
     struct real3 o = random_unit(), d = random_unit();

@@ -1,6 +1,5 @@
-/* ray_steps.h - for tests of single steps of src/simd/rays: what a step starts from is off by all that its bound
- * allows, in the direction that changes its result most, and what comes out of it is compared with the formula. To be
- * included behind one_lane.h. */
+/* ray_steps.h - for tests of single steps of src/simd/rays: a step's input is off by all that its bound allows, in the
+ * direction that changes its result most, and its output is compared with the formula. Include it after one_lane.h. */
 #ifndef TESTS_RAY_STEPS_H
 #define TESTS_RAY_STEPS_H
 
@@ -9,7 +8,7 @@
 #include "check.h"
 #include "random.h"
 
-/* How much of a bound is used, at most; told, and checked, at the end of a test. */
+/* The largest used part of a bound; printed, and checked, at the end of a test. */
 struct used {
     const char *name;
     double most;
@@ -51,7 +50,7 @@ static inline long double real_dot(struct real a, struct real b)
     return a.v[0] * b.v[0] + a.v[1] * b.v[1] + a.v[2] * b.v[2];
 }
 
-/* a + b s */
+/* Returns a + b s. */
 static inline struct real real_along(struct real a, struct real b, long double s)
 {
     return (struct real){{a.v[0] + b.v[0] * s, a.v[1] + b.v[1] * s, a.v[2] + b.v[2] * s}};
@@ -88,13 +87,13 @@ static inline struct real real_random(void)
     return real_unit(a);
 }
 
-/* At right angles to a, of length 1. */
+/* Returns a vector at right angles to a, of length 1. */
 static inline struct real real_aside(struct real a)
 {
     return real_unit(real_cross(a, real_random()));
 }
 
-/* A unit vector turned towards `to`, which is at right angles to it: by the chord e. */
+/* Returns a unit vector turned towards `to`, which is at right angles to it: by the chord e. */
 static inline struct real real_turned(struct real a, struct real to, long double e)
 {
     long double turn = 2 * asinl(e / 2);
@@ -103,7 +102,7 @@ static inline struct real real_turned(struct real a, struct real to, long double
     return real_along(real_along(zero, a, cosl(turn)), to, sinl(turn));
 }
 
-/* 2^-most .. 2^-least, or 0. */
+/* Returns 2^-most .. 2^-least, or 0. */
 static inline double some_size(int most, int least)
 {
     int bits = most + (int)(random_bits() % (unsigned)(least - most + 1));
@@ -111,7 +110,7 @@ static inline double some_size(int most, int least)
     return random_bits() % 4 ? ldexp(1 + fabs(random_double()), -bits - 1) : 0;
 }
 
-/* 0..1 */
+/* Returns a number in 0..1. */
 static inline double some_part(void)
 {
     return fabs(random_double());

@@ -1,4 +1,4 @@
-/* reading.h - scene texts read as a program reads them: the need is asked, then filled exactly. */
+/* reading.h - reads scene texts like a program: asks for the need, then provides exactly that. */
 #ifndef TESTS_READING_H
 #define TESTS_READING_H
 
@@ -10,7 +10,7 @@
 struct reading {
     struct tia_reader reader;
     struct tia_scene scene;
-    void *memory; /* exactly what the scene needs */
+    void *memory; /* exactly the memory that the scene needs */
     size_t need;
     int status;
 };
@@ -35,7 +35,7 @@ static inline void read_begin(struct reading *r)
     r->status = tia_read(&r->reader, &r->scene, NULL, 0, &r->need);
     if (r->status == TIA_ERR_MEMORY) {
         r->memory = malloc(r->need);
-        memset(r->memory, 0xaa, r->need); /* no place counts on zeros */
+        memset(r->memory, 0xaa, r->need); /* no code may rely on zeros */
         CHECK_EQ(tia_read(&r->reader, &r->scene, r->memory, r->need - 1, &again), TIA_ERR_MEMORY);
         CHECK_EQ(again, r->need);
         r->status = tia_read(&r->reader, &r->scene, r->memory, r->need, &again);
@@ -51,7 +51,7 @@ static inline void read_string(struct reading *r, enum tia_format format, const 
     read_begin(r);
 }
 
-/* A whole file, with a zero behind it; NULL when there is none. */
+/* Returns a whole file, with a zero behind it; NULL when there is none. */
 static inline char *load_file(const char *name, size_t *length)
 {
     FILE *file = fopen(name, "rb");
@@ -66,7 +66,7 @@ static inline char *load_file(const char *name, size_t *length)
     return text;
 }
 
-/* The error that the text gives, as "LINE:COLUMN: TEXT" or "FILE:LINE:COLUMN: TEXT". */
+/* Checks the error of the text, as "LINE:COLUMN: TEXT" or "FILE:LINE:COLUMN: TEXT". */
 static inline void check_read_error(struct reading *r, const char *want)
 {
     const struct tia_read_error *e = &r->reader.error;
@@ -78,7 +78,7 @@ static inline void check_read_error(struct reading *r, const char *want)
     read_end(r);
 }
 
-/* Every text that something is cut from is read, or refused at a place within it. */
+/* Checks that every text with a part cut out is read, or refused at a place within it. */
 static inline void check_truncated(const struct tia_reader *reader)
 {
     for (size_t length = 0; length <= reader->length; length++) {

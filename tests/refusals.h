@@ -1,4 +1,4 @@
-/* refusals.h - one scene that is accepted; a case changes one thing of it, and asks what tia_scene_check says. */
+/* refusals.h - a scene that is accepted; a case changes one part of it, and checks tia_scene_check's result. */
 #ifndef TESTS_REFUSALS_H
 #define TESTS_REFUSALS_H
 
@@ -27,8 +27,8 @@ static inline void check_refused(const char *thing, uint32_t index, const char *
               (unsigned)index, field, rule);
 }
 
-/* `value` is a field of the scene that must stay in first..last: tries the ends, the values beside
- * them, the extremes, and puts it back. */
+/* Checks that `value`, a field of the scene, must stay in first..last: tries the ends, the values beside them, the
+ * extremes, and restores it. */
 static inline void check_range(int32_t *value, int32_t first, int32_t last, const char *thing, uint32_t index,
                                const char *field, const char *rule)
 {

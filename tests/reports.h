@@ -1,4 +1,4 @@
-/* reports.h - what the checking build reports: how often, and the first time where. */
+/* reports.h - the reports of the checking build: their number, and the place of the first. */
 #ifndef TESTS_REPORTS_H
 #define TESTS_REPORTS_H
 

@@ -8,8 +8,8 @@
 #include <tia/bvh.h>
 #include <tia/render.h>
 
-/* The text with its lengths, marked by @, times `scale`; over it what is marked by ~, over its square what is by ^;
- * `more` behind it. */
+/* Reads the text with its lengths, marked by @, times `scale`; numbers marked by ~ are divided by it, those marked by ^
+ * by its square; `more` follows. */
 static void read_scaled(struct reading *r, const char *text, double scale, const char *more)
 {
     char *out = calloc(1, 12 * strlen(text) + strlen(more) + 1), *to = out;

@@ -1,4 +1,4 @@
-/* shadow_map_world.h - boxes before a camera, a light and its shadow map, and the same in double precision. */
+/* shadow_map_world.h - boxes in front of a camera, a light and its shadow map, and the same in double precision. */
 #ifndef TESTS_SHADOW_MAP_WORLD_H
 #define TESTS_SHADOW_MAP_WORLD_H
 
@@ -39,14 +39,14 @@ static struct {
     struct tia_world world;
     struct tia_map map;
     struct tia_map_look look;
-    double eye[3], zero[3]; /* places are relative to zero: the eye, or the middle of the window */
+    double eye[3], zero[3]; /* positions are relative to zero: the eye, or the middle of the window */
     double axes[3][3];      /* the camera's: right, up, back */
     tia_flat_light at;
     void *memory, *room;
     uint32_t *texels;
 } w;
 
-/* The camera looks at the world's zero. */
+/* Finds the axes; the camera looks at the world's zero. */
 static void find_axes(void)
 {
     const struct tia_window *window = &w.scene.camera.window;
@@ -136,20 +136,21 @@ static void origin_of(double out[3])
         out[k] = (double)w.map.origin[k] * unit;
 }
 
-/* Texels per unit, or at the distance 1. */
+/* Returns texels per unit, or at the distance 1. */
 static double density(void)
 {
     return (double)w.map.density * 0x1p-40;
 }
 
-/* ---- points of faces, and where the map has them ---- */
+/* ---- points of faces, and their positions in the map ---- */
 
 struct point {
     double place[3], normal[3];
     uint32_t face;
 };
 
-/* On a box's side that faces the light: faces 2 n and 2 n + 1 of a box are its side n, low or high along an axis. */
+/* Finds a point on a box's side that faces the light: faces 2 n and 2 n + 1 of a box are its side n, low or high along
+ * an axis. */
 static bool any_point(struct point *p)
 {
     static const int axis_of[6] = {0, 0, 1, 1, 2, 2};
@@ -207,7 +208,7 @@ static struct found find(const double place[3])
     return f;
 }
 
-/* The distance of the plane through a point with this normal, in the middle of a texel. */
+/* Returns the distance of the plane through a point with this normal, in the middle of a texel. */
 static double plane_at(const struct point *p, const struct found *f, int i, int j)
 {
     double axes[3][3], origin[3], d[3], to[3], u = (i + 0.5 - SIZE / 2) / density(),

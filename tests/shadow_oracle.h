@@ -1,5 +1,5 @@
-/* shadow_oracle.h - what a pixel sees of faces, and whether light comes there: tried with every face, in integers of
- * 128 bits. */
+/* shadow_oracle.h - the visible face of a pixel, and if light comes there: tested with every face, in integers of 128
+ * bits. */
 #ifndef TESTS_SHADOW_ORACLE_H
 #define TESTS_SHADOW_ORACLE_H
 
@@ -13,7 +13,7 @@ struct big3 {
     big x, y, z;
 };
 
-/* What a linear function of the direction is there, and how it grows to the right and then down. */
+/* A linear function of the direction at a pixel, and its steps to the right and then down. */
 struct at_pixel {
     big value, right, down;
 };
@@ -43,7 +43,7 @@ static int sign_at(struct at_pixel a)
     return a.value ? sign(a.value) : a.right ? sign(a.right) : sign(a.down);
 }
 
-/* Pixel (i, j) of a square image looks along (2 i + 1 - SIZE, SIZE - 1 - 2 j, SIZE). */
+/* Evaluates at pixel (i, j) of a square image, whose direction is (2 i + 1 - SIZE, SIZE - 1 - 2 j, SIZE). */
 static struct at_pixel along(struct big3 n, int i, int j)
 {
     return (struct at_pixel){dot(n, (struct big3){2 * i + 1 - SIZE, SIZE - 1 - 2 * j, SIZE}), 2 * n.x, -2 * n.y};
@@ -70,7 +70,7 @@ static int side(struct plane p, const struct tia_raster_vertex *v)
     return sign(dot(p.n, vector(v)) - p.d * v->h);
 }
 
-/* The side on which a plane has what is seen of another: n.D - d s with s = seen.n.D/seen.d. */
+/* Returns the side of a plane that the visible point of another is on: n.D - d s with s = seen.n.D/seen.d. */
 static int side_of_seen(struct plane p, struct plane seen, int i, int j)
 {
     struct at_pixel a = along(p.n, i, j), b = along(seen.n, i, j);
@@ -112,7 +112,7 @@ static bool covers(const struct world *w, uint32_t f, int i, int j)
     return turn != 0;
 }
 
-/* Whether f is nearer than g where both are met. The lower number of two in one plane. */
+/* True if f is nearer than g where both are met; of two in one plane, the lower number. */
 static bool is_nearer(const struct world *w, uint32_t f, uint32_t g, int i, int j)
 {
     int order = side_of_seen(plane_of(w, f), plane_of(w, g), i, j) * sign(plane_of(w, f).d);
@@ -130,7 +130,7 @@ static inline uint32_t find_seen(const struct world *w, int i, int j)
     return seen;
 }
 
-/* Whether face f is between what is seen and the light. */
+/* True if face f is between the visible point and the light. */
 static bool hides(const struct world *w, uint32_t f, struct plane seen, int i, int j)
 {
     struct plane cap = plane_of(w, f);

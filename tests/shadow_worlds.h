@@ -23,7 +23,7 @@ static struct tia_flat_object objects[FACES];
 static struct tia_raster_vertex points[POINTS];
 static uint32_t across[TIA_SIDES * FACES];
 
-/* Points and directions as they are in perspective; in orthographic views h is what w was. */
+/* Returns a point or direction in perspective; in orthographic views h is the w of those. */
 static struct tia_raster_vertex vertex(const struct world *w, int64_t x, int64_t y, int64_t z, bool point)
 {
     if (w->flat.eye.projection == TIA_ORTHOGRAPHIC)
@@ -38,7 +38,7 @@ static void begin(struct world *w, enum tia_projection projection)
     CHECK(!tia_lattice_init(&w->flat.lattice, projection, SIZE, SIZE, 1, 0, projection == TIA_ORTHOGRAPHIC ? 20 : 5));
 }
 
-/* Whole multiples of step, of a scene that reaches `range` to all sides and from a bit behind the eye. */
+/* Gives multiples of `step`: up to `range` in each direction, and in depth from slightly behind the eye. */
 static void any_place(const struct world *w, int32_t range, int32_t step, int64_t at[3])
 {
     for (int k = 0; k < 3; k++)
@@ -52,7 +52,7 @@ static void add_point(struct world *w, int64_t x, int64_t y, int64_t z, bool poi
     points[w->flat.point_count++] = vertex(w, x, y, z, point);
 }
 
-/* The points were added just before. */
+/* Adds an object; its points were added just before. */
 static void add_object(struct world *w, const uint8_t (*corners)[4], uint32_t count, uint32_t point_count)
 {
     struct tia_flat_scene *f = &w->flat;
@@ -111,7 +111,7 @@ static void make_soup(struct world *w, uint32_t count, int32_t range, int32_t st
     }
 }
 
-/* Boxes, or what becomes of them when all corners move. */
+/* Adds boxes, or their distortions when all corners move. */
 static void make_solids(struct world *w, uint32_t count, int32_t range, int32_t step, int32_t jitter)
 {
     static const uint8_t box[12][4] = {{0, 6, 4}, {0, 2, 6}, {1, 5, 7}, {1, 7, 3}, {0, 5, 1}, {0, 4, 5},
@@ -131,7 +131,7 @@ static void make_solids(struct world *w, uint32_t count, int32_t range, int32_t 
     }
 }
 
-/* A plane in two halves, all of it; it goes through a point between the others. */
+/* Adds a whole plane in two halves; it goes through a point between the others. */
 static void make_plane(struct world *w, int32_t range, int32_t step)
 {
     static const uint8_t halves[2][4] = {{0, 1, 2, 3}, {0, 3, 4, 1}};
@@ -149,7 +149,7 @@ static void make_plane(struct world *w, int32_t range, int32_t step)
     objects[w->flat.object_count - 1].kind = TIA_PLANE;
 }
 
-/* SMALL is a few solids, a plane and a light that are far away from their size. */
+/* SMALL: a few solids, a plane and a light, at a distance large for their size. */
 enum contents { SOUP, SOLIDS, CROOKED, MIXED, SMALL };
 
 static inline void make(struct world *w, enum contents contents, int32_t range, int32_t step)

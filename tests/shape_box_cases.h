@@ -97,7 +97,7 @@ static real box_curvature(const struct subject *s, struct vec p, uint32_t elemen
     return 1 / smallest;
 }
 
-/* A point of a face; `near` its edges every second time. */
+/* Returns a point of a face; `near` its edges every second time. */
 static struct vec any_of_face(const struct box *box, uint32_t face, bool near)
 {
     real p[3];
@@ -143,7 +143,7 @@ struct grid {
     uint8_t cells[CELLS_MAX];
 };
 
-/* What fills cell (x, y, z): 0 outside. */
+/* Returns the contents of cell (x, y, z): 0 outside. */
 static unsigned filling(const struct grid *g, int x, int y, int z)
 {
     const uint16_t *n = g->grid.size;
@@ -165,7 +165,7 @@ static struct box cell_box(const struct grid *g, uint32_t cell)
     return box;
 }
 
-/* Whether a ray along d meets the face: a front where something else is beyond it, a back where nothing is. */
+/* True if a ray along d meets the face: a front where the next cell differs, a back where it is empty. */
 static bool is_surface(const struct grid *g, uint32_t cell, uint32_t face, struct vec d)
 {
     const uint16_t *n = g->grid.size;
@@ -238,7 +238,7 @@ static void prepare_grid(struct subject *s, struct grid *g, const unsigned n[3],
     s->shape.material = 7;
 }
 
-/* A share of the cells is filled, with one of two materials. */
+/* Checks a grid; a share of the cells is filled, with one of two materials. */
 static void tia_check_grid(const unsigned n[3], double far, double edge, double share, int rays)
 {
     static struct grid g;
@@ -257,7 +257,7 @@ static void tia_check_grid(const unsigned n[3], double far, double edge, double 
     }
 }
 
-/* That at t the ray is in the cell, as the planes between it and others are met. */
+/* True if at t the ray is in the cell, by the order in which the planes between it and others are met. */
 static bool is_in_cell(const struct grid *g, uint32_t cell, const struct ray *ray, num_length t)
 {
     const uint16_t *n = g->grid.size;
@@ -278,7 +278,7 @@ static bool is_in_cell(const struct grid *g, uint32_t cell, const struct ray *ra
     return true;
 }
 
-/* A block of one material is a box: no ray enters or leaves it anywhere else, also one that goes exactly
+/* Checks a block of one material, which is a box: no ray enters or leaves it anywhere else, also one that goes exactly
  * through the edges and corners of its cells. */
 static void check_block(const unsigned n[3], double far, double edge)
 {

@@ -134,7 +134,7 @@ static real radius_at(const struct cone *c, real height)
     return c->base_radius + (c->top_radius - c->base_radius) * height / c->length;
 }
 
-/* How far p is inside the side. */
+/* Returns the distance of p inside the side. */
 static real depth_of(const struct cone *c, struct vec p)
 {
     return (radius_at(c, height_of(c, p)) - aside_of(c, p)) * c->length / c->slant;
@@ -164,7 +164,8 @@ static int cap_candidate(const struct subject *s, uint32_t element, struct vec o
     return 1;
 }
 
-/* The side from the quadratic |v|^2 - z^2 = (r + k z)^2, from the point of the ray that is nearest to the base. */
+/* Finds the side from the quadratic |v|^2 - z^2 = (r + k z)^2, from the point of the ray that is nearest to the base.
+ */
 static int side_candidates(const struct subject *s, struct vec o, struct vec d, struct candidate found[])
 {
     const struct cone *c = s->what;
@@ -282,7 +283,7 @@ static void check_cone(struct tia_cone cone)
     }
 }
 
-/* Rays to the apex, where a cap of radius 0 would be. */
+/* Checks rays to the apex, where a cap of radius 0 would be. */
 static void check_apex(struct tia_cone cone)
 {
     struct subject s;
@@ -297,7 +298,7 @@ static void check_apex(struct tia_cone cone)
     }
 }
 
-/* From `base` a length away in a direction, within the world. */
+/* Returns a cone from `base` a length away in a direction, within the world. */
 static struct tia_cone any_cone(double far, double longest, double base_radius, double top_radius)
 {
     struct tia_vec3 base = any_place(far);

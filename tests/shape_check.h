@@ -1,11 +1,11 @@
 /* shape_check.h - a shape of src/shape, in whatever arithmetic this is compiled for, against formulas
  * computed with 113 bits.
  *
- * What the formulas give of a ray and a shape is a list of candidates, each with what parts it from not
- * being there: its margin, the distance from the shape's edge, and its depth, how far in the ray gets
- * before it is out again. Where both are larger than the arithmetic's error the nearest of them must be
- * found; whatever is found must lie on the shape; so nothing is left open but what rounding must decide.
- * An error e of a surface's place is one of e/|D.N| along the ray. */
+ * The formulas give a list of candidates for a ray and a shape, each with its distance from not being a hit: its
+ * margin, the distance from the shape's edge, and its depth, the distance that the ray gets in before it is out again.
+ * Where both are larger than the arithmetic's error, the nearest of them must be found; every hit found must lie on the
+ * shape; so only cases within rounding are left open. An error e of a surface's position is one of e/|D.N| along the
+ * ray. */
 #ifndef TESTS_SHAPE_CHECK_H
 #define TESTS_SHAPE_CHECK_H
 
@@ -138,7 +138,7 @@ static inline double between(double a, double b)
     return a + (b - a) * (chance() + 1) / 2;
 }
 
-/* A length between the two, of any order of magnitude. */
+/* Returns a length between the two, of any order of magnitude. */
 static inline double any_length(double a, double b)
 {
     return a * exp2(between(0, log2(b / a)));
@@ -154,7 +154,7 @@ static inline struct vec any_direction(void)
     return unit(v);
 }
 
-/* At right angles to n. */
+/* Returns a vector at right angles to n. */
 static inline struct vec any_across(struct vec n)
 {
     return unit(cross(n, any_direction()));
@@ -177,7 +177,7 @@ struct candidate {
 
 struct subject {
     struct shape shape;
-    real extent; /* its size with its distance from the origin: what rounding errors are measured by */
+    real extent; /* its size plus its distance from the origin: the scale of rounding errors */
     bool is_infinite;
     const void *what; /* its public struct */
     int (*candidates)(const struct subject *s, struct vec o, struct vec d,
@@ -185,11 +185,10 @@ struct subject {
     real (*distance)(const struct subject *s, struct vec p, uint32_t element); /* of p from the element */
     struct vec (*normal)(const struct subject *s, struct vec p, uint32_t element);
     void (*uv)(const struct subject *s, struct vec p, uint32_t element, real uv[2]);
-    real (*curvature)(const struct subject *s, struct vec p,
-                      uint32_t element); /* 1/radius; also what uv is divided by */
+    real (*curvature)(const struct subject *s, struct vec p, uint32_t element); /* 1/radius; also the divisor of uv */
 };
 
-static int hits, misses, undecided; /* how the rays of a case went */
+static int hits, misses, undecided; /* results of a case's rays */
 
 static inline real wrapped(real a) /* u = 0 and u = 1 are the same around an axis */
 {
@@ -218,7 +217,7 @@ static inline void check_surface(const struct subject *s, struct num_point point
               (long double)real_x(got[1]), (long double)uv[0], (long double)uv[1]);
 }
 
-/* The nearest candidate whose margin is more than the error; its t may be wrong by *slack. */
+/* Returns the nearest candidate whose margin is more than the error; its t may be wrong by *slack. */
 static inline const struct candidate *nearest_sure(const struct candidate found[], int count, struct vec d, real error,
                                                    real limit, real *slack)
 {
@@ -273,7 +272,7 @@ static inline void check_ray(const struct subject *s, struct vec from, struct ve
     }
 }
 
-/* Rays of all kinds that go through the point p of the shape's surface, where its normal is n. */
+/* Checks rays of all kinds that go through the point p of the shape's surface, where its normal is n. */
 static inline void check_rays_through(const struct subject *s, struct vec p, struct vec n, double scale)
 {
     static const double distances[] = {0, 0.1, 1, 10, 1000};

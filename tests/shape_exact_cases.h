@@ -4,7 +4,7 @@
 
 enum { NOTHING = 99 };
 
-/* What a ray from (x, y, z) along an axis, 0 to 2, `way` 1 or -1, meets: the element, at *t. */
+/* Returns the element that a ray from (x, y, z) along an axis, 0 to 2, `way` 1 or -1, meets, at *t. */
 static uint32_t meets(const struct shape *shape, double x, double y, double z, int axis, int way, double *t)
 {
     num_unit d[3] = {0, 0, 0};

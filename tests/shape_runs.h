@@ -8,7 +8,7 @@ static void start(void)
     hits = misses = undecided = 0;
 }
 
-/* That the cases were of both kinds and that the formulas had something to say. */
+/* Checks that the cases were of both kinds and that the formulas decided some. */
 static void check_counts(void)
 {
     CHECK_MSG(hits > 1000 && misses > 300, "%d hits and %d misses", hits, misses);

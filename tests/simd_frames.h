@@ -71,7 +71,7 @@ static inline struct tia_surface simd_frames_surface(uint8_t *bytes, ptrdiff_t p
     return (struct tia_surface){(tia_rgb565 *)(void *)(bytes + GUARD), sizeof(tia_rgb565), pitch};
 }
 
-/* Draws both; `trace` says whether anew. How many bytes differ, those of guards included. */
+/* Draws both, tracing again if `trace`. Returns the number of bytes that differ, those of guards included. */
 static inline size_t simd_frames_differ(struct simd_frames *f, bool trace, bool dither)
 {
     const struct tia_options options = {dither, NULL};
@@ -90,7 +90,7 @@ static inline size_t simd_frames_differ(struct simd_frames *f, bool trace, bool 
     return differ;
 }
 
-/* Where they differ first, as text. */
+/* Returns the first difference as text. */
 static inline const char *simd_frames_where(const struct simd_frames *f)
 {
     static char text[80];

@@ -1,4 +1,4 @@
-/* simd_integers.h - what the integer code computes of a pixel of a run, and its first light. */
+/* simd_integers.h - the integer code's results for a pixel of a run, and its first light. */
 #ifndef TESTS_SIMD_INTEGERS_H
 #define TESTS_SIMD_INTEGERS_H
 
@@ -6,7 +6,7 @@
 
 struct simd_integers {
     num_u t;
-    bool lit; /* the rest is there: the pixel faces the light */
+    bool lit; /* the pixel faces the light: the rest is set */
     struct lit light;
     num_u cosine;
 };

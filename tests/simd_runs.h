@@ -1,4 +1,4 @@
-/* simd_runs.h - what rows see of spheres, as src/simd takes it: of edge scenes and of some of the corpus. */
+/* simd_runs.h - rows of spheres as runs for src/simd: of edge scenes and of some of the corpus. */
 #ifndef TESTS_SIMD_RUNS_H
 #define TESTS_SIMD_RUNS_H
 
@@ -8,7 +8,7 @@
 #include "edge_scene.h"
 #include "simd/span/bound_cache.h"
 
-/* `fine` is what tia_simd_fine made of a run that it takes. */
+/* Receives the result of tia_simd_fine for a run that it takes. */
 typedef void simd_runs_try(const struct simd_fine *fine);
 
 static inline void simd_runs_row(const struct tia_view *view, const struct simd_row *row, uint32_t sphere,
@@ -46,7 +46,7 @@ static inline void simd_runs_scene(const struct tia_scene *scene, unsigned width
     free(pairs);
 }
 
-/* Edge scenes and scenes of the corpus, these in 320x240. */
+/* Tries edge scenes and scenes of the corpus, these in 320x240. */
 static inline void simd_runs(unsigned edges, unsigned corpus, simd_runs_try *try)
 {
     static struct edge_scene e;

@@ -3,7 +3,7 @@
  */
 #include "ray_cases.h"
 
-/* What a coordinate may be off by, when distances have that size; in floating point also by the places' own size. */
+/* Error bound of a coordinate, when distances have that size; in floating point also by the coordinates' own size. */
 #ifdef TIA_NUM_F64
 #define ERROR(size) (16 * 0x1p-52L * ((size) + 30000))
 #else
@@ -17,7 +17,7 @@ struct ball {
     tia_q16 radius;
 };
 
-/* Where the line is nearest to the centre, and how far from it. */
+/* The point of a line nearest to the centre, and its distance. */
 struct pass {
     long double tca, aside;
 };
@@ -100,7 +100,7 @@ TEST(spheres_are_met_from_within_and_from_close_by)
     CHECK(hits[0] > 3000 && hits[1] > 5000);
 }
 
-/* Beside the outline by as little as numbers tell. */
+/* Rays that pass the outline within the smallest distances that can be distinguished. */
 TEST(spheres_are_met_at_grazing_angles)
 {
     unsigned hits[2] = {0, 0};

@@ -1,9 +1,8 @@
 /* sweeps.h - sweeps over the integer kernels, for test_math.c (thinned) and exhaustive.c (all).
  *
- * Each takes first and step, walks one kernel's arguments and returns how many results are
- * wrong or outside the stated bound; the first wrong argument is left in sweep_bad. What is
- * right is decided by exact integer inequalities, or in double, whose 2^-53 is far below the
- * 2^-32 in question.
+ * Each takes first and step, walks one kernel's arguments and returns how many results are wrong or outside the stated
+ * bound; the first wrong argument is left in sweep_bad. Results are checked by exact integer inequalities, or in
+ * double, whose 2^-53 is far below the 2^-32 in question.
  */
 #ifndef TESTS_SWEEPS_H
 #define TESTS_SWEEPS_H
@@ -34,13 +33,13 @@ static inline void sweep_widen(struct sweep_range *range, double error)
     range->high = error > range->high ? error : range->high;
 }
 
-/* r is the root of x, rounded down. x - r^2 <= 2r is x < (r+1)^2 without its overflow. */
+/* True if r is the root of x, rounded down. x - r^2 <= 2r is x < (r+1)^2 without its overflow. */
 static inline int sweep_is_root(uint64_t x, uint64_t r)
 {
     return r * r <= x && x - r * r <= 2 * r && r < TWO_TO_32;
 }
 
-/* Every 32-bit r: r^2 - 1, r^2 and r^2 + 2r, where the root changes. */
+/* Sweeps every 32-bit r: r^2 - 1, r^2 and r^2 + 2r, where the root changes. */
 static inline uint64_t sweep_sqrt64_squares(uint64_t first, uint64_t step)
 {
     uint64_t bad = 0;
@@ -79,7 +78,7 @@ static inline uint64_t sweep_sqrt32(uint64_t first, uint64_t step)
     return bad;
 }
 
-/* The result is a function of the upper word: both ends of the lower one bound its error. */
+/* Sweeps; the result is a function of the upper word: both ends of the lower one bound its error. */
 static inline uint64_t sweep_rsqrt(uint64_t first, uint64_t step, struct sweep_range *ulp)
 {
     uint64_t bad = 0;
@@ -94,8 +93,8 @@ static inline uint64_t sweep_rsqrt(uint64_t first, uint64_t step, struct sweep_r
     return bad;
 }
 
-/* How far the straight lines of the tables are from 1/sqrt and from 1/d, relative: what the proofs of
- * the Newton steps (tests/proofs) start from. */
+/* Gives the relative errors of the tables' straight lines for 1/sqrt and 1/d: the starting points of the proofs of the
+ * Newton steps (tests/proofs). */
 static inline uint64_t sweep_rsqrt_seed(uint64_t first, uint64_t step, struct sweep_range *relative)
 {
     uint64_t bad = 0;
@@ -141,7 +140,7 @@ static inline uint64_t sweep_clz32(uint64_t first, uint64_t step)
     return bad;
 }
 
-/* Random vectors, each component of random magnitude: within 1.5 ulp of Q2.30. */
+/* Sweeps random vectors, each component of random magnitude: within 1.5 ulp of Q2.30. */
 static inline uint64_t sweep_normalise(uint64_t seed, uint64_t count, struct sweep_range *ulp)
 {
     uint64_t bad = 0, state = seed;

@@ -1,4 +1,4 @@
-/* terminal_model.h - a terminal for tests: interprets what a program writes and keeps the pixels.
+/* terminal_model.h - a terminal for tests: interprets a program's output and stores the pixels.
  *
  * It knows the few sequences that a picture of half blocks needs, CAN, which ends any of them, and ST, and counts
  * everything else in `unknown`. A cell is two pixels: the colours of U+2580, or twice the background for a space.
@@ -42,7 +42,7 @@ static inline void model_free(struct model *m)
     free(m->lower);
 }
 
-/* xterm's 256 colours, beyond the first 16. */
+/* Returns one of xterm's 256 colours, beyond the first 16. */
 static inline uint32_t model_palette(unsigned index)
 {
     unsigned c[3], n = index - 16;
@@ -180,7 +180,7 @@ static inline void model_feed(struct model *m, const char *bytes, size_t count)
     }
 }
 
-/* Pixel (x, y) of the window: 0xRRGGBB. */
+/* Returns pixel (x, y) of the window: 0xRRGGBB. */
 static inline uint32_t model_pixel(const struct model *m, unsigned x, unsigned y)
 {
     size_t at = (size_t)(y / 2) * m->columns + x;

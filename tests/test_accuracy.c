@@ -73,7 +73,7 @@ static void check_f64(const struct against *a)
     CHECK_MSG(a->margin < F64_MARGIN, "a colour is off by more than %g levels", a->margin);
 }
 
-/* The oracle is slow: each of its pictures is held against both. */
+/* The oracle is slow: each of its pictures is compared with both. */
 static void compare_all(bool dither)
 {
     struct measure what = {

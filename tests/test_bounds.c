@@ -46,7 +46,7 @@ static struct tia_bounds bounds(bool placed)
     return tia_object_bounds(&scene, 0);
 }
 
-/* What the points that were seen reach, in the world, units of 2^-16. */
+/* Extent of the points so far, in the world, units of 2^-16. */
 static double least[3], most[3];
 
 static void see_nothing(void)
@@ -86,7 +86,7 @@ static void see_point(struct tia_vec3 p)
     see(p.x, p.y, p.z);
 }
 
-/* Two directions at right angles to n. */
+/* Gives two directions at right angles to n. */
 static void across(const double n[3], double a[3], double b[3])
 {
     int small = fabs(n[0]) < fabs(n[1]) ? (fabs(n[0]) < fabs(n[2]) ? 0 : 2) : fabs(n[1]) < fabs(n[2]) ? 1 : 2;
@@ -130,8 +130,8 @@ static void see_box(struct tia_vec3 min, struct tia_vec3 max)
         see(i & 1 ? min.x : max.x, i & 2 ? min.y : max.y, i & 4 ? min.z : max.z);
 }
 
-/* All points inside; and not larger than a unit of margin, rounding, and what the points leave out, `slack` times
- * their own extent. */
+/* Checks that all points are inside; and that the box is not larger than a unit of margin, rounding, and `slack` times
+ * the points' own extent for points left out. */
 static void check_tight(struct tia_bounds b, double slack)
 {
     const tia_q16 min[3] = {b.min.x, b.min.y, b.min.z}, max[3] = {b.max.x, b.max.y, b.max.z};
@@ -144,7 +144,7 @@ static void check_tight(struct tia_bounds b, double slack)
     }
 }
 
-/* A circle's points of STEPS miss its end by 1 - cos(pi/STEPS) of the radius, a sphere's in two directions. */
+/* A circle of STEPS points misses its end by 1 - cos(pi/STEPS) of the radius, a sphere's in two directions. */
 #define CIRCLE 1e-5
 #define SPHERE 4e-5
 
@@ -269,7 +269,7 @@ static void check_box(struct tia_bounds b, struct tia_vec3 min, struct tia_vec3 
     CHECK_EQ(b.max.z, max.z);
 }
 
-/* What needs no rounding is exact but for the unit of margin, at right angles and whole scales too. */
+/* Bounds that need no rounding are exact but for the unit of margin, also with right angles and whole scales. */
 TEST(exact)
 {
     const struct tia_sphere sphere = {{1, -2, 3}, 100};

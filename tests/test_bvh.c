@@ -1,4 +1,4 @@
-/* tia_bvh_build: what every hierarchy must keep, hostile scenes, and its memory. */
+/* tia_bvh_build: invariants of every hierarchy, hostile scenes, and its memory. */
 #include "hierarchy.h"
 #include "scene/bvh/split.h"
 
@@ -13,7 +13,7 @@ static bool contains(const struct tia_bounds *b, const struct tia_bounds *in)
                               b->max.x >= in->max.x && b->max.y >= in->max.y && b->max.z >= in->max.z);
 }
 
-/* How often each item was met. */
+/* How often each item was found. */
 static unsigned char met[MOST + 40];
 static uint32_t deepest, met_nodes;
 
@@ -60,7 +60,7 @@ static void check_tree(const struct tia_bvh_tree *tree, const struct tia_mesh *m
         CHECK_EQ(met[tree->items[i]], 1);
 }
 
-/* Every object once, in the tree or beside it. */
+/* Checks that every object is there once, in the tree or beside it. */
 static void check_all(void)
 {
     uint32_t count = scene.sphere_count + scene.shape_count;
@@ -115,13 +115,13 @@ TEST(memory_as_promised)
 
     CHECK_EQ(tia_bvh_build(&one, room, size - 1, &used, &scene), TIA_ERR_MEMORY);
     CHECK_EQ(tia_bvh_build(&one, room, 0, &used, &scene), TIA_ERR_MEMORY);
-    /* malloc'ed exactly: a sanitizer sees a byte too far */
+    /* malloc'ed exactly: a sanitizer detects a byte too far */
     CHECK_EQ(tia_bvh_build(&one, room, size, &used, &scene), TIA_OK);
     memset(again, 0xff, size);
     CHECK_EQ(tia_bvh_build(&two, again, size, &used_again, &scene), TIA_OK);
     CHECK_EQ(tia_bvh_build(&two, again, size, NULL, &scene), TIA_OK);
     CHECK_EQ(used, used_again);
-    /* What is beyond `used` belongs to the caller again. */
+    /* memory beyond `used` is the caller's again */
     memset(room + used, 0, size - used);
     memset(again + used, 0xff, size - used);
     CHECK_EQ(one->objects.node_count, two->objects.node_count);
@@ -139,7 +139,7 @@ TEST(memory_as_promised)
     free(again);
 }
 
-/* Whenever it is, and then at once: the next question is the last. */
+/* Building stops whenever asked, and at once: `stop` is not called again. */
 TEST(asked_to_stop)
 {
     const struct tia_bvh *none = NULL;
@@ -181,8 +181,8 @@ TEST(exponential_spacing)
     CHECK(deepest <= TIA_BVH_DEPTH_MAX);
 }
 
-/* 90 of 100 close together and the others far away: the best division, and what it becomes when a child may not have as
- * many. */
+/* 90 of 100 items are close together and the others far away: the best division, and its replacement when a child may
+ * not have as many. */
 TEST(a_depth_that_would_not_do)
 {
     struct tia_bounds boxes[100], bounds;

@@ -1,5 +1,4 @@
-/* tia_bvh_move: the hierarchy follows what moves, and rays meet the same as with one built anew; frames of films build
- * nothing of what stands still. */
+/* tia_bvh_move: the hierarchy is refitted, and rays meet the same as with a new one; films rebuild no static part. */
 #include <stdlib.h>
 
 #include "check.h"
@@ -82,7 +81,7 @@ static struct tia_view *open_view(void **memory, const struct tia_scene *scene)
     return view;
 }
 
-/* What the rays of a picture meet, by two hierarchies. */
+/* Compares the hits of a picture's rays by two hierarchies. */
 static void compare_rays(const struct tia_scene *scene, const struct tia_bvh *other)
 {
     struct tia_scene with = *scene;
@@ -109,7 +108,7 @@ static void compare_rays(const struct tia_scene *scene, const struct tia_bvh *ot
     free(memory[1]);
 }
 
-/* The scene with its objects elsewhere: a little, or all over the place. */
+/* Tries the scene with its objects moved: a little, or far. */
 static void try_moved(const struct tia_scene *standing, tia_q16 far)
 {
     static struct tia_transform transforms[200];
@@ -168,7 +167,7 @@ enum { STILL = 2000, FRAMES = 8 };
 
 static struct tia_sphere spheres[STILL];
 
-/* Many spheres that stand still, and one shape that flies across. */
+/* Makes many static spheres, and one shape that flies across. */
 static void make_film(struct tia_scene *scene)
 {
     static const struct tia_material material = {.colour = {TIA_Q30_ONE / 2, TIA_Q30_ONE / 2, TIA_Q30_ONE / 2}};

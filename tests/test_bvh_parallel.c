@@ -1,8 +1,8 @@
-/* tia_bvh_build_parallel: the hierarchy of tia_bvh_build, by any workers; and whether it stops. */
+/* tia_bvh_build_parallel: the hierarchy of tia_bvh_build, by any workers; and that it stops. */
 #include "common/thread_pool.h"
 #include "hierarchy.h"
 
-/* Workers that take the last job first, and never let anyone enter who is there already. */
+/* Workers that take the last job first, and let no second job enter. */
 static bool inside;
 
 static void run_backwards(void *ctx, void (*job)(void *arg, unsigned index), void *arg, unsigned count)
@@ -36,12 +36,12 @@ static void check_same(const struct tia_bvh_tree *a, const struct tia_bvh_tree *
     CHECK(!memcmp(a->items, b->items, a->item_count * sizeof *a->items));
 }
 
-/* The scene's hierarchy by these workers: that of tia_bvh_build. */
+/* Checks that the scene's hierarchy by these workers is that of tia_bvh_build. */
 static void check_parallel(const struct tia_workers *workers, void *ctx)
 {
     const struct tia_bvh *other = NULL;
     size_t size = tia_bvh_size(&scene), used_too = 0;
-    void *room = malloc(size); /* exactly: a sanitizer sees a byte too far */
+    void *room = malloc(size); /* exactly: a sanitizer detects a byte too far */
 
     memset(room, 0x5a, size);
     CHECK_EQ(tia_bvh_build_parallel(&other, room, size - 1, &used_too, &scene, workers, ctx, NULL, NULL),
@@ -110,7 +110,7 @@ TEST(several_threads_asked_to_stop)
 }
 
 struct countdown {
-    unsigned left, after; /* questions before it says true, and after */
+    unsigned left, after; /* calls before it returns true, and after */
 };
 
 static bool count_after(void *ctx)
@@ -121,8 +121,8 @@ static bool count_after(void *ctx)
     return c->left == 0;
 }
 
-/* So many faces that the threads ask while they look at a part's items together, 32 at a time: once one is told to
- * stop, each of the others asks once more, and nobody goes on with what was not looked at. */
+/* So many faces that the threads call `stop` while they process a part's items together, 32 at a time: once it returns
+ * true for one, each of the others calls it once more, and none continues with unprocessed items. */
 TEST(asked_to_stop_while_looking_together)
 {
     enum { FACES = 32 * 5000, BOXES = FACES / 4096 };

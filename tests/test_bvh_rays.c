@@ -1,4 +1,4 @@
-/* Hierarchies and rays: few boxes are met, and a walk in double finds what all boxes one by one give. */
+/* Hierarchies and rays: few boxes are met, and a walk in double finds the same as a test of all boxes. */
 #include <math.h>
 
 #include "hierarchy.h"
@@ -11,7 +11,7 @@ static double area(const struct tia_bounds *b)
     return x * y + y * z + z * x;
 }
 
-/* What a random ray through the root costs: 1 for each pair of children and each item. */
+/* Returns the cost of a random ray through the root: 1 for each pair of children and each item. */
 static double cost(void)
 {
     const struct tia_bvh_tree *tree = &bvh->objects;
@@ -23,7 +23,7 @@ static double cost(void)
     return sum;
 }
 
-/* A tree that only halves the items as they come would cost thousands here. */
+/* A tree that only halves the items in their order would cost thousands here. */
 TEST(few_items_a_ray)
 {
     set_spheres(MOST);
@@ -37,7 +37,7 @@ TEST(few_items_a_ray)
     CHECK_MSG(cost() < 30, "cost %.1f", cost());
 }
 
-/* Where the ray enters the box, or -1. */
+/* Returns where the ray enters the box, or -1. */
 static double enter(const struct tia_bounds *b, const double o[3], const double d[3])
 {
     const double min[3] = {b->min.x, b->min.y, b->min.z}, max[3] = {b->max.x, b->max.y, b->max.z};
@@ -51,7 +51,7 @@ static double enter(const struct tia_bounds *b, const double o[3], const double 
     return first <= last ? first : -1;
 }
 
-/* The nearest sphere, or the nearest box of a face. */
+/* Returns the distance to the nearest sphere, or the nearest box of a face. */
 static double distance(const struct tia_mesh *mesh, uint32_t item, const double o[3], const double d[3])
 {
     struct tia_bounds box = box_of(mesh, item);

@@ -1,4 +1,4 @@
-/* tia_scene_check on what a scene has, cameras, materials and textures: each rule at its limit and one step beyond. */
+/* tia_scene_check on a scene's parts, cameras, materials and textures: each rule at its limit and one step beyond. */
 #include "refusals.h"
 
 #define ONE 65536

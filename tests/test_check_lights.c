@@ -32,7 +32,7 @@ static void set_up(void)
                                .transform_count = 1};
 }
 
-/* A light, and one that a key sets. */
+/* Checks a light, and one that a key sets. */
 static void check_lights(const char *field, const char *rule)
 {
     struct tia_light good = binding.state;
@@ -61,7 +61,7 @@ TEST(kinds_of_lights)
     check_lights("kind", "must be a kind of light");
 }
 
-/* Where a kind has no radius, no place or no attenuation, those may be anything. */
+/* Where a kind has no radius, position or attenuation, those fields may have any value. */
 TEST(what_each_kind_of_light_has)
 {
     for (int kind = 0; kind < 7; kind++) {
@@ -120,7 +120,7 @@ TEST(cones_of_light)
     check_range(&light.outer, ONE, 90 * ONE, "light", 0, "outer", "must be in 1..90 degrees");
 }
 
-/* Lengths of exactly 1/2 and 3/2, and a unit of 2^-30 from there, in every direction of the axes. */
+/* Lengths of exactly 1/2 and 3/2, and 2^-30 beyond, along each axis. */
 TEST(directions)
 {
     set_light(TIA_DIRECTIONAL_LIGHT);
@@ -141,7 +141,7 @@ TEST(directions)
     check_lights("direction", LENGTH);
 }
 
-/* Coordinates x, y, z, turned `times` times. */
+/* Returns coordinates x, y, z, rotated `times` times. */
 static struct tia_vec3 turned(int times, tia_q16 x, tia_q16 y, tia_q16 z)
 {
     return times == 0   ? (struct tia_vec3){x, y, z}
@@ -225,7 +225,7 @@ TEST(tracks)
         check_refused("track", 0, "time", rule);
     }
     track.target = TIA_TARGETS;
-    check_refused("track", 0, "target", "must be something that moves");
+    check_refused("track", 0, "target", "must be a target of animation");
 }
 
 TEST(values_of_tracks)
@@ -260,7 +260,7 @@ TEST(values_of_tracks)
     check_range(&keys[1].value.z, 64, 1024 * ONE, "track", 0, "value", "must be in 2^-10..1024");
 }
 
-/* Every place of the eye counts, the camera's own too. */
+/* Every position of the eye counts, the camera's own too. */
 TEST(an_eye_that_moves)
 {
     set_track(TIA_MOVES_EYE);

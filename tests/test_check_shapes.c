@@ -79,7 +79,7 @@ TEST(cones)
     shape->cone.base_radius = 64;
     check_accepted();
     shape->cone.top_radius = 64;
-    check_refused("shape", 0, "top_radius", "must not be the base's");
+    check_refused("shape", 0, "top_radius", "must differ from the base's");
     shape->cone.top_radius = 65;
     check_accepted();
     shape->cone.top_radius = 63;
@@ -88,7 +88,7 @@ TEST(cones)
     shape->cone.base_radius = 0;
     check_accepted();
     shape->cone.top_radius = 0;
-    check_refused("shape", 0, "top_radius", "must not be the base's");
+    check_refused("shape", 0, "top_radius", "must differ from the base's");
 }
 
 /* 64 units of 2^-16: along an axis, and 2, 3, 6 times 9 and a little, |.| = 63 and more. */

@@ -1,4 +1,4 @@
-/* test_compiled.c - scenes as tia-compile writes them draw the same bits as the files that they were. */
+/* test_compiled.c - scenes written by tia-compile draw the same bits as their files. */
 #include <stdlib.h>
 
 #include <tia/tia.h>
@@ -36,7 +36,7 @@ static uint32_t picture(const struct tia_scene *given)
     return tia_crc32(0, pixels, WIDTH * HEIGHT);
 }
 
-/* The picture half a second after the beginning. */
+/* Returns the picture half a second after the beginning. */
 static uint32_t moved(const struct tia_scene *scene)
 {
     size_t size = tia_scene_at_size(scene);
@@ -81,7 +81,7 @@ static void compare(const char *path, const struct tia_scene *compiled)
     if (file.scene.track_count > 0)
         CHECK_EQ(moved(compiled), moved(&file.scene));
     compare_keys(compiled, &file.scene);
-    /* The hierarchy is part of it, but where objects are few. */
+    /* the hierarchy is part of it, unless objects are few */
     CHECK(compiled->bvh || compiled->sphere_count + compiled->shape_count <= 4);
     scene_close(&file);
 }

@@ -7,7 +7,7 @@
 
 __extension__ typedef __int128 wide128;
 
-/* An integer in -most..most, of any magnitude. */
+/* Returns an integer in -most..most, of any magnitude. */
 static int64_t any(int64_t most)
 {
     uint64_t size = random_bits() % (uint64_t)(most + 1) >> random_bits() % 40;
@@ -15,7 +15,7 @@ static int64_t any(int64_t most)
     return random_bits() & 1 ? (int64_t)size : -(int64_t)size;
 }
 
-/* L.v >= 0 and (L.v)^2 >= c v.v at pixel i, where |L.v| < 2^63 and c v.v < 2^126. */
+/* True if L.v >= 0 and (L.v)^2 >= c v.v at pixel i, where |L.v| < 2^63 and c v.v < 2^126. */
 static bool is_inside(const struct cone_row *s, int i)
 {
     wide128 x = (wide128)(2 * i + 1 - s->count) * ((wide128)1 << s->exponent);
@@ -24,7 +24,7 @@ static bool is_inside(const struct cone_row *s, int i)
     return b >= 0 && b * b >= s->c * square;
 }
 
-static int widths, empties, partials; /* what the cases were like */
+static int widths, empties, partials; /* kinds of the cases */
 
 static void check_slice(const struct cone_row *s)
 {
@@ -57,8 +57,8 @@ static void check_slice(const struct cone_row *s)
     }
 }
 
-/* A sphere at L with radius r, seen along the row Y of a picture of `count` pixels that is `depth`
- * away; |v| < 2^30 as in the renderer. */
+/* Checks a sphere at L with radius r, seen along the row Y of a picture of `count` pixels that is `depth` away; |v| <
+ * 2^30 as in the renderer. */
 static void tia_check_sphere(int count, int64_t lx, int64_t ly, int64_t lz, int64_t r, int64_t row, int64_t depth)
 {
     int bits = 64 - __builtin_clzll((uint64_t)(count * (int64_t)count + row * row + depth * depth));
@@ -85,7 +85,7 @@ static void check_random(int count, int cases)
     }
 }
 
-/* Spheres of some pixels, aimed at: the centre is seen near pixel (at, row). */
+/* Checks spheres of some pixels, aimed at: the centre is near pixel (at, row). */
 static void check_aimed(int count, int cases)
 {
     for (int i = 0; i < cases; i++) {
@@ -143,7 +143,7 @@ TEST(tangents)
     CHECK(span.first == 4 && span.end == 5);
 }
 
-/* c < 0: from inside a sphere the half space L.v >= 0 is seen. */
+/* c < 0: from inside a sphere the half space L.v >= 0 is visible. */
 TEST(from_inside)
 {
     struct cone_row s = {.slope = 1, .base = 2, .square = 1, .c = -1, .exponent = 0, .count = 10};

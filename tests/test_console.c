@@ -1,5 +1,5 @@
-/* The console where there is no VT to take: its listeners, and where signals are let in. What it
- * does to a real VT is tested in guests (tests/vm). */
+/* The console without a VT to take: its listeners, and where signals are unblocked. Its effects on a real VT are tested
+ * in guests (tests/vm). */
 #include "check.h"
 #include "console/console.h"
 #include "without_vt.h"
@@ -63,8 +63,8 @@ TEST(only_one_display_takes_it)
     console_close();
 }
 
-/* The signals of switching, when nobody can have sent them but another program, change nothing,
- * and what was there before is there again afterwards. */
+/* The signals of switching change nothing when only another program can have sent them, and the handlers from before
+ * are restored. */
 TEST(its_signals_are_its_own)
 {
     struct sigaction before = {.sa_handler = SIG_IGN}, after;

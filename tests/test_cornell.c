@@ -38,7 +38,7 @@ static void check_rgb(const struct tia_rgb *got, unsigned bits, const double wan
                   want[c]);
 }
 
-/* Within the scene's last digit. */
+/* True if the vertex is the corner, within the scene's last digit. */
 static bool is_corner(const struct tia_vec3 *v, const double want[3])
 {
     const double unit = 65536.0 * (1u << box.scene.scale_bits);
@@ -47,7 +47,7 @@ static bool is_corner(const struct tia_vec3 *v, const double want[3])
            fabs(v->z / unit - want[2]) < 2e-5;
 }
 
-/* Whether one of the scene's meshes has a triangle of those corners. */
+/* True if one of the scene's meshes has a triangle of those corners. */
 static bool has_triangle(const double *a, const double *b, const double *c, const double colour[3])
 {
     const double *const want[3] = {a, b, c};
@@ -150,7 +150,7 @@ static void count_picture(struct tally *tally, const double rgb[NUMBERS])
     tally->count++;
 }
 
-/* The mean, and its squared standard error. */
+/* Returns the mean, and its squared standard error. */
 static double mean_of(const struct tally *tally, unsigned i, double *variance)
 {
     double n = tally->count, mean = tally->sum[i] / n;
@@ -159,7 +159,7 @@ static double mean_of(const struct tally *tally, unsigned i, double *variance)
     return mean;
 }
 
-/* Of the whole picture within three standard errors; one of many blocks may be off by four. */
+/* Compares: the whole picture within three standard errors; one of many blocks may be off by four. */
 static void compare(const char *name, const struct tally *got, const struct tally *want, double most)
 {
     for (unsigned i = 0; i < MEANS; i++) {
@@ -196,11 +196,11 @@ TEST(means_are_those_of_the_oracle)
     compare("scattering alone", &scattering, &oracle, 0.03);
 }
 
-/* ---- how fast the error falls ---- */
+/* ---- convergence of the error ---- */
 
 enum { PIXELS_MAX = 32 * 32, STEPS = 7, LEAST = 16 };
 
-/* A picture so many pixels wide: of few pixels, and from few seeds, slopes are off by up to 0.1. */
+/* Returns the width of a picture: with few pixels, and few seeds, slopes are off by up to 0.1. */
 static unsigned side_of_slopes(void)
 {
     return times > 1 ? 32 : 8;
@@ -240,7 +240,7 @@ static double rmse(unsigned step, unsigned numbers, unsigned seeds)
     return sqrt(sum / numbers);
 }
 
-/* RMSE of each step. */
+/* Measures the RMSE of each step. */
 static void measure(struct tia_integration how, unsigned seeds, double result[STEPS])
 {
     const unsigned side = side_of_slopes(), numbers = side * side * 3;
@@ -260,7 +260,7 @@ static void measure(struct tia_integration how, unsigned seeds, double result[ST
         result[step] = rmse(step, numbers, seeds);
 }
 
-/* Of the line through log RMSE over log samples. */
+/* Returns the slope of the line through log RMSE over log samples. */
 static double slope(const char *name, const double result[STEPS])
 {
     const int steps = (int)steps_of_slopes();
@@ -298,7 +298,7 @@ TEST(occlusion_converges)
     check_slope("occlusion", (struct tia_integration){.integrator = TIA_OCCLUSION, .distance = TIA_Q16(200)}, -0.6);
 }
 
-/* Sample 0 of each seed is independent of all others: plain random numbers. */
+/* Returns the RMSE of plain random numbers: sample 0 of each seed is independent of all others. */
 static double rmse_of_plain_numbers(struct tia_integration how, unsigned count)
 {
     const unsigned side = side_of_slopes();

@@ -1,4 +1,4 @@
-/* The random scenes: what their header promises, and the same on every machine. */
+/* The random scenes: the promises of their header, and the same scenes on every machine. */
 #include "check.h"
 #include "common/corpus/corpus.h"
 
@@ -39,7 +39,7 @@ TEST(every_scene_is_accepted)
     }
 }
 
-/* Whether two balls touch exactly or overlap: (r1 + r2)^2 >= |C1 - C2|^2. */
+/* True if two balls touch exactly or overlap: (r1 + r2)^2 >= |C1 - C2|^2. */
 static bool meet(const struct tia_sphere *a, const struct tia_sphere *b)
 {
     int64_t x = (int64_t)a->centre.x - b->centre.x, y = (int64_t)a->centre.y - b->centre.y;

@@ -19,7 +19,7 @@ TEST(every_scene_is_accepted)
     }
 }
 
-/* How often each thing occurs. */
+/* Counts of each kind of object. */
 struct census {
     unsigned shapes[TIA_GRID + 1], lights[TIA_SPHERE_LIGHT + 1], projections[TIA_ORTHOGRAPHIC + 1], samples[17];
     unsigned spheres, instances, smooth, mirrors, glass, fresnel, textures[4], filters, seen, look_at, depths;

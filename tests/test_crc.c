@@ -7,7 +7,7 @@
 
 static tia_rgb565 pixels[MOST];
 
-/* The pixels whose little-endian bytes these are. */
+/* Returns the CRC of the pixels with these little-endian bytes. */
 static uint32_t crc_of(const void *bytes, size_t size)
 {
     const uint8_t *b = bytes;
@@ -17,8 +17,8 @@ static uint32_t crc_of(const void *bytes, size_t size)
     return tia_crc32(0, pixels, size / 2);
 }
 
-/* From its definition: the remainder modulo the reflected polynomial 0xedb88320 (IEEE 802.3), begun
- * with ones and inverted at the end. */
+/* Divides by definition: the remainder modulo the reflected polynomial 0xedb88320 (IEEE 802.3), begun with ones and
+ * inverted at the end. */
 static uint32_t divide(const uint8_t *bytes, size_t size)
 {
     uint32_t rest = UINT32_MAX;

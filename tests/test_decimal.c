@@ -1,4 +1,4 @@
-/* Decimals to fixed point, against fractions of whole numbers: those of the table are Python's. */
+/* Decimals to fixed point, against fractions of whole numbers; those in the table are Python's. */
 #include "check.h"
 #include "random.h"
 #include "read/text/text.h"
@@ -244,7 +244,7 @@ TEST(decimals_to_nearest_ties_away_from_zero)
     }
 }
 
-/* n / 10^places, written as digits, times 2^bits: n below 2^22, so that all fits 64 bits. */
+/* Checks n / 10^places, written as digits, times 2^bits: n below 2^22, so that all fits 64 bits. */
 static void check_fraction(uint32_t n, int places, unsigned bits)
 {
     uint64_t scale = 1;

@@ -7,7 +7,7 @@
 #include "gathered.h"
 #include "random.h"
 
-/* ---- the oracle: tia/denoise.h as it is written there ---- */
+/* ---- the oracle: tia/denoise.h word for word ---- */
 
 struct pixel {
     double rgb[3], albedo[3], normal[3], depth, error;
@@ -73,7 +73,7 @@ static double blurred_error(const struct pixel *picture, int x, int y)
     return sqrt(sum / weights);
 }
 
-/* With `stops` its weights depend on the light. */
+/* Filters a pixel; with `stops` its weights depend on the light. */
 static struct pixel oracle_pixel(const struct pixel *picture, int x, int y, int step, bool stops)
 {
     static const double h[5] = {1, 4, 6, 4, 1};
@@ -119,7 +119,7 @@ static void oracle_passes(struct pixel pictures[2][PIXELS], bool stop)
             pictures[~pass & 1][i] = oracle_pixel(pictures[pass & 1], i % WIDE, i / WIDE, 1 << pass, stop);
 }
 
-/* Three passes; what they have taken, averaged by three more, comes back. */
+/* Runs three passes; the removed light, averaged by three more, is added. */
 static const struct pixel *oracle(void)
 {
     static struct pixel pictures[2][PIXELS], taken[2][PIXELS];
@@ -137,7 +137,8 @@ static const struct pixel *oracle(void)
 
 /* ---- pictures ---- */
 
-/* COUNT samples of light around `level`, on two walls that meet in the middle and differ; both are a little rough. */
+/* Makes COUNT samples of light around `level`, on two walls that meet in the middle and differ; both are a little
+ * rough. */
 static void invent_pixel(int i, double level, double noise)
 {
     bool right = i % WIDE > WIDE / 2;
@@ -226,7 +227,7 @@ TEST(noise_goes_and_edges_stay)
     CHECK_MSG(after < before / 2, "%f of the noise is left", after / before);
 }
 
-/* What all samples agree on stays as it is, whatever its neighbours are: to 2^-16 of light over albedo. */
+/* A pixel whose samples all agree is unchanged, whatever its neighbours: to 2^-16 of light over albedo. */
 TEST(what_is_sure_stays)
 {
     for (int i = 0; i < PIXELS; i++)
@@ -237,7 +238,7 @@ TEST(what_is_sure_stays)
             CHECK(fabs((double)(got[i].rgb[c] - sums[i].rgb[c])) < 0.001 * ONE * COUNT);
 }
 
-/* Lamps of 2^14 beside black and dark surfaces, means of one sample and of very many, guides that are not there. */
+/* Lamps of 2^14 beside black and dark surfaces, means of one sample and of very many, missing guides. */
 TEST(extremes_do_not_overflow)
 {
     static const int64_t lights[] = {0, 1, 1 << 24, (int64_t)1 << 38}, albedos[] = {0, 1, 1 << 20, (int64_t)1 << 38};
@@ -274,7 +275,7 @@ TEST(tiles_do_not_matter)
     invent(0.4);
     denoise();
     for (unsigned step = 0; step < TIA_DENOISE_PASSES + 2; step++)
-        for (int y = HIGH; y > 0; y -= 7) /* from the end: widths of 5, heights of 7 and what is left */
+        for (int y = HIGH; y > 0; y -= 7) /* from the end: widths of 5, heights of 7 and the remainder */
             for (int x = WIDE; x > 0; x -= 5) {
                 struct tia_tile t = {(uint16_t)(x < 5 ? 0 : x - 5), (uint16_t)(y < 7 ? 0 : y - 7),
                                      (uint16_t)(x < 5 ? x : 5), (uint16_t)(y < 7 ? y : 7)};
@@ -291,7 +292,7 @@ TEST(tiles_do_not_matter)
     free(d);
 }
 
-/* Of numbers that no arithmetic but that of integers has made: on each processor, by each compiler. */
+/* Only integer arithmetic has made these numbers: they are the same on each processor, by each compiler. */
 TEST(bits_are_pinned)
 {
     uint32_t hash = UINT32_C(2166136261);

@@ -54,7 +54,7 @@ TEST(thresholds)
 
 static tia_rgb565 picture[H][W];
 
-/* A picture of nothing but its background. */
+/* Draws only a background. */
 static void draw_flat(struct tia_rgb colour, bool dither)
 {
     static uint64_t view_memory[1000], hits_memory[1000];
@@ -75,7 +75,7 @@ static unsigned channel(tia_rgb565 pixel, int c)
     return c == 0 ? pixel >> 11 : c == 1 ? pixel >> 5 & 63 : pixel & 31;
 }
 
-/* floor(levels c + offset/128) for a colour with unit 2^-30, exactly. */
+/* Returns floor(levels c + offset/128) for a colour with unit 2^-30, exactly. */
 static unsigned quantised(tia_q30 c, int which, unsigned offset)
 {
     uint64_t levels = which == 1 ? 63 : 31;

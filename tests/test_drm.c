@@ -1,4 +1,4 @@
-/* Which connector, mode, CRTC and format: from structs as real cards give them. */
+/* The choice of connector, mode, CRTC and format: from structs as of real cards. */
 #include "check.h"
 
 #ifdef TIA_HAVE_DRM
@@ -104,7 +104,7 @@ TEST(preferred_mode_then_the_others)
     CHECK(!pick_mode(&vga, NULL, 4));
     CHECK(pick_mode(&vga, "preferred", 0) == &modes[1]);
     CHECK(!pick_mode(&vga, "preferred", 1));
-    modes[1].type = 0; /* nobody prefers: the driver's first */
+    modes[1].type = 0; /* no mode is preferred: the driver's first */
     CHECK(pick_mode(&vga, "preferred", 0) == &modes[0]);
 }
 

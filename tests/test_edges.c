@@ -20,7 +20,7 @@ static struct tia_material materials[4] = {
     {.colour = TIA_RGB(0.25, 0.75, 0.5), .emission = TIA_RGB(0.125, 0, 0.25)},
     {.colour = TIA_RGB(0.5, 1, 0.5), .transmission = TIA_RGB(0, 0.5, 1), .emission = TIA_RGB(0, 0.25, 0)}};
 
-/* A scene to fill in. */
+/* A scene to be filled in. */
 static struct tia_sphere spheres[SPHERES];
 static struct tia_light lights[LIGHTS];
 static struct tia_scene scene;
@@ -46,7 +46,7 @@ static void light(double x, double y, double z, double radius, double bright)
         (struct tia_light){TIA_VEC3(x, y, z), TIA_Q16(radius), TIA_RGB(bright, bright, bright)};
 }
 
-/* Every pixel must be the oracle's, but for those on an outline, where the oracle is undecided. */
+/* Compares: every pixel must be the oracle's, except those on an outline, where the oracle is undecided. */
 static void compare(const struct tia_core *core, unsigned width, unsigned height)
 {
     struct against a;
@@ -78,7 +78,7 @@ TEST(eye_inside_a_ball)
     compare_both(160, 120);
 }
 
-/* Its centre is behind some of the rays: those pass through its wall, as step 2 of the algorithm has it. */
+/* Its centre is behind some of the rays: those pass through its wall, as in step 2 of the algorithm. */
 TEST(eye_inside_a_ball_whose_centre_is_behind)
 {
     start(120);
@@ -175,7 +175,7 @@ TEST(narrowest_and_widest_view)
     compare_both(160, 120);
 }
 
-/* The same ball three times, two balls with one centre, a light in a ball's place. */
+/* The same ball three times, two balls with one centre, a light at a ball's position. */
 TEST(equal_balls)
 {
     start(40);
@@ -238,7 +238,7 @@ TEST(odd_sizes)
         compare_both(sizes[i][0], sizes[i][1]);
 }
 
-/* A value of any magnitude from 2^-16 to 2^bits, either sign. */
+/* Returns a value of any magnitude from 2^-16 to 2^bits, either sign. */
 static tia_q16 any(unsigned bits)
 {
     int32_t size = (int32_t)(random_bits() >> 33 >> (random_bits() % (15 + bits) + 15 - bits));
@@ -270,7 +270,7 @@ static void wild_scene(unsigned index)
     }
 }
 
-/* Small pictures; the sum is what counts: `wrong` and `flips` in a million pixels. */
+/* Compares small pictures; only the sum counts: `wrong` and `flips` in a million pixels. */
 static void compare_wild(const struct tia_core *core, uint64_t wrong, uint64_t flips)
 {
     struct against sum = {0}, a;
@@ -288,7 +288,7 @@ static void compare_wild(const struct tia_core *core, uint64_t wrong, uint64_t f
     printf("%s: %u scenes, %ju pixels, %ju identical, %ju flips (%ju undecided), %ju stray\n", core->name, wild_scenes,
            (uintmax_t)t->pixels, (uintmax_t)t->identical, (uintmax_t)t->flips, (uintmax_t)sum.undecided,
            (uintmax_t)t->stray);
-    /* Undecided pixels may have the same colour all the same: sums, where a difference could wrap. */
+    /* undecided pixels may have the same colour all the same: sums, where a difference could wrap */
     CHECK_MSG((t->pixels - t->identical) * 1000000 <= wrong * t->pixels + sum.undecided * 1000000, "%ju pixels differ",
               (uintmax_t)(t->pixels - t->identical));
     CHECK_MSG(t->flips * 1000000 <= flips * t->pixels + sum.undecided * 1000000, "%ju flips", (uintmax_t)t->flips);

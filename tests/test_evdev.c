@@ -1,10 +1,10 @@
-/* test_evdev.c - what a keyboard's events mean. Devices themselves are tested in a guest. */
+/* test_evdev.c - the meaning of a keyboard's events. Devices themselves are tested in a guest. */
 #include "check.h"
 #include "evdev/keys.h"
 #include "evdev/pointer.h"
 
-/* Keys as text: letters and digits themselves, arrows L R U D, page up and down ^ v, Escape E,
- * Home H, Tab T, Space _, + and -, ? as /; Ctrl-C !, others ?, no key a dot. */
+/* Returns a key as text: letters and digits themselves, arrows L R U D, page up and down ^ v, Escape E, Home H, Tab T,
+ * Space _, + and -, ? as /; Ctrl-C !, others ?, no key a dot. */
 static char letter(uint16_t key)
 {
     if (key == TIA_KEY_ESCAPE || key == TIA_KEY_INTERRUPT)
@@ -212,7 +212,7 @@ TEST(an_unplug_releases_what_was_told)
     feed(KEY_LEFT, 1);
     feed(KEY_LEFTSHIFT, 1);
     feed(KEY_D, 1);
-    key_state_begin(&state, SET(KEY_LEFT)); /* physically down or not: it is over for us */
+    key_state_begin(&state, SET(KEY_LEFT)); /* physically down or not: for us it is released */
     settle();
     CHECK_TOLD("+L+d-d-L");
     feed(KEY_LEFT, 0);
@@ -296,7 +296,7 @@ TEST(a_tablet_tells_where_it_is)
                       event.drag == (i & 1),
                   "row %u: %d, %d", i, (int)event.x, (int)event.y);
     }
-    CHECK(!sent(&tablet, EV_KEY, BTN_LEFT, 0, &event)); /* a drag ends and begins where it is */
+    CHECK(!sent(&tablet, EV_KEY, BTN_LEFT, 0, &event)); /* a drag ends and begins at its position */
     CHECK(sent(&tablet, EV_SYN, SYN_REPORT, 0, &event) && !event.drag && event.x == 0 && event.y == 65535);
     CHECK(!sent(&tablet, EV_KEY, BTN_LEFT, 1, &event));
     CHECK(sent(&tablet, EV_SYN, SYN_REPORT, 0, &event) && event.drag && event.x == 0);

@@ -1,7 +1,7 @@
-/* What happens while a scene plays: things that appear and vanish, colours, and what becomes of balls that fall. */
+/* Events of a playing scene: objects that appear and vanish, colours, and the fate of falling balls. */
 #include "fall_world.h"
 
-/* A wall that vanishes lets through; one that is not there yet too; a ball waits until it appears. */
+/* A wall that vanishes lets balls through; one that has not appeared too; a ball waits until it appears. */
 TEST(only_what_is_there)
 {
     open_world(
@@ -18,7 +18,7 @@ TEST(only_what_is_there)
     read_end(&world);
 }
 
-/* 2^14 away it is gone; what is hidden is a mesh without faces, and keeps its number. */
+/* At a distance of 2^14 it is lost; a hidden shape is a mesh without faces, and keeps its number. */
 TEST(lost_balls_vanish)
 {
     struct tia_scene out;
@@ -50,7 +50,7 @@ TEST(stops_when_asked)
     read_end(&world);
 }
 
-/* ---- what appears and vanishes ---- */
+/* ---- appearing and vanishing ---- */
 
 static struct tia_scene at(double time)
 {
@@ -99,7 +99,7 @@ TEST(shapes_appear_and_vanish)
     read_end(&world);
 }
 
-/* It keeps its number: keys and tracks go on to mean the same lights. */
+/* It keeps its number: keys and tracks still refer to the same lights. */
 TEST(lights_appear_and_vanish)
 {
     open_world("light sphere at 0 5 0 radius 1 emission 1 appears 1 vanishes 2\nlight at 1 5 0 emission 0.5\n");
@@ -154,7 +154,7 @@ TEST(colours_are_cut_off)
     read_end(&world);
 }
 
-/* ---- what is refused ---- */
+/* ---- refusals ---- */
 
 static void check_error(const char *text, const char *want)
 {
@@ -175,7 +175,7 @@ TEST(mistakes)
                 "2:1: 'sphere' vanishes before it appears, expected a later time");
     check_error("light at 0 1 0 vanishes 0", "2:1: 'light' vanishes before it appears, expected a later time");
     check_error("key a light 1 at 0 0 0 appears 1",
-                "2:24: 'appears' is nothing that a point light has, expected emission, "
+                "2:24: 'appears' is not a field of a point light, expected emission, "
                 "at, attenuation or radius");
     check_error("animate x colour 0: 1", "2:9: 'x' is not defined, expected the name of a material");
     check_error("animate m colour 0: 2", "2:21: '2' is out of range, expected a number from 0 to 1");
@@ -186,9 +186,9 @@ TEST(mistakes)
     check_error("fall a", "2:6: 'a' is not defined, expected the name of a sphere");
     check_error("light name a at 0 1 0\nfall a", "3:6: 'a' is a light, expected the name of a sphere");
     check_error("gravity 0 -1", "2:13: the line ends here, expected a number from -32768 to below 32768");
-    check_error("gravity 0 0 0\ngravity 0 0 0", "3:1: 'gravity' is here for a second time, expected it once");
+    check_error("gravity 0 0 0\ngravity 0 0 0", "3:1: 'gravity' is given twice, expected once");
     check_error(BALL "fall a speed 1",
-                "3:8: 'speed' is nothing that a ball that falls has, expected velocity, restitution "
+                "3:8: 'speed' is not a field of a ball that falls, expected velocity, restitution "
                 "or mass");
     check_error("group at 0 1 0\n" BALL "end\nfall a", "3:13: 'a' moves, expected it outside of groups");
 }

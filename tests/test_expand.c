@@ -3,7 +3,7 @@
 #include "check.h"
 #include "pixels/expand.h"
 
-/* The upper `length` bits of `value` (w bits) repeated for ever. */
+/* Returns the upper `length` bits of `value` (w bits) repeated for ever. */
 static uint32_t rule(uint32_t value, unsigned w, unsigned length)
 {
     uint64_t ones = ((UINT64_C(1) << 6 * w) - 1) / ((UINT64_C(1) << w) - 1);
@@ -23,7 +23,7 @@ static uint32_t expected(const struct pixel_format *f, uint32_t p)
 static uint8_t out[65536 * 4 + 16];
 static tia_rgb565 all[65536];
 
-/* One pixel as a number, its lowest byte first in memory (`little`) or last. */
+/* Returns one pixel as a number, its lowest byte first in memory (`little`) or last. */
 static uint32_t pixel_at(const uint8_t *at, unsigned bytes, bool little)
 {
     uint32_t p = 0;
@@ -76,8 +76,7 @@ TEST(every_value_in_every_format)
     }
 }
 
-/* From the documentation of the VGA and of the DRM formats: what full, black and the lowest bit
- * of each channel are. */
+/* Full, black and the lowest bit of each channel, from the documentation of the VGA and of the DRM formats. */
 TEST(known_values)
 {
     static const tia_rgb565 in[] = {0xffff, 0x0000, 0xf800, 0x07e0, 0x001f, 0x0800, 0x0020, 0x0001, 0x8410};

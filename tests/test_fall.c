@@ -41,7 +41,7 @@ TEST(masses_and_restitution)
     read_end(&world);
 }
 
-/* A quarter of the mass at 45 degrees: only what is along the line of centres is exchanged. */
+/* A quarter of the mass at 45 degrees: only the component along the line of centres is exchanged. */
 TEST(along_the_line_of_centres)
 {
     open_world("sphere name a centre -2 0 0 radius 0.5 material m\n"
@@ -94,7 +94,7 @@ TEST(contacts_are_never_late)
     }
 }
 
-/* A cradle within one tick: 0 hits 1, which had nothing to meet before, and 1 hits 2. */
+/* A cradle within one tick: 0 hits 1, which had no contact to come before, and 1 hits 2. */
 TEST(one_contact_makes_the_next)
 {
     open_world("sphere name a centre -1.5 0 0 radius 0.5 material m\nsphere name b centre 0 0 0 radius 0.5 material m\n"
@@ -148,7 +148,7 @@ TEST(fast_balls_and_thin_walls)
     }
 }
 
-/* Whatever was computed before, and whenever the film ends: the same bits. */
+/* The bits do not depend on earlier computations, nor on the end of the film. */
 TEST(any_frame_by_itself)
 {
     static const char balls[] =
@@ -241,7 +241,7 @@ static void say_room(const struct oracle_falling *o)
     open_world(text);
 }
 
-/* An error grows about tenfold with each contact of two round things, so the time is short. */
+/* An error grows about tenfold with each contact of two round objects, so the time is short. */
 TEST(as_the_oracle_has_it)
 {
     int contacts = 0;

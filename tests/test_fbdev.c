@@ -1,5 +1,5 @@
-/* What framebuffer devices say of their pixels: real drivers' answers, and the odd ones that the
- * kernel's documentation allows (Documentation/fb/api.rst). */
+/* The pixel formats of framebuffer devices: real drivers' descriptions, and the odd ones that the kernel's
+ * documentation allows (Documentation/fb/api.rst). */
 #include "check.h"
 #include "fbdev/screen.h"
 
@@ -90,7 +90,7 @@ TEST(grey_and_coded_pixels_are_refused)
     var.nonstd = 1;
     CHECK_EQ(fb_format(&var, &fix, &format, reason), TIA_ERR_UNSUPPORTED);
     var.nonstd = 0;
-    var.yoffset = 1; /* what is shown would end after the memory */
+    var.yoffset = 1; /* the shown part would end after the memory */
     CHECK_EQ(fb_format(&var, &fix, &format, reason), TIA_ERR_UNSUPPORTED);
 }
 

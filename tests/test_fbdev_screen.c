@@ -1,5 +1,5 @@
-/* A framebuffer of any geometry: a file is its memory and the functions below are its driver. What
- * real drivers do is tested in guests (tests/vm), but none there has rows with padding. */
+/* A framebuffer of any geometry: a file is its memory and the functions below are its driver. Real drivers are tested
+ * in guests (tests/vm), but none there has rows with padding. */
 #include "check.h"
 #include "fbdev/fbdev.h"
 #include "without_vt.h"
@@ -19,9 +19,9 @@ enum { WIDTH = 20, HEIGHT = 10, MOST = 16384 };
 static struct {
     struct fb_var_screeninfo var, before;
     struct fb_fix_screeninfo fix;
-    bool resets; /* a mode that is set begins at (0, 0), as some drivers' do */
+    bool resets; /* setting a mode resets the position to (0, 0), as in some drivers */
     int fd;
-    uint8_t *memory; /* as this test sees it */
+    uint8_t *memory; /* the test's mapping */
     uint8_t old[MOST];
     char path[32];
 } fb;
@@ -48,7 +48,7 @@ static int set(struct fb_var_screeninfo *to, bool position_only)
     return 0;
 }
 
-/* Stands for the C library's. */
+/* Replaces the C library's. */
 int ioctl(int fd, unsigned long request, ...)
 {
     va_list values;
@@ -139,7 +139,7 @@ static void draw(void *ctx, unsigned frame)
     CHECK_EQ(port_fbdev_display.present(ctx), TIA_OK);
 }
 
-/* The bytes of a pixel, little endian, as this machine's framebuffers have them. */
+/* Returns the bytes of a pixel, little endian, as on this machine's framebuffers. */
 static uint32_t shown(unsigned bits, tia_rgb565 p)
 {
     uint32_t r = p >> 11, g = p >> 5 & 63, b = p & 31;
@@ -147,7 +147,7 @@ static uint32_t shown(unsigned bits, tia_rgb565 p)
     return bits == 16 ? p : (r << 3 | r >> 2) << 16 | (g << 2 | g >> 4) << 8 | (b << 3 | b >> 2);
 }
 
-/* What the screen shows is this frame; without the other page, all other memory is as it was. */
+/* Checks that the screen shows this frame, and that, without the other page, all other memory is unchanged. */
 static void check_picture(const struct geometry *g, unsigned frame)
 {
     unsigned bytes = g->bits / 8, wrong = 0, spoilt = 0;
@@ -164,7 +164,7 @@ static void check_picture(const struct geometry *g, unsigned frame)
     CHECK_MSG(wrong == 0 && spoilt == 0, "%u bytes of the picture are wrong, %u beside it", wrong, spoilt);
 }
 
-/* The mode, the position and what was to be seen. */
+/* Checks the mode, the position and the picture. */
 static void check_put_back(const struct geometry *g)
 {
     size_t start = (size_t)g->y * g->row, size = (size_t)HEIGHT * g->row;

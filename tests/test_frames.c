@@ -44,7 +44,7 @@ TEST(pinned_frames)
     CHECK_EQ(frame_count, pinned_count);
 }
 
-/* The same frames by each level of vector units: a core that gives its views one. */
+/* The same frames by each level of vector units: a core that sets the level of its views. */
 static const struct tia_simd *simd;
 static void *simd_memory[1000];
 static size_t memory_count, simd_count;

@@ -1,5 +1,5 @@
-/* test_gaze.c - where the eye looks: blocks after the acuity model, by its formulas in double precision; and what the
- * viewer draws with them. */
+/* test_gaze.c - the gaze: blocks by the acuity model, against its formulas in double precision; and the viewer's
+ * pictures with them. */
 #include <math.h>
 
 #include "viewer_world.h"
@@ -8,7 +8,7 @@
 
 /* ---- the model ---- */
 
-/* Degrees between the gaze and the middle of a pixel, seen from before the middle of the picture. */
+/* Returns the degrees between the gaze and the middle of a pixel, seen from before the middle of the picture. */
 static double eccentricity(const struct tia_gaze *g, unsigned width, unsigned height, double x, double y)
 {
     double z = width / 2.0 / tan(g->view_angle / 65536.0 / 2 * DEGREE);
@@ -24,7 +24,7 @@ static double pixel_degrees(const struct tia_gaze *g, unsigned width)
     return tan(g->view_angle / 65536.0 / 2 * DEGREE) * 2 / width / DEGREE;
 }
 
-/* The block that w0 + m e allows, 1..16; within 2.5 degrees 1. */
+/* Returns the block that w0 + m e allows, 1..16; within 2.5 degrees 1. */
 static unsigned block_for(const struct tia_gaze *g, double pixel, double e)
 {
     unsigned block = 1;
@@ -35,7 +35,7 @@ static unsigned block_for(const struct tia_gaze *g, double pixel, double e)
     return block;
 }
 
-/* Near a limit, both sides will do. */
+/* Checks a block; near a limit, both sides are accepted. */
 static void check_block(const struct tia_gaze *g, const struct tia_acuity *a, unsigned x, unsigned y)
 {
     double e = eccentricity(g, a->width, a->height, x, y), pixel = pixel_degrees(g, a->width);
@@ -88,7 +88,7 @@ TEST(when_every_pixel_is_drawn)
     struct tia_gaze g = {5, 5, TIA_Q16(50), TIA_GAZE_W0, TIA_GAZE_M, false};
 
     CHECK(tia_acuity_init(&a, &g, 1000, 1000));
-    CHECK(!tia_acuity_init(&a, &g, 5, 1000)); /* it looks beside the picture */
+    CHECK(!tia_acuity_init(&a, &g, 5, 1000)); /* it is outside the picture */
     CHECK(!tia_acuity_init(&a, &g, 1000, 5));
     CHECK(!tia_acuity_init(&a, &g, 6, 6)); /* a pixel has eight degrees */
     g.m = 0;
@@ -98,9 +98,9 @@ TEST(when_every_pixel_is_drawn)
     CHECK(!tia_acuity_init(&a, &g, 1000, 1000));
 }
 
-/* ---- what the viewer draws ---- */
+/* ---- the viewer's pictures ---- */
 
-/* The last picture shown, and what a full render would have been. */
+/* The last picture shown, and the full render. */
 static tia_rgb565 shown[WORLD_WIDTH * WORLD_HEIGHT], full[WORLD_WIDTH * WORLD_HEIGHT];
 
 static void keep(struct world *w, const tia_rgb565 *want)
@@ -109,7 +109,7 @@ static void keep(struct world *w, const tia_rgb565 *want)
     memcpy(full, want, sizeof full);
 }
 
-/* A scene that rays draw, in blocks even in so small a picture. */
+/* Returns a scene that rays draw, in blocks even in so small a picture. */
 static struct world *gazing_world(uint16_t x, uint16_t y, bool smooth)
 {
     static struct tia_scene scene;
@@ -131,8 +131,8 @@ static bool same_around(unsigned x, unsigned y, const tia_rgb565 *a, const tia_r
     return a[y * WORLD_WIDTH + x] == b[y * WORLD_WIDTH + x];
 }
 
-/* Which pixels are drawn: in the lattice of each tile of 64 x 16, those that the largest block of the lattice with a
- * corner there is too large for, and those of the largest lattice. */
+/* True if a pixel is drawn: in the lattice of each tile of 64 x 16, those for which the largest block of the lattice
+ * with this corner is too large, and those of the largest lattice. */
 static bool is_drawn(const struct tia_acuity *a, unsigned x, unsigned y)
 {
     unsigned level = 1;
@@ -165,7 +165,7 @@ TEST(where_it_looks_the_picture_is_the_full_one)
     }
 }
 
-/* A cell of 16 x 16 that is one block, and so are those around it. */
+/* True for a cell of 16 x 16 that is one block, as are those around it. */
 static bool is_one_block(const struct tia_acuity *a, unsigned left, unsigned top)
 {
     for (unsigned y = top; y <= top + 16; y++)
@@ -180,7 +180,7 @@ static unsigned channel(unsigned x, unsigned y, unsigned shift, unsigned mask)
     return (unsigned)full[y * WORLD_WIDTH + x] >> shift & mask;
 }
 
-/* Of the four corners the nearest, or their mean by the distances in x and y. */
+/* Returns the nearest of the four corners, or their mean weighted by the distances in x and y. */
 static tia_rgb565 between(unsigned left, unsigned top, unsigned x, unsigned y, bool smooth)
 {
     static const unsigned shift[3] = {11, 5, 0}, mask[3] = {31, 63, 31};
@@ -217,7 +217,7 @@ TEST(blocks_between_their_corners)
     }
 }
 
-/* Each shows a colour between those drawn; without `smooth` one of them. */
+/* Each other pixel shows a colour between those drawn; without `smooth` one of them. */
 TEST(what_is_between)
 {
     for (int smooth = 0; smooth < 2; smooth++) {
@@ -251,7 +251,7 @@ TEST(several_threads)
     }
 }
 
-/* The pointer takes the gaze along; a picture without that pixel is a full one. */
+/* The gaze follows the pointer; a picture without that pixel is a full one. */
 TEST(the_gaze_follows_a_pointer)
 {
     struct world *w = gazing_world(10, 10, false);

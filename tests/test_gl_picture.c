@@ -1,9 +1,9 @@
 /* test_gl_picture.c - the built-in scene beside the same scene drawn by OpenGL (gl/scene.c).
  *
- * What both see where must agree to one pixel: where the one sees a thing, the other sees it
- * there or in one of the 8 pixels around; the same for what is lit, at the ball's terminator and
- * around its shadow. Where they agree on both, colours may differ by one level, GL's spheres being
- * made of flat triangles; and all in all less than one pixel in a thousand may differ.
+ * The visible objects must agree to one pixel: where one picture shows an object, the other shows it there or in one of
+ * the 8 pixels around; the same for lit regions, at the ball's terminator and around its shadow. Where they agree on
+ * both, colours may differ by one level, GL's spheres being made of flat triangles; and all in all less than one pixel
+ * in a thousand may differ.
  *
  * Given a directory, the program leaves both pictures of each case there as PPM files.
  */
@@ -29,8 +29,8 @@ int main(void)
 
 static struct picture by_tia, by_gl;
 
-/* The light itself is only told by its colour: full red, which nothing that it lights reaches.
- * What lies behind it may be lit or not. */
+/* Finds the light itself by its colour alone: full red, which no surface that it lights reaches. The surface behind it
+ * may be lit or not. */
 static void find_light(struct picture *picture)
 {
     for (unsigned i = 0; i < picture->width * picture->height; i++) {
@@ -78,7 +78,7 @@ static bool near(const unsigned char *values, unsigned x, unsigned y, unsigned c
     return false;
 }
 
-/* The two sets of regions agree within one pixel. */
+/* Compares the two sets of regions, which must agree within one pixel. */
 static void compare_regions(const char *what, const unsigned char *tia, const unsigned char *other)
 {
     for (unsigned y = 0; y < by_gl.height; y++) {
@@ -114,7 +114,7 @@ static bool seen(const unsigned char *values, unsigned char value)
     return memchr(values, value, (size_t)by_gl.width * by_gl.height);
 }
 
-/* What is compared must be there: both spheres and the sky; with a light, lit and unlit parts of both. */
+/* Checks that the compared regions exist: both spheres and the sky; with a light, lit and unlit parts of both. */
 static void check_contents(bool light)
 {
     bool parts[2][2] = {{false, false}, {false, false}};
@@ -219,7 +219,7 @@ TEST(portrait)
     check_state(243, 321);
 }
 
-/* In make check-quick each library, and both are Mesa, draws but two of the states. */
+/* Runs all cases; in make check-quick each library, and both are Mesa, draws only two of the states. */
 static void run_all(const char *name)
 {
     size_t count = check_count(sizeof states / sizeof states[0]);

@@ -1,6 +1,6 @@
 /* test_gl_raster.c - the rasteriser beside Mesa's, llvmpipe and softpipe: the same triangles with the same states.
  * Their corners are multiples of 1/256 of a pixel, to which Mesa rounds: no pixel may differ. Where an edge passes
- * through a pixel's centre llvmpipe goes by the same rule; softpipe does not, so pixels with ties are left out there.
+ * through a pixel's centre llvmpipe follows the same rule; softpipe does not, so pixels with ties are left out there.
  */
 #include <stdlib.h>
 
@@ -33,7 +33,7 @@ static struct tia_raster_state any_state(void)
     struct tia_raster_state s = random_state_of_all();
 
     s.ties_by_face = false;
-    s.colour_write[0] = s.depth_write; /* so that the colour is what the depth is of */
+    s.colour_write[0] = s.depth_write; /* the colour then belongs to the depth */
     return s;
 }
 
@@ -66,7 +66,7 @@ static void place(const struct triangle *t, const struct tia_lattice *l, struct 
     }
 }
 
-/* Marks pixels through whose centre the line of an edge passes. */
+/* Marks pixels whose centre is on the line of an edge. */
 static void mark_ties(const struct triangle *t, bool *tied)
 {
     for (int k = 0; k < 3; k++) {
@@ -76,7 +76,7 @@ static void mark_ties(const struct triangle *t, bool *tied)
     }
 }
 
-/* Returns how many pixels are not as Mesa has them; of those with ties, if they count. */
+/* Returns the number of pixels that differ from Mesa's; those with ties only if they count. */
 static size_t trial(struct gl_raster *gl, unsigned step, bool all_new, bool ties_count)
 {
     static bool tied[SIDE * SIDE];

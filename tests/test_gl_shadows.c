@@ -74,7 +74,7 @@ static const struct tia_transform transforms[] = {
 };
 static const struct tia_material white = {.colour = {Q(1), Q(1), Q(1)}};
 
-/* Seen from somewhere around it, lit from somewhere above. */
+/* Makes a scene seen from a random point around it, with a random light above. */
 static void make_scene(struct tia_scene *scene, struct tia_light *light)
 {
     double angle = M_PI * random_double(), away = 8.5 + 2.5 * random_double();
@@ -100,7 +100,7 @@ static void make_scene(struct tia_scene *scene, struct tia_light *light)
                            .shadows = TIA_SHADOWS_ZFAIL};
 }
 
-/* ---- what is drawn ---- */
+/* ---- recording ---- */
 
 struct drawn {
     struct tia_raster_state state;
@@ -112,7 +112,7 @@ struct drawn {
 static struct drawn *drawn;
 static size_t drawn_count, drawn_room;
 
-/* The linker puts this before the rasteriser's. */
+/* The linker puts this in front of the rasteriser's. */
 int __real_tia_draw_polygon(struct tia_raster_target *target, const struct tia_raster_state *state,
                             const struct tia_raster_vertex *corners, unsigned count, uint32_t face);
 int __wrap_tia_draw_polygon(struct tia_raster_target *target, const struct tia_raster_state *state,
@@ -172,7 +172,7 @@ static struct tia_raster_target target_of(const struct view *v, void **memory)
     return t;
 }
 
-/* By tia; keeps the polygons. */
+/* Draws by tia; records the polygons. */
 static void draw_exactly(struct view *v, const struct tia_scene *scene, struct picture *p)
 {
     size_t size = tia_flat_size(scene);
@@ -190,7 +190,7 @@ static void draw_exactly(struct view *v, const struct tia_scene *scene, struct p
     free(memory);
 }
 
-/* The same polygons with pixel centres moved by dx/128, dy/128. */
+/* Draws the same polygons with pixel centres moved by dx/128, dy/128. */
 static void draw_moved(const struct view *v, int dx, int dy, struct picture *p)
 {
     void *memory;
@@ -208,7 +208,7 @@ static void draw_moved(const struct view *v, int dx, int dy, struct picture *p)
     free(memory);
 }
 
-/* The near plane is at 1: faces are behind it, and depths are clamped. */
+/* Draws by GL. The near plane is at 1: faces are behind it, and depths are clamped. */
 static void draw_by_gl(struct gl_raster *gl, const struct view *v, struct picture *p)
 {
     gl_raster_clear(gl, 0);
@@ -239,7 +239,7 @@ struct differences {
 static struct picture exact, strange, moved;
 static bool face_changes[PIXELS], light_changes[PIXELS];
 
-/* Which pixels change when the centres move. */
+/* Finds the pixels that change when the centres move. */
 static void find_edges(const struct view *v)
 {
     memset(face_changes, 0, sizeof face_changes);

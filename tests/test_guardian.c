@@ -1,4 +1,4 @@
-/* The guardian puts a pseudo-terminal back after each kind of death, and only then. */
+/* The guardian restores a pseudo-terminal after each kind of death, and only then. */
 #include "pseudo.h"
 
 #include <fcntl.h>
@@ -103,7 +103,7 @@ static void keep(struct pty p)
     keep_and_make_raw();
 }
 
-/* Keeps all three, lets go of the one in the middle and lives until `end` ends. */
+/* Keeps the modes of all three, drops those of the middle one and lives until `end` ends. */
 static void keep_three(const struct pty p[3], int ready, int end)
 {
     char byte = 0;
@@ -117,7 +117,7 @@ static void keep_three(const struct pty p[3], int ready, int end)
     (void)raise(SIGKILL);
 }
 
-/* Two terminals made within one tick of the kernel's clock have the same times. */
+/* Waits for the kernel's next tick: two terminals made within one have the same times. */
 static void pass_a_tick(void)
 {
     struct timespec start, now;
@@ -128,7 +128,8 @@ static void pass_a_tick(void)
     while (now.tv_sec == start.tv_sec && now.tv_nsec == start.tv_nsec);
 }
 
-/* The lowest free name is given first: those below are taken until it is this one's turn. */
+/* Opens a terminal of that name. The lowest free name is given first: those below are taken until it is this one's
+ * turn. */
 static struct pty open_pty_named(const char *name)
 {
     struct pty below[64], p = open_pty();
@@ -143,8 +144,8 @@ static struct pty open_pty_named(const char *name)
     return p;
 }
 
-/* The guardian works through what it keeps in its own order: when the first and the last are cooked
- * again, the one in the middle has had its turn. */
+/* The guardian processes its entries in its own order: when the first and the last are cooked again, the one in the
+ * middle has had its turn. */
 TEST(another_terminal_of_the_same_name)
 {
     struct pty p[3] = {open_pty(), open_pty(), open_pty()}, other;
@@ -177,7 +178,7 @@ TEST(another_terminal_of_the_same_name)
     close_pty(p[2]);
 }
 
-/* After a clean end nothing is put back: what the terminal is then is somebody else's. */
+/* After a clean end no terminal is restored: its state then belongs to another program. */
 TEST(told_of_a_clean_end)
 {
     if (!open_terminal())
@@ -187,7 +188,7 @@ TEST(told_of_a_clean_end)
     close_terminal();
 }
 
-/* The guardian ends with the last thing that it kept, and is reaped. */
+/* The guardian ends when its last entry is forgotten, and is reaped. */
 TEST(ends_when_there_is_nothing_to_keep)
 {
     if (!open_terminal())

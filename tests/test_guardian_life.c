@@ -1,5 +1,5 @@
-/* The guardian's own life: when the parent hears of a death, and what becomes of a guardian that dies
- * or is stopped itself. */
+/* The guardian's own life: when the parent is notified of a death, and the fate of a guardian that dies or is stopped
+ * itself. */
 #include "pseudo.h"
 
 #include <dirent.h>
@@ -8,7 +8,7 @@
 #include <string.h>
 #include <sys/wait.h>
 
-/* The number in a line of a file of /proc that begins with `name`, or -1. */
+/* Returns the number in a line of a file of /proc that begins with `name`, or -1. */
 static long number_in(const char *path, const char *name)
 {
     FILE *file = fopen(path, "re");
@@ -23,7 +23,7 @@ static long number_in(const char *path, const char *name)
     return number;
 }
 
-/* The guardian of process `of`, not `but`; 0: there is none. */
+/* Returns the guardian of process `of`, not `but`; 0: there is none. */
 static pid_t find_guardian(pid_t of, pid_t but)
 {
     DIR *processes = opendir("/proc");
@@ -60,7 +60,7 @@ static bool is_traced(void)
     return found;
 }
 
-/* When a parent hears of the death the terminal is cooked already. */
+/* When a parent is notified of the death, the terminal is cooked already. */
 TEST(cooked_before_the_parent_knows)
 {
     int status = 0;
@@ -96,7 +96,7 @@ static void stop_and_die(void)
     for (int i = 0; i < STOPS; i++) {
         (void)raise(SIGSTOP);
         unsigned put_back;
-        do { /* as tty.c does whenever it looks for keys */
+        do { /* as tty.c does whenever it polls for keys */
             put_back = guardian_put_back();
             for (int j = 0; j < MESSAGES; j++)
                 guardian_keep_again(terminal);
@@ -108,7 +108,7 @@ static void stop_and_die(void)
     _exit(2);
 }
 
-/* Whether the child has stopped; a message if that cannot be. */
+/* True if the child has stopped; fails with a message if that cannot be. */
 static bool has_stopped(pid_t child)
 {
     int status = 0;
@@ -132,7 +132,8 @@ static pid_t stopped_child(void)
     return 0;
 }
 
-/* When a parent hears of a stop the terminal is cooked already, and when the process continues it is guarded again. */
+/* When a parent is notified of a stop, the terminal is cooked already, and when the process continues it is guarded
+ * again. */
 TEST(cooked_before_the_parent_knows_of_a_stop)
 {
     for (int i = 0; i < 20; i++) {
@@ -151,7 +152,7 @@ TEST(cooked_before_the_parent_knows_of_a_stop)
     }
 }
 
-/* What the terminal is after a stop is the shell's: the death of the stopped process does not change it. */
+/* The terminal's state after a stop is the shell's: the death of the stopped process does not change it. */
 TEST(put_back_once)
 {
     pid_t child = stopped_child();
@@ -227,7 +228,7 @@ TEST(another_guardian_stands_in)
     close_terminal();
 }
 
-/* The first child of a process, or 0. */
+/* Returns the first child of a process, or 0. */
 static pid_t child_of(pid_t pid)
 {
     char path[64];
@@ -242,7 +243,7 @@ static pid_t child_of(pid_t pid)
     return child;
 }
 
-/* In one order and the other: neither can do anything between. */
+/* In either order: neither can act between the two. */
 TEST(both_killed_at_once)
 {
     for (int i = 0; i < 10; i++) {
@@ -269,7 +270,7 @@ TEST(both_killed_at_once)
     }
 }
 
-/* In place of libc's: the process dies just before it has a child, or just after. */
+/* Replaces libc's: the process dies just before it has a child, or just after. */
 static enum { LIVES, DIES_BEFORE, DIES_AFTER } at_fork;
 
 pid_t fork(void)
@@ -282,7 +283,7 @@ pid_t fork(void)
     return child;
 }
 
-/* While the next guardian is made, which the spare does not wait for in vain. */
+/* While the next guardian is made; the spare does not wait for it in vain. */
 TEST(killed_after_its_guardian)
 {
     for (int i = 0; i < 10; i++) {
@@ -301,7 +302,7 @@ TEST(killed_after_its_guardian)
     }
 }
 
-/* Writes this process's own oom_score_adj: a higher one always, a lower one not for everybody. */
+/* Writes this process's own oom_score_adj: a higher one is always allowed, a lower one not for every user. */
 static bool set_score(const char *value)
 {
     int fd = open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC);
@@ -344,7 +345,7 @@ TEST(is_no_choice_when_memory_is_short)
     (void)set_score(back);
 }
 
-/* A guardian that somebody has stopped does not hold the end up. */
+/* A guardian that somebody has stopped does not delay the end. */
 TEST(ends_with_a_stopped_guardian)
 {
     if (!open_terminal())

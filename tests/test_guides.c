@@ -1,8 +1,8 @@
-/* What is gathered beside sums: guides, and squares for the standard error. */
+/* Data gathered beside sums: guides, and squares for the standard error. */
 #include "light_scene.h"
 #include "random.h"
 
-/* Behind light_scene.h, whose functions have parameters of the same names. */
+/* After light_scene.h, whose functions have parameters of the same names. */
 #include "gathered.h"
 
 static void gather(const struct tia_estimator *estimator, const struct tia_core *core, uint32_t first, uint32_t end,
@@ -40,8 +40,8 @@ TEST(gathering_changes_no_sums_and_joins)
     CHECK(!memcmp(guides, once, sizeof once) && !memcmp(squares, squares_once, sizeof squares));
 }
 
-/* A floor seen from above: its normal, its distance, its colour; by a mirror what is mirrored, the way there and back,
- * and both colours. */
+/* Checks a floor seen from above: its normal, its distance, its colour; in a mirror the mirrored floor, the way there
+ * and back, and both colours. */
 static void check_guide(double z, double depth, double albedo)
 {
     const struct tia_guide *g = &guides[PIXELS / 2];
@@ -110,7 +110,7 @@ TEST(guides_of_double_are_the_same)
 #endif
 }
 
-/* Of numbers that are drawn by themselves: the spread of such means says how large it should be. */
+/* Independent random numbers: the spread of such means shows the right size. */
 TEST(standard_errors_are_those_of_means)
 {
     double spread = 0, told = 0, mean = 0;

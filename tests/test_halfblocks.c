@@ -1,4 +1,4 @@
-/* test_halfblocks.c - a terminal's bytes from pixels, as a model of a terminal shows them. */
+/* test_halfblocks.c - a terminal's bytes from pixels, shown by a model of a terminal. */
 #include <stdlib.h>
 
 #include "check.h"
@@ -9,7 +9,7 @@
 
 /* ---- colours ---- */
 
-/* The nearest colour found by looking at all, in a palette that the test's terminal defines. */
+/* Finds the nearest colour by brute force, in a palette that the test's terminal defines. */
 static unsigned nearest_of_all(uint32_t c)
 {
     unsigned best = 0, best_distance = UINT32_MAX;
@@ -91,7 +91,7 @@ static void picture_free(struct picture *p)
     model_free(&p->model);
 }
 
-/* Draws a frame: how many bytes it took. */
+/* Draws a frame; returns the number of its bytes. */
 static size_t show(struct picture *p)
 {
     struct text text = {0};
@@ -124,7 +124,7 @@ static void check_shown(const struct picture *p)
                       model_pixel(&p->model, x, y), wanted(p, x, y));
 }
 
-/* Random changes of random pixels, some of them to what they are. */
+/* Changes random pixels, some of them to their present colour. */
 static void scribble(struct picture *p, unsigned count)
 {
     static const tia_rgb565 few[] = {0xffff, 0x0000, 0xf800, 0x07e0, 0x001f};

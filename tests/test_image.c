@@ -1,4 +1,4 @@
-/* Picture files: their bytes, and that a file is there whole or not at all. */
+/* Picture files: their bytes, and that a file exists completely or not at all. */
 #include "common/image/image.h"
 
 #include <dirent.h>
@@ -19,7 +19,7 @@ static const tia_rgb565 pixels[6] = {0xf800, 0x07e0, 0x001f, 0x0821, 0xffff, 0xa
 static char directory[64], path[128], why[PORT_WHY];
 static unsigned char bytes[4096];
 
-/* The file's length, -1 when it is not there. */
+/* Returns the file's length, -1 when it does not exist. */
 static long slurp(const char *name)
 {
     FILE *file = fopen(name, "rb");
@@ -128,7 +128,7 @@ TEST(png_header)
     CHECK(memcmp(bytes, expected, sizeof expected) == 0);
 }
 
-/* ---- whole or not at all ---- */
+/* ---- complete or not at all ---- */
 
 TEST(a_file_appears_only_when_finished)
 {
@@ -216,7 +216,7 @@ TEST(a_full_device_says_so)
     CHECK(stat("/dev/full", &status) == 0 && S_ISCHR(status.st_mode));
 }
 
-/* A disk that fills up while a file is written: the limit of file size stands for it. */
+/* A disk that becomes full while a file is written; the limit of file size simulates it. */
 TEST(a_file_that_cannot_grow_is_removed)
 {
     struct rlimit before, small = {100, 100};

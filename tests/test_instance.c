@@ -1,2 +1,2 @@
-/* instance_cases.h in integers: the cases know no arithmetic, num.h gives them its numbers. */
+/* instance_cases.h in integers: the cases are independent of the arithmetic, which num.h provides. */
 #include "instance_cases.h"

@@ -1,4 +1,4 @@
-/* tia_press: what each key does to the lights, by the table of the thesis scene and at the limits. */
+/* tia_press: the effect of each key on the lights, by the table of the thesis scene and at the limits. */
 #include <math.h>
 
 #include <tia/viewer.h>
@@ -102,7 +102,7 @@ TEST(no_room_for_a_light)
     CHECK(count == 0 && is_at(&lights[0], 1, 2, 3));
 }
 
-/* The farthest point stays nearer than 32768: 32767 with no radius is accepted, one more is not; with
+/* Checks the limit. The farthest point stays nearer than 32768: 32767 with no radius is accepted, one more is not; with
  * radius 3 it is 32764.99..., so 32764 is the last whole number. */
 static void check_limit(tia_q16 radius, tia_q16 last)
 {
@@ -186,7 +186,7 @@ TEST(several_lights)
     CHECK_EQ(tia_press(&scene, lights, &count, 4, 'a'), TIA_ERR_ARGUMENT);
 }
 
-/* Ambient lights, which are nowhere, are passed over. */
+/* Ambient lights, which have no position, are skipped. */
 TEST(the_first_light_that_has_a_place)
 {
     struct tia_scene scene = {.camera = {{0, 0, 0}, TIA_Q16(25)}};
@@ -221,7 +221,7 @@ TEST(which_light_a_key_puts)
     CHECK_EQ(tia_key_light(&scene, lights, 4, 'q'), TIA_NO_LIGHT);
 }
 
-/* The light comes from -direction: there, at the distance 1, it moves by 1/16. */
+/* Checks a turn. The light comes from -direction: there, at the distance 1, it moves by 1/16. */
 static void check_turn(const double from[3], size_t move)
 {
     struct tia_scene scene = {.camera = {{0, 0, 0}, TIA_Q16(25)}};
@@ -254,7 +254,7 @@ TEST(a_directional_light_turns)
     }
 }
 
-/* A light that comes from straight above cannot come from further above, and comes up to there again. */
+/* A light from straight above cannot move further up, and returns there from elsewhere. */
 TEST(a_directional_light_at_its_end)
 {
     struct tia_scene scene = {.camera = {{0, 0, 0}, TIA_Q16(25)}};

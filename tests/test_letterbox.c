@@ -1,6 +1,5 @@
-/* The command's letterbox around the strict memory display: place, border, turn, tiles, checksum;
- * and its statistics.
- * The command is a program: its files are in no library, and are included here. */
+/* The command's letterbox around the strict memory display: position, border, rotation, tiles, checksum; and its
+ * statistics. The command is a program: its files are in no library, and are included here. */
 
 #include "tia/crc.c"
 #include "tia/label.c"
@@ -16,7 +15,7 @@
 
 enum { WIDTH = 23, HEIGHT = 17, EDGE = 1, TALL = 8192 };
 
-/* The screen with a frame of pixels around it that nobody may touch. */
+/* The screen with a border of pixels around it that must not change. */
 static tia_rgb565 pixels[HEIGHT + 2 * EDGE][WIDTH + 2 * EDGE];
 static struct port_memory screen;
 static struct letterbox letterbox;
@@ -53,7 +52,7 @@ static int open_stage(uint16_t width, uint16_t height, unsigned degrees, bool ch
     return letterbox_display.open(&letterbox, &mode);
 }
 
-/* A pixel that tells where on the picture it belongs; never black. */
+/* Returns a pixel that encodes its position in the picture; never black. */
 static tia_rgb565 pixel_at(unsigned x, unsigned y)
 {
     return (tia_rgb565)(0x8000u | x << 7 | y);
@@ -72,7 +71,7 @@ static int draw_tile(struct tia_tile tile)
     return !status ? letterbox_display.submit(&letterbox, tile) : status;
 }
 
-/* A frame in the largest tiles that the mode allows. */
+/* Draws a frame in the largest tiles that the mode allows. */
 static int draw_picture(void)
 {
     int status = letterbox_display.mode(&letterbox, &mode);
@@ -89,8 +88,8 @@ static int draw_picture(void)
     return !status ? letterbox_display.present(&letterbox) : status;
 }
 
-/* What the screen must show at (x, y), from the definition: the picture, turned clockwise, in the
- * middle, an odd pixel more on the right and below. */
+/* Returns the screen's pixel at (x, y), by definition: the picture, rotated clockwise, in the middle, an odd pixel more
+ * on the right and below. */
 static tia_rgb565 expected_at(int x, int y, int width, int height, unsigned degrees)
 {
     int turned_width = degrees % 180 ? height : width, turned_height = degrees % 180 ? width : height;
@@ -114,7 +113,7 @@ static const char *const label[9] = {"...................", ".#####.............
                                      "....#........#####.", "...#...#####....#..", "..#............#...",
                                      "..#...........#....", "..#..........#####.", "..................."};
 
-/* What covers the pixel that pixel_at has made. */
+/* Returns the pixel that covers that of pixel_at. */
 static tia_rgb565 with_label(tia_rgb565 pixel)
 {
     unsigned x = pixel >> 7 & 127, y = pixel & 127;
@@ -136,7 +135,7 @@ static void check_screen(int width, int height, unsigned degrees)
     }
 }
 
-/* Bit by bit, from the polynomial alone. */
+/* Computes bit by bit, from the polynomial alone. */
 static uint32_t slow_crc(uint32_t crc, const unsigned char *bytes, size_t count)
 {
     crc = ~crc;

@@ -1,7 +1,8 @@
-/* A picture that can be read: four texels, red and green above blue and white, on every shape, as tia/shape.h says.
+/* A picture whose orientation is visible: four texels, red and green above blue and white, on every shape, as
+ * tia/shape.h defines.
  *
- * From the side that the normal points to they are seen as they are stored; from the other side mirrored. The
- * colours expected here come from those words and from where each camera stands, nothing else. */
+ * From the side that the normal points to they are seen as they are stored; from the other side mirrored. The colours
+ * expected here follow from that definition and from each camera's position alone. */
 #include "reading.h"
 #include <tia/tia.h>
 
@@ -49,7 +50,7 @@ static void draw(const struct tia_scene *scene, tia_rgb565 pixels[SIDE * SIDE])
     free(hits_memory);
 }
 
-/* The colours 3/8 of the half window from its middle: upper left, upper right, lower left, lower right. */
+/* Checks the colours 3/8 of the half window from its middle: upper left, upper right, lower left, lower right. */
 static void check_seen(const char *camera, const char *field, const char *shape, const char *want)
 {
     static const char head[] = "material m colour 1 texture t\nlight ambient\ntexture t image f ";
@@ -114,7 +115,7 @@ static void check_round(const char *shape)
 TEST(cylinder)
 {
     check_round(TUBE);
-    /* Lying along -x, U is z, which is at the middle of the picture. */
+    /* lying along -x, U is z, which is at the middle of the picture */
     check_seen("camera orthographic eye 0 0 9 look 0 0 0 up -1 0 0 window -1 1 -1 1\n", "",
                "cylinder base 1 0 0 top -1 0 0 radius 1 material m\n", "RGBW");
     check_seen(RIGHT, "", "cylinder base -1 0 0 top 1 0 0 radius 1 capped material m\n", "RGBW");
@@ -147,7 +148,7 @@ TEST(plane)
     check_seen(RIGHT, "repeat 0.5", "plane point 0 -1 1 normal 1 0 0 material m\n", "RGBW");
 }
 
-/* The picture's lower left corner is at a, b is to the right of it, c above; upper right of b and c is nothing. */
+/* The picture's lower left corner is at a, b is to the right of it, c above; upper right of b and c is empty. */
 TEST(triangle)
 {
     check_seen(FRONT, "", "triangle a -2 -2 0 b 2.5 -2 0 c -2 2.5 0 material m\n", "R.BW");
@@ -168,7 +169,7 @@ TEST(bilinear)
                "RGBW");
 }
 
-/* What lay at the middle goes half a picture to the right and up. */
+/* The pixel of the middle moves half a picture to the right and up. */
 TEST(offset_and_scale)
 {
     check_seen(FRONT, "offset 0.5 0", "disc normal 0 0 1 radius 1 material m\n", "GRWB");

@@ -1,4 +1,4 @@
-/* The light is right: what integrators of samples say, against formulas. */
+/* The light of sampling integrators is right: compared with formulas. */
 #include "light_scene.h"
 
 /* ---- irradiance below lights: form factors ---- */
@@ -29,7 +29,7 @@ TEST(beside_an_emitting_sphere)
     CHECK_LIGHT(0.5 * 3 * 1 / 8.0 * sqrt(0.5));
 }
 
-/* Seen from below one corner. */
+/* Returns the form factor seen from below one corner. */
 static double corner(double a, double b)
 {
     double p = sqrt(1 + a * a), q = sqrt(1 + b * b);
@@ -119,7 +119,7 @@ TEST(below_a_spot)
 
 /* ---- furnaces and cavities ---- */
 
-/* A picture all around which all is 1 shows nothing else, in every sample. */
+/* Checks that a scene surrounded by 1 shows nothing else, in every sample. */
 static void check_furnace(void)
 {
     enum { SIDE = 24, COUNT = 16 };
@@ -170,7 +170,7 @@ TEST(furnace_with_glass)
     }
 }
 
-/* Phong's lobe seen along the normal: its integral with the cosine is 1. */
+/* Checks Phong's lobe seen along the normal: its integral with the cosine is 1. */
 static void lobe(double exponent)
 {
     floor_below(TIA_PATHS);
@@ -199,7 +199,7 @@ TEST(furnace_with_a_lobe_on_lambert)
     CHECK_LIGHT(1);
 }
 
-/* A closed sphere that emits e and reflects r. */
+/* Checks a closed sphere that emits e and reflects r. */
 static void cavity(double e, double r)
 {
     world_begin(TIA_PATHS);
@@ -231,7 +231,7 @@ TEST(cavity_of_nineteen_twentieths)
 
 /* ---- sums ---- */
 
-/* Any tiles, any ranges of samples, in any order: the same sums. */
+/* Checks that any tiles, any ranges of samples, in any order give the same sums. */
 static void check_parts(enum tia_integrator integrator)
 {
     enum { SIDE = 17, COUNT = 16 };

@@ -4,7 +4,7 @@
 #ifdef TIA_HAVE_F64
 enum { SIDE = 64, ROUNDS = 16 };
 
-/* One sample of each pixel, and its path. */
+/* Draws one sample of each pixel, and its path. */
 static void draw(const struct tia_core *core, const struct tia_estimator *estimator, struct tia_sum sums[SIDE * SIDE],
                  uint32_t hashes[SIDE * SIDE])
 {
@@ -17,7 +17,7 @@ static void draw(const struct tia_core *core, const struct tia_estimator *estima
     world_close(&v);
 }
 
-/* At least 99.99 % of the paths, and of the samples at 2^-24, are the same. */
+/* Compares: at least 99.99 % of the paths, and of the samples at 2^-24, are the same. */
 static void compare(void)
 {
     static struct tia_sum sums[2][SIDE * SIDE];

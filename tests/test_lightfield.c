@@ -1,4 +1,4 @@
-/* Where the eyes of light fields stand, rounded once, against whole-number arithmetic; and what is refused. */
+/* The eyes' positions of light fields, rounded once, against whole-number arithmetic; and refusals. */
 #include <tia/lightfield.h>
 #include <tia/scene.h>
 
@@ -21,7 +21,7 @@ static uint32_t below(uint32_t n)
     return random_u32() % n;
 }
 
-/* Whether `got` is n/d rounded to nearest, halves up; d above 0. */
+/* True if `got` is n/d rounded to nearest, halves up; d above 0. */
 static bool is_nearest(int64_t got, int64_t n, int64_t d)
 {
     return 2 * (got * d - n) <= d && 2 * (got * d - n) > -d;
@@ -43,7 +43,7 @@ TEST(views_stand_evenly)
     CHECK_EQ(tia_light_field_place(&longest, 0, 1), 0);
 }
 
-/* Upright, u is x; turned by a right angle, z. */
+/* Upright, u is x; rotated by a right angle, z. */
 TEST(a_place_moves_the_eye_and_not_the_screen)
 {
     struct tia_camera camera = camera_of(5 * ONE), out;
@@ -63,7 +63,7 @@ TEST(a_place_moves_the_eye_and_not_the_screen)
     CHECK_EQ(out.reference.z, camera.reference.z - 777);
 }
 
-/* Along (3, 0, -4)/5, whose multiples are no multiples of 2^-16. */
+/* Along (3, 0, -4)/5, whose multiples are not multiples of 2^-16. */
 TEST(an_oblique_place_is_rounded_once)
 {
     struct tia_camera camera = camera_of(90 * ONE), out;

@@ -1,8 +1,8 @@
 /* A scene at each stated limit draws, and one step beyond it is refused by name.
  *
- * At the limit q16 draws what f64 draws: where both have the same path, no channel is more than two levels
- * off, and others are few; and the checking build draws that too and reports nothing. What is too large for a
- * quick test is not drawn: of TIA_OBJECTS_MAX objects only the sizes are asked. */
+ * At the limit q16 draws the same as f64: where both have the same path, no channel is more than two levels off, and
+ * few pixels have another path; and the checking build draws the same and reports nothing. Scenes too large for a quick
+ * test are not drawn: of TIA_OBJECTS_MAX objects only the sizes are checked. */
 #include "check.h"
 #include "common/corpus/measure.h"
 #include "common/thread_pool.h"
@@ -17,7 +17,7 @@ static struct threads *pool;
 #define WIDTH 24
 #define HEIGHT 18
 
-/* How often the colour changes: where nothing is to be seen, never. */
+/* Returns how often the colour changes: never if no object is visible. */
 static unsigned changes(const tia_rgb565 *picture)
 {
     unsigned count = 0;
@@ -88,7 +88,7 @@ TEST(images_of_any_size)
     CHECK_EQ(tia_view_init(&view, memory, sizeof memory, &scene, 1, 1, TIA_SIZE_MAX + 1), TIA_ERR_ARGUMENT);
 }
 
-/* Not drawn: 2^24 spheres, shapes or faces. Their memory is told: a tree of n has 2 n - 1 nodes and n items. */
+/* Not drawn: 2^24 spheres, shapes or faces. Their memory is checked: a tree of n has 2 n - 1 nodes and n items. */
 TEST(most_objects)
 {
     const uint64_t n = TIA_OBJECTS_MAX, tree = n * 4 + (2 * n - 1) * sizeof(struct tia_bvh_node);

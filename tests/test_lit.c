@@ -1,5 +1,5 @@
-/* What light reaches a pixel, as tia_options.lit has it: against points and boxes worked out here in double, from the
- * equations in tia/light.h; and where plain z-pass is wrong. */
+/* The lights that reach a pixel, tia_options.lit: against points and boxes computed here in double, from the equations
+ * in tia/light.h; and where plain z-pass is wrong. */
 #include "reading.h"
 #include <math.h>
 #include <tia/tia.h>
@@ -47,13 +47,12 @@ static void draw(const struct tia_scene *scene, enum tia_shadows shadows, struct
     free(hits_memory);
 }
 
-/* Where samples shine from, w = 1, or come from, w = 0. The rectangle's have u = (i + 1/2)/4 and v = 0, 1/2, 1/4, 3/4.
- */
+/* Positions of samples, w = 1, or directions, w = 0. The rectangle's have u = (i + 1/2)/4 and v = 0, 1/2, 1/4, 3/4. */
 static const double from[BITS][4] = {{3.1, 4.3, 0.2, 1},           {1, 2, -0.3, 0},
                                      {0.3 - 0.45, 5, -5 - 0.6, 1}, {0.3 - 0.15, 5, -5, 1},
                                      {0.3 + 0.15, 5, -5 - 0.3, 1}, {0.3 + 0.45, 5, -5 + 0.3, 1}};
 
-/* Whether the way from p, in the direction d, up to `end` times it, goes through the box. */
+/* True if the segment from p, in the direction d, up to `end` times it, goes through the box. */
 static bool is_blocked(const double p[3], const double d[3], double end)
 {
     static const double low[3] = {-1, 0, -1}, high[3] = {1, 1, 1};
@@ -112,7 +111,7 @@ TEST(samples_that_arrive)
     read_end(&r);
 }
 
-/* 70 lights from above, 8 x 8 pixels of nothing but the background in the middle, four samples in each pixel. */
+/* 70 lights from above, 8 x 8 pixels of background in the middle, four samples in each pixel. */
 TEST(samples_without_a_bit)
 {
     static struct picture p;
@@ -130,8 +129,8 @@ TEST(samples_without_a_bit)
     read_end(&r);
 }
 
-/* Light from behind the eye: the shadow of the one box falls past the eye onto the ground. Where the eye is in the
- * volume its count is one too low: what no volume holds is dark, and what one holds is lit. */
+/* Checks a light from behind the eye: the shadow of the one box falls past the eye onto the ground. Where the eye is in
+ * the volume its count is one too low: points in no volume are dark, and points in one are lit. */
 static void check_plain(const char *box, bool inside)
 {
     static struct picture right, plain;

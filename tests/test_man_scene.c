@@ -18,7 +18,7 @@ static int fetch_opacity(void *ctx, const char *name, enum tia_channel channel, 
     return fetch(ctx, name, texture, why);
 }
 
-/* What the page's scenes include. */
+/* Fetches the file that the page's scenes include. */
 static int fetch_chair(void *ctx, const char *name, const char **text, size_t *length, const char **why)
 {
     (void)ctx;
@@ -30,7 +30,7 @@ static int fetch_chair(void *ctx, const char *name, const char **text, size_t *l
 
 static char examples[40000];
 
-/* Copies a line of an example as a reader of the page sees it: "\-" is "-", "\e" a backslash. */
+/* Copies a line of an example as the page shows it: "\-" is "-", "\e" a backslash. */
 static char *copy_line(char *to, const char *line, size_t length)
 {
     for (size_t i = 0; i < length; i++)

@@ -4,7 +4,7 @@
 
 #include "math/trig.h"
 
-/* Coprime to every power of two, so that thinned sweeps meet all residues. */
+/* Coprime to every power of two, so that thinned sweeps cover all residues. */
 #define THIN 4099
 
 TEST(leading_zeros)
@@ -80,7 +80,7 @@ TEST(one_over_square_root)
     struct sweep_range ulp = {0, 0};
     CHECK_EQ(sweep_rsqrt(0, THIN, &ulp), 0);
     CHECK_EQ(sweep_rsqrt((UINT64_C(3) << 30) - 100000, 1, &ulp), 0);
-    /* From 2^62 on, where the result is nearest to 2^32 and a wrap would show. */
+    /* from 2^62 on, where the result is nearest to 2^32 and a wrap would show */
     for (uint64_t a = UINT64_C(1) << 30; a < (UINT64_C(1) << 30) + 3000000; a++)
         CHECK(tia_rsqrt(a << 32) > UINT32_C(0xff000000));
     printf("# 1/sqrt: %.4f to %.4f ulp of Q1.31\n", ulp.low, ulp.high);
@@ -114,7 +114,7 @@ TEST(normalise)
     CHECK(fabs(corner.x + 0x1p30 / sqrt(3)) <= 1.5 && fabs(corner.z - 0x1p30 / sqrt(3)) <= 1.5);
 }
 
-/* a b by 16-bit digits, as on paper. */
+/* Multiplies a b by 16-bit digits, as on paper. */
 static void paper_product(uint64_t a, uint64_t b, uint64_t *high, uint64_t *low)
 {
     uint32_t digits[8] = {0};

@@ -1,5 +1,5 @@
-/* What rays go through: nested media, straight layers and shadows, each case worked out by hand, in integers, in
- * double precision and by the oracle. */
+/* Rays through media: nested media, straight layers and shadows, each case worked out by hand, in integers, in double
+ * precision and by the oracle. */
 #include "media_scene.h"
 
 static double tangent_of_sine(double sine)
@@ -7,8 +7,8 @@ static double tangent_of_sine(double sine)
     return sine / sqrt(1 - sine * sine);
 }
 
-/* Whether the ray from the origin at 30 degrees, having passed layers, is at that height in z = -depth: a lamp of a
- * hundredth there is seen, and one aside is not. */
+/* Checks that the ray from the origin at 30 degrees, having passed layers, is at that height in z = -depth: a lamp of a
+ * hundredth is visible there, and one aside is not. */
 static void arrives(double height, double depth)
 {
     add_ball(height, -depth, 0.01, LAMP);
@@ -53,7 +53,7 @@ TEST(overlaps)
     arrives(5 * IN_AIR + 1 * IN_GLASS + 2 * IN_WATER, 8);
 }
 
-/* More than a ray remembers: the ninth is passed, the medium behind it is the eighth's. */
+/* More than a ray's list holds: the ninth is passed, the medium behind it is the eighth's. */
 TEST(nine_deep)
 {
     begin();
@@ -83,7 +83,7 @@ TEST(bubble)
     see(0, b, 0, 0, 0);
 }
 
-/* The same glass within glass is not seen: not one pixel. */
+/* The same glass within glass is invisible: no pixel changes. */
 TEST(same_index)
 {
     static tia_rgb565 with[64 * 64], without[64 * 64];
@@ -123,7 +123,7 @@ TEST(eye_inside)
     see(0, 0, 0, 30, RED);
 }
 
-/* What has no inside bends a ray, and it is still outside. */
+/* A shape without an inside bends a ray, which then is still outside. */
 TEST(open_shapes_are_not_entered)
 {
     static const struct tia_vec3 corners[4] = {TIA_VEC3(-50, -50, 0), TIA_VEC3(50, -50, 0), TIA_VEC3(50, 50, 0),
@@ -219,7 +219,7 @@ TEST(panes_before_mirrors)
 
 /* ---- shadows ---- */
 
-/* A wall at z = -4, its light on the eye's side at z = -1. */
+/* Begins a wall at z = -4, its light on the eye's side at z = -1. */
 static void begin_shadow(void)
 {
     begin();
@@ -228,7 +228,7 @@ static void begin_shadow(void)
     add(TIA_PLANE, FLOOR)->plane = (struct tia_plane){TIA_VEC3(0, 0, -4), {0, 0, TIA_Q30(1)}};
 }
 
-/* `count` small faces at z = -2, -2.03, ... on the axis. */
+/* Adds `count` small faces at z = -2, -2.03, ... on the axis. */
 static void add_faces(uint32_t count, const uint32_t *groups)
 {
     static struct tia_vec3 corners[3 * 40];

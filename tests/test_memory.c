@@ -1,4 +1,4 @@
-/* test_memory.c - the memory display in all its shapes, and what it refuses. */
+/* test_memory.c - the memory display in all its shapes, and its refusals. */
 #include <stdlib.h>
 
 #include "check.h"
@@ -17,8 +17,8 @@ static struct port_memory memory_of(unsigned width, unsigned height, ptrdiff_t s
     return (struct port_memory){.surface = {NULL, step, pitch}, .width = (uint16_t)width, .height = (uint16_t)height};
 }
 
-/* Runs the suite in a block of memory that holds the whole surface; negative strides begin at its
- * end. Around the pixels nothing may change. */
+/* Runs the suite in a block of memory that holds the whole surface; negative strides begin at its end. No byte around
+ * the pixels may change. */
 static void conform_in(struct port_memory *memory)
 {
     struct tia_surface *s = &memory->surface;
@@ -55,7 +55,7 @@ TEST(memory_with_tile_limits)
     conform_in(&memory);
 }
 
-/* Upside down; a panel turned by a quarter: a step to the right is a row of the memory. */
+/* Upside down; a panel rotated by a quarter: a step to the right is a row of the memory. */
 TEST(memory_turned)
 {
     struct port_memory flipped = memory_of(33, 9, -2, -80), turned = memory_of(33, 9, 64, -2);

@@ -1,2 +1,2 @@
-/* mesh_cases.h in integers: the cases know no arithmetic, num.h gives them its numbers. */
+/* mesh_cases.h in integers: the cases are independent of the arithmetic, which num.h provides. */
 #include "mesh_cases.h"

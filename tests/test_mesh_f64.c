@@ -1,4 +1,4 @@
-/* mesh_cases.h in double precision: num.h gives the same cases other numbers. */
+/* mesh_cases.h in double precision: num.h provides another arithmetic for the same cases. */
 #ifdef TIA_HAVE_F64
 #define TIA_NUM_F64
 #include "mesh_cases.h"

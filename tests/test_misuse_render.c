@@ -244,7 +244,7 @@ TEST(misuse_of_levels)
         CHECK_EQ(tia_view_set_simd(misuse_view, simd, misuse_memory, sizeof misuse_memory), TIA_OK);
         REFUSES(tia_light_tile(misuse_view, misuse_hits, misuse_frame, NULL, NULL));
         GIVES(TIA_NO_OBJECT, tia_hits_object(misuse_hits, MISUSE_W, 0));
-        /* What the level has traced is not in the hits. */
+        /* The hits do not contain the pixels that the level has traced. */
         REFUSES(tia_trace(misuse_view, misuse_hits, misuse_frame) || tia_view_set_simd(misuse_view, NULL, NULL, 0)
                     ? 1
                     : tia_light_tile(misuse_view, misuse_hits, misuse_frame, &misuse_surface, NULL));

@@ -1,4 +1,4 @@
-/* Misuse of readers, hierarchies, animation, cameras, light fields and what else there is of a scene. */
+/* Misuse of readers, hierarchies, animation, cameras, light fields and the other parts of a scene. */
 #include <limits.h>
 
 #include "misuse_scene.h"

@@ -6,7 +6,7 @@ static bool detached[MISUSE_LIGHTS];
 static struct tia_scene variant;
 static struct tia_mode mode;
 
-/* ---- ports that do what they should ---- */
+/* ---- correct ports ---- */
 
 static int get_mode(void *ctx, struct tia_mode *out)
 {
@@ -102,7 +102,7 @@ static enum tia_effect act(void *ctx, const struct tia_event *event, struct tia_
 static const struct tia_display display = {get_mode, get_mode, acquire, submit, present, close_port};
 static const struct tia_input input = {open_input, poll_input, wait_input, close_port};
 
-/* A viewer of one frame, and one with a change. */
+/* Returns a viewer of one frame. */
 static struct tia_viewer viewer(void)
 {
     return (struct tia_viewer){.scene = &misuse_scene,
@@ -243,7 +243,7 @@ TEST(misuse_of_other_ports)
     misuse_end();
 }
 
-/* ---- samples as they come ---- */
+/* ---- samples shown progressively ---- */
 
 static uint64_t slow_clock(void *ctx)
 {
@@ -273,7 +273,7 @@ static int run_with_estimator(const struct tia_estimator *estimator)
     return run(v);
 }
 
-/* One of another arithmetic would not understand the core's views. */
+/* An estimator of another arithmetic cannot read the core's views. */
 TEST(misuse_of_an_estimator)
 {
     static const struct tia_estimator other = {.name = "q16 or so"}, nameless = {.name = NULL};

@@ -26,7 +26,7 @@ static struct tia_vec3 eye_at(tia_q16 time)
     return out.camera.eye;
 }
 
-/* h00 p0 + h10 m0 + h01 p1 + h11 m1 on one coordinate, units of 2^-16. */
+/* Returns h00 p0 + h10 m0 + h01 p1 + h11 m1 on one coordinate, units of 2^-16. */
 static double formula(const double *t, const double *p, int count, bool smooth, double time)
 {
     int i = 0;
@@ -116,7 +116,7 @@ TEST(by_hand)
     CHECK_EQ(eye_at(4 * ONE).x, 16 * ONE);
 }
 
-/* A curve that leaves Q16.16 between its keyframes is cut off. */
+/* A curve that leaves Q16.16 between its keyframes is clamped. */
 TEST(cut_off)
 {
     set_up(TIA_MOVES_EYE, true);
@@ -185,7 +185,7 @@ TEST(every_target)
     CHECK_EQ(tia_scene_duration(&scene), 2 * ONE);
 }
 
-/* Only what moves is copied. */
+/* Only moving elements are copied. */
 TEST(what_stays_is_shared)
 {
     struct tia_scene out;
@@ -221,7 +221,7 @@ TEST(into_itself)
     CHECK(is_moment(scene.lights[2].centre) && is_moment(scene.transforms[1].position));
 }
 
-/* Halfway between opposite directions there is none: the light's own stays. */
+/* Halfway between opposite directions there is none: the light keeps its own. */
 TEST(a_direction_through_nothing)
 {
     struct tia_keyframe turning[2] = {{0, {ONE, 0, 0}}, {2 * ONE, {-ONE, 0, 0}}};

@@ -1,5 +1,5 @@
-/* The operations of q16's number layer, each against what its header states: exact ones at their
- * boundaries, rounded ones by the size, the sign and the mean of their errors. */
+/* The operations of q16's number layer, each against its header's statement: exact ones at their boundaries, rounded
+ * ones by the size, the sign and the mean of their errors. */
 #include "check.h"
 #include "num/num.h"
 #include "random.h"
@@ -12,7 +12,7 @@
 
 __extension__ typedef __int128 wide128;
 
-/* result 2^s is `exact` to nearest, ties up. */
+/* True if result 2^s is `exact` to nearest, ties up. */
 static bool nearest(wide128 result, wide128 exact, unsigned s)
 {
     wide128 half = (wide128)1 << s >> 1, error = result * ((wide128)1 << s) - exact;
@@ -85,8 +85,8 @@ TEST(levels_begin_where_they_should)
     CHECK_EQ(num_threshold(63), 127 * ((1 << 30) / 128));
 }
 
-/* a/b 2^(63 - s) below 2^31: half a unit of rounding and one of the reciprocal's error. The mean error
- * tells rounding from truncation. */
+/* a/b 2^(63 - s) below 2^31: half a unit of rounding and one of the reciprocal's error. The mean error distinguishes
+ * rounding from truncation. */
 TEST(quotients)
 {
     double sum = 0;

@@ -1,4 +1,4 @@
-/* The numbers of general rays in integers, each operation against what num_ray.h states. */
+/* The numbers of general rays in integers, each operation against its statement in num_ray.h. */
 #include "check.h"
 #include "num/num_ray.h"
 #include "random.h"
@@ -12,7 +12,7 @@
 __extension__ typedef __int128 exact;
 __extension__ typedef __float128 real; /* 113 bits */
 
-/* A number below 2^bits of any length and sign. */
+/* Returns a number below 2^bits of any length and sign. */
 static int64_t any(unsigned bits)
 {
     int64_t n = (int64_t)random_short(bits);
@@ -30,7 +30,7 @@ static struct num_point any_point(unsigned bits)
     return (struct num_point){any(bits), any(bits), any(bits)};
 }
 
-/* Within 2^-59 of itself and half a unit, at most `most` in size. */
+/* True if it is within 2^-59 of itself and half a unit, at most `limit` in size. */
 static bool is_quotient(int64_t got, real want, int64_t limit)
 {
     real error = (real)got - want, own = want < 0 ? -want : want;
@@ -144,7 +144,7 @@ TEST(quotients)
     CHECK_EQ(num_div(0, 0), 0);
 }
 
-/* The bits of the roots, though it takes none. */
+/* The bits of the version with roots, though it takes none. */
 TEST(powers_as_lengths)
 {
     for (int i = 0; i < ROUNDS / 2; i++) {
@@ -172,7 +172,8 @@ TEST(powers_and_turns)
         long double off = fabsl((long double)num_power(d, e) / 0x1p62L - want);
         CHECK_MSG(off < 0x1p-44L, "%jd^%jd is off by %Lg", (intmax_t)d, (intmax_t)e, off);
         num_unit y = any(62), x = any(62);
-        y = y / 2 + (y < 0 ? -NUM_UNIT_ONE / 2 : NUM_UNIT_ONE / 2); /* some length is what its error is against */
+        y = y / 2 +
+            (y < 0 ? -NUM_UNIT_ONE / 2 : NUM_UNIT_ONE / 2); /* not too short: the error is relative to the length */
         want = atan2l((long double)y, (long double)x) / (2 * acosl(-1));
         off = fabsl((long double)num_atan2(y, x) / 0x1p62L - want);
         CHECK_MSG(off < 0x1p-54L || off > 1 - 0x1p-54L, "the angle of %jd, %jd is off by %Lg", (intmax_t)x, (intmax_t)y,

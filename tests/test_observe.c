@@ -1,4 +1,4 @@
-/* Rays as they are told to an observer: a mirror on the ground before the eye, known from geometry. */
+/* Rays reported to an observer: a mirror on the ground before the eye, computed from geometry. */
 #include <tia/tia.h>
 
 #include "check.h"
@@ -19,7 +19,7 @@ static void note(void *ctx, const struct tia_traced *traced)
 
 static const struct tia_core *const core = &tia_core_watched;
 
-/* Draws the middle pixel, whose ray is the camera's axis. Returns how many tests were counted. */
+/* Draws the middle pixel, whose ray is the camera's axis. Returns the number of tests counted. */
 static uint32_t watch(const char *text)
 {
     struct reading r = {.reader = {.text = text, .length = strlen(text)}};
@@ -74,7 +74,7 @@ TEST(mirror_and_shadows)
     CHECK_EQ(tests, 2 + 2 + 2 + 2 + 1); /* two planes, of which the last ray needs the first alone */
 }
 
-/* Glass that bends nothing at a right angle; a ball in the way of the light; nothing behind. */
+/* Glass without refraction at a right angle; a ball between point and light; no object behind. */
 TEST(glass_and_nothing)
 {
     (void)watch("camera eye 0 0 9 look 0 0 0 fov 40\nmaterial glass colour 0.1 refraction 0.9 index 1.5\n"

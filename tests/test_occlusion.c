@@ -1,7 +1,7 @@
-/* Ambient occlusion, as an integrator and of ambient lights, against formulas. */
+/* Ambient occlusion, as an integrator and for ambient lights, against formulas. */
 #include "light_scene.h"
 
-/* The part of the unit disc right of x = c: cosines around the normal are areas of the disc below (Nusselt). */
+/* Returns the part of the unit disc right of x = c: cosines around the normal are areas of the disc below (Nusselt). */
 static double segment(double c)
 {
     return (acos(c) - c * sqrt(1 - c * c)) / pi;
@@ -26,7 +26,7 @@ TEST(close_beside_a_wall)
     CHECK_LIGHT(1 - segment(1.0 / 64));
 }
 
-/* Of the disc beyond x = c and y = c. */
+/* Returns the part of the disc beyond x = c and y = c. */
 static double beyond_both(double c)
 {
     double s = sqrt(1 - c * c);
@@ -51,7 +51,8 @@ TEST(just_below_a_disc)
     CHECK_LIGHT(1 - radius * radius / (radius * radius + height * height));
 }
 
-/* An ambient light of Whitted's, white on half grey: the occlusion's part of 63/2 levels of green. */
+/* Returns the green of an ambient light in Whitted's integrator, white on half grey: the occlusion's part of 63/2
+ * levels. */
 static unsigned ambient_green(tia_q16 distance)
 {
     tia_rgb565 pixel;
@@ -76,7 +77,7 @@ TEST(ambient_light_is_hindered)
     CHECK_MSG(fabs(ambient_green(TIA_Q16(1)) - want) < 1, "%u, not %.1f", ambient_green(TIA_Q16(1)), want);
 }
 
-/* ---- a surface is not its own shadow ---- */
+/* ---- a surface does not shadow itself ---- */
 
 static void check_open(void)
 {

@@ -9,7 +9,7 @@ static tia_rgb565 grey(double x)
 static uint8_t texels[4];
 static struct tia_texture texture;
 
-/* White behind everything; PANE has the opacity of one texel, and all that a surface can have. */
+/* White background; PANE has the opacity of one texel, and all other properties of a surface. */
 static void begin_opacity(uint8_t value)
 {
     begin();
@@ -30,7 +30,7 @@ static struct tia_shape *add_disc(double z, uint32_t material)
     return s;
 }
 
-/* Where nothing is of it, a surface is not there, whatever it is made of. */
+/* Where the opacity is 0, there is no surface, whatever its material. */
 TEST(holes)
 {
     begin_opacity(0);
@@ -59,7 +59,7 @@ TEST(holes)
     }
 }
 
-/* Half of what the surface shows and half of what is behind it. */
+/* Half of the surface's colour and half of the background. */
 TEST(halves)
 {
     begin_opacity(128);
@@ -79,7 +79,7 @@ TEST(halves)
     see(0, 0, 0, 0, 23 << 11 | 31 << 5 | 31);
 }
 
-/* As leaves of a tree one behind the other, and one too many. */
+/* Leaves of a tree one behind the other, and one too many. */
 TEST(layers)
 {
     begin_opacity(0);
@@ -109,7 +109,8 @@ TEST(three_ways)
     see(0, 0, 0, 0, want);
 }
 
-/* A ball of glass with holes is one of two panes: a ray never is in it. Otherwise it would go from glass to glass. */
+/* A ball of glass with holes is one of two panes: no ray is ever inside it. Otherwise it would go from glass to glass.
+ */
 TEST(media)
 {
     begin_opacity(255);
@@ -134,7 +135,7 @@ TEST(media)
 
 /* ---- shadows ---- */
 
-/* A wall at z = -4 with a light at z = -1 before it, seen from z = -3. */
+/* Begins a wall at z = -4 with a light at z = -1 before it, seen from z = -3. */
 static void begin_shadow(uint8_t value)
 {
     begin_opacity(value);
@@ -168,7 +169,7 @@ TEST(shadows_surface_by_surface)
     see(0, 0, -3, 0, 0);
 }
 
-/* Of a ball around the light only the surface before the light counts, and nothing of it from within. */
+/* Of a ball around the light only the surface before the light counts, not its inside. */
 TEST(shadows_end_in_the_light)
 {
     begin_shadow(51);
@@ -211,7 +212,7 @@ TEST(shadows_of_cells)
     materials[AIR] = (struct tia_material){.colour = TIA_RGB(1, 1, 1)};
     shapes[0].material = AIR;
     add(TIA_GRID, PANE);
-    /* Towards the light are met: two cells whole, and so the first's front and back. */
+    /* objects towards the light: two cells whole, and so the first's front and back */
     see(0, 0, -3, 0, grey(0.5 * pow(1 - o, 4)));
 }
 

@@ -1,4 +1,4 @@
-/* The oracle against values worked out by hand: what it says is worth as much as these. */
+/* The oracle against values worked out by hand: its results are worth as much as these. */
 #include "check.h"
 #include "oracle/oracle.h"
 #include "random.h"
@@ -15,7 +15,7 @@ static double q16_unit(tia_q16 v)
     return v / 65536.0;
 }
 
-/* One ball of radius 3 at (0, 0, -10), all else black, seen through one pixel at fov 90. */
+/* Returns one ball of radius 3 at (0, 0, -10), all else black, seen through one pixel at fov 90. */
 static struct tia_scene one_ball(const struct tia_sphere *ball, const struct tia_light *lights, uint32_t count)
 {
     return (struct tia_scene){.camera = {.fov = TIA_Q16(90)},
@@ -105,8 +105,8 @@ static struct oracle_vec random_direction(void)
     return (struct oracle_vec){d.x / length, d.y / length, d.z / length};
 }
 
-/* A million rays from outside a sphere of radius r: both forms hit or both miss, at the same place,
- * but for rays that graze within the rounding errors of the quadratic (c = L.L - r^2 of L.L). */
+/* Compares a million rays to a sphere of radius r from outside: both forms hit or both miss, at the same point, except
+ * for rays that graze within the rounding errors of the quadratic (c = L.L - r^2 of L.L). */
 static void compare_forms(double distance, double radius, double tolerance)
 {
     unsigned hits = 0, differ = 0;
@@ -131,8 +131,8 @@ TEST(both_forms_agree_on_a_ball)
     compare_forms(5, 3, 1e-7);
 }
 
-/* b^2 - 4ac loses 2^-53 of 4e8 each, and the root of a small number doubles its relative error:
- * sqrt(1e-7) = 3e-4 in t is the worst that a graze makes. */
+/* b^2 - 4ac loses 2^-53 of 4e8 each, and the root of a small number doubles its relative error: sqrt(1e-7) = 3e-4 in t
+ * is the worst error of a graze. */
 TEST(both_forms_agree_on_the_ground)
 {
     random_state = 2025;
@@ -260,8 +260,8 @@ TEST(shadows_and_transmission)
     NEAR(p.linear[0], 0);
 }
 
-/* P = (0, 0, -9), the light at (9, 0, 0): a ball behind the light casts no shadow, nor does a ball
- * of radius 1 whose centre is 1.01 beside the way. */
+/* P = (0, 0, -9), the light at (9, 0, 0): a ball behind the light casts no shadow, nor does a ball of radius 1 whose
+ * centre is 1.01 from the segment. */
 TEST(only_what_lies_before_the_light_shadows)
 {
     struct tia_sphere spheres[2] = {{TIA_VEC3(0, 0, -10), TIA_Q16(1), 0}, {TIA_VEC3(12, 0, 3), TIA_Q16(1), 0}};
@@ -304,7 +304,7 @@ TEST(lights_are_seen)
     CHECK_EQ(oracle_pixel(&scene, 1, 1, 0, 0, false).object, 0);
 }
 
-/* The eye may be anywhere: moved with the scene it sees the same. */
+/* The eye may be anywhere: moved with the scene it gives the same picture. */
 TEST(the_eye_moves)
 {
     struct tia_sphere moved = {TIA_VEC3(5, -7, -1), TIA_Q16(3), 0};

@@ -1,4 +1,4 @@
-/* The oracle's closed shapes against what is inside of them, found by walking along rays. */
+/* The oracle's closed shapes against their insides, found by walking along rays. */
 #include "check.h"
 #include "oracle/shape.h"
 #include "random.h"
@@ -12,7 +12,7 @@ static bool meets(const struct tia_shape *shape, struct ray ray, struct hit *hit
     return object_hit(&scene, 0, ray, hit);
 }
 
-/* Whether a point of the shape's own space is inside the closed shapes below. */
+/* True if a point of the shape's own space is inside the closed shapes below. */
 static bool is_inside(enum tia_shape_kind kind, struct oracle_vec p)
 {
     double out = sqrt(p.x * p.x + p.z * p.z);
@@ -45,7 +45,7 @@ static bool inside_at(const struct tia_shape *shape, struct ray r, double t)
     return is_inside(shape->kind, (struct oracle_vec){p.x / s.x, p.y / s.y, p.z / s.z});
 }
 
-/* Up to the hit nothing changes, there it does; the normal leads out. */
+/* Walks along a ray: up to the hit nothing changes, there it does; the normal leads out. */
 static bool walk(const struct tia_shape *shape, struct ray r)
 {
     bool start = inside_at(shape, r, 0);

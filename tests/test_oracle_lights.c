@@ -22,7 +22,7 @@ static struct tia_shape shapes[3];
 static struct tia_light light;
 static struct tia_scene scene;
 
-/* A white floor y = 0 under the eye at (0, 1, 0), one light; material 1 is red glass to shadows, 2 opaque. */
+/* Begins a white floor y = 0 under the eye at (0, 1, 0), one light; material 1 is red glass to shadows, 2 opaque. */
 static void begin(enum tia_light_kind kind)
 {
     memset(materials, 0, sizeof materials);
@@ -37,7 +37,7 @@ static void begin(enum tia_light_kind kind)
     scene.shape_count = 1;
 }
 
-/* What the floor at (x, 0, z) looks like from right above. */
+/* Returns the colour of the floor at (x, 0, z), seen from above. */
 static struct colour floor_at(double x, double z)
 {
     return oracle_ray(&scene, (struct ray){{x, 1, z}, {0, -1, 0}}, 0, 0);
@@ -48,7 +48,7 @@ static double red_at(double x, double z)
     return floor_at(x, z).channel[0];
 }
 
-/* A box of that material over the floor, its x from x0 to x1, between the eye and the light. */
+/* Returns a box of that material over the floor, its x from x0 to x1, between the eye and the light. */
 static struct tia_shape box(double x0, double x1, uint32_t material)
 {
     return (struct tia_shape){
@@ -111,7 +111,7 @@ TEST(spot)
     NEAR(red_at(4 * tan(40.1 * PI / 180), 0), 0);
 }
 
-/* A box is met twice by the way, but is one object; two boxes are two. */
+/* The segment meets a box twice, but it is one object; two boxes are two. */
 TEST(transmission)
 {
     begin(TIA_POINT_LIGHT);
@@ -225,7 +225,7 @@ TEST(lights_are_seen)
     CHECK(!seen(0, 1, 0, 0, 1, 0));
 }
 
-/* Not to shadow rays: the light from (0, 9, 0) passes the one below it. And in a mirror. */
+/* Lights cast no shadow: the light from (0, 9, 0) passes the one below it. Also in a mirror. */
 TEST(lights_cast_no_shadow)
 {
     struct tia_light two[2];
@@ -243,7 +243,7 @@ TEST(lights_cast_no_shadow)
     NEAR(floor_at(0, 0).channel[1], 1);
 }
 
-static uint32_t cell; /* of the texture, where texture_at looked last */
+static uint32_t cell; /* texel of the last texture_at */
 
 static double texture_at(const struct tia_texture *t, double u, double v)
 {

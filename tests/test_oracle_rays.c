@@ -1,4 +1,4 @@
-/* The oracle's rays against values worked out by hand: mirrors, glass, lights and what they add up to. */
+/* The oracle's rays against values worked out by hand: mirrors, glass, lights and their sums. */
 #include "check.h"
 #include "common/corpus/corpus.h"
 #include "oracle/light.h"
@@ -25,7 +25,7 @@ static struct tia_shape shapes[3];
 static struct tia_light lights[2];
 static struct tia_scene scene;
 
-/* Up to three shapes and two lights, nothing else, before black. */
+/* Begins up to three shapes and two lights on black. */
 static void begin(uint32_t shape_count, uint32_t light_count)
 {
     memset(materials, 0, sizeof materials);
@@ -49,7 +49,7 @@ static void begin(uint32_t shape_count, uint32_t light_count)
                                .shape_count = shape_count};
 }
 
-/* Facing the eye, at depth z. */
+/* Returns a wall that faces the eye, at depth z. */
 static struct tia_shape wall(double z, uint32_t material)
 {
     return (struct tia_shape){
@@ -131,7 +131,7 @@ TEST(slab_of_glass)
     NEAR_RGB(see(0, 0, 0, 0, 0.5, -sqrt(0.75)), 1, 0, 0);
 }
 
-/* Inside glass of index 1.5 all is reflected beyond asin(1/1.5) = 41.810 degrees. */
+/* Inside glass of index 1.5 all light is reflected beyond asin(1/1.5) = 41.810 degrees. */
 TEST(total_internal_reflection)
 {
     double below = 41.80 * PI / 180, above = 41.82 * PI / 180;
@@ -180,7 +180,7 @@ TEST(fresnel_shares_out)
     NEAR_RGB(see(0, 0, 0, 0, 0, -1), 0.04 + 0.96 * 0.04 * 0.96, 0.96 * 0.96 * (1 + 0.04 * 0.04), 0);
 }
 
-/* Without Fresnel's shares both are what the material says; the mirror's is of the near side. */
+/* Without Fresnel's shares both are the material's own; the mirror's is of the near side. */
 TEST(mirror_and_refraction)
 {
     begin(3, 0);
@@ -220,7 +220,7 @@ TEST(facing_ratio)
     NEAR_RGB(see(0, 0, -4, sqrt(0.75), 0, 0.5), 0.5, 0.25, 0);
 }
 
-/* A leaning interpolated normal shades; the plane of the face decides who lights at all. */
+/* An inclined interpolated normal is used for shading; the face's plane decides which lights contribute. */
 TEST(smooth_normals)
 {
     static const struct tia_vec3 vertices[] = {TIA_VEC3(-9, -9, -2), TIA_VEC3(9, -9, -2), TIA_VEC3(0, 9, -2)};
@@ -293,7 +293,7 @@ TEST(path)
     NEAR(p.depth, 3);
 }
 
-/* The spheres of the thesis, looked at by both halves of the oracle: an up vector asks for rays. */
+/* The spheres of the thesis, drawn by both halves of the oracle: an up vector needs rays. */
 TEST(rays_and_the_plain_formulas_agree)
 {
     static struct corpus_scene c;

@@ -273,7 +273,7 @@ TEST(grid)
     CHECK_EQ(h.material, 7);
     NEAR(h.u, 0.25); /* (z, y) of the cell */
     NEAR(h.v, 0.75);
-    CHECK(meets(&s, ray(1, 1, 1, 1, 0, 0), &h)); /* through its like, to the front of another's cell */
+    CHECK(meets(&s, ray(1, 1, 1, 1, 0, 0), &h)); /* through an equal cell, to the front of a different one */
     NEAR(h.t, 3);
     NEAR_VEC(h.normal, -1, 0, 0);
     CHECK_EQ(h.material, 8);

@@ -1,4 +1,4 @@
-/* test_orbit.c - a camera that is moved: where it must come out, by trigonometry in double precision. */
+/* test_orbit.c - camera movement: its results, by trigonometry in double precision. */
 #include <math.h>
 
 #include <tia/orbit.h>
@@ -31,7 +31,7 @@ static void check_place(const char *what, struct tia_vec3 got, double x, double 
               "%s: %g %g %g, not %g %g %g", what, got.x / 65536.0, got.y / 65536.0, got.z / 65536.0, x, y, z);
 }
 
-/* From 10 before it, the eye goes around on circles. */
+/* From 10 before the point, the eye moves around it on circles. */
 TEST(around_a_point)
 {
     for (int right = -180; right <= 180; right += 7)
@@ -62,7 +62,7 @@ TEST(many_steps)
     }
 }
 
-/* Not over the pole, nor nearer to it than 3 degrees; around the up vector it turns all the same. */
+/* Not over the pole, nor nearer to it than 3 degrees; around the up vector it still turns. */
 TEST(the_pole)
 {
     struct tia_camera c = looking(2, -1, 13);
@@ -127,7 +127,7 @@ TEST(nearer)
           c.window.top == 21 * ONE);
 }
 
-/* Of what is ahead the ball that is the least off the line of sight; planes have no middle. */
+/* Of the objects ahead the ball nearest to the line of sight; planes have no middle. */
 TEST(what_a_camera_along_z_looks_at)
 {
     static const struct tia_material materials[] = {{.colour = {0, 0, 0}}};

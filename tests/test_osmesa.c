@@ -1,4 +1,4 @@
-/* test_osmesa.c - the osmesa display: what is drawn through GL comes back bit by bit, with both libraries. */
+/* test_osmesa.c - the osmesa display: pixels drawn through GL come back bit by bit, with both libraries. */
 #include <stdlib.h>
 
 #include "check.h"
@@ -27,7 +27,7 @@ static void *create(unsigned width, unsigned height)
     return port_osmesa_create(&wish);
 }
 
-/* A display of this size, open; NULL after a failed check. */
+/* Returns a display of this size, open; NULL after a failed check. */
 static void *opened(unsigned width, unsigned height)
 {
     void *ctx = create(width, height);
@@ -77,7 +77,7 @@ static void compare(void *ctx, const tia_rgb565 *image, unsigned width, unsigned
     }
 }
 
-/* 40503 is odd, so the pattern visits every colour before it repeats, and no two rows are alike. */
+/* Returns a pattern: 40503 is odd, so it has every colour before it repeats, and no two rows are alike. */
 static tia_rgb565 *pattern(unsigned width, unsigned height, unsigned seed)
 {
     tia_rgb565 *image = malloc((size_t)width * height * sizeof *image);
@@ -145,7 +145,7 @@ TEST(any_size)
         round_trip(sizes[i][0], sizes[i][1]);
 }
 
-/* A frame is seen when it is presented, not before, and a second one replaces it. */
+/* A frame is visible when it is presented, not before, and a second one replaces it. */
 TEST(frame_after_frame)
 {
     tia_rgb565 *first = pattern(65, 33, 1), *second = pattern(65, 33, 1000);
@@ -165,7 +165,7 @@ TEST(frame_after_frame)
     free(second);
 }
 
-/* Each display has a context of its own: what one shows does not depend on the other. */
+/* Each display has a context of its own: its picture does not depend on the other. */
 TEST(two_displays)
 {
     tia_rgb565 *left = pattern(40, 30, 5), *right = pattern(33, 31, 77);
@@ -184,7 +184,7 @@ TEST(two_displays)
     free(right);
 }
 
-/* The scene that is built in, lit as by each of its keys, or not at all (key 0). */
+/* Draws the built-in scene, lit as by each of its keys, or not at all (key 0). */
 static bool draw_frame(uint16_t key, tia_rgb565 *image, struct tia_tile all)
 {
     const struct tia_core *core = &tia_core_q16;

@@ -1,5 +1,4 @@
-/* Pictures on terminals: what a terminal answers, on a pseudo-terminal too, and sixel's and kitty's bytes decoded
- * again. */
+/* Pictures on terminals: a terminal's answers, on a pseudo-terminal too, and sixel's and kitty's bytes, decoded. */
 #include <sys/ioctl.h>
 #include <sys/wait.h>
 #include <time.h>
@@ -70,7 +69,7 @@ static long now_ms(void)
 
 static const char *chosen; /* as after "terminal:" */
 
-/* The program: opens the display on its controlling terminal and tells what it found. */
+/* The program: opens the display on its controlling terminal and reports its format. */
 static void play_program(const char *name, const char *term, int out)
 {
     char why[PORT_WHY] = "";
@@ -97,7 +96,7 @@ static void play_program(const char *name, const char *term, int out)
 
 static bool kitty_asked;
 
-/* Answers `text` to the question for the device's attributes, until the program has told. */
+/* Answers `text` to the query for the device's attributes, until the program has reported. */
 static struct result play_terminal(const char *text, int in)
 {
     struct pollfd two[2] = {{.fd = master, .events = POLLIN}, {.fd = in, .events = POLLIN}};
@@ -149,7 +148,7 @@ static void check_mode(const char *answer, const char *term, unsigned width, uns
     CHECK_MSG(kitty_asked == !strcmp(term, "xterm"), "%s", term);
 }
 
-/* What the user chose, or the reason why not. */
+/* Checks the user's choice, or the reason why it was refused. */
 static void check_chosen(const char *answer, const char *term, const char *said)
 {
     struct result r = opened(answer, term, (struct winsize){24, 80, 800, 480});
@@ -201,7 +200,7 @@ static int base64(char c)
     return c && at ? (int)(at - all) : -1;
 }
 
-/* All that the APC sequences carry, after one another. */
+/* Decodes all data of the APC sequences, one after another. */
 static size_t decode_kitty(const char *text, unsigned *width, unsigned *height)
 {
     unsigned bits = 0, have = 0;
@@ -243,7 +242,7 @@ static unsigned number(const char **s)
     return n;
 }
 
-/* #n;2;r;g;b in per cent, or #n: a colour. */
+/* Takes #n;2;r;g;b in per cent, or #n: a colour. */
 static unsigned take_colour(const char **s)
 {
     unsigned n = number(s) % 256, c[4] = {0};
@@ -257,7 +256,7 @@ static unsigned take_colour(const char **s)
     return n;
 }
 
-/* After the VT340's manual. Returns whether all was understood. */
+/* Decodes after the VT340's manual; true if all is valid. */
 static bool decode_sixel(const char *text)
 {
     const char *s = strstr(text, "\033P");
@@ -289,7 +288,7 @@ static bool decode_sixel(const char *text)
     return *s == '\033' && s[1] == '\\';
 }
 
-/* Patches of eleven colours, some a pixel high or wide. */
+/* Draws patches of eleven colours, some a pixel high or wide. */
 static void draw_patches(void)
 {
     tia_rgb565 colours[11];
@@ -303,7 +302,7 @@ static void draw_patches(void)
 
 static const struct cell cell = {10, 20};
 
-/* A strip in a picture: where it is put, and its pixels. */
+/* Checks a strip of a picture: its position and its pixels. */
 static void check_kitty(unsigned columns, struct strip strip)
 {
     struct text text = {0};

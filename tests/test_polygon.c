@@ -9,7 +9,7 @@
 #define MOST POLYGON_MAX
 
 static struct polygon_corner corners[MOST];
-static double plane[MOST][2]; /* the polygon where it was made, before it was put into space */
+static double plane[MOST][2]; /* the polygon in the plane, before it is placed in space */
 static uint32_t triangles[MOST][3], triangle_count;
 
 static uint32_t random_below(uint32_t limit)
@@ -17,7 +17,7 @@ static uint32_t random_below(uint32_t limit)
     return random_u32() % limit;
 }
 
-/* How the plane's x and y are put into space: along which axes, swapped, with which slope of the third. */
+/* The placement of the plane's x and y in space: along which axes, swapped, with which slope of the third. */
 struct placing {
     int u, v;
     double slope_u, slope_v;
@@ -64,7 +64,7 @@ static double area_of_polygon(uint32_t count)
     return sum;
 }
 
-/* Even-odd, and whether the point is too near to an edge to say. */
+/* True if the point is inside, by the even-odd rule; *unsure: it is too near to an edge. */
 static bool is_inside(const double *p, uint32_t count, bool *unsure)
 {
     bool inside = false;
@@ -104,7 +104,7 @@ static void check_points(uint32_t count, double low, double high)
     }
 }
 
-/* As many triangles as there must be, all in the polygon's order, and of its area. */
+/* Checks that there are enough triangles, all in the polygon's order, and of its area. */
 static void check_covered(uint32_t count, double low, double high)
 {
     double whole = area_of_polygon(count), sum = 0;
@@ -122,7 +122,7 @@ static void check_covered(uint32_t count, double low, double high)
     check_points(count, low, high);
 }
 
-/* The same, and none is flat. */
+/* Checks the same, and that none is flat. */
 static void check_simple(uint32_t count, double low, double high)
 {
     check_covered(count, low, high);
@@ -130,7 +130,7 @@ static void check_simple(uint32_t count, double low, double high)
         CHECK(cross(plane[triangles[i][0]], plane[triangles[i][1]], plane[triangles[i][2]]));
 }
 
-/* Corners at growing angles, at any distance. */
+/* Makes corners at growing angles, at any distance. */
 static void make_star(uint32_t count, double nearest, double farthest, struct placing how)
 {
     for (uint32_t i = 0; i < count; i++) {
@@ -159,7 +159,7 @@ TEST(largest)
     }
 }
 
-/* A sky line of whole steps: right angles, flat corners, corners on other ones' diagonals. */
+/* A skyline of whole steps: right angles, flat corners, corners on the diagonals of others. */
 TEST(skylines)
 {
     for (int n = 0; n < 2000; n++) {
@@ -178,7 +178,7 @@ TEST(skylines)
     }
 }
 
-/* A wall wound up: few ears at a time, and each may see all the corners. */
+/* Makes a wound-up wall: few ears at a time, and each may have all the corners in view. */
 static uint32_t make_spiral(uint32_t turns, struct placing how)
 {
     uint32_t half = turns * 12;
@@ -207,7 +207,7 @@ TEST(most_corners)
 
 #define HOLE 8 /* corners */
 
-/* Corners from..to of the n-th hole, clockwise from its left. */
+/* Adds corners from..to of the n-th hole, clockwise from its left. */
 static uint32_t go_around(uint32_t count, double (*hole)[2], uint32_t from, uint32_t to, struct placing how)
 {
     for (uint32_t i = from; i <= to; i++)
@@ -215,8 +215,8 @@ static uint32_t go_around(uint32_t count, double (*hole)[2], uint32_t from, uint
     return count;
 }
 
-/* A frame with holes in a row, each reached by a bridge from the one before, there and back through the
- * same points. */
+/* Makes a frame with holes in a row, each reached by a bridge from the one before, there and back through the same
+ * points. */
 static uint32_t make_holes(uint32_t holes, struct placing how)
 {
     static const int frame[][2] = {{-8, 0}, {-8, -6}, {1, -6}, {1, 6}, {-8, 6}, {-8, 0}};
@@ -250,7 +250,7 @@ TEST(holes)
     }
 }
 
-/* As few corners as there can be: all the ears lie at the bridge. */
+/* As few corners as possible: all the ears lie at the bridge. */
 TEST(triangle_in_triangle)
 {
     static const int at[][2] = {{0, 0}, {12, 0}, {0, 12}, {0, 0}, {1, 1}, {1, 9}, {9, 1}, {1, 1}};
@@ -281,7 +281,7 @@ TEST(petals)
     }
 }
 
-/* Not simple: as many triangles, each corner among them or cut off, and an end. */
+/* Checks a polygon that is not simple: as many triangles, each corner in one or cut off, and an end. */
 static void check_ends(uint32_t count)
 {
     triangulate(count);

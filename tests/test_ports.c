@@ -1,8 +1,7 @@
 /* test_ports.c - the conformance suite with every display that this machine can open.
  *
- * The displays that do not take the screen and a terminal (a pseudo-terminal and a model of one)
- * are always tested. A display that takes the screen is tested only when asked for by its name:
- * `test_ports drm fbdev:/dev/fb1`.
+ * Displays that do not take the screen and a terminal (a pseudo-terminal and a model of one) are always tested. A
+ * display that takes the screen is tested only if named: `test_ports drm fbdev:/dev/fb1`.
  */
 #include <poll.h>
 #include <pthread.h>
@@ -41,7 +40,7 @@ static void conform_row(const struct port_display *row, const struct port_wish *
     row->destroy(ctx);
 }
 
-/* A display that cannot be opened here is skipped, with its reason. */
+/* Tests a display, or skips one that cannot be opened here, with its reason. */
 static void conform_where_it_opens(const struct port_display *row, const char *device)
 {
     struct port_wish wish = {.device = device, .why = why};
@@ -166,12 +165,12 @@ TEST(terminal)
     conform_terminal(1, 1);
 }
 
-/* What cannot be opened says why, and may be closed. */
+/* A failed open has a reason, and may be closed. */
 TEST(a_failed_open_can_be_closed)
 {
     static const struct {
         const char *name, *device, *why;
-    } rows[] = {{"terminal", "/dev/null", "/dev/null: is no terminal"},
+    } rows[] = {{"terminal", "/dev/null", "/dev/null: is not a terminal"},
                 {"terminal", "/nowhere/tty", "/nowhere/tty: no such file or directory"}};
 
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {

@@ -1,4 +1,4 @@
-/* test_ps2.c - PS/2 bytes, as a keyboard sends them, against the keys that were typed. */
+/* test_ps2.c - PS/2 bytes, as a keyboard sends them, against the typed keys. */
 #include "check.h"
 #include "ps2/ps2.h"
 #include "random.h"
@@ -153,7 +153,7 @@ TEST(keyboard_plugged_in_anew_holds_nothing)
     CHECK_TOLD("-a", 0x00); /* overrun: its release may be lost */
 }
 
-/* Whatever comes over the wire: presses and releases alternate for each key, nothing breaks. */
+/* Random bytes: presses and releases alternate for each key, and the decoder stays valid. */
 TEST(noise)
 {
     int balance[TIA_KEY_OTHER + 1] = {0};

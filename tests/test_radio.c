@@ -16,7 +16,7 @@ enum { LENGTHS = 512 };
 
 /* ---- a shoebox: Allen and Berkley, "Image method for efficiently simulating small-room acoustics", 1979 ---- */
 
-/* The image in cell m of an axis of length l: 2 l ceil(m/2) + x or - x. */
+/* Returns the image in cell m of an axis of length l: 2 l ceil(m/2) + x or - x. */
 static double image(double x, double l, int m)
 {
     return m % 2 == 0 ? m * l + x : (m + 1) * l - x;
@@ -70,7 +70,7 @@ TEST(shoebox_room_has_the_paths_of_the_mirror_formula)
     world_end(&w);
 }
 
-/* The same room turned, whose planes have normals of many digits: as many paths, lengths within rounding. */
+/* The same room rotated, whose planes have normals of many digits: as many paths, lengths within rounding. */
 TEST(turned_room_has_as_many_paths)
 {
     static const double unit[3][3] = {{0.36, 0.48, -0.8}, {-0.8, 0.6, 0}, {0.48, 0.64, 0.6}};
@@ -128,7 +128,7 @@ static void add_corner(double size)
     world_triangle(&w, world_at(0, 0, 0), world_at(0, 0, size), world_at(size, 0, 0));
 }
 
-/* A corner of three faces returns a wave to where it came from: the image is the point behind the corner. */
+/* A corner of three faces returns a wave to its origin: the image is the point behind the corner. */
 TEST(corner_reflector)
 {
     struct tia_vec3 at = world_at(3, 4, 5), beside = world_at(3, 4.25, 5);
@@ -149,7 +149,7 @@ TEST(corner_reflector)
     world_end(&w);
 }
 
-/* The line where two walls meet at a right angle: the path by way of it is there once; at an outer edge not at all. */
+/* The line where two walls meet at a right angle: the path through it is found once; at an outer edge not at all. */
 TEST(paths_through_an_edge_of_two_walls)
 {
     world_begin(&w);
@@ -264,7 +264,7 @@ TEST(boxes_are_one_wall_and_reflect_outside)
         CHECK(face.solid && face.normal[0] == -(INT64_C(1) << 62));
         CHECK_EQ(face.thickness, face.object == 0 ? TIA_Q16(0.25) : TIA_Q16(0.5));
     }
-    /* Between the two, forth and back: not inside either. */
+    /* between the two, forth and back: not inside either */
     CHECK_EQ(world_images(&w, world_at(0, 0, 0), world_at(6, 1, 0), 2, 2), 2);
     CHECK_EQ(w.paths[1].point[0].x, TIA_Q16(4));
     CHECK_EQ(w.paths[1].point[1].x, TIA_Q16(2.25));
@@ -298,7 +298,7 @@ TEST(sequences_are_counted)
     world_end(&w);
 }
 
-/* What was found is told one by one, and may be enough. */
+/* Paths are reported one by one, and the caller may end the search. */
 static bool enough(void *ctx, const struct tia_radio_path *path)
 {
     (void)path;

@@ -1,4 +1,4 @@
-/* Paths between random blocks of houses: those of the oracle, and the same by rays as by images. */
+/* Paths between random blocks of houses: the same as the oracle's, and the same by rays as by images. */
 #include <math.h>
 
 #include "oracle/radio.h"
@@ -16,7 +16,7 @@ static double random_unit(void)
     return (random_double() + 1) / 2;
 }
 
-/* A multiple of 1/64, exactly a number of either kind. */
+/* Returns a multiple of 1/64, exact in either format. */
 static double grid(double low, double high)
 {
     return low + floor((high - low) * 64 * random_unit()) / 64;
@@ -62,7 +62,7 @@ static void add_roof(void)
     add_polygon((const double(*)[3])c, 3, false);
 }
 
-/* Houses of any size on a square, a ground, two slanting triangles in the air. */
+/* Builds houses of any size on a square, a ground, two slanting triangles in the air. */
 static void build_city(unsigned number)
 {
     const double ground[4][3] = {{-30, 0, -30}, {-30, 0, 70}, {70, 0, 70}, {70, 0, -30}};
@@ -111,7 +111,7 @@ static bool is_same(const struct oracle_path *want, const struct tia_radio_path 
 static struct oracle_path want[WORLD_PATHS];
 static unsigned total, unsure;
 
-/* Both ways: who is not sure may have one that the other has not. */
+/* Compares both ways: the side that is not sure may have a path that the other has not. */
 static void compare_link(unsigned city, unsigned order)
 {
     double from[3], to[3];
@@ -150,7 +150,7 @@ TEST(paths_are_those_of_the_oracle)
 
 /* ---- rays ---- */
 
-/* What rays have found: sequences, and the receiver's paths by them. */
+/* The finds of rays: sequences, and the receiver's paths by them. */
 struct finds {
     uint32_t plane[WORLD_PATHS][TIA_RADIO_ORDER_MAX], order[WORLD_PATHS], count;
 };
@@ -220,7 +220,7 @@ TEST(rays_of_a_room)
     world_end(&w);
 }
 
-/* Where faces are small, rays pass by: how many paths of twelve cities are found, by density. */
+/* Where faces are small, rays miss them: number of paths of twelve cities that are found, by density. */
 TEST(rays_of_cities_by_density)
 {
     static const unsigned densities[] = {1, 2, 4, 8, 16, 32}, counts[] = {19, 25, 28, 31, 33, 34};

@@ -20,7 +20,7 @@ struct trial {
     bool flat;
 };
 
-/* Any tile of at most 32 x 32 pixels. */
+/* Begins any tile of at most 32 x 32 pixels. */
 static void begin_image(struct trial *t, unsigned buffers, unsigned range, const uint16_t size[2], uint32_t samples)
 {
     struct oracle_image image = {t->flat ? TIA_ORTHOGRAPHIC : TIA_PERSPECTIVE, size[0], size[1], (int)samples,
@@ -43,7 +43,7 @@ static void begin_image(struct trial *t, unsigned buffers, unsigned range, const
     oracle.colour = colour;
 }
 
-/* Any image, sample and tile. */
+/* Begins a random image, sample and tile. */
 static void begin(struct trial *t, unsigned buffers, unsigned range)
 {
     static const uint32_t counts[3] = {1, 4, 16};
@@ -86,7 +86,7 @@ static void make_level(struct random_polygon *p, int64_t most)
         p->v[i].h = p->v[i].w ? h : 0;
 }
 
-/* What is nearest, of soups in all formats and sizes. */
+/* Tests the nearest faces, of soups in all formats and sizes. */
 static void nearest(bool flat, unsigned ranges, int trials)
 {
     const struct tia_stencil always = {.test = TIA_ALWAYS};
@@ -139,7 +139,8 @@ TEST(all_states_are_as_opengl_says)
     }
 }
 
-/* The bound that src/raster/depth.h derives, for a run as long as the area is wide, and 4 for the oracle's rounding. */
+/* Checks the bound that src/raster/depth.h derives, for a run as long as the area is wide, and 4 for the oracle's
+ * rounding. */
 static void check_nearness(const struct trial *t)
 {
     for (int y = 0; y < t->area.height; y++)
@@ -157,7 +158,7 @@ static void check_nearness(const struct trial *t)
         }
 }
 
-/* Small and steep ones, from -2^range to 2^range and, `beyond`, to twice that, where it is clamped. */
+/* Checks small and steep polygons, from -2^range to 2^range and, `beyond`, to twice that, where nearness is clamped. */
 static void check_steep(struct trial *t, unsigned range, unsigned beyond)
 {
     const struct tia_stencil always = {.test = TIA_ALWAYS};
@@ -207,7 +208,7 @@ TEST(orthographic_nearness_steps_over_both_signs_at_once)
     }
 }
 
-/* Two planes far apart, before the window and behind it: which one is nearer needs no exact order anywhere. */
+/* Two planes far apart, before the window and behind it: the nearer one needs no exact order anywhere. */
 TEST(the_filter_tells_orthographic_depths_of_both_signs_apart)
 {
     static const int8_t depths[4][2] = {{-8, -7}, {7, 8}, {-8, 8}, {-1, 1}};

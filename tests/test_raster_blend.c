@@ -1,7 +1,7 @@
 /* Interpolation against the oracle's exact quotients. */
 #include "raster_random.h"
 
-/* Large and small values: means of the latter are halves now and then. */
+/* Makes large and small values: means of the latter are halves now and then. */
 static void random_values(tia_q16 a[3])
 {
     for (int i = 0; i < 3; i++)
@@ -26,7 +26,7 @@ static void try_pixel(const struct oracle_image *image, const struct tia_corners
     try_values(image, corners, v, x, y, a);
 }
 
-/* Pixels before which the plane is, in the triangle or far outside, where the weights cancel. */
+/* Tries pixels in front of which the plane is, in the triangle or far outside, where the weights cancel. */
 static void try_polygons(enum tia_projection projection, unsigned range)
 {
     struct oracle_image image = {projection, 40, 30, 16, (int)random_below(16)};
@@ -80,8 +80,8 @@ TEST(values_beyond_the_range_are_clamped_at_the_right_end)
     CHECK_MSG(wrong == 0 && tried > 5000, "%d of %d are wrong", wrong, tried);
 }
 
-/* The side between two corners is almost what the pixel looks along, so the weights are large and their sum is small:
- * what was cut off them would move values that differ by little by more than half. */
+/* The side between two corners is almost in the pixel's direction, so the weights are large and their sum is small: the
+ * bits cut off would change values that differ by little by more than half. */
 TEST(thin_sums_are_exact)
 {
     const struct oracle_image image = {TIA_PERSPECTIVE, 640, 480, 1, 0};

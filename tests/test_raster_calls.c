@@ -1,4 +1,4 @@
-/* The rasteriser's interface: formats, tiles, extremes, what is refused, clearing and sums. */
+/* The rasteriser's interface: formats, tiles, extremes, refusals, clearing and sums. */
 #include "raster_random.h"
 
 #define ALL (TIA_BUFFER_DEPTH | TIA_BUFFER_STENCIL | TIA_BUFFER_COLOUR)
@@ -28,7 +28,7 @@ static void play(struct tia_raster_target *t, const struct script *s)
         CHECK_EQ(tia_draw_polygon(t, &s->state[i], s->polygon[i].v, s->polygon[i].count, i), TIA_OK);
 }
 
-/* Pixels of `part` that differ from those of `whole`. */
+/* Returns the number of pixels of `part` that differ from those of `whole`. */
 static size_t differing(const struct tia_raster_target *part, const struct tia_raster_target *whole)
 {
     size_t wrong = 0;
@@ -95,7 +95,7 @@ TEST(tiles_are_parts_of_the_whole)
     }
 }
 
-/* Whatever is drawn first. */
+/* The result does not depend on the order. */
 TEST(ties_by_face_do_not_depend_on_order)
 {
     const struct tia_tile area = {0, 0, 60, 40};
@@ -133,8 +133,8 @@ static struct tia_raster_vertex centre(const struct tia_lattice *l, int i, int j
     return (struct tia_raster_vertex){(l->x + i * l->right) * times, (l->y - j * l->down) * times, l->w * times, 1};
 }
 
-/* Two triangles with a common edge through centres of pixels, where they are equally far: what is nearer beside the
- * edge, below or to the right of it, is seen there too. */
+/* Draws two triangles with a common edge through centres of pixels, where they are equally far: the one that is nearer
+ * beside the edge, below or to the right of it, is visible there too. */
 static void draw_hinge(bool level, bool far_first)
 {
     const struct tia_tile area = {0, 0, 8, 8};
@@ -162,7 +162,8 @@ TEST(hinges_are_seen_as_beside_the_edge)
         draw_hinge(i & 1, i & 2);
 }
 
-/* Every vertex at the bounds, everywhere in the largest image: with -fsanitize=undefined nothing may overflow. */
+/* Draws every vertex at the bounds, everywhere in the largest image: with -fsanitize=undefined no operation may
+ * overflow. */
 static void draw_extremes(enum tia_projection projection, const uint16_t size[2])
 {
     const struct tia_tile area = {(uint16_t)(size[0] - 5), (uint16_t)(size[1] - 3), 5, 3};
@@ -318,7 +319,8 @@ TEST(counts_do_not_wrap_as_the_stencil_does)
     }
 }
 
-/* With the edge of what is before the eye, eight corners make nine edges; those between equal corners are nothing. */
+/* With the edge for the part ahead of the window, eight corners make nine edges; those between equal corners have no
+ * effect. */
 TEST(the_most_corners_and_an_edge_ahead)
 {
     const struct tia_tile areas[2] = {{0, 0, 65, 65}, {0, 0, 7, 7}};

@@ -1,5 +1,5 @@
-/* Matte flat faces, whose colours come about with fewer bits and a bound, against the same pixels ray by ray: asking
- * for what light reaches a pixel makes all of them rays'. No byte differs. */
+/* Faces without gloss, whose colours are computed with fewer bits and a bound, against the same pixels ray by ray: with
+ * tia_options.lit all of them are drawn by rays. No byte differs. */
 #include <stdlib.h>
 #include <tia/tia.h>
 
@@ -15,7 +15,7 @@ static struct tia_material materials[5];
 static struct tia_shape shapes[SHAPES];
 static struct tia_light lights[LIGHTS];
 
-/* from..to in units of `one` */
+/* Returns from..to in units of `one`. */
 static int32_t between(double from, double to, double one)
 {
     return (int32_t)((from + (to - from) * (double)(random_bits() % 65537) / 65536) * one);

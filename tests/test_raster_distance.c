@@ -1,4 +1,4 @@
-/* How far away a pixel sees a plane: against the definition in long double, for planes of all sizes. */
+/* The distance of a plane at a pixel: against the definition in long double, for planes of all sizes. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -25,7 +25,7 @@ static long double dot(struct real3 a, struct real3 b)
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/* f/det of raster.h. */
+/* Returns f/det of raster.h. */
 static long double nearness(const struct tia_raster_vertex v[3], struct real3 d)
 {
     struct real3 a = real(&v[0]), b = real(&v[1]), c = real(&v[2]), u = cross(b, c), s = cross(c, a), t = cross(a, b);
@@ -52,7 +52,7 @@ static void check_plane(const struct tia_lattice *l, const struct tia_raster_ver
         want = ldexpl(want, flat ? TIA_DISTANCE_BITS : TIA_DISTANCE_BITS - l->fraction);
         int64_t got = tia_raster_distance(&plane, l, x, y);
         if (!isfinite(want) || want < 1)
-            continue; /* behind the eye, or too near to say */
+            continue; /* behind the eye, or too near to decide */
         if (want > ldexpl(1, 62))
             want = ldexpl(1, 62);
         CHECK_MSG(fabsl((long double)got - want) <= 1 + ldexpl(want, -44), "%jd, not %Lf", (intmax_t)got, want);
@@ -60,7 +60,8 @@ static void check_plane(const struct tia_lattice *l, const struct tia_raster_ver
     }
 }
 
-/* Corners are on the image's edges, so that the plane is seen and long double does not cancel much. */
+/* Checks planes whose corners are on the image's edges, so that they are visible and long double does not cancel much.
+ */
 static void check_planes(enum tia_projection projection)
 {
     unsigned seen = 0;
@@ -85,7 +86,7 @@ static void check_planes(enum tia_projection projection)
     CHECK_MSG(seen > 5000, "%u planes seen", seen);
 }
 
-/* A wall at a known distance, straight ahead: in both projections every pixel sees it there. */
+/* A wall at a known distance, straight ahead: in both projections every pixel has that distance. */
 TEST(a_wall)
 {
     for (int flat = 0; flat < 2; flat++) {

@@ -1,6 +1,6 @@
 /* A plane mirror by the stencil buffer, as tia/raster.h draws it, against the mirror that rays trace: the scene is
- * drawn, then the mirror's own pixels are marked, and the mirrored scene is drawn where the mark is. Triangles shine by
- * themselves, each in a colour of its own, so a colour tells which one is seen.
+ * drawn, then the mirror's own pixels are marked, and the mirrored scene is drawn where the mark is. Triangles emit
+ * light, each in a colour of its own, so a colour identifies the visible one.
  *
  * Given a directory, the program leaves pictures of the first scene there: mirror-mark.png, mirror-stencil.png and
  * mirror-traced.png. */
@@ -18,15 +18,15 @@
 
 enum { WIDTH = 160, HEIGHT = 120, PIXELS = WIDTH * HEIGHT, TRIANGLES = 40, MIRROR = 2, SCENES = 20 };
 
-/* The triangles, the mirror's two, and the triangles mirrored; tracing knows nothing of the last. */
+/* The triangles, the mirror's two, and the triangles mirrored; the last are not in the traced scene. */
 static struct tia_shape shapes[2 * TRIANGLES + MIRROR];
 static struct tia_material materials[TRIANGLES + 1];
 static tia_rgb565 traced[PIXELS], drawn[PIXELS], marked[PIXELS];
 
 /* ---- scenes ---- */
 
-#define PLACE (TIA_Q16_ONE * -8) /* the mirror is where z is this */
-#define BEHIND 0x5b0f            /* what no triangle has */
+#define PLACE (TIA_Q16_ONE * -8) /* the mirror's z */
+#define BEHIND 0x5b0f            /* no triangle's colour */
 
 static tia_rgb565 colour_of(uint32_t i)
 {
@@ -117,7 +117,7 @@ static void draw_objects(struct tia_raster_target *target, const struct tia_flat
         .test = TIA_ALWAYS, .mask = 255, .write = 255                                                                  \
     }
 
-/* Three passes, as in the manuals of OpenGL. Nothing is behind the mirror, so its plane needs not clip. */
+/* Draws three passes, as in the manuals of OpenGL. No object is behind the mirror, so its plane needs not clip. */
 static void draw_mirrored(struct tia_raster_target *target, const struct tia_flat_scene *flat)
 {
     struct tia_raster_state state = {
@@ -201,8 +201,8 @@ TEST(pictures_are_left)
 
 /* ---- comparison ---- */
 
-/* A ray that leaves the mirror has a rounded point and direction: it may pass an edge on the other side. So what it
- * sees is what a neighbour of the pixel sees. */
+/* True if a neighbour of the pixel has the same colour. A ray that leaves the mirror has a rounded point and direction:
+ * it may pass an edge on the other side. */
 static bool is_beside(unsigned i)
 {
     unsigned x = i % WIDTH, y = i / WIDTH;

@@ -1,4 +1,4 @@
-/* Nets of quads around the eye: each pixel is drawn once, whatever the jitter, the sample and the corners' places. */
+/* Nets of quads around the eye: each pixel is drawn once, for any jitter, sample and corners. */
 #include "raster_random.h"
 
 #define ROWS 20
@@ -11,7 +11,7 @@ struct net {
     struct tia_raster_vertex corner[ROWS + 1][COLUMNS];
 };
 
-/* A box-like barrel around the eye from pole to pole, its corners moved by up to `jitter`: a closed surface. */
+/* Makes a box-like barrel around the eye from pole to pole, its corners moved by up to `jitter`: a closed surface. */
 static void make_net(struct net *n, int64_t size, int64_t jitter, bool far)
 {
     for (int i = 0; i <= ROWS; i++)
@@ -29,7 +29,7 @@ static void make_net(struct net *n, int64_t size, int64_t jitter, bool far)
         }
 }
 
-/* Two triangles each; quads whose corners moved are not flat. */
+/* Draws two triangles each; quads whose corners moved are not flat. */
 static void draw_net(struct tia_raster_target *t, const struct net *n)
 {
     const struct tia_raster_state state = {.depth = TIA_ALWAYS, .front = count_all, .back = count_all};

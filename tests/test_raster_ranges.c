@@ -1,6 +1,6 @@
-/* The ranges of src/raster/ranges.h, driven to their ends: coordinates at the limit are drawn as the oracle draws them,
- * and the next one is refused; what needs all of 64 bits has the bits of the format in 128; nothing in between is
- * larger than is stated. The quantities are linear in each coordinate, so they are largest where each is at an end. */
+/* The ranges of src/raster/ranges.h, driven to their ends: coordinates at the limit are drawn as by the oracle, and the
+ * next one is refused; polygons that need all of 64 bits have the bits of the format in 128; no quantity is larger than
+ * stated. The quantities are linear in each coordinate, so they are largest where each is at an end. */
 #include "raster_random.h"
 
 #include "raster/depth.h"
@@ -19,14 +19,14 @@ static int64_t limit_of(bool flat)
     return INT64_C(1) << (flat ? FLAT_POINT : RASTER_POINT);
 }
 
-/* The image's outermost pixels, for n from 0 on, and one in its middle. */
+/* Gives the image's outermost pixels, for n from 0 on, and one in its middle. */
 static void place(const struct tia_lattice *l, unsigned n, int *x, int *y)
 {
     *x = n == 4 ? l->width / 2 : n & 1 ? l->width - 1 : 0;
     *y = n == 4 ? l->height / 2 : n & 2 ? l->height - 1 : 0;
 }
 
-/* Each coordinate is `most` or -most as a bit of `signs` says, twice as much for directions. */
+/* Makes corners whose coordinates are `most` or -most by the bits of `signs`, twice as much for directions. */
 static void make_extreme(struct tia_raster_vertex v[CORNERS], const struct tia_lattice *l, unsigned signs,
                          unsigned directions, int64_t most)
 {
@@ -59,7 +59,7 @@ static int draw_one(const struct tia_lattice *l, const struct tia_raster_vertex 
     return tia_raster_plane_init(&plane, l, v, CORNERS);
 }
 
-/* Coordinate `k` of corner 1, h being the last, at `value`; the others are small. */
+/* Draws with coordinate `k` of corner 1, h being the last, at `value`; the others are small. */
 static int draw_with(const struct tia_lattice *l, unsigned k, bool direction, int64_t value)
 {
     bool flat = l->projection == TIA_ORTHOGRAPHIC;
@@ -81,7 +81,7 @@ static void check_limits(bool flat)
         unsigned k = i % 3;
         bool direction = i / 3 % 2, negative = i / 6;
         if (flat && k == 2 && direction)
-            continue; /* w = 0 is what makes it one */
+            continue; /* w = 0 makes it one */
         int64_t limit = limit_of(flat) << direction, sign = negative ? -1 : 1;
         CHECK_EQ(draw_with(&l, k, direction, sign * (limit - 1)), TIA_OK);
         CHECK_EQ(draw_with(&l, k, direction, sign * limit), TIA_ERR_RANGE);
@@ -150,7 +150,7 @@ static int64_t narrow_at(const struct polygon *p, int edge, int x, int y)
     return narrow_form_at(edge < 0 ? &p->of.narrow_forms.plane : &p->of.narrow_forms.edge[edge], x, y);
 }
 
-/* The plane and the edges at the image's corners: what 64 bits make of them. Returns how many bits they have. */
+/* Compares the plane and the edges at the image's corners with those in 64 bits. Returns the number of their bits. */
 static int compare_formats(const struct tia_lattice *l, const struct tia_raster_vertex v[CORNERS])
 {
     struct tia_lattice any = *l;
@@ -193,7 +193,7 @@ static int try_narrow(unsigned width, unsigned height, int64_t more)
     return most;
 }
 
-/* What fits has the same bits in both, up to all 63; one more is drawn in 128. */
+/* Polygons that fit have the same bits in both, up to all 63; one more bit is drawn in 128. */
 TEST(sixty_four_bits_are_used_to_the_last)
 {
     struct tia_raster_vertex v[CORNERS];
@@ -217,7 +217,7 @@ static void check_bits(const char *what, int most, int stated)
     CHECK_MSG(most <= stated && most >= stated - 3, "%s has %d bits, stated %d", what, most, stated);
 }
 
-/* What the oracle sees of two such triangles at the image's corners. */
+/* The oracle's result for two such triangles at the image's corners. */
 static unsigned compared;
 
 static void compare_order(const struct tia_lattice *l, const struct oracle_image *image,
@@ -290,7 +290,7 @@ static struct sizes try_wide(bool flat)
     return most;
 }
 
-/* `stated` are the bits of a normal, an edge, a plane and a determinant. */
+/* Checks sizes; `stated` are the bits of a normal, an edge, a plane and a determinant. */
 static void check_sizes(bool flat, struct sizes stated)
 {
     struct sizes most = try_wide(flat);

@@ -24,7 +24,7 @@ static struct tia_raster_state counting(void)
     return s;
 }
 
-/* Half of the faces count as those that were drawn, which meet themselves, and half as no face. */
+/* Draws; half of the faces count as those that were drawn, which meet themselves, and half as no face. */
 static void draw(struct tia_raster_target *a, struct tia_raster_target *b, const struct random_polygon *p, uint32_t i)
 {
     struct tia_raster_state state = i < POLYGONS ? seen : counting();
@@ -34,7 +34,7 @@ static void draw(struct tia_raster_target *a, struct tia_raster_target *b, const
     CHECK_EQ(tia_draw_polygon(b, &state, p->v, p->count, face), TIA_OK);
 }
 
-/* A part of a target, beside which nothing may change. */
+/* Compares a part of a target, beside which no byte may change. */
 static void compare(const struct tia_simd *simd, enum tia_projection projection, uint64_t *drawn)
 {
     struct tia_tile all = {0, 0, 90, 40}, area = {(uint16_t)random_below(20), (uint16_t)random_below(9), 70, 31};

@@ -1,6 +1,6 @@
-/* An area light by the accumulation buffer, as one who draws with tia/raster.h does it: for each point of the light
- * shadow volumes into the stencil buffer, then what it reaches in a colour, then a share of that into the sum. The mean
- * must be that of exact rays to the points, tried with every face in integers of 128 bits. */
+/* An area light by the accumulation buffer, as in a program that draws with tia/raster.h: for each point of the light,
+ * shadow volumes into the stencil buffer, then the lit pixels in a colour, then a share of that into the sum. The mean
+ * must be that of exact rays to the points, tested with every face in integers of 128 bits. */
 #include "shadow_worlds.h"
 
 enum { LIGHTS = 7, FULL = 50000, PIXELS = SIZE * SIZE };
@@ -49,7 +49,7 @@ static uint32_t rounded(uint32_t full, unsigned lit)
     return (2 * full * lit + LIGHTS) / (2 * LIGHTS);
 }
 
-/* Pixels in the penumbra, which some of the points reach. */
+/* Returns the pixels in the penumbra, which some of the points reach. */
 static unsigned compare(const struct tia_raster_target *target, const unsigned lit[PIXELS])
 {
     unsigned between = 0;

@@ -1,5 +1,5 @@
-/* The bounds of src/simd/rays: the integers' ray is traced beside each of ours, and how much of each bound is used is
- * measured. None may be exceeded; the largest part of each is told.
+/* The bounds of src/simd/rays: the fixed-point ray is traced beside each certified one, and the used part of each bound
+ * is measured. None may be exceeded; the largest part of each is printed.
  *
  *     test_ray_bounds            as many scenes as seconds allow
  *     test_ray_bounds N          N random scenes: make check runs 1000 (tests/slow/simd)
@@ -39,7 +39,7 @@ static double gap3(const struct v3 *a, const double b[3])
     return sqrt((a->x - b[0]) * (a->x - b[0]) + (a->y - b[1]) * (a->y - b[1]) + (a->z - b[2]) * (a->z - b[2]));
 }
 
-/* ---- the integers' side: the ray that is followed, those that wait, and what the ray meets ---- */
+/* ---- the fixed-point side: the ray that is followed, the pending ones, and the hits ---- */
 
 static const struct ray_view *view;
 static struct exact {
@@ -112,7 +112,7 @@ static void check_surface(const struct shade *h)
     use(NORMAL, gap3(&h->normal, v), h->en);
 }
 
-/* Shadow rays are compared by the light that they let through, in check_own(). */
+/* Compares shadow rays by their transmission, in check_own(). */
 static void check_shadow(unsigned lanes)
 {
     shadow_rays += lanes;
@@ -217,7 +217,7 @@ TEST(random_corpus)
     check_bounds("random scenes");
 }
 
-/* ---- as many rays as are asked for ---- */
+/* ---- the number of rays given ---- */
 
 static uint64_t rays_asked;
 static unsigned first_pass;

@@ -1,8 +1,8 @@
-/* src/simd/rays, a ray at a time, where its bounds are put to use: at the edges of shapes, with the integers' ray
- * elsewhere by as much as the bounds say. In pictures it hardly ever is: there no test would miss most of a bound.
+/* src/simd/rays, a ray at a time, where its bounds matter: at the edges of shapes, with the fixed-point ray off by as
+ * much as the bounds allow. In pictures it hardly ever is: there no test would miss most of a bound.
  *
- * A ray of the integers, chosen by halving between two that meet different things, is moved by up to eo and turned by
- * up to ed; what doubles say of the moved one must be true of the other, whenever they are sure. */
+ * A fixed-point ray, chosen by halving between two with different hits, is moved by up to eo and turned by up to ed; a
+ * certain result for the moved one must be true of the other. */
 #include "render/whitted/shade.h"
 
 #define SURE_CHECK
@@ -16,7 +16,7 @@ static void check_push(int item, bool refracted)
     is_refracted[item] = refracted;
 }
 
-/* What whole pictures are checked by, see test_ray_bounds.c. */
+/* Checks of whole pictures, see test_ray_bounds.c. */
 static void check_camera(const struct sure_block *b, const struct rays *r)
 {
     (void)b;
@@ -55,7 +55,7 @@ static const char *const names[BOUNDS] = {
 static double used[BOUNDS];
 static unsigned long surely, open, differing;
 
-/* ---- what is compared ---- */
+/* ---- comparisons ---- */
 
 static void use(int what, double gap, double bound)
 {
@@ -76,7 +76,7 @@ static double object_of(const struct hit *hit)
                                           : -1;
 }
 
-/* What the ray meets: false when that is not sure. */
+/* Finds the ray's hit; false when it is not certain. */
 static bool compare_hit(const struct ray *ray, struct packet *p, struct query *q, struct hit *hit)
 {
     double at[3];
@@ -101,7 +101,7 @@ static bool compare_hit(const struct ray *ray, struct packet *p, struct query *q
     return object < LIGHT_ID;
 }
 
-/* Whether light comes from a place close to what the ray meets. */
+/* Compares the light at a point close to the ray's hit. */
 static void compare_shadow(const struct ray *ray, const struct packet *p, double distance, double e)
 {
     struct shadow shadow = {.p = *p, .distance = distance + e * random_double(), .edistance = e};
@@ -193,7 +193,7 @@ static void compare_bounces(const struct packet *p, const struct shade *h, const
                      is_refracted[i] ? next.refracts : next.reflects);
 }
 
-/* Any direction, often close to the surface with that normal. */
+/* Returns any direction, often close to the surface with that normal. */
 static struct num_dir grazing(struct v3 normal)
 {
     const double n[3] = {normal.x, normal.y, normal.z};
@@ -207,7 +207,7 @@ static struct num_dir grazing(struct v3 normal)
     return towards(d);
 }
 
-/* Rays that start at the point: which shapes they surely leave, and which faces they go back to. */
+/* Compares rays that start at the point: the shapes that they certainly leave, and the faces that they go back to. */
 static void compare_leaving(const struct shade *h, const struct shading *shading, double sign)
 {
     struct ray ray = {num_point_at(shading->point, shading->geometric, sign > 0 ? view->bias : -view->bias),

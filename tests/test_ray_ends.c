@@ -1,6 +1,6 @@
-/* src/simd/rays, rays and points chosen for one bound each, moved by all that it allows: shapes that random rays
- * hardly meet at the end of a bound, and coordinates of textures, against the integers; how bright a ray can be, and
- * which hits are still shaded. */
+/* src/simd/rays, rays and points chosen for one bound each, moved by all that it allows: shapes that random rays hardly
+ * meet at the end of a bound, and coordinates of textures, against the fixed-point code; the brightest rays, and the
+ * hits that are still shaded. */
 #include "ray_edges.h"
 
 #include "float_modes.h"
@@ -9,16 +9,16 @@
 
 #define WITHIN .9999L /* of what a bound allows */
 
-/* ---- rays: what doubles are sure of is true of the integers' ray ---- */
+/* ---- rays: certain results are true of the fixed-point ray ---- */
 
 #define CELL "grid g size 1 1 1 corner 0 0 0 cell 0.1\nrow 1\nend\n"
 
-/* The integers' ray, whose d need not be of length 1; ours starts eo beside it in the direction `off` and is turned by
- * ed there. An object far away makes the scene so large that this is not too much for its boxes. */
+/* The fixed-point ray, whose d need not be of length 1; the certified one starts eo beside it in the direction `off`
+ * and is turned by ed there. An object far away makes the scene so large that this is not too much for its boxes. */
 static const struct end {
     const char *name, *shape;
     double o[3], d[3], off[3], eo, ed;
-    const char *behind; /* what else there is */
+    const char *behind; /* other objects */
 } ends[] = {
     {"past a small sphere", "sphere centre 0 0 0 radius 0.00006", {0, 0, 2}, {0, 0, -1}, {1, 0, 0}, 0.01, 0},
     {"turned past a small sphere", "sphere centre 0 0 0 radius 0.00006", {0, 0, 2}, {0, 0, -1}, {1, 0, 0}, 0, 0.002},
@@ -99,7 +99,7 @@ static struct real3 real3_of(const double v[3], long double by)
     return (struct real3){{v[0] * by, v[1] * by, v[2] * by}};
 }
 
-/* The ray as doubles have it: its ends moved by up to eo and turned by up to ed. */
+/* Gives the ray in doubles: its ends moved by up to eo and turned by up to ed. */
 static void move(const struct end *end, const struct ray *ray, double part, struct packet *p)
 {
     double at[3], to[3], length = 0, eo = end->eo * part * (double)unit, ed = end->ed * part;
@@ -187,7 +187,7 @@ static const struct textured {
      {0.29, 0.29, 0}},
 };
 
-/* In the face itself, as what a ray surely meets is. */
+/* True if the point is in the face itself, as of a certain hit. */
 static bool is_in_face(const struct sure_object *o, const double at[3])
 {
     const struct sure_face *f = o->kind == SURE_MESH ? &o->mesh->faces[0] : o->face;
@@ -220,7 +220,7 @@ static void try_coordinates(const struct textured *surface, struct used *u)
         p.at[i] = (double)unit * (surface->centre[i] + surface->size[i] * random_double());
         theirs.v[i] = (p.at[i] + p.e * WITHIN / sqrtl(real_dot(off, off)) * off.v[i] * (long double)some_sign());
     }
-    p.e += 2 * UNIT; /* as the integers have it, theirs is rounded */
+    p.e += 2 * UNIT; /* the fixed-point one is rounded */
     if (!is_in_face(p.object, p.at))
         return;
     if (!coordinates_of(&p, &c)) {
@@ -248,7 +248,7 @@ TEST(coordinates)
     }
 }
 
-/* An image of four texels, blended, on a plane: how it changes where the coordinates are off. */
+/* Tries an image of four texels, blended, on a plane: its change where the coordinates are off. */
 static void try_blend(struct used *u)
 {
     static const uint8_t texels[12] = {255, 255, 0, 0, 0, 0, 0, 255, 0, 255, 255, 255};
@@ -289,9 +289,9 @@ TEST(blends)
     check_used(&u);
 }
 
-/* ---- how bright a ray can be ---- */
+/* ---- the brightest rays ---- */
 
-/* Between two mirrors that shine, after so many bounces. */
+/* Tries two mirrors that emit, after so many bounces. */
 static void try_brightest(unsigned depth)
 {
     char text[300];
@@ -321,9 +321,9 @@ TEST(brightest)
         try_brightest(depth);
 }
 
-/* ---- hits that wait ---- */
+/* ---- pending hits ---- */
 
-/* Those of samples that are unsure by now are not shaded any more, the others are. */
+/* Hits of samples that are uncertain by now are not shaded any more, the others are. */
 TEST(hits)
 {
     static struct sure_block block;

@@ -1,4 +1,4 @@
-/* src/simd/rays, faces in floats: what the areas of a pair's edges are off by, of their bound. */
+/* src/simd/rays, faces in floats: the errors of a pair's edge areas, as a part of their bound. */
 #include "one_lane.h"
 
 #include "float_modes.h"
@@ -28,7 +28,7 @@ static void some_tried(struct tried *t)
     t->packet.o = v3_scale(v3_of(real_random()), 4 * some_part());
 }
 
-/* Something of it, by much or by next to nothing. */
+/* Changes a value by much or by very little. */
 static void change(struct tried *t)
 {
     double by = ldexp(random_double(), -(int)(random_bits() % 24));
@@ -56,7 +56,7 @@ static long double area_of(const struct sure_face *f, int edge, const struct pac
     return real_dot(real_of(p->d), real_cross(real_along(a, o, -1), real_along(b, o, -1)));
 }
 
-/* How much of its bound an area uses, at most. */
+/* Returns the largest used part of an area's bound. */
 static double used_by(const struct tried *t)
 {
     static const uint32_t items[1] = {0};
@@ -77,7 +77,7 @@ static double used_by(const struct tried *t)
     return most;
 }
 
-/* Roundings seldom add up: what is worse than before is kept. */
+/* Climbs: roundings seldom add up, so the worse of two cases is kept. */
 static void climb(struct used *u, int steps)
 {
     struct tried best, next;

@@ -1,5 +1,6 @@
-/* src/simd/rays, pixels by every level of vector units: what samples and their errors are in RGB565, close to where
- * levels change. What is sure must be what the integers make of theirs, which are off by all that the errors allow. */
+/* src/simd/rays, pixels by every level of vector units: samples and their errors in RGB565, close to where colour
+ * levels change. A certain result must be that of the fixed-point samples, which are off by all that the errors allow.
+ */
 #include <math.h>
 #include <tia/simd.h>
 
@@ -17,7 +18,7 @@ static double some_part(void)
     return fabs(random_double());
 }
 
-/* A block, and the integers' samples: ours are off by their errors. */
+/* A block, and the fixed-point samples: the block's are off by their errors. */
 struct drawn {
     struct sure_block block;
     num_length sample[3][SURE_SLOTS];
@@ -42,7 +43,8 @@ static void open_block(struct drawn *d)
     }
 }
 
-/* Close to where a level of so many begins, by what the pixel's samples are off and some units, or anywhere. */
+/* Returns a mean close to the beginning of one of so many levels, within the error of the pixel's samples and some
+ * units, or anywhere. */
 static double some_mean(unsigned levels, num_u threshold, double error)
 {
     double level = (double)(1 + random_bits() % levels), near = error + 32 * SURE_UNIT;
@@ -57,7 +59,8 @@ static num_length clamped(num_length x)
     return num_length_clamp(x, 0, NUM_LENGTH_ONE);
 }
 
-/* A pixel's samples in one colour, in pairs, one above the mean and one as much below it; some are none of a picture's.
+/* Sets a pixel's samples in one colour, in pairs, one above the mean and one as much below it; some are none of a
+ * picture's.
  */
 static void set_samples(struct drawn *d, int first, int colour, double mean, const double *error, double turn)
 {
@@ -89,7 +92,7 @@ static void set_pixel(struct drawn *d, int first, num_u threshold)
         set_samples(d, first, c, some_mean(c == 1 ? 63 : 31, threshold, mean), &b->error[first], turn);
 }
 
-/* As the integers have it. */
+/* Packs as the fixed-point code does. */
 static tia_rgb565 packed(const struct drawn *d, int first, num_u threshold)
 {
     num_length mean[3] = {0, 0, 0};

@@ -1,6 +1,6 @@
-/* General scenes at their worst, by q16 and by the checking build, tried object by object and found by a
- * hierarchy: nothing leaves its range, and all of them draw the same picture. Sums that overflow end the
- * program: the compiler checks them. */
+/* General scenes at their worst, by q16 and by the checking build, tried object by object and found by a hierarchy: no
+ * number leaves its range, and all of them draw the same picture. Sums that overflow end the program: the compiler
+ * checks them. */
 #include "arch/frames.h"
 #include "check.h"
 #include "light_scene.h"
@@ -62,7 +62,7 @@ TEST(random_scenes_by_their_hierarchies)
     }
 }
 
-/* What fuzzing found, each once beyond some range, or by a hierarchy another picture. */
+/* Finds of fuzzing, each once beyond some range, or with another picture by a hierarchy. */
 
 TEST(windows_as_high_as_may_be_in_wide_images)
 {
@@ -80,7 +80,7 @@ TEST(windows_as_high_as_may_be_in_wide_images)
     }
 }
 
-/* Lamps whose attenuation is nearly 0 at what they light: 2^17 bright. */
+/* Lamps whose attenuation is nearly 0 at the lit surface: 2^17 bright. */
 TEST(light_without_end)
 {
     set_up(1, 3);
@@ -130,8 +130,8 @@ TEST(grids_larger_than_their_numbers)
     draw_all(&scene, 40, 30);
 }
 
-/* Of two faces at the same place that of the first object is met, though the search's limit comes from the other
- * one's axes and goes back to them. The second is tried first: it has a face that ends beyond Q16.16. */
+/* Of two faces at the same position that of the first object is hit, though the search's limit comes from the other
+ * one's axes and goes back to them. The second is tested first: it has a face that ends beyond Q16.16. */
 TEST(placed_twice)
 {
     static const struct tia_vec3 vertices[] = {
@@ -191,7 +191,7 @@ TEST(many_veils)
     draw_all(&scene, 2, 2);
 }
 
-/* Samples, also of a lamp as bright as can be. */
+/* Samples, also of a lamp of the largest brightness. */
 TEST(light_that_bounces)
 {
     enum { SIDE = 24 };

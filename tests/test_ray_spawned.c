@@ -1,5 +1,5 @@
-/* Surfaces, what they send and the rays that they give rise to, in src/simd/rays: each step by itself, at the far end
- * of its bound (see ray_steps.h). */
+/* Surfaces, their light and the rays that they spawn, in src/simd/rays: each step by itself, at the far end of its
+ * bound (see ray_steps.h). */
 #include "one_lane.h"
 
 #include "float_modes.h"
@@ -42,7 +42,7 @@ static void try_start(struct used *u)
     use(u, real_gap(real_along(point, real_along(real_of(h.geometric), off, h.eg * WITHIN), scene.bias), from), eo);
 }
 
-/* Whether a ray surely moves away from where it starts, or surely comes back. */
+/* Tries rays that certainly move away from their start, or certainly come back. */
 static void try_leaving(struct used *u)
 {
     struct real way = real_random(), normal = real_aside(way);
@@ -58,7 +58,7 @@ static void try_leaving(struct used *u)
         use(u, (from.side < 0) == (theirs * (long double)sign < 0) ? 0 : 2, 1);
 }
 
-/* Areas as seen along an axis: 0 where they are below, then divided by their sum. */
+/* Returns the normal: areas in the projection along an axis, 0 where they are negative, divided by their sum. */
 static struct real smoothed(const struct sure_face *f, struct real at, int main)
 {
     int a = (main + 1) % 3, b = (main + 2) % 3;
@@ -79,7 +79,7 @@ static struct real smoothed(const struct sure_face *f, struct real at, int main)
     return real_unit(sum);
 }
 
-/* A face across the z axis; corner 0 at the origin. */
+/* Makes a face across the z axis; corner 0 at the origin. */
 static void make_face(struct sure_face *f)
 {
     const struct real up = {{0, 0, 1}};
@@ -97,7 +97,7 @@ static void make_face(struct sure_face *f)
     }
 }
 
-/* From a point in the face, on its edges or at its corners; theirs may be outside. */
+/* Tries points in the face, on its edges or at its corners; the fixed-point one may be outside. */
 static void try_smooth(struct used *u, bool inside)
 {
     struct sure_face f;
@@ -145,7 +145,7 @@ TEST(surfaces)
     check_used(&edges);
 }
 
-/* ---- what they send ---- */
+/* ---- their light ---- */
 
 struct one_ray {
     struct sure_scene scene;
@@ -154,7 +154,7 @@ struct one_ray {
     struct rays rays;
 };
 
-/* With a throughput that is off; theirs is this much more. */
+/* Returns a ray whose throughput is off; the fixed-point one is this much more. */
 static struct one_ray *some_ray(double *theirs)
 {
     static struct one_ray one;
@@ -195,7 +195,7 @@ static void try_sky(struct used *u)
         one->block.error[0]);
 }
 
-/* Of a ray that is given up nothing is known: from 0 to all that may come. */
+/* Tries a dropped ray, of which nothing is known: from 0 to all possible light. */
 static void try_given_up(struct used *u)
 {
     double theirs;
@@ -211,7 +211,7 @@ static void try_given_up(struct used *u)
     use(u, fmaxl(one->rays.weight[0] * P2M(9) + (long double)theirs, 0) - b->colour[0][0], b->error[0]);
 }
 
-/* Whether a ray is too faint: below 2^-16. */
+/* Tries rays that may be too faint: below 2^-16. */
 static void try_faint(struct used *u)
 {
     double theirs, around = P2M(16);
@@ -247,7 +247,7 @@ TEST(colours)
 
 /* ---- refraction ---- */
 
-/* Snell's law and Fresnel's equations, for eta = n2/n1 and the cosine c: how much is reflected; -1: all. */
+/* Returns the reflectance by Snell's law and Fresnel's equations, for eta = n2/n1 and the cosine c; -1: total. */
 static long double fresnel_of(long double eta, long double c, long double *root)
 {
     long double inside = eta * eta - 1 + c * c;
@@ -259,7 +259,7 @@ static long double fresnel_of(long double eta, long double c, long double *root)
     return (s * s + p * p) / 2;
 }
 
-/* Mostly at grazing angles, or close to where all is reflected. */
+/* Returns a cosine, mostly at grazing angles, or close to total reflection. */
 static long double some_cosine(double eta, double *ec)
 {
     long double edge = sqrtl(fmaxl(1 - (long double)(eta * eta), 0));
@@ -297,7 +297,7 @@ static void try_refraction(struct used *directions, struct used *parts, struct u
     use(directions, real_gap(other, f.to), f.eto);
 }
 
-/* As much of each part as there may be of all: only the products matter here. */
+/* Tries as much of each part as possible: only the products matter here. */
 static void try_spawned(struct used *through, struct used *back)
 {
     double theirs;
@@ -342,7 +342,7 @@ static void try_straight(struct used *u)
     use(u, real_gap(real_along(point, viewer, -(long double)one->scene.bias), (struct v3){n[0], n[1], n[2]}), n[9]);
 }
 
-/* The same of a path, which starts less far behind the point. */
+/* Tries the same of a path, which starts less far behind the point. */
 static void try_pass(struct used *u)
 {
     static const struct sure_scene scene = {.bias = P2M(26)};

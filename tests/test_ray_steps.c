@@ -1,5 +1,5 @@
-/* What lights do to a point, and the rays that it gives rise to, in src/simd/rays: each step by itself, at the far
- * end of its bound (see ray_steps.h). */
+/* The light at a point, and the rays that it spawns, in src/simd/rays: each step by itself, at the far end of its bound
+ * (see ray_steps.h). */
 #include "one_lane.h"
 
 #include "float_modes.h"
@@ -58,7 +58,7 @@ static void make_fading(struct fading *to, double at)
     f.light.constant = random_bits() % 2 ? some_part() : 0;
     f.light.linear = random_bits() % 2 ? 2 * some_part() : 0;
     f.light.quadratic = random_bits() % 2 || f.light.linear == 0 ? 2 * some_part() : 0;
-    if (random_bits() % 8 == 0 && at > 0.01) { /* close to where the integers say 0 */
+    if (random_bits() % 8 == 0 && at > 0.01) { /* close to where the fixed-point code gives 0 */
         double d = at * f.light.unit;
         f.light.constant = f.light.linear = 0;
         f.light.quadratic = 131072 * (1 + 0.001 * random_double()) / (d * d);
@@ -116,7 +116,8 @@ TEST(attenuation)
     check_used(&from);
 }
 
-/* A point that is off by ep, mostly to where the two smallest coordinates seen from the light are nearly the same. */
+/* Returns a point that is off by ep, mostly to where the two smallest coordinates seen from the light are nearly the
+ * same. */
 static struct real some_point(struct real *theirs, const double at[3], double *ep)
 {
     struct real n = real_random(), off = real_random(), point;
@@ -135,7 +136,7 @@ static struct real some_point(struct real *theirs, const double at[3], double *e
     return point;
 }
 
-/* Axes at right angles to the direction from the centre: that with the smallest coordinate left out, turned. */
+/* Gives axes at right angles to the direction from the centre: that with the smallest coordinate left out, rotated. */
 static void real_axes(struct real point, const double at[3], struct real axes[2])
 {
     struct real n = real_unit(real_along(point, (struct real){{at[0], at[1], at[2]}}, -1));
@@ -220,9 +221,10 @@ TEST(shadows)
     check_used(&distances);
 }
 
-/* ---- what a surface makes of light ---- */
+/* ---- a surface's reflection ---- */
 
-/* The exponent is the scene's, whole or not; x^e by the integers, and by the formula where x is off. */
+/* Tries the highlight. The exponent is the scene's, whole or not; x^e by the fixed-point code, and by the formula where
+ * x is off. */
 static void try_highlight(struct used *u, struct used *exact)
 {
     tia_q16 exponent = (tia_q16)(65536 * exp2(4 * some_part()));
@@ -277,7 +279,7 @@ TEST(reflected_light)
     check_used(&diffuse);
 }
 
-/* One sample of a light that nothing is in the way of, at an angle: above the surface or not, lit or not. */
+/* Tries one sample of an unobstructed light, at an angle: above the surface or not, lit or not. */
 static void try_sample(struct used *u, bool grazing)
 {
     const struct ray_light from = {.kind = TIA_DIRECTIONAL_LIGHT, .samples = 1};

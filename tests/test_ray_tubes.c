@@ -1,5 +1,5 @@
-/* src/simd/rays, cylinders: where lines meet the side when they are moved by all that the bound allows, by formula;
- * and by the integers where there is nothing but what either side rounds by. */
+/* src/simd/rays, cylinders: intersections of lines with the side when they are moved by all that the bound allows, by
+ * formula; and by the fixed-point code where only the rounding of either side differs. */
 #include "float_modes.h"
 #include "ray_edges.h"
 
@@ -10,7 +10,7 @@ enum { TRIES = 40000 };
 
 /* ---- moved rays ---- */
 
-/* A ray that meets the side of radius 1 around the z axis, and theirs. */
+/* A ray that meets the side of radius 1 around the z axis, and the fixed-point one. */
 struct passing {
     struct real o, d;
     double eo, ed;
@@ -23,7 +23,7 @@ static long double power_of_two(unsigned bits)
     return ldexpl(1 + (long double)some_part(), -1 - (int)(random_bits() % bits));
 }
 
-/* From outside, from close to either end of the chord, or from anywhere on it. */
+/* Returns a start from outside, from close to either end of the chord, or from anywhere on it. */
 static long double some_start(long double half)
 {
     switch (random_bits() % 4) {
@@ -38,7 +38,8 @@ static long double some_start(long double half)
     }
 }
 
-/* Any direction, or straight to or from the axis, or along it: in the plane across `d` when that is not NULL. */
+/* Returns any direction, or straight to or from the axis, or along it: in the plane across `d` when that is not NULL.
+ */
 static struct real some_way(const struct real *d)
 {
     struct real way = random_bits() % 2 ? real_random() : (struct real){{0, 1, 0}};
@@ -115,11 +116,11 @@ TEST(moved_rays)
 
 /* ---- roundings ---- */
 
-/* A cylinder somewhere, and something far away, so that the unit of length is no smaller than the file's. */
+/* A cylinder anywhere, and a distant object, so that the unit of length is no smaller than the file's. */
 struct given {
     const char *name;
-    double far, length, radius; /* its base's coordinates go so far */
-    long double away;           /* so far from it rays start */
+    double far, length, radius; /* largest coordinate of its base */
+    long double away;           /* start of rays from it */
 };
 
 struct thin {
@@ -152,7 +153,8 @@ static void open_thin(const struct given *given, struct thin *c)
     c->across[1] = real_cross(real_unit(way), c->across[0]);
 }
 
-/* The integers' ray, past the axis at nearly the radius, from `away` at most; from where doubles may start, too. */
+/* Returns the fixed-point ray, past the axis at nearly the radius, from `away` at most; from a start of doubles, too.
+ */
 static struct ray grazing_ray(const struct thin *c, long double away)
 {
     long double turn = 3.2L * random_real(), aside = c->radius * (1 - ldexpl(1, -(int)(random_bits() % 36)));
@@ -167,7 +169,7 @@ static struct ray grazing_ray(const struct thin *c, long double away)
                         towards((struct real3){{d.v[0], d.v[1], d.v[2]}})};
 }
 
-/* The same in doubles, which have its origin as it is and its direction rounded. */
+/* Tries the same in doubles, which have its exact origin and its rounded direction. */
 static void try_exact(const struct ray *ray, struct used *ends, struct used *points)
 {
     struct packet p = {.ed = EPS, .from = {-1, 0, 0}};
@@ -191,7 +193,7 @@ static void try_exact(const struct ray *ray, struct used *ends, struct used *poi
     use(ends, sure_length(hit.t) - q.t, q.e);
     sure_point(at, num_point_at(ray->origin, ray->direction, hit.t));
     use(points, real_gap((struct real){{at[0], at[1], at[2]}}, v3_along(p.o, p.d, q.t)),
-        q.ep + (v3_sum(p.o) + q.t) * P2M(51)); /* as find_surfaces() has it */
+        q.ep + (v3_sum(p.o) + q.t) * P2M(51)); /* as in find_surfaces() */
 }
 
 static void try_thin(const struct given *given)

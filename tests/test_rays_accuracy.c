@@ -20,8 +20,8 @@ static struct threads *pool;
 static unsigned scene_count = 16, width = 48;
 static uint64_t seed = 1;
 
-/* Scene number i, after scene_count those again with holes, every other one with a hierarchy, and the height of its
- * picture. */
+/* Returns scene number i, after scene_count the same again with holes, every other one with a hierarchy; gives the
+ * height of its picture. */
 static unsigned scene_at(struct corpus_rays *c, unsigned i)
 {
     static uint64_t memory[1 << 13];
@@ -34,8 +34,8 @@ static unsigned scene_at(struct corpus_rays *c, unsigned i)
     return width * c->height / c->width;
 }
 
-/* An error of 1e-12 at the first hit grows with each bounce on something round, some hundredfold; a
- * highlight's exponent of 200 and 63 levels make 1e-4 of that at worst. */
+/* An error of 1e-12 at the first hit grows with each bounce on a round object, some hundredfold; a highlight's exponent
+ * of 200 and 63 levels make 1e-4 of that at worst. */
 #define F64_MARGIN 1e-4
 
 static void check_f64(unsigned first)

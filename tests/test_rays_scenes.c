@@ -1,6 +1,6 @@
-/* A small scene for each shape, material, light and camera: f64 draws it as the oracle does, q16 as f64 does.
+/* A small scene for each shape, material, light and camera: f64 draws it like the oracle, q16 like f64.
  *
- * Objects on a floor, one of which, or whose light or camera, is what the scene is for. */
+ * The scenes have objects on a floor; one object, the light or the camera is under test. */
 #ifdef TIA_HAVE_F64
 #include "against.h"
 #include "check.h"
@@ -24,7 +24,7 @@ static struct tia_scene scene;
 static struct corpus_rays parts; /* its meshes and grid are borrowed */
 static struct threads *pool;
 
-/* A floor, a back wall, a ball and the thing: a box at (0, 1, 0). */
+/* Begins a floor, a back wall, a ball and the object under test: a box at (0, 1, 0). */
 static void begin(void)
 {
     static const struct tia_material matt = {.colour = TIA_RGB(0.8, 0.6, 0.4), .exponent = TIA_Q16(1)};
@@ -61,8 +61,8 @@ static void begin(void)
     scene.camera.reference = (struct tia_vec3)TIA_VEC3(0.2, 0.9, 0);
 }
 
-/* Nothing of a scene as plain as these is left to rounding: all pixels but a few are the oracle's, and none of
- * q16 is more than a level off where it has f64's path. */
+/* Draws. Rounding decides few pixels of scenes as plain as these: all but a few are the oracle's, and none of q16 is
+ * more than a level off where it has f64's path. */
 static void draw(const char *what)
 {
     struct measure m = {.scene = &scene,
@@ -98,7 +98,7 @@ static void thing(enum tia_shape_kind kind, bool placed)
     shapes[1].transform = placed;
 }
 
-/* As it is, placed, and as glass with a mirroring floor, where rays start on its inside too. */
+/* Draws the object unchanged, placed, and as glass with a mirroring floor, where rays start on its inside too. */
 static void draw_thing(const char *what)
 {
     draw(what);
@@ -299,7 +299,7 @@ TEST(units)
     }
 }
 
-/* Digits below those of Q16.16, which mirrors magnify: large ones, so that each would be missed. */
+/* Digits below those of Q16.16, which mirrors magnify: large ones, so that a missing one would be detected. */
 TEST(fine_digits)
 {
     static const struct tia_fine_sphere spheres[1] = {{{25612, -32768, 32767}, -23041}};

@@ -1,7 +1,7 @@
-/* The .mtl reader: what its statements become. */
+/* The .mtl reader: the meaning of its statements. */
 #include "obj_files.h"
 
-/* One material of a library, used by one triangle. */
+/* Returns the material of a library with one, used by one triangle. */
 static struct tia_material material_of(const char *statements)
 {
     char library[500];
@@ -30,7 +30,7 @@ TEST(materials)
     CHECK(!m.specular.r && m.mirror.r == TIA_Q30_ONE && !m.fresnel);
     m = material_of("Kd 1 1 1\nd 0.25\nNi 1.5\n");
     CHECK(m.colour.r == TIA_Q30(0.25) && m.refraction.r == TIA_Q30(0.75) && m.transmission.b == TIA_Q30(0.75));
-    CHECK_EQ(m.index, TIA_Q16_ONE); /* illum 2 does not bend */
+    CHECK_EQ(m.index, TIA_Q16_ONE); /* illum 2 has no refraction */
     m = material_of("Tr 0.25\nillum 6\nNi 1.25\n");
     CHECK(m.refraction.r == TIA_Q30(0.25) && m.index == TIA_Q16(1.25) && !m.fresnel);
     m = material_of("Kd 1 1 1\nTf 0.5 0.25 1\nillum 7\nNi 1.25\nd -halo 0\n");
@@ -95,7 +95,7 @@ TEST(images)
     finish(&r, &files);
 }
 
-/* A texture's place is repeat (u - offset), the format's s u + o. */
+/* A texture's position is repeat (u - offset), the format's s u + o. */
 TEST(offsets)
 {
     struct files files = {.names = {"m"},
@@ -142,12 +142,12 @@ TEST(errors_of_libraries)
         {"newmtl\n", "m:1:7: the line ends here, expected a material's name"},
         {"newmtl m\nKd 1 1.5 1\n", "m:2:6: '1.5' is out of range, expected a number from 0 to 1"},
         {"newmtl m\nKs -1\n", "m:2:4: '-1' is out of range, expected a number from 0 to 1"},
-        {"newmtl m\n  Kd spectral x.rfl\n", "m:2:6: 'spectral' is no number, expected a number below 2147483648"},
+        {"newmtl m\n  Kd spectral x.rfl\n", "m:2:6: 'spectral' is not a number, expected a number below 2147483648"},
         {"newmtl m\nillum 11\n", "m:2:7: '11' is out of range, expected a whole number from 0 to 10"},
         {"newmtl m\nNi 5\n", "m:2:4: '5' is out of range, expected an index of refraction from 0.25 to 4"},
         {"newmtl m\nd 1 1\n", "m:2:5: '1' is too much, expected the end of the line"},
         {"newmtl m\nwhat 1\n",
-         "m:2:1: 'what' is no statement of a material, expected newmtl, Kd, Ks, Ns, d or the like"},
+         "m:2:1: 'what' is not a statement of a material, expected newmtl, Kd, Ks, Ns, d or the like"},
         {"newmtl m\nmap_Kd -s 2000 a.ppm\n", "m:2:11: '2000' is out of range, expected a number from 1/1024 to 1024"},
         {"newmtl m\nmap_Kd -clamp on a.ppm\n", "m:2:8: '-clamp' has no effect here, expected -s, -o or -imfchan"},
         {"newmtl m\nmap_d -imfchan z a.ppm\n", "m:2:7: '-imfchan' has no effect here, expected -s, -o or -imfchan"},

@@ -9,13 +9,13 @@ static const char *const names[] = {"balls_2", "balls_3", "balls_4",  "gears_1",
                                     "mount_3", "rings_3", "shells_2", "teapot_3", "tetra_4", "tree_4"};
 #define NAMES (sizeof names / sizeof *names)
 
-/* Q16.16 of a decimal, halves away from zero. */
+/* Returns a decimal as Q16.16, halves away from zero. */
 static tia_q16 q16(double x)
 {
     return (tia_q16)lround(x * 65536);
 }
 
-/* A length, and its fine digits, with 32 + scale_bits bits behind the point. */
+/* Returns a length, and its fine digits, with 32 + scale_bits bits behind the point. */
 static int64_t fine(const struct tia_scene *scene, double x)
 {
     return llround(ldexp(x, 32 + (int)scene->scale_bits));
@@ -43,10 +43,10 @@ static bool load(struct reading *r, const char *name, char **text)
     return !r->status;
 }
 
-/* ---- the second reader: these files' statements, each in its place ---- */
+/* ---- the second reader: these files' statements, in their order ---- */
 
 struct second {
-    const char *at; /* what is left of the text */
+    const char *at; /* the rest of the text */
     const struct tia_scene *scene;
     uint32_t sphere, shape, mesh, face, vertex, normal, material, light;
     bool in_mesh;
@@ -105,7 +105,7 @@ static void add_cross(double sum[3], const struct tia_vec3 *a, const struct tia_
     }
 }
 
-/* Faces of a polygon: of its vertices, and together of its area and side. */
+/* Checks the faces of a polygon: of its vertices, and together of its area and side. */
 static void check_faces(struct second *s, const struct tia_mesh *mesh, uint32_t count, bool has_normals)
 {
     double whole[3] = {0}, sum[3] = {0};
@@ -189,7 +189,7 @@ static void tia_check_light(struct second *s)
     CHECK(l->emission.r == q30(intensity) && l->emission.g == q30(intensity) && l->emission.b == q30(intensity));
 }
 
-/* Of any length. */
+/* Checks an up vector of any length. */
 static void check_up(struct second *s, struct tia_vec3 got)
 {
     double x = number(s), y = number(s), z = number(s), length = sqrt(x * x + y * y + z * z);

@@ -1,4 +1,4 @@
-/* The .nff reader: the unit that it chooses, and what it refuses. */
+/* The .nff reader: its choice of the unit, and its refusals. */
 #include "reading.h"
 
 #define VIEW "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 40\n"
@@ -40,17 +40,17 @@ TEST(errors)
         {"v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\n", "5:1: the view has no 'angle', expected v, from, at, up and angle"},
         {VIEW "s 0 0 0\n", "6:8: the line ends here, expected a number below 2147483648"},
         {VIEW "s 0 0 0 1 1\n", "6:11: '1' is too much, expected the end of the line"},
-        {VIEW "  sphere 0\n", "6:3: 'sphere' is no statement, expected v, b, l, f, c, s, p, pp or a # comment"},
+        {VIEW "  sphere 0\n", "6:3: 'sphere' is not a statement, expected v, b, l, f, c, s, p, pp or a # comment"},
         {VIEW "l 0 1\n", "6:6: the line ends here, expected a number below 2147483648"},
-        {VIEW "f 1 1 1 1 0 x 0 1\n", "6:13: 'x' is no number, expected a number below 2147483648"},
+        {VIEW "f 1 1 1 1 0 x 0 1\n", "6:13: 'x' is not a number, expected a number below 2147483648"},
         {VIEW "p 2\n0 0 0\n1 0 0\n", "6:3: '2' is out of range, expected a whole number from 3 to 4096"},
         {VIEW "p 4097\n", "6:3: '4097' is out of range, expected a whole number from 3 to 4096"},
         {VIEW "p 3\n0 0 0\n1 0 0\n", "9:1: the line ends here, expected a number below 2147483648"},
-        {VIEW "p 3\n0 0 0\n1 0 0\nf 1 1 1 1 0 0 0 0\n", "9:1: 'f' is no number, expected a number below 2147483648"},
+        {VIEW "p 3\n0 0 0\n1 0 0\nf 1 1 1 1 0 0 0 0\n", "9:1: 'f' is not a number, expected a number below 2147483648"},
         {VIEW "pp 3\n0 0 0 0 0 0\n",
          "7:7: '0' begins a direction of no length, expected three numbers that are not all 0"},
         {VIEW "up 0 0 0\n", "6:4: '0' begins an up vector of no length, expected three numbers that are not all 0"},
-        {"\x7f\x45LF\x02\x01", "1:1: '?ELF?\?' is no statement, expected v, b, l, f, c, s, p, pp or a # comment"},
+        {"\x7f\x45LF\x02\x01", "1:1: '?ELF?\?' is not a statement, expected v, b, l, f, c, s, p, pp or a # comment"},
         {VIEW "l 0 0 0\nl 0 0 0 1 -1 1\n", "7:11: '-1' is out of range, expected a number from 0 to below 2"},
         {VIEW "f 1 1 1 1 1.5 0 0 0\n", "6:11: '1.5' is out of range, expected a number from 0 to 1"},
         {"#\nb 1.5 0 0\n" VIEW, "2:3: '1.5' is out of range, expected a number from 0 to 1"},
@@ -65,8 +65,8 @@ TEST(errors)
     }
 }
 
-/* What tia_scene_check refuses: at the word that says it, in the file's own words and unit, 2^12 of which are below
- * 32768 in the first and third scene. */
+/* Faults of tia_scene_check: at the word responsible, in the file's own words and unit, 2^12 of which are below 32768
+ * in the first and third scene. */
 TEST(places_of_faults)
 {
     static const struct {

@@ -8,7 +8,8 @@ static double at(const struct tia_vec3 *v, int axis)
     return (axis == 0 ? v->x : axis == 1 ? v->y : v->z) / 65536.0;
 }
 
-/* The area of a mesh, and its volume if it is closed and its faces run counterclockwise seen from outside. */
+/* Returns the area of a mesh, and gives its volume if it is closed and its faces run counterclockwise seen from
+ * outside. */
 static double area_of(const struct tia_mesh *mesh, double *volume)
 {
     double area = 0;
@@ -76,7 +77,7 @@ TEST(ball)
         return;
     const struct tia_mesh *mesh = r.scene.meshes;
     CHECK(mesh->face_count == 320 && mesh->vertex_count == 162 && mesh->normal_count == 162);
-    /* less than 4 pi r^2 and 4/3 pi r^3, by little */
+    /* slightly less than 4 pi r^2 and 4/3 pi r^3 */
     CHECK(is_near(area_of(mesh, &volume), 50.27, 1.2) && is_near(volume, 33.51, 1.2) && volume < 33.51);
     for (uint32_t i = 0; i < 320 * 3; i++) {
         const struct tia_corner *c = &mesh->faces[i / 3].corner[i % 3];
@@ -110,7 +111,7 @@ TEST(star_of_glass)
     free(text);
 }
 
-/* A camera as any viewer has it: where a point is in the picture, from -1 to 1 along the shorter side. */
+/* Projects a point by a camera as in any viewer: its position in the picture, from -1 to 1 along the shorter side. */
 static void project(const struct tia_camera *c, const struct tia_vec3 *p, double *x, double *y, double *distance)
 {
     double n[3], v[3], length = 0, square = 0;
@@ -139,7 +140,7 @@ static void project(const struct tia_camera *c, const struct tia_vec3 *p, double
     *distance = sqrt(square);
 }
 
-/* Everything lies in the picture and near enough, and it is not lost in the middle. */
+/* Checks that all of the model is in the picture and near enough, and that it is not tiny. */
 static void check_frame(const struct tia_scene *scene)
 {
     const struct tia_camera *c = &scene->camera;
@@ -158,7 +159,7 @@ static void check_frame(const struct tia_scene *scene)
     CHECK_MSG(most > 0.4, "it fills only %g of the picture", most);
 }
 
-/* Boxes of any size anywhere: seen alike. */
+/* Boxes of any size anywhere have the same picture. */
 TEST(frames)
 {
     static const struct {
@@ -219,7 +220,7 @@ TEST(frames_of_models)
     }
 }
 
-/* Materials used by turns make one mesh each; it sees no more vertices than it needs. */
+/* Materials used by turns make one mesh each, with no more vertices than it needs. */
 TEST(faces_by_material)
 {
     struct files files = {.names = {"m"}, .texts = {"newmtl a b\nnewmtl c\nnewmtl unused\n"}};
@@ -261,7 +262,9 @@ TEST(corners_with_empty_parts)
     }
 }
 
-/* Faces below lines that say the same are one group; an o is no g; before the first line is a group too. */
+/* Faces below lines with the same names are one group; an o is not a g; the faces before the first line are a group
+ * too.
+ */
 TEST(groups)
 {
     static const uint8_t same[] = {0, 1, 2, 1, 3, 4, 3, 5}; /* faces of equal numbers */
@@ -292,31 +295,32 @@ TEST(errors)
         {"v 0 0 0\nf 1 1 1\n", "0:0: the model is too small, expected an extent of more than 1/32768"},
         {TRIANGLE "v 3 3 3\nf 1 1 1\n", "0:0: all faces lie in one point, expected a model"},
         {"v 1 2\n", "1:6: the line ends here, expected a number below 2147483648"},
-        {"v 1 2 x\n", "1:7: 'x' is no number, expected a number below 2147483648"},
+        {"v 1 2 x\n", "1:7: 'x' is not a number, expected a number below 2147483648"},
         {"v 1 2 3e9\n", "1:7: '3e9' is out of range, expected a number below 2147483648"},
         {"vt 40000\n", "1:4: '40000" OUT_OF_Q16},
         {"vt 0 -32769\n", "1:6: '-32769" OUT_OF_Q16},
         {"vn 0 0 0\n", "1:4: '0' begins a direction of no length, expected three numbers that are not all 0"},
-        {"face 1 2 3\n", "1:1: 'face' is no statement, expected v, vt, vn, f, g, o, s, usemtl or mtllib"},
+        {"face 1 2 3\n", "1:1: 'face' is not a statement, expected v, vt, vn, f, g, o, s, usemtl or mtllib"},
         {TRIANGLE "f 1 2\n", "4:6: the line ends here, expected V, V/VT, V//VN or V/VT/VN"},
-        {TRIANGLE "f 1 2 4\n", "4:7: '4' asks for a vertex that is not there, expected 1 to 3, those before this line"},
+        {TRIANGLE "f 1 2 4\n",
+         "4:7: '4' refers to a vertex that does not exist, expected 1 to 3, those before this line"},
         {TRIANGLE "f 1 2 -4\n",
-         "4:7: '-4' asks for a vertex that is not there, expected 1 to 3, those before this line"},
+         "4:7: '-4' refers to a vertex that does not exist, expected 1 to 3, those before this line"},
         {TRIANGLE "f 1 2 18446744073709551617\n",
-         "4:7: '18446744073709551617' asks for a vertex that is not there, expected 1 to 3, those before this line"},
+         "4:7: '18446744073709551617' refers to a vertex that does not exist, expected 1 to 3, those before this line"},
         {TRIANGLE "f 1//1 2//1 3//1\n",
-         "4:3: '1//1' asks for a normal that is not there, expected one before this line"},
+         "4:3: '1//1' refers to a normal that does not exist, expected one before this line"},
         {TRIANGLE "vt 0 0\nf 1/2 2/1 3/1\n",
-         "5:3: '1/2' asks for a texture coordinate that is not there, expected 1 to 1, those before this line"},
+         "5:3: '1/2' refers to a texture coordinate that does not exist, expected 1 to 1, those before this line"},
         {TRIANGLE "vt 0\nf 1/1 2/1 3\n", "5:11: '3' is of another form, expected all corners of a face alike"},
-        {TRIANGLE "f 0 1 2\n", "4:3: '0' is no corner, expected V, V/VT, V//VN or V/VT/VN"},
-        {TRIANGLE "f 1/ 1 2\n", "4:3: '1/' is no corner, expected V, V/VT, V//VN or V/VT/VN"},
-        {TRIANGLE "f 1/// 1 2\n", "4:3: '1///' is no corner, expected V, V/VT, V//VN or V/VT/VN"},
-        {TRIANGLE "f 1/1/1/1 1 2\n", "4:3: '1/1/1/1' is no corner, expected V, V/VT, V//VN or V/VT/VN"},
-        {TRIANGLE "usemtl none\nf 1 2 3\n", "4:8: 'none' is no material, expected one that a mtllib has"},
+        {TRIANGLE "f 0 1 2\n", "4:3: '0' is not a corner, expected V, V/VT, V//VN or V/VT/VN"},
+        {TRIANGLE "f 1/ 1 2\n", "4:3: '1/' is not a corner, expected V, V/VT, V//VN or V/VT/VN"},
+        {TRIANGLE "f 1/// 1 2\n", "4:3: '1///' is not a corner, expected V, V/VT, V//VN or V/VT/VN"},
+        {TRIANGLE "f 1/1/1/1 1 2\n", "4:3: '1/1/1/1' is not a corner, expected V, V/VT, V//VN or V/VT/VN"},
+        {TRIANGLE "usemtl none\nf 1 2 3\n", "4:8: 'none' is not a material, expected one that a mtllib has"},
         {"mtllib none.mtl\n", "1:8: 'none.mtl' cannot be read: no such file, expected a material library"},
         {"mtllib\n", "1:7: the line ends here, expected a file's name"},
-        {"\x7f\x45LF\x02", "1:1: '?ELF\?' is no statement, expected v, vt, vn, f, g, o, s, usemtl or mtllib"},
+        {"\x7f\x45LF\x02", "1:1: '?ELF\?' is not a statement, expected v, vt, vn, f, g, o, s, usemtl or mtllib"},
         {"mtllib q0 q1 q2 q3 q4 q5 q6 q7 q8 q9 qa qb qc qd qe qf q0 qg\n",
          "1:59: 'qg' is one too many, expected at most 16 material libraries"},
     };
@@ -332,7 +336,7 @@ TEST(errors)
     }
     r = (struct reading){.reader = {.format = TIA_FORMAT_OBJ, .text = "mtllib a.mtl\n", .length = 13, .strict = true}};
     read_begin(&r);
-    check_read_error(&r, "1:8: 'a.mtl' cannot be read: there is nothing that could, expected a material library");
+    check_read_error(&r, "1:8: 'a.mtl' cannot be read: no files can be loaded here, expected a material library");
 }
 
 TEST(too_many_corners)

@@ -1,14 +1,13 @@
-/* Models as programs write them: what is wrong is put up with, once a kind a warning tells of it, and the rest is
- * drawn. */
+/* Models with common programs' mistakes, which are tolerated: one warning for each kind, and the rest is drawn. */
 #include "obj_files.h"
 
-/* What the reader says of one mistake: "FILE:LINE:COLUMN: TEXT", and how often it found such. */
+/* The reader's warning of one mistake: "FILE:LINE:COLUMN: TEXT", and the number of its kind. */
 struct mistake {
-    const char *text; /* of the model, whose library "m" has the material `m` and `lines` in it */
+    const char *text; /* text of the model, whose library "m" has the material `m` and `lines` in it */
     enum tia_read_warning_kind kind;
     uint32_t count;
     const char *want;
-    uint32_t faces; /* what is drawn all the same */
+    uint32_t faces; /* faces that are still drawn */
 };
 
 static const char library[] = "newmtl m\nKd 1 0 0\n";
@@ -44,10 +43,11 @@ TEST(mistakes)
         {TRIANGLE "f 1 2 3\nf 1\nf\nf 1 2\n", TIA_WARN_FACE, 3,
          "5:4: the line ends here, expected " CORNERS NO_FACE_LEFT, 1},
         {TRIANGLE "f 1 2 4\nf 1 2 0\nf 1 2 3\n", TIA_WARN_FACE, 2,
-         "4:7: '4' asks for a vertex that is not there, expected 1 to 3, those before this line" NO_FACE_LEFT, 1},
-        {TRIANGLE "f a b c\nf 1 2 3\n", TIA_WARN_FACE, 3, "4:3: 'a' is no corner, expected " CORNERS NO_FACE_LEFT, 1},
+         "4:7: '4' refers to a vertex that does not exist, expected 1 to 3, those before this line" NO_FACE_LEFT, 1},
+        {TRIANGLE "f a b c\nf 1 2 3\n", TIA_WARN_FACE, 3, "4:3: 'a' is not a corner, expected " CORNERS NO_FACE_LEFT,
+         1},
         {TRIANGLE "vt 0 0\nf 1/1 2/1 3/2\n", TIA_WARN_CORNER, 2,
-         "5:11: '3/2' asks for a texture coordinate that is not there, expected 1 to 1, those before this line; the "
+         "5:11: '3/2' refers to a texture coordinate that does not exist, expected 1 to 1, those before this line; the "
          "face is drawn without",
          1},
         {TRIANGLE "vt 0 0\nvn 0 0 1\nf 1/1/1 2 3\n", TIA_WARN_CORNER, 1,
@@ -57,11 +57,11 @@ TEST(mistakes)
          "drawn flat",
          1},
         {TRIANGLE "vt nan 0\nvt 0 nan\nf 1/1 2/2 3/2\n", TIA_WARN_NUMBER, 2,
-         "4:4: 'nan' is no number, expected a number from -32768 to below 32768; 0 is used", 1},
+         "4:4: 'nan' is not a number, expected a number from -32768 to below 32768; 0 is used", 1},
         {TRIANGLE "vt 3443870976.0 -3e9\nf 1/1 2/1 3/1\n", TIA_WARN_RANGE, 2,
          "4:4: '3443870976.0' is out of range, expected a number from -32768 to below 32768; the nearest is used", 1},
         {TRIANGLE "usemtl none\nf 1 2 3\nusemtl nil\n", TIA_WARN_MATERIAL, 2,
-         "4:8: 'none' is no material, expected one that a mtllib has; grey is used", 1},
+         "4:8: 'none' is not a material, expected one that a mtllib has; grey is used", 1},
         {TRIANGLE "usemtl\nf 1 2 3\n", TIA_WARN_MATERIAL, 1,
          "4:7: the line ends here, expected one that a mtllib has; grey is used", 1},
         {"mtllib none.mtl\nmtllib other.mtl\n" TRIANGLE "f 1 2 3\n", TIA_WARN_LIBRARY, 2,
@@ -69,7 +69,7 @@ TEST(mistakes)
         {"mtllib\n" TRIANGLE "f 1 2 3\n", TIA_WARN_LIBRARY, 1,
          "1:7: the line ends here, expected a file's name; its materials are grey", 1},
         {"cstype \\\n bezier\n" TRIANGLE "f 1 2 3\nsurf 0 1 \\\n0 1 1 2\n", TIA_WARN_STATEMENT, 2,
-         "1:1: 'cstype' is no statement, expected v, vt, vn, f, g, o, s, usemtl or mtllib; skipped", 1},
+         "1:1: 'cstype' is not a statement, expected v, vt, vn, f, g, o, s, usemtl or mtllib; skipped", 1},
         {TRIANGLE "vn 0 0 1 0\nf 1 2 3\n", TIA_WARN_STATEMENT, 1,
          "4:10: '0' is too much, expected the end of the line; skipped", 1},
         {TRIANGLE "l 1 2\np 3\n", TIA_WARN_EMPTY, 1,
@@ -92,7 +92,7 @@ TEST(mistakes)
     }
 }
 
-/* What of a face's corners is not there is not used; what is there is. */
+/* Parts that not all corners of a face have are not used; the others are. */
 TEST(what_faces_become)
 {
     struct files files = {.libraries = 0};
@@ -124,7 +124,7 @@ TEST(refused_in_the_second_pass)
     static const char text[] = "o a\n" TRIANGLE "usemtl none\nf 1 2 3\no b\no c\no d\n";
 
     read_obj(&r, &files, text, strlen(text));
-    check_read_error(&r, "5:8: 'none' is no material, expected one that a mtllib has");
+    check_read_error(&r, "5:8: 'none' is not a material, expected one that a mtllib has");
     finish(&r, &files);
 }
 
@@ -178,7 +178,7 @@ TEST(mistakes_of_libraries)
     CHECK(m.index == TIA_Q16(4) && !m.specular.r);
     check_warning(&files, TIA_WARN_RANGE, 2,
                   "m:2:4: '9' is out of range, expected an index of refraction from 0.25 to 4; the nearest is used");
-    m = material_of("d 0.25\nTr 0.25\n", &files); /* some programs mean the same by both: d is believed */
+    m = material_of("d 0.25\nTr 0.25\n", &files); /* some programs mean the same by both: d takes precedence */
     CHECK(m.refraction.r == TIA_Q30(0.75));
     m = material_of("Tr 0.25\nd 1\n", &files);
     CHECK(!m.refraction.r);

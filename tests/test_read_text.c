@@ -51,11 +51,12 @@ TEST(errors_of_numbers)
     tia_q30 q30;
 
     CHECK(tia_text_line(&t));
-    check_error(tia_text_q30(&t, &q30), 1, 3, "'abc' is no number, expected a number from -2 to below 2");
+    check_error(tia_text_q30(&t, &q30), 1, 3, "'abc' is not a number, expected a number from -2 to below 2");
     CHECK(tia_text_line(&t));
     check_error(tia_text_integer(&t, &n, -1, 4), 2, 1, "'5' is out of range, expected a whole number from -1 to 4");
     CHECK_EQ(tia_text_integer(&t, &n, 7, 7), TIA_OK);
-    check_error(tia_text_integer(&t, &n, 1, 2), 2, 5, "'1.0' is no whole number, expected a whole number from 1 to 2");
+    check_error(tia_text_integer(&t, &n, 1, 2), 2, 5,
+                "'1.0' is not a whole number, expected a whole number from 1 to 2");
     check_error(tia_text_end(&t), 2, 9, "'x' is too much, expected the end of the line");
     CHECK_EQ(tia_text_end(&t), TIA_OK);
     check_error(tia_text_q30(&t, &q30), 2, 11, "the line ends here, expected a number from -2 to below 2");
@@ -119,7 +120,7 @@ TEST(names_and_files)
     check_error(tia_text_name(&t, &word, "a name"), 1, 1,
                 "'xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx...' is longer than 255 bytes, expected a name");
     t = text_of("a\033[2Jb\377");
-    check_error(tia_text_name(&t, &word, "a name"), 1, 1, "'a?[2Jb?' has a control character in it, expected a name");
+    check_error(tia_text_name(&t, &word, "a name"), 1, 1, "'a?[2Jb?' contains a control character, expected a name");
 }
 
 static void check_direction(int64_t x, int64_t y, int64_t z)
@@ -175,7 +176,7 @@ TEST(names_sorted_and_found)
         CHECK(found && found->index == i);
         CHECK(!tia_names_find(names, COUNT, (i + 1) % 3, &word));
     }
-    names[17].word.line = 9000; /* the same name as another: the later one is told */
+    names[17].word.line = 9000; /* the same name as another: the later one is reported */
     names[18].word = names[17].word;
     names[18].kind = names[17].kind;
     names[18].word.line = 8000;

@@ -1,4 +1,4 @@
-/* Every statement of a .tia file against the values that it stands for, written down by hand. */
+/* Every statement of a .tia file against its values, written down by hand. */
 #include "reading.h"
 
 #include <tia/port.h>
@@ -204,7 +204,7 @@ TEST(lights)
     CHECK(l[7].radius == TIA_Q16(2) && l[7].samples == 256);
 }
 
-/* What is brighter than 1, or a light's 2, is so many powers of 2. */
+/* Emission above 1, or a light's above 2, has so many powers of 2. */
 TEST(bright_emission)
 {
     check_reads("material a emission 1\nmaterial b emission 1.5 0.5 0\nmaterial c emission 12 8 7\n"

@@ -1,4 +1,4 @@
-/* What a .tia file may do wrong: each error's line, column and text. */
+/* Mistakes in .tia files: each error's line, column and text. */
 #include "reading.h"
 
 static struct reading now;
@@ -24,19 +24,19 @@ static void read_bytes(const char *bytes, size_t length)
 
 TEST(statements)
 {
-    check_refused("\n  spher 1 2 3", "2:3: 'spher' is no statement, expected " STATEMENTS);
+    check_refused("\n  spher 1 2 3", "2:3: 'spher' is not a statement, expected " STATEMENTS);
     check_refused("depth 5 6", "1:9: '6' is too much, expected the end of the line");
-    check_refused("depth 5\ndepth 5", "2:1: 'depth' is here for a second time, expected it once");
+    check_refused("depth 5\ndepth 5", "2:1: 'depth' is given twice, expected once");
     check_refused("depth 17", "1:7: '17' is out of range, expected a whole number from 1 to 16");
-    check_refused("integrator radiosity", "1:12: 'radiosity' is no integrator, expected whitted, ao or path");
-    check_refused("integrator ao 0", "1:15: '0' is no distance, expected more than 0");
+    check_refused("integrator radiosity", "1:12: 'radiosity' is not an integrator, expected whitted, ao or path");
+    check_refused("integrator ao 0", "1:15: '0' is not a distance, expected more than 0");
     check_refused("integrator path 2", "1:17: '2' is too much, expected the end of the line");
     check_refused("spp 0", "1:5: '0' is out of range, expected a whole number from 1 to 16777216");
     check_refused("spp 16777217", "1:5: '16777217' is out of range, expected a whole number from 1 to 16777216");
-    check_refused("tone mapped", "1:6: 'mapped' is no tone, expected linear or srgb");
+    check_refused("tone mapped", "1:6: 'mapped' is not a tone, expected linear or srgb");
     check_refused("exposure -24.5", "1:10: '-24.5' is out of range, expected -24 to 24");
-    check_refused("exposure nan", "1:10: 'nan' is no number, expected a number from -32768 to below 32768");
-    check_refused("samples 2", "1:9: '2' is no number of samples, expected 1, 4 or 16");
+    check_refused("exposure nan", "1:10: 'nan' is not a number, expected a number from -32768 to below 32768");
+    check_refused("samples 2", "1:9: '2' is not a number of samples, expected 1, 4 or 16");
     check_refused("background", "1:11: the line ends here, expected a number from 0 to 1");
     check_refused("background 0.1 0.2", "1:19: the line ends here, expected a number from 0 to 1");
     check_refused("background 2", "1:12: '2' is out of range, expected a number from 0 to 1");
@@ -44,21 +44,20 @@ TEST(statements)
     check_refused("camera eye 0 0 0 up 0 1 0", "1:26: the line ends here, expected look, as there is up");
     check_refused("camera frustum window -1 1 -1 1", "1:32: the line ends here, expected near");
     check_refused("camera orthographic near 1",
-                  "1:21: 'near' is nothing that an orthographic camera has, expected eye, look, up or window");
-    check_refused("camera eye 0 zero 0", "1:14: 'zero' is no number, expected a number below 2147483648");
+                  "1:21: 'near' is not a field of an orthographic camera, expected eye, look, up or window");
+    check_refused("camera eye 0 zero 0", "1:14: 'zero' is not a number, expected a number below 2147483648");
 }
 
 TEST(names)
 {
-    check_refused(M M, "2:10: 'm' is defined for a second time, expected another name");
+    check_refused(M M, "2:10: 'm' is already defined, expected another name");
     check_refused("material", "1:9: the line ends here, expected a name");
     check_refused("sphere radius 1 material m", "1:26: 'm' is not defined, expected the name of a material");
     check_refused("material m texture t", "1:20: 't' is not defined, expected the name of a texture");
     check_refused(M "instance m material m", "2:10: 'm' is not defined, expected the name of a mesh or grid");
-    check_refused("mesh x\nend\ngrid x size 1 1 1\nrow 0\nend",
-                  "3:6: 'x' is defined for a second time, expected another name");
+    check_refused("mesh x\nend\ngrid x size 1 1 1\nrow 0\nend", "3:6: 'x' is already defined, expected another name");
     check_refused(M "light name x at 0 5 0\nsphere radius 1 material m name x",
-                  "3:33: 'x' is defined for a second time, expected another name");
+                  "3:33: 'x' is already defined, expected another name");
     check_refused("light name camera at 0 5 0", "1:12: 'camera' is the camera's name, expected another");
     check_refused(M "sphere radius 1 material m name camera", "2:33: 'camera' is the camera's name, expected another");
 }
@@ -66,20 +65,19 @@ TEST(names)
 TEST(looks)
 {
     check_refused("material m color 1",
-                  "1:12: 'color' is nothing that a material has, expected colour, texture, opacity, specular, "
+                  "1:12: 'color' is not a field of a material, expected colour, texture, opacity, specular, "
                   "exponent, refraction, index, mirror, fresnel, transmission, emission or facing");
-    check_refused("material m mirror 1 mirror 1", "1:21: 'mirror' is here for a second time, expected it once");
+    check_refused("material m mirror 1 mirror 1", "1:21: 'mirror' is given twice, expected once");
     check_refused(M "material n colour 0.5 1.5 0", "2:23: '1.5' is out of range, expected a number from 0 to 1");
     check_refused("texture t checker odd 1 1 -1", "1:27: '-1' is out of range, expected a number from 0 to 1");
-    check_refused("texture t stripes", "1:11: 'stripes' is no kind of texture, expected checker, image or opacity");
+    check_refused("texture t stripes", "1:11: 'stripes' is not a kind of texture, expected checker, image or opacity");
     check_refused("texture t", "1:10: the line ends here, expected checker, image or opacity");
     check_refused("texture t checker repeat 1 2 3",
-                  "1:30: '3' is nothing that a checker has, expected repeat, scale, offset, even or odd");
+                  "1:30: '3' is not a field of a checker, expected repeat, scale, offset, even or odd");
     check_refused("texture t checker repeat 2 scale 3",
                   "1:35: the line ends here, expected either repeat or scale, not both");
     check_refused("texture t checker scale 0", "1:26: the line ends here, expected a scale of 1/1048576 to 1048576");
-    check_refused("texture t checker offset 1",
-                  "1:27: the line ends here, expected a number below 2147483648");
+    check_refused("texture t checker offset 1", "1:27: the line ends here, expected a number below 2147483648");
     check_refused("texture t image", "1:16: the line ends here, expected an image's file");
     check_refused("texture t image \"x", "1:17: '\"x' has no closing quote, expected an image's file");
 }
@@ -91,11 +89,11 @@ TEST(shapes)
     check_refused(M "plane point 0 0 0 normal 0 0 0 material m",
                   "2:26: '0' begins a direction of no length, expected three numbers that are not all 0");
     check_refused(M "plane point 0 0 0 normal 0 1 0 material m at 0 0 0",
-                  "2:43: 'at' is nothing that a plane has, expected material, appears, vanishes, point or normal");
-    check_refused(M "box min 0 0 0 max 1 1 1 1 material m", "2:25: '1' is nothing that a box has, expected material, "
+                  "2:43: 'at' is not a field of a plane, expected material, appears, vanishes, point or normal");
+    check_refused(M "box min 0 0 0 max 1 1 1 1 material m", "2:25: '1' is not a field of a box, expected material, "
                                                             "appears, vanishes, name, at, rotate, scale, min or max");
     check_refused(M "cone base 0 0 0 top 0 1 0 radii 1 material m",
-                  "2:35: 'material' is no number, expected a number below 2147483648");
+                  "2:35: 'material' is not a number, expected a number below 2147483648");
 }
 
 TEST(solids)
@@ -103,18 +101,18 @@ TEST(solids)
     check_refused("mesh a\nvertex 0 0 0\n",
                   "3:1: the text ends within a block, expected vertex, normal, uv, face or end");
     check_refused("mesh a\nvertex 0 0 0\nsphere radius 1\nend",
-                  "3:1: 'sphere' is no line of a mesh, expected vertex, normal, uv, face or end");
+                  "3:1: 'sphere' is not a line of a mesh, expected vertex, normal, uv, face or end");
     check_refused("mesh a\nvertex 0 0\nend", "2:11: the line ends here, expected a number below 2147483648");
     check_refused("mesh a\nvertex 0 0 0\nface 1 2 1\nend",
-                  "3:8: '2' is not there, expected the number of a vertex of the mesh, from 1 to 1");
+                  "3:8: '2' does not exist, expected the number of a vertex of the mesh, from 1 to 1");
     check_refused("mesh a\nvertex 0 0 0\nface 1 0 1\nend",
-                  "3:8: '0' is not there, expected the number of a vertex of the mesh, from 1 to 1");
+                  "3:8: '0' does not exist, expected the number of a vertex of the mesh, from 1 to 1");
     check_refused("mesh a\nvertex 0 0 0\nface 1 -1 1\nend",
-                  "3:8: '-1' is not there, expected the number of a vertex of the mesh, from 1 to 1");
+                  "3:8: '-1' does not exist, expected the number of a vertex of the mesh, from 1 to 1");
     check_refused("mesh a\nvertex 0 0 0\nuv 0 0\nface 1/1 1/18446744073709551617\nend",
-                  "4:12: '18446744073709551617' is not there, expected the number of a uv of the mesh, from 1 to 1");
+                  "4:12: '18446744073709551617' does not exist, expected the number of a uv of the mesh, from 1 to 1");
     check_refused("mesh a\nvertex 0 0 0\nnormal 0 0 1\nface 1//2\nend",
-                  "4:9: '2' is not there, expected the number of a normal of the mesh, from 1 to 1");
+                  "4:9: '2' does not exist, expected the number of a normal of the mesh, from 1 to 1");
     check_refused("mesh a\nvertex 0 0 0\nnormal 0 0 1\nface 1//1 1//1 1\nend",
                   "4:16: '1' is not like the first corner, expected uv and normal in all corners or in none");
     check_refused("mesh a\nvertex 0 0 0\nuv 0 0\nface 1 1/1 1/1\nend",
@@ -137,18 +135,18 @@ TEST(lights)
     check_refused("light", "1:6: the line ends here, expected at");
     check_refused("light ambient emission 16384",
                   "1:24: '16384' is out of range, expected a number from 0 to below 16384");
-    check_refused("light ambient at 0 0 0", "1:15: 'at' is nothing that an ambient light has, expected name, appears, "
+    check_refused("light ambient at 0 0 0", "1:15: 'at' is not a field of an ambient light, expected name, appears, "
                                             "vanishes, emission, occlusion or samples");
     check_refused("light spot at 0 0 0 direction 0 1 0", "1:36: the line ends here, expected outer");
     check_refused("light disc at 0 5 0 direction 0 1 0 radius 1 samples 257",
                   "1:54: '257' is out of range, expected a whole number from 1 to 256");
     check_refused("key A light 1 at 0 0 0",
-                  "1:5: 'A' is no key, expected a small letter, a digit, left, right, up, down, "
+                  "1:5: 'A' is not a key, expected a small letter, a digit, left, right, up, down, "
                   "page-up or page-down");
-    check_refused("key a lamp 1 at 0 0 0", "1:7: 'lamp' is nothing that a key puts, expected light");
+    check_refused("key a lamp 1 at 0 0 0", "1:7: 'lamp' cannot be moved by a key, expected light");
     check_refused("key a light 0 at 0 0 0", "1:13: '0' is out of range, expected a whole number from 1 to 65536");
     check_refused("key a light 1 at 0 0 0 name x",
-                  "1:24: 'name' is nothing that a point light has, expected emission, at, attenuation or radius");
+                  "1:24: 'name' is not a field of a point light, expected emission, at, attenuation or radius");
 }
 
 TEST(motion)
@@ -156,13 +154,13 @@ TEST(motion)
     check_refused("animate ball at 0: 0 0 0",
                   "1:9: 'ball' is not defined, expected the name of a shape or light, or camera");
     check_refused("light name l at 0 5 0\nanimate l scale 0: 1",
-                  "2:11: 'scale' is nothing that moves, expected at or direction, "
+                  "2:11: 'scale' cannot be animated, expected at or direction, "
                   "of a light");
-    check_refused("animate camera at 0: 0 0 0",
-                  "1:16: 'at' is nothing that moves, expected eye or look, of the camera");
+    check_refused("animate camera at 0: 0 0 0", "1:16: 'at' cannot be animated, expected eye or look, of the camera");
     check_refused("animate camera eye", "1:19: the line ends here, expected seconds and a colon, as in 2.5:");
-    check_refused("animate camera eye smooth 0 0 0", "1:27: '0' is no time, expected seconds and a colon, as in 2.5:");
-    check_refused("animate camera eye :", "1:20: ':' is no time, expected seconds and a colon, as in 2.5:");
+    check_refused("animate camera eye smooth 0 0 0",
+                  "1:27: '0' is not a time, expected seconds and a colon, as in 2.5:");
+    check_refused("animate camera eye :", "1:20: ':' is not a time, expected seconds and a colon, as in 2.5:");
     check_refused("animate camera eye -1: 0 0 0", "1:20: '-1:' is out of range, expected 0 to below 32768 seconds");
     check_refused("animate camera eye 32768: 0 0 0",
                   "1:20: '32768:' is out of range, expected 0 to below 32768 seconds");
@@ -171,7 +169,7 @@ TEST(motion)
     check_refused("animate camera eye 1: 0 0", "1:26: the line ends here, expected a number below 2147483648");
 }
 
-/* What only the scene as a whole shows: at the word that says it, in the file's own words. */
+/* Faults of the scene as a whole: at the word responsible, in the file's own words. */
 TEST(faults_of_the_scene)
 {
     check_refused(M "\nsphere radius 1 material m\n  sphere radius 0 material m",
@@ -192,7 +190,7 @@ TEST(faults_of_the_scene)
                   "2:31: box: at: every point must be nearer to the eye than 2147483648");
     check_refused(M "box min 0 0 0 max 2e9 2e9 1e6 material m",
                   "2:1: box: every point must be nearer to the eye than 2147483648");
-    check_refused(M "cone base 0 0 0 top 0 1 0 radii 1 1 material m", "2:27: cone: radii: must not be the base's");
+    check_refused(M "cone base 0 0 0 top 0 1 0 radii 1 1 material m", "2:27: cone: radii: must differ from the base's");
     check_refused(M "sphere radius 9e8 scale 0.01 1 1 material m",
                   "2:19: sphere: scale: too flat for its size: the radius around it, over the least scale, must be "
                   "below 32768");
@@ -209,13 +207,13 @@ TEST(faults_of_the_scene)
     check_refused("camera look 0 0 0", "1:8: camera: look: must not be the eye");
 }
 
-/* As many editors begin a text. */
+/* Many editors begin a text with it. */
 TEST(byte_order_mark)
 {
-    check_refused("\xef\xbb\xbfspher 1", "1:1: 'spher' is no statement, expected " STATEMENTS);
-    check_refused("\xef\xbb\xbf\xef\xbb\xbf", "1:1: '?\?\?' is no statement, expected " STATEMENTS);
-    check_refused("\xef\xbb\xbf# \xef\xbb\xbf\nspher", "2:1: 'spher' is no statement, expected " STATEMENTS);
-    check_refused("\xef\xbb", "1:1: '?\?' is no statement, expected " STATEMENTS);
+    check_refused("\xef\xbb\xbfspher 1", "1:1: 'spher' is not a statement, expected " STATEMENTS);
+    check_refused("\xef\xbb\xbf\xef\xbb\xbf", "1:1: '?\?\?' is not a statement, expected " STATEMENTS);
+    check_refused("\xef\xbb\xbf# \xef\xbb\xbf\nspher", "2:1: 'spher' is not a statement, expected " STATEMENTS);
+    check_refused("\xef\xbb", "1:1: '?\?' is not a statement, expected " STATEMENTS);
     read_string(&now, TIA_FORMAT_TIA,
                 "\xef\xbb\xbf"
                 "depth 5");
@@ -229,7 +227,7 @@ TEST(bytes_that_are_no_text)
     char lengthy[5000];
 
     read_bytes(bytes, sizeof bytes);
-    check_read_error(&now, "1:1: '?\?\?\?' is no statement, expected " STATEMENTS);
+    check_read_error(&now, "1:1: '?\?\?\?' is not a statement, expected " STATEMENTS);
     memset(lengthy, '9', sizeof lengthy);
     memcpy(lengthy, "background ", 11);
     read_bytes(lengthy, sizeof lengthy);

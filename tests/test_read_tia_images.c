@@ -1,4 +1,4 @@
-/* The pictures of a .tia file: what is fetched for a texture, and what becomes of it. */
+/* The pictures of a .tia file: the files fetched for a texture, and their texels. */
 #include "reading.h"
 
 static struct reading now;

@@ -1,4 +1,4 @@
-/* Scenes of several files, names for numbers, and groups: what they mean and what is refused. */
+/* Scenes in several files, names for numbers, and groups: their meaning and refusals. */
 #include <math.h>
 
 #include "obj_files.h"
@@ -67,18 +67,18 @@ TEST(names_for_numbers_refused)
     check_refused("define radius 1",
                   "1:8: 'radius' names no number, expected a name that begins with a capital letter");
     check_refused("define R", "1:9: the line ends here, expected numbers");
-    check_refused("define R 1 x", "1:12: 'x' is no number, expected numbers");
-    check_refused("define R 1\ndefine S R", "2:10: 'R' is no number, expected numbers");
-    check_refused("define R 1\ndefine R 2", "2:8: 'R' is defined for a second time, expected another name");
-    check_refused(M "sphere radius R material m", "2:15: 'R' is no number, expected a number below 2147483648");
+    check_refused("define R 1 x", "1:12: 'x' is not a number, expected numbers");
+    check_refused("define R 1\ndefine S R", "2:10: 'R' is not a number, expected numbers");
+    check_refused("define R 1\ndefine R 2", "2:8: 'R' is already defined, expected another name");
+    check_refused(M "sphere radius R material m", "2:15: 'R' is not a number, expected a number below 2147483648");
     check_refused(M "define R 1 2\nsphere radius R material m",
-                  "3:15: '2' is nothing that a sphere has, expected material, appears, vanishes, name, at, rotate, "
+                  "3:15: '2' is not a field of a sphere, expected material, appears, vanishes, name, at, rotate, "
                   "scale, centre or radius");
     check_refused(M "define R 4e9\nsphere radius R material m",
                   "3:15: '4e9' is out of range, expected a number below 2147483648");
-    check_refused("define N 1.5\ndepth N", "2:7: '1.5' is no whole number, expected a whole number from 1 to 16");
+    check_refused("define N 1.5\ndepth N", "2:7: '1.5' is not a whole number, expected a whole number from 1 to 16");
     check_refused("define N 9 9\ndepth N", "2:7: '9' is too much, expected the end of the line");
-    check_refused("depth N\ndefine N 5", "1:7: 'N' is no whole number, expected a whole number from 1 to 16");
+    check_refused("depth N\ndefine N 5", "1:7: 'N' is not a whole number, expected a whole number from 1 to 16");
 }
 
 TEST(too_many_names_for_numbers)
@@ -147,24 +147,23 @@ TEST(errors_name_the_innermost_file)
     files = (struct files){.names = {"a", "b", "d/e", "g", "twice", "bad", "fault", "empty", "to", "fro"},
                            .texts = {"\n  include a", "sphere x", "include f", "group\n", "material m", "end",
                                      "\nsphere radius 0 material m\n", "", "include fro", "include to"}};
-    check_refused("include a", "a:2:11: 'a' is being read already, expected a file that does not include itself");
-    check_refused("include to", "fro:1:9: 'to' is being read already, expected a file that does not include itself");
+    check_refused("include a", "a:2:11: 'a' is already being read, expected a file that does not include itself");
+    check_refused("include to", "fro:1:9: 'to' is already being read, expected a file that does not include itself");
     check_refused(
         "\ninclude b",
-        "b:1:8: 'x' is nothing that a sphere has, expected material, appears, vanishes, name, at, rotate, scale, "
+        "b:1:8: 'x' is not a field of a sphere, expected material, appears, vanishes, name, at, rotate, scale, "
         "centre or radius");
     check_refused("include d/e", "d/e:1:9: 'f': no such file, expected a scene's file");
     check_refused("include g\nend", "g:2:1: the text ends within a group, expected end");
     check_refused("group\ninclude bad", "bad:1:1: 'end' ends nothing, expected a group before it, in the same file");
-    check_refused(M "include twice", "twice:1:10: 'm' is defined for a second time, expected another name");
-    check_refused("include twice\n" M, "2:10: 'm' is defined for a second time, expected another name");
-    check_refused("include twice\ninclude twice",
-                  "twice:1:10: 'm' is defined for a second time, expected another name");
+    check_refused(M "include twice", "twice:1:10: 'm' is already defined, expected another name");
+    check_refused("include twice\n" M, "2:10: 'm' is already defined, expected another name");
+    check_refused("include twice\ninclude twice", "twice:1:10: 'm' is already defined, expected another name");
     check_refused(M "include fault\nsphere radius 1 material m", "fault:2:8: sphere: radius: must be at least 2^-10");
     check_refused(M "include empty x", "2:15: 'x' is too much, expected the end of the line");
     check_refused("include", "1:8: the line ends here, expected a file's name");
     check_refused("mesh x\ninclude empty",
-                  "2:1: 'include' is no line of a mesh, expected vertex, normal, uv, face or end");
+                  "2:1: 'include' is not a line of a mesh, expected vertex, normal, uv, face or end");
     check_reads(M "include empty\ninclude empty\nsphere radius 1 material m");
     read_end(&now);
     read_string(&now, TIA_FORMAT_TIA, "include a");
@@ -189,7 +188,7 @@ TEST(files_have_bounds)
     files = (struct files){.names = {"d/a"}, .texts = {many}};
     (void)sprintf(many, "include %0254d", 1);
     check_refused("include d/a",
-                  "d/a:1:9: '0000000000000000000000000000000000000000...' is too far down, expected a path "
+                  "d/a:1:9: '0000000000000000000000000000000000000000...' has too long a path, expected a path "
                   "of at most 255 bytes from the scene");
 }
 
@@ -206,7 +205,7 @@ TEST(groups_move_and_scale)
     CHECK(is_vec(now.scene.transforms[1].rotation, 0, 0, 0));
 }
 
-/* Angles that one line says stay as they are, those about one axis add up, and right angles are exact. */
+/* Angles from one line are unchanged, those about one axis add up, and right angles are exact. */
 TEST(groups_rotate)
 {
     check_reads(
@@ -247,8 +246,8 @@ static char *say(char *to, const char *what, const struct tia_transform *t)
                         t->scale.y / 65536.0, t->scale.z / 65536.0);
 }
 
-/* A point, by way of the oracle's transforms one after the other, and by the one that was read. Positions and scales
- * are half of 2^-16 off, three angles half of 2^-16 degrees each: at 2 by 8 from the place 1.6e-5. */
+/* Compares a point placed by the oracle's transforms one after the other, and by the one that was read. Positions and
+ * scales are half of 2^-16 off, three angles half of 2^-16 degrees each: at 2 by 8 from the position 1.6e-5. */
 static void check_composed(const struct tia_transform t[3], const struct tia_transform *read, int bits)
 {
     for (int i = 0; i < 8; i++) {
@@ -286,7 +285,7 @@ TEST(groups_refused)
 
     check_refused("group", "1:6: the text ends within a group, expected end");
     check_refused("group\nend\nend", "3:1: 'end' ends nothing, expected a group before it, in the same file");
-    check_refused("group name x", "1:7: 'name' is nothing that a group has, expected at, rotate or scale");
+    check_refused("group name x", "1:7: 'name' is not a field of a group, expected at, rotate or scale");
     check_refused(
         M "group scale 1 2 1\nsphere radius 1 rotate 0 0 30 material m\nend",
         "3:1: 'sphere' would be sheared: it is rotated in a group that is scaled unevenly, expected one scale "

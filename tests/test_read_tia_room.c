@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-/* A text that grows; each length of it is a multiple of 2^-16 and has something behind it that Q16.16 drops. */
+/* A growing text; each of its lengths is a multiple of 2^-16 plus digits that Q16.16 drops. */
 static char whole[4000], tiny[4000], *whole_end, *tiny_end;
 
 static void add_word(const char *word)
@@ -39,7 +39,7 @@ static void add_scale(void)
     add_word(words);
 }
 
-/* Perhaps a place, a rotation and a scale. */
+/* Adds, perhaps, a position, a rotation and a scale. */
 static void add_transform(int most)
 {
     if (random_u32() % 2) {
@@ -148,7 +148,7 @@ static void make_text(void)
     }
 }
 
-/* Whatever the unit, a scene that is accepted as it is stays so. */
+/* A scene that is accepted in the file's unit stays accepted in the chosen one. */
 TEST(no_scene_is_refused_for_its_unit)
 {
     unsigned accepted = 0, finer = 0;

@@ -1,4 +1,4 @@
-/* The unit of length of .tia scenes: every length is finer by scale_bits, nothing else is, and the picture is the
+/* The unit of length of .tia scenes: every length is finer by scale_bits, no other number is, and the picture is the
  * same. */
 #include "scaled.h"
 
@@ -124,7 +124,8 @@ static void same_scene(const struct tia_scene *a, const struct tia_scene *b)
     same_tracks(a, b);
 }
 
-/* The first text is exact; a sphere that is not, a tenth of a unit large, makes the second one finer. */
+/* Checks lengths. The first text is exact; a sphere that is not, a tenth of a unit large, makes the second one finer.
+ */
 static void check_lengths(const char *text)
 {
     struct reading exact, finer;
@@ -151,7 +152,7 @@ TEST(every_length_is_finer)
                   "camera orthographic eye @0 @1 @2 look @0 @0 @-9 up 0 3 1 window @0 @0 @-1 @1\n");
 }
 
-/* ---- how much finer ---- */
+/* ---- the choice of the unit ---- */
 
 static int bits_of(const char *text)
 {
@@ -167,7 +168,7 @@ static int bits_of(const char *text)
 #define M "material m colour 1\n"
 #define TENTH "sphere centre 0 0 -5 radius 0.1 material m\n"
 
-/* Nothing is 32768 from an eye; and an eye is no more than 8 above a plane. */
+/* No point is 32768 from an eye; and an eye is no more than 8 above a plane. */
 TEST(as_fine_as_there_is_room)
 {
     CHECK_EQ(bits_of(M "sphere centre 0 0 -5 radius 0.125 material m\n"), 0);
@@ -193,7 +194,7 @@ TEST(as_fine_as_there_is_room)
     CHECK_EQ(bits_of(M TENTH "camera orthographic window 0 0 -4 4\n"), 6);
 }
 
-/* Where an eye is so high that the least lengths would be too small, the horizon gives way. */
+/* Where an eye is so high that the least lengths would be too small, the unit is finer at the cost of the horizon. */
 TEST(small_things_are_not_refused)
 {
     CHECK_EQ(bits_of(M "camera eye 0 1000 0\nplane point 0 0 0 normal 0 1 0 material m\n"), -7);
@@ -207,7 +208,7 @@ TEST(small_things_are_not_refused)
 
 /* ---- the same picture ---- */
 
-/* How many pixels change when all is a thousandth as large. */
+/* Returns how many pixels change when all is a thousandth as large. */
 static unsigned changed(const char *text, const char *small_text)
 {
     static tia_rgb565 pixels[2][WIDTH * HEIGHT];
@@ -228,7 +229,7 @@ static unsigned changed(const char *text, const char *small_text)
     return count;
 }
 
-/* The light that fades is told so in the smaller unit, the floor's tiles in theirs. */
+/* Attenuation is given in the smaller unit, the floor's tiles in theirs. */
 TEST(a_thousandth_is_the_same_picture)
 {
     static const char whole[] = CAMERA SHAPES LIGHTS;

@@ -22,7 +22,7 @@ static const struct tia_sphere spheres[] = {
     {TIA_VEC3(3.5, 0.5, -17), TIA_Q16(1.5), 2},  {TIA_VEC3(-3, -2, -15), TIA_Q16(1.2), 2},
     {TIA_VEC3(-6, 2, -30), TIA_Q16(4), 1},
 };
-/* One is in sight, before the ball; one lies behind it; one is not seen. */
+/* One is visible, before the ball; one lies behind it; one is out of sight. */
 static const struct tia_light lights[] = {
     {TIA_VEC3(1, 1, -14), TIA_Q16(0.4), RGB(0.9, 0.5, 0.2)},
     {TIA_VEC3(4, 6, -26), TIA_Q16(2), RGB(0.4, 0.4, 1.2)},
@@ -78,7 +78,7 @@ static void render_wanted(void)
     render_frame(view, want[1], true, NULL);
 }
 
-/* All that the following compares is there to be compared. */
+/* The picture has all features that the comparisons need. */
 TEST(the_picture_has_everything)
 {
     const struct tia_view *view = view_of(&scene);
@@ -103,7 +103,7 @@ TEST(the_picture_has_everything)
 
 /* ---- tiles ---- */
 
-/* The hits of the tile alone, of the frame, or of something around the tile. */
+/* The hits of the tile alone, of the frame, or of an area around the tile. */
 enum area { AREA_TILE, AREA_FRAME, AREA_ODD };
 
 static struct tia_tile area_around(struct tia_tile tile, enum area area)
@@ -136,7 +136,7 @@ static struct tia_tile tile_at(unsigned index, unsigned width, unsigned height)
                              (uint16_t)(H - y < height ? H - y : height)};
 }
 
-/* Forwards, backwards and shuffled: a step that shares no factor with the count meets each tile once. */
+/* Checks tiles forwards, backwards and shuffled: a step that shares no factor with the count takes each tile once. */
 static void check_tiles(unsigned width, unsigned height)
 {
     const struct tia_view *view = view_of(&scene);
@@ -169,8 +169,8 @@ TEST(every_tile_size_and_order)
 
 enum { ROOM = 2 * (W + 6) * (H + 6) };
 
-/* Draws the frame in two tiles into a block where pixel (x, y) is at `first` + x step + y pitch, and
- * checks all of the block. */
+/* Draws the frame in two tiles into a block where pixel (x, y) is at `first` + x step + y pitch, and checks all of the
+ * block. */
 static void check_surface(ptrdiff_t first, ptrdiff_t step, ptrdiff_t pitch)
 {
     static tia_rgb565 block[ROOM], expected[ROOM];
@@ -198,7 +198,7 @@ TEST(every_surface)
     check_surface(9 + last_row, 2, -row);
     check_surface(9 + last, -2, row);
     check_surface(9 + last_row + last, -2, -row);
-    check_surface(9, column, 2); /* turned by a quarter, and mirrored */
+    check_surface(9, column, 2); /* rotated by a quarter, and mirrored */
     check_surface(9 + H - 1, column, -2);
     check_surface(9 + last * column / 2, -column, 2);
     check_surface(9 + last * column / 2 + H - 1, -column, -2);
@@ -242,7 +242,7 @@ static tia_q16 between(int low, int high)
     return (tia_q16)(low * TIA_Q16_ONE + (int64_t)(high - low) * (random_u32() >> 8) / 256);
 }
 
-/* Many of them in sight, some inside a sphere or behind the eye. */
+/* Returns a light; many of them are visible, some inside a sphere or behind the eye. */
 static struct tia_light random_light(bool grey)
 {
     struct tia_light l = {{between(-8, 8), between(-6, 8), between(-40, 3)}, 0, {0, 0, 0}};
@@ -254,7 +254,7 @@ static struct tia_light random_light(bool grey)
     return l;
 }
 
-/* One view and its hits, lit again and again, in memory that was not clean. */
+/* Checks one view and its hits, lit again and again, in memory that was not clean. */
 static void check_relighting(const struct tia_scene *s)
 {
     static uint64_t kept_view[1000], kept_hits[PIXELS + 100];

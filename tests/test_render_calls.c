@@ -1,5 +1,5 @@
-/* The renderer's calls one by one: what each refuses, that a refused call changes nothing, and a pixel
- * computed by hand. */
+/* The renderer's calls one by one: their refusals, that a refused call changes nothing, and a pixel computed by hand.
+ */
 #include <math.h>
 #include <stdlib.h>
 
@@ -68,7 +68,7 @@ TEST(sizes)
     }
 }
 
-/* As much as was said, and not a byte more. */
+/* Exactly the stated memory, and not a byte more. */
 TEST(memory_of_a_view)
 {
     for (uint32_t lights = 0; lights < 5; lights++) {
@@ -104,7 +104,7 @@ TEST(memory_of_hits)
     CHECK_EQ(tia_hits_init(&hits, hits_memory, sizeof hits_memory, view, flat), TIA_ERR_ARGUMENT);
     CHECK(!hits && bytes[0] == 0xa5);
     CHECK(tia_hits_size(&tia_thesis_scene, (struct tia_tile){0, 0, 65535, 65535}) >=
-          UINT32_MAX); /* more than 32 bits can say */
+          UINT32_MAX); /* more than 32 bits can hold */
     CHECK_EQ(tia_hits_init(&hits, hits_memory, size, view, area), TIA_OK);
     CHECK_EQ(tia_trace(view, hits, area), TIA_OK);
     for (size_t i = size; i < sizeof hits_memory; i++)
@@ -129,7 +129,7 @@ TEST(scenes_that_are_refused)
     CHECK_EQ(init(&view, &scene, 1, W, H), TIA_OK);
 }
 
-/* Lights that are refused, too many or out of range, leave those that were there. */
+/* Refused lights, too many or out of range, leave the old ones. */
 TEST(lights_that_are_refused)
 {
     struct tia_light bad[3] = {light, light, light};
@@ -189,7 +189,7 @@ TEST(lights_without_room_for_maps)
     free(mapped);
 }
 
-/* Tiles that are empty or leave the image or the hits: refused by all three, and nothing is drawn. */
+/* Tiles that are empty or leave the image or the hits: refused by all three, and no pixel is drawn. */
 TEST(tiles_that_are_refused)
 {
     static const struct tia_tile bad[] = {
@@ -214,7 +214,7 @@ TEST(tiles_that_are_refused)
     surface.pixels = NULL;
     CHECK_EQ(tia_light_tile(view, hits, area, &surface, NULL), TIA_ERR_ARGUMENT);
     surface.pixels = after;
-    hits = hits_of(view, beyond); /* hits may be of more than the image has */
+    hits = hits_of(view, beyond); /* hits may cover more than the image */
     CHECK_EQ(tia_trace(view, hits, beyond), TIA_ERR_ARGUMENT);
     CHECK_EQ(tia_light_tile(view, hits, beyond, &surface, NULL), TIA_ERR_ARGUMENT);
     CHECK(!memcmp(before, after, sizeof before));
@@ -246,7 +246,7 @@ static const struct tia_material materials[] = {
     {TIA_RGB(0.5, 0.5, 0.75), TIA_RGB(0, 0, 0), TIA_RGB(0.0625, 0, 0)},
     {TIA_RGB(1, 1, 1), TIA_RGB(0.5, 0.25, 1), TIA_RGB(0, 0, 0)},
 };
-/* Glass halfway to light 2, and something opaque halfway to light 3. */
+/* Glass halfway to light 2, and an opaque sphere halfway to light 3. */
 static const struct tia_sphere spheres[] = {
     {TIA_VEC3(0, 0, -10), TIA_Q16(1), 0},
     {TIA_VEC3(0, 4, -5), TIA_Q16(0.5), 1},

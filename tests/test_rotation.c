@@ -16,7 +16,7 @@ static tia_q16 any_angle(void)
     return (tia_q16)random_u32();
 }
 
-/* Against an angle reduced exactly; long double must have the bits to judge 2^-59. */
+/* Returns the error against an angle reduced exactly; long double must have the bits to judge 2^-59. */
 static long double error(int64_t got, long double want)
 {
     return fabsl((long double)got / ONE - want);
@@ -72,7 +72,7 @@ TEST(symmetry)
     }
 }
 
-/* The vector turned about one axis after the other. */
+/* Rotates the vector about one axis after the other. */
 static void turn(long double v[3], const tia_q16 angle[3])
 {
     for (int axis = 0; axis < 3; axis++) {
@@ -123,7 +123,7 @@ static void check_angles(struct tia_vec3 rotation)
     tia_rotation_axes(rotation, axes);
     tia_rotation_angles((const int64_t(*)[3])axes, &found);
     tia_rotation_axes(found, again);
-    /* Half a unit from each angle, and an eighth more where the pole swallows one. */
+    /* half a unit from each angle, and an eighth more where the pole swallows one */
     for (int i = 0; i < 9; i++)
         CHECK_MSG(error(again[i / 3][i % 3], (long double)axes[i / 3][i % 3] / ONE) < 1.625L * unit,
                   "%d %d %d: %d %d %d", (int)rotation.x, (int)rotation.y, (int)rotation.z, (int)found.x, (int)found.y,

@@ -1,4 +1,4 @@
-/* Sobol points: how evenly they lie, by their definition. Directions, powers: against long double. */
+/* Sobol points: their uniformity, by definition. Directions, powers: against long double. */
 #include "math/power.h"
 #include "samples/direction.h"
 #include "samples/sobol.h"
@@ -13,7 +13,7 @@
 
 static const long double pi = 3.14159265358979323846264338327950288L;
 
-/* Whether long double can tell 2^-60. */
+/* Returns the bound, if long double can distinguish 2^-60. */
 static long double bound(int bits)
 {
     return ldexpl(1, sizeof(long double) > 8 ? -bits : bits < 48 ? -bits : -48);
@@ -37,7 +37,7 @@ static void draw(uint32_t seed, uint32_t quad, uint32_t u[POINTS][4])
     }
 }
 
-/* The most points in any of the boxes that have 2^-bits[k] of dimension k. */
+/* Returns the most points in any of the boxes that have 2^-bits[k] of dimension k. */
 static uint32_t most_in_a_box(uint32_t u[POINTS][4], const unsigned bits[4])
 {
     uint32_t counts[POINTS] = {0}, most = 0;
@@ -82,7 +82,7 @@ TEST(pairs_are_nets)
     }
 }
 
-/* The correlation of two dimensions of different quads, pixels or seeds is that of chance: 1/sqrt(n). */
+/* Returns the correlation of two dimensions; of different quads, pixels or seeds it is that of chance: 1/sqrt(n). */
 static double correlation(const uint32_t *a, const uint32_t *b, unsigned n)
 {
     double sum = 0;
@@ -176,7 +176,7 @@ TEST(turns)
     }
 }
 
-/* Shirley and Chiu's formula. */
+/* Computes Shirley and Chiu's formula. */
 static void disc(const uint32_t u[2], long double place[2])
 {
     long double a = 2 * unit(u[0]) - 1, b = 2 * unit(u[1]) - 1;

@@ -1,10 +1,10 @@
-/* tia_scene_check: every field just inside and just outside its range, and what the fault says. */
+/* tia_scene_check: every field just inside and just outside its range, and the fault. */
 #include "random.h"
 #include "refusals.h"
 
 #define BALLS 3
 
-/* A scene of a bit of everything, that is accepted; each case changes one thing of it. */
+/* A scene with many features, which is accepted; each case changes one part of it. */
 static struct tia_material materials[BALLS];
 static struct tia_sphere spheres[BALLS];
 static struct tia_light lights[BALLS];
@@ -130,7 +130,7 @@ TEST(the_largest_radius)
     check_accepted();
 }
 
-/* All three that have a place, at `offset` from the eye. */
+/* Checks all three objects with a position, at `offset` from the eye. */
 static void check_place(struct tia_vec3 offset, int32_t radius, bool accepted)
 {
     const struct tia_vec3 *eye = &scene.camera.eye;
@@ -203,7 +203,7 @@ static uint64_t square(int64_t a)
     return (uint64_t)(a * a);
 }
 
-/* |centre - eye| + radius < 2^31 squared, where nothing can overflow. */
+/* |centre - eye| + radius < 2^31 squared, where no operation can overflow. */
 TEST(random_distances)
 {
     int inside = 0;

@@ -1,5 +1,6 @@
-/* The hierarchy of faces: whatever hides a light from a point is among the faces that the way from the point to the
- * light comes near, however far away the point is. What hides is asked of each face alone, without the hierarchy. */
+/* The hierarchy of faces: every face that hides a light from a point is among those that the segment from the point to
+ * the light comes near, however far away the point is. Faces are tested for hiding one by one, without the hierarchy.
+ */
 #include <math.h>
 
 #include "shadow/casters.h"
@@ -12,7 +13,7 @@ struct tally {
 
 static struct tia_raster_plane planes[FACES];
 
-/* A plane in which the eye's horizon goes through the centres of pixels: what is seen there is at infinity. */
+/* Makes a plane in which the eye's horizon goes through the centres of pixels: the points there are at infinity. */
 static void make_sloping_plane(struct world *w, int32_t range, int32_t step)
 {
     static const uint8_t halves[2][4] = {{0, 1, 2, 3}, {0, 3, 4, 1}};
@@ -35,7 +36,7 @@ static bool is_in_leaf(const struct tia_casters *casters, const struct tia_bvh_n
     return false;
 }
 
-/* The bits of the faces, 64 at most, that are to be asked. */
+/* Returns the bits of the faces, 64 at most, that are to be tested. */
 static uint64_t offered(const struct world *w, const struct tia_casters *casters, const struct tia_seen *seen,
                         struct tally *t)
 {
@@ -85,8 +86,8 @@ static void ask(const struct world *w, const struct tia_casters *casters, const 
     }
 }
 
-/* A direction from what is seen, in perspective and not at infinity, through the middle of a triangle: from far away it
- * crosses the whole scene. */
+/* Aims a direction from the visible point, in perspective and not at infinity, through the middle of a triangle: from
+ * far away it crosses the whole scene. */
 static void aim_back(struct world *w, const struct tia_seen *seen)
 {
     const struct tia_lattice *l = &w->flat.lattice;
@@ -104,7 +105,7 @@ static void aim_back(struct world *w, const struct tia_seen *seen)
     w->light = vertex(w, (int64_t)way[0], (int64_t)way[1], (int64_t)way[2], false);
 }
 
-/* What pixels see of the planes of all faces, also beside them, where it is before the eye. */
+/* Tests the points of the planes of all faces at pixels, also beside the faces, where they are in front of the eye. */
 static void ask_pixels(struct world *w, const struct tia_casters *casters, struct tally *t, struct tally *back)
 {
     bool flat = w->flat.lattice.projection == TIA_ORTHOGRAPHIC;

@@ -1,5 +1,5 @@
-/* Scenes with curved objects under techniques for shadows: rays find what has no faces. The tracer, which rasterises
- * nothing, is what all is compared with. */
+/* Scenes with curved objects under techniques for shadows: rays find objects without faces. All is compared with the
+ * tracer, which rasterises nothing. */
 #include <stdlib.h>
 
 #include <tia/bvh.h>
@@ -19,11 +19,11 @@ struct picture {
 
 static struct picture one, other;
 
-/* The techniques that draw the same. */
+/* The techniques with the same result. */
 static const enum tia_shadows exact[4] = {TIA_SHADOWS_ZPASS, TIA_SHADOWS_ZFAIL, TIA_SHADOWS_RAYS,
                                           TIA_SHADOWS_MAP_EXACT};
 
-/* Tile by tile, the last one first. */
+/* Draws tile by tile, the last one first. */
 static void draw_sized(const struct tia_scene *scene, int width, int height, int tile_width, int tile_height,
                        struct picture *out)
 {
@@ -63,7 +63,8 @@ static void draw(const struct tia_scene *scene, int tile_width, int tile_height,
 
 /* ---- places ---- */
 
-/* Objects in scenes of their own, from eyes near and far, inside of them too: no pixel outside its place sees one. */
+/* Checks objects in scenes of their own, from eyes near and far, inside of them too: no pixel outside its place shows
+ * one. */
 static unsigned check_places(const struct world *w)
 {
     static struct tia_curved_place places[SPHERES + SHAPES];
@@ -108,7 +109,7 @@ TEST(places_hold_what_is_seen)
     }
 }
 
-/* A ball of radius 1 at the distance 10: its box is seen at most 50/9 pixels from the middle of 100, which with a pixel
+/* A ball of radius 1 at the distance 10: its box reaches at most 50/9 pixels from the middle of 100, which with a pixel
  * more on either side are 43 to 56. From inside its box it may be anywhere. */
 TEST(places_are_small)
 {
@@ -162,7 +163,8 @@ TEST(agrees_with_rays)
               "of %d pixels %u see another object, %u another light", 12 * PIXELS, d.object, d.path);
 }
 
-/* Area lights have the sample points everywhere that the tracer has in every fourth column of every fourth row. */
+/* Area lights have the same sample points at every pixel: those of the tracer in every fourth column of every fourth
+ * row. */
 TEST(area_lights_agree_there)
 {
     const struct tia_light area[2] = {{.kind = TIA_DISC_LIGHT,
@@ -223,8 +225,8 @@ static int channel(tia_rgb565 pixel, int c)
     return c == 0 ? pixel >> 11 : c == 1 ? pixel >> 5 & 63 : pixel & 31;
 }
 
-/* Sample i + n j of a pixel is a pixel of the picture that is n^2 times as large: in column n^2 x + n i + j, row
- * n^2 y + n j + n - 1 - i, see camera.h. So the pixel is the mean of those, but for the rounding of each. */
+/* Checks a mean. Sample i + n j of a pixel is a pixel of the picture that is n^2 times as large: in column n^2 x + n i
+ * + j, row n^2 y + n j + n - 1 - i, see camera.h. So the pixel is the mean of those, but for the rounding of each. */
 static void check_mean(const struct tia_scene *scene, int n, int width, int height)
 {
     struct tia_scene sampled = *scene;
@@ -268,7 +270,8 @@ TEST(samples_are_averaged)
 
 /* ---- flat faces in place of curved surfaces ---- */
 
-/* How many of the pixels show another object or light than rays show, with an error; all techniques the same. */
+/* Returns how many of the pixels show another object or light than rays show, with an error; all techniques the same.
+ */
 static unsigned count_differences(double error)
 {
     struct difference d = {0, 0};

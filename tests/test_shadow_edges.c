@@ -1,5 +1,4 @@
-/* Points that become one, and which face lies across an edge: by sorting in the product, by looking at every pair here.
- */
+/* Points that are united, and the face across an edge: by sorting in the product, by testing every pair here. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -75,7 +74,7 @@ static struct ends ends_of(const struct tia_flat_face *faces, uint32_t e)
     return (struct ends){f->corner[e % TIA_SIDES], f->corner[(e % TIA_SIDES + 1) % tia_face_sides(f)]};
 }
 
-/* How many edges run from a to b. */
+/* Returns the number of edges that run from a to b. */
 static uint32_t count_edges(const struct tia_flat_face *faces, uint32_t count, struct ends ends)
 {
     uint32_t n = 0;
@@ -89,7 +88,7 @@ static uint32_t count_edges(const struct tia_flat_face *faces, uint32_t count, s
     return n;
 }
 
-/* Each edge is joined as far as there are others, by an edge that runs back and is joined to it. */
+/* Checks that each edge is joined as far as there are others, with an edge that runs back and is joined to it. */
 static bool check_joined(const struct tia_flat_face *faces, uint32_t count)
 {
     uint32_t *across = malloc(TIA_SIDES * count * sizeof *across + 1);

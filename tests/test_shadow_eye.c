@@ -1,4 +1,4 @@
-/* The camera in integers against the formulas of camera.h in long double, written apart. */
+/* The camera in integers against the formulas of camera.h in long double, written independently. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -51,7 +51,7 @@ static void copy_finely(struct tia_vec3 v, struct tia_fine_place digits, long do
     out[2] += ldexpl(digits.z, -32);
 }
 
-/* u, v, n */
+/* Finds u, v, n. */
 static void find_axes(const struct tia_camera *c, long double axes[3][3])
 {
     long double eye[3], reference[3], up[3];
@@ -72,7 +72,7 @@ static void find_axes(const struct tia_camera *c, long double axes[3][3])
     cross(axes[2], axes[0], axes[1]);
 }
 
-/* left, right, bottom, top at the distance 1; of orthographic views as they are */
+/* Finds left, right, bottom, top at the distance 1; in orthographic views unchanged. */
 static void find_window(const struct tia_camera *c, unsigned width, unsigned height, long double w[4])
 {
     long double by = c->projection == TIA_FRUSTUM ? real(c->window.near) : 1, a;
@@ -95,7 +95,7 @@ static void find_window(const struct tia_camera *c, unsigned width, unsigned hei
     }
 }
 
-/* x, y, w and h of a point, or of a direction */
+/* Finds x, y, w and h of a point, or of a direction. */
 static void find_vertex(const struct tia_camera *c, unsigned width, unsigned height, const long double at[3],
                         bool direction, long double out[4])
 {
@@ -183,7 +183,7 @@ static unsigned range_of(const long double v[4], bool flat)
     return r;
 }
 
-/* The same direction, whatever its length, and as long as it may be. */
+/* Checks that the direction is the same, whatever its length, and as long as possible. */
 static void check_direction(const struct tia_eye *eye, const int64_t direction[3], const long double want[4], bool flat)
 {
     struct tia_raster_vertex v;

@@ -1,5 +1,5 @@
 /* A scene as flat faces, drawn by the rasteriser: each pixel must show the object that the tracer finds there, from
- * cameras of every kind. The two share nothing but the scene; the tracer rounds, so a few pixels at edges may differ.
+ * cameras of every kind. The two share only the scene; the tracer rounds, so a few pixels at edges may differ.
  */
 #include <stdlib.h>
 
@@ -77,7 +77,7 @@ static void *trace(const struct tia_scene *s, struct tia_hits **hits, void **mem
     return hit_memory;
 }
 
-/* Pixels that show another object. */
+/* Returns the number of pixels that show another object. */
 static unsigned compare(const struct tia_flat_scene *flat, const struct tia_scene *s, unsigned *seen)
 {
     struct tia_tile all = {0, 0, WIDTH, HEIGHT};
@@ -161,7 +161,7 @@ TEST(orthographic)
     check_cameras((struct tia_camera){.projection = TIA_ORTHOGRAPHIC, .window = {0, 0, Q(-4), Q(3.5), 0}});
 }
 
-/* Faces of solids run counterclockwise seen from outside: from a point far away all that are turned to it are front. */
+/* Faces of solids run counterclockwise seen from outside: from a distant point all that are turned to it are front. */
 TEST(faces_turn_outward)
 {
     struct tia_scene s = scene;
@@ -197,7 +197,7 @@ static void check_fault(const struct tia_scene *s, const char *thing, const char
               "%s %u: %s: %s", fault.thing, (unsigned)fault.index, fault.field, fault.rule);
 }
 
-/* What asks for more than a bit says is refused by name. */
+/* Scenes that need more than a bit can hold are refused by name. */
 TEST(refuses)
 {
     static const struct tia_material glass = {.transmission = {0, 1, 0}}, leaf = {.opacity = 1};

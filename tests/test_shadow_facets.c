@@ -1,4 +1,4 @@
-/* Curved shapes as flat faces: measured in double precision against the surface that they stand for. */
+/* Curved shapes as flat faces: measured in double precision against the true surface. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -23,7 +23,7 @@ static double dot(const double a[3], const double b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* ---- a shape as its equations have it ---- */
+/* ---- a shape by its equations ---- */
 
 struct truth {
     enum tia_shape_kind kind;
@@ -73,8 +73,8 @@ static struct truth truth_of(const struct tia_shape *s, struct tia_vec3 scale)
     return t;
 }
 
-/* How far, in the world, a point of element `element` is from a point of the surface near it: that in the same
- * direction from the centre or the axis. Below 0: outside. */
+/* Returns the distance, in the world, of a point of element `element` from a point of the surface near it: that in the
+ * same direction from the centre or the axis. Below 0: outside. */
 static double distance(const struct truth *t, const double p[3], uint32_t element)
 {
     double from[3] = {p[0] - t->base[0], p[1] - t->base[1], p[2] - t->base[2]}, way[3], sum = 0;
@@ -98,7 +98,7 @@ static double distance(const struct truth *t, const double p[3], uint32_t elemen
 
 struct measured {
     double most;   /* error */
-    double volume; /* within the faces, if they are turned outwards */
+    double volume; /* enclosed by the faces, if they are turned outwards */
 };
 
 static double cross_part(const double a[3], const double b[3], int k)
@@ -106,7 +106,7 @@ static double cross_part(const double a[3], const double b[3], int k)
     return a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
 }
 
-/* At the middle of each edge and a few places by chance. */
+/* Measures at the middle of each edge and at a few random points. */
 static void measure_face(const struct truth *t, const struct tia_flat_face *face, uint32_t element, struct measured *m)
 {
     const double *a = own[face->corner[0]], *b = own[face->corner[1]], *c = own[face->corner[2]];
@@ -174,7 +174,7 @@ static void check_shape(const struct tia_scene *scene, const struct truth *t, do
                   "volume %g of %g", m.volume, volume_of(t));
 }
 
-/* ---- which ---- */
+/* ---- kinds ---- */
 
 static tia_q16 between(double low, double high)
 {
@@ -260,7 +260,7 @@ TEST(own_spheres)
     CHECK(!tia_facets_of(&scene, 0, &(struct tia_facets){0}) && !tia_flat_takes(&scene, 0));
 }
 
-/* n^2 >= 5 r/e, of spheres 10 r/e, and so many that it would be too many faces is said without counting them. */
+/* n^2 >= 5 r/e, for spheres 10 r/e; numbers that would be too many faces are reported without counting them. */
 TEST(numbers)
 {
     static const struct tia_material material = {.colour = {0, 0, 0}};

@@ -1,11 +1,11 @@
-/* Shadow maps against the textbook in double precision: what light sees in a texel, found by a ray through its middle;
- * where a point is in the map; each bias and filter from the distances that the map has. Where a comparison is too
- * close for rounding to be told from a mistake, it is left out, and counted. */
+/* Shadow maps against the textbook in double precision: the distance in a texel, found by a ray through its middle; a
+ * point's position in the map; each bias and filter from the map's distances. Where a comparison is too close to
+ * distinguish rounding from a mistake, it is left out, and counted. */
 #include "shadow_map_world.h"
 
-/* ---- what the light sees ---- */
+/* ---- the light's view ---- */
 
-/* Where a ray enters the boxes; *near is how close it passes to a silhouette. */
+/* Returns where a ray enters the boxes; *near is its distance from a silhouette. */
 static double enter(const double from[3], const double d[3], double *near)
 {
     double best = INFINITY;
@@ -28,7 +28,7 @@ static double enter(const double from[3], const double d[3], double *near)
     return best;
 }
 
-/* Corners are rounded to 2^-22, and a side that is seen at an angle of 1/400 shows that 400 times as large. */
+/* Corners are rounded to 2^-22, and a side seen at an angle of 1/400 magnifies that 400 times. */
 struct tally {
     uint32_t texels, seen, unsure, wrong;
 };
@@ -81,7 +81,7 @@ TEST(distances)
     check_views(TIA_POINT_LIGHT, 0, 6);
 }
 
-/* ---- what a pixel sees ---- */
+/* ---- the pixel's view ---- */
 
 TEST(places)
 {

@@ -1,5 +1,5 @@
-/* The alias-free map against exact rays that try every face, in integers of 128 bits: in whole images and in tiles of
- * any size, whose points are filed each time in other cells. Many corners lie on pixel centres, in one plane, in the
+/* The alias-free map against exact rays tested with every face, in integers of 128 bits: in whole images and in tiles
+ * of any size, whose points are filed each time in other cells. Many corners lie on pixel centres, in one plane, in the
  * plane of the light or the eye. */
 #include <string.h>
 
@@ -52,7 +52,7 @@ static void light_tile(const struct tia_shadow_view *view, struct tia_tile area,
     tia_shadow_exact_maps.light(view, &tile, sample, &nobody);
 }
 
-/* In columns and rows of random widths; the other half of the worlds whole. */
+/* Lights in columns and rows of random widths; the other half of the worlds whole. */
 static uint32_t light_all(const struct world *w)
 {
     static struct tia_shadow_view view;

@@ -1,5 +1,5 @@
-/* Exact shadow rays against rays in double precision, which start from the scene in the world and know nothing of
- * vertices that are rounded. Vertices have 18 bits or more, so a pixel may see something else here and there. */
+/* Exact shadow rays against rays in double precision, which start from the scene in the world, without rounded
+ * vertices. Vertices have 18 bits or more, so a few pixels may show another face. */
 #include <stdlib.h>
 
 #include "check.h"
@@ -107,7 +107,7 @@ static void compare(const struct tia_scene *scene, struct tally *t)
     free(faces);
 }
 
-/* Today none differs, of 368640 pixels and 1186686 answers. */
+/* At present none differs, of 368640 pixels and 1186686 tests. */
 TEST(corpus)
 {
     static struct corpus_rays scene;

@@ -1,5 +1,5 @@
-/* How far away lights may be with techniques for shadows, what is said of those beyond, and what becomes of hits when
- * vertices need other fraction bits. */
+/* The range of lights with techniques for shadows, the fault of those beyond, and the fate of hits when vertices need
+ * other fraction bits. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -36,7 +36,7 @@ static struct tia_scene yard(const struct tia_light *lights, enum tia_shadows te
         .shadow_map = {.size = TIA_MAP_SIZE_MIN}};
 }
 
-/* ---- what is too far ---- */
+/* ---- out of range ---- */
 
 struct drawn {
     void *memory[2];
@@ -77,7 +77,7 @@ static void close_view(struct drawn *d)
     free(d->memory[1]);
 }
 
-/* The scene with this light, and a view of it that gets the light later by a key. */
+/* Checks the scene with this light, and a view of it that gets the light later by a key. */
 static void check_light(struct tia_scene s, const struct tia_light *light, unsigned width, unsigned height,
                         unsigned refused)
 {
@@ -123,7 +123,7 @@ TEST(perspective_lights_are_in_reach_up_to_2_24)
     }
 }
 
-/* What is behind the eye counts as well, and what has no place is never too far. */
+/* Lights behind the eye count as well, and those without a position are never too far. */
 TEST(only_places_are_too_far)
 {
     struct tia_scene s = yard(NULL, TIA_SHADOWS_ZFAIL);
@@ -193,7 +193,8 @@ static void draw_anew(const struct tia_scene *s, const struct tia_light *light, 
     close_view(&d);
 }
 
-/* Traced rays see the edges of shapes and shadows elsewhere only where these pass through a pixel's centre almost. */
+/* Compares with traced rays, which see the edges of shapes and shadows elsewhere only where these almost pass through a
+ * pixel's centre. */
 static void compare_traced(struct tia_scene s, const struct tia_light *light, const tia_rgb565 *pixels)
 {
     static tia_rgb565 traced[WIDTH * HEIGHT];
@@ -220,7 +221,7 @@ static void check_moved(enum tia_shadows technique, uint32_t samples, const stru
     CHECK_EQ(open_view(&moved, &s, WIDTH, HEIGHT), TIA_OK);
     open_hits(&moved, &s);
     CHECK_EQ(tia_trace(moved.view, moved.hits, moved.all), TIA_OK);
-    for (int i = 0; i < 3; i++) { /* there and back: what has been drawn before does not matter */
+    for (int i = 0; i < 3; i++) { /* there and back: earlier frames do not matter */
         const struct tia_light *now = i % 2 ? &from : to;
         CHECK_EQ(tia_view_set_lights(moved.view, now, 1), TIA_OK);
         light_all(&moved, got);
@@ -231,7 +232,7 @@ static void check_moved(enum tia_shadows technique, uint32_t samples, const stru
     close_view(&moved);
 }
 
-/* Faces up to 2^9 from the eye leave no room for a light that is much farther away than it was. */
+/* Faces up to 2^9 from the eye leave no room for a light much farther away than before. */
 TEST(hits_are_traced_again_where_a_light_needs_other_vertices)
 {
     const struct tia_light far[2] = {point_at(3000, 5000, -1000), point_at(-20000, 20000, 1000)};
@@ -241,7 +242,7 @@ TEST(hits_are_traced_again_where_a_light_needs_other_vertices)
             check_moved(technique, technique == TIA_SHADOWS_ZFAIL ? 4 : 1, &far[i]);
 }
 
-/* A refused light leaves the lights as they were. */
+/* A refused light leaves the old lights. */
 TEST(the_old_lights_stay)
 {
     static tia_rgb565 got[WIDTH * HEIGHT], want[WIDTH * HEIGHT];

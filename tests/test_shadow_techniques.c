@@ -1,6 +1,6 @@
-/* Each technique that is exact, as the renderer calls it, against rays tried with every face in integers of 128 bits:
- * no pixel differs, whatever the techniques fall back on. Coordinates times a power of two change no sign, so the
- * same scenes are drawn in all formats that vertices have. */
+/* Each technique that is exact, as the renderer calls it, against rays tested with every face in integers of 128 bits:
+ * no pixel differs, whichever fallback a technique takes. Coordinates times a power of two change no sign, so the same
+ * scenes are drawn in all formats that vertices have. */
 #include <stdlib.h>
 
 #include "math/align.h"
@@ -10,7 +10,7 @@
 
 #define PIXELS (SIZE * SIZE)
 
-/* ---- how it is drawn ---- */
+/* ---- drawing ---- */
 
 static const enum tia_shadows techniques[] = {TIA_SHADOWS_RAYS, TIA_SHADOWS_ZPASS, TIA_SHADOWS_ZFAIL};
 #define TECHNIQUES (sizeof techniques / sizeof *techniques)
@@ -79,7 +79,7 @@ static void scale_world(struct world *w, int bits)
     w->flat.lattice.scale += flat ? 0 : bits;
 }
 
-/* ---- what is compared ---- */
+/* ---- comparisons ---- */
 
 struct tally {
     uint32_t seen, dark, wrong[TECHNIQUES];
@@ -171,14 +171,14 @@ static bool stop(void *ctx)
     return true;
 }
 
-/* One who asks at once and is told to stop; `asked` says how often. */
+/* A cancel that polls at once and is stopped; `asked` counts the calls. */
 static struct cancel stopper(unsigned *asked)
 {
     *asked = 0;
     return (struct cancel){.stop = stop, .ctx = asked, .work = CANCEL_INTERVAL};
 }
 
-/* Nothing that goes through all faces goes on after the answer, nor asks again. */
+/* No loop over all faces continues after the stop, or calls again. */
 TEST(passes_over_faces_stop)
 {
     static struct drawing d;

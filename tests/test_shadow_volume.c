@@ -1,19 +1,19 @@
-/* Shadow volumes against exact rays: what a pixel sees, and whether a face lies between that and the light, tried with
- * every face in integers of 128 bits. Corners are small enough for those, and many lie on pixel centres, in one plane,
- * in the plane of the light or the eye. Rays that meet an edge are moved to the right by less than anything, then down.
+/* Shadow volumes against exact rays: a pixel's visible point, and a face between that and the light, tested with every
+ * face in integers of 128 bits. Corners are small enough for those, and many lie on pixel centres, in one plane, in the
+ * plane of the light or the eye. Rays that meet an edge are moved to the right by an infinitesimal distance, then down.
  */
 #include <stdlib.h>
 
 #include "shadow/occluder.h"
 #include "shadow_worlds.h"
 
-/* ---- what is compared ---- */
+/* ---- comparisons ---- */
 
 struct tally {
     uint32_t worlds, pixels, seen, dark, faces_wrong, wrong[2], rays_wrong, unsure[2];
 };
 
-/* A technique: z-fail or z-pass, and how many volumes hold where rays end or start. */
+/* A technique: z-fail or z-pass, and the number of volumes that contain the rays' ends or starts. */
 struct technique {
     struct tia_raster_target target;
     void *memory;
@@ -26,7 +26,7 @@ static bool is_lit_by(const struct technique *t, size_t at)
     return t->target.count[at] + t->count == 0;
 }
 
-/* By rays to a light that the face is turned to. */
+/* True if the light is hidden, by rays to a light that the face is turned to. */
 static bool is_hidden(const struct world *w, const struct tia_raster_plane *planes, uint32_t face, int i, int j)
 {
     struct tia_flat_scene flat = w->flat;

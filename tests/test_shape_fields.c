@@ -11,7 +11,7 @@ static size_t size_of(const struct tia_shape_field *f)
     return f->value < sizeof sizes / sizeof *sizes ? sizes[f->value] : 0;
 }
 
-/* The fields cover the struct, each byte once, but for what a flag leaves of the last word. */
+/* Checks that the fields cover the struct, each byte once, except for the rest of a flag's word. */
 static void check_cover(enum tia_shape_kind kind, size_t start, size_t size)
 {
     unsigned char covered[sizeof(struct tia_shape)] = {0};

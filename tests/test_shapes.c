@@ -1,2 +1,2 @@
-/* shape_runs.h in integers: the cases know no arithmetic, num.h gives them its numbers. */
+/* shape_runs.h in integers: the cases are independent of the arithmetic, which num.h provides. */
 #include "shape_runs.h"

@@ -1,5 +1,5 @@
-/* The bounds of src/simd against what they bound: never exceeded, and within ten times of what is reached in the
- * worst of some thousand runs. So a bound that is ten times too small is seen here, as one that is too small at all. */
+/* The bounds of src/simd against the errors that they bound: never exceeded, and within ten times of the worst of some
+ * thousand runs. So a bound that is ten times too small is detected here, like any that is exceeded. */
 #include <math.h>
 
 #include "check.h"
@@ -21,7 +21,7 @@ static void note(int which, long double error, double bound)
     worst[which] = ratio > worst[which] ? ratio : worst[which];
 }
 
-/* 1/t of a pixel to some 60 bits; the coefficients are good for 50, of D's size. */
+/* Returns 1/t of a pixel to some 60 bits; the coefficients are good for 50, of D's size. */
 static long double per_t(const struct simd_fine *f, long double x)
 {
     const double *b = f->seen.b, *d = f->seen.d;
@@ -41,7 +41,8 @@ static void try_float(const struct simd_fine *f, int i)
         note(FLOAT_T, (s - exact) / exact, f->depth.es);
 }
 
-/* The integers' t, |w|^2 and cosine of the first light; the bounds are those of an arithmetic without roundings. */
+/* Tries the integers' t, |w|^2 and cosine of the first light; the bounds are those of an arithmetic without roundings.
+ */
 static void try_integers(const struct simd_fine *f, int i)
 {
     const struct span_view *spans = span_view_of(f->view);

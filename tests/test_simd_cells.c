@@ -1,6 +1,6 @@
-/* The cells of src/simd against what holds of every pixel in them: how far points move, what a line between samples
- * costs, where shadows begin; and bounds that are kept against a run's own. Bounds are never exceeded, and within ten
- * times of what is reached, so that one that is a tenth of what it should be is seen here. */
+/* The cells of src/simd against every pixel in them: the movement of points, the error of a line between samples, the
+ * beginning of shadows; and stored bounds against a run's own. Bounds are never exceeded, and within ten times of the
+ * worst case, so that one that is a tenth of the right size is detected here. */
 #include <float.h>
 #include <math.h>
 
@@ -29,7 +29,7 @@ static void note(int which, real value, real bound)
     worst[which] = ratio > worst[which] ? ratio : worst[which];
 }
 
-/* ---- what is true of a pixel ---- */
+/* ---- the truth of a pixel ---- */
 
 struct truth {
     real depth, s, vv;
@@ -44,7 +44,7 @@ static struct truth truth_at(const struct simd_fine *f, real x)
     return o;
 }
 
-/* c[0] + c[1]/s + v.v/s^2 with c[1] linear in x. */
+/* Returns c[0] + c[1]/s + v.v/s^2 with c[1] linear in x. */
 static real form(real constant, const double linear[2], real x, const struct truth *o)
 {
     return constant + (linear[0] + linear[1] * x + o->vv / o->s) / o->s;
@@ -67,8 +67,8 @@ static bool is_dark(const struct simd_fine_light *light, real x, const struct tr
 
 /* ---- levels ---- */
 
-/* A channel of a pixel: before it is rounded, y of `levels` is within 1/2 less `near` of what the integers make of
- * their cosine, and of what they would make of one that is as far from the kernels' as its bound lets it be. */
+/* Tries a channel of a pixel: before it is rounded, y of `levels` is within 1/2 less `near` of the integers' result for
+ * their cosine, and of that for one that is as far from the kernels' as its bound allows. */
 static void try_level(int which, real y, real levels, real near, const tia_q30 part[3], num_u whole, real cosine,
                       real bound)
 {
@@ -83,7 +83,7 @@ static void try_level(int which, real y, real levels, real near, const tia_q30 p
     }
 }
 
-/* Of pixels that one light shines on and nothing shades. */
+/* Tries pixels that one light shines on, without shadows. */
 static void try_levels(const struct simd_fine *f, const struct simd_run *r, const struct body *k, int first)
 {
     const struct tia_scene *scene = f->view->scene;
@@ -109,7 +109,7 @@ static void try_levels(const struct simd_fine *f, const struct simd_run *r, cons
     }
 }
 
-/* ---- cells ---- */
+/* Tries P = t v with t = c/S: t' = -t S'/S, t'' = t (2 (S'/S)^2 - S''/S). */
 
 /* Of P = t v with t = c/S: t' = -t S'/S, t'' = t (2 (S'/S)^2 - S''/S). */
 static void try_motion(const struct simd_fine *f, real x, real first, real second)
@@ -220,18 +220,18 @@ TEST(cells)
     CHECK(lit > 10000 && dark > 1000 && flat > 1000);
 }
 
-/* ---- kept bounds ---- */
+/* ---- stored bounds ---- */
 
 static unsigned long own, kept_ones;
 
-/* No value of the first is less than that of the second. */
+/* Checks that no value of the first is less than that of the second. */
 static void no_less(const struct simd_fine *kept, const struct simd_fine *alone)
 {
     const struct simd_depth *a = &kept->depth, *b = &alone->depth;
 
     CHECK(a->cut >= b->cut);
     if (a->cut > b->cut)
-        return; /* more pixels are left out: nothing is said of them */
+        return; /* more pixels are left out: no statement about them */
     CHECK(a->es >= b->es && a->et >= b->et && a->floor <= b->floor);
     CHECK(kept->near31 <= alone->near31 && kept->near63 <= alone->near63);
     for (uint32_t l = 0; l < kept->view->light_count; l++) {

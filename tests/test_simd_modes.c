@@ -1,5 +1,5 @@
 /* Every level in every floating-point environment that its caller may have: the same memory and the same pictures, and
- * the caller's environment is left as it was. */
+ * the caller's environment is unchanged. */
 #include <stdlib.h>
 
 #include <tia/simd.h>
@@ -46,7 +46,7 @@ typedef void scene_try(const struct tia_scene *scene, unsigned number);
 static struct edge_scene edge;
 static struct corpus_rays rays;
 
-/* Of spheres, which spans draw; of all shapes by rays, ambient occlusion and paths, four of each. */
+/* Tries scenes of spheres, which spans draw; of all shapes by rays, ambient occlusion and paths, four of each. */
 static void each_scene(scene_try *try)
 {
     for (unsigned i = 1; i <= 12; i++) {
@@ -66,7 +66,7 @@ enum { W = 24, H = 17 };
 
 /* ---- cases ---- */
 
-/* Places in memory are the same since it is the same memory. */
+/* Compares memory: addresses in it are the same since it is the same memory. */
 static void compare_memory(const struct tia_scene *scene, unsigned number)
 {
     size_t size = tia_view_size(scene, scene->light_count), more = tia_simd_size(simd, scene, scene->light_count, 1);
@@ -131,7 +131,7 @@ TEST(pictures)
     each_scene(compare_picture);
 }
 
-/* A level may ask whether to stop: there its own environment is seen. */
+/* Checks the environment inside a level, in its calls of `stop`. */
 static void look_inside(const struct tia_scene *scene, unsigned number)
 {
     static struct tia_sum sums[W * H];

@@ -1,5 +1,5 @@
 /* General rays by every level of vector units against plain C, byte by byte: random scenes, scene files, tiles of any
- * size, threads. What the processor lacks is named.
+ * size, threads. Levels that the processor lacks are named.
  *
  *     test_simd_rays            as many scenes as seconds allow
  *     test_simd_rays N          N random scenes: make check runs 200 (tests/slow/simd) */
@@ -18,7 +18,7 @@
 static const struct tia_simd *simd;
 static unsigned random_scenes = 6;
 
-/* The level with its kernels behind ours, which count: one that left all to the integers would be found out. */
+/* The level's kernels behind counting ones: a level that leaves all to the fixed-point code would be detected. */
 static const struct sure_kernels *kernels;
 static unsigned long samples, unsure;
 
@@ -65,7 +65,7 @@ TEST(random_corpus)
     printf("# %lu of %lu samples were left to the integers\n", unsure, samples);
 }
 
-/* Scenes of files, and the most of their samples, in thousandths, that may be unsure. */
+/* Scenes of files, and the largest part of their samples, in thousandths, that may be uncertain. */
 static const struct {
     const char *path;
     unsigned unsure;
@@ -123,8 +123,8 @@ static void compare_far(const struct tia_scene *scene, unsigned number)
     compare("spheres far out", number, scene, 160, 120, false);
 }
 
-/* Far from the origin a float's unit, 2^-10 at 9000, is not small beside small things: boxes have to have room for what
- * floats round by. That shows where rays graze a box's face, so the eye looks along an axis; mirrors send rays all
+/* Far from the origin a float's unit, 2^-10 at 9000, is not small beside small objects: boxes need room for the
+ * rounding of floats. That shows where rays graze a box's face, so the eye looks along an axis; mirrors send rays all
  * ways. */
 TEST(far_out)
 {
@@ -156,7 +156,7 @@ static void compare_hindered(const struct tia_scene *scene, unsigned number)
     compare("ambient light that objects hinder", number, scene, 40, 30, false);
 }
 
-/* It is the integers', wherever it shines from among the lights. */
+/* It is the same as the fixed-point code's, at any index among the lights. */
 TEST(ambient_light_is_hindered)
 {
     static const char text[] = "camera eye 0 1 5 look 0 0 0 fov 40\nmaterial plain colour 0.7 0.6 0.5 mirror 0.2\n"
@@ -199,7 +199,7 @@ TEST(kinds_of_lights)
     with_light(0, compare_other);
 }
 
-/* What is asked for beside pixels is the same too. */
+/* Other outputs than pixels are the same too. */
 TEST(objects_hashes_and_lights)
 {
     enum { W = 60, H = 45 };
@@ -228,7 +228,7 @@ static void draw_row(void *arg, unsigned index)
     CHECK_EQ(tia_render(f->simd, f->hits[1], tile, &surface, NULL), TIA_OK);
 }
 
-/* With room for one only the others are drawn by plain C. */
+/* With room for one only, the others are drawn by plain C. */
 TEST(more_threads_than_rooms)
 {
     size_t size = tia_simd_size(simd, &balls.scene, balls.scene.light_count, 1);
@@ -246,7 +246,7 @@ TEST(more_threads_than_rooms)
     threads_destroy(pool);
 }
 
-/* In the middle of a call, when its room is in use, one more is drawn all the same; then its own goes on. */
+/* In the middle of a call, when its room is in use, another one is drawn all the same; then the first continues. */
 static struct simd_frames *nested;
 static unsigned nested_calls;
 

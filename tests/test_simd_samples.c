@@ -1,6 +1,6 @@
 /* Samples by every level of vector units against plain C: ambient occlusion and light along paths, random scenes and
- * scene files. Sums are compared to the last bit; and, beside each sample's bound, how far the doubles are from the
- * integers' radiance before it is rounded.
+ * scene files. Sums are compared to the last bit; and each sample's bound with the distance of the doubles from the
+ * fixed-point radiance before it is rounded.
  *
  *     test_simd_samples            as many scenes as seconds allow
  *     test_simd_samples N          N random scenes: make check runs 200 (tests/slow/simd)
@@ -21,7 +21,7 @@
 static const struct tia_simd *simd;
 static unsigned random_scenes = 80;
 
-/* The level with its kernels behind ours, which count: one that left all to the integers would be found out. */
+/* The level's kernels behind counting ones: a level that leaves all to the fixed-point code would be detected. */
 static const struct sure_kernels *kernels;
 static unsigned long samples, unsure, clear;
 
@@ -56,7 +56,7 @@ struct gathered {
     struct tia_guide guides[W * H];
 };
 
-/* In tiles of an odd size, samples 1 and 2 before sample 0. */
+/* Gathers in tiles of an odd size, samples 1 and 2 before sample 0. */
 static void gather(const struct tia_view *view, bool guides, struct gathered *to)
 {
     memset(to, 0, sizeof *to);
@@ -87,7 +87,7 @@ static void compare(const char *what, unsigned number, const struct tia_scene *s
     simd_frames_close(&f);
 }
 
-/* ---- what is summed up, by one lane ---- */
+/* ---- sums, by one lane ---- */
 
 static double most_used;
 static unsigned long compared;
@@ -157,7 +157,8 @@ static void bound_random(const struct tia_scene *scene, unsigned number)
     check_bounds(scene);
 }
 
-/* One material in three shines; other integrators in turn; points of light are large, so that rays meet them. */
+/* Makes samples: one material in three emits; other integrators in turn; points of light are large, so that rays meet
+ * them. */
 static void make_samples(struct corpus_rays *c, unsigned i)
 {
     struct tia_material *m = (struct tia_material *)(uintptr_t)c->scene.materials;
@@ -277,7 +278,7 @@ TEST(kinds_of_lights)
     with_light(0, gather_other);
 }
 
-/* Scenes of files, and the most of their samples, in hundredths, that may be unsure. */
+/* Scenes of files, and the largest part of their samples, in hundredths, that may be uncertain. */
 static const struct {
     const char *path;
     enum tia_integrator integrator;

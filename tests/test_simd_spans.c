@@ -1,5 +1,5 @@
 /* Every level of vector units against plain C, byte by byte, as checkasm does for dav1d: each is called directly, not
- * through what the processor would be given. What the processor lacks is named.
+ * through the choice for the processor. Levels that the processor lacks are named.
  *
  *     test_simd_spans           as many scenes as seconds allow
  *     test_simd_spans N         N edge scenes and N/100 of the corpus, see tests/slow/simd */
@@ -15,7 +15,7 @@ static const struct tia_simd *simd;
 static const char *simd_name;
 static unsigned edge_scenes = 700, random_scenes = 6;
 
-/* A frame, then with its first light moved, relit and anew. */
+/* Compares a frame, then one with its first light moved, relit and anew. */
 static void compare(const char *what, unsigned number, const struct tia_scene *scene, unsigned width, unsigned height,
                     bool dither)
 {
@@ -61,7 +61,7 @@ TEST(thesis)
         thesis_at(sizes[i][0], sizes[i][1]);
 }
 
-/* So large that rows are written past the caches; then a tile at odd places. */
+/* So large that rows are written past the caches; then a tile at odd positions. */
 TEST(large_pictures)
 {
     enum { W = 8192, H = 520, GAP = GUARD / 2 };
@@ -102,7 +102,7 @@ TEST(edge_scenes_of_any_magnitude)
     }
 }
 
-/* Tiles of odd sizes, drawn one by one, each through a surface that is turned by a quarter. */
+/* Tiles of odd sizes, drawn one by one, each through a surface that is rotated by a quarter. */
 TEST(tiles_and_turned_surfaces)
 {
     static const unsigned W = 200, H = 150, TILE = 37;
@@ -181,7 +181,7 @@ TEST(threads)
     threads_destroy(pool);
 }
 
-/* What is not for levels stays as it was: the eye in a sphere; a scene for rays; another arithmetic. */
+/* Scenes that levels do not draw are unchanged: the eye in a sphere; a scene for rays; another arithmetic. */
 TEST(what_levels_leave_alone)
 {
     struct corpus_scene s;

@@ -1,5 +1,5 @@
-/* How much of a thread's stack a level takes, whatever it draws: a painted stack, of which the deepest byte that has
- * changed is looked for. And that threads with little draw. */
+/* The stack that a level takes of a thread, for any scene: the stack is painted, and the deepest changed byte is
+ * searched. Also, threads with small stacks can draw. */
 #include <pthread.h>
 #include <stdlib.h>
 #include <sys/mman.h>
@@ -30,14 +30,14 @@ enum { W = 24, H = 17, SIZE = 4 << 20, SMALL = LIMITED ? 64 << 10 : SIZE, LIMIT 
 
 static const struct tia_simd *simd;
 
-/* ---- what is done on a thread ---- */
+/* ---- the thread's work ---- */
 
 struct work {
     struct tia_view *view;
     struct tia_hits *hits;
     void *memory;
     size_t size;
-    const uint8_t *top; /* of the stack, where the work begins */
+    const uint8_t *top; /* top of the stack, where the work begins */
     int status;
 };
 
@@ -84,7 +84,7 @@ static uint8_t *stack;
 static size_t deepest;
 static char deepest_scene[80];
 
-/* Stacks grow downwards on every processor with levels. */
+/* Measures; stacks grow downwards on every processor with levels. */
 static void measure(struct work *w, const char *what, unsigned number)
 {
     size_t unused = 0;
@@ -122,8 +122,8 @@ static void draw_corpus(const struct tia_scene *scene, unsigned number)
     draw(scene, "random scene", number);
 }
 
-/* What needs most, all in one: grids and meshes that are placed, glass, textures, mirrors, groups that light goes
- * through, and lights with samples. */
+/* A scene with all features that need the most stack: grids and meshes that are placed, glass, textures, mirrors,
+ * transparent groups, and lights with samples. */
 static const char large[] =
     "camera eye 0 1 6 fov 50\nbackground 0.1 0.2 0.3\n"
     "texture squares checker even 0.2 0.3 0.2 odd 0.9 0.8 0.7 scale 0.3 0.3\n"

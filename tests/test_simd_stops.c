@@ -1,5 +1,5 @@
-/* Pictures by each level of vector units that are stopped: soon, however slow their rays are, and without asking for
- * every packet whether to. */
+/* Pictures by each level of vector units that are stopped: soon, however slow their rays are, and without a call of
+ * `stop` for every packet. */
 #include <stdlib.h>
 #include <time.h>
 
@@ -13,11 +13,11 @@
 enum { W = 64, H = 48, MANY = 1000, PLANES = 5000 };
 #define SOON 0.2 /* seconds of processor time, which other programs do not add to */
 
-/* ---- who is asked ---- */
+/* ---- the callback ---- */
 
 static struct {
-    unsigned asked, until; /* says true from that question on */
-    double last, longest;  /* when it was last asked, and the longest time between two questions */
+    unsigned asked, until; /* calls so far; the call from which on it returns true */
+    double last, longest;  /* time of the last call, and the longest time between two calls */
 } caller;
 
 static double cpu_seconds(void)
@@ -51,7 +51,7 @@ static struct tia_shape planes[PLANES];
 static struct tia_light lights[MANY];
 static struct tia_material material;
 
-/* A ball, or planes one behind the other, which have no box. */
+/* Returns a ball, or planes one behind the other, which have no box. */
 static struct tia_scene scene_of(uint32_t light_count, uint32_t plane_count)
 {
     struct tia_scene scene = tia_thesis_scene;
@@ -75,8 +75,8 @@ static struct tia_scene scene_of(uint32_t light_count, uint32_t plane_count)
     return scene;
 }
 
-/* Each ray that meets the ball becomes two, sixteen times, and each of them asks for 256 shadow rays of a thousand
- * lights: one pixel would take days. */
+/* Each ray that meets the ball spawns two, sixteen times, and each of them needs 256 shadow rays to a thousand lights:
+ * one pixel would take days. */
 static struct tia_scene endless_scene(void)
 {
     struct tia_scene scene = scene_of(MANY, 0);
@@ -142,7 +142,7 @@ static int gather(const struct picture *p)
     return tia_estimator_q16.sample(p->view, frame, 0, 4, sums, W);
 }
 
-/* From the until-th question on the answer is yes: nothing takes long, before it or after. */
+/* Stops from the until-th call on: no step takes long, before it or after. */
 static void stop(int (*work)(const struct picture *p), const struct picture *p, unsigned until)
 {
     caller.asked = 0;
@@ -181,8 +181,8 @@ TEST(soon_along_paths)
     }
 }
 
-/* A question may cost a look at a clock: of a simple picture one for ten pixels. Packets are no more than a fourth of
- * its pixels, as there are pixels with and without shadow rays. */
+/* A call may read a clock: in a simple picture one for ten pixels. Packets are no more than a fourth of its pixels, as
+ * there are pixels with and without shadow rays. */
 TEST(seldom)
 {
     struct tia_scene scene = scene_of(1, 1);
@@ -195,7 +195,7 @@ TEST(seldom)
     close_picture(&p);
 }
 
-/* But packets that meet much are work: here as many planes as are worth a question. */
+/* But packets with many tests are work: here as many planes as are worth a call. */
 TEST(often_where_rays_are_slow)
 {
     struct tia_scene scene = scene_of(0, PLANES);

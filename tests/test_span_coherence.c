@@ -1,6 +1,6 @@
 /* Coherence against the same pixels one by one: random and constructed scenes, rows of any width, guard pixels. And its
- * bounds against what they bound: never exceeded, and not much wider than what is reached in the worst of some thousand
- * runs, so that one that is a tenth of what it should be is seen here. */
+ * bounds against the errors that they bound: never exceeded, and not much wider than the worst of some thousand runs,
+ * so that one that is a tenth of the right size is detected here. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -44,7 +44,7 @@ static real power(int bits)
     return ldexpl(1, bits);
 }
 
-/* ---- what is true of a pixel ---- */
+/* ---- the truth of a pixel ---- */
 
 struct vector {
     real x, y, z;
@@ -82,7 +82,7 @@ static struct vector direction(const struct coherence_run *run, int x)
 
 static const struct vector origin;
 
-/* Seen from outside. */
+/* Returns the point, seen from outside. */
 static struct vector point(const struct coherence_run *run, int x, real *t)
 {
     struct vector v = direction(run, x);
@@ -136,7 +136,7 @@ static void try_sample(struct coherence_run *run, const struct span_view *spans,
         try_caster(run, &s, j, &spans->spheres[casters[j]], p, slack);
 }
 
-/* Of the points of a few pixels between two samples. */
+/* Tries the path of the points of a few pixels between two samples. */
 static void try_path(struct coherence_run *run, int first, int last)
 {
     struct coherence_sample a, b;
@@ -152,7 +152,7 @@ static void try_path(struct coherence_run *run, int first, int last)
     }
 }
 
-/* The circle of a row's points on the sphere: r^2 less the squared distance of its plane. */
+/* Tries the circle of a row's points on the sphere: r^2 less the squared distance of its plane. */
 static void try_chord(struct coherence_run *run, int first, int last)
 {
     struct coherence_sample a, b;
@@ -167,7 +167,7 @@ static void try_chord(struct coherence_run *run, int first, int last)
              2 * sqrtl(radius * radius - up * up / (v.y * v.y + v.z * v.z)));
 }
 
-/* The casters of a run, which are those that it took. */
+/* Finds the casters of a run, which are those that it has. */
 static void find_casters(const struct coherence_run *run, const struct tia_view *view, uint32_t object,
                          uint32_t casters[COHERENCE_CASTERS])
 {
@@ -226,7 +226,8 @@ static void try_pixels(const struct tia_view *view, const struct shaded_span *sp
         CHECK(got[i] == 0xa5a5 && got[GUARDS + span->count + i] == 0xa5a5);
 }
 
-/* Parts of what a row sees of a sphere: as much as a piece has, and those that tiles of 1 to 130 pixels would cut. */
+/* Tries parts of a row's span of a sphere: as long as a piece, and those into which tiles of 1 to 130 pixels would cut
+ * it. */
 static void try_row(const struct tia_view *view, uint32_t sphere, int y, uint64_t *state)
 {
     const struct span_view *spans = span_view_of(view);
@@ -244,7 +245,7 @@ static void try_row(const struct tia_view *view, uint32_t sphere, int y, uint64_
     }
 }
 
-/* With its first light alone. */
+/* Tries a scene with its first light alone. */
 static void try_scene(struct tia_scene *scene, unsigned width, unsigned height, uint64_t seed)
 {
     size_t size = tia_view_size(scene, 1);
@@ -280,7 +281,7 @@ TEST(random_scenes)
     }
 }
 
-/* A ground and a ball on or near it, and a light: on the tangent plane of a point that is seen, in the ball, below the
+/* A ground and a ball on or near it, and a light: on the tangent plane of a visible point, in the ball, below the
  * ground, on it, or anywhere. */
 TEST(constructed_scenes)
 {
@@ -309,7 +310,7 @@ TEST(constructed_scenes)
     }
 }
 
-/* Two samples whose light is a share of the slack from where a level of 63 begins, above it or below: what is between
+/* Two samples whose light is a share of the slack from where a level of 63 begins, above it or below: a pixel between
  * them may have either level when that share is less than the whole, and has one when it is more. */
 TEST(levels_within_the_slack)
 {

@@ -1,6 +1,6 @@
-/* test_spi_panel.c - the SPI panel's port against a model of the panel: it obeys the commands on the
- * bus as the data sheets say and has a picture in the end. Its DMA is as late as the contract
- * allows, so a strip that is drawn into too early is seen. */
+/* test_spi_panel.c - the SPI panel's port against a model of the panel: it follows the commands on the bus by the data
+ * sheets and has a picture in the end. Its DMA is as late as the contract allows, so a strip that is drawn into too
+ * early is detected. */
 #include "check.h"
 #include "spi-panel/spi_panel.h"
 #include <tia/tia.h>
@@ -24,7 +24,7 @@ static struct model {
     uint16_t range[2][2];      /* columns and rows: first, last */
     unsigned column, row;      /* where the next pixel goes */
     int high;                  /* a pixel's first byte, or -1 */
-    uint64_t not_before;       /* the pause that the last command asks for */
+    uint64_t not_before;       /* end of the last command's pause */
     unsigned early;            /* commands in such a pause */
     tia_rgb565 memory[MEMORY]; /* by the glass's own columns and rows */
 } model;
@@ -193,7 +193,7 @@ static int draw_tile(struct tia_spi_panel *panel, struct tia_tile tile)
     return !status ? tia_spi_panel_display.submit(panel, tile) : status;
 }
 
-/* The picture in tiles of at most the given size, from top to bottom. */
+/* Draws the picture in tiles of at most the given size, from top to bottom. */
 static int draw(struct tia_spi_panel *panel, unsigned tile_width, unsigned tile_height)
 {
     int status = TIA_OK;
@@ -318,7 +318,7 @@ TEST(bad_sizes_and_tiles)
     CHECK_EQ(tia_spi_panel_display.acquire(&panel, (struct tia_tile){0, 0, 0, 1}, &surface), TIA_ERR_ARGUMENT);
 }
 
-/* Wherever the bus fails, the port says so, goes no further, and can be closed. */
+/* Wherever the bus fails, the port reports it, goes no further, and can be closed. */
 TEST(bus_failures)
 {
     int calls = 0;

@@ -1,4 +1,4 @@
-/* Work that is asked to stop does: drawing, in the middle of a picture that would take minutes, and preparing. */
+/* Work stops when asked: drawing, in the middle of a picture that would take minutes, and preparing. */
 #include <stdlib.h>
 #include <time.h>
 
@@ -12,10 +12,10 @@ enum { W = 64, H = 48, MANY = 1000 };
 static uint64_t view_memory[200000], hits_memory[W * H * 2 + 100];
 static tia_rgb565 pixels[W * H];
 
-/* ---- whoever asks ---- */
+/* ---- the callback ---- */
 
 struct cancel {
-    unsigned asked, until; /* says true from that question on */
+    unsigned asked, until; /* calls so far; the call from which on it returns true */
 };
 
 static bool ask(void *ctx)
@@ -79,8 +79,8 @@ static struct tia_scene scene_of(uint32_t light_count)
     return scene;
 }
 
-/* Each ray that meets the ball becomes two, sixteen times, and each of them asks for 256 shadow rays of a thousand
- * lights: one pixel would take days. */
+/* Each ray that meets the ball spawns two, sixteen times, and each of them needs 256 shadow rays to a thousand lights:
+ * one pixel would take days. */
 static struct tia_scene endless_scene(void)
 {
     struct tia_scene scene = scene_of(MANY);
@@ -110,7 +110,7 @@ TEST(nobody_asks)
     CHECK(!memcmp(plain, pixels, sizeof plain) && never.asked >= H);
 }
 
-/* By spans a row is the unit: after the answer no row is begun. */
+/* For spans a row is the unit: after the stop no row is begun. */
 TEST(spans)
 {
     struct tia_scene scene = scene_of(10);
@@ -152,7 +152,7 @@ TEST(a_trace_by_spans)
     CHECK(cancel.asked <= 2);
 }
 
-/* The first question comes soon, and the answer ends all. */
+/* The first call comes soon, and returning true ends all. */
 TEST(rays)
 {
     struct tia_scene scene = endless_scene();
@@ -189,7 +189,7 @@ TEST(the_table_of_functions)
     CHECK_EQ(tia_core_q16.trace(view, hits, frame), TIA_STOPPED);
 }
 
-/* ---- scenes of many things, before anything is drawn ---- */
+/* ---- large scenes, before any pixel is drawn ---- */
 
 enum { ITEMS = 10 * 4096, SHAPES = 0, SPHERES, FACES, NORMALS, CELLS, LIGHTS, KEYS, TRANSFORMS };
 
@@ -228,7 +228,7 @@ static void fill_many(void)
     many.track = (struct tia_track){.target = TIA_MOVES_TRANSFORM, .keys = many.keys, .key_count = ITEMS};
 }
 
-/* With ITEMS things of one kind. */
+/* Returns a scene with ITEMS objects of one kind. */
 static struct tia_scene scene_of_many(int kind)
 {
     struct tia_scene scene = {.camera = tia_thesis_scene.camera, .materials = &many.glass, .material_count = 1};
@@ -262,7 +262,7 @@ static struct tia_scene scene_of_many(int kind)
     return scene;
 }
 
-/* Each of `passes` over the things asks after every 4096, and an answer is the end. */
+/* Checks that each of `passes` over the objects calls `stop` after every 4096, and that returning true ends it. */
 static void check_preparing(int kind, unsigned passes)
 {
     struct tia_scene scene = scene_of_many(kind);
@@ -317,7 +317,7 @@ TEST(a_scene_at_a_time)
     free(memory);
 }
 
-/* Without a hierarchy, or beside it as planes are, each ray tries them all. */
+/* Without a hierarchy, or beside it like planes, each ray tests them all. */
 TEST(one_ray)
 {
     struct tia_scene scene;

@@ -1,5 +1,5 @@
-/* Symbols on terminals: what is sent, decoded by Unicode's description of the block elements; the ways that a user can
- * name; keys that are typed while the terminal is asked. */
+/* Symbols on terminals: the text sent, decoded by Unicode's description of the block elements; the ways that a user can
+ * name; keys that are typed during the terminal's query. */
 #include <sys/ioctl.h>
 #include <sys/wait.h>
 
@@ -33,7 +33,7 @@ TEST(ways_by_name)
 }
 
 #ifdef TIA_HAVE_CHAFA
-/* ---- what is sent ---- */
+/* ---- the text sent ---- */
 
 #define COLUMNS 20
 #define ROWS 12
@@ -51,7 +51,7 @@ static unsigned written; /* cells of the last text */
 /* The quadrants of U+2596 to U+259F: upper left 1, upper right 2, lower left 4, lower right 8. */
 static const uint8_t quadrants[] = {4, 8, 1, 13, 9, 7, 11, 2, 6, 14};
 
-/* After "Block Elements" of the Unicode standard, in eighths of the cell; -1: not one of those. */
+/* 1 if a point of a block element is inked, by the Unicode standard, in eighths of the cell; -1: none of these. */
 static int is_inked(uint32_t code, unsigned x, unsigned y)
 {
     if (code == ' ')
@@ -93,7 +93,7 @@ static uint32_t take_utf8(const char **s)
     return *b < 0x80 ? *b : (*b & 15u) << 12 | (b[1] & 63u) << 6 | (b[2] & 63u);
 }
 
-/* Positions, colours and characters; what is unknown fails. */
+/* Plays positions, colours and characters; an unknown sequence fails. */
 static void play(const struct text *text)
 {
     char *whole = calloc(1, text->count + 1);
@@ -156,7 +156,7 @@ static uint32_t code_of(tia_rgb565 pixel, bool direct)
     return direct ? (uint32_t)c.r << 16 | (uint32_t)c.g << 8 | c.b : colour_nearest(c);
 }
 
-/* Two colours in a cell: halves, quarters of the height or quadrants. */
+/* Draws two colours in a cell: halves, quarters of the height or quadrants. */
 static void draw_patches(void)
 {
     for (unsigned cell = 0; cell < COLUMNS * ROWS; cell++) {
@@ -194,7 +194,7 @@ TEST(two_colours_in_a_cell)
     symbols_free(&symbols);
 }
 
-/* One cell. */
+/* Draws one cell. */
 static void draw_halves(tia_rgb565 upper, tia_rgb565 lower)
 {
     for (unsigned y = 0; y < SYMBOLS_HEIGHT; y++)
@@ -249,7 +249,7 @@ struct told {
     char format[40], why[80], keys[40]; /* keys: those that are letters; ^ for others */
 };
 
-/* The program: opens its keyboard and display, and tells the keys up to z. */
+/* The program: opens its keyboard and display, and reports the keys up to z. */
 static void play_program(const char *name, const char *device, int out)
 {
     char why[PORT_WHY] = "";
@@ -280,7 +280,7 @@ static void play_program(const char *name, const char *device, int out)
 
 static bool asked;
 
-/* Types `text` when the question for the device's attributes comes, and `later` when the window is entered. */
+/* Types `text` when the query for the device's attributes comes, and `later` when the window is entered. */
 static void play_terminal(const char *text, const char *later, int in)
 {
     struct pollfd two[2] = {{.fd = master, .events = POLLIN}, {.fd = in, .events = POLLIN}};
@@ -346,8 +346,8 @@ TEST(ways_that_are_chosen)
     check_way("sixel", 10, 800, 456, "sixel");
     check_way("kitty", 10, 800, 460, "kitty's pictures");
     check_way("automatic", 10, 800, 456, "sixel");
-    check_refused("sixel", "terminal: does not say how many pixels its window has");
-    check_refused("braille", "braille: is no device, nor " WAYS_NAMES);
+    check_refused("sixel", "terminal: does not report its size in pixels");
+    check_refused("braille", "braille: is not a device, nor " WAYS_NAMES);
     (void)setenv("LC_ALL", "C", 1);
     check_refused("symbols", "terminal: symbols need a locale with UTF-8");
     struct told r = opened(NULL, "\033[?62c", "z", 10);
@@ -364,7 +364,7 @@ static void check_keys(const char *text, const char *later, const char *keys)
 
 #define KITTY_OK "\033_Gi=31;OK\033\\"
 
-/* Before, between and after the answers; also of a terminal that answers nothing. */
+/* Before, between and after the answers; also on a terminal that does not answer. */
 TEST(keys_while_it_is_asked)
 {
     check_keys("ab" KITTY_OK "c\033[A\033[?62;4cd", "ez", "abc^dez");

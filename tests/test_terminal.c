@@ -5,9 +5,9 @@
 
 #include <tia/port.h>
 
-/* The keys of `bytes`, then (with `silence`) of the silence after them, as text: letters and
- * digits themselves, arrows L R U D, page up and down ^ v, Home H, Tab T, Space _, + and -, ? as /, Escape E, Ctrl-C !,
- * others ?, the mouse M. */
+/* Returns the keys of `bytes`, then (with `silence`) of the silence after them, as text: letters and digits themselves,
+ * arrows L R U D, page up and down ^ v, Home H, Tab T, Space _, + and -, ? as /, Escape E, Ctrl-C !, others ?, the
+ * mouse M. */
 static const char *typed(const char *bytes, size_t count, bool silence)
 {
     static char text[64];
@@ -179,7 +179,7 @@ TEST(a_broken_sequence_ends)
     TYPINGS(rows, false);
 }
 
-/* Bytes that sequences are made of, in any order: no key is made up, and Ctrl-C always counts. */
+/* Bytes of sequences, in any order: no key is invented, and Ctrl-C always counts. */
 TEST(any_bytes_at_all)
 {
     static const char common[] = "\033\033\033[[OP]^_?;;0125~ABCD200\a\\\x80\xc3\xe2\xf0 az";
@@ -198,7 +198,7 @@ TEST(any_bytes_at_all)
     }
 }
 
-/* The last byte's result, and what the decoder knows then. */
+/* Returns the last byte's result, and the decoder's state. */
 static uint16_t decoded(const char *bytes, struct decoder *d)
 {
     uint16_t key = 0;
@@ -239,7 +239,7 @@ TEST(the_mouse_in_sgr_reports)
         {"\033[<0;1;1M", DECODED_POINTER, 1, 1, true},            /* the left one is pressed */
         {"\033[<32;80;24M", DECODED_POINTER, 80, 24, true},       /* moved with it */
         {"\033[<36;300;1000M", DECODED_POINTER, 300, 1000, true}, /* and with Shift */
-        {"\033[<0;80;24m", DECODED_POINTER, 80, 24, false},       /* let go */
+        {"\033[<0;80;24m", DECODED_POINTER, 80, 24, false},       /* released */
         {"\033[<2;80;24M", DECODED_POINTER, 80, 24, false},       /* the right one */
         {"\033[<64;8;9M", TIA_KEY_PLUS, 8, 9, false},             /* the wheel */
         {"\033[<65;8;9M", TIA_KEY_MINUS, 8, 9, false},

@@ -12,7 +12,7 @@ enum { COLUMNS = 10, ROWS = 4 };
 
 static char why[PORT_WHY], sent[65536];
 
-/* What has been written to the terminal since the last call. */
+/* Returns the text written to the terminal since the last call. */
 static const char *written(void)
 {
     struct pollfd ready = {.fd = master, .events = POLLIN};

@@ -1,5 +1,4 @@
-/* The built-in scene: what it is, and its pictures after each of its keys, q16 and f64, against the
- * oracle's. */
+/* The built-in scene: its contents, and its pictures after each of its keys, q16 and f64, against the oracle's. */
 #include "against.h"
 #include "check.h"
 #include "common/corpus/corpus.h"
@@ -61,8 +60,8 @@ TEST(its_keys)
     tia_check_light("w", 0, 20, -32);
 }
 
-/* At 640x480 at most `wrong` pixels may differ and none be a flip. At other sizes q16 may have one wrong
- * in 100,000 and two flips in a million, f64 none. */
+/* Compares: at 640x480 at most `wrong` pixels may differ and none be a flip. At other sizes q16 may have one wrong in
+ * 100,000 and two flips in a million, f64 none. */
 static void compare(const struct tia_core *core, const char *keys, unsigned wrong)
 {
     struct corpus_scene c;

@@ -1,5 +1,5 @@
-/* The figures of docs/thesis.md, counted: how many pixels of the built-in scene change where tia differs from the texts
- * that it began with. The oracle draws both pictures. */
+/* The figures of docs/thesis.md: the number of pixels of the built-in scene that change where tia differs from the
+ * texts that it is based on. The oracle draws both pictures. */
 #include "check.h"
 #include "common/corpus/corpus.h"
 #include "oracle/oracle.h"
@@ -104,7 +104,7 @@ TEST(roots_of_the_quadratic)
     check_variant("the roots of the quadratic", (struct oracle_variant){.bias = ORACLE_BIAS, .quadratic = true});
 }
 
-/* How many points round to the inner side of their surface depends on the compiler. */
+/* The number of points that round to the inner side of their surface depends on the compiler. */
 TEST(roots_without_a_bias)
 {
     unsigned differ = count("a", (struct oracle_variant){.quadratic = true}, pictures[0]);
@@ -155,7 +155,7 @@ TEST(blockers_beyond_the_light)
     check_page(text);
 }
 
-/* The row of cells of an 8-row checker, by the angle from the pole and by its cosine alone. */
+/* Returns the row of cells of an 8-row checker, by the angle from the pole or by its cosine alone. */
 TEST(texture_coordinates_without_acos)
 {
     unsigned ball = 0, differ = 0;

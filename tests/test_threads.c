@@ -1,4 +1,4 @@
-/* The thread pool: every job once, on the threads asked for, deaf to signals, gone afterwards. */
+/* The thread pool: every job once, on the given threads, with signals blocked, and ended afterwards. */
 #include "common/thread_pool.h"
 
 #include <dirent.h>
@@ -20,7 +20,7 @@ static void count_job(void *arg, unsigned index)
     atomic_fetch_add(&done[index], 1u);
 }
 
-/* Threads of this process, from the kernel. */
+/* Returns the number of this process's threads, from the kernel. */
 static int tasks(void)
 {
     int count = 0;
@@ -76,7 +76,7 @@ static void slow_job(void *arg, unsigned index)
     atomic_fetch_add(&done[index], 1u);
 }
 
-/* Some rounds begin while threads still look for them, others when all sleep; some end like that. */
+/* Some rounds begin while threads still spin, others when all sleep; some end like that. */
 TEST(every_job_runs_once_after_pauses)
 {
     struct threads *pool = threads_create(2);
@@ -98,7 +98,7 @@ static long cpu_us(void)
     return (long)t.tv_sec * 1000000 + t.tv_nsec / 1000;
 }
 
-/* What a display at 60 Hz leaves them between two frames, and a viewer that waits for a key. */
+/* The idle time between two frames of a display at 60 Hz, or of a viewer that waits for a key. */
 TEST(idle_threads_take_no_processor)
 {
     struct threads *pool = threads_create(2);
@@ -131,7 +131,7 @@ TEST(threads_come_and_go)
         CHECK_EQ(threads_count(pool), 5);
         CHECK_EQ(tasks(), before + 4);
         threads_destroy(pool);
-        /* The kernel removes a joined thread's entry a moment after it has ended. */
+        /* the kernel removes a joined thread's entry a moment after it has ended */
         for (unsigned wait = 0; wait < 100000 && tasks() != before; wait++)
             (void)sched_yield();
         CHECK_EQ(tasks(), before);

@@ -6,7 +6,7 @@
 #include "check.h"
 #include "random.h"
 
-/* The transfer function of sRGB. */
+/* Returns the transfer function of sRGB. */
 static long double encoded(long double linear)
 {
     return linear <= 0.0031308L ? 12.92L * linear : 1.055L * powl(linear, 1 / 2.4L) - 0.055L;
@@ -17,7 +17,7 @@ static unsigned nearest(uint32_t value, unsigned bits)
     return (unsigned)floorl(encoded((long double)value / 4294967296.0L) * (long double)((1u << bits) - 1) + 0.5L);
 }
 
-/* The least value that has the level or a higher one. */
+/* Returns the least value that has the level or a higher one. */
 static uint32_t first_of(unsigned level, unsigned bits)
 {
     uint64_t low = 0, high = UINT32_MAX;
@@ -96,7 +96,7 @@ TEST(exposures)
     }
 }
 
-/* Those are powers of two: floor(2^(8 + stops) sum/count), by shifts of what has 64 bits. */
+/* Those are powers of two: floor(2^(8 + stops) sum/count), by shifts of 64-bit numbers. */
 TEST(whole_stops)
 {
     for (int stop = -24; stop <= 24; stop++) {

@@ -1,2 +1,2 @@
-/* triangle_cases.h in integers: the cases know no arithmetic, num.h gives them its numbers. */
+/* triangle_cases.h in integers: the cases are independent of the arithmetic, which num.h provides. */
 #include "triangle_cases.h"

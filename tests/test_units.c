@@ -29,7 +29,7 @@ static const char *const renderers[] = {"",
                                         "integrator ao @3.3\nspp 4\n",
                                         "integrator path\nspp 4\n"};
 
-/* How many pixels of the text in a unit are those in its own, and its scale_bits. */
+/* Returns how many pixels of the text in a unit are those in its own, and gives its scale_bits. */
 static unsigned drawn(const char *text, double scale, tia_rgb565 *pixels, int *scale_bits)
 {
     struct reading r;
@@ -48,9 +48,9 @@ static unsigned drawn(const char *text, double scale, tia_rgb565 *pixels, int *s
     return same;
 }
 
-/* Lengths are rounded to 2^-18 m or less, so that what is 5 m away, with 65 pixels to a metre there, moves by 2^-12 of
- * a pixel: of some 1000 pixels at edges, of things, bricks and shadows, that is less than one. A path may meet others:
- * three. */
+/* Checks a unit. Lengths are rounded to 2^-18 m or less, so a point 5 m away, with 65 pixels to a metre there, moves by
+ * 2^-12 of a pixel: of some 1000 pixels at edges, of objects, bricks and shadows, that is less than one. A path may
+ * meet others: three. */
 static void check_unit(const char *text, double scale, int apart)
 {
     static tia_rgb565 pixels[WIDTH * HEIGHT];
@@ -87,7 +87,7 @@ TEST(five_units_are_the_same_picture)
             (void)snprintf(text, sizeof text, "%s%s" STREET LAMP, cameras[c], renderers[i]);
             if (!strstr(renderers[i], "constant")) {
                 check_units(text);
-            } else { /* of a small bias, rounded lengths decide what shadows itself */
+            } else { /* with a small bias, rounded lengths decide self-shadowing */
                 check_unit(text, 8, 3);
                 check_unit(text, 1 / 4096.0, -12);
             }
@@ -135,7 +135,7 @@ static double random_between(double low, double high)
     return low + (high - low) * (random_u32() / 4294967296.0);
 }
 
-/* Random boxes, balls and lights over a ground, from random heights. */
+/* Writes random boxes, balls and lights over a ground, from random heights. */
 static void random_text(char *text)
 {
     char *to = text;

@@ -1,5 +1,5 @@
-/* What a .nff file says against what is drawn of it: the numbers as they are written, in double precision from the
- * text to the pixel, see oracle/nff.h. The other comparisons start from the coordinates that the reader has rounded.
+/* .nff files against their pictures: the numbers as written, in double precision from the text to the pixel, see
+ * oracle/nff.h. The other comparisons start from the coordinates that the reader has rounded.
  *
  *     test_unrounded [WIDTH]    default 128; the figures of each picture go to standard output
  */
@@ -45,7 +45,7 @@ static void draw_rows(void *arg, unsigned job)
     free(pixels);
 }
 
-/* How many pixels of both pictures are the same. */
+/* Returns how many pixels of both pictures are the same. */
 static unsigned draw(const struct nff *nff, struct tia_scene *scene)
 {
     static struct pair pair;
@@ -67,7 +67,7 @@ static unsigned draw(const struct nff *nff, struct tia_scene *scene)
     return same;
 }
 
-/* At least 99.99 % of the pixels. */
+/* Checks that at least 99.99 % of the pixels are the same. */
 static void check_same(const char *name, const char *text)
 {
     struct reading r;
@@ -107,8 +107,8 @@ __attribute__((format(printf, 2, 3))) static void say(struct writing *w, const c
     w->length += (size_t)length;
 }
 
-/* How many numbers after a statement's word are lengths; those of a polygon's corners are on lines without a word,
- * each three of them, and then a normal. */
+/* Returns how many numbers after a statement's word are lengths; those of a polygon's corners are on lines without a
+ * word, each three of them, and then a normal. */
 static int lengths_of(const char *word)
 {
     static const struct {
@@ -137,7 +137,7 @@ static void say_line(struct writing *w, const char *line, double scale)
     say(w, "\n");
 }
 
-/* The same scene in other units. */
+/* Returns the same scene in other units. */
 static char *scaled_text(const char *text, double scale)
 {
     struct writing w = {NULL, 0, 0};
@@ -150,8 +150,8 @@ static char *scaled_text(const char *text, double scale)
     return w.text;
 }
 
-/* A ball and nine more around it, each a third of its size and touching it: six around its waist, three above, where
- * "above" is away from the ball that it stands on. */
+/* Writes a ball and nine more around it, each a third of its size and touching it: six around its waist, three above,
+ * where "above" is away from the ball that it stands on. */
 static void say_ball(struct writing *w, unsigned levels, struct oracle_vec at, double radius, struct oracle_vec above)
 {
     struct oracle_vec u, v;
@@ -166,7 +166,7 @@ static void say_ball(struct writing *w, unsigned levels, struct oracle_vec at, d
     }
 }
 
-/* A flake of balls as in the Standard Procedural Databases, which print six digits. */
+/* Returns a flake of balls as in the Standard Procedural Databases, which print six digits. */
 static char *flake_text(unsigned levels)
 {
     struct writing w = {NULL, 0, 0};
@@ -178,7 +178,8 @@ static char *flake_text(unsigned levels)
     return w.text;
 }
 
-/* A jack: three sticks that cross, at right angles, with balls on their ends; and eight of half its size around it. */
+/* Writes a jack: three sticks that cross, at right angles, with balls on their ends; and eight of half its size around
+ * it. */
 static void say_jack(struct writing *w, unsigned levels, struct oracle_vec at, double size,
                      const struct oracle_vec axes[3])
 {
@@ -215,7 +216,8 @@ static char *jacks_text(unsigned levels)
 static const char *const names[] = {"balls_1", "balls_2", "balls_3",  "balls_4",  "gears_1", "jacks_3", "lattice_3",
                                     "mount_3", "rings_3", "shells_2", "teapot_3", "tetra_4", "tree_4"};
 
-/* The project's files, in units a factor larger or smaller; in make check-quick every third of them in other units. */
+/* Checks the project's files, in units a factor larger or smaller; in make check-quick every third of them in other
+ * units. */
 static void check_files(double scale)
 {
     for (unsigned i = 0; i < sizeof names / sizeof *names; i += scale != 1 && check_is_quick() ? 3 : 1) {

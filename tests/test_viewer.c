@@ -1,4 +1,4 @@
-/* tia_viewer_run: keys, time and frames, in a world where time stands still but for the script. */
+/* tia_viewer_run: keys, time and frames, in a simulated world where time passes only by the script. */
 #include "viewer_world.h"
 
 static void tia_check_light(const struct world *w, int x, int y, int z)
@@ -43,7 +43,7 @@ TEST(the_scene_brings_its_lights)
     CHECK_EQ(world_play(w), TIA_ERR_ARGUMENT);
 }
 
-/* 60 taps that wait are one frame, and are told by the oldest. */
+/* 60 taps that wait are one frame, whose latency is the oldest's. */
 TEST(all_waiting_keys_before_a_frame)
 {
     struct world *w = lit_world();
@@ -58,7 +58,7 @@ TEST(all_waiting_keys_before_a_frame)
     CHECK_EQ(w->frames[0].told.key_us, 5600);
 }
 
-/* Nothing is drawn for a key that changes nothing, nor after one that quits. */
+/* No frame is drawn for a key that changes nothing, nor after one that quits. */
 TEST(frames_only_for_changes)
 {
     struct world *w = world_new();
@@ -86,14 +86,14 @@ TEST(a_tap_moves_once)
     CHECK_EQ(w->frame_count, 2);
 }
 
-/* How often a key has moved the light that was pressed and is held since `held` microseconds. */
+/* Returns how often a key has moved the light that was pressed and is held since `held` microseconds. */
 static int steps(uint64_t held)
 {
     return held < TIA_HOLD_DELAY_US ? 1 : 2 + (int)((held - TIA_HOLD_DELAY_US) / TIA_HOLD_STEP_US);
 }
 
-/* Frames while a key is held show it moved by what the time says since it was taken, after the frame
- * that was being drawn; and it ends where it was released. */
+/* Checks that frames while a key is held show it moved by the time since it was taken, after the frame that was being
+ * drawn; and that it ends where it was released. */
 static const struct world *check_held(uint64_t tile_us, uint64_t present_us)
 {
     const uint64_t frame_us = 3 * tile_us + present_us;
@@ -117,7 +117,7 @@ static const struct world *check_held(uint64_t tile_us, uint64_t present_us)
     return w;
 }
 
-/* Where drawing takes no time each step is a frame, late by less than the 1 ms that waits are told in. */
+/* Where drawing takes no time each step is a frame, late by less than the 1 ms unit of waits. */
 TEST(a_held_key_moves_by_the_clock)
 {
     const struct world *w = check_held(0, 0);
@@ -137,7 +137,7 @@ TEST(slow_frames_do_not_slow_the_light)
 }
 
 /* Frames of 170 ms and of a second have time for five steps and thirty: each shows three more, and none comes after the
- * one that was being drawn when the key was let go. */
+ * one that was being drawn when the key was released. */
 TEST(slower_frames_are_no_jumps)
 {
     for (uint64_t present = 50000; present < 1000000; present += 830000) {
@@ -211,7 +211,7 @@ TEST(keys_that_quit)
 
     for (size_t i = 0; i < 2 * sizeof keys / sizeof *keys; i++) {
         struct world *w = world_new();
-        world_event(w, START + 1, TIA_EVENT_RELEASE, keys[i / 2]); /* pressed before we were there */
+        world_event(w, START + 1, TIA_EVENT_RELEASE, keys[i / 2]); /* pressed before the loop began */
         world_event(w, START + 500, i % 2 ? TIA_EVENT_PRESS : TIA_EVENT_TAP, keys[i / 2]);
         world_event(w, START + 900, TIA_EVENT_TAP, 'a');
         CHECK_EQ(world_play(w), TIA_OK);
@@ -224,7 +224,7 @@ TEST(keys_that_quit)
     }
 }
 
-/* Frame after frame, and each is told what it took: 3 tiles of 16 rows and a wait for the display. */
+/* Frame after frame, each with its time: 3 tiles of 16 rows and a wait for the display. */
 TEST(as_many_frames_as_asked_for)
 {
     for (int with_input = 0; with_input < 2; with_input++) {
@@ -300,7 +300,7 @@ TEST(hidden_from_the_start)
     CHECK(w->frame_count == 1 && w->frames[0].drawn_us == START + 500);
     w = world_new();
     w->hidden_until_us = UINT64_MAX;
-    w->viewer.input = NULL; /* nobody could say when it is back */
+    w->viewer.input = NULL; /* its return cannot be noticed */
     w->viewer.frame_limit = 1;
     CHECK_EQ(world_play(w), TIA_HIDDEN);
     CHECK_EQ(w->frame_count, 0);

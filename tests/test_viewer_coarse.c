@@ -1,11 +1,11 @@
 /* tia_viewer_run: frames that take long are shown coarse to fine. Here time passes only while pixels are lit, the same
- * for each, so that what is shown when follows from counting pixels: 12, 36, 144, 576 and 2304 in the five passes over
- * three tiles of 64 x 16. */
+ * for each, so that the pictures and their times follow from counting pixels: 12, 36, 144, 576 and 2304 in the five
+ * passes over three tiles of 64 x 16. */
 #include "viewer_world.h"
 
 enum { TILES = 3, SHOWN = 64 };
 
-/* What must be shown: when, with which blocks in each tile, and how long the line is. */
+/* An expected picture: its time, the blocks in each tile, and the length of the line. */
 struct picture {
     uint64_t at_us;
     uint8_t block[TILES];
@@ -25,7 +25,7 @@ static struct {
     unsigned told_count;
 } now;
 
-/* ---- a renderer that takes its time ---- */
+/* ---- a slow renderer ---- */
 
 static void count(unsigned pixels[WORLD_HEIGHT][WORLD_WIDTH], struct tia_tile tile)
 {
@@ -56,7 +56,7 @@ static int slow_render(const struct tia_view *view, struct tia_hits *hits, struc
     return status ? status : slow_light(view, hits, tile, surface, options);
 }
 
-/* Each pixel of the frame was computed once, and traced so often. */
+/* Checks that each pixel of the frame was computed once, and how often it was traced. */
 static void check_counts(unsigned traced)
 {
     for (unsigned y = 0; y < WORLD_HEIGHT; y++)
@@ -67,9 +67,9 @@ static void check_counts(unsigned traced)
     memset(now.traced, 0, sizeof now.traced);
 }
 
-/* ---- what is shown ---- */
+/* ---- the pictures ---- */
 
-/* The pixel that the block around (x, y) shows. */
+/* Returns the pixel that the block around (x, y) shows. */
 static tia_rgb565 mosaic(const tia_rgb565 *full, unsigned x, unsigned y, unsigned block)
 {
     return full[y / block * block * WORLD_WIDTH + x / block * block];
@@ -98,7 +98,7 @@ static int done(void *ctx, const struct tia_frame *frame)
     return frame->block > 1 ? TIA_OK : world_frame_done(ctx, frame);
 }
 
-/* The thesis scene with four rays a pixel, which spans do not draw. */
+/* Returns the thesis scene with four rays a pixel, which spans do not draw. */
 static struct world *slow_world(uint64_t pixel_us, const struct picture *expected, unsigned expected_count)
 {
     static struct tia_scene scene;
@@ -151,7 +151,7 @@ TEST(coarse_to_fine)
     }
 }
 
-/* Relit: nothing is traced again. */
+/* Relit: no pixel is traced again. */
 TEST(coarse_to_fine_from_old_hits)
 {
     struct world *w = slow_world(1000, NULL, 0);
@@ -194,7 +194,7 @@ TEST(no_line_for_a_short_time)
     CHECK_EQ(now.shown, 4);
 }
 
-/* A key at 100 ms is seen at the next look, 20 ms apart, and the frame with it is shown 48 ms after that. One before
+/* A key at 100 ms is noticed at the next poll, 20 ms apart, and the frame with it is shown 48 ms after that. One before
  * the first picture waits for it. */
 TEST(a_key_begins_the_frame_anew)
 {
@@ -221,7 +221,8 @@ static int slow_prepare(struct tia_view **view, void *memory, size_t size, const
                      : tia_view_init_until(view, memory, size, scene, light_capacity, width, height, stop, ctx);
 }
 
-/* The key comes while the first frame is prepared, and is seen there: the first picture is the last of that frame. */
+/* The key comes while the first frame is prepared, and is noticed there: the first picture is the last of that frame.
+ */
 TEST(a_key_while_the_view_is_prepared)
 {
     struct world *w = slow_world(1000, NULL, 0);
@@ -235,7 +236,7 @@ TEST(a_key_while_the_view_is_prepared)
     CHECK(now.at_us[1] >= 196000 && now.at_us[1] <= 196000 + 21000);
 }
 
-/* While a key is held, pictures keep coming; the last is complete and shows where it was let go. */
+/* While a key is held, pictures keep coming; the last is complete and shows where it was released. */
 TEST(a_held_key)
 {
     struct world *w = slow_world(1000, NULL, 0);
@@ -261,7 +262,7 @@ TEST(a_key_that_quits)
     CHECK(w->frame_count == 0 && now.shown == 2);
 }
 
-/* In any order, the same pictures but for which tile is finer. */
+/* In any order, the same pictures except for which tile is finer. */
 TEST(several_threads)
 {
     static const struct picture backwards[] = {
@@ -291,7 +292,7 @@ TEST(another_program_takes_the_screen)
     CHECK(now.at_us[1] == 192000 && now.at_us[2] == 2048000);
 }
 
-/* Without the memory, without a clock, in films and where frames are counted: at once, as ever. */
+/* Without the memory, without a clock, in films and where frames are counted: at once, as before. */
 TEST(frames_at_once)
 {
     struct world *w = slow_world(1000, NULL, 0);

@@ -6,7 +6,7 @@ static void tap(struct world *w, uint64_t after_us, uint16_t key)
     world_event(w, START + after_us, TIA_EVENT_TAP, key);
 }
 
-/* Three frames, the last two relit if the hits of a whole frame are kept. */
+/* Returns three frames, the last two relit if the hits of a whole frame are kept. */
 static struct world *moving_world(void)
 {
     struct world *w = world_new();
@@ -113,7 +113,7 @@ TEST(the_mode_changes)
     }
 }
 
-/* Where nothing else happens a new mode is a reason to draw; the same one is none. */
+/* When nothing else happens, a new mode causes a frame, the same mode does not. */
 TEST(a_new_mode_is_drawn)
 {
     struct world *w = world_new();
@@ -152,7 +152,7 @@ TEST(workers_draw_where_the_display_lets_them)
     CHECK_EQ(w->runs, 0);
 }
 
-/* What a port says ends the loop and is passed on; a frame that failed is not shown. */
+/* A port's status ends the loop and is passed on; a frame that failed is not shown. */
 TEST(errors_of_ports)
 {
     for (int concurrent = 0; concurrent < 2; concurrent++)
@@ -211,7 +211,7 @@ TEST(without_an_input_too)
     CHECK_EQ(w->slices_done, 12);
 }
 
-/* Two looks are 20 ms apart. */
+/* Two polls are 20 ms apart. */
 TEST(a_key_quits_while_a_frame_is_shown)
 {
     struct world *w = world_new();
@@ -247,7 +247,7 @@ TEST(a_failed_input_ends_it_while_a_frame_is_shown)
     CHECK(w->now_us <= START + 100000 + 2 * 20000);
 }
 
-/* As after a stop, when something else was on the screen. */
+/* As after a stop, when another program's picture was on the screen. */
 TEST(the_last_frame_is_shown_again)
 {
     struct world *w = world_new();

@@ -1,5 +1,5 @@
-/* tia_viewer_run: frames of what moves, at a pace. Here time passes only while pixels are lit, 10 us each: passes of
- * 12, 36, 144, 576 and 2304 pixels take 0.12, 0.36, 1.44, 5.76 and 23.04 ms, a frame 30.72 ms. */
+/* tia_viewer_run: frames of a moving picture, at a pace. Here time passes only while pixels are lit, 10 us each: passes
+ * of 12, 36, 144, 576 and 2304 pixels take 0.12, 0.36, 1.44, 5.76 and 23.04 ms, a frame 30.72 ms. */
 #include <tia/motion.h>
 
 #include "viewer_world.h"
@@ -43,7 +43,8 @@ static int done(void *ctx, const struct tia_frame *frame)
     return frame->block > 1 && !frame->moving ? TIA_OK : world_frame_done(ctx, frame);
 }
 
-/* The thesis scene with four rays a pixel, which spans do not draw; its light goes around for 10 s, if it plays. */
+/* Returns the thesis scene with four rays a pixel, which spans do not draw; its light goes around for 10 s, if it
+ * plays. */
 static struct world *paced_world(uint32_t pace, bool plays)
 {
     static const struct tia_keyframe keys[] = {{0, {-20 * ONE, 20 * ONE, -20 * ONE}},
@@ -98,7 +99,7 @@ TEST(a_scene_that_plays)
     }
 }
 
-/* Coarse while a key is held; when it is let go the rest follows, and the picture is the full one. */
+/* Coarse while a key is held; when it is released the rest follows, and the picture is the full one. */
 TEST(a_held_key_and_then_the_rest)
 {
     struct world *w = paced_world(60, false);
@@ -132,7 +133,7 @@ TEST(a_key_that_is_tapped)
     CHECK(now.told[3].block == 1 && now.at_us[3] == 100000 + 30720);
 }
 
-/* Without a pace it is as ever. */
+/* Without a pace it is as before. */
 TEST(no_pace)
 {
     struct world *w = paced_world(0, true);

@@ -17,7 +17,7 @@ static const struct tia_track tracks[] = {{TIA_MOVES_LIGHT, 1, true, light_keys,
 static const struct tia_light two_lights[] = {{{0, 0, 0}, TIA_Q16(3), TIA_RGB(1, 1, 1)},
                                               {{0, 0, 0}, TIA_Q16(2), TIA_RGB(0, 0.5, 0)}};
 
-/* The thesis scene with two lights that move; with `all`, the eye moves too. */
+/* Returns the thesis scene with two lights that move; with `all`, the eye moves too. */
 static const struct tia_scene *film(bool all)
 {
     static struct tia_scene scene;
@@ -40,7 +40,7 @@ static const struct tia_scene *scene_at(const struct world *w, tia_q16 time)
     return &scene;
 }
 
-/* When playing began: with the first tile of the first frame. */
+/* Returns the time since playing began: with the first tile of the first frame. */
 static tia_q16 time_by_clock(const struct world *w, unsigned frame)
 {
     double begin = w->viewer.time / (double)ONE;
@@ -49,7 +49,7 @@ static tia_q16 time_by_clock(const struct world *w, unsigned frame)
     return w->viewer.time + (tia_q16)floor(fmod(elapsed, DURATION - begin) * ONE);
 }
 
-/* Lights are the viewer's affair and checked by themselves: here they are those that it has. */
+/* Returns the scene. The viewer's lights are checked separately: here they are its own. */
 static const struct tia_scene *scene_by_clock(const struct world *w)
 {
     return scene_at(w, time_by_clock(w, w->frame_count));
@@ -85,7 +85,7 @@ static void check_lights_by_clock(const struct world *w)
         CHECK_MSG(same_place(w->frames[i].light, scene_at(w, time_by_clock(w, i))->lights[0].centre), "frame %u", i);
 }
 
-/* Drawing takes no time: a frame is due every 16.7 ms, late by less than the 1 ms that waits are told in. */
+/* Drawing takes no time: a frame is due every 16.7 ms, late by less than the 1 ms unit of waits. */
 TEST(it_plays_by_the_clock_and_again)
 {
     struct world *w = film_world(true);
@@ -125,7 +125,7 @@ TEST(where_only_lights_move_hits_stay)
     CHECK_EQ(w->memory_calls, 2);
 }
 
-/* Then the scene at a time takes no memory for what moves. */
+/* Then the scene at a time takes no memory for moving elements. */
 TEST(where_only_the_eye_moves)
 {
     struct world *w = film_world(true);
@@ -231,7 +231,7 @@ TEST(keys_at_the_first_time)
     CHECK_EQ(w->frames[w->frame_count - 1].light.z, -20 * ONE);
 }
 
-/* What does not move is played as ever, with and without flags. */
+/* A scene without motion is played as before, with and without flags. */
 TEST(a_still_scene_needs_no_flags)
 {
     struct world *w = world_new();
@@ -258,7 +258,7 @@ TEST(hidden_while_it_plays)
     CHECK(w->frames[w->frame_count - 1].drawn_us > START + 1400000);
 }
 
-/* A new mode takes the memory that the scene at its time was in. */
+/* A new mode discards the memory of the scene at its time. */
 TEST(the_mode_changes_while_it_plays)
 {
     for (int all = 0; all < 2; all++) {

@@ -1,14 +1,14 @@
 /* tia_viewer_run: pictures of samples are shown before they have all of them, and rasterised ones in rows. Time passes
- * only while samples or pixels are drawn, 1 ms each, so that what is shown when follows from counting them: in the five
- * passes over three tiles of 64 x 16 pixels 12, 36, 144, 576 and 2304 have their first sample, then all 3072 get their
- * second, and then two more each. */
+ * only while samples or pixels are drawn, 1 ms each, so that the pictures and their times follow from counting them: in
+ * the five passes over three tiles of 64 x 16 pixels 12, 36, 144, 576 and 2304 have their first sample, then all 3072
+ * get their second, and then two more each. */
 #include <tia/shadow.h>
 
 #include "viewer_world.h"
 
 enum { TILES = 3, SHOWN = 64, SPP = 4, PIXELS = WORLD_WIDTH * WORLD_HEIGHT, US = 1000 };
 
-/* What must be shown: when, with which blocks and samples in each tile, and how long the line is; and what is told. */
+/* An expected picture: its time, the blocks and samples in each tile, the length of the line; and the frame's data. */
 struct picture {
     uint64_t at_us;
     uint8_t block[TILES], samples[TILES];
@@ -22,7 +22,7 @@ static struct {
     struct tia_core core;
     struct tia_estimator estimator;
     struct tia_scene scene;
-    tia_rgb565 pictures[SPP + 1][PIXELS]; /* of so many samples */
+    tia_rgb565 pictures[SPP + 1][PIXELS]; /* pictures of so many samples */
     tia_rgb565 last[PIXELS];              /* the picture that was shown last */
     uint32_t samples[PIXELS];
     unsigned lit[PIXELS];
@@ -32,7 +32,7 @@ static struct {
     uint64_t at_us[SHOWN], key_us[SHOWN];
 } now;
 
-/* ---- what draws ---- */
+/* ---- drawing ---- */
 
 static int slow_sample(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end,
                        struct tia_sum *sums, size_t pitch)
@@ -58,7 +58,7 @@ static int slow_render(const struct tia_view *view, struct tia_hits *hits, struc
     return tia_render(view, hits, tile, surface, options);
 }
 
-/* The scene with so many samples, at once. */
+/* Draws the scene with so many samples, at once. */
 static void draw_whole(struct world *w, uint32_t spp, tia_rgb565 *pixels)
 {
     static uint64_t view_memory[32768], hits_memory[32768];
@@ -74,7 +74,7 @@ static void draw_whole(struct world *w, uint32_t spp, tia_rgb565 *pixels)
     CHECK_EQ(tia_render(view, hits, all, &surface, &w->viewer.options), TIA_OK);
 }
 
-/* ---- what is shown ---- */
+/* ---- the pictures ---- */
 
 static tia_rgb565 shown_at(const struct picture *p, unsigned x, unsigned y)
 {
@@ -134,7 +134,7 @@ static struct world *slow_world(const struct picture *expected, unsigned count)
     return w;
 }
 
-/* How open the thesis scene's ground is around its ball. */
+/* Returns the openness of the thesis scene's ground around its ball. */
 static struct world *open_world(const struct picture *expected, unsigned count)
 {
     struct world *w = slow_world(expected, count);
@@ -173,7 +173,7 @@ TEST(samples_as_they_come)
         CHECK(now.samples[i] == SPP && !now.lit[i]);
 }
 
-/* Three are one, one and one: the last pass adds what is left. */
+/* Three are one, one and one: the last pass adds the rest. */
 TEST(a_number_that_is_no_power_of_two)
 {
     struct world *w = open_world(NULL, 0);
@@ -186,7 +186,8 @@ TEST(a_number_that_is_no_power_of_two)
         CHECK_EQ(now.samples[i], 3);
 }
 
-/* While all pixels get their second sample: the key is seen 20 ms later, and its first picture comes 48 ms after that.
+/* While all pixels get their second sample: the key is noticed 20 ms later, and its first picture comes 48 ms after
+ * that.
  */
 TEST(a_key_begins_the_frame_anew)
 {
@@ -204,7 +205,8 @@ TEST(a_key_begins_the_frame_anew)
         CHECK_EQ(now.samples[i], SPP);
 }
 
-/* Beyond the fovea, 8 pixels around the gaze, blocks of 8 are enough: what is drawn has all samples, and shows them. */
+/* Beyond the fovea, 8 pixels around the gaze, blocks of 8 are enough: the drawn pixels have all samples, and show them.
+ */
 TEST(only_where_the_eye_looks)
 {
     struct world *w = open_world(NULL, 0);
@@ -223,7 +225,8 @@ TEST(only_where_the_eye_looks)
     CHECK_EQ(now.at_us[now.shown - 1], (uint64_t)SPP * US * drawn);
 }
 
-/* Without an estimator, or with less memory than for the sums, a pixel gets all at once; without a canvas's, all do. */
+/* Without an estimator, or with less memory than for the sums, a pixel gets all samples at once; without a canvas, all
+ * pixels do. */
 TEST(all_samples_at_once)
 {
     struct world *w = open_world(NULL, 0);

@@ -36,7 +36,8 @@ static struct world *yard_world(void)
     return w;
 }
 
-/* Each technique in its turn, then the first one again; each frame is compared with what that one draws. */
+/* Returns the scene: each technique in its turn, then the first one again; each frame is compared with that
+ * technique's. */
 static const struct tia_scene *scene_of_frame(const struct world *w)
 {
     static struct tia_scene now;
@@ -63,7 +64,7 @@ TEST(one_technique_after_the_other)
     CHECK_EQ(yard.shadows, TIA_SHADOWS_TRACED);
 }
 
-/* Lights stay where keys have put them, and moved lights need no new hits. */
+/* Lights stay where keys have set them, and moved lights need no new hits. */
 TEST(lights_between_techniques)
 {
     struct world *w = yard_world();
@@ -103,12 +104,12 @@ TEST(whose_key_it_is)
     CHECK_EQ(w->frames[1].told.shadows, TIA_SHADOWS_TRACED);
 }
 
-/* A window of 2^-9 x 2^-9 before the eye: things more than 2^14 beside it are out of reach of the rasteriser. */
+/* A window of 2^-9 x 2^-9 before the eye: objects more than 2^14 beside it are out of range of the rasteriser. */
 static const struct tia_camera narrow = {
     .projection = TIA_FRUSTUM, .eye = TIA_VEC3(0, 3, 9), .window = {-64, 64, -64, 64, TIA_Q16(1)}};
 
 /* Light through a box: only traced rays are left, and the key does not quit. Through a narrow lens, far corners are out
- * of the rasteriser's range, which only preparing tells. */
+ * of the rasteriser's range, which only preparing finds. */
 TEST(what_only_rays_can_draw)
 {
     static const struct tia_material clear = {.colour = TIA_RGB(0.5, 0.5, 0.5), .transmission = TIA_RGB(0.5, 0, 0)};
@@ -132,8 +133,7 @@ TEST(what_only_rays_can_draw)
     CHECK_EQ(w->frames[1].told.shadows, TIA_SHADOWS_TRACED);
 }
 
-/* Far away, the light needs vertices of other fraction bits, so that nothing of the picture before is of use; then
- * back. */
+/* Far away, the light needs vertices of other fraction bits, so that the picture before is of no use; then back. */
 TEST(a_light_moves_far_away)
 {
     static const struct tia_shape floor[] = {
@@ -158,8 +158,8 @@ TEST(a_light_moves_far_away)
     }
 }
 
-/* Where a light would be too far away for the technique, the key has no effect, and further keys go on from there; but
- * for the technique that does not mind. Who keeps no lights has the loop ended. */
+/* Where a light would be too far away for the technique, the key has no effect, and further keys go on from there;
+ * except for the technique without that limit. Without the lights of the last picture the loop ends. */
 TEST(a_light_that_would_be_too_far_away_stays)
 {
     struct world *w = yard_world();
@@ -215,8 +215,8 @@ TEST(what_there_is_no_memory_for)
     CHECK_EQ(w->frames[techniques - 1].told.shadows, TIA_SHADOWS_TRACED);
 }
 
-/* Frames are drawn at once, as where nobody can tell whether rays draw: here tiles take their time when the display is
- * asked for them. */
+/* Returns a world whose core has no draws_by_pixel, so that frames are drawn at once: here a tile's time passes when it
+ * is requested from the display. */
 static struct world *yard_at_once(void)
 {
     static struct tia_core core;
@@ -228,7 +228,7 @@ static struct world *yard_at_once(void)
     return w;
 }
 
-/* While a frame is drawn that takes long, the key gives it up like one that moves a light. */
+/* While a slow frame is drawn, the key gives it up like one that moves a light. */
 TEST(in_the_middle_of_a_frame)
 {
     struct world *w = yard_at_once();

@@ -1,4 +1,4 @@
-/* tia_viewer_run: what happens while a frame is drawn that takes long. */
+/* tia_viewer_run: events while a slow frame is drawn. */
 #include "viewer_world.h"
 
 static bool always(void *ctx)
@@ -7,8 +7,7 @@ static bool always(void *ctx)
     return ((struct world *)ctx)->tiles > 0;
 }
 
-/* A frame of three tiles that takes long is not finished after a key that quits, nor after `stop`, in one thread or
- * several. */
+/* A slow frame of three tiles is not finished after a key that quits, nor after `stop`, in one thread or several. */
 TEST(a_frame_that_is_not_wanted)
 {
     for (int concurrent = 0; concurrent < 2; concurrent++) {
@@ -40,7 +39,7 @@ TEST(a_key_that_is_let_go)
     CHECK_EQ(w->frame_count, 1);
 }
 
-/* While another job looks, none waits for it. */
+/* While another job polls, none waits for it. */
 TEST(one_looks_at_a_time)
 {
     struct world *w = lit_world();
@@ -53,8 +52,8 @@ TEST(one_looks_at_a_time)
     CHECK_EQ(w->frame_count, 1);
 }
 
-/* Of a slow frame that is out of date the rest is not drawn. The next one is, though keys go on coming, and a quick
- * one too. */
+/* The rest of a slow frame that is out of date is not drawn. The next one is, though keys keep coming, and a quick one
+ * too. */
 TEST(a_frame_that_is_out_of_date)
 {
     struct world *w = lit_world();
@@ -76,8 +75,8 @@ TEST(a_frame_that_is_out_of_date)
     CHECK(w->frame_count == 2 && w->frames[0].light.x == -20 * ONE && w->frames[1].light.x == -21 * ONE);
 }
 
-/* More keys than the queue has places for: the frame that they find is given up, and all count, the release of a
- * held one too. */
+/* More keys than the queue holds: the frame that they find is given up, and all count, the release of a held one too.
+ */
 TEST(many_keys_in_one_frame)
 {
     struct world *w = lit_world();

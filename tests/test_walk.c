@@ -1,2 +1,2 @@
-/* walk_cases.h in integers: the cases know no arithmetic, num.h gives them its numbers. */
+/* walk_cases.h in integers: the cases are independent of the arithmetic, which num.h provides. */
 #include "walk_cases.h"

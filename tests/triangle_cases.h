@@ -3,7 +3,7 @@
 #include "ray_cases.h"
 #include "render/geometry/triangle.h"
 
-/* What a coordinate may be off by, when the largest of them has that size. */
+/* Error bound of a coordinate, when the largest of them has that size. */
 #ifdef TIA_NUM_F64
 #define ERROR(size) (8 * 0x1p-52L * (size))
 #else
@@ -12,7 +12,7 @@
 
 struct wanted {
     long double t, facing; /* facing: |N.D| */
-    long double aside;     /* how far from the nearest edge the ray passes, negative outside */
+    long double aside;     /* distance of the ray from the nearest edge, negative outside */
     long double parts[3];
 };
 
@@ -32,7 +32,7 @@ static bool is_flat(const struct triangle_corners *c)
     return true;
 }
 
-/* By the plane's equation, and edges by D.(A x B). */
+/* Intersects by the plane's equation, and edges by D.(A x B). */
 static struct wanted meet(const struct triangle_corners *c, const struct ray *ray)
 {
     real3 o = real3_of(ray->origin), d = real3_dir(ray->direction), v[3];
@@ -57,7 +57,7 @@ static struct wanted meet(const struct triangle_corners *c, const struct ray *ra
     return w;
 }
 
-/* A point of the triangle's plane, beside it too. */
+/* Returns a point of the triangle's plane, perhaps beside it. */
 static real3 point_near(const struct triangle_corners *c)
 {
     long double u = (random_real() + 0.8L) / 1.4L, v = (random_real() + 0.8L) / 1.4L;
@@ -89,7 +89,7 @@ static void check_ray(const struct triangle_corners *c, const struct ray *ray, l
                   (real_of(t) - w.t) * w.facing, error, w.t);
 }
 
-/* Triangles of edges `size` around a centre up to `far` away, seen from everywhere. */
+/* Checks triangles of edges `size` around a centre up to `far` away, seen from everywhere. */
 static void check_size(long double size, long double far, unsigned hits[2])
 {
     for (int i = 0; i < 3000; i++) {

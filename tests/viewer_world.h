@@ -1,6 +1,6 @@
-/* viewer_world.h - a world for tia_viewer_run: a display, an input, a clock and memory that follow a
- * script and check what is asked of them. Time passes only while the viewer waits, draws or shows;
- * every frame is compared with a full render when it is presented. */
+/* viewer_world.h - a simulated world for tia_viewer_run: a display, an input, a clock and memory that follow a script
+ * and check the calls. Time passes only while the viewer waits, draws or shows; every frame is compared with a full
+ * render when it is presented. */
 #ifndef TESTS_VIEWER_WORLD_H
 #define TESTS_VIEWER_WORLD_H
 
@@ -18,8 +18,8 @@ struct world_event {
 };
 
 struct world_frame {
-    uint64_t drawn_us;     /* when its first tile was begun */
-    struct tia_vec3 light; /* the first light's place */
+    uint64_t drawn_us;     /* time when its first tile was begun */
+    struct tia_vec3 light; /* the first light's position */
     struct tia_frame told;
 };
 
@@ -42,16 +42,16 @@ struct world {
     struct tia_mode mode, later_mode; /* the later one after change_after frames, if not 0 */
     unsigned change_after;
     uint64_t hidden_from_us, hidden_until_us;
-    uint64_t tile_us, present_us; /* what drawing a tile and presenting take */
+    uint64_t tile_us, present_us; /* time to draw a tile, and to present */
     unsigned slices;              /* so many times 20 ms more, in go_on */
     uint64_t again_us;            /* if not 0: from then on `mode` has the last frame shown again, once */
-    enum world_call fail;         /* what fails, after fail_after frames */
+    enum world_call fail;         /* call that fails, after fail_after frames */
     unsigned fail_after, stop_after;
     uint64_t fail_from_us;
-    int done_status; /* what frame_done says */
+    int done_status; /* result of frame_done */
     size_t memory_limit;
 
-    /* What happened. */
+    /* The record. */
     unsigned slices_left, slices_done;
     unsigned next_event, tiles, acquired, memory_calls, runs, frame_count;
     size_t memory_size;
@@ -131,7 +131,7 @@ static inline int world_submit(void *ctx, struct tia_tile tile)
     return world_result(w, CALL_SUBMIT);
 }
 
-/* The picture as it must be: traced as a whole, with the lights as they are now. */
+/* Compares the picture: traced as a whole, with the present lights. */
 static inline void world_compare(struct world *w)
 {
     static tia_rgb565 want[WORLD_WIDTH * WORLD_HEIGHT];
@@ -199,7 +199,7 @@ static inline int world_poll(void *ctx, struct tia_event *event)
     return 1;
 }
 
-/* Sleeps until the next thing of the script; a sleep that nothing would end is an error. */
+/* Sleeps until the next event of the script; a sleep without an end is an error. */
 static inline int world_wait(void *ctx, int timeout_ms)
 {
     struct world *w = ctx;
@@ -242,7 +242,7 @@ static inline void *world_take_memory(void *ctx, size_t size)
     return world_memory;
 }
 
-/* Backwards: the order must not matter. */
+/* Runs the jobs backwards: the order must not matter. */
 static inline void world_run(void *ctx, void (*job)(void *arg, unsigned index), void *arg, unsigned count)
 {
     ((struct world *)ctx)->runs++;
@@ -281,7 +281,7 @@ static inline int world_frame_done(void *ctx, const struct tia_frame *frame)
     return w->done_status;
 }
 
-/* The thesis scene on a display of 64x48, everything there, nothing happening. */
+/* Returns the thesis scene on a display of 64x48, all parts set, without events. */
 static inline struct world *world_new(void)
 {
     static struct world w;
@@ -311,7 +311,7 @@ static inline struct world *world_new(void)
     return &w;
 }
 
-/* Runs it and checks that nothing was written beyond the memory that was asked for. */
+/* Runs it and checks that no byte was written beyond the memory asked for. */
 static inline int world_play(struct world *w)
 {
     int status = tia_viewer_run(&w->viewer);
@@ -329,7 +329,7 @@ static inline int world_play(struct world *w)
 
 static const uint16_t key_a[] = {'a'};
 
-/* A world with the light of key a, at (-20, 20, -20). */
+/* Returns a world with the light of key a, at (-20, 20, -20). */
 static inline struct world *lit_world(void)
 {
     struct world *w = world_new();

@@ -3,8 +3,8 @@
 #include "render/geometry/walk.h"
 
 /* The part of its distance by which a box that is missed may count as entered, and the slope below which a ray across
- * an axis is taken to have that slope, see num_slope and clip of walk.c: how coarse a walk may be. That costs time,
- * never a leaf: those that the ray does enter are asked for exactly. */
+ * an axis is taken to have that slope, see num_slope and clip of walk.c: the tolerance of a walk. It costs time, never
+ * a leaf: every leaf that the ray does enter is required. */
 #ifdef TIA_NUM_F64
 #define COARSE 0
 #define LEVEL 0x1p-20L
@@ -13,8 +13,8 @@
 #define LEVEL 0x1p-8L
 #endif
 
-/* The part of the ray between two planes across an axis. With a slope of less than `least` it enters as if that were
- * its slope, and leaves only if it does so behind the origin. */
+/* Clips the ray to the part between two planes across an axis. With a slope of less than `least` it enters as if that
+ * were its slope, and leaves only if it does so behind the origin. */
 static void clip_to(long double min, long double max, long double o, long double d, long double least,
                     long double *near, long double *far)
 {
@@ -26,7 +26,8 @@ static void clip_to(long double min, long double max, long double o, long double
         *far = fminl(*far, fmaxl(from, to));
 }
 
-/* By how far the ray misses a box before the limit; below 0: it enters. `coarse`: as the walk may see it. */
+/* Returns the distance by which the ray misses a box before the limit; below 0: it enters. `coarse`: within the walk's
+ * tolerance. */
 static long double misses_by(const struct tia_bounds *b, const struct ray *ray, long double limit, bool coarse)
 {
     real3 o = real3_of(ray->origin), d = real3_dir(ray->direction), min = real3_vec(b->min), max = real3_vec(b->max);
@@ -38,7 +39,7 @@ static long double misses_by(const struct tia_bounds *b, const struct ray *ray, 
     return near * (1 - (coarse ? COARSE : 0)) - far;
 }
 
-/* From 2 LEVEL down, in either direction; or 0. */
+/* Returns a slope from 2 LEVEL down, in either direction; or 0. */
 static num_unit tiny_slope(void)
 {
     long double size = ldexpl(LEVEL * (2 - fabsl(random_real())), -(int)(random_bits() % 40));
@@ -46,7 +47,7 @@ static num_unit tiny_slope(void)
     return (num_unit)(size * (long double)NUM_UNIT_ONE) * (int)(random_bits() % 3 - 1);
 }
 
-/* Each leaf once, and no other. */
+/* Checks that each entered leaf comes once, and no other. */
 static unsigned check_leaves(const struct made *m, const struct ray *ray, long double limit)
 {
     static uint8_t times[2 * MADE_FACES];
@@ -70,7 +71,7 @@ static unsigned check_leaves(const struct made *m, const struct ray *ray, long d
     return count;
 }
 
-/* A leaf that lies beyond a limit that has become smaller is left out. */
+/* Checks that a leaf beyond a limit that has become smaller is left out. */
 static void check_shrinking(const struct made *m, const struct ray *ray, long double limit)
 {
     const struct tia_bvh_node *leaf;
@@ -83,7 +84,7 @@ static void check_shrinking(const struct made *m, const struct ray *ray, long do
     }
 }
 
-/* Next to parallel to two planes, or to four. */
+/* Makes the ray nearly parallel to two planes, or to four. */
 static void level_out(struct ray *ray, int i)
 {
     num_unit *d[3] = {&ray->direction.x, &ray->direction.y, &ray->direction.z};
@@ -114,7 +115,7 @@ TEST(a_walk_finds_the_leaves_that_the_ray_enters)
     CHECK(count > 10000);
 }
 
-/* In a plane across an axis, seen from a point of that plane's neighbourhood: slopes that are nearly or exactly 0. */
+/* In a plane across an axis, seen from a nearby point: slopes that are nearly or exactly 0. */
 TEST(level_rays_find_their_way_through_a_tree)
 {
     struct made *m = made_sphere((struct tia_vec3){TIA_Q16(9000), 0, 0}, 4, 2);

@@ -1,4 +1,4 @@
-/* without_f64.h - what a test in double precision is in a build without it. */
+/* without_f64.h - a test in double precision in a build without it: skipped. */
 #include "check.h"
 
 TEST(double_precision)

@@ -1,4 +1,4 @@
-/* without_vt.h - tests that take a console, where there is none to be taken. */
+/* without_vt.h - runs tests that take a console where none can be taken. */
 #ifndef TESTS_WITHOUT_VT_H
 #define TESTS_WITHOUT_VT_H
 
@@ -10,8 +10,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* A process of another session and without rights has no VT. A test must not take the console that
- * somebody is looking at. */
+/* Runs in a process of another session and without rights, which has no VT. A test must not take the console that
+ * somebody is using. */
 static inline int in_process_without_vt(int (*run)(void))
 {
     pid_t child;

@@ -7,7 +7,7 @@
 #define BIAS (1.0F / 8192)     /* 2^-13 */
 #define DARKEST (1.0F / 65536) /* a ray of less throughput is not followed */
 
-/* A ray that waits: each meets two more at most, and they are one level deeper. */
+/* A pending ray: each ray spawns two more at most, one level deeper. */
 struct pending {
     struct float_ray ray;
     float throughput[3];
@@ -63,7 +63,7 @@ static void find_normals(const struct embree *e, const struct RTCHit *hit, struc
     }
 }
 
-/* False: it meets nothing. */
+/* Finds the hit; false: there is none. */
 static bool find_point(const struct embree *e, const struct float_ray *ray, struct point *p)
 {
     struct embree_context context;
@@ -133,7 +133,7 @@ static void follow(struct pixel *pixel, const struct pending *from, struct vec o
     pixel->waiting += visible;
 }
 
-/* False: total reflection. */
+/* Refracts; false: total reflection. */
 static bool refract(const struct point *p, struct vec *direction)
 {
     float index = p->back ? 1 / p->material->index : p->material->index;
@@ -199,7 +199,7 @@ static tia_rgb565 draw_pixel(const struct embree *e, struct vec eye, struct vec 
                         level(pixel.colour[2], 31));
 }
 
-/* Embree asks for results and operands without denormals. Returns the modes before. */
+/* Modes that flush denormal results and operands to zero, as Embree requires. Returns the modes before. */
 #define FLUSH_TO_ZERO 0x9fc0u
 
 static unsigned set_modes(unsigned modes)

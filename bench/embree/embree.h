@@ -1,6 +1,6 @@
 /* embree.h - the scenes of the Standard Procedural Databases by Embree 3, to compare with: rtcIntersect1 and
  * rtcOccluded1 in float, one ray at a time, and Whitted's shading around them in float, too. The rays are tia's: its
- * camera, its bias, its depth, and what is too dark is not followed. */
+ * camera, its bias, its depth, and its limit for faint rays. */
 #ifndef BENCH_EMBREE_EMBREE_H
 #define BENCH_EMBREE_EMBREE_H
 
@@ -8,11 +8,11 @@
 
 struct embree;
 
-/* False where this was built without Embree: then embree_open always returns NULL. */
+/* False if this was built without Embree: then embree_open always returns NULL. */
 extern const bool embree_is_there;
 
-/* NULL when the scene has more than these have (other shapes, lights or textures), or memory is short. `scene` must
- * stay. */
+/* Opens a scene; NULL when it has shapes, lights or textures that are not supported here, or memory is short. `scene`
+ * must stay. */
 struct embree *embree_open(const struct tia_scene *scene);
 void embree_close(struct embree *embree);
 

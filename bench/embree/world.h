@@ -1,4 +1,4 @@
-/* world.h - a scene as Embree has it, and what shading has to know of it. */
+/* world.h - a scene in Embree, and its data for shading. */
 #ifndef BENCH_EMBREE_WORLD_H
 #define BENCH_EMBREE_WORLD_H
 
@@ -8,13 +8,13 @@
 #include "embree.h"
 #include "float_world.h"
 
-#define EMBREE_DEPTH 64 /* at most */
+#define EMBREE_DEPTH 64 /* largest depth */
 
 enum embree_geometry { EMBREE_SPHERES, EMBREE_FACES, EMBREE_CONES, EMBREE_GEOMETRIES };
 
 struct embree_material {
     float colour[3], specular[3], mirror[3], refraction[3], transmission[3], exponent, index;
-    bool shines, reflects, refracts, passes; /* those are not black */
+    bool shines, reflects, refracts, passes; /* those that are not black */
 };
 
 struct embree_light {
@@ -40,8 +40,8 @@ struct embree {
     unsigned depth;
 };
 
-/* In the units of the scene's file, for which the bias is meant: tia enlarges small scenes, which have more digits
- * then; floats have as many anywhere. */
+/* Returns a length in the units of the scene's file, for which the bias is meant: tia enlarges small scenes to give
+ * them more digits; floats have as many at any size. */
 static inline float embree_length(const struct tia_scene *scene, tia_q16 length)
 {
     return ldexpf((float)length, -16 - (int)scene->scale_bits);
@@ -52,7 +52,7 @@ static inline struct vec embree_place(const struct tia_scene *scene, struct tia_
     return (struct vec){embree_length(scene, v.x), embree_length(scene, v.y), embree_length(scene, v.z)};
 }
 
-/* As rays ask for it: the context of one, and what shadow rays have left of the light. */
+/* The context of a ray, and the light that is left of shadow rays. */
 struct embree_context {
     struct RTCIntersectContext context; /* must be the first */
     float through[3];

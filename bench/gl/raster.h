@@ -7,29 +7,29 @@
 struct gl_raster;
 
 /* An image with a face, a 24-bit depth and a stencil value for each pixel, drawn by a library of the osmesa display:
- * "osmesa" or "egl". Pixels on edges go as tia has them, by the top-left rule. NULL: why, PORT_WHY characters, says
- * what failed. One at a time. */
+ * "osmesa" or "egl". Pixels on edges follow the top-left rule, as in tia. NULL: `why`, PORT_WHY characters, has the
+ * reason. One at a time. */
 struct gl_raster *gl_raster_open(const char *library, unsigned width, unsigned height, char *why);
 void gl_raster_close(struct gl_raster *r);
 
-/* The driver's name. */
+/* Returns the driver's name. */
 const char *gl_raster_driver(void);
 
 void gl_raster_clear(struct gl_raster *r, uint8_t stencil);
 
-/* A convex polygon in clip coordinates x, y, z, w. What passes all tests has this face, if the state writes red.
- * gl_raster_draw is gl_raster_begin, gl_raster_polygon and gl_raster_end; many polygons with one state between those
- * take GL a fraction of the time. */
+/* Draw convex polygons in clip coordinates x, y, z, w. Pixels that pass all tests get this face, if the state writes
+ * red. gl_raster_draw is gl_raster_begin, gl_raster_polygon and gl_raster_end; many polygons with one state between
+ * those take GL a fraction of the time. */
 void gl_raster_begin(struct gl_raster *r, const struct tia_raster_state *state);
 void gl_raster_polygon(struct gl_raster *r, const double (*corners)[4], unsigned count, uint32_t face);
 void gl_raster_end(struct gl_raster *r);
 void gl_raster_draw(struct gl_raster *r, const struct tia_raster_state *state, const double (*corners)[4],
                     unsigned count, uint32_t face);
 
-/* Waits until all is drawn. */
+/* Waits until all polygons are drawn. */
 void gl_raster_finish(void);
 
-/* TIA_NO_FACE where nothing is; rows from the top. False on an error of GL since the last call. */
+/* Reads the buffers, rows from the top; TIA_NO_FACE at empty pixels. False on an error of GL since the last call. */
 bool gl_raster_read(struct gl_raster *r, uint32_t *face, uint8_t *stencil);
 
 #endif

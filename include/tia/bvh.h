@@ -27,7 +27,7 @@ struct tia_bvh_node {
     uint32_t index, count;
 };
 
-/* One hierarchy, of a scene's objects or of a mesh's faces; an item is the index of one. */
+/* One hierarchy, of a scene's objects or of a mesh's faces; its items are their indices. */
 struct tia_bvh_tree {
     const struct tia_bvh_node *nodes;
     const uint32_t *items;
@@ -43,8 +43,8 @@ struct tia_bvh {
     uint32_t unbounded_count;
 };
 
-/* Bytes of memory that tia_bvh_build needs for a scene that tia_scene_check accepts; SIZE_MAX when there are too many.
- * The memory must be aligned for uint64_t. */
+/* Returns the bytes of memory that tia_bvh_build needs for a scene that tia_scene_check accepts; SIZE_MAX when there
+ * are too many. The memory must be aligned for uint64_t. */
 size_t tia_bvh_size(const struct tia_scene *scene);
 
 /* Builds the hierarchies of a scene that tia_scene_check accepts; set scene->bvh = *bvh to use them.
@@ -71,9 +71,9 @@ size_t tia_bvh_move_size(const struct tia_scene *scene);
 int tia_bvh_move(const struct tia_bvh **bvh, void *memory, size_t size, const struct tia_scene *scene,
                  const struct tia_scene *standing, bool (*stop)(void *ctx), void *ctx);
 
-/* World bounds of object `index`, rounded outwards, then enlarged by 2^-16 on every side, and clamped to the
- * range of Q16.16. Empty for a plane, for a mesh without faces and for an index that is no object's. The scene is one
- * that tia_scene_check accepts. Takes time proportional to a mesh's faces. */
+/* Returns the world bounds of object `index`, rounded outwards, then enlarged by 2^-16 on every side, and clamped to
+ * the range of Q16.16. They are empty for a plane, for a mesh without faces and for an index that is no object's. The
+ * scene is one that tia_scene_check accepts. Takes time proportional to a mesh's faces. */
 struct tia_bounds tia_object_bounds(const struct tia_scene *scene, uint32_t index);
 
 #ifdef __cplusplus

@@ -1,4 +1,4 @@
-/* denoise.h - takes noise out of a picture of samples: an edge-avoiding a-trous wavelet (Dammertz et al. 2010), guided
+/* denoise.h - removes noise from a picture of samples: an edge-avoiding a-trous wavelet (Dammertz et al. 2010), guided
  * by the surface that each pixel sees and by the standard error of its mean (the spatial part of Schied et al. 2017),
  * in integers.
  *
@@ -19,9 +19,9 @@
  * albedo, l the luminance of the divided light and s its standard error, over 3x3 pixels; each pass updates it as the
  * standard error of a weighted mean.
  *
- * Weights that depend on the light favour what noise has made alike: of many dark samples and a few bright ones the
- * bright are left out, and the mean falls. So what three such passes have taken from each pixel is averaged by three
- * more, whose weights are without the last term of x, and added: the mean of a surface stays.
+ * Weights that depend on the light favour pixels that noise has made similar: of many dark samples and a few bright
+ * ones the bright are left out, and the mean falls. So the light that three such passes have removed from each pixel is
+ * averaged by three more, whose weights lack the last term of x, and added: the mean of a surface stays.
  */
 #ifndef TIA_DENOISE_H
 #define TIA_DENOISE_H
@@ -36,42 +36,42 @@ extern "C" {
 
 struct tia_denoiser; /* in the caller's memory */
 
-/* Bytes for a picture: 68 a pixel and a few; SIZE_MAX when there are too many. */
+/* Returns the bytes for a picture: 68 a pixel and a few; SIZE_MAX when there are too many. */
 size_t tia_denoise_size(unsigned width, unsigned height);
 
-/* In `memory`, aligned for uint64_t; every pixel is black until it is put in. TIA_ERR_ARGUMENT for sizes that are not
- * 1..TIA_SIZE_MAX, TIA_ERR_MEMORY when `size` is too small. */
+/* Creates a denoiser in `memory`, aligned for uint64_t; every pixel is black until it is put in. TIA_ERR_ARGUMENT for
+ * sizes that are not 1..TIA_SIZE_MAX, TIA_ERR_MEMORY when `size` is too small. */
 int tia_denoise_init(struct tia_denoiser **denoiser, void *memory, size_t size, unsigned width, unsigned height);
 
-/* Puts in what `count` samples (1..TIA_SPP_MAX) of each pixel of the tile have gathered: sums, guides and squares.
- * TIA_ERR_ARGUMENT when the tile is not inside the picture, here and below, and when one of the three is NULL. */
+/* Puts in the sums, guides and squares of `count` samples (1..TIA_SPP_MAX) of each pixel of the tile. TIA_ERR_ARGUMENT
+ * when the tile is not inside the picture, here and below, and when one of the three is NULL. */
 int tia_denoise_put(struct tia_denoiser *denoiser, struct tia_tile tile, const struct tia_gathered *gathered,
                     uint32_t count);
 
-/* Pass 0, 1, ... of TIA_DENOISE_PASSES. */
+/* Runs pass 0, 1, ... of TIA_DENOISE_PASSES. */
 int tia_denoise_pass(struct tia_denoiser *denoiser, unsigned pass, struct tia_tile tile);
 
-/* The sums that `count` samples without noise would give; `pitch` sums from row to row. */
+/* Gives the sums that `count` samples without noise would have; `pitch` sums from row to row. */
 int tia_denoise_get(const struct tia_denoiser *denoiser, struct tia_tile tile, uint32_t count, struct tia_sum *sums,
                     size_t pitch);
 
-/* ---- looking at a denoiser's guides ---- */
+/* ---- pictures of a denoiser's guides ---- */
 
 /* The guides' means, normals as (N + 1)/2, and the standard error of the luminance. */
 enum tia_shown_guide { TIA_SHOW_NOTHING, TIA_SHOW_NORMAL, TIA_SHOW_DEPTH, TIA_SHOW_ALBEDO, TIA_SHOW_ERROR };
 
-/* "normal", "depth", "albedo", "error"; NULL for others. */
+/* Returns "normal", "depth", "albedo", "error"; NULL for others. */
 const char *tia_shown_guide_name(unsigned shown);
 
-/* The sum that `count` samples would give if they showed that guide of the pixel with the index `at` in `gathered`, the
- * albedo for other guides. 0 where sums or guides, or squares for the error, are NULL, or the count is not in
- * 1..TIA_SPP_MAX. */
+/* Returns the sum that `count` samples would have if they showed that guide of the pixel with the index `at` in
+ * `gathered`, the albedo for other guides. 0 where sums or guides, or squares for the error, are NULL, or the count is
+ * not in 1..TIA_SPP_MAX. */
 struct tia_sum tia_guide_shown(enum tia_shown_guide shown, const struct tia_gathered *gathered, size_t at,
                                uint32_t count);
 
-/* The estimated standard error of a pixel's mean luminance (red + 2 green + blue)/4, in units of 2^-16, from the spread
- * of its samples; for one sample, that luminance, for none 0. Sobol points are more even than random ones, so the
- * estimate tends to be too large. */
+/* Returns the estimated standard error of a pixel's mean luminance (red + 2 green + blue)/4, in units of 2^-16, from
+ * the spread of its samples; for one sample, that luminance, for none 0. Sobol points are more even than random ones,
+ * so the estimate tends to be too large. */
 uint32_t tia_standard_error(const struct tia_sum *sum, uint64_t squares, uint32_t count);
 
 #ifdef __cplusplus

@@ -32,11 +32,11 @@ typedef uint16_t tia_rgb565;
 
 /* The result of every library function that can fail: 0 is success, errors are negative.
  *
- * A call that cannot be right returns TIA_ERR_ARGUMENT and changes nothing: with a pointer that is NULL where its
- * comment does not allow that, memory that is not aligned as it must be, or a number, an enum or a tile out of its
- * range, unless the comment names another result. Of functions without a status, those that return bytes give SIZE_MAX
- * for NULL, those that return an object or a light TIA_NO_OBJECT or TIA_NO_LIGHT, other values 0, false or NULL, and
- * those that return nothing do nothing. docs/library.md lists what no call can notice. */
+ * An invalid call returns TIA_ERR_ARGUMENT and changes nothing: with a pointer that is NULL where its comment does not
+ * allow that, memory that is not aligned as required, or a number, an enum or a tile out of its range, unless the
+ * comment names another result. Of functions without a status, those that return bytes give SIZE_MAX for NULL, those
+ * that return an object or a light TIA_NO_OBJECT or TIA_NO_LIGHT, other values 0, false or NULL, and those that return
+ * nothing do nothing. docs/library.md lists errors that no call detects. */
 enum tia_status {
     TIA_OK = 0,
     TIA_HIDDEN = 1,          /* not an error: another program has the display at the moment */

@@ -1,4 +1,4 @@
-/* gaze.h - where the eye looks, and how coarse pixels may be elsewhere: the acuity model of Guenter et al., "Foveated
+/* gaze.h - the gaze, and the size of blocks that suffices away from it: the acuity model of Guenter et al., "Foveated
  * 3D Graphics" (2012). Two points that are e degrees off the gaze look separate when they are at least
  *
  *     MAR(e) = w0 + m e
@@ -32,20 +32,21 @@ struct tia_gaze {
     bool smooth;        /* interpolate between drawn pixels instead of repeating them */
 };
 
-/* What does not change while a picture is drawn. */
+/* The constants of a picture. */
 struct tia_acuity {
     unsigned width, height;
-    uint32_t distance;                 /* of the eye from the picture, half pixels: at most 2^20 */
-    int32_t gaze[3];                   /* direction of the gaze, Q2.30 */
-    uint32_t cosine2[TIA_GAZE_LEVELS]; /* squared, Q0.20, of the angle from which blocks of 2, 4, 8, 16 suffice */
-    unsigned levels;                   /* how many of these sizes suffice anywhere */
+    uint32_t distance; /* the eye's distance from the picture, half pixels: at most 2^20 */
+    int32_t gaze[3];   /* direction of the gaze, Q2.30 */
+    /* Squared cosine, Q0.20, of the angle from which blocks of 2, 4, 8, 16 suffice. */
+    uint32_t cosine2[TIA_GAZE_LEVELS];
+    unsigned levels; /* number of these sizes that suffice anywhere */
 };
 
-/* Sets it up for a picture of width x height pixels (1..8192 each). False when every pixel is to be drawn: also when a
- * size or view_angle is out of range. */
+/* Prepares a picture of width x height pixels (1..8192 each). False when every pixel is to be drawn: also when a size
+ * or view_angle is out of range. */
 bool tia_acuity_init(struct tia_acuity *acuity, const struct tia_gaze *gaze, unsigned width, unsigned height);
 
-/* The block at a pixel: 1, 2, 4, 8 or 16; 1 outside the picture. */
+/* Returns the block size at a pixel: 1, 2, 4, 8 or 16; 1 outside the picture. */
 unsigned tia_acuity_block(const struct tia_acuity *acuity, unsigned x, unsigned y);
 
 #ifdef __cplusplus

@@ -1,13 +1,13 @@
-/* integrator.h - how the light that comes along a ray is summed up, and what is shown of it.
+/* integrator.h - integrators of the light along a ray, and the conversion of their sums to pixels.
  *
  * TIA_WHITTED is tia/material.h's model. The others estimate a mean: each pixel is the mean of `spp` samples, and a
  * sample is a function of the scene, the pixel and its number alone. A sample's radiance is clamped to 0..2^14 and
  * rounded once, to 2^-24, and samples are added in 64 bits. So a picture does not depend on the order, the place or the
  * parts in which its samples are drawn: the sums of samples a..b and of b..c are those of a..c, exactly.
  *
- * TIA_OCCLUSION shows how open a place is: 1 where a ray from it meets nothing up to a distance. These rays start at
- * what a pixel sees, their directions have the density cos t/pi around its normal N; those below the surface meet it.
- * Where a pixel sees no object it is 1.
+ * TIA_OCCLUSION shows the openness of a point: the share of rays from it that meet no object up to a distance. These
+ * rays start at a pixel's visible point, their directions have the density cos t/pi around its normal N; those below
+ * the surface meet it. Where a pixel sees no object it is 1.
  *
  * TIA_PATHS follows light along random paths (Kajiya, "The rendering equation", 1986). Of tia/material.h it takes
  *   - colour and texture: Lambert's law; specular: Phong's lobe specular (n + 2)/(2 pi) cos^n, normalised (Lafortune
@@ -38,17 +38,17 @@ extern "C" {
 
 enum tia_integrator { TIA_WHITTED, TIA_OCCLUSION, TIA_PATHS };
 
-/* "whitted", "ao", "path"; NULL beyond the last. */
+/* Returns "whitted", "ao", "path"; NULL beyond the last. */
 const char *tia_integrator_name(unsigned integrator);
 
-/* How radiance becomes a pixel's value, 0..1: as it is, or by the transfer function of sRGB, IEC 61966-2-1. */
+/* The conversion of radiance to a pixel's value, 0..1: linear, or by the transfer function of sRGB, IEC 61966-2-1. */
 enum tia_tone {
-    TIA_TONE_DEFAULT, /* TIA_TONE_SRGB of TIA_PATHS, else TIA_TONE_LINEAR */
+    TIA_TONE_DEFAULT, /* TIA_TONE_SRGB for TIA_PATHS, else TIA_TONE_LINEAR */
     TIA_TONE_LINEAR,
     TIA_TONE_SRGB
 };
 
-/* "linear" and "srgb" for TIA_TONE_LINEAR and TIA_TONE_SRGB; NULL for others. */
+/* Returns "linear" and "srgb" for TIA_TONE_LINEAR and TIA_TONE_SRGB; NULL for others. */
 const char *tia_tone_name(unsigned tone);
 
 #define TIA_SPP 16 /* the default */
@@ -56,17 +56,17 @@ const char *tia_tone_name(unsigned tone);
 #define TIA_BOUNCES_MAX 1024
 #define TIA_EXPOSURE_MAX TIA_Q16(24)
 
-/* How a path finds lights: with one strategy alone, pictures have the same mean and more noise. */
+/* A path's strategies for finding lights: with one alone, pictures have the same mean and more noise. */
 enum tia_strategy { TIA_STRATEGY_NONE, TIA_STRATEGY_LIGHTS, TIA_STRATEGY_SCATTERING };
 
 /* A scene's integrator. All zero: Whitted's, which ignores the other fields. */
 struct tia_integration {
     enum tia_integrator integrator;
     uint32_t spp;     /* samples per pixel, 1..TIA_SPP_MAX; 0 means TIA_SPP */
-    uint32_t seed;    /* of the random samples */
-    uint16_t bounces; /* of TIA_PATHS: the maximum, 1..TIA_BOUNCES_MAX; 0 means TIA_BOUNCES_MAX */
-    uint16_t without; /* of TIA_PATHS, for comparison: the enum tia_strategy to leave out */
-    tia_q16 distance; /* of TIA_OCCLUSION: farther objects do not count; 0: all count */
+    uint32_t seed;    /* seed of the random samples */
+    uint16_t bounces; /* TIA_PATHS: the maximum, 1..TIA_BOUNCES_MAX; 0 means TIA_BOUNCES_MAX */
+    uint16_t without; /* TIA_PATHS, for comparison: the enum tia_strategy to leave out */
+    tia_q16 distance; /* TIA_OCCLUSION: farther objects do not count; 0: all count */
     enum tia_tone tone;
     tia_q16 exposure; /* pixels show 2^exposure times the radiance: -TIA_EXPOSURE_MAX..TIA_EXPOSURE_MAX */
 };
@@ -80,26 +80,26 @@ struct tia_sum {
  * denoise.h.
  */
 struct tia_guide {
-    int64_t normal[3]; /* of length 1, on the side that is seen, 2^-24; 0 of the background */
-    int64_t depth;     /* path length to it, 2^-16; 0 of the background */
+    int64_t normal[3]; /* of length 1, on the visible side, 2^-24; 0 for the background */
+    int64_t depth;     /* path length to it, 2^-16; 0 for the background */
     int64_t albedo[3]; /* reflectance, all lobes together, plus the emission of it or of a light there; 2^-24 */
 };
 
-/* Where samples are added. */
+/* The arrays to which samples are added. */
 struct tia_gathered {
     struct tia_sum *sums;
     struct tia_guide *guides; /* or NULL */
     uint64_t *squares;        /* or NULL: the squares of (red + 2 green + blue)/4, in units of 2^-32, up to 2^64 - 1 */
-    size_t pitch;             /* from one row of the tile to the next, in each of them */
+    size_t pitch;             /* elements from one row of the tile to the next, in each of them */
 };
 
 struct tia_view;
 struct tia_tile;
 struct tia_surface;
 
-/* In one arithmetic, as struct tia_core. */
+/* A sampling integrator in one arithmetic, as struct tia_core. */
 struct tia_estimator {
-    const char *name; /* of the core whose views it takes */
+    const char *name; /* name of the core whose views it takes */
 
     /* Adds samples first..end - 1 of each pixel of the tile to its sum, row by row, the next row `pitch` sums on.
      * TIA_ERR_UNSUPPORTED: the scene is drawn by an integrator without samples. TIA_ERR_ARGUMENT when the tile is not
@@ -109,12 +109,13 @@ struct tia_estimator {
     int (*sample)(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end, struct tia_sum *sums,
                   size_t pitch);
 
-    /* The same, and gathers their guides and squares. */
+    /* Does the same, and gathers their guides and squares. */
     int (*gather)(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end,
                   const struct tia_gathered *gathered);
 
-    /* The opaque object that encloses light number `light` of the view, but not the eye, so that the light reaches
-     * nothing else; TIA_NO_OBJECT: none, no such light, or a scene without samples. Decided by 14 rays from the light.
+    /* Returns the opaque object that encloses light number `light` of the view, but not the eye, so that the light
+     * reaches nothing else; TIA_NO_OBJECT: none, no such light, or a scene without samples. Decided by 14 rays from the
+     * light.
      */
     uint32_t (*enclosing)(const struct tia_view *view, uint32_t light);
 
@@ -137,19 +138,19 @@ struct tia_exposure {
     int shift;
 };
 
-/* The tone that TIA_TONE_DEFAULT stands for. */
+/* Returns the tone that TIA_TONE_DEFAULT stands for. */
 enum tia_tone tia_tone_of(const struct tia_integration *integration);
 
-/* The exposure is clamped to -TIA_EXPOSURE_MAX..TIA_EXPOSURE_MAX. */
+/* Prepares an exposure, clamped to -TIA_EXPOSURE_MAX..TIA_EXPOSURE_MAX. */
 struct tia_exposure tia_exposure_of(tia_q16 exposure);
 
-/* The value that a pixel shows, from the sum of `count` samples of one channel: 2^exposure times their mean, in units
- * of 2^-32, at most 2^32 - 1. Rounded down; exact for an exposure of 0. The mean is clamped to 0..2^14; a count of 0
- * gives 0. */
+/* Returns the value of a pixel from the sum of `count` samples of one channel: 2^exposure times their mean, in units of
+ * 2^-32, at most 2^32 - 1. Rounded down; exact for an exposure of 0. The mean is clamped to 0..2^14; a count of 0 gives
+ * 0. */
 uint32_t tia_exposed(const struct tia_exposure *exposure, int64_t sum, uint32_t count);
 
-/* The nearest of 2^bits levels to that value, ties up: exact. The bits are 1..16, for srgb 5, 6 or 8; others give 0.
- * Other tones are as TIA_TONE_LINEAR. */
+/* Returns the nearest of 2^bits levels to that value, ties up: exact. The bits are 1..16, for srgb 5, 6 or 8; others
+ * give 0. Other tones are as TIA_TONE_LINEAR. */
 unsigned tia_tone_level(enum tia_tone tone, uint32_t value, unsigned bits);
 
 #ifdef __cplusplus

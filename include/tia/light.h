@@ -5,8 +5,8 @@
  * all three factors are 0, and for directional lights, there is no attenuation; where the sum is 2^17 or more, no light
  * arrives.
  *
- * An ambient light with a radius is occluded by objects within it: its light is multiplied by what TIA_OCCLUSION of
- * integrator.h would show up to that distance, the mean of `samples` rays.
+ * An ambient light with a radius is occluded by objects within it: its light is multiplied by the openness up to that
+ * distance, as TIA_OCCLUSION of integrator.h defines it, the mean of `samples` rays.
  *
  * A light whose radius or sides are not 0 is visible from all sides as a surface that shows its emission.
  * Shadow rays pass through it. An area light's contribution is the mean over its samples, each of which
@@ -111,7 +111,7 @@ struct tia_light {
     tia_q16 constant, linear, quadratic; /* attenuation, each 0..TIA_Q16(32767) */
     uint16_t samples;                    /* area lights, ambient ones with a radius: 1..TIA_LIGHT_SAMPLES_MAX; 0 means
                                             TIA_LIGHT_SAMPLES */
-    uint8_t emission_bits; /* of TIA_PATHS: emission is 2^emission_bits times as large, 0..TIA_EMISSION_BITS_MAX */
+    uint8_t emission_bits; /* TIA_PATHS: emission is 2^emission_bits times as large, 0..TIA_EMISSION_BITS_MAX */
     int8_t unit_bits;      /* attenuation is in 2^unit_bits units of the file; with the scene's scale_bits 0..30 */
 };
 

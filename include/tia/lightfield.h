@@ -2,15 +2,15 @@
  *
  * The display is a flat screen in the scene: the window of a TIA_FRUSTUM camera with an observer line, see camera.h.
  * Each pixel of such a picture, or each of its three subpixels, is a pixel of an ordinary off-axis picture of the whole
- * screen, seen from an eye somewhere on that line. The kinds differ only in which pixel and which eye. So a light field
- * has the bits of those pictures.
+ * screen, seen from an eye somewhere on that line. The kinds differ only in the choice of pixel and eye. So a light
+ * field has the bits of those pictures.
  *
  * A quilt has them side by side: view 0, the leftmost, at the lower left, then to the right, then up, each of
  * floor(width/columns) x floor(height/rows) pixels. Remaining columns at the right and rows at the top stay black.
  *
  * A subpixel of a lenticular panel lies under a lens, which sends its light in one direction only. The lenses are
  * parallel and straight, so a subpixel's place under its lens is a linear function of its place in the picture, modulo
- * 1. This phase says which part of the observer line sees it, from 0, the left end, to 1, the right end. Subpixel k =
+ * 1. This phase is the part of the observer line that sees it, from 0, the left end, to 1, the right end. Subpixel k =
  * 0, 1, 2 of pixel x, in row r, counted from 0 at the bottom, of a picture W pixels wide has the phase
  *
  *     ((x + 1/2 + k/3) pitch + (r + 1/2) rise)/W - centre   modulo 1,   or 1 - that if it is inverted.
@@ -42,23 +42,24 @@ extern "C" {
 enum tia_light_field_kind { TIA_QUILT, TIA_LENTICULAR, TIA_PROJECTOR };
 
 struct tia_quilt {
-    uint16_t columns, rows; /* of views, each 1..TIA_QUILT_MAX */
+    uint16_t columns, rows; /* number of views, each 1..TIA_QUILT_MAX */
 };
 
 enum tia_subpixels { TIA_SUBPIXELS_RGB, TIA_SUBPIXELS_BGR, TIA_SUBPIXELS_NONE };
 
 struct tia_lenticular {
-    int64_t pitch;  /* lenses to the width of the picture, 40 fraction bits; below TIA_PITCH_MAX in size, as rise is */
-    int64_t rise;   /* the phase gained over `width` rows, 40 fraction bits */
-    int64_t centre; /* 40 fraction bits */
+    /* Lenses to the width of the picture, 40 fraction bits; pitch and rise are below TIA_PITCH_MAX in size. */
+    int64_t pitch;
+    int64_t rise;                 /* the phase gained over `width` rows, 40 fraction bits */
+    int64_t centre;               /* 40 fraction bits */
     enum tia_subpixels subpixels; /* from left to right */
     bool flipped;                 /* the picture, lenses and all, is shown from right to left */
     bool inverted;
 };
 
 struct tia_projector {
-    tia_q16 place;    /* along u, from the middle of the screen */
-    tia_q16 distance; /* behind the screen, above 0 */
+    tia_q16 place;    /* position along u, from the middle of the screen */
+    tia_q16 distance; /* distance behind the screen, above 0 */
 };
 
 /* Only the member for `kind` is used. */
@@ -69,13 +70,14 @@ struct tia_light_field {
     struct tia_projector projector;
 };
 
-/* The eye of view `view` of `views`, which include both ends of the line: its place along u from the line's middle, to
- * the nearest 2^-16. A single view's eye is in the middle; so is one that is not among them, or of a line below 0. */
+/* Returns the eye of view `view` of `views`, which include both ends of the line: its position along u from the line's
+ * middle, to the nearest 2^-16. A single view's eye is in the middle; so is one with another number, or on a line below
+ * 0. */
 tia_q16 tia_light_field_place(const struct tia_camera *camera, uint32_t view, uint32_t views);
 
-/* The ordinary off-axis camera whose eye stands at a place within the line's ends: eye and reference move by place
- * times u, each coordinate rounded to the nearest 2^-16, and the window stays where it is. It has no line.
- * TIA_ERR_RANGE for other places, and for a camera that tia_scene_check refuses. */
+/* Gives the ordinary off-axis camera whose eye is at a position within the line's ends: eye and reference move by
+ * `place` times u, each coordinate rounded to the nearest 2^-16, and the window stays where it is. It has no line.
+ * TIA_ERR_RANGE for other positions, and for a camera that tia_scene_check refuses. */
 int tia_light_field_camera(struct tia_camera *out, const struct tia_camera *camera, tia_q16 place);
 
 #ifdef __cplusplus

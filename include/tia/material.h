@@ -23,11 +23,11 @@
  * before the light. Each object counts once, however often it is hit: a grid with the first cell that the ray
  * hits, a mesh that has groups once for each group that is hit.
  *
- * An opacity texture, whose value at P is o, says how much of the surface is there: the colour is o times the one
- * above plus 1 - o times the colour seen past it, along a ray that goes straight on from P - b V. Where the refracted
- * ray goes straight on as well, the two are one ray, of o kt + 1 - o. A shadow ray is filtered by each such surface
- * that it crosses, by o transmission + 1 - o at that place, and goes on b behind it; T is 0 behind more than TIA_LAYERS
- * of them in one object. Other cells of a grid count once, by the first.
+ * An opacity texture, whose value at P is o, defines the part of the surface that is there: the colour is o times the
+ * one above plus 1 - o times the colour seen past it, along a ray that goes straight on from P - b V. Where the
+ * refracted ray goes straight on as well, the two are one ray, of o kt + 1 - o. A shadow ray is filtered by each such
+ * surface that it crosses, by o transmission + 1 - o at that place, and goes on b behind it; T is 0 behind more than
+ * TIA_LAYERS of them in one object. Other cells of a grid count once, by the first.
  *
  * Media nest. Each ray has a list of the objects that it has entered and not left, at most TIA_MEDIA; its
  * medium is the object entered last, or air of index 1 when the list is empty. Camera rays start with an empty
@@ -65,28 +65,29 @@ extern "C" {
 #endif
 
 #define TIA_EXPONENT_MAX TIA_Q16(10000)
-#define TIA_INDEX_MIN TIA_Q16(0.25) /* of refraction */
+#define TIA_INDEX_MIN TIA_Q16(0.25) /* index of refraction */
 #define TIA_INDEX_MAX TIA_Q16(4)
 #define TIA_EMISSION_BITS_MAX 13
-#define TIA_MEDIA 8                  /* entered objects that a ray keeps track of */
+#define TIA_MEDIA 8                  /* entered objects in a ray's list */
 #define TIA_LAYERS 256               /* straight layers in a path */
-#define TIA_RAYS (UINT32_C(1) << 17) /* of a sample, without shadow rays */
+#define TIA_RAYS (UINT32_C(1) << 17) /* rays of a sample, without shadow rays */
 
 /* Every channel of a material's colours lies in [0, 1]. */
 struct tia_material {
     struct tia_rgb colour;       /* diffuse reflectance (albedo) */
     struct tia_rgb transmission; /* filter for light on its way to other surfaces: black is opaque */
     struct tia_rgb emission;     /* glow; does not light other objects */
-    struct tia_rgb specular;     /* of the Phong highlight */
-    tia_q16 exponent;            /* of the highlight, 1..TIA_EXPONENT_MAX; ignored when specular is black */
+    struct tia_rgb specular;     /* colour of the Phong highlight */
+    tia_q16 exponent;            /* exponent of the highlight, 1..TIA_EXPONENT_MAX; ignored when specular is black */
     struct tia_rgb mirror;       /* reflectance of the mirrored ray */
     struct tia_rgb refraction;   /* transmittance of the ray refracted by Snell's law */
-    tia_q16 index;               /* of refraction inside the object, TIA_INDEX_MIN..TIA_INDEX_MAX (outside it
-                                    is 1); ignored when refraction is black */
+    /* Index of refraction inside the object, TIA_INDEX_MIN..TIA_INDEX_MAX (outside it is 1); ignored when refraction is
+     * black. */
+    tia_q16 index;
     bool fresnel;
-    uint8_t emission_bits; /* of TIA_PATHS: emission is 2^emission_bits times as large, 0..TIA_EMISSION_BITS_MAX */
+    uint8_t emission_bits; /* TIA_PATHS: emission is 2^emission_bits times as large, 0..TIA_EMISSION_BITS_MAX */
     struct tia_rgb facing; /* weight of the facing ratio N.V */
-    uint32_t texture;      /* of the colour. 0: none; n: the scene's texture n - 1, a checker or an image */
+    uint32_t texture;      /* texture of the colour. 0: none; n: the scene's texture n - 1, a checker or an image */
     uint32_t opacity;      /* 0: opaque; n: the scene's texture n - 1, of the kind TIA_OPACITY */
 };
 
@@ -95,11 +96,12 @@ enum tia_texture_kind { TIA_CHECKER, TIA_IMAGE, TIA_OPACITY };
 #define TIA_TEXTURE_BITS_MIN (-8)
 #define TIA_TEXTURE_BITS_MAX 12
 
-/* Its value at repeat (u - offset), repeat (v - offset) of the surface coordinates u, v: see shape.h. */
+/* A texture. Its value is taken at repeat (u - offset), repeat (v - offset) of the surface coordinates u, v: see
+ * shape.h. */
 struct tia_texture {
     enum tia_texture_kind kind;
-    tia_q16 repeat[2]; /* of u and v, times 2^-repeat_bits, TIA_Q16(1/1024)..INT32_MAX */
-    tia_q16 offset[2]; /* where on the surface the texture's (0, 0) lies, times 2^-offset_bits */
+    tia_q16 repeat[2]; /* repeats of u and v, times 2^-repeat_bits, TIA_Q16(1/1024)..INT32_MAX */
+    tia_q16 offset[2]; /* position of the texture's (0, 0) on the surface, times 2^-offset_bits */
 
     /* TIA_CHECKER: cells of 1 x 1, cells[0] where floor(u) + floor(v) is even. Channels in [0, 1]. */
     struct tia_rgb cells[2];
@@ -108,7 +110,7 @@ struct tia_texture {
      * counted from the upper left, is at u = (x + 1/2)/width, v = 1 - (y + 1/2)/height. */
     bool bilinear;          /* false: nearest texel */
     uint16_t width, height; /* 1..TIA_TEXTURE_MAX */
-    const uint8_t *texels;  /* row by row: red, green, blue, or of TIA_OPACITY one byte; 255 is 1.0 */
+    const uint8_t *texels;  /* row by row: red, green, blue, or for TIA_OPACITY one byte; 255 is 1.0 */
 
     int8_t repeat_bits, offset_bits; /* TIA_TEXTURE_BITS_MIN..TIA_TEXTURE_BITS_MAX */
 };

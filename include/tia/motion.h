@@ -1,4 +1,4 @@
-/* motion.h - animation: keyframes, what appears and vanishes, and balls that fall. */
+/* motion.h - animation: keyframes, visibility over time, and falling balls. */
 #ifndef TIA_MOTION_H
 #define TIA_MOTION_H
 
@@ -16,11 +16,11 @@ enum tia_target {
     TIA_MOVES_TRANSFORM, /* a transform's position */
     TIA_ROTATES_TRANSFORM,
     TIA_SCALES_TRANSFORM,
-    TIA_SHOWS_SHAPE, /* 1 in x: it is there, 0: it is not; from its keyframe on, without anything in between */
+    TIA_SHOWS_SHAPE, /* 1 in x: shown, 0: hidden; from its keyframe on, without interpolation */
     TIA_SHOWS_LIGHT,
-    TIA_SETS_COLOUR, /* of a material, and so on: red, green and blue, Q2.30 in 0..1 */
+    TIA_SETS_COLOUR, /* a material's colour, and so on: red, green and blue, Q2.30 in 0..1 */
     TIA_SETS_TRANSMISSION,
-    TIA_SETS_EMISSION, /* before its bits */
+    TIA_SETS_EMISSION, /* without its bits */
     TIA_SETS_SPECULAR,
     TIA_SETS_MIRROR,
     TIA_SETS_REFRACTION,
@@ -47,7 +47,7 @@ struct tia_keyframe {
  * light has no emission and no size. */
 struct tia_track {
     enum tia_target target;
-    uint32_t index; /* of the light, transform, shape or material; unused for the camera */
+    uint32_t index; /* index of the light, transform, shape or material; unused for the camera */
     bool smooth;
     const struct tia_keyframe *keys;
     uint32_t key_count; /* 1 or more */
@@ -64,7 +64,7 @@ struct tia_track {
  * diameter in 1/256 s. */
 struct tia_fall {
     uint32_t shape;           /* a sphere with a transform of its own, scaled evenly, that no track moves */
-    struct tia_vec3 velocity; /* at the beginning, units of length a second, each within +-1024 */
+    struct tia_vec3 velocity; /* velocity at the beginning, units of length a second, each within +-1024 */
     tia_q16 restitution;      /* 0..1 */
     tia_q16 mass;             /* 2^-10..1024 */
 };
@@ -73,11 +73,11 @@ struct tia_falling {
     const struct tia_fall *balls;
     uint32_t count;          /* at most TIA_FALLS_MAX */
     struct tia_vec3 gravity; /* units of length a second^2, each within +-1024 */
-    tia_q16 end;             /* seconds, at most TIA_FALL_END_MAX: then all stay where they are */
+    tia_q16 end;             /* seconds, at most TIA_FALL_END_MAX: then all balls stay where they are */
 };
 
-/* Bytes of memory that tia_scene_at needs for a scene that tia_scene_check accepts; SIZE_MAX when there are too many.
- * The memory must be aligned for uint64_t, and may be NULL where that is 0. */
+/* Returns the bytes of memory that tia_scene_at needs for a scene that tia_scene_check accepts; SIZE_MAX when there are
+ * too many. The memory must be aligned for uint64_t, and may be NULL if that is 0. */
 size_t tia_scene_at_size(const struct tia_scene *scene);
 
 /* Sets *out to the scene at `time` (seconds). Arrays with moving elements are copied to `memory`, all others
@@ -92,13 +92,14 @@ int tia_scene_at(struct tia_scene *out, void *memory, size_t size, const struct 
 int tia_scene_at_until(struct tia_scene *out, void *memory, size_t size, const struct tia_scene *scene, tia_q16 time,
                        bool (*stop)(void *ctx), void *ctx);
 
-/* Whether the scene may differ at different times. */
+/* True if the scene may differ at different times. */
 bool tia_scene_moves(const struct tia_scene *scene);
 
-/* Whether falling balls bounce off shape number `shape`: a plane or a box whose transform has no track. */
+/* True if falling balls bounce off shape number `shape`: a plane or a box whose transform has no track. */
 bool tia_scene_bounces_off(const struct tia_scene *scene, uint32_t shape);
 
-/* The time of the last keyframe or of the end of falling, whichever is later, in seconds; 0 when nothing moves. */
+/* Returns the time of the last keyframe or of the end of falling, whichever is later, in seconds; 0 when nothing moves.
+ */
 tia_q16 tia_scene_duration(const struct tia_scene *scene);
 
 #ifdef __cplusplus

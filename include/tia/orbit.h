@@ -1,6 +1,6 @@
-/* orbit.h - moving a camera: around the point that it looks at, along its own axes, nearer. In integers, so that the
- * same keys lead to the same place on every machine. tia_scene_check may refuse the resulting camera: then keep the old
- * one.
+/* orbit.h - camera movement: around the point that it looks at, along its own axes, nearer. In integers, so that the
+ * same keys lead to the same position on every machine. tia_scene_check may refuse the resulting camera: then keep the
+ * old one.
  */
 #ifndef TIA_ORBIT_H
 #define TIA_ORBIT_H

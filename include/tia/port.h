@@ -1,8 +1,8 @@
 /* port.h - the interfaces that a platform implements: a display, an input, a clock.
  *
- * Every function pointer must be set, unless it says otherwise: tia_viewer_run returns TIA_ERR_ARGUMENT when one that it
- * calls is not. A port never exits, prints, or starts threads. On failure it returns a negative enum tia_status and keeps
- * the reason in its context, for the program to print.
+ * Every function pointer must be set, unless it says otherwise: tia_viewer_run returns TIA_ERR_ARGUMENT when one that
+ * it calls is not. A port never exits, prints, or starts threads. On failure it returns a negative enum tia_status and
+ * keeps the reason in its context, for the program to print.
  */
 #ifndef TIA_PORT_H
 #define TIA_PORT_H
@@ -43,11 +43,12 @@ enum tia_event_kind {
 struct tia_event {
     enum tia_event_kind kind;
     uint16_t key;     /* enum tia_key or ASCII */
-    bool shift;       /* of a key that moves something: it was typed with Shift */
-    bool drag;        /* of a pointer: its left button is down, or a finger */
-    uint64_t time_us; /* by struct tia_clock; 0 when the device does not report times */
-    int32_t x, y;     /* of a pointer, to the right and down: 0..65535, 2^-16 of the display's width and height; or by
-                         how much it has moved, about a pixel a unit, -32767..32767 */
+    bool shift;       /* for a key that moves a light or the camera: it was typed with Shift */
+    bool drag;        /* for a pointer: its left button is down, or a finger */
+    uint64_t time_us; /* time by struct tia_clock; 0 when the device does not report times */
+    /* For a pointer, to the right and down: position 0..65535, 2^-16 of the display's width and height; or movement,
+     * about a pixel a unit, -32767..32767. */
+    int32_t x, y;
 };
 
 /* A display's size and limits. */
@@ -58,43 +59,43 @@ struct tia_mode {
     const char *format;               /* the device's pixel format, for messages: "RGB565", "XRGB8888", ... */
 };
 
-/* For each frame the caller acquires, fills and submits tiles until they cover the screen, then presents.
+/* A display. For each frame the caller acquires, fills and submits tiles until they cover the screen, then presents.
  * Each function but close returns an enum tia_status. All but go_on must be set. */
 struct tia_display {
     /* Acquires the device and fills in its mode. After a failure nothing stays acquired; close is still safe. */
     int (*open)(void *ctx, struct tia_mode *mode);
-    /* The current mode, 1..TIA_SIZE_MAX pixels in both directions; it may change while the display is open (a resized
-     * terminal window, another screen plugged in). TIA_HIDDEN while another program has the screen: do not draw then.
-     * TIA_BUSY, with the mode, if the last frame must be shown again: see go_on. */
+    /* Gives the current mode, 1..TIA_SIZE_MAX pixels in both directions; it may change while the display is open (a
+     * resized terminal window, another screen plugged in). TIA_HIDDEN while another program has the screen: do not draw
+     * then. TIA_BUSY, with the mode, if the last frame must be shown again: see go_on. */
     int (*mode)(void *ctx, struct tia_mode *mode);
-    /* Memory for the pixels of `tile`, valid until submit. It may be write-combining, where reads are slow:
-     * only write, at rising addresses. Its old contents are undefined. */
+    /* Gives memory for the pixels of `tile`, valid until submit. It may be write-combining, where reads are slow: only
+     * write, at rising addresses. Its old contents are undefined. */
     int (*acquire)(void *ctx, struct tia_tile tile, struct tia_surface *surface);
-    /* The tile's pixels are complete. */
+    /* Takes the tile's pixels, which are complete. */
     int (*submit)(void *ctx, struct tia_tile tile);
-    /* The frame is complete: shows it. May wait until it is on screen, but no longer; what takes more than about 20 ms
-     * of that, such as a slow line, returns TIA_BUSY and goes on in go_on. */
+    /* Shows the frame, which is complete. May wait until it is on screen, but no longer; a device that needs more than
+     * about 20 ms for that, such as a slow line, returns TIA_BUSY and goes on in go_on. */
     int (*present)(void *ctx);
     /* Restores what open changed. Safe after a failed open, and when called twice. */
     void (*close)(void *ctx);
-    /* NULL where nothing returns TIA_BUSY. Goes on with what present began, or what `mode` returned TIA_BUSY for, for
-     * about 20 ms: TIA_BUSY if that is not all. In between the caller may look at its input, close the display, or draw
-     * the next frame; that is shown after this one. */
+    /* Goes on, for about 20 ms, with the frame that present began, or for which `mode` returned TIA_BUSY; TIA_BUSY if
+     * that is not all. NULL if the display never returns TIA_BUSY. In between the caller may poll its input, close the
+     * display, or draw the next frame; that is shown after this one. */
     int (*go_on)(void *ctx);
 };
 
 struct tia_input {
     int (*open)(void *ctx);
-    /* 1 and the next event, 0 when there is none, negative on failure. Never blocks. */
+    /* Takes the next event: 1, 0 when there is none, negative on failure. Never blocks. */
     int (*poll)(void *ctx, struct tia_event *event);
-    /* Waits for an event or a signal, at most timeout_ms (-1: no limit; 0: only delivers pending signals).
-     * It may return early without reason. */
+    /* Waits for an event or a signal, at most timeout_ms (-1: no limit; 0: only delivers pending signals). It may
+     * return early for no reason. */
     int (*wait)(void *ctx, int timeout_ms);
     void (*close)(void *ctx);
 };
 
 struct tia_clock {
-    uint64_t (*now_us)(void *ctx); /* microseconds since any fixed moment; never goes backwards */
+    uint64_t (*now_us)(void *ctx); /* returns microseconds since any fixed moment; never goes backwards */
 };
 
 /* Runs job(arg, 0) .. job(arg, count - 1), in any order, on any threads, and returns when all are done.

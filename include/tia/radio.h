@@ -1,18 +1,18 @@
 /* radio.h - paths of radio waves: from a transmitter by mirror reflections at flat faces to a receiver.
  *
- * All of it is geometry, in integers. Corners are rounded once, to Q16.16; after that, which paths exist is decided
+ * Pure geometry, in integers. Corners are rounded once, to Q16.16; after that, the existence of paths is decided
  * exactly: images, points on faces and obstructions are computed in rational numbers with as many digits as they need.
  * Only the reported values are rounded.
  *
- * Faces are boxes' sides, triangles, meshes' triangles, planes and discs without a transform; and what curved shapes
- * are divided into, in scenes that have `tessellated`. Other objects are left out: they neither reflect nor block. All
+ * Faces are boxes' sides, triangles, meshes' triangles, planes and discs without a transform; and the faces of divided
+ * curved shapes, in scenes that have `tessellated`. Other objects are left out: they neither reflect nor block. All
  * faces in one plane are one reflector, so that a path through an edge between two of them is found once, at the face
  * of the lowest number. Both sides of a face reflect, but a box is solid: only its outside does.
  *
  * Ties. A face includes its edges: a path that touches an edge of another face is blocked. A path that runs within the
- * plane of a face is not. Two successive points may coincide on the line where two planes meet, if the faces there look
- * at each other and the first one's plane has the lower number. So the two paths through the inner edge of a right
- * angle, by either face first, count as one, and at an outer edge there is none.
+ * plane of a face is not blocked by it. Two successive points may coincide on the line where two planes meet, if the
+ * faces there look at each other and the first one's plane has the lower number. So the two paths through the inner
+ * edge of a right angle, by either face first, count as one, and at an outer edge there is none.
  */
 #ifndef TIA_RADIO_H
 #define TIA_RADIO_H
@@ -24,7 +24,7 @@ extern "C" {
 #endif
 
 #define TIA_RADIO_ORDER_MAX 8 /* reflections */
-#define TIA_RADIO_WALLS_MAX 8 /* walls on a path's way that it goes through */
+#define TIA_RADIO_WALLS_MAX 8 /* walls that a path passes through */
 #define TIA_RADIO_LENGTH_BITS 41
 #define TIA_RADIO_NO_OBJECT UINT32_MAX
 
@@ -37,47 +37,47 @@ struct tia_radio_counts {
 };
 
 struct tia_radio_face {
-    uint32_t object, material; /* indices of the scene's */
-    uint32_t plane;            /* its number */
+    uint32_t object, material; /* indices in the scene */
+    uint32_t plane;            /* number of its plane */
     bool solid;                /* a side of a box; the normal then points outwards */
     int64_t normal[3];         /* of length 1, Q2.62 */
-    tia_q16 thickness;         /* of a box, from this side to the opposite one; else 0 */
+    tia_q16 thickness;         /* thickness of a box, from this side to the opposite one; else 0 */
 };
 
-/* Where a path goes through a wall. A box counts once per segment, where it is entered; faces in one plane count
- * once. */
+/* A wall that a path passes through. A box counts once per segment, where it is entered; faces in one plane count once.
+ */
 struct tia_radio_wall {
     uint32_t face;
-    uint32_t segment; /* after this many reflections */
+    uint32_t segment; /* number of reflections before it */
 };
 
-/* point[i] and face[i] are those of reflection i, direction[i] that of the segment before it; the last segment's is
- * direction[order]. */
+/* A path. point[i] and face[i] are those of reflection i, direction[i] that of the segment before it; the last
+ * segment's is direction[order]. */
 struct tia_radio_path {
     uint32_t order, wall_count;
     uint32_t face[TIA_RADIO_ORDER_MAX];
     struct tia_vec3 point[TIA_RADIO_ORDER_MAX];      /* rounded to nearest, ties up */
     int64_t direction[TIA_RADIO_ORDER_MAX + 1][3];   /* of length 1, Q2.62, within 2^-56 */
-    int64_t length;                                  /* in units of 2^-TIA_RADIO_LENGTH_BITS, within 2^-56 of it */
-    struct tia_radio_wall wall[TIA_RADIO_WALLS_MAX]; /* rising by segment */
+    int64_t length;                                  /* in units of 2^-TIA_RADIO_LENGTH_BITS, relative error 2^-56 */
+    struct tia_radio_wall wall[TIA_RADIO_WALLS_MAX]; /* ordered by segment */
 };
 
-/* A search. `from` and `to` differ, but for rays that go everywhere. Neither should be tia_radio_inside anything: what
- * is found then means nothing. */
+/* A search. `from` and `to` differ, except for rays that go everywhere. Neither should be inside an object, see
+ * tia_radio_inside: paths found then are meaningless. */
 struct tia_radio_link {
     struct tia_vec3 from, to;
     uint32_t order; /* the most reflections: 0..TIA_RADIO_ORDER_MAX */
-    uint32_t walls; /* the most walls to go through: 0..TIA_RADIO_WALLS_MAX */
+    uint32_t walls; /* the most walls to pass through: 0..TIA_RADIO_WALLS_MAX */
 
     /* Called for each path, in any order; returns false to stop. */
     bool (*found)(void *ctx, const struct tia_radio_path *path);
     void *ctx;
 };
 
-/* Bytes for the faces of a scene that tia_scene_check accepts; SIZE_MAX when there are too many. */
+/* Returns the bytes for the faces of a scene that tia_scene_check accepts; SIZE_MAX when there are too many. */
 size_t tia_radio_size(const struct tia_scene *scene);
 
-/* Finds the faces. `memory` is aligned for uint64_t. Read-only from then on: any number of threads may use it.
+/* Finds the faces in `memory`, aligned for uint64_t. It is read-only from then on: any number of threads may use it.
  * TIA_ERR_MEMORY; TIA_ERR_RANGE, with *fault, when a corner is beyond the range of Q16.16 or a face that is not
  * parallel to an axis is 32768 wide or wider. */
 int tia_radio_init(struct tia_radio **radio, void *memory, size_t size, const struct tia_scene *scene,
@@ -85,21 +85,21 @@ int tia_radio_init(struct tia_radio **radio, void *memory, size_t size, const st
 
 struct tia_radio_counts tia_radio_count(const struct tia_radio *radio);
 
-/* Its object is TIA_RADIO_NO_OBJECT when there is no such face. */
+/* Returns face number `face`; its object is TIA_RADIO_NO_OBJECT when there is no such face. */
 struct tia_radio_face tia_radio_face(const struct tia_radio *radio, uint32_t face);
 
-/* An object that has the point inside its box or on one of its faces; TIA_RADIO_NO_OBJECT: none. */
+/* Returns an object that has the point inside its box or on one of its faces; TIA_RADIO_NO_OBJECT: none. */
 uint32_t tia_radio_inside(const struct tia_radio *radio, struct tia_vec3 point);
 
-/* Room for one search at a time; aligned for uint64_t. */
+/* Returns the bytes of room for one search at a time; aligned for uint64_t. */
 size_t tia_radio_room_size(void);
 
-/* The number of sequences of planes of up to `order` reflections, no plane twice in a row: all that the image method
- * would have to try without pruning. UINT64_MAX: that or more. */
+/* Returns the number of sequences of planes of up to `order` reflections, no plane twice in a row: all that the image
+ * method would have to try without pruning. UINT64_MAX: that or more. */
 uint64_t tia_radio_sequences(const struct tia_radio *radio, uint32_t order);
 
-/* The image method: tries all sequences of planes, except those that are impossible because a plane, or all of its
- * faces, lies behind the one before it. 0, or TIA_STOPPED when `found` returned false. */
+/* Searches by the image method: tries all sequences of planes, except those that are impossible because a plane, or all
+ * of its faces, lies behind the one before it. 0, or TIA_STOPPED when `found` returned false. */
 int tia_radio_images(const struct tia_radio *radio, struct tia_radio_room *room, const struct tia_radio_link *link);
 
 /* Tries the given planes in that order, at most TIA_RADIO_ORDER_MAX; calls `found` if they give a path. */
@@ -110,11 +110,11 @@ int tia_radio_try(const struct tia_radio *radio, struct tia_radio_room *room, co
 
 #define TIA_RADIO_DENSITY_MAX 2048
 
-/* The directions are the corners of an icosahedron whose edges are divided by `density`: 10 density^2 + 2 of them; 0
- * for densities that are not 1..TIA_RADIO_DENSITY_MAX. */
+/* Returns the number of directions. They are the corners of an icosahedron whose edges are divided by `density`: 10
+ * density^2 + 2 of them; 0 for densities that are not 1..TIA_RADIO_DENSITY_MAX. */
 uint32_t tia_radio_directions(uint32_t density);
 
-/* Direction i of them, of length 1, Q2.62. */
+/* Gives direction i of them, of length 1, Q2.62. */
 int tia_radio_direction(uint32_t density, uint32_t i, int64_t direction[3]);
 
 /* A ray that passes the receiver: its planes, and its path, whose points are accurate to about 2^-14. */

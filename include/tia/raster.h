@@ -1,17 +1,17 @@
 /* raster.h - convex polygons into depth, stencil and colour buffers, without rounding after the vertices.
  *
- * A vertex is (x, y, w) with `fraction` bits and h, rounded once, by whoever makes it. Everything after is exact:
- * which pixels a polygon covers, and which of two polygons is nearer at a pixel. So no pixel at a common edge is
- * drawn twice or left out, and drawing order, tiles and machines change nothing.
+ * A vertex is (x, y, w) with `fraction` bits and h, rounded once, by the caller. Everything after is exact: which
+ * pixels a polygon covers, and which of two polygons is nearer at a pixel. So no pixel at a common edge is drawn twice
+ * or left out, and the result does not depend on drawing order, tiles or machine.
  *
  * Perspective: x, y, w are clip coordinates, the image shows -w..w, and w grows away from the eye. They are also affine
  * coordinates with the eye at 0. h is 1 for a point, 0 for a direction, a vertex at infinity, whose coordinates are a
  * difference of two points. w may have any sign: there is no near plane, nothing is clipped and no depth is out of
  * range. Orthographic: w is 1, which is 2^fraction, and h is the nearness: larger is nearer. A direction has w = 0.
  *
- * Pixel (i, j) of the image sees what lies at positive multiples of D(i, j), an integer vector linear in i and j.
- * Where an edge passes exactly through it, D is moved to the right by a distance smaller than any, then down
- * by one still smaller: the top-left rule of OpenGL and Direct3D. A polygon whose plane contains the eye is not drawn.
+ * Pixel (i, j) of the image sees the points at positive multiples of D(i, j), an integer vector linear in i and j.
+ * Where an edge passes exactly through it, D is moved to the right by a distance smaller than any, then down by one
+ * still smaller: the top-left rule of OpenGL and Direct3D. A polygon whose plane contains the eye is not drawn.
  *
  *     quantity                               perspective   orthographic   kept in
  *     coordinate of a point q, size below        2^40          2^29       int64_t
@@ -37,26 +37,26 @@ extern "C" {
 #endif
 
 #define TIA_RASTER_CORNERS 8   /* the most corners of a polygon */
-#define TIA_NO_FACE UINT32_MAX /* nothing was drawn there */
+#define TIA_NO_FACE UINT32_MAX /* no face at this pixel */
 
 /* The pixels of an image: D(i, j) = (x + right i, y - down j, w). */
 struct tia_lattice {
     enum tia_projection projection;
-    uint16_t width, height; /* of the whole image */
+    uint16_t width, height; /* size of the whole image */
     int32_t x, y, w, right, down;
-    int32_t centre[2]; /* where x = y = 0 is: 2^-16 pixel, from the centre of pixel (0, 0) */
+    int32_t centre[2]; /* position of x = y = 0: 2^-16 pixel, from the centre of pixel (0, 0) */
     int fraction;      /* fraction bits of the vertices */
-    int scale;         /* for nearness 1/t, where the point is t D; see struct tia_raster_target */
+    int scale;         /* scale of nearness 1/t, where the point is t D; see struct tia_raster_target */
     int64_t narrow;    /* polygons with no coordinate above this in size need 64 bits only */
 };
 
-#define TIA_RANGE_MAX 24  /* in perspective */
-#define TIA_RANGE_FLAT 20 /* orthographic */
+#define TIA_RANGE_MAX 24  /* largest range in perspective */
+#define TIA_RANGE_FLAT 20 /* largest range of orthographic views */
 
-/* The pixels of a width x height image (1..TIA_SIZE_MAX each), or of sample `sample` of each pixel when there are 1, 4
- * or 16 `samples`, placed as in camera.h. All coordinates of points are below 2^range in size, range at least 0 and at
- * most as above. TIA_FRUSTUM counts as perspective, since its shear is in the vertices. TIA_ERR_ARGUMENT when something
- * is outside these bounds.
+/* Sets the lattice of the pixels of a width x height image (1..TIA_SIZE_MAX each), or of sample `sample` of each pixel
+ * when there are 1, 4 or 16 `samples`, placed as in camera.h. All coordinates of points are below 2^range in size,
+ * range at least 0 and at most as above. TIA_FRUSTUM counts as perspective, since its shear is in the vertices.
+ * TIA_ERR_ARGUMENT when an argument is outside these bounds.
  *
  * This chooses `fraction`: 25 - range where that is at least 18 and most polygons then fit 64 bits, else 40 - range;
  * orthographic always 29 - range, or 28 when that is 0, as w is 1. Of 6 million pixels of meshes, 5 see another face
@@ -68,23 +68,23 @@ struct tia_raster_vertex {
     int64_t x, y, w, h;
 };
 
-/* OpenGL's, in its order. The new value is on the left: TIA_LESS passes nearer pixels, or those where reference & mask
- * is less than stored & mask. */
+/* OpenGL's comparisons, in its order. The new value is on the left: TIA_LESS passes nearer pixels, or those where
+ * reference & mask is less than stored & mask. */
 enum tia_compare { TIA_NEVER, TIA_LESS, TIA_EQUAL, TIA_LEQUAL, TIA_GREATER, TIA_NOTEQUAL, TIA_GEQUAL, TIA_ALWAYS };
 
-/* OpenGL's. TIA_INCR and TIA_DECR stop at 255 and 0. */
+/* OpenGL's operations. TIA_INCR and TIA_DECR stop at 255 and 0. */
 enum tia_stencil_op { TIA_KEEP, TIA_ZERO, TIA_REPLACE, TIA_INCR, TIA_DECR, TIA_INVERT, TIA_INCR_WRAP, TIA_DECR_WRAP };
 
 struct tia_stencil {
     enum tia_compare test;
     uint8_t reference, mask; /* the mask is for both sides of the comparison */
-    uint8_t write;           /* the bits that may change */
+    uint8_t write;           /* bits that may change */
     enum tia_stencil_op fail, zfail, zpass;
 };
 
 /* Two polygons are equal in depth at a pixel if they have the same face, or lie in the same plane. Where two planes
- * cross exactly at a pixel, the one that is nearer at the pixel moved as above is nearer. Every polygon is nearer than
- * no face. */
+ * cross exactly at a pixel, the one that is nearer at the pixel moved as above is nearer. An empty pixel is farther
+ * than any polygon. */
 struct tia_raster_state {
     enum tia_compare depth;
     bool depth_write;           /* also puts the face there */
@@ -98,8 +98,8 @@ struct tia_raster_state {
 
 /* Buffers of a target, for tia_raster_size. */
 enum tia_buffer {
-    TIA_BUFFER_DEPTH = 1,   /* nearness, face and planes: without it everything passes the depth test */
-    TIA_BUFFER_STENCIL = 2, /* without it everything passes the stencil test */
+    TIA_BUFFER_DEPTH = 1,   /* nearness, face and planes: without it every pixel passes the depth test */
+    TIA_BUFFER_STENCIL = 2, /* without it every pixel passes the stencil test */
     TIA_BUFFER_COLOUR = 4,
     TIA_BUFFER_SUM = 8, /* with TIA_BUFFER_COLOUR only */
     TIA_BUFFER_COUNT = 16
@@ -111,16 +111,16 @@ struct tia_raster_plane {
     uint64_t x[2], y[2], c[2], det[2];
 };
 
-/* A vector unit's part in drawing, which changes no bit. */
+/* A vector unit's part in drawing: the same bits. */
 struct tia_raster_runs;
 
 /* A rectangle of the image, row by row. An absent buffer is NULL. */
 struct tia_raster_target {
     const struct tia_lattice *lattice;
     struct tia_tile area;
-    uint32_t *face;     /* TIA_NO_FACE where nothing is */
-    uint64_t *nearness; /* within 2^15 of 1/t 2^scale, orthographic of 2^61 more, and clamped to 0..2^62; 0 where
-                           nothing is. In perspective w = 1/16 has 2^61..2^62, orthographic h of -2^range 0..2^60 */
+    uint32_t *face;     /* TIA_NO_FACE at empty pixels */
+    uint64_t *nearness; /* within 2^15 of 1/t 2^scale, orthographic of 2^61 more, and clamped to 0..2^62; 0 at empty
+                           pixels. In perspective w = 1/16 has 2^61..2^62, orthographic h of -2^range 0..2^60 */
     uint8_t *stencil;
     uint32_t *count;  /* TIA_INCR_WRAP and TIA_DECR_WRAP count here too, modulo 2^32 and without masks */
     uint16_t *colour; /* three a pixel: red, green, blue */
@@ -129,11 +129,11 @@ struct tia_raster_target {
     uint32_t face_count, pitch;         /* pitch: pixels from one row to the next */
     bool planes_known;                  /* the planes are the caller's, made by tia_raster_plane_init, and only read */
     const struct tia_raster_runs *runs; /* NULL: plain C; see tia_simd_raster */
-    uint32_t exact;                     /* how often the filter was unsure which of two is nearer */
+    uint32_t exact;                     /* number of depth tests that the filter could not decide */
 };
 
-/* Bytes for a target of `area` with `buffers`, a sum of enum tia_buffer, and faces 0..faces - 1; SIZE_MAX when there
- * are too many. */
+/* Returns the bytes for a target of `area` with `buffers`, a sum of enum tia_buffer, and faces 0..faces - 1; SIZE_MAX
+ * when there are too many. */
 size_t tia_raster_size(struct tia_tile area, unsigned buffers, uint32_t faces);
 
 /* Creates a target in `memory`, aligned for uint64_t, and clears it. The lattice must outlive it. TIA_ERR_ARGUMENT when
@@ -141,22 +141,22 @@ size_t tia_raster_size(struct tia_tile area, unsigned buffers, uint32_t faces);
 int tia_raster_init(struct tia_raster_target *target, void *memory, size_t size, const struct tia_lattice *lattice,
                     struct tia_tile area, unsigned buffers, uint32_t faces);
 
-/* The pixels of `area` in the buffers of another target. TIA_ERR_ARGUMENT when it is empty or not inside. Threads may
- * draw into parts that share no pixel at once, if the planes are known. */
+/* Gives the pixels of `area` in the buffers of another target. TIA_ERR_ARGUMENT when it is empty or not inside. Threads
+ * may draw into parts that share no pixel at once, if the planes are known. */
 int tia_raster_part(struct tia_raster_target *part, const struct tia_raster_target *target, struct tia_tile area);
 
-/* The plane of a polygon, as tia_draw_polygon keeps it. Errors as there. */
+/* Gives the plane of a polygon, as tia_draw_polygon stores it. Errors as there. */
 int tia_raster_plane_init(struct tia_raster_plane *plane, const struct tia_lattice *lattice,
                           const struct tia_raster_vertex *corners, unsigned count);
 
 #define TIA_DISTANCE_BITS 45
 
-/* The distance from the eye, along the line of sight, of the point of a plane that pixel (x, y) of the image sees: w,
- * or in orthographic views -h. Fraction bits: TIA_DISTANCE_BITS; relative error below 2^-58 and half a unit, at most
- * 2^62; 0 where the plane is not in front of the eye, and outside the image. */
+/* Returns the distance from the eye, along the line of sight, of the point of a plane that pixel (x, y) of the image
+ * sees: w, or in orthographic views -h. Fraction bits: TIA_DISTANCE_BITS; relative error below 2^-58 and half a unit,
+ * at most 2^62; 0 where the plane is not in front of the eye, and outside the image. */
 int64_t tia_raster_distance(const struct tia_raster_plane *plane, const struct tia_lattice *lattice, int x, int y);
 
-/* Empties the depth buffer. TIA_OK, too, without that buffer, here and below: nothing is done then. */
+/* Empties the depth buffer. TIA_OK, too, without that buffer, here and below. */
 int tia_clear_depth(struct tia_raster_target *target);
 /* Sets the bits of `write`, as OpenGL's clear does. */
 int tia_clear_stencil(struct tia_raster_target *target, uint8_t value, uint8_t write);
@@ -174,10 +174,10 @@ int tia_sum_add(struct tia_raster_target *target, uint32_t weight);
  * not in 1..65536. */
 int tia_sum_return(struct tia_raster_target *target, uint32_t total);
 
-/* Draws a convex polygon of 3..TIA_RASTER_CORNERS corners as `state` says. Its plane, for depth, is that of its first
- * three corners. A polygon that writes depth has a face below face_count, and this face keeps its plane until the depth
- * buffer is cleared; other polygons may have TIA_NO_FACE. TIA_ERR_ARGUMENT otherwise, and for another number of
- * corners or an enum of the state beyond its last value; TIA_ERR_RANGE when a vertex is out of the range above. */
+/* Draws a convex polygon of 3..TIA_RASTER_CORNERS corners by `state`. Its plane, for depth, is that of its first three
+ * corners. A polygon that writes depth has a face below face_count, and this face keeps its plane until the depth
+ * buffer is cleared; other polygons may have TIA_NO_FACE. TIA_ERR_ARGUMENT otherwise, and for another number of corners
+ * or an enum of the state beyond its last value; TIA_ERR_RANGE when a vertex is out of the range above. */
 int tia_draw_polygon(struct tia_raster_target *target, const struct tia_raster_state *state,
                      const struct tia_raster_vertex *corners, unsigned count, uint32_t face);
 
@@ -186,7 +186,8 @@ struct tia_corners {
     uint64_t weights[3][3][2];
 };
 
-/* Prepares it. False when the eye is in the triangle's plane or a vertex out of range; *corners is of no use then. */
+/* Prepares a triangle. False when the eye is in the triangle's plane or a vertex out of range; *corners is undefined
+ * then. */
 bool tia_corners_init(struct tia_corners *corners, const struct tia_lattice *lattice,
                       const struct tia_raster_vertex vertices[3]);
 

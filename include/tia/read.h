@@ -1,9 +1,9 @@
 /* read.h - reads scene files, without floating point and without heap.
  *
- * Decimal numbers are converted to fixed point directly, rounded to nearest, ties away from zero, so that a
- * file means the same scene on every machine. Lengths are read in a unit that uses the range, see scale_bits in
- * scene.h. The caller holds the whole text in memory, and loads the files that it refers to (material libraries,
- * included scenes, images) by name.
+ * Decimal numbers are converted to fixed point directly, rounded to nearest, ties away from zero, so that a file gives
+ * the same scene on every machine. Lengths are read in a unit that uses the range, see scale_bits in scene.h. The
+ * caller holds the whole text in memory, and loads the files that it refers to (material libraries, included scenes,
+ * images) by name.
  */
 #ifndef TIA_READ_H
 #define TIA_READ_H
@@ -41,7 +41,7 @@ struct tia_read_error {
     char text[280];
 };
 
-/* What a reader of .obj and .mtl tolerates, and how. */
+/* The mistakes in .obj and .mtl that a reader tolerates, and their remedies. */
 enum tia_read_warning_kind {
     TIA_WARN_STATEMENT, /* an unknown or faulty statement: skipped */
     TIA_WARN_LIBRARY,   /* a material library that cannot be read: its materials are grey */
@@ -49,18 +49,18 @@ enum tia_read_warning_kind {
     TIA_WARN_IMAGE,     /* an image that cannot be read: left out */
     TIA_WARN_OPTION,    /* an option of an image that is not supported: ignored */
     TIA_WARN_RANGE,     /* a number out of range: clamped */
-    TIA_WARN_OPACITY,   /* a material of which nothing would be seen, as by Tr 1: opaque */
+    TIA_WARN_OPACITY,   /* a material that would be invisible, as by Tr 1: opaque */
     TIA_WARN_NUMBER,    /* no number where a texture coordinate is expected: 0 */
     TIA_WARN_NORMAL,    /* a normal without a direction: faces that use it have none */
     TIA_WARN_CORNER,    /* texture coordinates or normals on some corners of a face only: ignored */
     TIA_WARN_FACE,      /* a face with too few corners, or one whose vertex does not exist: left out */
-    TIA_WARN_EMPTY,     /* a model without faces: only the background is seen */
+    TIA_WARN_EMPTY,     /* a model without faces: only the background is visible */
     TIA_WARNINGS
 };
 
 struct tia_read_warning {
     uint32_t count;           /* 0: none of this kind */
-    struct tia_read_error at; /* the first one, and what was done about it */
+    struct tia_read_error at; /* the first one, and its remedy */
 };
 
 struct tia_reader {
@@ -68,11 +68,12 @@ struct tia_reader {
     const char *text;
     size_t length; /* the text may hold any bytes and needs no final 0 */
 
-    /* Load a file that the text names, `name` being its path from the scene's folder, or return a negative status
-     * and set *why to a static string. The loaded memory stays the caller's and must outlive the scene. With NULL, a
-     * scene that refers to such files is an error. The text is read in several passes: `library` may be called again
-     * for the same name and must then return the same text. `image` is called once for each texture, and only when the
-     * memory is known to suffice; it sets the width, height and texels. `opacity` does so for one channel of an image.
+    /* Load a file that the text names, `name` being its path from the scene's folder; on failure return a negative
+     * status and set *why to a static string. The loaded memory stays the caller's and must outlive the scene. With
+     * NULL, a scene that refers to such files is an error. The text is read in several passes: `library` may be called
+     * again for the same name and must then return the same text. `image` is called once for each texture, and only
+     * when the memory is known to suffice; it sets the width, height and texels. `opacity` does so for one channel of
+     * an image.
      */
     int (*library)(void *ctx, const char *name, const char **text, size_t *length, const char **why);
     int (*image)(void *ctx, const char *name, struct tia_texture *texture, const char **why);
@@ -82,17 +83,18 @@ struct tia_reader {
     void *ctx;
 
     bool unscaled; /* lengths keep the file's unit: scale_bits is 0 */
-    tia_q16 reach; /* above 0: lengths are as fine as there is room for, though none is rounded and the
-                      horizon comes nearer; places as far from 0 along an axis fit, too */
-    bool strict;   /* warnings are errors */
+    /* Above 0: lengths are as fine as there is room for, though none is rounded and the horizon comes nearer; positions
+     * as far from 0 along an axis fit, too. */
+    tia_q16 reach;
+    bool strict;                       /* warnings are errors */
     struct tia_read_warning *warnings; /* TIA_WARNINGS of them, by kind, set by tia_read; NULL: not wanted */
     struct tia_read_error error;       /* after TIA_ERR_RANGE */
 };
 
-/* Reads the scene into `memory` of `size` bytes, aligned for uint64_t; *scene points into it, and
- * tia_scene_check accepts it. *need is the number of bytes needed. When `size` is less, the status is
- * TIA_ERR_MEMORY, and a second call with *need bytes succeeds; `memory` may be NULL in the first. TIA_ERR_RANGE when
- * the text is not a valid scene: reader->error says where and why. */
+/* Reads the scene into `memory` of `size` bytes, aligned for uint64_t; *scene points into it, and tia_scene_check
+ * accepts it. *need is the number of bytes needed. When `size` is less, the status is TIA_ERR_MEMORY, and a second call
+ * with *need bytes succeeds; `memory` may be NULL in the first. TIA_ERR_RANGE when the text is not a valid scene:
+ * reader->error has the place and the reason. */
 int tia_read(struct tia_reader *reader, struct tia_scene *scene, void *memory, size_t size, size_t *need);
 
 #ifdef __cplusplus

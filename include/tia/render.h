@@ -40,11 +40,11 @@ enum tia_ray { TIA_RAY_PRIMARY, TIA_RAY_REFLECTED, TIA_RAY_REFRACTED, TIA_RAY_PA
  * if the light is directional. Numbers are rounded to Q16.16 and clamped to its range. */
 struct tia_traced {
     enum tia_ray ray;
-    struct tia_vec3 from, to; /* its ends; `to` is 1 from `from` when it meets nothing */
-    tia_q16 length;           /* INT32_MAX: it meets nothing */
-    uint32_t object, light;   /* the ones it meets, or a shadow ray's surface and light; or TIA_NO_OBJECT */
+    struct tia_vec3 from, to; /* its ends; `to` is 1 from `from` when it meets no object */
+    tia_q16 length;           /* INT32_MAX: it meets no object */
+    uint32_t object, light;   /* those that it meets, or a shadow ray's surface and light; or TIA_NO_OBJECT */
     struct tia_vec3 normal;   /* the shading normal where it ends, on the side that the ray comes from */
-    bool arrives;             /* of a shadow ray: some of the light does */
+    bool arrives;             /* shadow ray: some of the light arrives */
 };
 
 /* Observes rays; only tia_core_watched supports it, other builds ignore it. It changes no pixel. */
@@ -58,31 +58,30 @@ struct tia_observer {
 struct tia_options {
     bool dither;                   /* ordered dithering, Bayer 8x8, before quantising to RGB565 */
     uint32_t *path_hash;           /* NULL, or receives a hash of each pixel's light paths, row by row of the tile */
-    uint64_t *lit;                 /* NULL, or receives which lights reach each pixel, row by row of the tile */
+    uint64_t *lit;                 /* NULL, or receives the lights that reach each pixel, row by row of the tile */
     struct tia_observer *observer; /* NULL, or is called for each ray, in the order of the path hash; spans have none */
     uint16_t *colours;             /* NULL, or receives each pixel's red, green and blue, row by row of the tile */
 };
 
-/* `colours` are the light that RGB565 is rounded from, 0 to 65535 for 0 to 1, rounded to nearest; as 255 divides 65535,
- * colours of 8 bits can be rounded from them. Not with dither, of a view with a level, or of integrators with samples,
- * which have sums: TIA_ERR_UNSUPPORTED. */
+/* `colours` hold the light from which RGB565 is rounded, 0 to 65535 for 0 to 1, rounded to nearest; as 255 divides
+ * 65535, colours of 8 bits can be rounded from them. Not with dither, of a view with a level, or of integrators with
+ * samples, which have sums: TIA_ERR_UNSUPPORTED. */
 
 /* `lit` does not depend on the lights' colours. The samples of all lights are numbered consecutively, in the order of
- * the lights; an ambient light has none. Bit k is set when sample number k arrives, see below, at what the first sample
- * of the pixel sees directly; 0 where that is the background or a light. Samples from 64 on have no bit. The span
- * renderer does not write `lit`: bits 0..15 of its path hash hold the same. */
+ * the lights; an ambient light has none. Bit k is set when sample number k arrives, see below, at the point that the
+ * first sample of the pixel sees directly; all are 0 if that is the background or a light. Samples from 64 on have no
+ * bit. The span renderer does not write `lit`: bits 0..15 of its path hash hold the same. */
 
-/* Pixels whose colours came about along the same paths have the same path hash. Compare it between two arithmetics to
- * tell rounding from a ray that took another path.
+/* Pixels whose colours were computed along the same paths have the same path hash. Compare it between two arithmetics
+ * to tell rounding from a ray that took another path.
  *
  * Of the span renderer: bit n (0..15) is set when light n reaches the point; bits 16..31 hold the sum of
- * (n + 1)(j + 1) over the transparent spheres j in between. Where light n itself is visible,
- * 0xffff0000 + n.
+ * (n + 1)(j + 1) over the transparent spheres j in between. Where light n itself is visible, 0xffff0000 + n.
  *
- * Of the ray renderer: the 32-bit FNV-1a hash (start 2166136261, then (hash ^ byte) * 16777619) of 32-bit
- * words, lowest byte first. For each sample in order, for each of its rays, depth first, reflection before
- * refraction before what is seen past an opacity, the words are: the index of the object hit, TIA_NO_OBJECT for
- * the background, or TIA_NO_OBJECT - 1 - n for light n. An object's index is followed by
+ * Of the ray renderer: the 32-bit FNV-1a hash (start 2166136261, then (hash ^ byte) * 16777619) of 32-bit words, lowest
+ * byte first. For each sample in order, for each of its rays, depth first, reflection before refraction before the ray
+ * past an opacity, the words are: the index of the object hit, TIA_NO_OBJECT for the background, or TIA_NO_OBJECT - 1 -
+ * n for light n. An object's index is followed by
  *   - the part hit: of a box the face, 2 axis + 1 on the side of its maximum; of a cylinder or cone 0 for the
  *     side, 1 for the base, 2 for the top; of a mesh the face; of a grid 6 times the cell, plus the face;
  *     otherwise 0;
@@ -96,14 +95,14 @@ struct tia_options {
 struct tia_view; /* a prepared scene, in the caller's memory */
 struct tia_hits; /* a hit buffer, in the caller's memory */
 
-/* Bytes for a view of `scene`, which tia_scene_check accepts, with up to `light_capacity` lights; SIZE_MAX when there
- * are too many. */
+/* Returns the bytes for a view of `scene`, which tia_scene_check accepts, with up to `light_capacity` lights; SIZE_MAX
+ * when there are too many. */
 size_t tia_view_size(const struct tia_scene *scene, uint32_t light_capacity);
 
-/* Prepares `scene` for a width x height image (1..TIA_SIZE_MAX each) in `memory`, aligned for
- * uint64_t. The view refers to the scene's arrays: they must outlive it. TIA_ERR_ARGUMENT when light_capacity is less
- * than the scene's lights, TIA_ERR_RANGE when tia_scene_check refuses the scene or something is too far away for its
- * shadows, see shadow.h; TIA_ERR_MEMORY when `size` is too small. */
+/* Prepares `scene` for a width x height image (1..TIA_SIZE_MAX each) in `memory`, aligned for uint64_t. The view
+ * refers to the scene's arrays: they must outlive it. TIA_ERR_ARGUMENT when light_capacity is less than the scene's
+ * lights, TIA_ERR_RANGE when tia_scene_check refuses the scene or something is too far away for its shadows, see
+ * shadow.h; TIA_ERR_MEMORY when `size` is too small. */
 int tia_view_init(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
                   uint32_t light_capacity, unsigned width, unsigned height);
 
@@ -113,35 +112,35 @@ int tia_view_init(struct tia_view **view, void *memory, size_t size, const struc
  * lights stay. */
 int tia_view_set_lights(struct tia_view *view, const struct tia_light *lights, uint32_t count);
 
-/* Bytes for the hits of `area` in a picture of `scene`, as above; SIZE_MAX when there are too many. */
+/* Returns the bytes for the hits of `area` in a picture of `scene`, as above; SIZE_MAX when there are too many. */
 size_t tia_hits_size(const struct tia_scene *scene, struct tia_tile area);
 
 /* Creates a hit buffer for `area` of the view's picture in `memory`, aligned for uint64_t, for this view alone.
  * TIA_ERR_ARGUMENT when the area is empty, TIA_ERR_MEMORY when `size` is too small. */
 int tia_hits_init(struct tia_hits **hits, void *memory, size_t size, const struct tia_view *view, struct tia_tile area);
 
-/* The index of the object at pixel (x, y) of the image, or TIA_NO_OBJECT; with several samples per pixel, that
+/* Returns the index of the object at pixel (x, y) of the image, or TIA_NO_OBJECT; with several samples per pixel, that
  * of the first. Lights are not in the hits, since they may move: tia_light_tile finds them. TIA_NO_OBJECT, too, outside
- * the image and the hits, and while nothing of the hits is traced; the pixel must be traced. */
+ * the image and the hits, and as long as no tile of the hits is traced; the pixel must be traced. */
 uint32_t tia_hits_object(const struct tia_hits *hits, unsigned x, unsigned y);
 
 /* Finds the nearest object of each pixel of `tile`. TIA_ERR_ARGUMENT when the tile is empty or not inside the image and
  * the hit buffer, and when the hits are another view's. */
 int tia_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile);
 
-/* Computes the colours of the traced pixels of `tile` and writes each pixel once, left to right, top to
- * bottom. `options` may be NULL. Errors as for tia_trace, and TIA_ERR_ARGUMENT when nothing of the hits is traced, or
- * the surface has no pixels or is not aligned. Once a tile is traced it is not noticed that others are not: all pixels
- * of `tile` must be. A level, see simd.h, needs no hits. */
+/* Computes the colours of the traced pixels of `tile` and writes each pixel once, left to right, top to bottom.
+ * `options` may be NULL. Errors as for tia_trace, and TIA_ERR_ARGUMENT when no tile of the hits is traced, or the
+ * surface has no pixels or is not aligned. Once a tile is traced, it is not detected that others are not: all pixels of
+ * `tile` must be. A level, see simd.h, needs no hits. */
 int tia_light_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                    const struct tia_surface *surface, const struct tia_options *options);
 
-/* tia_trace, then tia_light_tile; faster than one after the other where rays draw. */
+/* Calls tia_trace, then tia_light_tile; faster than one after the other where rays draw. */
 int tia_render(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
                const struct tia_surface *surface, const struct tia_options *options);
 
-/* Whether a tile of one pixel costs little more than its share of a large one. Rays do; spans prepare a row, and the
- * rasteriser goes through all faces. */
+/* True if a tile of one pixel costs little more than its share of a large one. Rays draw so; spans prepare a row, and
+ * the rasteriser goes through all faces. */
 bool tia_draws_by_pixel(const struct tia_scene *scene);
 
 /* As tia_view_init, but can be stopped: it calls `stop` after every few thousand objects while the view is prepared or
@@ -152,10 +151,10 @@ bool tia_draws_by_pixel(const struct tia_scene *scene);
 int tia_view_init_until(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
                         uint32_t light_capacity, unsigned width, unsigned height, bool (*stop)(void *ctx), void *ctx);
 
-/* What draws with a processor's vector units, see tia/simd.h. */
+/* A processor's vector units as a renderer, see tia/simd.h. */
 struct tia_simd;
 
-/* These functions in one arithmetic. A program can link several and choose at run time. */
+/* The functions above in one arithmetic. A program can link several and choose at run time. */
 struct tia_core {
     const char *name; /* "q16", "f64", ... */
     size_t (*view_size)(const struct tia_scene *, uint32_t);
@@ -183,8 +182,8 @@ extern const struct tia_core tia_core_watched; /* integers, with an observer of 
 extern const struct tia_core tia_core_f32;     /* float: for comparison, libtia-f32.a */
 extern const struct tia_core tia_core_chk;     /* q16 that reports values out of range, libtia-chk.a */
 
-/* CRC-32 (IEEE 802.3, as in zlib) over `count` pixels as little-endian bytes. Start with 0 and pass the
- * result on from row to row. Without pixels, NULL, `crc` stays as it is. */
+/* Returns the CRC-32 (IEEE 802.3, as in zlib) over `count` pixels as little-endian bytes. Start with 0 and pass the
+ * result on from row to row. Without pixels, NULL, the result is `crc`. */
 uint32_t tia_crc32(uint32_t crc, const tia_rgb565 *pixels, size_t count);
 
 #ifdef __cplusplus

@@ -1,8 +1,8 @@
 /* scene.h - the scene: const arrays of the caller's, which tia never copies or changes.
  *
- * Each field's range stands beside it. Besides, every point of the scene, lights included, must lie within
- * 32768 of every eye position; shapes count by their bounding boxes (tia_object_bounds without its margin).
- * When tia_scene_check accepts a scene, no computation in tia overflows.
+ * Each field's range stands beside it. In addition, every point of the scene, lights included, must lie within 32768 of
+ * every eye position; shapes count by their bounding boxes (tia_object_bounds without its margin). When tia_scene_check
+ * accepts a scene, no computation in tia overflows.
  *
  * An object's index counts the spheres first, then the shapes.
  *
@@ -49,7 +49,7 @@ struct tia_binding {
 
 /* More digits of lengths, in units of 2^-32: each is the number of that name in the scene plus these. Round mirrors
  * magnify an error of a coordinate with every reflection, some a hundredfold; flat ones do not. So balls, cylinders,
- * cones and the eye can be placed more finely than Q16.16. The span renderer ignores it. */
+ * cones and the eye can have more digits than Q16.16. The span renderer ignores these. */
 struct tia_fine_sphere {
     struct tia_fine_place centre;
     int16_t radius;
@@ -63,8 +63,8 @@ struct tia_fine_ends {
 struct tia_fine {
     struct tia_fine_place eye, reference;  /* of the camera */
     const struct tia_fine_sphere *spheres; /* as many as the scene's */
-    const struct tia_fine_ends *shapes;    /* as many as the scene's; used of cylinders, the base's radius for both
-                                              ends, and of cones, where they have no transform */
+    /* As many as the scene's; used for cylinders (the base's radius for both ends) and cones without a transform. */
+    const struct tia_fine_ends *shapes;
 };
 
 struct tia_scene {
@@ -86,7 +86,7 @@ struct tia_scene {
     uint32_t depth; /* maximum reflections and refractions along a path, see material.h; 0 means TIA_DEPTH */
     struct tia_integration integration; /* another integrator than Whitted's */
     enum tia_shadows shadows;           /* another technique than traced rays, see shadow.h */
-    struct tia_shadow_map shadow_map;   /* of TIA_SHADOWS_MAP; all zero: the defaults */
+    struct tia_shadow_map shadow_map;   /* for TIA_SHADOWS_MAP; all zero: the defaults */
     tia_q16 tessellated; /* for all techniques but traced rays. 0: rays find curved shapes; otherwise these are divided
                             into flat faces, none farther than this from the true surface: 2^-16 or more, at most
                             TIA_OBJECTS_MAX faces */
@@ -94,7 +94,7 @@ struct tia_scene {
     const struct tia_fine *fine;         /* NULL, or more digits; rays then start 2^-26 off a surface, see material.h */
     const struct tia_light_field *field; /* NULL, or a picture for many eyes: of a camera with an observer line, without
                                             another technique for shadows than traced rays */
-    const struct tia_bvh *bvh;           /* NULL, or this scene's, see bvh.h: a faster way to the same picture */
+    const struct tia_bvh *bvh;           /* NULL, or this scene's, see bvh.h: the same picture in less time */
 
     /* Keyframes and balls that fall, see motion.h. Rendering ignores them; tia_scene_at applies them. */
     const struct tia_track *tracks;
@@ -105,14 +105,14 @@ struct tia_scene {
 /* A violated rule, to be printed as "sphere 3: radius: must be at least 2^-10". */
 struct tia_fault {
     const char *thing; /* "sphere", "shape", "mesh", "light", "material", "key", "camera", "scene", ... */
-    uint32_t index;    /* which one, from 0; for "camera" and "scene" 0 */
+    uint32_t index;    /* its index, from 0; for "camera" and "scene" 0 */
     const char *field;
     const char *rule; /* the range that the field must keep */
 };
 
-/* Checks all ranges; where a count is not 0, its array is there and has so many. TIA_OK, or TIA_ERR_RANGE with *fault
- * filled in (`fault` may be NULL). Takes one pass over
- * the scene, and one over its shapes for every 16 meshes or grids. */
+/* Checks all ranges; where a count is not 0, its array must have so many elements. TIA_OK, or TIA_ERR_RANGE with *fault
+ * filled in (`fault` may be NULL). Takes one pass over the scene, and one over its shapes for every 16 meshes or grids.
+ */
 int tia_scene_check(const struct tia_scene *scene, struct tia_fault *fault);
 
 /* The default scene, scenes/thesis.tia: a ball on a ground sphere, without lights; the keys a, d, s and w put

@@ -4,7 +4,7 @@
  * to rays: primary rays where they are nearer than all faces, and shadow rays towards lights that no face hides. On
  * these shapes themselves shadows are traced.
  *
- * With `tessellated` in scene.h they become flat faces instead, all but grids: the faces decide what is seen and lit,
+ * With `tessellated` in scene.h they become flat faces instead, all but grids: the faces decide visibility and shadow,
  * while colour, normal and reflection are those of the true surface where the ray meets it. So outlines and the borders
  * of shadows have corners, and a face can turn away from the light a little before the true surface does.
  *
@@ -31,25 +31,25 @@ struct tia_mesh;
 
 enum tia_shadows {
     TIA_SHADOWS_TRACED, /* rays that start a little off the surface, any scene */
-    TIA_SHADOWS_RAYS,   /* exact rays: does any face stand between the visible point and the light? */
+    TIA_SHADOWS_RAYS,   /* exact rays from the visible point, tested with each face */
     TIA_SHADOWS_ZPASS,  /* shadow volumes, counted in front of the visible point; where undecided, as TIA_SHADOWS_ZFAIL
                          */
     TIA_SHADOWS_ZFAIL,  /* shadow volumes, counted behind the visible point; where undecided, as TIA_SHADOWS_ZPASS */
     TIA_SHADOWS_MAP,    /* shadow maps, see struct tia_shadow_map: not exact */
-    TIA_SHADOWS_MAP_EXACT,  /* an alias-free map, whose samples are the points that pixels see: exact */
+    TIA_SHADOWS_MAP_EXACT,  /* an alias-free map, whose samples are the visible points: exact */
     TIA_SHADOWS_ZPASS_PLAIN /* as TIA_SHADOWS_ZPASS, assuming the eye in no volume: wrong where it is in one */
 };
 
-/* "traced", "rays", "zpass", "zfail", "map", "map-exact", "zpass-plain"; NULL beyond the last. */
+/* Returns "traced", "rays", "zpass", "zfail", "map", "map-exact", "zpass-plain"; NULL beyond the last. */
 const char *tia_shadows_name(unsigned technique);
 
-/* The first object (see render.h) that is too far away for the rasteriser, in a width x height view that tia_view_init
- * has refused with TIA_ERR_RANGE, or TIA_NO_OBJECT, as for a scene that tia_scene_check refuses. A corner is too far if
- * a clip coordinate, see raster.h, reaches 2^TIA_RANGE_MAX, in orthographic views 2^TIA_RANGE_FLAT: it is then that
- * many times half the view's width or height off its middle. */
+/* Returns the first object (see render.h) that is too far away for the rasteriser, in a width x height view that
+ * tia_view_init has refused with TIA_ERR_RANGE, or TIA_NO_OBJECT, as for a scene that tia_scene_check refuses. A corner
+ * is too far if a clip coordinate, see raster.h, reaches 2^TIA_RANGE_MAX, in orthographic views 2^TIA_RANGE_FLAT: it is
+ * then that many times half the view's width or height off its middle. */
 uint32_t tia_shadow_too_far(const struct tia_scene *scene, unsigned width, unsigned height);
 
-/* The same of a light: the first of these for the scene that is too far away, in a view that tia_view_init or
+/* Returns the first of these lights for the scene that is too far away, in a view that tia_view_init or
  * tia_view_set_lights has refused. Of a light with an area all of it counts. *range receives the r for which 2^r is too
  * far: as for corners, but less in an orthographic view whose image has more than 1024 pixels in a row or column. There
  * lights much farther away than all corners are in range, too: they count as directional where this moves no shadow by
@@ -57,12 +57,13 @@ uint32_t tia_shadow_too_far(const struct tia_scene *scene, unsigned width, unsig
 uint32_t tia_shadow_light_too_far(const struct tia_scene *scene, const struct tia_light *lights, uint32_t count,
                                   unsigned width, unsigned height, unsigned *range);
 
-/* Shadow maps: pictures of how far from a light the nearest face is, in size x size texels. A directional light has one
- * map, around the scene's corners; a spot light whose outer cone is at most TIA_SPOT_MAP degrees has one, around the
- * cone; other lights have six, the faces of a cube. Each sample of a rectangle or disc has its own, 4 bytes a texel.
+/* Shadow maps: pictures of the distance from a light to the nearest face, in size x size texels. A directional light
+ * has one map, around the scene's corners; a spot light whose outer cone is at most TIA_SPOT_MAP degrees has one,
+ * around the cone; other lights have six, the faces of a cube. Each sample of a rectangle or disc has its own, 4 bytes
+ * a texel.
  *
- * A point is lit where the map has nothing nearer than its distance less a bias, which keeps faces from shadowing
- * themselves. In a map of 90 degrees a texel is 2 w/size long at the distance w. With the amount a the bias is
+ * A point is lit where the map has no distance below its own less a bias, which keeps faces from shadowing themselves.
+ * In a map of 90 degrees a texel is 2 w/size long at the distance w. With the amount a the bias is
  *
  *     none       0
  *     constant   a, in the file's units, see scene.h
@@ -104,22 +105,22 @@ enum tia_filter {
 
 struct tia_shadow_map {
     uint16_t size;       /* a power of 2 from TIA_MAP_SIZE_MIN to TIA_MAP_SIZE_MAX; 0 means TIA_MAP_SIZE */
-    uint8_t amount_bits; /* of TIA_BIAS_CONSTANT, 0..TIA_AMOUNT_BITS_MAX; 0 of others */
+    uint8_t amount_bits; /* for TIA_BIAS_CONSTANT, 0..TIA_AMOUNT_BITS_MAX; 0 for others */
     enum tia_bias bias;
     tia_q16 amount; /* times 2^-amount_bits; at least 0 */
     enum tia_filter filter;
 };
 
-/* "none", "constant", "slope", "normal", "plane" for TIA_BIAS_NONE and what follows; and "none", "bilinear", "3x3",
- * "5x5", "7x7", "poisson", "pcss" for TIA_FILTER_NONE and what follows. NULL for others. */
+/* Returns "none", "constant", "slope", "normal", "plane", from TIA_BIAS_NONE on; NULL for others. */
 const char *tia_bias_name(unsigned bias);
+/* Returns "none", "bilinear", "3x3", "5x5", "7x7", "poisson", "pcss", from TIA_FILTER_NONE on; NULL for others. */
 const char *tia_filter_name(unsigned filter);
 
-/* Whether each edge of a mesh has a face on its other side that runs along it in the opposite direction. A mesh that
- * does not close casts the same shadow, but face by face, so its volumes have more sides. `room` has
- * tia_shadow_mesh_room(mesh) bytes and is aligned for uint32_t, or the result is false; the mesh is one that
- * tia_scene_check accepts. */
+/* Returns the bytes of room for tia_shadow_mesh_closes. */
 size_t tia_shadow_mesh_room(const struct tia_mesh *mesh);
+/* True if each edge of a mesh has a face on its other side that runs along it in the opposite direction. A mesh that
+ * does not close casts the same shadow, but face by face, so its volumes have more sides. `room` is aligned for
+ * uint32_t, or the result is false; the mesh is one that tia_scene_check accepts. */
 bool tia_shadow_mesh_closes(const struct tia_mesh *mesh, void *room);
 
 #ifdef __cplusplus

@@ -53,8 +53,8 @@ struct tia_sphere {
     uint32_t material; /* an index into the scene's materials */
 };
 
-/* Every kind of shape, and its field in struct tia_shape. The tables of kinds, here and elsewhere, are made of
- * this list: a new shape goes to its end, see docs/architecture.md. */
+/* Every kind of shape, and its field in struct tia_shape. The tables of kinds, here and elsewhere, are made from this
+ * list: a new shape goes to its end, see docs/architecture.md. */
 #define TIA_SHAPES(SHAPE)                                                                                              \
     SHAPE(TIA_SPHERE, sphere)                                                                                          \
     SHAPE(TIA_PLANE, plane) /* infinite */                                                                             \
@@ -124,7 +124,7 @@ struct tia_shape {
 /* The type of a shape's field. */
 enum tia_shape_value {
     TIA_SHAPE_Q16,  /* tia_q16, a length */
-    TIA_SHAPE_VEC3, /* struct tia_vec3, a place */
+    TIA_SHAPE_VEC3, /* struct tia_vec3, a position */
     TIA_SHAPE_DIR3, /* struct tia_dir3 */
     TIA_SHAPE_FLAG  /* bool */
 };
@@ -135,10 +135,11 @@ struct tia_shape_field {
     const char *member; /* in C; NULL ends the list */
     uint16_t offset;    /* in struct tia_shape */
     uint8_t value;      /* enum tia_shape_value */
-    bool needed;        /* whether scene files must give it; otherwise the default is 0 */
+    bool needed;        /* required in scene files; otherwise the default is 0 */
 };
 
-/* The fields of a kind; NULL of what is no kind. Meshes and grids, which are indices, have none. */
+/* Returns the fields of a kind; NULL for a number that is not a kind. Meshes and grids, which are indices, have none.
+ */
 const struct tia_shape_field *tia_shape_fields(enum tia_shape_kind kind);
 
 /* Scales a shape along its own axes, then rotates it, then translates it. Not for planes. An instance must not

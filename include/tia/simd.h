@@ -18,10 +18,10 @@
  *
  * Levels compute with rounding to nearest, subnormal numbers and masked exceptions, whatever the caller has set: each
  * call sets these in the processor's control register and puts the caller's register back, its exception flags as well.
- * Where that register is not known and the environment is another one, plain C draws. A view's `stop` is called in the
- * level's environment.
+ * On a processor whose register is unknown here, plain C draws if the environment differs. A view's `stop` is called in
+ * the level's environment.
  *
- * A call takes at most 16 KiB of its thread's stack; what else it needs is in the memory above.
+ * A call takes at most 16 KiB of its thread's stack; all else is in the memory above.
  */
 #ifndef TIA_SIMD_H
 #define TIA_SIMD_H
@@ -32,33 +32,34 @@
 extern "C" {
 #endif
 
-/* The widest level that both this library and this processor have; NULL when there is none, or when QEMU emulates the
- * processor. */
+/* Returns the widest level that both this library and this processor have; NULL when there is none, or when QEMU
+ * emulates the processor. */
 const struct tia_simd *tia_simd_best(void);
 
-/* The widest level that is at most as wide as the one called `name`: "plain" (which gives NULL), "scalar", "sse41",
- * "avx2", "avx512", "neon" or "wasm". TIA_ERR_ARGUMENT when no level anywhere has that name. */
+/* Gives the widest level that is at most as wide as the one called `name`: "plain" (which gives NULL), "scalar",
+ * "sse41", "avx2", "avx512", "neon" or "wasm". TIA_ERR_ARGUMENT when no level anywhere has that name. */
 int tia_simd_named(const char *name, const struct tia_simd **simd);
 
-/* The levels that both this library and this processor have, narrowest first; NULL from their number on. */
+/* Returns level number `index` of those that both this library and this processor have, narrowest first; NULL from
+ * their number on. */
 const struct tia_simd *tia_simd_at(unsigned index);
 
-/* Bytes that the level needs for a view of `scene`; 0 for NULL. SIZE_MAX when there are too many. `workers`: how many
- * calls may draw the view at the same time, each with 100 to 200 KB; when there are more, plain C draws those. 0 means
- * 1. */
+/* Returns the bytes that the level needs for a view of `scene`; 0 for NULL, SIZE_MAX when there are too many.
+ * `workers`: number of calls that may draw the view at the same time, each with 100 to 200 KB; when there are more,
+ * plain C draws those. 0 means 1. */
 size_t tia_simd_size(const struct tia_simd *simd, const struct tia_scene *scene, uint32_t light_capacity,
                      unsigned workers);
 
-/* From now on the level draws the view; NULL: plain C. `memory`, aligned for uint64_t, must outlive the view. Hits
- * traced before are of no use. As many calls may draw at once as there is memory for, see tia_simd_size;
+/* Makes the level draw the view from now on; NULL: plain C. `memory`, aligned for uint64_t, must outlive the view. Hits
+ * traced before become invalid. As many calls may draw at once as there is memory for, see tia_simd_size;
  * TIA_ERR_MEMORY when `size` is too small for one. */
 int tia_view_set_simd(struct tia_view *view, const struct tia_simd *simd, void *memory, size_t size);
 
-/* What the level does for the rasteriser, see struct tia_raster_target; NULL: nothing. A view's own is set with its
+/* Returns the level's part for the rasteriser, see struct tia_raster_target; NULL: none. A view's own is set with its
  * level, and needs no memory. */
 const struct tia_raster_runs *tia_simd_raster(const struct tia_simd *simd);
 
-/* The name of the level that draws the view, or "plain". */
+/* Returns the name of the level that draws the view, or "plain". */
 const char *tia_view_simd(const struct tia_view *view);
 
 #ifdef __cplusplus

@@ -1,8 +1,8 @@
 /* text.h - small text on pictures: ASCII in cells of 6x8 pixels, for programs with or without an OS.
  *
- * Letters take a cell's first five columns and seven rows; the eighth row is for tails (g j p q y , ;) and _. '\n'
- * begins a new line; what is not ASCII is blank. Around the text is a border of one pixel at the left and above, so
- * that a text of m columns and n lines covers 6 m + 1 by 8 n + 1 pixels, times the scale.
+ * Letters take a cell's first five columns and seven rows; the eighth row is for tails (g j p q y , ;) and _. ' '
+ * begins a new line; characters that are not ASCII are blank. Around the text is a border of one pixel at the left and
+ * above, so that a text of m columns and n lines covers 6 m + 1 by 8 n + 1 pixels, times the scale.
  */
 #ifndef TIA_TEXT_H
 #define TIA_TEXT_H
@@ -23,7 +23,7 @@ struct tia_text {
     tia_rgb565 ink, paper; /* colours of the letters and of the rest */
 };
 
-/* The part of a width x height image that it covers; empty when it is all outside, or the scale is 0. */
+/* Returns the part of a width x height image that it covers; empty when it is all outside, or the scale is 0. */
 struct tia_tile tia_text_area(const struct tia_text *text, unsigned width, unsigned height);
 
 /* Draws the part in `tile`; the other pixels stay. */

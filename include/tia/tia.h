@@ -5,7 +5,7 @@
  *   camera.h, material.h, light.h, shape.h    the parts of a scene
  *   lightfield.h    pictures for displays that show each eye another one
  *   shadow.h  techniques for shadows
- *   integrator.h    how light is summed up
+ *   integrator.h    integrators of light
  *   denoise.h       pictures of samples without noise
  *   scene.h   the scene
  *   bvh.h     bounding volume hierarchy for scenes of many objects
@@ -16,7 +16,7 @@
  *   raster.h  polygons: depth, stencil and colour buffers
  *   radio.h   paths of radio waves
  *   port.h    display, input and clock, as a board or an OS provides them
- *   gaze.h    where the eye looks
+ *   gaze.h    foveated pictures
  *   orbit.h   moving a camera
  *   text.h    small text on pictures
  *   viewer.h  the interactive loop

@@ -1,15 +1,15 @@
 /* viewer.h - the interactive loop, for any display and input, with or without an OS.
  *
- * Each round handles all waiting keys, draws and shows a frame when something changed, and otherwise sleeps.
- * The arrow keys move the first light by 1 along x and z, page up and page down along y: once when pressed,
- * and while held, after TIA_HOLD_DELAY_US, every TIA_HOLD_STEP_US, though at most TIA_HOLD_STEPS times between two
- * pictures: slower pictures skip steps, so that the eye can follow. The first light is the first that is not ambient,
- * since an ambient light has no position; a directional light is moved by 1/16, as the point at the distance 1 that it
- * shines from. The keys of the scene's bindings set lights. Unless the scene binds it, TIA_KEY_SHADOWS takes the next
- * technique for shadows that the scene qualifies for, if the caller allows it. Every other key quits. Keys are also
- * looked at while a frame is drawn: one that quits ends it at once, and one that moves a light ends it at the next tile
- * if it has taken 250 ms, though not two frames in a row. A frame of a scene that plays ends at once then, if the next
- * one can be shown in blocks or rows.
+ * Each round handles all waiting keys, draws and shows a frame when something changed, and otherwise sleeps. The arrow
+ * keys move the first light by 1 along x and z, page up and page down along y: once when pressed, and while held, after
+ * TIA_HOLD_DELAY_US, every TIA_HOLD_STEP_US, though at most TIA_HOLD_STEPS times between two pictures: slower pictures
+ * skip steps, so that the eye can follow. The first light is the first that is not ambient, since an ambient light has
+ * no position; a directional light is moved by 1/16, as the point at the distance 1 from which it shines. The keys of
+ * the scene's bindings set lights. Unless the scene binds it, TIA_KEY_SHADOWS selects the next technique for shadows
+ * that the scene qualifies for, if the caller allows it. Every other key quits. Keys are also polled while a frame is
+ * drawn: one that quits ends it at once, and one that moves a light ends it at the next tile if it has taken 250 ms,
+ * though not two frames in a row. A frame of a scene that plays ends at once then, if the next one can be shown in
+ * blocks or rows.
  *
  * A frame that rays draw, and that takes longer than a display's period, is shown coarse to fine: every 16th pixel of
  * every 16th row as a block first, then twice as many of both, until it is complete. A key that moves a light then ends
@@ -49,53 +49,53 @@ extern "C" {
 #define TIA_PLAY_STEP_US 16666u
 #define TIA_KEY_SHADOWS 't'
 
-/* Reported when a picture is drawn, and after it is shown. A frame that takes long is shown coarse before, with the
- * same number and `block` above 1. */
+/* A frame's data, reported when a picture is drawn, and after it is shown. A frame that takes long is shown coarse
+ * before, with the same number and `block` above 1. */
 struct tia_frame {
     uint32_t number;          /* from 0 */
     uint16_t block;           /* 1: the frame is complete; else the size of its largest blocks, in pixels, at least 2 */
-    uint32_t samples;         /* of a coarse picture of samples: at least so many a pixel; else 0 */
-    uint16_t done;            /* of a coarse picture: the share of its pixels drawn so far, 2^-16 */
-    uint32_t pixels;          /* drawn; each of the others repeats one of these */
-    bool moving;              /* with `pace`: something moves */
-    uint64_t left_us;         /* of a coarse picture: estimated time for the rest, from the time so far */
+    uint32_t samples;         /* coarse picture of samples: least samples of a pixel; else 0 */
+    uint16_t done;            /* coarse picture: the share of its pixels drawn so far, 2^-16 */
+    uint32_t pixels;          /* number drawn; each of the others repeats one of these */
+    bool moving;              /* with `pace`: the picture moves */
+    uint64_t left_us;         /* coarse picture: estimated time for the rest, from the time so far */
     bool relit;               /* only lights changed: the previous frame's hits were used again */
     uint64_t draw_us;         /* time to draw, microseconds, without waiting for the display */
     enum tia_shadows shadows; /* the technique that drew it */
-    uint64_t key_us;          /* latency: from the oldest key press that this frame shows to the end of present;
-                                 0 when there was none, its time is unknown, or the frame is not shown yet; of the
-                                 coarse pictures of a frame only the first has it */
-    const char *simd;         /* the level that drew it, see tia_view_simd */
+    uint64_t key_us; /* latency: from the oldest key press that this frame shows to the end of present; 0 when there was
+                        none, its time is unknown, or the frame is not shown yet, and in all but the first of a frame's
+                        coarse pictures */
+    const char *simd; /* the level that drew it, see tia_view_simd */
 };
 
-/* What an event does. */
+/* The effect of an event. */
 enum tia_effect {
     TIA_EFFECT_NONE,
     TIA_EFFECT_PICTURE, /* the picture is shown again: its overlay has changed */
-    TIA_EFFECT_CAMERA,  /* the scene is seen from elsewhere */
-    TIA_EFFECT_HOME,    /* or as it was at first */
+    TIA_EFFECT_CAMERA,  /* the camera has moved */
+    TIA_EFFECT_HOME,    /* the camera is back at its first position */
     TIA_EFFECT_END      /* the loop ends */
 };
 
-/* What keys and pointers do beyond moving lights. A scene's own keys come first, then those that move lights, unless
- * typed with Shift, then TIA_KEY_TAB, which chooses the next light to move, and TIA_KEY_SPACE, which pauses a scene
- * that plays and lets it go on. */
+/* Handlers of keys and pointers that do not move lights. A scene's own keys come first, then those that move lights,
+ * unless typed with Shift, then TIA_KEY_TAB, which chooses the next light to move, and TIA_KEY_SPACE, which pauses a
+ * scene that plays and lets it go on. */
 struct tia_control {
-    /* What the event would do; changes nothing. Called like the viewer's `stop`. */
+    /* Returns the effect that the event would have; changes nothing. Called like the viewer's `stop`. */
     enum tia_effect (*weigh)(void *ctx, const struct tia_event *event);
-    /* Does it. *camera is the present camera, to be changed; one that tia_scene_check refuses is ignored. It also
-     * receives keys that move lights when there is no light to move. An event that has no effect by `weigh` is passed
-     * between two pictures of a frame that is drawn coarse to fine. For TIA_EFFECT_END it is called when the loop is
-     * over, and the display's memory has as much of a picture shown coarse as was drawn. */
+    /* Handles the event. *camera is the present camera, to be changed; one that tia_scene_check refuses is ignored. It
+     * also receives keys that move lights when there is no light to move. An event that has no effect by `weigh` is
+     * passed between two pictures of a frame that is drawn coarse to fine. For TIA_EFFECT_END it is called when the
+     * loop is over, and the display's memory has as much of a picture shown coarse as was drawn. */
     enum tia_effect (*act)(void *ctx, const struct tia_event *event, struct tia_camera *camera);
 };
 
-/* What keys have changed. */
+/* The changes by keys. */
 struct tia_viewer_state {
     bool goes_on; /* set by the caller: begin with this state and the viewer's lights, not with the scene's */
     bool moved;   /* the camera is not the scene's */
     bool paused;
-    bool incomplete; /* the display does not show the whole picture of all this yet */
+    bool incomplete; /* the display does not show all of these changes yet */
     struct tia_camera camera;
     uint32_t light_count,
         light;    /* their number, at most light_capacity; the one that keys move, or the next if it is ambient */
@@ -161,22 +161,22 @@ struct tia_viewer {
  */
 int tia_viewer_run(struct tia_viewer *viewer);
 
-/* Applies a key press to the lights, *count of an array of `capacity`. 1 when they changed; 0 when the key has
+/* Applies a key press to the lights, *count of an array of `capacity`. Returns 1 when they changed; 0 when the key has
  * a meaning but changes nothing; TIA_ERR_ARGUMENT when the key quits, or *count is above the capacity. A light that
  * would leave the range of tia_scene_check does not move. */
 int tia_press(const struct tia_scene *scene, struct tia_light *lights, uint32_t *count, uint32_t capacity,
               uint16_t key);
 
-/* The index of the light that a key sets or moves; `count` when the key adds one; TIA_NO_LIGHT when none. */
+/* Returns the index of the light that a key sets or moves; `count` when the key adds one; TIA_NO_LIGHT when none. */
 #define TIA_NO_LIGHT UINT32_MAX
 uint32_t tia_key_light(const struct tia_scene *scene, const struct tia_light *lights, uint32_t count, uint16_t key);
 
-/* The technique for shadows that follows the scene's, in the order of tia_shadows_name and round again, of those that
- * the scene qualifies for. TIA_SHADOWS_TRACED after one that there is not. */
+/* Returns the technique for shadows that follows the scene's, cyclically in the order of tia_shadows_name, of those
+ * that the scene qualifies for. TIA_SHADOWS_TRACED after an invalid one. */
 enum tia_shadows tia_next_shadows(const struct tia_scene *scene);
 
-/* The time of frame number `frame` of a film that starts at `start` and shows rate[0]/rate[1] frames per second,
- * each 1..1000000: rounded to nearest, at most INT32_MAX. Without a rate, NULL, it is `start`. */
+/* Returns the time of frame number `frame` of a film that starts at `start` and shows rate[0]/rate[1] frames per
+ * second, each 1..1000000: rounded to nearest, at most INT32_MAX. Without a rate, NULL, it is `start`. */
 tia_q16 tia_frame_time(tia_q16 start, uint32_t frame, const uint32_t rate[2]);
 
 #ifdef __cplusplus

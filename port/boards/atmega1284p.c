@@ -45,7 +45,7 @@ void board_print(const char *text)
     }
 }
 
-/* Without interrupts nothing wakes it again; simavr ends there. */
+/* Sleeps with interrupts off: nothing wakes the processor again, and simavr ends there. */
 void board_exit(int status)
 {
     while (UCSR0B && !(UCSR0A & _BV(TXC0)))

@@ -12,8 +12,10 @@ int main(void);
 
 /* Prints to the serial line or, on a microcontroller, to the debugger's console. */
 void board_print(const char *text);
+/* Prints a number in decimal. */
 void board_print_number(uint32_t value);
-void board_print_hex(uint32_t value); /* as eight digits */
+/* Prints `value` as eight hexadecimal digits. */
+void board_print_hex(uint32_t value);
 
 /* Ends the program; passes the status to a debugger. */
 _Noreturn void board_exit(int status);

@@ -8,7 +8,7 @@ typedef uint32_t __attribute__((may_alias)) word;
 void *memcpy(void *restrict to, const void *restrict from, size_t count);
 void *memset(void *to, int value, size_t count);
 
-/* Otherwise gcc recognises these loops as memcpy and memset and makes each call itself. */
+/* Keeps gcc from recognising these loops as memcpy and memset, which would make each call itself. */
 #define AS_WRITTEN __attribute__((optimize("no-tree-loop-distribute-patterns")))
 
 /* Copies words if both addresses are aligned; the rest, byte by byte, is short or rare. */

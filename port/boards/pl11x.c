@@ -71,7 +71,7 @@ static int panel_submit(void *ctx, struct tia_tile tile)
     return TIA_OK;
 }
 
-/* The controller switches to the new address at the start of its next frame; waits for that, since it reads the old
+/* Sets the new address and waits until the controller switches to it at the start of its next frame: it reads the old
  * buffer until then. */
 static int panel_present(void *ctx)
 {

@@ -1,7 +1,7 @@
 /* start.c - from the stack pointer, which the processor's own start-up code sets, to main. */
 #include "board.h"
 
-/* Made by sections.ld. */
+/* Defined by sections.ld. */
 extern uint32_t board_data_load[], board_data[], board_data_end[], board_bss_end[], board_stack_end[];
 
 #define PAINT 0x5afe57acu
@@ -15,7 +15,7 @@ static void fill_sections(void)
         *to++ = 0;
 }
 
-/* The stack grows down to the end of .bss: all that lies below this function's own frame. */
+/* Paints the free stack, which extends down from this function's frame to the end of .bss. */
 static void paint_stack(void)
 {
     volatile uint32_t *here = __builtin_frame_address(0);

@@ -11,13 +11,13 @@ enum {
     RESET = 1 << 8
 };
 
-/* The PL110 knows no RGB565 of its own: a multiplexer behind it makes 5:6:5 of its 16 bits. */
+/* Selects 5:6:5: the PL110 itself has no RGB565, so a multiplexer behind it rearranges its 16 bits. */
 static void select_rgb565(void)
 {
     *panel_board_register(SYSTEM, SYS_CLCD) = 3;
 }
 
-/* The board cannot cut its own power: it starts anew. */
+/* Restarts the board, which cannot cut its own power. */
 static void reset(void)
 {
     *panel_board_register(SYSTEM, SYS_LOCK) = UNLOCK;

@@ -8,7 +8,7 @@
 
 #include "vt.h"
 
-/* The kernel's signals when it takes the console, and when it gives it back. */
+/* Signals that the kernel sends to take the console and to give it back. */
 #define LEAVE SIGUSR1
 #define ENTER SIGUSR2
 
@@ -16,13 +16,13 @@ static struct console {
     enum console_state state;
     struct vt vt;
     struct console_listener *listeners; /* in the order in which they began to listen */
-    sigset_t mask;                      /* what console_open changed */
+    sigset_t mask;                      /* changes made by console_open */
     struct sigaction on_leave, on_enter, on_resume;
 } console = {.state = CONSOLE_FREE, .vt.fd = -1};
 
 static volatile sig_atomic_t leave_asked, enter_asked, resumed;
 
-/* A terminal as the input has its own handler for SIGCONT, which is called, too. */
+/* Calls the terminal input's own handler for SIGCONT as well. */
 static void note_signal(int number)
 {
     if (number == LEAVE)
@@ -92,7 +92,7 @@ static void leave(enum console_state state)
 
 /* ---- switching ---- */
 
-/* If the signal did not come from the kernel, it expects no answer, and the screen stays ours. */
+/* Ignores a signal that did not come from the kernel: no answer is expected, and the screen stays ours. */
 static void answer_leave(void)
 {
     leave_asked = 0;
@@ -112,7 +112,7 @@ static void answer_enter(void)
     enter();
 }
 
-/* The guardian has answered what the kernel asked during the stop. If it released the console, somebody else had the
+/* Handles a stop during which the guardian answered the kernel. If it released the console, another program had the
  * keyboards and the screen, even if the console is in front again. */
 static void answer_resume(void)
 {
@@ -128,8 +128,8 @@ static void answer_resume(void)
         enter();
 }
 
-/* The kernel asks for the console only while it is ours, and waits for the answer: when both signals
- * are pending, the state says which came first. */
+/* Answers pending requests. The kernel requests the console only while it is ours, and waits for the answer: when both
+ * signals are pending, the state shows which came first. */
 static void answer(void)
 {
     if (resumed)
@@ -223,7 +223,7 @@ void console_close(void)
 {
     if (console.state == CONSOLE_FREE)
         return;
-    /* Another console may have been asked for a moment ago. */
+    /* a switch to another console may just have been requested */
     collect_signals();
     answer();
     leave(CONSOLE_FREE);

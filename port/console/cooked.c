@@ -1,4 +1,4 @@
-/* Nothing here may take a lock: see guard.c. */
+/* No function here may take a lock: see guard.c. */
 #include "cooked.h"
 
 #include <errno.h>
@@ -8,14 +8,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#define PATIENCE_MS 200 /* how long a terminal that accepts nothing delays the shell */
+#define PATIENCE_MS 200 /* longest time that a terminal which accepts nothing delays the shell */
 
 int cooked_open(const char *path)
 {
     return open(path, O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
 }
 
-/* Names of pseudo-terminals are reused: is this still the terminal that was kept? */
+/* True if the node is still the terminal that was kept: names of pseudo-terminals are reused. */
 static bool is_same_node(const struct saved *saved, int fd)
 {
     struct stat s;
@@ -23,7 +23,7 @@ static bool is_same_node(const struct saved *saved, int fd)
     return fstat(fd, &s) == 0 && s.st_ctim.tv_sec == saved->made.tv_sec && s.st_ctim.tv_nsec == saved->made.tv_nsec;
 }
 
-/* Are the modes still those of the guarded program? */
+/* True if the modes are still those of the guarded program. */
 static bool is_untouched(int fd, const struct termios *raw)
 {
     struct termios now;
@@ -32,7 +32,8 @@ static bool is_untouched(int fd, const struct termios *raw)
            now.c_cc[VMIN] == raw->c_cc[VMIN] && now.c_cc[VTIME] == raw->c_cc[VTIME];
 }
 
-/* Whether another group has the terminal; unknown of one that is not ours. */
+/* True if another process group has the terminal; false if that cannot be found out, because the terminal is not ours.
+ */
 static bool is_behind(int fd, pid_t group)
 {
     pid_t front = tcgetpgrp(fd);
@@ -40,8 +41,8 @@ static bool is_behind(int fd, pid_t group)
     return front > 0 && front != group;
 }
 
-/* A shell that has its terminal back, because tia was stopped or could not be traced, may have set its own modes: they
- * stay. */
+/* Restores the modes, unless a shell that has its terminal back, because tia was stopped or could not be traced, may
+ * have set its own. */
 static void restore_modes(const struct saved *saved, int fd, pid_t group)
 {
     if (is_behind(fd, group) && !is_untouched(fd, &saved->was.terminal.raw))
@@ -67,7 +68,8 @@ bool cooked_write(struct saved *saved, int timeout_ms)
     return true;
 }
 
-/* What a slow terminal has not read of a frame by then is dropped: the text ends whatever that cuts. */
+/* Writes the text within PATIENCE_MS. The part of a frame that a slow terminal has not read by then is dropped: the
+ * text begins by ending any sequence that this cuts. */
 static bool write_soon(struct saved *saved)
 {
     struct saved again = *saved;
@@ -80,7 +82,7 @@ static bool write_soon(struct saved *saved)
     return cooked_write(saved, PATIENCE_MS);
 }
 
-/* The terminal's descriptor, or -1: it is gone, or it is no terminal. */
+/* Returns the terminal's descriptor, or -1 if it is gone or is not a terminal. */
 static int open_terminal(const struct saved *saved)
 {
     int fd = saved->kind == TERMINAL || saved->kind == TEXT ? cooked_open(saved->path) : -1;

@@ -82,7 +82,7 @@ static void restore_screens(void)
     }
 }
 
-/* ---- what may take long ---- */
+/* ---- operations that may take long ---- */
 
 /* Codes from BTN_MISC on are buttons of mice and joysticks. */
 static bool is_any_key_down(int fd)

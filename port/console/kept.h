@@ -1,5 +1,5 @@
-/* kept.h - the table of what the guardian has to put back. Both processes have a copy; messages keep the two the same.
- * Private to the guardian's files. */
+/* kept.h - the table of states that the guardian has to restore. Both processes have a copy; messages keep the two the
+ * same. Private to the guardian's files. */
 #ifndef PORT_CONSOLE_KEPT_H
 #define PORT_CONSOLE_KEPT_H
 
@@ -14,11 +14,11 @@ enum kind { NOTHING, VT, TERMINAL, TEXT, FB, KEYBOARD, CARD, THREADS, SYNC };
 
 #define KEPT_TEXT 96
 
-/* A console, terminal or device: how to find it, and the state to put back. */
+/* A console, terminal or device: its name, and the state to restore. */
 struct saved {
     enum kind kind;
     bool forget;   /* in a message: remove it from the table */
-    bool put_back; /* TERMINAL, TEXT: a stop has put it back */
+    bool put_back; /* TERMINAL, TEXT: restored at a stop */
     char path[64];
     struct timespec made; /* TERMINAL, TEXT: the node's ctime; a later terminal of the same name has another */
     int fd;               /* VT, KEYBOARD, CARD: this process's descriptor for it, else -1 */
@@ -45,27 +45,34 @@ extern struct saved kept[KEPT_MOST];
 
 /* The table's entry for the same console, terminal or device, or NULL. */
 struct saved *kept_find(const struct saved *like);
-/* Does the table have an entry of this kind? */
+/* True if the table has an entry of this kind. */
 bool kept_any(enum kind kind);
+/* True if the table is empty. */
 bool kept_nothing(void);
 
-/* In memory that both processes share, from kept_share on; without that nothing is counted, and nobody waits. First,
- * how often a stop has put terminals back. Second, the guardian's answer to a SYNC message: the other process forgets
- * old ones before it sends that, and then waits timeout_ms at most. */
+/* Allocates memory that both processes share: the counts, numbers and answers below. Without it nothing is counted, and
+ * no call waits. */
 void kept_share(void);
-/* Third, the number of the guardian in charge; and of the last one that has left nothing to do. The one after `before`
- * takes over, unless another process has: then false. */
+/* Returns the number of the guardian in charge. */
 unsigned kept_guardian(void);
+/* Makes the guardian after `before` the one in charge; false if another process has done so. */
 bool kept_take_over(unsigned before);
+/* Notes that the guardian in charge has left nothing to do. */
 void kept_finish(void);
+/* True if that guardian has left nothing to do. */
 bool kept_is_finished(unsigned guardian);
+/* Counts a stop at which terminals were restored. */
 void kept_count_put_back(void);
+/* Returns that count. */
 unsigned kept_put_back(void);
+/* Answers a SYNC message. */
 void kept_answer(void);
+/* Drops old answers; call it before sending a SYNC message. */
 void kept_forget_answers(void);
+/* Waits for the answer, timeout_ms at most. */
 void kept_await_answer(int timeout_ms);
 
-/* Does what a message says. 0, or -1: the table is full, or has nothing to remove. */
+/* Applies a message. 0, or -1: the table is full, or has no such entry to remove. */
 int kept_note(const struct saved *message);
 
 #endif

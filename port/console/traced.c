@@ -6,9 +6,9 @@
 #include <sys/wait.h>
 
 static pid_t reporter, holder; /* 0: not traced */
-static bool listens;           /* the holder: it has to come back from a stop of the process */
+static bool listens;           /* the holder has to return from a stop of the process */
 
-/* What a thread has stopped for. */
+/* Reasons for which a thread stops. */
 enum cause { NOTHING_NEW, STOP, CONTINUED, SIGNAL };
 
 static pid_t seize(pid_t thread)
@@ -16,7 +16,7 @@ static pid_t seize(pid_t thread)
     return thread > 0 && ptrace(PTRACE_SEIZE, thread, NULL, NULL) == 0 ? thread : 0;
 }
 
-/* In a stop of its own when this returns; the report is left for traced_follow. */
+/* Seizes a thread; it is in a stop of its own when this returns, and the report is left for traced_follow. */
 static pid_t seize_and_hold(pid_t thread)
 {
     siginfo_t what;
@@ -46,7 +46,7 @@ static enum cause cause_of(pid_t thread, uintptr_t *number)
     return *number == SIGTRAP ? CONTINUED : STOP;
 }
 
-/* All signals are blocked in both threads, which SIGSTOP ignores: it may come to any thread of a process. */
+/* Lets a thread run on with a signal: SIGSTOP, which no thread can block, may come to any thread of a process. */
 static void deliver(pid_t thread, uintptr_t number)
 {
     (void)ptrace(PTRACE_CONT, thread, NULL, (void *)number);
@@ -57,8 +57,9 @@ static void listen_too(void)
     listens = holder != 0 && ptrace(PTRACE_LISTEN, holder, NULL, NULL) == 0;
 }
 
-/* PTRACE_LISTEN in the stop of its own lets it report the present state at once: STOP, or CONTINUED if that has come in
- * between. In the first case it goes on listening, in the second it stays where it is, as in the beginning. */
+/* Follows the holder. PTRACE_LISTEN in its own stop makes it report the present state at once: STOP, or CONTINUED if
+ * that has come in between. In the first case it goes on listening; in the second it stays in its stop, as in the
+ * beginning. */
 static void follow_holder(void)
 {
     uintptr_t number;
@@ -92,7 +93,7 @@ void traced_follow(void (*stops)(bool held), void (*goes_on)(void))
     follow_holder();
 }
 
-/* If it has come into the next stop instead, that ends the wait, too. */
+/* Waits; entering the next stop instead ends the wait, too. */
 void traced_settle(void)
 {
     siginfo_t what;

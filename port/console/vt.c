@@ -18,7 +18,7 @@
 
 #define OPEN_FLAGS (O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)
 
-/* The controlling terminal's number, or 0 when it is no VT (serial lines share the major). */
+/* Returns the controlling terminal's number, or 0 when it is not a VT (serial lines share the major number). */
 static unsigned controlling(int fd)
 {
     unsigned device = 0;
@@ -70,7 +70,7 @@ void vt_find(struct vt *vt)
         none(vt, "/dev/tty0");
         return;
     }
-    /* tty0 means whichever console is in front; from here on it must be this one. */
+    /* tty0 stands for whichever console is in front; from here on it must be this one */
     number = in_front(fd);
     (void)close(fd);
     found(vt, -1, number, "the console in front");
@@ -86,7 +86,7 @@ void vt_close(struct vt *vt)
     vt->fd = -1;
 }
 
-/* Switches and waits, but not for ever: the program that has the console in front may refuse. */
+/* Switches and waits, with a limit: the program that has the console in front may refuse. */
 static int bring_in_front(struct vt *vt, int enter)
 {
     const struct timespec limit = {.tv_sec = 3};
@@ -146,9 +146,9 @@ static int lock(struct vt *vt)
     return read_modes(vt);
 }
 
-/* A display that the kernel's text is not drawn over keeps text mode, so that the console need not be put back. It
- * still goes through graphics mode and back, so that the kernel draws text again where a process died with its
- * guardian. */
+/* Sets the mode for drawing. Where the kernel's text does not appear over the display's picture, text mode stays, so
+ * that the console need not be restored. It still goes through graphics mode and back, so that the kernel draws text
+ * again where a process died with its guardian. */
 static int set_graphics(const struct vt *vt, bool graphics)
 {
     if (ioctl(vt->fd, KDSETMODE, (long)KD_GRAPHICS) != 0)

@@ -56,7 +56,7 @@ static void free_buffers(struct scanout *s)
     errno = error;
 }
 
-/* Tries one mode with one format. Drivers that do not support RGB565 may say so at any of these calls. */
+/* Tries one mode with one format. Drivers that do not support RGB565 may report it at any of these calls. */
 static int try(struct scanout *s, const char **what)
 {
     for (int i = 0; i < 2; i++)

@@ -34,7 +34,7 @@ static int examine(const struct keyboard *keyboard, char why[PORT_WHY])
     struct key_set codes = {{0}};
 
     if (ioctl(fd, EVIOCGBIT(EV_KEY, sizeof codes.words), codes.words) < 0 || !key_set_types(&codes)) {
-        (void)snprintf(why, PORT_WHY, "%.80s: is no keyboard", keyboard->path);
+        (void)snprintf(why, PORT_WHY, "%.80s: is not a keyboard", keyboard->path);
         return TIA_ERR_UNSUPPORTED;
     }
     if (ioctl(fd, EVIOCGRAB, 1) != 0 || ioctl(fd, EVIOCGRAB, 0) != 0 || ioctl(fd, EVIOCSCLOCKID, &clock) != 0)

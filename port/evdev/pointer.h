@@ -47,6 +47,7 @@ void pointers_close(struct pointers *pointers);
 
 /* Adds what to wait for, POINTERS at most; whether there are events without waiting. */
 nfds_t pointers_list(const struct pointers *pointers, struct pollfd *fds);
+/* True if events can be taken without a wait. */
 bool pointers_wait_not(const struct pointers *pointers);
 
 #endif

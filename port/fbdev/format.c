@@ -49,7 +49,7 @@ int fb_format(const struct fb_var_screeninfo *var, const struct fb_fix_screeninf
     if (!fault)
         fault = pixel_fault(format);
     if (!fault && (var->xres == 0 || var->yres == 0 || var->xres > TIA_SIZE_MAX || var->yres > TIA_SIZE_MAX))
-        fault = "its size is none that can be drawn (1 to 8192 pixels)";
+        fault = "its size is not supported (1 to 8192 pixels)";
     if (!fault && !fits(var, fix, pixel_bytes(format)))
         fault = "its rows or its memory are too short for its mode";
     if (!fault)

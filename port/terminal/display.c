@@ -127,13 +127,13 @@ static int fit_window(struct terminal *t)
 static int open_window(struct terminal *t)
 {
     if (!t->device && !isatty(STDOUT_FILENO))
-        return failed(t, "standard output is no terminal");
+        return failed(t, "standard output is not a terminal");
     t->output.fd = t->device ? descriptor_open(t->device, O_WRONLY) : descriptor_copy(STDOUT_FILENO, O_WRONLY);
     if (t->output.fd < 0 && errno == ENOENT && t->device && !strchr(t->device, '/'))
-        return failed(t, "is no device, nor " WAYS_NAMES);
+        return failed(t, "is not a device, nor " WAYS_NAMES);
     if (t->output.fd < 0)
         return failed_with(t, errno);
-    return isatty(t->output.fd) ? TIA_OK : failed(t, "is no terminal");
+    return isatty(t->output.fd) ? TIA_OK : failed(t, "is not a terminal");
 }
 
 static int look_at_environment(struct terminal *t)

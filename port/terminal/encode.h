@@ -18,7 +18,7 @@ struct text {
 
 void text_add(struct text *text, const char *string);
 
-/* Synchronised update: terminals that know it show the whole frame at once, others ignore it. */
+/* Synchronised update: terminals that support it show the whole frame at once, others ignore it. */
 #define FRAME_BEGIN "\033[?2026h"
 #define FRAME_END "\033[?2026l"
 void text_free(struct text *text);

@@ -4,16 +4,16 @@
 
 #include "device.h"
 
-/* The terminal of standard output. wish.device may name another one, or one of the
- * ways of ways.h. */
+/* The terminal of standard output. wish.device may name another one, or one of the ways of
+ * ways.h. */
 extern const struct tia_display port_terminal_display;
 void *port_terminal_create(const struct port_wish *wish);
 void port_terminal_destroy(void *ctx);
 void port_terminal_list(port_line *line, void *arg);
 
-/* The terminal of standard input or, if that is no terminal, the controlling one; wish.device may name another. Keys
- * are reported as TIA_EVENT_TAP, at the time when they were read; with wish.pointer, its mouse as TIA_EVENT_POINT,
- * where it has one. */
+/* The terminal of standard input or, if that is not a terminal, the controlling one; wish.device may name another. Keys
+ * are reported as TIA_EVENT_TAP, with the time when they were read. With wish.pointer, its mouse, if it has one, is
+ * reported as TIA_EVENT_POINT. */
 extern const struct tia_input port_tty_input;
 void *port_tty_create(const struct port_wish *wish);
 void port_tty_destroy(void *ctx);

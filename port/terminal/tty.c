@@ -72,7 +72,7 @@ static int open_terminal(struct tty *tty)
     else
         tty->fd = descriptor_open(tty->device ? tty->device : "/dev/tty", O_RDWR);
     if (tty->fd < 0 && !tty->device)
-        return failed(tty, "terminal's keyboard", "standard input is no terminal and there is no controlling one");
+        return failed(tty, "terminal's keyboard", "standard input is not a terminal and there is no controlling one");
     if (tty->fd < 0)
         return failed(tty, tty->device, node_error(errno, text));
     return TIA_OK;
@@ -84,7 +84,7 @@ static int make_raw(struct tty *tty)
     char text[PORT_WHY];
 
     if (tcgetattr(tty->fd, &tty->before) != 0)
-        return failed(tty, name_of(tty), "is no terminal");
+        return failed(tty, name_of(tty), "is not a terminal");
     *raw = tty->before;
     raw->c_iflag &= ~(tcflag_t)(IGNBRK | BRKINT | PARMRK | ISTRIP | INLCR | IGNCR | ICRNL | IXON);
     raw->c_lflag &= ~(tcflag_t)(ECHO | ECHONL | ICANON | ISIG | IEXTEN);

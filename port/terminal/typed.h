@@ -1,4 +1,4 @@
-/* typed.h - what the controlling terminal sent while the display asked it, for its keyboard. */
+/* typed.h - bytes that the controlling terminal sent during the display's queries, for its keyboard. */
 #ifndef PORT_TERMINAL_TYPED_H
 #define PORT_TERMINAL_TYPED_H
 
@@ -8,14 +8,15 @@
 
 #define TYPED_MOST 256 /* bytes: answers of about 40 and what a person types within ANSWERS_MS */
 
-/* Answers are kept too: the decoder knows that they are no keys, and one that is cut off by the end of the wait goes on
- * when the keyboard is read. What finds no room is lost. */
+/* Empties the buffer. */
 void typed_forget(void);
+/* Stores bytes, answers included: the decoder recognises that they are not keys, and one that is cut off by the end of
+ * the wait is completed when the keyboard is read. Bytes beyond TYPED_MOST are lost. */
 void typed_keep(const uint8_t *bytes, size_t count);
 
 bool typed_any(void);
 
-/* Moves what was kept to `bytes`, which has room for TYPED_MOST. Returns how many. */
+/* Moves the stored bytes to `bytes`, which has room for TYPED_MOST. Returns their number. */
 size_t typed_take(uint8_t *bytes);
 
 #endif

@@ -2,8 +2,8 @@
 
 #include "edges.h"
 
-/* Words: an index for each point; then, at first, room to find it, and later faces, what is across, and room to find
- * that. */
+/* Returns the bytes of room. It holds an index for each point; then, first, the room to weld points, and later the
+ * faces, the edges across, and the room to join edges. */
 size_t tia_shadow_mesh_room(const struct tia_mesh *mesh)
 {
     if (!mesh)

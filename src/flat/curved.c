@@ -16,14 +16,14 @@ uint32_t tia_curved_count(const struct tia_scene *scene)
     return count;
 }
 
-/* Corner i of a box, Q31.32. */
+/* Gives corner i of a box, Q31.32. */
 static void corner_of(const struct bounds_wide *box, unsigned i, int64_t corner[3])
 {
     for (int k = 0; k < 3; k++)
         corner[k] = (i >> k & 1 ? box->max[k] : box->min[k]) * (INT64_C(1) << 16);
 }
 
-/* (a + w)/(2 w) of `size` pixels, rounded down; -size at the least and 2 size at the most. w > 0. */
+/* Returns (a + w)/(2 w) of `size` pixels, rounded down; -size at the least and 2 size at the most. w > 0. */
 static int64_t pixel_of(int64_t a, int64_t w, unsigned size)
 {
     a = a < -2 * w ? -2 * w : a > 2 * w ? 2 * w : a;
@@ -53,9 +53,9 @@ static void include(struct reach *r, const struct tia_raster_vertex *v, unsigned
 #define BITS 40
 #define LEAST_W (INT32_C(1) << 17) /* with coordinates off by 1/2, a pixel is off by 8192/2^17 */
 
-/* A box that lies before the eye is seen within the rectangle around its corners. A pixel more on either side is for
- * what corners and rays are rounded by, and holds every sample. False: not all of it lies before the eye, or it is too
- * far aside. */
+/* Gives the pixels that may show a box: one in front of the eye is within the rectangle around its corners. A pixel
+ * more on either side allows for the rounding of corners and rays, and for every sample. False: not all of it is in
+ * front of the eye, or it is too far aside. */
 static bool box_reach(const struct bounds_wide *box, const struct tia_eye *eye, unsigned width, unsigned height,
                       struct reach *r)
 {

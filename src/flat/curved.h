@@ -1,19 +1,19 @@
-/* curved.h - where in the image the objects are that have no flat faces: rays look for them there. */
+/* curved.h - the image's parts with objects that have no flat faces: rays look for them there. */
 #ifndef TIA_FLAT_CURVED_H
 #define TIA_FLAT_CURVED_H
 
 #include "faces.h"
 
-/* Pixels x0 <= x < x1, y0 <= y < y1 are all that may see the object. */
+/* Pixels x0 <= x < x1, y0 <= y < y1: no others show the object. */
 struct tia_curved_place {
     uint32_t object;
     uint16_t x0, y0, x1, y1;
 };
 
-/* The number of a scene's objects that are neither flat nor empty, see source.h. */
+/* Returns the number of a scene's objects that are neither flat nor empty, see source.h. */
 uint32_t tia_curved_count(const struct tia_scene *scene);
 
-/* Their places, as many. */
+/* Gives their places, one for each. */
 void tia_curved_find(struct tia_curved_place *places, const struct tia_scene *scene, const struct tia_eye *eye,
                      unsigned width, unsigned height);
 

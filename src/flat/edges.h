@@ -23,17 +23,17 @@ static inline unsigned tia_face_sides(const struct tia_flat_face *face)
 
 /* The edge from corner k of face f to the next has the number TIA_SIDES f + k. */
 
-/* Bytes of room for the two functions. */
+/* Return the bytes of room for the two functions. */
 size_t tia_weld_room(uint32_t points);
 size_t tia_edges_room(uint32_t faces);
 
-/* Makes points of equal coordinates one: first[i] becomes the lowest index of a point at the place of point i. */
+/* Unites points of equal coordinates: first[i] becomes the lowest index of a point at the position of point i. */
 void tia_weld(uint32_t *first, const struct tia_vec3 *points, uint32_t count, void *room);
 
-/* Sets across[e] to an edge that runs the other way between the same points, each used once, or to TIA_NO_EDGE; an
- * edge without length is its own. Returns whether each edge has one, that is whether the faces close. Corners at one
- * place must have one index. across has TIA_SIDES `count` places; the fourth of a triangle is not written. Once
- * cancelled, the answer means nothing. */
+/* Sets across[e] to an edge that runs the other way between the same points, each used once, or to TIA_NO_EDGE; an edge
+ * without length is its own. Returns true if each edge has one, that is if the faces close. Corners at one position
+ * must have one index. across has TIA_SIDES `count` elements; the fourth of a triangle is not written. Once cancelled,
+ * the result is undefined. */
 bool tia_edges_join(uint32_t *across, const struct tia_flat_face *faces, uint32_t count, void *room,
                     struct cancel *cancel);
 

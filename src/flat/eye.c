@@ -24,7 +24,8 @@ static int bits_of(int64_t a)
     return 64 - (int)tia_clz64((uint64_t)(a < 0 ? -a : a));
 }
 
-/* a/b with a relative error below 2^-57. a and b are above 0; a has at most 60 bits more than b, and b 60 more than a.
+/* Returns a/b with a relative error below 2^-57. a and b are above 0; a has at most 60 bits more than b, and b 60 more
+ * than a.
  */
 static struct ratio ratio(int64_t a, int64_t b)
 {
@@ -38,7 +39,7 @@ static struct ratio product(struct ratio a, struct ratio b)
     return (struct ratio){wide_round(wide_product(a.m, b.m), 60), a.places + b.places - 60};
 }
 
-/* axis, Q1.62, times scale */
+/* Returns axis, Q1.62, times scale. */
 static struct tia_eye_row scaled(const int64_t axis[3], struct ratio scale)
 {
     struct tia_eye_row row = {.places = scale.places};
@@ -48,7 +49,7 @@ static struct tia_eye_row scaled(const int64_t axis[3], struct ratio scale)
     return row;
 }
 
-/* Takes away low bits. */
+/* Drops low bits. */
 static void coarsen(struct tia_eye_row *row, int places)
 {
     for (int i = 0; i < 3 && places < row->places; i++)
@@ -91,7 +92,7 @@ void tia_eye_around(const int64_t a[3], const int64_t b[3], tia_q16 angle, int64
         direction[k] = wide_round(wide_sum(wide_product(a[k], cosine), wide_product(b[k], sine)), 62);
 }
 
-/* Q31.32, with the fine digits if there are any. */
+/* Gives the position in Q31.32, with the fine digits if there are any. */
 static void finely(struct tia_vec3 place, const struct tia_fine_place *fine, int64_t out[3])
 {
     const tia_q16 at[3] = {place.x, place.y, place.z};
@@ -101,7 +102,7 @@ static void finely(struct tia_vec3 place, const struct tia_fine_place *fine, int
         out[i] = at[i] * INT64_C(65536) + digits[i];
 }
 
-/* a over the window's width */
+/* Returns a over the window's width. */
 static struct ratio over_width(int64_t a, const struct tia_window *w, unsigned width, unsigned height)
 {
     int64_t upward = (int64_t)w->top - w->bottom;
@@ -113,7 +114,7 @@ static struct ratio over_width(int64_t a, const struct tia_window *w, unsigned w
     return product(ratio(a, upward), ratio(height, width));
 }
 
-/* 2 near/(high - low) axis + (high + low)/(high - low) n */
+/* Returns 2 near/(high - low) axis + (high + low)/(high - low) n. */
 static struct tia_eye_row sheared(const int64_t axis[3], struct ratio scale, const int64_t n[3], int64_t low,
                                   int64_t high)
 {
@@ -134,7 +135,7 @@ static void open_frustum(struct tia_eye *eye, const struct tia_window *w, int64_
     eye->row[1] = sheared(axes[1], ratio(twice, (int64_t)w->top - w->bottom), axes[2], w->bottom, w->top);
 }
 
-/* 2/(high - low) axis, less (high + low)/(high - low) */
+/* Returns 2/(high - low) axis, less (high + low)/(high - low). */
 static struct tia_eye_row shifted(const int64_t axis[3], struct ratio scale, int64_t low, int64_t high)
 {
     int64_t middle = high + low;
@@ -190,8 +191,8 @@ void tia_eye_init(struct tia_eye *eye, const struct tia_scene *scene, unsigned w
 
 /* ---- vertices ---- */
 
-/* The row for p, relative to the eye and with 32 fraction bits: places + 32 of them. The offset has 15 to 48 fewer, see
- * shifted. */
+/* Returns the row's product with p, relative to the eye and with 32 fraction bits: places + 32 of them. The offset has
+ * 15 to 48 fewer, see shifted. */
 static wide at_point(const struct tia_eye_row *row, const int64_t p[3])
 {
     wide sum = wide_dot(row->m, p);

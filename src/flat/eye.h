@@ -5,8 +5,7 @@
 #include <tia/raster.h>
 #include <tia/scene.h>
 
-/* m[i] 2^-places: what a unit along each axis of the world counts. Points have offset 2^-offset_places
- * more. */
+/* A row of the matrix, m[i] 2^-places along each axis of the world. Points have offset 2^-offset_places more. */
 struct tia_eye_row {
     int64_t m[3], offset; /* below 2^62 in size */
     int places, offset_places;
@@ -19,25 +18,27 @@ struct tia_eye {
     struct tia_eye_row row[3];
 };
 
-/* For the camera of a scene that tia_scene_check accepts, with its fine digits; its samples are the lattice's. */
+/* Sets the eye for the camera of a scene that tia_scene_check accepts, with its fine digits; its samples are the
+ * lattice's. */
 void tia_eye_init(struct tia_eye *eye, const struct tia_scene *scene, unsigned width, unsigned height);
 
-/* The smallest r for which the coordinates of a point's vertex are below 2^r in size, at least 0. Points are Q31.32 and
- * less than 2^17 from the eye in each coordinate. */
+/* Returns the smallest r for which the coordinates of a point's vertex are below 2^r in size, at least 0. Points are
+ * Q31.32 and less than 2^17 from the eye in each coordinate. */
 unsigned tia_eye_range(const struct tia_eye *eye, const int64_t point[3]);
 
-/* The vertex of a point that is in range TIA_RANGE_MAX, each coordinate rounded once to `fraction` bits, 0..40. */
+/* Gives the vertex of a point that is in range TIA_RANGE_MAX, each coordinate rounded once to `fraction` bits, 0..40.
+ */
 void tia_eye_point(const struct tia_eye *eye, const int64_t point[3], int fraction, struct tia_raster_vertex *vertex);
 
-/* The vertex at infinity in a direction, Q1.62 and of about the length 1; of any length, which does not matter, with
- * the largest coordinate just below 2^bits, 8..40. */
+/* Gives the vertex at infinity in a direction, Q1.62 and of about the length 1. The vertex's length does not matter;
+ * its largest coordinate is just below 2^bits, 8..40. */
 void tia_eye_direction(const struct tia_eye *eye, const int64_t direction[3], int bits,
                        struct tia_raster_vertex *vertex);
 
-/* The axes A and B of light.h for a normal of length 1, all Q1.62. */
+/* Gives the axes A and B of light.h for a normal of length 1, all Q1.62. */
 void tia_eye_across(const int64_t normal[3], int64_t across[2][3]);
 
-/* The direction at an angle, in degrees, from a towards b, which are at right angles. */
+/* Gives the direction at an angle, in degrees, from a towards b, which are at right angles. */
 void tia_eye_around(const int64_t a[3], const int64_t b[3], tia_q16 angle, int64_t direction[3]);
 
 #endif

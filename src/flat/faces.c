@@ -3,10 +3,10 @@
 #include "math/align.h"
 #include "math/wide.h"
 
-/* ---- how many there are ---- */
+/* ---- counting ---- */
 
 struct counts {
-    uint64_t points, faces, most; /* most: points of one object */
+    uint64_t points, faces, most; /* most: largest number of points of one object */
     uint32_t objects;
 };
 
@@ -32,8 +32,8 @@ static struct counts count(const struct tia_scene *scene)
     return all;
 }
 
-/* Memory needed only while the faces are found: the first point at each place and room for that, then room for the
- * edges. */
+/* Returns the memory needed only while the faces are found: the first point at each position and room for that, then
+ * room for the edges. */
 static uint64_t room_size(struct counts n)
 {
     uint64_t weld = n.most * sizeof(uint32_t) + tia_weld_room((uint32_t)n.most),
@@ -49,7 +49,7 @@ uint64_t tia_flat_face_count(const struct tia_scene *scene)
 
 unsigned tia_flat_samples(const struct tia_scene *scene)
 {
-    uint32_t samples = scene->camera.samples; /* of a scene that may not be checked yet */
+    uint32_t samples = scene->camera.samples; /* the scene may not be checked yet */
 
     return samples > TIA_SAMPLES_MAX ? TIA_SAMPLES_MAX : samples ? (unsigned)samples : 1;
 }
@@ -74,7 +74,7 @@ static struct tia_raster_vertex opposite(struct tia_raster_vertex v)
     return (struct tia_raster_vertex){-v.x, -v.y, -v.w, -v.h};
 }
 
-/* Four directions of the plane, at right angles. */
+/* Gives four directions in the plane, at right angles. */
 static void add_directions(const struct tia_flat_scene *flat, const struct tia_dir3 *normal,
                            struct tia_raster_vertex *to)
 {
@@ -235,7 +235,7 @@ unsigned tia_flat_range(const struct tia_flat_scene *flat)
     return (unsigned)(flat->bits - flat->lattice.fraction);
 }
 
-/* The points of all objects, and the boxes around them. */
+/* Places the points of all objects, and the boxes around them. */
 static void place_points(struct tia_flat_scene *flat, const struct tia_scene *scene, struct cancel *cancel)
 {
     flat->point_count = 0;

@@ -11,68 +11,70 @@ struct tia_flat_object {
     enum tia_shape_kind kind;
     uint32_t object;
     uint32_t first_face, face_count;
-    uint32_t parts[2];       /* how many faces the elements 0 and 1 have; not of boxes and meshes */
+    uint32_t parts[2];       /* faces of the elements 0 and 1; not for boxes and meshes */
     bool divided;            /* its faces stand for a curved surface */
     bool closed;             /* each edge has a face on either side: its silhouette makes its shadow */
-    int64_t low[3], high[3]; /* a box around the points of a closed one, in the coordinates of tia_flat_affine */
+    int64_t low[3], high[3]; /* box around the points of a closed object, in the coordinates of tia_flat_affine */
 };
 
 struct tia_flat_scene {
     struct tia_eye eye;
     struct tia_lattice lattice;
-    unsigned reach;   /* that of the faces, see reach.h */
-    uint32_t samples; /* of a pixel */
+    unsigned reach;   /* reach of the faces, see reach.h */
+    uint32_t samples; /* samples of a pixel */
     int bits;         /* coordinates of points are below 2^bits */
     struct tia_flat_object *objects;
     struct tia_flat_face *faces;
     uint32_t *across; /* see tia_edges_join */
     struct tia_raster_vertex *points;
-    struct tia_raster_plane *planes; /* of the faces, where the lattice is that of the first sample; then of the next */
+    /* Planes of the faces; their lattice is that of the first sample, then of the next. */
+    struct tia_raster_plane *planes;
     uint32_t object_count, face_count, point_count;
 };
 
-/* A vertex is at infinity. */
+/* True if a vertex is at infinity. */
 bool tia_flat_is_direction(const struct tia_flat_scene *flat, const struct tia_raster_vertex *v);
 
-/* Its three affine coordinates: x, y and w, orthographic x, y and h. */
+/* Gives its three affine coordinates: x, y and w, in orthographic views x, y and h. */
 void tia_flat_affine(const struct tia_flat_scene *flat, const struct tia_raster_vertex *v, int64_t out[3]);
 
-/* The number of faces of a scene that tia_scene_check accepts with shadows. */
+/* Returns the number of faces of a scene that tia_scene_check accepts with shadows. */
 uint64_t tia_flat_face_count(const struct tia_scene *scene);
 
-/* Samples of a pixel: at least 1. */
+/* Returns the samples of a pixel: at least 1. */
 unsigned tia_flat_samples(const struct tia_scene *scene);
 
-/* Bytes for a scene that tia_scene_check accepts with shadows; SIZE_MAX when there are too many, or more than 2^28
- * faces. */
+/* Returns the bytes for a scene that tia_scene_check accepts with shadows; SIZE_MAX when there are too many, or more
+ * than 2^28 faces. */
 size_t tia_flat_size(const struct tia_scene *scene);
 
-/* Fills in the scene's faces as they are seen in a width x height image, in `memory`, aligned for uint64_t, with the
- * scene's lights. TIA_ERR_RANGE when a corner or a light is too far away for the rasteriser, see reach.h;
- * TIA_STOPPED when cancelled. */
+/* Fills in the scene's faces, projected to a width x height image, in `memory`, aligned for uint64_t, with the scene's
+ * lights. TIA_ERR_RANGE when a corner or a light is too far away for the rasteriser, see reach.h; TIA_STOPPED when
+ * cancelled. */
 int tia_flat_init(struct tia_flat_scene *flat, void *memory, size_t size, const struct tia_scene *scene, unsigned width,
                   unsigned height, struct cancel *cancel);
 
-/* What lights need to know of it. */
+/* Returns the scene's reach, for its lights. */
 struct tia_reach tia_flat_reach(const struct tia_flat_scene *flat);
 
-/* The range of its vertices, see tia_reach_with_lights. Then places them anew with those fraction bits that another
- * range leaves; TIA_STOPPED when cancelled: they have no meaning then. */
+/* Returns the range of its vertices, see tia_reach_with_lights. */
 unsigned tia_flat_range(const struct tia_flat_scene *flat);
+/* Places the vertices again with the fraction bits that another range leaves; TIA_STOPPED when cancelled: they are
+ * undefined then. */
 int tia_flat_place(struct tia_flat_scene *flat, const struct tia_scene *scene, unsigned range, struct cancel *cancel);
 
-/* The same faces where sample `sample` of each pixel is. */
+/* Gives the same faces for sample `sample` of each pixel. */
 void tia_flat_sample(struct tia_flat_scene *out, const struct tia_flat_scene *flat, const struct tia_scene *scene,
                      unsigned sample);
 
-/* A face's corners; returns how many. */
+/* Gives a face's corners; returns their number. */
 unsigned tia_flat_corners(const struct tia_flat_scene *flat, uint32_t face,
                           struct tia_raster_vertex corners[TIA_SIDES]);
 
-/* The part of its object that a face is, see render.h. */
+/* Returns the part of its object that a face is, see render.h. */
 uint32_t tia_flat_element_of(const struct tia_flat_scene *flat, uint32_t face);
 
-/* The object that a face belongs to. */
+/* Returns the object that a face belongs to. */
 const struct tia_flat_object *tia_flat_object_of(const struct tia_flat_scene *flat, uint32_t face);
 
 #endif

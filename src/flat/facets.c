@@ -9,7 +9,7 @@
 
 /* ---- in the shape's own axes ---- */
 
-/* Q31.32 */
+/* Returns Q31.32. */
 static int64_t finely(tia_q16 a, int16_t digits)
 {
     return a * INT64_C(65536) + digits;
@@ -96,13 +96,13 @@ void tia_facet_shape_init(struct tia_facet_shape *f, const struct tia_scene *sce
 
 /* ---- points ---- */
 
-/* n/around of a full turn. */
+/* Returns n/around of a full turn. */
 static tia_q16 turn(uint32_t n, uint32_t around)
 {
     return (tia_q16)(((uint64_t)n * (uint32_t)TIA_Q16(360) + around / 2) / around);
 }
 
-/* The sphere's poles are along y, and its corners go round from z towards x. */
+/* Gives a direction of the sphere: its poles are along y, and its corners go round from z towards x. */
 static void sphere_direction(uint32_t i, uint32_t around, int64_t d[3])
 {
     uint32_t ring = (i - 2) / around + 1;
@@ -142,7 +142,7 @@ static struct tia_flat_face triangle(uint32_t a, uint32_t b, uint32_t c)
     return (struct tia_flat_face){{a, b, c, TIA_NO_CORNER}};
 }
 
-/* Half `half` of the quadrangle of corner k and the next one of two rings, the lower one first. */
+/* Returns half `half` of the quadrangle of corner k and the next one of two rings, the lower one first. */
 static struct tia_flat_face between(uint32_t low, uint32_t high, uint32_t k, uint32_t around, bool half)
 {
     uint32_t next = (k + 1) % around;
@@ -150,7 +150,7 @@ static struct tia_flat_face between(uint32_t low, uint32_t high, uint32_t k, uin
     return half ? triangle(low + k, high + next, high + k) : triangle(low + k, low + next, high + next);
 }
 
-/* From a point to two corners of a ring above it; or below. */
+/* Returns the face from a point to two corners of a ring above it; or below. */
 static struct tia_flat_face fan(uint32_t point, uint32_t ring, uint32_t k, uint32_t around, bool above)
 {
     uint32_t next = (k + 1) % around;

@@ -11,19 +11,19 @@ struct tia_facet_shape {
     uint32_t around;
     bool capped;
     int64_t centre[2][3], radius[2]; /* Q31.32; of a sphere and disc the first, else those of the ends */
-    int64_t across[2][3];            /* Q1.62; of a sphere not set */
+    int64_t across[2][3];            /* Q1.62; not set for a sphere */
 };
 
-/* For an object that tia_facets_of divides. */
+/* Prepares an object that tia_facets_of divides. */
 void tia_facet_shape_init(struct tia_facet_shape *shape, const struct tia_scene *scene, uint32_t object);
 
-/* Point i, Q31.32. */
+/* Gives point i, Q31.32. */
 void tia_facet_point(const struct tia_facet_shape *shape, uint32_t i, int64_t point[3]);
 
-/* Face i: numbers of points. */
+/* Returns face i: numbers of points. */
 struct tia_flat_face tia_facet_face(const struct tia_facet_shape *shape, uint32_t i);
 
-/* How many of the faces, which come first, are its side, the element 0, see render.h; then how many its base. */
+/* Gives the number of faces of its side, the element 0, see render.h, which come first; then of its base. */
 void tia_facet_parts(const struct tia_facet_shape *shape, uint32_t parts[2]);
 
 #endif

@@ -11,7 +11,7 @@ unsigned tia_flat_light_samples(const struct tia_light *light)
     return light->samples ? light->samples : TIA_LIGHT_SAMPLES;
 }
 
-/* The eight bits of i in reverse order. */
+/* Returns the eight bits of i in reverse order. */
 static unsigned mirrored(unsigned i)
 {
     unsigned out = 0;
@@ -21,7 +21,7 @@ static unsigned mirrored(unsigned i)
     return out;
 }
 
-/* Q.48 of a numerator over n, to nearest: below 2^48 in size. */
+/* Returns a numerator over n as Q.48, to nearest: below 2^48 in size. */
 static int64_t fraction(int numerator, unsigned n)
 {
     int64_t a = (int64_t)(numerator < 0 ? -numerator : numerator) * (INT64_C(2) << 48);
@@ -30,7 +30,7 @@ static int64_t fraction(int numerator, unsigned n)
     return numerator < 0 ? -q : q;
 }
 
-/* centre + s side[0] + t side[1], with s = (2i + 1 - n)/n and t = 2 v - 1, v being i's bits behind the point: see
+/* Gives centre + s side[0] + t side[1], with s = (2i + 1 - n)/n and t = 2 v - 1, v being i's bits behind the point: see
  * light.h. */
 static void on_rectangle(const struct tia_light *light, unsigned i, int64_t at[3])
 {
@@ -43,7 +43,7 @@ static void on_rectangle(const struct tia_light *light, unsigned i, int64_t at[3
         at[k] += wide_round(wide_sum(wide_product(a[k], s), wide_product(b[k], t)), 32);
 }
 
-/* At the distance radius sqrt(u), u = (2i + 1)/(2n), and the angle v of a turn. */
+/* Gives the point at the distance radius sqrt(u), u = (2i + 1)/(2n), and the angle v of a turn. */
 static void on_disc(const struct tia_light *light, unsigned i, int64_t at[3])
 {
     const int64_t given[3] = {light->direction.x, light->direction.y, light->direction.z};

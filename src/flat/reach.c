@@ -4,18 +4,18 @@
  * A light as a vertex of range d is rounded by 2^-(30 - d) at most, as all corners then are: orthographic vertices have
  * 29 - d fraction bits.
  *
- * A light as a direction from the eye: what is at p casts its shadow at p + s (p - l), and s < 2R/(2^(d-1) - R) since
- * the way from the caster is below 2R along each axis. With the direction it is p - s l, which is s p away, less than
- * 2^(2r + 2 - d) where R is small beside 2^d. That is below half a pixel from d = 2r + 2 + b on, and no more than the
+ * A light as a direction from the eye: a point p casts its shadow at p + s (p - l), and s < 2R/(2^(d-1) - R) since the
+ * way from the caster is below 2R along each axis. With the direction it is p - s l, which is s p away, less than 2^(2r
+ * + 2 - d) where R is small beside 2^d. That is below half a pixel from d = 2r + 2 + b on, and no more than the
  * rounding from d = r + 16 on. */
 #include "reach.h"
 
 #include "math/integer.h"
 #include "source.h"
 
-#define POINT_BITS(flat) ((flat) ? 29 : 40) /* of a coordinate, see raster.h */
+#define POINT_BITS(flat) ((flat) ? 29 : 40) /* bits of a coordinate, see raster.h */
 
-/* To where lights may move without another range: vertices keep 20 fraction bits, orthographic ones 9 at least. */
+/* Range in which lights may move without a new range: vertices keep 20 fraction bits, orthographic ones 9 at least. */
 #define ROOM_RANGE 20
 #define NEAR_BITS 9
 
@@ -88,13 +88,13 @@ static bool is_flat(const struct tia_reach *reach)
     return reach->eye->projection == TIA_ORTHOGRAPHIC;
 }
 
-/* b of above */
+/* Returns b, as above. */
 static unsigned image_bits(const struct tia_reach *reach)
 {
     return 32 - (unsigned)tia_clz32((larger(reach->width, reach->height) - 1) | 1);
 }
 
-/* Corners around a rectangle or a disc, or the same point eight times. */
+/* Returns the range of a light: that of the corners around a rectangle or a disc, or of the same point eight times. */
 static unsigned range_of_light(const struct tia_eye *eye, const struct tia_light *light)
 {
     const int64_t centre[3] = {light->centre.x, light->centre.y, light->centre.z};
@@ -133,7 +133,7 @@ unsigned tia_reach_of_lights(const struct tia_reach *reach)
     return is_flat(reach) ? larger(reach->faces, smaller(most, 30 - image_bits(reach))) : most;
 }
 
-/* False: it has a direction, or none. */
+/* Finds a light's range; false: it is a direction, or ambient. */
 static bool find_range(const struct tia_reach *reach, const struct tia_light *light, unsigned *range)
 {
     if (!has_place(light))
@@ -181,7 +181,7 @@ static unsigned range_of_places(const struct tia_reach *reach, const struct tia_
     return most;
 }
 
-/* The largest range that a light's point may have with vertices for `range`. */
+/* Returns the largest range that a light's point may have with vertices for `range`. */
 static unsigned limit_of(const struct tia_reach *reach, unsigned range)
 {
     struct tia_lattice lattice;
@@ -191,8 +191,8 @@ static unsigned limit_of(const struct tia_reach *reach, unsigned range)
     return status ? 0 : (unsigned)(POINT_BITS(is_flat(reach)) - lattice.fraction);
 }
 
-/* Of the scene's lights and keys: each may move to four times its distance, if that is not farther than 2^ROOM_RANGE,
- * or 2^NEAR_BITS times what orthographic faces reach. */
+/* Returns the range of the scene's lights and keys with room: each may move to four times its distance, if that is not
+ * farther than 2^ROOM_RANGE, or 2^NEAR_BITS times the reach of orthographic faces. */
 static unsigned with_room(const struct tia_reach *reach, const struct tia_scene *scene)
 {
     unsigned room = is_flat(reach) ? smaller(reach->faces + NEAR_BITS, ROOM_RANGE) : ROOM_RANGE;

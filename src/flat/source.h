@@ -1,4 +1,4 @@
-/* source.h - an object of a scene as points and flat faces, before a camera looks at it. */
+/* source.h - an object of a scene as points and flat faces, independent of the camera. */
 #ifndef TIA_FLAT_SOURCE_H
 #define TIA_FLAT_SOURCE_H
 
@@ -20,29 +20,29 @@ struct tia_flat_source {
     struct frame frame;
 };
 
-/* An instance of a mesh without faces, as hidden shapes are (motion.h): neither flat nor curved. It takes no memory, so
- * that what a scene needs with all its shapes suffices for each of its times. */
+/* True for an instance of a mesh without faces, as hidden shapes are (motion.h): neither flat nor curved. It takes no
+ * memory, so that the memory for a scene with all its shapes suffices at all times. */
 bool tia_flat_is_empty(const struct tia_scene *scene, uint32_t object);
 
-/* Whether an object has flat faces here; what is curved is left to rays, unless the scene wants it tessellated, and
+/* True if an object has flat faces here. Curved objects are left to rays, unless the scene has them tessellated, and
  * grids always. */
 bool tia_flat_takes(const struct tia_scene *scene, uint32_t object);
 
-/* The number of points and faces of an object that has flat faces. */
+/* Gives the number of points and faces of an object that has flat faces. */
 void tia_flat_count(const struct tia_scene *scene, uint32_t object, uint64_t *points, uint64_t *faces);
 
 void tia_flat_source_init(struct tia_flat_source *source, const struct tia_scene *scene, uint32_t object);
 
-/* How many of its points are in the world: of a plane only point 0, the others are directions. */
+/* Returns the number of its points in the world: of a plane only point 0, the others are directions. */
 static inline uint32_t tia_flat_places(const struct tia_flat_source *source)
 {
     return source->kind == TIA_PLANE ? 1 : source->points;
 }
 
-/* Point i of these in the world, Q31.32. */
+/* Gives point i of these in the world, Q31.32. */
 void tia_flat_source_point(const struct tia_flat_source *source, uint32_t i, int64_t world[3]);
 
-/* Face i: numbers of points. */
+/* Returns face i: numbers of points. */
 struct tia_flat_face tia_flat_source_face(const struct tia_flat_source *source, uint32_t i);
 
 #endif

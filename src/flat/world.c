@@ -1,24 +1,24 @@
-/* world.c - the inverse of the camera's rows r is, with the columns c0 = r1 x r2, c1 = r2 x r0, c2 = r0 x r1, each over
- * r0.c0. */
+/* world.c - the inverse of the camera's rows r: the columns c0 = r1 x r2, c1 = r2 x r0, c2 = r0 x r1, each over r0.c0.
+ */
 #include "world.h"
 
 #include "math/wide.h"
 #include "scene/axes.h"
 
-#define COLUMN_BITS 60 /* of the largest column */
+#define COLUMN_BITS 60 /* bits of the largest column */
 
 static int bits_of(int64_t a)
 {
     return 64 - (int)tia_clz64((uint64_t)(a < 0 ? -a : a) | 1);
 }
 
-/* a/b 2^e, rounded; e -64..126 */
+/* Returns a/b 2^e, rounded; e -64..126. */
 static int64_t quotient(int64_t a, int64_t b, int e)
 {
     return wide_quotient(e < 0 ? a >> (e < -62 ? 62 : -e) : a, b, e < 0 ? 0 : e);
 }
 
-/* Halves of the rows, so that their products fit. */
+/* Gives halves of the rows, so that their products fit. */
 static void rows_of(const struct tia_eye *eye, int64_t rows[3][3])
 {
     for (int k = 0; k < 3; k++)
@@ -48,11 +48,11 @@ static void invert(struct tia_world *world, const struct tia_eye *eye)
             world->m[i][k] = quotient(columns[k][i], det, exponents[k] + world->places);
 }
 
-/* Three of them are added: for the first pixel, and for the way from there to the last column and row. Only views of
- * 2^16 units and more reach it, beside what coordinates can be. */
+/* Limit of a view's numbers, three of which are added: for the first pixel, and for the way from there to the last
+ * column and row. Only views of 2^16 units and more reach it, apart from the limits of coordinates. */
 #define VIEW_MOST (INT64_C(1) << 61)
 
-/* m d/w in Q.45, d any whole numbers below 2^31. */
+/* Returns m d/w in Q.45, d any whole numbers below 2^31. */
 static int64_t over(const struct tia_world *world, int i, const int64_t d[3], int32_t w)
 {
     wide sum = wide_dot(world->m[i], d);
@@ -94,7 +94,7 @@ void tia_world_place(const struct tia_world *world, const struct tia_raster_vert
                               (unsigned)(world->places + world->flat->lattice.fraction - TIA_WORLD_BITS));
 }
 
-/* Of any length, of which the largest component then has 60 bits. */
+/* Gives a direction of any length, of which the largest component then has 60 bits. */
 static void turn(const struct tia_world *world, const int64_t q[3], int64_t direction[3])
 {
     int64_t long_one[3];

@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-/* a/b, rounded down; b is not 0. */
+/* Returns a/b, rounded down; b is not 0. */
 uint64_t tia_quotient(uint64_t a, uint64_t b);
 
 /* a modulo b. */

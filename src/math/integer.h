@@ -1,10 +1,10 @@
 /* integer.h - integer kernels: shifts that round, reciprocal, square root and its inverse, wide products.
  *
- * They have few branches or none, keep no state and give the same bits on every machine. "ulp" is the last
- * bit of the result. They build on 32 x 32 to 64 bit products and count-leading-zeros, one instruction each
- * on most machines.
+ * They have few branches or none, no state, and the same results, bit for bit, on every machine. "ulp" is the last bit
+ * of the result. They build on 32 x 32 to 64 bit products and count-leading-zeros, one instruction each on most
+ * machines.
  *
- * The error bounds stated here are proved (tests/proofs, make prove), tried on every 32-bit argument (make
+ * The error bounds stated here are proved (tests/proofs, make prove), tested with every 32-bit argument (make
  * check-exhaustive), and sampled by every make check.
  */
 #ifndef TIA_MATH_INTEGER_H
@@ -21,8 +21,8 @@
 /* Implementation-defined in C, but arithmetic with every known compiler. */
 _Static_assert((-5 >> 1) == -3, "signed right shift must be arithmetic");
 
-/* Tables lie in flash also where constants are copied to RAM, if the compiler has a word for it: avr-gcc, in GNU C.
- * They are only indexed: their addresses are no others'. */
+/* Places tables in flash even where constants are copied to RAM, if the compiler has a keyword for it: avr-gcc, in GNU
+ * C. Such tables may only be indexed: their addresses are in another address space. */
 #if defined __FLASH && !defined __STRICT_ANSI__
 #define TIA_FLASH __flash
 #else
@@ -41,9 +41,9 @@ extern const TIA_FLASH int64_t tia_turns[60];
 /* sin(2 pi i/256), i = 0..64, Q1.62. */
 extern const TIA_FLASH int64_t tia_sines[65];
 
-/* Leading zero bits, x not 0, for machines without an instruction for it. Setting all bits below the first one
- * makes x = 2^n - 1; the multiplier (from Anderson's Bit Twiddling Hacks) gives each n different
- * upper five bits. */
+/* Returns the leading zero bits of x, not 0, for machines without an instruction for it. Setting all bits below the
+ * first one makes x = 2^n - 1; the multiplier (from Anderson's Bit Twiddling Hacks) gives each n different upper five
+ * bits. */
 static inline unsigned tia_clz32_table(uint32_t x)
 {
     x |= x >> 1;
@@ -54,7 +54,7 @@ static inline unsigned tia_clz32_table(uint32_t x)
     return tia_clz_places[x * UINT32_C(0x07c4acdd) >> 27];
 }
 
-/* Leading zero bits. x must not be 0. */
+/* Returns the leading zero bits of x, not 0. */
 static inline unsigned tia_clz32(uint32_t x)
 {
 #if defined(__GNUC__) && !defined(TIA_NO_CLZ) && __SIZEOF_INT__ == 4
@@ -64,7 +64,7 @@ static inline unsigned tia_clz32(uint32_t x)
 #endif
 }
 
-/* Leading zero bits. x must not be 0. */
+/* Returns the leading zero bits of x, not 0. */
 static inline unsigned tia_clz64(uint64_t x)
 {
 #if defined(__GNUC__) && UINTPTR_MAX > UINT32_MAX
@@ -100,7 +100,7 @@ static inline int64_t tia_round_shift_words(int64_t x, unsigned s)
     return (int64_t)(floor + (low >> (s - 1) & 1));
 }
 
-/* The lower 32 bits of the same, for unsigned x. */
+/* Returns the lower 32 bits of the same, for unsigned x. */
 static inline uint32_t tia_round_shift_low(uint64_t x, unsigned s)
 {
     uint32_t low = (uint32_t)x, high = (uint32_t)(x >> 32);
@@ -180,7 +180,8 @@ static inline uint32_t tia_sqrt64(uint64_t x)
     return tia_sqrt_normalised(x << s) >> (s >> 1);
 }
 
-/* The square root of x, rounded down, exact: bit by bit, small and easy to prove, for where speed does not matter. */
+/* Returns the square root of x, rounded down, exact: bit by bit, small and easy to prove, for uses where speed does not
+ * matter. */
 /*@ assigns \nothing;
     ensures \result * (integer)\result <= x < (\result + 1) * (integer)(\result + 1); */
 static inline uint32_t tia_sqrt32(uint32_t x)
@@ -208,8 +209,8 @@ static inline uint32_t tia_sqrt32(uint32_t x)
     return r;
 }
 
-/* (x, y, z), in any unit, divided by its length: each component within 1.5 ulp; (0, 0, 0) of itself. No function of
- * inner loops, so it is not inlined. */
+/* Returns (x, y, z), in any unit, divided by its length: each component within 1.5 ulp; (0, 0, 0) for itself. Not
+ * inlined, as no inner loop calls it. */
 struct tia_dir3 tia_normalise(int32_t x, int32_t y, int32_t z);
 
 /* TIA_NO_INT128: without the compiler's 128-bit integers though it has them. */
@@ -245,8 +246,8 @@ static inline struct tia_wide tia_wide_product(uint64_t a, uint64_t b)
 #endif
 }
 
-/* a b / 2^shift rounded to nearest, ties away from zero, so that negating a negates the result. The result must fit;
- * shift in 1..63. */
+/* Returns a b / 2^shift rounded to nearest, ties away from zero, so that negating a negates the result. The result must
+ * fit; shift in 1..63. */
 static inline int64_t tia_scaled_product(int64_t a, int64_t b, unsigned shift)
 {
     struct tia_wide p = tia_wide_product((uint64_t)(a < 0 ? -a : a), (uint64_t)(b < 0 ? -b : b));
@@ -254,13 +255,14 @@ static inline int64_t tia_scaled_product(int64_t a, int64_t b, unsigned shift)
     return (a < 0) != (b < 0) ? -size : size;
 }
 
-/* The sign of a b - c d, exact: -1, 0 or 1. */
+/* Returns the sign of a b - c d, exact: -1, 0 or 1. */
 static inline int tia_cmp_products(uint64_t a, uint64_t b, uint64_t c, uint64_t d)
 {
     struct tia_wide p = tia_wide_product(a, b), q = tia_wide_product(c, d);
     if (p.high != q.high)
         return p.high < q.high ? -1 : 1;
-    /* Not (p.low > q.low) - (p.low < q.low): gcc 12 for aarch64 miscompiles that to a signed comparison at -O3. */
+    /* (p.low > q.low) - (p.low < q.low) would do, but gcc 12 for aarch64 miscompiles it to a signed comparison at -O3
+     */
     if (p.low != q.low)
         return p.low < q.low ? -1 : 1;
     return 0;

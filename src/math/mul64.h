@@ -5,8 +5,8 @@
 
 #include <stdint.h>
 
-/* Hides where a factor comes from. Otherwise gcc for a 32-bit machine may widen a factor once, to share it between
- * products, and then multiply 64 x 64 bits each time. */
+/* Hides a factor's origin from the compiler. Otherwise gcc for a 32-bit machine may widen a factor once, to share it
+ * between products, and then multiply 64 x 64 bits each time. */
 #if defined(__GNUC__) && UINTPTR_MAX == UINT32_MAX
 #define TIA_OPAQUE(x) __asm__("" : "+r"(x))
 #else

@@ -6,8 +6,8 @@
  *
  * Eight terms of the series leave less than 2^-63. y has 56 fraction bits: with the table's rounding it is off by less
  * than 2^-56, so for f < 1 f y too, and d^f by 0.7 times that. 2^-v is a shift, a table's 2^(-i/64) and six terms of
- * the series for the rest, below 1/64: what is left out is below 2^-57. A dozen roundings of 2^-62 are nothing beside
- * this. */
+ * the series for the rest, below 1/64: the omitted terms are below 2^-57. A dozen roundings of 2^-62 are negligible
+ * beside this. */
 #include "power.h"
 
 #include "wide.h"
@@ -19,7 +19,7 @@ static int64_t times(int64_t a, int64_t b)
     return wide_round(wide_product(a, b), 62);
 }
 
-/* x (c[0] + x (c[1] + ...)), Q1.62. */
+/* Returns x (c[0] + x (c[1] + ...)), Q1.62. */
 static int64_t series(const int64_t *c, int count, int64_t x)
 {
     int64_t sum = c[count - 1];
@@ -39,7 +39,7 @@ int64_t tia_log2(int64_t d)
     int64_t x = wide_round(wide_product(m, tia_log_inverses[i]), 9) - ONE;
     int64_t y = ((int64_t)n << 56) + tia_logs[i] - tia_round_shift(series(tia_log_series, 8, x), 6);
 
-    return y < 0 ? 0 : y; /* a rounding below it, next to 1 */
+    return y < 0 ? 0 : y; /* y may be off by a rounding: below 0 for d next to 1 */
 }
 
 int64_t tia_exp2(int64_t whole, int64_t v)

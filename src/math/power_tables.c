@@ -1,4 +1,4 @@
-/* power_tables.c - what power.c looks up, written by tools/generate/tables.py. */
+/* power_tables.c - the tables of power.c, written by tools/generate/tables.py. */
 // clang-format off
 #include "power.h"
 

@@ -4,16 +4,16 @@
 
 #include <tia/vec.h>
 
-/* Sine and cosine of any angle in degrees, Q2.62, within 2^-59. Exact at multiples of 90 degrees, and exactly
+/* Gives sine and cosine of any angle in degrees, Q2.62, within 2^-59. Exact at multiples of 90 degrees, and exactly
  * symmetric: sin -x = -sin x, cos -x = cos x, sin x = cos(90 - x), ... */
 void tia_sincos(tia_q16 degrees, int64_t *sine, int64_t *cosine);
 
-/* The rotation matrix, by columns: axes[0], axes[1] and axes[2] are the x, y and z axes after rotation by
+/* Gives the rotation matrix, by columns: axes[0], axes[1] and axes[2] are the x, y and z axes after rotation by
  * rotation.x degrees about x, then rotation.y about y, then rotation.z about z. Q2.62, each within 2^-57. */
 void tia_rotation_axes(struct tia_vec3 rotation, int64_t axes[3][3]);
 
-/* The other way round: a rotation whose axes are those, each angle to nearest in -180..180, about y in -90..90. Where y
- * is +-90 the angle about z is 0. */
+/* The inverse: gives a rotation with these axes, each angle to nearest in -180..180, about y in -90..90. If the angle
+ * about y is +-90, that about z is 0. */
 void tia_rotation_angles(const int64_t axes[3][3], struct tia_vec3 *rotation);
 
 #endif

@@ -6,7 +6,7 @@
 
 #define ONE (UINT64_C(1) << 63) /* 1.0 as Q1.63 */
 
-/* A product of two Q1.63. */
+/* Returns the product of two Q1.63. */
 static uint64_t product(uint64_t a, uint64_t b)
 {
     struct tia_wide p = tia_wide_product(a, b);

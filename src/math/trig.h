@@ -5,10 +5,10 @@
 #include <stdint.h>
 #include <tia/camera.h>
 
-/* Sine and cosine of 0..45 degrees, in units of 2^-17 degrees (0..90 * 2^16). Q1.63, within 2^-59; exact at 0. */
+/* Gives sine and cosine of 0..45 degrees, in units of 2^-17 degrees (0..90 * 2^16). Q1.63, within 2^-59; exact at 0. */
 void tia_octant(uint32_t half_degrees, uint64_t *sine, uint64_t *cosine);
 
-/* cot(fov / 2) for a field of view of TIA_FOV_MIN..TIA_FOV_MAX degrees: unsigned Q8.56, relative error below
+/* Returns cot(fov / 2) for a field of view of TIA_FOV_MIN..TIA_FOV_MAX degrees: unsigned Q8.56, relative error below
  * 2^-50. */
 uint64_t tia_cotangent(tia_q16 fov);
 

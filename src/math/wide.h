@@ -1,8 +1,8 @@
 /* wide.h - 128-bit sums of products of 64-bit integers, and their roots and quotients.
  *
- * Every curved mirror on a path multiplies the error of the ray. So the ray renderer's coordinates have 64 bits,
- * and a sum of products is rounded once. Compilers without 128-bit integers use two halves; the results are the
- * same to the bit.
+ * Every curved mirror on a path multiplies the error of the ray. Therefore the ray renderer's coordinates have 64 bits,
+ * and a sum of products is rounded once. Compilers without 128-bit integers use two halves; the results are the same to
+ * the bit.
  */
 #ifndef TIA_MATH_WIDE_H
 #define TIA_MATH_WIDE_H
@@ -32,7 +32,7 @@ static inline bool wide_is_negative(wide a)
     return a < 0;
 }
 
-/* The upper and lower half. */
+/* Returns the upper half. */
 static inline int64_t wide_high(wide a)
 {
     return (int64_t)(a >> 64);
@@ -150,8 +150,8 @@ static inline wide wide_times(wide a, int64_t b)
 }
 #endif
 
-/* a / 2^s rounded to nearest, ties up; s in 1..126, the result below 2^63. The highest bit that is shifted out is the
- * one that rounds up. */
+/* a / 2^s rounded to nearest, ties up; s in 1..126, the result below 2^63. The highest bit shifted out is added to
+ * round up. */
 static inline int64_t wide_round(wide a, unsigned s)
 {
     uint64_t half = s > 64 ? (uint64_t)wide_high(a) >> (s - 65) : wide_low(a) >> (s - 1);
@@ -227,7 +227,7 @@ static inline int wide_bits(wide a)
     return high ? 128 - (int)tia_clz64(high) : low ? 64 - (int)tia_clz64(low) : 0;
 }
 
-/* The even shift that takes 0 < a < 2^126 to 125 or 126 bits; even, so that its root shifts by half of it. */
+/* Returns the even shift that brings 0 < a < 2^126 to 125 or 126 bits; even, so that its root shifts by half of it. */
 static inline unsigned wide_zeros(wide a)
 {
     return (unsigned)(126 - wide_bits(a)) & ~1u;
@@ -267,7 +267,7 @@ static inline int64_t wide_rsqrt(uint64_t top)
 {
     uint32_t y = tia_rsqrt(top);
     int64_t e = (int64_t)((UINT64_C(1) << 62) - tia_wide_product(top, tia_mul_u32(y, y)).high);
-    int64_t square = (e >> 6) * (e >> 6); /* e^2 < 2^56, exponent 112 */
+    int64_t square = (e >> 6) * (e >> 6); /* below 2^56, exponent 112 */
     int64_t step = wide_down(wide_product(y, e + (square >> 51) + (square >> 52)), 32);
     uint64_t r = ((uint64_t)y << 31) + (uint64_t)step;
 
@@ -288,7 +288,7 @@ static inline int64_t wide_reciprocal(uint64_t b)
 
 /* Precomputed for many quotients by the same b: |b| < 2^63. */
 struct wide_divisor {
-    int64_t reciprocal; /* of |b| 2^zeros; 0 when b is 0 */
+    int64_t reciprocal; /* reciprocal of |b| 2^zeros; 0 when b is 0 */
     int zeros;
     bool negative;
 };

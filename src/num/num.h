@@ -24,7 +24,7 @@
  *   num_sqrt(x)            the square root, rounded down
  *   num_quotient(a, b, s)  a/b * 2^(63 - s), see there
  *   num_normal(x)          x normalised, and 1/sqrt(x)
- *   num_bound(b)           2^b rounded up, at most 2^62: what integers may err by. In the floating builds 0
+ *   num_bound(b)           2^b rounded up, at most 2^62: an error bound of the integer build; 0 in the floating builds
  */
 #ifndef TIA_NUM_NUM_H
 #define TIA_NUM_NUM_H
@@ -65,13 +65,14 @@ static inline struct num_vec num_vec_sub(struct num_vec a, struct num_vec b)
     return v;
 }
 
-/* Exact as long as |a| |b| < 2^63: by the Cauchy-Schwarz inequality no partial sum is larger. */
+/* Returns the dot product, exact as long as |a| |b| < 2^63: by the Cauchy-Schwarz inequality no partial sum is larger.
+ */
 static inline num_wide num_dot(struct num_vec a, struct num_vec b)
 {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/* |v|^2 with exponent 30, rounded down from the exact exponent 32; |v| < 65536. */
+/* Returns |v|^2 with exponent 30, rounded down from the exact exponent 32; |v| < 65536. */
 static inline num_wide num_square30(struct num_vec v)
 {
     return num_sum_of_squares30(v.x, v.y, v.z);

@@ -1,5 +1,5 @@
-/* num_chk.h - q16 with range checks: every intermediate value out of its range is reported, with the file and
- * the line of the call. The numbers are q16's, and so are the pixels.
+/* num_chk.h - q16 with range checks: every intermediate value out of its range is reported, with the file and the line
+ * of the call. Numbers and pixels are the same as q16's.
  *
  * The program that links this build defines tia_chk_report. Sums and differences use C's operators; for them
  * the Makefile turns on the compiler's own overflow checks. */
@@ -14,7 +14,7 @@
 
 void tia_chk_report(const char *file, int line, const char *range);
 
-/* The call being checked. Static, so one per source file, and one per thread. */
+/* The call being checked. Static: one for each source file; and one for each thread. */
 static _Thread_local struct num_site {
     const char *file;
     int line;

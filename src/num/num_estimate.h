@@ -1,9 +1,10 @@
-/* num_estimate.h - what integrators of samples compute with, on top of num_ray.h.
+/* num_estimate.h - arithmetic of the sampling integrators, on top of num_ray.h.
  *
- *   num_ray_bias(scene's bias)   how far off a surface their rays start: 2^-26, or as much as the arithmetic needs
+ *   num_ray_bias(scene's bias)   their rays' offset from a surface: 2^-26, or as much as the arithmetic needs
  *   num_q24(x)                   x in 0..2^14, rounded to nearest, ties up, in units of 2^-24
- *   num_chance(p)                a probability as a chance: that a random number of 32 bits is below it. UINT32_MAX:
- * sure num_of_chance(c)             the probability that a chance stands for
+ *   num_chance(p)                a probability as a chance: a random 32-bit number is below it so often.
+ *                                UINT32_MAX: sure
+ *   num_of_chance(c)             the probability that a chance stands for
  *
  * Densities have no range: a struct num_density is a number from 0 up, block floating point in integers, with a
  * relative error below 2^-58 an operation.

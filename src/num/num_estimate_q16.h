@@ -53,7 +53,7 @@ static inline struct num_density num_density_product(struct num_density a, struc
     return num_density_made(wide_round(wide_product(a.mantissa, b.mantissa), 61), a.exponent + b.exponent + 61);
 }
 
-/* Where b is 0: larger than any other. */
+/* Returns a/b; if b is 0, a number larger than any other. */
 static inline struct num_density num_density_quotient(struct num_density a, struct num_density b)
 {
     if (!b.mantissa)

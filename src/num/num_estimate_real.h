@@ -2,7 +2,7 @@
 #ifndef TIA_NUM_NUM_ESTIMATE_REAL_H
 #define TIA_NUM_NUM_ESTIMATE_REAL_H
 
-/* A float has no digits for less than the scene's. */
+/* Returns the larger offset that a float needs: it has no digits for the scene's. */
 static inline num_length num_ray_bias(num_length bias)
 {
     return sizeof(num_real) == sizeof(float) ? bias : NUM_LENGTH_ONE / 67108864;

@@ -1,4 +1,4 @@
-/* num_f32.h - single precision, for comparing the integers' speed and error with the usual choice. */
+/* num_f32.h - single precision, the usual choice, to compare speed and error with the integers'. */
 #ifndef TIA_NUM_NUM_F32_H
 #define TIA_NUM_NUM_F32_H
 

@@ -17,7 +17,7 @@ static inline num_unit num_whole_power(num_unit d, tia_q16 n)
     return power;
 }
 
-/* d^e: the integer part of e by squaring, its fraction by square roots. */
+/* Returns d^e: the integer part of e by squaring, its fraction by square roots. */
 static inline num_unit num_power(num_unit d, tia_q16 e)
 {
     num_unit power = num_whole_power(d, e >> 16), base = d;
@@ -31,9 +31,10 @@ static inline num_unit num_power(num_unit d, tia_q16 e)
     return power;
 }
 
-/* num_power as a length, to the bit, mostly without its roots. With e >= 1 those change d^e by less than 2^-56: each is
- * rounded by 2^-62, which is 2^-62/sqrt(d) of it, and all are multiplied by d at least. tia_power_near is within 2^-55.
- * Where 2^-54 either way make no other length, it is that of the roots. */
+/* Returns num_power as a length, to the bit, mostly without its roots. With e >= 1 the roots change d^e by less than
+ * 2^-56: each is rounded by 2^-62, which is 2^-62/sqrt(d) of it, and all are multiplied by d at least. tia_power_near
+ * is within 2^-55. If adding and subtracting 2^-54 round to the same length, that is the length of the version with
+ * roots. */
 static inline num_length num_power_length(num_unit d, tia_q16 e)
 {
     const num_unit off = (num_unit)1 << 8;

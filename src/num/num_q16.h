@@ -7,7 +7,7 @@
 #define NUM_PREFIX tia_
 #define NUM_CORE tia_core_q16
 #define NUM_ESTIMATOR tia_estimator_q16
-#define NUM_CHECK(condition) ((void)0) /* num_chk.h evaluates it */
+#define NUM_CHECK(condition) ((void)0) /* replaced by num_chk.h */
 #endif
 
 #include "names.h"
@@ -35,7 +35,7 @@ static inline num_wide num_pixel_coordinate(int32_t n, int exponent)
     return (num_wide)n * ((num_wide)1 << exponent);
 }
 
-/* height * cotangent, where cotangent is Q8.56 and below 2^7, with the given exponent of at most 43. */
+/* Returns height * cotangent, where cotangent is Q8.56 and below 2^7, with the given exponent of at most 43. */
 static inline num_wide num_depth(uint32_t height, uint64_t cotangent, int exponent)
 {
     NUM_CHECK(exponent >= 0 && exponent <= 43);
@@ -47,7 +47,7 @@ static inline num_u num_colour(tia_q30 c)
     return (num_u)c;
 }
 
-/* A product of two colours, each at most 2, rounded to nearest. */
+/* Returns the product of two colours, each at most 2, rounded to nearest. */
 static inline num_u num_colour_product(num_u a, num_u b)
 {
     NUM_CHECK(a <= (num_u)1 << 31 && b <= (num_u)1 << 31);
@@ -129,7 +129,7 @@ static inline num_u num_quotient(num_u a, num_u b, int s)
     return (num_u)(((product >> (shift - 1)) + 1) >> 1);
 }
 
-/* x > 0: mantissa = x * 4^half in [2^62, 2^64), inverse = 2^63 / sqrt(mantissa). */
+/* The normalised x > 0: mantissa = x * 4^half in [2^62, 2^64), inverse = 2^63 / sqrt(mantissa). */
 struct num_normal {
     num_uwide mantissa;
     num_u inverse;
@@ -145,14 +145,14 @@ static inline struct num_normal num_normal(num_wide x)
     return n;
 }
 
-/* 1/r for a radius with exponent 16: 2^63 / (r normalised to 32 bits). */
+/* Returns 1/r for a radius with exponent 16: 2^63 / (r normalised to 32 bits). */
 static inline num_u num_inverse(num_wide r)
 {
     NUM_CHECK(r > 0 && r <= UINT32_MAX);
     return tia_reciprocal((uint32_t)r << tia_clz32((uint32_t)r));
 }
 
-/* b >= 0 and b^2 >= c q, exactly; q > 0. */
+/* True if b >= 0 and b^2 >= c q, exactly; q > 0. */
 static inline bool num_inside_cone(num_wide b, num_wide c, num_wide q)
 {
     NUM_CHECK(q > 0);
@@ -164,7 +164,7 @@ static inline num_wide num_bound(int bits)
     return (num_wide)1 << (bits < 0 ? 0 : bits < 62 ? bits : 62);
 }
 
-/* a b > c d, exactly; b >= 0 and c > 0. */
+/* True if a b > c d, exactly; b >= 0 and c > 0. */
 static inline bool num_product_above(num_wide a, num_wide b, num_wide c, num_wide d)
 {
     NUM_CHECK(b >= 0 && c > 0);
@@ -204,9 +204,9 @@ static inline num_u num_normal_top(struct num_normal n)
     return (num_u)(n.mantissa >> 32);
 }
 
-/* a^2 >= d k (1 + swell) for positive a, d and k, where d = near 2^(32 - 2 half) comes from a num_normal, swell
- * has the exponent 32, and `e` is twice a's exponent minus those of d and k. Not exact: the factors are cut to
- * 32 and 31 bits, so each side's relative error is below 2^-29. */
+/* True if a^2 >= d k (1 + swell) for positive a, d and k, where d = near 2^(32 - 2 half) comes from a num_normal, swell
+ * has the exponent 32, and `e` is twice a's exponent minus those of d and k. Not exact: the factors are cut to 32 and
+ * 31 bits, so each side's relative error is below 2^-29. */
 static inline bool num_covers(num_wide a, num_u near, int half, num_wide k, num_u swell, int e)
 {
     NUM_CHECK(a > 0 && k > 0 && half >= 0 && half <= 31);
@@ -223,15 +223,15 @@ static inline bool num_covers(num_wide a, num_u near, int half, num_wide k, num_
     return left >> shift >= right;
 }
 
-/* A cosine, at most 1, from r N.w/|w| in the scale of span/light.c and the inverse of the radius r. */
+/* Returns a cosine, at most 1, from r N.w/|w| in the scale of span/light.c and the inverse of the radius r. */
 static inline num_u num_lambert(num_u scaled, num_u inverse)
 {
     num_uwide cosine = (num_mul_u(scaled, inverse) + ((num_uwide)1 << 30)) >> 31;
     return cosine < NUM_ONE ? (num_u)cosine : NUM_ONE;
 }
 
-/* The next three: shadow rays start bias = 2^-13 above the surface, and the sphere kernels need bias/r. With
- * R = 2^16 r and inverse = num_inverse(r) = 2^(31 + num_bits(R)) / R, it is 2^(-28 - num_bits(R)) inverse. */
+/* Biases: shadow rays start bias = 2^-13 above the surface, and the sphere kernels need bias/r. With R = 2^16 r and
+ * inverse = num_inverse(r) = 2^(31 + num_bits(R)) / R, it is 2^(-28 - num_bits(R)) inverse. */
 
 /* bias/r with the exponent 32, for a radius of `bits` bits. */
 static inline num_u num_bias(num_u inverse, int bits)
@@ -260,9 +260,9 @@ static inline num_wide num_bias_of(num_wide x, num_u inverse, int bits, int e)
 }
 
 #define NUM_LEAST 1            /* the smallest positive mantissa */
-#define NUM_BIAS ((num_wide)8) /* of shadow rays: 2^-13, exponent 16 */
+#define NUM_BIAS ((num_wide)8) /* bias of shadow rays: 2^-13, exponent 16 */
 
-/* floor(levels c + threshold): c and threshold are Q2.30; a threshold of 1/2 (2^29) rounds to nearest. */
+/* Returns floor(levels c + threshold): c and threshold are Q2.30; a threshold of 1/2 (2^29) rounds to nearest. */
 static inline unsigned num_quantise(num_u c, unsigned levels, num_u threshold)
 {
     NUM_CHECK(c <= NUM_ONE && threshold < NUM_ONE);
@@ -275,7 +275,7 @@ static inline num_u num_threshold(unsigned n)
     return (num_u)(2 * n + 1) << 23;
 }
 
-/* t < u, where t has the exponent e and u the exponent f. */
+/* True if t < u, where t has the exponent e and u the exponent f. */
 static inline bool num_nearer(num_u t, int e, num_u u, int f)
 {
     int d = f - e;

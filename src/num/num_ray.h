@@ -8,7 +8,7 @@
  *
  *   num_length_of(q), num_unit_of(q)   from Q16.16, from Q2.30; num_unit_of_q62(n): from Q1.62
  *   num_fine(n)                  n 2^-32, see struct tia_fine
- *   num_scene_bias(fine, bits)   how far off a surface rays start, in a scene with such scale_bits: 2^-13, in larger units
+ *   num_scene_bias(fine, bits)   rays' offset from a surface in a scene with these scale_bits: 2^-13, in larger units
  *                                2^-13 of the file's or 2^-26, the larger; `fine`: 2^-26, in a scene that has it
  *   num_length_of_unit(d)        a fraction as a num_length
  *   num_times(a, d)              a d, where a is a num_length or a num_unit, rounded to nearest
@@ -143,8 +143,8 @@ static inline bool num_normalise(struct num_point v, struct num_dir *d)
     return num_normalise3(v.x, v.y, v.z, &d->x, &d->y, &d->z);
 }
 
-/* For a direction whose length is not quite 1, or not at all; not 0. Halved first, since num_normalise3 takes
- * lengths, whose range is smaller. */
+/* Normalises a direction whose length is not 1; it must not be 0. Halved first, since num_normalise3 takes lengths,
+ * whose range is smaller. */
 static inline struct num_dir num_dir_normalised(struct num_dir v)
 {
     struct num_dir d;

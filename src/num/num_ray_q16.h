@@ -83,8 +83,8 @@ static inline num_length num_product_within(num_length a, num_length b)
     return wide_bits(product) > 62 + 45 ? NUM_LENGTH_MAX : wide_round(product, 45);
 }
 
-/* n x and n o, both in units of 2^-(45 + down): n x is below 2^94, n o below 2^62 before it is shifted, by at most 53
- * bits; down is -8 or more. */
+/* Reduces n x - n o, both in units of 2^-(45 + down): n x is below 2^94, n o below 2^62 before it is shifted, by at
+ * most 53 bits; down is -8 or more. */
 static inline num_length num_repeat(num_length x, int bits, const struct num_pattern *p, int32_t *cell)
 {
     int down = 16 + p->repeat_bits - bits;
@@ -167,7 +167,7 @@ static inline num_unit num_unit_sqrt(num_unit d)
     return wide_sqrt(wide_product(d, NUM_UNIT_ONE));
 }
 
-/* Not below sqrt(d), and above it by 2^-28 at most. */
+/* Returns a root not below sqrt(d), and above it by 2^-28 at most. */
 static inline num_unit num_root_up(num_unit d)
 {
     NUM_CHECK(d >= 0);
@@ -189,7 +189,7 @@ static inline num_unit num_fraction(num_length x, num_length y)
     return wide_quotient(x, y, 62);
 }
 
-/* For many quotients by the same number. */
+/* A divisor precomputed for many quotients. */
 typedef struct wide_divisor num_divisor;
 
 static inline num_divisor num_divisor_of(int64_t d)
@@ -226,8 +226,8 @@ static inline int64_t num_area_top(num_area a, int zeros)
     return zeros < 0 ? wide_down(a, (unsigned)-zeros) : (int64_t)wide_low(wide_up(a, (unsigned)zeros));
 }
 
-/* Each of three areas divided by their sum, which must not be 0. An area of the other sign counts as 0: the point
- * is then on the edge, as far as rounding can say. */
+/* Each of three areas divided by their sum, which must not be 0. An area of the other sign counts as 0: to within
+ * rounding, the point is then on the edge. */
 static inline void num_barycentric(const num_area areas[3], num_unit parts[3])
 {
     wide sum = wide_sum(wide_sum(areas[0], areas[1]), areas[2]), none = wide_product(0, 0), a[3];
@@ -269,28 +269,29 @@ static inline num_length num_slab(num_length x, num_length reciprocal)
 
 #define NUM_SLAB_ERROR ((num_length)2) /* largest error of the difference of two */
 
-/* A distance in num_slab's format. */
+/* Returns a distance in num_slab's format. */
 static inline num_length num_slab_of(num_length t)
 {
     return t >> 22;
 }
 
-/* A num_slab as a num_length, reduced by its error: never beyond the true distance. */
+/* Returns a num_slab as a num_length, reduced by its error: never beyond the true distance. */
 static inline num_length num_slab_start(num_length slab)
 {
     return slab <= NUM_SLAB_ERROR ? 0 : (slab - NUM_SLAB_ERROR) * ((num_length)1 << 22);
 }
 
-/* A ray against planes across an axis, coarsely, for walking a hierarchy: t = (plane - origin)/d with 38 fraction bits.
- * 1/|d| is 2^8 at most and rounded towards 0, by less than 2^-22 of itself; t is that much too small in size, and a
- * unit more or less. 32 x 32 bits make a product. An origin beyond 2^16 would need more: no plane is anywhere then. */
+/* Coarse distances from a ray to planes across an axis, for the traversal of a hierarchy: t = (plane - origin)/d with
+ * 38 fraction bits. 1/|d| is 2^8 at most and rounded towards 0, by less than 2^-22 of itself; so |t| is too small by
+ * this factor, within one unit. The product is of 32 x 32 bits. An origin beyond 2^16 would need more bits: no plane
+ * counts as hit then. */
 typedef int64_t num_walk;
 
 struct num_slope {
     int64_t start;   /* origin/d */
     int32_t inverse; /* 1/d, 22 fraction bits */
     bool backward;   /* d < 0 */
-    bool parallel;   /* 1/|d| is larger than said */
+    bool parallel;   /* 1/|d| was clamped: the ray is almost parallel to the planes */
 };
 
 static inline struct num_slope num_slope(num_length origin, num_unit d)
@@ -313,13 +314,13 @@ static inline num_walk num_walk_to(const struct num_slope *s, tia_q16 plane)
     return tia_mul_s32(plane, s->inverse) - s->start;
 }
 
-/* A limit of t in this format. */
+/* Returns a limit of t in this format. */
 static inline num_walk num_walk_limit(num_length t)
 {
     return (t >> 7) + 2;
 }
 
-/* The greatest `near` for which near <= far may be true. */
+/* Returns the greatest `near` for which near <= far may be true. */
 static inline num_walk num_walk_slack(num_walk far)
 {
     return far + (far >> 21) + 4;
@@ -349,7 +350,7 @@ static inline struct num_scale num_divide3(const num_unit v[3], const num_length
     return (struct num_scale){wide_sqrt(wide_dot(q, q)), 11 - more};
 }
 
-/* t multiplied and divided by the scale, at most NUM_LENGTH_MAX; t >= 0. */
+/* Returns t multiplied or divided by the scale, at most NUM_LENGTH_MAX; t >= 0. */
 static inline num_length num_scaled(num_length t, struct num_scale k)
 {
     wide p = wide_product(t, k.mantissa);

@@ -28,7 +28,7 @@ static inline num_length num_fine(int16_t digits)
     return (num_real)digits / (num_real)4294967296;
 }
 
-/* A float has no digits for anything finer than this, whatever the unit. */
+/* Returns the offset; a float has no digits for anything finer than this, whatever the unit. */
 static inline num_length num_scene_bias(bool fine, int scale_bits)
 {
 #ifdef TIA_NUM_F32
@@ -94,7 +94,7 @@ static inline num_length num_repeat(num_length x, int bits, const struct num_pat
     num_real offset = (num_real)p->offset * num_two_to(-16 - p->offset_bits);
     num_real y = (x * num_two_to(bits) - offset) * ((num_real)p->repeat * num_two_to(-16 - p->repeat_bits));
 
-    if (y >= 1073741824 || y <= -1073741824) /* then what is left has the digits that y has: it is exact */
+    if (y >= 1073741824 || y <= -1073741824) /* the remainder has no more digits than y: it is exact */
         y -= (num_real)num_floor(y / 2147483648) * 2147483648;
     int32_t floor = num_floor(y);
     *cell = floor & INT32_MAX;
@@ -189,8 +189,8 @@ static inline num_unit num_fraction_by(num_length x, num_divisor y)
 
 typedef num_real num_area;
 
-/* In two statements, so that no compiler fuses them into a multiply-add: with both products rounded alike, the
- * sign is right or 0. */
+/* Returns the area in two statements, so that no compiler fuses them into a multiply-add: with both products rounded
+ * alike, the sign is right or 0. */
 static inline num_area num_cross2(num_length ax, num_length ay, num_length bx, num_length by)
 {
     num_real left = ax * by, right = ay * bx;

@@ -7,7 +7,7 @@
 #include "scene/cancel.h"
 
 #define FACES_MOST (UINT32_C(1) << 28)
-#define ITEM_COST 2 /* of testing a face, in visits to a node's children */
+#define ITEM_COST 2 /* cost of testing a face, in visits to a node's children */
 
 static uint32_t object_count(const struct tia_scene *scene)
 {
@@ -119,7 +119,7 @@ static void set_box(const struct tia_radio *radio, uint32_t number)
                                {(tia_q16)high[0], (tia_q16)high[1], (tia_q16)high[2]}};
 }
 
-/* Takes the plane that stands at the face's place. */
+/* Adds a face; its plane is already stored at the face's index. */
 static void add_face(struct filling *f, const struct radio_face *face)
 {
     struct tia_radio *radio = f->radio;
@@ -145,12 +145,12 @@ static int add_polygon(struct filling *f, uint32_t base, const uint32_t *corner,
     if (tia_radio_plane_by_corners(&radio->planes[radio->face_count], at, &face.turned, &too_wide))
         add_face(f, &face);
     else if (too_wide)
-        return refuse(f, "must be less than 32768 from the next one, on faces that no axis is normal to");
+        return refuse(f, "must be less than 32768 from the next one, on faces that are not perpendicular to an axis");
     return TIA_OK;
 }
 
-/* Its four corners, rounded, need not lie in one plane: the first three say which it is. The thickness of a box is the
- * edge that is normal to the side: that of its own axes, times the scale. */
+/* Adds a box. The four corners of a side, rounded, need not lie in one plane: the first three define it. The thickness
+ * of a box is the edge that is normal to the side: that of its own axes, times the scale. */
 static int add_box(struct filling *f, uint32_t base)
 {
     static const uint32_t sides[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
@@ -221,9 +221,9 @@ static int add_object(struct filling *f)
     return TIA_OK;
 }
 
-/* ---- all of them ---- */
+/* ---- all objects ---- */
 
-/* `boxes` has room for those of the items, which are put into another order with them. */
+/* Builds the tree; `boxes` has room for those of the items, and both are reordered together. */
 static void build_tree(struct tia_radio *radio, struct tia_bvh_node *nodes, uint32_t *items, struct tia_bounds *boxes)
 {
     struct cancel cancel = {.stop = NULL};

@@ -18,16 +18,16 @@ static inline wide radio_get(struct radio_wide a)
     return wide_of_halves(a.high, a.low);
 }
 
-/* n.p = d. n has no common divisor, and the first of its components that is not 0 is positive: so a plane has one such
- * form. */
+/* A plane n.p = d. n has no common divisor, and the first of its components that is not 0 is positive: so each plane
+ * has exactly one such form. */
 struct radio_plane {
     int64_t n[3];
     struct radio_wide d, square; /* square: n.n */
-    uint32_t first, count;       /* of tia_radio.members */
+    uint32_t first, count;       /* its part of tia_radio.members */
     struct tia_bounds bounds;    /* of its faces */
     bool endless;                /* one of them is a whole plane */
-    bool sides[2];               /* which of its sides reflect: where n.p > d; where n.p < d */
-    uint8_t across[2];           /* the axes to look at it along the third, in which n is largest */
+    bool sides[2];               /* sides that reflect: where n.p > d; where n.p < d */
+    uint8_t across[2];           /* the axes of its projection along the third, in which n is largest */
 };
 
 enum radio_kind { RADIO_WHOLE, RADIO_DISC, RADIO_POLYGON };
@@ -35,7 +35,8 @@ enum radio_kind { RADIO_WHOLE, RADIO_DISC, RADIO_POLYGON };
 struct radio_face {
     enum radio_kind kind;
     uint32_t object, material, plane;
-    uint32_t corner[4]; /* of tia_radio.corners; of a disc the first is its centre, of a whole plane a point */
+    /* Indices into tia_radio.corners; of a disc the first is its centre, of a whole plane a point. */
+    uint32_t corner[4];
     uint8_t count;
     bool solid;
     bool turned; /* its own normal is -n */
@@ -46,10 +47,10 @@ struct tia_radio {
     const struct tia_scene *scene;
     struct radio_plane *planes;
     struct radio_face *faces;
-    uint32_t *members; /* faces, plane by plane, rising */
+    uint32_t *members; /* faces, plane by plane, in rising order */
     struct tia_vec3 *corners;
-    struct tia_bounds *boxes; /* of faces */
-    struct tia_bvh_tree tree; /* of those that have one */
+    struct tia_bounds *boxes; /* boxes of the faces */
+    struct tia_bvh_tree tree; /* tree of the faces that have a box */
     uint32_t *endless;
     uint32_t plane_count, face_count, corner_count, endless_count, left_out;
 };
@@ -59,17 +60,18 @@ static inline int64_t radio_axis(const struct tia_vec3 *v, int k)
     return k == 0 ? v->x : k == 1 ? v->y : v->z;
 }
 
-/* Puts the plane through three corners, or with a normal, into *plane. False: the corners are collinear.
- * *too_wide: it has no such form with |n| below 2^62. */
+/* Gives the plane through three corners. False: the corners are collinear. *too_wide: it has no such form with |n|
+ * below 2^62. */
 bool tia_radio_plane_by_corners(struct radio_plane *plane, const struct tia_vec3 corner[3], bool *turned,
                                 bool *too_wide);
+/* Gives the plane through a point with a normal. */
 void tia_radio_plane_by_normal(struct radio_plane *plane, struct tia_vec3 point, struct tia_dir3 normal, bool *turned);
 
-/* Finds equal planes among `planes`, one for each face, and leaves each once; fills in what depends on its faces.
- * `room` is for 4 numbers a face. */
+/* Finds equal planes among `planes`, one for each face, and keeps one of each; fills in the fields that depend on its
+ * faces. `room` is for 4 numbers a face. */
 void tia_radio_join_planes(struct tia_radio *radio, uint32_t *room);
 
-/* Whether an object has planes here: one with flat faces, or a disc. */
+/* True if an object has planes here: it has flat faces, or is a disc. */
 bool tia_radio_takes(const struct tia_scene *scene, uint32_t object);
 
 #endif

@@ -1,12 +1,12 @@
 /* find.c - the image method: from the receiver's images back to the path. */
 #include "search.h"
 
-/* A number of the room each. */
+/* Indices into the room's numbers. */
 enum { SCRATCH, FROM = 3, TO, BEFORE_FROM, BEFORE_TO, LEFT, RIGHT };
 
-/* -1 if reflection i comes after reflection i - 1 on the segment between them, 0 at the same point, else 1. The sides
- * of plane i that the images are on are in the room: a plane is met at |from| / (|from| + |to|) of the way between the
- * images, whose weights are alike for both. */
+/* Returns -1 if reflection i comes after reflection i - 1 on the segment between them, 0 at the same point, else 1. The
+ * sides of plane i that the images are on are in the room: a plane is met at |from| / (|from| + |to|) of the way
+ * between the images, whose weights are alike for both. */
 static int order_of(struct tia_radio_room *room, uint32_t order, uint32_t i)
 {
     const struct radio_plane *plane = &room->radio->planes[search_plane(room, order, i - 1)];
@@ -19,7 +19,7 @@ static int order_of(struct tia_radio_room *room, uint32_t order, uint32_t i)
     return tia_number_compare_sizes(&n[LEFT], &n[RIGHT]);
 }
 
-/* Whether a face reaches to that side of a plane. */
+/* True if a face reaches to that side of a plane. */
 static bool reaches_beyond(const struct tia_radio *radio, uint32_t number, const struct radio_plane *plane, int side)
 {
     const struct radio_face *face = &radio->faces[number];
@@ -33,7 +33,8 @@ static bool reaches_beyond(const struct tia_radio *radio, uint32_t number, const
     return face->kind != RADIO_POLYGON;
 }
 
-/* Reflections i - 1 and i at the same point of the line where their planes meet: `side` is that of plane i. */
+/* True if reflections i - 1 and i at the same point, on the line where their planes meet, are in a possible order:
+ * `side` is that of plane i. */
 static bool looks_back(const struct tia_radio_room *room, uint32_t order, uint32_t i, int side)
 {
     const struct tia_radio *radio = room->radio;
@@ -43,8 +44,8 @@ static bool looks_back(const struct tia_radio_room *room, uint32_t order, uint32
            reaches_beyond(radio, room->path.face[i - 1], &radio->planes[here], side);
 }
 
-/* Reflection i: the line from the transmitter's image to the receiver's goes through the plane, on a face, after the
- * reflection before. Then also mirrors the transmitter's image. */
+/* True if reflection i is valid: the line from the transmitter's image to the receiver's goes through the plane, on a
+ * face, after the reflection before. Then also mirrors the transmitter's image. */
 static bool reflects(struct tia_radio_room *room, uint32_t order, uint32_t i)
 {
     uint32_t number = search_plane(room, order, i);
@@ -72,9 +73,9 @@ static bool reflects(struct tia_radio_room *room, uint32_t order, uint32_t i)
     return true;
 }
 
-/* ---- what is reported ---- */
+/* ---- reporting a path ---- */
 
-/* The vector from sent[i] to got[order - i], both weights multiplied out, in 62 bits: times 2^-shift. */
+/* Gives the vector from sent[i] to got[order - i], both weights multiplied out, in 62 bits: times 2^-shift. */
 static int vector_of(struct tia_radio_room *room, uint32_t order, uint32_t i, int64_t v[3])
 {
     const struct spot *a = &room->exact.sent[i], *b = &room->exact.got[order - i];
@@ -94,8 +95,8 @@ static int vector_of(struct tia_radio_room *room, uint32_t order, uint32_t i, in
     return most - 61;
 }
 
-/* The path's length is that of the vector from the transmitter to the receiver's last image. Root and weights have 62
- * bits: relative errors of 2^-59 in all. */
+/* Returns the path's length: that of the vector from the transmitter to the receiver's last image. Root and weights
+ * have 62 bits: relative errors of 2^-59 in all. */
 static int64_t length_of(struct tia_radio_room *room, uint32_t order)
 {
     int64_t v[3];
@@ -112,7 +113,7 @@ static int64_t length_of(struct tia_radio_room *room, uint32_t order)
     return more <= 0 ? ratio << -more : (ratio + (INT64_C(1) << (more - 1))) >> more;
 }
 
-/* Unused elements are 0, so that equal paths have equal bytes. */
+/* Stores the path. Unused elements are 0, so that equal paths have equal bytes. */
 static void report(struct tia_radio_room *room, uint32_t order)
 {
     struct tia_radio_path *path = &room->path, *told = &room->told;

@@ -1,4 +1,4 @@
-/* images.c - images of points in planes, and where lines meet planes: rational numbers. */
+/* images.c - images of points in planes, and intersections of lines and planes: rational numbers. */
 #include "search.h"
 
 void tia_radio_spot(struct spot *out, struct tia_vec3 point)
@@ -20,7 +20,7 @@ void tia_radio_side(struct number *side, const struct radio_plane *plane, const 
     }
 }
 
-/* x (n.n) - 2 (n.x - d w) n over w (n.n). */
+/* Gives the image: x (n.n) - 2 (n.x - d w) n over w (n.n). */
 void tia_radio_mirror(struct spot *out, const struct radio_plane *plane, const struct spot *at,
                       const struct number *side, struct number room[2])
 {
@@ -37,7 +37,8 @@ void tia_radio_mirror(struct spot *out, const struct radio_plane *plane, const s
     tia_number_times_wide(&out->w, &at->w, square);
 }
 
-/* The distances are |from| / (a.w |n|) and |to| / (b.w |n|): so the point is |to| a + |from| b, weights and all. */
+/* Gives the intersection. The distances are |from| / (a.w |n|) and |to| / (b.w |n|): so the point is |to| a + |from| b,
+ * with their weights. */
 void tia_radio_meet(struct spot *out, const struct spot *a, const struct spot *b, const struct number *from,
                     const struct number *to, struct number *room)
 {
@@ -65,7 +66,7 @@ bool tia_radio_round(const struct spot *at, struct tia_vec3 *point, struct numbe
 
 /* ---- faces ---- */
 
-/* out = x w - c, that is w times how far the point is from a corner along axis k. */
+/* Gives x w - c: w times the point's distance from a corner along axis k. */
 static void from_corner(struct number *out, const struct spot *at, const struct tia_vec3 *corner, int k,
                         struct number *room)
 {
@@ -74,7 +75,7 @@ static void from_corner(struct number *out, const struct spot *at, const struct 
     tia_number_add(out, room, -1);
 }
 
-/* Which side of the edge a -> b the point is on, as seen along an axis. */
+/* Returns the side of the edge a -> b that the point is on, in a projection along an axis. */
 static int side_of_edge(const struct spot *at, const struct tia_vec3 *a, const struct tia_vec3 *b,
                         const uint8_t across[2], struct number room[3])
 {
@@ -130,8 +131,8 @@ static bool in_box(const struct tia_bounds *box, const struct tia_vec3 *p)
            p->z <= box->max.z;
 }
 
-/* Rounding to nearest does not take a point out of a box with integer corners; a side of a turned box is a little off
- * its own plane, so its box is, too: there the exact test alone decides. */
+/* Finds the face. Rounding to nearest does not move a point out of a box with integer corners; a side of a turned box
+ * is a little off its own plane, so its box is, too: there the exact test alone decides. */
 uint32_t tia_radio_face_at(struct tia_radio_room *room, const struct radio_plane *plane, const struct spot *at,
                            int side)
 {

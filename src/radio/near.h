@@ -1,15 +1,15 @@
-/* near.h - whether a segment comes near a box: a quick test that never says no wrongly. */
+/* near.h - a quick test of a segment against a box: it may report a hit wrongly, but never a miss. */
 #ifndef TIA_RADIO_NEAR_H
 #define TIA_RADIO_NEAR_H
 
 #include "faces.h"
 
 struct near {
-    int64_t low[3], high[3];    /* around both ends, with room for what turned boxes are off: 4 units */
-    int64_t middle[3], half[3]; /* the ends' sum and difference, in units of 2^10 */
+    int64_t low[3], high[3];    /* box around both ends, enlarged by 4 units for turned boxes' deviations */
+    int64_t middle[3], half[3]; /* sum and difference of the ends, in units of 2^10 */
 };
 
-/* Ends below 2^35. */
+/* Prepares a segment whose ends are below 2^35. */
 static inline void near_begin(struct near *s, const int64_t a[3], const int64_t b[3])
 {
     for (int k = 0; k < 3; k++) {
@@ -25,8 +25,8 @@ static inline int64_t near_size(int64_t a)
     return a < 0 ? -a : a;
 }
 
-/* Separating axes: those of the box, and their cross products with the segment. In units of 2^10 the numbers stay below
- * 2^28, products below 2^58; all lengths are rounded up. */
+/* True if the segment comes near the box. Separating axes: those of the box, and their cross products with the segment.
+ * In units of 2^10 the numbers stay below 2^28, products below 2^58; all lengths are rounded up. */
 static inline bool near_box(const struct near *s, const struct tia_bounds *box)
 {
     int64_t c[3], e[3];

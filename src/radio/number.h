@@ -22,8 +22,8 @@
 #define NUMBER_WORDS 40
 
 struct number {
-    int sign;       /* -1, 0, 1 */
-    unsigned count; /* of words, none of them leading zeros */
+    int sign;       /* -1, 0 or 1 */
+    unsigned count; /* number of words, without leading zeros */
     uint64_t word[NUMBER_WORDS];
 };
 
@@ -35,17 +35,18 @@ void tia_number_multiply(struct number *out, const struct number *a, const struc
 void tia_number_times(struct number *out, const struct number *a, int64_t b);
 void tia_number_times_wide(struct number *out, const struct number *a, wide b);
 
-/* out + s a, s = 1 or -1. */
+/* Adds s a to `out`, s = 1 or -1. */
 void tia_number_add(struct number *out, const struct number *a, int s);
 
-/* The order of |a| and |b|: -1, 0, 1. */
+/* Returns the order of |a| and |b|: -1, 0, 1. */
 int tia_number_compare_sizes(const struct number *a, const struct number *b);
 
-/* Of |a|: how many bits, and 64 of them from bit `shift` up; a negative shift moves them up. */
+/* Returns the length of |a| in bits. */
 int tia_number_bits(const struct number *a);
+/* Returns 64 bits of |a|, from bit `shift` up; a negative shift moves them up. */
 uint64_t tia_number_part(const struct number *a, int shift);
 
-/* a / b to nearest, ties up; b > 0. Clamped to +-2^40. */
+/* Returns a / b to nearest, ties up; b > 0. Clamped to +-2^40. */
 int64_t tia_number_quotient(const struct number *a, const struct number *b, struct number room[2]);
 
 #endif

@@ -1,19 +1,20 @@
-/* pass.c - what is in a segment's way. */
+/* pass.c - finds the walls that a segment passes through. */
 #include "near.h"
 #include "search.h"
 
-/* A number of the room each. */
+/* Indices into the room's numbers. */
 enum { SCRATCH, START_FROM = 3, START_TO, END_FROM, END_TO, FROM, TO, LEFT, RIGHT };
 
 /* The segment after i reflections, on the line from `a` to `b`. */
 struct segment {
     struct tia_radio_room *room;
-    uint32_t number, start, end; /* planes, or NO_PLANE */
+    uint32_t number, start, end; /* number of the segment; planes of its ends, or NO_PLANE */
     const struct spot *a, *b;
     struct near near;
 };
 
-/* The order along the line of where it meets two planes: the sign of |from a| / |to a| - |from b| / |to b|. */
+/* Returns the order along the line of its intersections with two planes: the sign of |from a| / |to a| - |from b| / |to
+ * b|. */
 static int order_of(struct tia_radio_room *room, int from_a, int to_a, int from_b, int to_b)
 {
     struct number *n = room->exact.number;
@@ -23,7 +24,7 @@ static int order_of(struct tia_radio_room *room, int from_a, int to_a, int from_
     return tia_number_compare_sizes(&n[LEFT], &n[RIGHT]);
 }
 
-/* Whether the segment goes through the plane of a face between its ends, exclusively; then room->exact.met is where. */
+/* True if the segment crosses the plane of a face between its ends, exclusively; room->exact.met is then the point. */
 static bool crosses(const struct segment *s, const struct radio_plane *plane)
 {
     struct tia_radio_room *room = s->room;
@@ -41,7 +42,7 @@ static bool crosses(const struct segment *s, const struct radio_plane *plane)
     return true;
 }
 
-/* ---- which walls ---- */
+/* ---- counting walls ---- */
 
 static bool is_same_wall(const struct tia_radio *radio, uint32_t a, uint32_t b)
 {
@@ -50,7 +51,7 @@ static bool is_same_wall(const struct tia_radio *radio, uint32_t a, uint32_t b)
     return f->solid && g->solid ? f->object == g->object : f->plane == g->plane && !f->solid && !g->solid;
 }
 
-/* A box is named by the side where it is entered; at an edge that is either, and the lower one counts. */
+/* Adds a wall. A box is named by the side where it is entered; at an edge that is either, and the lower one counts. */
 static bool add_wall(const struct segment *s, uint32_t face)
 {
     struct tia_radio_path *path = &s->room->path;
@@ -68,7 +69,7 @@ static bool add_wall(const struct segment *s, uint32_t face)
     return true;
 }
 
-/* A box that is left has been counted where it was entered. */
+/* Tests a face; a box's exit is not counted, as its entry was. */
 static bool ask_face(const struct segment *s, uint32_t number)
 {
     const struct tia_radio *radio = s->room->radio;
@@ -81,7 +82,7 @@ static bool ask_face(const struct segment *s, uint32_t number)
     return !tia_radio_on_face(radio, face, &s->room->exact.met, &s->room->exact.number[SCRATCH]) || add_wall(s, number);
 }
 
-/* ---- which faces come near ---- */
+/* ---- faces near the segment ---- */
 
 static bool ask_tree(const struct segment *s)
 {

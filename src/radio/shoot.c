@@ -1,5 +1,5 @@
-/* shoot.c - rays that are shot and bounce. They find which planes there are paths by; so here numbers are rounded:
- * places to Q16.16, directions to Q2.62. */
+/* shoot.c - shooting and bouncing rays. They only find the sequences of planes that paths may use, so numbers are
+ * rounded here: positions to Q16.16, directions to Q2.62. */
 #include "near.h"
 #include "search.h"
 
@@ -7,7 +7,7 @@
 #define COVER INT64_C(50066)   /* 0.76394 in units of 2^-16, rounded up: see tia_radio_shoot */
 #define LENGTH_SHIFT (TIA_RADIO_LENGTH_BITS - 16)
 
-/* What a ray hits. */
+/* A ray's hit. */
 struct hit {
     int64_t t; /* Q16.16 */
     uint32_t face;
@@ -30,7 +30,7 @@ static void go(const struct search_ray *ray, int64_t t, int64_t at[3])
         at[k] = ray->at[k] + wide_round(wide_product(t, d[k]), 62);
 }
 
-/* ---- what it hits ---- */
+/* ---- intersections ---- */
 
 static bool in_polygon(const struct tia_radio *radio, const struct radio_face *face, const int64_t at[3])
 {
@@ -59,7 +59,8 @@ static bool on_disc(const struct tia_radio *radio, const struct radio_face *face
     return !wide_is_negative(wide_difference(wide_product(face->radius, face->radius), wide_dot(v, v)));
 }
 
-/* The distance is n.(corner - at) / n.d: of Q.78 and Q.124, rounded to Q.32 and Q.60; times 2^44 that is Q.16. */
+/* Finds the hit of a face. The distance is n.(corner - at) / n.d: of Q.78 and Q.124, rounded to Q.32 and Q.60; times
+ * 2^44 that is Q.16. */
 static bool meets(const struct tia_radio *radio, const struct search_ray *ray, uint32_t number, struct hit *hit)
 {
     const struct radio_face *face = &radio->faces[number];
@@ -84,7 +85,7 @@ static bool meets(const struct tia_radio *radio, const struct search_ray *ray, u
                                        : true;
 }
 
-/* Keeps the nearer of two, of equal ones the lower number. */
+/* Tests a face and keeps the nearer hit; of equally near ones, that of the lower number. */
 static void ask(const struct tia_radio *radio, const struct search_ray *ray, uint32_t face, struct hit *nearest)
 {
     struct hit hit;
@@ -124,7 +125,7 @@ static struct hit nearest_of(const struct tia_radio *radio, const struct search_
     return nearest;
 }
 
-/* ---- whom it comes by ---- */
+/* ---- receivers ---- */
 
 static bool receive(const struct shot *shot, struct search_ray *ray, int64_t t)
 {
@@ -148,7 +149,7 @@ static bool receive(const struct shot *shot, struct search_ray *ray, int64_t t)
     return shot->received(shot->ctx, &ray->told);
 }
 
-/* ---- where it goes on ---- */
+/* ---- reflection ---- */
 
 static struct tia_vec3 place_of(const int64_t at[3])
 {
@@ -163,7 +164,7 @@ static void move(struct search_ray *ray, const struct tia_radio *radio, const st
     ray->last = radio->faces[hit->face].plane;
 }
 
-/* d - 2 (n.d) n, halved before it is normalised: n.d is Q.61. */
+/* Reflects: d - 2 (n.d) n, halved before it is normalised: n.d is Q.61. */
 static void reflect(struct search_ray *ray, const struct tia_radio *radio, const struct hit *hit)
 {
     struct tia_radio_path *path = &ray->told.path;
@@ -196,8 +197,8 @@ static bool is_in_range(const struct hit *hit)
     return hit->face != TIA_NO_INDEX;
 }
 
-/* Follows the ray on top of the stack until it ends; where it goes through a wall, it comes onto the stack once more:
- * never more than one for each reflection and wall. */
+/* Follows the ray on top of the stack until it ends; where it goes through a wall, it is pushed once more: never more
+ * than one for each reflection and wall. */
 static bool follow(const struct shot *shot, struct search_ray *stack, uint32_t *count)
 {
     const struct tia_radio_link *link = shot->room->link;

@@ -15,7 +15,7 @@ static const uint8_t faces[FACES][3] = {{0, 1, 4},   {0, 1, 6},  {0, 4, 8},   {0
                                         {2, 5, 8},   {2, 7, 9},  {2, 8, 9},   {3, 5, 10}, {3, 7, 11},
                                         {3, 10, 11}, {4, 5, 8},  {4, 5, 10},  {6, 7, 9},  {6, 7, 11}};
 
-/* Corner 4 a + i has 0 along axis a, +-1 along the next and +-golden ratio along the one after that. */
+/* Adds a corner. Corner 4 a + i has 0 along axis a, +-1 along the next and +-golden ratio along the one after that. */
 static void add_corner(int64_t v[3], uint32_t corner, int64_t weight)
 {
     uint32_t axis = corner / 4;
@@ -29,8 +29,8 @@ uint32_t tia_radio_directions(uint32_t density)
     return density - 1 < TIA_RADIO_DENSITY_MAX ? 10 * density * density + 2 : 0;
 }
 
-/* The corners first, then edge by edge, then face by face what is inside, row by row. Weights are at most 2^11, sums
- * below 2^43. */
+/* Directions are in this order: the corners, then the inner points edge by edge, then face by face, row by row. Weights
+ * are at most 2^11, sums below 2^43. */
 int tia_radio_direction(uint32_t density, uint32_t i, int64_t direction[3])
 {
     int64_t v[3] = {0, 0, 0};

@@ -9,16 +9,17 @@ struct job {
     const struct polygon *polygon;
     uint32_t face;
     const struct tia_raster_runs *runs;
-    struct raster_polygon shared; /* by the runs */
+    struct raster_polygon shared; /* shared by the runs */
 };
 
-/* OpenGL's order makes a comparison the set of its results: less 1, equal 2, greater 4. `order` is -1, 0 or 1. */
+/* True if the test passes. OpenGL's order makes a comparison the set of its results: less 1, equal 2, greater 4.
+ * `order` is -1, 0 or 1. */
 static inline bool passes(enum tia_compare test, int order)
 {
     return (unsigned)test >> (order + 1) & 1;
 }
 
-/* The order of two planes; ties as the state says. */
+/* Returns the order of two planes; ties as the state demands. */
 static int order_of_planes(const struct job *job, int x, int y, uint32_t there)
 {
     struct tia_raster_target *t = job->target;
@@ -30,8 +31,8 @@ static int order_of_planes(const struct job *job, int x, int y, uint32_t there)
     return order;
 }
 
-/* 1 where the polygon is nearer than the face there, -1 farther, 0 equal. For pixels where nearness alone does not
- * decide. */
+/* Returns 1 where the polygon is nearer than the face there, -1 farther, 0 equal. For pixels where nearness alone does
+ * not decide. */
 static inline int exact_order(const struct job *job, int x, int y, size_t at)
 {
     uint32_t there = job->target->face[at];
@@ -158,7 +159,7 @@ static bool is_nearer(const void *ctx, size_t at)
     return exact_order(job, x, y, at) > 0;
 }
 
-/* Depth alone, the nearest wins. */
+/* Draws depth alone; the nearest wins. */
 static void nearest_run(void *ctx, int y, int x0, int x1)
 {
     const struct job *job = ctx;
@@ -186,7 +187,7 @@ static inline void count_one(const struct job *job, size_t at)
         t->stencil[at] = (uint8_t)(t->stencil[at] + job->shared.one);
 }
 
-/* The case of shadow volumes. */
+/* Draws a face of a shadow volume. */
 static void counting_run(void *ctx, int y, int x0, int x1)
 {
     const struct job *job = ctx;
@@ -204,7 +205,7 @@ static void counting_run(void *ctx, int y, int x0, int x1)
     }
 }
 
-/* The polygon's data for the target's vector unit, or plain C. */
+/* Prepares the polygon's data for the target's vector unit, or plain C. */
 static void share(struct job *job)
 {
     const struct tia_raster_target *t = job->target;
@@ -245,7 +246,7 @@ static bool is_depth_alone(const struct tia_raster_target *t, const struct tia_r
            (!t->count || (never_counts(&s->front) && never_counts(&s->back)));
 }
 
-/* Enums of eight values each: none is beyond them if all together are not. */
+/* True if all enums are valid: each has eight values, so none is out of range if all ORed together are not. */
 static bool is_state(const struct tia_raster_state *s)
 {
     return ((unsigned)s->depth | (unsigned)s->front.test | (unsigned)s->front.fail | (unsigned)s->front.zfail |

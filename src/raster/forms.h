@@ -10,7 +10,7 @@ static inline FORM(number) FORM(form_at)(const struct FORM(form) * f, int i, int
     return FORM(sum)(FORM(sum)(f->c, FORM(times)(f->x, i)), FORM(times)(f->y, j));
 }
 
-/* n.D(i, j). */
+/* Returns n.D(i, j). */
 static inline struct FORM(form) FORM(form_of)(const FORM(number) n[3], const struct tia_lattice *l)
 {
     FORM(number) c = FORM(sum)(FORM(times)(n[0], l->x), FORM(times)(n[1], l->y));
@@ -26,7 +26,7 @@ static inline void FORM(cross)(const int64_t a[3], const int64_t b[3], FORM(numb
     n[2] = FORM(difference)(FORM(product)(a[0], b[1]), FORM(product)(a[1], b[0]));
 }
 
-/* n + h m. */
+/* Adds h m to n. */
 static inline void FORM(add_scaled)(FORM(number) n[3], const FORM(number) m[3], int64_t h)
 {
     for (int i = 0; i < 3; i++)

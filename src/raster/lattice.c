@@ -21,7 +21,8 @@ static int bits_of(uint64_t n)
     return n ? 64 - (int)tia_clz64(n) : 0;
 }
 
-/* Sample s of n x n is at column 2 n i + 2 j + 1, row 2 n j + 2 n - 2 i - 1 of 2 n^2, i = s mod n, j = s div n. From
+/* Sets the sample position. Sample s of n x n is at column 2 n i + 2 j + 1, row 2 n j + 2 n - 2 i - 1 of 2 n^2, i = s
+ * mod n, j = s div n. From
  * -W n^2 to W n^2 that is x/w times W n^2; to have integers on both axes, D is that times W H/gcd(W, H). */
 static void place(struct tia_lattice *l, int32_t n, int32_t sample)
 {
@@ -37,8 +38,8 @@ static void place(struct tia_lattice *l, int32_t n, int32_t sample)
     l->centre[1] = row * (32768 / (n * n));
 }
 
-/* At least the size of D.x, D.y and D.w together, a pixel around the image included: the same for all samples, so that
- * their vertices are. */
+/* Returns a bound of |D.x| + |D.y| + |D.w|, a pixel around the image included: the same for all samples, so that their
+ * vertices are. */
 static uint64_t reach(const struct tia_lattice *l)
 {
     int64_t x = (int64_t)l->right * (l->width + 4) / 2, y = (int64_t)l->down * (l->height + 4) / 2;
@@ -46,7 +47,7 @@ static uint64_t reach(const struct tia_lattice *l)
     return (uint64_t)(x + y + l->w);
 }
 
-/* m of NARROW_SQUARE in ranges.h; and 2 m^2 below 2^61 so that normals and sums of them fit. */
+/* Returns m of NARROW_SQUARE in ranges.h; and 2 m^2 below 2^61 so that normals and sums of them fit. */
 static int64_t narrow_limit(const struct tia_lattice *l)
 {
     if (l->projection == TIA_ORTHOGRAPHIC)
@@ -75,8 +76,7 @@ int tia_lattice_init(struct tia_lattice *lattice, enum tia_projection projection
     unsigned most = projection == TIA_ORTHOGRAPHIC ? TIA_RANGE_FLAT : TIA_RANGE_MAX;
 
     if (!lattice || (unsigned)projection > TIA_ORTHOGRAPHIC || !width || width > TIA_SIZE_MAX || !height ||
-        height > TIA_SIZE_MAX || range > most || sample >= samples ||
-        (samples != 1 && samples != 4 && samples != 16))
+        height > TIA_SIZE_MAX || range > most || sample >= samples || (samples != 1 && samples != 4 && samples != 16))
         return TIA_ERR_ARGUMENT;
     lattice->projection = projection;
     lattice->width = (uint16_t)width;

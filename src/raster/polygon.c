@@ -14,7 +14,8 @@ static inline int64_t size_of(int64_t a)
     return a < 0 ? -a : a;
 }
 
-/* The largest coordinate in size, or -1 when one is out of range: a direction's is a difference of two points'. */
+/* Returns the largest absolute coordinate, or -1 when one is out of range: a direction's is a difference of two
+ * points'. */
 static int64_t largest(const struct tia_lattice *l, const struct tia_raster_vertex *v, unsigned count)
 {
     bool flat = l->projection == TIA_ORTHOGRAPHIC;
@@ -39,7 +40,7 @@ bool tia_polygon_has_range(const struct tia_lattice *lattice, const struct tia_r
     return largest(lattice, corners, count) >= 0;
 }
 
-/* `more` pixels around it are looked at too, but its edges are as they are. */
+/* Prepares a polygon; `more` pixels around it are in its box, too, but its edges stay. */
 static int init(struct polygon *p, const struct tia_lattice *lattice, struct tia_tile area,
                 const struct tia_raster_vertex *corners, unsigned count, unsigned more)
 {
@@ -72,7 +73,7 @@ int tia_polygon_init(struct polygon *p, const struct tia_lattice *lattice, struc
     return status;
 }
 
-/* An edge is at most |x| + |y| less at a pixel beside. */
+/* Enlarges the polygon by a pixel: an edge's value is at most |x| + |y| less at a neighbouring pixel. */
 int tia_polygon_init_enlarged(struct polygon *p, const struct tia_lattice *lattice, struct tia_tile area,
                               const struct tia_raster_vertex *corners, unsigned count)
 {

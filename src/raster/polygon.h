@@ -13,11 +13,11 @@ struct depth_scale {
     unsigned cut, shift;
     int64_t least, most; /* f / 2^cut beyond which nearness is clamped to 0 and 2^62 */
     int64_t zero;        /* nearness where f is 0: orthographic h has both signs */
-    int64_t step;        /* from a pixel to the next one on the right, within 2 */
-    bool steady;         /* nowhere in the polygon's box is it clamped; or, if the box is low, this was not looked at */
+    int64_t step;        /* nearness step to the next pixel on the right, within 2 */
+    bool steady; /* nearness is not clamped anywhere in the polygon's box; if the box is low, this was not tested */
 };
 
-#define POLYGON_EDGES (TIA_RASTER_CORNERS + 1) /* with that of tia_polygon_cut_ahead */
+#define POLYGON_EDGES (TIA_RASTER_CORNERS + 1) /* with the edge of tia_polygon_cut_ahead */
 
 /* A pixel is covered where all edges are >= 0; their constants are less by 1 where the tie rule excludes 0. At a pixel
  * 1/t is plane/det. */
@@ -37,23 +37,23 @@ struct polygon {
     struct depth_scale depth;
 };
 
-/* Whether the corners are in the range of raster.h. */
+/* True if the corners are in the range of raster.h. */
 bool tia_polygon_has_range(const struct tia_lattice *lattice, const struct tia_raster_vertex *corners, unsigned count);
 
-/* TIA_OK, and p->count is 0 when nothing is covered; or TIA_ERR_RANGE. */
+/* Prepares a polygon. TIA_OK, with p->count = 0 when no pixel is covered; or TIA_ERR_RANGE. */
 int tia_polygon_init(struct polygon *p, const struct tia_lattice *lattice, struct tia_tile area,
                      const struct tia_raster_vertex *corners, unsigned count);
 
-/* The same, of all pixels whose centres are at most one column and one row from a point of the polygon, and a few more
- * beside its corners: without its depth. The corners may be directions. */
+/* Prepares an enlarged polygon: all pixels whose centres are at most one column and one row from a point of the
+ * polygon, and a few more beside its corners: without its depth. The corners may be directions. */
 int tia_polygon_init_enlarged(struct polygon *p, const struct tia_lattice *lattice, struct tia_tile area,
                               const struct tia_raster_vertex *corners, unsigned count);
 
-/* Leaves out the pixels where the polygon's h is above 0, as one more edge. */
+/* Excludes the pixels where the polygon's h is above 0, by one more edge. */
 void tia_polygon_cut_ahead(struct polygon *p);
 
-/* The box of the pixels of `area` that the corners can cover, or that are up to `more` beside; false when it is empty.
- * A little too large rather than too small. */
+/* Gives the box of the pixels of `area` that the corners can cover, or that are up to `more` beside; false when it is
+ * empty. A little too large rather than too small. */
 bool tia_polygon_box(struct polygon *p, const struct tia_lattice *lattice, struct tia_tile area,
                      const struct tia_raster_vertex *corners, unsigned count, unsigned more);
 

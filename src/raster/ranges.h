@@ -1,10 +1,11 @@
-/* ranges.h - the bounds that the rasteriser's formats and filters stand on, each in one place, with its reason. The
+/* ranges.h - the bounds that the rasteriser's formats and filters depend on, each in one place, with its reason. The
  * table in <tia/raster.h> has those of whole quantities. `make prove` puts these numbers into tests/proofs/raster_*.g,
- * which show that they suffice; tests/test_raster_ranges.c draws what reaches them, and is refused what is beyond.
+ * which show that they suffice; tests/test_raster_ranges.c draws polygons that reach them, and checks that any beyond
+ * are refused.
  *
- * Bits of what is below a power of two in size. A corner may be a direction, twice as large; D's components have a
- * pixel's place, of at most 2^13 x 2^13 pixels with 4 x 4 samples. A quantity is a sum of products, bounded term by
- * term, so that no partial sum is larger either. */
+ * The numbers are bits of absolute values. A corner may be a direction, twice as large; D's components have a pixel's
+ * place, of at most 2^13 x 2^13 pixels with 4 x 4 samples. A quantity is a sum of products, bounded term by term, so
+ * that no partial sum is larger either. */
 #ifndef TIA_RASTER_RANGES_H
 #define TIA_RASTER_RANGES_H
 
@@ -22,26 +23,26 @@
 #define FLAT_DET 93
 #define FLAT_ORDER 218
 
-/* Polygons with coordinates up to m need 64 bits where m^2 (|D.x| + |D.y| + |D.w|) is at most 2^NARROW_SQUARE. A
- * normal has at most 2 m^2 in each component. N, linear in each coordinate, is largest where all are m or -m: of three
- * points it is twice the area of a triangle in a square of side 2 m, at most 4 m^2; of a and b with a direction d it is
- * (b - a) x d, at most 4 m^2; and of a with two directions their product. So f = N.D is at most 2^63, and below it as m
- * is one less. test_raster_ranges.c tries all 512 corners of that space, and the triangle that needs all of it. */
+/* Polygons with coordinates up to m need 64 bits where m^2 (|D.x| + |D.y| + |D.w|) is at most 2^NARROW_SQUARE. A normal
+ * has at most 2 m^2 in each component. N, linear in each coordinate, is largest where all are m or -m: of three points
+ * it is twice the area of a triangle in a square of side 2 m, at most 4 m^2; of a and b with a direction d it is (b -
+ * a) x d, at most 4 m^2; and of a with two directions their product. So f = N.D is at most 2^63, and below it as m is
+ * one less. test_raster_ranges.c tests all 512 corners of that space, and the triangle that needs all of it. */
 #define NARROW_SQUARE 61
 
-/* How far nearness may be off, in its units: at the first pixel of a run, and after 8191 steps. Of two that differ by
- * more than twice of that the exact ones are ordered in the same way. */
+/* Error bound of nearness in its units: at the first pixel of a run, and after 8191 steps. If two values differ by more
+ * than twice that, the exact ones are ordered in the same way. */
 #define DEPTH_ERROR 16393
 #define DEPTH_UNSURE (INT32_C(2) * DEPTH_ERROR)
 
-/* How far an edge's place in a row may be off, in 2^-WALKER_BITS of a pixel, after 8192 rows. The first is below
- * 2^(WALKER_FIRST + 1) pixels, a step below 2^(WALKER_STEP + 1), or the edge is bisected. */
+/* Error bound of an edge's position in a row, in 2^-WALKER_BITS of a pixel, after 8192 rows. The first position is
+ * below 2^(WALKER_FIRST + 1) pixels, a step below 2^(WALKER_STEP + 1), or the edge is bisected. */
 #define WALKER_BITS 31
 #define WALKER_FIRST 29
 #define WALKER_STEP 16
 #define WALKER_ERROR 8198
 
-/* The error of a corner's place in the image, for the box around a polygon, in 2^-16 of a pixel. */
+/* Error bound of a corner's position in the image, for the box around a polygon, in 2^-16 of a pixel. */
 #define BOX_MARGIN 2
 
 /* Interpolation: where the weights, cut to 60 bits, add up to at least 2^BLEND_LEAST, the value with BLEND_BITS
@@ -50,7 +51,7 @@
 #define BLEND_LEAST 54
 #define BLEND_UNSURE 2
 
-/* The relative error of tia_raster_distance, but for half of a unit, is below 2^-DISTANCE_BITS. */
+/* The relative error of tia_raster_distance, apart from half a unit, is below 2^-DISTANCE_BITS. */
 #define DISTANCE_BITS 58
 
 _Static_assert(DISTANCE_BITS == 58, "as <tia/raster.h> says");

@@ -1,6 +1,8 @@
-/* Where an edge x i + y j + c changes its sign in row j: at -(y j + c)/x, a linear function of j. It is stepped in
- * fixed point, and the edge itself is evaluated where that comes too close to a pixel. So the runs are exact, and no
- * row needs a division or more than 64 bits.
+/* rows.c - the pixels that a polygon covers, row by row.
+ *
+ * An edge x i + y j + c changes its sign in row j at -(y j + c)/x, a linear function of j. It is stepped in fixed
+ * point, and the edge itself is evaluated where that comes too close to a pixel. So the runs are exact, and no row
+ * needs a division or more than 64 bits.
  *
  * ranges.h has bounds on the error, and tests/proofs/raster_rows.g their proof. Larger slopes, of rare edges that are
  * nearly horizontal, are found by bisection. */
@@ -8,7 +10,7 @@
 
 #include "ranges.h"
 
-#define SMALL_AREA 64 /* of a box in which each pixel is tested */
+#define SMALL_AREA 64 /* pixels of a small box, in which each pixel is tested */
 
 struct walker {
     int64_t at, step;
@@ -20,7 +22,7 @@ struct walkers {
     unsigned lefts, rights, bisected, bisect[POLYGON_EDGES];
 };
 
-/* +- top 2^(bits - 64), top >= 2^63; or 0. */
+/* A block floating point number, +- top 2^(bits - 64), top >= 2^63; or 0. */
 struct block {
     uint64_t top;
     int bits;
@@ -44,7 +46,7 @@ static struct block block_of_narrow(int64_t a)
     return (struct block){size ? size << zeros : 0, 64 - (int)zeros, a < 0};
 }
 
-/* -a/b as fixed point; `reciprocal` is 2^126/b.top. */
+/* Returns -a/b as fixed point; `reciprocal` is 2^126/b.top. */
 static int64_t quotient(struct block a, struct block b, int64_t reciprocal)
 {
     int shift = 125 - WALKER_BITS + b.bits - a.bits;
@@ -80,8 +82,8 @@ static void start(struct walkers *w, const struct polygon *p)
     }
 }
 
-/* Whether the least integer above the value is that above the exact one. Where it is not sure, that is the integer
- * below the value or the one above. */
+/* True if the least integer above the value is certainly that above the exact one. Otherwise that is the integer below
+ * the value or the one above. */
 static inline bool is_sure(int64_t at)
 {
     return (at & ((INT64_C(1) << WALKER_BITS) - 1)) > INT32_C(2) * WALKER_ERROR;
@@ -109,8 +111,8 @@ static void ask_right(const struct walkers *w, const struct polygon *p, int y, i
     }
 }
 
-/* Where the greatest value of the left side is sure, no other leads farther to the right: not sure of the same
- * integers, it still is at most the one above. */
+/* Steps the left side. If its greatest value is certain, no other edge leads farther to the right: any uncertain value
+ * is at most the integer above. */
 static inline void step_left(struct walkers *w, const struct polygon *p, int y, int *x0, int x1)
 {
     int64_t most = INT64_MIN;
@@ -126,7 +128,7 @@ static inline void step_left(struct walkers *w, const struct polygon *p, int y, 
         w->left[i].at += w->left[i].step;
 }
 
-/* Where the least value of the right side is sure, another that is not is greater, so above the next integer. */
+/* Steps the right side. If its least value is certain, any uncertain value is greater, so above the next integer. */
 static inline void step_right(struct walkers *w, const struct polygon *p, int y, int x0, int *x1)
 {
     int64_t least = INT64_MAX;
@@ -142,7 +144,7 @@ static inline void step_right(struct walkers *w, const struct polygon *p, int y,
         w->right[i].at += w->right[i].step;
 }
 
-/* Cuts the run to what the edge covers: all, nothing, its left or its right part. */
+/* Cuts the run to the part that the edge covers: all, none, its left or its right part. */
 static void bisect(const struct polygon *p, unsigned edge, int y, int *x0, int *x1)
 {
     bool first = polygon_edge_covers(p, edge, *x0, y), last = polygon_edge_covers(p, edge, *x1 - 1, y);
@@ -181,7 +183,7 @@ static void large_rows(const struct polygon *p, raster_run *run, void *ctx)
     }
 }
 
-/* A pixel is covered where no edge has its sign bit. */
+/* True if the pixel is covered: no edge has its sign bit set. */
 static inline bool is_covered(const int64_t e[], unsigned count)
 {
     int64_t all = e[0] | e[1] | e[2];

@@ -14,7 +14,7 @@ static void FORM(set_plane)(struct polygon *p, const struct tia_lattice *l, FORM
     p->of.FORM(forms).plane = FORM(form_of)(n, l);
 }
 
-/* The tie rule: to the right, then down. A side without length covers everything. */
+/* Returns an edge with the tie rule: to the right, then down. A side without length covers all pixels. */
 static struct FORM(form) FORM(edge_of)(const struct polygon *p, const struct tia_lattice *l, FORM(number) n[3])
 {
     if (!p->front)
@@ -26,7 +26,8 @@ static struct FORM(form) FORM(edge_of)(const struct polygon *p, const struct tia
     return e;
 }
 
-/* False when the eye is in the polygon's plane. sides[i] is that from corner i to the next one. */
+/* Sets up the edges and the plane; false when the eye is in the polygon's plane. sides[i] is that from corner i to the
+ * next one. */
 static bool FORM(set_up)(struct polygon *p, const struct tia_lattice *l, int64_t q[][3],
                          const struct tia_raster_vertex *v)
 {

@@ -1,21 +1,22 @@
-/* target.h - where a pixel's values are. */
+/* target.h - addresses of a pixel's values. */
 #ifndef TIA_RASTER_TARGET_H
 #define TIA_RASTER_TARGET_H
 
 #include <tia/raster.h>
 
-/* The index of pixel (x, y) of the image in each buffer of one value a pixel. */
+/* Returns the index of pixel (x, y) of the image in each buffer of one value a pixel. */
 static inline size_t target_index(const struct tia_raster_target *t, int x, int y)
 {
     return ((size_t)y - t->area.y) * (size_t)t->pitch + ((size_t)x - t->area.x);
 }
 
-/* The column right of its area, and the row below. */
+/* Returns the column right of its area. */
 static inline int target_right(const struct tia_raster_target *t)
 {
     return (int)t->area.x + (int)t->area.width;
 }
 
+/* Returns the row below it. */
 static inline int target_bottom(const struct tia_raster_target *t)
 {
     return (int)t->area.y + (int)t->area.height;

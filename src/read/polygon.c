@@ -7,14 +7,14 @@ static int sign(int64_t x)
     return (x > 0) - (x < 0);
 }
 
-/* |x| of a difference of two coordinates: below 2^32, so that a product of two fits 64 bits. */
+/* Returns |x| of a difference of two coordinates: below 2^32, so that a product of two fits 64 bits. */
 static uint64_t size(int64_t x)
 {
     return (uint64_t)(x < 0 ? -x : x);
 }
 
-/* Whether c lies to the left (1) of the line from a to b, on it (0) or to the right (-1): the sign of
- * (b - a) x (c - a), exact. */
+/* Returns 1 if c lies to the left of the line from a to b, 0 if on it, -1 if to the right: the sign of (b - a) x (c -
+ * a), exact. */
 static int side(const struct polygon_corner *a, const struct polygon_corner *b, const struct polygon_corner *c)
 {
     int64_t bx = (int64_t)b->x - a->x, by = (int64_t)b->y - a->y;
@@ -27,7 +27,7 @@ static int side(const struct polygon_corner *a, const struct polygon_corner *b, 
     return p == q ? 0 : p > q ? first : -first;
 }
 
-/* sum += a b in two's complement; |a|, |b| < 2^32. */
+/* Adds a b to the sum in two's complement; |a|, |b| < 2^32. */
 static void add_product(struct tia_wide *sum, int64_t a, int64_t b)
 {
     uint64_t product = size(a) * size(b);
@@ -58,7 +58,7 @@ static tia_q16 coordinate(const struct tia_vec3 *v, int axis)
     return axis == 0 ? v->x : axis == 1 ? v->y : v->z;
 }
 
-/* Twice the signed area of the polygon projected to the axes u and v, exact. */
+/* Returns twice the signed area of the polygon projected to the axes u and v, exact. */
 static struct tia_wide area_in(const struct polygon_corner *corners, uint32_t count, int u, int v)
 {
     struct tia_wide sum = {0, 0};
@@ -93,7 +93,7 @@ static void project(struct polygon_corner *corners, uint32_t count)
     }
 }
 
-/* Takes a corner out of the polygon's counts. */
+/* Removes a corner from the polygon's counts. */
 static void uncount(struct polygon *polygon, const struct polygon_corner *c)
 {
     polygon->not_convex -= c->orientation < 1;
@@ -101,7 +101,7 @@ static void uncount(struct polygon *polygon, const struct polygon_corner *c)
     polygon->candidates -= c->ear != 0;
 }
 
-/* Computes the orientation of corner i from its present neighbours; whether it is an ear is then unknown. */
+/* Computes the orientation of corner i from its present neighbours; its `ear` becomes unknown. */
 static void classify(struct polygon *polygon, uint32_t i)
 {
     struct polygon_corner *c = &polygon->corners[i];
@@ -133,9 +133,9 @@ static bool coincide(const struct polygon_corner *a, const struct polygon_corner
     return a->x == b->x && a->y == b->y;
 }
 
-/* Whether q prevents cutting off the tip b of the convex triangle a, b, c: it lies inside or on an edge. Corners
- * that coincide with a or c do not count. They occur where a bridge leads to a hole and back, and the polygon
- * cannot enter the triangle from there without crossing an edge. */
+/* True if q prevents cutting off the tip b of the convex triangle a, b, c: it lies inside or on an edge. Corners that
+ * coincide with a or c do not count. They occur where a bridge leads to a hole and back, and the polygon cannot enter
+ * the triangle from there without crossing an edge. */
 static bool blocks(const struct polygon_corner *q, const struct polygon_corner *a, const struct polygon_corner *b,
                    const struct polygon_corner *c)
 {
@@ -154,7 +154,7 @@ static int32_t most(int32_t a, int32_t b, int32_t c)
     return ab > c ? ab : c;
 }
 
-/* A corner is an ear when it is convex and no other corner blocks it. Only corners that are not convex need to be
+/* True if corner i is an ear: it is convex and no other corner blocks it. Only corners that are not convex need to be
  * tested: when a convex one is in the triangle, one that is not is there as well. */
 static bool is_ear(const struct polygon *polygon, uint32_t i)
 {
@@ -173,7 +173,7 @@ static bool is_ear(const struct polygon *polygon, uint32_t i)
     return true;
 }
 
-/* The first corner with that orientation. */
+/* Finds the first corner with that orientation. */
 static bool find_orientation(const struct polygon *polygon, int orientation, uint32_t *found)
 {
     uint32_t i = polygon->at;
@@ -186,7 +186,7 @@ static bool find_orientation(const struct polygon *polygon, int orientation, uin
     return false;
 }
 
-/* Finds an ear. A polygon without one is not simple; then a collinear corner will do, which covers nothing, or a
+/* Finds an ear. A polygon without one is not simple; then a collinear corner, which covers no area, is taken, or a
  * convex one, or any. Cutting off an ear can change only its two neighbours, so all in all each corner is tested a
  * bounded number of times, and the total time is quadratic. */
 static uint32_t find_ear(struct polygon *polygon)
@@ -223,8 +223,8 @@ bool tia_polygon_next(struct polygon *polygon, uint32_t triangle[3])
     next->prev = tip->prev;
     classify(polygon, tip->prev);
     classify(polygon, tip->next);
-    /* Continue beyond the neighbour: cutting every other corner gives better shapes than a fan. But if this was no
-     * ear, only the neighbours can be ears now. */
+    /* continue beyond the neighbour: cutting every other corner gives better shapes than a fan; but if this was no ear,
+     * only the neighbours can be ears now */
     polygon->at = tip->ear ? next->next : tip->prev;
     return true;
 }

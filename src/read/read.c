@@ -23,7 +23,7 @@ static void locate(struct tia_reader *reader, struct tia_fault *fault, struct ti
         tia_locate_nff(reader, fault);
 }
 
-/* The rest of a string that begins with `start`; NULL: it does not. */
+/* Returns the rest of a string that begins with `start`; NULL: it does not. */
 static const char *after(const char *string, const char *start)
 {
     while (*start && *string == *start)
@@ -31,7 +31,7 @@ static const char *after(const char *string, const char *start)
     return *start ? NULL : string;
 }
 
-/* The rule, its least length, which is 2^-10 in the scene, and its distance in the file's unit. */
+/* Appends the rule, its least length, which is 2^-10 in the scene, and its distance in the file's unit. */
 static void say_rule(struct tia_read_error *error, const char *rule, int scale_bits)
 {
     static const char *const starts[] = {"must be at least 2^", "must be 0 or at least 2^"};
@@ -65,7 +65,7 @@ static int check(struct tia_reader *reader, const struct tia_scene *scene, struc
     *error = (struct tia_read_error){{0}, 0, 0, {0}};
     locate(reader, &fault, arena);
     tia_say(error, fault.thing);
-    if (!error->line) { /* without a line, the index has to say which one */
+    if (!error->line) { /* without a line, the index identifies the object */
         tia_say(error, " ");
         tia_say_number(error, fault.index);
     }

@@ -9,14 +9,14 @@ static inline struct tia_rgb tia_grey(tia_q30 x)
     return (struct tia_rgb){x, x, x};
 }
 
-/* a b, clamped to the range of Q2.30. */
+/* Return a b, clamped to the range of Q2.30. */
 tia_q30 tia_q30_product(tia_q30 a, tia_q30 b);
 struct tia_rgb tia_rgb_product(struct tia_rgb colour, tia_q30 by);
 
 /* Reads a highlight's exponent, of any size; clamps it to TIA_EXPONENT_MAX. */
 int tia_text_exponent(struct tia_text *t, tia_q16 *out);
 
-/* Sets the Phong highlight: none with the exponent 0; an exponent below 1 becomes 1. */
+/* Sets the Phong highlight: none if the exponent is 0; an exponent below 1 becomes 1. */
 void tia_set_highlight(struct tia_material *material, struct tia_rgb specular, tia_q16 exponent);
 
 #endif

@@ -1,4 +1,4 @@
-/* choose.c - the renderer that a scene asks for, else the fastest one that can draw it. */
+/* choose.c - chooses the renderer that a scene names, else the fastest one that can draw it. */
 #include "renderer.h"
 
 const struct renderer *renderer_for(const struct tia_scene *scene)

@@ -1,4 +1,4 @@
-/* core.c - the renderer as a table. */
+/* core.c - the public functions of one arithmetic as a table. */
 #include "num/num.h"
 
 #include <tia/simd.h>

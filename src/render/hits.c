@@ -44,7 +44,7 @@ bool hits_have(const struct tia_hits *hits, const struct tia_view *view, struct 
            tile_bottom(tile) <= view->height;
 }
 
-/* With a level there are no hits: the pixel is traced. */
+/* Traces the pixel: with a level there are no hits. */
 static uint32_t traced_object(const struct tia_view *view, unsigned x, unsigned y)
 {
     uint32_t object = TIA_NO_OBJECT;

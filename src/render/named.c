@@ -1,4 +1,4 @@
-/* named.c - renderers that a scene asks for by name. */
+/* named.c - the renderers that scenes name. */
 #include "renderer.h"
 
 const struct renderer *renderer_named(const struct tia_scene *scene)

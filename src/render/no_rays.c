@@ -14,7 +14,7 @@ static int prepare(struct tia_view *view)
     return TIA_ERR_UNSUPPORTED;
 }
 
-/* A view that could not be prepared is not drawn: the rest is never called. */
+/* Views cannot be prepared: the other functions are never called. */
 const struct renderer whitted_renderer = {
     .prepared_size = prepared_size,
     .prepare = prepare,

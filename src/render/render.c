@@ -1,7 +1,7 @@
-/* render.c - a tile, by the view's renderer. */
+/* render.c - draws a tile by the view's renderer. */
 #include "renderer.h"
 
-/* The status of what has been done to a tile of the hits; `traces`: the tile was traced. */
+/* Returns the status of the work on a tile of the hits; `traces`: the tile was traced. */
 static int ended(const struct tia_view *view, struct tia_hits *hits, bool traces)
 {
     if (view_stops(view))
@@ -15,14 +15,14 @@ int tia_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_til
 {
     if (!hits_have(hits, view, tile))
         return TIA_ERR_ARGUMENT;
-    if (!view->simd) /* a level finds what is seen while it lights */
+    if (!view->simd) /* a level finds the visible surfaces while it lights */
         view->renderer->trace(view, hits, tile);
     return ended(view, hits, !view->simd);
 }
 
 static const struct tia_options plain = {0};
 
-/* Levels have no colours but RGB565, samples have sums. */
+/* True if the renderer can write these colours: levels only have RGB565, samples have sums. */
 static bool has_colours(const struct tia_view *view, const struct tia_options *options)
 {
     return !options->colours || !(view->simd || view->renderer->sample || options->dither);

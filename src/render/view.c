@@ -92,7 +92,7 @@ int tia_view_set_lights(struct tia_view *view, const struct tia_light *lights, u
     return status;
 }
 
-/* NULL: plain C draws it, since the level does not, or is another arithmetic's. */
+/* Returns the level's part for a view; NULL: plain C draws it, since the level does not, or is another arithmetic's. */
 static const struct simd_renderer *drawn_by(const struct tia_simd *simd, const struct renderer *renderer)
 {
     return simd && simd->plain == &span_kernels_plain ? simd_renderer_for(simd, renderer) : NULL;

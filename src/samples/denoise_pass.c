@@ -3,24 +3,24 @@
 
 #include "math/integer.h"
 
-/* Found by trying 500 settings on a Cornell box of 128x128 with 4, 16 and 64 samples a pixel. A part of the depth is
- * room for surfaces that are curved; a spread of 2^-12 is for means that are sure to the last digit. */
+/* Constants found by trying 500 settings on a Cornell box of 128x128 with 4, 16 and 64 samples a pixel. A fraction of
+ * the depth is tolerance for curved surfaces; a spread of 2^-12 is for means that are exact to the last digit. */
 #define SPREAD(error) (3 * (uint64_t)(error) + 16)
 #define ROOM(slope, pixels, depth) ((uint64_t)(slope) * (pixels) / 8 + (depth) / 512)
 #define ALBEDO_WEIGHT 4
 #define NORMAL_SQUARINGS 3
 
-/* A pixel and what its neighbours are compared with. */
+/* A pixel, and the values with which its neighbours are compared. */
 struct middle {
     const struct tia_denoiser *d;
-    const struct light *light; /* all of the picture */
+    const struct light *light; /* light of the whole picture */
     int x, y, step;
     bool stops; /* at edges of the light */
     struct feature feature;
     uint32_t luminance;
-    uint64_t spread;      /* of the luminance, as far as it is noise, Q.16 */
-    int64_t across, down; /* how the depth changes from one pixel to the next, Q.16 */
-    uint32_t slope;       /* the larger of them, without a sign */
+    uint64_t spread;      /* of the luminance, caused by noise, Q.16 */
+    int64_t across, down; /* change of the depth to the next pixel, Q.16 */
+    uint32_t slope;       /* the larger absolute value of them */
 };
 
 struct total {
@@ -34,7 +34,7 @@ static uint32_t apart(uint32_t a, uint32_t b)
     return a > b ? a - b : b - a;
 }
 
-/* 2^-x, x and the result with 16 bits behind the point: between powers of two by a parabola, within 0.2 %. */
+/* Returns 2^-x, x and the result with 16 bits behind the point: between powers of two by a parabola, within 0.2 %. */
 static uint32_t fade(uint64_t x)
 {
     uint32_t f = (uint32_t)(x & 0xffff);
@@ -49,7 +49,7 @@ static uint64_t ratio(uint64_t a, uint64_t b)
     return b ? (a << 16) / b : a ? UINT32_MAX : 0;
 }
 
-/* (N.N')^8, Q.16. */
+/* Returns (N.N')^8, Q.16. */
 static uint32_t alike(const int16_t a[3], const int16_t b[3])
 {
     int32_t dot = 0;
@@ -65,7 +65,7 @@ static uint32_t alike(const int16_t a[3], const int16_t b[3])
     return power;
 }
 
-/* The distance in depth of a neighbour from the middle pixel's plane, relative to the tolerance. */
+/* Returns a neighbour's distance in depth from the middle pixel's plane, relative to the tolerance. */
 static uint64_t off_plane(const struct middle *m, uint32_t depth, int dx, int dy)
 {
     int64_t off = (int64_t)depth - (int64_t)m->feature.depth - (m->across * dx + m->down * dy);
@@ -74,7 +74,7 @@ static uint64_t off_plane(const struct middle *m, uint32_t depth, int dx, int dy
     return ratio((uint64_t)(off < 0 ? -off : off), ROOM(m->slope, away, m->feature.depth));
 }
 
-/* The edge-stopping weight of a neighbour, without the filter's own weight, Q.16. */
+/* Returns the edge-stopping weight of a neighbour, without the filter's own weight, Q.16. */
 static uint32_t weight(const struct middle *m, size_t at, int dx, int dy)
 {
     const struct feature *f = &m->d->features[at];
@@ -100,7 +100,7 @@ static void add(struct total *total, const struct light *light, uint32_t weight,
     total->squares += we * we;
 }
 
-/* The standard error that 3x3 pixels have. */
+/* Returns the standard error of the mean of 3x3 pixels. */
 static uint32_t error_around(const struct middle *m)
 {
     uint64_t sum = 0, weights = 0;
@@ -167,7 +167,7 @@ static struct light filtered(const struct middle *m)
     return result;
 }
 
-/* Sets the filtered light aside; leaves what was taken from it. */
+/* Stores the filtered light; leaves the removed part. */
 static void take(struct tia_denoiser *d, size_t at, struct light *light)
 {
     for (int c = 0; c < 3; c++) {

@@ -1,12 +1,12 @@
-/* denoise_picture.c - from what samples have gathered to light over albedo, and back. */
+/* denoise_picture.c - converts sums of samples to light over albedo, and back. */
 #include "denoise.h"
 
 #include "math/align.h"
 #include "math/integer.h"
 
-#define FLOOR 512                    /* of albedos: 2^-7 */
+#define FLOOR 512                    /* least albedo: 2^-7 */
 #define MEAN_MAX (INT64_C(1) << 38)  /* samples are at most 2^14, in units of 2^-24 */
-#define DEPTH_MAX (INT64_C(1) << 54) /* that is shown: of a sum */
+#define DEPTH_MAX (INT64_C(1) << 54) /* largest depth shown, of a sum */
 
 size_t tia_denoise_size(unsigned width, unsigned height)
 {
@@ -46,7 +46,7 @@ bool tia_denoise_has(const struct tia_denoiser *d, struct tia_tile tile)
     return d && tile_is_inside(tile, (struct tia_tile){0, 0, (uint16_t)d->width, (uint16_t)d->height});
 }
 
-/* Of a sum that is not negative: to nearest. */
+/* Returns the mean of a sum that is not negative: to nearest. */
 static uint64_t mean(int64_t sum, uint32_t count)
 {
     return ((uint64_t)sum + count / 2) / count;
@@ -60,7 +60,7 @@ uint32_t tia_standard_error(const struct tia_sum *sum, uint64_t squares, uint32_
     uint64_t all = (uint64_t)sum->rgb[0] + 2 * (uint64_t)sum->rgb[1] + (uint64_t)sum->rgb[2];
     uint64_t whole = all / ((uint64_t)count * 4), most = whole >> 32 ? UINT64_MAX : whole * whole >> 16;
 
-    if (whole >> 32) /* as samples' squares are */
+    if (whole >> 32) /* in units of squares of samples */
         most = (whole >> 8) * (whole >> 8);
     if (count == 1)
         return tia_sqrt64(most);
@@ -68,7 +68,7 @@ uint32_t tia_standard_error(const struct tia_sum *sum, uint64_t squares, uint32_
     return spread > most ? tia_sqrt64((spread - most) / (count - 1)) : 0;
 }
 
-/* Light is below 2^16 times what it is divided by, which is its own mean for emitters. */
+/* Stores a channel. Light is below 2^16 times its divisor, which for emitters is its own mean. */
 static void put_channel(struct light *light, struct feature *feature, int c, uint64_t radiance, uint64_t albedo)
 {
     uint64_t divisor = (albedo + 128) >> 8, least = radiance >> 24;
@@ -80,7 +80,7 @@ static void put_channel(struct light *light, struct feature *feature, int c, uin
     feature->albedo[c] = (uint32_t)divisor;
 }
 
-/* Of the mean's length 1, or 0: with at most 2^27 in a component, squares do not overflow. */
+/* Stores the mean normal at length 1, or 0: with at most 2^27 in a component, squares do not overflow. */
 static void put_normal(struct feature *feature, const int64_t sum[3])
 {
     int64_t n[3];
@@ -133,7 +133,7 @@ int tia_denoise_put(struct tia_denoiser *d, struct tia_tile tile, const struct t
     return TIA_OK;
 }
 
-/* The light that is left, and the mean around it of what was taken. */
+/* Returns the light that is left, plus the mean of the removed light around it. */
 static uint32_t light_of(const struct tia_denoiser *d, size_t at, int c)
 {
     int64_t light = (int64_t)d->filtered[at].rgb[c] + d->light[TIA_DENOISE_PASSES & 1][at].rgb[c] - NONE_TAKEN;
@@ -158,7 +158,7 @@ int tia_denoise_get(const struct tia_denoiser *d, struct tia_tile tile, uint32_t
     return TIA_OK;
 }
 
-/* ---- looking at it ---- */
+/* ---- pictures of the guides ---- */
 
 const char *tia_shown_guide_name(unsigned shown)
 {

@@ -11,7 +11,7 @@ static int64_t product(int64_t a, int64_t b)
     return wide_round(wide_product(a, b), 62);
 }
 
-/* sqrt(1 - x^2) of |x| <= 1 */
+/* Returns sqrt(1 - x^2), |x| <= 1. */
 static int64_t rest_of_circle(int64_t x)
 {
     return wide_sqrt(wide_product(ONE - x, ONE + x));
@@ -22,7 +22,7 @@ static int64_t unit_of(uint32_t u)
     return ((int64_t)u << 30) + (INT64_C(1) << 29);
 }
 
-/* Sine and cosine of t 2^-64 turns. The nearest of 256 angles comes from the table, what is left, d, is below 2^-6.4:
+/* Gives sine and cosine of t 2^-64 turns. The nearest of 256 angles comes from the table; the rest, d, is below 2^-6.4:
  * four terms of either series, the next one below 2^-62. */
 static void turn(uint64_t t, int64_t *sine, int64_t *cosine)
 {
@@ -43,8 +43,8 @@ void tia_sample_turn(uint32_t u, int64_t *sine, int64_t *cosine)
     turn((uint64_t)u << 32 | UINT64_C(1) << 31, sine, cosine);
 }
 
-/* a and b in -1..1; the larger is the radius, the other's share of it an angle of up to an eighth of a turn. Neither is
- * ever 0. Returns the radius, which has a sign. */
+/* Maps a and b in -1..1: the larger is the radius, the other's share of it an angle of up to an eighth of a turn.
+ * Neither is ever 0. Returns the radius, which has a sign. */
 static int64_t concentric(const uint32_t u[2], int64_t place[2])
 {
     int64_t a = 2 * unit_of(u[0]) - ONE, b = 2 * unit_of(u[1]) - ONE, s, c;

@@ -1,4 +1,4 @@
-/* sobol.h - the numbers that a pixel's samples draw: Owen-scrambled Sobol points, in 32-bit integers.
+/* sobol.h - the random numbers of a pixel's samples: Owen-scrambled Sobol points, in 32-bit integers.
  *
  * A number is a function of the pixel, the sample and the dimension alone, so samples may be drawn in any order, on any
  * machine. Dimensions come in quads: four of one sample, taken together, are spread over the four-dimensional cube as
@@ -21,7 +21,7 @@ extern const uint32_t tia_sobol_tables[2][8][16];
 #undef SOBOL_WORD
 #undef SOBOL_STEP
 
-/* Of the points of the third and the fourth dimension, dimension 2 or 3. */
+/* Returns a point of the third or fourth dimension, 2 or 3, its bits reversed. */
 static inline uint32_t sobol_table(uint32_t index, unsigned dimension)
 {
     uint32_t sum = 0;
@@ -31,8 +31,8 @@ static inline uint32_t sobol_table(uint32_t index, unsigned dimension)
     return sum;
 }
 
-/* Point `index` of a dimension 0..3, its bits reversed. The first dimension is the radical inverse; the matrices of
- * the others are those of Joe and Kuo (2008). */
+/* Returns point `index` of a dimension 0..3, its bits reversed. The first dimension is the radical inverse; the
+ * matrices of the others are those of Joe and Kuo (2008). */
 static inline uint32_t sobol_reversed(uint32_t index, unsigned dimension)
 {
     return dimension == 0 ? index : dimension == 1 ? sobol_pascal(index) : sobol_table(index, dimension);
@@ -42,13 +42,13 @@ struct sampler {
     uint32_t seed, index; /* of the pixel; the sample */
 };
 
-/* Of sample `index` of pixel (x, y). */
+/* Returns the sampler of sample `index` of pixel (x, y). */
 static inline struct sampler sampler_of(uint32_t seed, int x, int y, uint32_t index)
 {
     return (struct sampler){sobol_hash2(sobol_hash2(seed, (uint32_t)y), (uint32_t)x), index};
 }
 
-/* Two numbers of a quad: those of its dimensions `first` and `first` + 1. */
+/* Gives two numbers of a quad: those of its dimensions `first` and `first` + 1. */
 static inline void sampler_pair(const struct sampler *sampler, uint32_t quad, unsigned first, uint32_t u[2])
 {
     uint32_t hash = sobol_hash2(sampler->seed, quad);

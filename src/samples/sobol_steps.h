@@ -1,5 +1,5 @@
-/* sobol_steps.h - what sobol.h is made of, of one number or of several side by side: it is included with SOBOL_WORD,
- * uint32_t or a vector of them, and SOBOL_STEP(name), what its functions are called. No include guard. */
+/* sobol_steps.h - template: steps of sobol.h, for one number or several side by side. Parameters: SOBOL_WORD, uint32_t
+ * or a vector of them, and SOBOL_STEP(name), the functions' names. No include guard. */
 
 static inline SOBOL_WORD SOBOL_STEP(hash)(SOBOL_WORD x)
 {
@@ -22,7 +22,7 @@ static inline SOBOL_WORD SOBOL_STEP(reverse)(SOBOL_WORD x)
     return (x >> 1 & UINT32_C(0x55555555)) | (x & UINT32_C(0x55555555)) << 1;
 }
 
-/* Owen's scrambling of a number whose bits are reversed: no bit depends on a higher one. */
+/* Returns Owen's scrambling of a number whose bits are reversed: no bit depends on a higher one. */
 static inline SOBOL_WORD SOBOL_STEP(scramble)(SOBOL_WORD x, SOBOL_WORD seed)
 {
     x ^= x * UINT32_C(0x3d20adea);
@@ -33,7 +33,8 @@ static inline SOBOL_WORD SOBOL_STEP(scramble)(SOBOL_WORD x, SOBOL_WORD seed)
     return x;
 }
 
-/* Point `index` of the second dimension, whose matrix is Pascal's triangle modulo 2, a fivefold tensor product. */
+/* Returns point `index` of the second dimension, whose matrix is Pascal's triangle modulo 2, a fivefold tensor product.
+ */
 static inline SOBOL_WORD SOBOL_STEP(pascal)(SOBOL_WORD index)
 {
     index ^= index >> 1 & UINT32_C(0x55555555);

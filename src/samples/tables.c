@@ -1,4 +1,4 @@
-/* tables.c - what sobol.h looks up, written by tools/generate/sampling.py. */
+/* tables.c - the tables of sobol.h, written by tools/generate/sampling.py. */
 // clang-format off
 #include "sobol.h"
 

@@ -1,4 +1,4 @@
-/* thresholds.c - where sRGB's levels begin, in units of 2^-32, written by tools/generate/tone.py. */
+/* thresholds.c - the lower ends of sRGB's levels, in units of 2^-32, written by tools/generate/tone.py. */
 // clang-format off
 #include "thresholds.h"
 

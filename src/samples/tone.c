@@ -1,4 +1,4 @@
-/* tone.c - from sums of samples to levels of a display. */
+/* tone.c - converts sums of samples to levels of a display. */
 #include <tia/integrator.h>
 
 #include "math/power.h"
@@ -29,7 +29,7 @@ struct tia_exposure tia_exposure_of(tia_q16 exposure)
 
 #define MEAN_MOST (INT64_C(1) << 38) /* in units of 2^-24: of samples of 2^14 */
 
-/* The mean in units of 2^-32, rounded down, without overflow; of sums from 2^55 on it is at most 2^46. */
+/* Returns the mean in units of 2^-32, rounded down, without overflow; of sums from 2^55 on it is at most 2^46. */
 static int64_t mean_of(int64_t sum, uint32_t count)
 {
     int64_t whole = sum / count;
@@ -39,7 +39,7 @@ static int64_t mean_of(int64_t sum, uint32_t count)
     return (whole < MEAN_MOST ? whole : MEAN_MOST) * 256 + sum % count * 256 / count;
 }
 
-/* What overflows when shifted is far too bright. Whole stops need no product. */
+/* Returns the exposed mean; a value that would overflow when shifted is far too bright. Whole stops need no product. */
 uint32_t tia_exposed(const struct tia_exposure *exposure, int64_t sum, uint32_t count)
 {
     if (!exposure || !count || sum <= 0)
@@ -55,7 +55,7 @@ uint32_t tia_exposed(const struct tia_exposure *exposure, int64_t sum, uint32_t 
     return (uint32_t)wide_down(product, (unsigned)shift);
 }
 
-/* The number of thresholds that the value has reached, of 2^bits - 1 in rising order. */
+/* Returns how many thresholds, of 2^bits - 1 in rising order, the value has reached. */
 static unsigned reached(const uint32_t *thresholds, unsigned bits, uint32_t value)
 {
     unsigned level = 0;
@@ -66,7 +66,7 @@ static unsigned reached(const uint32_t *thresholds, unsigned bits, uint32_t valu
     return level;
 }
 
-/* The same of 8 bits, as files have them, for which it should take little time: but near black it is a step or two. */
+/* Returns the same for 8 bits, as in files, in little time: one step or two, except near black. */
 static unsigned reached8(uint32_t value)
 {
     unsigned level = tia_srgb8_from[value >> 24], end = tia_srgb8_from[(value >> 24) + 1];

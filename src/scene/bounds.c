@@ -3,7 +3,8 @@
 
 #include "scene/shapes/description.h"
 
-/* The most that the scene's fine digits can add to a box, rounded up: half a unit each for a centre and a radius. */
+/* Returns the most that the scene's fine digits can add to a box, rounded up: half a unit each for a centre and a
+ * radius. */
 static int64_t fine_margin(const struct tia_scene *scene)
 {
     return scene->fine ? 1 : 0;
@@ -69,7 +70,7 @@ void tia_bounds_in_own_axes(const struct tia_scene *scene, const struct tia_shap
     }
 }
 
-/* x as Q16.16, clamped if it does not fit. */
+/* Returns x as Q16.16, clamped if it does not fit. */
 static tia_q16 cut(int64_t x, bool *fits)
 {
     if (x < INT32_MIN || x > INT32_MAX)

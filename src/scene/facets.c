@@ -2,21 +2,21 @@
  * meets the shape.
  *
  * The chord between two of n corners of a circle of radius r is at most r (1 - cos(pi/n)) < r pi^2/(2 n^2) away from
- * it. So n^2 >= 5 r/e is enough for an error of e: 5 is more than pi^2/2 = 4.93 by what angles need that are rounded to
- * 2^-16 degree, n being at most 2^14. On a sphere a face spans such an arc both ways. With u the direction of the
- * middle of the arcs, each corner p has p.u >= r (1 - 2 (1 - cos(pi/n))), so has each point between them: there n^2 >=
- * 10 r/e. A transform makes radii and errors longer, but by no more than its largest scale. */
+ * it. So n^2 >= 5 r/e is enough for an error of e: 5 - pi^2/2 = 0.07 leaves room for the rounding of angles to 2^-16
+ * degree, n being at most 2^14. On a sphere a face spans such an arc both ways. With u the direction of the middle of
+ * the arcs, each corner p has p.u >= r (1 - 2 (1 - cos(pi/n))), so has each point between them: there n^2 >= 10 r/e. A
+ * transform makes radii and errors longer, but by no more than its largest scale. */
 #include "facets.h"
 
 #include "math/integer.h"
 
 #define AROUND_MAX (1 << 14)
 #define AROUND_MIN 8
-#define RADIUS_MAX (INT64_C(1) << 49) /* of a scene that is not checked yet: Q31.32 */
+#define RADIUS_MAX (INT64_C(1) << 49) /* largest radius in a scene that is not checked yet: Q31.32 */
 
 struct round {
-    int64_t radius; /* the largest */
-    bool ends[2];   /* of a cylinder or cone: whether they are more than a point */
+    int64_t radius; /* the largest radius */
+    bool ends[2];   /* cylinder or cone: its ends that are more than a point */
     bool capped;
 };
 
@@ -42,7 +42,7 @@ static bool round_of(const struct tia_shape *s, struct round *r)
     }
 }
 
-/* Q16.16 */
+/* Returns the transform's largest scale, Q16.16. */
 static int64_t largest_scale(const struct tia_scene *scene, const struct tia_shape *s)
 {
     if (!s->transform || s->transform > scene->transform_count)
@@ -52,7 +52,7 @@ static int64_t largest_scale(const struct tia_scene *scene, const struct tia_sha
     return most > scale->z ? most : scale->z;
 }
 
-/* The least that will do. */
+/* Returns the least number of corners that suffices. */
 static uint32_t corners_of(int64_t radius, tia_q16 error, uint32_t factor)
 {
     uint64_t size = radius < 0 ? 0 : (uint64_t)(radius < RADIUS_MAX ? radius : RADIUS_MAX);
@@ -86,7 +86,7 @@ bool tia_facets_of(const struct tia_scene *scene, uint32_t object, struct tia_fa
         s.sphere.radius = scene->spheres[object].radius;
     if (scene->tessellated <= 0 || !round_of(&s, &r))
         return false;
-    int64_t radius = r.radius + (scene->fine ? 1 : 0); /* whatever its fine digits */
+    int64_t radius = r.radius + (scene->fine ? 1 : 0); /* fine digits add at most a unit */
     facets->around = corners_of(radius * largest_scale(scene, &s), scene->tessellated, s.kind == TIA_SPHERE ? 10 : 5);
     count(&s, &r, facets);
     if (facets->around > AROUND_MAX)

@@ -1,5 +1,5 @@
-/* facets.h - into how many flat faces curved shapes are divided, so that no point of a face is farther from the surface
- * than the scene allows. */
+/* facets.h - number of flat faces of curved shapes, such that no point of a face is farther from the surface than the
+ * scene allows. */
 #ifndef TIA_SCENE_FACETS_H
 #define TIA_SCENE_FACETS_H
 
@@ -10,8 +10,8 @@ struct tia_facets {
     uint64_t points, faces;
 };
 
-/* Of a sphere, disc, cylinder or cone of a scene with `tessellated`; false: the object is none, or there it is not. Far
- * more faces than TIA_OBJECTS_MAX when the corners would be too many to place. */
+/* Gives the division of a sphere, disc, cylinder or cone of a scene with `tessellated`; false if the object is none of
+ * these, or not tessellated. Gives far more faces than TIA_OBJECTS_MAX when there would be too many corners. */
 bool tia_facets_of(const struct tia_scene *scene, uint32_t object, struct tia_facets *facets);
 
 #endif

@@ -6,7 +6,8 @@
 #include "scene/fall/fall.h"
 #include "scene/track.h"
 
-/* An interpolated direction can pass through 0, which has no direction: the light keeps its own. */
+/* Sets a light's direction. An interpolated one can pass through 0, which has no direction: the light then keeps its
+ * own. */
 static void set_direction(struct tia_dir3 *direction, struct tia_vec3 to)
 {
     if (to.x | to.y | to.z)
@@ -55,7 +56,7 @@ static bool has_track(const struct tia_scene *scene, enum tia_target first, enum
     return false;
 }
 
-/* Bytes for a copy of so many elements, or none. */
+/* Returns the bytes for a copy of `count` elements; 0 if none moves. */
 static uint64_t copy_size(bool moves, uint32_t count, size_t size)
 {
     return moves ? ALIGN(count * (uint64_t)size) : 0;
@@ -133,7 +134,7 @@ static void apply(const struct tia_scene *scene, const struct tia_track *track, 
     }
 }
 
-/* The memory for a part; NULL when it stays as it is. */
+/* Returns the memory for a part; NULL when it stays as it is. */
 static void *part(char **memory, uint64_t size)
 {
     char *here = *memory;

@@ -2,7 +2,7 @@
 
 #include "math/integer.h"
 
-/* a / b as Q2.62, rounded down; 0 <= a <= b < 2^31, b not 0. */
+/* Returns a / b as Q2.62, rounded down; 0 <= a <= b < 2^31, b not 0. */
 static int64_t fraction(int64_t a, int64_t b)
 {
     uint64_t n = (uint64_t)a << 31, d = (uint64_t)b;

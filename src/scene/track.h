@@ -1,13 +1,13 @@
-/* track.h - what keyframes say of a time. */
+/* track.h - values of tracks at a time. */
 #ifndef TIA_SCENE_TRACK_H
 #define TIA_SCENE_TRACK_H
 
 #include <tia/motion.h>
 
-/* The value of the time. */
+/* Returns a track's value at the time. */
 struct tia_vec3 tia_track_value(const struct tia_track *track, tia_q16 time);
 
-/* Of a track that shows something: whether it is there. */
+/* True if a track of visibility shows its target at the time. */
 bool tia_track_shows(const struct tia_track *track, tia_q16 time);
 
 #endif

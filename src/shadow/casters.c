@@ -5,9 +5,9 @@
 #include "scene/bvh/tree.h"
 
 #define BOX_BITS 26
-#define SEGMENT_BITS 28 /* of the ends that are not cut, so that products of two differences have less than 62 */
+#define SEGMENT_BITS 28 /* bits of ends that are not cut, so that products of two differences have less than 62 */
 #define FAR_BITS 58
-#define MOVED 48 /* 8 where the point is rounded, 1/2 for each of at most 36 halvings at either end */
+#define MOVED 48 /* 8 for the rounding of the point, 1/2 for each of at most 36 halvings at either end */
 
 /* ---- building ---- */
 
@@ -57,7 +57,7 @@ static int find_shift(const struct tia_flat_scene *flat, struct cancel *cancel)
     return bits > BOX_BITS ? bits - BOX_BITS : 0;
 }
 
-/* One more for each of the two that are rounded down, and one for the upper end. */
+/* Rounds a box: one unit more for each bound that is rounded down, and one for the upper end. */
 static struct tia_bounds enlarged(const int64_t low[3], const int64_t high[3], int shift)
 {
     int64_t more = (MOVED >> shift) + 3;
@@ -68,7 +68,7 @@ static struct tia_bounds enlarged(const int64_t low[3], const int64_t high[3], i
          (int32_t)((high[2] >> shift) + more)}};
 }
 
-/* Faces in boxes fill the items from the front, the others from the back. */
+/* Builds the tree. Faces in boxes fill the items from the front, the others from the back. */
 int tia_casters_build(struct tia_casters *casters, void *memory, const struct tia_flat_scene *flat,
                       struct cancel *cancel)
 {
@@ -97,7 +97,7 @@ int tia_casters_build(struct tia_casters *casters, void *memory, const struct ti
 
 /* ---- the ends ---- */
 
-/* a r 2^-places, r below 2^63, rounded down; false when it is not below 2^FAR_BITS in size. */
+/* Gives a r 2^-places, r below 2^63, rounded down; false when it is not below 2^FAR_BITS in size. */
 static bool scaled(int64_t a, int64_t r, int places, int64_t *out)
 {
     wide product = wide_product(a, r);
@@ -113,7 +113,7 @@ static bool scaled(int64_t a, int64_t r, int places, int64_t *out)
     return true;
 }
 
-/* 1/a 2^places */
+/* Returns 1/a 2^places. */
 static int64_t inverse(int64_t a, int *places)
 {
     unsigned zeros = tia_clz64((uint64_t)a);
@@ -122,7 +122,7 @@ static int64_t inverse(int64_t a, int *places)
     return wide_reciprocal((uint64_t)a << zeros);
 }
 
-/* The visible point: D/s; orthographic (D.x, D.y, s) 2^fraction/D.w. */
+/* Finds the visible point: D/s; in orthographic views (D.x, D.y, s) 2^fraction/D.w. */
 static bool find_point(const struct tia_seen *seen, const struct tia_lattice *l, int64_t p[3])
 {
     int64_t d[3] = {l->x + (int64_t)l->right * seen->x, l->y - (int64_t)l->down * seen->y, l->w};
@@ -155,8 +155,8 @@ static int bits_of(int64_t a)
     return a ? 64 - (int)tia_clz64((uint64_t)a) : 0;
 }
 
-/* A directional light is so far along its direction from the point that it is outside the root: 2^beyond more than four
- * times as far as both. */
+/* Finds the light's end. For a directional light it is so far along its direction from the point that it is outside the
+ * root: 2^beyond more than four times as far as both. */
 static void find_light(const struct tia_flat_scene *flat, const struct tia_casters *casters,
                        const tia_flat_light *light, const int64_t from[3], int64_t p[3])
 {
@@ -181,7 +181,7 @@ static bool meet(const struct tia_bounds *box, int shift, const int64_t a[3], co
     return true;
 }
 
-/* Moves a far end towards b, as far as what is left out does not meet the box. False: nothing meets it. */
+/* Moves a far end towards b, as far as the part cut off does not meet the box. False: no part meets it. */
 static bool cut(const struct tia_casters *casters, int64_t a[3], const int64_t b[3])
 {
     const struct tia_bounds *root = &casters->tree.nodes[0].bounds;
@@ -229,7 +229,7 @@ static int64_t size_of(int64_t a)
     return a < 0 ? -a : a;
 }
 
-/* Whether no plane at right angles to an axis, or to an axis and the segment, parts segment and box. */
+/* True if no plane at right angles to an axis, or to an axis and the segment, separates segment and box. */
 static bool touches(const struct tia_segment *s, const struct tia_bounds *box)
 {
     const int64_t size[3] = {(int64_t)box->max.x - box->min.x, (int64_t)box->max.y - box->min.y,

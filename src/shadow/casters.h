@@ -1,10 +1,9 @@
-/* casters.h - which of a scene's faces may stand between what a pixel sees and a light: a hierarchy of boxes, and the
- * way to the light as a segment that is tested with them. It finds too many faces rather than too few; occluder.h
- * decides.
+/* casters.h - finds the faces that may stand between a pixel's visible point and a light: a hierarchy of boxes, against
+ * which the segment to the light is tested. It finds too many faces rather than too few; occluder.h decides.
  *
- * Boxes have 27 bits: a unit of theirs is 2^shift of the vertices'. What is seen is rounded, the segment is cut where
- * it is far outside the root, by halving; both together move a point of it by less than 48 units of the vertices. Each
- * box is larger by that. */
+ * Boxes have 27 bits: a unit of theirs is 2^shift of the vertices'. The visible point is rounded, and the segment is
+ * cut where it is far outside the root, by halving; both together move a point of it by less than 48 units of the
+ * vertices. Each box is larger by that. */
 #ifndef TIA_SHADOW_CASTERS_H
 #define TIA_SHADOW_CASTERS_H
 
@@ -20,8 +19,9 @@ struct tia_casters {
     int shift;
 };
 
-/* Bytes of memory for so many faces, aligned for uint64_t. Then fills it in: TIA_STOPPED when cancelled. */
+/* Returns the bytes of memory for so many faces. */
 uint64_t tia_casters_size(uint64_t faces);
+/* Fills in the memory, aligned for uint64_t; TIA_STOPPED when cancelled. */
 int tia_casters_build(struct tia_casters *casters, void *memory, const struct tia_flat_scene *flat,
                       struct cancel *cancel);
 
@@ -33,7 +33,7 @@ struct tia_segment {
 enum tia_segment_kind {
     TIA_SEGMENT_MISSES, /* it comes near no box */
     TIA_SEGMENT_INSIDE,
-    TIA_SEGMENT_FAR /* what is seen is so far away that any face may be near */
+    TIA_SEGMENT_FAR /* the visible point is so far away that any face may be near */
 };
 
 enum tia_segment_kind tia_segment_init(struct tia_segment *segment, const struct tia_casters *casters,
@@ -47,10 +47,10 @@ struct tia_segment_walk {
     uint32_t stack[TIA_BVH_DEPTH_MAX + 2];
 };
 
-/* Begins, with walk->segment set. */
+/* Begins a walk, with walk->segment set. */
 void tia_segment_walk_start(struct tia_segment_walk *walk, const struct tia_casters *casters);
 
-/* The next leaf that the segment comes near, or NULL. */
+/* Returns the next leaf that the segment comes near, or NULL. */
 const struct tia_bvh_node *tia_segment_walk_leaf(struct tia_segment_walk *walk);
 
 #endif

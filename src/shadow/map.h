@@ -1,4 +1,5 @@
-/* map.h - shadow maps (Williams 1978): what a light sees, texel by texel, and where in it a point is.
+/* map.h - shadow maps (Williams 1978): the distances that a light sees, texel by texel, and a point's position among
+ * the texels.
  *
  * A map has views of size x size texels: one, in which rays are parallel or go through one point, or six that look
  * along the world's axes to both sides. Faces are drawn into them by the rasteriser: their corners are rounded once
@@ -18,14 +19,14 @@ struct tia_map_view {
     struct tia_eye eye; /* from 256 times the coordinates of tia_flat_affine */
     struct tia_lattice lattice;
     int64_t axes[3][3]; /* right, up and forward, Q1.62 */
-    uint32_t *distance; /* TIA_MAP_NOTHING where nothing is */
+    uint32_t *distance; /* TIA_MAP_NOTHING where there is no face */
 };
 
 struct tia_map {
     struct tia_map_view view[TIA_CUBE_VIEWS];
     unsigned view_count, size;
     bool parallel;
-    int64_t origin[3]; /* the light's place, or where distances of parallel rays begin */
+    int64_t origin[3]; /* the light's position, or the origin of distances along parallel rays */
     int64_t density;   /* Q.40: texels per unit, or at the distance 1 */
     int bits;          /* vertices are below 2^bits */
     int unit;          /* vertices are in units of 2^unit */
@@ -38,42 +39,43 @@ struct tia_map_light {
     tia_flat_light at;
 };
 
-/* The number of views in a light's map. */
+/* Returns the number of views in a light's map. */
 unsigned tia_map_views(const struct tia_light *light);
 
-/* A map without distances, whose views have `border` more texels on each side than the light needs. */
+/* Prepares a map without distances, whose views have `border` more texels on each side than the light needs. */
 int tia_map_init(struct tia_map *map, const struct tia_world *world, const struct tia_map_light *light, unsigned size,
                  unsigned border);
 
-/* Bytes of room to draw a map. */
+/* Returns the bytes of room to draw a map. */
 uint64_t tia_map_room(unsigned size, uint32_t faces);
 
-/* Fills in the distances. TIA_STOPPED when the cancel has stopped it. */
+/* Draws the distances; TIA_STOPPED when cancelled. */
 int tia_map_draw(const struct tia_map *map, const struct tia_flat_scene *flat, void *room, struct cancel *cancel);
 
-/* The corners of a face as a view has them; returns how many. */
+/* Gives the corners of a face in a view; returns their number. */
 unsigned tia_map_corners(const struct tia_map *map, const struct tia_map_view *view, const struct tia_flat_scene *flat,
                          uint32_t face, struct tia_raster_vertex corners[TIA_SIDES]);
 
 /* A face's plane, whose f in raster.h is here x i + y j + c in units that leave 62 bits. */
 struct tia_map_plane {
     int64_t x, y, c;
-    int64_t factor; /* distances are factor/f, or of parallel rays factor f, */
-    int places;     /* 2^-places; as maps keep them */
+    int64_t factor; /* distances are factor/f, or for parallel rays factor f, */
+    int places;     /* times 2^-places, in the unit of maps */
 };
 
 void tia_map_plane_init(struct tia_map_plane *plane, const struct tia_map *map, const struct tia_map_view *view,
                         const struct tia_raster_plane *given);
 
-/* In the middle of texel (i, j): to 2^-30 of itself, and rounded; 0 where the plane is not in front of the light. */
+/* Returns the distance in the middle of texel (i, j): within 2^-30 of itself, and rounded; 0 where the plane is not in
+ * front of the light. */
 uint32_t tia_map_distance(const struct tia_map *map, const struct tia_map_plane *plane, int i, int j);
 
-/* A point's place in a map. */
+/* A point's position in a map. */
 struct tia_map_spot {
     const struct tia_map_view *view;
-    int64_t u, v;     /* texels, Q.16, from the upper left corner; anything beyond the map is clamped to 2^40 */
+    int64_t u, v;     /* texels, Q.16, from the upper left corner; clamped to 2^40 beyond the map */
     int64_t distance; /* TIA_WORLD_BITS fraction bits */
-    int64_t texel;    /* how long a texel is there, the same */
+    int64_t texel;    /* size of a texel there, likewise */
 };
 
 void tia_map_find(const struct tia_map *map, const int64_t place[3], struct tia_map_spot *spot);

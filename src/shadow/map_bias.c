@@ -42,7 +42,7 @@ void tia_map_face(struct tia_map_point *point, const tia_flat_light *light, uint
     (void)wide_normalise(normal, point->normal);
 }
 
-/* Of the angle between the normal and the way to the light, Q.16. */
+/* Returns the tangent of the angle between the normal and the direction to the light, Q.16. */
 static int64_t tangent(const struct tia_map_point *point, const int64_t place[3])
 {
     const struct tia_map *map = point->map;
@@ -68,7 +68,7 @@ static void move(struct tia_map_point *point, const int64_t place[3], int64_t by
     tia_map_find(point->map, moved, &point->spot);
 }
 
-/* The face's plane as the view has it. It may lie between the middles of texels, or end just beside the view. */
+/* Finds the face's plane in the view. The face may lie between the middles of texels, or end just beside the view. */
 static void find_plane(struct tia_map_point *point)
 {
     const struct tia_map_view *view = point->spot.view;
@@ -123,7 +123,8 @@ int64_t tia_map_read(const struct tia_map_point *point, int64_t i, int64_t j)
     return (int64_t)texel(point, i, j) << point->map->coarse;
 }
 
-/* The plane is in the texels as the map's faces are: the face itself is exactly at the limit without slack. */
+/* Returns the limit at a texel. The plane is rounded to texels like the map's faces: without slack, the face itself is
+ * exactly at the limit. */
 static int64_t limit_at(const struct tia_map_point *point, int64_t i, int64_t j)
 {
     const struct tia_map *map = point->map;

@@ -2,8 +2,8 @@
 
 #include "math/wide.h"
 
-#define WIDEST 8 /* no more than a map's size over this is searched or filtered to each side */
-#define STEPS 4  /* taps to each side, where texels are left out */
+#define WIDEST 8 /* a search or filter reaches at most a map's size over this to each side */
+#define STEPS 4  /* taps to each side, when texels are skipped */
 
 unsigned tia_map_border(enum tia_filter filter)
 {
@@ -45,7 +45,7 @@ static unsigned square(const struct tia_map_point *p, int half)
     return part(lit, side * side);
 }
 
-/* 16 points of a disc of radius 3, none near another: Q.6 texels; turned by multiples of 45 degrees. */
+/* Filters by 16 points of a disc of radius 3, none near another: Q.6 texels; turned by multiples of 45 degrees. */
 static unsigned poisson(const struct tia_map_point *p, unsigned turn)
 {
     static const int16_t disc[16][2] = {{26, 31},    {-93, -3},  {-25, -94},  {88, -60},   {-63, 96},  {118, 44},
@@ -70,8 +70,8 @@ static int64_t least(int64_t a, int64_t b)
     return a < b ? a : b;
 }
 
-/* The mean distance of the blockers, texels up to `reach` away that are nearer than the point; -1 where there are
- * none. */
+/* Returns the mean distance of the blockers, texels up to `reach` away that are nearer than the point; -1 where there
+ * are none. */
 static int64_t find_blocker(const struct tia_map_point *p, int64_t reach)
 {
     int64_t step = reach > STEPS ? reach / STEPS : 1, sum = 0, count = 0;
@@ -99,8 +99,8 @@ static unsigned disc(const struct tia_map_point *p, int64_t k)
     return part(lit, taps);
 }
 
-/* The light's radius R is seen R/w wide from the point at the distance w, and from a hole at b its disc is
- * R (w - b)/(b w) wide. */
+/* Filters by the penumbra's width: a light of radius R is seen R/w wide from the point at the distance w, and through a
+ * hole at b its disc is R (w - b)/(b w) wide. */
 static unsigned pcss(const struct tia_map_point *p, int64_t radius)
 {
     int64_t widest = p->map->size / WIDEST, texels = wide_quotient(radius, p->spot.texel, 16); /* Q.16 */

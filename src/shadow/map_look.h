@@ -1,11 +1,11 @@
-/* map_look.h - how much light a shadow map lets come to a point: biases and filters, see tia/shadow.h. */
+/* map_look.h - the share of light that a shadow map lets through to a point: biases and filters, see tia/shadow.h. */
 #ifndef TIA_SHADOW_MAP_LOOK_H
 #define TIA_SHADOW_MAP_LOOK_H
 
 #include "map.h"
 #include "technique.h"
 
-/* How maps are made and read: the scene's settings, with defaults filled in. */
+/* The scene's settings for maps, with defaults filled in. */
 struct tia_map_look {
     unsigned size;
     enum tia_bias bias;
@@ -15,35 +15,36 @@ struct tia_map_look {
 
 void tia_map_look_init(struct tia_map_look *look, const struct tia_scene *scene);
 
-/* The largest distance of a tap from the point's texel, except with TIA_FILTER_PCSS. */
+/* Returns the largest distance of a tap from the point's texel, except with TIA_FILTER_PCSS. */
 unsigned tia_map_border(enum tia_filter filter);
 
-/* A point of a face that is turned to the light, and where the map has it. */
+/* A point of a face that is turned to the light, and its position in the map. */
 struct tia_map_point {
     const struct tia_map *map;
     const struct tia_world *world;
     uint32_t face;
-    int64_t normal[3];             /* the face's, towards the light, Q1.62 */
-    const struct tia_map_view *of; /* of which the plane is, or NULL */
-    struct tia_map_plane plane;    /* the face's; kept for TIA_BIAS_PLANE only */
+    int64_t normal[3];             /* the face's normal, towards the light, Q1.62 */
+    const struct tia_map_view *of; /* view that the plane belongs to, or NULL */
+    struct tia_map_plane plane;    /* the face's plane; used for TIA_BIAS_PLANE only */
     struct tia_map_spot spot;
     int64_t limit,
-        slack; /* the least distance of what does not shadow it; TIA_BIAS_PLANE: the plane's less the slack */
+        slack; /* least distance of texels that do not shadow it; TIA_BIAS_PLANE: the plane's less the slack */
 };
 
-/* Points of a face come next. */
+/* Begins a face; the next points are on it. */
 void tia_map_face(struct tia_map_point *point, const tia_flat_light *light, uint32_t face);
 
 void tia_map_place(struct tia_map_point *point, const struct tia_map_look *look, const int64_t place[3]);
 
-/* Whether texel (i, j) lets light to the point. Beyond a single view is light; beyond a cube's is its border's. */
+/* True if texel (i, j) lets light through to the point. Beyond a single view there is light; beyond a cube's, its
+ * border's. */
 bool tia_map_tap(const struct tia_map_point *point, int64_t i, int64_t j);
 
-/* The distance that a tap reads, TIA_WORLD_BITS fraction bits. */
+/* Returns the distance that a tap reads, TIA_WORLD_BITS fraction bits. */
 int64_t tia_map_read(const struct tia_map_point *point, int64_t i, int64_t j);
 
-/* The share of the light that reaches the point. The light's radius has TIA_WORLD_BITS fraction bits; `turn` is any
- * number that differs from pixel to pixel. */
+/* Returns the share of the light that reaches the point. The light's radius has TIA_WORLD_BITS fraction bits; `turn` is
+ * any number that differs from pixel to pixel. */
 unsigned tia_map_share(const struct tia_map_point *point, enum tia_filter filter, int64_t radius, unsigned turn);
 
 #endif

@@ -1,4 +1,4 @@
-/* map_view.c - where a light looks, and where in that a point is. */
+/* map_view.c - the views of a light's map, and a point's position in them. */
 #include "map.h"
 
 #include "math/trig.h"
@@ -7,7 +7,7 @@
 
 #define ONE (INT64_C(1) << 62)
 #define DENSITY_BITS 40
-#define LEAST_HALF (INT64_C(1) << (TIA_WORLD_BITS - 8)) /* half the width of the view of a scene that has none */
+#define LEAST_HALF (INT64_C(1) << (TIA_WORLD_BITS - 8)) /* half the width of the view of a scene without extent */
 
 unsigned tia_map_views(const struct tia_light *light)
 {
@@ -29,7 +29,7 @@ static void along_world(int64_t axes[3][3], unsigned view)
     axes[2][forward] = view % 2 ? -ONE : ONE;
 }
 
-/* Any axes with this one forward. */
+/* Gives axes with this one forward. */
 static void along_direction(int64_t axes[3][3], const int64_t forward[3])
 {
     int64_t aside[3] = {0, 0, 0}, across[3];
@@ -53,10 +53,10 @@ static int64_t dot(const int64_t axis[3], const int64_t place[3])
 
 /* ---- from the scene's coordinates to a view's ---- */
 
-/* axis times scale 2^-scale_places, of what world says of a vertex */
+/* Returns axis times scale 2^-scale_places, for a vertex in the world's coordinates. */
 static struct tia_eye_row row_of(const struct tia_world *world, const int64_t axis[3], int64_t scale, int scale_places)
 {
-    int shift = 0, spread = 8 + world->flat->lattice.fraction - 32; /* of 256 times a coordinate, for Q.32 */
+    int shift = 0, spread = 8 + world->flat->lattice.fraction - 32; /* for 256 times a coordinate, in Q.32 */
     struct tia_eye_row row = {.offset = 0};
     wide product[3];
 
@@ -97,7 +97,7 @@ static void make_rows(struct tia_map *map, const struct tia_world *world, struct
     view->eye.row[2].offset_places = TIA_WORLD_BITS;
 }
 
-/* 256 times an affine coordinate */
+/* Gives 256 times an affine coordinate. */
 static void spread(const struct tia_flat_scene *flat, const struct tia_raster_vertex *v, int64_t out[3])
 {
     tia_flat_affine(flat, v, out);
@@ -105,7 +105,7 @@ static void spread(const struct tia_flat_scene *flat, const struct tia_raster_ve
         out[k] *= 256;
 }
 
-/* Vertices must be below 2^20; where the scene reaches farther, their unit is larger. */
+/* Prepares the lattice. Vertices must be below 2^20; where the scene reaches farther, their unit is larger. */
 static int make_lattice(struct tia_map *map, const struct tia_flat_scene *flat)
 {
     unsigned range = 0;
@@ -134,9 +134,9 @@ static int make_lattice(struct tia_map *map, const struct tia_flat_scene *flat)
     return status;
 }
 
-/* ---- what light there is ---- */
+/* ---- the extent of views ---- */
 
-/* Around all points: the origin is in the middle of their sides that face the light. */
+/* Fits a view around all points: the origin is in the middle of their sides that face the light. */
 static void fit(struct tia_map *map, const struct tia_world *world, int64_t texels)
 {
     const struct tia_flat_scene *flat = world->flat;
@@ -210,7 +210,7 @@ int tia_map_init(struct tia_map *map, const struct tia_world *world, const struc
     return make_lattice(map, world->flat);
 }
 
-/* ---- where a point is ---- */
+/* ---- a point's position ---- */
 
 static const struct tia_map_view *facing(const struct tia_map *map, const int64_t d[3])
 {
@@ -224,7 +224,7 @@ static const struct tia_map_view *facing(const struct tia_map *map, const int64_
     return &map->view[2 * most + (d[most] < 0)];
 }
 
-/* Texels from the middle of the view. */
+/* Returns the texels from the middle of the view. */
 static int64_t across(const struct tia_map *map, int64_t at, int64_t distance)
 {
     int64_t tangent = map->parallel  ? at

@@ -4,9 +4,9 @@
 #include "raster/forms_wide.h"
 #include "raster/halves.h"
 
-#define NOTHING (-(1 << 14)) /* the exponent of 0: lower than of anything else */
+#define NOTHING (-(1 << 14)) /* the exponent of 0: less than any other */
 
-/* a = m 2^exponent, m in 2^61..2^62 in size, rounded towards 0. */
+/* Returns the mantissa of a = m 2^exponent, m in 2^61..2^62 in size, rounded towards 0. */
 static int64_t mantissa(wide a, int *exponent)
 {
     wide size = wide_size(a);
@@ -17,7 +17,7 @@ static int64_t mantissa(wide a, int *exponent)
     return wide_is_negative(a) ? -m : m;
 }
 
-/* ---- what is seen ---- */
+/* ---- visible points ---- */
 
 static struct wide_form form_of_plane(const struct tia_raster_plane *plane)
 {
@@ -33,7 +33,7 @@ void tia_seen_face_init(struct tia_seen_face *of, const struct tia_flat_scene *f
     of->reciprocal = of->bits ? wide_reciprocal((uint64_t)wide_high(wide_up(det, (unsigned)(128 - of->bits)))) : 0;
 }
 
-/* A mantissa below 2^62 times a reciprocal of 2^62..2^63. */
+/* Prepares a visible point: a mantissa below 2^62 times a reciprocal of 2^62..2^63. */
 void tia_seen_init(struct tia_seen *seen, const struct tia_seen_face *of, int x, int y)
 {
     struct wide_form form = form_of_plane(of->plane);
@@ -77,7 +77,7 @@ static struct plane plane_through(const struct tia_raster_vertex *const v[3])
     return plane;
 }
 
-/* Its own for k = 0, else that through the light and the edge from corner k - 1 to the next. */
+/* Returns the face's own plane for k = 0, else that through the light and the edge from corner k - 1 to the next. */
 static struct plane plane_of(const struct tia_occluder *o, unsigned k)
 {
     const struct tia_flat_face *face = &o->flat->faces[o->face];
@@ -103,7 +103,7 @@ static int64_t cut(wide a, int unit)
     return unit ? wide_down(a, (unsigned)unit) : (int64_t)wide_low(a);
 }
 
-/* Pixels are below 2^13, so each of the three products is below 2^60. */
+/* Prepares a plane. Pixels are below 2^13, so each of the three products is below 2^60. */
 static void prepare(struct tia_occluder_plane *p, const struct plane *plane, const struct tia_lattice *lattice)
 {
     struct wide_form form = wide_form_of(plane->n, lattice);
@@ -122,7 +122,7 @@ static void prepare(struct tia_occluder_plane *p, const struct plane *plane, con
 
 /* ---- sides ---- */
 
-/* The sign of M.D - m s, or 0 when the filter does not know it. */
+/* Returns the sign of M.D - m s, or 0 when the filter cannot decide it. */
 static int sure_side(const struct tia_occluder_plane *p, const struct tia_seen *seen)
 {
     int64_t a = p->c + p->x * seen->x + p->y * seen->y, b = wide_down(wide_product(p->m, seen->nearness), 62);
@@ -135,7 +135,7 @@ static int sure_side(const struct tia_occluder_plane *p, const struct tia_seen *
     return a - b > p->unsure ? 1 : a - b < -p->unsure ? -1 : 0;
 }
 
-/* 0: the planes are the same. */
+/* Returns the exact sign; 0: the planes are the same. */
 static int exact_side(const struct tia_occluder *o, unsigned k, const struct tia_seen *seen)
 {
     struct plane plane = plane_of(o, k);
@@ -158,7 +158,7 @@ static int side_of(const struct tia_occluder *o, unsigned k, const struct tia_se
     return side ? side : exact_side(o, k, seen);
 }
 
-/* On which side of the face's plane the light is. */
+/* Returns the side of the face's plane that the light is on. */
 static int side_of_light(const struct plane *own, const tia_flat_light *light)
 {
     int64_t q[3];

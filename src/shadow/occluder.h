@@ -1,7 +1,7 @@
-/* occluder.h - whether a face stands between a visible point and a light, by the signs of integers.
+/* occluder.h - tests exactly if a face stands between a visible point and a light, by the signs of integers.
  *
- * Of a plane N.(x, y, w) = d h, a pixel that looks along D sees the point (D, s) with s = N.D/d, whatever the
- * projection, see raster.h. Another plane M.(x, y, w) = m h has that point on the side of
+ * A pixel with the direction D sees the point (D, s), s = N.D/d, of a plane N.(x, y, w) = d h, whatever the projection,
+ * see raster.h. Another plane M.(x, y, w) = m h has that point on the side of
  *
  *     M.D - m s,   which for d > 0 has the sign of   (M.D) d - m (N.D).
  *
@@ -26,7 +26,7 @@ struct tia_seen_face {
     int bits;
 };
 
-/* What pixel (x, y) of the image sees of it: s is nearness 2^exponent. */
+/* The point that pixel (x, y) sees: s is nearness 2^exponent. */
 struct tia_seen {
     const struct tia_seen_face *of;
     int x, y;
@@ -34,37 +34,37 @@ struct tia_seen {
     int exponent;
 };
 
-/* For the filter, at pixel (i, j): M.D is (x i + y j + c) 2^unit, m is m 2^m_unit. Differences up to `unsure` decide
- * nothing. */
+/* A plane for the filter at pixel (i, j): M.D is (x i + y j + c) 2^unit, m is m 2^m_unit. Differences up to `unsure`
+ * are undecided. */
 struct tia_occluder_plane {
     int64_t x, y, c, m;
     int32_t unsure;
     int16_t unit, m_unit;
 };
 
-/* A face before a light. */
+/* A face in front of a light. */
 struct tia_occluder {
     const struct tia_flat_scene *flat;
     const tia_flat_light *light;
     uint32_t face;
-    uint32_t flush; /* a face in whose plane it has been found to lie, or TIA_NO_FACE */
+    uint32_t flush; /* a face found to lie in the same plane, or TIA_NO_FACE */
     unsigned sides;
-    int side;                                       /* of all planes that what it hides is on; 0 hides nothing */
-    struct tia_occluder_plane plane[TIA_SIDES + 1]; /* its own, then those of its edges */
+    int side; /* side of all planes that the hidden points are on; 0: it hides none */
+    struct tia_occluder_plane plane[TIA_SIDES + 1]; /* its own plane, then those of its edges */
 };
 
-/* For a face that some pixel sees. */
+/* Prepares a face that some pixel sees. */
 void tia_seen_face_init(struct tia_seen_face *of, const struct tia_flat_scene *flat, uint32_t face);
 
-/* For a pixel that sees it. */
+/* Prepares a pixel that sees it. */
 void tia_seen_init(struct tia_seen *seen, const struct tia_seen_face *of, int x, int y);
 
-/* False when the light is in the face's plane, so that it hides nothing. Keeps both pointers. */
+/* Prepares an occluder; false when the light is in the face's plane, so that it hides no point. Keeps both pointers. */
 bool tia_occluder_init(struct tia_occluder *occluder, const struct tia_flat_scene *flat, const tia_flat_light *light,
                        uint32_t face);
 
-/* Whether the face hides the light from what the pixel sees; never from itself. Takes it for granted that the side
- * that is seen is turned to the light: a face that is not is dark. */
+/* True if the face hides the light from the pixel's visible point; never from itself. The visible side must be turned
+ * to the light: a face that is not is dark. */
 bool tia_occluder_hides(struct tia_occluder *occluder, const struct tia_seen *seen);
 
 #endif

@@ -4,7 +4,7 @@
 
 #define OCCLUDERS 16
 
-/* Coherence between neighbouring pixels. */
+/* Data for the coherence between neighbouring pixels. */
 struct rays {
     const struct tia_flat_scene *flat;
     const struct tia_casters *casters;
@@ -12,8 +12,8 @@ struct rays {
     struct cancel *cancel;
     struct tia_seen_face of;
     bool turned;
-    uint32_t last;                           /* what hid the light last */
-    struct tia_occluder occluder[OCCLUDERS]; /* face f is number f mod OCCLUDERS, if it is there */
+    uint32_t last;                           /* the last face that hid the light */
+    struct tia_occluder occluder[OCCLUDERS]; /* occluder of face f, if present, at f mod OCCLUDERS */
 };
 
 static bool hides(struct rays *rays, uint32_t face, const struct tia_seen *seen)

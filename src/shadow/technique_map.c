@@ -1,4 +1,4 @@
-/* technique_map.c - each sample of a light has a shadow map. */
+/* technique_map.c - a shadow map for each sample of a light. */
 #include "map_look.h"
 #include "math/align.h"
 #include "math/wide.h"
@@ -6,11 +6,11 @@
 #include "raster/target.h"
 #include "scene/axes.h"
 
-/* Behind the struct: maps, room to draw one, distances. */
+/* The data behind the struct: maps, room to draw one, distances. */
 struct maps {
     struct tia_map_look look;
     struct tia_world world;
-    struct tia_map *map; /* of each sample */
+    struct tia_map *map; /* for each sample */
     int64_t radius[TIA_SHADOW_SAMPLES];
     void *room;
     uint32_t *distance;
@@ -40,7 +40,7 @@ static void add_light(struct demand *demand, const struct tia_scene *scene, cons
     demand->texels += (uint64_t)samples * tia_map_views(light) * look.size * look.size;
 }
 
-/* Of all lights and keys, whichever are pressed. */
+/* Returns the demand of all lights and keys, whichever are pressed. */
 static struct demand demand_of(const struct tia_scene *scene)
 {
     struct demand demand = {0, 0};
@@ -99,7 +99,7 @@ static int prepare(struct tia_shadow_view *view, struct cancel *cancel)
     return TIA_OK;
 }
 
-/* Of the disc that is as large as the light. */
+/* Returns the radius of a disc with the light's area. */
 static int64_t radius_of(const struct tia_light *light)
 {
     const int64_t a[3] = {light->side[0].x, light->side[0].y, light->side[0].z};
@@ -146,14 +146,14 @@ static int set_lights(struct tia_shadow_view *view, struct cancel *cancel)
 
 /* ---- light ---- */
 
-#define PIXEL_WORK 4 /* items, see cancel.h: PCSS has two hundred taps */
+#define PIXEL_WORK 4 /* items of a pixel, see cancel.h: PCSS has two hundred taps */
 
 struct lighting {
     const struct tia_shadow_view *view;
-    struct tia_world world; /* as the view's pixels see it, the samples of a pixel differ */
+    struct tia_world world; /* in the coordinates of the view's pixels; a pixel's samples differ */
     struct tia_shadow_tile *tile;
     unsigned sample, shares;
-    bool turned; /* the point's face is, to the light */
+    bool turned; /* the point's face is turned to the light */
     struct tia_map_point point;
 };
 

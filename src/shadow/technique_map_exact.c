@@ -1,17 +1,17 @@
 /* technique_map_exact.c - the alias-free map (Aila and Laine 2004; Johnson, Lee, Burns and Mark 2005): its samples are
- * the points that the pixels of a tile see. They are filed by the cell of the light's view that they fall into; faces
- * are drawn into that view a cell too large, and each face is tested exactly (occluder.h) against all points in the
- * cells that it covers. So the answer is that of exact rays, and the number of cells changes only the cost.
+ * the visible points of a tile's pixels. They are filed by the cell of the light's view that they fall into; faces are
+ * drawn into that view a cell too large, and each face is tested exactly (occluder.h) against all points in the cells
+ * that it covers. So the result is that of exact rays, and the number of cells changes only the cost.
  *
- * Why no face is missed. Let a face hide the light from a point P that a pixel sees. The segment between them meets the
- * face, so seen from the light P lies in the face's image, or on its border where the tie rule moved the pixel. P is
- * filed by a rounded place; the centre of that cell is less than a column and a row from P
- * (tests/proofs/shadow_map_exact.g, with the numbers of ranges.h; larger cells are off by a smaller part of
- * themselves). A face is drawn with each edge moved outwards by a column and a row: what is e(x, y) >= 0 at P is at
- * least -(|e.x| + |e.y|) at the centre. So that cell is covered, and the face is tested against P. To a point light the
- * image is exact, and P too near is tested against all faces. To a direction, corners are rounded, and P's image with
- * them, being their mean; thin faces are a box; and P beyond all corners can be hidden by planes alone. Nor is anything
- * hidden that should not be: the test's integers are those of exact rays. */
+ * No face is missed. Let a face hide the light from a visible point P. The segment between them meets the face, so seen
+ * from the light P lies in the face's image, or on its border where the tie rule moved the pixel. P is filed by a
+ * rounded position; the centre of that cell is less than a column and a row from P (tests/proofs/shadow_map_exact.g,
+ * with the numbers of ranges.h; larger cells are off by a smaller part of themselves). A face is drawn with each edge
+ * moved outwards by a column and a row: an edge e(x, y) >= 0 at P is at least -(|e.x| + |e.y|) at the centre. So that
+ * cell is covered, and the face is tested against P. To a point light the image is exact, and P too near is tested
+ * against all faces. To a direction, corners are rounded, and P's image with them, being their mean; thin faces are a
+ * box; and P beyond all corners can be hidden by planes alone. Nor is a point hidden wrongly: the test's integers are
+ * those of exact rays. */
 #include "math/wide.h"
 #include "occluder.h"
 #include "places.h"
@@ -20,11 +20,11 @@
 #include "raster/target.h"
 #include "technique.h"
 
-#define VIEWS 6 /* of a point; a direction has one */
+#define VIEWS 6 /* views of a point; a direction has one */
 #define NONE UINT32_MAX
-#define ASIDE (UINT32_MAX - 1) /* asked already */
+#define ASIDE (UINT32_MAX - 1) /* tested already */
 
-/* What a pixel keeps: the first of those in a cell of its number, and the next one in its own cell. */
+/* A pixel's links: the first pixel filed in the cell with its number, and the next pixel in its own cell. */
 struct filed {
     uint32_t head, next;
 };
@@ -32,7 +32,7 @@ struct filed {
 /* The light's view of the tile's points in one direction. */
 struct cells {
     uint32_t count, base, x0, y0, x1, y1; /* x0 .. x1 - 1 */
-    unsigned shift;                       /* from cells of 2^-CELL_BITS */
+    unsigned shift;                       /* cells are 2^shift of the smallest, 2^-CELL_BITS */
 };
 
 struct exact {
@@ -43,13 +43,13 @@ struct exact {
     struct filed *filed;
     uint64_t bit;
     struct tia_places places;
-    struct tia_seen_face of; /* of the pixel that was asked about last */
+    struct tia_seen_face of; /* the last pixel tested */
     bool turned;
     struct cells cells[VIEWS];
-    const struct cells *now; /* those that are drawn into */
+    const struct cells *now; /* the cells being drawn into */
     struct tia_occluder occluder;
     uint32_t face;
-    bool ready, casts; /* the face's occluder */
+    bool ready, casts; /* casts: the face has an occluder */
 };
 
 /* ---- filing ---- */
@@ -85,7 +85,7 @@ static bool is_hidden(struct exact *e, struct tia_occluder *o, uint32_t number)
     return tia_occluder_hides(o, &seen);
 }
 
-/* Asks faces one by one: all, or those of planes, which have no end. */
+/* Tests a pixel against faces by brute force: all faces, or only those of planes, which are infinite. */
 static void ask_all(struct exact *e, uint32_t number, bool endless)
 {
     const struct tia_flat_scene *flat = &e->view->flat;
@@ -111,7 +111,7 @@ static uint32_t cell(int64_t a)
     return (uint32_t)(i < 0 ? 0 : i < last ? i : last);
 }
 
-/* Which view, and which of its smallest cells; ASIDE when that is not needed or not sure. */
+/* Returns the view and the smallest cell of a point; ASIDE when it is not needed or not certain. */
 static uint32_t find(struct exact *e, uint32_t number, int64_t at[3])
 {
     const int64_t limit = (INT64_C(1) << ACROSS_BITS) + (INT64_C(1) << 20);
@@ -152,7 +152,7 @@ static void include(struct cells *c, uint32_t x, uint32_t y)
 #define Y_OF(spot) ((spot) >> CELL_BITS & ((1u << CELL_BITS) - 1))
 #define VIEW_OF(spot) ((spot) >> 2 * CELL_BITS)
 
-/* Finds the place of each pixel whose face is turned to the light: it is lit until a face is found that hides it. */
+/* Locates each pixel whose face is turned to the light: it is lit until a face is found that hides it. */
 static void locate(struct exact *e, uint32_t number)
 {
     const struct tia_raster_target *t = &e->tile->target;
@@ -179,7 +179,7 @@ static void locate(struct exact *e, uint32_t number)
         include(&e->cells[VIEW_OF(*spot)], X_OF(*spot), Y_OF(*spot));
 }
 
-/* No more cells than pixels. */
+/* Chooses the cells' sizes: no more cells than pixels. */
 static void choose_sizes(struct exact *e)
 {
     uint32_t base = 0;
@@ -256,7 +256,7 @@ static void ask_box(struct exact *e, uint32_t x0, uint32_t y0, uint32_t x1, uint
         ask_run(e, (int)y, (int)x0, (int)x1);
 }
 
-/* The cells around three corners, and one more to each side. */
+/* Tests the cells around three corners, and one more to each side. */
 static void ask_around(struct exact *e, const struct tia_raster_vertex *v)
 {
     uint32_t x0 = NONE, y0 = NONE, x1 = 0, y1 = 0;
@@ -271,7 +271,7 @@ static void ask_around(struct exact *e, const struct tia_raster_vertex *v)
     ask_box(e, x0 ? x0 - 1 : 0, y0 ? y0 - 1 : 0, x1 + 2, y1 + 2);
 }
 
-/* Corners as a point sees them are exact. */
+/* Gives corners in a point light's view, which are exact. */
 static void seen_from_point(const struct exact *e, unsigned view, struct tia_raster_vertex *v)
 {
     const struct tia_flat_scene *flat = &e->view->flat;
@@ -286,8 +286,8 @@ static void seen_from_point(const struct exact *e, unsigned view, struct tia_ras
     *v = (struct tia_raster_vertex){d[(k + 1) % 3], d[(k + 2) % 3], view % 2 ? -d[k] : d[k], 0};
 }
 
-/* Corners in a direction's view are rounded. Where that could change the order of corners, their box is used. False: a
- * plane, which is everywhere. */
+/* Prepares corners in a direction's view, which are rounded. Where that could change the order of corners, their box is
+ * used. False: a plane, which is everywhere. */
 static bool is_flattened(const struct exact *e, struct tia_raster_vertex *v, unsigned count)
 {
     for (unsigned i = 0; i < count; i++) {
@@ -330,7 +330,7 @@ static void draw(struct exact *e, const struct tia_lattice *lattice, uint32_t fa
         tia_polygon_rows(&p, ask_run, e);
 }
 
-/* Of a silhouette's object, whatever hides a point has a face turned to the light on the way. */
+/* Draws an object. With a silhouette, faces turned to the light suffice: any ray to a hidden point meets one. */
 static void draw_object(struct exact *e, const struct tia_lattice *lattice, const struct tia_flat_object *object)
 {
     const struct tia_flat_scene *flat = &e->view->flat;

@@ -1,4 +1,4 @@
-/* technique_rays.c - each light's shadows are exact rays. */
+/* technique_rays.c - shadows by exact rays. */
 #include "math/align.h"
 #include "rays.h"
 

@@ -1,14 +1,14 @@
-/* technique_volumes.c - each light's shadows are shadow volumes, counted at each pixel. */
+/* technique_volumes.c - shadows by shadow volumes, counted at each pixel. */
 #include "math/align.h"
 #include "rays.h"
 
-/* How the volumes of a sample are counted: behind the visible point or in front of it. Where both are undecided, rays
+/* The way of counting a sample's volumes: behind the visible point or in front of it. Where both are undecided, rays
  * decide. */
 enum counts { BEHIND, BEFORE, NOT };
 
 struct counted {
     enum counts where;
-    uint32_t start; /* the count begins with it, and light arrives where it ends with 0 */
+    uint32_t start; /* initial value of the count; light arrives where it ends with 0 */
 };
 
 struct volumes {
@@ -60,7 +60,7 @@ static int set_lights(struct tia_shadow_view *view, struct cancel *cancel)
     return cancel->stopped ? TIA_STOPPED : TIA_OK;
 }
 
-/* A face is dark where it is turned away from the light, and where volumes hold it. */
+/* Keeps the lit pixels: a face is dark where it is turned away from the light, and where volumes contain it. */
 static void keep_lit(const struct tia_shadow_view *view, struct tia_shadow_tile *tile, unsigned sample)
 {
     const struct tia_tile *area = &tile->target.area;

@@ -15,7 +15,7 @@ static int sign(wide a)
     return wide_is_negative(a) ? -1 : wide_bits(a) != 0;
 }
 
-/* (a x b).c, each below 2^41 in size: below 2^126. */
+/* Returns the sign of (a x b).c, each below 2^41 in size: below 2^126. */
 static int orientation(const int64_t a[3], const int64_t b[3], const int64_t c[3])
 {
     wide sum = wide_product(0, 0);
@@ -28,7 +28,7 @@ static int orientation(const int64_t a[3], const int64_t b[3], const int64_t c[3
     return sign(sum);
 }
 
-/* From a face's first corner, a point, to v; a direction as it is. */
+/* Gives the vector from a face's first corner, a point, to v; a direction stays. */
 static void relative(const struct tia_flat_scene *flat, const struct tia_flat_face *face,
                      const struct tia_raster_vertex *v, int64_t out[3])
 {
@@ -42,7 +42,7 @@ static void relative(const struct tia_flat_scene *flat, const struct tia_flat_fa
         out[i] -= first[i];
 }
 
-/* x, y, w are left-handed, x, y, h right-handed. */
+/* x, y, w are left-handed, x, y, h right-handed */
 int tia_flat_side(const struct tia_flat_scene *flat, const struct tia_flat_face *face, const tia_flat_light *light)
 {
     int64_t a[3], b[3], c[3];
@@ -54,7 +54,7 @@ int tia_flat_side(const struct tia_flat_scene *flat, const struct tia_flat_face 
     return flat->eye.projection == TIA_ORTHOGRAPHIC ? turn : -turn;
 }
 
-/* The eye has only the fourth coordinate, whatever the projection. */
+/* The eye: only the fourth coordinate is not 0, whatever the projection. */
 static const struct tia_raster_vertex eye = {0, 0, 0, 1};
 
 int tia_flat_side_of_eye(const struct tia_flat_scene *flat, const struct tia_flat_face *face)
@@ -69,10 +69,10 @@ bool tia_flat_is_turned(const struct tia_flat_scene *flat, uint32_t face, const 
     return side && side == tia_flat_side_of_eye(flat, &flat->faces[face]);
 }
 
-/* ---- who casts ---- */
+/* ---- casters ---- */
 
-/* The half-space before a plane holds all that is seen. In orthographic views rays start at the window, which the plane
- * may cross. */
+/* True if the plane hides no visible point: the half-space before it contains them all. In orthographic views rays
+ * start at the window, which the plane may cross. */
 bool tia_flat_hides_nothing(const struct tia_flat_scene *flat, const struct tia_flat_object *object,
                             const tia_flat_light *light)
 {
@@ -82,12 +82,12 @@ bool tia_flat_hides_nothing(const struct tia_flat_scene *flat, const struct tia_
            tia_flat_side(flat, face, light) * tia_flat_side_of_eye(flat, face) > 0;
 }
 
-/* A face as it casts: its corners run counterclockwise seen from the light. */
+/* A casting face: its corners run counterclockwise seen from the light. */
 struct caster {
     const struct tia_flat_face *face;
     unsigned sides;
     bool turned;          /* the corners run in reverse order */
-    bool side[TIA_SIDES]; /* whether side k, from corner k to the next, is part of the silhouette */
+    bool side[TIA_SIDES]; /* side k, from corner k to the next, is part of the silhouette */
 };
 
 static bool is_between(const int64_t low[3], const int64_t at[3], const int64_t high[3])
@@ -96,7 +96,7 @@ static bool is_between(const int64_t low[3], const int64_t at[3], const int64_t 
            at[2] <= high[2];
 }
 
-/* Whether the eye is outside a box; orthographic, where the eye is at infinity, whether the window is. */
+/* True if the eye is outside a box; in orthographic views, where the eye is at infinity, if the window is. */
 static bool is_seen_whole(const struct tia_flat_scene *flat, const struct tia_flat_object *object)
 {
     static const int64_t here[3] = {0, 0, 0};
@@ -115,7 +115,7 @@ bool tia_flat_has_silhouette(const struct tia_flat_scene *flat, const struct tia
            (tia_flat_is_direction(flat, light) || !is_between(object->low, at, object->high));
 }
 
-/* Whether face f casts, and how; those of a closed object only when they are turned to the light. */
+/* True if face f casts a shadow. Faces of closed objects cast only when they face the light. */
 static bool casts(const struct tia_flat_scene *flat, const tia_flat_light *light, uint32_t f, bool closed,
                   struct caster *c)
 {
@@ -135,7 +135,7 @@ static bool casts(const struct tia_flat_scene *flat, const tia_flat_light *light
 
 typedef int caster_function(void *ctx, const struct caster *caster, uint32_t face);
 
-/* `work`: a face's, for the cancel. */
+/* Calls `caster` for each casting face; `work` is that of one face, counted for `cancel`. */
 static int for_each_caster(const struct tia_flat_scene *flat, const tia_flat_light *light, caster_function *call,
                            void *ctx, struct cancel *cancel, uint32_t work)
 {
@@ -164,10 +164,10 @@ struct drawing {
     const struct tia_flat_scene *flat;
     const tia_flat_light *light;
     struct tia_raster_state state;
-    bool near, far; /* which caps */
+    bool near, far; /* caps to draw */
 };
 
-/* Where the shadow of a corner ends, at infinity. */
+/* Returns the end of a corner's shadow, at infinity. */
 static struct tia_raster_vertex shadow_of(const struct drawing *d, const struct tia_raster_vertex *v)
 {
     const tia_flat_light *l = d->light;
@@ -184,7 +184,7 @@ static int draw(const struct drawing *d, const struct tia_raster_vertex *corners
     return tia_draw_polygon(d->target, &d->state, corners, count, face);
 }
 
-/* From a to b runs the cap, so from b to a its side. What is at infinity is its own shadow. */
+/* Draws a side. The cap runs from a to b, so its side from b to a. A vertex at infinity is its own shadow. */
 static int draw_side(const struct drawing *d, const struct tia_raster_vertex *a, const struct tia_raster_vertex *b)
 {
     struct tia_raster_vertex corners[4] = {*b, *a};
@@ -197,8 +197,8 @@ static int draw_side(const struct drawing *d, const struct tia_raster_vertex *a,
     return count < 3 ? TIA_OK : draw(d, corners, count, TIA_NO_FACE);
 }
 
-/* A polygon's plane is that of its first three corners, and only a face's first corner is surely a point: so the
- * reverse order begins with it too. Orthographic rays never meet what is at infinity. */
+/* Draws the caps. A polygon's plane is that of its first three corners, and only a face's first corner is certainly a
+ * point: so the reverse order begins with it too. Orthographic rays never meet points at infinity. */
 static int draw_caps(const struct drawing *d, const struct caster *c, uint32_t face)
 {
     struct tia_raster_vertex near[TIA_SIDES], far[TIA_SIDES];
@@ -231,7 +231,7 @@ static int draw_volume(void *ctx, const struct caster *c, uint32_t face)
         .test = TIA_ALWAYS, .mask = 255, .write = 255                                                                  \
     }
 
-/* Of a polygon, which may cover all of a target. */
+/* Returns the work of a polygon, which may cover all of a target. */
 static uint32_t work_of(const struct tia_raster_target *target)
 {
     return 1 + (uint32_t)target->area.width * target->area.height / 512;
@@ -253,8 +253,8 @@ int tia_shadow_faces(struct tia_raster_target *target, const struct tia_flat_sce
     return status;
 }
 
-/* Behind the point, the ray leaves volumes through back faces and enters others through front faces. In orthographic
- * views it never comes to what is at infinity. */
+/* Counts behind the point, where the ray leaves volumes through back faces and enters others through front faces. In
+ * orthographic views it never reaches points at infinity. */
 int tia_shadow_zfail(struct tia_raster_target *target, const struct tia_flat_scene *flat, const tia_flat_light *light,
                      struct cancel *cancel)
 {
@@ -266,8 +266,8 @@ int tia_shadow_zfail(struct tia_raster_target *target, const struct tia_flat_sce
     return for_each_caster(flat, light, draw_volume, &d, cancel, 4 * work_of(target));
 }
 
-/* Before the point, it is the other way round. The far caps are never there, and a near one would be what the pixel
- * sees, unless it is behind the window of an orthographic view. */
+/* Counts before the point, the other way round. The far caps are never there, and a near one would be the visible face
+ * itself, unless it is behind the window of an orthographic view. */
 int tia_shadow_zpass(struct tia_raster_target *target, const struct tia_flat_scene *flat, const tia_flat_light *light,
                      struct cancel *cancel)
 {
@@ -279,18 +279,19 @@ int tia_shadow_zpass(struct tia_raster_target *target, const struct tia_flat_sce
     return for_each_caster(flat, light, draw_volume, &d, cancel, 4 * work_of(target));
 }
 
-/* ---- where rays start and end ---- */
+/* ---- volumes at a ray's ends ---- */
 
 struct end_count {
     const struct tia_flat_scene *flat;
     const tia_flat_light *light;
-    int end; /* -1: the eye; 1: the opposite of it, which in orthographic views is where all rays end */
+    int end; /* -1: the eye; 1: its opposite, where all rays of orthographic views end */
     uint32_t count;
     bool unsure;
 };
 
-/* On which side of an edge the line from the eye to the light passes: det(a, b, light, eye). If all four are at
- * infinity it is 0, and the edge is one of a plane's half: any side will do that is the same for both halves. */
+/* Returns the side of an edge on which the line from the eye to the light passes: det(a, b, light, eye). If all four
+ * are at infinity it is 0, and the edge is one of a plane's half: any side is correct that is the same for both halves.
+ */
 static int passes(const struct end_count *e, const struct tia_raster_vertex *a, const struct tia_raster_vertex *b)
 {
     const int64_t p[3] = {a->x, a->y, a->w}, q[3] = {b->x, b->y, b->w};
@@ -299,8 +300,9 @@ static int passes(const struct end_count *e, const struct tia_raster_vertex *a, 
     return p[2] || q[2] || l[2] || e->flat->eye.projection != TIA_ORTHOGRAPHIC ? orientation(p, q, l) : 1;
 }
 
-/* The volume holds the end where the way from there to the light crosses the cap: it passes all edges on one side.
- * Where that is so but for edges that it meets, or the end is in the cap's plane, the end is on a volume's surface. */
+/* Counts a volume that contains the end: then the segment from there to the light crosses the cap, that is, passes all
+ * edges on one side. If this holds but for edges that it meets, or if the end is in the cap's plane, the end is on a
+ * volume's surface. */
 static int count_end(void *ctx, const struct caster *c, uint32_t face)
 {
     struct end_count *e = ctx;

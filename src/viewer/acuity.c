@@ -9,8 +9,8 @@
 #define VIEW_MOST TIA_Q16(170)
 #define RIGHT_ANGLE TIA_Q16(90)
 
-/* Degrees of a pixel in the middle, Q8.24, for each half pixel of distance: a pixel is two half pixels, and a small
- * angle is its tangent: 2 * 180 / pi * 2^24. */
+/* Degrees that a pixel in the middle spans, Q8.24, for each half pixel of distance: a pixel is two half pixels, and a
+ * small angle is its tangent: 2 * 180 / pi * 2^24. */
 #define PIXEL_ANGLE UINT32_C(1922527338)
 
 /* cos^2 of 0..90 degrees, Q0.20, rounded to nearest. */
@@ -25,7 +25,7 @@ static uint32_t cosine_squared(uint32_t degrees)
     return (uint32_t)((high * high + (UINT64_C(1) << 41)) >> 42);
 }
 
-/* From how many degrees on, Q16.16, w0 + m e is at least `angle`, Q8.24: (angle - w0) / m, rounded up; none is within
+/* Returns the degrees, Q16.16, from which w0 + m e is at least `angle`, Q8.24: (angle - w0) / m, rounded up; 0 within
  * the fovea. angle < 2^36 and the quotient below 2^52 / m. */
 static uint64_t degrees_from(const struct tia_gaze *gaze, uint64_t angle)
 {
@@ -57,7 +57,7 @@ bool tia_acuity_init(struct tia_acuity *acuity, const struct tia_gaze *gaze, uns
     if (!acuity || !gaze || width > TIA_SIZE_MAX || height > TIA_SIZE_MAX || gaze->view_angle < VIEW_LEAST ||
         gaze->view_angle > VIEW_MOST || gaze->x >= width || gaze->y >= height)
         return false;
-    /* Half the width in half pixels is `width`; cot(angle / 2) is Q8.56. */
+    /* `width` is half the width in half pixels; cot(angle / 2) is Q8.56 */
     uint64_t distance = (width * (tia_cotangent(gaze->view_angle) >> 24)) >> 32;
     acuity->width = width;
     acuity->height = height;
@@ -71,8 +71,9 @@ bool tia_acuity_init(struct tia_acuity *acuity, const struct tia_gaze *gaze, uns
     return acuity->levels > 0;
 }
 
-/* e is the angle between the gaze G, of length 1, and the pixel's p, and cos e = G.p / |p|. So e is at least a level's
- * angle when (G.p)^2 <= cos^2 |p|^2. With |p| < 2^20.1 and G.p in units of 2^-10, both sides are below 2^61. */
+/* Returns the block size. e is the angle between the gaze G, of length 1, and the pixel's direction p, so cos e = G.p /
+ * |p|, and e is at least a level's angle when (G.p)^2 <= cos^2 |p|^2. With |p| < 2^20.1 and G.p in units of 2^-10, both
+ * sides are below 2^61. */
 unsigned tia_acuity_block(const struct tia_acuity *acuity, unsigned x, unsigned y)
 {
     if (!acuity || x >= acuity->width || y >= acuity->height)

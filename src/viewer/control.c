@@ -1,4 +1,4 @@
-/* control.c - what keys and pointers do beyond moving lights. */
+/* control.c - the effects of keys and pointers that do not concern lights. */
 #include "loop.h"
 
 static bool is_pointer(const struct tia_event *event)
@@ -6,7 +6,7 @@ static bool is_pointer(const struct tia_event *event)
     return event->kind == TIA_EVENT_POINT || event->kind == TIA_EVENT_MOVE;
 }
 
-/* The loop's keys that do not concern lights. */
+/* True for the loop's keys that do not concern lights. */
 static bool is_own(const struct loop *loop, uint16_t key)
 {
     return loop->viewer->control && (key == TIA_KEY_TAB || (key == TIA_KEY_SPACE && loop->plays));
@@ -44,7 +44,7 @@ static void set_camera(struct loop *loop, const struct tia_camera *camera)
         loop->view = NULL; /* another renderer draws it */
 }
 
-/* Whether all of the scene is within reach of it shows when the view is prepared: tia_viewer_go_back. */
+/* Moves the camera. Preparing the view finds out if all of the scene is still within reach: see tia_viewer_go_back. */
 static void move_camera(struct loop *loop, const struct tia_camera *camera)
 {
     const struct tia_scene alone = {.camera = *camera};
@@ -94,7 +94,7 @@ static void pause(struct loop *loop)
     loop->covered = true;
 }
 
-/* The next one that keys move, and round again. */
+/* Chooses the next light that keys move, cyclically. */
 static bool choose_light(struct loop *loop)
 {
     const struct tia_light *lights = loop->viewer->lights;
@@ -158,8 +158,8 @@ static bool are_alike(const struct tia_event *a, const struct tia_event *b)
     return a->kind == b->kind && a->drag == b->drag;
 }
 
-/* A pointer reports every step, so the last of the waiting events is enough; for a drag from place to place the first
- * is needed, too, since it may be the drag's start. */
+/* Merges pointer events. A pointer reports every step, so the last of the waiting events is enough; a drag from one
+ * position to another also needs the first, since it may be the drag's start. */
 bool tia_viewer_joins(struct loop *loop, const struct tia_event *event)
 {
     unsigned n = loop->queued, first = event->kind == TIA_EVENT_POINT && event->drag ? 2 : 1;

@@ -1,4 +1,4 @@
-/* fill.c - what is shown between the pixels that the eye needs. */
+/* fill.c - fills the gaps between the pixels that the eye needs. */
 #include "loop.h"
 
 /* A pixel that is drawn, and the size of the block that it stands for. */
@@ -6,7 +6,7 @@ struct sample {
     unsigned x, y, size;
 };
 
-/* The largest block of the lattice, up to TIA_GAZE_BLOCK, at whose corner this is. */
+/* Returns the largest block of the lattice, up to TIA_GAZE_BLOCK, that has this corner. */
 static unsigned level_of(unsigned x, unsigned y)
 {
     unsigned bits = x | y | TIA_GAZE_BLOCK;
@@ -14,8 +14,8 @@ static unsigned level_of(unsigned x, unsigned y)
     return bits & (~bits + 1u);
 }
 
-/* What (x, y) shows: the smallest block around it whose corner was drawn in the pass of its size. Blocks do not cross
- * tiles. */
+/* Returns the sample that (x, y) shows: the smallest block around it whose corner was drawn in the pass of its size.
+ * Blocks do not cross tiles. */
 static struct sample sample_at(const struct loop *loop, unsigned x, unsigned y)
 {
     unsigned left = x / loop->tile_width * loop->tile_width, top = y / loop->tile_height * loop->tile_height;
@@ -39,7 +39,7 @@ static tia_rgb565 colour_at(const struct loop *loop, unsigned x, unsigned y)
     return *viewer_canvas_at(loop, s.x, s.y);
 }
 
-/* The colours at a block's corners. Beyond the picture's edge there is none: the one before. */
+/* Gets the colours at a block's corners; a corner beyond the picture's edge repeats the one before. */
 static void get_corners(const struct loop *loop, struct sample s, tia_rgb565 corners[4])
 {
     for (unsigned i = 0; i < 4; i++) {
@@ -48,7 +48,7 @@ static void get_corners(const struct loop *loop, struct sample s, tia_rgb565 cor
     }
 }
 
-/* Bilinear, in levels of the display, rounded to nearest: weights sum to size^2, at most 256. */
+/* Interpolates bilinearly, in levels of the display, rounded to nearest: weights sum to size^2, at most 256. */
 static unsigned mix(const tia_rgb565 corners[4], unsigned shift, unsigned mask, unsigned size, unsigned x, unsigned y)
 {
     unsigned a = (corners[0] >> shift & mask) * (size - x) + (corners[1] >> shift & mask) * x;
@@ -64,13 +64,13 @@ static tia_rgb565 mixed(const tia_rgb565 corners[4], unsigned size, unsigned x, 
     return (tia_rgb565)(red << 11 | green << 5 | mix(corners, 0, 31, size, x, y));
 }
 
-/* Ties go to the left, and up. */
+/* Returns the nearest corner; ties go to the left, and up. */
 static tia_rgb565 nearest(const tia_rgb565 corners[4], unsigned size, unsigned x, unsigned y)
 {
     return corners[(2 * x > size) + 2 * (2 * y > size)];
 }
 
-/* Reads only pixels that are drawn and writes only those that are not: tiles may come in any order. */
+/* Fills a row. Reads only pixels that are drawn and writes only those that are not: tiles may come in any order. */
 static void fill_row(const struct loop *loop, struct tia_tile tile, unsigned y)
 {
     struct sample last = {0, 0, 0};

@@ -1,4 +1,4 @@
-/* gaze.c - where the eye looks. */
+/* gaze.c - the direction of the gaze. */
 #include "loop.h"
 
 void tia_viewer_gaze(struct loop *loop)
@@ -13,7 +13,7 @@ static uint16_t moved(uint16_t at, int32_t by, uint16_t size)
     return (uint16_t)(to < 0 ? 0 : to < size ? to : size - 1);
 }
 
-/* The hits of other pixels are missing then. */
+/* Moves the gaze; the hits of pixels that were not drawn are missing then. */
 bool tia_viewer_point(struct loop *loop, const struct tia_event *event)
 {
     const struct tia_mode *mode = &loop->mode;

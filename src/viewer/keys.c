@@ -3,7 +3,7 @@
 
 #include "math/divide.h"
 
-/* The light that a key sets or moves: its number. */
+/* Returns the number of the light that a key sets or moves. */
 static uint32_t light_of(const struct loop *loop, uint16_t key, uint32_t *first)
 {
     const struct tia_viewer *v = loop->viewer;
@@ -114,8 +114,8 @@ void tia_viewer_take_quiet(struct loop *loop)
         loop->queue[i] = loop->queue[i + taken];
 }
 
-/* Where pictures come so slowly that a key is due more often than TIA_HOLD_STEPS, drops the other steps: the eye could
- * not follow, and the key would be let go too late. */
+/* Drops steps where pictures come so slowly that a key is due more often than TIA_HOLD_STEPS: the eye could not follow,
+ * and the user would let go of the key too late. */
 static void drop_steps(struct held *held, uint64_t time)
 {
     uint64_t late = held->due_us && time > held->due_us ? tia_quotient(time - held->due_us, TIA_HOLD_STEP_US) : 0;

@@ -1,4 +1,4 @@
-/* orbit.c - a camera that keys move, in 64-bit integers. */
+/* orbit.c - a camera moved by keys, in 64-bit integers. */
 #include <tia/bvh.h>
 #include <tia/orbit.h>
 
@@ -9,7 +9,7 @@
 #define HALF_TURN TIA_Q16(180)
 #define FOV_WIDEST TIA_Q16(120)
 
-/* From Q.30 to units, to nearest, ties away from 0. */
+/* Converts from Q.30 to units, to nearest, ties away from 0. */
 static int64_t drop30(int64_t a)
 {
     const int64_t one = INT64_C(1) << 30, half = one / 2;
@@ -17,7 +17,7 @@ static int64_t drop30(int64_t a)
     return a < 0 ? -((half - a) / one) : (a + half) / one;
 }
 
-/* A displacement, 2^-16, each below 2^31. */
+/* A displacement in 2^-16, each component below 2^31. */
 struct way {
     int64_t x, y, z;
 };
@@ -27,7 +27,7 @@ static struct way from_to(struct tia_vec3 a, struct tia_vec3 b)
     return (struct way){(int64_t)b.x - a.x, (int64_t)b.y - a.y, (int64_t)b.z - a.z};
 }
 
-/* a[3] is of length 1 or less: no sum is above 2^62. */
+/* Returns the dot product; the length of `a` is at most 1, so no sum is above 2^62. */
 static int64_t dot(struct tia_dir3 a, struct way b)
 {
     return drop30(a.x * b.x + a.y * b.y + a.z * b.z);
@@ -38,7 +38,7 @@ static struct way cross(struct tia_dir3 a, struct way b)
     return (struct way){drop30(a.y * b.z - a.z * b.y), drop30(a.z * b.x - a.x * b.z), drop30(a.x * b.y - a.y * b.x)};
 }
 
-/* The direction of a displacement; of none: +y. */
+/* Returns the direction of a displacement; +y if it is 0. */
 static struct tia_dir3 direction(struct way a)
 {
     if (!a.x && !a.y && !a.z)
@@ -61,15 +61,15 @@ static bool add(struct tia_vec3 *point, struct way by)
     return true;
 }
 
-/* ---- what it looks at ---- */
+/* ---- the point looked at ---- */
 
 static int64_t size_of(int64_t a)
 {
     return a < 0 ? -a : a;
 }
 
-/* How far an object is ahead, Q16.16, or 0: it is not, or has no bounds, such as a plane. *off is how far its middle is
- * off the line of sight, |x| + |y|, by that: 2^-16. */
+/* Returns the distance to an object ahead, Q16.16, or 0: it is not ahead, or has no bounds, such as a plane. *off is
+ * the distance of its middle from the line of sight, |x| + |y|, divided by that: 2^-16. */
 static int64_t ahead_of(const struct tia_camera *camera, const struct tia_scene *scene, uint32_t object, uint64_t *off)
 {
     struct tia_bounds b = tia_object_bounds(scene, object);
@@ -82,7 +82,7 @@ static int64_t ahead_of(const struct tia_camera *camera, const struct tia_scene 
     return z;
 }
 
-/* Whether it has an up vector. */
+/* True if the camera has an up vector. */
 static bool looks_about(const struct tia_camera *camera)
 {
     return camera->up.x || camera->up.y || camera->up.z;
@@ -107,9 +107,10 @@ void tia_camera_aim(struct tia_camera *camera, const struct tia_scene *scene)
     (void)add(&camera->reference, (struct way){0, 0, -(best < INT32_MAX / 2 ? best : INT32_MAX / 2)});
 }
 
-/* ---- around it ---- */
+/* ---- orbiting ---- */
 
-/* Rodrigues' rotation about the axis K: v cos + (K x v) sin + K (K.v) (1 - cos); each product is below 2^61. */
+/* Rotates about the axis K by Rodrigues' formula: v cos + (K x v) sin + K (K.v) (1 - cos); each product is below 2^61.
+ */
 static struct way rotate(struct way v, struct tia_dir3 k, tia_q16 degrees)
 {
     int64_t sine, cosine, along = dot(k, v);
@@ -124,7 +125,7 @@ static struct way rotate(struct way v, struct tia_dir3 k, tia_q16 degrees)
                         drop30(v.z * cosine + w.z * sine + drop30(k.z * along) * rest)};
 }
 
-/* Within 3 degrees: cos^2 > 1 - 1/365. */
+/* True within 3 degrees of the pole: cos^2 > 1 - 1/365. */
 static bool is_at_pole(struct way v, struct tia_dir3 up)
 {
     uint64_t square = (uint64_t)(v.x * v.x) + (uint64_t)(v.y * v.y) + (uint64_t)(v.z * v.z);
@@ -133,7 +134,7 @@ static bool is_at_pole(struct way v, struct tia_dir3 up)
     return (uint64_t)(along * along) > square - square / 365;
 }
 
-/* Shorter than 32768. */
+/* True if the displacement is shorter than 32768. */
 static bool is_short(struct way v)
 {
     return size_of(v.x) <= INT32_MAX && size_of(v.y) <= INT32_MAX && size_of(v.z) <= INT32_MAX &&
@@ -163,14 +164,14 @@ void tia_camera_orbit(struct tia_camera *camera, tia_q16 right, tia_q16 up)
         camera->eye = eye;
 }
 
-/* ---- along its axes ---- */
+/* ---- moving along the axes ---- */
 
 static struct way scaled(struct tia_dir3 a, int64_t length)
 {
     return (struct way){drop30(a.x * length), drop30(a.y * length), drop30(a.z * length)};
 }
 
-/* The direction of a displacement that may be too long for one. */
+/* Returns the direction of a displacement that may be too long for struct way. */
 static struct tia_dir3 direction_of_long(struct way a)
 {
     while (!is_short(a))
@@ -201,7 +202,7 @@ void tia_camera_walk(struct tia_camera *camera, int right, int up, int ahead)
     }
 }
 
-/* ---- nearer ---- */
+/* ---- zooming ---- */
 
 static tia_q16 narrowed(tia_q16 a, bool in)
 {

@@ -1,4 +1,4 @@
-/* pace.c - how fine a frame of something that moves can be, so that it comes in time. */
+/* pace.c - limits the detail of a moving picture's frame, so that it is shown in time. */
 #include "loop.h"
 
 uint64_t tia_viewer_period_us(const struct loop *loop)
@@ -16,7 +16,8 @@ bool tia_viewer_is_moving(const struct loop *loop)
     return v->pace[0] && v->clock && (plays || tia_viewer_repeat_us(loop));
 }
 
-/* Those that the pass adds to pixels that are drawn, each counted as a pixel: such is loop->cost_ns then. */
+/* Returns the samples that the pass adds to pixels that are drawn already, each counted as a pixel, as in loop->cost_ns
+ * then. */
 static uint64_t more_samples(const struct loop *loop)
 {
     uint64_t pixels = 0;
@@ -26,7 +27,8 @@ static uint64_t more_samples(const struct loop *loop)
     return pixels * (tia_viewer_samples(loop, loop->pass + 1) - tia_viewer_samples(loop, loop->pass));
 }
 
-/* As many as in the last frame; before that, three for each of the pass before, which is a 4^-n of the picture. */
+/* Returns the pixels of the pass: as many as in the last frame; before that, three for each of the pass before, which
+ * is a 4^-n of the picture. */
 static uint64_t pass_pixels(const struct loop *loop)
 {
     uint64_t all = (uint64_t)loop->mode.width * loop->mode.height;
@@ -38,7 +40,7 @@ static uint64_t pass_pixels(const struct loop *loop)
     return (loop->pass ? 3 * all : all) >> 2 * (loop->pass ? VIEWER_PASSES - loop->pass : VIEWER_PASSES - 1);
 }
 
-/* A frame that is not finished is taken for one that takes as long as its pixels would, one after the other. */
+/* Returns the frame's time; for an unfinished frame, the time that its pixels would take, one after the other. */
 uint64_t tia_viewer_whole_us(const struct loop *loop, const struct tia_frame *frame)
 {
     uint64_t pixels = (uint64_t)loop->mode.width * loop->mode.height,
@@ -47,7 +49,8 @@ uint64_t tia_viewer_whole_us(const struct loop *loop, const struct tia_frame *fr
     return !loop->unfinished || all < frame->draw_us ? frame->draw_us : all;
 }
 
-/* The picture must be shown, too, which takes as long as the last time. A pass less in doubt: an eighth to spare. */
+/* Leaves time to show the picture, as much as the last one took, and an eighth of the pass's time to spare: a missing
+ * pass is better than a late frame. */
 bool tia_viewer_has_time(const struct loop *loop)
 {
     uint64_t period = tia_viewer_period_us(loop), spent = viewer_now(loop) - loop->begun_us + loop->show_cost_us;

@@ -1,5 +1,5 @@
-/* pass.c - what a pass of refine.c draws of a tile: pixels some way apart, each as a block; more samples of each pixel;
- * or whole rows. */
+/* pass.c - a pass of refine.c in a tile: pixels at a distance from each other, each as a block; more samples of each
+ * pixel; or whole rows. */
 #include "loop.h"
 
 #define FIRST_BLOCK (1u << (VIEWER_PASSES - 1))
@@ -16,7 +16,7 @@ bool tia_viewer_by_rows(const struct loop *loop)
     return !loop->core->draws_by_pixel(loop->base);
 }
 
-/* Whether there is an estimator, and it takes the core's views. */
+/* True if there is an estimator, and it supports the core's views. */
 static bool samples_apart(const struct loop *loop)
 {
     const struct tia_estimator *estimator = loop->viewer->estimator;
@@ -74,14 +74,14 @@ static unsigned at_most(unsigned value, unsigned limit)
 
 /* ---- pixels ---- */
 
-/* Of the canvas. */
+/* Returns the canvas's part at these pixels. */
 static struct tia_surface surface_of(const struct loop *loop, struct tia_tile pixels)
 {
     return (struct tia_surface){viewer_canvas_at(loop, pixels.x, pixels.y), sizeof(tia_rgb565),
                                 (ptrdiff_t)(loop->mode.width * sizeof(tia_rgb565))};
 }
 
-/* The samples that the pixels of a row have after this pass, and not after the one before. */
+/* Draws the samples that this pass adds to the pixels of a row. */
 static int draw_samples(struct loop *loop, struct tia_tile row)
 {
     const struct tia_viewer *v = loop->viewer;
@@ -124,8 +124,8 @@ static void fill_block(struct loop *loop, struct tia_tile tile, struct pixel_gri
             *viewer_canvas_at(loop, column, row) = colour;
 }
 
-/* How many pixels from (x, y) on are drawn together: neighbours in a row are. 0: there the eye is content with what is
- * drawn already. */
+/* Returns the number of pixels from (x, y) on that are drawn together: neighbours in a row are. 0: the pixels drawn
+ * already suffice for the eye there. */
 static unsigned run_at(const struct loop *loop, struct pixel_grid at, unsigned right)
 {
     unsigned run = 0;
@@ -166,7 +166,8 @@ static int draw_grid(struct loop *loop, struct tia_tile tile, struct pixel_grid 
     return status;
 }
 
-/* After the first size: between the pixels of each row of the sizes before, then the rows in between. */
+/* Draws the blocks of a size. For all but the first size: the blocks between those of each row that is already
+ * drawn, then the rows in between. */
 static int draw_blocks(struct loop *loop, struct tia_tile tile, unsigned size, uint32_t *drawn)
 {
     unsigned x = tile.x, y = tile.y;
@@ -178,7 +179,7 @@ static int draw_blocks(struct loop *loop, struct tia_tile tile, unsigned size, u
     return status ? status : draw_grid(loop, tile, (struct pixel_grid){x, y + size, size, 2 * size, size}, drawn);
 }
 
-/* More samples of the pixels that are drawn: all, or as many as the eye needs. */
+/* Draws more samples of the pixels that are drawn: all, or as many as the eye needs. */
 static int draw_more(struct loop *loop, struct tia_tile tile)
 {
     uint32_t counted = 0;
@@ -200,7 +201,7 @@ static void repeat_row(struct loop *loop, struct tia_tile row, unsigned bottom)
             *viewer_canvas_at(loop, row.x + x, y) = *viewer_canvas_at(loop, row.x + x, row.y);
 }
 
-/* First every 16th row, which those below it repeat, then all between two of them at once. */
+/* Draws every 16th row first, repeated below it, then all between two of them at once. */
 static int draw_rows(struct loop *loop, struct tia_tile tile, uint32_t *drawn)
 {
     unsigned bottom = (unsigned)tile.y + tile.height, skipped = loop->pass ? 1 : 0;

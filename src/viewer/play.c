@@ -21,7 +21,7 @@ tia_q16 tia_frame_time(tia_q16 start, uint32_t frame, const uint32_t rate[2])
     return time < INT32_MAX ? (tia_q16)time : INT32_MAX;
 }
 
-/* The time by the clock; it starts again after the last keyframe. */
+/* Returns the time by the clock; it starts again after the last keyframe. */
 static tia_q16 clock_time(const struct loop *loop)
 {
     tia_q16 begin = loop->viewer->time;
@@ -45,7 +45,7 @@ static tia_q16 time_now(const struct loop *loop)
     return is_stepped(loop) ? tia_frame_time(v->time, loop->frame, v->rate) : clock_time(loop);
 }
 
-/* Lights that no key holds follow their tracks. */
+/* Updates the lights that no key holds from their tracks. */
 static void follow(struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;
@@ -100,7 +100,7 @@ int tia_viewer_play_begin(struct loop *loop)
     return memory_is_usable(loop->current) ? update_scene(loop, loop->state.time) : TIA_ERR_MEMORY;
 }
 
-/* When only lights move, the view and the hierarchy stay valid: draw_frame sets the lights anyway. */
+/* Updates the view. When only lights move, the view and the hierarchy stay valid: draw_frame sets the lights anyway. */
 static int update_view(struct loop *loop, tia_q16 time)
 {
     bool anew = !loop->view_ready || !loop->only_lights;
@@ -117,7 +117,8 @@ static int update_view(struct loop *loop, tia_q16 time)
     return status;
 }
 
-/* Frames at a pace are as far apart as it says, whatever each of them has taken, unless one came too late. */
+/* Returns when the next frame is due: at a constant pace after the last, whatever that has taken, unless it came too
+ * late. */
 static uint64_t next_due(const struct loop *loop, uint64_t now)
 {
     uint64_t next = loop->due_us + tia_viewer_period_us(loop);

@@ -17,7 +17,7 @@ static void set_tiles(struct loop *loop, unsigned height)
 enum { PARTS = 9 };
 
 /* Gets memory from the caller for the current scene, its hierarchy, the view, six bytes for each tile, hits, the
- * level's constants, and a canvas of so many bytes. */
+ * level's constants, and a canvas of `canvas` bytes. */
 static bool get_memory(struct loop *loop, struct tia_tile hits, uint64_t canvas)
 {
     const struct tia_viewer *v = loop->viewer;
@@ -58,8 +58,8 @@ static bool get_memory(struct loop *loop, struct tia_tile hits, uint64_t canvas)
     return true;
 }
 
-/* Gets memory for the whole frame's hits, a canvas and sums of samples, without the sums, for the hits alone or,
- * failing that, for the hits of one tile of as many rows as fit. */
+/* Gets as much memory as possible: for the whole frame's hits, a canvas and sums of samples; without the sums; for the
+ * hits alone; or for the hits of one tile of as many rows as fit. */
 static bool get_most_memory(struct loop *loop)
 {
     struct tia_tile frame = {0, 0, loop->mode.width, loop->mode.height};

@@ -1,4 +1,4 @@
-/* present.c - showing a frame, on displays that take long, too. */
+/* present.c - shows a frame, also on displays that take long. */
 #include "loop.h"
 
 static int await(struct loop *loop, int status)
@@ -23,7 +23,7 @@ int tia_viewer_present(struct loop *loop)
     return await(loop, v->display->present(v->display_ctx));
 }
 
-/* What ends it is dealt with in the next round. */
+/* Goes on showing; an event that ends it is handled in the next round. */
 int tia_viewer_go_on(struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;

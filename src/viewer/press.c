@@ -40,7 +40,8 @@ static bool add(tia_q16 *coordinate, int step, int32_t unit)
     return true;
 }
 
-/* By a unit of the scene's file, which is too long where Q16.16 does not have it. */
+/* Moves a centre by a unit of the scene's file. False: the unit is too large for Q16.16, or the coordinate would leave
+ * it. */
 static bool move_centre(struct tia_vec3 *centre, const struct move *move, int scale_bits)
 {
     if (scale_bits > 14)
@@ -49,8 +50,8 @@ static bool move_centre(struct tia_vec3 *centre, const struct move *move, int sc
     return add(&centre->x, move->x, unit) && add(&centre->y, move->y, unit) && add(&centre->z, move->z, unit);
 }
 
-/* Moves the point -direction, at the distance 1, where the light shines from, by 1/16: about 3.6 degrees. The sum's
- * length stays below 1.1, so its components fit Q2.30. False when the direction does not change. */
+/* Rotates a light: moves the point -direction, at the distance 1, from which the light shines, by 1/16: about 3.6
+ * degrees. The sum's length stays below 1.1, so its components fit Q2.30. False when the direction does not change. */
 static bool rotate(struct tia_dir3 *direction, const struct move *move)
 {
     const int32_t step = TIA_Q30_ONE / 16;
@@ -97,7 +98,7 @@ bool tia_viewer_moves(const struct loop *loop, uint16_t key)
     return !find_binding(loop->scene, key) && find_move(key);
 }
 
-/* With Shift they move something else, where there is something else. */
+/* Returns true for such keys. With Shift they may have another function, if the viewer has a control. */
 bool tia_viewer_lights(const struct loop *loop, const struct tia_event *event)
 {
     return find_binding(loop->scene, event->key) || (find_move(event->key) && !(event->shift && loop->viewer->control));

@@ -1,16 +1,17 @@
 /* refine.c - a frame that takes long, coarse to fine: every 16th pixel of every 16th row first, each as a block, then
- * the pixels in between, until there are no blocks left; of pictures of samples with one each, then with twice as many,
- * until they have all. Each pixel or sample is drawn once, so in the end they are those of a frame drawn at once. What
- * the rasteriser draws comes in rows, see pass.c. Blocks do not cross tiles, which may be drawn by several threads.
+ * the pixels in between, until there are no blocks left; in sampled pictures with one sample a pixel, then with twice
+ * as many, until they have all. Each pixel or sample is drawn once, so the finished frame is the same as one drawn at
+ * once. The rasteriser's frames are drawn in rows, see pass.c. Blocks do not cross tiles, which may be drawn by several
+ * threads.
  *
- * The picture so far is in loop->canvas: a display forgets what it was given before. */
+ * The picture so far is in loop->canvas: a display does not keep earlier pictures. */
 #include "loop.h"
 #include "math/align.h"
 
-#define REFINE_US 250000      /* between two looks at a pass that takes long; a scene that plays shows nothing sooner */
-#define WORTH_LINE_US 1000000 /* a frame that takes less has no line for its progress */
+#define REFINE_US 250000      /* time between two pictures of a long pass; minimum for a moving scene */
+#define WORTH_LINE_US 1000000 /* a shorter frame has no progress line */
 
-/* Whether somebody waits for frames. */
+/* True if a user waits for frames. */
 static bool is_watched(const struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;
@@ -19,7 +20,7 @@ static bool is_watched(const struct loop *loop)
 
 /* ---- a pass ---- */
 
-/* A tile that is not reached before the picture is due stays for the next round. */
+/* Draws the pass in a tile. A tile that is not reached before the picture is due stays for the next round. */
 static void pass_job(void *arg, unsigned index)
 {
     struct loop *loop = arg;
@@ -37,7 +38,7 @@ static void pass_job(void *arg, unsigned index)
 
 /* ---- the picture so far ---- */
 
-/* Whether the pass being drawn is not over. */
+/* True if the pass being drawn is not finished. */
 static bool is_left(const struct loop *loop)
 {
     bool left = false;
@@ -47,7 +48,7 @@ static bool is_left(const struct loop *loop)
     return left;
 }
 
-/* The share of the frame that is drawn, in 2^-16; at this point at least a pixel of each block. */
+/* Returns the share of the frame that is drawn, in 2^-16; a pixel of each block is drawn by now. */
 static uint32_t share_done(const struct loop *loop)
 {
     uint64_t sum = 0;
@@ -66,7 +67,7 @@ static uint32_t sum_drawn(const struct loop *loop)
     return sum;
 }
 
-/* A line at the lower edge, as long as what is done of the frame. */
+/* Draws a line at the lower edge, whose length is the share of the frame that is done. */
 static void draw_line(const struct loop *loop, struct tia_tile tile, const struct tia_surface *surface)
 {
     unsigned height = loop->mode.height, thick = height / 400 + 1, bottom = (unsigned)tile.y + tile.height;
@@ -102,7 +103,7 @@ static void copy_job(void *arg, unsigned index)
     loop->status[index] = (int8_t)copy_tile(loop, tia_viewer_tile(loop, index));
 }
 
-/* Another screen or size ends the frame. */
+/* Ends the frame if the screen or its size has changed. */
 static int same_display(struct loop *loop)
 {
     struct tia_mode mode;
@@ -113,7 +114,7 @@ static int same_display(struct loop *loop)
     return status;
 }
 
-/* Of a picture that is not complete, even if nothing but samples is missing. */
+/* Returns the block size of a picture that is not complete, even if only samples are missing. */
 static uint16_t coarse_block(unsigned block)
 {
     return (uint16_t)(block > 1 ? block : 2);
@@ -153,7 +154,8 @@ static int show_so_far(struct loop *loop, struct tia_frame *frame)
 
 /* ---- the frame ---- */
 
-/* A job asked to stop may have missed it, since another job was calling `stop` at that moment. */
+/* Returns the status, checking again: a stopped job may have missed it, since another job was calling `stop` at that
+ * moment. */
 static int drawn(const struct loop *loop, int status)
 {
     if (status >= 0 && !loop->ends && (loop->gives_up || loop->queued == VIEWER_QUEUE))
@@ -182,7 +184,7 @@ static int draw_pass(struct loop *loop, struct tia_frame *frame)
     return status;
 }
 
-/* Whether the rasteriser draws the frames: those have rows that stand for others. Spans draw whole ones sooner. */
+/* True if the rasteriser draws the frames: those have rows that stand for others. Spans draw whole rows sooner. */
 static bool is_rasterised(const struct loop *loop)
 {
     return loop->base->shadows != TIA_SHADOWS_TRACED && !loop->gazes && !loop->viewer->pace[0];
@@ -193,7 +195,8 @@ static uint64_t pixels_size(const struct loop *loop)
     return ALIGN((uint64_t)loop->mode.width * loop->mode.height * sizeof(tia_rgb565));
 }
 
-/* For frames that someone waits for, or looks at in one place, and that can be drawn pixel by pixel or row by row. */
+/* A canvas is for frames that a user waits for, or looks at in one place, and that can be drawn pixel by pixel or row
+ * by row. */
 uint64_t tia_viewer_canvas_size(const struct loop *loop, bool sums)
 {
     bool refines = (is_watched(loop) || loop->gazes) && loop->core->draws_by_pixel &&
@@ -210,7 +213,7 @@ void tia_viewer_set_canvas(struct loop *loop, void *memory, uint64_t size)
     loop->sums = size > pixels ? (struct tia_sum *)(void *)((char *)memory + pixels) : NULL;
 }
 
-/* The rasteriser goes through all faces twice for a frame in rows, so only where that matters. */
+/* The rasteriser goes through all faces twice for a frame in rows, so it refines only frames that take long. */
 bool tia_viewer_refines(const struct loop *loop)
 {
     if (!loop->canvas || loop->gazes || !loop->last_us)
@@ -242,8 +245,8 @@ static void begin_passes(struct loop *loop)
     }
 }
 
-/* How long a picture stays away when a pass is done. The next pass takes some four times as long as those before it,
- * but that of the rows in between some fifteen times, so that rows are shown sooner. */
+/* Returns the minimum time between two intermediate pictures. The next pass takes some four times as long as those
+ * before it, but that of the rows in between some fifteen times, so rows are shown sooner. */
 static uint64_t wait_us(const struct loop *loop)
 {
     uint64_t period = tia_viewer_period_us(loop);
@@ -251,8 +254,8 @@ static uint64_t wait_us(const struct loop *loop)
     return loop->plays && !loop->key_us ? REFINE_US : tia_viewer_by_rows(loop) ? period / 4 : period;
 }
 
-/* When the pass is done, or before it at a pace: whether to show what there is. The first picture at a pace is as fine
- * as there is time for. */
+/* True if the picture so far is to be shown: after a pass, or at a pace also during one. The first picture at a pace is
+ * as fine as there is time for. */
 static bool is_due(const struct loop *loop)
 {
     if (!is_watched(loop) || loop->pass + 1 == tia_viewer_passes(loop))
@@ -260,7 +263,7 @@ static bool is_due(const struct loop *loop)
     return viewer_now(loop) >= loop->shown_us + wait_us(loop) && (!loop->viewer->pace[0] || loop->answered);
 }
 
-/* Draws the passes that there is time for; all of them, unless something moves. */
+/* Draws the passes for which there is time; all of them, unless the picture moves. */
 static int draw_in_time(struct loop *loop, struct tia_frame *frame)
 {
     bool moving = tia_viewer_is_moving(loop), paced = is_watched(loop) && loop->viewer->pace[0];
@@ -294,7 +297,7 @@ int tia_viewer_draw_passes(struct loop *loop, struct tia_frame *frame)
     if (!status && !loop->unfinished)
         status = tia_viewer_fill(loop);
     loop->complete = !status && !loop->unfinished;
-    frame->done = 0; /* and what else coarse pictures alone have */
+    frame->done = 0; /* as for coarse pictures */
     frame->left_us = frame->key_us = 0;
     frame->block = loop->unfinished ? coarse_block(tia_viewer_block(loop->pass - 1)) : 1;
     frame->samples = loop->unfinished && loop->sums ? tia_viewer_samples(loop, loop->pass) : 0;

@@ -14,7 +14,7 @@ enum tia_shadows tia_next_shadows(const struct tia_scene *scene)
     return tried.shadows;
 }
 
-/* The view and the hits are of another size then. */
+/* Switches; the view and the hits have another size then. */
 void tia_viewer_switch(struct loop *loop)
 {
     struct tia_scene *variant = loop->viewer->variant;

@@ -35,7 +35,7 @@ static unsigned line_length(const char *line)
     return length;
 }
 
-/* The line after; NULL: that was the last one. */
+/* Returns the next line; NULL: there is none. */
 static const char *next_line(const char *line)
 {
     line += line_length(line);
@@ -62,7 +62,7 @@ struct tia_tile tia_text_area(const struct tia_text *text, unsigned width, unsig
 
 /* ---- drawing ---- */
 
-/* A row of dots, 0 the border above the text. */
+/* A row of dots; row 0 is the border above the text. */
 struct row {
     const char *line; /* NULL: there is no text */
     unsigned length, dots;

@@ -1,4 +1,4 @@
-/* tiles.c - a frame tile by tile. */
+/* tiles.c - draws a frame tile by tile. */
 #include "loop.h"
 
 bool tia_viewer_same_mode(const struct tia_mode *a, const struct tia_mode *b)

@@ -1,10 +1,11 @@
-/* viewer.c - the interactive loop: handle keys, advance time, draw tiles, present. Knows no OS. */
+/* viewer.c - the interactive loop: handle keys, advance time, draw tiles, present. Independent of the operating system.
+ */
 #include "loop.h"
 #include "scene/check/check.h"
 
-#define RATE_MAX 1000000 /* of both numbers of a rate and a pace */
+#define RATE_MAX 1000000 /* maximum of both numbers of a rate and a pace */
 
-/* The time until the next repeat or frame is due, in ms, rounded up; -1: wait for a key. */
+/* Returns the time until the next repeat or frame is due, in ms, rounded up; -1: wait for a key. */
 static int idle_ms(const struct loop *loop)
 {
     uint64_t time = viewer_now(loop), next = tia_viewer_repeat_us(loop);
@@ -29,7 +30,7 @@ static void keep_lights(struct loop *loop)
         v->kept[i] = v->lights[i];
 }
 
-/* What keys have made of the lights since the last picture. False: nothing. */
+/* Undoes the keys' changes to the lights since the last picture. False: there are none. */
 static bool take_back_lights(struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;
@@ -104,7 +105,7 @@ static int draw_frame(struct loop *loop)
     return show_frame(loop, &frame);
 }
 
-/* Only what is drawn over the picture has changed. */
+/* Shows the picture again when only the overlay on it has changed. */
 static int show_again(struct loop *loop)
 {
     struct tia_frame frame = new_frame(loop);
@@ -118,7 +119,7 @@ static int show_again(struct loop *loop)
     return status ? status : show_frame(loop, &frame);
 }
 
-/* Whether the picture is to be drawn, and not only shown again. */
+/* True if the picture is to be drawn, and not only shown again. */
 static bool is_due(const struct loop *loop)
 {
     return loop->changed || loop->viewer->frame_limit || (loop->unfinished && !tia_viewer_is_moving(loop)) ||
@@ -131,8 +132,8 @@ static int set_lights(struct loop *loop)
     return loop->core->set_lights(loop->view, loop->viewer->lights, loop->state.light_count);
 }
 
-/* A technique, a light or a camera that cannot draw what the check lets pass, such as a point that is too far away, or
- * that there is no memory for, is left out. Those before the key can. */
+/* Prepares memory and view. A technique, light or camera that passes the check but cannot be drawn, such as one too far
+ * from a point, or for lack of memory, is undone: the state before the key can be drawn. */
 static int prepare(struct loop *loop)
 {
     enum tia_shadows first = loop->base->shadows;
@@ -176,7 +177,7 @@ static int show(struct loop *loop)
     return loop->covered && loop->complete ? show_again(loop) : tia_viewer_go_on(loop);
 }
 
-/* Sleeps until there can be something to do; with frames left to draw, it only delivers pending signals. */
+/* Sleeps until there can be work; with frames left to draw, it only delivers pending signals. */
 static int rest(struct loop *loop, bool hidden)
 {
     const struct tia_viewer *v = loop->viewer;
@@ -219,7 +220,7 @@ static bool is_rate(const uint32_t rate[2])
     return !rate[0] || (rate[0] <= RATE_MAX && rate[1] - 1 < RATE_MAX);
 }
 
-/* Whether all that the ports and callbacks need is set. */
+/* True if all that the ports and callbacks need is set. */
 static bool is_complete(const struct tia_viewer *v)
 {
     const struct tia_display *d = v->display;
@@ -239,7 +240,7 @@ static bool is_acceptable(const struct tia_viewer *v)
            !(v->state && v->state->goes_on && v->state->light_count > v->light_capacity);
 }
 
-/* The scene and its lights, or what keys have made of them before. */
+/* Sets the scene and its lights, or the lights from an earlier run of the loop. */
 static void begin(struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;
@@ -272,7 +273,7 @@ static int press_first(struct loop *loop)
     return status;
 }
 
-/* An event that has ended the loop is passed to the caller's control afterwards. */
+/* Passes the event that has ended the loop, if any, to the caller's control. */
 static void end(struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;

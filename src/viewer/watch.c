@@ -1,11 +1,11 @@
-/* watch.c - what can end a frame that is being drawn. A key that quits, or the viewer's `stop`, ends it at once, in the
- * middle of a ray's tree. A key that moves a light, pressed or held, makes it out of date: once a coarse picture of it
- * is shown, it ends at once; else, if it has taken long already, at the next tile. A full queue ends it at the next
+/* watch.c - events that end a frame that is being drawn. A key that quits, or the viewer's `stop`, ends it at once, in
+ * the middle of a ray's tree. A key that moves a light, pressed or held, makes it out of date: once a coarse picture of
+ * it is shown, it ends at once; else, if it has taken long already, at the next tile. A full queue ends it at the next
  * tile, too, since more keys are waiting. */
 #include "loop.h"
 
-#define PATIENCE_US 250000 /* a frame that is done sooner is shown */
-#define STEP_US 20000      /* between two looks */
+#define PATIENCE_US 250000 /* a frame that is finished sooner is shown */
+#define STEP_US 20000      /* time between two checks */
 
 static bool is_full(const struct loop *loop)
 {
@@ -24,7 +24,7 @@ static void keep(struct loop *loop, const struct tia_event *event)
         loop->queue[loop->queued++] = *event;
 }
 
-/* Events that do not fit stay with the input, so that no key is lost. */
+/* Polls the input. Events that do not fit stay with the input, so that no key is lost. */
 static void poll_input(struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;
@@ -45,14 +45,14 @@ static bool is_held_due(const struct loop *loop, uint64_t now)
     return next && now >= next;
 }
 
-/* A frame that no key has asked for, one of a scene that plays, is not worth waiting for where the next one can be
- * shown before it is complete. */
+/* Returns the time that a frame may take. A frame of a playing scene without a key press is not worth waiting for where
+ * the next one can be shown before it is complete. */
 static uint64_t patience_us(const struct loop *loop)
 {
     return loop->plays && loop->canvas && !loop->key_us ? 0 : PATIENCE_US;
 }
 
-/* Never gives up two frames in a row: while keys keep coming, some frames are still shown. */
+/* Checks for events. Never gives up two frames in a row: while keys keep coming, some frames are still shown. */
 static void look(struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;
@@ -76,7 +76,7 @@ void tia_viewer_watch_begin(struct loop *loop)
     loop->showing_us = 0;
 }
 
-/* Whatever in struct loop changes while tiles are drawn is only used between enter and leave. */
+/* Takes the lock. Fields of struct loop that change while tiles are drawn are only used between enter and leave. */
 static bool enter(const struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;

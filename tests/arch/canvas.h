@@ -1,4 +1,4 @@
-/* canvas.h - a small picture of a scene in memory, and whom its checksum is told. */
+/* canvas.h - a small picture of a scene in memory, whose checksum is reported. */
 #ifndef TESTS_ARCH_CANVAS_H
 #define TESTS_ARCH_CANVAS_H
 
@@ -8,7 +8,7 @@
 
 #include <tia/tia.h>
 
-/* Told each frame's name and CRC-32. */
+/* Receives each frame's name and CRC-32. */
 typedef void frames_report(void *ctx, const char *name, uint32_t crc);
 
 struct frames_canvas {
@@ -29,7 +29,7 @@ static inline void frames_close(struct frames_canvas *c)
     free(c->pixels);
 }
 
-/* 0 when the scene is refused or memory is short. */
+/* Opens a canvas; 0 when the scene is refused or memory is short. */
 static inline int frames_open(struct frames_canvas *c, const struct tia_scene *scene, unsigned width, unsigned height)
 {
     const struct tia_core *core = c->core;

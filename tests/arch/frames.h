@@ -1,5 +1,5 @@
-/* frames.h - the frames whose checksums are pinned in tests/golden/frames.crc: small enough for an
- * emulator, and together everything that pixels depend on. */
+/* frames.h - the frames whose checksums are pinned in tests/golden/frames.crc: small enough for an emulator, and
+ * together they cover all that pixels depend on. */
 #ifndef TESTS_ARCH_FRAMES_H
 #define TESTS_ARCH_FRAMES_H
 
@@ -21,7 +21,7 @@ static inline void frames_keep(void *ctx, const char *name, uint32_t crc)
     *(uint32_t *)ctx = crc;
 }
 
-/* The checksum of one picture, drawn in tiles that do not divide it. */
+/* Returns the checksum of one picture, drawn in tiles that do not divide it. */
 static inline uint32_t frames_checksum(const struct tia_core *core, const struct tia_scene *scene, unsigned width,
                                        unsigned height, bool dither)
 {
@@ -51,7 +51,7 @@ static inline void frames_thesis(struct frames_canvas *c, const char *keys, unsi
     frames_close(c);
 }
 
-/* Traced without a light, then lit: the hits alone must do. Then which object each pixel sees. */
+/* Draws frames traced without a light, then lit: the hits alone must suffice. Then reports the object of each pixel. */
 static inline void frames_relit(struct frames_canvas *c)
 {
     struct corpus_scene dark, lit;
@@ -85,8 +85,8 @@ static inline void frames_random(struct frames_canvas *c, unsigned index)
     frames_close(c);
 }
 
-/* General rays: shapes, materials, lights and cameras by chance, every other scene by its hierarchy; with opacities in
- * the materials if `holes`. */
+/* Draws general rays: random shapes, materials, lights and cameras, every other scene with its hierarchy; with
+ * opacities in the materials if `holes`. */
 static inline void frames_rays(struct frames_canvas *c, unsigned index, bool holes)
 {
     static struct corpus_rays scene;
@@ -112,7 +112,7 @@ static inline void frames_rays(struct frames_canvas *c, unsigned index, bool hol
     free(memory);
 }
 
-/* Every frame, drawn with `core`. */
+/* Draws every frame with `core`. */
 static inline void frames_all(const struct tia_core *core, frames_report *report, void *ctx)
 {
     struct frames_canvas c = {.core = core, .report = report, .ctx = ctx};

@@ -1,4 +1,4 @@
-/* frames_light.h - of the frames of frames.h those of light in samples: occlusion and paths, every lobe, every kind of
+/* frames_light.h - the frames of frames.h that are drawn in samples: occlusion and paths, every lobe, every kind of
  * light, every tone; and sums of samples. */
 #ifndef TESTS_ARCH_FRAMES_LIGHT_H
 #define TESTS_ARCH_FRAMES_LIGHT_H
@@ -59,7 +59,7 @@ static const struct tia_light frames_lamp = {.kind = TIA_RECTANGLE_LIGHT,
                                              .emission = {TIA_Q30(1.25), TIA_Q30(1), TIA_Q30(0.75)},
                                              .emission_bits = 3};
 
-/* One of each kind. */
+/* A light of each kind. */
 static const struct tia_light frames_lamps[] = {
     {.centre = FRAMES_VEC(-0.5, 0.5, 0.5), .emission = {TIA_Q30(0.25), 0, 0}, .radius = TIA_Q16(0.0625)},
     {.kind = TIA_DIRECTIONAL_LIGHT,
@@ -94,7 +94,7 @@ static const struct tia_light frames_lamps[] = {
      .samples = 4},
 };
 
-/* The room below its lamp, or among one lamp of each kind. */
+/* Returns the room below its lamp, or among one lamp of each kind. */
 static inline struct tia_scene frames_room(struct tia_integration how, bool lamps)
 {
     return (struct tia_scene){
@@ -123,7 +123,7 @@ static inline void frames_lit(struct frames_canvas *c, const char *name, const s
     frames_close(c);
 }
 
-/* A scene of frames_rays by another integrator, half of them with opacities. */
+/* Draws a scene of frames_rays by another integrator, half of them with opacities. */
 static inline void frames_sampled(struct frames_canvas *c, enum tia_integrator integrator, unsigned index)
 {
     static struct corpus_rays scene;
@@ -165,7 +165,7 @@ static inline void frames_add_samples(enum tia_integrator integrator, uint32_t f
     free(memory);
 }
 
-/* The checksum of sums as little-endian bytes. */
+/* Returns the checksum of sums as little-endian bytes. */
 static inline uint32_t frames_sums_crc(const struct tia_sum sums[FRAMES_SUMS_WIDTH * FRAMES_SUMS_HEIGHT])
 {
     uint32_t crc = 0;
@@ -178,7 +178,7 @@ static inline uint32_t frames_sums_crc(const struct tia_sum sums[FRAMES_SUMS_WID
     return crc;
 }
 
-/* The sums themselves, in parts that are drawn in disorder. Integers alone have pinned ones. */
+/* Reports the sums themselves, drawn in parts in disorder. Only the integers' are pinned. */
 static inline void frames_sums(struct frames_canvas *c, enum tia_integrator integrator)
 {
     static const uint32_t parts[][2] = {{3, 7}, {7, FRAMES_SUMS_SAMPLES}, {0, 1}, {1, 3}};

@@ -1,4 +1,4 @@
-/* frames_play.h - of the frames of frames.h those of a scene that plays. */
+/* frames_play.h - the frames of frames.h of a playing scene. */
 #ifndef TESTS_ARCH_FRAMES_PLAY_H
 #define TESTS_ARCH_FRAMES_PLAY_H
 
@@ -6,8 +6,8 @@
 
 #include "canvas.h"
 
-/* Things that happen: balls that fall onto a floor, a turned box and each other, one that appears later, a wall that
- * vanishes, a lamp that goes on and a colour that changes. */
+/* Returns a scene with events: balls that fall onto a floor, a turned box and each other, one that appears later, a
+ * wall that vanishes, a lamp that goes on and a colour that changes. */
 static inline struct tia_scene frames_play_scene(void)
 {
 #define FRAMES_BALL(n, x, y, z)                                                                                        \
@@ -68,7 +68,7 @@ static inline struct tia_scene frames_play_scene(void)
 #undef FRAMES_AT
 }
 
-/* The frames are not drawn in the order of time. */
+/* Draws the frames, not in the order of time. */
 static inline void frames_play(struct frames_canvas *c)
 {
     const struct tia_scene scene = frames_play_scene();

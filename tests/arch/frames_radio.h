@@ -1,4 +1,4 @@
-/* frames_radio.h - checksums of the paths of radio waves: no pictures, but the same bits everywhere all the same. */
+/* frames_radio.h - checksums of the paths of radio waves: not pictures, but the same bits everywhere, too. */
 #ifndef TESTS_ARCH_FRAMES_RADIO_H
 #define TESTS_ARCH_FRAMES_RADIO_H
 
@@ -47,7 +47,7 @@ static inline bool frames_radio_ray(void *ctx, const struct tia_radio_ray *ray)
     return frames_radio_path(ctx, &ray->path);
 }
 
-/* A ground, turned and plain blocks, a slanting triangle, a disc. */
+/* Reports a ground, turned and plain blocks, a slanting triangle, a disc. */
 static inline void frames_radio(struct frames_canvas *c)
 {
     static const struct tia_material material = {.index = TIA_Q16_ONE};

@@ -1,7 +1,7 @@
 /* hasher.c - prints the checksums of tests/arch/frames.h: `hasher`, or, built with TIA_HAVE_F32, `hasher f32` for the
  * same frames in single precision. `hasher sums FIRST END` prints those sums of samples instead, of occlusion, then of
- * paths. Built with HASHER_SIMD it draws by the level that TIA_SIMD names, and fails where that is not to be had.
- * Needs nothing but the libraries, so that it is built for any machine. */
+ * paths. Built with HASHER_SIMD it draws by the level that TIA_SIMD names, and fails if that is not available. Needs
+ * only the libraries, so that it can be built for any machine. */
 #include "frames.h"
 
 static void print(void *ctx, const char *name, uint32_t crc)
@@ -25,7 +25,7 @@ static void print_sums(uint32_t first, uint32_t end)
 #ifdef HASHER_SIMD
 #include <tia/simd.h>
 
-#define LEAST_VIEWS 10 /* that it draws itself: scalar leaves spheres to plain C */
+#define LEAST_VIEWS 10 /* least views that the level draws itself: scalar leaves spheres to plain C */
 
 static const struct tia_simd *simd;
 static unsigned simd_count;

@@ -14,7 +14,7 @@
 
 /* ---- techniques ---- */
 
-/* Draws the scene as it is, in tiles that do not divide it. */
+/* Draws the scene, in tiles that do not divide it. */
 static inline void frames_scene(struct frames_canvas *c, const struct tia_scene *scene, unsigned width, unsigned height,
                                 bool dither, const char *name)
 {
@@ -25,7 +25,7 @@ static inline void frames_scene(struct frames_canvas *c, const struct tia_scene 
     frames_close(c);
 }
 
-/* Flat faces, whose shadows are the same by each of these techniques. */
+/* Draws flat faces, whose shadows are the same by each of these techniques. */
 static inline void frames_flat(struct frames_canvas *c, unsigned index)
 {
     static struct corpus_rays scene;
@@ -42,7 +42,7 @@ static inline void frames_flat(struct frames_canvas *c, unsigned index)
     }
 }
 
-/* Maps by each filter, and by each bias without one, in scenes where each of them draws another picture. */
+/* Draws maps by each filter, and by each bias without one, in scenes where each of them draws another picture. */
 static inline void frames_map(struct frames_canvas *c, enum tia_filter filter, enum tia_bias bias, tia_q16 amount)
 {
     static struct corpus_rays scene;
@@ -67,7 +67,7 @@ static inline void frames_maps(struct frames_canvas *c)
             frames_map(c, TIA_FILTER_NONE, (enum tia_bias)i, i == TIA_BIAS_CONSTANT ? TIA_Q16(0.05) : TIA_Q16(1.5));
 }
 
-/* Curved shapes, left to rays and as facets. */
+/* Draws curved shapes, left to rays and as facets. */
 static inline void frames_curved(struct frames_canvas *c, unsigned index)
 {
     static struct corpus_rays scene;
@@ -85,7 +85,7 @@ static inline void frames_curved(struct frames_canvas *c, unsigned index)
     }
 }
 
-/* Several samples a pixel, and a window without perspective. */
+/* Draws several samples a pixel, and a window without perspective. */
 static inline void frames_cameras(struct frames_canvas *c)
 {
     static struct corpus_rays scene;
@@ -143,7 +143,7 @@ static inline int64_t frames_coordinate(uint64_t *state, int64_t most)
     return (int64_t)(dice_next(state) % (2 * (uint64_t)most + 1)) - most;
 }
 
-/* A point: in perspective before the eye or behind it; else h is how near it is. */
+/* Returns a point: in perspective before the eye or behind it; else h is its nearness. */
 static inline struct tia_raster_vertex frames_point(uint64_t *state, const struct tia_lattice *l, int64_t most)
 {
     int64_t x = frames_coordinate(state, most), y = frames_coordinate(state, most), z = frames_coordinate(state, most);
@@ -153,7 +153,8 @@ static inline struct tia_raster_vertex frames_point(uint64_t *state, const struc
     return (struct tia_raster_vertex){x, y, dice_one_in(state, 4) || z > 0 ? z : -z, 1};
 }
 
-/* One in three is the side of a shadow volume, whose far corners are at infinity; the others are triangles. */
+/* Makes a polygon: one in three is the side of a shadow volume, whose far corners are at infinity; the others are
+ * triangles. */
 static inline unsigned frames_polygon(uint64_t *state, const struct tia_lattice *l, int64_t most,
                                       struct tia_raster_vertex v[4])
 {
@@ -176,7 +177,7 @@ static inline unsigned frames_polygon(uint64_t *state, const struct tia_lattice 
     return 4;
 }
 
-/* The place of the first bit, and the nine that follow it. */
+/* Returns the position of the first bit, and the nine that follow it. */
 static inline tia_rgb565 frames_magnitude(uint64_t n)
 {
     unsigned zeros = 0;
@@ -186,8 +187,8 @@ static inline tia_rgb565 frames_magnitude(uint64_t n)
     return (tia_rgb565)((63 - zeros) << 10 | (n << zeros >> 53 & 1023));
 }
 
-/* Which face is seen, how near it is, and how many were drawn where. Coordinates up to `most`, or as large as 64 bits
- * allow. */
+/* Reports the face and nearness at each pixel, and the counts. Coordinates up to `most`, or as large as 64 bits allow.
+ */
 static inline void frames_polygons(struct frames_canvas *c, const char *format, enum tia_projection projection,
                                    int64_t most)
 {
@@ -217,7 +218,7 @@ static inline void frames_polygons(struct frames_canvas *c, const char *format, 
     frames_close_target(c, &t);
 }
 
-/* A triangle of 1/16, at a z from 2 to 8 before the eye, or mirrored at the plane where z is 8. */
+/* Draws a triangle of 1/16, at a z from 2 to 8 before the eye, or mirrored at the plane where z is 8. */
 static inline void frames_draw_reflected(struct tia_raster_target *target, struct tia_raster_state *how, uint32_t face,
                                          bool mirrored)
 {
@@ -239,8 +240,8 @@ static inline void frames_draw_reflected(struct tia_raster_target *target, struc
         abort();
 }
 
-/* A mirror by the stencil buffer: what is before it, the mirror itself, marked, and what is mirrored where the mark is,
- * as in test_raster_mirror.c. */
+/* Draws a mirror by the stencil buffer: the faces before it, the mirror itself, marked, and the mirrored faces where
+ * the mark is, as in test_raster_mirror.c. */
 static inline void frames_mirror(struct frames_canvas *c)
 {
     static const struct tia_stencil any = {TIA_ALWAYS, 1, 255, 255, TIA_KEEP, TIA_KEEP, TIA_KEEP};

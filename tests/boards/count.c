@@ -50,7 +50,7 @@ static int draw_and_tell(const char *name, const struct tia_view *view, struct t
     return status;
 }
 
-/* The light that a key puts. */
+/* Returns the light that a key sets. */
 static const struct tia_light *light_of(uint16_t key)
 {
     const struct tia_binding *binding = tia_thesis_scene.bindings;

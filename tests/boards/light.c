@@ -1,8 +1,8 @@
 /* light.c - occlusion, then light along paths, tile by tile in 64 KiB of RAM: prints a line for each, the picture's
- * checksum and the bytes of the view and of a tile's hits; on the board what the stack has had, too. */
+ * checksum and the bytes of the view and of a tile's hits; on the board its peak stack use, too. */
 #include "boxes.h"
 
-/* Tiles do not divide the picture. The pixels of a strip are all that is kept of it. */
+/* Sizes. Tiles do not divide the picture. Only the pixels of a strip are stored. */
 enum { WIDTH = 64, HEIGHT = 48, TILE_WIDTH = 15, TILE_HEIGHT = 7, MEMORY = 16384 };
 
 static const struct tia_material materials[] = {

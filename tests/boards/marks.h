@@ -1,4 +1,4 @@
-/* marks.h - between which instructions are counted: the emulator knows them by their addresses, see count.py. A file
+/* marks.h - the marks between which instructions are counted: the emulator gets their addresses, see count.py. A file
  * that includes this one defines them. */
 #ifndef TESTS_BOARDS_MARKS_H
 #define TESTS_BOARDS_MARKS_H

@@ -1,4 +1,4 @@
-/* observed.c - how many rays, of any kind, the pictures that rays.c draws on a board take: for each scene file its name
+/* observed.c - counts the rays, of any kind, of the pictures that rays.c draws on a board: for each scene file its name
  * and that number. */
 #include <stdio.h>
 #include <stdlib.h>

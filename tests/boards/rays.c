@@ -1,4 +1,4 @@
-/* rays.c - a compiled scene, SCENE, drawn ray by ray: prints the picture's checksum. What is between the marks is
+/* rays.c - a compiled scene, SCENE, drawn ray by ray: prints the picture's checksum. Instructions between the marks are
  * counted, see count.py. */
 #include <tia/tia.h>
 

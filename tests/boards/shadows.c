@@ -1,5 +1,5 @@
 /* shadows.c - a scene of flat faces with each technique for shadows, drawn tile by tile: prints a line for each, the
- * picture's checksum and the bytes of the view and of a tile's hits. What is between the marks is counted, see
+ * picture's checksum and the bytes of the view and of a tile's hits. Instructions between the marks are counted, see
  * count.py. */
 #include "boxes.h"
 #include "marks.h"

@@ -1,4 +1,4 @@
-/* simavr.c - runs an AVR program in simavr: prints what its serial line says and ends with its status.
+/* simavr.c - runs an AVR program in simavr: prints its serial output and ends with its status.
  *
  *   simavr IMAGE                     as fast as it goes
  *   simavr IMAGE BEGIN END LOG       counts between two marks

@@ -15,7 +15,7 @@ double sqrt(double x);
         WORD bits, rest, root = 0, twice = 0;                                                                          \
         __builtin_memcpy(&bits, &x, sizeof bits);                                                                      \
         if (bits < one)                                                                                                \
-            return 0; /* zero, and what is too small to matter */                                                      \
+            return 0; /* zero, and values too small to matter */                                                       \
         int exponent = (int)(bits >> (DIGITS - 1)) - BIAS;                                                             \
         rest = ((bits & (one - 1)) | one) << (1 + (exponent & 1));                                                     \
         for (WORD digit = one << 1; digit; digit >>= 1) {                                                              \

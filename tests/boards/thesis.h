@@ -8,7 +8,7 @@
  * has them. Where 64-bit numbers lie at multiples of 4, as on 32-bit x86, a little less is needed. */
 #ifndef TIA_BYTES
 enum tia_bytes_small { TIA_BYTES_SMALL };
-typedef char tia_bytes_known[sizeof(void *) >= 4 ? 1 : -1]; /* fails on other machines: ask tia_view_size there */
+typedef char tia_bytes_known[sizeof(void *) >= 4 ? 1 : -1]; /* fails on other machines: call tia_view_size there */
 #define TIA_BYTES(wide, narrow, small) \
     (sizeof(void *) == 8 ? (wide) : sizeof(enum tia_bytes_small) > 1 ? (narrow) : (small))
 #define TIA_WORDS(bytes) (((bytes) + 7) / 8) /* of an array of uint64_t, whose alignment is the right one */

@@ -27,7 +27,7 @@ static inline uint32_t take_word(struct bytes *b)
     return word;
 }
 
-/* A number: a whole, a small fraction, near a limit, or anything. */
+/* Takes a number: a whole, a small fraction, near a limit, or any. */
 static inline int32_t take_number(struct bytes *b)
 {
     static const int32_t limits[] = {0,         TIA_RADIUS_MIN, TIA_Q30_ONE, INT32_MAX,
@@ -46,7 +46,7 @@ static inline int32_t take_number(struct bytes *b)
     }
 }
 
-/* A Q2.30 channel in [0, 1], or, one time in eight, anything. */
+/* Takes a Q2.30 channel in [0, 1], or, one time in eight, any number. */
 static inline tia_q30 take_channel(struct bytes *b)
 {
     uint8_t value = take_byte(b);
@@ -115,7 +115,7 @@ static inline void take_scene(struct bytes *b, struct fuzz_scene *s)
     s->bindings[0] = (struct tia_binding){take_byte(b), take_byte(b), take_light(b)};
 }
 
-/* What a fuzzer does when something is wrong: libFuzzer keeps the bytes. */
+/* Ends a fuzzer when a condition fails: libFuzzer keeps the bytes. */
 #define MUST(condition)                                                                                                \
     do {                                                                                                               \
         if (!(condition)) {                                                                                            \

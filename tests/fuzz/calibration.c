@@ -1,5 +1,5 @@
 /* calibration.c - the calibration of a light-field display: any bytes as visual.json and as the value of --lenticular.
- * What is accepted keeps its limits. */
+ * Accepted values keep their limits. */
 #include <string.h>
 
 #include "common/lenticular.h"

@@ -1,5 +1,5 @@
-/* check.c - tia_scene_check on any numbers at all: it names the fault of what it refuses, and what
- * it accepts keeps the ranges that include/tia/scene.h states, computed here in double. */
+/* check.c - tia_scene_check on any numbers at all: a refused scene has a fault, and an accepted one keeps the ranges
+ * that include/tia/scene.h states, computed here in double. */
 #include <math.h>
 #include <stdio.h>
 
@@ -68,7 +68,8 @@ static void must_be_camera(const struct tia_camera *c)
                           n * up * 0.00097);
 }
 
-/* Every corner of what an object is in, from every place of the eye; with a few units for its margin and rounding. */
+/* Checks every corner of an object's box from every position of the eye; with a few units for its margin and rounding.
+ */
 static void must_be_near(const struct tia_scene *s, struct tia_bounds b)
 {
     const double far = 2147483648.0 + 16;
@@ -110,7 +111,7 @@ static void must_be_shape(const struct tia_scene *s, uint32_t i)
         must_be_placed(&s->transforms[shape->transform - 1], b);
 }
 
-/* What is built of it and moved stays in the memory that was asked for, and is a scene again. */
+/* Checks that builds and motions of the scene stay in the memory asked for, and give a scene again. */
 static void must_be_of_use(const struct tia_scene *s)
 {
     const tia_q16 times[] = {INT32_MIN, 0, 1, 65536, 1 << 20, INT32_MAX};
@@ -131,7 +132,7 @@ static void must_be_of_use(const struct tia_scene *s)
     free(moved);
 }
 
-/* A key may change the lights; it must leave a scene that is accepted, but for what else moves them. */
+/* Checks that a key, which may change the lights, leaves an accepted scene, apart from tracks of lights. */
 static void must_stay_accepted(const struct fuzz_scene *f, struct bytes *b)
 {
     struct tia_light lights[FUZZ_LIGHTS + 1];

@@ -16,7 +16,7 @@ struct memory_file {
     char path[32];
     int fd;
     size_t size;
-    uint8_t bytes[MEMORY_FILE_MOST]; /* that are written at once, by memory_file_save */
+    uint8_t bytes[MEMORY_FILE_MOST]; /* bytes that are written at once, by memory_file_save */
 };
 
 static inline void memory_file_write(struct memory_file *file, const void *bytes, size_t size)
@@ -26,7 +26,7 @@ static inline void memory_file_write(struct memory_file *file, const void *bytes
     file->size += size;
 }
 
-/* Replaces the file by what was written since the last time. */
+/* Replaces the file by the bytes written since the last time. */
 static inline void memory_file_save(struct memory_file *file)
 {
     if (!*file->path) {

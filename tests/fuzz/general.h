@@ -1,4 +1,4 @@
-/* general.h - what a scene may have besides spheres and plain lights, from a fuzzer's bytes. */
+/* general.h - parts of a scene besides spheres and plain lights, from a fuzzer's bytes. */
 #ifndef TESTS_FUZZ_GENERAL_H
 #define TESTS_FUZZ_GENERAL_H
 
@@ -27,20 +27,20 @@ struct fuzz_general {
     struct tia_falling falling;
 };
 
-/* An index below `count`, or, one time in 32, anything. */
+/* Takes an index below `count`, or, one time in 32, any number. */
 static inline uint32_t take_index(struct bytes *b, uint32_t count)
 {
     uint8_t value = take_byte(b);
     return value >= 248 ? take_word(b) - 3 : count ? value % count : 0;
 }
 
-/* A kind: one more than there are is none. */
+/* Takes a kind; the number after the last is none. */
 static inline unsigned take_kind(struct bytes *b, unsigned count)
 {
     return take_byte(b) % (count + (take_byte(b) == 255));
 }
 
-/* A length of 1 along an axis, or anything. */
+/* Takes a direction of length 1 along an axis, or any. */
 static inline struct tia_dir3 take_dir3(struct bytes *b)
 {
     uint8_t kind = take_byte(b);
@@ -139,7 +139,7 @@ static inline void take_tracks(struct bytes *b, struct fuzz_general *g)
     }
 }
 
-/* Not for long: each time is computed from the beginning. */
+/* Takes falling balls, for a short time: each time is computed from the beginning. */
 static inline void take_falls(struct bytes *b, struct fuzz_general *g)
 {
     for (int i = 0; i < 2; i++) {
@@ -194,7 +194,7 @@ static inline void take_camera_rest(struct bytes *b, struct tia_camera *c)
     c->samples = take_byte(b) % 18;
 }
 
-/* Adds to a scene of take_scene what the bytes say; when there are none, nothing. */
+/* Adds general parts to a scene of take_scene by the bytes; if there are none, no parts. */
 static inline void take_general(struct bytes *b, struct fuzz_scene *f, struct fuzz_general *g)
 {
     uint8_t what = take_byte(b), shapes = take_byte(b);

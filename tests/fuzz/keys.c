@@ -1,5 +1,5 @@
-/* keys.c - what a terminal sends, byte by byte with pauses: keys come out that tia/port.h knows, or places of a mouse,
- * and silence ends every sequence but a paste. */
+/* keys.c - a terminal's bytes, one by one with pauses: they give keys of tia/port.h, or positions of a mouse, and
+ * silence ends every sequence but a paste. */
 #include <stdio.h>
 
 #include "bytes.h"

@@ -1,4 +1,4 @@
-/* made.h - the arrays of a scene of everything, and numbers for it from a fuzzer's bytes: of any size, but seldom
+/* made.h - the arrays of a scene with all features, and numbers for it from a fuzzer's bytes: of any size, but seldom
  * beyond their ranges. */
 #ifndef TESTS_FUZZ_MADE_H
 #define TESTS_FUZZ_MADE_H
@@ -18,13 +18,13 @@
 
 struct made {
     struct tia_scene scene;
-    struct tia_vec3 origin; /* what places are relative to: 0 or the eye */
+    struct tia_vec3 origin; /* origin of positions: 0 or the eye */
     struct tia_sphere spheres[MADE_SPHERES];
     struct tia_shape shapes[MADE_SHAPES];
     struct tia_light lights[MADE_LIGHTS];
     struct tia_material materials[MADE_MATERIALS];
     struct tia_transform transforms[2];
-    struct tia_texture textures[3]; /* the last: an opacity */
+    struct tia_texture textures[3]; /* the last one is an opacity */
     struct tia_mesh meshes[2];
     struct tia_grid grid;
     struct tia_vec3 vertices[MADE_VERTICES];
@@ -36,7 +36,7 @@ struct made {
     uint8_t cells[MADE_CELLS], texels[3 * TIA_TEXTURE_MAX];
 };
 
-/* A number of any size: of up to 7 bits with as many zeros as there may be, or near a limit. */
+/* Takes a number of any size: of up to 7 bits with as many zeros as possible, or near a limit. */
 static inline int32_t take_sized(struct bytes *b)
 {
     static const int32_t limits[] = {INT32_MAX,   -INT32_MAX, 1239850262, -1239850262,    1073741824, -1073741824,
@@ -50,7 +50,7 @@ static inline int32_t take_sized(struct bytes *b)
     return sum > INT32_MAX ? INT32_MAX : sum < -INT32_MAX ? -INT32_MAX : (int32_t)sum;
 }
 
-/* One of a few, or between least and most. */
+/* Takes one of a few numbers, or one between least and most. */
 static inline int32_t take_within(struct bytes *b, int32_t least, int32_t most)
 {
     uint8_t kind = take_byte(b);
@@ -85,7 +85,7 @@ static inline tia_q16 take_radius(struct bytes *b)
     return r < TIA_RADIUS_MIN ? TIA_RADIUS_MIN + r % 2 : r;
 }
 
-/* Of the shortest length, 1, or the longest. */
+/* Takes a direction of the shortest length, 1, or the longest. */
 static inline struct tia_dir3 take_direction(struct bytes *b)
 {
     uint8_t kind = take_byte(b);

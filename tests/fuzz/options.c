@@ -1,5 +1,4 @@
-/* options.c - the command line: any bytes, a newline between arguments. What is accepted keeps its
- * limits. */
+/* options.c - the command line: any bytes, a newline between arguments. Accepted options keep their limits. */
 #include "tia/arguments.h"
 #include "tia/fail.h"
 #include "tia/film.h"
@@ -19,7 +18,7 @@ static void must_keep_limits(const struct options *o)
     MUST(!o->tile_rows || o->format == IMAGE_PART);
 }
 
-/* The built-in scene's keys are read, and what is drawn lies in the film. */
+/* Checks that the built-in scene's keys are read, and that the drawn frames lie in the film. */
 static void must_plan(struct options *o)
 {
     struct image_film film;

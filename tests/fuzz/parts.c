@@ -25,7 +25,7 @@ static void take_rows(struct bytes *b, struct image_film *film)
     film->frames = frames / FRAMES % FRAMES + 1u;
 }
 
-/* Of all parts alike; one number of one part in eight is another. */
+/* Takes a film. All parts have the same; in one part in eight one number differs. */
 static struct image_film take_film(struct bytes *b, uint8_t shape)
 {
     struct image_film film = {.width = shape % SIDE + 1u,
@@ -157,7 +157,7 @@ static void fill(struct bytes *b, struct memory_file *file, enum kind kind, uint
     memory_file_save(file);
 }
 
-/* ---- what is read ---- */
+/* ---- reading ---- */
 
 static void must_be_drawn(const tia_rgb565 *pixels, const struct image_film *film, uint32_t frame)
 {
@@ -165,7 +165,8 @@ static void must_be_drawn(const tia_rgb565 *pixels, const struct image_film *fil
         MUST(pixels[i] == pixel_of(frame, i / film->width, i % film->width));
 }
 
-/* Every pixel is written, since both backgrounds give the same picture, and it is the one that was drawn. */
+/* Checks that every pixel is written, since both backgrounds give the same picture, and that it is the one that was
+ * drawn. */
 static void must_fill(struct parts *parts, uint32_t frame, bool raw)
 {
     const struct image_film *film = &parts->array[0].film;
@@ -186,7 +187,7 @@ static void must_fill(struct parts *parts, uint32_t frame, bool raw)
     free(two);
 }
 
-/* Planes are rare, since 65536 colours are sorted to read them. */
+/* Takes a kind; planes are rare, since 65536 colours are sorted to read them. */
 static enum kind take_kind(struct bytes *b)
 {
     uint8_t kind = take_byte(b) % 64;

@@ -25,7 +25,7 @@ struct picture {
     void *memory[2];
 };
 
-/* A tile of an image, traced. */
+/* Opens a picture: a tile of an image, traced. */
 static inline void open_picture(struct picture *p, const struct tia_core *core, const struct tia_scene *scene,
                                 unsigned width, unsigned height, struct tia_tile tile)
 {
@@ -68,7 +68,7 @@ static inline void must_see_objects(const struct picture *p, const struct tia_sc
     }
 }
 
-/* Pixels, and how they came about. */
+/* Checks that pixels and path hashes are the same. */
 static inline void must_be_same(const struct picture *p, const struct picture *q)
 {
     size_t count = (size_t)p->tile.width * p->tile.height;

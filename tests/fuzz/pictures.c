@@ -1,5 +1,5 @@
-/* pictures.c - files that others made: pictures for textures, and the first lines of parts of films. What is
- * accepted keeps its limits. */
+/* pictures.c - files of other programs: pictures for textures, and the first lines of parts of films. Accepted values
+ * keep their limits. */
 #include <stdio.h>
 
 #include "bytes.h"

@@ -1,7 +1,7 @@
 /* polygons.c - the rasteriser on any polygons: corners before the eye, behind it and at infinity, at the limits and
- * beyond, in 64 and in 128 bits. Both formats draw the same, and what the oracle does, pixel by pixel; triangles on
- * either side of an edge have no pixel in common; nothing outside of the part that is drawn into changes; and what is
- * out of range is refused before anything is drawn. */
+ * beyond, in 64 and in 128 bits. Both formats draw the same as the oracle, pixel by pixel; triangles on either side of
+ * an edge have no pixel in common; no pixel outside the drawn part changes; and a polygon out of range is refused
+ * before a pixel is drawn. */
 #include <stdio.h>
 #include <string.h>
 
@@ -9,11 +9,11 @@
 #include "bytes.h"
 
 #define POLYGONS 6
-#define SIDE 10 /* of what is drawn into; there is a pixel more around it */
+#define SIDE 10 /* of the drawn part; there is a pixel more around it */
 #define PIXELS ((SIDE + 2) * (SIDE + 2))
 #define BUFFERS (TIA_BUFFER_DEPTH | TIA_BUFFER_STENCIL | TIA_BUFFER_COLOUR)
 
-/* In the format that fits, and in 128 bits always. */
+/* A target drawn in the format that fits, and one always in 128 bits. */
 struct drawn {
     struct tia_lattice lattice;
     struct tia_raster_target whole, part;
@@ -82,7 +82,7 @@ static int64_t limit_of(const struct tia_lattice *l)
     return INT64_C(1) << (l->projection == TIA_ORTHOGRAPHIC ? 29 : 40);
 }
 
-/* A small number times a power of two, one near a limit, or any. */
+/* Takes a small number times a power of two, one near a limit, or any. */
 static int64_t take_coordinate(struct bytes *b, const struct tia_lattice *l)
 {
     uint8_t kind = take_byte(b);
@@ -101,7 +101,7 @@ static int64_t take_coordinate(struct bytes *b, const struct tia_lattice *l)
     }
 }
 
-/* On the centre of a pixel, or almost. */
+/* Takes a point on the centre of a pixel, or almost. */
 static struct tia_raster_vertex take_centre(struct bytes *b, const struct drawn *d)
 {
     const struct tia_lattice *l = &d->lattice;
@@ -126,7 +126,8 @@ static struct tia_raster_vertex take_vertex(struct bytes *b, const struct drawn 
     return v;
 }
 
-/* Now and then a corner and the next are those of an edge of the one before, in the other direction. */
+/* Takes a polygon; now and then a corner and the next are those of an edge of the one before, in the other direction.
+ */
 static void take_polygon(struct bytes *b, const struct drawn *d, const struct shape *before, struct shape *p)
 {
     uint8_t kind = take_byte(b);
@@ -164,7 +165,8 @@ static bool is_accepted(const struct tia_lattice *l, const struct shape *p)
     return true;
 }
 
-/* A side whose ends are in one direction from the eye has no outside; the oracle lets it cover nothing. */
+/* True if all sides have an outside: one whose ends are in one direction from the eye has none, and covers nothing in
+ * the oracle. */
 static bool has_all_sides(const struct shape *p)
 {
     for (unsigned i = 0; i < p->count; i++) {
@@ -207,7 +209,7 @@ static struct tia_raster_state take_state(struct bytes *b)
     return s;
 }
 
-/* ---- what must be so ---- */
+/* ---- checks ---- */
 
 static void must_be_the_oracles(const struct drawn *d)
 {
@@ -220,7 +222,7 @@ static void must_be_the_oracles(const struct drawn *d)
     }
 }
 
-/* Nearness is within 2^15 of the exact one in both. */
+/* Checks that nearness is within 2^15 of the exact one in both. */
 static void must_be_alike(const struct drawn *a, const struct drawn *b)
 {
     for (size_t i = 0; i < (size_t)a->whole.area.width * a->whole.area.height; i++) {
@@ -232,7 +234,7 @@ static void must_be_alike(const struct drawn *a, const struct drawn *b)
     MUST(!memcmp(a->whole.planes, b->whole.planes, POLYGONS * sizeof *a->whole.planes));
 }
 
-/* Only in the part, so that what is around it must not have changed. */
+/* Draws the oracle's picture, only in the part, so that the surroundings must not have changed. */
 static void draw_oracles(const struct tia_raster_state *s, const struct shape *p, uint32_t id, const struct drawn *d)
 {
     struct tia_tile part = d->part.area, whole = d->whole.area;
@@ -249,7 +251,7 @@ static void draw_oracles(const struct tia_raster_state *s, const struct shape *p
     memcpy(oracle.planes[id], row.planes[id], sizeof row.planes[id]);
 }
 
-/* In perspective a pixel can look at a corner at infinity, which has no value. */
+/* True if the pixel has a value: in perspective it can look at a corner at infinity, which has none. */
 static bool sees_value(const struct shape *p, int x, int y)
 {
     return oracle_covers(&oracle.image, p->v, 3, x, y) &&
@@ -270,7 +272,7 @@ static void must_blend(struct bytes *b, const struct drawn *d, const struct shap
                  oracle_blend(&oracle.image, p->v, part->x + i, part->y + i, a));
 }
 
-/* Two triangles with an edge in opposite directions cover no pixel twice, seen from the same side. */
+/* Checks that two triangles with an edge in opposite directions cover no pixel twice, seen from the same side. */
 static void must_not_overlap(const struct drawn *d, const struct shape *a, const struct shape *b, unsigned range)
 {
     static const struct tia_stencil once = {TIA_ALWAYS, 0, 255, 255, TIA_KEEP, TIA_KEEP, TIA_INCR_WRAP};

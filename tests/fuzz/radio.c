@@ -1,5 +1,5 @@
-/* radio.c - the command line of tia-radio: any bytes, a newline between arguments. What is accepted keeps its
- * limits. */
+/* radio.c - the command line of tia-radio: any bytes, a newline between arguments. Accepted options keep their limits.
+ */
 #include <math.h>
 
 #include "common/image/image.h"

@@ -1,4 +1,4 @@
-/* rays.c - scenes of everything that tia_scene_check accepts, by q16 and by chk, with and without a hierarchy: no
+/* rays.c - scenes with all features that tia_scene_check accepts, by q16 and by chk, with and without a hierarchy: no
  * number leaves its range, all draw the same along the same paths, and so do hits that are lit again. In double
  * precision the same scene is drawn to its end. Exact techniques for shadows draw the same. */
 #include <stdio.h>
@@ -35,7 +35,7 @@ static uint64_t work_of(const struct made *m, uint32_t pixels)
     return objects * rays_of(m, pixels);
 }
 
-/* Less of what multiplies, until it is drawn in no time. */
+/* Reduces the factors of the work until it is drawn in a short time. */
 static void limit_work(struct made *m, struct tia_tile *tile)
 {
     while (work_of(m, (uint32_t)tile->width * tile->height) > WORK)
@@ -72,7 +72,7 @@ static struct tia_tile take_tile(struct bytes *b, uint16_t *width, uint16_t *hei
     return tile;
 }
 
-/* The same by the hierarchy. */
+/* Draws the same with the hierarchy. */
 static void draw_sooner(const struct picture *plain, const struct tia_scene *scene, uint16_t width, uint16_t height)
 {
     struct tia_scene with = *scene;
@@ -94,7 +94,7 @@ static bool is_exact(enum tia_shadows shadows)
            shadows == TIA_SHADOWS_MAP_EXACT;
 }
 
-/* The same by other techniques for shadows. */
+/* Draws the same by other techniques for shadows. */
 static void draw_otherwise(const struct picture *plain, const struct tia_scene *scene, uint16_t width, uint16_t height)
 {
     struct tia_scene other = *scene;
@@ -113,7 +113,7 @@ static void draw_otherwise(const struct picture *plain, const struct tia_scene *
     }
 }
 
-/* The rasteriser cannot draw what is too far away: then shadows are traced. */
+/* Chooses a technique: where objects are too far away for the rasteriser, shadows are traced. */
 static void choose_shadows(struct tia_scene *scene, uint16_t width, uint16_t height)
 {
     size_t size = tia_view_size(scene, scene->light_count);

@@ -1,5 +1,5 @@
-/* resume.c - what an interrupted run has left, for --resume: any bytes, or a file of rows that was cut or
- * changed at any place. What is accepted is right, and can be continued and read again. */
+/* resume.c - files of interrupted runs, for --resume: any bytes, or a file of rows that was cut or changed at any
+ * place. Accepted rows are right, and can be continued and read again. */
 #include <string.h>
 
 #include "files.h"
@@ -55,7 +55,7 @@ static void must_read_rows(struct finished *f, uint32_t frame, bool raw)
         MUST(raw || memcmp(pixels, drawn, sizeof drawn) == 0);
 }
 
-/* Whatever was in the file, after all rows have been appended it has them all. */
+/* Checks that the file has all rows after all have been appended, whatever was in it. */
 static void must_finish(bool raw)
 {
     struct finished f;
@@ -171,7 +171,7 @@ static void begin_sums(struct bytes *b, bool guided)
     resume_close(&r);
 }
 
-/* ---- what happens to the file ---- */
+/* ---- changes of the file ---- */
 
 static void cut(struct bytes *b)
 {

@@ -10,7 +10,7 @@
 #include "gl/raster.h"
 #include "ports.h"
 
-/* NULL: the case is skipped, for the driver is not there. */
+/* Opens a driver; NULL: the case is skipped, as the driver is not there. */
 static inline struct gl_raster *gl_opened(const char *driver, unsigned width, unsigned height)
 {
     static char why[PORT_WHY];
@@ -26,8 +26,8 @@ static inline struct gl_raster *gl_opened(const char *driver, unsigned width, un
     return gl;
 }
 
-/* Each driver has a process of its own, which must have chosen it before the library is loaded. When the process before
- * had no case of the name that was asked for, and this one has none either, it says so. */
+/* Runs a case in a process of its own, which must choose the driver before the library is loaded. When the process
+ * before had no case of the name that was asked for, and this one has none either, it says so. */
 static inline int gl_in_process(const char *driver, void (*run)(void), int before)
 {
     int status = 1;

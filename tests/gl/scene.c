@@ -74,7 +74,7 @@ static const char vertex_shader[] = "#version 120\n"
                                     "    gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex;\n"
                                     "}\n";
 
-/* The mask tells what is seen (red: the ground, green: the ball) and whether light gets there (blue). */
+/* The mask shows the object (red: the ground, green: the ball) and if light gets there (blue). */
 static const char fragment_shader[] =
     "#version 120\n"
     "varying vec3 point;\n"
@@ -103,9 +103,9 @@ static const char fragment_shader[] =
     "    gl_FragColor = vec4(seen, 1.0);\n"
     "}\n";
 
-/* The part of a sphere that can be seen from the eye at the origin, and a little more, as rings
- * around the axis to the eye. A triangle leaves the sphere by at most step^2/8 times the radius,
- * for the ground 10^-4, for the ball 3 10^-5. */
+/* Draws the part of a sphere that can be seen from the eye at the origin, and a little more, as rings around the axis
+ * to the eye. A triangle leaves the sphere by at most step^2/8 times the radius, for the ground 10^-4, for the ball 3
+ * 10^-5. */
 static void draw_ball(const struct gl_ball *ball)
 {
     const int rings = 200, segments = 720;
@@ -156,8 +156,8 @@ static GLuint make_program(char *why)
     return program;
 }
 
-/* Drawn beside the display, which has no depth buffer, and in floating point: how GL rounds a
- * colour to 5 or 6 bits is left open by its specification. */
+/* Makes a target beside the display, which has no depth buffer, and in floating point: GL's specification leaves
+ * rounding a colour to 5 or 6 bits open. */
 static bool make_target(unsigned width, unsigned height, char *why)
 {
     static const GLenum attachments[2] = {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT},
@@ -180,7 +180,7 @@ static bool make_target(unsigned width, unsigned height, char *why)
     return true;
 }
 
-/* A uniform of one thing, with one or three components. */
+/* Sets an object's uniform of one or three components. */
 static void set(GLuint program, const char *name, int thing, const double *value, int count)
 {
     char element[32];
@@ -228,7 +228,7 @@ static tia_rgb565 quantised(const gl_colour c)
     return (tia_rgb565)((unsigned)level[0] << 11 | (unsigned)level[1] << 5 | (unsigned)level[2]);
 }
 
-/* Where the picture is, with the balls as display lists: thing i is list i + 1. */
+/* Sets the position of the picture, with the balls as display lists: object i is list i + 1. */
 static void place(GLuint program, const struct gl_ball *light, double aspect)
 {
     const double top = tan(FOV_DEGREES / 2 * PI / 180);

@@ -8,7 +8,7 @@ struct gl_ball {
     double centre[3], radius, colour[3];
 };
 
-/* What is seen in a pixel. A light counts as what is behind it. */
+/* The object visible in a pixel. A light counts as the object behind it. */
 enum gl_thing { GL_GROUND, GL_BALL, GL_SKY };
 
 enum { PICTURE_PIXELS = 640 * 480 };
@@ -21,8 +21,8 @@ struct picture {
     unsigned char light[PICTURE_PIXELS]; /* 1: the light itself is seen; left alone here */
 };
 
-/* Draws it with a library of the osmesa display into a picture whose size is set; a light of
- * radius 0 is none. False: why, PORT_WHY characters, says what failed. */
+/* Draws it with a library of the osmesa display into a picture whose size is set; a light of radius 0 is none. False:
+ * `why`, PORT_WHY characters, has the reason. */
 bool gl_scene_draw(const char *library, const struct gl_ball *light, struct picture *picture, char *why);
 
 #endif

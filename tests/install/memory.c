@@ -1,4 +1,4 @@
-/* memory.c - what a header by `tia-compile --memory` says, and what the library asks for on this machine. It is
+/* memory.c - the numbers of a header by `tia-compile --memory`, and those of the library on this machine. It is
  * compiled with SCENE, the scene's name, NAME, that of its sizes, and LIGHTS, and prints both, name by name. */
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,11 +10,11 @@ extern const struct tia_scene SCENE;
 #define JOIN(a, b) JOIN2(a, b)
 #define SIZE(what) JOIN(NAME, what)
 
-/* An array of the size is what an embedded program has. */
+/* An array of the size, as in an embedded program. */
 static uint64_t view_memory[TIA_WORDS(SIZE(_VIEW))];
 
 struct asked {
-    size_t size; /* of the first request for a frame's memory */
+    size_t size; /* size of the first request for a frame's memory */
     unsigned first, requests;
 };
 

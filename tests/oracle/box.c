@@ -44,12 +44,12 @@ static double uniform(uint64_t *state)
     return (double)((z ^ z >> 31) >> 11) / 9007199254740992.0;
 }
 
-/* ---- what a ray meets ---- */
+/* ---- intersections ---- */
 
 struct meeting {
     double t;
     int colour;
-    struct oracle_vec normal; /* towards where the ray comes from */
+    struct oracle_vec normal; /* towards the ray's origin */
 };
 
 static struct oracle_vec corner(const double p[3])
@@ -57,7 +57,7 @@ static struct oracle_vec corner(const double p[3])
     return (struct oracle_vec){p[0], p[1], p[2]};
 }
 
-/* Where the ray meets the triangle's plane, if that is on the same side of all three edges. */
+/* Intersects the triangle's plane; a hit is on the same side of all three edges. */
 static void meet_triangle(struct ray ray, const double a[3], const double b[3], const double c[3], int colour,
                           struct meeting *nearest)
 {
@@ -97,13 +97,13 @@ static struct meeting meet(struct ray ray)
     return nearest;
 }
 
-/* ---- light along a path ---- */
+/* ---- paths ---- */
 
 /* Light of the lamp from nearer than this is found by directions, from farther by points of the lamp: either alone
  * would be noisy, in its gap or everywhere else. */
 #define NEAR 60
 
-/* What a point of the lamp sends to a white surface at x: 1/pi cos cos' area/d^2. */
+/* Returns the light from a point of the lamp to a white surface at x: 1/pi cos cos' area/d^2. */
 static double from_lamp(struct oracle_vec x, struct oracle_vec normal, uint64_t *state)
 {
     const double *low = oracle_box_lamp[0], *high = oracle_box_lamp[1];
@@ -118,7 +118,7 @@ static double from_lamp(struct oracle_vec x, struct oracle_vec normal, uint64_t 
     return cosine * fabs(ray.direction.y) * (high[0] - low[0]) * (high[2] - low[2]) / (PI * distance * distance);
 }
 
-/* cos t/pi: the point above a random one of the unit disc. */
+/* Returns a direction with the density cos t/pi: the point above a random one of the unit disc. */
 static struct oracle_vec scattered(struct oracle_vec normal, uint64_t *state)
 {
     double a, b;
@@ -157,7 +157,7 @@ static struct colour radiance(struct ray ray, uint64_t *state)
     }
 }
 
-/* The page's camera: the focal length 0.035, the picture 0.025 wide; x grows to the left. */
+/* Returns a ray of the page's camera: the focal length 0.035, the picture 0.025 wide; x grows to the left. */
 static struct ray camera_ray(double x, double y)
 {
     const double half = 0.0125 / 0.035;
@@ -166,7 +166,7 @@ static struct ray camera_ray(double x, double y)
     return (struct ray){{278, 273, -800}, unit(d)};
 }
 
-/* Samples of a pixel lie one in each of rows x rows squares. */
+/* Adds samples; those of a pixel lie one in each of rows x rows squares. */
 void oracle_box(unsigned side, uint64_t seed, unsigned rows, double *rgb)
 {
     uint64_t state = seed * UINT64_C(0xd1342543de82ef95);

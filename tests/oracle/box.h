@@ -1,5 +1,5 @@
-/* box.h - the Cornell box as scenes/cornell.tia has it, its light followed along random paths in double precision:
- * other intersections, other random numbers, other directions, and no balance heuristic. */
+/* box.h - the Cornell box of scenes/cornell.tia, its light followed along random paths in double precision: with other
+ * intersections, other random numbers, other directions, and no balance heuristic. */
 #ifndef TESTS_ORACLE_BOX_H
 #define TESTS_ORACLE_BOX_H
 

@@ -20,7 +20,7 @@ static struct frame frame_of(const struct tia_camera *camera, const struct tia_f
     return f;
 }
 
-/* The point of the window that the place (x, y) of the image is, and how far off the window is; 0: not at all. */
+/* Returns the point of the window at (x, y) of the image, and the window's distance; 0: orthographic. */
 static struct oracle_vec window_point(const struct tia_camera *camera, double w, double h, double x, double y)
 {
     const struct tia_window *window = &camera->window;

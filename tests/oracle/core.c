@@ -1,5 +1,5 @@
-/* core.c - the oracle behind the library's table of functions, so that it draws whatever the
- * library's arithmetics draw. A hit buffer keeps all that the oracle found. */
+/* core.c - the oracle behind the library's table of functions, so that it draws all that the library's arithmetics
+ * draw. A hit buffer stores all results of the oracle. */
 #include "oracle.h"
 
 struct tia_view {

@@ -8,18 +8,19 @@
 #define ORACLE_NO_FACE UINT32_MAX
 
 struct oracle_face {
-    bool plane;                    /* all of it, with the normal edge[0] */
-    struct oracle_vec at, edge[2]; /* a corner, and the way from there to the others */
+    bool plane;                    /* the whole plane, with the normal edge[0] */
+    struct oracle_vec at, edge[2]; /* a corner, and the vectors from there to the others */
     uint32_t object;
 };
 
-/* How many faces a scene of planes, boxes, triangles and meshes has; fills them in if `faces` is not NULL. */
+/* Returns the number of faces of a scene of planes, boxes, triangles and meshes; fills them in if `faces` is not NULL.
+ */
 uint32_t oracle_faces(const struct tia_scene *scene, struct oracle_face *faces);
 
-/* The face that a ray meets first, and where; or ORACLE_NO_FACE. */
+/* Returns the face that a ray meets first, and gives t; or ORACLE_NO_FACE. */
 uint32_t oracle_face_seen(const struct oracle_face *faces, uint32_t count, struct ray ray, double *t);
 
-/* Whether light comes from sample i of a light, with the pattern of class 0, to the point of that face that is seen
+/* True if light comes from sample i of a light, with the pattern of class 0, to the point of that face that is seen
  * from `eye`. */
 bool oracle_face_lit(const struct oracle_face *faces, uint32_t count, uint32_t face, struct ray eye, double t,
                      const struct tia_light *light, unsigned i);

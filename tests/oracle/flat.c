@@ -6,13 +6,13 @@ static double coordinate(struct oracle_vec v, int axis)
     return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 }
 
-/* The unit vector of an axis, times sign. */
+/* Returns the unit vector of an axis, times sign. */
 static struct oracle_vec axis_vec(int axis, double sign)
 {
     return (struct oracle_vec){axis == 0 ? sign : 0, axis == 1 ? sign : 0, axis == 2 ? sign : 0};
 }
 
-/* How far a point is along a tangent of a face, from where that begins: 0 to 1. */
+/* Returns a point's position along a tangent of a face, from the face's edge: 0 to 1. */
 static double share(const double part[3], struct oracle_vec tangent)
 {
     double sum = 0;
@@ -24,7 +24,7 @@ static double share(const double part[3], struct oracle_vec tangent)
     return sum;
 }
 
-/* The face of a box whose outward normal is sign times the axis: met at *t, when the point lies in it. */
+/* Gives the hit on the face of a box whose outward normal is sign times the axis: at *t, when the point lies in it. */
 static bool face_hit(struct ray ray, struct oracle_vec min, struct oracle_vec max, int axis, double sign,
                      struct hit *hit)
 {
@@ -120,7 +120,7 @@ bool shape_mesh(struct ray ray, const struct tia_mesh *mesh, struct hit *hit)
     return met;
 }
 
-/* Whether the ray meets the face before t. */
+/* True if the ray meets the face before t. */
 static bool meets_before(struct ray ray, const struct tia_mesh *mesh, uint32_t face, double t)
 {
     struct oracle_vec corner[3];
@@ -149,7 +149,7 @@ static size_t cell_index(const struct tia_grid *grid, const int at[3])
     return ((size_t)at[2] * grid->size[1] + (size_t)at[1]) * grid->size[0] + (size_t)at[0];
 }
 
-/* What is in cell (x, y, z): 0 when empty or outside. */
+/* Returns the contents of cell (x, y, z): 0 when empty or outside. */
 static unsigned cell(const struct tia_grid *grid, const int at[3])
 {
     for (int i = 0; i < 3; i++)
@@ -158,8 +158,8 @@ static unsigned cell(const struct tia_grid *grid, const int at[3])
     return grid->cells[cell_index(grid, at)];
 }
 
-/* The nearest of a filled cell's faces that are surface: a front where the neighbour differs, a back
- * where it is empty. */
+/* Gives the hit on the nearest surface among a filled cell's faces: a front where the neighbour differs, a back where
+ * it is empty. */
 static bool cell_hit(struct ray ray, const struct tia_grid *grid, const int at[3], struct hit *hit)
 {
     struct oracle_vec corner = position(grid->corner);

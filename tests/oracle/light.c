@@ -17,7 +17,7 @@ unsigned light_class(unsigned x, unsigned y)
     return bayer[y % 4][x % 4];
 }
 
-/* 0, 1/2, 1/4, 3/4, ...: the binary digits behind the point, backwards. */
+/* Returns 0, 1/2, 1/4, 3/4, ...: the binary digits behind the point, backwards. */
 static double radical_inverse(unsigned i)
 {
     double sum = 0;
@@ -42,7 +42,7 @@ static struct oracle_vec on_disc(struct oracle_vec centre, struct oracle_vec nor
     return along(p, radius * sqrt(u) * sin(2.0 * PI * v), b);
 }
 
-/* The point that sample i shines from. */
+/* Returns the point of sample i on the light. */
 static struct oracle_vec source(const struct tia_light *light, struct oracle_vec p, unsigned pixel_class, unsigned i)
 {
     struct oracle_vec centre = position(light->centre);
@@ -70,7 +70,7 @@ static double attenuation(const struct tia_light *light, double d)
     return sum < 131072 ? 1 / sum : 0;
 }
 
-/* What a spot gives in the direction `way`, from the point to the light. */
+/* Returns a spot's falloff in the direction `way`, from the point to the light. */
 static double spot(const struct tia_light *light, struct oracle_vec way)
 {
     double a = -dot(way, direction(light->direction));
@@ -98,7 +98,7 @@ bool light_beam(const struct tia_light *light, double unit, struct oracle_vec p,
     return true;
 }
 
-/* A parallelogram around the centre: p = s side[0] + t side[1] with |s|, |t| <= 1. */
+/* Intersects a parallelogram around the centre: p = s side[0] + t side[1] with |s|, |t| <= 1. */
 static bool rectangle_hit(const struct tia_light *light, struct ray ray, struct hit *hit)
 {
     struct oracle_vec a = position(light->side[0]), b = position(light->side[1]), n = cross(a, b);

@@ -1,4 +1,4 @@
-/* light.h - lights, as things that shine and as things that are seen. */
+/* light.h - lights as sources and as visible surfaces. */
 #ifndef TESTS_ORACLE_LIGHT_H
 #define TESTS_ORACLE_LIGHT_H
 
@@ -7,24 +7,24 @@
 /* Light on its way to a point. */
 struct beam {
     struct oracle_vec direction; /* to the light, of length 1 */
-    struct oracle_vec source;    /* where it comes from; none of a directional light */
-    double distance;             /* from there; infinite from a directional light */
+    struct oracle_vec source;    /* its origin; none of a directional light */
+    double distance;             /* distance from there; infinite from a directional light */
     double strength;             /* attenuation, spot and the sample's share */
 };
 
-/* How many samples a light has: 1 but for area lights. */
+/* Returns the number of samples of a light: 1 but for area lights. */
 unsigned light_samples(const struct tia_light *light);
 
-/* Sample i of a light, not ambient, for the point p and a pixel of that class, 0..15; false when it is
- * in p itself. `unit` is that of attenuations. */
+/* Gives sample i of a light, not ambient, for the point p and a pixel of that class, 0..15; false when it is in p
+ * itself. `unit` is that of attenuations. */
 bool light_beam(const struct tia_light *light, double unit, struct oracle_vec p, unsigned pixel_class, unsigned i,
                 struct beam *beam);
 
-/* The pixel's class, and where sample i of n lies in the unit square. */
+/* Returns the pixel's class. */
 unsigned light_class(unsigned x, unsigned y);
 void light_pattern(unsigned pixel_class, unsigned i, unsigned n, double *u, double *v);
 
-/* Where a ray meets the light's own surface. */
+/* Intersects a ray with the light's own surface. */
 bool light_hit(const struct tia_light *light, struct ray ray, double *t);
 
 #endif

@@ -15,7 +15,7 @@ static struct tia_vec3 corner(const struct tia_mesh *mesh, uint32_t n)
     return mesh->vertices[mesh->faces[n / 3].corner[n % 3].vertex];
 }
 
-/* How many edges run from a to b. */
+/* Returns the number of edges that run from a to b. */
 static uint32_t edges(const struct tia_mesh *mesh, struct tia_vec3 a, struct tia_vec3 b)
 {
     uint32_t count = 0;
@@ -54,7 +54,7 @@ static bool is_grid(const struct tia_scene *scene, uint32_t object)
     return object >= scene->sphere_count && scene->shapes[object - scene->sphere_count].kind == TIA_GRID;
 }
 
-/* The place of the object's last entry, or -1. */
+/* Returns the index of the object's last entry, or -1. */
 static int entry(const struct media *media, uint32_t object)
 {
     int at = -1;

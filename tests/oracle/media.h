@@ -1,4 +1,4 @@
-/* media.h - what a ray is inside of, as tia/material.h has it. */
+/* media.h - the media that a ray is inside of, as tia/material.h defines them. */
 #ifndef TESTS_ORACLE_MEDIA_H
 #define TESTS_ORACLE_MEDIA_H
 
@@ -16,12 +16,12 @@ struct crossing {
     tia_q16 from, to;
 };
 
-/* What a refracted ray goes through where it meets the front or back of an object, there of that material, and
- * what it is in behind it. */
+/* Returns the boundary where a refracted ray meets the front or back of an object, there of that material; `media`
+ * become those behind it. */
 struct crossing media_cross(const struct tia_scene *scene, struct media *media, uint32_t object, bool front,
                             const struct tia_material *material);
 
-/* Whether the object can be entered. */
+/* True if the object can be entered. */
 bool media_has_inside(const struct tia_scene *scene, uint32_t object);
 
 #endif

@@ -1,8 +1,8 @@
 /* nff.h - pictures of .nff files from their numbers as they are written, in double precision.
  *
- * The oracle of oracle.h starts from a scene in memory, whose coordinates a reader has rounded: it cannot show what
- * that costs. This one reads the text itself. Rays start a trillionth of the scene off a surface, so that nothing is
- * seen of how far the library keeps away. */
+ * The oracle of oracle.h starts from a scene in memory, whose coordinates a reader has rounded: it cannot show the cost
+ * of that. This one reads the text itself. Rays start a trillionth of the scene off a surface, so that the library's
+ * larger bias shows. */
 #ifndef TESTS_ORACLE_NFF_H
 #define TESTS_ORACLE_NFF_H
 
@@ -19,25 +19,25 @@ struct nff_material {
 struct nff_thing {
     enum nff_kind kind;
     unsigned material;
-    unsigned body; /* what rays are in: a sphere, or all polygons of one f */
+    unsigned body; /* medium of rays: a sphere, or all polygons of one f */
     struct oracle_vec min, max;
     struct oracle_vec point[2]; /* centre, or base and top */
     double radius[2];
     struct oracle_vec normal;         /* of a polygon, on its front */
-    const struct oracle_vec *corner;  /* count of them */
-    const struct oracle_vec *normals; /* at the corners, of a triangle alone; NULL: none */
+    const struct oracle_vec *corner;  /* `count` corners */
+    const struct oracle_vec *normals; /* at the corners, of a triangle only; NULL: none */
     unsigned count;
 };
 
 struct nff_light {
     struct oracle_vec at;
     double emission[3];
-    bool coloured; /* in the file */
+    bool coloured; /* the file sets it */
 };
 
 struct nff_tree {
     struct oracle_vec min, max;
-    unsigned first, count; /* things; count 0: two subtrees, this one's next and tree[first] */
+    unsigned first, count; /* leaf: its things; count 0: two subtrees, this one's next and tree[first] */
 };
 
 struct nff {
@@ -52,18 +52,18 @@ struct nff {
     unsigned material_count, light_count, thing_count, tree_count, body_count;
 };
 
-/* NULL: the text is no such file. */
+/* Reads a file; NULL: the text is no such file. */
 struct nff *nff_read(const char *text);
 void nff_free(struct nff *nff);
 
-/* Sorts the things into trees; what the ray meets first, thing_count: nothing. */
+/* Sorts the things into trees. */
 void nff_plant(struct nff *nff);
 unsigned nff_nearest(const struct nff *nff, struct ray ray, struct hit *hit);
 
-/* What of white light passes all that the ray meets before t = 1. */
+/* Returns the part of white light that passes all things that the ray meets before t = 1. */
 double nff_transmission(const struct nff *nff, struct ray ray);
 
-/* Pixel (x, y) of a picture of that size. */
+/* Returns pixel (x, y) of a picture of that size. */
 tia_rgb565 nff_pixel(const struct nff *nff, unsigned width, unsigned height, unsigned x, unsigned y);
 
 #endif

@@ -9,13 +9,13 @@
 struct journey {
     double weight;
     unsigned bounces, layers;
-    unsigned count, body[TIA_MEDIA]; /* what it has entered */
+    unsigned count, body[TIA_MEDIA]; /* entered bodies */
     double index[TIA_MEDIA];
 };
 
 struct place {
     const struct nff_material *material;
-    struct oracle_vec p, g, n, v; /* the point, the normals and the way back */
+    struct oracle_vec p, g, n, v; /* the point, the normals and the direction to the viewer */
     double cosine;                /* n.v */
     unsigned body;
     bool front;
@@ -55,7 +55,7 @@ static double medium(const struct journey *j)
     return j->count ? j->index[j->count - 1] : 1;
 }
 
-/* The indices before and behind the surface; the journey goes on behind it. */
+/* Gives the indices before and behind the surface; the journey continues behind it. */
 static void cross_over(const struct nff *nff, const struct place *s, struct journey *j, double *from, double *to)
 {
     int at = -1;

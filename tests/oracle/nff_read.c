@@ -123,7 +123,7 @@ static void read_round(struct reading *r, bool cone)
     t->body = new_body(r->nff, !cone);
 }
 
-/* Newell's: the sum of the corners' cross products. */
+/* Returns Newell's normal: the sum of the corners' cross products. */
 static struct oracle_vec normal_of(const struct oracle_vec *corner, unsigned count)
 {
     struct oracle_vec n = {0, 0, 0};
@@ -195,7 +195,7 @@ static bool is_same(struct oracle_vec a, struct oracle_vec b)
     return !(length(sub(a, b)) > 0);
 }
 
-/* Whether some polygon of the body has the edge from a to b. */
+/* True if some polygon of the body has the edge from a to b. */
 static bool has_edge(const struct nff *nff, unsigned body, struct oracle_vec a, struct oracle_vec b)
 {
     for (unsigned i = 0; i < nff->thing_count; i++) {
@@ -207,7 +207,7 @@ static bool has_edge(const struct nff *nff, unsigned body, struct oracle_vec a, 
     return false;
 }
 
-/* A body of polygons, where light goes through it, is closed if each edge has one that runs back. */
+/* Finds the closed bodies: a body of transparent polygons is closed if each edge has one that runs back. */
 static void find_closed(struct nff *nff)
 {
     for (unsigned i = 0; i < nff->thing_count; i++) {

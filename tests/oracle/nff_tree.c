@@ -60,7 +60,7 @@ void nff_plant(struct nff *nff)
         halve(nff, 0, nff->thing_count);
 }
 
-/* Whether the ray is in the box somewhere in 0..limit; widened a little, for its own rounding errors. */
+/* True if the ray is in the box somewhere in 0..limit; widened a little, for its own rounding errors. */
 static bool meets(const struct nff_tree *tree, struct ray ray, double limit)
 {
     double from = 0, to = limit;
@@ -74,7 +74,7 @@ static bool meets(const struct nff_tree *tree, struct ray ray, double limit)
     return from <= to;
 }
 
-/* Whether the point, in the polygon's plane, is inside: as many edges cross it on the left. */
+/* True if the point, in the polygon's plane, is inside: an odd number of edges crosses its line to the left. */
 static bool is_inside(const struct nff_thing *t, struct oracle_vec p)
 {
     double x = fabs(t->normal.x), y = fabs(t->normal.y), z = fabs(t->normal.z);
@@ -92,7 +92,7 @@ static bool is_inside(const struct nff_thing *t, struct oracle_vec p)
     return inside;
 }
 
-/* The normal of a triangle whose corners have them, by barycentric coordinates. */
+/* Returns the normal of a triangle whose corners have them, by barycentric coordinates. */
 static struct oracle_vec smooth(const struct nff_thing *t, struct oracle_vec p)
 {
     struct oracle_vec e1 = sub(t->corner[1], t->corner[0]), e2 = sub(t->corner[2], t->corner[0]), n = cross(e1, e2);

@@ -4,7 +4,7 @@
 
 static const struct oracle_variant as_tia = {.bias = ORACLE_BIAS};
 
-/* A unit vector with as many bits as a variant has for it. */
+/* Returns a unit vector with as many bits as the variant has. */
 static struct oracle_vec rounded(struct oracle_variant variant, struct oracle_vec v)
 {
     double one = ldexp(1, (int)variant.direction_bits);
@@ -65,7 +65,7 @@ unsigned oracle_bayer(unsigned x, unsigned y)
     static const unsigned quadrant[2][2] = {{0, 2}, {3, 1}};
     unsigned value = 0;
 
-    /* From M(1) to M(8): the bits of x and y, the lowest first, choose the quadrant. */
+    /* from M(1) to M(8): the bits of x and y, the lowest first, choose the quadrant */
     for (unsigned bit = 0; bit < 3; bit++)
         value += quadrant[y >> bit & 1][x >> bit & 1] << (4 - 2 * bit);
     return value;
@@ -77,7 +77,7 @@ static bool meets(struct oracle_variant variant, struct ray ray, const struct ti
         ray.origin, ray.direction, position(sphere->centre), q16(sphere->radius), t);
 }
 
-/* The nearest sphere on the ray, the lower index on a tie; *t is its distance, or infinite. */
+/* Returns the nearest sphere on the ray, the lower index on a tie; *t is its distance, or infinite. */
 static uint32_t nearest_sphere(const struct tia_scene *scene, struct oracle_variant variant, struct ray ray, double *t)
 {
     uint32_t nearest = TIA_NO_OBJECT;
@@ -93,7 +93,7 @@ static uint32_t nearest_sphere(const struct tia_scene *scene, struct oracle_vari
     return nearest;
 }
 
-/* The same among the lights, where one is nearer than *t. A light of radius 0 cannot be seen. */
+/* Returns the nearest light, if it is nearer than *t. A light of radius 0 is invisible. */
 static uint32_t nearest_light(const struct tia_scene *scene, struct ray ray, double *t)
 {
     uint32_t nearest = TIA_NO_OBJECT;
@@ -110,8 +110,8 @@ static uint32_t nearest_light(const struct tia_scene *scene, struct ray ray, dou
     return nearest;
 }
 
-/* What is left of white light on its way along the ray up to `distance`; *passed is the sum of
- * index + 1 over the spheres on the way. */
+/* Returns the part of white light that passes along the ray up to `distance`; *passed is the sum of index + 1 over the
+ * spheres on the way. */
 static struct colour transmission(const struct tia_scene *scene, struct oracle_variant variant, struct ray ray,
                                   double distance, uint32_t *passed)
 {
@@ -130,8 +130,8 @@ static struct colour transmission(const struct tia_scene *scene, struct oracle_v
     return left;
 }
 
-/* Adds what one light gives the point p with normal n of a surface; true when any of it arrives,
- * through spheres that *passed sums up. */
+/* Adds the light of one light at the point p with normal n of a surface; true when any of it arrives, through spheres
+ * that *passed sums up. */
 static bool add_light(const struct tia_scene *scene, struct oracle_variant variant, const struct tia_light *light,
                       struct oracle_vec p, struct oracle_vec n, struct colour surface, double sum[3], uint32_t *passed)
 {
@@ -174,7 +174,7 @@ static void set_linear(struct oracle_pixel *pixel, struct colour colour)
         pixel->linear[c] = colour.channel[c];
 }
 
-/* floor(levels c + threshold) of a channel clamped to [0, 1]. */
+/* Returns floor(levels c + threshold) of a channel clamped to [0, 1]. */
 static unsigned quantise(double linear, double levels, double threshold, double *margin)
 {
     double clamped = linear < 0 ? 0 : linear > 1 ? 1 : linear;

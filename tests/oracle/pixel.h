@@ -1,4 +1,4 @@
-/* pixel.h - what the oracle finds out of a pixel. */
+/* pixel.h - the oracle's result for a pixel. */
 #ifndef TESTS_ORACLE_PIXEL_H
 #define TESTS_ORACLE_PIXEL_H
 
@@ -8,16 +8,17 @@ struct oracle_vec {
     double x, y, z;
 };
 
-/* What one pixel shows and why. */
+/* A pixel's result and its causes. */
 struct oracle_pixel {
     tia_rgb565 colour;
     uint32_t object;    /* an object's index, the number of objects + the index of a light, or TIA_NO_OBJECT */
-    uint32_t sphere;    /* the same as if lights could not be seen */
+    uint32_t sphere;    /* the same if lights were invisible */
     uint32_t path_hash; /* as tia_options.path_hash */
     double linear[3];   /* r, g, b before clamping; by general rays the mean of the clamped samples */
     double depth;       /* distance from the eye; infinite for the background */
-    double margin;      /* how near 31c + 0.5 or 63c + 0.5 of any channel is to an integer, that is how
-                           large an error in units of one level can be without changing the colour */
+    /* Distance of 31c + 0.5 or 63c + 0.5 of any channel from an integer: the largest error in units of one level that
+     * does not change the colour. */
+    double margin;
 };
 
 #endif

@@ -1,9 +1,9 @@
-/* place.c - a scene's objects where their transforms put them. */
+/* place.c - a scene's objects, placed by their transforms. */
 #include "shape.h"
 
 #define FAR 65536.0
 
-/* About one axis, right-handed: a turns towards b. */
+/* Rotates about one axis, right-handed: a turns towards b. */
 static void rotate(double *a, double *b, double angle)
 {
     double c = cos(angle), s = sin(angle), x = *a;
@@ -87,7 +87,7 @@ static bool local_hit(const struct tia_scene *scene, const struct tia_shape *s, 
     }
 }
 
-/* The ray in the axes of a shape that is an instance: distances along it are the same. */
+/* Returns the ray in the axes of a shape that is an instance: distances along it are the same. */
 static struct ray local_ray(const struct tia_transform *t, struct ray ray)
 {
     struct oracle_vec scale = position(t->scale), from = sub(ray.origin, position(t->position));
@@ -104,7 +104,7 @@ bool shape_hit(const struct tia_scene *scene, const struct tia_shape *shape, str
     struct oracle_vec scale = position(t->scale);
     if (!local_hit(scene, shape, local_ray(t, ray), hit))
         return false;
-    /* Normals go by the inverse's transpose. */
+    /* normals transform by the inverse's transpose */
     hit->normal = unit(transform_turn(t, quotient(hit->normal, scale)));
     hit->smooth = unit(transform_turn(t, quotient(hit->smooth, scale)));
     return true;

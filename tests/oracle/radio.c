@@ -49,7 +49,7 @@ static double height(const struct oracle_polygon *p, const double at[3])
     return dot(n, d);
 }
 
-/* How far inside the polygon's edges a point of its plane is; below 0: outside. */
+/* Returns the distance of a point of the polygon's plane inside its edges; below 0: outside. */
 static double depth(const struct oracle_polygon *p, const double at[3])
 {
     double n[3], least = INFINITY;
@@ -65,14 +65,14 @@ static double depth(const struct oracle_polygon *p, const double at[3])
     return least;
 }
 
-/* Something that has to be above 0. False: it is below by more than the doubt. */
+/* True if x is above 0; *sure is cleared if it is closer than the doubt. */
 static bool holds(const struct search *s, double x, bool *sure)
 {
     *sure &= fabs(x) > s->doubt;
     return x > -s->doubt;
 }
 
-/* Whether a polygon stands between two points, neither of which is on it. */
+/* True if a polygon stands between two points, neither of which is on it. */
 static bool blocks(const struct search *s, const struct oracle_polygon *p, const double a[3], const double b[3],
                    bool *sure)
 {

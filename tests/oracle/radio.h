@@ -9,7 +9,7 @@
 struct oracle_polygon {
     double corner[4][3];
     int count;
-    bool solid; /* reflects outside alone, where its corners run counterclockwise */
+    bool solid; /* only its outside reflects, where its corners run counterclockwise */
 };
 
 struct oracle_path {
@@ -19,8 +19,8 @@ struct oracle_path {
     bool sure; /* no decision was closer than `doubt` */
 };
 
-/* Finds all paths of up to `order` reflections, and whatever may be one if decisions are wrong by less than `doubt`.
- * Returns how many there are, of which `most` are written. */
+/* Finds all paths of up to `order` reflections, and all that may be one if decisions are wrong by less than `doubt`.
+ * Returns their number, of which `most` are written. */
 int oracle_radio(const struct oracle_polygon *polygons, int count, const double from[3], const double to[3], int order,
                  double doubt, struct oracle_path *paths, int most);
 

@@ -20,20 +20,20 @@ struct oracle_raster {
     struct tia_raster_vertex planes[ORACLE_FACES][3];
 };
 
-/* Whether the pixel is covered. */
+/* True if the pixel is covered. */
 bool oracle_covers(const struct oracle_image *image, const struct tia_raster_vertex *v, int count, int x, int y);
 
-/* 1 where the plane of a is nearer than that of b at the pixel, -1 farther, 0 when it is the same plane. */
+/* Returns 1 where the plane of a is nearer than that of b at the pixel, -1 farther, 0 when it is the same plane. */
 int oracle_order(const struct oracle_image *image, const struct tia_raster_vertex *a, const struct tia_raster_vertex *b,
                  int x, int y);
 
-/* 1/t at the pixel, where the plane's point is t times a direction with a third coordinate of w. */
+/* Returns 1/t at the pixel, where the plane's point is t times a direction with a third coordinate of w. */
 long double oracle_nearness(const struct oracle_image *image, const struct tia_raster_vertex *v, int x, int y, long w);
 
 void oracle_draw(struct oracle_raster *raster, const struct tia_raster_state *state, const struct tia_raster_vertex *v,
                  int count, uint32_t face);
 
-/* What a value a[i] at the corners is at the pixel, rounded to nearest, ties up, and clamped to 32 bits. */
+/* Interpolates a[i], given at the corners, to the pixel, rounded to nearest, ties up, and clamped to 32 bits. */
 int32_t oracle_blend(const struct oracle_image *image, const struct tia_raster_vertex v[3], int x, int y,
                      const int32_t a[3]);
 

@@ -5,22 +5,22 @@
 
 #define FAINT (1.0 / 65536.0)
 
-/* A sample being looked at. */
+/* A sample being computed. */
 struct look {
     const struct tia_scene *scene;
     unsigned pixel_class;
-    uint32_t path; /* FNV-1a of what was met */
+    uint32_t path; /* FNV-1a of the hits */
     uint32_t rays; /* of the sample, so far */
 };
 
-/* A ray's way from the eye: what it was multiplied by, how often it was bent and how often not, what it is in. */
+/* A ray's history: its factor, bends and straight layers so far, and its media. */
 struct way {
     struct colour weight;
     unsigned bounces, layers;
     struct media media;
 };
 
-/* What a ray's hit needs for its colour. */
+/* The data of a hit for its colour. */
 struct surface {
     const struct tia_material *material;
     struct oracle_vec p, g, n, v; /* the point, the normals and the direction to the viewer */
@@ -40,7 +40,7 @@ static void feed(uint32_t *path, uint32_t word)
         *path = (*path ^ (word >> 8 * i & 255)) * UINT32_C(16777619);
 }
 
-/* a += s b */
+/* Adds s b to a. */
 static void add(struct colour *a, double s, struct colour b)
 {
     for (int i = 0; i < 3; i++)
@@ -52,7 +52,7 @@ static bool is_faint(struct colour c)
     return c.channel[0] < FAINT && c.channel[1] < FAINT && c.channel[2] < FAINT;
 }
 
-/* The nearest object, the lower index on a tie; *hit.t is infinite without one. */
+/* Returns the nearest object, the lower index on a tie; *hit.t is infinite without one. */
 static uint32_t nearest_object(const struct tia_scene *scene, struct ray ray, struct hit *hit)
 {
     uint32_t nearest = TIA_NO_OBJECT;
@@ -67,7 +67,7 @@ static uint32_t nearest_object(const struct tia_scene *scene, struct ray ray, st
     return nearest;
 }
 
-/* The light that is seen before `distance`. */
+/* Returns the light that is visible before `distance`. */
 static uint32_t nearest_light(const struct tia_scene *scene, struct ray ray, double distance)
 {
     uint32_t nearest = TIA_NO_OBJECT;
@@ -81,7 +81,7 @@ static uint32_t nearest_light(const struct tia_scene *scene, struct ray ray, dou
     return nearest;
 }
 
-/* max(0, R.L)^exponent, R being V's mirror image */
+/* Returns max(0, R.L)^exponent, R being V's mirror image. */
 static double highlight(const struct surface *s, struct oracle_vec l)
 {
     struct oracle_vec r = along(scaled(s->v, -1), 2.0 * s->cosine, s->n);
@@ -90,7 +90,7 @@ static double highlight(const struct surface *s, struct oracle_vec l)
     return cosine > 0 ? pow(cosine, q16(s->material->exponent)) : 0.0;
 }
 
-/* Adds what one beam of a light gives the surface; whether it arrives. */
+/* Adds the light of one beam to the surface; true if it arrives. */
 static bool add_beam(const struct look *look, const struct tia_light *light, const struct beam *beam,
                      const struct surface *s, struct colour *sum)
 {
@@ -141,7 +141,7 @@ double oracle_fresnel(double cosine, double n1, double n2)
     return (rs * rs + rp * rp) / 2;
 }
 
-/* The refracted direction by Snell's law, for the ratio n1/n2; false when all is reflected, as it is where an
+/* Gives the refracted direction by Snell's law, for the ratio n1/n2; false when all is reflected, as it is where an
  * interpolated normal is turned away. */
 static bool refract(const struct surface *s, double ratio, struct oracle_vec *way)
 {
@@ -153,7 +153,7 @@ static bool refract(const struct surface *s, double ratio, struct oracle_vec *wa
     return true;
 }
 
-/* Adds what is seen along `ray`, whose direction may have any length. */
+/* Adds the colour along `ray`, whose direction may have any length. */
 static void add_ray(struct look *look, struct ray ray, struct colour factor, struct way way, struct colour *sum)
 {
     unsigned depth = look->scene->depth == 0 ? TIA_DEPTH : look->scene->depth;
@@ -165,7 +165,7 @@ static void add_ray(struct look *look, struct ray ray, struct colour factor, str
     add(sum, 1, product(factor, trace(look, ray, &way)));
 }
 
-/* The refracted ray and its way; F of it goes from kt to kr. */
+/* Gives the refracted ray and its history; F of it goes from kt to kr. */
 static void bend(const struct tia_scene *scene, const struct surface *s, struct way *way, struct ray *ray,
                  struct colour *kr, struct colour *kt)
 {
@@ -259,7 +259,7 @@ static struct colour trace(struct look *look, struct ray ray, const struct way *
     return shade(look, ray, object, &hit, way);
 }
 
-/* What is seen along a ray from the eye. */
+/* Returns the colour along a ray from the eye. */
 static struct colour see(struct look *look, struct ray ray)
 {
     const struct way way = {.weight = {{1, 1, 1}}};
@@ -275,7 +275,7 @@ struct colour oracle_ray(const struct tia_scene *scene, struct ray ray, unsigned
     return see(&look, ray);
 }
 
-/* What the first sample sees, without shading it. */
+/* Finds the first sample's hit, without shading it. */
 static void see_first(const struct tia_scene *scene, struct ray ray, struct oracle_pixel *pixel)
 {
     struct hit hit;

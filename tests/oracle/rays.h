@@ -8,7 +8,7 @@
 
 #include "shape.h"
 
-/* Between a surface and the rays that start there. */
+/* Returns the distance between a surface and the start of rays from it. */
 static inline double oracle_bias(const struct tia_scene *scene)
 {
     double own = scene->scale_bits < 0 ? ldexp(1.0 / 8192, scene->scale_bits) : 1.0 / 8192;
@@ -16,36 +16,36 @@ static inline double oracle_bias(const struct tia_scene *scene)
     return scene->fine || own < 1.0 / 67108864 ? 1.0 / 67108864 : own;
 }
 
-/* Whether a scene asks for general rays, see tia/scene.h. */
+/* True if a scene needs general rays, see tia/scene.h. */
 bool oracle_needs_rays(const struct tia_scene *scene);
 
 /* As oracle_look. The pixel's object and depth are those of its first sample. */
 struct oracle_pixel oracle_rays_look(const struct tia_scene *scene, unsigned width, unsigned height, double x,
                                      double y);
 
-/* The camera's ray through the place (x, y) of the image, its upper left corner being (0, 0). */
+/* Returns the camera's ray through (x, y) of the image, whose upper left corner is (0, 0). */
 struct ray oracle_camera(const struct tia_camera *camera, const struct tia_fine *fine, unsigned width, unsigned height,
                          double x, double y);
 
-/* Sample n of a pixel whose upper left corner is (0, 0), of samples a pixel, 1, 4 or 16. */
+/* Gives the position of sample n of a pixel whose upper left corner is (0, 0), of 1, 4 or 16 samples. */
 void oracle_sample(unsigned samples, unsigned n, double *x, double *y);
 
-/* The texture at surface coordinates u, v, an opacity as a grey; *cell is the texel, the checker's colour, or
+/* Returns the texture at surface coordinates u, v, an opacity as a grey; *cell is the texel, the checker's colour, or
  * ORACLE_BLENDED. */
 #define ORACLE_BLENDED UINT32_MAX
 struct colour oracle_texture(const struct tia_texture *texture, double u, double v, uint32_t *cell);
 
-/* The opacity of a hit's material; *cell as above. */
+/* Returns the opacity of a hit's material; *cell as above. */
 double oracle_opacity(const struct tia_scene *scene, const struct hit *hit, uint32_t *cell);
 
-/* What is left of white light on its way to the ray's origin from `distance` along it. */
+/* Returns the part of white light that reaches the ray's origin from `distance` along it. */
 struct colour oracle_transmission(const struct tia_scene *scene, struct ray ray, double distance);
 
-/* The part of unpolarised light that is reflected where it passes, at an angle of that cosine, from index n1
- * to n2; 1 when it cannot pass. */
+/* Returns the part of unpolarised light that is reflected at an angle of that cosine between the indices n1 and n2; 1
+ * in total reflection. */
 double oracle_fresnel(double cosine, double n1, double n2);
 
-/* What a ray that leads to the pixel (x, y) sees, black when it is no longer traced. */
+/* Returns the colour along a ray to the pixel (x, y), black when it is no longer traced. */
 struct colour oracle_ray(const struct tia_scene *scene, struct ray ray, unsigned x, unsigned y);
 
 #endif

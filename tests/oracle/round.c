@@ -1,7 +1,7 @@
 /* round.c - spheres, discs, cylinders and cones. */
 #include "shape.h"
 
-/* 1/2 - atan2(z, x)/(2 pi) */
+/* Returns 1/2 - atan2(z, x)/(2 pi). */
 static double turn(double z, double x)
 {
     return 0.5 - atan2(z, x) / (2.0 * PI);
@@ -53,7 +53,7 @@ struct side {
     double height, base_radius, slope;
 };
 
-/* The real roots of a t^2 + 2 b t + c, the smaller first, without cancellation; how many. */
+/* Gives the real roots of a t^2 + 2 b t + c, the smaller first, without cancellation; returns their number. */
 static int roots(double a, double b, double c, double t[2])
 {
     double discriminant = b * b - a * c;
@@ -90,7 +90,8 @@ static bool on_side(const struct side *side, struct ray ray, double t, struct hi
     return true;
 }
 
-/* From the ray's point that is nearest to the base, so that the numbers are no larger than they need be. */
+/* Intersects the side, from the ray's point that is nearest to the base, so that the numbers are no larger than needed.
+ */
 static bool side_hit(const struct side *side, struct ray ray, struct hit *hit)
 {
     struct oracle_vec d = ray.direction;
@@ -108,7 +109,7 @@ static bool side_hit(const struct side *side, struct ray ray, struct hit *hit)
     return false;
 }
 
-/* A cap is a disc, its normal outwards. */
+/* Intersects a cap: a disc, its normal outwards. */
 static bool cap_hit(struct ray ray, struct oracle_vec centre, struct oracle_vec outwards, double radius,
                     struct hit *hit)
 {

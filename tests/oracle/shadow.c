@@ -1,4 +1,4 @@
-/* shadow.c - what stands before a light. */
+/* shadow.c - the objects in front of a light. */
 #include "rays.h"
 
 double oracle_opacity(const struct tia_scene *scene, const struct hit *hit, uint32_t *cell)
@@ -9,7 +9,7 @@ double oracle_opacity(const struct tia_scene *scene, const struct hit *hit, uint
     return opacity == 0 ? 1 : oracle_texture(&scene->textures[opacity - 1], hit->u, hit->v, cell).channel[0];
 }
 
-/* What an object that is met, and has opacity or cells, leaves of the light: surface by surface. */
+/* Returns the part of the light that passes an object with opacity or cells: surface by surface. */
 static struct colour surfaces(const struct tia_scene *scene, uint32_t object, struct ray ray, double distance)
 {
     struct colour left = {{1, 1, 1}};

@@ -1,4 +1,4 @@
-/* vec.h - vectors in double, and the public formats as such: exactly. */
+/* vec.h - vectors in double, and exact conversions from the public formats. */
 #ifndef TESTS_ORACLE_VEC_H
 #define TESTS_ORACLE_VEC_H
 
@@ -36,7 +36,7 @@ static inline struct oracle_vec position(struct tia_vec3 v)
     return (struct oracle_vec){q16(v.x), q16(v.y), q16(v.z)};
 }
 
-/* With the scene's fine digits. */
+/* Returns a vector with the scene's fine digits. */
 static inline struct oracle_vec finely(struct tia_vec3 v, const struct tia_fine_place *fine)
 {
     struct oracle_vec p = position(v);
@@ -67,7 +67,7 @@ static inline struct colour product(struct colour a, struct colour b)
     return a;
 }
 
-/* o c + 1 - o */
+/* Returns o c + 1 - o. */
 static inline struct colour mixed(double o, struct colour c)
 {
     for (int i = 0; i < 3; i++)
@@ -80,7 +80,7 @@ static inline struct oracle_vec sub(struct oracle_vec a, struct oracle_vec b)
     return (struct oracle_vec){a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
-/* a + s b */
+/* Returns a + s b. */
 static inline struct oracle_vec along(struct oracle_vec a, double s, struct oracle_vec b)
 {
     return (struct oracle_vec){a.x + s * b.x, a.y + s * b.y, a.z + s * b.z};
@@ -116,7 +116,7 @@ static inline struct oracle_vec unit(struct oracle_vec a)
     return divide(a, length(a));
 }
 
-/* A public direction, normalised. */
+/* Returns a public direction, normalised. */
 static inline struct oracle_vec direction(struct tia_dir3 d)
 {
     return unit((struct oracle_vec){q30(d.x), q30(d.y), q30(d.z)});
@@ -127,7 +127,8 @@ static inline struct oracle_vec at(struct ray ray, double t)
     return along(ray.origin, t, ray.direction);
 }
 
-/* shape.h: U = normalise(y x N), V = N x U; where N is y: U = x, V = -z; where N is -y: U = x, V = z. */
+/* Gives the tangents of shape.h: U = normalise(y x N), V = N x U; where N is y: U = x, V = -z; where N is -y: U = x, V
+ * = z. */
 static inline void tangents(struct oracle_vec n, struct oracle_vec *u, struct oracle_vec *v)
 {
     const struct oracle_vec x = {1, 0, 0}, y = {0, 1, 0};
@@ -136,7 +137,7 @@ static inline void tangents(struct oracle_vec n, struct oracle_vec *u, struct or
     *v = cross(n, *u);
 }
 
-/* light.h: A = normalise(e x N), B = N x A, e the unit vector of N's coordinate nearest to 0. */
+/* Gives the axes of light.h: A = normalise(e x N), B = N x A, e the unit vector of N's coordinate nearest to 0. */
 static inline void axes(struct oracle_vec n, struct oracle_vec *a, struct oracle_vec *b)
 {
     double x = fabs(n.x), y = fabs(n.y), z = fabs(n.z);

@@ -1,4 +1,4 @@
-/* probe.c - what a test asks of, or does to, a guest's kernel beside the program under test.
+/* probe.c - a test's queries and commands to a guest's kernel beside the program under test.
  *
  *   probe vt N              the state of virtual terminal N and which one is active
  *   probe text N            text mode for tty N, as systemd sets it before a getty begins

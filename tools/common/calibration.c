@@ -1,8 +1,8 @@
-/* calibration.c - visual.json, which a Looking Glass holds: each value under its name, as a number or in an object's
- * "value".
+/* calibration.c - reads visual.json, the calibration that a Looking Glass holds: each value under its name, as a number
+ * or in an object's "value".
  *
- * HoloPlayCore's shader, as Looking Glass Factory has published it, wants lenses to the picture's width, and the phase
- * that its height gains, as a part of them:
+ * HoloPlayCore's shader, as Looking Glass Factory has published it, needs the lenses to the picture's width, and the
+ * phase gained over its height, as a part of them:
  *
  *     pitch' = pitch screenW/DPI cos(atan(1/slope)),   tilt = +-screenH/(screenW slope),   - if flipImageX.
  */
@@ -56,7 +56,7 @@ static int read_values(struct lenticular *panel, const char *path, const json_t 
             continue;
         if (!json_is_number(value))
             return fail(panel, TIA_ERR_RANGE, "%.200s: %s: %s", path, names[i].name,
-                        item ? "is no number" : "is missing");
+                        item ? "is not a number" : "is missing");
         *(double *)(void *)((char *)v + names[i].offset) = json_number_value(value);
     }
     return TIA_OK;
@@ -67,7 +67,7 @@ static bool is_size(double n)
     return n >= 1 && n <= TIA_SIZE_MAX && n == floor(n);
 }
 
-/* One operation a line, so that no compiler fuses two: all machines get the same numbers. */
+/* Computes the lens, one operation a line, so that no compiler fuses two: all machines get the same numbers. */
 static bool set_lens(struct tia_lenticular *lens, const struct values *v)
 {
     double square = v->slope * v->slope;

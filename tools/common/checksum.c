@@ -2,8 +2,8 @@
 
 #include <tia/render.h>
 
-/* tia_crc32 takes pixels of two bytes, low byte first, so an odd last byte gets a zero. The length comes first, to tell
- * that from a real zero. */
+/* Returns the CRC. tia_crc32 takes pixels of two bytes, low byte first, so an odd last byte is padded with a zero. The
+ * length comes first, to distinguish that from a real zero. */
 uint32_t checksum_bytes(uint32_t crc, const void *bytes, size_t length)
 {
     const unsigned char *from = bytes;

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <sys/stat.h>
 
-/* Remembers a file by its device and inode: links to it are the same file. Without memory for it, it is forgotten. */
+/* Adds a file by its device and inode: links to it are the same file. Without memory for it, it is not added. */
 void inputs_add(const struct stat *status);
 
 /* True for a file that was added. */

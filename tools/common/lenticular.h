@@ -1,4 +1,5 @@
-/* lenticular.h - how the lenses of a panel lie: from an option, or from the calibration that a Looking Glass holds. */
+/* lenticular.h - the geometry of a panel's lenses: from an option, or from the calibration that a Looking Glass holds.
+ */
 #ifndef TOOLS_LENTICULAR_H
 #define TOOLS_LENTICULAR_H
 
@@ -7,15 +8,15 @@
 struct lenticular {
     struct tia_lenticular lens;
     uint16_t width, height; /* of the panel; 0: not known */
-    char why[480];          /* of a failure */
+    char why[480];          /* reason of a failure */
 };
 
-/* --lenticular "pitch=50.2,slope=-7.1,center=0.3,subpixels=bgr,flip,invert": fields in any order, of which only pitch
- * is needed. Pitch is lenses to the picture's width; slope is rows to a column along a lens, none: upright. TIA_OK;
- * TIA_ERR_RANGE or TIA_ERR_MEMORY with the reason, which names the option. */
+/* Parses --lenticular "pitch=50.2,slope=-7.1,center=0.3,subpixels=bgr,flip,invert": fields in any order, of which only
+ * pitch is needed. Pitch is lenses to the picture's width; slope is rows to a column along a lens, none: upright.
+ * TIA_OK; TIA_ERR_RANGE or TIA_ERR_MEMORY with the reason, which names the option. */
 int lenticular_parse(struct lenticular *panel, const char *text);
 
-/* Sets a lens from numbers; false: one of them is no number or beyond TIA_PITCH_MAX. `rise` is pitch/slope. */
+/* Sets a lens from numbers; false: one of them is not a number or is beyond TIA_PITCH_MAX. `rise` is pitch/slope. */
 bool lenticular_set(struct tia_lenticular *lens, double pitch, double rise, double centre);
 
 /* Reads visual.json. TIA_OK; TIA_ERR_RANGE, or TIA_ERR_DEVICE if there is no such file to read, with the reason. */

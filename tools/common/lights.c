@@ -7,7 +7,7 @@
 
 bool lights_copy(struct lights *lights, const struct tia_scene *scene)
 {
-    /* Each binding adds at most one light. */
+    /* each binding adds at most one light */
     lights->count = scene->light_count;
     lights->capacity = scene->light_count + scene->binding_count + 1;
     lights->array = calloc(lights->capacity, sizeof *lights->array);

@@ -5,7 +5,7 @@
 #include <tia/scene.h>
 
 struct lights {
-    struct tia_light *array, *kept; /* and room for as many, see viewer.h */
+    struct tia_light *array, *kept; /* array and room of the same size, see viewer.h */
     bool *detached;                 /* lights that a key has set or moved: they no longer follow their tracks */
     uint32_t count, capacity;
 };

@@ -5,7 +5,7 @@
 
 #include "parse.h"
 
-/* "distance=0.5" */
+/* Parses "distance=0.5". */
 static bool set_length(const char *field, const char *name, int scale_bits, tia_q16 *length)
 {
     size_t size = strlen(name);
@@ -14,8 +14,8 @@ static bool set_length(const char *field, const char *name, int scale_bits, tia_
            parse_scaled(field + size + 1, scale_bits, length) && *length > 0;
 }
 
-/* What an end of the line sees at an edge of the screen comes from q + (q - s) d/D, which is at most
- * w/2 + (w/2 + |s|) d/D from the middle; s is the farther end's place before the screen. Rounded up. */
+/* Returns the spacing. The ray from an end of the line to an edge of the screen comes from q + (q - s) d/D, which is at
+ * most w/2 + (w/2 + |s|) d/D from the middle; s is the farther end's position before the screen. Rounded up. */
 static int64_t default_spacing(const struct tia_camera *camera, const struct modules *modules)
 {
     int64_t screen = (int64_t)camera->window.right - camera->window.left;

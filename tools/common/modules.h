@@ -12,11 +12,13 @@ struct modules {
     tia_q16 distance, spacing; /* from the screen; from one to the next */
 };
 
-/* NULL, or why the text is wrong. The scene has an observer line. By default they are half as far from the screen as
- * that is, and so wide apart that every place on the line gets all of the screen. */
+/* Parses the text; returns NULL, or the reason why it is wrong. The scene has an observer line. By default the modules
+ * are half as far from the screen as that is, and so wide apart that every position on the line gets all of the screen.
+ */
 const char *modules_parse(struct modules *modules, const char *text, const struct tia_scene *scene);
 
-/* Where module `module` stands, from the screen's middle: (module - (count - 1)/2) spacing, halves rounded up. */
+/* Returns the position of module `module`, from the screen's middle: (module - (count - 1)/2) spacing, halves rounded
+ * up. */
 tia_q16 modules_place(uint32_t module, uint32_t count, tia_q16 spacing);
 
 #endif

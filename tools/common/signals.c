@@ -27,7 +27,8 @@ static void end(int number)
     (void)raise(number); /* takes effect when the handler returns: until then it is blocked */
 }
 
-/* While one is handled, the others are blocked. Without SA_RESTART, so that a noted signal ends an input's wait. */
+/* Installs a handler. While a signal is handled, the others are blocked. Without SA_RESTART, so that a noted signal
+ * ends an input's wait. */
 static void handle(void (*handler)(int number))
 {
     struct sigaction action = {.sa_handler = handler, .sa_mask = set};

@@ -1,10 +1,10 @@
-/* signals.h - how the commands end on SIGINT, SIGTERM, SIGHUP and SIGQUIT, unless the parent process ignores them.
+/* signals.h - the commands' end on SIGINT, SIGTERM, SIGHUP and SIGQUIT, unless the parent process ignores them.
  *
- * A command that writes files ends at once, whatever it is doing: reading a scene, building a hierarchy, drawing,
- * compressing. The handler runs the cleanups that are registered here, such as removing unfinished files, and lets the
- * signal kill the process. So no other code has to check for signals, and no scene can delay them.
+ * A command that writes files ends at once, at any point: reading a scene, building a hierarchy, drawing, compressing.
+ * The handler runs the cleanups that are registered here, such as removing unfinished files, and lets the signal kill
+ * the process. So no other code has to check for signals, and no scene can delay them.
  *
- * A display is put back by code that must not run in a handler. With one, the signals are only noted, and the viewer
+ * A display is restored by code that must not run in a handler. With one, the signals are only noted, and the viewer
  * calls signals_asked between frames and while it draws one: see tia_viewer.stop.
  *
  * Signals are handled on the main thread; the others block them all (thread_pool.c).
@@ -14,30 +14,32 @@
 
 #include <stdbool.h>
 
-/* What to undo before a signal ends the program. `undo` runs in the handler: it may only call async-signal-safe
- * functions. */
+/* A cleanup before a signal ends the program. `undo` runs in the handler: it may only call async-signal-safe functions.
+ */
 struct signals_cleanup {
     void (*undo)(void *arg);
     void *arg;
     struct signals_cleanup *next;
 };
 
-/* Call at the start of the program. From then on the signals end it as above, and writing to a closed pipe or beyond
- * the limit of a file's size fails instead of ending the program. */
+/* Prepares the signals, at the start of the program. From then on they end it as above, and writing to a closed pipe or
+ * beyond the limit of a file's size fails instead of ending the program. */
 void signals_prepare(void);
 
-/* No signal is handled between these two: for creating something and registering its cleanup. They nest. */
+/* Holds all signals, to create a file and register its cleanup. Calls nest. */
 void signals_hold(void);
+/* Allows them again. */
 void signals_allow(void);
 
-/* Removing one that is not registered does nothing. */
+/* Registers a cleanup. */
 void signals_add(struct signals_cleanup *cleanup);
+/* Removes a cleanup; does nothing if it is not registered. */
 void signals_remove(struct signals_cleanup *cleanup);
 
-/* From now on the signals are only noted, and blocked except while an input waits. */
+/* Makes the signals only noted from now on, and blocked except while an input waits. */
 void signals_catch_waiting(void);
 
-/* Whether one was noted or is pending. Any thread may call it. The argument is there for tia_viewer.stop. */
+/* True if a signal was noted or is pending. Any thread may call it. The argument is there for tia_viewer.stop. */
 bool signals_asked(void *unused);
 
 /* Undoes signals_catch_waiting. */

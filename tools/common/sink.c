@@ -11,7 +11,7 @@
 #include "inputs.h"
 #include "ports.h"
 
-/* Keeps the reason of the first failure, since it causes the later ones. */
+/* Stores the reason of the first failure, since it causes the later ones. */
 static int refuse(struct sink *sink, const char *reason)
 {
     if (!sink->failed)
@@ -31,7 +31,7 @@ static int open_directly(struct sink *sink)
     return sink->fd >= 0 ? TIA_OK : fail(sink, errno);
 }
 
-/* A symbolic link stays: the file that it points to is replaced, or created. */
+/* Opens a temporary file. A symbolic link stays: the file that it points to is replaced, or created. */
 static int open_beside(struct sink *sink, const struct stat *before)
 {
     sink->path = temporary_target(sink->name);
@@ -101,9 +101,9 @@ int sink_write(struct sink *sink, const void *bytes, size_t count)
     return sink->failed ? TIA_ERR_DEVICE : TIA_OK;
 }
 
-/* Without fsync, the system may report a full disk only after the rename, and a crash may leave an empty file. Only for
- * regular files: pipes and devices refuse it, but may report a failure when they are closed. A regular file stays open
- * until it is renamed, as closing it would release the lock. */
+/* Seals the file. Without fsync, the system may report a full disk only after the rename, and a crash may leave an
+ * empty file. Only for regular files: pipes and devices refuse it, but may report a failure when they are closed. A
+ * regular file stays open until it is renamed, as closing it would release the lock. */
 int sink_seal(struct sink *sink)
 {
     if (!sink->failed)

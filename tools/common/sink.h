@@ -10,7 +10,7 @@
 struct sink {
     int fd;                     /* -1: none */
     char *path;                 /* the file's final name; NULL: written directly */
-    struct temporary temporary; /* under this name until then */
+    struct temporary temporary; /* its name until then */
     const char *name;           /* for messages */
     char *why;
     size_t used;
@@ -18,18 +18,19 @@ struct sink {
     unsigned char buffer[65536];
 };
 
-/* TIA_OK, or TIA_ERR_DEVICE with the reason in `why`. `name` must outlive the sink. Call it and all others but
- * sink_write on the main thread: see common/signals.h. */
+/* Opens a sink. TIA_OK, or TIA_ERR_DEVICE with the reason in `why`. `name` must outlive the sink. All functions but
+ * sink_write are to be called on the main thread: see common/signals.h. */
 int sink_open(struct sink *sink, const char *name, char *why);
 int sink_write(struct sink *sink, const void *bytes, size_t count);
 
-/* Brings all bytes to the disk, so that only the renaming can still fail. A failure ends the sink. */
+/* Flushes all bytes to the disk, so that only the renaming can still fail. A failure ends the sink. */
 int sink_seal(struct sink *sink);
 
-/* These end the sink; after a failure no file is left. sink_publish gives a sealed file its final name; sink_commit
- * seals and publishes. */
+/* Ends the sink: gives a sealed file its final name. After a failure no file is left. */
 int sink_publish(struct sink *sink);
+/* Seals and publishes. */
 int sink_commit(struct sink *sink);
+/* Ends the sink without a file. */
 void sink_discard(struct sink *sink);
 
 #endif

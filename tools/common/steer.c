@@ -2,9 +2,9 @@
 
 #include <tia/orbit.h>
 
-#define STEP TIA_Q16(5)       /* degrees, of a key that orbits */
-#define PIXEL_STEP TIA_Q16(1) /* and of four pixels of a mouse */
-#define TURN 180              /* degrees, of a pointer that goes through the whole picture */
+#define STEP TIA_Q16(5)       /* degrees of a step by a key that orbits */
+#define PIXEL_STEP TIA_Q16(1) /* degrees of four pixels of a mouse */
+#define TURN 180              /* degrees of a drag through the whole picture */
 
 bool steer_points(const struct tia_event *event)
 {
@@ -30,7 +30,7 @@ static void orbit(const struct tia_scene *scene, struct tia_camera *camera, tia_
     tia_camera_orbit(camera, right, up);
 }
 
-/* The scene follows the hand, so the eye goes the other way. */
+/* Steers by a pointer. The scene follows the hand, so the eye moves the other way. */
 static enum tia_effect point(struct steer *steer, const struct tia_scene *scene, const struct tia_event *event,
                              struct tia_camera *camera)
 {

@@ -11,7 +11,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-enum { NAMES = 64, LINKS_MOST = 40 }; /* runs for one name at once; links as Linux follows them */
+enum { NAMES = 64, LINKS_MOST = 40 }; /* runs for one name at once; links, as many as Linux follows */
 
 /* ---- names ---- */
 
@@ -48,7 +48,8 @@ static uint32_t hash(const char *text)
     return sum;
 }
 
-/* Short, because the file system may not accept a name longer than that of `path`. */
+/* Returns a name beside `path`. It is short, because the file system may not accept a name longer than that of `path`.
+ */
 static char *name_beside(const char *path, unsigned number)
 {
     int directory = directory_length(path);
@@ -62,7 +63,7 @@ static char *name_beside(const char *path, unsigned number)
 
 /* ---- locks ---- */
 
-/* Whether `name` is still the name of this file, and it is ours. */
+/* True if `name` is still the name of this file, and it is ours. */
 static bool has_name(int fd, const char *name)
 {
     struct stat file, named;
@@ -70,8 +71,8 @@ static bool has_name(int fd, const char *name)
            file.st_ino == named.st_ino && (file.st_uid == geteuid() || geteuid() == 0);
 }
 
-/* Removes the file unless somebody is writing it. Checks its name again under the lock: others may have removed it and
- * created a new one before. */
+/* Removes the file unless another process is writing it. Checks its name again under the lock: others may have removed
+ * it and created a new one before. */
 static void remove_left(const char *name)
 {
     int fd = open(name, O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
@@ -82,8 +83,8 @@ static void remove_left(const char *name)
     (void)close(fd);
 }
 
-/* Before it is locked, another run may take the new file for a leftover and remove it: then this one fails, and the
- * next name is tried. On file systems without locks it goes on without one, and leftovers stay. */
+/* Creates and locks a file. Before it is locked, another run may take it for a leftover and remove it: then this one
+ * fails, and the next name is tried. On file systems without locks it goes on without one, and leftovers stay. */
 static int create_locked(const char *name, mode_t mode)
 {
     int fd = open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOCTTY, mode);
@@ -100,7 +101,7 @@ static int create_locked(const char *name, mode_t mode)
 
 /* ---- the file ---- */
 
-/* Runs in a signal handler. */
+/* Removes the file; runs in a signal handler. */
 static void undo(void *arg)
 {
     (void)unlink(arg);
@@ -142,7 +143,8 @@ static int finish(struct temporary *temporary, int fd, const struct stat *before
     return fd;
 }
 
-/* Looks at all names, since a leftover can have any of them: other runs may have had the names before it. */
+/* Creates the file. Checks all names, since a leftover can have any of them: other runs may have had the names before
+ * it. */
 int temporary_create(struct temporary *temporary, const char *path, const struct stat *before)
 {
     mode_t mode = before ? S_IRUSR | S_IWUSR : S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH;

@@ -15,13 +15,13 @@ struct temporary {
     struct signals_cleanup cleanup;
 };
 
-/* The file that `name` refers to: follows symbolic links, even to a file that does not exist; free() it. NULL and errno
- * on failure. */
+/* Returns the file that `name` refers to: follows symbolic links, even to a file that does not exist; free() it. NULL
+ * and errno on failure. */
 char *temporary_target(const char *name);
 
-/* Creates a file in the directory of `path`, and removes what killed runs have left for it. If `before` is not NULL, it
- * is the file that will be replaced: the new one gets its mode and, where that is allowed, its owner. A descriptor, or
- * -1 and errno. */
+/* Creates a file in the directory of `path`, and removes those that killed runs have left for it. If `before` is not
+ * NULL, it is the file that will be replaced: the new one gets its mode and, where that is allowed, its owner. Returns
+ * a descriptor, or -1 and errno. */
 int temporary_create(struct temporary *temporary, const char *path, const struct stat *before);
 
 /* Gives it its final name. 0, or -1 and errno, and then it still has to be removed. */

@@ -6,8 +6,8 @@
 
 struct text {
     struct sink sink;
-    unsigned column; /* of the next word, from 0 */
-    unsigned indent; /* of the lines that text_word begins */
+    unsigned column; /* column of the next word, from 0 */
+    unsigned indent; /* indent of the lines that text_word begins */
     bool tight;      /* no space after an opening brace */
     char last;       /* the last byte written */
 };
@@ -19,8 +19,8 @@ int text_open(struct text *text, const char *name, char *why);
 #define TEXT_MOST 1024
 __attribute__((format(printf, 2, 3))) void text_print(struct text *text, const char *format, ...);
 
-/* The same, for a word of a paragraph: separates it by a space, or by a new line if it would not fit. No space before
- * a leading comma. */
+/* Does the same for a word of a paragraph: separates it by a space, or by a new line if it would not fit. No space
+ * before a leading comma. */
 __attribute__((format(printf, 2, 3))) void text_word(struct text *text, const char *format, ...);
 
 int text_close(struct text *text);

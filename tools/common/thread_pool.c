@@ -9,26 +9,26 @@
 #include "clock.h"
 
 /* Enough for the core, whose stack depth is bounded, and for compressing a file. The default of 8 MB could exceed a
- * limit on the address space. ThreadSanitizer keeps what it knows about a thread on the thread's stack as well. */
+ * limit on the address space. ThreadSanitizer keeps its data about a thread on the thread's stack as well. */
 #ifdef __SANITIZE_THREAD__
 #define STACK_BYTES (4096u * 1024u)
 #else
 #define STACK_BYTES (512u * 1024u)
 #endif
 
-/* How long a thread looks for the next round, or for the end of this one, before it sleeps: to be woken takes about 50
- * microseconds, a tenth of a frame of 1920x1080. Who has looked for nothing sleeps at once the next times, so that
- * frames at a display's pace, or threads that share a processor, cost no time. */
+/* Time that a thread spins for the next round, or for the end of this one, before it sleeps: waking it takes about 50
+ * microseconds, a tenth of a frame of 1920x1080. After spinning without success a thread sleeps at once the next few
+ * times, so that frames at a display's pace, or threads that share a processor, cost no time. */
 #define SPIN_US 100u
 #define SLEEP_TIMES 8u
 
-/* `round` and `busy` change without the lock. Who is to be woken is counted in `asleep` or `waits` before it looks for
- * the last time; who changes what it waits for looks there afterwards. All of them are in one order, so one sees the
- * other. */
+/* A pool. `round` and `busy` change without the lock. A thread that is to be woken is counted in `asleep` or `waits`
+ * before it checks for the last time; the thread that changes what it waits for checks these afterwards. All of these
+ * accesses are in one total order, so one of the two sees the other's. */
 struct threads {
     pthread_mutex_t lock; /* for sleeping */
     pthread_cond_t begin, end;
-    pthread_mutex_t door; /* for enter and leave */
+    pthread_mutex_t door; /* lock for enter and leave */
     unsigned started;     /* threads besides the caller */
     bool spins;           /* each thread has a processor */
     atomic_uint round;    /* counts the calls of run that need others, and the call that ends them */
@@ -39,7 +39,7 @@ struct threads {
     void (*job)(void *arg, unsigned index);
     void *arg;
     unsigned count;
-    unsigned sleeps;  /* the caller's, see spin */
+    unsigned sleeps;  /* the caller's count, see spin */
     atomic_uint next; /* the next job to run */
     pthread_t thread[];
 };
@@ -75,7 +75,7 @@ static bool has_ended(struct threads *pool, unsigned seen)
     return atomic_load(&pool->busy) == 0;
 }
 
-/* Lets another thread of the same core go on, and saves power. */
+/* Lets another thread of the same core run, and saves power. */
 static void pause_briefly(void)
 {
 #if defined __x86_64__ || defined __i386__
@@ -85,7 +85,8 @@ static void pause_briefly(void)
 #endif
 }
 
-/* Whether it came about within SPIN_US. `*sleeps` are the times yet to sleep at once, each thread's own. */
+/* Spins; true if `done` became true within SPIN_US. `*sleeps` is the number of times yet to sleep at once, each
+ * thread's own. */
 static bool spin(struct threads *pool, bool (*done)(struct threads *pool, unsigned seen), unsigned seen,
                  unsigned *sleeps)
 {
@@ -171,7 +172,7 @@ static void block_signals(sigset_t *before)
     (void)pthread_sigmask(SIG_SETMASK, &all, before);
 }
 
-/* Blocks signals first, since new threads inherit the signal mask. */
+/* Starts threads; blocks signals first, since new threads inherit the signal mask. */
 static void start(struct threads *pool, unsigned count)
 {
     sigset_t before;

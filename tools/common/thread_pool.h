@@ -8,14 +8,14 @@
 
 struct threads;
 
-/* The number of processors that this process may use, 1..THREADS_MAX. */
+/* Returns the number of processors that this process may use, 1..THREADS_MAX. */
 unsigned threads_processors(void);
 
 /* Creates a pool of `count` threads: the caller of run and count - 1 others, which block signals. If the system gives
  * fewer threads, the pool works with those. NULL: no memory. */
 struct threads *threads_create(unsigned count);
 
-/* The number of threads, including the caller of run. */
+/* Returns the number of threads, including the caller of run. */
 unsigned threads_count(const struct threads *pool);
 
 /* Ends the threads. NULL is allowed. */

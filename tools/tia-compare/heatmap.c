@@ -34,7 +34,7 @@ void heatmap_mark(void *arg, unsigned core, enum verdict verdict, const struct m
     map->verdict[core][(size_t)want->y * map->width + want->x] = (unsigned char)verdict;
 }
 
-/* The worst verdict in the square around (x, y). */
+/* Returns the worst verdict in the square around (x, y). */
 static unsigned worst_near(const struct heatmap *map, unsigned panel, unsigned reach, unsigned x, unsigned y)
 {
     unsigned left = x > reach ? x - reach : 0, top = y > reach ? y - reach : 0, worst = 0;
@@ -47,7 +47,7 @@ static unsigned worst_near(const struct heatmap *map, unsigned panel, unsigned r
     return worst;
 }
 
-/* A quarter of the mean of the three channels; green's maximum is 63, that of the others 31. */
+/* Returns a quarter of the mean of the three channels; green's maximum is 63, that of the others 31. */
 static tia_rgb565 dark_grey(tia_rgb565 c)
 {
     unsigned level = ((c >> 11) + (c >> 6 & 31) + (c & 31u)) / 12;
@@ -55,7 +55,7 @@ static tia_rgb565 dark_grey(tia_rgb565 c)
     return (tia_rgb565)(level << 11 | level << 6 | level);
 }
 
-/* How far the square of a pixel reaches. */
+/* Returns the reach of a pixel's square. */
 static unsigned reach_of(const struct heatmap *map, unsigned panel)
 {
     size_t count = 0;

@@ -1,4 +1,4 @@
-/* heatmap.h - a picture of where arithmetics, or techniques for shadows, differ from the reference. */
+/* heatmap.h - a picture of the places where arithmetics, or techniques for shadows, differ from the reference. */
 #ifndef TIA_COMPARE_HEATMAP_H
 #define TIA_COMPARE_HEATMAP_H
 
@@ -9,16 +9,16 @@
 
 struct heatmap {
     unsigned width, height, panels;
-    const tia_rgb565 *colours;              /* of the verdicts but 0, which is no difference */
-    tia_rgb565 *picture;                    /* the reference's */
-    unsigned char *verdict[HEATMAP_PANELS]; /* by pixel */
+    const tia_rgb565 *colours;              /* of the verdicts from 1 on; 0: no difference */
+    tia_rgb565 *picture;                    /* the reference's picture */
+    unsigned char *verdict[HEATMAP_PANELS]; /* for each pixel */
 };
 
 /* Allocates memory for a frame; false: no memory. Call heatmap_free in either case. */
 bool heatmap_alloc(struct heatmap *map, unsigned width, unsigned height, unsigned panels, const tia_rgb565 *colours);
 void heatmap_free(struct heatmap *map);
 
-/* The colours of enum verdict; the callback of struct measure, whose arg is the heatmap. */
+/* The colours of enum verdict. */
 extern const tia_rgb565 heatmap_verdicts[];
 void heatmap_mark(void *map, unsigned core, enum verdict verdict, const struct measure_pixel *want,
                   const struct measure_pixel *got);
@@ -26,8 +26,8 @@ void heatmap_mark(void *map, unsigned core, enum verdict verdict, const struct m
 #define HEATMAP_MANY 1000
 
 /* Draws `path`: for each panel, from left to right, the reference's picture in dark grey with a square on each pixel
- * that differs, or the pixel alone where more than HEATMAP_MANY do. Of squares that overlap the higher verdict is seen.
- * It appears when *sealed is published; `path` and `why`, [PORT_WHY] bytes, must outlive that. A negative
+ * that differs, or the pixel alone where more than HEATMAP_MANY do. Where squares overlap the higher verdict is
+ * visible. It appears when *sealed is published; `path` and `why`, [PORT_WHY] bytes, must outlive that. A negative
  * tia_status on failure, with the reason in `why`. */
 int heatmap_draw(const struct heatmap *map, const char *path, char *why, struct image **sealed);
 

@@ -5,7 +5,7 @@
 #include <string.h>
 #include <sys/resource.h>
 
-/* Each unfinished picture is an open file, so allow as many as the system does. */
+/* Raises the limit of open files as far as the system allows: each unfinished picture is one. */
 static void allow_files(void)
 {
     struct rlimit limit;
@@ -25,7 +25,7 @@ bool pictures_begin(struct pictures *pictures, const char *name, unsigned most)
     return pictures->images && pictures->paths;
 }
 
-/* FILE.png, or FILE-N.png for the Nth of several frames. */
+/* Returns FILE.png, or FILE-N.png for the Nth of several frames. */
 static char *path_of(const struct pictures *pictures)
 {
     const char *name = pictures->name, *dot = strrchr(name, '.');

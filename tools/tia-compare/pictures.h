@@ -6,15 +6,15 @@
 #include "ports.h"
 
 struct pictures {
-    const char *name; /* of the option --heatmap */
-    unsigned most;    /* frames */
+    const char *name; /* name from the option --heatmap */
+    unsigned most;    /* number of frames */
     unsigned count;
     struct image **images;
     char **paths;
     char why[PORT_WHY]; /* after a failure */
 };
 
-/* `most` frames will be added. False: no memory; pictures_end is safe in either case. */
+/* Begins a run of `most` frames. False: no memory; pictures_end is safe in either case. */
 bool pictures_begin(struct pictures *pictures, const char *name, unsigned most);
 
 /* Draws the next one; pictures_publish gives it its name. A negative tia_status on failure. */
@@ -23,7 +23,7 @@ int pictures_add(struct pictures *pictures, const struct heatmap *map);
 /* Gives all of them their names. A negative tia_status on failure. */
 int pictures_publish(struct pictures *pictures);
 
-/* Removes what was not published. */
+/* Removes pictures that were not published. */
 void pictures_end(struct pictures *pictures);
 
 #endif

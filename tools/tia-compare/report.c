@@ -93,6 +93,6 @@ void report_end(struct report *report)
     for (unsigned i = 0; i < report->what->core_count; i++)
         table_row(i == 0 ? name : "", "", report->what->cores[i]->name, &report->sums[i]);
     printf("\nflips: another object is hit or other lights reach it; stray: off by more than one level, no flip;\n"
-           "worst: the largest difference of a channel, in its levels. The truth is %s.\n",
+           "worst: the largest difference of a channel, in its levels. The reference is %s.\n",
            report->what->reference->name);
 }

@@ -7,7 +7,7 @@
 struct report {
     bool json, summary;
     const struct measure *what; /* for its reference and cores */
-    unsigned frames;            /* so far */
+    unsigned frames;            /* frames so far */
     struct tally sums[MEASURE_CORES];
 };
 

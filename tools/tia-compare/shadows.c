@@ -12,7 +12,7 @@
 #include "shadows_report.h"
 #include "technique.h"
 
-/* In the order of what hides the others in a picture. */
+/* Verdicts; in a picture, later ones hide the earlier. */
 enum shadow_verdict { RIGHT, OTHER_OBJECT, WRONGLY_DARK, WRONGLY_LIT };
 
 static const tia_rgb565 colours[] = {[OTHER_OBJECT] = 0xffe0, [WRONGLY_DARK] = 0x001f, [WRONGLY_LIT] = 0xf800};
@@ -23,12 +23,12 @@ struct comparison {
     const struct options *options;
     struct shadows_report report;
     struct pictures pictures;
-    const char *name; /* of the scene */
+    const char *name; /* name of the scene */
     struct technique_job job;
     uint64_t mask; /* the samples that are compared */
     struct technique_frame reference;
     struct shadows_row rows[TECHNIQUES];
-    unsigned count; /* of rows; the first one is the reference's */
+    unsigned count; /* rows; the first one is the reference's */
     struct heatmap map;
 };
 
@@ -37,7 +37,7 @@ static int failed(int result, const char *what, const char *why)
     return message_why("tia-compare", result, what, why);
 }
 
-/* ---- which techniques ---- */
+/* ---- techniques ---- */
 
 static bool is_wanted(const struct comparison *c, unsigned technique)
 {
@@ -52,7 +52,7 @@ static bool qualifies(const struct tia_scene *scene, unsigned technique, struct 
     return !tia_scene_check(&tried, fault);
 }
 
-/* Exact rays if the scene qualifies for them, else those that are traced. */
+/* Returns exact rays if the scene qualifies for them, else traced rays. */
 static unsigned reference_of(const struct tia_scene *scene)
 {
     struct tia_fault fault;
@@ -72,7 +72,7 @@ static unsigned samples_of(const struct tia_light *light)
     return !tia_light_has(light->kind, TIA_LIGHT_AREA) ? 1 : light->samples ? light->samples : TIA_LIGHT_SAMPLES;
 }
 
-/* The bits of light number `light`, from 1. */
+/* Returns the bits of light number `light`, from 1. */
 static uint64_t bits_of(const struct lights *lights, unsigned light)
 {
     unsigned before = 0, samples = samples_of(&lights->array[light - 1]);
@@ -178,7 +178,7 @@ static int draw_others(struct comparison *c, unsigned reference)
 
 /* ---- a scene ---- */
 
-/* Which meshes close; NULL when memory is short. */
+/* Finds the meshes that close; NULL when memory is short. */
 static bool *check_meshes(const struct tia_scene *scene)
 {
     bool *is_closed = calloc((size_t)scene->mesh_count + 1, sizeof *is_closed);
@@ -218,7 +218,8 @@ static int tell(struct comparison *c)
     return 0;
 }
 
-/* That only traced rays can draw it is an error; that some techniques cannot is told in their rows. */
+/* Checks the scene: it is an error if only traced rays can draw it; techniques that cannot draw it have the reason in
+ * their rows. */
 static int check_scene(const struct comparison *c)
 {
     struct tia_fault first = {0}, fault;
@@ -231,7 +232,7 @@ static int check_scene(const struct comparison *c)
             return 0;
         first = first.field ? first : fault;
     }
-    if (!first.field) /* traced rays alone are wanted */
+    if (!first.field) /* only traced rays are wanted */
         return 0;
     (void)snprintf(why, sizeof why, "--shadows: %s %u: %s: %s", first.thing, (unsigned)first.index, first.field,
                    first.rule);

@@ -1,4 +1,4 @@
-/* shadows_report.h - what tia-compare --shadows has counted, as a table or as JSON, on standard output. */
+/* shadows_report.h - the counts of tia-compare --shadows, as a table or as JSON, on standard output. */
 #ifndef TIA_COMPARE_SHADOWS_REPORT_H
 #define TIA_COMPARE_SHADOWS_REPORT_H
 
@@ -7,11 +7,11 @@
 
 #include <tia/scene.h>
 
-/* A technique in a scene. The counts are of pixels; where an object is seen that the reference does not see, light is
- * not compared. */
+/* The result of a technique in a scene. The counts are of pixels; light is not compared where the visible object
+ * differs from the reference's. */
 struct shadows_row {
     const char *name;
-    bool fits;              /* else `fault` says what does not, and the rest is not there */
+    bool fits;              /* false: `fault` has the reason, and the rest is not set */
     struct tia_fault fault; /* without a field: a point is too far away */
     uint64_t objects, dark, lit, colours;
     uint64_t wall_us, cpu_us, bytes;
@@ -19,18 +19,18 @@ struct shadows_row {
 
 struct shadows_report {
     bool json;
-    unsigned scenes; /* so far */
+    unsigned scenes; /* scenes so far */
 };
 
-/* What is common to the rows of a scene. */
+/* Data common to the rows of a scene. */
 struct shadows_table {
     const char *scene, *reference;
     unsigned width, height;
-    uint64_t seen;  /* pixels that see an object */
+    uint64_t seen;  /* pixels with an object */
     unsigned light; /* 0: all */
     const struct shadows_row *rows;
     unsigned count;
-    const bool *is_closed; /* each of the scene's meshes */
+    const bool *is_closed; /* for each of the scene's meshes */
     uint32_t meshes;
 };
 

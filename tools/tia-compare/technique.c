@@ -5,7 +5,7 @@
 
 #include "clock.h"
 
-#define ROWS 16u /* of a job */
+#define ROWS 16u /* rows of a job */
 
 static struct tia_tile rows_of(const struct technique_job *job, unsigned index)
 {

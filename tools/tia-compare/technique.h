@@ -1,15 +1,15 @@
-/* technique.h - a scene drawn with one technique for shadows: what light reaches each pixel, and what it costs. */
+/* technique.h - draws a scene with one technique for shadows: the lights that reach each pixel, and the cost. */
 #ifndef TIA_COMPARE_TECHNIQUE_H
 #define TIA_COMPARE_TECHNIQUE_H
 
 #include <tia/port.h>
 
-/* What to draw: the scene's own technique does not count. */
+/* The job. The scene's own technique does not count. */
 struct technique_job {
     const struct tia_scene *scene;
     const struct tia_light *lights;
     uint32_t light_count, light_capacity;
-    unsigned width, height, rounds; /* it is timed so often */
+    unsigned width, height, rounds; /* rounds: timed runs */
     const struct tia_workers *workers;
     void *workers_ctx;
 };
@@ -31,8 +31,9 @@ struct technique_frame {
     int *status; /* of each job of rows */
 };
 
-/* Draws a frame; wall_us and cpu_us are the least of all rounds from new lights to the pixels, and `bytes` is what the
- * view and the hits of the whole picture take. A negative tia_status on failure; call technique_free in either case. */
+/* Draws a frame; wall_us and cpu_us are the least of all rounds from new lights to the pixels, and `bytes` is the
+ * memory of the view and the hits of the whole picture. A negative tia_status on failure; call technique_free in either
+ * case. */
 int technique_draw(struct technique_frame *frame, const struct technique_job *job, enum tia_shadows technique);
 void technique_free(struct technique_frame *frame);
 

@@ -13,25 +13,25 @@
 
 #define ALIGN(size) (((size) + 7) / 8 * 8)
 
-/* Kinds of machines, by how large pointers and enumerations are; all have 64-bit numbers at multiples of 8. */
+/* Kinds of machines, by the sizes of pointers and enumerations; all have 64-bit numbers at multiples of 8. */
 enum { WIDE, NARROW, SHORT, KINDS };
 
-/* The library's sizes here, less those of its structures that have another size on another kind of machine, plus what
- * they have there. These are all such structures: tests/slow/memory asks the library on machines of each kind. */
+/* Sizes on a kind of machine: the library's sizes here, less those of its structures that differ there, plus their
+ * sizes there. These are all such structures: tests/slow/memory compares with the library on machines of each kind. */
 struct layout {
-    unsigned view, hits, scene, bvh, block; /* block: a plane or a box that things fall onto */
+    unsigned view, hits, scene, bvh, block; /* block: a plane or a box that balls bounce off */
     unsigned spans;                         /* of scenes drawn by row */
     unsigned rays, shape;                   /* of all others */
-    unsigned emitter;                       /* of paths: of each light, and of each sphere that emits */
-    unsigned raster, sample;    /* of other techniques for shadows than traced rays: once, and of a pixel's sample */
-    unsigned map, volumes, own; /* what these techniques keep */
+    unsigned emitter;                       /* for paths: for each light, and for each sphere that emits */
+    unsigned raster, sample;    /* for other techniques for shadows than traced rays: once, and for a pixel's sample */
+    unsigned map, volumes, own; /* the data of these techniques */
 };
 
 static const struct layout layouts[KINDS] = {{88, 40, 304, 48, 208, 72, 392, 224, 88, 40, 2856, 744, 560, 40},
                                              {52, 24, 240, 28, 200, 64, 368, 216, 80, 32, 2576, 728, 544, 28},
                                              {52, 24, 236, 28, 200, 64, 368, 208, 80, 32, 2576, 728, 544, 28}};
 
-/* The kind of this machine; KINDS when it is of none. */
+/* Returns the kind of this machine; KINDS when it is none of them. */
 static int kind_here(void)
 {
     struct aligned {
@@ -49,7 +49,7 @@ struct scene_memory {
     uint32_t lights; /* the view's capacity */
 };
 
-/* Spheres drawn by row keep a distance for each pixel. */
+/* True if the scene is drawn by row: then hits store a distance for each pixel. */
 static bool is_drawn_by_row(const struct tia_scene *scene)
 {
     const struct tia_tile none = {0, 0, 0, 0}, few = {0, 0, 8, 8};
@@ -85,7 +85,7 @@ static uint64_t technique_part(const struct layout *l, const struct tia_scene *s
     }
 }
 
-/* Sizes that differ between kinds of machines. */
+/* Returns the sizes that differ between kinds of machines. */
 static uint64_t view_part(const struct layout *l, const struct scene_memory *m)
 {
     enum tia_integrator integrator = m->scene->integration.integrator;
@@ -111,7 +111,7 @@ static uint64_t hits_size(const struct tia_scene *scene, struct tia_tile tile, i
     return tia_hits_size(scene, tile) - ALIGN(layouts[kind_here()].hits) + ALIGN(layouts[kind].hits);
 }
 
-/* What differs of a copy of what moves. */
+/* Returns the sizes that differ in a copy of the moving arrays. */
 static uint64_t copy_part(const struct layout *l, const struct tia_scene *scene)
 {
     uint64_t part = ALIGN(l->scene);
@@ -122,8 +122,8 @@ static uint64_t copy_part(const struct layout *l, const struct tia_scene *scene)
     return part + (scene->bvh ? ALIGN(l->bvh) : 0);
 }
 
-/* What the viewer asks for first: a view, whole frames of hits, a canvas to refine pictures on, and a copy of what
- * moves. A tile has this many rows if the display sets no limit. */
+/* Returns the viewer's first request: a view, whole frames of hits, a canvas to refine pictures on, and a copy of the
+ * moving arrays. A tile has this many rows if the display sets no limit. */
 static uint64_t viewer_size(const struct scene_memory *m, struct tia_tile frame, int kind)
 {
     enum { ROWS = 16 };
@@ -142,7 +142,7 @@ static uint64_t viewer_size(const struct scene_memory *m, struct tia_tile frame,
 
 /* ---- flash ---- */
 
-/* A program's code and tables on a Cortex-M3 by gcc -Os, without the board's own: measured on the example of
+/* A program's code and tables on a Cortex-M3 by gcc -Os, without the board's own: measured with the example of
  * docs/boards.md, linked with libtia-spheres.a and with libtia.a. */
 enum { FLASH_SPHERES = 24000, FLASH_ALL = 219000 };
 
@@ -168,7 +168,7 @@ static uint64_t meshes_size(const struct tia_scene *scene)
         size += m->vertex_count * (uint64_t)sizeof *m->vertices + m->face_count * (uint64_t)sizeof *m->faces +
                 m->normal_count * (uint64_t)sizeof *m->normals + m->uv_count * (uint64_t)sizeof *m->uvs;
     }
-    return size + (scene->bvh ? tia_bvh_size(scene) * 3 / 5 : 0); /* less the boxes that only building it takes */
+    return size + (scene->bvh ? tia_bvh_size(scene) * 3 / 5 : 0); /* without the boxes, which only building needs */
 }
 
 static uint64_t tables_size(const struct tia_scene *scene)
@@ -195,7 +195,7 @@ static const char top[] =
     " * has them. Where 64-bit numbers lie at multiples of 4, as on 32-bit x86, a little less is needed. */\n"
     "#ifndef TIA_BYTES\n"
     "enum tia_bytes_small { TIA_BYTES_SMALL };\n"
-    "typedef char tia_bytes_known[sizeof(void *) >= 4 ? 1 : -1]; /* fails on other machines: ask tia_view_size there "
+    "typedef char tia_bytes_known[sizeof(void *) >= 4 ? 1 : -1]; /* fails on other machines: call tia_view_size there "
     "*/\n"
     "#define TIA_BYTES(wide, narrow, small) \\\n"
     "    (sizeof(void *) == 8 ? (wide) : sizeof(enum tia_bytes_small) > 1 ? (narrow) : (small))\n"

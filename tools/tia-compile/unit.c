@@ -81,7 +81,7 @@ struct reference {
     uint32_t n;
 };
 
-/* Writes the scene's references to tables, then their lengths: the order of struct tia_scene, on which C++ insists. */
+/* Writes the scene's references to tables, then their lengths, in the order of struct tia_scene, which C++ requires. */
 static void refer(struct unit *unit, const struct reference *references, unsigned count)
 {
     for (unsigned i = 0; i < count; i++)
@@ -160,7 +160,7 @@ void unit_write(struct unit *unit, const char *source)
     if (tia_scene_moves(scene))
         text_print(&unit->text, "#include <tia/motion.h>\n");
     text_print(&unit->text, "#include <tia/scene.h>\n\n");
-    /* The declaration avoids a warning (-Wmissing-variable-declarations) in programs that turn it on. */
+    /* the declaration avoids a warning (-Wmissing-variable-declarations) in programs that turn it on */
     text_print(&unit->text, "extern const struct tia_scene %s;\n\n", unit->symbol);
     unit_things(unit);
     if (scene->fine)

@@ -22,7 +22,7 @@ struct summand {
 struct addition {
     struct summand *summands;
     unsigned count;
-    struct sums sums; /* of the result */
+    struct sums sums; /* sums of the result */
     struct image *image;
     struct sink *sink;
     struct tia_sum *row;
@@ -40,7 +40,7 @@ static int refuse(struct addition *a, const char *path, const char *reason)
     return REFUSED;
 }
 
-/* Only regular files, as of all parts: a FIFO would block. */
+/* Opens a regular file; all parts must be regular files, as a FIFO would block. */
 static FILE *open_regular(const char *path)
 {
     int fd = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
@@ -79,7 +79,7 @@ static int open_one(struct addition *a, struct summand *s, const char *path)
         return refuse(a, path, strerror(errno));
     size_t header = sums_parse(&s->sums, text, fread(text, 1, sizeof text, s->file));
     if (!header || s->sums.guided)
-        return refuse(a, path, "no part of samples");
+        return refuse(a, path, "not a part of samples");
     if (fseek(s->file, 0, SEEK_END) != 0 ||
         (uint64_t)ftell(s->file) != header + (uint64_t)s->sums.height * sums_row_bytes(&s->sums))
         return refuse(a, path, "is not complete (tia --resume goes on with it)");
@@ -110,7 +110,7 @@ static int follow(struct addition *a)
         if (s->first != end) {
             (void)snprintf(reason, sizeof reason, "samples %u to %u are %s",
                            (unsigned)(s->first < end ? s->first : end), (unsigned)(s->first < end ? end : s->first) - 1,
-                           s->first < end ? "there twice" : "missing");
+                           s->first < end ? "given twice" : "missing");
             return refuse(a, a->summands[i].path, reason);
         }
         a->sums.count += s->count;
@@ -154,7 +154,8 @@ static int add_row(struct addition *a, unsigned y)
     for (unsigned i = 0; i < a->count; i++) {
         struct summand *s = &a->summands[i];
         size_t length = sums_row_bytes(&s->sums);
-        long back = -(long)((uint64_t)(s->sums.height - y) * length); /* from the end: a .pfm begins below */
+        /* From the end: a .pfm stores the bottom row first. */
+        long back = -(long)((uint64_t)(s->sums.height - y) * length);
         if (fseek(s->file, back, SEEK_END) != 0 || fread(a->bytes, 1, length, s->file) != length)
             return refuse(a, s->path, "cannot be read");
         if (!sums_add_row(a->row, &s->sums, y, a->bytes))

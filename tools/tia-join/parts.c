@@ -42,7 +42,7 @@ static int read_at(struct parts *parts, const struct part *part, int fd, void *b
     return 0;
 }
 
-/* Only regular files: parts are read in any order, and a FIFO would block. */
+/* Opens a part; only regular files, since parts are read in any order, and a FIFO would block. */
 static int open_part(struct parts *parts, const struct part *part, uint64_t *length)
 {
     struct stat status;
@@ -122,7 +122,7 @@ static struct part *add_part(struct parts *parts, const char *path)
     return &parts->array[parts->count++];
 }
 
-/* A file may be one part after the other: such is what tia --resume keeps. */
+/* Reads a file, which may be several parts one after the other, as tia --resume writes them. */
 static int read_file(struct parts *parts, const char *path)
 {
     const struct part file = {.path = path};
@@ -157,8 +157,8 @@ static const struct part *part_of(const struct parts *parts, uint32_t frame, uns
     return NULL;
 }
 
-/* Parts that do not overlap and together have as many rows as the film leave no gap. If they have fewer, finds a gap to
- * report: at the first frame and row, or after the end of a part. */
+/* Checks for gaps. Parts that do not overlap and together have as many rows as the film leave no gap. If they have
+ * fewer, finds a gap to report: at the first frame and row, or after the end of a part. */
 static int check_gaps(struct parts *parts)
 {
     const struct image_film *film = &parts->array[0].film;

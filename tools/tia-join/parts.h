@@ -9,7 +9,7 @@
 struct part {
     const char *path;
     struct image_film film;
-    uint64_t frames; /* where the first frame is in the file */
+    uint64_t frames; /* offset of the first frame in the file */
     bool is_y4m;
 };
 
@@ -20,7 +20,7 @@ struct parts {
     char why[PARTS_WHY]; /* one line, after a failure */
 };
 
-/* Reads the parts' headers, of a .tiapart all that follow each other, and checks that they make one film, without gaps
+/* Reads the parts' headers, all of a .tiapart that contains several, and checks that they make one film, without gaps
  * or overlaps. 0, or -1 if not. */
 int parts_open(struct parts *parts, char *const *paths, unsigned count);
 void parts_close(struct parts *parts);

@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-/* Far more than the doubles' errors, and far less than matters: halves go to the right on every machine. */
+/* Far more than the doubles' errors, and far less than matters: halves are rounded the same way on every machine. */
 #define SLACK 0x1p-24
 
 void display_init(struct display *display, const struct tia_scene *scene, unsigned views, const struct modules *modules)
@@ -28,15 +28,15 @@ static double rounded(double number)
     return floor(number + 0.5 + SLACK);
 }
 
-/* Where that ray crosses the observer line's plane, from the screen's middle. */
+/* Returns where that ray crosses the observer line's plane, from the screen's middle. */
 static double crossing(const struct display *d, const struct eye *eye, double q)
 {
     return q + (eye->x - q) / eye->z * d->distance;
 }
 
-/* The scene's lengths are rounded to units: an end by half of one, the screen's middle by another half where its width
- * is odd, the line's distance by a half that the ray's slope multiplies. So an eye at an end as it is written may cross
- * the line's plane that far beyond it. */
+/* True if the eye is on the line. The scene's lengths are rounded to units: an end by half of one, the screen's middle
+ * by another half where its width is odd, the line's distance by a half that the ray's slope multiplies. So an eye at a
+ * nominal end may cross the line's plane that far beyond it. */
 static bool on_line(const struct display *d, const struct eye *eye, double q)
 {
     double at = crossing(d, eye, q), slack = d->unit * (1 + fabs((eye->x - q) / eye->z) / 2 + SLACK);
@@ -51,11 +51,12 @@ double display_part(const struct display *display, const struct eye *eye, double
     return (crossing(d, eye, (point - 0.5) * d->width) - d->from) / (d->to - d->from);
 }
 
-/* -1 or 1 where the light of a module through the screen at q misses the line to its left or right, else 0. The
- * renderer rounds where it meets the line to units, so that what is a quarter beyond an end is lit. */
+/* Returns -1 or 1 if the light of a module through the screen at q misses the line to its left or right, else 0. The
+ * renderer rounds the crossing with the line to units, so a point up to a quarter beyond an end is lit. */
 static int misses(const struct display *d, double module, double q)
 {
-    double p = floor(((2 * module - (d->count - 1)) * d->spacing / d->unit + 1) / 2) * d->unit; /* as modules_place */
+    /* Like modules_place. */
+    double p = floor(((2 * module - (d->count - 1)) * d->spacing / d->unit + 1) / 2) * d->unit;
     double s = q + (q - p) * d->distance / d->behind;
 
     return s > d->to + d->unit / 4 ? 1 : s < d->from - d->unit / 4 ? -1 : 0;

@@ -1,4 +1,4 @@
-/* observe.h - what eyes see of a light field: the screen from edge to edge, as pictures. */
+/* observe.h - views of a light field by eyes: the screen from edge to edge, as pictures. */
 #ifndef TOOLS_TIA_OBSERVE_OBSERVE_H
 #define TOOLS_TIA_OBSERVE_OBSERVE_H
 
@@ -12,10 +12,10 @@ struct observation {
     struct pictures pictures;
     bool lenses; /* the only picture is the panel's */
     struct panel panel;
-    struct eye eye, to;     /* where the eye is, or the middle between two; where it is in the film's last frame */
+    struct eye eye, to;     /* position of the eye, or the middle between two; its position in the film's last frame */
     double apart;           /* two eyes; 0: one */
-    bool anaglyph;          /* both in one picture: red is what the left one sees; else side by side */
-    unsigned width, height; /* of what one eye sees */
+    bool anaglyph;          /* both in one picture, red for the left eye; else side by side */
+    unsigned width, height; /* size of one eye's picture */
 };
 
 /* Draws all frames of the series. A negative status on failure, with the reason in series->why. */

@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-/* As display.c has it: what is equally near is so on every machine. */
+/* As in display.c: ties are ties on every machine. */
 #define SLACK 0x1p-24
 
 void panel_init(struct panel *panel, const struct tia_lenticular *lens, unsigned width, unsigned height)
@@ -17,7 +17,7 @@ void panel_init(struct panel *panel, const struct tia_lenticular *lens, unsigned
                             .height = height};
 }
 
-/* Which of a pixel's three subpixels a channel is, from the left as it is seen. */
+/* Returns which of a pixel's three subpixels a channel is, from the left of the shown picture. */
 static unsigned third_of(const struct panel *panel, unsigned channel)
 {
     unsigned stored = panel->subpixels == TIA_SUBPIXELS_BGR ? 2 - channel : channel;
@@ -25,13 +25,13 @@ static unsigned third_of(const struct panel *panel, unsigned channel)
     return panel->flipped ? 2 - stored : stored;
 }
 
-/* The subpixels of one colour in a row. All places are in pixels from the left, as it is seen. */
+/* The subpixels of one colour in a row. All positions are in pixels from the left of the shown picture. */
 struct row {
-    double first, step; /* phases: of the leftmost one, and from one to the next */
-    double target;      /* the eye's */
+    double first, step; /* phases: of the leftmost one, and its step to the next */
+    double target;      /* the eye's phase */
 };
 
-/* How far the phase of subpixel i is from the eye's, modulo 1. */
+/* Returns the distance of subpixel i's phase from the eye's, modulo 1. */
 static double apart(const struct row *row, double i)
 {
     double phase = row->first + i * row->step - row->target;
@@ -39,9 +39,9 @@ static double apart(const struct row *row, double i)
     return fabs(phase - round(phase));
 }
 
-/* From the first to the last the phases go around once at most, so the nearest is beside the place where they meet the
- * eye's. Of such places, a lens apart, it is the one nearest to the middle: if that is outside, so is the next, and
- * farther from the other end. `first` comes before all that are as near. */
+/* Returns the nearest subpixel. From the first to the last the phases go around once at most, so it is beside the
+ * position where they meet the eye's. Of such positions, a lens apart, it is the one nearest to the middle: if that is
+ * outside, so is the next, and farther from the other end. Of ties `first` comes first. */
 static double nearest_of(const struct row *row, double first, double last)
 {
     double middle = (first + last) / 2;

@@ -1,4 +1,4 @@
-/* panel.h - which of a lenticular panel's subpixels send their light to an eye, by the formula of tia/lightfield.h. */
+/* panel.h - the subpixels of a lenticular panel that send their light to an eye, by the formula of tia/lightfield.h. */
 #ifndef TOOLS_TIA_OBSERVE_PANEL_H
 #define TOOLS_TIA_OBSERVE_PANEL_H
 
@@ -9,16 +9,16 @@ struct panel {
     double pitch, rise, centre; /* lenses, see struct tia_lenticular */
     enum tia_subpixels subpixels;
     bool flipped, inverted;
-    unsigned width, height; /* of its picture */
+    unsigned width, height; /* size of its picture */
 };
 
 void panel_init(struct panel *panel, const struct tia_lenticular *lens, unsigned width, unsigned height);
 
-/* The column of its picture that lights channel 0..2, red, green or blue, of a point of the screen for an eye: of the
- * subpixels of that colour in the row, counted from above, whose middles are within half a lens of the point, the one
- * whose phase is nearest to the eye's. Phases are compared modulo 1: the views repeat beyond the line's ends. `point`
- * is a part of the screen's width, `phase` one of the observer line, both from the left. Of equally near ones the left
- * one, as seen; -1: none is that near to the point, it is black. */
+/* Returns the column of its picture that lights channel 0..2, red, green or blue, of a point of the screen for an eye:
+ * of the subpixels of that colour in the row, counted from above, whose middles are within half a lens of the point,
+ * the one whose phase is nearest to the eye's. Phases are compared modulo 1: the views repeat beyond the line's ends.
+ * `point` is a part of the screen's width, `phase` one of the observer line, both from the left. Of equally near ones
+ * the left one of the shown picture; -1: none is that near to the point, it is black. */
 int panel_column(const struct panel *panel, unsigned row, unsigned channel, double point, double phase);
 
 #endif

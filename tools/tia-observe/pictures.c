@@ -53,10 +53,10 @@ int pictures_load(struct pictures *pictures, const char *path, unsigned count)
     *pictures = (struct pictures){.count = count, .file_count = count ? count : 1};
     if (!count && !quilt_named(path, &quilt, &aspect))
         return refuse(pictures, TIA_ERR_RANGE, path,
-                      "no quilt's name (NAME_qs8x6a0.75.png); "
+                      "not a quilt's name (NAME_qs8x6a0.75.png); "
                       "a panel's needs --lenticular or --calibration");
     if (count && !series_is_pattern(path))
-        return refuse(pictures, TIA_ERR_RANGE, path, "no pattern for a picture each (NAME%03d.png)");
+        return refuse(pictures, TIA_ERR_RANGE, path, "not a pattern for one picture each (NAME%03d.png)");
     pictures->files = calloc(pictures->file_count, sizeof *pictures->files);
     if (!pictures->files)
         return refuse(pictures, TIA_ERR_MEMORY, "memory", "exhausted");
@@ -92,7 +92,7 @@ void pictures_free(struct pictures *pictures)
     free(pictures->files);
 }
 
-/* 0..255 to 0..most, to nearest. */
+/* Converts 0..255 to 0..most, to nearest. */
 static unsigned level(unsigned char c, unsigned most)
 {
     return (c * most * 2 + 255) / 510;

@@ -7,22 +7,22 @@
 #include "common/image/texels.h"
 
 struct pictures {
-    unsigned count, width, height; /* of each */
+    unsigned count, width, height; /* count; size of each */
     unsigned columns, rows;        /* of a quilt; 0: there is a file for each */
     struct image_texels *files;
     unsigned file_count;
     char why[400];
 };
 
-/* Loads `path`, a quilt's name or one with a pattern, for `count` pictures; of a quilt 0. TIA_OK; TIA_ERR_DEVICE,
+/* Loads `path`, a quilt's name or one with a pattern, for `count` pictures; for a quilt 0. TIA_OK; TIA_ERR_DEVICE,
  * TIA_ERR_MEMORY or TIA_ERR_RANGE with the reason in pictures->why. pictures_free is safe afterwards. */
 int pictures_load(struct pictures *pictures, const char *path, unsigned count);
 
-/* The same for a single picture, a panel's. */
+/* Loads a single picture, a panel's, in the same way. */
 int pictures_load_one(struct pictures *pictures, const char *path);
 void pictures_free(struct pictures *pictures);
 
-/* Pixel (x, y) of picture `picture`. */
+/* Returns pixel (x, y) of picture `picture`. */
 tia_rgb565 pictures_pixel(const struct pictures *pictures, unsigned picture, unsigned x, unsigned y);
 
 #endif

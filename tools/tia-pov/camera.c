@@ -72,5 +72,6 @@ void pov_camera(struct pov *pov)
     if (pov->scene->camera.line)
         pov_note(pov, "camera: seen from the middle of its observer line");
     if (pov->scene->camera.samples > 1)
-        pov_note(pov, "camera: %u samples a pixel are asked of povray itself, with +A", pov->scene->camera.samples);
+        pov_note(pov, "camera: %u samples per pixel are requested by povray's own option +A",
+                 pov->scene->camera.samples);
 }

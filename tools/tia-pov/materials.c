@@ -3,8 +3,8 @@
 #include <math.h>
 #include <stdio.h>
 
-/* POV-Ray has one colour for both diffuse reflection and transmission; tia has two. Transmission alone can be a filter
- * of its colour; together with diffuse reflection it must be grey. */
+/* Returns the transmission. POV-Ray has one colour for both diffuse reflection and transmission; tia has two.
+ * Transmission alone can be a filter of its colour; together with diffuse reflection it must be grey. */
 static double transmit_of(const struct tia_material *m)
 {
     return pov_black(m->colour) ? 0 : pov_mean(pov_rgb(m->refraction));
@@ -25,7 +25,8 @@ static bool lacks(double part, double whole)
     return part > 0 && whole <= 0;
 }
 
-/* POV-Ray multiplies emission by the pigment and by the part that is not transmitted; this divides by both. */
+/* Writes the emission. POV-Ray multiplies it by the pigment and by the part that is not transmitted; this divides by
+ * both. */
 static void write_emission(struct pov *pov, const struct tia_material *m)
 {
     struct point e = pov_rgb(m->emission), c = pov_rgb(m->colour);
@@ -40,7 +41,7 @@ static void write_emission(struct pov *pov, const struct tia_material *m)
     pov_triple(pov, "emission rgb", (struct point){ratio(e.x, c.x), ratio(e.y, c.y), ratio(e.z, c.z)});
 }
 
-/* kr = mirror + F refraction: POV-Ray interpolates between two reflection colours by F. */
+/* Writes kr = mirror + F refraction: POV-Ray interpolates between two reflection colours by F. */
 static void write_reflection(struct pov *pov, const struct tia_material *m)
 {
     struct point mirror = pov_rgb(m->mirror);
@@ -93,19 +94,19 @@ static void note_material(struct pov *pov, uint32_t index, const struct tia_mate
     if (!pov_black(m->facing))
         pov_note(pov, "material %u: no facing ratio here", index);
     if (scatters && glass && (!is_grey(m->refraction) || m->refraction.r == TIA_Q30_ONE))
-        pov_note(pov, "material %u: what it scatters and what it lets through cannot both be right here", index);
+        pov_note(pov, "material %u: scattering and transmission cannot both be right here", index);
     if (scatters ? lacks(e.x, c.x) || lacks(e.y, c.y) || lacks(e.z, c.z) : glass && !pov_black(m->emission))
-        pov_note(pov, "material %u: what it emits beside its other colours is lost here", index);
+        pov_note(pov, "material %u: its emission is lost here beside its other colours", index);
     if (scatters && m->texture != 0 && !pov_black(m->emission))
-        pov_note(pov, "material %u: what it emits takes the texture here", index);
+        pov_note(pov, "material %u: its emission takes the texture here", index);
     if (glass && (m->refraction.r != TIA_Q30_ONE || !is_grey(m->refraction)))
-        pov_note(pov, "material %u: what is reflected totally within it is not tinted here", index);
+        pov_note(pov, "material %u: its total internal reflection is not tinted here", index);
     if (m->opacity != 0 && !pov_has_opacity(pov, index))
         pov_note(pov, "material %u: opaque here: a picture needs a file beside the scene's", index);
     if (m->opacity != 0 && glass && m->index != TIA_Q16_ONE)
-        pov_note(pov, "material %u: what is seen past it is refracted here", index);
+        pov_note(pov, "material %u: the view through its opacity texture is refracted here", index);
     if (m->fresnel && glass && (m->refraction.r != TIA_Q30_ONE || !is_grey(m->refraction) || !pov_black(m->mirror)))
-        pov_note(pov, "material %u: what Fresnel's equations let through is mixed otherwise here", index);
+        pov_note(pov, "material %u: its transmission by Fresnel's equations is mixed differently here", index);
 }
 
 static void declare_material(struct pov *pov, uint32_t i, const struct tia_material *m)
@@ -132,7 +133,7 @@ void pov_materials(struct pov *pov)
     text_print(&pov->text, "\n");
 }
 
-/* The texture that follows is there to the part of the opacity. */
+/* Begins a texture that covers the part of the opacity. */
 static void begin_opacity(struct pov *pov, uint32_t material, const struct tia_shape *shape)
 {
     text_word(&pov->text, "texture {%s pigment_pattern { Opacity_%u", pov_plain(shape) ? "" : " uv_mapping", material);
@@ -159,8 +160,9 @@ void pov_material(struct pov *pov, uint32_t material, const struct tia_shape *sh
     text_word(&pov->text, "interior { Interior_%u }", material);
 }
 
-/* POV-Ray's shadow rays are filtered by the pigment, at each surface. tia has a separate colour for them, applied once
- * per object. The two agree if the object transmits nothing or everything. */
+/* True if the shadow needs an object of its own. POV-Ray's shadow rays are filtered by the pigment, at each surface.
+ * tia has a separate colour for them, applied once per object. The two agree if the object transmits nothing or
+ * everything. */
 bool pov_has_shadow(const struct pov *pov, uint32_t material)
 {
     const struct tia_material *m = &pov->scene->materials[material];
@@ -170,7 +172,8 @@ bool pov_has_shadow(const struct pov *pov, uint32_t material)
     return !(pov_black(t) && pov_black(r)) && !all;
 }
 
-/* Of a closed object half of the filter at each of two surfaces; of one with opacity tia has all of it at each, too. */
+/* Writes the shadow's material: for a closed object half of the filter at each of two surfaces; with opacity, all of it
+ * at each, as in tia. */
 void pov_shadow_material(struct pov *pov, uint32_t material, const struct tia_shape *shape)
 {
     struct point t = pov_rgb(pov->scene->materials[material].transmission);

@@ -24,7 +24,7 @@ static const struct tia_vec3 *vertex(const struct tia_mesh *m, const struct tia_
     return &m->vertices[f->corner[corner].vertex];
 }
 
-/* The normal of a face without normals; an arbitrary one if its corners are collinear. */
+/* Returns the normal of a face without normals; an arbitrary one if its corners are collinear. */
 static struct point flat_normal(const struct tia_mesh *m, const struct tia_face *f)
 {
     struct point a = pov_vec3(*vertex(m, f, 0)), minus_a = pov_scaled(a, -1);
@@ -39,7 +39,7 @@ static bool has_normals(const struct tia_face *f)
     return f->corner[0].normal != TIA_NO_INDEX;
 }
 
-/* POV-Ray needs normals for all faces or for none. So normals for the flat faces follow the mesh's own. */
+/* Counts the flat faces. POV-Ray needs normals for all faces or for none, so their normals follow the mesh's own. */
 static uint32_t count_flat(const struct tia_mesh *m)
 {
     uint32_t flat = 0;
@@ -81,7 +81,7 @@ static void write_normal_indices(struct pov *pov, const struct tia_mesh *m)
     end_list(pov);
 }
 
-/* Faces without coordinates get a triangle's: the last three, (0, 0), (1, 0), (0, 1). */
+/* Writes the coordinates. Faces without any get a triangle's: the last three, (0, 0), (1, 0), (0, 1). */
 static void write_uvs(struct pov *pov, const struct tia_mesh *m)
 {
     begin_list(pov, "uv_vectors", m->uv_count + 3);
@@ -122,7 +122,7 @@ static void write_vertices(struct pov *pov, const struct tia_mesh *m)
     end_list(pov);
 }
 
-/* POV-Ray requires this order of the lists. */
+/* Writes a mesh; POV-Ray requires this order of the lists. */
 void pov_mesh(struct pov *pov, const struct tia_mesh *m)
 {
     uint32_t flat = count_flat(m);
@@ -148,8 +148,8 @@ void pov_triangle(struct pov *pov, const struct tia_triangle *t)
     pov_mesh(pov, &mesh);
 }
 
-/* For each face, the corners with the coordinates (0, 0), (1, 0), (1, 1), (0, 1): for x, y and z whether it is the
- * box's minimum (0) or maximum (1). */
+/* For each face, the corners with the coordinates (0, 0), (1, 0), (1, 1), (0, 1): for x, y and z, 0 for the box's
+ * minimum, 1 for its maximum. */
 static const uint8_t box_corners[6][4][3] = {
     {{0, 0, 0}, {0, 0, 1}, {0, 1, 1}, {0, 1, 0}}, {{1, 0, 1}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}}, /* z, y; -z, y */
     {{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}}, {{0, 1, 1}, {1, 1, 1}, {1, 1, 0}, {0, 1, 0}}, /* x, z; x, -z */

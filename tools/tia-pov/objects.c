@@ -11,7 +11,7 @@ static void write_transform(struct pov *pov, uint32_t transform)
     pov_triple(pov, "translate", pov_place(pov, t->position));
 }
 
-/* Leaves the block open, for a transform. */
+/* Writes a part; leaves the block open, for a transform. */
 static void write_part(struct pov *pov, const struct tia_shape *s, bool unseen)
 {
     pov_geometry(pov, s);
@@ -42,7 +42,7 @@ static void write_object(struct pov *pov, const struct tia_shape *s)
     }
 }
 
-/* The number of equal cells along x that can be one box; 1 if textured, since the texture repeats per cell. */
+/* Returns the number of equal cells along x that can be one box; 1 if textured, since the texture repeats per cell. */
 static uint32_t run_length(const struct pov *pov, const uint8_t *cells, uint32_t count, uint32_t material)
 {
     uint32_t n = 1;
@@ -93,18 +93,18 @@ static void note_grid(struct pov *pov, uint32_t index, const struct tia_shape *s
     for (size_t i = 0; i < count; i++) {
         if (g->cells[i] == 0 || !pov_has_shadow(pov, s->material + g->cells[i] - 1))
             continue;
-        pov_note(pov, "shape %u: what its cells let through, they let through cell by cell here", index);
+        pov_note(pov, "shape %u: its cells filter shadow rays cell by cell here", index);
         break;
     }
     for (size_t i = 0; i < count; i++) {
         if (g->cells[i] == 0 || pov->scene->materials[s->material + g->cells[i] - 1].opacity == 0)
             continue;
-        pov_note(pov, "shape %u: past its opacity, faces between equal cells are seen here", index);
+        pov_note(pov, "shape %u: faces between equal cells are visible here through its opacity", index);
         return;
     }
 }
 
-/* Each filters a shadow ray once in tia, where POV-Ray does at each face or part. */
+/* Notes a difference: in tia the object filters a shadow ray once, in POV-Ray at each face or part. */
 static void note_shadow(struct pov *pov, uint32_t index, const struct tia_shape *s)
 {
     struct tia_shape parts[3];
@@ -112,9 +112,9 @@ static void note_shadow(struct pov *pov, uint32_t index, const struct tia_shape 
     if (s->kind == TIA_GRID || !pov_has_shadow(pov, s->material) || pov->scene->materials[s->material].opacity != 0)
         return;
     if (s->kind == TIA_MESH && pov->scene->meshes[s->mesh].groups)
-        pov_note(pov, "shape %u: what its groups of faces let through, they let through face by face here", index);
+        pov_note(pov, "shape %u: its groups of faces filter shadow rays face by face here", index);
     else if (pov_parts(pov, s, parts) > 0)
-        pov_note(pov, "shape %u: what it lets through, its side and caps let through one by one here", index);
+        pov_note(pov, "shape %u: its side and caps filter shadow rays one by one here", index);
 }
 
 void pov_shapes(struct pov *pov)

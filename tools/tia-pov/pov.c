@@ -10,7 +10,8 @@ static struct point ambient(const struct tia_scene *scene)
     return sum;
 }
 
-/* POV-Ray counts the camera ray as a level, too. adc_bailout 0 keeps it from ending faint rays early. */
+/* Writes the settings. POV-Ray counts the camera ray as a level, too. adc_bailout 0 keeps it from ending faint rays
+ * early. */
 static void write_settings(struct pov *pov)
 {
     uint32_t depth = pov->scene->depth != 0 ? pov->scene->depth : TIA_DEPTH;

@@ -12,7 +12,7 @@
 
 struct pov {
     struct text text;
-    const char *path; /* of the output; "-": standard output, so pictures cannot be written beside it */
+    const char *path; /* path of the output; "-": standard output, so pictures cannot be written beside it */
     char *why;        /* [PORT_WHY] */
     const struct tia_scene *scene;
     char note[200]; /* the last note, so as not to repeat it */
@@ -23,7 +23,7 @@ struct point {
     double x, y, z;
 };
 
-/* Writes the whole scene. What POV-Ray cannot express becomes a comment, and a line on standard error. */
+/* Writes the whole scene. Properties that POV-Ray cannot express become a comment, and a line on standard error. */
 void pov_write(struct pov *pov, const char *source);
 
 /* The parts of the scene. */
@@ -35,32 +35,36 @@ void pov_shapes(struct pov *pov);
 /* Writes the material for an object; its texture depends on the shape. `shape` is NULL for a cell of a grid, which is
  * written as a mesh. */
 void pov_material(struct pov *pov, uint32_t material, const struct tia_shape *shape);
-/* Whether the right shadow needs a separate, invisible object; writes the material of that object. */
+/* True if the correct shadow needs a separate, invisible object. */
 bool pov_has_shadow(const struct pov *pov, uint32_t material);
+/* Writes the material of that object. */
 void pov_shadow_material(struct pov *pov, uint32_t material, const struct tia_shape *shape);
 
-/* Whether a material has a texture, of its colour or as its opacity. */
+/* True if a material has a texture, of its colour or as its opacity. */
 bool pov_textured(const struct pov *pov, uint32_t material);
-/* Whether its colour has one; writes the pigment in tia's u, v, with the given `transmit`, and returns false if POV-Ray
- * cannot express it. */
+/* True if its colour has a texture. */
 bool pov_coloured(const struct pov *pov, uint32_t material);
+/* Writes the pigment in tia's u, v, with the given `transmit`; false if POV-Ray cannot express it. */
 bool pov_texture(struct pov *pov, uint32_t material, double transmit);
-/* Whether it has an opacity that can be written; declares that as a pigment, white where it is 1. */
+/* True if it has an opacity that can be written. */
 bool pov_has_opacity(const struct pov *pov, uint32_t material);
+/* Declares the opacity as a pigment, white where it is 1. */
 void pov_write_opacity(struct pov *pov, uint32_t material);
-/* Whether the texture closes around a sphere: it repeats a whole number of times; a checker, an even number. */
+/* True if the texture closes around a sphere: it repeats a whole number of times; a checker, an even number. */
 bool pov_closes(const struct pov *pov, uint32_t material);
-/* Whether POV-Ray evaluates a shape's pigment at the point itself, or in the coordinates of its own uv_mapping, which
- * not all shapes have; writes the mapping from u, v to those. */
+/* True if POV-Ray evaluates a shape's pigment at the point itself; else in the coordinates of its own uv_mapping, which
+ * not all shapes have. */
 bool pov_plain(const struct tia_shape *shape);
+/* Writes the mapping from u, v to those coordinates. */
 void pov_mapping(struct pov *pov, uint32_t material, const struct tia_shape *shape);
 
-/* The side and the caps of a textured cylinder or cone that has caps, whose coordinates differ; their number, 0 for
- * other shapes. */
+/* Gives the side and the caps of a textured cylinder or cone that has caps, whose coordinates differ; returns their
+ * number, 0 for other shapes. */
 unsigned pov_parts(const struct pov *pov, const struct tia_shape *shape, struct tia_shape parts[3]);
 
-/* A shape without its material, not for grids; and whether it has an inside. */
+/* Writes a shape without its material; not for grids. */
 void pov_geometry(struct pov *pov, const struct tia_shape *shape);
+/* True if it has an inside. */
 bool pov_closed(const struct tia_scene *scene, const struct tia_shape *shape);
 
 /* Write a mesh2 without its material: for a mesh, a triangle, or a box with coordinates on its faces. */
@@ -68,13 +72,13 @@ void pov_mesh(struct pov *pov, const struct tia_mesh *mesh);
 void pov_triangle(struct pov *pov, const struct tia_triangle *triangle);
 void pov_box(struct pov *pov, struct tia_vec3 min, struct tia_vec3 max);
 
-/* Notes something that POV-Ray cannot express. */
+/* Notes a property that POV-Ray cannot express. */
 __attribute__((format(printf, 2, 3))) void pov_note(struct pov *pov, const char *format, ...);
 
 double pov_q16(tia_q16 value);
 double pov_q30(tia_q30 value);
 struct point pov_vec3(struct tia_vec3 v);
-/* In the units of the scene's file. */
+/* Convert to the units of the scene's file. */
 double pov_length(const struct pov *pov, tia_q16 length);
 struct point pov_place(const struct pov *pov, struct tia_vec3 v);
 struct point pov_dir3(struct tia_dir3 d); /* normalised */
@@ -85,7 +89,7 @@ struct point pov_cross(struct point a, struct point b);
 struct point pov_unit(struct point a);
 double pov_mean(struct point a);
 bool pov_black(struct tia_rgb c);
-/* The axes A and B that tia/light.h defines for a unit normal. */
+/* Gives the axes A and B that tia/light.h defines for a unit normal. */
 void pov_axes(struct point normal, struct point *a, struct point *b);
 
 /* Writes "NAME <x, y, z>" as a word; NAME may be "". */

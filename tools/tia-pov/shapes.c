@@ -1,4 +1,4 @@
-/* shapes.c - each shape, and how a texture lies on it. */
+/* shapes.c - each shape, and the mapping of textures onto it. */
 #include "pov.h"
 
 #include <math.h>
@@ -87,7 +87,7 @@ bool pov_plain(const struct tia_shape *s)
     return s && (s->kind == TIA_PLANE || s->kind == TIA_DISC || s->kind == TIA_CYLINDER || s->kind == TIA_CONE);
 }
 
-/* tia/shape.h's tangents of a unit normal. */
+/* Gives tia/shape.h's tangents of a unit normal. */
 static void tangents(struct point n, struct point *u, struct point *v)
 {
     *u = n.x == 0 && n.z == 0 ? (struct point){1, 0, 0} : pov_unit((struct point){n.z, 0, -n.x});
@@ -108,7 +108,7 @@ static void write_frame(struct pov *pov, struct point normal, struct point origi
 }
 
 /* Wraps the unit square of the pattern around an axis. POV-Ray's own unit goes from x to z around y; the distance from
- * that becomes z, which patterns must not notice: checkers are cubes. */
+ * that becomes z, on which patterns must not depend: checkers are cubes. */
 static void write_around(struct pov *pov, struct tia_vec3 base, struct tia_vec3 top)
 {
     struct point from = pov_place(pov, base), axis = pov_sum(pov_place(pov, top), pov_scaled(from, -1)), a, b;

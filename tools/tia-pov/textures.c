@@ -32,18 +32,17 @@ static const struct tia_texture *opacity_of(const struct pov *pov, uint32_t mate
     return &pov->scene->textures[pov->scene->materials[material].opacity - 1];
 }
 
-/* Where the unit square of a texture's pattern lies in u, v. */
+/* Writes the position of the unit square of a texture's pattern in u, v. */
 static void write_place(struct pov *pov, const struct tia_texture *t)
 {
     const double once = ldexp(1, t->repeat_bits), offset = ldexp(1, -t->offset_bits);
 
     text_word(&pov->text, "scale <%.10g, %.10g, 1>", once / pov_q16(t->repeat[0]), once / pov_q16(t->repeat[1]));
     if (t->offset[0] != 0 || t->offset[1] != 0)
-        pov_triple(pov, "translate",
-                   (struct point){pov_q16(t->offset[0]) * offset, pov_q16(t->offset[1]) * offset, 0});
+        pov_triple(pov, "translate", (struct point){pov_q16(t->offset[0]) * offset, pov_q16(t->offset[1]) * offset, 0});
 }
 
-/* Writes the picture for a material: the texels times its colour, 16 bits per channel; of an opacity there is one. */
+/* Writes the picture for a material: the texels times its colour, 16 bits per channel; for an opacity, one channel. */
 static int write_texels(struct text *text, const struct tia_texture *t, struct point colour)
 {
     const double factor[3] = {colour.x * 257, colour.y * 257, colour.z * 257};
@@ -58,7 +57,7 @@ static int write_texels(struct text *text, const struct tia_texture *t, struct p
     return text_close(text);
 }
 
-/* FILE-N.ppm for FILE.pov; .pgm is its opacity. */
+/* Returns FILE-N.ppm for FILE.pov; .pgm is its opacity. */
 static char *picture_path(const struct pov *pov, uint32_t material, const char *ending)
 {
     size_t length = strlen(pov->path);
@@ -80,7 +79,7 @@ static void write_string(struct text *text, const char *string)
     text_print(text, "\"");
 }
 
-/* Writes a picture beside the scene, and its name there. */
+/* Writes a picture beside the scene, and its name in the scene. */
 static void write_picture(struct pov *pov, uint32_t material, const struct tia_texture *t, struct point colour)
 {
     const char *ending = t->kind == TIA_OPACITY ? "pgm" : "ppm";
@@ -116,7 +115,7 @@ static void write_checker(struct pov *pov, uint32_t material, double transmit)
         pov_triple(pov, i == 0 ? "checker rgb" : ", rgb", cell);
         text_word(&pov->text, "transmit %.10g", transmit);
     }
-    /* POV-Ray's checkers are cubes: put the surface in the middle of a layer. */
+    /* POV-Ray's checkers are cubes: put the surface in the middle of a layer */
     text_word(&pov->text, "translate <0, 0, -0.5>");
 }
 

@@ -30,8 +30,9 @@ struct coefficients fresnel(double complex eta, double cosine)
     return (struct coefficients){(cosine - root) / (cosine + root), (eta * cosine - root) / (eta * cosine + root)};
 }
 
-/* P.2040-3, 2.2.2.2: T = (1 - R^2) exp(-j q) / (1 - R^2 exp(-2 j q)), q = 2 pi d / lambda sqrt(eta - sin^2). The path's
- * length has the way through the wall in it, so its phase there, 2 pi d / lambda cos, is taken back. */
+/* Returns the coefficients by P.2040-3, 2.2.2.2: T = (1 - R^2) exp(-j q) / (1 - R^2 exp(-2 j q)), q = 2 pi d / lambda
+ * sqrt(eta - sin^2). The path's length includes the way through the wall, so its phase there, 2 pi d / lambda cos, is
+ * subtracted. */
 struct coefficients slab(double complex eta, double thickness, double cosine, double frequency)
 {
     double way = 2 * PI * thickness * frequency / LIGHT_SPEED;
@@ -75,7 +76,7 @@ static double complex along(const double complex e[3], const double v[3])
     return e[0] * v[0] + e[1] * v[1] + e[2] * v[2];
 }
 
-/* The vertical direction across d; where d is vertical itself, the x axis across d. */
+/* Gives the vertical direction across d; where d is vertical itself, the x axis across d. */
 static void vertical_of(int up, const double d[3], double v[3])
 {
     for (int tries = 0; tries < 2; tries++) {
@@ -100,8 +101,8 @@ static void polarisation_of(const struct world *world, int polarisation, const d
 
 /* ---- along a path ---- */
 
-/* E, with its component across the plane of incidence times c.te and that in it times c.tm. The latter's direction is
- * d x across before and after. Where d is the normal, any plane will do. */
+/* Multiplies E: its component across the plane of incidence by c.te and that in it by c.tm. The latter's direction is d
+ * x across before and after. Where d is the normal, any plane will do. */
 static void apply(struct coefficients c, const double n[3], const double before[3], const double after[3],
                   double complex e[3])
 {
@@ -129,7 +130,7 @@ static double thickness_of(const struct world *world, const struct medium *mediu
                                  : THICKNESS_DEFAULT;
 }
 
-/* The coefficients of what the path meets, and the directions of its segments. */
+/* Gives the coefficients of the path's faces and walls, and the directions of its segments. */
 static void meet(const struct world *world, const struct tia_radio_path *path, struct field *field)
 {
     for (uint32_t i = 0; i < path->order; i++) {
@@ -150,8 +151,8 @@ static void meet(const struct world *world, const struct tia_radio_path *path, s
     }
 }
 
-/* Walls that a segment goes through are applied in the order in which they were found: for parallel walls, or a wave in
- * a plane that all are across, any order is the same but for rounding. */
+/* Applies the walls that a segment passes through, in the order in which they were found: for parallel walls, or a wave
+ * in a plane that all are across, any order is the same but for rounding. */
 static double complex carry(const struct world *world, const struct tia_radio_path *path, const struct field *field,
                             int polarisation)
 {
@@ -188,9 +189,9 @@ static void angles_of(int up, const double d[3], double s, double angles[2])
     angles[1] = atan2(v[up], hypot(v[0], left)) * 180 / PI;
 }
 
-/* The length, with so many bits behind the point, in waves, without the whole ones: 10 km at 28 GHz are 10^6 waves,
- * whose phase a product of doubles would have to 10^-9 only. So the length, the wave number and their product are sums
- * of two doubles each. */
+/* Returns the fractional part of the length, with `bits` bits behind the point, in waves: 10 km at 28 GHz are 10^6
+ * waves, whose phase a product of doubles would have to 10^-9 only. So the length, the wave number and their product
+ * are sums of two doubles each. */
 static double part_of_wave(int64_t length, int bits, double frequency)
 {
     double high = (double)(length >> 20 << 20), low = (double)(length & 0xfffff);
@@ -220,7 +221,7 @@ void field_of(const struct world *world, const struct tia_radio_path *path, stru
         field->gain[p] = free_space * carry(world, path, field, p);
 }
 
-/* ---- together ---- */
+/* ---- all components ---- */
 
 static double power_of(double complex gain)
 {

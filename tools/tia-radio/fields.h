@@ -1,4 +1,4 @@
-/* fields.h - from a path to the wave that comes along it, in double precision. */
+/* fields.h - computes the wave along a path, in double precision. */
 #ifndef TOOLS_RADIO_FIELDS_H
 #define TOOLS_RADIO_FIELDS_H
 
@@ -12,10 +12,10 @@ enum { VERTICAL, HORIZONTAL, POLARISATIONS };
 
 struct world {
     const struct tia_radio *radio;
-    const struct medium *media; /* of the scene's materials */
+    const struct medium *media; /* for the scene's materials */
     double frequency;           /* hertz */
-    int up;                     /* the axis that is vertical: 1 y, 2 z */
-    int scale_bits;             /* of the scene */
+    int up;                     /* vertical axis: 1 y, 2 z */
+    int scale_bits;             /* as in the scene */
 };
 
 /* Perpendicular to the plane of incidence (TE), and in it (TM). */
@@ -23,10 +23,10 @@ struct coefficients {
     double complex te, tm;
 };
 
-/* Fresnel's, at a half space of relative permittivity eta, cosine of the angle of incidence. */
+/* Returns Fresnel's coefficients of a half space of relative permittivity eta; `cosine` of the angle of incidence. */
 struct coefficients fresnel(double complex eta, double cosine);
 
-/* Through a slab of that thickness, relative to air in its place. */
+/* Returns the transmission through a slab of that thickness, relative to air in its place. */
 struct coefficients slab(double complex eta, double thickness, double cosine, double frequency);
 
 struct field {
@@ -34,21 +34,22 @@ struct field {
     struct coefficients reflection[TIA_RADIO_ORDER_MAX];   /* at each face */
     struct coefficients transmission[TIA_RADIO_WALLS_MAX]; /* through each wall */
     double complex gain[POLARISATIONS];                    /* between isotropic antennas of that polarisation */
-    double departure[2], arrival[2];                       /* azimuth and elevation in degrees: to where the wave
-                                                              leaves, from where it comes */
+    /* Azimuth and elevation in degrees: direction in which the wave leaves; direction from which it comes. */
+    double departure[2], arrival[2];
 };
 
-/* A place in the scene's unit in metres, and the nearest one to a place in metres. */
+/* Converts a coordinate in the scene's unit to metres. */
 double metres_of(const struct world *world, tia_q16 at);
+/* Returns the nearest position to one in metres. */
 struct tia_vec3 place_at(const struct world *world, const double metres[3]);
 
 void field_of(const struct world *world, const struct tia_radio_path *path, struct field *field);
 
-/* All paths of a link together. */
+/* Totals over all paths of a link. */
 struct summary {
     double coherent[POLARISATIONS], incoherent[POLARISATIONS]; /* power gains */
     double delay_spread[POLARISATIONS];                        /* seconds, root mean square */
-    double rician[POLARISATIONS];                              /* line of sight to the rest; 0: no line of sight */
+    double rician[POLARISATIONS]; /* power of the line of sight over that of the rest; 0: no line of sight */
 };
 
 void summarise(const struct field *fields, const struct tia_radio_path *paths, unsigned count, struct summary *summary);

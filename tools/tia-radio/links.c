@@ -61,7 +61,7 @@ bool links_try(const struct search *search, struct tia_radio_room *room, const s
 
 /* ---- rays ---- */
 
-/* A ray's result. Between equal results the ray's number decides, so that threads do not matter. */
+/* A ray's result. Between equal results the ray's number decides, so that threads do not affect the result. */
 struct find {
     struct sequence sequence;
     struct tia_radio_path path;
@@ -79,7 +79,7 @@ struct shooting {
     const struct search *search;
     struct tia_radio_link link;
     bool everywhere;
-    struct finds *finds; /* of each job */
+    struct finds *finds; /* finds of each job */
     atomic_bool exhausted;
 };
 
@@ -98,7 +98,7 @@ static int compare_sequences(const struct sequence *a, const struct sequence *b)
     return 0;
 }
 
-/* Equal sequences together; of these first with the fewest walls, then the nearest. */
+/* Orders equal sequences together; of these first those with the fewest walls, then the nearest. */
 static int compare_finds(const void *left, const void *right)
 {
     const struct find *a = left, *b = right;
@@ -170,7 +170,7 @@ static void shoot_chunk(void *arg, unsigned index)
     free(room);
 }
 
-/* All rays, in parallel; the result has each sequence once. */
+/* Shoots all rays, in parallel; the result has each sequence once. */
 static bool shoot(const struct search *search, struct tia_vec3 from, struct tia_vec3 to, bool everywhere,
                   struct finds *all)
 {

@@ -26,8 +26,8 @@ struct search {
     uint32_t order, walls, density;
 };
 
-/* By length, then reflections, then faces. Images and hybrid give the same. False: no memory. The list's paths are
- * to be freed. */
+/* Finds the paths, ordered by length, then reflections, then faces. Images and hybrid give the same. False: no memory.
+ * The list's paths are to be freed. */
 bool links_find(const struct search *search, struct tia_vec3 from, struct tia_vec3 to, struct path_list *list);
 
 /* ---- many receivers ---- */
@@ -41,10 +41,10 @@ struct sequences {
     bool exhausted;
 };
 
-/* False: no memory. Free array. */
+/* Shoots the rays; false: no memory. Free `array`. */
 bool sequences_shoot(const struct search *search, struct tia_vec3 from, struct sequences *sequences);
 
-/* The link's paths by the given sequences, or with NULL by all: on one thread, in any order. */
+/* Finds the link's paths by the given sequences, or with NULL by all: on one thread, in any order. */
 bool links_try(const struct search *search, struct tia_radio_room *room, const struct sequences *sequences,
                struct tia_vec3 from, struct tia_vec3 to, struct path_list *list);
 

@@ -15,25 +15,26 @@
 #include "picture.h"
 #include "ports.h"
 
-#define INSIDE 0x8410  /* grey: in a wall */
+#define INSIDE 0x8410  /* grey: inside a wall */
 #define NOTHING 0x0000 /* no path */
 
 struct map {
     const struct options *options;
     const struct site *site;
     const struct search *search;
-    struct sequences sequences[PLACES_MOST]; /* of hybrid, of each transmitter */
+    struct sequences sequences[PLACES_MOST]; /* hybrid: for each transmitter */
     int across[2];                           /* the axes to the right and up */
-    bool down;                               /* the second grows downwards */
+    bool down;                               /* the second axis grows downwards */
     double area[4];
     unsigned first_row, rows;
     double *gain; /* dB of row, pixel, transmitter; NAN inside a wall, -INFINITY without a path */
     atomic_bool exhausted;
 };
 
-/* ---- where ---- */
+/* ---- axes ---- */
 
-/* Seen along the axis from its positive side, but from above the north, -z, is up. */
+/* Chooses the axes. The plane is seen along the normal's axis from its positive side, but from above the north, -z, is
+ * up. */
 static void choose_axes(struct map *map)
 {
     int axis = map->options->map_axis;
@@ -69,7 +70,7 @@ static int choose_area(struct map *map)
     }
     return low[0] < high[0] && low[1] < high[1]
                ? FINE
-               : refuse(REFUSED, "--area: is missing: only endless planes are in the scene");
+               : refuse(REFUSED, "--area: is missing, and the scene has only infinite planes");
 }
 
 static bool place_of(const struct map *map, unsigned x, unsigned y, struct tia_vec3 *place)
@@ -84,14 +85,14 @@ static bool place_of(const struct map *map, unsigned x, unsigned y, struct tia_v
     return tia_radio_inside(map->site->radio, *place) == TIA_RADIO_NO_OBJECT;
 }
 
-/* ---- how much ---- */
+/* ---- gains ---- */
 
 static bool is_same_place(struct tia_vec3 a, struct tia_vec3 b)
 {
     return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
-/* The coherent sum, over the paths in one order, so that it has the same bits by any method and thread. */
+/* Returns the coherent sum, over the paths in one order, so that it has the same bits by any method and thread. */
 static double gain_at(struct map *map, struct tia_radio_room *room, struct path_list *list, unsigned tx,
                       struct tia_vec3 place)
 {
@@ -241,7 +242,7 @@ static int write_csv(const struct map *map)
     return text_close(&text) ? refuse(FAILED, "%s", why) : FINE;
 }
 
-/* ---- all ---- */
+/* ---- the whole map ---- */
 
 static bool compute(struct map *map)
 {

@@ -1,10 +1,10 @@
-/* map.h - coverage: the gain at each place of a plane. */
+/* map.h - coverage: the gain at each point of a plane. */
 #ifndef TOOLS_RADIO_MAP_H
 #define TOOLS_RADIO_MAP_H
 
 #include "site.h"
 
-/* Draws the map and writes its numbers, as the options say. FINE, or the exit status after saying why. */
+/* Draws the map and writes its numbers, by the options. FINE, or the exit status after printing the reason. */
 int map_draw(const struct options *options, const struct site *site, const struct search *search);
 
 #endif

@@ -8,8 +8,8 @@
 #define PI 3.14159265358979323846
 #define EPSILON0 8.8541878128e-12 /* farads a metre, CODATA 2018 */
 
-/* Recommendation ITU-R P.2040-3 (08/2023), Table 3, by the copy of it in Sionna RT 1, sionna/rt/radio_materials/itu.py;
- * docs/radio.md says what else it was compared with. */
+/* Recommendation ITU-R P.2040-3 (08/2023), Table 3, after the copy in Sionna RT 1, sionna/rt/radio_materials/itu.py;
+ * docs/radio.md names the other copies that it was compared with. */
 const struct itu_row itu_rows[] = {
     {"vacuum", 0.001, 100, 1, 0, 0, 0},
     {"concrete", 1, 100, 5.24, 0, 0.0462, 0.7822},

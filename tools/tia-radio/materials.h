@@ -1,11 +1,11 @@
-/* materials.h - what walls are made of, for waves: ITU-R P.2040-3. */
+/* materials.h - electrical properties of walls' materials: ITU-R P.2040-3. */
 #ifndef TOOLS_RADIO_MATERIALS_H
 #define TOOLS_RADIO_MATERIALS_H
 
 #include <complex.h>
 #include <stdbool.h>
 
-#define THICKNESS_DEFAULT 0.1 /* metres, of what is no box and has none of its own */
+#define THICKNESS_DEFAULT 0.1 /* metres; for objects that are not boxes and have no thickness of their own */
 
 /* A material at the frequency of interest. */
 struct medium {
@@ -14,10 +14,10 @@ struct medium {
     double complex eta;                /* the complex relative permittivity */
 };
 
-/* epsilon' - j sigma / (2 pi f epsilon0), for time as exp(j omega t). */
+/* Returns epsilon' - j sigma / (2 pi f epsilon0), for time as exp(j omega t). */
 double complex medium_eta(double permittivity, double conductivity, double frequency);
 
-/* Row `row` of the table: false after the last. A material may have several rows, of other frequencies. */
+/* A row of the table. A material may have several rows, of other frequencies. */
 struct itu_row {
     const char *name;
     double low, high;  /* GHz */
@@ -25,10 +25,10 @@ struct itu_row {
 };
 extern const struct itu_row itu_rows[];
 
-/* Whether there is such a material. Blanks, '-' and '_' are the same, and an "itu" in front counts for nothing. */
+/* True if there is such a material. Blanks, '-' and '_' are the same, and a leading "itu" is ignored. */
 bool itu_has(const char *name);
 
-/* The named material's values; false: the frequency, in hertz, is out of its range, *low to *high in GHz. */
+/* Gives the named material's values; false: the frequency, in hertz, is out of its range, *low to *high in GHz. */
 bool itu_medium(const char *name, double frequency, struct medium *medium, double *low, double *high);
 
 #endif

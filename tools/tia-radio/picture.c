@@ -12,7 +12,7 @@
 #include "fail.h"
 #include "ports.h"
 
-enum { ROWS = 16 }; /* of a job */
+enum { ROWS = 16 }; /* rows of a job */
 
 struct drawing {
     const struct options *options;
@@ -24,7 +24,7 @@ struct drawing {
     atomic_int status;
 };
 
-/* By reflections; what goes through walls is grey. */
+/* Returns a colour by the number of reflections; grey for paths through walls. */
 static tia_rgb565 colour_of(const struct tia_radio_path *path)
 {
     static const tia_rgb565 colours[] = {0xffff, 0xffe0, 0xfd20, 0xf81f, 0xf800, 0x07ff, 0x07e0, 0x041f, 0x8410};
@@ -108,7 +108,7 @@ int picture_write(const struct options *o, const tia_rgb565 *pixels, unsigned fi
     return image_finish(image) ? refuse(FAILED, "%s", why) : FINE;
 }
 
-/* Vector units do not draw here: a picture of paths takes a second at most. */
+/* Draws without vector units: a picture of paths takes a second at most. */
 int picture_draw(const struct options *o, const struct site *site, struct threads *pool, const struct path_list *paths,
                  struct tia_vec3 (*ends)[2])
 {

@@ -4,7 +4,8 @@
 
 #include "site.h"
 
-/* Paths of any links; ends[i] are the transmitter and receiver of path i. FINE, or the exit status after saying why. */
+/* Draws paths of any links; ends[i] are the transmitter and receiver of path i. FINE, or the exit status after printing
+ * the reason. */
 int picture_draw(const struct options *options, const struct site *site, struct threads *pool,
                  const struct path_list *paths, struct tia_vec3 (*ends)[2]);
 

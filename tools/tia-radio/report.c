@@ -57,7 +57,7 @@ void report_table(const struct link_report *r)
 
 /* ---- JSON ---- */
 
-/* JSON has no infinity. */
+/* Prints a value; JSON has no infinity. */
 static void put(const char *key, double value, const char *after)
 {
     if (isfinite(value))

@@ -14,10 +14,10 @@ struct link_report {
     unsigned count;
 };
 
-/* Failures of standard output are for the caller to find. */
+/* Prints a table. Failures of standard output are left to the caller. */
 void report_table(const struct link_report *report);
 
-/* An element of an array; `first`: it is the first one. */
+/* Prints an element of an array; `first`: it is the first one. */
 void report_json(const struct link_report *report, bool first);
 void report_json_begin(const struct options *options, const struct world *world);
 void report_json_end(void);

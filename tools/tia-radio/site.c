@@ -18,7 +18,7 @@ static void keep_name(void *ctx, uint32_t index, const char *name)
         uint32_t count = index + 16;
         char(*more)[TIA_NAME_MAX + 1] = realloc(site->names, count * sizeof *more);
         if (!more)
-            return; /* the material then has no name, and is asked for */
+            return; /* the material then has no name, and must be given */
         memset(more + site->name_count, 0, (count - site->name_count) * sizeof *more);
         site->names = more;
         site->name_count = count;
@@ -33,7 +33,7 @@ static const char *name_of(const struct site *site, uint32_t material)
 
 /* ---- materials ---- */
 
-/* The last one that is for the material; one with its name counts more than one for all. */
+/* Returns the last naming for the material; one with its name takes precedence over one for all. */
 static const struct naming *naming_of(const struct options *o, const char *name)
 {
     const struct naming *found = NULL;
@@ -81,7 +81,7 @@ static bool is_named(const struct site *site, const char *name)
     return false;
 }
 
-/* Only those that faces have matter. */
+/* Sets the media; only materials of faces matter. */
 static int set_media(struct site *site, const struct options *o)
 {
     struct tia_radio_counts counts = tia_radio_count(site->radio);
@@ -127,7 +127,8 @@ static int find_faces(struct site *site, const struct options *o)
     return FINE;
 }
 
-/* How far from 0 a transmitter, a receiver or a map reaches along an axis, in units of 2^-16 m, rounded up. */
+/* Returns the largest distance from 0 of a transmitter, a receiver or a map along an axis, in units of 2^-16 m, rounded
+ * up. */
 static tia_q16 reach_of(const struct options *o)
 {
     double most = fabs(o->map_at);

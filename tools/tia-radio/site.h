@@ -1,4 +1,4 @@
-/* site.h - a scene for waves: its faces, and what its materials are. */
+/* site.h - a scene for waves: its faces and the properties of its materials. */
 #ifndef TOOLS_RADIO_SITE_H
 #define TOOLS_RADIO_SITE_H
 
@@ -8,7 +8,7 @@
 
 struct site {
     struct scene_file file;
-    char (*names)[TIA_NAME_MAX + 1]; /* of materials, "" where there is none */
+    char (*names)[TIA_NAME_MAX + 1]; /* names of the materials, "" where there is none */
     uint32_t name_count;
     struct medium *media;
     void *memory;
@@ -16,14 +16,14 @@ struct site {
     struct world world;
 };
 
-/* FINE, or the exit status after printing why. */
+/* Opens a site. FINE, or the exit status after printing the reason. */
 int site_open(struct site *site, const struct options *options);
 
-/* Sets the options' places in the unit of an open site. */
+/* Sets the options' positions in the unit of an open site. */
 void site_place(const struct site *site, struct options *options);
 void site_close(struct site *site);
 
-/* Whether the place is no wall; prints why if it is. */
+/* Checks that the position is not inside a wall; prints the reason if it is. */
 int site_check_place(const struct site *site, const char *option, struct tia_vec3 place);
 
 #endif

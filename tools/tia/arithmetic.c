@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-/* The Makefile defines TIA_LINKED_... for this file alone: which libraries this program is linked with. */
+/* The Makefile defines TIA_LINKED_... for this file alone, one for each library that this program is linked with. */
 static const struct tia_core *const cores[] = {
     &tia_core_q16,
 #ifdef TIA_LINKED_F64

@@ -17,7 +17,8 @@ static bool is_one_of(const char *name, const char *const *names)
     return *names;
 }
 
-/* A name that another build of tia knows is not a usage error; opening it fails later, with its own message. */
+/* Checks names. One that another build of tia knows is not a usage error; opening it fails later, with its own message.
+ */
 static int check_names(const struct options *options)
 {
     static const char *const displays[] = {"auto", "drm", "fbdev", "terminal", "none", NULL};
@@ -65,7 +66,7 @@ static int check_output(struct options *options)
     return EXIT_FINE;
 }
 
-/* On a display without a number of frames it is the pace of what moves. */
+/* Checks --fps: on a display without a number of frames it is the pace of motion. */
 static int check_pace(const struct options *options)
 {
     bool paces = options->rate_given && !options->output && options->frames == 0;
@@ -76,7 +77,7 @@ static int check_pace(const struct options *options)
     return EXIT_FINE;
 }
 
-/* Parts of films and pictures can only be files. */
+/* Checks --part...: parts of films and pictures can only be files. */
 static int check_parts(const struct options *options)
 {
     const char *output = options->output;
@@ -97,7 +98,7 @@ static int check_parts(const struct options *options)
     return check_pace(options);
 }
 
-/* Only DRM has connectors and modes. */
+/* Checks options for DRM: only DRM has connectors and modes. */
 static int check_drm(struct options *options)
 {
     if (!options->connector && !options->mode)
@@ -128,7 +129,7 @@ int check_scene(struct options *options)
     return EXIT_FINE;
 }
 
-/* Several are for a display, where a key goes to the next. */
+/* Checks several scenes: they are for a display, where a key goes to the next. */
 static int check_scenes(struct options *options)
 {
     int result = check_scene(options);

@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-/* The CRC of data with the CRC `first`, followed by `bytes` bytes with the CRC `second`. */
+/* Returns the CRC of data with the CRC `first`, followed by `bytes` bytes with the CRC `second`. */
 uint32_t crc_join(uint32_t first, uint32_t second, uint64_t bytes);
 
 #endif

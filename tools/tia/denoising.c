@@ -1,4 +1,4 @@
-/* denoising.c - gathered samples without noise, and what a denoiser goes by. */
+/* denoising.c - removes noise from gathered samples, and shows the denoiser's guides. */
 #include <stdlib.h>
 
 #include "estimation.h"

@@ -12,8 +12,9 @@
 
 enum { LOOK_US = 5000 };
 
-/* Threads ask after every few rays; somebody looks for signals now and then. The time of the last look has 32 bits,
- * since not every processor has atomic 64; whatever it is, the next is at most LOOK_US away. */
+/* True if the drawing is to stop. Threads poll after every few rays; one of them checks for signals now and then. The
+ * time of the last check has 32 bits, since not every processor has 64-bit atomics; whatever it is, the next is at most
+ * LOOK_US away. */
 static bool stops(void *ctx)
 {
     struct estimation *e = ctx;
@@ -29,7 +30,7 @@ static bool stops(void *ctx)
     return atomic_load(&e->stopped);
 }
 
-/* Such a picture is darker than whoever put the light there expects; once is enough. */
+/* Warns once of a light inside an object: such a picture is darker than intended. */
 static void warn_of_walls(const struct estimation *e)
 {
     const struct film_scene *film = &e->film_scene;
@@ -104,7 +105,7 @@ static int report(const struct estimation *e, int status)
 {
     if (!status)
         return signals_end(EXIT_FINE);
-    if (status == TIA_STOPPED) { /* a signal says it by itself */
+    if (status == TIA_STOPPED) { /* a signal needs no message */
         (void)signals_end(EXIT_RUNNING);
         return fail(EXIT_RUNNING, "--time-limit: not one sample of each pixel was drawn by then");
     }
@@ -112,7 +113,8 @@ static int report(const struct estimation *e, int status)
         fail(status == TIA_ERR_RANGE ? EXIT_USAGE : EXIT_RUNNING, "%s", e->why[0] ? e->why : fail_reason(status)));
 }
 
-/* Without the memory for rounds rows are completed one by one, unless an option needs all samples of the picture. */
+/* Draws. Without the memory for rounds, rows are completed one by one, unless an option needs all samples of the
+ * picture. */
 static int draw(struct estimation *e)
 {
     const struct options *options = e->options;

@@ -1,5 +1,5 @@
-/* estimate.h - draws samples into a picture that has more than RGB565, .png, .ppm or .pfm; or into a part of them, or
- * goes on with what an interrupted run has left, see common/image/sums.h. */
+/* estimate.h - draws samples into a picture that has more than RGB565, .png, .ppm or .pfm; or into a part of them; or
+ * continues the file of an interrupted run, see common/image/sums.h. */
 #ifndef TOOLS_TIA_ESTIMATE_H
 #define TOOLS_TIA_ESTIMATE_H
 

@@ -5,8 +5,8 @@
 #include "common/image/image.h"
 #include "common/sink.h"
 
-/* A band is at most a part of the picture: a pixel of it has two sums and 4 bytes, so that a pixel of the picture has
- * less than 16. */
+/* Sizes. A band is at most a part of the picture: a pixel of it has two sums and 4 bytes, so that a pixel of the
+ * picture has less than 16. */
 enum { BAND_PIXELS = 1 << 16, BANDS_MIN = 4 };
 
 unsigned estimation_band_rows(const struct estimation *e)

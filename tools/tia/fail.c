@@ -9,7 +9,7 @@
 
 #include "common/message.h"
 
-/* Where messages go instead of standard error. */
+/* The target of messages instead of standard error. */
 static struct {
     char *text;
     size_t size;
@@ -67,7 +67,7 @@ const char *fail_reason(int status)
 
 #define TOO_FAR "too far from the camera for so narrow a view"
 
-/* False: no light is too far away. */
+/* Names a light that is too far away; false: there is none. */
 static bool blame_light(char *why, size_t size, const struct fail_view *view)
 {
     const struct tia_scene *scene = view->scene;

@@ -11,20 +11,20 @@ enum { EXIT_FINE, EXIT_RUNNING, EXIT_USAGE, EXIT_DISPLAY, EXIT_INPUT };
  * always one line. Returns `status`. */
 __attribute__((format(printf, 2, 3))) int fail(int status, const char *format, ...);
 
-/* Reports an invalid value of an option; `rule` says why. Returns EXIT_USAGE. */
+/* Reports an invalid value of an option; `rule` is the reason. Returns EXIT_USAGE. */
 int wrong(const char *option, const char *value, const char *rule);
 
 /* Reports a failed write to standard output, by errno. Returns EXIT_RUNNING. */
 int fail_output(void);
 
-/* From now on messages go to text[size], the last one only; NULL: to standard error, as at first. */
+/* Sends messages from now on to text[size], which has the last one only; NULL: to standard error, as at first. */
 void fail_into(char *text, size_t size);
 
-/* A tia_status in words, for failures without a reason of their own. */
+/* Returns a tia_status in words, for failures without a reason of their own. */
 const char *fail_reason(int status);
 
-/* The same of a view of the scene, with other lights than its own, that cannot be had: also what is too far away for
- * the scene's technique for shadows. */
+/* A view of the scene, with other lights than its own, that failed: the reason may name an object too far away for the
+ * scene's technique for shadows. */
 struct fail_view {
     const struct tia_scene *scene;
     const struct tia_light *lights;

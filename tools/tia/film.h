@@ -5,10 +5,10 @@
 #include "options.h"
 #include "rotate.h"
 
-/* The time of frame `frame`; frame 0 is at --time. Rounded to the nearest 2^-16 s; errors do not add up. */
+/* Returns the time of frame `frame`; frame 0 is at --time. Rounded to the nearest 2^-16 s; errors do not add up. */
 tia_q16 film_time(const struct options *options, uint32_t frame);
 
-/* The size of the picture, and its rotation in the file. */
+/* Returns the size of the picture, and its rotation in the file. */
 struct rotation film_rotation(const struct options *options);
 
 /* Finds the size, rows and frames of the file. EXIT_FINE, or EXIT_USAGE after an error message. */

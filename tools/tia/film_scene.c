@@ -8,7 +8,7 @@
 #include "film.h"
 #include "ports.h"
 
-/* Makes *memory at least `size` bytes; its contents may be lost. */
+/* Allocates at least `size` bytes in *memory; its contents may be lost. */
 static bool get_memory(void **memory, size_t *bytes, size_t size)
 {
     if (!*memory || *bytes < size) {
@@ -19,7 +19,7 @@ static bool get_memory(void **memory, size_t *bytes, size_t size)
     return *memory;
 }
 
-/* A scene that was valid in the file can leave a range between two keyframes. */
+/* Checks the scene at a time: one that was valid in the file can leave a range between two keyframes. */
 static int check(struct film_scene *film, tia_q16 time)
 {
     struct tia_fault fault;
@@ -49,7 +49,7 @@ static int set_time(struct film_scene *film, uint32_t frame)
     return check(film, time);
 }
 
-/* What stands still was built with the scene, once. */
+/* Updates the hierarchy; its static part was built with the scene, once. */
 static int move_bvh(struct film_scene *film)
 {
     struct tia_scene *moved = &film->moved;
@@ -101,7 +101,7 @@ int film_scene_begin(struct film_scene *film, const struct options *options, cha
     return status;
 }
 
-/* Makes a scene that of a view or module: its camera or, in *field, its projector. */
+/* Applies a view or module to the scene: its camera or, in *field, its projector. */
 static void set_picture(struct tia_scene *scene, struct tia_light_field *field, const struct options *options,
                         uint32_t picture)
 {

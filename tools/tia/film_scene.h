@@ -10,12 +10,12 @@ struct film_scene {
     const struct tia_scene *scene; /* at that time */
     struct tia_view *view;
     char *why;               /* [PORT_WHY] */
-    bool (*stop)(void *ctx); /* of the view, see tia_view_init_until; NULL: never */
+    bool (*stop)(void *ctx); /* stops the view, see tia_view_init_until; NULL: never */
     void *stop_ctx;
 
     /* Private. */
-    struct tia_scene moved, pictured; /* of a time; of a view or module then */
-    struct tia_light_field field;     /* of a module */
+    struct tia_scene moved, pictured; /* the scene at a time; then for a view or module */
+    struct tia_light_field field;     /* for a module */
     void *arrays, *bvh_memory, *view_memory, *simd_memory;
     size_t arrays_bytes, bvh_bytes, view_bytes, simd_bytes;
     struct lights lights;

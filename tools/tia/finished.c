@@ -11,7 +11,7 @@
 struct finished_rows {
     uint32_t frame;
     unsigned first, count;
-    uint64_t at;  /* of the pixels in the file */
+    uint64_t at;  /* offset of the pixels in the file */
     bool checked; /* their checksum is right */
 };
 
@@ -56,7 +56,7 @@ static const char *differs(const struct image_film *a, const struct image_film *
     return NULL;
 }
 
-/* Whether a line is the beginning of a part's, so that a killed run may have been writing it. */
+/* True if the line is the beginning of a part's line, which a killed run may have been writing. */
 static bool is_torn(const char *text, size_t length)
 {
     static const char magic[] = "TIAPART2 ";
@@ -65,7 +65,7 @@ static bool is_torn(const char *text, size_t length)
     return length < IMAGE_PART_HEADER && !memchr(text, '\n', length) && !memcmp(text, magic, most);
 }
 
-/* Adds the part at an offset. *next: where it ends; the offset itself if it is torn. */
+/* Adds the part at an offset. *next: its end; the offset itself if it is torn. */
 static int read_part(struct finished *f, uint64_t at, uint64_t size, uint64_t *next)
 {
     char text[IMAGE_PART_HEADER];
@@ -78,7 +78,7 @@ static int read_part(struct finished *f, uint64_t at, uint64_t size, uint64_t *n
         return status;
     size_t header = image_part_parse(&part, text, got);
     if (!header && !is_torn(text, got))
-        return kept_refused(&f->kept, at ? "is damaged" : "no part that an interrupted run has left");
+        return kept_refused(&f->kept, at ? "is damaged" : "not a part left by an interrupted run");
     const char *other = header ? differs(&part, &f->film) : NULL;
     if (other)
         return kept_refused(&f->kept, other);
@@ -130,11 +130,11 @@ void finished_close(struct finished *f)
 
 /* ---- rows ---- */
 
-/* The frame of a part that has the row; NULL: none. */
+/* Returns the frame of a part that has the row; NULL: none. */
 static struct finished_rows *find(const struct finished *f, uint32_t frame, unsigned y)
 {
     const struct finished_rows wanted = {.frame = frame, .first = y};
-    size_t low = 0, high = f->count; /* those before `low` begin at the row or above */
+    size_t low = 0, high = f->count; /* frames before `low` begin at the row or above */
 
     while (low < high) {
         size_t middle = low + (high - low) / 2;
@@ -174,7 +174,7 @@ static int read_pixels(const struct finished *f, const struct finished_rows *row
     return TIA_OK;
 }
 
-/* Once for each frame of a part; `line` has room for a row. */
+/* Checks a frame of a part, once; `line` has room for a row. */
 static int check_sum(const struct finished *f, struct finished_rows *rows, tia_rgb565 *line)
 {
     const struct image_film part = {.first_row = rows->first, .rows = rows->count, .crc = f->film.crc};
@@ -215,7 +215,7 @@ int finished_read(struct finished *f, uint32_t frame, unsigned y, unsigned rows,
     return status;
 }
 
-/* In one piece, so that a signal comes before or after it. */
+/* Appends in one piece, so that a signal comes before or after it. */
 static int append_part(struct finished *f, uint32_t frame, unsigned y, unsigned rows, const tia_rgb565 *pixels)
 {
     struct image_film part = f->film;

@@ -1,6 +1,6 @@
-/* finished.h - finished rows in RGB565 in a file that grows as a picture or film is drawn, so that an interrupted run
- * loses little. The file is one part after the other, each with its own line and checksum, see common/image/part.h:
- * when all are there, tia-join reads it like any other part. */
+/* finished.h - finished rows in RGB565 in a file that grows while a picture or film is drawn, so that an interrupted
+ * run loses little. The file is a sequence of parts, each with its own line and checksum, see common/image/part.h: when
+ * it is complete, tia-join reads it like any other part. */
 #ifndef TOOLS_TIA_FINISHED_H
 #define TOOLS_TIA_FINISHED_H
 
@@ -11,27 +11,27 @@
 
 struct finished_rows;
 
-/* All zero: there is none. */
+/* All zero: no file. */
 struct finished {
     struct kept kept;
-    struct image_film film;     /* that is drawn */
-    struct finished_rows *rows; /* in the file when it was opened, by frame and row */
+    struct image_film film;     /* the film being drawn */
+    struct finished_rows *rows; /* rows that were in the file when it was opened, by frame and row */
     size_t count, capacity;
-    uint64_t end; /* of the last complete part */
+    uint64_t end; /* end of the last complete part */
 };
 
 /* Opens the file, or creates it. A part that a killed run has not completed is cut off. TIA_ERR_RANGE, with the reason
- * in `why`: it is of another scene, size or film, or damaged. `why` is for the others, too. */
+ * in `why`: it is of another scene, size or film, or damaged. The other functions use `why`, too. */
 int finished_open(struct finished *finished, const char *path, const struct image_film *film, char *why);
 void finished_close(struct finished *finished);
 
-/* Whether these rows were all there when the file was opened. */
+/* True if these rows were all there when the file was opened. */
 bool finished_has(const struct finished *finished, uint32_t frame, unsigned y, unsigned rows);
 
 /* Reads rows that are there. */
 int finished_read(struct finished *finished, uint32_t frame, unsigned y, unsigned rows, tia_rgb565 *pixels);
 
-/* Appends those of the rows that were not there. Without a file it does nothing. */
+/* Appends the rows that were not there. Without a file it does nothing. */
 int finished_append(struct finished *finished, uint32_t frame, unsigned y, unsigned rows, const tia_rgb565 *pixels);
 
 #endif

@@ -1,5 +1,5 @@
-/* kept.h - the file in which --resume keeps what an interrupted run has finished. It is written from its beginning to
- * its end, so a run that is killed leaves a beginning of it. */
+/* kept.h - the file of --resume, in which finished data are stored. It is written from its beginning to its end, so a
+ * run that is killed leaves a beginning of it. */
 #ifndef TOOLS_TIA_KEPT_H
 #define TOOLS_TIA_KEPT_H
 
@@ -7,8 +7,8 @@
 #include <stdint.h>
 
 struct kept {
-    const char *path; /* NULL: there is none */
-    char *why;        /* [PORT_WHY], for all that fails */
+    const char *path; /* NULL: no file */
+    char *why;        /* [PORT_WHY], for all failures */
     int fd;
 };
 
@@ -16,18 +16,19 @@ struct kept {
  * file. */
 int kept_open(struct kept *kept, const char *path, uint64_t *size, char *why);
 
-/* `kept` all zero does nothing. */
+/* Closes the file; does nothing if `kept` is all zero. */
 void kept_close(struct kept *kept);
 
-/* What the file has at an offset; *got is less than `length` at its end. */
+/* Reads the file at an offset; *got is less than `length` at its end. */
 int kept_read(const struct kept *kept, void *bytes, size_t length, uint64_t at, size_t *got);
 int kept_write(const struct kept *kept, const void *bytes, size_t length, uint64_t at);
 
-/* Forgets what is behind that offset. */
+/* Cuts the file off at that offset. */
 int kept_cut(const struct kept *kept, uint64_t size);
 
-/* Say why and return TIA_ERR_DEVICE: it cannot be read or written; or TIA_ERR_RANGE: it is of something else. */
+/* Stores the reason and returns TIA_ERR_DEVICE: the file cannot be read or written. */
 int kept_failed(const struct kept *kept, const char *reason);
+/* Stores the reason and returns TIA_ERR_RANGE: the file belongs to another drawing. */
 int kept_refused(const struct kept *kept, const char *reason);
 
 #endif

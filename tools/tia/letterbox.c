@@ -8,7 +8,7 @@
 #include "label.h"
 #include "ports.h"
 
-/* ---- size and place ---- */
+/* ---- size and position ---- */
 
 static uint16_t at_most(uint16_t value, uint16_t limit)
 {
@@ -20,7 +20,7 @@ static bool has_frame(const struct letterbox *letterbox)
     return letterbox->checksum || letterbox->keeps;
 }
 
-/* The size that the user asked for, or that of the screen. */
+/* Chooses the size: the user's, or that of the screen. */
 static void choose_rotation(struct letterbox *letterbox)
 {
     bool swaps = rotation_swaps(letterbox->degrees);
@@ -60,7 +60,7 @@ static int fit(struct letterbox *letterbox)
     return choose_frame(letterbox);
 }
 
-/* The mode of the picture, as the viewer sees it. */
+/* Gives the mode of the picture, for the viewer. */
 static void get_picture_mode(const struct letterbox *letterbox, struct tia_mode *mode)
 {
     bool swaps = rotation_swaps(letterbox->degrees);
@@ -87,7 +87,7 @@ static int letterbox_open(void *ctx, struct tia_mode *mode)
     return TIA_OK;
 }
 
-/* A window that becomes too small for the picture counts as hidden until it is large enough again. */
+/* Gives the mode. A window that becomes too small for the picture counts as hidden until it is large enough again. */
 static int letterbox_mode(void *ctx, struct tia_mode *mode)
 {
     struct letterbox *letterbox = ctx;
@@ -109,7 +109,7 @@ static int letterbox_mode(void *ctx, struct tia_mode *mode)
 
 /* ---- pixels ---- */
 
-/* The rectangle of the screen that shows a tile of the picture. */
+/* Returns the rectangle of the screen that shows a tile of the picture. */
 static struct tia_tile on_screen(const struct letterbox *letterbox, struct tia_tile tile)
 {
     struct tia_tile place = rotation_tile(&letterbox->rotation, tile);
@@ -118,7 +118,7 @@ static struct tia_tile on_screen(const struct letterbox *letterbox, struct tia_t
     return place;
 }
 
-/* The part of letterbox->frame for a rectangle of the screen. */
+/* Returns the part of letterbox->frame for a rectangle of the screen. */
 static tia_rgb565 *in_frame(const struct letterbox *letterbox, struct tia_tile place)
 {
     size_t x = (size_t)(place.x - letterbox->place.x), y = (size_t)(place.y - letterbox->place.y);
@@ -221,7 +221,7 @@ static int label_tile(struct letterbox *letterbox, struct tia_tile tile)
     return letterbox->screen->submit(letterbox->screen_ctx, place);
 }
 
-/* A pixel's row or column at a time, in pieces that the screen takes. */
+/* Draws the label, a pixel's row or column at a time, in pieces of the screen's tile size. */
 static int draw_label(struct letterbox *letterbox)
 {
     struct tia_text text = label_text(letterbox->label, letterbox->rotation.height);
@@ -240,7 +240,7 @@ static int draw_label(struct letterbox *letterbox)
     return status;
 }
 
-/* That of the largest frame takes so long that signals must be looked at. */
+/* Computes the CRC. That of the largest frame takes so long that signals must be polled. */
 static int compute_crc(struct letterbox *letterbox)
 {
     const size_t width = letterbox->place.width;

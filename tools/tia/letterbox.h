@@ -14,8 +14,8 @@ struct letterbox {
     /* Set by the caller; all else zero. */
     const struct tia_display *screen;
     void *screen_ctx;
-    const char *name;       /* the screen's, for messages */
-    uint16_t width, height; /* of the picture; 0: as large as the screen */
+    const char *name;       /* name of the screen, for messages */
+    uint16_t width, height; /* size of the picture; 0: as large as the screen */
     unsigned degrees;       /* clockwise */
     bool checksum;
     bool keeps; /* the picture is needed after it is shown */
@@ -25,12 +25,12 @@ struct letterbox {
 
     /* Private, but readable. */
     bool opened;          /* the screen was opened, even if the letterbox was not */
-    struct tia_mode mode; /* the screen's */
+    struct tia_mode mode; /* the screen's mode */
     struct rotation rotation;
-    struct tia_tile place; /* of the rotated picture, on the screen */
+    struct tia_tile place; /* position of the rotated picture on the screen */
     tia_rgb565 *frame;     /* the rotated picture; only with a checksum, or if it is kept */
-    bool shown;            /* a picture of this size */
-    uint32_t crc;          /* of the frame presented last, rotated */
+    bool shown;            /* a picture of this size was shown */
+    uint32_t crc;          /* CRC of the frame presented last, rotated */
 };
 
 extern const struct tia_display letterbox_display; /* the context is a struct letterbox */

@@ -20,7 +20,7 @@ static const char help[] = "arrows, page up, page down: move the light\n"
                            "space: pause   c: save a picture\n"
                            "q, escape: quit   ?: no help";
 
-/* ---- what events mean ---- */
+/* ---- meaning of events ---- */
 
 static bool views_are_there(const struct options *options)
 {
@@ -34,7 +34,7 @@ static bool ends(const struct options *options, uint16_t key)
     return key == 'q' || key == TIA_KEY_ESCAPE || key == TIA_KEY_INTERRUPT || (key == 'v' && views_are_there(options));
 }
 
-/* A picture is saved when it is complete, so that key interrupts nothing. */
+/* Returns the effect. A picture is saved when it is complete, so that key interrupts nothing. */
 static enum tia_effect weigh(void *ctx, const struct tia_event *event)
 {
     const struct moves *moves = ctx;
@@ -52,7 +52,7 @@ static enum tia_effect weigh(void *ctx, const struct tia_event *event)
     return event->key == TIA_KEY_HELP ? TIA_EFFECT_PICTURE : TIA_EFFECT_NONE;
 }
 
-/* ---- what they do ---- */
+/* ---- actions ---- */
 
 void moves_say(struct moves *moves, const char *text)
 {
@@ -78,7 +78,7 @@ static void save_soon(struct moves *moves)
         save(moves);
 }
 
-/* The loop tells of these only where there is no light to move. */
+/* Shows a message; the loop passes these keys only if there is no light to move. */
 static void say_no_light(struct moves *moves)
 {
     const struct tia_scene *scene = &moves->options->scene;

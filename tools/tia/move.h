@@ -1,4 +1,4 @@
-/* move.h - what keys and the mouse do in every scene but the built-in one: see struct tia_control. */
+/* move.h - control by keys and the mouse in every scene but the built-in one: see struct tia_control. */
 #ifndef TOOLS_TIA_MOVE_H
 #define TOOLS_TIA_MOVE_H
 
@@ -14,14 +14,14 @@ enum move_to { MOVE_NOWHERE, MOVE_NEXT_SCENE, MOVE_PREVIOUS_SCENE, MOVE_NEXT_VIE
 struct moves {
     /* Set by the caller; all else zero. */
     const struct options *options;
-    const struct letterbox *letterbox;     /* that keeps its picture */
-    const struct tia_viewer_state *viewer; /* what keys have changed */
+    const struct letterbox *letterbox;     /* the letterbox, which keeps its picture */
+    const struct tia_viewer_state *viewer; /* changes by keys */
 
     /* For the caller to read. */
-    enum move_to to;        /* what is wanted after the loop */
-    bool help;              /* is shown */
-    char message[PORT_WHY]; /* what the last key has done, if it is worth telling */
-    uint64_t until_us;      /* and how long */
+    enum move_to to;        /* the user's choice after the loop */
+    bool help;              /* help is shown */
+    char message[PORT_WHY]; /* message of the last key, if any */
+    uint64_t until_us;      /* end of its display */
 
     /* Private. */
     bool saves;     /* the picture is to be saved when it is complete */
@@ -31,17 +31,17 @@ struct moves {
 
 extern const struct tia_control moves_control; /* the context is a struct moves */
 
-/* A frame is shown; coarse ones are not complete. */
+/* Called when a frame was shown; coarse ones are not complete. */
 void moves_shown(struct moves *moves, const struct tia_frame *frame);
 
-/* After the loop: saves the picture that was to be saved when it is complete, as far as it is drawn. Whether there was
- * one; `text` says what has become of it. */
+/* Called after the loop: saves the picture that was to be saved when it is complete, as far as it is drawn. True if
+ * there was one; `text` has the result. */
 bool moves_finish(struct moves *moves, char text[PORT_WHY]);
 
-/* Tells a line for a few seconds. */
+/* Shows a line for a few seconds. */
 void moves_say(struct moves *moves, const char *text);
 
-/* What to show of the keys, or NULL; lines. */
+/* Returns the help to show, in lines, or NULL. */
 const char *moves_help(const struct moves *moves);
 
 #endif

@@ -6,7 +6,7 @@
 
 #include "clock.h"
 
-/* Lines, one after the other. */
+/* A text of several lines. */
 struct lines {
     char *text;
     size_t size, used;

@@ -1,4 +1,4 @@
-/* overlay.h - what the viewer tells on the picture. */
+/* overlay.h - the viewer's messages on the picture. */
 #ifndef TOOLS_TIA_OVERLAY_H
 #define TOOLS_TIA_OVERLAY_H
 
@@ -11,19 +11,19 @@
 struct overlay {
     const struct options *options;
     bool labelled;       /* a key has changed the technique for shadows */
-    uint64_t shown_us;   /* when a frame was last completed */
-    uint64_t between_us; /* from the one before to that; 0: not known */
-    uint64_t key_us;     /* the latency of the last frame that a key has asked for */
+    uint64_t shown_us;   /* time when a frame was last completed */
+    uint64_t between_us; /* time from the one before to that; 0: unknown */
+    uint64_t key_us;     /* latency of the last frame after a key */
     unsigned width, height, threads;
-    const struct moves *moves;             /* NULL, or what keys have to tell */
-    const struct tia_viewer_state *viewer; /* what they have changed */
-    bool hints;                            /* says which keys put the light, while there is none */
+    const struct moves *moves;             /* NULL, or the source of the keys' messages */
+    const struct tia_viewer_state *viewer; /* changes by keys */
+    bool hints;                            /* show the keys that add a light, while there is none */
 };
 
-/* The text for a picture that has been drawn but not shown; empty when there is nothing to tell. */
+/* Writes the text for a picture that has been drawn but not shown; empty when there are no messages. */
 void overlay_text(struct overlay *overlay, const struct tia_frame *frame, char *text, size_t size);
 
-/* A frame is complete and shown. */
+/* Called when a frame is complete and shown. */
 void overlay_shown(struct overlay *overlay, const struct tia_frame *frame);
 
 #endif

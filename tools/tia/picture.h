@@ -13,7 +13,7 @@
 #include "rotate.h"
 
 struct picture_band {
-    unsigned y, rows; /* in rows of the file */
+    unsigned y, rows; /* rows of the file */
     tia_rgb565 *pixels;
     uint16_t *colours; /* NULL: RGB565 is written */
 };
@@ -22,8 +22,8 @@ struct picture {
     /* Set by the caller before each picture. */
     struct tia_view *view;
     struct image *image;
-    struct finished *finished; /* NULL: nothing is kept */
-    uint32_t frame;            /* for it */
+    struct finished *finished; /* NULL: finished rows are not stored */
+    uint32_t frame;            /* frame number for it */
 
     /* Private. */
     const struct tia_core *core;
@@ -36,10 +36,10 @@ struct picture {
     struct tia_hits *hits;
     struct threads *pool;
     struct picture_band band[2]; /* one being drawn, one being written */
-    struct tia_tile tile;        /* of the picture: the band being drawn */
-    unsigned depth;              /* of the colours, see struct image_film */
+    struct tia_tile tile;        /* tile of the picture: the band being drawn */
+    unsigned depth;              /* bits of the colours, see struct image_film */
     bool checksum;
-    uint32_t crc; /* of the rows written so far */
+    uint32_t crc; /* CRC of the rows written so far */
     uint64_t crc_bytes;
     atomic_int status; /* the last error of a job */
     struct progress progress;

@@ -13,7 +13,7 @@ static unsigned inside(int32_t part, unsigned screen, unsigned from, unsigned si
     return at < from ? 0 : at - from < size ? at - from : size - 1;
 }
 
-/* The middle of a pixel. */
+/* Returns the middle of a pixel. */
 static int32_t part_of(unsigned at, unsigned size)
 {
     return (int32_t)((2 * at + 1) * UINT32_C(32768) / size);
@@ -33,7 +33,8 @@ static void turn_place(const struct letterbox *letterbox, struct tia_event *even
     event->y = part_of(pixel.y, letterbox->rotation.height);
 }
 
-/* The picture is rotated clockwise: what goes to the right on the screen goes up in one that is rotated by 90. */
+/* Rotates a movement. The picture is rotated clockwise: a movement to the right on the screen is upwards in one that is
+ * rotated by 90. */
 static void turn_way(unsigned degrees, struct tia_event *event)
 {
     int32_t x = event->x, y = event->y;

@@ -1,5 +1,5 @@
-/* pointed.h - an input (tia/port.h) around another one, whose pointer is at a place of the screen: here it is at one of
- * the picture that a letterbox puts there. */
+/* pointed.h - an input (tia/port.h) around another one: converts its pointer's position on the screen to one in the
+ * picture that a letterbox places there. */
 #ifndef TOOLS_TIA_POINTED_H
 #define TOOLS_TIA_POINTED_H
 

@@ -5,19 +5,19 @@
 
 #include "clock.h"
 
-/* Shows nothing for drawings of less than half a second; then updates a terminal ten times a second, and writes a line
- * elsewhere once a second. */
+/* Timing: shows nothing for drawings of less than half a second; then updates a terminal ten times a second, and writes
+ * a line elsewhere once a second. */
 enum { FIRST_US = 500000, STEP_US = 100000, LINE_US = 1000000 };
 
 static const char erase[] = "\r\033[K";
 
-/* In the handler of a signal. */
+/* Erases the line, in the handler of a signal. */
 static void undo(void *arg)
 {
     struct progress *progress = arg;
     if (progress->shown) {
         ssize_t wrote = write(STDERR_FILENO, erase, sizeof erase - 1);
-        (void)wrote; /* nothing is left to do about it */
+        (void)wrote; /* a failure has no remedy */
     }
 }
 
@@ -35,7 +35,7 @@ void progress_begin(struct progress *progress, uint64_t frame_pixels, uint32_t f
     signals_add(&progress->cleanup);
 }
 
-/* Seconds, rounded up, by what it has taken so far. */
+/* Returns seconds, rounded up, estimated from the time so far. */
 static unsigned seconds_left(const struct progress *progress, uint64_t now)
 {
     double all = (double)progress->frame_pixels * progress->frames, done = (double)progress->done;
@@ -64,7 +64,7 @@ static void print(const struct progress *progress, uint64_t now)
     (void)fflush(stderr);
 }
 
-/* With the lock. */
+/* Shows the progress; call it with the lock. */
 static void show(struct progress *progress, uint64_t now)
 {
     if (now < progress->next_us)

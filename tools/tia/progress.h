@@ -12,29 +12,30 @@
 #define PROGRESS_TEXT 80
 
 struct progress {
-    bool terminal, asked; /* asked: also where there is no terminal, in lines */
+    bool terminal, asked; /* asked: also without a terminal, in lines */
     uint64_t begun_us;
     uint64_t frame_pixels;
     uint32_t frames;
     pthread_mutex_t lock; /* protects the following members */
     uint64_t done;        /* pixels */
     uint64_t next_us;
-    char text[PROGRESS_TEXT];       /* what is shown instead of percents, if anything */
-    atomic_bool shown;              /* the line is there */
-    struct signals_cleanup cleanup; /* erases it */
+    char text[PROGRESS_TEXT];       /* text shown instead of percents; empty: none */
+    atomic_bool shown;              /* the line is on the terminal */
+    struct signals_cleanup cleanup; /* erases the line */
 };
 
-/* From the main thread, as progress_end: see common/signals.h. */
+/* Begins; on the main thread, as progress_end: see common/signals.h. */
 void progress_begin(struct progress *progress, uint64_t frame_pixels, uint32_t frames, bool asked);
 
 /* Adds completed pixels; call it from any thread. */
 void progress_add(struct progress *progress, uint64_t pixels);
 
-/* Shows this from now on. */
+/* Shows this text from now on. */
 void progress_say(struct progress *progress, const char *text);
 
-/* Erases the line, which may come again; ends it. */
+/* Erases the line, which may come again. */
 void progress_erase(struct progress *progress);
+/* Erases it for good. */
 void progress_end(struct progress *progress);
 
 #endif

@@ -8,7 +8,7 @@ static uint64_t place_of(const struct resume *r, unsigned y)
     return r->header + (uint64_t)y * sums_row_bytes(&r->sums);
 }
 
-/* A new file, or what is in an old one. A row that was being written is drawn again. */
+/* Reads the header of an old file, or begins a new one. A row that was being written is drawn again. */
 static int read_header(struct resume *r, uint64_t size)
 {
     char text[SUMS_HEADER], wanted[SUMS_HEADER];
@@ -22,7 +22,7 @@ static int read_header(struct resume *r, uint64_t size)
     if (got < r->header && !memcmp(text, wanted, got)) /* new, or killed in its first line */
         return kept_write(&r->kept, wanted, r->header, 0);
     if (!sums_parse(&old, text, got))
-        return kept_refused(&r->kept, "no part that an interrupted run has left");
+        return kept_refused(&r->kept, "not a part left by an interrupted run");
     if (old.crc != r->sums.crc || old.width != r->sums.width || old.height != r->sums.height)
         return kept_refused(&r->kept, "a part of another scene, size or integrator");
     if (old.guided != r->sums.guided)

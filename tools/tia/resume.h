@@ -1,4 +1,4 @@
-/* resume.h - a file of finished rows of samples that grows as a picture is drawn, so that an interrupted run loses
+/* resume.h - a file of finished rows of samples that grows while a picture is drawn, so that an interrupted run loses
  * little: see common/image/sums.h. finished.h has the same for RGB565. */
 #ifndef TOOLS_TIA_RESUME_H
 #define TOOLS_TIA_RESUME_H
@@ -6,20 +6,21 @@
 #include "common/image/sums.h"
 #include "kept.h"
 
-/* All zero: there is none. */
+/* All zero: no file. */
 struct resume {
     struct kept kept;
     struct sums sums;
     size_t header;
-    unsigned rows; /* in the file, from the top */
+    unsigned rows; /* rows in the file, from the top */
 };
 
 /* Opens the file, or creates it. TIA_ERR_RANGE, with the reason in `why`: it is of another scene, or of other samples.
- * `why` is for the others, too. */
+ * The other functions use `why`, too. */
 int resume_open(struct resume *resume, const char *path, const struct sums *sums, char *why);
 
-/* Reads rows that are in the file; appends those that are not, if they are the next ones. */
+/* Reads rows that are in the file. */
 int resume_read(const struct resume *resume, unsigned y, unsigned rows, const struct tia_gathered *band);
+/* Appends rows that are not, if they are the next ones. */
 int resume_append(struct resume *resume, unsigned y, unsigned rows, const struct tia_gathered *band);
 
 void resume_close(struct resume *resume);

@@ -10,8 +10,8 @@ struct rotation rotation_inverse(const struct rotation *rotation)
     return back;
 }
 
-/* Pixel (x, y) moves to (height - 1 - y, x) for 90 degrees, (width - 1 - x, height - 1 - y) for 180 and
- * (y, width - 1 - x) for 270. */
+/* Returns the rotated tile. Pixel (x, y) moves to (height - 1 - y, x) for 90 degrees, (width - 1 - x, height - 1 - y)
+ * for 180 and (y, width - 1 - x) for 270. */
 struct tia_tile rotation_tile(const struct rotation *rotation, struct tia_tile tile)
 {
     uint16_t from_right = (uint16_t)(rotation->width - tile.x - tile.width);

@@ -1,4 +1,4 @@
-/* rotate.h - where the pixels of a picture go when it is rotated clockwise. */
+/* rotate.h - moves the pixels of a picture that is rotated clockwise. */
 #ifndef TOOLS_TIA_ROTATE_H
 #define TOOLS_TIA_ROTATE_H
 
@@ -9,20 +9,20 @@ struct rotation {
     unsigned width, height; /* of the picture before rotation */
 };
 
-/* Whether the rotation swaps width and height. */
+/* True if the rotation swaps width and height. */
 static inline bool rotation_swaps(unsigned degrees)
 {
     return degrees % 180 != 0;
 }
 
-/* The rotation that takes the rotated picture back to the original. */
+/* Returns the rotation that undoes this one. */
 struct rotation rotation_inverse(const struct rotation *rotation);
 
-/* The rectangle of the rotated picture that shows `tile` of the original. */
+/* Returns the rectangle of the rotated picture that shows `tile` of the original. */
 struct tia_tile rotation_tile(const struct rotation *rotation, struct tia_tile tile);
 
-/* A surface for drawing the original picture, rotated, into `surface`: plain memory for a rotated tile of width x
- * height pixels. */
+/* Returns a surface for drawing the original picture, rotated, into `surface`: plain memory for a rotated tile of width
+ * x height pixels. */
 struct tia_surface rotation_surface(const struct rotation *rotation, const struct tia_surface *surface, unsigned width,
                                     unsigned height);
 

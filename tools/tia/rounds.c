@@ -11,8 +11,8 @@
 #include "pixels/pages.h"
 
 /* A picture up to PIXELS_MAX has its samples in memory, twice: those of the rounds that are complete, and those with
- * the next round. A round of a small picture is several samples, so that threads have something to do. Of fewer than
- * SPREAD_MIN samples nobody knows how much they differ. A signal leaves 0.2 s for the picture: a picture up to
+ * the next round. A round of a small picture is several samples, so that threads have enough work. Fewer than
+ * SPREAD_MIN samples give no estimate of their spread. A signal leaves 0.2 s for the picture: a picture up to
  * SMALL_PIXELS is denoised in 0.13 s. */
 enum { PIXELS_MAX = 1 << 24, ROUND_PIXELS = 1 << 12, SPREAD_MIN = 8, TOLD_US = 500000, SMALL_PIXELS = 98304 };
 
@@ -25,9 +25,9 @@ struct rounds {
     struct estimation *e;
     size_t pixels;
     struct gathered kept, next;
-    uint32_t done, round; /* samples in `kept`, and how many are to be added */
+    uint32_t done, round; /* samples in `kept`, and number to be added */
     uint64_t begun_us, told_us;
-    double error; /* estimated, < 0: not yet */
+    double error; /* estimate; < 0: none yet */
     struct row_error *row_errors;
     struct denoising *denoising;
 };
@@ -49,7 +49,7 @@ static bool watched(const struct estimation *e)
     return e->progress.terminal || e->progress.asked;
 }
 
-/* Squares are for whoever asks for an error, is told of it, or has noise taken out by it. */
+/* True if squares are needed: for the error, as a limit or in the display, or for the denoiser. */
 static bool has_squares(const struct estimation *e)
 {
     return e->sums.guided || e->options->error || e->options->time_limit || watched(e);
@@ -60,7 +60,7 @@ static size_t pixels_of(const struct estimation *e)
     return (size_t)e->film.width * e->film.height;
 }
 
-/* Of one of the two. */
+/* Returns the size of one of the two. */
 static size_t gathered_size(const struct estimation *e)
 {
     size_t guide = e->sums.guided ? sizeof(struct tia_guide) : 0, square = has_squares(e) ? sizeof(uint64_t) : 0;
@@ -86,7 +86,7 @@ static bool get_memory(struct gathered *g, const struct rounds *r)
     return g->memory;
 }
 
-/* Whether a signal has come and what is not needed for a picture has to be left out, so that it ends in time. */
+/* True if a signal has come and steps that a picture does not need have to be left out, so that it ends in time. */
 static bool hurries(const struct rounds *r)
 {
     return r->pixels > SMALL_PIXELS && signals_asked(NULL);
@@ -107,7 +107,7 @@ static void estimate_row(void *arg, unsigned y)
     }
 }
 
-/* The mean of the pixels' standard errors over that of their luminance; -1: there is no time for it. */
+/* Returns the mean of the pixels' standard errors over that of their luminance; -1: there is no time for it. */
 static double estimated_error(struct rounds *r)
 {
     struct row_error all = {0, 0};
@@ -122,7 +122,7 @@ static double estimated_error(struct rounds *r)
 
 /* ---- a round ---- */
 
-/* What the next round is added to: nothing before the first, whose memory is as it came. */
+/* Begins a row with the samples so far; with none in the first round, whose memory is uninitialised. */
 static void begin_row(const struct rounds *r, size_t place, const struct tia_gathered *to)
 {
     const struct tia_gathered from = gathered_at(&r->kept.all, place);
@@ -143,7 +143,7 @@ static void begin_row(const struct rounds *r, size_t place, const struct tia_gat
         memcpy(to->guides, from.guides, width * sizeof *to->guides);
 }
 
-/* Once a row was stopped the round does not count, so that the rows that are left are not needed. */
+/* Draws a row. Once a row was stopped the round does not count, so the remaining rows are not needed. */
 static void draw_row(void *arg, unsigned y)
 {
     struct rounds *r = arg;
@@ -176,9 +176,9 @@ static int draw_round(struct rounds *r)
     return TIA_OK;
 }
 
-/* ---- what is said ---- */
+/* ---- messages ---- */
 
-/* Seconds until the first limit that will be reached, as far as is known. */
+/* Returns the estimated seconds until the first limit is reached. */
 static double seconds_left(const struct rounds *r, uint64_t now)
 {
     double took = (double)(now - r->begun_us) / 1e6, each = took / r->done,
@@ -208,7 +208,7 @@ static void tell(struct rounds *r, uint64_t now)
     progress_say(&r->e->progress, text);
 }
 
-/* The error is looked at where it matters, or for those who watch: that takes a while, too. */
+/* Estimates the error if it is a limit, or is displayed: that takes a while, too. */
 static void look(struct rounds *r)
 {
     bool tells = watched(r->e);
@@ -232,7 +232,7 @@ static bool is_good(const struct rounds *r)
     return options->error && r->error >= 0 && r->error * 65536 <= options->error;
 }
 
-/* TIA_STOPPED: not a single round is complete. */
+/* Draws; TIA_STOPPED: not a single round is complete. */
 static int draw(struct rounds *r)
 {
     uint32_t count = r->e->sums.count;
@@ -250,7 +250,7 @@ static int draw(struct rounds *r)
 
 /* ---- the file ---- */
 
-/* Rows that are written at once. */
+/* Rows written at once. */
 struct rows {
     const struct rounds *r;
     unsigned y, count;
@@ -318,7 +318,7 @@ static void guide_row(void *arg, unsigned y)
     show_guide(r->e, &row);
 }
 
-/* A large picture has its noise after a signal, and is not compressed. */
+/* Writes the picture. After a signal, a large one keeps its noise and is not compressed. */
 static int finish(struct rounds *r)
 {
     const struct options *options = r->e->options;
@@ -335,8 +335,7 @@ static int finish(struct rounds *r)
     return status ? status : write_all(r);
 }
 
-/* The limits of --time-limit and --error leave how many samples there are to chance, and so do signals: that is said.
- */
+/* Reports the number of samples, which is unpredictable after --time-limit, --error or a signal. */
 static void say_samples(struct rounds *r, uint32_t asked)
 {
     bool limited = r->e->options->time_limit || r->e->options->error;
@@ -378,7 +377,7 @@ int rounds_draw(struct estimation *e)
 
     if (!status)
         status = draw(&r);
-    signals_release(); /* another signal ends it at once */
+    signals_release(); /* another signal ends the program at once */
     if (!status) {
         say_samples(&r, asked);
         status = finish(&r);

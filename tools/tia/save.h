@@ -1,4 +1,4 @@
-/* save.h - keeps in a file what a display shows. */
+/* save.h - saves a display's picture to a file. */
 #ifndef TOOLS_TIA_SAVE_H
 #define TOOLS_TIA_SAVE_H
 
@@ -6,11 +6,12 @@
 #include "device.h"
 #include "letterbox.h"
 
-/* Writes the picture of a letterbox that keeps it. A negative status, and the reason in `why`, [PORT_WHY]. */
+/* Writes the picture of a letterbox that keeps it. Returns a negative status, and the reason in `why`, [PORT_WHY], on
+ * failure. */
 int save_picture(const struct letterbox *letterbox, const char *path, enum image_format format, char *why);
 
-/* Writes it to the first of tia-0001.png, tia-0002.png, ... that is not there; .ppm without libpng. `text` says so, or
- * why not, with a negative status. *number is the last one that was found to be there, 0 at first. */
+/* Writes it to the first of tia-0001.png, tia-0002.png, ... that does not exist; .ppm without libpng. `text` has the
+ * name, or the reason with a negative status. *number is the last one that existed, 0 at first. */
 int save_numbered(const struct letterbox *letterbox, unsigned *number, char text[PORT_WHY]);
 
 #endif

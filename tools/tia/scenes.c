@@ -5,7 +5,7 @@
 #include "fail.h"
 #include "lightfield.h"
 
-/* Keys were for the first scene. */
+/* keys were for the first scene */
 bool scenes_go(struct options *options, int step, char *why)
 {
     struct options next = *options;

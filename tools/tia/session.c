@@ -34,7 +34,7 @@ int session_open_input(struct session *session, const struct port_input *port)
         .device = session->options->input_device, .pointer = session->is_moved, .why = session->why};
     session->input_ctx = port->create(&wish);
     if (!session->input_ctx)
-        return EXIT_RUNNING; /* there is no memory for it */
+        return EXIT_RUNNING; /* no memory for it */
     int status = port->ops->open(session->input_ctx);
     if (status) {
         port->ops->close(session->input_ctx);
@@ -97,7 +97,7 @@ void session_close(struct session *session)
 
 /* ---- callbacks of the viewer ---- */
 
-/* Not realloc: the old contents are not needed. */
+/* Allocates; not by realloc, as the old contents are not needed. */
 static void *get_memory(void *ctx, size_t size)
 {
     struct session *session = ctx;
@@ -151,7 +151,7 @@ static int frame_done(void *ctx, const struct tia_frame *frame)
 
 /* ---- the run ---- */
 
-/* Chooses where --checksum prints. On the terminal that shows the picture, lines would spoil it: they are kept and
+/* Chooses where --checksum prints. On the terminal that shows the picture, lines would spoil it: they are stored and
  * printed afterwards. */
 static int open_lines(struct session *session)
 {
@@ -172,7 +172,7 @@ static int close_lines(struct session *session)
     return result >= 0 && fflush(stdout) == 0 ? TIA_OK : TIA_ERR_DEVICE;
 }
 
-/* Whether --fps is a pace: else it is a film's rate. */
+/* True if --fps is a pace: else it is a film's rate. */
 static bool viewer_paces(const struct options *options)
 {
     return options->rate_given && options->frames == 0;
@@ -218,7 +218,7 @@ static struct tia_viewer viewer_of(struct session *session)
                                .stop = signals_asked};
 }
 
-/* Who cannot type needs no hint; and keys that are pressed first put the light. */
+/* Begins the overlay. Without a keyboard there are no hints; nor if keys are pressed first, which add the light. */
 static void begin_overlay(struct session *session)
 {
     const struct options *options = session->options;
@@ -233,8 +233,8 @@ static void begin_overlay(struct session *session)
     session->pointed = (struct pointed){session->input->ops, session->input_ctx, &session->letterbox};
 }
 
-/* After a key that ends the loop: whether there is more to show. A scene that cannot be loaded is told of, on the one
- * before. */
+/* Returns true if there is more to show after a key that ended the loop. If a scene cannot be loaded, the one before
+ * shows a message. */
 static bool move_on(struct session *session)
 {
     enum move_to to = session->moves.to;
@@ -260,8 +260,8 @@ static bool move_on(struct session *session)
     return lights_copy(&session->lights, &session->options->scene);
 }
 
-/* The same; a picture that could not be completed is saved, and told of on the next or, after the last, on standard
- * error: the display is gone by then. */
+/* Does the same; a picture that could not be completed is saved, with a message on the next or, after the last, on
+ * standard error: the display is closed by then. */
 static bool go_on(struct session *session)
 {
     char text[PORT_WHY];
@@ -274,7 +274,8 @@ static bool go_on(struct session *session)
     return more;
 }
 
-/* Creates the threads after opening the display: opening may fork, and threads do not survive that. */
+/* Runs the session. Creates the threads after opening the display: opening may fork, and threads do not survive that.
+ */
 int session_run(struct session *session)
 {
     int status = TIA_ERR_MEMORY;

@@ -17,7 +17,7 @@
 struct session {
     struct options *options;
     char why[PORT_WHY];                 /* the last failure */
-    char last[PORT_WHY];                /* what else is told after the display is closed; empty: nothing */
+    char last[PORT_WHY];                /* message for after the display is closed; empty: none */
     const struct port_display *display; /* NULL: not open */
     const struct port_input *input;
     void *display_ctx, *input_ctx;
@@ -27,12 +27,12 @@ struct session {
     struct lights lights;
     struct tia_scene variant; /* the scene, with the technique for shadows that a key has chosen */
     struct overlay overlay;
-    struct tia_viewer_state viewer; /* what keys have changed */
+    struct tia_viewer_state viewer; /* changes by keys */
     struct pointed pointed;
     struct moves moves;
     bool is_moved;       /* keys and the mouse move the eye: in all scenes but the built-in one */
-    const char *save_to; /* NULL, or where the first complete picture is written, as options->format says */
-    void *memory;        /* the viewer's */
+    const char *save_to; /* NULL, or the file to which the first complete picture is written, in options->format */
+    void *memory;        /* the viewer's memory */
     size_t memory_bytes;
     FILE *lines; /* for checksums: standard output, or memory until the display is closed */
     char *text;
@@ -44,7 +44,7 @@ struct session {
 /* Until session_end, signals are only noted, see common/signals.h. NULL: no memory. */
 struct session *session_create(struct options *options);
 
-/* Return an exit status, and the reason in session->why. */
+/* Open or run; return an exit status, and the reason in session->why. */
 int session_open_input(struct session *session, const struct port_input *port);
 int session_open_display(struct session *session, const struct port_display *port);
 int session_run(struct session *session);

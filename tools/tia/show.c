@@ -44,7 +44,7 @@ static int open_input(struct session *session, const char *name)
     return port ? session_open_input(session, port) : refuse_input(session, name);
 }
 
-/* A display that takes over the console needs a way out: an input, or a limit on the frames. */
+/* Chooses the input. A display that takes over the console needs a way out: an input, or a limit on the frames. */
 static int choose_input(struct session *session, const struct port_display *port)
 {
     const struct options *options = session->options;
@@ -80,7 +80,7 @@ static int try_display(struct session *session, const struct port_display *port)
     return status;
 }
 
-/* Whether `auto` tries it; other displays must be named. */
+/* True if `auto` tries the display; others must be named. */
 static bool is_automatic(const struct port_display *port)
 {
     if (strcmp(port->name, "terminal") == 0)
@@ -142,7 +142,7 @@ int show(struct options *options)
     return session_end(session, status);
 }
 
-/* A gaze needs the whole picture in memory: as on a display that shows nothing. */
+/* Draws a picture with a gaze, which needs the whole picture in memory: as on a display that shows nothing. */
 int show_into_file(struct options *options)
 {
     struct session *session;

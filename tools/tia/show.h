@@ -7,7 +7,7 @@
 /* All return the exit status, after an error message if it is not 0. */
 int show(struct options *options);
 
-/* One picture into options->output, with a gaze. */
+/* Draws one picture into options->output, with a gaze. */
 int show_into_file(struct options *options);
 
 /* Lists every display found or, for --connector help and --mode help, those of the port `only`. */

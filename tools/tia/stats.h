@@ -5,7 +5,7 @@
 #include <stdint.h>
 #include <tia/viewer.h>
 
-/* Keeps only the newest samples, since a program may run for weeks. */
+/* Number of samples kept: the newest, since a program may run for weeks. */
 enum { STATS_SAMPLES = 65536 };
 
 struct samples {
@@ -13,37 +13,37 @@ struct samples {
     uint32_t us[STATS_SAMPLES]; /* ring buffer */
 };
 
-/* Frames of what moves, at a pace. */
+/* Frames of motion at a pace. */
 struct paced {
-    uint64_t asked_us;      /* between two of them, as asked for; 0: there is no pace */
-    uint64_t sum_us, count; /* between two that follow each other, and how often they do */
-    uint64_t last_us;       /* when the last was shown; 0: that was none */
-    uint64_t blocks[5];     /* how many had blocks of 1, 2, 4, 8 and 16 pixels */
+    uint64_t asked_us;      /* period of the pace; 0: there is no pace */
+    uint64_t sum_us, count; /* time between successive frames: sum and count */
+    uint64_t last_us;       /* time of the last frame; 0: it was not in motion */
+    uint64_t blocks[5];     /* number of frames with blocks of 1, 2, 4, 8 and 16 pixels */
 };
 
 struct stats {
     uint64_t frames;
     struct samples draw, flip; /* draw time of each frame; time from a key press to its frame on screen */
-    struct samples coarse;     /* and to the first picture of it, coarse or complete */
+    struct samples coarse;     /* time from a key press to the first picture, coarse or complete */
     bool answered;             /* a coarse picture of a key's frame was shown, and the complete one is to come */
     const char *display, *format, *simd;
     unsigned width, height, threads;
     int scale_bits;              /* of the scene */
-    uint64_t pixels, all_pixels; /* drawn, and those of all frames */
-    bool gazes;                  /* where these differ */
+    uint64_t pixels, all_pixels; /* pixels drawn, and those of all frames */
+    bool gazes;                  /* true if these differ */
     struct paced paced;
 };
 
-/* A picture was shown, so long after the key press that it shows; 0: it shows none, or the key's coarse picture was
- * shown before. */
+/* Adds a latency: a picture was shown so long after the key press that it shows; 0: it shows none, or the key's coarse
+ * picture was shown before. */
 void stats_key(struct stats *stats, uint64_t us, bool coarse);
 
-/* A picture was shown at that time. */
+/* Adds a picture shown at that time. */
 void stats_paced(struct paced *paced, const struct tia_frame *frame, uint64_t now_us);
 
 void stats_add(struct samples *samples, uint64_t us);
 
-/* A percentile by nearest rank; 0 without samples. Sorts the samples, so none can be added afterwards. */
+/* Returns a percentile by nearest rank; 0 without samples. Sorts the samples, so none can be added afterwards. */
 uint32_t stats_percentile(struct samples *samples, unsigned percent);
 
 /* Prints one JSON object on one line of standard error; -1 when it cannot be written. */

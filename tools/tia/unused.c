@@ -8,7 +8,7 @@
 
 enum { NUMBERS = 9999 };
 
-/* A picture that is complete has replaced the empty file. Runs in a signal's handler, too. */
+/* Removes the file unless a complete picture has replaced it. Runs in a signal's handler, too. */
 static void remove_empty(void *arg)
 {
     const struct unused *unused = arg;

@@ -1,4 +1,4 @@
-/* unused.h - a name for a picture that no file has yet. */
+/* unused.h - an unused name for a picture. */
 #ifndef TOOLS_TIA_UNUSED_H
 #define TOOLS_TIA_UNUSED_H
 
@@ -9,7 +9,7 @@ struct unused {
     struct signals_cleanup cleanup;
 };
 
-/* Creates the first of tia.png, tia-1.png, ... (or another extension) that is not there, as an empty file, so that no
+/* Creates the first of tia.png, tia-1.png, ... (or another extension) that does not exist, as an empty file, so that no
  * other run takes its name. False, with errno: there is none. */
 bool unused_create(struct unused *unused, const char *extension);
 

@@ -1,4 +1,4 @@
-/* alone.c - a page has one thread: there is no pool, and who asks for one works alone. */
+/* alone.c - replaces the thread pool: a page has one thread, so there are no workers. */
 #include <stddef.h>
 
 #include "common/thread_pool.h"

@@ -1,4 +1,4 @@
-/* control.c - what keys and the pointer do beyond lights, and the input that they come from. */
+/* control.c - control by keys and the pointer, except for lights, and the input that they come from. */
 #include "session.h"
 
 /* ---- control ---- */
@@ -72,14 +72,14 @@ static void show_rays(void)
     web_draw_lines(out, count);
 }
 
-/* Only of a core that observes rays, see seat_core. */
+/* True for a core that observes rays, see seat_core. */
 static bool has_rays(void)
 {
     return session.rays_due && seat.view && session.settings.rays && session.settings.arithmetic == ARITHMETIC_Q16 &&
            session.scene.integration.integrator == TIA_WHITTED;
 }
 
-/* Draws samples while idle. In between it asks whether to stop, which takes events. */
+/* Draws samples while idle. Between them it polls `stop`, which takes events. */
 static int input_wait(void *ctx, int timeout_ms)
 {
     session.polled = false;

@@ -1,5 +1,4 @@
-/* core.c - the core that the settings ask for, with its view taken down: samples and single rays are asked of it later.
- */
+/* core.c - the core for the settings. It records its view: samples and single rays are drawn with it later. */
 #include "session.h"
 
 struct seat seat;
@@ -14,7 +13,7 @@ static int init_until(struct tia_view **view, void *memory, size_t size, const s
     return status;
 }
 
-/* Before each frame. */
+/* Sets the lights, before each frame. */
 static int set_lights(struct tia_view *view, const struct tia_light *lights, uint32_t count)
 {
     samples_reset();

@@ -1,7 +1,7 @@
-/* difference.c - two cores in one: integers, and doubles to compare them with, as tia-compare does. */
+/* difference.c - two cores in one: integers, and doubles for comparison, as in tia-compare. */
 #include "session.h"
 
-enum { MANY = 1000, REACH = 2 }; /* as tia-compare's pictures */
+enum { MANY = 1000, REACH = 2 }; /* as in tia-compare's pictures */
 
 struct pair {
     struct tia_view *view[2];
@@ -15,7 +15,7 @@ static const struct tia_core *const cores[2] = {&tia_core_q16, &tia_core_f64};
 static const tia_rgb565 colours[3] = {0xffe0, 0xf800, 0x07ff};
 uint32_t difference_counts[3];
 
-/* A view and hits of this core are those of both, behind a struct that says where. */
+/* Returns the pair. A view and hits of this core are those of both, behind a struct with their addresses. */
 static const struct pair *pair_of(const struct tia_view *view)
 {
     return (const struct pair *)(const void *)view;
@@ -109,7 +109,7 @@ static unsigned apart(unsigned a, unsigned b)
     return a > b ? a - b : b - a;
 }
 
-/* Where they agree: grey, at a quarter of the brightness. */
+/* Returns a pixel's colour: where both agree, grey at a quarter of the brightness. */
 static tia_rgb565 verdict(tia_rgb565 a, tia_rgb565 b, bool other_path)
 {
     unsigned r = apart(a >> 11, b >> 11), g = apart(a >> 5 & 63, b >> 5 & 63), blue = apart(a & 31, b & 31);
@@ -185,7 +185,8 @@ static unsigned kind_of(tia_rgb565 pixel)
     return kind;
 }
 
-/* Colours of differences have a bit below or above, so that what is spread is not spread again. */
+/* Spreads a difference to the pixels around that are not different. Its colours there are marked in the lowest bits, so
+ * that they are not spread again. */
 static void spread(tia_rgb565 *pixels, unsigned width, unsigned height, size_t at)
 {
     static const tia_rgb565 around[3] = {0xff80, 0xf820, 0x07df};

@@ -36,7 +36,7 @@ void light_tell(struct web_frame *frame)
     frame->light_y = part_of(ends[0][1] + 0.5, session.screen.height);
 }
 
-/* The last binding is the pointer's: so a light that it moves is one that a key puts. */
+/* Drags the light. The last binding is the pointer's: a light that it moves counts as set by a key. */
 bool light_drag(int32_t right, int32_t down)
 {
     unsigned width = session.screen.width, height = session.screen.height;

@@ -1,5 +1,5 @@
-/* no_files.c - what wasi-libc asks an operating system for when it writes to a stream. Nothing here does, but it would
- * if a long double were printed: so the module wants nothing of a page but what port/web/web.c names. */
+/* no_files.c - stubs for wasi-libc's system calls, which it needs to write to a stream. No code here does, except if a
+ * long double were printed: so the module imports nothing but the names of port/web/web.c. */
 #include <stdint.h>
 
 enum { BAD_DESCRIPTOR = 8 }; /* __WASI_ERRNO_BADF */

@@ -1,15 +1,15 @@
-/* samples.c - a picture of samples while nothing else is to be done, shown as it becomes better. */
+/* samples.c - draws a picture of samples while idle, and shows it as it becomes better. */
 #include <stdlib.h>
 
 #include "session.h"
 
-enum { SHOW_US = 150000 }; /* between two pictures that are not the last */
+enum { SHOW_US = 150000 }; /* between two intermediate pictures */
 
 static struct {
     struct tia_sum *sums;
     size_t room;        /* sums */
-    uint32_t done, row; /* samples of all pixels, and rows that have one more */
-    uint64_t shown_us;  /* when a picture was shown last */
+    uint32_t done, row; /* complete samples of all pixels, and rows that have one more */
+    uint64_t shown_us;  /* time when a picture was shown last */
 } now;
 
 void samples_reset(void)
@@ -69,7 +69,7 @@ int samples_go_on(void)
     struct tia_tile row = {0, (uint16_t)now.row, width, 1};
     int status = estimator->sample(seat.view, row, now.done, now.done + 1, now.sums + (size_t)now.row * width, width);
     if (status) {
-        samples_reset(); /* the row's sums are not defined */
+        samples_reset(); /* the row's sums are undefined */
         return status;
     }
     if (++now.row == session.screen.height) {

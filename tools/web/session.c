@@ -1,4 +1,4 @@
-/* session.c - what the worker's script calls: load a scene, choose, run. */
+/* session.c - the functions that the worker's script calls: load a scene, choose, run. */
 #include "session.h"
 
 #include <stdio.h>
@@ -9,7 +9,7 @@
 
 struct session session = {.pointer_x = -1};
 
-/* ---- a picture is drawn ---- */
+/* ---- after a picture was drawn ---- */
 
 const struct tia_camera *session_camera(void)
 {
@@ -21,7 +21,7 @@ static size_t lights_size(void)
     return session.lights.capacity * sizeof *session.lights.array;
 }
 
-/* The state that another worker continues from. */
+/* Stores the state from which another worker continues. */
 static void keep(struct web_frame *frame)
 {
     if (!session.kept)
@@ -74,9 +74,9 @@ static void *get_memory(void *ctx, size_t size)
     return session.memory;
 }
 
-/* ---- what is drawn ---- */
+/* ---- settings ---- */
 
-/* The scene's keys, and one more for the pointer. Its state is a light that the check accepts. */
+/* Copies the scene's keys, and adds one for the pointer. Its state is a light that the check accepts. */
 static bool copy_bindings(struct tia_scene *scene)
 {
     uint32_t count = scene->binding_count;
@@ -111,7 +111,7 @@ static void set_samples(struct tia_scene *scene)
     how->spp = settings->samples ? settings->samples : how->spp ? how->spp : TIA_SPP;
     if (settings->arithmetic != ARITHMETIC_DIFFERENCE) {
         session.spp = how->spp;
-        how->spp = 1; /* the viewer draws the first */
+        how->spp = 1; /* the viewer draws the first sample */
     }
 }
 
@@ -155,9 +155,9 @@ static bool begin(bool goes_on)
     return screen->pixels && copy_bindings(&session.scene) && begin_lights(goes_on);
 }
 
-/* ---- what the script calls ---- */
+/* ---- exported functions ---- */
 
-/* Reads the scene `name` and the files that it refers to; 0, or an error whose reason is in web_why: then the old one
+/* Reads the scene `name` and the files that it refers to; 0, or an error whose reason is in web_why: then the old scene
  * stays. */
 EXPORT("web_load") int web_load(const char *name);
 int web_load(const char *name)
@@ -191,7 +191,8 @@ void web_set(unsigned width, unsigned height, int arithmetic, int view, int rays
                                          .samples = samples};
 }
 
-/* 0: an event ended it; 1: there is nothing to do and this browser cannot wait; 2: it failed, see web_why. */
+/* Runs the loop. 0: an event ended it; 1: there is nothing to do and this browser cannot wait; 2: it failed, see
+ * web_why. */
 EXPORT("web_run") int web_run(int goes_on);
 int web_run(int goes_on)
 {
@@ -229,7 +230,8 @@ int web_run(int goes_on)
     return 2;
 }
 
-/* Memory for what was kept of another worker, of the same scene; NULL: that was another one. Then it is taken. */
+/* Returns memory for the state of another worker, of the same scene; NULL: it is of another one. The state is used
+ * once. */
 EXPORT("web_kept") void *web_kept(unsigned size);
 void *web_kept(unsigned size)
 {
@@ -252,7 +254,7 @@ const char *web_why(void)
     return session.why;
 }
 
-/* Memory for a name that the script writes, of SCENE_WHY bytes. */
+/* Returns memory for a name that the script writes, of SCENE_WHY bytes. */
 EXPORT("web_name") char *web_name(void);
 char *web_name(void)
 {

@@ -1,4 +1,4 @@
-/* session.h - the viewer in a page: one scene, one picture, what the page has chosen. Its parts share this, since a
+/* session.h - the viewer in a page: one scene, one picture, the page's settings. Its parts share this state, since a
  * core (struct tia_core) has no context. */
 #ifndef TOOLS_WEB_SESSION_H
 #define TOOLS_WEB_SESSION_H
@@ -15,9 +15,9 @@ struct settings {
     uint16_t width, height;
     enum arithmetic arithmetic;
     enum view view;
-    bool rays;          /* those of the pixel under the pointer are shown */
+    bool rays;          /* show the rays of the pixel under the pointer */
     int32_t integrator; /* enum tia_integrator; -1: the scene's */
-    uint32_t samples;   /* a pixel; 0: the scene's */
+    uint32_t samples;   /* samples of a pixel; 0: the scene's */
 };
 
 struct session {
@@ -25,19 +25,19 @@ struct session {
     struct web_screen screen;
     struct scene_file file;
     bool loaded;
-    struct tia_scene scene, variant; /* as the settings want it; the viewer's copy */
+    struct tia_scene scene, variant; /* with the settings applied; the viewer's copy */
     struct lights lights;
-    struct tia_binding *bindings; /* the scene's, and one that a pointer puts a light by */
+    struct tia_binding *bindings; /* the scene's, and one by which the pointer sets a light */
     struct tia_viewer_state state;
     struct steer steer;
-    uint32_t spp; /* of an integrator with samples; 0: Whitted's, or not sample by sample */
+    uint32_t spp; /* samples of the integrator; 0: Whitted's, or not drawn sample by sample */
     bool polled;  /* an event was taken */
 
     /* The pixel under the pointer. */
     bool rays_due;
-    int32_t pointer_x, pointer_y; /* as in struct tia_event; negative: nowhere */
+    int32_t pointer_x, pointer_y; /* as in struct tia_event; negative: not on the picture */
 
-    struct web_frame frame; /* the last one */
+    struct web_frame frame; /* data of the last frame */
     void *memory, *kept;
     size_t memory_size;
     char why[SCENE_WHY];
@@ -45,7 +45,7 @@ struct session {
 
 extern struct session session;
 
-/* core.c: the core that the settings ask for, which takes down its view. */
+/* core.c: the core for the settings, which records its view. */
 struct seat {
     struct tia_view *view; /* NULL: none yet */
     const struct tia_core *base;
@@ -53,14 +53,14 @@ struct seat {
 extern struct seat seat;
 const struct tia_core *seat_core(void);
 
-/* difference.c: a core that shows where integers and doubles differ, and how many pixels of the picture do: by a level
- * of a channel, by more, because a ray took another path. What is drawn over few of them, so that they are seen. */
+/* difference.c: a core that shows and counts the pixels where integers and doubles differ: by a level of a channel, by
+ * more, because a ray took another path. A few of them are drawn larger, so that they are visible. */
 extern const struct tia_core difference_core;
 extern uint32_t difference_counts[3];
 void difference_spread(tia_rgb565 *pixels, unsigned width, unsigned height);
 
-/* samples.c: the picture of the seat's view, a sample of each pixel at a time. They are asked for while nothing else is
- * to be done; `reset` begins again. TIA_OK: there is more to do. */
+/* samples.c: the picture of the seat's view, a sample of each pixel at a time, drawn while idle; `reset` begins again.
+ * TIA_OK: there is more to do. */
 void samples_reset(void);
 bool samples_left(void);
 int samples_go_on(void);
@@ -69,16 +69,17 @@ int samples_go_on(void);
 extern const struct tia_control session_control;
 extern const struct tia_input session_input; /* the context is that of web_input */
 
-/* light.c: the light that keys move, or TIA_NO_LIGHT; where it is on the picture; moves it by a pointer, false: it
- * cannot be there. */
+/* light.c: returns the light that keys move, or TIA_NO_LIGHT. */
 uint32_t light_chosen(void);
+/* Stores the light and its position in the picture. */
 void light_tell(struct web_frame *frame);
+/* Moves the light by a pointer; false if that position is not valid. */
 bool light_drag(int32_t right, int32_t down);
 
 /* Shows the picture, with its checksum when it is complete. */
 void session_show(void);
 
-/* The camera that the picture is seen by. */
+/* Returns the camera of the picture. */
 const struct tia_camera *session_camera(void);
 
 #endif

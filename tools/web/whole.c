@@ -1,4 +1,4 @@
-/* whole.c - files as the page has them: common/scene/whole.h without a file system. */
+/* whole.c - common/scene/whole.h without a file system: files come from the page. */
 #include "common/scene/whole.h"
 
 #include <stdlib.h>

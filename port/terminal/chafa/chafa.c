@@ -30,7 +30,7 @@ static ChafaCanvas *canvas_for(enum pictures pictures, unsigned width, unsigned 
     return canvas;
 }
 
-/* The sequences of all terminals: what this one understands it said itself. */
+/* Prints with the sequences of all terminals: the support of this one is known from its answers. */
 static GString *print(ChafaCanvas *canvas)
 {
     ChafaTermInfo *info = chafa_term_info_new(), *all = chafa_term_db_get_fallback_info(chafa_term_db_get_default());
@@ -42,8 +42,8 @@ static GString *print(ChafaCanvas *canvas)
     return printed;
 }
 
-/* libchafa 1.12 does not shift the last bits of a part whose length is no multiple of three: all end with an opaque
- * 255, which is "8=" or "w==" then, and not "P=" or "D==". */
+/* Repairs base64: libchafa 1.12 does not shift the last bits of a part whose length is not a multiple of three: all end
+ * with an opaque 255, which is "8=" or "w==" then, and not "P=" or "D==". */
 static void mend_base64(char *text)
 {
     for (char *end = strchr(text, '='); end; end = strchr(end + 1, '=')) {

@@ -46,7 +46,7 @@ const char *pictures_need(int fd, enum pictures pictures, struct cell *cell)
         *cell = symbols_cell;
     if (pictures <= PICTURES_SYMBOLS)
         return NULL;
-    return cell_is_known(fd, cell) ? multiplexer_needs(fd, pictures) : "does not say how many pixels its window has";
+    return cell_is_known(fd, cell) ? multiplexer_needs(fd, pictures) : "does not report its size in pixels";
 }
 
 static unsigned whole_cells(unsigned count, unsigned cell, unsigned most)

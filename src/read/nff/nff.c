@@ -1,6 +1,6 @@
 /* nff.c - Eric Haines's Neutral File Format, version 3.1, of the Standard Procedural Databases.
  *
- * Haines's words in quotes, and what they mean to this reader:
+ * Haines's words in quotes, and this reader's interpretation:
  *
  *     v from at up angle      the angle is the whole field of view, "from the center of top pixel row to bottom
  *                             pixel row"; like other readers, takes it to the edges of the picture
@@ -88,7 +88,7 @@ static int read_b(struct nff *n)
     return tia_text_rgb(&n->text, &n->scene->background, false);
 }
 
-/* 1/sqrt(count) as Q2.30, to nearest: the square root of 2^62/count has one bit more than that. */
+/* Returns 1/sqrt(count) as Q2.30, to nearest: the square root of 2^62/count has one bit more than that. */
 static tia_q30 intensity(uint32_t count)
 {
     return (tia_q30)((tia_sqrt64((UINT64_C(1) << 62) / count) + 1) >> 1);
@@ -165,7 +165,7 @@ static int read_statement(struct nff *n, const struct tia_word *word)
             int status = statements[i].read(n);
             return status ? status : tia_text_end(&n->text);
         }
-    return tia_text_error(&n->text, word, "is no statement", "v, b, l, f, c, s, p, pp or a # comment");
+    return tia_text_error(&n->text, word, "is not a statement", "v, b, l, f, c, s, p, pp or a # comment");
 }
 
 static bool is_same(const char *a, const char *b)
@@ -175,7 +175,7 @@ static bool is_same(const char *a, const char *b)
     return *a == *b;
 }
 
-/* Whether the statement just read made the object with the fault. */
+/* True if the statement just read made the object with the fault. */
 static bool is_found(const struct nff *n)
 {
     const struct {
@@ -261,7 +261,7 @@ static void place(struct nff *n, struct tia_arena *arena)
     n->corners = tia_arena_take(arena, n->most_corners, sizeof *n->corners);
 }
 
-/* An error for the first missing line of the view. */
+/* Reports the first missing line of the view. */
 static int check_view(struct nff *n)
 {
     static const char *const names[] = {"v", "from", "at", "up", "angle"};
@@ -279,7 +279,7 @@ static int check_view(struct nff *n)
     return TIA_OK;
 }
 
-/* The last pass. */
+/* Runs the last pass. */
 static int fill(struct nff *n, struct tia_reader *reader, int bits)
 {
     struct tia_array *const arrays[] = {&n->materials, &n->lights,       &n->spheres,    &n->shapes,
@@ -323,7 +323,7 @@ int tia_read_nff(struct tia_reader *reader, struct tia_scene *scene, struct tia_
     return status;
 }
 
-/* The words of a fault: what the file calls its field ("": the whole line), and which word of the line it is. */
+/* The words for a fault: the file's name of its field ("": the whole line), and the index of the word in the line. */
 static const struct nff_field {
     const char *thing, *field, *name;
     unsigned word;

@@ -13,23 +13,23 @@ struct nff {
     struct tia_scene *scene;
     struct tia_lengths lengths;
     struct tia_array materials, lights, spheres, shapes, meshes, vertices, normals, faces, groups;
-    struct tia_array fine_spheres, fine_shapes; /* more digits of the spheres and shapes */
+    struct tia_array fine_spheres, fine_shapes; /* more digits of the spheres' and shapes' numbers */
     struct tia_fine fine;
-    struct tia_mesh mesh; /* of the present f; open as long as it has vertices */
+    struct tia_mesh mesh; /* the present f's mesh; open as long as it has vertices */
     bool transmits;       /* the present f: each of its polygons filters light by itself */
     uint32_t polygons;
     struct polygon_corner *corners;
     uint32_t most_corners;
     unsigned view, backgrounds;
 
-    const char *statement; /* the one that was read last */
-    struct tia_text rest;  /* what followed its first word */
+    const char *statement; /* the statement read last */
+    struct tia_text rest;  /* the rest of its line */
 
-    const struct tia_fault *fault; /* NULL, or only the place of the thing at fault is looked for */
-    const char *line;              /* NULL, or the fault is in the line of the view with that word */
+    const struct tia_fault *fault; /* NULL; else only the place of the object at fault is searched */
+    const char *line;              /* NULL; else the fault is in the line of the view that begins with this word */
 };
 
-/* The statements that make things. */
+/* The statements that make objects. */
 int tia_nff_s(struct nff *n);
 int tia_nff_c(struct nff *n);
 int tia_nff_p(struct nff *n);

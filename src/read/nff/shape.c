@@ -1,7 +1,7 @@
 /* shape.c - spheres, cylinders, cones and polygons of a .nff scene. */
 #include "nff.h"
 
-/* The index of the current material. */
+/* Returns the index of the current material. */
 static uint32_t material(struct nff *n)
 {
     static const struct tia_material white = {
@@ -66,7 +66,7 @@ void tia_nff_close_mesh(struct nff *n)
     n->mesh.vertex_count = 0;
 }
 
-/* The address of the array's next item. */
+/* Returns the address of the array's next item. */
 static const void *next_item(const struct tia_array *array)
 {
     return array->items ? array->items + array->count * array->item : NULL;

@@ -3,7 +3,7 @@
 
 enum part { PART_VERTEX, PART_UV, PART_NORMAL, PARTS };
 
-/* The index that begins at *p: a whole number below 2^32, perhaps negative; 0 is none. */
+/* Takes the index that begins at *p: a whole number below 2^32, perhaps negative; 0 is none. */
 static int64_t take_index(const char **p, const char *end)
 {
     int64_t index = 0;
@@ -14,8 +14,8 @@ static int64_t take_index(const char **p, const char *end)
     return negative ? -index : index;
 }
 
-/* V, V/VT, V//VN or V/VT/VN, of which VN may be empty (V//, V/VT/) as some programs write it; a missing part is 0.
- * False: none of these forms. */
+/* Splits V, V/VT, V//VN or V/VT/VN, of which VN may be empty (V//, V/VT/) as some programs write it; a missing part is
+ * 0. False: none of these forms. */
 static bool split(const struct tia_word *word, int64_t index[PARTS])
 {
     const char *p = word->at, *end = word->at + word->length;
@@ -37,9 +37,9 @@ static int unknown(struct obj *o, const struct tia_word *word, enum part part, u
 
     (void)tia_text_error_at(&o->text, word);
     tia_say_word(o->text.error, word);
-    tia_say(o->text.error, " asks for a ");
+    tia_say(o->text.error, " refers to a ");
     tia_say(o->text.error, names[part]);
-    tia_say(o->text.error, " that is not there, expected ");
+    tia_say(o->text.error, " that does not exist, expected ");
     if (count) {
         tia_say(o->text.error, "1 to ");
         tia_say_number(o->text.error, count);
@@ -48,17 +48,17 @@ static int unknown(struct obj *o, const struct tia_word *word, enum part part, u
         tia_say(o->text.error, "one before this line");
     }
     if (!o->vertices.count)
-        return TIA_ERR_RANGE; /* a face before any vertex: this is no model */
+        return TIA_ERR_RANGE; /* a face before any vertex: the file is not a model */
     return tia_obj_forgive(o, part == PART_VERTEX ? TIA_WARN_FACE : TIA_WARN_CORNER);
 }
 
-/* The state of the face whose corners are being read. */
+/* A face whose corners are being read. */
 struct obj_face {
     uint32_t count;
-    bool has[PARTS]; /* each corner so far; without PART_VERTEX it is left out */
+    bool has[PARTS]; /* parts that each corner so far has; without PART_VERTEX the face is skipped */
 };
 
-/* One corner, its indices from 0. */
+/* Reads one corner; its indices count from 0. */
 static int read_corner(struct obj *o, struct obj_face *face, struct tia_corner *corner, const struct tia_word *word)
 {
     const uint32_t counts[PARTS] = {o->vertices.count, o->uvs.count, o->normals.count};
@@ -67,7 +67,7 @@ static int read_corner(struct obj *o, struct obj_face *face, struct tia_corner *
 
     if (!split(word, index)) {
         face->has[PART_VERTEX] = false;
-        (void)tia_text_error(&o->text, word, "is no corner", "V, V/VT, V//VN or V/VT/VN");
+        (void)tia_text_error(&o->text, word, "is not a corner", "V, V/VT, V//VN or V/VT/VN");
         return tia_obj_forgive(o, TIA_WARN_FACE);
     }
     for (unsigned part = PART_VERTEX; part < PARTS; part++) {
@@ -134,7 +134,7 @@ static void add_faces(struct obj *o, uint32_t count)
     }
 }
 
-/* Whether the normals of a face say where it faces: see read_vn. */
+/* True if the normals of a face define its front: see read_vn. */
 static bool are_normals(const struct obj *o, uint32_t count)
 {
     const struct tia_dir3 *normals = (const struct tia_dir3 *)(void *)o->normals.items;
@@ -217,7 +217,7 @@ static const void *item(const struct tia_array *array, uint32_t index)
     return array->items + index * array->item;
 }
 
-/* The mesh of a group: its arrays are cut down to what lies between the first and the last element it uses. */
+/* Makes the mesh of a group: its arrays are cut down to the range from the first to the last element it uses. */
 static struct tia_mesh make_mesh(const struct obj *o, const struct obj_group *g)
 {
     uint32_t first = g->next_face - g->face_count;
@@ -244,11 +244,11 @@ static struct tia_mesh make_mesh(const struct obj *o, const struct obj_group *g)
     return mesh;
 }
 
-/* The most normals of all meshes together. When many materials are used all over the file, every mesh spans nearly
- * all of them, and a loop over all meshes takes time quadratic in the size of the file. */
+/* Limit of the sum of all meshes' normals. When many materials are used all over the file, every mesh spans nearly all
+ * of them, and a loop over all meshes takes time quadratic in the size of the file. */
 #define SEEN_MAX (UINT64_C(1) << 30)
 
-/* No face uses the normals without a direction any more, but a mesh may not have any: give them one. */
+/* Gives normals without a direction one: no face uses them any more, but a mesh may not have any. */
 static void fix_normals(struct obj *o)
 {
     struct tia_dir3 *normals = (struct tia_dir3 *)(void *)o->normals.items;
@@ -261,7 +261,7 @@ static void fix_normals(struct obj *o)
 int tia_obj_make_meshes(struct obj *o, struct tia_mesh *meshes, struct tia_shape *shapes)
 {
     uint32_t count = 0;
-    uint64_t seen = 0; /* normals */
+    uint64_t seen = 0; /* normals looked at */
 
     fix_normals(o);
     for (uint32_t i = 0; i < o->scene->material_count; i++) {

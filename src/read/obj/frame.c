@@ -1,11 +1,10 @@
-/* frame.c - how a model without unit, camera and light is seen.
+/* frame.c - a unit, a camera and lights for a model, which has none.
  *
- * A model's own coordinates are the scene's, as long as they are within 4096 and it is at least 1 long, high
- * or deep: then the camera below, at most 3.93 radii from any point, has all of it nearer than 32768, and a
- * coordinate's last bit is at most 2^-16 of it. Others are moved so that the middle of the model's
- * bounds is 0, and scaled by a power of two so that they reach 8 to 16 from there: nothing in an
- * .obj has a size but the model, and the picture is the same. Only models of less than 2^-15 are refused, for
- * then not even 28 bits behind the point say what they look like.
+ * A model's own coordinates are the scene's, as long as they are within 4096 and it is at least 1 long, high or deep:
+ * then the camera below, at most 3.93 radii from any point, has all of it nearer than 32768, and a coordinate's last
+ * bit is at most 2^-16 of it. Others are moved so that the middle of the model's bounds is 0, and scaled by a power of
+ * two so that they reach 8 to 16 from there: as nothing in an .obj but the model has a size, the picture is the same.
+ * Only models of less than 2^-15 are refused: 28 bits behind the point are not enough for their shape.
  */
 #include "math/integer.h"
 #include "obj.h"
@@ -16,7 +15,7 @@
 #define SMALL (INT64_C(1) << (COORDINATE_BITS - 1))
 #define TINY (INT64_C(1) << (COORDINATE_BITS - 16))
 
-/* The next number with 28 bits behind the point, rounded down. */
+/* Reads the next number with 28 bits behind the point, rounded down. */
 static int read_coordinate(struct tia_text *t, int64_t *out)
 {
     int64_t wide;
@@ -36,7 +35,7 @@ static void count_vertex(struct obj *o, const int64_t v[3])
     }
 }
 
-/* A vertex of a model that is moved: |v - origin| < 2^61, and after the shift below 2^21. */
+/* Moves a vertex of a model: |v - origin| < 2^61, and after the shift below 2^21. */
 static tia_q16 move(const struct obj *o, int64_t v, int axis)
 {
     int64_t from = v - o->origin[axis];
@@ -66,7 +65,7 @@ int tia_obj_v(struct obj *o)
     return status;
 }
 
-/* An error of the whole file, without a line. */
+/* Refuses the whole file, without a line. */
 static int refuse(struct obj *o, const char *why)
 {
     tia_say(&o->reader->error, why);
@@ -125,7 +124,7 @@ static struct tia_vec3 middle(const struct bounds *b)
                              (tia_q16)((b->min[2] + b->max[2]) >> 1)};
 }
 
-/* The square of the distance from c to the farthest vertex of a face. Coordinates are within 4096: the sum of
+/* Returns the square of the distance from c to the farthest vertex of a face. Coordinates are within 4096: the sum of
  * squares stays below 2^61. */
 static uint64_t farthest(const struct tia_scene *scene, struct tia_vec3 c)
 {
@@ -141,9 +140,9 @@ static uint64_t farthest(const struct tia_scene *scene, struct tia_vec3 c)
     return most;
 }
 
-/* From the right and from above: 35 degrees to the right of +z, 25 above the horizon. The sphere around the model
- * touches the edges of a field of 40 degrees, at the distance of 1/sin 20 radii. */
-#define TOWARDS_X INT32_C(558170729) /* 0.519837, all bits of which TIA_Q30 needs a double of 64 bits for */
+/* The direction to the camera, from the right and from above: 35 degrees to the right of +z, 25 above the horizon. The
+ * sphere around the model touches the edges of a field of 40 degrees, at the distance of 1/sin 20 radii. */
+#define TOWARDS_X INT32_C(558170729) /* 0.519837; TIA_Q30 would need a double of 64 bits for all its bits */
 #define TOWARDS_Y INT32_C(453782622) /* 0.422618 */
 #define TOWARDS_Z INT32_C(797149151) /* 0.742403 */
 #define DISTANCE TIA_Q16(2.9238044)
@@ -168,7 +167,7 @@ int tia_obj_frame(struct obj *o, struct tia_light *lights)
     for (uint32_t m = 0; m < scene->mesh_count; m++)
         for (uint32_t i = 0; i < 3 * scene->meshes[m].face_count; i++)
             extend(&b, &scene->meshes[m].vertices[scene->meshes[m].faces[i / 3].corner[i % 3].vertex]);
-    /* Without faces there is nothing to see, and any place will do. */
+    /* without faces no object is visible, and any position will do */
     struct tia_vec3 c = scene->mesh_count ? middle(&b) : (struct tia_vec3){0, 0, 0};
     uint64_t radius = scene->mesh_count ? tia_sqrt64(farthest(scene, c)) + UINT64_C(1) : TIA_Q16_ONE;
     if (radius < TIA_RADIUS_MIN)

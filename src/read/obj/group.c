@@ -2,7 +2,7 @@
  * only once. */
 #include "obj.h"
 
-/* The rest of the line, of any length, even empty. */
+/* Takes the rest of the line, of any length, even empty. */
 static void take_name(struct tia_text *t, struct tia_word *name)
 {
     struct tia_word word;

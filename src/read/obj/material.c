@@ -1,7 +1,7 @@
-/* material.c - usemtl and mtllib: which materials a model uses, and where they are. */
+/* material.c - usemtl and mtllib: the materials that a model uses, and their libraries. */
 #include "obj.h"
 
-/* The rest of the line as a name; it may be empty, since some programs leave out the name of a material. */
+/* Reads the rest of the line as a name; it may be empty, since some programs leave out the name of a material. */
 static int read_name(struct obj *o, struct tia_word *name)
 {
     if (!o->reader->strict && !tia_text_peek(&o->text, name))
@@ -25,7 +25,7 @@ int tia_obj_usemtl(struct obj *o)
     const struct tia_name *name =
         tia_names_find((struct tia_name *)(void *)o->names.items, o->names.capacity, OBJ_MATERIAL, &word);
     if (!name) {
-        (void)tia_text_error(&o->text, &word, "is no material", "one that a mtllib has");
+        (void)tia_text_error(&o->text, &word, "is not a material", "one that a mtllib has");
         return tia_obj_forgive(o, TIA_WARN_MATERIAL);
     }
     o->group = name->index;
@@ -59,7 +59,7 @@ static int fetch(struct obj *o, const struct tia_word *word, const char **why)
 
     *library = (struct obj_library){.name = *word};
     tia_word_copy(name, word);
-    *why = "there is nothing that could";
+    *why = "no files can be loaded here";
     int status = o->reader->library ? o->reader->library(o->reader->ctx, name, &library->text, &library->length, why)
                                     : TIA_ERR_ARGUMENT;
     if (status < 0)
@@ -71,7 +71,8 @@ static int fetch(struct obj *o, const struct tia_word *word, const char **why)
     return TIA_OK;
 }
 
-/* The rest of the line as one name with blanks, though not in quotes, if there is such a file. */
+/* Fetches the library named by the rest of the line, a name with blanks though not in quotes, if there is such a file.
+ */
 static bool fetch_line(struct obj *o, struct tia_text line)
 {
     struct tia_word name;
@@ -98,7 +99,7 @@ static int add_library(struct obj *o, const struct tia_word *word, const struct 
     return o->library_count > count ? tia_mtl_read(o, &o->libraries[count]) : TIA_OK;
 }
 
-/* Each library is fetched and counted where it is first named. */
+/* Fetches and counts libraries, each where it is first named. */
 int tia_obj_mtllib(struct obj *o)
 {
     struct tia_text line = o->text;

@@ -1,24 +1,24 @@
-/* mtl.c - Wavefront's material libraries, .mtl, and what their statements become:
+/* mtl.c - Wavefront's material libraries, .mtl, and the meaning of their statements:
  *
  *     Kd Ke           diffuse and emission; Ke above 1 is 1, which is as white. Kd is 0.8 by default
  *     Ks Ns           highlight and its exponent, with illum 2 and above; with illum 3 and above Ks is the mirror too
  *     d, Tr           opacity, or 1 - opacity; where both are there, d. Kd is multiplied by it; refraction and
  *                     the transmission of shadow rays are (1 - opacity) Tf
- *                     An opacity of 0 without an illum or Tf that shows anything is 1, and a warning: some programs
+ *                     An opacity of 0 counts as 1, with a warning, if illum and Tf leave nothing visible: some programs
  *                     write Tr 1 for opaque materials
  *     Tf              1 by default; with illum 4, 6, 7, 9 and neither d nor Tr the opacity is 0
  *     Ni              index of refraction with illum 4, 6, 7, 9; else light goes straight through
  *     illum           2 by default; 0 is 1; Fresnel's equations with 5 and 7
  *     map_Kd          an image, bilinear
- *     map_d           the material's opacity texture, see mtl_map.c. Where it is 0 nothing is there, not even a filter
- * of Tf: the format says of dissolving that it has no colour
+ *     map_d           the material's opacity texture, see mtl_map.c. Where it is 0 there is no surface, not even a
+ *                     filter of Tf: the format defines that dissolving has no colour
  *
- * Ka, the other maps and what newer programs add are skipped without a word. What is wrong is a warning, see obj.c.
+ * Ka, the other maps and newer programs' extensions are skipped silently. A mistake is a warning, see obj.c.
  */
 #include "mtl.h"
 #include "read/surface.h"
 
-/* ---- what a material becomes ---- */
+/* ---- completing a material ---- */
 
 static bool is_one_of(int64_t illum, unsigned set)
 {
@@ -29,7 +29,7 @@ static bool is_one_of(int64_t illum, unsigned set)
 #define BENDS (1u << 4 | 1u << 6 | 1u << 7 | 1u << 9)
 #define FRESNEL (1u << 5 | 1u << 7)
 
-/* Nothing is seen of a material without opacity whose light neither bends nor is filtered. */
+/* Makes a material opaque that would be invisible: without opacity, refraction or filter. */
 static int keep_visible(struct mtl *m)
 {
     const tia_q30 one = TIA_Q30_ONE;
@@ -81,12 +81,12 @@ void tia_mtl_add_default(struct obj *o)
     struct mtl m = {.obj = o};
 
     open_material(&m);
-    (void)close_material(&m); /* it is opaque */
+    (void)close_material(&m); /* the material is opaque */
 }
 
 /* ---- statements ---- */
 
-/* The name may be missing: some programs write such materials, and use them. */
+/* Begins a material. Its name may be missing: some programs write such materials, and use them. */
 static int read_newmtl(struct mtl *m)
 {
     struct tia_name name = {.kind = OBJ_MATERIAL, .index = m->obj->materials.count};
@@ -109,7 +109,7 @@ static int read_newmtl(struct mtl *m)
     return TIA_OK;
 }
 
-/* A number in 0..1; if it may be more, larger ones count as 1. */
+/* Reads a number in 0..1; if `may_be_more`, larger ones count as 1. */
 static int read_unit(struct mtl *m, tia_q30 *out, bool may_be_more)
 {
     struct tia_text before = m->text;
@@ -131,7 +131,7 @@ static int read_unit(struct mtl *m, tia_q30 *out, bool may_be_more)
     return tia_text_q30(&m->text, out);
 }
 
-/* A single number is a grey. After a mistake the colour stays as it was. */
+/* Reads a colour; a single number is a grey. After a mistake the colour stays as it was. */
 static int read_colour(struct mtl *m, struct tia_rgb *out, bool may_be_more)
 {
     struct tia_rgb colour;
@@ -188,7 +188,7 @@ static int read_ns(struct mtl *m)
     return tia_obj_forgive(m->obj, TIA_WARN_RANGE);
 }
 
-/* A number from 0 to 1, from which the opacity follows; d stays where Tr comes later. */
+/* Reads a number from 0 to 1, and sets the opacity; d takes precedence over a later Tr. */
 static int read_opacity(struct mtl *m, bool is_transparency)
 {
     struct tia_text line = m->text;
@@ -251,7 +251,7 @@ static int read_illum(struct mtl *m)
     return status;
 }
 
-/* ---- all of it ---- */
+/* ---- the whole library ---- */
 
 static const struct {
     const char *name;
@@ -297,7 +297,7 @@ static int read_statement(struct mtl *m, const struct tia_word *word)
             tia_obj_skip(&m->text);
             return TIA_OK;
         }
-    (void)tia_text_error(&m->text, word, "is no statement of a material", "newmtl, Kd, Ks, Ns, d or the like");
+    (void)tia_text_error(&m->text, word, "is not a statement of a material", "newmtl, Kd, Ks, Ns, d or the like");
     return skip_mistake(m);
 }
 

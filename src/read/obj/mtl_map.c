@@ -5,7 +5,7 @@
  *     -imfchan r|g|b|m|l  of map_d: the channel that is the opacity, m being alpha. By default, which the format leaves
  *                         open, alpha or, where there is none, luminance
  *
- * Other options are a warning if they would change something: images repeat, and their values are as they are. */
+ * Other options are a warning if they would change the picture: images repeat, and their values are not modified. */
 #include "mtl.h"
 
 struct map {
@@ -20,7 +20,7 @@ static int not_supported(struct mtl *m, const struct tia_word *option)
     return tia_obj_forgive(m->obj, TIA_WARN_OPTION);
 }
 
-/* Up to three numbers; the others stay. */
+/* Reads up to three numbers; the others stay. */
 static int read_numbers(struct mtl *m, tia_q16 numbers[3], bool scales)
 {
     for (int i = 0; i < 3 && tia_text_has_number(&m->text); i++) {
@@ -35,7 +35,7 @@ static int read_numbers(struct mtl *m, tia_q16 numbers[3], bool scales)
     return TIA_OK;
 }
 
-/* Options of numbers; false in *found: it is another one. */
+/* Reads an option with numbers; *found is false for another option. */
 static int read_numeric(struct mtl *m, const struct tia_word *option, struct map *map, bool *found)
 {
     static const struct {
@@ -75,7 +75,7 @@ static int read_channel(struct mtl *m, const struct tia_word *option, const stru
     return not_supported(m, option);
 }
 
-/* The options that take one word, or that nobody knows. */
+/* Reads an option that takes one word, or an unknown one. */
 static int read_option(struct mtl *m, const struct tia_word *option, struct map *map)
 {
     static const char *const standard[][2] = {{"-clamp", "off"}, {"-cc", "off"}, {"-blendu", "on"}, {"-blendv", "on"}};
@@ -93,7 +93,7 @@ static int read_option(struct mtl *m, const struct tia_word *option, struct map 
     return TIA_OK;
 }
 
-/* The options, and then the file's name. */
+/* Reads the options, and then the file's name. */
 static int read_map(struct mtl *m, struct map *map)
 {
     struct tia_word word;
@@ -107,7 +107,7 @@ static int read_map(struct mtl *m, struct map *map)
     return status ? status : tia_obj_name(&m->text, &map->name, "an image's file name");
 }
 
-/* The image, fetched once however often it is named. */
+/* Fetches the image, once however often it is named. */
 static int fetch_image(struct obj *o, const struct tia_name *name, struct tia_texture *texture, const char **why)
 {
     struct tia_reader *reader = o->reader;
@@ -131,8 +131,8 @@ static int fetch_image(struct obj *o, const struct tia_name *name, struct tia_te
     return status;
 }
 
-/* The offset added to coordinates after the scale, as a place on the surface. Images repeat: only its fraction
- * counts. */
+/* Returns the offset added to coordinates after the scale, as a position on the surface. Images repeat: only its
+ * fraction counts. */
 static tia_q16 offset_of(tia_q16 added, tia_q16 scale)
 {
     int64_t fraction = (int64_t)(added & (TIA_Q16_ONE - 1)) * TIA_Q16_ONE;
@@ -140,14 +140,14 @@ static tia_q16 offset_of(tia_q16 added, tia_q16 scale)
     return (tia_q16) - ((fraction + scale / 2) / scale);
 }
 
-/* A texture is counted before it is known whether its image can be read: one that cannot stays unused, and *number as
- * it is. */
+/* Adds a texture. It is counted before its image is read: if that fails, it stays unused, and *number does not change.
+ */
 static int add_texture(struct mtl *m, const struct map *map, unsigned kind, uint32_t *number)
 {
     static const struct tia_texture unused = {.kind = TIA_CHECKER, .repeat = {TIA_Q16_ONE, TIA_Q16_ONE}};
     struct tia_texture texture = unused;
     struct tia_name name = {.word = map->name, .kind = kind, .index = UINT32_MAX};
-    const char *why = "there is nothing that could";
+    const char *why = "no files can be loaded here";
     int fetched = TIA_OK;
 
     if (m->obj->pass == OBJ_FILL)
@@ -176,7 +176,8 @@ int tia_mtl_map_kd(struct mtl *m)
     return status ? status : add_texture(m, &map, OBJ_IMAGE, &m->texture);
 }
 
-/* An opacity that is 1 everywhere is none: such an image is often named for its colours' sake, and costs time. */
+/* True if the opacity is 1 everywhere, and so needs no texture: such an image is often named only for its colours, and
+ * costs time. */
 static bool is_opaque(const struct tia_texture *t)
 {
     size_t count = (size_t)t->width * t->height, i = 0;

@@ -11,15 +11,15 @@
  * The faces of one material, wherever they are, make one mesh. Smoothing groups, points and lines are skipped.
  * The format has no camera, light or unit: see frame.c.
  *
- * The files that programs write are full of small mistakes, and other programs draw them all the same. So most
- * mistakes are warnings, one for each kind; with reader->strict they are errors. Vertices must be right:
- * without them there is no telling what the model looks like.
+ * Many programs write files full of small mistakes, and other programs draw them all the same. So most mistakes are
+ * warnings, one for each kind; with reader->strict they are errors. Mistakes in vertices are always errors: without
+ * them the model's shape is unknown.
  */
 #include "obj.h"
 
 /* ---- texture coordinates and normals ---- */
 
-/* Out of range is far beyond any useful texture coordinate: such a one is clamped. */
+/* Reads a texture coordinate. One out of range, which is far beyond any use, is clamped. */
 static int read_texture_coordinate(struct obj *o, tia_q16 *out)
 {
     struct tia_word word;
@@ -50,7 +50,7 @@ static int read_uv(struct obj *o)
     return status;
 }
 
-/* One without a direction is (0, 0, 0) until the faces that use it are known. */
+/* Reads a normal. One without a direction is (0, 0, 0) until the faces that use it are known. */
 static int read_vn(struct obj *o)
 {
     struct tia_dir3 normal = {0, 0, 0};
@@ -65,7 +65,7 @@ static int read_vn(struct obj *o)
     return status;
 }
 
-/* ---- all of it ---- */
+/* ---- the whole file ---- */
 
 static const struct {
     const char *name;
@@ -97,7 +97,7 @@ static int read_statement(struct obj *o, const struct tia_word *word)
             tia_obj_skip(&o->text);
             return TIA_OK;
         }
-    (void)tia_text_error(&o->text, word, "is no statement", "v, vt, vn, f, g, o, s, usemtl or mtllib");
+    (void)tia_text_error(&o->text, word, "is not a statement", "v, vt, vn, f, g, o, s, usemtl or mtllib");
     return skip_mistake(o);
 }
 
@@ -139,7 +139,7 @@ static uint32_t least(uint32_t a, uint32_t b)
     return a < b ? a : b;
 }
 
-/* What is allocated besides the arrays. */
+/* Memory that is allocated besides the arrays. */
 struct places {
     struct tia_mesh *meshes;
     struct tia_shape *shapes;
@@ -171,7 +171,7 @@ static struct places place(struct obj *o, struct tia_arena *arena)
     return p;
 }
 
-/* Sorts what a pass without errors has filled. */
+/* Sorts the names that a pass without errors has collected. */
 static void sort(struct tia_array *names)
 {
     if (names->capacity)

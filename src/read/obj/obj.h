@@ -6,12 +6,12 @@
 #include "read/readers.h"
 #include "read/text/names.h"
 
-#define OBJ_LIBRARIES 16 /* of materials, in one scene */
+#define OBJ_LIBRARIES 16 /* material libraries in one scene */
 
 /* The text is read three times, and the libraries with it. The first pass stores nothing. */
 enum obj_pass {
     OBJ_COUNT,
-    OBJ_MEASURE, /* libraries: names; the text: how many faces each material has */
+    OBJ_MEASURE, /* libraries: names; the text: number of faces of each material */
     OBJ_FILL
 };
 
@@ -19,12 +19,12 @@ enum obj_pass {
 enum obj_name { OBJ_MATERIAL, OBJ_IMAGE, OBJ_OBJECT, OBJ_GROUP, OBJ_OPACITY };
 
 struct obj_library {
-    struct tia_word name; /* in the text */
+    struct tia_word name; /* its place in the text */
     const char *text;
     size_t length;
 };
 
-/* The faces of one material, and which of the text's vertices, normals and uvs they use. */
+/* The faces of one material, and the range of the text's vertices, normals and uvs that they use. */
 struct obj_group {
     uint32_t face_count, next_face;
     uint32_t low[3], high[3]; /* low > high: none */
@@ -41,26 +41,26 @@ struct obj {
     struct tia_array materials, textures, names, vertices, normals, uvs;
     struct tia_face *faces;
     uint32_t face_count, material_uses, most_corners;
-    struct polygon_corner *polygon; /* room for the largest */
+    struct polygon_corner *polygon; /* room for the largest polygon */
     struct tia_corner *corners;
 
-    struct tia_array group_lines; /* o and g: names */
-    uint32_t *face_groups;        /* of each face, where there are such lines */
-    uint32_t face_group;          /* of the next face */
+    struct tia_array group_lines; /* names of o and g lines */
+    uint32_t *face_groups;        /* group of each face, if there are such lines */
+    uint32_t face_group;          /* group of the next face */
 
     struct obj_group *groups; /* one for each material */
-    uint32_t group;           /* of the next face */
+    uint32_t group;           /* material of the next face */
 
-    /* Of all vertices, Q.28, while they are counted; then how these coordinates become the scene's. */
+    /* Bounds of all vertices, Q.28, while they are counted; then their conversion to the scene's coordinates. */
     int64_t min[3], max[3], origin[3];
     int shift;
     bool moved;
 };
 
-/* The rest of the line as a name, with its blanks: many programs write such names. */
+/* Reads the rest of the line as a name, with its blanks: many programs write such names. */
 int tia_obj_name(struct tia_text *t, struct tia_word *name, const char *expected);
 
-/* warn.c */
+/* ---- warn.c ---- */
 /* Turns the error just found into a warning of that kind and returns TIA_OK; with reader->strict it stays an error. */
 int tia_obj_forgive(struct obj *o, enum tia_read_warning_kind kind);
 
@@ -68,29 +68,30 @@ int tia_obj_forgive(struct obj *o, enum tia_read_warning_kind kind);
 int tia_obj_unreadable(struct obj *o, struct tia_text *t, const struct tia_word *word, int status, const char *why,
                        enum tia_read_warning_kind kind);
 
-/* Skips the rest of the line, and what a backslash joins to it. */
+/* Skips the rest of the line, and the lines joined to it by backslashes. */
 void tia_obj_skip(struct tia_text *t);
 
-/* material.c */
+/* ---- material.c ---- */
 int tia_obj_usemtl(struct obj *o);
 int tia_obj_mtllib(struct obj *o);
 
-/* face.c */
+/* ---- face.c ---- */
 int tia_obj_f(struct obj *o);
 void tia_obj_place_groups(struct obj *o);
 int tia_obj_make_meshes(struct obj *o, struct tia_mesh *meshes, struct tia_shape *shapes);
 
-/* group.c */
+/* ---- group.c ---- */
 int tia_obj_o(struct obj *o);
 int tia_obj_g(struct obj *o);
 
-/* frame.c */
+/* ---- frame.c ---- */
 int tia_obj_v(struct obj *o);
 int tia_obj_fit(struct obj *o);
 int tia_obj_frame(struct obj *o, struct tia_light *lights);
 #define OBJ_LIGHTS 2
 
-/* mtl.c: the first material is that of faces without one. */
+/* ---- mtl.c ---- */
+/* Adds the first material, that of faces without one. */
 void tia_mtl_add_default(struct obj *o);
 int tia_mtl_read(struct obj *o, const struct obj_library *library);
 

@@ -1,4 +1,4 @@
-/* warn.c - mistakes that are tolerated. */
+/* warn.c - tolerated mistakes. */
 #include "obj.h"
 
 /* The remedy for each kind of mistake, and the pass that reports it: each is counted once. */

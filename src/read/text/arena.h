@@ -1,4 +1,4 @@
-/* arena.h - how a reader puts its arrays into the caller's memory, without heap.
+/* arena.h - a reader's arrays in the caller's memory, without heap.
  *
  * A reader runs the same code over the text several times. In the first passes arrays have no memory, and adding
  * an item only counts it. Then they are placed in the arena, one after the other, and a last pass fills them:
@@ -29,10 +29,10 @@ void *tia_arena_take(struct tia_arena *arena, uint32_t count, size_t item);
 bool tia_arena_fits(const struct tia_arena *arena);
 
 struct tia_array {
-    size_t item;    /* bytes of one; initialise the array with {sizeof(struct thing)} */
+    size_t item;    /* bytes of one item; initialise the array with {sizeof(struct thing)} */
     uint32_t count; /* also the index of the next item */
     uint32_t capacity;
-    unsigned char *items; /* NULL while only counting */
+    unsigned char *items; /* NULL in passes that only count */
 };
 
 /* Appends a copy of *item if the array has memory and space left; counts it in any case. */

@@ -1,7 +1,7 @@
 /* constants.h - names for numbers:  define RADIUS 2.5
  *
- * The table is on the reader's stack, since a first pass that stores nothing in the arena needs it too: so it is small.
- * A name begins with a capital letter, which no field does, so that a field after an optional number is no name. It
+ * The table is on the reader's stack, so it is small: the first pass needs it too, and stores nothing in the arena. A
+ * name begins with a capital letter, which no field does, so that a field after an optional number is not a name. It
  * stands for numbers only, never for other names, so that expansion cannot grow exponentially.
  */
 #ifndef TIA_READ_TEXT_CONSTANTS_H
@@ -12,8 +12,8 @@
 #define TIA_CONSTANTS_MAX 128
 
 struct tia_constant {
-    const char *name, *end; /* the numbers follow the name, up to the end of its line; `end` is the text's */
-    uint32_t length;        /* of the name */
+    const char *name, *end; /* the numbers follow the name, up to the end of its line; `end` is the text's end */
+    uint32_t length;        /* length of the name */
 };
 
 struct tia_constants {
@@ -21,8 +21,9 @@ struct tia_constants {
     struct tia_constant at[TIA_CONSTANTS_MAX];
 };
 
-/* Whether a name, not empty, can be a constant's: it begins with a capital letter. The constant; NULL: none. */
+/* True if a name, not empty, can be a constant's: it begins with a capital letter. */
 bool tia_constant_named(const char *name);
+/* Finds a constant; NULL: none. */
 const struct tia_constant *tia_constant_find(const struct tia_constants *constants, const char *name, uint32_t length);
 
 /* If `word` is a constant, perhaps with a minus before it, its numbers become the next words of the text. */

@@ -38,11 +38,11 @@ int tia_emission(struct tia_text *t, struct tia_emission *out, int64_t most)
     return TIA_OK;
 }
 
-#define FADING_MORE 5                                   /* bits to see by whether Q16.16 has a number */
+#define FADING_MORE 5                                   /* extra bits, to find out if Q16.16 has a number exactly */
 #define FADING_LEAST (INT64_C(1) << (10 + FADING_MORE)) /* 2^-6: within 2^-11 of itself */
 #define FADING_MOST (INT64_C(32767) << (16 + FADING_MORE))
 
-/* The linear and the quadratic number in a unit of 2^unit times the file's, with FADING_MORE bits more. */
+/* Reads the linear and the quadratic number in a unit of 2^unit times the file's, with FADING_MORE bits more. */
 static int read_fading(struct tia_text *t, int unit, int64_t out[2])
 {
     int status = tia_text_long(t, &out[0], (unsigned)(16 + FADING_MORE + unit));
@@ -50,7 +50,7 @@ static int read_fading(struct tia_text *t, int unit, int64_t out[2])
     return status ? status : tia_text_long(t, &out[1], (unsigned)(16 + FADING_MORE + 2 * unit));
 }
 
-/* Whether Q16.16 has the numbers, exactly or with digits enough. */
+/* True if Q16.16 has the numbers exactly or with enough digits. */
 static bool keeps_digits(const int64_t numbers[2])
 {
     bool keeps = true;
@@ -179,9 +179,9 @@ static int refuse(struct tia_text *t, const struct tia_word *word, const char *w
 {
     (void)tia_text_error_at(t, word);
     tia_say_word(t->error, word);
-    tia_say(t->error, " is nothing that ");
+    tia_say(t->error, " is not a field of ");
     tia_say(t->error, what);
-    tia_say(t->error, " has, expected ");
+    tia_say(t->error, ", expected ");
     for (unsigned i = 0; i < count; i++) {
         tia_say(t->error, i == 0 ? "" : i + 1 < count ? ", " : " or ");
         tia_say(t->error, fields[i].word);
@@ -189,7 +189,7 @@ static int refuse(struct tia_text *t, const struct tia_word *word, const char *w
     return TIA_ERR_RANGE;
 }
 
-/* The index of the field called `word`; `count` if there is none. */
+/* Returns the index of the field called `word`; `count` if there is none. */
 static unsigned find(const struct tia_word *word, const struct tia_field *fields, unsigned count)
 {
     unsigned i = 0;
@@ -210,7 +210,7 @@ int tia_fields(struct tia_text *t, const char *what, const struct tia_field *fie
         if (i == count)
             return refuse(t, &word, what, fields, count);
         if (seen >> i & 1)
-            return tia_text_error(t, &word, "is here for a second time", "it once");
+            return tia_text_error(t, &word, "is given twice", "once");
         seen |= UINT32_C(1) << i;
         int status = read_values(t, &fields[i], (unsigned char *)out + fields[i].offset);
         if (status)

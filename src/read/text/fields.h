@@ -26,23 +26,24 @@ enum tia_field_kind {
 struct tia_field {
     const char *word;
     uint8_t kind, count;
-    uint16_t max;    /* of TIA_WHOLE; of TIA_EMISSION 1: at most 1 before the bits */
-    uint16_t offset; /* in the struct that the fields fill */
+    uint16_t max;    /* TIA_WHOLE: largest value; TIA_EMISSION: 1 if `rgb` must be at most 1 */
+    uint16_t offset; /* offset in the struct that the fields fill */
     bool needed;     /* a line without it is an error */
 };
 
-/* Fills `out` from the rest of the line. Sets bit n of *given (which may be NULL) if fields[n] was there.
- * `what` is for errors: "a sphere". */
+/* Fills `out` from the rest of the line. Sets bit n of *given (which may be NULL) if fields[n] was there. `what` names
+ * the statement in errors: "a sphere". */
 int tia_fields(struct tia_text *t, const char *what, const struct tia_field *fields, unsigned count, void *out,
                uint32_t *given);
 
-/* rgb 2^bits, the bits so few that each channel is below 2, or with TIA_EMISSION's `max` at most 1. */
+/* A colour rgb 2^bits, the bits as few as possible for each channel to be below 2, or with TIA_EMISSION's `max` at most
+ * 1. */
 struct tia_emission {
     struct tia_rgb rgb;
     uint8_t bits;
 };
 
-/* A light's attenuation, see there: in a unit of length in which the numbers keep their digits. */
+/* A light's attenuation, as in struct tia_light: in a unit of length in which the numbers keep their digits. */
 struct tia_fading {
     tia_q16 constant, linear, quadratic;
     int8_t unit_bits;
@@ -50,13 +51,13 @@ struct tia_fading {
 
 /* A statement that has several forms, named by the word after it: "camera frustum ...". */
 struct tia_form {
-    const char *word, *what; /* of errors, as above */
-    unsigned kind;           /* what the form stands for */
+    const char *word, *what; /* `what`: for errors, as above */
+    unsigned kind;           /* value for the caller */
     const struct tia_field *fields;
     unsigned count;
 };
 
-/* The form that the next word names; the first one, and the word stays unread, when it names none. */
+/* Returns the form that the next word names; if it names none, the first one, and the word stays unread. */
 const struct tia_form *tia_form(struct tia_text *t, const struct tia_form *forms, unsigned count);
 
 /* Read the values of one field or keyframe. */

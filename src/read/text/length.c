@@ -62,7 +62,7 @@ void tia_lengths_cover_eye(struct tia_lengths *l, struct tia_vec3 eye)
     tia_span_cover(&l->eyes, eye, 0);
 }
 
-/* The distance from an eye, or in the finest unit from any point, to the farthest corner, rounded up. */
+/* Returns the distance from an eye, or in the finest unit from any point, to the farthest corner, rounded up. */
 static int64_t farthest(const struct tia_lengths *l)
 {
     uint64_t far[3], most = 0, square = 0;
@@ -83,7 +83,7 @@ static int64_t farthest(const struct tia_lengths *l)
     return (int64_t)(tia_sqrt64(square) + 1) << coarse;
 }
 
-/* What rounding to Q16.16 may take from the distance: half a unit from each number, once in the unit of the first pass
+/* Bound on the distance's rounding error by Q16.16: half a unit from each number, once in the unit of the first pass
  * and once in the scene's. */
 #define ROUNDED 5
 
@@ -98,7 +98,8 @@ int tia_lengths_room(const struct tia_lengths *l)
     return bits;
 }
 
-/* In the first passes what does not fit is clamped: a later pass reads it in a larger unit. */
+/* Reads and measures a length. In the first passes a number that does not fit is clamped: a later pass reads it in a
+ * larger unit. */
 static int measure(struct tia_text *t, tia_q16 *out)
 {
     struct tia_lengths *l = t->lengths;
@@ -141,7 +142,7 @@ int tia_text_vector(struct tia_text *t, struct tia_vec3 *out)
     }
     if (status || !((v[0] | v[1] | v[2]) & 0xffff))
         return status;
-    /* The size has 64 - clz bits, of which 30 are kept: then rounding up does not overflow. */
+    /* the size has 64 - clz bits, of which 30 are kept: then rounding up does not overflow */
     int shift = 34 - (int)tia_clz64(all);
     for (int i = 0; i < 3; i++)
         *to[i] = (tia_q16)(shift > 0 ? tia_round_shift(v[i], (unsigned)shift) : v[i] * (INT64_C(1) << -shift));

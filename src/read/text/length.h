@@ -1,9 +1,9 @@
-/* length.h - lengths and places in a unit of their own, so that a scene of small numbers uses the range of Q16.16, and
- * one of large numbers fits.
+/* length.h - lengths and positions in a unit of their own, so that a scene of small numbers uses the range of Q16.16,
+ * and one of large numbers fits.
  *
- * A reader's first pass reads them in the file's unit, covers all that the scene is made of, and asks for scale_bits;
- * the last pass reads them again with scale_bits set. No number is rounded more than once. Where the file's unit is too
- * small for Q16.16, the first pass is repeated in a larger one.
+ * A reader's first pass reads them in the file's unit, covers all parts of the scene, and computes scale_bits; the last
+ * pass reads them again with scale_bits set. No number is rounded more than once. Where the file's unit is too small
+ * for Q16.16, the first pass is repeated in a larger one.
  */
 #ifndef TIA_READ_TEXT_LENGTH_H
 #define TIA_READ_TEXT_LENGTH_H
@@ -16,46 +16,50 @@ struct tia_span {
 
 struct tia_lengths {
     int scale_bits;       /* lengths are read times 2^scale_bits */
-    bool filling;         /* the last pass: nothing is measured any more */
-    bool rounded;         /* some length was none of Q16.16 */
-    bool finest;          /* all of the range is to be used, also if no length is rounded */
-    int64_t longest;      /* of those read, in size, though what was read is clamped to Q16.16 */
+    bool filling;         /* the last pass: lengths are not measured any more */
+    bool rounded;         /* a length was not exact in Q16.16 */
+    bool finest;          /* use the whole range, even if no length is rounded */
+    int64_t longest;      /* largest absolute length read; values read are clamped to Q16.16 */
     struct tia_span all;  /* around the scene, lights and eyes too */
-    struct tia_span eyes; /* around the places that the eye may take */
+    struct tia_span eyes; /* around the positions that the eye may take */
 };
 
-/* An empty span; adds a ball to one, or another span. */
+/* Makes an empty span. */
 void tia_span_begin(struct tia_span *span);
+/* Adds a ball to a span. */
 void tia_span_cover(struct tia_span *span, struct tia_vec3 centre, int64_t radius);
+/* Adds another span. */
 void tia_span_join(struct tia_span *span, const struct tia_span *more);
 
-/* Nothing measured yet; read times 2^scale_bits. Places as far as `reach` from 0, Q16.16 of the file's unit, must fit
- * as well, unless that is 0, and the finest unit is wanted. */
+/* Begins a pass: nothing measured yet, and lengths are read times 2^scale_bits. If `reach` is not 0, positions as far
+ * as `reach` from 0, Q16.16 of the file's unit, must fit as well, and the finest unit is wanted. */
 void tia_lengths_begin(struct tia_lengths *lengths, int scale_bits, tia_q16 reach);
 
-/* After a first pass: whether some length did not fit. Then it is to be repeated with the scale_bits that this sets. */
+/* Called after a first pass: true if a length did not fit. Then the pass is to be repeated with the scale_bits that
+ * this sets. */
 bool tia_lengths_widen(const struct tia_lengths *lengths, int *scale_bits);
 
-/* x times 2^bits, bits at most 16, saturated; rounded up. */
+/* Returns x times 2^bits, bits at most 16, saturated; rounded up. */
 int64_t tia_length_times(int64_t x, int bits);
 
-/* Adds a ball to the scene; a place of the eye. */
+/* Adds a ball to the scene. */
 void tia_lengths_cover(struct tia_lengths *lengths, struct tia_vec3 centre, int64_t radius);
+/* Adds a position of the eye. */
 void tia_lengths_cover_eye(struct tia_lengths *lengths, struct tia_vec3 eye);
 
-/* The most scale_bits, up to TIA_SCALE_BITS_MAX in size, with which all lengths fit, and nothing is farther from the
- * eye than tia_scene_check allows. */
+/* Returns the largest scale_bits, up to TIA_SCALE_BITS_MAX in size, with which all lengths fit, and nothing is farther
+ * from the eye than tia_scene_check allows. */
 int tia_lengths_room(const struct tia_lengths *lengths);
 
-/* Read with t->lengths. */
+/* Read a length or a position with t->lengths. */
 int tia_text_length(struct tia_text *t, tia_q16 *out);
 int tia_text_place(struct tia_text *t, struct tia_vec3 *out);
 
-/* The same with more digits, see struct tia_fine, in the last pass; 0 before it. */
+/* Read the same with more digits, see struct tia_fine, in the last pass; 0 before it. */
 int tia_text_fine_length(struct tia_text *t, tia_q16 *out, int16_t *digits);
 int tia_text_fine_place(struct tia_text *t, struct tia_vec3 *out, struct tia_fine_place *digits);
 
-/* Reads a vector whose length does not matter: as it is if Q16.16 has it exactly, else as long as fits. */
+/* Reads a vector whose length does not matter: unchanged if Q16.16 has it exactly, else as long as fits. */
 int tia_text_vector(struct tia_text *t, struct tia_vec3 *out);
 
 #endif

@@ -18,7 +18,7 @@ static int compare(const struct tia_name *a, const struct tia_name *b)
     return compare_words(&a->word, &b->word);
 }
 
-/* By name; equal names by their place in the text. */
+/* True if a comes first, by name; equal names by their place in the text. */
 static bool is_before(const struct tia_name *a, const struct tia_name *b)
 {
     int order = compare(a, b);
@@ -35,7 +35,7 @@ static void sink(struct tia_name *names, uint32_t i, uint32_t count)
 {
     struct tia_name name = names[i];
 
-    while (i < count / 2) { /* it has at least one child */
+    while (i < count / 2) { /* while it has at least one child */
         uint32_t child = 2 * i + 1;
         child += child + 1 < count && is_before(&names[child], &names[child + 1]);
         if (!is_before(&name, &names[child]))

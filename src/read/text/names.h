@@ -1,4 +1,4 @@
-/* names.h - looks up names in logarithmic time, also for hostile texts: no hash, so no collisions to provoke.
+/* names.h - lookup of names in logarithmic time, even in hostile texts: no hash, so no collisions to provoke.
  *
  * One pass collects the names in a tia_array of struct tia_name. They are then sorted, so that later passes can
  * find them; a definition sets the index of its name.
@@ -11,9 +11,9 @@
 
 struct tia_name {
     struct tia_word word;
-    uint32_t kind;  /* material, light, ...: each kind has a name space of its own */
+    uint32_t kind;  /* material, light, ...: each kind has its own name space */
     uint32_t index; /* for the reader's use */
-    uint32_t order; /* how many names came before it, where they come from several files; else 0 */
+    uint32_t order; /* number of earlier names, where they come from several files; else 0 */
 };
 
 /* Sorts names[0] .. names[count - 1]. */

@@ -8,8 +8,8 @@
 #include "constants.h"
 
 #define LIMB UINT64_C(1000000000)
-#define LIMBS 6 /* 54 digits; 53 bits and the rounding bit need 54 */
-#define STEP 32 /* bits at a time */
+#define LIMBS 6 /* groups of nine digits: 53 bits and the rounding bit need 54 digits */
+#define STEP 32 /* bits of a multiplication */
 #define WHOLE_MAX (UINT64_C(1) << 32)
 
 /* A number's digits: "12.5e3" has the digits 125, and its point after 2 + 3 digits. */
@@ -70,7 +70,7 @@ static bool parse_digits(struct digits *d, const struct tia_word *word)
     return true;
 }
 
-/* The next digit; 0 after the last one. */
+/* Returns the next digit; 0 after the last one. */
 static uint32_t next_digit(const char **p, const char *end)
 {
     if (*p < end && **p == '.')
@@ -78,7 +78,7 @@ static uint32_t next_digit(const char **p, const char *end)
     return *p < end ? (uint32_t)(*(*p)++ - '0') : 0;
 }
 
-/* The integer part, at most WHOLE_MAX. */
+/* Parses the integer part, at most WHOLE_MAX. */
 static uint64_t parse_whole(const char **p, const struct digits *d)
 {
     uint64_t whole = 0;
@@ -89,8 +89,8 @@ static uint64_t parse_whole(const char **p, const struct digits *d)
 }
 
 /* The fraction times 2^bits, rounded down; bits in 1..54. Multiplies limbs of nine digits from the last to the first,
- * by at most 2^32: a product plus the carry is below LIMB 2^32 < 2^62; carries are below 2^32. What is left in the
- * limbs is the fraction of the product. */
+ * by at most 2^32: a product plus the carry is below LIMB 2^32 < 2^62; carries are below 2^32. The limbs then hold the
+ * fraction of the product. */
 static uint64_t parse_fraction(const char *p, const struct digits *d, unsigned bits)
 {
     uint32_t limbs[LIMBS] = {0};
@@ -138,7 +138,7 @@ bool tia_text_has_number(const struct tia_text *t)
     return tia_text_word(&copy, &word) && (tia_constant_use(&copy, &word) || parse_digits(&d, &word));
 }
 
-/* Reads the next word; of a constant, the first of its numbers. */
+/* Reads the next word, or the first number of a constant. */
 static void read_numeral(struct tia_text *t, struct tia_word *word)
 {
     (void)tia_text_word(t, word);
@@ -154,7 +154,7 @@ static int read_number(struct tia_text *t, int64_t *out, unsigned bits, int64_t 
     read_numeral(t, &word);
     enum tia_decimal result = tia_decimal(out, &word, bits);
     if (result == TIA_DECIMAL_NONE)
-        return tia_text_error(t, &word, "is no number", expected);
+        return tia_text_error(t, &word, "is not a number", expected);
     *out = t->negated && result == TIA_DECIMAL_FINE ? -*out : *out;
     if (result == TIA_DECIMAL_RANGE || *out < min || *out > max)
         return tia_text_error(t, &word, "is out of range", expected);
@@ -220,7 +220,7 @@ int tia_text_q32(struct tia_text *t, int64_t *out)
     return read_number(t, out, 32, -INT64_MAX, INT64_MAX, "a number below 2147483648");
 }
 
-/* A whole number has no point and no exponent, so that "1e3" is an error. */
+/* True if the number has no point and no exponent, so that "1e3" is an error. */
 static bool is_whole(const struct tia_word *word)
 {
     const char *end = word->at + word->length;
@@ -241,7 +241,7 @@ int tia_text_integer(struct tia_text *t, int64_t *out, int64_t min, int64_t max)
         if (*out >= min && *out <= max)
             return TIA_OK;
     }
-    (void)tia_text_error(t, &word, whole ? "is out of range" : "is no whole number", "a whole number from ");
+    (void)tia_text_error(t, &word, whole ? "is out of range" : "is not a whole number", "a whole number from ");
     tia_say_number(t->error, min);
     tia_say(t->error, " to ");
     tia_say_number(t->error, max);

@@ -11,7 +11,7 @@
  *         if (tia_word_is(&word, "v"))
  *             status = tia_text_vec3(t, &vertex);
  *         else
- *             status = tia_text_error(t, &word, "is no statement", "v or f");
+ *             status = tia_text_error(t, &word, "is not a statement", "v or f");
  *         if (status || (status = tia_text_end(t)))
  *             return status;
  *     }
@@ -32,33 +32,34 @@ struct tia_text {
     uint32_t line;
     const char *file; /* "", or the name of the library being read */
     struct tia_read_error *error;
-    struct tia_lengths *lengths; /* NULL, or what length.h needs */
+    struct tia_lengths *lengths; /* NULL, or for length.h */
 
-    /* Names for numbers, see constants.h; NULL: none. A use of one is replaced by its numbers: those still to be read
-     * come before the next word of the line, with the place of the use. */
+    /* Names for numbers, see constants.h; NULL: none. A name's numbers replace it: those still to be read come before
+     * the next word of the line, with the name's place. */
     const struct tia_constants *constants;
-    const char *numbers, *numbers_end; /* NULL: none is left */
+    const char *numbers, *numbers_end; /* NULL: all are read */
     struct tia_word use;
-    bool negated; /* the last word is one of those numbers, and its name had a minus */
+    bool negated; /* the last word is one of those numbers, and the name had a minus */
 };
 
-/* Whether lines, columns and indices would need more than 32 bits. */
+/* True if lines, columns and indices would need more than 32 bits. */
 bool tia_text_is_too_long(size_t length);
 
-/* A byte order mark at the start is skipped. */
+/* Begins a text; skips a byte order mark at the start. */
 struct tia_text tia_text_begin(const char *bytes, size_t length, const char *file, struct tia_read_error *error);
 
 /* Skips to the next word on this line or a later one; false at the end of the text. */
 bool tia_text_line(struct tia_text *t);
 
-/* The next word of the line; false, and an empty word, at the end of the line. Peek does not consume it. */
+/* Reads the next word of the line; false, and an empty word, at the end of the line. */
 bool tia_text_word(struct tia_text *t, struct tia_word *word);
+/* Gives the same word without consuming it. */
 bool tia_text_peek(const struct tia_text *t, struct tia_word *word);
 
 /* Skips the rest of the line. */
 void tia_text_skip(struct tia_text *t);
 
-/* An error if the line has another word. */
+/* Fails if the line has another word. */
 int tia_text_end(struct tia_text *t);
 
 /* Read a name: 1..TIA_NAME_MAX bytes without control characters. A file's name may be in double quotes and then
@@ -79,14 +80,16 @@ void tia_word_copy(char out[TIA_NAME_MAX + 1], const struct tia_word *word);
 
 enum tia_decimal { TIA_DECIMAL_FINE, TIA_DECIMAL_NONE, TIA_DECIMAL_RANGE };
 
-/* A word as a number, times 2^bits, rounded to nearest, ties away from zero; bits in 0..53, the result below 2^63. */
+/* Converts a word to a number, times 2^bits, rounded to nearest, ties away from zero; bits in 0..53, the result below
+ * 2^63. */
 enum tia_decimal tia_decimal(int64_t *out, const struct tia_word *word, unsigned bits);
 
-/* Whether the next word of the line is a number, or a name for some. */
+/* True if the next word of the line is a number, or a name for some. */
 bool tia_text_has_number(const struct tia_text *t);
 
-/* Read a number as Q16.16, Q2.30, Q31.32 or, in min..max, as an integer. The scaled ones times 2^bits, -16..16, as
- * Q16.16 and as Q31.32; the long one, below 2^31, with that many bits behind the point, 0..53, below 2^63 then. */
+/* Read a number as Q16.16, Q2.30 or Q31.32. tia_text_scaled and tia_text_fine multiply it by 2^bits, -16..16, and give
+ * Q16.16 and Q31.32; tia_text_long gives a number below 2^31 with `bits` bits behind the point, 0..53, below 2^63 then.
+ */
 int tia_text_q16(struct tia_text *t, tia_q16 *out);
 int tia_text_scaled(struct tia_text *t, tia_q16 *out, int bits);
 int tia_text_fine(struct tia_text *t, int64_t *out, int bits);
@@ -94,19 +97,22 @@ int tia_text_long(struct tia_text *t, int64_t *out, unsigned bits);
 int tia_text_q30(struct tia_text *t, tia_q30 *out);
 int tia_text_q32(struct tia_text *t, int64_t *out);
 
-/* The next word as a channel of a colour: 0 to 1; as one of a light's, 0 to below 2. */
+/* Reads a channel of a colour: 0 to 1. */
 int tia_text_unit(struct tia_text *t, tia_q30 *out);
+/* Reads a channel of a light's colour: 0 to below 2. */
 int tia_text_bright(struct tia_text *t, tia_q30 *out);
-/* The next word as a channel of an emission, with 30 bits behind the point: 0 to below 16384. */
+/* Reads a channel of an emission, with 30 bits behind the point: 0 to below 16384. */
 int tia_text_radiance(struct tia_text *t, int64_t *out);
+/* Reads an integer in min..max. */
 int tia_text_integer(struct tia_text *t, int64_t *out, int64_t min, int64_t max);
 
 /* Read three numbers. A direction may have any length but 0; it is normalised, within 2 ulp. */
 int tia_text_vec3(struct tia_text *t, struct tia_vec3 *out);
-int tia_text_rgb(struct tia_text *t, struct tia_rgb *out, bool bright); /* each channel as above */
+/* Channels as of tia_text_unit; `bright`: tia_text_bright. */
+int tia_text_rgb(struct tia_text *t, struct tia_rgb *out, bool bright);
 int tia_text_dir3(struct tia_text *t, struct tia_dir3 *out);
 
-/* Normalises v, each component at most 2^62 in size. False when v is 0. */
+/* Normalises v, each component at most 2^62 in size; false when v is 0. */
 bool tia_dir3_of(struct tia_dir3 *out, const int64_t v[3]);
 
 /* ---- errors: they all return TIA_ERR_RANGE ---- */
@@ -114,8 +120,9 @@ bool tia_dir3_of(struct tia_dir3 *out, const int64_t v[3]);
 /* Sets "'WORD' WHAT, expected EXPECTED" or, for an empty word, "the line ends here, expected EXPECTED". */
 int tia_text_error(struct tia_text *t, const struct tia_word *word, const char *what, const char *expected);
 
-/* Sets only the place. tia_say appends text, as far as it fits. */
+/* Sets only the place; tia_say appends the text. */
 int tia_text_error_at(struct tia_text *t, const struct tia_word *word);
+/* Append text, as far as it fits. */
 void tia_say(struct tia_read_error *error, const char *string);
 void tia_say_word(struct tia_read_error *error, const struct tia_word *word); /* 'word', safe to print */
 void tia_say_number(struct tia_read_error *error, int64_t number);

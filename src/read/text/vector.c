@@ -23,7 +23,7 @@ int tia_text_rgb(struct tia_text *t, struct tia_rgb *out, bool bright)
     return status ? status : read_channel(t, &out->b, bright);
 }
 
-/* floor(sqrt(x)), bit by bit. */
+/* Returns floor(sqrt(x)), bit by bit. */
 static uint64_t root(uint64_t x)
 {
     uint64_t r = 0;
@@ -41,8 +41,8 @@ static uint64_t magnitude(int64_t x)
     return x < 0 ? 0 - (uint64_t)x : (uint64_t)x;
 }
 
-/* The components are shifted so that the largest is in 2^30..2^31. Then the sum of squares is below 2^64, its root at
- * least 2^30, and the rounding of both below 2^-30 of it. */
+/* Normalises: the components are shifted so that the largest is in 2^30..2^31. Then the sum of squares is below 2^64,
+ * its root at least 2^30, and the rounding of both below 2^-30 of it. */
 bool tia_dir3_of(struct tia_dir3 *out, const int64_t v[3])
 {
     tia_q30 unit[3];

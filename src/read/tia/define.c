@@ -6,7 +6,7 @@ static int check_name(struct tia_job *job, const struct tia_word *name)
     if (!tia_constant_named(name->at))
         return tia_text_error(&job->text, name, "names no number", "a name that begins with a capital letter");
     if (tia_constant_find(&job->constants, name->at, name->length))
-        return tia_text_error(&job->text, name, "is defined for a second time", "another name");
+        return tia_text_error(&job->text, name, "is already defined", "another name");
     if (job->constants.count == TIA_CONSTANTS_MAX)
         return tia_text_error(&job->text, name, "is one name too many", "at most 128");
     return TIA_OK;
@@ -25,7 +25,7 @@ int tia_line_define(struct tia_job *job)
     do {
         (void)tia_text_word(t, &word);
         if (tia_decimal(&value, &word, 0) == TIA_DECIMAL_NONE)
-            return tia_text_error(t, &word, "is no number", "numbers");
+            return tia_text_error(t, &word, "is not a number", "numbers");
     } while (tia_text_peek(t, &word));
     job->constants.at[job->constants.count++] = (struct tia_constant){name.at, t->end, name.length};
     return TIA_OK;

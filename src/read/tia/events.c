@@ -1,4 +1,4 @@
-/* events.c - what happens while a scene plays:  sphere ... appears 2 vanishes 5    fall ball velocity 1 0 0 */
+/* events.c - events of a playing scene:  sphere ... appears 2 vanishes 5    fall ball velocity 1 0 0 */
 #include "job.h"
 #include "math/integer.h"
 
@@ -39,7 +39,7 @@ static const struct tia_field gravity_fields[] = {
     {.word = "until", .kind = TIA_NUMBERS, .count = 1, .offset = offsetof(struct tia_falling, end)},
 };
 
-/* Where things fall the unit may only be larger than the file's, and speeds are then in the scene's. */
+/* Converts a speed to the scene's unit. In scenes with gravity, the unit may only be larger than the file's. */
 static void rescale(const struct tia_job *job, struct tia_vec3 *v)
 {
     int bits = job->reach.lengths.scale_bits;
@@ -67,7 +67,7 @@ static const struct tia_field fall_fields[] = {
     {.word = "mass", .kind = TIA_NUMBERS, .count = 1, .offset = offsetof(struct tia_fall, mass)},
 };
 
-/* Until all are known, a ball has the place of its name as its shape. */
+/* Adds a falling ball. Until names are resolved, its shape is the index of its name. */
 int tia_line_fall(struct tia_job *job)
 {
     struct tia_fall fall = {.restitution = TIA_Q16_ONE, .mass = TIA_Q16_ONE};
@@ -108,7 +108,7 @@ void tia_events_end(struct tia_job *job)
         (void)tia_job_add(job, TIA_OF_FALLING, &job->falling);
 }
 
-/* The shape that has the transform. */
+/* Returns the shape that has the transform. */
 static uint32_t shape_of(const struct tia_job *job, uint32_t transform)
 {
     const struct tia_shape *shapes = tia_job_at(job, TIA_OF_SHAPES, 0);

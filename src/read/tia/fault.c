@@ -1,6 +1,6 @@
 /* fault.c - finds the line and the word of a .tia file that tia_scene_check refuses.
  *
- * The text is read once more until the thing at fault has been made: its statement is the one that was read last.
+ * The text is read once more until the object at fault has been made: its statement is the last one read.
  */
 #include "job.h"
 #include "read/readers.h"
@@ -14,7 +14,7 @@ static struct tia_word word_of(const char *string)
     return word;
 }
 
-/* Tells the job which thing to look for. */
+/* Sets the object that the job searches. */
 static void seek(struct tia_job *job, const struct tia_fault *fault)
 {
     static const struct {
@@ -33,14 +33,14 @@ static void seek(struct tia_job *job, const struct tia_fault *fault)
     for (unsigned i = 0; i < TIA_COUNT_OF(things); i++)
         if (tia_word_is(&thing, things[i].thing))
             job->sought = things[i].array;
-    /* The fields of a scene, and the camera's samples, are statements of the same name. */
+    /* the scene's fields, and the camera's samples, are statements of the same name */
     if (tia_word_is(&thing, "camera") && !tia_word_is(&field, "samples"))
         job->sought_statement = fault->thing;
     else if (job->sought == TIA_ARRAYS)
         job->sought_statement = fault->field;
 }
 
-/* The fields of the scene that have another name in the file. "": the line as a whole is at fault. */
+/* Returns the name in the file of a scene's field that has another one. "": the line as a whole is at fault. */
 static const char *keyword(const struct tia_fault *fault)
 {
     static const struct {
@@ -73,7 +73,7 @@ static const char *keyword(const struct tia_fault *fault)
     return fault->field;
 }
 
-/* Whether a name follows the statement's word: it may look like a keyword. */
+/* True if a name follows the statement's word: it may look like a keyword. */
 static bool is_named(const char *statement)
 {
     static const char *const named[] = {"material", "texture", "mesh", "grid", "instance", "animate", "fall"};

@@ -1,7 +1,6 @@
 /* groups.c - transforms within transforms.
  *
- * A shape is scaled, rotated and moved: p + R S x. With the transforms o of a group and i of something in it that
- * is
+ * A shape is scaled, rotated and moved: p + R S x. With the transforms o of a group and i of an element of it that is
  *
  *     p_o + R_o S_o (p_i + R_i S_i x) = (p_o + R_o S_o p_i) + (R_o R_i) (S S_i) x   if S_o R_i = R_i S.
  *
@@ -38,7 +37,7 @@ static struct tia_place place_of(const struct tia_transform *t)
     return place;
 }
 
-/* S: for each inner axis the scale of the outer axes that it mixes; false if they differ. */
+/* Gives S: for each inner axis the scale of the outer axes that it mixes; false if they differ. */
 static bool scale_along(const struct tia_place *outer, const struct tia_place *inner, int64_t scale[3])
 {
     for (int i = 0; i < 3; i++) {
@@ -54,7 +53,7 @@ static bool scale_along(const struct tia_place *outer, const struct tia_place *i
     return true;
 }
 
-/* R_o v, in v's format. */
+/* Gives R_o v, in v's format. */
 static void turn(const struct tia_place *outer, const int64_t v[3], int64_t out[3])
 {
     for (int k = 0; k < 3; k++) {

@@ -1,11 +1,11 @@
-/* include.c - scenes of several files.
+/* include.c - scenes in several files.
  *
  * The caller loads a file by its path from the scene's folder; names inside it are relative to its own folder: leg.tia
  * in models/chair.tia is models/leg.tia. The stack holds only the words that name the files: a path follows from them.
  */
 #include "job.h"
 
-/* Replaces `path`, of a file, by that of `name` relative to the file's folder; false: too long. */
+/* Replaces `path`, the path of a file, by that of `name`, which is relative to the file's folder; false: too long. */
 static bool follow(char path[TIA_NAME_MAX + 1], const struct tia_word *name)
 {
     size_t folder = 0;
@@ -20,7 +20,7 @@ static bool follow(char path[TIA_NAME_MAX + 1], const struct tia_word *name)
     return true;
 }
 
-/* The path of the file at a depth; "" at depth 0, the scene itself. */
+/* Gives the path of the file at a depth; "" at depth 0, the scene itself. */
 static void path_at(const struct tia_includes *includes, unsigned depth, char path[TIA_NAME_MAX + 1])
 {
     path[0] = 0;
@@ -32,7 +32,7 @@ int tia_include_path(struct tia_job *job, const struct tia_word *name, char path
 {
     path_at(&job->includes, job->includes.depth, path);
     if (!follow(path, name))
-        return tia_text_error(&job->text, name, "is too far down", "a path of at most 255 bytes from the scene");
+        return tia_text_error(&job->text, name, "has too long a path", "a path of at most 255 bytes from the scene");
     return TIA_OK;
 }
 
@@ -62,7 +62,7 @@ static int check(struct tia_job *job, const struct tia_word *name, const char *p
     for (unsigned i = 1; i <= includes->depth; i++) {
         path_at(includes, i, other);
         if (is_same(path, other))
-            return tia_text_error(&job->text, name, "is being read already", "a file that does not include itself");
+            return tia_text_error(&job->text, name, "is already being read", "a file that does not include itself");
     }
     if (includes->depth == TIA_INCLUDE_DEPTH)
         return tia_text_error(&job->text, name, "is one file too deep", "at most 8 within each other");

@@ -45,8 +45,8 @@ enum tia_job_array {
 
 enum tia_pass { TIA_COUNTING, TIA_NAMING, TIA_FILLING };
 
-#define TIA_INCLUDE_DEPTH 8 /* files within files */
-#define TIA_INCLUDES_MAX 64 /* in all: eight files that each include the next twice would be 256 */
+#define TIA_INCLUDE_DEPTH 8 /* nested files */
+#define TIA_INCLUDES_MAX 64 /* files in all: eight files that each include the next twice would be 256 */
 #define TIA_GROUP_DEPTH 8
 
 /* The stack of included files. */
@@ -55,9 +55,9 @@ struct tia_includes {
         struct tia_text text;
         unsigned groups; /* open groups at the include statement */
     } outer[TIA_INCLUDE_DEPTH];
-    struct tia_word names[TIA_INCLUDE_DEPTH]; /* of the included files, as written; the innermost last */
+    struct tia_word names[TIA_INCLUDE_DEPTH]; /* names of the included files, as written; the innermost last */
     unsigned depth, count;
-    struct tia_text next;        /* the file of an include statement just read; next.next is NULL: none */
+    struct tia_text next;        /* file of an include statement just read; next.next is NULL: none */
     char file[TIA_NAME_MAX + 1]; /* path of the innermost file, from the scene's folder */
 };
 
@@ -71,26 +71,26 @@ struct tia_place {
 
 struct tia_job {
     struct tia_text text;
-    struct tia_word first; /* word of the line */
+    struct tia_word first; /* first word of the line */
     struct tia_constants constants;
     struct tia_includes includes;
-    struct tia_place groups[TIA_GROUP_DEPTH]; /* each composed with those around it */
+    struct tia_place groups[TIA_GROUP_DEPTH]; /* each composed with the groups around it */
     unsigned group_count;
     struct tia_reach reach;
     struct tia_reader *reader;
     struct tia_scene *scene;
     enum tia_pass pass;
     struct tia_array arrays[TIA_ARRAYS];
-    struct tia_falling falling; /* gravity, and when it ends */
-    bool hides;                 /* a shape may not be there: the scene needs a mesh without faces */
-    int bits, most, room;       /* the scale_bits, and what they may be, see next_unit; known before the last pass */
-    uint32_t images;            /* of so many textures the images have been loaded */
+    struct tia_falling falling; /* gravity, and its end */
+    bool hides;                 /* a shape may be hidden: the scene needs a mesh without faces */
+    int bits, most, room;       /* the scale_bits, and their limits, see next_unit; set before the last pass */
+    uint32_t images;            /* number of textures whose images have been loaded */
     uint32_t once;              /* bit n: statement n, which may occur only once, has occurred */
 
-    const char *statement; /* the one that was read last */
-    struct tia_text rest;  /* what followed its first word */
+    const char *statement; /* the statement read last */
+    struct tia_text rest;  /* the rest of its line */
 
-    /* When reading again to find the line of a thing: item sought_index of an array, or a statement. */
+    /* Set when reading again to find the line of an object: item sought_index of an array, or a statement. */
     bool seeking;
     enum tia_pass seeking_in;
     unsigned sought; /* enum tia_job_array; TIA_ARRAYS: none */
@@ -98,34 +98,37 @@ struct tia_job {
     const char *sought_statement; /* NULL: none */
 };
 
-/* All passes; where the memory does not fit, only the first one. tia.c */
+/* Runs all passes; only the first one if the memory does not suffice. tia.c */
 int tia_job_read(struct tia_job *job, struct tia_arena *arena);
 
-/* Adds to an array; the index of what was added. */
+/* Adds an item to an array; returns its index. */
 uint32_t tia_job_add(struct tia_job *job, enum tia_job_array array, const void *item);
 uint32_t tia_job_count(const struct tia_job *job, enum tia_job_array array);
 
-/* The address of item `index` of an array, filled or not; NULL before the last pass. */
+/* Returns the address of item `index` of an array, filled or not; NULL before the last pass. */
 const void *tia_job_at(const struct tia_job *job, enum tia_job_array array, uint32_t index);
 
-/* Defines a name: the next word, or the given one. */
+/* Defines the name that is the next word. */
 int tia_job_define(struct tia_job *job, enum tia_kind_of_name kind, uint32_t index);
+/* Defines the given name. */
 void tia_job_name(struct tia_job *job, enum tia_kind_of_name kind, const struct tia_word *name, uint32_t index);
 
 /* Looks up a name's index, 0 before the last pass. `expected` is for the error: "the name of a material". */
 int tia_job_find(struct tia_job *job, enum tia_kind_of_name kind, const struct tia_word *name, const char *expected,
                  uint32_t *index);
 
-/* Notes that a name is animated; asks whether it is; finds the light or transform of that name, in the last pass. */
+/* Notes that a name is animated. */
 void tia_job_animate(struct tia_job *job, const struct tia_word *name);
+/* True if a name is animated. */
 bool tia_job_moves(const struct tia_job *job, const struct tia_word *name);
+/* Finds the light or transform of that name, in the last pass. */
 struct tia_name *tia_job_mover(const struct tia_job *job, const struct tia_word *name);
 
-/* Adds a track that shows a shape or light, unless both times are NULL: not given. */
+/* Adds a track of a shape's or light's visibility, unless both times are NULL: not given. */
 int tia_job_show(struct tia_job *job, enum tia_target target, uint32_t index, const tia_q16 *appears,
                  const tia_q16 *vanishes);
 
-/* Before and after a pass; and after the last one, when all shapes are known. events.c */
+/* Called before and after a pass; tia_events_resolve after the last one, when all shapes are known. events.c */
 void tia_events_begin(struct tia_job *job);
 void tia_events_end(struct tia_job *job);
 void tia_events_resolve(struct tia_job *job);
@@ -133,19 +136,20 @@ void tia_events_resolve(struct tia_job *job);
 /* Composes a shape's transform with those of the groups around it. `name`: the shape's name, or NULL. */
 int tia_group_place(struct tia_job *job, struct tia_transform *transform, const struct tia_word *name);
 
-/* The path, from the scene's folder, of a file named in the file being read. */
+/* Gives the path, from the scene's folder, of a file named in the file being read. */
 int tia_include_path(struct tia_job *job, const struct tia_word *name, char path[TIA_NAME_MAX + 1]);
 
-/* The error that a file could not be loaded, for the reason that the callback gave. */
+/* Reports that a file could not be loaded, for the reason that the callback gave. */
 int tia_job_missing(struct tia_job *job, const struct tia_word *file, const char *why, const char *expected);
 
-/* Switches to the file of the last include statement; back, at the end of a file. */
+/* Switches to the file of the last include statement. */
 void tia_include_begin(struct tia_job *job);
+/* Switches back at the end of a file. */
 int tia_include_end(struct tia_job *job);
 
 /* Read the rest of a statement's line, and its block if it has one. */
 int tia_line_camera(struct tia_job *job);
-int tia_light_field_line(struct tia_job *job); /* of a camera */
+int tia_light_field_line(struct tia_job *job); /* part of a camera statement */
 int tia_line_samples(struct tia_job *job);
 int tia_line_background(struct tia_job *job);
 int tia_line_depth(struct tia_job *job);

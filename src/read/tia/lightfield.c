@@ -1,5 +1,5 @@
-/* lightfield.c - camera lightfield: a display's screen and its observer line, as a frustum whose eye is the line's
- * middle.
+/* lightfield.c - the statement camera lightfield: a display's screen and its observer line, as a frustum whose eye is
+ * the line's middle.
  *
  * With the screen's axes n = normal, u = up x n and v = n x u, the eye is centre + distance n + above v + (from + to)/2
  * u.
@@ -27,7 +27,7 @@ static const struct tia_field fields[] = {
 #define UP_GIVEN 2u
 #define NORMAL_GIVEN 4u
 
-/* What is wrong with the numbers, and what would be right; NULL: nothing. */
+/* Returns the fault of the numbers and, in *expected, its remedy; NULL: there is none. */
 static const char *refused(const struct display *d, const char **expected)
 {
     *expected = d->width <= 0 || d->height <= 0 ? "a width and a height above 0"
@@ -35,7 +35,7 @@ static const char *refused(const struct display *d, const char **expected)
                                                 : "from to the left of to";
     if (d->width > 0 && d->height > 0 && d->distance > 0 && d->from < d->to)
         return NULL;
-    return d->from >= d->to ? "is no observer line" : "is no display";
+    return d->from >= d->to ? "is not an observer line" : "is not a display";
 }
 
 static int64_t dot(struct tia_dir3 a, struct tia_dir3 b)
@@ -43,7 +43,7 @@ static int64_t dot(struct tia_dir3 a, struct tia_dir3 b)
     return ((int64_t)a.x * b.x >> 30) + ((int64_t)a.y * b.y >> 30) + ((int64_t)a.z * b.z >> 30);
 }
 
-/* a x b normalised */
+/* Returns a x b, normalised. */
 static struct tia_dir3 across(struct tia_dir3 a, struct tia_dir3 b)
 {
     return tia_normalise((int32_t)(((int64_t)a.y * b.z - (int64_t)a.z * b.y) >> 30),
@@ -56,7 +56,7 @@ static tia_q16 saturated(int64_t q)
     return q < INT32_MIN ? INT32_MIN : q > INT32_MAX ? INT32_MAX : (tia_q16)q;
 }
 
-/* d l, in the unit of l */
+/* Returns d l, in the unit of l. */
 static struct tia_vec3 along(struct tia_dir3 d, int64_t l)
 {
     return (struct tia_vec3){saturated(tia_round_shift(d.x * l, 30)), saturated(tia_round_shift(d.y * l, 30)),
@@ -69,7 +69,7 @@ static struct tia_vec3 added(struct tia_vec3 a, struct tia_vec3 b)
                              saturated((int64_t)a.z + b.z)};
 }
 
-/* An upright screen that looks along z needs no axes: they are exact then. */
+/* Places the camera. An upright screen that faces along z needs no axes: they are exact then. */
 static void place(struct tia_camera *camera, const struct display *d, bool turned)
 {
     struct tia_dir3 n = d->normal, u = {TIA_Q30_ONE, 0, 0}, v = {0, TIA_Q30_ONE, 0};

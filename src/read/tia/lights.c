@@ -1,4 +1,4 @@
-/* lights.c - lights, and the keys that set them. */
+/* lights.c - lights, and keys that set them. */
 #include "job.h"
 #include <tia/port.h>
 
@@ -16,7 +16,7 @@ struct light_line {
     {                                                                                                                  \
         .word = field, .kind = type, .count = n, .offset = offsetof(struct light_line, light.part), .needed = need     \
     }
-/* These come first, so that keys, whose lights have none of them, can start with what follows. */
+/* These fields come first, so that the fields of keys, whose lights have none of these, can start after them. */
 #define OWN 3
 #define NAME                                                                                                           \
     {.word = "name", .kind = TIA_NAME_FIELD, .offset = offsetof(struct light_line, name)},                             \
@@ -116,7 +116,7 @@ static int take_key(struct tia_text *t, uint16_t *key)
             *key = (uint16_t)keys[i].key;
             return TIA_OK;
         }
-    return tia_text_error(t, &word, "is no key",
+    return tia_text_error(t, &word, "is not a key",
                           "a small letter, a digit, left, right, up, down, page-up or page-down");
 }
 
@@ -131,7 +131,7 @@ int tia_line_key(struct tia_job *job)
     if (status)
         return status;
     if (!tia_text_word(&job->text, &word) || !tia_word_is(&word, "light"))
-        return tia_text_error(&job->text, &word, "is nothing that a key puts", "light");
+        return tia_text_error(&job->text, &word, "cannot be moved by a key", "light");
     status = tia_text_integer(&job->text, &light, 1, INT32_C(1) + UINT16_MAX);
     status = status ? status : read_light(job, &line, false, NULL);
     if (status)

@@ -96,7 +96,7 @@ struct texture_line {
     int64_t repeat[2], scale[2], offset[2];
 };
 
-/* What every texture begins with. */
+/* Fields of every texture, at the beginning. */
 enum { REPEAT_FIELD, SCALE_FIELD };
 #define LYING                                                                                                          \
     {.word = "repeat", .kind = TIA_LONGS, .count = 2, .max = 1, .offset = offsetof(struct texture_line, repeat)},      \
@@ -116,7 +116,7 @@ static const struct tia_field image_fields[] = {
     {.word = "bilinear", .kind = TIA_FLAG, .offset = offsetof(struct texture_line, texture.bilinear)},
 };
 
-/* 2^64/x to nearest, x in 2..2^63: 2^64 = (2^64 - 1) + 1. */
+/* Returns 2^64/x to nearest, x in 2..2^63: 2^64 = (2^64 - 1) + 1. */
 static uint64_t inverse(uint64_t x)
 {
     uint64_t quotient = UINT64_MAX / x, rest = UINT64_MAX % x + 1;
@@ -131,8 +131,8 @@ static bool is_exact(const int64_t numbers[2])
     return !((numbers[0] | numbers[1]) & 0xffff);
 }
 
-/* Both numbers as Q16.16 times 2^-bits: none where that has them, else as many as there is room for. False: even the
- * fewest are too many. */
+/* Sets both numbers as Q16.16 times 2^-bits: 0 bits if they fit exactly, else as many as fit. False: even the fewest
+ * are too many. */
 static bool set_numbers(const int64_t numbers[2], tia_q16 out[2], int8_t *bits)
 {
     int64_t a = numbers[0] < 0 ? -numbers[0] : numbers[0], b = numbers[1] < 0 ? -numbers[1] : numbers[1];
@@ -149,11 +149,12 @@ static bool set_numbers(const int64_t numbers[2], tia_q16 out[2], int8_t *bits)
     return true;
 }
 
-/* From 1/1024 in a unit of length that is 1024 times as small to 1024 in one that is as much larger. */
+/* Range of repeats: from 1/1024 in a unit of length that is 1024 times as small to 1024 in one that is 1024 times as
+ * large. */
 #define REPEAT_LEAST (INT64_C(1) << 12)
 #define REPEAT_MOST (INT64_C(1) << 52)
 
-/* `scale` is 1/`repeat`. */
+/* Sets the pattern; `scale` is 1/`repeat`. */
 static int set_pattern(struct tia_text *t, struct texture_line *line, uint32_t given)
 {
     bool scaled = has(given, SCALE_FIELD);
@@ -176,7 +177,7 @@ static int set_pattern(struct tia_text *t, struct texture_line *line, uint32_t g
     return TIA_OK;
 }
 
-/* Loads the file only once, in the last pass, when the rest of the text is known to be right. */
+/* Loads the file only once, in the last pass, when the rest of the text is known to be valid. */
 static int fetch_image(struct tia_job *job, const struct tia_word *file, struct tia_texture *texture)
 {
     struct tia_reader *reader = job->reader;
@@ -190,7 +191,7 @@ static int fetch_image(struct tia_job *job, const struct tia_word *file, struct 
     int status = tia_include_path(job, file, path);
     if (status || job->pass != TIA_FILLING || job->seeking)
         return status;
-    if (tia_job_count(job, TIA_OF_TEXTURES) < job->images) { /* the last pass is read again */
+    if (tia_job_count(job, TIA_OF_TEXTURES) < job->images) { /* the last pass is repeated */
         const struct tia_texture *loaded = tia_job_at(job, TIA_OF_TEXTURES, tia_job_count(job, TIA_OF_TEXTURES));
         texture->width = loaded->width;
         texture->height = loaded->height;
@@ -245,7 +246,7 @@ int tia_line_texture(struct tia_job *job)
     else if (tia_word_is(&kind, "opacity"))
         status = read_image(job, &line, TIA_OPACITY);
     else
-        return tia_text_error(&job->text, &kind, "is no kind of texture", "checker, image or opacity");
+        return tia_text_error(&job->text, &kind, "is not a kind of texture", "checker, image or opacity");
     if (!status)
         (void)tia_job_add(job, TIA_OF_TEXTURES, &line.texture);
     return status;

@@ -35,7 +35,7 @@ static const struct property *find_property(enum moving of, const struct tia_wor
     return NULL;
 }
 
-/* Reads the name of what moves. Whether it is a light or a shape, the first passes do not know yet. */
+/* Reads the name of the moving object. In the first passes it is not known if it is a light or a shape. */
 static int read_target(struct tia_job *job, enum moving *of, struct tia_track *track)
 {
     struct tia_word word, property;
@@ -71,7 +71,7 @@ static int take_property(struct tia_job *job, struct tia_track *track)
     if (!property && job->pass != TIA_FILLING)
         property = find_property(LIGHT, &word);
     if (!property)
-        return tia_text_error(&job->text, &word, "is nothing that moves", expected[of]);
+        return tia_text_error(&job->text, &word, "cannot be animated", expected[of]);
     track->target = property->target;
     job->hides |= track->target >= TIA_SETS_SPECULAR;
     return TIA_OK;
@@ -88,7 +88,7 @@ static int read_time(struct tia_text *t, tia_q16 before, tia_q16 *time)
     if (number.length)
         number.length--;
     if (!number.length || word.at[number.length] != ':' || tia_decimal(&value, &number, 16) == TIA_DECIMAL_NONE)
-        return tia_text_error(t, &word, "is no time", "seconds and a colon, as in 2.5:");
+        return tia_text_error(t, &word, "is not a time", "seconds and a colon, as in 2.5:");
     if (tia_decimal(&value, &number, 16) == TIA_DECIMAL_RANGE || value < 0 || value > INT32_MAX)
         return tia_text_error(t, &word, "is out of range", "0 to below 32768 seconds");
     if (value <= before)

@@ -3,12 +3,12 @@
 #include "math/integer.h"
 #include "scene/shapes/description.h"
 
-/* An eye 1 above an infinite plane sees it end at 2^-16 below the horizon, since nothing is hit 65536 away; one 8 above
- * it at 2^-13, which is less than a quarter of a pixel. So the unit of length is no smaller than this allows. */
+/* An eye 1 above an infinite plane would have its horizon 2^-16 too low, since hits end at a distance of 65536; an eye
+ * 8 above it 2^-13, which is less than a quarter of a pixel. So the unit of length is no smaller than this allows. */
 #define HEIGHT_MOST TIA_Q16(8)
-/* A window whose width follows the picture's has 64 times its height to grow. */
+/* A window whose width follows the picture's may grow to 64 times its height. */
 #define WINDOW_GROWS 32
-#define OWN_MOST (INT64_C(1) << 33) /* more than fits any scene, and times the largest scale still 64 bits */
+#define OWN_MOST (INT64_C(1) << 33) /* beyond any scene; times the largest scale it still fits 64 bits */
 
 static int64_t larger(int64_t a, int64_t b)
 {
@@ -22,7 +22,7 @@ static int64_t size_of(struct tia_vec3 v)
     return larger(x, larger(y, z));
 }
 
-/* At least the distance from 0 to a point whose largest coordinate that is: more than its square root of 3. */
+/* Returns a bound of the distance from 0 to a point with this largest coordinate: sqrt(3) times as much, rounded up. */
 static int64_t distance(int64_t size)
 {
     return size * 7 / 4 + 2;
@@ -61,7 +61,7 @@ void tia_reach_begin(struct tia_reach *r, int scale_bits, tia_q16 places)
     tia_span_begin(&r->places);
 }
 
-/* The shape's largest radius. */
+/* Returns the shape's largest radius. */
 static int64_t radius_of(const struct tia_shape *shape)
 {
     int64_t radius = 0;
@@ -116,7 +116,7 @@ void tia_reach_light(struct tia_reach *r, const struct tia_light *light)
     enlarge_own(r, distance(radius));
 }
 
-/* The observer line may lead anywhere. */
+/* Returns an eye beside another; the observer line may lead in any direction. */
 static struct tia_vec3 beside(struct tia_vec3 eye, tia_q16 line)
 {
     int64_t at[3] = {(int64_t)eye.x + line, (int64_t)eye.y + line, (int64_t)eye.z + line};
@@ -141,8 +141,8 @@ void tia_reach_camera(struct tia_reach *r, const struct tia_camera *camera)
         lengthen(r, ((int64_t)w->top - w->bottom) * WINDOW_GROWS);
 }
 
-/* A smooth curve leaves the box around its keyframes by at most 8/27 of that: each of its two tangents is no longer,
- * and has at most the weight 4/27. */
+/* Returns the span of a track. A smooth curve leaves the box around its keyframes by at most 8/27 of the box: each of
+ * its two tangents is no longer, and has at most the weight 4/27. */
 static struct tia_span path(const struct tia_track *track, struct tia_span values)
 {
     for (int i = 0; i < 3 && track->smooth; i++) {
@@ -175,7 +175,7 @@ void tia_reach_keys(struct tia_reach *r, const struct tia_track *track, struct t
             r->scale_largest = span.max[i] > r->scale_largest ? (tia_q16)span.max[i] : r->scale_largest;
         }
         break;
-    default: /* no places */
+    default: /* not positions */
         break;
     }
 }
@@ -200,7 +200,7 @@ void tia_reach_plane(struct tia_reach *r, const struct tia_plane *plane)
     }
 }
 
-/* A box around all instances; and half its diagonal over the least scale, see tia_transform. */
+/* Adds a box around all instances; and half its diagonal over the least scale, see tia_transform. */
 static void add_placed(struct tia_reach *r)
 {
     int64_t largest = r->scale_largest < TIA_SCALE_MAX ? r->scale_largest : TIA_SCALE_MAX;

@@ -1,7 +1,8 @@
-/* reach.h - how far a .tia scene reaches, as far as its lines say one by one, and the unit that this leaves room for.
+/* reach.h - bounds of a .tia scene, found line by line, and the finest unit that they allow.
  *
- * The first pass covers what has a place of its own. What is placed by a transform, a group or an animation lies around
- * that place, no farther than the largest thing in its own axes times the largest scale: names are not known yet.
+ * The first pass covers objects with a position of their own. Objects placed by a transform, a group or an animation
+ * lie around that position, no farther than the radius of the largest object in its own axes times the largest scale:
+ * names are not resolved yet.
  */
 #ifndef TIA_READ_TIA_REACH_H
 #define TIA_READ_TIA_REACH_H
@@ -11,17 +12,17 @@
 
 struct tia_reach {
     struct tia_lengths lengths;
-    struct tia_span places;             /* of what is placed */
-    int64_t own;                        /* the radius around 0 of the largest thing in its own axes */
-    tia_q16 scale_least, scale_largest; /* of anything placed */
-    bool falls;                         /* something does: nobody knows where to */
-    int64_t height;                     /* of an eye above a plane, at most */
+    struct tia_span places;             /* positions of placed objects */
+    int64_t own;                        /* radius around 0 of the largest object in its own axes */
+    tia_q16 scale_least, scale_largest; /* scales of all placed objects */
+    bool falls;                         /* objects fall: their positions are unbounded */
+    int64_t height;                     /* largest height of an eye above a plane */
 };
 
 /* See tia_lengths_begin. */
 void tia_reach_begin(struct tia_reach *reach, int scale_bits, tia_q16 places);
 
-/* In the first pass: a shape, with its transform if it is placed or may move; a mesh's vertex or a grid; ... */
+/* Extend the bounds in the first pass; tia_reach_shape has the shape's transform if it is placed or may move. */
 void tia_reach_shape(struct tia_reach *reach, const struct tia_shape *shape, const struct tia_transform *transform,
                      bool placed, bool moves);
 void tia_reach_vertex(struct tia_reach *reach, struct tia_vec3 vertex);
@@ -31,12 +32,12 @@ void tia_reach_camera(struct tia_reach *reach, const struct tia_camera *camera);
 void tia_reach_keys(struct tia_reach *reach, const struct tia_track *track, struct tia_span values);
 void tia_reach_group(struct tia_reach *reach, const int64_t position[3]);
 
-/* In a later pass, when all eyes are known. */
+/* Extends the bounds by a plane in a later pass, when all eyes are known. */
 void tia_reach_plane(struct tia_reach *reach, const struct tia_plane *plane);
 
-/* The most scale_bits that there surely is room for, 0 where no more are needed; and `most` or fewer, where an eye is
- * high above a plane. */
+/* Returns the largest scale_bits for which there is certainly room, 0 if no more are needed. */
 int tia_reach_room(const struct tia_reach *reach);
+/* Returns `most` or fewer, if an eye is high above a plane. */
 int tia_reach_bits(const struct tia_reach *reach, int most);
 
 #endif

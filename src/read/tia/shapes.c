@@ -10,8 +10,7 @@ struct shape_line {
     struct tia_shape shape;
 };
 
-/* The fields of every shape with a place come first; infinite shapes have only those before the
- * name. */
+/* Fields of every shape with a position come first; infinite shapes have only those before the name. */
 enum { MATERIAL_FIELD, APPEARS_FIELD, VANISHES_FIELD, NAME_FIELD, AT_FIELD, ROTATE_FIELD, SCALE_FIELD, COMMON_FIELDS };
 #define OFFSET(member) .offset = offsetof(struct shape_line, member)
 static const struct tia_field common_fields[COMMON_FIELDS] = {
@@ -51,7 +50,7 @@ static struct tia_field field_of(const struct tia_shape_field *f)
     return field;
 }
 
-/* Collects all fields of a shape's statement; returns how many. */
+/* Collects all fields of a shape's statement; returns their number. */
 static unsigned fields_of(const struct shape_description *description,
                           struct tia_field fields[COMMON_FIELDS + SHAPE_FIELDS_MAX])
 {
@@ -71,8 +70,8 @@ static unsigned fields_of(const struct shape_description *description,
     return count;
 }
 
-/* Adds the transform of a shape that needs one. A named shape needs one if it moves, and as long as that is not
- * known. */
+/* Adds the transform of a shape that needs one. A named shape needs one if it moves, and as long as that is not known.
+ */
 static void add_transform(struct tia_job *job, struct shape_line *line, uint32_t given)
 {
     bool filling = job->pass == TIA_FILLING, moves = tia_job_moves(job, &line->name);
@@ -88,14 +87,14 @@ static void add_transform(struct tia_job *job, struct shape_line *line, uint32_t
     }
 }
 
-/* A sphere that stays where it is, and is always there, belongs to the scene's spheres. */
+/* Adds a sphere that does not move and is always visible, to the scene's spheres. */
 static void add_sphere(struct tia_job *job, const struct tia_shape *shape)
 {
     struct tia_sphere sphere = {shape->sphere.centre, shape->sphere.radius, shape->material};
     (void)tia_job_add(job, TIA_OF_SPHERES, &sphere);
 }
 
-/* What the line says of how far the scene reaches. */
+/* Extends the scene's bounds by the line. */
 static void note_reach(struct tia_job *job, const struct shape_line *line, uint32_t given)
 {
     if (job->pass == TIA_COUNTING)
@@ -121,7 +120,7 @@ static int add_shape(struct tia_job *job, struct shape_line *line, uint32_t give
                         given & 1u << VANISHES_FIELD ? &line->vanishes : NULL);
 }
 
-/* The fields of a shape whose kind and, of an instance, mesh or grid are set. */
+/* Reads the fields of a shape whose kind and, for an instance, mesh or grid are set. */
 static int read_fields(struct tia_job *job, struct shape_line *line)
 {
     const struct shape_description *description = tia_shape_description(line->shape.kind);

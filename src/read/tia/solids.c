@@ -1,7 +1,7 @@
 /* solids.c - meshes and grids: blocks of lines, from their statement to the line "end". */
 #include "job.h"
 
-/* The first word of a block's next line, or an error at the text's end. */
+/* Reads the first word of a block's next line; an error at the text's end. */
 static int take_line(struct tia_text *t, struct tia_word *word, const char *expected)
 {
     if (tia_text_line(t)) {
@@ -17,7 +17,7 @@ static int take_line(struct tia_text *t, struct tia_word *word, const char *expe
 
 /* ---- meshes ---- */
 
-/* Where the mesh's own things begin in the arrays. */
+/* The first elements of the mesh in the arrays. */
 struct mesh_block {
     struct tia_job *job;
     uint32_t vertices, normals, uvs, faces;
@@ -69,7 +69,7 @@ static int take_index(struct tia_text *t, struct tia_word *rest, uint32_t count,
         n = n <= UINT32_MAX ? n * 10 + (uint64_t)(c - '0') : n;
     }
     if (n < 1 || n > count) {
-        (void)tia_text_error(t, rest, "is not there", "the number of a ");
+        (void)tia_text_error(t, rest, "does not exist", "the number of a ");
         tia_say(t->error, thing);
         tia_say(t->error, " of the mesh, from 1 to ");
         tia_say_number(t->error, count);
@@ -92,7 +92,7 @@ static bool take_slash(struct tia_word *rest)
     return true;
 }
 
-/* vertex, vertex/uv, vertex//normal or vertex/uv/normal */
+/* Reads a corner: vertex, vertex/uv, vertex//normal or vertex/uv/normal. */
 static int take_corner(const struct mesh_block *block, struct tia_corner *corner)
 {
     struct tia_job *job = block->job;
@@ -121,7 +121,7 @@ static bool are_alike(const struct tia_corner *a, const struct tia_corner *b)
            (a->normal == TIA_NO_INDEX) == (b->normal == TIA_NO_INDEX);
 }
 
-/* A polygon as the triangles from its first corner. */
+/* Reads a polygon as the triangles from its first corner. */
 static int read_face(struct mesh_block *block)
 {
     struct tia_text *t = &block->job->text;
@@ -157,7 +157,7 @@ static int read_mesh_line(struct mesh_block *block, const struct tia_word *word)
         return read_normal(block);
     if (tia_word_is(word, "uv"))
         return read_uv(block);
-    return tia_text_error(&block->job->text, word, "is no line of a mesh", MESH_EXPECTED);
+    return tia_text_error(&block->job->text, word, "is not a line of a mesh", MESH_EXPECTED);
 }
 
 static void add_mesh(const struct mesh_block *block)
@@ -223,7 +223,7 @@ static int read_row(struct tia_job *job, unsigned cells)
     return tia_text_end(&job->text);
 }
 
-/* The rows, one for each y and z, and the end. */
+/* Reads the rows, one for each y and z, and the end. */
 static int read_rows(struct tia_job *job, const struct tia_grid *grid)
 {
     struct tia_word word;

@@ -40,7 +40,7 @@ static int refuse(struct tia_job *job, const struct tia_word *word)
     struct tia_read_error *error = job->text.error;
     const struct shape_description *shape;
 
-    (void)tia_text_error(&job->text, word, "is no statement", "");
+    (void)tia_text_error(&job->text, word, "is not a statement", "");
     for (unsigned kind = 0; (shape = tia_shape_description((enum tia_shape_kind)kind)); kind++) {
         if (!shape->word)
             continue;
@@ -54,7 +54,7 @@ static int refuse(struct tia_job *job, const struct tia_word *word)
     return TIA_ERR_RANGE;
 }
 
-/* The kind of shape whose statement begins with the word. */
+/* Finds the kind of shape whose statement begins with the word. */
 static bool find_shape(const struct tia_word *word, enum tia_shape_kind *kind)
 {
     const struct shape_description *shape;
@@ -82,7 +82,7 @@ static int read_statement(struct tia_job *job, const struct tia_word *word)
     if (i == STATEMENTS)
         return refuse(job, word);
     if (statements[i].once && job->once >> i & 1)
-        return tia_text_error(&job->text, word, "is here for a second time", "it once");
+        return tia_text_error(&job->text, word, "is given twice", "once");
     if (statements[i].outside && job->group_count)
         return tia_text_error(&job->text, word, "is not moved by groups", "it outside of them");
     job->once |= UINT32_C(1) << i;
@@ -91,7 +91,7 @@ static int read_statement(struct tia_job *job, const struct tia_word *word)
     return status ? status : tia_text_end(&job->text);
 }
 
-/* Whether the statement just read is the one that the job seeks. */
+/* True if the statement just read is the one that the job seeks. */
 static bool is_sought(const struct tia_job *job, const struct tia_word *word)
 {
     if (job->sought_statement)
@@ -156,7 +156,7 @@ static int read_pass(struct tia_job *job, enum tia_pass pass)
     return status;
 }
 
-/* Reads up to the name again, so that job->text is the file that it is in. */
+/* Refuses a name defined twice. Reads up to the name again, so that job->text is the file that has it. */
 static int refuse_twice(struct tia_job *job, const struct tia_name *twice)
 {
     struct tia_word word = twice->word;
@@ -166,7 +166,7 @@ static int refuse_twice(struct tia_job *job, const struct tia_name *twice)
     job->sought = TIA_OF_NAMES;
     job->sought_index = twice->order;
     (void)read_pass(job, TIA_NAMING);
-    return tia_text_error(&job->text, &word, "is defined for a second time", "another name");
+    return tia_text_error(&job->text, &word, "is already defined", "another name");
 }
 
 static int sort_names(struct tia_job *job)
@@ -181,7 +181,7 @@ static int sort_names(struct tia_job *job)
     return twice ? refuse_twice(job, twice) : TIA_OK;
 }
 
-/* A camera without a reference point, but with a track for it, looks at the track's first value. */
+/* Sets the reference point. A camera without one, but with a track for it, looks at the track's first value. */
 static void look_at(struct tia_camera *camera, struct tia_vec3 reference)
 {
     if (camera->up.x || camera->up.y || camera->up.z)
@@ -260,8 +260,8 @@ static void size_arrays(struct tia_job *job)
         job->arrays[i] = (struct tia_array){.item = sizes[i]};
 }
 
-/* Where all lengths fit in the file's unit, it is tried even if the estimate of how far the scene reaches is against
- * it.
+/* Chooses the unit. If all lengths fit in the file's unit, that is tried first, even if the estimated bounds are too
+ * large for it.
  */
 static void choose_unit(struct tia_job *job)
 {
@@ -272,7 +272,7 @@ static void choose_unit(struct tia_job *job)
     job->bits = tia_reach_bits(&job->reach, job->most);
 }
 
-/* All passes; where the memory does not fit, only the first one. */
+/* Runs all passes; only the first one if the memory does not suffice. */
 int tia_job_read(struct tia_job *job, struct tia_arena *arena)
 {
     int bits = 0, status;
@@ -303,8 +303,9 @@ static void finish(struct tia_job *job)
     set_arrays(job);
 }
 
-/* What to try when a scene is refused: where the unit is large for the horizon's sake, a smaller one, as some length
- * may have become too small; and where the scene does not fit, the one in which it surely does. False: nothing. */
+/* Chooses the unit to try when a scene is refused: a smaller one where the unit is large for the horizon's sake, as
+ * some length may have become too small; and where the scene does not fit, the one in which it certainly does. False:
+ * there is none. */
 static bool next_unit(struct tia_job *job)
 {
     if (job->bits < job->most) {

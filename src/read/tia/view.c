@@ -75,7 +75,7 @@ int tia_line_samples(struct tia_job *job)
             job->scene->camera.samples = n;
             return TIA_OK;
         }
-    return tia_text_error(&job->text, &word, "is no number of samples", "1, 4 or 16");
+    return tia_text_error(&job->text, &word, "is not a number of samples", "1, 4 or 16");
 }
 
 int tia_line_background(struct tia_job *job)
@@ -92,7 +92,7 @@ int tia_line_depth(struct tia_job *job)
     return status;
 }
 
-/* The number, from `first`, of the name that the next word is. */
+/* Reads a name; gives its number, counted from `first`. */
 static int named(struct tia_text *t, const char *(*name_of)(unsigned), unsigned first, const char *what,
                  const char *expected, unsigned *number)
 {
@@ -114,12 +114,12 @@ static int map_size(struct tia_text *t, struct tia_shadow_map *map)
     (void)tia_text_peek(t, &word);
     int status = tia_text_integer(t, &size, TIA_MAP_SIZE_MIN, TIA_MAP_SIZE_MAX);
     if (!status && (size & (size - 1)))
-        status = tia_text_error(t, &word, "is no size of a map", "64, 128, 256, 512, 1024, 2048 or 4096");
+        status = tia_text_error(t, &word, "is not a size of a map", "64, 128, 256, 512, 1024, 2048 or 4096");
     map->size = (uint16_t)size;
     return status;
 }
 
-/* A length in a file with a large unit has few digits in Q16.16. */
+/* Stores extra digits: a length in a file with a large unit has few digits in Q16.16. */
 static int amount_digits(struct tia_text *t, struct tia_shadow_map *map)
 {
     int64_t amount;
@@ -138,7 +138,8 @@ static int map_bias(struct tia_text *t, struct tia_shadow_map *map)
 {
     unsigned bias;
     struct tia_word word;
-    int status = named(t, tia_bias_name, TIA_BIAS_NONE, "is no bias", "none, constant, slope, normal or plane", &bias);
+    int status =
+        named(t, tia_bias_name, TIA_BIAS_NONE, "is not a bias", "none, constant, slope, normal or plane", &bias);
 
     map->bias = (enum tia_bias)bias;
     if (status || bias == TIA_BIAS_NONE)
@@ -157,27 +158,27 @@ static int map_bias(struct tia_text *t, struct tia_shadow_map *map)
 static int map_filter(struct tia_text *t, struct tia_shadow_map *map)
 {
     unsigned filter;
-    int status = named(t, tia_filter_name, TIA_FILTER_NONE, "is no filter",
+    int status = named(t, tia_filter_name, TIA_FILTER_NONE, "is not a filter",
                        "none, bilinear, 3x3, 5x5, 7x7, poisson or pcss", &filter);
 
     map->filter = (enum tia_filter)filter;
     return status;
 }
 
-/* `seen` has a bit for each field that was read. */
+/* Reads a field of shadows; `seen` has a bit for each field that was read. */
 static int shadow_field(struct tia_text *t, const struct tia_word *word, struct tia_scene *scene, unsigned *seen)
 {
-    static const char *const fields[] = {"tessellated", "size", "bias", "filter"}; /* those of maps last */
+    static const char *const fields[] = {"tessellated", "size", "bias", "filter"}; /* fields of maps last */
     bool map = scene->shadows == TIA_SHADOWS_MAP;
     unsigned i = 0, count = map ? TIA_COUNT_OF(fields) : 1;
 
     while (i < count && !tia_word_is(word, fields[i]))
         i++;
     if (i == count)
-        return tia_text_error(t, word, "is no field of this technique",
+        return tia_text_error(t, word, "is not a field of this technique",
                               map ? "size, bias, filter or tessellated" : "tessellated");
     if (*seen >> i & 1)
-        return tia_text_error(t, word, "is here for a second time", "it once");
+        return tia_text_error(t, word, "is given twice", "once");
     *seen |= 1U << i;
     if (i == 0)
         return tia_text_length(t, &scene->tessellated);
@@ -191,7 +192,7 @@ int tia_line_shadows(struct tia_job *job)
     struct tia_scene *scene = job->scene;
     struct tia_word word;
     unsigned technique, seen = 0;
-    int status = named(&job->text, tia_shadows_name, TIA_SHADOWS_TRACED, "is no technique",
+    int status = named(&job->text, tia_shadows_name, TIA_SHADOWS_TRACED, "is not a technique",
                        "traced, rays, zpass, zfail, map, map-exact or zpass-plain", &technique);
 
     scene->shadows = (enum tia_shadows)technique;
@@ -202,20 +203,20 @@ int tia_line_shadows(struct tia_job *job)
     return status;
 }
 
-/* integrator NAME, and of ao a distance */
+/* Reads integrator NAME, and for ao a distance. */
 int tia_line_integrator(struct tia_job *job)
 {
     struct tia_integration *how = &job->scene->integration;
     struct tia_word word;
     unsigned integrator;
     int status =
-        named(&job->text, tia_integrator_name, TIA_WHITTED, "is no integrator", "whitted, ao or path", &integrator);
+        named(&job->text, tia_integrator_name, TIA_WHITTED, "is not an integrator", "whitted, ao or path", &integrator);
 
     how->integrator = (enum tia_integrator)integrator;
     if (status || how->integrator != TIA_OCCLUSION || !tia_text_peek(&job->text, &word))
         return status;
     status = tia_text_length(&job->text, &how->distance);
-    return status || how->distance > 0 ? status : tia_text_error(&job->text, &word, "is no distance", "more than 0");
+    return status || how->distance > 0 ? status : tia_text_error(&job->text, &word, "is not a distance", "more than 0");
 }
 
 int tia_line_spp(struct tia_job *job)
@@ -230,7 +231,7 @@ int tia_line_spp(struct tia_job *job)
 int tia_line_tone(struct tia_job *job)
 {
     unsigned tone;
-    int status = named(&job->text, tia_tone_name, TIA_TONE_LINEAR, "is no tone", "linear or srgb", &tone);
+    int status = named(&job->text, tia_tone_name, TIA_TONE_LINEAR, "is not a tone", "linear or srgb", &tone);
 
     job->scene->integration.tone = (enum tia_tone)tone;
     return status;

@@ -1,4 +1,4 @@
-/* ao.c - ambient occlusion: how open the places are that a picture shows. */
+/* ao.c - ambient occlusion: the openness of the visible points. */
 #include "render/estimate/estimate.h"
 
 static void radiance(struct estimate *e, const struct ray *first, num_length rgb[3])

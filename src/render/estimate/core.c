@@ -1,4 +1,4 @@
-/* core.c - sampling as a function of one arithmetic. */
+/* core.c - the sampling functions of one arithmetic as a table. */
 #include "estimate.h"
 
 static bool is_inside(const struct tia_view *view, struct tia_tile tile)

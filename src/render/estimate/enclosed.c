@@ -1,9 +1,9 @@
-/* enclosed.c - lights that nobody sees, since they are inside of something. */
+/* enclosed.c - finds lights that are not visible from outside, since they are inside an object. */
 #include "estimate.h"
 
 enum { WAYS = 14 };
 
-/* To the faces and corners of a cube, and off all symmetries a little. */
+/* Returns a direction to one of the faces and corners of a cube, slightly off all symmetries. */
 static struct num_dir way(unsigned i)
 {
     const num_unit much = NUM_UNIT_ONE / 2, little = NUM_UNIT_ONE / 64;
@@ -26,7 +26,7 @@ static bool is_opaque(const struct ray_view *view, const struct hit *hit)
     return !m->opacity && !m->refraction.r && !m->refraction.g && !m->refraction.b;
 }
 
-/* What all ways from the point end at, `least` away or more. */
+/* Returns the object that rays in all these directions from the point meet, at a distance of `least` or more. */
 static uint32_t around(const struct ray_view *view, struct num_point point, num_length least)
 {
     uint32_t object = TIA_NO_OBJECT;
@@ -42,7 +42,7 @@ static uint32_t around(const struct ray_view *view, struct num_point point, num_
     return object;
 }
 
-/* Of a rectangle its corners, of a disc two places on its edge. */
+/* True if the light's edge is inside the object: the corners of a rectangle, two points on the edge of a disc. */
 static bool edge_is_inside(const struct ray_view *view, const struct ray_light *light, uint32_t object)
 {
     for (int i = 0; i < 4; i++) {

@@ -2,9 +2,9 @@
 
 #include "render/dither.h"
 
-#define PATIENCE 16 /* rays: the question may cost a look at a clock, or at a keyboard */
+#define PATIENCE 16 /* rays between two calls of `stop`, which may read a clock or a keyboard */
 #define RADIANCE_MAX (16384 * NUM_LENGTH_ONE)
-#define LAYER_QUAD UINT32_C(0x40000000) /* the first of those for opacities */
+#define LAYER_QUAD UINT32_C(0x40000000) /* the first quad for opacities */
 #define ONE (INT64_C(1) << 24)
 #define HASH UINT32_C(2166136261)
 
@@ -17,7 +17,7 @@ bool estimate_stops(struct estimate *e)
     return e->stopped;
 }
 
-/* Whether a ray goes past the surface. */
+/* True if a ray passes the surface, by the chance of its opacity. */
 static bool goes_past(struct estimate *e, const struct shading *s)
 {
     uint32_t u[2];
@@ -62,7 +62,7 @@ void estimate_guide(struct estimate *e, const num_length albedo[3], const struct
     guide->normal[2] += num_q24(num_length_of_unit(normal->z) + NUM_LENGTH_ONE) - ONE;
 }
 
-/* Sample number `index` of what a channel shows. */
+/* Computes sample number `index` of a channel. */
 static void sample_of(struct estimate *e, const struct light_pixel *at, uint32_t index, estimate_radiance *radiance,
                       num_length rgb[3])
 {
@@ -76,7 +76,8 @@ static void sample_of(struct estimate *e, const struct light_pixel *at, uint32_t
     radiance(e, &ray, rgb);
 }
 
-/* Sample number `index` of the pixel, added to its sum. Of three channels each is what its own ray found of it. */
+/* Computes sample number `index` of the pixel, and adds it to the sum. Of three channels, each comes from its own ray.
+ */
 static void add_sample(struct estimate *e, int x, int y, uint32_t index, estimate_radiance *radiance,
                        struct tia_sum *sum, int64_t rounded[3])
 {
@@ -105,7 +106,7 @@ static struct estimate begin(const struct tia_view *view)
     return (struct estimate){.view = rays, .bias = num_ray_bias(rays->bias), .blocker = TIA_NO_OBJECT};
 }
 
-/* Samples of one pixel, which is number `at` of those gathered. */
+/* Adds samples of one pixel, whose index among the gathered ones is `at`. */
 static void add_samples(struct estimate *e, int x, int y, uint32_t first, uint32_t end,
                         const struct tia_gathered *gathered, size_t at, estimate_radiance *radiance)
 {
@@ -130,7 +131,7 @@ void estimate_sample_tile(const struct tia_view *view, struct tia_tile tile, uin
                         (size_t)y * gathered->pitch + (size_t)x, radiance);
 }
 
-/* What a row's pixels are made with. */
+/* Settings for a row's pixels. */
 struct packing {
     enum tia_tone tone;
     struct tia_exposure exposure;
@@ -139,7 +140,7 @@ struct packing {
     num_u threshold[8];
 };
 
-/* Dithered is what eight bits would show. */
+/* Returns the level; dithering has the amplitude of an 8-bit picture's. */
 static unsigned level(const struct packing *p, int64_t sum, unsigned bits, int x)
 {
     uint32_t value = tia_exposed(&p->exposure, sum, p->spp);

@@ -1,4 +1,4 @@
-/* estimate.h - pixels as means of samples, whatever an integrator says that a sample is; see tia/integrator.h. */
+/* estimate.h - pixels as means of an integrator's samples; see tia/integrator.h. */
 #ifndef TIA_RENDER_ESTIMATE_ESTIMATE_H
 #define TIA_RENDER_ESTIMATE_ESTIMATE_H
 
@@ -6,23 +6,23 @@
 #include "render/trace/shading.h"
 #include "samples/sobol.h"
 
-/* A sample, and what samples share that come one after the other. */
+/* A sample, and the state shared by consecutive samples. */
 struct estimate {
     const struct ray_view *view;
-    num_length bias; /* how far off a surface rays start */
+    num_length bias; /* offset of rays from surfaces */
     struct sampler sampler;
-    uint32_t layers;         /* opacities that its rays went past */
-    uint32_t hash;           /* of what the rays of all samples of the pixel met */
-    uint32_t blocker;        /* what stood before the last shadow ray, or TIA_NO_OBJECT */
-    struct tia_guide *guide; /* of the pixel; NULL: not asked for, or the sample has it already */
-    unsigned rays;           /* since the caller was asked whether to stop */
+    uint32_t layers;         /* opacities that its rays have passed */
+    uint32_t hash;           /* hash of the hits of all rays of the pixel's samples */
+    uint32_t blocker;        /* object that blocked the last shadow ray, or TIA_NO_OBJECT */
+    struct tia_guide *guide; /* the pixel's guide; NULL: not wanted, or the sample has filled it in */
+    unsigned rays;           /* rays since the last call of `stop` */
     bool stopped;
 };
 
-/* The quad whose first two numbers are the place in the pixel, and which has the first direction in the others. */
+/* The quad whose first two numbers are the position in the pixel, and whose others are the first direction. */
 #define ESTIMATE_FIRST_QUAD 0
 
-/* The radiance along a sample's first ray. */
+/* Computes the radiance along a sample's first ray. */
 typedef void estimate_radiance(struct estimate *e, const struct ray *ray, num_length rgb[3]);
 
 /* See struct renderer. */
@@ -31,19 +31,20 @@ void estimate_sample_tile(const struct tia_view *view, struct tia_tile tile, uin
 void estimate_light_tile(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
                          const struct tia_options *options, estimate_radiance *radiance);
 
-/* A row's pixels, of sums of `count` samples. */
+/* Writes a row's pixels from sums of `count` samples. */
 void estimate_show(const struct tia_view *view, struct tia_tile row, const struct tia_sum *sums, uint32_t count,
                    const struct tia_surface *surface, bool dither);
 
 /* Counts a ray; true once the caller wants to stop. */
 bool estimate_stops(struct estimate *e);
 
-/* The nearest surface that the ray does not go past by chance, as an opacity texture has it; false: there is none, but
- * perhaps a light of those kinds, see ray_intersect_lights_of. A ray that goes past a surface starts behind it from
- * then on. */
+/* Finds the nearest surface that the ray does not pass by the chance of an opacity texture; false: there is none, but
+ * perhaps a light of those kinds, see ray_intersect_lights_of. A ray that passes a surface starts behind it from then
+ * on. */
 bool estimate_meet(struct estimate *e, struct ray *ray, unsigned lights, struct hit *hit, struct shading *s);
 
-/* What the sample sees first, unless that is known already; `normal` is NULL where it meets nothing. */
+/* Adds the sample's first visible surface to the guide, unless it has one already; `normal` is NULL if there is none.
+ */
 void estimate_guide(struct estimate *e, const num_length albedo[3], const struct num_dir *normal, num_length depth);
 
 /* See struct tia_estimator. */

@@ -1,8 +1,8 @@
 /* box.c - axis-aligned boxes, by their slabs.
  *
- * A ray from outside enters where it enters the last of those slabs that it starts outside of, unless it
- * has left another by then; a ray from inside leaves with the first slab. Which planes lie ahead is
- * compared on the coordinates themselves, which are exact. */
+ * A ray from outside enters where it enters the last of those slabs that it starts outside of, unless it has left
+ * another by then; a ray from inside leaves with the first slab. The planes ahead are found by comparing the
+ * coordinates themselves, which are exact. */
 #include "box.h"
 
 struct box_axis box_axis(num_length min, num_length max, num_length origin, num_unit direction)
@@ -17,7 +17,8 @@ static uint32_t entered(const struct box_axis *axes, int i)
     return 2 * (uint32_t)i + axes[i].backward;
 }
 
-/* The last slab entered, -1 when the ray starts within all of them. A slab parallel to the ray is not entered. */
+/* Returns the last slab entered, -1 when the ray starts within all of them. A slab parallel to the ray is not entered.
+ */
 static int enter(const struct box_axis axes[3], num_length *t)
 {
     int last = -1;
@@ -34,7 +35,7 @@ static int enter(const struct box_axis axes[3], num_length *t)
     return last;
 }
 
-/* The first slab left. */
+/* Returns the first slab left. */
 static int leave(const struct box_axis axes[3], num_length *t)
 {
     int first = -1;

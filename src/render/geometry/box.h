@@ -1,4 +1,4 @@
-/* box.h - where rays meet boxes, for boxes and grids. */
+/* box.h - intersections with boxes, for boxes and grids. */
 #ifndef TIA_RENDER_GEOMETRY_BOX_H
 #define TIA_RENDER_GEOMETRY_BOX_H
 
@@ -6,20 +6,21 @@
 
 /* A ray against the two planes of a box across one axis. */
 struct box_axis {
-    num_length enter, leave; /* how far ahead the planes are, along the axis */
-    num_unit speed;          /* |d|, how fast the ray approaches them */
+    num_length enter, leave; /* distances to the planes along the axis */
+    num_unit speed;          /* |d|, the speed of approach */
     bool backward;
 };
 
 struct box_axis box_axis(num_length min, num_length max, num_length origin, num_unit direction);
 
-/* Where the ray meets the box, t <= limit: the element is the face, 2 axis + (0 at the minimum, 1 at the
- * maximum). `inside`: the ray starts inside, and leaves there. */
+/* Intersects a ray with the box, t <= limit: the element is the face, 2 axis + (0 at the minimum, 1 at the maximum).
+ * `inside`: the ray starts inside, and leaves there. */
 bool box_intersect(const struct prepared_box *box, const struct ray *ray, num_length limit,
                    struct intersection *intersection, bool *inside);
 
-/* The outward normal of a face, and the surface coordinates in it. */
+/* Sets the outward normal of a face. */
 void box_surface(uint32_t face, struct surface *surface);
+/* Gives the surface coordinates in a face. */
 void box_uv(const struct prepared_box *box, struct num_point point, uint32_t face, num_length uv[2]);
 
 #endif

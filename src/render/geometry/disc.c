@@ -1,4 +1,4 @@
-/* disc.c - planes within a radius. */
+/* disc.c - discs: planes within a radius. */
 #include "flat.h"
 
 static bool intersect(const struct shape *shape, const struct ray *ray, num_length limit,

@@ -1,5 +1,5 @@
-/* flat.c - planes: t = (P - O).N / (D.N). A ray with |D.N| below 2^-42 is parallel: what it meets within
- * 2^17 units it meets at less than 2^-25 above the plane. */
+/* flat.c - planes: t = (P - O).N / (D.N). A ray with |D.N| below 2^-42 counts as parallel: an intersection within 2^17
+ * units would be less than 2^-25 above the plane. */
 #include "flat.h"
 
 void flat_prepare(struct prepared_plane *plane, struct tia_vec3 point, struct tia_dir3 normal)

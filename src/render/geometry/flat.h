@@ -1,4 +1,4 @@
-/* flat.h - what planes and discs share. */
+/* flat.h - functions shared by planes and discs. */
 #ifndef TIA_RENDER_GEOMETRY_FLAT_H
 #define TIA_RENDER_GEOMETRY_FLAT_H
 
@@ -6,13 +6,13 @@
 
 void flat_prepare(struct prepared_plane *plane, struct tia_vec3 point, struct tia_dir3 normal);
 
-/* Where the ray meets the infinite plane. */
+/* Intersects a ray with the infinite plane. */
 bool flat_intersect(const struct prepared_plane *plane, const struct ray *ray, num_length limit, num_length *t);
 
 /* For shape_kind; the normal is the plane's. */
 void flat_surface(const struct shape *shape, struct num_point point, uint32_t element, struct surface *surface);
 
-/* The coordinates along the tangents. */
+/* Gives the coordinates along the tangents. */
 void flat_uv(const struct prepared_plane *plane, struct num_point point, num_length uv[2]);
 
 #endif

@@ -1,10 +1,9 @@
-/* grid.c - cubes in rows, walked cell by cell after Amanatides and Woo, "A fast voxel traversal
- * algorithm" (1987).
+/* grid.c - grids of cubes, traversed cell by cell after Amanatides and Woo, "A fast voxel traversal algorithm" (1987).
  *
- * Cells are counted in integers, and the t of a plane between them comes from the plane's coordinate, not
- * from the t of the plane before it: so the planes that a ray meets, sorted by t, are the steps of its
- * walk, and no rounding makes it skip a cell or see one twice. The walk ends after as many steps as there
- * are planes. Element: 6 times the cell, plus the face as a box has it. */
+ * Cells are counted in integers, and the t of a plane between them comes from the plane's coordinate, not from the t of
+ * the plane before it: so the planes that a ray meets, sorted by t, are the steps of its walk, and no rounding makes it
+ * skip or repeat a cell. The walk ends after as many steps as there are planes. Element: 6 times the cell, plus the
+ * face as a box has it. */
 #include "box.h"
 
 struct walker {
@@ -12,7 +11,7 @@ struct walker {
     num_length corner[3], origin[3], edge;
     num_unit direction[3];
     int32_t at[3];      /* the cell */
-    num_length next[3]; /* where the ray leaves it along each axis */
+    num_length next[3]; /* t at which the ray leaves it along each axis */
 };
 
 static int step_of(const struct walker *w, int axis)
@@ -20,7 +19,7 @@ static int step_of(const struct walker *w, int axis)
     return w->direction[axis] < 0 ? -1 : 1;
 }
 
-/* Where the ray meets the plane below cell `at` of an axis. */
+/* Returns the t of the plane below cell `at` of an axis. */
 static num_length plane_at(const struct walker *w, int axis, int32_t at)
 {
     return num_div(w->corner[axis] + w->edge * (num_length)at - w->origin[axis], w->direction[axis]);
@@ -75,7 +74,7 @@ static void start(struct walker *w, const struct prepared_grid *grid, const stru
         find_cell(w, axis, t);
 }
 
-/* Goes from cell to cell until one is filled with something else. */
+/* Goes from cell to cell until the next one differs from the first. */
 static bool go(struct walker *w, num_length limit, struct intersection *intersection)
 {
     uint32_t cell = cell_index(w);

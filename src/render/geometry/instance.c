@@ -3,7 +3,7 @@
 #include "math/rotation.h"
 #include "slab.h"
 
-/* From Q47.16; |q| < 2^32. */
+/* Converts from Q47.16; |q| < 2^32. */
 static num_length of_wide(int64_t q)
 {
     return 2 * num_length_of((tia_q16)(q >> 1)) + num_length_of((tia_q16)(q & 1));
@@ -35,7 +35,7 @@ struct num_point instance_point(const struct instance *p, struct num_point point
                               num_ratio(num_point_dot(v, p->axes[2]), p->scale[2])};
 }
 
-/* Where the ray, whose direction is d along the axes, reaches the box. */
+/* Returns the t at which the ray, whose direction is d along the axes, reaches the box. */
 static num_length start_of(const struct instance *p, const struct ray *ray, struct num_dir d)
 {
     const num_unit along[3] = {d.x, d.y, d.z};
@@ -67,8 +67,8 @@ num_length instance_distance(const struct instance_ray *placed, num_length t)
     return t < placed->start ? -1 : num_scaled(t - placed->start, placed->scale);
 }
 
-/* There and back is off by 2^-57 of t and by units of 2^-45, of which one in the world is k <= 2^10 in the shape's
- * axes: 2^-40 k and as much again. */
+/* Returns the limit. Converting t forth and back errs by 2^-57 of it and by units of 2^-45, one of which in the world
+ * is k <= 2^10 in the shape's axes: 2^-40 k and as much again. */
 num_length instance_limit(const struct instance_ray *placed, num_length t)
 {
     num_length more = t / (num_length)(INT64_C(1) << 40) + NUM_LENGTH_BIAS / (num_length)(INT32_C(1) << 27);
@@ -84,7 +84,7 @@ num_length instance_distance_back(const struct instance_ray *placed, num_length 
     return placed->start + num_unscaled(t, placed->scale);
 }
 
-/* By the inverse transpose: n_i / s_i along the axes. */
+/* Transforms by the inverse transpose: n_i / s_i along the axes. */
 struct num_dir instance_normal(const struct instance *p, struct num_dir normal)
 {
     struct num_dir n;

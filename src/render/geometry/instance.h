@@ -17,32 +17,35 @@ struct instance {
     struct num_point position;
     struct num_dir axes[3];
     num_length scale[3];
-    num_length min[3], max[3]; /* of the box, along the axes in the world's units */
+    num_length min[3], max[3]; /* box, along the axes in the world's units */
 };
 
-/* `bounds` are those of the shape in its own axes. */
+/* Prepares an instance; `bounds` are those of the shape in its own axes. */
 void instance_prepare(struct instance *instance, const struct tia_transform *transform,
                       const struct bounds_wide *bounds);
 
 /* A ray in the shape's axes. */
 struct instance_ray {
     struct ray ray;
-    num_length start;       /* the world's t of the local 0; beyond NUM_LENGTH_MAX where the ray misses the box */
+    num_length start;       /* the world's t of the local 0; beyond NUM_LENGTH_MAX if the ray misses the box */
     struct num_scale scale; /* k */
 };
 
 void instance_transform_ray(const struct instance *instance, const struct ray *ray, struct instance_ray *placed);
 
-/* A distance in the world as one along the local ray, below 0 when it ends before the local 0 or the ray misses; and
- * back. */
+/* Converts a distance in the world to one along the local ray: below 0 when it ends before the local 0 or the ray
+ * misses. */
 num_length instance_distance(const struct instance_ray *placed, num_length t);
+/* Converts it back. */
 num_length instance_distance_back(const struct instance_ray *placed, num_length t);
 
-/* instance_distance of t and a margin for its rounding: an intersection within t in the world is within this one. */
+/* Returns instance_distance of t plus a margin for its rounding: an intersection within t in the world is within this
+ * limit. */
 num_length instance_limit(const struct instance_ray *placed, num_length t);
 
-/* A world point on the shape in the shape's axes, and a normal back in the world. */
+/* Converts a world point on the shape to the shape's axes. */
 struct num_point instance_point(const struct instance *instance, struct num_point point);
+/* Converts a normal to the world. */
 struct num_dir instance_normal(const struct instance *instance, struct num_dir normal);
 
 #endif

@@ -1,4 +1,4 @@
-/* kind.c - what kinds of shapes share. */
+/* kind.c - functions shared by all kinds of shapes. */
 #include "shape.h"
 
 bool shape_occludes(const struct shape *shape, const struct ray *ray, num_length limit)
@@ -8,7 +8,7 @@ bool shape_occludes(const struct shape *shape, const struct ray *ray, num_length
     return shape->kind->intersect(shape, ray, limit, &intersection);
 }
 
-/* e x N, e the unit vector of N's smallest coordinate. */
+/* Returns e x N, e the unit vector of N's smallest coordinate. */
 static struct num_dir across(struct num_dir n)
 {
     num_unit x = n.x < 0 ? -n.x : n.x, y = n.y < 0 ? -n.y : n.y, z = n.z < 0 ? -n.z : n.z;

@@ -4,7 +4,7 @@
 
 #define GROUPS 16
 
-/* The lowest groups from `from` on, in rising order, and whether there are more. */
+/* The lowest groups from `from` on, in rising order, and a flag if there are more. */
 struct groups {
     uint32_t group[GROUPS], count, from;
     bool more;
@@ -17,7 +17,7 @@ struct search {
     struct triangle_ray ray;
     struct intersection nearest;
     bool any, found;       /* any: the first intersection ends the search */
-    struct groups *groups; /* NULL, or receives those of all intersections */
+    struct groups *groups; /* NULL, or receives the groups of all intersections */
 };
 
 static struct triangle_corners corners_of(const struct tia_mesh *mesh, uint32_t face)
@@ -65,7 +65,7 @@ static void try_face(struct search *s, uint32_t face)
     s->found = true;
 }
 
-/* Tries faces items[i], or i where there are no items, for i from `first` on. */
+/* Tests faces items[i], or i if `items` is NULL, for i from `first` on. */
 static void try_faces(struct search *s, const uint32_t *items, uint32_t first, uint32_t count)
 {
     for (uint32_t i = first; i - first < count && !(s->any && s->found); i++)
@@ -87,7 +87,7 @@ static void search(struct search *s, const struct prepared_mesh *prepared, const
     s->mesh = prepared->mesh;
     s->given = ray;
     triangle_ray_prepare(&s->ray, ray);
-    if (prepared->tree && prepared->tree->node_count == 1) /* a leaf, and its box is the object's */
+    if (prepared->tree && prepared->tree->node_count == 1) /* a leaf: its box is the object's */
         try_faces(s, prepared->tree->items, 0, prepared->tree->item_count);
     else if (prepared->tree)
         try_tree(s, prepared->tree, ray);
@@ -129,7 +129,7 @@ uint32_t mesh_groups_met(const struct shape *shape, const struct ray *ray, num_l
     return met;
 }
 
-/* A hash of the edge from a to b; the edge from b to a has another. */
+/* Returns a hash of the edge from a to b; the edge from b to a has another. */
 static uint64_t edge_number(const struct tia_vec3 *a, const struct tia_vec3 *b)
 {
     const tia_q16 words[6] = {a->x, a->y, a->z, b->x, b->y, b->z};
@@ -142,7 +142,8 @@ static uint64_t edge_number(const struct tia_vec3 *a, const struct tia_vec3 *b)
     return n;
 }
 
-/* If each edge has one that runs back, the sum is 0; otherwise that has one chance in 2^64. */
+/* True if the mesh is closed. If each edge has one that runs back, the sum is 0; otherwise it is 0 with a chance of one
+ * in 2^64. */
 bool mesh_is_closed(const struct tia_mesh *mesh, struct cancel *cancel)
 {
     uint64_t sum = 0;
@@ -157,7 +158,8 @@ bool mesh_is_closed(const struct tia_mesh *mesh, struct cancel *cancel)
     return sum == 0;
 }
 
-/* The vertices' normals, weighted by the barycentric coordinates; the face's own where they cancel. */
+/* Returns the mean of the vertices' normals, weighted by the barycentric coordinates; the face's own where they cancel.
+ */
 static struct num_dir smooth_normal(const struct tia_mesh *mesh, const struct tia_corner corner[3],
                                     const num_unit parts[3], struct num_dir flat)
 {

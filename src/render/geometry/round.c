@@ -29,13 +29,13 @@
  *
  * E is sigma g where the ray is nearest to the axis; again a perpendicular form.
  *
- * The square forgot the sign of g: (1) has no points with g < 0, but the other half of the double cone
- * has. A ray that is flatter than the side (ab >= 0) is inside between its roots, with g of the same sign
- * all the way, that of E. A steeper one (ab < 0) is inside before the first root in one half and after the
- * second in the other; that half where g grows along the ray, the second when gamma > 0, is ours. */
+ * The square loses the sign of g: (1) has no points with g < 0, but the other half of the double cone has. A ray that
+ * is flatter than the side (ab >= 0) is inside between its roots, with g of the same sign all the way, that of E. A
+ * steeper one (ab < 0) is inside before the first root in one half and after the second in the other; that half where g
+ * grows along the ray, the second when gamma > 0, is ours. */
 #include "round.h"
 
-/* Where along a ray something is true: nowhere when far < near. */
+/* An interval of t; empty when far < near. */
 struct span {
     num_length near, far;
 };
@@ -44,16 +44,16 @@ static const struct span everywhere = {-NUM_LENGTH_MAX, NUM_LENGTH_MAX}, nowhere
 
 /* The ray relative to the axis. */
 struct beam {
-    num_length start;            /* how far its origin was moved */
-    num_length height;           /* of the moved origin above the anchor */
+    num_length start;            /* distance by which its origin was moved */
+    num_length height;           /* height of the moved origin above the anchor */
     num_unit rise;               /* d */
     num_unit run;                /* q */
     num_length nearest, passing; /* m, w */
 };
 
-/* Whether the ray's line passes the axis farther away than any point of the shape: |P x Q| > r |Q|, where P is a point
- * of the line and Q its direction, both seen along the axis. Most rays that come near a slender shape do, and need no
- * normalisation. Rounding moves a side by less than 2^-40; the shape's points have 2^-13 to spare. */
+/* True if the ray's line passes the axis farther away than any point of the shape: |P x Q| > r |Q|, where P is a point
+ * of the line and Q its direction, both projected along the axis. This holds for most rays near a slender shape, and
+ * needs no normalisation. Rounding moves a side by less than 2^-40; the shape's points have 2^-13 to spare. */
 static bool passes_by(const struct prepared_cone *cone, struct num_point o, const num_unit d[2])
 {
     num_length p[2] = {num_point_dot(o, cone->across[0]), num_point_dot(o, cone->across[1])};
@@ -64,7 +64,7 @@ static bool passes_by(const struct prepared_cone *cone, struct num_point o, cons
     return aside > most || aside < -most;
 }
 
-/* False when the ray never comes near enough. */
+/* Gives the beam; false when the ray never comes near enough. */
 static bool beam_of(const struct prepared_cone *cone, const struct ray *ray, num_length limit, struct beam *b)
 {
     const struct num_dir *a = cone->across;
@@ -80,7 +80,7 @@ static bool beam_of(const struct prepared_cone *cone, const struct ray *ray, num
     if (!num_within(cone->reach, o))
         return false;
     struct num_dir q = num_dir_normalised((struct num_dir){d[0], d[1], 0});
-    if (q.x == 0 && q.y == 0) /* parallel to the axis: any direction across it will do */
+    if (q.x == 0 && q.y == 0) /* parallel to the axis: any direction across it serves */
         q.x = NUM_UNIT_ONE;
     num_length p[2] = {num_point_dot(o, a[0]), num_point_dot(o, a[1])};
     b->height = num_point_dot(o, cone->axis);
@@ -91,7 +91,7 @@ static bool beam_of(const struct prepared_cone *cone, const struct ray *ray, num
     return true;
 }
 
-/* The quadratic at the top, once c and s are in it. */
+/* The quadratic of the derivation above, with c and s. */
 struct quadratic {
     num_length g, m, p;
     num_unit sigma, gamma;
@@ -115,7 +115,7 @@ static struct span solve(const struct quadratic *u)
     return u->gamma > 0 ? (struct span){roots.far, NUM_LENGTH_MAX} : (struct span){-NUM_LENGTH_MAX, roots.near};
 }
 
-/* Where the ray is inside the side, which is extended without end both ways. */
+/* Returns the interval inside the side, which extends infinitely both ways. */
 static struct span side_span(const struct prepared_cone *cone, const struct beam *b)
 {
     num_unit c = cone->slope_cosine, s = cone->slope_sine;
@@ -125,13 +125,13 @@ static struct span side_span(const struct prepared_cone *cone, const struct beam
     struct quadratic u = {num_times(radius, c) + num_times(b->height, s), num_times(b->nearest, c),
                           num_times(b->passing, c), n.x, n.y};
 
-    if (scale == 0) /* the distance from the side stays the same */
+    if (scale == 0) /* the distance from the side is constant */
         return num_within(u.g, (struct num_point){u.m, u.p, 0}) ? everywhere : nowhere;
     struct span span = solve(&u);
     return (struct span){num_div(span.near, scale), num_div(span.far, scale)};
 }
 
-/* Where it is between the base and the top. An apex bounds nothing that the side does not. */
+/* Returns the interval between base and top. An apex needs no limit: the side has one. */
 static struct span height_span(const struct prepared_cone *cone, const struct beam *b)
 {
     num_length base = cone->base_radius > 0 ? -cone->anchored - b->height : -NUM_LENGTH_MAX;
@@ -143,7 +143,7 @@ static struct span height_span(const struct prepared_cone *cone, const struct be
     return b->rise > 0 ? (struct span){to_base, to_top} : (struct span){to_top, to_base};
 }
 
-/* Whether t from the moved origin counts; nothing of the shape is beyond its reach. */
+/* True if the intersection at t from the moved origin is valid; no point of the shape is beyond its reach. */
 static bool take(const struct prepared_cone *cone, const struct beam *b, num_length t, num_length limit,
                  uint32_t element, struct intersection *intersection)
 {
@@ -176,7 +176,7 @@ bool round_intersect(const struct shape *shape, const struct ray *ray, num_lengt
            (leaves && take(cone, &b, side.far, limit, ROUND_SIDE, intersection));
 }
 
-/* The direction from the axis to the point, in the axes across. */
+/* Gives the direction from the axis to the point, in the axes across. */
 static void aside(const struct prepared_cone *cone, struct num_point v, num_unit out[2])
 {
     num_unit none;
@@ -185,7 +185,7 @@ static void aside(const struct prepared_cone *cone, struct num_point v, num_unit
                          &none);
 }
 
-/* The gradient of (1). At an apex what is left of it is the axis. */
+/* Returns the gradient of (1). At an apex its remaining part is the axis. */
 static struct num_dir side_normal(const struct prepared_cone *cone, struct num_point point)
 {
     num_unit out[2];
@@ -208,8 +208,8 @@ void round_surface(const struct shape *shape, struct num_point point, uint32_t e
     surface->smooth = surface->normal;
 }
 
-/* A disc's coordinates, of a point relative to the base. The base's normal is the negated axis: that negates U, or,
- * with the axis along y, V. */
+/* Gives a disc's coordinates of a point relative to the base. The base's normal is the negated axis: that negates U,
+ * or, with the axis along y, V. */
 static void cap_uv(const struct prepared_cone *cone, struct num_point v, bool is_base, num_length uv[2])
 {
     num_length radius = is_base ? cone->base_radius : cone->top_radius;
@@ -238,7 +238,7 @@ void round_uv(const struct shape *shape, struct num_point point, uint32_t elemen
     uv[1] = num_ratio(num_point_dot(v, cone->axis), cone->length);
 }
 
-/* Lengths are rounded down: a reach or a thickness of 2^-13 more hides no point. */
+/* Sets the anchor. Lengths are rounded down; 2^-13 is added to reach and thickness, so that no point is hidden. */
 static void set_anchor(struct prepared_cone *cone, struct num_point top)
 {
     bool at_top = cone->top_radius < cone->base_radius;

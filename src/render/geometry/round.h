@@ -1,4 +1,4 @@
-/* round.h - what cylinders and cones share: everything but their names. */
+/* round.h - functions shared by cylinders and cones. */
 #ifndef TIA_RENDER_GEOMETRY_ROUND_H
 #define TIA_RENDER_GEOMETRY_ROUND_H
 
@@ -7,14 +7,14 @@
 /* The elements: the side and the caps. */
 enum { ROUND_SIDE, ROUND_BASE, ROUND_TOP };
 
-/* The ends of the axis and the radii there: a cylinder when they are equal. One may be 0. */
+/* The ends of the axis and their radii: a cylinder when they are equal. One may be 0. */
 struct round_ends {
     struct tia_vec3 base, top;
     tia_q16 base_radius, top_radius;
     struct tia_fine_ends fine;
 };
 
-/* The fine digits of a shape, 0 without any. */
+/* Returns the fine digits of a shape, 0 if it has none. */
 struct tia_fine_ends round_fine(const struct tia_scene *scene, const struct tia_shape *given);
 
 void round_prepare(struct prepared_cone *cone, const struct round_ends *ends, bool capped);

@@ -1,8 +1,8 @@
-/* shape.h - what all shapes have in common, as rays meet them.
+/* shape.h - the common interface of all shapes, for intersecting rays.
  *
- * A shape is prepared once for a view: its constants lie in `struct shape`, in the shape's own axes, and the
- * functions of its kind in a table. Those know nothing of transforms: a placed shape's ray is moved into
- * the shape's axes first (instance.h).
+ * A shape is prepared once for a view: its constants lie in `struct shape`, in the shape's own axes, and the functions
+ * of its kind in a table. These do not depend on transforms: a placed shape's ray is converted to the shape's axes
+ * first (instance.h).
  */
 #ifndef TIA_RENDER_GEOMETRY_SHAPE_H
 #define TIA_RENDER_GEOMETRY_SHAPE_H
@@ -16,11 +16,11 @@ struct ray {
     struct num_point origin;
     struct num_dir direction; /* of length 1 */
 #ifdef TIA_WATCHED
-    uint32_t *tests; /* NULL, or counts what the ray is tested against, see struct tia_observer */
+    uint32_t *tests; /* NULL, or counts the ray's tests, see struct tia_observer */
 #endif
 };
 
-/* Gives the ray a counter, or NULL. In the builds that nobody can watch this and the next are nothing. */
+/* Gives the ray a counter, or NULL. In builds without observers this and the next are empty. */
 static inline void ray_watch(struct ray *ray, uint32_t *tests)
 {
 #ifdef TIA_WATCHED
@@ -31,7 +31,7 @@ static inline void ray_watch(struct ray *ray, uint32_t *tests)
 #endif
 }
 
-/* The counter of another ray. */
+/* Gives the ray the counter of another ray. */
 static inline void ray_watch_as(struct ray *ray, const struct ray *other)
 {
 #ifdef TIA_WATCHED
@@ -42,7 +42,7 @@ static inline void ray_watch_as(struct ray *ray, const struct ray *other)
 #endif
 }
 
-/* Counts so many tests. */
+/* Counts tests. */
 static inline void ray_tested(const struct ray *ray, uint32_t count)
 {
 #ifdef TIA_WATCHED
@@ -54,13 +54,13 @@ static inline void ray_tested(const struct ray *ray, uint32_t count)
 #endif
 }
 
-/* Where a ray meets a shape. `element` says which part: a face, a cap, a cell; see each shape. */
+/* An intersection. `element` is a part of the shape: a face, a cap, a cell; see each shape. */
 struct intersection {
     num_length t;
     uint32_t element;
 };
 
-/* What shading asks of an intersection. */
+/* The surface at an intersection, for shading. */
 struct surface {
     struct num_dir normal; /* the geometric one, length 1, outwards as in tia/shape.h */
     struct num_dir smooth; /* the shading normal: interpolated on a smooth mesh, otherwise the same */
@@ -73,27 +73,28 @@ struct shape;
  * NUM_LENGTH_MAX. */
 struct shape_kind {
     void (*prepare)(struct shape *shape, const struct tia_scene *scene, const struct tia_shape *given);
-    /* The nearest intersection, the lowest element of several at the same t; false: there is none. */
+    /* Finds the nearest intersection, the lowest element of several at the same t; false: there is none. */
     bool (*intersect)(const struct shape *shape, const struct ray *ray, num_length limit,
                       struct intersection *intersection);
-    /* Whether there is any; never slower than intersect. shape_occludes will do, which calls that. */
+    /* True if there is any intersection; never slower than intersect. shape_occludes, which calls intersect, may be
+     * used. */
     bool (*occluded)(const struct shape *shape, const struct ray *ray, num_length limit);
     void (*surface)(const struct shape *shape, struct num_point point, uint32_t element, struct surface *surface);
-    /* Surface coordinates, see tia/shape.h. */
+    /* Gives surface coordinates, see tia/shape.h. */
     void (*uv)(const struct shape *shape, struct num_point point, uint32_t element, num_length uv[2]);
 };
 
 /* Constants of the prepared shapes. */
 struct prepared_plane {
-    struct num_point point; /* of a disc its centre */
+    struct num_point point; /* disc: its centre */
     struct num_dir normal, tangents[2];
-    num_length radius; /* of a disc */
+    num_length radius; /* disc: its radius */
 };
 
 /* A cylinder or cone in its own axes: the axis runs along `axis` from the base to base + length axis. */
 struct prepared_cone {
     struct num_point base;
-    struct num_dir axis, across[2]; /* of length 1, at right angles; across are the tangents U and -V of `axis` */
+    struct num_dir axis, across[2]; /* of length 1, at right angles; `across` are the tangents U and -V of `axis` */
     num_length length, base_radius, top_radius;
     struct num_point anchor;           /* the thinner end of the axis, */
     num_length anchored;               /* its height above the base, */
@@ -114,7 +115,7 @@ struct prepared_sphere {
 
 struct prepared_mesh {
     const struct tia_mesh *mesh;
-    const struct tia_bvh_tree *tree; /* NULL: all faces are tried */
+    const struct tia_bvh_tree *tree; /* NULL: all faces are tested */
 };
 
 struct prepared_grid {
@@ -123,20 +124,20 @@ struct prepared_grid {
     num_length cell;
 };
 
-/* What a refracted ray may enter: nothing, the shape, or one of its cells. */
+/* Parts that a refracted ray may enter: none, the shape, or one of its cells. */
 enum inside { INSIDE_NONE, INSIDE_WHOLE, INSIDE_CELLS };
 
 struct shape {
     const struct shape_kind *kind;
     const struct instance *instance; /* NULL: the world's axes */
     uint32_t material;
-    enum inside inside; /* of shapes that refract */
+    enum inside inside; /* for shapes that refract */
     bool layered;       /* it has an opacity texture */
-    int8_t uv_bits;     /* of its coordinates u, v, which are 2^uv_bits times as many of those of its textures */
+    int8_t uv_bits;     /* its coordinates u, v times 2^uv_bits are those of its textures */
     union {
         struct prepared_sphere sphere;
-        struct prepared_plane plane; /* of discs too */
-        struct prepared_cone cone;   /* of cylinders too */
+        struct prepared_plane plane; /* discs too */
+        struct prepared_cone cone;   /* cylinders too */
         struct prepared_box box;
         struct tia_triangle triangle;
         struct prepared_mesh mesh;
@@ -153,29 +154,29 @@ TIA_SHAPES(DECLARE)
 /* Sets shape->kind and the constants. */
 void shape_prepare(struct shape *shape, const struct tia_scene *scene, const struct tia_shape *given);
 
-/* Whether a mesh's faces enclose a volume, see tia/material.h. Stopped: anything. */
+/* True if a mesh's faces enclose a volume, see tia/material.h. If stopped, any value. */
 bool mesh_is_closed(const struct tia_mesh *mesh, struct cancel *cancel);
 
-/* How many of a mesh's groups of faces a ray meets at 0 <= t <= limit; the mesh must have groups. */
+/* Returns how many of a mesh's groups of faces a ray meets at 0 <= t <= limit; the mesh must have groups. */
 uint32_t mesh_groups_met(const struct shape *shape, const struct ray *ray, num_length limit);
 
-/* `occluded` for shapes without a faster test: calls intersect. */
+/* Implements `occluded` for shapes without a faster test: calls intersect. */
 bool shape_occludes(const struct shape *shape, const struct ray *ray, num_length limit);
 
-/* The material of an element: a grid's cells have their own. */
+/* Returns the material of an element: a grid's cells have their own. */
 uint32_t shape_material(const struct shape *shape, uint32_t element);
 
-/* The axes A, B of tia/light.h for a normal. */
+/* Gives the axes A, B of tia/light.h for a normal. */
 void shape_axes(struct num_dir normal, struct num_dir axes[2]);
 
-/* The tangents U, V of tia/shape.h for a normal; whether it is y or -y, which are special. */
+/* Gives the tangents U, V of tia/shape.h for a normal; true if it is y or -y, which are special. */
 void shape_tangents(struct num_dir normal, struct num_dir tangents[2]);
 static inline bool shape_is_upright(struct num_dir normal)
 {
     return normal.x == 0 && normal.z == 0;
 }
 
-/* The scene's spheres are not prepared: these take them as they are. */
+/* Intersect and describe the scene's spheres, which are not prepared. */
 bool sphere_intersect(struct num_point centre, num_length radius, const struct ray *ray, num_length limit,
                       num_length *t);
 void sphere_surface(struct num_point centre, struct num_point point, struct surface *surface);

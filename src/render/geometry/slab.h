@@ -1,4 +1,4 @@
-/* slab.h - the slab test: where a ray is between two planes across an axis. Distances are num_slab's. */
+/* slab.h - the slab test: the interval of a ray between two planes across an axis. Distances are num_slab's. */
 #ifndef TIA_RENDER_GEOMETRY_SLAB_H
 #define TIA_RENDER_GEOMETRY_SLAB_H
 
@@ -9,8 +9,8 @@ struct slab {
     bool parallel;
 };
 
-/* num_reciprocal clamps the slope of a ray nearly parallel to the planes. That makes it enter early, which is safe,
- * but it would also leave early: so a parallel ray between the planes never leaves. */
+/* Returns a slab. num_reciprocal clamps the slope of a ray nearly parallel to the planes. That makes it enter early,
+ * which is safe, but it would also leave early: so a parallel ray between the planes never leaves. */
 static inline struct slab slab_of(num_length origin, num_unit direction)
 {
     bool parallel = direction < NUM_UNIT_PARALLEL && direction > -NUM_UNIT_PARALLEL;

@@ -26,7 +26,7 @@ void sphere_surface(struct num_point centre, struct num_point point, struct surf
     surface->smooth = surface->normal;
 }
 
-/* (1/2 - atan2(z, x)/(2 pi), 1 - acos(y)/pi), the latter as atan2(sqrt(1 - y^2), y)/pi. */
+/* Gives (1/2 - atan2(z, x)/(2 pi), 1 - acos(y)/pi), the latter as atan2(sqrt(1 - y^2), y)/pi. */
 void sphere_uv(struct num_point centre, struct num_point point, num_length uv[2])
 {
     struct num_dir n;

@@ -1,8 +1,8 @@
 /* triangle.c - watertight triangles, after Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection",
  * JCGT 2013.
  *
- * Relative to the ray's origin, and with the axes turned so that the largest component of D is the last, a
- * corner (x, y, z) is slid along the ray to where it is seen:
+ * Relative to the ray's origin, and with the axes turned so that the largest component of D is the last, a corner (x,
+ * y, z) is projected along the ray:
  *
  *     x' = x - z Dx/Dz,   y' = y - z Dy/Dz.
  *
@@ -13,16 +13,15 @@
  * do not differ in sign; 0 is of either. Over their sum they are the barycentric coordinates, and t is the mean
  * of the corners' z, weighted with those, over Dz.
  *
- * Why nothing leaks: x' and y' are rounded, but they are made of the corner and the ray alone, so all triangles
- * at a corner see the same, and a b' that is a little off moves all of them. In that slightly moved mesh
- * the decision is exact in q16: 128 bits hold the area. In floating point each of the two products is rounded;
- * rounding keeps their order, so the sign is right or 0, and 0 excludes nothing. Both see the edge from its
- * other end as exactly the negative.
+ * Watertight: x' and y' are rounded, but they depend on the corner and the ray alone, so all triangles at a corner use
+ * the same values, and an error of b' moves all of them. In that slightly moved mesh the decision is exact in q16: 128
+ * bits hold the area. In floating point each of the two products is rounded; rounding keeps their order, so the sign is
+ * right or 0, and 0 excludes no triangle. From its other end, the edge has exactly the negated area.
  *
- * How exact t is: x' is within 2^-46 and the error of a slope, 2^-59 |z|. A corner that is aside by e puts the
- * intersection off the plane by e at most, wherever the corners are: no large numbers are subtracted. Areas:
- * corners are nearer to each other than 2^16 in each coordinate, so x' by 2^17, and the sum of the areas stays
- * below 2^34, 2^124 as num_area has it. */
+ * Error of t: x' is within 2^-46 plus the error of a slope, 2^-59 |z|. A corner displaced by e displaces the
+ * intersection from the plane by e at most, wherever the corners are: no large numbers are subtracted. Areas: corners
+ * are nearer to each other than 2^16 in each coordinate, so x' by 2^17, and the sum of the areas stays below 2^34,
+ * 2^124 as num_area has it. */
 #include "triangle.h"
 
 #include "math/wide.h"
@@ -39,7 +38,7 @@ static int largest(struct num_dir d)
     return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
 }
 
-/* The components in the order main, next, the one after. */
+/* Gives the components in the order main, next, the one after. */
 static void turn(int main, struct num_point p, num_length v[3])
 {
     v[0] = main == 0 ? p.x : main == 1 ? p.y : p.z;
@@ -64,7 +63,7 @@ void triangle_ray_prepare(struct triangle_ray *start, const struct ray *ray)
     start->slope[1] = num_fraction_by(main == 0 ? d->z : main == 1 ? d->x : d->y, start->along);
 }
 
-/* The coordinates of the corners along the axis that is `step` after the main one, from the ray's origin. */
+/* Gives the coordinates of the corners along the axis that is `step` after the main one, from the ray's origin. */
 static void corners_along(const struct triangle_ray *ray, const struct triangle_corners *corners, int step,
                           num_length v[3])
 {
@@ -77,8 +76,8 @@ static void corners_along(const struct triangle_ray *ray, const struct triangle_
     }
 }
 
-/* Where the corners are seen along that axis. Not inlined, so that what its products leave on a small processor's
- * stack is gone in deeper calls. */
+/* Gives the projected corners along that axis. Not inlined, so that the temporaries of its products are off a small
+ * processor's stack in deeper calls. */
 __attribute__((noinline)) static void seen(const struct triangle_ray *ray, const struct triangle_corners *corners,
                                            int step, const num_length ahead[3], num_length v[3])
 {
@@ -87,13 +86,13 @@ __attribute__((noinline)) static void seen(const struct triangle_ray *ray, const
         v[i] -= num_times(ahead[i], ray->slope[step - 1]);
 }
 
-/* Whether all corners are seen strictly on one side of the ray: then some areas differ in sign, or all are 0. */
+/* True if all projected corners are strictly on one side of the ray: then some areas differ in sign, or all are 0. */
 static bool is_beside(const num_length v[3])
 {
     return (v[0] > 0 && v[1] > 0 && v[2] > 0) || (v[0] < 0 && v[1] < 0 && v[2] < 0);
 }
 
-/* The area that the origin makes with the edge that does not touch corner i. */
+/* Returns the area that the origin makes with the edge that does not touch corner i. */
 static num_area span_area(const num_length x[3], const num_length y[3], int i)
 {
     int a = i < 2 ? i + 1 : 0, b = i > 0 ? i - 1 : 2;
@@ -101,7 +100,7 @@ static num_area span_area(const num_length x[3], const num_length y[3], int i)
     return num_cross2(x[a], y[a], x[b], y[b]);
 }
 
-/* Whether the ray passes the triangle: no two areas differ in sign, and not all are 0. The third is not needed where
+/* True if the ray passes the triangle: no two areas differ in sign, and not all are 0. The third is not needed where
  * the first two differ. */
 static bool is_inside(const num_length x[3], const num_length y[3], num_area areas[3])
 {
@@ -129,7 +128,7 @@ static struct edges edges_of(const struct triangle_corners *corners)
                           {(int64_t)c.x - a.x, (int64_t)c.y - a.y, (int64_t)c.z - a.z}};
 }
 
-/* A component of their product, exact: up to 67 bits. It is that of the axis before j. */
+/* Returns a component of the edges' product, exact: up to 67 bits. It is that of the axis before j. */
 static wide edge_product(const struct edges *e, int j)
 {
     int k = j < 2 ? j + 1 : 0;
@@ -137,7 +136,7 @@ static wide edge_product(const struct edges *e, int j)
     return wide_difference(wide_product(e->ab[j], e->ac[k]), wide_product(e->ab[k], e->ac[j]));
 }
 
-/* Whether the corners do not lie on one line. */
+/* True if the corners do not lie on one line. */
 static bool has_area(const struct triangle_corners *corners)
 {
     struct edges edges = edges_of(corners);
@@ -164,11 +163,11 @@ bool triangle_intersect(const struct triangle_ray *ray, const struct triangle_co
         return false;
     num_barycentric(areas, parts);
     *t = num_div_by(num_dot3(ahead[0], ahead[1], ahead[2], parts[0], parts[1], parts[2]), ray->along);
-    /* Rounding may give corners on one line an area. */
+    /* rounding may give corners on one line an area */
     return *t >= 0 && *t <= limit && *t < NUM_LENGTH_MAX && has_area(corners);
 }
 
-/* In integers, exact but for the last rounding. */
+/* Gives the normal, exact in integers but for the last rounding. */
 bool triangle_normal(const struct triangle_corners *corners, struct num_dir *normal)
 {
     struct edges edges = edges_of(corners);
@@ -188,7 +187,7 @@ bool triangle_normal(const struct triangle_corners *corners, struct num_dir *nor
     return bits > 0;
 }
 
-/* Projected along the normal's main axis; a point that rounding has put outside counts as on the edge. */
+/* Projects along the normal's main axis; a point that rounding has moved outside counts as on the edge. */
 void triangle_barycentric(const struct triangle_corners *corners, struct num_dir normal, struct num_point point,
                           num_unit parts[3])
 {

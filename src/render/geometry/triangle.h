@@ -1,33 +1,33 @@
-/* triangle.h - one ray against many triangles, such as the faces of a mesh. */
+/* triangle.h - tests of one ray with many triangles, such as the faces of a mesh. */
 #ifndef TIA_RENDER_GEOMETRY_TRIANGLE_H
 #define TIA_RENDER_GEOMETRY_TRIANGLE_H
 
 #include "shape.h"
 
-/* A ray, ready for triangles: `main` is the axis of its direction's largest component, 0, 1 or 2. */
+/* A ray prepared for triangles: `main` is the axis of its direction's largest component, 0, 1 or 2. */
 struct triangle_ray {
     num_length origin[3]; /* along the main axis and the two that follow */
     int main;
-    num_divisor along; /* the direction's component there */
-    num_unit slope[2]; /* those along the two axes that follow, divided by it */
+    num_divisor along; /* the direction's component along the main axis */
+    num_unit slope[2]; /* those along the next two axes, divided by it */
 };
 
-/* The corners of a triangle, wherever they are kept. */
+/* The corners of a triangle, wherever they are stored. */
 struct triangle_corners {
     struct tia_vec3 at[3];
 };
 
 void triangle_ray_prepare(struct triangle_ray *start, const struct ray *ray);
 
-/* The t of the intersection, 0 <= t <= limit. A ray through an edge or corner that triangles share meets at least one
- * of them. A degenerate triangle, with its corners on one line, is never met. */
+/* Gives the t of the intersection, 0 <= t <= limit. A ray through an edge or corner that triangles share meets at least
+ * one of them. A degenerate triangle, with its corners on one line, is never met. */
 bool triangle_intersect(const struct triangle_ray *ray, const struct triangle_corners *corners, num_length limit,
                         num_length *t);
 
-/* (B - A) x (C - A) normalised; false, and 0, when the corners are on one line. */
+/* Gives (B - A) x (C - A), normalised; false, and 0, when the corners are on one line. */
 bool triangle_normal(const struct triangle_corners *corners, struct num_dir *normal);
 
-/* The barycentric coordinates of a point on a triangle with that normal, none below 0 by more than a unit. */
+/* Gives the barycentric coordinates of a point on a triangle with that normal, none below 0 by more than a unit. */
 void triangle_barycentric(const struct triangle_corners *corners, struct num_dir normal, struct num_point point,
                           num_unit parts[3]);
 

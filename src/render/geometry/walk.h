@@ -1,9 +1,9 @@
 /* walk.h - traverses a bounding volume hierarchy without recursion: the leaves that a ray may meet, nearer ones first.
  *
- * A box is skipped only when the ray certainly misses it: boxes are a unit of 2^-16 larger than what is in them, and
- * distances are compared with all of their error, see num_slope. No pixel depends on which leaves come, so they need
- * not be exact: a box that the ray misses by less than 2^-20 of its distance may count as entered, and slopes below
- * 2^-8 across an axis say little about it.
+ * A box is skipped only when the ray certainly misses it: boxes are a unit of 2^-16 larger than their contents, and
+ * distances are compared with all of their error, see num_slope. No pixel depends on the set of leaves, so the test
+ * need not be exact: a box that the ray misses by less than 2^-20 of its distance may count as entered, and slopes
+ * below 2^-8 across an axis exclude few boxes.
  */
 #ifndef TIA_RENDER_GEOMETRY_WALK_H
 #define TIA_RENDER_GEOMETRY_WALK_H
@@ -14,14 +14,14 @@ struct walk {
     const struct tia_bvh_tree *tree;
     const struct ray *ray;
     struct num_slope slopes[3];
-    num_walk near[TIA_BVH_DEPTH_MAX + 2]; /* where the ray enters those on the stack */
+    num_walk near[TIA_BVH_DEPTH_MAX + 2]; /* t of entry of the nodes on the stack */
     uint32_t stack[TIA_BVH_DEPTH_MAX + 2];
     int depth;
 };
 
 void walk_start(struct walk *walk, const struct tia_bvh_tree *tree, const struct ray *ray);
 
-/* The next leaf that the ray enters at 0 <= t <= limit, or NULL. */
+/* Returns the next leaf that the ray enters at 0 <= t <= limit, or NULL. */
 const struct tia_bvh_node *walk_leaf(struct walk *walk, num_length limit);
 
 /* The objects of a scene that a ray may meet: those without bounds, then leaf by leaf; all, without a hierarchy. */
@@ -36,7 +36,7 @@ struct candidates {
 
 void candidates_start(struct candidates *candidates, const struct tia_scene *scene, const struct ray *ray);
 
-/* The next one, or TIA_NO_OBJECT. The hierarchy leaves out those that cannot be met at 0 <= t <= limit. */
+/* Returns the next one, or TIA_NO_OBJECT. The hierarchy excludes objects that cannot be met at 0 <= t <= limit. */
 uint32_t candidates_next(struct candidates *candidates, num_length limit);
 
 #endif

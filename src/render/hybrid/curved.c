@@ -3,8 +3,8 @@
 #include "flat/faces.h"
 #include "render/geometry/walk.h"
 
-/* The next curved object that the ray may meet at 0 <= t <= limit, or TIA_NO_OBJECT. Flat objects in its way cost a
- * look each; their faces are not asked. */
+/* Returns the next curved object that the ray may meet at 0 <= t <= limit, or TIA_NO_OBJECT. Flat candidates are
+ * skipped; their faces are not tested. */
 static uint32_t next(const struct ray_view *view, struct candidates *candidates, num_length limit,
                      struct cancel *cancel)
 {

@@ -9,7 +9,7 @@
 #define MOST_BITS 38
 #define UNCERTAIN_SHIFT 14 /* the bound of N.w/|w| is 2^-14 */
 #define NEAREST (INT64_C(1) << 20)
-#define NEARNESS_LEAST (UINT64_C(1) << 47) /* nearness errs by 2^15, and is clamped to 2^62 */
+#define NEARNESS_LEAST (UINT64_C(1) << 47) /* nearness errs by up to 2^15, and is clamped to 2^62 */
 #define NEARNESS_MOST ((UINT64_C(1) << 62) - 65536)
 
 static int64_t size_of(int64_t a)
@@ -66,7 +66,7 @@ static void aim_spot(const struct tia_light *light, struct diffuse_light *l)
     l->outer = (cosine >> 32) - uncertain;
 }
 
-/* Lights that are seen, fade or have an area are for rays. */
+/* Adds a light; false if it is visible, attenuated or has an area, which are left to rays. */
 static bool add_light(struct diffuse *m, const struct tia_light *light, unsigned bit)
 {
     struct diffuse_light *l = &m->lights[m->light_count++];
@@ -88,7 +88,7 @@ static bool add_light(struct diffuse *m, const struct tia_light *light, unsigned
            !light->quadratic && place_light(m, light, l->at);
 }
 
-/* Places to 2^(range + 10), and no hit is beyond 2^16. */
+/* Chooses the unit: positions reach 2^(range + 10), and no hit is beyond 2^16. */
 static void choose_unit(struct diffuse *m)
 {
     int range = m->flat->bits - m->flat->lattice.fraction, most;
@@ -98,7 +98,7 @@ static void choose_unit(struct diffuse *m)
     m->most = INT64_C(1) << (most < MOST_BITS ? most : MOST_BITS);
 }
 
-/* Numbers of 24 bits have errors of their own that are larger. */
+/* True if the arithmetic is fine enough: numbers of 24 bits have larger errors of their own. */
 static bool is_fine(void)
 {
     return num_length_of_q45(INT32_C(1) << 15) + NUM_LENGTH_ONE > NUM_LENGTH_ONE;
@@ -125,7 +125,7 @@ bool diffuse_init(struct diffuse *m, const struct tia_view *view, const struct t
 
 /* ---- faces ---- */
 
-/* floor(2^20 a) */
+/* Returns floor(2^20 a). */
 static int64_t digits(num_unit a)
 {
     num_length scaled = num_times(num_integer(INT32_C(1) << 17), a);
@@ -168,7 +168,7 @@ static void look_up(struct diffuse *m, uint32_t face)
     m->face.normal[2] = digits(surface.normal.z);
 }
 
-/* ---- places ---- */
+/* ---- positions ---- */
 
 static void begin_row(struct diffuse *m, int y)
 {
@@ -179,7 +179,7 @@ static void begin_row(struct diffuse *m, int y)
     m->row_y = y;
 }
 
-/* D, from nearness = w 2^scale/(D 2^fraction); 0: too far. */
+/* Returns D, from nearness = w 2^scale/(D 2^fraction); 0: too far. */
 static int64_t distance_of(const struct diffuse *m, uint64_t nearness)
 {
     const struct tia_lattice *l = &m->flat->lattice;
@@ -211,7 +211,7 @@ static int64_t dot(const int64_t n[3], const int64_t v[3])
     return n[0] * v[0] + n[1] * v[1] + n[2] * v[2];
 }
 
-/* Turns the normal; false when the eye may be in the plane. */
+/* Turns the normal to the eye; false when the eye may be in the plane. */
 static bool turn(struct diffuse *m, const int64_t at[3])
 {
     int64_t side = dot(m->face.normal, at);
@@ -225,7 +225,7 @@ static bool turn(struct diffuse *m, const int64_t at[3])
 
 /* ---- colours ---- */
 
-/* max(0, N.w/|w|), Q.30; below 0: there is doubt. */
+/* Returns max(0, N.w/|w|), Q.30; below 0: uncertain. */
 static int64_t cosine_of(const int64_t normal[3], const int64_t w[3], int64_t distance)
 {
     int64_t most = largest(w), facing = dot(normal, w);
@@ -262,7 +262,7 @@ static int64_t lambert(const struct diffuse *m, const struct diffuse_light *l, c
     return cosine_of(m->face.normal, w, distance);
 }
 
-/* A colour, Q.30, and by how much it may be off. */
+/* A colour, Q.30, and its error bound. */
 struct diffuse_colour {
     int64_t rgb[3], uncertain[3];
 };

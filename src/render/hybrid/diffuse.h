@@ -1,11 +1,11 @@
 /* diffuse.h - colours of flat faces without gloss, many times as fast as by a ray for each pixel and with the same
- * bits: with 20 bits they are known but for a bound, and where the bound leaves no doubt which level of the display a
- * colour becomes, nothing more is needed. Other pixels are left to whitted_light_tile.
+ * bits: they are computed to 20 bits with an error bound, and used where the whole interval rounds to one level of the
+ * display. Other pixels are left to whitted_light_tile.
  *
- * What a pixel sees is at P = D r from the eye, r linear in x and y; a light at L gives max(0, N.w/|w|), w = L - P.
- * Places are in units of 2^-bits, at most 2^38 of them. With r within 2^-25, D within 2^-29 and 1, and N within 2^-20,
- * P is within 2^-23.8 D + 4; where |w| is at least D/64 and 2^20, N.w/|w| errs by less than 2^-16, and the integers of
- * whitted_light_tile by less than 2^-30. The bound is four times that. */
+ * The visible point of a pixel is at P = D r from the eye, r linear in x and y; a light at L gives max(0, N.w/|w|), w =
+ * L - P. Positions are in units of 2^-bits, at most 2^38 of them. With r within 2^-25, D within 2^-29 and 1, and N
+ * within 2^-20, P is within 2^-23.8 D + 4; where |w| is at least D/64 and 2^20, N.w/|w| errs by less than 2^-16, and
+ * that of whitted_light_tile by less than 2^-30. The bound is four times that. */
 #ifndef TIA_RENDER_HYBRID_DIFFUSE_H
 #define TIA_RENDER_HYBRID_DIFFUSE_H
 
@@ -18,16 +18,16 @@
 struct diffuse_light {
     enum tia_light_kind kind; /* point, spot, directional or ambient */
     unsigned bit;             /* its number in the pixels' bits and shares */
-    int64_t at[3];            /* from the eye; of a directional light the direction to it, Q.30 */
+    int64_t at[3];            /* relative to the eye; directional light: the direction to it, Q.30 */
     int32_t emission[3];      /* Q2.30 */
-    int64_t back[3];          /* of a spot light against its direction, Q.20, */
-    int64_t inner, outer;     /* and the cosines, Q.30, from which on and to which there is no doubt */
+    int64_t back[3];          /* spot light: against its direction, Q.20, */
+    int64_t inner, outer;     /* and the cosines, Q.30, beyond which it is certainly full or dark */
 };
 
-/* A face, whose normal is turned to the eye. */
+/* A face, with the normal turned to the eye. */
 struct diffuse_face {
     uint32_t face;
-    bool fits;         /* matte and flat */
+    bool fits;         /* it can be drawn here: flat and without gloss */
     int64_t normal[3]; /* Q.20 */
     const struct tia_material *material;
 };
@@ -37,27 +37,27 @@ struct diffuse {
     const struct tia_flat_scene *flat;
     struct tia_world world;
     int bits;
-    int64_t most; /* of P */
+    int64_t most; /* largest coordinate of P */
     int64_t row[3], right[3];
     int64_t row_y;
     unsigned light_count;
     struct diffuse_light lights[DIFFUSE_LIGHTS];
-    struct diffuse_face face; /* the last one */
+    struct diffuse_face face; /* the last face */
 };
 
-/* What is known of a pixel. */
+/* A pixel's buffers. */
 struct diffuse_pixel {
     int x, y;
-    uint32_t face; /* TIA_NO_FACE: the background is seen */
+    uint32_t face; /* TIA_NO_FACE: background */
     uint64_t nearness, lit;
-    const tia_share *shares; /* NULL: all arrives */
+    const tia_share *shares; /* NULL: all light arrives */
 };
 
-/* False when nothing in the view can be drawn so. `first_bit` as of struct first_hits. */
+/* Prepares; false when no pixel of the view can be drawn in this way. `first_bit` as in struct first_hits. */
 bool diffuse_init(struct diffuse *m, const struct tia_view *view, const struct tia_shadow_view *shadow,
                   const uint8_t *first_bit);
 
-/* False when there is doubt. */
+/* Draws a pixel; false when it is uncertain. */
 bool diffuse_pixel(struct diffuse *m, const struct diffuse_pixel *p, num_u threshold, tia_rgb565 *out);
 
 #endif

@@ -1,4 +1,4 @@
-/* hybrid.c - flat faces are rasterised: what is prepared for that. */
+/* hybrid.c - prepares a view whose flat faces are rasterised. */
 #include "view.h"
 
 static bool draws(const struct tia_scene *scene)
@@ -26,7 +26,7 @@ static size_t prepared_size(const struct tia_scene *scene, uint32_t light_capaci
     return rays < SIZE_MAX / 2 && flat < SIZE_MAX / 2 && size < SIZE_MAX / 2 ? (size_t)size : SIZE_MAX;
 }
 
-/* What the technique wants of each sample of a pixel: shares of lights, or bytes to work with. */
+/* Returns the technique's shares of lights, or scratch bytes, for each sample of a pixel. */
 static unsigned shares_of(const struct tia_scene *scene)
 {
     const struct tia_shadow_technique *technique = tia_shadow_technique(scene->shadows);
@@ -101,7 +101,7 @@ static int refuses(const struct tia_view *view, const struct tia_light *lights, 
     return !technique->has_room || technique->has_room(view->scene, lights, count) ? TIA_OK : TIA_ERR_MEMORY;
 }
 
-/* Makes the vertices and what the technique has of them anew where the lights need another range. */
+/* Places the vertices and prepares the technique again where the lights need another range. */
 static int make_vertices(struct tia_view *view, struct cancel *cancel)
 {
     struct raster_view *raster = raster_of(view);

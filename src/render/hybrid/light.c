@@ -1,5 +1,5 @@
-/* light.c - a technique for shadows tells which lights reach flat faces past each other; colours come about as the ray
- * renderer makes them. */
+/* light.c - shading of rasterised pixels: a technique for shadows decides the light that reaches flat faces past each
+ * other; colours are computed as by the ray renderer. */
 #include "curved.h"
 #include "diffuse.h"
 #include "render/dither.h"
@@ -19,8 +19,8 @@ static const tia_share *shares_at(const struct rasterised *r, const struct raste
     return r->raster->shares ? (const tia_share *)(const void *)b->more + r->raster->shares * at : NULL;
 }
 
-/* Faces that stand for a curved surface only tell what is seen and lit; the colour is that of the surface behind or
- * before them. A ray can miss it where the shape is open. */
+/* Finds the true surface. Faces that stand for a curved surface decide visibility and shadow only; the colour is that
+ * of the surface behind or before them. A ray can miss it where the shape is open. */
 static void show_surface(const struct rasterised *r, uint32_t face, const struct ray *ray, struct hit *hit)
 {
     struct hit met;
@@ -52,7 +52,7 @@ static bool find_hit(const struct first_hits *first, int x, int y, int sample, c
     return true;
 }
 
-/* What is curved may stand in the way of light that passes all faces. */
+/* True if light that passes all faces also passes the curved objects. */
 static bool passes(const struct first_hits *first, const struct ray *shadow, num_length distance, uint32_t *blocker)
 {
     const struct rasterised *r = (const struct rasterised *)(const void *)first;
@@ -60,7 +60,7 @@ static bool passes(const struct first_hits *first, const struct ray *shadow, num
     return curved_passes(r->rays, shadow, distance, blocker);
 }
 
-/* Whether the vertices have changed since a pixel of the tile was traced. */
+/* True if the vertices have changed since a pixel of the tile was traced. */
 static bool is_outdated(const struct raster_view *raster, const struct tia_hits *hits, struct tia_tile tile)
 {
     const struct raster_buffers b = raster_buffers(raster, hits, 0);
@@ -89,7 +89,7 @@ static void light_sample(const struct tia_view *view, const struct tia_hits *hit
         technique->light(shadow, &open, i, cancel);
 }
 
-/* Pixels x0..x1-1 of row y, ray by ray. */
+/* Lights pixels x0..x1-1 of row y, ray by ray. */
 static void light_run(const struct rasterised *r, const struct tia_view *view, struct tia_tile tile, int y, int x0,
                       int x1, const struct tia_surface *surface, const struct tia_options *options)
 {
@@ -101,7 +101,7 @@ static void light_run(const struct rasterised *r, const struct tia_view *view, s
         whitted_light_tile(view, r->hits, run, &part, options, &r->first);
 }
 
-/* What diffuse.h knows, and between these pixels runs of others. */
+/* Lights a row: by diffuse.h where possible, and by rays in the runs between. */
 static void light_row(struct rasterised *r, const struct tia_view *view, struct tia_tile tile, int y,
                       const struct tia_surface *surface, const struct tia_options *options)
 {

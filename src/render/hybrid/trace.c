@@ -1,10 +1,10 @@
-/* trace.c - what each pixel sees of flat faces is rasterised, of curved objects found by rays. */
+/* trace.c - finds the visible surface of each pixel: flat faces by the rasteriser, curved objects by rays. */
 #include "view.h"
 
 #include "curved.h"
 #include "render/whitted/path.h"
 
-/* A curved object takes the place of the face that a pixel sees, if it is nearer. */
+/* Replaces the face at a pixel by a curved object, if that is nearer. */
 static void look_for_curved(const struct ray_view *rays, const struct tia_flat_scene *flat,
                             const struct raster_buffers *b, size_t at, int x, int y, unsigned sample)
 {

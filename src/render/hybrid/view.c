@@ -1,4 +1,4 @@
-/* view.c - the buffers of each sample of each pixel, and where a face is met. */
+/* view.c - the buffers of each sample of each pixel, and the hit of a pixel's ray on a face. */
 #include "view.h"
 
 #include "raster/distance.h"

@@ -16,7 +16,7 @@ static bool emits(const struct tia_scene *scene, uint32_t sphere)
     return !colour_is_black(&scene->materials[scene->spheres[sphere].material].emission);
 }
 
-/* Of 4 |s x t|: |s| |t| times the sine of the angle between the sides s and t, which are half as long. */
+/* Returns the area 4 |s x t|: |s| |t| times the sine of the angle between the sides s and t, which are half as long. */
 static struct num_density rectangle_area(const struct ray_light *l)
 {
     struct num_dir along[2], normal;
@@ -151,7 +151,7 @@ uint64_t emitters_size(const struct tia_scene *scene, uint32_t light_capacity)
     return ((uint64_t)light_capacity + count_spheres(scene, &nobody)) * sizeof(struct emitter);
 }
 
-/* The spheres lie behind the room for all lights, and are moved up to those that there are. */
+/* Prepares the emitters. The spheres lie behind the room for all lights, and are moved up behind the present ones. */
 int emitters_prepare(struct emitters *emitters, const struct ray_view *view, void *memory, uint32_t light_capacity)
 {
     struct cancel cancel = view_cancel(view->view);
@@ -173,7 +173,7 @@ static bool shines(const struct tia_light *l)
     return tia_light_has(l->kind, TIA_LIGHT_SIDES) ? l->side[0].x || l->side[0].y || l->side[0].z : l->radius > 0;
 }
 
-/* Of 0..2^25. */
+/* Returns the density of a count in 0..2^25. */
 static struct num_density count_density(uint32_t count)
 {
     return num_density_product(num_density_of(num_length_of_q45((int64_t)count << 32)),
@@ -194,7 +194,7 @@ void emitters_set(struct emitters *emitters, const struct ray_view *view)
     emitters->one_of = num_density_quotient(num_density_of(NUM_LENGTH_ONE), count_density(emitters->count));
 }
 
-/* 1 - the cosine of the cone in which a sphere is seen; 0: from inside. With the sine s it is s^2/(1 + cos). */
+/* Returns 1 - the cosine of the cone that a sphere fills; 0: from inside. With the sine s it is s^2/(1 + cos). */
 static num_unit cone_of(const struct emitter *e, num_length distance)
 {
     if (distance <= e->radius)
@@ -217,7 +217,7 @@ struct num_density emitter_density(const struct emitter *e, struct num_point fro
                                 num_density_product(e->area, num_density_of_unit(cosine < 0 ? -cosine : cosine)));
 }
 
-/* 1 - cos = open u, and sin = sqrt(2 h - h^2) of that. */
+/* Returns a direction in the cone: 1 - cos = open u, and sin = sqrt(2 h - h^2) of that. */
 static struct num_dir within_cone(struct num_dir axis, num_unit open, const uint32_t u[2])
 {
     num_unit h = num_times(open, num_unit_of_u32(u[0])), r = num_unit_sqrt(2 * num_times(h, NUM_UNIT_ONE - h / 2));

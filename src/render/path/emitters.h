@@ -1,4 +1,4 @@
-/* emitters.h - what a path looks for: the scene's lights and its emitting spheres, and how points on them are chosen.
+/* emitters.h - sampling of emitters: the scene's lights and its emitting spheres.
  *
  * Densities are over solid angles, times pi: so Lambert's is a cosine. */
 #ifndef TIA_RENDER_PATH_EMITTERS_H
@@ -12,7 +12,7 @@ enum emitter_kind { EMITTER_POINT, EMITTER_PLANE, EMITTER_SPHERE };
 struct emitter {
     enum emitter_kind kind;        /* points have no surface: directional and spot lights too */
     const struct ray_light *light; /* NULL: a sphere of the scene */
-    num_length radiance[3];        /* of points what light.h says of a light's emission */
+    num_length radiance[3];        /* of points: as light.h defines a light's emission */
     struct num_point centre;       /* of spheres */
     num_length radius;
     struct num_density area; /* of planes */
@@ -22,36 +22,37 @@ struct emitters {
     struct emitter *first;
     uint32_t count, spheres;     /* the scene's spheres are the last ones */
     struct num_density one_of;   /* 1/count */
-    struct num_density by_light; /* what chooses one of the lights */
+    struct num_density by_light; /* probability of choosing one of the lights */
 };
 
-/* An emitter as a point sees it. */
+/* A sample of an emitter from a point. */
 struct emitter_sample {
     struct num_dir to;
-    num_length distance; /* where a shadow ray ends: 2^-26 before the surface, along the light's normal */
+    num_length distance; /* length of the shadow ray: it ends 2^-26 before the surface, along the light's normal */
     num_length radiance[3];
     struct num_density density; /* 0: a point */
 };
 
-/* Bytes for as many lights; then the spheres, and whenever the lights change those. */
+/* Returns the bytes for `light_capacity` lights and the spheres. */
 uint64_t emitters_size(const struct tia_scene *scene, uint32_t light_capacity);
 int emitters_prepare(struct emitters *emitters, const struct ray_view *view, void *memory, uint32_t light_capacity);
 void emitters_set(struct emitters *emitters, const struct ray_view *view);
 
-/* False: nothing shines on the point from there. */
+/* Samples an emitter; false: no light comes from there. */
 bool emitter_sample(const struct emitter *emitter, struct num_point from, struct num_dir facing, num_length bias,
                     const uint32_t u[2], struct emitter_sample *sample);
 
-/* The density with which emitter_sample chooses a place of the surface that is seen from the point along `to`,
- * `distance` away; of a sphere any place. */
+/* Returns the density with which emitter_sample chooses the visible surface point at `distance` from the point along
+ * `to`; for a sphere any point of it. */
 struct num_density emitter_density(const struct emitter *emitter, struct num_point from, struct num_dir to,
                                    num_length distance);
 
-/* The emitters that a light with a surface and one of the scene's spheres are. */
+/* Makes the emitter of a light with a surface. */
 void emitter_of_light(const struct ray_light *light, const struct tia_light *given, struct emitter *emitter);
+/* Makes the emitter of one of the scene's spheres. */
 void emitter_of_sphere(const struct tia_scene *scene, uint32_t sphere, struct emitter *emitter);
 
-/* Emission 2^bits. */
+/* Gives emission 2^bits. */
 void emitter_radiance(const struct tia_rgb *emission, uint8_t bits, num_length radiance[3]);
 
 #endif

@@ -5,16 +5,16 @@
 #include "math/align.h"
 #include "scatter.h"
 
-/* A path on its way. */
+/* A path being followed. */
 struct walk {
     struct estimate *e;
     const struct path_view *view;
     struct ray ray;
-    struct num_point from;      /* where it was scattered last */
-    struct num_density density; /* with which it was scattered along the ray */
-    bool specular;              /* in one direction alone, or from the eye: no light was looked for */
+    struct num_point from;      /* point of the last scattering */
+    struct num_density density; /* density of the last scattering's direction */
+    bool specular;              /* scattered in a single direction, or from the eye: no light was sampled */
     num_length throughput[3], sum[3];
-    num_length depth; /* to where it was scattered last, while nothing but mirrors and glass was met */
+    num_length depth; /* distance to the last scattering, as long as only mirrors and glass were met */
     struct media media;
     uint32_t bounce, layers;
 };
@@ -48,7 +48,7 @@ static unsigned left_out(const struct walk *w)
     return w->e->view->scene->integration.without;
 }
 
-/* The balance heuristic's weight of an emitter that the path has come to. */
+/* Returns the balance heuristic's weight of an emitter that the path meets. */
 static num_unit weight_of(const struct walk *w, const struct emitter *emitter, num_length t)
 {
     if (w->specular || left_out(w) == TIA_STRATEGY_LIGHTS)
@@ -70,13 +70,13 @@ static void add_light(struct walk *w, const struct hit *hit, const struct emitte
     add(w, emitter->radiance, is_surface ? weight_of(w, emitter, hit->t) : NUM_UNIT_ONE);
 }
 
-/* How far the eye sees, past mirrors and glass. */
+/* Returns the visible distance from the eye, past mirrors and glass. */
 static num_length depth_at(const struct walk *w, struct num_point at)
 {
     return num_sum_within(w->depth, num_norm(num_point_sub(at, w->from)));
 }
 
-/* Where the ray meets no surface. */
+/* Adds the light where the ray meets no surface. */
 static void add_beyond(struct walk *w, const struct hit *hit)
 {
     const struct num_dir back = num_dir_negated(w->ray.direction);
@@ -96,7 +96,7 @@ static void add_beyond(struct walk *w, const struct hit *hit)
     add(w, background, NUM_UNIT_ONE);
 }
 
-/* What the surface sends by itself. */
+/* Adds the surface's own emission. */
 static void add_glow(struct walk *w, const struct hit *hit, const struct shading *s)
 {
     const struct tia_scene *scene = w->e->view->scene;
@@ -115,7 +115,7 @@ static void add_glow(struct walk *w, const struct hit *hit, const struct shading
         add(w, facing, s->facing);
 }
 
-/* Whether the light at the end of the shadow ray is seen; multiplies it by what opacities leave. */
+/* True if the light at the end of the shadow ray is visible; multiplies it by the opacities on the way. */
 static bool is_seen(struct walk *w, const struct ray *shadow, struct emitter_sample *sample)
 {
     struct hit light = {sample->distance, TIA_NO_OBJECT, 0, TIA_NO_OBJECT};
@@ -131,8 +131,8 @@ static bool is_seen(struct walk *w, const struct ray *shadow, struct emitter_sam
     return seen;
 }
 
-/* Adds what one of the emitters sends to the surface: reflectance times radiance over the sum of the densities with
- * which this place of it could have been chosen. */
+/* Samples one of the emitters and adds its light from the surface: reflectance times radiance over the sum of the
+ * densities with which this point of it could have been chosen. */
 static void look_for_light(struct walk *w, const struct scatter *scatter, uint32_t which)
 {
     const struct emitters *emitters = &w->view->emitters;
@@ -164,7 +164,7 @@ static void look_for_light(struct walk *w, const struct scatter *scatter, uint32
     add(w, part, NUM_UNIT_ONE);
 }
 
-/* Divides the throughput by the probability that the path went this way. */
+/* Divides the throughput by the probability of the path's choice. */
 static void divide(struct walk *w, num_unit probability)
 {
     for (int c = 0; probability < NUM_UNIT_ONE && c < 3; c++)
@@ -181,7 +181,7 @@ static void go_on(struct walk *w, struct num_point origin, struct num_dir to, bo
     w->bounce++;
 }
 
-/* Through glass, or reflected by it as Fresnel's equations have it. */
+/* Passes glass, or reflects from it by Fresnel's equations. */
 static bool go_through(struct walk *w, const struct scatter *scatter, uint32_t number)
 {
     const struct shading *s = scatter->surface;
@@ -207,7 +207,7 @@ static bool go_through(struct walk *w, const struct scatter *scatter, uint32_t n
     return true;
 }
 
-/* False: the path ends there. */
+/* Continues the path from a surface; false: it ends there. */
 static bool bounce(struct walk *w, const struct scatter *scatter, const uint32_t numbers[4])
 {
     const struct shading *s = scatter->surface;
@@ -233,7 +233,7 @@ static bool bounce(struct walk *w, const struct scatter *scatter, const uint32_t
     return true;
 }
 
-/* Russian roulette: false ends the path. */
+/* Plays Russian roulette: false ends the path. */
 static bool survives(struct walk *w, uint32_t number)
 {
     num_length most = w->throughput[0];
@@ -250,7 +250,7 @@ static bool survives(struct walk *w, uint32_t number)
     return goes_on;
 }
 
-/* One ray, and what its end adds; false: the path ends there. */
+/* Follows one ray, and adds the light at its end; false: the path ends there. */
 static bool step(struct walk *w)
 {
     uint32_t given = w->e->view->scene->integration.bounces, numbers[4];

@@ -1,4 +1,4 @@
-/* path.h - what the integrator of paths prepares, for levels that draw in its place. */
+/* path.h - the path integrator's prepared data, for levels that draw in its place. */
 #ifndef TIA_RENDER_PATH_PATH_H
 #define TIA_RENDER_PATH_PATH_H
 
@@ -15,18 +15,18 @@ const struct path_view *path_view_of(const struct tia_view *view);
 /* An estimate_radiance. */
 void path_radiance(struct estimate *e, const struct ray *first, num_length rgb[3]);
 
-/* The bounces after which paths may end by chance are those from this one on; the first is 0. */
+/* First bounce after which paths may end by roulette; bounces count from 0. */
 #define PATH_ROULETTE 3
 
-/* The kinds of lights that paths meet as surfaces, a bit each; and those that are seen, by eye or mirror. */
+/* The kinds of lights that paths meet as surfaces, a bit each; and those visible to the eye or in mirrors. */
 #define PATH_SURFACE(KIND, name, what, traits)                                                                         \
     | (TIA_LIGHT_AREA & (traits) && TIA_LIGHT_PATHS & (traits) ? 1u << KIND : 0)
 #define PATH_SEEN_KIND(KIND, name, what, traits) | (TIA_LIGHT_SURFACE & (traits) ? 1u << KIND : 0)
 #define PATH_SURFACES (0 TIA_LIGHTS(PATH_SURFACE))
 #define PATH_SEEN (0 TIA_LIGHTS(PATH_SEEN_KIND))
 
-/* The two quads of a bounce: a point of a light, and a direction, which of the first bounce is in the quad before; and
- * which lobe, which light, whether the path goes on, whether glass reflects. */
+/* The two quads of a bounce. 0: a point of a light, and a direction, which for the first bounce is in the quad before.
+ * 1: choice of lobe, choice of light, roulette, and reflection by glass. */
 #define PATH_QUAD(bounce, which) (ESTIMATE_FIRST_QUAD + 1 + 2 * (bounce) + (which))
 
 #endif

@@ -11,13 +11,13 @@ static bool inside(const struct cone_row *s, int i)
     return num_inside_cone(s->slope * x + s->base, s->c, x * x + s->square);
 }
 
-/* Whether L.v/|v| still grows at pixel i: its derivative has the sign of slope square - base X. */
+/* True if L.v/|v| still grows at pixel i: its derivative has the sign of slope square - base X. */
 static bool rising(const struct cone_row *s, int i)
 {
     return num_product_above(s->slope, s->square, s->base, coordinate_at(s, i));
 }
 
-/* The pixel where L.v/|v| is largest, or the one left of it. */
+/* Returns the pixel where L.v/|v| is largest, or the one left of it. */
 static int peak(const struct cone_row *s)
 {
     int low = 0, high = s->count;
@@ -34,7 +34,7 @@ static int peak(const struct cone_row *s)
     return low;
 }
 
-/* The last pixel inside, walking from `in`, which is inside, by `step` (+1 or -1) to the line's end. */
+/* Returns the last pixel inside, walking from `in`, which is inside, by `step` (+1 or -1) to the line's end. */
 static int boundary(const struct cone_row *s, int in, int step, int guess)
 {
     int out = step > 0 ? s->count : -1;
@@ -64,7 +64,7 @@ static int boundary(const struct cone_row *s, int in, int step, int guess)
     return in;
 }
 
-/* A pixel inside the cone, or -1. */
+/* Returns a pixel inside the cone, or -1. */
 static int any_inside(const struct cone_row *s, struct span guess)
 {
     int middle = guess.first + (guess.end - guess.first) / 2;

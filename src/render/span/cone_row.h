@@ -1,4 +1,4 @@
-/* cone_row.h - where a line of pixels meets a cone of rays, exactly.
+/* cone_row.h - the exact intersection of a line of pixels and a cone of rays.
  *
  * Seen from the eye a sphere with centre L and radius r fills the cone of all directions v with
  *
@@ -33,8 +33,8 @@ static inline struct span span_within(struct span span, int first, int end)
     return r;
 }
 
-/* The span of pixels inside the cone. `guess`, say the span of the row above, only saves time: the
- * answer does not depend on it. */
+/* Returns the span of pixels inside the cone. `guess`, for example the span of the row above, only saves time: the
+ * result does not depend on it. */
 struct span cone_row_span(const struct cone_row *cone_row, struct span guess);
 
 #endif

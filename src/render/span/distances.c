@@ -1,4 +1,4 @@
-/* distances.c - how far away the pixels of a row see a sphere, and which of two is nearer. */
+/* distances.c - the distances of a row's pixels to a sphere, and the nearer of two. */
 #include "span.h"
 
 void span_distances(const struct span_view *spans, uint32_t n, int y, int x, int count, num_u *t)

@@ -73,7 +73,7 @@ static void lambert(const struct lit *lit, num_u inverse, int count, num_u *lamb
         lambert[i] = lit->facing[i] > 0 ? num_lambert(num_mul_top(lit->facing[i], lit->inverse[i]), inverse) : 0;
 }
 
-/* Whether the sphere stands before the light; `product` is t (C + Q).v and `turn` t C.v. */
+/* True if the sphere stands before the light; `product` is t (C + Q).v and `turn` t C.v. */
 static bool meets(const struct shadow_line *line, num_wide product, num_wide turn, const struct lit *lit, int i)
 {
     num_wide a = shadow_toward(line, product, lit->reach[i]);

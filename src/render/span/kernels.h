@@ -10,7 +10,7 @@
 
 #define CHUNK 64 /* the most pixels that a kernel works on at once */
 
-/* A span of pixels that see one sphere, for the kernels that compute t. */
+/* A span of pixels of one sphere, for the kernels that compute t. */
 struct sphere_line {
     num_wide b, b_step;       /* accumulator of L.v */
     struct row_square square; /* accumulator of v.v */
@@ -37,7 +37,7 @@ struct light_line {
     int count;
 };
 
-/* What one light does to each pixel of a span. Where facing is 0, the rest is undefined. */
+/* The effect of one light on each pixel of a span. Where facing is 0, the rest is undefined. */
 struct lit {
     num_u facing[CHUNK];    /* r N.(Q - P), times 2^half; 0: turned away or in shadow */
     num_wide reach[CHUNK];  /* |P|^2 */
@@ -65,11 +65,11 @@ struct shadow_line {
     num_wide a, a_step;            /* accumulator of (C + Q).v */
     num_wide c, c_step;            /* accumulator of C.v */
     num_wide toward;               /* C.Q, with the exponent e_a of A.w */
-    num_wide power;                /* C.C - R^2 and what the bias adds, with the exponent e_k */
+    num_wide power;                /* C.C - R^2 and the bias's terms, with the exponent e_k */
     int a_down, power_down;        /* e_p - e_a and e_p - e_k, where e_p is the exponent of |P|^2 */
     int square_down, product_down; /* from e_d and e_a to the smaller of them */
     num_u inverse;                 /* num_inverse(r) */
-    int bias_shift;                /* what num_bias_product is given, less half */
+    int bias_shift;                /* num_bias_product's shift, less half */
     num_u swell;                   /* bias/r */
     int exponent;                  /* 2 e_a - e_d - e_k */
     bool enclosed;                 /* the light is inside */
@@ -77,7 +77,7 @@ struct shadow_line {
 };
 
 struct span_kernels {
-    /* From outside t = c / (b + sqrt(b^2 - c v.v)), from inside t = (b + sqrt(b^2 + |c| v.v)) / v.v. */
+    /* Computes t: from outside c / (b + sqrt(b^2 - c v.v)), from inside (b + sqrt(b^2 + |c| v.v)) / v.v. */
     void (*sphere)(const struct sphere_line *line, num_u *t);
     void (*sphere_inside)(const struct sphere_line *line, num_u *t);
 
@@ -87,18 +87,18 @@ struct span_kernels {
     /* Sets facing to 0 where the sphere stands before the light. */
     void (*shadow)(const struct shadow_line *line, const num_u *t, struct lit *lit);
 
-    /* lambert = max(0, N.Ldir), NUM_ONE is 1; `inverse` is num_inverse of the lit sphere's radius. */
+    /* Computes lambert = max(0, N.Ldir), NUM_ONE is 1; `inverse` is num_inverse of the lit sphere's radius. */
     void (*lambert)(const struct lit *lit, num_u inverse, int count, num_u *lambert);
 
-    /* sum = min(1, sum + lambert * colour). */
+    /* Adds: sum = min(1, sum + lambert * colour). */
     void (*add)(num_u *sum, const num_u *lambert, num_u colour, int count);
 
-    /* Clamped linear colours to RGB565; `threshold` has the 8 rounding offsets of the row, by x & 7. */
+    /* Converts clamped linear colours to RGB565; `threshold` has the 8 rounding offsets of the row, by x & 7. */
     void (*pack)(const num_u *red, const num_u *green, const num_u *blue, const num_u *threshold, int x, int count,
                  tia_rgb565 *out);
 };
 
-/* |P|^2, |Q - P|^2, A.w and what |A'|^2 - R^2 stands for, see above, with the upper halves of accumulators. */
+/* Compute |P|^2, |Q - P|^2, A.w and the form of |A'|^2 - R^2, see above, from the upper halves of accumulators. */
 static inline num_wide light_reach(const struct light_line *line, num t, num_wide square)
 {
     num reach = num_signed((num_u)num_down(num_mul(t, num_top(square)), line->reach_down));

@@ -1,8 +1,7 @@
 #include "light.h"
 
-/* The exponent e_p of t^2 v.v = |P|^2, which is at most c on the tangent, or (2r)^2 from inside: it
- * keeps |P|^2 below 2^60, and t v.v = |P| |v|, where |v| < 2^(30 - f), a mantissa below 2^31 with the
- * exponent e_p - e_t. */
+/* Returns the exponent e_p of t^2 v.v = |P|^2, which is at most c on the tangent, or (2r)^2 from inside: it keeps |P|^2
+ * below 2^60, and t v.v = |P| |v|, where |v| < 2^(30 - f), a mantissa below 2^31 with the exponent e_p - e_t. */
 static int reach_exponent(const struct primary_rays *primary, const struct span_sphere *sphere)
 {
     int bits = sphere->c < 0 ? num_bits(sphere->radius * sphere->radius) + 2 : num_bits(sphere->c);
@@ -11,8 +10,8 @@ static int reach_exponent(const struct primary_rays *primary, const struct span_
     return 92 - bits < by_mantissa ? 92 - bits : by_mantissa;
 }
 
-/* The exponent e_d of |Q - P|^2 = Q.Q - 2 t Q.v + |P|^2: each term stays below 2^61, t Q.v as a product
- * of t (31 bits) and Q.v (29 bits). It is even, for the root. */
+/* Returns the exponent e_d of |Q - P|^2 = Q.Q - 2 t Q.v + |P|^2: each term stays below 2^61, t Q.v as a product of t
+ * (31 bits) and Q.v (29 bits). It is even, for the root. */
 static int distance_exponent(const struct primary_rays *primary, const struct span_sphere *sphere, struct num_vec light,
                              int e_p)
 {
@@ -22,10 +21,9 @@ static int distance_exponent(const struct primary_rays *primary, const struct sp
     return (e < e_p ? e : e_p) & ~1;
 }
 
-/* The exponent e_s of t G.v keeps it below 2^61, a product of t (31 bits) and G.v (30 bits), like the
- * constant beside it. r N.w/|w| is at most r, so r N.w 2^(e_s + half) times
- * 2^(15 - bits - e_s + e_d/2) is at most |w| 2^(e_d/2 + half - 1) < 2^31, with 16 of the radius's
- * bits behind the point. */
+/* Prepares the line. The exponent e_s of t G.v keeps it below 2^61, a product of t (31 bits) and G.v (30 bits), like
+ * the constant beside it. r N.w/|w| is at most r, so r N.w 2^(e_s + half) times 2^(15 - bits - e_s + e_d/2) is at most
+ * |w| 2^(e_d/2 + half - 1) < 2^31, with 16 of the radius's bits behind the point. */
 void light_line_prepare(const struct primary_rays *primary, struct light_source *source, int x, int y,
                         struct light_line *line)
 {

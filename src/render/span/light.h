@@ -1,15 +1,15 @@
-/* light.h - the kernels' constants for one light on a span of pixels that see one sphere. */
+/* light.h - the kernels' constants for one light on a span of pixels of one sphere. */
 #ifndef TIA_RENDER_SPAN_LIGHT_H
 #define TIA_RENDER_SPAN_LIGHT_H
 
 #include "kernels.h"
 #include "sphere.h"
 
-/* A light on the sphere that a span of pixels sees. */
+/* A light on the sphere of a span of pixels. */
 struct light_source {
     const struct span_sphere *sphere; /* the span's sphere */
     struct num_vec light;             /* Q */
-    int exponent, reach_exponent;     /* e_d of |Q - P|^2 and e_p of |P|^2, found by light_line_prepare */
+    int exponent, reach_exponent;     /* e_d of |Q - P|^2 and e_p of |P|^2, set by light_line_prepare */
 };
 
 /* Prepares all of `line` except count, for the pixels from (x, y) on. */

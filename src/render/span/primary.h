@@ -1,4 +1,4 @@
-/* primary.h - the directions of an image's pixels, and what is linear in them.
+/* primary.h - the directions of an image's pixels, and linear forms of them.
  *
  * Pixel (x, y) looks along v = (2x+1-width, height-2y-1, -height/tan(fov/2)), not normalised: integers
  * except for the last, which all pixels share. The exponent is chosen so that |v| < 2^30.
@@ -28,16 +28,16 @@ struct row_square {
     num_wide start, step, twice;
 };
 
-/* The largest |a.v| of all pixels of the image: that of a corner. */
+/* Returns the largest |a.v| of all pixels of the image: that of a corner. */
 num_wide primary_reach(const struct primary_rays *primary, struct num_vec a);
 
-/* a.v * 2^shift from pixel (x, y) on, as num_top takes it. */
+/* Returns a.v * 2^shift from pixel (x, y) on, for num_top. */
 struct row_form primary_form(const struct primary_rays *primary, struct num_vec a, int x, int y, int shift);
 
-/* v.v * 2^square_shift from pixel (x, y) on. */
+/* Returns v.v * 2^square_shift from pixel (x, y) on. */
 struct row_square primary_square(const struct primary_rays *primary, int x, int y);
 
-/* height - 2y - 1, as a pixel coordinate. */
+/* Returns height - 2y - 1, as a pixel coordinate. */
 num_wide primary_y(const struct primary_rays *primary, int y);
 
 #endif

@@ -1,17 +1,17 @@
-/* rows.c - from hits to pixels: a row is taken in pieces, and a piece in spans of one object. */
+/* rows.c - from hits to pixels: a row is divided into pieces, and a piece into spans of one object. */
 #include "coherence/coherence.h"
 #include "render/dither.h"
 #include "shade.h"
 #include "span.h"
 
-/* So that arrays are off the stack when something else needs it. */
+/* Keeps arrays off the stack during deeper calls. */
 #if defined(__GNUC__)
 #define NOINLINE __attribute__((noinline))
 #else
 #define NOINLINE
 #endif
 
-#define PIECE 1024 /* the most pixels of a row that are taken at once, CHUNK where lights are seen or pixels copied */
+#define PIECE 1024 /* the most pixels of a row drawn at once; CHUNK where lights are visible or pixels are copied */
 
 /* Pixels of a row on their way to the display. */
 struct chunk {
@@ -22,11 +22,11 @@ struct chunk {
     const uint32_t *object;
     uint32_t *path_hash; /* NULL, or the row's */
     uint16_t *colours;   /* the same */
-    bool lights;         /* the row may see lights */
+    bool lights;         /* the row may show lights */
     tia_rgb565 *pixels;  /* side by side */
 };
 
-/* A span that sees the background or a light: one colour, except for dithering, which repeats after 8 pixels. */
+/* Draws a span of the background or of a light: one colour, except for dithering, which repeats after 8 pixels. */
 static void flat_span(struct chunk *chunk, int first, int count, const struct tia_rgb *colour, const num_u threshold[8])
 {
     bool dithered = threshold[0] != threshold[1];
@@ -48,7 +48,7 @@ static void flat_span(struct chunk *chunk, int first, int count, const struct ti
     span_put_colours(colours, 0, count, chunk->colours ? chunk->colours + 3 * first : NULL);
 }
 
-/* Marks the pixels of a chunk where light `n` is nearer than what they see. */
+/* Marks the pixels of a chunk where light `n` is nearer than their object. */
 static void see_light(const struct chunk *chunk, uint32_t n, num_u *nearest, uint32_t *object)
 {
     const struct span_view *spans = chunk->spans;
@@ -94,7 +94,7 @@ static int span_end(const uint32_t *object, int first, int count)
     return end;
 }
 
-/* The distances of pixels first..end-1, which see one object. */
+/* Gives the distances of pixels first..end-1, which have one object. */
 static void distances_of(const struct chunk *chunk, int first, int end, num_u *t)
 {
     uint32_t object = chunk->object[first];
@@ -106,7 +106,7 @@ static void distances_of(const struct chunk *chunk, int first, int end, num_u *t
             t[i - first] = chunk->t[i];
 }
 
-/* Lights are not in the hits, since they move. Where the row may see one, the chunk gets its own
+/* Adds visible lights. They are not in the hits, since they move; so where the row may show one, the chunk gets its own
  * copy of the objects, with the lights among them. */
 static NOINLINE void see_lights(struct chunk *chunk, uint32_t object[CHUNK])
 {
@@ -126,7 +126,7 @@ static NOINLINE void see_lights(struct chunk *chunk, uint32_t object[CHUNK])
     chunk->object = object;
 }
 
-/* A span that sees light number n itself. */
+/* Draws a span of light number n itself. */
 static void light_span(struct chunk *chunk, int first, int count, uint32_t n, const num_u threshold[8])
 {
     flat_span(chunk, first, count, &chunk->view->lights[n].emission, threshold);
@@ -134,7 +134,7 @@ static void light_span(struct chunk *chunk, int first, int count, uint32_t n, co
         chunk->path_hash[i] = UINT32_C(0xffff0000) | (n & 0xffff);
 }
 
-/* Pixel by pixel; those of a wide sphere with distances of their own. */
+/* Shades pixel by pixel; those of a wide sphere with distances of their own. */
 static NOINLINE void shade_pixels(const struct chunk *chunk, uint32_t object, int first, int end,
                                   const num_u threshold[8])
 {
@@ -181,7 +181,7 @@ static void light_chunk(struct chunk *chunk, const num_u threshold[8])
     }
 }
 
-/* The same where the row may see lights. */
+/* Does the same where the row may show lights. */
 static NOINLINE void light_chunk_with_lights(struct chunk *chunk, const num_u threshold[8])
 {
     uint32_t object[CHUNK];
@@ -196,7 +196,8 @@ static void copy_pixels(const tia_rgb565 *pixels, int count, char *out, ptrdiff_
         *(tia_rgb565 *)(void *)(out + i * step) = pixels[i];
 }
 
-/* Draws the chunk at column x of the tile, into the surface itself if pixels are side by side there: how many. */
+/* Draws the chunk at column x of the tile, into the surface itself if pixels are side by side there; returns its
+ * pixels. */
 static int light_columns(struct chunk *chunk, const struct tia_hits *hits, struct tia_tile tile, unsigned x,
                          const struct tia_surface *surface, const num_u threshold[8])
 {

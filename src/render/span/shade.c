@@ -3,24 +3,24 @@
 #include "scene/colour.h"
 #include "shadow.h"
 
-/* A span on its way to colours. */
+/* A span being shaded. */
 struct shading {
     const struct shaded_span *span;
     const struct tia_view *view;
     const struct span_view *spans;
     const struct tia_material *material;
-    bool grey; /* red stands for all three */
+    bool grey; /* red is used for all three */
     num_u sum[3][CHUNK];
 };
 
-/* What half-transparent spheres leave of a light on its way to each pixel of a span. */
+/* The part of a light that half-transparent spheres leave on its way to each pixel of a span. */
 struct tint {
     num_u left[3][CHUNK];
-    uint16_t passed[CHUNK]; /* the sum of index + 1 of the spheres on the way */
+    uint16_t passed[CHUNK]; /* sum of index + 1 of the spheres on the way */
 };
 
-/* Where `sphere` has just darkened `lit`: multiplies the tint by `through`, which the sphere transmits, and
- * restores the light unless nothing is left of it. */
+/* Multiplies the tint by `through`, the transmission of `sphere`, where it has just darkened `lit`, and restores the
+ * light unless none of it is left. */
 static void tint_light(const struct tia_rgb *through, uint32_t sphere, const num_u *before, struct lit *lit, int count,
                        struct tint *tint)
 {
@@ -84,7 +84,7 @@ static void add_light(struct shading *s, const struct tia_light *light, const nu
     }
 }
 
-/* Adds what arrives of one light, tinted by half-transparent spheres unless `tint` is NULL. */
+/* Adds the light that arrives from one light, tinted by half-transparent spheres unless `tint` is NULL. */
 static void shade_from_light(struct shading *s, uint32_t l, struct tint *tint)
 {
     const struct shaded_span *span = s->span;

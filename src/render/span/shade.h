@@ -1,4 +1,4 @@
-/* shade.h - colours a span of pixels that see one sphere, with the kernels: light by light, shadow by shadow. */
+/* shade.h - colours a span of pixels of one sphere, with the kernels: light by light, shadow by shadow. */
 #ifndef TIA_RENDER_SPAN_SHADE_H
 #define TIA_RENDER_SPAN_SHADE_H
 
@@ -12,7 +12,7 @@ struct shaded_span {
     uint16_t *colours;   /* NULL, or receives red, green and blue, see there */
 };
 
-/* Colours with 16 bits each, of pixels side by side, or `step` 0: of the first for all; NULL: of none. */
+/* Stores colours with 16 bits each, of pixels side by side; `step` 0: the first for all; NULL: none. */
 void span_put_colours(const num_u *const rgb[3], int step, int count, uint16_t *colours);
 
 void shade_span(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[8],

@@ -1,28 +1,28 @@
 #include "shadow.h"
 
-/* The smaller of `e` and the exponent that keeps a number of `bits` bits, exponent 32, below 2^60. */
+/* Returns the smaller of `e` and the exponent that keeps a number of `bits` bits, exponent 32, below 2^60. */
 static int limit(int e, int bits)
 {
     return e < 92 - bits ? e : 92 - bits;
 }
 
-/* The same for t a.v, a product of t (31 bits) and a.v. */
+/* Returns the same for t a.v, a product of t (31 bits) and a.v. */
 static int limit_product(int e, const struct primary_rays *primary, const struct span_sphere *sphere, struct num_vec a)
 {
     int most = sphere->t_exponent + primary->exponent - 16 + 61 - num_bits(primary_reach(primary, a));
     return e < most ? e : most;
 }
 
-/* a.v from pixel (x, y) on, so that its product with t has the exponent e. */
+/* Returns a.v from pixel (x, y) on, such that its product with t has the exponent e. */
 static struct row_form product_form(const struct primary_rays *primary, const struct span_sphere *sphere,
                                     struct num_vec a, int x, int y, int e)
 {
     return primary_form(primary, a, x, y, e - sphere->t_exponent - primary->exponent + 16);
 }
 
-/* A.w = C.Q - t (C + Q).v + |P|^2; each term stays below 2^60. Returns e_a, at most 57: then bias N.w,
- * below 8, stays below 2^60 too, and as |w| 2^(e_d/2 + half) is at least 2^31 and |w| below 2^16,
- * num_bias_product has something to shift away. */
+/* Prepares A.w = C.Q - t (C + Q).v + |P|^2; each term stays below 2^60. Returns e_a, at most 57: then bias N.w, below
+ * 8, stays below 2^60 too, and as |w| 2^(e_d/2 + half) is at least 2^31 and |w| below 2^16, num_bias_product's shift is
+ * positive. */
 static int prepare_product(const struct primary_rays *primary, const struct light_source *source,
                            const struct span_sphere *caster, int x, int y, struct shadow_line *line)
 {
@@ -40,8 +40,8 @@ static int prepare_product(const struct primary_rays *primary, const struct ligh
     return e;
 }
 
-/* (|A'|^2 - R^2) / (1 + bias/r) = |A|^2 - R^2 - (|L - C|^2 - r^2 - R^2 - bias r) bias/(r + bias); each
- * term stays below 2^60, twice t C.v below 2^61. Returns e_k. */
+/* Prepares (|A'|^2 - R^2) / (1 + bias/r) = |A|^2 - R^2 - (|L - C|^2 - r^2 - R^2 - bias r) bias/(r + bias); each term
+ * stays below 2^60, twice t C.v below 2^61. Returns e_k. */
 static int prepare_power(const struct primary_rays *primary, const struct light_source *source,
                          const struct span_sphere *caster, int x, int y, struct shadow_line *line)
 {
@@ -71,8 +71,8 @@ static struct num_vec quarter(struct num_vec a)
     return q;
 }
 
-/* Whether the caster is behind every point of the sphere L as seen from the light: with D = C - L,
- * G = Q - L and P = L + r N,
+/* True if the caster is behind every point of the sphere L as seen from the light: with D = C - L, G = Q - L and P = L
+ * + r N,
  *
  *     A.w = (D - r N).(G - r N) <= D.G + r |D + G| + r^2 <= 0.
  *
@@ -96,8 +96,7 @@ bool shadow_line_prepare(const struct primary_rays *primary, const struct light_
     int e_a = prepare_product(primary, source, caster, x, y, line);
     int e_k = prepare_power(primary, source, caster, x, y, line);
 
-    /* facing has the exponent 15 - bits + e_d/2 + half, see light.c, and bias/r is
-     * 2^(-28 - bits) inverse. */
+    /* facing has the exponent 15 - bits + e_d/2 + half, see light.c, and bias/r is 2^(-28 - bits) inverse */
     line->inverse = sphere->inverse;
     line->bias_shift = 43 + (source->exponent >> 1) - e_a;
     line->square_down = e_a < source->exponent ? num_count(source->exponent - e_a) : 0;

@@ -1,4 +1,4 @@
-/* span.h - spheres seen from one eye, a row at a time: what the parts of span_renderer share. */
+/* span.h - spheres with a common eye, a row at a time: declarations shared by the parts of span_renderer. */
 #ifndef TIA_RENDER_SPAN_SPAN_H
 #define TIA_RENDER_SPAN_SPAN_H
 
@@ -6,14 +6,14 @@
 #include "render/renderer.h"
 #include "sphere.h"
 
-/* What the view prepares. Everything is relative to the eye: a point seen by a pixel is P = t v. */
+/* The prepared view. All positions are relative to the eye: the point at a pixel is P = t v. */
 struct span_view {
     const struct span_kernels *kernels;
-    struct span_sphere *spheres; /* the scene's, then the lights */
+    struct span_sphere *spheres; /* those of the scene, then those of the lights */
     struct primary_rays primary;
-    bool tinted;       /* some material lets shadow rays through */
-    bool grey_shadows; /* what they keep is grey */
-    bool grey;         /* and so are all lights */
+    bool tinted;       /* some material transmits shadow rays */
+    bool grey_shadows; /* their transmission is grey */
+    bool grey;         /* and all lights are grey */
 };
 
 static inline const struct span_view *span_view_of(const struct tia_view *view)
@@ -21,8 +21,8 @@ static inline const struct span_view *span_view_of(const struct tia_view *view)
     return view->prepared;
 }
 
-/* The hit buffer: each pixel's distance along v, with the exponent of the object's sphere; undefined where
- * a pixel sees no object or a wide sphere. */
+/* Returns the hit buffer: each pixel's distance along v, with the exponent of the object's sphere; undefined at pixels
+ * without an object or of a wide sphere. */
 static inline num_u *span_distances_of(const struct tia_hits *hits)
 {
     return hits->buffer;
@@ -38,10 +38,10 @@ static inline void span_fill(tia_rgb565 *pixels, int count, tia_rgb565 pixel)
         pixels[i] = pixel;
 }
 
-/* t of the pixels x .. x + count - 1 (count <= CHUNK) of row y, which all see sphere `n`. */
+/* Computes t of the pixels x .. x + count - 1 (count <= CHUNK) of row y, all of sphere `n`. */
 void span_distances(const struct span_view *spans, uint32_t n, int y, int x, int count, num_u *t);
 
-/* Of `count` distances to sphere `n`, keeps those that are nearer than the best so far; in a tie that one stays. */
+/* Keeps, of `count` distances to sphere `n`, those that are nearer than the best so far; in a tie the best stays. */
 void span_keep_nearer(const struct span_view *spans, uint32_t n, const num_u *t, int count, num_u *best,
                       uint32_t *object);
 

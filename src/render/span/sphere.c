@@ -1,10 +1,9 @@
 #include "sphere.h"
 
-/* The exponents. An accumulator for b is L.v * 2^b_shift, below 2^63, and its upper half the
- * mantissa: its exponent is e_b = 16 + f + b_shift - 32; for v.v it is e_v = 2f + square_shift - 32.
- * For b^2 - c v.v both products need the same exponent, so c is taken with
- * 2 e_b - e_v = 2 b_shift - square_shift. Both must stay below 2^31. From inside -c v.v is added:
- * then one bit less keeps the sum b + sqrt(...) below 2^32. */
+/* Prepares the discriminant's exponents. An accumulator for b is L.v * 2^b_shift, below 2^63, and its upper half the
+ * mantissa: its exponent is e_b = 16 + f + b_shift - 32; for v.v it is e_v = 2f + square_shift - 32. For b^2 - c v.v
+ * both products need the same exponent, so c is taken with 2 e_b - e_v = 2 b_shift - square_shift. Both must stay below
+ * 2^31. From inside -c v.v is added: then one bit less keeps the sum b + sqrt(...) below 2^32. */
 static void prepare_discriminant(const struct primary_rays *primary, struct span_sphere *sphere)
 {
     num_wide b_reach = primary_reach(primary, sphere->centre);
@@ -15,9 +14,9 @@ static void prepare_discriminant(const struct primary_rays *primary, struct span
     sphere->c_disc = num_scale(num_abs(sphere->c), 2 * sphere->b_shift - primary->square_shift - 32);
 }
 
-/* t^2 <= c / v.v from outside (the tangent), t^2 <= (2r)^2 / v.v from inside; v.v is at least
- * depth^2. The exponent of t makes t^2 < 2^61. num_quotient(a, b, s) is a/b * 2^(63 - s), with
- * the exponents e of a and b: e_t = e_a - e_b + 63 - s. */
+/* Prepares the exponent of t. t^2 <= c / v.v from outside (the tangent), t^2 <= (2r)^2 / v.v from inside; v.v is at
+ * least depth^2. The exponent of t makes t^2 < 2^61. num_quotient(a, b, s) is a/b * 2^(63 - s), with the exponents e of
+ * a and b: e_t = e_a - e_b + 63 - s. */
 static void prepare_distance(const struct primary_rays *primary, struct span_sphere *sphere)
 {
     int b_exponent = sphere->b_shift + primary->exponent - 16;
@@ -37,7 +36,7 @@ static void prepare_distance(const struct primary_rays *primary, struct span_sph
     }
 }
 
-/* The rows that may see the sphere, as a line of pixels, one for each row (X is -Y). */
+/* Returns the rows that may show the sphere, as a line of pixels, one for each row (X is -Y). */
 static struct span rows_that_see(const struct primary_rays *primary, const struct span_sphere *sphere)
 {
     struct span none = {0, 0}, all = {0, primary->height};
@@ -48,8 +47,8 @@ static struct span rows_that_see(const struct primary_rays *primary, const struc
                          primary->exponent,
                          primary->height};
 
-    /* Along row y the largest (L.v)^2 / v.v is L.x^2 + (L.y Y - L.z depth)^2 / (Y^2 + depth^2):
-     * the square of L's projection on the plane of the row. */
+    /* along row y the largest (L.v)^2 / v.v is L.x^2 + (L.y Y - L.z depth)^2 / (Y^2 + depth^2): the square of L's
+     * projection on the plane of the row */
     return s.c > 0 ? cone_row_span(&s, none) : all;
 }
 

@@ -1,4 +1,4 @@
-/* sphere.h - a sphere seen from the eye: which pixels see it, and how far away.
+/* sphere.h - a sphere seen from the eye: its pixels and their distances.
  *
  * For the direction v, with b = L.v and c = L.L - r^2, the roots of |t v - L|^2 = r^2 are
  *
@@ -14,7 +14,7 @@
 #include "kernels.h"
 #include "primary.h"
 
-/* A sphere of the scene, or the sphere that a light is seen as. */
+/* A sphere of the scene, or of a visible light. */
 struct span_sphere {
     struct num_vec centre; /* L */
     num_wide c;            /* L.L - r^2, exponent 32: negative when the eye is inside */
@@ -24,22 +24,22 @@ struct span_sphere {
 
     /* The exponents and constants of the kernels that compute t, see sphere.c. */
     int b_shift;         /* L.v * 2^b_shift fills an accumulator */
-    num_u c_disc, c_top; /* c as the discriminant and the quotient take it */
-    int t_shift;         /* what num_quotient is given */
+    num_u c_disc, c_top; /* c for the discriminant and for the quotient */
+    int t_shift;         /* num_quotient's shift */
     int t_exponent;      /* the exponent of t */
-    struct span rows;    /* the rows that may see it; empty: no pixel does */
-    bool wide;           /* hits do not keep its distances, see coherence.h */
+    struct span rows;    /* the rows that may show it; empty: no pixel does */
+    bool wide;           /* hits do not store its distances, see coherence.h */
 };
 
-/* Prepares a sphere; one of radius 0 is seen by no pixel. */
+/* Prepares a sphere; one of radius 0 has no pixels. */
 void span_sphere_prepare(const struct primary_rays *primary, struct span_sphere *sphere, struct num_vec centre,
                          tia_q16 radius);
 
-/* The pixels of row y that see the sphere; `guess` is for speed only. */
+/* Returns the pixels of row y that show the sphere; `guess` is for speed only. */
 struct span span_sphere_row(const struct primary_rays *primary, const struct span_sphere *sphere, int y,
                             struct span guess);
 
-/* The constants of the kernel that computes t, all except count, for the pixels from (x, y) on. */
+/* Gives the constants of the kernel that computes t, all except count, for the pixels from (x, y) on. */
 void span_sphere_line(const struct primary_rays *primary, const struct span_sphere *sphere, int y, int x,
                       struct sphere_line *line);
 

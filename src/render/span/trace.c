@@ -1,4 +1,4 @@
-/* trace.c - what the pixels of a tile see: each sphere's pixels are one span per row, found exactly;
+/* trace.c - finds the visible sphere of each pixel of a tile: each sphere's pixels are one span per row, found exactly;
  * where spans overlap, the nearer wins, and a tie goes to the lower index. */
 #include "span.h"
 
@@ -11,7 +11,7 @@ static void clear(struct tia_hits *hits, struct tia_tile tile)
     }
 }
 
-#define WORTH 16   /* pixels that are worth asking about all of them */
+#define WORTH 16   /* least number of pixels worth a test of all at once */
 #define T_SHIFT 39 /* up to here S = b + sqrt(D), see sphere.c, has 24 bits */
 
 static num_u apart(num_u a, num_u b)
@@ -19,13 +19,12 @@ static num_u apart(num_u a, num_u b)
     return a < b ? b - a : a - b;
 }
 
-/* Whether all pixels see sphere `n`, whose distances are t, before sphere `other`: false when that is not plain at
- * once.
+/* True if sphere `n`, whose distances are t, is certainly nearer than sphere `other` at all pixels.
  *
- * In every plane through the eye the half of a sphere that is seen is convex, so t is convex along the row and largest
- * at an end, and S = c/t is concave: between three samples that differ by up to 1/8 it is at most 1.17 times the middle
+ * In every plane through the eye the visible half of a sphere is convex, so t is convex along the row and largest at an
+ * end, and S = c/t is concave: between three samples that differ by up to 1/8 it is at most 1.17 times the middle
  * one's, as it stays below the lines through the others. With 24 bits of S, which is off by 2^16.2 + 2 in its last bit
- * (by the root of 1.3 2^32 where D is nearly 0, see coherence_bounds.c), each t is known to 2^-7: so the others' are
+ * (by the root of 1.3 2^32 where D is nearly 0, see coherence_bounds.c), each t is accurate to 2^-7: so the others' are
  * all above .84 of the middle one, and t below 1.02 of the larger end. */
 static bool all_nearer(const struct span_view *spans, uint32_t n, uint32_t other, int y, struct span span,
                        const num_u *t)
@@ -43,7 +42,7 @@ static bool all_nearer(const struct span_view *spans, uint32_t n, uint32_t other
            num_nearer(most, spans->spheres[n].t_exponent, behind[1] - behind[1] / 4, spans->spheres[other].t_exponent);
 }
 
-/* Up to CHUNK pixels that see one object without sphere `n`, or none. */
+/* Traces up to CHUNK pixels of one object, or none, against sphere `n`. */
 static void trace_chunk(const struct span_view *spans, uint32_t n, int y, struct span span, num_u *distance,
                         uint32_t *object)
 {

@@ -26,8 +26,8 @@ static void look(struct ray_camera *c, const struct tia_camera *given, const str
     c->v = num_dir_cross(c->n, c->u);
 }
 
-/* The window at the distance `depth`. In perspective its units are pixel coordinates, see span/primary.h, over
- * 128: height/a = height cot(fov/2) is below 2^20, and what tia_cotangent returns is Q8.56. */
+/* Sets the window at the distance `depth`. In perspective its units are pixel coordinates, see span/primary.h, over
+ * 128: height/a = height cot(fov/2) is below 2^20, and tia_cotangent's result is Q8.56. */
 static void open_window(struct ray_camera *c, const struct tia_camera *given)
 {
     const struct tia_window *w = &given->window;
@@ -66,7 +66,7 @@ static void set_grid(struct ray_camera *c, const struct tia_scene *scene, int wi
     c->channels = c->grid.channels;
 }
 
-/* n 2^-5: an image may be three times as wide as a picture, which num_integer leaves no room for. */
+/* Returns n 2^-5: an image may be three times as wide as a picture, which is too wide for num_integer. */
 static num_length small(int64_t n)
 {
     return num_length_of_q45(n * (INT64_C(1) << 40));
@@ -95,7 +95,7 @@ bool ray_camera_pixel(const struct ray_camera *c, int x, int y, int channel, str
     return !c->grid.field || tia_light_grid_pixel(&c->grid, x, y, channel, pixel);
 }
 
-/* Through the point at these parts of the image's width and height, from the eye at `place`. */
+/* Gives the ray through the point at these parts of the image's width and height, from the eye at `place`. */
 static void through(const struct ray_camera *c, tia_q16 place, num_unit right, num_unit down, struct ray *ray)
 {
     num_length left = place ? num_length_of(c->window.left - place) : c->left;
@@ -111,7 +111,8 @@ static void through(const struct ray_camera *c, tia_q16 place, num_unit right, n
         (void)num_normalise(num_point_add(aside, c->ahead), &ray->direction);
 }
 
-/* The sample's position in units of 1/(2 n^2) of a pixel: (n i + j + 1/2)/n^2 and (n j + n - i - 1/2)/n^2. */
+/* Gives the ray; the sample's position is, in units of 1/(2 n^2) of a pixel: (n i + j + 1/2)/n^2 and (n j + n - i -
+ * 1/2)/n^2. */
 void ray_camera_ray(const struct ray_camera *c, const struct light_pixel *pixel, int sample, struct ray *ray)
 {
     int32_t n = c->side, i = sample % n, j = sample / n;
@@ -121,7 +122,7 @@ void ray_camera_ray(const struct ray_camera *c, const struct light_pixel *pixel,
     through(c, pixel->place, num_fraction_by(small(column), c->columns), num_fraction_by(small(row), c->rows), ray);
 }
 
-/* x + (u + 1/2)/2^32 */
+/* Returns x + (u + 1/2)/2^32. */
 static num_length within_pixel(int x, uint32_t u)
 {
     return num_length_of_q45(((int64_t)x << 45) + ((int64_t)u << 13) + (1 << 12));

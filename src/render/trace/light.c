@@ -52,7 +52,7 @@ static void prepare_disc(struct ray_light *l, const struct tia_light *given)
     shape_axes(l->direction, l->axes);
 }
 
-/* The four bits of i in reverse order. */
+/* Returns the four bits of i in reverse order. */
 static unsigned mirrored(unsigned i)
 {
     static const uint8_t mirror[16] = {0, 8, 4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7, 15};
@@ -60,7 +60,7 @@ static unsigned mirrored(unsigned i)
     return mirror[i];
 }
 
-/* sin(2 pi v/256) */
+/* Returns sin(2 pi v/256). */
 static num_unit sine(unsigned v)
 {
     unsigned place = v & 63;
@@ -76,7 +76,7 @@ unsigned ray_pixel_class(int x, int y)
     return bayer[y & 3][x & 3];
 }
 
-/* u = frac((i + 1/2)/n + b/16), in integers so that a whole number is surely 0; and v in units of 1/256. */
+/* Gives u = frac((i + 1/2)/n + b/16), in integers so that a whole number becomes exactly 0; and v in units of 1/256. */
 static void pattern(const struct ray_light *l, unsigned class, unsigned i, num_unit *u, unsigned *v)
 {
     unsigned n = l->samples;

@@ -1,4 +1,4 @@
-/* light.h - what a light does to a point, sample by sample, and where it is seen; see tia/light.h. */
+/* light.h - a light's effect on a point, sample by sample, and its visible surface; see tia/light.h. */
 #ifndef TIA_RENDER_TRACE_LIGHT_H
 #define TIA_RENDER_TRACE_LIGHT_H
 
@@ -31,38 +31,38 @@ static inline bool ray_light_turns(const struct ray_light *light)
 struct ray_sample {
     struct num_point source; /* not set for a directional light */
     struct num_dir to;       /* L */
-    num_length factor;       /* attenuation times the spot's falloff; 0: it does not shine here */
+    num_length factor;       /* attenuation times the spot's falloff; 0: no light */
 };
 
 void ray_light_prepare(struct ray_light *light, const struct tia_light *given, int scale_bits);
 
-/* A light as a point sees it, in a pixel of class `class`, 0..15. */
+/* A light aimed at a point, in a pixel of class `class`, 0..15. */
 struct ray_aim {
     const struct ray_light *light;
     struct num_point point;
-    struct num_dir normal;  /* light from behind is worth nothing */
-    struct num_dir axes[2]; /* of the disc that samples are taken from */
+    struct num_dir normal;  /* light from behind does not count */
+    struct num_dir axes[2]; /* of the disc from which samples are taken */
     unsigned class;
 };
 
 void ray_light_aim(struct ray_aim *aim, const struct ray_light *light, struct num_point point, struct num_dir normal,
                    unsigned class);
 
-/* Sample i < light->samples. Not for ambient lights. False when the light gives nothing; from behind the surface it may
- * be either. */
+/* Gives sample i < light->samples. Not for ambient lights. False when it gives no light; for light from behind the
+ * surface, either value. */
 bool ray_light_sample(const struct ray_aim *aim, unsigned i, struct ray_sample *sample);
 
-/* The shadow ray from a point to the sample, and its length; false: they coincide. */
+/* Gives the shadow ray from a point to the sample, and its length; false: they coincide. */
 bool ray_light_shadow(const struct ray_light *light, const struct ray_sample *sample, struct num_point from,
                       struct ray *shadow, num_length *distance);
 
 /* True if it has a surface that rays can meet. */
 bool ray_light_is_seen(const struct ray_light *light);
 
-/* Where a ray meets the light's surface, 0 <= t < limit. */
+/* Intersects a ray with the light's surface, 0 <= t < limit. */
 bool ray_light_intersect(const struct ray_light *light, const struct ray *ray, num_length limit, num_length *t);
 
-/* The class of pixel (x, y). */
+/* Returns the class of pixel (x, y). */
 unsigned ray_pixel_class(int x, int y);
 
 #endif

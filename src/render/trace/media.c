@@ -3,7 +3,7 @@
 #define OBJECT (TIA_OBJECTS_MAX - 1)
 #define MATERIAL_STEP TIA_OBJECTS_MAX
 
-/* The material of an object; of a grid, its first. */
+/* Returns the material of an object; of a grid, its first. */
 static const struct tia_material *material_of(const struct tia_scene *scene, uint32_t object)
 {
     uint32_t spheres = scene->sphere_count;
@@ -20,7 +20,7 @@ static tia_q16 index_in(const struct tia_scene *scene, const struct media *media
     return material_of(scene, last & OBJECT)[last / MATERIAL_STEP].index;
 }
 
-/* Forgets the latest entry of an object; false: there is none. */
+/* Removes the latest entry of an object; false: there is none. */
 static bool leave(struct media *media, uint32_t object)
 {
     uint32_t i = media->count;

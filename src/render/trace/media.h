@@ -1,11 +1,11 @@
-/* media.h - which objects a ray has entered, see tia/material.h. */
+/* media.h - the objects that a ray has entered, see tia/material.h. */
 #ifndef TIA_RENDER_TRACE_MEDIA_H
 #define TIA_RENDER_TRACE_MEDIA_H
 
 #include "trace.h"
 
-/* The object entered last is the last one. Each is packed into a word, as many rays wait on a small stack: the object's
- * index, below TIA_OBJECTS_MAX, and in the bits above it which of a grid's materials. */
+/* The objects in the order of entry. Each is packed into a word, as many rays are pending on a small stack: the
+ * object's index, below TIA_OBJECTS_MAX, and in the bits above it the index of a grid's material. */
 struct media {
     uint32_t entered[TIA_MEDIA], count;
 };
@@ -15,8 +15,8 @@ struct boundary {
     tia_q16 from, to;
 };
 
-/* The boundary where `object`, which is of that material there, refracts a ray at its front or its back. `media` become
- * those behind it. */
+/* Returns the boundary where `object`, which has that material there, refracts a ray at its front or its back. `media`
+ * become those behind it. */
 struct boundary media_cross(const struct ray_view *view, struct media *media, uint32_t object,
                             const struct tia_material *material, bool back);
 

@@ -1,5 +1,5 @@
-/* nearest.c - what a ray meets first. With a hierarchy it is the same as by trying all objects: of several at
- * the same distance, the one with the lowest index. */
+/* nearest.c - the nearest hit of a ray. A hierarchy gives the same as a test of all objects: of several at the same
+ * distance, the one with the lowest index. */
 #include "render/geometry/walk.h"
 #include "trace.h"
 

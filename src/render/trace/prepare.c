@@ -4,7 +4,7 @@
 #include "scene/colour.h"
 #include "trace.h"
 
-/* What shapes ask of their mesh: found when the first one asks, since there may be many. */
+/* Properties of a mesh that shapes need: computed at the first use, since there may be many. */
 struct mesh_facts {
     struct tia_bounds box;
     bool has_box, has_edges, is_closed;
@@ -19,7 +19,7 @@ size_t ray_prepared_size(const struct tia_scene *scene, uint32_t light_capacity)
     return size < SIZE_MAX / 2 ? (size_t)size : SIZE_MAX;
 }
 
-/* While a scene is prepared. */
+/* A scene being prepared. */
 struct preparation {
     const struct tia_scene *scene;
     struct mesh_facts *meshes;
@@ -46,7 +46,7 @@ static bool is_closed(struct preparation *p, uint32_t mesh)
     return facts->is_closed;
 }
 
-/* What refracted rays can enter. */
+/* Returns the part of a shape that refracted rays can enter. */
 static enum inside inside_of(struct preparation *p, const struct tia_shape *given)
 {
     bool refracts = !colour_is_black(&p->scene->materials[given->material].refraction);
@@ -68,7 +68,7 @@ static enum inside inside_of(struct preparation *p, const struct tia_shape *give
     }
 }
 
-/* Whether one of some materials has an opacity texture. */
+/* True if one of `count` materials has an opacity texture. */
 static bool have_opacity(const struct tia_scene *scene, uint32_t first, uint32_t count)
 {
     bool found = false;
@@ -78,7 +78,7 @@ static bool have_opacity(const struct tia_scene *scene, uint32_t first, uint32_t
     return found;
 }
 
-/* False: the shape has no transform. */
+/* Prepares a shape's instance; false: it has no transform. */
 static bool place(struct preparation *p, const struct tia_shape *given, struct instance *instance)
 {
     struct bounds_wide box;

@@ -57,7 +57,7 @@ void shading_prepare(const struct ray_view *view, num_length bias, const struct 
     texture(view, hit, s);
 }
 
-/* R/2 = (N.V) N - V/2 */
+/* Returns R/2 = (N.V) N - V/2. */
 struct num_dir shading_mirrored(const struct shading *s)
 {
     struct num_dir half = {-s->viewer.x / 2, -s->viewer.y / 2, -s->viewer.z / 2};
@@ -70,14 +70,14 @@ struct num_dir shading_mirrored(const struct shading *s)
  *     n2/n1 T = -V + (c - sqrt((n2/n1)^2 - s^2)) N,   in quarters  -V/4 + (c/4 - root) N,
  *     root = sqrt(q^2 - s^2/16)
  *
- * and nothing is refracted where there is no root, nor where an interpolated normal is turned away: there Rs = Rp = 1,
- * which in integers would be a little less. Returns F, what Fresnel's equations say is reflected:
- * with n2/n1 cos T = 4 root,
+ * and all light is reflected where there is no root, or where an interpolated normal is turned away: there Rs = Rp = 1,
+ * which in integers would be a little less. Returns F, the reflectance by Fresnel's equations: with n2/n1 cos T =
+ * 4 root,
  *
  *     Rs = (c - n2/n1 cos T)/(c + ...)          = (c/4 - root)/(c/4 + root)
  *     Rp = (n2/n1 c - cos T)/(n2/n1 c + cos T)  = (q^2 c - root/4)/(q^2 c + root/4).
  *
- * q is at most 1: where n2 > 4 n1, which is less than 16 n1, all is in sixteenths. */
+ * q is at most 1: where n2 > 4 n1, which is less than 16 n1, all values are in sixteenths. */
 num_unit shading_refract(const struct shading *s, struct boundary between, struct num_dir *refracted)
 {
     const num_length parts = between.to <= 4 * between.from ? 4 : 16;

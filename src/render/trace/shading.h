@@ -1,4 +1,4 @@
-/* shading.h - a point on a surface, prepared for whatever integrator sums up the light there. */
+/* shading.h - a point on a surface, prepared for an integrator. */
 #ifndef TIA_RENDER_TRACE_SHADING_H
 #define TIA_RENDER_TRACE_SHADING_H
 
@@ -8,26 +8,26 @@ struct shading {
     const struct tia_material *material;
     uint32_t object;
     struct num_point point;
-    struct num_point outside;         /* P + b G: where reflected and shadow rays start */
+    struct num_point outside;         /* P + b G: start of reflected and shadow rays */
     struct num_dir geometric, normal; /* G and N, turned to the viewer */
     struct num_dir viewer;            /* V */
     num_unit facing;                  /* N.V */
     bool back;                        /* the ray meets the surface's back: it leaves the object */
-    num_length colour[3];             /* the diffuse one, with the texture */
+    num_length colour[3];             /* the diffuse colour, with the texture */
     num_length opacity;
-    uint32_t texels[2]; /* which value of the colour's and of the opacity's texture, see ray_texture, */
-    bool textured[2];   /* if it belongs into a path's hash */
+    uint32_t texels[2]; /* index of the value in the colour's and in the opacity's texture, see ray_texture, */
+    bool textured[2];   /* and true if it belongs into a path's hash */
 };
 
-/* What one ray meets; other rays start `bias` off the surface. */
+/* Prepares the hit of one ray; other rays start `bias` off the surface. */
 void shading_prepare(const struct ray_view *view, num_length bias, const struct ray *ray, const struct hit *hit,
                      struct shading *s);
 
-/* The direction of the mirrored ray. */
+/* Returns the direction of the mirrored ray. */
 struct num_dir shading_mirrored(const struct shading *s);
 
-/* The direction of the refracted ray. Returns what of it Fresnel's equations say is reflected: 1 where nothing is
- * refracted, and then there is no direction. */
+/* Gives the direction of the refracted ray. Returns the reflectance by Fresnel's equations: 1 in total reflection, and
+ * then there is no direction. */
 num_unit shading_refract(const struct shading *s, struct boundary between, struct num_dir *refracted);
 
 #endif

@@ -15,7 +15,7 @@ static unsigned channels_of(const struct tia_texture *t)
     return t->kind == TIA_OPACITY ? 1 : 3;
 }
 
-/* Texel (x, y) from the lower left, at most one beyond the image's edges; rows are stored from the top. */
+/* Returns texel (x, y) from the lower left, at most one beyond the image's edges; rows are stored from the top. */
 static const uint8_t *texel(const struct tia_texture *t, int32_t x, int32_t y)
 {
     x = x < 0 ? x + t->width : x >= t->width ? x - t->width : x;
@@ -23,7 +23,7 @@ static const uint8_t *texel(const struct tia_texture *t, int32_t x, int32_t y)
     return t->texels + channels_of(t) * ((size_t)(t->height - 1 - y) * t->width + (size_t)x);
 }
 
-/* The four texels around the place, interpolated bilinearly. */
+/* Interpolates the four texels around the position bilinearly. */
 static void blend(const struct tia_texture *t, num_length u, num_length v, num_length value[])
 {
     int32_t x = num_floor(u), y = num_floor(v);

@@ -1,4 +1,4 @@
-/* trace.h - a scene as general rays see it: what ray_prepare leaves behind view->prepared. */
+/* trace.h - a scene prepared for general rays, behind view->prepared. */
 #ifndef TIA_RENDER_TRACE_TRACE_H
 #define TIA_RENDER_TRACE_TRACE_H
 
@@ -9,16 +9,16 @@
 #include "rgb.h"
 
 struct ray_view {
-    const struct tia_view *view; /* the one this belongs to */
+    const struct tia_view *view; /* the view that this belongs to */
     const struct tia_scene *scene;
     struct ray_camera camera;
     struct shape *shapes;       /* the scene's, prepared */
     struct instance *instances; /* one for each shape that has a transform */
     struct ray_light *lights;
     uint32_t light_count, depth;
-    num_length bias; /* how far off a surface rays start */
+    num_length bias; /* offset of rays from surfaces */
     bool layered;    /* some material has an opacity texture */
-    bool lit;        /* some light has a surface that is seen */
+    bool lit;        /* some light has a visible surface */
 };
 
 /* See struct renderer: any integrator's scene is prepared by these, its view->prepared is a struct ray_view. */
@@ -26,75 +26,79 @@ size_t ray_prepared_size(const struct tia_scene *scene, uint32_t light_capacity)
 int ray_prepare(struct tia_view *view);
 int ray_set_lights(struct tia_view *view);
 
-/* The trace of struct renderer: what the first sample of each pixel meets. */
+/* Implements trace of struct renderer: finds the hit of each pixel's first sample. */
 void ray_trace_tile(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile);
 
-/* What a ray meets first. */
+/* A ray's first hit. */
 struct hit {
     num_length t;
-    uint32_t object;  /* an index, or TIA_NO_OBJECT: nothing, or if `light` is set that light */
+    uint32_t object;  /* an index; TIA_NO_OBJECT: none, or if `light` is set that light */
     uint32_t element; /* of a shape, see shape.h */
-    uint32_t light;   /* TIA_NO_OBJECT, or the light that is seen: then there is no object */
+    uint32_t light;   /* TIA_NO_OBJECT, or the visible light: then there is no object */
 };
 
-/* The nearest object, the lower index of several. */
+/* Finds the nearest object, the lower index of several. */
 void ray_intersect(const struct ray_view *view, const struct ray *ray, struct hit *hit);
 
-/* Where the ray meets object `object`, known to be the nearest. */
+/* Gives the hit on object `object`, known to be the nearest. */
 void ray_intersect_object(const struct ray_view *view, const struct ray *ray, uint32_t object, struct hit *hit);
 
-/* A light with a surface that is nearer than the object takes its place. */
+/* Replaces the hit by a light with a surface that is nearer than the object. */
 void ray_intersect_lights(const struct ray_view *view, const struct ray *ray, struct hit *hit);
 
-/* The same of lights whose kind is a bit of `kinds`. */
+/* Does the same for lights whose kind is a bit of `kinds`. */
 void ray_intersect_lights_of(const struct ray_view *view, const struct ray *ray, unsigned kinds, struct hit *hit);
 
 /* One of the scene's spheres. */
 struct num_point ray_sphere_centre(const struct tia_scene *scene, uint32_t sphere);
 num_length ray_sphere_radius(const struct tia_scene *scene, uint32_t sphere);
 
-/* How much light the objects between the ray's origin and t = limit let through; false: none. *blocker is the
- * object to try first, or TIA_NO_OBJECT; it becomes the one that lets nothing through, where the next shadow
- * ray to this light often ends too. */
+/* Gives the part of the light that the objects between the ray's origin and t = limit transmit; false: none. *blocker
+ * is the object to test first, or TIA_NO_OBJECT; it becomes the one that transmits nothing, where the next shadow ray
+ * to this light often ends too. */
 bool ray_transmittance(const struct ray_view *view, const struct ray *ray, num_length limit, uint32_t *blocker,
                        num_length through[3]);
 
-/* The same where nothing is seen through objects, whatever their transmission, but past an opacity. */
+/* Gives the same for visibility, where objects transmit nothing, except past an opacity. */
 bool ray_visibility(const struct ray_view *view, const struct ray *ray, num_length limit, uint32_t *blocker,
                     num_length *through);
 
-/* A direction that is given around the z axis, around another one. */
+/* Converts a direction given around the z axis to one around another axis. */
 struct num_dir ray_around(struct num_dir axis, struct num_dir local);
 
-/* Where rays from a surface start, its geometric and its shading normal. */
+/* The start of rays from a surface, its geometric and its shading normal. */
 struct ray_place {
     struct num_point outside;
     struct num_dir geometric, normal;
 };
 
-/* One ray of ambient occlusion, see tia/integrator.h: how much of it gets `distance` far, 1 or 0 but for opacities. */
+/* Returns the result of one ray of ambient occlusion, see tia/integrator.h: the part of it that gets `distance` far, 1
+ * or 0 but for opacities. */
 num_length ray_openness(const struct ray_view *view, const struct ray_place *place, const uint32_t u[2],
                         num_length distance, uint32_t *blocker);
 
-/* Whether the ray meets object `object` at 0 <= t <= limit; `element`, unless NULL, receives the nearest element. */
+/* True if the ray meets object `object` at 0 <= t <= limit; `element`, unless NULL, receives the nearest element. */
 bool ray_occluded_by(const struct ray_view *view, const struct ray *ray, uint32_t object, num_length limit,
                      uint32_t *element);
 
-/* How many groups of faces the ray meets at 0 <= t <= limit, of an object that is a mesh with groups; else 1. */
+/* Returns how many groups of faces the ray meets at 0 <= t <= limit, for an object that is a mesh with groups; else 1.
+ */
 uint32_t ray_groups_met(const struct ray_view *view, const struct ray *ray, uint32_t object, num_length limit);
 
-/* Whether the object has an opacity texture; of a grid false is certain. */
+/* True if the object has an opacity texture; for a grid, false is certain. */
 bool ray_is_layered(const struct ray_view *view, uint32_t object);
 
-/* Where the ray meets the object at 0 <= t <= limit. */
+/* Gives the hit on the object at 0 <= t <= limit. */
 bool ray_meets(const struct ray_view *view, const struct ray *ray, uint32_t object, num_length limit, struct hit *hit);
 
-/* What of an object a refracted ray may enter. */
+/* Returns the part of an object that a refracted ray may enter. */
 enum inside ray_inside(const struct ray_view *view, uint32_t object);
 
-/* The surface of a hit object in the world's axes; its coordinates, for textures; its material. */
+/* Gives the surface of a hit object in the world's axes. */
 void ray_surface(const struct ray_view *view, const struct hit *hit, struct num_point point, struct surface *surface);
+/* Gives its coordinates, for textures. */
 int ray_uv(const struct ray_view *view, const struct hit *hit, struct num_point point, num_length uv[2]);
+/* Returns its material. */
 uint32_t ray_material(const struct ray_view *view, uint32_t object, uint32_t element);
 
 #endif

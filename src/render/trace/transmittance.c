@@ -1,4 +1,4 @@
-/* transmittance.c - what stands between a point and a light.
+/* transmittance.c - the objects between a point and a light.
  *
  * An object that lets nothing through ends the search. The others multiply what is left. Products are rounded,
  * so this is always done in the order of the indices, whatever order they are found in: one search keeps the
@@ -10,20 +10,20 @@
 
 #define KEPT 16
 
-/* An object, and what multiplies the light, so many times. */
+/* An object, and the factors by which it multiplies the light. */
 struct filter {
     uint32_t object, times;
     num_length through[3];
 };
 
-/* The objects with the lowest indices that let something through, in rising order. */
+/* The objects with the lowest indices that transmit light, in rising order. */
 struct filters {
     struct filter kept[KEPT];
     uint32_t count, from; /* only objects from this index on */
-    uint32_t blocker;     /* the object that takes all light */
-    uint32_t missed;      /* an object that the ray is known not to meet, or TIA_NO_OBJECT */
+    uint32_t blocker;     /* the object that transmits nothing */
+    uint32_t missed;      /* an object that the ray certainly misses, or TIA_NO_OBJECT */
     bool more;
-    bool opaque; /* objects let nothing through but where an opacity texture says so */
+    bool opaque; /* objects transmit nothing but by an opacity texture */
 };
 
 static void keep(struct filters *filters, const struct filter *filter)
@@ -49,7 +49,7 @@ static bool is_grid(const struct ray_view *view, uint32_t object)
     return object >= spheres && view->scene->shapes[object - spheres].kind == TIA_GRID;
 }
 
-/* A shadow ray on its way through an object with an opacity texture. */
+/* A shadow ray crossing an object with an opacity texture. */
 struct crossing {
     struct ray ray;
     num_length limit;
@@ -95,7 +95,7 @@ static bool is_black(const num_length rgb[3])
 
 #define PATIENCE 16 /* surfaces, see tia_view_set_stop */
 
-/* False when the object takes all light. */
+/* False when the object transmits nothing. */
 static bool layers_transmit(const struct ray_view *view, const struct ray *ray, uint32_t object, num_length limit,
                             struct filters *filters)
 {
@@ -117,7 +117,7 @@ static bool layers_transmit(const struct ray_view *view, const struct ray *ray, 
     return true;
 }
 
-/* False when the object takes all light. */
+/* False when the object transmits nothing. */
 static bool object_transmits(const struct ray_view *view, const struct ray *ray, uint32_t object, num_length limit,
                              struct filters *filters)
 {
@@ -166,7 +166,7 @@ static void apply(const struct filters *filters, num_length through[3])
 static bool passes(const struct ray_view *view, const struct ray *ray, num_length limit, bool opaque, uint32_t *blocker,
                    num_length through[3])
 {
-    struct filters filters; /* whose many words need no 0 */
+    struct filters filters; /* not initialised: it has many words */
 
     filters.count = filters.from = 0;
     filters.opaque = opaque;

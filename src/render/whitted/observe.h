@@ -1,5 +1,5 @@
-/* observe.h - tells an observer of rays, see struct tia_observer: in the build that can be watched. Nothing is left of
- * it in the others. */
+/* observe.h - reports rays to an observer, see struct tia_observer: in the build with observers. In the others it
+ * compiles to nothing. */
 #ifndef TIA_RENDER_WHITTED_OBSERVE_H
 #define TIA_RENDER_WHITTED_OBSERVE_H
 
@@ -25,7 +25,7 @@ static inline void observe_begin(struct path *path, const struct tia_options *op
 #endif
 }
 
-/* Tests of this ray are counted. */
+/* Counts the tests of this ray. */
 static inline void observe_count(const struct path *path, struct ray *ray)
 {
 #ifdef TIA_WATCHED
@@ -36,7 +36,7 @@ static inline void observe_count(const struct path *path, struct ray *ray)
 #endif
 }
 
-/* `normal` is that of the surface that the ray meets; NULL: it meets a light or nothing. */
+/* Reports a ray; `normal` is that of the surface that the ray meets, NULL if it meets a light or nothing. */
 void observe_ray(const struct path *path, enum tia_ray kind, const struct ray *ray, const struct hit *hit,
                  const struct num_dir *normal);
 

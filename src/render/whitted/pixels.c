@@ -4,8 +4,8 @@
 #include "samples/sobol.h"
 #include "whitted.h"
 
-/* What the ray of a pixel's sample meets, or of those of a channel after the first. `object` is what the first one
- * does, or receives it if path->traces. */
+/* Finds the hit of a pixel's sample, or of those of a channel after the first. `object` is the first sample's, or
+ * receives it if path->traces. */
 static void find_first(struct path *path, int x, int y, int sample, uint32_t *object, const struct ray *ray,
                        struct hit *hit)
 {
@@ -14,7 +14,7 @@ static void find_first(struct path *path, int x, int y, int sample, uint32_t *ob
         path->known = path->first->find(path->first, x, y, sample, ray, hit, &path->lit);
         return;
     }
-    if (sample == 0 && !path->traces && !path_is_watched(path)) { /* who counts tests wants those of the search */
+    if (sample == 0 && !path->traces && !path_is_watched(path)) { /* observers count the tests of the search, too */
         ray_intersect_object(path->view, ray, *object, hit);
         return;
     }
@@ -22,7 +22,7 @@ static void find_first(struct path *path, int x, int y, int sample, uint32_t *ob
     *object = sample == 0 ? hit->object : *object;
 }
 
-/* The mean of the samples of what a channel of a pixel shows, each clamped. `object` as of find_first. */
+/* Computes the mean of a channel's samples of a pixel, each clamped. `object` as in find_first. */
 static void add_channel(struct path *path, const struct light_pixel *at, int channel, uint32_t *object,
                         num_length mean[3])
 {
@@ -47,7 +47,7 @@ static void add_channel(struct path *path, const struct light_pixel *at, int cha
     }
 }
 
-/* Of three channels each is what its own rays found of it. */
+/* Computes a pixel; of three channels, each comes from its own rays. */
 static void pixel(struct path *path, int x, int y, uint32_t *object, num_length mean[3])
 {
     const struct ray_camera *camera = &path->view->camera;
@@ -81,7 +81,7 @@ static void put_colours(const num_length mean[3], uint16_t *colours)
         colours[c] = (uint16_t)num_levels(mean[c], 65535, NUM_ROUND);
 }
 
-/* What is drawn where. */
+/* A tile's job: view, target and options. */
 struct job {
     const struct tia_view *view;
     const struct tia_hits *hits;
@@ -89,10 +89,10 @@ struct job {
     const struct tia_surface *surface;
     const struct tia_options *options;
     const struct first_hits *first; /* NULL: rays */
-    bool traces;                    /* the hits are not there yet, and are filled in */
+    bool traces;                    /* the hits are not there yet, and are stored */
 };
 
-/* False: it was stopped. */
+/* Draws a row; false: it was stopped. */
 static bool row(const struct job *job, int y)
 {
     const struct tia_options *options = job->options;
@@ -147,7 +147,7 @@ static void light_tile(const struct tia_view *view, const struct tia_hits *hits,
     whitted_light_tile(view, hits, tile, surface, options, NULL);
 }
 
-/* Each ray from the eye is made once, and what it meets is not looked for again. */
+/* Traces and lights at once: each ray from the eye is made once, and its hit is not searched again. */
 static void render_tile(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
                         const struct tia_surface *surface, const struct tia_options *options)
 {

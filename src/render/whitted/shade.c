@@ -20,7 +20,7 @@ void shade_prepare(struct path *path, const struct ray *ray, const struct hit *h
             path_hash_word(path, s->texels[i]);
 }
 
-/* max(0, R.L)^exponent with R = 2 (N.V) N - V. */
+/* Returns max(0, R.L)^exponent with R = 2 (N.V) N - V. */
 static num_length highlight(const struct shading *s, struct num_dir to, num_unit lambert)
 {
     num_unit half = num_times(s->facing, lambert) - num_dir_dot(s->viewer, to) / 2;
@@ -30,7 +30,7 @@ static num_length highlight(const struct shading *s, struct num_dir to, num_unit
     return num_power_length(half < NUM_UNIT_ONE / 2 ? 2 * half : NUM_UNIT_ONE, s->material->exponent);
 }
 
-/* What the material reflects of light from `to` towards the viewer. */
+/* Gives the part of the light from `to` that the material reflects towards the viewer. */
 static void reflectance(const struct shading *s, struct num_dir to, num_unit lambert, num_length rgb[3])
 {
     const struct tia_rgb *specular = &s->material->specular;
@@ -46,7 +46,7 @@ static void reflectance(const struct shading *s, struct num_dir to, num_unit lam
         rgb[c] += num_product(glossy[c], shine);
 }
 
-/* How much of a sample's light gets to the point; false: none. `bit` is its number in path->lit. */
+/* Gives the part of a sample's light that reaches the point; false: none. `bit` is its number in path->lit. */
 static bool arrives(const struct path *path, const struct shading *s, const struct ray_light *light,
                     const struct ray_sample *sample, unsigned bit, uint32_t *blocker, num_length through[3])
 {
@@ -70,15 +70,14 @@ static bool is_white(const num_length rgb[3])
     return rgb[0] == NUM_LENGTH_ONE && rgb[1] == NUM_LENGTH_ONE && rgb[2] == NUM_LENGTH_ONE;
 }
 
-/* Most light comes whole: products by 1 are exact, and left out. */
+/* Multiplies; most light is undimmed: products by 1 are exact, and left out. */
 static void multiply(num_length rgb[3], const num_length factor[3])
 {
     for (int c = 0; c < 3 && !is_white(factor); c++)
         rgb[c] = num_product(rgb[c], factor[c]);
 }
 
-/* Adds what arrives of a light's sample i to the mean of the samples, which the emission multiplies later; false:
- * nothing arrives. */
+/* Adds the light of sample i to the mean of the samples, which the emission multiplies later; false: none arrives. */
 static bool add_sample(struct path *path, const struct shading *s, const struct ray_aim *aim, unsigned i, unsigned bit,
                        uint32_t *blocker, num_length mean[3])
 {
@@ -110,7 +109,7 @@ static void note_reached(struct path *path, bool reached)
         path->reached |= (uint64_t)reached << path->next_reached++;
 }
 
-/* The part of an ambient light that reaches the point: all, or the mean of rays up to its radius. */
+/* Returns the part of an ambient light that reaches the point: all, or the mean of rays up to its radius. */
 static num_length ambient_part(struct path *path, const struct shading *s, const struct ray_light *light, uint32_t n)
 {
     const struct ray_place place = {s->outside, s->geometric, s->normal};
@@ -183,7 +182,7 @@ static struct ray straight_on(const struct ray_view *view, const struct shading 
                         .direction = num_dir_negated(s->viewer)};
 }
 
-/* The refracted ray. Returns how much of it is reflected instead. */
+/* Sets the refracted ray. Returns the part that is reflected instead. */
 static num_unit pass(const struct ray_view *view, const struct shading *s, struct bounces *b)
 {
     const struct tia_material *m = s->material;
@@ -198,7 +197,7 @@ static num_unit pass(const struct ray_view *view, const struct shading *s, struc
     return m->fresnel || fresnel == NUM_UNIT_ONE ? fresnel : 0;
 }
 
-/* The surface is there to the part of its opacity. */
+/* Sets the ray past the surface: only the part of the surface's opacity is there. */
 static void let_past(const struct ray_view *view, const struct shading *s, struct bounces *b)
 {
     num_length *passes = b->straight ? b->refracts : b->passes;

@@ -1,14 +1,14 @@
-/* shade.h - shading of a point on a surface: the light that it sends back, and the rays that it spawns. */
+/* shade.h - shading of a point on a surface: its reflected light, and the rays that it spawns. */
 #ifndef TIA_RENDER_WHITTED_SHADE_H
 #define TIA_RENDER_WHITTED_SHADE_H
 
 #include "path.h"
 #include "render/trace/shading.h"
 
-/* What one ray meets, prepared. */
+/* Prepares the hit of one ray. */
 void shade_prepare(struct path *path, const struct ray *ray, const struct hit *hit, struct shading *s);
 
-/* Adds throughput times opacity times what the surface sends along V by itself: emission, facing ratio and lights. */
+/* Adds throughput times opacity times the surface's own light along V: emission, facing ratio and lights. */
 void shade_light(struct path *path, const struct shading *s, const num_length throughput[3], num_length colour[3]);
 
 /* The reflected and the refracted ray and their kr and kt, and the one past an opacity; a ray whose throughput is
@@ -17,10 +17,10 @@ struct bounces {
     struct ray reflected, refracted, past;
     num_length reflects[3], refracts[3], passes[3];
     struct media media; /* of the refracted ray and the one past an opacity */
-    bool straight;      /* the refracted ray goes on undeflected: it is the one past an opacity as well */
+    bool straight;      /* the refracted ray is undeflected: it is the ray past an opacity as well */
 };
 
-/* `media` are those of the incoming ray. */
+/* Sets the bounces; `media` are those of the incoming ray. */
 void shade_bounce(const struct ray_view *view, const struct shading *s, const struct media *media,
                   struct bounces *bounces);
 

@@ -3,8 +3,7 @@
 #include "observe.h"
 #include "shade.h"
 
-/* A ray yet to be traced: its throughput, how many bounces and how many straight layers are behind it, and the media
- * that it is in. */
+/* A ray yet to be traced: its throughput, the bounces and the straight layers before it, and its media. */
 struct bounce {
     struct ray ray;
     num_length throughput[3];
@@ -13,9 +12,9 @@ struct bounce {
     enum tia_ray kind;
 };
 
-/* Depth-first: the refracted ray waits while the reflected one is followed, and below both the one past an opacity.
- * So at most two rays wait for each bounce on the way to the current one, and straight layers, which come last, make
- * the stack no deeper. */
+/* Depth-first: the refracted ray is pending while the reflected one is followed, and below both the one past an
+ * opacity. So at most two rays are pending for each bounce on the way to the current one, and straight layers, which
+ * come last, make the stack no deeper. */
 struct stack {
     struct bounce bounces[2 * TIA_DEPTH_MAX + 1];
     int count;
@@ -23,7 +22,7 @@ struct stack {
 
 #define THROUGHPUT_MIN (NUM_LENGTH_ONE / 65536)
 
-/* Pushes a ray that b gives rise to, unless it is too faint. */
+/* Pushes a ray spawned by b, unless it is too faint. */
 static void push(struct stack *stack, const struct ray *ray, const num_length factor[3], const struct bounce *b,
                  const struct media *media, enum tia_ray kind, bool straight)
 {

@@ -1,14 +1,14 @@
-/* whitted.h - the colour that comes along a ray, after Whitted, "An improved illumination model for shaded
- * display" (1980); the formulas are in tia/material.h. */
+/* whitted.h - the light along a ray, after Whitted, "An improved illumination model for shaded display" (1980); the
+ * formulas are in tia/material.h. */
 #ifndef TIA_RENDER_WHITTED_WHITTED_H
 #define TIA_RENDER_WHITTED_WHITTED_H
 
 #include "path.h"
 
-/* The colour along `ray`, which meets `hit`, perhaps a light; not clamped. */
+/* Computes the colour along `ray`, which meets `hit`, perhaps a light; not clamped. */
 void path_colour(struct path *path, const struct ray *ray, const struct hit *hit, num_length colour[3]);
 
-/* tia_light_tile for a scene prepared by ray_prepare; `first` may be NULL. */
+/* Implements tia_light_tile for a scene prepared by ray_prepare; `first` may be NULL. */
 void whitted_light_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                         const struct tia_surface *surface, const struct tia_options *options,
                         const struct first_hits *first);

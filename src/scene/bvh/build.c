@@ -11,11 +11,11 @@
 #include "math/align.h"
 #include "scene/bounds.h"
 
-/* The cost of a test, relative to a visit to two boxes: about twice as many instructions of a sphere, three times of a
- * triangle, and of cylinders and cones five times, the many included that miss early. */
+/* Costs of a test, relative to a visit to two boxes: about twice as many instructions for a sphere, three times for a
+ * triangle, and five times for cylinders and cones, averaged over all tests, most of which miss early. */
 enum { SPHERE_COST = 2, FACE_COST = 3, ROUND_COST = 5 };
 
-/* Boxes needed at the same time, at most. */
+/* Returns the largest number of boxes needed at the same time. */
 static uint64_t box_count(const struct tia_scene *scene)
 {
     uint64_t most = bvh_object_count(scene);
@@ -40,7 +40,7 @@ size_t tia_bvh_size(const struct tia_scene *scene)
     return size > SIZE_MAX / 2 ? SIZE_MAX : (size_t)size;
 }
 
-/* Builds the tree of `count` items, each of which costs so many visits to test. Keeps only the nodes used, of the
+/* Builds the tree of `count` items, each of which costs `cost` visits to test. Keeps only the nodes used, of the
  * TREE_NODES(count) that may be needed. */
 static struct tia_bvh_tree build(struct bvh_space *space, uint32_t *items, uint32_t count, uint32_t cost)
 {
@@ -66,7 +66,7 @@ static struct tia_bvh_tree build_mesh(struct bvh_space *space, const struct tia_
     return build(space, items, mesh->face_count, FACE_COST);
 }
 
-/* Takes off the margin that tia_bounds_with_margin added: the root's box gives the mesh's own. */
+/* Removes the margin that tia_bounds_with_margin added: the root's box gives the mesh's own. */
 static struct tia_bounds without_margin(const struct tia_bounds *b)
 {
 #define LESS(x) ((x) > INT32_MIN ? (x) + 1 : (x))
@@ -94,7 +94,7 @@ bool tia_bvh_object_box(struct tia_bounds *box, const struct tia_scene *scene, u
     return tia_bounds_in_world(scene, object, &own, &wide) && tia_bounds_with_margin(&wide, box);
 }
 
-/* The mean of those of the objects with a box. */
+/* Returns the mean cost of the objects with a box. */
 static uint32_t object_cost(const struct tia_scene *scene, const uint32_t *items, uint32_t count, struct cancel *cancel)
 {
     uint64_t sum = 0;
@@ -108,7 +108,7 @@ static uint32_t object_cost(const struct tia_scene *scene, const uint32_t *items
     return sum > count ? (uint32_t)(sum / count) : 1;
 }
 
-/* Objects with a box fill `items` from the front, the others from the back. */
+/* Builds the tree of the objects. Those with a box fill `items` from the front, the others from the back. */
 void tia_bvh_build_objects(struct bvh_space *space, struct tia_bvh *bvh, const struct tia_scene *scene)
 {
     uint32_t count = (uint32_t)bvh_object_count(scene), last = count, first = 0;

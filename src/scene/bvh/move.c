@@ -1,9 +1,9 @@
 /* move.c - the hierarchy of a scene whose objects have moved.
  *
- * The tree of the scene that stands still is kept as it is, but for the boxes of what moved and those around them. It
- * may fit worse and worse: where the boxes of a level overlap, rays visit more of them. What a ray visits is in
- * proportion to the boxes' areas (split.c), so when their sum has grown by half, the tree of the objects is built anew,
- * from their boxes alone. Those of the meshes always stay.
+ * The tree of the scene at rest is kept, except for the boxes of the objects that moved and the boxes around them. It
+ * may become worse over time: where boxes of the same depth overlap, rays visit more of them. The number of nodes that
+ * a ray visits is in proportion to the boxes' areas (split.c), so when their sum has grown by half, the tree of the
+ * objects is rebuilt from their boxes alone. The trees of the meshes always stay.
  */
 #include "objects.h"
 
@@ -21,7 +21,7 @@ size_t tia_bvh_move_size(const struct tia_scene *scene)
     return size > SIZE_MAX / 2 ? SIZE_MAX : (size_t)size;
 }
 
-/* The bytes between fields may differ: then it only seems to have moved. */
+/* True if both are the same, byte by byte. Padding may differ: then an object only seems to have moved. */
 static bool same(const void *a, const void *b, size_t size)
 {
     const unsigned char *one = a, *other = b;
@@ -32,14 +32,14 @@ static bool same(const void *a, const void *b, size_t size)
     return a == b || i == size;
 }
 
-/* While the tree follows. */
+/* State while the tree is refitted. */
 struct following {
     const struct tia_scene *scene, *standing;
     struct tia_bvh_node *nodes;
-    bool fits; /* all that moved still has a box */
+    bool fits; /* all moved objects still have a box */
 };
 
-/* Spheres without a transform never do. */
+/* True if the object has moved; spheres without a transform never do. */
 static bool has_moved(const struct following *f, uint32_t object)
 {
     if (object < f->scene->sphere_count)
@@ -50,7 +50,7 @@ static bool has_moved(const struct following *f, uint32_t object)
     return !same_place || !same(&f->scene->shapes[i], &f->standing->shapes[i], sizeof(struct tia_shape));
 }
 
-/* The box of a leaf, which is as it was when nothing in it moved. */
+/* Refits the box of a leaf; it stays if no item of it moved. */
 static void follow_leaf(struct following *f, struct tia_bvh_node *leaf)
 {
     const struct tia_bvh *bvh = f->standing->bvh;
@@ -69,7 +69,8 @@ static void follow_leaf(struct following *f, struct tia_bvh_node *leaf)
         leaf->bounds = bounds;
 }
 
-/* Children come behind their parents, so from the last node to the first both are done before. */
+/* Refits all nodes. Children come after their parents, so going from the last node to the first, both are done before.
+ */
 static void follow(struct following *f, struct cancel *cancel)
 {
     const struct tia_bvh_tree *tree = &f->standing->bvh->objects;
@@ -96,7 +97,7 @@ static uint64_t largest(const struct tia_bounds *b)
     return extent(b->min.x, b->max.x) | extent(b->min.y, b->max.y) | extent(b->min.z, b->max.z);
 }
 
-/* The sum of half the areas; extents of 18 bits keep it below 3 * 2^36 a node. */
+/* Returns the sum of half the areas; extents of 18 bits keep it below 3 * 2^36 a node. */
 static uint64_t areas(const struct tia_bvh_node *nodes, uint32_t count, unsigned shift)
 {
     uint64_t sum = 0;
@@ -123,7 +124,7 @@ static bool is_good(const struct following *f)
     return areas(f->nodes, count, shift) <= before + before / 2;
 }
 
-/* Whether the one can have been made of the other, and that has a hierarchy of its objects. */
+/* True if `scene` can be a later state of `standing`, and `standing` has a hierarchy of its objects. */
 static bool can_follow(const struct tia_scene *scene, const struct tia_scene *standing)
 {
     const struct tia_bvh *bvh = standing->bvh;

@@ -1,4 +1,4 @@
-/* objects.h - the hierarchy of a scene's objects, as it is built and as it follows them. */
+/* objects.h - the hierarchy of a scene's objects, its construction and its refitting. */
 #ifndef TIA_SCENE_BVH_OBJECTS_H
 #define TIA_SCENE_BVH_OBJECTS_H
 
@@ -7,12 +7,12 @@
 #include "math/align.h"
 #include "tree.h"
 
-/* A block of memory that fills from the front; and who builds. */
+/* A block of memory that fills from the front, and the builder. */
 struct bvh_space {
     unsigned char *front;
-    struct tia_bounds *boxes; /* of the items of one tree, while it is built */
+    struct tia_bounds *boxes; /* boxes of the items of one tree, while it is built */
     struct cancel cancel;
-    /* What builds a tree of `count` items as tia_bvh_build_range does; NULL: that. */
+    /* Builds a tree of `count` items, with tia_bvh_build_range's result. NULL: tia_bvh_build_range builds it. */
     uint32_t (*build)(struct bvh_space *space, struct tia_bvh_node *nodes, const struct bvh_items *all, uint32_t count);
     const struct tia_workers *workers; /* for `build` */
     void *workers_ctx;
@@ -35,14 +35,14 @@ static inline void *bvh_allocate(struct bvh_space *space, uint64_t size)
     return place;
 }
 
-/* The box of an object; false when it has none or Q16.16 cannot hold it. */
+/* Gives the box of an object; false when it has none or Q16.16 cannot hold it. */
 bool tia_bvh_object_box(struct tia_bounds *box, const struct tia_scene *scene, uint32_t object,
                         const struct tia_bvh_tree *meshes);
 
 /* Builds bvh->objects; the meshes' trees are there already. */
 void tia_bvh_build_objects(struct bvh_space *space, struct tia_bvh *bvh, const struct tia_scene *scene);
 
-/* tia_bvh_build_until, in space->front, by whom the space says. */
+/* Does the work of tia_bvh_build_until, in space->front, with the space's builder. */
 int tia_bvh_build_in(const struct tia_bvh **bvh, struct bvh_space *space, size_t size, size_t *used,
                      const struct tia_scene *scene);
 

@@ -1,10 +1,10 @@
 /* parallel.c - a tree built by several threads.
  *
- * One thread splits the largest part of the items, then the largest of what there is then, until there are enough
- * parts; the looks at all items of a part are divided among the threads. Then each part becomes a tree of its own, by
- * one thread, in nodes that are its alone: a tree of n items has at most 2n - 1 of them, so the places where parts
- * would begin, if all trees were that large, are known before. At last the trees are moved together. So the nodes have
- * the order, and the bits, of tia_bvh_build_range's, and do not depend on the number of threads.
+ * One thread repeatedly splits the largest part of the items, until there are enough parts; the passes over all items
+ * of a part are divided among the threads. Then one thread builds each part's tree, in nodes reserved for it: a tree of
+ * n items has at most 2n - 1 nodes, so the first node of each part can be computed before. Finally the trees are moved
+ * together. So the nodes are the same as tia_bvh_build_range's, bit for bit, and do not depend on the number of
+ * threads.
  *
  * Boards do not link this: tia_bvh_build does not need it.
  */
@@ -14,24 +14,24 @@
 #include "split.h"
 
 #define PARTS 64      /* enough that threads seldom wait for the last one */
-#define CHUNKS 32     /* of a part's items, looked at together */
-#define LEAST 16384   /* items of a tree worth it: it takes longer than to wake threads */
-#define SMALLEST 2048 /* items of a part that is not split further */
+#define CHUNKS 32     /* chunks of a part's items, processed in parallel */
+#define LEAST 16384   /* least items of a tree that repays waking the threads */
+#define SMALLEST 2048 /* least items of a part that is split further */
 
-/* Totals of a chunk of a part's items. It is kept in nodes, of which none is in use yet: CHUNKS * sizeof(struct chunk)
- * < LEAST * sizeof(struct tia_bvh_node). */
+/* Totals of a chunk of a part's items. They are stored in the memory of the nodes, none of which is in use yet: CHUNKS
+ * * sizeof(struct chunk) < LEAST * sizeof(struct tia_bvh_node). */
 struct chunk {
     struct tia_bvh_extent extent;
     struct tia_bvh_bins bins;
     bool stopped;
 };
 
-/* A node whose children are parts, too, or the root of a tree. */
+/* A node whose children are parts, too, or the root of a part's tree. */
 struct part {
-    struct tia_bounds bounds; /* of a node with children */
+    struct tia_bounds bounds; /* bounds of a node with children */
     struct bvh_range range;
     uint32_t place; /* its first node while the tree is built */
-    uint32_t nodes; /* its tree's */
+    uint32_t nodes; /* nodes of its tree */
     bool divided, stopped;
 };
 
@@ -41,15 +41,15 @@ struct crew {
     struct tia_bvh_node *nodes;
     struct part parts[2 * PARTS - 1]; /* each part before its children, the first child's before the second's */
     unsigned count;
-    /* the part whose chunks are looked at */
+    /* items of the part whose chunks are processed */
     struct tia_bvh_split_items items;
     struct tia_bvh_binning binning[3];
     struct chunk *chunks;
 };
 
-/* ---- what threads do ---- */
+/* ---- jobs of the threads ---- */
 
-/* One thread at a time; others go on meanwhile. */
+/* Calls the caller's `stop`, one thread at a time; the others go on meanwhile. */
 static bool asks(void *ctx)
 {
     const struct bvh_space *space = ctx;
@@ -62,7 +62,7 @@ static bool asks(void *ctx)
     return stopped;
 }
 
-/* Each thread counts its own work. */
+/* Returns a struct cancel of the thread's own, which counts only its work. */
 static struct cancel cancel_of(const struct crew *crew)
 {
     return (struct cancel){crew->space->cancel.stop ? asks : NULL, crew->space, 0, false};
@@ -101,7 +101,7 @@ static void fill_chunk(void *arg, unsigned index)
     crew->chunks[index].stopped = cancel.stopped;
 }
 
-/* The tree of the part with that number among those that have no children. */
+/* Builds the tree of part number `index` among those without children. */
 static void build_part(void *arg, unsigned index)
 {
     struct crew *crew = arg;
@@ -121,7 +121,7 @@ static void run(struct crew *crew, void (*job)(void *arg, unsigned index), unsig
     crew->space->workers->run(crew->space->workers_ctx, job, crew, count);
 }
 
-/* One after another would find the same; False: stopped. */
+/* Runs the job for all chunks; the result does not depend on their order. False: stopped. */
 static bool run_chunks(struct crew *crew, void (*job)(void *arg, unsigned index))
 {
     bool stopped = false;
@@ -133,7 +133,7 @@ static bool run_chunks(struct crew *crew, void (*job)(void *arg, unsigned index)
     return !stopped;
 }
 
-/* As tia_bvh_split_items. */
+/* Does the work of tia_bvh_split_items in parallel. */
 static uint32_t split_together(struct crew *crew, struct tia_bounds *bounds, uint32_t most)
 {
     struct chunk *c = crew->chunks;
@@ -161,7 +161,7 @@ static struct part *find_largest(struct crew *crew)
     return largest;
 }
 
-/* The part keeps its place, and its children follow at once; `left` items are the first one's. */
+/* Divides a part. It keeps its place, and its children follow at once; `left` items are the first one's. */
 static void divide(struct crew *crew, struct part *part, uint32_t left)
 {
     struct bvh_range whole = part->range;
@@ -191,9 +191,9 @@ static void divide_all(struct crew *crew)
     }
 }
 
-/* ---- together again ---- */
+/* ---- moving the trees together ---- */
 
-/* Moves a tree's nodes to the front, `to`. Those of its nodes that have children know them by numbers from its root. */
+/* Moves a tree's nodes to the front, `to`. Its inner nodes refer to their children by numbers from its root. */
 static void move_tree(struct crew *crew, const struct part *part, uint32_t to)
 {
     for (uint32_t i = 0; i < part->nodes; i++) {
@@ -203,7 +203,8 @@ static void move_tree(struct crew *crew, const struct part *part, uint32_t to)
     }
 }
 
-/* After a tree comes the second child of the last node that has only its first. Returns the number of nodes. */
+/* Moves all trees together: each tree is followed by the second child of the last node that has only its first. Returns
+ * the number of nodes. */
 static uint32_t move_together(struct crew *crew)
 {
     uint32_t waiting[TIA_BVH_DEPTH_MAX + 1], to = 0;

@@ -14,13 +14,13 @@
 #include "scene/bounds.h"
 
 struct split {
-    uint64_t cost; /* the sum of area times items over the two children */
+    uint64_t cost; /* sum of area times items over both children */
     int axis;
-    uint32_t bin;   /* the second child's first bin */
-    uint32_t count; /* the first child's items */
+    uint32_t bin;   /* first bin of the second child */
+    uint32_t count; /* items of the first child */
 };
 
-/* Of few items the caller's question is enough. */
+/* True if stopped. With few items it does not call `stop`: the caller does that often enough. */
 static bool stops(const struct tia_bvh_split_items *items)
 {
     return items->count > CANCEL_INTERVAL && cancelled(items->cancel, 1);
@@ -36,7 +36,7 @@ static tia_q16 larger(tia_q16 a, tia_q16 b)
     return a > b ? a : b;
 }
 
-/* tia_bounds_add, where a call costs more than what it does. */
+/* Does what tia_bounds_add does, inline: a call would cost more than the work. */
 static inline void add(struct tia_bounds *to, const struct tia_bounds *more)
 {
     to->min = (struct tia_vec3){smaller(to->min.x, more->min.x), smaller(to->min.y, more->min.y),
@@ -45,7 +45,7 @@ static inline void add(struct tia_bounds *to, const struct tia_bounds *more)
                                 larger(to->max.z, more->max.z)};
 }
 
-/* Twice the centre's coordinate, exact. */
+/* Returns twice the centre's coordinate, exact. */
 static int64_t centre(const struct tia_bounds *b, int axis)
 {
     return axis == 0   ? (int64_t)b->min.x + b->max.x
@@ -58,8 +58,8 @@ static uint64_t extent(tia_q16 min, tia_q16 max)
     return max < min ? 0 : (uint64_t)((int64_t)max - min);
 }
 
-/* The shift that brings extents within `b` to 19 bits: areas then stay below 3 * 2^38, and areas times 2^24 items
- * below 2^64. */
+/* Returns the shift that brings extents within `b` to 19 bits: areas then stay below 3 * 2^38, and areas times 2^24
+ * items below 2^64. */
 static unsigned area_shift(const struct tia_bounds *b)
 {
     uint64_t all = extent(b->min.x, b->max.x) | extent(b->min.y, b->max.y) | extent(b->min.z, b->max.z);
@@ -67,7 +67,7 @@ static unsigned area_shift(const struct tia_bounds *b)
     return bits > 19 ? bits - 19 : 0;
 }
 
-/* Half the surface area. */
+/* Returns half the surface area. */
 static uint64_t area(const struct tia_bounds *b, unsigned shift)
 {
     uint64_t x = extent(b->min.x, b->max.x) >> shift, y = extent(b->min.y, b->max.y) >> shift,
@@ -97,7 +97,8 @@ void tia_bvh_measure(struct tia_bvh_extent *extent, const struct tia_bvh_split_i
     *extent = all;
 }
 
-/* The range, below 2^34, is brought to 28 bits. Dividing by range + 1 keeps its end in the last bin. */
+/* Returns the bins of a range. The range, below 2^34, is reduced to 28 bits. Division by range + 1 keeps its end in the
+ * last bin. */
 static struct tia_bvh_binning binning_of(int64_t least, int64_t most)
 {
     if (most <= least)
@@ -218,7 +219,7 @@ uint32_t tia_bvh_split_at_best(const struct tia_bvh_split_items *items, const st
     bool leaf = best.cost == UINT64_MAX || best.cost + visit / items->cost >= visit * items->count;
     if (leaf && items->count <= SPLIT_ITEMS_MOST)
         return 0;
-    /* No plane separates the centres, or a child would be too large for the depth limit: halve the list. */
+    /* no plane separates the centres, or a child would be too large for the depth limit: halve the list */
     if (best.cost == UINT64_MAX || best.count > most || items->count - best.count > most)
         return items->count / 2;
     partition(items, &best, &binning[best.axis]);

@@ -1,4 +1,4 @@
-/* split.h - where to split a node's items, by the binned surface area heuristic. */
+/* split.h - splits a node's items by the binned surface area heuristic. */
 #ifndef TIA_SCENE_BVH_SPLIT_H
 #define TIA_SCENE_BVH_SPLIT_H
 
@@ -6,7 +6,7 @@
 
 #include "scene/cancel.h"
 
-#define SPLIT_ITEMS_MOST 8 /* more items are always split, whatever the heuristic finds */
+#define SPLIT_ITEMS_MOST 8 /* nodes with more items are always split, whatever the heuristic finds */
 #define SPLIT_BINS 16
 
 /* boxes[i] is the box of items[i]; both are reordered together, so that a node's items are consecutive in memory. Once
@@ -15,14 +15,14 @@ struct tia_bvh_split_items {
     struct tia_bounds *boxes;
     uint32_t *items;
     uint32_t count;
-    uint32_t cost; /* of testing an item, in visits to a node's two children; not 0 */
+    uint32_t cost; /* cost of testing an item, in visits to a node's two children; not 0 */
     struct cancel *cancel;
 };
 
-/* Where the items are. */
+/* The extent of a node's items. */
 struct tia_bvh_extent {
-    struct tia_bounds bounds;  /* of all items */
-    int64_t least[3], most[3]; /* of twice the coordinates of their centres */
+    struct tia_bounds bounds;  /* box around all items */
+    int64_t least[3], most[3]; /* range of twice the coordinates of their centres */
 };
 
 /* The bin of an item is ((centre - first) >> shift) * scale >> 28. */
@@ -30,7 +30,7 @@ struct tia_bvh_binning {
     int64_t first;
     unsigned shift;
     uint32_t scale;
-    bool divides; /* not all centres are the same */
+    bool divides; /* false if all centres are the same */
 };
 
 struct tia_bvh_bin {
@@ -38,29 +38,30 @@ struct tia_bvh_bin {
     uint32_t count;
 };
 
-/* Bin i of an axis has no value unless bit i is set: most nodes have few items, and clearing all takes longer. */
+/* The bins of an axis. Bin i has no value unless bit i is set: most nodes have few items, and clearing all takes
+ * longer. */
 struct tia_bvh_bins {
     uint32_t used[3];
     struct tia_bvh_bin axes[3][SPLIT_BINS];
 };
 
-/* Partitions the items and returns n: the first n become the first child, the rest the second. 0: better make a
- * leaf. No child gets more than `most` items; `most` must be at least half of them. Sets their bounds. */
+/* Partitions the items and returns n: the first n become the first child, the rest the second; 0: a leaf is cheaper. No
+ * child gets more than `most` items; `most` must be at least half of them. Sets `bounds` to the bounds of all. */
 uint32_t tia_bvh_split_items(const struct tia_bvh_split_items *items, struct tia_bounds *bounds, uint32_t most);
 
-/* Its steps. The first and the third may look at some of the items at a time: extents and bins of parts are joined, and
- * it does not matter how they were divided. */
+/* The steps of tia_bvh_split_items. Measuring and binning may process some of the items at a time: extents and bins of
+ * parts are joined, and the result does not depend on the division. */
 void tia_bvh_measure(struct tia_bvh_extent *extent, const struct tia_bvh_split_items *items);
 void tia_bvh_join_extents(struct tia_bvh_extent *to, const struct tia_bvh_extent *more);
 
-/* For each axis; false when there is none to split along. */
+/* Gives the binning of each axis; false when there is no axis to split along. */
 bool tia_bvh_choose_bins(struct tia_bvh_binning binning[3], const struct tia_bvh_extent *extent);
 
 void tia_bvh_fill_bins(struct tia_bvh_bins *bins, const struct tia_bvh_split_items *items,
                        const struct tia_bvh_binning binning[3]);
 void tia_bvh_join_bins(struct tia_bvh_bins *to, const struct tia_bvh_bins *more);
 
-/* What tia_bvh_split_items returns; `bins` are NULL when there is no axis to split along. */
+/* Returns the result of tia_bvh_split_items; `bins` are NULL when there is no axis to split along. */
 uint32_t tia_bvh_split_at_best(const struct tia_bvh_split_items *items, const struct tia_bounds *bounds,
                                const struct tia_bvh_bins *bins, const struct tia_bvh_binning binning[3], uint32_t most);
 

@@ -3,10 +3,10 @@
 /* A node still to be built; a stack of these replaces recursion. */
 struct task {
     struct bvh_range range;
-    uint32_t parent; /* the node whose second child it is; its own index when it is none */
+    uint32_t parent; /* the node whose second child it is; else its own index */
 };
 
-/* Insertion sort, for at most SPLIT_ITEMS_MOST items. */
+/* Sorts by insertion, at most SPLIT_ITEMS_MOST items. */
 static void sort(uint32_t *items, uint32_t count)
 {
     for (uint32_t i = 1; i < count; i++) {

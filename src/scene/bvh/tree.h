@@ -7,19 +7,19 @@
 #include "scene/cancel.h"
 #include "split.h"
 
-/* Upper bound of the nodes for n items: each leaf has at least one. */
+/* An upper bound of the nodes for n items: each leaf has at least one. */
 #define TREE_NODES(n) ((n) ? 2 * (uint64_t)(n)-1 : 0)
 
 /* The input of a tree's construction. Building reorders the items, and their boxes with them: boxes[i] is that of
- * items[i], but in leaves, where it is no more needed and items are in rising order. `cost` is what it costs to test an
- * item, in visits to a node's children, at least 1. */
+ * items[i], except in finished leaves, where boxes are no longer needed and items are in rising order. `cost` is the
+ * cost of testing an item, in visits to a node's children, at least 1. */
 struct bvh_items {
     uint32_t *items;
     struct tia_bounds *boxes;
     uint32_t cost;
 };
 
-/* The items below a node, and how many levels below the root it is. */
+/* The items below a node, and its depth. */
 struct bvh_range {
     uint32_t first, count, depth;
 };
@@ -31,15 +31,16 @@ static inline struct tia_bvh_split_items bvh_items_of(const struct bvh_items *al
                                         cancel};
 }
 
-/* The most items that a node may have at `depth`: with no more, halving reaches single items by TIA_BVH_DEPTH_MAX. */
+/* Returns the most items that a node may have at `depth`: with no more, halving reaches single items by
+ * TIA_BVH_DEPTH_MAX. */
 static inline uint32_t bvh_most_items(uint32_t depth)
 {
     uint32_t left = TIA_BVH_DEPTH_MAX - depth;
     return UINT32_C(1) << (left < 31 ? left : 31);
 }
 
-/* Fills `nodes`, which has room for TREE_NODES(range.count), with the tree below a node, itself the first; returns how
- * many there are. When it is stopped, the tree is not complete. */
+/* Fills `nodes`, which has room for TREE_NODES(range.count), with the tree below a node, itself the first; returns
+ * their number. The tree is incomplete if cancelled. */
 uint32_t tia_bvh_build_range(struct tia_bvh_node *nodes, const struct bvh_items *all, struct bvh_range range,
                              struct cancel *cancel);
 

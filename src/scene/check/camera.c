@@ -1,7 +1,8 @@
 #include "check.h"
 #include "math/integer.h"
 
-/* The sine of the angle between V and n, squared, is |V x n|^2 of their unit vectors: at least 2^-20. */
+/* True if V is off the direction of n: the squared sine of their angle, |V x n|^2 of the unit vectors, is at least
+ * 2^-20. */
 static bool is_off(struct tia_vec3 v, struct tia_vec3 n)
 {
     struct tia_dir3 a = tia_normalise(v.x, v.y, v.z), b = tia_normalise(n.x, n.y, n.z);

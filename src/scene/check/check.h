@@ -8,10 +8,10 @@
 struct check {
     const struct tia_scene *scene;
     struct tia_fault *fault; /* may be NULL */
-    struct tia_bounds eyes;  /* around every place that the eye may take */
-    const char *thing;       /* what is being checked */
+    struct tia_bounds eyes;  /* box around every position that the eye may take */
+    const char *thing;       /* name of the thing being checked */
     uint32_t index;
-    struct cancel *cancel; /* TIA_STOPPED: it wants no answer any more */
+    struct cancel *cancel; /* once stopped, TIA_STOPPED is returned */
 };
 
 /* As tia_scene_check. */
@@ -31,27 +31,28 @@ int tia_check_scene(const struct tia_scene *scene, struct tia_fault *fault, stru
 
 int tia_check_refuse(const struct check *check, const char *field, const char *rule);
 
-/* Numbers. */
+/* True if all components are in 0..1. */
 bool tia_check_is_unit(const struct tia_rgb *colour);
 bool tia_check_is_direction(const struct tia_dir3 *direction);
 bool tia_check_is_between(int32_t x, int32_t least, int32_t most);
 bool tia_check_is_scale(struct tia_vec3 scale);
-/* Whether a and b, components of at most 33 bits, are on one line through 0, as 0 itself is with everything. */
+/* True if a and b, with components of at most 33 bits, are on one line through 0. 0 is on every line. */
 bool tia_check_is_on_line(const int64_t a[3], const int64_t b[3]);
 
-/* Whether two points are at least 2^-10 apart. */
+/* True if two points are at least 2^-10 apart. */
 bool tia_check_are_apart(struct tia_vec3 a, struct tia_vec3 b);
 
-/* Whether all of a ball or box is near the eye, wherever that may be. */
+/* True if all of a ball is near every position of the eye. */
 bool tia_check_is_near(const struct check *check, struct tia_vec3 centre, tia_q16 radius);
+/* True if all of a box is near every position of the eye. */
 bool tia_check_is_box_near(const struct check *check, const struct bounds_wide *box);
 
 int tia_check_camera(const struct check *check);
 
-/* Whether a material may have texture `number`, from 1, as its opacity or as that of its colour. */
+/* True if a material may have texture `number`, from 1, as its opacity or its colour. */
 bool tia_check_has_texture(const struct check *check, uint32_t number, bool opacity);
 
-/* Each checks number check->index of its kind. */
+/* Each function checks number check->index of its kind. */
 int tia_check_material(const struct check *check);
 int tia_check_texture(const struct check *check);
 int tia_check_sphere(const struct check *check);
@@ -62,28 +63,30 @@ int tia_check_shape(const struct check *check);
 int tia_check_track(const struct check *check);
 int tia_check_fall(const struct check *check);
 
-/* The balls that fall as a whole, if there are any; whether something can be hidden, see motion.h. */
+/* Checks gravity and the falling balls as a whole, if there are any. */
 int tia_check_falling(const struct check *check);
+/* True if shapes can be hidden: the scene's last mesh has no faces, see motion.h. */
 bool tia_check_can_hide(const struct check *check);
 
 int tia_check_light(const struct check *check, const struct tia_light *light);
-/* Whether all its points are near the eye. */
+/* True if all points of the light are near the eye. */
 bool tia_check_is_light_near(const struct check *check, const struct tia_light *light);
 
-/* Whether a placed object's box is near, and not too flat. */
+/* Checks that a placed object's box is near, and not too flat. */
 int tia_check_placed(const struct check *check, const struct tia_shape *shape, const struct bounds_wide *box);
 
-/* How the shapes use the meshes and grids; and the scene's unit, which only the ray renderer asks for. */
+/* Checks the shapes' uses of the meshes and grids; and the scene's unit, which only the ray renderer supports. */
 int tia_check_uses(struct check *check);
 
-/* The observer line and the light field. */
+/* Checks the observer line and the light field. */
 int tia_check_light_field(struct check *check);
 
-/* Makes the box around the camera's eyes one around all of their lines. */
+/* Enlarges the box around the camera's eyes to hold all of their observer lines. */
 void tia_check_eyes(const struct tia_camera *camera, struct tia_bounds *eyes);
 
-/* How it is to be drawn; and its technique's requirements on the whole scene. */
+/* Checks the renderer's settings. */
 int tia_check_rendering(struct check *check);
+/* Checks the requirements of the technique for shadows on the whole scene. */
 int tia_check_shadows(struct check *check);
 
 #endif

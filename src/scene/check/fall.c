@@ -31,7 +31,7 @@ int tia_check_falling(const struct check *check)
     return TIA_OK;
 }
 
-/* Whether a track moves the transform, from 1, or another shape has it. */
+/* True if only this shape has transform number `transform`, from 1, and no track moves it. */
 static bool is_own(const struct check *check, uint32_t shape)
 {
     const struct tia_scene *scene = check->scene;

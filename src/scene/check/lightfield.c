@@ -22,7 +22,7 @@ static int check_lens(const struct check *check, const struct tia_lenticular *le
     return TIA_OK;
 }
 
-/* Divided by widths and distances further on, the numbers must not be 0. */
+/* Checks the light field; later steps divide by widths and distances, so they must not be 0. */
 static int check_field(const struct check *check, const struct tia_light_field *field)
 {
     const struct tia_window *w = &check->scene->camera.window;

@@ -1,8 +1,8 @@
-/* mesh.c - each mesh and grid once, and then how the shapes use them. */
+/* mesh.c - checks each mesh and grid once, and then the shapes that use it. */
 #include "check.h"
 #include "scene/bounds.h"
 
-/* Either every corner has an index, or none has. */
+/* True if every corner has an index, or none has. */
 static bool are_indices(uint32_t a, uint32_t b, uint32_t c, uint32_t count)
 {
     bool none = a == TIA_NO_INDEX && b == TIA_NO_INDEX && c == TIA_NO_INDEX;
@@ -59,11 +59,11 @@ int tia_check_grid(const struct check *check)
 
 /* Properties of a mesh or grid that the shapes' checks need, found once for all shapes. */
 struct part {
-    struct tia_bounds box; /* of a mesh */
-    uint32_t materials;    /* how many it needs, from the shape's own on */
+    struct tia_bounds box; /* box of a mesh */
+    uint32_t materials;    /* number of materials it needs, from the shape's own on */
 };
 
-/* How many are kept for one pass over the shapes: few enough for the stack, and usually all there are. */
+/* Parts kept for one pass over the shapes: few enough for the stack, and usually all there are. */
 #define PARTS 16
 
 static struct part mesh_part(const struct check *check, uint32_t i)
@@ -126,7 +126,7 @@ static int check_parts(struct check *check, enum tia_shape_kind kind, uint32_t c
             parts[i] = kind == TIA_MESH ? mesh_part(check, first + i) : grid_part(check, first + i);
         status = check_shapes(check, kind, first, n, parts);
         if (count - first <= PARTS)
-            break; /* before `first` overflows */
+            break; /* the part before `first`: its difference wrapped around */
     }
     return status;
 }

@@ -1,4 +1,4 @@
-/* number.c - what numbers must be, wherever they are. */
+/* number.c - range checks of numbers, the same for all fields. */
 #include "check.h"
 #include "math/integer.h"
 
@@ -31,7 +31,7 @@ static uint64_t square(int64_t x)
     return (uint64_t)(x * x);
 }
 
-/* Q2.30 squared, from 2^-2 to 9/4. */
+/* True if the squared length, Q2.30 squared, is in 2^-2..9/4. */
 bool tia_check_is_direction(const struct tia_dir3 *d)
 {
     uint64_t length2 = square(d->x) + square(d->y) + square(d->z);
@@ -43,7 +43,7 @@ static uint64_t size_of(int64_t x)
     return (uint64_t)(x < 0 ? -x : x);
 }
 
-/* a b = c d */
+/* True if a b = c d. */
 static bool are_same(int64_t a, int64_t b, int64_t c, int64_t d)
 {
     bool minus = (a < 0) != (b < 0), other = (c < 0) != (d < 0), zero = !a || !b;
@@ -55,8 +55,8 @@ bool tia_check_is_on_line(const int64_t a[3], const int64_t b[3])
     return are_same(a[0], b[1], a[1], b[0]) && are_same(a[1], b[2], a[2], b[1]) && are_same(a[2], b[0], a[0], b[2]);
 }
 
-/* Whether the eye is nearer than `reach` to all of a box, exactly: that is, with the squared distance d2 to
- * its farthest corner, d2 < reach^2. */
+/* True if the eye is nearer than `reach` to all of a box, exactly: with the squared distance d2 to its farthest corner,
+ * d2 < reach^2. */
 static bool is_nearer(const struct check *check, const struct bounds_wide *box, int64_t reach)
 {
     const struct tia_vec3 *first = &check->eyes.min, *last = &check->eyes.max;
@@ -83,7 +83,7 @@ bool tia_check_is_near(const struct check *check, struct tia_vec3 c, tia_q16 rad
     return is_nearer(check, &point, (INT64_C(1) << 31) - radius);
 }
 
-/* The squares are needed, and fit, only where every coordinate is near. */
+/* True if a and b are apart. The squares are needed, and fit, only where every coordinate is near. */
 bool tia_check_are_apart(struct tia_vec3 a, struct tia_vec3 b)
 {
     int64_t d[3] = {(int64_t)a.x - b.x, (int64_t)a.y - b.y, (int64_t)a.z - b.z}, d2 = 0;

@@ -1,4 +1,4 @@
-/* rendering.c - how a scene asks to be drawn. */
+/* rendering.c - checks a scene's settings for the renderers. */
 #include "check.h"
 
 #include <tia/integrator.h>
@@ -24,7 +24,7 @@ static int check_bright(const struct check *check, uint32_t bits)
     return TIA_OK;
 }
 
-/* Rules that apply only to integrators that draw samples. */
+/* Checks rules that apply only to sampling integrators. */
 static int check_emission(struct check *check)
 {
     const struct tia_scene *scene = check->scene;

@@ -1,4 +1,4 @@
-/* scene.c - the whole check, in order: what an index points to is checked before what has the index. */
+/* scene.c - the whole check, in order: an object is checked before the indices that point to it. */
 #include <tia/motion.h>
 
 #include "check.h"
@@ -17,7 +17,7 @@ static bool are_arrays(const struct tia_scene *s)
            is_array(s->grids, s->grid_count) && is_array(s->tracks, s->track_count);
 }
 
-/* A hierarchy built for another scene would leave objects out. */
+/* True if the hierarchy fits the scene: one built for another scene would leave objects out. */
 static bool is_bvh(const struct tia_scene *scene)
 {
     const struct tia_bvh *b = scene->bvh;
@@ -70,7 +70,7 @@ static int check_parts(struct check *check)
 {
     static const struct {
         const char *thing;
-        size_t count; /* its place in the scene */
+        size_t count; /* array and count in the scene */
         int (*one)(const struct check *check);
     } parts[] = {
         {"material", offsetof(struct tia_scene, material_count), tia_check_material},
@@ -93,7 +93,8 @@ static int check_parts(struct check *check)
     return status ? status : check_each(check, "fall", s->falling ? s->falling->count : 0, tia_check_fall);
 }
 
-/* The camera's eye, and where tracks move it. Tracks are not checked yet: a bad one may have no keys. */
+/* Returns a box around the camera's eye and its positions in tracks. Tracks are not checked yet: a bad one may have no
+ * keys. */
 static struct tia_bounds find_eyes(const struct tia_scene *scene)
 {
     struct tia_bounds eyes = {scene->camera.eye, scene->camera.eye};

@@ -1,10 +1,10 @@
-/* shadows.c - what techniques for shadows other than traced rays ask of a scene, see shadow.h. */
+/* shadows.c - requirements of the techniques for shadows, other than traced rays, on a scene, see shadow.h. */
 #include "check.h"
 
 #include "scene/colour.h"
 #include "scene/facets.h"
 
-/* Area lights may be of any kind then, and have one sample. */
+/* True for a technique with soft shadows: area lights may be of any kind then, and have one sample. */
 static bool is_soft(const struct tia_scene *scene)
 {
     return scene->shadows == TIA_SHADOWS_MAP && scene->shadow_map.filter == TIA_FILTER_PCSS;
@@ -63,7 +63,7 @@ static int check_map(struct check *check)
     REQUIRE(map->bias == TIA_BIAS_DEFAULT || tia_bias_name((unsigned)map->bias), "shadow_map.bias", "must be a bias");
     REQUIRE(map->amount >= 0, "shadow_map.amount", "must be at least 0");
     REQUIRE(map->amount_bits <= (map->bias == TIA_BIAS_CONSTANT ? TIA_AMOUNT_BITS_MAX : 0), "shadow_map.amount_bits",
-            "must be in 0..12 of a constant bias, or 0");
+            "must be in 0..12 with a constant bias, otherwise 0");
     REQUIRE(map->filter == TIA_FILTER_DEFAULT || tia_filter_name((unsigned)map->filter), "shadow_map.filter",
             "must be a filter");
     return TIA_OK;

@@ -5,7 +5,7 @@
 
 #define VALUE(condition, rule) REQUIRE(condition, "value", rule)
 
-/* Places of the eye need no check here: everything else is checked against check->eyes. */
+/* Checks a key's value. Eye positions need no check here: all else is checked against check->eyes. */
 static int check_value(const struct check *check, const struct tia_track *track, struct tia_vec3 value)
 {
     struct tia_light moved;
@@ -47,7 +47,7 @@ static int check_value(const struct check *check, const struct tia_track *track,
     return TIA_OK;
 }
 
-/* Further requirements on the track's target. */
+/* Checks further requirements on the track's target. */
 static int check_target(const struct check *check, const struct tia_track *track)
 {
     bool needs_mesh = track->target == TIA_SHOWS_SHAPE || track->target >= TIA_SETS_SPECULAR;
@@ -65,7 +65,7 @@ static int check_target(const struct check *check, const struct tia_track *track
     return TIA_OK;
 }
 
-/* The number of things of the kind that the track moves. */
+/* Returns the number of objects of the kind that the track moves. */
 static uint32_t targets(const struct tia_scene *scene, enum tia_target target)
 {
     if (target == TIA_MOVES_LIGHT || target == TIA_ROTATES_LIGHT || target == TIA_SHOWS_LIGHT)
@@ -83,7 +83,7 @@ int tia_check_track(const struct check *check)
     int64_t before = -1;
     int status = TIA_OK;
 
-    REQUIRE((unsigned)track->target < TIA_TARGETS, "target", "must be something that moves");
+    REQUIRE((unsigned)track->target < TIA_TARGETS, "target", "must be a target of animation");
     REQUIRE(track->index < targets(check->scene, track->target), "index",
             "must be the index of a light, transform, shape or material");
     REQUIRE(track->key_count && track->keys, "keys", "must be one or more");

@@ -30,7 +30,7 @@ static int64_t size_of(int64_t x)
     return x < 0 ? -x : x;
 }
 
-/* At least as far as the ball gets in a tick, along an axis: v 2^-8 + a 2^-17. */
+/* Returns a bound of the ball's movement along an axis in a tick: v 2^-8 + a 2^-17. */
 static int64_t reach(const struct fall_ball *ball)
 {
     int64_t most = 0;
@@ -40,7 +40,7 @@ static int64_t reach(const struct fall_ball *ball)
     return most;
 }
 
-/* The vector from the closest point of the box to `offset`, which is from its origin, along the box's axes. */
+/* Gives the vector from the closest point of the box to `offset`, which is from its origin, along the box's axes. */
 static void from_box(const struct fall_block *block, const int64_t offset[3], int64_t out[3])
 {
     for (int i = 0; i < 3; i++) {
@@ -49,7 +49,7 @@ static void from_box(const struct fall_block *block, const int64_t offset[3], in
     }
 }
 
-/* Whether v is shorter than that. */
+/* True if v is shorter than `length`. */
 static bool is_shorter(const int64_t v[3], int64_t length)
 {
     return wide_is_negative(wide_difference(wide_dot(v, v), wide_product(length, length)));
@@ -71,7 +71,7 @@ static bool overlaps(const struct falling *f, const struct fall_ball *ball, uint
     return is_shorter(rest, ball->radius);
 }
 
-/* Where the centre is inside the box: out of the nearest face. */
+/* Gives the way out through the nearest face, for a centre inside the box. */
 static void nearest_face(const struct fall_block *block, const int64_t offset[3], int64_t out[3])
 {
     int64_t least = INT64_MAX;
@@ -88,7 +88,8 @@ static void nearest_face(const struct fall_block *block, const int64_t offset[3]
     }
 }
 
-/* From the box's closest point to the ball's centre, turned into the world; a quarter as long leaves room. */
+/* Gives the vector from the box's closest point to the ball's centre, in world axes; a quarter as long, which leaves
+ * room for the sums. */
 static void out_of_box(const struct fall_block *block, const int64_t offset[3], int64_t normal[3])
 {
     int64_t rest[3], unit[3];
@@ -104,7 +105,7 @@ static void out_of_box(const struct fall_block *block, const int64_t offset[3], 
     (void)wide_normalise(rest, normal);
 }
 
-/* Two centres in one place part along the y axis. */
+/* Gives the normal of a contact. Two centres at the same point part along the y axis. */
 void tia_fall_normal(const struct falling *f, const struct fall_ball *ball, uint32_t other, uint32_t time,
                      int64_t normal[3])
 {

@@ -8,9 +8,9 @@
 #include "scene/cancel.h"
 #include "tick.h"
 
-#define MOST_Q32 (INT64_C(1) << 50) /* farther than any scene that is accepted, and 256 times that are 64 bits */
+#define MOST_Q32 (INT64_C(1) << 50) /* beyond any accepted scene, and 256 times it fits 64 bits */
 
-/* From Q31.32, or a product of two Q16.16. */
+/* Converts from Q31.32, or a product of two Q16.16. */
 static int64_t fine(int64_t q32)
 {
     return (q32 < -MOST_Q32 ? -MOST_Q32 : q32 > MOST_Q32 ? MOST_Q32 : q32) * 256;

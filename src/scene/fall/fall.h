@@ -1,4 +1,4 @@
-/* fall.h - where balls are that fall, at any time. */
+/* fall.h - positions of falling balls at any time. */
 #ifndef TIA_SCENE_FALL_FALL_H
 #define TIA_SCENE_FALL_FALL_H
 
@@ -6,11 +6,11 @@
 
 struct cancel;
 
-/* Bytes of memory that tia_fall_at needs, of a scene whose `falling` is not NULL. */
+/* Returns the bytes of memory that tia_fall_at needs, for a scene whose `falling` is not NULL. */
 uint64_t tia_fall_size(const struct tia_scene *scene);
 
-/* Sets the positions of the balls' transforms, and hides those of the shapes that got lost. The arrays have what the
- * scene's have, at that time. The cancel may stop it halfway. */
+/* Sets the positions of the balls' transforms, and hides the shapes that are lost. The arrays hold the scene's elements
+ * at that time. It may be cancelled halfway. */
 void tia_fall_at(const struct tia_scene *scene, void *memory, tia_q16 time, struct tia_transform *transforms,
                  struct tia_shape *shapes, struct cancel *cancel);
 

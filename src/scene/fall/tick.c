@@ -1,5 +1,5 @@
-/* tick.c - a tick is a list of contacts in the order of time. Each ball keeps the next one it will have, found from how
- * it and all others move now; so after a contact both balls, and all that had one of them as a partner, look again.
+/* tick.c - a tick is a list of contacts in the order of time. Each ball stores its next contact, found from the present
+ * motion of all; so after a contact both balls, and all balls that had one of them as a partner, search again.
  */
 #include "tick.h"
 
@@ -7,9 +7,9 @@
 #include "scene/cancel.h"
 #include "scene/track.h"
 
-#define CONTACTS_MAX                                                                                                   \
-    32               /* of a ball in a tick: then it stands still in it, or balls that touch many could go on forever */
-#define PARTS_MAX 64 /* that a tick is looked at in, so that none goes through another */
+/* Contacts of a ball in a tick, after which it stands still: balls that touch many others could go on forever. */
+#define CONTACTS_MAX 32
+#define PARTS_MAX 64 /* parts in which a tick is searched, so that no ball passes through another */
 
 static int64_t speed_of(const struct fall_ball *ball)
 {
@@ -22,7 +22,7 @@ static int64_t speed_of(const struct fall_ball *ball)
     return most;
 }
 
-/* In how many parts: a ball goes v 2^-8 in a tick, a quarter of its radius at most in a part. */
+/* Returns the number of parts: a ball moves v 2^-8 in a tick, a quarter of its radius at most in a part. */
 static uint32_t parts(const struct fall_ball *ball, const struct fall_ball *partner)
 {
     int64_t way = speed_of(ball) + (partner ? speed_of(partner) : 0), size = ball->radius;
@@ -35,7 +35,7 @@ static uint32_t parts(const struct fall_ball *ball, const struct fall_ball *part
     return count;
 }
 
-/* Between two times, at the second of which they touch: the last one before, to the unit. */
+/* Returns the last time before contact, to the unit, between `apart` and a time at which they touch. */
 static uint32_t last_apart(const struct falling *f, const struct fall_ball *ball, uint32_t other, uint32_t apart,
                            uint32_t touching)
 {
@@ -49,7 +49,7 @@ static uint32_t last_apart(const struct falling *f, const struct fall_ball *ball
     return apart;
 }
 
-/* When the ball meets it, from now on. */
+/* Returns the time when the ball meets it, from now on. */
 static uint32_t meeting(const struct falling *f, const struct fall_ball *ball, uint32_t other)
 {
     if (!tia_fall_is_near(f, ball, other))
@@ -69,7 +69,7 @@ static bool is_there(const struct falling *f, uint32_t other)
     return other < f->ball_count ? f->balls[other].there : f->blocks[other - f->ball_count].there;
 }
 
-/* Finds what the ball meets next: of several at once the first. */
+/* Finds the ball's next contact: of several at once the first. */
 static void look(const struct falling *f, uint32_t index)
 {
     struct fall_ball *ball = &f->balls[index];
@@ -100,7 +100,7 @@ static void advance(struct fall_ball *ball, uint32_t time)
     ball->at = time;
 }
 
-/* Part of a change that a ball takes, Q1.62: the other's share of both masses. What stands still takes none. */
+/* Returns the part of a change that a ball takes, Q1.62: the other's share of both masses. A fixed body takes none. */
 static int64_t share(const struct falling *f, const struct fall_ball *ball, const struct fall_ball *partner)
 {
     if (!partner || partner->stopped)
@@ -117,7 +117,7 @@ static void push(int64_t vector[3], const int64_t normal[3], int64_t by, int64_t
         vector[i] += wide_round(wide_product(normal[i], amount), 62);
 }
 
-/* The speed along the normal at which the first ball moves away from the second, which may be NULL. */
+/* Returns the speed along the normal at which the first ball moves away from the second, which may be NULL. */
 static int64_t parting(const int64_t first[3], const int64_t *second, const int64_t normal[3])
 {
     int64_t between[3];
@@ -134,7 +134,7 @@ static tia_q16 restitution(const struct falling *f, const struct fall_ball *ball
     return own < others ? own : others;
 }
 
-/* Takes away the acceleration towards each other: all of that of the one that does not rest yet. */
+/* Removes the acceleration towards each other: all of it from the ball that does not rest yet. */
 static void hold(const struct falling *f, struct fall_ball *ball, struct fall_ball *partner, const int64_t normal[3],
                  int64_t pull)
 {
@@ -152,7 +152,8 @@ static void hold(const struct falling *f, struct fall_ball *ball, struct fall_ba
         push(partner->pull, normal, pull, share(f, partner, ball));
 }
 
-/* A velocity's unit is 2^-32 and a pull's 2^-24: what gravity makes in 2/256 s is twice the number. */
+/* Bounces the ball off its partner. A velocity's unit is 2^-32 and a pull's 2^-24: gravity's change in 2/256 s is twice
+ * the number. */
 static void collide(struct falling *f, struct fall_ball *ball, struct fall_ball *partner, const int64_t normal[3])
 {
     int64_t speed = parting(ball->velocity, partner ? partner->velocity : NULL, normal);
@@ -177,7 +178,8 @@ static void count_contact(struct fall_ball *ball)
         ball->velocity[i] = ball->pull[i] = 0;
 }
 
-/* The ball, and those that were to meet it; all, if it stands still now and so looks no more. */
+/* Searches again for the ball, and for those that were to meet it; for all, if it stands still now and so searches no
+ * more. */
 static void look_again(const struct falling *f, uint32_t index)
 {
     for (uint32_t i = 0; i < f->ball_count; i++)

@@ -9,7 +9,7 @@ static int check_cone(const struct check *check, const struct tia_shape *shape)
 
     REQUIRE(c->base_radius == 0 || c->base_radius >= TIA_RADIUS_MIN, "base_radius", "must be 0 or at least 2^-10");
     REQUIRE(c->top_radius == 0 || c->top_radius >= TIA_RADIUS_MIN, "top_radius", "must be 0 or at least 2^-10");
-    REQUIRE(c->base_radius != c->top_radius, "top_radius", "must not be the base's");
+    REQUIRE(c->base_radius != c->top_radius, "top_radius", "must differ from the base's");
     REQUIRE(tia_check_are_apart(c->base, c->top), "top", "must be at least 2^-10 from the base");
     return TIA_OK;
 }

@@ -1,6 +1,6 @@
-/* description.h - what scenes know of each kind of shape: its fields, their rules, and the box around them.
+/* description.h - a table of the kinds of shapes: fields, rules and bounding boxes.
  *
- * How rays meet it is in src/render/geometry.
+ * Their intersections with rays are in src/render/geometry.
  */
 #ifndef TIA_SCENE_SHAPES_DESCRIPTION_H
 #define TIA_SCENE_SHAPES_DESCRIPTION_H
@@ -11,12 +11,12 @@
 #define SHAPE_FIELDS_MAX 8
 
 struct shape_description {
-    const char *word;                                    /* of its statement in scene files; NULL: that is `instance` */
+    const char *word;                                    /* its statement in scene files; NULL: `instance` is */
     const char *what;                                    /* the same for errors: "a box" */
-    struct tia_shape_field fields[SHAPE_FIELDS_MAX + 1]; /* of the statement; the last one stays empty */
-    /* The rules of this kind; that all of a shape is near, and not too flat, is checked for every kind alike. */
+    struct tia_shape_field fields[SHAPE_FIELDS_MAX + 1]; /* fields of the statement; the last one stays empty */
+    /* Checks the rules of this kind; distance and flatness are checked for every kind alike. */
     int (*check)(const struct check *check, const struct tia_shape *shape);
-    /* NULL: it is infinite, and has no place. */
+    /* Adds the shape's box; NULL: it is infinite, and has no box. */
     void (*add_bounds)(struct hull *hull, const struct tia_scene *scene, const struct tia_shape *shape);
 };
 
@@ -33,7 +33,7 @@ struct shape_description {
 TIA_SHAPES(DECLARE)
 #undef DECLARE
 
-/* NULL: there are no more kinds. */
+/* Returns a kind's description; NULL: there are no more kinds. */
 const struct shape_description *tia_shape_description(enum tia_shape_kind kind);
 
 #endif

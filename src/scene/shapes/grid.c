@@ -1,7 +1,7 @@
 /* grid.c - grids at a place; check/mesh.c has the rules of the grid itself. */
 #include "description.h"
 
-/* The end fits Q16.16; the size of the whole grid need not. */
+/* Returns the end, which fits Q16.16; the size of the whole grid need not. */
 static tia_q16 end_of(tia_q16 corner, uint16_t size, tia_q16 cell)
 {
     return (tia_q16)(corner + (int64_t)size * cell);

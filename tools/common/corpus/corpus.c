@@ -8,7 +8,7 @@
 
 #define GROUND 10000
 
-/* Small sizes more often than large ones: on average some 350,000 pixels per scene. */
+/* Chooses a size, small ones more often than large ones: on average some 350,000 pixels per scene. */
 static void random_size(uint64_t *state, struct corpus_scene *out)
 {
     static const uint16_t sizes[][2] = {{320, 240}, {320, 240}, {321, 243}, {400, 300}, {400, 300},  {480, 270},
@@ -29,8 +29,8 @@ static void random_camera(uint64_t *state, struct tia_camera *camera)
     camera->fov = dice_between(state, TIA_Q16(10), TIA_Q16(90));
 }
 
-/* Roughly how far from the axis an object at `distance` can be and stay in view: tan(fov/2) is about fov/115 up to 60
- * degrees, and larger beyond. */
+/* Returns roughly the farthest distance from the axis at which an object at `distance` is in view: tan(fov/2) is about
+ * fov/115 up to 60 degrees, and larger beyond. */
 static tia_q16 sight(const struct tia_camera *camera, tia_q16 distance)
 {
     return (tia_q16)((int64_t)distance * (camera->fov >> 16) / 115);
@@ -92,7 +92,7 @@ static void random_balls(uint64_t *state, struct corpus_scene *out, bool clear, 
     out->scene.sphere_count = out->scene.material_count = count;
 }
 
-/* Above the ground, many of them in view; some have radius 0. */
+/* Places lights above the ground, many of them in view; some have radius 0. */
 static void random_lights(uint64_t *state, struct corpus_scene *out)
 {
     const struct tia_vec3 *eye = &out->scene.camera.eye;

@@ -16,13 +16,13 @@ struct corpus_scene {
     struct tia_light lights[CORPUS_LIGHTS];
 };
 
-/* Random scene number `index` of the series `seed`: a ground of radius 10000, 1 to 8 balls of radius
- * 0.25 to 6 that may touch and overlap, 1 to 3 lights, an eye 0.5 to 60 above the ground, a field of
- * view of 10 to 90 degrees, an image of 320x240 to 1920x1080. In every fourth scene some balls are
- * transparent to light, in every fifth some glow. tia_scene_check accepts all of them. */
+/* Makes random scene number `index` of the series `seed`: a ground of radius 10000, 1 to 8 balls of radius 0.25 to 6
+ * that may touch and overlap, 1 to 3 lights, an eye 0.5 to 60 above the ground, a field of view of 10 to 90 degrees, an
+ * image of 320x240 to 1920x1080. In every fourth scene some balls are transparent to light, in every fifth some glow.
+ * tia_scene_check accepts all of them. */
 void corpus_random(struct corpus_scene *out, uint64_t seed, unsigned index);
 
-/* tia_thesis_scene after pressing `keys`, for a width x height image. TIA_ERR_ARGUMENT if one of them quits. */
+/* Makes tia_thesis_scene after pressing `keys`, for a width x height image. TIA_ERR_ARGUMENT if one of them quits. */
 int corpus_thesis(struct corpus_scene *out, const char *keys, unsigned width, unsigned height);
 
 #endif

@@ -18,7 +18,8 @@ static bool is_flat(enum tia_shape_kind kind)
     return kind == TIA_PLANE || kind == TIA_BOX || kind == TIA_TRIANGLE || kind == TIA_MESH;
 }
 
-/* The first sphere takes the place of a shape that there is none of. */
+/* Replaces shapes that are not flat by boxes, and drops the spheres; if there are no shapes, the first sphere becomes a
+ * box. */
 static void flatten_shapes(struct corpus_rays *out)
 {
     struct tia_scene *s = &out->scene;
@@ -47,7 +48,7 @@ static void flatten_light(struct tia_light *light)
         light->samples = SAMPLES;
 }
 
-/* Nothing is transparent, and what a light has for each pixel is what it has for all. */
+/* Makes all materials opaque, and all sample points of a light the same for each pixel. */
 static void simplify(struct corpus_rays *out)
 {
     out->scene.camera.samples = 1;

@@ -4,12 +4,12 @@
 
 #include "corpus_parts.h"
 
-/* Random scene number `index` of the series `seed` of corpus_rays.h, made flat: a sphere, disc, cylinder, cone or grid
- * becomes a box as large as it, nothing is transparent, disc and sphere lights become rectangles, and area lights have
- * at most 9 samples. tia_scene_check accepts it with every technique. */
+/* Makes random scene number `index` of the series `seed` of corpus_rays.h, flattened: a sphere, disc, cylinder, cone or
+ * grid becomes a box as large as it, all materials are opaque, disc and sphere lights become rectangles, and area
+ * lights have at most 9 samples. tia_scene_check accepts it with every technique. */
 void corpus_random_flat(struct corpus_rays *out, uint64_t seed, unsigned index);
 
-/* The same scene with its curved shapes, which are left to rays or tessellated. */
+/* Makes the same scene with its curved shapes, which are left to rays or tessellated. */
 void corpus_random_opaque(struct corpus_rays *out, uint64_t seed, unsigned index);
 
 #endif

@@ -27,7 +27,7 @@ static const struct tia_dir3 ball_normals[BALL_VERTICES] = {
     DIR3(0.5, 0, 0.5),  DIR3(-0.5, 0, 0.5), DIR3(0.5, 0, -0.5), DIR3(-0.5, 0, -0.5), DIR3(0, 0.5, 0.5),
     DIR3(0, -0.5, 0.5), DIR3(0, 0.5, -0.5), DIR3(0, -0.5, -0.5)};
 
-/* Counter-clockwise from outside. */
+/* A corner of a face; faces run counter-clockwise from outside. */
 #define CORNER(n)                                                                                                      \
     {                                                                                                                  \
         n, n, TIA_NO_INDEX                                                                                             \
@@ -49,7 +49,7 @@ struct tia_vec3 parts_moved(struct tia_vec3 p, struct tia_vec3 v, int32_t sign)
     return (struct tia_vec3){p.x + sign * v.x, p.y + sign * v.y, p.z + sign * v.z};
 }
 
-/* v divided by |x| + |y| + |z|. */
+/* Returns v divided by |x| + |y| + |z|. */
 static struct tia_dir3 direction_of(struct tia_vec3 v)
 {
     int64_t sum = (int64_t)abs(v.x) + abs(v.y) + abs(v.z) + 1;
@@ -157,7 +157,7 @@ void parts_random_textures(uint64_t *state, struct corpus_rays *out)
         out->texels[i] = (uint8_t)dice_between(state, 0, 255);
 }
 
-/* A third of the texels are holes, a third is opaque. */
+/* Makes opacities: a third of the texels are holes, a third is opaque. */
 void parts_random_opacities(uint64_t *state, struct corpus_rays *out)
 {
     for (int i = 3; i < 5; i++) {
@@ -181,8 +181,8 @@ void parts_random_opacities(uint64_t *state, struct corpus_rays *out)
     out->scene.texture_count = 5;
 }
 
-/* A height field from -1 to 1, at most 0.2 high. A cell is 0.4 wide, so slopes are below 1/2, and so are x and z of the
- * normals, whose y is 1. */
+/* Makes a height field from -1 to 1, at most 0.2 high. A cell is 0.4 wide, so slopes are below 1/2, and so are x and z
+ * of the normals, whose y is 1. */
 static void random_land(uint64_t *state, struct corpus_rays *out)
 {
     const unsigned row = CORPUS_RAYS_LAND + 1;
@@ -239,7 +239,7 @@ void parts_random_grid(uint64_t *state, struct corpus_rays *out)
     out->cells[0] = 1;
 }
 
-/* Glass of an index that others have too. */
+/* Makes glass of an index that others may have too. */
 static void random_medium(uint64_t *state, struct tia_material *m)
 {
     static const tia_q16 indices[] = {TIA_Q16(1), TIA_Q16(1), TIA_Q16(1.33), TIA_Q16(1.5), TIA_Q16(1.5), TIA_Q16(1.5)};
@@ -252,7 +252,7 @@ static void random_medium(uint64_t *state, struct tia_material *m)
         m->mirror = dice_rgb(state, 5, 40);
 }
 
-/* About `size` large around the centre. */
+/* Makes a vessel about `size` large around the centre. */
 static void random_vessel(uint64_t *state, struct corpus_rays *out, struct tia_shape *shape, struct tia_vec3 centre,
                           tia_q16 size)
 {
@@ -272,7 +272,7 @@ static void random_vessel(uint64_t *state, struct corpus_rays *out, struct tia_s
                                                 parts_moved(centre, (struct tia_vec3){0, size, 0}, 1), size, true};
     } else if (shape->kind == TIA_DISC) {
         shape->disc = (struct tia_disc){centre, parts_random_direction(state), size};
-    } else { /* the ball, or the grid, whose other cells have the materials that follow */
+    } else { /* the ball, or the grid, whose other cells have the next materials */
         *t = (struct tia_transform){centre, {0, dice_between(state, 0, TIA_Q16(90)), 0}, {size, size, size}};
         shape->transform = ++out->scene.transform_count;
     }

@@ -5,7 +5,7 @@
 #include <tia/scene.h>
 
 #define CORPUS_RAYS_OBJECTS 12
-#define CORPUS_RAYS_NESTED 10 /* more objects, of glass within glass */
+#define CORPUS_RAYS_NESTED 10 /* more objects, of nested glass */
 #define CORPUS_RAYS_LIGHTS 4
 #define CORPUS_RAYS_CELLS 6 /* cells of a grid along an axis */
 #define CORPUS_RAYS_LAND 5  /* cells of the height field along an axis */
@@ -21,23 +21,23 @@ struct corpus_rays {
     struct tia_shape shapes[CORPUS_RAYS_OBJECTS + 1 + CORPUS_RAYS_NESTED];
     struct tia_transform transforms[CORPUS_RAYS_OBJECTS + CORPUS_RAYS_NESTED];
     struct tia_light lights[CORPUS_RAYS_LIGHTS];
-    struct tia_texture textures[5]; /* the last two: opacities */
+    struct tia_texture textures[5]; /* the last two are opacities */
     struct tia_mesh meshes[2];
     struct tia_grid grid;
     struct tia_vec3 heights[CORPUS_RAYS_LAND_POINTS];
     struct tia_dir3 slopes[CORPUS_RAYS_LAND_POINTS];
     struct tia_uv places[CORPUS_RAYS_LAND_POINTS];
     struct tia_face land[2 * CORPUS_RAYS_LAND * CORPUS_RAYS_LAND];
-    uint32_t groups[2 * CORPUS_RAYS_LAND * CORPUS_RAYS_LAND]; /* of faces */
+    uint32_t groups[2 * CORPUS_RAYS_LAND * CORPUS_RAYS_LAND]; /* of the faces */
     uint8_t cells[CORPUS_RAYS_CELLS * CORPUS_RAYS_CELLS * CORPUS_RAYS_CELLS];
     uint8_t texels[CORPUS_RAYS_TEXELS * CORPUS_RAYS_TEXELS * 3];
     uint8_t opacities[CORPUS_RAYS_TEXELS * CORPUS_RAYS_TEXELS];
 };
 
-/* p + sign v */
+/* Returns p + sign v. */
 struct tia_vec3 parts_moved(struct tia_vec3 p, struct tia_vec3 v, int32_t sign);
 
-/* A direction of a length from 1/sqrt(3) to 1. */
+/* Returns a direction of a length from 1/sqrt(3) to 1. */
 struct tia_dir3 parts_random_direction(uint64_t *state);
 
 void parts_random_material(uint64_t *state, struct tia_material *material);
@@ -47,11 +47,11 @@ void parts_random_opacities(uint64_t *state, struct corpus_rays *out);
 
 void parts_random_textures(uint64_t *state, struct corpus_rays *out);
 
-/* A smooth ball of 32 faces, and a height field of 50. */
+/* Makes a smooth ball of 32 faces, and a height field of 50. */
 void parts_random_meshes(uint64_t *state, struct corpus_rays *out);
 void parts_random_grid(uint64_t *state, struct corpus_rays *out);
 
-/* Shapes nested in each other, with the materials from that index on, and groups for the faces of the meshes. */
+/* Adds shapes nested in each other, with the materials from `material` on, and groups for the faces of the meshes. */
 void parts_random_nest(uint64_t *state, struct corpus_rays *out, uint32_t material);
 
 #endif

@@ -11,7 +11,7 @@
 #define LOW ((struct tia_vec3)TIA_VEC3(-3.5, 0.2, -3.5))
 #define HIGH ((struct tia_vec3)TIA_VEC3(3.5, 3.5, 3.5))
 
-/* Small sizes, since a pixel can take a thousand rays. */
+/* Chooses a small size, since a pixel can take a thousand rays. */
 static void random_size(uint64_t *state, struct corpus_rays *out)
 {
     static const uint16_t sizes[][2] = {{120, 90},  {160, 120}, {160, 120}, {163, 117}, {200, 150}, {200, 150},
@@ -23,7 +23,7 @@ static void random_size(uint64_t *state, struct corpus_rays *out)
     out->height = sizes[i][1];
 }
 
-/* A window around the line of sight, not always centred. */
+/* Chooses a window around the line of sight, not always centred. */
 static void random_window(uint64_t *state, struct tia_camera *camera)
 {
     bool wide = camera->projection == TIA_ORTHOGRAPHIC;
@@ -38,7 +38,7 @@ static void random_window(uint64_t *state, struct tia_camera *camera)
     }
 }
 
-/* Looks along -z, or from any side at a point near the middle. */
+/* Chooses a camera that looks along -z, or from any side at a point near the middle. */
 static void random_camera(uint64_t *state, struct tia_camera *camera)
 {
     static const uint8_t samples[] = {0, 1, 0, 1, 0, 1, 0, 4, 4, 16};
@@ -63,7 +63,7 @@ static void random_camera(uint64_t *state, struct tia_camera *camera)
         random_window(state, camera);
 }
 
-/* A sphere, disc, cylinder or cone about `size` large around `centre`. */
+/* Makes a sphere, disc, cylinder or cone about `size` large around `centre`. */
 static void random_round(uint64_t *state, struct tia_shape *shape, struct tia_vec3 centre, tia_q16 size)
 {
     struct tia_vec3 top = centre;
@@ -100,7 +100,7 @@ static void random_flat(uint64_t *state, struct tia_shape *shape, struct tia_vec
     } else {
         for (int i = 0; i < 3; i++)
             shape->triangle.corner[i] = parts_moved(centre, dice_vec3(state, low, high), 1);
-        shape->triangle.corner[0].x -= 2 * size; /* so that the corners are not collinear */
+        shape->triangle.corner[0].x -= 2 * size; /* keeps the corners from being collinear */
         shape->triangle.corner[1].y -= 2 * size;
         shape->triangle.corner[2].z -= 2 * size;
     }
@@ -145,7 +145,7 @@ static uint32_t random_transform(uint64_t *state, struct corpus_rays *out, struc
     return ++out->scene.transform_count;
 }
 
-/* One in ten is a plain sphere, the others are shapes; no planes. */
+/* Makes an object: one in ten is a plain sphere, the others are shapes; no planes. */
 static void random_object(uint64_t *state, struct corpus_rays *out, uint32_t material)
 {
     static const enum tia_shape_kind kinds[] = {TIA_SPHERE,   TIA_DISC, TIA_CYLINDER, TIA_CONE, TIA_BOX,
@@ -167,7 +167,7 @@ static void random_object(uint64_t *state, struct corpus_rays *out, uint32_t mat
     random_geometry(state, shape, centre);
 }
 
-/* A plane, a disc, a slab or the top of a large ball, at height 0 or slightly tilted; or nothing. */
+/* Makes a plane, a disc, a slab or the top of a large ball, at height 0 or slightly tilted; or no ground. */
 static void random_ground(uint64_t *state, struct corpus_rays *out)
 {
     struct tia_shape *shape = &out->shapes[0];

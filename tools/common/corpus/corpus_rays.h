@@ -4,14 +4,14 @@
 
 #include "corpus_parts.h"
 
-/* Random scene number `index` of the series `seed`: 1 to 12 objects of any shape, many of them instances,
- * on a ground of any of four kinds or none; matt, textured, glossy, mirrors and glass; 1 to 4 lights of
- * any kind; in one of three scenes 2 to 10 shapes more that are within each other, overlap or stand behind
- * each other, of glass of all indices or of none that bends; any camera, 1, 4 or 16 samples a pixel; an image of 120x90
- * to 640x480. tia_scene_check accepts all of them. */
+/* Makes random scene number `index` of the series `seed`: 1 to 12 objects of any shape, many of them instances, on a
+ * ground of any of four kinds or none; matt, textured, glossy, mirrors and glass; 1 to 4 lights of any kind; in one of
+ * three scenes 2 to 10 more shapes that are within each other, overlap or stand behind each other, of glass of any
+ * index or without refraction; any camera, 1, 4 or 16 samples a pixel; an image of 120x90 to 640x480. tia_scene_check
+ * accepts all of them. */
 void corpus_random_rays(struct corpus_rays *out, uint64_t seed, unsigned index);
 
-/* Gives materials of such a scene opacity textures, half of them on average: holes, and texels that are half there. */
+/* Gives materials of such a scene opacity textures, half of them on average: holes, and half transparent texels. */
 void corpus_add_opacity(struct corpus_rays *out, uint64_t seed);
 
 #endif

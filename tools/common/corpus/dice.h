@@ -14,7 +14,7 @@ static inline uint64_t dice_next(uint64_t *state)
     return z ^ z >> 31;
 }
 
-/* low..high, both included */
+/* Returns a number in low..high, both included. */
 static inline int32_t dice_between(uint64_t *state, int32_t low, int32_t high)
 {
     uint64_t count = (uint64_t)((int64_t)high - low + 1);
@@ -27,7 +27,7 @@ static inline bool dice_one_in(uint64_t *state, unsigned n)
     return dice_next(state) % n == 0;
 }
 
-/* Each channel between low and high percent. */
+/* Returns a colour with each channel between low and high percent. */
 static inline struct tia_rgb dice_rgb(uint64_t *state, int32_t low, int32_t high)
 {
     struct tia_rgb c;
@@ -38,7 +38,7 @@ static inline struct tia_rgb dice_rgb(uint64_t *state, int32_t low, int32_t high
     return c;
 }
 
-/* Each coordinate between those of low and high. */
+/* Returns a vector with each coordinate between those of low and high. */
 static inline struct tia_vec3 dice_vec3(uint64_t *state, struct tia_vec3 low, struct tia_vec3 high)
 {
     struct tia_vec3 v;

@@ -14,7 +14,7 @@ struct tally {
     uint64_t pixels, identical;
     uint64_t one;     /* the worst channel differs by one level */
     uint64_t more;    /* ... by more than one level */
-    uint64_t flips;   /* another path: another object is hit or other lights arrive, whatever the colour */
+    uint64_t flips;   /* flips: another object is hit or other lights arrive, whatever the colour */
     uint64_t stray;   /* differs by more than one level on the same path */
     uint64_t largest; /* largest difference of a channel, in levels */
     uint64_t astray;  /* the same, without flips */
@@ -23,8 +23,9 @@ struct tally {
 
 void tally_add(struct tally *sum, const struct tally *part);
 
-/* The percentage of identical pixels, and the peak signal-to-noise ratio in decibels (infinite without errors). */
+/* Returns the percentage of identical pixels. */
 double tally_percent(const struct tally *tally);
+/* Returns the peak signal-to-noise ratio in decibels (infinite without errors). */
 double tally_psnr(const struct tally *tally);
 
 /* A pixel as drawn by one arithmetic; object and path_hash as in render.h. */
@@ -43,7 +44,7 @@ struct measure {
     unsigned core_count;
     const struct tia_workers *workers;
     void *workers_ctx;
-    tia_rgb565 *picture; /* NULL, or width x height pixels for the reference's picture */
+    tia_rgb565 *picture; /* NULL, or receives the width x height pixels of the reference's picture */
 
     /* NULL, or called for each pixel that is not SAME, on any thread, also on several at once. */
     void (*differs)(void *arg, unsigned core, enum verdict verdict, const struct measure_pixel *want,

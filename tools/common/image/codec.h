@@ -38,7 +38,7 @@ extern const struct image_codec image_codec_y4m, image_codec_part, image_codec_p
 extern const struct image_codec image_codec_png;
 #endif
 
-/* `bytes` of files that have rows as they are. */
+/* Implements `bytes` for files that store rows unchanged. */
 int image_put_bytes(struct image *image, const unsigned char *row);
 
 /* Writes `count` pixels as little-endian bytes; returns the number of bytes. */
@@ -48,8 +48,8 @@ size_t image_put565(unsigned char *line, const tia_rgb565 *pixels, size_t count)
  * 255. */
 void image_expand(unsigned char *rgb, const tia_rgb565 *pixels, size_t count);
 
-/* part.c, for formats whose frames have checksums: adds the next row to image->sum. True: it was the frame's last
- * row. */
+/* Adds the next row to image->sum, for formats whose frames have checksums; true: it was the frame's last row. part.c
+ */
 bool image_part_add(struct image *image, const tia_rgb565 *pixels);
 
 #endif

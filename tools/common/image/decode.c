@@ -114,7 +114,7 @@ int image_decode(struct image_texels *texels, const void *bytes, size_t length, 
 
 static unsigned luminance(const unsigned char *rgb)
 {
-    return (77u * rgb[0] + 150u * rgb[1] + 29u * rgb[2] + 128) / 256; /* of 0.299, 0.587, 0.114, ITU-R BT.601 */
+    return (77u * rgb[0] + 150u * rgb[1] + 29u * rgb[2] + 128) / 256; /* weights 0.299, 0.587, 0.114, ITU-R BT.601 */
 }
 
 static unsigned char value_at(const struct image_texels *texels, size_t i, enum tia_channel channel)
@@ -133,7 +133,7 @@ static unsigned char value_at(const struct image_texels *texels, size_t i, enum 
     }
 }
 
-/* One byte takes the place of three: what is written lies before what is still to be read. */
+/* Keeps one channel in place: one byte replaces three, so a byte written lies before those still to be read. */
 void image_channel(struct image_texels *texels, enum tia_channel channel)
 {
     size_t count = (size_t)texels->width * texels->height;

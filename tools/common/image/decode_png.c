@@ -47,5 +47,5 @@ int image_decode_png(struct image_texels *texels, const void *bytes, size_t leng
 }
 
 #else
-typedef int image_decode_without_png; /* ISO C wants a declaration in every file */
+typedef int image_decode_without_png; /* ISO C requires a declaration in every file */
 #endif

@@ -22,7 +22,7 @@
 #define STBI_ONLY_BMP
 #define STBI_ONLY_TGA
 #define STBI_ONLY_GIF
-#pragma GCC diagnostic ignored "-Wunused-function" /* of the formats that are left out */
+#pragma GCC diagnostic ignored "-Wunused-function" /* functions of the excluded formats */
 #include <stb_image.h>
 
 static int refuse(const char **why, const char *what)
@@ -32,7 +32,7 @@ static int refuse(const char **why, const char *what)
 }
 
 /* stb_image reads zeros beyond the end of a file, without an error. To detect that, the file is followed by SPARE
- * zeros, and afterwards the position shows whether some were read. Only the internal functions tell the position. */
+ * zeros, and afterwards the position shows whether some were read. Only internal functions give the position. */
 #define SPARE 16
 
 static unsigned char *load_padded(const struct image_texels *texels, int channels, const unsigned char *padded,
@@ -50,7 +50,8 @@ static unsigned char *load_padded(const struct image_texels *texels, int channel
     return all;
 }
 
-/* So many bytes for each texel; free() them. NULL: the picture is damaged, or its size is not that of its header. */
+/* Loads a picture with `channels` bytes for each texel; free() them. NULL: the picture is damaged, or its size is not
+ * that of its header. */
 static unsigned char *load(const struct image_texels *texels, int channels, const unsigned char *bytes, size_t length)
 {
     unsigned char *padded = calloc(1, length + SPARE);
@@ -63,13 +64,13 @@ static unsigned char *load(const struct image_texels *texels, int channels, cons
     return all;
 }
 
-/* The height in a BMP's header is negative if the top row comes first. */
+/* Returns the absolute value: the height in a BMP's header is negative if the top row comes first. */
 static uint64_t magnitude(int size)
 {
     return size < 0 ? 0 - (uint64_t)size : (uint64_t)size;
 }
 
-/* Whether the Huffman tables that begin at `at`, of a segment of `length` bytes, have at most 256 codes each. Missing
+/* True if the Huffman tables that begin at `at`, of a segment of `length` bytes, have at most 256 codes each. Missing
  * bytes at the end count as zeros. */
 static bool are_tables(const unsigned char *at, const unsigned char *end, int64_t length)
 {
@@ -87,8 +88,9 @@ static bool are_tables(const unsigned char *at, const unsigned char *end, int64_
     return true;
 }
 
-/* stb_image 2.27 writes beyond its array for a Huffman table with more than 256 codes, which no valid JPEG has. Looks
- * for one wherever a segment with tables might begin, since stb_image may find segments where others do not. */
+/* stb_image 2.27 writes beyond its array for a Huffman table with more than 256 codes, which no valid JPEG has.
+ * Searches for one wherever a segment with tables might begin, since stb_image may find segments where others do not.
+ */
 static bool is_safe(const unsigned char *bytes, size_t length)
 {
     const unsigned char *end = bytes + length;
@@ -106,7 +108,7 @@ int image_decode_stb(struct image_texels *texels, const unsigned char *bytes, si
     int width, height, channels;
     if (length > INT_MAX - SPARE || !is_safe(bytes, length) ||
         stbi_info_from_memory(bytes, (int)length, &width, &height, &channels) == 0)
-        return refuse(why, "no PNG, PPM, JPEG, BMP, TGA or GIF file, or a damaged one");
+        return refuse(why, "not a PNG, PPM, JPEG, BMP, TGA or GIF file, or a damaged one");
     int status = image_room(texels, magnitude(width), magnitude(height), side, most, why);
     if (status)
         return status;
@@ -126,5 +128,5 @@ int image_decode_stb(struct image_texels *texels, const unsigned char *bytes, si
 }
 
 #else
-typedef int image_decode_without_stb; /* ISO C wants a declaration in every file */
+typedef int image_decode_without_stb; /* ISO C requires a declaration in every file */
 #endif

@@ -1,4 +1,4 @@
-/* film.h - what a picture or film file contains. */
+/* film.h - the contents of a picture or film file. */
 #ifndef TOOLS_IMAGE_FILM_H
 #define TOOLS_IMAGE_FILM_H
 
@@ -6,13 +6,13 @@
 
 enum image_format { IMAGE_UNKNOWN, IMAGE_PNG, IMAGE_PPM, IMAGE_BMP, IMAGE_565, IMAGE_Y4M, IMAGE_PART, IMAGE_PFM };
 
-/* What a picture's numbers stand for: unspecified, linear light, or light by the transfer function of sRGB. */
+/* The meaning of a picture's numbers: unspecified, linear light, or light by the transfer function of sRGB. */
 enum image_transfer { IMAGE_UNSAID, IMAGE_LINEAR, IMAGE_SRGB };
 
-/* The frames of a film that a file has, and the rows of each. A picture is a film of one frame. */
+/* The frames of a film that a file contains, and the rows of each. A picture is a film of one frame. */
 struct image_film {
     unsigned width, height;   /* of a whole frame */
-    unsigned first_row, rows; /* in the file */
+    unsigned first_row, rows; /* rows in the file */
     uint32_t first_frame, frames;
     uint32_t all_frames; /* of the whole film */
     uint32_t rate[2];    /* frames per second: numerator, denominator */

@@ -11,15 +11,16 @@
 
 struct image;
 
-/* The format called `name` ("png"), or that of a file by its extension ("a.PNG"). */
+/* Returns the format called `name` ("png"). */
 enum image_format image_format_called(const char *name);
+/* Returns the format of a file by its extension ("a.PNG"). */
 enum image_format image_format_of(const char *path);
 const char *image_format_name(enum image_format format);
 
-/* Whether this build can write `format`: IMAGE_PNG needs libpng. */
+/* True if this build can write `format`: IMAGE_PNG needs libpng. */
 bool image_format_built(enum image_format format);
 
-/* Whether a file of `format` can hold many frames. */
+/* True if a file of `format` can hold many frames. */
 bool image_format_films(enum image_format format);
 
 /* Starts the picture `path`, width x height pixels. NULL on failure, with the reason in `why`, [PORT_WHY] bytes that
@@ -29,28 +30,28 @@ struct image *image_create(const char *path, enum image_format format, unsigned 
 /* Starts a file with the given frames and rows of a film. Write their bands frame by frame. */
 struct image *image_create_film(const char *path, enum image_format format, const struct image_film *film, char *why);
 
-/* Whether the format stores the bottom row first; then write the last band first. */
+/* True if the format stores the bottom row first; then write the last band first. */
 bool image_bottom_up(const struct image *image);
 
 /* Writes the next `count` full rows, top row first, without gaps in `pixels`. Errors are kept; checking image_finish is
  * enough. */
 int image_band(struct image *image, const tia_rgb565 *pixels, unsigned count);
 
-/* Whether a file of `format` can have `depth` bits a channel, see struct image_film. */
+/* True if a file of `format` can have `depth` bits a channel, see struct image_film. */
 bool image_format_has(enum image_format format, unsigned depth);
 
-/* The same of a picture with a depth: rows of width x 3 numbers, of 16 bits the higher byte first, of 32 the lower. */
+/* Writes rows of a picture with a depth: width x 3 numbers, of 16 bits the higher byte first, of 32 the lower. */
 int image_rows(struct image *image, const unsigned char *bytes, unsigned count);
 
-/* From the next row on as little time as possible is spent on compression. */
+/* Spends as little time as possible on compression from the next row on. */
 void image_hurry(struct image *image);
 
 /* Completes the picture and frees `image`. After a failure no file is left, and `why` has the reason. */
 int image_finish(struct image *image);
 
-/* image_finish in two steps, so that several pictures can appear together: after image_seal only the renaming is left,
- * which image_publish does. image_seal frees `image` if it fails, image_publish in any case. */
+/* Completes the picture but for its name, so that several can appear together. Frees `image` if it fails. */
 int image_seal(struct image *image);
+/* Gives a sealed picture its name, and frees `image`. */
 int image_publish(struct image *image);
 
 void image_discard(struct image *image);

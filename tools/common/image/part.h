@@ -24,20 +24,20 @@ size_t image_part_print(char text[IMAGE_PART_HEADER], const struct image_film *f
 
 size_t image_y4m_print(char text[IMAGE_PART_HEADER], const struct image_film *film);
 
-/* Reads the first line of either file from `text` and checks its numbers. Returns its length, 0 if it is not valid. */
+/* Read the first line of either file from `text` and check its numbers. Return its length, 0 if it is not valid. */
 size_t image_part_parse(struct image_film *film, const char *text, size_t length);
 size_t image_y4m_parse(struct image_film *film, const char *text, size_t length);
 
 #define IMAGE_PART_SUM 4   /* bytes after each frame of a .tiapart */
 #define IMAGE_Y4M_FRAME 20 /* bytes before each frame of a .y4m: "FRAME XTIA=89abcdef\n" */
 
-/* The start of a frame's checksum, to which tia_crc32 adds the pixels. */
+/* Returns the start of a frame's checksum, to which tia_crc32 adds the pixels. */
 uint32_t image_part_begin_sum(const struct image_film *film, uint32_t frame);
 
 void image_part_put_sum(unsigned char bytes[IMAGE_PART_SUM], uint32_t sum);
 void image_y4m_put_frame(unsigned char bytes[IMAGE_Y4M_FRAME], uint32_t sum);
 
-/* Y, U and V of a pixel, 8 bits each, Y in the highest bits. */
+/* Returns Y, U and V of a pixel, 8 bits each, Y in the highest bits. */
 uint32_t image_y4m_colour(tia_rgb565 pixel);
 
 #endif

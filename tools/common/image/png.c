@@ -1,5 +1,5 @@
 /* png.c - PNG by libpng: RGB of 8 bits, with an sBIT chunk where 5, 6 and 5 are significant, or of 16; a chunk sRGB, or
- * gAMA of 1 for linear light, where the picture says which it is. */
+ * gAMA of 1 for linear light, if the picture's transfer function is specified. */
 #ifdef TIA_HAVE_PNG
 
 #include <png.h>
@@ -90,7 +90,7 @@ static int row(struct image *image, const tia_rgb565 *pixels)
     return bytes(image, image->line);
 }
 
-/* Stored, not compressed: the rows' checksums are all that is left to compute. */
+/* Switches to storing without compression: the rows' checksums are then the only work left. */
 static void hurry(struct image *image)
 {
     struct png_state *state = image->state;
@@ -122,5 +122,5 @@ const struct image_codec image_codec_png = {
     .name = "png", .begin = begin, .row = row, .bytes = bytes, .hurry = hurry, .end = end, .free = release};
 
 #else
-typedef int image_without_png; /* ISO C wants a declaration in every file */
+typedef int image_without_png; /* ISO C requires a declaration in every file */
 #endif

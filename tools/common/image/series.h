@@ -16,19 +16,20 @@ struct series {
     char *path;          /* of the current frame */
 };
 
-/* Whether a file name has a pattern for the frame's number, %d or %03d. */
+/* True if a file name has a pattern for the frame's number, %d or %03d. */
 bool series_is_pattern(const char *name);
 
-/* The name with the number in place of the pattern; free() it. NULL: no memory. */
+/* Returns the name with the number in place of the pattern; free() it. NULL: no memory. */
 char *series_path(const char *name, uint32_t frame);
 
-/* Call before and after each frame's bands, which go to series->image. series_discard removes an unfinished frame, or
- * the film if it is one file. A negative status on failure, with the reason in `why`. */
+/* Begins a frame; its bands go to series->image. A negative status on failure, with the reason in `why`. */
 int series_begin(struct series *series, uint32_t frame);
+/* Ends a frame, likewise. */
 int series_end(struct series *series);
 
 /* Completes the film. After a failure only the pictures of finished frames are left. */
 int series_finish(struct series *series);
+/* Removes an unfinished frame, or the film if it is one file. */
 void series_discard(struct series *series);
 
 #endif

@@ -27,7 +27,7 @@ static bool is_sound(const struct sums *s)
            s->exposure <= TIA_EXPOSURE_MAX;
 }
 
-/* A line that reads alike but is spelled otherwise, with leading zeros, say, is not valid. */
+/* Parses the line. One that is spelled otherwise, with leading zeros, say, is not valid. */
 size_t sums_parse(struct sums *s, const char *text, size_t length)
 {
     char line[SUMS_HEADER], again[SUMS_HEADER], magic[MAGIC + 1];
@@ -76,7 +76,7 @@ static uint32_t check_of(const struct sums *s, unsigned y, const unsigned char *
     return checksum_bytes(checksum_bytes(0, place, sizeof place), bytes, sums_row_bytes(s) - CHECK);
 }
 
-/* In the order of the file. */
+/* Stores a guide in the order of the file. */
 static void put_guide(unsigned char *at, const struct tia_guide *guide, uint64_t squares)
 {
     for (int c = 0; c < 3; c++)
@@ -101,12 +101,12 @@ void sums_put_gathered(unsigned char *bytes, const struct sums *s, unsigned y, c
 
 void sums_put_row(unsigned char *bytes, const struct sums *s, unsigned y, const struct tia_sum *row)
 {
-    struct tia_sum *sums = (struct tia_sum *)(uintptr_t)row; /* it is only read */
+    struct tia_sum *sums = (struct tia_sum *)(uintptr_t)row; /* the sums are only read */
 
     sums_put_gathered(bytes, s, y, &(struct tia_gathered){.sums = sums});
 }
 
-/* Adds a row's sums; whether all are in their range. */
+/* Adds a row's sums; true if all are in their range. */
 static bool add_sums(struct tia_sum *row, const struct sums *s, const unsigned char *at)
 {
     const uint64_t most = (uint64_t)s->count << 38; /* samples of up to 2^14 in units of 2^-24 */
@@ -131,7 +131,7 @@ bool sums_add_row(struct tia_sum *row, const struct sums *s, unsigned y, const u
     return add_sums(row, s, bytes) && checks(s, y, bytes);
 }
 
-/* Lengths up to 1, albedos up to 2^14 in units of 2^-24, and any depth whose mean has a sign. */
+/* Reads a guide: lengths up to 1, albedos up to 2^14 in units of 2^-24, and any depth whose mean has a sign. */
 static bool get_guide(struct tia_guide *guide, uint32_t count, const unsigned char *at)
 {
     const int64_t one = (int64_t)count << 24, most = (int64_t)count << 38;
@@ -162,7 +162,7 @@ bool sums_get_gathered(const struct tia_gathered *row, const struct sums *s, uns
     return sound;
 }
 
-/* A float keeps 24 bits of the mean, and needs no exposure. */
+/* Stores a float, which keeps 24 bits of the mean, and needs no exposure. */
 static unsigned char *put_float(unsigned char *at, int64_t sum, uint32_t count)
 {
     float value = (float)((double)sum / (16777216.0 * count));

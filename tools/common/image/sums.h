@@ -2,12 +2,12 @@
  *
  *     TIASUMS1 W640 H480 N0+16 T2 E-32768 S89abcdef
  *
- * means samples 0 to 15 of each pixel of a picture of 640x480; T and E are the tone and the exposure that it is to be
- * shown with, as in tia/integrator.h; S is a crc of the scene and the options. The rows follow, from the top: for each
+ * means samples 0 to 15 of each pixel of a picture of 640x480; T and E are the tone and the exposure of the finished
+ * picture, as in tia/integrator.h; S is a crc of the scene and the options. The rows follow, from the top: for each
  * pixel red, green and blue, 64 bits each, little-endian, in units of 2^-24; then the CRC-32 of the row's number and S,
- * 32 bits each, and the row, little-endian. A file that ends after some row is what an interrupted run has left.
+ * 32 bits each, and the row, little-endian. A file that ends after some row was left by an interrupted run.
  *
- * Where it has left guides as well, for --denoise and --guide, the line begins with TIAGUIDE, and a row has before its
+ * If the file has guides as well, for --denoise and --guide, the line begins with TIAGUIDE, and a row has before its
  * CRC-32 for each pixel the normal, the depth, the albedo and the sum of squares of struct tia_gathered, 64 bits each.
  */
 #ifndef TOOLS_IMAGE_SUMS_H
@@ -25,10 +25,10 @@ struct sums {
     enum tia_tone tone;
     tia_q16 exposure;
     uint32_t crc;
-    bool guided; /* with what a denoiser goes by */
+    bool guided; /* with guides for a denoiser */
 };
 
-/* From the pixel number `place` on. */
+/* Returns the elements from pixel number `place` on. */
 static inline struct tia_gathered gathered_at(const struct tia_gathered *gathered, size_t place)
 {
     struct tia_gathered from = *gathered;
@@ -42,24 +42,26 @@ static inline struct tia_gathered gathered_at(const struct tia_gathered *gathere
 /* Writes the line and its end; returns the length. */
 size_t sums_print(char text[SUMS_HEADER], const struct sums *sums);
 
-/* Reads it and checks its numbers. Returns its length, 0 if it is not valid. */
+/* Parses it and checks its numbers. Returns its length, 0 if it is not valid. */
 size_t sums_parse(struct sums *sums, const char *text, size_t length);
 
-/* Of a row in the file. */
+/* Returns the bytes of a row in the file. */
 size_t sums_row_bytes(const struct sums *sums);
+/* Stores a row. */
 void sums_put_row(unsigned char *bytes, const struct sums *sums, unsigned y, const struct tia_sum *row);
 
 /* Adds a row to `row`; false: its checksum is wrong. */
 bool sums_add_row(struct tia_sum *row, const struct sums *sums, unsigned y, const unsigned char *bytes);
 
-/* A row with its guides, if there are any; false: its checksum is wrong, or a number out of its range. */
+/* Stores a row with its guides, if there are any. */
 void sums_put_gathered(unsigned char *bytes, const struct sums *sums, unsigned y, const struct tia_gathered *row);
+/* Reads it; false: its checksum is wrong, or a number out of its range. */
 bool sums_get_gathered(const struct tia_gathered *row, const struct sums *sums, unsigned y, const unsigned char *bytes);
 
-/* What a picture of `depth` bits a channel shows of a row, see struct image_film and image_rows. */
+/* Converts a row to a picture of `depth` bits a channel, see struct image_film and image_rows. */
 void sums_develop(unsigned char *bytes, const struct sums *sums, const struct tia_sum *row, unsigned depth);
 
-/* What its colours are. */
+/* Returns the meaning of its colours. */
 enum image_transfer sums_transfer(const struct sums *sums, unsigned depth);
 
 #endif

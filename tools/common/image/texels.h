@@ -14,8 +14,9 @@ struct image_texels {
 int image_room(struct image_texels *texels, uint64_t width, uint64_t height, unsigned side, size_t most,
                const char **why);
 
-/* Free the alpha channel, and all texels, whichever there are. */
+/* Frees the alpha channel, if there is one. */
 void image_drop_alpha(struct image_texels *texels);
+/* Frees all texels, whichever there are. */
 void image_free(struct image_texels *texels);
 
 /* Splits four bytes per texel, from malloc, into colours and alpha channel. */

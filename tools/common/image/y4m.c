@@ -1,4 +1,4 @@
-/* y4m.c - YUV4MPEG2 films, as mjpegtools and ffmpeg read them: 4:4:4, the planes Y, U and V of each frame. */
+/* y4m.c - YUV4MPEG2 films, readable by mjpegtools and ffmpeg: 4:4:4, the planes Y, U and V of each frame. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -12,7 +12,7 @@ static void release(struct image *image)
     image->state = NULL;
 }
 
-/* Keeps a frame's planes until it is complete, since its checksum comes before them. */
+/* Begins a frame; its planes are stored until it is complete, since its checksum comes before them. */
 static int begin(struct image *image)
 {
     char header[IMAGE_PART_HEADER];
@@ -25,8 +25,8 @@ static int begin(struct image *image)
     return sink_write(&image->sink, header, length);
 }
 
-/* ITU-R BT.601 with Y in 16..235, U and V in 16..240, and coefficients rounded to 1/256. White and black are exact. The
- * offset 128 of U and V is added before the division, so that the sums stay in 0..65535. */
+/* Converts by ITU-R BT.601 with Y in 16..235, U and V in 16..240, and coefficients rounded to 1/256. White and black
+ * are exact. The offset 128 of U and V is added before the division, so that the sums stay in 0..65535. */
 uint32_t image_y4m_colour(tia_rgb565 pixel)
 {
     unsigned char rgb[3];

@@ -10,17 +10,17 @@
 
 struct scene_part; /* a file that the scene refers to */
 
-/* How a scene is read, when not for a picture. */
+/* Settings for reading a scene, when not for a picture. */
 struct scene_wish {
     tia_q16 reach;    /* see tia/read.h */
-    unsigned threads; /* that build the hierarchy of a large scene; 0 is 1 */
+    unsigned threads; /* threads that build the hierarchy of a large scene; 0 is 1 */
     void (*material)(void *ctx, uint32_t index, const char *name);
     void *ctx;
 };
 
 struct scene_file {
     struct tia_scene scene;
-    uint32_t crc;        /* of the text and all files that it refers to; equal for equal scenes */
+    uint32_t crc;        /* CRC of the text and all files that it refers to; equal for equal scenes */
     char why[SCENE_WHY]; /* after a failure: one line, "FILE:LINE:COLUMN: WHAT" or "FILE: WHAT" */
     struct tia_read_warning warnings[TIA_WARNINGS];
 

@@ -56,7 +56,8 @@ static int decode(struct scene_part *part, size_t most, const char **why)
     return status;
 }
 
-/* Reads the file called so or, if there is none and the name has backslashes as on Windows, with slashes instead. */
+/* Reads the file with that path or, if there is none and the name has backslashes as on Windows, with slashes instead.
+ */
 static int read_path(const struct scene_file *file, struct scene_part *part, size_t most, const char **why)
 {
     char *path = part_path(file, part->name);
@@ -84,7 +85,7 @@ static int load(struct scene_file *file, struct scene_part *part, const char **w
     return status;
 }
 
-/* The file called `name`, loaded when it is first needed. */
+/* Gives the file called `name`, loaded when it is first needed. */
 static int fetch(struct scene_file *file, const char *name, unsigned kind, struct scene_part **found, const char **why)
 {
     struct scene_part *part = *found = find(file, name, kind);

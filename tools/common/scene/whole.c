@@ -49,7 +49,7 @@ static int read_all(struct whole *whole, int fd, size_t room, size_t most, const
 
 static int read_sized(struct whole *whole, int fd, size_t size, size_t most, const char **why)
 {
-    /* One byte more than the file's size, so that read can return 0 at its end without growing the buffer. */
+    /* one byte more than the file's size, so that read can return 0 at its end without growing the buffer */
     int status = read_all(whole, fd, size < most ? size + 1 : most + 1, most, why);
     if (status) {
         free(whole->bytes);

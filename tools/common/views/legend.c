@@ -6,7 +6,7 @@
 #include "common/views/palette.h"
 #include "seen.h"
 
-/* Entries stand below each other, text in the colour that it names. */
+/* A line of the legend, in the colour that it names; lines stand below each other. */
 struct legend_line {
     char text[32];
     tia_rgb565 colour;
@@ -97,7 +97,7 @@ static unsigned lines_of(const struct legend *legend, struct legend_line lines[L
     }
 }
 
-/* Labels of dark colours are on white. */
+/* Returns the paper: labels of dark colours are on white. */
 static tia_rgb565 paper_for(tia_rgb565 ink)
 {
     unsigned brightness = 2u * (ink >> 11) + 2u * (ink >> 5 & 63) + (ink & 31u);

@@ -1,4 +1,4 @@
-/* legend.h - what the colours of a view mean, in the lower left corner of a picture. */
+/* legend.h - the legend of a view's colours, in the lower left corner of a picture. */
 #ifndef TOOLS_VIEWS_LEGEND_H
 #define TOOLS_VIEWS_LEGEND_H
 
@@ -8,16 +8,16 @@
 
 struct legend {
     enum view view;
-    bool rays;                /* those of a pixel are drawn */
+    bool rays;                /* rays of a pixel are drawn */
     unsigned width, height;   /* of the picture */
     double scale;             /* see seen_colour */
-    uint32_t objects, lights; /* how many there are */
+    uint32_t objects, lights; /* numbers of objects and lights */
 };
 
-/* Draws what is in the tile. */
+/* Draws the part in the tile. */
 void legend_draw(const struct legend *legend, struct tia_tile tile, const struct tia_surface *surface);
 
-/* The colour of a kind of ray; of a shadow ray that does not arrive: number TIA_RAY_SHADOW + 1; of a normal: + 2. */
+/* Returns the colour of a kind of ray; TIA_RAY_SHADOW + 1: of a shadow ray that does not arrive; + 2: of a normal. */
 tia_rgb565 legend_ray(unsigned kind);
 
 #endif

@@ -23,7 +23,7 @@ static bool cut(double from, double to, double low, double high, double *first, 
     return *first <= *last;
 }
 
-/* A step is a pixel, counted from the line's beginning: so all tiles show the same one. */
+/* Draws a line. A step is a pixel, counted from the line's beginning: so all tiles show the same one. */
 void line_draw(const struct line *line, struct tia_tile tile, const struct tia_surface *surface)
 {
     double x = line->ends[0][0], y = line->ends[0][1], wide = line->ends[1][0] - x, high = line->ends[1][1] - y;

@@ -9,7 +9,7 @@ struct line {
     tia_rgb565 colour;
 };
 
-/* Draws what is in the tile; all tiles show the same line. */
+/* Draws the part in the tile; all tiles show the same line. */
 void line_draw(const struct line *line, struct tia_tile tile, const struct tia_surface *surface);
 
 #endif

@@ -5,13 +5,13 @@
 #include <stdint.h>
 #include <tia/vec.h>
 
-/* From black over blue, red and yellow to white; t in 0..1. */
+/* Returns a colour from black over blue, red and yellow to white; t in 0..1. */
 tia_rgb565 palette_heat(double t);
 
-/* The colour of number n: neighbours differ most. */
+/* Returns the colour of number n: neighbours differ most. */
 tia_rgb565 palette_number(uint32_t n);
 
-/* Each channel in 0..1, clamped. */
+/* Returns a colour from channels in 0..1, clamped. */
 tia_rgb565 palette_rgb(double r, double g, double b);
 
 #endif

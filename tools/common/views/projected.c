@@ -47,7 +47,7 @@ static double dot(const double a[3], const double b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* A point in the camera's axes as a pixel, see tia/camera.h. */
+/* Converts a point in the camera's axes to a pixel, see tia/camera.h. */
 static void place(const struct tia_camera *camera, unsigned width, unsigned height, const double p[3], double at[2])
 {
     const struct tia_window *w = &camera->window;
@@ -68,7 +68,7 @@ static void place(const struct tia_camera *camera, unsigned width, unsigned heig
     at[1] = (top - p[1] * scale) / (top - bottom) * height - 0.5;
 }
 
-/* A point in the camera's axes. */
+/* Gives a point in the camera's axes. */
 static void see(const struct tia_camera *camera, const struct axes *axes, struct tia_vec3 point, double p[3])
 {
     double d[3];
@@ -101,7 +101,7 @@ bool projected_segment(const struct tia_camera *camera, unsigned width, unsigned
     return true;
 }
 
-/* How long a pixel is there. */
+/* Returns the size of a pixel at that point. */
 static double length_of_pixel(const struct tia_camera *camera, unsigned width, unsigned height, const double p[3])
 {
     double at[2], next[2], beside[3] = {p[0] + 1, p[1], p[2]};

@@ -37,7 +37,7 @@ tia_rgb565 seen_lights(uint32_t lights)
     return palette_rgb(channel(lights, 0), channel(lights, 1), channel(lights, 2));
 }
 
-/* 1, 4096 and what is between on a logarithmic scale. */
+/* Returns the colour of a count: 1..4096 on a logarithmic scale. */
 static tia_rgb565 count_colour(uint32_t count)
 {
     return palette_heat(count > 0 ? log2(count) / 12 : 0);

@@ -7,18 +7,18 @@
 #include "view.h"
 
 struct seen {
-    uint32_t rays, primaries; /* so far */
-    bool direct;              /* shadow rays are those of what the first ray sees */
+    uint32_t rays, primaries; /* numbers so far */
+    bool direct;              /* the shadow rays are those of the first ray's hit */
     struct tia_traced first;  /* the first primary ray */
-    uint32_t lights;          /* bit n: light n arrives there; from 31 on in common */
+    uint32_t lights;          /* bit n: light n arrives there; bit 31: all from 31 on */
 };
 
 void seen_ray(void *seen, const struct tia_traced *traced);
 
-/* `scale`: the distance that has half of the palette. */
+/* Returns the false colour; `scale`: the distance at half of the palette. */
 tia_rgb565 seen_colour(const struct seen *seen, enum view view, uint32_t tests, double scale);
 
-/* The colour of light n, and of all in `lights`. */
+/* Returns the colour of all lights in `lights`. */
 tia_rgb565 seen_lights(uint32_t lights);
 
 #endif

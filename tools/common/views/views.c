@@ -10,7 +10,7 @@
 
 enum { RAYS_DRAWN = 256 };
 
-/* Set when a view is prepared and when its lights are set, before threads draw. */
+/* State of the views. Set when a view is prepared and when its lights are set, before threads draw. */
 static struct {
     struct views views;
     const struct tia_core *watched;
@@ -82,7 +82,7 @@ static int collect_rays(const struct tia_view *view, unsigned x, unsigned y)
 
 /* ---- the core ---- */
 
-/* Half of the palette is for what is nearer than the point that the camera looks at, or a distance of 10. */
+/* Returns the scale: half of the palette is for points nearer than the one that the camera looks at, or than 10. */
 static double scale_of(const struct tia_scene *scene)
 {
     const struct tia_camera *c = &scene->camera;
@@ -187,7 +187,8 @@ int views_point(const struct tia_view *view, unsigned x, unsigned y, const struc
     return status;
 }
 
-/* Spans do not take a camera with a reference point: gives it one along -z, where it looks anyway. */
+/* Makes rays draw the scene. Spans do not support a reference point, so the camera gets one along -z, where it looks
+ * anyway. */
 void views_need_rays(struct tia_scene *scene)
 {
     struct tia_camera *c = &scene->camera;

@@ -1,4 +1,4 @@
-/* views.h - false colours instead of a picture, and the rays of one pixel: a core that draws what it observes of
+/* views.h - false colours instead of a picture, and the rays of one pixel: a core that draws its observations of
  * another core's rays (struct tia_observer), with a legend. There is one such core in a program, since a core has no
  * context. */
 #ifndef TOOLS_VIEWS_VIEWS_H
@@ -12,20 +12,21 @@
 struct views {
     enum view view;
     bool draws_rays;
-    uint16_t x, y; /* of the pixel whose rays are drawn; a picture without that pixel is a plain one */
+    uint16_t x, y; /* the pixel whose rays are drawn; a picture without that pixel is a plain one */
 };
 
-/* "colour", ...; NULL for VIEW_COUNT and above. */
+/* Returns "colour", ...; NULL for VIEW_COUNT and above. */
 const char *view_name(unsigned view);
 
-/* The core that shows this, on top of the one that observes rays, tia_core_watched: programs without views need not
- * link it. */
+/* Returns the core for these views, on top of the one that observes rays, tia_core_watched: programs without views need
+ * not link it. */
 const struct tia_core *views_core(const struct views *views, const struct tia_core *watched);
 
-/* The rays of a pixel of a view of that core, for who draws them himself: *lines are valid until the next call. */
+/* Gives the rays of a pixel of a view of that core, for callers that draw them themselves: *lines are valid until the
+ * next call. */
 int views_point(const struct tia_view *view, unsigned x, unsigned y, const struct line **lines, unsigned *count);
 
-/* Spans have no rays: makes rays draw the scene, where spans would, with the same picture up to rounding. */
+/* Makes rays draw the scene instead of spans, with the same picture up to rounding. */
 void views_need_rays(struct tia_scene *scene);
 
 #endif

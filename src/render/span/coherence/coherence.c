@@ -4,11 +4,11 @@
 #include "render/span/shadow.h"
 #include "scene/colour.h"
 
-#define SHORT 12 /* pixels are not worth samples */
-#define LEAF 8   /* pixels between samples are computed one by one rather than divided where a shadow's edge may be */
-#define DEPTH 12 /* of samples that wait */
+#define SHORT 12 /* runs of fewer pixels are drawn one by one */
+#define LEAF 8   /* shorter runs where a shadow's edge may be are computed pixel by pixel rather than divided */
+#define DEPTH 12 /* largest number of pending samples */
 
-/* Whether |Q - P|^2 grows somewhere between two samples, 1, or falls, -1. */
+/* Returns 1 if |Q - P|^2 grows somewhere between two samples, -1 if it falls. */
 static int8_t rise(const struct coherence_run *run, num_wide from, num_wide to)
 {
     num_wide more = to - from;
@@ -32,7 +32,7 @@ static int shadow_between(const struct coherence_run *run, const struct coherenc
 
     if (2 * path >= d)
         return COHERENCE_OPEN;
-    num_u turn = num_quotient((num_u)path, (num_u)d, 39); /* 24 bits; d and it are known to 1/32 */
+    num_u turn = num_quotient((num_u)path, (num_u)d, 39); /* 24 bits; d and `turn` are accurate to 1/32 */
     turn += turn / 16 + (num_u)coherence_power(0);
     struct coherence_slack slack = coherence_shadow_slack(run, cast, square, (num_wide)b->slack);
     if (slack.length > coherence_power(24) || slack.power > coherence_power(58))
@@ -98,7 +98,7 @@ static inline num_u channel_of(const struct colouring *c, int i, num_u lambert)
     return num_clamp(c->emission[i] + num_colour_product(lambert, c->product[i]));
 }
 
-/* The pixel that lambert makes. */
+/* Returns the pixel for a value of lambert. */
 static tia_rgb565 colour_of(const struct colouring *c, num_u lambert)
 {
     num_u half = c->threshold, red = channel_of(c, 0, lambert);
@@ -111,7 +111,7 @@ static tia_rgb565 colour_of(const struct colouring *c, num_u lambert)
 
 /* ---- a run ---- */
 
-/* A run on its way to the pixels first.. */
+/* A run being drawn into the pixels from `first` on. */
 struct drawing {
     struct coherence_run *run;
     struct colouring colouring;
@@ -119,7 +119,7 @@ struct drawing {
     tia_rgb565 *pixels;
 };
 
-/* Pixels first..last. */
+/* Fills pixels first..last. */
 static void fill(const struct drawing *d, int first, int last, tia_rgb565 pixel)
 {
     span_fill(d->pixels + (first - d->first), last + 1 - first, pixel);
@@ -176,7 +176,8 @@ static bool draw_between(const struct drawing *d, const struct coherence_sample 
     return true;
 }
 
-/* Where the colour of `a` ends, were lambert a line from a to b: the last pixel before, or else the first behind. */
+/* Returns a guess of where the colour of `a` ends, if lambert were linear from a to b: the last pixel before, or else
+ * the first behind. */
 static int guess(const struct colouring *c, const struct coherence_sample *a, const struct coherence_sample *b)
 {
     num_u from = a->lambert, to = b->lambert, apart = (to > from ? to - from : from - to) / (num_u)(b->x - a->x);
@@ -193,20 +194,20 @@ static int guess(const struct colouring *c, const struct coherence_sample *a, co
     return low > a->x ? low : low + 1;
 }
 
-/* A sample between two, and what is known of all in between. With `room` for that many more it lies where the colour
- * may change, as long as halving what it leaves would still end in time. */
+/* Divides a run by a sample between two, with bounds for all pixels in between. With `room` for that many more samples
+ * it lies where the colour may change, as long as halving the rest would still end in time. */
 static void divide(const struct drawing *d, const struct coherence_sample *a, struct coherence_sample *b, int room,
                    struct coherence_sample *s)
 {
     if (d->run->caster_count > 0 && !a->faces)
-        b->shadow = COHERENCE_OPEN; /* it was not asked about */
+        b->shadow = COHERENCE_OPEN; /* not tested yet */
     bool guessed = b->shadow == COHERENCE_LIT && (b->x - a->x) >> room == 0;
     int x = guessed ? guess(&d->colouring, a, b) : a->x + (b->x - a->x) / 2;
 
     coherence_sample_at(d->run, x, b->shadow == COHERENCE_OPEN && d->run->caster_count > 0, s);
     s->pixel = colour_of(&d->colouring, s->lambert);
     s->shadow = b->shadow;
-    s->slack = b->slack; /* |Q - P| is no less here than at the less of a and b */
+    s->slack = b->slack; /* |Q - P|^2 is no less here than at the smaller of a and b */
     s->behind = rise(d->run, s->square, b->square);
     if (s->behind == 0 || monotone(a, b))
         s->behind = b->behind;
@@ -221,11 +222,12 @@ static void end_sample(const struct drawing *d, int x, struct coherence_sample *
     s->shadow = COHERENCE_OPEN;
 }
 
-/* Samples are taken at both ends, and then where what is between two of them cannot be drawn. */
+/* Draws a run: samples both ends, then, where the pixels between two samples cannot be drawn, one between them. */
 static void draw_run(const struct drawing *d, int first, int last)
 {
     struct coherence_run *run = d->run;
-    struct coherence_sample sample[DEPTH + 1], *left = &sample[0], *right[DEPTH]; /* the nearest last, then free ones */
+    /* The nearest is last; then free ones. */
+    struct coherence_sample sample[DEPTH + 1], *left = &sample[0], *right[DEPTH];
     int depth = 1;
 
     for (int i = 0; i < DEPTH; i++)
@@ -262,10 +264,10 @@ static int length_exponent(const struct coherence_run *run, const struct span_vi
     }
     most += num_abs(run->source.light.x) + num_abs(run->source.light.y) + num_abs(run->source.light.z);
     int exponent = 46 - coherence_bits(most + coherence_power(16 + run->bounds.point));
-    return exponent < 40 ? exponent : 40; /* so that the bias is below 2^29 */
+    return exponent < 40 ? exponent : 40; /* the bias is then below 2^29 */
 }
 
-/* False when there are too many casters, or the light is in one. */
+/* Prepares the casters; false when there are too many, or the light is in one. */
 static bool prepare_casters(struct coherence_run *run, const struct tia_view *view, uint32_t object)
 {
     const struct span_view *spans = span_view_of(view);

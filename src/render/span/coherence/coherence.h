@@ -1,20 +1,20 @@
 /* coherence.h - many pixels of a row decided by two of them.
  *
  * Where one light shines on a sphere, with G = Q - L, r N.(Q - P) and |Q - P|^2 depend on the point P only through G.P,
- * and so does N.(Q - P)/|Q - P|, which grows with it. A row's pixels see P on a circle, and less than half of it:
- * there G.P has at most one extremum. So |Q - P|^2 has at most one, and where it grows or falls both before and
- * after some pixels it does so along them. Then the light on each of them is between what it is on the first and the
- * last, and if both round to one colour, all have it. Shadows of other spheres change slowly, see coherence.c.
+ * and so does N.(Q - P)/|Q - P|, which grows with it. The points P of a row's pixels lie on a circle, on less than half
+ * of it: there G.P has at most one extremum. So |Q - P|^2 has at most one, and where it grows or falls both before and
+ * after some pixels it does so along them. Then the light on each of them is between that on the first and the last,
+ * and if both round to one colour, all have it. Shadows of other spheres change slowly, see coherence.c.
  *
- * What integers may err by is bounded, see coherence_bounds.c: so every pixel has the bits that it has when computed
- * alone, and what cannot be decided is. */
+ * The integers' errors are bounded, see coherence_bounds.c: so every pixel has the same bits as when computed alone,
+ * and pixels that cannot be decided are computed alone. */
 #ifndef TIA_RENDER_SPAN_COHERENCE_COHERENCE_H
 #define TIA_RENDER_SPAN_COHERENCE_COHERENCE_H
 
 #include "render/span/shade.h"
 
-/* Draws a span that sees a wide sphere; its t and path_hash are not used, and count may be larger than CHUNK.
- * False, with nothing drawn, where that does not pay or nothing can be said. */
+/* Draws a span of a wide sphere; its t and path_hash are not used, and count may be larger than CHUNK. False, with
+ * nothing drawn, where that does not pay or cannot be decided. */
 bool coherence_shade(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[8],
                      tia_rgb565 *pixels);
 

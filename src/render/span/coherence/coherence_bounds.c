@@ -1,4 +1,4 @@
-/* coherence_bounds.c - how far the integers of a run may be from the values they stand for, derived.
+/* coherence_bounds.c - bounds on the errors of a run's integers, derived.
  *
  * A bound here is the logarithm of a power of two: sums of up to four terms are below four times the largest. That is
  * coarse, by a few bits, and costs next to nothing; a level is 2^-6, and the errors are near 2^-20.
@@ -9,14 +9,14 @@
  * by .51 (2^32 + 2^32 + 2^31 + 2) < 1.3 2^32, so sqrt(D) by that over itself and one bit for rounding down. D is
  * concave along the run: it is least at an end, where it was computed; so is S, which is concave as well. From 2^19 on
  * the computed root is within 1/32 of the true one. So with roots of B and sums of S bits, S is off by less than 1.4
- * 2^(33 - B) + 1.51 of more than .98 2^(S - 1), together less than 2^(36 - B - S) relative. T, at least half of what it
- * is at an end since S is at most 2 b and b is largest at an end, is rounded by 1/2; the reciprocal and c add 2^-30.
- * All are in `t` below.
+ * 2^(33 - B) + 1.51 of more than .98 2^(S - 1), together less than 2^(36 - B - S) relative. T, which is at least half
+ * of its value at an end since S is at most 2 b and b is largest at an end, is rounded by 1/2; the reciprocal and c add
+ * 2^-30. All are in `t` below.
  *
- * The point that integers light is P (1 + e), |e| < 2^t. That moves |Q - P|^2 by up to 2.1 |w| |P| e, r N.w, as
- * computed c - L.Q + G.P, by |G| |P| e, A.w by 1.1 (|A| + |w|) |P| e and |A|^2 by 2.1 |A| |P| e.
- * Products of T with a form are off by .51 T of their last bit, constants and shifts by half a bit, |P|^2 by
- * T/2 + .51 T^2 / 2^reach_down of its last bit. */
+ * The point at which the fixed-point code computes the light is P (1 + e), |e| < 2^t. That moves |Q - P|^2 by up to 2.1
+ * |w| |P| e, r N.w, as computed c - L.Q + G.P, by |G| |P| e, A.w by 1.1 (|A| + |w|) |P| e and |A|^2 by 2.1 |A| |P| e.
+ * Products of T with a form are off by .51 T of their last bit, constants and shifts by half a bit, |P|^2 by T/2 + .51
+ * T^2 / 2^reach_down of its last bit. */
 #include "coherence_proved.h"
 #include "coherence_run.h"
 
@@ -51,7 +51,7 @@ static int larger3(int a, int b, int c)
     return num_larger(num_larger(a, b), c);
 }
 
-/* |a| < 2^this, from a.a, which has the exponent 32. */
+/* Returns b, |a| < 2^b, from a.a, which has the exponent 32. */
 static int length_bits(num_wide square)
 {
     return (coherence_bits(square) - 31) >> 1;
@@ -144,7 +144,7 @@ bool coherence_bound(struct coherence_run *run, int first, int last)
     return coherence_power(b->t + 32) <= coherence_power(20);
 }
 
-/* d, where d^2 is at most `square` and what that may be off by. */
+/* Gives d, where d^2 is at most `square` plus its error bound. */
 struct distance {
     int once, twice;
 };
@@ -157,8 +157,8 @@ static struct distance distance_of(const struct coherence_run *run, num_wide squ
     return d;
 }
 
-/* The errors of r N.w over r d, half the relative one of |w|^2, and 2^-26 for the kernels' products, which add up to
- * 2^-27.9. Twice that, between two pixels. While |w|^2 is known to 1/32. */
+/* Returns the bound: the errors of r N.w over r d, half the relative one of |w|^2, and 2^-26 for the kernels' products,
+ * which add up to 2^-27.9. Twice that, between two pixels. |w|^2 must be accurate to 1/32. */
 num_wide coherence_lambert_slack(const struct coherence_run *run, num_wide square)
 {
     const struct coherence_bounds *b = &run->bounds;
@@ -171,9 +171,9 @@ num_wide coherence_lambert_slack(const struct coherence_run *run, num_wide squar
                            larger3(b->facing - b->radius - d.once, relative - 1, -COHERENCE_KERNELS));
 }
 
-/* The chord from one point to the other is |t2 v2 - t1 v1| <= |t2 - t1| |v1| + t2 |v2 - v1|. Half an arc that is less
- * than half a circle is at most pi/4 of its chord, which is below 51/64; and 1/2 of it, but for 1.1 %, where the chord
- * is at most a quarter of another one, which is no longer than the diameter. */
+/* Returns a bound of the path. The chord from one point to the other is |t2 v2 - t1 v1| <= |t2 - t1| |v1| + t2 |v2 -
+ * v1|. Half an arc that is less than half a circle is at most pi/4 of its chord, which is below 51/64; and 1/2 of it,
+ * but for 1.1 %, where the chord is at most a quarter of another one, which is no longer than the diameter. */
 num_wide coherence_path(const struct coherence_run *run, const struct coherence_sample *a,
                         const struct coherence_sample *b)
 {
@@ -196,7 +196,7 @@ static num_wide side(const struct coherence_run *run, const struct coherence_sam
         (num_wide)s->t * num_pixel_coordinate(2 * s->x + 1 - run->primary->width, run->primary->exponent), shift);
 }
 
-/* Their distance along x alone, less what t is off by at both. */
+/* Finds the chord: the points' distance along x alone, less the error of t at both. */
 void coherence_measure(struct coherence_run *run, const struct coherence_sample *a, const struct coherence_sample *b)
 {
     num_wide off = coherence_power(run->bounds.t + run->bounds.point + run->exponent + 2) + coherence_power(1);
@@ -204,7 +204,8 @@ void coherence_measure(struct coherence_run *run, const struct coherence_sample 
     run->chord = side(run, b) - side(run, a) - off;
 }
 
-/* Without what t is off by: that is in the path. A foot's share of `size` 2^-28 is the inverse root's. */
+/* Bounds a caster, without the error of t, which is part of the path. A foot's share of `size` 2^-28 is the inverse
+ * root's. */
 void coherence_bound_caster(const struct coherence_run *run, const struct span_sphere *caster,
                             struct coherence_caster *cast)
 {

@@ -1,10 +1,10 @@
-/* coherence_pays.h - which spheres are wide, see coherence.h. */
+/* coherence_pays.h - decides which spheres are wide, see coherence.h. */
 #ifndef TIA_RENDER_SPAN_COHERENCE_COHERENCE_PAYS_H
 #define TIA_RENDER_SPAN_COHERENCE_COHERENCE_PAYS_H
 
 #include "render/span/sphere.h"
 
-/* Whether a sphere is seen from outside and so large that many pixels have one colour. */
+/* True if a sphere is seen from outside and so large that many pixels have one colour. */
 bool coherence_pays(const struct primary_rays *primary, const struct span_sphere *sphere);
 
 #endif

@@ -1,4 +1,4 @@
-/* coherence_sample.c - what is computed of single pixels of a run. */
+/* coherence_sample.c - computes single pixels of a run. */
 #include "coherence_run.h"
 
 static void sample_caster(const struct coherence_run *run, const struct lit *lit, struct coherence_sample *s, int j)
@@ -33,7 +33,7 @@ static num_wide square_here(const struct coherence_run *run, num_u distance)
     return light_square(&run->light, t, run->light.q, light_reach(&run->light, t, run->light.square.start));
 }
 
-/* |Q - P|^2 at pixel x. */
+/* Returns |Q - P|^2 at pixel x. */
 num_wide coherence_square_at(struct coherence_run *run, int x)
 {
     num_u t;
@@ -43,7 +43,7 @@ num_wide coherence_square_at(struct coherence_run *run, int x)
     return square_here(run, t);
 }
 
-/* `shadows` says whether to compute what they need. */
+/* Computes a sample; `shadows`: with the data for shadows. */
 void coherence_sample_at(struct coherence_run *run, int x, bool shadows, struct coherence_sample *s)
 {
     struct lit lit;
@@ -63,7 +63,7 @@ void coherence_sample_at(struct coherence_run *run, int x, bool shadows, struct 
     }
 }
 
-/* What arrives at a pixel past the casters. */
+/* Returns the light that arrives at a pixel past the casters. */
 num_u coherence_lambert_at(struct coherence_run *run, int x)
 {
     num_wide ahead = (num_wide)(x - run->middle);

@@ -1,4 +1,4 @@
-/* no_coherence.c - in place of the files coherence*.c on boards without the room: no sphere is wide. */
+/* no_coherence.c - replaces the files coherence*.c on boards without the room: no sphere is wide. */
 #include "coherence.h"
 #include "coherence_pays.h"
 
