@@ -130,16 +130,12 @@ LEAN := $(if $(GOALS),$(if $(filter-out run,$(GOALS)),,yes))
 unless_lean = $(if $(LEAN),$(if $(filter-out $(wildcard $(1)),$(1)),,$(1)),$(1))
 
 # ---- sources: one object per file and arithmetic ----
-# All below src/render is compiled once for each arithmetic, see src/num/README.md; the rest knows integers alone.
+# The folders of src/render are compiled once for each arithmetic, see src/num/README.md; the rest knows integers alone.
 c_below   = $(sort $(foreach d,$(1),$(wildcard $(d)/*.c $(d)/*/*.c $(d)/*/*/*.c $(d)/*/*/*/*.c)))
-CORE_SRC  := $(filter-out src/render/no_rays.c src/scene/no_shapes.c src/render/span/coherence/no_coherence.c src/viewer/no_refine.c,$(call c_below,src))
-NUM_SRC   := $(filter src/render/%,$(CORE_SRC))
+CORE_SRC  := $(call c_below,src)
+# All in a folder of src/render.
+NUM_SRC   := $(filter-out $(wildcard src/render/*.c),$(filter src/render/%,$(CORE_SRC)))
 include src/simd/simd.mk
-# Boards without the room for more than spheres link no_rays.c, no_shapes.c and no_refine.c instead of these.
-LARGE_SRC := $(filter $(addsuffix /%,$(addprefix src/,raster flat shadow radio samples read scene/bvh scene/fall scene/shapes render/geometry render/trace render/estimate render/whitted render/ao render/path render/hybrid)),$(CORE_SRC)) \
-             $(addprefix src/,math/rotation.c math/sort.c math/power.c math/power_tables.c scene/axes.c scene/lightfield.c scene/bounds.c scene/hull.c scene/facets.c scene/motion.c scene/track.c) $(addprefix src/scene/check/,shape.c mesh.c texture.c track.c fall.c rendering.c shadows.c lightfield.c) src/render/named.c src/scene/integrator.c src/viewer/refine.c src/viewer/pass.c src/viewer/pace.c src/viewer/control.c src/viewer/gaze.c src/viewer/fill.c src/viewer/acuity.c src/viewer/orbit.c
-SMALL_SRC := $(filter-out $(LARGE_SRC),$(CORE_SRC)) src/render/no_rays.c src/scene/no_shapes.c src/viewer/no_refine.c
-without_coherence = $(filter-out src/render/span/coherence/coherence%,$(1)) src/render/span/coherence/no_coherence.c
 PORT_DIRS := console pixels memory none fbdev evdev terminal ps2 spi-panel $(if $(filter yes,$(DRM)),drm) \
              terminal/$(if $(filter yes,$(CHAFA)),,no-)chafa $(if $(GL),osmesa) $(if $(filter yes,$(OSMESA)),osmesa/mesa) $(if $(filter yes,$(EGL)),osmesa/egl)
 PORT_SRC  := $(sort $(wildcard port/*.c $(PORT_DIRS:%=port/%/*.c)))
@@ -150,7 +146,6 @@ TESTS     := $(patsubst tests/%.c,$(BUILD)/tests/%,$(sort $(wildcard tests/test_
 
 obj = $(patsubst %.c,$(BUILD)/$(1)/%.o,$(2))
 LIBTIA := $(BUILD)/libtia.a
-LIBSPHERES := $(BUILD)/libtia-spheres.a
 LIBDEVICES := $(BUILD)/libtia-ports.a
 LIBSHARED := $(BUILD)/libtia.so.0
 LIBF64 := $(if $(filter yes,$(F64)),$(BUILD)/libtia-f64.a $(BUILD)/libtia-f32.a)
@@ -163,7 +158,7 @@ LIBCOMMON := $(BUILD)/libcommon.a
 PROGRAMS := $(if $(BARE),,tia tia-compare tia-join tia-compile tia-pov tia-observe tia-radio)
 
 .PHONY: all run check check-quick test bench deps install uninstall size lint clean help tests FORCE
-all: $(LIBTIA) $(LIBSPHERES) $(LIBDEVICES) $(if $(BARE),,$(LIBSIMD)) $(LIBF64) $(PROGRAMS:%=$(BUILD)/%)
+all: $(LIBTIA) $(LIBDEVICES) $(if $(BARE),,$(LIBSIMD)) $(LIBF64) $(PROGRAMS:%=$(BUILD)/%)
 	@$(call name_missing,$(MISSING))
 
 name_missing = for m in $(1); do echo "note: $$m (make deps installs it)"; done

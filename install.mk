@@ -37,14 +37,6 @@ endef
 # A static library that another one needs, and that needs it, stands twice.
 $(BUILD)/tia.pc: install.mk include/tia/tia.h FORCE
 	$(file >$@,$(call PC,tia,integer-only ray tracer,$(if $(BARE),,-ltia-simd -ltia -lm)))@:
-$(BUILD)/tia-spheres.pc: install.mk include/tia/tia.h FORCE
-	$(file >$@,$(call PC,tia-spheres,integer-only ray tracer for scenes of spheres alone,))@:
-
-# Scenes of spheres alone: the smallest, or with SPHERES=fast what decides many pixels at once (src/render/span/coherence/coherence.h),
-# 8 KB of flash for 0.6 of the time.
-SPHERES ?= small
-SPHERES_SRC := $(if $(filter fast,$(SPHERES)),$(SMALL_SRC),$(call without_coherence,$(SMALL_SRC)))
-$(LIBSPHERES): $(call obj,q16,$(SPHERES_SRC))
 
 # The freestanding ports: a panel on a serial bus, a keyboard's bytes.
 PORTABLE := port/spi-panel/spi_panel port/ps2/ps2
@@ -59,20 +51,20 @@ amalgamation: $(if $(PYTHON),$(BUILD)/amalgamation/tia.c)
 $(BUILD)/amalgamation/tia.c: tools/generate/amalgamation.py $(CORE_SRC) $(wildcard include/tia/*.h src/*/*.h src/*/*/*.h)
 	$(call say,WRITE,$(@D))$(PYTHON) $< $(@D) $(CORE_SRC)
 
-# As Arduino wants a library: of spheres alone, with headers at the top of src/.
+# As Arduino wants a library: with headers at the top of src/.
 .PHONY: arduino
 ARDUINO := $(BUILD)/arduino/tia
-arduino: tools/generate/amalgamation.py $(SPHERES_SRC) $(wildcard include/tia/*.h src/*/*.h src/*/*/*.h package/arduino/* package/arduino/examples/*/*)
+arduino: tools/generate/amalgamation.py $(CORE_SRC) $(wildcard include/tia/*.h src/*/*.h src/*/*/*.h package/arduino/* package/arduino/examples/*/*)
 	$(call say,WRITE,$(ARDUINO))rm -rf $(ARDUINO) && mkdir -p $(ARDUINO) && cp -R package/arduino/. LICENSE $(ARDUINO) \
-	    && $(or $(PYTHON),python3) $< $(ARDUINO)/src $(SPHERES_SRC)
+	    && $(or $(PYTHON),python3) $< $(ARDUINO)/src $(CORE_SRC)
 
 # ---- what is installed: mode:file:place below PREFIX ----
 INSTALLED := $(if $(LIBF64),$(PROGRAMS),$(filter-out tia-compare,$(PROGRAMS)))
 PLACES := $(foreach p,$(INSTALLED),755:$(BUILD)/$(p):bin/$(p) 644:man/$(p).1:share/man/man1/$(p).1) \
     644:man/tia-scene.5:share/man/man5/tia-scene.5 \
-    $(foreach l,$(LIBTIA) $(LIBSPHERES) $(LIBDEVICES) $(if $(BARE),,$(LIBSIMD)),644:$(l):$(LIBDIR)/$(notdir $(l))) \
+    $(foreach l,$(LIBTIA) $(LIBDEVICES) $(if $(BARE),,$(LIBSIMD)),644:$(l):$(LIBDIR)/$(notdir $(l))) \
     $(if $(BARE),,644:$(LIBSHARED):$(LIBDIR)/libtia.so.$(VERSION)) \
-    $(foreach n,tia tia-spheres,644:$(BUILD)/$(n).pc:$(LIBDIR)/pkgconfig/$(n).pc) \
+    644:$(BUILD)/tia.pc:$(LIBDIR)/pkgconfig/tia.pc \
     $(foreach n,$(wildcard package/cmake/*.cmake),644:$(BUILD)/$(notdir $(n)):$(LIBDIR)/cmake/tia/$(notdir $(n))) \
     $(foreach h,$(wildcard include/tia/*.h),644:$(h):$(h)) \
     $(foreach h,$(PORT_HEADERS),644:$(h):include/tia/ports/$(notdir $(h))) \

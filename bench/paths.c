@@ -32,12 +32,13 @@ static void draw_sums(const struct tia_core *core, const struct tia_estimator *e
                       const struct tia_scene *scene, struct run *run)
 {
     static struct tia_sum sums[SIDE * SIDE];
-    size_t size = core->view_size(scene, scene->light_count), more = tia_simd_size(simd, scene, scene->light_count, 1);
+    size_t size = core->view_size(core, scene, scene->light_count),
+           more = tia_simd_size(simd, scene, scene->light_count, 1);
     void *memory = malloc(size), *simd_memory = malloc(more + 1);
     struct tia_view *view;
 
     must(memory && simd_memory ? TIA_OK : TIA_ERR_MEMORY);
-    must(core->view_init(&view, memory, size, scene, scene->light_count, SIDE, SIDE));
+    must(core->view_init(core, &view, memory, size, scene, scene->light_count, SIDE, SIDE, NULL, NULL));
     if (simd)
         must(tia_view_set_simd(view, simd, simd_memory, more));
     run->simd = tia_view_simd(view);

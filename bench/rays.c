@@ -23,7 +23,7 @@ static void must(int status)
 /* Returns the milliseconds for one frame, including tia_view_init. */
 static double draw(const struct tia_core *core, const struct tia_scene *scene)
 {
-    size_t view_size = core->view_size(scene, scene->light_count), hits_size = core->hits_size(scene, area);
+    size_t view_size = core->view_size(core, scene, scene->light_count), hits_size = core->hits_size(core, scene, area);
     void *memory[2] = {malloc(view_size), malloc(hits_size)};
     tia_rgb565 *pixels = malloc(sizeof *pixels * WIDTH * HEIGHT);
     struct tia_surface surface = {pixels, sizeof *pixels, sizeof *pixels * WIDTH};
@@ -32,9 +32,9 @@ static double draw(const struct tia_core *core, const struct tia_scene *scene)
     double start = milliseconds();
 
     must(memory[0] && memory[1] && pixels ? TIA_OK : TIA_ERR_MEMORY);
-    must(core->view_init(&view, memory[0], view_size, scene, scene->light_count, WIDTH, HEIGHT));
-    must(core->hits_init(&hits, memory[1], hits_size, view, area));
-    must(core->render(view, hits, area, &surface, NULL));
+    must(core->view_init(core, &view, memory[0], view_size, scene, scene->light_count, WIDTH, HEIGHT, NULL, NULL));
+    must(tia_hits_init(&hits, memory[1], hits_size, view, area));
+    must(tia_render(view, hits, area, &surface, NULL));
     double end = milliseconds();
     free(memory[0]);
     free(memory[1]);

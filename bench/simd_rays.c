@@ -58,14 +58,14 @@ static size_t strip_hits(const struct canvas *c)
 {
     struct tia_tile tile = {0, 0, c->width, STRIP};
 
-    return (c->by->core->hits_size(c->scene, tile) + 63) / 64 * 64;
+    return (c->by->core->hits_size(c->by->core, c->scene, tile) + 63) / 64 * 64;
 }
 
 static void begin_core(struct canvas *c)
 {
     const struct drawer *by = c->by;
     const struct tia_scene *scene = c->scene;
-    size_t size = by->core->view_size(scene, scene->light_count);
+    size_t size = by->core->view_size(by->core, scene, scene->light_count);
     size_t more = tia_simd_size(by->simd, scene, scene->light_count, 1);
 
     c->view_memory = ray_scene_memory(size);
@@ -73,7 +73,8 @@ static void begin_core(struct canvas *c)
     c->hits_memory = ray_scene_memory(strip_hits(c) * (c->height / STRIP + 1u));
     c->pool = threads_create(by->threads);
     must(c->pool ? TIA_OK : TIA_ERR_MEMORY);
-    must(by->core->view_init(&c->view, c->view_memory, size, scene, scene->light_count, c->width, c->height));
+    must(by->core->view_init(by->core, &c->view, c->view_memory, size, scene, scene->light_count, c->width, c->height,
+                             NULL, NULL));
     if (by->simd)
         must(tia_view_set_simd(c->view, by->simd, c->simd_memory, more));
 }
@@ -111,8 +112,8 @@ static void draw_strip(void *arg, unsigned index)
     const struct tia_options options = {.observer = c->observer};
     struct tia_hits *hits;
 
-    must(c->by->core->hits_init(&hits, (char *)c->hits_memory + index * strip_hits(c), strip_hits(c), c->view, tile));
-    must(c->by->core->render(c->view, hits, tile, &surface, &options));
+    must(tia_hits_init(&hits, (char *)c->hits_memory + index * strip_hits(c), strip_hits(c), c->view, tile));
+    must(tia_render(c->view, hits, tile, &surface, &options));
 }
 
 static void draw(struct canvas *c)

@@ -102,10 +102,11 @@ static inline struct world_view world_open(const struct tia_core *core, const st
                                            unsigned width, unsigned height)
 {
     struct world_view v = {.estimator = estimator};
-    size_t size = core->view_size(&world, world.light_count);
+    size_t size = core->view_size(core, &world, world.light_count);
 
     v.memory = malloc(size);
-    CHECK_EQ(core->view_init(&v.view, v.memory, size, &world, world.light_count, width, height), TIA_OK);
+    CHECK_EQ(core->view_init(core, &v.view, v.memory, size, &world, world.light_count, width, height, NULL, NULL),
+             TIA_OK);
     return v;
 }
 
@@ -121,13 +122,13 @@ static inline void world_draw(const struct tia_core *core, const struct world_vi
     const struct tia_tile all = {0, 0, (uint16_t)width, (uint16_t)height};
     const struct tia_surface surface = {pixels, 2, (ptrdiff_t)width * 2};
     const struct tia_options options = {.path_hash = hashes};
-    size_t size = core->hits_size(&world, all);
+    size_t size = core->hits_size(core, &world, all);
     void *memory = malloc(size);
     struct tia_hits *hits;
 
-    CHECK_EQ(core->hits_init(&hits, memory, size, v->view, all), TIA_OK);
-    CHECK_EQ(core->trace(v->view, hits, all), TIA_OK);
-    CHECK_EQ(core->light(v->view, hits, all, &surface, &options), TIA_OK);
+    CHECK_EQ(tia_hits_init(&hits, memory, size, v->view, all), TIA_OK);
+    CHECK_EQ(tia_trace(v->view, hits, all), TIA_OK);
+    CHECK_EQ(tia_light_tile(v->view, hits, all, &surface, &options), TIA_OK);
     free(memory);
 }
 

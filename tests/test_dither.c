@@ -1,7 +1,7 @@
 /* Quantising: plain and with Bayer's matrix, which is built here by its recursion. */
 #include "check.h"
 #include "random.h"
-#include "render/dither.h"
+#include "render/core/dither.h"
 
 static unsigned matrix[8][8]; /* row, column */
 

@@ -45,7 +45,7 @@ static void draw_by_tia(const struct tia_scene *scene, struct picture *picture)
 {
     const struct tia_core *core = &tia_core_q16;
     struct tia_tile all = {0, 0, (uint16_t)picture->width, (uint16_t)picture->height};
-    size_t view_size = core->view_size(scene, scene->light_count), hits_size = core->hits_size(scene, all);
+    size_t view_size = core->view_size(core, scene, scene->light_count), hits_size = core->hits_size(core, scene, all);
     static uint32_t path_hash[PICTURE_PIXELS];
     struct tia_options options = {.path_hash = path_hash};
     struct tia_surface surface = {picture->colour, 2, 2 * (ptrdiff_t)picture->width};
@@ -53,12 +53,14 @@ static void draw_by_tia(const struct tia_scene *scene, struct picture *picture)
     struct tia_view *view;
     struct tia_hits *hits;
 
-    CHECK_EQ(core->view_init(&view, view_memory, view_size, scene, scene->light_count, all.width, all.height), TIA_OK);
-    CHECK_EQ(core->hits_init(&hits, hits_memory, hits_size, view, all), TIA_OK);
-    CHECK_EQ(core->trace(view, hits, all), TIA_OK);
-    CHECK_EQ(core->light(view, hits, all, &surface, &options), TIA_OK);
+    CHECK_EQ(core->view_init(core, &view, view_memory, view_size, scene, scene->light_count, all.width, all.height,
+                             NULL, NULL),
+             TIA_OK);
+    CHECK_EQ(tia_hits_init(&hits, hits_memory, hits_size, view, all), TIA_OK);
+    CHECK_EQ(tia_trace(view, hits, all), TIA_OK);
+    CHECK_EQ(tia_light_tile(view, hits, all, &surface, &options), TIA_OK);
     for (unsigned i = 0; i < picture->width * picture->height; i++) {
-        uint32_t object = core->hits_object(hits, i % picture->width, i / picture->width);
+        uint32_t object = tia_hits_object(hits, i % picture->width, i / picture->width);
         picture->thing[i] = object == TIA_NO_OBJECT ? GL_SKY : (unsigned char)object;
         picture->lit[i] = path_hash[i] & 1;
     }

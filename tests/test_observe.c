@@ -33,12 +33,15 @@ static uint32_t watch(const char *text)
     told_count = 0;
     read_begin(&r);
     CHECK_MSG(!r.status, "%s", r.reader.error.text);
-    size_t view_size = core->view_size(&r.scene, r.scene.light_count), hits_size = core->hits_size(&r.scene, middle);
+    size_t view_size = core->view_size(core, &r.scene, r.scene.light_count),
+           hits_size = core->hits_size(core, &r.scene, middle);
     void *view_memory = malloc(view_size), *hits_memory = malloc(hits_size);
-    CHECK_EQ(core->view_init(&view, view_memory, view_size, &r.scene, r.scene.light_count, SIDE, SIDE), TIA_OK);
-    CHECK_EQ(core->hits_init(&hits, hits_memory, hits_size, view, middle), TIA_OK);
-    CHECK_EQ(core->render(view, hits, middle, &surface, &(struct tia_options){.observer = &observer}), TIA_OK);
-    CHECK_EQ(core->render(view, hits, middle, &again, NULL), TIA_OK);
+    CHECK_EQ(
+        core->view_init(core, &view, view_memory, view_size, &r.scene, r.scene.light_count, SIDE, SIDE, NULL, NULL),
+        TIA_OK);
+    CHECK_EQ(tia_hits_init(&hits, hits_memory, hits_size, view, middle), TIA_OK);
+    CHECK_EQ(tia_render(view, hits, middle, &surface, &(struct tia_options){.observer = &observer}), TIA_OK);
+    CHECK_EQ(tia_render(view, hits, middle, &again, NULL), TIA_OK);
     CHECK_EQ(pixel, same);
     free(view_memory);
     free(hits_memory);

@@ -87,15 +87,15 @@ static void trace(const struct tia_core *core, const struct tia_scene *scene)
 {
     const struct tia_tile all = {0, 0, WIDTH, HEIGHT};
     const struct tia_surface surface = {traced, 2, 2 * WIDTH};
-    size_t view_size = core->view_size(scene, 0), hits_size = core->hits_size(scene, all);
+    size_t view_size = core->view_size(core, scene, 0), hits_size = core->hits_size(core, scene, all);
     void *view_memory = malloc(view_size), *hits_memory = malloc(hits_size);
     struct tia_view *view;
     struct tia_hits *hits;
 
-    CHECK_EQ(core->view_init(&view, view_memory, view_size, scene, 0, WIDTH, HEIGHT), TIA_OK);
-    CHECK_EQ(core->hits_init(&hits, hits_memory, hits_size, view, all), TIA_OK);
-    CHECK_EQ(core->trace(view, hits, all), TIA_OK);
-    CHECK_EQ(core->light(view, hits, all, &surface, NULL), TIA_OK);
+    CHECK_EQ(core->view_init(core, &view, view_memory, view_size, scene, 0, WIDTH, HEIGHT, NULL, NULL), TIA_OK);
+    CHECK_EQ(tia_hits_init(&hits, hits_memory, hits_size, view, all), TIA_OK);
+    CHECK_EQ(tia_trace(view, hits, all), TIA_OK);
+    CHECK_EQ(tia_light_tile(view, hits, all, &surface, NULL), TIA_OK);
     free(view_memory);
     free(hits_memory);
 }

@@ -7,7 +7,7 @@
 #include "check.h"
 #include "float_modes.h"
 #include "random.h"
-#include "render/dither.h"
+#include "render/core/dither.h"
 #include "simd/rays/sure.h"
 #include "simd/simd.h"
 

@@ -8,7 +8,7 @@
 #include "common/corpus/corpus.h"
 #include "common/corpus/dice.h"
 #include "edge_scene.h"
-#include "render/dither.h"
+#include "render/core/dither.h"
 #include "render/span/coherence/coherence.c"
 #include "simd/span/exact.h"
 

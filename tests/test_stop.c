@@ -182,11 +182,11 @@ TEST(the_table_of_functions)
     struct tia_view *view = NULL;
     struct tia_hits *hits = NULL;
 
-    CHECK_EQ(tia_core_q16.view_init_until(&view, view_memory, sizeof view_memory, &scene, scene.light_count, W, H, ask,
-                                          &cancel),
+    CHECK_EQ(tia_core_q16.view_init(&tia_core_q16, &view, view_memory, sizeof view_memory, &scene, scene.light_count, W,
+                                    H, ask, &cancel),
              TIA_OK);
-    CHECK_EQ(tia_core_q16.hits_init(&hits, hits_memory, sizeof hits_memory, view, frame), TIA_OK);
-    CHECK_EQ(tia_core_q16.trace(view, hits, frame), TIA_STOPPED);
+    CHECK_EQ(tia_hits_init(&hits, hits_memory, sizeof hits_memory, view, frame), TIA_OK);
+    CHECK_EQ(tia_trace(view, hits, frame), TIA_STOPPED);
 }
 
 /* ---- large scenes, before any pixel is drawn ---- */

@@ -15,6 +15,7 @@ struct picture {
 static struct {
     struct world *world;
     struct tia_core core;
+    struct tia_drawing drawing;
     uint64_t pixel_us;
     unsigned traced[WORLD_HEIGHT][WORLD_WIDTH], lit[WORLD_HEIGHT][WORLD_WIDTH];
 
@@ -37,7 +38,7 @@ static void count(unsigned pixels[WORLD_HEIGHT][WORLD_WIDTH], struct tia_tile ti
 static int slow_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile)
 {
     count(now.traced, tile);
-    return tia_trace(view, hits, tile);
+    return tia_drawing.trace(view, hits, tile);
 }
 
 static int slow_light(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
@@ -45,7 +46,7 @@ static int slow_light(const struct tia_view *view, const struct tia_hits *hits, 
 {
     now.world->now_us += now.pixel_us * tile.width * tile.height;
     count(now.lit, tile);
-    return tia_light_tile(view, hits, tile, surface, options);
+    return tia_drawing.light(view, hits, tile, surface, options);
 }
 
 static int slow_render(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
@@ -110,9 +111,11 @@ static struct world *slow_world(uint64_t pixel_us, const struct picture *expecte
     memset(&now, 0, sizeof now);
     now.world = w;
     now.core = tia_core_q16;
-    now.core.trace = slow_trace;
-    now.core.light = slow_light;
-    now.core.render = slow_render;
+    now.core.drawing = &now.drawing;
+    now.drawing = tia_drawing;
+    now.drawing.trace = slow_trace;
+    now.drawing.light = slow_light;
+    now.drawing.render = slow_render;
     now.pixel_us = pixel_us;
     now.expected = expected;
     now.expected_count = expected_count;
@@ -213,12 +216,14 @@ TEST(a_key_begins_the_frame_anew)
     }
 }
 
-static int slow_prepare(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
-                        uint32_t light_capacity, unsigned width, unsigned height, bool (*stop)(void *ctx), void *ctx)
+static int slow_prepare(const struct tia_core *core, struct tia_view **view, void *memory, size_t size,
+                        const struct tia_scene *scene, uint32_t light_capacity, unsigned width, unsigned height,
+                        bool (*stop)(void *ctx), void *ctx)
 {
     now.world->now_us += 100000;
-    return stop(ctx) ? TIA_STOPPED
-                     : tia_view_init_until(view, memory, size, scene, light_capacity, width, height, stop, ctx);
+    return stop(ctx)
+               ? TIA_STOPPED
+               : tia_core_q16.view_init(core, view, memory, size, scene, light_capacity, width, height, stop, ctx);
 }
 
 /* The key comes while the first frame is prepared, and is noticed there: the first picture is the last of that frame.
@@ -227,7 +232,7 @@ TEST(a_key_while_the_view_is_prepared)
 {
     struct world *w = slow_world(1000, NULL, 0);
 
-    now.core.view_init_until = slow_prepare;
+    now.core.view_init = slow_prepare;
     world_event(w, START + 50000, TIA_EVENT_TAP, TIA_KEY_LEFT);
     quit_at(w, START + 9000000);
     CHECK_EQ(world_play(w), TIA_OK);

@@ -9,6 +9,7 @@ enum { PIXEL_US = 10, SHOWN = 400 };
 static struct {
     struct world *world;
     struct tia_core core;
+    struct tia_drawing drawing;
     struct tia_frame told[SHOWN];
     uint64_t at_us[SHOWN];
     unsigned count;
@@ -19,13 +20,13 @@ static int slow_light(const struct tia_view *view, const struct tia_hits *hits, 
                       const struct tia_surface *surface, const struct tia_options *options)
 {
     now.world->now_us += (uint64_t)PIXEL_US * tile.width * tile.height;
-    return tia_light_tile(view, hits, tile, surface, options);
+    return tia_drawing.light(view, hits, tile, surface, options);
 }
 
 static int slow_render(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
                        const struct tia_surface *surface, const struct tia_options *options)
 {
-    int status = tia_trace(view, hits, tile);
+    int status = tia_drawing.trace(view, hits, tile);
 
     return status ? status : slow_light(view, hits, tile, surface, options);
 }
@@ -62,8 +63,10 @@ static struct world *paced_world(uint32_t pace, bool plays)
     memset(&now, 0, sizeof now);
     now.world = w;
     now.core = tia_core_q16;
-    now.core.light = slow_light;
-    now.core.render = slow_render;
+    now.core.drawing = &now.drawing;
+    now.drawing = tia_drawing;
+    now.drawing.light = slow_light;
+    now.drawing.render = slow_render;
     w->viewer.core = &now.core;
     w->viewer.scene = &scene;
     w->viewer.pace[0] = pace;

@@ -20,6 +20,7 @@ struct picture {
 static struct {
     struct world *world;
     struct tia_core core;
+    struct tia_drawing drawing;
     struct tia_estimator estimator;
     struct tia_scene scene;
     tia_rgb565 pictures[SPP + 1][PIXELS]; /* pictures of so many samples */
@@ -55,7 +56,7 @@ static int slow_render(const struct tia_view *view, struct tia_hits *hits, struc
     for (unsigned y = tile.y; y < (unsigned)tile.y + tile.height; y++)
         for (unsigned x = tile.x; x < (unsigned)tile.x + tile.width; x++)
             now.lit[y * WORLD_WIDTH + x]++;
-    return tia_render(view, hits, tile, surface, options);
+    return tia_drawing.render(view, hits, tile, surface, options);
 }
 
 /* Draws the scene with so many samples, at once. */
@@ -123,7 +124,9 @@ static struct world *slow_world(const struct picture *expected, unsigned count)
     now.expected = expected;
     now.count = count;
     now.core = tia_core_q16;
-    now.core.render = slow_render;
+    now.core.drawing = &now.drawing;
+    now.drawing = tia_drawing;
+    now.drawing.render = slow_render;
     now.estimator = tia_estimator_q16;
     now.estimator.sample = slow_sample;
     w->viewer.scene = &now.scene;

@@ -97,7 +97,7 @@ struct tia_view;
 struct tia_tile;
 struct tia_surface;
 
-/* A sampling integrator in one arithmetic, as struct tia_core. */
+/* A sampling integrator in one arithmetic, for the views of its core; of others' TIA_ERR_ARGUMENT. */
 struct tia_estimator {
     const char *name; /* name of the core whose views it takes */
 

@@ -154,33 +154,53 @@ int tia_view_init_until(struct tia_view **view, void *memory, size_t size, const
 /* A processor's vector units as a renderer, see tia/simd.h. */
 struct tia_simd;
 
-/* The functions above in one arithmetic. A program can link several and choose at run time. */
-struct tia_core {
-    const char *name; /* "q16", "f64", ... */
-    size_t (*view_size)(const struct tia_scene *, uint32_t);
-    int (*view_init)(struct tia_view **, void *, size_t, const struct tia_scene *, uint32_t, unsigned, unsigned);
+/* How views are drawn: the functions above that take a view or its hits call these of its core, with a view that is not
+ * NULL. A program that draws in a way of its own, or does more when something is drawn, has such a table in a core of
+ * its own. Such views begin with a pointer to their core, their hits with a pointer to their view, as the library's do.
+ */
+struct tia_drawing {
     int (*set_lights)(struct tia_view *, const struct tia_light *, uint32_t);
-    size_t (*hits_size)(const struct tia_scene *, struct tia_tile);
     int (*hits_init)(struct tia_hits **, void *, size_t, const struct tia_view *, struct tia_tile);
     uint32_t (*hits_object)(const struct tia_hits *, unsigned, unsigned);
     int (*trace)(const struct tia_view *, struct tia_hits *, struct tia_tile);
     int (*light)(const struct tia_view *, const struct tia_hits *, struct tia_tile, const struct tia_surface *,
                  const struct tia_options *);
-    int (*view_init_until)(struct tia_view **, void *, size_t, const struct tia_scene *, uint32_t, unsigned, unsigned,
-                           bool (*)(void *), void *);
-    size_t (*simd_size)(const struct tia_simd *, const struct tia_scene *, uint32_t, unsigned);
-    int (*set_simd)(struct tia_view *, const struct tia_simd *, void *, size_t);
-    const char *(*simd_name)(const struct tia_view *);
     int (*render)(const struct tia_view *, struct tia_hits *, struct tia_tile, const struct tia_surface *,
                   const struct tia_options *);
-    bool (*draws_by_pixel)(const struct tia_scene *);
 };
 
-extern const struct tia_core tia_core_q16;     /* integers: the functions above */
+/* The library's, for one that does more to call. */
+extern const struct tia_drawing tia_drawing;
+
+/* An arithmetic, with its renderers. A program can link several and choose at run time: each makes its views, and the
+ * functions above draw the views of all. The functions here are those above that need no view, with the core that they
+ * are for, as in core->view_size(core, scene, 1); the core may be a copy with another `drawing`, and must outlive its
+ * views. */
+struct tia_core {
+    const char *name; /* "q16", "f64", ... */
+    size_t (*view_size)(const struct tia_core *, const struct tia_scene *, uint32_t);
+    int (*view_init)(const struct tia_core *, struct tia_view **, void *, size_t, const struct tia_scene *, uint32_t,
+                     unsigned, unsigned, bool (*)(void *), void *); /* as tia_view_init_until */
+    size_t (*hits_size)(const struct tia_core *, const struct tia_scene *, struct tia_tile);
+    size_t (*simd_size)(const struct tia_core *, const struct tia_simd *, const struct tia_scene *, uint32_t,
+                        unsigned);                                             /* may be NULL: 0 */
+    bool (*draws_by_pixel)(const struct tia_core *, const struct tia_scene *); /* may be NULL: not known */
+    const struct tia_drawing *drawing;                                         /* NULL: tia_drawing */
+    const struct tia_renderers *renderers; /* the library's; NULL: none, it draws in a way of its own */
+};
+
+extern const struct tia_core tia_core_q16;     /* integers: what the functions above take */
 extern const struct tia_core tia_core_f64;     /* double: the reference, libtia-f64.a */
 extern const struct tia_core tia_core_watched; /* integers, with an observer of rays: libtia-watched.a */
 extern const struct tia_core tia_core_f32;     /* float: for comparison, libtia-f32.a */
 extern const struct tia_core tia_core_chk;     /* q16 that reports values out of range, libtia-chk.a */
+
+/* Integers for the scenes that spans draw, see scene.h: a program that names no other core links no other renderer, nor
+ * any of what other scenes have. They refuse shapes, meshes, textures, tracks, what falls and techniques for shadows
+ * with TIA_ERR_RANGE, and what else spans do not draw with TIA_ERR_UNSUPPORTED. The second is the smallest: without
+ * what decides many pixels at once, at 1.7 times the time. */
+extern const struct tia_core tia_core_spheres;
+extern const struct tia_core tia_core_spheres_small;
 
 /* Returns the CRC-32 (IEEE 802.3, as in zlib) over `count` pixels as little-endian bytes. Start with 0 and pass the
  * result on from row to row. Without pixels, NULL, the result is `crc`. */

@@ -161,6 +161,10 @@ struct tia_viewer {
  */
 int tia_viewer_run(struct tia_viewer *viewer);
 
+/* The same for scenes of spheres alone, see tia_core_spheres: TIA_ERR_RANGE for others. The core must be set. Frames
+ * are drawn at once, only keys that move lights have a meaning, and nothing else is linked. */
+int tia_viewer_run_spheres(struct tia_viewer *viewer);
+
 /* Applies a key press to the lights, *count of an array of `capacity`. Returns 1 when they changed; 0 when the key has
  * a meaning but changes nothing; TIA_ERR_ARGUMENT when the key quits, or *count is above the capacity. A light that
  * would leave the range of tia_scene_check does not move. */

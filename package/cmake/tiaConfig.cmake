@@ -2,7 +2,6 @@
 #
 #   tia::tia       the shared library: the core and the vector units
 #   tia::static    the same, static
-#   tia::spheres   static, for scenes of spheres alone: the smallest
 #
 # Those whose library is not installed, as the shared one where there is no operating system, are not there; tia::tia
 # then is tia::static.
@@ -27,7 +26,6 @@ function(tia_library name kind file)
 endfunction()
 
 tia_library(tia SHARED "${tia_libdir}/libtia.so.0" IMPORTED_SONAME libtia.so.0)
-tia_library(spheres STATIC "${tia_libdir}/libtia-spheres.a")
 if(EXISTS "${tia_libdir}/libtia-simd.a")
     # The levels need the core, too.
     tia_library(static STATIC "${tia_libdir}/libtia.a"

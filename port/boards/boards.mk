@@ -13,9 +13,9 @@ rv32_CC        := $(RISCV_BARE)gcc -march=rv32im -mabi=ilp32 -DTIA_NO_CLZ
 atmega1284p_CC := $(AVR_BARE)gcc -mmcu=atmega1284p
 BOARD := $(COMMON) -ffreestanding -iquote src -Iport -O2 -g -ffunction-sections -fdata-sections
 BOARD_LD := -static -Wl,--gc-sections,--fatal-warnings
-# Those without the flash for coherence.c.
+# Those without the flash for coherence.c: their programs name tia_core_spheres_small.
 TIGHT_BOARDS := atmega1284p
-small_src = $(if $(filter $(1),$(TIGHT_BOARDS)),$(call without_coherence,$(SMALL_SRC)),$(SMALL_SRC))
+spheres = core_spheres$(if $(filter $(1),$(TIGHT_BOARDS)),_small)
 # The least stack that the linker leaves a small board's program: what tests/slow/freestanding allows the core, 6720
 # bytes, 5760 without coherence.c, and 512 for the program itself. tests/slow/boards measures how much of it is used.
 small_stack = $(if $(filter $(1),$(TIGHT_BOARDS)),6272,7232)
@@ -39,11 +39,11 @@ define board_compile
 $(call say,$(2),$< ($(1)))$($(1)_CC) $(3) -c -o $@ $<
 endef
 
-# A board's program, $(call image,board,name,sources,linker script,objects,core), and its objects: those
-# of the core in another arithmetic lie in a folder of its name. The core is that of spheres on a small board.
+# A board's program, $(call image,board,name,sources,linker script,objects), and its objects: those of the core in another
+# arithmetic lie in a folder of its name. All of the core is there; the linker takes what the program names.
 bare = $(patsubst %,$(BUILD)/boards/$(1)/%.o,$(basename $(2)))
 define image
-$(BUILD)/boards/$(1)/$(2).elf: $(call bare,$(1),$(3) $($(1)_SRC) $(or $(6),$(if $(filter $(1),$(SMALL_BOARDS)),$(call small_src,$(1)),$(CORE_SRC)))) $(5) $(wildcard port/boards/$(4).ld port/boards/$(1).ld) port/boards/sections.ld
+$(BUILD)/boards/$(1)/$(2).elf: $(call bare,$(1),$(3) $($(1)_SRC) $(CORE_SRC)) $(5) $(wildcard port/boards/$(4).ld port/boards/$(1).ld) port/boards/sections.ld
 	$$(call say,LD,$$@)$$($(1)_CC) $$(BOARD_LD) $(call board_ld,$(1),$(4)) -o $$@ $$(filter %.o,$$^) -lgcc
 endef
 define bare_rule
@@ -67,8 +67,8 @@ $(BUILD)/boards/rv32/f%.o: BOARD += -O2 -mno-save-restore
 # The counted program in arithmetic $(2), with a hit buffer for $(3) rows, kept whole or not.
 define counted
 $(BUILD)/boards/$(1)/count-$(2).o: tests/boards/count.c
-	$$(call board_compile,$(1),CC $(2),$$(BOARD) -DCORE=tia_core_$(2) -DROWS=$(3) -DWHOLE=$(4))
-$(call image,$(1),count-$(2),,$(1)-large,$(BUILD)/boards/$(1)/count-$(2).o $(if $(filter-out q16,$(2)),$(call bare,$(1),tests/boards/soft_sqrt.c) $(call bare,$(1)/$(2),$(filter src/render/%,$(call small_src,$(1))))))
+	$$(call board_compile,$(1),CC $(2),$$(BOARD) -DCORE=tia_$(if $(filter-out q16,$(2)),$(2)_)$(call spheres,$(1)) -DROWS=$(3) -DWHOLE=$(4))
+$(call image,$(1),count-$(2),,$(1)-large,$(BUILD)/boards/$(1)/count-$(2).o $(if $(filter-out q16,$(2)),$(call bare,$(1),tests/boards/soft_sqrt.c) $(call bare,$(1)/$(2),$(NUM_SRC))))
 endef
 # The viewer of a compiled scene, $(2).
 define shown
@@ -84,7 +84,7 @@ $(BUILD)/boards/mps2-an385/rays-$(1).o: tests/boards/rays.c
 	$$(call board_compile,mps2-an385,CC,$$(BOARD) -DSCENE=compiled_$(1))
 $(BUILD)/boards/mps2-an385/scene-$(1).o: $(BUILD)/scenes/nff/$(1).c
 	$$(call board_compile,mps2-an385,CC,$$(BOARD))
-$(call image,mps2-an385,rays-$(1),,mps2-an385-large,$(BUILD)/boards/mps2-an385/rays-$(1).o $(BUILD)/boards/mps2-an385/scene-$(1).o,$(CORE_SRC))
+$(call image,mps2-an385,rays-$(1),,mps2-an385-large,$(BUILD)/boards/mps2-an385/rays-$(1).o $(BUILD)/boards/mps2-an385/scene-$(1).o)
 endef
 $(BUILD)/scenes/nff/%.c: scenes/nff/%.nff $(BUILD)/tia-compile
 	@mkdir -p $(@D)
@@ -98,13 +98,13 @@ $(foreach b,$(BOARDS_PANEL),$(eval $(call image,$(b),viewer,tools/boards/viewer.
 $(foreach b,$(BOARDS_PANEL),$(eval $(call shown,$(b),castle)))
 $(foreach b,$(BOARDS_PANEL),$(eval $(call image,$(b),pattern,tests/boards/pattern.c,$(b))))
 $(foreach b,$(BOARDS_SMALL),$(eval $(call image,$(b),frames,tests/boards/frames.c,$(b))))
-$(BUILD)/boards/atmega1284p/tests/boards/frames.o: BOARD += -DROWS=1 -DLARGE=0
+$(BUILD)/boards/atmega1284p/tests/boards/frames.o: BOARD += -DROWS=1 -DLARGE=0 -DCORE=tia_core_spheres_small
 # A double of the AVR's is a float; its RAM and the Cortex-M0's have room for one row.
 counted_in = q16 f32 $(if $(findstring atmega,$(1)),,f64)
 rows_of = $(if $(findstring atmega,$(1)),1,$(if $(findstring microbit,$(1)),1,3))
 $(foreach b,$(BOARDS_SMALL),$(foreach n,$(call counted_in,$(b)),$(eval $(call counted,$(b),$(n),$(call rows_of,$(b),$(n)),$(if $(filter mps2-an385 rv32,$(b)),1,0)))))
 BOARDS_SHADOWS := $(filter vexpress-a9 mps2-an385,$(BOARDS))
-$(foreach b,$(BOARDS_SHADOWS),$(eval $(call image,$(b),shadows,tests/boards/shadows.c,$(if $(filter mps2-an385,$(b)),$(b)-large,$(b)),,$(CORE_SRC))))
+$(foreach b,$(BOARDS_SHADOWS),$(eval $(call image,$(b),shadows,tests/boards/shadows.c,$(if $(filter mps2-an385,$(b)),$(b)-large,$(b)))))
 RAYED := $(if $(filter mps2-an385,$(BOARDS)),$(patsubst scenes/nff/%.nff,%,$(wildcard scenes/nff/*.nff)))
 $(foreach n,$(RAYED),$(eval $(call rayed,$(n))))
 .SECONDARY: $(RAYED:%=$(BUILD)/scenes/nff/%.c)
@@ -114,7 +114,7 @@ $(BUILD)/boards/shadows $(BUILD)/boards/light: $(BUILD)/boards/%: tests/boards/%
 $(BUILD)/boards/observed: $(BUILD)/host/tests/boards/observed.o $(LIBCOMMON) $(LIBPORTS) $(LIBWATCHED) $(LIBTIA) $(BUILD)/made-with/link
 	@mkdir -p $(@D)
 	$(link)
-$(if $(filter mps2-an385,$(BOARDS)),$(eval $(call image,mps2-an385,light,tests/boards/light.c,mps2-an385-64k,,$(CORE_SRC))))
+$(if $(filter mps2-an385,$(BOARDS)),$(eval $(call image,mps2-an385,light,tests/boards/light.c,mps2-an385-64k)))
 $(if $(filter mps2-an385,$(BOARDS)),$(eval $(call image,mps2-an385,example,tests/boards/example_main.c,mps2-an385)))
 $(if $(filter microbit,$(BOARDS)),$(eval $(call image,microbit,mul64,tests/boards/mul64.c,microbit)))
 $(BUILD)/boards/example: tests/boards/example_main.c tests/boards/example.c tests/boards/thesis.h $(LIBTIA)

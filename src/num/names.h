@@ -1,7 +1,7 @@
 /* names.h - gives each arithmetic's build its own symbols, so that all of them link into one program.
  *
- * Public functions keep their names in q16 and get the prefix tia_f64_ etc. in the other builds.
- * Internal functions get a prefix in every build: every extern function below src/render is listed here.
+ * Every extern function in the folders of src/render is listed here, and gets a prefix in every build: tia_ in q16,
+ * tia_f64_ etc. in the others.
  */
 #ifndef TIA_NUM_NAMES_H
 #define TIA_NUM_NAMES_H
@@ -10,31 +10,11 @@
 #define NAMES_JOIN(prefix, name) NAMES_JOIN2(prefix, name)
 #define NAMES(name) NAMES_JOIN(NUM_PREFIX, name)
 
-#ifdef NUM_RENAME
-#define tia_view_size NAMES(view_size)
-#define tia_view_init NAMES(view_init)
-#define tia_view_set_lights NAMES(view_set_lights)
-#define tia_hits_size NAMES(hits_size)
-#define tia_hits_init NAMES(hits_init)
-#define tia_hits_object NAMES(hits_object)
-#define tia_trace NAMES(trace)
-#define tia_light_tile NAMES(light_tile)
-#define tia_render NAMES(render)
-#define tia_view_init_until NAMES(view_init_until)
-#define tia_simd_size NAMES(simd_size)
-#define tia_view_set_simd NAMES(view_set_simd)
-#define tia_view_simd NAMES(view_simd)
-#define tia_draws_by_pixel NAMES(draws_by_pixel)
-#endif
-
 #define primary_prepare NAMES(primary_prepare)
 #define primary_reach NAMES(primary_reach)
 #define primary_form NAMES(primary_form)
 #define primary_square NAMES(primary_square)
 #define primary_y NAMES(primary_y)
-#define hits_have NAMES(hits_have)
-#define renderer_for NAMES(renderer_for)
-#define renderer_named NAMES(renderer_named)
 #define ao_renderer NAMES(ao_renderer)
 #define estimate_sample_tile NAMES(estimate_sample_tile)
 #define estimate_light_tile NAMES(estimate_light_tile)
@@ -49,6 +29,14 @@
 #define guide_add NAMES(guide_add)
 #define guide_add_surface NAMES(guide_add_surface)
 #define span_renderer NAMES(span_renderer)
+#define span_renderer_small NAMES(span_renderer_small)
+#define span_prepare NAMES(span_prepare)
+#define core_spheres NAMES(core_spheres)
+#define core_spheres_small NAMES(core_spheres_small)
+#define span_draws NAMES(span_draws)
+#define span_prepared_size NAMES(span_prepared_size)
+#define span_set_lights NAMES(span_set_lights)
+#define span_buffer_size NAMES(span_buffer_size)
 #define whitted_renderer NAMES(whitted_renderer)
 #define span_kernels_plain NAMES(span_kernels_plain)
 #define span_distances NAMES(span_distances)

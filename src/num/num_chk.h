@@ -10,7 +10,6 @@
 #define NUM_PREFIX tia_chk_
 #define NUM_CORE tia_core_chk
 #define NUM_ESTIMATOR tia_estimator_chk
-#define NUM_RENAME
 
 void tia_chk_report(const char *file, int line, const char *range);
 

@@ -3,8 +3,6 @@
 #ifndef TIA_NUM_NUM_REAL_H
 #define TIA_NUM_NUM_REAL_H
 
-#define NUM_RENAME
-
 #include "names.h"
 #include <tia/render.h>
 

@@ -7,7 +7,6 @@
 #define NUM_CORE tia_core_watched
 #define NUM_ESTIMATOR tia_estimator_watched
 #define NUM_CHECK(condition) ((void)0)
-#define NUM_RENAME
 
 #include "num_q16.h"
 

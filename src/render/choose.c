@@ -1,16 +1,18 @@
-/* choose.c - chooses the renderer that a scene names, else the fastest one that can draw it. */
+/* choose.c - chooses the first of a core's renderers that draws a scene. */
 #include "renderer.h"
 
-const struct renderer *renderer_for(const struct tia_scene *scene)
+const struct renderer *tia_renderer_for(const struct tia_core *core, const struct tia_scene *scene)
 {
-    const struct renderer *named = renderer_named(scene);
+    const struct renderer *const *renderer = core->renderers->list;
 
-    if (named)
-        return named;
-    return span_renderer.draws(scene) ? &span_renderer : &whitted_renderer;
+    while (*renderer && (*renderer)->draws && !(*renderer)->draws(scene))
+        renderer++;
+    return *renderer;
 }
 
-bool tia_draws_by_pixel(const struct tia_scene *scene)
+bool tia_core_draws_by_pixel(const struct tia_core *core, const struct tia_scene *scene)
 {
-    return scene && renderer_for(scene)->by_pixel;
+    const struct renderer *renderer = core && scene ? tia_renderer_for(core, scene) : NULL;
+
+    return renderer && renderer->by_pixel;
 }

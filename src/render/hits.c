@@ -8,26 +8,27 @@ static uint64_t objects_size(uint32_t pixels)
     return ALIGN((uint64_t)pixels * sizeof(uint32_t));
 }
 
-size_t tia_hits_size(const struct tia_scene *scene, struct tia_tile area)
+size_t tia_core_hits_size(const struct tia_core *core, const struct tia_scene *scene, struct tia_tile area)
 {
     uint32_t pixels = (uint32_t)area.width * area.height;
 
-    if (!scene)
+    if (!core || !scene)
         return SIZE_MAX;
-    const struct renderer *renderer = renderer_for(scene);
-    uint64_t buffer = renderer->buffer_size ? renderer->buffer_size(scene, pixels) : 0;
+    const struct renderer *renderer = tia_renderer_for(core, scene);
+    uint64_t buffer = renderer && renderer->buffer_size ? renderer->buffer_size(scene, pixels) : 0;
     uint64_t size = HEADER + objects_size(pixels) + buffer;
 
     return size < SIZE_MAX ? (size_t)size : SIZE_MAX;
 }
 
-int tia_hits_init(struct tia_hits **hits, void *memory, size_t size, const struct tia_view *view, struct tia_tile area)
+int tia_drawing_hits_init(struct tia_hits **hits, void *memory, size_t size, const struct tia_view *view,
+                          struct tia_tile area)
 {
     struct tia_hits *h = memory;
 
     if (!hits || !memory_is_usable(memory) || !view || !area.width || !area.height)
         return TIA_ERR_ARGUMENT;
-    if (size < tia_hits_size(view->scene, area))
+    if (size < tia_core_hits_size(view->core, view->scene, area))
         return TIA_ERR_MEMORY;
     h->view = view;
     h->traced = false;
@@ -38,7 +39,7 @@ int tia_hits_init(struct tia_hits **hits, void *memory, size_t size, const struc
     return TIA_OK;
 }
 
-bool hits_have(const struct tia_hits *hits, const struct tia_view *view, struct tia_tile tile)
+bool tia_hits_have(const struct tia_hits *hits, const struct tia_view *view, struct tia_tile tile)
 {
     return hits && view && hits->view == view && tile_is_inside(tile, hits->area) && tile_right(tile) <= view->width &&
            tile_bottom(tile) <= view->height;
@@ -48,7 +49,7 @@ bool hits_have(const struct tia_hits *hits, const struct tia_view *view, struct 
 static uint32_t traced_object(const struct tia_view *view, unsigned x, unsigned y)
 {
     uint32_t object = TIA_NO_OBJECT;
-    num_u distance;
+    uint64_t distance; /* of any arithmetic */
     struct tia_tile tile = {(uint16_t)x, (uint16_t)y, 1, 1};
     struct tia_hits one = {.view = view, .area = tile, .object = &object, .buffer = &distance};
 
@@ -56,11 +57,11 @@ static uint32_t traced_object(const struct tia_view *view, unsigned x, unsigned 
     return object;
 }
 
-uint32_t tia_hits_object(const struct tia_hits *hits, unsigned x, unsigned y)
+uint32_t tia_drawing_hits_object(const struct tia_hits *hits, unsigned x, unsigned y)
 {
     struct tia_tile pixel = {(uint16_t)x, (uint16_t)y, 1, 1};
 
-    if (!hits || !hits->view || x > UINT16_MAX || y > UINT16_MAX || !hits_have(hits, hits->view, pixel))
+    if (!hits || !hits->view || x > UINT16_MAX || y > UINT16_MAX || !tia_hits_have(hits, hits->view, pixel))
         return TIA_NO_OBJECT;
     if (hits->view->simd)
         return traced_object(hits->view, x, y);

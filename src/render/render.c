@@ -1,4 +1,4 @@
-/* render.c - draws a tile by the view's renderer. */
+/* render.c - draws a tile by the view's renderer or its level. */
 #include "renderer.h"
 
 /* Returns the status of the work on a tile of the hits; `traces`: the tile was traced. */
@@ -11,9 +11,9 @@ static int ended(const struct tia_view *view, struct tia_hits *hits, bool traces
     return TIA_OK;
 }
 
-int tia_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile)
+int tia_drawing_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile)
 {
-    if (!hits_have(hits, view, tile))
+    if (!tia_hits_have(hits, view, tile))
         return TIA_ERR_ARGUMENT;
     if (!view->simd) /* a level finds the visible surfaces while it lights */
         view->renderer->trace(view, hits, tile);
@@ -28,10 +28,10 @@ static bool has_colours(const struct tia_view *view, const struct tia_options *o
     return !options->colours || !(view->simd || view->renderer->sample || options->dither);
 }
 
-int tia_light_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
-                   const struct tia_surface *surface, const struct tia_options *options)
+int tia_drawing_light(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
+                      const struct tia_surface *surface, const struct tia_options *options)
 {
-    if (!hits_have(hits, view, tile) || !surface_is_usable(surface) || !(view->simd || hits_are_traced(hits)))
+    if (!tia_hits_have(hits, view, tile) || !surface_is_usable(surface) || !(view->simd || hits_are_traced(hits)))
         return TIA_ERR_ARGUMENT;
     options = options ? options : &plain;
     if (!has_colours(view, options))
@@ -43,19 +43,19 @@ int tia_light_tile(const struct tia_view *view, const struct tia_hits *hits, str
     return view_stops(view) ? TIA_STOPPED : TIA_OK;
 }
 
-int tia_render(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
-               const struct tia_surface *surface, const struct tia_options *options)
+int tia_drawing_render(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
+                       const struct tia_surface *surface, const struct tia_options *options)
 {
     if (!surface_is_usable(surface))
         return TIA_ERR_ARGUMENT;
-    if (hits_have(hits, view, tile) && !view->simd && view->renderer->render) {
+    if (tia_hits_have(hits, view, tile) && !view->simd && view->renderer->render) {
         options = options ? options : &plain;
         if (!has_colours(view, options))
             return TIA_ERR_UNSUPPORTED;
         view->renderer->render(view, hits, tile, surface, options);
         return ended(view, hits, true);
     }
-    int status = tia_trace(view, hits, tile);
+    int status = tia_drawing_trace(view, hits, tile);
 
-    return status ? status : tia_light_tile(view, hits, tile, surface, options);
+    return status ? status : tia_drawing_light(view, hits, tile, surface, options);
 }

@@ -1,7 +1,7 @@
 /* renderer.h - a renderer, from scene to pixels, as a table of functions.
  *
- * A view takes the renderer that its scene names, else the fastest one that can draw it, see choose.c, and keeps it. A
- * renderer's prepared data are in the view's memory, behind view->prepared, and its data of each pixel in the hit
+ * A view takes the first renderer of its core that draws the scene, see choose.c, and keeps it. A renderer's
+ * prepared data are in the view's memory, behind view->prepared, and its data of each pixel in the hit
  * buffer, behind hits->buffer; it defines the layout of both. No code outside a renderer depends on which one it is.
  */
 #ifndef TIA_RENDER_RENDERER_H
@@ -18,7 +18,8 @@
 enum simd_part { SIMD_SPANS, SIMD_RAYS, SIMD_SAMPLES, SIMD_PARTS };
 
 struct renderer {
-    /* True if it can draw the scene; NULL: any scene. New lights of a view are tested in a scene with no objects. */
+    /* True if it draws the scene; when no renderer before it does; NULL: any scene. New lights of a view are tested in
+     * a scene with no objects. */
     bool (*draws)(const struct tia_scene *scene);
 
     /* Returns the bytes behind view->prepared, SIZE_MAX when there are too many. */
@@ -103,8 +104,17 @@ struct tia_simd {
     const struct tia_raster_runs *raster;          /* of the rasteriser; NULL: plain C */
 };
 
+/* The renderers of a core: a program links those of the cores that it names. */
+struct tia_renderers {
+    const struct renderer *const *list; /* the first that draws a scene draws it; ends with NULL */
+    const struct span_kernels *plain;   /* its arithmetic's */
+    /* Whether the renderers know all that the scene has, see tia_check_scene. */
+    int (*check)(const struct tia_scene *scene, struct tia_fault *fault, struct cancel *cancel);
+};
+
 /* A scene prepared for one image size. */
 struct tia_view {
+    const struct tia_core *core; /* first, see struct tia_drawing */
     const struct tia_scene *scene;
     const struct renderer *renderer;
     const struct tia_simd *simd; /* NULL: plain C */
@@ -138,7 +148,7 @@ static inline struct cancel view_cancel(const struct tia_view *view)
 
 /* The visible object of each pixel of an area, row by row. */
 struct tia_hits {
-    const struct tia_view *view;
+    const struct tia_view *view; /* first, see struct tia_drawing */
     struct tia_tile area;
     uint32_t *object; /* an object's index, or TIA_NO_OBJECT */
     void *buffer;     /* the renderer's data */
@@ -156,7 +166,7 @@ static inline void hits_mark_traced(struct tia_hits *hits)
 }
 
 /* True if a tile is inside the image and the hits, which are the view's. */
-bool hits_have(const struct tia_hits *hits, const struct tia_view *view, struct tia_tile tile);
+bool tia_hits_have(const struct tia_hits *hits, const struct tia_view *view, struct tia_tile tile);
 
 static inline bool hits_are_traced(const struct tia_hits *hits)
 {
@@ -183,10 +193,11 @@ static inline size_t hits_index(const struct tia_hits *hits, unsigned x, unsigne
     return (size_t)(y - hits->area.y) * hits->area.width + (x - hits->area.x);
 }
 
-/* Spheres with a common eye, a row at a time: for scenes that need no more. */
-extern const struct renderer span_renderer;
+/* Spheres with a common eye, a row at a time: for scenes that need no more. The small one is without what decides many
+ * pixels at once, see coherence.h. */
+extern const struct renderer span_renderer, span_renderer_small;
 
-/* Rays, after Whitted: any scene. no_rays.c has one that prepares nothing, for boards without the room. */
+/* Rays, after Whitted: any scene. */
 extern const struct renderer whitted_renderer;
 
 /* Flat faces through the rasteriser, for primary visibility and its shadows; rays for the rest. */
@@ -198,11 +209,36 @@ extern const struct renderer ao_renderer;
 /* Light along random paths, in samples. */
 extern const struct renderer path_renderer;
 
-/* Returns the renderer that the scene names, by its integrator or its shadows; NULL: any that can draw it. no_rays.c
- * has a version that names none. */
-const struct renderer *renderer_named(const struct tia_scene *scene);
+/* The renderer for a scene; it depends on nothing but the core and the scene. NULL: the core has none that draws it. */
+const struct renderer *tia_renderer_for(const struct tia_core *core, const struct tia_scene *scene);
 
-/* Returns the renderer for a scene; it depends only on the scene. */
-const struct renderer *renderer_for(const struct tia_scene *scene);
+/* A core's functions before there is a view, see struct tia_core; `core` is one of the library's. */
+size_t tia_core_view_size(const struct tia_core *core, const struct tia_scene *scene, uint32_t light_capacity);
+int tia_core_view_init(const struct tia_core *core, struct tia_view **view, void *memory, size_t size,
+                       const struct tia_scene *scene, uint32_t light_capacity, unsigned width, unsigned height,
+                       bool (*stop)(void *ctx), void *ctx);
+size_t tia_core_hits_size(const struct tia_core *core, const struct tia_scene *scene, struct tia_tile area);
+size_t tia_core_level_size(const struct tia_core *core, const struct tia_simd *simd, const struct tia_scene *scene,
+                           uint32_t light_capacity, unsigned workers);
+bool tia_core_draws_by_pixel(const struct tia_core *core, const struct tia_scene *scene);
+
+/* The functions of a view; `view` is not NULL. */
+int tia_drawing_set_lights(struct tia_view *view, const struct tia_light *lights, uint32_t count);
+int tia_drawing_hits_init(struct tia_hits **hits, void *memory, size_t size, const struct tia_view *view,
+                          struct tia_tile area);
+uint32_t tia_drawing_hits_object(const struct tia_hits *hits, unsigned x, unsigned y);
+int tia_drawing_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile);
+int tia_drawing_light(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
+                      const struct tia_surface *surface, const struct tia_options *options);
+int tia_drawing_render(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
+                       const struct tia_surface *surface, const struct tia_options *options);
+
+/* A core of the library. */
+#define TIA_CORE(core_name, core_renderers)                                                                            \
+    {                                                                                                                  \
+        .name = (core_name), .view_size = tia_core_view_size, .view_init = tia_core_view_init,                         \
+        .hits_size = tia_core_hits_size, .simd_size = tia_core_level_size, .draws_by_pixel = tia_core_draws_by_pixel,  \
+        .renderers = (core_renderers)                                                                                  \
+    }
 
 #endif

@@ -1,46 +1,43 @@
 #include "math/align.h"
 #include "renderer.h"
-#include "scene/check/check.h"
-#include "span/kernels.h"
 
-size_t tia_view_size(const struct tia_scene *scene, uint32_t light_capacity)
+size_t tia_core_view_size(const struct tia_core *core, const struct tia_scene *scene, uint32_t light_capacity)
 {
-    if (!scene)
+    if (!core || !scene)
         return SIZE_MAX;
-    size_t prepared = renderer_for(scene)->prepared_size(scene, light_capacity);
+    const struct renderer *renderer = tia_renderer_for(core, scene);
+    size_t prepared = renderer ? renderer->prepared_size(scene, light_capacity) : 0;
     uint64_t size = ALIGN(sizeof(struct tia_view)) + ALIGN((uint64_t)light_capacity * sizeof(struct tia_light)) +
                     ALIGN((uint64_t)prepared);
 
     return prepared > SIZE_MAX / 2 || size > SIZE_MAX / 2 ? SIZE_MAX : (size_t)size;
 }
 
-int tia_view_init(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
-                  uint32_t light_capacity, unsigned width, unsigned height)
+static int check(const struct tia_core *core, const struct tia_scene *scene, struct cancel cancel)
 {
-    return tia_view_init_until(view, memory, size, scene, light_capacity, width, height, NULL, NULL);
-}
-
-static int check(const struct tia_scene *scene, struct cancel cancel)
-{
-    int status = tia_check_scene(scene, NULL, &cancel);
+    int status = core->renderers->check(scene, NULL, &cancel);
     return status && status != TIA_STOPPED ? TIA_ERR_RANGE : status;
 }
 
-int tia_view_init_until(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
-                        uint32_t light_capacity, unsigned width, unsigned height, bool (*stop)(void *ctx), void *ctx)
+int tia_core_view_init(const struct tia_core *core, struct tia_view **view, void *memory, size_t size,
+                       const struct tia_scene *scene, uint32_t light_capacity, unsigned width, unsigned height,
+                       bool (*stop)(void *ctx), void *ctx)
 {
     struct tia_view *v = memory;
 
-    if (!view || !memory_is_usable(memory) || !scene || width - 1 >= TIA_SIZE_MAX || height - 1 >= TIA_SIZE_MAX ||
-        light_capacity < scene->light_count)
+    if (!core || !view || !memory_is_usable(memory) || !scene || width - 1 >= TIA_SIZE_MAX ||
+        height - 1 >= TIA_SIZE_MAX || light_capacity < scene->light_count)
         return TIA_ERR_ARGUMENT;
-    int status = check(scene, (struct cancel){stop, ctx, 0, false});
+    int status = check(core, scene, (struct cancel){stop, ctx, 0, false});
     if (status)
         return status;
-    if (size < tia_view_size(scene, light_capacity))
+    if (size < tia_core_view_size(core, scene, light_capacity))
         return TIA_ERR_MEMORY;
+    if (!tia_renderer_for(core, scene))
+        return TIA_ERR_UNSUPPORTED;
+    v->core = core;
     v->scene = scene;
-    v->renderer = renderer_for(scene);
+    v->renderer = tia_renderer_for(core, scene);
     v->simd = NULL;
     v->simd_memory = NULL;
     v->raster_runs = NULL;
@@ -54,7 +51,7 @@ int tia_view_init_until(struct tia_view **view, void *memory, size_t size, const
     v->prepared = (char *)v->lights + ALIGN(light_capacity * sizeof *v->lights);
     status = v->renderer->prepare(v);
     if (!status)
-        status = tia_view_set_lights(v, scene->lights, scene->light_count);
+        status = tia_drawing_set_lights(v, scene->lights, scene->light_count);
     *view = v;
     return status;
 }
@@ -64,18 +61,17 @@ static int check_lights(const struct tia_view *view, const struct tia_light *lig
     struct tia_scene alone = {.camera = view->scene->camera,
                               .lights = lights,
                               .light_count = count,
+                              .integration = view->scene->integration,
                               .shadows = view->scene->shadows,
                               .shadow_map = view->scene->shadow_map};
     bool (*draws)(const struct tia_scene *scene) = view->renderer->draws;
-    int status = check(&alone, view_cancel(view));
+    int status = check(view->core, &alone, view_cancel(view));
 
     return !status && draws && !draws(&alone) ? TIA_ERR_RANGE : status;
 }
 
-int tia_view_set_lights(struct tia_view *view, const struct tia_light *lights, uint32_t count)
+int tia_drawing_set_lights(struct tia_view *view, const struct tia_light *lights, uint32_t count)
 {
-    if (!view)
-        return TIA_ERR_ARGUMENT;
     if (count > view->light_capacity)
         return TIA_ERR_MEMORY;
     int status = check_lights(view, lights, count);
@@ -93,17 +89,18 @@ int tia_view_set_lights(struct tia_view *view, const struct tia_light *lights, u
 }
 
 /* Returns the level's part for a view; NULL: plain C draws it, since the level does not, or is another arithmetic's. */
-static const struct simd_renderer *drawn_by(const struct tia_simd *simd, const struct renderer *renderer)
+static const struct simd_renderer *drawn_by(const struct tia_core *core, const struct tia_simd *simd,
+                                            const struct renderer *renderer)
 {
-    return simd && simd->plain == &span_kernels_plain ? simd_renderer_for(simd, renderer) : NULL;
+    return simd && renderer && simd->plain == core->renderers->plain ? simd_renderer_for(simd, renderer) : NULL;
 }
 
-size_t tia_simd_size(const struct tia_simd *simd, const struct tia_scene *scene, uint32_t light_capacity,
-                     unsigned workers)
+size_t tia_core_level_size(const struct tia_core *core, const struct tia_simd *simd, const struct tia_scene *scene,
+                           uint32_t light_capacity, unsigned workers)
 {
-    if (!scene)
+    if (!core || !scene)
         return SIZE_MAX;
-    const struct simd_renderer *drawn = drawn_by(simd, renderer_for(scene));
+    const struct simd_renderer *drawn = drawn_by(core, simd, tia_renderer_for(core, scene));
 
     return drawn ? simd->enter->size(simd, drawn, scene, light_capacity, workers) : 0;
 }
@@ -112,7 +109,9 @@ int tia_view_set_simd(struct tia_view *view, const struct tia_simd *simd, void *
 {
     if (!view)
         return TIA_ERR_ARGUMENT;
-    const struct simd_renderer *drawn = drawn_by(simd, view->renderer);
+    if (!view->core->renderers)
+        return TIA_OK;
+    const struct simd_renderer *drawn = drawn_by(view->core, simd, view->renderer);
 
     view->simd = NULL;
     view->raster_runs = simd ? simd->raster : NULL;
@@ -120,7 +119,7 @@ int tia_view_set_simd(struct tia_view *view, const struct tia_simd *simd, void *
         return TIA_OK;
     if (!memory_is_usable(memory))
         return TIA_ERR_ARGUMENT;
-    if (size < tia_simd_size(simd, view->scene, view->light_capacity, 1))
+    if (size < tia_core_level_size(view->core, simd, view->scene, view->light_capacity, 1))
         return TIA_ERR_MEMORY;
     view->simd = simd;
     simd->enter->open(view, memory, size);
@@ -129,5 +128,5 @@ int tia_view_set_simd(struct tia_view *view, const struct tia_simd *simd, void *
 
 const char *tia_view_simd(const struct tia_view *view)
 {
-    return view && view->simd ? view->simd->name : "plain";
+    return view && view->core->renderers && view->simd ? view->simd->name : "plain";
 }

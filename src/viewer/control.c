@@ -40,7 +40,7 @@ static void set_camera(struct loop *loop, const struct tia_camera *camera)
         loop->current->camera = *camera;
     loop->view_ready = false;
     loop->changed = true;
-    if (loop->core->view_size(loop->base, loop->viewer->light_capacity) != loop->view_size)
+    if (loop->core->view_size(loop->core, loop->base, loop->viewer->light_capacity) != loop->view_size)
         loop->view = NULL; /* another renderer draws it */
 }
 

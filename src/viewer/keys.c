@@ -2,6 +2,7 @@
 #include "loop.h"
 
 #include "math/divide.h"
+#include "scene/check/check.h"
 
 /* Returns the number of the light that a key sets or moves. */
 static uint32_t light_of(const struct loop *loop, uint16_t key, uint32_t *first)
@@ -18,7 +19,8 @@ static int press_light(struct loop *loop, uint16_t key)
 {
     const struct tia_viewer *v = loop->viewer;
     uint32_t first, light = light_of(loop, key, &first), count = loop->state.light_count - first;
-    int status = tia_press(loop->scene, v->lights + first, &count, v->light_capacity - first, key);
+    int status = tia_viewer_press_lights(loop->more ? loop->more->check : tia_check_spheres, loop->scene,
+                                         v->lights + first, &count, v->light_capacity - first, key);
 
     loop->state.light_count = count + first;
     if (status > 0 && loop->plays)
@@ -28,15 +30,32 @@ static int press_light(struct loop *loop, uint16_t key)
     return light == TIA_NO_LIGHT ? TIA_ERR_ARGUMENT : TIA_OK;
 }
 
+/* Keys that move no light end the loop of spheres alone. */
+enum tia_effect tia_viewer_effect_of(const struct loop *loop, const struct tia_event *event)
+{
+    if (loop->more)
+        return loop->more->effect(loop, event);
+    if (event->kind > TIA_EVENT_TAP || event->kind == TIA_EVENT_RELEASE)
+        return TIA_EFFECT_NONE;
+    return tia_viewer_lights(loop, event) ? TIA_EFFECT_CAMERA : TIA_EFFECT_END;
+}
+
+static int control(struct loop *loop, const struct tia_event *event)
+{
+    if (loop->more)
+        return loop->more->control(loop, event);
+    return tia_viewer_effect_of(loop, event) == TIA_EFFECT_END ? VIEWER_QUIT : TIA_OK;
+}
+
 int tia_viewer_press(struct loop *loop, const struct tia_event *event)
 {
     if (tia_viewer_is_switch(loop, event->key)) {
-        tia_viewer_switch(loop);
+        loop->more->switch_shadows(loop);
         return TIA_OK;
     }
     if (tia_viewer_lights(loop, event) && (!press_light(loop, event->key) || !loop->viewer->control))
         return TIA_OK;
-    return tia_viewer_control(loop, event);
+    return control(loop, event);
 }
 
 /* ---- held keys ---- */
@@ -71,7 +90,7 @@ static void hold(struct loop *loop, const struct tia_event *event)
 static int take_event(struct loop *loop, const struct tia_event *event)
 {
     if (event->kind == TIA_EVENT_POINT || event->kind == TIA_EVENT_MOVE)
-        return tia_viewer_control(loop, event);
+        return control(loop, event);
     if (event->kind == TIA_EVENT_RELEASE) {
         let_go(loop, event->key);
         return TIA_OK;
@@ -107,7 +126,7 @@ void tia_viewer_take_quiet(struct loop *loop)
 {
     unsigned taken = 0;
 
-    while (taken < loop->queued && tia_viewer_effect(loop, &loop->queue[taken]) == TIA_EFFECT_NONE)
+    while (taken < loop->queued && tia_viewer_effect_of(loop, &loop->queue[taken]) == TIA_EFFECT_NONE)
         (void)take_event(loop, &loop->queue[taken++]);
     loop->queued -= taken;
     for (unsigned i = 0; i < loop->queued; i++)

@@ -2,7 +2,10 @@
 #ifndef TIA_VIEWER_LOOP_H
 #define TIA_VIEWER_LOOP_H
 
+#include <tia/simd.h>
 #include <tia/viewer.h>
+
+#include "scene/cancel.h"
 
 #define VIEWER_STRIP 16    /* rows of a tile when the display sets no limit */
 #define VIEWER_HELD_KEYS 6 /* keys followed at the same time */
@@ -22,8 +25,36 @@ struct held {
     bool shift;
 };
 
+struct loop;
+
+/* Whether a scene can be drawn, as tia_check_scene. */
+typedef int scene_check(const struct tia_scene *scene, struct tia_fault *fault, struct cancel *cancel);
+
+/* Everything but frames of spheres at once and keys that move lights: a program links what its function names, see
+ * tia_viewer_run_spheres. */
+struct viewer_more {
+    scene_check *check;
+    int (*play_begin)(struct loop *loop);
+    int (*play)(struct loop *loop);
+    bool (*is_moving)(const struct loop *loop);
+    void (*gaze)(struct loop *loop);
+    uint64_t (*canvas_size)(const struct loop *loop, bool sums);
+    void (*set_canvas)(struct loop *loop, void *memory, uint64_t size);
+    bool (*refines)(const struct loop *loop);
+    int (*draw_passes)(struct loop *loop, struct tia_frame *frame);
+    uint64_t (*whole_us)(const struct loop *loop, const struct tia_frame *frame);
+    int (*copy)(struct loop *loop);
+    void (*copy_last)(struct loop *loop);
+    enum tia_effect (*effect)(const struct loop *loop, const struct tia_event *event);
+    int (*control)(struct loop *loop, const struct tia_event *event);
+    bool (*go_back)(struct loop *loop);
+    bool (*joins)(struct loop *loop, const struct tia_event *event);
+    void (*switch_shadows)(struct loop *loop);
+};
+
 struct loop {
     const struct tia_viewer *viewer;
+    const struct viewer_more *more; /* NULL: none of it */
     const struct tia_core *core;
     const struct tia_scene *base;  /* the viewer's scene, or its copy with another technique for shadows */
     const struct tia_scene *scene; /* base, or *current when it has tracks */
@@ -141,6 +172,13 @@ static inline void viewer_tell(struct loop *loop)
     *state = loop->state;
 }
 
+/* As tia_viewer_run; `core` is for a viewer without one, or NULL. */
+int tia_viewer_loop(struct tia_viewer *viewer, const struct tia_core *core, const struct viewer_more *more);
+
+/* As tia_press, for lights that the check lets pass. */
+int tia_viewer_press_lights(scene_check *check, const struct tia_scene *scene, struct tia_light *lights,
+                            uint32_t *count, uint32_t capacity, uint16_t key);
+
 /* ---- press.c ---- */
 
 /* True if a key event sets or moves lights. */
@@ -162,6 +200,9 @@ int tia_viewer_repeat_held(struct loop *loop);
 uint64_t tia_viewer_repeat_us(const struct loop *loop);
 
 /* ---- control.c ---- */
+
+/* Returns the effect of an event. */
+enum tia_effect tia_viewer_effect_of(const struct loop *loop, const struct tia_event *event);
 
 /* Returns the effect that an event would have. */
 enum tia_effect tia_viewer_effect(const struct loop *loop, const struct tia_event *event);

@@ -13,7 +13,7 @@ unsigned tia_viewer_block(unsigned pass)
 
 bool tia_viewer_by_rows(const struct loop *loop)
 {
-    return !loop->core->draws_by_pixel(loop->base);
+    return !loop->core->draws_by_pixel(loop->core, loop->base);
 }
 
 /* True if there is an estimator, and it supports the core's views. */
@@ -102,8 +102,8 @@ static int draw_pixels(struct loop *loop, struct tia_tile pixels)
     struct tia_surface surface = surface_of(loop, pixels);
     const struct tia_options *options = &loop->viewer->options;
 
-    return loop->traced > loop->pass ? loop->core->light(loop->view, loop->hits, pixels, &surface, options)
-                                     : loop->core->render(loop->view, loop->hits, pixels, &surface, options);
+    return loop->traced > loop->pass ? tia_light_tile(loop->view, loop->hits, pixels, &surface, options)
+                                     : tia_render(loop->view, loop->hits, pixels, &surface, options);
 }
 
 /* ---- blocks ---- */

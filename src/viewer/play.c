@@ -94,6 +94,7 @@ int tia_viewer_play_begin(struct loop *loop)
         v->detached[i] = false;
     loop->end = tia_scene_duration(v->scene);
     loop->only_lights = moves_only_lights(v->scene);
+    loop->bvh_size = v->scene->bvh ? tia_bvh_move_size(v->scene) : 0;
     loop->current_size = tia_scene_at_size(v->scene) + SCENE_SIZE;
     if (loop->current_size < SIZE_MAX / 8 && loop->current_size >= SCENE_SIZE)
         loop->current = v->memory(v->memory_ctx, loop->current_size);

@@ -1,6 +1,4 @@
 /* prepare.c - memory and a view for the display's mode. */
-#include <tia/bvh.h>
-
 #include "loop.h"
 #include "math/align.h"
 
@@ -25,7 +23,7 @@ static bool get_memory(struct loop *loop, struct tia_tile hits, uint64_t canvas)
                              loop->bvh_size,
                              loop->view_size,
                              loop->tiles,
-                             loop->core->hits_size(loop->base, hits),
+                             loop->core->hits_size(loop->core, loop->base, hits),
                              loop->simd_size,
                              loop->tiles,
                              canvas,
@@ -54,7 +52,8 @@ static bool get_memory(struct loop *loop, struct tia_tile hits, uint64_t canvas)
     loop->simd_memory = parts[5];
     loop->passes = (uint8_t *)parts[6];
     loop->drawn = (uint32_t *)(void *)parts[8];
-    tia_viewer_set_canvas(loop, parts[7], canvas);
+    if (loop->more)
+        loop->more->set_canvas(loop, parts[7], canvas);
     return true;
 }
 
@@ -66,8 +65,9 @@ static bool get_most_memory(struct loop *loop)
 
     set_tiles(loop, VIEWER_STRIP);
     loop->last_us = 0;
-    loop->whole = get_memory(loop, frame, tia_viewer_canvas_size(loop, true)) ||
-                  get_memory(loop, frame, tia_viewer_canvas_size(loop, false)) || get_memory(loop, frame, 0);
+    loop->whole = (loop->more && (get_memory(loop, frame, loop->more->canvas_size(loop, true)) ||
+                                  get_memory(loop, frame, loop->more->canvas_size(loop, false)))) ||
+                  get_memory(loop, frame, 0);
     if (loop->whole)
         return true;
     for (unsigned rows = VIEWER_STRIP; rows > 0; rows /= 2) {
@@ -82,29 +82,29 @@ static bool get_most_memory(struct loop *loop)
 int tia_viewer_prepare(struct loop *loop)
 {
     loop->view_ready = loop->complete = false;
-    tia_viewer_gaze(loop);
+    if (loop->more)
+        loop->more->gaze(loop);
     for (unsigned i = 0; i < VIEWER_PASSES; i++)
         loop->pass_pixels[i] = 0;
-    loop->view_size = loop->core->view_size(loop->base, loop->viewer->light_capacity);
-    loop->simd_size = loop->viewer->simd
-                          ? loop->core->simd_size(loop->viewer->simd, loop->base, loop->viewer->light_capacity,
-                                                  loop->viewer->worker_count)
+    loop->view_size = loop->core->view_size(loop->core, loop->base, loop->viewer->light_capacity);
+    loop->simd_size = loop->viewer->simd && loop->core->simd_size
+                          ? loop->core->simd_size(loop->core, loop->viewer->simd, loop->base,
+                                                  loop->viewer->light_capacity, loop->viewer->worker_count)
                           : 0;
-    loop->bvh_size = loop->plays && loop->base->bvh ? tia_bvh_move_size(loop->base) : 0;
     return get_most_memory(loop) ? TIA_OK : TIA_ERR_MEMORY;
 }
 
 int tia_viewer_prepare_view(struct loop *loop)
 {
     struct tia_tile frame = {0, 0, loop->mode.width, loop->mode.height};
-    int status =
-        loop->core->view_init_until(&loop->view, loop->view, loop->view_size, loop->scene, loop->viewer->light_capacity,
-                                    loop->mode.width, loop->mode.height, tia_viewer_stops, loop);
+    int status = loop->core->view_init(loop->core, &loop->view, loop->view, loop->view_size, loop->scene,
+                                       loop->viewer->light_capacity, loop->mode.width, loop->mode.height,
+                                       tia_viewer_stops, loop);
 
     if (!status && loop->viewer->simd)
-        status = loop->core->set_simd(loop->view, loop->viewer->simd, loop->simd_memory, loop->simd_size);
+        status = tia_view_set_simd(loop->view, loop->viewer->simd, loop->simd_memory, loop->simd_size);
     if (!status && loop->whole)
-        status = loop->core->hits_init(&loop->hits, loop->hits_memory, loop->hits_size, loop->view, frame);
+        status = tia_hits_init(&loop->hits, loop->hits_memory, loop->hits_size, loop->view, frame);
     loop->view_ready = !status;
     loop->traced = 0;
     loop->changed = true;

@@ -62,17 +62,19 @@ static bool rotate(struct tia_dir3 *direction, const struct move *move)
     return to.x != from.x || to.y != from.y || to.z != from.z;
 }
 
-static int move_light(const struct tia_scene *scene, struct tia_light *light, const struct move *move)
+static int move_light(scene_check *check, const struct tia_scene *scene, struct tia_light *light,
+                      const struct move *move)
 {
     struct tia_light moved = *light;
     struct tia_scene alone = {.camera = scene->camera, .lights = &moved, .light_count = 1};
+    struct cancel nobody = {0};
 
-    if (tia_scene_check(&alone, NULL))
+    if (check(&alone, NULL, &nobody))
         return 0;
     if (tia_light_has(light->kind, TIA_LIGHT_FAR) ? !rotate(&moved.direction, move)
                                                   : !move_centre(&moved.centre, move, scene->scale_bits))
         return 0;
-    if (tia_scene_check(&alone, NULL))
+    if (check(&alone, NULL, &nobody))
         return 0;
     *light = moved;
     return 1;
@@ -90,7 +92,7 @@ static int put_light(const struct tia_binding *binding, struct tia_light *lights
 
 bool tia_viewer_is_switch(const struct loop *loop, uint16_t key)
 {
-    return loop->viewer->variant && key == TIA_KEY_SHADOWS && !find_binding(loop->scene, key);
+    return loop->more && loop->viewer->variant && key == TIA_KEY_SHADOWS && !find_binding(loop->scene, key);
 }
 
 bool tia_viewer_moves(const struct loop *loop, uint16_t key)
@@ -120,7 +122,8 @@ uint32_t tia_key_light(const struct tia_scene *scene, const struct tia_light *li
     return first < count ? first : TIA_NO_LIGHT;
 }
 
-int tia_press(const struct tia_scene *scene, struct tia_light *lights, uint32_t *count, uint32_t capacity, uint16_t key)
+int tia_viewer_press_lights(scene_check *check, const struct tia_scene *scene, struct tia_light *lights,
+                            uint32_t *count, uint32_t capacity, uint16_t key)
 {
     if (!scene || !count || *count > capacity || (capacity && !lights))
         return TIA_ERR_ARGUMENT;
@@ -132,5 +135,5 @@ int tia_press(const struct tia_scene *scene, struct tia_light *lights, uint32_t 
         return put_light(binding, lights, count, light, capacity);
     if (!move)
         return TIA_ERR_ARGUMENT;
-    return light != TIA_NO_LIGHT ? move_light(scene, &lights[light], move) : 0;
+    return light != TIA_NO_LIGHT ? move_light(check, scene, &lights[light], move) : 0;
 }

@@ -25,12 +25,12 @@ static int draw_tile(struct loop *loop, struct tia_tile tile)
     int status = tia_viewer_watch(loop);
 
     if (!status && !loop->whole)
-        status = loop->core->hits_init(&hits, loop->hits_memory, loop->hits_size, loop->view, tile);
+        status = tia_hits_init(&hits, loop->hits_memory, loop->hits_size, loop->view, tile);
     if (!status)
         status = v->display->acquire(v->display_ctx, tile, &surface);
     if (!status)
-        status = loop->traced == VIEWER_PASSES ? loop->core->light(loop->view, hits, tile, &surface, &v->options)
-                                               : loop->core->render(loop->view, hits, tile, &surface, &v->options);
+        status = loop->traced == VIEWER_PASSES ? tia_light_tile(loop->view, hits, tile, &surface, &v->options)
+                                               : tia_render(loop->view, hits, tile, &surface, &v->options);
     return status ? status : v->display->submit(v->display_ctx, tile);
 }
 

@@ -69,27 +69,32 @@ static int show_frame(struct loop *loop, struct tia_frame *frame)
     return v->frame_done ? v->frame_done(v->frame_ctx, frame) : TIA_OK;
 }
 
+static bool is_moving(const struct loop *loop)
+{
+    return loop->more && loop->more->is_moving(loop);
+}
+
 static struct tia_frame new_frame(const struct loop *loop)
 {
     return (struct tia_frame){.number = loop->frame,
                               .block = 1,
                               .pixels = (uint32_t)loop->mode.width * loop->mode.height,
-                              .moving = tia_viewer_is_moving(loop),
+                              .moving = is_moving(loop),
                               .relit = loop->traced == VIEWER_PASSES,
                               .shadows = loop->base->shadows,
-                              .simd = loop->core->simd_name ? loop->core->simd_name(loop->view) : "plain"};
+                              .simd = tia_view_simd(loop->view)};
 }
 
 static int draw_frame(struct loop *loop)
 {
     struct tia_frame frame = new_frame(loop);
-    bool refines = tia_viewer_refines(loop);
+    bool refines = loop->more && loop->more->refines(loop);
 
     loop->complete = loop->unfinished = false;
     loop->state.incomplete = true;
     viewer_tell(loop);
     tia_viewer_watch_begin(loop);
-    int status = refines ? tia_viewer_draw_passes(loop, &frame) : tia_viewer_draw_tiles(loop);
+    int status = refines ? loop->more->draw_passes(loop, &frame) : tia_viewer_draw_tiles(loop);
     loop->gave_up = status == VIEWER_OUTDATED;
     if (loop->gave_up && loop->answered)
         loop->key_us = 0;
@@ -99,7 +104,7 @@ static int draw_frame(struct loop *loop)
         frame.draw_us = viewer_now(loop) - loop->lights_us;
     if (status)
         return status;
-    loop->last_us = tia_viewer_whole_us(loop, &frame);
+    loop->last_us = refines ? loop->more->whole_us(loop, &frame) : frame.draw_us;
     if (!refines)
         loop->traced = loop->whole ? VIEWER_PASSES : 0;
     return show_frame(loop, &frame);
@@ -114,7 +119,7 @@ static int show_again(struct loop *loop)
 
     frame.moving = false;
     tia_viewer_watch_begin(loop);
-    status = tia_viewer_copy(loop);
+    status = loop->more ? loop->more->copy(loop) : tia_viewer_draw_tiles(loop);
     frame.draw_us = viewer_now(loop) - start;
     return status ? status : show_frame(loop, &frame);
 }
@@ -122,14 +127,22 @@ static int show_again(struct loop *loop)
 /* True if the picture is to be drawn, and not only shown again. */
 static bool is_due(const struct loop *loop)
 {
-    return loop->changed || loop->viewer->frame_limit || (loop->unfinished && !tia_viewer_is_moving(loop)) ||
+    return loop->changed || loop->viewer->frame_limit || (loop->unfinished && !is_moving(loop)) ||
            (loop->covered && !loop->complete && !loop->unfinished);
 }
 
 static int set_lights(struct loop *loop)
 {
     loop->lights_us = viewer_now(loop);
-    return loop->core->set_lights(loop->view, loop->viewer->lights, loop->state.light_count);
+    return tia_view_set_lights(loop->view, loop->viewer->lights, loop->state.light_count);
+}
+
+/* Brings the view up to date. */
+static int play(struct loop *loop)
+{
+    if (loop->more)
+        return loop->more->play(loop);
+    return loop->view_ready ? TIA_OK : tia_viewer_prepare_view(loop);
 }
 
 /* Prepares memory and view. A technique, light or camera that passes the check but cannot be drawn, such as one too far
@@ -142,14 +155,14 @@ static int prepare(struct loop *loop)
     do {
         status = loop->view ? TIA_OK : tia_viewer_prepare(loop);
         if (!status)
-            status = tia_viewer_play(loop);
+            status = play(loop);
         if (!status && is_due(loop))
             status = set_lights(loop);
         if ((status != TIA_ERR_RANGE && status != TIA_ERR_MEMORY) ||
-            !(loop->switched || take_back_lights(loop) || tia_viewer_go_back(loop)))
+            !(loop->switched || take_back_lights(loop) || (loop->more && loop->more->go_back(loop))))
             break;
         if (loop->switched)
-            tia_viewer_switch(loop);
+            loop->more->switch_shadows(loop);
     } while (!loop->switched || loop->base->shadows != first);
     return status;
 }
@@ -181,7 +194,7 @@ static int show(struct loop *loop)
 static int rest(struct loop *loop, bool hidden)
 {
     const struct tia_viewer *v = loop->viewer;
-    bool unfinished = loop->unfinished && !tia_viewer_is_moving(loop);
+    bool unfinished = loop->unfinished && !is_moving(loop);
     bool busy = loop->queued || (!hidden && (loop->changed || v->frame_limit || unfinished || loop->showing));
 
     if (!v->input)
@@ -245,6 +258,7 @@ static void begin(struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;
 
+    loop->scene = v->scene;
     loop->state = (struct tia_viewer_state){.light_count = v->scene->light_count, .time = v->time};
     if (v->state && v->state->goes_on)
         loop->state = *v->state;
@@ -258,7 +272,7 @@ static void begin(struct loop *loop)
     *v->variant = *v->scene;
     if (loop->state.moved)
         v->variant->camera = loop->state.camera;
-    loop->base = v->variant;
+    loop->scene = loop->base = v->variant;
 }
 
 static int press_first(struct loop *loop)
@@ -282,32 +296,34 @@ static void end(struct loop *loop)
     viewer_tell(loop);
     if (!loop->last.key || !v->control)
         return;
-    tia_viewer_copy_last(loop);
+    if (loop->more)
+        loop->more->copy_last(loop);
     (void)v->control->act(v->control_ctx, &loop->last, &camera);
 }
 
-int tia_viewer_run(struct tia_viewer *viewer)
+int tia_viewer_loop(struct tia_viewer *viewer, const struct tia_core *core, const struct viewer_more *more)
 {
-    if (!is_acceptable(viewer))
+    if (!is_acceptable(viewer) || !(viewer->core || core))
         return TIA_ERR_ARGUMENT;
     struct loop loop = {.viewer = viewer,
-                        .core = viewer->core ? viewer->core : &tia_core_q16,
+                        .more = more,
+                        .core = viewer->core ? viewer->core : core,
                         .base = viewer->scene,
                         .gaze = viewer->gaze,
                         .changed = true};
     struct cancel cancel = {viewer->stop, viewer->stop_ctx, 0, false};
-    int status = tia_check_scene(viewer->scene, NULL, &cancel);
+    int status = (more ? more->check : tia_check_spheres)(viewer->scene, NULL, &cancel);
 
     if (status)
         return status == TIA_STOPPED ? TIA_OK : TIA_ERR_RANGE;
     begin(&loop);
-    status = tia_viewer_play_begin(&loop);
+    if (more)
+        status = more->play_begin(&loop);
     if (!status)
         status = press_first(&loop);
     while (!status && !is_stopped(viewer))
         status = step(&loop);
-    if (loop.scene)
-        end(&loop);
+    end(&loop);
     if (loop.ends)
         return loop.failure;
     return status == VIEWER_QUIT ? TIA_OK : status;

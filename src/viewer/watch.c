@@ -14,13 +14,13 @@ static bool is_full(const struct loop *loop)
 
 static void keep(struct loop *loop, const struct tia_event *event)
 {
-    enum tia_effect effect = tia_viewer_effect(loop, event);
+    enum tia_effect effect = tia_viewer_effect_of(loop, event);
 
     loop->ends = effect == TIA_EFFECT_END;
     if (loop->ends)
         loop->last = *event;
     loop->outdated = loop->outdated || effect != TIA_EFFECT_NONE;
-    if (!tia_viewer_joins(loop, event))
+    if (!loop->more || !loop->more->joins(loop, event))
         loop->queue[loop->queued++] = *event;
 }
 

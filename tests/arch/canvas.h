@@ -34,16 +34,16 @@ static inline int frames_open(struct frames_canvas *c, const struct tia_scene *s
 {
     const struct tia_core *core = c->core;
     uint32_t lights = scene->light_count + 1;
-    size_t view = core->view_size(scene, lights), hits;
+    size_t view = core->view_size(core, scene, lights), hits;
 
     c->area = (struct tia_tile){0, 0, (uint16_t)width, (uint16_t)height};
-    hits = core->hits_size(scene, c->area);
+    hits = core->hits_size(core, scene, c->area);
     c->memory[0] = malloc(view);
     c->memory[1] = malloc(hits);
     c->pixels = calloc((size_t)width * height, sizeof *c->pixels);
     return c->memory[0] && c->memory[1] && c->pixels &&
-           !core->view_init(&c->view, c->memory[0], view, scene, lights, width, height) &&
-           !core->hits_init(&c->hits, c->memory[1], hits, c->view, c->area);
+           !core->view_init(core, &c->view, c->memory[0], view, scene, lights, width, height, NULL, NULL) &&
+           !tia_hits_init(&c->hits, c->memory[1], hits, c->view, c->area);
 }
 
 /* Draws in tiles of the given size, from the last to the first. */
@@ -59,8 +59,8 @@ static inline void frames_draw(struct frames_canvas *c, unsigned tile_width, uns
                                 (uint16_t)(height - y < tile_height ? height - y : tile_height)};
         struct tia_surface surface = {c->pixels + (size_t)y * width + x, 2, (ptrdiff_t)width * 2};
         struct tia_options options = {dither, NULL};
-        int status = trace ? c->core->trace(c->view, c->hits, tile) : TIA_OK;
-        if (status || c->core->light(c->view, c->hits, tile, &surface, &options))
+        int status = trace ? tia_trace(c->view, c->hits, tile) : TIA_OK;
+        if (status || tia_light_tile(c->view, c->hits, tile, &surface, &options))
             abort();
     }
 }

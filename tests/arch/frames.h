@@ -60,12 +60,12 @@ static inline void frames_relit(struct frames_canvas *c)
         !frames_open(c, &dark.scene, 200, 150))
         abort();
     frames_draw(c, 200, 150, true, false);
-    if (c->core->set_lights(c->view, lit.scene.lights, lit.scene.light_count))
+    if (tia_view_set_lights(c->view, lit.scene.lights, lit.scene.light_count))
         abort();
     frames_draw(c, 64, 64, false, false);
     frames_tell(c, "thesis-w-200x150-relit");
     for (unsigned i = 0; i < 200 * 150; i++)
-        c->pixels[i] = (tia_rgb565)c->core->hits_object(c->hits, i % 200, i / 200);
+        c->pixels[i] = (tia_rgb565)tia_hits_object(c->hits, i % 200, i / 200);
     frames_tell(c, "thesis-200x150-objects");
     frames_close(c);
 }

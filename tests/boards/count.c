@@ -1,7 +1,7 @@
 /* count.c - a frame of the thesis scene lit by a, for counting instructions: everything from the
  * first ray to the last pixel happens between two marks. The emulator counts, see count.py.
  *
- *   CORE     the core: tia_core_q16, tia_core_f32 or tia_core_f64
+ *   CORE     the core: tia_core_spheres, tia_f32_core_spheres or tia_f64_core_spheres, or that with _small
  *   ROWS     rows of a strip
  *   WHOLE    1: the hits of a whole frame are kept, and it is lit once more from them, between
  *            the same marks; 0: the hits are one strip's
@@ -29,11 +29,11 @@ static int draw(const struct tia_view *view, struct tia_hits *hits, bool trace, 
         const struct tia_tile tile = {0, y, WIDTH, (uint16_t)(HEIGHT - y < ROWS ? HEIGHT - y : ROWS)};
         count_begin();
         if (!WHOLE)
-            status = CORE.hits_init(&hits, hits_memory, sizeof hits_memory, view, tile);
+            status = tia_hits_init(&hits, hits_memory, sizeof hits_memory, view, tile);
         if (trace && !status)
-            status = CORE.trace(view, hits, tile);
+            status = tia_trace(view, hits, tile);
         if (!status)
-            status = CORE.light(view, hits, tile, &surface, NULL);
+            status = tia_light_tile(view, hits, tile, &surface, NULL);
         count_end();
         *crc = tia_crc32(*crc, strip, (size_t)WIDTH * tile.height);
     }
@@ -64,11 +64,12 @@ int main(void)
     const struct tia_tile all = {0, 0, WIDTH, HEIGHT};
     struct tia_view *view;
     struct tia_hits *hits = NULL;
-    int status = CORE.view_init(&view, view_memory, sizeof view_memory, &tia_thesis_scene, 1, WIDTH, HEIGHT);
+    int status =
+        CORE.view_init(&CORE, &view, view_memory, sizeof view_memory, &tia_thesis_scene, 1, WIDTH, HEIGHT, NULL, NULL);
     if (!status)
-        status = CORE.set_lights(view, light_of('a'), 1);
+        status = tia_view_set_lights(view, light_of('a'), 1);
     if (!status && WHOLE)
-        status = CORE.hits_init(&hits, hits_memory, sizeof hits_memory, view, all);
+        status = tia_hits_init(&hits, hits_memory, sizeof hits_memory, view, all);
     if (!status)
         status = draw_and_tell("full ", view, hits, true);
     if (!status && WHOLE)

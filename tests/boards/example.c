@@ -7,10 +7,12 @@ static tia_rgb565 row[320];
 
 int draw(void (*send_row)(unsigned y, const tia_rgb565 *pixels))
 {
+    const struct tia_core *core = &tia_core_spheres_small; /* or tia_core_spheres; tia_core_q16: any scene */
     const struct tia_surface surface = {row, 2, sizeof row};
     struct tia_view *view;
     struct tia_hits *hits;
-    int status = tia_view_init(&view, view_memory, sizeof view_memory, &tia_thesis_scene, 1, 320, 240);
+    int status =
+        core->view_init(core, &view, view_memory, sizeof view_memory, &tia_thesis_scene, 1, 320, 240, NULL, NULL);
     if (status == TIA_OK)
         status = tia_view_set_lights(view, &tia_thesis_scene.bindings[0].state, 1); /* key a's light */
     for (uint16_t y = 0; y < 240 && status == TIA_OK; y++) {

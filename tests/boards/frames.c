@@ -7,6 +7,9 @@
 #ifndef ROWS
 #define ROWS 2
 #endif
+#ifndef CORE
+#define CORE tia_core_spheres
+#endif
 #ifndef LARGE
 #define LARGE 1 /* 0: the small size alone, where an emulator takes minutes */
 #endif
@@ -94,6 +97,7 @@ static int draw(uint16_t width, uint16_t height, char key)
     struct tia_light light;
     sum.width = width, sum.height = height, sum.next_row = 0, sum.crc = 0;
     struct tia_viewer viewer = {
+        .core = &CORE,
         .scene = &tia_thesis_scene,
         .lights = &light,
         .light_capacity = 1,
@@ -104,7 +108,7 @@ static int draw(uint16_t width, uint16_t height, char key)
         .display_ctx = &sum,
         .memory = take_arena,
     };
-    int status = tia_viewer_run(&viewer);
+    int status = tia_viewer_run_spheres(&viewer);
     tell(&sum, key, status);
     return status;
 }

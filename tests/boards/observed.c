@@ -23,15 +23,18 @@ static int count(const struct tia_scene *scene, unsigned *rays)
     const struct tia_surface surface = {picture, 2, 2 * WIDTH};
     struct tia_observer observer = {.traced = add_ray, .ctx = rays};
     const struct tia_options options = {.observer = &observer};
-    size_t view_size = core->view_size(scene, scene->light_count), hits_size = core->hits_size(scene, whole);
+    size_t view_size = core->view_size(core, scene, scene->light_count),
+           hits_size = core->hits_size(core, scene, whole);
     void *memory[] = {malloc(view_size), malloc(hits_size)};
     struct tia_view *view;
     struct tia_hits *hits;
 
     int status = memory[0] && memory[1] ? TIA_OK : TIA_ERR_MEMORY;
-    status = status ? status : core->view_init(&view, memory[0], view_size, scene, scene->light_count, WIDTH, HEIGHT);
-    status = status ? status : core->hits_init(&hits, memory[1], hits_size, view, whole);
-    status = status ? status : core->render(view, hits, whole, &surface, &options);
+    status = status ? status
+                    : core->view_init(core, &view, memory[0], view_size, scene, scene->light_count, WIDTH, HEIGHT, NULL,
+                                      NULL);
+    status = status ? status : tia_hits_init(&hits, memory[1], hits_size, view, whole);
+    status = status ? status : tia_render(view, hits, whole, &surface, &options);
     free(memory[0]);
     free(memory[1]);
     return status;

@@ -29,7 +29,7 @@ struct picture {
 static inline void open_picture(struct picture *p, const struct tia_core *core, const struct tia_scene *scene,
                                 unsigned width, unsigned height, struct tia_tile tile)
 {
-    size_t view = core->view_size(scene, scene->light_count), hits = core->hits_size(scene, tile);
+    size_t view = core->view_size(core, scene, scene->light_count), hits = core->hits_size(core, scene, tile);
     size_t count = (size_t)tile.width * tile.height;
 
     p->core = core;
@@ -39,9 +39,9 @@ static inline void open_picture(struct picture *p, const struct tia_core *core, 
     p->pixels = malloc(count * sizeof *p->pixels);
     p->path_hash = malloc(count * sizeof *p->path_hash);
     MUST(p->memory[0] && p->memory[1] && p->pixels && p->path_hash);
-    MUST(!core->view_init(&p->view, p->memory[0], view, scene, scene->light_count, width, height));
-    MUST(!core->hits_init(&p->hits, p->memory[1], hits, p->view, tile));
-    MUST(!core->trace(p->view, p->hits, tile));
+    MUST(!core->view_init(core, &p->view, p->memory[0], view, scene, scene->light_count, width, height, NULL, NULL));
+    MUST(!tia_hits_init(&p->hits, p->memory[1], hits, p->view, tile));
+    MUST(!tia_trace(p->view, p->hits, tile));
 }
 
 static inline void light_picture(struct picture *p, bool dither)
@@ -49,7 +49,7 @@ static inline void light_picture(struct picture *p, bool dither)
     struct tia_surface surface = {p->pixels, 2, p->tile.width * 2};
     struct tia_options options = {dither, p->path_hash};
 
-    MUST(!p->core->light(p->view, p->hits, p->tile, &surface, &options));
+    MUST(!tia_light_tile(p->view, p->hits, p->tile, &surface, &options));
 }
 
 static inline void close_picture(struct picture *p)
@@ -63,7 +63,7 @@ static inline void close_picture(struct picture *p)
 static inline void must_see_objects(const struct picture *p, const struct tia_scene *scene)
 {
     for (unsigned i = 0; i < (unsigned)p->tile.width * p->tile.height; i++) {
-        uint32_t object = p->core->hits_object(p->hits, p->tile.x + i % p->tile.width, p->tile.y + i / p->tile.width);
+        uint32_t object = tia_hits_object(p->hits, p->tile.x + i % p->tile.width, p->tile.y + i / p->tile.width);
         MUST(object == TIA_NO_OBJECT || object < scene->sphere_count + scene->shape_count);
     }
 }

@@ -3,29 +3,35 @@
 #include "oracle.h"
 
 struct tia_view {
+    const struct tia_core *core;
     const struct tia_scene *scene;
     unsigned width, height;
 };
 
 struct tia_hits {
+    const struct tia_view *view;
     struct tia_tile area;
     struct oracle_pixel pixels[];
 };
 
-static size_t view_size(const struct tia_scene *scene, uint32_t light_capacity)
+static size_t view_size(const struct tia_core *core, const struct tia_scene *scene, uint32_t light_capacity)
 {
+    (void)core;
     (void)scene;
     (void)light_capacity;
     return sizeof(struct tia_view);
 }
 
-static int view_init(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
-                     uint32_t light_capacity, unsigned width, unsigned height)
+static int view_init(const struct tia_core *core, struct tia_view **view, void *memory, size_t size,
+                     const struct tia_scene *scene, uint32_t light_capacity, unsigned width, unsigned height,
+                     bool (*stop)(void *ctx), void *ctx)
 {
-    if (size < view_size(scene, light_capacity))
+    (void)stop;
+    (void)ctx;
+    if (size < view_size(core, scene, light_capacity))
         return TIA_ERR_MEMORY;
     *view = memory;
-    **view = (struct tia_view){scene, width, height};
+    **view = (struct tia_view){core, scene, width, height};
     return TIA_OK;
 }
 
@@ -37,8 +43,9 @@ static int set_lights(struct tia_view *view, const struct tia_light *lights, uin
     return TIA_ERR_UNSUPPORTED;
 }
 
-static size_t hits_size(const struct tia_scene *scene, struct tia_tile area)
+static size_t hits_size(const struct tia_core *core, const struct tia_scene *scene, struct tia_tile area)
 {
+    (void)core;
     (void)scene;
     return sizeof(struct tia_hits) + (size_t)area.width * area.height * sizeof(struct oracle_pixel);
 }
@@ -46,9 +53,10 @@ static size_t hits_size(const struct tia_scene *scene, struct tia_tile area)
 static int hits_init(struct tia_hits **hits, void *memory, size_t size, const struct tia_view *view,
                      struct tia_tile area)
 {
-    if (size < hits_size(view->scene, area))
+    if (size < hits_size(view->core, view->scene, area))
         return TIA_ERR_MEMORY;
     *hits = memory;
+    (*hits)->view = view;
     (*hits)->area = area;
     return TIA_OK;
 }
@@ -89,12 +97,19 @@ static int light(const struct tia_view *view, const struct tia_hits *hits, struc
     return TIA_OK;
 }
 
-const struct tia_core oracle_core = {.name = "oracle",
-                                     .view_size = view_size,
-                                     .view_init = view_init,
-                                     .set_lights = set_lights,
-                                     .hits_size = hits_size,
-                                     .hits_init = hits_init,
-                                     .hits_object = hits_object,
-                                     .trace = trace,
-                                     .light = light};
+static int render(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
+                  const struct tia_surface *surface, const struct tia_options *options)
+{
+    int status = trace(view, hits, tile);
+
+    return status ? status : light(view, hits, tile, surface, options);
+}
+
+static const struct tia_drawing drawing = {.set_lights = set_lights,
+                                           .hits_init = hits_init,
+                                           .hits_object = hits_object,
+                                           .trace = trace,
+                                           .light = light,
+                                           .render = render};
+const struct tia_core oracle_core = {
+    .name = "oracle", .view_size = view_size, .view_init = view_init, .hits_size = hits_size, .drawing = &drawing};

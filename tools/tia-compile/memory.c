@@ -27,9 +27,9 @@ struct layout {
     unsigned map, volumes, own; /* the data of these techniques */
 };
 
-static const struct layout layouts[KINDS] = {{88, 40, 304, 48, 208, 72, 392, 224, 88, 40, 2856, 744, 560, 40},
-                                             {52, 24, 240, 28, 200, 64, 368, 216, 80, 32, 2576, 728, 544, 28},
-                                             {52, 24, 236, 28, 200, 64, 368, 208, 80, 32, 2576, 728, 544, 28}};
+static const struct layout layouts[KINDS] = {{96, 40, 304, 48, 208, 80, 392, 224, 88, 40, 2856, 744, 560, 40},
+                                             {56, 24, 240, 28, 200, 72, 368, 216, 80, 32, 2576, 728, 544, 28},
+                                             {56, 24, 236, 28, 200, 72, 368, 208, 80, 32, 2576, 728, 544, 28}};
 
 /* Returns the kind of this machine; KINDS when it is none of them. */
 static int kind_here(void)
@@ -143,7 +143,7 @@ static uint64_t viewer_size(const struct scene_memory *m, struct tia_tile frame,
 /* ---- flash ---- */
 
 /* A program's code and tables on a Cortex-M3 by gcc -Os, without the board's own: measured with the example of
- * docs/boards.md, linked with libtia-spheres.a and with libtia.a. */
+ * docs/boards.md, with tia_core_spheres_small and with tia_core_q16. */
 enum { FLASH_SPHERES = 24000, FLASH_ALL = 219000 };
 
 static uint64_t textures_size(const struct tia_scene *scene)

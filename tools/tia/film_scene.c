@@ -64,24 +64,26 @@ static int move_bvh(struct film_scene *film)
 static int set_simd(struct film_scene *film)
 {
     const struct options *options = film->options;
-    size_t size = options->core->simd_size(options->simd, film->scene, film->lights.capacity, options->threads);
+    size_t size =
+        options->core->simd_size(options->core, options->simd, film->scene, film->lights.capacity, options->threads);
     if (!get_memory(&film->simd_memory, &film->simd_bytes, size))
         return TIA_ERR_MEMORY;
-    return options->core->set_simd(film->view, options->simd, film->simd_memory, size);
+    return tia_view_set_simd(film->view, options->simd, film->simd_memory, size);
 }
 
 static int prepare_view(struct film_scene *film)
 {
     const struct options *options = film->options;
     const struct lights *lights = &film->lights;
-    size_t size = options->core->view_size(film->scene, lights->capacity);
+    size_t size = options->core->view_size(options->core, film->scene, lights->capacity);
     if (!get_memory(&film->view_memory, &film->view_bytes, size))
         return TIA_ERR_MEMORY;
     struct rotation rotation = film_rotation(options);
-    int status = options->core->view_init_until(&film->view, film->view_memory, size, film->scene, lights->capacity,
-                                                rotation.width, rotation.height, film->stop, film->stop_ctx);
+    int status =
+        options->core->view_init(options->core, &film->view, film->view_memory, size, film->scene, lights->capacity,
+                                 rotation.width, rotation.height, film->stop, film->stop_ctx);
     if (!status)
-        status = options->core->set_lights(film->view, lights->array, lights->count);
+        status = tia_view_set_lights(film->view, lights->array, lights->count);
     if (status)
         fail_view_reason(
             film->why, PORT_WHY, status,

@@ -74,7 +74,7 @@ static void draw_rows(struct picture *picture, unsigned job)
     if (band->colours)
         pixel_options.colours = band->colours + 3 * (size_t)(place.y - band->y) * picture->width;
 
-    int status = picture->core->render(picture->view, picture->hits, tile, &surface, &pixel_options);
+    int status = tia_render(picture->view, picture->hits, tile, &surface, &pixel_options);
     if (status)
         atomic_store(&picture->status, status);
     progress_add(&picture->progress, (uint64_t)tile.width * tile.height);
@@ -96,8 +96,7 @@ static int prepare_band(struct picture *picture, const struct picture_band *band
 {
     picture->tile = tile_of(picture, band);
     *jobs = (picture->tile.height + picture->job_rows - 1) / picture->job_rows;
-    return picture->core->hits_init(&picture->hits, picture->hits_memory, picture->hits_bytes, picture->view,
-                                    picture->tile);
+    return tia_hits_init(&picture->hits, picture->hits_memory, picture->hits_bytes, picture->view, picture->tile);
 }
 
 static int read_band(struct picture *picture, const struct picture_band *band)
@@ -191,7 +190,7 @@ int picture_begin(struct picture *picture, const struct options *options, const 
     struct picture_band whole = {0, picture->band_rows, NULL, NULL};
     struct tia_tile tile = tile_of(picture, &whole);
     picture->job_rows = tile.width < job_pixels ? job_pixels / tile.width : 1;
-    picture->hits_bytes = core->hits_size(&options->scene, tile);
+    picture->hits_bytes = core->hits_size(core, &options->scene, tile);
     picture->hits_memory = malloc(picture->hits_bytes);
     bool has = allocate_bands(picture);
     picture->pool = threads_create(options->threads);

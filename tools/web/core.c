@@ -2,13 +2,15 @@
 #include "session.h"
 
 struct seat seat;
-static struct tia_core core;
+static struct tia_core own;
+static struct tia_drawing base_drawing, drawing;
 
-static int init_until(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
-                      uint32_t capacity, unsigned width, unsigned height, bool (*stop)(void *ctx), void *ctx)
+static int view_init(const struct tia_core *core, struct tia_view **view, void *memory, size_t size,
+                     const struct tia_scene *scene, uint32_t capacity, unsigned width, unsigned height,
+                     bool (*stop)(void *ctx), void *ctx)
 {
     seat.view = NULL;
-    int status = seat.base->view_init_until(view, memory, size, scene, capacity, width, height, stop, ctx);
+    int status = seat.base->view_init(core, view, memory, size, scene, capacity, width, height, stop, ctx);
     seat.view = status ? NULL : *view;
     return status;
 }
@@ -19,7 +21,7 @@ static int set_lights(struct tia_view *view, const struct tia_light *lights, uin
     samples_reset();
     for (unsigned i = 0; i < 3; i++)
         difference_counts[i] = 0;
-    return seat.base->set_lights(view, lights, count);
+    return base_drawing.set_lights(view, lights, count);
 }
 
 static const struct tia_core *base_of(const struct settings *settings)
@@ -39,8 +41,11 @@ static const struct tia_core *base_of(const struct settings *settings)
 const struct tia_core *seat_core(void)
 {
     seat = (struct seat){.base = base_of(&session.settings)};
-    core = *seat.base;
-    core.view_init_until = init_until;
-    core.set_lights = set_lights;
-    return &core;
+    own = *seat.base;
+    own.view_init = view_init;
+    own.drawing = &drawing;
+    base_drawing = seat.base->drawing ? *seat.base->drawing : tia_drawing;
+    drawing = base_drawing;
+    drawing.set_lights = set_lights;
+    return &own;
 }

@@ -4,10 +4,12 @@
 enum { MANY = 1000, REACH = 2 }; /* as in tia-compare's pictures */
 
 struct pair {
+    const struct tia_core *core;
     struct tia_view *view[2];
 };
 
 struct pair_hits {
+    const struct tia_view *view;
     struct tia_hits *hits[2];
 };
 
@@ -36,43 +38,44 @@ static size_t sum(size_t head, size_t a, size_t b)
     return a > SIZE_MAX / 4 || b > SIZE_MAX / 4 ? SIZE_MAX : whole(head) + whole(a) + whole(b);
 }
 
-static size_t view_size(const struct tia_scene *scene, uint32_t capacity)
+static size_t view_size(const struct tia_core *core, const struct tia_scene *scene, uint32_t capacity)
 {
-    return sum(sizeof(struct pair), cores[0]->view_size(scene, capacity), cores[1]->view_size(scene, capacity));
+    (void)core;
+    return sum(sizeof(struct pair), cores[0]->view_size(cores[0], scene, capacity),
+               cores[1]->view_size(cores[1], scene, capacity));
 }
 
-static int init_until(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
-                      uint32_t capacity, unsigned width, unsigned height, bool (*stop)(void *ctx), void *ctx)
+static int view_init(const struct tia_core *core, struct tia_view **view, void *memory, size_t size,
+                     const struct tia_scene *scene, uint32_t capacity, unsigned width, unsigned height,
+                     bool (*stop)(void *ctx), void *ctx)
 {
     struct pair *pair = memory;
     char *at = (char *)memory + whole(sizeof *pair);
-    int status = size < view_size(scene, capacity) ? TIA_ERR_MEMORY : TIA_OK;
+    int status = size < view_size(core, scene, capacity) ? TIA_ERR_MEMORY : TIA_OK;
 
     for (int i = 0; i < 2 && !status; i++) {
-        size_t part = whole(cores[i]->view_size(scene, capacity));
-        status = cores[i]->view_init_until(&pair->view[i], at, part, scene, capacity, width, height, stop, ctx);
+        size_t part = whole(cores[i]->view_size(cores[i], scene, capacity));
+        status = cores[i]->view_init(cores[i], &pair->view[i], at, part, scene, capacity, width, height, stop, ctx);
         at += part;
     }
+    if (!status)
+        pair->core = core;
     *view = memory;
     return status;
 }
 
-static int init(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene, uint32_t capacity,
-                unsigned width, unsigned height)
-{
-    return init_until(view, memory, size, scene, capacity, width, height, NULL, NULL);
-}
-
 static int set_lights(struct tia_view *view, const struct tia_light *lights, uint32_t count)
 {
-    int status = cores[0]->set_lights(pair_of(view)->view[0], lights, count);
+    int status = tia_view_set_lights(pair_of(view)->view[0], lights, count);
 
-    return status ? status : cores[1]->set_lights(pair_of(view)->view[1], lights, count);
+    return status ? status : tia_view_set_lights(pair_of(view)->view[1], lights, count);
 }
 
-static size_t hits_size(const struct tia_scene *scene, struct tia_tile area)
+static size_t hits_size(const struct tia_core *core, const struct tia_scene *scene, struct tia_tile area)
 {
-    return sum(sizeof(struct pair_hits), cores[0]->hits_size(scene, area), cores[1]->hits_size(scene, area));
+    (void)core;
+    return sum(sizeof(struct pair_hits), cores[0]->hits_size(cores[0], scene, area),
+               cores[1]->hits_size(cores[1], scene, area));
 }
 
 static int hits_init(struct tia_hits **hits, void *memory, size_t size, const struct tia_view *view,
@@ -83,25 +86,27 @@ static int hits_init(struct tia_hits **hits, void *memory, size_t size, const st
     int status = TIA_OK;
 
     for (int i = 0; i < 2 && !status; i++) {
-        size_t needed = whole(cores[0]->hits_size(&session.scene, area)), used = (size_t)(at - (char *)memory);
+        size_t needed = whole(cores[0]->hits_size(cores[0], &session.scene, area)),
+               used = (size_t)(at - (char *)memory);
         size_t part = i == 0 ? needed : size - used;
-        status = cores[i]->hits_init(&both->hits[i], at, part, pair_of(view)->view[i], area);
+        status = tia_hits_init(&both->hits[i], at, part, pair_of(view)->view[i], area);
         at += part;
     }
+    both->view = view;
     *hits = memory;
     return status;
 }
 
 static uint32_t hits_object(const struct tia_hits *hits, unsigned x, unsigned y)
 {
-    return cores[0]->hits_object(hits_of(hits)->hits[0], x, y);
+    return tia_hits_object(hits_of(hits)->hits[0], x, y);
 }
 
 static int trace(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile)
 {
-    int status = cores[0]->trace(pair_of(view)->view[0], hits_of(hits)->hits[0], tile);
+    int status = tia_trace(pair_of(view)->view[0], hits_of(hits)->hits[0], tile);
 
-    return status ? status : cores[1]->trace(pair_of(view)->view[1], hits_of(hits)->hits[1], tile);
+    return status ? status : tia_trace(pair_of(view)->view[1], hits_of(hits)->hits[1], tile);
 }
 
 static unsigned apart(unsigned a, unsigned b)
@@ -133,7 +138,7 @@ static int light_row(const struct tia_view *view, const struct tia_hits *hits, s
     for (int i = 0; i < 2 && !status; i++) {
         struct tia_options both = {.dither = options && options->dither, .path_hash = paths[i]};
         struct tia_surface line = {pixels[i], sizeof(tia_rgb565), sizeof pixels[i]};
-        status = cores[i]->light(pair_of(view)->view[i], hits_of(hits)->hits[i], row, &line, &both);
+        status = tia_light_tile(pair_of(view)->view[i], hits_of(hits)->hits[i], row, &line, &both);
     }
     for (unsigned x = 0; x < row.width && !status; x++)
         *(tia_rgb565 *)(void *)((char *)surface->pixels + (ptrdiff_t)x * surface->step) =
@@ -163,18 +168,24 @@ static int render(const struct tia_view *view, struct tia_hits *hits, struct tia
     return status ? status : light(view, hits, tile, surface, options);
 }
 
+static bool draws_by_pixel(const struct tia_core *core, const struct tia_scene *scene)
+{
+    (void)core;
+    return tia_draws_by_pixel(scene);
+}
+
+static const struct tia_drawing drawing = {.set_lights = set_lights,
+                                           .hits_init = hits_init,
+                                           .hits_object = hits_object,
+                                           .trace = trace,
+                                           .light = light,
+                                           .render = render};
 const struct tia_core difference_core = {.name = "q16 - f64",
                                          .view_size = view_size,
-                                         .view_init = init,
-                                         .set_lights = set_lights,
+                                         .view_init = view_init,
                                          .hits_size = hits_size,
-                                         .hits_init = hits_init,
-                                         .hits_object = hits_object,
-                                         .trace = trace,
-                                         .light = light,
-                                         .view_init_until = init_until,
-                                         .render = render,
-                                         .draws_by_pixel = tia_draws_by_pixel};
+                                         .draws_by_pixel = draws_by_pixel,
+                                         .drawing = &drawing};
 
 static unsigned kind_of(tia_rgb565 pixel)
 {

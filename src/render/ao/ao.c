@@ -37,7 +37,13 @@ static void sample_tile(const struct tia_view *view, struct tia_tile tile, uint3
     estimate_sample_tile(view, tile, first, end, gathered, radiance);
 }
 
+static bool draws(const struct tia_scene *scene)
+{
+    return scene->integration.integrator == TIA_OCCLUSION;
+}
+
 const struct renderer ao_renderer = {
+    .draws = draws,
     .prepared_size = ray_prepared_size,
     .prepare = ray_prepare,
     .set_lights = ray_set_lights,

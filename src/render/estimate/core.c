@@ -1,5 +1,12 @@
 /* core.c - the sampling functions of one arithmetic as a table. */
 #include "estimate.h"
+#include "render/span/kernels.h"
+
+/* Whether the view was made in this arithmetic. */
+static bool is_ours(const struct tia_view *view)
+{
+    return view && view->core->renderers && view->core->renderers->plain == &span_kernels_plain;
+}
 
 static bool is_inside(const struct tia_view *view, struct tia_tile tile)
 {
@@ -9,7 +16,7 @@ static bool is_inside(const struct tia_view *view, struct tia_tile tile)
 static int gather(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end,
                   const struct tia_gathered *gathered)
 {
-    if (!view)
+    if (!is_ours(view))
         return TIA_ERR_ARGUMENT;
     if (!view->renderer->sample)
         return TIA_ERR_UNSUPPORTED;
@@ -30,14 +37,14 @@ static int sample(const struct tia_view *view, struct tia_tile tile, uint32_t fi
 
 static uint32_t enclosing(const struct tia_view *view, uint32_t light)
 {
-    return view && view->renderer->sample && light < view->light_count ? estimate_enclosing(view, light)
-                                                                       : TIA_NO_OBJECT;
+    return is_ours(view) && view->renderer->sample && light < view->light_count ? estimate_enclosing(view, light)
+                                                                                : TIA_NO_OBJECT;
 }
 
 static int show(const struct tia_view *view, struct tia_tile row, const struct tia_sum *sums, uint32_t count,
                 const struct tia_surface *surface, bool dither)
 {
-    if (!view)
+    if (!is_ours(view))
         return TIA_ERR_ARGUMENT;
     if (!view->renderer->sample)
         return TIA_ERR_UNSUPPORTED;

@@ -1,6 +1,6 @@
 #include "estimate.h"
 
-#include "render/dither.h"
+#include "render/core/dither.h"
 
 #define PATIENCE 16 /* rays between two calls of `stop`, which may read a clock or a keyboard */
 #define RADIANCE_MAX (16384 * NUM_LENGTH_ONE)

@@ -2,7 +2,7 @@
  * other; colours are computed as by the ray renderer. */
 #include "curved.h"
 #include "diffuse.h"
-#include "render/dither.h"
+#include "render/core/dither.h"
 #include "render/whitted/whitted.h"
 #include "view.h"
 

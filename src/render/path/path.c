@@ -338,7 +338,13 @@ static void sample_tile(const struct tia_view *view, struct tia_tile tile, uint3
     estimate_sample_tile(view, tile, first, end, gathered, path_radiance);
 }
 
+static bool draws(const struct tia_scene *scene)
+{
+    return scene->integration.integrator == TIA_PATHS;
+}
+
 const struct renderer path_renderer = {
+    .draws = draws,
     .prepared_size = prepared_size,
     .prepare = prepare,
     .set_lights = set_lights,

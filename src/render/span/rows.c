@@ -1,6 +1,6 @@
 /* rows.c - from hits to pixels: a row is divided into pieces, and a piece into spans of one object. */
 #include "coherence/coherence.h"
-#include "render/dither.h"
+#include "render/core/dither.h"
 #include "shade.h"
 #include "span.h"
 
@@ -160,7 +160,7 @@ static void shade_sphere(const struct chunk *chunk, int first, int end, const nu
     struct shaded_span span = {object, chunk->x + first, chunk->y, end - first, NULL, NULL, NULL};
 
     if (chunk->path_hash || chunk->colours || chunk->lights || !chunk->spans->spheres[object].wide ||
-        !coherence_shade(chunk->view, &span, threshold, chunk->pixels + first))
+        !chunk->spans->coherence->shade(chunk->view, &span, threshold, chunk->pixels + first))
         shade_pixels(chunk, object, first, end, threshold);
 }
 

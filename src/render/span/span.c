@@ -1,6 +1,5 @@
 #include "span.h"
 
-#include "coherence/coherence_pays.h"
 #include "math/align.h"
 #include "scene/colour.h"
 
@@ -20,10 +19,10 @@ static bool is_plain_camera(const struct tia_camera *c)
     return c->projection == TIA_PERSPECTIVE && !c->up.x && !c->up.y && !c->up.z && c->samples <= 1;
 }
 
-static bool draws(const struct tia_scene *scene)
+bool span_draws(const struct tia_scene *scene)
 {
-    bool plain = !scene->shape_count && !scene->mesh_count && scene->sphere_count <= TIA_SPAN_SPHERES &&
-                 is_plain_camera(&scene->camera);
+    bool plain = !scene->integration.integrator && !scene->shape_count && !scene->mesh_count &&
+                 scene->sphere_count <= TIA_SPAN_SPHERES && is_plain_camera(&scene->camera);
 
     for (uint32_t i = 0; plain && i < scene->material_count; i++)
         plain = is_matt(&scene->materials[i]);
@@ -34,7 +33,7 @@ static bool draws(const struct tia_scene *scene)
     return plain;
 }
 
-static size_t prepared_size(const struct tia_scene *scene, uint32_t light_capacity)
+size_t span_prepared_size(const struct tia_scene *scene, uint32_t light_capacity)
 {
     uint64_t spheres = (uint64_t)scene->sphere_count + light_capacity;
     uint64_t size = ALIGN(sizeof(struct span_view)) + spheres * sizeof(struct span_sphere);
@@ -49,12 +48,13 @@ static void prepare_sphere(const struct tia_view *view, uint32_t n, struct tia_v
     span_sphere_prepare(&spans->primary, &spans->spheres[n], num_vec_between(view->scene->camera.eye, centre), radius);
 }
 
-static int prepare(struct tia_view *view)
+int span_prepare(struct tia_view *view, const struct span_coherence *coherence)
 {
     const struct tia_scene *scene = view->scene;
     struct span_view *spans = view->prepared;
 
     spans->kernels = &span_kernels_plain;
+    spans->coherence = coherence;
     spans->spheres = (struct span_sphere *)(void *)((char *)view->prepared + ALIGN(sizeof *spans));
     spans->tinted = false;
     spans->grey_shadows = true;
@@ -66,12 +66,12 @@ static int prepare(struct tia_view *view)
         spans->tinted = spans->tinted || !colour_is_black(through);
         spans->grey_shadows = spans->grey_shadows && colour_is_grey(through);
     }
-    for (uint32_t i = 0; !spans->tinted && i < scene->sphere_count; i++)
-        spans->spheres[i].wide = coherence_pays(&spans->primary, &spans->spheres[i]);
+    for (uint32_t i = 0; coherence && !spans->tinted && i < scene->sphere_count; i++)
+        spans->spheres[i].wide = coherence->pays(&spans->primary, &spans->spheres[i]);
     return TIA_OK;
 }
 
-static int set_lights(struct tia_view *view)
+int span_set_lights(struct tia_view *view)
 {
     struct span_view *spans = view->prepared;
     struct cancel cancel = view_cancel(view);
@@ -85,19 +85,8 @@ static int set_lights(struct tia_view *view)
     return cancel.stopped ? TIA_STOPPED : TIA_OK;
 }
 
-static uint64_t buffer_size(const struct tia_scene *scene, uint32_t pixels)
+uint64_t span_buffer_size(const struct tia_scene *scene, uint32_t pixels)
 {
     (void)scene;
     return (uint64_t)pixels * sizeof(num_u);
 }
-
-const struct renderer span_renderer = {
-    .draws = draws,
-    .prepared_size = prepared_size,
-    .prepare = prepare,
-    .set_lights = set_lights,
-    .buffer_size = buffer_size,
-    .trace = span_trace,
-    .light = span_light,
-    .part = SIMD_SPANS,
-};

@@ -6,10 +6,20 @@
 #include "render/renderer.h"
 #include "sphere.h"
 
+struct shaded_span;
+
+/* What decides many pixels at once, see coherence.h and coherence_pays.h. */
+struct span_coherence {
+    bool (*pays)(const struct primary_rays *primary, const struct span_sphere *sphere);
+    bool (*shade)(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[8],
+                  tia_rgb565 *pixels);
+};
+
 /* The prepared view. All positions are relative to the eye: the point at a pixel is P = t v. */
 struct span_view {
     const struct span_kernels *kernels;
-    struct span_sphere *spheres; /* those of the scene, then those of the lights */
+    const struct span_coherence *coherence; /* NULL: no sphere is wide */
+    struct span_sphere *spheres;            /* those of the scene, then those of the lights */
     struct primary_rays primary;
     bool tinted;       /* some material transmits shadow rays */
     bool grey_shadows; /* their transmission is grey */
@@ -46,6 +56,11 @@ void span_keep_nearer(const struct span_view *spans, uint32_t n, const num_u *t,
                       uint32_t *object);
 
 /* See struct renderer. */
+bool span_draws(const struct tia_scene *scene);
+size_t span_prepared_size(const struct tia_scene *scene, uint32_t light_capacity);
+int span_prepare(struct tia_view *view, const struct span_coherence *coherence);
+int span_set_lights(struct tia_view *view);
+uint64_t span_buffer_size(const struct tia_scene *scene, uint32_t pixels);
 void span_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile);
 void span_light(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                 const struct tia_surface *surface, const struct tia_options *options);

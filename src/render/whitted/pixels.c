@@ -1,6 +1,6 @@
 /* pixels.c - a tile's pixels, ray by ray: the renderer of any scene. */
 #include "observe.h"
-#include "render/dither.h"
+#include "render/core/dither.h"
 #include "samples/sobol.h"
 #include "whitted.h"
 

@@ -5,7 +5,20 @@
 #include "scene/cancel.h"
 #include "scene/hull.h"
 
+struct check;
+
+/* The rules for what scenes have besides spheres. */
+struct check_more {
+    /* Makes the box around the camera's eye one around every place that it may take. */
+    void (*eyes)(const struct tia_scene *scene, struct tia_bounds *eyes);
+    int (*falling)(const struct check *check);
+    bool (*has_texture)(const struct check *check, uint32_t number, bool opacity);
+    /* Everything that is checked after spheres and lights. */
+    int (*parts)(struct check *check);
+};
+
 struct check {
+    const struct check_more *more; /* NULL: spheres alone, all else is refused */
     const struct tia_scene *scene;
     struct tia_fault *fault; /* may be NULL */
     struct tia_bounds eyes;  /* box around every position that the eye may take */
@@ -14,8 +27,11 @@ struct check {
     struct cancel *cancel; /* once stopped, TIA_STOPPED is returned */
 };
 
-/* As tia_scene_check. */
+/* As tia_scene_check; of scenes of spheres alone; by the rules `more`. */
 int tia_check_scene(const struct tia_scene *scene, struct tia_fault *fault, struct cancel *cancel);
+int tia_check_spheres(const struct tia_scene *scene, struct tia_fault *fault, struct cancel *cancel);
+int tia_check_by(const struct check_more *more, const struct tia_scene *scene, struct tia_fault *fault,
+                 struct cancel *cancel);
 
 #define CHECK_FAR "every point must be nearer to the eye than 32768"
 #define CHECK_UNIT "each channel must be in 0..1"
@@ -28,6 +44,9 @@ int tia_check_scene(const struct tia_scene *scene, struct tia_fault *fault, stru
         if (!(condition))                                                                                              \
             return tia_check_refuse(check, field, rule);                                                               \
     } while (0)
+
+/* Checks each of `count` things by `one`. */
+int tia_check_each(struct check *check, const char *thing, uint32_t count, int (*one)(const struct check *check));
 
 int tia_check_refuse(const struct check *check, const char *field, const char *rule);
 

@@ -1,6 +1,4 @@
 /* scene.c - the whole check, in order: an object is checked before the indices that point to it. */
-#include <tia/motion.h>
-
 #include "check.h"
 
 static bool is_array(const void *array, uint32_t count)
@@ -43,7 +41,7 @@ static int check_whole(struct check *check)
     REQUIRE(tia_check_is_unit(&scene->background), "background", CHECK_UNIT);
     REQUIRE(scene->depth <= TIA_DEPTH_MAX, "depth", "must be in 1..16");
     REQUIRE(is_bvh(scene), "bvh", "must be of this scene");
-    return tia_check_falling(check);
+    return check->more ? check->more->falling(check) : TIA_OK;
 }
 
 static int check_light(const struct check *check)
@@ -56,7 +54,7 @@ static int check_key(const struct check *check)
     return tia_check_light(check, &check->scene->bindings[check->index].state);
 }
 
-static int check_each(struct check *check, const char *thing, uint32_t count, int (*one)(const struct check *check))
+int tia_check_each(struct check *check, const char *thing, uint32_t count, int (*one)(const struct check *check))
 {
     int status = TIA_OK;
 
@@ -68,67 +66,42 @@ static int check_each(struct check *check, const char *thing, uint32_t count, in
 
 static int check_parts(struct check *check)
 {
-    static const struct {
-        const char *thing;
-        size_t count; /* array and count in the scene */
-        int (*one)(const struct check *check);
-    } parts[] = {
-        {"material", offsetof(struct tia_scene, material_count), tia_check_material},
-        {"sphere", offsetof(struct tia_scene, sphere_count), tia_check_sphere},
-        {"light", offsetof(struct tia_scene, light_count), check_light},
-        {"key", offsetof(struct tia_scene, binding_count), check_key},
-        {"texture", offsetof(struct tia_scene, texture_count), tia_check_texture},
-        {"transform", offsetof(struct tia_scene, transform_count), tia_check_transform},
-        {"mesh", offsetof(struct tia_scene, mesh_count), tia_check_mesh},
-        {"grid", offsetof(struct tia_scene, grid_count), tia_check_grid},
-        {"shape", offsetof(struct tia_scene, shape_count), tia_check_shape},
-        {"track", offsetof(struct tia_scene, track_count), tia_check_track},
-    };
     const struct tia_scene *s = check->scene;
-    int status = TIA_OK;
+    int status = tia_check_each(check, "material", s->material_count, tia_check_material);
 
-    for (size_t i = 0; !status && i < sizeof parts / sizeof *parts; i++)
-        status = check_each(check, parts[i].thing, *(const uint32_t *)(const void *)((const char *)s + parts[i].count),
-                            parts[i].one);
-    return status ? status : check_each(check, "fall", s->falling ? s->falling->count : 0, tia_check_fall);
+    status = status ? status : tia_check_each(check, "sphere", s->sphere_count, tia_check_sphere);
+    status = status ? status : tia_check_each(check, "light", s->light_count, check_light);
+    return status ? status : tia_check_each(check, "key", s->binding_count, check_key);
 }
 
-/* Returns a box around the camera's eye and its positions in tracks. Tracks are not checked yet: a bad one may have no
- * keys. */
-static struct tia_bounds find_eyes(const struct tia_scene *scene)
+static int refuse_more(const struct check *check)
 {
-    struct tia_bounds eyes = {scene->camera.eye, scene->camera.eye};
+    const struct tia_scene *s = check->scene;
+    uint64_t count = (uint64_t)s->shape_count + s->transform_count + s->texture_count + s->mesh_count + s->grid_count +
+                     s->track_count;
 
-    for (uint32_t i = 0; i < scene->track_count; i++) {
-        const struct tia_track *t = &scene->tracks[i];
-        for (uint32_t k = 0; t->target == TIA_MOVES_EYE && t->keys && k < t->key_count; k++)
-            tia_bounds_add(&eyes, &(struct tia_bounds){t->keys[k].value, t->keys[k].value});
-    }
-    tia_check_eyes(&scene->camera, &eyes);
-    return eyes;
+    REQUIRE(!count && !s->falling && !s->shadows, "counts", "must have spheres alone, without techniques for shadows");
+    return TIA_OK;
 }
 
-int tia_check_scene(const struct tia_scene *scene, struct tia_fault *fault, struct cancel *cancel)
+int tia_check_by(const struct check_more *more, const struct tia_scene *scene, struct tia_fault *fault,
+                 struct cancel *cancel)
 {
-    struct check check = {.scene = scene, .fault = fault, .thing = "scene", .cancel = cancel};
+    struct check check = {.more = more, .scene = scene, .fault = fault, .thing = "scene", .cancel = cancel};
     int status;
 
     if (!scene->tracks && scene->track_count)
         return tia_check_refuse(&check, "arrays", "an array with a count must not be NULL");
-    check.eyes = find_eyes(scene);
+    check.eyes = (struct tia_bounds){scene->camera.eye, scene->camera.eye};
+    if (more)
+        more->eyes(scene, &check.eyes);
     status = check_whole(&check);
     if (!status)
         status = check_parts(&check);
-    check.thing = "shape";
-    status = status ? status : tia_check_uses(&check);
-    return status ? status : tia_check_rendering(&check);
+    return status ? status : more ? more->parts(&check) : refuse_more(&check);
 }
 
-int tia_scene_check(const struct tia_scene *scene, struct tia_fault *fault)
+int tia_check_spheres(const struct tia_scene *scene, struct tia_fault *fault, struct cancel *cancel)
 {
-    struct cancel nobody = {0};
-
-    if (!scene)
-        return TIA_ERR_ARGUMENT;
-    return tia_check_scene(scene, fault, &nobody);
+    return tia_check_by(NULL, scene, fault, cancel);
 }

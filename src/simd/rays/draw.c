@@ -1,5 +1,5 @@
 /* draw.c - a tile, block by block: what is sure becomes levels of RGB565, samples that are not go to the integers. */
-#include "render/dither.h"
+#include "render/core/dither.h"
 #include "simd/simd.h"
 #include "sure.h"
 

@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "proved.h"
-#include "render/dither.h"
+#include "render/core/dither.h"
 #include "scene/colour.h"
 
 static void cast_forms(const struct simd_fine *fine, const struct simd_fine_light *light,

@@ -102,19 +102,19 @@ static int draw(const struct frame *frame, unsigned n, struct tia_tile tile, str
     const struct tia_core *core = frame->cores[n];
     struct tia_surface surface = {layer->pixels, 2, 2 * (ptrdiff_t)tile.width};
     struct tia_options options = {.dither = frame->what->dither, .path_hash = layer->path_hash};
-    size_t size = core->hits_size(frame->what->scene, tile), i = 0;
+    size_t size = core->hits_size(core, frame->what->scene, tile), i = 0;
     void *memory = malloc(size);
     struct tia_hits *hits = NULL;
-    int status = !memory ? TIA_ERR_MEMORY : core->hits_init(&hits, memory, size, frame->views[n], tile);
+    int status = !memory ? TIA_ERR_MEMORY : tia_hits_init(&hits, memory, size, frame->views[n], tile);
 
     if (!status)
-        status = core->trace(frame->views[n], hits, tile);
+        status = tia_trace(frame->views[n], hits, tile);
     if (!status)
-        status = core->light(frame->views[n], hits, tile, &surface, &options);
+        status = tia_light_tile(frame->views[n], hits, tile, &surface, &options);
     if (!status)
         for (unsigned y = tile.y; y < tile.y + (unsigned)tile.height; y++)
             for (unsigned x = 0; x < tile.width; x++)
-                layer->object[i++] = core->hits_object(hits, x, y);
+                layer->object[i++] = tia_hits_object(hits, x, y);
     free(memory);
     return status;
 }
@@ -171,12 +171,12 @@ static int prepare(struct frame *frame)
     int status = TIA_OK;
 
     for (unsigned i = 0; i <= frame->what->core_count && !status; i++) {
-        size_t size = frame->cores[i]->view_size(scene, scene->light_count);
+        size_t size = frame->cores[i]->view_size(frame->cores[i], scene, scene->light_count);
         frame->memory[i] = malloc(size);
-        status = !frame->memory[i]
-                     ? TIA_ERR_MEMORY
-                     : frame->cores[i]->view_init(&frame->views[i], frame->memory[i], size, scene, scene->light_count,
-                                                  frame->what->width, frame->what->height);
+        status = !frame->memory[i] ? TIA_ERR_MEMORY
+                                   : frame->cores[i]->view_init(frame->cores[i], &frame->views[i], frame->memory[i],
+                                                                size, scene, scene->light_count, frame->what->width,
+                                                                frame->what->height, NULL, NULL);
     }
     return status;
 }

@@ -15,6 +15,7 @@ static struct {
     struct views views;
     const struct tia_core *watched;
     struct tia_core core;
+    struct tia_drawing drawing;
     struct legend legend;
     const struct tia_scene *scene;
     unsigned width, height;
@@ -58,7 +59,6 @@ static void add_ray(void *ctx, const struct tia_traced *traced)
 
 static int collect_rays(const struct tia_view *view, unsigned x, unsigned y)
 {
-    const struct tia_core *core = now.watched;
     const struct tia_tile pixel = {(uint16_t)x, (uint16_t)y, 1, 1};
     struct tia_observer observer = {add_ray, NULL, 0};
     const struct tia_options options = {.observer = &observer};
@@ -69,13 +69,13 @@ static int collect_rays(const struct tia_view *view, unsigned x, unsigned y)
     now.line_count = 0;
     if (x >= now.width || y >= now.height)
         return TIA_OK;
-    size_t size = core->hits_size(now.scene, pixel);
+    size_t size = now.watched->hits_size(now.watched, now.scene, pixel);
     void *memory = malloc(size);
-    int status = memory ? core->hits_init(&hits, memory, size, view, pixel) : TIA_ERR_MEMORY;
+    int status = memory ? tia_drawing.hits_init(&hits, memory, size, view, pixel) : TIA_ERR_MEMORY;
     if (!status)
-        status = core->trace(view, hits, pixel);
+        status = tia_drawing.trace(view, hits, pixel);
     if (!status)
-        status = core->light(view, hits, pixel, &surface, &options);
+        status = tia_drawing.light(view, hits, pixel, &surface, &options);
     free(memory);
     return status;
 }
@@ -92,8 +92,9 @@ static double scale_of(const struct tia_scene *scene)
     return c->up.x != 0 || c->up.y != 0 || c->up.z != 0 ? sqrt(x * x + y * y + z * z) : 10;
 }
 
-static int init_until(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
-                      uint32_t capacity, unsigned width, unsigned height, bool (*stop)(void *ctx), void *ctx)
+static int view_init(const struct tia_core *core, struct tia_view **view, void *memory, size_t size,
+                     const struct tia_scene *scene, uint32_t capacity, unsigned width, unsigned height,
+                     bool (*stop)(void *ctx), void *ctx)
 {
     now.scene = scene;
     now.width = width;
@@ -105,18 +106,12 @@ static int init_until(struct tia_view **view, void *memory, size_t size, const s
                                  scale_of(scene),
                                  scene->sphere_count + scene->shape_count,
                                  0};
-    return now.watched->view_init_until(view, memory, size, scene, capacity, width, height, stop, ctx);
-}
-
-static int init(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene, uint32_t capacity,
-                unsigned width, unsigned height)
-{
-    return init_until(view, memory, size, scene, capacity, width, height, NULL, NULL);
+    return now.watched->view_init(core, view, memory, size, scene, capacity, width, height, stop, ctx);
 }
 
 static int set_lights(struct tia_view *view, const struct tia_light *lights, uint32_t count)
 {
-    int status = now.watched->set_lights(view, lights, count);
+    int status = tia_drawing.set_lights(view, lights, count);
 
     now.legend.lights = count;
     return status || !now.views.draws_rays ? status : collect_rays(view, now.views.x, now.views.y);
@@ -137,7 +132,7 @@ static int draw_false(const struct tia_view *view, const struct tia_hits *hits, 
         tia_rgb565 colour;
 
         observed.observer = &observer;
-        status = now.watched->light(view, hits, pixel, &(struct tia_surface){&colour, 2, 2}, &observed);
+        status = tia_drawing.light(view, hits, pixel, &(struct tia_surface){&colour, 2, 2}, &observed);
         *(tia_rgb565 *)(void *)(row + (ptrdiff_t)x * surface->step) =
             seen_colour(&seen, now.views.view, observer.tests, now.legend.scale);
     }
@@ -147,7 +142,7 @@ static int draw_false(const struct tia_view *view, const struct tia_hits *hits, 
 static int light(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                  const struct tia_surface *surface, const struct tia_options *options)
 {
-    int status = now.views.view == VIEW_COLOUR ? now.watched->light(view, hits, tile, surface, options)
+    int status = now.views.view == VIEW_COLOUR ? tia_drawing.light(view, hits, tile, surface, options)
                                                : draw_false(view, hits, tile, surface, options);
 
     for (unsigned i = 0; !status && now.views.draws_rays && i < now.line_count; i++)
@@ -160,7 +155,7 @@ static int light(const struct tia_view *view, const struct tia_hits *hits, struc
 static int render(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
                   const struct tia_surface *surface, const struct tia_options *options)
 {
-    int status = now.watched->trace(view, hits, tile);
+    int status = tia_drawing.trace(view, hits, tile);
 
     return status ? status : light(view, hits, tile, surface, options);
 }
@@ -170,11 +165,12 @@ const struct tia_core *views_core(const struct views *views, const struct tia_co
     now.views = *views;
     now.watched = watched;
     now.core = *watched;
-    now.core.view_init = init;
-    now.core.view_init_until = init_until;
-    now.core.set_lights = set_lights;
-    now.core.light = light;
-    now.core.render = render;
+    now.core.view_init = view_init;
+    now.core.drawing = &now.drawing;
+    now.drawing = tia_drawing;
+    now.drawing.set_lights = set_lights;
+    now.drawing.light = light;
+    now.drawing.render = render;
     return &now.core;
 }
 

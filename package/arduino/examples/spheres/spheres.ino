@@ -58,7 +58,8 @@ static int draw()
     const struct tia_surface surface = {row, 2, sizeof row};
     struct tia_view *view;
     struct tia_hits *hits;
-    int status = tia_view_init(&view, view_memory, sizeof view_memory, &tia_thesis_scene, 1, WIDTH, HEIGHT);
+    const struct tia_core *core = &tia_core_spheres_small; // tia_core_q16 draws any scene, in ten times the flash
+    int status = core->view_init(core, &view, view_memory, sizeof view_memory, &tia_thesis_scene, 1, WIDTH, HEIGHT, NULL, NULL);
     if (status == TIA_OK)
         status = tia_view_set_lights(view, &tia_thesis_scene.bindings[0].state, 1);
     for (uint16_t y = 0; y < HEIGHT && status == TIA_OK; y++) {

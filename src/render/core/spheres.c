@@ -1,0 +1,9 @@
+/* spheres.c - the cores for scenes of spheres alone. */
+#include "render/renderer.h"
+#include "render/span/kernels.h"
+#include "scene/check/check.h"
+
+static const struct renderer *const renderers[] = {&span_renderer, NULL};
+static const struct tia_renderers spheres = {renderers, &span_kernels_plain, tia_check_spheres};
+
+const struct tia_core core_spheres = TIA_CORE(NUM_NAME, &spheres);

@@ -1,0 +1,9 @@
+/* spheres_small.c - the same, of the least size. */
+#include "render/renderer.h"
+#include "render/span/kernels.h"
+#include "scene/check/check.h"
+
+static const struct renderer *const renderers[] = {&span_renderer_small, NULL};
+static const struct tia_renderers spheres = {renderers, &span_kernels_plain, tia_check_spheres};
+
+const struct tia_core core_spheres_small = TIA_CORE(NUM_NAME, &spheres);

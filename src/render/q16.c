@@ -1,0 +1,35 @@
+/* q16.c - the functions without a core: integers, with every renderer. */
+#include "renderer.h"
+
+size_t tia_view_size(const struct tia_scene *scene, uint32_t light_capacity)
+{
+    return tia_core_view_size(&tia_core_q16, scene, light_capacity);
+}
+
+int tia_view_init(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
+                  uint32_t light_capacity, unsigned width, unsigned height)
+{
+    return tia_view_init_until(view, memory, size, scene, light_capacity, width, height, NULL, NULL);
+}
+
+int tia_view_init_until(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
+                        uint32_t light_capacity, unsigned width, unsigned height, bool (*stop)(void *ctx), void *ctx)
+{
+    return tia_core_view_init(&tia_core_q16, view, memory, size, scene, light_capacity, width, height, stop, ctx);
+}
+
+size_t tia_hits_size(const struct tia_scene *scene, struct tia_tile area)
+{
+    return tia_core_hits_size(&tia_core_q16, scene, area);
+}
+
+size_t tia_simd_size(const struct tia_simd *simd, const struct tia_scene *scene, uint32_t light_capacity,
+                     unsigned workers)
+{
+    return tia_core_level_size(&tia_core_q16, simd, scene, light_capacity, workers);
+}
+
+bool tia_draws_by_pixel(const struct tia_scene *scene)
+{
+    return tia_core_draws_by_pixel(&tia_core_q16, scene);
+}
