@@ -105,7 +105,7 @@ static bool compare_hit(const struct ray *ray, struct packet *p, struct query *q
 static void compare_shadow(const struct ray *ray, const struct packet *p, double distance, double e)
 {
     struct shadow shadow = {.p = *p, .distance = distance + e * random_double(), .edistance = e};
-    num_length through[3], limit = (num_length)(distance / UNIT);
+    num_length through[3], limit = (num_length)(distance / SURE_UNIT);
     uint32_t blocker = TIA_NO_OBJECT, known = TIA_NO_OBJECT;
 
     if (distance < e)
@@ -118,7 +118,7 @@ static void compare_shadow(const struct ray *ray, const struct packet *p, double
     bool lit = ray_transmittance(view, ray, limit, &known, through);
     differing += lit != !shadow.blocked;
     for (int c = 0; c < 3 && lit && !shadow.blocked; c++)
-        differing += fabs(sure_length(through[c]) - shadow.through[c]) > shadow.ethrough + UNIT;
+        differing += fabs(sure_length(through[c]) - shadow.through[c]) > shadow.ethrough + SURE_UNIT;
 }
 
 static void compare_surface(const struct shade *h, const struct shading *shading)

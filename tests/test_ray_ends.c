@@ -220,7 +220,7 @@ static void try_coordinates(const struct textured *surface, struct used *u)
         p.at[i] = (double)unit * (surface->centre[i] + surface->size[i] * random_double());
         theirs.v[i] = (p.at[i] + p.e * WITHIN / sqrtl(real_dot(off, off)) * off.v[i] * (long double)some_sign());
     }
-    p.e += 2 * UNIT; /* the fixed-point one is rounded */
+    p.e += 2 * SURE_UNIT; /* the fixed-point one is rounded */
     if (!is_in_face(p.object, p.at))
         return;
     if (!coordinates_of(&p, &c)) {
@@ -272,7 +272,7 @@ static void try_blend(struct used *u)
         return;
     }
     for (int i = 0; i < 2; i++)
-        uv[i] = (num_length)((c.uv[i] + (double)WITHIN * c.e * some_sign()) / UNIT);
+        uv[i] = (num_length)((c.uv[i] + (double)WITHIN * c.e * some_sign()) / SURE_UNIT);
     (void)ray_texture(&t, uv, 0, value);
     for (int i = 0; i < 3; i++)
         use(u, sure_length(value[i]) - rgb[i], e + P2M(44));

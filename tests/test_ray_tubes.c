@@ -172,7 +172,7 @@ static struct ray grazing_ray(const struct thin *c, long double away)
 /* Tries the same in doubles, which have its exact origin and its rounded direction. */
 static void try_exact(const struct ray *ray, struct used *ends, struct used *points)
 {
-    struct packet p = {.ed = EPS, .from = {-1, 0, 0}};
+    struct packet p = {.ed = SURE_EPS, .from = {-1, 0, 0}};
     double at[3];
     struct query q;
     struct hit hit;

@@ -42,11 +42,11 @@ static void find_boundaries(const struct sure_scene *s, const struct shade *h, u
 LANE_OP vd reflectance_of(vd a, vd b, vd e, vm *fine, vd *er)
 {
     vd sum = a + b;
-    vm good = vlt(vset(P2M(16)) + 16 * e, sum);
+    vm good = vlt(vset(BOUND(FRESNEL_LEAST)) + BOUND(FRESNEL_KNOWN) * e, sum);
 
     sum = vsel(good, sum, vset(1));
     *fine = mand(*fine, good);
-    *er = 2.25 * e / sum + P2M(46);
+    *er = BOUND_OF(FRESNEL, BOUND(FRESNEL_QUOTIENT) * e / sum) + BOUND(FRESNEL_ROUNDING);
     return (a - b) / sum;
 }
 
@@ -55,18 +55,22 @@ LANE_OP vd reflectance_of(vd a, vd b, vd e, vm *fine, vd *er)
 static void refract(const struct shade *h, vm glass, vd q, vd part, struct refraction *f)
 {
     vd c = h->facing, ec = h->efacing, square = q * q, inside = square - (1 - c * c) * (part * part), er, es, ep;
-    vd ei = (2 * vabs(c) + ec) * ec * (part * part) + P2M(46), x = c * part, ex = ec * part;
+    vd ei = BOUND_OF(REFRACT_INSIDE, (2 * vabs(c) + ec) * ec * (part * part)) + BOUND(REFRACT_ROUNDING), x = c * part;
+    vd ex = BOUND_OF(REFRACT_COSINE, ec * part);
     vm fine = mnot(mnone());
 
     f->total = mand(mnot(f->straight), mor(vlt(inside, -ei), vlt(c, -ec)));
     f->bends = mand(mnot(f->straight), mand(vlt(ei, inside), vlt(ec, c)));
     vd root = vsqrt(vsel(f->bends, inside, vset(1)));
-    er = ei / root + P2M(46);
-    vd bend = x - root, rs = reflectance_of(x, root, ex + er, &fine, &es);
-    vd rp = reflectance_of(square * c, root * part, square * ec + er * part, &fine, &ep);
-    vd fresnel = 0.5 * (rs * rs + rp * rp), efresnel = (vabs(rs) + es) * es + (vabs(rp) + ep) * ep + P2M(46);
+    er = BOUND_OF(REFRACT_ROOT, ei / root) + BOUND(REFRACT_ROUNDING);
+    vd bend = x - root, rs = reflectance_of(x, root, BOUND_OF(REFRACT_ACROSS, ex + er), &fine, &es);
+    vd rp = reflectance_of(square * c, root * part, BOUND_OF(REFRACT_PARALLEL, square * ec + er * part), &fine, &ep);
+    vd fresnel = 0.5 * (rs * rs + rp * rp),
+       efresnel = BOUND_OF(REFRACT_FRESNEL, (vabs(rs) + es) * es + (vabs(rp) + ep) * ep) + BOUND(REFRACT_ROUNDING);
     f->to = v3_unit(v3_sub(v3_scale(h->normal, bend), v3_scale(h->viewer, part)),
-                    h->en * vabs(bend) + ex + er + h->ev * part + P2M(47), &f->eto);
+                    BOUND_OF(REFRACT_DIRECTION, h->en * vabs(bend) + ex + er + h->ev * part) +
+                        BOUND(REFRACT_DIRECTION_ROUNDING),
+                    &f->eto);
     vm known = mor(f->straight, mor(f->total, mand(f->bends, mand(fine, vlt(fresnel + efresnel, vset(1))))));
     f->unsure = mand(glass, mnot(known));
     vm partly = mand(f->bends, h->fresnel);
@@ -107,7 +111,7 @@ LANE_OP unsigned may_pass(const struct rays *r)
 LANE_OP struct origin leaving_or_not(const struct shade *h, struct v3 d, vd ed, double sign, double height)
 {
     struct origin from = leaving(h, d, ed, sign, 0);
-    vm back = vlt(v3_dot(h->geometric, d) * sign, -(h->eg + ed + vset(P2M(49))));
+    vm back = vlt(v3_dot(h->geometric, d) * sign, -BOUND_OF(RETURNING, h->eg + ed + vset(BOUND(COSINE))));
 
     from.object = vsel(back, h->id, from.object);
     from.side = vsel(back, vset(-height), from.side);
@@ -127,7 +131,8 @@ static void push_refracted(struct work *w, const struct shade *h, unsigned lanes
     keep_paths(&next, r, f->media);
     for (int c = 0; c < 3; c++)
         next.weight[c] = r->weight[c] * (h->refraction[c] - h->refraction[c] * f->fresnel);
-    next.ew = r->ew + f->efresnel * most3(r->weight) + P2M(42);
+    next.ew = BOUND_OF(REFRACTED_WEIGHT, r->ew) + BOUND_OF(REFRACTED_FRESNEL, f->efresnel * most3(r->weight)) +
+              BOUND(WEIGHT_UNITS);
     if (bends) {
         next.p.o = off_surface(s, h, -s->bias, &next.p.eo);
         next.p.d = f->to;
@@ -137,10 +142,13 @@ static void push_refracted(struct work *w, const struct shade *h, unsigned lanes
     }
     if (straight) {
         next.p.o = v3_along(h->point, h->viewer, vset(-s->bias));
-        next.p.eo = h->ep + h->ev * vset(s->bias) + 2 * UNIT + v3_sum(next.p.o) * P2M(51);
+        next.p.eo = BOUND_OF(STRAIGHT_ON, h->ep + h->ev * vset(s->bias)) + BOUND(POINT_UNITS) +
+                    v3_sum(next.p.o) * BOUND(POINT_ROUNDING);
         next.p.d = r->p.d;
         next.p.ed = r->p.ed;
-        next.p.from = leaving(h, next.p.d, next.p.ed, -1, s->bias < P2M(20) ? P2M(2) : P2M(6)); /* see struct origin */
+        next.p.from =
+            leaving(h, next.p.d, next.p.ed, -1,
+                    s->bias < BOUND(LEAVING_BIAS) ? BOUND(LEAVING_STEEP) : BOUND(LEAVING_FLAT)); /* see struct origin */
         push(w, straight, &next, true, true);
     }
 }
@@ -157,7 +165,8 @@ static void push_reflected(struct work *w, const struct shade *h, unsigned lanes
     keep_paths(&next, r, r->media);
     for (int c = 0; c < 3; c++)
         next.weight[c] = r->weight[c] * reflects[c];
-    next.ew = r->ew + ereflects * most3(r->weight) + P2M(42);
+    next.ew = BOUND_OF(REFLECTED_WEIGHT, r->ew) + BOUND_OF(REFLECTED_FRESNEL, ereflects * most3(r->weight)) +
+              BOUND(WEIGHT_UNITS);
     next.p.o = h->outside;
     next.p.eo = h->eoutside;
     next.p.d = mirrored_at(h, &next.p.ed);

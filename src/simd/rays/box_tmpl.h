@@ -17,14 +17,16 @@ struct slab_times {
 
 LANE_OP vd plane_bound(const struct packet *p, vd t, vd round, vd over)
 {
-    return (p->eo + round + vabs(t) * (p->ed + SURE_SLAB * EPS)) * over + UNIT;
+    return BOUND_OF(SLAB_TIME, (p->eo + round + vabs(t) * (p->ed + BOUND(SLAB))) * over) + BOUND(QUOTIENT_UNIT);
 }
 
 LANE_OP struct slab_times slab_times_of(const struct packet *p, vd o, vd d, vd inv, double min, double max, vd reach)
 {
-    vd size = vabs(d), round = (vabs(o) + vset(__builtin_fabs(min) + __builtin_fabs(max))) * (4 * EPS) + 2 * UNIT;
-    vm steep = vlt(64 * p->ed + vset(P2M(24)), size);
-    vd over = 1 / vsel(steep, size - p->ed, vset(1)), off = p->eo + reach * (p->ed + size) + round;
+    vd size = vabs(d),
+       round = (vabs(o) + vset(__builtin_fabs(min) + __builtin_fabs(max))) * BOUND(SLAB_PLANE) + BOUND(SLAB_UNITS);
+    vm steep = vlt(BOUND(SLAB_TURN) * p->ed + vset(BOUND(SLAB_STEEP)), size);
+    vd over = 1 / vsel(steep, size - p->ed, vset(1)),
+       off = BOUND_OF(SLAB_LEVEL, p->eo + reach * (p->ed + size) + round);
     vd first = (vset(min) - o) * inv, second = (vset(max) - o) * inv;
     vm between = mand(vlt(vset(min) + off, o), vlt(o, vset(max) - off));
     vm beside = mor(vlt(o + off, vset(min)), vlt(vset(max) + off, o));
@@ -108,7 +110,7 @@ LANE_OP void meet_box(struct query *q, const double min[3], const double max[3])
                                       .may = mnot(mor(sure, miss)),
                                       .t = t,
                                       .e = e,
-                                      .ep = e + p->eo + vabs(t) * p->ed + UNIT,
+                                      .ep = BOUND_OF(POINT, e + p->eo + vabs(t) * p->ed + BOUND(POINT_UNIT)),
                                       .low = vmax(vsel(fine, enters.t - enters.e, vset(0)), vset(0)),
                                       .element = 2 * axis + vsel(leaving, 1 - back, back)});
 }

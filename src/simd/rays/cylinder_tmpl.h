@@ -55,8 +55,9 @@ LANE_OP bool comes_near(const struct query *q, const struct sure_round *k)
 {
     const struct packet *p = q->p;
     struct v3 across = v3_cross(p->d, v3_set(k->axis));
-    vd aside = vabs(v3_dot(across, v3_sub(p->o, v3_set(k->base)))), widest = vset(k->base_radius) + p->pad;
-    vd sure = vmax(aside - p->pad * P2M(24), vset(0));
+    vd aside = vabs(v3_dot(across, v3_sub(p->o, v3_set(k->base)))),
+       widest = BOUND_OF(TUBE_WIDEST, vset(k->base_radius) + p->pad);
+    vd sure = vmax(aside - p->pad * BOUND(TUBE_ASIDE), vset(0));
     vm passes = mor(starts_outside(q), vlt(widest * widest * v3_dot(across, across), sure * sure));
 
     return any(mand(q->active, mnot(passes)));
@@ -81,7 +82,7 @@ LANE_OP vd lambda_at(const struct tube *b, vd t)
 
 LANE_OP vd eta_of(vd radius, vd lambda)
 {
-    return (2 * radius + lambda) * lambda * (1 + P2M(20));
+    return BOUND_OF(TUBE_ETA, (2 * radius + lambda) * lambda * BOUND(TUBE_BOUND));
 }
 
 /* Their ray is inside the side only where ours is within r + lambda of the axis: f^2 (t + p.y/f^2)^2 <= (r + lambda)^2
@@ -100,9 +101,9 @@ LANE_OP bool tube_of(const struct query *q, const struct sure_round *k, struct t
     b->square = y0 * y0 + y1 * y1;
     b->towards = -(p0 * y0 + p1 * y1);
     b->discriminant = r * r * b->square - aside * aside;
-    b->off = p->eo + l1 * (SURE_TUBE * EPS) + reach * (8 * EPS) + 5.25 * UNIT;
-    b->turn = p->ed + SURE_TUBE * EPS;
-    vd start = b->towards - b->height * b->rise, estart = b->off + l1 * b->turn;
+    b->off = BOUND_OF(TUBE_OFF, p->eo + l1 * BOUND(TUBE) + reach * BOUND(TUBE_REACH) + BOUND(TUBE_UNITS));
+    b->turn = BOUND_OF(TUBE_TURN, p->ed + BOUND(TUBE));
+    vd start = b->towards - b->height * b->rise, estart = BOUND_OF(TUBE_START, b->off + l1 * b->turn);
     vd lambda = lambda_at(b, vabs(start) + reach + estart), most = b->discriminant + eta_of(r, lambda) * b->square;
     b->miss = mor(starts_outside(q), vlt(most, vset(0)));
     b->from = start - reach - estart;
@@ -110,11 +111,12 @@ LANE_OP bool tube_of(const struct query *q, const struct sure_round *k, struct t
     b->miss = mor(b->miss, mor(vlt(b->to, vset(0)), vlt(q->limit, b->from)));
     if (!any(mand(q->active, mnot(b->miss))))
         return false;
-    b->slanted = vlt(vset(P2M(60)), b->square);
+    b->slanted = vlt(vset(BOUND(TUBE_SLANTED)), b->square);
     b->over = 1 / vsel(b->slanted, b->square, vset(1));
-    vd half = vsqrt(vmax(most, vset(0))) * (1 + P2M(20)), margin = lambda + 3 * UNIT;
-    b->from = vsel(b->slanted, vmax(b->from, (b->towards - half) * b->over - 2 * UNIT), b->from);
-    b->to = vsel(b->slanted, vmin(b->to, (b->towards + half) * b->over + 2 * UNIT), b->to);
+    vd half = vsqrt(vmax(most, vset(0))) * BOUND(TUBE_BOUND);
+    vd margin = BOUND_OF(TUBE_MARGIN, lambda + BOUND(TUBE_HEIGHT_UNITS));
+    b->from = vsel(b->slanted, vmax(b->from, (b->towards - half) * b->over - BOUND(TUBE_DISTANCE_UNITS)), b->from);
+    b->to = vsel(b->slanted, vmin(b->to, (b->towards + half) * b->over + BOUND(TUBE_DISTANCE_UNITS)), b->to);
     vd z0 = b->height + b->from * b->rise, z1 = b->height + b->to * b->rise;
     b->miss = mor(b->miss, mor(vlt(b->to, vset(0)), vlt(q->limit, b->from)));
     b->miss = mor(b->miss, mor(vlt(vmax(z0, z1), -margin), vlt(vset(k->length) + margin, vmin(z0, z1))));
@@ -130,7 +132,8 @@ struct tube_end {
 
 LANE_OP struct tube_end side_end(const struct tube *b, vd t, vd stretch)
 {
-    vd e = lambda_at(b, t) * stretch + 2 * UNIT, margin = e + 3 * UNIT, z = b->height + t * b->rise;
+    vd e = BOUND_OF(TUBE_DISTANCE, lambda_at(b, t) * stretch + BOUND(TUBE_DISTANCE_UNITS));
+    vd margin = BOUND_OF(TUBE_END, e + BOUND(TUBE_HEIGHT_UNITS)), z = b->height + t * b->rise;
     vd under = vset(b->k->length) - z;
     struct tube_end end = {.t = t, .e = e, .element = vset(ROUND_SIDE)};
 
@@ -150,7 +153,8 @@ LANE_OP void cap_end(const struct tube *b, struct tube_end *end, const struct tu
     vd slope = vabs(b->rise) - b->turn, size = vsel(vlt(vset(0), slope), slope, vset(1));
     vm crosses = mand(mor(mand(end->low, other->above), mand(end->high, other->below)), vlt(vset(0), slope));
     vd plane = vsel(end->low, vset(0), vset(b->k->length)) - b->height;
-    vd t = plane / vsel(crosses, b->rise, vset(1)), e = lambda_at(b, t) / size + 2 * UNIT;
+    vd t = plane / vsel(crosses, b->rise, vset(1)),
+       e = BOUND_OF(TUBE_CAP, lambda_at(b, t) / size + BOUND(TUBE_DISTANCE_UNITS));
 
     end->none = mor(mand(end->low, other->low), mand(end->high, other->high));
     end->t = vsel(crosses, t, end->t);
@@ -176,7 +180,7 @@ LANE_OP void tube_report(struct query *q, const struct tube *b, const struct tub
                                       .may = mnot(done),
                                       .t = vsel(first, in->t, out->t),
                                       .e = e,
-                                      .ep = e,
+                                      .ep = BOUND_OF(TUBE_POINT, e),
                                       .low = vmax(vsel(later, beyond, b->from), vset(0)),
                                       .element = vsel(first, in->element, out->element)});
 }
@@ -190,9 +194,9 @@ static __attribute__((noinline)) void meet_cylinder(struct query *q, const struc
     vd r = vset(k->base_radius), d = vsqrt(vmax(b.discriminant, vset(0)));
     vd t0 = (b.towards - d) * b.over, t1 = (b.towards + d) * b.over;
     vd lambda = lambda_at(&b, vmax(vabs(t0), vabs(t1))), g = d - r * b.turn - lambda;
-    vd rest = g * g * (1 - P2M(40)) - eta_of(r, lambda) * (b.square + 3 * b.turn);
+    vd rest = g * g * BOUND(TUBE_LEAST) - eta_of(r, lambda) * (b.square + BOUND(TUBE_SQUARE) * b.turn);
     vm known = mand(b.slanted, mand(vlt(vset(0), g), vlt(vset(0), rest)));
-    vd stretch = (r + lambda) * (1 + P2M(20)) / vsqrt(vsel(known, rest, vset(1)));
+    vd stretch = BOUND_OF(TUBE_STRETCH, (r + lambda) * BOUND(TUBE_BOUND) / vsqrt(vsel(known, rest, vset(1))));
     struct tube_end ends[2] = {side_end(&b, t0, stretch), side_end(&b, t1, stretch)};
 
     if (k->capped) {

@@ -6,8 +6,6 @@
 #include "random_tmpl.h"
 #include "samples/direction.h"
 
-#define SURE_LOCAL P2M(49) /* of a direction around the z axis: each coordinate within 2^-50 */
-
 /* Sine and cosine of x eighths of a turn, |x| <= 1: series of the angle a to a^17 and a^16. What follows is below
  * a^19/19! < 1e-19 and a^18/18! < 2e-18; roundings are below 2^-51, most of it the angle's and the last sums'. */
 LANE_OP void sine_cosine(vd x, vd *s, vd *c)
@@ -83,7 +81,7 @@ LANE_OP struct v3 around(struct v3 n, vd e, vm exact, struct v3 local, vd elocal
     struct v3 sum = v3_add(v3_scale(n, local.z), v3_add(v3_scale(t, local.x), v3_scale(b, local.y)));
 
     *unsure = mand(mnot(exact), vle(vabs(n.z), e));
-    return v3_unit(sum, 6 * e + elocal + vset(P2M(49)), ed);
+    return v3_unit(sum, BOUND_OF(AROUND, 6 * e + elocal) + vset(BOUND(AROUND_ROUNDING)), ed);
 }
 
 #endif

@@ -1,7 +1,7 @@
 /* draw.c - a tile, block by block: what is sure becomes levels of RGB565, samples that are not go to the integers. */
+#include "bounds.h"
 #include "render/core/dither.h"
 #include "simd/simd.h"
-#include "sure.h"
 
 #define STRIP 16384 /* pixels: as many rows as fit, so that they are written in order */
 
@@ -32,7 +32,7 @@ static void replace_samples(struct sure_block *b)
         tia_sure_sample(b->scene->view, b->x + pixel % b->width, b->y + pixel / b->width, i % b->samples, colour);
         for (int c = 0; c < 3; c++)
             b->colour[c][i] = sure_length(num_length_clamp(colour[c], 0, NUM_LENGTH_ONE));
-        b->error[i] = P2M(50);
+        b->error[i] = BOUND(EXACT_SAMPLE);
     }
 }
 
@@ -58,7 +58,7 @@ static void draw_block(struct drawing *d, tia_rgb565 *out, int pitch)
     for (int y = 0; y < b->height; y++) {
         dither_thresholds(d->dither, b->y + y, threshold[y]);
         for (int x = 0; x < 16; x++)
-            b->threshold[y][x] = (double)threshold[y][x & 7] * P2M(30);
+            b->threshold[y][x] = (double)threshold[y][x & 7] * SURE_Q30;
     }
     d->kernels->trace(b, simd_kernels_room(d, sizeof *d));
     replace_samples(b);

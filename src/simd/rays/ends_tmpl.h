@@ -15,7 +15,8 @@ static void add_part(struct path_state *f, unsigned lanes, const struct paths *p
     lanes = sure_of(f, lanes, mnot(vlt((most + e) * thick, vset(65536))), p->r.slot);
     for (int c = 0; c < 3; c++)
         vstore(part[c], p->r.weight[c] * rgb[c]);
-    vstore(error, most * p->r.ew + e * thick + 2 * UNIT + most * thick * P2M(51));
+    vstore(error, BOUND_OF(ADDED_THROUGHPUT, most * p->r.ew) + BOUND_OF(ADDED, e * thick) + BOUND(ADDED_UNITS) +
+                      most * thick * BOUND(ADDED_ROUNDING));
     for (int k = 0; lanes >> k; k++) {
         if (!(lanes >> k & 1))
             continue;
@@ -29,9 +30,9 @@ static void add_part(struct path_state *f, unsigned lanes, const struct paths *p
 LANE_OP struct ve weight_of(const struct sure_paths *paths, const struct paths *p, struct ve chosen, vm *fine)
 {
     struct ve q = p->density, sum = {q.v + chosen.v * paths->one_of, q.e + chosen.e * paths->one_of};
-    vm specular = mof(p->specular), good = vlt(4 * sum.e, sum.v);
+    vm specular = mof(p->specular), good = vlt(BOUND(BALANCE_KNOWN) * sum.e, sum.v);
     vd whole = vsel(good, sum.v, vset(1)), v = q.v / whole;
-    vd e = 1.5 * (q.e + v * sum.e) / whole + P2M(50);
+    vd e = BOUND_OF(BALANCE, BOUND(BALANCE_QUOTIENT) * (q.e + v * sum.e) / whole) + BOUND(BALANCE_ROUNDING);
 
     *fine = mor(specular, mand(*fine, good));
     return ve_of(vsel(specular, vset(1), v), vsel(specular, vset(0), e));
@@ -43,11 +44,12 @@ LANE_OP void add_weighted(struct path_state *f, unsigned lanes, const struct pat
 {
     vd most = most3(rgb), part[3];
 
-    fine = mand(fine, vlt((most + UNIT) * (most3(p->r.weight) + p->r.ew), vset(65536)));
+    fine = mand(fine, vlt((most + BOUND(WEIGHTED_CUT)) * (most3(p->r.weight) + p->r.ew), vset(65536)));
     lanes = sure_of(f, lanes, mnot(fine), p->r.slot);
     for (int c = 0; c < 3; c++)
         part[c] = rgb[c] * weight.v;
-    add_part(f, lanes, p, part, most * (weight.e + P2M(52)) + 2 * UNIT);
+    add_part(f, lanes, p, part,
+             BOUND_OF(WEIGHTED, most * (weight.e + BOUND(WEIGHTED_ROUNDING))) + BOUND(WEIGHTED_UNITS));
 }
 
 /* Light number n, which these lanes see. */
@@ -62,11 +64,12 @@ static void add_seen_light(struct path_state *f, unsigned lanes, uint32_t n, con
     vm fine = mnot(mnone());
 
     if ((lanes & ~p->specular) && tia_light_has(l->from->kind, TIA_LIGHT_AREA)) {
-        vd ed = q->e + 4 * UNIT + vabs(q->t) * P2M(49) + p->r.p.eo;
+        vd ed = BOUND_OF(MET_DISTANCE, q->e + BOUND(MET_UNITS) + vabs(q->t) * BOUND(MET_ROUNDING) + p->r.p.eo);
         if (tia_light_has(l->from->kind, TIA_LIGHT_BALL))
             chosen = ball_density(l->at, l->radius, p->r.p.o, p->r.p.eo, &fine);
         else
-            chosen = plane_density(shine, q->t, ed, v3_dot(p->r.p.d, v3_set(l->normal)), p->r.p.ed + P2M(49), &fine);
+            chosen = plane_density(shine, q->t, ed, v3_dot(p->r.p.d, v3_set(l->normal)),
+                                   BOUND_OF(MET_COSINE, p->r.p.ed + BOUND(COSINE)), &fine);
         weight = weight_of(s->paths, p, chosen, &fine);
         if (!shine->known)
             fine = mand(fine, mof(p->specular));
@@ -134,7 +137,7 @@ static void add_glow(struct path_state *f, unsigned lanes, const struct paths *p
     vd facing = vmax(h->facing, vset(0));
     for (int c = 0; c < 3; c++)
         flat[c] = h->flat[c] * facing;
-    add_part(f, flats, p, flat, most3(h->flat) * h->efacing + 2 * UNIT);
+    add_part(f, flats, p, flat, BOUND_OF(FACING_LIGHT, most3(h->flat) * h->efacing) + BOUND(FACING_UNITS));
 }
 
 #endif

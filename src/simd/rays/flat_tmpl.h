@@ -14,13 +14,14 @@ struct flat {
 
 LANE_OP struct flat flat_meet(const struct packet *p, struct v3 n, struct v3 way, vd round, vd more)
 {
-    vd slope = v3_dot(p->d, n), size = vabs(slope), eslope = p->ed + SURE_WAY * EPS;
+    vd slope = v3_dot(p->d, n), size = vabs(slope), eslope = BOUND_OF(PLANE_SLOPE, p->ed + BOUND(PLANE_WAY));
     struct flat f;
 
-    f.steep = vlt(vset(P2M(20)) + eslope, size);
+    f.steep = vlt(vset(BOUND(PLANE_STEEP)) + eslope, size);
     size = vsel(f.steep, size, vset(1));
     f.t = v3_dot(way, n) / vsel(f.steep, slope, vset(1));
-    f.e = (p->eo + round + 2 * UNIT + vabs(f.t) * eslope) / (size - eslope) + more;
+    f.e = BOUND_OF(PLANE_DISTANCE, (p->eo + round + BOUND(PLANE_HEIGHT_UNITS) + vabs(f.t) * eslope) / (size - eslope)) +
+          more;
     return f;
 }
 
@@ -51,8 +52,8 @@ LANE_OP void flat_report(struct query *q, const struct flat *f, vm inside, vm ou
  * keep the integers' quotient from being rounded to 0. */
 LANE_OP vm flat_behind(const struct packet *p, struct v3 n, struct v3 way, vd round)
 {
-    vd slope = v3_dot(p->d, n), turn = p->ed + SURE_WAY * EPS, height = v3_dot(way, n);
-    vd eheight = p->eo + round + 4 * UNIT;
+    vd slope = v3_dot(p->d, n), turn = BOUND_OF(PLANE_SLOPE, p->ed + BOUND(PLANE_WAY)), height = v3_dot(way, n);
+    vd eheight = BOUND_OF(PLANE_BEHIND, p->eo + round + BOUND(PLANE_BEHIND_UNITS));
 
     return mor(mand(vlt(eheight, height), vlt(slope, -turn)), mand(vlt(height, -eheight), vlt(turn, slope)));
 }
@@ -61,18 +62,19 @@ LANE_OP vm flat_behind(const struct packet *p, struct v3 n, struct v3 way, vd ro
 LANE_OP void meet_plane(struct query *q, const struct sure_object *o)
 {
     struct v3 way = v3_sub(v3_set(o->at), q->p->o);
-    vd round = v3_sum(way) * (SURE_WAY * EPS);
+    vd round = v3_sum(way) * BOUND(PLANE_WAY);
     vm behind = flat_behind(q->p, v3_set(o->normal), way, round);
 
     if (!any(mand(q->active, mnot(mor(behind, starts_here(q))))))
         return;
-    struct flat f = flat_meet(q->p, v3_set(o->normal), way, round, vset(UNIT));
-    f.e = f.e + vabs(f.t) * P2M(50);
+    struct flat f = flat_meet(q->p, v3_set(o->normal), way, round, vset(BOUND(QUOTIENT_UNIT)));
+    f.e = f.e + vabs(f.t) * BOUND(QUOTIENT);
     struct v3 point = v3_along(q->p->o, q->p->d, f.t);
-    vd far = vmax(vmax(vabs(point.x), vabs(point.y)), vabs(point.z)), e = f.e + vabs(f.t) * q->p->ed + q->p->eo;
+    vd far = vmax(vmax(vabs(point.x), vabs(point.y)), vabs(point.z)),
+       e = BOUND_OF(PLANE_FAR, f.e + vabs(f.t) * q->p->ed + q->p->eo);
     vm near = vlt(far + e, vset(65535)), beyond = mand(f.steep, vlt(vset(65537), far - e));
 
-    flat_report(q, &f, near, beyond, f.e + UNIT, vset(0));
+    flat_report(q, &f, near, beyond, BOUND_OF(PLANE_POINT, f.e + BOUND(POINT_UNIT)), vset(0));
 }
 
 /* Within the radius of the centre: |O + t D - C| is within ep. */
@@ -80,20 +82,22 @@ LANE_OP void round_flat(struct query *q, const struct flat *f, struct v3 way, do
 {
     const struct packet *p = q->p;
     struct v3 at = v3_sub(v3_scale(p->d, f->t), way);
-    vd l1 = v3_sum(way), e = f->e + 2 * UNIT + p->eo + (l1 + vabs(f->t)) * P2M(50) + vabs(f->t) * p->ed;
+    vd l1 = v3_sum(way),
+       e = BOUND_OF(DISC_PLACE, f->e + BOUND(POINT_UNITS) + p->eo + (l1 + vabs(f->t)) * BOUND(DISC_PLACE_ROUNDING) +
+                                    vabs(f->t) * p->ed);
     vd r = vset(radius), square = v3_dot(at, at), less = vmax(r - e, vset(0)), more = r + e;
-    vm in = vlt(square * (1 + P2M(48)), less * less);
-    vm out = mand(f->steep, vlt(more * more, square * (1 - P2M(48))));
+    vm in = vlt(square * (1 + BOUND(DISC_SQUARE)), less * less);
+    vm out = mand(f->steep, vlt(more * more, square * (1 - BOUND(DISC_SQUARE))));
 
-    flat_report(q, f, in, out, f->e + UNIT, element);
+    flat_report(q, f, in, out, BOUND_OF(PLANE_POINT, f->e + BOUND(POINT_UNIT)), element);
 }
 
 LANE_OP void meet_disc(struct query *q, const struct sure_object *o)
 {
     struct v3 way = v3_sub(v3_set(o->at), q->p->o);
-    struct flat f = flat_meet(q->p, v3_set(o->normal), way, v3_sum(way) * (SURE_WAY * EPS), vset(UNIT));
+    struct flat f = flat_meet(q->p, v3_set(o->normal), way, v3_sum(way) * BOUND(PLANE_WAY), vset(BOUND(QUOTIENT_UNIT)));
 
-    f.e = f.e + vabs(f.t) * P2M(50);
+    f.e = f.e + vabs(f.t) * BOUND(QUOTIENT);
     round_flat(q, &f, way, o->radius, vset(0));
 }
 
@@ -102,7 +106,9 @@ LANE_OP void meet_rectangle(struct query *q, const struct sure_light *l, const s
 {
     const struct packet *p = q->p;
     struct v3 at = v3_sub(v3_scale(p->d, f->t), way);
-    vd l1 = v3_sum(way), e = f->e + 2 * UNIT + p->eo + (l1 + vabs(f->t)) * P2M(49) + vabs(f->t) * p->ed;
+    vd l1 = v3_sum(way),
+       e = BOUND_OF(RECTANGLE_PLACE, f->e + BOUND(POINT_UNITS) + p->eo +
+                                         (l1 + vabs(f->t)) * BOUND(RECTANGLE_PLACE_ROUNDING) + vabs(f->t) * p->ed);
     vd a = vabs(v3_dot(at, v3_set(l->across[0]))), b = vabs(v3_dot(at, v3_set(l->across[1])));
     vd ra = vset(l->reach[0]), rb = vset(l->reach[1]);
     vm in = mand(vlt(a + e, ra), vlt(b + e, rb)), out = mor(vlt(ra, a - e), vlt(rb, b - e));
@@ -113,9 +119,9 @@ LANE_OP void meet_rectangle(struct query *q, const struct sure_light *l, const s
 LANE_OP void meet_flat_light(struct query *q, const struct sure_light *l)
 {
     struct v3 way = v3_sub(v3_set(l->at), q->p->o);
-    struct flat f = flat_meet(q->p, v3_set(l->normal), way, v3_sum(way) * (SURE_WAY * EPS), vset(UNIT));
+    struct flat f = flat_meet(q->p, v3_set(l->normal), way, v3_sum(way) * BOUND(PLANE_WAY), vset(BOUND(QUOTIENT_UNIT)));
 
-    f.e = f.e + vabs(f.t) * P2M(50);
+    f.e = f.e + vabs(f.t) * BOUND(QUOTIENT);
     if (tia_light_has(l->from->kind, TIA_LIGHT_SIDES))
         meet_rectangle(q, l, &f, way);
     else

@@ -11,7 +11,8 @@ LANE_OP void multiply_by(struct paths *p, const vd factor[3])
 
     for (int c = 0; c < 3; c++)
         p->r.weight[c] = p->r.weight[c] * factor[c];
-    p->r.ew = p->r.ew * most3(factor) + UNIT + most * P2M(51);
+    p->r.ew = BOUND_OF(MULTIPLIED_WEIGHT, p->r.ew * most3(factor)) + BOUND(THROUGHPUT_UNIT) +
+              most * BOUND(THROUGHPUT_ROUNDING);
 }
 
 /* Divides throughputs by chances, which are exact. */
@@ -21,7 +22,8 @@ LANE_OP void divide_by(struct paths *p, vd chance, vm lanes)
 
     for (int c = 0; c < 3; c++)
         p->r.weight[c] = p->r.weight[c] * inverse;
-    p->r.ew = p->r.ew * inverse + vsel(lanes, UNIT + most3(p->r.weight) * P2M(51), vset(0));
+    p->r.ew = BOUND_OF(DIVIDED_WEIGHT, p->r.ew * inverse) +
+              vsel(lanes, BOUND(THROUGHPUT_UNIT) + most3(p->r.weight) * BOUND(THROUGHPUT_ROUNDING), vset(0));
 }
 
 /* Leaves the lanes whose throughputs the integers surely have as they are: those of 2^17 and more are cut, and what is
@@ -69,7 +71,8 @@ static unsigned reflected_by(const struct refraction *r, const struct shade *h, 
     vu_store(number, given);
     *unsure = 0;
     for (int k = 0; k < LANES; k++) {
-        double low = (fresnel[k] - e[k]) * 4294967296.0 - 2, high = (fresnel[k] + e[k]) * 4294967296.0 + 2;
+        double low = (fresnel[k] - e[k]) * 4294967296.0 - BOUND(REFLECTED_CHANCE),
+               high = (fresnel[k] + e[k]) * 4294967296.0 + BOUND(REFLECTED_CHANCE);
         if (!(partly >> k & 1))
             continue;
         if (number[k] < low)
@@ -89,10 +92,11 @@ static void pass_straight(struct path_state *f, unsigned lanes, const struct pat
 
     lanes = uncut(f, lanes, next, p->r.slot);
     next->r.p.o = v3_along(h->point, h->viewer, vset(-bias));
-    next->r.p.eo = h->ep + h->ev * vset(bias) + 2 * UNIT + v3_sum(next->r.p.o) * P2M(51);
+    next->r.p.eo = BOUND_OF(STRAIGHT_ON, h->ep + BOUND_OF(STRAIGHT_ON_TURN, h->ev * vset(bias))) + BOUND(POINT_UNITS) +
+                   v3_sum(next->r.p.o) * BOUND(POINT_ROUNDING);
     next->r.p.d = p->r.p.d;
     next->r.p.ed = p->r.p.ed;
-    next->r.p.from = leaving(h, next->r.p.d, next->r.p.ed, -1, P2M(2)); /* see struct origin */
+    next->r.p.from = leaving(h, next->r.p.d, next->r.p.ed, -1, BOUND(LEAVING_STEEP)); /* see struct origin */
     next->specular = lanes;
     for (int k = 0; k < LANES; k++) {
         next->r.slot[k] = p->r.slot[k];

@@ -32,16 +32,17 @@ LANE_OP int cells_along(const struct cell_walk *w, int axis)
 LANE_OP bool set_axis(struct cell_walk *w, int axis)
 {
     double size = __builtin_fabs(w->d[axis]), far = w->grid->edge * cells_along(w, axis);
-    double round = (__builtin_fabs(w->grid->corner[axis]) + far + __builtin_fabs(w->o[axis])) * (4 * EPS) + 2 * UNIT;
+    double round = (__builtin_fabs(w->grid->corner[axis]) + far + __builtin_fabs(w->o[axis])) * BOUND(GRID_PLANE) +
+                   BOUND(GRID_UNITS);
 
     w->step[axis] = w->d[axis] < 0 ? -1 : 1;
-    w->moves[axis] = size > 64 * w->ed + P2M(24);
+    w->moves[axis] = size > BOUND(GRID_TURN) * w->ed + BOUND(GRID_STEEP);
     if (!w->moves[axis])
         return false;
     double over = 1 / (size - w->ed);
     w->inverse[axis] = 1 / w->d[axis];
-    w->base[axis] = (w->eo + round) * over + UNIT;
-    w->slope[axis] = (w->ed + 4 * EPS) * over;
+    w->base[axis] = BOUND_OF(GRID_BASE, (w->eo + round) * over) + BOUND(QUOTIENT_UNIT);
+    w->slope[axis] = BOUND_OF(GRID_SLOPE, (w->ed + BOUND(GRID_TIME)) * over);
     return true;
 }
 
@@ -99,7 +100,8 @@ static bool hit_cell(struct cell_walk *w, double t, double e, double element)
  * outside. */
 static bool find_cell(struct cell_walk *w, int axis, double place, double e)
 {
-    double x = (place - w->grid->corner[axis]) / w->grid->edge, more = e / w->grid->edge + __builtin_fabs(x) * P2M(50);
+    double x = (place - w->grid->corner[axis]) / w->grid->edge,
+           more = e / w->grid->edge + __builtin_fabs(x) * BOUND(GRID_RAY_CELL);
     double last = cells_along(w, axis) - 1, low = __builtin_floor(x - more), high = __builtin_floor(x + more);
     double cell = w->d[axis] < 0 ? high : low;
 
@@ -123,8 +125,8 @@ static bool enter_grid(struct cell_walk *w, int *axis, double *in, double *ein)
         int n = cells_along(w, i);
         double e0, e1, t0, t1;
         if (!set_axis(w, i)) {
-            double off = w->eo + reach * (w->ed + __builtin_fabs(w->d[i])) +
-                         (__builtin_fabs(w->o[i]) + reach) * (8 * EPS) + 4 * UNIT;
+            double off = BOUND_OF(GRID_LEVEL, w->eo + reach * (w->ed + __builtin_fabs(w->d[i]))) +
+                         (__builtin_fabs(w->o[i]) + reach) * BOUND(GRID_PLACE_ROUNDING) + BOUND(GRID_LEVEL_UNITS);
             double a = w->o[i] - w->grid->corner[i], b = a - w->grid->edge * n;
             if (a < -off || b > off)
                 return false;
@@ -164,7 +166,8 @@ static bool start_walk(struct cell_walk *w)
     double at = axis < 0 ? 0 : t, slack = axis < 0 ? 0 : e;
     for (int i = 0; i < 3; i++) {
         double place = w->o[i] + at * w->d[i];
-        double off = w->eo + at * w->ed + slack + (__builtin_fabs(w->o[i]) + at) * (8 * EPS) + 2 * UNIT;
+        double off = BOUND_OF(GRID_PLACE, w->eo + at * w->ed + slack) +
+                     (__builtin_fabs(w->o[i]) + at) * BOUND(GRID_PLACE_ROUNDING) + BOUND(GRID_PLACE_UNITS);
         if (i == axis)
             w->at[i] = w->d[i] < 0 ? cells_along(w, i) - 1 : 0;
         else if (w->moves[i])

@@ -42,15 +42,16 @@ LANE_OP vm set_grid_axis(struct grid_axis *x, const struct packet *p, const stru
 {
     const vd o = i == 0 ? p->o.x : i == 1 ? p->o.y : p->o.z, d = i == 0 ? p->d.x : i == 1 ? p->d.y : p->d.z;
     double far = grid->edge * grid->from->size[i];
-    vd size = vabs(d), round = (vset(__builtin_fabs(grid->corner[i]) + far) + vabs(o)) * (4 * EPS) + 2 * UNIT;
-    vm moves = vlt(64 * p->ed + P2M(24), size);
+    vd size = vabs(d),
+       round = (vset(__builtin_fabs(grid->corner[i]) + far) + vabs(o)) * BOUND(GRID_PLANE) + BOUND(GRID_UNITS);
+    vm moves = vlt(BOUND(GRID_TURN) * p->ed + BOUND(GRID_STEEP), size);
     vd over = 1 / vsel(moves, size - p->ed, vset(1)), inverse = 1 / vsel(moves, d, vset(1));
 
     x->back = vlt(d, vset(0));
     x->a = (vset(grid->corner[i]) - o) * inverse;
     x->b = vset(grid->edge) * inverse;
-    x->base = (p->eo + round) * over + UNIT;
-    x->slope = (p->ed + 4 * EPS) * over;
+    x->base = BOUND_OF(GRID_BASE, (p->eo + round) * over) + BOUND(QUOTIENT_UNIT);
+    x->slope = BOUND_OF(GRID_SLOPE, (p->ed + BOUND(GRID_TIME)) * over);
     x->step = vsel(x->back, vset(-1), vset(1));
     x->last = vset((double)grid->from->size[i] - 1);
     x->stride = x->step * stride;
@@ -60,7 +61,8 @@ LANE_OP vm set_grid_axis(struct grid_axis *x, const struct packet *p, const stru
 /* The cell along an axis of a place within e, see find_cell. */
 LANE_OP vm grid_cell(struct grid_axis *x, const struct sure_grid *grid, int i, vd place, vd e)
 {
-    vd at = (place - vset(grid->corner[i])) * (1 / grid->edge), more = e * (1 / grid->edge) + vabs(at) * P2M(49);
+    vd at = (place - vset(grid->corner[i])) * (1 / grid->edge),
+       more = e * (1 / grid->edge) + vabs(at) * BOUND(GRID_CELL);
     vd low = vfloor(at - more), high = vfloor(at + more);
 
     x->cell = low;
@@ -160,7 +162,8 @@ LANE_OP void start_grids(struct grid_walk *g, const struct packet *p, vm lanes, 
     g->index = vset(0);
     for (int i = 0; i < 3; i++) {
         struct grid_axis *x = &g->axis[i];
-        vd off = p->eo + at * p->ed + slack + (vabs(o[i]) + at) * (8 * EPS) + 2 * UNIT;
+        vd off = BOUND_OF(GRID_PLACE, p->eo + at * p->ed + slack) + (vabs(o[i]) + at) * BOUND(GRID_PLACE_ROUNDING) +
+                 BOUND(GRID_PLACE_UNITS);
         clear = mand(clear, mor(enters[i], grid_cell(x, g->grid, i, o[i] + at * d[i], off)));
         x->cell = vsel(enters[i], vsel(x->back, x->last, vset(0)), x->cell);
         x->plane = x->cell + vsel(x->back, vset(0), vset(1));
@@ -228,7 +231,7 @@ LANE_OP void step_grids(struct grid_walk *g, vd limit)
     s.first = vle(t[0], m);
     s.second = mand(mnot(s.first), vle(t[1], m));
     vm third = mnot(mor(s.first, s.second));
-    s.open = vle(after - m, 2 * g->off);
+    s.open = vle(after - m, BOUND_OF(GRID_ORDER, 2 * g->off));
     s.over = mand(mnot(s.open), vlt(limit, m - g->off));
     vd plane = of_axis(s.first, s.second, x[0].plane, x[1].plane, x[2].plane);
     vd end = of_axis(s.first, s.second, x[0].end, x[1].end, x[2].end);
@@ -303,7 +306,7 @@ static __attribute__((noinline)) void meet_grid(struct query *q, const struct su
     for (int k = 0; mbits(g->alone) >> k; k++)
         if (mbits(g->alone) >> k & 1)
             walk_alone(g, q, k);
-    vd bound = g->e + p->eo + g->t * p->ed + UNIT;
+    vd bound = BOUND_OF(POINT, g->e + p->eo + g->t * p->ed + BOUND(POINT_UNIT));
     report_hit(
         q, (struct hit_report){
                .sure = g->sure, .may = g->may, .t = g->t, .e = g->e, .ep = bound, .low = g->t, .element = g->element});

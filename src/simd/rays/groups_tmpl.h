@@ -38,7 +38,7 @@ static void filter_groups(struct query *q, const struct group_list *g, const dou
         more[k] = 0;
         for (int i = 0; i < g->count[k]; i++) {
             open |= (unsigned)!g->sure[k][i] << k;
-            more[k] += UNIT;
+            more[k] += BOUND(THROUGH_UNIT);
             for (int c = 0; c < 3; c++)
                 through[c][k] *= transmission[c];
         }

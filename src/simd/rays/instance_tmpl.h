@@ -32,17 +32,18 @@ static void place_rays(const struct sure_instance *i, const struct packet *p, bo
 
     to->p.o = (struct v3){v3_dot(v, a[0]) * vset(i->inverse[0]), v3_dot(v, a[1]) * vset(i->inverse[1]),
                           v3_dot(v, a[2]) * vset(i->inverse[2])};
-    to->p.eo = (p->eo + size * (32 * EPS) + 4 * UNIT) * over + 4 * UNIT + v3_sum(to->p.o) * P2M(50);
+    to->p.eo = BOUND_OF(INSTANCE_PLACE, (p->eo + size * BOUND(INSTANCE_ORIGIN) + BOUND(INSTANCE_UNITS)) * over) +
+               BOUND(INSTANCE_SCALED_UNITS) + v3_sum(to->p.o) * BOUND(INSTANCE_SCALED);
     struct v3 d = {v3_dot(p->d, a[0]) * vset(i->inverse[0]), v3_dot(p->d, a[1]) * vset(i->inverse[1]),
                    v3_dot(p->d, a[2]) * vset(i->inverse[2])};
-    to->ek = (p->ed + vset(P2M(49))) * over;
+    to->ek = BOUND_OF(INSTANCE_LENGTH, (p->ed + vset(BOUND(INSTANCE_DIRECTION))) * over);
     to->k = vsqrt(v3_dot(d, d));
     to->p.d = v3_unit(d, to->ek, &to->p.ed);
     to->p.from = p->from;
     if (!box && i->least < i->most)
         to->p.from.object = vsel(vlt(vset(0.5), p->from.side), vset(-1), p->from.object);
     to->p.from.object = vsel(vlt(p->from.side, vset(0)), vset(-1), to->p.from.object); /* heights are others there */
-    to->fine = mand(packet_start(i->centre, i->extent, &to->p, active), vlt(16 * to->ek, to->k));
+    to->fine = mand(packet_start(i->centre, i->extent, &to->p, active), vlt(BOUND(INSTANCE_KNOWN) * to->ek, to->k));
 }
 
 /* The query in the instance's axes: always for the nearest. */
@@ -53,7 +54,8 @@ LANE_OP void placed_query(const struct query *q, const struct placed *placed, st
     inner->active = mand(q->active, placed->fine);
     inner->any = false;
     inner->groups = NULL;
-    inner->limit = q->limit * (placed->k + placed->ek) * (1 + P2M(10)) + placed->p.eo + P2M(20);
+    inner->limit =
+        q->limit * (placed->k + placed->ek) * BOUND(INSTANCE_LIMIT) + placed->p.eo + BOUND(INSTANCE_LIMIT_MORE);
     inner->t = inner->low = vset(INFINITE);
     inner->e = inner->ep = vset(0);
     inner->id = inner->element = vset(-1);
@@ -68,15 +70,20 @@ static void report_placed(struct query *q, const struct placed *placed, const st
     vd least = vmin(inner->low, vsel(met, inner->t - inner->e, vset(INFINITE))),
        over = 1 / vsel(wild, vset(1), placed->k);
     vd t = vsel(met, inner->t, vset(0)) * over, ratio = placed->ek * over;
-    vd e = inner->e * over * (1 + 1.07 * ratio) + 1.07 * t * ratio + 2 * UNIT + t * P2M(50);
-    vd low = vsel(vlt(least, vset(INFINITE)), least * over * (1 - 2 * ratio) - 2 * UNIT, vset(INFINITE));
+    vd e = BOUND_OF(INSTANCE_DISTANCE, inner->e * over * (1 + BOUND(INSTANCE_RATIO) * ratio) +
+                                           BOUND(INSTANCE_RATIO) * t * ratio + BOUND(INSTANCE_DISTANCE_UNITS) +
+                                           t * BOUND(INSTANCE_DISTANCE_ROUNDING));
+    vd low = vsel(vlt(least, vset(INFINITE)),
+                  least * over * (1 - BOUND(INSTANCE_LOW) * ratio) - BOUND(INSTANCE_DISTANCE_UNITS), vset(INFINITE));
 
     report_hit(q, (struct hit_report){.sure = mand(sure, mnot(wild)),
                                       .may = mor(may, wild),
                                       .t = t,
                                       .e = e,
-                                      .ep = vmin(inner->ep * vset(most) + p->eo + t * P2M(50) + 4 * UNIT,
-                                                 p->eo + e + t * p->ed + 2 * UNIT),
+                                      .ep = vmin(BOUND_OF(INSTANCE_POINT, inner->ep * vset(most) + p->eo +
+                                                                              t * BOUND(INSTANCE_DISTANCE_ROUNDING) +
+                                                                              BOUND(INSTANCE_POINT_UNITS)),
+                                                 BOUND_OF(POINT, p->eo + e + t * p->ed + BOUND(POINT_UNITS))),
                                       .low = vmax(vsel(wild, vset(0), low), vset(0)),
                                       .element = inner->element});
 }

@@ -16,7 +16,7 @@ LANE_OP struct ve ve_of(vd v, vd e)
 
 LANE_OP struct ve ve_set(double v)
 {
-    return (struct ve){vset(v), vset(__builtin_fabs(v) * EPS)};
+    return (struct ve){vset(v), vset(__builtin_fabs(v) * BOUND(GIVEN))};
 }
 
 LANE_OP struct ve ve_neg(struct ve a)
@@ -28,7 +28,7 @@ LANE_OP struct ve ve_add(struct ve a, struct ve b)
 {
     vd v = a.v + b.v;
 
-    return (struct ve){v, a.e + b.e + vabs(v) * (2 * EPS)};
+    return (struct ve){v, BOUND_OF(INTERVAL_SUM, a.e + b.e) + vabs(v) * BOUND(SUM)};
 }
 
 LANE_OP struct ve ve_sub(struct ve a, struct ve b)
@@ -40,18 +40,20 @@ LANE_OP struct ve ve_mul(struct ve a, struct ve b)
 {
     vd v = a.v * b.v;
 
-    return (struct ve){v, vabs(a.v) * b.e + vabs(b.v) * a.e + a.e * b.e + vabs(v) * (2 * EPS) + UNIT};
+    return (struct ve){v, BOUND_OF(INTERVAL_PRODUCT, vabs(a.v) * b.e + vabs(b.v) * a.e + a.e * b.e) +
+                              vabs(v) * BOUND(PRODUCT) + BOUND(PRODUCT_UNIT)};
 }
 
 /* *fine is cleared where b may be 0. */
 LANE_OP struct ve ve_div(struct ve a, struct ve b, vm *fine)
 {
     vd size = vabs(b.v);
-    vm good = vlt(2 * b.e, size);
+    vm good = vlt(BOUND(DIVISOR_KNOWN) * b.e, size);
     vd v = a.v / vsel(good, b.v, vset(1));
 
     *fine = mand(*fine, good);
-    return (struct ve){v, (a.e + vabs(v) * b.e) / vsel(good, size - b.e, vset(1)) + vabs(v) * P2M(50) + UNIT};
+    return (struct ve){v, BOUND_OF(INTERVAL_QUOTIENT, (a.e + vabs(v) * b.e) / vsel(good, size - b.e, vset(1))) +
+                              vabs(v) * BOUND(QUOTIENT) + BOUND(QUOTIENT_UNIT)};
 }
 
 /* And here where a may be negative: |sqrt a - sqrt b| <= |a - b|/sqrt a. */
@@ -61,7 +63,7 @@ LANE_OP struct ve ve_sqrt(struct ve a, vm *fine)
     vd v = vsqrt(vsel(good, a.v, vset(1)));
 
     *fine = mand(*fine, good);
-    return (struct ve){v, a.e / v + v * (4 * EPS) + UNIT};
+    return (struct ve){v, BOUND_OF(INTERVAL_ROOT, a.e / v) + v * BOUND(ROOT) + BOUND(ROOT_UNIT)};
 }
 
 LANE_OP vm ve_less(struct ve a, struct ve b)

@@ -17,8 +17,9 @@ struct aim {
 static void aim_at_sphere(const struct sure_light *l, const struct shade *h, struct aim *a)
 {
     vd e;
-    struct v3 n = v3_unit(v3_sub(h->point, v3_set(l->at)), h->ep + v3_sum(h->point) * P2M(51), &e);
-    vd x = vabs(n.x), y = vabs(n.y), z = vabs(n.z), e2 = 2 * e, zero = vset(0);
+    struct v3 n = v3_unit(v3_sub(h->point, v3_set(l->at)),
+                          BOUND_OF(AIM_DIRECTION, h->ep + v3_sum(h->point) * BOUND(POINT_ROUNDING)), &e);
+    vd x = vabs(n.x), y = vabs(n.y), z = vabs(n.z), e2 = BOUND_OF(AIM_ORDER, 2 * e), zero = vset(0);
     vm is_x = mand(vlt(x + e2, y), vlt(x + e2, z)), is_y = mand(vlt(y + e2, x), vlt(y + e2, z));
     vm is_z = mand(vlt(z + e2, x), vlt(z + e2, y));
     struct v3 c = {vsel(is_x, zero, vsel(is_y, n.z, -n.y)), vsel(is_x, -n.z, vsel(is_y, zero, n.x)),
@@ -27,13 +28,13 @@ static void aim_at_sphere(const struct sure_light *l, const struct shade *h, str
     a->unsure = mnot(mor(is_x, mor(is_y, is_z)));
     a->axes[0] = v3_unit(c, e, &a->e);
     a->axes[1] = v3_cross(n, a->axes[0]);
-    a->e = a->e + e + P2M(49);
+    a->e = BOUND_OF(AIM_AXES, a->e + e + BOUND(AIM_ROUNDING));
 }
 
 static void aim_at(const struct sure_light *l, const struct shade *h, struct aim *a)
 {
     a->unsure = mnone();
-    a->e = vset(P2M(50));
+    a->e = vset(BOUND(AIM_CONVERTED));
     a->axes[0] = v3_set(l->axes[0]);
     a->axes[1] = v3_set(l->axes[1]);
     if (ray_light_turns(l->from))
@@ -49,29 +50,34 @@ struct falloff {
 /* (c - outer)/(inner - outer), from 0 to 1; a cone whose angles are equal has an edge instead. */
 static void spot_falloff(const struct sure_light *l, struct v3 to, vd eto, struct falloff *f)
 {
-    vd c = -v3_dot(to, v3_set(l->normal)), e = eto + P2M(49), width = vset(l->inner - l->outer);
+    vd c = -v3_dot(to, v3_set(l->normal)), e = BOUND_OF(SPOT_COSINE, eto + BOUND(COSINE)),
+       width = vset(l->inner - l->outer);
 
-    if (l->inner - l->outer < P2M(20)) {
+    if (l->inner - l->outer < BOUND(SPOT_NARROW)) {
         f->unsure = mor(f->unsure, mand(vlt(vset(l->outer) - e, c), vlt(c, vset(l->inner) + e)));
         f->factor = vsel(vlt(c, vset(l->inner)), vset(0), vset(1));
         return;
     }
     f->factor = vmin(vmax((c - vset(l->outer)) / width, vset(0)), vset(1));
-    f->e = 1.0625 * e / width + P2M(40);
+    f->e = BOUND_OF(SPOT, BOUND(SPOT_WIDTH) * e / width) + BOUND(SPOT_UNITS);
 }
 
 /* 1/(constant + linear d + quadratic d^2), and 0 from a sum of 2^17 on: less than 2^-16 from 2^16 on. */
 static void attenuate(const struct sure_light *l, vd distance, vd edistance, struct falloff *f)
 {
-    vd d = distance * vset(l->unit), ed = edistance * vset(l->unit) + 2 * UNIT + d * P2M(50);
+    vd d = distance * vset(l->unit),
+       ed = BOUND_OF(FADE_DISTANCE, edistance * vset(l->unit) + BOUND(FADE_UNITS) + d * BOUND(FADE_ROUNDING));
     vd slope = vset(l->linear) + vset(l->quadratic) * d, sum = vset(l->constant) + slope * d;
-    vd esum = (slope + vset(l->quadratic) * (d + ed)) * ed + (sum + d + 1) * P2M(43);
-    vm fine = mand(vlt(vset(P2M(6)), sum), vlt(16 * esum, sum)), far = vlt(vset(65536), sum);
+    vd esum =
+        BOUND_OF(FADE_SUM, (slope + vset(l->quadratic) * (d + ed)) * ed) + (sum + d + 1) * BOUND(FADE_SUM_ROUNDING);
+    vm fine = mand(vlt(vset(BOUND(FADE_LEAST)), sum), vlt(BOUND(FADE_KNOWN) * esum, sum)), far = vlt(vset(65536), sum);
     vd factor = 1 / vsel(fine, sum, vset(1));
 
     f->unsure = mor(f->unsure, mnot(fine));
-    f->e = f->e * factor + (f->factor + f->e) * (1.125 * esum * factor * factor + vsel(far, vset(P2M(16)), vset(0))) +
-           P2M(43);
+    f->e = BOUND_OF(FADE_SPOT, f->e * factor) +
+           (f->factor + f->e) * (BOUND_OF(FADE, BOUND(FADE_INVERSE) * esum * factor * factor) +
+                                 vsel(far, vset(BOUND(FADE_FAR)), vset(0))) +
+           BOUND(FADE_FACTOR);
     f->factor = f->factor * factor;
 }
 
@@ -89,7 +95,8 @@ static void find_falloff(const struct sure_light *l, struct sample *s)
         spot_falloff(l, s->to, s->eto, &s->falloff);
     if (l->from->fades) {
         vd distance = v3_dot(s->way, s->to);
-        attenuate(l, distance, s->ew + distance * P2M(49) + UNIT, &s->falloff);
+        attenuate(l, distance, BOUND_OF(DISTANCE, s->ew + distance * BOUND(DISTANCE_ROUNDING) + BOUND(LENGTH_UNIT)),
+                  &s->falloff);
     }
 }
 
@@ -127,17 +134,17 @@ static __attribute__((noinline)) void sample_of(const struct sure_light *l, cons
 {
     if (tia_light_has(l->from->kind, TIA_LIGHT_FAR)) {
         s->way = s->to = v3_neg(v3_set(l->normal));
-        s->ew = s->eto = vset(P2M(51));
+        s->ew = s->eto = vset(BOUND(CONVERTED));
         return;
     }
     s->way = v3_sub(v3_set(l->at), h->point);
-    s->ew = h->ep + (v3_sum(s->way) + v3_sum(h->point)) * P2M(51);
+    s->ew = BOUND_OF(SAMPLE_WAY, h->ep + (v3_sum(s->way) + v3_sum(h->point)) * BOUND(POINT_ROUNDING));
     if (tia_light_has(l->from->kind, TIA_LIGHT_AREA)) {
         vd x, y;
         find_places(l, pick, &x, &y);
         s->way = v3_add(s->way, v3_add(v3_scale(a->axes[0], x), v3_scale(a->axes[1], y)));
-        s->ew = s->ew + (vabs(x) + vabs(y)) * (a->e + P2M(50)) + 4 * UNIT +
-                (v3_sum(a->axes[0]) + v3_sum(a->axes[1])) * P2M(48);
+        s->ew = s->ew + BOUND_OF(SAMPLE_AREA, (vabs(x) + vabs(y)) * (a->e + BOUND(SAMPLE_PLACE))) +
+                BOUND(SAMPLE_UNITS) + (v3_sum(a->axes[0]) + v3_sum(a->axes[1])) * BOUND(SAMPLE_SIDES);
     }
     s->to = v3_unit(s->way, s->ew, &s->eto);
 }
@@ -158,10 +165,11 @@ static void aim_shadow(const struct sure_scene *scene, const struct sure_light *
         return;
     }
     struct v3 way = v3_sub(s->way, v3_sub(h->outside, h->point));
-    vd e = s->ew + h->eg * vset(scene->bias) + 2 * UNIT + (v3_sum(way) + 2 * v3_sum(h->outside)) * P2M(51);
+    vd e = BOUND_OF(SHADOW_WAY, s->ew + BOUND_OF(SHADOW_NORMAL, h->eg * vset(scene->bias)) + BOUND(POINT_UNITS) +
+                                    (v3_sum(way) + 2 * v3_sum(h->outside)) * BOUND(POINT_ROUNDING));
     shadow->p.d = v3_unit(way, e, &shadow->p.ed);
     shadow->distance = v3_dot(way, shadow->p.d);
-    shadow->edistance = e + shadow->distance * P2M(49) + UNIT;
+    shadow->edistance = BOUND_OF(DISTANCE, e + shadow->distance * BOUND(DISTANCE_ROUNDING) + BOUND(LENGTH_UNIT));
     shadow->p.from = leaving(h, shadow->p.d, shadow->p.ed, 1, 0);
 }
 
@@ -171,18 +179,20 @@ static void reflect_light(const struct shade *h, const struct sample *s, vd lamb
 {
     vm glossy = mand(lit, h->glossy);
 
-    *e = most3(h->colour) * elambert + h->ecolour;
+    *e = BOUND_OF(DIFFUSE, most3(h->colour) * elambert + BOUND_OF(DIFFUSE_TEXTURE, h->ecolour));
     for (int c = 0; c < 3; c++)
         rgb[c] = h->colour[c] * lambert;
     if (!any(glossy))
         return;
     vd half = 2 * (h->facing * lambert) - v3_dot(h->viewer, s->to);
-    vd ehalf = 2 * (h->efacing + elambert) + s->eto + h->ev + P2M(48);
+    vd ehalf = BOUND_OF(HIGHLIGHT_COSINE, BOUND_OF(HIGHLIGHT_FACING, 2 * (h->efacing + elambert)) + s->eto + h->ev +
+                                              BOUND(HIGHLIGHT_ROUNDING));
     half = vmin(vmax(half, vset(0)), vset(1));
     vd shine = vsel(glossy, power(half, h->exponent), vset(0));
     for (int c = 0; c < 3; c++)
         rgb[c] = rgb[c] + h->specular[c] * shine;
-    *e = *e + vsel(glossy, most3(h->specular) * (h->exponent * ehalf + vset(SURE_POWER)), vset(0));
+    *e = *e +
+         vsel(glossy, most3(h->specular) * (BOUND_OF(HIGHLIGHT, h->exponent * ehalf) + vset(BOUND(POWER))), vset(0));
 }
 
 struct light_room;
@@ -205,18 +215,18 @@ struct light_room {
     struct lit one;
 };
 
-/* 2^-42 is for the integers' roundings: six of them here, each half of 2^-45, and as many behind. */
 static __attribute__((noinline)) void add_sample(const struct sure_scene *scene, const struct sure_light *l,
                                                  const struct shade *h, const struct sample *s, vm lanes,
                                                  uint32_t *blocker, struct lit *sum)
 {
     vd lambert = v3_dot(h->normal, s->to), above = v3_dot(h->geometric, s->to);
-    vd el = h->en + s->eto + P2M(49), ea = h->eg + s->eto + P2M(49), rgb[3], e;
+    vd el = BOUND_OF(LAMBERT, h->en + s->eto + BOUND(COSINE)), ea = BOUND_OF(ABOVE, h->eg + s->eto + BOUND(COSINE)),
+       rgb[3], e;
     vm dark = mor(vlt(lambert, -el), vlt(above, -ea)), lit = mand(vlt(el, lambert), vlt(ea, above));
     double part = 1.0 / l->from->samples;
     struct shadow *shadow = &sum->room->shadow;
 
-    dark = mor(dark, vlt(s->falloff.factor + s->falloff.e, vset(P2M(46))));
+    dark = mor(dark, vlt(s->falloff.factor + s->falloff.e, vset(BOUND(SAMPLE_DARK))));
     sum->unsure = mor(sum->unsure, mand(lanes, mor(mnot(mor(dark, lit)), mand(lit, s->falloff.unsure))));
     lit = mand(lit, mnot(dark));
     lit = mand(mand(lit, lanes), mnot(sum->unsure));
@@ -231,10 +241,11 @@ static __attribute__((noinline)) void add_sample(const struct sure_scene *scene,
         return;
     reflect_light(h, s, lambert, el, lit, rgb, &e);
     vd factor = s->falloff.factor;
-    e = (e + 2 * shadow->ethrough) * factor + 2 * s->falloff.e + 2 * s->falloff.e * e;
+    e = BOUND_OF(SAMPLE_LIGHT, (e + 2 * shadow->ethrough) * factor) + BOUND_OF(SAMPLE_FALLOFF, 2 * s->falloff.e) +
+        BOUND_OF(SAMPLE_FALLOFF_MORE, 2 * s->falloff.e * e);
     for (int c = 0; c < 3; c++)
         sum->own[c] = sum->own[c] + vsel(lit, rgb[c] * shadow->through[c] * factor * (l->emission[c] * part), vset(0));
-    sum->eown = sum->eown + vsel(lit, (e + P2M(42)) * (l->brightest * part) + P2M(42), vset(0));
+    sum->eown = sum->eown + vsel(lit, (e + BOUND(SAMPLE_SUM)) * (l->brightest * part) + BOUND(SAMPLE_SUM), vset(0));
 }
 
 /* A sample of the light for all points, then the next. */
@@ -317,7 +328,7 @@ static void add_light(const struct sure_scene *s, uint32_t n, const struct shade
             sum->unsure = mor(sum->unsure, lanes);
         for (int c = 0; c < 3; c++)
             sum->own[c] = sum->own[c] + h->colour[c] * l->emission[c];
-        sum->eown = sum->eown + h->ecolour * l->brightest + P2M(42);
+        sum->eown = sum->eown + BOUND_OF(AMBIENT, h->ecolour * l->brightest) + BOUND(SAMPLE_SUM);
         return;
     }
     aim_at(l, h, aim);

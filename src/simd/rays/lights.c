@@ -1,6 +1,6 @@
 /* lights.c - lights in double precision, and how bright a ray can be. */
+#include "bounds.h"
 #include "math/trig.h"
-#include "sure.h"
 
 static void set_area(struct sure_light *to, const struct ray_light *l)
 {
@@ -125,7 +125,7 @@ static void set_brightest(struct sure_scene *s)
         sum += part * most.own;
         part *= most.back;
         if (i > layers)
-            s->brightest[(uint32_t)(s->generations - i)] = 1.0625 * sum + P2M(30);
+            s->brightest[(uint32_t)(s->generations - i)] = BOUND(BRIGHTEST) * sum + BOUND(BRIGHTEST_UNITS);
     }
     if (most.refracts && most.back > 1)
         s->generations = 0;

@@ -51,16 +51,19 @@ static void add_sights(struct path_state *f, unsigned lanes, const struct paths 
     vm m = mof(surface);
     struct ve density = {vsel(m, a->density.v * one_of + r->density.v, vset(one_of)),
                          vsel(m, a->density.e * one_of + r->density.e, vset(0))};
-    vm fine = mand(vlt(16 * density.e, density.v), mand(vlt(vset(P2M(40)), density.v), vlt(density.v, vset(1e15))));
+    vm fine = mand(vlt(BOUND(SHARE_KNOWN) * density.e, density.v),
+                   mand(vlt(vset(BOUND(SHARE_LEAST)), density.v), vlt(density.v, vset(1e15))));
     vd inverse = 1 / vsel(fine, density.v, vset(1)), most = most3(r->rgb), part[3], bright = most3(radiance);
-    vd share = most * inverse, eshare = 1.125 * inverse * (r->e + share * density.e) + UNIT + share * P2M(50);
+    vd share = most * inverse, eshare = BOUND_OF(SHARE, BOUND(SHARE_QUOTIENT) * inverse * (r->e + share * density.e)) +
+                                        BOUND(SHARE_UNIT) + share * BOUND(SHARE_ROUNDING);
 
     fine = mand(fine, vlt(share + eshare, vset(65536)));
     fine = mand(fine, vlt(bright, vset(65536)));
     for (int c = 0; c < 3; c++)
         part[c] = r->rgb[c] * inverse * (radiance[c] * a->factor);
-    vd light = bright * a->factor, elight = bright * a->efactor + UNIT;
-    vd e = share * elight + eshare * (light + elight) + 2 * UNIT + share * light * P2M(50);
+    vd light = bright * a->factor, elight = BOUND_OF(SEEN_LIGHT, bright * a->efactor) + BOUND(SEEN_LIGHT_UNIT);
+    vd e = BOUND_OF(SEEN_PART, share * elight + eshare * (light + elight)) + BOUND(SEEN_PART_UNITS) +
+           share * light * BOUND(SEEN_PART_ROUNDING);
     lanes = sure_of(f, lanes, mnot(fine), p->r.slot);
     add_part(f, lanes, p, part, e);
 }
@@ -98,7 +101,7 @@ static unsigned look_for_lights(struct path_state *f, unsigned lanes, const stru
     choose_emitters(f, p, which, u);
     find_sights(f, rough, which, h, u, radiance, &surface);
     vd cosine = v3_dot(a->to, h->normal), above = v3_dot(a->to, h->geometric);
-    vd ec = a->eto + h->en + P2M(49), ea = a->eto + h->eg + P2M(49);
+    vd ec = BOUND_OF(LAMBERT, a->eto + h->en + BOUND(COSINE)), ea = BOUND_OF(ABOVE, a->eto + h->eg + BOUND(COSINE));
     vm dark = mor(vlt(cosine, -ec), vlt(above, -ea)), lit = mand(vlt(ec, cosine), vlt(ea, above));
     /* where the sight is unsure its direction may be any, and says nothing of the surface's side */
     vm none = mand(mnot(a->unsure), mor(dark, mnot(a->some))), open = mor(a->unsure, mnot(mor(none, lit)));

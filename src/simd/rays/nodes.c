@@ -15,7 +15,7 @@ static float outward(tia_q16 x, bool up)
         bits += (f > 0) == up ? 1 : -1; /* away from 0, or towards it: these are no small numbers */
         __builtin_memcpy(&f, &bits, sizeof f);
     }
-    return f * (float)P2M(16);
+    return f * (float)SURE_Q16;
 }
 
 /* How many items are below a node, if no more than `most`, else 0; *first: the first one's index, as all of a node's

@@ -27,11 +27,11 @@ static void occlude_packet(struct path_state *f, struct paths *p, unsigned lanes
     shadow->p.o = h->outside;
     shadow->p.eo = h->eoutside;
     shadow->p.d = around(h->normal, h->en, h->exact, cosine_direction(quads_number(first, 2), quads_number(first, 3)),
-                         vset(SURE_LOCAL), &shadow->p.ed, &unsure);
+                         vset(BOUND(LOCAL)), &shadow->p.ed, &unsure);
     shadow->p.from = leaving(h, shadow->p.d, shadow->p.ed, 1, 0);
     shadow->distance = vset(s->paths->reach);
     shadow->edistance = vset(0);
-    vd above = v3_dot(shadow->p.d, h->geometric), e = shadow->p.ed + h->eg + P2M(49);
+    vd above = v3_dot(shadow->p.d, h->geometric), e = BOUND_OF(ABOVE, shadow->p.ed + h->eg + BOUND(COSINE));
     lanes = sure_of(f, lanes, mor(unsure, vle(vabs(above), e)), p->r.slot);
     unsigned below = lanes & mbits(vlt(above, vset(0))), open = lanes & ~below;
     shadow->blocked = shadow->unsure = mnone();

@@ -38,7 +38,7 @@ struct passes {
 
 LANE_OP void lines_of(struct lines *l, const struct packet *p, const struct sure_tree *mesh)
 {
-    const double up = 1 + P2M(21);
+    const double up = 1 + BOUND(PAIR_ROUNDING);
 
     l->line = line_of(p, mesh->centre, mesh->extent);
     struct v3 m = l->line.moment;
@@ -50,7 +50,7 @@ LANE_OP void lines_of(struct lines *l, const struct packet *p, const struct sure
     l->moment[1] = vp_of(m.y);
     l->moment[2] = vp_of(m.z);
     l->off = vp_of(l->line.e * up);
-    l->by = vp_of((3 * l->line.each + far * (SURE_PAIR * P2M(24))) * up);
+    l->by = vp_of((BOUND_OF(PAIR_EDGE, 3 * l->line.each) + far * BOUND(PAIR_AREA)) * up);
 }
 
 LANE_OP vp pair_dot(const vp a[3], const float b[3][2])

@@ -181,8 +181,8 @@ static void first_paths(const struct path_state *f, struct paths *p, const struc
     }
     p->r.p.o = (struct v3){vload(o[0]), vload(o[1]), vload(o[2])};
     p->r.p.d = (struct v3){vload(d[0]), vload(d[1]), vload(d[2])};
-    p->r.p.eo = v3_sum(p->r.p.o) * P2M(53);
-    p->r.p.ed = vset(P2M(52));
+    p->r.p.eo = v3_sum(p->r.p.o) * BOUND(FIRST_ORIGIN);
+    p->r.p.ed = vset(BOUND(FIRST_DIRECTION));
     p->r.p.from = (struct origin){vset(-1), vset(0), vset(0)};
 }
 

@@ -136,13 +136,13 @@ static void give_up(struct work *w, unsigned lanes, const struct rays *r, vd fac
         uint32_t slot = r->slot[k];
         if (!(lanes >> k & 1))
             continue;
-        if (!(most < P2M(8)) || s->generations == 0) {
+        if (!(most < BOUND(GIVEN_UP)) || s->generations == 0) {
             mark(w, slot);
             continue;
         }
         for (int c = 0; c < 3; c++)
             w->block->colour[c][slot] += half;
-        w->block->error[slot] += half + P2M(42);
+        w->block->error[slot] += BOUND_OF(COLOUR_GIVEN_UP, half) + BOUND(COLOUR_UNITS);
         count_rays(w, slot, 1 + (weight[k] + e[k]) * 65536 * s->generations);
     }
 }
@@ -150,7 +150,8 @@ static void give_up(struct work *w, unsigned lanes, const struct rays *r, vd fac
 /* Rays to follow later, unless they are too faint in all channels: of those that may be, nothing is known. */
 static void push(struct work *w, unsigned lanes, struct rays *next, bool refracted, bool straight)
 {
-    vd top = most3(next->weight), least = vset(P2M(16)), margin = next->ew + P2M(40);
+    vd top = most3(next->weight), least = vset(BOUND(FAINT)),
+       margin = BOUND_OF(FAINT_MARGIN, next->ew + BOUND(FAINT_UNITS));
     unsigned yes = lanes & mbits(vlt(least + margin, top)), no = mbits(vlt(top, least - margin));
     double number[COLUMNS][LANES];
 

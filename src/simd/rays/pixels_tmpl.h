@@ -14,8 +14,8 @@ LANE_OP vd clamped(vd c)
  * once more for the product here, which no test can see. */
 LANE_OP vd level_of(vd mean, vd error, double levels, vd threshold, vm *one)
 {
-    vd low = vfloor(vmax(clamped(mean - error) * vset(levels) + threshold - P2M(40), vset(0)));
-    vd high = vfloor(clamped(mean + error) * vset(levels) + threshold + P2M(40));
+    vd low = vfloor(vmax(clamped(mean - error) * vset(levels) + threshold - BOUND(PIXEL_LEVEL), vset(0)));
+    vd high = vfloor(clamped(mean + error) * vset(levels) + threshold + BOUND(PIXEL_LEVEL));
 
     *one = mand(*one, vle(high, low));
     return low;
@@ -24,7 +24,7 @@ LANE_OP vd level_of(vd mean, vd error, double levels, vd threshold, vm *one)
 /* Pixels from `first` on, those of a row. */
 LANE_OP void pack_pixels(struct sure_block *b, const vd mean[3], vd error, vd threshold, int first)
 {
-    vd sum = error + P2M(40);
+    vd sum = BOUND_OF(PIXEL_ERROR, error) + BOUND(PIXEL_MEAN);
     vm one = vlt(sum, vset(1));
     vd r = level_of(mean[0], sum, 31, threshold, &one), g = level_of(mean[1], sum, 63, threshold, &one);
     vd blue = level_of(mean[2], sum, 31, threshold, &one);

@@ -14,8 +14,6 @@
 
 #include "vector_tmpl.h"
 
-#define SURE_POWER P2M(44) /* see above */
-
 /* x + SHIFT is rounded to a whole number, which its lowest bits are. */
 #define SHIFT 6755399441055744.0 /* 1.5 2^52 */
 

@@ -89,8 +89,8 @@ static struct sure_tree tree_of(const struct tia_bvh_tree *tree, struct sure_nod
     const tia_q16 least[3] = {b->min.x, b->min.y, b->min.z}, most[3] = {b->max.x, b->max.y, b->max.z};
 
     for (int k = 0; k < 3; k++) {
-        t.centre[k] = ((double)least[k] + most[k]) / 2 * P2M(16);
-        t.extent += ((double)most[k] - least[k]) / 2 * P2M(16);
+        t.centre[k] = ((double)least[k] + most[k]) / 2 * SURE_Q16;
+        t.extent += ((double)most[k] - least[k]) / 2 * SURE_Q16;
     }
     *nodes += t.node_count;
     return t;
@@ -190,7 +190,7 @@ static void set_material(struct sure_material *to, const struct tia_material *m,
     to->is_specular = !colour_is_black(&m->specular);
     to->refracts = !colour_is_black(&m->refraction);
     to->fresnel = m->fresnel;
-    to->column[SURE_EXPONENT] = (double)m->exponent * P2M(16);
+    to->column[SURE_EXPONENT] = (double)m->exponent * SURE_Q16;
     for (uint32_t i = 0; i < SURE_EXPONENT; i++)
         to->groups |= (uint32_t)(to->column[i] > 0) << i / 3;
     to->groups |= (uint32_t)to->is_specular << SURE_EXPONENT / 3;

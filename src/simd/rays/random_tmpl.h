@@ -85,7 +85,7 @@ LANE_OP vd vu_number(vu u)
 /* (u + 1/2)/2^32: exact. */
 LANE_OP vd vu_unit(vu u)
 {
-    return (vu_number(u) + vset(0.5)) * vset(P2M(32));
+    return (vu_number(u) + vset(0.5)) * vset(SURE_Q32);
 }
 
 #endif

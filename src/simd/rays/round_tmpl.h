@@ -29,12 +29,12 @@ LANE_OP bool beam_start(struct query *q, const struct sure_round *k, struct beam
     b->fine = mof((1u << LANES) - 1);
     b->l1 = v3_sum(o);
     b->start = -v3_dot(o, p->d);
-    b->estart = p->eo + b->l1 * (p->ed + 8 * EPS) + UNIT;
+    b->estart = BOUND_OF(CONE_START, p->eo + b->l1 * (p->ed + BOUND(CONE_START_ROUNDING)) + BOUND(LENGTH_UNIT));
     b->near = v3_along(o, p->d, b->start);
-    b->enear = p->eo + b->l1 * (2 * p->ed + 16 * EPS) + 2 * UNIT;
-    vd lambda = p->eo + (vabs(b->start) + reach) * p->ed + b->l1 * P2M(49);
+    b->enear = BOUND_OF(CONE_NEAR, p->eo + b->l1 * (2 * p->ed + BOUND(CONE_NEAR_ROUNDING)) + BOUND(CONE_NEAR_UNITS));
+    vd lambda = BOUND_OF(CONE_PASS, p->eo + (vabs(b->start) + reach) * p->ed + b->l1 * BOUND(CONE_PASS_ROUNDING));
     vd square = v3_dot(b->near, b->near), out = reach + b->enear;
-    b->miss = mor(starts_outside(q), vlt(out * out, square * (1 - P2M(40))));
+    b->miss = mor(starts_outside(q), vlt(out * out, square * (1 - BOUND(CONE_SQUARE))));
     b->miss = mor(b->miss, vlt(b->start + reach + b->estart, vset(0)));
     b->miss = mor(b->miss, vlt(q->limit, b->start - reach - b->estart));
     if (!any(mand(q->active, mnot(b->miss))))
@@ -43,9 +43,9 @@ LANE_OP bool beam_start(struct query *q, const struct sure_round *k, struct beam
      * integers round by at a tangent, some units */
     struct v3 a0 = v3_set(k->across[0]), a1 = v3_set(k->across[1]);
     vd y0 = v3_dot(p->d, a0), y1 = v3_dot(p->d, a1);
-    vd aside = vabs(v3_dot(b->near, a0) * y1 - v3_dot(b->near, a1) * y0) - b->l1 * P2M(48);
-    vd widest = vset((k->base_radius > k->top_radius ? k->base_radius : k->top_radius) + P2M(38)) + lambda;
-    vd bound = widest * widest * (y0 * y0 + y1 * y1) * (1 + P2M(40));
+    vd aside = vabs(v3_dot(b->near, a0) * y1 - v3_dot(b->near, a1) * y0) - b->l1 * BOUND(CONE_ASIDE);
+    vd widest = vset((k->base_radius > k->top_radius ? k->base_radius : k->top_radius) + BOUND(CONE_TANGENT)) + lambda;
+    vd bound = widest * widest * (y0 * y0 + y1 * y1) * (1 + BOUND(CONE_SQUARE));
     b->miss = mor(b->miss, mand(vlt(vset(0), aside), vlt(bound, aside * aside)));
     return any(mand(q->active, mnot(b->miss)));
 }
@@ -54,18 +54,19 @@ LANE_OP void beam_of(const struct packet *p, struct beam *b)
 {
     const struct sure_round *k = b->k;
     struct v3 a0 = v3_set(k->across[0]), a1 = v3_set(k->across[1]), axis = v3_set(k->axis);
-    vd edir = p->ed + vset(P2M(44)), epos = b->enear + v3_sum(b->near) * (8 * EPS) + UNIT;
+    vd edir = BOUND_OF(CONE_TURN, p->ed + vset(BOUND(CONE_DIRECTION)));
+    vd epos = BOUND_OF(CONE_PLACE, b->enear + v3_sum(b->near) * BOUND(CONE_PLACE_ROUNDING) + BOUND(LENGTH_UNIT));
     b->d0 = ve_of(v3_dot(p->d, a0), edir);
     b->d1 = ve_of(v3_dot(p->d, a1), edir);
     b->flat = vsqrt(b->d0.v * b->d0.v + b->d1.v * b->d1.v);
-    vm some = vlt(32 * edir, b->flat);
+    vm some = vlt(BOUND(CONE_KNOWN) * edir, b->flat);
     b->fine = mand(b->fine, some);
-    vd over = 1 / vsel(some, b->flat, vset(1)), eq = edir * 1.0625 * over + P2M(48);
+    vd over = 1 / vsel(some, b->flat, vset(1)), eq = edir * BOUND(CONE_CHORD) * over + BOUND(CONE_UNIT);
     struct ve q0 = ve_of(b->d0.v * over, eq), q1 = ve_of(b->d1.v * over, eq);
     struct ve p0 = ve_of(v3_dot(b->near, a0), epos), p1 = ve_of(v3_dot(b->near, a1), epos);
     b->height = ve_of(v3_dot(b->near, axis), epos);
     b->rise = ve_of(v3_dot(p->d, axis), edir);
-    b->pace = ve_of(b->flat, edir + P2M(44));
+    b->pace = ve_of(b->flat, edir + BOUND(CONE_LENGTH));
     b->nearest = ve_neg(ve_add(ve_mul(p0, q0), ve_mul(p1, q1)));
     b->passing = ve_sub(ve_mul(p0, q1), ve_mul(p1, q0));
 }
@@ -88,12 +89,12 @@ LANE_OP struct quadratic quadratic_of(struct beam *b)
     struct ve radius = ve_set(k->anchored > 0 ? k->top_radius : k->base_radius);
     struct ve fx = ve_mul(b->pace, c), fy = ve_mul(b->rise, s);
     vd f = vsqrt(fx.v * fx.v + fy.v * fy.v), ef = fx.e + fy.e;
-    vm good = vlt(32 * ef, f);
-    vd inverse = 1 / vsel(good, f, vset(1)), en = ef * 1.0625 * inverse + P2M(48);
+    vm good = vlt(BOUND(CONE_KNOWN) * ef, f);
+    vd inverse = 1 / vsel(good, f, vset(1)), en = ef * BOUND(CONE_CHORD) * inverse + BOUND(CONE_UNIT);
     struct quadratic u = {.n0 = ve_of(fx.v * inverse, en), .n1 = ve_of(fy.v * inverse, en)};
 
     b->fine = mand(b->fine, good);
-    u.length = ve_of(f, ef + P2M(44));
+    u.length = ve_of(f, ef + BOUND(CONE_LENGTH));
     u.g = ve_add(ve_mul(radius, c), ve_mul(b->height, s));
     u.m = ve_mul(b->nearest, c);
     u.w = ve_mul(b->passing, c);
@@ -174,17 +175,18 @@ LANE_OP void beam_report(struct query *q, struct beam *b, const struct reach *si
     struct ve t = ve_sel(take1, t1, t2);
     vm by_side = mor(mand(take1, enters), mand(mnot(take1), leaves));
     vm at_base = mor(mand(take1, rises), mand(mnot(take1), mnot(rises)));
-    t.e = t.e + 2 * UNIT;
+    t.e = t.e + BOUND(CONE_UNITS);
 
-    report_hit(q,
-               (struct hit_report){
-                   .sure = mand(mand(b->fine, mnot(b->miss)), mor(take1, take2)),
-                   .may = mand(mnot(b->fine), mnot(b->miss)),
-                   .t = t.v,
-                   .e = t.e,
-                   .ep = q->p->eo + t.e + t.v * q->p->ed + 2 * UNIT,
-                   .low = vmax(b->start - vset(b->k->reach) - q->p->eo - b->l1 * (q->p->ed + 8 * EPS) - UNIT, vset(0)),
-                   .element = vsel(by_side, vset(ROUND_SIDE), vsel(at_base, vset(ROUND_BASE), vset(ROUND_TOP)))});
+    report_hit(q, (struct hit_report){
+                      .sure = mand(mand(b->fine, mnot(b->miss)), mor(take1, take2)),
+                      .may = mand(mnot(b->fine), mnot(b->miss)),
+                      .t = t.v,
+                      .e = t.e,
+                      .ep = BOUND_OF(CONE_POINT, q->p->eo + t.e + t.v * q->p->ed + BOUND(POINT_UNITS)),
+                      .low = vmax(b->start - vset(b->k->reach) - q->p->eo -
+                                      b->l1 * (q->p->ed + BOUND(CONE_START_ROUNDING)) - BOUND(LENGTH_UNIT),
+                                  vset(0)),
+                      .element = vsel(by_side, vset(ROUND_SIDE), vsel(at_base, vset(ROUND_BASE), vset(ROUND_TOP)))});
 }
 
 static __attribute__((noinline)) void meet_round(struct query *q, const struct sure_round *k)

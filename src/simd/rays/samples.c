@@ -1,11 +1,9 @@
 /* samples.c - pixels of samples: blocks of them go to a level's kernels, and those that are not sure to the integers.
  */
+#include "bounds.h"
 #include "gather.h"
 #include "render/path/path.h"
 #include "simd/simd.h"
-
-/* 1024 bounces with three additions each, of doubles, are off by 2^-41 of the sum. */
-#define SUMMED P2M(41)
 
 struct drawing {
     const struct tia_view *view;
@@ -51,7 +49,7 @@ static void finish_sample(struct drawing *d, int i)
 {
     const struct sure_gather *b = &d->block;
     size_t at = place_of(d, b->x[i], b->y[i]);
-    double e = b->error[i] + sure_most3(b->colour[i]) * SUMMED;
+    double e = b->error[i] + sure_most3(b->colour[i]) * BOUND(SUMMED);
     int64_t rgb[3];
     bool sure = !b->unsure[i];
 

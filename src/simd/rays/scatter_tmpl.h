@@ -23,17 +23,18 @@ static void cut_chances(const double part[4], double e, struct sure_lobes *to)
     double sum = part[0] + part[1] + part[2] + part[3], before = 0;
     uint32_t last = 0;
 
-    to->known = part[3] > 16 * e;
+    to->known = part[3] > BOUND(CHANCE_KNOWN) * e;
     for (int i = 0; i < 3; i++) {
         before += part[i];
-        double share = before / sum, error = share * (e / sum * 1.125 + P2M(50));
+        double share = before / sum,
+               error = BOUND_OF(CHANCE, share * (e / sum * BOUND(CHANCE_QUOTIENT) + BOUND(CHANCE_ROUNDING)));
         double low = (share - error) * 4294967296.0, high = (share + error) * 4294967296.0;
         to->known = to->known && high < 4294967295.0 && (before == 0 || (uint32_t)low == (uint32_t)high);
         to->below[i] = to->known && before > 0 ? (uint32_t)low : 0;
-        to->chance[i] = (to->below[i] - last) * P2M(32);
+        to->chance[i] = (to->below[i] - last) * SURE_Q32;
         last = to->below[i];
     }
-    to->chance[CHANCE_DIFFUSE] = 1 - last * P2M(32);
+    to->chance[CHANCE_DIFFUSE] = 1 - last * SURE_Q32;
 }
 
 static void cut_textured(const struct sure_paths *paths, const struct shade *h, unsigned lanes, struct lobes *l)
@@ -44,7 +45,7 @@ static void cut_textured(const struct sure_paths *paths, const struct shade *h, 
     vstore(part[1], most3(h->refraction));
     vstore(part[2], most3(h->specular));
     vstore(part[3], most3(h->colour));
-    vstore(e, h->ecolour + UNIT);
+    vstore(e, h->ecolour + BOUND(CHANCE_UNIT));
     for (int k = 0; k < LANES; k++) {
         const double mine[4] = {part[0][k], part[1][k], part[2][k], part[3][k]};
         if (!(lanes >> k & 1) || paths->lobes[h->material[k]].known)
@@ -92,17 +93,19 @@ static void add_glossy(const struct shade *h, const struct lobes *l, struct v3 t
                        struct response *r)
 {
     vm m = mof(l->glossy);
-    vd along = v3_dot(l->mirrored, to), ealong = l->emirrored + eto + P2M(49), n = h->exponent;
-    vd p = power(vmin(vmax(along, vset(0)), vset(1)), n), ep = n * ealong + vset(SURE_POWER);
+    vd along = v3_dot(l->mirrored, to), ealong = BOUND_OF(LOBE_COSINE, l->emirrored + eto + BOUND(COSINE)),
+       n = h->exponent;
+    vd p = power(vmin(vmax(along, vset(0)), vset(1)), n), ep = BOUND_OF(LOBE_POWER, n * ealong) + vset(BOUND(POWER));
     vd broad = 0.5 * (n + 2), narrow = 0.5 * (n + 1), height = broad * p, most = most3(h->specular);
-    vd e = most * (broad * ep * (cosine + ecosine) + height * ecosine) + 3 * UNIT * (1 + most);
+    vd e = BOUND_OF(LOBE_REFLECTED, most * (broad * ep * (cosine + ecosine) + height * ecosine)) +
+           BOUND(LOBE_UNITS) * (1 + most);
 
     for (int c = 0; c < 3; c++)
         r->rgb[c] = r->rgb[c] + vsel(m, h->specular[c] * height * cosine, vset(0));
     r->e = r->e + vsel(m, e, vset(0));
     vd part = l->chance[CHANCE_GLOSSY] * narrow;
     r->density.v = r->density.v + vsel(m, part * p, vset(0));
-    r->density.e = r->density.e + vsel(m, part * ep + 2 * UNIT, vset(0));
+    r->density.e = r->density.e + vsel(m, BOUND_OF(LOBE_DENSITY, part * ep) + BOUND(LOBE_DENSITY_UNITS), vset(0));
 }
 
 /* Light from `to`, at the cosine to the normal. */
@@ -111,8 +114,9 @@ LANE_OP void respond(const struct shade *h, const struct lobes *l, struct v3 to,
 {
     for (int c = 0; c < 3; c++)
         r->rgb[c] = h->colour[c] * cosine;
-    r->e = most3(h->colour) * ecosine + h->ecolour + 2 * UNIT;
-    r->density = ve_of(l->chance[CHANCE_DIFFUSE] * cosine, ecosine + P2M(51));
+    r->e = BOUND_OF(DIFFUSE_REFLECTED, most3(h->colour) * ecosine + h->ecolour) + BOUND(DIFFUSE_UNITS);
+    r->density =
+        ve_of(l->chance[CHANCE_DIFFUSE] * cosine, BOUND_OF(DIFFUSE_DENSITY, ecosine) + BOUND(DIFFUSE_DENSITY_ROUNDING));
     if (l->glossy)
         add_glossy(h, l, to, eto, cosine, ecosine, r);
 }
@@ -134,7 +138,7 @@ static struct v3 phong_direction(const struct shade *h, const vu u[2], unsigned 
             continue;
         tia_sample_phong(pair, (tia_q16)(exponent[k] * 65536), local);
         for (int i = 0; i < 3; i++)
-            d[i][k] = (double)local[i] * P2M(62);
+            d[i][k] = (double)local[i] * SURE_Q62;
     }
     return (struct v3){vload(d[0]), vload(d[1]), vload(d[2])};
 }

@@ -21,12 +21,12 @@
  * False in lanes whose rays are too far off for a margin around them. */
 LANE_OP vm packet_start(const double centre[3], double extent, struct packet *p, vm active)
 {
-    vd tiny = vset(P2M(60)), zero = vset(0);
+    vd tiny = vset(BOUND(SLABS_TINY)), zero = vset(0);
     const vd o[3] = {p->o.x, p->o.y, p->o.z},
              d[3] = {vsel(vlt(vabs(p->d.x), tiny), tiny, p->d.x), vsel(vlt(vabs(p->d.y), tiny), tiny, p->d.y),
                      vsel(vlt(vabs(p->d.z), tiny), tiny, p->d.z)};
     vd size = v3_sum(p->o), reach = v3_sum(v3_sub(p->o, v3_set(centre))) + vset(extent);
-    vd off = p->eo + reach * p->ed, pad = off + (size + reach) * P2M(21);
+    vd off = BOUND_OF(SLABS_APART, p->eo + reach * p->ed), pad = off + (size + reach) * BOUND(SLABS_FLOATS);
     struct slabs *s = &p->slabs;
     unsigned all = mbits(active);
 
@@ -45,13 +45,13 @@ LANE_OP vm packet_start(const double centre[3], double extent, struct packet *p,
         s->in[i] = vp_of(middle + aside);
         s->out[i] = vp_of(middle - aside);
     }
-    return vlt(off, vset((extent + P2M(10)) * P2M(9)));
+    return vlt(off, vset((extent + BOUND(SLABS_LEAST)) * BOUND(SLABS_WIDE)));
 }
 
 /* What is farther than a limit is so in floats, too. */
 LANE_OP vd up(vd limit)
 {
-    return limit + vabs(limit) * P2M(22);
+    return limit + vabs(limit) * BOUND(SLABS_LIMIT);
 }
 
 /* The lanes that may enter a node's children before their limits, and where. */

@@ -21,19 +21,23 @@ LANE_OP void meet_sphere(struct query *q, const double at[3], double radius)
     struct v3 l = v3_sub(v3_set(at), p->o);
     vd r = vset(radius), tca = v3_dot(l, p->d), l1 = v3_sum(l);
     struct v3 side = v3_sub(l, v3_scale(p->d, tca));
-    vd p2 = v3_dot(side, side), s = r * r - p2, round = r * r * (SURE_SQUARE * EPS);
-    vd lambda = p->eo + vabs(tca) * p->ed + l1 * (SURE_ASIDE * EPS) + UNIT;
-    vd all = p->eo + l1 * (2 * p->ed + SURE_ASIDE * EPS) + 2 * UNIT;
-    vd es = 2 * r * lambda + all * all + round;
+    vd p2 = v3_dot(side, side), s = r * r - p2, round = r * r * BOUND(SPHERE_SQUARE_ROUNDING);
+    vd lambda =
+        BOUND_OF(SPHERE_ACROSS, p->eo + vabs(tca) * p->ed + l1 * BOUND(SPHERE_ASIDE) + BOUND(SPHERE_ASIDE_UNIT));
+    vd all = BOUND_OF(SPHERE_ANY, p->eo + l1 * (2 * p->ed + BOUND(SPHERE_ASIDE)) + BOUND(SPHERE_ANY_UNITS));
+    vd es = BOUND_OF(SPHERE_SQUARE, 2 * r * lambda + all * all + round);
     vm active = mand(q->active, mnot(starts_outside(q))), own = starts_inside(q);
     vm hit = mand(vlt(es, s), active), unclear = mand(mand(vle(-es, s), mnot(hit)), active);
 
     if (!any(mor(hit, unclear)))
         return;
     vd aside = vmin(vsqrt(p2) + all, r), thc = vsqrt(vmax(s, es)), more = all * p->ed;
-    vd ethc = (2 * aside * lambda + all * all + round) / thc + UNIT + 4 * EPS * r;
-    vd along = aside * p->ed + ethc + more, across = lambda + thc * p->ed;
-    vd e = p->eo + l1 * (SURE_ALONG * EPS) + UNIT + along, t0 = tca - thc, t1 = tca + thc;
+    vd ethc = BOUND_OF(SPHERE_HALF_CHORD, (2 * aside * lambda + all * all + round) / thc + BOUND(SPHERE_ROOT_UNIT) +
+                                              BOUND(SPHERE_ROOT) * r);
+    vd along = BOUND_OF(SPHERE_POINT_ALONG, aside * p->ed + ethc + more);
+    vd across = BOUND_OF(SPHERE_POINT_ACROSS, lambda + thc * p->ed);
+    vd e = BOUND_OF(SPHERE_DISTANCE, p->eo + l1 * BOUND(SPHERE_ALONG) + BOUND(SPHERE_ALONG_UNIT) + along);
+    vd t0 = tca - thc, t1 = tca + thc;
     vm ahead = mand(vlt(e, t0), mnot(own)), within = mand(mor(own, vlt(t0, -e)), vlt(e, t1)), behind = vlt(t1, -e);
     vm sure = mand(hit, mor(ahead, within));
     /* thc of those that are unclear is at most sqrt(s + es) <= sqrt(2) thc */
@@ -41,13 +45,14 @@ LANE_OP void meet_sphere(struct query *q, const double at[3], double radius)
     vm passed = vlt(tca + reach, vset(0));
     vm may = mor(mand(hit, mnot(mor(sure, behind))), mand(unclear, mnot(passed)));
 
-    report_hit(q, (struct hit_report){.sure = sure,
-                                      .may = may,
-                                      .t = vsel(ahead, t0, t1),
-                                      .e = e,
-                                      .ep = vsqrt(across * across + along * along) + 2 * UNIT,
-                                      .low = vsel(hit, vset(0), tca - reach),
-                                      .element = vset(0)});
+    report_hit(q, (struct hit_report){
+                      .sure = sure,
+                      .may = may,
+                      .t = vsel(ahead, t0, t1),
+                      .e = e,
+                      .ep = BOUND_OF(SPHERE_POINT, vsqrt(across * across + along * along) + BOUND(POINT_UNITS)),
+                      .low = vsel(hit, vset(0), tca - reach),
+                      .element = vset(0)});
 }
 
 #endif

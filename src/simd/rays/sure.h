@@ -204,6 +204,12 @@ struct sure_kernels {
 #define SURE_UNIT P2M(45)                           /* of the integers' coordinates */
 #define SURE_EPS P2M(53)                            /* half a unit of a double of 1 */
 
+/* Units of Q16.16 and the like, and of 32 random bits: what is multiplied by one is exact. */
+#define SURE_Q16 P2M(16)
+#define SURE_Q30 P2M(30)
+#define SURE_Q32 P2M(32)
+#define SURE_Q62 P2M(62)
+
 static inline double sure_length(num_length x)
 {
     return (double)x * SURE_UNIT;
@@ -217,7 +223,7 @@ static inline double sure_two_to(int bits)
 
 static inline double sure_cosine(num_unit d)
 {
-    return (double)d * P2M(62);
+    return (double)d * SURE_Q62;
 }
 
 static inline void sure_point(double to[3], struct num_point p)
@@ -236,9 +242,9 @@ static inline void sure_dir(double to[3], struct num_dir d)
 
 static inline void sure_rgb(double to[3], const struct tia_rgb *c)
 {
-    to[0] = (double)c->r * P2M(30);
-    to[1] = (double)c->g * P2M(30);
-    to[2] = (double)c->b * P2M(30);
+    to[0] = (double)c->r * SURE_Q30;
+    to[1] = (double)c->g * SURE_Q30;
+    to[2] = (double)c->b * SURE_Q30;
 }
 
 static inline double sure_most3(const double c[3])

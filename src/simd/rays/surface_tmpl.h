@@ -138,12 +138,15 @@ static unsigned find_local(struct shade *h)
         return 0;
     const double *const *p = h->instance;
     struct v3 v = v3_sub(h->point, v3_gather(p, 0));
-    vd e = h->ep + v3_sum(v) * (16 * EPS) + 2 * UNIT;
+    vd e = BOUND_OF(LOCAL_PLACE, h->ep + v3_sum(v) * BOUND(LOCAL_POINT) + BOUND(LOCAL_UNITS));
     struct v3 local = {v3_dot(v, v3_gather(p, INSTANCE_AT(axes))) * vgather(p, INSTANCE_AT(inverse)),
                        v3_dot(v, v3_gather(p, INSTANCE_AT(axes) + 3)) * vgather(p, INSTANCE_AT(inverse) + 1),
                        v3_dot(v, v3_gather(p, INSTANCE_AT(axes) + 6)) * vgather(p, INSTANCE_AT(inverse) + 2)};
     h->local = v3_sel(mof(placed), local, h->local);
-    h->elocal = vsel(mof(placed), e / vgather(p, INSTANCE_AT(least)) + UNIT + v3_sum(local) * P2M(50), h->elocal);
+    h->elocal = vsel(mof(placed),
+                     BOUND_OF(LOCAL_OVER_SCALE, e / vgather(p, INSTANCE_AT(least))) + BOUND(POINT_UNIT) +
+                         v3_sum(local) * BOUND(LOCAL_SCALED),
+                     h->elocal);
     return placed;
 }
 
@@ -154,8 +157,8 @@ static struct v3 world_normal(const struct shade *h, struct v3 n, vd e, vd *ew)
     struct v3 m = {n.x * vgather(p, INSTANCE_AT(inverse)), n.y * vgather(p, INSTANCE_AT(inverse) + 1),
                    n.z * vgather(p, INSTANCE_AT(inverse) + 2)};
 
-    m = v3_unit(m, (e + P2M(50)) / vgather(p, INSTANCE_AT(least)), ew);
-    *ew = *ew + P2M(48);
+    m = v3_unit(m, BOUND_OF(WORLD_NORMAL, (e + BOUND(WORLD_SCALED)) / vgather(p, INSTANCE_AT(least))), ew);
+    *ew = *ew + BOUND(WORLD_ROUNDING);
     return v3_add(
         v3_scale(v3_gather(p, INSTANCE_AT(axes)), m.x),
         v3_add(v3_scale(v3_gather(p, INSTANCE_AT(axes) + 3), m.y), v3_scale(v3_gather(p, INSTANCE_AT(axes) + 6), m.z)));
@@ -189,7 +192,7 @@ static void round_normals(struct shade *h, unsigned lanes)
     }
     if (!sphere)
         return;
-    struct v3 n = v3_unit(v3_sub(h->local, v3_gather(at, 0)), h->elocal, &e);
+    struct v3 n = v3_unit(v3_sub(h->local, v3_gather(at, 0)), BOUND_OF(ROUND_NORMAL, h->elocal), &e);
     h->geometric = v3_sel(mof(sphere), n, h->geometric);
     h->eg = vsel(mof(sphere), e, h->eg);
 }
@@ -223,23 +226,18 @@ static void side_normals(struct shade *h, unsigned lanes)
     struct v3 v = v3_sub(h->local, v3_gather(at, ROUND_AT(base)));
     vd cosine = vgather(at, ROUND_AT(cosine)), sine = vgather(at, ROUND_AT(sine));
     vd y0 = v3_dot(h->viewer, a0), y1 = v3_dot(h->viewer, a1);
-    h->across = vsel(mof(straight), vmin(vsqrt(y0 * y0 + y1 * y1) + h->ev + P2M(50), vset(1)), vset(1));
+    h->across = vsel(mof(straight), vmin(vsqrt(y0 * y0 + y1 * y1) + h->ev + BOUND(SIDE_ACROSS), vset(1)), vset(1));
     struct v3 out = {v3_dot(v, a0), v3_dot(v, a1), vset(0)};
-    out = v3_unit(out, h->across * h->elocal + (v3_sum(h->local) + 2 * v3_sum(v)) * P2M(51) + 2 * UNIT, &e);
+    out = v3_unit(out,
+                  BOUND_OF(SIDE_NORMAL, h->across * h->elocal) +
+                      (v3_sum(h->local) + 2 * v3_sum(v)) * BOUND(SIDE_POINT) + BOUND(SIDE_UNITS),
+                  &e);
     struct v3 n = v3_sub(v3_add(v3_scale(a0, out.x * cosine), v3_scale(a1, out.y * cosine)), v3_scale(axis, sine));
     h->geometric = v3_sel(mof(side), n, h->geometric);
-    h->eg = vsel(mof(side), e + P2M(48), h->eg);
+    h->eg = vsel(mof(side), e + BOUND(SIDE_ROUNDING), h->eg);
 }
 
-/* A smooth normal: those of the corners, by the areas opposite to them as seen along the face's main axis. The corners
- * move by ep together, so an area does by its edge times that: no more than ew for the two at the first corner, twice
- * that for the third. Their sum stays, the parts' errors add up to 0: so what the corners' normals have in common does
- * not count, only how far those of the other two are from the first's, times their own parts' errors. Where parts are
- * below 0 the integers take 0, and divide by the sum of the others, 1 + N with N what is below 0. Ours are not below
- * -ew, as the ray meets the face. So a part of which 0 is left changes by ew at most. Another, w <= 1, moves by D and
- * then changes by (D - N w)/(1 + N) in all. If only the first corner's is below 0, N is at most ew and the two moves of
- * the others, D among them, which leaves 2 ew; if only the other one's is, N is at most 2 ew: 3 ew. If both are, it
- * becomes 1 where it was 1 less the two, whose sum is between -2 ew and D. */
+/* A smooth normal: those of the corners, by the areas opposite to them as seen along the face's main axis. */
 static void smooth_normals(struct shade *h, const struct sure_face *const face[LANES], unsigned smooth)
 {
     static const struct sure_face none;
@@ -261,13 +259,17 @@ static void smooth_normals(struct shade *h, const struct sure_face *const face[L
         struct v3 c = v3_cross(v[(i + 1) % 3], v[(i + 2) % 3]);
         w[i] = vsel(is_x, c.x, vsel(is_y, c.y, c.z));
     }
-    vd sum = w[0] + w[1] + w[2], ew = vgather(f, 21) * h->elocal + far * far * P2M(49);
-    vm fine = vlt(32 * ew, vabs(sum));
-    vd inverse = 1 / vsel(fine, sum, vset(1)), epart = ew * vabs(inverse) + P2M(50);
-    vm clear = vlt(2 * epart, vmin(vmin(w[0] * inverse, w[1] * inverse), w[2] * inverse));
+    vd sum = w[0] + w[1] + w[2],
+       ew = BOUND_OF(SMOOTH_AREA, vgather(f, 21) * h->elocal) + far * far * BOUND(SMOOTH_ROUNDING);
+    vm fine = vlt(BOUND(SMOOTH_KNOWN) * ew, vabs(sum));
+    vd inverse = 1 / vsel(fine, sum, vset(1)), epart = BOUND_OF(SMOOTH_SHARE, ew * vabs(inverse)) + BOUND(SMOOTH_PART);
+    vm clear = vlt(BOUND_OF(SMOOTH_CLEAR, 2 * epart), vmin(vmin(w[0] * inverse, w[1] * inverse), w[2] * inverse));
     struct v3 total =
         v3_add(v3_add(v3_scale(n[0], w[0] * inverse), v3_scale(n[1], w[1] * inverse)), v3_scale(n[2], w[2] * inverse));
-    struct v3 unit = v3_unit(total, vsel(clear, epart, 3 * epart) * vgather(f, 22) + P2M(47), &e);
+    struct v3 unit = v3_unit(total,
+                             BOUND_OF(SMOOTH_NORMAL, vsel(clear, epart, BOUND(SMOOTH_CUT) * epart) * vgather(f, 22)) +
+                                 BOUND(SMOOTH_SUM),
+                             &e);
     vm m = mof(smooth);
     h->normal = v3_sel(m, unit, h->normal);
     h->en = vsel(m, e, h->en);
@@ -322,7 +324,7 @@ static void find_normals(struct shade *h, unsigned lanes)
     h->geometric = v3_gather(flat, 0);
     if (back)
         h->geometric = v3_sel(mof(back), v3_neg(h->geometric), h->geometric);
-    h->eg = vset(P2M(51));
+    h->eg = vset(BOUND(CONVERTED));
     h->across = vset(1);
     h->exact = mof(lanes & ~(smooth | round));
     round_normals(h, lanes);
@@ -336,21 +338,22 @@ static void find_normals(struct shade *h, unsigned lanes)
 /* Turns the normals to the viewer. */
 LANE_OP void turn(struct shade *h)
 {
-    vd side = v3_dot(h->geometric, h->viewer), bound = h->eg + h->ev + P2M(49);
+    vd side = v3_dot(h->geometric, h->viewer), bound = BOUND_OF(SIDE, h->eg + h->ev + BOUND(COSINE));
 
     h->back = vlt(side, vset(0));
     h->unsure = mor(h->unsure, vle(vabs(side), bound));
     h->geometric = v3_sel(h->back, v3_neg(h->geometric), h->geometric);
     h->normal = v3_sel(h->back, v3_neg(h->normal), h->normal);
     h->facing = v3_dot(h->normal, h->viewer);
-    h->efacing = h->en + h->ev + P2M(49);
+    h->efacing = BOUND_OF(FACING, h->en + h->ev + BOUND(COSINE));
 }
 
 /* Mirrored rays: (R' - R) D for two mirrors, whose normals differ by dn and thus by no less than the sine of the angle
  * between them, turns what of D lies in the plane of the normals by twice that angle: it is 2 dn |that part| long. */
 LANE_OP struct v3 mirrored_at(const struct shade *h, vd *ed)
 {
-    return v3_unit(v3_sub(v3_scale(h->normal, 2 * h->facing), h->viewer), 2 * h->across * h->en + h->ev + P2M(46), ed);
+    return v3_unit(v3_sub(v3_scale(h->normal, 2 * h->facing), h->viewer),
+                   BOUND_OF(MIRRORED, 2 * h->across * h->en + h->ev) + BOUND(MIRRORED_ROUNDING), ed);
 }
 
 /* P + b G, or P - b G: where rays start. */
@@ -358,14 +361,15 @@ LANE_OP struct v3 off_surface(const struct sure_scene *s, const struct shade *h,
 {
     struct v3 o = v3_along(h->point, h->geometric, vset(bias));
 
-    *eo = h->ep + h->eg * vset(s->bias) + 2 * UNIT + v3_sum(o) * P2M(51);
+    *eo = BOUND_OF(OUTSIDE, h->ep + BOUND_OF(OUTSIDE_NORMAL, h->eg * vset(s->bias)) + BOUND(POINT_UNITS) +
+                                v3_sum(o) * BOUND(POINT_ROUNDING));
     return o;
 }
 
 /* For rays in direction d from there, `sign` times G off the surface: whether they surely move away. */
 LANE_OP struct origin leaving(const struct shade *h, struct v3 d, vd ed, double sign, double least)
 {
-    vm away = vlt(h->eg + ed + vset(P2M(49) + least), v3_dot(h->geometric, d) * sign);
+    vm away = vlt(BOUND_OF(LEAVING, h->eg + ed + vset(BOUND(COSINE) + least)), v3_dot(h->geometric, d) * sign);
     vm inside = sign > 0 ? h->back : mnot(h->back);
 
     return (struct origin){vsel(away, h->id, vset(-1)), h->part, vsel(inside, vset(1), vset(0))};
@@ -379,7 +383,7 @@ static void find_surfaces(const struct sure_scene *s, const struct packet *p, co
     vd t = vsel(m, q->t, vset(0));
 
     h->point = v3_along(p->o, p->d, t);
-    h->ep = vsel(m, q->ep, vset(0)) + (v3_sum(p->o) + t) * P2M(51);
+    h->ep = vsel(m, q->ep, vset(0)) + (v3_sum(p->o) + t) * BOUND(SURFACE_POINT);
     h->viewer = v3_neg(p->d);
     h->ev = p->ed;
     find_objects(s, q, lanes, h);

@@ -37,7 +37,8 @@ static void flat_coordinates(const struct texture_point *p, struct coordinates *
 
     for (int i = 0; i < 2; i++)
         c->uv[i] = (along(v, o->axes[i]) + (disc ? o->radius : 0)) * scale;
-    c->e = (p->e + size_of(v) * P2M(49) + 2 * UNIT) * scale + 2 * UNIT + P2M(50);
+    c->e = BOUND_OF(UV_FLAT, (p->e + size_of(v) * BOUND(UV_ALONG) + BOUND(UV_ALONG_UNITS)) * scale) + BOUND(UV_UNITS) +
+           BOUND(UV_ROUNDING);
 }
 
 /* A face of a box of that size, see box_uv. */
@@ -54,7 +55,10 @@ static void box_coordinates(const struct texture_point *p, const double min[3], 
     v[0] = face == 4 ? size[0] - v[0] : v[0];
     c->uv[0] = face / 2 == 0 ? v[2] / size[2] : v[0] / size[0];
     c->uv[1] = face / 2 == 1 ? v[2] / size[2] : v[1] / size[1];
-    c->e = (p->e + (size_of(p->at) + size_of(min) + size_of(size)) * P2M(50) + 2 * UNIT) / least + UNIT + P2M(50);
+    c->e = BOUND_OF(UV_BOX, (p->e + (size_of(p->at) + size_of(min) + size_of(size)) * BOUND(UV_BOX_ROUNDING) +
+                             BOUND(UV_ALONG_UNITS)) /
+                                least) +
+           BOUND(UV_UNIT) + BOUND(UV_ROUNDING);
 }
 
 static void grid_coordinates(const struct texture_point *p, struct coordinates *c)
@@ -90,10 +94,10 @@ static bool face_coordinates(const struct texture_point *p, struct coordinates *
         const double *s = v[(i + 1) % 3], *t = v[(i + 2) % 3];
         w[i] = s[a] * t[b] - s[b] * t[a];
     }
-    double sum = w[0] + w[1] + w[2], ew = f->extent * p->e + far * far * P2M(49);
-    if (!(16 * ew < __builtin_fabs(sum)))
+    double sum = w[0] + w[1] + w[2], ew = BOUND_OF(UV_FACE_AREA, f->extent * p->e) + far * far * BOUND(SMOOTH_ROUNDING);
+    if (!(BOUND(UV_FACE_KNOWN) * ew < __builtin_fabs(sum)))
         return false;
-    double part = 3 * (ew / __builtin_fabs(sum) + P2M(50));
+    double part = BOUND_OF(UV_FACE, 3 * (ew / __builtin_fabs(sum) + BOUND(SMOOTH_PART)));
     c->uv[0] = w[1] / sum;
     c->uv[1] = w[2] / sum;
     c->e = part;
@@ -102,8 +106,8 @@ static bool face_coordinates(const struct texture_point *p, struct coordinates *
     double spread = 0, most = 0, uv[3][2];
     for (int i = 0; i < 3; i++) {
         const struct tia_uv *given = &o->faces->uvs[corner[i].uv];
-        uv[i][0] = (double)given->u * P2M(16);
-        uv[i][1] = (double)given->v * P2M(16);
+        uv[i][0] = (double)given->u * SURE_Q16;
+        uv[i][1] = (double)given->v * SURE_Q16;
         for (int k = 0; k < 2; k++) {
             spread += __builtin_fabs(uv[i][k] - uv[0][k]);
             most += __builtin_fabs(uv[i][k]);
@@ -112,7 +116,7 @@ static bool face_coordinates(const struct texture_point *p, struct coordinates *
     double one = c->uv[0], two = c->uv[1];
     for (int k = 0; k < 2; k++)
         c->uv[k] = uv[0][k] * (1 - one - two) + uv[1][k] * one + uv[2][k] * two;
-    c->e = part * spread + most * P2M(49) + 2 * UNIT;
+    c->e = BOUND_OF(UV_MESH, part * spread) + most * BOUND(UV_FACE_SUM) + BOUND(UV_UNITS);
     return true;
 }
 
@@ -122,25 +126,27 @@ static bool angle_of(double y, double x, double e, double *angle, double *bound)
 {
     double size = __builtin_sqrt(x * x + y * y), full = (double)(INT64_C(1) << 62);
 
-    if (!(16 * e < size) || size < P2M(12) || size > 1.0625 || (x < 0 && __builtin_fabs(y) <= e))
+    if (!(BOUND(ANGLE_KNOWN) * e < size) || size < BOUND(ANGLE_LEAST) || size > 1.0625 ||
+        (x < 0 && __builtin_fabs(y) <= BOUND_OF(ANGLE_SEAM, e)))
         return false;
     *angle = sure_cosine(tia_atan2((int64_t)(y * full * 0.75), (int64_t)(x * full * 0.75)));
-    *bound = 0.1875 * e / size + P2M(50);
+    *bound = BOUND_OF(ANGLE, BOUND(ANGLE_TURN) * e / size + BOUND(ANGLE_ROUNDING));
     return true;
 }
 
 static bool sphere_coordinates(const struct texture_point *p, struct coordinates *c)
 {
     const double *at = p->object->at, v[3] = {p->at[0] - at[0], p->at[1] - at[1], p->at[2] - at[2]};
-    double size = __builtin_sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]), e = 1.0625 * p->e / size + P2M(49);
+    double size = __builtin_sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]),
+           e = BOUND_OF(UV_SPHERE_TURN, BOUND(UV_CHORD) * p->e / size + BOUND(UV_SPHERE_ROUNDING));
     double aside = __builtin_sqrt(v[0] * v[0] + v[2] * v[2]), u, w, eu, ew;
 
-    if (!(16 * p->e < size) || !angle_of(v[2] / size, v[0] / size, e, &u, &eu) ||
-        !angle_of(aside / size, v[1] / size, e + P2M(46), &w, &ew))
+    if (!(BOUND(ANGLE_KNOWN) * p->e < size) || !angle_of(v[2] / size, v[0] / size, e, &u, &eu) ||
+        !angle_of(aside / size, v[1] / size, e + BOUND(UV_POLE), &w, &ew))
         return false;
     c->uv[0] = 0.5 - u;
     c->uv[1] = 1 - 2 * w;
-    c->e = eu + 2 * ew + 2 * UNIT;
+    c->e = BOUND_OF(UV_SPHERE, eu + BOUND_OF(UV_SPHERE_HEIGHT, 2 * ew) + BOUND(UV_UNITS));
     return true;
 }
 
@@ -149,22 +155,25 @@ static bool round_coordinates(const struct texture_point *p, struct coordinates 
 {
     const struct sure_round *k = p->object->round;
     const double v[3] = {p->at[0] - k->base[0], p->at[1] - k->base[1], p->at[2] - k->base[2]};
-    double right = along(v, k->across[0]), down = along(v, k->across[1]), e = p->e + size_of(v) * P2M(49) + 2 * UNIT;
+    double right = along(v, k->across[0]), down = along(v, k->across[1]),
+           e = BOUND_OF(UV_ROUND_PLACE, p->e + size_of(v) * BOUND(UV_ALONG) + BOUND(UV_ALONG_UNITS));
     double radius = p->element == ROUND_BASE ? k->base_radius : k->top_radius, size, u, eu;
 
     if (p->element != ROUND_SIDE) {
         bool upright = k->axis[0] == 0 && k->axis[2] == 0, base = p->element == ROUND_BASE;
         c->uv[0] = (radius + (base && !upright ? -right : right)) / (2 * radius);
         c->uv[1] = (radius - (base && upright ? -down : down)) / (2 * radius);
-        c->e = e / (2 * radius) + 2 * UNIT + P2M(50);
+        c->e = BOUND_OF(UV_CAP, e / (2 * radius)) + BOUND(UV_UNITS) + BOUND(UV_ROUNDING);
         return true;
     }
     size = __builtin_sqrt(right * right + down * down);
-    if (!(16 * e < size) || !angle_of(down / size, right / size, 1.0625 * e / size + P2M(50), &u, &eu))
+    if (!(BOUND(ANGLE_KNOWN) * e < size) ||
+        !angle_of(down / size, right / size,
+                  BOUND_OF(UV_ROUND_TURN, BOUND(UV_CHORD) * e / size + BOUND(UV_ROUND_ROUNDING)), &u, &eu))
         return false;
     c->uv[0] = 0.5 - u;
     c->uv[1] = along(v, k->axis) / k->length;
-    c->e = eu + e / k->length + 2 * UNIT + P2M(50);
+    c->e = eu + BOUND_OF(UV_HEIGHT, e / k->length) + BOUND(UV_UNITS) + BOUND(UV_ROUNDING);
     return true;
 }
 
@@ -241,12 +250,14 @@ static bool texture_colour(const struct sure_material *m, const struct texture_p
     int64_t cell[2];
     bool sure = coordinates_of(p, &c);
 
-    *e = P2M(44);
+    *e = BOUND(TEXEL_COLOUR);
     for (int i = 0; i < 2 && sure; i++) {
         double texels = t->kind == TIA_CHECKER ? 1 : i ? t->height : t->width;
         place[i] = (c.uv[i] - m->offset[i]) * m->repeat[i] * texels;
-        off[i] = (c.e + (__builtin_fabs(c.uv[i]) + __builtin_fabs(m->offset[i])) * P2M(50)) * m->repeat[i] * texels +
-                 texels * P2M(42);
+        off[i] = BOUND_OF(TEXEL_PLACE,
+                          (c.e + (__builtin_fabs(c.uv[i]) + __builtin_fabs(m->offset[i])) * BOUND(TEXEL_ROUNDING)) *
+                              m->repeat[i] * texels) +
+                 texels * BOUND(TEXEL_UNITS);
         place[i] -= t->kind != TIA_CHECKER && t->bilinear ? 0.5 : 0;
         sure = floor_of(place[i], off[i], &cell[i]) || (t->kind != TIA_CHECKER && t->bilinear);
         sure = sure && __builtin_fabs(place[i]) < 1073741824.0;
@@ -258,7 +269,7 @@ static bool texture_colour(const struct sure_material *m, const struct texture_p
             rgb[k] = m->cells[(cell[0] ^ cell[1]) & 1][k];
     } else if (t->bilinear) {
         blend_texels(t, place, rgb);
-        *e = off[0] + off[1] + P2M(42);
+        *e = BOUND_OF(TEXEL_BLEND_PLACE, off[0] + off[1]) + BOUND(TEXEL_BLEND);
     } else {
         const uint8_t *texel = texel_at(t, cell[0], cell[1]);
         for (int k = 0; k < 3; k++)

@@ -31,7 +31,7 @@ static void add_far(struct work *w, unsigned *lanes, const struct query *q, cons
     vd flat[3] = {vload(rgb[0]), vload(rgb[1]), vload(rgb[2])}, top = most3(flat);
     for (int c = 0; c < 3; c++)
         flat[c] = flat[c] * r->weight[c];
-    add_colour(w, sky | shining, r->slot, flat, top * r->ew + P2M(42) * (1 + top));
+    add_colour(w, sky | shining, r->slot, flat, BOUND_OF(COLOUR_FAR, top * r->ew) + BOUND(COLOUR_UNITS) * (1 + top));
 }
 
 /* What the surfaces send by themselves. False in lanes that are not known. */
@@ -41,7 +41,7 @@ static void add_own(struct work *w, unsigned *lanes, const struct shade *h, cons
     struct lit lit = {.cancel = &w->block->cancel,
                       .room = &w->lights,
                       .unsure = mnone(),
-                      .eown = most3(h->flat) * h->efacing + P2M(42)};
+                      .eown = BOUND_OF(COLOUR_FACING, most3(h->flat) * h->efacing) + BOUND(COLOUR_UNITS)};
     uint8_t class[LANES];
     bool bounced = false;
 
@@ -60,7 +60,9 @@ static void add_own(struct work *w, unsigned *lanes, const struct shade *h, cons
     vd top = most3(lit.own);
     for (int c = 0; c < 3; c++)
         lit.own[c] = lit.own[c] * r->weight[c];
-    add_colour(w, *lanes, r->slot, lit.own, lit.eown * (most3(r->weight) + r->ew) + top * r->ew + P2M(42));
+    add_colour(w, *lanes, r->slot, lit.own,
+               BOUND_OF(COLOUR_OWN, lit.eown * (most3(r->weight) + r->ew)) + BOUND_OF(COLOUR_WEIGHT, top * r->ew) +
+                   BOUND(COLOUR_UNITS));
 }
 
 /* What is sent from where rays end, and the rays that go on from there. */
@@ -118,15 +120,18 @@ static void camera_rays(const struct sure_camera *c, vd x, vd y, struct packet *
 
     if (c->orthographic) {
         p->o = v3_add(v3_set(c->eye), aside);
-        p->eo = size * P2M(47) + 8 * UNIT + v3_sum(p->o) * P2M(51);
+        p->eo = BOUND_OF(CAMERA_PARALLEL_ORIGIN, size * BOUND(CAMERA_PARALLEL) + BOUND(CAMERA_PARALLEL_UNITS) +
+                                                     v3_sum(p->o) * BOUND(POINT_ROUNDING));
         p->d = v3_neg(v3_set(c->n));
-        p->ed = vset(P2M(51));
+        p->ed = vset(BOUND(CONVERTED));
         return;
     }
     p->o = v3_set(c->eye);
-    p->eo = vset(P2M(50));
-    p->d = v3_unit(v3_sub(aside, v3_scale(v3_set(c->n), vset(c->away))),
-                   (size + __builtin_fabs(c->away)) * P2M(49) + 4 * UNIT, &p->ed);
+    p->eo = vset(BOUND(CAMERA_EYE));
+    p->d = v3_unit(
+        v3_sub(aside, v3_scale(v3_set(c->n), vset(c->away))),
+        BOUND_OF(CAMERA_DIRECTION, (size + __builtin_fabs(c->away)) * BOUND(CAMERA_WAY) + BOUND(CAMERA_WAY_UNITS)),
+        &p->ed);
 }
 
 /* 4 x 2 neighbours are in a packet, or 2 x 2: which place in all packets a pixel has. */

@@ -29,8 +29,9 @@ struct sides {
 LANE_OP struct line line_of(const struct packet *p, const double centre[3], double extent)
 {
     struct v3 o = v3_sub(p->o, v3_set(centre));
-    vd far = v3_sum(o) + vset(extent) + p->eo;
-    vd e = far * (P2M(42) + far * (SURE_FACE * EPS)), each = 2 * (p->eo + far * p->ed);
+    vd far = BOUND_OF(TRIANGLE_FAR, v3_sum(o) + vset(extent) + p->eo);
+    vd e = BOUND_OF(TRIANGLE_ROUNDINGS, far * (BOUND(TRIANGLE_CORNERS) + far * BOUND(TRIANGLE_AREA)));
+    vd each = BOUND_OF(TRIANGLE_EDGE, 2 * (p->eo + far * p->ed));
 
     return (struct line){v3_cross(o, p->d), centre, e, each};
 }
@@ -38,7 +39,7 @@ LANE_OP struct line line_of(const struct packet *p, const double centre[3], doub
 LANE_OP struct sides face_sides(const struct packet *p, const struct line *l, const struct sure_face *f)
 {
     struct sure_edges edges = sure_edges_of(f, l->centre);
-    vd w[3], e = l->e + l->each * vset(f->extent);
+    vd w[3], e = BOUND_OF(TRIANGLE_SIDE, l->e + l->each * vset(f->extent));
 
     for (int i = 0; i < 3; i++)
         w[i] = v3_dot(p->d, v3_set(edges.edge[i][0])) + v3_dot(l->moment, v3_set(edges.edge[i][1]));
@@ -60,12 +61,16 @@ LANE_OP vm returns_to(const struct query *q, vd element)
  * and b G by one: less than 2^-40. */
 LANE_OP void return_to_face(const struct query *q, struct v3 n, vd round, vd more, struct flat *f, vd *ep, vm back)
 {
-    vd size = vsel(f->steep, vabs(v3_dot(q->p->d, n)), vset(1)), turn = q->p->ed + SURE_WAY * EPS;
-    vd t = -q->p->from.side / size, e = (P2M(40) + round + 2 * UNIT + t * turn) / (size - turn) + more;
+    vd size = vsel(f->steep, vabs(v3_dot(q->p->d, n)), vset(1)),
+       turn = BOUND_OF(PLANE_SLOPE, q->p->ed + BOUND(PLANE_WAY));
+    vd t = -q->p->from.side / size,
+       e = BOUND_OF(TRIANGLE_RETURN_DISTANCE,
+                    (BOUND(TRIANGLE_RETURN) + round + BOUND(PLANE_HEIGHT_UNITS) + t * turn) / (size - turn)) +
+           more;
 
     f->t = vsel(back, t, f->t);
     f->e = vsel(back, e, f->e);
-    *ep = vsel(back, q->p->eo + e + t * q->p->ed + 2 * UNIT, *ep);
+    *ep = vsel(back, BOUND_OF(TRIANGLE_RETURN_POINT, q->p->eo + e + t * q->p->ed + BOUND(POINT_UNITS)), *ep);
 }
 
 LANE_OP void meet_plane_of(struct query *q, const struct sure_face *f, uint32_t face, struct sides sides)
@@ -75,9 +80,10 @@ LANE_OP void meet_plane_of(struct query *q, const struct sure_face *f, uint32_t 
     if (!any(mand(q->active, mnot(mor(sides.outside, starts_on(q, element))))))
         return;
     struct v3 a = v3_sub(v3_set(f->at[0]), q->p->o);
-    vd l = v3_sum(a) + vset(f->extent), round = l * P2M(48), more = 4 * UNIT + l * P2M(50);
+    vd l = v3_sum(a) + vset(f->extent), round = l * BOUND(TRIANGLE_AHEAD);
+    vd more = BOUND(TRIANGLE_UNITS) + l * BOUND(TRIANGLE_QUOTIENT);
     struct flat flat = flat_meet(q->p, v3_set(f->normal), a, round, more);
-    vd ep = flat.e + UNIT;
+    vd ep = BOUND_OF(PLANE_POINT, flat.e + BOUND(POINT_UNIT));
     vm back = returns_to(q, element);
 
     if (any(back))

@@ -2,11 +2,9 @@
 #ifndef TIA_SIMD_RAYS_VECTOR_TMPL_H
 #define TIA_SIMD_RAYS_VECTOR_TMPL_H
 
-#include "proved.h"
+#include "bounds.h"
 
 #define INFINITE 1e30
-#define EPS SURE_EPS
-#define UNIT SURE_UNIT
 
 struct v3 {
     vd x, y, z;
@@ -134,7 +132,7 @@ LANE_OP struct v3 v3_unit(struct v3 v, vd e, vd *ed)
 {
     vd inverse = 1 / vmax(vsqrt(v3_dot(v, v)), vset(1e-30)), relative = e * inverse;
 
-    *ed = vsel(vlt(relative, vset(1.0 / 16)), relative * (1 + P2M(10)) + vset(SURE_NORMAL * EPS), vset(4));
+    *ed = vsel(vlt(relative, vset(1.0 / 16)), relative * BOUND(UNIT_CHORD) + vset(BOUND(UNIT_ROUNDING)), vset(4));
     return v3_scale(v, inverse);
 }
 

@@ -12,7 +12,8 @@
 static unsigned survivors(struct path_state *f, unsigned lanes, struct paths *p)
 {
     const vd all = vset(4294967296.0), largest_chance = vset(UINT32_MAX);
-    vd most = most3(p->r.weight), e = p->r.ew + UNIT, low = (most - e) * all, high = vfloor((most + e) * all);
+    vd most = most3(p->r.weight), e = BOUND_OF(SURVIVAL, p->r.ew + BOUND(SURVIVAL_UNIT)), low = (most - e) * all,
+       high = vfloor((most + e) * all);
     unsigned asked = 0;
 
     for (int k = 0; k < LANES; k++)
@@ -25,7 +26,7 @@ static unsigned survivors(struct path_state *f, unsigned lanes, struct paths *p)
     vm ends = mand(open, mand(vle(high, number), vlt(high, largest_chance)));
     vm unsure = mand(mand(open, mnot(ends)), mor(vlt(low, high), vle(largest_chance, high)));
     lanes = sure_of(f, lanes & ~mbits(ends), unsure, p->r.slot);
-    divide_by(p, low * P2M(32), mand(open, mof(lanes)));
+    divide_by(p, low * SURE_Q32, mand(open, mof(lanes)));
     return lanes;
 }
 
@@ -60,9 +61,10 @@ static __attribute__((noinline)) void scatter_paths(struct path_state *f, unsign
         e = vsel(glossy, l->emirrored, e);
         exact = mand(exact, mnot(glossy));
     }
-    next.r.p.d = around(axis, e, exact, local, vset(SURE_LOCAL), &next.r.p.ed, &unsure);
+    next.r.p.d = around(axis, e, exact, local, vset(BOUND(LOCAL)), &next.r.p.ed, &unsure);
     vd cosine = v3_dot(next.r.p.d, h->normal), above = v3_dot(next.r.p.d, h->geometric);
-    vd ec = next.r.p.ed + h->en + P2M(49), ea = next.r.p.ed + h->eg + P2M(49);
+    vd ec = BOUND_OF(LAMBERT, next.r.p.ed + h->en + BOUND(COSINE)),
+       ea = BOUND_OF(ABOVE, next.r.p.ed + h->eg + BOUND(COSINE));
     vm lit = mand(vlt(ec, cosine), vlt(ea, above)), dark = mor(vlt(cosine, -ec), vlt(above, -ea));
     lanes = sure_of(f, lanes, mor(unsure, mnot(mor(lit, dark))), p->r.slot) & mbits(lit);
     if (!lanes)
@@ -72,13 +74,16 @@ static __attribute__((noinline)) void scatter_paths(struct path_state *f, unsign
     unsigned mixed = 0;
     for (int k = 0; k < LANES; k++)
         mixed |= (unsigned)(l->of[k]->below[2] != 0) << k;
-    vm m = mof(mixed), fine = mor(mnot(m), mand(vlt(16 * r.density.e, r.density.v), vlt(vset(P2M(40)), r.density.v)));
-    vd share = most3(r.rgb) * inverse, eshare = 1.125 * inverse * (r.e + share * r.density.e) + UNIT;
-    vd factor = vsel(m, share, most3(h->colour)), efactor = vsel(m, eshare + share * P2M(50), h->ecolour);
+    vm m = mof(mixed), fine = mor(mnot(m), mand(vlt(BOUND(SHARE_KNOWN) * r.density.e, r.density.v),
+                                                vlt(vset(BOUND(SHARE_LEAST)), r.density.v)));
+    vd share = most3(r.rgb) * inverse,
+       eshare = BOUND_OF(SHARE, BOUND(SHARE_QUOTIENT) * inverse * (r.e + share * r.density.e)) + BOUND(SHARE_UNIT);
+    vd factor = vsel(m, share, most3(h->colour)), efactor = vsel(m, eshare + share * BOUND(SHARE_ROUNDING), h->ecolour);
     lanes = sure_of(f, lanes, mnot(mand(fine, vlt(factor, vset(4096)))), p->r.slot);
     for (int c = 0; c < 3; c++)
         next.r.weight[c] = p->r.weight[c] * vsel(m, r.rgb[c] * inverse, h->colour[c]);
-    next.r.ew = p->r.ew * (factor + efactor) + most * efactor + UNIT + most * factor * P2M(51);
+    next.r.ew = BOUND_OF(SCATTERED_WEIGHT, p->r.ew * (factor + efactor) + most * efactor) + BOUND(THROUGHPUT_UNIT) +
+                most * factor * BOUND(THROUGHPUT_ROUNDING);
     next.density = r.density;
     next.r.p.from = leaving(h, next.r.p.d, next.r.p.ed, 1, 0);
     next.r.p.o = h->outside;

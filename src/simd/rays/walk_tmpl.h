@@ -161,7 +161,7 @@ LANE_OP void filter(struct query *q, const struct sure_object *o)
     if (o->unclear)
         unclear = mor(unclear, q->met);
     q->maybe = mor(q->maybe, unclear);
-    q->ethrough = q->ethrough + vsel(q->met, vset(UNIT), vset(0));
+    q->ethrough = q->ethrough + vsel(q->met, vset(BOUND(THROUGH_UNIT)), vset(0));
     for (int c = 0; c < 3; c++)
         q->through[c] = vsel(q->met, q->through[c] * vset(o->transmission[c]), q->through[c]);
 }

@@ -1,0 +1,217 @@
+/* lights.h - bounds of what lights do to points, and of mirrors and glass: light.h, bounce.h. */
+#ifndef TIA_SIMD_RAYS_BOUNDS_LIGHTS_H
+#define TIA_SIMD_RAYS_BOUNDS_LIGHTS_H
+
+/* ---- a light's samples, see light.h ---- */
+
+/* The direction from a light's centre: what the point is off by, and a difference. */
+FORMULA(AIM_DIRECTION);
+
+/* The smallest of the direction's coordinates: each is within e, so their difference within twice that. */
+FORMULA(AIM_ORDER);
+
+/* N x A: what both are off by; both are 1 long. */
+FORMULA(AIM_AXES);
+
+/* N x A by doubles: two products and a difference, 2 u of 1 in each of three: 3.5 u; there half of v each. 3.5 of 16 u.
+ */
+#define BOUND_AIM_ROUNDING P2M(49)
+
+/* The axes of a light that stays are converted: u of each component, sqrt 3 u. 1.7 of 8 u. */
+#define BOUND_AIM_CONVERTED P2M(50)
+
+/* L - P, and for areas what the place on it is off by. */
+FORMULA(SAMPLE_WAY);
+
+/* Along an axis x: the axis's own, and x by doubles: u_i, a root, a sine and two products, 6 u, there 2^-51 of it, as
+ * 32 n parts of u are rounded once, by 2^-63 over 2^-13. 7 of 8 u. */
+#define BOUND_SAMPLE_PLACE P2M(50)
+
+/* x and y times what the axes and both are off by. */
+FORMULA(SAMPLE_AREA);
+
+/* There: a disc's radius and two products, half a unit each, which move it by 1.4 U together, and two points along
+ * axes, .87 U each: 3.2 of 4. */
+#define BOUND_SAMPLE_UNITS (4 * SURE_UNIT)
+
+/* The sides' ends by doubles, two products and two sums: 4 u; there 2 u_i - 1 is within 2^-49, as 32 n parts are: 20 of
+ * 32 u. */
+#define BOUND_SAMPLE_SIDES P2M(48)
+
+/* c is within eto; COSINE has 6 of its 16 u, so that inner and outer, u each, have room. */
+FORMULA(SPOT_COSINE);
+
+/* A cone whose edge is narrower than that is taken for one with an edge alone. A choice. */
+#define BOUND_SPOT_NARROW P2M(20)
+
+/* (c - outer)/(inner - outer): over the width, whose own conversion is 2 u of 2^-20 at least; the rest is for that and
+ * the bound's roundings. */
+#define BOUND_SPOT_WIDTH 1.0625
+
+/* What the cosine is off by, over the width. */
+FORMULA(SPOT);
+
+/* There the quotient is within 2^-59, then rounded to half a unit: 1 of 64. */
+#define BOUND_SPOT_UNITS P2M(40)
+
+/* The distance in a light's units: what it is off by, there half a unit; 1 of 4. */
+#define BOUND_FADE_UNITS (2 * SURE_UNIT)
+
+/* By doubles a product and the unit, which is a power of two: 1 of 8 u. */
+#define BOUND_FADE_ROUNDING P2M(50)
+
+/* The distance's own bound in those units, and both roundings. */
+FORMULA(FADE_DISTANCE);
+
+/* The slope of constant + linear d + quadratic d^2 between d and d', times what d is off by. */
+FORMULA(FADE_SUM);
+
+/* There two products of half a unit each, the first times d: (d + 1) 2^-46; by doubles 4 u of the sum: 1 of 8. */
+#define BOUND_FADE_SUM_ROUNDING P2M(43)
+
+/* A sum below that, or known less well than within a sixteenth, is open: choices. */
+#define BOUND_FADE_LEAST P2M(6)
+#define BOUND_FADE_KNOWN 16 /* as the former has it */
+
+/* 1/s - 1/s' = (s' - s)/(s s'), s' >= 15/16 s: 16/15 of it; the rest is for the bound's own roundings. */
+#define BOUND_FADE_INVERSE 1.125
+
+/* The factor's, times what of a spot light comes before. */
+FORMULA(FADE);
+
+/* And what that is off by, times the factor. */
+FORMULA(FADE_SPOT);
+
+/* There a sum of 2^17 gives 0: ours is 2^16 or more then, and 1/s below 2^-16. */
+#define BOUND_FADE_FAR P2M(16)
+
+/* There: the quotient's half unit, the product's, and 2^-59 of 2^6; by doubles 2 u of 2^6: 1.05 of 4. */
+#define BOUND_FADE_FACTOR P2M(43)
+
+/* way.to: the way's, as to = way/|way| there as well; a dot product, 5 u, and 2^-57 there. 5 of 16 u. */
+#define BOUND_DISTANCE_ROUNDING P2M(49)
+
+/* And half a unit there. */
+FORMULA(DISTANCE);
+
+/* The way from outside the surface: it differs from the sample's by b G, see aim_shadow(). */
+FORMULA(SHADOW_WAY);
+
+/* b times what the normal is off by. */
+FORMULA(SHADOW_NORMAL);
+
+/* N.L of the normal that shades: what both are off by, as both are 1 long. */
+FORMULA(LAMBERT);
+
+/* N.L of the surface's own normal, as the former. */
+FORMULA(ABOVE);
+
+/* R.L = 2 (N.V) (N.L) - V.L: all four, as all are 1 at most. */
+FORMULA(HIGHLIGHT_COSINE);
+
+/* Of these N.V and N.L, twice. */
+FORMULA(HIGHLIGHT_FACING);
+
+/* By doubles the dot products 5 u each, their product twice and the difference: 12 u; of 32. */
+#define BOUND_HIGHLIGHT_ROUNDING P2M(48)
+
+/* x^n is no steeper than n for x <= 1. */
+FORMULA(HIGHLIGHT);
+
+/* Colour by cosine: the cosine's, times the colour, and the colour's. */
+FORMULA(DIFFUSE);
+
+/* A textured colour's, times a cosine of 1 at most; the material's colour, too, is 1 at most. */
+FORMULA(DIFFUSE_TEXTURE);
+
+/* An ambient light's colour, by its brightness. */
+FORMULA(AMBIENT);
+
+/* A sample that gives less than 2^-46 gives nothing there: half a unit. */
+#define BOUND_SAMPLE_DARK P2M(46)
+
+/* What is reflected, 2 at most, times what is let through: what either is off by, times the falloff's factor. */
+FORMULA(SAMPLE_LIGHT);
+
+/* What the factor is off by, times what is reflected: 2 at most. */
+FORMULA(SAMPLE_FALLOFF);
+
+/* And times what that is off by. 1 of 2. */
+FORMULA(SAMPLE_FALLOFF_MORE);
+
+/* There the product with the factor, half a unit, by the light's brightness; and the mean, half a unit, and in the end
+ * the product with the emission, half of one: 1 of 8. By doubles 6 u of the sum, whose bound COSINE has u to spare. */
+#define BOUND_SAMPLE_SUM P2M(42)
+
+/* A product of light that passes: half a unit there; 1 of 2. By doubles u. */
+#define BOUND_THROUGH_UNIT SURE_UNIT
+
+/* ---- mirrors and glass, see bounce.h ---- */
+
+/* 2 e/(a' + b') and a' + b' >= 15/16 (a + b): 2.14 e/(a + b); the rest is for the bound's own roundings. */
+#define BOUND_FRESNEL_QUOTIENT 2.25
+
+/* a + b by which that is known: above 2^-16, and 16 e. */
+#define BOUND_FRESNEL_LEAST P2M(16)
+#define BOUND_FRESNEL_KNOWN 16 /* as the former has it */
+
+/* (a - b)/(a + b) by doubles: 3 u of 1, and of a and b 3 u over 2^-16: those are c/4 and a root, whose roundings are in
+ * er and ex; there 2^-59 and half of v over 2^-16. 3 of 128 u. */
+#define BOUND_FRESNEL_ROUNDING P2M(46)
+
+/* Fresnel's equations, see reflectance_of(). */
+FORMULA(FRESNEL);
+
+/* q^2 - (1 - c^2)/16: (2 |c| + ec) ec of c^2. */
+FORMULA(REFRACT_INSIDE);
+
+/* By doubles q and its square 5 u, c^2 and two differences 4 u; there 2^-58 and halves of v: 9 of 128 u. */
+#define BOUND_REFRACT_ROUNDING P2M(46)
+
+/* The root: |sqrt a - sqrt b| <= |a - b|/sqrt a; by doubles u, there cut to v. 1 of 128 u. */
+FORMULA(REFRACT_ROOT);
+
+/* c/4: exact parts of what c is off by. */
+FORMULA(REFRACT_COSINE);
+
+/* Of (Rs^2 + Rp^2)/2: |a^2 - a'^2| <= (2 |a| + e) e, and half of that is below (|a| + e) e. */
+FORMULA(REFRACT_FRESNEL);
+
+/* Of q^2 c and root/4 together. */
+FORMULA(REFRACT_PARALLEL);
+
+/* Of c/4 and root together. */
+FORMULA(REFRACT_ACROSS);
+
+/* (c/4 - root) N - V/4: N's by the bend, the bend's, and V's. */
+FORMULA(REFRACT_DIRECTION);
+
+/* A product and a difference in each of three, and the bend's difference: 5 of 64 u. There halves of v and an integer
+ * quotient. */
+#define BOUND_REFRACT_DIRECTION_ROUNDING P2M(47)
+
+/* A throughput times what is reflected: the throughput's, by what is reflected where that is more than 1, as mirror and
+ * refraction are 1 each at most; and what Fresnel's part is off by, times the throughput. */
+FORMULA(REFLECTED_WEIGHT);
+
+/* What Fresnel's part is off by, times the throughput, as refraction is 1 at most; REFRACT_ROUNDING in it has the half
+ * unit there of refraction's part. */
+FORMULA(REFLECTED_FRESNEL);
+
+/* Of what is refracted, which is 1 at most. */
+FORMULA(REFRACTED_WEIGHT);
+
+/* As REFLECTED_FRESNEL. */
+FORMULA(REFRACTED_FRESNEL);
+
+/* There the part of refraction and the product, half a unit each, the former by the throughput, which is 2^16 at most;
+ * but where that is above 4 the sum is 2.5 of 8. By doubles 3 u of 2^16. */
+#define BOUND_WEIGHT_UNITS P2M(42)
+
+/* Straight on: the point, and b times what the viewer is off by. */
+FORMULA(STRAIGHT_ON);
+
+/* b times what the viewer is off by, of samples. */
+FORMULA(STRAIGHT_ON_TURN);
+
+#endif

@@ -1,0 +1,136 @@
+/* rounds.h - bounds of cones and cylinders: round.h, cylinder.h. */
+#ifndef TIA_SIMD_RAYS_BOUNDS_ROUNDS_H
+#define TIA_SIMD_RAYS_BOUNDS_ROUNDS_H
+
+/* ---- cones, see round.h and geometry/round.c ---- */
+
+/* start = -(O - A).D: |O - A|1. As SPHERE_ALONG, proved: rays_forms.g (tca), 5 of 8 u. */
+#define BOUND_CONE_START_ROUNDING (8 * SURE_EPS)
+
+/* It moves by eo and, D turning, by |O - A| ed. */
+FORMULA(CONE_START);
+
+/* O - A + start D: |O - A|1. As SPHERE_ASIDE, proved: rays_forms.g (aside + along). */
+#define BOUND_CONE_NEAR_ROUNDING (16 * SURE_EPS)
+
+/* It moves by eo, by |start| ed across and |O - A| ed along. */
+FORMULA(CONE_NEAR);
+
+/* The two former there: half a unit of start, and with the point's three halves 1.37 of 2. */
+#define BOUND_CONE_NEAR_UNITS (2 * SURE_UNIT)
+
+/* CONE_NEAR_ROUNDING, as the ray passes the shape: 16 u. */
+#define BOUND_CONE_PASS_ROUNDING P2M(49)
+
+/* How far the rays are apart anywhere near the shape. */
+FORMULA(CONE_PASS);
+
+/* Squares of 2 to 6 roundings, 6 u; and the bound's own. 2^-10 of it. */
+#define BOUND_CONE_SQUARE P2M(40)
+
+/* Not derived: how far beyond its widest radius a fixed-point cone may be met, its roots being rounded near a tangent.
+ * 128 units; far fewer were seen. Lines that pass the thickest end by less are left to the quadratic. */
+#define BOUND_CONE_TANGENT P2M(38)
+
+/* (near.a0) y1 - (near.a1) y0: near 16 u, its dot products and y 5 u each, products and difference 2 u: 28 of 32 u of
+ * |O - A|1, which near is no longer than. */
+#define BOUND_CONE_ASIDE P2M(48)
+
+/* D along an axis: 4 u of its roundings, and half of v. The rest keeps `flat` above 2^-39, where normalising it there
+ * loses nothing: v is 2^-23 of that. 4 of 512 u. */
+#define BOUND_CONE_DIRECTION P2M(44)
+
+/* And with it ed. */
+FORMULA(CONE_TURN);
+
+/* near along an axis by doubles: the axis, a product and two sums, 4 of 8 u of |near|1. */
+#define BOUND_CONE_PLACE_ROUNDING (8 * SURE_EPS)
+
+/* And with it CONE_NEAR; there half a unit. */
+FORMULA(CONE_PLACE);
+
+/* A vector of two components that is known within 1/32 of its length. v/|v| is then off by (1 + 2^-10) e/|v|, proved:
+ * rays_forms.g (turned); the rest of the factor is for the bound's own roundings. */
+#define BOUND_CONE_CHORD 1.0625
+#define BOUND_CONE_KNOWN 32 /* as the former has it */
+
+/* v/|v| by doubles, 5 u, and 2^-58 there: 5 of 32 u. */
+#define BOUND_CONE_UNIT P2M(48)
+
+/* |v| by doubles, two products, a sum and a root: 2.5 of 512 u. There v.(v/|v|): two halves of v and 2^-58. */
+#define BOUND_CONE_LENGTH P2M(44)
+
+/* t there: the sum is exact, the quotient's half unit is the interval's. 2 units of it are not needed: start's half is
+ * CONE_START's. 0 of 2. */
+#define BOUND_CONE_UNITS (2 * SURE_UNIT)
+
+/* O + t D: eo, t and t ed. */
+FORMULA(CONE_POINT);
+
+/* ---- cylinders, see cylinder.h, which derives all of it ---- */
+
+/* A ray in the axes. Proved: rays_forms.g (tube, tubed): 16 u of |O|1, and of 1. */
+#define BOUND_TUBE (SURE_TUBE * SURE_EPS)
+
+/* What is within 2^-55 of the reach: fixed-point lengths of v/2 and quotients of 2^-59, 2^-57 and less; and what t adds
+ * to lambda where the farther end counts. 8 u. */
+#define BOUND_TUBE_REACH (8 * SURE_EPS)
+
+/* There: 2.6 units of the origin, 1 of the nearest place and 1.5 of the root: 5.1, of 5.25. */
+#define BOUND_TUBE_UNITS (5.25 * SURE_UNIT)
+
+/* lambda(t) = off + |t| turn: eo, and what does not grow with t. */
+FORMULA(TUBE_OFF);
+
+/* ed, and 16 u. */
+FORMULA(TUBE_TURN);
+
+/* (r + lambda)^2 - r^2. */
+FORMULA(TUBE_ETA);
+
+/* The bound's own roundings, a few u. 2^-29 of it. */
+#define BOUND_TUBE_BOUND (1 + P2M(20))
+
+/* And g's: its square is less by that. */
+#define BOUND_TUBE_LEAST (1 - P2M(40))
+
+/* f'^2 <= (f + ed)^2 = f^2 + ed (2 f + ed) <= f^2 + 3 ed. */
+#define BOUND_TUBE_SQUARE 3
+
+/* Below this f^2 is no divisor: it would be infinite along the axis, and nothing is sure then. A choice. */
+#define BOUND_TUBE_SLANTED P2M(60)
+
+/* (D x A).(O - B) and |D x A|: 32 u of the way to the shape, and pad is 2^-21 of it or more: 2^-27 of pad. 1 of 8. */
+#define BOUND_TUBE_ASIDE P2M(24)
+
+/* Heights there: the point 1 unit, its product half of one, the end's half: 2 of 3. */
+#define BOUND_TUBE_HEIGHT_UNITS (3 * SURE_UNIT)
+
+/* A distance there, besides what is off already: the quotient's and the sum's halves. 1 of 2. */
+#define BOUND_TUBE_DISTANCE_UNITS (2 * SURE_UNIT)
+
+/* How far along the ray the origin's nearest place to the shape may be off. */
+FORMULA(TUBE_START);
+
+/* Whatever of the shape a ray may meet lies between heights that are that far beyond its ends. */
+FORMULA(TUBE_MARGIN);
+
+/* lambda (r + lambda)/T, see there. */
+FORMULA(TUBE_DISTANCE);
+
+/* What heights are off by at an end. */
+FORMULA(TUBE_END);
+
+/* A plane across the axis: lambda/(|d| - ed). */
+FORMULA(TUBE_CAP);
+
+/* r + lambda over T = sqrt(g^2 - f'^2 eta). */
+FORMULA(TUBE_STRETCH);
+
+/* The point is off by no more than t, see there. */
+FORMULA(TUBE_POINT);
+
+/* How near to the axis a ray must come: the radius, and how far rays are apart. */
+FORMULA(TUBE_WIDEST);
+
+#endif

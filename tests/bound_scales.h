@@ -1,0 +1,43 @@
+/* bound_scales.h - the bounds of src/simd/rays by name, each with a factor: see bounds.h there, which includes this
+ * where BOUND_SCALES says so. tests/bounds scales one bound of a whole program by TIA_BOUND=NAME and TIA_BOUND_SCALE=x
+ * in the environment; test_ray_bounds --uses does so within. */
+#ifndef TIA_TESTS_BOUND_SCALES_H
+#define TIA_TESTS_BOUND_SCALES_H
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define BOUNDS_MAX 512
+
+struct scaled_bound {
+    const char *name;
+    double scale;
+};
+
+/* Of this translation unit: those that were reached so far. */
+static struct scaled_bound scaled_bounds[BOUNDS_MAX];
+static int scaled_bound_count;
+
+static double first_scale(const char *name)
+{
+    const char *scaled = getenv("TIA_BOUND"), *scale = getenv("TIA_BOUND_SCALE");
+
+    return scaled && scale && strcmp(scaled, name) == 0 ? strtod(scale, NULL) : 1;
+}
+
+/* The place of a bound's factor: 1 until somebody changes it. */
+static inline double *bound_scale_of(const char *name)
+{
+    for (int i = 0; i < scaled_bound_count; i++)
+        if (strcmp(scaled_bounds[i].name, name) == 0)
+            return &scaled_bounds[i].scale;
+    if (scaled_bound_count == BOUNDS_MAX) {
+        (void)fputs("bound_scales.h: more than BOUNDS_MAX bounds\n", stderr);
+        abort();
+    }
+    scaled_bounds[scaled_bound_count] = (struct scaled_bound){name, first_scale(name)};
+    return &scaled_bounds[scaled_bound_count++].scale;
+}
+
+#endif
