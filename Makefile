@@ -133,7 +133,10 @@ unless_lean = $(if $(LEAN),$(if $(filter-out $(wildcard $(1)),$(1)),,$(1)),$(1))
 # The folders of src/render are compiled once for each arithmetic, see src/num/README.md; the rest knows integers alone.
 c_below   = $(sort $(foreach d,$(1),$(wildcard $(d)/*.c $(d)/*/*.c $(d)/*/*/*.c $(d)/*/*/*/*.c)))
 CORE_SRC  := $(call c_below,src)
-# All in a folder of src/render.
+# Radio waves are a library of their own, which needs the core.
+RADIO_SRC := $(filter src/radio/%,$(CORE_SRC))
+CORE_SRC  := $(filter-out src/radio/%,$(CORE_SRC))
+# All in a directory of src/render.
 NUM_SRC   := $(filter-out $(wildcard src/render/*.c),$(filter src/render/%,$(CORE_SRC)))
 include src/simd/simd.mk
 PORT_DIRS := console pixels memory none fbdev evdev terminal ps2 spi-panel $(if $(filter yes,$(DRM)),drm) \
@@ -146,6 +149,7 @@ TESTS     := $(patsubst tests/%.c,$(BUILD)/tests/%,$(sort $(wildcard tests/test_
 
 obj = $(patsubst %.c,$(BUILD)/$(1)/%.o,$(2))
 LIBTIA := $(BUILD)/libtia.a
+LIBRADIO := $(BUILD)/libtia-radio.a
 LIBDEVICES := $(BUILD)/libtia-ports.a
 LIBSHARED := $(BUILD)/libtia.so.0
 LIBF64 := $(if $(filter yes,$(F64)),$(BUILD)/libtia-f64.a $(BUILD)/libtia-f32.a)
@@ -158,7 +162,7 @@ LIBCOMMON := $(BUILD)/libcommon.a
 PROGRAMS := $(if $(BARE),,tia tia-compare tia-join tia-compile tia-pov tia-observe tia-radio)
 
 .PHONY: all run check check-quick test bench deps install uninstall size lint clean help tests FORCE
-all: $(LIBTIA) $(LIBDEVICES) $(if $(BARE),,$(LIBSIMD)) $(LIBF64) $(PROGRAMS:%=$(BUILD)/%)
+all: $(LIBTIA) $(LIBRADIO) $(LIBDEVICES) $(if $(BARE),,$(LIBSIMD)) $(LIBF64) $(PROGRAMS:%=$(BUILD)/%)
 	@$(call name_missing,$(MISSING))
 
 name_missing = for m in $(1); do echo "note: $$m (make deps installs it)"; done
@@ -219,6 +223,7 @@ $(BUILD)/chk/%.o: %.c $(BUILD)/chk/flags
 	$(call compile,CC chk,$(CORE) -DTIA_NUM_CHK $(overflow))
 
 $(LIBTIA): $(call obj,q16,$(CORE_SRC))
+$(LIBRADIO): $(call obj,q16,$(RADIO_SRC))
 $(BUILD)/libtia-f64.a: $(call obj,f64,$(NUM_SRC))
 $(BUILD)/libtia-f32.a: $(call obj,f32,$(NUM_SRC))
 $(LIBWATCHED): $(call obj,watched,$(NUM_SRC))
@@ -234,7 +239,7 @@ $(BUILD)/liboracle.a: $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(ORACLE_SRC))
 
 # A program is all of tools/NAME/.
 define program
-$(BUILD)/$(1): $(call obj,host,$(sort $(wildcard tools/$(1)/*.c))) $(LIBCOMMON) $(LIBPORTS) $(if $(filter tia,$(1)),$(TIA_F64),$(LIBF64)) $(LIBSIMD) $(LIBTIA) $(BUILD)/made-with/link
+$(BUILD)/$(1): $(call obj,host,$(sort $(wildcard tools/$(1)/*.c))) $(LIBCOMMON) $(LIBPORTS) $(if $(filter tia,$(1)),$(TIA_F64),$(LIBF64)) $(LIBSIMD) $(if $(filter tia-radio,$(1)),$(LIBRADIO)) $(LIBTIA) $(BUILD)/made-with/link
 	$$(link)
 endef
 $(foreach p,$(PROGRAMS),$(eval $(call program,$(p))))
@@ -252,7 +257,7 @@ $(BUILD)/tia: LIBS := $(TIA_WATCHED) $(LIBTIA) $(LIBS)
 $(BUILD)/tests/test_observe: $(LIBWATCHED)
 $(BUILD)/tests/test_observe: LIBS := $(LIBWATCHED) $(LIBTIA) $(LIBS)
 $(CHK_TESTS): LIBS := $(BUILD)/libtia-chk.a $(LIBTIA) $(overflow) $(LIBS)
-$(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/liboracle.a $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBSIMD) $(LIBTIA) $(BUILD)/made-with/link
+$(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/liboracle.a $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBSIMD) $(LIBRADIO) $(LIBTIA) $(BUILD)/made-with/link
 	$(link)
 
 # Scenes as const tables: for a test, and for boards without files.

@@ -30,13 +30,17 @@ Name: $(1)
 Description: $(2)
 Version: $(VERSION)
 Cflags: -I$${includedir}
-Libs: -L$${libdir} -l$(1)
+Libs: -L$${libdir} -l$(1)$(4)
 Libs.private: $(3)
 
 endef
 # A static library that another one needs, and that needs it, stands twice.
 $(BUILD)/tia.pc: install.mk include/tia/tia.h FORCE
 	$(file >$@,$(call PC,tia,integer-only ray tracer,$(if $(BARE),,-ltia-simd -ltia -lm)))@:
+# It is static, and needs more of the core than libtia.so shows.
+$(BUILD)/tia-radio.pc: install.mk include/tia/tia.h FORCE
+	$(file >$@,$(call PC,tia-radio,paths of radio waves for the ray tracer tia,, $${libdir}/libtia.a))@:
+
 
 # The freestanding ports: a panel on a serial bus, a keyboard's bytes.
 PORTABLE := port/spi-panel/spi_panel port/ps2/ps2
@@ -48,8 +52,8 @@ $(BUILD)/q16/port/%.o: CORE += -Iport
 .PHONY: amalgamation
 amalgamation: $(if $(PYTHON),$(BUILD)/amalgamation/tia.c)
 	@$(if $(PYTHON),:,echo "amalgamation: python3 not found (make deps check installs it)" >&2; exit 1)
-$(BUILD)/amalgamation/tia.c: tools/generate/amalgamation.py $(CORE_SRC) $(wildcard include/tia/*.h src/*/*.h src/*/*/*.h)
-	$(call say,WRITE,$(@D))$(PYTHON) $< $(@D) $(CORE_SRC)
+$(BUILD)/amalgamation/tia.c: tools/generate/amalgamation.py $(CORE_SRC) $(RADIO_SRC) $(wildcard include/tia/*.h src/*/*.h src/*/*/*.h)
+	$(call say,WRITE,$(@D))$(PYTHON) $< $(@D) $(CORE_SRC) $(RADIO_SRC)
 
 # As Arduino wants a library: with headers at the top of src/.
 .PHONY: arduino
@@ -62,9 +66,9 @@ arduino: tools/generate/amalgamation.py $(CORE_SRC) $(wildcard include/tia/*.h s
 INSTALLED := $(if $(LIBF64),$(PROGRAMS),$(filter-out tia-compare,$(PROGRAMS)))
 PLACES := $(foreach p,$(INSTALLED),755:$(BUILD)/$(p):bin/$(p) 644:man/$(p).1:share/man/man1/$(p).1) \
     644:man/tia-scene.5:share/man/man5/tia-scene.5 \
-    $(foreach l,$(LIBTIA) $(LIBDEVICES) $(if $(BARE),,$(LIBSIMD)),644:$(l):$(LIBDIR)/$(notdir $(l))) \
+    $(foreach l,$(LIBTIA) $(LIBRADIO) $(LIBDEVICES) $(if $(BARE),,$(LIBSIMD)),644:$(l):$(LIBDIR)/$(notdir $(l))) \
     $(if $(BARE),,644:$(LIBSHARED):$(LIBDIR)/libtia.so.$(VERSION)) \
-    644:$(BUILD)/tia.pc:$(LIBDIR)/pkgconfig/tia.pc \
+    $(foreach n,tia tia-radio,644:$(BUILD)/$(n).pc:$(LIBDIR)/pkgconfig/$(n).pc) \
     $(foreach n,$(wildcard package/cmake/*.cmake),644:$(BUILD)/$(notdir $(n)):$(LIBDIR)/cmake/tia/$(notdir $(n))) \
     $(foreach h,$(wildcard include/tia/*.h),644:$(h):$(h)) \
     $(foreach h,$(PORT_HEADERS),644:$(h):include/tia/ports/$(notdir $(h))) \
@@ -73,7 +77,9 @@ PLACES := $(foreach p,$(INSTALLED),755:$(BUILD)/$(p):bin/$(p) 644:man/$(p).1:sha
     $(if $(BARE),,644:package/complete/tia.bash:share/bash-completion/completions/tia \
     644:package/complete/_tia:share/zsh/site-functions/_tia 644:package/complete/tia.fish:share/fish/vendor_completions.d/tia.fish)
 # The reference, a page for each header and one that leads to it for each function: python3 writes it.
-MAN3 := $(sort $(patsubst tia_tia,tia,$(patsubst include/tia/%.h,tia_%,$(wildcard include/tia/*.h))) \
+paren := (
+RADIO_NAMES = $(shell sed -n 's/^[a-z].*[ *]\(tia_radio_[a-z_]*\)$(paren).*/\1/p' include/tia/radio.h)
+MAN3 = $(sort $(RADIO_NAMES) $(patsubst tia_tia,tia,$(patsubst include/tia/%.h,tia_%,$(wildcard include/tia/*.h))) \
     $(patsubst %;,%,$(filter tia_%;,$(file <libtia.map))))
 MAN3_DIR = $(DESTDIR)$(PREFIX)/share/man/man3
 $(BUILD)/man3.made: tools/generate/reference.py libtia.map man/tia.1 $(wildcard include/tia/*.h)

@@ -53,10 +53,10 @@ static void prepare(struct frame *f, uint16_t width, uint16_t height)
     f->area = (struct tia_tile){0, 0, width, height};
     view_size = tia_view_size(&f->scene, 1);
     hits_size = tia_hits_size(&tia_thesis_scene, f->area);
-    if (tia_view_init(&f->view, memory(view_size), view_size, &f->scene, 1, width, height) ||
+    if (tia_view_init(&f->view, memory(view_size), view_size, &f->scene, 1, width, height, NULL) ||
         tia_hits_init(&f->hits, memory(hits_size), hits_size, f->view, f->area))
         exit(1);
-    f->surface = (struct tia_surface){memory((size_t)width * height * 2), 2, 2 * width};
+    f->surface = (struct tia_surface){.pixels = memory((size_t)width * height * 2), .step = 2, .pitch = 2 * width};
 }
 
 static int by_value(const void *a, const void *b)

@@ -26,7 +26,7 @@ $(BUILD)/host/bench/lanes_%.o: bench/lanes_%.c $(BUILD)/made-with/host
 $(BUILD)/host/bench/float_lanes.o: $(BUILD)/made-with/parts
 $(BUILD)/host/bench/float_lanes.o: HOSTED += $(HAVE_SIMD)
 $(BENCH): $(call obj,host,$(BENCH_SRC) $(EMBREE_SRC) $(if $(GL),bench/gl/raster.c)) \
-          $(if $(TINYGL),$(BUILD)/tinygl/bench/tinygl.o $(TINYGL_LIB)) $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBSIMD) $(LIBTIA) $(LIBWATCHED) $(BUILD)/made-with/link
+          $(if $(TINYGL),$(BUILD)/tinygl/bench/tinygl.o $(TINYGL_LIB)) $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBSIMD) $(LIBRADIO) $(LIBTIA) $(LIBWATCHED) $(BUILD)/made-with/link
 	$(link)
 $(BENCH): LIBS := $(LIBWATCHED) $(LIBTIA) $(LIBS)
 # FORCE: another TINYGL may be meant than the last time.

@@ -37,12 +37,12 @@ static double draw(const struct tia_scene *scene, const struct tia_simd *simd, u
     size_t simd_size = tia_simd_size(simd, scene, scene->light_count, 1);
     void *of_view = memory(size), *of_hits = memory(hits_size), *of_simd = memory(simd_size);
     tia_rgb565 *pixels = memory((size_t)width * height * sizeof *pixels);
-    const struct tia_surface surface = {pixels, 2, 2 * width};
+    const struct tia_surface surface = {.pixels = pixels, .step = 2, .pitch = 2 * width};
     struct tia_view *view;
     struct tia_hits *hits;
 
     double start = cpu_milliseconds();
-    must(tia_view_init(&view, of_view, size, scene, scene->light_count, width, height));
+    must(tia_view_init(&view, of_view, size, scene, scene->light_count, width, height, NULL));
     must(tia_view_set_simd(view, simd, of_simd, simd_size));
     must(tia_hits_init(&hits, of_hits, hits_size, view, all));
     must(tia_render(view, hits, all, &surface, NULL));

@@ -38,7 +38,7 @@ static void draw_sums(const struct tia_core *core, const struct tia_estimator *e
     struct tia_view *view;
 
     must(memory && simd_memory ? TIA_OK : TIA_ERR_MEMORY);
-    must(core->view_init(core, &view, memory, size, scene, scene->light_count, SIDE, SIDE, NULL, NULL));
+    must(core->view_init(core, &view, memory, size, scene, scene->light_count, SIDE, SIDE, NULL));
     if (simd)
         must(tia_view_set_simd(view, simd, simd_memory, more));
     run->simd = tia_view_simd(view);

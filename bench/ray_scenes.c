@@ -39,8 +39,8 @@ static void build(struct ray_scene *s)
         for (unsigned threads = 1; threads <= 2; threads++) {
             struct threads *pool = threads_create(threads);
             double start = milliseconds();
-            must(pool && !tia_bvh_build_parallel(&s->scene.bvh, s->memory[0], size, NULL, &s->scene, &threads_workers,
-                                                 pool, NULL, NULL),
+            must(pool && !tia_bvh_build(&s->scene.bvh, s->memory[0], size, NULL, &s->scene,
+                                        &(struct tia_job){.workers = threads_workers(pool)}),
                  "no hierarchy");
             keep_least(&s->built[threads - 1], milliseconds() - start);
             threads_destroy(pool);

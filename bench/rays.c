@@ -26,13 +26,13 @@ static double draw(const struct tia_core *core, const struct tia_scene *scene)
     size_t view_size = core->view_size(core, scene, scene->light_count), hits_size = core->hits_size(core, scene, area);
     void *memory[2] = {malloc(view_size), malloc(hits_size)};
     tia_rgb565 *pixels = malloc(sizeof *pixels * WIDTH * HEIGHT);
-    struct tia_surface surface = {pixels, sizeof *pixels, sizeof *pixels * WIDTH};
+    struct tia_surface surface = {.pixels = pixels, .step = sizeof *pixels, .pitch = sizeof *pixels * WIDTH};
     struct tia_view *view;
     struct tia_hits *hits;
     double start = milliseconds();
 
     must(memory[0] && memory[1] && pixels ? TIA_OK : TIA_ERR_MEMORY);
-    must(core->view_init(core, &view, memory[0], view_size, scene, scene->light_count, WIDTH, HEIGHT, NULL, NULL));
+    must(core->view_init(core, &view, memory[0], view_size, scene, scene->light_count, WIDTH, HEIGHT, NULL));
     must(tia_hits_init(&hits, memory[1], hits_size, view, area));
     must(tia_render(view, hits, area, &surface, NULL));
     double end = milliseconds();
@@ -94,7 +94,7 @@ static void measure_reading(void)
     double read = milliseconds() - start;
     size_t size = tia_bvh_size(&scene);
     void *boxes = malloc(size);
-    must(boxes ? tia_bvh_build(&scene.bvh, boxes, size, NULL, &scene) : TIA_ERR_MEMORY);
+    must(boxes ? tia_bvh_build(&scene.bvh, boxes, size, NULL, &scene, NULL) : TIA_ERR_MEMORY);
     printf("\n%u spheres in %.1f MB of text: read in %.0f ms, hierarchy built in %.0f ms.\n",
            (unsigned)scene.sphere_count, (double)reader.length / 1e6, read, milliseconds() - start - read);
     free(boxes);

@@ -59,9 +59,9 @@ static void open_frame(struct shown *f, const struct tia_scene *scene, uint16_t 
         f->memory[i] = malloc(sizes[i] + 1); /* a level may need none */
         shadow_must(f->memory[i] != NULL);
     }
-    f->surface = (struct tia_surface){malloc((size_t)width * height * 2), 2, 2 * width};
+    f->surface = (struct tia_surface){.pixels = malloc((size_t)width * height * 2), .step = 2, .pitch = 2 * width};
     shadow_must(f->surface.pixels &&
-                !tia_view_init(&f->view, f->memory[0], sizes[0], scene, scene->light_count, width, height));
+                !tia_view_init(&f->view, f->memory[0], sizes[0], scene, scene->light_count, width, height, NULL));
     shadow_must(!tia_view_set_simd(f->view, simd, f->memory[2], sizes[2]));
     shadow_must(!tia_hits_init(&f->hits, f->memory[1], sizes[1], f->view, f->area));
 }
@@ -103,7 +103,7 @@ static void measure_case(int index, struct shadow_scene *s)
     s->scene.light_count = c->lights;
     size_t size = tia_bvh_size(&s->scene);
     void *boxes = malloc(size);
-    shadow_must(boxes && !tia_bvh_build(&s->scene.bvh, boxes, size, NULL, &s->scene));
+    shadow_must(boxes && !tia_bvh_build(&s->scene.bvh, boxes, size, NULL, &s->scene, NULL));
     for (int i = 0; i < TECHNIQUES; i++) {
         s->scene.shadows = techniques[i].shadows;
         s->scene.shadow_map = (struct tia_shadow_map){.size = techniques[i].map_size};

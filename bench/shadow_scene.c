@@ -3,6 +3,8 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <tia/debug.h>
+#include <tia/raster.h>
 #include <tia/simd.h>
 
 #define Q(x) ((tia_q16)lrint((x)*65536))

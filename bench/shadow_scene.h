@@ -2,6 +2,8 @@
 #ifndef BENCH_SHADOW_SCENE_H
 #define BENCH_SHADOW_SCENE_H
 
+#include <tia/raster.h>
+
 #include "mesh.h"
 #include "shadow/volume.h"
 

@@ -17,6 +17,7 @@ void bench_shadows_gl(const char *driver)
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
+#include <tia/raster.h>
 #include <unistd.h>
 
 #define ROUNDS 7

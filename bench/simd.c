@@ -82,7 +82,7 @@ static void row(const struct picture *p, const char *name, const struct tia_simd
     struct tia_hits *hits;
     struct measured m;
 
-    if (tia_view_init(&view, part[0], view_size, &p->scene, 1, p->area.width, p->area.height) ||
+    if (tia_view_init(&view, part[0], view_size, &p->scene, 1, p->area.width, p->area.height, NULL) ||
         tia_view_set_simd(view, simd, part[1], more) || tia_hits_init(&hits, part[2], hits_size, view, p->area))
         exit(1);
     measure_rounds(p, simd ? name : NULL, view, hits, &m);
@@ -122,7 +122,7 @@ void bench_simd(void)
         size_t bytes = (size_t)sizes[i][0] * sizes[i][1] * 2;
         p.scene.lights = &tia_thesis_scene.bindings[0].state;
         p.scene.light_count = 1;
-        p.surface = (struct tia_surface){memory(bytes), 2, 2 * sizes[i][0]};
+        p.surface = (struct tia_surface){.pixels = memory(bytes), .step = 2, .pitch = 2 * sizes[i][0]};
         memset(p.surface.pixels, 1, bytes);
         const struct tia_simd *last = NULL, *simd;
         row(&p, "plain", NULL);

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <tia/debug.h>
 
 #include "common/scene/scene.h"
 #include "common/thread_pool.h"
@@ -74,7 +75,7 @@ static void begin_core(struct canvas *c)
     c->pool = threads_create(by->threads);
     must(c->pool ? TIA_OK : TIA_ERR_MEMORY);
     must(by->core->view_init(by->core, &c->view, c->view_memory, size, scene, scene->light_count, c->width, c->height,
-                             NULL, NULL));
+                             NULL));
     if (by->simd)
         must(tia_view_set_simd(c->view, by->simd, c->simd_memory, more));
 }
@@ -107,9 +108,10 @@ static void draw_strip(void *arg, unsigned index)
     const struct canvas *c = arg;
     unsigned y = index * STRIP, left = c->height - y;
     struct tia_tile tile = {0, (uint16_t)y, c->width, (uint16_t)(left < STRIP ? left : STRIP)};
-    struct tia_surface surface = {c->pixels + (size_t)y * c->width, sizeof *c->pixels,
-                                  (ptrdiff_t)(sizeof *c->pixels * c->width)};
-    const struct tia_options options = {.observer = c->observer};
+    struct tia_surface surface = {.pixels = c->pixels + (size_t)y * c->width,
+                                  .step = sizeof *c->pixels,
+                                  .pitch = (ptrdiff_t)(sizeof *c->pixels * c->width)};
+    const struct tia_options options = {.debug = &(struct tia_debug){.observer = c->observer}};
     struct tia_hits *hits;
 
     must(tia_hits_init(&hits, (char *)c->hits_memory + index * strip_hits(c), strip_hits(c), c->view, tile));
@@ -123,7 +125,7 @@ static void draw(struct canvas *c)
     if (c->embree)
         embree_draw(c->embree, c->width, c->height, c->pixels);
     else
-        threads_workers.run(c->pool, draw_strip, c, (c->height + STRIP - 1u) / STRIP);
+        threads_run(c->pool, draw_strip, c, (c->height + STRIP - 1u) / STRIP);
     keep_least(&c->wall, milliseconds() - wall);
     keep_least(&c->cpu, cpu_milliseconds() - cpu);
 }

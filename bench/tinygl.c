@@ -13,6 +13,7 @@ void bench_tinygl(void)
 
 #include <math.h>
 #include <stdlib.h>
+#include <tia/raster.h>
 #include <zbuffer.h> /* TinyGL's, with its own GL/gl.h */
 
 #define ROUNDS 15

@@ -46,7 +46,7 @@ static void set(struct stage *s, const struct tia_simd *simd)
     s->part[1] = checked(malloc(more + 1));
     s->part[2] = checked(pages_alloc(hits));
     s->part[3] = checked(pages_alloc_cleared((size_t)WIDTH * HEIGHT * sizeof(tia_rgb565)));
-    if (tia_view_init(&s->view, s->part[0], view, &s->scene, 1, WIDTH, HEIGHT) ||
+    if (tia_view_init(&s->view, s->part[0], view, &s->scene, 1, WIDTH, HEIGHT, NULL) ||
         tia_view_set_simd(s->view, simd, s->part[1], more) || tia_hits_init(&s->hits, s->part[2], hits, s->view, all))
         exit(1);
 }
@@ -62,7 +62,8 @@ static void strip(void *arg, unsigned index)
     const struct stage *s = arg;
     unsigned y = index * ROWS, rows = HEIGHT - y < ROWS ? HEIGHT - y : ROWS;
     const struct tia_tile tile = {0, (uint16_t)y, WIDTH, (uint16_t)rows};
-    const struct tia_surface surface = {(tia_rgb565 *)s->part[3] + (size_t)y * WIDTH, 2, 2 * WIDTH};
+    const struct tia_surface surface = {
+        .pixels = (tia_rgb565 *)s->part[3] + (size_t)y * WIDTH, .step = 2, .pitch = 2 * WIDTH};
 
     if (s->relit ? tia_light_tile(s->view, s->hits, tile, &surface, NULL)
                  : tia_render(s->view, s->hits, tile, &surface, NULL))
@@ -72,7 +73,7 @@ static void strip(void *arg, unsigned index)
 static void draw(struct threads *pool, struct stage *s, bool relit)
 {
     s->relit = relit;
-    threads_workers.run(pool, strip, s, (HEIGHT + ROWS - 1) / ROWS);
+    threads_run(pool, strip, s, (HEIGHT + ROWS - 1) / ROWS);
 }
 
 /* Ties the thread that runs job n to the n-th of the processors that this program may use: schedulers may put threads
@@ -124,7 +125,7 @@ static void measure_frames(const struct tia_simd *simd)
 
     set(&s, simd);
     (void)sched_getaffinity(0, sizeof before, &before);
-    threads_workers.run(pool[1], settle, &settled, 2);
+    threads_run(pool[1], settle, &settled, 2);
     for (int i = 0; i < (simd ? ROUNDS : ROUNDS / 5); i++)
         for (int k = 0; k < 2; k++) {
             take(pool[k], &s, false, &full[k]);

@@ -77,8 +77,7 @@ static inline int against_oracle_with(struct measure what, struct against out[])
 }
 
 static inline int against_oracle(const struct tia_core *core, const struct tia_scene *scene, unsigned width,
-                                 unsigned height, bool dither, const struct tia_workers *workers, void *workers_ctx,
-                                 struct against *out)
+                                 unsigned height, bool dither, const struct tia_workers *workers, struct against *out)
 {
     return against_oracle_with((struct measure){.scene = scene,
                                                 .width = width,
@@ -86,8 +85,7 @@ static inline int against_oracle(const struct tia_core *core, const struct tia_s
                                                 .dither = dither,
                                                 .cores = {core},
                                                 .core_count = 1,
-                                                .workers = workers,
-                                                .workers_ctx = workers_ctx},
+                                                .workers = workers},
                                out);
 }
 

@@ -37,7 +37,7 @@ static inline struct tia_vec3 ball_at(uint32_t ball, tia_q16 time)
     struct tia_scene out;
 
     CHECK(tia_scene_at_size(&world.scene) <= sizeof memory);
-    CHECK_EQ(tia_scene_at(&out, memory, sizeof memory, &world.scene, time), TIA_OK);
+    CHECK_EQ(tia_scene_at(&out, memory, sizeof memory, &world.scene, time, NULL), TIA_OK);
     return centre(&out, ball);
 }
 

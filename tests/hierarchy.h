@@ -61,7 +61,7 @@ static inline void build(void)
     free(memory);
     memory = malloc(size);
     memset(memory, 0xa5, size);
-    CHECK_EQ(tia_bvh_build(&bvh, memory, size, &used, &scene), TIA_OK);
+    CHECK_EQ(tia_bvh_build(&bvh, memory, size, &used, &scene, NULL), TIA_OK);
     CHECK(used <= size);
 }
 

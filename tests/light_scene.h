@@ -5,6 +5,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <tia/debug.h>
 #include <tia/tia.h>
 
 #include "check.h"
@@ -105,8 +106,7 @@ static inline struct world_view world_open(const struct tia_core *core, const st
     size_t size = core->view_size(core, &world, world.light_count);
 
     v.memory = malloc(size);
-    CHECK_EQ(core->view_init(core, &v.view, v.memory, size, &world, world.light_count, width, height, NULL, NULL),
-             TIA_OK);
+    CHECK_EQ(core->view_init(core, &v.view, v.memory, size, &world, world.light_count, width, height, NULL), TIA_OK);
     return v;
 }
 
@@ -120,8 +120,8 @@ static inline void world_draw(const struct tia_core *core, const struct world_vi
                               tia_rgb565 *pixels, uint32_t *hashes)
 {
     const struct tia_tile all = {0, 0, (uint16_t)width, (uint16_t)height};
-    const struct tia_surface surface = {pixels, 2, (ptrdiff_t)width * 2};
-    const struct tia_options options = {.path_hash = hashes};
+    const struct tia_surface surface = {.pixels = pixels, .step = 2, .pitch = (ptrdiff_t)width * 2};
+    const struct tia_options options = {.debug = &(struct tia_debug){.path_hash = hashes}};
     size_t size = core->hits_size(core, &world, all);
     void *memory = malloc(size);
     struct tia_hits *hits;

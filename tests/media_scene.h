@@ -31,14 +31,14 @@ static const struct tia_core *const cores[] = {&tia_core_q16, &oracle_core,
 static void draw(const struct tia_core *core, unsigned size, tia_rgb565 *pixels)
 {
     const struct tia_tile all = {0, 0, (uint16_t)size, (uint16_t)size};
-    const struct tia_surface surface = {pixels, 2, (ptrdiff_t)size * 2};
+    const struct tia_surface surface = {.pixels = pixels, .step = 2, .pitch = (ptrdiff_t)size * 2};
     size_t view_size = core->view_size(core, &scene, 1), hits_size = core->hits_size(core, &scene, all);
     void *memory[2] = {malloc(view_size), malloc(hits_size)};
-    const struct tia_options plain = {.path_hash = NULL};
+    const struct tia_options plain = {.debug = NULL};
     struct tia_view *view;
     struct tia_hits *hits;
 
-    CHECK_EQ(core->view_init(core, &view, memory[0], view_size, &scene, 1, size, size, NULL, NULL), TIA_OK);
+    CHECK_EQ(core->view_init(core, &view, memory[0], view_size, &scene, 1, size, size, NULL), TIA_OK);
     if (!check_failed)
         CHECK_EQ(tia_hits_init(&hits, memory[1], hits_size, view, all), TIA_OK);
     if (!check_failed) {

@@ -22,7 +22,7 @@ static struct tia_hits *misuse_hits;
 static uint64_t misuse_read_memory[1000], misuse_bvh_memory[1000], misuse_view_memory[4000], misuse_hits_memory[4000],
     misuse_memory[40000];
 static tia_rgb565 misuse_pixels[MISUSE_W * MISUSE_H];
-static const struct tia_surface misuse_surface = {misuse_pixels, 2, 2 * MISUSE_W};
+static const struct tia_surface misuse_surface = {.pixels = misuse_pixels, .step = 2, .pitch = 2 * MISUSE_W};
 static const struct tia_tile misuse_frame = {0, 0, MISUSE_W, MISUSE_H};
 
 #define TILE(x, y, w, h) ((struct tia_tile){x, y, w, h})
@@ -39,14 +39,14 @@ static inline void misuse_read(void)
     size_t need;
 
     CHECK_EQ(tia_read(&reader, &misuse_scene, misuse_read_memory, sizeof misuse_read_memory, &need), TIA_OK);
-    CHECK_EQ(tia_bvh_build(&misuse_scene.bvh, misuse_bvh_memory, sizeof misuse_bvh_memory, NULL, &misuse_scene),
+    CHECK_EQ(tia_bvh_build(&misuse_scene.bvh, misuse_bvh_memory, sizeof misuse_bvh_memory, NULL, &misuse_scene, NULL),
              TIA_OK);
 }
 
 static inline int misuse_init(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
                               unsigned width, unsigned height)
 {
-    return tia_view_init(view, memory, size, scene, MISUSE_LIGHTS, width, height);
+    return tia_view_init(view, memory, size, scene, MISUSE_LIGHTS, width, height, NULL);
 }
 
 /* Prepares the scene with a view and hits; no pixel is traced. */

@@ -107,12 +107,12 @@ static void open_world(const struct world *world)
     struct tia_scene *s = &reading.scene;
     size_t size = tia_bvh_size(s), more;
     memory[0] = malloc(size);
-    CHECK_EQ(tia_bvh_build(&s->bvh, memory[0], size, NULL, s), TIA_OK);
+    CHECK_EQ(tia_bvh_build(&s->bvh, memory[0], size, NULL, s, NULL), TIA_OK);
     size = tia_view_size(s, s->light_count);
     more = tia_sure_size(s, s->light_count);
     memory[1] = malloc(size);
     memory[2] = malloc(more);
-    CHECK_EQ(tia_view_init(&prepared, memory[1], size, s, s->light_count, 64, 64), TIA_OK);
+    CHECK_EQ(tia_view_init(&prepared, memory[1], size, s, s->light_count, 64, 64, NULL), TIA_OK);
     prepared->simd_memory = memory[2];
     view = prepared->prepared;
     tia_sure_prepare(prepared);

@@ -38,15 +38,15 @@ static void draw(struct reading *r, tia_rgb565 *pixels)
 {
     struct tia_scene *scene = &r->scene;
     const struct tia_tile all = {0, 0, WIDTH, HEIGHT};
-    const struct tia_surface surface = {pixels, sizeof *pixels, WIDTH * sizeof *pixels};
+    const struct tia_surface surface = {.pixels = pixels, .step = sizeof *pixels, .pitch = WIDTH * sizeof *pixels};
     size_t bvh_size = tia_bvh_size(scene), view_size = tia_view_size(scene, scene->light_count);
     size_t hits_size = tia_hits_size(scene, all);
     void *bvh = malloc(bvh_size), *memory = malloc(view_size), *hits_memory = malloc(hits_size);
     struct tia_view *view;
     struct tia_hits *hits;
 
-    CHECK_EQ(tia_bvh_build(&scene->bvh, bvh, bvh_size, NULL, scene), TIA_OK);
-    CHECK_EQ(tia_view_init(&view, memory, view_size, scene, scene->light_count, WIDTH, HEIGHT), TIA_OK);
+    CHECK_EQ(tia_bvh_build(&scene->bvh, bvh, bvh_size, NULL, scene, NULL), TIA_OK);
+    CHECK_EQ(tia_view_init(&view, memory, view_size, scene, scene->light_count, WIDTH, HEIGHT, NULL), TIA_OK);
     CHECK_EQ(tia_hits_init(&hits, hits_memory, hits_size, view, all), TIA_OK);
     CHECK_EQ(tia_render(view, hits, all, &surface, NULL), TIA_OK);
     free(bvh);

@@ -54,10 +54,10 @@ static inline bool simd_frames_open(struct simd_frames *f, const struct tia_simd
     f->got = malloc(f->bytes);
     size_t hits = tia_hits_size(scene, f->area);
     bool fine = f->want && f->got &&
-                tia_view_init(&f->plain, simd_frames_memory(f, 0, view), view, scene, scene->light_count, width,
-                              height) == TIA_OK &&
-                tia_view_init(&f->simd, simd_frames_memory(f, 1, view), view, scene, scene->light_count, width,
-                              height) == TIA_OK &&
+                tia_view_init(&f->plain, simd_frames_memory(f, 0, view), view, scene, scene->light_count, width, height,
+                              NULL) == TIA_OK &&
+                tia_view_init(&f->simd, simd_frames_memory(f, 1, view), view, scene, scene->light_count, width, height,
+                              NULL) == TIA_OK &&
                 tia_view_set_simd(f->simd, simd, simd_frames_memory(f, 2, more), more) == TIA_OK &&
                 tia_hits_init(&f->hits[0], simd_frames_memory(f, 3, hits), hits, f->plain, f->area) == TIA_OK &&
                 tia_hits_init(&f->hits[1], simd_frames_memory(f, 4, hits), hits, f->simd, f->area) == TIA_OK;
@@ -68,7 +68,8 @@ static inline bool simd_frames_open(struct simd_frames *f, const struct tia_simd
 
 static inline struct tia_surface simd_frames_surface(uint8_t *bytes, ptrdiff_t pitch)
 {
-    return (struct tia_surface){(tia_rgb565 *)(void *)(bytes + GUARD), sizeof(tia_rgb565), pitch};
+    return (struct tia_surface){
+        .pixels = (tia_rgb565 *)(void *)(bytes + GUARD), .step = sizeof(tia_rgb565), .pitch = pitch};
 }
 
 /* Draws both, tracing again if `trace`. Returns the number of bytes that differ, those of guards included. */

@@ -30,7 +30,7 @@ static inline void simd_runs_scene(const struct tia_scene *scene, unsigned width
     void *memory = malloc(size), *pairs = malloc(more + 1);
     struct tia_view *view;
 
-    if (scene->light_count && !tia_view_init(&view, memory, size, scene, scene->light_count, width, height)) {
+    if (scene->light_count && !tia_view_init(&view, memory, size, scene, scene->light_count, width, height, NULL)) {
         const struct span_view *spans = span_view_of(view);
         view->simd_memory = pairs;
         tia_simd_prepare(view);

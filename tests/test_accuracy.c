@@ -77,7 +77,7 @@ static void check_f64(const struct against *a)
 static void compare_all(bool dither)
 {
     struct measure what = {
-        .dither = dither, .cores = {&tia_core_q16}, .core_count = 1, .workers = &threads_workers, .workers_ctx = pool};
+        .dither = dither, .cores = {&tia_core_q16}, .core_count = 1, .workers = threads_workers(pool)};
     struct against sums[MEASURE_CORES] = {0};
 
 #ifdef TIA_HAVE_F64

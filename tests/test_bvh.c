@@ -113,13 +113,13 @@ TEST(memory_as_promised)
     const struct tia_bvh *one, *two;
     size_t used_again;
 
-    CHECK_EQ(tia_bvh_build(&one, room, size - 1, &used, &scene), TIA_ERR_MEMORY);
-    CHECK_EQ(tia_bvh_build(&one, room, 0, &used, &scene), TIA_ERR_MEMORY);
+    CHECK_EQ(tia_bvh_build(&one, room, size - 1, &used, &scene, NULL), TIA_ERR_MEMORY);
+    CHECK_EQ(tia_bvh_build(&one, room, 0, &used, &scene, NULL), TIA_ERR_MEMORY);
     /* malloc'ed exactly: a sanitizer detects a byte too far */
-    CHECK_EQ(tia_bvh_build(&one, room, size, &used, &scene), TIA_OK);
+    CHECK_EQ(tia_bvh_build(&one, room, size, &used, &scene, NULL), TIA_OK);
     memset(again, 0xff, size);
-    CHECK_EQ(tia_bvh_build(&two, again, size, &used_again, &scene), TIA_OK);
-    CHECK_EQ(tia_bvh_build(&two, again, size, NULL, &scene), TIA_OK);
+    CHECK_EQ(tia_bvh_build(&two, again, size, &used_again, &scene, NULL), TIA_OK);
+    CHECK_EQ(tia_bvh_build(&two, again, size, NULL, &scene, NULL), TIA_OK);
     CHECK_EQ(used, used_again);
     /* memory beyond `used` is the caller's again */
     memset(room + used, 0, size - used);
@@ -149,13 +149,16 @@ TEST(asked_to_stop)
     set_spheres(MOST);
     size_t size = tia_bvh_size(&scene);
     unsigned char *room = malloc(size);
-    CHECK_EQ(tia_bvh_build_until(&bvh, room, size, &used, &scene, count_down, &questions), TIA_OK);
+    CHECK_EQ(tia_bvh_build(&bvh, room, size, &used, &scene, &(struct tia_job){.stop = count_down, .ctx = &questions}),
+             TIA_OK);
     check_all();
     all = 100000 - questions;
     CHECK(all > MOST / 4096);
     for (unsigned i = 1; i <= all; i += 1 + i / 10) {
         questions = i;
-        CHECK_EQ(tia_bvh_build_until(&none, room, size, NULL, &scene, count_down, &questions), TIA_STOPPED);
+        CHECK_EQ(
+            tia_bvh_build(&none, room, size, NULL, &scene, &(struct tia_job){.stop = count_down, .ctx = &questions}),
+            TIA_STOPPED);
         CHECK(!none && !questions);
     }
     free(room);

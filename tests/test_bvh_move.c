@@ -11,17 +11,17 @@
 static unsigned builds, moves;
 
 static inline int counted_build(const struct tia_bvh **bvh, void *memory, size_t size, size_t *used,
-                                const struct tia_scene *scene)
+                                const struct tia_scene *scene, const struct tia_job *job)
 {
     builds++;
-    return tia_bvh_build(bvh, memory, size, used, scene);
+    return tia_bvh_build(bvh, memory, size, used, scene, job);
 }
 
 static inline int counted_move(const struct tia_bvh **bvh, void *memory, size_t size, const struct tia_scene *scene,
-                               const struct tia_scene *standing, bool (*stop)(void *ctx), void *ctx)
+                               const struct tia_scene *standing, const struct tia_job *job)
 {
     moves++;
-    return tia_bvh_move(bvh, memory, size, scene, standing, stop, ctx);
+    return tia_bvh_move(bvh, memory, size, scene, standing, job);
 }
 
 #define tia_bvh_build counted_build
@@ -77,7 +77,7 @@ static struct tia_view *open_view(void **memory, const struct tia_scene *scene)
     struct tia_view *view = NULL;
 
     *memory = malloc(size);
-    CHECK_EQ(tia_view_init(&view, *memory, size, scene, scene->light_count, 48, 36), TIA_OK);
+    CHECK_EQ(tia_view_init(&view, *memory, size, scene, scene->light_count, 48, 36, NULL), TIA_OK);
     return view;
 }
 
@@ -134,11 +134,11 @@ static void try_moved(const struct tia_scene *standing, tia_q16 far)
     }
     scene.transforms = transforms;
     if (tia_scene_check(&scene, NULL) == TIA_OK) {
-        CHECK_EQ(tia_bvh_move(&scene.bvh, memory, size - 1, &scene, standing, NULL, NULL), TIA_ERR_MEMORY);
-        CHECK_EQ(tia_bvh_move(&scene.bvh, memory, size, &scene, standing, NULL, NULL), TIA_OK);
+        CHECK_EQ(tia_bvh_move(&scene.bvh, memory, size - 1, &scene, standing, NULL), TIA_ERR_MEMORY);
+        CHECK_EQ(tia_bvh_move(&scene.bvh, memory, size, &scene, standing, NULL), TIA_OK);
         CHECK(scene.bvh->meshes == standing->bvh->meshes);
         check_boxes(&scene);
-        CHECK_EQ(tia_bvh_build(&built, anew, whole, NULL, &scene), TIA_OK);
+        CHECK_EQ(tia_bvh_build(&built, anew, whole, NULL, &scene, NULL), TIA_OK);
         compare_rays(&scene, built);
     }
     free(memory);
@@ -153,7 +153,7 @@ TEST(random_scenes)
         corpus_random_rays(&c, 21, i);
         size_t size = tia_bvh_size(&c.scene);
         void *memory = malloc(size);
-        CHECK_EQ(tia_bvh_build(&c.scene.bvh, memory, size, NULL, &c.scene), TIA_OK);
+        CHECK_EQ(tia_bvh_build(&c.scene.bvh, memory, size, NULL, &c.scene, NULL), TIA_OK);
         try_moved(&c.scene, TIA_Q16_ONE / 4);
         try_moved(&c.scene, 20 * TIA_Q16_ONE);
         c.scene.bvh = NULL;
@@ -203,7 +203,7 @@ static void make_film(struct tia_scene *scene)
 TEST(films)
 {
     static struct options options;
-    struct film_scene film = {.stop = NULL};
+    struct film_scene film = {.options = NULL};
     char why[PORT_WHY] = "";
     unsigned same = 0;
 
@@ -212,7 +212,7 @@ TEST(films)
     CHECK_MSG(tia_scene_check(&options.scene, &fault) == TIA_OK, "%s %s: %s", fault.thing, fault.field, fault.rule);
     size_t size = tia_bvh_size(&options.scene);
     void *memory = malloc(size);
-    CHECK_EQ(tia_bvh_build(&options.scene.bvh, memory, size, NULL, &options.scene), TIA_OK);
+    CHECK_EQ(tia_bvh_build(&options.scene.bvh, memory, size, NULL, &options.scene, NULL), TIA_OK);
     options.core = &tia_core_q16;
     CHECK_EQ(film_scene_begin(&film, &options, why), TIA_OK);
     for (uint32_t i = 0; i < FRAMES; i++) {

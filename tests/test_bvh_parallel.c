@@ -1,4 +1,4 @@
-/* tia_bvh_build_parallel: the hierarchy of tia_bvh_build, by any workers; and that it stops. */
+/* tia_bvh_build by several workers: the hierarchy that one thread builds; and that it stops. */
 #include "common/thread_pool.h"
 #include "hierarchy.h"
 
@@ -26,7 +26,7 @@ static void leave(void *ctx)
     inside = false;
 }
 
-static const struct tia_workers backwards = {run_backwards, enter, leave};
+static const struct tia_workers backwards = {run_backwards, enter, leave, NULL, 1};
 
 static void check_same(const struct tia_bvh_tree *a, const struct tia_bvh_tree *b)
 {
@@ -37,16 +37,16 @@ static void check_same(const struct tia_bvh_tree *a, const struct tia_bvh_tree *
 }
 
 /* Checks that the scene's hierarchy by these workers is that of tia_bvh_build. */
-static void check_parallel(const struct tia_workers *workers, void *ctx)
+static void check_parallel(const struct tia_workers *workers)
 {
     const struct tia_bvh *other = NULL;
     size_t size = tia_bvh_size(&scene), used_too = 0;
     void *room = malloc(size); /* exactly: a sanitizer detects a byte too far */
 
     memset(room, 0x5a, size);
-    CHECK_EQ(tia_bvh_build_parallel(&other, room, size - 1, &used_too, &scene, workers, ctx, NULL, NULL),
+    CHECK_EQ(tia_bvh_build(&other, room, size - 1, &used_too, &scene, &(struct tia_job){.workers = workers}),
              TIA_ERR_MEMORY);
-    CHECK_EQ(tia_bvh_build_parallel(&other, room, size, &used_too, &scene, workers, ctx, NULL, NULL), TIA_OK);
+    CHECK_EQ(tia_bvh_build(&other, room, size, &used_too, &scene, &(struct tia_job){.workers = workers}), TIA_OK);
     CHECK_EQ(used_too, used);
     check_same(&other->objects, &bvh->objects);
     for (uint32_t i = 0; i < scene.mesh_count; i++)
@@ -58,12 +58,12 @@ static void check_parallel(const struct tia_workers *workers, void *ctx)
 static void check_all_workers(void)
 {
     build();
-    check_parallel(NULL, NULL);
-    check_parallel(&backwards, NULL);
+    check_parallel(NULL);
+    check_parallel(&backwards);
     for (unsigned count = 1; count <= 3; count++) {
         struct threads *pool = threads_create(count);
         CHECK(pool);
-        check_parallel(&threads_workers, pool);
+        check_parallel(threads_workers(pool));
         threads_destroy(pool);
     }
 }
@@ -97,12 +97,15 @@ TEST(several_threads_asked_to_stop)
     set_spheres(MOST);
     size_t size = tia_bvh_size(&scene);
     void *room = malloc(size);
-    CHECK_EQ(tia_bvh_build_parallel(&bvh, room, size, NULL, &scene, &backwards, NULL, count_down, &questions), TIA_OK);
+    CHECK_EQ(tia_bvh_build(&bvh, room, size, NULL, &scene,
+                           &(struct tia_job){.workers = &backwards, .stop = count_down, .ctx = &questions}),
+             TIA_OK);
     all = 100000 - questions;
     CHECK(all > MOST / 4096);
     for (questions = 1; questions <= all; questions++) {
         unsigned left = questions;
-        CHECK_EQ(tia_bvh_build_parallel(&none, room, size, NULL, &scene, &backwards, NULL, count_down, &left),
+        CHECK_EQ(tia_bvh_build(&none, room, size, NULL, &scene,
+                               &(struct tia_job){.workers = &backwards, .stop = count_down, .ctx = &left}),
                  TIA_STOPPED);
         CHECK(!none && !left && !inside);
     }
@@ -140,7 +143,8 @@ TEST(asked_to_stop_while_looking_together)
     void *room = malloc(size);
     for (unsigned i = BOXES + 2; i < BOXES + 60; i += 7) {
         struct countdown c = {i, 0};
-        CHECK_EQ(tia_bvh_build_parallel(&none, room, size, NULL, &scene, &backwards, NULL, count_after, &c),
+        CHECK_EQ(tia_bvh_build(&none, room, size, NULL, &scene,
+                               &(struct tia_job){.workers = &backwards, .stop = count_after, .ctx = &c}),
                  TIA_STOPPED);
         CHECK(!none && !c.left && c.after <= 32);
     }

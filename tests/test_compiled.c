@@ -1,6 +1,7 @@
 /* test_compiled.c - scenes written by tia-compile draw the same bits as their files. */
 #include <stdlib.h>
 
+#include <tia/debug.h>
 #include <tia/tia.h>
 
 #include "check.h"
@@ -18,7 +19,7 @@ static uint32_t picture(const struct tia_scene *given)
     static tia_rgb565 pixels[WIDTH * HEIGHT];
     const struct tia_tile all = {0, 0, WIDTH, HEIGHT};
     struct tia_scene plain = *given, *scene = &plain;
-    const struct tia_surface surface = {pixels, 2, 2 * WIDTH};
+    const struct tia_surface surface = {.pixels = pixels, .step = 2, .pitch = 2 * WIDTH};
     size_t view_size = tia_view_size(scene, scene->light_count), hits_size = tia_hits_size(scene, all);
     void *view_memory = malloc(view_size), *hits_memory = malloc(hits_size);
     struct tia_view *view;
@@ -26,7 +27,7 @@ static uint32_t picture(const struct tia_scene *given)
 
     plain.integration.spp = 1;
     plain.camera.samples = 1; /* so many are enough to see a difference */
-    CHECK_EQ(tia_view_init(&view, view_memory, view_size, scene, scene->light_count, WIDTH, HEIGHT), TIA_OK);
+    CHECK_EQ(tia_view_init(&view, view_memory, view_size, scene, scene->light_count, WIDTH, HEIGHT, NULL), TIA_OK);
     CHECK_EQ(tia_hits_init(&hits, hits_memory, hits_size, view, all), TIA_OK);
     memset(pixels, 0, sizeof pixels);
     if (check_failed == 0)
@@ -44,7 +45,7 @@ static uint32_t moved(const struct tia_scene *scene)
     struct tia_scene at;
     uint32_t crc = 0;
 
-    CHECK_EQ(tia_scene_at(&at, memory, size, scene, TIA_Q16(0.5)), TIA_OK);
+    CHECK_EQ(tia_scene_at(&at, memory, size, scene, TIA_Q16(0.5), NULL), TIA_OK);
     if (check_failed == 0)
         crc = picture(&at);
     free(memory);

@@ -26,8 +26,7 @@ static void draw(struct drawn *d, const struct tia_core *core)
         key++;
     CHECK(core->view_size(core, scene, LIGHTS) <= sizeof d->view_memory);
     CHECK(core->hits_size(core, scene, frame) <= sizeof d->hits_memory);
-    CHECK_EQ(core->view_init(core, &d->view, d->view_memory, sizeof d->view_memory, scene, LIGHTS, W, H, NULL, NULL),
-             TIA_OK);
+    CHECK_EQ(core->view_init(core, &d->view, d->view_memory, sizeof d->view_memory, scene, LIGHTS, W, H, NULL), TIA_OK);
     CHECK_EQ(tia_view_set_lights(d->view, &key->state, 1), TIA_OK);
     CHECK_EQ(tia_hits_init(&d->hits, d->hits_memory, sizeof d->hits_memory, d->view, frame), TIA_OK);
     CHECK_EQ(tia_render(d->view, d->hits, frame, &surface, NULL), TIA_OK);
@@ -82,10 +81,9 @@ TEST(estimators_take_their_arithmetics_views)
     struct tia_view *integers, *doubles;
 
     scene.integration.integrator = TIA_PATHS;
-    CHECK_EQ(tia_view_init(&integers, memory[0], sizeof memory[0], &scene, LIGHTS, W, H), TIA_OK);
-    CHECK_EQ(
-        tia_core_f64.view_init(&tia_core_f64, &doubles, memory[1], sizeof memory[1], &scene, LIGHTS, W, H, NULL, NULL),
-        TIA_OK);
+    CHECK_EQ(tia_view_init(&integers, memory[0], sizeof memory[0], &scene, LIGHTS, W, H, NULL), TIA_OK);
+    CHECK_EQ(tia_core_f64.view_init(&tia_core_f64, &doubles, memory[1], sizeof memory[1], &scene, LIGHTS, W, H, NULL),
+             TIA_OK);
     CHECK_EQ(tia_estimator_q16.sample(integers, corner, 0, 1, sums, 1), TIA_OK);
     CHECK_EQ(tia_estimator_f64.sample(doubles, corner, 0, 1, sums, 1), TIA_OK);
     CHECK_EQ(tia_estimator_q16.sample(doubles, corner, 0, 1, sums, 1), TIA_ERR_ARGUMENT);

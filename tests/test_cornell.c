@@ -103,7 +103,7 @@ static struct drawing open_box(struct tia_integration how, unsigned side)
     box.scene.integration = how;
     size_t size = tia_view_size(&box.scene, 1);
     d.memory = malloc(size);
-    CHECK_EQ(tia_view_init(&d.view, d.memory, size, &box.scene, 1, side, side), TIA_OK);
+    CHECK_EQ(tia_view_init(&d.view, d.memory, size, &box.scene, 1, side, side, NULL), TIA_OK);
     return d;
 }
 

@@ -1,4 +1,5 @@
 /* tia_crc32 against zlib's values, the check value of CRC catalogues and division bit by bit. */
+#include <tia/debug.h>
 #include <tia/render.h>
 
 #include "check.h"

@@ -59,13 +59,13 @@ static void draw_flat(struct tia_rgb colour, bool dither)
 {
     static uint64_t view_memory[1000], hits_memory[1000];
     struct tia_scene scene = {.camera = {{0, 0, 0}, TIA_Q16(25)}, .background = colour};
-    struct tia_surface surface = {picture[0], sizeof(tia_rgb565), sizeof picture[0]};
+    struct tia_surface surface = {.pixels = picture[0], .step = sizeof(tia_rgb565), .pitch = sizeof picture[0]};
     struct tia_options options = {.dither = dither};
     struct tia_tile tile = {0, 0, W, H};
     struct tia_view *view = NULL;
     struct tia_hits *hits = NULL;
 
-    CHECK_EQ(tia_view_init(&view, view_memory, sizeof view_memory, &scene, 0, W, H), TIA_OK);
+    CHECK_EQ(tia_view_init(&view, view_memory, sizeof view_memory, &scene, 0, W, H, NULL), TIA_OK);
     CHECK_EQ(tia_hits_init(&hits, hits_memory, sizeof hits_memory, view, tile), TIA_OK);
     CHECK_EQ(tia_render(view, hits, tile, &surface, &options), TIA_OK);
 }

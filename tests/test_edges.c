@@ -53,7 +53,7 @@ static void compare(const struct tia_core *core, unsigned width, unsigned height
     const struct tally *t = &a.tally;
 
     CHECK_EQ(tia_scene_check(&scene, NULL), TIA_OK);
-    CHECK_EQ(against_oracle(core, &scene, width, height, false, &threads_workers, pool, &a), TIA_OK);
+    CHECK_EQ(against_oracle(core, &scene, width, height, false, threads_workers(pool), &a), TIA_OK);
     against_list(core->name, &a);
     CHECK_MSG(t->pixels - t->identical <= a.undecided, "%s: %ju pixels differ", core->name,
               (uintmax_t)(t->pixels - t->identical));
@@ -280,7 +280,7 @@ static void compare_wild(const struct tia_core *core, uint64_t wrong, uint64_t f
     for (unsigned i = 0; i < wild_scenes; i++) {
         wild_scene(i);
         CHECK_MSG(!tia_scene_check(&scene, NULL), "scene %u is refused", i);
-        CHECK_EQ(against_oracle(core, &scene, 64, 48, false, &threads_workers, pool, &a), TIA_OK);
+        CHECK_EQ(against_oracle(core, &scene, 64, 48, false, threads_workers(pool), &a), TIA_OK);
         (void)snprintf(name, sizeof name, "%s scene %u", core->name, i);
         against_list(name, &a);
         against_add(&sum, &a);

@@ -25,7 +25,7 @@ TEST(lost_balls_vanish)
 
     open_world("sphere name a centre 0 0 0 radius 0.5 material m\nfall a velocity 1000 0 0\ngravity 0 0 0 until 100\n");
     for (int t = 16; t <= 20; t += 4) {
-        CHECK_EQ(tia_scene_at(&out, memory, sizeof memory, &world.scene, t * TIA_Q16_ONE), TIA_OK);
+        CHECK_EQ(tia_scene_at(&out, memory, sizeof memory, &world.scene, t * TIA_Q16_ONE, NULL), TIA_OK);
         CHECK_EQ(out.shape_count, 1);
         CHECK_EQ(out.shapes[0].kind, t == 16 ? TIA_SPHERE : TIA_MESH);
         CHECK_EQ(tia_scene_check(&out, NULL), TIA_OK);
@@ -45,7 +45,9 @@ TEST(stops_when_asked)
     int asked = 0;
 
     open_world(FLOOR "sphere name a centre 0 2.5 0 radius 0.5 material m\ngravity 0 -10 0 until 1000\nfall a\n");
-    CHECK_EQ(tia_scene_at_until(&out, memory, sizeof memory, &world.scene, INT32_MAX, stop, &asked), TIA_STOPPED);
+    CHECK_EQ(tia_scene_at(&out, memory, sizeof memory, &world.scene, INT32_MAX,
+                          &(struct tia_job){.stop = stop, .ctx = &asked}),
+             TIA_STOPPED);
     CHECK_EQ(asked, 3);
     read_end(&world);
 }
@@ -57,7 +59,7 @@ static struct tia_scene at(double time)
     struct tia_scene out;
 
     CHECK(tia_scene_at_size(&world.scene) <= sizeof memory);
-    CHECK_EQ(tia_scene_at(&out, memory, sizeof memory, &world.scene, (tia_q16)(time * 65536)), TIA_OK);
+    CHECK_EQ(tia_scene_at(&out, memory, sizeof memory, &world.scene, (tia_q16)(time * 65536), NULL), TIA_OK);
     CHECK_EQ(tia_scene_check(&out, NULL), TIA_OK);
     CHECK(!out.track_count && !out.falling && !out.bvh);
     return out;

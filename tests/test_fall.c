@@ -267,7 +267,7 @@ static void all_at(tia_q16 time, struct tia_vec3 at[HEAP])
 {
     struct tia_scene out;
 
-    CHECK_EQ(tia_scene_at(&out, memory, sizeof memory, &world.scene, time), TIA_OK);
+    CHECK_EQ(tia_scene_at(&out, memory, sizeof memory, &world.scene, time, NULL), TIA_OK);
     for (uint32_t i = 0; i < HEAP; i++)
         at[i] = centre(&out, i);
 }

@@ -51,10 +51,10 @@ static size_t memory_count, simd_count;
 
 static int view_init_with_simd(const struct tia_core *core, struct tia_view **view, void *memory, size_t size,
                                const struct tia_scene *scene, uint32_t light_capacity, unsigned width, unsigned height,
-                               bool (*stop)(void *ctx), void *ctx)
+                               const struct tia_job *job)
 {
     size_t more = tia_simd_size(simd, scene, light_capacity, 1);
-    int status = tia_core_q16.view_init(core, view, memory, size, scene, light_capacity, width, height, stop, ctx);
+    int status = tia_core_q16.view_init(core, view, memory, size, scene, light_capacity, width, height, job);
 
     if (status || memory_count == sizeof simd_memory / sizeof *simd_memory)
         return status;

@@ -2,6 +2,7 @@
  * pictures with them. */
 #include <math.h>
 
+#include "viewer/acuity.h"
 #include "viewer_world.h"
 
 #define DEGREE (acos(-1) / 180)
@@ -121,7 +122,7 @@ static struct world *gazing_world(uint16_t x, uint16_t y, bool smooth)
     scene.camera.reference.z -= ONE;
     w->viewer.scene = &scene;
     w->viewer.gaze = (struct tia_gaze){x, y, TIA_Q16(50), 0, 33554432, smooth}; /* m = 2 */
-    w->viewer.frame_limit = 1;
+    w->viewer.pacing.frame_limit = 1;
     w->compare = keep;
     return w;
 }
@@ -245,7 +246,7 @@ TEST(several_threads)
         memcpy(one, shown, sizeof one);
         w = gazing_world(20, 30, smooth);
         w->mode.concurrent = true;
-        w->viewer.workers = &world_workers;
+        w->viewer.job.workers = &w->workers;
         CHECK_EQ(world_play(w), TIA_OK);
         CHECK(memcmp(one, shown, sizeof one) == 0);
     }
@@ -260,7 +261,7 @@ TEST(the_gaze_follows_a_pointer)
     CHECK_EQ(world_play(w), TIA_OK);
     memcpy(want, shown, sizeof want);
     w = gazing_world(60, 40, false);
-    w->viewer.frame_limit = 0;
+    w->viewer.pacing.frame_limit = 0;
     w->events[w->event_count++] =
         (struct world_event){START + 50000, {.kind = TIA_EVENT_POINT, .x = 65535, .y = 65535}};
     w->events[w->event_count++] = (struct world_event){START + 60000, {.kind = TIA_EVENT_MOVE, .x = -53, .y = -90}};

@@ -22,6 +22,7 @@ int main(void)
     return check_status();
 }
 #else
+#include <tia/debug.h>
 #include <tia/render.h>
 
 #include "gl/scene.h"
@@ -47,15 +48,15 @@ static void draw_by_tia(const struct tia_scene *scene, struct picture *picture)
     struct tia_tile all = {0, 0, (uint16_t)picture->width, (uint16_t)picture->height};
     size_t view_size = core->view_size(core, scene, scene->light_count), hits_size = core->hits_size(core, scene, all);
     static uint32_t path_hash[PICTURE_PIXELS];
-    struct tia_options options = {.path_hash = path_hash};
-    struct tia_surface surface = {picture->colour, 2, 2 * (ptrdiff_t)picture->width};
+    struct tia_options options = {.debug = &(struct tia_debug){.path_hash = path_hash}};
+    struct tia_surface surface = {.pixels = picture->colour, .step = 2, .pitch = 2 * (ptrdiff_t)picture->width};
     void *view_memory = malloc(view_size), *hits_memory = malloc(hits_size);
     struct tia_view *view;
     struct tia_hits *hits;
 
-    CHECK_EQ(core->view_init(core, &view, view_memory, view_size, scene, scene->light_count, all.width, all.height,
-                             NULL, NULL),
-             TIA_OK);
+    CHECK_EQ(
+        core->view_init(core, &view, view_memory, view_size, scene, scene->light_count, all.width, all.height, NULL),
+        TIA_OK);
     CHECK_EQ(tia_hits_init(&hits, hits_memory, hits_size, view, all), TIA_OK);
     CHECK_EQ(tia_trace(view, hits, all), TIA_OK);
     CHECK_EQ(tia_light_tile(view, hits, all, &surface, &options), TIA_OK);

@@ -3,6 +3,7 @@
  * through a pixel's centre llvmpipe follows the same rule; softpipe does not, so pixels with ties are left out there.
  */
 #include <stdlib.h>
+#include <tia/raster.h>
 
 #include "check.h"
 

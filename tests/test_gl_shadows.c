@@ -4,6 +4,7 @@
  * 1/128. */
 #include <math.h>
 #include <stdlib.h>
+#include <tia/raster.h>
 
 #include "check.h"
 

@@ -8,6 +8,7 @@
 #include "tia/stats.c"
 
 #include <signal.h>
+#include <tia/debug.h>
 
 #include "check.h"
 #include "memory/memory.h"

@@ -37,13 +37,13 @@ static char letter(tia_rgb565 pixel)
 static void draw(const struct tia_scene *scene, tia_rgb565 pixels[SIDE * SIDE])
 {
     const struct tia_tile all = {0, 0, SIDE, SIDE};
-    const struct tia_surface surface = {pixels, sizeof *pixels, SIDE * sizeof *pixels};
+    const struct tia_surface surface = {.pixels = pixels, .step = sizeof *pixels, .pitch = SIDE * sizeof *pixels};
     size_t view_size = tia_view_size(scene, scene->light_count), hits_size = tia_hits_size(scene, all);
     void *view_memory = malloc(view_size), *hits_memory = malloc(hits_size);
     struct tia_view *view;
     struct tia_hits *hits;
 
-    CHECK_EQ(tia_view_init(&view, view_memory, view_size, scene, scene->light_count, SIDE, SIDE), TIA_OK);
+    CHECK_EQ(tia_view_init(&view, view_memory, view_size, scene, scene->light_count, SIDE, SIDE, NULL), TIA_OK);
     CHECK_EQ(tia_hits_init(&hits, hits_memory, hits_size, view, all), TIA_OK);
     CHECK_EQ(tia_render(view, hits, all, &surface, NULL), TIA_OK);
     free(view_memory);

@@ -11,6 +11,7 @@
 #include "limit_cases.h"
 
 #include <tia/bvh.h>
+#include <tia/debug.h>
 
 static struct threads *pool;
 
@@ -40,8 +41,7 @@ static void draws(const char *name)
 #endif
     what.cores[0] = &tia_core_q16;
     what.cores[1] = &tia_core_chk;
-    what.workers = &threads_workers;
-    what.workers_ctx = pool;
+    what.workers = threads_workers(pool);
     what.picture = picture;
     reports = 0;
     CHECK_MSG(!measure(&what, tallies), "%s is not drawn", name);
@@ -62,7 +62,7 @@ static void refused(unsigned i)
     CHECK_MSG(!strcmp(f.thing, limits[i].thing) && f.index == limits[i].index && !strcmp(f.field, limits[i].field) &&
                   !strcmp(f.rule, limits[i].rule),
               "%s: %s %u: %s: %s", limits[i].name, f.thing, (unsigned)f.index, f.field, f.rule);
-    CHECK_EQ(tia_view_init(&view, texels, sizeof texels, &scene, 1, WIDTH, HEIGHT), TIA_ERR_RANGE);
+    CHECK_EQ(tia_view_init(&view, texels, sizeof texels, &scene, 1, WIDTH, HEIGHT, NULL), TIA_ERR_RANGE);
 }
 
 TEST(each_limit_draws_and_one_beyond_is_refused)
@@ -83,9 +83,9 @@ TEST(images_of_any_size)
     struct tia_view *view;
 
     set_up();
-    CHECK_EQ(tia_view_init(&view, memory, sizeof memory, &scene, 1, TIA_SIZE_MAX, TIA_SIZE_MAX), TIA_OK);
-    CHECK_EQ(tia_view_init(&view, memory, sizeof memory, &scene, 1, TIA_SIZE_MAX + 1, 1), TIA_ERR_ARGUMENT);
-    CHECK_EQ(tia_view_init(&view, memory, sizeof memory, &scene, 1, 1, TIA_SIZE_MAX + 1), TIA_ERR_ARGUMENT);
+    CHECK_EQ(tia_view_init(&view, memory, sizeof memory, &scene, 1, TIA_SIZE_MAX, TIA_SIZE_MAX, NULL), TIA_OK);
+    CHECK_EQ(tia_view_init(&view, memory, sizeof memory, &scene, 1, TIA_SIZE_MAX + 1, 1, NULL), TIA_ERR_ARGUMENT);
+    CHECK_EQ(tia_view_init(&view, memory, sizeof memory, &scene, 1, 1, TIA_SIZE_MAX + 1, NULL), TIA_ERR_ARGUMENT);
 }
 
 /* Not drawn: 2^24 spheres, shapes or faces. Their memory is checked: a tree of n has 2 n - 1 nodes and n items. */

@@ -2,6 +2,7 @@
  * in tia/light.h; and where plain z-pass is wrong. */
 #include "reading.h"
 #include <math.h>
+#include <tia/debug.h>
 #include <tia/tia.h>
 
 #define SIDE 16
@@ -28,8 +29,8 @@ struct picture {
 static void draw(const struct tia_scene *scene, enum tia_shadows shadows, struct picture *p)
 {
     const struct tia_tile all = {0, 0, SIDE, SIDE};
-    const struct tia_surface surface = {p->pixels, 2, 2 * SIDE};
-    const struct tia_options options = {.lit = p->lit};
+    const struct tia_surface surface = {.pixels = p->pixels, .step = 2, .pitch = 2 * SIDE};
+    const struct tia_options options = {.debug = &(struct tia_debug){.lit = p->lit}};
     struct tia_scene drawn = *scene;
     struct tia_view *view;
     struct tia_hits *hits;
@@ -38,7 +39,7 @@ static void draw(const struct tia_scene *scene, enum tia_shadows shadows, struct
     size_t view_size = tia_view_size(&drawn, drawn.light_count), hits_size = tia_hits_size(&drawn, all);
     void *view_memory = malloc(view_size), *hits_memory = malloc(hits_size);
     memset(p->lit, 0x5a, sizeof p->lit);
-    CHECK_EQ(tia_view_init(&view, view_memory, view_size, &drawn, drawn.light_count, SIDE, SIDE), TIA_OK);
+    CHECK_EQ(tia_view_init(&view, view_memory, view_size, &drawn, drawn.light_count, SIDE, SIDE, NULL), TIA_OK);
     CHECK_EQ(tia_hits_init(&hits, hits_memory, hits_size, view, all), TIA_OK);
     CHECK_EQ(tia_render(view, hits, all, &surface, &options), TIA_OK);
     for (unsigned i = 0; i < PIXELS; i++)

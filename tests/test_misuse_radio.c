@@ -1,7 +1,9 @@
 /* Misuse of the paths of radio waves. */
 #include <limits.h>
+#include <tia/radio.h>
 
 #include "misuse_scene.h"
+#include "radio/search.h"
 
 static struct tia_radio *radio;
 static struct tia_radio_room *room;

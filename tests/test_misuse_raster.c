@@ -4,6 +4,8 @@
 #include <tia/raster.h>
 
 #include "misuse.h"
+#include "raster/distance.h"
+#include "raster/target.h"
 
 #define TILE(x, y, w, h) ((struct tia_tile){x, y, w, h})
 #define ALL_BUFFERS (TIA_BUFFER_DEPTH | TIA_BUFFER_STENCIL | TIA_BUFFER_COLOUR | TIA_BUFFER_SUM | TIA_BUFFER_COUNT)

@@ -1,5 +1,6 @@
 /* Misuse of views, lights, hits, tiles, surfaces and levels. */
 #include <limits.h>
+#include <tia/debug.h>
 
 #include "misuse_scene.h"
 
@@ -36,11 +37,10 @@ TEST(misuse_of_view_init)
     REFUSES(misuse_init(&view, memory, size, &misuse_scene, 8, 0));
     REFUSES(misuse_init(&view, memory, size, &misuse_scene, TIA_SIZE_MAX + 1, 8));
     REFUSES(misuse_init(&view, memory, size, &misuse_scene, 8, UINT_MAX));
-    REFUSES(tia_view_init(&view, memory, size, &misuse_scene, 1, 8, 8));
-    REFUSES(tia_view_init_until(&view, NULL, size, &misuse_scene, MISUSE_LIGHTS, 8, 8, NULL, NULL));
+    REFUSES(tia_view_init(&view, memory, size, &misuse_scene, 1, 8, 8, NULL));
     GIVES(TIA_ERR_MEMORY, misuse_init(&view, memory, need - 1, &misuse_scene, 8, 8));
     GIVES(TIA_ERR_MEMORY, misuse_init(&view, memory, 0, &misuse_scene, 8, 8));
-    GIVES(TIA_ERR_MEMORY, tia_view_init(&view, memory, size, &misuse_scene, UINT32_MAX, 8, 8));
+    GIVES(TIA_ERR_MEMORY, tia_view_init(&view, memory, size, &misuse_scene, UINT32_MAX, 8, 8, NULL));
     GIVES(1, (misuse_init(&view, NULL, size, &misuse_scene, 8, 8), view == NULL));
     GIVES(TIA_OK, misuse_init(&view, memory, need, &misuse_scene, 8, 8));
     misuse_end();
@@ -178,11 +178,12 @@ TEST(misuse_of_lighting)
     REFUSES(tia_light_tile(misuse_view, misuse_hits, misuse_frame, NULL, NULL));
     REFUSES(tia_light_tile(misuse_view, misuse_hits, TILE(0, 0, 0, 1), to, NULL));
     REFUSES(tia_light_tile(misuse_view, misuse_hits, TILE(1, 0, MISUSE_W, 1), to, NULL));
-    REFUSES(light_with((struct tia_surface){NULL, 2, 2 * MISUSE_W}));
-    REFUSES(light_with((struct tia_surface){MISALIGNED(misuse_memory), 2, 2 * MISUSE_W}));
-    REFUSES(light_with((struct tia_surface){(void *)misuse_memory, 3, 2 * MISUSE_W}));
-    REFUSES(light_with((struct tia_surface){(void *)misuse_memory, 2, 2 * MISUSE_W + 1}));
-    GIVES(TIA_OK, light_with((struct tia_surface){misuse_pixels, 0, 0})); /* all onto one pixel */
+    REFUSES(light_with((struct tia_surface){.pixels = NULL, .step = 2, .pitch = 2 * MISUSE_W}));
+    REFUSES(light_with((struct tia_surface){.pixels = MISALIGNED(misuse_memory), .step = 2, .pitch = 2 * MISUSE_W}));
+    REFUSES(light_with((struct tia_surface){.pixels = (void *)misuse_memory, .step = 3, .pitch = 2 * MISUSE_W}));
+    REFUSES(light_with((struct tia_surface){.pixels = (void *)misuse_memory, .step = 2, .pitch = 2 * MISUSE_W + 1}));
+    GIVES(TIA_OK,
+          light_with((struct tia_surface){.pixels = misuse_pixels, .step = 0, .pitch = 0})); /* all onto one pixel */
     GIVES(TIA_OK, light_with(misuse_surface));
     misuse_end();
 }
@@ -197,9 +198,9 @@ TEST(misuse_of_rendering)
     REFUSES(tia_render(misuse_view, misuse_hits, misuse_frame, NULL, NULL));
     REFUSES(tia_render(misuse_view, misuse_hits, TILE(0, 0, 0, 0), to, NULL));
     REFUSES(tia_render(misuse_view, misuse_hits, TILE(0, 0, 1, MISUSE_H + 1), to, NULL));
-    REFUSES(render_with((struct tia_surface){NULL, 2, 2 * MISUSE_W}));
-    REFUSES(render_with((struct tia_surface){(void *)misuse_memory, 1, 2 * MISUSE_W}));
-    REFUSES(render_with((struct tia_surface){MISALIGNED(misuse_memory), 2, 2 * MISUSE_W}));
+    REFUSES(render_with((struct tia_surface){.pixels = NULL, .step = 2, .pitch = 2 * MISUSE_W}));
+    REFUSES(render_with((struct tia_surface){.pixels = (void *)misuse_memory, .step = 1, .pitch = 2 * MISUSE_W}));
+    REFUSES(render_with((struct tia_surface){.pixels = MISALIGNED(misuse_memory), .step = 2, .pitch = 2 * MISUSE_W}));
     GIVES(TIA_OK, render_with(misuse_surface));
     GIVES(TIA_OK, tia_render(misuse_view, misuse_hits, misuse_frame, to, NULL)
                       ? 1
@@ -215,7 +216,7 @@ TEST(misuse_of_hits_of_spans)
     struct tia_tile tile = {0, 0, MISUSE_W, 8};
 
     misuse_prepare();
-    CHECK_EQ(tia_view_init(&spans, memory, sizeof memory, &tia_thesis_scene, 1, MISUSE_W, MISUSE_H), TIA_OK);
+    CHECK_EQ(tia_view_init(&spans, memory, sizeof memory, &tia_thesis_scene, 1, MISUSE_W, MISUSE_H, NULL), TIA_OK);
     memset(misuse_memory, 0x5a, sizeof misuse_memory);
     CHECK_EQ(tia_hits_init(&hits, misuse_memory, sizeof misuse_memory, spans, misuse_frame), TIA_OK);
     REFUSES(tia_light_tile(spans, hits, tile, &misuse_surface, NULL));

@@ -1,7 +1,11 @@
 /* Misuse of estimators, the denoiser, tones, text and the gaze. */
 #include <limits.h>
+#include <tia/debug.h>
+#include <tia/denoise.h>
+#include <tia/tone.h>
 
 #include "misuse_scene.h"
+#include "viewer/acuity.h"
 
 static const struct tia_estimator *const q16 = &tia_estimator_q16;
 static struct tia_view *paths;
@@ -59,9 +63,9 @@ TEST(misuse_of_estimators)
     REFUSES(q16->show(paths, tile, sums, TIA_SPP_MAX + 1, &misuse_surface, false));
     REFUSES(q16->show(paths, TILE(0, 0, 4, 2), sums, 1, &misuse_surface, false));
     REFUSES(q16->show(paths, TILE(0, MISUSE_H, 4, 1), sums, 1, &misuse_surface, false));
-    REFUSES(show_on((struct tia_surface){NULL, 2, 2}));
-    REFUSES(show_on((struct tia_surface){MISALIGNED(misuse_memory), 2, 2}));
-    REFUSES(show_on((struct tia_surface){misuse_pixels, 1, 2}));
+    REFUSES(show_on((struct tia_surface){.pixels = NULL, .step = 2, .pitch = 2}));
+    REFUSES(show_on((struct tia_surface){.pixels = MISALIGNED(misuse_memory), .step = 2, .pitch = 2}));
+    REFUSES(show_on((struct tia_surface){.pixels = misuse_pixels, .step = 1, .pitch = 2}));
     GIVES(TIA_OK, q16->show(paths, tile, sums, 1, &misuse_surface, false));
     misuse_end();
 }
@@ -189,9 +193,9 @@ TEST(misuse_of_text)
     REFUSES(tia_text_draw(NULL, misuse_frame, &misuse_surface));
     REFUSES(tia_text_draw(&none, misuse_frame, &misuse_surface));
     REFUSES(tia_text_draw(&text, misuse_frame, NULL));
-    REFUSES(write_on((struct tia_surface){NULL, 2, 2}));
-    REFUSES(write_on((struct tia_surface){MISALIGNED(misuse_memory), 2, 2}));
-    REFUSES(write_on((struct tia_surface){misuse_pixels, 2, 1}));
+    REFUSES(write_on((struct tia_surface){.pixels = NULL, .step = 2, .pitch = 2}));
+    REFUSES(write_on((struct tia_surface){.pixels = MISALIGNED(misuse_memory), .step = 2, .pitch = 2}));
+    REFUSES(write_on((struct tia_surface){.pixels = misuse_pixels, .step = 2, .pitch = 1}));
     GIVES(TIA_OK, tia_text_draw(&far, misuse_frame, &misuse_surface));
     GIVES(TIA_OK, tia_text_draw(&flat, misuse_frame, &misuse_surface));
     GIVES(TIA_OK, tia_text_draw(&text, misuse_frame, &misuse_surface));

@@ -1,5 +1,6 @@
 /* Misuse of readers, hierarchies, animation, cameras, light fields and the other parts of a scene. */
 #include <limits.h>
+#include <tia/debug.h>
 
 #include "misuse_scene.h"
 
@@ -38,24 +39,22 @@ TEST(misuse_of_readers)
 
 TEST(misuse_of_hierarchies)
 {
-    static const struct tia_workers none = {NULL, NULL, NULL};
+    static const struct tia_workers none = {.run = NULL};
 
     misuse_read();
     scene = misuse_scene;
     scene.bvh = NULL;
     size_t size = sizeof misuse_memory, need = tia_bvh_size(&scene);
     GIVES(SIZE_MAX, (intmax_t)tia_bvh_size(NULL));
-    REFUSES(tia_bvh_build(NULL, misuse_memory, size, NULL, &scene));
-    REFUSES(tia_bvh_build(&bvh, NULL, size, NULL, &scene));
-    REFUSES(tia_bvh_build(&bvh, NULL, 0, NULL, &scene));
-    REFUSES(tia_bvh_build(&bvh, MISALIGNED(misuse_memory), size - 8, NULL, &scene));
-    REFUSES(tia_bvh_build(&bvh, misuse_memory, size, NULL, NULL));
-    REFUSES(tia_bvh_build_until(&bvh, NULL, size, NULL, &scene, NULL, NULL));
-    REFUSES(tia_bvh_build_parallel(&bvh, NULL, size, NULL, &scene, NULL, NULL, NULL, NULL));
-    REFUSES(tia_bvh_build_parallel(&bvh, misuse_memory, size, NULL, &scene, &none, NULL, NULL, NULL));
-    GIVES(TIA_ERR_MEMORY, tia_bvh_build(&bvh, misuse_memory, need - 1, NULL, &scene));
-    GIVES(1, (tia_bvh_build(&bvh, NULL, size, NULL, &scene), bvh == NULL));
-    GIVES(TIA_OK, tia_bvh_build(&bvh, misuse_memory, need, NULL, &scene));
+    REFUSES(tia_bvh_build(NULL, misuse_memory, size, NULL, &scene, NULL));
+    REFUSES(tia_bvh_build(&bvh, NULL, size, NULL, &scene, NULL));
+    REFUSES(tia_bvh_build(&bvh, NULL, 0, NULL, &scene, NULL));
+    REFUSES(tia_bvh_build(&bvh, MISALIGNED(misuse_memory), size - 8, NULL, &scene, NULL));
+    REFUSES(tia_bvh_build(&bvh, misuse_memory, size, NULL, NULL, NULL));
+    REFUSES(tia_bvh_build(&bvh, misuse_memory, size, NULL, &scene, &(struct tia_job){.workers = &none}));
+    GIVES(TIA_ERR_MEMORY, tia_bvh_build(&bvh, misuse_memory, need - 1, NULL, &scene, NULL));
+    GIVES(1, (tia_bvh_build(&bvh, NULL, size, NULL, &scene, NULL), bvh == NULL));
+    GIVES(TIA_OK, tia_bvh_build(&bvh, misuse_memory, need, NULL, &scene, NULL));
     misuse_end();
 }
 
@@ -71,18 +70,18 @@ TEST(misuse_of_hierarchies_that_move)
     other.transform_count++;
     size_t size = sizeof misuse_memory, need = tia_bvh_move_size(&scene);
     GIVES(SIZE_MAX, (intmax_t)tia_bvh_move_size(NULL));
-    REFUSES(tia_bvh_move(NULL, misuse_memory, size, &scene, &scene, NULL, NULL));
-    REFUSES(tia_bvh_move(&bvh, NULL, size, &scene, &scene, NULL, NULL));
-    REFUSES(tia_bvh_move(&bvh, MISALIGNED(misuse_memory), size - 8, &scene, &scene, NULL, NULL));
-    REFUSES(tia_bvh_move(&bvh, misuse_memory, size, NULL, &scene, NULL, NULL));
-    REFUSES(tia_bvh_move(&bvh, misuse_memory, size, &scene, NULL, NULL, NULL));
-    REFUSES(tia_bvh_move(&bvh, misuse_memory, size, &scene, &bare, NULL, NULL));
-    REFUSES(tia_bvh_move(&bvh, misuse_memory, size, &scene, &fewer, NULL, NULL));
-    REFUSES(tia_bvh_move(&bvh, misuse_memory, size, &fewer, &scene, NULL, NULL));
-    REFUSES(tia_bvh_move(&bvh, misuse_memory, size, &other, &scene, NULL, NULL));
-    REFUSES(tia_bvh_move(&bvh, misuse_memory, size, &fewer, &fewer, NULL, NULL)); /* not its hierarchy */
-    GIVES(TIA_ERR_MEMORY, tia_bvh_move(&bvh, misuse_memory, need - 1, &scene, &scene, NULL, NULL));
-    GIVES(TIA_OK, tia_bvh_move(&bvh, misuse_memory, need, &bare, &scene, NULL, NULL));
+    REFUSES(tia_bvh_move(NULL, misuse_memory, size, &scene, &scene, NULL));
+    REFUSES(tia_bvh_move(&bvh, NULL, size, &scene, &scene, NULL));
+    REFUSES(tia_bvh_move(&bvh, MISALIGNED(misuse_memory), size - 8, &scene, &scene, NULL));
+    REFUSES(tia_bvh_move(&bvh, misuse_memory, size, NULL, &scene, NULL));
+    REFUSES(tia_bvh_move(&bvh, misuse_memory, size, &scene, NULL, NULL));
+    REFUSES(tia_bvh_move(&bvh, misuse_memory, size, &scene, &bare, NULL));
+    REFUSES(tia_bvh_move(&bvh, misuse_memory, size, &scene, &fewer, NULL));
+    REFUSES(tia_bvh_move(&bvh, misuse_memory, size, &fewer, &scene, NULL));
+    REFUSES(tia_bvh_move(&bvh, misuse_memory, size, &other, &scene, NULL));
+    REFUSES(tia_bvh_move(&bvh, misuse_memory, size, &fewer, &fewer, NULL)); /* not its hierarchy */
+    GIVES(TIA_ERR_MEMORY, tia_bvh_move(&bvh, misuse_memory, need - 1, &scene, &scene, NULL));
+    GIVES(TIA_OK, tia_bvh_move(&bvh, misuse_memory, need, &bare, &scene, NULL));
     misuse_end();
 }
 
@@ -120,14 +119,13 @@ TEST(misuse_of_animation)
     size_t size = sizeof misuse_memory, need = tia_scene_at_size(&scene);
     CHECK(need > 0);
     GIVES(SIZE_MAX, (intmax_t)tia_scene_at_size(NULL));
-    REFUSES(tia_scene_at(NULL, misuse_memory, size, &scene, 0));
-    REFUSES(tia_scene_at(&out, NULL, size, &scene, 0));
-    REFUSES(tia_scene_at(&out, MISALIGNED(misuse_memory), size - 8, &scene, 0));
-    REFUSES(tia_scene_at(&out, misuse_memory, size, NULL, 0));
-    REFUSES(tia_scene_at_until(&out, NULL, size, &scene, 0, NULL, NULL));
-    GIVES(TIA_ERR_MEMORY, tia_scene_at(&out, misuse_memory, need - 1, &scene, 0));
-    GIVES(TIA_OK, tia_scene_at(&out, misuse_memory, need, &scene, INT32_MIN));
-    GIVES(TIA_OK, tia_scene_at(&out, NULL, 0, &misuse_scene, INT32_MAX)); /* needs none */
+    REFUSES(tia_scene_at(NULL, misuse_memory, size, &scene, 0, NULL));
+    REFUSES(tia_scene_at(&out, NULL, size, &scene, 0, NULL));
+    REFUSES(tia_scene_at(&out, MISALIGNED(misuse_memory), size - 8, &scene, 0, NULL));
+    REFUSES(tia_scene_at(&out, misuse_memory, size, NULL, 0, NULL));
+    GIVES(TIA_ERR_MEMORY, tia_scene_at(&out, misuse_memory, need - 1, &scene, 0, NULL));
+    GIVES(TIA_OK, tia_scene_at(&out, misuse_memory, need, &scene, INT32_MIN, NULL));
+    GIVES(TIA_OK, tia_scene_at(&out, NULL, 0, &misuse_scene, INT32_MAX, NULL)); /* needs none */
     GIVES(0, tia_scene_moves(NULL));
     GIVES(0, tia_scene_duration(NULL));
     misuse_end();
@@ -250,9 +248,6 @@ TEST(misuse_of_shadows)
     GIVES(0, tia_shadow_mesh_closes(NULL, misuse_memory));
     GIVES(0, tia_shadow_mesh_closes(&mesh, NULL));
     GIVES(0, tia_shadow_mesh_closes(&mesh, MISALIGNED(misuse_memory)));
-    GIVES(TIA_SHADOWS_TRACED, tia_next_shadows(NULL));
-    GIVES(TIA_SHADOWS_TRACED, tia_next_shadows(&odd));
-    GIVES(TIA_SHADOWS_TRACED, (odd.depth = 99, tia_next_shadows(&odd)));
     misuse_end();
 }
 

@@ -18,7 +18,8 @@ static int get_mode(void *ctx, struct tia_mode *out)
 static int acquire(void *ctx, struct tia_tile tile, struct tia_surface *surface)
 {
     (void)ctx;
-    *surface = (struct tia_surface){misuse_pixels + tile.y * MISUSE_W + tile.x, 2, 2 * MISUSE_W};
+    *surface =
+        (struct tia_surface){.pixels = misuse_pixels + tile.y * MISUSE_W + tile.x, .step = 2, .pitch = 2 * MISUSE_W};
     return TIA_OK;
 }
 
@@ -26,7 +27,7 @@ static int acquire_nothing(void *ctx, struct tia_tile tile, struct tia_surface *
 {
     (void)ctx;
     (void)tile;
-    *surface = (struct tia_surface){NULL, 2, 2 * MISUSE_W};
+    *surface = (struct tia_surface){.pixels = NULL, .step = 2, .pitch = 2 * MISUSE_W};
     return TIA_OK;
 }
 
@@ -106,13 +107,10 @@ static const struct tia_input input = {open_input, poll_input, wait_input, close
 static struct tia_viewer viewer(void)
 {
     return (struct tia_viewer){.scene = &misuse_scene,
-                               .lights = lights,
-                               .light_capacity = MISUSE_LIGHTS,
-                               .detached = detached,
-                               .frame_limit = 1,
-                               .display = &display,
-                               .input = &input,
-                               .memory = memory};
+                               .lights = {.array = lights, .detached = detached, .capacity = MISUSE_LIGHTS},
+                               .pacing = {.frame_limit = 1},
+                               .ports = {.display = &display, .input = &input},
+                               .hooks = {.memory = memory}};
 }
 
 static int run(struct tia_viewer v)
@@ -126,7 +124,7 @@ static int run_with_display(struct tia_display d)
 {
     struct tia_viewer v = viewer();
 
-    v.display = &d;
+    v.ports.display = &d;
     return run(v);
 }
 
@@ -149,29 +147,25 @@ TEST(misuse_of_a_viewer)
 {
     static struct tia_viewer_state on = {.goes_on = true, .light_count = MISUSE_LIGHTS + 1};
     struct tia_viewer changed;
-    uint32_t path_hash;
-    uint64_t lit;
 
     prepare();
     REFUSES(tia_viewer_run(NULL));
     REFUSES(run((struct tia_viewer){.scene = NULL}));
     REFUSES(run((struct tia_viewer){.scene = &misuse_scene}));
     REFUSES(WITH(scene, NULL));
-    REFUSES(WITH(lights, NULL));
-    REFUSES(WITH(light_capacity, 1));
+    REFUSES(WITH(lights.array, NULL));
+    REFUSES(WITH(lights.capacity, 1));
     REFUSES(WITH(key_count, 3)); /* no keys */
-    REFUSES(WITH(time, -1));
-    REFUSES(WITH(options.path_hash, &path_hash));
-    REFUSES(WITH(options.lit, &lit));
+    REFUSES(WITH(pacing.time, -1));
     REFUSES(WITH(state, &on));
-    REFUSES(WITH(memory, NULL));
-    GIVES(TIA_ERR_MEMORY, WITH(memory, no_memory));
-    GIVES(TIA_ERR_MEMORY, WITH(memory, misaligned));
-    REFUSES(WITH(rate[0], 25));
-    REFUSES(WITH(pace[0], 25));
-    REFUSES((changed = viewer(), changed.rate[0] = 1000001, changed.rate[1] = 1, run(changed)));
-    REFUSES((changed = viewer(), changed.rate[0] = 1, changed.rate[1] = UINT32_MAX, run(changed)));
-    REFUSES((changed = viewer(), changed.pace[0] = UINT32_MAX, changed.pace[1] = 1, run(changed)));
+    REFUSES(WITH(hooks.memory, NULL));
+    GIVES(TIA_ERR_MEMORY, WITH(hooks.memory, no_memory));
+    GIVES(TIA_ERR_MEMORY, WITH(hooks.memory, misaligned));
+    REFUSES(WITH(pacing.rate[0], 25));
+    REFUSES(WITH(pacing.pace[0], 25));
+    REFUSES((changed = viewer(), changed.pacing.rate[0] = 1000001, changed.pacing.rate[1] = 1, run(changed)));
+    REFUSES((changed = viewer(), changed.pacing.rate[0] = 1, changed.pacing.rate[1] = UINT32_MAX, run(changed)));
+    REFUSES((changed = viewer(), changed.pacing.pace[0] = UINT32_MAX, changed.pacing.pace[1] = 1, run(changed)));
     GIVES(TIA_OK, WITH(gaze, ((struct tia_gaze){1, 1, INT32_MIN, UINT32_MAX, UINT32_MAX, true})));
     GIVES(TIA_OK, WITH(simd, tia_simd_best()));
     misuse_end();
@@ -198,7 +192,7 @@ TEST(misuse_of_a_viewers_scene)
     bad.tracks = &track;
     bad.track_count = 1;
     GIVES(TIA_OK, WITH(scene, &bad));
-    REFUSES((changed = viewer(), changed.scene = &bad, changed.detached = NULL, run(changed)));
+    REFUSES((changed = viewer(), changed.scene = &bad, changed.lights.detached = NULL, run(changed)));
     misuse_end();
 }
 
@@ -207,7 +201,7 @@ TEST(misuse_of_a_display)
     struct tia_viewer changed;
 
     prepare();
-    REFUSES(WITH(display, NULL));
+    REFUSES(WITH(ports.display, NULL));
     REFUSES(run_with_display((struct tia_display){get_mode, NULL, acquire, submit, present, close_port}));
     REFUSES(run_with_display((struct tia_display){get_mode, get_mode, NULL, submit, present, close_port}));
     REFUSES(run_with_display((struct tia_display){get_mode, get_mode, acquire, NULL, present, close_port}));
@@ -226,20 +220,20 @@ TEST(misuse_of_other_ports)
     static const struct tia_input no_poll = {open_input, NULL, wait_input, close_port},
                                   no_wait = {open_input, poll_input, NULL, close_port};
     static const struct tia_clock no_clock = {NULL};
-    static const struct tia_workers no_workers = {NULL, NULL, NULL};
+    static const struct tia_workers no_workers = {.run = NULL};
     static const struct tia_control no_weigh = {NULL, act}, no_act = {weigh, NULL}, control = {weigh, act};
     struct tia_viewer changed;
 
     prepare();
-    REFUSES(WITH(input, &no_poll));
-    REFUSES(WITH(input, &no_wait));
-    REFUSES((changed = viewer(), changed.input = NULL, changed.frame_limit = 0, run(changed)));
-    REFUSES(WITH(clock, &no_clock));
-    REFUSES(WITH(workers, &no_workers));
-    REFUSES(WITH(control, &control)); /* no variant */
-    REFUSES((changed = viewer(), changed.control = &no_weigh, changed.variant = &variant, run(changed)));
-    REFUSES((changed = viewer(), changed.control = &no_act, changed.variant = &variant, run(changed)));
-    GIVES(TIA_OK, (changed = viewer(), changed.control = &control, changed.variant = &variant, run(changed)));
+    REFUSES(WITH(ports.input, &no_poll));
+    REFUSES(WITH(ports.input, &no_wait));
+    REFUSES((changed = viewer(), changed.ports.input = NULL, changed.pacing.frame_limit = 0, run(changed)));
+    REFUSES(WITH(ports.clock, &no_clock));
+    REFUSES(WITH(job.workers, &no_workers));
+    REFUSES(WITH(hooks.control, &control)); /* no variant */
+    REFUSES((changed = viewer(), changed.hooks.control = &no_weigh, changed.variant = &variant, run(changed)));
+    REFUSES((changed = viewer(), changed.hooks.control = &no_act, changed.variant = &variant, run(changed)));
+    GIVES(TIA_OK, (changed = viewer(), changed.hooks.control = &control, changed.variant = &variant, run(changed)));
     misuse_end();
 }
 
@@ -267,9 +261,9 @@ static int run_with_estimator(const struct tia_estimator *estimator)
     struct tia_viewer v = viewer();
 
     v.estimator = estimator;
-    v.clock = &clock;
-    v.frame_limit = 0;
-    v.frame_done = end_when_whole;
+    v.ports.clock = &clock;
+    v.pacing.frame_limit = 0;
+    v.hooks.frame_done = end_when_whole;
     return run(v);
 }
 

@@ -22,7 +22,7 @@ static struct tia_vec3 eye_at(tia_q16 time)
 {
     struct tia_scene out;
 
-    CHECK_EQ(tia_scene_at(&out, NULL, 0, &scene, time), TIA_OK);
+    CHECK_EQ(tia_scene_at(&out, NULL, 0, &scene, time, NULL), TIA_OK);
     return out.camera.eye;
 }
 
@@ -171,8 +171,8 @@ TEST(every_target)
     scene.bvh = bvh;
     size = tia_scene_at_size(&scene);
     CHECK(size >= 3 * sizeof *lights + 2 * sizeof *transforms && size <= sizeof memory);
-    CHECK_EQ(tia_scene_at(&out, memory, size - 1, &scene, 0), TIA_ERR_MEMORY);
-    CHECK_EQ(tia_scene_at(&out, memory, size, &scene, 0), TIA_OK);
+    CHECK_EQ(tia_scene_at(&out, memory, size - 1, &scene, 0, NULL), TIA_ERR_MEMORY);
+    CHECK_EQ(tia_scene_at(&out, memory, size, &scene, 0, NULL), TIA_OK);
     CHECK(is_moment(out.camera.eye) && is_moment(out.camera.reference));
     CHECK(is_moment(out.lights[2].centre) && !memcmp(&out.lights[1], &lights[1], sizeof lights[1]));
     CHECK(out.lights[2].radius == 2);
@@ -193,20 +193,20 @@ TEST(what_stays_is_shared)
     set_everything();
     scene.track_count = 2; /* the camera's */
     CHECK_EQ(tia_scene_at_size(&scene), 0);
-    CHECK_EQ(tia_scene_at(&out, NULL, 0, &scene, 0), TIA_OK);
+    CHECK_EQ(tia_scene_at(&out, NULL, 0, &scene, 0, NULL), TIA_OK);
     CHECK(out.lights == lights && out.transforms == transforms);
     scene.track_count = 4;
     CHECK(tia_scene_at_size(&scene) < 4 * sizeof *lights);
-    CHECK_EQ(tia_scene_at(&out, memory, sizeof memory, &scene, 0), TIA_OK);
+    CHECK_EQ(tia_scene_at(&out, memory, sizeof memory, &scene, 0, NULL), TIA_OK);
     CHECK(out.lights != lights && out.transforms == transforms);
     scene.tracks = tracks + 4;
     scene.track_count = 3;
-    CHECK_EQ(tia_scene_at(&out, memory, sizeof memory, &scene, 0), TIA_OK);
+    CHECK_EQ(tia_scene_at(&out, memory, sizeof memory, &scene, 0, NULL), TIA_OK);
     CHECK(out.lights == lights && out.transforms != transforms && is_moment(out.transforms[1].scale));
     scene.track_count = 0;
     CHECK_EQ(tia_scene_duration(&scene), 0);
     CHECK_EQ(tia_scene_at_size(&scene), 0);
-    CHECK_EQ(tia_scene_at(&scene, NULL, 0, &scene, 0), TIA_OK);
+    CHECK_EQ(tia_scene_at(&scene, NULL, 0, &scene, 0, NULL), TIA_OK);
 }
 
 TEST(into_itself)
@@ -214,9 +214,9 @@ TEST(into_itself)
     struct tia_scene out;
 
     set_everything();
-    CHECK_EQ(tia_scene_at(&out, memory, sizeof memory, &scene, 0), TIA_OK);
+    CHECK_EQ(tia_scene_at(&out, memory, sizeof memory, &scene, 0, NULL), TIA_OK);
     set_everything();
-    CHECK_EQ(tia_scene_at(&scene, memory, sizeof memory, &scene, 0), TIA_OK);
+    CHECK_EQ(tia_scene_at(&scene, memory, sizeof memory, &scene, 0, NULL), TIA_OK);
     CHECK(!memcmp(&out.camera, &scene.camera, sizeof out.camera) && !scene.tracks);
     CHECK(is_moment(scene.lights[2].centre) && is_moment(scene.transforms[1].position));
 }
@@ -231,9 +231,9 @@ TEST(a_direction_through_nothing)
     set_everything();
     scene.tracks = &turns;
     scene.track_count = 1;
-    CHECK_EQ(tia_scene_at(&out, memory, sizeof memory, &scene, ONE), TIA_OK);
+    CHECK_EQ(tia_scene_at(&out, memory, sizeof memory, &scene, ONE, NULL), TIA_OK);
     CHECK(out.lights[0].direction.x == 7 && out.lights[0].direction.z == 9);
-    CHECK_EQ(tia_scene_at(&out, memory, sizeof memory, &scene, ONE + 1), TIA_OK);
+    CHECK_EQ(tia_scene_at(&out, memory, sizeof memory, &scene, ONE + 1, NULL), TIA_OK);
     CHECK(out.lights[0].direction.x <= -TIA_Q30_ONE + 2);
 }
 

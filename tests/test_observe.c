@@ -1,4 +1,5 @@
 /* Rays reported to an observer: a mirror on the ground before the eye, computed from geometry. */
+#include <tia/debug.h>
 #include <tia/tia.h>
 
 #include "check.h"
@@ -26,7 +27,8 @@ static uint32_t watch(const char *text)
     const struct tia_tile middle = {SIDE / 2, SIDE / 2, 1, 1};
     struct tia_observer observer = {note, NULL, 0};
     tia_rgb565 pixel, same;
-    const struct tia_surface surface = {&pixel, 2, 2}, again = {&same, 2, 2};
+    const struct tia_surface surface = {.pixels = &pixel, .step = 2, .pitch = 2},
+                             again = {.pixels = &same, .step = 2, .pitch = 2};
     struct tia_view *view;
     struct tia_hits *hits;
 
@@ -36,11 +38,12 @@ static uint32_t watch(const char *text)
     size_t view_size = core->view_size(core, &r.scene, r.scene.light_count),
            hits_size = core->hits_size(core, &r.scene, middle);
     void *view_memory = malloc(view_size), *hits_memory = malloc(hits_size);
-    CHECK_EQ(
-        core->view_init(core, &view, view_memory, view_size, &r.scene, r.scene.light_count, SIDE, SIDE, NULL, NULL),
-        TIA_OK);
+    CHECK_EQ(core->view_init(core, &view, view_memory, view_size, &r.scene, r.scene.light_count, SIDE, SIDE, NULL),
+             TIA_OK);
     CHECK_EQ(tia_hits_init(&hits, hits_memory, hits_size, view, middle), TIA_OK);
-    CHECK_EQ(tia_render(view, hits, middle, &surface, &(struct tia_options){.observer = &observer}), TIA_OK);
+    CHECK_EQ(tia_render(view, hits, middle, &surface,
+                        &(struct tia_options){.debug = &(struct tia_debug){.observer = &observer}}),
+             TIA_OK);
     CHECK_EQ(tia_render(view, hits, middle, &again, NULL), TIA_OK);
     CHECK_EQ(pixel, same);
     free(view_memory);

@@ -189,7 +189,7 @@ static bool draw_frame(uint16_t key, tia_rgb565 *image, struct tia_tile all)
 {
     const struct tia_core *core = &tia_core_q16;
     struct tia_scene scene = tia_thesis_scene;
-    struct tia_surface surface = {image, 2, 2 * (ptrdiff_t)all.width};
+    struct tia_surface surface = {.pixels = image, .step = 2, .pitch = 2 * (ptrdiff_t)all.width};
     struct tia_view *view;
     struct tia_hits *hits;
     size_t view_size, hits_size = core->hits_size(core, &scene, all);
@@ -204,10 +204,10 @@ static bool draw_frame(uint16_t key, tia_rgb565 *image, struct tia_tile all)
     }
     view_size = core->view_size(core, &scene, scene.light_count);
     view_memory = malloc(view_size);
-    drawn = !core->view_init(core, &view, view_memory, view_size, &scene, scene.light_count, all.width, all.height,
-                             NULL, NULL) &&
-            !tia_hits_init(&hits, hits_memory, hits_size, view, all) && !tia_trace(view, hits, all) &&
-            !tia_light_tile(view, hits, all, &surface, NULL);
+    drawn =
+        !core->view_init(core, &view, view_memory, view_size, &scene, scene.light_count, all.width, all.height, NULL) &&
+        !tia_hits_init(&hits, hits_memory, hits_size, view, all) && !tia_trace(view, hits, all) &&
+        !tia_light_tile(view, hits, all, &surface, NULL);
     free(view_memory);
     free(hits_memory);
     return drawn;

@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "oracle/radio.h"
+#include "radio/search.h"
 #include "radio_world.h"
 #include "random.h"
 

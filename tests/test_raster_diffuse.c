@@ -1,6 +1,7 @@
 /* Faces without gloss, whose colours are computed with fewer bits and a bound, against the same pixels ray by ray: with
  * tia_options.lit all of them are drawn by rays. No byte differs. */
 #include <stdlib.h>
+#include <tia/debug.h>
 #include <tia/tia.h>
 
 #include "check.h"
@@ -123,12 +124,13 @@ static size_t differing(const struct tia_scene *scene, bool dither)
     struct tia_view *view;
     struct tia_hits *hits;
 
-    CHECK_EQ(tia_view_init(&view, memory[0], sizes[0], scene, scene->light_count, WIDTH, HEIGHT), TIA_OK);
+    CHECK_EQ(tia_view_init(&view, memory[0], sizes[0], scene, scene->light_count, WIDTH, HEIGHT, NULL), TIA_OK);
     CHECK_EQ(tia_hits_init(&hits, memory[1], sizes[1], view, all), TIA_OK);
     CHECK_EQ(tia_trace(view, hits, all), TIA_OK);
     for (int i = 0; i < 2; i++) {
-        struct tia_surface surface = {pixels[i], sizeof(tia_rgb565), WIDTH * sizeof(tia_rgb565)};
-        struct tia_options options = {.dither = dither, .lit = i ? lit : NULL};
+        struct tia_surface surface = {
+            .pixels = pixels[i], .step = sizeof(tia_rgb565), .pitch = WIDTH * sizeof(tia_rgb565)};
+        struct tia_options options = {.dither = dither, .debug = &(struct tia_debug){.lit = i ? lit : NULL}};
         CHECK_EQ(tia_light_tile(view, hits, all, &surface, &options), TIA_OK);
     }
     for (size_t i = 0; i < WIDTH * HEIGHT; i++)

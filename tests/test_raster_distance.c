@@ -4,6 +4,8 @@
 
 #include "check.h"
 #include "random.h"
+#include "raster/distance.h"
+#include "raster/target.h"
 #include <tia/raster.h>
 
 struct real3 {

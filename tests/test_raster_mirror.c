@@ -86,13 +86,13 @@ static void make_scene(struct tia_scene *scene)
 static void trace(const struct tia_core *core, const struct tia_scene *scene)
 {
     const struct tia_tile all = {0, 0, WIDTH, HEIGHT};
-    const struct tia_surface surface = {traced, 2, 2 * WIDTH};
+    const struct tia_surface surface = {.pixels = traced, .step = 2, .pitch = 2 * WIDTH};
     size_t view_size = core->view_size(core, scene, 0), hits_size = core->hits_size(core, scene, all);
     void *view_memory = malloc(view_size), *hits_memory = malloc(hits_size);
     struct tia_view *view;
     struct tia_hits *hits;
 
-    CHECK_EQ(core->view_init(core, &view, view_memory, view_size, scene, 0, WIDTH, HEIGHT, NULL, NULL), TIA_OK);
+    CHECK_EQ(core->view_init(core, &view, view_memory, view_size, scene, 0, WIDTH, HEIGHT, NULL), TIA_OK);
     CHECK_EQ(tia_hits_init(&hits, hits_memory, hits_size, view, all), TIA_OK);
     CHECK_EQ(tia_trace(view, hits, all), TIA_OK);
     CHECK_EQ(tia_light_tile(view, hits, all, &surface, NULL), TIA_OK);

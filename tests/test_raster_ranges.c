@@ -1,6 +1,7 @@
 /* The ranges of src/raster/ranges.h, driven to their ends: coordinates at the limit are drawn as by the oracle, and the
  * next one is refused; polygons that need all of 64 bits have the bits of the format in 128; no quantity is larger than
  * stated. The quantities are linear in each coordinate, so they are largest where each is at an end. */
+#include "raster/target.h"
 #include "raster_random.h"
 
 #include "raster/depth.h"

@@ -1,7 +1,9 @@
 /* The rasteriser's runs by each level of vector units against plain C: every nearness, face and count. */
 #include <stdlib.h>
+#include <tia/debug.h>
 #include <tia/simd.h>
 
+#include "raster/target.h"
 #include "raster_random.h"
 
 #define BUFFERS (TIA_BUFFER_DEPTH | TIA_BUFFER_COUNT)

@@ -153,7 +153,7 @@ static void check_scene(const struct tia_scene *scene, unsigned width, unsigned 
     struct tia_view *prepared;
     struct sure_block b;
 
-    CHECK_EQ(tia_view_init(&prepared, memory, size, scene, scene->light_count, width, height), TIA_OK);
+    CHECK_EQ(tia_view_init(&prepared, memory, size, scene, scene->light_count, width, height, NULL), TIA_OK);
     prepared->simd_memory = constants;
     if (prepared->renderer->part != SIMD_RAYS) {
         free(constants);

@@ -17,7 +17,7 @@ static void draw_all(const struct tia_scene *scene, unsigned width, unsigned hei
 
     reports = 0;
     CHECK_EQ(frames_checksum(&tia_core_chk, scene, width, height, false), crc);
-    CHECK_EQ(tia_bvh_build(&with.bvh, memory, sizeof memory, NULL, scene), TIA_OK);
+    CHECK_EQ(tia_bvh_build(&with.bvh, memory, sizeof memory, NULL, scene, NULL), TIA_OK);
     CHECK_EQ(frames_checksum(&tia_core_chk, &with, width, height, false), crc);
     CHECK_MSG(reports == 0, "%u reports, the first %s", reports, first_report);
 }

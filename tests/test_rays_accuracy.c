@@ -15,6 +15,7 @@
 
 #include <stdlib.h>
 #include <tia/bvh.h>
+#include <tia/debug.h>
 
 static struct threads *pool;
 static unsigned scene_count = 16, width = 48;
@@ -30,7 +31,7 @@ static unsigned scene_at(struct corpus_rays *c, unsigned i)
     if (i >= scene_count)
         corpus_add_opacity(c, i);
     if (i % 2 > 0)
-        CHECK_EQ(tia_bvh_build(&c->scene.bvh, memory, sizeof memory, NULL, &c->scene), TIA_OK);
+        CHECK_EQ(tia_bvh_build(&c->scene.bvh, memory, sizeof memory, NULL, &c->scene, NULL), TIA_OK);
     return width * c->height / c->width;
 }
 
@@ -47,7 +48,7 @@ static void check_f64(unsigned first)
         struct corpus_rays c;
         char name[32];
         unsigned height = scene_at(&c, i);
-        CHECK_EQ(against_oracle(&tia_core_f64, &c.scene, width, height, false, &threads_workers, pool, &a), TIA_OK);
+        CHECK_EQ(against_oracle(&tia_core_f64, &c.scene, width, height, false, threads_workers(pool), &a), TIA_OK);
         CHECK_MSG(a.tally.flips == a.undecided && a.tally.stray == 0 && a.margin < F64_MARGIN,
                   "scene %u: %ju flips, %ju undecided, %ju stray, margin %g", i, (uintmax_t)a.tally.flips,
                   (uintmax_t)a.undecided, (uintmax_t)a.tally.stray, a.margin);
@@ -79,8 +80,7 @@ static int compare(const struct tia_scene *scene, unsigned height, struct tally 
                            .reference = &tia_core_f64,
                            .cores = {&tia_core_q16, &tia_core_f32},
                            .core_count = 2,
-                           .workers = &threads_workers,
-                           .workers_ctx = pool};
+                           .workers = threads_workers(pool)};
 
     return measure(&what, tallies);
 }

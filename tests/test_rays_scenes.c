@@ -71,15 +71,14 @@ static void draw(const char *what)
                         .reference = &tia_core_f64,
                         .cores = {&tia_core_q16},
                         .core_count = 1,
-                        .workers = &threads_workers,
-                        .workers_ctx = pool};
+                        .workers = threads_workers(pool)};
     struct tia_fault fault = {0};
     struct against a;
     struct tally t = {0};
 
     CHECK_MSG(!tia_scene_check(&scene, &fault), "%s: %s %u: %s: %s", what, fault.thing, fault.index, fault.field,
               fault.rule);
-    CHECK_EQ(against_oracle(&tia_core_f64, &scene, WIDTH, HEIGHT, false, &threads_workers, pool, &a), TIA_OK);
+    CHECK_EQ(against_oracle(&tia_core_f64, &scene, WIDTH, HEIGHT, false, threads_workers(pool), &a), TIA_OK);
     against_list(what, &a);
     CHECK_MSG(a.tally.flips == a.undecided && a.tally.flips <= 2 && a.tally.stray == 0 && a.margin < 1e-6,
               "%s: f64: %ju flips, %ju undecided, %ju stray, margin %g", what, (uintmax_t)a.tally.flips,

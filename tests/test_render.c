@@ -2,6 +2,7 @@
  * what a full render gives. */
 #include <stdlib.h>
 
+#include <tia/debug.h>
 #include <tia/render.h>
 
 #include "check.h"
@@ -50,7 +51,7 @@ static struct tia_view *view_of(const struct tia_scene *s)
     struct tia_view *view = NULL;
 
     memset(view_memory, GUARD, sizeof view_memory);
-    CHECK_EQ(tia_view_init(&view, view_memory, sizeof view_memory, s, LIGHTS, W, H), TIA_OK);
+    CHECK_EQ(tia_view_init(&view, view_memory, sizeof view_memory, s, LIGHTS, W, H, NULL), TIA_OK);
     return view;
 }
 
@@ -64,8 +65,8 @@ static struct tia_hits *hits_of(const struct tia_view *view, struct tia_tile are
 
 static void render_frame(const struct tia_view *view, tia_rgb565 out[H][W], bool dither, uint32_t *path_hash)
 {
-    struct tia_surface surface = {out[0], 2, 2 * W};
-    struct tia_options options = {dither, path_hash};
+    struct tia_surface surface = {.pixels = out[0], .step = 2, .pitch = 2 * W};
+    struct tia_options options = {.dither = dither, .debug = &(struct tia_debug){.path_hash = path_hash}};
 
     CHECK_EQ(tia_render(view, hits_of(view, frame), frame, &surface, &options), TIA_OK);
 }
@@ -120,8 +121,8 @@ static tia_rgb565 got[H][W];
 static void render_tile(const struct tia_view *view, struct tia_tile tile, enum area area, bool dither)
 {
     static uint32_t path_hash[PIXELS];
-    struct tia_surface surface = {&got[tile.y][tile.x], 2, 2 * W};
-    struct tia_options options = {dither, path_hash};
+    struct tia_surface surface = {.pixels = &got[tile.y][tile.x], .step = 2, .pitch = 2 * W};
+    struct tia_options options = {.dither = dither, .debug = &(struct tia_debug){.path_hash = path_hash}};
 
     CHECK_EQ(tia_render(view, hits_of(view, area_around(tile, area)), tile, &surface, &options), TIA_OK);
     for (unsigned i = 0; i < (unsigned)tile.width * tile.height; i++)
@@ -183,7 +184,7 @@ static void check_surface(ptrdiff_t first, ptrdiff_t step, ptrdiff_t pitch)
         for (int x = 0; x < W; x++)
             expected[first + (x * step + y * pitch) / 2] = want[0][y][x];
     for (int i = 0; i < 2; i++) {
-        struct tia_surface surface = {block + first + tiles[i].x * step / 2, step, pitch};
+        struct tia_surface surface = {.pixels = block + first + tiles[i].x * step / 2, .step = step, .pitch = pitch};
         CHECK_EQ(tia_render(view, hits_of(view, tiles[i]), tiles[i], &surface, NULL), TIA_OK);
     }
     CHECK_MSG(!memcmp(block, expected, sizeof block), "step %td, pitch %td", step, pitch);
@@ -216,7 +217,7 @@ static void draw_job(void *arg, unsigned index)
 {
     const struct job *job = arg;
     struct tia_tile tile = tile_at(index, 9, 4);
-    struct tia_surface surface = {&got[tile.y][tile.x], 2, 2 * W};
+    struct tia_surface surface = {.pixels = &got[tile.y][tile.x], .step = 2, .pitch = 2 * W};
 
     (void)tia_render(job->view, job->hits, tile, &surface, NULL);
 }
@@ -229,7 +230,7 @@ TEST(several_threads)
 
     for (int i = 0; i < 20; i++) {
         memset(got, GUARD, sizeof got);
-        threads_workers.run(pool, draw_job, &job, 11 * 16);
+        threads_run(pool, draw_job, &job, 11 * 16);
         CHECK(!memcmp(got, want[0], sizeof got));
     }
     threads_destroy(pool);
@@ -259,7 +260,7 @@ static void check_relighting(const struct tia_scene *s)
 {
     static uint64_t kept_view[1000], kept_hits[PIXELS + 100];
     static tia_rgb565 relit[H][W], full[H][W];
-    struct tia_surface surface = {relit[0], 2, 2 * W};
+    struct tia_surface surface = {.pixels = relit[0], .step = 2, .pitch = 2 * W};
     struct tia_light now[LIGHTS];
     struct tia_scene moved = *s;
     struct tia_view *view = NULL;
@@ -267,7 +268,7 @@ static void check_relighting(const struct tia_scene *s)
 
     memset(kept_view, GUARD, sizeof kept_view);
     memset(kept_hits, GUARD, sizeof kept_hits);
-    CHECK_EQ(tia_view_init(&view, kept_view, sizeof kept_view, s, LIGHTS, W, H), TIA_OK);
+    CHECK_EQ(tia_view_init(&view, kept_view, sizeof kept_view, s, LIGHTS, W, H, NULL), TIA_OK);
     CHECK_EQ(tia_hits_init(&hits, kept_hits, sizeof kept_hits, view, frame), TIA_OK);
     CHECK_EQ(tia_trace(view, hits, frame), TIA_OK);
     moved.lights = now;

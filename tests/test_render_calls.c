@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include <tia/debug.h>
 #include <tia/render.h>
 
 #include "check.h"
@@ -17,7 +18,7 @@ static const struct tia_light light = {TIA_VEC3(-20, 20, -20), TIA_Q16(3), TIA_R
 
 static int init(struct tia_view **view, const struct tia_scene *scene, uint32_t lights, unsigned width, unsigned height)
 {
-    return tia_view_init(view, view_memory, sizeof view_memory, scene, lights, width, height);
+    return tia_view_init(view, view_memory, sizeof view_memory, scene, lights, width, height, NULL);
 }
 
 static struct tia_view *thesis_view(uint32_t lights)
@@ -38,7 +39,7 @@ static struct tia_hits *hits_of(const struct tia_view *view, struct tia_tile are
 
 static void render(const struct tia_view *view, struct tia_hits *hits, tia_rgb565 *out)
 {
-    struct tia_surface surface = {out, 2, 2 * W};
+    struct tia_surface surface = {.pixels = out, .step = 2, .pitch = 2 * W};
 
     CHECK_EQ(tia_render(view, hits, frame, &surface, NULL), TIA_OK);
 }
@@ -76,10 +77,10 @@ TEST(memory_of_a_view)
         const unsigned char *bytes = (const unsigned char *)view_memory;
         struct tia_view *view = NULL;
         memset(view_memory, 0xa5, sizeof view_memory);
-        CHECK_EQ(tia_view_init(&view, view_memory, size - 1, &tia_thesis_scene, lights, W, H), TIA_ERR_MEMORY);
-        CHECK_EQ(tia_view_init(&view, view_memory, 0, &tia_thesis_scene, lights, W, H), TIA_ERR_MEMORY);
+        CHECK_EQ(tia_view_init(&view, view_memory, size - 1, &tia_thesis_scene, lights, W, H, NULL), TIA_ERR_MEMORY);
+        CHECK_EQ(tia_view_init(&view, view_memory, 0, &tia_thesis_scene, lights, W, H, NULL), TIA_ERR_MEMORY);
         CHECK(!view && bytes[0] == 0xa5);
-        CHECK_EQ(tia_view_init(&view, view_memory, size, &tia_thesis_scene, lights, W, H), TIA_OK);
+        CHECK_EQ(tia_view_init(&view, view_memory, size, &tia_thesis_scene, lights, W, H, NULL), TIA_OK);
         for (uint32_t n = 0; n < lights; n++) {
             struct tia_light all[5] = {light, light, light, light, light};
             CHECK_EQ(tia_view_set_lights(view, all, n + 1), TIA_OK);
@@ -174,7 +175,7 @@ TEST(lights_without_room_for_maps)
     size_t size = tia_view_size(&scene, 2), hits_size = tia_hits_size(&scene, frame);
     void *memory = malloc(size), *mapped = malloc(hits_size);
     struct tia_hits *hits = NULL;
-    CHECK_EQ(tia_view_init(&view, memory, size, &scene, 2, W, H), TIA_OK);
+    CHECK_EQ(tia_view_init(&view, memory, size, &scene, 2, W, H, NULL), TIA_OK);
     CHECK_EQ(tia_hits_init(&hits, mapped, hits_size, view, frame), TIA_OK);
     render(view, hits, before);
     CHECK_EQ(tia_view_set_lights(view, &light, 1), TIA_ERR_MEMORY);
@@ -198,7 +199,7 @@ TEST(tiles_that_are_refused)
         {65535, 5, 65535, 1}, {5, 65535, 1, 65535}, {36, 26, 65535, 65535},
     };
     const struct tia_tile area = {5, 5, 30, 20}, beyond = {30, 20, 20, 20}, corner = {39, 29, 1, 1};
-    struct tia_surface surface = {after, 2, 2 * W};
+    struct tia_surface surface = {.pixels = after, .step = 2, .pitch = 2 * W};
     struct tia_view *view = thesis_view(0);
     struct tia_hits *hits = hits_of(view, frame);
 
@@ -273,10 +274,10 @@ static uint32_t one_pixel(uint32_t light_count, tia_rgb565 *colour)
         .light_count = light_count,
     };
     const struct tia_tile pixel = {0, 0, 1, 1};
-    struct tia_surface surface = {colour, 2, 2};
+    struct tia_surface surface = {.pixels = colour, .step = 2, .pitch = 2};
     struct tia_view *view = NULL;
     uint32_t path_hash = 0;
-    struct tia_options options = {.path_hash = &path_hash, .colours = pixel_colours};
+    struct tia_options options = {.colours = pixel_colours, .debug = &(struct tia_debug){.path_hash = &path_hash}};
 
     CHECK_EQ(init(&view, &scene, light_count, 1, 1), TIA_OK);
     CHECK_EQ(tia_render(view, hits_of(view, pixel), pixel, &surface, &options), TIA_OK);

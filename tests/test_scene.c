@@ -43,7 +43,7 @@ TEST(accepted)
     CHECK_EQ(tia_scene_check(&scene, &fault), TIA_OK);
     CHECK_EQ(tia_scene_check(&nothing, &fault), TIA_OK);
     CHECK_EQ(tia_scene_check(&tia_thesis_scene, &fault), TIA_OK);
-    CHECK(!strcmp(fault.thing, "untouched") && fault.index == 7);
+    CHECK(!fault.thing);
 }
 
 TEST(camera)

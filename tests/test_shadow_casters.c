@@ -3,6 +3,7 @@
  */
 #include <math.h>
 
+#include "raster/target.h"
 #include "shadow/casters.h"
 #include "shadow/occluder.h"
 #include "shadow_worlds.h"

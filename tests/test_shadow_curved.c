@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include <tia/bvh.h>
+#include <tia/debug.h>
 
 #include "check.h"
 #include "flat/curved.h"
@@ -31,12 +32,13 @@ static void draw_sized(const struct tia_scene *scene, int width, int height, int
     size_t view_size = tia_view_size(scene, scene->light_count), size = tia_hits_size(scene, all);
     void *memory = malloc(view_size), *hit_memory = malloc(size);
     static uint32_t hash[MOST];
-    const struct tia_options options = {.path_hash = hash};
+    const struct tia_options options = {.debug = &(struct tia_debug){.path_hash = hash}};
     struct tia_view *view = NULL;
     struct tia_hits *hits;
 
-    CHECK_EQ(tia_view_init(&view, memory, view_size, scene, scene->light_count, (unsigned)width, (unsigned)height),
-             TIA_OK);
+    CHECK_EQ(
+        tia_view_init(&view, memory, view_size, scene, scene->light_count, (unsigned)width, (unsigned)height, NULL),
+        TIA_OK);
     CHECK(!tia_hits_init(&hits, hit_memory, size, view, all));
     memset(out, 0, sizeof *out);
     for (int y = (height - 1) / tile_height * tile_height; y >= 0; y -= tile_height)
@@ -44,7 +46,7 @@ static void draw_sized(const struct tia_scene *scene, int width, int height, int
             int right = x + tile_width < width ? x + tile_width : width;
             int bottom = y + tile_height < height ? y + tile_height : height;
             struct tia_tile tile = {(uint16_t)x, (uint16_t)y, (uint16_t)(right - x), (uint16_t)(bottom - y)};
-            struct tia_surface surface = {out->pixels + y * width + x, 2, 2 * width};
+            struct tia_surface surface = {.pixels = out->pixels + y * width + x, .step = 2, .pitch = 2 * width};
 
             CHECK(!tia_render(view, hits, tile, &surface, &options));
             for (int i = 0; i < (right - x) * (bottom - y); i++)
@@ -210,7 +212,7 @@ TEST(tiles_and_hierarchies_change_nothing)
         CHECK(!memcmp(&one, &other, sizeof one));
         size_t size = tia_bvh_size(&w.scene);
         void *memory = malloc(size);
-        CHECK(!tia_bvh_build(&bvh, memory, size, NULL, &w.scene));
+        CHECK(!tia_bvh_build(&bvh, memory, size, NULL, &w.scene, NULL));
         w.scene.bvh = bvh;
         draw(&w.scene, 64, 40, &other);
         CHECK(!memcmp(&one, &other, sizeof one));

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include <tia/debug.h>
 #include <tia/scene.h>
 
 #include "check.h"

@@ -1,6 +1,7 @@
 /* Shadow maps against the textbook in double precision: the distance in a texel, found by a ray through its middle; a
  * point's position in the map; each bias and filter from the map's distances. Where a comparison is too close to
  * distinguish rounding from a mistake, it is left out, and counted. */
+#include "raster/distance.h"
 #include "shadow_map_world.h"
 
 /* ---- the light's view ---- */

@@ -3,6 +3,7 @@
  * plane of the light or the eye. */
 #include <string.h>
 
+#include "raster/target.h"
 #include "shadow/technique.h"
 #include "shadow_worlds.h"
 

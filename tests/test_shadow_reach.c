@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <tia/debug.h>
 #include <tia/render.h>
 #include <tia/shadow.h>
 
@@ -53,7 +54,7 @@ static int open_view(struct drawn *d, const struct tia_scene *s, unsigned width,
     d->memory[0] = malloc(size);
     d->memory[1] = NULL;
     d->view = NULL;
-    return tia_view_init(&d->view, d->memory[0], size, s, 2, width, height);
+    return tia_view_init(&d->view, d->memory[0], size, s, 2, width, height, NULL);
 }
 
 static void open_hits(struct drawn *d, const struct tia_scene *s)
@@ -66,7 +67,7 @@ static void open_hits(struct drawn *d, const struct tia_scene *s)
 
 static void light_all(const struct drawn *d, tia_rgb565 *pixels)
 {
-    const struct tia_surface surface = {pixels, 2, 2 * d->all.width};
+    const struct tia_surface surface = {.pixels = pixels, .step = 2, .pitch = 2 * d->all.width};
 
     CHECK_EQ(tia_light_tile(d->view, d->hits, d->all, &surface, NULL), TIA_OK);
 }

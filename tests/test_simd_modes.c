@@ -73,7 +73,7 @@ static void compare_memory(const struct tia_scene *scene, unsigned number)
     void *memory = malloc(size), *constants = calloc(1, more + 1), *want = malloc(more + 1);
     struct tia_view *view;
 
-    CHECK_EQ(tia_view_init(&view, memory, size, scene, scene->light_count, W, H), TIA_OK);
+    CHECK_EQ(tia_view_init(&view, memory, size, scene, scene->light_count, W, H, NULL), TIA_OK);
     CHECK_EQ(tia_view_set_simd(view, simd, constants, more), TIA_OK);
     memcpy(want, constants, more);
     memset(constants, 0, more);
@@ -117,9 +117,12 @@ static void compare_picture(const struct tia_scene *scene, unsigned number)
     struct simd_frames f;
 
     CHECK(simd_frames_open(&f, simd, scene, W, H));
-    CHECK_EQ(tia_render(f.plain, f.hits[0], f.area, &(struct tia_surface){(void *)f.want, 2, 2 * W}, NULL), TIA_OK);
+    CHECK_EQ(tia_render(f.plain, f.hits[0], f.area,
+                        &(struct tia_surface){.pixels = (void *)f.want, .step = 2, .pitch = 2 * W}, NULL),
+             TIA_OK);
     enter_mode();
-    int status = tia_render(f.simd, f.hits[1], f.area, &(struct tia_surface){(void *)f.got, 2, 2 * W}, NULL);
+    int status = tia_render(f.simd, f.hits[1], f.area,
+                            &(struct tia_surface){.pixels = (void *)f.got, .step = 2, .pitch = 2 * W}, NULL);
     leave_mode();
     CHECK_EQ(status, TIA_OK);
     CHECK_MSG(memcmp(f.want, f.got, 2 * W * H) == 0, "%s, %s: scene %u", simd->name, mode->name, number);
@@ -146,7 +149,8 @@ static void look_inside(const struct tia_scene *scene, unsigned number)
     if (f.simd->simd && f.simd->renderer->sample)
         f.simd->simd->enter->sample(f.simd, all, 0, 9, &(struct tia_gathered){.sums = sums, .pitch = W});
     else if (f.simd->simd)
-        f.simd->simd->enter->light(f.simd, all, &(struct tia_surface){pixels, 2, 2 * W}, &(struct tia_options){0});
+        f.simd->simd->enter->light(f.simd, all, &(struct tia_surface){.pixels = pixels, .step = 2, .pitch = 2 * W},
+                                   &(struct tia_options){0});
     leave_mode();
     CHECK_MSG(asked || !f.simd->simd, "scene %u", number);
 #ifndef ENVIRONMENT_FIXED

@@ -100,7 +100,8 @@ static void draw_tiles(const struct tia_scene *scene, unsigned size)
         for (unsigned x = 0; x < W; x += 2 * size) {
             unsigned width = W - x < 2 * size ? W - x : 2 * size, height = H - y < size ? H - y : size;
             struct tia_tile tile = {(uint16_t)x, (uint16_t)y, (uint16_t)width, (uint16_t)height};
-            struct tia_surface a = {want + x * H + y, 2 * H, 2}, b = {got + x * H + y, 2 * H, 2};
+            struct tia_surface a = {.pixels = want + x * H + y, .step = 2 * H, .pitch = 2},
+                               b = {.pixels = got + x * H + y, .step = 2 * H, .pitch = 2};
             CHECK_EQ(tia_render(f.plain, f.hits[0], tile, &a, NULL), TIA_OK);
             CHECK_EQ(tia_render(f.simd, f.hits[1], tile, &b, NULL), TIA_OK);
         }
@@ -209,7 +210,7 @@ TEST(objects_hashes_and_lights)
 
     CHECK(simd_frames_open(&f, simd, &balls.scene, W, H));
     for (int i = 0; i < 2; i++) {
-        struct tia_options options = {.path_hash = hashes[i], .lit = lit[i]};
+        struct tia_options options = {.debug = &(struct tia_debug){.path_hash = hashes[i], .lit = lit[i]}};
         struct tia_surface surface = simd_frames_surface(i ? f.got : f.want, f.pitch);
         CHECK_EQ(tia_render(i ? f.simd : f.plain, f.hits[i], f.area, &surface, &options), TIA_OK);
     }
@@ -240,7 +241,7 @@ TEST(more_threads_than_rooms)
     CHECK_EQ(simd_frames_differ(&f, true, false), 0);
     CHECK_EQ(tia_view_set_simd(f.simd, simd, f.memory[2], size), TIA_OK);
     memset(f.got, GUARDED, f.bytes);
-    threads_workers.run(pool, draw_row, &f, 18);
+    threads_run(pool, draw_row, &f, 18);
     CHECK(memcmp(f.want, f.got, f.bytes) == 0);
     simd_frames_close(&f);
     threads_destroy(pool);
@@ -253,7 +254,7 @@ static unsigned nested_calls;
 static bool draw_inside(void *ctx)
 {
     static tia_rgb565 pixels[120 * 90];
-    const struct tia_surface surface = {pixels, 2, 2 * 120};
+    const struct tia_surface surface = {.pixels = pixels, .step = 2, .pitch = 2 * 120};
 
     (void)ctx;
     if (nested_calls++)
@@ -288,7 +289,7 @@ TEST(threads)
     CHECK(simd_frames_open(&f, simd, &balls.scene, 120, 90));
     CHECK_EQ(simd_frames_differ(&f, true, false), 0);
     memset(f.got, GUARDED, f.bytes);
-    threads_workers.run(pool, draw_row, &f, 18);
+    threads_run(pool, draw_row, &f, 18);
     CHECK(memcmp(f.want, f.got, f.bytes) == 0);
     simd_frames_close(&f);
     threads_destroy(pool);

@@ -321,7 +321,7 @@ TEST(pixels_hashes_and_moved_lights)
     CHECK_EQ(tia_view_set_lights(f.simd, lights, file.scene.light_count), TIA_OK);
     CHECK_EQ(simd_frames_differ(&f, true, false), 0);
     for (int i = 0; i < 2; i++) {
-        struct tia_options options = {.path_hash = hashes[i]};
+        struct tia_options options = {.debug = &(struct tia_debug){.path_hash = hashes[i]}};
         struct tia_surface surface = simd_frames_surface(i ? f.got : f.want, f.pitch);
         CHECK_EQ(tia_render(i ? f.simd : f.plain, f.hits[i], f.area, &surface, &options), TIA_OK);
     }

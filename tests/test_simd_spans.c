@@ -116,7 +116,8 @@ TEST(tiles_and_turned_surfaces)
         for (unsigned x = 0; x < W; x += TILE) {
             unsigned wide = W - x < TILE ? W - x : TILE, high = H - y < TILE ? H - y : TILE;
             struct tia_tile tile = {(uint16_t)x, (uint16_t)y, (uint16_t)wide, (uint16_t)high};
-            struct tia_surface a = {want + x * H + y, 2 * H, 2}, b = {got + x * H + y, 2 * H, 2};
+            struct tia_surface a = {.pixels = want + x * H + y, .step = 2 * H, .pitch = 2},
+                               b = {.pixels = got + x * H + y, .step = 2 * H, .pitch = 2};
             CHECK_EQ(tia_render(f.plain, f.hits[0], tile, &a, NULL), TIA_OK);
             CHECK_EQ(tia_render(f.simd, f.hits[1], tile, &b, NULL), TIA_OK);
         }
@@ -134,7 +135,8 @@ TEST(objects_and_path_hashes)
     for (unsigned i = 0; i < 8; i++) {
         corpus_random(&s, 7, i);
         CHECK(simd_frames_open(&f, simd, &s.scene, W, H));
-        struct tia_options a = {.path_hash = want}, b = {.path_hash = got};
+        struct tia_options a = {.debug = &(struct tia_debug){.path_hash = want}},
+                           b = {.debug = &(struct tia_debug){.path_hash = got}};
         struct tia_surface one = simd_frames_surface(f.want, f.pitch), other = simd_frames_surface(f.got, f.pitch);
         CHECK_EQ(tia_render(f.plain, f.hits[0], f.area, &one, &a), TIA_OK);
         CHECK_EQ(tia_render(f.simd, f.hits[1], f.area, &other, &b), TIA_OK);
@@ -175,7 +177,7 @@ TEST(threads)
     CHECK_EQ(simd_frames_differ(&f, true, false), 0);
     memset(f.got, GUARDED, f.bytes);
     struct job job = {&f, 7};
-    threads_workers.run(pool, draw_rows, &job, (480 + job.rows - 1) / job.rows);
+    threads_run(pool, draw_rows, &job, (480 + job.rows - 1) / job.rows);
     CHECK(memcmp(f.want, f.got, f.bytes) == 0);
     simd_frames_close(&f);
     threads_destroy(pool);

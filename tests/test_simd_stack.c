@@ -48,8 +48,8 @@ static struct tia_sum sums[W * H];
 
 static void *do_work(void *arg)
 {
-    const struct tia_surface surface = {pixels, 2, 2 * W};
-    const struct tia_options hashed = {.dither = true, .path_hash = path_hash};
+    const struct tia_surface surface = {.pixels = pixels, .step = 2, .pitch = 2 * W};
+    const struct tia_options hashed = {.dither = true, .debug = &(struct tia_debug){.path_hash = path_hash}};
     struct work *w = arg;
     uint8_t here;
 

@@ -107,11 +107,13 @@ static void open_picture(struct picture *p, struct tia_scene *scene)
     size_t size = tia_bvh_size(scene);
 
     p->memory[0] = malloc(size);
-    CHECK_EQ(tia_bvh_build(&scene->bvh, p->memory[0], size, NULL, scene), TIA_OK);
+    CHECK_EQ(tia_bvh_build(&scene->bvh, p->memory[0], size, NULL, scene, NULL), TIA_OK);
     size = tia_view_size(scene, scene->light_count);
     p->memory[1] = malloc(size);
     caller.until = UINT32_MAX;
-    CHECK_EQ(tia_view_init_until(&p->view, p->memory[1], size, scene, scene->light_count, W, H, ask, NULL), TIA_OK);
+    CHECK_EQ(
+        tia_view_init(&p->view, p->memory[1], size, scene, scene->light_count, W, H, &(struct tia_job){.stop = ask}),
+        TIA_OK);
     size = tia_simd_size(simd, scene, scene->light_count, 1);
     p->memory[2] = malloc(size);
     CHECK_EQ(tia_view_set_simd(p->view, simd, p->memory[2], size), TIA_OK);
@@ -130,7 +132,7 @@ static void close_picture(struct picture *p)
 static int draw(const struct picture *p)
 {
     static tia_rgb565 pixels[W * H];
-    const struct tia_surface surface = {pixels, 2, 2 * W};
+    const struct tia_surface surface = {.pixels = pixels, .step = 2, .pitch = 2 * W};
 
     return tia_render(p->view, p->hits, frame, &surface, NULL);
 }

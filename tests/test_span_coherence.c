@@ -253,7 +253,7 @@ static void try_scene(struct tia_scene *scene, unsigned width, unsigned height, 
     struct tia_view *view;
 
     scene->light_count = 1;
-    if (!tia_view_init(&view, memory, size, scene, 1, width, height)) {
+    if (!tia_view_init(&view, memory, size, scene, 1, width, height, NULL)) {
         const struct span_view *spans = span_view_of(view);
         for (int y = (int)(seed % 3); y < (int)height; y += 3 + (int)height / 16)
             for (uint32_t n = 0; n < scene->sphere_count && !spans->tinted; n++) {
@@ -325,7 +325,7 @@ TEST(levels_within_the_slack)
     size_t size = tia_view_size(&s.scene, 1);
     void *memory = malloc(size);
     struct tia_view *view;
-    CHECK_EQ(tia_view_init(&view, memory, size, &s.scene, 1, 64, 48), TIA_OK);
+    CHECK_EQ(tia_view_init(&view, memory, size, &s.scene, 1, 64, 48, NULL), TIA_OK);
     colouring_prepare(view, &(struct tia_material){.colour = white, .emission = black}, NUM_ROUND, &d.colouring);
     for (unsigned simd = 1; simd < 63; simd++)
         for (int bits = 4; bits < 17; bits += 3)

@@ -13,7 +13,7 @@ static tia_rgb565 pixels[W * H];
 static int init(const struct tia_core *core, struct tia_view **view, const struct tia_scene *scene)
 {
     CHECK(core->view_size(core, scene, LIGHTS) <= sizeof view_memory);
-    return core->view_init(core, view, view_memory, sizeof view_memory, scene, LIGHTS, W, H, NULL, NULL);
+    return core->view_init(core, view, view_memory, sizeof view_memory, scene, LIGHTS, W, H, NULL);
 }
 
 /* Key a's light; see tests/golden/frames.crc. */

@@ -358,24 +358,22 @@ TEST(viewer_on_the_panel)
     static uint64_t view_memory[1024], hits_memory[240 * 320 + 64];
     const uint16_t keys[] = {'d'};
     const struct tia_tile all = {0, 0, 240, 320};
-    const struct tia_surface surface = {picture, 2, 2 * 240};
+    const struct tia_surface surface = {.pixels = picture, .step = 2, .pitch = 2 * 240};
     struct tia_spi_panel panel = make_panel(240, 320, 0);
     struct tia_light light;
     struct tia_viewer viewer = {.scene = &tia_thesis_scene,
-                                .lights = &light,
-                                .light_capacity = 1,
-                                .frame_limit = 1,
+                                .lights = {.array = &light, .capacity = 1},
+                                .pacing = {.frame_limit = 1},
+                                .ports = {.display = &tia_spi_panel_display, .display_ctx = &panel},
+                                .hooks = {.memory = take_memory},
                                 .keys = keys,
-                                .key_count = 1,
-                                .display = &tia_spi_panel_display,
-                                .display_ctx = &panel,
-                                .memory = take_memory};
+                                .key_count = 1};
     struct tia_mode mode;
     struct tia_view *view;
     struct tia_hits *hits;
     CHECK_EQ(tia_spi_panel_display.open(&panel, &mode), TIA_OK);
     CHECK_EQ(tia_viewer_run(&viewer), TIA_OK);
-    CHECK_EQ(tia_view_init(&view, view_memory, sizeof view_memory, &tia_thesis_scene, 1, 240, 320), TIA_OK);
+    CHECK_EQ(tia_view_init(&view, view_memory, sizeof view_memory, &tia_thesis_scene, 1, 240, 320, NULL), TIA_OK);
     CHECK_EQ(tia_view_set_lights(view, &light, 1), TIA_OK);
     CHECK_EQ(tia_hits_init(&hits, hits_memory, sizeof hits_memory, view, all), TIA_OK);
     CHECK_EQ(tia_render(view, hits, all, &surface, NULL), TIA_OK);

@@ -32,15 +32,15 @@ static struct tia_view *view_of(const struct tia_scene *scene, struct cancel *ca
 {
     struct tia_view *view = NULL;
 
-    CHECK_EQ(tia_view_init_until(&view, view_memory, sizeof view_memory, scene, scene->light_count, W, H,
-                                 cancel ? ask : NULL, cancel),
+    CHECK_EQ(tia_view_init(&view, view_memory, sizeof view_memory, scene, scene->light_count, W, H,
+                           &(struct tia_job){.stop = cancel ? ask : NULL, .ctx = cancel}),
              TIA_OK);
     return view;
 }
 
 static int draw(const struct tia_view *view, struct tia_hits **hits, int traced)
 {
-    const struct tia_surface surface = {pixels, 2, 2 * W};
+    const struct tia_surface surface = {.pixels = pixels, .step = 2, .pitch = 2 * W};
     int status = TIA_OK;
 
     if (!traced) {
@@ -183,7 +183,7 @@ TEST(the_table_of_functions)
     struct tia_hits *hits = NULL;
 
     CHECK_EQ(tia_core_q16.view_init(&tia_core_q16, &view, view_memory, sizeof view_memory, &scene, scene.light_count, W,
-                                    H, ask, &cancel),
+                                    H, &(struct tia_job){.stop = ask, .ctx = &cancel}),
              TIA_OK);
     CHECK_EQ(tia_hits_init(&hits, hits_memory, sizeof hits_memory, view, frame), TIA_OK);
     CHECK_EQ(tia_trace(view, hits, frame), TIA_STOPPED);
@@ -272,12 +272,16 @@ static void check_preparing(int kind, unsigned passes)
     struct tia_view *view = NULL;
     unsigned all;
 
-    CHECK_EQ(tia_view_init_until(&view, memory, size, &scene, scene.light_count, W, H, ask, &cancel), TIA_OK);
+    CHECK_EQ(tia_view_init(&view, memory, size, &scene, scene.light_count, W, H,
+                           &(struct tia_job){.stop = ask, .ctx = &cancel}),
+             TIA_OK);
     all = cancel.asked;
     CHECK_MSG(all >= 10 * passes - 1, "kind %d: %u questions in %u passes", kind, all, passes);
     for (unsigned until = 1; until <= all; until++) {
         cancel = (struct cancel){0, until};
-        CHECK_EQ(tia_view_init_until(&view, memory, size, &scene, scene.light_count, W, H, ask, &cancel), TIA_STOPPED);
+        CHECK_EQ(tia_view_init(&view, memory, size, &scene, scene.light_count, W, H,
+                               &(struct tia_job){.stop = ask, .ctx = &cancel}),
+                 TIA_STOPPED);
         CHECK_MSG(cancel.asked <= until + 1, "kind %d: asked %u times after the answer", kind, cancel.asked - until);
     }
     free(memory);
@@ -307,11 +311,12 @@ TEST(a_scene_at_a_time)
     scene = scene_of_many(TRANSFORMS);
     size = tia_scene_at_size(&scene);
     memory = malloc(size);
-    CHECK_EQ(tia_scene_at_until(&at, memory, size, &scene, 0, ask, &cancel), TIA_OK);
+    CHECK_EQ(tia_scene_at(&at, memory, size, &scene, 0, &(struct tia_job){.stop = ask, .ctx = &cancel}), TIA_OK);
     CHECK(cancel.asked >= 11); /* the transforms, then a track of many keys */
     for (unsigned until = cancel.asked; until > 0; until--) {
         cancel = (struct cancel){0, until};
-        CHECK_EQ(tia_scene_at_until(&at, memory, size, &scene, 0, ask, &cancel), TIA_STOPPED);
+        CHECK_EQ(tia_scene_at(&at, memory, size, &scene, 0, &(struct tia_job){.stop = ask, .ctx = &cancel}),
+                 TIA_STOPPED);
         CHECK_EQ(cancel.asked, until);
     }
     free(memory);
@@ -332,7 +337,8 @@ TEST(one_ray)
     scene = scene_of_many(SPHERES);
     size = tia_view_size(&scene, 0);
     memory = malloc(size);
-    CHECK_EQ(tia_view_init_until(&view, memory, size, &scene, 0, W, H, ask, &cancel), TIA_OK);
+    CHECK_EQ(tia_view_init(&view, memory, size, &scene, 0, W, H, &(struct tia_job){.stop = ask, .ctx = &cancel}),
+             TIA_OK);
     CHECK_EQ(tia_hits_init(&hits, hits_memory, sizeof hits_memory, view, frame), TIA_OK);
     cancel.asked = 0;
     CHECK_EQ(tia_trace(view, hits, pixel), TIA_OK);

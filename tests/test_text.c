@@ -15,7 +15,7 @@ static void draw(const struct tia_text *text, unsigned tile_width, unsigned tile
     for (unsigned y = 0; y < HEIGHT; y += tile_height)
         for (unsigned x = 0; x < WIDTH; x += tile_width) {
             struct tia_tile tile = {(uint16_t)x, (uint16_t)y, (uint16_t)tile_width, (uint16_t)tile_height};
-            struct tia_surface surface = {&pixels[y][x], 2, 2 * WIDTH};
+            struct tia_surface surface = {.pixels = &pixels[y][x], .step = 2, .pitch = 2 * WIDTH};
             tia_text_draw(text, tile, &surface);
         }
 }

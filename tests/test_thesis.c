@@ -70,7 +70,7 @@ static void compare(const struct tia_core *core, const char *keys, unsigned wron
     bool other_size = (width != 640 || height != 480) && core == &tia_core_q16;
 
     CHECK_EQ(corpus_thesis(&c, keys, width, height), TIA_OK);
-    CHECK_EQ(against_oracle(core, &c.scene, width, height, false, &threads_workers, pool, &a), TIA_OK);
+    CHECK_EQ(against_oracle(core, &c.scene, width, height, false, threads_workers(pool), &a), TIA_OK);
     against_list(core->name, &a);
     CHECK_EQ(t->pixels, width * height);
     CHECK_MSG(t->pixels - t->identical <= (other_size ? t->pixels / 100000 : wrong), "%ju pixels differ",

@@ -41,7 +41,7 @@ static void every_job_once_on(unsigned threads)
     unsigned expected[JOBS] = {0};
     for (unsigned round = 0; round < ROUNDS; round++) {
         unsigned count = round % 7 == 0 ? round % 3 : round * 3;
-        threads_workers.run(pool, count_job, NULL, count);
+        threads_run(pool, count_job, NULL, count);
         for (unsigned i = 0; i < count; i++)
             expected[i]++;
         CHECK_EQ(atomic_load(&done[count > 0 ? count - 1 : 0]), expected[count > 0 ? count - 1 : 0]);
@@ -83,7 +83,7 @@ TEST(every_job_runs_once_after_pauses)
     for (unsigned i = 0; i < 4; i++)
         atomic_store(&done[i], 0u);
     for (unsigned round = 1; round <= 200; round++) {
-        threads_workers.run(pool, round % 3 == 0 ? slow_job : count_job, NULL, 4);
+        threads_run(pool, round % 3 == 0 ? slow_job : count_job, NULL, 4);
         for (unsigned i = 0; i < 4; i++)
             CHECK_EQ(atomic_load(&done[i]), round);
         sleep_us(round % 5 * 60);
@@ -104,7 +104,7 @@ TEST(idle_threads_take_no_processor)
     struct threads *pool = threads_create(2);
     long start = cpu_us();
     for (unsigned round = 0; round < 12; round++) {
-        threads_workers.run(pool, count_job, NULL, 4);
+        threads_run(pool, count_job, NULL, 4);
         sleep_us(16000);
     }
     CHECK(cpu_us() - start < 12 * 16000 / 20);
@@ -179,7 +179,7 @@ TEST(jobs_run_at_once_and_take_no_signals)
     }
     caller = pthread_self();
     (void)pthread_barrier_init(&meeting, NULL, 4);
-    threads_workers.run(pool, look_at_mask, NULL, 4);
+    threads_run(pool, look_at_mask, NULL, 4);
     (void)pthread_barrier_destroy(&meeting);
     CHECK_EQ(atomic_load(&others), 3);
     CHECK_EQ(atomic_load(&open_to_signals), 0);

@@ -1,5 +1,6 @@
 /* From sums of samples to levels: against IEC 61966-2-1 in long double, and exact fractions. */
 #include <tia/integrator.h>
+#include <tia/tone.h>
 
 #include <math.h>
 

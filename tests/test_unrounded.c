@@ -33,7 +33,8 @@ static void draw_rows(void *arg, unsigned job)
     const struct tia_tile tile = {0, (uint16_t)first, (uint16_t)width, (uint16_t)rows};
     size_t size = tia_hits_size(pair->scene, tile);
     tia_rgb565 *pixels = malloc((size_t)width * rows * sizeof *pixels);
-    const struct tia_surface surface = {pixels, sizeof *pixels, (ptrdiff_t)(width * sizeof *pixels)};
+    const struct tia_surface surface = {
+        .pixels = pixels, .step = sizeof *pixels, .pitch = (ptrdiff_t)(width * sizeof *pixels)};
     void *memory = malloc(size);
     struct tia_hits *hits;
 
@@ -54,12 +55,12 @@ static unsigned draw(const struct nff *nff, struct tia_scene *scene)
     struct tia_view *view;
     unsigned same = 0;
 
-    CHECK_EQ(tia_bvh_build(&scene->bvh, tree, size, NULL, scene), TIA_OK);
-    CHECK_EQ(tia_view_init(&view, memory, view_size, scene, scene->light_count, width, height), TIA_OK);
+    CHECK_EQ(tia_bvh_build(&scene->bvh, tree, size, NULL, scene, NULL), TIA_OK);
+    CHECK_EQ(tia_view_init(&view, memory, view_size, scene, scene->light_count, width, height, NULL), TIA_OK);
     pair.nff = nff;
     pair.scene = scene;
     pair.view = view;
-    threads_workers.run(pool, draw_rows, &pair, (height + ROWS - 1) / ROWS);
+    threads_run(pool, draw_rows, &pair, (height + ROWS - 1) / ROWS);
     for (unsigned i = 0; i < (height + ROWS - 1) / ROWS; i++)
         same += pair.same[i];
     free(memory);

@@ -39,7 +39,7 @@ TEST(the_scene_brings_its_lights)
     CHECK(!memcmp(&w->lights[1], &lights[1], sizeof lights[1]));
     w = world_new();
     w->viewer.scene = &scene;
-    w->viewer.light_capacity = 1;
+    w->viewer.lights.capacity = 1;
     CHECK_EQ(world_play(w), TIA_ERR_ARGUMENT);
 }
 
@@ -197,7 +197,7 @@ TEST(without_a_clock_nothing_repeats)
 {
     struct world *w = lit_world();
 
-    w->viewer.clock = NULL;
+    w->viewer.ports.clock = NULL;
     world_event(w, START + 1, TIA_EVENT_PRESS, TIA_KEY_UP);
     quit_at(w, START + 5000000);
     CHECK_EQ(world_play(w), TIA_OK);
@@ -229,8 +229,8 @@ TEST(as_many_frames_as_asked_for)
 {
     for (int with_input = 0; with_input < 2; with_input++) {
         struct world *w = world_new();
-        w->viewer.input = with_input ? &world_input : NULL;
-        w->viewer.frame_limit = 5;
+        w->viewer.ports.input = with_input ? &world_input : NULL;
+        w->viewer.pacing.frame_limit = 5;
         w->tile_us = 300;
         w->present_us = 7000;
         if (with_input)
@@ -253,7 +253,7 @@ TEST(frame_done_may_end_it)
     CHECK_EQ(world_play(w), 77);
     CHECK_EQ(w->frame_count, 1);
     w = world_new();
-    w->viewer.frame_done = NULL;
+    w->viewer.hooks.frame_done = NULL;
     quit_at(w, START + 1);
     CHECK_EQ(world_play(w), TIA_OK);
 }
@@ -263,7 +263,7 @@ TEST(the_stop_flag)
     struct world *w = world_new();
 
     w->stop_after = 3;
-    w->viewer.frame_limit = 100;
+    w->viewer.pacing.frame_limit = 100;
     CHECK_EQ(world_play(w), TIA_OK);
     CHECK_EQ(w->frame_count, 3);
     w = world_new();
@@ -300,8 +300,8 @@ TEST(hidden_from_the_start)
     CHECK(w->frame_count == 1 && w->frames[0].drawn_us == START + 500);
     w = world_new();
     w->hidden_until_us = UINT64_MAX;
-    w->viewer.input = NULL; /* its return cannot be noticed */
-    w->viewer.frame_limit = 1;
+    w->viewer.ports.input = NULL; /* its return cannot be noticed */
+    w->viewer.pacing.frame_limit = 1;
     CHECK_EQ(world_play(w), TIA_HIDDEN);
     CHECK_EQ(w->frame_count, 0);
 }

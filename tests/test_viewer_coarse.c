@@ -120,7 +120,7 @@ static struct world *slow_world(uint64_t pixel_us, const struct picture *expecte
     now.expected = expected;
     now.expected_count = expected_count;
     w->viewer.core = &now.core;
-    w->viewer.frame_done = done;
+    w->viewer.hooks.frame_done = done;
     w->compare = compare;
     return w;
 }
@@ -218,12 +218,12 @@ TEST(a_key_begins_the_frame_anew)
 
 static int slow_prepare(const struct tia_core *core, struct tia_view **view, void *memory, size_t size,
                         const struct tia_scene *scene, uint32_t light_capacity, unsigned width, unsigned height,
-                        bool (*stop)(void *ctx), void *ctx)
+                        const struct tia_job *job)
 {
     now.world->now_us += 100000;
-    return stop(ctx)
+    return job->stop(job->ctx)
                ? TIA_STOPPED
-               : tia_core_q16.view_init(core, view, memory, size, scene, light_capacity, width, height, stop, ctx);
+               : tia_core_q16.view_init(core, view, memory, size, scene, light_capacity, width, height, job);
 }
 
 /* The key comes while the first frame is prepared, and is noticed there: the first picture is the last of that frame.
@@ -277,7 +277,7 @@ TEST(several_threads)
     struct world *w = slow_world(1000, backwards, 7);
 
     w->mode.concurrent = true;
-    w->viewer.workers = &world_workers;
+    w->viewer.job.workers = &w->workers;
     quit_at(w, START + 9000000);
     CHECK_EQ(world_play(w), TIA_OK);
     CHECK_EQ(now.shown, 7);
@@ -311,9 +311,9 @@ TEST(frames_at_once)
         if (i == 0)
             w->memory_limit = enough - 1;
         if (i == 1)
-            w->viewer.clock = NULL;
+            w->viewer.ports.clock = NULL;
         if (i == 2)
-            w->viewer.frame_limit = 1;
+            w->viewer.pacing.frame_limit = 1;
         quit_at(w, START + 9000000);
         CHECK_EQ(world_play(w), TIA_OK);
         CHECK_EQ(now.shown, 1);

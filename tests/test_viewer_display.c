@@ -38,7 +38,7 @@ TEST(other_cores_and_options)
     struct world *w = moving_world();
 
     w->viewer.core = &tia_core_q16;
-    w->viewer.options.dither = true;
+    w->viewer.dither = true;
     CHECK_EQ(world_play(w), TIA_OK);
     check_three_frames(w, true);
 }
@@ -104,7 +104,7 @@ TEST(the_mode_changes)
         w->mode = pairs[i][0];
         w->later_mode = pairs[i][1];
         w->change_after = 2;
-        w->viewer.frame_limit = 4;
+        w->viewer.pacing.frame_limit = 4;
         tap(w, 0, 'a');
         CHECK_EQ(world_play(w), TIA_OK);
         CHECK_EQ(w->frame_count, 4);
@@ -134,17 +134,17 @@ TEST(workers_draw_where_the_display_lets_them)
 {
     struct world *w = moving_world();
 
-    w->viewer.workers = &world_workers;
+    w->viewer.job.workers = &w->workers;
     CHECK_EQ(world_play(w), TIA_OK);
     CHECK_EQ(w->runs, 0); /* it takes one tile at a time */
     w = moving_world();
-    w->viewer.workers = &world_workers;
+    w->viewer.job.workers = &w->workers;
     w->mode.concurrent = true;
     CHECK_EQ(world_play(w), TIA_OK);
     check_three_frames(w, true);
     CHECK_EQ(w->runs, 3);
     w = moving_world();
-    w->viewer.workers = &world_workers;
+    w->viewer.job.workers = &w->workers;
     w->mode.concurrent = true;
     w->memory_limit = 20000; /* one tile's hits are not for several threads */
     CHECK_EQ(world_play(w), TIA_OK);
@@ -159,7 +159,7 @@ TEST(errors_of_ports)
         for (int call = CALL_MODE; call <= CALL_WAIT; call++)
             for (unsigned after = 0; after < 3; after++) {
                 struct world *w = moving_world();
-                w->viewer.workers = concurrent ? &world_workers : NULL;
+                w->viewer.job.workers = concurrent ? &w->workers : NULL;
                 w->mode.concurrent = concurrent;
                 w->fail = (enum world_call)call;
                 w->fail_after = after;
@@ -170,14 +170,10 @@ TEST(errors_of_ports)
 
 TEST(errors_of_the_caller)
 {
-    static uint32_t path_hash[1];
     struct tia_scene scene = tia_thesis_scene;
     struct world *w = world_new();
 
-    w->viewer.input = NULL;
-    CHECK_EQ(world_play(w), TIA_ERR_ARGUMENT);
-    w = world_new();
-    w->viewer.options.path_hash = path_hash;
+    w->viewer.ports.input = NULL;
     CHECK_EQ(world_play(w), TIA_ERR_ARGUMENT);
     w = world_new();
     scene.camera.fov = 0;
@@ -204,8 +200,8 @@ TEST(without_an_input_too)
     struct world *w = world_new();
 
     w->slices = 3;
-    w->viewer.input = NULL;
-    w->viewer.frame_limit = 4;
+    w->viewer.ports.input = NULL;
+    w->viewer.pacing.frame_limit = 4;
     CHECK_EQ(world_play(w), TIA_OK);
     CHECK_EQ(w->frame_count, 4);
     CHECK_EQ(w->slices_done, 12);

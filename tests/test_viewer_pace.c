@@ -69,9 +69,9 @@ static struct world *paced_world(uint32_t pace, bool plays)
     now.drawing.render = slow_render;
     w->viewer.core = &now.core;
     w->viewer.scene = &scene;
-    w->viewer.pace[0] = pace;
-    w->viewer.pace[1] = 1;
-    w->viewer.frame_done = done;
+    w->viewer.pacing.pace[0] = pace;
+    w->viewer.pacing.pace[1] = 1;
+    w->viewer.hooks.frame_done = done;
     w->compare = keep;
     return w;
 }
@@ -146,7 +146,7 @@ TEST(no_pace)
     for (unsigned i = 0; i < now.count; i++)
         CHECK(!now.told[i].moving && now.told[i].block == 1);
     w = paced_world(60, true);
-    w->viewer.pace[1] = 0;
+    w->viewer.pacing.pace[1] = 0;
     CHECK_EQ(world_play(w), TIA_ERR_ARGUMENT);
 }
 

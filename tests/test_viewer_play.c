@@ -36,17 +36,17 @@ static const struct tia_scene *scene_at(const struct world *w, tia_q16 time)
     static uint64_t memory[512];
 
     CHECK(tia_scene_at_size(w->viewer.scene) <= sizeof memory);
-    CHECK_EQ(tia_scene_at(&scene, memory, sizeof memory, w->viewer.scene, time), TIA_OK);
+    CHECK_EQ(tia_scene_at(&scene, memory, sizeof memory, w->viewer.scene, time, NULL), TIA_OK);
     return &scene;
 }
 
 /* Returns the time since playing began: with the first tile of the first frame. */
 static tia_q16 time_by_clock(const struct world *w, unsigned frame)
 {
-    double begin = w->viewer.time / (double)ONE;
+    double begin = w->viewer.pacing.time / (double)ONE;
     double elapsed = (double)(w->frames[frame].drawn_us - w->frames[0].drawn_us) / 1e6;
 
-    return w->viewer.time + (tia_q16)floor(fmod(elapsed, DURATION - begin) * ONE);
+    return w->viewer.pacing.time + (tia_q16)floor(fmod(elapsed, DURATION - begin) * ONE);
 }
 
 /* Returns the scene. The viewer's lights are checked separately: here they are its own. */
@@ -57,7 +57,8 @@ static const struct tia_scene *scene_by_clock(const struct world *w)
 
 static tia_q16 time_by_rate(const struct world *w, unsigned frame)
 {
-    return (tia_q16)floor(w->viewer.time + (double)frame * ONE * w->viewer.rate[1] / w->viewer.rate[0] + 0.5);
+    return (tia_q16)floor(w->viewer.pacing.time +
+                          (double)frame * ONE * w->viewer.pacing.rate[1] / w->viewer.pacing.rate[0] + 0.5);
 }
 
 static const struct tia_scene *scene_by_rate(const struct world *w)
@@ -105,7 +106,7 @@ TEST(slow_frames_show_their_time)
 
     w->tile_us = 20000; /* 3 tiles a frame */
     w->present_us = 40000;
-    w->viewer.time = ONE / 2;
+    w->viewer.pacing.time = ONE / 2;
     quit_at(w, START + 4000000);
     CHECK_EQ(world_play(w), TIA_OK);
     CHECK_EQ(w->frame_count, 40);
@@ -147,15 +148,15 @@ TEST(films_are_stepped)
 
     for (size_t i = 0; i < 2 * sizeof rates / sizeof *rates; i++) {
         struct world *w = film_world(i % 3);
-        memcpy(w->viewer.rate, rates[i / 2], sizeof w->viewer.rate);
-        w->viewer.time = i % 2 ? ONE / 3 : 0;
-        w->viewer.frame_limit = i / 2 == 4 ? 1 : 12;
+        memcpy(w->viewer.pacing.rate, rates[i / 2], sizeof w->viewer.pacing.rate);
+        w->viewer.pacing.time = i % 2 ? ONE / 3 : 0;
+        w->viewer.pacing.frame_limit = i / 2 == 4 ? 1 : 12;
         w->present_us = 77777;
-        w->viewer.input = i % 2 ? NULL : &world_input;
-        w->viewer.clock = i % 2 ? NULL : &world_clock;
+        w->viewer.ports.input = i % 2 ? NULL : &world_input;
+        w->viewer.ports.clock = i % 2 ? NULL : &world_clock;
         w->scene_now = scene_by_rate;
         CHECK_EQ(world_play(w), TIA_OK);
-        CHECK_EQ(w->frame_count, w->viewer.frame_limit);
+        CHECK_EQ(w->frame_count, w->viewer.pacing.frame_limit);
         for (unsigned n = 0; n < w->frame_count; n++) {
             bool stays = n > 0 && (i % 3 == 0 || time_by_rate(w, n) == time_by_rate(w, n - 1));
             CHECK(same_place(w->frames[n].light, scene_at(w, time_by_rate(w, n))->lights[0].centre));
@@ -169,10 +170,10 @@ TEST(without_a_clock_nothing_moves)
 {
     struct world *w = film_world(true);
 
-    w->viewer.clock = NULL;
-    w->viewer.time = ONE;
+    w->viewer.ports.clock = NULL;
+    w->viewer.pacing.time = ONE;
     w->scene_now = NULL;
-    w->viewer.rate[0] = 0;
+    w->viewer.pacing.rate[0] = 0;
     quit_at(w, START + 1000000);
     w->scene_now = scene_by_clock;
     CHECK_EQ(world_play(w), TIA_OK);
@@ -185,7 +186,7 @@ TEST(after_the_end)
 {
     struct world *w = film_world(true);
 
-    w->viewer.time = DURATION * ONE;
+    w->viewer.pacing.time = DURATION * ONE;
     w->scene_now = NULL;
     w->viewer.scene = film(false);
     quit_at(w, START + 5000000);
@@ -222,7 +223,7 @@ TEST(keys_at_the_first_time)
 
     w->viewer.keys = keys;
     w->viewer.key_count = 1;
-    w->viewer.time = ONE;
+    w->viewer.pacing.time = ONE;
     quit_at(w, START + 500000);
     CHECK_EQ(world_play(w), TIA_OK);
     CHECK(w->frame_count > 20);
@@ -236,8 +237,8 @@ TEST(a_still_scene_needs_no_flags)
 {
     struct world *w = world_new();
 
-    w->viewer.detached = NULL;
-    w->viewer.time = ONE;
+    w->viewer.lights.detached = NULL;
+    w->viewer.pacing.time = ONE;
     quit_at(w, START + 1000000);
     CHECK_EQ(world_play(w), TIA_OK);
     CHECK_EQ(w->frame_count, 1);
@@ -280,8 +281,8 @@ TEST(every_amount_of_memory)
     for (size_t limit = 0; limit < 32000; limit += 300) {
         struct world *w = film_world(limit % 600);
         w->memory_limit = limit;
-        w->viewer.frame_limit = 3;
-        w->viewer.rate[0] = w->viewer.rate[1] = 1;
+        w->viewer.pacing.frame_limit = 3;
+        w->viewer.pacing.rate[0] = w->viewer.pacing.rate[1] = 1;
         w->scene_now = scene_by_rate;
         int status = world_play(w);
         CHECK_MSG(status == (drawn ? TIA_OK : status) && (!status || status == TIA_ERR_MEMORY), "%zu", limit);
@@ -295,16 +296,16 @@ TEST(what_the_caller_must_keep)
 {
     struct world *w = film_world(true);
 
-    w->viewer.detached = NULL;
+    w->viewer.lights.detached = NULL;
     CHECK_EQ(world_play(w), TIA_ERR_ARGUMENT);
     w = film_world(true);
-    w->viewer.time = -1;
+    w->viewer.pacing.time = -1;
     CHECK_EQ(world_play(w), TIA_ERR_ARGUMENT);
     w = film_world(true);
-    w->viewer.rate[0] = w->viewer.rate[1] = 1; /* and no limit */
+    w->viewer.pacing.rate[0] = w->viewer.pacing.rate[1] = 1; /* and no limit */
     CHECK_EQ(world_play(w), TIA_ERR_ARGUMENT);
-    w->viewer.rate[1] = 0;
-    w->viewer.frame_limit = 1;
+    w->viewer.pacing.rate[1] = 0;
+    w->viewer.pacing.frame_limit = 1;
     CHECK_EQ(world_play(w), TIA_ERR_ARGUMENT);
     CHECK_EQ(w->frame_count, 0);
 }

@@ -60,19 +60,21 @@ static int slow_render(const struct tia_view *view, struct tia_hits *hits, struc
 }
 
 /* Draws the scene with so many samples, at once. */
-static void draw_whole(struct world *w, uint32_t spp, tia_rgb565 *pixels)
+static void draw_whole(uint32_t spp, tia_rgb565 *pixels)
 {
     static uint64_t view_memory[32768], hits_memory[32768];
     struct tia_tile all = {0, 0, WORLD_WIDTH, WORLD_HEIGHT};
-    struct tia_surface surface = {pixels, 2, 2 * WORLD_WIDTH};
+    struct tia_surface surface = {.pixels = pixels, .step = 2, .pitch = 2 * WORLD_WIDTH};
     struct tia_scene scene = now.scene;
     struct tia_view *view;
     struct tia_hits *hits;
 
     scene.integration.spp = spp;
-    CHECK_EQ(tia_view_init(&view, view_memory, sizeof view_memory, &scene, WORLD_LIGHTS, WORLD_WIDTH, WORLD_HEIGHT), 0);
+    CHECK_EQ(
+        tia_view_init(&view, view_memory, sizeof view_memory, &scene, WORLD_LIGHTS, WORLD_WIDTH, WORLD_HEIGHT, NULL),
+        0);
     CHECK_EQ(tia_hits_init(&hits, hits_memory, sizeof hits_memory, view, all), TIA_OK);
-    CHECK_EQ(tia_render(view, hits, all, &surface, &w->viewer.options), TIA_OK);
+    CHECK_EQ(tia_render(view, hits, all, &surface, NULL), TIA_OK);
 }
 
 /* ---- the pictures ---- */
@@ -132,7 +134,7 @@ static struct world *slow_world(const struct picture *expected, unsigned count)
     w->viewer.scene = &now.scene;
     w->viewer.core = &now.core;
     w->viewer.estimator = &now.estimator;
-    w->viewer.frame_done = done;
+    w->viewer.hooks.frame_done = done;
     w->compare = compare;
     return w;
 }
@@ -144,7 +146,7 @@ static struct world *open_world(const struct picture *expected, unsigned count)
 
     now.scene.integration = (struct tia_integration){.integrator = TIA_OCCLUSION, .spp = SPP};
     for (uint32_t spp = 1; spp <= SPP; spp++)
-        draw_whole(w, spp, now.pictures[spp]);
+        draw_whole(spp, now.pictures[spp]);
     return w;
 }
 
@@ -271,7 +273,7 @@ static struct world *shadows_world(const struct picture *expected, unsigned coun
                                    .shape_count = 2,
                                    .light_count = 1,
                                    .shadows = TIA_SHADOWS_ZFAIL};
-    draw_whole(w, 0, now.pictures[1]);
+    draw_whole(0, now.pictures[1]);
     return w;
 }
 

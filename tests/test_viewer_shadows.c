@@ -188,7 +188,7 @@ TEST(a_light_that_would_be_too_far_away_stays)
     CHECK_EQ(w->frames[3].light.x, TIA_Q16(2 * 8192 + 3));
     CHECK_EQ(w->frames[3].told.shadows, TIA_SHADOWS_TRACED);
     w = yard_world();
-    w->viewer.kept = NULL;
+    w->viewer.lights.kept = NULL;
     yard.camera = narrow;
     yard.shadows = TIA_SHADOWS_ZFAIL;
     yard.scale_bits = 13;
@@ -263,7 +263,7 @@ TEST(told_before_it_is_shown)
     drawn = 0;
     w->tile_us = 300;
     w->present_us = 7000;
-    w->viewer.frame_drawn = note_drawn;
+    w->viewer.hooks.frame_drawn = note_drawn;
     yard.shadows = TIA_SHADOWS_ZPASS;
     world_event(w, START + 50000, TIA_EVENT_TAP, 't');
     quit_at(w, START + 90000);
@@ -278,8 +278,9 @@ static const struct tia_scene *moving_scene(const struct world *w)
     static struct tia_scene now;
     uint64_t drawn_us = w->frames[w->frame_count].drawn_us;
 
-    CHECK_EQ(tia_scene_at(&now, memory, sizeof memory, &yard, (tia_q16)((drawn_us - START) * TIA_Q16_ONE / 1000000)),
-             TIA_OK);
+    CHECK_EQ(
+        tia_scene_at(&now, memory, sizeof memory, &yard, (tia_q16)((drawn_us - START) * TIA_Q16_ONE / 1000000), NULL),
+        TIA_OK);
     return &now;
 }
 

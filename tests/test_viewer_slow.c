@@ -13,7 +13,7 @@ TEST(a_frame_that_is_not_wanted)
     for (int concurrent = 0; concurrent < 2; concurrent++) {
         struct world *w = lit_world();
         w->mode.concurrent = concurrent;
-        w->viewer.workers = concurrent ? &world_workers : NULL;
+        w->viewer.job.workers = concurrent ? &w->workers : NULL;
         w->tile_us = 60000;
         quit_at(w, START + 50000);
         CHECK_EQ(world_play(w), TIA_OK);
@@ -21,7 +21,7 @@ TEST(a_frame_that_is_not_wanted)
         CHECK_EQ(w->entered, 0);
         w = lit_world();
         w->tile_us = 60000;
-        w->viewer.stop = always;
+        w->viewer.job.stop = always;
         CHECK_EQ(world_play(w), TIA_OK);
         CHECK(w->frame_count == 0 && w->tiles == 1);
     }
@@ -44,7 +44,7 @@ TEST(one_looks_at_a_time)
 {
     struct world *w = lit_world();
 
-    w->viewer.workers = &world_workers;
+    w->viewer.job.workers = &w->workers;
     w->entered = 1;
     w->tile_us = 60000;
     quit_at(w, START + 50000);

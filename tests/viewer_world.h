@@ -25,6 +25,7 @@ struct world_frame {
 
 struct world {
     struct tia_viewer viewer;
+    struct tia_workers workers; /* for tests that have some */
     struct tia_light lights[WORLD_LIGHTS];
     struct tia_light kept[WORLD_LIGHTS];
     bool detached[WORLD_LIGHTS];
@@ -117,7 +118,8 @@ static inline int world_acquire(void *ctx, struct tia_tile tile, struct tia_surf
         w->frames[w->frame_count].drawn_us = w->now_us;
     w->acquired++;
     w->now_us += w->tile_us;
-    *surface = (struct tia_surface){w->pixels + tile.y * WORLD_WIDTH + tile.x, 2, 2 * WORLD_WIDTH};
+    *surface =
+        (struct tia_surface){.pixels = w->pixels + tile.y * WORLD_WIDTH + tile.x, .step = 2, .pitch = 2 * WORLD_WIDTH};
     return TIA_OK;
 }
 
@@ -137,7 +139,7 @@ static inline void world_compare(struct world *w)
     static tia_rgb565 want[WORLD_WIDTH * WORLD_HEIGHT];
     const struct tia_mode *mode = world_mode_now(w);
     struct tia_tile all = {0, 0, mode->width, mode->height};
-    struct tia_surface surface = {want, 2, 2 * WORLD_WIDTH};
+    struct tia_surface surface = {.pixels = want, .step = 2, .pitch = 2 * WORLD_WIDTH};
     size_t half = sizeof world_reference / 2;
     struct tia_view *view = NULL;
     struct tia_hits *hits = NULL;
@@ -146,10 +148,10 @@ static inline void world_compare(struct world *w)
 
     while (lights < WORLD_LIGHTS && w->lights[lights].radius)
         lights++;
-    CHECK_EQ(tia_view_init(&view, world_reference, half, scene, WORLD_LIGHTS, all.width, all.height), TIA_OK);
+    CHECK_EQ(tia_view_init(&view, world_reference, half, scene, WORLD_LIGHTS, all.width, all.height, NULL), TIA_OK);
     CHECK_EQ(tia_view_set_lights(view, w->lights, lights), TIA_OK);
     CHECK_EQ(tia_hits_init(&hits, (char *)world_reference + half, half, view, all), TIA_OK);
-    CHECK_EQ(tia_render(view, hits, all, &surface, &w->viewer.options), TIA_OK);
+    CHECK_EQ(tia_render(view, hits, all, &surface, &(struct tia_options){.dither = w->viewer.dither}), TIA_OK);
     if (w->compare)
         w->compare(w, want);
     for (unsigned y = 0; y < all.height && !w->compare; y++)
@@ -260,8 +262,6 @@ static inline void world_leave(void *ctx)
     ((struct world *)ctx)->entered--;
 }
 
-static const struct tia_workers world_workers = {world_run, world_enter, world_leave};
-
 static inline bool world_stop(void *ctx)
 {
     return ((struct world *)ctx)->stop;
@@ -287,26 +287,19 @@ static inline struct world *world_new(void)
     static struct world w;
 
     w = (struct world){.now_us = 1000000, .memory_limit = SIZE_MAX};
+    w.workers = (struct tia_workers){world_run, world_enter, world_leave, &w, 1};
     w.mode = (struct tia_mode){.width = WORLD_WIDTH, .height = WORLD_HEIGHT, .format = "RGB565"};
     w.viewer = (struct tia_viewer){
         .scene = &tia_thesis_scene,
-        .lights = w.lights,
-        .light_capacity = WORLD_LIGHTS,
-        .kept = w.kept,
-        .detached = w.detached,
-        .display = &world_display,
-        .input = &world_input,
-        .clock = &world_clock,
-        .display_ctx = &w,
-        .input_ctx = &w,
-        .clock_ctx = &w,
-        .workers_ctx = &w,
-        .memory = world_take_memory,
-        .memory_ctx = &w,
-        .frame_done = world_frame_done,
-        .frame_ctx = &w,
-        .stop = world_stop,
-        .stop_ctx = &w,
+        .lights = {.array = w.lights, .kept = w.kept, .detached = w.detached, .capacity = WORLD_LIGHTS},
+        .ports = {.display = &world_display,
+                  .display_ctx = &w,
+                  .input = &world_input,
+                  .input_ctx = &w,
+                  .clock = &world_clock,
+                  .clock_ctx = &w},
+        .hooks = {.memory = world_take_memory, .frame_done = world_frame_done, .ctx = &w},
+        .job = {.stop = world_stop, .ctx = &w},
     };
     return &w;
 }

@@ -14,7 +14,7 @@ static inline void with_hierarchy(struct tia_scene *scene, void (*then)(const st
     size_t size = tia_bvh_size(scene);
     void *memory = malloc(size);
 
-    CHECK_EQ(tia_bvh_build(&scene->bvh, memory, size, NULL, scene), TIA_OK);
+    CHECK_EQ(tia_bvh_build(&scene->bvh, memory, size, NULL, scene, NULL), TIA_OK);
     then(scene, number);
     scene->bvh = NULL;
     free(memory);

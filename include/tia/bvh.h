@@ -6,13 +6,12 @@
 #ifndef TIA_BVH_H
 #define TIA_BVH_H
 
+#include <tia/job.h>
 #include <tia/scene.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-struct tia_workers; /* port.h */
 
 #define TIA_BVH_DEPTH_MAX 48 /* levels below the root */
 
@@ -49,27 +48,20 @@ size_t tia_bvh_size(const struct tia_scene *scene);
 
 /* Builds the hierarchies of a scene that tia_scene_check accepts; set scene->bvh = *bvh to use them.
  * TIA_ERR_MEMORY when `size` is too small. Building needs more memory than the result: only the first *used
- * bytes stay in use, the rest is free again. `used` may be NULL. */
-int tia_bvh_build(const struct tia_bvh **bvh, void *memory, size_t size, size_t *used, const struct tia_scene *scene);
-
-/* The same, calling `stop` now and then, which may be NULL. Once that is true, returns TIA_STOPPED; *bvh is not set. */
-int tia_bvh_build_until(const struct tia_bvh **bvh, void *memory, size_t size, size_t *used,
-                        const struct tia_scene *scene, bool (*stop)(void *ctx), void *ctx);
-
-/* The same by several threads, workers as in <tia/port.h>; NULL: by one. They build trees of 16384 items and more,
- * which take one thread over 5 ms. The hierarchy has the same bits for any number of threads. Only one thread at a
- * time calls `stop`, any of them; once it has returned true, it must do so until this returns. */
-int tia_bvh_build_parallel(const struct tia_bvh **bvh, void *memory, size_t size, size_t *used,
-                           const struct tia_scene *scene, const struct tia_workers *workers, void *workers_ctx,
-                           bool (*stop)(void *ctx), void *ctx);
+ * bytes stay in use, the rest is free again. `used` may be NULL. Stopped, it does not set *bvh.
+ *
+ * The job's workers build trees of 16384 items and more, which take one thread over 5 ms. The hierarchy has the same
+ * bits for any number of threads. */
+int tia_bvh_build(const struct tia_bvh **bvh, void *memory, size_t size, size_t *used, const struct tia_scene *scene,
+                  const struct tia_job *job);
 
 /* The same for a scene that tia_scene_at made of `standing`, which has a hierarchy: only what moved gets new boxes. The
  * hierarchy shares what stands still with standing->bvh, which must stay. `memory` is aligned likewise and of
- * tia_bvh_move_size(scene) bytes; `stop` as above. What rays meet is the same as with a hierarchy built anew.
+ * tia_bvh_move_size(scene) bytes. One thread moves it. What rays meet is the same as with a hierarchy built anew.
  * TIA_ERR_ARGUMENT, too, when `standing` has no hierarchy of its own or another number of objects. */
 size_t tia_bvh_move_size(const struct tia_scene *scene);
 int tia_bvh_move(const struct tia_bvh **bvh, void *memory, size_t size, const struct tia_scene *scene,
-                 const struct tia_scene *standing, bool (*stop)(void *ctx), void *ctx);
+                 const struct tia_scene *standing, const struct tia_job *job);
 
 /* Returns the world bounds of object `index`, rounded outwards, then enlarged by 2^-16 on every side, and clamped to
  * the range of Q16.16. They are empty for a plane, for a mesh without faces and for an index that is no object's. The

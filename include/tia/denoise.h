@@ -55,25 +55,6 @@ int tia_denoise_pass(struct tia_denoiser *denoiser, unsigned pass, struct tia_ti
 int tia_denoise_get(const struct tia_denoiser *denoiser, struct tia_tile tile, uint32_t count, struct tia_sum *sums,
                     size_t pitch);
 
-/* ---- pictures of a denoiser's guides ---- */
-
-/* The guides' means, normals as (N + 1)/2, and the standard error of the luminance. */
-enum tia_shown_guide { TIA_SHOW_NOTHING, TIA_SHOW_NORMAL, TIA_SHOW_DEPTH, TIA_SHOW_ALBEDO, TIA_SHOW_ERROR };
-
-/* Returns "normal", "depth", "albedo", "error"; NULL for others. */
-const char *tia_shown_guide_name(unsigned shown);
-
-/* Returns the sum that `count` samples would have if they showed that guide of the pixel with the index `at` in
- * `gathered`, the albedo for other guides. 0 where sums or guides, or squares for the error, are NULL, or the count is
- * not in 1..TIA_SPP_MAX. */
-struct tia_sum tia_guide_shown(enum tia_shown_guide shown, const struct tia_gathered *gathered, size_t at,
-                               uint32_t count);
-
-/* Returns the estimated standard error of a pixel's mean luminance (red + 2 green + blue)/4, in units of 2^-16, from
- * the spread of its samples; for one sample, that luminance, for none 0. Sobol points are more even than random ones,
- * so the estimate tends to be too large. */
-uint32_t tia_standard_error(const struct tia_sum *sum, uint64_t squares, uint32_t count);
-
 #ifdef __cplusplus
 }
 #endif

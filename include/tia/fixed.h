@@ -40,7 +40,7 @@ typedef uint16_t tia_rgb565;
 enum tia_status {
     TIA_OK = 0,
     TIA_HIDDEN = 1,          /* not an error: another program has the display at the moment */
-    TIA_STOPPED = 2,         /* not an error: the caller asked to stop, see tia_view_init_until */
+    TIA_STOPPED = 2,         /* not an error: the caller asked to stop, see tia/job.h */
     TIA_BUSY = 3,            /* not an error: a display is still showing a picture, see tia/port.h */
     TIA_ERR_ARGUMENT = -1,   /* a size, a tile, an enum or a pointer outside the documented range */
     TIA_ERR_RANGE = -2,      /* a scene value outside its range; tia_scene_check names it */

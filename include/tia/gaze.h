@@ -23,7 +23,6 @@ extern "C" {
 #define TIA_GAZE_W0 349525u    /* 1/48 degree, Q8.24 */
 #define TIA_GAZE_M 461373u     /* 0.0275 */
 #define TIA_GAZE_BLOCK 16      /* the largest block */
-#define TIA_GAZE_LEVELS 4      /* blocks of 2, 4, 8, 16 */
 
 struct tia_gaze {
     uint16_t x, y;      /* the pixel that is looked at; if it is outside the picture, every pixel is drawn */
@@ -31,23 +30,6 @@ struct tia_gaze {
     uint32_t w0, m;     /* degrees, and degrees per degree: Q8.24, below 2^31 */
     bool smooth;        /* interpolate between drawn pixels instead of repeating them */
 };
-
-/* The constants of a picture. */
-struct tia_acuity {
-    unsigned width, height;
-    uint32_t distance; /* the eye's distance from the picture, half pixels: at most 2^20 */
-    int32_t gaze[3];   /* direction of the gaze, Q2.30 */
-    /* Squared cosine, Q0.20, of the angle from which blocks of 2, 4, 8, 16 suffice. */
-    uint32_t cosine2[TIA_GAZE_LEVELS];
-    unsigned levels; /* number of these sizes that suffice anywhere */
-};
-
-/* Prepares a picture of width x height pixels (1..8192 each). False when every pixel is to be drawn: also when a size
- * or view_angle is out of range. */
-bool tia_acuity_init(struct tia_acuity *acuity, const struct tia_gaze *gaze, unsigned width, unsigned height);
-
-/* Returns the block size at a pixel: 1, 2, 4, 8 or 16; 1 outside the picture. */
-unsigned tia_acuity_block(const struct tia_acuity *acuity, unsigned x, unsigned y);
 
 #ifdef __cplusplus
 }

@@ -103,8 +103,8 @@ struct tia_estimator {
 
     /* Adds samples first..end - 1 of each pixel of the tile to its sum, row by row, the next row `pitch` sums on.
      * TIA_ERR_UNSUPPORTED: the scene is drawn by an integrator without samples. TIA_ERR_ARGUMENT when the tile is not
-     * inside the image, first is beyond end, or end beyond TIA_SPP_MAX. TIA_STOPPED: see tia_view_init_until; the sums
-     * are not defined.
+     * inside the image, first is beyond end, or end beyond TIA_SPP_MAX. TIA_STOPPED: see tia/job.h; the sums are not
+     * defined.
      */
     int (*sample)(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end, struct tia_sum *sums,
                   size_t pitch);
@@ -127,31 +127,6 @@ struct tia_estimator {
 
 extern const struct tia_estimator tia_estimator_q16;
 extern const struct tia_estimator tia_estimator_f64; /* as in render.h */
-extern const struct tia_estimator tia_estimator_f32;
-extern const struct tia_estimator tia_estimator_chk;
-
-/* ---- from sums to pixels ---- */
-
-/* 2^exposure, prepared. */
-struct tia_exposure {
-    int64_t mantissa;
-    int shift;
-};
-
-/* Returns the tone that TIA_TONE_DEFAULT stands for. */
-enum tia_tone tia_tone_of(const struct tia_integration *integration);
-
-/* Prepares an exposure, clamped to -TIA_EXPOSURE_MAX..TIA_EXPOSURE_MAX. */
-struct tia_exposure tia_exposure_of(tia_q16 exposure);
-
-/* Returns the value of a pixel from the sum of `count` samples of one channel: 2^exposure times their mean, in units of
- * 2^-32, at most 2^32 - 1. Rounded down; exact for an exposure of 0. The mean is clamped to 0..2^14; a count of 0 gives
- * 0. */
-uint32_t tia_exposed(const struct tia_exposure *exposure, int64_t sum, uint32_t count);
-
-/* Returns the nearest of 2^bits levels to that value, ties up: exact. The bits are 1..16, for srgb 5, 6 or 8; others
- * give 0. Other tones are as TIA_TONE_LINEAR. */
-unsigned tia_tone_level(enum tia_tone tone, uint32_t value, unsigned bits);
 
 #ifdef __cplusplus
 }

@@ -2,6 +2,7 @@
 #ifndef TIA_MOTION_H
 #define TIA_MOTION_H
 
+#include <tia/job.h>
 #include <tia/scene.h>
 
 #ifdef __cplusplus
@@ -84,19 +85,13 @@ size_t tia_scene_at_size(const struct tia_scene *scene);
  * are shared with `scene`. *out has no tracks and no balls that fall, no bvh, since objects moved: build a new one, and
  * no `fine` if there were any. It depends on nothing but the scene and the time, to the bit, so the way of balls is
  * computed from the beginning each time: in steps of 1/256 s, and time in proportion to their number times that of
- * balls, planes and boxes. TIA_ERR_MEMORY when `size` is too small. `out` may equal `scene`, which is then lost. */
-int tia_scene_at(struct tia_scene *out, void *memory, size_t size, const struct tia_scene *scene, tia_q16 time);
-
-/* The same, asking `stop` now and then, which may be NULL. Once it says true, returns TIA_STOPPED, and *out may be
- * drawn no more. */
-int tia_scene_at_until(struct tia_scene *out, void *memory, size_t size, const struct tia_scene *scene, tia_q16 time,
-                       bool (*stop)(void *ctx), void *ctx);
+ * balls, planes and boxes. TIA_ERR_MEMORY when `size` is too small. `out` may equal `scene`, which is then lost. One
+ * thread does it. Stopped, *out is not to be drawn. */
+int tia_scene_at(struct tia_scene *out, void *memory, size_t size, const struct tia_scene *scene, tia_q16 time,
+                 const struct tia_job *job);
 
 /* True if the scene may differ at different times. */
 bool tia_scene_moves(const struct tia_scene *scene);
-
-/* True if falling balls bounce off shape number `shape`: a plane or a box whose transform has no track. */
-bool tia_scene_bounces_off(const struct tia_scene *scene, uint32_t shape);
 
 /* Returns the time of the last keyframe or of the end of falling, whichever is later, in seconds; 0 when nothing moves.
  */

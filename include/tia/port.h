@@ -7,6 +7,7 @@
 #ifndef TIA_PORT_H
 #define TIA_PORT_H
 
+#include <tia/job.h>
 #include <tia/render.h>
 
 #ifdef __cplusplus
@@ -96,15 +97,6 @@ struct tia_input {
 
 struct tia_clock {
     uint64_t (*now_us)(void *ctx); /* returns microseconds since any fixed moment; never goes backwards */
-};
-
-/* Runs job(arg, 0) .. job(arg, count - 1), in any order, on any threads, and returns when all are done.
- * Without workers tia runs the jobs one after the other. */
-struct tia_workers {
-    void (*run)(void *ctx, void (*job)(void *arg, unsigned index), void *arg, unsigned count);
-    /* A lock for work that one job at a time may do, held until leave; false when another job holds it. Never waits. */
-    bool (*enter)(void *ctx);
-    void (*leave)(void *ctx);
 };
 
 #ifdef __cplusplus

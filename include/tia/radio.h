@@ -114,9 +114,6 @@ int tia_radio_try(const struct tia_radio *radio, struct tia_radio_room *room, co
  * density^2 + 2 of them; 0 for densities that are not 1..TIA_RADIO_DENSITY_MAX. */
 uint32_t tia_radio_directions(uint32_t density);
 
-/* Gives direction i of them, of length 1, Q2.62. */
-int tia_radio_direction(uint32_t density, uint32_t i, int64_t direction[3]);
-
 /* A ray that passes the receiver: its planes, and its path, whose points are accurate to about 2^-14. */
 struct tia_radio_ray {
     uint32_t plane[TIA_RADIO_ORDER_MAX];

@@ -127,7 +127,7 @@ struct tia_raster_target {
     uint32_t *sum;    /* the accumulation buffer, three a pixel */
     struct tia_raster_plane *planes;
     uint32_t face_count, pitch;         /* pitch: pixels from one row to the next */
-    bool planes_known;                  /* the planes are the caller's, made by tia_raster_plane_init, and only read */
+    bool planes_known;                  /* the planes are the callers, from another target, and only read */
     const struct tia_raster_runs *runs; /* NULL: plain C; see tia_simd_raster */
     uint32_t exact;                     /* number of depth tests that the filter could not decide */
 };
@@ -141,22 +141,7 @@ size_t tia_raster_size(struct tia_tile area, unsigned buffers, uint32_t faces);
 int tia_raster_init(struct tia_raster_target *target, void *memory, size_t size, const struct tia_lattice *lattice,
                     struct tia_tile area, unsigned buffers, uint32_t faces);
 
-/* Gives the pixels of `area` in the buffers of another target. TIA_ERR_ARGUMENT when it is empty or not inside. Threads
- * may draw into parts that share no pixel at once, if the planes are known. */
-int tia_raster_part(struct tia_raster_target *part, const struct tia_raster_target *target, struct tia_tile area);
-
-/* Gives the plane of a polygon, as tia_draw_polygon stores it. Errors as there. */
-int tia_raster_plane_init(struct tia_raster_plane *plane, const struct tia_lattice *lattice,
-                          const struct tia_raster_vertex *corners, unsigned count);
-
-#define TIA_DISTANCE_BITS 45
-
-/* Returns the distance from the eye, along the line of sight, of the point of a plane that pixel (x, y) of the image
- * sees: w, or in orthographic views -h. Fraction bits: TIA_DISTANCE_BITS; relative error below 2^-58 and half a unit,
- * at most 2^62; 0 where the plane is not in front of the eye, and outside the image. */
-int64_t tia_raster_distance(const struct tia_raster_plane *plane, const struct tia_lattice *lattice, int x, int y);
-
-/* Empties the depth buffer. TIA_OK, too, without that buffer, here and below. */
+/* Empties the depth buffer. TIA_OK, too, without that buffer, here and below: nothing is done then. */
 int tia_clear_depth(struct tia_raster_target *target);
 /* Sets the bits of `write`, as OpenGL's clear does. */
 int tia_clear_stencil(struct tia_raster_target *target, uint8_t value, uint8_t write);

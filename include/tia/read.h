@@ -41,7 +41,7 @@ struct tia_read_error {
     char text[280];
 };
 
-/* The mistakes in .obj and .mtl that a reader tolerates, and their remedies. */
+/* The mistakes that a reader tolerates, all but the last in .obj and .mtl, and their remedies. */
 enum tia_read_warning_kind {
     TIA_WARN_STATEMENT, /* an unknown or faulty statement: skipped */
     TIA_WARN_LIBRARY,   /* a material library that cannot be read: its materials are grey */
@@ -55,6 +55,7 @@ enum tia_read_warning_kind {
     TIA_WARN_CORNER,    /* texture coordinates or normals on some corners of a face only: ignored */
     TIA_WARN_FACE,      /* a face with too few corners, or one whose vertex does not exist: left out */
     TIA_WARN_EMPTY,     /* a model without faces: only the background is visible */
+    TIA_WARN_DARK,      /* of all formats: what tia_scene_check warns of */
     TIA_WARNINGS
 };
 

@@ -12,6 +12,7 @@
 #ifndef TIA_RENDER_H
 #define TIA_RENDER_H
 
+#include <tia/job.h>
 #include <tia/scene.h>
 
 #ifdef __cplusplus
@@ -33,64 +34,16 @@ struct tia_surface {
     ptrdiff_t step, pitch; /* even; where they are too small, pixels cover each other */
 };
 
-/* The kinds of a pixel's rays. */
-enum tia_ray { TIA_RAY_PRIMARY, TIA_RAY_REFLECTED, TIA_RAY_REFRACTED, TIA_RAY_PAST, TIA_RAY_SHADOW };
-
-/* A traced ray. TIA_RAY_PAST goes on past an opacity; a shadow ray runs from a surface to a light, or for a length of 1
- * if the light is directional. Numbers are rounded to Q16.16 and clamped to its range. */
-struct tia_traced {
-    enum tia_ray ray;
-    struct tia_vec3 from, to; /* its ends; `to` is 1 from `from` when it meets no object */
-    tia_q16 length;           /* INT32_MAX: it meets no object */
-    uint32_t object, light;   /* those that it meets, or a shadow ray's surface and light; or TIA_NO_OBJECT */
-    struct tia_vec3 normal;   /* the shading normal where it ends, on the side that the ray comes from */
-    bool arrives;             /* shadow ray: some of the light arrives */
-};
-
-/* Observes rays; only tia_core_watched supports it, other builds ignore it. It changes no pixel. */
-struct tia_observer {
-    void (*traced)(void *ctx, const struct tia_traced *traced); /* NULL: only tests are counted */
-    void *ctx;
-    uint32_t tests; /* counts boxes of hierarchies, objects and faces of meshes that rays were tested against */
-};
-
-/* All zero: neither. */
+/* All zero, or NULL: neither. */
 struct tia_options {
     bool dither;                   /* ordered dithering, Bayer 8x8, before quantising to RGB565 */
-    uint32_t *path_hash;           /* NULL, or receives a hash of each pixel's light paths, row by row of the tile */
-    uint64_t *lit;                 /* NULL, or receives the lights that reach each pixel, row by row of the tile */
-    struct tia_observer *observer; /* NULL, or is called for each ray, in the order of the path hash; spans have none */
     uint16_t *colours;             /* NULL, or receives each pixel's red, green and blue, row by row of the tile */
+    const struct tia_debug *debug; /* NULL, or what else is told of each pixel, see tia/debug.h */
 };
 
 /* `colours` hold the light from which RGB565 is rounded, 0 to 65535 for 0 to 1, rounded to nearest; as 255 divides
  * 65535, colours of 8 bits can be rounded from them. Not with dither, of a view with a level, or of integrators with
  * samples, which have sums: TIA_ERR_UNSUPPORTED. */
-
-/* `lit` does not depend on the lights' colours. The samples of all lights are numbered consecutively, in the order of
- * the lights; an ambient light has none. Bit k is set when sample number k arrives, see below, at the point that the
- * first sample of the pixel sees directly; all are 0 if that is the background or a light. Samples from 64 on have no
- * bit. The span renderer does not write `lit`: bits 0..15 of its path hash hold the same. */
-
-/* Pixels whose colours were computed along the same paths have the same path hash. Compare it between two arithmetics
- * to tell rounding from a ray that took another path.
- *
- * Of the span renderer: bit n (0..15) is set when light n reaches the point; bits 16..31 hold the sum of
- * (n + 1)(j + 1) over the transparent spheres j in between. Where light n itself is visible, 0xffff0000 + n.
- *
- * Of the ray renderer: the 32-bit FNV-1a hash (start 2166136261, then (hash ^ byte) * 16777619) of 32-bit words, lowest
- * byte first. For each sample in order, for each of its rays, depth first, reflection before refraction before the ray
- * past an opacity, the words are: the index of the object hit, TIA_NO_OBJECT for the background, or TIA_NO_OBJECT - 1 -
- * n for light n. An object's index is followed by
- *   - the part hit: of a box the face, 2 axis + 1 on the side of its maximum; of a cylinder or cone 0 for the
- *     side, 1 for the base, 2 for the top; of a mesh the face; of a grid 6 times the cell, plus the face;
- *     otherwise 0;
- *   - when the material's colour is not black: of a checker 0 or 1, of an image without `bilinear` the texel,
- *     counted row by row from 0;
- *   - with an opacity texture without `bilinear`, its texel;
- *   - unless the opacity is 0, for each sample of each light, ambient ones without a radius excepted, in order: 1 when
- *     it arrives
- *     (G.L > 0 and N.L > 0, see material.h, P is inside a spot light's cone, and T is not black), otherwise 0. */
 
 struct tia_view; /* a prepared scene, in the caller's memory */
 struct tia_hits; /* a hit buffer, in the caller's memory */
@@ -99,12 +52,16 @@ struct tia_hits; /* a hit buffer, in the caller's memory */
  * when there are too many. */
 size_t tia_view_size(const struct tia_scene *scene, uint32_t light_capacity);
 
-/* Prepares `scene` for a width x height image (1..TIA_SIZE_MAX each) in `memory`, aligned for uint64_t. The view
- * refers to the scene's arrays: they must outlive it. TIA_ERR_ARGUMENT when light_capacity is less than the scene's
- * lights, TIA_ERR_RANGE when tia_scene_check refuses the scene or something is too far away for its shadows, see
- * shadow.h; TIA_ERR_MEMORY when `size` is too small. */
+/* Prepares `scene` for a width x height image (1..TIA_SIZE_MAX each) in `memory`, aligned for uint64_t. The view refers
+ * to the scene's arrays: they must outlive it. TIA_ERR_ARGUMENT when light_capacity is less than the scene's lights,
+ * TIA_ERR_RANGE when tia_scene_check refuses the scene or something is too far away for its shadows, see shadow.h;
+ * TIA_ERR_MEMORY when `size` is too small.
+ *
+ * One thread prepares it. The view keeps the job's `stop` and calls it in tia_view_set_lights, and in tia_trace and
+ * tia_light_tile as well, in the thread that draws, at least every 16 rays or so; spans after each row. What a call has
+ * drawn of the tile, the hits and the view's lights when it returns TIA_STOPPED is not defined. */
 int tia_view_init(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
-                  uint32_t light_capacity, unsigned width, unsigned height);
+                  uint32_t light_capacity, unsigned width, unsigned height, const struct tia_job *job);
 
 /* Replaces the lights. TIA_ERR_MEMORY when there are more than light_capacity, or with TIA_SHADOWS_MAP when they need
  * more maps, or more samples, than all lights and keys of the scene together; TIA_ERR_RANGE when tia_scene_check
@@ -143,15 +100,7 @@ int tia_render(const struct tia_view *view, struct tia_hits *hits, struct tia_ti
  * the rasteriser goes through all faces. */
 bool tia_draws_by_pixel(const struct tia_scene *scene);
 
-/* As tia_view_init, but can be stopped: it calls `stop` after every few thousand objects while the view is prepared or
- * its lights are set. tia_trace and tia_light_tile call it as well, in the thread that draws, at least every 16 rays or
- * so; spans after each row. Once it returns true, they return TIA_STOPPED soon: a view that was being prepared is then
- * of no use, and what they have drawn of the tile, the hits and the view's lights are not defined. It may be called
- * again and must return true again. NULL: never. */
-int tia_view_init_until(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
-                        uint32_t light_capacity, unsigned width, unsigned height, bool (*stop)(void *ctx), void *ctx);
-
-/* A processor's vector units as a renderer, see tia/simd.h. */
+/* What draws with a processor's vector units, see tia/simd.h. */
 struct tia_simd;
 
 /* How views are drawn: the functions above that take a view or its hits call these of its core, with a view that is not
@@ -180,7 +129,7 @@ struct tia_core {
     const char *name; /* "q16", "f64", ... */
     size_t (*view_size)(const struct tia_core *, const struct tia_scene *, uint32_t);
     int (*view_init)(const struct tia_core *, struct tia_view **, void *, size_t, const struct tia_scene *, uint32_t,
-                     unsigned, unsigned, bool (*)(void *), void *); /* as tia_view_init_until */
+                     unsigned, unsigned, const struct tia_job *);
     size_t (*hits_size)(const struct tia_core *, const struct tia_scene *, struct tia_tile);
     size_t (*simd_size)(const struct tia_core *, const struct tia_simd *, const struct tia_scene *, uint32_t,
                         unsigned);                                             /* may be NULL: 0 */
@@ -189,11 +138,8 @@ struct tia_core {
     const struct tia_renderers *renderers; /* the library's; NULL: none, it draws in a way of its own */
 };
 
-extern const struct tia_core tia_core_q16;     /* integers: what the functions above take */
-extern const struct tia_core tia_core_f64;     /* double: the reference, libtia-f64.a */
-extern const struct tia_core tia_core_watched; /* integers, with an observer of rays: libtia-watched.a */
-extern const struct tia_core tia_core_f32;     /* float: for comparison, libtia-f32.a */
-extern const struct tia_core tia_core_chk;     /* q16 that reports values out of range, libtia-chk.a */
+extern const struct tia_core tia_core_q16; /* integers: what the functions above take */
+extern const struct tia_core tia_core_f64; /* double: the reference, libtia-f64.a */
 
 /* Integers for the scenes that spans draw, see scene.h: a program that names no other core links no other renderer, nor
  * any of what other scenes have. They refuse shapes, meshes, textures, tracks, what falls and techniques for shadows

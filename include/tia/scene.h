@@ -102,16 +102,23 @@ struct tia_scene {
     const struct tia_falling *falling; /* NULL: none */
 };
 
+/* What is darker is black in pictures of 8 bits, also by sRGB. Each colour in Q2.30 that is written by mistake as a
+ * length in Q16.16 is. */
+#define TIA_DARK (TIA_Q30_ONE >> 13)
+
 /* A violated rule, to be printed as "sphere 3: radius: must be at least 2^-10". */
 struct tia_fault {
-    const char *thing; /* "sphere", "shape", "mesh", "light", "material", "key", "camera", "scene", ... */
-    uint32_t index;    /* its index, from 0; for "camera" and "scene" 0 */
+    const char
+        *thing;     /* NULL: nothing; "sphere", "shape", "mesh", "light", "material", "key", "camera", "scene", ... */
+    uint32_t index; /* its index, from 0; for "camera" and "scene" 0 */
     const char *field;
     const char *rule; /* the range that the field must keep */
 };
 
 /* Checks all ranges; where a count is not 0, its array must have so many elements. TIA_OK, or TIA_ERR_RANGE with *fault
- * filled in (`fault` may be NULL). Takes one pass over the scene, and one over its shapes for every 16 meshes or grids.
+ * filled in (`fault` may be NULL). With TIA_OK, too, *fault may have a thing, a warning: the scene is drawn, but all
+ * its lights, or all its materials, are darker than TIA_DARK, and not black. Takes one pass over the scene, and one
+ * over its shapes for every 16 meshes or grids.
  */
 int tia_scene_check(const struct tia_scene *scene, struct tia_fault *fault);
 

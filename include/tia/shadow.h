@@ -25,10 +25,6 @@ extern "C" {
 
 #define TIA_SHADOW_SAMPLES 64
 
-struct tia_scene;
-struct tia_light;
-struct tia_mesh;
-
 enum tia_shadows {
     TIA_SHADOWS_TRACED, /* rays that start a little off the surface, any scene */
     TIA_SHADOWS_RAYS,   /* exact rays from the visible point, tested with each face */
@@ -43,24 +39,9 @@ enum tia_shadows {
 /* Returns "traced", "rays", "zpass", "zfail", "map", "map-exact", "zpass-plain"; NULL beyond the last. */
 const char *tia_shadows_name(unsigned technique);
 
-/* Returns the first object (see render.h) that is too far away for the rasteriser, in a width x height view that
- * tia_view_init has refused with TIA_ERR_RANGE, or TIA_NO_OBJECT, as for a scene that tia_scene_check refuses. A corner
- * is too far if a clip coordinate, see raster.h, reaches 2^TIA_RANGE_MAX, in orthographic views 2^TIA_RANGE_FLAT: it is
- * then that many times half the view's width or height off its middle. */
-uint32_t tia_shadow_too_far(const struct tia_scene *scene, unsigned width, unsigned height);
-
-/* Returns the first of these lights for the scene that is too far away, in a view that tia_view_init or
- * tia_view_set_lights has refused. Of a light with an area all of it counts. *range receives the r for which 2^r is too
- * far: as for corners, but less in an orthographic view whose image has more than 1024 pixels in a row or column. There
- * lights much farther away than all corners are in range, too: they count as directional where this moves no shadow by
- * half a pixel. */
-uint32_t tia_shadow_light_too_far(const struct tia_scene *scene, const struct tia_light *lights, uint32_t count,
-                                  unsigned width, unsigned height, unsigned *range);
-
-/* Shadow maps: pictures of the distance from a light to the nearest face, in size x size texels. A directional light
- * has one map, around the scene's corners; a spot light whose outer cone is at most TIA_SPOT_MAP degrees has one,
- * around the cone; other lights have six, the faces of a cube. Each sample of a rectangle or disc has its own, 4 bytes
- * a texel.
+/* Shadow maps: pictures of how far from a light the nearest face is, in size x size texels. A directional light has one
+ * map, around the scene's corners; a spot light whose outer cone is at most TIA_SPOT_MAP degrees has one, around the
+ * cone; other lights have six, the faces of a cube. Each sample of a rectangle or disc has its own, 4 bytes a texel.
  *
  * A point is lit where the map has no distance below its own less a bias, which keeps faces from shadowing themselves.
  * In a map of 90 degrees a texel is 2 w/size long at the distance w. With the amount a the bias is
@@ -115,13 +96,6 @@ struct tia_shadow_map {
 const char *tia_bias_name(unsigned bias);
 /* Returns "none", "bilinear", "3x3", "5x5", "7x7", "poisson", "pcss", from TIA_FILTER_NONE on; NULL for others. */
 const char *tia_filter_name(unsigned filter);
-
-/* Returns the bytes of room for tia_shadow_mesh_closes. */
-size_t tia_shadow_mesh_room(const struct tia_mesh *mesh);
-/* True if each edge of a mesh has a face on its other side that runs along it in the opposite direction. A mesh that
- * does not close casts the same shadow, but face by face, so its volumes have more sides. `room` is aligned for
- * uint32_t, or the result is false; the mesh is one that tia_scene_check accepts. */
-bool tia_shadow_mesh_closes(const struct tia_mesh *mesh, void *room);
 
 #ifdef __cplusplus
 }

@@ -55,10 +55,6 @@ size_t tia_simd_size(const struct tia_simd *simd, const struct tia_scene *scene,
  * TIA_ERR_MEMORY when `size` is too small for one. */
 int tia_view_set_simd(struct tia_view *view, const struct tia_simd *simd, void *memory, size_t size);
 
-/* Returns the level's part for the rasteriser, see struct tia_raster_target; NULL: none. A view's own is set with its
- * level, and needs no memory. */
-const struct tia_raster_runs *tia_simd_raster(const struct tia_simd *simd);
-
 /* Returns the name of the level that draws the view, or "plain". */
 const char *tia_view_simd(const struct tia_view *view);
 

@@ -1,25 +1,31 @@
-/* tia.h - the whole interface of tia, a ray tracer in integers.
+/* tia.h - the interface of tia, a ray tracer in integers.
  *
  *   fixed.h   number formats and status codes
+ *   job.h     threads that share long work, and what stops it
  *   vec.h     vectors and colours
  *   camera.h, material.h, light.h, shape.h    the parts of a scene
  *   lightfield.h    pictures for displays that show each eye another one
  *   shadow.h  techniques for shadows
  *   integrator.h    integrators of light
- *   denoise.h       pictures of samples without noise
  *   scene.h   the scene
  *   bvh.h     bounding volume hierarchy for scenes of many objects
  *   motion.h  keyframe animation
  *   read.h    scene files
  *   render.h  from a scene to pixels
  *   simd.h    vector units
- *   raster.h  polygons: depth, stencil and colour buffers
- *   radio.h   paths of radio waves
  *   port.h    display, input and clock, as a board or an OS provides them
  *   gaze.h    foveated pictures
  *   orbit.h   moving a camera
  *   text.h    small text on pictures
  *   viewer.h  the interactive loop
+ *
+ * A program includes each of these by its name:
+ *
+ *   raster.h  polygons: depth, stencil and colour buffers
+ *   denoise.h pictures of samples without noise
+ *   tone.h    from sums of samples to what pixels show
+ *   radio.h   paths of radio waves, in libtia-radio.a
+ *   debug.h   for tests and comparison
  */
 #ifndef TIA_TIA_H
 #define TIA_TIA_H
@@ -27,11 +33,8 @@
 #define TIA_VERSION "0.1.0"
 
 #include <tia/bvh.h>
-#include <tia/denoise.h>
 #include <tia/motion.h>
 #include <tia/orbit.h>
-#include <tia/radio.h>
-#include <tia/raster.h>
 #include <tia/read.h>
 #include <tia/simd.h>
 #include <tia/text.h>

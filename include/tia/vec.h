@@ -28,14 +28,26 @@ struct tia_rgb {
     tia_q30 r, g, b;
 };
 
-#define TIA_VEC3(x, y, z)                                                                                              \
+/* Constants of these types: places; directions of length 1; colours, each channel 0 for black to 1 for white. A
+ * compiler refuses a place where a colour is due, and a colour where a place is. */
+#ifndef __cplusplus
+#define TIA_VEC3(X, Y, Z)                                                                                              \
     {                                                                                                                  \
-        TIA_Q16(x), TIA_Q16(y), TIA_Q16(z)                                                                             \
+        .x = TIA_Q16(X), .y = TIA_Q16(Y), .z = TIA_Q16(Z)                                                              \
     }
-#define TIA_RGB(r, g, b)                                                                                               \
+#define TIA_DIR3(X, Y, Z)                                                                                              \
     {                                                                                                                  \
-        TIA_Q30(r), TIA_Q30(g), TIA_Q30(b)                                                                             \
+        .x = TIA_Q30(X), .y = TIA_Q30(Y), .z = TIA_Q30(Z)                                                              \
     }
+#define TIA_RGB(R, G, B)                                                                                               \
+    {                                                                                                                  \
+        .r = TIA_Q30(R), .g = TIA_Q30(G), .b = TIA_Q30(B)                                                              \
+    }
+#else
+#define TIA_VEC3(x, y, z) (tia_vec3{TIA_Q16(x), TIA_Q16(y), TIA_Q16(z)})
+#define TIA_DIR3(x, y, z) (tia_dir3{TIA_Q30(x), TIA_Q30(y), TIA_Q30(z)})
+#define TIA_RGB(r, g, b) (tia_rgb{TIA_Q30(r), TIA_Q30(g), TIA_Q30(b)})
+#endif
 
 #ifdef __cplusplus
 }

@@ -102,56 +102,69 @@ struct tia_viewer_state {
     tia_q16 time; /* seconds */
 };
 
+/* The lights as they are, the scene's and those that keys add: arrays of `capacity` elements. */
+struct tia_viewer_lights {
+    struct tia_light *array;
+    struct tia_light *kept; /* NULL, or for the lights of the last picture: a key that moves one too far away for the
+                               scene's shadows then has no effect, where else it ends the loop */
+    bool *detached;         /* only for scenes with tracks: for the lights that keys hold */
+    uint32_t capacity;
+};
+
+/* The times of frames. All zero: they follow the clock, and no frame is made coarser to keep a rate. */
+struct tia_viewer_pacing {
+    uint32_t frame_limit; /* stop after this many frames; 0: no limit */
+    tia_q16 time;         /* of the first frame, seconds, for scenes with tracks */
+    uint32_t rate[2];     /* films: frame n shows time + n rate[1]/rate[0], each 1..1000000, and needs a frame_limit */
+    uint32_t pace[2];     /* frames a second that motion shall keep, pace[0]/pace[1], each 1..1000000 */
+};
+
+/* `input` may be NULL with a frame_limit: frames are then drawn one after the other. `clock` may be NULL: held keys
+ * then do not repeat. */
+struct tia_viewer_ports {
+    const struct tia_display *display;
+    const struct tia_input *input;
+    const struct tia_clock *clock;
+    void *display_ctx, *input_ctx, *clock_ctx;
+};
+
+/* The caller's functions. All but `memory` may be NULL. */
+struct tia_viewer_hooks {
+    /* Memory for the view and the hits: returns at least `size` bytes, aligned for uint64_t, or NULL. It may
+     * discard what it returned before. Called again when the mode or the technique changes. When a whole frame's hits
+     * do not fit, the viewer takes memory for one tile's, and traces every frame anew. */
+    void *(*memory)(void *ctx, size_t size);
+
+    /* Called when a picture is drawn, before it is shown: what it draws on the display is shown with it. */
+    void (*frame_drawn)(void *ctx, const struct tia_frame *frame);
+
+    /* Called after each picture. A result other than 0 ends the loop with that status. */
+    int (*frame_done)(void *ctx, const struct tia_frame *frame);
+
+    const struct tia_control *control; /* NULL: other keys end the loop. Needs the viewer's `variant` */
+    void *ctx;                         /* of all of them, and of the control's functions */
+};
+
 struct tia_viewer {
     const struct tia_core *core;           /* NULL: tia_core_q16 */
     const struct tia_simd *simd;           /* NULL: plain C; see tia/simd.h */
     const struct tia_estimator *estimator; /* NULL, or the core's: samples are shown as they come. Others are ignored */
     const struct tia_scene *scene;
-    struct tia_light *lights; /* array of light_capacity elements for the scene's lights and those that keys add */
-    uint32_t light_capacity;
-    struct tia_light *kept; /* NULL, or an array as large for the lights of the last picture: a key that moves one too
-                               far away for the scene's shadows then has no effect, where else it ends the loop */
-    bool *detached; /* only for scenes with tracks: array of light_capacity elements for the lights that keys hold */
     struct tia_scene *variant; /* NULL, or memory for a copy of the scene: then TIA_KEY_SHADOWS changes the technique */
-    struct tia_options options; /* dithering alone: all else must be NULL */
-    uint32_t frame_limit;       /* stop after this many frames; 0: no limit */
-    const uint16_t *keys;       /* keys to press before the first frame; NULL: none */
+    struct tia_viewer_lights lights;
+    struct tia_viewer_pacing pacing;
+    struct tia_viewer_ports ports;
+    struct tia_viewer_hooks hooks;
+
+    /* Its workers draw tiles, and the level has memory for each. Its `stop` ends the loop, such as after a signal: it
+     * is called between frames, and about every 20 ms while one is drawn. So is input->poll, on the same threads. */
+    struct tia_job job;
+
+    bool dither;          /* as in struct tia_options */
+    const uint16_t *keys; /* keys to press before the first frame; NULL: none */
     size_t key_count;
-    tia_q16 time;     /* of the first frame, seconds, for scenes with tracks */
-    uint32_t rate[2]; /* films: frame n shows time + n rate[1]/rate[0], each 1..1000000, and needs a
-                         frame_limit; 0: frames follow the clock */
-    uint32_t pace[2]; /* frames a second that motion shall keep, pace[0]/pace[1], each 1..1000000; 0: none */
     struct tia_gaze gaze;
-    const struct tia_control *control; /* NULL (other keys end the loop), or what other keys do; needs `variant` */
-    void *control_ctx;
     struct tia_viewer_state *state; /* NULL, or is kept up to date */
-
-    /* `input` may be NULL with a frame_limit: frames are then drawn one after the other. `clock` may be NULL:
-     * held keys then do not repeat. `workers` may be NULL: tiles are then drawn one after the other. */
-    const struct tia_display *display;
-    const struct tia_input *input;
-    const struct tia_clock *clock;
-    const struct tia_workers *workers;
-    void *display_ctx, *input_ctx, *clock_ctx, *workers_ctx;
-    unsigned worker_count; /* threads that run the workers' jobs at once: the level has memory for each; 0 means 1 */
-
-    /* Memory for the view and the hits: returns at least `size` bytes, aligned for uint64_t, or NULL. It may
-     * discard what it returned before. Called again when the mode or the technique changes. When a whole frame's hits
-     * do not fit, the viewer takes memory for one tile's, and traces every frame anew. */
-    void *(*memory)(void *ctx, size_t size);
-    void *memory_ctx;
-
-    /* NULL, or called when a picture is drawn, before it is shown: what it draws on the display is shown with it. */
-    void (*frame_drawn)(void *ctx, const struct tia_frame *frame);
-
-    /* NULL, or called after each picture. A result other than 0 ends the loop with that status. */
-    int (*frame_done)(void *ctx, const struct tia_frame *frame);
-    void *frame_ctx;
-
-    /* NULL, or ends the loop when it returns true, such as after a signal. It is called between frames, and about every
-     * 20 ms while one is drawn, then on any of the workers' threads, one at a time. So is input->poll. */
-    bool (*stop)(void *ctx);
-    void *stop_ctx;
 };
 
 /* Runs until a key quits, the frame limit is reached or `stop` returns true; then TIA_OK. The caller opens display and
@@ -174,10 +187,6 @@ int tia_press(const struct tia_scene *scene, struct tia_light *lights, uint32_t 
 /* Returns the index of the light that a key sets or moves; `count` when the key adds one; TIA_NO_LIGHT when none. */
 #define TIA_NO_LIGHT UINT32_MAX
 uint32_t tia_key_light(const struct tia_scene *scene, const struct tia_light *lights, uint32_t count, uint16_t key);
-
-/* Returns the technique for shadows that follows the scene's, cyclically in the order of tia_shadows_name, of those
- * that the scene qualifies for. TIA_SHADOWS_TRACED after an invalid one. */
-enum tia_shadows tia_next_shadows(const struct tia_scene *scene);
 
 /* Returns the time of frame number `frame` of a film that starts at `start` and shows rate[0]/rate[1] frames per
  * second, each 1..1000000: rounded to nearest, at most INT32_MAX. Without a rate, NULL, it is `start`. */

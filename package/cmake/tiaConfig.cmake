@@ -2,6 +2,7 @@
 #
 #   tia::tia       the shared library: the core and the vector units
 #   tia::static    the same, static
+#   tia::radio     static, paths of radio waves
 #
 # Those whose library is not installed, as the shared one where there is no operating system, are not there; tia::tia
 # then is tia::static.
@@ -32,6 +33,9 @@ if(EXISTS "${tia_libdir}/libtia-simd.a")
         INTERFACE_LINK_LIBRARIES "${tia_libdir}/libtia-simd.a;${tia_libdir}/libtia.a;m")
 else()
     tia_library(static STATIC "${tia_libdir}/libtia.a")
+endif()
+if(TARGET tia::static)
+    tia_library(radio STATIC "${tia_libdir}/libtia-radio.a" INTERFACE_LINK_LIBRARIES tia::static)
 endif()
 if(NOT TARGET tia::tia)
     tia_library(tia STATIC "${tia_libdir}/libtia.a")

@@ -147,7 +147,7 @@ static int panel_acquire(void *ctx, struct tia_tile tile, struct tia_surface *su
         panel->why = "spi panel: the tile is larger than a strip or leaves the picture";
         return TIA_ERR_ARGUMENT;
     }
-    *surface = (struct tia_surface){strip(panel), 2, (ptrdiff_t)(2u * tile.width)};
+    *surface = (struct tia_surface){.pixels = strip(panel), .step = 2, .pitch = (ptrdiff_t)(2u * tile.width)};
     return TIA_OK;
 }
 

@@ -33,8 +33,9 @@ static int web_acquire(void *ctx, struct tia_tile tile, struct tia_surface *surf
     const struct web_screen *screen = ctx;
     ptrdiff_t pitch = (ptrdiff_t)(screen->width * sizeof *screen->pixels);
 
-    *surface =
-        (struct tia_surface){screen->pixels + (size_t)tile.y * screen->width + tile.x, sizeof *screen->pixels, pitch};
+    *surface = (struct tia_surface){.pixels = screen->pixels + (size_t)tile.y * screen->width + tile.x,
+                                    .step = sizeof *screen->pixels,
+                                    .pitch = pitch};
     return TIA_OK;
 }
 

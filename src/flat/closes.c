@@ -1,3 +1,4 @@
+#include <tia/debug.h>
 #include <tia/scene.h>
 
 #include "edges.h"

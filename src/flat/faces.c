@@ -2,6 +2,7 @@
 
 #include "math/align.h"
 #include "math/wide.h"
+#include "raster/target.h"
 
 /* ---- counting ---- */
 

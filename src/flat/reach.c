@@ -10,6 +10,8 @@
  * rounding from d = r + 16 on. */
 #include "reach.h"
 
+#include <tia/debug.h>
+
 #include "math/integer.h"
 #include "source.h"
 

@@ -3,6 +3,7 @@
 #include "world.h"
 
 #include "math/wide.h"
+#include "raster/distance.h"
 #include "scene/axes.h"
 
 #define COLUMN_BITS 60 /* bits of the largest column */

@@ -1,3 +1,4 @@
+#include <tia/debug.h>
 #include <tia/render.h>
 
 /* The CRC of each 4-bit value, polynomial reflected. Four bits at a time need 64 bytes of table instead of the 1 KiB of

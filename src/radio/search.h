@@ -86,4 +86,7 @@ bool tia_radio_pass(struct tia_radio_room *room, uint32_t order, uint32_t i);
  * stores it in room->told. */
 bool tia_radio_find(struct tia_radio_room *room, uint32_t order);
 
+/* Direction i of tia_radio_directions(density), of length 1, Q2.62. */
+int tia_radio_direction(uint32_t density, uint32_t i, int64_t direction[3]);
+
 #endif

@@ -54,28 +54,41 @@ static void say_rule(struct tia_read_error *error, const char *rule, int scale_b
     tia_say_number(error, INT64_C(32768) << -scale_bits);
 }
 
-/* Runs tia_scene_check and turns its fault into the reader's error. */
-static int check(struct tia_reader *reader, const struct tia_scene *scene, struct tia_arena *arena)
+static void say_fault(struct tia_reader *reader, const struct tia_scene *scene, struct tia_fault *fault,
+                      struct tia_arena *arena)
 {
     struct tia_read_error *error = &reader->error;
-    struct tia_fault fault;
 
-    if (!tia_scene_check(scene, &fault))
-        return TIA_OK;
     *error = (struct tia_read_error){{0}, 0, 0, {0}};
-    locate(reader, &fault, arena);
-    tia_say(error, fault.thing);
+    locate(reader, fault, arena);
+    tia_say(error, fault->thing);
     if (!error->line) { /* without a line, the index identifies the object */
         tia_say(error, " ");
-        tia_say_number(error, fault.index);
+        tia_say_number(error, fault->index);
     }
-    if (*fault.field) {
+    if (*fault->field) {
         tia_say(error, ": ");
-        tia_say(error, fault.field);
+        tia_say(error, fault->field);
     }
     tia_say(error, ": ");
-    say_rule(error, fault.rule, scene->scale_bits);
-    return TIA_ERR_RANGE;
+    say_rule(error, fault->rule, scene->scale_bits);
+}
+
+/* Runs tia_scene_check and turns its fault into the reader's error, or into a warning. */
+static int check(struct tia_reader *reader, const struct tia_scene *scene, struct tia_arena *arena)
+{
+    struct tia_fault fault;
+    int status = tia_scene_check(scene, &fault);
+
+    if (!status && !fault.thing)
+        return TIA_OK;
+    say_fault(reader, scene, &fault, arena);
+    if (status || reader->strict)
+        return TIA_ERR_RANGE;
+    if (reader->warnings)
+        reader->warnings[TIA_WARN_DARK] = (struct tia_read_warning){1, reader->error};
+    reader->error = (struct tia_read_error){{0}, 0, 0, {0}};
+    return TIA_OK;
 }
 
 int tia_read(struct tia_reader *reader, struct tia_scene *scene, void *memory, size_t size, size_t *need)

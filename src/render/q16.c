@@ -7,15 +7,9 @@ size_t tia_view_size(const struct tia_scene *scene, uint32_t light_capacity)
 }
 
 int tia_view_init(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
-                  uint32_t light_capacity, unsigned width, unsigned height)
+                  uint32_t light_capacity, unsigned width, unsigned height, const struct tia_job *job)
 {
-    return tia_view_init_until(view, memory, size, scene, light_capacity, width, height, NULL, NULL);
-}
-
-int tia_view_init_until(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
-                        uint32_t light_capacity, unsigned width, unsigned height, bool (*stop)(void *ctx), void *ctx)
-{
-    return tia_core_view_init(&tia_core_q16, view, memory, size, scene, light_capacity, width, height, stop, ctx);
+    return tia_core_view_init(&tia_core_q16, view, memory, size, scene, light_capacity, width, height, job);
 }
 
 size_t tia_hits_size(const struct tia_scene *scene, struct tia_tile area)

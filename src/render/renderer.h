@@ -10,7 +10,7 @@
 #include "num/num.h"
 #include "scene/cancel.h"
 
-#include <tia/simd.h> /* after num.h, which may rename its functions */
+#include <tia/debug.h> /* after num.h, which may rename its functions */
 
 #include "math/tile.h"
 
@@ -124,7 +124,7 @@ struct tia_view {
     struct tia_light *lights;                  /* the view's copy */
     uint32_t light_count, light_capacity;
     int width, height;
-    bool (*stop)(void *ctx); /* NULL, or polled to stop, see tia_view_init_until */
+    bool (*stop)(void *ctx); /* NULL, or polled to stop, see tia/job.h */
     void *stop_ctx;
 };
 
@@ -133,6 +133,12 @@ static inline const struct simd_renderer *simd_renderer_for(const struct tia_sim
                                                             const struct renderer *renderer)
 {
     return simd && renderer->part < SIMD_PARTS ? simd->parts[renderer->part] : NULL;
+}
+
+/* What a caller wants to be told of each pixel. */
+static inline struct tia_debug options_debug(const struct tia_options *options)
+{
+    return options->debug ? *options->debug : (struct tia_debug){NULL, NULL, NULL};
 }
 
 static inline bool view_stops(const struct tia_view *view)
@@ -216,7 +222,7 @@ const struct renderer *tia_renderer_for(const struct tia_core *core, const struc
 size_t tia_core_view_size(const struct tia_core *core, const struct tia_scene *scene, uint32_t light_capacity);
 int tia_core_view_init(const struct tia_core *core, struct tia_view **view, void *memory, size_t size,
                        const struct tia_scene *scene, uint32_t light_capacity, unsigned width, unsigned height,
-                       bool (*stop)(void *ctx), void *ctx);
+                       const struct tia_job *job);
 size_t tia_core_hits_size(const struct tia_core *core, const struct tia_scene *scene, struct tia_tile area);
 size_t tia_core_level_size(const struct tia_core *core, const struct tia_simd *simd, const struct tia_scene *scene,
                            uint32_t light_capacity, unsigned workers);

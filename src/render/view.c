@@ -21,14 +21,14 @@ static int check(const struct tia_core *core, const struct tia_scene *scene, str
 
 int tia_core_view_init(const struct tia_core *core, struct tia_view **view, void *memory, size_t size,
                        const struct tia_scene *scene, uint32_t light_capacity, unsigned width, unsigned height,
-                       bool (*stop)(void *ctx), void *ctx)
+                       const struct tia_job *job)
 {
     struct tia_view *v = memory;
 
     if (!core || !view || !memory_is_usable(memory) || !scene || width - 1 >= TIA_SIZE_MAX ||
         height - 1 >= TIA_SIZE_MAX || light_capacity < scene->light_count)
         return TIA_ERR_ARGUMENT;
-    int status = check(core, scene, (struct cancel){stop, ctx, 0, false});
+    int status = check(core, scene, cancel_for(job));
     if (status)
         return status;
     if (size < tia_core_view_size(core, scene, light_capacity))
@@ -46,8 +46,8 @@ int tia_core_view_init(const struct tia_core *core, struct tia_view **view, void
     v->light_capacity = light_capacity;
     v->width = (int)width;
     v->height = (int)height;
-    v->stop = stop;
-    v->stop_ctx = ctx;
+    v->stop = job ? job->stop : NULL;
+    v->stop_ctx = job ? job->ctx : NULL;
     v->prepared = (char *)v->lights + ALIGN(light_capacity * sizeof *v->lights);
     status = v->renderer->prepare(v);
     if (!status)

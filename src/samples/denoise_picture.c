@@ -1,6 +1,8 @@
 /* denoise_picture.c - converts sums of samples to light over albedo, and back. */
 #include "denoise.h"
 
+#include <tia/debug.h>
+
 #include "math/align.h"
 #include "math/integer.h"
 

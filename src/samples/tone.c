@@ -1,5 +1,6 @@
 /* tone.c - converts sums of samples to levels of a display. */
 #include <tia/integrator.h>
+#include <tia/tone.h>
 
 #include "math/power.h"
 #include "math/wide.h"

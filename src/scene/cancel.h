@@ -2,8 +2,7 @@
 #ifndef TIA_SCENE_CANCEL_H
 #define TIA_SCENE_CANCEL_H
 
-#include <stdbool.h>
-#include <stdint.h>
+#include <tia/job.h>
 
 /* All zero but the first two. */
 struct cancel {
@@ -12,6 +11,16 @@ struct cancel {
     uint32_t work; /* items since the last poll */
     bool stopped;
 };
+
+static inline bool workers_are_usable(const struct tia_workers *workers)
+{
+    return !workers || (workers->run && workers->enter && workers->leave);
+}
+
+static inline struct cancel cancel_for(const struct tia_job *job)
+{
+    return job ? (struct cancel){job->stop, job->ctx, 0, false} : (struct cancel){NULL, NULL, 0, false};
+}
 
 #define CANCEL_INTERVAL 4096 /* items: a poll may read a clock or a keyboard */
 

@@ -184,18 +184,13 @@ static void put(struct tia_scene *out, const struct moving *from, bool moves)
     out->bvh = NULL;
 }
 
-int tia_scene_at(struct tia_scene *out, void *memory, size_t size, const struct tia_scene *scene, tia_q16 time)
-{
-    return tia_scene_at_until(out, memory, size, scene, time, NULL, NULL);
-}
-
-int tia_scene_at_until(struct tia_scene *out, void *memory, size_t size, const struct tia_scene *scene, tia_q16 time,
-                       bool (*stop)(void *ctx), void *ctx)
+int tia_scene_at(struct tia_scene *out, void *memory, size_t size, const struct tia_scene *scene, tia_q16 time,
+                 const struct tia_job *job)
 {
     if (!out || !scene)
         return TIA_ERR_ARGUMENT;
     const struct tia_scene base = *scene;
-    struct cancel cancel = {stop, ctx, 0, false};
+    struct cancel cancel = cancel_for(job);
     size_t needed = tia_scene_at_size(scene);
     struct moving to;
 

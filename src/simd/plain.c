@@ -18,16 +18,18 @@ static void light_piece(const struct tia_view *view, struct tia_tile piece, cons
 void tia_simd_light_plain(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
                           const struct tia_options *options)
 {
+    const struct tia_debug debug = options_debug(options);
+
     for (unsigned y = 0; y < tile.height && !view_stops(view); y++)
         for (unsigned x = 0; x < tile.width; x += PIECE) {
             unsigned width = tile.width - x < PIECE ? tile.width - x : PIECE;
             size_t before = (size_t)y * tile.width + x;
             struct tia_tile piece = {(uint16_t)(tile.x + x), (uint16_t)(tile.y + y), (uint16_t)width, 1};
             char *out = (char *)surface->pixels + (ptrdiff_t)y * surface->pitch + (ptrdiff_t)x * surface->step;
-            struct tia_surface part = {(tia_rgb565 *)(void *)out, surface->step, surface->pitch};
-            struct tia_options mine = {.dither = options->dither,
-                                       .path_hash = options->path_hash ? options->path_hash + before : NULL,
-                                       .lit = options->lit ? options->lit + before : NULL};
-            light_piece(view, piece, &part, &mine);
+            struct tia_surface part = {
+                .pixels = (tia_rgb565 *)(void *)out, .step = surface->step, .pitch = surface->pitch};
+            struct tia_debug here = {.path_hash = debug.path_hash ? debug.path_hash + before : NULL,
+                                     .lit = debug.lit ? debug.lit + before : NULL};
+            light_piece(view, piece, &part, &(struct tia_options){.dither = options->dither, .debug = &here});
         }
 }

@@ -1,5 +1,6 @@
 /* acuity.c - the largest blocks that the eye cannot distinguish from the pixels that they replace. */
-#include <tia/gaze.h>
+#include "acuity.h"
+
 #include <tia/render.h>
 
 #include "math/integer.h"
@@ -43,7 +44,7 @@ static void set_levels(struct tia_acuity *acuity, const struct tia_gaze *gaze)
     uint64_t pixel = PIXEL_ANGLE / acuity->distance;
 
     acuity->levels = 0;
-    for (unsigned i = 0; i < TIA_GAZE_LEVELS; i++) {
+    for (unsigned i = 0; i < ACUITY_LEVELS; i++) {
         uint64_t from = degrees_from(gaze, pixel << (i + 1));
         if (from > RIGHT_ANGLE)
             return;

@@ -9,13 +9,13 @@ static bool is_pointer(const struct tia_event *event)
 /* True for the loop's keys that do not concern lights. */
 static bool is_own(const struct loop *loop, uint16_t key)
 {
-    return loop->viewer->control && (key == TIA_KEY_TAB || (key == TIA_KEY_SPACE && loop->plays));
+    return loop->viewer->hooks.control && (key == TIA_KEY_TAB || (key == TIA_KEY_SPACE && loop->plays));
 }
 
 enum tia_effect tia_viewer_effect(const struct loop *loop, const struct tia_event *event)
 {
     const struct tia_viewer *v = loop->viewer;
-    enum tia_effect other = v->control ? v->control->weigh(v->control_ctx, event) : TIA_EFFECT_NONE;
+    enum tia_effect other = v->hooks.control ? v->hooks.control->weigh(v->hooks.ctx, event) : TIA_EFFECT_NONE;
 
     if (event->kind == TIA_EVENT_RELEASE)
         return TIA_EFFECT_NONE;
@@ -25,7 +25,7 @@ enum tia_effect tia_viewer_effect(const struct loop *loop, const struct tia_even
         return TIA_EFFECT_CAMERA;
     if (is_own(loop, event->key))
         return TIA_EFFECT_PICTURE;
-    return v->control ? other : TIA_EFFECT_END;
+    return v->hooks.control ? other : TIA_EFFECT_END;
 }
 
 /* ---- the camera ---- */
@@ -40,7 +40,7 @@ static void set_camera(struct loop *loop, const struct tia_camera *camera)
         loop->current->camera = *camera;
     loop->view_ready = false;
     loop->changed = true;
-    if (loop->core->view_size(loop->core, loop->base, loop->viewer->light_capacity) != loop->view_size)
+    if (loop->core->view_size(loop->core, loop->base, loop->viewer->lights.capacity) != loop->view_size)
         loop->view = NULL; /* another renderer draws it */
 }
 
@@ -97,7 +97,7 @@ static void pause(struct loop *loop)
 /* Chooses the next light that keys move, cyclically. */
 static bool choose_light(struct loop *loop)
 {
-    const struct tia_light *lights = loop->viewer->lights;
+    const struct tia_light *lights = loop->viewer->lights.array;
     uint32_t count = loop->state.light_count, from = loop->state.light < count ? loop->state.light : 0;
 
     while (from + 1 < count && tia_light_has(lights[from].kind, TIA_LIGHT_EVERYWHERE))
@@ -117,7 +117,7 @@ static int act(struct loop *loop, const struct tia_event *event)
 {
     const struct tia_viewer *v = loop->viewer;
     struct tia_camera camera = loop->scene->camera;
-    enum tia_effect effect = v->control->act(v->control_ctx, event, &camera);
+    enum tia_effect effect = v->hooks.control->act(v->hooks.ctx, event, &camera);
 
     if (effect == TIA_EFFECT_CAMERA)
         move_camera(loop, &camera);
@@ -137,7 +137,7 @@ int tia_viewer_control(struct loop *loop, const struct tia_event *event)
     }
     if (is_pointer(event) && tia_viewer_point(loop, event) && !event->drag)
         return TIA_OK;
-    if (!v->control)
+    if (!v->hooks.control)
         return TIA_OK;
     if (is_own(loop, event->key) && event->key == TIA_KEY_SPACE) {
         pause(loop);

@@ -11,7 +11,7 @@ static uint32_t light_of(const struct loop *loop, uint16_t key, uint32_t *first)
     uint32_t count = loop->state.light_count, light;
 
     *first = tia_viewer_moves(loop, key) && loop->state.light < count ? loop->state.light : 0;
-    light = tia_key_light(loop->scene, v->lights + *first, count - *first, key);
+    light = tia_key_light(loop->scene, v->lights.array + *first, count - *first, key);
     return light == TIA_NO_LIGHT ? light : light + *first;
 }
 
@@ -20,11 +20,11 @@ static int press_light(struct loop *loop, uint16_t key)
     const struct tia_viewer *v = loop->viewer;
     uint32_t first, light = light_of(loop, key, &first), count = loop->state.light_count - first;
     int status = tia_viewer_press_lights(loop->more ? loop->more->check : tia_check_spheres, loop->scene,
-                                         v->lights + first, &count, v->light_capacity - first, key);
+                                         v->lights.array + first, &count, v->lights.capacity - first, key);
 
     loop->state.light_count = count + first;
     if (status > 0 && loop->plays)
-        v->detached[light] = true;
+        v->lights.detached[light] = true;
     loop->changed = loop->changed || status > 0;
     loop->pressed = loop->pressed || status > 0;
     return light == TIA_NO_LIGHT ? TIA_ERR_ARGUMENT : TIA_OK;
@@ -47,13 +47,13 @@ static int control(struct loop *loop, const struct tia_event *event)
     return tia_viewer_effect_of(loop, event) == TIA_EFFECT_END ? VIEWER_QUIT : TIA_OK;
 }
 
-int tia_viewer_press(struct loop *loop, const struct tia_event *event)
+int tia_viewer_take_key(struct loop *loop, const struct tia_event *event)
 {
     if (tia_viewer_is_switch(loop, event->key)) {
         loop->more->switch_shadows(loop);
         return TIA_OK;
     }
-    if (tia_viewer_lights(loop, event) && (!press_light(loop, event->key) || !loop->viewer->control))
+    if (tia_viewer_lights(loop, event) && (!press_light(loop, event->key) || !loop->viewer->hooks.control))
         return TIA_OK;
     return control(loop, event);
 }
@@ -64,7 +64,7 @@ static bool is_repeated(const struct loop *loop, uint16_t key)
 {
     static const char more[] = "hjkl+-";
 
-    for (unsigned i = 0; loop->viewer->control && more[i]; i++)
+    for (unsigned i = 0; loop->viewer->hooks.control && more[i]; i++)
         if (key == (unsigned char)more[i])
             return true;
     return key >= TIA_KEY_LEFT && key <= TIA_KEY_PAGE_DOWN;
@@ -95,11 +95,11 @@ static int take_event(struct loop *loop, const struct tia_event *event)
         let_go(loop, event->key);
         return TIA_OK;
     }
-    if (event->kind == TIA_EVENT_PRESS && loop->viewer->clock && is_repeated(loop, event->key))
+    if (event->kind == TIA_EVENT_PRESS && loop->viewer->ports.clock && is_repeated(loop, event->key))
         hold(loop, event);
     if (event->time_us && (!loop->key_us || event->time_us < loop->key_us))
         loop->key_us = event->time_us;
-    return tia_viewer_press(loop, event);
+    return tia_viewer_take_key(loop, event);
 }
 
 int tia_viewer_take_events(struct loop *loop)
@@ -114,7 +114,7 @@ int tia_viewer_take_events(struct loop *loop)
     loop->outdated = false;
     if (status)
         return status;
-    while (v->input && (status = v->input->poll(v->input_ctx, &event)) > 0) {
+    while (v->ports.input && (status = v->ports.input->poll(v->ports.input_ctx, &event)) > 0) {
         status = take_event(loop, &event);
         if (status)
             return status;
@@ -154,7 +154,7 @@ int tia_viewer_repeat_held(struct loop *loop)
         const struct tia_event again = {.kind = TIA_EVENT_PRESS, .key = held->key, .shift = held->shift};
         drop_steps(held, time);
         for (; !status && held->due_us && time >= held->due_us; held->due_us += TIA_HOLD_STEP_US)
-            status = tia_viewer_press(loop, &again);
+            status = tia_viewer_take_key(loop, &again);
     }
     return status;
 }

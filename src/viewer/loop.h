@@ -5,6 +5,7 @@
 #include <tia/simd.h>
 #include <tia/viewer.h>
 
+#include "acuity.h"
 #include "scene/cancel.h"
 
 #define VIEWER_STRIP 16    /* rows of a tile when the display sets no limit */
@@ -136,7 +137,7 @@ struct loop {
 static inline uint64_t viewer_now(const struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;
-    return v->clock ? v->clock->now_us(v->clock_ctx) : 0;
+    return v->ports.clock ? v->ports.clock->now_us(v->ports.clock_ctx) : 0;
 }
 
 /* Returns the samples of a pixel if pixels get them one after the other; else 1. */
@@ -154,7 +155,7 @@ static inline tia_rgb565 *viewer_canvas_at(const struct loop *loop, unsigned x, 
 
 static inline int viewer_mode(struct loop *loop, struct tia_mode *mode)
 {
-    int status = loop->viewer->display->mode(loop->viewer->display_ctx, mode);
+    int status = loop->viewer->ports.display->mode(loop->viewer->ports.display_ctx, mode);
 
     loop->showing = loop->showing || status == TIA_BUSY;
     return status == TIA_BUSY ? TIA_OK : status;
@@ -165,7 +166,7 @@ static inline void viewer_tell(struct loop *loop)
 {
     struct tia_viewer_state *state = loop->viewer->state;
 
-    loop->state.time = loop->plays ? loop->time : loop->viewer->time;
+    loop->state.time = loop->plays ? loop->time : loop->viewer->pacing.time;
     if (!state)
         return;
     loop->state.goes_on = state->goes_on;
@@ -190,7 +191,7 @@ bool tia_viewer_is_switch(const struct loop *loop, uint16_t key);
 
 /* ---- keys.c ---- */
 
-int tia_viewer_press(struct loop *loop, const struct tia_event *event);
+int tia_viewer_take_key(struct loop *loop, const struct tia_event *event);
 /* Handles all waiting events; VIEWER_QUIT when one quits. */
 int tia_viewer_take_events(struct loop *loop);
 /* Handles, while a frame is drawn, the events that leave it as it is and came before all others. */
@@ -315,5 +316,9 @@ int tia_viewer_refine_tile(struct loop *loop, struct tia_tile tile, uint32_t *dr
 int tia_viewer_copy(struct loop *loop);
 /* Does so after the loop, if it has been shown and the display is still the same. */
 void tia_viewer_copy_last(struct loop *loop);
+
+/* The technique for shadows that follows the scene's, in the order of tia_shadows_name and round again, of those that
+ * the scene qualifies for. TIA_SHADOWS_TRACED after one that there is not. */
+enum tia_shadows tia_next_shadows(const struct tia_scene *scene);
 
 #endif

@@ -3,7 +3,7 @@
 
 uint64_t tia_viewer_period_us(const struct loop *loop)
 {
-    const uint32_t *pace = loop->viewer->pace;
+    const uint32_t *pace = loop->viewer->pacing.pace;
 
     return pace[0] ? (UINT64_C(1000000) * pace[1] + pace[0] - 1) / pace[0] : VIEWER_PERIOD_US;
 }
@@ -11,9 +11,9 @@ uint64_t tia_viewer_period_us(const struct loop *loop)
 bool tia_viewer_is_moving(const struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;
-    bool plays = loop->plays && !loop->state.paused && loop->end > v->time;
+    bool plays = loop->plays && !loop->state.paused && loop->end > v->pacing.time;
 
-    return v->pace[0] && v->clock && (plays || tia_viewer_repeat_us(loop));
+    return v->pacing.pace[0] && v->ports.clock && (plays || tia_viewer_repeat_us(loop));
 }
 
 /* Returns the samples that the pass adds to pixels that are drawn already, each counted as a pixel, as in loop->cost_ns

@@ -77,8 +77,9 @@ static unsigned at_most(unsigned value, unsigned limit)
 /* Returns the canvas's part at these pixels. */
 static struct tia_surface surface_of(const struct loop *loop, struct tia_tile pixels)
 {
-    return (struct tia_surface){viewer_canvas_at(loop, pixels.x, pixels.y), sizeof(tia_rgb565),
-                                (ptrdiff_t)(loop->mode.width * sizeof(tia_rgb565))};
+    return (struct tia_surface){.pixels = viewer_canvas_at(loop, pixels.x, pixels.y),
+                                .step = sizeof(tia_rgb565),
+                                .pitch = (ptrdiff_t)(loop->mode.width * sizeof(tia_rgb565))};
 }
 
 /* Draws the samples that this pass adds to the pixels of a row. */
@@ -94,16 +95,16 @@ static int draw_samples(struct loop *loop, struct tia_tile row)
     for (unsigned i = 0; !first && i < row.width; i++)
         sums[i] = (struct tia_sum){{0, 0, 0}};
     status = v->estimator->sample(loop->view, row, first, end, sums, row.width);
-    return status ? status : v->estimator->show(loop->view, row, sums, end, &surface, v->options.dither);
+    return status ? status : v->estimator->show(loop->view, row, sums, end, &surface, v->dither);
 }
 
 static int draw_pixels(struct loop *loop, struct tia_tile pixels)
 {
     struct tia_surface surface = surface_of(loop, pixels);
-    const struct tia_options *options = &loop->viewer->options;
+    const struct tia_options options = {.dither = loop->viewer->dither};
 
-    return loop->traced > loop->pass ? tia_light_tile(loop->view, loop->hits, pixels, &surface, options)
-                                     : tia_render(loop->view, loop->hits, pixels, &surface, options);
+    return loop->traced > loop->pass ? tia_light_tile(loop->view, loop->hits, pixels, &surface, &options)
+                                     : tia_render(loop->view, loop->hits, pixels, &surface, &options);
 }
 
 /* ---- blocks ---- */

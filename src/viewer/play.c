@@ -24,7 +24,7 @@ tia_q16 tia_frame_time(tia_q16 start, uint32_t frame, const uint32_t rate[2])
 /* Returns the time by the clock; it starts again after the last keyframe. */
 static tia_q16 clock_time(const struct loop *loop)
 {
-    tia_q16 begin = loop->viewer->time;
+    tia_q16 begin = loop->viewer->pacing.time;
     uint64_t length = loop->end > begin ? (uint64_t)(loop->end - begin) * 1000000 / TIA_Q16_ONE : 0;
 
     if (loop->state.paused && loop->started && loop->time >= 0)
@@ -36,13 +36,13 @@ static tia_q16 clock_time(const struct loop *loop)
 
 static bool is_stepped(const struct loop *loop)
 {
-    return loop->viewer->rate[0] && loop->viewer->frame_limit;
+    return loop->viewer->pacing.rate[0] && loop->viewer->pacing.frame_limit;
 }
 
 static tia_q16 time_now(const struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;
-    return is_stepped(loop) ? tia_frame_time(v->time, loop->frame, v->rate) : clock_time(loop);
+    return is_stepped(loop) ? tia_frame_time(v->pacing.time, loop->frame, v->pacing.rate) : clock_time(loop);
 }
 
 /* Updates the lights that no key holds from their tracks. */
@@ -51,14 +51,15 @@ static void follow(struct loop *loop)
     const struct tia_viewer *v = loop->viewer;
 
     for (uint32_t i = 0; i < loop->current->light_count; i++)
-        if (!v->detached[i])
-            v->lights[i] = loop->current->lights[i];
+        if (!v->lights.detached[i])
+            v->lights.array[i] = loop->current->lights[i];
 }
 
 static int update_scene(struct loop *loop, tia_q16 time)
 {
-    int status = tia_scene_at_until(loop->current, (char *)loop->current + SCENE_SIZE, loop->current_size - SCENE_SIZE,
-                                    loop->base, time, tia_viewer_stops, loop);
+    const struct tia_job job = {.stop = tia_viewer_stops, .ctx = loop};
+    int status = tia_scene_at(loop->current, (char *)loop->current + SCENE_SIZE, loop->current_size - SCENE_SIZE,
+                              loop->base, time, &job);
 
     if (status)
         return status;
@@ -88,16 +89,16 @@ int tia_viewer_play_begin(struct loop *loop)
     loop->plays = tia_scene_moves(v->scene);
     if (!loop->plays)
         return TIA_OK;
-    if (!v->detached)
+    if (!v->lights.detached)
         return TIA_ERR_ARGUMENT;
-    for (uint32_t i = 0; i < v->light_capacity && !loop->state.goes_on; i++)
-        v->detached[i] = false;
+    for (uint32_t i = 0; i < v->lights.capacity && !loop->state.goes_on; i++)
+        v->lights.detached[i] = false;
     loop->end = tia_scene_duration(v->scene);
     loop->only_lights = moves_only_lights(v->scene);
     loop->bvh_size = v->scene->bvh ? tia_bvh_move_size(v->scene) : 0;
     loop->current_size = tia_scene_at_size(v->scene) + SCENE_SIZE;
     if (loop->current_size < SIZE_MAX / 8 && loop->current_size >= SCENE_SIZE)
-        loop->current = v->memory(v->memory_ctx, loop->current_size);
+        loop->current = v->hooks.memory(v->hooks.ctx, loop->current_size);
     return memory_is_usable(loop->current) ? update_scene(loop, loop->state.time) : TIA_ERR_MEMORY;
 }
 
@@ -111,7 +112,7 @@ static int update_view(struct loop *loop, tia_q16 time)
     loop->current->bvh = bvh;
     if (!status && anew && loop->bvh_size)
         status = tia_bvh_move(&loop->current->bvh, loop->bvh_memory, loop->bvh_size, loop->current, loop->base,
-                              tia_viewer_stops, loop);
+                              &(struct tia_job){.stop = tia_viewer_stops, .ctx = loop});
     if (!status && anew)
         status = tia_viewer_prepare_view(loop);
     loop->changed = true;
@@ -124,7 +125,7 @@ static uint64_t next_due(const struct loop *loop, uint64_t now)
 {
     uint64_t next = loop->due_us + tia_viewer_period_us(loop);
 
-    return !loop->viewer->pace[0] ? now + TIA_PLAY_STEP_US : next > now ? next : now;
+    return !loop->viewer->pacing.pace[0] ? now + TIA_PLAY_STEP_US : next > now ? next : now;
 }
 
 int tia_viewer_play(struct loop *loop)
@@ -136,10 +137,10 @@ int tia_viewer_play(struct loop *loop)
         return loop->view_ready ? TIA_OK : tia_viewer_prepare_view(loop);
     if (!loop->started) {
         loop->due_us = loop->paused_us = now;
-        loop->start_us = now - (uint64_t)(loop->state.time - loop->viewer->time) * 1000000 / TIA_Q16_ONE;
+        loop->start_us = now - (uint64_t)(loop->state.time - loop->viewer->pacing.time) * 1000000 / TIA_Q16_ONE;
     }
     loop->started = true;
-    bool due = now >= loop->due_us || loop->changed || loop->viewer->frame_limit;
+    bool due = now >= loop->due_us || loop->changed || loop->viewer->pacing.frame_limit;
     if (loop->view_ready && (time == loop->time || !due))
         return TIA_OK;
     loop->due_us = next_due(loop, now);

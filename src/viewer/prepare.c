@@ -36,7 +36,7 @@ static bool get_memory(struct loop *loop, struct tia_tile hits, uint64_t canvas)
             return false;
         sum += ALIGN((size_t)sizes[i]);
     }
-    memory = v->memory(v->memory_ctx, sum);
+    memory = v->hooks.memory(v->hooks.ctx, sum);
     if (!memory_is_usable(memory))
         return false;
     for (int i = 0; i < PARTS; i++) {
@@ -79,6 +79,11 @@ static bool get_most_memory(struct loop *loop)
     return false;
 }
 
+static unsigned worker_count(const struct loop *loop)
+{
+    return loop->viewer->job.workers ? loop->viewer->job.workers->count : 1;
+}
+
 int tia_viewer_prepare(struct loop *loop)
 {
     loop->view_ready = loop->complete = false;
@@ -86,20 +91,20 @@ int tia_viewer_prepare(struct loop *loop)
         loop->more->gaze(loop);
     for (unsigned i = 0; i < VIEWER_PASSES; i++)
         loop->pass_pixels[i] = 0;
-    loop->view_size = loop->core->view_size(loop->core, loop->base, loop->viewer->light_capacity);
+    loop->view_size = loop->core->view_size(loop->core, loop->base, loop->viewer->lights.capacity);
     loop->simd_size = loop->viewer->simd && loop->core->simd_size
                           ? loop->core->simd_size(loop->core, loop->viewer->simd, loop->base,
-                                                  loop->viewer->light_capacity, loop->viewer->worker_count)
+                                                  loop->viewer->lights.capacity, worker_count(loop))
                           : 0;
     return get_most_memory(loop) ? TIA_OK : TIA_ERR_MEMORY;
 }
 
 int tia_viewer_prepare_view(struct loop *loop)
 {
+    const struct tia_job job = {.stop = tia_viewer_stops, .ctx = loop};
     struct tia_tile frame = {0, 0, loop->mode.width, loop->mode.height};
     int status = loop->core->view_init(loop->core, &loop->view, loop->view, loop->view_size, loop->scene,
-                                       loop->viewer->light_capacity, loop->mode.width, loop->mode.height,
-                                       tia_viewer_stops, loop);
+                                       loop->viewer->lights.capacity, loop->mode.width, loop->mode.height, &job);
 
     if (!status && loop->viewer->simd)
         status = tia_view_set_simd(loop->view, loop->viewer->simd, loop->simd_memory, loop->simd_size);

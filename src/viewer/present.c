@@ -10,7 +10,7 @@ static int await(struct loop *loop, int status)
         status = tia_viewer_watch(loop);
         if (status)
             return status;
-        status = v->display->go_on(v->display_ctx);
+        status = v->ports.display->go_on(v->ports.display_ctx);
         loop->showing = status == TIA_BUSY;
     }
     return status;
@@ -20,7 +20,7 @@ int tia_viewer_present(struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;
 
-    return await(loop, v->display->present(v->display_ctx));
+    return await(loop, v->ports.display->present(v->ports.display_ctx));
 }
 
 /* Goes on showing; an event that ends it is handled in the next round. */
@@ -31,6 +31,6 @@ int tia_viewer_go_on(struct loop *loop)
     if (!loop->showing)
         return TIA_OK;
     tia_viewer_watch_begin(loop);
-    int status = await(loop, v->display->go_on(v->display_ctx));
+    int status = await(loop, v->ports.display->go_on(v->ports.display_ctx));
     return status == VIEWER_OUTDATED ? TIA_OK : status;
 }

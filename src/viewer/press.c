@@ -103,7 +103,8 @@ bool tia_viewer_moves(const struct loop *loop, uint16_t key)
 /* Returns true for such keys. With Shift they may have another function, if the viewer has a control. */
 bool tia_viewer_lights(const struct loop *loop, const struct tia_event *event)
 {
-    return find_binding(loop->scene, event->key) || (find_move(event->key) && !(event->shift && loop->viewer->control));
+    return find_binding(loop->scene, event->key) ||
+           (find_move(event->key) && !(event->shift && loop->viewer->hooks.control));
 }
 
 uint32_t tia_key_light(const struct tia_scene *scene, const struct tia_light *lights, uint32_t count, uint16_t key)

@@ -15,7 +15,7 @@
 static bool is_watched(const struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;
-    return v->clock && v->input && !v->frame_limit;
+    return v->ports.clock && v->ports.input && !v->pacing.frame_limit;
 }
 
 /* ---- a pass ---- */
@@ -84,7 +84,7 @@ static int copy_tile(struct loop *loop, struct tia_tile tile)
 {
     const struct tia_viewer *v = loop->viewer;
     struct tia_surface surface;
-    int status = v->display->acquire(v->display_ctx, tile, &surface);
+    int status = v->ports.display->acquire(v->ports.display_ctx, tile, &surface);
 
     for (unsigned y = 0; !status && y < tile.height; y++) {
         const tia_rgb565 *from = viewer_canvas_at(loop, tile.x, tile.y + y);
@@ -94,7 +94,7 @@ static int copy_tile(struct loop *loop, struct tia_tile tile)
     }
     if (!status && loop->line)
         draw_line(loop, tile, &surface);
-    return status ? status : v->display->submit(v->display_ctx, tile);
+    return status ? status : v->ports.display->submit(v->ports.display_ctx, tile);
 }
 
 static void copy_job(void *arg, unsigned index)
@@ -140,8 +140,8 @@ static int show_so_far(struct loop *loop, struct tia_frame *frame)
     loop->line = 0;
     tia_viewer_take_quiet(loop);
     viewer_tell(loop);
-    if (!status && v->frame_drawn)
-        v->frame_drawn(v->frame_ctx, frame);
+    if (!status && v->hooks.frame_drawn)
+        v->hooks.frame_drawn(v->hooks.ctx, frame);
     if (!status)
         status = tia_viewer_present(loop);
     loop->shown_us = viewer_now(loop);
@@ -149,7 +149,7 @@ static int show_so_far(struct loop *loop, struct tia_frame *frame)
     loop->showing_us += loop->show_cost_us;
     frame->key_us = loop->key_us && !loop->answered ? loop->shown_us - loop->key_us : 0;
     loop->answered = loop->answered || !status;
-    return !status && v->frame_done ? v->frame_done(v->frame_ctx, frame) : status;
+    return !status && v->hooks.frame_done ? v->hooks.frame_done(v->hooks.ctx, frame) : status;
 }
 
 /* ---- the frame ---- */
@@ -187,7 +187,7 @@ static int draw_pass(struct loop *loop, struct tia_frame *frame)
 /* True if the rasteriser draws the frames: those have rows that stand for others. Spans draw whole rows sooner. */
 static bool is_rasterised(const struct loop *loop)
 {
-    return loop->base->shadows != TIA_SHADOWS_TRACED && !loop->gazes && !loop->viewer->pace[0];
+    return loop->base->shadows != TIA_SHADOWS_TRACED && !loop->gazes && !loop->viewer->pacing.pace[0];
 }
 
 static uint64_t pixels_size(const struct loop *loop)
@@ -260,13 +260,13 @@ static bool is_due(const struct loop *loop)
 {
     if (!is_watched(loop) || loop->pass + 1 == tia_viewer_passes(loop))
         return false;
-    return viewer_now(loop) >= loop->shown_us + wait_us(loop) && (!loop->viewer->pace[0] || loop->answered);
+    return viewer_now(loop) >= loop->shown_us + wait_us(loop) && (!loop->viewer->pacing.pace[0] || loop->answered);
 }
 
 /* Draws the passes for which there is time; all of them, unless the picture moves. */
 static int draw_in_time(struct loop *loop, struct tia_frame *frame)
 {
-    bool moving = tia_viewer_is_moving(loop), paced = is_watched(loop) && loop->viewer->pace[0];
+    bool moving = tia_viewer_is_moving(loop), paced = is_watched(loop) && loop->viewer->pacing.pace[0];
     unsigned passes = tia_viewer_passes(loop);
     int status = TIA_OK;
 

@@ -20,6 +20,7 @@ struct tia_tile tia_viewer_tile(const struct loop *loop, unsigned index)
 static int draw_tile(struct loop *loop, struct tia_tile tile)
 {
     const struct tia_viewer *v = loop->viewer;
+    const struct tia_options options = {.dither = v->dither};
     struct tia_hits *hits = loop->hits;
     struct tia_surface surface;
     int status = tia_viewer_watch(loop);
@@ -27,11 +28,11 @@ static int draw_tile(struct loop *loop, struct tia_tile tile)
     if (!status && !loop->whole)
         status = tia_hits_init(&hits, loop->hits_memory, loop->hits_size, loop->view, tile);
     if (!status)
-        status = v->display->acquire(v->display_ctx, tile, &surface);
+        status = v->ports.display->acquire(v->ports.display_ctx, tile, &surface);
     if (!status)
-        status = loop->traced == VIEWER_PASSES ? tia_light_tile(loop->view, hits, tile, &surface, &v->options)
-                                               : tia_render(loop->view, hits, tile, &surface, &v->options);
-    return status ? status : v->display->submit(v->display_ctx, tile);
+        status = loop->traced == VIEWER_PASSES ? tia_light_tile(loop->view, hits, tile, &surface, &options)
+                                               : tia_render(loop->view, hits, tile, &surface, &options);
+    return status ? status : v->ports.display->submit(v->ports.display_ctx, tile);
 }
 
 static void tile_job(void *arg, unsigned index)
@@ -45,8 +46,8 @@ int tia_viewer_run_tiles(struct loop *loop, void (*job)(void *loop, unsigned ind
     const struct tia_viewer *v = loop->viewer;
     int status = TIA_OK;
 
-    if (v->workers && loop->mode.concurrent && loop->whole) {
-        v->workers->run(v->workers_ctx, job, loop, (unsigned)loop->tiles);
+    if (v->job.workers && loop->mode.concurrent && loop->whole) {
+        v->job.workers->run(v->job.workers->ctx, job, loop, (unsigned)loop->tiles);
         for (unsigned i = 0; status >= 0 && i < loop->tiles; i++)
             status = loop->status[i] ? loop->status[i] : status;
     } else {

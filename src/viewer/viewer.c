@@ -10,7 +10,7 @@ static int idle_ms(const struct loop *loop)
 {
     uint64_t time = viewer_now(loop), next = tia_viewer_repeat_us(loop);
 
-    if (loop->plays && !loop->state.paused && loop->viewer->clock && loop->end > loop->viewer->time &&
+    if (loop->plays && !loop->state.paused && loop->viewer->ports.clock && loop->end > loop->viewer->pacing.time &&
         (!next || loop->due_us < next))
         next = loop->due_us;
     if (!next)
@@ -24,10 +24,10 @@ static void keep_lights(struct loop *loop)
     const struct tia_viewer *v = loop->viewer;
 
     loop->pressed = false;
-    loop->keeps = v->kept != NULL;
+    loop->keeps = v->lights.kept != NULL;
     loop->kept_count = loop->state.light_count;
     for (uint32_t i = 0; loop->keeps && i < loop->kept_count; i++)
-        v->kept[i] = v->lights[i];
+        v->lights.kept[i] = v->lights.array[i];
 }
 
 /* Undoes the keys' changes to the lights since the last picture. False: there are none. */
@@ -40,7 +40,7 @@ static bool take_back_lights(struct loop *loop)
     loop->pressed = false;
     loop->state.light_count = loop->kept_count;
     for (uint32_t i = 0; i < loop->kept_count; i++)
-        v->lights[i] = v->kept[i];
+        v->lights.array[i] = v->lights.kept[i];
     return true;
 }
 
@@ -52,8 +52,8 @@ static int show_frame(struct loop *loop, struct tia_frame *frame)
     int status = TIA_OK;
 
     viewer_tell(loop);
-    if (v->frame_drawn)
-        v->frame_drawn(v->frame_ctx, frame);
+    if (v->hooks.frame_drawn)
+        v->hooks.frame_drawn(v->hooks.ctx, frame);
     status = tia_viewer_present(loop);
     if (status && status != VIEWER_OUTDATED) /* in that case the rest of it is shown before the next */
         return status;
@@ -65,8 +65,8 @@ static int show_frame(struct loop *loop, struct tia_frame *frame)
     loop->good = loop->scene->camera;
     keep_lights(loop);
     loop->frame++;
-    frame->key_us = key_us && v->clock ? viewer_now(loop) - key_us : 0;
-    return v->frame_done ? v->frame_done(v->frame_ctx, frame) : TIA_OK;
+    frame->key_us = key_us && v->ports.clock ? viewer_now(loop) - key_us : 0;
+    return v->hooks.frame_done ? v->hooks.frame_done(v->hooks.ctx, frame) : TIA_OK;
 }
 
 static bool is_moving(const struct loop *loop)
@@ -127,14 +127,14 @@ static int show_again(struct loop *loop)
 /* True if the picture is to be drawn, and not only shown again. */
 static bool is_due(const struct loop *loop)
 {
-    return loop->changed || loop->viewer->frame_limit || (loop->unfinished && !is_moving(loop)) ||
+    return loop->changed || loop->viewer->pacing.frame_limit || (loop->unfinished && !is_moving(loop)) ||
            (loop->covered && !loop->complete && !loop->unfinished);
 }
 
 static int set_lights(struct loop *loop)
 {
     loop->lights_us = viewer_now(loop);
-    return tia_view_set_lights(loop->view, loop->viewer->lights, loop->state.light_count);
+    return tia_view_set_lights(loop->view, loop->viewer->lights.array, loop->state.light_count);
 }
 
 /* Brings the view up to date. */
@@ -195,16 +195,16 @@ static int rest(struct loop *loop, bool hidden)
 {
     const struct tia_viewer *v = loop->viewer;
     bool unfinished = loop->unfinished && !is_moving(loop);
-    bool busy = loop->queued || (!hidden && (loop->changed || v->frame_limit || unfinished || loop->showing));
+    bool busy = loop->queued || (!hidden && (loop->changed || v->pacing.frame_limit || unfinished || loop->showing));
 
-    if (!v->input)
+    if (!v->ports.input)
         return hidden ? TIA_HIDDEN : TIA_OK;
-    return v->input->wait(v->input_ctx, busy ? 0 : hidden ? -1 : idle_ms(loop));
+    return v->ports.input->wait(v->ports.input_ctx, busy ? 0 : hidden ? -1 : idle_ms(loop));
 }
 
 static bool is_stopped(const struct tia_viewer *v)
 {
-    return v->stop && v->stop(v->stop_ctx);
+    return v->job.stop && v->job.stop(v->job.ctx);
 }
 
 static int step(struct loop *loop)
@@ -221,7 +221,7 @@ static int step(struct loop *loop)
         return VIEWER_QUIT;
     if (status && status != TIA_HIDDEN)
         return status;
-    if (v->frame_limit && loop->frame >= v->frame_limit)
+    if (v->pacing.frame_limit && loop->frame >= v->pacing.frame_limit)
         return VIEWER_QUIT;
     if (is_stopped(v)) /* a signal may have come while the display waited */
         return VIEWER_QUIT;
@@ -236,21 +236,20 @@ static bool is_rate(const uint32_t rate[2])
 /* True if all that the ports and callbacks need is set. */
 static bool is_complete(const struct tia_viewer *v)
 {
-    const struct tia_display *d = v->display;
+    const struct tia_display *d = v->ports.display;
 
-    return d && d->mode && d->acquire && d->submit && d->present && v->memory &&
-           (v->input ? v->input->poll && v->input->wait : v->frame_limit > 0) && (!v->clock || v->clock->now_us) &&
-           (!v->workers || (v->workers->run && v->workers->enter && v->workers->leave)) &&
-           (!v->control || (v->control->weigh && v->control->act && v->variant));
+    return d && d->mode && d->acquire && d->submit && d->present && v->hooks.memory &&
+           (v->ports.input ? v->ports.input->poll && v->ports.input->wait : v->pacing.frame_limit > 0) &&
+           (!v->ports.clock || v->ports.clock->now_us) && workers_are_usable(v->job.workers) &&
+           (!v->hooks.control || (v->hooks.control->weigh && v->hooks.control->act && v->variant));
 }
 
 static bool is_acceptable(const struct tia_viewer *v)
 {
-    return v && v->scene && is_complete(v) && v->light_capacity >= v->scene->light_count &&
-           (v->lights || !v->light_capacity) && (v->keys || !v->key_count) && !v->options.path_hash &&
-           !v->options.lit && !v->options.observer && v->time >= 0 && is_rate(v->rate) &&
-           (!v->rate[0] || v->frame_limit) && is_rate(v->pace) &&
-           !(v->state && v->state->goes_on && v->state->light_count > v->light_capacity);
+    return v && v->scene && is_complete(v) && v->lights.capacity >= v->scene->light_count &&
+           (v->lights.array || !v->lights.capacity) && (v->keys || !v->key_count) && v->pacing.time >= 0 &&
+           is_rate(v->pacing.rate) && (!v->pacing.rate[0] || v->pacing.frame_limit) && is_rate(v->pacing.pace) &&
+           !(v->state && v->state->goes_on && v->state->light_count > v->lights.capacity);
 }
 
 /* Sets the scene and its lights, or the lights from an earlier run of the loop. */
@@ -259,12 +258,12 @@ static void begin(struct loop *loop)
     const struct tia_viewer *v = loop->viewer;
 
     loop->scene = v->scene;
-    loop->state = (struct tia_viewer_state){.light_count = v->scene->light_count, .time = v->time};
+    loop->state = (struct tia_viewer_state){.light_count = v->scene->light_count, .time = v->pacing.time};
     if (v->state && v->state->goes_on)
         loop->state = *v->state;
     else
         for (uint32_t i = 0; i < v->scene->light_count; i++)
-            v->lights[i] = v->scene->lights[i];
+            v->lights.array[i] = v->scene->lights[i];
     loop->state.incomplete = true;
     loop->good = v->scene->camera;
     if (!v->variant)
@@ -282,7 +281,7 @@ static int press_first(struct loop *loop)
 
     for (size_t i = 0; !status && i < v->key_count; i++) {
         struct tia_event event = {.kind = TIA_EVENT_TAP, .key = v->keys[i]};
-        status = tia_viewer_press(loop, &event);
+        status = tia_viewer_take_key(loop, &event);
     }
     return status;
 }
@@ -294,11 +293,11 @@ static void end(struct loop *loop)
     struct tia_camera camera = loop->scene->camera;
 
     viewer_tell(loop);
-    if (!loop->last.key || !v->control)
+    if (!loop->last.key || !v->hooks.control)
         return;
     if (loop->more)
         loop->more->copy_last(loop);
-    (void)v->control->act(v->control_ctx, &loop->last, &camera);
+    (void)v->hooks.control->act(v->hooks.ctx, &loop->last, &camera);
 }
 
 int tia_viewer_loop(struct tia_viewer *viewer, const struct tia_core *core, const struct viewer_more *more)
@@ -311,7 +310,7 @@ int tia_viewer_loop(struct tia_viewer *viewer, const struct tia_core *core, cons
                         .base = viewer->scene,
                         .gaze = viewer->gaze,
                         .changed = true};
-    struct cancel cancel = {viewer->stop, viewer->stop_ctx, 0, false};
+    struct cancel cancel = cancel_for(&viewer->job);
     int status = (more ? more->check : tia_check_spheres)(viewer->scene, NULL, &cancel);
 
     if (status)

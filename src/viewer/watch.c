@@ -31,7 +31,8 @@ static void poll_input(struct loop *loop)
     struct tia_event event;
     int status = 0;
 
-    while (v->input && !loop->ends && !is_full(loop) && (status = v->input->poll(v->input_ctx, &event)) > 0)
+    while (v->ports.input && !loop->ends && !is_full(loop) &&
+           (status = v->ports.input->poll(v->ports.input_ctx, &event)) > 0)
         keep(loop, &event);
     if (status < 0) {
         loop->failure = status;
@@ -58,14 +59,14 @@ static void look(struct loop *loop)
     const struct tia_viewer *v = loop->viewer;
     uint64_t now = viewer_now(loop);
 
-    if (loop->ends || (v->clock && now < loop->look_us))
+    if (loop->ends || (v->ports.clock && now < loop->look_us))
         return;
     loop->look_us = now + STEP_US;
-    loop->ends = v->stop && v->stop(v->stop_ctx);
+    loop->ends = v->job.stop && v->job.stop(v->job.ctx);
     poll_input(loop);
     loop->outdated = loop->outdated || (loop->answered && is_held_due(loop, now));
-    loop->gives_up =
-        v->clock && loop->outdated && (loop->answered || (!loop->gave_up && now >= loop->begun_us + patience_us(loop)));
+    loop->gives_up = v->ports.clock && loop->outdated &&
+                     (loop->answered || (!loop->gave_up && now >= loop->begun_us + patience_us(loop)));
 }
 
 void tia_viewer_watch_begin(struct loop *loop)
@@ -80,14 +81,14 @@ void tia_viewer_watch_begin(struct loop *loop)
 static bool enter(const struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;
-    return !v->workers || v->workers->enter(v->workers_ctx);
+    return !v->job.workers || v->job.workers->enter(v->job.workers->ctx);
 }
 
 static void leave(const struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;
-    if (v->workers)
-        v->workers->leave(v->workers_ctx);
+    if (v->job.workers)
+        v->job.workers->leave(v->job.workers->ctx);
 }
 
 int tia_viewer_watch(struct loop *loop)

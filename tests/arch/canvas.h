@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <tia/debug.h>
 #include <tia/tia.h>
 
 /* Receives each frame's name and CRC-32. */
@@ -42,7 +43,7 @@ static inline int frames_open(struct frames_canvas *c, const struct tia_scene *s
     c->memory[1] = malloc(hits);
     c->pixels = calloc((size_t)width * height, sizeof *c->pixels);
     return c->memory[0] && c->memory[1] && c->pixels &&
-           !core->view_init(core, &c->view, c->memory[0], view, scene, lights, width, height, NULL, NULL) &&
+           !core->view_init(core, &c->view, c->memory[0], view, scene, lights, width, height, NULL) &&
            !tia_hits_init(&c->hits, c->memory[1], hits, c->view, c->area);
 }
 
@@ -57,7 +58,8 @@ static inline void frames_draw(struct frames_canvas *c, unsigned tile_width, uns
         unsigned x = n % columns * tile_width, y = n / columns * tile_height;
         struct tia_tile tile = {(uint16_t)x, (uint16_t)y, (uint16_t)(width - x < tile_width ? width - x : tile_width),
                                 (uint16_t)(height - y < tile_height ? height - y : tile_height)};
-        struct tia_surface surface = {c->pixels + (size_t)y * width + x, 2, (ptrdiff_t)width * 2};
+        struct tia_surface surface = {
+            .pixels = c->pixels + (size_t)y * width + x, .step = 2, .pitch = (ptrdiff_t)width * 2};
         struct tia_options options = {dither, NULL};
         int status = trace ? tia_trace(c->view, c->hits, tile) : TIA_OK;
         if (status || tia_light_tile(c->view, c->hits, tile, &surface, &options))

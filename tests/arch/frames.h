@@ -100,7 +100,7 @@ static inline void frames_rays(struct frames_canvas *c, unsigned index, bool hol
     if (index % 2 == 1) {
         size_t size = tia_bvh_size(&scene.scene);
         memory = malloc(size);
-        if (!memory || tia_bvh_build(&scene.scene.bvh, memory, size, NULL, &scene.scene))
+        if (!memory || tia_bvh_build(&scene.scene.bvh, memory, size, NULL, &scene.scene, NULL))
             abort();
     }
     if (!frames_open(c, &scene.scene, width, height))

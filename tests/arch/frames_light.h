@@ -153,7 +153,7 @@ static inline void frames_add_samples(enum tia_integrator integrator, uint32_t f
     void *memory = malloc(size);
     struct tia_view *view;
 
-    if (!memory || tia_view_init(&view, memory, size, &scene, 1, FRAMES_SUMS_WIDTH, FRAMES_SUMS_HEIGHT))
+    if (!memory || tia_view_init(&view, memory, size, &scene, 1, FRAMES_SUMS_WIDTH, FRAMES_SUMS_HEIGHT, NULL))
         abort();
     for (unsigned i = 9; i-- > 0;) {
         unsigned x = i % 3 * 7, y = i / 3 * 5;

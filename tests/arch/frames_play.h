@@ -79,7 +79,7 @@ static inline void frames_play(struct frames_canvas *c)
 
     for (size_t i = 0; i < sizeof times / sizeof times[0]; i++) {
         struct tia_scene now;
-        if (!memory || tia_scene_at(&now, memory, size, &scene, times[i]) || !frames_open(c, &now, 40, 30))
+        if (!memory || tia_scene_at(&now, memory, size, &scene, times[i], NULL) || !frames_open(c, &now, 40, 30))
             abort();
         frames_draw(c, 40, 30, true, false);
         (void)snprintf(name, sizeof name, "play-%ld-40x30", (long)times[i]);

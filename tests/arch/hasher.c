@@ -36,7 +36,7 @@ static int view_init_with_simd(const struct tia_core *core, struct tia_view **vi
                                bool (*stop)(void *ctx), void *ctx)
 {
     size_t more = tia_simd_size(simd, scene, light_capacity, 1);
-    int status = tia_core_q16.view_init(core, view, memory, size, scene, light_capacity, width, height, stop, ctx);
+    int status = tia_core_q16.view_init(core, view, memory, size, scene, light_capacity, width, height, job);
 
     if (!status)
         status = tia_view_set_simd(*view, simd, malloc(more + 1), more);

@@ -8,6 +8,7 @@
  */
 #include "boards/board.h"
 #include "marks.h"
+#include <tia/debug.h>
 #include <tia/tia.h>
 
 enum { WIDTH = 320, HEIGHT = 240, HITS_ROWS = WHOLE ? HEIGHT : ROWS, VIEW_SIZE = 1024 };
@@ -23,7 +24,7 @@ static tia_rgb565 strip[WIDTH * ROWS];
 
 static int draw(const struct tia_view *view, struct tia_hits *hits, bool trace, uint32_t *crc)
 {
-    const struct tia_surface surface = {strip, 2, 2 * WIDTH};
+    const struct tia_surface surface = {.pixels = strip, .step = 2, .pitch = 2 * WIDTH};
     int status = TIA_OK;
     for (uint16_t y = 0; y < HEIGHT && !status; y += ROWS) {
         const struct tia_tile tile = {0, y, WIDTH, (uint16_t)(HEIGHT - y < ROWS ? HEIGHT - y : ROWS)};
@@ -65,7 +66,7 @@ int main(void)
     struct tia_view *view;
     struct tia_hits *hits = NULL;
     int status =
-        CORE.view_init(&CORE, &view, view_memory, sizeof view_memory, &tia_thesis_scene, 1, WIDTH, HEIGHT, NULL, NULL);
+        CORE.view_init(&CORE, &view, view_memory, sizeof view_memory, &tia_thesis_scene, 1, WIDTH, HEIGHT, NULL);
     if (!status)
         status = tia_view_set_lights(view, light_of('a'), 1);
     if (!status && WHOLE)

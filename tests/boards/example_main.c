@@ -1,5 +1,6 @@
 /* example_main.c - runs the example of docs/boards.md, word for word, on the host or on a board, and
  * prints the checksum of the picture that it sends. */
+#include <tia/debug.h>
 #include <tia/tia.h>
 
 int draw(void (*send_row)(unsigned y, const tia_rgb565 *pixels));

@@ -1,6 +1,7 @@
 /* frames.c - on a microcontroller: the thesis scene in each of its light states at two sizes, drawn
  * strip by strip in little memory, and the CRC-32 of every frame. */
 #include "boards/board.h"
+#include <tia/debug.h>
 #include <tia/tia.h>
 
 /* ROWS rows make a strip; its hits take eight bytes a pixel, the prepared scene the rest of the arena. */
@@ -38,7 +39,7 @@ static int strip_acquire(void *ctx, struct tia_tile tile, struct tia_surface *su
     struct checksum *sum = ctx;
     if (tile.x || tile.width != sum->width || tile.height > ROWS || tile.y != sum->next_row)
         return TIA_ERR_ARGUMENT;
-    *surface = (struct tia_surface){sum->strip, 2, 2 * (ptrdiff_t)tile.width};
+    *surface = (struct tia_surface){.pixels = sum->strip, .step = 2, .pitch = 2 * (ptrdiff_t)tile.width};
     return TIA_OK;
 }
 
@@ -99,14 +100,12 @@ static int draw(uint16_t width, uint16_t height, char key)
     struct tia_viewer viewer = {
         .core = &CORE,
         .scene = &tia_thesis_scene,
-        .lights = &light,
-        .light_capacity = 1,
-        .frame_limit = 1,
+        .lights = {.array = &light, .capacity = 1},
+        .pacing = {.frame_limit = 1},
+        .ports = {.display = &strips, .display_ctx = &sum},
+        .hooks = {.memory = take_arena},
         .keys = keys,
         .key_count = key == '-' ? 0 : 1,
-        .display = &strips,
-        .display_ctx = &sum,
-        .memory = take_arena,
     };
     int status = tia_viewer_run_spheres(&viewer);
     tell(&sum, key, status);

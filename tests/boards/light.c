@@ -2,6 +2,8 @@
  * checksum and the bytes of the view and of a tile's hits; on the board its peak stack use, too. */
 #include "boxes.h"
 
+#include <tia/debug.h>
+
 /* Sizes. Tiles do not divide the picture. Only the pixels of a strip are stored. */
 enum { WIDTH = 64, HEIGHT = 48, TILE_WIDTH = 15, TILE_HEIGHT = 7, MEMORY = 16384 };
 
@@ -58,7 +60,7 @@ static int draw_strip(const struct tia_view *view, char *hits_memory, size_t siz
     for (unsigned x = 0; x < WIDTH && !status; x += TILE_WIDTH) {
         const struct tia_tile tile = {(uint16_t)x, (uint16_t)y, at_most(TILE_WIDTH, WIDTH - x),
                                       at_most(TILE_HEIGHT, HEIGHT - y)};
-        const struct tia_surface surface = {strip + x, 2, 2 * WIDTH};
+        const struct tia_surface surface = {.pixels = strip + x, .step = 2, .pitch = 2 * WIDTH};
         status = tia_hits_init(&hits, hits_memory, size, view, tile);
         status = status ? status : tia_render(view, hits, tile, &surface, NULL);
     }
@@ -75,7 +77,7 @@ static int draw(void)
 
     if (room > sizeof memory || hits_size > sizeof memory - room)
         return TIA_ERR_MEMORY;
-    int status = tia_view_init(&view, memory, view_size, &scene, 1, WIDTH, HEIGHT);
+    int status = tia_view_init(&view, memory, view_size, &scene, 1, WIDTH, HEIGHT, NULL);
     for (unsigned y = 0; y < HEIGHT && !status; y += TILE_HEIGHT) {
         status = draw_strip(view, (char *)memory + room, hits_size, y);
         crc = tia_crc32(crc, strip, (size_t)WIDTH * at_most(TILE_HEIGHT, HEIGHT - y));

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include <tia/debug.h>
 #include <tia/tia.h>
 
 #include "common/scene/scene.h"
@@ -20,9 +21,9 @@ static int count(const struct tia_scene *scene, unsigned *rays)
     static tia_rgb565 picture[WIDTH * HEIGHT];
     const struct tia_core *core = &tia_core_watched;
     const struct tia_tile whole = {0, 0, WIDTH, HEIGHT};
-    const struct tia_surface surface = {picture, 2, 2 * WIDTH};
+    const struct tia_surface surface = {.pixels = picture, .step = 2, .pitch = 2 * WIDTH};
     struct tia_observer observer = {.traced = add_ray, .ctx = rays};
-    const struct tia_options options = {.observer = &observer};
+    const struct tia_options options = {.debug = &(struct tia_debug){.observer = &observer}};
     size_t view_size = core->view_size(core, scene, scene->light_count),
            hits_size = core->hits_size(core, scene, whole);
     void *memory[] = {malloc(view_size), malloc(hits_size)};
@@ -30,9 +31,9 @@ static int count(const struct tia_scene *scene, unsigned *rays)
     struct tia_hits *hits;
 
     int status = memory[0] && memory[1] ? TIA_OK : TIA_ERR_MEMORY;
-    status = status ? status
-                    : core->view_init(core, &view, memory[0], view_size, scene, scene->light_count, WIDTH, HEIGHT, NULL,
-                                      NULL);
+    status = status
+                 ? status
+                 : core->view_init(core, &view, memory[0], view_size, scene, scene->light_count, WIDTH, HEIGHT, NULL);
     status = status ? status : tia_hits_init(&hits, memory[1], hits_size, view, whole);
     status = status ? status : tia_render(view, hits, whole, &surface, &options);
     free(memory[0]);

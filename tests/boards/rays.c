@@ -1,5 +1,6 @@
 /* rays.c - a compiled scene, SCENE, drawn ray by ray: prints the picture's checksum. Instructions between the marks are
  * counted, see count.py. */
+#include <tia/debug.h>
 #include <tia/tia.h>
 
 #include "boards/board.h"
@@ -15,7 +16,7 @@ static tia_rgb565 picture[WIDTH * HEIGHT];
 int main(void)
 {
     const struct tia_tile whole = {0, 0, WIDTH, HEIGHT};
-    const struct tia_surface surface = {picture, 2, 2 * WIDTH};
+    const struct tia_surface surface = {.pixels = picture, .step = 2, .pitch = 2 * WIDTH};
     size_t view_size = tia_view_size(&SCENE, SCENE.light_count), hits_size = tia_hits_size(&SCENE, whole);
     size_t room = (view_size + 7) / 8 * 8;
     struct tia_view *view;
@@ -23,7 +24,7 @@ int main(void)
 
     if (room > sizeof memory || hits_size > sizeof memory - room)
         return -TIA_ERR_MEMORY;
-    int status = tia_view_init(&view, memory, view_size, &SCENE, SCENE.light_count, WIDTH, HEIGHT);
+    int status = tia_view_init(&view, memory, view_size, &SCENE, SCENE.light_count, WIDTH, HEIGHT, NULL);
     status = status ? status : tia_hits_init(&hits, (char *)memory + room, hits_size, view, whole);
     count_begin();
     status = status ? status : tia_render(view, hits, whole, &surface, NULL);

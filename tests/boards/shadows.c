@@ -2,7 +2,9 @@
  * picture's checksum and the bytes of the view and of a tile's hits. Instructions between the marks are counted, see
  * count.py. */
 #include "boxes.h"
+
 #include "marks.h"
+#include <tia/debug.h>
 
 enum { WIDTH = 160, HEIGHT = 120, TILE_WIDTH = 32, TILE_HEIGHT = 24, MEMORY = 1 << 20 };
 
@@ -32,7 +34,8 @@ static tia_rgb565 picture[WIDTH * HEIGHT];
 
 static int draw_tile(const struct tia_view *view, char *hits_memory, size_t size, struct tia_tile tile)
 {
-    const struct tia_surface surface = {picture + (size_t)tile.y * WIDTH + tile.x, 2, 2 * WIDTH};
+    const struct tia_surface surface = {
+        .pixels = picture + (size_t)tile.y * WIDTH + tile.x, .step = 2, .pitch = 2 * WIDTH};
     struct tia_hits *hits;
     int status = tia_hits_init(&hits, hits_memory, size, view, tile);
 
@@ -48,7 +51,7 @@ static int draw(void)
 
     if (room > sizeof memory || hits_size > sizeof memory - room)
         return TIA_ERR_MEMORY;
-    int status = tia_view_init(&view, memory, view_size, &scene, scene.light_count, WIDTH, HEIGHT);
+    int status = tia_view_init(&view, memory, view_size, &scene, scene.light_count, WIDTH, HEIGHT, NULL);
     count_begin();
     for (uint16_t y = 0; y < HEIGHT; y += TILE_HEIGHT)
         for (uint16_t x = 0; x < WIDTH && !status; x += TILE_WIDTH)

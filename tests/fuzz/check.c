@@ -119,11 +119,11 @@ static void must_be_of_use(const struct tia_scene *s)
     void *memory = malloc(size), *moved = malloc(moving);
     struct tia_scene with = *s, at;
 
-    MUST(tia_bvh_build(&with.bvh, memory, size - 1, &used, s) == TIA_ERR_MEMORY);
-    MUST(!tia_bvh_build(&with.bvh, memory, size, &used, s) && used <= size);
+    MUST(tia_bvh_build(&with.bvh, memory, size - 1, &used, s, NULL) == TIA_ERR_MEMORY);
+    MUST(!tia_bvh_build(&with.bvh, memory, size, &used, s, NULL) && used <= size);
     MUST(!tia_scene_check(&with, NULL));
     for (unsigned i = 0; i < sizeof times / sizeof *times; i++) {
-        MUST(!tia_scene_at(&at, moved, moving, &with, times[i]));
+        MUST(!tia_scene_at(&at, moved, moving, &with, times[i], NULL));
         int status = tia_scene_check(&at, NULL);
         MUST(!status || (tia_scene_moves(s) && status == TIA_ERR_RANGE));
     }

@@ -1,6 +1,7 @@
 /* parts.c - tia-join's inputs: up to three files of parts, of any bytes or of parts as tia writes them with some of
  * their numbers and bytes changed. Parts that are accepted have every pixel of every frame. */
 #include <string.h>
+#include <tia/debug.h>
 
 #include "common/image/part.h"
 #include "common/image/sums.h"

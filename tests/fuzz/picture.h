@@ -4,6 +4,7 @@
 
 #include <stdio.h>
 #include <string.h>
+#include <tia/debug.h>
 
 #include "bytes.h"
 
@@ -39,15 +40,15 @@ static inline void open_picture(struct picture *p, const struct tia_core *core, 
     p->pixels = malloc(count * sizeof *p->pixels);
     p->path_hash = malloc(count * sizeof *p->path_hash);
     MUST(p->memory[0] && p->memory[1] && p->pixels && p->path_hash);
-    MUST(!core->view_init(core, &p->view, p->memory[0], view, scene, scene->light_count, width, height, NULL, NULL));
+    MUST(!core->view_init(core, &p->view, p->memory[0], view, scene, scene->light_count, width, height, NULL));
     MUST(!tia_hits_init(&p->hits, p->memory[1], hits, p->view, tile));
     MUST(!tia_trace(p->view, p->hits, tile));
 }
 
 static inline void light_picture(struct picture *p, bool dither)
 {
-    struct tia_surface surface = {p->pixels, 2, p->tile.width * 2};
-    struct tia_options options = {dither, p->path_hash};
+    struct tia_surface surface = {.pixels = p->pixels, .step = 2, .pitch = p->tile.width * 2};
+    struct tia_options options = {.dither = dither, .debug = &(struct tia_debug){.path_hash = p->path_hash}};
 
     MUST(!tia_light_tile(p->view, p->hits, p->tile, &surface, &options));
 }

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "../../src/raster/target.h"
 #include "../oracle/raster.h"
 #include "bytes.h"
 

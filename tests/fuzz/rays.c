@@ -80,7 +80,7 @@ static void draw_sooner(const struct picture *plain, const struct tia_scene *sce
     void *memory = malloc(size);
     struct picture sooner;
 
-    MUST(memory && !tia_bvh_build(&with.bvh, memory, size, NULL, scene));
+    MUST(memory && !tia_bvh_build(&with.bvh, memory, size, NULL, scene, NULL));
     open_picture(&sooner, &tia_core_q16, &with, width, height, plain->tile);
     light_picture(&sooner, false);
     must_be_same(plain, &sooner);
@@ -121,7 +121,7 @@ static void choose_shadows(struct tia_scene *scene, uint16_t width, uint16_t hei
     struct tia_view *view;
 
     MUST(memory);
-    if (tia_view_init(&view, memory, size, scene, scene->light_count, width, height) == TIA_ERR_RANGE)
+    if (tia_view_init(&view, memory, size, scene, scene->light_count, width, height, NULL) == TIA_ERR_RANGE)
         scene->shadows = TIA_SHADOWS_TRACED;
     free(memory);
 }

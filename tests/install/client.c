@@ -1,6 +1,7 @@
 /* client.c - a program that uses the installed library, in C and in C++: the built-in scene with key a's light, row by
  * row. Prints the library's version and the picture's CRC-32, as `tia -k a -s 320x240 --checksum` does. */
 #include <stdio.h>
+#include <tia/debug.h>
 #include <tia/tia.h>
 
 static uint64_t view_memory[128], hits_memory[320 + 8];
@@ -8,12 +9,15 @@ static tia_rgb565 row[320];
 
 int main(void)
 {
-    struct tia_surface surface = {row, 2, sizeof row};
+    struct tia_surface surface;
     struct tia_view *view;
     struct tia_hits *hits;
     struct tia_tile tile = {0, 0, 320, 1};
     uint32_t crc = 0;
-    if (tia_view_init(&view, view_memory, sizeof view_memory, &tia_thesis_scene, 1, 320, 240) ||
+    surface.pixels = row;
+    surface.step = sizeof *row;
+    surface.pitch = sizeof row;
+    if (tia_view_init(&view, view_memory, sizeof view_memory, &tia_thesis_scene, 1, 320, 240, NULL) ||
         tia_view_set_lights(view, &tia_thesis_scene.bindings[0].state, 1))
         return 1;
     for (; tile.y < 240; tile.y++) {

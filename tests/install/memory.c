@@ -88,14 +88,9 @@ static size_t viewer_size(void)
     static bool detached[LIGHTS];
     struct asked asked = {0, tia_scene_moves(&SCENE), 0};
     struct tia_viewer viewer = {.scene = &SCENE,
-                                .lights = lights,
-                                .light_capacity = LIGHTS,
-                                .detached = detached,
-                                .display = &display,
-                                .input = &input,
-                                .clock = &clock,
-                                .memory = no_memory,
-                                .memory_ctx = &asked};
+                                .lights = {.array = lights, .detached = detached, .capacity = LIGHTS},
+                                .ports = {.display = &display, .input = &input, .clock = &clock},
+                                .hooks = {.memory = no_memory, .ctx = &asked}};
 
     (void)tia_viewer_run(&viewer);
     return asked.size;
@@ -111,7 +106,7 @@ int main(void)
     struct tia_tile row = {0, 0, 320, 1}, odd = {0, 0, 33, 7}, frame = {0, 0, 320, 250};
     struct tia_view *view;
 
-    if (tia_view_init(&view, view_memory, sizeof view_memory, &SCENE, LIGHTS, 320, 250))
+    if (tia_view_init(&view, view_memory, sizeof view_memory, &SCENE, LIGHTS, 320, 250, NULL))
         return 1;
     tell("view", SIZE(_VIEW), tia_view_size(&SCENE, LIGHTS));
     tell("row", SIZE(_HITS_320x1), tia_hits_size(&SCENE, row));

@@ -2,6 +2,8 @@
  * draw. A hit buffer stores all results of the oracle. */
 #include "oracle.h"
 
+#include <tia/debug.h>
+
 struct tia_view {
     const struct tia_core *core;
     const struct tia_scene *scene;
@@ -24,10 +26,9 @@ static size_t view_size(const struct tia_core *core, const struct tia_scene *sce
 
 static int view_init(const struct tia_core *core, struct tia_view **view, void *memory, size_t size,
                      const struct tia_scene *scene, uint32_t light_capacity, unsigned width, unsigned height,
-                     bool (*stop)(void *ctx), void *ctx)
+                     const struct tia_job *job)
 {
-    (void)stop;
-    (void)ctx;
+    (void)job;
     if (size < view_size(core, scene, light_capacity))
         return TIA_ERR_MEMORY;
     *view = memory;
@@ -90,8 +91,8 @@ static int light(const struct tia_view *view, const struct tia_hits *hits, struc
         for (unsigned x = tile.x; x < tile.x + (unsigned)tile.width; x++, out += surface->step) {
             struct oracle_pixel pixel = hits->pixels[hits_index(hits, x, y)];
             *(tia_rgb565 *)(void *)out = oracle_pack(&pixel, x, y, options->dither);
-            if (options->path_hash)
-                options->path_hash[i++] = pixel.path_hash;
+            if (options->debug && options->debug->path_hash)
+                options->debug->path_hash[i++] = pixel.path_hash;
         }
     }
     return TIA_OK;

@@ -10,7 +10,7 @@ struct hit {
     struct oracle_vec normal; /* geometric */
     struct oracle_vec smooth; /* interpolated, or the same */
     double u, v;
-    uint32_t part; /* part of the shape, as in tia_options.path_hash */
+    uint32_t part; /* part of the shape, as in tia_debug.path_hash */
     /* index into the scene's materials; in a shape's own hit, an offset from the shape's material */
     uint32_t material;
 };

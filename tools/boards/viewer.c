@@ -39,15 +39,13 @@ static int view(const char **why)
     struct tia_scene scene = SCENE;
     struct tia_viewer viewer = {
         .scene = &scene,
-        .lights = lights,
-        .light_capacity = LIGHTS,
-        .display = &panel_display,
-        .input = &panel_keyboard,
-        .clock = &board_clock,
-        .display_ctx = why,
-        .input_ctx = why,
-        .memory = take_arena,
-        .frame_done = tell_frame,
+        .lights = {.array = lights, .capacity = LIGHTS},
+        .ports = {.display = &panel_display,
+                  .display_ctx = why,
+                  .input = &panel_keyboard,
+                  .input_ctx = why,
+                  .clock = &board_clock},
+        .hooks = {.memory = take_arena, .frame_done = tell_frame},
     };
     struct tia_mode mode;
     scene.camera.samples = 1; /* such a processor has time for only one ray per pixel */

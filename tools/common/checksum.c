@@ -1,5 +1,6 @@
 #include "checksum.h"
 
+#include <tia/debug.h>
 #include <tia/render.h>
 
 /* Returns the CRC. tia_crc32 takes pixels of two bytes, low byte first, so an odd last byte is padded with a zero. The

@@ -41,6 +41,7 @@ struct threads {
     unsigned count;
     unsigned sleeps;  /* the caller's count, see spin */
     atomic_uint next; /* the next job to run */
+    struct tia_workers workers;
     pthread_t thread[];
 };
 
@@ -187,29 +188,13 @@ static void start(struct threads *pool, unsigned count)
     (void)pthread_attr_destroy(&attributes);
 }
 
-struct threads *threads_create(unsigned count)
-{
-    unsigned others = count > THREADS_MAX ? THREADS_MAX - 1 : count > 0 ? count - 1 : 0;
-    struct threads *pool = calloc(1, sizeof *pool + others * sizeof pool->thread[0]);
-    if (!pool)
-        return NULL;
-    (void)pthread_mutex_init(&pool->lock, NULL);
-    (void)pthread_cond_init(&pool->begin, NULL);
-    (void)pthread_cond_init(&pool->end, NULL);
-    (void)pthread_mutex_init(&pool->door, NULL);
-    pool->spins = others < threads_processors();
-    start(pool, others);
-    return pool;
-}
-
 unsigned threads_count(const struct threads *pool)
 {
     return pool->started + 1;
 }
 
-static void run(void *ctx, void (*job)(void *arg, unsigned index), void *arg, unsigned count)
+void threads_run(struct threads *pool, void (*job)(void *arg, unsigned index), void *arg, unsigned count)
 {
-    struct threads *pool = ctx;
     bool alone = pool->started == 0 || count <= 1;
     pool->job = job;
     pool->arg = arg;
@@ -224,6 +209,11 @@ static void run(void *ctx, void (*job)(void *arg, unsigned index), void *arg, un
         wait_to_end(pool);
 }
 
+static void run(void *ctx, void (*job)(void *arg, unsigned index), void *arg, unsigned count)
+{
+    threads_run(ctx, job, arg, count);
+}
+
 static bool enter(void *ctx)
 {
     return pthread_mutex_trylock(&((struct threads *)ctx)->door) == 0;
@@ -234,7 +224,26 @@ static void leave(void *ctx)
     (void)pthread_mutex_unlock(&((struct threads *)ctx)->door);
 }
 
-const struct tia_workers threads_workers = {run, enter, leave};
+struct threads *threads_create(unsigned count)
+{
+    unsigned others = count > THREADS_MAX ? THREADS_MAX - 1 : count > 0 ? count - 1 : 0;
+    struct threads *pool = calloc(1, sizeof *pool + others * sizeof pool->thread[0]);
+    if (!pool)
+        return NULL;
+    (void)pthread_mutex_init(&pool->lock, NULL);
+    (void)pthread_cond_init(&pool->begin, NULL);
+    (void)pthread_cond_init(&pool->end, NULL);
+    (void)pthread_mutex_init(&pool->door, NULL);
+    pool->spins = others < threads_processors();
+    start(pool, others);
+    pool->workers = (struct tia_workers){run, enter, leave, pool, threads_count(pool)};
+    return pool;
+}
+
+const struct tia_workers *threads_workers(const struct threads *pool)
+{
+    return pool ? &pool->workers : NULL;
+}
 
 void threads_destroy(struct threads *pool)
 {

@@ -1,8 +1,8 @@
-/* thread_pool.h - tia_workers (tia/port.h) on POSIX threads. No other file starts threads. */
+/* thread_pool.h - tia_workers (tia/job.h) on POSIX threads. No other file starts threads. */
 #ifndef TOOLS_THREAD_POOL_H
 #define TOOLS_THREAD_POOL_H
 
-#include <tia/port.h>
+#include <tia/job.h>
 
 #define THREADS_MAX 1024u
 
@@ -21,7 +21,10 @@ unsigned threads_count(const struct threads *pool);
 /* Ends the threads. NULL is allowed. */
 void threads_destroy(struct threads *pool);
 
-/* The context is the pool. Do not call it from a job, nor from two threads at once. */
-extern const struct tia_workers threads_workers;
+/* As tia_workers.run. Do not call it from a job, nor from two threads at once. */
+void threads_run(struct threads *pool, void (*job)(void *arg, unsigned index), void *arg, unsigned count);
+
+/* The pool's threads as tia takes them, while there is the pool; NULL without one. */
+const struct tia_workers *threads_workers(const struct threads *pool);
 
 #endif

@@ -327,7 +327,8 @@ def macros_of(text):
 
 def header():
     library = Header()
-    library.add("include/tia/tia.h")
+    for name in ("tia", "raster", "denoise", "tone", "radio", "debug"):
+        library.add(f"include/tia/{name}.h")
     return HEADER_TOP + "".join("\n" + text for _, text in library.parts)
 
 

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <tia/debug.h>
 
 #include "common/keys.h"
 #include "common/lights.h"
@@ -300,8 +301,7 @@ int shadows_compare(const struct options *options, struct threads *pool)
     c.job = (struct technique_job){.width = options->width ? options->width : 640,
                                    .height = options->width ? options->height : 480,
                                    .rounds = options->best_of,
-                                   .workers = &threads_workers,
-                                   .workers_ctx = pool};
+                                   .workers = threads_workers(pool)};
     if (options->heatmap && !pictures_begin(&c.pictures, options->heatmap, (unsigned)options->scene_count))
         result = failed(1, "--heatmap", c.pictures.why);
     if (result == 0)

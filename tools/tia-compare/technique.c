@@ -1,6 +1,7 @@
 #include "technique.h"
 
 #include <stdlib.h>
+#include <tia/debug.h>
 #include <time.h>
 
 #include "clock.h"
@@ -19,9 +20,10 @@ static void draw_rows(void *arg, unsigned index)
     struct technique_frame *frame = arg;
     struct tia_tile tile = rows_of(frame->job, index);
     size_t at = (size_t)tile.y * tile.width;
-    struct tia_surface surface = {frame->pixels + at, sizeof *frame->pixels,
-                                  (ptrdiff_t)(tile.width * sizeof *frame->pixels)};
-    struct tia_options options = {.lit = frame->timed ? NULL : frame->lit + at};
+    struct tia_surface surface = {.pixels = frame->pixels + at,
+                                  .step = sizeof *frame->pixels,
+                                  .pitch = (ptrdiff_t)(tile.width * sizeof *frame->pixels)};
+    struct tia_options options = {.debug = &(struct tia_debug){.lit = frame->timed ? NULL : frame->lit + at}};
 
     frame->status[index] = tia_render(frame->view, frame->hits, tile, &surface, &options);
 }
@@ -34,7 +36,7 @@ static int draw(struct technique_frame *frame)
 
     if (status)
         return status;
-    job->workers->run(job->workers_ctx, draw_rows, frame, count);
+    job->workers->run(job->workers->ctx, draw_rows, frame, count);
     for (unsigned i = 0; i < count && !status; i++)
         status = frame->status[i];
     return status;
@@ -85,7 +87,7 @@ static int prepare(struct technique_frame *frame)
     if (!frame->view_memory || !frame->hits_memory || !frame->pixels || !frame->object || !frame->lit || !frame->status)
         return TIA_ERR_MEMORY;
     int status = tia_view_init(&frame->view, frame->view_memory, view_size, &frame->scene, job->light_capacity,
-                               job->width, job->height);
+                               job->width, job->height, NULL);
     return status ? status : tia_hits_init(&frame->hits, frame->hits_memory, hits_size, frame->view, all);
 }
 

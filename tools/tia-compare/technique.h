@@ -11,7 +11,6 @@ struct technique_job {
     uint32_t light_count, light_capacity;
     unsigned width, height, rounds; /* rounds: timed runs */
     const struct tia_workers *workers;
-    void *workers_ctx;
 };
 
 struct technique_frame {

@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <tia/debug.h>
 
 #include "common/corpus/corpus.h"
 #include "common/corpus/corpus_rays.h"
@@ -181,8 +182,7 @@ int main(int argc, char **argv)
     run.what = (struct measure){.reference = &tia_core_f64,
                                 .cores = {&tia_core_q16, &tia_core_f32},
                                 .core_count = MEASURE_CORES,
-                                .workers = &threads_workers,
-                                .workers_ctx = pool};
+                                .workers = threads_workers(pool)};
     run.report = (struct report){.json = run.options.json, .summary = run.options.summary, .what = &run.what};
     result = run.options.shadows ? shadows_compare(&run.options, pool) : compare_arithmetics(&run);
     threads_destroy(pool);

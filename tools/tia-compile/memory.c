@@ -5,6 +5,7 @@
 #include <stdio.h>
 
 #include <tia/bvh.h>
+#include <tia/debug.h>
 #include <tia/motion.h>
 #include <tia/render.h>
 

@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <tia/debug.h>
 #include <tia/render.h>
 
 #include "common/image/part.h"

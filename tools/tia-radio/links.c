@@ -183,7 +183,7 @@ static bool shoot(const struct search *search, struct tia_vec3 from, struct tia_
     *all = (struct finds){NULL, 0, 0, false};
     if (!s.finds)
         return false;
-    threads_workers.run(search->pool, shoot_chunk, &s, jobs);
+    threads_run(search->pool, shoot_chunk, &s, jobs);
     for (unsigned i = 0; i < jobs; i++) {
         for (size_t k = 0; k < s.finds[i].count && !all->exhausted; k++)
             (void)add_find(all, &s.finds[i].array[k]);

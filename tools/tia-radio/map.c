@@ -190,7 +190,8 @@ static int write_picture(const struct map *map)
     size_t count = (size_t)o->width * map->rows;
     tia_rgb565 *pixels = malloc(count * sizeof *pixels);
     struct tia_tile tile = {0, (uint16_t)map->first_row, o->width, (uint16_t)map->rows};
-    struct tia_surface surface = {pixels, sizeof *pixels, (ptrdiff_t)(o->width * sizeof *pixels)};
+    struct tia_surface surface = {
+        .pixels = pixels, .step = sizeof *pixels, .pitch = (ptrdiff_t)(o->width * sizeof *pixels)};
 
     if (!pixels)
         return refuse(FAILED, "memory: exhausted");
@@ -254,7 +255,7 @@ static bool compute(struct map *map)
         fine = sequences_shoot(map->search, o->tx[tx], &map->sequences[tx]);
     if (!map->gain || !fine)
         return false;
-    threads_workers.run(map->search->pool, fill_row, map, map->rows);
+    threads_run(map->search->pool, fill_row, map, map->rows);
     return !atomic_load(&map->exhausted);
 }
 

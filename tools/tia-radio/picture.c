@@ -69,8 +69,9 @@ static void draw_rows(void *arg, unsigned index)
     struct drawing *d = arg;
     unsigned first = index * ROWS, left = d->options->height - first;
     struct tia_tile tile = {0, (uint16_t)first, d->options->width, (uint16_t)(left < ROWS ? left : ROWS)};
-    struct tia_surface surface = {d->pixels + (size_t)first * d->options->width, sizeof(tia_rgb565),
-                                  (ptrdiff_t)(d->options->width * sizeof(tia_rgb565))};
+    struct tia_surface surface = {.pixels = d->pixels + (size_t)first * d->options->width,
+                                  .step = sizeof(tia_rgb565),
+                                  .pitch = (ptrdiff_t)(d->options->width * sizeof(tia_rgb565))};
     size_t size = tia_hits_size(d->scene, tile);
     void *memory = malloc(size);
     struct tia_hits *hits;
@@ -120,10 +121,10 @@ int picture_draw(const struct options *o, const struct site *site, struct thread
     scene.integration.integrator = TIA_WHITTED;
     d.pixels = malloc((size_t)o->width * o->height * sizeof *d.pixels);
     int status = memory && d.pixels
-                     ? tia_view_init(&d.view, memory, size, &scene, scene.light_count, o->width, o->height)
+                     ? tia_view_init(&d.view, memory, size, &scene, scene.light_count, o->width, o->height, NULL)
                      : TIA_ERR_MEMORY;
     if (!status) {
-        threads_workers.run(pool, draw_rows, &d, (o->height + ROWS - 1u) / ROWS);
+        threads_run(pool, draw_rows, &d, (o->height + ROWS - 1u) / ROWS);
         status = atomic_load(&d.status);
     }
     int result =

@@ -1,6 +1,7 @@
 #include "arithmetic.h"
 
 #include <string.h>
+#include <tia/debug.h>
 
 /* The Makefile defines TIA_LINKED_... for this file alone, one for each library that this program is linked with. */
 static const struct tia_core *const cores[] = {

@@ -81,7 +81,7 @@ static int gather(struct bands *b, unsigned number)
     int status = read_known(b);
     if (status)
         return status;
-    threads_workers.run(b->e->pool, draw_row, b, b->rows);
+    threads_run(b->e->pool, draw_row, b, b->rows);
     status = atomic_load(&b->e->status);
     return status ? status : resume_append(&b->resume, b->y, b->rows, &b->band);
 }
@@ -116,7 +116,7 @@ static int gather_all(struct bands *b)
     for (unsigned i = 0; i < band_count(b) && !status; i++) {
         status = gather(b, i);
         if (!status && denoise)
-            threads_workers.run(b->e->pool, put_row, b, b->rows);
+            threads_run(b->e->pool, put_row, b, b->rows);
     }
     if (!status && denoise)
         denoising_filter(&b->denoising);
@@ -139,7 +139,7 @@ static int draw(struct bands *b)
             status = gather(b, number);
         if (status)
             break;
-        threads_workers.run(e->pool, develop_row, b, b->rows);
+        threads_run(e->pool, develop_row, b, b->rows);
         status = estimation_write(e, b->rows);
     }
     return status;

@@ -1,5 +1,6 @@
 /* denoising.c - removes noise from gathered samples, and shows the denoiser's guides. */
 #include <stdlib.h>
+#include <tia/debug.h>
 
 #include "estimation.h"
 #include "pixels/pages.h"
@@ -38,7 +39,7 @@ static void pass(void *arg, unsigned y)
 void denoising_filter(struct denoising *d)
 {
     for (d->pass = 0; d->pass < TIA_DENOISE_PASSES; d->pass++)
-        threads_workers.run(d->e->pool, pass, d, d->e->film.height);
+        threads_run(d->e->pool, pass, d, d->e->film.height);
 }
 
 void denoising_get(const struct denoising *d, unsigned y, struct tia_sum *row)

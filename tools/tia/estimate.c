@@ -1,6 +1,7 @@
 #include "estimate.h"
 
 #include <stdlib.h>
+#include <tia/tone.h>
 
 #include "arithmetic.h"
 #include "clock.h"
@@ -53,8 +54,7 @@ static int begin(struct estimation *e)
     e->pool = threads_create(options->threads);
     if (!e->bytes || !e->pool)
         return TIA_ERR_MEMORY;
-    e->film_scene.stop = stops;
-    e->film_scene.stop_ctx = e;
+    e->film_scene.job = (struct tia_job){.stop = stops, .ctx = e};
     int status = film_scene_begin(&e->film_scene, options, e->why);
     status = status ? status : film_scene_update(&e->film_scene, 0);
     if (!status)

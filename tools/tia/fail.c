@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include <tia/debug.h>
 #include <tia/render.h>
 
 #include "common/message.h"

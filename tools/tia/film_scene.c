@@ -41,7 +41,7 @@ static int set_time(struct film_scene *film, uint32_t frame)
         size_t size = tia_scene_at_size(scene);
         if (!get_memory(&film->arrays, &film->arrays_bytes, size))
             return TIA_ERR_MEMORY;
-        int status = tia_scene_at(&film->moved, film->arrays, size, scene, time);
+        int status = tia_scene_at(&film->moved, film->arrays, size, scene, time, NULL);
         if (status)
             return status;
         film->scene = &film->moved;
@@ -58,7 +58,7 @@ static int move_bvh(struct film_scene *film)
     size_t size = tia_bvh_move_size(moved);
     if (!get_memory(&film->bvh_memory, &film->bvh_bytes, size))
         return TIA_ERR_MEMORY;
-    return tia_bvh_move(&moved->bvh, film->bvh_memory, size, moved, &film->options->scene, film->stop, film->stop_ctx);
+    return tia_bvh_move(&moved->bvh, film->bvh_memory, size, moved, &film->options->scene, &film->job);
 }
 
 static int set_simd(struct film_scene *film)
@@ -79,9 +79,8 @@ static int prepare_view(struct film_scene *film)
     if (!get_memory(&film->view_memory, &film->view_bytes, size))
         return TIA_ERR_MEMORY;
     struct rotation rotation = film_rotation(options);
-    int status =
-        options->core->view_init(options->core, &film->view, film->view_memory, size, film->scene, lights->capacity,
-                                 rotation.width, rotation.height, film->stop, film->stop_ctx);
+    int status = options->core->view_init(options->core, &film->view, film->view_memory, size, film->scene,
+                                          lights->capacity, rotation.width, rotation.height, &film->job);
     if (!status)
         status = tia_view_set_lights(film->view, lights->array, lights->count);
     if (status)

@@ -9,9 +9,8 @@ struct film_scene {
     const struct options *options;
     const struct tia_scene *scene; /* at that time */
     struct tia_view *view;
-    char *why;               /* [PORT_WHY] */
-    bool (*stop)(void *ctx); /* stops the view, see tia_view_init_until; NULL: never */
-    void *stop_ctx;
+    char *why;          /* [PORT_WHY] */
+    struct tia_job job; /* its `stop` is the view's as well */
 
     /* Private. */
     struct tia_scene moved, pictured; /* the scene at a time; then for a view or module */
@@ -21,7 +20,7 @@ struct film_scene {
     struct lights lights;
 };
 
-/* `film` is all zero but for `stop`. Sets up the scene at the time of frame 0 and presses the keys. A negative status
+/* `film` is all zero but for `job`. Sets up the scene at the time of frame 0 and presses the keys. A negative status
  * on failure, with `why` for TIA_ERR_RANGE. */
 int film_scene_begin(struct film_scene *film, const struct options *options, char *why);
 

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <tia/debug.h>
 #include <tia/render.h>
 
 #include "common/image/part.h"

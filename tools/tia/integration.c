@@ -3,6 +3,7 @@
 #include "common/image/series.h"
 #include "common/parse.h"
 #include "fail.h"
+#include <tia/debug.h>
 
 static int load_exposure(const char *text, struct tia_integration *how)
 {

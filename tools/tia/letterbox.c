@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <tia/debug.h>
 
 #include "common/signals.h"
 #include "label.h"
@@ -131,8 +132,9 @@ static int letterbox_acquire(void *ctx, struct tia_tile tile, struct tia_surface
     struct tia_tile place = on_screen(letterbox, tile);
     struct tia_surface under;
     if (has_frame(letterbox)) {
-        under = (struct tia_surface){in_frame(letterbox, place), sizeof(tia_rgb565),
-                                     (ptrdiff_t)(letterbox->place.width * sizeof(tia_rgb565))};
+        under = (struct tia_surface){.pixels = in_frame(letterbox, place),
+                                     .step = sizeof(tia_rgb565),
+                                     .pitch = (ptrdiff_t)(letterbox->place.width * sizeof(tia_rgb565))};
     } else {
         int status = letterbox->screen->acquire(letterbox->screen_ctx, place, &under);
         if (status)

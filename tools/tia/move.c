@@ -35,10 +35,8 @@ static bool ends(const struct options *options, uint16_t key)
 }
 
 /* Returns the effect. A picture is saved when it is complete, so that key interrupts nothing. */
-static enum tia_effect weigh(void *ctx, const struct tia_event *event)
+enum tia_effect moves_weigh(const struct moves *moves, const struct tia_event *event)
 {
-    const struct moves *moves = ctx;
-
     if (event->kind == TIA_EVENT_RELEASE)
         return TIA_EFFECT_NONE;
     if (steer_points(event))
@@ -108,14 +106,13 @@ static enum tia_effect tell(struct moves *moves, uint16_t key)
     return TIA_EFFECT_PICTURE;
 }
 
-static enum tia_effect act(void *ctx, const struct tia_event *event, struct tia_camera *camera)
+enum tia_effect moves_act(struct moves *moves, const struct tia_event *event, struct tia_camera *camera)
 {
-    struct moves *moves = ctx;
     uint16_t key = event->key;
 
     if (steer_points(event))
         return steer(&moves->steer, &moves->options->scene, event, camera);
-    switch (weigh(moves, event)) {
+    switch (moves_weigh(moves, event)) {
     case TIA_EFFECT_END:
         moves->to = key == 'n'   ? MOVE_NEXT_SCENE
                     : key == 'p' ? MOVE_PREVIOUS_SCENE
@@ -134,8 +131,6 @@ static enum tia_effect act(void *ctx, const struct tia_event *event, struct tia_
     save_soon(moves);
     return TIA_EFFECT_PICTURE;
 }
-
-const struct tia_control moves_control = {weigh, act};
 
 void moves_shown(struct moves *moves, const struct tia_frame *frame)
 {

@@ -29,7 +29,9 @@ struct moves {
     struct steer steer;
 };
 
-extern const struct tia_control moves_control; /* the context is a struct moves */
+/* As the functions of struct tia_control. */
+enum tia_effect moves_weigh(const struct moves *moves, const struct tia_event *event);
+enum tia_effect moves_act(struct moves *moves, const struct tia_event *event, struct tia_camera *camera);
 
 /* Called when a frame was shown; coarse ones are not complete. */
 void moves_shown(struct moves *moves, const struct tia_frame *frame);

@@ -1,6 +1,7 @@
 #include "options.h"
 
 #include <string.h>
+#include <tia/debug.h>
 
 #include "arithmetic.h"
 #include "common/choices.h"

@@ -1,6 +1,7 @@
 #include "picture.h"
 
 #include <stdlib.h>
+#include <tia/debug.h>
 
 #include "crc.h"
 #include "film.h"
@@ -66,8 +67,9 @@ static void draw_rows(struct picture *picture, unsigned job)
 
     struct tia_tile place = rotation_tile(&picture->rotation, tile);
     const struct picture_band *band = &picture->band[0];
-    struct tia_surface rows = {band->pixels + (size_t)(place.y - band->y) * picture->width + place.x,
-                               sizeof(tia_rgb565), (ptrdiff_t)(picture->width * sizeof(tia_rgb565))};
+    struct tia_surface rows = {.pixels = band->pixels + (size_t)(place.y - band->y) * picture->width + place.x,
+                               .step = sizeof(tia_rgb565),
+                               .pitch = (ptrdiff_t)(picture->width * sizeof(tia_rgb565))};
     struct tia_surface surface = rotation_surface(&picture->rotation, &rows, place.width, place.height);
 
     struct tia_options pixel_options = picture->pixel_options;
@@ -115,7 +117,7 @@ static int draw_band(struct picture *picture)
     int status = known ? read_band(picture, band) : draws ? prepare_band(picture, band, &jobs) : TIA_OK;
     if (status)
         return status;
-    threads_workers.run(picture->pool, work, picture, jobs + 1);
+    threads_run(picture->pool, work, picture, jobs + 1);
     status = atomic_load(&picture->status);
     if (!status && draws && !known && finished)
         status = finished_append(finished, picture->frame, band->y, band->rows, band->pixels);

@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <tia/debug.h>
 
 #include "clock.h"
 #include "common/image/image.h"
@@ -112,7 +113,7 @@ static double estimated_error(struct rounds *r)
 {
     struct row_error all = {0, 0};
 
-    threads_workers.run(r->e->pool, estimate_row, r, r->e->film.height);
+    threads_run(r->e->pool, estimate_row, r, r->e->film.height);
     for (unsigned y = 0; y < r->e->film.height; y++) {
         all.errors += r->row_errors[y].errors;
         all.light += r->row_errors[y].light;
@@ -167,7 +168,7 @@ static int draw_round(struct rounds *r)
 {
     struct gathered kept = r->next;
 
-    threads_workers.run(r->e->pool, draw_row, r, r->e->film.height);
+    threads_run(r->e->pool, draw_row, r, r->e->film.height);
     if (atomic_load(&r->e->status))
         return atomic_load(&r->e->status);
     r->next = r->kept;
@@ -274,7 +275,7 @@ static int write_all(const struct rounds *r)
     for (unsigned i = 0; i < count && !status; i++) {
         unsigned y = (bottom_up ? count - 1 - i : i) * band;
         struct rows rows = {r, y, height - y < band ? height - y : band};
-        threads_workers.run(e->pool, develop_row, &rows, rows.count);
+        threads_run(e->pool, develop_row, &rows, rows.count);
         status = estimation_write(e, rows.count);
     }
     return status;
@@ -302,9 +303,9 @@ static int denoise(struct rounds *r)
 
     r->denoising = &denoising;
     if (!status) {
-        threads_workers.run(r->e->pool, put_row, r, r->e->film.height);
+        threads_run(r->e->pool, put_row, r, r->e->film.height);
         denoising_filter(&denoising);
-        threads_workers.run(r->e->pool, get_row, r, r->e->film.height);
+        threads_run(r->e->pool, get_row, r, r->e->film.height);
     }
     denoising_end(&denoising);
     return status;
@@ -331,7 +332,7 @@ static int finish(struct rounds *r)
     if (options->denoise && !late)
         status = denoise(r);
     else if (options->guide)
-        threads_workers.run(r->e->pool, guide_row, r, r->e->film.height);
+        threads_run(r->e->pool, guide_row, r, r->e->film.height);
     return status ? status : write_all(r);
 }
 

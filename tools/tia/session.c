@@ -172,6 +172,18 @@ static int close_lines(struct session *session)
     return result >= 0 && fflush(stdout) == 0 ? TIA_OK : TIA_ERR_DEVICE;
 }
 
+static enum tia_effect weigh(void *ctx, const struct tia_event *event)
+{
+    return moves_weigh(&((struct session *)ctx)->moves, event);
+}
+
+static enum tia_effect act(void *ctx, const struct tia_event *event, struct tia_camera *camera)
+{
+    return moves_act(&((struct session *)ctx)->moves, event, camera);
+}
+
+static const struct tia_control control = {weigh, act};
+
 /* True if --fps is a pace: else it is a film's rate. */
 static bool viewer_paces(const struct options *options)
 {
@@ -182,40 +194,37 @@ static struct tia_viewer viewer_of(struct session *session)
 {
     const struct options *options = session->options;
     bool paces = viewer_paces(options);
-    return (struct tia_viewer){.core = options->core,
-                               .simd = options->simd,
-                               .estimator = arithmetic_estimator(options->core),
-                               .scene = &options->scene,
-                               .lights = session->lights.array,
-                               .light_capacity = session->lights.capacity,
-                               .kept = session->lights.kept,
-                               .detached = session->lights.detached,
-                               .variant = options->scene_path ? &session->variant : NULL,
-                               .gaze = gaze_of(options),
-                               .control = session->is_moved ? &moves_control : NULL,
-                               .control_ctx = &session->moves,
-                               .state = &session->viewer,
-                               .options = {.dither = options->dither},
-                               .frame_limit = options->frames,
-                               .keys = options->keys,
-                               .key_count = options->key_count,
-                               .time = options->time,
-                               .rate = {options->rate_given && !paces ? options->rate[0] : 0, options->rate[1]},
-                               .pace = {paces ? options->rate[0] : 0, options->rate[1]},
-                               .display = &letterbox_display,
-                               .input = session->is_moved ? &pointed_input : session->input->ops,
-                               .clock = &clock_monotonic,
-                               .workers = &threads_workers,
-                               .worker_count = threads_count(session->pool),
-                               .display_ctx = &session->letterbox,
-                               .input_ctx = session->is_moved ? (void *)&session->pointed : session->input_ctx,
-                               .workers_ctx = session->pool,
-                               .memory = get_memory,
-                               .memory_ctx = session,
-                               .frame_drawn = frame_drawn,
-                               .frame_done = frame_done,
-                               .frame_ctx = session,
-                               .stop = signals_asked};
+    return (struct tia_viewer){
+        .core = options->core,
+        .simd = options->simd,
+        .estimator = arithmetic_estimator(options->core),
+        .scene = &options->scene,
+        .variant = options->scene_path ? &session->variant : NULL,
+        .lights = {.array = session->lights.array,
+                   .kept = session->lights.kept,
+                   .detached = session->lights.detached,
+                   .capacity = session->lights.capacity},
+        .pacing = {.frame_limit = options->frames,
+                   .time = options->time,
+                   .rate = {options->rate_given && !paces ? options->rate[0] : 0, options->rate[1]},
+                   .pace = {paces ? options->rate[0] : 0, options->rate[1]}},
+        .ports = {.display = &letterbox_display,
+                  .display_ctx = &session->letterbox,
+                  .input = session->is_moved ? &pointed_input : session->input->ops,
+                  .input_ctx = session->is_moved ? (void *)&session->pointed : session->input_ctx,
+                  .clock = &clock_monotonic},
+        .hooks = {.memory = get_memory,
+                  .frame_drawn = frame_drawn,
+                  .frame_done = frame_done,
+                  .control = session->is_moved ? &control : NULL,
+                  .ctx = session},
+        .job = {.workers = threads_workers(session->pool), .stop = signals_asked},
+        .dither = options->dither,
+        .keys = options->keys,
+        .key_count = options->key_count,
+        .gaze = gaze_of(options),
+        .state = &session->viewer,
+    };
 }
 
 /* Begins the overlay. Without a keyboard there are no hints; nor if keys are pressed first, which add the light. */

@@ -1,16 +1,18 @@
 /* core.c - the core for the settings. It records its view: samples and single rays are drawn with it later. */
 #include "session.h"
 
+#include <tia/debug.h>
+
 struct seat seat;
 static struct tia_core own;
 static struct tia_drawing base_drawing, drawing;
 
 static int view_init(const struct tia_core *core, struct tia_view **view, void *memory, size_t size,
                      const struct tia_scene *scene, uint32_t capacity, unsigned width, unsigned height,
-                     bool (*stop)(void *ctx), void *ctx)
+                     const struct tia_job *job)
 {
     seat.view = NULL;
-    int status = seat.base->view_init(core, view, memory, size, scene, capacity, width, height, stop, ctx);
+    int status = seat.base->view_init(core, view, memory, size, scene, capacity, width, height, job);
     seat.view = status ? NULL : *view;
     return status;
 }

@@ -1,6 +1,8 @@
 /* difference.c - two cores in one: integers, and doubles for comparison, as in tia-compare. */
 #include "session.h"
 
+#include <tia/debug.h>
+
 enum { MANY = 1000, REACH = 2 }; /* as in tia-compare's pictures */
 
 struct pair {
@@ -47,7 +49,7 @@ static size_t view_size(const struct tia_core *core, const struct tia_scene *sce
 
 static int view_init(const struct tia_core *core, struct tia_view **view, void *memory, size_t size,
                      const struct tia_scene *scene, uint32_t capacity, unsigned width, unsigned height,
-                     bool (*stop)(void *ctx), void *ctx)
+                     const struct tia_job *job)
 {
     struct pair *pair = memory;
     char *at = (char *)memory + whole(sizeof *pair);
@@ -55,7 +57,7 @@ static int view_init(const struct tia_core *core, struct tia_view **view, void *
 
     for (int i = 0; i < 2 && !status; i++) {
         size_t part = whole(cores[i]->view_size(cores[i], scene, capacity));
-        status = cores[i]->view_init(cores[i], &pair->view[i], at, part, scene, capacity, width, height, stop, ctx);
+        status = cores[i]->view_init(cores[i], &pair->view[i], at, part, scene, capacity, width, height, job);
         at += part;
     }
     if (!status)
@@ -136,8 +138,9 @@ static int light_row(const struct tia_view *view, const struct tia_hits *hits, s
     int status = TIA_OK;
 
     for (int i = 0; i < 2 && !status; i++) {
-        struct tia_options both = {.dither = options && options->dither, .path_hash = paths[i]};
-        struct tia_surface line = {pixels[i], sizeof(tia_rgb565), sizeof pixels[i]};
+        struct tia_options both = {.dither = options && options->dither,
+                                   .debug = &(struct tia_debug){.path_hash = paths[i]}};
+        struct tia_surface line = {.pixels = pixels[i], .step = sizeof(tia_rgb565), .pitch = sizeof pixels[i]};
         status = tia_light_tile(pair_of(view)->view[i], hits_of(hits)->hits[i], row, &line, &both);
     }
     for (unsigned x = 0; x < row.width && !status; x++)

@@ -1,5 +1,6 @@
 /* samples.c - draws a picture of samples while idle, and shows it as it becomes better. */
 #include <stdlib.h>
+#include <tia/tone.h>
 
 #include "session.h"
 

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <tia/debug.h>
 
 #define EXPORT(name) __attribute__((export_name(name)))
 
@@ -205,21 +206,19 @@ int web_run(int goes_on)
     struct tia_viewer viewer = {.core = core,
                                 .simd = seat.base == &tia_core_q16 ? tia_simd_best() : NULL,
                                 .scene = &session.scene,
-                                .lights = session.lights.array,
-                                .light_capacity = session.lights.capacity,
-                                .kept = session.lights.kept,
-                                .detached = session.lights.detached,
                                 .variant = &session.variant,
-                                .control = &session_control,
-                                .state = &session.state,
-                                .time = session.state.time,
-                                .display = &web_display,
-                                .display_ctx = &session.screen,
-                                .input = &session_input,
-                                .input_ctx = &session.screen,
-                                .clock = &web_clock,
-                                .memory = get_memory,
-                                .frame_done = frame_done};
+                                .lights = {.array = session.lights.array,
+                                           .kept = session.lights.kept,
+                                           .detached = session.lights.detached,
+                                           .capacity = session.lights.capacity},
+                                .pacing = {.time = session.state.time},
+                                .ports = {.display = &web_display,
+                                          .display_ctx = &session.screen,
+                                          .input = &session_input,
+                                          .input_ctx = &session.screen,
+                                          .clock = &web_clock},
+                                .hooks = {.memory = get_memory, .frame_done = frame_done, .control = &session_control},
+                                .state = &session.state};
     int status = tia_viewer_run(&viewer);
     seat.view = NULL;
     if (!status)

@@ -1,7 +1,7 @@
 /* define.c - names for numbers:  define RADIUS 2.5 */
-#include "job.h"
+#include "parse.h"
 
-static int check_name(struct tia_job *job, const struct tia_word *name)
+static int check_name(struct tia_parse *job, const struct tia_word *name)
 {
     if (!tia_constant_named(name->at))
         return tia_text_error(&job->text, name, "names no number", "a name that begins with a capital letter");
@@ -12,7 +12,7 @@ static int check_name(struct tia_job *job, const struct tia_word *name)
     return TIA_OK;
 }
 
-int tia_line_define(struct tia_job *job)
+int tia_line_define(struct tia_parse *job)
 {
     struct tia_text *t = &job->text;
     struct tia_word name, word;

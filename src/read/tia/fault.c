@@ -2,7 +2,7 @@
  *
  * The text is read once more until the object at fault has been made: its statement is the last one read.
  */
-#include "job.h"
+#include "parse.h"
 #include "read/readers.h"
 
 static struct tia_word word_of(const char *string)
@@ -15,11 +15,11 @@ static struct tia_word word_of(const char *string)
 }
 
 /* Sets the object that the job searches. */
-static void seek(struct tia_job *job, const struct tia_fault *fault)
+static void seek(struct tia_parse *job, const struct tia_fault *fault)
 {
     static const struct {
         const char *thing;
-        enum tia_job_array array;
+        enum tia_parse_array array;
     } things[] = {{"material", TIA_OF_MATERIALS}, {"texture", TIA_OF_TEXTURES}, {"sphere", TIA_OF_SPHERES},
                   {"shape", TIA_OF_SHAPES},       {"mesh", TIA_OF_MESHES},      {"transform", TIA_OF_TRANSFORMS},
                   {"grid", TIA_OF_GRIDS},         {"light", TIA_OF_LIGHTS},     {"key", TIA_OF_BINDINGS},
@@ -89,12 +89,12 @@ static bool is_named(const char *statement)
 void tia_locate_tia(struct tia_reader *reader, struct tia_fault *fault, struct tia_arena *arena)
 {
     struct tia_scene scene;
-    struct tia_job job = {.reader = reader, .scene = &scene};
+    struct tia_parse job = {.reader = reader, .scene = &scene};
     const char *word = keyword(fault);
 
     seek(&job, fault);
     arena->used = 0;
-    (void)tia_job_read(&job, arena);
+    (void)tia_parse_read(&job, arena);
     if (!reader->error.line)
         return;
     (void)tia_text_locate(job.rest, is_named(job.statement), word, &reader->error);

@@ -10,9 +10,9 @@
  *
  * Composition is in Q1.62 and Q31.32; a shape's transform is rounded once, at the end. Its angles then have an
  * error of 2^-17 degrees each, except where only one of the composed rotations is not 0: they stay as written. */
-#include "job.h"
 #include "math/rotation.h"
 #include "math/wide.h"
+#include "parse.h"
 
 #define ONE_Q62 (INT64_C(1) << 62)
 #define NOTHING (INT64_C(1) << 20)         /* 2^-42: below that, a component of an axis is 0 but for rounding */
@@ -80,13 +80,13 @@ static void move(const struct tia_place *outer, const struct tia_place *inner, s
         out->position[i] += outer->position[i];
 }
 
-static int refuse(struct tia_job *job, const char *what, const char *expected)
+static int refuse(struct tia_parse *job, const char *what, const char *expected)
 {
     return tia_text_error(&job->text, &job->first, what, expected);
 }
 
 /* Composes *place with the open groups. */
-static int compose(struct tia_job *job, struct tia_place *place)
+static int compose(struct tia_parse *job, struct tia_place *place)
 {
     if (!job->group_count)
         return TIA_OK;
@@ -131,11 +131,11 @@ static bool rounded(const int64_t from[3], struct tia_vec3 *to)
     return fits;
 }
 
-int tia_group_place(struct tia_job *job, struct tia_transform *transform, const struct tia_word *name)
+int tia_group_place(struct tia_parse *job, struct tia_transform *transform, const struct tia_word *name)
 {
     struct tia_place place = place_of(transform);
 
-    if (name && tia_job_moves(job, name))
+    if (name && tia_parse_moves(job, name))
         return tia_text_error(&job->text, name, "moves", "it outside of groups");
     int status = compose(job, &place);
     if (status)
@@ -163,7 +163,7 @@ static bool has_scale(const struct tia_transform *t)
            t->scale.y <= TIA_SCALE_MAX && t->scale.z >= TIA_SCALE_MIN && t->scale.z <= TIA_SCALE_MAX;
 }
 
-int tia_line_group(struct tia_job *job)
+int tia_line_group(struct tia_parse *job)
 {
     struct tia_transform transform = {.scale = {TIA_Q16_ONE, TIA_Q16_ONE, TIA_Q16_ONE}};
     int status = tia_fields(&job->text, "a group", group_fields, TIA_COUNT_OF(group_fields), &transform, NULL);
@@ -184,7 +184,7 @@ int tia_line_group(struct tia_job *job)
     return TIA_OK;
 }
 
-int tia_line_end(struct tia_job *job)
+int tia_line_end(struct tia_parse *job)
 {
     const struct tia_includes *includes = &job->includes;
 

@@ -3,7 +3,7 @@
  * The caller loads a file by its path from the scene's folder; names inside it are relative to its own folder: leg.tia
  * in models/chair.tia is models/leg.tia. The stack holds only the words that name the files: a path follows from them.
  */
-#include "job.h"
+#include "parse.h"
 
 /* Replaces `path`, the path of a file, by that of `name`, which is relative to the file's folder; false: too long. */
 static bool follow(char path[TIA_NAME_MAX + 1], const struct tia_word *name)
@@ -28,7 +28,7 @@ static void path_at(const struct tia_includes *includes, unsigned depth, char pa
         (void)follow(path, &includes->names[i]);
 }
 
-int tia_include_path(struct tia_job *job, const struct tia_word *name, char path[TIA_NAME_MAX + 1])
+int tia_include_path(struct tia_parse *job, const struct tia_word *name, char path[TIA_NAME_MAX + 1])
 {
     path_at(&job->includes, job->includes.depth, path);
     if (!follow(path, name))
@@ -36,7 +36,7 @@ int tia_include_path(struct tia_job *job, const struct tia_word *name, char path
     return TIA_OK;
 }
 
-int tia_job_missing(struct tia_job *job, const struct tia_word *file, const char *why, const char *expected)
+int tia_parse_missing(struct tia_parse *job, const struct tia_word *file, const char *why, const char *expected)
 {
     (void)tia_text_error_at(&job->text, file);
     tia_say_word(job->text.error, file);
@@ -54,7 +54,7 @@ static bool is_same(const char *a, const char *b)
     return *a == *b;
 }
 
-static int check(struct tia_job *job, const struct tia_word *name, const char *path)
+static int check(struct tia_parse *job, const struct tia_word *name, const char *path)
 {
     const struct tia_includes *includes = &job->includes;
     char other[TIA_NAME_MAX + 1];
@@ -73,7 +73,7 @@ static int check(struct tia_job *job, const struct tia_word *name, const char *p
     return TIA_OK;
 }
 
-int tia_line_include(struct tia_job *job)
+int tia_line_include(struct tia_parse *job)
 {
     struct tia_reader *reader = job->reader;
     char path[TIA_NAME_MAX + 1];
@@ -87,7 +87,7 @@ int tia_line_include(struct tia_job *job)
     if (status)
         return status;
     if (reader->library(reader->ctx, path, &text, &length, &why))
-        return tia_job_missing(job, &name, why, "a scene's file");
+        return tia_parse_missing(job, &name, why, "a scene's file");
     if (tia_text_is_too_long(length))
         return tia_text_error(&job->text, &name, "is too long", "less than 4 GiB");
     job->includes.next = tia_text_begin(text ? text : "", text ? length : 0, job->includes.file, job->text.error);
@@ -97,7 +97,7 @@ int tia_line_include(struct tia_job *job)
     return TIA_OK;
 }
 
-void tia_include_begin(struct tia_job *job)
+void tia_include_begin(struct tia_parse *job)
 {
     struct tia_includes *includes = &job->includes;
 
@@ -110,7 +110,7 @@ void tia_include_begin(struct tia_job *job)
     includes->next.next = NULL;
 }
 
-int tia_include_end(struct tia_job *job)
+int tia_include_end(struct tia_parse *job)
 {
     struct tia_includes *includes = &job->includes;
     struct tia_word end;

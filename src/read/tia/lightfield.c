@@ -4,8 +4,8 @@
  * With the screen's axes n = normal, u = up x n and v = n x u, the eye is centre + distance n + above v + (from + to)/2
  * u.
  */
-#include "job.h"
 #include "math/integer.h"
+#include "parse.h"
 
 struct display {
     struct tia_vec3 centre, up;
@@ -91,7 +91,7 @@ static void place(struct tia_camera *camera, const struct display *d, bool turne
     camera->window.near = d->distance;
 }
 
-int tia_light_field_line(struct tia_job *job)
+int tia_light_field_line(struct tia_parse *job)
 {
     struct display d = {.up = {0, TIA_Q16_ONE, 0}, .normal = {0, 0, TIA_Q30_ONE}};
     struct tia_word word;

@@ -1,5 +1,5 @@
 /* lights.c - lights, and keys that set them. */
-#include "job.h"
+#include "parse.h"
 #include <tia/port.h>
 
 struct light_line {
@@ -60,7 +60,7 @@ static const struct tia_field sphere_fields[] = {PLACED, LENGTHS("radius", 1, ra
 static const struct tia_form kinds[] = {TIA_LIGHTS(FORM)};
 #undef FORM
 
-static int read_light(struct tia_job *job, struct light_line *line, bool nameable, uint32_t *given)
+static int read_light(struct tia_parse *job, struct light_line *line, bool nameable, uint32_t *given)
 {
     const struct tia_form *kind = tia_form(&job->text, kinds, TIA_COUNT_OF(kinds));
     unsigned skip = nameable ? 0 : OWN;
@@ -80,7 +80,7 @@ static int read_light(struct tia_job *job, struct light_line *line, bool nameabl
     return status;
 }
 
-int tia_line_light(struct tia_job *job)
+int tia_line_light(struct tia_parse *job)
 {
     struct light_line line;
     uint32_t given = 0;
@@ -90,11 +90,11 @@ int tia_line_light(struct tia_job *job)
         status = tia_text_error(&job->text, &line.name, "is the camera's name", "another");
     if (status)
         return status;
-    uint32_t index = tia_job_add(job, TIA_OF_LIGHTS, &line.light);
+    uint32_t index = tia_parse_add(job, TIA_OF_LIGHTS, &line.light);
     if (given & NAMED)
-        tia_job_name(job, TIA_NAMED_MOVER, &line.name, 2 * index + 1);
-    return tia_job_show(job, TIA_SHOWS_LIGHT, index, given & APPEARS ? &line.appears : NULL,
-                        given & VANISHES ? &line.vanishes : NULL);
+        tia_parse_name(job, TIA_NAMED_MOVER, &line.name, 2 * index + 1);
+    return tia_parse_show(job, TIA_SHOWS_LIGHT, index, given & APPEARS ? &line.appears : NULL,
+                          given & VANISHES ? &line.vanishes : NULL);
 }
 
 static const struct {
@@ -120,7 +120,7 @@ static int take_key(struct tia_text *t, uint16_t *key)
                           "a small letter, a digit, left, right, up, down, page-up or page-down");
 }
 
-int tia_line_key(struct tia_job *job)
+int tia_line_key(struct tia_parse *job)
 {
     struct tia_binding binding = {.key = 0};
     struct light_line line;
@@ -138,6 +138,6 @@ int tia_line_key(struct tia_job *job)
         return status;
     binding.light = (uint16_t)(light - 1);
     binding.state = line.light;
-    (void)tia_job_add(job, TIA_OF_BINDINGS, &binding);
+    (void)tia_parse_add(job, TIA_OF_BINDINGS, &binding);
     return TIA_OK;
 }

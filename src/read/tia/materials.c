@@ -1,6 +1,6 @@
 /* materials.c - materials and textures. */
-#include "job.h"
 #include "math/integer.h"
+#include "parse.h"
 
 struct material_line {
     struct tia_material material;
@@ -38,26 +38,26 @@ static bool has(uint32_t given, unsigned field)
     return given >> field & 1;
 }
 
-static int find_texture(struct tia_job *job, const struct tia_word *name, uint32_t *number)
+static int find_texture(struct tia_parse *job, const struct tia_word *name, uint32_t *number)
 {
-    int status = tia_job_find(job, TIA_NAMED_TEXTURE, name, "the name of a texture", number);
+    int status = tia_parse_find(job, TIA_NAMED_TEXTURE, name, "the name of a texture", number);
 
     ++*number;
     return status;
 }
 
 /* Reports a material's name to the caller's callback, in the last pass. */
-static int define(struct tia_job *job)
+static int define(struct tia_parse *job)
 {
     const struct tia_reader *reader = job->reader;
-    uint32_t index = tia_job_count(job, TIA_OF_MATERIALS);
+    uint32_t index = tia_parse_count(job, TIA_OF_MATERIALS);
     char copy[TIA_NAME_MAX + 1];
     struct tia_word name;
     int status = tia_text_name(&job->text, &name, "a name");
 
     if (status)
         return status;
-    tia_job_name(job, TIA_NAMED_MATERIAL, &name, index);
+    tia_parse_name(job, TIA_NAMED_MATERIAL, &name, index);
     if (job->pass == TIA_FILLING && reader->material) {
         tia_word_copy(copy, &name);
         reader->material(reader->ctx, index, copy);
@@ -65,7 +65,7 @@ static int define(struct tia_job *job)
     return TIA_OK;
 }
 
-int tia_line_material(struct tia_job *job)
+int tia_line_material(struct tia_parse *job)
 {
     struct material_line line = {.texture = {NULL, 0, 0, 0}, .opacity = {NULL, 0, 0, 0}};
     struct tia_material *material = &line.material;
@@ -86,7 +86,7 @@ int tia_line_material(struct tia_job *job)
     material->emission = line.emission.rgb;
     material->emission_bits = line.emission.bits;
     if (!status)
-        (void)tia_job_add(job, TIA_OF_MATERIALS, material);
+        (void)tia_parse_add(job, TIA_OF_MATERIALS, material);
     return status;
 }
 
@@ -178,7 +178,7 @@ static int set_pattern(struct tia_text *t, struct texture_line *line, uint32_t g
 }
 
 /* Loads the file only once, in the last pass, when the rest of the text is known to be valid. */
-static int fetch_image(struct tia_job *job, const struct tia_word *file, struct tia_texture *texture)
+static int fetch_image(struct tia_parse *job, const struct tia_word *file, struct tia_texture *texture)
 {
     struct tia_reader *reader = job->reader;
     bool is_image = texture->kind == TIA_IMAGE;
@@ -191,8 +191,8 @@ static int fetch_image(struct tia_job *job, const struct tia_word *file, struct 
     int status = tia_include_path(job, file, path);
     if (status || job->pass != TIA_FILLING || job->seeking)
         return status;
-    if (tia_job_count(job, TIA_OF_TEXTURES) < job->images) { /* the last pass is repeated */
-        const struct tia_texture *loaded = tia_job_at(job, TIA_OF_TEXTURES, tia_job_count(job, TIA_OF_TEXTURES));
+    if (tia_parse_count(job, TIA_OF_TEXTURES) < job->images) { /* the last pass is repeated */
+        const struct tia_texture *loaded = tia_parse_at(job, TIA_OF_TEXTURES, tia_parse_count(job, TIA_OF_TEXTURES));
         texture->width = loaded->width;
         texture->height = loaded->height;
         texture->texels = loaded->texels;
@@ -200,15 +200,15 @@ static int fetch_image(struct tia_job *job, const struct tia_word *file, struct 
     }
     if (is_image ? reader->image(reader->ctx, path, &image, &why)
                  : reader->opacity(reader->ctx, path, TIA_CHANNEL_OPACITY, &image, &why))
-        return tia_job_missing(job, file, why, "a picture");
-    job->images = tia_job_count(job, TIA_OF_TEXTURES) + 1;
+        return tia_parse_missing(job, file, why, "a picture");
+    job->images = tia_parse_count(job, TIA_OF_TEXTURES) + 1;
     texture->width = image.width;
     texture->height = image.height;
     texture->texels = image.texels;
     return TIA_OK;
 }
 
-static int read_image(struct tia_job *job, struct texture_line *line, enum tia_texture_kind kind)
+static int read_image(struct tia_parse *job, struct texture_line *line, enum tia_texture_kind kind)
 {
     uint32_t given = 0;
     struct tia_word file;
@@ -221,7 +221,7 @@ static int read_image(struct tia_job *job, struct texture_line *line, enum tia_t
     return status ? status : fetch_image(job, &file, &line->texture);
 }
 
-static int read_checker(struct tia_job *job, struct texture_line *line)
+static int read_checker(struct tia_parse *job, struct texture_line *line)
 {
     uint32_t given = 0;
 
@@ -230,11 +230,11 @@ static int read_checker(struct tia_job *job, struct texture_line *line)
     return status ? status : set_pattern(&job->text, line, given);
 }
 
-int tia_line_texture(struct tia_job *job)
+int tia_line_texture(struct tia_parse *job)
 {
     struct texture_line line = {.repeat = {INT64_C(1) << 32, INT64_C(1) << 32}};
     struct tia_word kind;
-    int status = tia_job_define(job, TIA_NAMED_TEXTURE, tia_job_count(job, TIA_OF_TEXTURES));
+    int status = tia_parse_define(job, TIA_NAMED_TEXTURE, tia_parse_count(job, TIA_OF_TEXTURES));
 
     if (status)
         return status;
@@ -248,6 +248,6 @@ int tia_line_texture(struct tia_job *job)
     else
         return tia_text_error(&job->text, &kind, "is not a kind of texture", "checker, image or opacity");
     if (!status)
-        (void)tia_job_add(job, TIA_OF_TEXTURES, &line.texture);
+        (void)tia_parse_add(job, TIA_OF_TEXTURES, &line.texture);
     return status;
 }

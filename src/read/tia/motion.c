@@ -1,5 +1,5 @@
 /* motion.c - keyframes:  animate ball at smooth 0: 0 0 0  2: 0 3 0    animate gold colour 0: 1 0.8 0  1: 0.5 */
-#include "job.h"
+#include "parse.h"
 
 enum moving { CAMERA, LIGHT, SHAPE, MATERIAL };
 
@@ -36,7 +36,7 @@ static const struct property *find_property(enum moving of, const struct tia_wor
 }
 
 /* Reads the name of the moving object. In the first passes it is not known if it is a light or a shape. */
-static int read_target(struct tia_job *job, enum moving *of, struct tia_track *track)
+static int read_target(struct tia_parse *job, enum moving *of, struct tia_track *track)
 {
     struct tia_word word, property;
     int status = tia_text_name(&job->text, &word, "a name, or camera");
@@ -46,19 +46,19 @@ static int read_target(struct tia_job *job, enum moving *of, struct tia_track *t
     if (status || *of == CAMERA)
         return status;
     if (*of == MATERIAL)
-        return tia_job_find(job, TIA_NAMED_MATERIAL, &word, "the name of a material", &track->index);
-    tia_job_animate(job, &word);
-    const struct tia_name *name = tia_job_mover(job, &word);
+        return tia_parse_find(job, TIA_NAMED_MATERIAL, &word, "the name of a material", &track->index);
+    tia_parse_animate(job, &word);
+    const struct tia_name *name = tia_parse_mover(job, &word);
     if (job->pass != TIA_FILLING)
         return TIA_OK;
     if (!name)
         return tia_text_error(&job->text, &word, "is not defined", "the name of a shape or light, or camera");
-    track->index = (uint32_t)(name - (const struct tia_name *)tia_job_at(job, TIA_OF_NAMES, 0));
+    track->index = (uint32_t)(name - (const struct tia_name *)tia_parse_at(job, TIA_OF_NAMES, 0));
     *of = name->index % 2 ? LIGHT : SHAPE;
     return TIA_OK;
 }
 
-static int take_property(struct tia_job *job, struct tia_track *track)
+static int take_property(struct tia_parse *job, struct tia_track *track)
 {
     struct tia_word word;
     enum moving of;
@@ -116,10 +116,10 @@ static int take_keyframe(struct tia_text *t, enum tia_target target, struct tia_
     return tia_text_place(t, &key->value);
 }
 
-int tia_line_animate(struct tia_job *job)
+int tia_line_animate(struct tia_parse *job)
 {
     struct tia_text *t = &job->text;
-    uint32_t first = tia_job_count(job, TIA_OF_KEYS);
+    uint32_t first = tia_parse_count(job, TIA_OF_KEYS);
     struct tia_track track = {.smooth = false};
     struct tia_keyframe key = {.time = -1};
     struct tia_span span;
@@ -137,12 +137,12 @@ int tia_line_animate(struct tia_job *job)
         if (status)
             return status;
         tia_span_cover(&span, key.value, 0);
-        (void)tia_job_add(job, TIA_OF_KEYS, &key);
+        (void)tia_parse_add(job, TIA_OF_KEYS, &key);
     } while (tia_text_peek(t, &word));
     if (job->pass == TIA_COUNTING)
         tia_reach_keys(&job->reach, &track, span);
-    track.keys = tia_job_at(job, TIA_OF_KEYS, first);
-    track.key_count = tia_job_count(job, TIA_OF_KEYS) - first;
-    (void)tia_job_add(job, TIA_OF_TRACKS, &track);
+    track.keys = tia_parse_at(job, TIA_OF_KEYS, first);
+    track.key_count = tia_parse_count(job, TIA_OF_KEYS) - first;
+    (void)tia_parse_add(job, TIA_OF_TRACKS, &track);
     return TIA_OK;
 }

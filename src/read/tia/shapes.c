@@ -1,5 +1,5 @@
 /* shapes.c - the shapes, one statement each. */
-#include "job.h"
+#include "parse.h"
 
 #include "scene/shapes/description.h"
 
@@ -72,30 +72,30 @@ static unsigned fields_of(const struct shape_description *description,
 
 /* Adds the transform of a shape that needs one. A named shape needs one if it moves, and as long as that is not known.
  */
-static void add_transform(struct tia_job *job, struct shape_line *line, uint32_t given)
+static void add_transform(struct tia_parse *job, struct shape_line *line, uint32_t given)
 {
-    bool filling = job->pass == TIA_FILLING, moves = tia_job_moves(job, &line->name);
+    bool filling = job->pass == TIA_FILLING, moves = tia_parse_moves(job, &line->name);
 
     if (!(given & PLACED) && !moves && (filling || !(given & NAMED)))
         return;
-    uint32_t index = tia_job_add(job, TIA_OF_TRANSFORMS, &line->transform);
+    uint32_t index = tia_parse_add(job, TIA_OF_TRANSFORMS, &line->transform);
     line->shape.transform = index + 1;
     if (moves && (given & NAMED)) {
-        struct tia_name *name = tia_job_mover(job, &line->name);
+        struct tia_name *name = tia_parse_mover(job, &line->name);
         if (name)
             name->index = 2 * index;
     }
 }
 
 /* Adds a sphere that does not move and is always visible, to the scene's spheres. */
-static void add_sphere(struct tia_job *job, const struct tia_shape *shape)
+static void add_sphere(struct tia_parse *job, const struct tia_shape *shape)
 {
     struct tia_sphere sphere = {shape->sphere.centre, shape->sphere.radius, shape->material};
-    (void)tia_job_add(job, TIA_OF_SPHERES, &sphere);
+    (void)tia_parse_add(job, TIA_OF_SPHERES, &sphere);
 }
 
 /* Extends the scene's bounds by the line. */
-static void note_reach(struct tia_job *job, const struct shape_line *line, uint32_t given)
+static void note_reach(struct tia_parse *job, const struct shape_line *line, uint32_t given)
 {
     if (job->pass == TIA_COUNTING)
         tia_reach_shape(&job->reach, &line->shape, &line->transform, given & PLACED, given & NAMED);
@@ -103,25 +103,25 @@ static void note_reach(struct tia_job *job, const struct shape_line *line, uint3
         tia_reach_plane(&job->reach, &line->shape.plane);
 }
 
-static int add_shape(struct tia_job *job, struct shape_line *line, uint32_t given)
+static int add_shape(struct tia_parse *job, struct shape_line *line, uint32_t given)
 {
     bool sphere = line->shape.kind == TIA_SPHERE;
 
     note_reach(job, line, given);
     if (given & NAMED)
-        tia_job_name(job, TIA_NAMED_MOVER, &line->name, 0);
+        tia_parse_name(job, TIA_NAMED_MOVER, &line->name, 0);
     add_transform(job, line, given);
     if (sphere && !(given & (PLACED | SHOWN)) && (job->pass != TIA_FILLING || !line->shape.transform))
         add_sphere(job, &line->shape);
     if (!sphere || line->shape.transform || given & SHOWN)
-        (void)tia_job_add(job, TIA_OF_SHAPES, &line->shape);
-    return tia_job_show(job, TIA_SHOWS_SHAPE, tia_job_count(job, TIA_OF_SHAPES) - 1,
-                        given & 1u << APPEARS_FIELD ? &line->appears : NULL,
-                        given & 1u << VANISHES_FIELD ? &line->vanishes : NULL);
+        (void)tia_parse_add(job, TIA_OF_SHAPES, &line->shape);
+    return tia_parse_show(job, TIA_SHOWS_SHAPE, tia_parse_count(job, TIA_OF_SHAPES) - 1,
+                          given & 1u << APPEARS_FIELD ? &line->appears : NULL,
+                          given & 1u << VANISHES_FIELD ? &line->vanishes : NULL);
 }
 
 /* Reads the fields of a shape whose kind and, for an instance, mesh or grid are set. */
-static int read_fields(struct tia_job *job, struct shape_line *line)
+static int read_fields(struct tia_parse *job, struct shape_line *line)
 {
     const struct shape_description *description = tia_shape_description(line->shape.kind);
     struct tia_field fields[COMMON_FIELDS + SHAPE_FIELDS_MAX];
@@ -134,7 +134,7 @@ static int read_fields(struct tia_job *job, struct shape_line *line)
         status = tia_text_error(&job->text, &line->name, "is the camera's name", "another");
     if (!status)
         status =
-            tia_job_find(job, TIA_NAMED_MATERIAL, &line->material, "the name of a material", &line->shape.material);
+            tia_parse_find(job, TIA_NAMED_MATERIAL, &line->material, "the name of a material", &line->shape.material);
     if (!status && job->group_count && !description->add_bounds)
         status = tia_text_error(&job->text, &job->first, "is not moved by groups", "it outside of them");
     if (!status && job->group_count) {
@@ -150,14 +150,14 @@ static struct shape_line line_of(enum tia_shape_kind kind)
                                .shape = {.kind = kind}};
 }
 
-int tia_line_shape(struct tia_job *job, enum tia_shape_kind kind)
+int tia_line_shape(struct tia_parse *job, enum tia_shape_kind kind)
 {
     struct shape_line line = line_of(kind);
 
     return read_fields(job, &line);
 }
 
-int tia_line_instance(struct tia_job *job)
+int tia_line_instance(struct tia_parse *job)
 {
     struct shape_line line = line_of(TIA_MESH);
     struct tia_word solid;
@@ -165,7 +165,7 @@ int tia_line_instance(struct tia_job *job)
     const char *expected = "the name of a mesh or grid";
     int status = tia_text_name(&job->text, &solid, expected);
 
-    status = status ? status : tia_job_find(job, TIA_NAMED_SOLID, &solid, expected, &index);
+    status = status ? status : tia_parse_find(job, TIA_NAMED_SOLID, &solid, expected, &index);
     if (status)
         return status;
     if (index % 2) {

@@ -1,5 +1,5 @@
 /* solids.c - meshes and grids: blocks of lines, from their statement to the line "end". */
-#include "job.h"
+#include "parse.h"
 
 /* Reads the first word of a block's next line; an error at the text's end. */
 static int take_line(struct tia_text *t, struct tia_word *word, const char *expected)
@@ -19,7 +19,7 @@ static int take_line(struct tia_text *t, struct tia_word *word, const char *expe
 
 /* The first elements of the mesh in the arrays. */
 struct mesh_block {
-    struct tia_job *job;
+    struct tia_parse *job;
     uint32_t vertices, normals, uvs, faces;
 };
 
@@ -31,7 +31,7 @@ static int read_vertex(struct mesh_block *block)
     if (!status && block->job->pass == TIA_COUNTING)
         tia_reach_vertex(&block->job->reach, vertex);
     if (!status)
-        (void)tia_job_add(block->job, TIA_OF_VERTICES, &vertex);
+        (void)tia_parse_add(block->job, TIA_OF_VERTICES, &vertex);
     return status;
 }
 
@@ -41,7 +41,7 @@ static int read_normal(struct mesh_block *block)
     int status = tia_text_dir3(&block->job->text, &normal);
 
     if (!status)
-        (void)tia_job_add(block->job, TIA_OF_NORMALS, &normal);
+        (void)tia_parse_add(block->job, TIA_OF_NORMALS, &normal);
     return status;
 }
 
@@ -52,7 +52,7 @@ static int read_uv(struct mesh_block *block)
 
     status = status ? status : tia_text_q16(&block->job->text, &uv.v);
     if (!status)
-        (void)tia_job_add(block->job, TIA_OF_UVS, &uv);
+        (void)tia_parse_add(block->job, TIA_OF_UVS, &uv);
     return status;
 }
 
@@ -95,20 +95,20 @@ static bool take_slash(struct tia_word *rest)
 /* Reads a corner: vertex, vertex/uv, vertex//normal or vertex/uv/normal. */
 static int take_corner(const struct mesh_block *block, struct tia_corner *corner)
 {
-    struct tia_job *job = block->job;
+    struct tia_parse *job = block->job;
     struct tia_text *t = &job->text;
     struct tia_word rest;
     int status;
 
     corner->uv = corner->normal = TIA_NO_INDEX;
     (void)tia_text_word(t, &rest);
-    status = take_index(t, &rest, tia_job_count(job, TIA_OF_VERTICES) - block->vertices, "vertex", &corner->vertex);
+    status = take_index(t, &rest, tia_parse_count(job, TIA_OF_VERTICES) - block->vertices, "vertex", &corner->vertex);
     if (!status && take_slash(&rest)) {
         if (!rest.length || *rest.at != '/')
-            status = take_index(t, &rest, tia_job_count(job, TIA_OF_UVS) - block->uvs, "uv", &corner->uv);
+            status = take_index(t, &rest, tia_parse_count(job, TIA_OF_UVS) - block->uvs, "uv", &corner->uv);
         if (!status && take_slash(&rest))
             status =
-                take_index(t, &rest, tia_job_count(job, TIA_OF_NORMALS) - block->normals, "normal", &corner->normal);
+                take_index(t, &rest, tia_parse_count(job, TIA_OF_NORMALS) - block->normals, "normal", &corner->normal);
     }
     if (!status && rest.length)
         return tia_text_error(t, &rest, "is too much", "vertex, vertex/uv, vertex//normal or vertex/uv/normal");
@@ -140,7 +140,7 @@ static int read_face(struct mesh_block *block)
             face.corner[1] = face.corner[2];
         face.corner[n < 2 ? n : 2] = corner;
         if (n >= 2)
-            (void)tia_job_add(block->job, TIA_OF_FACES, &face);
+            (void)tia_parse_add(block->job, TIA_OF_FACES, &face);
     }
     return TIA_OK;
 }
@@ -162,27 +162,27 @@ static int read_mesh_line(struct mesh_block *block, const struct tia_word *word)
 
 static void add_mesh(const struct mesh_block *block)
 {
-    struct tia_job *job = block->job;
+    struct tia_parse *job = block->job;
     struct tia_mesh mesh = {
-        .vertices = tia_job_at(job, TIA_OF_VERTICES, block->vertices),
-        .normals = tia_job_at(job, TIA_OF_NORMALS, block->normals),
-        .uvs = tia_job_at(job, TIA_OF_UVS, block->uvs),
-        .faces = tia_job_at(job, TIA_OF_FACES, block->faces),
-        .vertex_count = tia_job_count(job, TIA_OF_VERTICES) - block->vertices,
-        .normal_count = tia_job_count(job, TIA_OF_NORMALS) - block->normals,
-        .uv_count = tia_job_count(job, TIA_OF_UVS) - block->uvs,
-        .face_count = tia_job_count(job, TIA_OF_FACES) - block->faces,
+        .vertices = tia_parse_at(job, TIA_OF_VERTICES, block->vertices),
+        .normals = tia_parse_at(job, TIA_OF_NORMALS, block->normals),
+        .uvs = tia_parse_at(job, TIA_OF_UVS, block->uvs),
+        .faces = tia_parse_at(job, TIA_OF_FACES, block->faces),
+        .vertex_count = tia_parse_count(job, TIA_OF_VERTICES) - block->vertices,
+        .normal_count = tia_parse_count(job, TIA_OF_NORMALS) - block->normals,
+        .uv_count = tia_parse_count(job, TIA_OF_UVS) - block->uvs,
+        .face_count = tia_parse_count(job, TIA_OF_FACES) - block->faces,
     };
 
-    (void)tia_job_add(job, TIA_OF_MESHES, &mesh);
+    (void)tia_parse_add(job, TIA_OF_MESHES, &mesh);
 }
 
-int tia_line_mesh(struct tia_job *job)
+int tia_line_mesh(struct tia_parse *job)
 {
-    struct mesh_block block = {job, tia_job_count(job, TIA_OF_VERTICES), tia_job_count(job, TIA_OF_NORMALS),
-                               tia_job_count(job, TIA_OF_UVS), tia_job_count(job, TIA_OF_FACES)};
+    struct mesh_block block = {job, tia_parse_count(job, TIA_OF_VERTICES), tia_parse_count(job, TIA_OF_NORMALS),
+                               tia_parse_count(job, TIA_OF_UVS), tia_parse_count(job, TIA_OF_FACES)};
     struct tia_word word = {NULL, 0, 0, 0};
-    int status = tia_job_define(job, TIA_NAMED_SOLID, 2 * tia_job_count(job, TIA_OF_MESHES));
+    int status = tia_parse_define(job, TIA_NAMED_SOLID, 2 * tia_parse_count(job, TIA_OF_MESHES));
 
     status = status ? status : tia_text_end(&job->text);
     while (!status) {
@@ -210,7 +210,7 @@ static const struct tia_field grid_fields[] = {
     {.word = "cell", .kind = TIA_LENGTHS, .count = 1, .offset = offsetof(struct tia_grid, cell)},
 };
 
-static int read_row(struct tia_job *job, unsigned cells)
+static int read_row(struct tia_parse *job, unsigned cells)
 {
     for (unsigned i = 0; i < cells; i++) {
         int64_t value;
@@ -218,13 +218,13 @@ static int read_row(struct tia_job *job, unsigned cells)
         if (status)
             return status;
         uint8_t cell = (uint8_t)value;
-        (void)tia_job_add(job, TIA_OF_CELLS, &cell);
+        (void)tia_parse_add(job, TIA_OF_CELLS, &cell);
     }
     return tia_text_end(&job->text);
 }
 
 /* Reads the rows, one for each y and z, and the end. */
-static int read_rows(struct tia_job *job, const struct tia_grid *grid)
+static int read_rows(struct tia_parse *job, const struct tia_grid *grid)
 {
     struct tia_word word;
 
@@ -242,11 +242,11 @@ static int read_rows(struct tia_job *job, const struct tia_grid *grid)
     return TIA_OK;
 }
 
-int tia_line_grid(struct tia_job *job)
+int tia_line_grid(struct tia_parse *job)
 {
     struct tia_grid grid = {.cell = (tia_q16)tia_length_times(TIA_Q16_ONE, job->reach.lengths.scale_bits)};
-    uint32_t cells = tia_job_count(job, TIA_OF_CELLS);
-    int status = tia_job_define(job, TIA_NAMED_SOLID, 2 * tia_job_count(job, TIA_OF_GRIDS) + 1);
+    uint32_t cells = tia_parse_count(job, TIA_OF_CELLS);
+    int status = tia_parse_define(job, TIA_NAMED_SOLID, 2 * tia_parse_count(job, TIA_OF_GRIDS) + 1);
 
     status = status ? status : tia_fields(&job->text, "a grid", grid_fields, TIA_COUNT_OF(grid_fields), &grid, NULL);
     status = status ? status : read_rows(job, &grid);
@@ -254,7 +254,7 @@ int tia_line_grid(struct tia_job *job)
         return status;
     if (job->pass == TIA_COUNTING)
         tia_reach_grid(&job->reach, &grid);
-    grid.cells = tia_job_at(job, TIA_OF_CELLS, cells);
-    (void)tia_job_add(job, TIA_OF_GRIDS, &grid);
+    grid.cells = tia_parse_at(job, TIA_OF_CELLS, cells);
+    (void)tia_parse_add(job, TIA_OF_GRIDS, &grid);
     return TIA_OK;
 }

@@ -1,12 +1,12 @@
 /* tia.c - scenes in tia's own format, tia-scene(5): the passes over the text, and the table of statements. */
-#include "job.h"
+#include "parse.h"
 #include "read/readers.h"
 #include "scene/shapes/description.h"
 
 /* All statements but those of shapes, whose descriptions have their words. */
 static const struct statement {
     const char *word;
-    int (*read)(struct tia_job *job);
+    int (*read)(struct tia_parse *job);
     bool once, outside; /* at most one in a scene; not inside groups, which do not transform it */
 } statements[] = {
     {"instance", tia_line_instance, false, false},
@@ -35,7 +35,7 @@ static const struct statement {
 };
 #define STATEMENTS TIA_COUNT_OF(statements)
 
-static int refuse(struct tia_job *job, const struct tia_word *word)
+static int refuse(struct tia_parse *job, const struct tia_word *word)
 {
     struct tia_read_error *error = job->text.error;
     const struct shape_description *shape;
@@ -67,7 +67,7 @@ static bool find_shape(const struct tia_word *word, enum tia_shape_kind *kind)
     return false;
 }
 
-static int read_statement(struct tia_job *job, const struct tia_word *word)
+static int read_statement(struct tia_parse *job, const struct tia_word *word)
 {
     enum tia_shape_kind kind;
     unsigned i = 0;
@@ -92,14 +92,14 @@ static int read_statement(struct tia_job *job, const struct tia_word *word)
 }
 
 /* True if the statement just read is the one that the job seeks. */
-static bool is_sought(const struct tia_job *job, const struct tia_word *word)
+static bool is_sought(const struct tia_parse *job, const struct tia_word *word)
 {
     if (job->sought_statement)
         return tia_word_is(word, job->sought_statement);
     return job->sought < TIA_ARRAYS && job->arrays[job->sought].count > job->sought_index;
 }
 
-static void begin_pass(struct tia_job *job, enum tia_pass pass)
+static void begin_pass(struct tia_parse *job, enum tia_pass pass)
 {
     struct tia_reader *reader = job->reader;
 
@@ -123,7 +123,7 @@ static void begin_pass(struct tia_job *job, enum tia_pass pass)
 }
 
 /* Goes to the next line, of this file or of one that includes it; false at the end of the scene. */
-static bool next_line(struct tia_job *job, int *status)
+static bool next_line(struct tia_parse *job, int *status)
 {
     while (!tia_text_line(&job->text)) {
         bool inner = job->includes.depth > 0;
@@ -134,7 +134,7 @@ static bool next_line(struct tia_job *job, int *status)
     return true;
 }
 
-static int read_pass(struct tia_job *job, enum tia_pass pass)
+static int read_pass(struct tia_parse *job, enum tia_pass pass)
 {
     int status = TIA_OK;
 
@@ -157,7 +157,7 @@ static int read_pass(struct tia_job *job, enum tia_pass pass)
 }
 
 /* Refuses a name defined twice. Reads up to the name again, so that job->text is the file that has it. */
-static int refuse_twice(struct tia_job *job, const struct tia_name *twice)
+static int refuse_twice(struct tia_parse *job, const struct tia_name *twice)
 {
     struct tia_word word = twice->word;
 
@@ -169,7 +169,7 @@ static int refuse_twice(struct tia_job *job, const struct tia_name *twice)
     return tia_text_error(&job->text, &word, "is already defined", "another name");
 }
 
-static int sort_names(struct tia_job *job)
+static int sort_names(struct tia_parse *job)
 {
     struct tia_array *names = &job->arrays[TIA_OF_NAMES], *animated = &job->arrays[TIA_OF_ANIMATED];
     struct tia_name *first = (struct tia_name *)(void *)names->items;
@@ -191,7 +191,7 @@ static void look_at(struct tia_camera *camera, struct tia_vec3 reference)
 }
 
 /* Replaces the position of the name, which tracks of shapes and lights hold until now, by the index. */
-static void resolve_tracks(struct tia_job *job)
+static void resolve_tracks(struct tia_parse *job)
 {
     struct tia_track *tracks = (struct tia_track *)(void *)job->arrays[TIA_OF_TRACKS].items;
     const struct tia_name *names = (const struct tia_name *)(const void *)job->arrays[TIA_OF_NAMES].items;
@@ -203,35 +203,35 @@ static void resolve_tracks(struct tia_job *job)
             tracks[i].index = names[tracks[i].index].index / 2;
 }
 
-static void set_arrays(struct tia_job *job)
+static void set_arrays(struct tia_parse *job)
 {
     struct tia_scene *s = job->scene;
 
-    s->materials = tia_job_at(job, TIA_OF_MATERIALS, 0);
-    s->material_count = tia_job_count(job, TIA_OF_MATERIALS);
-    s->textures = tia_job_at(job, TIA_OF_TEXTURES, 0);
-    s->texture_count = tia_job_count(job, TIA_OF_TEXTURES);
-    s->spheres = tia_job_at(job, TIA_OF_SPHERES, 0);
-    s->sphere_count = tia_job_count(job, TIA_OF_SPHERES);
-    s->shapes = tia_job_at(job, TIA_OF_SHAPES, 0);
-    s->shape_count = tia_job_count(job, TIA_OF_SHAPES);
-    s->transforms = tia_job_at(job, TIA_OF_TRANSFORMS, 0);
-    s->transform_count = tia_job_count(job, TIA_OF_TRANSFORMS);
-    s->meshes = tia_job_at(job, TIA_OF_MESHES, 0);
-    s->mesh_count = tia_job_count(job, TIA_OF_MESHES);
-    s->grids = tia_job_at(job, TIA_OF_GRIDS, 0);
-    s->grid_count = tia_job_count(job, TIA_OF_GRIDS);
-    s->lights = tia_job_at(job, TIA_OF_LIGHTS, 0);
-    s->light_count = tia_job_count(job, TIA_OF_LIGHTS);
-    s->bindings = tia_job_at(job, TIA_OF_BINDINGS, 0);
-    s->binding_count = tia_job_count(job, TIA_OF_BINDINGS);
-    s->tracks = tia_job_at(job, TIA_OF_TRACKS, 0);
-    s->track_count = tia_job_count(job, TIA_OF_TRACKS);
-    if (tia_job_count(job, TIA_OF_FALLING))
-        s->falling = tia_job_at(job, TIA_OF_FALLING, 0);
+    s->materials = tia_parse_at(job, TIA_OF_MATERIALS, 0);
+    s->material_count = tia_parse_count(job, TIA_OF_MATERIALS);
+    s->textures = tia_parse_at(job, TIA_OF_TEXTURES, 0);
+    s->texture_count = tia_parse_count(job, TIA_OF_TEXTURES);
+    s->spheres = tia_parse_at(job, TIA_OF_SPHERES, 0);
+    s->sphere_count = tia_parse_count(job, TIA_OF_SPHERES);
+    s->shapes = tia_parse_at(job, TIA_OF_SHAPES, 0);
+    s->shape_count = tia_parse_count(job, TIA_OF_SHAPES);
+    s->transforms = tia_parse_at(job, TIA_OF_TRANSFORMS, 0);
+    s->transform_count = tia_parse_count(job, TIA_OF_TRANSFORMS);
+    s->meshes = tia_parse_at(job, TIA_OF_MESHES, 0);
+    s->mesh_count = tia_parse_count(job, TIA_OF_MESHES);
+    s->grids = tia_parse_at(job, TIA_OF_GRIDS, 0);
+    s->grid_count = tia_parse_count(job, TIA_OF_GRIDS);
+    s->lights = tia_parse_at(job, TIA_OF_LIGHTS, 0);
+    s->light_count = tia_parse_count(job, TIA_OF_LIGHTS);
+    s->bindings = tia_parse_at(job, TIA_OF_BINDINGS, 0);
+    s->binding_count = tia_parse_count(job, TIA_OF_BINDINGS);
+    s->tracks = tia_parse_at(job, TIA_OF_TRACKS, 0);
+    s->track_count = tia_parse_count(job, TIA_OF_TRACKS);
+    if (tia_parse_count(job, TIA_OF_FALLING))
+        s->falling = tia_parse_at(job, TIA_OF_FALLING, 0);
 }
 
-static void size_arrays(struct tia_job *job)
+static void size_arrays(struct tia_parse *job)
 {
     static const size_t sizes[TIA_ARRAYS] = {
         [TIA_OF_MATERIALS] = sizeof(struct tia_material),
@@ -263,7 +263,7 @@ static void size_arrays(struct tia_job *job)
 /* Chooses the unit. If all lengths fit in the file's unit, that is tried first, even if the estimated bounds are too
  * large for it.
  */
-static void choose_unit(struct tia_job *job)
+static void choose_unit(struct tia_parse *job)
 {
     bool fits = job->reach.lengths.scale_bits == 0;
 
@@ -273,7 +273,7 @@ static void choose_unit(struct tia_job *job)
 }
 
 /* Runs all passes; only the first one if the memory does not suffice. */
-int tia_job_read(struct tia_job *job, struct tia_arena *arena)
+int tia_parse_read(struct tia_parse *job, struct tia_arena *arena)
 {
     int bits = 0, status;
 
@@ -296,7 +296,7 @@ int tia_job_read(struct tia_job *job, struct tia_arena *arena)
     return status ? status : read_pass(job, TIA_FILLING);
 }
 
-static void finish(struct tia_job *job)
+static void finish(struct tia_parse *job)
 {
     resolve_tracks(job);
     tia_events_resolve(job);
@@ -306,7 +306,7 @@ static void finish(struct tia_job *job)
 /* Chooses the unit to try when a scene is refused: a smaller one where the unit is large for the horizon's sake, as
  * some length may have become too small; and where the scene does not fit, the one in which it certainly does. False:
  * there is none. */
-static bool next_unit(struct tia_job *job)
+static bool next_unit(struct tia_parse *job)
 {
     if (job->bits < job->most) {
         job->bits++;
@@ -320,8 +320,8 @@ static bool next_unit(struct tia_job *job)
 
 int tia_read_tia(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena)
 {
-    struct tia_job job = {.reader = reader, .scene = scene};
-    int status = tia_job_read(&job, arena);
+    struct tia_parse job = {.reader = reader, .scene = scene};
+    int status = tia_parse_read(&job, arena);
 
     if (!tia_arena_fits(arena) || job.pass != TIA_FILLING)
         return status;

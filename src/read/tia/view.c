@@ -1,5 +1,5 @@
 /* view.c - the statements camera, samples, background, depth, shadows, and those of integrators. */
-#include "job.h"
+#include "parse.h"
 
 #include "math/integer.h"
 
@@ -42,7 +42,7 @@ static const struct tia_form projections[] = {
     {"orthographic", "an orthographic camera", TIA_ORTHOGRAPHIC, orthographic, TIA_COUNT_OF(orthographic)},
 };
 
-int tia_line_camera(struct tia_job *job)
+int tia_line_camera(struct tia_parse *job)
 {
     struct tia_camera *camera = &job->scene->camera;
     struct tia_word word;
@@ -65,7 +65,7 @@ int tia_line_camera(struct tia_job *job)
     return TIA_OK;
 }
 
-int tia_line_samples(struct tia_job *job)
+int tia_line_samples(struct tia_parse *job)
 {
     struct tia_word word;
 
@@ -78,12 +78,12 @@ int tia_line_samples(struct tia_job *job)
     return tia_text_error(&job->text, &word, "is not a number of samples", "1, 4 or 16");
 }
 
-int tia_line_background(struct tia_job *job)
+int tia_line_background(struct tia_parse *job)
 {
     return tia_colour(&job->text, &job->scene->background);
 }
 
-int tia_line_depth(struct tia_job *job)
+int tia_line_depth(struct tia_parse *job)
 {
     int64_t depth = 0;
     int status = tia_text_integer(&job->text, &depth, 1, TIA_DEPTH_MAX);
@@ -187,7 +187,7 @@ static int shadow_field(struct tia_text *t, const struct tia_word *word, struct 
                     : map_filter(t, &scene->shadow_map);
 }
 
-int tia_line_shadows(struct tia_job *job)
+int tia_line_shadows(struct tia_parse *job)
 {
     struct tia_scene *scene = job->scene;
     struct tia_word word;
@@ -204,7 +204,7 @@ int tia_line_shadows(struct tia_job *job)
 }
 
 /* Reads integrator NAME, and for ao a distance. */
-int tia_line_integrator(struct tia_job *job)
+int tia_line_integrator(struct tia_parse *job)
 {
     struct tia_integration *how = &job->scene->integration;
     struct tia_word word;
@@ -219,7 +219,7 @@ int tia_line_integrator(struct tia_job *job)
     return status || how->distance > 0 ? status : tia_text_error(&job->text, &word, "is not a distance", "more than 0");
 }
 
-int tia_line_spp(struct tia_job *job)
+int tia_line_spp(struct tia_parse *job)
 {
     int64_t spp = 0;
     int status = tia_text_integer(&job->text, &spp, 1, TIA_SPP_MAX);
@@ -228,7 +228,7 @@ int tia_line_spp(struct tia_job *job)
     return status;
 }
 
-int tia_line_tone(struct tia_job *job)
+int tia_line_tone(struct tia_parse *job)
 {
     unsigned tone;
     int status = named(&job->text, tia_tone_name, TIA_TONE_LINEAR, "is not a tone", "linear or srgb", &tone);
@@ -237,7 +237,7 @@ int tia_line_tone(struct tia_job *job)
     return status;
 }
 
-int tia_line_exposure(struct tia_job *job)
+int tia_line_exposure(struct tia_parse *job)
 {
     tia_q16 *exposure = &job->scene->integration.exposure;
     struct tia_word word;

@@ -8,6 +8,8 @@ static bool is_ours(const struct tia_view *view)
     return view && view->core->renderers && view->core->renderers->plain == &span_kernels_plain;
 }
 
+#include <tia/debug.h>
+
 static bool is_inside(const struct tia_view *view, struct tia_tile tile)
 {
     return tile_is_inside(tile, (struct tia_tile){0, 0, (uint16_t)view->width, (uint16_t)view->height});

@@ -1,5 +1,7 @@
 #include "estimate.h"
 
+#include <tia/tone.h>
+
 #include "render/core/dither.h"
 
 #define PATIENCE 16 /* rays between two calls of `stop`, which may read a clock or a keyboard */
@@ -169,6 +171,7 @@ void estimate_light_tile(const struct tia_view *view, struct tia_tile tile, cons
                          const struct tia_options *options, estimate_radiance *radiance)
 {
     const struct tia_integration *how = &view->scene->integration;
+    const struct tia_debug debug = options_debug(options);
     struct estimate e = begin(view);
 
     for (int y = (int)tile.y; y < tile_bottom(tile); y++) {
@@ -183,10 +186,10 @@ void estimate_light_tile(const struct tia_view *view, struct tia_tile tile, cons
             for (uint32_t i = 0; i < packing.spp && !e.stopped; i++)
                 add_sample(&e, x, y, i, radiance, &sum, rounded);
             *(tia_rgb565 *)(void *)out = pack(&packing, &sum, x);
-            if (options->path_hash)
-                options->path_hash[at] = e.hash;
-            if (options->lit)
-                options->lit[at] = 0;
+            if (debug.path_hash)
+                debug.path_hash[at] = e.hash;
+            if (debug.lit)
+                debug.lit[at] = 0;
         }
     }
 }

@@ -2,6 +2,7 @@
 
 #include "math/rotation.h"
 #include "math/wide.h"
+#include "raster/distance.h"
 #include "scene/colour.h"
 
 #define RAY_BITS 24

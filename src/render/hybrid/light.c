@@ -95,7 +95,7 @@ static void light_run(const struct rasterised *r, const struct tia_view *view, s
 {
     struct tia_tile run = {(uint16_t)x0, (uint16_t)y, (uint16_t)(x1 - x0), 1};
     char *first = (char *)surface->pixels + (y - (int)tile.y) * surface->pitch + (x0 - (int)tile.x) * surface->step;
-    struct tia_surface part = {(tia_rgb565 *)(void *)first, surface->step, surface->pitch};
+    struct tia_surface part = {.pixels = (tia_rgb565 *)(void *)first, .step = surface->step, .pitch = surface->pitch};
 
     if (x0 < x1)
         whitted_light_tile(view, r->hits, run, &part, options, &r->first);
@@ -131,13 +131,14 @@ void raster_light_tile(const struct tia_view *view, const struct tia_hits *hits,
                            .raster = raster,
                            .rays = view->prepared,
                            .hits = hits};
+    const struct tia_debug debug = options_debug(options);
     struct tia_hits again = {.view = view, .area = hits->area, .object = hits->object, .buffer = hits->buffer};
 
     if (is_outdated(raster, hits, tile))
         raster_trace_tile(view, &again, tile);
     for (unsigned i = 0; i < raster->sample_count; i++)
         light_sample(view, hits, tile, i, &cancel);
-    if (raster->place_count || options->path_hash || options->lit || options->colours ||
+    if (raster->place_count || debug.path_hash || debug.lit || options->colours ||
         !diffuse_init(&r.diffuse, view, raster->shadow, raster->first_bit)) {
         whitted_light_tile(view, hits, tile, surface, options, &r.first);
         return;

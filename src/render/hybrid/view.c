@@ -2,6 +2,7 @@
 #include "view.h"
 
 #include "raster/distance.h"
+#include "raster/target.h"
 
 #define PIXEL_BYTES (2 * sizeof(uint64_t) + 3 * sizeof(uint32_t))
 

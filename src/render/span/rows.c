@@ -225,9 +225,10 @@ static void light_row(struct chunk *chunk, const struct tia_hits *hits, struct t
                       const struct tia_surface *surface, const struct tia_options *options)
 {
     size_t before = (size_t)(chunk->y - (int)tile.y) * tile.width;
-    uint32_t *path_hash = options->path_hash ? options->path_hash + before : NULL;
+    uint32_t *path_hash = options_debug(options).path_hash;
     num_u threshold[8];
 
+    path_hash = path_hash ? path_hash + before : NULL;
     dither_thresholds(options->dither, chunk->y, threshold);
     for (unsigned x = 0; path_hash && x < tile.width; x++)
         path_hash[x] = 0;

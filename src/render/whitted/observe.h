@@ -18,7 +18,7 @@ static inline bool path_is_watched(const struct path *path)
 static inline void observe_begin(struct path *path, const struct tia_options *options)
 {
 #ifdef TIA_WATCHED
-    path->observer = options->observer;
+    path->observer = options_debug(options).observer;
 #else
     (void)path;
     (void)options;

@@ -98,7 +98,8 @@ static bool row(const struct job *job, int y)
     const struct tia_options *options = job->options;
     size_t before = (size_t)(y - (int)job->tile.y) * job->tile.width;
     char *out = (char *)job->surface->pixels + (y - (int)job->tile.y) * job->surface->pitch;
-    uint32_t *path_hash = options->path_hash ? options->path_hash + before : NULL;
+    const struct tia_debug debug = options_debug(options);
+    uint32_t *path_hash = debug.path_hash ? debug.path_hash + before : NULL;
     uint32_t *objects = job->hits->object + hits_index(job->hits, job->tile.x, (unsigned)y);
     struct path path = {
         .view = job->view->prepared, .first = job->first, .traces = job->traces, .hashed = path_hash != NULL};
@@ -120,8 +121,8 @@ static bool row(const struct job *job, int y)
             put_colours(mean, options->colours + 3 * (before + (size_t)i));
         if (path_hash)
             path_hash[i] = path.hash;
-        if (options->lit)
-            options->lit[before + (size_t)i] = path.reached;
+        if (debug.lit)
+            debug.lit[before + (size_t)i] = path.reached;
     }
     return !path.stopped;
 }

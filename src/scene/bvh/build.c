@@ -124,40 +124,31 @@ void tia_bvh_build_objects(struct bvh_space *space, struct tia_bvh *bvh, const s
     bvh->unbounded_count = count - last;
 }
 
-int tia_bvh_build(const struct tia_bvh **bvh, void *memory, size_t size, size_t *used, const struct tia_scene *scene)
+int tia_bvh_build(const struct tia_bvh **bvh, void *memory, size_t size, size_t *used, const struct tia_scene *scene,
+                  const struct tia_job *job)
 {
-    return tia_bvh_build_until(bvh, memory, size, used, scene, NULL, NULL);
-}
+    const struct tia_workers *workers = job ? job->workers : NULL;
 
-int tia_bvh_build_until(const struct tia_bvh **bvh, void *memory, size_t size, size_t *used,
-                        const struct tia_scene *scene, bool (*stop)(void *ctx), void *ctx)
-{
-    struct bvh_space space = {.front = memory, .cancel = {stop, ctx, 0, false}};
-
-    return tia_bvh_build_in(bvh, &space, size, used, scene);
-}
-
-int tia_bvh_build_in(const struct tia_bvh **bvh, struct bvh_space *space, size_t size, size_t *used,
-                     const struct tia_scene *scene)
-{
-    if (!bvh || !scene || !memory_is_usable(space->front))
+    if (!bvh || !scene || !memory_is_usable(memory) || !workers_are_usable(workers))
         return TIA_ERR_ARGUMENT;
-    const unsigned char *begin = space->front;
+    struct bvh_space space = {.front = memory, .cancel = cancel_for(job), .workers = workers};
+
+    space.build = workers ? tia_bvh_build_together : NULL;
     size_t needed = tia_bvh_size(scene);
 
     if (needed == SIZE_MAX || size < needed)
         return TIA_ERR_MEMORY;
-    space->boxes = (void *)(space->front + needed - ALIGN(box_count(scene) * sizeof(struct tia_bounds)));
-    struct tia_bvh *whole = bvh_allocate(space, sizeof *whole);
-    struct tia_bvh_tree *meshes = bvh_allocate(space, scene->mesh_count * (uint64_t)sizeof *meshes);
+    space.boxes = (void *)(space.front + needed - ALIGN(box_count(scene) * sizeof(struct tia_bounds)));
+    struct tia_bvh *whole = bvh_allocate(&space, sizeof *whole);
+    struct tia_bvh_tree *meshes = bvh_allocate(&space, scene->mesh_count * (uint64_t)sizeof *meshes);
     whole->meshes = meshes;
     for (uint32_t i = 0; i < scene->mesh_count; i++)
-        meshes[i] = build_mesh(space, &scene->meshes[i]);
-    tia_bvh_build_objects(space, whole, scene);
-    if (space->cancel.stopped)
+        meshes[i] = build_mesh(&space, &scene->meshes[i]);
+    tia_bvh_build_objects(&space, whole, scene);
+    if (space.cancel.stopped)
         return TIA_STOPPED;
     *bvh = whole;
     if (used)
-        *used = (size_t)(space->front - begin);
+        *used = (size_t)(space.front - (unsigned char *)memory);
     return TIA_OK;
 }

@@ -135,12 +135,12 @@ static bool can_follow(const struct tia_scene *scene, const struct tia_scene *st
 }
 
 int tia_bvh_move(const struct tia_bvh **bvh, void *memory, size_t size, const struct tia_scene *scene,
-                 const struct tia_scene *standing, bool (*stop)(void *ctx), void *ctx)
+                 const struct tia_scene *standing, const struct tia_job *job)
 {
     if (!bvh || !scene || !standing || !memory_is_usable(memory) || !can_follow(scene, standing))
         return TIA_ERR_ARGUMENT;
     uint64_t boxes = ALIGN(bvh_object_count(scene) * (uint64_t)sizeof(struct tia_bounds));
-    struct bvh_space space = {.front = memory, .cancel = {stop, ctx, 0, false}}, anew;
+    struct bvh_space space = {.front = memory, .cancel = cancel_for(job)}, anew;
     size_t needed = tia_bvh_move_size(scene);
 
     if (needed == SIZE_MAX || size < needed)

@@ -2,8 +2,6 @@
 #ifndef TIA_SCENE_BVH_OBJECTS_H
 #define TIA_SCENE_BVH_OBJECTS_H
 
-#include <tia/port.h>
-
 #include "math/align.h"
 #include "tree.h"
 
@@ -15,7 +13,6 @@ struct bvh_space {
     /* Builds a tree of `count` items, with tia_bvh_build_range's result. NULL: tia_bvh_build_range builds it. */
     uint32_t (*build)(struct bvh_space *space, struct tia_bvh_node *nodes, const struct bvh_items *all, uint32_t count);
     const struct tia_workers *workers; /* for `build` */
-    void *workers_ctx;
 };
 
 static inline uint64_t bvh_object_count(const struct tia_scene *scene)
@@ -42,7 +39,11 @@ bool tia_bvh_object_box(struct tia_bounds *box, const struct tia_scene *scene, u
 /* Builds bvh->objects; the meshes' trees are there already. */
 void tia_bvh_build_objects(struct bvh_space *space, struct tia_bvh *bvh, const struct tia_scene *scene);
 
-/* Does the work of tia_bvh_build_until, in space->front, with the space's builder. */
+/* Divides a large tree among space->workers; for space->build. */
+uint32_t tia_bvh_build_together(struct bvh_space *space, struct tia_bvh_node *nodes, const struct bvh_items *all,
+                                uint32_t count);
+
+/* Does the work of tia_bvh_build, in space->front, with the space's builder. */
 int tia_bvh_build_in(const struct tia_bvh **bvh, struct bvh_space *space, size_t size, size_t *used,
                      const struct tia_scene *scene);
 

@@ -5,11 +5,7 @@
  * n items has at most 2n - 1 nodes, so the first node of each part can be computed before. Finally the trees are moved
  * together. So the nodes are the same as tia_bvh_build_range's, bit for bit, and do not depend on the number of
  * threads.
- *
- * Boards do not link this: tia_bvh_build does not need it.
  */
-#include <tia/port.h>
-
 #include "objects.h"
 #include "split.h"
 
@@ -55,9 +51,9 @@ static bool asks(void *ctx)
     const struct bvh_space *space = ctx;
     bool stopped = false;
 
-    if (space->workers->enter(space->workers_ctx)) {
+    if (space->workers->enter(space->workers->ctx)) {
         stopped = space->cancel.stop(space->cancel.ctx);
-        space->workers->leave(space->workers_ctx);
+        space->workers->leave(space->workers->ctx);
     }
     return stopped;
 }
@@ -118,7 +114,7 @@ static void build_part(void *arg, unsigned index)
 
 static void run(struct crew *crew, void (*job)(void *arg, unsigned index), unsigned count)
 {
-    crew->space->workers->run(crew->space->workers_ctx, job, crew, count);
+    crew->space->workers->run(crew->space->workers->ctx, job, crew, count);
 }
 
 /* Runs the job for all chunks; the result does not depend on their order. False: stopped. */
@@ -224,7 +220,8 @@ static uint32_t move_together(struct crew *crew)
     return to;
 }
 
-static uint32_t build(struct bvh_space *space, struct tia_bvh_node *nodes, const struct bvh_items *all, uint32_t count)
+uint32_t tia_bvh_build_together(struct bvh_space *space, struct tia_bvh_node *nodes, const struct bvh_items *all,
+                                uint32_t count)
 {
     struct crew crew = {.space = space, .all = *all, .nodes = nodes, .count = 1, .chunks = (void *)nodes};
 
@@ -238,20 +235,4 @@ static uint32_t build(struct bvh_space *space, struct tia_bvh_node *nodes, const
     for (unsigned i = 0; i < crew.count; i++)
         space->cancel.stopped = space->cancel.stopped || crew.parts[i].stopped;
     return space->cancel.stopped ? 0 : move_together(&crew);
-}
-
-int tia_bvh_build_parallel(const struct tia_bvh **bvh, void *memory, size_t size, size_t *used,
-                           const struct tia_scene *scene, const struct tia_workers *workers, void *workers_ctx,
-                           bool (*stop)(void *ctx), void *ctx)
-{
-    struct bvh_space space = {.front = memory, .cancel = {stop, ctx, 0, false}};
-
-    if (workers && !(workers->run && workers->enter && workers->leave))
-        return TIA_ERR_ARGUMENT;
-    if (workers) {
-        space.build = build;
-        space.workers = workers;
-        space.workers_ctx = workers_ctx;
-    }
-    return tia_bvh_build_in(bvh, &space, size, used, scene);
 }

@@ -33,6 +33,9 @@ int tia_check_spheres(const struct tia_scene *scene, struct tia_fault *fault, st
 int tia_check_by(const struct check_more *more, const struct tia_scene *scene, struct tia_fault *fault,
                  struct cancel *cancel);
 
+/* Of a scene that is accepted: *fault receives a warning, or NULL in all of it. */
+void tia_check_warn(const struct tia_scene *scene, struct tia_fault *fault);
+
 #define CHECK_FAR "every point must be nearer to the eye than 32768"
 #define CHECK_UNIT "each channel must be in 0..1"
 #define CHECK_RADIUS "must be at least 2^-10"

@@ -53,5 +53,8 @@ int tia_scene_check(const struct tia_scene *scene, struct tia_fault *fault)
 
     if (!scene)
         return TIA_ERR_ARGUMENT;
-    return tia_check_scene(scene, fault, &nobody);
+    int status = tia_check_scene(scene, fault, &nobody);
+    if (!status && fault)
+        tia_check_warn(scene, fault);
+    return status;
 }

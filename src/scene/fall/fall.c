@@ -1,5 +1,7 @@
 #include "fall.h"
 
+#include <tia/debug.h>
+
 #include "contact.h"
 #include "math/align.h"
 #include "math/rotation.h"

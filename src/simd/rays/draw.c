@@ -97,7 +97,7 @@ static void light(const struct tia_view *view, struct tia_tile tile, const struc
     int side = s->camera.side, most = SURE_SIDE / side;
     int rows = STRIP / tile.width < most ? STRIP / tile.width : most;
 
-    if (options->path_hash || options->lit || s->occluded || s->fixed_only) {
+    if (options_debug(options).path_hash || options_debug(options).lit || s->occluded || s->fixed_only) {
         tia_simd_light_plain(view, tile, surface, options);
         return;
     }

@@ -138,7 +138,7 @@ static void light(const struct tia_view *view, struct tia_tile tile, const struc
 {
     uint32_t spp = view->scene->integration.spp;
 
-    if (options->path_hash || options->lit) {
+    if (options_debug(options).path_hash || options_debug(options).lit) {
         tia_simd_light_plain(view, tile, surface, options);
         return;
     }
@@ -151,7 +151,8 @@ static void light(const struct tia_view *view, struct tia_tile tile, const struc
             struct tia_sum sums[PIECE] = {{{0, 0, 0}}};
             sample(view, piece, 0, spp, &(struct tia_gathered){.sums = sums, .pitch = PIECE}, memory);
             char *out = (char *)surface->pixels + (ptrdiff_t)y * surface->pitch + (ptrdiff_t)x * surface->step;
-            struct tia_surface part = {(tia_rgb565 *)(void *)out, surface->step, surface->pitch};
+            struct tia_surface part = {
+                .pixels = (tia_rgb565 *)(void *)out, .step = surface->step, .pitch = surface->pitch};
             estimate_show(view, piece, sums, spp, &part, options->dither);
         }
 }

@@ -169,7 +169,7 @@ void tia_simd_light(const struct tia_view *view, struct tia_tile tile, const str
     struct tia_surface part = *surface;
     bool streams = kernels->stream && (uint32_t)view->width * (uint32_t)view->height > STREAMED;
 
-    if (options->path_hash) {
+    if (options_debug(options).path_hash) {
         tia_simd_light_plain(view, tile, surface, options);
         return;
     }

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <tia/debug.h>
 
 #define BAND_ROWS 16u /* rows per job: a band of the widest image takes some 5 MB */
 
@@ -100,8 +101,9 @@ static void compare(struct frame *frame, unsigned core, struct tia_tile tile, co
 static int draw(const struct frame *frame, unsigned n, struct tia_tile tile, struct layer *layer)
 {
     const struct tia_core *core = frame->cores[n];
-    struct tia_surface surface = {layer->pixels, 2, 2 * (ptrdiff_t)tile.width};
-    struct tia_options options = {.dither = frame->what->dither, .path_hash = layer->path_hash};
+    struct tia_surface surface = {.pixels = layer->pixels, .step = 2, .pitch = 2 * (ptrdiff_t)tile.width};
+    struct tia_options options = {.dither = frame->what->dither,
+                                  .debug = &(struct tia_debug){.path_hash = layer->path_hash}};
     size_t size = core->hits_size(core, frame->what->scene, tile), i = 0;
     void *memory = malloc(size);
     struct tia_hits *hits = NULL;
@@ -173,10 +175,10 @@ static int prepare(struct frame *frame)
     for (unsigned i = 0; i <= frame->what->core_count && !status; i++) {
         size_t size = frame->cores[i]->view_size(frame->cores[i], scene, scene->light_count);
         frame->memory[i] = malloc(size);
-        status = !frame->memory[i] ? TIA_ERR_MEMORY
-                                   : frame->cores[i]->view_init(frame->cores[i], &frame->views[i], frame->memory[i],
-                                                                size, scene, scene->light_count, frame->what->width,
-                                                                frame->what->height, NULL, NULL);
+        status = !frame->memory[i]
+                     ? TIA_ERR_MEMORY
+                     : frame->cores[i]->view_init(frame->cores[i], &frame->views[i], frame->memory[i], size, scene,
+                                                  scene->light_count, frame->what->width, frame->what->height, NULL);
     }
     return status;
 }
@@ -203,7 +205,7 @@ int measure(const struct measure *what, struct tally *tallies)
     frame.bands = calloc(band_count, sizeof *frame.bands);
     int status = !frame.bands ? TIA_ERR_MEMORY : prepare(&frame);
     if (!status) {
-        what->workers->run(what->workers_ctx, measure_band, &frame, band_count);
+        what->workers->run(what->workers->ctx, measure_band, &frame, band_count);
         status = sum_up(&frame, band_count, tallies);
     }
     for (unsigned i = 0; i <= what->core_count; i++)

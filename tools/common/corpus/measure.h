@@ -43,7 +43,6 @@ struct measure {
     const struct tia_core *cores[MEASURE_CORES];
     unsigned core_count;
     const struct tia_workers *workers;
-    void *workers_ctx;
     tia_rgb565 *picture; /* NULL, or receives the width x height pixels of the reference's picture */
 
     /* NULL, or called for each pixel that is not SAME, on any thread, also on several at once. */

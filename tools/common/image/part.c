@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include <tia/debug.h>
 #include <tia/render.h>
 
 #include "codec.h"

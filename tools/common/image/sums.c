@@ -2,6 +2,7 @@
 
 #include <stdio.h>
 #include <string.h>
+#include <tia/tone.h>
 
 #include "common/checksum.h"
 

@@ -148,8 +148,8 @@ static int build_boxes(struct scene_file *file, unsigned threads)
     struct threads *pool = threads > 1 && size >= BOXES_FOR_THREADS ? threads_create(threads) : NULL;
     file->boxes = size <= MEMORY_MOST ? malloc(size > 0 ? size : 1) : NULL;
     int status = !file->boxes ? TIA_ERR_MEMORY
-                              : tia_bvh_build_parallel(&scene->bvh, file->boxes, size, NULL, scene,
-                                                       pool ? &threads_workers : NULL, pool, NULL, NULL);
+                              : tia_bvh_build(&scene->bvh, file->boxes, size, NULL, scene,
+                                              &(struct tia_job){.workers = threads_workers(pool)});
     threads_destroy(pool);
     return status == TIA_ERR_MEMORY ? exhausted(file) : TIA_OK;
 }

@@ -2,6 +2,7 @@
 #ifndef TOOLS_VIEWS_SEEN_H
 #define TOOLS_VIEWS_SEEN_H
 
+#include <tia/debug.h>
 #include <tia/render.h>
 
 #include "view.h"

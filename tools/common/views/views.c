@@ -61,9 +61,9 @@ static int collect_rays(const struct tia_view *view, unsigned x, unsigned y)
 {
     const struct tia_tile pixel = {(uint16_t)x, (uint16_t)y, 1, 1};
     struct tia_observer observer = {add_ray, NULL, 0};
-    const struct tia_options options = {.observer = &observer};
+    const struct tia_options options = {.debug = &(struct tia_debug){.observer = &observer}};
     tia_rgb565 colour;
-    const struct tia_surface surface = {&colour, sizeof colour, sizeof colour};
+    const struct tia_surface surface = {.pixels = &colour, .step = sizeof colour, .pitch = sizeof colour};
     struct tia_hits *hits;
 
     now.line_count = 0;
@@ -94,7 +94,7 @@ static double scale_of(const struct tia_scene *scene)
 
 static int view_init(const struct tia_core *core, struct tia_view **view, void *memory, size_t size,
                      const struct tia_scene *scene, uint32_t capacity, unsigned width, unsigned height,
-                     bool (*stop)(void *ctx), void *ctx)
+                     const struct tia_job *job)
 {
     now.scene = scene;
     now.width = width;
@@ -106,7 +106,7 @@ static int view_init(const struct tia_core *core, struct tia_view **view, void *
                                  scale_of(scene),
                                  scene->sphere_count + scene->shape_count,
                                  0};
-    return now.watched->view_init(core, view, memory, size, scene, capacity, width, height, stop, ctx);
+    return now.watched->view_init(core, view, memory, size, scene, capacity, width, height, job);
 }
 
 static int set_lights(struct tia_view *view, const struct tia_light *lights, uint32_t count)
@@ -128,11 +128,13 @@ static int draw_false(const struct tia_view *view, const struct tia_hits *hits, 
         char *row = (char *)surface->pixels + (ptrdiff_t)y * surface->pitch;
         struct seen seen = {.rays = 0};
         struct tia_observer observer = {seen_ray, &seen, 0};
+        const struct tia_debug debug = {.observer = &observer};
         struct tia_options observed = *options;
         tia_rgb565 colour;
 
-        observed.observer = &observer;
-        status = tia_drawing.light(view, hits, pixel, &(struct tia_surface){&colour, 2, 2}, &observed);
+        observed.debug = &debug;
+        status = tia_drawing.light(view, hits, pixel, &(struct tia_surface){.pixels = &colour, .step = 2, .pitch = 2},
+                                   &observed);
         *(tia_rgb565 *)(void *)(row + (ptrdiff_t)x * surface->step) =
             seen_colour(&seen, now.views.view, observer.tests, now.legend.scale);
     }

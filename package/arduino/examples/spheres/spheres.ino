@@ -55,15 +55,15 @@ static void start_panel()
 
 static int draw()
 {
-    const struct tia_surface surface = {row, 2, sizeof row};
+    const struct tia_surface surface = {.pixels = row, .step = 2, .pitch = sizeof row};
     struct tia_view *view;
     struct tia_hits *hits;
     const struct tia_core *core = &tia_core_spheres_small; // tia_core_q16 draws any scene, in ten times the flash
-    int status = core->view_init(core, &view, view_memory, sizeof view_memory, &tia_thesis_scene, 1, WIDTH, HEIGHT, NULL, NULL);
+    int status = core->view_init(core, &view, view_memory, sizeof view_memory, &tia_thesis_scene, 1, WIDTH, HEIGHT, NULL);
     if (status == TIA_OK)
         status = tia_view_set_lights(view, &tia_thesis_scene.bindings[0].state, 1);
     for (uint16_t y = 0; y < HEIGHT && status == TIA_OK; y++) {
-        const struct tia_tile tile = {0, y, WIDTH, 1};
+        const struct tia_tile tile = {.x = 0, .y = y, .width = WIDTH, .height = 1};
         status = tia_hits_init(&hits, hits_memory, sizeof hits_memory, view, tile);
         if (status == TIA_OK)
             status = tia_render(view, hits, tile, &surface, NULL);

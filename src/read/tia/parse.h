@@ -1,11 +1,11 @@
-/* job.h - the state of the .tia reader, shared by its statements.
+/* parse.h - the state of the .tia reader, shared by its statements.
  *
  * It makes three passes over the text. The first one only counts. A named sphere is counted both as a sphere
  * and as a shape, since an animate statement, which makes it a shape, may follow later. The second pass collects
  * names, so that they can be used before the line that defines them. The last one fills the arrays.
  */
-#ifndef TIA_READ_TIA_JOB_H
-#define TIA_READ_TIA_JOB_H
+#ifndef TIA_READ_TIA_PARSE_H
+#define TIA_READ_TIA_PARSE_H
 
 #include "reach.h"
 #include "read/text/constants.h"
@@ -19,7 +19,7 @@ enum tia_kind_of_name {
     TIA_NAMED_MOVER     /* index: twice a transform's, or twice a light's plus 1 */
 };
 
-enum tia_job_array {
+enum tia_parse_array {
     TIA_OF_MATERIALS,
     TIA_OF_TEXTURES,
     TIA_OF_SPHERES,
@@ -69,7 +69,7 @@ struct tia_place {
     bool as_written;
 };
 
-struct tia_job {
+struct tia_parse {
     struct tia_text text;
     struct tia_word first; /* first word of the line */
     struct tia_constants constants;
@@ -93,85 +93,85 @@ struct tia_job {
     /* Set when reading again to find the line of an object: item sought_index of an array, or a statement. */
     bool seeking;
     enum tia_pass seeking_in;
-    unsigned sought; /* enum tia_job_array; TIA_ARRAYS: none */
+    unsigned sought; /* enum tia_parse_array; TIA_ARRAYS: none */
     uint32_t sought_index;
     const char *sought_statement; /* NULL: none */
 };
 
 /* Runs all passes; only the first one if the memory does not suffice. tia.c */
-int tia_job_read(struct tia_job *job, struct tia_arena *arena);
+int tia_parse_read(struct tia_parse *job, struct tia_arena *arena);
 
 /* Adds an item to an array; returns its index. */
-uint32_t tia_job_add(struct tia_job *job, enum tia_job_array array, const void *item);
-uint32_t tia_job_count(const struct tia_job *job, enum tia_job_array array);
+uint32_t tia_parse_add(struct tia_parse *job, enum tia_parse_array array, const void *item);
+uint32_t tia_parse_count(const struct tia_parse *job, enum tia_parse_array array);
 
 /* Returns the address of item `index` of an array, filled or not; NULL before the last pass. */
-const void *tia_job_at(const struct tia_job *job, enum tia_job_array array, uint32_t index);
+const void *tia_parse_at(const struct tia_parse *job, enum tia_parse_array array, uint32_t index);
 
 /* Defines the name that is the next word. */
-int tia_job_define(struct tia_job *job, enum tia_kind_of_name kind, uint32_t index);
+int tia_parse_define(struct tia_parse *job, enum tia_kind_of_name kind, uint32_t index);
 /* Defines the given name. */
-void tia_job_name(struct tia_job *job, enum tia_kind_of_name kind, const struct tia_word *name, uint32_t index);
+void tia_parse_name(struct tia_parse *job, enum tia_kind_of_name kind, const struct tia_word *name, uint32_t index);
 
 /* Looks up a name's index, 0 before the last pass. `expected` is for the error: "the name of a material". */
-int tia_job_find(struct tia_job *job, enum tia_kind_of_name kind, const struct tia_word *name, const char *expected,
-                 uint32_t *index);
+int tia_parse_find(struct tia_parse *job, enum tia_kind_of_name kind, const struct tia_word *name, const char *expected,
+                   uint32_t *index);
 
 /* Notes that a name is animated. */
-void tia_job_animate(struct tia_job *job, const struct tia_word *name);
+void tia_parse_animate(struct tia_parse *job, const struct tia_word *name);
 /* True if a name is animated. */
-bool tia_job_moves(const struct tia_job *job, const struct tia_word *name);
+bool tia_parse_moves(const struct tia_parse *job, const struct tia_word *name);
 /* Finds the light or transform of that name, in the last pass. */
-struct tia_name *tia_job_mover(const struct tia_job *job, const struct tia_word *name);
+struct tia_name *tia_parse_mover(const struct tia_parse *job, const struct tia_word *name);
 
 /* Adds a track of a shape's or light's visibility, unless both times are NULL: not given. */
-int tia_job_show(struct tia_job *job, enum tia_target target, uint32_t index, const tia_q16 *appears,
-                 const tia_q16 *vanishes);
+int tia_parse_show(struct tia_parse *job, enum tia_target target, uint32_t index, const tia_q16 *appears,
+                   const tia_q16 *vanishes);
 
 /* Called before and after a pass; tia_events_resolve after the last one, when all shapes are known. events.c */
-void tia_events_begin(struct tia_job *job);
-void tia_events_end(struct tia_job *job);
-void tia_events_resolve(struct tia_job *job);
+void tia_events_begin(struct tia_parse *job);
+void tia_events_end(struct tia_parse *job);
+void tia_events_resolve(struct tia_parse *job);
 
 /* Composes a shape's transform with those of the groups around it. `name`: the shape's name, or NULL. */
-int tia_group_place(struct tia_job *job, struct tia_transform *transform, const struct tia_word *name);
+int tia_group_place(struct tia_parse *job, struct tia_transform *transform, const struct tia_word *name);
 
 /* Gives the path, from the scene's folder, of a file named in the file being read. */
-int tia_include_path(struct tia_job *job, const struct tia_word *name, char path[TIA_NAME_MAX + 1]);
+int tia_include_path(struct tia_parse *job, const struct tia_word *name, char path[TIA_NAME_MAX + 1]);
 
 /* Reports that a file could not be loaded, for the reason that the callback gave. */
-int tia_job_missing(struct tia_job *job, const struct tia_word *file, const char *why, const char *expected);
+int tia_parse_missing(struct tia_parse *job, const struct tia_word *file, const char *why, const char *expected);
 
 /* Switches to the file of the last include statement. */
-void tia_include_begin(struct tia_job *job);
+void tia_include_begin(struct tia_parse *job);
 /* Switches back at the end of a file. */
-int tia_include_end(struct tia_job *job);
+int tia_include_end(struct tia_parse *job);
 
 /* Read the rest of a statement's line, and its block if it has one. */
-int tia_line_camera(struct tia_job *job);
-int tia_light_field_line(struct tia_job *job); /* part of a camera statement */
-int tia_line_samples(struct tia_job *job);
-int tia_line_background(struct tia_job *job);
-int tia_line_depth(struct tia_job *job);
-int tia_line_shadows(struct tia_job *job);
-int tia_line_integrator(struct tia_job *job);
-int tia_line_spp(struct tia_job *job);
-int tia_line_tone(struct tia_job *job);
-int tia_line_exposure(struct tia_job *job);
-int tia_line_material(struct tia_job *job);
-int tia_line_texture(struct tia_job *job);
-int tia_line_shape(struct tia_job *job, enum tia_shape_kind kind);
-int tia_line_instance(struct tia_job *job);
-int tia_line_mesh(struct tia_job *job);
-int tia_line_grid(struct tia_job *job);
-int tia_line_light(struct tia_job *job);
-int tia_line_key(struct tia_job *job);
-int tia_line_animate(struct tia_job *job);
-int tia_line_gravity(struct tia_job *job);
-int tia_line_fall(struct tia_job *job);
-int tia_line_group(struct tia_job *job);
-int tia_line_end(struct tia_job *job);
-int tia_line_include(struct tia_job *job);
-int tia_line_define(struct tia_job *job);
+int tia_line_camera(struct tia_parse *job);
+int tia_light_field_line(struct tia_parse *job); /* part of a camera statement */
+int tia_line_samples(struct tia_parse *job);
+int tia_line_background(struct tia_parse *job);
+int tia_line_depth(struct tia_parse *job);
+int tia_line_shadows(struct tia_parse *job);
+int tia_line_integrator(struct tia_parse *job);
+int tia_line_spp(struct tia_parse *job);
+int tia_line_tone(struct tia_parse *job);
+int tia_line_exposure(struct tia_parse *job);
+int tia_line_material(struct tia_parse *job);
+int tia_line_texture(struct tia_parse *job);
+int tia_line_shape(struct tia_parse *job, enum tia_shape_kind kind);
+int tia_line_instance(struct tia_parse *job);
+int tia_line_mesh(struct tia_parse *job);
+int tia_line_grid(struct tia_parse *job);
+int tia_line_light(struct tia_parse *job);
+int tia_line_key(struct tia_parse *job);
+int tia_line_animate(struct tia_parse *job);
+int tia_line_gravity(struct tia_parse *job);
+int tia_line_fall(struct tia_parse *job);
+int tia_line_group(struct tia_parse *job);
+int tia_line_end(struct tia_parse *job);
+int tia_line_include(struct tia_parse *job);
+int tia_line_define(struct tia_parse *job);
 
 #endif

@@ -1,0 +1,137 @@
+/* debug.h - for tests and comparison: paths of light, other arithmetics, checksums, and reasons of refusals. It is not
+ * in tia.h, and any version may change it.
+ */
+#ifndef TIA_DEBUG_H
+#define TIA_DEBUG_H
+
+#include <tia/motion.h>
+#include <tia/simd.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- paths of light ---- */
+
+/* The kinds of a pixel's rays. */
+enum tia_ray { TIA_RAY_PRIMARY, TIA_RAY_REFLECTED, TIA_RAY_REFRACTED, TIA_RAY_PAST, TIA_RAY_SHADOW };
+
+/* A traced ray. TIA_RAY_PAST goes on past an opacity; a shadow ray runs from a surface to a light, or for a length of 1
+ * if the light is directional. Numbers are rounded to Q16.16 and clamped to its range. */
+struct tia_traced {
+    enum tia_ray ray;
+    struct tia_vec3 from, to; /* its ends; `to` is 1 from `from` when it meets nothing */
+    tia_q16 length;           /* INT32_MAX: it meets nothing */
+    uint32_t object, light;   /* the ones it meets, or a shadow ray's surface and light; or TIA_NO_OBJECT */
+    struct tia_vec3 normal;   /* the shading normal where it ends, on the side that the ray comes from */
+    bool arrives;             /* of a shadow ray: some of the light does */
+};
+
+/* Observes rays; only tia_core_watched supports it, other builds ignore it. It changes no pixel. */
+struct tia_observer {
+    void (*traced)(void *ctx, const struct tia_traced *traced); /* NULL: only tests are counted */
+    void *ctx;
+    uint32_t tests; /* counts boxes of hierarchies, objects and faces of meshes that rays were tested against */
+};
+
+/* For `debug` of struct tia_options. All zero: nothing is told. */
+struct tia_debug {
+    uint32_t *path_hash;           /* NULL, or receives a hash of each pixel's light paths, row by row of the tile */
+    uint64_t *lit;                 /* NULL, or receives which lights reach each pixel, row by row of the tile */
+    struct tia_observer *observer; /* NULL, or is called for each ray, in the order of the path hash; spans have none */
+};
+
+/* `lit` does not depend on the lights' colours. The samples of all lights are numbered consecutively, in the order of
+ * the lights; an ambient light has none. Bit k is set when sample number k arrives, see below, at what the first sample
+ * of the pixel sees directly; 0 where that is the background or a light. Samples from 64 on have no bit. The span
+ * renderer does not write `lit`: bits 0..15 of its path hash hold the same. */
+
+/* Pixels whose colours came about along the same paths have the same path hash. Compare it between two arithmetics to
+ * tell rounding from a ray that took another path.
+ *
+ * Of the span renderer: bit n (0..15) is set when light n reaches the point; bits 16..31 hold the sum of
+ * (n + 1)(j + 1) over the transparent spheres j in between. Where light n itself is visible,
+ * 0xffff0000 + n.
+ *
+ * Of the ray renderer: the 32-bit FNV-1a hash (start 2166136261, then (hash ^ byte) * 16777619) of 32-bit
+ * words, lowest byte first. For each sample in order, for each of its rays, depth first, reflection before
+ * refraction before what is seen past an opacity, the words are: the index of the object hit, TIA_NO_OBJECT for
+ * the background, or TIA_NO_OBJECT - 1 - n for light n. An object's index is followed by
+ *   - the part hit: of a box the face, 2 axis + 1 on the side of its maximum; of a cylinder or cone 0 for the
+ *     side, 1 for the base, 2 for the top; of a mesh the face; of a grid 6 times the cell, plus the face;
+ *     otherwise 0;
+ *   - when the material's colour is not black: of a checker 0 or 1, of an image without `bilinear` the texel,
+ *     counted row by row from 0;
+ *   - with an opacity texture without `bilinear`, its texel;
+ *   - unless the opacity is 0, for each sample of each light, ambient ones without a radius excepted, in order: 1 when
+ *     it arrives
+ *     (G.L > 0 and N.L > 0, see material.h, P is inside a spot light's cone, and T is not black), otherwise 0. */
+
+/* ---- other arithmetics ---- */
+
+extern const struct tia_core tia_core_watched; /* integers, with an observer of rays: libtia-watched.a */
+extern const struct tia_core tia_core_f32;     /* float: libtia-f32.a */
+extern const struct tia_core tia_core_chk;     /* q16 that reports values out of range: libtia-chk.a */
+extern const struct tia_estimator tia_estimator_f32;
+extern const struct tia_estimator tia_estimator_chk;
+
+/* ---- pictures ---- */
+
+/* CRC-32 (IEEE 802.3, as in zlib) over `count` pixels as little-endian bytes. Start with 0 and pass the
+ * result on from row to row. Without pixels, NULL, `crc` stays as it is. */
+uint32_t tia_crc32(uint32_t crc, const tia_rgb565 *pixels, size_t count);
+
+/* The guides' means, normals as (N + 1)/2, and the standard error of the luminance. */
+enum tia_shown_guide { TIA_SHOW_NOTHING, TIA_SHOW_NORMAL, TIA_SHOW_DEPTH, TIA_SHOW_ALBEDO, TIA_SHOW_ERROR };
+
+/* "normal", "depth", "albedo", "error"; NULL for others. */
+const char *tia_shown_guide_name(unsigned shown);
+
+/* The sum that `count` samples would give if they showed that guide of the pixel with the index `at` in `gathered`, the
+ * albedo for other guides. 0 where sums or guides, or squares for the error, are NULL, or the count is not in
+ * 1..TIA_SPP_MAX. */
+struct tia_sum tia_guide_shown(enum tia_shown_guide shown, const struct tia_gathered *gathered, size_t at,
+                               uint32_t count);
+
+/* The estimated standard error of a pixel's mean luminance (red + 2 green + blue)/4, in units of 2^-16, from the spread
+ * of its samples; for one sample, that luminance, for none 0. Sobol points are more even than random ones, so the
+ * estimate tends to be too large. */
+uint32_t tia_standard_error(const struct tia_sum *sum, uint64_t squares, uint32_t count);
+
+/* ---- shadows and motion ---- */
+
+/* The first object (see render.h) that is too far away for the rasteriser, in a width x height view that tia_view_init
+ * has refused with TIA_ERR_RANGE, or TIA_NO_OBJECT, as for a scene that tia_scene_check refuses. A corner is too far if
+ * a clip coordinate, see raster.h, reaches 2^TIA_RANGE_MAX, in orthographic views 2^TIA_RANGE_FLAT: it is then that
+ * many times half the view's width or height off its middle. */
+uint32_t tia_shadow_too_far(const struct tia_scene *scene, unsigned width, unsigned height);
+
+/* The same of a light: the first of these for the scene that is too far away, in a view that tia_view_init or
+ * tia_view_set_lights has refused. Of a light with an area all of it counts. *range receives the r for which 2^r is too
+ * far: as for corners, but less in an orthographic view whose image has more than 1024 pixels in a row or column. There
+ * lights much farther away than all corners are in range, too: they count as directional where this moves no shadow by
+ * half a pixel. */
+uint32_t tia_shadow_light_too_far(const struct tia_scene *scene, const struct tia_light *lights, uint32_t count,
+                                  unsigned width, unsigned height, unsigned *range);
+
+/* True if each edge of a mesh has a face on its other side that runs along it in the opposite direction. A mesh that
+ * does not close casts the same shadow, but face by face, so its volumes have more sides. `room` has
+ * tia_shadow_mesh_room(mesh) bytes and is aligned for uint32_t, or the result is false; the mesh is one that
+ * tia_scene_check accepts. */
+size_t tia_shadow_mesh_room(const struct tia_mesh *mesh);
+bool tia_shadow_mesh_closes(const struct tia_mesh *mesh, void *room);
+
+/* True if falling balls bounce off shape number `shape`: a plane or a box whose transform has no track. */
+bool tia_scene_bounces_off(const struct tia_scene *scene, uint32_t shape);
+
+/* ---- vector units ---- */
+
+/* The level's part in drawing polygons, for struct tia_raster_target of raster.h; NULL: none. A view's own is set with
+ * its level, and needs no memory. */
+const struct tia_raster_runs *tia_simd_raster(const struct tia_simd *simd);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,36 @@
+/* job.h - long work: the threads that share it, and a function that can stop it. */
+#ifndef TIA_JOB_H
+#define TIA_JOB_H
+
+#include <tia/fixed.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A pool of threads. Without one tia runs jobs one after the other. All functions must be set. */
+struct tia_workers {
+    /* Runs job(arg, 0) .. job(arg, count - 1), in any order, on any threads, and returns when all are done. */
+    void (*run)(void *ctx, void (*job)(void *arg, unsigned index), void *arg, unsigned count);
+    /* A lock for work that one job at a time may do, held until leave; false when another job holds it. Never waits. */
+    bool (*enter)(void *ctx);
+    void (*leave)(void *ctx);
+    void *ctx;
+    unsigned count; /* the most jobs that run at once; 0 means 1 */
+};
+
+/* The last argument of functions that can take long. NULL, or all zero: one thread, never stopped. */
+struct tia_job {
+    const struct tia_workers *workers; /* NULL, or threads to divide the work among, where a function does */
+    /* NULL, or polled after every few thousand items of work. Once it returns true, the function returns TIA_STOPPED
+     * soon, and what it was making is of no use. It may be called again and must return true again. Only one thread at
+     * a time calls it, any of them. */
+    bool (*stop)(void *ctx);
+    void *ctx; /* of `stop` */
+};
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

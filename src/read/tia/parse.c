@@ -1,0 +1,79 @@
+/* parse.c - the arrays and names of a .tia file. */
+#include "parse.h"
+
+uint32_t tia_parse_count(const struct tia_parse *job, enum tia_parse_array array)
+{
+    return job->arrays[array].count;
+}
+
+uint32_t tia_parse_add(struct tia_parse *job, enum tia_parse_array array, const void *item)
+{
+    uint32_t index = job->arrays[array].count;
+
+    tia_array_add(&job->arrays[array], item);
+    return index;
+}
+
+const void *tia_parse_at(const struct tia_parse *job, enum tia_parse_array array, uint32_t index)
+{
+    const struct tia_array *a = &job->arrays[array];
+    return a->items ? a->items + index * a->item : NULL;
+}
+
+void tia_parse_name(struct tia_parse *job, enum tia_kind_of_name kind, const struct tia_word *name, uint32_t index)
+{
+    struct tia_name entry = {*name, kind, index, tia_parse_count(job, TIA_OF_NAMES)};
+
+    if (job->pass != TIA_FILLING)
+        (void)tia_parse_add(job, TIA_OF_NAMES, &entry);
+}
+
+int tia_parse_define(struct tia_parse *job, enum tia_kind_of_name kind, uint32_t index)
+{
+    struct tia_word name;
+    int status = tia_text_name(&job->text, &name, "a name");
+
+    if (!status)
+        tia_parse_name(job, kind, &name, index);
+    return status;
+}
+
+/* Finds a name in an array of names, which is sorted by now. */
+static struct tia_name *find(const struct tia_parse *job, enum tia_parse_array array, enum tia_kind_of_name kind,
+                             const struct tia_word *name)
+{
+    const struct tia_array *names = &job->arrays[array];
+
+    if (job->pass != TIA_FILLING || !names->items)
+        return NULL;
+    return tia_names_find((struct tia_name *)(void *)names->items, names->count, kind, name);
+}
+
+int tia_parse_find(struct tia_parse *job, enum tia_kind_of_name kind, const struct tia_word *name, const char *expected,
+                   uint32_t *index)
+{
+    const struct tia_name *found = find(job, TIA_OF_NAMES, kind, name);
+
+    *index = found ? found->index : 0;
+    if (!found && job->pass == TIA_FILLING)
+        return tia_text_error(&job->text, name, "is not defined", expected);
+    return TIA_OK;
+}
+
+void tia_parse_animate(struct tia_parse *job, const struct tia_word *name)
+{
+    struct tia_name entry = {.word = *name, .kind = TIA_NAMED_MOVER};
+
+    if (job->pass != TIA_FILLING)
+        (void)tia_parse_add(job, TIA_OF_ANIMATED, &entry);
+}
+
+bool tia_parse_moves(const struct tia_parse *job, const struct tia_word *name)
+{
+    return find(job, TIA_OF_ANIMATED, TIA_NAMED_MOVER, name);
+}
+
+struct tia_name *tia_parse_mover(const struct tia_parse *job, const struct tia_word *name)
+{
+    return find(job, TIA_OF_NAMES, TIA_NAMED_MOVER, name);
+}
