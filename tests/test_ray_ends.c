@@ -178,6 +178,7 @@ static const struct textured {
     {"needle's cap", "cylinder base 0 0 0 top 0.3 1 0 radius 0.01 capped", ROUND_BASE, {0, 0, 0}, {0.01, 0.01, 0.01}},
     {"cone's top", "cone base 0 0 0 top 0 1 0 radii 0.5 0.2 capped", ROUND_TOP, {0, 1, 0}, {0.2, 0.1, 0.2}},
     {"triangle", "triangle a 0 0 0 b 1 0.1 0 c 0 1 0", 0, {0.3, 0.3, 0}, {0.29, 0.29, 0}},
+    {"large triangle", "triangle a 0 0 0 b 3000 300 0 c 0 3000 0", 0, {900, 900, 0}, {870, 870, 0}},
     {"triangle's edge", "triangle a 0 0 0 b 1 0.1 0 c 0 1 0", 0, {0.3, 0.5, 0}, {0.3, 0.5, 0}},
     {"face",
      "instance f material squares\nmesh f\nvertex 0 0 0\nvertex 1 0 0.1\nvertex 0 1 0\nuv 0 0\nuv 3 0\nuv 0 0\n"
@@ -229,7 +230,7 @@ static void try_coordinates(const struct textured *surface, struct used *u)
     }
     ray_uv(view, &hit, place(theirs), uv);
     for (int i = 0; i < 2; i++)
-        use(u, sure_length(uv[i]) - c.uv[i], c.e + P2M(44));
+        use(u, sure_length(uv[i]) - c.uv[i], c.e);
 }
 
 TEST(coordinates)

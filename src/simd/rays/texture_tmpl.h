@@ -100,7 +100,7 @@ static bool face_coordinates(const struct texture_point *p, struct coordinates *
     double part = BOUND_OF(UV_FACE, 3 * (ew / __builtin_fabs(sum) + BOUND(SMOOTH_PART)));
     c->uv[0] = w[1] / sum;
     c->uv[1] = w[2] / sum;
-    c->e = part;
+    c->e = part + BOUND(UV_UNIT);
     if (!corner || corner[0].uv == TIA_NO_INDEX)
         return true;
     double spread = 0, most = 0, uv[3][2];
