@@ -304,7 +304,8 @@ static void try_spawned(struct used *through, struct used *back)
     struct one_ray *one = some_ray(&theirs);
     struct shade h = {.refraction = {1, 1, 1}, .geometric = {0, 0, 1}, .normal = {0, 0, 1}, .viewer = {0, 0, 1}};
     struct refraction f = {.to = {0, 0, -1}, .bends = 1, .fresnel = some_part(), .efresnel = some_size(4, 40)};
-    const vd reflects[3] = {f.fresnel, f.fresnel, f.fresnel};
+    const vd mirror = random_bits() % 2 ? some_part() : 0; /* beside all of the refraction */
+    const vd reflects[3] = {mirror + f.fresnel, mirror + f.fresnel, mirror + f.fresnel};
     const double *n = one->work.queue[0].number;
     long double weight = one->rays.weight[0] + (long double)theirs,
                 fresnel = f.fresnel + f.efresnel * WITHIN * (theirs < 0 ? -1 : 1);
@@ -313,7 +314,7 @@ static void try_spawned(struct used *through, struct used *back)
         return;
     push_reflected(&one->work, &h, 1, &one->rays, reflects, f.efresnel);
     if (one->work.count == 1)
-        use(back, weight * fresnel - n[6], n[11]);
+        use(back, weight * (mirror + fresnel) - n[6], n[11]);
     fresnel = f.fresnel - f.efresnel * WITHIN * (theirs < 0 ? -1 : 1);
     one->work.count = 0;
     if (fresnel < 0)

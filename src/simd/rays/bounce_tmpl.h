@@ -132,7 +132,7 @@ static void push_refracted(struct work *w, const struct shade *h, unsigned lanes
     for (int c = 0; c < 3; c++)
         next.weight[c] = r->weight[c] * (h->refraction[c] - h->refraction[c] * f->fresnel);
     next.ew = BOUND_OF(REFRACTED_WEIGHT, r->ew) + BOUND_OF(REFRACTED_FRESNEL, f->efresnel * most3(r->weight)) +
-              BOUND(WEIGHT_UNITS);
+              BOUND(WEIGHT_UNITS) + most3(r->weight) * BOUND(WEIGHT_ROUNDING);
     if (bends) {
         next.p.o = off_surface(s, h, -s->bias, &next.p.eo);
         next.p.d = f->to;
@@ -165,8 +165,9 @@ static void push_reflected(struct work *w, const struct shade *h, unsigned lanes
     keep_paths(&next, r, r->media);
     for (int c = 0; c < 3; c++)
         next.weight[c] = r->weight[c] * reflects[c];
-    next.ew = BOUND_OF(REFLECTED_WEIGHT, r->ew) + BOUND_OF(REFLECTED_FRESNEL, ereflects * most3(r->weight)) +
-              BOUND(WEIGHT_UNITS);
+    next.ew = BOUND_OF(REFLECTED_WEIGHT, r->ew * (most3(reflects) + ereflects)) +
+              BOUND_OF(REFLECTED_FRESNEL, ereflects * most3(r->weight)) + BOUND(WEIGHT_UNITS) +
+              most3(next.weight) * BOUND(WEIGHT_ROUNDING);
     next.p.o = h->outside;
     next.p.eo = h->eoutside;
     next.p.d = mirrored_at(h, &next.p.ed);

@@ -139,8 +139,10 @@ FORMULA(SAMPLE_FALLOFF);
 /* And times what that is off by. 1 of 2. */
 FORMULA(SAMPLE_FALLOFF_MORE);
 
-/* There the product with the factor, half a unit, by the light's brightness; and the mean, half a unit, and in the end
- * the product with the emission, half of one: 1 of 8. By doubles 6 u of the sum, whose bound COSINE has u to spare. */
+/* There, of the brightness: colour by lambert, specular by shine, what shadows let through and the factor have half a
+ * unit each; and of the sum: the mean and the product with the emission. 2 of 8; 1 of 8. A light that fades may
+ * multiply the first three by F = 2^6, but then FADE_SUM_ROUNDING has 7/8 of 2^-43 F^2 to spare. By doubles 6 u of 2,
+ * of which COSINE has 10 to spare. */
 #define BOUND_SAMPLE_SUM P2M(42)
 
 /* A product of light that passes: half a unit there; 1 of 2. By doubles u. */
@@ -190,8 +192,8 @@ FORMULA(REFRACT_DIRECTION);
  * quotient. */
 #define BOUND_REFRACT_DIRECTION_ROUNDING P2M(47)
 
-/* A throughput times what is reflected: the throughput's, by what is reflected where that is more than 1, as mirror and
- * refraction are 1 each at most; and what Fresnel's part is off by, times the throughput. */
+/* What the throughput is off by, times the most that is reflected: mirror and refraction are 1 each at most, so that it
+ * may be 2 and grow with every bounce. */
 FORMULA(REFLECTED_WEIGHT);
 
 /* What Fresnel's part is off by, times the throughput, as refraction is 1 at most; REFRACT_ROUNDING in it has the half
@@ -204,9 +206,12 @@ FORMULA(REFRACTED_WEIGHT);
 /* As REFLECTED_FRESNEL. */
 FORMULA(REFRACTED_FRESNEL);
 
-/* There the part of refraction and the product, half a unit each, the former by the throughput, which is 2^16 at most;
- * but where that is above 4 the sum is 2.5 of 8. By doubles 3 u of 2^16. */
+/* The throughput's product there: half a unit; 1 of 16. Refraction's part has half of one, which REFRACT_ROUNDING has,
+ * times the throughput. */
 #define BOUND_WEIGHT_UNITS P2M(42)
+
+/* By doubles a product, a sum or difference and a product: 3 of 4 u of the throughput, which is 2^16 at most. */
+#define BOUND_WEIGHT_ROUNDING P2M(51)
 
 /* Straight on: the point, and b times what the viewer is off by. */
 FORMULA(STRAIGHT_ON);
