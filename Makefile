@@ -274,7 +274,7 @@ $(BUILD)/tests/test_compiled: $(COMPILED:%=$(BUILD)/scenes/%.o)
 .SECONDARY: $(COMPILED:%=$(BUILD)/scenes/%.c)
 
 # ---- longer proofs ----
-.PHONY: check-exhaustive prove check-accuracy check-arch check-matrix check-simd check-denoise check-threads check-rays-billion check-mutants fuzz
+.PHONY: check-exhaustive prove check-accuracy check-arch check-matrix check-simd check-denoise check-threads check-rays-billion check-mutants check-bounds fuzz
 $(BUILD)/tests/exhaustive: $(BUILD)/tests/exhaustive.o $(LIBTIA) $(BUILD)/made-with/link
 	$(link)
 check-exhaustive: $(BUILD)/tests/exhaustive
@@ -298,6 +298,13 @@ check-rays-billion: $(BUILD)/tests/test_ray_bounds
 SECONDS ?= 600
 check-mutants:
 	@$(alone) tests/mutate
+# The levels once more, with their bounds scaled by the environment.
+SCALED_TESTS := ray_steps ray_spawned ray_ends ray_tubes ray_pixels ray_edges ray_pairs ray_bounds simd_samples
+check-bounds:
+	@$(MAKE) --no-print-directory BUILD=$(BUILD)/scaled CFLAGS='$(CFLAGS) -DBOUND_SCALES=\"../tests/bound_scales.h\"' \
+	    $(SCALED_TESTS:%=$(BUILD)/scaled/tests/test_%)
+	@BUILD=$(BUILD)/scaled tests/bounds
+	@$(BUILD)/scaled/tests/test_ray_bounds --uses
 fuzz:
 	@$(alone) FUZZ_SECONDS=$(SECONDS) tests/slow/fuzz
 
@@ -387,7 +394,7 @@ help:
 	@echo "check-boards prove                             parts of check"
 	@echo "check-accuracy check-arch check-matrix check-simd check-denoise check-threads check-vm fuzz   parts of check, for longer"
 	@echo "check-rays-billion   10^9 rays of levels against the integers, or RAYS=N"
-	@echo "check-exhaustive check-mutants                 longer than check"
+	@echo "check-exhaustive check-mutants check-bounds    longer than check"
 	@echo "bench count size   time, instructions a pixel on boards, flash, RAM and stack"
 	@echo "bench-latency      from a key to its picture, in a guest; SCENES='chess glass': of these"
 	@echo "bench TINYGL=DIR   bench with TinyGL (github.com/C-Chads/tinygl), built in DIR"

@@ -3,8 +3,10 @@
  *
  *     test_ray_bounds            as many scenes as seconds allow
  *     test_ray_bounds N          N random scenes: make check runs 1000 (tests/slow/simd)
- *     test_ray_bounds --rays N [PASS]    the gallery, the databases and random scenes, larger with each pass, until N
- * rays, shadow rays among them, are compared: make check-rays-billion */
+ *     test_ray_bounds --uses     how much of each bound by its name is needed: down to which power of two it can be
+ * scaled in a few scenes before a quantity is off by more than its bound, or a decision differs test_ray_bounds --rays
+ * N [PASS]    the gallery, the databases and random scenes, larger with each pass, until N rays, shadow rays among
+ * them, are compared: make check-rays-billion */
 #include <math.h>
 #include <stdlib.h>
 
@@ -15,6 +17,7 @@
 #include "render/whitted/shade.h"
 #include "with_hierarchy.h"
 
+#define BOUND_SCALES "bound_scales.h"
 #define SURE_CHECK
 #include "one_lane.h"
 
@@ -174,6 +177,12 @@ static void check_scene(const struct tia_scene *scene, unsigned width, unsigned 
     free(memory);
 }
 
+static void forget_uses(void)
+{
+    memset(used, 0, sizeof used);
+    compared = differing = 0;
+}
+
 static void check_bounds(const char *what)
 {
     for (int i = 0; i < BOUNDS; i++) {
@@ -182,11 +191,11 @@ static void check_bounds(const char *what)
     }
     CHECK_MSG(differing == 0, "%s: %lu decisions differ", what, differing);
     CHECK(compared > 10000);
-    memset(used, 0, sizeof used);
-    compared = differing = 0;
+    forget_uses();
 }
 
-TEST(scene_files)
+/* The pictures are `part` times as large. */
+static void check_files(unsigned part)
 {
     static const char *const files[] = {"scenes/nff/balls_2.nff", "scenes/nff/rings_3.nff", "scenes/nff/teapot_3.nff",
                                         "scenes/nff/jacks_3.nff", "scenes/orrery.tia"};
@@ -194,9 +203,14 @@ TEST(scene_files)
     for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
         struct scene_file file;
         CHECK_EQ(scene_open(&file, files[i], scene_format_of(files[i]), false), TIA_OK);
-        check_scene(&file.scene, i < 4 ? 32 : 16, i < 4 ? 24 : 16);
+        check_scene(&file.scene, (i < 4 ? 16 : 8) * part, (i < 4 ? 12 : 8) * part);
         scene_close(&file);
     }
+}
+
+TEST(scene_files)
+{
+    check_files(2);
     check_bounds("files");
 }
 
@@ -206,15 +220,63 @@ static void check_small(const struct tia_scene *scene, unsigned number)
     check_scene(scene, 16, 16);
 }
 
-TEST(random_corpus)
+static void check_corpus(unsigned scenes)
 {
     static struct corpus_rays c;
 
-    for (unsigned i = 0; i < random_scenes; i++) {
+    for (unsigned i = 0; i < scenes; i++) {
         corpus_random_rays(&c, 12, i);
         with_hierarchy(&c.scene, check_small, i);
     }
+}
+
+TEST(random_corpus)
+{
+    check_corpus(random_scenes);
     check_bounds("random scenes");
+}
+
+/* ---- how much of each bound is needed ---- */
+
+static bool holds(void)
+{
+    bool all = true;
+
+    forget_uses();
+    check_files(1);
+    check_corpus(20);
+    for (int i = 0; i < BOUNDS; i++)
+        all = all && used[i] <= 1;
+    return all && differing == 0;
+}
+
+/* The least power of two by which it may be scaled, from 1/64 on; 0: it may be left out. */
+static double least_scale(double *scale)
+{
+    double least = 1;
+
+    *scale = 0;
+    if (holds())
+        least = 0;
+    for (*scale = 0.5; least > 1.0 / 64 && holds(); *scale /= 2)
+        least = *scale;
+    *scale = 1;
+    return least;
+}
+
+TEST(uses_by_name)
+{
+    int unused = 0;
+
+    CHECK(holds());
+    for (int i = 0; i < scaled_bound_count; i++) {
+        double least = least_scale(&scaled_bounds[i].scale);
+        printf("# %-28s %g of it is needed\n", scaled_bounds[i].name, least);
+        (void)fflush(stdout);
+        unused += least == 0;
+    }
+    printf("# %d of %d bounds could be left out in these scenes\n", unused, scaled_bound_count);
+    CHECK(holds());
 }
 
 /* ---- the number of rays given ---- */
@@ -292,6 +354,10 @@ int main(int argc, char **argv)
         rays_asked = strtoull(argv[2], NULL, 10);
         first_pass = argc > 3 ? (unsigned)strtoul(argv[3], NULL, 10) : 0;
         RUN(many_rays);
+        return check_status();
+    }
+    if (argc > 1 && strcmp(argv[1], "--uses") == 0) {
+        RUN(uses_by_name);
         return check_status();
     }
     random_scenes = (unsigned)check_number(argc, argv, 1, random_scenes);

@@ -28,8 +28,10 @@ FORMULA(CONE_PASS);
 /* Squares of 2 to 6 roundings, 6 u; and the bound's own. 2^-10 of it. */
 #define BOUND_CONE_SQUARE P2M(40)
 
-/* Not derived: how far beyond its widest radius a fixed-point cone may be met, its roots being rounded near a tangent.
- * 128 units; far fewer were seen. Lines that pass the thickest end by less are left to the quadratic. */
+/* How far beyond its widest radius a fixed-point cone may be met, its roots being rounded near a tangent. Its root of
+ * D^2 = E^2 - ab P^2 has E and P rounded by two units, so that the point K/ab that it finds has rho^2 c^2 - g^2 = 4 E
+ * U/ab at most, and rho c - g half of that over g: 2 U sigma/ab, as E is sigma g. 128 U are enough for ab >= 1/64 c.
+ * Not derived for flatter angles between ray and side, whose roots are far away, or are the other one. */
 #define BOUND_CONE_TANGENT P2M(38)
 
 /* (near.a0) y1 - (near.a1) y0: near 16 u, its dot products and y 5 u each, products and difference 2 u: 28 of 32 u of
