@@ -304,8 +304,7 @@ static void try_spawned(struct used *through, struct used *back)
     struct one_ray *one = some_ray(&theirs);
     struct shade h = {.refraction = {1, 1, 1}, .geometric = {0, 0, 1}, .normal = {0, 0, 1}, .viewer = {0, 0, 1}};
     struct refraction f = {.to = {0, 0, -1}, .bends = 1, .fresnel = some_part(), .efresnel = some_size(4, 40)};
-    const vd mirror = random_bits() % 2 ? some_part() : 0; /* beside all of the refraction */
-    const vd reflects[3] = {mirror + f.fresnel, mirror + f.fresnel, mirror + f.fresnel};
+    const vd mirror = some_part(), both = mirror + f.fresnel, reflects[3] = {both, both, both};
     const double *n = one->work.queue[0].number;
     long double weight = one->rays.weight[0] + (long double)theirs,
                 fresnel = f.fresnel + f.efresnel * WITHIN * (theirs < 0 ? -1 : 1);

@@ -10,6 +10,14 @@
  * Fixed-point sums are exact, products rounded by half a unit, quotients by half a unit and 2^-59 of themselves, square
  * roots cut to a unit; a vector is normalised within 2^-58 (math/wide.h).
  *
+ * "Unseen" says that no test notices when the bound is left out (make check-bounds), and the reason. Small: what else
+ * is in the sum is far larger in all that tests draw. Hidden: it ends in a sample's radiance, whose bound is far above
+ * what that is ever off by. Choice: with another value more rays are left to the fixed-point path, or fewer, and
+ * neither is wrong.
+ *
+ * A new bound needs a row with its derivation, BOUND() or BOUND_OF() in the code, and a test that notices when it is
+ * left out.
+ *
  * A build that defines BOUND_SCALES, the header of the tests that has bound_scale_of(), multiplies each bound by the
  * factor that this returns for its name; in any other build BOUND(NAME) is the value. */
 #ifndef TIA_SIMD_RAYS_BOUNDS_H

@@ -14,34 +14,34 @@ FORMULA(AIM_ORDER);
 FORMULA(AIM_AXES);
 
 /* N x A by doubles: two products and a difference, 2 u of 1 in each of three: 3.5 u; there half of v each. 3.5 of 16 u.
- */
+ * Unseen: small. */
 #define BOUND_AIM_ROUNDING P2M(49)
 
-/* The axes of a light that stays are converted: u of each component, sqrt 3 u. 1.7 of 8 u. */
+/* The axes of a light that stays are converted: u of each component, sqrt 3 u. 1.7 of 8 u. Unseen: small. */
 #define BOUND_AIM_CONVERTED P2M(50)
 
 /* L - P, and for areas what the place on it is off by. */
 FORMULA(SAMPLE_WAY);
 
 /* Along an axis x: the axis's own, and x by doubles: u_i, a root, a sine and two products, 6 u, there 2^-51 of it, as
- * 32 n parts of u are rounded once, by 2^-63 over 2^-13. 7 of 8 u. */
+ * 32 n parts of u are rounded once, by 2^-63 over 2^-13. 7 of 8 u. Unseen: small. */
 #define BOUND_SAMPLE_PLACE P2M(50)
 
 /* x and y times what the axes and both are off by. */
 FORMULA(SAMPLE_AREA);
 
 /* There: a disc's radius and two products, half a unit each, which move it by 1.4 U together, and two points along
- * axes, .87 U each: 3.2 of 4. */
+ * axes, .87 U each: 3.2 of 4. Unseen: small. */
 #define BOUND_SAMPLE_UNITS (4 * SURE_UNIT)
 
 /* The sides' ends by doubles, two products and two sums: 4 u; there 2 u_i - 1 is within 2^-49, as 32 n parts are: 20 of
- * 32 u. */
+ * 32 u. Unseen: small. */
 #define BOUND_SAMPLE_SIDES P2M(48)
 
 /* c is within eto; COSINE has 6 of its 16 u, so that inner and outer, u each, have room. */
 FORMULA(SPOT_COSINE);
 
-/* A cone whose edge is narrower than that is taken for one with an edge alone. A choice. */
+/* A cone whose edge is narrower than that is taken for one with an edge alone. A choice. Unseen: choice. */
 #define BOUND_SPOT_NARROW P2M(20)
 
 /* (c - outer)/(inner - outer): over the width, whose own conversion is 2 u of 2^-20 at least; the rest is for that and
@@ -51,13 +51,13 @@ FORMULA(SPOT_COSINE);
 /* What the cosine is off by, over the width. */
 FORMULA(SPOT);
 
-/* There the quotient is within 2^-59, then rounded to half a unit: 1 of 64. */
+/* There the quotient is within 2^-59, then rounded to half a unit: 1 of 64. Unseen: small. */
 #define BOUND_SPOT_UNITS P2M(40)
 
-/* The distance in a light's units: what it is off by, there half a unit; 1 of 4. */
+/* The distance in a light's units: what it is off by, there half a unit; 1 of 4. Unseen: small. */
 #define BOUND_FADE_UNITS (2 * SURE_UNIT)
 
-/* By doubles a product and the unit, which is a power of two: 1 of 8 u. */
+/* By doubles a product and the unit, which is a power of two: 1 of 8 u. Unseen: small. */
 #define BOUND_FADE_ROUNDING P2M(50)
 
 /* The distance's own bound in those units, and both roundings. */
@@ -66,12 +66,13 @@ FORMULA(FADE_DISTANCE);
 /* The slope of constant + linear d + quadratic d^2 between d and d', times what d is off by. */
 FORMULA(FADE_SUM);
 
-/* There two products of half a unit each, the first times d: (d + 1) 2^-46; by doubles 4 u of the sum: 1 of 8. */
+/* There two products of half a unit each, the first times d: (d + 1) 2^-46; by doubles 4 u of the sum: 1 of 8. Unseen:
+ * small. */
 #define BOUND_FADE_SUM_ROUNDING P2M(43)
 
-/* A sum below that, or known less well than within a sixteenth, is open: choices. */
+/* A sum below that, or known less well than within a sixteenth, is open: choices. Unseen: choice. */
 #define BOUND_FADE_LEAST P2M(6)
-#define BOUND_FADE_KNOWN 16 /* as the former has it */
+#define BOUND_FADE_KNOWN 16 /* as the former has it. Unseen: choice. */
 
 /* 1/s - 1/s' = (s' - s)/(s s'), s' >= 15/16 s: 16/15 of it; the rest is for the bound's own roundings. */
 #define BOUND_FADE_INVERSE 1.125
@@ -85,10 +86,10 @@ FORMULA(FADE_SPOT);
 /* There a sum of 2^17 gives 0: ours is 2^16 or more then, and 1/s below 2^-16. */
 #define BOUND_FADE_FAR P2M(16)
 
-/* There: the quotient's half unit, the product's, and 2^-59 of 2^6; by doubles 2 u of 2^6: 1.05 of 4. */
+/* There: the quotient's half unit, the product's, and 2^-59 of 2^6; by doubles 2 u of 2^6: 1.05 of 4. Unseen: small. */
 #define BOUND_FADE_FACTOR P2M(43)
 
-/* way.to: the way's, as to = way/|way| there as well; a dot product, 5 u, and 2^-57 there. 5 of 16 u. */
+/* way.to: the way's, as to = way/|way| there as well; a dot product, 5 u, and 2^-57 there. 5 of 16 u. Unseen: small. */
 #define BOUND_DISTANCE_ROUNDING P2M(49)
 
 /* And half a unit there. */
@@ -112,7 +113,7 @@ FORMULA(HIGHLIGHT_COSINE);
 /* Of these N.V and N.L, twice. */
 FORMULA(HIGHLIGHT_FACING);
 
-/* By doubles the dot products 5 u each, their product twice and the difference: 12 u; of 32. */
+/* By doubles the dot products 5 u each, their product twice and the difference: 12 u; of 32. Unseen: small. */
 #define BOUND_HIGHLIGHT_ROUNDING P2M(48)
 
 /* x^n is no steeper than n for x <= 1. */
@@ -127,7 +128,7 @@ FORMULA(DIFFUSE_TEXTURE);
 /* An ambient light's colour, by its brightness. */
 FORMULA(AMBIENT);
 
-/* A sample that gives less than 2^-46 gives nothing there: half a unit. */
+/* A sample that gives less than 2^-46 gives nothing there: half a unit. Unseen: small. */
 #define BOUND_SAMPLE_DARK P2M(46)
 
 /* What is reflected, 2 at most, times what is let through: what either is off by, times the falloff's factor. */
@@ -136,7 +137,7 @@ FORMULA(SAMPLE_LIGHT);
 /* What the factor is off by, times what is reflected: 2 at most. */
 FORMULA(SAMPLE_FALLOFF);
 
-/* And times what that is off by. 1 of 2. */
+/* And times what that is off by. 1 of 2. Unseen: small. */
 FORMULA(SAMPLE_FALLOFF_MORE);
 
 /* There, of the brightness: colour by lambert, specular by shine, what shadows let through and the factor have half a
@@ -145,7 +146,7 @@ FORMULA(SAMPLE_FALLOFF_MORE);
  * of which COSINE has 10 to spare. */
 #define BOUND_SAMPLE_SUM P2M(42)
 
-/* A product of light that passes: half a unit there; 1 of 2. By doubles u. */
+/* A product of light that passes: half a unit there; 1 of 2. By doubles u. Unseen: small. */
 #define BOUND_THROUGH_UNIT SURE_UNIT
 
 /* ---- mirrors and glass, see bounce.h ---- */
@@ -153,12 +154,12 @@ FORMULA(SAMPLE_FALLOFF_MORE);
 /* 2 e/(a' + b') and a' + b' >= 15/16 (a + b): 2.14 e/(a + b); the rest is for the bound's own roundings. */
 #define BOUND_FRESNEL_QUOTIENT 2.25
 
-/* a + b by which that is known: above 2^-16, and 16 e. */
+/* a + b by which that is known: above 2^-16, and 16 e. Unseen: choice. */
 #define BOUND_FRESNEL_LEAST P2M(16)
-#define BOUND_FRESNEL_KNOWN 16 /* as the former has it */
+#define BOUND_FRESNEL_KNOWN 16 /* as the former has it. Unseen: choice. */
 
 /* (a - b)/(a + b) by doubles: 3 u of 1, and of a and b 3 u over 2^-16: those are c/4 and a root, whose roundings are in
- * er and ex; there 2^-59 and half of v over 2^-16. 3 of 128 u. */
+ * er and ex; there 2^-59 and half of v over 2^-16. 3 of 128 u. Unseen: small. */
 #define BOUND_FRESNEL_ROUNDING P2M(46)
 
 /* Fresnel's equations, see reflectance_of(). */
@@ -189,7 +190,7 @@ FORMULA(REFRACT_ACROSS);
 FORMULA(REFRACT_DIRECTION);
 
 /* A product and a difference in each of three, and the bend's difference: 5 of 64 u. There halves of v and an integer
- * quotient. */
+ * quotient. Unseen: small. */
 #define BOUND_REFRACT_DIRECTION_ROUNDING P2M(47)
 
 /* What the throughput is off by, times the most that is reflected: mirror and refraction are 1 each at most, so that it
@@ -207,10 +208,11 @@ FORMULA(REFRACTED_WEIGHT);
 FORMULA(REFRACTED_FRESNEL);
 
 /* The throughput's product there: half a unit; 1 of 16. Refraction's part has half of one, which REFRACT_ROUNDING has,
- * times the throughput. */
+ * times the throughput. Unseen: small. */
 #define BOUND_WEIGHT_UNITS P2M(42)
 
-/* By doubles a product, a sum or difference and a product: 3 of 4 u of the throughput, which is 2^16 at most. */
+/* By doubles a product, a sum or difference and a product: 3 of 4 u of the throughput, which is 2^16 at most. Unseen:
+ * small. */
 #define BOUND_WEIGHT_ROUNDING P2M(51)
 
 /* Straight on: the point, and b times what the viewer is off by. */

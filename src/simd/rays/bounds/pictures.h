@@ -3,10 +3,10 @@
 #define TIA_SIMD_RAYS_BOUNDS_PICTURES_H
 
 /* The image's place by doubles: the window's four numbers and x are converted or divided, a product and a sum, 4 u of
- * h, v and the window; times the axes, converted, a product and a sum, 3 u. 7 of 64 u. */
+ * h, v and the window; times the axes, converted, a product and a sum, 3 u. 7 of 64 u. Unseen: small. */
 #define BOUND_CAMERA_PARALLEL P2M(47)
 
-/* There: h and v half a unit each, .71 U, and along two axes .87 U each: 2.45 of 8. */
+/* There: h and v half a unit each, .71 U, and along two axes .87 U each: 2.45 of 8. Unseen: small. */
 #define BOUND_CAMERA_PARALLEL_UNITS (8 * SURE_UNIT)
 
 /* Origins of parallel rays: the two former, and the sum with the eye. */
@@ -15,7 +15,8 @@ FORMULA(CAMERA_PARALLEL_ORIGIN);
 /* An eye is of 2^-32 below 2^17 and converted exactly. 0 of 8 u. */
 #define BOUND_CAMERA_EYE P2M(50)
 
-/* As CAMERA_PARALLEL, 7 u, and the depth by the normal: converted both, a product and a difference, 4 u. 7 of 16 u. */
+/* As CAMERA_PARALLEL, 7 u, and the depth by the normal: converted both, a product and a difference, 4 u. 7 of 16 u.
+ * Unseen: small. */
 #define BOUND_CAMERA_WAY P2M(49)
 
 /* There: 2.45 U as above and .87 U of the depth's point: 3.3 of 4. */
@@ -24,10 +25,10 @@ FORMULA(CAMERA_PARALLEL_ORIGIN);
 /* The way to the image's place. */
 FORMULA(CAMERA_DIRECTION);
 
-/* A fixed-point origin, converted: u of each coordinate. 1 of 1. */
+/* A fixed-point origin, converted: u of each coordinate. 1 of 1. Unseen: small. */
 #define BOUND_FIRST_ORIGIN P2M(53)
 
-/* A fixed-point direction, converted: u of its length. 1 of 2. */
+/* A fixed-point direction, converted: u of its length. 1 of 2. Unseen: small. */
 #define BOUND_FIRST_DIRECTION P2M(52)
 
 /* ---- throughputs and colours, see tracer.h and paths.h ---- */
@@ -67,21 +68,21 @@ FORMULA(FAINT_MARGIN);
  * bounds add. */
 #define BOUND_BRIGHTEST 1.0625
 
-/* What fixed-point sums of so many add: half a unit each, 2^-38. 1 of 256. */
+/* What fixed-point sums of so many add: half a unit each, 2^-38. 1 of 256. Unseen: small. */
 #define BOUND_BRIGHTEST_UNITS P2M(30)
 
-/* 1024 bounces with three additions each, of doubles, are off by 3072 u of the sum. 3 of 4. */
+/* 1024 bounces with three additions each, of doubles, are off by 3072 u of the sum. 3 of 4. Unseen: small. */
 #define BOUND_SUMMED P2M(41)
 
 /* ---- pixels, see pixels.h ---- */
 
-/* A sample that is drawn there is converted: u of 1 at most. 1 of 8 u. */
+/* A sample that is drawn there is converted: u of 1 at most. 1 of 8 u. Unseen: small. */
 #define BOUND_EXACT_SAMPLE P2M(50)
 
 /* A mean there is a sum of quotients by the samples, cut to a unit each, 16 U at most; by doubles 17 u: 1 of 2. */
 #define BOUND_PIXEL_MEAN P2M(40)
 
-/* mean n + threshold by doubles: two roundings of 63 at most, 2^-46. 1 of 64. */
+/* mean n + threshold by doubles: two roundings of 63 at most, 2^-46. 1 of 64. Unseen: small. */
 #define BOUND_PIXEL_LEVEL P2M(40)
 
 /* What the samples' mean is off by. */

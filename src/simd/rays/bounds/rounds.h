@@ -4,66 +4,68 @@
 
 /* ---- cones, see round.h and geometry/round.c ---- */
 
-/* start = -(O - A).D: |O - A|1. As SPHERE_ALONG, proved: rays_forms.g (tca), 5 of 8 u. */
+/* start = -(O - A).D: |O - A|1. As SPHERE_ALONG, proved: rays_forms.g (tca), 5 of 8 u. Unseen: small. */
 #define BOUND_CONE_START_ROUNDING (8 * SURE_EPS)
 
 /* It moves by eo and, D turning, by |O - A| ed. */
 FORMULA(CONE_START);
 
-/* O - A + start D: |O - A|1. As SPHERE_ASIDE, proved: rays_forms.g (aside + along). */
+/* O - A + start D: |O - A|1. As SPHERE_ASIDE, proved: rays_forms.g (aside + along). Unseen: small. */
 #define BOUND_CONE_NEAR_ROUNDING (16 * SURE_EPS)
 
 /* It moves by eo, by |start| ed across and |O - A| ed along. */
 FORMULA(CONE_NEAR);
 
-/* The two former there: half a unit of start, and with the point's three halves 1.37 of 2. */
+/* The two former there: half a unit of start, and with the point's three halves 1.37 of 2. Unseen: small. */
 #define BOUND_CONE_NEAR_UNITS (2 * SURE_UNIT)
 
-/* CONE_NEAR_ROUNDING, as the ray passes the shape: 16 u. */
+/* CONE_NEAR_ROUNDING, as the ray passes the shape: 16 u. Unseen: small. */
 #define BOUND_CONE_PASS_ROUNDING P2M(49)
 
 /* How far the rays are apart anywhere near the shape. */
 FORMULA(CONE_PASS);
 
-/* Squares of 2 to 6 roundings, 6 u; and the bound's own. 2^-10 of it. */
+/* Squares of 2 to 6 roundings, 6 u; and the bound's own. 2^-10 of it. Unseen: small. */
 #define BOUND_CONE_SQUARE P2M(40)
 
 /* How far beyond its widest radius a fixed-point cone may be met, its roots being rounded near a tangent. Its root of
  * D^2 = E^2 - ab P^2 has E and P rounded by two units, so that the point K/ab that it finds has rho^2 c^2 - g^2 = 4 E
  * U/ab at most, and rho c - g half of that over g: 2 U sigma/ab, as E is sigma g. 128 U are enough for ab >= 1/64 c.
- * Not derived for flatter angles between ray and side, whose roots are far away, or are the other one. */
+ * Not derived for flatter angles between ray and side, whose roots are far away, or are the other one. Unseen: small.
+ */
 #define BOUND_CONE_TANGENT P2M(38)
 
 /* (near.a0) y1 - (near.a1) y0: near 16 u, its dot products and y 5 u each, products and difference 2 u: 28 of 32 u of
- * |O - A|1, which near is no longer than. */
+ * |O - A|1, which near is no longer than. Unseen: small. */
 #define BOUND_CONE_ASIDE P2M(48)
 
 /* D along an axis: 4 u of its roundings, and half of v. The rest keeps `flat` above 2^-39, where normalising it there
- * loses nothing: v is 2^-23 of that. 4 of 512 u. */
+ * loses nothing: v is 2^-23 of that. 4 of 512 u. Unseen: small. */
 #define BOUND_CONE_DIRECTION P2M(44)
 
 /* And with it ed. */
 FORMULA(CONE_TURN);
 
-/* near along an axis by doubles: the axis, a product and two sums, 4 of 8 u of |near|1. */
+/* near along an axis by doubles: the axis, a product and two sums, 4 of 8 u of |near|1. Unseen: small. */
 #define BOUND_CONE_PLACE_ROUNDING (8 * SURE_EPS)
 
 /* And with it CONE_NEAR; there half a unit. */
 FORMULA(CONE_PLACE);
 
 /* A vector of two components that is known within 1/32 of its length. v/|v| is then off by (1 + 2^-10) e/|v|, proved:
- * rays_forms.g (turned); the rest of the factor is for the bound's own roundings. */
+ * rays_forms.g (turned); the rest of the factor is for the bound's own roundings. Unseen: small. */
 #define BOUND_CONE_CHORD 1.0625
-#define BOUND_CONE_KNOWN 32 /* as the former has it */
+#define BOUND_CONE_KNOWN 32 /* as the former has it. Unseen: choice. */
 
-/* v/|v| by doubles, 5 u, and 2^-58 there: 5 of 32 u. */
+/* v/|v| by doubles, 5 u, and 2^-58 there: 5 of 32 u. Unseen: small. */
 #define BOUND_CONE_UNIT P2M(48)
 
-/* |v| by doubles, two products, a sum and a root: 2.5 of 512 u. There v.(v/|v|): two halves of v and 2^-58. */
+/* |v| by doubles, two products, a sum and a root: 2.5 of 512 u. There v.(v/|v|): two halves of v and 2^-58. Unseen:
+ * small. */
 #define BOUND_CONE_LENGTH P2M(44)
 
 /* t there: the sum is exact, the quotient's half unit is the interval's. 2 units of it are not needed: start's half is
- * CONE_START's. 0 of 2. */
+ * CONE_START's. 0 of 2. Unseen: small. */
 #define BOUND_CONE_UNITS (2 * SURE_UNIT)
 
 /* O + t D: eo, t and t ed. */
@@ -71,11 +73,11 @@ FORMULA(CONE_POINT);
 
 /* ---- cylinders, see cylinder.h, which derives all of it ---- */
 
-/* A ray in the axes. Proved: rays_forms.g (tube, tubed): 16 u of |O|1, and of 1. */
+/* A ray in the axes. Proved: rays_forms.g (tube, tubed): 16 u of |O|1, and of 1. Unseen: small. */
 #define BOUND_TUBE (SURE_TUBE * SURE_EPS)
 
 /* What is within 2^-55 of the reach: fixed-point lengths of v/2 and quotients of 2^-59, 2^-57 and less; and what t adds
- * to lambda where the farther end counts. 8 u. */
+ * to lambda where the farther end counts. 8 u. Unseen: small. */
 #define BOUND_TUBE_REACH (8 * SURE_EPS)
 
 /* There: 2.6 units of the origin, 1 of the nearest place and 1.5 of the root: 5.1, of 5.25. */
@@ -96,19 +98,21 @@ FORMULA(TUBE_ETA);
 /* And g's: its square is less by that. */
 #define BOUND_TUBE_LEAST (1 - P2M(40))
 
-/* f'^2 <= (f + ed)^2 = f^2 + ed (2 f + ed) <= f^2 + 3 ed. */
+/* f'^2 <= (f + ed)^2 = f^2 + ed (2 f + ed) <= f^2 + 3 ed. Unseen: small. */
 #define BOUND_TUBE_SQUARE 3
 
-/* Below this f^2 is no divisor: it would be infinite along the axis, and nothing is sure then. A choice. */
+/* Below this f^2 is no divisor: it would be infinite along the axis, and nothing is sure then. A choice. Unseen:
+ * choice. */
 #define BOUND_TUBE_SLANTED P2M(60)
 
-/* (D x A).(O - B) and |D x A|: 32 u of the way to the shape, and pad is 2^-21 of it or more: 2^-27 of pad. 1 of 8. */
+/* (D x A).(O - B) and |D x A|: 32 u of the way to the shape, and pad is 2^-21 of it or more: 2^-27 of pad. 1 of 8.
+ * Unseen: small. */
 #define BOUND_TUBE_ASIDE P2M(24)
 
-/* Heights there: the point 1 unit, its product half of one, the end's half: 2 of 3. */
+/* Heights there: the point 1 unit, its product half of one, the end's half: 2 of 3. Unseen: small. */
 #define BOUND_TUBE_HEIGHT_UNITS (3 * SURE_UNIT)
 
-/* A distance there, besides what is off already: the quotient's and the sum's halves. 1 of 2. */
+/* A distance there, besides what is off already: the quotient's and the sum's halves. 1 of 2. Unseen: small. */
 #define BOUND_TUBE_DISTANCE_UNITS (2 * SURE_UNIT)
 
 /* How far along the ray the origin's nearest place to the shape may be off. */

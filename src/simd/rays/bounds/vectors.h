@@ -5,7 +5,8 @@
 /* How far two unit vectors are apart whose angle has the sine x < 1/16, over x. Proved: rays_forms.g (turned). */
 #define BOUND_UNIT_CHORD (1 + P2M(10))
 
-/* The roundings of v/|v| by a double and by num_normalise. Proved: rays_forms.g (unit), 5 u; with 2^-58 there. */
+/* The roundings of v/|v| by a double and by num_normalise. Proved: rays_forms.g (unit), 5 u; with 2^-58 there. Unseen:
+ * small. */
 #define BOUND_UNIT_ROUNDING (SURE_NORMAL * SURE_EPS)
 
 /* A dot product of two unit vectors. Doubles: converting the components of one, a product and two sums, 4 u of the sum
@@ -17,31 +18,32 @@
  * turned by a fixed-point rotation of another kind, that is the same number there. */
 #define BOUND_CONVERTED P2M(51)
 
-/* x0, a given number that is converted: half a unit in the last place. */
+/* x0, a given number that is converted: half a unit in the last place. Unseen: small. */
 #define BOUND_GIVEN SURE_EPS
 
-/* a + b or a - b: u of the sum, which is exact there. 1 of 2 u. */
+/* a + b or a - b: u of the sum, which is exact there. 1 of 2 u. Unseen: small. */
 #define BOUND_SUM (2 * SURE_EPS)
 
-/* a b: u of the product. 1 of 2 u. */
+/* a b: u of the product. 1 of 2 u. Unseen: small. */
 #define BOUND_PRODUCT (2 * SURE_EPS)
 
-/* a b there: half a unit, of lengths; cosines have finer ones. 1 of 2. */
+/* a b there: half a unit, of lengths; cosines have finer ones. 1 of 2. Unseen: small. */
 #define BOUND_PRODUCT_UNIT SURE_UNIT
 
-/* a/b: u of the quotient, and 2^-59 there. 1.1 of 8 u. */
+/* a/b: u of the quotient, and 2^-59 there. 1.1 of 8 u. Unseen: small. */
 #define BOUND_QUOTIENT P2M(50)
 
-/* A divisor is known to half of itself, so that it is not 0. A choice: the quotient's bound holds of any. */
+/* A divisor is known to half of itself, so that it is not 0. A choice: the quotient's bound holds of any. Unseen:
+ * choice. */
 #define BOUND_DIVISOR_KNOWN 2
 
-/* a/b there: half a unit. 1 of 2. */
+/* a/b there: half a unit. 1 of 2. Unseen: small. */
 #define BOUND_QUOTIENT_UNIT SURE_UNIT
 
-/* sqrt(a): u of the root. 1 of 4 u. */
+/* sqrt(a): u of the root. 1 of 4 u. Unseen: small. */
 #define BOUND_ROOT (4 * SURE_EPS)
 
-/* sqrt(a) there is cut to a unit. */
+/* sqrt(a) there is cut to a unit. Unseen: small. */
 #define BOUND_ROOT_UNIT SURE_UNIT
 
 /* (a + b) - (a' + b'): what each of the terms is off by. */
@@ -58,19 +60,19 @@ FORMULA(INTERVAL_ROOT);
 
 /* A random direction around z, each coordinate within 2^-50 of the exact one, as direction.h derives: sine and cosine
  * are off by 2^-51 and the share of an eighth of a turn turns them by pi/4 2^-53, the product with the radius adds u;
- * fixed-point directions are within 2^-59. The length of three such is sqrt 3 2^-50 < 2^-49. */
+ * fixed-point directions are within 2^-59. The length of three such is sqrt 3 2^-50 < 2^-49. Unseen: small. */
 #define BOUND_LOCAL P2M(49)
 
 /* x^e by polynomials. power.h: 2.1e-14 here, 1.7e-14 there, of 5.7e-14. */
 #define BOUND_POWER P2M(44)
 
 /* A direction around an axis that is within e: sqrt(14 + 14 + 1) e < 6 e, see around(); what the direction around z is
- * off by, as turning keeps lengths; and its roundings. */
+ * off by, as turning keeps lengths; and its roundings. Unseen: small. */
 FORMULA(AROUND);
 
 /* k = 1/(1 + |z|) is off by 2 u of itself, x^2 k and x y k by 4 u, 1 - x^2 k by 5 u; the sums of three products of
  * these with numbers of 1 at most by 3 u more of sqrt 3: below 8 u a coordinate, sqrt 3 of that together. There: seven
- * halves of v. 14 u of 16. */
+ * halves of v. 14 u of 16. Unseen: small. */
 #define BOUND_AROUND_ROUNDING P2M(49)
 
 #endif
