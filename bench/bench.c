@@ -79,10 +79,10 @@ static void measure(uint16_t width, uint16_t height)
     prepare(&f, width, height);
     for (int i = 0; i < ROUNDS; i++) {
         double start = milliseconds();
-        if (tia_render(f.view, f.hits, f.area, &f.surface, NULL))
+        if (tia_view_draw(f.view, f.hits, f.area, &f.surface, NULL))
             exit(1);
         double drawn = milliseconds();
-        if (tia_light_tile(f.view, f.hits, f.area, &f.surface, NULL))
+        if (tia_view_light(f.view, f.hits, f.area, &f.surface, NULL))
             exit(1);
         double lit = milliseconds();
         plain_render(&f.scene, width, height, f.surface.pixels);

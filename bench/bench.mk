@@ -9,7 +9,7 @@ $(if $(and $(TINYGL_LIB),$(wildcard $(TINYGL)/include/zbuffer.h)),,$(error TINYG
 endif
 BENCH := $(BUILD)/bench$(if $(TINYGL),-tinygl)
 $(if $(TINYGL),$(BENCH): LIBS += -lgomp)
-$(if $(filter yes,$(OSMESA)),$(BENCH): LDFLAGS += -Xlinker --wrap=tia_draw_polygon)
+$(if $(filter yes,$(OSMESA)),$(BENCH): LDFLAGS += -Xlinker --wrap=tia_raster_draw)
 
 # Embree 3, which Debian gives no pkg-config file: EMBREE=no leaves it out, and so does a compiler for another machine.
 EMBREE ?= $(if $(and $(NATIVE),$(wildcard /usr/include/embree3/rtcore.h /usr/local/include/embree3/rtcore.h)),yes,no)

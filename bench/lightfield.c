@@ -45,7 +45,7 @@ static double draw(const struct tia_scene *scene, const struct tia_simd *simd, u
     must(tia_view_init(&view, of_view, size, scene, scene->light_count, width, height, NULL));
     must(tia_view_set_simd(view, simd, of_simd, simd_size));
     must(tia_hits_init(&hits, of_hits, hits_size, view, all));
-    must(tia_render(view, hits, all, &surface, NULL));
+    must(tia_view_draw(view, hits, all, &surface, NULL));
     double ms = cpu_milliseconds() - start;
     free(of_view);
     free(of_hits);

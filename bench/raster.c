@@ -10,7 +10,7 @@
 #define RANGE 5 /* clip coordinates stay below 32 */
 
 /* Projects a point, seen from (0.5, 4.2, 9) towards (0.2, 0.9, 0.3), 45 degrees high. */
-static struct tia_raster_vertex seen(const struct tia_lattice *l, struct point p)
+static struct tia_raster_vertex seen(const struct tia_raster_grid *l, struct point p)
 {
     static const double nx = 0.3, ny = 3.3, nz = 8.7, cot = 2.414213562373095;
     double length = sqrt(nx * nx + ny * ny + nz * nz), flat = sqrt(nx * nx + nz * nz);
@@ -37,7 +37,7 @@ void raster_bench_init(struct raster_bench *b, struct mesh *m, int level, uint16
 
     bench_mesh(m, level);
     b->count = m->count;
-    raster_bench_must(tia_lattice_init(&b->lattice, TIA_PERSPECTIVE, width, height, 1, 0, RANGE) == TIA_OK);
+    raster_bench_must(tia_raster_grid_init(&b->lattice, TIA_PERSPECTIVE, width, height, 1, 0, RANGE) == TIA_OK);
     size_t size = tia_raster_size(all, buffers, m->count);
     b->polygon = malloc(sizeof *b->polygon * m->count);
     b->memory = malloc(size);
@@ -54,22 +54,22 @@ void raster_bench_free(struct raster_bench *b)
     free(b->polygon);
 }
 
-static const struct tia_raster_state nearest = {.depth = TIA_LESS, .depth_write = true};
+static const struct tia_raster_state nearest = {.depth = TIA_COMPARE_LESS, .depth_write = true};
 /* Counts surfaces behind the visible one up, if seen from outside, or down. */
 static const struct tia_raster_state behind = {
-    .depth = TIA_LESS,
-    .front = {.test = TIA_ALWAYS, .mask = 255, .write = 255, .zfail = TIA_DECR_WRAP},
-    .back = {.test = TIA_ALWAYS, .mask = 255, .write = 255, .zfail = TIA_INCR_WRAP}};
+    .depth = TIA_COMPARE_LESS,
+    .front = {.test = TIA_COMPARE_ALWAYS, .mask = 255, .write = 255, .zfail = TIA_STENCIL_DECR_WRAP},
+    .back = {.test = TIA_COMPARE_ALWAYS, .mask = 255, .write = 255, .zfail = TIA_STENCIL_INCR_WRAP}};
 
 static void draw(const struct raster_bench *b, struct tia_raster_target *t, const struct tia_raster_state *state)
 {
     for (uint32_t i = 0; i < b->count; i++)
-        raster_bench_must(tia_draw_polygon(t, state, b->polygon[i], 3, i) == TIA_OK);
+        raster_bench_must(tia_raster_draw(t, state, b->polygon[i], 3, i) == TIA_OK);
 }
 
 void raster_bench_nearest(const struct raster_bench *b, struct tia_raster_target *target)
 {
-    tia_clear_depth(target);
+    tia_raster_clear_depth(target);
     draw(b, target, &nearest);
 }
 

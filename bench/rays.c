@@ -34,7 +34,7 @@ static double draw(const struct tia_core *core, const struct tia_scene *scene)
     must(memory[0] && memory[1] && pixels ? TIA_OK : TIA_ERR_MEMORY);
     must(core->view_init(core, &view, memory[0], view_size, scene, scene->light_count, WIDTH, HEIGHT, NULL));
     must(tia_hits_init(&hits, memory[1], hits_size, view, area));
-    must(tia_render(view, hits, area, &surface, NULL));
+    must(tia_view_draw(view, hits, area, &surface, NULL));
     double end = milliseconds();
     free(memory[0]);
     free(memory[1]);

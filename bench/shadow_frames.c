@@ -82,10 +82,10 @@ static void measure(struct times *least, const struct tia_scene *scene, const st
     open_frame(&f, scene, c->width, c->height);
     for (int round = 0; round < ROUNDS && spent < PATIENCE; round++) {
         double start = cpu_milliseconds();
-        shadow_must(!tia_trace(f.view, f.hits, f.area));
+        shadow_must(!tia_view_trace(f.view, f.hits, f.area));
         double seen = cpu_milliseconds();
         shadow_must(!tia_view_set_lights(f.view, scene->lights, scene->light_count) &&
-                    !tia_light_tile(f.view, f.hits, f.area, &f.surface, NULL));
+                    !tia_view_light(f.view, f.hits, f.area, &f.surface, NULL));
         double lit = cpu_milliseconds();
         keep_least(&least->frame, lit - start);
         keep_least(&least->relit, lit - seen);

@@ -104,11 +104,11 @@ void shadow_passes_draw(struct shadow_passes *p, enum shadow_pass pass)
 
     if (pass == SHADOW_DEPTH) {
         target.count = NULL;
-        tia_clear_depth(&target);
+        tia_raster_clear_depth(&target);
         shadow_must(!tia_shadow_faces(&target, &p->flat, &nobody));
         return;
     }
-    tia_clear_count(&target, 0);
+    tia_raster_clear_count(&target, 0);
     shadow_must(!(pass == SHADOW_ZFAIL ? tia_shadow_zfail : tia_shadow_zpass)(&target, &p->flat, &p->light, &nobody));
 }
 

@@ -41,12 +41,12 @@ static struct {
 } drawn;
 
 /* The linker puts this in front of the rasteriser's. */
-int __real_tia_draw_polygon(struct tia_raster_target *target, const struct tia_raster_state *state,
-                            const struct tia_raster_vertex *corners, unsigned count, uint32_t face);
-int __wrap_tia_draw_polygon(struct tia_raster_target *target, const struct tia_raster_state *state,
-                            const struct tia_raster_vertex *corners, unsigned count, uint32_t face);
+int __real_tia_raster_draw(struct tia_raster_target *target, const struct tia_raster_state *state,
+                           const struct tia_raster_vertex *corners, unsigned count, uint32_t face);
+int __wrap_tia_raster_draw(struct tia_raster_target *target, const struct tia_raster_state *state,
+                           const struct tia_raster_vertex *corners, unsigned count, uint32_t face);
 
-static void keep(const struct tia_lattice *l, const struct tia_raster_state *state,
+static void keep(const struct tia_raster_grid *l, const struct tia_raster_state *state,
                  const struct tia_raster_vertex *corners, unsigned count, uint32_t face)
 {
     double one = ldexp(1, l->fraction);
@@ -68,12 +68,12 @@ static void keep(const struct tia_lattice *l, const struct tia_raster_state *sta
     }
 }
 
-int __wrap_tia_draw_polygon(struct tia_raster_target *target, const struct tia_raster_state *state,
-                            const struct tia_raster_vertex *corners, unsigned count, uint32_t face)
+int __wrap_tia_raster_draw(struct tia_raster_target *target, const struct tia_raster_state *state,
+                           const struct tia_raster_vertex *corners, unsigned count, uint32_t face)
 {
     if (drawn.on)
         keep(target->lattice, state, corners, count, face);
-    return __real_tia_draw_polygon(target, state, corners, count, face);
+    return __real_tia_raster_draw(target, state, corners, count, face);
 }
 
 /* ---- drawing by GL ---- */

@@ -62,10 +62,10 @@ static void measure_rounds(const struct picture *p, const char *simd, struct tia
     *m = (struct measured){{1e9, 1e9}, {1e9, 1e9}, {1e9, 1e9}};
     for (int i = 0; i < (simd ? ROUNDS : ROUNDS / 5); i++) {
         double wall = milliseconds(), cpu = cpu_milliseconds();
-        (void)tia_render(view, hits, p->area, &p->surface, NULL);
+        (void)tia_view_draw(view, hits, p->area, &p->surface, NULL);
         keep(&m->full, wall, cpu);
         wall = milliseconds(), cpu = cpu_milliseconds();
-        (void)tia_light_tile(view, hits, p->area, &p->surface, NULL);
+        (void)tia_view_light(view, hits, p->area, &p->surface, NULL);
         keep(&m->relit, wall, cpu);
         wall = milliseconds(), cpu = cpu_milliseconds();
         draw_floats(p, simd);

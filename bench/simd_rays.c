@@ -115,7 +115,7 @@ static void draw_strip(void *arg, unsigned index)
     struct tia_hits *hits;
 
     must(tia_hits_init(&hits, (char *)c->hits_memory + index * strip_hits(c), strip_hits(c), c->view, tile));
-    must(tia_render(c->view, hits, tile, &surface, &options));
+    must(tia_view_draw(c->view, hits, tile, &surface, &options));
 }
 
 static void draw(struct canvas *c)

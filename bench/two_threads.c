@@ -65,8 +65,8 @@ static void strip(void *arg, unsigned index)
     const struct tia_surface surface = {
         .pixels = (tia_rgb565 *)s->part[3] + (size_t)y * WIDTH, .step = 2, .pitch = 2 * WIDTH};
 
-    if (s->relit ? tia_light_tile(s->view, s->hits, tile, &surface, NULL)
-                 : tia_render(s->view, s->hits, tile, &surface, NULL))
+    if (s->relit ? tia_view_light(s->view, s->hits, tile, &surface, NULL)
+                 : tia_view_draw(s->view, s->hits, tile, &surface, NULL))
         exit(1);
 }
 

@@ -127,8 +127,8 @@ static inline void world_draw(const struct tia_core *core, const struct world_vi
     struct tia_hits *hits;
 
     CHECK_EQ(tia_hits_init(&hits, memory, size, v->view, all), TIA_OK);
-    CHECK_EQ(tia_trace(v->view, hits, all), TIA_OK);
-    CHECK_EQ(tia_light_tile(v->view, hits, all, &surface, &options), TIA_OK);
+    CHECK_EQ(tia_view_trace(v->view, hits, all), TIA_OK);
+    CHECK_EQ(tia_view_light(v->view, hits, all, &surface, &options), TIA_OK);
     free(memory);
 }
 

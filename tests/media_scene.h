@@ -42,8 +42,8 @@ static void draw(const struct tia_core *core, unsigned size, tia_rgb565 *pixels)
     if (!check_failed)
         CHECK_EQ(tia_hits_init(&hits, memory[1], hits_size, view, all), TIA_OK);
     if (!check_failed) {
-        CHECK_EQ(tia_trace(view, hits, all), TIA_OK);
-        CHECK_EQ(tia_light_tile(view, hits, all, &surface, &plain), TIA_OK);
+        CHECK_EQ(tia_view_trace(view, hits, all), TIA_OK);
+        CHECK_EQ(tia_view_light(view, hits, all, &surface, &plain), TIA_OK);
     }
     free(memory[0]);
     free(memory[1]);

@@ -44,7 +44,8 @@ static inline struct tia_raster_vertex random_vertex(bool lattice, int64_t most,
 
 /* Returns a point at the centre of a pixel of the area, or a little outside it; exactly, or almost, often in the same
  * row as others. */
-static inline struct tia_raster_vertex random_centre(const struct tia_lattice *l, struct tia_tile area, int64_t most)
+static inline struct tia_raster_vertex random_centre(const struct tia_raster_grid *l, struct tia_tile area,
+                                                     int64_t most)
 {
     int64_t i = area.x + random_size(area.width), j = area.y + random_size(random_below(2) ? area.height : 1);
     struct tia_raster_vertex v = {l->x + i * l->right, l->y - j * l->down, l->w, 1};
@@ -98,7 +99,7 @@ static inline void random_flat_polygon(struct random_polygon *p, bool lattice, i
 
 /* Makes a polygon. All coordinates of points up to `most`, a multiple of 40. Every polygon is flat, to the bit. At
  * first count is 0. */
-static inline void random_polygon(struct random_polygon *p, const struct tia_lattice *l, struct tia_tile area,
+static inline void random_polygon(struct random_polygon *p, const struct tia_raster_grid *l, struct tia_tile area,
                                   int64_t most)
 {
     bool lattice = random_bits() & 1, flat = l->projection == TIA_ORTHOGRAPHIC;
@@ -130,7 +131,7 @@ static inline struct tia_stencil random_stencil(void)
     struct tia_stencil s = {(enum tia_compare)random_below(8), (uint8_t)random_below(256), 255, 255, 0, 0, 0};
 
     if (random_below(2))
-        s.test = TIA_ALWAYS;
+        s.test = TIA_COMPARE_ALWAYS;
     if (random_below(2))
         s.mask = (uint8_t)random_bits();
     if (random_below(2))
@@ -139,11 +140,11 @@ static inline struct tia_stencil random_stencil(void)
     s.zfail = (enum tia_stencil_op)random_below(8);
     s.zpass = (enum tia_stencil_op)random_below(8);
     if (random_below(3) == 0) { /* as shadow volumes count */
-        s.zfail = TIA_KEEP;
-        s.zpass = random_below(2) ? TIA_INCR_WRAP : TIA_DECR_WRAP;
+        s.zfail = TIA_STENCIL_KEEP;
+        s.zpass = random_below(2) ? TIA_STENCIL_INCR_WRAP : TIA_STENCIL_DECR_WRAP;
     } else if (random_below(2) == 0) {
-        s.zfail = random_below(2) ? TIA_INCR_WRAP : TIA_DECR_WRAP;
-        s.zpass = TIA_KEEP;
+        s.zfail = random_below(2) ? TIA_STENCIL_INCR_WRAP : TIA_STENCIL_DECR_WRAP;
+        s.zpass = TIA_STENCIL_KEEP;
     }
     return s;
 }
@@ -153,7 +154,7 @@ static inline struct tia_raster_state random_state_of_all(void)
     struct tia_raster_state s = {.depth = (enum tia_compare)random_below(8), .depth_write = random_below(2)};
 
     if (random_below(2))
-        s.depth = TIA_LESS;
+        s.depth = TIA_COMPARE_LESS;
     s.ties_by_face = random_below(2);
     s.skip_front = random_below(8) == 0;
     s.skip_back = random_below(8) == 0;
@@ -177,7 +178,7 @@ static inline void *allocated(size_t size)
 }
 
 /* Returns a target with memory of its own: free(target.planes) or, without depth, the first buffer. */
-static inline struct tia_raster_target target_of(const struct tia_lattice *lattice, struct tia_tile area,
+static inline struct tia_raster_target target_of(const struct tia_raster_grid *lattice, struct tia_tile area,
                                                  unsigned buffers, uint32_t faces, void **memory)
 {
     size_t size = tia_raster_size(area, buffers, faces);

@@ -48,7 +48,7 @@ static void draw(struct reading *r, tia_rgb565 *pixels)
     CHECK_EQ(tia_bvh_build(&scene->bvh, bvh, bvh_size, NULL, scene, NULL), TIA_OK);
     CHECK_EQ(tia_view_init(&view, memory, view_size, scene, scene->light_count, WIDTH, HEIGHT, NULL), TIA_OK);
     CHECK_EQ(tia_hits_init(&hits, hits_memory, hits_size, view, all), TIA_OK);
-    CHECK_EQ(tia_render(view, hits, all, &surface, NULL), TIA_OK);
+    CHECK_EQ(tia_view_draw(view, hits, all, &surface, NULL), TIA_OK);
     free(bvh);
     free(memory);
     free(hits_memory);

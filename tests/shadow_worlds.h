@@ -35,7 +35,8 @@ static void begin(struct world *w, enum tia_projection projection)
 {
     *w = (struct world){.flat = {.objects = objects, .faces = faces, .across = across, .points = points}};
     w->flat.eye.projection = projection;
-    CHECK(!tia_lattice_init(&w->flat.lattice, projection, SIZE, SIZE, 1, 0, projection == TIA_ORTHOGRAPHIC ? 20 : 5));
+    CHECK(
+        !tia_raster_grid_init(&w->flat.lattice, projection, SIZE, SIZE, 1, 0, projection == TIA_ORTHOGRAPHIC ? 20 : 5));
 }
 
 /* Gives multiples of `step`: up to `range` in each direction, and in depth from slightly behind the eye. */

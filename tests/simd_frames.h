@@ -81,10 +81,10 @@ static inline size_t simd_frames_differ(struct simd_frames *f, bool trace, bool 
 
     memset(f->want, GUARDED, f->bytes);
     memset(f->got, GUARDED, f->bytes);
-    if (trace && (tia_trace(f->plain, f->hits[0], f->area) || tia_trace(f->simd, f->hits[1], f->area)))
+    if (trace && (tia_view_trace(f->plain, f->hits[0], f->area) || tia_view_trace(f->simd, f->hits[1], f->area)))
         return SIZE_MAX;
-    if (tia_light_tile(f->plain, f->hits[0], f->area, &want, &options) ||
-        tia_light_tile(f->simd, f->hits[1], f->area, &got, &options))
+    if (tia_view_light(f->plain, f->hits[0], f->area, &want, &options) ||
+        tia_view_light(f->simd, f->hits[1], f->area, &got, &options))
         return SIZE_MAX;
     for (size_t i = 0; i < f->bytes; i++)
         differ += f->want[i] != f->got[i];

@@ -31,7 +31,7 @@ static uint32_t picture(const struct tia_scene *given)
     CHECK_EQ(tia_hits_init(&hits, hits_memory, hits_size, view, all), TIA_OK);
     memset(pixels, 0, sizeof pixels);
     if (check_failed == 0)
-        CHECK_EQ(tia_render(view, hits, all, &surface, NULL), TIA_OK);
+        CHECK_EQ(tia_view_draw(view, hits, all, &surface, NULL), TIA_OK);
     free(view_memory);
     free(hits_memory);
     return tia_crc32(0, pixels, WIDTH * HEIGHT);

@@ -29,7 +29,7 @@ static void draw(struct drawn *d, const struct tia_core *core)
     CHECK_EQ(core->view_init(core, &d->view, d->view_memory, sizeof d->view_memory, scene, LIGHTS, W, H, NULL), TIA_OK);
     CHECK_EQ(tia_view_set_lights(d->view, &key->state, 1), TIA_OK);
     CHECK_EQ(tia_hits_init(&d->hits, d->hits_memory, sizeof d->hits_memory, d->view, frame), TIA_OK);
-    CHECK_EQ(tia_render(d->view, d->hits, frame, &surface, NULL), TIA_OK);
+    CHECK_EQ(tia_view_draw(d->view, d->hits, frame, &surface, NULL), TIA_OK);
 }
 
 #ifdef TIA_HAVE_F64
@@ -53,9 +53,9 @@ TEST(hits_are_of_one_view)
 
     draw(&q16, &tia_core_q16);
     draw(&f64, &tia_core_f64);
-    CHECK_EQ(tia_trace(f64.view, q16.hits, frame), TIA_ERR_ARGUMENT);
-    CHECK_EQ(tia_render(q16.view, f64.hits, frame, &surface, NULL), TIA_ERR_ARGUMENT);
-    CHECK_EQ(tia_light_tile(f64.view, q16.hits, frame, &surface, NULL), TIA_ERR_ARGUMENT);
+    CHECK_EQ(tia_view_trace(f64.view, q16.hits, frame), TIA_ERR_ARGUMENT);
+    CHECK_EQ(tia_view_draw(q16.view, f64.hits, frame, &surface, NULL), TIA_ERR_ARGUMENT);
+    CHECK_EQ(tia_view_light(f64.view, q16.hits, frame, &surface, NULL), TIA_ERR_ARGUMENT);
     CHECK_EQ(tia_hits_init(&q16.hits, q16.hits_memory, tia_hits_size(&tia_thesis_scene, frame), f64.view, frame),
              TIA_ERR_MEMORY);
 }
@@ -148,8 +148,8 @@ TEST(functions_call_the_views_core)
 
     core.drawing = &counting;
     draw(&d, &core);
-    CHECK_EQ(tia_trace(d.view, d.hits, corner), TIA_OK);
-    CHECK_EQ(tia_light_tile(d.view, d.hits, corner, &surface, NULL), TIA_OK);
+    CHECK_EQ(tia_view_trace(d.view, d.hits, corner), TIA_OK);
+    CHECK_EQ(tia_view_light(d.view, d.hits, corner, &surface, NULL), TIA_OK);
     CHECK_EQ(tia_hits_object(d.hits, 0, 0), TIA_NO_OBJECT);
     for (unsigned i = 0; i < CALLED; i++)
         CHECK_EQ(calls[i], 1);
@@ -163,9 +163,9 @@ TEST(no_view)
     CHECK_EQ(tia_view_set_lights(NULL, NULL, 0), TIA_ERR_ARGUMENT);
     CHECK_EQ(tia_hits_init(&hits, NULL, 0, NULL, corner), TIA_ERR_ARGUMENT);
     CHECK_EQ(tia_hits_object(NULL, 0, 0), TIA_NO_OBJECT);
-    CHECK_EQ(tia_trace(NULL, NULL, corner), TIA_ERR_ARGUMENT);
-    CHECK_EQ(tia_light_tile(NULL, NULL, corner, &surface, NULL), TIA_ERR_ARGUMENT);
-    CHECK_EQ(tia_render(NULL, NULL, corner, &surface, NULL), TIA_ERR_ARGUMENT);
+    CHECK_EQ(tia_view_trace(NULL, NULL, corner), TIA_ERR_ARGUMENT);
+    CHECK_EQ(tia_view_light(NULL, NULL, corner, &surface, NULL), TIA_ERR_ARGUMENT);
+    CHECK_EQ(tia_view_draw(NULL, NULL, corner, &surface, NULL), TIA_ERR_ARGUMENT);
 }
 
 int main(void)

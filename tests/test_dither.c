@@ -67,7 +67,7 @@ static void draw_flat(struct tia_rgb colour, bool dither)
 
     CHECK_EQ(tia_view_init(&view, view_memory, sizeof view_memory, &scene, 0, W, H, NULL), TIA_OK);
     CHECK_EQ(tia_hits_init(&hits, hits_memory, sizeof hits_memory, view, tile), TIA_OK);
-    CHECK_EQ(tia_render(view, hits, tile, &surface, &options), TIA_OK);
+    CHECK_EQ(tia_view_draw(view, hits, tile, &surface, &options), TIA_OK);
 }
 
 static unsigned channel(tia_rgb565 pixel, int c)

@@ -58,8 +58,8 @@ static void draw_by_tia(const struct tia_scene *scene, struct picture *picture)
         core->view_init(core, &view, view_memory, view_size, scene, scene->light_count, all.width, all.height, NULL),
         TIA_OK);
     CHECK_EQ(tia_hits_init(&hits, hits_memory, hits_size, view, all), TIA_OK);
-    CHECK_EQ(tia_trace(view, hits, all), TIA_OK);
-    CHECK_EQ(tia_light_tile(view, hits, all, &surface, &options), TIA_OK);
+    CHECK_EQ(tia_view_trace(view, hits, all), TIA_OK);
+    CHECK_EQ(tia_view_light(view, hits, all, &surface, &options), TIA_OK);
     for (unsigned i = 0; i < picture->width * picture->height; i++) {
         uint32_t object = tia_hits_object(hits, i % picture->width, i / picture->width);
         picture->thing[i] = object == TIA_NO_OBJECT ? GL_SKY : (unsigned char)object;

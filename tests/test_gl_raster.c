@@ -52,7 +52,7 @@ static void random_triangle(unsigned step, struct triangle *t)
     }
 }
 
-static void place(const struct triangle *t, const struct tia_lattice *l, struct tia_raster_vertex v[3],
+static void place(const struct triangle *t, const struct tia_raster_grid *l, struct tia_raster_vertex v[3],
                   double clip[3][4])
 {
     int64_t level = t->level, one = INT64_C(1) << l->fraction;
@@ -83,15 +83,15 @@ static size_t trial(struct gl_raster *gl, unsigned step, bool all_new, bool ties
     static bool tied[SIDE * SIDE];
     static uint32_t face[SIDE * SIDE];
     static uint8_t stencil[SIDE * SIDE];
-    struct tia_lattice lattice;
+    struct tia_raster_grid lattice;
     uint8_t clear = (uint8_t)random_below(4);
     size_t wrong = 0;
     void *memory;
 
     memset(tied, 0, sizeof tied);
-    CHECK_EQ(tia_lattice_init(&lattice, TIA_PERSPECTIVE, SIDE, SIDE, 1, 0, 5), TIA_OK);
+    CHECK_EQ(tia_raster_grid_init(&lattice, TIA_PERSPECTIVE, SIDE, SIDE, 1, 0, 5), TIA_OK);
     struct tia_raster_target t = target_of(&lattice, (struct tia_tile){0, 0, SIDE, SIDE}, BUFFERS, POLYGONS, &memory);
-    tia_clear_stencil(&t, clear, 255);
+    tia_raster_clear_stencil(&t, clear, 255);
     gl_raster_clear(gl, clear);
     for (uint32_t id = 0; id < POLYGONS; id++) {
         struct tia_raster_state s = all_new ? any_state() : states[random_below(check_count(STATES))];
@@ -102,7 +102,7 @@ static size_t trial(struct gl_raster *gl, unsigned step, bool all_new, bool ties
         place(&triangle, &lattice, v, clip);
         if (!ties_count)
             mark_ties(&triangle, tied);
-        CHECK_EQ(tia_draw_polygon(&t, &s, v, 3, id), TIA_OK);
+        CHECK_EQ(tia_raster_draw(&t, &s, v, 3, id), TIA_OK);
         gl_raster_draw(gl, &s, (const double(*)[4])clip, 3, id);
     }
     CHECK(gl_raster_read(gl, face, stencil));

@@ -1,4 +1,4 @@
-/* test_gl_shadows.c - faces and shadow volumes beside Mesa's rasterisers: each polygon that goes to tia_draw_polygon is
+/* test_gl_shadows.c - faces and shadow volumes beside Mesa's rasterisers: each polygon that goes to tia_raster_draw is
  * also drawn by GL, whose corners, edges and depths are rounded. A face may differ in 1 of 10000 pixels of a view,
  * light in 1 of 20000; and of all that differ, 95 % where the exact picture changes, too, when pixel centres move by
  * 1/128. */
@@ -114,13 +114,13 @@ static struct drawn *drawn;
 static size_t drawn_count, drawn_room;
 
 /* The linker puts this in front of the rasteriser's. */
-int __real_tia_draw_polygon(struct tia_raster_target *target, const struct tia_raster_state *state,
-                            const struct tia_raster_vertex *corners, unsigned count, uint32_t face);
-int __wrap_tia_draw_polygon(struct tia_raster_target *target, const struct tia_raster_state *state,
-                            const struct tia_raster_vertex *corners, unsigned count, uint32_t face);
+int __real_tia_raster_draw(struct tia_raster_target *target, const struct tia_raster_state *state,
+                           const struct tia_raster_vertex *corners, unsigned count, uint32_t face);
+int __wrap_tia_raster_draw(struct tia_raster_target *target, const struct tia_raster_state *state,
+                           const struct tia_raster_vertex *corners, unsigned count, uint32_t face);
 
-int __wrap_tia_draw_polygon(struct tia_raster_target *target, const struct tia_raster_state *state,
-                            const struct tia_raster_vertex *corners, unsigned count, uint32_t face)
+int __wrap_tia_raster_draw(struct tia_raster_target *target, const struct tia_raster_state *state,
+                           const struct tia_raster_vertex *corners, unsigned count, uint32_t face)
 {
     if (drawn_count == drawn_room) {
         drawn_room = 2 * drawn_room + 1024;
@@ -131,7 +131,7 @@ int __wrap_tia_draw_polygon(struct tia_raster_target *target, const struct tia_r
     struct drawn *d = &drawn[drawn_count++];
     *d = (struct drawn){.state = *state, .count = count, .face = face};
     memcpy(d->corner, corners, count * sizeof *corners);
-    return __real_tia_draw_polygon(target, state, corners, count, face);
+    return __real_tia_raster_draw(target, state, corners, count, face);
 }
 
 struct picture {
@@ -203,7 +203,7 @@ static void draw_moved(const struct view *v, int dx, int dy, struct picture *p)
             d.corner[k].x += dx * d.corner[k].w / (64 * WIDTH);
             d.corner[k].y += dy * d.corner[k].w / (64 * HEIGHT);
         }
-        CHECK_EQ(__real_tia_draw_polygon(&t, &d.state, d.corner, d.count, d.face), TIA_OK);
+        CHECK_EQ(__real_tia_raster_draw(&t, &d.state, d.corner, d.count, d.face), TIA_OK);
     }
     take_picture(v, &t, p);
     free(memory);

@@ -1,4 +1,4 @@
-/* tia_press: the effect of each key on the lights, by the table of the thesis scene and at the limits. */
+/* tia_viewer_press: the effect of each key on the lights, by the table of the thesis scene and at the limits. */
 #include <math.h>
 
 #include <tia/viewer.h>
@@ -13,7 +13,7 @@ static uint32_t count;
 
 static int press(uint32_t capacity, uint16_t key)
 {
-    return tia_press(&tia_thesis_scene, lights, &count, capacity, key);
+    return tia_viewer_press(&tia_thesis_scene, lights, &count, capacity, key);
 }
 
 static struct tia_light light_at(tia_q16 x, tia_q16 y, tia_q16 z, tia_q16 radius)
@@ -132,13 +132,13 @@ TEST(no_move_beyond_the_numbers)
 
     lights[0] = light_at(most, 0, 0, 0);
     count = 1;
-    CHECK_EQ(tia_press(&scene, lights, &count, 1, TIA_KEY_RIGHT), 0);
+    CHECK_EQ(tia_viewer_press(&scene, lights, &count, 1, TIA_KEY_RIGHT), 0);
     CHECK_EQ(lights[0].centre.x, most);
-    CHECK_EQ(tia_press(&scene, lights, &count, 1, TIA_KEY_LEFT), 1);
+    CHECK_EQ(tia_viewer_press(&scene, lights, &count, 1, TIA_KEY_LEFT), 1);
     CHECK_EQ(lights[0].centre.x, most - ONE);
     scene.camera.eye.x = ONE / 2;
     lights[0].centre.x = -most;
-    CHECK_EQ(tia_press(&scene, lights, &count, 1, TIA_KEY_LEFT), 0);
+    CHECK_EQ(tia_viewer_press(&scene, lights, &count, 1, TIA_KEY_LEFT), 0);
     CHECK_EQ(lights[0].centre.x, -most);
 }
 
@@ -149,10 +149,10 @@ TEST(steps_in_the_units_of_the_file)
 
     lights[0] = light_at(ONE, 2 * ONE, 3 * ONE, 0);
     count = 1;
-    CHECK_EQ(tia_press(&scene, lights, &count, 1, TIA_KEY_RIGHT), 1);
+    CHECK_EQ(tia_viewer_press(&scene, lights, &count, 1, TIA_KEY_RIGHT), 1);
     CHECK(is_at(&lights[0], 9 * ONE, 2 * ONE, 3 * ONE));
     scene.scale_bits = 15;
-    CHECK_EQ(tia_press(&scene, lights, &count, 1, TIA_KEY_RIGHT), 0);
+    CHECK_EQ(tia_viewer_press(&scene, lights, &count, 1, TIA_KEY_RIGHT), 0);
     CHECK(is_at(&lights[0], 9 * ONE, 2 * ONE, 3 * ONE));
 }
 
@@ -169,21 +169,21 @@ TEST(several_lights)
     struct tia_scene scene = {.bindings = bindings, .binding_count = 4, .camera = {{0, 0, 0}, TIA_Q16(25)}};
 
     count = 0;
-    CHECK_EQ(tia_press(&scene, lights, &count, 3, '2'), 1);
+    CHECK_EQ(tia_viewer_press(&scene, lights, &count, 3, '2'), 1);
     CHECK(count == 1 && lights[0].centre.x == 12);
-    CHECK_EQ(tia_press(&scene, lights, &count, 3, '0'), 1);
+    CHECK_EQ(tia_viewer_press(&scene, lights, &count, 3, '0'), 1);
     CHECK(count == 1 && lights[0].centre.x == 10);
-    CHECK_EQ(tia_press(&scene, lights, &count, 3, TIA_KEY_LEFT), 1); /* a binding comes before a move */
+    CHECK_EQ(tia_viewer_press(&scene, lights, &count, 3, TIA_KEY_LEFT), 1); /* a binding comes before a move */
     CHECK(count == 2 && lights[0].centre.x == 10 && lights[1].centre.x == 11);
-    CHECK_EQ(tia_press(&scene, lights, &count, 3, '3'), 1);
+    CHECK_EQ(tia_viewer_press(&scene, lights, &count, 3, '3'), 1);
     CHECK(count == 3 && lights[2].centre.x == 13);
-    CHECK_EQ(tia_press(&scene, lights, &count, 3, '2'), 1);
+    CHECK_EQ(tia_viewer_press(&scene, lights, &count, 3, '2'), 1);
     CHECK(count == 3 && lights[2].centre.x == 12);
-    CHECK_EQ(tia_press(&scene, lights, &count, 3, '3'), 0);
+    CHECK_EQ(tia_viewer_press(&scene, lights, &count, 3, '3'), 0);
     CHECK(count == 3 && lights[2].centre.x == 12);
-    CHECK_EQ(tia_press(&scene, lights, &count, 4, TIA_KEY_RIGHT), 1);
+    CHECK_EQ(tia_viewer_press(&scene, lights, &count, 4, TIA_KEY_RIGHT), 1);
     CHECK(lights[0].centre.x == 10 + ONE && lights[1].centre.x == 11);
-    CHECK_EQ(tia_press(&scene, lights, &count, 4, 'a'), TIA_ERR_ARGUMENT);
+    CHECK_EQ(tia_viewer_press(&scene, lights, &count, 4, 'a'), TIA_ERR_ARGUMENT);
 }
 
 /* Ambient lights, which have no position, are skipped. */
@@ -200,13 +200,13 @@ TEST(the_first_light_that_has_a_place)
             lights[i].direction.y = -TIA_Q30_ONE;
         }
         count = 4;
-        CHECK_EQ(tia_key_light(&scene, lights, count, TIA_KEY_UP), ambient);
-        CHECK_EQ(tia_press(&scene, lights, &count, 4, TIA_KEY_UP), 1);
+        CHECK_EQ(tia_viewer_key_light(&scene, lights, count, TIA_KEY_UP), ambient);
+        CHECK_EQ(tia_viewer_press(&scene, lights, &count, 4, TIA_KEY_UP), 1);
         for (uint32_t i = 0; i < 4; i++)
             CHECK(is_at(&lights[i], ONE, 2 * ONE, (i == ambient ? 2 : 3) * ONE));
         count = ambient; /* and there is none */
-        CHECK_EQ(tia_key_light(&scene, lights, count, TIA_KEY_UP), TIA_NO_LIGHT);
-        CHECK_EQ(tia_press(&scene, lights, &count, 4, TIA_KEY_UP), 0);
+        CHECK_EQ(tia_viewer_key_light(&scene, lights, count, TIA_KEY_UP), TIA_NO_LIGHT);
+        CHECK_EQ(tia_viewer_press(&scene, lights, &count, 4, TIA_KEY_UP), 0);
     }
 }
 
@@ -214,11 +214,11 @@ TEST(which_light_a_key_puts)
 {
     struct tia_scene scene = {.bindings = bindings, .binding_count = 4, .camera = {{0, 0, 0}, TIA_Q16(25)}};
 
-    CHECK_EQ(tia_key_light(&scene, lights, 0, '2'), 0);
-    CHECK_EQ(tia_key_light(&scene, lights, 2, '2'), 2);
-    CHECK_EQ(tia_key_light(&scene, lights, 4, '2'), 2);
-    CHECK_EQ(tia_key_light(&scene, lights, 4, TIA_KEY_LEFT), 1);
-    CHECK_EQ(tia_key_light(&scene, lights, 4, 'q'), TIA_NO_LIGHT);
+    CHECK_EQ(tia_viewer_key_light(&scene, lights, 0, '2'), 0);
+    CHECK_EQ(tia_viewer_key_light(&scene, lights, 2, '2'), 2);
+    CHECK_EQ(tia_viewer_key_light(&scene, lights, 4, '2'), 2);
+    CHECK_EQ(tia_viewer_key_light(&scene, lights, 4, TIA_KEY_LEFT), 1);
+    CHECK_EQ(tia_viewer_key_light(&scene, lights, 4, 'q'), TIA_NO_LIGHT);
 }
 
 /* Checks a turn. The light comes from -direction: there, at the distance 1, it moves by 1/16. */
@@ -232,7 +232,7 @@ static void check_turn(const double from[3], size_t move)
     lights[0].kind = TIA_DIRECTIONAL_LIGHT;
     lights[0].direction = (struct tia_dir3){TIA_Q30(from[0]), TIA_Q30(from[1]), TIA_Q30(from[2])};
     count = 1;
-    CHECK_EQ(tia_press(&scene, lights, &count, 1, moves[move].key), 1);
+    CHECK_EQ(tia_viewer_press(&scene, lights, &count, 1, moves[move].key), 1);
     got[0] = lights[0].direction.x / (double)TIA_Q30_ONE;
     got[1] = lights[0].direction.y / (double)TIA_Q30_ONE;
     got[2] = lights[0].direction.z / (double)TIA_Q30_ONE;
@@ -261,12 +261,12 @@ TEST(a_directional_light_at_its_end)
 
     lights[0] = (struct tia_light){.kind = TIA_DIRECTIONAL_LIGHT, .direction = {0, -TIA_Q30_ONE, 0}};
     count = 1;
-    CHECK_EQ(tia_press(&scene, lights, &count, 1, TIA_KEY_PAGE_UP), 0);
+    CHECK_EQ(tia_viewer_press(&scene, lights, &count, 1, TIA_KEY_PAGE_UP), 0);
     CHECK_EQ(lights[0].direction.y, -TIA_Q30_ONE);
-    CHECK_EQ(tia_press(&scene, lights, &count, 1, TIA_KEY_LEFT), 1);
+    CHECK_EQ(tia_viewer_press(&scene, lights, &count, 1, TIA_KEY_LEFT), 1);
     CHECK(lights[0].direction.x > 0); /* it comes from the left */
     for (unsigned i = 0; i < 1000; i++)
-        (void)tia_press(&scene, lights, &count, 1, TIA_KEY_PAGE_UP);
+        (void)tia_viewer_press(&scene, lights, &count, 1, TIA_KEY_PAGE_UP);
     CHECK(lights[0].direction.x >= 0 && lights[0].direction.x < 1000);
 }
 

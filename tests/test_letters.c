@@ -45,7 +45,7 @@ static void draw(const struct tia_scene *scene, tia_rgb565 pixels[SIDE * SIDE])
 
     CHECK_EQ(tia_view_init(&view, view_memory, view_size, scene, scene->light_count, SIDE, SIDE, NULL), TIA_OK);
     CHECK_EQ(tia_hits_init(&hits, hits_memory, hits_size, view, all), TIA_OK);
-    CHECK_EQ(tia_render(view, hits, all, &surface, NULL), TIA_OK);
+    CHECK_EQ(tia_view_draw(view, hits, all, &surface, NULL), TIA_OK);
     free(view_memory);
     free(hits_memory);
 }

@@ -41,7 +41,7 @@ static void draw(const struct tia_scene *scene, enum tia_shadows shadows, struct
     memset(p->lit, 0x5a, sizeof p->lit);
     CHECK_EQ(tia_view_init(&view, view_memory, view_size, &drawn, drawn.light_count, SIDE, SIDE, NULL), TIA_OK);
     CHECK_EQ(tia_hits_init(&hits, hits_memory, hits_size, view, all), TIA_OK);
-    CHECK_EQ(tia_render(view, hits, all, &surface, &options), TIA_OK);
+    CHECK_EQ(tia_view_draw(view, hits, all, &surface, &options), TIA_OK);
     for (unsigned i = 0; i < PIXELS; i++)
         p->object[i] = tia_hits_object(hits, i % SIDE, i / SIDE);
     free(view_memory);

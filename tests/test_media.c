@@ -57,7 +57,7 @@ TEST(overlaps)
 TEST(nine_deep)
 {
     begin();
-    for (int i = 0; i < TIA_MEDIA; i++)
+    for (int i = 0; i < TIA_MEDIA_MAX; i++)
         add_slab(1 + 0.125 * i, 9 - 0.125 * i, i % 2 ? GLASS : AIR);
     add_slab(3, 7, WATER);
     arrives(IN_AIR * (1 + 4 * 0.125 + 4 * 0.125 + 1) +
@@ -192,10 +192,10 @@ TEST(panes)
     begin();
     scene.depth = 1;
     scene.background = (struct tia_rgb)TIA_RGB(1, 1, 1);
-    add_panes(TIA_LAYERS, PANE);
+    add_panes(TIA_LAYERS_MAX, PANE);
     see(0, 0, 0, 0, 0xffff);
     add_panes(1, PANE);
-    shapes[TIA_LAYERS].disc.centre.z = Q16(-7);
+    shapes[TIA_LAYERS_MAX].disc.centre.z = Q16(-7);
     see(0, 0, 0, 0, 0);
     scene.shape_count = 5;
     materials[PANE].refraction = (struct tia_rgb)TIA_RGB(0.5, 0.5, 0.5);

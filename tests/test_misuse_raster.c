@@ -15,17 +15,17 @@ enum { SIZE = 8, FACES = 4 };
 static const struct tia_tile frame = {0, 0, SIZE, SIZE};
 static const struct tia_raster_vertex triangle[9] = {
     {-(1 << 20), -(1 << 20), 1 << 20, 1}, {1 << 20, -(1 << 20), 1 << 20, 1}, {0, 1 << 20, 1 << 20, 1}};
-static const struct tia_raster_state nearest = {.depth = TIA_LESS, .depth_write = true};
+static const struct tia_raster_state nearest = {.depth = TIA_COMPARE_LESS, .depth_write = true};
 static const uint16_t white[3] = {1, 2, 3};
 
 static uint64_t memory[1000];
-static struct tia_lattice lattice;
+static struct tia_raster_grid lattice;
 static struct tia_raster_target target, bare;
 static struct tia_raster_plane plane;
 
 static void prepare(void)
 {
-    CHECK_EQ(tia_lattice_init(&lattice, TIA_PERSPECTIVE, SIZE, SIZE, 1, 0, 5), TIA_OK);
+    CHECK_EQ(tia_raster_grid_init(&lattice, TIA_PERSPECTIVE, SIZE, SIZE, 1, 0, 5), TIA_OK);
     CHECK_EQ(tia_raster_init(&target, memory, sizeof memory, &lattice, frame, ALL_BUFFERS, FACES), TIA_OK);
     CHECK_EQ(tia_raster_init(&bare, NULL, 0, &lattice, frame, 0, 0), TIA_OK);
     CHECK_EQ(tia_raster_plane_init(&plane, &lattice, triangle, 3), TIA_OK);
@@ -33,15 +33,15 @@ static void prepare(void)
 
 TEST(misuse_of_lattices)
 {
-    REFUSES(tia_lattice_init(NULL, TIA_PERSPECTIVE, SIZE, SIZE, 1, 0, 5));
-    REFUSES(tia_lattice_init(&lattice, (enum tia_projection)9, SIZE, SIZE, 1, 0, 5));
-    REFUSES(tia_lattice_init(&lattice, (enum tia_projection) - 1, SIZE, SIZE, 1, 0, 5));
-    REFUSES(tia_lattice_init(&lattice, TIA_PERSPECTIVE, 0, SIZE, 1, 0, 5));
-    REFUSES(tia_lattice_init(&lattice, TIA_PERSPECTIVE, SIZE, TIA_SIZE_MAX + 1, 1, 0, 5));
-    REFUSES(tia_lattice_init(&lattice, TIA_PERSPECTIVE, SIZE, SIZE, 3, 0, 5));
-    REFUSES(tia_lattice_init(&lattice, TIA_PERSPECTIVE, SIZE, SIZE, 0, 0, 5));
-    REFUSES(tia_lattice_init(&lattice, TIA_PERSPECTIVE, SIZE, SIZE, 4, 4, 5));
-    REFUSES(tia_lattice_init(&lattice, TIA_PERSPECTIVE, SIZE, SIZE, 1, 0, 25));
+    REFUSES(tia_raster_grid_init(NULL, TIA_PERSPECTIVE, SIZE, SIZE, 1, 0, 5));
+    REFUSES(tia_raster_grid_init(&lattice, (enum tia_projection)9, SIZE, SIZE, 1, 0, 5));
+    REFUSES(tia_raster_grid_init(&lattice, (enum tia_projection) - 1, SIZE, SIZE, 1, 0, 5));
+    REFUSES(tia_raster_grid_init(&lattice, TIA_PERSPECTIVE, 0, SIZE, 1, 0, 5));
+    REFUSES(tia_raster_grid_init(&lattice, TIA_PERSPECTIVE, SIZE, TIA_SIZE_MAX + 1, 1, 0, 5));
+    REFUSES(tia_raster_grid_init(&lattice, TIA_PERSPECTIVE, SIZE, SIZE, 3, 0, 5));
+    REFUSES(tia_raster_grid_init(&lattice, TIA_PERSPECTIVE, SIZE, SIZE, 0, 0, 5));
+    REFUSES(tia_raster_grid_init(&lattice, TIA_PERSPECTIVE, SIZE, SIZE, 4, 4, 5));
+    REFUSES(tia_raster_grid_init(&lattice, TIA_PERSPECTIVE, SIZE, SIZE, 1, 0, 25));
     misuse_end();
 }
 
@@ -97,7 +97,7 @@ TEST(misuse_of_planes)
 
 static int draw(struct tia_raster_state state)
 {
-    return tia_draw_polygon(&target, &state, triangle, 3, 0);
+    return tia_raster_draw(&target, &state, triangle, 3, 0);
 }
 
 #define STATE(...) ((struct tia_raster_state){.depth_write = true, __VA_ARGS__})
@@ -110,14 +110,14 @@ TEST(misuse_of_polygons)
     memcpy(high, far, sizeof high);
     far[0].x = INT64_MAX;
     high[0].h = 99;
-    REFUSES(tia_draw_polygon(NULL, &nearest, triangle, 3, 0));
-    REFUSES(tia_draw_polygon(&target, NULL, triangle, 3, 0));
-    REFUSES(tia_draw_polygon(&target, &nearest, NULL, 3, 0));
-    REFUSES(tia_draw_polygon(&target, &nearest, triangle, 0, 0));
-    REFUSES(tia_draw_polygon(&target, &nearest, triangle, 2, 0));
-    REFUSES(tia_draw_polygon(&target, &nearest, triangle, 9, 0));
-    REFUSES(tia_draw_polygon(&target, &nearest, triangle, 3, FACES));
-    REFUSES(tia_draw_polygon(&target, &nearest, triangle, 3, TIA_NO_FACE));
+    REFUSES(tia_raster_draw(NULL, &nearest, triangle, 3, 0));
+    REFUSES(tia_raster_draw(&target, NULL, triangle, 3, 0));
+    REFUSES(tia_raster_draw(&target, &nearest, NULL, 3, 0));
+    REFUSES(tia_raster_draw(&target, &nearest, triangle, 0, 0));
+    REFUSES(tia_raster_draw(&target, &nearest, triangle, 2, 0));
+    REFUSES(tia_raster_draw(&target, &nearest, triangle, 9, 0));
+    REFUSES(tia_raster_draw(&target, &nearest, triangle, 3, FACES));
+    REFUSES(tia_raster_draw(&target, &nearest, triangle, 3, TIA_NO_FACE));
     REFUSES(draw(STATE(.depth = (enum tia_compare)99)));
     REFUSES(draw(STATE(.depth = (enum tia_compare) - 1)));
     REFUSES(draw(STATE(.front.test = (enum tia_compare)8)));
@@ -128,9 +128,9 @@ TEST(misuse_of_polygons)
     REFUSES(draw(STATE(.back.fail = (enum tia_stencil_op)99)));
     REFUSES(draw(STATE(.back.zfail = (enum tia_stencil_op)99)));
     REFUSES(draw(STATE(.back.zpass = (enum tia_stencil_op) - 1)));
-    GIVES(TIA_ERR_RANGE, tia_draw_polygon(&target, &nearest, far, 3, 0));
-    GIVES(TIA_ERR_RANGE, tia_draw_polygon(&target, &nearest, high, 3, 0));
-    GIVES(TIA_OK, tia_draw_polygon(&bare, &nearest, triangle, 3, TIA_NO_FACE)); /* there is no depth to write */
+    GIVES(TIA_ERR_RANGE, tia_raster_draw(&target, &nearest, far, 3, 0));
+    GIVES(TIA_ERR_RANGE, tia_raster_draw(&target, &nearest, high, 3, 0));
+    GIVES(TIA_OK, tia_raster_draw(&bare, &nearest, triangle, 3, TIA_NO_FACE)); /* there is no depth to write */
     GIVES(TIA_OK, draw(nearest));
     misuse_end();
 }
@@ -138,22 +138,22 @@ TEST(misuse_of_polygons)
 TEST(misuse_of_buffers)
 {
     prepare();
-    REFUSES(tia_clear_depth(NULL));
-    REFUSES(tia_clear_stencil(NULL, 0, 255));
-    REFUSES(tia_clear_count(NULL, 0));
-    REFUSES(tia_clear_colour(NULL, white));
-    REFUSES(tia_clear_colour(&target, NULL));
-    REFUSES(tia_clear_sum(NULL));
-    REFUSES(tia_sum_add(NULL, 1));
-    REFUSES(tia_sum_add(&target, 65537));
-    REFUSES(tia_sum_add(&target, UINT32_MAX));
-    REFUSES(tia_sum_return(NULL, 1));
-    REFUSES(tia_sum_return(&target, 0));
-    REFUSES(tia_sum_return(&target, 65537));
-    GIVES(TIA_OK, tia_sum_return(&target, 65536));
-    GIVES(TIA_OK, tia_clear_depth(&bare) | tia_clear_stencil(&bare, 1, 1) | tia_clear_count(&bare, 1) |
-                      tia_clear_colour(&bare, white) | tia_clear_sum(&bare) | tia_sum_add(&bare, 1) |
-                      tia_sum_return(&bare, 1));
+    REFUSES(tia_raster_clear_depth(NULL));
+    REFUSES(tia_raster_clear_stencil(NULL, 0, 255));
+    REFUSES(tia_raster_clear_count(NULL, 0));
+    REFUSES(tia_raster_clear_colour(NULL, white));
+    REFUSES(tia_raster_clear_colour(&target, NULL));
+    REFUSES(tia_raster_clear_sum(NULL));
+    REFUSES(tia_raster_sum_add(NULL, 1));
+    REFUSES(tia_raster_sum_add(&target, 65537));
+    REFUSES(tia_raster_sum_add(&target, UINT32_MAX));
+    REFUSES(tia_raster_sum_return(NULL, 1));
+    REFUSES(tia_raster_sum_return(&target, 0));
+    REFUSES(tia_raster_sum_return(&target, 65537));
+    GIVES(TIA_OK, tia_raster_sum_return(&target, 65536));
+    GIVES(TIA_OK, tia_raster_clear_depth(&bare) | tia_raster_clear_stencil(&bare, 1, 1) |
+                      tia_raster_clear_count(&bare, 1) | tia_raster_clear_colour(&bare, white) |
+                      tia_raster_clear_sum(&bare) | tia_raster_sum_add(&bare, 1) | tia_raster_sum_return(&bare, 1));
     misuse_end();
 }
 
@@ -161,22 +161,22 @@ TEST(misuse_of_interpolation)
 {
     const tia_q16 values[3] = {INT32_MAX, INT32_MIN, 0}, ones[3] = {7, 7, 7};
     struct tia_raster_vertex far[3] = {triangle[0], triangle[1], triangle[2]};
-    struct tia_corners corners, made;
+    struct tia_raster_corners corners, made;
 
     prepare();
     far[2].y = INT64_MIN;
-    CHECK(tia_corners_init(&corners, &lattice, triangle));
-    GIVES(0, tia_corners_init(NULL, &lattice, triangle));
-    GIVES(0, tia_corners_init(&made, NULL, triangle));
-    GIVES(0, tia_corners_init(&made, &lattice, NULL));
-    GIVES(0, tia_corners_init(&made, &lattice, far));
-    GIVES(0, tia_corners_blend(NULL, 1, 1, ones));
-    GIVES(0, tia_corners_blend(&corners, 1, 1, NULL));
-    GIVES(0, tia_corners_blend(&corners, INT_MAX, INT_MIN, values));
-    GIVES(0, tia_corners_blend(&corners, INT_MAX, INT_MAX, ones));
-    GIVES(0, tia_corners_blend(&corners, -1, 0, ones));
-    GIVES(0, tia_corners_blend(&corners, 0, TIA_SIZE_MAX, ones));
-    GIVES(7, tia_corners_blend(&corners, 4, 4, ones));
+    CHECK(tia_raster_corners_init(&corners, &lattice, triangle));
+    GIVES(0, tia_raster_corners_init(NULL, &lattice, triangle));
+    GIVES(0, tia_raster_corners_init(&made, NULL, triangle));
+    GIVES(0, tia_raster_corners_init(&made, &lattice, NULL));
+    GIVES(0, tia_raster_corners_init(&made, &lattice, far));
+    GIVES(0, tia_raster_corners_blend(NULL, 1, 1, ones));
+    GIVES(0, tia_raster_corners_blend(&corners, 1, 1, NULL));
+    GIVES(0, tia_raster_corners_blend(&corners, INT_MAX, INT_MIN, values));
+    GIVES(0, tia_raster_corners_blend(&corners, INT_MAX, INT_MAX, ones));
+    GIVES(0, tia_raster_corners_blend(&corners, -1, 0, ones));
+    GIVES(0, tia_raster_corners_blend(&corners, 0, TIA_SIZE_MAX, ones));
+    GIVES(7, tia_raster_corners_blend(&corners, 4, 4, ones));
     misuse_end();
 }
 

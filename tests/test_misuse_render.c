@@ -123,7 +123,7 @@ TEST(misuse_of_hits)
     GIVES(1, (tia_hits_init(&hits, NULL, size, misuse_view, misuse_frame), hits == NULL));
     GIVES(TIA_NO_OBJECT, tia_hits_object(NULL, 0, 0));
     GIVES(TIA_NO_OBJECT, tia_hits_object(misuse_hits, 5, 5)); /* nothing is traced */
-    CHECK_EQ(tia_trace(misuse_view, misuse_hits, misuse_frame), TIA_OK);
+    CHECK_EQ(tia_view_trace(misuse_view, misuse_hits, misuse_frame), TIA_OK);
     GIVES(TIA_NO_OBJECT, tia_hits_object(misuse_hits, MISUSE_W, 0));
     GIVES(TIA_NO_OBJECT, tia_hits_object(misuse_hits, 0, MISUSE_H));
     GIVES(TIA_NO_OBJECT, tia_hits_object(misuse_hits, UINT_MAX, UINT_MAX));
@@ -140,28 +140,28 @@ TEST(misuse_of_tracing)
     misuse_prepare();
     CHECK_EQ(misuse_init(&other, other_memory, sizeof other_memory, &misuse_scene, MISUSE_W, MISUSE_H), TIA_OK);
     CHECK_EQ(tia_hits_init(&hits, misuse_memory, sizeof misuse_memory, misuse_view, TILE(20, 10, 60, 60)), TIA_OK);
-    REFUSES(tia_trace(NULL, misuse_hits, misuse_frame));
-    REFUSES(tia_trace(misuse_view, NULL, misuse_frame));
-    REFUSES(tia_trace(other, misuse_hits, misuse_frame));
-    REFUSES(tia_trace(misuse_view, misuse_hits, TILE(0, 0, 0, 0)));
-    REFUSES(tia_trace(misuse_view, misuse_hits, TILE(1, 0, MISUSE_W, MISUSE_H)));
-    REFUSES(tia_trace(misuse_view, misuse_hits, TILE(0, 1, MISUSE_W, MISUSE_H)));
-    REFUSES(tia_trace(misuse_view, misuse_hits, TILE(65530, 0, 10, 10)));
-    REFUSES(tia_trace(misuse_view, misuse_hits, TILE(0, 65535, 1, 65535)));
-    REFUSES(tia_trace(misuse_view, hits, TILE(20, 10, 60, 60))); /* in the hits, not in the image */
-    REFUSES(tia_trace(misuse_view, hits, TILE(19, 10, 2, 2)));
-    GIVES(TIA_OK, tia_trace(misuse_view, hits, TILE(20, 10, 12, 14)));
+    REFUSES(tia_view_trace(NULL, misuse_hits, misuse_frame));
+    REFUSES(tia_view_trace(misuse_view, NULL, misuse_frame));
+    REFUSES(tia_view_trace(other, misuse_hits, misuse_frame));
+    REFUSES(tia_view_trace(misuse_view, misuse_hits, TILE(0, 0, 0, 0)));
+    REFUSES(tia_view_trace(misuse_view, misuse_hits, TILE(1, 0, MISUSE_W, MISUSE_H)));
+    REFUSES(tia_view_trace(misuse_view, misuse_hits, TILE(0, 1, MISUSE_W, MISUSE_H)));
+    REFUSES(tia_view_trace(misuse_view, misuse_hits, TILE(65530, 0, 10, 10)));
+    REFUSES(tia_view_trace(misuse_view, misuse_hits, TILE(0, 65535, 1, 65535)));
+    REFUSES(tia_view_trace(misuse_view, hits, TILE(20, 10, 60, 60))); /* in the hits, not in the image */
+    REFUSES(tia_view_trace(misuse_view, hits, TILE(19, 10, 2, 2)));
+    GIVES(TIA_OK, tia_view_trace(misuse_view, hits, TILE(20, 10, 12, 14)));
     misuse_end();
 }
 
 static int light_with(struct tia_surface surface)
 {
-    return tia_light_tile(misuse_view, misuse_hits, misuse_frame, &surface, NULL);
+    return tia_view_light(misuse_view, misuse_hits, misuse_frame, &surface, NULL);
 }
 
 static int render_with(struct tia_surface surface)
 {
-    return tia_render(misuse_view, misuse_hits, misuse_frame, &surface, NULL);
+    return tia_view_draw(misuse_view, misuse_hits, misuse_frame, &surface, NULL);
 }
 
 TEST(misuse_of_lighting)
@@ -169,15 +169,15 @@ TEST(misuse_of_lighting)
     const struct tia_surface *to = &misuse_surface;
 
     misuse_prepare();
-    REFUSES(tia_light_tile(misuse_view, misuse_hits, misuse_frame, to, NULL)); /* nothing is traced */
-    REFUSES(tia_trace(misuse_view, misuse_hits, TILE(MISUSE_W, 0, 1, 1)),
-            tia_light_tile(misuse_view, misuse_hits, misuse_frame, to, NULL));
-    CHECK_EQ(tia_trace(misuse_view, misuse_hits, misuse_frame), TIA_OK);
-    REFUSES(tia_light_tile(NULL, misuse_hits, misuse_frame, to, NULL));
-    REFUSES(tia_light_tile(misuse_view, NULL, misuse_frame, to, NULL));
-    REFUSES(tia_light_tile(misuse_view, misuse_hits, misuse_frame, NULL, NULL));
-    REFUSES(tia_light_tile(misuse_view, misuse_hits, TILE(0, 0, 0, 1), to, NULL));
-    REFUSES(tia_light_tile(misuse_view, misuse_hits, TILE(1, 0, MISUSE_W, 1), to, NULL));
+    REFUSES(tia_view_light(misuse_view, misuse_hits, misuse_frame, to, NULL)); /* nothing is traced */
+    REFUSES(tia_view_trace(misuse_view, misuse_hits, TILE(MISUSE_W, 0, 1, 1)),
+            tia_view_light(misuse_view, misuse_hits, misuse_frame, to, NULL));
+    CHECK_EQ(tia_view_trace(misuse_view, misuse_hits, misuse_frame), TIA_OK);
+    REFUSES(tia_view_light(NULL, misuse_hits, misuse_frame, to, NULL));
+    REFUSES(tia_view_light(misuse_view, NULL, misuse_frame, to, NULL));
+    REFUSES(tia_view_light(misuse_view, misuse_hits, misuse_frame, NULL, NULL));
+    REFUSES(tia_view_light(misuse_view, misuse_hits, TILE(0, 0, 0, 1), to, NULL));
+    REFUSES(tia_view_light(misuse_view, misuse_hits, TILE(1, 0, MISUSE_W, 1), to, NULL));
     REFUSES(light_with((struct tia_surface){.pixels = NULL, .step = 2, .pitch = 2 * MISUSE_W}));
     REFUSES(light_with((struct tia_surface){.pixels = MISALIGNED(misuse_memory), .step = 2, .pitch = 2 * MISUSE_W}));
     REFUSES(light_with((struct tia_surface){.pixels = (void *)misuse_memory, .step = 3, .pitch = 2 * MISUSE_W}));
@@ -193,18 +193,18 @@ TEST(misuse_of_rendering)
     const struct tia_surface *to = &misuse_surface;
 
     misuse_prepare();
-    REFUSES(tia_render(NULL, misuse_hits, misuse_frame, to, NULL));
-    REFUSES(tia_render(misuse_view, NULL, misuse_frame, to, NULL));
-    REFUSES(tia_render(misuse_view, misuse_hits, misuse_frame, NULL, NULL));
-    REFUSES(tia_render(misuse_view, misuse_hits, TILE(0, 0, 0, 0), to, NULL));
-    REFUSES(tia_render(misuse_view, misuse_hits, TILE(0, 0, 1, MISUSE_H + 1), to, NULL));
+    REFUSES(tia_view_draw(NULL, misuse_hits, misuse_frame, to, NULL));
+    REFUSES(tia_view_draw(misuse_view, NULL, misuse_frame, to, NULL));
+    REFUSES(tia_view_draw(misuse_view, misuse_hits, misuse_frame, NULL, NULL));
+    REFUSES(tia_view_draw(misuse_view, misuse_hits, TILE(0, 0, 0, 0), to, NULL));
+    REFUSES(tia_view_draw(misuse_view, misuse_hits, TILE(0, 0, 1, MISUSE_H + 1), to, NULL));
     REFUSES(render_with((struct tia_surface){.pixels = NULL, .step = 2, .pitch = 2 * MISUSE_W}));
     REFUSES(render_with((struct tia_surface){.pixels = (void *)misuse_memory, .step = 1, .pitch = 2 * MISUSE_W}));
     REFUSES(render_with((struct tia_surface){.pixels = MISALIGNED(misuse_memory), .step = 2, .pitch = 2 * MISUSE_W}));
     GIVES(TIA_OK, render_with(misuse_surface));
-    GIVES(TIA_OK, tia_render(misuse_view, misuse_hits, misuse_frame, to, NULL)
+    GIVES(TIA_OK, tia_view_draw(misuse_view, misuse_hits, misuse_frame, to, NULL)
                       ? 1
-                      : tia_light_tile(misuse_view, misuse_hits, misuse_frame, to, NULL));
+                      : tia_view_light(misuse_view, misuse_hits, misuse_frame, to, NULL));
     misuse_end();
 }
 
@@ -219,12 +219,12 @@ TEST(misuse_of_hits_of_spans)
     CHECK_EQ(tia_view_init(&spans, memory, sizeof memory, &tia_thesis_scene, 1, MISUSE_W, MISUSE_H, NULL), TIA_OK);
     memset(misuse_memory, 0x5a, sizeof misuse_memory);
     CHECK_EQ(tia_hits_init(&hits, misuse_memory, sizeof misuse_memory, spans, misuse_frame), TIA_OK);
-    REFUSES(tia_light_tile(spans, hits, tile, &misuse_surface, NULL));
-    REFUSES(tia_light_tile(spans, misuse_hits, tile, &misuse_surface, NULL));
-    REFUSES(tia_trace(spans, misuse_hits, tile));
-    REFUSES(tia_render(spans, misuse_hits, tile, &misuse_surface, NULL));
+    REFUSES(tia_view_light(spans, hits, tile, &misuse_surface, NULL));
+    REFUSES(tia_view_light(spans, misuse_hits, tile, &misuse_surface, NULL));
+    REFUSES(tia_view_trace(spans, misuse_hits, tile));
+    REFUSES(tia_view_draw(spans, misuse_hits, tile, &misuse_surface, NULL));
     GIVES(TIA_NO_OBJECT, tia_hits_object(hits, 4, 4));
-    GIVES(TIA_OK, tia_render(spans, hits, tile, &misuse_surface, NULL));
+    GIVES(TIA_OK, tia_view_draw(spans, hits, tile, &misuse_surface, NULL));
     misuse_end();
 }
 
@@ -243,12 +243,12 @@ TEST(misuse_of_levels)
         GIVES(TIA_ERR_MEMORY, tia_view_set_simd(misuse_view, simd, misuse_memory, need - 1));
         GIVES(1, tia_simd_size(simd, &misuse_scene, UINT32_MAX, 1) > UINT32_MAX);
         CHECK_EQ(tia_view_set_simd(misuse_view, simd, misuse_memory, sizeof misuse_memory), TIA_OK);
-        REFUSES(tia_light_tile(misuse_view, misuse_hits, misuse_frame, NULL, NULL));
+        REFUSES(tia_view_light(misuse_view, misuse_hits, misuse_frame, NULL, NULL));
         GIVES(TIA_NO_OBJECT, tia_hits_object(misuse_hits, MISUSE_W, 0));
         /* The hits do not contain the pixels that the level has traced. */
-        REFUSES(tia_trace(misuse_view, misuse_hits, misuse_frame) || tia_view_set_simd(misuse_view, NULL, NULL, 0)
+        REFUSES(tia_view_trace(misuse_view, misuse_hits, misuse_frame) || tia_view_set_simd(misuse_view, NULL, NULL, 0)
                     ? 1
-                    : tia_light_tile(misuse_view, misuse_hits, misuse_frame, &misuse_surface, NULL));
+                    : tia_view_light(misuse_view, misuse_hits, misuse_frame, &misuse_surface, NULL));
     }
     GIVES(0, tia_simd_at(UINT_MAX) != NULL);
     REFUSES(tia_simd_named(NULL, &simd));

@@ -294,22 +294,22 @@ TEST(misuse_of_keys)
     scene = misuse_scene;
     scene.bindings = &binding;
     scene.binding_count = 1;
-    REFUSES(tia_press(NULL, lights, &one, MISUSE_LIGHTS, 'a'));
-    REFUSES(tia_press(&scene, NULL, &one, MISUSE_LIGHTS, 'a'));
-    REFUSES(tia_press(&scene, lights, NULL, MISUSE_LIGHTS, 'a'));
-    REFUSES(tia_press(&scene, lights, &five, 1, 'a'));
-    REFUSES(tia_press(&scene, NULL, &one, 0, TIA_KEY_LEFT));
-    GIVES(0, tia_press(&scene, NULL, &none, 0, 'a'));
-    GIVES(0, tia_press(&scene, NULL, &none, 0, TIA_KEY_LEFT));
-    GIVES(0, tia_press(&scene, dark, &one, 1, TIA_KEY_LEFT)); /* it has no direction to turn */
-    GIVES(0, tia_press(&scene, odd, &one, 1, TIA_KEY_LEFT));
-    GIVES(1, tia_press(&scene, lights, &one, MISUSE_LIGHTS, 'a'));
-    GIVES(TIA_NO_LIGHT, tia_key_light(NULL, lights, 1, 'a'));
-    GIVES(TIA_NO_LIGHT, tia_key_light(&scene, NULL, 1, TIA_KEY_LEFT));
-    GIVES(0, tia_key_light(&scene, NULL, 0, 'a'));
-    GIVES(5, tia_frame_time(5, 9, NULL));
-    GIVES(INT32_MAX, tia_frame_time(0, 5, (const uint32_t[2]){0, 0}));
-    GIVES(INT32_MAX, tia_frame_time(INT32_MAX, UINT32_MAX, (const uint32_t[2]){1, UINT32_MAX}));
+    REFUSES(tia_viewer_press(NULL, lights, &one, MISUSE_LIGHTS, 'a'));
+    REFUSES(tia_viewer_press(&scene, NULL, &one, MISUSE_LIGHTS, 'a'));
+    REFUSES(tia_viewer_press(&scene, lights, NULL, MISUSE_LIGHTS, 'a'));
+    REFUSES(tia_viewer_press(&scene, lights, &five, 1, 'a'));
+    REFUSES(tia_viewer_press(&scene, NULL, &one, 0, TIA_KEY_LEFT));
+    GIVES(0, tia_viewer_press(&scene, NULL, &none, 0, 'a'));
+    GIVES(0, tia_viewer_press(&scene, NULL, &none, 0, TIA_KEY_LEFT));
+    GIVES(0, tia_viewer_press(&scene, dark, &one, 1, TIA_KEY_LEFT)); /* it has no direction to turn */
+    GIVES(0, tia_viewer_press(&scene, odd, &one, 1, TIA_KEY_LEFT));
+    GIVES(1, tia_viewer_press(&scene, lights, &one, MISUSE_LIGHTS, 'a'));
+    GIVES(TIA_NO_LIGHT, tia_viewer_key_light(NULL, lights, 1, 'a'));
+    GIVES(TIA_NO_LIGHT, tia_viewer_key_light(&scene, NULL, 1, TIA_KEY_LEFT));
+    GIVES(0, tia_viewer_key_light(&scene, NULL, 0, 'a'));
+    GIVES(5, tia_viewer_frame_time(5, 9, NULL));
+    GIVES(INT32_MAX, tia_viewer_frame_time(0, 5, (const uint32_t[2]){0, 0}));
+    GIVES(INT32_MAX, tia_viewer_frame_time(INT32_MAX, UINT32_MAX, (const uint32_t[2]){1, UINT32_MAX}));
     misuse_end();
 }
 

@@ -41,10 +41,10 @@ static uint32_t watch(const char *text)
     CHECK_EQ(core->view_init(core, &view, view_memory, view_size, &r.scene, r.scene.light_count, SIDE, SIDE, NULL),
              TIA_OK);
     CHECK_EQ(tia_hits_init(&hits, hits_memory, hits_size, view, middle), TIA_OK);
-    CHECK_EQ(tia_render(view, hits, middle, &surface,
-                        &(struct tia_options){.debug = &(struct tia_debug){.observer = &observer}}),
+    CHECK_EQ(tia_view_draw(view, hits, middle, &surface,
+                           &(struct tia_options){.debug = &(struct tia_debug){.observer = &observer}}),
              TIA_OK);
-    CHECK_EQ(tia_render(view, hits, middle, &again, NULL), TIA_OK);
+    CHECK_EQ(tia_view_draw(view, hits, middle, &again, NULL), TIA_OK);
     CHECK_EQ(pixel, same);
     free(view_memory);
     free(hits_memory);

@@ -84,7 +84,7 @@ TEST(layers)
 {
     begin_opacity(0);
     scene.depth = 1;
-    for (int i = 0; i < TIA_LAYERS; i++)
+    for (int i = 0; i < TIA_LAYERS_MAX; i++)
         add_disc(-1 - i / 64.0, PANE);
     see(0, 0, 0, 0, 0xffff);
     add_disc(-7, PANE);
@@ -219,17 +219,17 @@ TEST(shadows_of_cells)
 /* As many as a ray from the eye passes. */
 TEST(shadows_of_many_layers)
 {
-    static struct tia_vec3 corners[3 * (TIA_LAYERS + 1)];
-    static struct tia_face faces[TIA_LAYERS + 1];
+    static struct tia_vec3 corners[3 * (TIA_LAYERS_MAX + 1)];
+    static struct tia_face faces[TIA_LAYERS_MAX + 1];
 
     begin_shadow(0);
-    for (uint32_t i = 0; i < 3 * (TIA_LAYERS + 1); i++) {
+    for (uint32_t i = 0; i < 3 * (TIA_LAYERS_MAX + 1); i++) {
         corners[i] = (struct tia_vec3){Q16(i % 3 == 1 ? 0.1 : -0.1), Q16(i % 3 == 2 ? 0.1 : -0.1),
                                        Q16(-1.5 - (double)(i / 3) / 512)};
         faces[i / 3].corner[i % 3] = (struct tia_corner){i, TIA_NO_INDEX, TIA_NO_INDEX};
     }
-    mesh = (struct tia_mesh){.vertices = corners, .faces = faces, .vertex_count = 3 * (TIA_LAYERS + 1)};
-    mesh.face_count = TIA_LAYERS;
+    mesh = (struct tia_mesh){.vertices = corners, .faces = faces, .vertex_count = 3 * (TIA_LAYERS_MAX + 1)};
+    mesh.face_count = TIA_LAYERS_MAX;
     scene.mesh_count = 1;
     add(TIA_MESH, PANE);
     see(0, 0, -3, 0, 0xffff);

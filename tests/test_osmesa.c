@@ -206,8 +206,8 @@ static bool draw_frame(uint16_t key, tia_rgb565 *image, struct tia_tile all)
     view_memory = malloc(view_size);
     drawn =
         !core->view_init(core, &view, view_memory, view_size, &scene, scene.light_count, all.width, all.height, NULL) &&
-        !tia_hits_init(&hits, hits_memory, hits_size, view, all) && !tia_trace(view, hits, all) &&
-        !tia_light_tile(view, hits, all, &surface, NULL);
+        !tia_hits_init(&hits, hits_memory, hits_size, view, all) && !tia_view_trace(view, hits, all) &&
+        !tia_view_light(view, hits, all, &surface, NULL);
     free(view_memory);
     free(hits_memory);
     return drawn;

@@ -12,7 +12,7 @@ static uint16_t colour[3 * PIXELS];
 static struct oracle_raster oracle;
 
 struct trial {
-    struct tia_lattice lattice;
+    struct tia_raster_grid lattice;
     struct tia_raster_target target;
     void *memory;
     struct tia_tile area;
@@ -26,8 +26,9 @@ static void begin_image(struct trial *t, unsigned buffers, unsigned range, const
     struct oracle_image image = {t->flat ? TIA_ORTHOGRAPHIC : TIA_PERSPECTIVE, size[0], size[1], (int)samples,
                                  (int)random_below(samples)};
 
-    CHECK_EQ(tia_lattice_init(&t->lattice, image.projection, size[0], size[1], samples, (uint32_t)image.sample, range),
-             TIA_OK);
+    CHECK_EQ(
+        tia_raster_grid_init(&t->lattice, image.projection, size[0], size[1], samples, (uint32_t)image.sample, range),
+        TIA_OK);
     t->area.width = (uint16_t)(1 + random_below(size[0] < 32 ? size[0] : 32));
     t->area.height = (uint16_t)(1 + random_below(size[1] < 32 ? size[1] : 32));
     t->area.x = (uint16_t)random_below(size[0] - t->area.width + UINT64_C(1));
@@ -68,11 +69,11 @@ static void compare(const struct trial *t, const char *what)
 
 static void draw(struct trial *t, const struct tia_raster_state *s, const struct random_polygon *p, uint32_t id)
 {
-    CHECK_EQ(tia_draw_polygon(&t->target, s, p->v, p->count, id), TIA_OK);
+    CHECK_EQ(tia_raster_draw(&t->target, s, p->v, p->count, id), TIA_OK);
     oracle_draw(&oracle, s, p->v, (int)p->count, id);
 }
 
-static int64_t most_of(const struct tia_lattice *l, unsigned range)
+static int64_t most_of(const struct tia_raster_grid *l, unsigned range)
 {
     return ((INT64_C(1) << (l->fraction + (int)range)) - 1) / 40 * 40;
 }
@@ -89,8 +90,8 @@ static void make_level(struct random_polygon *p, int64_t most)
 /* Tests the nearest faces, of soups in all formats and sizes. */
 static void nearest(bool flat, unsigned ranges, int trials)
 {
-    const struct tia_stencil always = {.test = TIA_ALWAYS};
-    const struct tia_raster_state state = {TIA_LESS, .depth_write = true, .front = always, .back = always};
+    const struct tia_stencil always = {.test = TIA_COMPARE_ALWAYS};
+    const struct tia_raster_state state = {TIA_COMPARE_LESS, .depth_write = true, .front = always, .back = always};
     uint64_t exact = 0;
 
     for (int i = 0; i < trials; i++) {
@@ -161,8 +162,8 @@ static void check_nearness(const struct trial *t)
 /* Checks small and steep polygons, from -2^range to 2^range and, `beyond`, to twice that, where nearness is clamped. */
 static void check_steep(struct trial *t, unsigned range, unsigned beyond)
 {
-    const struct tia_stencil always = {.test = TIA_ALWAYS};
-    const struct tia_raster_state state = {TIA_LESS, .depth_write = true, .front = always, .back = always};
+    const struct tia_stencil always = {.test = TIA_COMPARE_ALWAYS};
+    const struct tia_raster_state state = {TIA_COMPARE_LESS, .depth_write = true, .front = always, .back = always};
 
     begin(t, TIA_BUFFER_DEPTH, range);
     for (uint32_t id = 0; id < 4; id++) {
@@ -189,8 +190,8 @@ TEST(orthographic_nearness_errs_by_no_more_where_h_changes_its_sign)
 /* From one pixel to the next almost from -2^range to 2^range: the largest step that there is. */
 TEST(orthographic_nearness_steps_over_both_signs_at_once)
 {
-    const struct tia_stencil always = {.test = TIA_ALWAYS};
-    const struct tia_raster_state state = {TIA_LESS, .depth_write = true, .front = always, .back = always};
+    const struct tia_stencil always = {.test = TIA_COMPARE_ALWAYS};
+    const struct tia_raster_state state = {TIA_COMPARE_LESS, .depth_write = true, .front = always, .back = always};
 
     for (unsigned i = 0; i < 100; i++) {
         struct trial t = {.flat = true};
@@ -212,8 +213,8 @@ TEST(orthographic_nearness_steps_over_both_signs_at_once)
 TEST(the_filter_tells_orthographic_depths_of_both_signs_apart)
 {
     static const int8_t depths[4][2] = {{-8, -7}, {7, 8}, {-8, 8}, {-1, 1}};
-    const struct tia_stencil always = {.test = TIA_ALWAYS};
-    const struct tia_raster_state state = {TIA_LESS, .depth_write = true, .front = always, .back = always};
+    const struct tia_stencil always = {.test = TIA_COMPARE_ALWAYS};
+    const struct tia_raster_state state = {TIA_COMPARE_LESS, .depth_write = true, .front = always, .back = always};
 
     for (unsigned i = 0; i < 8; i++) {
         struct trial t = {.flat = true};
@@ -232,8 +233,8 @@ TEST(the_filter_tells_orthographic_depths_of_both_signs_apart)
 
 TEST(nearness_errs_by_no_more_than_derived)
 {
-    const struct tia_stencil always = {.test = TIA_ALWAYS};
-    const struct tia_raster_state state = {TIA_LESS, .depth_write = true, .front = always, .back = always};
+    const struct tia_stencil always = {.test = TIA_COMPARE_ALWAYS};
+    const struct tia_raster_state state = {TIA_COMPARE_LESS, .depth_write = true, .front = always, .back = always};
 
     for (int i = 0; i < 1000; i++) {
         struct trial t = {.flat = i % 4 == 0};

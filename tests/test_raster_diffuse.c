@@ -126,12 +126,12 @@ static size_t differing(const struct tia_scene *scene, bool dither)
 
     CHECK_EQ(tia_view_init(&view, memory[0], sizes[0], scene, scene->light_count, WIDTH, HEIGHT, NULL), TIA_OK);
     CHECK_EQ(tia_hits_init(&hits, memory[1], sizes[1], view, all), TIA_OK);
-    CHECK_EQ(tia_trace(view, hits, all), TIA_OK);
+    CHECK_EQ(tia_view_trace(view, hits, all), TIA_OK);
     for (int i = 0; i < 2; i++) {
         struct tia_surface surface = {
             .pixels = pixels[i], .step = sizeof(tia_rgb565), .pitch = WIDTH * sizeof(tia_rgb565)};
         struct tia_options options = {.dither = dither, .debug = &(struct tia_debug){.lit = i ? lit : NULL}};
-        CHECK_EQ(tia_light_tile(view, hits, all, &surface, &options), TIA_OK);
+        CHECK_EQ(tia_view_light(view, hits, all, &surface, &options), TIA_OK);
     }
     for (size_t i = 0; i < WIDTH * HEIGHT; i++)
         wrong += pixels[0][i] != pixels[1][i];

@@ -41,7 +41,7 @@ static int64_t any(unsigned bits)
     return random_bits() & 1 ? -size : size;
 }
 
-static void check_plane(const struct tia_lattice *l, const struct tia_raster_vertex v[3], unsigned *seen)
+static void check_plane(const struct tia_raster_grid *l, const struct tia_raster_vertex v[3], unsigned *seen)
 {
     bool flat = l->projection == TIA_ORTHOGRAPHIC;
     struct tia_raster_plane plane;
@@ -71,9 +71,9 @@ static void check_planes(enum tia_projection projection)
     for (int i = 0; i < 2000; i++) {
         unsigned range = (unsigned)(random_bits() % 12);
         struct tia_raster_vertex v[3];
-        struct tia_lattice l;
-        CHECK(!tia_lattice_init(&l, projection, 1 + (unsigned)random_short(13), 1 + (unsigned)random_short(13), 1, 0,
-                                range));
+        struct tia_raster_grid l;
+        CHECK(!tia_raster_grid_init(&l, projection, 1 + (unsigned)random_short(13), 1 + (unsigned)random_short(13), 1,
+                                    0, range));
         bool flat = projection == TIA_ORTHOGRAPHIC;
         int64_t one = INT64_C(1) << l.fraction;
         for (int k = 0; k < 3; k++) {
@@ -93,8 +93,8 @@ TEST(a_wall)
 {
     for (int flat = 0; flat < 2; flat++) {
         struct tia_raster_plane plane;
-        struct tia_lattice l;
-        CHECK(!tia_lattice_init(&l, flat ? TIA_ORTHOGRAPHIC : TIA_PERSPECTIVE, 90, 70, 1, 0, 4));
+        struct tia_raster_grid l;
+        CHECK(!tia_raster_grid_init(&l, flat ? TIA_ORTHOGRAPHIC : TIA_PERSPECTIVE, 90, 70, 1, 0, 4));
         int64_t one = INT64_C(1) << l.fraction, far = 15 * one / 2, w = flat ? one : far, h = flat ? -far : 1;
         const struct tia_raster_vertex v[3] = {{-one, -one, w, h}, {one, -one, w, h}, {0, one, w, h}};
         CHECK(!tia_raster_plane_init(&plane, &l, v, 3));

@@ -10,9 +10,9 @@
 #define tia_depth_at halves_depth_at
 #define tia_depth_plane halves_depth_plane
 #define tia_depth_order halves_depth_order
-#define tia_draw_polygon halves_draw_polygon
-#define tia_corners_init halves_corners_init
-#define tia_corners_blend halves_corners_blend
+#define tia_raster_draw halves_raster_draw
+#define tia_raster_corners_init halves_raster_corners_init
+#define tia_raster_corners_blend halves_raster_corners_blend
 #define tia_polygon_cut_ahead halves_polygon_cut_ahead
 #define tia_raster_plane_init halves_raster_plane_init
 #include "raster/box.c"
@@ -22,13 +22,14 @@
 #include "raster/rows.c"
 #undef UNSURE
 #include "raster/blend.c"
-#undef tia_draw_polygon
-#undef tia_corners_init
-#undef tia_corners_blend
-int tia_draw_polygon(struct tia_raster_target *, const struct tia_raster_state *, const struct tia_raster_vertex *,
-                     unsigned, uint32_t);
-bool tia_corners_init(struct tia_corners *, const struct tia_lattice *, const struct tia_raster_vertex[3]);
-tia_q16 tia_corners_blend(const struct tia_corners *, int, int, const tia_q16[3]);
+#undef tia_raster_draw
+#undef tia_raster_corners_init
+#undef tia_raster_corners_blend
+int tia_raster_draw(struct tia_raster_target *, const struct tia_raster_state *, const struct tia_raster_vertex *,
+                    unsigned, uint32_t);
+bool tia_raster_corners_init(struct tia_raster_corners *, const struct tia_raster_grid *,
+                             const struct tia_raster_vertex[3]);
+tia_q16 tia_raster_corners_blend(const struct tia_raster_corners *, int, int, const tia_q16[3]);
 
 #include "raster_random.h"
 
@@ -40,11 +41,11 @@ _Static_assert(!TIA_INT128, "128-bit integers are used all the same");
 static void compare(enum tia_projection projection, unsigned range)
 {
     const struct tia_tile area = {13, 200, 90, 70};
-    struct tia_lattice lattice;
+    struct tia_raster_grid lattice;
     struct random_polygon p = {.count = 0};
     void *memory[2];
 
-    CHECK_EQ(tia_lattice_init(&lattice, projection, 640, 480, 4, (uint32_t)random_below(4), range), TIA_OK);
+    CHECK_EQ(tia_raster_grid_init(&lattice, projection, 640, 480, 4, (uint32_t)random_below(4), range), TIA_OK);
     int64_t most = ((INT64_C(1) << (lattice.fraction + (int)range)) - 1) / 40 * 40;
     struct tia_raster_target a = target_of(&lattice, area, ALL, FACES, &memory[0]), b = a;
     size_t size = tia_raster_size(area, ALL, FACES);
@@ -53,7 +54,7 @@ static void compare(enum tia_projection projection, unsigned range)
     for (uint32_t id = 0; id < FACES; id++) {
         struct tia_raster_state s = random_state_of_all();
         random_polygon(&p, &lattice, area, most);
-        CHECK_EQ(tia_draw_polygon(&a, &s, p.v, p.count, id), halves_draw_polygon(&b, &s, p.v, p.count, id));
+        CHECK_EQ(tia_raster_draw(&a, &s, p.v, p.count, id), halves_raster_draw(&b, &s, p.v, p.count, id));
     }
     CHECK(memcmp(memory[0], memory[1], size) == 0);
     CHECK_EQ(a.exact, b.exact);
@@ -74,17 +75,17 @@ TEST(values_are_the_same)
 {
     for (int i = 0; i < 3000; i++) {
         const struct tia_tile area = {0, 0, 640, 480};
-        struct tia_lattice lattice;
+        struct tia_raster_grid lattice;
         struct random_polygon p = {.count = 0};
-        struct tia_corners corners[2];
+        struct tia_raster_corners corners[2];
         const tia_q16 a[3] = {(tia_q16)random_bits(), (tia_q16)random_size(9), (tia_q16)random_bits()};
         int x = (int)random_below(640), y = (int)random_below(480);
-        CHECK_EQ(tia_lattice_init(&lattice, TIA_PERSPECTIVE, 640, 480, 1, 0, 0), TIA_OK);
+        CHECK_EQ(tia_raster_grid_init(&lattice, TIA_PERSPECTIVE, 640, 480, 1, 0, 0), TIA_OK);
         random_polygon(&p, &lattice, area, (INT64_C(1) << 25) / 40 * 40);
-        bool seen = tia_corners_init(&corners[0], &lattice, p.v);
-        CHECK_EQ(halves_corners_init(&corners[1], &lattice, p.v), seen);
+        bool seen = tia_raster_corners_init(&corners[0], &lattice, p.v);
+        CHECK_EQ(halves_raster_corners_init(&corners[1], &lattice, p.v), seen);
         CHECK(memcmp(&corners[0], &corners[1], sizeof corners[0]) == 0);
-        CHECK_EQ(halves_corners_blend(&corners[1], x, y, a), tia_corners_blend(&corners[0], x, y, a));
+        CHECK_EQ(halves_raster_corners_blend(&corners[1], x, y, a), tia_raster_corners_blend(&corners[0], x, y, a));
     }
 }
 

@@ -94,8 +94,8 @@ static void trace(const struct tia_core *core, const struct tia_scene *scene)
 
     CHECK_EQ(core->view_init(core, &view, view_memory, view_size, scene, 0, WIDTH, HEIGHT, NULL), TIA_OK);
     CHECK_EQ(tia_hits_init(&hits, hits_memory, hits_size, view, all), TIA_OK);
-    CHECK_EQ(tia_trace(view, hits, all), TIA_OK);
-    CHECK_EQ(tia_light_tile(view, hits, all, &surface, NULL), TIA_OK);
+    CHECK_EQ(tia_view_trace(view, hits, all), TIA_OK);
+    CHECK_EQ(tia_view_light(view, hits, all, &surface, NULL), TIA_OK);
     free(view_memory);
     free(hits_memory);
 }
@@ -108,30 +108,30 @@ static void draw_objects(struct tia_raster_target *target, const struct tia_flat
         uint32_t face = flat->objects[i].first_face, material = shapes[flat->objects[i].object].material;
         unsigned sides = tia_flat_corners(flat, face, corners);
         state->colour[0] = material < TRIANGLES ? colour_of(material) : BEHIND;
-        CHECK_EQ(tia_draw_polygon(target, state, corners, sides, face), TIA_OK);
+        CHECK_EQ(tia_raster_draw(target, state, corners, sides, face), TIA_OK);
     }
 }
 
 #define ANY                                                                                                            \
     {                                                                                                                  \
-        .test = TIA_ALWAYS, .mask = 255, .write = 255                                                                  \
+        .test = TIA_COMPARE_ALWAYS, .mask = 255, .write = 255                                                          \
     }
 
 /* Draws three passes, as in the manuals of OpenGL. No object is behind the mirror, so its plane needs not clip. */
 static void draw_mirrored(struct tia_raster_target *target, const struct tia_flat_scene *flat)
 {
     struct tia_raster_state state = {
-        .depth = TIA_LESS, .depth_write = true, .front = ANY, .back = ANY, .colour_write = {true, true, true}};
+        .depth = TIA_COMPARE_LESS, .depth_write = true, .front = ANY, .back = ANY, .colour_write = {true, true, true}};
 
     draw_objects(target, flat, 0, TRIANGLES + MIRROR, &state);
-    state.depth = TIA_EQUAL;
+    state.depth = TIA_COMPARE_EQUAL;
     state.front.reference = state.back.reference = 1;
-    state.front.zpass = state.back.zpass = TIA_REPLACE;
+    state.front.zpass = state.back.zpass = TIA_STENCIL_REPLACE;
     draw_objects(target, flat, TRIANGLES, MIRROR, &state);
-    tia_clear_depth(target);
-    state.depth = TIA_LESS;
-    state.front.test = state.back.test = TIA_EQUAL;
-    state.front.zpass = state.back.zpass = TIA_KEEP;
+    tia_raster_clear_depth(target);
+    state.depth = TIA_COMPARE_LESS;
+    state.front.test = state.back.test = TIA_COMPARE_EQUAL;
+    state.front.zpass = state.back.zpass = TIA_STENCIL_KEEP;
     draw_objects(target, flat, TRIANGLES + MIRROR, TRIANGLES, &state);
 }
 
@@ -152,7 +152,7 @@ static unsigned draw(const struct tia_scene *given)
     size = tia_raster_size(all, buffers, flat.face_count);
     void *memory = malloc(size);
     CHECK_EQ(tia_raster_init(&target, memory, size, &flat.lattice, all, buffers, flat.face_count), TIA_OK);
-    tia_clear_colour(&target, (const uint16_t[3]){BEHIND, 0, 0});
+    tia_raster_clear_colour(&target, (const uint16_t[3]){BEHIND, 0, 0});
     draw_mirrored(&target, &flat);
     for (unsigned i = 0; i < PIXELS; i++) {
         drawn[i] = target.colour[3 * i];

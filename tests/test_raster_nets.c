@@ -5,7 +5,8 @@
 #define COLUMNS 24
 
 /* Counts with the stencil buffer how often each pixel is drawn. */
-static const struct tia_stencil count_all = {TIA_ALWAYS, 0, 255, 255, TIA_INCR, TIA_INCR, TIA_INCR};
+static const struct tia_stencil count_all = {TIA_COMPARE_ALWAYS, 0, 255, 255, TIA_STENCIL_INCR, TIA_STENCIL_INCR,
+                                             TIA_STENCIL_INCR};
 
 struct net {
     struct tia_raster_vertex corner[ROWS + 1][COLUMNS];
@@ -32,15 +33,15 @@ static void make_net(struct net *n, int64_t size, int64_t jitter, bool far)
 /* Draws two triangles each; quads whose corners moved are not flat. */
 static void draw_net(struct tia_raster_target *t, const struct net *n)
 {
-    const struct tia_raster_state state = {.depth = TIA_ALWAYS, .front = count_all, .back = count_all};
+    const struct tia_raster_state state = {.depth = TIA_COMPARE_ALWAYS, .front = count_all, .back = count_all};
 
     for (int i = 0; i < ROWS; i++)
         for (int k = 0; k < COLUMNS; k++) {
             int next = (k + 1) % COLUMNS;
             const struct tia_raster_vertex a = n->corner[i][k], b = n->corner[i][next], c = n->corner[i + 1][next];
             const struct tia_raster_vertex d = n->corner[i + 1][k], halves[2][3] = {{a, b, c}, {a, c, d}};
-            CHECK_EQ(tia_draw_polygon(t, &state, halves[0], 3, TIA_NO_FACE), TIA_OK);
-            CHECK_EQ(tia_draw_polygon(t, &state, halves[1], 3, TIA_NO_FACE), TIA_OK);
+            CHECK_EQ(tia_raster_draw(t, &state, halves[0], 3, TIA_NO_FACE), TIA_OK);
+            CHECK_EQ(tia_raster_draw(t, &state, halves[1], 3, TIA_NO_FACE), TIA_OK);
         }
 }
 
@@ -48,12 +49,13 @@ static void try_net(unsigned range, int64_t size, int64_t jitter, bool far)
 {
     static const uint16_t sizes[][2] = {{160, 120}, {97, 61}, {64, 64}, {120, 160}};
     const uint16_t *image = sizes[random_below(4)];
-    struct tia_lattice lattice;
+    struct tia_raster_grid lattice;
     struct net net;
     void *memory;
     size_t holes = 0, twice = 0;
 
-    CHECK_EQ(tia_lattice_init(&lattice, TIA_PERSPECTIVE, image[0], image[1], 4, (uint32_t)random_below(4), range), 0);
+    CHECK_EQ(tia_raster_grid_init(&lattice, TIA_PERSPECTIVE, image[0], image[1], 4, (uint32_t)random_below(4), range),
+             0);
     struct tia_tile all = {0, 0, image[0], image[1]};
     struct tia_raster_target target = target_of(&lattice, all, TIA_BUFFER_STENCIL, 0, &memory);
     make_net(&net, size, jitter, far);

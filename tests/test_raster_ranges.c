@@ -10,7 +10,7 @@
 #define CORNERS 3
 #define PLACES 5 /* of pixels: the image's corners and its middle */
 
-static struct tia_tile whole_of(const struct tia_lattice *l)
+static struct tia_tile whole_of(const struct tia_raster_grid *l)
 {
     return (struct tia_tile){0, 0, l->width, l->height};
 }
@@ -21,14 +21,14 @@ static int64_t limit_of(bool flat)
 }
 
 /* Gives the image's outermost pixels, for n from 0 on, and one in its middle. */
-static void place(const struct tia_lattice *l, unsigned n, int *x, int *y)
+static void place(const struct tia_raster_grid *l, unsigned n, int *x, int *y)
 {
     *x = n == 4 ? l->width / 2 : n & 1 ? l->width - 1 : 0;
     *y = n == 4 ? l->height / 2 : n & 2 ? l->height - 1 : 0;
 }
 
 /* Makes corners whose coordinates are `most` or -most by the bits of `signs`, twice as much for directions. */
-static void make_extreme(struct tia_raster_vertex v[CORNERS], const struct tia_lattice *l, unsigned signs,
+static void make_extreme(struct tia_raster_vertex v[CORNERS], const struct tia_raster_grid *l, unsigned signs,
                          unsigned directions, int64_t most)
 {
     bool flat = l->projection == TIA_ORTHOGRAPHIC;
@@ -45,15 +45,15 @@ static void make_extreme(struct tia_raster_vertex v[CORNERS], const struct tia_l
     }
 }
 
-static void init_lattice(struct tia_lattice *l, bool flat, unsigned width, unsigned height, uint32_t samples)
+static void init_lattice(struct tia_raster_grid *l, bool flat, unsigned width, unsigned height, uint32_t samples)
 {
-    CHECK_EQ(tia_lattice_init(l, flat ? TIA_ORTHOGRAPHIC : TIA_PERSPECTIVE, width, height, samples, samples - 1, 0),
+    CHECK_EQ(tia_raster_grid_init(l, flat ? TIA_ORTHOGRAPHIC : TIA_PERSPECTIVE, width, height, samples, samples - 1, 0),
              TIA_OK);
 }
 
 /* ---- limits ---- */
 
-static int draw_one(const struct tia_lattice *l, const struct tia_raster_vertex v[CORNERS])
+static int draw_one(const struct tia_raster_grid *l, const struct tia_raster_vertex v[CORNERS])
 {
     struct tia_raster_plane plane;
 
@@ -61,7 +61,7 @@ static int draw_one(const struct tia_lattice *l, const struct tia_raster_vertex 
 }
 
 /* Draws with coordinate `k` of corner 1, h being the last, at `value`; the others are small. */
-static int draw_with(const struct tia_lattice *l, unsigned k, bool direction, int64_t value)
+static int draw_with(const struct tia_raster_grid *l, unsigned k, bool direction, int64_t value)
 {
     bool flat = l->projection == TIA_ORTHOGRAPHIC;
     int64_t one = flat ? INT64_C(1) << l->fraction : 1000;
@@ -75,7 +75,7 @@ static int draw_with(const struct tia_lattice *l, unsigned k, bool direction, in
 
 static void check_limits(bool flat)
 {
-    struct tia_lattice l;
+    struct tia_raster_grid l;
 
     init_lattice(&l, flat, 640, 480, 1);
     for (unsigned i = 0; i < 12; i++) {
@@ -105,14 +105,14 @@ TEST(limits_are_accepted_and_the_next_is_refused)
 
 TEST(images_and_ranges_beyond_are_refused)
 {
-    struct tia_lattice l;
+    struct tia_raster_grid l;
 
-    CHECK_EQ(tia_lattice_init(&l, TIA_PERSPECTIVE, TIA_SIZE_MAX, TIA_SIZE_MAX, 16, 15, 24), TIA_OK);
-    CHECK_EQ(tia_lattice_init(&l, TIA_PERSPECTIVE, TIA_SIZE_MAX + 1, 1, 1, 0, 20), TIA_ERR_ARGUMENT);
-    CHECK_EQ(tia_lattice_init(&l, TIA_PERSPECTIVE, 1, TIA_SIZE_MAX + 1, 1, 0, 20), TIA_ERR_ARGUMENT);
-    CHECK_EQ(tia_lattice_init(&l, TIA_PERSPECTIVE, 1, 1, 1, 0, 25), TIA_ERR_ARGUMENT);
-    CHECK_EQ(tia_lattice_init(&l, TIA_PERSPECTIVE, 1, 1, 2, 0, 0), TIA_ERR_ARGUMENT);
-    CHECK_EQ(tia_lattice_init(&l, TIA_PERSPECTIVE, 1, 1, 4, 4, 0), TIA_ERR_ARGUMENT);
+    CHECK_EQ(tia_raster_grid_init(&l, TIA_PERSPECTIVE, TIA_SIZE_MAX, TIA_SIZE_MAX, 16, 15, 24), TIA_OK);
+    CHECK_EQ(tia_raster_grid_init(&l, TIA_PERSPECTIVE, TIA_SIZE_MAX + 1, 1, 1, 0, 20), TIA_ERR_ARGUMENT);
+    CHECK_EQ(tia_raster_grid_init(&l, TIA_PERSPECTIVE, 1, TIA_SIZE_MAX + 1, 1, 0, 20), TIA_ERR_ARGUMENT);
+    CHECK_EQ(tia_raster_grid_init(&l, TIA_PERSPECTIVE, 1, 1, 1, 0, 25), TIA_ERR_ARGUMENT);
+    CHECK_EQ(tia_raster_grid_init(&l, TIA_PERSPECTIVE, 1, 1, 2, 0, 0), TIA_ERR_ARGUMENT);
+    CHECK_EQ(tia_raster_grid_init(&l, TIA_PERSPECTIVE, 1, 1, 4, 4, 0), TIA_ERR_ARGUMENT);
 }
 
 /* D of the outermost pixels, of the largest images: at most 2^RASTER_PIXEL, and more than half of it. */
@@ -124,7 +124,7 @@ TEST(pixels_reach_their_bound)
     for (unsigned s = 0; s < sizeof sizes / sizeof *sizes; s++)
         for (uint32_t samples = 1; samples <= 16; samples *= 4)
             for (unsigned n = 0; n < PLACES; n++) {
-                struct tia_lattice l;
+                struct tia_raster_grid l;
                 int x, y;
                 init_lattice(&l, false, sizes[s][0], sizes[s][1], samples);
                 place(&l, n, &x, &y);
@@ -152,9 +152,9 @@ static int64_t narrow_at(const struct polygon *p, int edge, int x, int y)
 }
 
 /* Compares the plane and the edges at the image's corners with those in 64 bits. Returns the number of their bits. */
-static int compare_formats(const struct tia_lattice *l, const struct tia_raster_vertex v[CORNERS])
+static int compare_formats(const struct tia_raster_grid *l, const struct tia_raster_vertex v[CORNERS])
 {
-    struct tia_lattice any = *l;
+    struct tia_raster_grid any = *l;
     struct polygon narrow, other;
     int most = 0;
 
@@ -181,7 +181,7 @@ static int compare_formats(const struct tia_lattice *l, const struct tia_raster_
 static int try_narrow(unsigned width, unsigned height, int64_t more)
 {
     struct tia_raster_vertex v[CORNERS];
-    struct tia_lattice l;
+    struct tia_raster_grid l;
     int most = 0;
 
     init_lattice(&l, false, width, height, 1);
@@ -198,7 +198,7 @@ static int try_narrow(unsigned width, unsigned height, int64_t more)
 TEST(sixty_four_bits_are_used_to_the_last)
 {
     struct tia_raster_vertex v[CORNERS];
-    struct tia_lattice l;
+    struct tia_raster_grid l;
     struct polygon p;
 
     CHECK_EQ(try_narrow(640, 480, 0), 63);
@@ -221,7 +221,7 @@ static void check_bits(const char *what, int most, int stated)
 /* The oracle's result for two such triangles at the image's corners. */
 static unsigned compared;
 
-static void compare_order(const struct tia_lattice *l, const struct oracle_image *image,
+static void compare_order(const struct tia_raster_grid *l, const struct oracle_image *image,
                           const struct tia_raster_vertex a[CORNERS], const struct tia_raster_vertex b[CORNERS])
 {
     struct tia_raster_plane plane;
@@ -247,7 +247,7 @@ struct sizes {
     int normal, edge, plane, det;
 };
 
-static void measure(struct sizes *s, const struct tia_lattice *l, const struct tia_raster_vertex v[CORNERS])
+static void measure(struct sizes *s, const struct tia_raster_grid *l, const struct tia_raster_vertex v[CORNERS])
 {
     int64_t a[3] = {v[0].x, v[0].y, v[0].w}, b[3] = {v[1].x, v[1].y, v[1].w};
     struct polygon p;
@@ -275,7 +275,7 @@ static struct sizes try_wide(bool flat)
     const struct oracle_image image = {flat ? TIA_ORTHOGRAPHIC : TIA_PERSPECTIVE, 8192, 8191, 16, 15};
     struct tia_raster_vertex v[CORNERS], before[CORNERS];
     struct sizes most = {0, 0, 0, 0};
-    struct tia_lattice l;
+    struct tia_raster_grid l;
 
     compared = 0;
     init_lattice(&l, flat, 8192, 8191, 16);

@@ -10,19 +10,19 @@
 #define POLYGONS 40
 #define KEEPS                                                                                                          \
     {                                                                                                                  \
-        .test = TIA_ALWAYS, .mask = 255, .write = 255                                                                  \
+        .test = TIA_COMPARE_ALWAYS, .mask = 255, .write = 255                                                          \
     }
 
 static const struct tia_raster_state seen = {
-    .depth = TIA_LESS, .depth_write = true, .ties_by_face = true, .front = KEEPS, .back = KEEPS};
+    .depth = TIA_COMPARE_LESS, .depth_write = true, .ties_by_face = true, .front = KEEPS, .back = KEEPS};
 
 static struct tia_raster_state counting(void)
 {
-    struct tia_raster_state s = {.depth = TIA_LESS, .front = KEEPS, .back = KEEPS};
+    struct tia_raster_state s = {.depth = TIA_COMPARE_LESS, .front = KEEPS, .back = KEEPS};
     bool behind = random_below(2);
 
-    *(behind ? &s.front.zfail : &s.front.zpass) = TIA_INCR_WRAP;
-    *(behind ? &s.back.zfail : &s.back.zpass) = TIA_DECR_WRAP;
+    *(behind ? &s.front.zfail : &s.front.zpass) = TIA_STENCIL_INCR_WRAP;
+    *(behind ? &s.back.zfail : &s.back.zpass) = TIA_STENCIL_DECR_WRAP;
     return s;
 }
 
@@ -32,8 +32,8 @@ static void draw(struct tia_raster_target *a, struct tia_raster_target *b, const
     struct tia_raster_state state = i < POLYGONS ? seen : counting();
     uint32_t face = i < POLYGONS ? i : random_below(2) ? i - POLYGONS : TIA_NO_FACE;
 
-    CHECK_EQ(tia_draw_polygon(a, &state, p->v, p->count, face), TIA_OK);
-    CHECK_EQ(tia_draw_polygon(b, &state, p->v, p->count, face), TIA_OK);
+    CHECK_EQ(tia_raster_draw(a, &state, p->v, p->count, face), TIA_OK);
+    CHECK_EQ(tia_raster_draw(b, &state, p->v, p->count, face), TIA_OK);
 }
 
 /* Compares a part of a target, beside which no byte may change. */
@@ -42,11 +42,11 @@ static void compare(const struct tia_simd *simd, enum tia_projection projection,
     struct tia_tile all = {0, 0, 90, 40}, area = {(uint16_t)random_below(20), (uint16_t)random_below(9), 70, 31};
     static struct random_polygon polygons[POLYGONS];
     struct tia_raster_target whole[2], part[2];
-    struct tia_lattice lattice;
+    struct tia_raster_grid lattice;
     unsigned range = (unsigned)random_below(projection == TIA_ORTHOGRAPHIC ? TIA_RANGE_FLAT + 1 : TIA_RANGE_MAX + 1);
     void *memory[2];
 
-    CHECK_EQ(tia_lattice_init(&lattice, projection, 90, 40, 1, 0, range), TIA_OK);
+    CHECK_EQ(tia_raster_grid_init(&lattice, projection, 90, 40, 1, 0, range), TIA_OK);
     int64_t most = ((INT64_C(1) << (lattice.fraction + (int)range)) - 1) / 40 * 40;
     for (int i = 0; i < 2; i++) {
         whole[i] = target_of(&lattice, all, BUFFERS, POLYGONS, &memory[i]);

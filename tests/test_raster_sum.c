@@ -9,8 +9,8 @@ static const struct tia_tile all = {0, 0, SIZE, SIZE};
 
 static void draw_lit_faces(struct tia_raster_target *target, const struct world *w)
 {
-    static const struct tia_stencil where_no_volume_is = {.test = TIA_EQUAL, .reference = 0, .mask = 255};
-    const struct tia_raster_state state = {.depth = TIA_EQUAL,
+    static const struct tia_stencil where_no_volume_is = {.test = TIA_COMPARE_EQUAL, .reference = 0, .mask = 255};
+    const struct tia_raster_state state = {.depth = TIA_COMPARE_EQUAL,
                                            .front = where_no_volume_is,
                                            .back = where_no_volume_is,
                                            .colour_write = {true, true, true},
@@ -21,7 +21,7 @@ static void draw_lit_faces(struct tia_raster_target *target, const struct world 
         unsigned sides = tia_flat_corners(&w->flat, f, corners);
         const struct tia_flat_face *face = &w->flat.faces[f];
         if (tia_flat_side(&w->flat, face, &w->light) == tia_flat_side_of_eye(&w->flat, face))
-            CHECK_EQ(tia_draw_polygon(target, &state, corners, sides, f), TIA_OK);
+            CHECK_EQ(tia_raster_draw(target, &state, corners, sides, f), TIA_OK);
     }
 }
 
@@ -29,11 +29,11 @@ static void add_light(struct tia_raster_target *target, const struct world *w)
 {
     static const uint16_t black[3] = {0, 0, 0};
 
-    tia_clear_stencil(target, 0, 255);
+    tia_raster_clear_stencil(target, 0, 255);
     CHECK_EQ(tia_shadow_zfail(target, &w->flat, &w->light, &nobody), TIA_OK);
-    tia_clear_colour(target, black);
+    tia_raster_clear_colour(target, black);
     draw_lit_faces(target, w);
-    tia_sum_add(target, 1);
+    tia_raster_sum_add(target, 1);
 }
 
 static void count_lit(const struct world *w, unsigned lit[PIXELS])
@@ -79,7 +79,7 @@ static unsigned draw_world(struct world *w)
         add_light(&target, w);
         count_lit(w, lit);
     }
-    tia_sum_return(&target, LIGHTS);
+    tia_raster_sum_return(&target, LIGHTS);
     unsigned between = compare(&target, lit);
     free(memory);
     return between;

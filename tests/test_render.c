@@ -68,7 +68,7 @@ static void render_frame(const struct tia_view *view, tia_rgb565 out[H][W], bool
     struct tia_surface surface = {.pixels = out[0], .step = 2, .pitch = 2 * W};
     struct tia_options options = {.dither = dither, .debug = &(struct tia_debug){.path_hash = path_hash}};
 
-    CHECK_EQ(tia_render(view, hits_of(view, frame), frame, &surface, &options), TIA_OK);
+    CHECK_EQ(tia_view_draw(view, hits_of(view, frame), frame, &surface, &options), TIA_OK);
 }
 
 static void render_wanted(void)
@@ -86,7 +86,7 @@ TEST(the_picture_has_everything)
     struct tia_hits *hits = hits_of(view, frame);
     unsigned seen[5] = {0}, background = 0, light = 0, tinted = 0, shadow = 0;
 
-    CHECK_EQ(tia_trace(view, hits, frame), TIA_OK);
+    CHECK_EQ(tia_view_trace(view, hits, frame), TIA_OK);
     for (unsigned y = 0; y < H; y++)
         for (unsigned x = 0; x < W; x++) {
             uint32_t object = tia_hits_object(hits, x, y), path_hash = want_reached[y][x];
@@ -124,7 +124,7 @@ static void render_tile(const struct tia_view *view, struct tia_tile tile, enum 
     struct tia_surface surface = {.pixels = &got[tile.y][tile.x], .step = 2, .pitch = 2 * W};
     struct tia_options options = {.dither = dither, .debug = &(struct tia_debug){.path_hash = path_hash}};
 
-    CHECK_EQ(tia_render(view, hits_of(view, area_around(tile, area)), tile, &surface, &options), TIA_OK);
+    CHECK_EQ(tia_view_draw(view, hits_of(view, area_around(tile, area)), tile, &surface, &options), TIA_OK);
     for (unsigned i = 0; i < (unsigned)tile.width * tile.height; i++)
         CHECK_EQ(path_hash[i], want_reached[tile.y + i / tile.width][tile.x + i % tile.width]);
 }
@@ -185,7 +185,7 @@ static void check_surface(ptrdiff_t first, ptrdiff_t step, ptrdiff_t pitch)
             expected[first + (x * step + y * pitch) / 2] = want[0][y][x];
     for (int i = 0; i < 2; i++) {
         struct tia_surface surface = {.pixels = block + first + tiles[i].x * step / 2, .step = step, .pitch = pitch};
-        CHECK_EQ(tia_render(view, hits_of(view, tiles[i]), tiles[i], &surface, NULL), TIA_OK);
+        CHECK_EQ(tia_view_draw(view, hits_of(view, tiles[i]), tiles[i], &surface, NULL), TIA_OK);
     }
     CHECK_MSG(!memcmp(block, expected, sizeof block), "step %td, pitch %td", step, pitch);
 }
@@ -219,7 +219,7 @@ static void draw_job(void *arg, unsigned index)
     struct tia_tile tile = tile_at(index, 9, 4);
     struct tia_surface surface = {.pixels = &got[tile.y][tile.x], .step = 2, .pitch = 2 * W};
 
-    (void)tia_render(job->view, job->hits, tile, &surface, NULL);
+    (void)tia_view_draw(job->view, job->hits, tile, &surface, NULL);
 }
 
 TEST(several_threads)
@@ -270,7 +270,7 @@ static void check_relighting(const struct tia_scene *s)
     memset(kept_hits, GUARD, sizeof kept_hits);
     CHECK_EQ(tia_view_init(&view, kept_view, sizeof kept_view, s, LIGHTS, W, H, NULL), TIA_OK);
     CHECK_EQ(tia_hits_init(&hits, kept_hits, sizeof kept_hits, view, frame), TIA_OK);
-    CHECK_EQ(tia_trace(view, hits, frame), TIA_OK);
+    CHECK_EQ(tia_view_trace(view, hits, frame), TIA_OK);
     moved.lights = now;
     for (int i = 0; i < 250; i++) {
         struct tia_options options = {.dither = i % 3 == 0};
@@ -278,7 +278,7 @@ static void check_relighting(const struct tia_scene *s)
         for (uint32_t n = 0; n < moved.light_count; n++)
             now[n] = random_light(i / 5 % 2);
         CHECK_EQ(tia_view_set_lights(view, now, moved.light_count), TIA_OK);
-        CHECK_EQ(tia_light_tile(view, hits, frame, &surface, &options), TIA_OK);
+        CHECK_EQ(tia_view_light(view, hits, frame, &surface, &options), TIA_OK);
         render_frame(view_of(&moved), full, options.dither, NULL);
         CHECK_MSG(!memcmp(relit, full, sizeof full), "lights %d", i);
     }

@@ -41,7 +41,7 @@ static void render(const struct tia_view *view, struct tia_hits *hits, tia_rgb56
 {
     struct tia_surface surface = {.pixels = out, .step = 2, .pitch = 2 * W};
 
-    CHECK_EQ(tia_render(view, hits, frame, &surface, NULL), TIA_OK);
+    CHECK_EQ(tia_view_draw(view, hits, frame, &surface, NULL), TIA_OK);
 }
 
 TEST(sizes)
@@ -107,7 +107,7 @@ TEST(memory_of_hits)
     CHECK(tia_hits_size(&tia_thesis_scene, (struct tia_tile){0, 0, 65535, 65535}) >=
           UINT32_MAX); /* more than 32 bits can hold */
     CHECK_EQ(tia_hits_init(&hits, hits_memory, size, view, area), TIA_OK);
-    CHECK_EQ(tia_trace(view, hits, area), TIA_OK);
+    CHECK_EQ(tia_view_trace(view, hits, area), TIA_OK);
     for (size_t i = size; i < sizeof hits_memory; i++)
         CHECK_EQ(bytes[i], 0xa5);
 }
@@ -206,20 +206,20 @@ TEST(tiles_that_are_refused)
     render(view, hits, before);
     memcpy(after, before, sizeof after);
     hits = hits_of(view, area);
-    CHECK_EQ(tia_trace(view, hits, area), TIA_OK);
+    CHECK_EQ(tia_view_trace(view, hits, area), TIA_OK);
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
-        CHECK_EQ(tia_trace(view, hits, bad[i]), TIA_ERR_ARGUMENT);
-        CHECK_EQ(tia_light_tile(view, hits, bad[i], &surface, NULL), TIA_ERR_ARGUMENT);
-        CHECK_EQ(tia_render(view, hits, bad[i], &surface, NULL), TIA_ERR_ARGUMENT);
+        CHECK_EQ(tia_view_trace(view, hits, bad[i]), TIA_ERR_ARGUMENT);
+        CHECK_EQ(tia_view_light(view, hits, bad[i], &surface, NULL), TIA_ERR_ARGUMENT);
+        CHECK_EQ(tia_view_draw(view, hits, bad[i], &surface, NULL), TIA_ERR_ARGUMENT);
     }
     surface.pixels = NULL;
-    CHECK_EQ(tia_light_tile(view, hits, area, &surface, NULL), TIA_ERR_ARGUMENT);
+    CHECK_EQ(tia_view_light(view, hits, area, &surface, NULL), TIA_ERR_ARGUMENT);
     surface.pixels = after;
     hits = hits_of(view, beyond); /* hits may cover more than the image */
-    CHECK_EQ(tia_trace(view, hits, beyond), TIA_ERR_ARGUMENT);
-    CHECK_EQ(tia_light_tile(view, hits, beyond, &surface, NULL), TIA_ERR_ARGUMENT);
+    CHECK_EQ(tia_view_trace(view, hits, beyond), TIA_ERR_ARGUMENT);
+    CHECK_EQ(tia_view_light(view, hits, beyond, &surface, NULL), TIA_ERR_ARGUMENT);
     CHECK(!memcmp(before, after, sizeof before));
-    CHECK_EQ(tia_render(view, hits, corner, &surface, NULL), TIA_OK);
+    CHECK_EQ(tia_view_draw(view, hits, corner, &surface, NULL), TIA_OK);
     CHECK_EQ(after[0], before[W * H - 1]);
 }
 
@@ -236,7 +236,7 @@ TEST(the_largest_picture)
         struct tia_view *view = NULL;
         CHECK_EQ(init(&view, &tia_thesis_scene, 0, 8192, 8192), TIA_OK);
         struct tia_hits *hits = hits_of(view, tile);
-        CHECK_EQ(tia_trace(view, hits, tile), TIA_OK);
+        CHECK_EQ(tia_view_trace(view, hits, tile), TIA_OK);
         CHECK_EQ(tia_hits_object(hits, tile.x, tile.y), pixels[i].object);
     }
 }
@@ -280,12 +280,12 @@ static uint32_t one_pixel(uint32_t light_count, tia_rgb565 *colour)
     struct tia_options options = {.colours = pixel_colours, .debug = &(struct tia_debug){.path_hash = &path_hash}};
 
     CHECK_EQ(init(&view, &scene, light_count, 1, 1), TIA_OK);
-    CHECK_EQ(tia_render(view, hits_of(view, pixel), pixel, &surface, &options), TIA_OK);
+    CHECK_EQ(tia_view_draw(view, hits_of(view, pixel), pixel, &surface, &options), TIA_OK);
     options.dither = true;
-    CHECK_EQ(tia_render(view, hits_of(view, pixel), pixel, &surface, &options), TIA_ERR_UNSUPPORTED);
+    CHECK_EQ(tia_view_draw(view, hits_of(view, pixel), pixel, &surface, &options), TIA_ERR_UNSUPPORTED);
     struct tia_hits *hits = hits_of(view, pixel);
-    CHECK_EQ(tia_trace(view, hits, pixel), TIA_OK);
-    CHECK_EQ(tia_light_tile(view, hits, pixel, &surface, &options), TIA_ERR_UNSUPPORTED);
+    CHECK_EQ(tia_view_trace(view, hits, pixel), TIA_OK);
+    CHECK_EQ(tia_view_light(view, hits, pixel, &surface, &options), TIA_ERR_UNSUPPORTED);
     return path_hash;
 }
 

@@ -91,7 +91,7 @@ static void ask(const struct world *w, const struct tia_casters *casters, const 
  * far away it crosses the whole scene. */
 static void aim_back(struct world *w, const struct tia_seen *seen)
 {
-    const struct tia_lattice *l = &w->flat.lattice;
+    const struct tia_raster_grid *l = &w->flat.lattice;
     const int64_t d[3] = {l->x + (int64_t)l->right * seen->x, l->y - (int64_t)l->down * seen->y, l->w};
     const struct tia_raster_vertex *v = &points[3 * below(30)];
     const int64_t sum[3] = {v[0].x + v[1].x + v[2].x, v[0].y + v[1].y + v[2].y, v[0].w + v[1].w + v[2].w};

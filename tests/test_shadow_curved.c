@@ -48,7 +48,7 @@ static void draw_sized(const struct tia_scene *scene, int width, int height, int
             struct tia_tile tile = {(uint16_t)x, (uint16_t)y, (uint16_t)(right - x), (uint16_t)(bottom - y)};
             struct tia_surface surface = {.pixels = out->pixels + y * width + x, .step = 2, .pitch = 2 * width};
 
-            CHECK(!tia_render(view, hits, tile, &surface, &options));
+            CHECK(!tia_view_draw(view, hits, tile, &surface, &options));
             for (int i = 0; i < (right - x) * (bottom - y); i++)
                 out->hash[(y + i / tile.width) * width + x + i % tile.width] = hash[i];
         }

@@ -73,7 +73,7 @@ static void *trace(const struct tia_scene *s, struct tia_hits **hits, void **mem
 
     *memory = malloc(view_size);
     CHECK(!tia_view_init(&view, *memory, view_size, s, 0, WIDTH, HEIGHT, NULL));
-    CHECK(!tia_hits_init(hits, hit_memory, size, view, all) && !tia_trace(view, *hits, all));
+    CHECK(!tia_hits_init(hits, hit_memory, size, view, all) && !tia_view_trace(view, *hits, all));
     return hit_memory;
 }
 

@@ -33,7 +33,7 @@ static void draw(struct world *w)
                                               .planes = drawn.planes,
                                               .face_count = w->flat.face_count,
                                               .pitch = PITCH};
-    tia_clear_depth(&drawn.target);
+    tia_raster_clear_depth(&drawn.target);
     for (uint32_t f = 0; f < w->flat.face_count; f++) {
         struct tia_raster_vertex corners[TIA_SIDES];
         unsigned sides = tia_flat_corners(&w->flat, f, corners);
@@ -57,7 +57,7 @@ static void light_tile(const struct tia_shadow_view *view, struct tia_tile area,
 static uint32_t light_all(const struct world *w)
 {
     static struct tia_shadow_view view;
-    unsigned sample = (unsigned)below(TIA_SHADOW_SAMPLES);
+    unsigned sample = (unsigned)below(TIA_SHADOW_SAMPLES_MAX);
     bool whole = below(2) == 0;
     uint32_t tiles = 0;
 

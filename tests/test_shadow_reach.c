@@ -69,7 +69,7 @@ static void light_all(const struct drawn *d, tia_rgb565 *pixels)
 {
     const struct tia_surface surface = {.pixels = pixels, .step = 2, .pitch = 2 * d->all.width};
 
-    CHECK_EQ(tia_light_tile(d->view, d->hits, d->all, &surface, NULL), TIA_OK);
+    CHECK_EQ(tia_view_light(d->view, d->hits, d->all, &surface, NULL), TIA_OK);
 }
 
 static void close_view(struct drawn *d)
@@ -189,7 +189,7 @@ static void draw_anew(const struct tia_scene *s, const struct tia_light *light, 
     CHECK_EQ(open_view(&d, s, WIDTH, HEIGHT), TIA_OK);
     CHECK_EQ(tia_view_set_lights(d.view, light, 1), TIA_OK);
     open_hits(&d, s);
-    CHECK_EQ(tia_trace(d.view, d.hits, d.all), TIA_OK);
+    CHECK_EQ(tia_view_trace(d.view, d.hits, d.all), TIA_OK);
     light_all(&d, pixels);
     close_view(&d);
 }
@@ -221,7 +221,7 @@ static void check_moved(enum tia_shadows technique, uint32_t samples, const stru
     s.camera.samples = samples;
     CHECK_EQ(open_view(&moved, &s, WIDTH, HEIGHT), TIA_OK);
     open_hits(&moved, &s);
-    CHECK_EQ(tia_trace(moved.view, moved.hits, moved.all), TIA_OK);
+    CHECK_EQ(tia_view_trace(moved.view, moved.hits, moved.all), TIA_OK);
     for (int i = 0; i < 3; i++) { /* there and back: earlier frames do not matter */
         const struct tia_light *now = i % 2 ? &from : to;
         CHECK_EQ(tia_view_set_lights(moved.view, now, 1), TIA_OK);
@@ -255,7 +255,7 @@ TEST(the_old_lights_stay)
         (struct tia_camera){.projection = TIA_FRUSTUM, .eye = TIA_VEC3(0, 1, 6000), .window = {-64, 64, -64, 64, Q(1)}};
     CHECK_EQ(open_view(&d, &s, WIDTH, HEIGHT), TIA_OK);
     open_hits(&d, &s);
-    CHECK_EQ(tia_trace(d.view, d.hits, d.all), TIA_OK);
+    CHECK_EQ(tia_view_trace(d.view, d.hits, d.all), TIA_OK);
     light_all(&d, want);
     CHECK_EQ(tia_view_set_lights(d.view, &out, 1), TIA_ERR_RANGE);
     light_all(&d, got);

@@ -117,12 +117,12 @@ static void compare_picture(const struct tia_scene *scene, unsigned number)
     struct simd_frames f;
 
     CHECK(simd_frames_open(&f, simd, scene, W, H));
-    CHECK_EQ(tia_render(f.plain, f.hits[0], f.area,
-                        &(struct tia_surface){.pixels = (void *)f.want, .step = 2, .pitch = 2 * W}, NULL),
+    CHECK_EQ(tia_view_draw(f.plain, f.hits[0], f.area,
+                           &(struct tia_surface){.pixels = (void *)f.want, .step = 2, .pitch = 2 * W}, NULL),
              TIA_OK);
     enter_mode();
-    int status = tia_render(f.simd, f.hits[1], f.area,
-                            &(struct tia_surface){.pixels = (void *)f.got, .step = 2, .pitch = 2 * W}, NULL);
+    int status = tia_view_draw(f.simd, f.hits[1], f.area,
+                               &(struct tia_surface){.pixels = (void *)f.got, .step = 2, .pitch = 2 * W}, NULL);
     leave_mode();
     CHECK_EQ(status, TIA_OK);
     CHECK_MSG(memcmp(f.want, f.got, 2 * W * H) == 0, "%s, %s: scene %u", simd->name, mode->name, number);

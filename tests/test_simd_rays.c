@@ -102,8 +102,8 @@ static void draw_tiles(const struct tia_scene *scene, unsigned size)
             struct tia_tile tile = {(uint16_t)x, (uint16_t)y, (uint16_t)width, (uint16_t)height};
             struct tia_surface a = {.pixels = want + x * H + y, .step = 2 * H, .pitch = 2},
                                b = {.pixels = got + x * H + y, .step = 2 * H, .pitch = 2};
-            CHECK_EQ(tia_render(f.plain, f.hits[0], tile, &a, NULL), TIA_OK);
-            CHECK_EQ(tia_render(f.simd, f.hits[1], tile, &b, NULL), TIA_OK);
+            CHECK_EQ(tia_view_draw(f.plain, f.hits[0], tile, &a, NULL), TIA_OK);
+            CHECK_EQ(tia_view_draw(f.simd, f.hits[1], tile, &b, NULL), TIA_OK);
         }
     CHECK(memcmp(want, got, sizeof want) == 0);
     simd_frames_close(&f);
@@ -212,7 +212,7 @@ TEST(objects_hashes_and_lights)
     for (int i = 0; i < 2; i++) {
         struct tia_options options = {.debug = &(struct tia_debug){.path_hash = hashes[i], .lit = lit[i]}};
         struct tia_surface surface = simd_frames_surface(i ? f.got : f.want, f.pitch);
-        CHECK_EQ(tia_render(i ? f.simd : f.plain, f.hits[i], f.area, &surface, &options), TIA_OK);
+        CHECK_EQ(tia_view_draw(i ? f.simd : f.plain, f.hits[i], f.area, &surface, &options), TIA_OK);
     }
     CHECK(memcmp(hashes[0], hashes[1], sizeof hashes[0]) == 0 && memcmp(lit[0], lit[1], sizeof lit[0]) == 0);
     for (unsigned i = 0; i < W * H; i += 7)
@@ -226,7 +226,7 @@ static void draw_row(void *arg, unsigned index)
     struct tia_tile tile = {0, (uint16_t)(5 * index), f->area.width, 5};
     struct tia_surface surface = simd_frames_surface(f->got + (size_t)f->pitch * tile.y, f->pitch);
 
-    CHECK_EQ(tia_render(f->simd, f->hits[1], tile, &surface, NULL), TIA_OK);
+    CHECK_EQ(tia_view_draw(f->simd, f->hits[1], tile, &surface, NULL), TIA_OK);
 }
 
 /* With room for one only, the others are drawn by plain C. */
@@ -259,7 +259,7 @@ static bool draw_inside(void *ctx)
     (void)ctx;
     if (nested_calls++)
         return false;
-    CHECK_EQ(tia_render(nested->simd, nested->hits[1], nested->area, &surface, NULL), TIA_OK);
+    CHECK_EQ(tia_view_draw(nested->simd, nested->hits[1], nested->area, &surface, NULL), TIA_OK);
     for (int y = 0; y < 90; y++)
         CHECK(!memcmp(&pixels[120 * y], nested->want + GUARD + y * nested->pitch, 2 * 120));
     return false;

@@ -323,7 +323,7 @@ TEST(pixels_hashes_and_moved_lights)
     for (int i = 0; i < 2; i++) {
         struct tia_options options = {.debug = &(struct tia_debug){.path_hash = hashes[i]}};
         struct tia_surface surface = simd_frames_surface(i ? f.got : f.want, f.pitch);
-        CHECK_EQ(tia_render(i ? f.simd : f.plain, f.hits[i], f.area, &surface, &options), TIA_OK);
+        CHECK_EQ(tia_view_draw(i ? f.simd : f.plain, f.hits[i], f.area, &surface, &options), TIA_OK);
     }
     CHECK(memcmp(hashes[0], hashes[1], sizeof hashes[0]) == 0);
     simd_frames_close(&f);

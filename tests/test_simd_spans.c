@@ -76,8 +76,8 @@ TEST(large_pictures)
     memset(f.got, GUARDED, f.bytes);
     struct tia_surface want = simd_frames_surface(f.want + (GAP + 2), f.pitch),
                        got = simd_frames_surface(f.got + (GAP + 2), f.pitch);
-    CHECK_EQ(tia_render(f.plain, f.hits[0], odd, &want, NULL), TIA_OK);
-    CHECK_EQ(tia_render(f.simd, f.hits[1], odd, &got, NULL), TIA_OK);
+    CHECK_EQ(tia_view_draw(f.plain, f.hits[0], odd, &want, NULL), TIA_OK);
+    CHECK_EQ(tia_view_draw(f.simd, f.hits[1], odd, &got, NULL), TIA_OK);
     CHECK(memcmp(f.want, f.got, f.bytes) == 0);
     simd_frames_close(&f);
 }
@@ -118,8 +118,8 @@ TEST(tiles_and_turned_surfaces)
             struct tia_tile tile = {(uint16_t)x, (uint16_t)y, (uint16_t)wide, (uint16_t)high};
             struct tia_surface a = {.pixels = want + x * H + y, .step = 2 * H, .pitch = 2},
                                b = {.pixels = got + x * H + y, .step = 2 * H, .pitch = 2};
-            CHECK_EQ(tia_render(f.plain, f.hits[0], tile, &a, NULL), TIA_OK);
-            CHECK_EQ(tia_render(f.simd, f.hits[1], tile, &b, NULL), TIA_OK);
+            CHECK_EQ(tia_view_draw(f.plain, f.hits[0], tile, &a, NULL), TIA_OK);
+            CHECK_EQ(tia_view_draw(f.simd, f.hits[1], tile, &b, NULL), TIA_OK);
         }
     CHECK(memcmp(want, got, sizeof want) == 0);
     simd_frames_close(&f);
@@ -138,8 +138,8 @@ TEST(objects_and_path_hashes)
         struct tia_options a = {.debug = &(struct tia_debug){.path_hash = want}},
                            b = {.debug = &(struct tia_debug){.path_hash = got}};
         struct tia_surface one = simd_frames_surface(f.want, f.pitch), other = simd_frames_surface(f.got, f.pitch);
-        CHECK_EQ(tia_render(f.plain, f.hits[0], f.area, &one, &a), TIA_OK);
-        CHECK_EQ(tia_render(f.simd, f.hits[1], f.area, &other, &b), TIA_OK);
+        CHECK_EQ(tia_view_draw(f.plain, f.hits[0], f.area, &one, &a), TIA_OK);
+        CHECK_EQ(tia_view_draw(f.simd, f.hits[1], f.area, &other, &b), TIA_OK);
         CHECK(memcmp(want, got, sizeof want) == 0);
         for (unsigned y = 0; y < H; y += 7)
             for (unsigned x = 0; x < W; x++)
@@ -163,7 +163,7 @@ static void draw_rows(void *arg, unsigned index)
     tile.y = (uint16_t)first;
     tile.height = (uint16_t)(left < job->rows ? left : job->rows);
     struct tia_surface surface = simd_frames_surface(f->got + (size_t)f->pitch * tile.y, f->pitch);
-    CHECK_EQ(tia_render(f->simd, f->hits[1], tile, &surface, NULL), TIA_OK);
+    CHECK_EQ(tia_view_draw(f->simd, f->hits[1], tile, &surface, NULL), TIA_OK);
 }
 
 TEST(threads)

@@ -58,9 +58,9 @@ static void *do_work(void *arg)
     if (!w->status)
         w->status = tia_view_set_lights(w->view, w->view->lights, w->view->light_count);
     if (!w->status)
-        w->status = tia_render(w->view, w->hits, frame, &surface, NULL);
+        w->status = tia_view_draw(w->view, w->hits, frame, &surface, NULL);
     if (!w->status)
-        w->status = tia_light_tile(w->view, w->hits, frame, &surface, &hashed);
+        w->status = tia_view_light(w->view, w->hits, frame, &surface, &hashed);
     if (!w->status && w->view->renderer->sample)
         w->status = tia_estimator_q16.sample(w->view, frame, 0, 3, sums, W);
     return NULL;

@@ -134,7 +134,7 @@ static int draw(const struct picture *p)
     static tia_rgb565 pixels[W * H];
     const struct tia_surface surface = {.pixels = pixels, .step = 2, .pitch = 2 * W};
 
-    return tia_render(p->view, p->hits, frame, &surface, NULL);
+    return tia_view_draw(p->view, p->hits, frame, &surface, NULL);
 }
 
 static int gather(const struct picture *p)

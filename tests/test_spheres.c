@@ -28,7 +28,7 @@ TEST(the_pinned_picture)
         CHECK_EQ(tia_view_set_lights(view, &tia_thesis_scene.bindings[0].state, 1), TIA_OK);
         CHECK(cores[i]->hits_size(cores[i], &tia_thesis_scene, frame) <= sizeof hits_memory);
         CHECK_EQ(tia_hits_init(&hits, hits_memory, sizeof hits_memory, view, frame), TIA_OK);
-        CHECK_EQ(tia_render(view, hits, frame, &surface, NULL), TIA_OK);
+        CHECK_EQ(tia_view_draw(view, hits, frame, &surface, NULL), TIA_OK);
         CHECK_EQ(tia_crc32(0, pixels, W * H), 0x11f70b45);
     }
 }

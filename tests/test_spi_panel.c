@@ -376,7 +376,7 @@ TEST(viewer_on_the_panel)
     CHECK_EQ(tia_view_init(&view, view_memory, sizeof view_memory, &tia_thesis_scene, 1, 240, 320, NULL), TIA_OK);
     CHECK_EQ(tia_view_set_lights(view, &light, 1), TIA_OK);
     CHECK_EQ(tia_hits_init(&hits, hits_memory, sizeof hits_memory, view, all), TIA_OK);
-    CHECK_EQ(tia_render(view, hits, all, &surface, NULL), TIA_OK);
+    CHECK_EQ(tia_view_draw(view, hits, all, &surface, NULL), TIA_OK);
     finish_dma();
     CHECK(memcmp(picture, model.memory, sizeof picture) == 0);
     CHECK(picture[0] != picture[300 * 240 + 120]);

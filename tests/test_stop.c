@@ -45,9 +45,9 @@ static int draw(const struct tia_view *view, struct tia_hits **hits, int traced)
 
     if (!traced) {
         CHECK_EQ(tia_hits_init(hits, hits_memory, sizeof hits_memory, view, frame), TIA_OK);
-        status = tia_trace(view, *hits, frame);
+        status = tia_view_trace(view, *hits, frame);
     }
-    return status ? status : tia_light_tile(view, *hits, frame, &surface, NULL);
+    return status ? status : tia_view_light(view, *hits, frame, &surface, NULL);
 }
 
 static double cpu_seconds(void)
@@ -162,10 +162,10 @@ TEST(rays)
     double start = cpu_seconds();
 
     CHECK_EQ(tia_hits_init(&hits, hits_memory, sizeof hits_memory, view, frame), TIA_OK);
-    CHECK_EQ(tia_trace(view, hits, frame), TIA_STOPPED);
+    CHECK_EQ(tia_view_trace(view, hits, frame), TIA_STOPPED);
     CHECK(cancel.asked <= 2);
     cancel.until = UINT32_MAX;
-    CHECK_EQ(tia_trace(view, hits, frame), TIA_OK);
+    CHECK_EQ(tia_view_trace(view, hits, frame), TIA_OK);
     for (unsigned until = 1; until < 100000; until = until * 10 + 3) {
         cancel = (struct cancel){0, until};
         CHECK_EQ(draw(view, &hits, 1), TIA_STOPPED);
@@ -186,7 +186,7 @@ TEST(the_table_of_functions)
                                     H, &(struct tia_job){.stop = ask, .ctx = &cancel}),
              TIA_OK);
     CHECK_EQ(tia_hits_init(&hits, hits_memory, sizeof hits_memory, view, frame), TIA_OK);
-    CHECK_EQ(tia_trace(view, hits, frame), TIA_STOPPED);
+    CHECK_EQ(tia_view_trace(view, hits, frame), TIA_STOPPED);
 }
 
 /* ---- large scenes, before any pixel is drawn ---- */
@@ -341,10 +341,10 @@ TEST(one_ray)
              TIA_OK);
     CHECK_EQ(tia_hits_init(&hits, hits_memory, sizeof hits_memory, view, frame), TIA_OK);
     cancel.asked = 0;
-    CHECK_EQ(tia_trace(view, hits, pixel), TIA_OK);
+    CHECK_EQ(tia_view_trace(view, hits, pixel), TIA_OK);
     CHECK(cancel.asked >= 10);
     cancel = (struct cancel){0, 1};
-    CHECK_EQ(tia_trace(view, hits, pixel), TIA_STOPPED);
+    CHECK_EQ(tia_view_trace(view, hits, pixel), TIA_STOPPED);
     CHECK(cancel.asked <= 3);
     free(memory);
 }

@@ -142,7 +142,7 @@ TEST(blockers_beyond_the_light)
         CHECK_EQ(corpus_thesis(&c, keys[k], WIDTH, HEIGHT), TIA_OK);
         for (unsigned n = 1; n < FIRST_MOVE + MOVES; n++) {
             unsigned differ = 0;
-            CHECK_EQ(tia_press(&c.scene, c.lights, &c.scene.light_count, CORPUS_LIGHTS, TIA_KEY_PAGE_DOWN), 1);
+            CHECK_EQ(tia_viewer_press(&c.scene, c.lights, &c.scene.light_count, CORPUS_LIGHTS, TIA_KEY_PAGE_DOWN), 1);
             for (unsigned i = 0; n >= FIRST_MOVE && i < PIXELS; i++)
                 differ += draw(&c.scene, tia, i).colour != draw(&c.scene, variant, i).colour;
             wrong += differ > 0;

@@ -39,7 +39,7 @@ static void draw_rows(void *arg, unsigned job)
     struct tia_hits *hits;
 
     pair->same[job] = 0;
-    if (!tia_hits_init(&hits, memory, size, pair->view, tile) && !tia_render(pair->view, hits, tile, &surface, NULL))
+    if (!tia_hits_init(&hits, memory, size, pair->view, tile) && !tia_view_draw(pair->view, hits, tile, &surface, NULL))
         for (unsigned i = 0; i < width * rows; i++)
             pair->same[job] += pixels[i] == nff_pixel(pair->nff, width, height, i % width, first + i / width);
     free(memory);

@@ -317,13 +317,13 @@ TEST(frame_times)
     for (size_t i = 0; i < sizeof rates / sizeof *rates; i++)
         for (unsigned frame = 0; frame < 200; frame++) {
             long double time = 12345 + (long double)frame * ONE * rates[i][1] / rates[i][0];
-            CHECK_EQ(tia_frame_time(12345, frame, rates[i]),
+            CHECK_EQ(tia_viewer_frame_time(12345, frame, rates[i]),
                      time + 0.5L < INT32_MAX ? (intmax_t)floorl(time + 0.5L) : INT32_MAX);
         }
-    CHECK_EQ(tia_frame_time(0, UINT32_MAX, rates[4]), INT32_MAX);
-    CHECK_EQ(tia_frame_time(INT32_MAX, UINT32_MAX, rates[0]), INT32_MAX);
-    CHECK_EQ(tia_frame_time(0, 32767 * 25, rates[0]), 32767 * ONE);
-    CHECK_EQ(tia_frame_time(0, 32768 * 25, rates[0]), INT32_MAX);
+    CHECK_EQ(tia_viewer_frame_time(0, UINT32_MAX, rates[4]), INT32_MAX);
+    CHECK_EQ(tia_viewer_frame_time(INT32_MAX, UINT32_MAX, rates[0]), INT32_MAX);
+    CHECK_EQ(tia_viewer_frame_time(0, 32767 * 25, rates[0]), 32767 * ONE);
+    CHECK_EQ(tia_viewer_frame_time(0, 32768 * 25, rates[0]), INT32_MAX);
 }
 
 int main(void)

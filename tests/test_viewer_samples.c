@@ -74,7 +74,7 @@ static void draw_whole(uint32_t spp, tia_rgb565 *pixels)
         tia_view_init(&view, view_memory, sizeof view_memory, &scene, WORLD_LIGHTS, WORLD_WIDTH, WORLD_HEIGHT, NULL),
         0);
     CHECK_EQ(tia_hits_init(&hits, hits_memory, sizeof hits_memory, view, all), TIA_OK);
-    CHECK_EQ(tia_render(view, hits, all, &surface, NULL), TIA_OK);
+    CHECK_EQ(tia_view_draw(view, hits, all, &surface, NULL), TIA_OK);
 }
 
 /* ---- the pictures ---- */

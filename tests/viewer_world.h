@@ -151,7 +151,7 @@ static inline void world_compare(struct world *w)
     CHECK_EQ(tia_view_init(&view, world_reference, half, scene, WORLD_LIGHTS, all.width, all.height, NULL), TIA_OK);
     CHECK_EQ(tia_view_set_lights(view, w->lights, lights), TIA_OK);
     CHECK_EQ(tia_hits_init(&hits, (char *)world_reference + half, half, view, all), TIA_OK);
-    CHECK_EQ(tia_render(view, hits, all, &surface, &(struct tia_options){.dither = w->viewer.dither}), TIA_OK);
+    CHECK_EQ(tia_view_draw(view, hits, all, &surface, &(struct tia_options){.dither = w->viewer.dither}), TIA_OK);
     if (w->compare)
         w->compare(w, want);
     for (unsigned y = 0; y < all.height && !w->compare; y++)

@@ -220,7 +220,7 @@ static void fill(struct embree *e)
         rgb_of(&scene->lights[i].emission, e->lights[i].emission);
     }
     rgb_of(&scene->background, e->background);
-    e->depth = scene->depth ? scene->depth : TIA_DEPTH;
+    e->depth = scene->depth ? scene->depth : TIA_DEPTH_DEFAULT;
     add_spheres(e);
     add_faces(e);
     add_cones(e);

@@ -149,7 +149,7 @@ static void set_side(GLenum side, const struct tia_stencil *s)
 
 static bool ignores_stencil(const struct tia_stencil *s)
 {
-    return s->test == TIA_ALWAYS && s->zfail == TIA_KEEP && s->zpass == TIA_KEEP;
+    return s->test == TIA_COMPARE_ALWAYS && s->zfail == TIA_STENCIL_KEEP && s->zpass == TIA_STENCIL_KEEP;
 }
 
 static void switch_to(GLenum what, bool on)

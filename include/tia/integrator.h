@@ -51,7 +51,7 @@ enum tia_tone {
 /* Returns "linear" and "srgb" for TIA_TONE_LINEAR and TIA_TONE_SRGB; NULL for others. */
 const char *tia_tone_name(unsigned tone);
 
-#define TIA_SPP 16 /* the default */
+#define TIA_SPP_DEFAULT 16 /* the default */
 #define TIA_SPP_MAX (UINT32_C(1) << 24)
 #define TIA_BOUNCES_MAX 1024
 #define TIA_EXPOSURE_MAX TIA_Q16(24)
@@ -62,7 +62,7 @@ enum tia_strategy { TIA_STRATEGY_NONE, TIA_STRATEGY_LIGHTS, TIA_STRATEGY_SCATTER
 /* A scene's integrator. All zero: Whitted's, which ignores the other fields. */
 struct tia_integration {
     enum tia_integrator integrator;
-    uint32_t spp;     /* samples per pixel, 1..TIA_SPP_MAX; 0 means TIA_SPP */
+    uint32_t spp;     /* samples per pixel, 1..TIA_SPP_MAX; 0 means TIA_SPP_DEFAULT */
     uint32_t seed;    /* seed of the random samples */
     uint16_t bounces; /* TIA_PATHS: the maximum, 1..TIA_BOUNCES_MAX; 0 means TIA_BOUNCES_MAX */
     uint16_t without; /* TIA_PATHS, for comparison: the enum tia_strategy to leave out */
@@ -120,7 +120,7 @@ struct tia_estimator {
     uint32_t (*enclosing)(const struct tia_view *view, uint32_t light);
 
     /* Writes the pixels of a row, a tile of height 1, from their sums of `count` samples each, 1..TIA_SPP_MAX. With all
-     * samples of the scene they are those of tia_light_tile. Errors as above. */
+     * samples of the scene they are those of tia_view_light. Errors as above. */
     int (*show)(const struct tia_view *view, struct tia_tile row, const struct tia_sum *sums, uint32_t count,
                 const struct tia_surface *surface, bool dither);
 };

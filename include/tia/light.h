@@ -96,7 +96,7 @@ TIA_LIGHT_INLINE bool tia_light_has(enum tia_light_kind kind, unsigned traits)
 #undef TIA_LIGHT_HAS
 }
 
-#define TIA_LIGHT_SAMPLES 16 /* the default for area lights */
+#define TIA_LIGHT_SAMPLES_DEFAULT 16 /* the default for area lights */
 #define TIA_LIGHT_SAMPLES_MAX 256
 
 struct tia_light {
@@ -110,7 +110,7 @@ struct tia_light {
     struct tia_vec3 side[2];             /* half the sides of a rectangle: both 0, or not parallel */
     tia_q16 constant, linear, quadratic; /* attenuation, each 0..TIA_Q16(32767) */
     uint16_t samples;                    /* area lights, ambient ones with a radius: 1..TIA_LIGHT_SAMPLES_MAX; 0 means
-                                            TIA_LIGHT_SAMPLES */
+                                            TIA_LIGHT_SAMPLES_DEFAULT */
     uint8_t emission_bits; /* TIA_PATHS: emission is 2^emission_bits times as large, 0..TIA_EMISSION_BITS_MAX */
     int8_t unit_bits;      /* attenuation is in 2^unit_bits units of the file; with the scene's scale_bits 0..30 */
 };

@@ -27,9 +27,9 @@
  * one above plus 1 - o times the colour seen past it, along a ray that goes straight on from P - b V. Where the
  * refracted ray goes straight on as well, the two are one ray, of o kt + 1 - o. A shadow ray is filtered by each such
  * surface that it crosses, by o transmission + 1 - o at that place, and goes on b behind it; T is 0 behind more than
- * TIA_LAYERS of them in one object. Other cells of a grid count once, by the first.
+ * TIA_LAYERS_MAX of them in one object. Other cells of a grid count once, by the first.
  *
- * Media nest. Each ray has a list of the objects that it has entered and not left, at most TIA_MEDIA; its
+ * Media nest. Each ray has a list of the objects that it has entered and not left, at most TIA_MEDIA_MAX; its
  * medium is the object entered last, or air of index 1 when the list is empty. Camera rays start with an empty
  * list, wherever the eye is. When a refracted ray hits
  *   - a front side, it goes from its medium to the material, and the object is added to the list; a grid
@@ -47,10 +47,10 @@
  *
  * Where the indices of refraction on both sides are equal, F = 0 whatever N.V is, and the refracted ray goes
  * straight on from P - b V. Such layers, and those that rays go past, do not count as bounces; a path may have
- * TIA_LAYERS of them.
+ * TIA_LAYERS_MAX of them.
  *
  * A ray's throughput is the product of the kr and kt along its path. A ray is not traced when its throughput
- * is below 2^-16 in every channel, after scene.depth bounces or TIA_LAYERS layers, or when TIA_RAYS rays of
+ * is below 2^-16 in every channel, after scene.depth bounces or TIA_LAYERS_MAX layers, or when TIA_RAYS_MAX rays of
  * its sample have been traced, in the order of path_hash in render.h (without layers there are never more).
  * A ray that hits nothing sees the background. Only a sample's final colour is clamped; no intermediate value
  * exceeds 2^17.
@@ -68,9 +68,9 @@ extern "C" {
 #define TIA_INDEX_MIN TIA_Q16(0.25) /* index of refraction */
 #define TIA_INDEX_MAX TIA_Q16(4)
 #define TIA_EMISSION_BITS_MAX 13
-#define TIA_MEDIA 8                  /* entered objects in a ray's list */
-#define TIA_LAYERS 256               /* straight layers in a path */
-#define TIA_RAYS (UINT32_C(1) << 17) /* rays of a sample, without shadow rays */
+#define TIA_MEDIA_MAX 8                  /* entered objects in a ray's list */
+#define TIA_LAYERS_MAX 256               /* straight layers in a path */
+#define TIA_RAYS_MAX (UINT32_C(1) << 17) /* rays of a sample, without shadow rays */
 
 /* Every channel of a material's colours lies in [0, 1]. */
 struct tia_material {

@@ -40,7 +40,7 @@ extern "C" {
 #define TIA_NO_FACE UINT32_MAX /* no face at this pixel */
 
 /* The pixels of an image: D(i, j) = (x + right i, y - down j, w). */
-struct tia_lattice {
+struct tia_raster_grid {
     enum tia_projection projection;
     uint16_t width, height; /* size of the whole image */
     int32_t x, y, w, right, down;
@@ -61,19 +61,37 @@ struct tia_lattice {
  * This chooses `fraction`: 25 - range where that is at least 18 and most polygons then fit 64 bits, else 40 - range;
  * orthographic always 29 - range, or 28 when that is 0, as w is 1. Of 6 million pixels of meshes, 5 see another face
  * with 18 bits than with 34, none with 22. */
-int tia_lattice_init(struct tia_lattice *lattice, enum tia_projection projection, unsigned width, unsigned height,
-                     uint32_t samples, uint32_t sample, unsigned range);
+int tia_raster_grid_init(struct tia_raster_grid *lattice, enum tia_projection projection, unsigned width,
+                         unsigned height, uint32_t samples, uint32_t sample, unsigned range);
 
 struct tia_raster_vertex {
     int64_t x, y, w, h;
 };
 
-/* OpenGL's comparisons, in its order. The new value is on the left: TIA_LESS passes nearer pixels, or those where
- * reference & mask is less than stored & mask. */
-enum tia_compare { TIA_NEVER, TIA_LESS, TIA_EQUAL, TIA_LEQUAL, TIA_GREATER, TIA_NOTEQUAL, TIA_GEQUAL, TIA_ALWAYS };
+/* OpenGL's comparisons, in its order. The new value is on the left: TIA_COMPARE_LESS passes nearer pixels, or those
+ * where reference & mask is less than stored & mask. */
+enum tia_compare {
+    TIA_COMPARE_NEVER,
+    TIA_COMPARE_LESS,
+    TIA_COMPARE_EQUAL,
+    TIA_COMPARE_LEQUAL,
+    TIA_COMPARE_GREATER,
+    TIA_COMPARE_NOTEQUAL,
+    TIA_COMPARE_GEQUAL,
+    TIA_COMPARE_ALWAYS
+};
 
-/* OpenGL's operations. TIA_INCR and TIA_DECR stop at 255 and 0. */
-enum tia_stencil_op { TIA_KEEP, TIA_ZERO, TIA_REPLACE, TIA_INCR, TIA_DECR, TIA_INVERT, TIA_INCR_WRAP, TIA_DECR_WRAP };
+/* OpenGL's operations. TIA_STENCIL_INCR and TIA_STENCIL_DECR stop at 255 and 0. */
+enum tia_stencil_op {
+    TIA_STENCIL_KEEP,
+    TIA_STENCIL_ZERO,
+    TIA_STENCIL_REPLACE,
+    TIA_STENCIL_INCR,
+    TIA_STENCIL_DECR,
+    TIA_STENCIL_INVERT,
+    TIA_STENCIL_INCR_WRAP,
+    TIA_STENCIL_DECR_WRAP
+};
 
 struct tia_stencil {
     enum tia_compare test;
@@ -116,13 +134,13 @@ struct tia_raster_runs;
 
 /* A rectangle of the image, row by row. An absent buffer is NULL. */
 struct tia_raster_target {
-    const struct tia_lattice *lattice;
+    const struct tia_raster_grid *lattice;
     struct tia_tile area;
     uint32_t *face;     /* TIA_NO_FACE at empty pixels */
     uint64_t *nearness; /* within 2^15 of 1/t 2^scale, orthographic of 2^61 more, and clamped to 0..2^62; 0 at empty
                            pixels. In perspective w = 1/16 has 2^61..2^62, orthographic h of -2^range 0..2^60 */
     uint8_t *stencil;
-    uint32_t *count;  /* TIA_INCR_WRAP and TIA_DECR_WRAP count here too, modulo 2^32 and without masks */
+    uint32_t *count; /* TIA_STENCIL_INCR_WRAP and TIA_STENCIL_DECR_WRAP count here too, modulo 2^32 and without masks */
     uint16_t *colour; /* three a pixel: red, green, blue */
     uint32_t *sum;    /* the accumulation buffer, three a pixel */
     struct tia_raster_plane *planes;
@@ -138,50 +156,50 @@ size_t tia_raster_size(struct tia_tile area, unsigned buffers, uint32_t faces);
 
 /* Creates a target in `memory`, aligned for uint64_t, and clears it. The lattice must outlive it. TIA_ERR_ARGUMENT when
  * the area is empty or not inside the image, or there are no such buffers; TIA_ERR_MEMORY when `size` is too small. */
-int tia_raster_init(struct tia_raster_target *target, void *memory, size_t size, const struct tia_lattice *lattice,
+int tia_raster_init(struct tia_raster_target *target, void *memory, size_t size, const struct tia_raster_grid *lattice,
                     struct tia_tile area, unsigned buffers, uint32_t faces);
 
 /* Empties the depth buffer. TIA_OK, too, without that buffer, here and below: nothing is done then. */
-int tia_clear_depth(struct tia_raster_target *target);
+int tia_raster_clear_depth(struct tia_raster_target *target);
 /* Sets the bits of `write`, as OpenGL's clear does. */
-int tia_clear_stencil(struct tia_raster_target *target, uint8_t value, uint8_t write);
-int tia_clear_count(struct tia_raster_target *target, uint32_t value);
-int tia_clear_colour(struct tia_raster_target *target, const uint16_t colour[3]);
-int tia_clear_sum(struct tia_raster_target *target);
+int tia_raster_clear_stencil(struct tia_raster_target *target, uint8_t value, uint8_t write);
+int tia_raster_clear_count(struct tia_raster_target *target, uint32_t value);
+int tia_raster_clear_colour(struct tia_raster_target *target, const uint16_t colour[3]);
+int tia_raster_clear_sum(struct tia_raster_target *target);
 
 /* The accumulation buffer is for callers: with an area light, they draw a picture for each of its points and take the
- * mean. tia_render records which samples of a light arrive, and needs no such buffer.
+ * mean. tia_view_draw records which samples of a light arrive, and needs no such buffer.
  *
  * Adds `weight` times the colour buffer to the sum; all weights together at most 65536. TIA_ERR_ARGUMENT for a weight
  * above that. */
-int tia_sum_add(struct tia_raster_target *target, uint32_t weight);
+int tia_raster_sum_add(struct tia_raster_target *target, uint32_t weight);
 /* Sets the colour buffer to the sum over `total`, rounded to nearest, ties up. TIA_ERR_ARGUMENT when the total is
  * not in 1..65536. */
-int tia_sum_return(struct tia_raster_target *target, uint32_t total);
+int tia_raster_sum_return(struct tia_raster_target *target, uint32_t total);
 
 /* Draws a convex polygon of 3..TIA_RASTER_CORNERS corners by `state`. Its plane, for depth, is that of its first three
  * corners. A polygon that writes depth has a face below face_count, and this face keeps its plane until the depth
  * buffer is cleared; other polygons may have TIA_NO_FACE. TIA_ERR_ARGUMENT otherwise, and for another number of corners
  * or an enum of the state beyond its last value; TIA_ERR_RANGE when a vertex is out of the range above. */
-int tia_draw_polygon(struct tia_raster_target *target, const struct tia_raster_state *state,
-                     const struct tia_raster_vertex *corners, unsigned count, uint32_t face);
+int tia_raster_draw(struct tia_raster_target *target, const struct tia_raster_state *state,
+                    const struct tia_raster_vertex *corners, unsigned count, uint32_t face);
 
 /* A triangle prepared for interpolation. */
-struct tia_corners {
+struct tia_raster_corners {
     uint64_t weights[3][3][2];
 };
 
 /* Prepares a triangle. False when the eye is in the triangle's plane or a vertex out of range; *corners is undefined
  * then. */
-bool tia_corners_init(struct tia_corners *corners, const struct tia_lattice *lattice,
-                      const struct tia_raster_vertex vertices[3]);
+bool tia_raster_corners_init(struct tia_raster_corners *corners, const struct tia_raster_grid *lattice,
+                             const struct tia_raster_vertex vertices[3]);
 
 /* Interpolates a[0], a[1], a[2], given at the corners, linearly on the triangle's plane, to the point that pixel (x, y)
  * of the image sees: perspective-correct, rounded to nearest, ties up, and clamped to the range of tia_q16. A corner
  * that is a direction has no value. 0 where the plane is not before the eye, and for x and y not in 0..TIA_SIZE_MAX
  * - 1.
  */
-tia_q16 tia_corners_blend(const struct tia_corners *corners, int x, int y, const tia_q16 a[3]);
+tia_q16 tia_raster_corners_blend(const struct tia_raster_corners *corners, int x, int y, const tia_q16 a[3]);
 
 #ifdef __cplusplus
 }

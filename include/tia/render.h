@@ -1,10 +1,10 @@
 /* render.h - renders a scene to RGB565 pixels, a tile at a time, in the caller's memory.
  *
  *     scene --tia_view_init--> view     the scene prepared for one image size
- *     view  --tia_trace------> hits     the nearest object of each pixel of a tile
- *     hits  --tia_light_tile-> pixels   lit, clamped, packed
+ *     view  --tia_view_trace------> hits     the nearest object of each pixel of a tile
+ *     hits  --tia_view_light-> pixels   lit, clamped, packed
  *
- * When only lights have moved, tia_view_set_lights and tia_light_tile make the new picture from the old
+ * When only lights have moved, tia_view_set_lights and tia_view_light make the new picture from the old
  * hits, and it is exactly the picture that tracing again would give. Tiles may have any size and be drawn in
  * any order, also from several threads at once, as long as no two threads share a pixel of a hit buffer: the
  * pixels are the same. Nothing here allocates, prints or keeps state.
@@ -57,9 +57,9 @@ size_t tia_view_size(const struct tia_scene *scene, uint32_t light_capacity);
  * TIA_ERR_RANGE when tia_scene_check refuses the scene or something is too far away for its shadows, see shadow.h;
  * TIA_ERR_MEMORY when `size` is too small.
  *
- * One thread prepares it. The view keeps the job's `stop` and calls it in tia_view_set_lights, and in tia_trace and
- * tia_light_tile as well, in the thread that draws, at least every 16 rays or so; spans after each row. What a call has
- * drawn of the tile, the hits and the view's lights when it returns TIA_STOPPED is not defined. */
+ * One thread prepares it. The view keeps the job's `stop` and calls it in tia_view_set_lights, and in tia_view_trace
+ * and tia_view_light as well, in the thread that draws, at least every 16 rays or so; spans after each row. What a call
+ * has drawn of the tile, the hits and the view's lights when it returns TIA_STOPPED is not defined. */
 int tia_view_init(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
                   uint32_t light_capacity, unsigned width, unsigned height, const struct tia_job *job);
 
@@ -77,24 +77,24 @@ size_t tia_hits_size(const struct tia_scene *scene, struct tia_tile area);
 int tia_hits_init(struct tia_hits **hits, void *memory, size_t size, const struct tia_view *view, struct tia_tile area);
 
 /* Returns the index of the object at pixel (x, y) of the image, or TIA_NO_OBJECT; with several samples per pixel, that
- * of the first. Lights are not in the hits, since they may move: tia_light_tile finds them. TIA_NO_OBJECT, too, outside
+ * of the first. Lights are not in the hits, since they may move: tia_view_light finds them. TIA_NO_OBJECT, too, outside
  * the image and the hits, and as long as no tile of the hits is traced; the pixel must be traced. */
 uint32_t tia_hits_object(const struct tia_hits *hits, unsigned x, unsigned y);
 
 /* Finds the nearest object of each pixel of `tile`. TIA_ERR_ARGUMENT when the tile is empty or not inside the image and
  * the hit buffer, and when the hits are another view's. */
-int tia_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile);
+int tia_view_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile);
 
 /* Computes the colours of the traced pixels of `tile` and writes each pixel once, left to right, top to bottom.
- * `options` may be NULL. Errors as for tia_trace, and TIA_ERR_ARGUMENT when no tile of the hits is traced, or the
+ * `options` may be NULL. Errors as for tia_view_trace, and TIA_ERR_ARGUMENT when no tile of the hits is traced, or the
  * surface has no pixels or is not aligned. Once a tile is traced, it is not detected that others are not: all pixels of
  * `tile` must be. A level, see simd.h, needs no hits. */
-int tia_light_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
+int tia_view_light(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                    const struct tia_surface *surface, const struct tia_options *options);
 
-/* Calls tia_trace, then tia_light_tile; faster than one after the other where rays draw. */
-int tia_render(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
-               const struct tia_surface *surface, const struct tia_options *options);
+/* Calls tia_view_trace, then tia_view_light; faster than one after the other where rays draw. */
+int tia_view_draw(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
+                  const struct tia_surface *surface, const struct tia_options *options);
 
 /* True if a tile of one pixel costs little more than its share of a large one. Rays draw so; spans prepare a row, and
  * the rasteriser goes through all faces. */

@@ -32,7 +32,7 @@ extern "C" {
 #endif
 
 #define TIA_SPAN_SPHERES 256
-#define TIA_DEPTH 5 /* the default */
+#define TIA_DEPTH_DEFAULT 5 /* the default */
 #define TIA_DEPTH_MAX 16
 #define TIA_SCALE_BITS_MAX 16
 #define TIA_FALLS_MAX 256
@@ -83,7 +83,7 @@ struct tia_scene {
     const struct tia_mesh *meshes;
     const struct tia_grid *grids;
     uint32_t shape_count, transform_count, texture_count, mesh_count, grid_count;
-    uint32_t depth; /* maximum reflections and refractions along a path, see material.h; 0 means TIA_DEPTH */
+    uint32_t depth; /* maximum reflections and refractions along a path, see material.h; 0 means TIA_DEPTH_DEFAULT */
     struct tia_integration integration; /* another integrator than Whitted's */
     enum tia_shadows shadows;           /* another technique than traced rays, see shadow.h */
     struct tia_shadow_map shadow_map;   /* for TIA_SHADOWS_MAP; all zero: the defaults */

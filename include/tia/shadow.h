@@ -9,10 +9,10 @@
  * of shadows have corners, and a face can turn away from the light a little before the true surface does.
  *
  * Such a scene needs opaque materials (transmission 0, no opacity), no sphere lights but with TIA_FILTER_PCSS, and at
- * most TIA_SHADOW_SAMPLES samples of all its lights and keys together. Area lights have the same sample points at each
- * pixel, those of b = 0 in light.h. Only directly visible surfaces have these shadows; in mirrors they are traced. Hits
- * take 28 bytes for each sample of a pixel and 4 more; TIA_SHADOWS_MAP_EXACT 36, filters of maps 2 more for each sample
- * of all lights.
+ * most TIA_SHADOW_SAMPLES_MAX samples of all its lights and keys together. Area lights have the same sample points at
+ * each pixel, those of b = 0 in light.h. Only directly visible surfaces have these shadows; in mirrors they are traced.
+ * Hits take 28 bytes for each sample of a pixel and 4 more; TIA_SHADOWS_MAP_EXACT 36, filters of maps 2 more for each
+ * sample of all lights.
  */
 #ifndef TIA_SHADOW_H
 #define TIA_SHADOW_H
@@ -23,7 +23,7 @@
 extern "C" {
 #endif
 
-#define TIA_SHADOW_SAMPLES 64
+#define TIA_SHADOW_SAMPLES_MAX 64
 
 enum tia_shadows {
     TIA_SHADOWS_TRACED, /* rays that start a little off the surface, any scene */
@@ -58,7 +58,7 @@ const char *tia_shadows_name(unsigned technique);
  * penumbra then covers, 2 x 2 at least. It treats any area light as a disc of the same area, with one sample that
  * stands for all. */
 enum tia_bias {
-    TIA_BIAS_DEFAULT, /* TIA_BIAS_SLOPE, whose amount is TIA_SHADOW_AMOUNT */
+    TIA_BIAS_DEFAULT, /* TIA_BIAS_SLOPE, whose amount is TIA_SHADOW_AMOUNT_DEFAULT */
     TIA_BIAS_NONE,
     TIA_BIAS_CONSTANT,
     TIA_BIAS_SLOPE,
@@ -77,15 +77,15 @@ enum tia_filter {
     TIA_FILTER_PCSS
 };
 
-#define TIA_MAP_SIZE 1024 /* the default */
+#define TIA_MAP_SIZE_DEFAULT 1024 /* the default */
 #define TIA_MAP_SIZE_MIN 64
 #define TIA_MAP_SIZE_MAX 4096
-#define TIA_SHADOW_AMOUNT TIA_Q16(2)
+#define TIA_SHADOW_AMOUNT_DEFAULT TIA_Q16(2)
 #define TIA_AMOUNT_BITS_MAX 12
 #define TIA_SPOT_MAP 60
 
 struct tia_shadow_map {
-    uint16_t size;       /* a power of 2 from TIA_MAP_SIZE_MIN to TIA_MAP_SIZE_MAX; 0 means TIA_MAP_SIZE */
+    uint16_t size;       /* a power of 2 from TIA_MAP_SIZE_MIN to TIA_MAP_SIZE_MAX; 0 means TIA_MAP_SIZE_DEFAULT */
     uint8_t amount_bits; /* for TIA_BIAS_CONSTANT, 0..TIA_AMOUNT_BITS_MAX; 0 for others */
     enum tia_bias bias;
     tia_q16 amount; /* times 2^-amount_bits; at least 0 */

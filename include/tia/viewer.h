@@ -181,16 +181,17 @@ int tia_viewer_run_spheres(struct tia_viewer *viewer);
 /* Applies a key press to the lights, *count of an array of `capacity`. Returns 1 when they changed; 0 when the key has
  * a meaning but changes nothing; TIA_ERR_ARGUMENT when the key quits, or *count is above the capacity. A light that
  * would leave the range of tia_scene_check does not move. */
-int tia_press(const struct tia_scene *scene, struct tia_light *lights, uint32_t *count, uint32_t capacity,
-              uint16_t key);
+int tia_viewer_press(const struct tia_scene *scene, struct tia_light *lights, uint32_t *count, uint32_t capacity,
+                     uint16_t key);
 
 /* Returns the index of the light that a key sets or moves; `count` when the key adds one; TIA_NO_LIGHT when none. */
 #define TIA_NO_LIGHT UINT32_MAX
-uint32_t tia_key_light(const struct tia_scene *scene, const struct tia_light *lights, uint32_t count, uint16_t key);
+uint32_t tia_viewer_key_light(const struct tia_scene *scene, const struct tia_light *lights, uint32_t count,
+                              uint16_t key);
 
 /* Returns the time of frame number `frame` of a film that starts at `start` and shows rate[0]/rate[1] frames per
  * second, each 1..1000000: rounded to nearest, at most INT32_MAX. Without a rate, NULL, it is `start`. */
-tia_q16 tia_frame_time(tia_q16 start, uint32_t frame, const uint32_t rate[2]);
+tia_q16 tia_viewer_frame_time(tia_q16 start, uint32_t frame, const uint32_t rate[2]);
 
 #ifdef __cplusplus
 }

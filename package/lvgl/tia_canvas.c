@@ -15,7 +15,7 @@ static int draw(const struct tia_scene *scene, tia_rgb565 *pixels, uint16_t widt
         const struct tia_tile tile = {.y = y, .width = width, .height = 1};
         status = tia_hits_init(&hits, memory + view_size / 8, size - view_size, view, tile);
         if (status == TIA_OK)
-            status = tia_render(view, hits, tile, &row, NULL);
+            status = tia_view_draw(view, hits, tile, &row, NULL);
         row.pixels = pixels + (size_t)(y + 1) * width;
     }
     return status;

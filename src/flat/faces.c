@@ -208,11 +208,12 @@ static int make_planes(struct tia_flat_scene *flat, const struct tia_scene *scen
 void tia_flat_sample(struct tia_flat_scene *out, const struct tia_flat_scene *flat, const struct tia_scene *scene,
                      unsigned sample)
 {
-    const struct tia_lattice *l = &flat->lattice;
+    const struct tia_raster_grid *l = &flat->lattice;
     unsigned range = tia_flat_range(flat);
 
     *out = *flat;
-    (void)tia_lattice_init(&out->lattice, l->projection, l->width, l->height, tia_flat_samples(scene), sample, range);
+    (void)tia_raster_grid_init(&out->lattice, l->projection, l->width, l->height, tia_flat_samples(scene), sample,
+                               range);
     out->planes = flat->planes + (size_t)flat->face_count * sample;
 }
 
@@ -251,9 +252,9 @@ static void place_points(struct tia_flat_scene *flat, const struct tia_scene *sc
 
 int tia_flat_place(struct tia_flat_scene *flat, const struct tia_scene *scene, unsigned range, struct cancel *cancel)
 {
-    const struct tia_lattice now = flat->lattice;
+    const struct tia_raster_grid now = flat->lattice;
     int status =
-        tia_lattice_init(&flat->lattice, scene->camera.projection, now.width, now.height, flat->samples, 0, range);
+        tia_raster_grid_init(&flat->lattice, scene->camera.projection, now.width, now.height, flat->samples, 0, range);
 
     flat->bits = flat->lattice.fraction + (int)range;
     if (!status)

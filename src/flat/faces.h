@@ -19,7 +19,7 @@ struct tia_flat_object {
 
 struct tia_flat_scene {
     struct tia_eye eye;
-    struct tia_lattice lattice;
+    struct tia_raster_grid lattice;
     unsigned reach;   /* reach of the faces, see reach.h */
     uint32_t samples; /* samples of a pixel */
     int bits;         /* coordinates of points are below 2^bits */

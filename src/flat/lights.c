@@ -8,7 +8,7 @@ unsigned tia_flat_light_samples(const struct tia_light *light)
         return 0;
     if (!tia_light_has(light->kind, TIA_LIGHT_SIDES | TIA_LIGHT_DISC))
         return 1;
-    return light->samples ? light->samples : TIA_LIGHT_SAMPLES;
+    return light->samples ? light->samples : TIA_LIGHT_SAMPLES_DEFAULT;
 }
 
 /* Returns the eight bits of i in reverse order. */

@@ -186,9 +186,9 @@ static unsigned range_of_places(const struct tia_reach *reach, const struct tia_
 /* Returns the largest range that a light's point may have with vertices for `range`. */
 static unsigned limit_of(const struct tia_reach *reach, unsigned range)
 {
-    struct tia_lattice lattice;
+    struct tia_raster_grid lattice;
     int status =
-        tia_lattice_init(&lattice, reach->eye->projection, reach->width, reach->height, reach->samples, 0, range);
+        tia_raster_grid_init(&lattice, reach->eye->projection, reach->width, reach->height, reach->samples, 0, range);
 
     return status ? 0 : (unsigned)(POINT_BITS(is_flat(reach)) - lattice.fraction);
 }

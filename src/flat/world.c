@@ -71,7 +71,7 @@ static int64_t limited(int64_t a, int64_t most)
 void tia_world_init(struct tia_world *world, const struct tia_flat_scene *flat)
 {
     static const int64_t ahead[3] = {0, 0, -1};
-    const struct tia_lattice *l = &flat->lattice;
+    const struct tia_raster_grid *l = &flat->lattice;
     bool flat_view = flat->eye.projection == TIA_ORTHOGRAPHIC;
     const int64_t first[3] = {l->x, l->y, flat_view ? 0 : l->w}, right[3] = {l->right}, down[3] = {0, -l->down};
 

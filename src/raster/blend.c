@@ -7,8 +7,8 @@
 
 /* The point at a pixel is a weighted sum of the corners, each weight det(D, q, q) of the other two; the value is the
  * mean of the corners' values with these weights, without corners that are directions. */
-bool tia_corners_init(struct tia_corners *corners, const struct tia_lattice *lattice,
-                      const struct tia_raster_vertex vertices[3])
+bool tia_raster_corners_init(struct tia_raster_corners *corners, const struct tia_raster_grid *lattice,
+                             const struct tia_raster_vertex vertices[3])
 {
     int64_t q[3][3];
     wide n[3];
@@ -82,7 +82,7 @@ static int64_t fine_quotient(wide over, int64_t under)
 /* Interpolates with the upper 60 bits of the weights, cut to the same place: each errs by less than 1 of at least 2^59.
  * So where their sum is at least 2^BLEND_LEAST the quotient errs little (ranges.h; tests/proofs/raster_blend.g), and
  * only close to a half is the exact sum needed. */
-tia_q16 tia_corners_blend(const struct tia_corners *corners, int x, int y, const tia_q16 a[3])
+tia_q16 tia_raster_corners_blend(const struct tia_raster_corners *corners, int x, int y, const tia_q16 a[3])
 {
     wide weight[3], over = wide_product(0, 0), sum = over;
     int64_t under = 0;

@@ -19,7 +19,7 @@ static int32_t along(int64_t a, int64_t w, unsigned zeros, uint32_t reciprocal, 
     return a < 0 ? -part : part;
 }
 
-static void include_corner(struct reach *r, const struct tia_lattice *l, const struct tia_raster_vertex *v)
+static void include_corner(struct reach *r, const struct tia_raster_grid *l, const struct tia_raster_vertex *v)
 {
     unsigned zeros = tia_clz64((uint64_t)v->w);
     uint32_t reciprocal = tia_reciprocal((uint32_t)((uint64_t)v->w << zeros >> 32));
@@ -42,7 +42,7 @@ static void narrow_to(int *low, int *high, int32_t from, int32_t to, int more)
 
 /* True if all corners are on one outer side of the image, or none is in front of the eye: the same holds for all points
  * between, so no pixel is covered. */
-static bool is_outside(const struct tia_raster_vertex *v, unsigned count, const struct tia_lattice *l, int64_t more)
+static bool is_outside(const struct tia_raster_vertex *v, unsigned count, const struct tia_raster_grid *l, int64_t more)
 {
     int64_t width = l->width, height = l->height, sides = 2 * more;
     unsigned left = 0, right = 0, above = 0, below = 0, behind = 0;
@@ -58,7 +58,7 @@ static bool is_outside(const struct tia_raster_vertex *v, unsigned count, const 
     return left == count || right == count || above == count || below == count || behind == count;
 }
 
-bool tia_polygon_box(struct polygon *p, const struct tia_lattice *lattice, struct tia_tile area,
+bool tia_polygon_box(struct polygon *p, const struct tia_raster_grid *lattice, struct tia_tile area,
                      const struct tia_raster_vertex *corners, unsigned count, unsigned more)
 {
     struct reach r = {INT32_MAX, INT32_MIN, INT32_MAX, INT32_MIN};

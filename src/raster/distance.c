@@ -25,7 +25,7 @@ static int64_t scaled(wide m, int exponent)
 
 /* Returns the distance. With t = det/f, the visible point of a plane is t D, and in perspective its depth t D.w. In
  * orthographic views the visible point has w = 1, so t = 1/D.w there, and -h = -f/(det D.w). */
-int64_t tia_plane_distance(const struct tia_raster_plane *plane, const struct tia_lattice *l, int x, int y)
+int64_t tia_plane_distance(const struct tia_raster_plane *plane, const struct tia_raster_grid *l, int x, int y)
 {
     bool flat = l->projection == TIA_ORTHOGRAPHIC;
     wide f = wide_sum(wide_sum(wide_times(halves_get(plane->x), x), wide_times(halves_get(plane->y), y)),
@@ -41,7 +41,7 @@ int64_t tia_plane_distance(const struct tia_raster_plane *plane, const struct ti
     return scaled(ratio, up - down - 60 + TIA_DISTANCE_BITS - (flat ? 0 : l->fraction));
 }
 
-int64_t tia_raster_distance(const struct tia_raster_plane *plane, const struct tia_lattice *lattice, int x, int y)
+int64_t tia_raster_distance(const struct tia_raster_plane *plane, const struct tia_raster_grid *lattice, int x, int y)
 {
     bool seen = plane && lattice && x >= 0 && y >= 0 && x < (int)lattice->width && y < (int)lattice->height;
 

@@ -60,21 +60,21 @@ static inline void put_depth(const struct job *job, int64_t z, size_t at)
 static uint8_t operate(enum tia_stencil_op op, uint8_t old, uint8_t reference)
 {
     switch (op) {
-    case TIA_ZERO:
+    case TIA_STENCIL_ZERO:
         return 0;
-    case TIA_REPLACE:
+    case TIA_STENCIL_REPLACE:
         return reference;
-    case TIA_INCR:
+    case TIA_STENCIL_INCR:
         return old == 255 ? 255 : (uint8_t)(old + 1);
-    case TIA_DECR:
+    case TIA_STENCIL_DECR:
         return old == 0 ? 0 : (uint8_t)(old - 1);
-    case TIA_INVERT:
+    case TIA_STENCIL_INVERT:
         return (uint8_t)~old;
-    case TIA_INCR_WRAP:
+    case TIA_STENCIL_INCR_WRAP:
         return (uint8_t)(old + 1);
-    case TIA_DECR_WRAP:
+    case TIA_STENCIL_DECR_WRAP:
         return (uint8_t)(old - 1);
-    case TIA_KEEP:
+    case TIA_STENCIL_KEEP:
         break;
     }
     return old;
@@ -84,7 +84,7 @@ static inline void put_stencil(struct tia_raster_target *t, const struct tia_ste
                                size_t at)
 {
     if (t->count)
-        t->count[at] += op == TIA_INCR_WRAP ? 1 : op == TIA_DECR_WRAP ? UINT32_MAX : 0;
+        t->count[at] += op == TIA_STENCIL_INCR_WRAP ? 1 : op == TIA_STENCIL_DECR_WRAP ? UINT32_MAX : 0;
     if (!t->stencil)
         return;
     uint8_t old = t->stencil[at], now = operate(op, old, s->reference);
@@ -103,8 +103,8 @@ static bool depth_passes(const struct job *job, int64_t z, int x, int y, size_t 
 {
     enum tia_compare test = job->state->depth;
 
-    if (test == TIA_ALWAYS || test == TIA_NEVER || !job->target->face)
-        return test != TIA_NEVER || !job->target->face;
+    if (test == TIA_COMPARE_ALWAYS || test == TIA_COMPARE_NEVER || !job->target->face)
+        return test != TIA_COMPARE_NEVER || !job->target->face;
     return passes(test, -order_at(job, z, x, y, at));
 }
 
@@ -210,8 +210,8 @@ static void share(struct job *job)
 {
     const struct tia_raster_target *t = job->target;
     const struct tia_stencil *s = stencil_of(job);
-    bool nearer = s->zfail == TIA_KEEP;
-    uint32_t one = (nearer ? s->zpass : s->zfail) == TIA_DECR_WRAP ? UINT32_MAX : 1;
+    bool nearer = s->zfail == TIA_STENCIL_KEEP;
+    uint32_t one = (nearer ? s->zpass : s->zfail) == TIA_STENCIL_DECR_WRAP ? UINT32_MAX : 1;
 
     job->runs = t->runs ? t->runs : &tia_raster_runs_plain;
     job->shared = (struct raster_polygon){
@@ -220,7 +220,7 @@ static void share(struct job *job)
 
 static bool counts(enum tia_stencil_op op)
 {
-    return op == TIA_INCR_WRAP || op == TIA_DECR_WRAP;
+    return op == TIA_STENCIL_INCR_WRAP || op == TIA_STENCIL_DECR_WRAP;
 }
 
 static bool is_counting(const struct job *job)
@@ -228,10 +228,10 @@ static bool is_counting(const struct job *job)
     const struct tia_raster_target *t = job->target;
     const struct tia_raster_state *state = job->state;
     const struct tia_stencil *s = stencil_of(job);
-    bool one = (s->zfail == TIA_KEEP && counts(s->zpass)) || (s->zpass == TIA_KEEP && counts(s->zfail));
+    bool one = (s->zfail == TIA_STENCIL_KEEP && counts(s->zpass)) || (s->zpass == TIA_STENCIL_KEEP && counts(s->zfail));
 
-    return one && s->test == TIA_ALWAYS && s->write == 255 && state->depth == TIA_LESS && !state->depth_write &&
-           !t->stencil != !t->count && t->face &&
+    return one && s->test == TIA_COMPARE_ALWAYS && s->write == 255 && state->depth == TIA_COMPARE_LESS &&
+           !state->depth_write && !t->stencil != !t->count && t->face &&
            (!t->colour || !(state->colour_write[0] || state->colour_write[1] || state->colour_write[2]));
 }
 
@@ -242,7 +242,7 @@ static bool never_counts(const struct tia_stencil *s)
 
 static bool is_depth_alone(const struct tia_raster_target *t, const struct tia_raster_state *s)
 {
-    return s->depth == TIA_LESS && s->depth_write && t->face && !t->stencil && !t->colour &&
+    return s->depth == TIA_COMPARE_LESS && s->depth_write && t->face && !t->stencil && !t->colour &&
            (!t->count || (never_counts(&s->front) && never_counts(&s->back)));
 }
 
@@ -251,7 +251,7 @@ static bool is_state(const struct tia_raster_state *s)
 {
     return ((unsigned)s->depth | (unsigned)s->front.test | (unsigned)s->front.fail | (unsigned)s->front.zfail |
             (unsigned)s->front.zpass | (unsigned)s->back.test | (unsigned)s->back.fail | (unsigned)s->back.zfail |
-            (unsigned)s->back.zpass) <= TIA_ALWAYS;
+            (unsigned)s->back.zpass) <= TIA_COMPARE_ALWAYS;
 }
 
 static bool is_valid(const struct tia_raster_target *t, const struct tia_raster_state *s,
@@ -261,8 +261,8 @@ static bool is_valid(const struct tia_raster_target *t, const struct tia_raster_
            (!s->depth_write || !t->face || face < t->face_count);
 }
 
-int tia_draw_polygon(struct tia_raster_target *target, const struct tia_raster_state *state,
-                     const struct tia_raster_vertex *corners, unsigned count, uint32_t face)
+int tia_raster_draw(struct tia_raster_target *target, const struct tia_raster_state *state,
+                    const struct tia_raster_vertex *corners, unsigned count, uint32_t face)
 {
     struct polygon p;
     struct job job = {.target = target, .state = state, .polygon = &p, .face = face};
@@ -286,7 +286,7 @@ int tia_draw_polygon(struct tia_raster_target *target, const struct tia_raster_s
     return TIA_OK;
 }
 
-int tia_raster_plane_init(struct tia_raster_plane *plane, const struct tia_lattice *lattice,
+int tia_raster_plane_init(struct tia_raster_plane *plane, const struct tia_raster_grid *lattice,
                           const struct tia_raster_vertex *corners, unsigned count)
 {
     struct polygon p;

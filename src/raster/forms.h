@@ -11,7 +11,7 @@ static inline FORM(number) FORM(form_at)(const struct FORM(form) * f, int i, int
 }
 
 /* Returns n.D(i, j). */
-static inline struct FORM(form) FORM(form_of)(const FORM(number) n[3], const struct tia_lattice *l)
+static inline struct FORM(form) FORM(form_of)(const FORM(number) n[3], const struct tia_raster_grid *l)
 {
     FORM(number) c = FORM(sum)(FORM(times)(n[0], l->x), FORM(times)(n[1], l->y));
 

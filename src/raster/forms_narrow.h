@@ -1,4 +1,4 @@
-/* forms_narrow.h - linear functions of the pixel in 64 bits, for polygons within tia_lattice.narrow. */
+/* forms_narrow.h - linear functions of the pixel in 64 bits, for polygons within tia_raster_grid.narrow. */
 #ifndef TIA_RASTER_FORMS_NARROW_H
 #define TIA_RASTER_FORMS_NARROW_H
 

@@ -24,7 +24,7 @@ static int bits_of(uint64_t n)
 /* Sets the sample position. Sample s of n x n is at column 2 n i + 2 j + 1, row 2 n j + 2 n - 2 i - 1 of 2 n^2, i = s
  * mod n, j = s div n. From
  * -W n^2 to W n^2 that is x/w times W n^2; to have integers on both axes, D is that times W H/gcd(W, H). */
-static void place(struct tia_lattice *l, int32_t n, int32_t sample)
+static void place(struct tia_raster_grid *l, int32_t n, int32_t sample)
 {
     int32_t width = l->width, height = l->height, g = common_divisor(width, height), i = sample % n, j = sample / n;
     int32_t column = 2 * n * i + 2 * j + 1 - n * n * width, row = n * n * height - (2 * n * j + 2 * n - 2 * i - 1);
@@ -40,7 +40,7 @@ static void place(struct tia_lattice *l, int32_t n, int32_t sample)
 
 /* Returns a bound of |D.x| + |D.y| + |D.w|, a pixel around the image included: the same for all samples, so that their
  * vertices are. */
-static uint64_t reach(const struct tia_lattice *l)
+static uint64_t reach(const struct tia_raster_grid *l)
 {
     int64_t x = (int64_t)l->right * (l->width + 4) / 2, y = (int64_t)l->down * (l->height + 4) / 2;
 
@@ -48,7 +48,7 @@ static uint64_t reach(const struct tia_lattice *l)
 }
 
 /* Returns m of NARROW_SQUARE in ranges.h; and 2 m^2 below 2^61 so that normals and sums of them fit. */
-static int64_t narrow_limit(const struct tia_lattice *l)
+static int64_t narrow_limit(const struct tia_raster_grid *l)
 {
     if (l->projection == TIA_ORTHOGRAPHIC)
         return 0;
@@ -56,7 +56,7 @@ static int64_t narrow_limit(const struct tia_lattice *l)
     return (int64_t)(limit < UINT64_C(1) << 30 ? limit : UINT64_C(1) << 30) - 1;
 }
 
-static void choose_format(struct tia_lattice *l, int range)
+static void choose_format(struct tia_raster_grid *l, int range)
 {
     int w = bits_of((uint64_t)l->w);
 
@@ -70,8 +70,8 @@ static void choose_format(struct tia_lattice *l, int range)
     l->scale = 62 + l->fraction - 4 - w;
 }
 
-int tia_lattice_init(struct tia_lattice *lattice, enum tia_projection projection, unsigned width, unsigned height,
-                     uint32_t samples, uint32_t sample, unsigned range)
+int tia_raster_grid_init(struct tia_raster_grid *lattice, enum tia_projection projection, unsigned width,
+                         unsigned height, uint32_t samples, uint32_t sample, unsigned range)
 {
     unsigned most = projection == TIA_ORTHOGRAPHIC ? TIA_RANGE_FLAT : TIA_RANGE_MAX;
 

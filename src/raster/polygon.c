@@ -16,7 +16,7 @@ static inline int64_t size_of(int64_t a)
 
 /* Returns the largest absolute coordinate, or -1 when one is out of range: a direction's is a difference of two
  * points'. */
-static int64_t largest(const struct tia_lattice *l, const struct tia_raster_vertex *v, unsigned count)
+static int64_t largest(const struct tia_raster_grid *l, const struct tia_raster_vertex *v, unsigned count)
 {
     bool flat = l->projection == TIA_ORTHOGRAPHIC;
     int64_t most = 0, limit = INT64_C(1) << (flat ? FLAT_POINT : RASTER_POINT), far = flat ? 2 * limit : 1;
@@ -35,13 +35,14 @@ static int64_t largest(const struct tia_lattice *l, const struct tia_raster_vert
     return most;
 }
 
-bool tia_polygon_has_range(const struct tia_lattice *lattice, const struct tia_raster_vertex *corners, unsigned count)
+bool tia_polygon_has_range(const struct tia_raster_grid *lattice, const struct tia_raster_vertex *corners,
+                           unsigned count)
 {
     return largest(lattice, corners, count) >= 0;
 }
 
 /* Prepares a polygon; `more` pixels around it are in its box, too, but its edges stay. */
-static int init(struct polygon *p, const struct tia_lattice *lattice, struct tia_tile area,
+static int init(struct polygon *p, const struct tia_raster_grid *lattice, struct tia_tile area,
                 const struct tia_raster_vertex *corners, unsigned count, unsigned more)
 {
     int64_t most = largest(lattice, corners, count), q[TIA_RASTER_CORNERS][3];
@@ -63,7 +64,7 @@ static int init(struct polygon *p, const struct tia_lattice *lattice, struct tia
     return TIA_OK;
 }
 
-int tia_polygon_init(struct polygon *p, const struct tia_lattice *lattice, struct tia_tile area,
+int tia_polygon_init(struct polygon *p, const struct tia_raster_grid *lattice, struct tia_tile area,
                      const struct tia_raster_vertex *corners, unsigned count)
 {
     int status = init(p, lattice, area, corners, count, 0);
@@ -74,7 +75,7 @@ int tia_polygon_init(struct polygon *p, const struct tia_lattice *lattice, struc
 }
 
 /* Enlarges the polygon by a pixel: an edge's value is at most |x| + |y| less at a neighbouring pixel. */
-int tia_polygon_init_enlarged(struct polygon *p, const struct tia_lattice *lattice, struct tia_tile area,
+int tia_polygon_init_enlarged(struct polygon *p, const struct tia_raster_grid *lattice, struct tia_tile area,
                               const struct tia_raster_vertex *corners, unsigned count)
 {
     int status = init(p, lattice, area, corners, count, 2);

@@ -1,7 +1,7 @@
 /* setup.h - a polygon's edges and plane, in 64 or 128 bits as forms.h. No guard: polygon.c includes it once for each.
  */
 
-static void FORM(set_plane)(struct polygon *p, const struct tia_lattice *l, FORM(number) sides[3][3],
+static void FORM(set_plane)(struct polygon *p, const struct tia_raster_grid *l, FORM(number) sides[3][3],
                             const struct tia_raster_vertex *v)
 {
     FORM(number) zero = FORM(product)(0, 0), n[3] = {zero, zero, zero};
@@ -15,7 +15,7 @@ static void FORM(set_plane)(struct polygon *p, const struct tia_lattice *l, FORM
 }
 
 /* Returns an edge with the tie rule: to the right, then down. A side without length covers all pixels. */
-static struct FORM(form) FORM(edge_of)(const struct polygon *p, const struct tia_lattice *l, FORM(number) n[3])
+static struct FORM(form) FORM(edge_of)(const struct polygon *p, const struct tia_raster_grid *l, FORM(number) n[3])
 {
     if (!p->front)
         FORM(negate)(n);
@@ -28,7 +28,7 @@ static struct FORM(form) FORM(edge_of)(const struct polygon *p, const struct tia
 
 /* Sets up the edges and the plane; false when the eye is in the polygon's plane. sides[i] is that from corner i to the
  * next one. */
-static bool FORM(set_up)(struct polygon *p, const struct tia_lattice *l, int64_t q[][3],
+static bool FORM(set_up)(struct polygon *p, const struct tia_raster_grid *l, int64_t q[][3],
                          const struct tia_raster_vertex *v)
 {
     FORM(number) sides[3][3];

@@ -53,7 +53,7 @@ static void place(struct tia_raster_target *t, char *memory, unsigned buffers)
         t->stencil = (uint8_t *)memory;
 }
 
-int tia_raster_init(struct tia_raster_target *target, void *memory, size_t size, const struct tia_lattice *lattice,
+int tia_raster_init(struct tia_raster_target *target, void *memory, size_t size, const struct tia_raster_grid *lattice,
                     struct tia_tile area, unsigned buffers, uint32_t faces)
 {
     static const uint16_t black[3] = {0};
@@ -67,11 +67,11 @@ int tia_raster_init(struct tia_raster_target *target, void *memory, size_t size,
         return TIA_ERR_MEMORY;
     *target = (struct tia_raster_target){.lattice = lattice, .area = area, .face_count = faces, .pitch = area.width};
     place(target, memory, buffers);
-    (void)tia_clear_depth(target);
-    (void)tia_clear_stencil(target, 0, 255);
-    (void)tia_clear_count(target, 0);
-    (void)tia_clear_colour(target, black);
-    (void)tia_clear_sum(target);
+    (void)tia_raster_clear_depth(target);
+    (void)tia_raster_clear_stencil(target, 0, 255);
+    (void)tia_raster_clear_count(target, 0);
+    (void)tia_raster_clear_colour(target, black);
+    (void)tia_raster_clear_sum(target);
     return TIA_OK;
 }
 
@@ -97,7 +97,7 @@ int tia_raster_part(struct tia_raster_target *part, const struct tia_raster_targ
     for (size_t row = 0; row < (t)->area.height; row++)                                                                \
         for (size_t i = row * (size_t)(t)->pitch, end = i + (t)->area.width; i < end; i++)
 
-int tia_clear_depth(struct tia_raster_target *target)
+int tia_raster_clear_depth(struct tia_raster_target *target)
 {
     if (!target)
         return TIA_ERR_ARGUMENT;
@@ -111,7 +111,7 @@ int tia_clear_depth(struct tia_raster_target *target)
     return TIA_OK;
 }
 
-int tia_clear_stencil(struct tia_raster_target *target, uint8_t value, uint8_t write)
+int tia_raster_clear_stencil(struct tia_raster_target *target, uint8_t value, uint8_t write)
 {
     if (!target)
         return TIA_ERR_ARGUMENT;
@@ -124,7 +124,7 @@ int tia_clear_stencil(struct tia_raster_target *target, uint8_t value, uint8_t w
     return TIA_OK;
 }
 
-int tia_clear_count(struct tia_raster_target *target, uint32_t value)
+int tia_raster_clear_count(struct tia_raster_target *target, uint32_t value)
 {
     if (!target)
         return TIA_ERR_ARGUMENT;
@@ -137,7 +137,7 @@ int tia_clear_count(struct tia_raster_target *target, uint32_t value)
     return TIA_OK;
 }
 
-int tia_clear_colour(struct tia_raster_target *target, const uint16_t colour[3])
+int tia_raster_clear_colour(struct tia_raster_target *target, const uint16_t colour[3])
 {
     if (!target || !colour)
         return TIA_ERR_ARGUMENT;
@@ -151,7 +151,7 @@ int tia_clear_colour(struct tia_raster_target *target, const uint16_t colour[3])
     return TIA_OK;
 }
 
-int tia_clear_sum(struct tia_raster_target *target)
+int tia_raster_clear_sum(struct tia_raster_target *target)
 {
     if (!target)
         return TIA_ERR_ARGUMENT;
@@ -167,7 +167,7 @@ int tia_clear_sum(struct tia_raster_target *target)
 
 #define WEIGHT_MOST 65536
 
-int tia_sum_add(struct tia_raster_target *target, uint32_t weight)
+int tia_raster_sum_add(struct tia_raster_target *target, uint32_t weight)
 {
     if (!target || weight > WEIGHT_MOST)
         return TIA_ERR_ARGUMENT;
@@ -181,7 +181,7 @@ int tia_sum_add(struct tia_raster_target *target, uint32_t weight)
     return TIA_OK;
 }
 
-int tia_sum_return(struct tia_raster_target *target, uint32_t total)
+int tia_raster_sum_return(struct tia_raster_target *target, uint32_t total)
 {
     if (!target || !total || total > WEIGHT_MOST)
         return TIA_ERR_ARGUMENT;

@@ -48,7 +48,7 @@ uint32_t tia_hits_object(const struct tia_hits *hits, unsigned x, unsigned y)
     return own ? own->hits_object(hits, x, y) : tia_drawing_hits_object(hits, x, y);
 }
 
-int tia_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile)
+int tia_view_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile)
 {
     if (!view)
         return TIA_ERR_ARGUMENT;
@@ -57,7 +57,7 @@ int tia_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_til
     return own ? own->trace(view, hits, tile) : tia_drawing_trace(view, hits, tile);
 }
 
-int tia_light_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
+int tia_view_light(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                    const struct tia_surface *surface, const struct tia_options *options)
 {
     if (!view)
@@ -67,8 +67,8 @@ int tia_light_tile(const struct tia_view *view, const struct tia_hits *hits, str
     return own ? own->light(view, hits, tile, surface, options) : tia_drawing_light(view, hits, tile, surface, options);
 }
 
-int tia_render(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
-               const struct tia_surface *surface, const struct tia_options *options)
+int tia_view_draw(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
+                  const struct tia_surface *surface, const struct tia_options *options)
 {
     if (!view)
         return TIA_ERR_ARGUMENT;

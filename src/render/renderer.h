@@ -32,7 +32,7 @@ struct renderer {
     /* Returns the bytes behind hits->buffer for `pixels` pixels of the scene; below 2^40. NULL: none. */
     uint64_t (*buffer_size)(const struct tia_scene *scene, uint32_t pixels);
 
-    /* Trace and light a tile of the view and of the hits, see tia_trace and tia_light_tile. */
+    /* Trace and light a tile of the view and of the hits, see tia_view_trace and tia_view_light. */
     void (*trace)(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile);
     void (*light)(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                   const struct tia_surface *surface, const struct tia_options *options);
@@ -183,7 +183,7 @@ static inline bool hits_are_traced(const struct tia_hits *hits)
 #endif
 }
 
-/* Returns a tile's end; tia_trace has checked that it is inside the image. */
+/* Returns a tile's end; tia_view_trace has checked that it is inside the image. */
 static inline int tile_right(struct tia_tile tile)
 {
     return (int)tile.x + (int)tile.width;

@@ -123,7 +123,7 @@ static int64_t inverse(int64_t a, int *places)
 }
 
 /* Finds the visible point: D/s; in orthographic views (D.x, D.y, s) 2^fraction/D.w. */
-static bool find_point(const struct tia_seen *seen, const struct tia_lattice *l, int64_t p[3])
+static bool find_point(const struct tia_seen *seen, const struct tia_raster_grid *l, int64_t p[3])
 {
     int64_t d[3] = {l->x + (int64_t)l->right * seen->x, l->y - (int64_t)l->down * seen->y, l->w};
     int places, own = 0;

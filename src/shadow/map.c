@@ -120,14 +120,14 @@ uint64_t tia_map_room(unsigned size, uint32_t faces)
 static int draw_faces(const struct tia_map *map, const struct tia_map_view *view, struct tia_raster_target *target,
                       const struct tia_flat_scene *flat, struct cancel *cancel)
 {
-    static const struct tia_raster_state state = {.depth = TIA_LESS, .depth_write = true, .ties_by_face = true};
+    static const struct tia_raster_state state = {.depth = TIA_COMPARE_LESS, .depth_write = true, .ties_by_face = true};
     uint32_t work = (uint32_t)target->area.width * target->area.height / ASKED_TEXELS + 1;
     int status = TIA_OK;
 
     for (uint32_t f = 0; !status && f < flat->face_count && !cancelled(cancel, work); f++) {
         struct tia_raster_vertex corners[TIA_SIDES];
         unsigned sides = tia_map_corners(map, view, flat, f, corners);
-        status = tia_draw_polygon(target, &state, corners, sides, f);
+        status = tia_raster_draw(target, &state, corners, sides, f);
     }
     return status;
 }

@@ -10,12 +10,12 @@ void tia_map_look_init(struct tia_map_look *look, const struct tia_scene *scene)
 {
     const struct tia_shadow_map *map = &scene->shadow_map;
 
-    look->size = map->size ? map->size : TIA_MAP_SIZE;
+    look->size = map->size ? map->size : TIA_MAP_SIZE_DEFAULT;
     look->bias = map->bias;
     look->amount = map->amount;
     if (map->bias == TIA_BIAS_DEFAULT) {
         look->bias = TIA_BIAS_SLOPE;
-        look->amount = TIA_SHADOW_AMOUNT;
+        look->amount = TIA_SHADOW_AMOUNT_DEFAULT;
     }
     if (look->bias == TIA_BIAS_CONSTANT)
         look->amount = tia_round_shift(look->amount * (INT64_C(1) << (TIA_WORLD_BITS - 16 + TIA_SCALE_BITS_MAX)),

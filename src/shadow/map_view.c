@@ -127,8 +127,8 @@ static int make_lattice(struct tia_map *map, const struct tia_flat_scene *flat)
             view->eye.row[k].offset_places += map->unit;
         }
         status = status ? status
-                        : tia_lattice_init(&view->lattice, view->eye.projection, map->size, map->size, 1, 0,
-                                           range - (unsigned)map->unit);
+                        : tia_raster_grid_init(&view->lattice, view->eye.projection, map->size, map->size, 1, 0,
+                                               range - (unsigned)map->unit);
     }
     map->bits = map->view[0].lattice.fraction + (int)range - map->unit;
     return status;

@@ -104,7 +104,7 @@ static int64_t cut(wide a, int unit)
 }
 
 /* Prepares a plane. Pixels are below 2^13, so each of the three products is below 2^60. */
-static void prepare(struct tia_occluder_plane *p, const struct plane *plane, const struct tia_lattice *lattice)
+static void prepare(struct tia_occluder_plane *p, const struct plane *plane, const struct tia_raster_grid *lattice)
 {
     struct wide_form form = wide_form_of(plane->n, lattice);
     int bits =

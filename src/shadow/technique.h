@@ -11,9 +11,9 @@ struct tia_shadow_view {
     const struct tia_scene *scene;
     struct tia_flat_scene flat;
     unsigned sample_count;
-    tia_flat_light samples[TIA_SHADOW_SAMPLES];
-    const struct tia_light *lights[TIA_SHADOW_SAMPLES]; /* the lights of the samples, while lights are set */
-    void *own;                                          /* the technique's data, aligned for uint64_t */
+    tia_flat_light samples[TIA_SHADOW_SAMPLES_MAX];
+    const struct tia_light *lights[TIA_SHADOW_SAMPLES_MAX]; /* the lights of the samples, while lights are set */
+    void *own;                                              /* the technique's data, aligned for uint64_t */
 };
 
 /* The data kept for each pixel of a tile. */

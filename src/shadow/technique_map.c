@@ -11,7 +11,7 @@ struct maps {
     struct tia_map_look look;
     struct tia_world world;
     struct tia_map *map; /* for each sample */
-    int64_t radius[TIA_SHADOW_SAMPLES];
+    int64_t radius[TIA_SHADOW_SAMPLES_MAX];
     void *room;
     uint32_t *distance;
 };

@@ -308,7 +308,7 @@ static bool is_thin(const struct tia_raster_vertex *v)
     return place_size(area) < INT64_C(1) << ACROSS_THIN;
 }
 
-static void draw(struct exact *e, const struct tia_lattice *lattice, uint32_t face)
+static void draw(struct exact *e, const struct tia_raster_grid *lattice, uint32_t face)
 {
     struct tia_raster_vertex v[TIA_SIDES];
     unsigned count = tia_flat_corners(&e->view->flat, face, v);
@@ -331,7 +331,7 @@ static void draw(struct exact *e, const struct tia_lattice *lattice, uint32_t fa
 }
 
 /* Draws an object. With a silhouette, faces turned to the light suffice: any ray to a hidden point meets one. */
-static void draw_object(struct exact *e, const struct tia_lattice *lattice, const struct tia_flat_object *object)
+static void draw_object(struct exact *e, const struct tia_raster_grid *lattice, const struct tia_flat_object *object)
 {
     const struct tia_flat_scene *flat = &e->view->flat;
     bool closed = tia_flat_has_silhouette(flat, object, e->light);
@@ -346,12 +346,12 @@ static void draw_object(struct exact *e, const struct tia_lattice *lattice, cons
 static void draw_view(struct exact *e, unsigned view)
 {
     const struct tia_flat_scene *flat = &e->view->flat;
-    struct tia_lattice lattice;
+    struct tia_raster_grid lattice;
     unsigned side = 1u << (CELL_BITS - e->cells[view].shift);
 
     e->now = &e->cells[view];
     if (!e->now->count ||
-        tia_lattice_init(&lattice, e->places.parallel ? TIA_ORTHOGRAPHIC : TIA_PERSPECTIVE, side, side, 1, 0, 1))
+        tia_raster_grid_init(&lattice, e->places.parallel ? TIA_ORTHOGRAPHIC : TIA_PERSPECTIVE, side, side, 1, 0, 1))
         return;
     for (uint32_t i = 0; i < flat->object_count && !e->cancel->stopped; i++)
         if (!tia_flat_hides_nothing(flat, &flat->objects[i], e->light))

@@ -12,7 +12,7 @@ struct counted {
 };
 
 struct volumes {
-    struct counted sample[TIA_SHADOW_SAMPLES];
+    struct counted sample[TIA_SHADOW_SAMPLES_MAX];
     struct tia_casters casters; /* for rays, once they are needed */
     bool has_casters;
 };
@@ -91,7 +91,7 @@ static void light(const struct tia_shadow_view *view, struct tia_shadow_tile *ti
         tia_shadow_rays_light(view, &volumes->casters, tile, sample, cancel);
         return;
     }
-    tia_clear_count(&tile->target, counted->start);
+    tia_raster_clear_count(&tile->target, counted->start);
     if (counted->where == BEFORE)
         (void)tia_shadow_zpass(&tile->target, &view->flat, &view->samples[sample], cancel);
     else

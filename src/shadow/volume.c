@@ -181,7 +181,7 @@ static struct tia_raster_vertex shadow_of(const struct drawing *d, const struct 
 
 static int draw(const struct drawing *d, const struct tia_raster_vertex *corners, unsigned count, uint32_t face)
 {
-    return tia_draw_polygon(d->target, &d->state, corners, count, face);
+    return tia_raster_draw(d->target, &d->state, corners, count, face);
 }
 
 /* Draws a side. The cap runs from a to b, so its side from b to a. A vertex at infinity is its own shadow. */
@@ -228,7 +228,7 @@ static int draw_volume(void *ctx, const struct caster *c, uint32_t face)
 
 #define KEEPS                                                                                                          \
     {                                                                                                                  \
-        .test = TIA_ALWAYS, .mask = 255, .write = 255                                                                  \
+        .test = TIA_COMPARE_ALWAYS, .mask = 255, .write = 255                                                          \
     }
 
 /* Returns the work of a polygon, which may cover all of a target. */
@@ -239,8 +239,12 @@ static uint32_t work_of(const struct tia_raster_target *target)
 
 int tia_shadow_faces(struct tia_raster_target *target, const struct tia_flat_scene *flat, struct cancel *cancel)
 {
-    static const struct tia_raster_state state = {
-        .depth = TIA_LESS, .depth_write = true, .ties_by_face = true, .ahead = true, .front = KEEPS, .back = KEEPS};
+    static const struct tia_raster_state state = {.depth = TIA_COMPARE_LESS,
+                                                  .depth_write = true,
+                                                  .ties_by_face = true,
+                                                  .ahead = true,
+                                                  .front = KEEPS,
+                                                  .back = KEEPS};
     int status = TIA_OK;
 
     for (uint32_t f = 0; !status && f < flat->face_count; f++) {
@@ -248,7 +252,7 @@ int tia_shadow_faces(struct tia_raster_target *target, const struct tia_flat_sce
         unsigned sides = tia_flat_corners(flat, f, corners);
         if (cancelled(cancel, work_of(target)))
             return TIA_STOPPED;
-        status = tia_draw_polygon(target, &state, corners, sides, f);
+        status = tia_raster_draw(target, &state, corners, sides, f);
     }
     return status;
 }
@@ -259,10 +263,11 @@ int tia_shadow_zfail(struct tia_raster_target *target, const struct tia_flat_sce
                      struct cancel *cancel)
 {
     bool flat_view = flat->eye.projection == TIA_ORTHOGRAPHIC;
-    struct drawing d = {target, flat, light, {.depth = TIA_LESS, .front = KEEPS, .back = KEEPS}, true, !flat_view};
+    struct drawing d = {target, flat,      light, {.depth = TIA_COMPARE_LESS, .front = KEEPS, .back = KEEPS},
+                        true,   !flat_view};
 
-    d.state.front.zfail = TIA_DECR_WRAP;
-    d.state.back.zfail = TIA_INCR_WRAP;
+    d.state.front.zfail = TIA_STENCIL_DECR_WRAP;
+    d.state.back.zfail = TIA_STENCIL_INCR_WRAP;
     return for_each_caster(flat, light, draw_volume, &d, cancel, 4 * work_of(target));
 }
 
@@ -272,10 +277,11 @@ int tia_shadow_zpass(struct tia_raster_target *target, const struct tia_flat_sce
                      struct cancel *cancel)
 {
     bool flat_view = flat->eye.projection == TIA_ORTHOGRAPHIC;
-    struct drawing d = {target, flat, light, {.depth = TIA_LESS, .front = KEEPS, .back = KEEPS}, flat_view, false};
+    struct drawing d = {target,    flat, light, {.depth = TIA_COMPARE_LESS, .front = KEEPS, .back = KEEPS},
+                        flat_view, false};
 
-    d.state.front.zpass = TIA_INCR_WRAP;
-    d.state.back.zpass = TIA_DECR_WRAP;
+    d.state.front.zpass = TIA_STENCIL_INCR_WRAP;
+    d.state.back.zpass = TIA_STENCIL_DECR_WRAP;
     return for_each_caster(flat, light, draw_volume, &d, cancel, 4 * work_of(target));
 }
 

@@ -11,7 +11,7 @@ static uint32_t light_of(const struct loop *loop, uint16_t key, uint32_t *first)
     uint32_t count = loop->state.light_count, light;
 
     *first = tia_viewer_moves(loop, key) && loop->state.light < count ? loop->state.light : 0;
-    light = tia_key_light(loop->scene, v->lights.array + *first, count - *first, key);
+    light = tia_viewer_key_light(loop->scene, v->lights.array + *first, count - *first, key);
     return light == TIA_NO_LIGHT ? light : light + *first;
 }
 

@@ -145,7 +145,7 @@ static inline uint32_t viewer_spp(const struct loop *loop)
 {
     uint32_t spp = loop->base->integration.spp;
 
-    return !loop->sums ? 1 : spp ? spp : TIA_SPP;
+    return !loop->sums ? 1 : spp ? spp : TIA_SPP_DEFAULT;
 }
 
 static inline tia_rgb565 *viewer_canvas_at(const struct loop *loop, unsigned x, unsigned y)
@@ -176,7 +176,7 @@ static inline void viewer_tell(struct loop *loop)
 /* As tia_viewer_run; `core` is for a viewer without one, or NULL. */
 int tia_viewer_loop(struct tia_viewer *viewer, const struct tia_core *core, const struct viewer_more *more);
 
-/* As tia_press, for lights that the check lets pass. */
+/* As tia_viewer_press, for lights that the check lets pass. */
 int tia_viewer_press_lights(scene_check *check, const struct tia_scene *scene, struct tia_light *lights,
                             uint32_t *count, uint32_t capacity, uint16_t key);
 

@@ -103,8 +103,8 @@ static int draw_pixels(struct loop *loop, struct tia_tile pixels)
     struct tia_surface surface = surface_of(loop, pixels);
     const struct tia_options options = {.dither = loop->viewer->dither};
 
-    return loop->traced > loop->pass ? tia_light_tile(loop->view, loop->hits, pixels, &surface, &options)
-                                     : tia_render(loop->view, loop->hits, pixels, &surface, &options);
+    return loop->traced > loop->pass ? tia_view_light(loop->view, loop->hits, pixels, &surface, &options)
+                                     : tia_view_draw(loop->view, loop->hits, pixels, &surface, &options);
 }
 
 /* ---- blocks ---- */

@@ -9,7 +9,7 @@
 #define SCENE_SIZE ALIGN(sizeof(struct tia_scene))
 
 /* n * TIA_Q16_ONE cannot overflow: n < 2^15 rate[0], and rate[0] < 2^20. */
-tia_q16 tia_frame_time(tia_q16 start, uint32_t frame, const uint32_t rate[2])
+tia_q16 tia_viewer_frame_time(tia_q16 start, uint32_t frame, const uint32_t rate[2])
 {
     if (!rate)
         return start;
@@ -42,7 +42,7 @@ static bool is_stepped(const struct loop *loop)
 static tia_q16 time_now(const struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;
-    return is_stepped(loop) ? tia_frame_time(v->pacing.time, loop->frame, v->pacing.rate) : clock_time(loop);
+    return is_stepped(loop) ? tia_viewer_frame_time(v->pacing.time, loop->frame, v->pacing.rate) : clock_time(loop);
 }
 
 /* Updates the lights that no key holds from their tracks. */

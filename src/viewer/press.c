@@ -107,7 +107,8 @@ bool tia_viewer_lights(const struct loop *loop, const struct tia_event *event)
            (find_move(event->key) && !(event->shift && loop->viewer->hooks.control));
 }
 
-uint32_t tia_key_light(const struct tia_scene *scene, const struct tia_light *lights, uint32_t count, uint16_t key)
+uint32_t tia_viewer_key_light(const struct tia_scene *scene, const struct tia_light *lights, uint32_t count,
+                              uint16_t key)
 {
     if (!scene || (count && !lights))
         return TIA_NO_LIGHT;
@@ -130,7 +131,7 @@ int tia_viewer_press_lights(scene_check *check, const struct tia_scene *scene, s
         return TIA_ERR_ARGUMENT;
     const struct tia_binding *binding = find_binding(scene, key);
     const struct move *move = find_move(key);
-    uint32_t light = tia_key_light(scene, lights, *count, key);
+    uint32_t light = tia_viewer_key_light(scene, lights, *count, key);
 
     if (binding)
         return put_light(binding, lights, count, light, capacity);

@@ -30,8 +30,8 @@ static int draw_tile(struct loop *loop, struct tia_tile tile)
     if (!status)
         status = v->ports.display->acquire(v->ports.display_ctx, tile, &surface);
     if (!status)
-        status = loop->traced == VIEWER_PASSES ? tia_light_tile(loop->view, hits, tile, &surface, &options)
-                                               : tia_render(loop->view, hits, tile, &surface, &options);
+        status = loop->traced == VIEWER_PASSES ? tia_view_light(loop->view, hits, tile, &surface, &options)
+                                               : tia_view_draw(loop->view, hits, tile, &surface, &options);
     return status ? status : v->ports.display->submit(v->ports.display_ctx, tile);
 }
 

@@ -61,8 +61,8 @@ static inline void frames_draw(struct frames_canvas *c, unsigned tile_width, uns
         struct tia_surface surface = {
             .pixels = c->pixels + (size_t)y * width + x, .step = 2, .pitch = (ptrdiff_t)width * 2};
         struct tia_options options = {dither, NULL};
-        int status = trace ? tia_trace(c->view, c->hits, tile) : TIA_OK;
-        if (status || tia_light_tile(c->view, c->hits, tile, &surface, &options))
+        int status = trace ? tia_view_trace(c->view, c->hits, tile) : TIA_OK;
+        if (status || tia_view_light(c->view, c->hits, tile, &surface, &options))
             abort();
     }
 }

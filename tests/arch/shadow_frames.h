@@ -113,7 +113,7 @@ static inline void frames_cameras(struct frames_canvas *c)
 #define FRAMES_TARGET (TIA_BUFFER_DEPTH | TIA_BUFFER_STENCIL | TIA_BUFFER_COLOUR)
 
 struct frames_target {
-    struct tia_lattice lattice;
+    struct tia_raster_grid lattice;
     struct tia_raster_target target;
     void *memory;
 };
@@ -127,7 +127,7 @@ static inline void frames_open_target(struct frames_canvas *c, struct frames_tar
     c->pixels = calloc((size_t)64 * 48, sizeof *c->pixels);
     size = tia_raster_size(c->area, FRAMES_TARGET, FRAMES_POLYGONS);
     t->memory = malloc(size);
-    if (!c->pixels || !t->memory || tia_lattice_init(&t->lattice, projection, 64, 48, 1, 0, range) ||
+    if (!c->pixels || !t->memory || tia_raster_grid_init(&t->lattice, projection, 64, 48, 1, 0, range) ||
         tia_raster_init(&t->target, t->memory, size, &t->lattice, c->area, FRAMES_TARGET, FRAMES_POLYGONS))
         abort();
 }
@@ -144,7 +144,7 @@ static inline int64_t frames_coordinate(uint64_t *state, int64_t most)
 }
 
 /* Returns a point: in perspective before the eye or behind it; else h is its nearness. */
-static inline struct tia_raster_vertex frames_point(uint64_t *state, const struct tia_lattice *l, int64_t most)
+static inline struct tia_raster_vertex frames_point(uint64_t *state, const struct tia_raster_grid *l, int64_t most)
 {
     int64_t x = frames_coordinate(state, most), y = frames_coordinate(state, most), z = frames_coordinate(state, most);
 
@@ -155,7 +155,7 @@ static inline struct tia_raster_vertex frames_point(uint64_t *state, const struc
 
 /* Makes a polygon: one in three is the side of a shadow volume, whose far corners are at infinity; the others are
  * triangles. */
-static inline unsigned frames_polygon(uint64_t *state, const struct tia_lattice *l, int64_t most,
+static inline unsigned frames_polygon(uint64_t *state, const struct tia_raster_grid *l, int64_t most,
                                       struct tia_raster_vertex v[4])
 {
     const int64_t size = most >> dice_between(state, 1, 3);
@@ -193,17 +193,18 @@ static inline void frames_polygons(struct frames_canvas *c, const char *format, 
                                    int64_t most)
 {
     struct frames_target t;
-    struct tia_stencil count = {TIA_ALWAYS, 0, 255, 255, TIA_KEEP, TIA_DECR_WRAP, TIA_INCR_WRAP};
-    struct tia_raster_state how = {.depth = TIA_LESS, .depth_write = true, .front = count, .back = count};
+    struct tia_stencil count = {TIA_COMPARE_ALWAYS,   0, 255, 255, TIA_STENCIL_KEEP, TIA_STENCIL_DECR_WRAP,
+                                TIA_STENCIL_INCR_WRAP};
+    struct tia_raster_state how = {.depth = TIA_COMPARE_LESS, .depth_write = true, .front = count, .back = count};
     uint64_t state = 565;
     char name[60];
 
     frames_open_target(c, &t, projection, 2);
-    how.back.zfail = TIA_INVERT;
+    how.back.zfail = TIA_STENCIL_INVERT;
     for (uint32_t i = 0; i < FRAMES_POLYGONS; i++) {
         struct tia_raster_vertex v[4];
         unsigned corners = frames_polygon(&state, &t.lattice, most ? most : t.lattice.narrow / 2, v);
-        if (tia_draw_polygon(&t.target, &how, v, corners, i))
+        if (tia_raster_draw(&t.target, &how, v, corners, i))
             abort();
     }
     static const char *const buffers[] = {"faces", "depth", "stencil"};
@@ -236,7 +237,7 @@ static inline void frames_draw_reflected(struct tia_raster_target *target, struc
         v[i].h = 1;
     }
     how->colour[0] = (uint16_t)(face * 1657);
-    if (tia_draw_polygon(target, how, v, 3, face + (mirrored ? FRAMES_POLYGONS / 2 : 0)))
+    if (tia_raster_draw(target, how, v, 3, face + (mirrored ? FRAMES_POLYGONS / 2 : 0)))
         abort();
 }
 
@@ -244,24 +245,25 @@ static inline void frames_draw_reflected(struct tia_raster_target *target, struc
  * the mark is, as in test_raster_mirror.c. */
 static inline void frames_mirror(struct frames_canvas *c)
 {
-    static const struct tia_stencil any = {TIA_ALWAYS, 1, 255, 255, TIA_KEEP, TIA_KEEP, TIA_KEEP};
+    static const struct tia_stencil any = {TIA_COMPARE_ALWAYS, 1, 255, 255, TIA_STENCIL_KEEP, TIA_STENCIL_KEEP,
+                                           TIA_STENCIL_KEEP};
     const uint32_t half = FRAMES_POLYGONS / 2;
     struct frames_target t;
     struct tia_raster_state how = {
-        .depth = TIA_LESS, .depth_write = true, .front = any, .back = any, .colour_write = {true, true, true}};
+        .depth = TIA_COMPARE_LESS, .depth_write = true, .front = any, .back = any, .colour_write = {true, true, true}};
 
     frames_open_target(c, &t, TIA_PERSPECTIVE, 5);
     const int64_t one = INT64_C(1) << t.lattice.fraction, x = 6 * one, y = 5 * one, w = 8 * one;
     const struct tia_raster_vertex mirror[4] = {{-x, -y, w, 1}, {x, -y, w, 1}, {x, y, w, 1}, {-x, y, w, 1}};
     for (uint32_t i = 0; i + 1 < half; i++)
         frames_draw_reflected(&t.target, &how, i, false);
-    how.front.zpass = how.back.zpass = TIA_REPLACE;
+    how.front.zpass = how.back.zpass = TIA_STENCIL_REPLACE;
     how.colour[0] = 0x5b0f;
-    if (tia_draw_polygon(&t.target, &how, mirror, 4, half - 1))
+    if (tia_raster_draw(&t.target, &how, mirror, 4, half - 1))
         abort();
-    tia_clear_depth(&t.target);
-    how.front.zpass = how.back.zpass = TIA_KEEP;
-    how.front.test = how.back.test = TIA_EQUAL;
+    tia_raster_clear_depth(&t.target);
+    how.front.zpass = how.back.zpass = TIA_STENCIL_KEEP;
+    how.front.test = how.back.test = TIA_COMPARE_EQUAL;
     for (uint32_t i = 0; i + 1 < half; i++)
         frames_draw_reflected(&t.target, &how, i, true);
     for (size_t i = 0; i < (size_t)64 * 48; i++)

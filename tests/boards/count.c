@@ -32,9 +32,9 @@ static int draw(const struct tia_view *view, struct tia_hits *hits, bool trace, 
         if (!WHOLE)
             status = tia_hits_init(&hits, hits_memory, sizeof hits_memory, view, tile);
         if (trace && !status)
-            status = tia_trace(view, hits, tile);
+            status = tia_view_trace(view, hits, tile);
         if (!status)
-            status = tia_light_tile(view, hits, tile, &surface, NULL);
+            status = tia_view_light(view, hits, tile, &surface, NULL);
         count_end();
         *crc = tia_crc32(*crc, strip, (size_t)WIDTH * tile.height);
     }

@@ -17,7 +17,7 @@ int draw(void (*send_row)(unsigned y, const tia_rgb565 *pixels))
     for (uint16_t y = 0; y < 240 && status == TIA_OK; y++) {
         const struct tia_tile tile = {.y = y, .width = 320, .height = 1};
         tia_hits_init(&hits, hits_memory, sizeof hits_memory, view, tile);
-        status = tia_render(view, hits, tile, &surface, NULL);
+        status = tia_view_draw(view, hits, tile, &surface, NULL);
         send_row(y, row);
     }
     return status;

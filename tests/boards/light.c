@@ -62,7 +62,7 @@ static int draw_strip(const struct tia_view *view, char *hits_memory, size_t siz
                                       at_most(TILE_HEIGHT, HEIGHT - y)};
         const struct tia_surface surface = {.pixels = strip + x, .step = 2, .pitch = 2 * WIDTH};
         status = tia_hits_init(&hits, hits_memory, size, view, tile);
-        status = status ? status : tia_render(view, hits, tile, &surface, NULL);
+        status = status ? status : tia_view_draw(view, hits, tile, &surface, NULL);
     }
     return status;
 }

@@ -35,7 +35,7 @@ static int count(const struct tia_scene *scene, unsigned *rays)
                  ? status
                  : core->view_init(core, &view, memory[0], view_size, scene, scene->light_count, WIDTH, HEIGHT, NULL);
     status = status ? status : tia_hits_init(&hits, memory[1], hits_size, view, whole);
-    status = status ? status : tia_render(view, hits, whole, &surface, &options);
+    status = status ? status : tia_view_draw(view, hits, whole, &surface, &options);
     free(memory[0]);
     free(memory[1]);
     return status;

@@ -27,7 +27,7 @@ int main(void)
     int status = tia_view_init(&view, memory, view_size, &SCENE, SCENE.light_count, WIDTH, HEIGHT, NULL);
     status = status ? status : tia_hits_init(&hits, (char *)memory + room, hits_size, view, whole);
     count_begin();
-    status = status ? status : tia_render(view, hits, whole, &surface, NULL);
+    status = status ? status : tia_view_draw(view, hits, whole, &surface, NULL);
     count_end();
     board_print(!status ? "full " : "failed ");
     board_print_hex(tia_crc32(0, picture, WIDTH * HEIGHT));

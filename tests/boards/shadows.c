@@ -39,7 +39,7 @@ static int draw_tile(const struct tia_view *view, char *hits_memory, size_t size
     struct tia_hits *hits;
     int status = tia_hits_init(&hits, hits_memory, size, view, tile);
 
-    return status ? status : tia_render(view, hits, tile, &surface, NULL);
+    return status ? status : tia_view_draw(view, hits, tile, &surface, NULL);
 }
 
 static int draw(void)

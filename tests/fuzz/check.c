@@ -146,7 +146,7 @@ static void must_stay_accepted(const struct fuzz_scene *f, struct bytes *b)
     moved.lights = lights;
     for (int presses = 0; presses < 16; presses++) {
         uint16_t key = (uint16_t)(take_byte(b) | (take_byte(b) & 1) << 8);
-        int changed = tia_press(&f->scene, lights, &count, FUZZ_LIGHTS + 1, key);
+        int changed = tia_viewer_press(&f->scene, lights, &count, FUZZ_LIGHTS + 1, key);
         MUST(changed == 0 || changed == 1 || changed == TIA_ERR_ARGUMENT);
         MUST(count <= FUZZ_LIGHTS + 1);
         moved.light_count = count;

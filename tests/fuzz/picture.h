@@ -42,7 +42,7 @@ static inline void open_picture(struct picture *p, const struct tia_core *core, 
     MUST(p->memory[0] && p->memory[1] && p->pixels && p->path_hash);
     MUST(!core->view_init(core, &p->view, p->memory[0], view, scene, scene->light_count, width, height, NULL));
     MUST(!tia_hits_init(&p->hits, p->memory[1], hits, p->view, tile));
-    MUST(!tia_trace(p->view, p->hits, tile));
+    MUST(!tia_view_trace(p->view, p->hits, tile));
 }
 
 static inline void light_picture(struct picture *p, bool dither)
@@ -50,7 +50,7 @@ static inline void light_picture(struct picture *p, bool dither)
     struct tia_surface surface = {.pixels = p->pixels, .step = 2, .pitch = p->tile.width * 2};
     struct tia_options options = {.dither = dither, .debug = &(struct tia_debug){.path_hash = p->path_hash}};
 
-    MUST(!tia_light_tile(p->view, p->hits, p->tile, &surface, &options));
+    MUST(!tia_view_light(p->view, p->hits, p->tile, &surface, &options));
 }
 
 static inline void close_picture(struct picture *p)

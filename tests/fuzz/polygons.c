@@ -16,7 +16,7 @@
 
 /* A target drawn in the format that fits, and one always in 128 bits. */
 struct drawn {
-    struct tia_lattice lattice;
+    struct tia_raster_grid lattice;
     struct tia_raster_target whole, part;
     void *memory;
 };
@@ -67,8 +67,8 @@ static void open_target(struct drawn *d, struct tia_tile area, unsigned buffers,
     struct tia_tile whole = whole_of(area);
     size_t size = tia_raster_size(whole, buffers, POLYGONS);
 
-    MUST(!tia_lattice_init(&d->lattice, m->projection, (unsigned)m->width, (unsigned)m->height, (uint32_t)m->samples,
-                           (uint32_t)m->sample, range));
+    MUST(!tia_raster_grid_init(&d->lattice, m->projection, (unsigned)m->width, (unsigned)m->height,
+                               (uint32_t)m->samples, (uint32_t)m->sample, range));
     if (!any)
         d->lattice.narrow = -1;
     d->memory = malloc(size);
@@ -78,13 +78,13 @@ static void open_target(struct drawn *d, struct tia_tile area, unsigned buffers,
 
 /* ---- polygons ---- */
 
-static int64_t limit_of(const struct tia_lattice *l)
+static int64_t limit_of(const struct tia_raster_grid *l)
 {
     return INT64_C(1) << (l->projection == TIA_ORTHOGRAPHIC ? 29 : 40);
 }
 
 /* Takes a small number times a power of two, one near a limit, or any. */
-static int64_t take_coordinate(struct bytes *b, const struct tia_lattice *l)
+static int64_t take_coordinate(struct bytes *b, const struct tia_raster_grid *l)
 {
     uint8_t kind = take_byte(b);
     int8_t small = (int8_t)take_byte(b);
@@ -105,7 +105,7 @@ static int64_t take_coordinate(struct bytes *b, const struct tia_lattice *l)
 /* Takes a point on the centre of a pixel, or almost. */
 static struct tia_raster_vertex take_centre(struct bytes *b, const struct drawn *d)
 {
-    const struct tia_lattice *l = &d->lattice;
+    const struct tia_raster_grid *l = &d->lattice;
     uint8_t i = take_byte(b), j = take_byte(b), times = take_byte(b), off = take_byte(b);
     int64_t x = d->part.area.x + i % SIDE, y = d->part.area.y + j % SIDE, k = 1 + times % 16;
 
@@ -115,7 +115,7 @@ static struct tia_raster_vertex take_centre(struct bytes *b, const struct drawn 
 
 static struct tia_raster_vertex take_vertex(struct bytes *b, const struct drawn *d)
 {
-    const struct tia_lattice *l = &d->lattice;
+    const struct tia_raster_grid *l = &d->lattice;
     uint8_t kind = take_byte(b);
     bool flat = l->projection == TIA_ORTHOGRAPHIC;
 
@@ -149,7 +149,7 @@ static void take_polygon(struct bytes *b, const struct drawn *d, const struct sh
         }
 }
 
-static bool is_within(const struct tia_lattice *l, const struct tia_raster_vertex *v)
+static bool is_within(const struct tia_raster_grid *l, const struct tia_raster_vertex *v)
 {
     bool flat = l->projection == TIA_ORTHOGRAPHIC;
     int64_t limit = limit_of(l) << (flat ? v->w == 0 : v->h == 0), far = 2 * limit_of(l);
@@ -158,7 +158,7 @@ static bool is_within(const struct tia_lattice *l, const struct tia_raster_verte
            (flat ? llabs(v->h) <= far : v->h == 0 || v->h == 1);
 }
 
-static bool is_accepted(const struct tia_lattice *l, const struct shape *p)
+static bool is_accepted(const struct tia_raster_grid *l, const struct shape *p)
 {
     for (unsigned i = 0; i < p->count; i++)
         if (!is_within(l, &p->v[i]))
@@ -183,10 +183,11 @@ static bool has_all_sides(const struct shape *p)
 static struct tia_stencil take_stencil(struct bytes *b)
 {
     uint8_t kind = take_byte(b);
-    struct tia_stencil s = {TIA_ALWAYS, take_byte(b), 255, 255, TIA_KEEP, TIA_KEEP, TIA_KEEP};
+    struct tia_stencil s = {TIA_COMPARE_ALWAYS, take_byte(b),    255, 255, TIA_STENCIL_KEEP,
+                            TIA_STENCIL_KEEP,   TIA_STENCIL_KEEP};
 
     if (kind < 64) /* as shadow volumes count */
-        *(kind & 1 ? &s.zfail : &s.zpass) = kind & 2 ? TIA_INCR_WRAP : TIA_DECR_WRAP;
+        *(kind & 1 ? &s.zfail : &s.zpass) = kind & 2 ? TIA_STENCIL_INCR_WRAP : TIA_STENCIL_DECR_WRAP;
     else
         s = (struct tia_stencil){kind & 7,         s.reference,      take_byte(b),    take_byte(b),
                                  take_byte(b) & 7, take_byte(b) & 7, take_byte(b) & 7};
@@ -196,7 +197,7 @@ static struct tia_stencil take_stencil(struct bytes *b)
 static struct tia_raster_state take_state(struct bytes *b)
 {
     uint8_t kind = take_byte(b), more = take_byte(b);
-    struct tia_raster_state s = {.depth = kind & 8 ? TIA_LESS : kind & 7, .depth_write = kind & 16};
+    struct tia_raster_state s = {.depth = kind & 8 ? TIA_COMPARE_LESS : kind & 7, .depth_write = kind & 16};
 
     s.ties_by_face = kind & 32;
     s.skip_front = more % 16 == 1;
@@ -263,28 +264,29 @@ static void must_blend(struct bytes *b, const struct drawn *d, const struct shap
 {
     const struct tia_tile *part = &d->part.area;
     int32_t a[3] = {take_number(b), take_number(b), take_number(b)};
-    struct tia_corners corners;
+    struct tia_raster_corners corners;
 
-    if (!tia_corners_init(&corners, &d->lattice, p->v))
+    if (!tia_raster_corners_init(&corners, &d->lattice, p->v))
         return;
     for (int i = 0; i < part->width && i < part->height; i++)
         if (sees_value(p, part->x + i, part->y + i))
-            MUST(tia_corners_blend(&corners, part->x + i, part->y + i, a) ==
+            MUST(tia_raster_corners_blend(&corners, part->x + i, part->y + i, a) ==
                  oracle_blend(&oracle.image, p->v, part->x + i, part->y + i, a));
 }
 
 /* Checks that two triangles with an edge in opposite directions cover no pixel twice, seen from the same side. */
 static void must_not_overlap(const struct drawn *d, const struct shape *a, const struct shape *b, unsigned range)
 {
-    static const struct tia_stencil once = {TIA_ALWAYS, 0, 255, 255, TIA_KEEP, TIA_KEEP, TIA_INCR_WRAP};
+    static const struct tia_stencil once = {TIA_COMPARE_ALWAYS,   0, 255, 255, TIA_STENCIL_KEEP, TIA_STENCIL_KEEP,
+                                            TIA_STENCIL_INCR_WRAP};
     const struct tia_raster_state front = {.front = once, .back = once, .skip_back = true};
     const struct tia_raster_state back = {.front = once, .back = once, .skip_front = true};
     struct drawn count;
 
     for (int side = 0; side < 2; side++) {
         open_target(&count, d->part.area, TIA_BUFFER_COUNT, range, true);
-        MUST(!tia_draw_polygon(&count.part, side ? &back : &front, a->v, a->count, 0));
-        MUST(!tia_draw_polygon(&count.part, side ? &back : &front, b->v, b->count, 0));
+        MUST(!tia_raster_draw(&count.part, side ? &back : &front, a->v, a->count, 0));
+        MUST(!tia_raster_draw(&count.part, side ? &back : &front, b->v, b->count, 0));
         for (size_t i = 0; i < (size_t)count.whole.area.width * count.whole.area.height; i++)
             MUST(count.whole.count[i] < 2);
         free(count.memory);
@@ -321,8 +323,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         struct tia_raster_state state = take_state(&b);
         take_polygon(&b, &any, before, p);
         int status = is_accepted(&any.lattice, p) ? TIA_OK : TIA_ERR_RANGE;
-        MUST(tia_draw_polygon(&any.part, &state, p->v, p->count, id) == status);
-        MUST(tia_draw_polygon(&wide.part, &state, p->v, p->count, id) == status);
+        MUST(tia_raster_draw(&any.part, &state, p->v, p->count, id) == status);
+        MUST(tia_raster_draw(&wide.part, &state, p->v, p->count, id) == status);
         if (status) {
             p->count = 0;
             continue;

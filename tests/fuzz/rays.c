@@ -21,7 +21,7 @@ static uint64_t rays_of(const struct made *m, uint32_t pixels)
     }
     for (uint32_t i = 0; i < m->scene.light_count; i++)
         samples += m->lights[i].kind < TIA_RECTANGLE_LIGHT ? 1 : m->lights[i].samples ? m->lights[i].samples : 16;
-    for (uint32_t i = 0; i < (m->scene.depth ? m->scene.depth : TIA_DEPTH) && forks; i++)
+    for (uint32_t i = 0; i < (m->scene.depth ? m->scene.depth : TIA_DEPTH_DEFAULT) && forks; i++)
         rays += forks == 2 ? rays : 1;
     return rays * samples * pixels * (m->scene.camera.samples ? m->scene.camera.samples : 1);
 }
@@ -40,7 +40,7 @@ static void limit_work(struct made *m, struct tia_tile *tile)
 {
     while (work_of(m, (uint32_t)tile->width * tile->height) > WORK)
         if (m->scene.depth != 1 && rays_of(m, 1) > 32)
-            m->scene.depth = m->scene.depth ? m->scene.depth - 1 : TIA_DEPTH;
+            m->scene.depth = m->scene.depth ? m->scene.depth - 1 : TIA_DEPTH_DEFAULT;
         else if (tile->width > 1)
             tile->width = 1;
         else if (tile->height > 1)

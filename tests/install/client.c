@@ -22,7 +22,7 @@ int main(void)
         return 1;
     for (; tile.y < 240; tile.y++) {
         if (tia_hits_init(&hits, hits_memory, sizeof hits_memory, view, tile) ||
-            tia_render(view, hits, tile, &surface, NULL))
+            tia_view_draw(view, hits, tile, &surface, NULL))
             return 1;
         crc = tia_crc32(crc, row, 320);
     }

@@ -7,7 +7,7 @@ static bool is_area(const struct tia_light *light)
 
 unsigned light_samples(const struct tia_light *light)
 {
-    return !is_area(light) ? 1 : light->samples == 0 ? TIA_LIGHT_SAMPLES : light->samples;
+    return !is_area(light) ? 1 : light->samples == 0 ? TIA_LIGHT_SAMPLES_DEFAULT : light->samples;
 }
 
 unsigned light_class(unsigned x, unsigned y)

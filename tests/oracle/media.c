@@ -76,7 +76,7 @@ static void leave(struct media *media, int at)
 
 static void enter(struct media *media, uint32_t object, tia_q16 index)
 {
-    if (media->count == TIA_MEDIA)
+    if (media->count == TIA_MEDIA_MAX)
         return;
     media->object[media->count] = object;
     media->index[media->count] = index;

@@ -7,8 +7,8 @@
 /* The objects that a ray has entered, the last one at the end. */
 struct media {
     unsigned count;
-    uint32_t object[TIA_MEDIA];
-    tia_q16 index[TIA_MEDIA];
+    uint32_t object[TIA_MEDIA_MAX];
+    tia_q16 index[TIA_MEDIA_MAX];
 };
 
 /* From one index of refraction to another. */

@@ -9,8 +9,8 @@
 struct journey {
     double weight;
     unsigned bounces, layers;
-    unsigned count, body[TIA_MEDIA]; /* entered bodies */
-    double index[TIA_MEDIA];
+    unsigned count, body[TIA_MEDIA_MAX]; /* entered bodies */
+    double index[TIA_MEDIA_MAX];
 };
 
 struct place {
@@ -43,7 +43,7 @@ static void add_ray(const struct nff *nff, struct ray ray, double factor, struct
     double seen[3] = {0, 0, 0};
 
     journey.weight *= factor;
-    if (journey.bounces > TIA_DEPTH || journey.layers > TIA_LAYERS || journey.weight < FAINT)
+    if (journey.bounces > TIA_DEPTH_DEFAULT || journey.layers > TIA_LAYERS_MAX || journey.weight < FAINT)
         return;
     trace(nff, ray, &journey, seen);
     for (int i = 0; i < 3; i++)
@@ -65,7 +65,7 @@ static void cross_over(const struct nff *nff, const struct place *s, struct jour
     *from = medium(j);
     *to = s->material->index;
     if (s->front) {
-        if (nff->closed[s->body] && j->count < TIA_MEDIA) {
+        if (nff->closed[s->body] && j->count < TIA_MEDIA_MAX) {
             j->body[j->count] = s->body;
             j->index[j->count++] = *to;
         }

@@ -167,21 +167,21 @@ long double oracle_nearness(const struct oracle_image *image, const struct tia_r
 static bool compare(enum tia_compare test, long new, long old)
 {
     switch (test) {
-    case TIA_NEVER:
+    case TIA_COMPARE_NEVER:
         return false;
-    case TIA_LESS:
+    case TIA_COMPARE_LESS:
         return new < old;
-    case TIA_EQUAL:
+    case TIA_COMPARE_EQUAL:
         return new == old;
-    case TIA_LEQUAL:
+    case TIA_COMPARE_LEQUAL:
         return new <= old;
-    case TIA_GREATER:
+    case TIA_COMPARE_GREATER:
         return new > old;
-    case TIA_NOTEQUAL:
+    case TIA_COMPARE_NOTEQUAL:
         return new != old;
-    case TIA_GEQUAL:
+    case TIA_COMPARE_GEQUAL:
         return new >= old;
-    case TIA_ALWAYS:
+    case TIA_COMPARE_ALWAYS:
         break;
     }
     return true;
@@ -190,21 +190,21 @@ static bool compare(enum tia_compare test, long new, long old)
 static int operated(enum tia_stencil_op op, int old, int reference)
 {
     switch (op) {
-    case TIA_KEEP:
+    case TIA_STENCIL_KEEP:
         return old;
-    case TIA_ZERO:
+    case TIA_STENCIL_ZERO:
         return 0;
-    case TIA_REPLACE:
+    case TIA_STENCIL_REPLACE:
         return reference;
-    case TIA_INCR:
+    case TIA_STENCIL_INCR:
         return old + 1 > 255 ? 255 : old + 1;
-    case TIA_DECR:
+    case TIA_STENCIL_DECR:
         return old - 1 < 0 ? 0 : old - 1;
-    case TIA_INVERT:
+    case TIA_STENCIL_INVERT:
         return 255 - old;
-    case TIA_INCR_WRAP:
+    case TIA_STENCIL_INCR_WRAP:
         return (old + 1) % 256;
-    case TIA_DECR_WRAP:
+    case TIA_STENCIL_DECR_WRAP:
         break;
     }
     return (old + 255) % 256;

@@ -156,10 +156,10 @@ static bool refract(const struct surface *s, double ratio, struct oracle_vec *wa
 /* Adds the colour along `ray`, whose direction may have any length. */
 static void add_ray(struct look *look, struct ray ray, struct colour factor, struct way way, struct colour *sum)
 {
-    unsigned depth = look->scene->depth == 0 ? TIA_DEPTH : look->scene->depth;
+    unsigned depth = look->scene->depth == 0 ? TIA_DEPTH_DEFAULT : look->scene->depth;
 
     way.weight = product(way.weight, factor);
-    if (way.bounces > depth || way.layers > TIA_LAYERS || is_faint(way.weight))
+    if (way.bounces > depth || way.layers > TIA_LAYERS_MAX || is_faint(way.weight))
         return;
     ray.direction = unit(ray.direction);
     add(sum, 1, product(factor, trace(look, ray, &way)));
@@ -247,7 +247,7 @@ static struct colour trace(struct look *look, struct ray ray, const struct way *
 {
     struct hit hit;
 
-    if (look->rays++ >= TIA_RAYS)
+    if (look->rays++ >= TIA_RAYS_MAX)
         return (struct colour){{0, 0, 0}};
     uint32_t object = nearest_object(look->scene, ray, &hit), light = nearest_light(look->scene, ray, hit.t);
 

@@ -24,7 +24,7 @@ static struct colour surfaces(const struct tia_scene *scene, uint32_t object, st
         else if (others++ == 0)
             left = product(left, rgb(m->transmission));
         layers += m->opacity != 0;
-        if (layers > TIA_LAYERS)
+        if (layers > TIA_LAYERS_MAX)
             return (struct colour){{0, 0, 0}};
         ray.origin = at(ray, h.t + oracle_bias(scene));
         distance -= h.t + oracle_bias(scene);

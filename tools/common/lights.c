@@ -30,8 +30,8 @@ void lights_free(struct lights *lights)
 void lights_press(struct lights *lights, const struct tia_scene *scene, const uint16_t *keys, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
-        uint32_t light = tia_key_light(scene, lights->array, lights->count, keys[i]);
-        if (tia_press(scene, lights->array, &lights->count, lights->capacity, keys[i]) > 0)
+        uint32_t light = tia_viewer_key_light(scene, lights->array, lights->count, keys[i]);
+        if (tia_viewer_press(scene, lights->array, &lights->count, lights->capacity, keys[i]) > 0)
             lights->detached[light] = true;
     }
 }

@@ -70,7 +70,9 @@ static unsigned samples_of(const struct tia_light *light)
 {
     if (tia_light_has(light->kind, TIA_LIGHT_EVERYWHERE))
         return 0;
-    return !tia_light_has(light->kind, TIA_LIGHT_AREA) ? 1 : light->samples ? light->samples : TIA_LIGHT_SAMPLES;
+    return !tia_light_has(light->kind, TIA_LIGHT_AREA) ? 1
+           : light->samples                            ? light->samples
+                                                       : TIA_LIGHT_SAMPLES_DEFAULT;
 }
 
 /* Returns the bits of light number `light`, from 1. */

@@ -25,7 +25,7 @@ static void draw_rows(void *arg, unsigned index)
                                   .pitch = (ptrdiff_t)(tile.width * sizeof *frame->pixels)};
     struct tia_options options = {.debug = &(struct tia_debug){.lit = frame->timed ? NULL : frame->lit + at}};
 
-    frame->status[index] = tia_render(frame->view, frame->hits, tile, &surface, &options);
+    frame->status[index] = tia_view_draw(frame->view, frame->hits, tile, &surface, &options);
 }
 
 static int draw(struct technique_frame *frame)

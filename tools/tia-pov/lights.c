@@ -7,7 +7,7 @@
 /* Returns the samples along each side of an area light. */
 static unsigned side_of(const struct tia_light *l)
 {
-    unsigned samples = l->samples > 0 ? l->samples : TIA_LIGHT_SAMPLES;
+    unsigned samples = l->samples > 0 ? l->samples : TIA_LIGHT_SAMPLES_DEFAULT;
 
     return (unsigned)ceil(sqrt(samples));
 }

@@ -14,7 +14,7 @@ static struct point ambient(const struct tia_scene *scene)
  * early. */
 static void write_settings(struct pov *pov)
 {
-    uint32_t depth = pov->scene->depth != 0 ? pov->scene->depth : TIA_DEPTH;
+    uint32_t depth = pov->scene->depth != 0 ? pov->scene->depth : TIA_DEPTH_DEFAULT;
 
     text_print(&pov->text, "global_settings {\n");
     text_word(&pov->text, "assumed_gamma 1.0 max_trace_level %u adc_bailout 0", depth + 1);

@@ -78,7 +78,7 @@ static void draw_rows(void *arg, unsigned index)
 
     int status = memory ? tia_hits_init(&hits, memory, size, d->view, tile) : TIA_ERR_MEMORY;
     if (!status)
-        status = tia_render(d->view, hits, tile, &surface, &(struct tia_options){.dither = false});
+        status = tia_view_draw(d->view, hits, tile, &surface, &(struct tia_options){.dither = false});
     free(memory);
     if (status)
         atomic_store(&d->status, status);

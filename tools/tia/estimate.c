@@ -87,7 +87,7 @@ static void prepare(struct estimation *e)
     e->film.depth = options->format == IMAGE_PART ? 0 : options->depth_bits;
     e->sums = (struct sums){.width = e->film.width,
                             .height = e->film.height,
-                            .count = how->spp ? how->spp : TIA_SPP,
+                            .count = how->spp ? how->spp : TIA_SPP_DEFAULT,
                             .tone = tia_tone_of(how),
                             .exposure = how->exposure,
                             .crc = e->film.crc,

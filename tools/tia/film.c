@@ -12,7 +12,7 @@ enum { DEFAULT_WIDTH = 640, DEFAULT_HEIGHT = 480 };
 
 tia_q16 film_time(const struct options *options, uint32_t frame)
 {
-    return options->light.pictures ? options->time : tia_frame_time(options->time, frame, options->rate);
+    return options->light.pictures ? options->time : tia_viewer_frame_time(options->time, frame, options->rate);
 }
 
 struct rotation film_rotation(const struct options *options)

@@ -76,7 +76,7 @@ static void draw_rows(struct picture *picture, unsigned job)
     if (band->colours)
         pixel_options.colours = band->colours + 3 * (size_t)(place.y - band->y) * picture->width;
 
-    int status = tia_render(picture->view, picture->hits, tile, &surface, &pixel_options);
+    int status = tia_view_draw(picture->view, picture->hits, tile, &surface, &pixel_options);
     if (status)
         atomic_store(&picture->status, status);
     progress_add(&picture->progress, (uint64_t)tile.width * tile.height);

@@ -106,9 +106,9 @@ static uint32_t hits_object(const struct tia_hits *hits, unsigned x, unsigned y)
 
 static int trace(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile)
 {
-    int status = tia_trace(pair_of(view)->view[0], hits_of(hits)->hits[0], tile);
+    int status = tia_view_trace(pair_of(view)->view[0], hits_of(hits)->hits[0], tile);
 
-    return status ? status : tia_trace(pair_of(view)->view[1], hits_of(hits)->hits[1], tile);
+    return status ? status : tia_view_trace(pair_of(view)->view[1], hits_of(hits)->hits[1], tile);
 }
 
 static unsigned apart(unsigned a, unsigned b)
@@ -141,7 +141,7 @@ static int light_row(const struct tia_view *view, const struct tia_hits *hits, s
         struct tia_options both = {.dither = options && options->dither,
                                    .debug = &(struct tia_debug){.path_hash = paths[i]}};
         struct tia_surface line = {.pixels = pixels[i], .step = sizeof(tia_rgb565), .pitch = sizeof pixels[i]};
-        status = tia_light_tile(pair_of(view)->view[i], hits_of(hits)->hits[i], row, &line, &both);
+        status = tia_view_light(pair_of(view)->view[i], hits_of(hits)->hits[i], row, &line, &both);
     }
     for (unsigned x = 0; x < row.width && !status; x++)
         *(tia_rgb565 *)(void *)((char *)surface->pixels + (ptrdiff_t)x * surface->step) =

@@ -6,7 +6,7 @@
 uint32_t light_chosen(void)
 {
     uint32_t count = session.state.light_count, first = session.state.light < count ? session.state.light : 0;
-    uint32_t light = tia_key_light(&session.scene, session.lights.array + first, count - first, TIA_KEY_LEFT);
+    uint32_t light = tia_viewer_key_light(&session.scene, session.lights.array + first, count - first, TIA_KEY_LEFT);
 
     return light == TIA_NO_LIGHT ? light : light + first;
 }

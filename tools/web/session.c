@@ -109,7 +109,7 @@ static void set_samples(struct tia_scene *scene)
         return;
     }
     scene->shadows = TIA_SHADOWS_TRACED;
-    how->spp = settings->samples ? settings->samples : how->spp ? how->spp : TIA_SPP;
+    how->spp = settings->samples ? settings->samples : how->spp ? how->spp : TIA_SPP_DEFAULT;
     if (settings->arithmetic != ARITHMETIC_DIFFERENCE) {
         session.spp = how->spp;
         how->spp = 1; /* the viewer draws the first sample */

@@ -24,7 +24,7 @@ static bool goes_past(struct estimate *e, const struct shading *s)
 {
     uint32_t u[2];
 
-    if (s->opacity >= NUM_LENGTH_ONE || e->layers >= TIA_LAYERS)
+    if (s->opacity >= NUM_LENGTH_ONE || e->layers >= TIA_LAYERS_MAX)
         return false;
     sampler_pair(&e->sampler, LAYER_QUAD + e->layers++, 0, u);
     return !num_happens(num_chance(num_fraction(s->opacity, NUM_LENGTH_ONE)), u[0]);
@@ -175,7 +175,7 @@ void estimate_light_tile(const struct tia_view *view, struct tia_tile tile, cons
     struct estimate e = begin(view);
 
     for (int y = (int)tile.y; y < tile_bottom(tile); y++) {
-        struct packing packing = packing_of(how, how->spp ? how->spp : TIA_SPP, options->dither, y);
+        struct packing packing = packing_of(how, how->spp ? how->spp : TIA_SPP_DEFAULT, options->dither, y);
         char *out = (char *)surface->pixels + (y - (int)tile.y) * surface->pitch;
 
         for (int x = (int)tile.x; x < tile_right(tile) && !e.stopped; x++, out += surface->step) {

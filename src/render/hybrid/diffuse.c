@@ -183,7 +183,7 @@ static void begin_row(struct diffuse *m, int y)
 /* Returns D, from nearness = w 2^scale/(D 2^fraction); 0: too far. */
 static int64_t distance_of(const struct diffuse *m, uint64_t nearness)
 {
-    const struct tia_lattice *l = &m->flat->lattice;
+    const struct tia_raster_grid *l = &m->flat->lattice;
     unsigned zeros = tia_clz64(nearness);
     uint64_t product = (uint64_t)l->w * tia_reciprocal((uint32_t)(nearness << zeros >> 32));
     int shift = 95 - (int)zeros - l->scale + l->fraction - m->bits;

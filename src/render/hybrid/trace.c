@@ -35,8 +35,8 @@ static void trace_sample(const struct tia_view *view, const struct tia_hits *hit
     struct tia_shadow_tile open;
 
     raster_open_tile(view, hits, tile, sample, &b, &open);
-    tia_clear_depth(&open.target);
-    tia_clear_count(&open.target, 0);
+    tia_raster_clear_depth(&open.target);
+    tia_raster_clear_count(&open.target, 0);
     (void)tia_shadow_faces(&open.target, flat, &cancel);
     curved_mark(raster->places, raster->place_count, hits, tile, b.count);
     for (int y = (int)tile.y; y < tile_bottom(tile); y++)

@@ -53,7 +53,7 @@ static inline uint32_t raster_object(uint32_t kept)
     return (kept & RASTER_OBJECT) == RASTER_OBJECT ? TIA_NO_OBJECT : kept & RASTER_OBJECT;
 }
 
-/* Implements tia_trace. trace.c */
+/* Implements tia_view_trace. trace.c */
 void raster_trace_tile(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile);
 
 /* Gives the buffers' part for a tile. */
@@ -64,7 +64,7 @@ void raster_open_tile(const struct tia_view *view, const struct tia_hits *hits, 
 void raster_find_face(const struct ray_view *rays, const struct tia_flat_scene *flat, uint32_t face, int x, int y,
                       const struct ray *ray, struct hit *hit);
 
-/* Implements tia_light_tile. light.c */
+/* Implements tia_view_light. light.c */
 void raster_light_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                        const struct tia_surface *surface, const struct tia_options *options);
 

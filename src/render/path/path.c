@@ -195,7 +195,7 @@ static bool go_through(struct walk *w, const struct scatter *scatter, uint32_t n
         w->media = media;
         go_on(w, num_point_at(s->point, s->viewer, -w->e->bias), num_dir_negated(s->viewer), true);
         w->bounce--;
-        return ++w->layers <= TIA_LAYERS;
+        return ++w->layers <= TIA_LAYERS_MAX;
     }
     num_unit fresnel = shading_refract(s, between, &to);
     bool reflected = fresnel == NUM_UNIT_ONE || (s->material->fresnel && num_happens(num_chance(fresnel), number));

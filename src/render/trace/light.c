@@ -238,7 +238,7 @@ void ray_light_prepare(struct ray_light *l, const struct tia_light *given, int s
     bool sampled = tia_light_has(given->kind, TIA_LIGHT_SAMPLED);
 
     l->kind = given->kind;
-    l->samples = !sampled ? 1 : given->samples ? given->samples : TIA_LIGHT_SAMPLES;
+    l->samples = !sampled ? 1 : given->samples ? given->samples : TIA_LIGHT_SAMPLES_DEFAULT;
     l->part = num_fraction(NUM_LENGTH_ONE, num_integer((int32_t)(32 * l->samples)));
     ray_rgb(&given->emission, l->emission);
     l->centre = num_point_of(given->centre);

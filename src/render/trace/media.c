@@ -49,7 +49,7 @@ struct boundary media_cross(const struct ray_view *view, struct media *media, ui
     }
     if (inside == INSIDE_CELLS)
         (void)leave(media, object);
-    if (inside != INSIDE_NONE && !material->opacity && media->count < TIA_MEDIA)
+    if (inside != INSIDE_NONE && !material->opacity && media->count < TIA_MEDIA_MAX)
         media->entered[media->count++] = object + (uint32_t)(material - material_of(scene, object)) * MATERIAL_STEP;
     return (struct boundary){from, material->index};
 }

@@ -125,7 +125,7 @@ int ray_prepare(struct tia_view *view)
     rays->instances = (struct instance *)(rays->shapes + scene->shape_count);
     preparation.meshes = (struct mesh_facts *)(rays->instances + scene->shape_count);
     rays->light_count = 0;
-    rays->depth = scene->depth ? scene->depth : TIA_DEPTH;
+    rays->depth = scene->depth ? scene->depth : TIA_DEPTH_DEFAULT;
     ray_camera_prepare(&rays->camera, scene, view->width, view->height);
     rays->bias = num_scene_bias(scene->fine, scene->scale_bits);
     rays->layered = have_opacity(scene, 0, scene->material_count);

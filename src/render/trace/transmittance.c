@@ -106,7 +106,7 @@ static bool layers_transmit(const struct ray_view *view, const struct ray *ray, 
 
     while (crossing.limit >= 0 && ray_meets(view, &crossing.ray, object, crossing.limit, &hit)) {
         cross(view, &crossing, &hit, filter.through);
-        if (is_black(filter.through) || crossing.layers > TIA_LAYERS ||
+        if (is_black(filter.through) || crossing.layers > TIA_LAYERS_MAX ||
             (++met % PATIENCE == 0 && view_stops(view->view))) {
             filters->blocker = object;
             return false;

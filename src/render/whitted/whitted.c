@@ -62,9 +62,9 @@ static void bounce(const struct ray_view *view, const struct shading *s, const s
     struct bounces next;
 
     shade_bounce(view, s, &b->media, &next);
-    if (!next.straight && s->opacity < NUM_LENGTH_ONE && b->layers < TIA_LAYERS)
+    if (!next.straight && s->opacity < NUM_LENGTH_ONE && b->layers < TIA_LAYERS_MAX)
         push(stack, &next.past, next.passes, b, &next.media, TIA_RAY_PAST, true);
-    if (next.straight ? b->layers < TIA_LAYERS : bends)
+    if (next.straight ? b->layers < TIA_LAYERS_MAX : bends)
         push(stack, &next.refracted, next.refracts, b, &next.media, TIA_RAY_REFRACTED, next.straight);
     if (bends)
         push(stack, &next.reflected, next.reflects, b, &b->media, TIA_RAY_REFLECTED, false);
@@ -108,7 +108,7 @@ void path_colour(struct path *path, const struct ray *ray, const struct hit *fir
     follow(path, &b, &hit, &stack, colour);
     path->known = false;
     path->next_reached = PATH_REACHED;
-    while (stack.count > 0 && rays++ < TIA_RAYS && !path_stops(path)) {
+    while (stack.count > 0 && rays++ < TIA_RAYS_MAX && !path_stops(path)) {
         b = stack.bounces[--stack.count];
         observe_count(path, &b.ray);
         ray_intersect(path->view, &b.ray, &hit);

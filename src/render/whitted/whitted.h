@@ -8,7 +8,7 @@
 /* Computes the colour along `ray`, which meets `hit`, perhaps a light; not clamped. */
 void path_colour(struct path *path, const struct ray *ray, const struct hit *hit, num_length colour[3]);
 
-/* Implements tia_light_tile for a scene prepared by ray_prepare; `first` may be NULL. */
+/* Implements tia_view_light for a scene prepared by ray_prepare; `first` may be NULL. */
 void whitted_light_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                         const struct tia_surface *surface, const struct tia_options *options,
                         const struct first_hits *first);

@@ -16,10 +16,11 @@ static int check_light(const struct check *check, const struct tia_light *light,
 
     REQUIRE(soft || tia_light_has(light->kind, TIA_LIGHT_TECHNIQUES), "kind", "must be one that these shadows take");
     if (!soft && tia_light_has(light->kind, TIA_LIGHT_AREA))
-        *samples += light->samples ? light->samples : TIA_LIGHT_SAMPLES;
+        *samples += light->samples ? light->samples : TIA_LIGHT_SAMPLES_DEFAULT;
     else if (!tia_light_has(light->kind, TIA_LIGHT_EVERYWHERE))
         *samples += 1;
-    REQUIRE(*samples <= TIA_SHADOW_SAMPLES, "samples", "must be at most 64 of all lights and keys with these shadows");
+    REQUIRE(*samples <= TIA_SHADOW_SAMPLES_MAX, "samples",
+            "must be at most 64 of all lights and keys with these shadows");
     return TIA_OK;
 }
 

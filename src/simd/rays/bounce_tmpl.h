@@ -103,7 +103,7 @@ LANE_OP unsigned may_pass(const struct rays *r)
     unsigned on = 0;
 
     for (int k = 0; k < LANES; k++)
-        on |= (unsigned)(r->layers[k] < TIA_LAYERS) << k;
+        on |= (unsigned)(r->layers[k] < TIA_LAYERS_MAX) << k;
     return on;
 }
 

@@ -102,7 +102,7 @@ static void pass_straight(struct path_state *f, unsigned lanes, const struct pat
         next->r.slot[k] = p->r.slot[k];
         next->r.depth[k] = p->r.depth[k];
         next->r.layers[k] = p->r.layers[k] + 1;
-        passes |= (unsigned)(next->r.layers[k] <= TIA_LAYERS) << k & lanes;
+        passes |= (unsigned)(next->r.layers[k] <= TIA_LAYERS_MAX) << k & lanes;
     }
     keep_media(f, passes, p, media);
     path_push(f, next, passes & mbits(vlt(vset(0), most3(next->r.weight))));

@@ -112,13 +112,13 @@ static struct brightness brightness_of(const struct sure_scene *s)
 }
 
 /* A ray's colour is at most the sum over its generations of own back^n, there being one for each bounce, and where
- * something refracts or lets pass up to TIA_LAYERS more; a ray that has bounced has so many fewer. Attenuation may make
- * lights brighter: then nothing is known.
+ * something refracts or lets pass up to TIA_LAYERS_MAX more; a ray that has bounced has so many fewer. Attenuation may
+ * make lights brighter: then nothing is known.
  */
 static void set_brightest(struct sure_scene *s)
 {
     struct brightness most = brightness_of(s);
-    double sum = 0, part = 1, layers = most.refracts ? TIA_LAYERS : 0;
+    double sum = 0, part = 1, layers = most.refracts ? TIA_LAYERS_MAX : 0;
 
     s->generations = s->depth + 1 + layers;
     for (double i = 1; i <= s->generations; i++) {

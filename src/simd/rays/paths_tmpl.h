@@ -112,11 +112,11 @@ LANE_OP void mark(struct work *w, uint32_t slot)
     w->block->unsure[slot] = true;
 }
 
-/* The integers stop after TIA_RAYS rays of a sample, which only paths with layers can reach. */
+/* The integers stop after TIA_RAYS_MAX rays of a sample, which only paths with layers can reach. */
 LANE_OP void count_rays(struct work *w, uint32_t slot, double rays)
 {
     w->rays[slot] += rays;
-    if (w->rays[slot] > TIA_RAYS / 2)
+    if (w->rays[slot] > TIA_RAYS_MAX / 2)
         mark(w, slot);
 }
 

@@ -142,7 +142,7 @@ static void light(const struct tia_view *view, struct tia_tile tile, const struc
         tia_simd_light_plain(view, tile, surface, options);
         return;
     }
-    spp = spp ? spp : TIA_SPP;
+    spp = spp ? spp : TIA_SPP_DEFAULT;
     for (int y = 0; y < (int)tile.height && !view_stops(view); y++)
         for (int x = 0; x < (int)tile.width && !view_stops(view); x += PIECE) {
             int left = (int)tile.width - x;

@@ -140,8 +140,8 @@ int corpus_thesis(struct corpus_scene *out, const char *keys, unsigned width, un
     out->width = width;
     out->height = height;
     for (; *keys != '\0'; keys++) {
-        int changed =
-            tia_press(&tia_thesis_scene, out->lights, &out->scene.light_count, CORPUS_LIGHTS, (unsigned char)*keys);
+        int changed = tia_viewer_press(&tia_thesis_scene, out->lights, &out->scene.light_count, CORPUS_LIGHTS,
+                                       (unsigned char)*keys);
         if (changed < 0)
             return changed;
     }

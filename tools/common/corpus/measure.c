@@ -110,9 +110,9 @@ static int draw(const struct frame *frame, unsigned n, struct tia_tile tile, str
     int status = !memory ? TIA_ERR_MEMORY : tia_hits_init(&hits, memory, size, frame->views[n], tile);
 
     if (!status)
-        status = tia_trace(frame->views[n], hits, tile);
+        status = tia_view_trace(frame->views[n], hits, tile);
     if (!status)
-        status = tia_light_tile(frame->views[n], hits, tile, &surface, &options);
+        status = tia_view_light(frame->views[n], hits, tile, &surface, &options);
     if (!status)
         for (unsigned y = tile.y; y < tile.y + (unsigned)tile.height; y++)
             for (unsigned x = 0; x < tile.width; x++)

@@ -66,7 +66,7 @@ static int draw()
         const struct tia_tile tile = {.x = 0, .y = y, .width = WIDTH, .height = 1};
         status = tia_hits_init(&hits, hits_memory, sizeof hits_memory, view, tile);
         if (status == TIA_OK)
-            status = tia_render(view, hits, tile, &surface, NULL);
+            status = tia_view_draw(view, hits, tile, &surface, NULL);
         for (uint16_t x = 0; x < WIDTH; x++) {
             SPI.transfer(row[x] >> 8);
             SPI.transfer(row[x] & 255);
