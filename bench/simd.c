@@ -46,7 +46,7 @@ struct measured {
     struct best full, relit, floats;
 };
 
-/* Draws by the loop in float, a level's baseline; for plain C one without lanes. */
+/* Draws by the loop in float, an instruction set's baseline; for plain C one without lanes. */
 static void draw_floats(const struct picture *p, const char *simd)
 {
     if (simd)

@@ -1,4 +1,4 @@
-/* simd.h - compares the levels of vector units with float loops without exactness. */
+/* simd.h - compares the SIMD kernels with float loops without exactness. */
 #ifndef BENCH_SIMD_H
 #define BENCH_SIMD_H
 

@@ -14,12 +14,12 @@
 
 #define ROUNDS 5
 #define STRIP 16 /* rows that a thread draws at a time */
-/* Largest number: plain C, the levels, the last of them in two threads, double precision, Embree. */
+/* Largest number: plain C, the instruction sets, the last of them in two threads, double precision, Embree. */
 #define DRAWERS 11
 
 const char *bench_scene;
 
-/* A drawer: a core, by a level or without; or, without a core, Embree. */
+/* A drawer: a core, with SIMD kernels or without; or, without a core, Embree. */
 struct drawer {
     const char *name;
     const struct tia_core *core;

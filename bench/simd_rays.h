@@ -1,4 +1,4 @@
-/* simd_rays.h - compares the levels of vector units for general rays with plain C and double precision. */
+/* simd_rays.h - compares the SIMD kernels for general rays with plain C and double precision. */
 #ifndef BENCH_SIMD_RAYS_H
 #define BENCH_SIMD_RAYS_H
 

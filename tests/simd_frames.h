@@ -1,4 +1,4 @@
-/* simd_frames.h - frames drawn by a level of vector units and by plain C, compared byte by byte. */
+/* simd_frames.h - frames drawn by SIMD kernels and by plain C, compared byte by byte. */
 #ifndef TESTS_SIMD_FRAMES_H
 #define TESTS_SIMD_FRAMES_H
 

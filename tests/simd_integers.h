@@ -6,7 +6,7 @@
 
 struct simd_integers {
     num_u t;
-    bool lit; /* the pixel faces the light: the rest is set */
+    bool lit; /* true if the pixel faces the light: then the rest is set */
     struct lit light;
     num_u cosine;
 };

@@ -3,10 +3,12 @@
  *
  *     test_ray_bounds            as many scenes as seconds allow
  *     test_ray_bounds N          N random scenes: make check runs 1000 (tests/slow/simd)
- *     test_ray_bounds --uses     how much of each bound by its name is needed: down to which power of two it can be
- * scaled in a few scenes before a quantity is off by more than its bound, or a decision differs test_ray_bounds --rays
- * N [PASS]    the gallery, the databases and random scenes, larger with each pass, until N rays, shadow rays among
- * them, are compared: make check-rays-billion */
+ *     test_ray_bounds --uses     the needed part of each bound by name
+ *     test_ray_bounds --rays N [PASS]     N rays, see below: make check-rays-billion
+ *
+ * --uses finds the least power of two by which a bound can be scaled in a few scenes before a quantity is off by more
+ * than its bound, or a decision differs. --rays draws the gallery, the databases and random scenes, larger with each
+ * pass, until N rays, shadow rays among them, are compared. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -236,7 +238,7 @@ TEST(random_corpus)
     check_bounds("random scenes");
 }
 
-/* ---- how much of each bound is needed ---- */
+/* ---- the needed part of each bound ---- */
 
 static bool holds(void)
 {
@@ -250,7 +252,7 @@ static bool holds(void)
     return all && differing == 0;
 }
 
-/* The least power of two by which it may be scaled, from 1/64 on; 0: it may be left out. */
+/* Returns the least power of two by which it may be scaled, from 1/64 on; 0: it may be left out. */
 static double least_scale(double *scale)
 {
     double least = 1;

@@ -7,7 +7,7 @@
 #include "ray_steps.h"
 #include "render/trace/texture.h"
 
-#define WITHIN .9999L /* of what a bound allows */
+#define WITHIN .9999L /* share of a bound */
 
 /* ---- rays: certain results are true of the fixed-point ray ---- */
 

@@ -1,6 +1,5 @@
-/* src/simd/rays, pixels by every level of vector units: samples and their errors in RGB565, close to where colour
- * levels change. A certain result must be that of the fixed-point samples, which are off by all that the errors allow.
- */
+/* src/simd/rays, pixels by every instruction set: samples and their errors in RGB565, close to where colours change. A
+ * certain result must be that of the fixed-point samples, which are off by all that the errors allow. */
 #include <math.h>
 #include <tia/simd.h>
 
@@ -11,7 +10,7 @@
 #include "simd/rays/sure.h"
 #include "simd/simd.h"
 
-#define WITHIN .9999 /* of what a bound allows */
+#define WITHIN .9999 /* share of a bound */
 
 static double some_part(void)
 {

@@ -130,7 +130,7 @@ TEST(grids_larger_than_their_numbers)
     draw_all(&scene, 40, 30);
 }
 
-/* Of two faces at the same position that of the first object is hit, though the search's limit comes from the other
+/* The face of the first object is hit of two at the same position, though the search's limit comes from the other
  * one's axes and goes back to them. The second is tested first: it has a face that ends beyond Q16.16. */
 TEST(placed_twice)
 {

@@ -7,7 +7,7 @@
 #include "simd/rays/walk_paths_tmpl.h"
 
 enum { TRIES = 20000 };
-#define WITHIN .9999L /* of what a bound allows */
+#define WITHIN .9999L /* share of a bound */
 
 static const struct real nowhere = {{0, 0, 0}};
 
@@ -195,7 +195,7 @@ static void try_sky(struct used *u)
         one->block.error[0]);
 }
 
-/* Tries a dropped ray, of which nothing is known: from 0 to all possible light. */
+/* Tries a dropped, undecided ray: from 0 to all possible light. */
 static void try_given_up(struct used *u)
 {
     double theirs;

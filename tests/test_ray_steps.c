@@ -6,7 +6,7 @@
 #include "ray_steps.h"
 
 enum { TRIES = 20000 };
-#define WITHIN .9999L /* of what a bound allows */
+#define WITHIN .9999L /* share of a bound */
 
 static struct light_room lights;
 

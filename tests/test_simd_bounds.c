@@ -41,8 +41,8 @@ static void try_float(const struct simd_fine *f, int i)
         note(FLOAT_T, (s - exact) / exact, f->depth.es);
 }
 
-/* Tries the integers' t, |w|^2 and cosine of the first light; the bounds are those of an arithmetic without roundings.
- */
+/* Tries the fixed-point t, |w|^2 and cosine of the first light; the bounds are those of an arithmetic without
+ * roundings. */
 static void try_integers(const struct simd_fine *f, int i)
 {
     const struct span_view *spans = span_view_of(f->view);

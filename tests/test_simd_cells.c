@@ -29,7 +29,7 @@ static void note(int which, real value, real bound)
     worst[which] = ratio > worst[which] ? ratio : worst[which];
 }
 
-/* ---- the truth of a pixel ---- */
+/* ---- the exact values of a pixel ---- */
 
 struct truth {
     real depth, s, vv;
@@ -65,10 +65,10 @@ static bool is_dark(const struct simd_fine_light *light, real x, const struct tr
     return a > 0 && a < w && a * a > w * form(cast->k[0], cast->k + 1, x, o) * (1 + light->lamp->swell);
 }
 
-/* ---- levels ---- */
+/* ---- colour levels ---- */
 
-/* Tries a channel of a pixel: before it is rounded, y of `levels` is within 1/2 less `near` of the integers' result for
- * their cosine, and of that for one that is as far from the kernels' as its bound allows. */
+/* Tries a channel of a pixel: before it is rounded, y of `levels` is within 1/2 less `near` of the fixed-point result
+ * for the integer code's cosine, and of that for one that is as far from the kernels' as its bound allows. */
 static void try_level(int which, real y, real levels, real near, const tia_q30 part[3], num_u whole, real cosine,
                       real bound)
 {
@@ -110,8 +110,6 @@ static void try_levels(const struct simd_fine *f, const struct simd_run *r, cons
 }
 
 /* Tries P = t v with t = c/S: t' = -t S'/S, t'' = t (2 (S'/S)^2 - S''/S). */
-
-/* Of P = t v with t = c/S: t' = -t S'/S, t'' = t (2 (S'/S)^2 - S''/S). */
 static void try_motion(const struct simd_fine *f, real x, real first, real second)
 {
     const double *d = f->seen.d;

@@ -1,5 +1,5 @@
-/* Every level in every floating-point environment that its caller may have: the same memory and the same pictures, and
- * the caller's environment is unchanged. */
+/* Every instruction set in every floating-point environment that its caller may have: the same memory and the same
+ * pictures, and the caller's environment is unchanged. */
 #include <stdlib.h>
 
 #include <tia/simd.h>
@@ -134,7 +134,7 @@ TEST(pictures)
     each_scene(compare_picture);
 }
 
-/* Checks the environment inside a level, in its calls of `stop`. */
+/* Checks the environment inside the SIMD kernels, in their calls of `stop`. */
 static void look_inside(const struct tia_scene *scene, unsigned number)
 {
     static struct tia_sum sums[W * H];

@@ -1,4 +1,4 @@
-/* Where a processor's control register is not known, levels find out whether the environment suits them. */
+/* The test of the floating-point environment on processors whose control register is unknown. */
 #define SIMD_ENVIRONMENT_FIXED
 #include "simd/environment.h"
 

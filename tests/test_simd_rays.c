@@ -1,8 +1,9 @@
-/* General rays by every level of vector units against plain C, byte by byte: random scenes, scene files, tiles of any
- * size, threads. Levels that the processor lacks are named.
+/* General rays by every instruction set against plain C, byte by byte: random scenes, scene files, tiles of any size,
+ * threads. Instruction sets that the processor lacks are named.
  *
  *     test_simd_rays            as many scenes as seconds allow
- *     test_simd_rays N          N random scenes: make check runs 200 (tests/slow/simd) */
+ *     test_simd_rays N          N random scenes: make check runs 200 (tests/slow/simd)
+ */
 #include <stdlib.h>
 #include <tia/simd.h>
 
@@ -18,7 +19,8 @@
 static const struct tia_simd *simd;
 static unsigned random_scenes = 6;
 
-/* The level's kernels behind counting ones: a level that leaves all to the fixed-point code would be detected. */
+/* Counting kernels in front of the instruction set's: kernels that leave everything to the fixed-point code would be
+ * detected. */
 static const struct sure_kernels *kernels;
 static unsigned long samples, unsure;
 
@@ -157,7 +159,7 @@ static void compare_hindered(const struct tia_scene *scene, unsigned number)
     compare("ambient light that objects hinder", number, scene, 40, 30, false);
 }
 
-/* It is the same as the fixed-point code's, at any index among the lights. */
+/* The result equals the fixed-point code's, at any index among the lights. */
 TEST(ambient_light_is_hindered)
 {
     static const char text[] = "camera eye 0 1 5 look 0 0 0 fov 40\nmaterial plain colour 0.7 0.6 0.5 mirror 0.2\n"

@@ -1,10 +1,11 @@
-/* Samples by every level of vector units against plain C: ambient occlusion and light along paths, random scenes and
- * scene files. Sums are compared to the last bit; and each sample's bound with the distance of the doubles from the
+/* Samples by every instruction set against plain C: ambient occlusion and light along paths, random scenes and scene
+ * files. Sums are compared to the last bit; and each sample's bound with the distance of the doubles from the
  * fixed-point radiance before it is rounded.
  *
  *     test_simd_samples            as many scenes as seconds allow
  *     test_simd_samples N          N random scenes: make check runs 200 (tests/slow/simd)
- *     test_simd_samples N I        extreme ones from number I on */
+ *     test_simd_samples N I        extreme ones from number I on
+ */
 #include <math.h>
 #include <stdlib.h>
 #include <tia/simd.h>
@@ -21,7 +22,8 @@
 static const struct tia_simd *simd;
 static unsigned random_scenes = 80;
 
-/* The level's kernels behind counting ones: a level that leaves all to the fixed-point code would be detected. */
+/* Counting kernels in front of the instruction set's: kernels that leave everything to the fixed-point code would be
+ * detected. */
 static const struct sure_kernels *kernels;
 static unsigned long samples, unsure, clear;
 

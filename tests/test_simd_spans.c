@@ -1,8 +1,9 @@
-/* Every level of vector units against plain C, byte by byte, as checkasm does for dav1d: each is called directly, not
- * through the choice for the processor. Levels that the processor lacks are named.
+/* Every instruction set against plain C, byte by byte, as checkasm does for dav1d: each is called directly, not through
+ * the choice for the processor. Instruction sets that the processor lacks are named.
  *
  *     test_simd_spans           as many scenes as seconds allow
- *     test_simd_spans N         N edge scenes and N/100 of the corpus, see tests/slow/simd */
+ *     test_simd_spans N         N edge scenes and N/100 of the corpus, see tests/slow/simd
+ */
 #include <tia/simd.h>
 
 #include "common/corpus/corpus.h"
@@ -183,7 +184,7 @@ TEST(threads)
     threads_destroy(pool);
 }
 
-/* Scenes that levels do not draw are unchanged: the eye in a sphere; a scene for rays; another arithmetic. */
+/* Scenes that SIMD kernels do not draw are unchanged: the eye in a sphere; a scene for rays; another arithmetic. */
 TEST(what_levels_leave_alone)
 {
     struct corpus_scene s;

@@ -1,4 +1,4 @@
-/* The stack that a level takes of a thread, for any scene: the stack is painted, and the deepest changed byte is
+/* The stack that SIMD kernels take of a thread, for any scene: the stack is painted, and the deepest changed byte is
  * searched. Also, threads with small stacks can draw. */
 #include <pthread.h>
 #include <stdlib.h>
@@ -84,7 +84,7 @@ static uint8_t *stack;
 static size_t deepest;
 static char deepest_scene[80];
 
-/* Measures; stacks grow downwards on every processor with levels. */
+/* Measures; stacks grow downwards on every processor with SIMD kernels. */
 static void measure(struct work *w, const char *what, unsigned number)
 {
     size_t unused = 0;

@@ -1,5 +1,5 @@
-/* Pictures by each level of vector units that are stopped: soon, however slow their rays are, and without a call of
- * `stop` for every packet. */
+/* Pictures by each instruction set that are stopped: soon, however slow their rays are, and without a call of `stop`
+ * for every packet. */
 #include <stdlib.h>
 #include <time.h>
 

@@ -1,4 +1,4 @@
-/* best.c - which levels this library has, and which of them this processor. */
+/* best.c - the instruction sets of this library, and the choice among those of this processor. */
 #include <string.h>
 
 #include <tia/simd.h>
@@ -16,7 +16,7 @@ struct entry {
     bool (*there)(void);
 };
 
-/* gcc's cpu model also asks whether the system saves the wide registers. */
+/* gcc's cpu model also checks that the system saves the wide registers. */
 #define THERE(name, question)                                                                                          \
     static bool name(void)                                                                                             \
     {                                                                                                                  \
@@ -65,7 +65,7 @@ THERE(has_neon, true) /* every AArch64 */
 #endif
 #ifdef TIA_HAVE_WASM
 extern const struct tia_simd tia_simd_wasm;
-THERE(has_wasm, true) /* a module that asks for it does not start without it */
+THERE(has_wasm, true) /* a module that needs it does not start without it */
 #define WASM &tia_simd_wasm, has_wasm
 #else
 #define WASM NULL, NULL

@@ -1,19 +1,19 @@
-/* entry.c - the way into a level from the library's functions, and out of it. */
+/* entry.c - entry of the library's functions into the SIMD kernels, and return from them. */
 #include "environment.h"
 #include "simd.h"
 
 #define WORKERS_MAX 65536
 
-/* Room for each call that draws at the same time, one behind the other, each with a line of the caches before it that
- * says whether it is in use. */
+/* Rooms for the calls that draw at the same time, one behind the other, each after a cache line that says whether it is
+ * in use. */
 struct simd_pool {
     char *first;
     size_t stride;
     uint32_t workers;
-    bool prepared; /* false: plain C draws all the same */
+    bool prepared; /* false: plain C draws everything */
 };
 
-/* It lies before the part's own memory, behind the rooms. */
+/* Returns the pool, which lies before the part's own memory, behind the rooms. */
 static struct simd_pool *pool_of(const struct tia_view *view)
 {
     return (struct simd_pool *)(void *)((char *)view->simd_memory - SIMD_ALIGN(sizeof(struct simd_pool)));
@@ -24,7 +24,7 @@ static size_t stride_of(const struct tia_simd *simd, const struct simd_renderer 
     return 64 + SIMD_ALIGN(part->room(simd));
 }
 
-/* The caller's memory need not be aligned to 64. */
+/* Returns the bytes for a view. The caller's memory need not be aligned to 64. */
 static size_t size(const struct tia_simd *simd, const struct simd_renderer *part, const struct tia_scene *scene,
                    uint32_t light_capacity, unsigned workers)
 {
@@ -39,7 +39,7 @@ static const struct simd_renderer *part_of(const struct tia_view *view)
 {
     const struct simd_renderer *part = simd_renderer_for(view->simd, view->renderer);
 
-    __asm__("" : "+r"(part)); /* the compiler knows not what is called, and moves no computation out of between */
+    __asm__("" : "+r"(part)); /* hides the callee from the compiler, which then moves no computation across the call */
     return part;
 }
 
@@ -90,7 +90,7 @@ static void open(struct tia_view *view, void *memory, size_t bytes)
     prepare(view);
 }
 
-/* One call: its room, the last of all that it takes, and its caller's environment. */
+/* A call: its room and the environment of its caller. */
 struct entry {
     uint32_t *in_use;
     struct environment caller;

@@ -1,13 +1,13 @@
-/* environment.h - the floating-point environment that the levels' bounds suppose: rounding to nearest, subnormal
- * numbers kept, no trap. Programs may have set another one: fesetround, feenableexcept, -ffast-math in a library, a
- * compiler's option for the whole process. */
+/* environment.h - the floating-point environment that the error bounds assume: rounding to nearest, subnormal numbers
+ * kept, no trap. Programs may have set another one: fesetround, feenableexcept, -ffast-math in a library, a compiler's
+ * option for the whole process. */
 #ifndef TIA_SIMD_ENVIRONMENT_H
 #define TIA_SIMD_ENVIRONMENT_H
 
 #include <stdbool.h>
 #include <stdint.h>
 
-/* The caller's: control and flags. */
+/* The caller's environment: control and flags. */
 struct environment {
     uint64_t control, flags;
 };
@@ -90,8 +90,8 @@ static inline void environment_write(const struct environment *e)
 
 #ifdef ENVIRONMENT_FIXED
 
-/* Whether sums are rounded to nearest and subnormal numbers are kept: 1 + 2^-53 is halfway between 1 and the next
- * double, 1 + 3 2^-54 closer to that; floats as well, half as many bits. */
+/* Returns whether sums are rounded to nearest and subnormal numbers are kept: 1 + 2^-53 is halfway between 1 and the
+ * next double, 1 + 3 2^-54 closer to that; floats as well, half as many bits. */
 static inline bool environment_is_default(void)
 {
     volatile double one = 1, half_d = 0x1p-53, more_d = 0x3p-54, least_d = 0x1p-1022;
@@ -103,7 +103,7 @@ static inline bool environment_is_default(void)
            small_f * 4 > 0;
 }
 
-/* Where the control register is not known the environment may be right as it is. */
+/* Returns whether the environment suits as it is, on a processor whose control register is unknown. */
 static inline bool environment_take(struct environment *e)
 {
     *e = (struct environment){0, 0};
@@ -120,7 +120,7 @@ static inline void environment_leave(const struct environment *e)
 #define ENVIRONMENT_DEFAULT 0
 #endif
 
-/* Keeps the caller's in *e and sets the levels' own; false where that cannot be had. */
+/* Stores the caller's environment in *e and sets the kernels' own; returns false where that is impossible. */
 static inline bool environment_take(struct environment *e)
 {
     const struct environment own = {ENVIRONMENT_DEFAULT, 0};
@@ -131,7 +131,7 @@ static inline bool environment_take(struct environment *e)
     return true;
 }
 
-/* Back to the caller's, whose flags are as they were: what levels compute raises none. */
+/* Restores the caller's environment with its flags: computations of the kernels raise none there. */
 static inline void environment_leave(const struct environment *e)
 {
     environment_write(e);

@@ -1,5 +1,5 @@
-/* plain.c - what a level leaves to plain C: tiles whose paths are hashed, or whose light is told, and all where it has
- * no room or no floating-point environment of its own. */
+/* plain.c - tiles that SIMD kernels leave to plain C: those whose paths are hashed or whose light is reported, and all
+ * tiles without memory or without a floating-point environment of their own. */
 #include "simd.h"
 
 #define PIECE 128 /* pixels of a row that are traced at once */

@@ -6,7 +6,8 @@
 
 #include "raster/runs.h"
 
-/* The unsure pixels in which the polygon is nearer. Nothing there is far, and a face is not nearer than itself. */
+/* Returns the undecided pixels in which the polygon is nearer. Empty pixels are far, and a face is not nearer than
+ * itself. */
 static __attribute__((noinline)) unsigned settle(const struct raster_polygon *p, size_t at, unsigned unsure)
 {
     W there = w_part(p->face + at, k_of(unsure));
@@ -21,7 +22,7 @@ static __attribute__((noinline)) unsigned settle(const struct raster_polygon *p,
     return nearer;
 }
 
-/* Of the pixels `live`, those in which the polygon is nearer. */
+/* Returns the pixels of `live` in which the polygon is nearer. */
 INLINE K nearer_ones(const struct raster_polygon *p, size_t at, Q z, Q there, K live)
 {
     Q difference = q_sub(z, there);

@@ -1,4 +1,4 @@
-/* simd.h - what a level consists of, beside its operations. */
+/* simd.h - the tables of an instruction set, and the functions that all of them share. */
 #ifndef TIA_SIMD_SIMD_H
 #define TIA_SIMD_SIMD_H
 
@@ -6,18 +6,18 @@
 #include "render/renderer.h"
 #include "span/pair.h"
 
-/* See struct simd_renderer: scenes of spheres, and any others. */
+/* The entries of struct simd_renderer for scenes of spheres. */
 bool tia_simd_draws(const struct tia_view *view);
 void tia_simd_light(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
                     const struct tia_options *options, void *room);
 
-/* A tile by plain C, from hits of its own. */
+/* Draws a tile by plain C, from hits of its own. */
 void tia_simd_light_plain(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
                           const struct tia_options *options);
 
 #define SIMD_ALIGN(n) (((n) + 63) / 64 * 64) /* a line of the caches */
 
-/* A call's room: first the level's own structure of `own` bytes, then what its kernels need. */
+/* Bytes of a call's room: first the structure of `own` bytes, then the kernels' memory. */
 static inline size_t simd_room(size_t own, size_t of_kernels)
 {
     return SIMD_ALIGN(own) + of_kernels;
@@ -32,7 +32,7 @@ extern const struct simd_renderer tia_simd_spans, tia_simd_rays, tia_simd_sample
 
 extern const struct simd_entries tia_simd_entries;
 
-/* `runs`: the rasteriser's, or NULL. */
+/* Defines the tables of an instruction set; `runs`: the rasteriser's, or NULL. */
 #define SIMD(simd, runs)                                                                                               \
     extern const struct tia_simd tia_simd_##simd;                                                                      \
     extern const struct sure_kernels tia_sure_##simd;                                                                  \

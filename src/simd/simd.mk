@@ -1,7 +1,8 @@
-# simd.mk - which levels of vector units this compiler makes; the Makefile includes it.
+# simd.mk - the instruction sets that this compiler makes; the Makefile includes it.
 
-# Vector units: a library of its own, with floating point. A level is a file of src/simd with its own flags, and there
-# where the compiler takes them and has plain floats: neither -ffast-math nor a coprocessor that computes wider.
+# Vector units: a library of its own, with floating point. An instruction set is a file of src/simd and one of
+# src/simd/rays with flags of their own; it is made where the compiler takes these and has plain floats: neither
+# -ffast-math nor a coprocessor that computes wider.
 SIMD_SRC := $(filter src/simd/%,$(CORE_SRC))
 CORE_SRC  := $(filter-out src/simd/%,$(CORE_SRC))
 SIMD_NAMES := scalar sse41 avx2 avx512 neon neon32 wasm
@@ -13,7 +14,7 @@ flags_neon   :=
 flags_neon32 := -mfpu=neon
 flags_wasm   := -msimd128
 SIMD ?= $(if $(BARE),no,yes)
-# tools/generate would be too late: the compiler is asked with a line for each level.
+# tools/generate would be too late: the compiler is tried with a line for each instruction set.
 SIMD_HAD := $(if $(filter no,$(SIMD)),,$(strip $(foreach l,$(SIMD_NAMES),$(shell $(CC) -std=c11 $(CFLAGS) $(flags_$(l)) -DASK_$(l) -E -P src/simd/probe.h 2>/dev/null | grep -c '^yes$$' | sed -n 's/1/$(l)/p'))))
 # `make run` alone makes the one that this processor can do best, beside those that are there.
 ifneq ($(LEAN),)

@@ -4,7 +4,7 @@
  * Floats, for span/kernel_tmpl.h:
  *
  *   N                      floats in a vector: 4, 8 or 16
- *   F, M                   a vector of floats, and what comparing two gives
+ *   F, M                   a vector of floats, and the result of comparing two
  *   f_set(a) f_load(p) f_store(p, a) f_iota()     f_load needs no alignment; f_iota is 0, 1, 2, ...
  *   f_whole(p)                                    N numbers of 16 bits
  *   f_add f_sub f_mul f_min f_max f_abs f_round   f_max(a, NaN) and f_min(a, NaN) are NaN; f_round is to nearest
@@ -26,14 +26,14 @@
  *   mand mor mnot, mbits(m), mof(bits)    lane k is bit k
  *
  * and may define, where that is quick:
- *   OF16(table, index)        of 16 words those that the low four bits of each lane's index say: vu, see
- * rays/random_tmpl.h
+ *   OF16(table, index)        the words of a table of 16 at the low four bits of each lane's index: vu,
+ *                             see rays/random_tmpl.h
  *
  * Integers, for raster_tmpl.h, where the set compares those of 64 bits:
  *
  *   QN, Q, W, K           pixels in a vector; vectors of 64-bit and 32-bit integers; a set of these pixels
  *   q_set q_ramp(z, s)    z everywhere; z, z + s, z + 2s, ...
- *   q_add q_sub q_clamp   q_clamp: what is negative becomes 0
+ *   q_add q_sub q_clamp   q_clamp: negative numbers become 0
  *   q_gt(a, b)            signed
  *   w_set w_add w_eq
  *   q_load(p) w_load(p)   QN of them

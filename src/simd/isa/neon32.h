@@ -1,7 +1,7 @@
 /* neon32.h - 4 floats: NEON of ARMv7, which has neither roots nor quotients, and takes numbers below 2^-126 for 0.
  *
- * So a root is x/sqrt(x), within 12 units, as bounds.h allows for. And what is below 2^-126 does not count: a bound
- * that became 0 leaves a pixel open, since every comparison asks for more than the bound. */
+ * So a root is x/sqrt(x), within 12 units, as bounds.h allows for. Numbers below 2^-126 do not matter: a bound that
+ * became 0 leaves a pixel undecided, since every comparison needs more than the bound. */
 #ifndef TIA_SIMD_ISA_NEON32_H
 #define TIA_SIMD_ISA_NEON32_H
 
@@ -32,6 +32,6 @@ static inline unsigned m_bits(M m)
 
 #include "neon_both.h"
 
-#include "one.h" /* its unit has no doubles side by side */
+#include "one.h" /* its vector unit has no doubles */
 
 #endif

@@ -1,4 +1,4 @@
-/* neon_both.h - what both kinds of NEON have. */
+/* neon_both.h - the operations that both kinds of NEON have. */
 #ifndef TIA_SIMD_ISA_NEON_BOTH_H
 #define TIA_SIMD_ISA_NEON_BOTH_H
 
@@ -27,7 +27,7 @@ static inline F f_iota(void)
     return vld1q_f32(iota);
 }
 
-/* The estimate has 8 bits; a step makes twice as many of them. */
+/* Returns 1/sqrt(x): the estimate has 8 bits, and a step doubles them. */
 static inline F f_rsqrt(F x)
 {
     F y = vrsqrteq_f32(x);
@@ -44,7 +44,7 @@ static inline F f_inverse(F x)
     return vmulq_f32(y, vrecpsq_f32(x, y));
 }
 
-/* Whole numbers below 2^16: exact. */
+/* Packs pixels: whole numbers below 2^16, exact. */
 static inline void i_pack(F r, F g, F b, uint16_t *out)
 {
     vst1_u16(out, vmovn_u32(vcvtq_u32_f32(f_fma(r, f_set(2048), f_fma(g, f_set(32), b)))));

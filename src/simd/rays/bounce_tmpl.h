@@ -1,10 +1,12 @@
-/* bounce_tmpl.h - the rays that a point gives rise to. */
+/* bounce_tmpl.h - rays spawned at a surface: reflection, refraction and straight passage.
+ *
+ * Parameters: the doubles of isa/isa.h. Defines: bounce(), find_boundaries(), refract(), struct refraction. */
 #ifndef TIA_SIMD_RAYS_BOUNCE_TMPL_H
 #define TIA_SIMD_RAYS_BOUNCE_TMPL_H
 
 #include "paths_tmpl.h"
 
-/* What refraction makes of rays at a boundary. */
+/* Refraction of rays at a boundary. */
 struct refraction {
     struct v3 to;
     vd eto, fresnel, efresnel;
@@ -12,7 +14,8 @@ struct refraction {
     struct media media[LANES];
 };
 
-/* The boundaries by the integers: which objects a ray is in is known. q = n2/(parts n1), see refract of shade.c. */
+/* Finds the boundaries by the fixed-point code: the objects that a ray is inside of are certain. q = n2/(parts n1), see
+ * refract() of shade.c. */
 static void find_boundaries(const struct sure_scene *s, const struct shade *h, unsigned glass, const struct rays *r,
                             struct refraction *f, vd *q, vd *per_part)
 {
@@ -50,8 +53,8 @@ LANE_OP vd reflectance_of(vd a, vd b, vd e, vm *fine, vd *er)
     return (a - b) / sum;
 }
 
-/* Snell's law and Fresnel's equations as in refract of shade.c: c is within ec, so c^2 under the root is within (2 |c|
- * + ec) ec. */
+/* Snell's law and Fresnel's equations as in refract of shade.c: The cosine c is within ec, so c^2 under the root is
+ * within (2 |c| + ec) ec. */
 static void refract(const struct shade *h, vm glass, vd q, vd part, struct refraction *f)
 {
     vd c = h->facing, ec = h->efacing, square = q * q, inside = square - (1 - c * c) * (part * part), er, es, ep;
@@ -88,7 +91,7 @@ LANE_OP void keep_paths(struct rays *next, const struct rays *r, const struct me
     }
 }
 
-/* Lanes whose paths may have one more bounce; one more straight layer. */
+/* Returns the lanes whose paths may have one more bounce; one more layer for rays that go straight on. */
 LANE_OP unsigned may_bounce(const struct sure_scene *s, const struct rays *r)
 {
     unsigned on = 0;
@@ -107,7 +110,8 @@ LANE_OP unsigned may_pass(const struct rays *r)
     return on;
 }
 
-/* Of rays that start `height` off a surface, in any direction: whether they surely leave it, or surely come back. */
+/* Returns the origin of rays that start `height` off a surface in any direction: certainly leaving it, certainly coming
+ * back, or undecided. */
 LANE_OP struct origin leaving_or_not(const struct shade *h, struct v3 d, vd ed, double sign, double height)
 {
     struct origin from = leaving(h, d, ed, sign, 0);
@@ -118,7 +122,8 @@ LANE_OP struct origin leaving_or_not(const struct shade *h, struct v3 d, vd ed, 
     return from;
 }
 
-/* A ray that is bent starts behind the surface, one that goes straight on behind the point, along itself. */
+/* Queues refracted rays: a bent ray starts behind the surface, one that goes straight on starts behind the point, along
+ * itself. */
 static void push_refracted(struct work *w, const struct shade *h, unsigned lanes, const struct rays *r,
                            const struct refraction *f)
 {
@@ -175,7 +180,7 @@ static void push_reflected(struct work *w, const struct shade *h, unsigned lanes
     push(w, lanes, &next, false, false);
 }
 
-/* Its large frame is beside those that walks and shadows have, not below. */
+/* Queues the spawned rays of a packet. Its large frame lies beside those of walks and shadows, not below them. */
 static __attribute__((noinline)) void bounce(struct work *w, const struct shade *h, unsigned lanes,
                                              const struct rays *r)
 {

@@ -1,17 +1,19 @@
-/* box_tmpl.h - boxes, by their slabs, as geometry/box.c.
+/* box_tmpl.h - boxes by their slabs, as geometry/box.c.
+ *
+ * Parameters: the doubles of isa/isa.h. Defines: meet_box().
  *
  * A plane across an axis is met at t = (plane - o)/d: within (eo + 4 u (|plane| + |o|) + 2 U + |t| (ed + 4 u)) over |d|
- * less ed, and U. Along an axis in which the ray hardly moves nothing is known of that; but where it surely stays
- * between the two planes, or surely outside, as far as the box reaches, they decide all the same. */
+ * less ed, and U. Along an axis in which the ray hardly moves these times are undecided; where the ray certainly stays
+ * between the two planes, or certainly outside them, as far as the box reaches, the slab decides all the same. */
 #ifndef TIA_SIMD_RAYS_BOX_TMPL_H
 #define TIA_SIMD_RAYS_BOX_TMPL_H
 
 #include "hit_report_tmpl.h"
 
-/* One slab: where the ray enters and leaves it. `fine`: that is known. */
+/* One slab: the times at which the ray enters and leaves it; `fine` lanes are certain. */
 struct slab_times {
     vd in, out, ein, eout;
-    vm fine, apart; /* apart: surely never between the planes */
+    vm fine, apart; /* certainly never between the planes */
     vm back;
 };
 
@@ -39,7 +41,7 @@ LANE_OP struct slab_times slab_times_of(const struct packet *p, vd o, vd d, vd i
     return s;
 }
 
-/* The slab entered last, or left first: the one whose time is surely the most. */
+/* The slab entered last, or left first: the one whose time is certainly the largest. */
 struct slab_last {
     vd t, e, axis;
     vm sure;
@@ -60,7 +62,7 @@ LANE_OP struct slab_last slab_last_of(const vd t[3], const vd e[3])
     return last;
 }
 
-/* 1 where the ray comes from the maximum along the axis. */
+/* Returns 1 where the ray comes from the maximum along the axis. */
 LANE_OP vd comes_back(const struct slab_times s[3], vd axis)
 {
     vm back = mor(
@@ -85,7 +87,7 @@ LANE_OP void meet_box(struct query *q, const double min[3], const double max[3])
         s[i] = slab_times_of(p, o[i], d[i], inv[i], min[i], max[i], reach);
         in[i] = s[i].in;
         ein[i] = s[i].ein;
-        out[i] = -s[i].out; /* so that the first to be left is the most */
+        out[i] = -s[i].out; /* negated, so that the first to be left is the largest */
         eout[i] = s[i].eout;
         fine = mand(fine, s[i].fine);
         miss = mor(miss, s[i].apart);

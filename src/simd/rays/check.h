@@ -1,5 +1,5 @@
-/* check.h - where a build that traces the integers' ray beside each of ours looks at it, see tests/test_ray_bounds.c;
- * in any other nothing happens there. */
+/* check.h - hooks of the templates for a build that traces the fixed-point ray beside each certified one (SURE_CHECK,
+ * see tests/test_ray_bounds.c); in any other build they are empty. */
 #ifndef TIA_SIMD_RAYS_CHECK_H
 #define TIA_SIMD_RAYS_CHECK_H
 

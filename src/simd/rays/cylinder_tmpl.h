@@ -1,23 +1,27 @@
-/* cylinder_tmpl.h - cylinders: in the axes of one, from its base, a ray is p + t y across and h + t d along. With f =
- * |y| it meets the side, |p + t y| = r, at
+/* cylinder_tmpl.h - cylinders.
+ *
+ * Parameters: the doubles of isa/isa.h. Defines: comes_near(), meet_cylinder().
+ *
+ * In the axes of a cylinder, from its base, a ray is p + t y across and h + t d along. With f = |y| it meets the side,
+ * |p + t y| = r, at
  *
  *     t = (-p.y -+ D)/f^2,   D = sqrt(r^2 f^2 - (p x y)^2).
  *
- * The integers' ray is at t within lambda(t) = eo + t ed of ours, and so their line across, y' being its y, f' that
+ * The fixed-point ray is at t within lambda(t) = eo + t ed of ours, and so their line across, y' being its y, f' that
  * one's length: f' <= f + ed. Let X be where ours meets the side at t, and X + a where theirs is at t, |a| <= lambda.
- * What of a lies along their ray moves it along itself alone; let b be the rest, and X + b + s D' where they meet the
+ * The part of a along their ray moves it along itself alone; let b be the rest, and X + b + s D' where they meet the
  * side. Across the axis, X + b being off the circle by eta = 2 r lambda + lambda^2 squared at most,
  *
  *     s = -eta'/(G + sqrt(G^2 - f'^2 eta')),   |eta'| <= |b| (2 sqrt(r^2 - g^2) + lambda) <= eta,
  *     G = (X + b).y',   |G| >= g = D - r ed - lambda,
  *
  * as |X.y| = D, and as b is at right angles to D', so that its part along the normal X/r is at most |b| sqrt(1 -
- * (g/r)^2). Let T = sqrt(g^2 - f'^2 eta). If g > 0 and T > 0 they surely meet it, and s^2 <= b^2 (r^2 - g^2 +
+ * (g/r)^2). Let T = sqrt(g^2 - f'^2 eta). If g > 0 and T > 0 they certainly meet it, and s^2 <= b^2 (r^2 - g^2 +
  * eta/2)/T^2: the hit moves by
  *
  *     sqrt(b^2 + s^2) <= lambda sqrt(r^2 - f'^2 eta + eta/2)/T <= lambda (r + lambda)/T,
  *
- * and t, to which what of a lies along the ray adds, by no more, as (|b|, |a - b|) is no longer than lambda.
+ * and t, to which the part of a along the ray adds, by no more, as (|b|, |a - b|) is no longer than lambda.
  *
  * Across the axis it moves less. Along y' the line is w = r sin v off the axis where it is v round it, X by their
  * direction, and then off by lambda at most, so that the arc is at most r lambda over the least r cos v on its way;
@@ -26,31 +30,30 @@
  *
  * A plane across the axis is met lambda/(|d| - ed) away, along the ray as in space, by the same triangle.
  *
- * What either side rounds by is taken for a move of the ray, by which it counts no less. Doubles: with l = |x| + |y| +
- * |z| of the origin from the base, each of its coordinates in the axes is off by 5 u l (the difference, the axis, a
- * product, two sums), p x y and p.y by 2 u l f more: together below 16 u l. Those of the direction are off by 4 u, and
- * 5 u are for f^2, 1/f^2, and t: 16 u. D^2 is off by 4 u r^2 f^2 and D by u r f, as if r were by 3 u r. The integers'
- * origin, moved along the ray, is half a unit off in each of its coordinates, p again in each of two, the distance from
- * the axis by one: 2.6 units. Along the ray, across the axis, the place nearest to it is off by a unit and the root by
- * one and a half. That is 5.25 units in all; t and the point are then rounded by 2 units together, heights by 3. All
- * else is within 2^-55 of the reach, of which 8 u are added.
+ * The roundings of either side are counted as a move of the ray, which is no less. Doubles: with l = |x| + |y| + |z| of
+ * the origin from the base, each of its coordinates in the axes is off by 5 u l (the difference, the axis, a product,
+ * two sums), p x y and p.y by 2 u l f more: together below 16 u l. Those of the direction are off by 4 u, and 5 u are
+ * for f^2, 1/f^2, and t: 16 u. D^2 is off by 4 u r^2 f^2 and D by u r f, as if r were by 3 u r. The fixed-point origin,
+ * moved along the ray, is half a unit off in each of its coordinates, p again in each of two, the distance from the
+ * axis by one: 2.6 units. Along the ray, across the axis, the place nearest to it is off by a unit and the root by one
+ * and a half. That is 5.25 units in all; t and the point are then rounded by 2 units together, heights by 3. All else
+ * is within 2^-55 of the reach, of which 8 u are added.
  *
- * Of what follows no test can tell whether it is there. l in lambda: |O| is at most |t| and twice the reach, so that
+ * No test notices when the following parts are left out. l in lambda: |O| is at most |t| and twice the reach, so that
  * the others, 16 u |t| and 8 u of the reach, leave 4 u |O| without it; doubles were never seen to be off by 1 u |O|.
- * What g is less than D by: lambda is that of the farther end, which is half a chord away at least, D/f^2, so that f^2
- * eta is 2 r D ed or more, as much as r ed takes off g^2 but for r^2 ed^2; and what of b lies along y' leaves the line
- * across the axis where it is. `slanted`: along the axis 1/f^2 would be infinite and t not a number, and nothing sure
- * either.
- */
+ * The difference of D and g: lambda is that of the farther end, which is half a chord away at least, D/f^2, so that f^2
+ * eta is 2 r D ed or more, as much as r ed takes off g^2 but for r^2 ed^2; and the part of b along y' leaves the line
+ * across the axis where it is. `slanted`: along the axis 1/f^2 would be infinite and t not a number, so that every lane
+ * is undecided anyway. */
 #ifndef TIA_SIMD_RAYS_CYLINDER_TMPL_H
 #define TIA_SIMD_RAYS_CYLINDER_TMPL_H
 
 #include "hit_report_tmpl.h"
 #include "render/geometry/round.h"
 
-/* Whether any line passes the axis so close that it may meet the side, by what most packets tell that do not: (D x A).O
- * is the distance from it times f = |D x A|. In both there are less than 32 u of the way to the shape, which is 2^-21
- * of pad at least. */
+/* Returns whether any line passes the axis so close that it may meet the side, which most packets that miss it decide
+ * here. (D x A).O is the distance from the axis times f = |D x A|. Both are off by less than 32 u of the way to the
+ * shape, and pad is 2^-21 of that at least. */
 LANE_OP bool comes_near(const struct query *q, const struct sure_round *k)
 {
     const struct packet *p = q->p;
@@ -63,7 +66,8 @@ LANE_OP bool comes_near(const struct query *q, const struct sure_round *k)
     return any(mand(q->active, mnot(passes)));
 }
 
-/* Where in the shape's box the ray may be inside the side, `from` before `to`; nothing of it is hit elsewhere. */
+/* The part of a ray, within the shape's box, that may be inside the side: from `from` to `to`; nothing else of it is
+ * hit. */
 struct tube {
     const struct sure_round *k;
     vd square, towards, discriminant; /* f^2, -p.y, D^2 */
@@ -85,8 +89,8 @@ LANE_OP vd eta_of(vd radius, vd lambda)
     return BOUND_OF(TUBE_ETA, (2 * radius + lambda) * lambda * BOUND(TUBE_BOUND));
 }
 
-/* Their ray is inside the side only where ours is within r + lambda of the axis: f^2 (t + p.y/f^2)^2 <= (r + lambda)^2
- * - (p x y)^2/f^2. False: all miss. */
+/* Finds the part inside the side; false: all lanes miss. The fixed-point ray is inside the side only where the
+ * certified one is within r + lambda of the axis: f^2 (t + p.y/f^2)^2 <= (r + lambda)^2 - (p x y)^2/f^2. */
 LANE_OP bool tube_of(const struct query *q, const struct sure_round *k, struct tube *b)
 {
     const struct packet *p = q->p;
@@ -123,10 +127,10 @@ LANE_OP bool tube_of(const struct query *q, const struct sure_round *k, struct t
     return any(mand(q->active, mnot(b->miss)));
 }
 
-/* An end of what of the ray is inside the side: how high it is, and then whether it is one of the shape. */
+/* One end of the part inside the side: its height, and its place relative to the shape's ends. */
 struct tube_end {
     vd t, e, element;
-    vm low, above, high, below; /* than the base, and than the top; surely */
+    vm low, above, high, below; /* certainly, than the base and than the top */
     vm hit, none;
 };
 
@@ -146,8 +150,8 @@ LANE_OP struct tube_end side_end(const struct tube *b, vd t, vd stretch)
     return end;
 }
 
-/* With caps a ray that is not inside the length yet, or no more, enters or leaves by them, if it is at the other end.
- */
+/* Moves an end to a cap: with caps, a ray outside the length at this end enters or leaves by them if it is inside at
+ * the other end. */
 LANE_OP void cap_end(const struct tube *b, struct tube_end *end, const struct tube_end *other)
 {
     vd slope = vabs(b->rise) - b->turn, size = vsel(vlt(vset(0), slope), slope, vset(1));
@@ -164,8 +168,8 @@ LANE_OP void cap_end(const struct tube *b, struct tube_end *end, const struct tu
     end->none = mor(end->none, mand(end->hit, vlt(end->t, -end->e)));
 }
 
-/* From inside the first end lies behind. Where it is not known whether the second one is by a cap, it may be by one
- * that is met before. */
+/* Reports the hit. From inside, the first end lies behind. Where it is undecided whether the second end is at a cap, a
+ * cap may be met before it. */
 LANE_OP void tube_report(struct query *q, const struct tube *b, const struct tube_end ends[2], vm known)
 {
     const struct tube_end *in = &ends[0], *out = &ends[1];

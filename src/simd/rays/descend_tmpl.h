@@ -1,4 +1,7 @@
-/* descend_tmpl.h - how a packet goes down a hierarchy, whatever is in its leaves: see walk_tmpl.h. */
+/* descend_tmpl.h - traversal of a hierarchy by a packet, for any kind of leaf: see walk_tmpl.h.
+ *
+ * Parameters: the doubles and pairs of floats of isa/isa.h. Defines: WALK(), EVEN, twice(), half(), struct child,
+ * struct pending, struct node_ref. */
 #ifndef TIA_SIMD_RAYS_DESCEND_TMPL_H
 #define TIA_SIMD_RAYS_DESCEND_TMPL_H
 
@@ -10,20 +13,20 @@ struct child {
     int place; /* 0 or 1 */
 };
 
-/* A child that waits, and which bits are its lanes. */
+/* A queued child, and the bits of its lanes. */
 struct pending {
     vp near;
     unsigned lanes;
     struct child child;
 };
 
-/* A child that is visited. */
+/* The child being visited. */
 struct node_ref {
     struct child child;
     const vp *near;
 };
 
-/* What a packet still looks for. Of each lane there are two bits, as there are floats of a `vp`. */
+/* Search state of a packet; two bits per lane, one per float of a `vp`. */
 struct search {
     vd farthest;
     vp limit;
@@ -39,7 +42,7 @@ LANE_OP unsigned twice(unsigned lanes)
     return ((lanes | lanes << 1) & EVEN) * 3;
 }
 
-/* Each second bit, from the first one on. */
+/* Returns each second bit, from the first one on. */
 LANE_OP unsigned half(unsigned bits)
 {
     bits &= EVEN;
@@ -55,22 +58,22 @@ LANE_OP void search_begin(struct search *w, const struct query *q)
     w->active = twice(mbits(q->active));
 }
 
-/* After a leaf: what is farther than now known does not count. Mostly nothing is new, so that the branch is less than
- * what it saves the next node from waiting for. */
+/* Shortens the search after a leaf: boxes farther than the new limit do not count. Mostly nothing is new, so a branch
+ * costs less than a dependency of the next node on the limit. */
 LANE_OP void search_update(struct search *w, const struct query *q)
 {
     if (twice(mbits(q->active)) != w->active || any(vlt(q->limit, w->farthest)))
         search_begin(w, q);
 }
 
-/* Called for 0 or for 1, in branches: they are foreseen, where an index that is computed is waited for. */
+/* Called with a constant in each branch: a predicted branch is cheaper than a load whose address must be computed. */
 LANE_OP void child_of(struct child *to, const struct sure_node *n, int place)
 {
     *to = (struct child){n->index[place], n->count[place], place};
 }
 
-/* Goes to the child that more lanes enter first; the other one waits, at `other`, if it is entered. -1: none is, else
- * whether one waits. */
+/* Visits the child that more lanes enter first and queues the other at `other` if it is entered. Returns -1 if neither
+ * is entered, else the number queued. */
 LANE_OP int descend(struct node_ref *v, const struct search *w, vp *near, struct pending *other,
                     const struct sure_tree *tree, const struct query *q)
 {
@@ -84,7 +87,7 @@ LANE_OP int descend(struct node_ref *v, const struct search *w, vp *near, struct
         return -1;
     *near = in;
     if (first && second) {
-        unsigned closer = vp_le(in, vp_swap(in)); /* of each two, which is */
+        unsigned closer = vp_le(in, vp_swap(in)); /* of each two lanes, which child is nearer */
         turn = LANES == 1 ? !(closer & 1)
                           : __builtin_popcount(second & (~first | closer >> 1)) >
                                 __builtin_popcount(first & (~second | closer));
@@ -103,7 +106,7 @@ LANE_OP int descend(struct node_ref *v, const struct search *w, vp *near, struct
     return first && second;
 }
 
-/* The next child that waits and is still of use; returns how many wait behind it, -1: there is none. */
+/* Takes the next queued child within the limit; returns the number queued behind it, -1: there is none. */
 LANE_OP int resume(struct node_ref *v, const struct search *w, const struct pending *stack, int depth)
 {
     while (depth > 0 && w->active) {
@@ -116,7 +119,8 @@ LANE_OP int resume(struct node_ref *v, const struct search *w, const struct pend
     return -1;
 }
 
-/* Two walks of one shape: a mesh's is called from within the scene's. Nothing else points to where children wait. */
+/* Two instances for each shape: a mesh's walk is called from within the scene's. Nothing else points to the queued
+ * children. */
 #define WALK(name, leaf, waits)                                                                                        \
     static __attribute__((noinline)) void name(const struct sure_scene *s, const struct sure_tree *tree,               \
                                                struct query *q)                                                        \

@@ -1,13 +1,15 @@
-/* direction_tmpl.h - random directions in doubles, see samples/direction.c: within 2^-50 of the integers', which are
- * within 2^-59 of the same formulas. */
+/* direction_tmpl.h - random directions in doubles, see samples/direction.c: within 2^-50 of the fixed-point ones, which
+ * are within 2^-59 of the same formulas.
+ *
+ * Parameters: the doubles of isa/isa.h. Defines: turn_place(), disc_place(), cosine_direction(), around(). */
 #ifndef TIA_SIMD_RAYS_DIRECTION_TMPL_H
 #define TIA_SIMD_RAYS_DIRECTION_TMPL_H
 
 #include "random_tmpl.h"
 #include "samples/direction.h"
 
-/* Sine and cosine of x eighths of a turn, |x| <= 1: series of the angle a to a^17 and a^16. What follows is below
- * a^19/19! < 1e-19 and a^18/18! < 2e-18; roundings are below 2^-51, most of it the angle's and the last sums'. */
+/* Sine and cosine of x eighths of a turn, |x| <= 1: series of the angle a to a^17 and a^16. The remaining terms are
+ * below a^19/19! < 1e-19 and a^18/18! < 2e-18; roundings are below 2^-51, most of it the angle's and the last sums'. */
 LANE_OP void sine_cosine(vd x, vd *s, vd *c)
 {
     vd a = x * 0.78539816339744831, q = a * a, u = vset(1.0 / 355687428096000.0), v = vset(1.0 / 20922789888000.0);
@@ -30,10 +32,10 @@ LANE_OP void sine_cosine(vd x, vd *s, vd *c)
     *c = 1 + v * q;
 }
 
-/* Cosine and sine of (u + 1/2)/2^32 turns, by the nearest quarter q of one: 4 is 0. */
+/* Gives cosine and sine of (u + 1/2)/2^32 turns, by the nearest quarter q of one: 4 is 0. */
 LANE_OP void turn_place(vu u, vd *x, vd *y)
 {
-    const double shift = 6755399441055744.0; /* 1.5 2^52 rounds what is added to it */
+    const double shift = 6755399441055744.0; /* 1.5 2^52: rounds numbers added to it */
     vd quarters = 4 * vu_unit(u), q = (quarters + shift) - shift, s, c;
 
     sine_cosine(2 * (quarters - q), &s, &c);
@@ -44,8 +46,8 @@ LANE_OP void turn_place(vu u, vd *x, vd *y)
     *y = vsel(mand(past_half, vlt(q, vset(3.5))), -across, across);
 }
 
-/* The concentric map. a and b are exact, and so is which is the longer; the share is rounded, which turns the place by
- * a quarter of pi 2^-53. */
+/* The concentric map. Both a and b are exact, and so is their order; the share is rounded, which turns the place by a
+ * quarter of pi 2^-53. */
 LANE_OP vd disc_place(vu u0, vu u1, vd *x, vd *y)
 {
     vd a = 2 * vu_unit(u0) - 1, b = 2 * vu_unit(u1) - 1, s, c;
@@ -68,10 +70,11 @@ LANE_OP struct v3 cosine_direction(vu u0, vu u1)
     return d;
 }
 
-/* A direction around z, around another axis, as trace/around.c, where that is within e: and within *ed then. With k =
+/* Turns a direction around z to another axis, as trace/around.c; the axis is within e, the result within *ed. With k =
  * 1/(1 + |z|) and x^2 + y^2 <= 1 - z^2, (x^2 + y^2) k <= 1: x^2 k changes by (2 |x| k + x^2 k^2) e <= 3 e, x y k by 2
  * e, so either tangent by sqrt(9 + 4 + 1) e, and the sum by sqrt(14 + 14 + 1) e < 6 e. Roundings are below 2^-50 a
- * coordinate. The tangents jump where z changes its sign; `exact` says that it has the integers' one all the same. */
+ * coordinate. The tangents jump where z changes its sign; in `exact` lanes z has the sign of the fixed-point one all
+ * the same. */
 LANE_OP struct v3 around(struct v3 n, vd e, vm exact, struct v3 local, vd elocal, vd *ed, vm *unsure)
 {
     vm down = vlt(n.z, vset(0)), upright = mnot(down);

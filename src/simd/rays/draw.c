@@ -1,4 +1,4 @@
-/* draw.c - a tile, block by block: what is sure becomes levels of RGB565, samples that are not go to the integers. */
+/* draw.c - a tile, block by block: certain pixels become RGB565, undecided samples go to the fixed-point path. */
 #include "bounds.h"
 #include "render/core/dither.h"
 #include "simd/simd.h"
@@ -19,7 +19,7 @@ static size_t room(const struct tia_simd *simd)
     return simd_room(sizeof(struct drawing), simd->sure->block_memory);
 }
 
-/* Samples that are not sure by the integers, each of which may take long: then they are off by no more than their
+/* Replaces undecided samples by fixed-point ones, each of which may take long; their error is then only that of the
  * conversion. */
 static void replace_samples(struct sure_block *b)
 {
@@ -36,7 +36,7 @@ static void replace_samples(struct sure_block *b)
     }
 }
 
-/* A pixel whose samples are all the integers'. */
+/* Returns a pixel whose samples are all fixed-point ones. */
 static tia_rgb565 exact_pixel(struct sure_block *b, int x, int y, num_u threshold)
 {
     num_length mean[3] = {0, 0, 0}, colour[3];
@@ -114,7 +114,8 @@ static void light(const struct tia_view *view, struct tia_tile tile, const struc
     }
 }
 
-/* Without a hierarchy there are no boxes. A light field's neighbours have eyes of their own. */
+/* Returns whether this path draws the view. Without a hierarchy there are no boxes; a light field's neighbours have
+ * eyes of their own. */
 static bool draws(const struct tia_view *view)
 {
     return view->scene->bvh && !view->scene->field;

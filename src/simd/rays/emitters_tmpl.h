@@ -1,5 +1,9 @@
-/* emitters_tmpl.h - places on what shines, and the densities with which they are chosen: render/path/emitters.c in
- * doubles. Densities are over solid angles, times pi; errors of quotients are kept as parts of them, as integers do. */
+/* emitters_tmpl.h - places on emitters, and the densities with which they are chosen: render/path/emitters.c in
+ * doubles.
+ *
+ * Parameters: the doubles of isa/isa.h. Defines: see_emitter(), plane_density(), ball_density(), struct emitter_view.
+ *
+ * Densities are over solid angles, times pi; errors of quotients are kept relative, as in the fixed-point code. */
 #ifndef TIA_SIMD_RAYS_EMITTERS_TMPL_H
 #define TIA_SIMD_RAYS_EMITTERS_TMPL_H
 
@@ -8,17 +12,17 @@
 #include "interval_tmpl.h"
 #include "light_tmpl.h"
 
-/* What points see of an emitter. */
+/* An emitter as seen from points. */
 struct emitter_view {
     struct v3 to;
     vd eto, distance, edistance;
     struct ve density; /* of surfaces */
     vd factor, efactor;
-    vm some, unsure; /* some: it may shine on the point */
+    vm some, unsure; /* some: it may shine on the point; unsure: undecided */
 };
 
-/* pi d^2/(A c), of which each part is known within a part of it: x = ed/d and y = ecosine/|c| are 1/8 at most, and (1 +
- * x)^2/(1 - y) - 1 <= (2.125 x + y)/(1 - y) <= 2.43 x + 1.15 y. */
+/* pi d^2/(A c), of which each part has a relative bound: x = ed/d and y = ecosine/|c| are 1/8 at most, and (1 + x)^2/(1
+ * - y) - 1 <= (2.125 x + y)/(1 - y) <= 2.43 x + 1.15 y. */
 LANE_OP struct ve plane_density(const struct sure_shine *shine, vd d, vd ed, vd cosine, vd ecosine, vm *fine)
 {
     vd size = vabs(cosine);
@@ -34,9 +38,9 @@ LANE_OP struct ve plane_density(const struct sure_shine *shine, vd d, vd ed, vd 
 }
 
 /* 1 - cos of the cone in which a sphere of radius r is seen, s^2/(1 + sqrt(1 - s^2)): within `part` of itself. s^2 is
- * within p = 2.25 ed/d and roundings, of which those of the integers are 2^-61 in all: 1/(1 - x)^2 - 1 <= 2.1 x for x =
- * ed/d <= 1/32. The root is off by s^2 p/root at most, 1 + root is more than 1: together that is `part` and, as the
- * quotient of the two, 1.15 times as much while part <= 1/8. Beyond, nothing is fine. */
+ * within p = 2.25 ed/d and roundings, of which those of the fixed-point code are 2^-61 in all: 1/(1 - x)^2 - 1 <= 2.1 x
+ * for x = ed/d <= 1/32. The root is off by s^2 p/root at most, 1 + root is more than 1: together that is `part` and, as
+ * the quotient of the two, 1.15 times as much while part <= 1/8. Beyond that every lane is undecided. */
 LANE_OP vd cone_open(vd d, vd ed, double r, vd *part, vm *fine)
 {
     vd away = vsel(vlt(vset(0), d), d, vset(1)), sine = vset(r) / away, square = sine * sine, rest = 1 - square;
@@ -52,7 +56,7 @@ LANE_OP vd cone_open(vd d, vd ed, double r, vd *part, vm *fine)
     return square / (1 + root);
 }
 
-/* Of spheres; 0 from inside. */
+/* Returns the density of a sphere's places; 0 from inside. */
 LANE_OP struct ve ball_density(const double at[3], double radius, struct v3 from, vd efrom, vm *fine)
 {
     struct v3 way = v3_sub(v3_set(at), from);
@@ -67,7 +71,7 @@ LANE_OP struct ve ball_density(const double at[3], double radius, struct v3 from
     return ve_of(vsel(inside, vset(0), v), vsel(inside, vset(0), v * BOUND(BALL_DENSITY) * part));
 }
 
-/* The way to a place with a normal that is turned to the point; `way` leads to where a shadow ray ends. */
+/* Sets the view of a place with a normal that is turned to the point; `way` leads to the shadow ray's end. */
 LANE_OP void see_place(struct emitter_view *a, struct v3 way, vd e, struct v3 normal, vd enormal, vd *cosine,
                        vd *ecosine)
 {
@@ -82,7 +86,7 @@ LANE_OP void see_place(struct emitter_view *a, struct v3 way, vd e, struct v3 no
     a->efactor = vset(0);
 }
 
-/* A rectangle or a disc. */
+/* Sets the view of a rectangle or a disc. */
 static void see_plane(const struct sure_scene *s, const struct sure_light *l, const struct sure_shine *shine,
                       struct v3 from, vd efrom, const vu u[2], struct emitter_view *a)
 {
@@ -114,8 +118,8 @@ static void see_plane(const struct sure_scene *s, const struct sure_light *l, co
     a->unsure = mor(a->unsure, mand(a->some, mnot(fine)));
 }
 
-/* Where a ray within the cone meets the ball, t - thc, as in sphere_tmpl.h, whose bounds these are. The few that pass
- * beside it, by rounding, are for the integers. */
+/* Returns the place where a ray within the cone meets the ball, t - thc, as in sphere_tmpl.h, whose bounds these are.
+ * The few rays that pass beside it by rounding are undecided. */
 LANE_OP struct v3 ball_place(struct v3 way, struct v3 from, vd efrom, struct v3 d, vd ed, double radius, vd *ep,
                              vm *fine)
 {
@@ -173,7 +177,7 @@ static void see_ball(const struct sure_scene *s, const double at[3], double radi
     a->unsure = mand(a->unsure, mnot(inside));
 }
 
-/* A point, a spot or a directional light. */
+/* Sets the view of a point, a spot or a directional light. */
 static void see_point(const struct sure_light *l, struct v3 from, vd efrom, struct emitter_view *a)
 {
     struct falloff f = {vset(1), vset(0), mnone()};

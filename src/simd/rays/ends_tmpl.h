@@ -1,12 +1,13 @@
-/* ends_tmpl.h - what paths add where they end, and on their way: the background, lights that are met, what surfaces
- * send. */
+/* ends_tmpl.h - light added to paths at their ends and on their way: the background, lights that are met, emission.
+ *
+ * Parameters: the doubles of isa/isa.h. Defines: add_part(), add_far_ends(), add_glow(). */
 #ifndef TIA_SIMD_RAYS_ENDS_TMPL_H
 #define TIA_SIMD_RAYS_ENDS_TMPL_H
 
 #include "path_state_tmpl.h"
 
-/* Products are rounded by half a unit each, sums are exact; those of 2^17 and more are cut, which is for the integers.
- */
+/* Adds radiance times throughput. Products are rounded by half a unit each, sums are exact; the fixed-point code clips
+ * products of 2^17 and more, so these are undecided. */
 static void add_part(struct path_state *f, unsigned lanes, const struct paths *p, const vd rgb[3], vd e)
 {
     vd most = most3(rgb), thick = most3(p->r.weight) + p->r.ew;
@@ -26,7 +27,8 @@ static void add_part(struct path_state *f, unsigned lanes, const struct paths *p
     }
 }
 
-/* The balance heuristic's weight q/(q + p/n) of an emitter that paths have come to, which n others could have been. */
+/* Returns the balance heuristic's weight q/(q + p/n) of an emitter that a path has met and could also have sampled, one
+ * of n. */
 LANE_OP struct ve weight_of(const struct sure_paths *paths, const struct paths *p, struct ve chosen, vm *fine)
 {
     struct ve q = p->density, sum = {q.v + chosen.v * paths->one_of, q.e + chosen.e * paths->one_of};
@@ -38,7 +40,8 @@ LANE_OP struct ve weight_of(const struct sure_paths *paths, const struct paths *
     return ve_of(vsel(specular, vset(1), v), vsel(specular, vset(0), e));
 }
 
-/* The integers multiply by the weight last: before that products of 2^17 and more are cut. */
+/* Adds weighted radiance. The fixed-point code multiplies by the weight last: before that, products of 2^17 and more
+ * are clipped. */
 LANE_OP void add_weighted(struct path_state *f, unsigned lanes, const struct paths *p, const vd rgb[3],
                           struct ve weight, vm fine)
 {
@@ -52,7 +55,7 @@ LANE_OP void add_weighted(struct path_state *f, unsigned lanes, const struct pat
              BOUND_OF(WEIGHTED, most * (weight.e + BOUND(WEIGHTED_ROUNDING))) + BOUND(WEIGHTED_UNITS));
 }
 
-/* Light number n, which these lanes see. */
+/* Adds light number n, which these lanes see. */
 static void add_seen_light(struct path_state *f, unsigned lanes, uint32_t n, const struct paths *p,
                            const struct query *q)
 {
@@ -77,7 +80,7 @@ static void add_seen_light(struct path_state *f, unsigned lanes, uint32_t n, con
     add_weighted(f, lanes, p, rgb, weight, fine);
 }
 
-/* Paths that end at no object. */
+/* Adds the background, or a light, to paths that end at no object. */
 static unsigned add_far_ends(struct path_state *f, unsigned lanes, const struct paths *p, const struct query *q)
 {
     const struct sure_scene *s = f->gather->scene;
@@ -100,7 +103,7 @@ static unsigned add_far_ends(struct path_state *f, unsigned lanes, const struct 
     return lanes;
 }
 
-/* What surfaces send by themselves. Emitting spheres of the scene are looked for as well. */
+/* Adds emission of surfaces. Emitting spheres of the scene are sampled as well. */
 static void add_glow(struct path_state *f, unsigned lanes, const struct paths *p, const struct shade *h,
                      const struct lobes *l)
 {

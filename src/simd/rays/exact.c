@@ -1,4 +1,4 @@
-/* exact.c - what stays open, by the integers. */
+/* exact.c - undecided samples by the fixed-point path. */
 #include "render/whitted/whitted.h"
 #include "sure.h"
 

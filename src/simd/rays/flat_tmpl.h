@@ -1,12 +1,15 @@
-/* flat_tmpl.h - planes, discs, and the planes of lights. */
+/* flat_tmpl.h - planes, discs, and the planes of lights.
+ *
+ * Parameters: the doubles of isa/isa.h. Defines: meet_plane(), meet_disc(), meet_flat_light(), flat_meet(),
+ * flat_report(), starts_on(), struct flat. */
 #ifndef TIA_SIMD_RAYS_FLAT_TMPL_H
 #define TIA_SIMD_RAYS_FLAT_TMPL_H
 
 #include "hit_report_tmpl.h"
 
-/* Where rays meet a plane: t = (P - O).N / (D.N). The quotient's parts are within eo + (|P - O|) 16 u + 2 U and
- * ed + 16 u, so t is within (the former + |t| times the latter) over |D.N| less its bound. Of rays that are nearly
- * parallel nothing is known, `steep` is false. */
+/* Intersection with a plane: t = (P - O).N / (D.N). The quotient's parts are within eo + (|P - O|) 16 u + 2 U and ed +
+ * 16 u, so t is within (the former + |t| times the latter) over |D.N| less its bound. Rays nearly parallel to the plane
+ * are undecided, `steep` is false. */
 struct flat {
     vm steep;
     vd t, e;
@@ -25,14 +28,14 @@ LANE_OP struct flat flat_meet(const struct packet *p, struct v3 n, struct v3 way
     return f;
 }
 
-/* Lanes whose rays start there: the object's plane, or that face. */
+/* Returns the lanes whose rays start on the object's plane, or on that face. */
 LANE_OP vm starts_on(const struct query *q, vd element)
 {
     return mand(starts_here(q), from_element(q, element));
 }
 
-/* `inside` and `outside`: of the plane's area, as far as that is sure. Along the plane the point slides no farther than
- * t is off, and off the plane it is by no more than the integers round. */
+/* Reports hits; `inside` and `outside` are the lanes certainly in and certainly outside the plane's area. Along the
+ * plane the point slides no farther than t is off, and off the plane it is by no more than the fixed-point rounding. */
 LANE_OP void flat_report(struct query *q, const struct flat *f, vm inside, vm outside, vd ep, vd element)
 {
     vm own = starts_on(q, element);
@@ -48,8 +51,8 @@ LANE_OP void flat_report(struct query *q, const struct flat *f, vm inside, vm ou
                                       .element = element});
 }
 
-/* Where the plane is surely behind: N.(P - O) and D.N are of different signs. 2 U more than the bound of the former
- * keep the integers' quotient from being rounded to 0. */
+/* Returns the lanes whose plane is certainly behind: N.(P - O) and D.N have different signs. Another 2 U on the bound
+ * of the former cover a fixed-point quotient that is rounded to 0. */
 LANE_OP vm flat_behind(const struct packet *p, struct v3 n, struct v3 way, vd round)
 {
     vd slope = v3_dot(p->d, n), turn = BOUND_OF(PLANE_SLOPE, p->ed + BOUND(PLANE_WAY)), height = v3_dot(way, n);
@@ -58,7 +61,7 @@ LANE_OP vm flat_behind(const struct packet *p, struct v3 n, struct v3 way, vd ro
     return mor(mand(vlt(eheight, height), vlt(slope, -turn)), mand(vlt(height, -eheight), vlt(turn, slope)));
 }
 
-/* Planes end where a coordinate is 2^16. */
+/* Intersects planes, which end where a coordinate is 2^16. */
 LANE_OP void meet_plane(struct query *q, const struct sure_object *o)
 {
     struct v3 way = v3_sub(v3_set(o->at), q->p->o);
@@ -77,7 +80,7 @@ LANE_OP void meet_plane(struct query *q, const struct sure_object *o)
     flat_report(q, &f, near, beyond, BOUND_OF(PLANE_POINT, f.e + BOUND(POINT_UNIT)), vset(0));
 }
 
-/* Within the radius of the centre: |O + t D - C| is within ep. */
+/* Decides which points are within the radius of the centre: |O + t D - C| is within ep. */
 LANE_OP void round_flat(struct query *q, const struct flat *f, struct v3 way, double radius, vd element)
 {
     const struct packet *p = q->p;
@@ -101,7 +104,7 @@ LANE_OP void meet_disc(struct query *q, const struct sure_object *o)
     round_flat(q, &f, way, o->radius, vset(0));
 }
 
-/* A rectangle light: |p.across| against the reach. */
+/* Intersects a rectangle light: |p.across| against its half side. */
 LANE_OP void meet_rectangle(struct query *q, const struct sure_light *l, const struct flat *f, struct v3 way)
 {
     const struct packet *p = q->p;

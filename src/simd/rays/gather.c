@@ -1,4 +1,4 @@
-/* gather.c - what paths find in a scene, in double precision, from what the integers have prepared. */
+/* gather.c - the data of a scene that paths need, in double precision, from the fixed-point data. */
 #include "gather.h"
 #include "render/path/path.h"
 #include "render/path/scatter.h"
@@ -13,7 +13,7 @@ struct places {
     struct sure_lobes *lobes;
 };
 
-/* Behind a struct sure_scene of that size; `start` NULL: the size is only measured. */
+/* Divides the memory behind a struct sure_scene of that size; `start` NULL: the size is only measured. */
 static uint64_t divide(char *start, const struct tia_scene *scene, uint32_t light_capacity, struct places *p)
 {
     bool paths = scene->integration.integrator == TIA_PATHS;
@@ -51,7 +51,7 @@ static void find_places(const struct tia_view *view, struct places *p)
     (void)divide((char *)tia_sure_scene(view) + before, view->scene, view->light_capacity, p);
 }
 
-/* Chances as scatter.c finds them of a material's own colours, however its surface lies. */
+/* Sets chances as scatter.c finds them of a material's own colours, for any direction of its surface. */
 static void set_lobes(struct sure_lobes *to, const struct tia_material *m)
 {
     struct shading s = {
@@ -95,7 +95,7 @@ void tia_gather_prepare(struct tia_view *view)
         set_lobes(&p.lobes[i], &scene->materials[i]);
 }
 
-/* A density as a double; beyond 2^+-500 doubles do not know it. */
+/* Gives a density as a double; false beyond 2^+-500. */
 static bool number_of(struct num_density d, double *x)
 {
     *x = (double)d.mantissa;
@@ -108,9 +108,9 @@ static bool number_of(struct num_density d, double *x)
     return true;
 }
 
-/* Whether places of a light lie in its plane within 2^-30. Where the sides are nearly parallel, what their
- * directions round by turns the normal, and long ones leave the plane by more than the 2^-26 that shadow rays end
- * before it: those would meet it, see find_hidden. Of those 2^-26 it takes a sixteenth, so that roundings have room. */
+/* Returns whether places of a light lie in its plane within 2^-30. Where the sides are nearly parallel, the roundings
+ * of their directions turn the normal, and long sides leave the plane by more than the 2^-26 by which shadow rays end
+ * before it: those would meet it, see find_hidden(). A sixteenth of those 2^-26 leaves room for roundings. */
 static bool is_flat(const struct ray_light *l)
 {
     num_length off = 0;

@@ -1,26 +1,26 @@
-/* gather.h - samples of pixels in double precision, whole: ambient occlusion and light along paths.
+/* gather.h - whole samples of pixels in double precision: ambient occlusion and light along paths.
  *
- * What sure.h says of pixels holds of samples here. A sample's radiance is rounded to 2^-24 in the end; where that, a
- * hit, a shadow, a lobe or a chance of roulette is not the same all over the bounds, the sample is unsure, and drawn by
- * the integers from its camera ray on. */
+ * The rules of sure.h for pixels hold for samples here. A sample's radiance is finally rounded to 2^-24; where that, a
+ * hit, a shadow, a lobe or a chance of roulette is not the same all over the bounds, the sample is undecided and drawn
+ * by the fixed-point path from its camera ray on. */
 #ifndef TIA_SIMD_RAYS_GATHER_H
 #define TIA_SIMD_RAYS_GATHER_H
 
 #include "sure.h"
 
-/* What shines, as paths see it. */
+/* An emitter, as paths see it. */
 struct sure_shine {
     double radiance[3];
-    double area; /* times its distribution's constant, see emitters_tmpl.h; of planes */
-    bool known;  /* doubles can look for it */
+    double area; /* of planes: times the constant of the distribution, see emitters_tmpl.h */
+    bool known;  /* false: its light is undecided */
 };
 
-/* What of a path's numbers goes where at a material, see scatter_tmpl.h: chances as the integers cut them. */
+/* A material's lobes, see scatter_tmpl.h: chances cut as in the fixed-point code. */
 struct sure_lobes {
     uint32_t below[3];
-    double chance[4]; /* of a mirror, of glass, of the glossy lobe and of the diffuse one */
-    double glow;      /* what its emission is multiplied by */
-    bool known;       /* the same all over it */
+    double chance[4]; /* of mirror, glass, glossy and diffuse lobe */
+    double glow;      /* factor of its emission */
+    bool known;       /* the same all over the surface */
     bool black, rough;
 };
 
@@ -31,11 +31,11 @@ struct sure_emitter {
 
 struct sure_paths {
     struct sure_shine *lights;     /* of all lights of the view */
-    struct sure_emitter *emitters; /* what is looked for */
+    struct sure_emitter *emitters; /* the emitters that are sampled */
     struct sure_shine *spheres;    /* of the emitters that are spheres of the scene, in the emitters' order */
     struct sure_lobes *lobes;      /* of all materials */
     uint32_t emitter_count, bounces;
-    double one_of, reach; /* of occlusion: up to where objects count */
+    double one_of, reach; /* of occlusion: the largest distance at which objects count */
 };
 
 #define SURE_GATHERED 192 /* 40 KB with their rays */
@@ -51,7 +51,7 @@ struct sure_gather {
     bool unsure[SURE_GATHERED];
 };
 
-/* As tia_sure_size and what follows it. */
+/* As tia_sure_size() and the functions after it. */
 size_t tia_gather_size(const struct tia_scene *scene, uint32_t light_capacity);
 void tia_gather_prepare(struct tia_view *view);
 void tia_gather_set_lights(struct tia_view *view);

@@ -1,10 +1,12 @@
-/* glass_tmpl.h - paths at mirrors' and glass's surfaces: how they go on. */
+/* glass_tmpl.h - continuation of paths at mirrors and glass.
+ *
+ * Parameters: the doubles of isa/isa.h. Defines: multiply_by(), divide_by(), go_on(), enter_glass(). */
 #ifndef TIA_SIMD_RAYS_GLASS_TMPL_H
 #define TIA_SIMD_RAYS_GLASS_TMPL_H
 
 #include "path_state_tmpl.h"
 
-/* Throughputs times a material's constants. */
+/* Multiplies throughputs by a material's constants. */
 LANE_OP void multiply_by(struct paths *p, const vd factor[3])
 {
     vd most = most3(p->r.weight);
@@ -26,8 +28,8 @@ LANE_OP void divide_by(struct paths *p, vd chance, vm lanes)
               vsel(lanes, BOUND(THROUGHPUT_UNIT) + most3(p->r.weight) * BOUND(THROUGHPUT_ROUNDING), vset(0));
 }
 
-/* Leaves the lanes whose throughputs the integers surely have as they are: those of 2^17 and more are cut, and what is
- * cut once stays too small, however little the path adds in the end. */
+/* Returns the lanes whose fixed-point throughputs are certainly unclipped: those of 2^17 and more are clipped, and stay
+ * too small after that, however little the path adds in the end. */
 LANE_OP unsigned uncut(struct path_state *f, unsigned lanes, const struct paths *next, const uint32_t slot[LANES])
 {
     return sure_of(f, lanes, mnot(vlt(most3(next->r.weight) + next->r.ew, vset(65536))), slot);
@@ -41,8 +43,9 @@ LANE_OP void keep_media(struct path_state *f, unsigned lanes, const struct paths
     }
 }
 
-/* The rays of these lanes, one bounce on. `media`: of each lane; NULL: they stay as they are. A path without throughput
- * ends; where the integers' has none and ours has a little, ours goes on and adds no more than the bound says. */
+/* Continues the rays of these lanes, one bounce on. `media`: of each lane; NULL: they stay as they are. A path without
+ * throughput ends; where the fixed-point throughput is 0 and the certified one slightly above, the path goes on and
+ * adds no more than its bound. */
 LANE_OP void go_on(struct path_state *f, unsigned lanes, const struct paths *p, struct paths *next,
                    const struct media *media)
 {
@@ -57,8 +60,8 @@ LANE_OP void go_on(struct path_state *f, unsigned lanes, const struct paths *p, 
     path_push(f, next, lanes);
 }
 
-/* Which of the lanes reflect, as Fresnel's equations have it; `unsure` where the chance, cut to 32 bits, may lie on
- * either side of the number. */
+/* Returns the lanes that reflect, by Fresnel's equations; `unsure` where the chance, cut to 32 bits, may lie on either
+ * side of the random number. */
 static unsigned reflected_by(const struct refraction *r, const struct shade *h, unsigned lanes, vu given,
                              unsigned *unsure)
 {
@@ -83,7 +86,7 @@ static unsigned reflected_by(const struct refraction *r, const struct shade *h, 
     return reflected;
 }
 
-/* Of equal indices on both sides nothing but the layers are counted. */
+/* Passes glass of equal indices on both sides: only the layers are counted. */
 static void pass_straight(struct path_state *f, unsigned lanes, const struct paths *p, struct paths *next,
                           const struct shade *h, const struct media media[LANES])
 {
@@ -108,7 +111,7 @@ static void pass_straight(struct path_state *f, unsigned lanes, const struct pat
     path_push(f, next, passes & mbits(vlt(vset(0), most3(next->r.weight))));
 }
 
-/* See go_through of path.c. */
+/* Chooses reflection or refraction, see go_through() of path.c. */
 static __attribute__((noinline)) void enter_glass(struct path_state *f, unsigned lanes, const struct paths *p,
                                                   const struct shade *h, const struct lobes *l, vu number)
 {

@@ -1,8 +1,10 @@
 /* grid_ray_tmpl.h - a grid by one ray, cell by cell, as geometry/grid.c.
  *
- * As there the t of a plane between cells comes from the plane's own coordinate; it is within (eo + what it rounds by +
- * |t| (ed + 4 u)) over |d| less ed. Where a ray passes so close to an edge that the order of two steps is open, all
- * cells that it may come through are looked at: when they have the content of the one it comes from, both steps are
+ * Parameters: the doubles of isa/isa.h. Defines: start_walk(), finish_walk(), set_axis(), cell_at(), struct cell_walk.
+ *
+ * As there the t of a plane between cells comes from the plane's own coordinate; it is within (eo + its roundings + |t|
+ * (ed + 4 u)) over |d| less ed. Where a ray passes so close to an edge that the order of two steps is undecided, all
+ * cells that it may come through are examined: when they have the content of the one it comes from, both steps are
  * taken; otherwise there may be a hit. */
 #ifndef TIA_SIMD_RAYS_GRID_RAY_TMPL_H
 #define TIA_SIMD_RAYS_GRID_RAY_TMPL_H
@@ -13,12 +15,12 @@
 struct cell_walk {
     const struct sure_grid *grid;
     double o[3], d[3], eo, ed, limit;
-    double inverse[3], base[3], slope[3]; /* of the planes' times, see plane_time */
+    double inverse[3], base[3], slope[3]; /* of the planes' times, see plane_time() */
     bool moves[3];
     int at[3], step[3];
     double next[3], enext[3]; /* where the ray leaves the cell along each axis */
-    unsigned here;            /* what is in it */
-    /* what it finds */
+    unsigned here;            /* content of the cell */
+    /* result: a certain hit, a possible hit */
     bool sure, may;
     double t, e, element;
 };
@@ -28,7 +30,7 @@ LANE_OP int cells_along(const struct cell_walk *w, int axis)
     return w->grid->from->size[axis];
 }
 
-/* Sets what the times of planes across an axis are made of: false where the ray hardly moves along it. */
+/* Sets the constants of the times of planes across an axis; false where the ray hardly moves along it. */
 LANE_OP bool set_axis(struct cell_walk *w, int axis)
 {
     double size = __builtin_fabs(w->d[axis]), far = w->grid->edge * cells_along(w, axis);
@@ -61,7 +63,7 @@ LANE_OP unsigned cell_at(const struct cell_walk *w, const int at[3])
     return g->cells[((size_t)at[2] * g->size[1] + (size_t)at[1]) * g->size[0] + (size_t)at[0]];
 }
 
-/* Outside it is empty. */
+/* Returns the content of a cell; empty outside the grid. */
 LANE_OP unsigned content_at(const struct cell_walk *w, const int at[3])
 {
     for (int i = 0; i < 3; i++)
@@ -96,8 +98,8 @@ static bool hit_cell(struct cell_walk *w, double t, double e, double element)
     return false;
 }
 
-/* The cell along one axis of a place within e; of two the one that the ray comes from. False: there are two, or it is
- * outside. */
+/* Finds the cell along one axis of a place within e; of two, the one that the ray comes from. False: there are two, or
+ * it is outside. */
 static bool find_cell(struct cell_walk *w, int axis, double place, double e)
 {
     double x = (place - w->grid->corner[axis]) / w->grid->edge,
@@ -109,8 +111,8 @@ static bool find_cell(struct cell_walk *w, int axis, double place, double e)
     return low == high && low >= 0 && high <= last;
 }
 
-/* Where the ray enters and leaves the grid's box: the axis along which it does so last; -1: it starts inside. False: it
- * misses, or may miss. */
+/* Finds where the ray enters and leaves the grid's box: the axis along which it does so last; -1: it starts inside.
+ * False: it misses, or may miss. */
 static bool enter_grid(struct cell_walk *w, int *axis, double *in, double *ein)
 {
     double out = INFINITE, eout = 0, reach = 0;
@@ -154,7 +156,7 @@ static bool enter_grid(struct cell_walk *w, int *axis, double *in, double *ein)
     return true;
 }
 
-/* Finds the first cell; false: it is known already, or nobody can say. */
+/* Finds the first cell; false: the walk is decided already, or undecided. */
 static bool start_walk(struct cell_walk *w)
 {
     double t, e;
@@ -174,7 +176,7 @@ static bool start_walk(struct cell_walk *w)
             clear = find_cell(w, i, place, off) && clear;
     }
     if (!clear) {
-        /* the cells around must all be empty: the first step is then taken from the one before */
+        /* all cells around must be empty: the first step is then taken from the one before */
         for (int k = 0; k < 27; k++) {
             const int near[3] = {w->at[0] + k % 3 - 1, w->at[1] + k / 3 % 3 - 1, w->at[2] + k / 9 - 1};
             if (content_at(w, near))
@@ -187,7 +189,7 @@ static bool start_walk(struct cell_walk *w)
     return true;
 }
 
-/* Of the axes in `open`, all orders: whether each cell on the way has the content of this one. */
+/* Returns whether each cell on the way, in all orders of the axes in `open`, has the content of this one. */
 static bool all_alike(const struct cell_walk *w, unsigned open, unsigned here)
 {
     for (unsigned set = open; set; set = (set - 1) & open) {
@@ -223,7 +225,7 @@ static bool step_through(struct cell_walk *w, unsigned open, double low)
     return inside;
 }
 
-/* One step; false: the walk is over. */
+/* Takes one step; false: the walk is over. */
 LANE_OP bool step_cell(struct cell_walk *w)
 {
     const double *t = w->next, *e = w->enext;
@@ -252,7 +254,7 @@ LANE_OP bool step_cell(struct cell_walk *w)
     return inside;
 }
 
-/* The rest of its way. */
+/* Walks the rest of the way. */
 static void finish_walk(struct cell_walk *w)
 {
     for (int i = 0; i < 3; i++)

@@ -1,11 +1,13 @@
 /* grid_tmpl.h - grids, all rays of a packet at once.
  *
- * A plane's time is A + plane B here, with A = (corner - o)/d and B = edge/d: 3 u (|corner| + |o|) and 3 u times the
- * grid's size over |d|, and u |t|, which is less than what grid_ray_tmpl.h allows for a plane's time, 4 u of each. So
- * `base` and `slope` are the same as there. `off` is that bound as far as the ray is in the grid.
+ * Parameters: the doubles of isa/isa.h. Defines: meet_grid(), struct grid_walk.
  *
- * A ray leaves the packet where it hardly moves along an axis, where it comes in too close to an edge, and at two
- * planes that are too close to tell which is first. grid_ray_tmpl.h takes it from there. */
+ * A plane's time is A + plane B here, with A = (corner - o)/d and B = edge/d: 3 u (|corner| + |o|) and 3 u times the
+ * grid's size over |d|, and u |t|, which is less than grid_ray_tmpl.h allows for a plane's time, 4 u of each. So `base`
+ * and `slope` are the same as there. `off` is that bound as far as the ray is in the grid.
+ *
+ * A ray leaves the packet where it hardly moves along an axis, where it enters too close to an edge, and at two planes
+ * too close to order. grid_ray_tmpl.h continues it from there. */
 #ifndef TIA_SIMD_RAYS_GRID_TMPL_H
 #define TIA_SIMD_RAYS_GRID_TMPL_H
 
@@ -13,7 +15,7 @@
 
 struct grid_axis {
     vd a, b, base, slope;
-    vd step, last, stride, end; /* the last cell; how far apart cells are in memory along the ray; the last plane */
+    vd step, last, stride, end; /* the last cell; the distance of cells in memory along the ray; the last plane */
     vd cell, plane;             /* the first cell, and the next plane */
     vm back;
 };
@@ -22,11 +24,11 @@ struct grid_walk {
     const struct sure_grid *grid;
     struct grid_axis axis[3];
     vd index;                   /* of the cell in memory */
-    vd off;                     /* of planes' times, whichever the axis */
-    uint64_t here;              /* what is in the cell, a byte for each lane */
-    uint64_t live;              /* all bits of the bytes of those that walk */
+    vd off;                     /* of planes' times, for any axis */
+    uint64_t here;              /* content of the cell, a byte for each lane */
+    uint64_t live;              /* all bits of the bytes of walking lanes */
     vm walking, alone, started; /* alone: lanes for grid_ray_tmpl.h, from their cell on where they have started */
-    /* what is found */
+    /* result: certain hits, possible hits */
     vm sure, may;
     vd t, e, element;
 };
@@ -36,7 +38,7 @@ LANE_OP vd of_axis(vm first, vm second, vd a, vd b, vd c)
     return vsel(first, a, vsel(second, b, c));
 }
 
-/* As set_axis of grid_ray_tmpl.h. */
+/* Sets an axis as set_axis() of grid_ray_tmpl.h. */
 LANE_OP vm set_grid_axis(struct grid_axis *x, const struct packet *p, const struct sure_grid *grid, int i,
                          double stride)
 {
@@ -58,7 +60,7 @@ LANE_OP vm set_grid_axis(struct grid_axis *x, const struct packet *p, const stru
     return moves;
 }
 
-/* The cell along an axis of a place within e, see find_cell. */
+/* Finds the cell along an axis of a place within e, see find_cell(). */
 LANE_OP vm grid_cell(struct grid_axis *x, const struct sure_grid *grid, int i, vd place, vd e)
 {
     vd at = (place - vset(grid->corner[i])) * (1 / grid->edge),
@@ -69,13 +71,13 @@ LANE_OP vm grid_cell(struct grid_axis *x, const struct sure_grid *grid, int i, v
     return mand(mand(vle(low, high), vle(high, low)), mand(vle(vset(0), low), vle(high, x->last)));
 }
 
-/* Where rays enter and leave the grid's box, see enter_grid. */
+/* Entry of rays into the grid's box and exit from it, see enter_grid(). */
 struct grid_entry {
     vd in, ein;
-    vm inside, first, second; /* along which axis they enter, those outside */
+    vm inside, first, second; /* the axis along which they enter, in lanes outside */
 };
 
-/* Lanes that surely enter. */
+/* Returns the lanes that certainly enter. */
 LANE_OP vm enter_grids(struct grid_walk *g, vm lanes, vd limit, struct grid_entry *to)
 {
     vd out = vset(INFINITE), eout = vset(0), in[3];
@@ -105,12 +107,12 @@ LANE_OP vm enter_grids(struct grid_walk *g, vm lanes, vd limit, struct grid_entr
     return mand(lanes, clear);
 }
 
-/* What is in cells, a byte for each lane. */
+/* Returns the contents of cells, a byte for each lane. */
 LANE_OP uint64_t grid_contents(const struct grid_walk *g, vd index)
 {
     const uint8_t *cells = g->grid->from->cells;
     int64_t at[LANES];
-    vi bits = as_integers(index + vset(4503599627370496.0)); /* 2^52: the integer is in the low bits */
+    vi bits = as_integers(index + vset(4503599627370496.0)); /* 2^52: moves the integer to the low bits */
     uint64_t content = 0;
 
     __builtin_memcpy(at, &bits, sizeof at);
@@ -128,7 +130,7 @@ LANE_OP uint64_t bytes_of_lanes(unsigned lanes)
     return bytes;
 }
 
-/* Lanes of which the byte is not 0. */
+/* Returns the lanes whose byte is not 0. */
 LANE_OP unsigned lanes_of_bytes(uint64_t bytes)
 {
     unsigned lanes = 0;
@@ -138,7 +140,7 @@ LANE_OP unsigned lanes_of_bytes(uint64_t bytes)
     return lanes;
 }
 
-/* A ray that passes a plane at t into something else; nearer than it is off, that may be behind the origin. */
+/* Reports rays that pass a plane at t into other content; a hit nearer than its bound may be behind the origin. */
 LANE_OP void grid_hit(struct grid_walk *g, vm lanes, vd t, vd e, vd element)
 {
     vm ahead = mand(lanes, vlt(e, t)), near = mand(lanes, mnot(vlt(e, t)));
@@ -150,7 +152,7 @@ LANE_OP void grid_hit(struct grid_walk *g, vm lanes, vd t, vd e, vd element)
     g->element = vsel(lanes, element, g->element);
 }
 
-/* The first cells, and what is hit where rays enter. */
+/* Finds the first cells, and the hits where rays enter. */
 LANE_OP void start_grids(struct grid_walk *g, const struct packet *p, vm lanes, const struct grid_entry *entry)
 {
     const vd o[3] = {p->o.x, p->o.y, p->o.z}, d[3] = {p->d.x, p->d.y, p->d.z};
@@ -183,15 +185,15 @@ LANE_OP void start_grids(struct grid_walk *g, const struct packet *p, vm lanes, 
     g->live = bytes_of_lanes(mbits(g->walking));
 }
 
-/* A step of each ray: the plane that is next, and the cell behind it. */
+/* A step of each ray: the next plane, and the cell behind it. */
 struct grid_step {
-    vm first, second; /* which axis */
-    vd at, from, to;  /* when; the cells' places in memory */
+    vm first, second; /* the axis */
+    vd at, from, to;  /* the time; the cells' places in memory */
     vm open, over, out;
-    uint64_t differs; /* a byte for each lane: what is in the cell there, but not in this one */
+    uint64_t differs; /* a byte for each lane: content there that is not in this cell */
 };
 
-/* Those that see something else, or are out. */
+/* Ends the walks that meet other content or leave the grid. */
 static __attribute__((noinline)) void end_grids(struct grid_walk *g, const struct grid_step *s)
 {
     struct grid_axis *x = g->axis;
@@ -209,15 +211,15 @@ static __attribute__((noinline)) void end_grids(struct grid_walk *g, const struc
            vabs(s->at) * of_axis(s->first, s->second, x[0].slope, x[1].slope, x[2].slope);
     vm back = mor(mor(mand(s->first, x[0].back), mand(s->second, x[1].back)),
                   mand(mnot(mor(s->first, s->second)), x[2].back));
-    unsigned far = (into & mbits(back)) | (~into & ~mbits(back)); /* which of the cell's two faces across the axis */
+    unsigned far = (into & mbits(back)) | (~into & ~mbits(back)); /* the cell's face across the axis, of the two */
     vd side = of_axis(s->first, s->second, vset(0), vset(2), vset(4)) +
               vsel(mof(far & ((1u << LANES) - 1)), vset(1), vset(0));
     grid_hit(g, mof(hit), s->at, e, 6 * vsel(mof(into), s->to, s->from) + side);
 }
 
-/* The times of the next planes in their order: m, then `after`. Where they are no more than 2 off apart, which comes
- * first is open. What rays see in cells does not say where they go: so that is looked at afterwards, and only then
- * do some end. */
+/* Takes a step: the times of the next planes in order are m, then `after`. Where they are no more than 2 off apart,
+ * their order is undecided. The contents of cells do not affect the way, so they are compared afterwards, and only then
+ * do some walks end. */
 LANE_OP void step_grids(struct grid_walk *g, vd limit)
 {
     struct grid_axis *x = g->axis;
@@ -248,7 +250,7 @@ LANE_OP void step_grids(struct grid_walk *g, vd limit)
         end_grids(g, &s);
 }
 
-/* One lane by itself. */
+/* Walks one lane by itself. */
 static void walk_alone(struct grid_walk *g, const struct query *q, int k)
 {
     const struct packet *p = q->p;

@@ -1,10 +1,12 @@
-/* groups_tmpl.h - which groups of a mesh's faces shadow rays meet: each filters light once. */
+/* groups_tmpl.h - groups of a mesh's faces that shadow rays meet: each filters light once.
+ *
+ * Parameters: the doubles of isa/isa.h. Defines: note_group(), filter_groups(). */
 #ifndef TIA_SIMD_RAYS_GROUPS_TMPL_H
 #define TIA_SIMD_RAYS_GROUPS_TMPL_H
 
 #include "query_tmpl.h"
 
-/* A group that is surely met need not be asked about again; one that only may be met leaves the ray open. */
+/* Notes a group: one that is certainly met is not tried again, one that may be met leaves the ray undecided. */
 LANE_OP void note_group(struct group_list *g, uint32_t group, unsigned sure, unsigned open)
 {
     for (int k = 0; (sure | open) >> k; k++) {
@@ -26,7 +28,7 @@ LANE_OP void note_group(struct group_list *g, uint32_t group, unsigned sure, uns
     }
 }
 
-/* Filters by each, and marks the rays that are open. */
+/* Filters light by each group, and marks the undecided rays. */
 static void filter_groups(struct query *q, const struct group_list *g, const double transmission[3])
 {
     double through[3][LANES], more[LANES];

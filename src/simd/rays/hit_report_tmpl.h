@@ -1,4 +1,6 @@
-/* hit_report_tmpl.h - what a query makes of a hit. */
+/* hit_report_tmpl.h - the update of a query by a hit.
+ *
+ * Parameters: the doubles of isa/isa.h. Defines: report_hit(). */
 #ifndef TIA_SIMD_RAYS_HIT_REPORT_TMPL_H
 #define TIA_SIMD_RAYS_HIT_REPORT_TMPL_H
 
@@ -24,7 +26,7 @@ LANE_OP void report_any_hit(struct query *q, const struct hit_report *r)
     q->blocker = any(before) ? q->index : q->blocker;
 }
 
-/* The integers meet nothing beyond 2^17: what may be there is for them. */
+/* Adds a hit to the query. The fixed-point code meets nothing beyond 2^17: possible hits there are undecided. */
 LANE_OP void report_hit(struct query *q, struct hit_report r)
 {
     vm far = mand(r.sure, mnot(vlt(r.t + r.e, vset(131072))));

@@ -1,9 +1,11 @@
-/* instance_tmpl.h - rays in the axes of an instance, and what they meet there back in the world: geometry/instance.c.
+/* instance_tmpl.h - rays in the axes of an instance, and their hits back in the world: geometry/instance.c.
  *
- * With v = O - p, its parts along the axes are off by eo, what v rounds by and two units; over the least scale that is
- * how far the origin may be off there. The integers first move the ray to the box, by `start`, and turn it by 2^-57
- * there: that is within what v's bound has for the box's distance. The direction (D.a_i)/s_i is off by (ed + 2^-50)
- * over the least scale, before it is normalised; and so is its length k. A distance t there is t/k in the world:
+ * Parameters: the doubles of isa/isa.h. Defines: place_rays(), placed_query(), report_placed(), struct placed.
+ *
+ * With v = O - p, its parts along the axes are off by eo, the roundings of v and two units; over the least scale that
+ * is the bound on the origin there. The fixed-point code first moves the ray to the box, by `start`, and turns it by
+ * 2^-57 there: v's bound covers that for the box's distance. The direction (D.a_i)/s_i is off by (ed + 2^-50) over the
+ * least scale, before it is normalised; and so is its length k. A distance t there is t/k in the world:
  *
  *     |t/k - t'/k'| <= |t - t'|/k + t' |1/k - 1/k'| <= e/k + (t + e) ek/(k (k - ek)),
  *
@@ -42,11 +44,11 @@ static void place_rays(const struct sure_instance *i, const struct packet *p, bo
     to->p.from = p->from;
     if (!box && i->least < i->most)
         to->p.from.object = vsel(vlt(vset(0.5), p->from.side), vset(-1), p->from.object);
-    to->p.from.object = vsel(vlt(p->from.side, vset(0)), vset(-1), to->p.from.object); /* heights are others there */
+    to->p.from.object = vsel(vlt(p->from.side, vset(0)), vset(-1), to->p.from.object); /* heights differ there */
     to->fine = mand(packet_start(i->centre, i->extent, &to->p, active), vlt(BOUND(INSTANCE_KNOWN) * to->ek, to->k));
 }
 
-/* The query in the instance's axes: always for the nearest. */
+/* Sets the query in the instance's axes: always for the nearest. */
 LANE_OP void placed_query(const struct query *q, const struct placed *placed, struct query *inner)
 {
     *inner = *q;
@@ -61,7 +63,8 @@ LANE_OP void placed_query(const struct query *q, const struct placed *placed, st
     inner->id = inner->element = vset(-1);
 }
 
-/* The point is off by `most` times as much as there, and by no more than the ray and the distance along it. */
+/* Reports hits back in the world. The point is off by `most` times as much as there, and by no more than the ray and
+ * the distance along it. */
 static void report_placed(struct query *q, const struct placed *placed, const struct query *inner, double most)
 {
     const struct packet *p = q->p;

@@ -1,5 +1,10 @@
-/* interval_tmpl.h - numbers with their bounds, where a derivation by hand would be long: each operation adds what
- * either side, doubles or integers, rounds by. Safe by construction, but looser than a derivation. */
+/* interval_tmpl.h - numbers with their bounds, for steps whose derivation by hand would be long.
+ *
+ * Parameters: the doubles of isa/isa.h. Defines: struct ve, ve_of(), ve_set(), ve_neg(), ve_add(), ve_sub(), ve_mul(),
+ * ve_div(), ve_sqrt(), ve_less(), ve_sel().
+ *
+ * Each operation adds the roundings of either side, doubles or fixed point. Safe by construction, but looser than a
+ * derivation. */
 #ifndef TIA_SIMD_RAYS_INTERVAL_TMPL_H
 #define TIA_SIMD_RAYS_INTERVAL_TMPL_H
 
@@ -44,7 +49,7 @@ LANE_OP struct ve ve_mul(struct ve a, struct ve b)
                               vabs(v) * BOUND(PRODUCT) + BOUND(PRODUCT_UNIT)};
 }
 
-/* *fine is cleared where b may be 0. */
+/* Divides; *fine is cleared where b may be 0. */
 LANE_OP struct ve ve_div(struct ve a, struct ve b, vm *fine)
 {
     vd size = vabs(b.v);
@@ -56,7 +61,7 @@ LANE_OP struct ve ve_div(struct ve a, struct ve b, vm *fine)
                               vabs(v) * BOUND(QUOTIENT) + BOUND(QUOTIENT_UNIT)};
 }
 
-/* And here where a may be negative: |sqrt a - sqrt b| <= |a - b|/sqrt a. */
+/* Takes the root; *fine is cleared where a may be negative: |sqrt a - sqrt b| <= |a - b|/sqrt a. */
 LANE_OP struct ve ve_sqrt(struct ve a, vm *fine)
 {
     vm good = vlt(a.e, a.v);

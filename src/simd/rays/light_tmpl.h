@@ -1,19 +1,22 @@
-/* light_tmpl.h - what the lights do to points: Lambert, highlights, shadows. */
+/* light_tmpl.h - direct lighting: Lambert, Phong highlight, shadow rays.
+ *
+ * Parameters: the doubles of isa/isa.h. Defines: add_light(), spot_falloff(), attenuate(), struct falloff, struct lit,
+ * struct light_room. */
 #ifndef TIA_SIMD_RAYS_LIGHT_TMPL_H
 #define TIA_SIMD_RAYS_LIGHT_TMPL_H
 
 #include "power_tmpl.h"
 #include "spread_tmpl.h"
 
-/* A light as points see it, see struct ray_aim: the axes of a disc that faces the point. */
+/* A light as seen from points, see struct ray_aim: the axes of a disc that faces the point. */
 struct aim {
     struct v3 axes[2];
     vd e;
     vm unsure;
 };
 
-/* The axes of shape_axes for the direction from a sphere light's centre; which coordinate is the smallest must be sure.
- */
+/* Sets the axes of shape_axes() for the direction from a sphere light's centre; the index of its smallest coordinate
+ * must be certain. */
 static void aim_at_sphere(const struct sure_light *l, const struct shade *h, struct aim *a)
 {
     vd e;
@@ -41,13 +44,13 @@ static void aim_at(const struct sure_light *l, const struct shade *h, struct aim
         aim_at_sphere(l, h, a);
 }
 
-/* How much of a light arrives: its attenuation, and the falloff of a spot light. */
+/* The part of a light that arrives: its attenuation, and the falloff of a spot light. */
 struct falloff {
     vd factor, e;
     vm unsure;
 };
 
-/* (c - outer)/(inner - outer), from 0 to 1; a cone whose angles are equal has an edge instead. */
+/* Sets (c - outer)/(inner - outer), from 0 to 1; a cone whose angles are equal has an edge instead. */
 static void spot_falloff(const struct sure_light *l, struct v3 to, vd eto, struct falloff *f)
 {
     vd c = -v3_dot(to, v3_set(l->normal)), e = BOUND_OF(SPOT_COSINE, eto + BOUND(COSINE)),
@@ -62,7 +65,7 @@ static void spot_falloff(const struct sure_light *l, struct v3 to, vd eto, struc
     f->e = BOUND_OF(SPOT, BOUND(SPOT_WIDTH) * e / width) + BOUND(SPOT_UNITS);
 }
 
-/* 1/(constant + linear d + quadratic d^2), and 0 from a sum of 2^17 on: less than 2^-16 from 2^16 on. */
+/* Sets 1/(constant + linear d + quadratic d^2), and 0 from a sum of 2^17 on: less than 2^-16 from 2^16 on. */
 static void attenuate(const struct sure_light *l, vd distance, vd edistance, struct falloff *f)
 {
     vd d = distance * vset(l->unit),
@@ -81,7 +84,7 @@ static void attenuate(const struct sure_light *l, vd distance, vd edistance, str
     f->factor = f->factor * factor;
 }
 
-/* A light's sample: where it shines from, relative to P, and within what. */
+/* A light sample: offset from P, unit direction, and their error bounds. */
 struct sample {
     struct v3 way, to;
     vd ew, eto;
@@ -100,15 +103,14 @@ static void find_falloff(const struct sure_light *l, struct sample *s)
     }
 }
 
-/* Which sample of a light the lanes look at, and the class of each one's pixel; of a run each the next sample, and all
- * are of one pixel. */
+/* The sample of a light for each lane, and the class of its pixel. A run takes successive samples of one pixel. */
 struct picked {
     unsigned sample;
     bool run;
     uint8_t class[LANES];
 };
 
-/* Where the samples lie along the light's axes. */
+/* Finds the samples' places along the light's axes. */
 LANE_OP void find_places(const struct sure_light *l, const struct picked *pick, vd *x, vd *y)
 {
     double other[LANES][2];
@@ -149,8 +151,8 @@ static __attribute__((noinline)) void sample_of(const struct sure_light *l, cons
     s->to = v3_unit(s->way, s->ew, &s->eto);
 }
 
-/* From outside the surface to the sample. The way differs from the sample's by b G, which is within b eg and the
- * roundings, wherever P is. */
+/* Aims the shadow ray, from outside the surface to the sample. The way differs from the sample's by b G, which is
+ * within b eg and the roundings for any P. */
 static void aim_shadow(const struct sure_scene *scene, const struct sure_light *l, const struct shade *h,
                        const struct sample *s, struct shadow *shadow)
 {
@@ -173,7 +175,7 @@ static void aim_shadow(const struct sure_scene *scene, const struct sure_light *
     shadow->p.from = leaving(h, shadow->p.d, shadow->p.ed, 1, 0);
 }
 
-/* What the material reflects, and its bound. */
+/* Computes the reflected light and its bound. */
 static void reflect_light(const struct shade *h, const struct sample *s, vd lambert, vd elambert, vm lit, vd rgb[3],
                           vd *e)
 {
@@ -197,7 +199,7 @@ static void reflect_light(const struct shade *h, const struct sample *s, vd lamb
 
 struct light_room;
 
-/* What has been added up at the points; `cancel` counts what that takes. */
+/* The light added up at the points; `cancel` counts the work. */
 struct lit {
     struct cancel *cancel;
     struct light_room *room;
@@ -205,7 +207,7 @@ struct lit {
     vm unsure;
 };
 
-/* What lights need of the call's memory, beside the walks of their shadow rays; `one` and `there` are of one point. */
+/* Memory that lights need of the call's, beside the walks of their shadow rays; `one` and `there` are of one point. */
 struct light_room {
     struct room room;
     struct aim aim, there;
@@ -248,7 +250,7 @@ static __attribute__((noinline)) void add_sample(const struct sure_scene *scene,
     sum->eown = sum->eown + vsel(lit, (e + BOUND(SAMPLE_SUM)) * (l->brightest * part) + BOUND(SAMPLE_SUM), vset(0));
 }
 
-/* A sample of the light for all points, then the next. */
+/* Adds one sample of the light for all points after another. */
 static void add_samples(const struct sure_scene *s, const struct sure_light *l, const struct aim *aim,
                         const struct shade *h, vm lanes, const uint8_t class[LANES], uint32_t *blocker, struct lit *sum)
 {
@@ -264,8 +266,8 @@ static void add_samples(const struct sure_scene *s, const struct sure_light *l, 
     }
 }
 
-/* All samples of the light for one point: rays from there to a light go the same way through the hierarchy, however far
- * the points of the packet are apart. */
+/* Adds all samples of the light for one point: rays from there to a light go the same way through the hierarchy,
+ * however far apart the packet's points are. */
 static void add_point(const struct sure_scene *s, const struct sure_light *l, const struct aim *aim,
                       const struct shade *h, uint8_t class, uint32_t *blocker, struct lit *sum)
 {
@@ -307,8 +309,8 @@ static void add_points(const struct sure_scene *s, const struct sure_light *l, c
     }
 }
 
-/* Points that are close together share a sample's packet; others have packets of their own, and so have few points of
- * many: those are fewer packets. */
+/* Returns whether points are lit one by one. Points close together share a sample's packet; distant ones have packets
+ * of their own, and so have few points with many samples: those are fewer packets. */
 LANE_OP bool each_by_itself(const struct sure_light *l, unsigned lanes, bool apart)
 {
     unsigned n = l->from->samples, packets = (n + LANES - 1) / LANES * (unsigned)__builtin_popcount(lanes);
@@ -324,7 +326,7 @@ static void add_light(const struct sure_scene *s, uint32_t n, const struct shade
     struct aim *aim = &sum->room->aim;
 
     if (tia_light_has(l->from->kind, TIA_LIGHT_EVERYWHERE)) {
-        if (l->radius > 0) /* how much of it gets there is for the integers, see `occluded` of the scene */
+        if (l->radius > 0) /* the transmitted part is undecided, see `occluded` of the scene */
             sum->unsure = mor(sum->unsure, lanes);
         for (int c = 0; c < 3; c++)
             sum->own[c] = sum->own[c] + h->colour[c] * l->emission[c];

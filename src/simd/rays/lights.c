@@ -1,4 +1,4 @@
-/* lights.c - lights in double precision, and how bright a ray can be. */
+/* lights.c - lights in double precision, and the largest brightness of a ray. */
 #include "bounds.h"
 #include "math/trig.h"
 
@@ -34,7 +34,7 @@ static void set_light(struct sure_light *to, const struct ray_light *l)
         set_area(to, l);
 }
 
-/* The four bits of i in reverse order. */
+/* Returns the four bits of i in reverse order. */
 static unsigned mirrored(unsigned i)
 {
     return (i & 1) << 3 | (i & 2) << 1 | (i & 4) >> 1 | (i & 8) >> 3;
@@ -64,7 +64,7 @@ void tia_sure_place(const struct sure_light *l, unsigned i, unsigned class, doub
     at[1] = r * sine(v);
 }
 
-/* Those behind the last sample are 0: lanes that are not looked at are read all the same. */
+/* Sets the places of a light's samples; those behind the last sample are 0, as unused lanes are read all the same. */
 static void set_places(struct sure_light *l, double (*places)[2][SURE_PLACES])
 {
     l->place = NULL;
@@ -81,7 +81,7 @@ static void set_places(struct sure_light *l, double (*places)[2][SURE_PLACES])
     l->place = places;
 }
 
-/* What a surface sends by itself at most, and what of light from elsewhere. */
+/* Upper limits of a surface's emission, and of the part of other light that it sends on. */
 struct brightness {
     double own, back;
     bool refracts;
@@ -113,8 +113,7 @@ static struct brightness brightness_of(const struct sure_scene *s)
 
 /* A ray's colour is at most the sum over its generations of own back^n, there being one for each bounce, and where
  * something refracts or lets pass up to TIA_LAYERS_MAX more; a ray that has bounced has so many fewer. Attenuation may
- * make lights brighter: then nothing is known.
- */
+ * make lights brighter: then there is no limit. */
 static void set_brightest(struct sure_scene *s)
 {
     struct brightness most = brightness_of(s);

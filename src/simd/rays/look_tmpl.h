@@ -1,4 +1,6 @@
-/* look_tmpl.h - one emitter for each path: what it sends to the path's surface. */
+/* look_tmpl.h - one emitter for each path: the light it sends to the path's surface.
+ *
+ * Parameters: the doubles of isa/isa.h. Defines: look_for_lights(). */
 #ifndef TIA_SIMD_RAYS_LOOK_TMPL_H
 #define TIA_SIMD_RAYS_LOOK_TMPL_H
 
@@ -17,7 +19,7 @@ LANE_OP void merge_sights(vm m, const struct emitter_view *one, struct emitter_v
     a->unsure = mor(mand(m, one->unsure), mand(mnot(m), a->unsure));
 }
 
-/* Each emitter that a lane has chosen is looked at once. *surface: lanes of those that have one. */
+/* Evaluates each emitter that a lane has chosen once. *surface: lanes whose emitter has a surface. */
 static void find_sights(struct path_state *f, unsigned lanes, const uint32_t which[LANES], const struct shade *h,
                         const vu u[2], vd radiance[3], unsigned *surface)
 {
@@ -43,7 +45,7 @@ static void find_sights(struct path_state *f, unsigned lanes, const uint32_t whi
     }
 }
 
-/* Reflectance times radiance over the sum of the densities with which this place could have been chosen. */
+/* Adds reflectance times radiance over the sum of the densities with which this place could have been chosen. */
 static void add_sights(struct path_state *f, unsigned lanes, const struct paths *p, const struct response *r,
                        const struct emitter_view *a, const vd radiance[3], unsigned surface)
 {
@@ -68,7 +70,7 @@ static void add_sights(struct path_state *f, unsigned lanes, const struct paths 
     add_part(f, lanes, p, part, e);
 }
 
-/* Which emitter each lane looks at, and the numbers of a place on it. */
+/* Chooses each lane's emitter, and the numbers of a place on it. */
 LANE_OP void choose_emitters(const struct path_state *f, const struct paths *p, uint32_t which[LANES], vu u[2])
 {
     uint64_t count = f->gather->scene->paths->emitter_count;
@@ -81,7 +83,7 @@ LANE_OP void choose_emitters(const struct path_state *f, const struct paths *p, 
     u[1] = quads_number(&quads, 1);
 }
 
-/* What one of the emitters sends to the surface. Returns the lanes that are sure. */
+/* Adds the light of one emitter to the surface. Returns the certain lanes. */
 static unsigned look_for_lights(struct path_state *f, unsigned lanes, const struct paths *p, const struct shade *h,
                                 const struct lobes *l)
 {
@@ -103,7 +105,7 @@ static unsigned look_for_lights(struct path_state *f, unsigned lanes, const stru
     vd cosine = v3_dot(a->to, h->normal), above = v3_dot(a->to, h->geometric);
     vd ec = BOUND_OF(LAMBERT, a->eto + h->en + BOUND(COSINE)), ea = BOUND_OF(ABOVE, a->eto + h->eg + BOUND(COSINE));
     vm dark = mor(vlt(cosine, -ec), vlt(above, -ea)), lit = mand(vlt(ec, cosine), vlt(ea, above));
-    /* where the sight is unsure its direction may be any, and says nothing of the surface's side */
+    /* an undecided sight may have any direction, so its side of the surface is undecided too */
     vm none = mand(mnot(a->unsure), mor(dark, mnot(a->some))), open = mor(a->unsure, mnot(mor(none, lit)));
     unsigned unsure = rough & mbits(open);
     mark_unsure(f, unsure, p->r.slot);

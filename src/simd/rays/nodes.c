@@ -1,9 +1,9 @@
-/* nodes.c - a hierarchy whose nodes have the boxes of their children, side by side, instead of their own. */
+/* nodes.c - a hierarchy whose nodes hold the boxes of their two children instead of their own. */
 #include <tia/bvh.h>
 
 #include "sure.h"
 
-/* In floats, no less or no more than it is. */
+/* Returns the float next to x in this direction, or x itself. */
 static float outward(tia_q16 x, bool up)
 {
     float f = (float)x;
@@ -18,8 +18,8 @@ static float outward(tia_q16 x, bool up)
     return f * (float)SURE_Q16;
 }
 
-/* How many items are below a node, if no more than `most`, else 0; *first: the first one's index, as all of a node's
- * lie side by side. */
+/* Returns the number of items below a node if it is no more than `most`, else 0; *first: the first one's index, as all
+ * of a node's lie side by side. */
 static uint32_t items_below(const struct tia_bvh_node *n, uint32_t most, uint32_t *first)
 {
     uint32_t count = 0;
@@ -46,7 +46,7 @@ static void set_child(struct sure_node *to, int i, const struct tia_bvh_node *fr
     to->count[i] = count ? count : SURE_INNER;
 }
 
-/* A root that is a leaf. */
+/* Sets the node above a root that is a leaf. */
 static uint32_t set_single(struct sure_node *to, const struct tia_bvh_node *from)
 {
     set_child(to, 0, from, 0, 0);
@@ -56,12 +56,12 @@ static uint32_t set_single(struct sure_node *to, const struct tia_bvh_node *from
     return 1;
 }
 
-/* A node that waits for the number of its second child. */
+/* A node whose second child has no number yet. */
 struct pending {
     uint32_t node, second;
 };
 
-/* Goes on to the next node that stays one: below a leaf there is none. */
+/* Returns the next node that stays one: there is none below a leaf. */
 static uint32_t next_node(uint32_t i, struct sure_node *to, uint32_t made, const struct pending *stack, int *depth,
                           uint32_t end)
 {

@@ -78,8 +78,8 @@ static void set_kind(const struct sure_scene *s, struct sure_object *o, const st
     }
 }
 
-/* A grid is opaque when all materials that its cells may have are; otherwise what it lets through is for the integers.
- */
+/* Sets the cells of a grid, which is opaque when all materials of its cells are; otherwise its transmission is left to
+ * the fixed-point path. */
 static void set_cells(struct sure_object *o, const struct tia_scene *scene)
 {
     for (uint32_t m = o->material; m < scene->material_count && m - o->material < UINT8_MAX; m++)

@@ -1,10 +1,12 @@
-/* occlude_tmpl.h - ambient occlusion in packets: the steps of render/ao/ao.c. */
+/* occlude_tmpl.h - ambient occlusion in packets: the steps of render/ao/ao.c.
+ *
+ * Parameters: the doubles of isa/isa.h. Defines: occlude(), for the table of lanes.h. */
 #ifndef TIA_SIMD_RAYS_OCCLUDE_TMPL_H
 #define TIA_SIMD_RAYS_OCCLUDE_TMPL_H
 
 #include "path_state_tmpl.h"
 
-/* Ambient occlusion: decisions alone. */
+/* Occludes or not: the result consists of decisions alone. */
 static void occlude_packet(struct path_state *f, struct paths *p, unsigned lanes, const struct quads *first)
 {
     const struct sure_scene *s = f->gather->scene;

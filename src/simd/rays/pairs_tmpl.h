@@ -1,4 +1,7 @@
-/* pairs_tmpl.h - which faces of a mesh lines may meet, in floats, two faces at once.
+/* pairs_tmpl.h - the faces of a mesh that lines may meet, in floats, two faces at once.
+ *
+ * Parameters: the doubles and pairs of floats of isa/isa.h. Defines: lines_of(), pair_passes(), struct lines, struct
+ * passes.
  *
  * As triangle_tmpl.h has it, an edge's area is w = D.P + M.E with P = A x B, E = B - A and M = O x D, from the mesh's
  * centre; M is as large as the line is far from there, wherever on it O lies. In floats, v = 2^-24:
@@ -8,16 +11,16 @@
  * less than that of E, and than |P|/R, R being the mesh's extent, they are (R + |M|) c in all, which |w| is at most: w
  * is off by 8 v of that.
  *
- * The third edge has what is left of the whole: the E of a face add up to 0, the P to N, which is the same from
- * anywhere. So w2 = D.N - w0 - w1. Where c is no less than |N|/R either, D.N is off by 5 v R c: its terms have two
- * sums. With 8 v of w0 and of w1, and two differences, of w1 + w2 and of w2, these are 24 v of (R + |M|) c; what the
- * products of v add, and what N rounds by in doubles, is less than another one.
+ * The third edge follows from the sum: the E of a face add up to 0, the P to N, which is the same from anywhere. So w2
+ * = D.N - w0 - w1. Where c is no less than |N|/R either, D.N is off by 5 v R c: its terms have two sums. With 8 v of w0
+ * and of w1, and two differences, of w1 + w2 and of w2, these are 24 v of (R + |M|) c; the products of v and the
+ * rounding of N in doubles are less than another one.
  *
- * To this is added what the doubles are off by from the integers, l.e + l.each times the face's extent, which is 3 c at
- * most: off + by c. Rounding that in floats takes less than 8 v of it. Products below 2^-126 may become 0; that is less
- * than what l.e has of R, 2^-17 or more, as boxes are larger than what is in them.
+ * To this is added the bound of the doubles against the fixed-point path, l.e + l.each times the face's extent, which
+ * is 3 c at most: off + by c. Rounding that in floats takes less than 8 v of it. Products below 2^-126 may become 0;
+ * that is less than the part of R in l.e, 2^-17 or more, as boxes are larger than their contents.
  *
- * A face that a line may meet is for the doubles where floats are not sure: of a mesh of 3000 faces one in a hundred of
+ * Where floats leave undecided whether a line meets a face, doubles decide: of a mesh of 3000 faces one in a hundred of
  * those that are met, of one of 300000 one in 40. */
 #ifndef TIA_SIMD_RAYS_PAIRS_TMPL_H
 #define TIA_SIMD_RAYS_PAIRS_TMPL_H
@@ -25,13 +28,13 @@
 #include "slabs_tmpl.h"
 #include "triangle_tmpl.h"
 
-/* Lines as pairs of faces need them, two floats a lane: D and M, and by what an area is off. */
+/* Lines as the test of pairs takes them, two floats a lane: D, M and the bound of an area. */
 struct lines {
     struct line line;
     vp way[3], moment[3], off, by;
 };
 
-/* How lines pass two faces; bit 2 k + i: lane k, face i. */
+/* The verdict on two faces; bit 2 k + i: lane k, face i. */
 struct passes {
     unsigned inside, outside;
 };
@@ -64,7 +67,7 @@ LANE_OP vp pair_edge(const struct lines *l, const float e[2][3][2])
            l->moment[2] * vp_load(e[1][2]);
 }
 
-/* The bound is more than what areas are off by, so that a sum of 0 says enough. */
+/* Tests lines against a pair. The bound is larger than the error of any area, so a sum of 0 decides nothing wrongly. */
 LANE_OP struct passes pair_passes(const struct lines *l, const struct sure_pair *f)
 {
     vp a = pair_edge(l, f->edge[0]), b = pair_edge(l, f->edge[1]), c = pair_dot(l->way, f->whole) - a - b;

@@ -1,4 +1,8 @@
-/* path_state_tmpl.h - the samples of a block while they are followed: each has one ray that waits, at most. */
+/* path_state_tmpl.h - path states of a block: at most one queued ray per sample.
+ *
+ * Parameters: the doubles of isa/isa.h. Defines: path_open(), path_start(), path_push(), path_pop(), fullest(),
+ * path_quads(), quads_of_paths(), path_choice(), mark_unsure(), sure_of(), find_first(), find_hidden(), struct paths,
+ * struct path_state. */
 #ifndef TIA_SIMD_RAYS_PATH_STATE_TMPL_H
 #define TIA_SIMD_RAYS_PATH_STATE_TMPL_H
 
@@ -8,7 +12,7 @@
 
 #define PATH_COLUMNS 17
 
-/* A ray that waits; the media that it is in stay here while it is followed. */
+/* A queued ray; its media stay here while it is traced. */
 struct queued_path {
     double number[PATH_COLUMNS];
     uint32_t bounce, layers;
@@ -16,7 +20,7 @@ struct queued_path {
     struct media media;
 };
 
-/* Rays whose directions have the same signs wait together: of a packet of them all lanes enter a box by the same
+/* Rays whose directions have the same signs are queued together: all lanes of such a packet enter a box by the same
  * planes. */
 #define OCTANTS 8
 
@@ -62,7 +66,7 @@ LANE_OP void mark_unsure(struct path_state *f, unsigned lanes, const uint32_t sl
             f->gather->unsure[slot[k]] = true;
 }
 
-/* Leaves the lanes that are sure. */
+/* Returns the certain lanes, and marks the samples of the others. */
 LANE_OP unsigned sure_of(struct path_state *f, unsigned lanes, vm unsure, const uint32_t slot[LANES])
 {
     unsigned gone = lanes & mbits(unsure);
@@ -102,7 +106,7 @@ static int fullest(const struct path_state *f)
     return most;
 }
 
-/* Takes as many rays as there are lanes, those of one octant first; the lanes. */
+/* Takes up to LANES queued rays, those of one octant first; returns their lane mask. */
 static unsigned path_pop(struct path_state *f, struct paths *p)
 {
     static const double none[PATH_COLUMNS];
@@ -138,8 +142,8 @@ LANE_OP struct quads quads_of_paths(const struct path_state *f, const uint32_t s
 #undef INDEX
 }
 
-/* Quads of bounces: 0 for a place on a light and the next direction, 1 for choices. What no lane asks for is not
- * computed. */
+/* Returns the quads of a bounce: 0 for a place on a light and the next direction, 1 for choices. Quads that no lane
+ * needs are not computed. */
 LANE_OP struct quads path_quads(const struct path_state *f, const struct paths *p, uint32_t which)
 {
     uint32_t quad[LANES];
@@ -156,8 +160,8 @@ LANE_OP vu path_choice(const struct path_state *f, const struct paths *p, unsign
     return quads_number(&quads, dimension);
 }
 
-/* First rays, by the integers: their window has 2^-45 as unit too, and is small, so that a bound on how they round it
- * would be the largest one of all. */
+/* Computes first rays by the fixed-point code: the unit of their window is 2^-45 too, and the window is small, so that
+ * a bound on its rounding would be the largest of all. */
 static void first_paths(const struct path_state *f, struct paths *p, const struct quads *first)
 {
     const struct sure_gather *g = f->gather;
@@ -186,7 +190,7 @@ static void first_paths(const struct path_state *f, struct paths *p, const struc
     p->r.p.from = (struct origin){vset(-1), vset(0), vset(0)};
 }
 
-/* Starts up to LANES samples, from number `from` on; the lanes. *first: their first quads. */
+/* Starts up to LANES samples beginning with `from`; returns their lane mask. *first: their first quads. */
 static unsigned path_start(struct path_state *f, int from, struct paths *p, struct quads *first)
 {
     const struct sure_gather *g = f->gather;
@@ -223,8 +227,8 @@ static void path_open(struct path_state *f, struct sure_gather *g)
         f->count[i] = 0;
 }
 
-/* What a ray meets first: objects, and where `lights` is set those of the kinds that paths meet; points only in the
- * lanes of rays that see them. */
+/* Finds the nearest hit of each ray: objects, and with `lights` set the lights of kinds that paths meet; point lights
+ * only in `specular` lanes. */
 static void find_first(const struct sure_scene *s, struct room *room, struct query *q, struct packet *p, unsigned lanes,
                        bool lights, unsigned specular)
 {
@@ -244,7 +248,7 @@ static void find_first(const struct sure_scene *s, struct room *room, struct que
     end_nearest(q, wild);
 }
 
-/* Light number n, in the lanes of rays that do not end there. */
+/* Meets light number n in the lanes of rays that do not end there. */
 LANE_OP void meet_other_light(const struct sure_scene *s, uint32_t n, const uint32_t ends[LANES], struct query *q)
 {
     unsigned here = 0;
@@ -259,10 +263,10 @@ LANE_OP void meet_other_light(const struct sure_scene *s, uint32_t n, const uint
     q->active = mor(q->active, mine);
 }
 
-/* Whether anything stands before the ray's end: objects, whatever they let through, and lights with a surface; `ends`
- * NULL: no lights, or the one that each ray ends at, 2^-26 before it along its normal. That one is not in the way: the
- * integers' ray ends 2^-26 off its plane, or its sphere, which rounds by 2^-42, or 2^-43 of its radius, wherever it
- * starts; while our bound on the place is as large as that on the start. */
+/* Decides whether a ray is occluded before its end: by objects, transparent ones too, and by lights with a surface;
+ * `ends` NULL: by no lights, else by all but the light that each ray ends at, 2^-26 before it along its normal. That
+ * light does not occlude: the fixed-point ray ends 2^-26 off its plane, or its sphere, which rounds by 2^-42, or 2^-43
+ * of its radius, from any start; while the bound on the place here is as large as that on the start. */
 static void find_hidden(const struct sure_scene *s, struct room *room, struct shadow *shadow, unsigned lanes,
                         const uint32_t *ends, uint32_t *blocker)
 {

@@ -1,4 +1,7 @@
-/* paths_tmpl.h - the rays of a block: those that wait, and what comes of them. */
+/* paths_tmpl.h - the rays of a block: queued rays and hits, and the light they bring.
+ *
+ * Parameters: the doubles of isa/isa.h, the hooks of check.h. Defines: push(), pop(), push_hits(), pop_hits(),
+ * add_colour(), give_up(), struct rays, struct work, QUEUE_FULL, BLOCKERS. */
 #ifndef TIA_SIMD_RAYS_PATHS_TMPL_H
 #define TIA_SIMD_RAYS_PATHS_TMPL_H
 
@@ -8,7 +11,8 @@
 
 #define COLUMNS 15
 
-/* A queued ray, see struct bounce of whitted.c, or hit: its numbers in the order of ray_column, or of hit_column. */
+/* A queued ray, see struct bounce of whitted.c, or hit, stored as scalars in the order of ray_column() or
+ * hit_column(). */
 struct queued {
     double number[COLUMNS];
     uint32_t slot, depth, layers;
@@ -16,7 +20,7 @@ struct queued {
 };
 
 #define QUEUE_SIZE 256
-#define QUEUE_FULL 24 /* more than these go on before further camera rays begin */
+#define QUEUE_FULL 24 /* above this number, queued rays go on before further camera rays begin */
 #define BLOCKERS 16
 
 /* Rays of a packet: their throughput is within ew. */
@@ -27,15 +31,15 @@ struct rays {
     struct media media[LANES];
 };
 
-/* Hits wait until there are as many as lanes: many rays of a packet meet nothing, and the others' surfaces, lights and
- * shadows would leave their lanes empty. */
+/* Hits are queued until they fill a packet: many rays of a packet meet nothing, and the surfaces, lights and shadows of
+ * the others would leave their lanes empty. */
 struct work {
     struct sure_block *block;
     uint32_t blocker[BLOCKERS];
     uint8_t class[SURE_SLOTS];
-    uint16_t order[SURE_SLOTS];  /* in which slots go into packets */
+    uint16_t order[SURE_SLOTS];  /* the order of slots in packets */
     double place[2][SURE_SLOTS]; /* of samples in the picture, in 2 side^2 parts of a pixel */
-    double rays[SURE_SLOTS];     /* how many there are at most so far, once paths may have layers */
+    double rays[SURE_SLOTS];     /* largest number of rays so far, once paths may have layers */
     struct queued queue[QUEUE_SIZE], hits[2 * LANES];
     int count, hit_count;
     struct rays packet; /* this and what follows are one packet's, too large for a stack */
@@ -53,7 +57,7 @@ LANE_OP vd *ray_column(struct rays *r, int i)
     return column[i];
 }
 
-/* What a surface needs of the ray and of the query. */
+/* Returns column i of a queued hit: the part of ray and query that a surface needs. */
 LANE_OP vd *hit_column(struct rays *r, struct query *q, int i)
 {
     vd *const column[COLUMNS] = {&r->p.o.x, &r->p.o.y,     &r->p.o.z,     &r->p.d.x,     &r->p.d.y,
@@ -73,8 +77,8 @@ LANE_OP void enqueue(struct queued *to, double number[COLUMNS][LANES], const str
     to->media = r->media[k];
 }
 
-/* Takes up to LANES items off the end of a list, one for each lane: row[k] are the numbers of lane k, all else is in r.
- * Returns how many. */
+/* Takes up to LANES items off the end of a queue, one for each lane: row[k] holds the numbers of lane k, everything
+ * else is in r. Returns their number. */
 LANE_OP int dequeue(const struct queued *queue, int *count, struct rays *r, const double *row[LANES])
 {
     static const struct queued none;
@@ -112,7 +116,8 @@ LANE_OP void mark(struct work *w, uint32_t slot)
     w->block->unsure[slot] = true;
 }
 
-/* The integers stop after TIA_RAYS_MAX rays of a sample, which only paths with layers can reach. */
+/* Counts rays of a sample. The fixed-point path stops after TIA_RAYS_MAX of them, which only paths with layers can
+ * reach. */
 LANE_OP void count_rays(struct work *w, uint32_t slot, double rays)
 {
     w->rays[slot] += rays;
@@ -120,10 +125,10 @@ LANE_OP void count_rays(struct work *w, uint32_t slot, double rays)
         mark(w, slot);
 }
 
-/* Rays of which nothing is known. No ray has a colour below 0 or above `brightest`: where throughput times that is
- * small, half of it is added and as much may be wrong, which mostly leaves the pixel's level as it is; otherwise the
- * sample is unsure. The throughputs of a generation add up to no more than that of the first ray, and each is 2^-16 or
- * more. */
+/* Drops undecided rays. No ray has a colour below 0 or above `brightest`: where throughput times that is small, half of
+ * it is added and as much is added to the bound, which mostly leaves the pixel's levels as they are; otherwise the
+ * sample is undecided. The throughputs of a generation add up to no more than that of the first ray, and each is 2^-16
+ * or more. */
 static void give_up(struct work *w, unsigned lanes, const struct rays *r, vd factor)
 {
     const struct sure_scene *s = w->block->scene;
@@ -147,7 +152,7 @@ static void give_up(struct work *w, unsigned lanes, const struct rays *r, vd fac
     }
 }
 
-/* Rays to follow later, unless they are too faint in all channels: of those that may be, nothing is known. */
+/* Queues rays, except those too faint in all channels; rays that may be too faint are undecided. */
 static void push(struct work *w, unsigned lanes, struct rays *next, bool refracted, bool straight)
 {
     vd top = most3(next->weight), least = vset(BOUND(FAINT)),
@@ -155,7 +160,7 @@ static void push(struct work *w, unsigned lanes, struct rays *next, bool refract
     unsigned yes = lanes & mbits(vlt(least + margin, top)), no = mbits(vlt(top, least - margin));
     double number[COLUMNS][LANES];
 
-    (void)refracted; /* for the check alone */
+    (void)refracted; /* only the check uses it */
     give_up(w, lanes & ~(yes | no), next, vset(1));
     for (int i = 0; i < COLUMNS; i++)
         vstore(number[i], *ray_column(next, i));
@@ -174,7 +179,7 @@ static void push(struct work *w, unsigned lanes, struct rays *next, bool refract
     }
 }
 
-/* Takes rays that wait; those of samples that are unsure by now are dropped. */
+/* Takes queued rays; those of samples that are undecided by now are dropped. */
 static unsigned pop(struct work *w, struct rays *r)
 {
     const double *row[LANES];
@@ -193,7 +198,7 @@ static unsigned pop(struct work *w, struct rays *r)
     return lanes;
 }
 
-/* Hits to shade later. */
+/* Queues hits, to be shaded later. */
 static void push_hits(struct work *w, unsigned lanes, struct rays *r, struct query *q)
 {
     double number[COLUMNS][LANES];

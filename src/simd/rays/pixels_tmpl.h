@@ -1,4 +1,6 @@
-/* pixels_tmpl.h - what a block's samples are in RGB565, where all of mean +- error is the same. */
+/* pixels_tmpl.h - conversion of a block's samples to RGB565, where all of mean +- error gives the same colour.
+ *
+ * Parameters: the doubles of isa/isa.h. Defines: set_pixels(). */
 #ifndef TIA_SIMD_RAYS_PIXELS_TMPL_H
 #define TIA_SIMD_RAYS_PIXELS_TMPL_H
 
@@ -9,9 +11,9 @@ LANE_OP vd clamped(vd c)
     return vmin(vmax(c, vset(0)), vset(1));
 }
 
-/* A colour's level: floor(c n + threshold), see num_levels. *one is left where mean +- error has no other. 2^-40 is for
- * the sums here and the integers' division by the samples: in the error, where it is levels * 2^-40 and would do, and
- * once more for the product here, which no test can see. */
+/* Returns a colour's level: floor(c n + threshold), see num_levels(). *one is left where mean +- error has no other.
+ * 2^-40 covers the sums here and the fixed-point division by the samples: once in the error, where it is levels * 2^-40
+ * and would do, and once more for the product here, which no test notices. */
 LANE_OP vd level_of(vd mean, vd error, double levels, vd threshold, vm *one)
 {
     vd low = vfloor(vmax(clamped(mean - error) * vset(levels) + threshold - BOUND(PIXEL_LEVEL), vset(0)));
@@ -21,7 +23,7 @@ LANE_OP vd level_of(vd mean, vd error, double levels, vd threshold, vm *one)
     return low;
 }
 
-/* Pixels from `first` on, those of a row. */
+/* Packs pixels from `first` on, those of a row. */
 LANE_OP void pack_pixels(struct sure_block *b, const vd mean[3], vd error, vd threshold, int first)
 {
     vd sum = BOUND_OF(PIXEL_ERROR, error) + BOUND(PIXEL_MEAN);
@@ -38,7 +40,7 @@ LANE_OP void pack_pixels(struct sure_block *b, const vd mean[3], vd error, vd th
     }
 }
 
-/* Means over the samples of as many pixels as there are lanes. */
+/* Computes means over the samples of LANES pixels. */
 LANE_OP void mean_of_samples(const struct sure_block *b, int first, vd mean[3], vd *error)
 {
     double sum[4][LANES] = {{0}}, part = 1.0 / b->samples;

@@ -1,20 +1,22 @@
 /* power_tmpl.h - x^e for highlights, as 2^(e log2 x) by polynomials.
  *
+ * Parameters: the doubles of isa/isa.h. Defines: power().
+ *
  * The logarithm of m in sqrt(1/2)..sqrt(2) is 2 atanh z, z = (m - 1)/(m + 1): |z| <= 0.1716, so the series to z^15 is
  * off by 2 z^17/17 < 1.2e-14, and log2 by 2e-14 with its roundings. The exponential of a fraction in -1/2..1/2 times ln
  * 2 to the power 11: off by 0.3466^12/12! < 7e-15.
  *
  * The logarithm's error is a part of it: the series ends z^16/17 < 3.4e-14 of it, roundings add 1e-15. So y = e log2 x
  * is off by 3.5e-14 |y|, and 2^y by 3.5e-14 ln 2 |y| 2^y < 1.3e-14, |y| 2^y being 0.531 at most: whatever e is. With
- * the exponential's 7e-15 and its roundings that is 2.1e-14; the integers' result is rounded to 2^-46, and e squarings
- * by 2^-62 before: 1.7e-14. Together they are below 2^-44. Below 2^-64 the result is 0: with |y| < 64, 1.5 2^52 added
- * to y rounds it. */
+ * the exponential's 7e-15 and its roundings that is 2.1e-14; the fixed-point result is rounded to 2^-46, and e
+ * squarings by 2^-62 before: 1.7e-14. Together they are below 2^-44. Below 2^-64 the result is 0: with |y| < 64, 1.5
+ * 2^52 added to y rounds it. */
 #ifndef TIA_SIMD_RAYS_POWER_TMPL_H
 #define TIA_SIMD_RAYS_POWER_TMPL_H
 
 #include "vector_tmpl.h"
 
-/* x + SHIFT is rounded to a whole number, which its lowest bits are. */
+/* Adding SHIFT rounds x to a whole number, which is then in the lowest bits. */
 #define SHIFT 6755399441055744.0 /* 1.5 2^52 */
 
 LANE_OP vd log2_of(vd x)
@@ -34,7 +36,7 @@ LANE_OP vd log2_of(vd x)
     return n + (sum * w * z + z) * 2.8853900817779268; /* 2/ln 2 */
 }
 
-/* 2^y, -64 <= y <= 0. */
+/* Returns 2^y, -64 <= y <= 0. */
 LANE_OP vd exp2_of(vd y)
 {
     vd k = y + SHIFT, f = (y - (k - SHIFT)) * 0.69314718055994531, sum = vset(1.0 / 39916800);
@@ -54,7 +56,7 @@ LANE_OP vd exp2_of(vd y)
     return as_doubles(as_integers(sum) - (halvings << 52));
 }
 
-/* x in 0..1, e in 1..10000. */
+/* Returns x^e, x in 0..1, e in 1..10000. */
 LANE_OP vd power(vd x, vd e)
 {
     vm none = vlt(x, vset(1e-18));

@@ -1,4 +1,4 @@
-/* prepare.c - a scene in double precision, from the one that the integers have prepared. */
+/* prepare.c - the scene in double precision, from the fixed-point one. */
 #include <tia/motion.h>
 
 #include "render/geometry/triangle.h"
@@ -8,7 +8,7 @@
 
 #define ALIGN64(n) (((n) + 63) / 64 * 64)
 
-/* Room in the caller's memory; `start` NULL: it is only measured. */
+/* Places in the caller's memory; `start` NULL: the size is only measured. */
 struct room {
     char *start;
     uint64_t used;
@@ -34,7 +34,7 @@ struct places {
     double (*places)[16][2][SURE_PLACES];
 };
 
-/* Where things move, enough for the hierarchy of any time. */
+/* Divides the memory. Where objects move, it suffices for the hierarchy of any time. */
 static uint64_t divide(struct room *room, const struct tia_scene *scene, uint32_t light_capacity, struct places *p)
 {
     uint64_t objects = (uint64_t)scene->sphere_count + scene->shape_count, faces = scene->shape_count, pairs = 0;
@@ -96,7 +96,7 @@ static struct sure_tree tree_of(const struct tia_bvh_tree *tree, struct sure_nod
     return t;
 }
 
-/* A mesh of few faces is one leaf: to try them all takes less time than to find out which. */
+/* Returns a mesh's tree. A mesh of few faces is one leaf: testing all of them takes less time than a hierarchy. */
 static struct sure_tree mesh_tree_of(const struct tia_bvh_tree *tree, struct sure_node **nodes)
 {
     struct tia_bvh_tree whole = *tree;
@@ -170,7 +170,7 @@ static void set_trees(struct sure_scene *s, const struct tia_scene *scene, struc
     s->object = p->of.objects;
 }
 
-/* One with an opacity is not known. */
+/* Sets a material. A ray that meets one with an opacity is undecided. */
 static void set_material(struct sure_material *to, const struct tia_material *m, const struct tia_texture *textures)
 {
     const struct tia_texture *t = m->texture && !colour_is_black(&m->colour) ? &textures[m->texture - 1] : NULL;

@@ -1,6 +1,6 @@
-/* proved.h - what doubles round by on the way to an intersection, in units of u = 2^-53 and of what is said beside it.
- * `make prove` shows that it is no more: tests/proofs/rays_forms.g counts the roundings, rays_sphere.g proves a
- * sphere's discriminant. */
+/* proved.h - the roundings of doubles on the way to an intersection, in units of u = 2^-53 times the quantity beside
+ * each number. `make prove` shows that they are no larger: tests/proofs/rays_forms.g counts the roundings,
+ * rays_sphere.g proves a sphere's discriminant. */
 #ifndef TIA_SIMD_RAYS_PROVED_H
 #define TIA_SIMD_RAYS_PROVED_H
 

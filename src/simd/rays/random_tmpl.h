@@ -1,4 +1,7 @@
-/* random_tmpl.h - the numbers that samples draw, as samples/sobol.h has them, of several samples side by side. */
+/* random_tmpl.h - random numbers of samples, as in samples/sobol.h, for several samples side by side.
+ *
+ * Parameters: the doubles and 64-bit integers of isa/isa.h, OF16() where it is defined. Defines: quads_of(),
+ * quads_number(), vu_number(), vu_unit(), vu_load(), vu_store(), struct quads. */
 #ifndef TIA_SIMD_RAYS_RANDOM_TMPL_H
 #define TIA_SIMD_RAYS_RANDOM_TMPL_H
 
@@ -48,7 +51,7 @@ LANE_OP vu vu_table(vu index, unsigned dimension)
 #endif
 }
 
-/* Each lane's quad: what scrambles it, and where its sample comes in it. */
+/* The quads of the lanes: the scrambling seeds, and the places of the samples in the sequence. */
 struct quads {
     vu hash, at;
 };
@@ -60,7 +63,7 @@ LANE_OP struct quads quads_of(vu seed, vu index, vu quad)
     return (struct quads){hash, lanes_reverse(lanes_scramble(lanes_reverse(index), hash))};
 }
 
-/* The number of dimension i, 0..3, see sampler_pair. */
+/* Returns the number of dimension i, 0..3, see sampler_pair(). */
 LANE_OP vu quads_number(const struct quads *q, unsigned i)
 {
     vu none = {0}, point = i == 0 ? q->at : i == 1 ? lanes_pascal(q->at) : vu_table(q->at, i);
@@ -82,7 +85,7 @@ LANE_OP vd vu_number(vu u)
     return d;
 }
 
-/* (u + 1/2)/2^32: exact. */
+/* Returns (u + 1/2)/2^32, which is exact. */
 LANE_OP vd vu_unit(vu u)
 {
     return (vu_number(u) + vset(0.5)) * vset(SURE_Q32);

@@ -1,4 +1,6 @@
-/* round_tmpl.h - cones: geometry/round.c in numbers with bounds. */
+/* round_tmpl.h - cones: geometry/round.c in numbers with bounds.
+ *
+ * Parameters: the doubles of isa/isa.h. Defines: meet_round(), discriminant(), struct reach, struct quadratic. */
 #ifndef TIA_SIMD_RAYS_ROUND_TMPL_H
 #define TIA_SIMD_RAYS_ROUND_TMPL_H
 
@@ -8,8 +10,8 @@
 
 #define MOST 131072.0 /* NUM_LENGTH_MAX */
 
-/* struct beam of geometry/round.c, and what is known of it so far: `fine`, nothing was too close to say; miss, surely.
- */
+/* The ray in a cone's axes, struct beam of geometry/round.c, and its verdict so far: in `fine` lanes every decision is
+ * certain, `miss` lanes certainly miss. */
 struct beam {
     const struct sure_round *k;
     vm fine, miss;
@@ -18,7 +20,7 @@ struct beam {
     struct ve d0, d1, height, rise, pace, nearest, passing;
 };
 
-/* The nearest point to the anchor, and two quick tests. False: all miss. */
+/* Computes the nearest point to the anchor, and makes two quick tests. False: all lanes miss. */
 LANE_OP bool beam_start(struct query *q, const struct sure_round *k, struct beam *b)
 {
     const struct packet *p = q->p;
@@ -39,8 +41,8 @@ LANE_OP bool beam_start(struct query *q, const struct sure_round *k, struct beam
     b->miss = mor(b->miss, vlt(q->limit, b->start - reach - b->estart));
     if (!any(mand(q->active, mnot(b->miss))))
         return false;
-    /* the whole line passes the axis farther away than any point of the shape, by what it may be off and what the
-     * integers round by at a tangent, some units */
+    /* the whole line passes the axis farther away than any point of the shape, by its bound and the fixed-point
+     * rounding at a tangent, some units */
     struct v3 a0 = v3_set(k->across[0]), a1 = v3_set(k->across[1]);
     vd y0 = v3_dot(p->d, a0), y1 = v3_dot(p->d, a1);
     vd aside = vabs(v3_dot(b->near, a0) * y1 - v3_dot(b->near, a1) * y0) - b->l1 * BOUND(CONE_ASIDE);
@@ -71,12 +73,12 @@ LANE_OP void beam_of(const struct packet *p, struct beam *b)
     b->passing = ve_sub(ve_mul(p0, q1), ve_mul(p1, q0));
 }
 
-/* Where the ray is inside something; not where it is not fine or misses. */
+/* The part of the ray inside something; meaningless in lanes that are not fine or miss. */
 struct reach {
     struct ve in, out;
 };
 
-/* The quadratic, as struct quadratic there, and the length that its roots are divided by. */
+/* The quadratic, as struct quadratic of geometry/round.c, and the length that its roots are divided by. */
 struct quadratic {
     struct ve g, m, w, n0, n1, ab, length;
     vm flatter, steeper;
@@ -105,7 +107,7 @@ LANE_OP struct quadratic quadratic_of(struct beam *b)
     return u;
 }
 
-/* D of the roots, and whether there are any. */
+/* Returns D of the roots, and decides whether there are any. */
 LANE_OP struct ve discriminant(struct beam *b, const struct quadratic *u, struct ve e)
 {
     struct ve root = ve_sqrt(ve_of(vabs(u->ab.v), u->ab.e), &b->fine), wr = ve_mul(u->w, root);
@@ -151,12 +153,12 @@ LANE_OP struct reach height_reach(struct beam *b, vm rises)
     return (struct reach){ve_sel(rises, to_base, to_top), ve_sel(rises, to_top, to_base)};
 }
 
-/* Which end of what is inside both counts: an end is taken when it is ahead, and without caps when it is the side's.
+/* Reports an end of the part inside both side and length: an end counts when it is ahead, and without caps when it is
+ * the side's.
  *
  * From inside a cylinder the first end lies behind, see cylinder_tmpl.h. Not so here: close to a cone's sharp edge b
  * may lead out of it again, and from there a ray may enter it although it moves away from the surface that it started
- * on.
- */
+ * on. */
 LANE_OP void beam_report(struct query *q, struct beam *b, const struct reach *side, const struct reach *height,
                          vm rises)
 {

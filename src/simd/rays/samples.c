@@ -1,5 +1,4 @@
-/* samples.c - pixels of samples: blocks of them go to a level's kernels, and those that are not sure to the integers.
- */
+/* samples.c - pixels of samples: blocks of them go to the SIMD kernels, undecided ones to the fixed-point path. */
 #include "bounds.h"
 #include "gather.h"
 #include "render/path/path.h"
@@ -18,7 +17,7 @@ static size_t room(const struct tia_simd *simd)
     return simd_room(sizeof(struct drawing), simd->sure->gather_memory);
 }
 
-/* A colour in units of 2^-24, see num_q24; false where the bound leaves several. */
+/* Rounds a colour to units of 2^-24, see num_q24; false where the bound leaves several. */
 static bool rounded(double c, double e, int64_t *q24)
 {
     double low = c - e, high = c + e;
@@ -34,7 +33,7 @@ static size_t place_of(const struct drawing *d, int x, int y)
     return (size_t)(y - (int)d->tile.y) * d->gathered->pitch + (size_t)(x - (int)d->tile.x);
 }
 
-/* The integers' samples first..end - 1 of a pixel. */
+/* Adds samples first..end - 1 of a pixel by the fixed-point path. */
 static void sample_exactly(const struct drawing *d, int x, int y, uint32_t first, uint32_t end)
 {
     size_t at = place_of(d, x, y);
@@ -85,7 +84,7 @@ static void finish_block(struct drawing *d)
     b->count = 0;
 }
 
-/* Where most samples are not sure, doubles only cost time. */
+/* Returns whether doubles still save time: not where most samples are undecided. */
 static bool pays(const struct drawing *d)
 {
     return d->unsure * 2 <= d->all;
@@ -108,7 +107,7 @@ static void add_pixel(struct drawing *d, int x, int y, uint32_t first, uint32_t 
     }
 }
 
-/* What samples see first is for the integers. */
+/* Draws samples. Guides, the first hits of samples, are left to the fixed-point path. */
 static void sample(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end,
                    const struct tia_gathered *gathered, void *memory)
 {
@@ -157,7 +156,8 @@ static void light(const struct tia_view *view, struct tia_tile tile, const struc
         }
 }
 
-/* A strategy that is left out is for the integers, and so is a light field: neighbours have eyes of their own. */
+/* Returns whether this path draws the view. Scenes without one of the strategies are left to the fixed-point path, and
+ * so are light fields: neighbours have eyes of their own. */
 static bool draws(const struct tia_view *view)
 {
     return view->scene->bvh && !view->scene->integration.without && !view->scene->field;

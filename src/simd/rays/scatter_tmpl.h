@@ -1,5 +1,9 @@
-/* scatter_tmpl.h - where paths go on from a surface, and what it reflects: render/path/scatter.c in doubles. Chances
- * are the integers' own, material by material. */
+/* scatter_tmpl.h - BSDF sampling and evaluation: render/path/scatter.c in doubles.
+ *
+ * Parameters: the doubles of isa/isa.h. Defines: lobes_of(), lobes_mirror(), respond(), phong_direction(), struct
+ * lobes, struct response.
+ *
+ * Chances are those of the fixed-point code, material by material. */
 #ifndef TIA_SIMD_RAYS_SCATTER_TMPL_H
 #define TIA_SIMD_RAYS_SCATTER_TMPL_H
 
@@ -8,7 +12,7 @@
 enum { CHANCE_MIRROR, CHANCE_GLASS, CHANCE_GLOSSY, CHANCE_DIFFUSE };
 
 struct lobes {
-    const struct sure_lobes *of[LANES]; /* of lanes that are none, those of any other */
+    const struct sure_lobes *of[LANES]; /* lanes without one have that of another lane */
     struct sure_lobes mine[LANES];      /* of textures beside other lobes: their chances change from texel to texel */
     vd chance[4];
     unsigned glossy; /* lanes with a glossy lobe */
@@ -16,8 +20,8 @@ struct lobes {
     vd emirrored;
 };
 
-/* Chances of a material with parts `part`, the last one within e, cut to 32 bits as the integers do. Not known where
- * the bound leaves several. */
+/* Cuts the chances of a material with parts `part`, the last one within e, to 32 bits as the fixed-point code does;
+ * `known` is false where the bound leaves several. */
 static void cut_chances(const double part[4], double e, struct sure_lobes *to)
 {
     double sum = part[0] + part[1] + part[2] + part[3], before = 0;
@@ -77,13 +81,13 @@ LANE_OP void lobes_of(const struct sure_paths *paths, const struct shade *h, uns
         l->chance[i] = vgather(chance, i);
 }
 
-/* Two mirrors whose normals differ by dn differ by 2 dn. */
+/* Mirrors directions: two mirrors whose normals differ by dn differ by 2 dn. */
 LANE_OP void lobes_mirror(const struct shade *h, struct lobes *l)
 {
     l->mirrored = mirrored_at(h, &l->emirrored);
 }
 
-/* What is reflected, the cosine included, and the density of going there. */
+/* The reflected part, cosine included, and the density of going there. */
 struct response {
     vd rgb[3], e;
     struct ve density;
@@ -108,7 +112,7 @@ static void add_glossy(const struct shade *h, const struct lobes *l, struct v3 t
     r->density.e = r->density.e + vsel(m, BOUND_OF(LOBE_DENSITY, part * ep) + BOUND(LOBE_DENSITY_UNITS), vset(0));
 }
 
-/* Light from `to`, at the cosine to the normal. */
+/* Evaluates light from `to`, at the cosine to the normal. */
 LANE_OP void respond(const struct shade *h, const struct lobes *l, struct v3 to, vd eto, vd cosine, vd ecosine,
                      struct response *r)
 {
@@ -121,7 +125,7 @@ LANE_OP void respond(const struct shade *h, const struct lobes *l, struct v3 to,
         add_glossy(h, l, to, eto, cosine, ecosine, r);
 }
 
-/* By the integers: Phong's lobe around z, whose bound is wide. */
+/* Returns a direction of Phong's lobe around z, by the fixed-point code: a bound in doubles would be wide. */
 static struct v3 phong_direction(const struct shade *h, const vu u[2], unsigned lanes)
 {
     double d[3][LANES] = {{0}};

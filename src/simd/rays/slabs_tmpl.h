@@ -1,23 +1,25 @@
-/* slabs_tmpl.h - which rays may enter which boxes, in floats.
+/* slabs_tmpl.h - the box test of the hierarchy, in floats.
  *
- * Where the doubles' ray and the integers' differ by `pad` everywhere in the scene, a box enlarged by pad is entered by
- * the one if the box is by the other; taking (o +- pad)/d in place of o/d does that. d is at least 2^-60 in size: a ray
- * that is turned by so little is moved by 2^-43, far less than pad's last term.
+ * Parameters: the doubles and pairs of floats of isa/isa.h. Defines: packet_start(), enter_two(), lanes_of(), up().
+ *
+ * Where the certified and the fixed-point ray differ by `pad` at most everywhere in the scene, a box enlarged by pad is
+ * entered by the one if the box is by the other; taking (o +- pad)/d in place of o/d does that. d is at least 2^-60 in
+ * size: a ray that is turned by so little is moved by 2^-43, far less than pad's last term.
  *
  * In floats b inv - c is off by as much as v = 2^-24 for each of: inv and the product, of |b inv|; c, of |c|; the
  * difference, of itself. As a distance of the plane that is v (2 |b| + |c/inv| + |b - c/inv|) <= v (3 |b| + 2 |o|) and
  * second orders. With |b - o| at most `reach`, |b| <= |o| + reach, so it is below 8 v (|o| + reach): 2^-21 of that is
- * in pad, and takes in what the doubles round by. Boxes are rounded outward, and limits up. So where a ray
- * enters a box in floats is never behind where the integers' ray does.
+ * in pad, and covers the roundings of the doubles. Boxes are rounded outward, and limits up. So the entry into a box in
+ * floats is never behind that of the fixed-point ray.
  *
- * What the integers round by when they meet a shape needs no room here: boxes are larger than what is in them by 2^-16
+ * The fixed-point roundings of an intersection need no room here: boxes are larger than their contents by 2^-16
  * (tia_bounds_with_margin), and no shape is met 2^-30 beside itself. */
 #ifndef TIA_SIMD_RAYS_SLABS_TMPL_H
 #define TIA_SIMD_RAYS_SLABS_TMPL_H
 
 #include "query_tmpl.h"
 
-/* Makes a pack ready for the boxes of a scene, or of a mesh: around a centre, the sum of the half axes being `extent`.
+/* Prepares a packet for the boxes of a scene, or of a mesh: around a centre, the sum of the half axes being `extent`.
  * False in lanes whose rays are too far off for a margin around them. */
 LANE_OP vm packet_start(const double centre[3], double extent, struct packet *p, vm active)
 {
@@ -48,13 +50,13 @@ LANE_OP vm packet_start(const double centre[3], double extent, struct packet *p,
     return vlt(off, vset((extent + BOUND(SLABS_LEAST)) * BOUND(SLABS_WIDE)));
 }
 
-/* What is farther than a limit is so in floats, too. */
+/* Returns a limit rounded up, so that a box beyond it is beyond it in floats too. */
 LANE_OP vd up(vd limit)
 {
     return limit + vabs(limit) * BOUND(SLABS_LIMIT);
 }
 
-/* The lanes that may enter a node's children before their limits, and where. */
+/* Returns the lanes that may enter a node's children before their limits, and the distances there. */
 LANE_OP unsigned enter_two(const struct slabs *s, const struct sure_node *n, vp limit, vp *near)
 {
 #define PLANE(i) vp_load(n->box[i])
@@ -78,7 +80,7 @@ LANE_OP unsigned enter_two(const struct slabs *s, const struct sure_node *n, vp 
 #undef PLANE
 }
 
-/* Each second float, from `place` on. */
+/* Returns each second float, from `place` on. */
 LANE_OP vd lanes_of(vp pairs, int place)
 {
     float of[2 * LANES];

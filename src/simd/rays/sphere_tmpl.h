@@ -1,11 +1,13 @@
 /* sphere_tmpl.h - spheres: L = C - O, P = L - (L.D) D, thc = sqrt(r^2 - |P|^2).
  *
+ * Parameters: the doubles of isa/isa.h. Defines: meet_sphere().
+ *
  * Across the ray P moves by lambda = eo + |tca| ed + U + 16 u |L|, along it only in second order, since P is at right
  * angles to D: `all` = eo + 2 |L| ed + 2 U + 16 u |L|, squared. So s = r^2 - |P|^2 is within
  *
  *     es = 2 |P| lambda + all^2 + 32 u r^2.
  *
- * s < -es is surely a miss; at the others |P| is at most r, but for what is unclear anyway. thc is within
+ * s < -es is certainly a miss; otherwise |P| is at most r, except in lanes that are undecided anyway. thc is within
  * es/sqrt(s) + U + 4 u r, as |sqrt a - sqrt b| <= |a - b|/sqrt a; t within eo + |P| ed and that, and the roundings of
  * tca. The point relative to C is -(P + thc D): across the ray it is within lambda + thc ed, along it within |P| ed and
  * thc's; ep is their hypotenuse and 2 U. Kept apart, a bounce multiplies bounds by lambda/(r cos) + ed; together, by 20
@@ -40,7 +42,7 @@ LANE_OP void meet_sphere(struct query *q, const double at[3], double radius)
     vd t0 = tca - thc, t1 = tca + thc;
     vm ahead = mand(vlt(e, t0), mnot(own)), within = mand(mor(own, vlt(t0, -e)), vlt(e, t1)), behind = vlt(t1, -e);
     vm sure = mand(hit, mor(ahead, within));
-    /* thc of those that are unclear is at most sqrt(s + es) <= sqrt(2) thc */
+    /* thc of undecided lanes is at most sqrt(s + es) <= sqrt(2) thc */
     vd reach = 2 * thc + e;
     vm passed = vlt(tca + reach, vset(0));
     vm may = mor(mand(hit, mnot(mor(sure, behind))), mand(unclear, mnot(passed)));

@@ -1,4 +1,6 @@
-/* spread_tmpl.h - one lane's point in all lanes, and what comes of them back in that lane. */
+/* spread_tmpl.h - one lane's point in all lanes, and sums over the lanes back in that lane.
+ *
+ * Parameters: the doubles of isa/isa.h. Defines: vspread(), v3_spread(), spread_shade(), on_several(), gain_lane(). */
 #ifndef TIA_SIMD_RAYS_SPREAD_TMPL_H
 #define TIA_SIMD_RAYS_SPREAD_TMPL_H
 
@@ -22,7 +24,7 @@ LANE_OP vm mspread(vm m, int k)
     return mof(mbits(m) >> k & 1 ? (1u << LANES) - 1 : 0);
 }
 
-/* What light that arrives at a point needs to know of it. */
+/* Broadcasts the part of a point that its lighting needs. */
 static void spread_shade(const struct shade *h, int k, struct shade *to)
 {
     to->point = v3_spread(&h->point, k);
@@ -53,7 +55,7 @@ static void spread_shade(const struct shade *h, int k, struct shade *to)
     }
 }
 
-/* Whether the lanes' points are on different objects. */
+/* Returns whether the lanes' points are on different objects. */
 LANE_OP bool on_several(const struct shade *h, unsigned lanes)
 {
     bool several = false;
@@ -63,7 +65,7 @@ LANE_OP bool on_several(const struct shade *h, unsigned lanes)
     return several;
 }
 
-/* v with the sum of all lanes of `more` added to lane k. */
+/* Returns v with the sum of all lanes of `more` added to lane k. */
 LANE_OP vd gain_lane(vd v, int k, vd more)
 {
     double lanes[LANES], added[LANES], sum = 0;

@@ -1,15 +1,16 @@
-/* sure.h - rays in double precision, sure to be what the integers say.
+/* sure.h - Certified double-precision rays: a result is used only where its error bound proves it equal to the
+ * fixed-point result.
  *
- * A pixel is first traced in doubles. Every quantity x carries a bound e on its distance from the integers' one, their
- * roundings included: |x_double - x_integers| <= e. Each decision - hit or miss, which of two is nearer, lit or not,
- * this level of a colour or the next - is taken only when it is the same all over x +- e. A sample where one is not is
- * "unsure", and traced by the integers' own code from its camera ray on. So the integers decide wherever doubles might
- * not; a bound that is too small is the only way to a wrong bit, one that is too large only takes time.
+ * A pixel is first traced in doubles. Every quantity x carries a bound e on its distance from the fixed-point quantity,
+ * whose roundings are included: |x_double - x_fixed| <= e. Each decision - hit or miss, the nearer of two, lit or not,
+ * this level of a colour or the next - is taken only when it is the same all over x +- e. A sample with an undecided
+ * decision is traced by the fixed-point code from its camera ray on. So the fixed-point path decides wherever doubles
+ * might differ; a bound that is too small is the only way to a wrong bit, one that is too large only takes time.
  *
- * Nothing depends on lanes, their order, or whether the compiler fuses products and sums: the bounds hold for any of
- * them, and what is sure is right. Levels need not agree on which samples are sure.
+ * The result does not depend on lanes, their order, or fused products and sums: the bounds hold for any of them.
+ * Instruction sets need not agree on which samples are certain.
  *
- * Here: the scene in doubles. Its constants are computed by the integers' functions and then converted, so each is
+ * Here: the scene in doubles. Its constants are computed by the fixed-point functions and then converted, so each is
  * within 2^-53 of its size. */
 #ifndef TIA_SIMD_RAYS_SURE_H
 #define TIA_SIMD_RAYS_SURE_H
@@ -30,12 +31,12 @@ struct sure_node {
 
 struct sure_face {
     double at[3][3], normal[3], smooth[3][3];
-    double extent; /* of the edges: the most of |x| + |y| + |z| */
-    double bend;   /* how far the smooth normals are apart */
+    double extent; /* of the edges: the largest |x| + |y| + |z| */
+    double bend;   /* the largest distance between the smooth normals */
     bool any, smoothed;
 };
 
-/* Of each edge, from A to B as seen from a centre: A x B and B - A. */
+/* Each edge, from A to B as seen from a centre: A x B and B - A. */
 struct sure_edges {
     double edge[3][2][3];
 };
@@ -48,20 +49,20 @@ struct sure_pair {
 };
 
 #define SURE_NONE -1e30f /* so that a line is always outside */
-#define SURE_LEAF 16     /* faces that are tried at once, and of which a mesh has no hierarchy */
+#define SURE_LEAF 16     /* faces that are tested at once; a mesh of no more has no hierarchy */
 #define SURE_FEW 8       /* of a mesh, below a node that is made a leaf: pairs take less time than nodes */
 
 struct sure_tree {
     const struct sure_node *nodes;
     const uint32_t *items;
     const struct sure_face *faces; /* of a mesh */
-    const struct sure_pair *pairs; /* what its leaves have for items */
-    const uint32_t *groups;        /* and those of its faces, or NULL */
+    const struct sure_pair *pairs; /* items of its leaves */
+    const uint32_t *groups;        /* and the groups of its faces, or NULL */
     uint32_t node_count;
     double centre[3], extent; /* of a mesh: the sum of the half axes of its box around the centre */
 };
 
-/* SURE_UNKNOWN: may be hit anywhere in its box. */
+/* Kinds of shapes; SURE_UNKNOWN: may be hit anywhere in its box. */
 enum sure_kind {
     SURE_UNKNOWN,
     SURE_SPHERE,
@@ -74,7 +75,7 @@ enum sure_kind {
     SURE_GRID
 };
 
-/* See struct prepared_cone. */
+/* A cylinder or cone, see struct prepared_cone. */
 struct sure_round {
     double axis[3], across[2][3], base[3], anchor[3];
     double anchored, reach, length, base_radius, top_radius, cosine, sine;
@@ -83,7 +84,7 @@ struct sure_round {
 
 struct sure_instance {
     double position[3], axes[3][3], scale[3], inverse[3], least, most; /* of the scales */
-    double size;                                                       /* how far the box reaches, in the world */
+    double size;                                                       /* extent of the box in the world */
     double centre[3], extent;                                          /* of the shape in its axes */
 };
 
@@ -95,10 +96,10 @@ struct sure_grid {
 struct sure_object {
     enum sure_kind kind;
     uint32_t material;
-    bool opaque;                                       /* lets no light through */
-    bool unclear;                                      /* what it lets through is for the integers */
+    bool opaque;                                       /* transmits no light */
+    bool unclear;                                      /* its transmission is undecided */
     bool layered;                                      /* it has an opacity */
-    bool grouped;                                      /* it does so once for each group of faces */
+    bool grouped;                                      /* filters light once for each group of faces */
     double at[3], radius, normal[3], axes[2][3], unit; /* a box: its corners are `at` and `normal` */
     const struct tia_mesh *faces;                      /* of a mesh */
     double transmission[3];
@@ -109,7 +110,7 @@ struct sure_object {
     const struct sure_instance *placed; /* NULL: the world's axes */
 };
 
-/* Where in a material's columns each colour begins. */
+/* The first column of each colour of a material. */
 enum {
     SURE_COLOUR,
     SURE_SPECULAR = 3,
@@ -129,8 +130,8 @@ struct sure_material {
     double cells[2][3], repeat[2], offset[2];
 };
 
-#define SURE_PLACES 64 /* samples of a light at most whose places are kept, */
-#define SURE_AREAS 16  /* and lights */
+#define SURE_PLACES 64 /* largest number of samples of a light whose places are stored, */
+#define SURE_AREAS 16  /* and of such lights */
 
 struct sure_light {
     const struct ray_light *from;
@@ -139,7 +140,7 @@ struct sure_light {
     double normal[3], across[2][3], reach[2];
     double brightest;
     double inner, outer;                      /* cosines of a spot light */
-    double constant, linear, quadratic, unit; /* of one that fades */
+    double constant, linear, quadratic, unit; /* of a light with attenuation */
     bool seen;
     double (*place)[2][SURE_PLACES]; /* of samples along the axes, for each class of pixel; NULL: they are too many */
 };
@@ -160,11 +161,11 @@ struct sure_scene {
     double (*places)[16][2][SURE_PLACES]; /* of the first SURE_AREAS lights */
     const uint32_t *unbounded;
     uint32_t unbounded_count, light_count, depth;
-    bool fixed_only;                     /* a light is of a kind without TIA_LIGHT_SIMD: then doubles draw nothing */
-    bool occluded;                       /* objects hinder an ambient light: then doubles know nothing of any point */
-    double brightest[TIA_DEPTH_MAX + 1]; /* after so many bounces no ray has a colour above that */
-    double generations;       /* of rays, at most, each with no more light than the one before; 0: that is not known */
-    double centre[3], extent; /* of all that has bounds: around centre, the sum of the axes' halves */
+    bool fixed_only; /* a light is of a kind without TIA_LIGHT_SIMD: all of the scene is left to the fixed-point path */
+    bool occluded;   /* objects occlude an ambient light: all of the scene is left to the fixed-point path */
+    double brightest[TIA_DEPTH_MAX + 1]; /* largest colour of a ray after so many bounces */
+    double generations;       /* largest number of rays, each with no more light than the one before; 0: no limit */
+    double centre[3], extent; /* of everything with bounds: around centre, the sum of the half axes */
     double background[3], bias;
     const struct sure_paths *paths; /* NULL unless its samples are drawn */
     struct sure_camera camera;
@@ -174,8 +175,8 @@ struct sure_scene {
 #define SURE_SLOTS (SURE_SIDE * SURE_SIDE)
 #define SURE_ENDS (SURE_SLOTS + 8) /* whole packets may reach beyond the last one */
 
-/* The work of a packet in items of cancel.h, besides what it meets: so that 32 packets that meet little come between
- * two questions whether to stop. */
+/* The work of a packet in items of cancel.h, besides its hits: so that 32 packets with few hits come between two calls
+ * of `stop`. */
 #define SURE_PACKET (CANCEL_INTERVAL / 32)
 
 /* Some pixels from (x, y) on; slot i is sample i % n of pixel i / n, those of a row one after the other. */
@@ -186,7 +187,7 @@ struct sure_block {
     double colour[3][SURE_ENDS], error[SURE_ENDS];
     bool unsure[SURE_SLOTS];
     double threshold[SURE_SIDE][16]; /* of each row's pixels by x mod 8, twice */
-    tia_rgb565 pixels[SURE_ENDS];    /* those that are open are not */
+    tia_rgb565 pixels[SURE_ENDS];    /* pixels of undecided samples are not set */
     bool open[SURE_ENDS];
 };
 
@@ -201,10 +202,10 @@ struct sure_kernels {
 };
 
 #define P2M(n) (1.0 / (double)(UINT64_C(1) << (n))) /* 2^-n, n < 64 */
-#define SURE_UNIT P2M(45)                           /* of the integers' coordinates */
+#define SURE_UNIT P2M(45)                           /* of fixed-point coordinates */
 #define SURE_EPS P2M(53)                            /* half a unit of a double of 1 */
 
-/* Units of Q16.16 and the like, and of 32 random bits: what is multiplied by one is exact. */
+/* Units of Q16.16 and the like, and of 32 random bits: products with them are exact. */
 #define SURE_Q16 P2M(16)
 #define SURE_Q30 P2M(30)
 #define SURE_Q32 P2M(32)
@@ -215,7 +216,7 @@ static inline double sure_length(num_length x)
     return (double)x * SURE_UNIT;
 }
 
-/* 2^bits, -28..31 */
+/* Returns 2^bits, -28..31. */
 static inline double sure_two_to(int bits)
 {
     return bits < 0 ? 1 / (double)(INT64_C(1) << -bits) : (double)(INT64_C(1) << bits);
@@ -254,7 +255,8 @@ static inline double sure_most3(const double c[3])
     return most > c[2] ? most : c[2];
 }
 
-/* Corners are whole units of 2^-16 and a centre halves of them, so that only the products of A x B are rounded. */
+/* Returns a face's edges. Corners are whole units of 2^-16 and a centre halves of them, so that only the products of A
+ * x B are rounded. */
 static inline struct sure_edges sure_edges_of(const struct sure_face *f, const double centre[3])
 {
     struct sure_edges e;
@@ -272,13 +274,14 @@ static inline struct sure_edges sure_edges_of(const struct sure_face *f, const d
     return e;
 }
 
-/* Bytes for a scene; then the scene in them, and its lights whenever they change. */
+/* Returns the bytes for a scene; then the functions that fill them with the scene, and with its lights whenever they
+ * change. */
 size_t tia_sure_size(const struct tia_scene *scene, uint32_t light_capacity);
 struct sure_scene *tia_sure_scene(const struct tia_view *view);
 void tia_sure_prepare(struct tia_view *view);
 void tia_sure_set_lights(struct tia_view *view);
 
-/* What objects have of their own, one for each shape. */
+/* Arrays of the objects' own data, one for each shape. */
 struct sure_places {
     struct sure_object *objects;
     struct sure_round *rounds;
@@ -287,22 +290,23 @@ struct sure_places {
     struct sure_instance *instances;
 };
 
-/* How many nodes a hierarchy of so many has here; then they are made, leaves of those with `few` items at most. */
+/* Number of nodes of a hierarchy of so many items; then the function that makes them, with leaves of at most `few`
+ * items. */
 #define SURE_NODES(count) (((count) + 1) / 2)
 uint32_t tia_sure_set_nodes(struct sure_node *to, const struct tia_bvh_tree *from, uint32_t few);
 
-/* No more pairs than this has a mesh: of its nodes one more than half are leaves, and each leaves half a pair empty at
- * most. Then they are made, and leaves have pairs for items; returns how many. */
+/* Largest number of pairs of a mesh: of its nodes one more than half are leaves, and each leaves half a pair empty at
+ * most. Then the function that makes them, with pairs as items of leaves; it returns their number. */
 #define SURE_PAIRS(items, nodes) (((items) + ((nodes) + 1) / 2) / 2)
 uint32_t tia_sure_set_pairs(struct sure_pair *to, struct sure_node *nodes, const struct sure_tree *tree);
 
 void tia_sure_set_objects(struct sure_scene *scene, const struct sure_places *places);
 void tia_sure_set_face(struct sure_face *to, const struct tia_vec3 corner[3]);
 
-/* Where sample i of an area light lies along its axes, in a pixel of that class: see trace/light.c. */
+/* Gives the place of sample i of an area light along its axes, in a pixel of that class: see trace/light.c. */
 void tia_sure_place(const struct sure_light *light, unsigned i, unsigned class, double at[2]);
 
-/* By the integers: the colour of sample i of a pixel, not clamped. */
+/* Gives the colour of sample i of a pixel by the fixed-point path, not clamped. */
 void tia_sure_sample(const struct ray_view *view, int x, int y, int i, num_length colour[3]);
 
 #endif

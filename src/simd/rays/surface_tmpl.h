@@ -1,4 +1,7 @@
-/* surface_tmpl.h - what is at the points that rays meet: normals, the material, its texture. */
+/* surface_tmpl.h - the points that rays meet: normals, materials, textures.
+ *
+ * Parameters: the doubles of isa/isa.h. Defines: find_surfaces(), turn(), mirrored_at(), off_surface(), leaving(),
+ * struct shade. */
 #ifndef TIA_SIMD_RAYS_SURFACE_TMPL_H
 #define TIA_SIMD_RAYS_SURFACE_TMPL_H
 
@@ -8,11 +11,11 @@
 struct shade {
     struct v3 point, local, outside, geometric, normal, viewer;
     vd ep, elocal, eoutside, eg, en, ev, facing, efacing;
-    vd across; /* how long the part of the ray is that may lie in the plane where the normal is off */
+    vd across; /* length of the part of the ray that may lie in the plane where the normal is off */
     vd colour[3], specular[3], mirror[3], refraction[3], emission[3], flat[3], exponent, ecolour;
     vm glossy, refracts, fresnel, back;
     vm unsure;
-    vm exact; /* the coordinates of the normal are the integers' ones, rounded: of their sign, or 0 where those are */
+    vm exact; /* the normal's coordinates have the sign of the fixed-point ones, or are 0 where those are */
     const struct sure_object *object[LANES]; /* NULL in other lanes */
     vd id, part;                             /* index and element, as the query has them */
     uint32_t index[LANES], element[LANES], material[LANES];
@@ -21,7 +24,7 @@ struct shade {
 
 #define INSTANCE_AT(field) (int)(offsetof(struct sure_instance, field) / sizeof(double))
 
-/* Where column i of a material goes. */
+/* Returns the place of a material's column i. */
 LANE_OP vd *shade_column(struct shade *h, int i)
 {
     vd *const group[] = {h->colour, h->specular, h->mirror, h->refraction, h->emission, h->flat};
@@ -29,7 +32,7 @@ LANE_OP vd *shade_column(struct shade *h, int i)
     return i < SURE_EXPONENT ? &group[i / 3][i % 3] : &h->exponent;
 }
 
-/* A grid's cells have their own. */
+/* Returns the material: cells of a grid have their own. */
 LANE_OP uint32_t material_at(const struct sure_object *o, uint32_t element)
 {
     return o->material + (o->kind == SURE_GRID ? o->grid->from->cells[element / 6] - 1u : 0);
@@ -52,7 +55,7 @@ LANE_OP void find_objects(const struct sure_scene *s, const struct query *q, uns
     }
 }
 
-/* The columns of one material in its lanes; `groups`: those that any lane needs. */
+/* Sets the columns of one material in its lanes; `groups`: those that any lane needs. */
 LANE_OP void set_columns(struct shade *h, const struct sure_material *m, uint32_t groups, vm lanes)
 {
     for (int i = 0; i < SURE_COLUMNS; i++)
@@ -120,7 +123,7 @@ static void find_textures(const struct sure_scene *s, unsigned textured, struct 
         add_texture(s, h, __builtin_ctz(textured));
 }
 
-/* The points in the axes of their objects: as they are, but of instances. */
+/* Computes the points in the axes of their objects: only those of instances differ. */
 static unsigned find_local(struct shade *h)
 {
     static const struct sure_instance none = {
@@ -150,7 +153,7 @@ static unsigned find_local(struct shade *h)
     return placed;
 }
 
-/* A normal back in the world: n_i / s_i along the axes, normalised. */
+/* Returns a normal back in the world: n_i / s_i along the axes, normalised. */
 static struct v3 world_normal(const struct shade *h, struct v3 n, vd e, vd *ew)
 {
     const double *const *p = h->instance;
@@ -177,7 +180,7 @@ static void place_normals(struct shade *h, unsigned placed)
     h->exact = mand(h->exact, mnot(mof(placed)));
 }
 
-/* Spheres: the direction from the centre. */
+/* Sets normals of spheres: the direction from the centre. */
 static void round_normals(struct shade *h, unsigned lanes)
 {
     static const double zero[3];
@@ -199,13 +202,11 @@ static void round_normals(struct shade *h, unsigned lanes)
 
 #define ROUND_AT(field) (int)(offsetof(struct sure_round, field) / sizeof(double))
 
-/* The side of a cylinder or cone: the direction from the axis, turned by the slope. Its parts are at right angles and
- * of lengths cosine and sine, so the sum is of length 1 within the roundings.
- *
- * Of a ray that has the part f across the axis, a cylinder's point moves across by f ep at most, see cylinder_tmpl.h:
- * where theirs has f', it is f' <= f + ed. That bound on the point has 4 u t to spare there; what doubles round the
- * point and its way from the base by otherwise is 2 u of the one and 4 u of the other. The normal is off across the
- * axis, but for 2^-48. */
+/* Sets normals of sides of cylinders and cones: the direction from the axis, turned by the slope. Its parts are at
+ * right angles and of lengths cosine and sine, so the sum is of length 1 within the roundings. Where a ray has the part
+ * f across the axis, a cylinder's point moves across by f ep at most, see cylinder_tmpl.h: the fixed-point f' is below
+ * f + ed. That bound has 4 u t to spare; the other roundings of doubles are 2 u of the point and 4 u of its way from
+ * the base. The normal is off across the axis, but for 2^-48. */
 static void side_normals(struct shade *h, unsigned lanes)
 {
     static const struct sure_round none;
@@ -237,7 +238,7 @@ static void side_normals(struct shade *h, unsigned lanes)
     h->eg = vsel(mof(side), e + BOUND(SIDE_ROUNDING), h->eg);
 }
 
-/* A smooth normal: those of the corners, by the areas opposite to them as seen along the face's main axis. */
+/* Sets smooth normals: those of the corners, by the areas opposite to them as seen along the face's main axis. */
 static void smooth_normals(struct shade *h, const struct sure_face *const face[LANES], unsigned smooth)
 {
     static const struct sure_face none;
@@ -281,7 +282,7 @@ _Static_assert(offsetof(struct sure_face, smooth) == 12 * sizeof(double) &&
                    offsetof(struct sure_face, bend) == 22 * sizeof(double),
                "columns of a face");
 
-/* Normals that are the same all over: of planes, caps, boxes and faces. *turned: the other way round. */
+/* Returns a normal that is the same all over: of planes, caps, boxes and faces. *turned: to be negated. */
 static const double *flat_normal(const struct shade *h, int k, const struct sure_face **face, bool *turned)
 {
     static const double axes[6][3] = {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}};
@@ -348,15 +349,15 @@ LANE_OP void turn(struct shade *h)
     h->efacing = BOUND_OF(FACING, h->en + h->ev + BOUND(COSINE));
 }
 
-/* Mirrored rays: (R' - R) D for two mirrors, whose normals differ by dn and thus by no less than the sine of the angle
- * between them, turns what of D lies in the plane of the normals by twice that angle: it is 2 dn |that part| long. */
+/* Returns mirrored rays: two mirrors whose normals differ by dn, no less than the sine of their angle, turn the part of
+ * D in the plane of the normals by twice that angle, so that (R' - R) D is 2 dn |that part| long. */
 LANE_OP struct v3 mirrored_at(const struct shade *h, vd *ed)
 {
     return v3_unit(v3_sub(v3_scale(h->normal, 2 * h->facing), h->viewer),
                    BOUND_OF(MIRRORED, 2 * h->across * h->en + h->ev) + BOUND(MIRRORED_ROUNDING), ed);
 }
 
-/* P + b G, or P - b G: where rays start. */
+/* Returns the starts of rays: P + b G, or P - b G. */
 LANE_OP struct v3 off_surface(const struct sure_scene *s, const struct shade *h, double bias, vd *eo)
 {
     struct v3 o = v3_along(h->point, h->geometric, vset(bias));
@@ -366,7 +367,7 @@ LANE_OP struct v3 off_surface(const struct sure_scene *s, const struct shade *h,
     return o;
 }
 
-/* For rays in direction d from there, `sign` times G off the surface: whether they surely move away. */
+/* Returns the origin of rays in direction d, `sign` G off the surface: certainly moving away, or undecided. */
 LANE_OP struct origin leaving(const struct shade *h, struct v3 d, vd ed, double sign, double least)
 {
     vm away = vlt(BOUND_OF(LEAVING, h->eg + ed + vset(BOUND(COSINE) + least)), v3_dot(h->geometric, d) * sign);
@@ -375,7 +376,7 @@ LANE_OP struct origin leaving(const struct shade *h, struct v3 d, vd ed, double 
     return (struct origin){vsel(away, h->id, vset(-1)), h->part, vsel(inside, vset(1), vset(0))};
 }
 
-/* All of the points that the rays of these lanes meet. */
+/* Fills the points that the rays of these lanes meet. */
 static void find_surfaces(const struct sure_scene *s, const struct packet *p, const struct query *q, unsigned lanes,
                           struct shade *h)
 {

@@ -1,4 +1,7 @@
-/* texture_tmpl.h - colours of textures, lane by lane: surface coordinates with their bounds, then a cell or a texel. */
+/* texture_tmpl.h - colours of textures, lane by lane: surface coordinates with their bounds, then a cell or a texel.
+ *
+ * Parameters: struct v3 of vector_tmpl.h; the rest is scalar. Defines: texture_colour(), along(), struct
+ * texture_point. */
 #ifndef TIA_SIMD_RAYS_TEXTURE_TMPL_H
 #define TIA_SIMD_RAYS_TEXTURE_TMPL_H
 
@@ -6,7 +9,7 @@
 #include "render/geometry/round.h"
 #include "vector_tmpl.h"
 
-/* A point in the axes of its object, and what was hit there. */
+/* A point in the axes of its object, and the element that was hit. */
 struct texture_point {
     const struct sure_object *object;
     uint32_t element;
@@ -41,7 +44,7 @@ static void flat_coordinates(const struct texture_point *p, struct coordinates *
            BOUND(UV_ROUNDING);
 }
 
-/* A face of a box of that size, see box_uv. */
+/* Sets coordinates on a face of a box of that size, see box_uv(). */
 static void box_coordinates(const struct texture_point *p, const double min[3], const double size[3], uint32_t face,
                             struct coordinates *c)
 {
@@ -75,7 +78,8 @@ static void grid_coordinates(const struct texture_point *p, struct coordinates *
     box_coordinates(p, min, size, p->element % 6, c);
 }
 
-/* Barycentric coordinates, as smooth_normals has them, where they are within 3 ew as well; then the mesh's own. */
+/* Sets barycentric coordinates, as smooth_normals() has them, where they are within 3 ew as well; then the mesh's
+ * own. */
 static bool face_coordinates(const struct texture_point *p, struct coordinates *c)
 {
     const struct sure_object *o = p->object;
@@ -120,8 +124,8 @@ static bool face_coordinates(const struct texture_point *p, struct coordinates *
     return true;
 }
 
-/* atan2(y, x)/(2 pi) by the integers' own function, of a vector of length 1 or less within e: the angle is within e
- * over its length. False where that is too much, and near the jump at 1/2. */
+/* Computes atan2(y, x)/(2 pi) by the fixed-point function, of a vector of length 1 or less within e: the angle is
+ * within e over its length. False where that is too much, and near the jump at 1/2. */
 static bool angle_of(double y, double x, double e, double *angle, double *bound)
 {
     double size = __builtin_sqrt(x * x + y * y), full = (double)(INT64_C(1) << 62);
@@ -150,7 +154,7 @@ static bool sphere_coordinates(const struct texture_point *p, struct coordinates
     return true;
 }
 
-/* Caps are discs, see cap_uv. */
+/* Sets coordinates of cylinders and cones. Caps are discs, see cap_uv(). */
 static bool round_coordinates(const struct texture_point *p, struct coordinates *c)
 {
     const struct sure_round *k = p->object->round;
@@ -177,7 +181,7 @@ static bool round_coordinates(const struct texture_point *p, struct coordinates 
     return true;
 }
 
-/* False where they are for the integers: at poles, along seams, and in faces that are too small. */
+/* Sets coordinates; false where they are undecided: at poles, along seams, and in faces that are too small. */
 static bool coordinates_of(const struct texture_point *p, struct coordinates *c)
 {
     const struct sure_object *o = p->object;
@@ -208,7 +212,7 @@ static bool coordinates_of(const struct texture_point *p, struct coordinates *c)
     }
 }
 
-/* The whole number below x within e, of which 2^30 is the most; false: there are two. */
+/* Finds the whole number below x within e, of which 2^30 is the largest; false: there are two. */
 static bool floor_of(double x, double e, int64_t *n)
 {
     double low = __builtin_floor(x - e), high = __builtin_floor(x + e);
@@ -226,7 +230,7 @@ static const uint8_t *texel_at(const struct tia_texture *t, int64_t x, int64_t y
     return t->texels + 3 * ((size_t)(t->height - 1 - y) * t->width + (size_t)x);
 }
 
-/* Bilinear: continuous all over, and no steeper than from 0 to 1 within a texel. */
+/* Interpolates bilinearly: continuous all over, and no steeper than from 0 to 1 within a texel. */
 static void blend_texels(const struct tia_texture *t, const double place[2], double rgb[3])
 {
     double x = __builtin_floor(place[0]), y = __builtin_floor(place[1]), right = place[0] - x, up = place[1] - y;
@@ -241,7 +245,7 @@ static void blend_texels(const struct tia_texture *t, const double place[2], dou
     }
 }
 
-/* False when it is not known; else the colour, within *e. */
+/* Gives the colour within *e; false when it is undecided. */
 static bool texture_colour(const struct sure_material *m, const struct texture_point *p, double rgb[3], double *e)
 {
     const struct tia_texture *t = m->texture;

@@ -1,4 +1,6 @@
-/* tracer_tmpl.h - a block of pixels: camera rays, then whatever they give rise to, in packets. */
+/* tracer_tmpl.h - a block of pixels: camera rays, then their spawned rays, in packets.
+ *
+ * Parameters: the doubles of isa/isa.h, the hooks of check.h. Defines: trace(), for the table of lanes.h, shade(). */
 #ifndef TIA_SIMD_RAYS_TRACER_TMPL_H
 #define TIA_SIMD_RAYS_TRACER_TMPL_H
 
@@ -12,7 +14,7 @@ LANE_OP void drop(unsigned *lanes, struct work *w, vm unsure, const struct rays 
     *lanes &= ~gone;
 }
 
-/* Lanes that see the background, or a light, are done. */
+/* Shades and retires lanes that hit the background or a light. */
 static void add_far(struct work *w, unsigned *lanes, const struct query *q, const struct rays *r)
 {
     const struct sure_scene *s = w->block->scene;
@@ -34,7 +36,7 @@ static void add_far(struct work *w, unsigned *lanes, const struct query *q, cons
     add_colour(w, sky | shining, r->slot, flat, BOUND_OF(COLOUR_FAR, top * r->ew) + BOUND(COLOUR_UNITS) * (1 + top));
 }
 
-/* What the surfaces send by themselves. False in lanes that are not known. */
+/* Adds emission and direct light; clears undecided lanes. */
 static void add_own(struct work *w, unsigned *lanes, const struct shade *h, const struct rays *r)
 {
     const struct sure_scene *s = w->block->scene;
@@ -65,7 +67,7 @@ static void add_own(struct work *w, unsigned *lanes, const struct shade *h, cons
                    BOUND(COLOUR_UNITS));
 }
 
-/* What is sent from where rays end, and the rays that go on from there. */
+/* Adds the light at the ends of rays, and spawns the rays that go on from there. */
 static void shade(struct work *w, struct rays *r, const struct query *q, unsigned lanes)
 {
     struct shade *h = &w->shade;
@@ -82,7 +84,7 @@ static void shade(struct work *w, struct rays *r, const struct query *q, unsigne
 
 static void shade_hits(struct work *w, struct rays *r)
 {
-    unsigned lanes = pop_hits(w, r, &w->query); /* what a surface needs of it */
+    unsigned lanes = pop_hits(w, r, &w->query); /* the columns that a surface needs */
 
     if (lanes)
         shade(w, r, &w->query, lanes);
@@ -108,8 +110,8 @@ static void follow(struct work *w, struct rays *r, unsigned lanes)
         shade_hits(w, r);
 }
 
-/* The rays through the places x, y of the image, both in 0..1. Each product with an axis is rounded by half a unit, the
- * window and the depth by as much. */
+/* Sets rays through the places x, y of the image, both in 0..1. Each product with an axis is rounded by half a unit,
+ * the window and the depth by as much. */
 static void camera_rays(const struct sure_camera *c, vd x, vd y, struct packet *p)
 {
     vd h = vset(c->left) + vset(c->across) * x, v = vset(c->top) - vset(c->upward) * y;
@@ -134,7 +136,7 @@ static void camera_rays(const struct sure_camera *c, vd x, vd y, struct packet *
         &p->ed);
 }
 
-/* 4 x 2 neighbours are in a packet, or 2 x 2: which place in all packets a pixel has. */
+/* Returns the place of a pixel in the order of packets: a packet has 4 x 2 neighbours, or 2 x 2. */
 LANE_OP int place_in_packets(const struct sure_block *b, int x, int y)
 {
     const int across = LANES < 4 ? 1 : LANES / 2;
@@ -144,7 +146,7 @@ LANE_OP int place_in_packets(const struct sure_block *b, int x, int y)
     return (y / 2 * (b->width / across) + x / across) * LANES + y % 2 * across + x % across;
 }
 
-/* Where the samples of a pixel lie, see ray_camera_ray. */
+/* Places the samples of a pixel, see ray_camera_ray(). */
 LANE_OP void place_samples(struct work *w, int slot, int x, int y)
 {
     const int n = w->block->scene->camera.side;
@@ -156,7 +158,7 @@ LANE_OP void place_samples(struct work *w, int slot, int x, int y)
         }
 }
 
-/* Where they lie, in which order they go into packets, and the classes of their pixels. */
+/* Places all samples, and sets their order in packets and the classes of their pixels. */
 static void place_pixels(struct work *w, const struct sure_block *b)
 {
     for (int y = 0, i = 0; y < b->height; y++)
@@ -171,7 +173,7 @@ static void place_pixels(struct work *w, const struct sure_block *b)
         }
 }
 
-/* A block, of which nothing is known. */
+/* Opens a block whose samples have no colour yet. */
 static void work_open(struct work *w, struct sure_block *b)
 {
     w->block = b;
@@ -208,7 +210,7 @@ static unsigned first_rays(const struct work *w, int from, int count, struct ray
     return lanes;
 }
 
-/* Hits, or rays: of which more wait. */
+/* Continues with hits or rays, whichever queue is longer. */
 static void go_on_with(struct work *w, struct rays *r)
 {
     unsigned lanes;

@@ -1,17 +1,18 @@
 /* triangle_tmpl.h - triangles and the faces of meshes.
  *
- * With a, b from the origin to two corners, D.(a x b) has the sign of the area that the integers find, sheared along
- * the ray, times that of D's main component. It is D.(a x (b - a)): an origin that is off by eo moves a, not the edge,
- * so it changes by |b - a| eo; a direction that is off by ed changes it by ed |a| |b - a|. Edges are no longer than
- * twice the extent; corners no farther than `far`, the origin's |x| + |y| + |z| from a centre and the most of a
- * corner's, R.
+ * Parameters: the doubles of isa/isa.h. Defines: meet_face(), meet_plane_of(), face_sides(), line_of(), struct sides.
+ *
+ * With a, b from the origin to two corners, D.(a x b) has the sign of the fixed-point area, sheared along the ray,
+ * times that of D's main component. It is D.(a x (b - a)): an origin that is off by eo moves a, not the edge, so it
+ * changes by |b - a| eo; a direction that is off by ed changes it by ed |a| |b - a|. Edges are no longer than twice the
+ * extent; corners no farther than `far`, the origin's |x| + |y| + |z| from a centre and the most of a corner's, R.
  *
  * Of A, B and O from that centre it is D.(A x B) + (O x D).(B - A), of which A x B and B - A are the face's and O x D
- * the ray's. Roundings: the sizes of the former's terms add up to R^2 at most, those of the latter's to |O| 2 R, in
- * all far^2. A term of the former is rounded by its product and difference, then by the product with D and five sums;
- * one of the latter by the centre's difference, then as often: nine times. The integers' corners are aside by 2^-46 +
+ * the ray's. Roundings: the sizes of the former's terms add up to R^2 at most, those of the latter's to |O| 2 R, in all
+ * far^2. A term of the former is rounded by its product and difference, then by the product with D and five sums; one
+ * of the latter by the centre's difference, then as often: nine times. The fixed-point corners are aside by 2^-46 +
  * 2^-59 z, in coordinates below 2 far, so their areas by 8 far (2^-46 + 2^-59 far): far 2^-42, and far less than the
- * doubles' own part. Inside: all three are surely of one sign.
+ * doubles' own part. Inside: all three are certainly of one sign.
  *
  * t comes from the plane here, from a weighted mean of the corners there: that is off the plane by no more than its
  * corners are (geometry/triangle.c), l 2^-48. */
@@ -20,12 +21,12 @@
 
 #include "flat_tmpl.h"
 
-/* How lines pass a face's edges. */
+/* The sides of a face's edges on which lines pass. */
 struct sides {
     vm inside, outside;
 };
 
-/* `extent`: R. */
+/* Returns the line of each ray; `extent`: R. */
 LANE_OP struct line line_of(const struct packet *p, const double centre[3], double extent)
 {
     struct v3 o = v3_sub(p->o, v3_set(centre));
@@ -49,14 +50,14 @@ LANE_OP struct sides face_sides(const struct packet *p, const struct line *l, co
     return (struct sides){mor(vlt(e, least), vlt(most, -e)), mor(none, mand(vlt(least, -e), vlt(e, most)))};
 }
 
-/* Lanes whose rays go back to the face they started on. */
+/* Returns the lanes whose rays go back to the face they started on. */
 LANE_OP vm returns_to(const struct query *q, vd element)
 {
     return mand(mand(from_object(q), from_element(q, element)), vlt(q->p->from.side, vset(0)));
 }
 
-/* They do so from a height b that does not depend on where on the face they started, so that t is b/|D.N|, and eo is
- * no part of what it is off by. What the integers' height is off by: corners were aside by 2^-46 + 2^-59 z, in two
+/* Reports their hits. They come from a height b that does not depend on the place on the face, so that t is b/|D.N|,
+ * and eo is no part of its bound. Error of the fixed-point height: corners were aside by 2^-46 + 2^-59 z, in two
  * coordinates, z below 2^17, which is 2^-41.4 of the plane; t by some units, eight with the point's roundings, 2^-42;
  * and b G by one: less than 2^-40. */
 LANE_OP void return_to_face(const struct query *q, struct v3 n, vd round, vd more, struct flat *f, vd *ep, vm back)

@@ -1,4 +1,7 @@
-/* vector_tmpl.h - vectors of lanes, and numbers with bounds. */
+/* vector_tmpl.h - vectors with a component per lane.
+ *
+ * Parameters: the doubles of isa/isa.h. Defines: struct v3 and its operations v3_*(), v3_unit(), vgather(), vfloor(),
+ * vload(), vstore(), lane_of(), any(), mnone(), as_integers(), as_doubles(), most3(), EACH_LANE(), INFINITE. */
 #ifndef TIA_SIMD_RAYS_VECTOR_TMPL_H
 #define TIA_SIMD_RAYS_VECTOR_TMPL_H
 
@@ -26,7 +29,7 @@ LANE_OP vd as_doubles(vi i)
     return a;
 }
 
-/* |x| < 2^51: to nearest by adding 1.5 2^52, less 1 if that is above. */
+/* Returns the whole number below: |x| < 2^51, to nearest by adding 1.5 2^52, less 1 if that is above. */
 LANE_OP vd vfloor(vd x)
 {
     vd nearest = (x + vset(6755399441055744.0)) - vset(6755399441055744.0);
@@ -105,7 +108,7 @@ LANE_OP struct v3 v3_cross(struct v3 a, struct v3 b)
     return (struct v3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/* |x| + |y| + |z|, which is at least the length: what roundings are measured by. */
+/* Returns |x| + |y| + |z|, which is at least the length: the measure of roundings. */
 LANE_OP vd v3_sum(struct v3 a)
 {
     return vabs(a.x) + vabs(a.y) + vabs(a.z);
@@ -121,13 +124,13 @@ LANE_OP vd most3(const vd c[3])
     return vmax(vmax(c[0], c[1]), c[2]);
 }
 
-/* v/|v|, where the integers' v is within e, and the bound on its distance from theirs: the angle between them is at
- * most that whose sine is x = e/|v|, and the chord of it is
+/* Returns v/|v|, where the fixed-point v is within e, and in *ed the bound on its distance from the fixed-point one:
+ * the angle between them is at most that whose sine is x = e/|v|, and the chord of it is
  *
  *     x sqrt(2/(1 + sqrt(1 - x^2))) <= (1 + 2^-10) x   for x < 1/16,
  *
  * and 2^-50 for the roundings of both: 5 u here, and q16's normalise is within 2^-58. Otherwise 4: two unit vectors are
- * never farther apart, and nothing is ever sure. */
+ * never farther apart, and every lane is undecided. */
 LANE_OP struct v3 v3_unit(struct v3 v, vd e, vd *ed)
 {
     vd inverse = 1 / vmax(vsqrt(v3_dot(v, v)), vset(1e-30)), relative = e * inverse;
@@ -136,8 +139,8 @@ LANE_OP struct v3 v3_unit(struct v3 v, vd e, vd *ed)
     return v3_scale(v, inverse);
 }
 
-/* of(0), of(1), ... one for each lane. Made of these, a vector goes through registers; stored one by one and loaded as
- * a whole, it would wait for all the stores. */
+/* Gives of(0), of(1), ... one for each lane. Made of these, a vector goes through registers; stored one by one and
+ * loaded as a whole, it would have to wait for all the stores. */
 #if LANES == 1
 #define EACH_LANE(of) of(0)
 #elif LANES == 2
@@ -148,7 +151,7 @@ LANE_OP struct v3 v3_unit(struct v3 v, vd e, vd *ed)
 #define EACH_LANE(of) of(0), of(1), of(2), of(3), of(4), of(5), of(6), of(7)
 #endif
 
-/* Lane k: p[k][i]. */
+/* Returns p[k][i] in lane k. */
 LANE_OP vd vgather(const double *const p[LANES], int i)
 {
 #define GATHERED(k) p[k][i]

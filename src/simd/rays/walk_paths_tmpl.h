@@ -1,5 +1,8 @@
-/* walk_paths_tmpl.h - samples in packets: light along random paths, bounce by bounce. Each step is
- * that of render/path/path.c; bounds go on from one to the next. */
+/* walk_paths_tmpl.h - samples in packets: light along random paths, bounce by bounce.
+ *
+ * Parameters: the doubles of isa/isa.h. Defines: walk_paths(), for the table of lanes.h.
+ *
+ * Each step is that of render/path/path.c; bounds are carried from one to the next. */
 #ifndef TIA_SIMD_RAYS_WALK_PATHS_TMPL_H
 #define TIA_SIMD_RAYS_WALK_PATHS_TMPL_H
 
@@ -7,8 +10,8 @@
 #include "look_tmpl.h"
 #include "occlude_tmpl.h"
 
-/* Russian roulette, see path.c: the chance is the largest throughput m, cut to 32 bits, and must be the same all over
- * m +- ew where the path survives. */
+/* Returns the lanes that survive Russian roulette, see path.c: the chance is the largest throughput m, cut to 32 bits,
+ * and must be the same all over m +- ew where the path survives. */
 static unsigned survivors(struct path_state *f, unsigned lanes, struct paths *p)
 {
     const vd all = vset(4294967296.0), largest_chance = vset(UINT32_MAX);
@@ -30,7 +33,7 @@ static unsigned survivors(struct path_state *f, unsigned lanes, struct paths *p)
     return lanes;
 }
 
-/* The numbers of directions are those of the first quad at the first bounce, and that may come after layers. */
+/* Gives the numbers of directions: those of the first quad at the first bounce, which may come after layers. */
 LANE_OP void direction_numbers(const struct path_state *f, const struct paths *p, vu u[2])
 {
     uint32_t quad[LANES];
@@ -42,7 +45,7 @@ LANE_OP void direction_numbers(const struct path_state *f, const struct paths *p
     u[1] = quads_number(&quads, 3);
 }
 
-/* Paths that go on by Lambert's law or Phong's lobe. */
+/* Continues paths by Lambert's law or Phong's lobe. */
 static __attribute__((noinline)) void scatter_paths(struct path_state *f, unsigned lanes, unsigned shiny,
                                                     const struct paths *p, const struct shade *h, const struct lobes *l)
 {
@@ -108,7 +111,7 @@ static __attribute__((noinline)) void reflect_paths(struct path_state *f, unsign
     go_on(f, lanes, p, &next, NULL);
 }
 
-/* Each path takes one of its surface's lobes. */
+/* Chooses one lobe of its surface for each path. */
 static void bounce_paths(struct path_state *f, unsigned lanes, const struct paths *p, const struct shade *h,
                          struct lobes *l)
 {
@@ -143,7 +146,7 @@ static void bounce_paths(struct path_state *f, unsigned lanes, const struct path
         enter_glass(f, glass, p, h, l, path_choice(f, p, 3));
 }
 
-/* Lanes whose paths end at their surface; and those whose lobes are not known. */
+/* Returns the lanes whose paths go on; those with undecided lobes are dropped. */
 static unsigned going_on(struct path_state *f, unsigned lanes, const struct paths *p, const struct lobes *l)
 {
     unsigned black = 0, unknown = 0;

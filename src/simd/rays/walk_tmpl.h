@@ -1,5 +1,11 @@
-/* walk_tmpl.h - packets through the hierarchy: any active lane enters a node. The nearest hit of each ray, and what
- * stands between a point and a light. */
+/* walk_tmpl.h - packets through the hierarchy: the nearest hit of each ray, and the occlusion between a point and a
+ * light.
+ *
+ * Parameters: the doubles and pairs of floats of isa/isa.h, the hooks of check.h. Defines: find_nearest(),
+ * begin_nearest(), end_nearest(), find_shadow(), meet_one(), meet_unbounded(), meet_light(), struct shadow, struct
+ * room, LIGHT_ID.
+ *
+ * A packet enters a node if any active lane does. */
 #ifndef TIA_SIMD_RAYS_WALK_TMPL_H
 #define TIA_SIMD_RAYS_WALK_TMPL_H
 
@@ -15,7 +21,7 @@
 #include "sphere_tmpl.h"
 #include "triangle_tmpl.h"
 
-/* Shadow rays, and what is known of them. */
+/* Shadow rays, and their transmission as far as it is decided. */
 struct shadow {
     struct packet p;
     vd distance, edistance;
@@ -24,7 +30,7 @@ struct shadow {
     uint32_t work;
 };
 
-/* What walks need and a thread's stack may have no room for: it lies in the level's memory, one for each call. */
+/* Memory of walks, for which a thread's stack may be too small: it lies in the call's memory. */
 struct room {
     struct pending objects[TIA_BVH_DEPTH_MAX + 1], faces[TIA_BVH_DEPTH_MAX + 1];
     struct placed placed;
@@ -35,8 +41,8 @@ struct room {
     struct group_list groups;
 };
 
-/* One of a pair's faces; `maybe` and `inside`: bit 2 k is lane k, those that may meet it and those that are inside for
- * sure. */
+/* Meets one of a pair's faces; `maybe` and `inside`: bit 2 k is lane k, those that may meet it and those certainly
+ * inside. */
 LANE_OP void meet_one_of(const struct sure_tree *tree, uint32_t face, unsigned maybe, unsigned inside, struct query *q)
 {
     const struct sure_face *f = &tree->faces[face];
@@ -50,7 +56,8 @@ LANE_OP void meet_one_of(const struct sure_tree *tree, uint32_t face, unsigned m
     meet_plane_of(q, f, face, sides);
 }
 
-/* Some of a leaf's faces: first which of them any line may meet, without a branch for each, then where. */
+/* Meets some of a leaf's faces: first finds those that any line may meet, without a branch for each, then intersects
+ * them. */
 LANE_OP void meet_some(const struct sure_tree *tree, const struct sure_pair *pairs, uint32_t count, struct query *q)
 {
     unsigned inside[SURE_LEAF / 2], maybe[SURE_LEAF / 2], met = 0, active = twice(mbits(q->active));
@@ -82,7 +89,7 @@ LANE_OP void meet_faces(const struct sure_scene *s, const struct sure_tree *tree
 
 WALK(walk_faces, meet_faces, faces)
 
-/* What is not known may be hit from its box on. */
+/* Reports a possible hit of an undecided shape, from its box on. */
 LANE_OP void meet_unknown(struct query *q, vd near)
 {
     report_hit(q, (struct hit_report){.sure = mnone(),
@@ -101,7 +108,7 @@ LANE_OP void meet_mesh(const struct sure_scene *s, const struct sure_object *o, 
     walk_faces(s, o->mesh, q);
 }
 
-/* `scale`: how much longer distances are in the object's axes than those of its box. */
+/* Meets a shape; `scale`: the factor from distances along its box to those in the object's axes. */
 LANE_OP void meet_shape(const struct sure_scene *s, const struct sure_object *o, struct query *q,
                         const struct node_ref *at, vd scale)
 {
@@ -153,7 +160,7 @@ static __attribute__((noinline)) void meet_placed(const struct sure_scene *s, co
     report_placed(q, placed, inner, o->placed->most);
 }
 
-/* An object that filters light does so once, wherever it is met; either side rounds each product. */
+/* Filters light by an object, once for each ray; either side rounds each product. */
 LANE_OP void filter(struct query *q, const struct sure_object *o)
 {
     vm unclear = mand(q->may_meet, mnot(q->met));
@@ -166,7 +173,7 @@ LANE_OP void filter(struct query *q, const struct sure_object *o)
         q->through[c] = vsel(q->met, q->through[c] * vset(o->transmission[c]), q->through[c]);
 }
 
-/* A mesh of groups that lets light through. */
+/* Filters light by a mesh of groups that transmits some. */
 static __attribute__((noinline)) void meet_grouped(const struct sure_scene *s, const struct sure_object *o,
                                                    struct query *q)
 {
@@ -210,7 +217,7 @@ LANE_OP void meet_objects(const struct sure_scene *s, const struct sure_tree *tr
 
 WALK(walk_objects, meet_objects, objects)
 
-/* Objects that no box is around, or that are tried before their boxes. */
+/* Meets an object without a box, or one that is tested before its box. */
 LANE_OP void meet_at_once(const struct sure_scene *s, uint32_t object, struct query *q)
 {
     static const vp zero;
@@ -230,7 +237,7 @@ static __attribute__((noinline)) void meet_one(const struct sure_scene *s, uint3
     meet_at_once(s, object, q);
 }
 
-/* Lights have no index among objects: light n is told as this and n. */
+/* Light n is encoded as object LIGHT_ID + n. */
 #define LIGHT_ID 4294967296.0
 
 LANE_OP void meet_light(const struct sure_light *l, struct query *q)
@@ -251,7 +258,7 @@ static __attribute__((noinline)) void meet_lights(const struct sure_scene *s, st
     }
 }
 
-/* The nearest object, before lights are tried. Returns the lanes that are too far off, for end_nearest(). */
+/* Finds the nearest object, before lights are tested. Returns the lanes that are too far off, for end_nearest(). */
 LANE_OP vm begin_nearest(const struct sure_scene *s, struct room *room, struct query *q, struct packet *p, vm active)
 {
     vm fine = packet_start(s->centre, s->extent, p, active);
@@ -270,14 +277,14 @@ LANE_OP vm begin_nearest(const struct sure_scene *s, struct room *room, struct q
     return mand(active, mnot(fine));
 }
 
-/* Those may have met anything. */
+/* Makes those lanes undecided: they may have met anything. */
 LANE_OP void end_nearest(struct query *q, vm wild)
 {
     q->low = vsel(wild, vset(-1), q->low);
     q->t = vsel(wild, vset(0), q->t);
 }
 
-/* The nearest, lights included. */
+/* Finds the nearest hit, lights included. */
 static void find_nearest(const struct sure_scene *s, struct room *room, struct query *q, struct packet *p, vm active)
 {
     vm wild = begin_nearest(s, room, q, p, active);
@@ -286,12 +293,12 @@ static void find_nearest(const struct sure_scene *s, struct room *room, struct q
     end_nearest(q, wild);
 }
 
-/* *blocker is tried first, and becomes what blocked a ray. */
+/* Traces shadow rays. *blocker is tested first, and becomes the object that blocked a ray. */
 static void find_shadow(const struct sure_scene *s, struct room *room, struct shadow *shadow, vm active,
                         uint32_t *blocker)
 {
     vm fine = packet_start(s->centre, s->extent, &shadow->p, active);
-    struct query *q = &room->any; /* field by field: what only the nearest hit has is not used, and it is large */
+    struct query *q = &room->any; /* set field by field: fields of the nearest hit are unused, and it is large */
 
     check_shadow(mbits(active));
     q->p = &shadow->p;

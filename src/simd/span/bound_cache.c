@@ -1,6 +1,6 @@
-/* bound_cache.c - bounds change little from row to row, and every one of them holds for all runs whose limits are no
- * worse than those it was derived from (row.c and bounds.c ask for nothing else): so they are derived from limits that
- * are worse by a tenth than a run's own, and kept while these suffice. */
+/* bound_cache.c - cached bounds. Bounds change little from row to row, and each holds for all runs whose limits are no
+ * worse than those it was derived from (row.c and bounds.c use nothing else): so they are derived from limits that are
+ * worse by a tenth than a run's own, and kept while these suffice. */
 #include "bound_cache.h"
 
 #include <math.h>
@@ -17,7 +17,7 @@ static double size_of(const double form[2], const struct simd_place *place)
     return fabs(form[0]) + fabs(form[1]) * place->reach;
 }
 
-/* The limits of a run, in the order of the enumeration, then the sizes of the forms; how many. */
+/* Gives the limits of a run, in the order of the enumeration, then the sizes of the forms; returns their number. */
 static int limits_of(const struct simd_fine *fine, double limit[FORMS_MOST])
 {
     const struct simd_place *place = &fine->place;
@@ -42,7 +42,7 @@ static int limits_of(const struct simd_fine *fine, double limit[FORMS_MOST])
     return n;
 }
 
-/* What of `fine` is taken from limits. */
+/* Sets the values of `fine` that depend on limits. */
 static void take_limits(const double limit[], struct simd_place *place, struct simd_seen *seen)
 {
     seen->b_most = limit[B_MOST];
@@ -54,7 +54,8 @@ static void take_limits(const double limit[], struct simd_place *place, struct s
     place->v_most = limit[V_MOST];
 }
 
-/* `limit` is that of the light's forms; where the next light's are. NULL: the bounds are too large. */
+/* Bounds one light, `limit` being that of its forms; returns where the next light's are. NULL: the bounds are too
+ * large. */
 static const double *light_bounds(struct simd_fine *fine, struct simd_fine_light *light, const struct simd_place *place,
                                   double unit, const double *limit)
 {
@@ -73,7 +74,7 @@ static const double *light_bounds(struct simd_fine *fine, struct simd_fine_light
     return limit;
 }
 
-/* A colour: each light's lambert times its colour, and for the products and sums, here and in Q2.30, SIMD_COLOUR
+/* Bounds a colour: each light's lambert times its colour, and for the products and sums, here and in Q2.30, SIMD_COLOUR
  * units and 2^-30 a light and as many a caster; interpolating takes SIMD_LINE units more. max, min and the clamps only
  * bring values nearer. A level: as many times that, and 6 units of 63 for scaling and rounding. */
 static bool derive(struct simd_fine *fine, double unit, double cut, const double *limit)
@@ -143,7 +144,7 @@ static void take_cached(const struct simd_bound_cache *cache, struct simd_fine *
     }
 }
 
-/* Bounds that are too large may be fine for the run's own limits: those are not kept. */
+/* Gives the bounds. Bounds that are too large may be fine for the run's own limits: those are not kept. */
 bool tia_simd_fine_bounds(struct simd_fine *fine, double unit, double cut, struct simd_bound_cache *cache)
 {
     double limit[FORMS_MOST];

@@ -4,7 +4,7 @@
 
 #include "prepare.h"
 
-/* What bounds depend on from row to row, each so that more is worse. */
+/* The limits that bounds depend on from row to row; larger is worse. */
 #define SIMD_LIMITS 16
 
 struct simd_bound_cache {
@@ -18,8 +18,8 @@ struct simd_bound_cache {
     struct simd_cast_bounds cast[SIMD_LIMITS / 2];
 };
 
-/* The bounds for an arithmetic; false when they are too large. `kept` may be NULL. Else it belongs to this arithmetic,
- * and the bounds may be those of an earlier run that was as bad or worse. */
+/* Gives the bounds for an arithmetic; false when they are too large. `kept` may be NULL. Else it belongs to this
+ * arithmetic, and the bounds may be those of an earlier run that was as bad or worse. */
 bool tia_simd_fine_bounds(struct simd_fine *fine, double unit, double cut, struct simd_bound_cache *cache);
 
 /* Bounds for each half of the picture and some spheres, in both arithmetics. */

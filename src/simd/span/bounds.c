@@ -1,13 +1,13 @@
 /* bounds.c - the bounds, derived. u is the arithmetic's unit, es and et the relative bounds of 1/t from row.c.
  *
- * Of what is computed here. A quadratic in s, a s^2 + h s + v.v with h linear, is off by
+ * Arithmetic here. A quadratic in s, a s^2 + h s + v.v with h linear, is off by
  *
  *     |a| s^2 (2 es + 8 u) + |h| s (es + 8 u) + 8 u v.v
  *
  * and 1.01 makes up for es^2, es being below .01. The numbers of u are those of proved.h.
  *
- * Of the integer code, see render/span/kernels.h. T is the mantissa of t. A factor's upper half is off by .51 of its
- * last bit, so a product t (a.v) by .51 T last bits; a constant or a shift by half a bit; |P|^2 by
+ * The integer code, see render/span/kernels.h. T is the mantissa of t. A factor's upper half is off by .51 of its last
+ * bit, so a product t (a.v) by .51 T last bits; a constant or a shift by half a bit; |P|^2 by
  *
  *     reach = .52 T up + .51 t^2 (last bit of v.v).
  *
@@ -32,7 +32,7 @@ static double reach_bound(const struct primary_rays *primary, const struct simd_
     return .52 * depth->mantissa_most * lamp->up + .51 * t * t * simd_power(32 - primary->square_shift) / (d * d);
 }
 
-/* Of a s^2 + h s + v.v divided by s^2. */
+/* Returns the bound of a s^2 + h s + v.v divided by s^2. */
 static double quadratic_bound(double a, double h_size, const struct simd_place *place, const struct simd_depth *depth,
                               double u)
 {

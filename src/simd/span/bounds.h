@@ -1,11 +1,11 @@
-/* bounds.h - how far a run's values, as computed, may be from what the integer code computes. */
+/* bounds.h - bounds on the distance of a run's computed values from those of the integer code. */
 #ifndef TIA_SIMD_SPAN_BOUNDS_H
 #define TIA_SIMD_SPAN_BOUNDS_H
 
 #include "pair.h"
 #include "row.h"
 
-/* The kernels' float, and the double of exact.c: half an ulp, and the share of D below which a pixel is open. */
+/* Half an ulp of the kernels' float and of exact.c's double: the share of D below which a pixel is undecided. */
 #define SIMD_FLOAT 0x1p-24
 #define SIMD_FLOAT_CUT 0x1p-8
 #define SIMD_DOUBLE 0x1p-48 /* with room for its coefficients */
@@ -22,7 +22,7 @@ void tia_simd_bound_light(const struct primary_rays *primary, const struct simd_
                           const struct simd_place *place, const struct simd_depth *depth, double unit, double g_size,
                           double q_size, struct simd_bounds *bounds);
 
-/* Of one caster: A'.w and k, absolute; |w|^2 with what the comparison itself may add, relative. */
+/* Bounds of one caster: A'.w and k, absolute; |w|^2 with the comparison's own error, relative. */
 struct simd_cast_bounds {
     double a, k, w;
 };

@@ -1,5 +1,7 @@
-/* cells_tmpl.h - the kernels' cells: 16 pixels with a sample at both ends and in the middle, see kernel_tmpl.h, which
- * includes this. */
+/* cells_tmpl.h - the span kernels' cells: 16 pixels with a sample at both ends and in the middle.
+ *
+ * Parameters: value_at() and the functions before the inclusion in kernel_tmpl.h, which includes this. Defines:
+ * take_samples(), judge_cells(), draw_flat(), draw_cell(), struct cells. */
 #ifndef TIA_SIMD_SPAN_CELLS_TMPL_H
 #define TIA_SIMD_SPAN_CELLS_TMPL_H
 
@@ -8,22 +10,23 @@
 #define CELLS (SIMD_BLOCK / SIMD_CELL)
 #define SAMPLES (CELLS + 2 * N)
 #define HALF_CELL (SIMD_CELL / 2)
-#define FAINT_CELL .12f /* of a level that interpolating may cost before it pays no more */
+#define FAINT_CELL .12f /* share of a level that interpolation may cost before single pixels are faster */
 
 struct cells {
     int start; /* pixels of the run before these */
     float x0;
     float per_s[SAMPLES], turn[SAMPLES], d[SAMPLES];                /* at samples: 1/S, |S'|, D */
     float lambert[SIMD_LIGHTS][SAMPLES], far[SIMD_LIGHTS][SAMPLES]; /* not clamped; |w| */
-    float middle[SIMD_LIGHTS][SAMPLES]; /* of cells, here and below: lambert in the middle */
+    float middle[SIMD_LIGHTS][SAMPLES];                             /* of cells, from here on: lambert in the middle */
     float turn_of[SIMD_LIGHTS][SAMPLES], bend_of[SIMD_LIGHTS][SAMPLES]; /* and the lines that meet there */
-    float weight[SIMD_LIGHTS][3][SAMPLES];                              /* colours with what casters leave */
+    float weight[SIMD_LIGHTS][3][SAMPLES];                              /* colours times the transmission of casters */
     float near31[SAMPLES], near63[SAMPLES];
     uint16_t pixel[SAMPLES]; /* of all of a flat cell */
     uint64_t good, flat;
 };
 
-/* The two parts of S' = b1 + D'/(2 sqrt(D)) may cancel: what each is off by, D' in d_off, is added to |S'|. */
+/* Computes samples. The two parts of S' = b1 + D'/(2 sqrt(D)) may cancel: their bounds, that of D' in d_off, are added
+ * to |S'|. */
 INLINE void take_samples(const struct simd_run *r, const struct body *k, int count, int lights, struct cells *cells)
 {
     for (int i = 0; i < count; i += N) {
@@ -54,7 +57,7 @@ INLINE F smaller_end(const float *samples)
     return f_min(f_load(samples), f_load(samples + 1));
 }
 
-/* |P'| and |P''| over a cell, at most. P = t v and t = c/S, so with a = |S'|/S and b = |S''|/S
+/* Upper limits of |P'| and |P''| over a cell. P = t v and t = c/S, so with a = |S'|/S and b = |S''|/S
  *
  *     |t'| = t a,  |t''| <= t (2 a^2 + b),  |P'| <= t (|v'| + |v| a),  |P''| <= t (|v| (2 a^2 + b) + 2 |v'| a).
  *
@@ -76,10 +79,10 @@ INLINE struct motion motion_over(const struct simd_run *r, const struct cells *c
     return (struct motion){f_mul(t, f_fma(v, a, step)), f_mul(t, f_fma(v, f_fma(twice, a, b), f_mul(step, twice)))};
 }
 
-/* Whether a caster leaves all of a cell alone, or none. As P moves by up to p along the cell's half, the shadow ray's
- * distance h from C changes by up to m = p (turn/d + shift). With what the integer code may err by, e, it stays above R
- * when h^2 - R^2 > 2 R m + 2 m^2 + 2 e, as (sqrt(R^2 + e) + m)^2 <= R^2 + e + m^2 + 2 R m + 2 m sqrt(e); and below R
- * when it is below that in size. A'.w and |w|^2 change by up to p (|A'| + |w|) and p (2 |w| + p). */
+/* Decides whether a caster shadows nothing of a cell, or all of it. As P moves by up to p along the cell's half, the
+ * shadow ray's distance h from C changes by up to m = p (turn/d + shift). With e, the bound of the integer code, it
+ * stays above R when h^2 - R^2 > 2 R m + 2 m^2 + 2 e, as (sqrt(R^2 + e) + m)^2 <= R^2 + e + m^2 + 2 R m + 2 m sqrt(e);
+ * and below R when it is below that in size. A'.w and |w|^2 change by up to p (|A'| + |w|) and p (2 |w| + p). */
 INLINE struct verdict judge_cell(const struct simd_cast *c, F x, const struct value *o, F square, F p, F per_d, F far,
                                  float per_c2)
 {
@@ -94,13 +97,13 @@ INLINE struct verdict judge_cell(const struct simd_cast *c, F x, const struct va
     return judge(c, &t, square, f_mul(near, unit), f_fma(aside, unit, f_set(c->ea)));
 }
 
-/* What cells come to: what interpolating costs, in light, and between which sums of lights they lie. */
+/* The cost of interpolation in cells, in light, and the range of their sums of lights. */
 struct gained {
     F lost, low[3], high[3];
 };
 
-/* Of one light. In between its samples lie two lines that meet in the middle: m + u (e - s)/2 + |u| ((s - m) + (e -
- * m))/2, u from -1 to 1. A sum with NaN in it is NaN. */
+/* Adds the range of one light. Between its samples lie two lines that meet in the middle: m + u (e - s)/2 + |u| ((s -
+ * m) + (e - m))/2, u from -1 to 1. A sum with NaN in it is NaN. */
 INLINE void add_range(struct cells *cells, int l, int i, F middle, const F tint[3], const struct simd_light *q,
                       int channels, struct gained *g)
 {
@@ -121,11 +124,11 @@ INLINE void add_range(struct cells *cells, int l, int i, F middle, const F tint[
     }
 }
 
-/* Of a light over cells: takes what interpolation costs off the margins, and leaves good those that no shadow's edge
- * crosses. (N.w/|w|)'' with N' = P'/r and w' = -P' is at most |P''| (1/r + 1/d) + |P'|^2 (2/(r d) + 1.16/d^2): the unit
- * vector w/|w| has a second derivative of at most |w''|/d and |w'|^2/d^2 times max a sqrt(4 - 3 a^2) = 1.155, a being
- * the share of w' across w. Between two samples that are 8 pixels apart a line is off by 8^2/8 of that. Factors for
- * what all this is rounded by, here and above, are proved in tests/proofs/simd_cells.g. */
+/* Lights cells: takes the cost of interpolation off the margins, and leaves good those that no shadow's edge crosses.
+ * (N.w/|w|)'' with N' = P'/r and w' = -P' is at most |P''| (1/r + 1/d) + |P'|^2 (2/(r d) + 1.16/d^2): the unit vector
+ * w/|w| has a second derivative of at most |w''|/d and |w'|^2/d^2 times max a sqrt(4 - 3 a^2) = 1.155, a being the
+ * share of w' across w. Between two samples that are 8 pixels apart a line is off by 8^2/8 of that. The factors for all
+ * these roundings, here and above, are proved in tests/proofs/simd_cells.g. */
 INLINE M light_cells(const struct simd_run *r, int l, F x, const struct value *o, const struct motion *p,
                      struct cells *cells, int i, struct gained *gained, int channels, int casts)
 {
@@ -153,7 +156,7 @@ INLINE M light_cells(const struct simd_run *r, int l, F x, const struct value *o
     return good;
 }
 
-/* Where all samples round to one level, so does all between: flat cells. */
+/* Finds flat cells: where all samples round to one level, so does everything between. */
 INLINE M flat_cells(const struct simd_run *r, const struct gained *g, F near31, F near63, bool grey,
                     struct cells *cells, int i)
 {
@@ -209,7 +212,7 @@ INLINE void draw_flat(const struct cells *cells, uint16_t *out)
     }
 }
 
-/* One cell from its samples. */
+/* Draws one cell from its samples. */
 INLINE int draw_cell(const struct simd_run *r, const struct cells *cells, int cell, bool grey, int lights,
                      const F half[2], uint16_t *out, uint16_t *list, int n)
 {

@@ -1,4 +1,4 @@
-/* exact.c - the kernels' sums again with 53 bits, where nearly nothing but the integers' own rounding stays open. */
+/* exact.c - the kernels' sums again with 53 bits, which leave little undecided but the rounding of the integer code. */
 #include "exact.h"
 
 #include <math.h>
@@ -18,7 +18,7 @@ void tia_simd_plain(const struct tia_view *view, uint32_t sphere, int x, int y, 
     }
 }
 
-/* What is computed of a pixel. */
+/* The values of a pixel. */
 struct pixel {
     double x, s, vv; /* s = 1/t */
 };
@@ -30,7 +30,7 @@ static double form(const double c[3], const struct pixel *p)
     return (c[0] * p->s + c[1] + c[2] * p->x) * p->s + p->vv;
 }
 
-/* As judge in kernel_tmpl.h, for one pixel. */
+/* Decides a shadow as judge() in kernel_tmpl.h, for one pixel. */
 static enum shadow shadow_at(const struct simd_fine_cast *cast, double swell, const struct pixel *p, double w)
 {
     const struct simd_cast_bounds *b = &cast->bounds;
@@ -49,7 +49,7 @@ static double at_most_1(double a)
     return a > 1 ? 1 : a;
 }
 
-/* Adds a light to the colour; false when nobody can say how much. */
+/* Adds a light to the colour; false when it is undecided. */
 static bool add_light(const struct simd_fine_light *light, const struct pixel *p, double sum[3])
 {
     const struct simd_lamp *lamp = light->lamp;
@@ -72,7 +72,7 @@ static bool add_light(const struct simd_fine_light *light, const struct pixel *p
     return true;
 }
 
-/* A channel's level; false when it is too near to another. */
+/* Gives a channel's level; false when it is too near to another. */
 static bool quantise(double channel, double levels, double half, double near, unsigned *simd)
 {
     double y = channel * levels + half;

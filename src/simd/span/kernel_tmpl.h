@@ -2,10 +2,10 @@
  *
  * Parameters: the floats of isa/isa.h. Defines: `kernels`, a struct simd_kernels (run.h).
  *
- * A run is drawn in cells of 16 pixels: everything is computed at their ends and in the middle, and in between
- * r N.w/(r |w|) is interpolated, where its second derivative allows that and shadows keep clear. Where all of a cell
- * comes to one level it is filled with that. The pixels that are then too near a boundary between
- * two levels, and the cells where nothing of that holds, are computed one by one; what is open after that is listed.
+ * A run is drawn in cells of 16 pixels: everything is computed at their ends and in the middle, and in between r N.w/(r
+ * |w|) is interpolated, where its second derivative allows that and shadows keep clear. A cell that comes to one colour
+ * is filled with it. The pixels that are then too near a boundary between two levels, and the pixels of all other
+ * cells, are computed one by one; undecided pixels are appended to `list`.
  *
  * The compiler cannot know that `out` aliases no constant: constants are splat into locals first. */
 #ifndef TIA_SIMD_SPAN_KERNEL_TMPL_H
@@ -19,7 +19,7 @@ struct body {
     F b0, b1, d0, d1, d2, cut, v0, v1, v2;
 };
 
-/* What a pixel, or a sample, is computed to. */
+/* The values of a pixel, or a sample. */
 struct value {
     F d, s, vv;
     M good;
@@ -59,7 +59,7 @@ INLINE F lambert_of(const struct simd_light *q, F x, const struct value *o, F sq
     return f_over_root(f_mul(facing, f_set(q->per_r)), square);
 }
 
-/* A'.w s^2 and k s^2. */
+/* The forms A'.w s^2 and k s^2. */
 struct toward {
     F a, k, s2;
 };
@@ -77,7 +77,7 @@ struct verdict {
     M lit, dark;
 };
 
-/* `near` and `aside` widen the margins of k and A'.w, both for s^2 in units of S^2. */
+/* Decides a shadow; `near` and `aside` widen the margins of k and A'.w, both for s^2 in units of S^2. */
 INLINE struct verdict judge(const struct simd_cast *c, const struct toward *t, F w, F near, F aside)
 {
     F a2 = f_mul(t->a, t->a), zero = f_set(0), size = f_abs(t->a);
@@ -93,7 +93,7 @@ INLINE struct verdict judge(const struct simd_cast *c, const struct toward *t, F
     return v;
 }
 
-/* ---- colours: how far each channel is from a level ---- */
+/* ---- colours: the distance of each channel from a boundary between levels ---- */
 
 struct levels {
     F red, green, blue;
@@ -126,7 +126,7 @@ INLINE M add_light(const struct simd_light *q, F x, const struct value *o, F sum
 {
     const F one = f_set(1), zero = f_set(0);
     F square = square_of(q, x, o), lambert = f_min(one, f_max(zero, lambert_of(q, x, o, square)));
-    M facing = f_gt(lambert, zero), good = f_ge(lambert, zero); /* not where it is NaN */
+    M facing = f_gt(lambert, zero), good = f_ge(lambert, zero); /* false where it is NaN */
     F tint[3] = {one, one, one};
 
     if (casts && m_any(facing))
@@ -155,7 +155,7 @@ INLINE struct levels levels_at(const struct simd_run *r, const struct body *k, F
     return found;
 }
 
-#ifndef NOTE_OPEN /* a level may have a quicker one */
+#ifndef NOTE_OPEN /* an instruction set may have a faster one */
 INLINE int note_open(M sure, int at, int count, uint16_t *list, int n)
 {
     unsigned bits = m_bits(m_not(sure));
@@ -168,7 +168,7 @@ INLINE int note_open(M sure, int at, int count, uint16_t *list, int n)
 }
 #endif
 
-/* Pixels first..end-1. */
+/* Draws pixels first..end-1; returns the number listed. */
 INLINE int draw_pixels(const struct simd_run *r, const struct body *k, int first, int end, bool grey, int lights,
                        int casts, uint16_t *out, uint16_t *list, int n)
 {
@@ -189,7 +189,7 @@ INLINE int draw_pixels(const struct simd_run *r, const struct body *k, int first
     return n;
 }
 
-/* The pixels listed, anywhere in the run; keeps those of the list that stay open. */
+/* Draws the pixels listed, anywhere in the run; keeps those of the list that stay undecided. */
 INLINE int draw_listed(const struct simd_run *r, const struct body *k, bool grey, int lights, int casts, uint16_t *out,
                        uint16_t *list, int count)
 {
@@ -225,7 +225,7 @@ INLINE int draw_listed(const struct simd_run *r, const struct body *k, bool grey
 
 #include "cells_tmpl.h"
 
-/* Pixels start..start + size - 1, at most SIMD_BLOCK. */
+/* Draws pixels start..start + size - 1, at most SIMD_BLOCK. */
 INLINE int draw_block(const struct simd_run *r, const struct body *k, int start, int size, bool grey, int lights,
                       int casts, uint16_t *out, uint16_t *list, int open, struct cells *restrict cells)
 {
@@ -240,7 +240,7 @@ INLINE int draw_block(const struct simd_run *r, const struct body *k, int start,
     for (uint64_t left = cells->good & ~cells->flat; left; left &= left - 1)
         n = draw_cell(r, cells, __builtin_ctzll(left), grey, lights, half, out + start, list, n);
     n = open + draw_listed(r, k, grey, lights, casts, out, list + open, n - open);
-    for (int cell = 0; cell <= count;) { /* the last is for the rest, which has no cell */
+    for (int cell = 0; cell <= count;) { /* the last turn is for the rest, which has no cell */
         int first = __builtin_ctzll(~cells->good >> cell << cell);
         uint64_t next = cells->good >> first << first;
         cell = next ? __builtin_ctzll(next) : count + 1;
@@ -272,7 +272,7 @@ static int shade(const struct simd_run *r, uint16_t *out, uint16_t *list, void *
     return draw_run(r, out, list, cells, r->grey, r->lights, 2);
 }
 
-/* ---- which of two spheres is nearer ---- */
+/* ---- the nearer of two spheres ---- */
 
 INLINE F per_t(const struct simd_body *b, F x, M *good)
 {
@@ -304,7 +304,7 @@ static void fill(uint16_t *out, int count, uint16_t pixel)
         out[i] = pixel;
 }
 
-#ifndef STREAM /* a level may have it */
+#ifndef STREAM /* an instruction set may have it */
 #define STREAM NULL, NULL
 #endif
 

@@ -1,10 +1,10 @@
-/* light.c - a tile by a level: rows, runs of one object, and what becomes of each. */
+/* light.c - a tile by vector units: rows, runs of one object, and the method for each. */
 #include "exact.h"
 #include "render/span/shade.h"
 #include "seen.h"
 #include "simd/simd.h"
 
-/* Frames of scenes with the eye in a sphere are for plain C. */
+/* Returns whether spans draw the view. Frames of scenes with the eye in a sphere are left to plain C. */
 bool tia_simd_draws(const struct tia_view *view)
 {
     const struct span_view *spans = span_view_of(view);
@@ -17,7 +17,7 @@ bool tia_simd_draws(const struct tia_view *view)
 
 /* ---- rows ---- */
 
-/* What the background, or a light itself, is drawn as: one colour, but for dithering. */
+/* The colour of the background, or of a light itself: one, but for dithering. */
 struct flat {
     tia_rgb565 pixels[8];
     uint32_t object;
@@ -29,7 +29,7 @@ struct flat {
  * ones would take longer. */
 #define STREAMED (4u << 20)
 
-/* What rows hand on to the next, and what a row needs and a thread's stack may have no room for. */
+/* Data that rows hand on to the next, and data of a row for which a thread's stack may be too small. */
 struct carried {
     bool streams;
     struct span guess[SIMD_GUESSES];
@@ -139,7 +139,7 @@ static void light_row(const struct tia_view *view, const struct simd_row *row, s
         copy(pixels, tile.width, out, surface->step);
 }
 
-#define ROWS 8 /* from one question whether to stop to the next: it takes a lock that threads share */
+#define ROWS 8 /* rows between two calls of `stop`, which takes a lock that threads share */
 
 static void light_strip(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
                         bool dither, bool streams, struct carried *carried)

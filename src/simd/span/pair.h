@@ -1,4 +1,4 @@
-/* pair.h - a light over a sphere, with the spheres between them: what stays the same for all rows of a frame. */
+/* pair.h - a light over a sphere, with the spheres between them: the constants of all rows of a frame. */
 #ifndef TIA_SIMD_SPAN_PAIR_H
 #define TIA_SIMD_SPAN_PAIR_H
 
@@ -23,7 +23,7 @@ struct simd_lamp {
     bool plain;              /* the runs of this sphere are left to plain C */
     struct num_vec light, g; /* Q, Q - L */
     double k, qq, size;      /* K, Q.Q, |Q| */
-    double gap;              /* ||G| - r|: the light's distance from the sphere, less what double may be off */
+    double gap;              /* ||G| - r|: the light's distance from the sphere, less the error of double */
     double per_r, swell;     /* 1/r; B = bias/r */
     double ud, up, us;       /* the last bits of |w|^2, |P|^2 and r N.w */
     double colour[3];

@@ -5,7 +5,7 @@
 #include "bounds.h"
 #include "render/renderer.h"
 
-/* What a run is made of, in double precision: for the kernels' constants, and for exact.c. */
+/* The forms of a run, in double precision: for the kernels' constants, and for exact.c. */
 struct simd_fine_cast {
     double a[3], k[3]; /* A'.w s^2 = a[0] s^2 + (a[1] + a[2] x) s + v.v; k s^2 */
     struct simd_cast_bounds bounds;
@@ -32,7 +32,7 @@ struct simd_fine {
     struct simd_fine_light light[SIMD_LIGHTS];
 };
 
-/* The forms of pixels first..end-1, without bounds; false when they are for plain C. */
+/* Gives the forms of pixels first..end-1, without bounds; false when they are left to plain C. */
 bool tia_simd_fine(const struct tia_view *view, const struct simd_row *row, uint32_t sphere, int first, int end,
                    struct simd_fine *fine);
 
@@ -49,7 +49,7 @@ struct simd_dither {
 
 void tia_simd_dither(bool on, int y, struct simd_dither *dither);
 
-/* The kernels' constants; the bounds must be float's. The run keeps pointers into `dither`. */
+/* Gives the kernels' constants; the bounds must be float's. The run keeps pointers into `dither`. */
 void tia_simd_run(const struct simd_fine *fine, const struct simd_dither *dither, struct simd_run *run);
 
 #endif

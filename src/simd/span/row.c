@@ -23,13 +23,13 @@ static double larger(double a, double b)
     return a > b ? a : b;
 }
 
-/* a + b x + c x^2 */
+/* Returns a + b x + c x^2. */
 static double quadratic(double a, double b, double c, double x)
 {
     return a + x * (b + x * c);
 }
 
-/* Coefficients are off by a few roundings of double, some 2^-51: the factors 1 +- 2^-40 are for these. */
+/* Coefficients have a few roundings of double, some 2^-51: the factors 1 +- 2^-40 cover them. */
 #define ABOVE (1 + 0x1p-40)
 #define BELOW (1 - 0x1p-40)
 
@@ -63,7 +63,7 @@ void tia_simd_form(const struct primary_rays *primary, const struct simd_row *ro
     c[1] = (double)(a.x * step) * row->per_depth * 0x1p-16;
 }
 
-/* a b - c d, rounded two or three times: all cancellation happens in integers. */
+/* Returns a b - c d, rounded two or three times: all cancellation happens in integers. */
 static double difference(num_wide a, num_wide b, num_wide c, num_wide d)
 {
 #if TIA_INT128
@@ -122,7 +122,7 @@ bool tia_simd_see(const struct primary_rays *primary, const struct simd_row *row
 }
 
 /* The integer code, see render/span/sphere.c and kernels.c: b and v.v are accumulators whose upper halves have the last
- * bits ub and uv, rounded to nearest but for what 64 steps may add, .51 of a bit; so has c with uc. Then D is off by
+ * bits ub and uv, rounded to nearest but for the error of 64 steps, .51 of a bit; so has c with uc. Then D is off by
  *
  *     dd = .51 (2 b ub + ub^2 + c uv + v.v uc + uv uc).
  *
@@ -145,9 +145,9 @@ static struct last_bits last_bits_of(const struct primary_rays *primary, const s
                               .51 * (2 * b * ub + ub * ub + seen->c * uv + place->square_most * uc + uv * uc)};
 }
 
-/* S = b + sqrt(D) in an arithmetic whose roundings are at most `unit`, relative. b is off by SIMD_LINEAR units of its
- * largest value, D by SIMD_QUADRATIC of its size, and so sqrt(D) by that over 2 floor; the root and the sum themselves
- * by SIMD_SUM units of the whole.
+/* Bounds S = b + sqrt(D) in an arithmetic whose roundings are at most `unit`, relative. b is off by SIMD_LINEAR units
+ * of its largest value, D by SIMD_QUADRATIC of its size, and so sqrt(D) by that over 2 floor; the root and the sum
+ * themselves by SIMD_SUM units of the whole.
  *
  * In the integer code the root of D is off by dd/floor and one ub for rounding down, t by 2^-29 for the reciprocal and
  * the quotient's constants, and .51 of its last bit. */
@@ -160,8 +160,8 @@ static void bound_depth(const struct last_bits *u, const struct simd_seen *seen,
     depth->mantissa_most = depth->t_most / u->ut + 1;
 }
 
-/* t = c/(b + sqrt(D)), where the root is at least 0 and at most that of D's size, rounded down: so no D is too small.
- */
+/* Finds the range of distances: t = c/(b + sqrt(D)), where the root is at least 0 and at most that of D's size, rounded
+ * down: so no D is too small. */
 void tia_simd_between(const struct primary_rays *primary, const struct simd_row *row, const struct simd_place *place,
                       const struct span_sphere *sphere, const struct simd_seen *seen, double t[2])
 {

@@ -4,7 +4,7 @@
 
 #include "render/span/span.h"
 
-#define SIMD_NEVER 1e30 /* a bound for what cannot be bounded */
+#define SIMD_NEVER 1e30 /* a bound of values without one */
 
 struct simd_row {
     int y;
@@ -26,7 +26,7 @@ struct simd_place {
 void tia_simd_place(const struct primary_rays *primary, const struct simd_row *row, int first, int end,
                     struct simd_place *place);
 
-/* a.v = c[0] + c[1] x. */
+/* Gives a form a.v = c[0] + c[1] x. */
 void tia_simd_form(const struct primary_rays *primary, const struct simd_row *row, const struct simd_place *place,
                    struct num_vec a, double c[2]);
 
@@ -38,15 +38,15 @@ struct simd_seen {
     double least;           /* of D; it may be negative */
 };
 
-/* False when a run cannot be had: the eye is inside, or b is not positive. */
+/* Sees a sphere; false when a run is impossible: the eye is inside, or b is not positive. */
 bool tia_simd_see(const struct primary_rays *primary, const struct simd_row *row, const struct simd_place *place,
                   const struct span_sphere *sphere, struct simd_seen *seen);
 
-/* Between which distances the integer code sees the sphere all along the place, at its outline too. */
+/* Gives the distances between which the integer code sees the sphere all along the place, at its outline too. */
 void tia_simd_between(const struct primary_rays *primary, const struct simd_row *row, const struct simd_place *place,
                       const struct span_sphere *sphere, const struct simd_seen *seen, double t[2]);
 
-/* The same with the bounds that come with a cut: pixels where D is less are left out. */
+/* Depths with the bounds of a cut: pixels where D is less are left undecided. */
 struct simd_depth {
     double cut, floor; /* of D; of sqrt(D) */
     double sum_least;  /* of S */
@@ -56,12 +56,12 @@ struct simd_depth {
     double mantissa_most;   /* of the integer t */
 };
 
-/* `unit` is half an ulp of the arithmetic; `cut` a fraction of the size. */
+/* Gives depths; `unit` is half an ulp of the arithmetic, `cut` a fraction of the size. */
 void tia_simd_depth(const struct primary_rays *primary, const struct simd_row *row, const struct simd_place *place,
                     const struct span_sphere *sphere, const struct simd_seen *seen, double unit, double cut,
                     struct simd_depth *depth);
 
-/* 2^e, |e| < 1000. */
+/* Returns 2^e, |e| < 1000. */
 static inline double simd_power(int e)
 {
     union {

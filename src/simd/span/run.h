@@ -5,7 +5,7 @@
  *
  *     S = c/t = b + sqrt(D),   b = L.v linear, D = b^2 - c v.v quadratic in x
  *
- * and what lighting wants of the point P = t v, multiplied by s = 1/t or its square, needs no division:
+ * and the quantities of lighting at the point P = t v, multiplied by s = 1/t or its square, needs no division:
  *
  *     r N.w  s   = K s + G.v                 with w = Q - P, K = c - L.Q, G = Q - L
  *     |w|^2  s^2 = Q.Q s^2 - 2 Q.v s + v.v
@@ -15,8 +15,8 @@
  * and a sphere C, R stands between P and the light where A'.w > 0, A'.w < |w|^2 and (A'.w)^2 > |w|^2 k (1 + B), which
  * is the reasoning of render/span/kernels.h. The coefficients here take S for s.
  *
- * Every value comes with a bound of its distance from what the integer code computes, see bounds.h. Where a bound
- * leaves a pixel open, its place in the run is put on a list. */
+ * Every value comes with a bound of its distance from the integer code's value, see bounds.h. The places of
+ * undecided pixels in the run are put on a list. */
 #ifndef TIA_SIMD_SPAN_RUN_H
 #define TIA_SIMD_SPAN_RUN_H
 
@@ -31,16 +31,16 @@
 #define SIMD_MORE 32    /* entries behind a list or thresholds that kernels may read and write */
 #define SIMD_CELL 16    /* pixels from one sample to the next */
 
-/* A sphere that may stand between a run and a light. */
+/* A sphere that may occlude the light of a run. */
 struct simd_cast {
     float aq, h0, h1;  /* A'.w s^2 = aq S^2 + (h0 + h1 x) S + v.v */
     float p0, c0, c1;  /* k s^2 in the same way */
     float swell;       /* 1 + B */
     float ea, ek, ew;  /* bounds: of A'.w and k, for s^2 in units of S^2; relative, of |w|^2 */
-    float through[3];  /* what the sphere transmits */
-    int clear;         /* whether that is more than nothing */
+    float through[3];  /* the sphere's transmission */
+    int clear;         /* true if that is more than 0 */
     float radius;      /* R */
-    float turn, shift; /* how far the shadow ray moves from C by a unit of P: turn/|w| + shift */
+    float turn, shift; /* largest move of the shadow ray from C per unit of P: turn/|w| + shift */
     float size;        /* |A'|, at most */
     float fuzz_a;      /* 2 size times A'.w's bound, to be divided by |w| */
     float fuzz_k;      /* k's bound and size^2 times |w|^2's */
@@ -62,12 +62,12 @@ struct simd_run {
     bool grey; /* the first channel stands for all */
     int lights;
     float x0;                      /* of the first pixel */
-    float b0, b1, d0, d1, d2, cut; /* where D is below cut, the pixel is open */
+    float b0, b1, d0, d1, d2, cut; /* pixels whose D is below cut are undecided */
     float c;                       /* and t = c/S */
     float v0, v1, v2;
     float v_step, v_most; /* |v'|, and |v| at most */
     float bend;           /* |4 d0 d2 - d1^2|/4, so that S'' = -bend/D^1.5 */
-    float d_sag;          /* how far D may be below the smaller of two samples' */
+    float d_sag;          /* largest distance of D below the smaller of two samples' */
     float b_off, d_off;   /* |S'| is off by less than b_off + d_off/sqrt(D) and 2^-CELL_TURN of D'/(2 sqrt(D)) */
     float emission[3];
     float near31, near63;   /* half a level less the bound */
@@ -75,7 +75,7 @@ struct simd_run {
     struct simd_light light[SIMD_LIGHTS];
 };
 
-/* Two spheres that the same pixels see: which is nearer? */
+/* Two spheres that the same pixels see, to be ordered. */
 struct simd_body {
     float b0, b1, d0, d1, d2, cut, per_c;
 };
@@ -88,18 +88,19 @@ struct simd_pair {
 };
 
 struct simd_kernels {
-    /* Draws the pixels that can be decided and writes what it likes to the others, whose places it lists: how many. The
-     * list has room for SIMD_MORE besides all pixels. `cells`: so many bytes. */
+    /* Draws the pixels that can be decided, lists the undecided ones, whose memory it may overwrite, and returns their
+     * number. The list has room for SIMD_MORE besides all pixels. `cells`: memory of the size that the
+     * member of that name gives. */
     int (*shade)(const struct simd_run *run, uint16_t *out, uint16_t *list, void *cells);
     size_t cells;
 
-    /* Bit i: the first body is nearer in pixel i; nobody can say. */
+    /* nearer: bit i is set if body 0 is nearer at pixel i; open: bit i is set if that is undecided. */
     void (*nearer)(const struct simd_pair *pair, uint64_t *nearer, uint64_t *open);
 
     void (*fill)(uint16_t *out, int count, uint16_t pixel);
 
-    /* Copies pixels past the caches, for pictures that do not fit into them; what follows `settle` is seen after it.
-     * Both NULL where there is no such thing. */
+    /* Copies pixels past the caches, for pictures that do not fit into them; stores after `settle` are seen after it.
+     * Both NULL where there is no such instruction. */
     void (*stream)(uint16_t *out, const uint16_t *from, int count);
     void (*settle)(void);
 };

@@ -21,7 +21,7 @@ static void push(struct simd_line *line, int first, int end, uint32_t object)
         spans[line->count++] = (struct simd_span){(uint16_t)first, (uint16_t)end, object};
 }
 
-/* Two spheres, n and the m that is there already, over the same pixels. */
+/* Two spheres over the same pixels: n, and m which is in the line already. */
 struct contest {
     const struct tia_view *view;
     const struct simd_row *row;
@@ -31,7 +31,7 @@ struct contest {
     struct simd_depth depth[2];
 };
 
-/* The integer code's verdict: in a tie the one that is there stays. */
+/* Returns the integer code's verdict: in a tie m stays. */
 static bool wins_exactly(const struct contest *c, int x)
 {
     const struct span_view *spans = span_view_of(c->view);
@@ -50,13 +50,13 @@ static struct simd_body body_of(const struct simd_seen *seen, const struct simd_
                               (float)d[2], (float)depth->cut, (float)(1 / seen->c)};
 }
 
-/* The bounds of 1/t, with what multiplying and comparing add. */
+/* Returns the bounds of 1/t, with the errors of multiplying and comparing. */
 static float bound_of(const struct simd_depth *depth)
 {
     return (float)((depth->es + depth->et) * 1.05 + 4 * SIMD_FLOAT);
 }
 
-/* Pixels first..end-1, at most 64: who wins where, pixel by pixel. */
+/* Decides pixels first..end-1, at most 64, one by one. */
 static void settle(const struct contest *c, int first, int end, struct simd_line *line)
 {
     struct simd_pair pair = {.count = end - first, .x0 = (float)(first - c->place.middle)};
@@ -73,7 +73,7 @@ static void settle(const struct contest *c, int first, int end, struct simd_line
     }
 }
 
-/* False when a sphere cannot be seen from outside all along. */
+/* Returns false when a sphere cannot be seen from outside all along. */
 static bool look(struct contest *c, int first, int end)
 {
     const struct span_view *spans = span_view_of(c->view);
@@ -85,7 +85,7 @@ static bool look(struct contest *c, int first, int end)
 
 enum winner { NOBODY_KNOWS, N_WINS, M_WINS };
 
-/* One sphere before the other all along: mostly true, and quickly said. */
+/* Compares the spheres as a whole: one is mostly nearer all along. */
 static enum winner before(const struct contest *c)
 {
     const struct span_view *spans = span_view_of(c->view);
@@ -107,7 +107,7 @@ static bool deepen(struct contest *c)
     return c->depth[0].es + c->depth[0].et < .01 && c->depth[1].es + c->depth[1].et < .01;
 }
 
-/* By halves, until all of a part is decided at once or it is short. */
+/* Bisects until a part is decided as a whole or is short. */
 static void contend(struct contest *c, int first, int end, struct simd_line *line)
 {
     int part = end - first;

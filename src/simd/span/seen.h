@@ -1,4 +1,4 @@
-/* seen.h - what a row sees, as runs: no pixel is asked for where one comparison says it for many. */
+/* seen.h - visible objects of a row, as runs: one comparison decides many pixels. */
 #ifndef TIA_SIMD_SPAN_SEEN_H
 #define TIA_SIMD_SPAN_SEEN_H
 

@@ -1,16 +1,16 @@
-/* lights.h - bounds of what lights do to points, and of mirrors and glass: light.h, bounce.h. */
+/* lights.h - bounds of direct lighting, and of mirrors and glass: light_tmpl.h, bounce_tmpl.h. */
 #ifndef TIA_SIMD_RAYS_BOUNDS_LIGHTS_H
 #define TIA_SIMD_RAYS_BOUNDS_LIGHTS_H
 
-/* ---- a light's samples, see light.h ---- */
+/* ---- a light's samples, see light_tmpl.h ---- */
 
-/* The direction from a light's centre: what the point is off by, and a difference. */
+/* The direction from a light's centre: the error of the point, and a difference. */
 FORMULA(AIM_DIRECTION);
 
 /* The smallest of the direction's coordinates: each is within e, so their difference within twice that. */
 FORMULA(AIM_ORDER);
 
-/* N x A: what both are off by; both are 1 long. */
+/* N x A: the errors of both; both are 1 long. */
 FORMULA(AIM_AXES);
 
 /* N x A by doubles: two products and a difference, 2 u of 1 in each of three: 3.5 u; there half of v each. 3.5 of 16 u.
@@ -20,14 +20,14 @@ FORMULA(AIM_AXES);
 /* The axes of a light that stays are converted: u of each component, sqrt 3 u. 1.7 of 8 u. Unseen: small. */
 #define BOUND_AIM_CONVERTED P2M(50)
 
-/* L - P, and for areas what the place on it is off by. */
+/* L - P, and for areas the error of the place on it. */
 FORMULA(SAMPLE_WAY);
 
 /* Along an axis x: the axis's own, and x by doubles: u_i, a root, a sine and two products, 6 u, there 2^-51 of it, as
  * 32 n parts of u are rounded once, by 2^-63 over 2^-13. 7 of 8 u. Unseen: small. */
 #define BOUND_SAMPLE_PLACE P2M(50)
 
-/* x and y times what the axes and both are off by. */
+/* x and y times the errors of the axes and both. */
 FORMULA(SAMPLE_AREA);
 
 /* There: a disc's radius and two products, half a unit each, which move it by 1.4 U together, and two points along
@@ -48,13 +48,13 @@ FORMULA(SPOT_COSINE);
  * the bound's roundings. */
 #define BOUND_SPOT_WIDTH 1.0625
 
-/* What the cosine is off by, over the width. */
+/* The error of the cosine, over the width. */
 FORMULA(SPOT);
 
 /* There the quotient is within 2^-59, then rounded to half a unit: 1 of 64. Unseen: small. */
 #define BOUND_SPOT_UNITS P2M(40)
 
-/* The distance in a light's units: what it is off by, there half a unit; 1 of 4. Unseen: small. */
+/* The distance in a light's units: its error, there half a unit; 1 of 4. Unseen: small. */
 #define BOUND_FADE_UNITS (2 * SURE_UNIT)
 
 /* By doubles a product and the unit, which is a power of two: 1 of 8 u. Unseen: small. */
@@ -63,24 +63,24 @@ FORMULA(SPOT);
 /* The distance's own bound in those units, and both roundings. */
 FORMULA(FADE_DISTANCE);
 
-/* The slope of constant + linear d + quadratic d^2 between d and d', times what d is off by. */
+/* The slope of constant + linear d + quadratic d^2 between d and d', times the error of d. */
 FORMULA(FADE_SUM);
 
 /* There two products of half a unit each, the first times d: (d + 1) 2^-46; by doubles 4 u of the sum: 1 of 8. Unseen:
  * small. */
 #define BOUND_FADE_SUM_ROUNDING P2M(43)
 
-/* A sum below that, or known less well than within a sixteenth, is open: choices. Unseen: choice. */
+/* A sum below that, or known less well than within a sixteenth, is undecided: choices. Unseen: choice. */
 #define BOUND_FADE_LEAST P2M(6)
 #define BOUND_FADE_KNOWN 16 /* as the former has it. Unseen: choice. */
 
 /* 1/s - 1/s' = (s' - s)/(s s'), s' >= 15/16 s: 16/15 of it; the rest is for the bound's own roundings. */
 #define BOUND_FADE_INVERSE 1.125
 
-/* The factor's, times what of a spot light comes before. */
+/* The factor's, times the spot light's factor before it. */
 FORMULA(FADE);
 
-/* And what that is off by, times the factor. */
+/* And the error of that, times the factor. */
 FORMULA(FADE_SPOT);
 
 /* There a sum of 2^17 gives 0: ours is 2^16 or more then, and 1/s below 2^-16. */
@@ -98,10 +98,10 @@ FORMULA(DISTANCE);
 /* The way from outside the surface: it differs from the sample's by b G, see aim_shadow(). */
 FORMULA(SHADOW_WAY);
 
-/* b times what the normal is off by. */
+/* b times the error of the normal. */
 FORMULA(SHADOW_NORMAL);
 
-/* N.L of the normal that shades: what both are off by, as both are 1 long. */
+/* N.L of the normal that shades: the errors of both, as both are 1 long. */
 FORMULA(LAMBERT);
 
 /* N.L of the surface's own normal, as the former. */
@@ -110,7 +110,7 @@ FORMULA(ABOVE);
 /* R.L = 2 (N.V) (N.L) - V.L: all four, as all are 1 at most. */
 FORMULA(HIGHLIGHT_COSINE);
 
-/* Of these N.V and N.L, twice. */
+/* The part of N.V and N.L in the former, twice. */
 FORMULA(HIGHLIGHT_FACING);
 
 /* By doubles the dot products 5 u each, their product twice and the difference: 12 u; of 32. Unseen: small. */
@@ -131,16 +131,16 @@ FORMULA(AMBIENT);
 /* A sample that gives less than 2^-46 gives nothing there: half a unit. Unseen: small. */
 #define BOUND_SAMPLE_DARK P2M(46)
 
-/* What is reflected, 2 at most, times what is let through: what either is off by, times the falloff's factor. */
+/* The reflected part, 2 at most, times the transmission: the error of either, times the falloff's factor. */
 FORMULA(SAMPLE_LIGHT);
 
-/* What the factor is off by, times what is reflected: 2 at most. */
+/* The error of the factor, times the reflected part: 2 at most. */
 FORMULA(SAMPLE_FALLOFF);
 
-/* And times what that is off by. 1 of 2. Unseen: small. */
+/* And times the error of that. 1 of 2. Unseen: small. */
 FORMULA(SAMPLE_FALLOFF_MORE);
 
-/* There, of the brightness: colour by lambert, specular by shine, what shadows let through and the factor have half a
+/* There, of the brightness: colour by lambert, specular by shine, the transmission and the factor have half a
  * unit each; and of the sum: the mean and the product with the emission. 2 of 8; 1 of 8. A light that fades may
  * multiply the first three by F = 2^6, but then FADE_SUM_ROUNDING has 7/8 of 2^-43 F^2 to spare. By doubles 6 u of 2,
  * of which COSINE has 10 to spare. */
@@ -149,7 +149,7 @@ FORMULA(SAMPLE_FALLOFF_MORE);
 /* A product of light that passes: half a unit there; 1 of 2. By doubles u. Unseen: small. */
 #define BOUND_THROUGH_UNIT SURE_UNIT
 
-/* ---- mirrors and glass, see bounce.h ---- */
+/* ---- mirrors and glass, see bounce_tmpl.h ---- */
 
 /* 2 e/(a' + b') and a' + b' >= 15/16 (a + b): 2.14 e/(a + b); the rest is for the bound's own roundings. */
 #define BOUND_FRESNEL_QUOTIENT 2.25
@@ -174,16 +174,16 @@ FORMULA(REFRACT_INSIDE);
 /* The root: |sqrt a - sqrt b| <= |a - b|/sqrt a; by doubles u, there cut to v. 1 of 128 u. */
 FORMULA(REFRACT_ROOT);
 
-/* c/4: exact parts of what c is off by. */
+/* c/4: exact parts of the error of c. */
 FORMULA(REFRACT_COSINE);
 
-/* Of (Rs^2 + Rp^2)/2: |a^2 - a'^2| <= (2 |a| + e) e, and half of that is below (|a| + e) e. */
+/* (Rs^2 + Rp^2)/2: |a^2 - a'^2| <= (2 |a| + e) e, and half of that is below (|a| + e) e. */
 FORMULA(REFRACT_FRESNEL);
 
-/* Of q^2 c and root/4 together. */
+/* q^2 c and root/4 together. */
 FORMULA(REFRACT_PARALLEL);
 
-/* Of c/4 and root together. */
+/* c/4 and root together. */
 FORMULA(REFRACT_ACROSS);
 
 /* (c/4 - root) N - V/4: N's by the bend, the bend's, and V's. */
@@ -193,15 +193,15 @@ FORMULA(REFRACT_DIRECTION);
  * quotient. Unseen: small. */
 #define BOUND_REFRACT_DIRECTION_ROUNDING P2M(47)
 
-/* What the throughput is off by, times the most that is reflected: mirror and refraction are 1 each at most, so that it
+/* The error of the throughput, times the most that is reflected: mirror and refraction are 1 each at most, so that it
  * may be 2 and grow with every bounce. */
 FORMULA(REFLECTED_WEIGHT);
 
-/* What Fresnel's part is off by, times the throughput, as refraction is 1 at most; REFRACT_ROUNDING in it has the half
+/* The error of Fresnel's part, times the throughput, as refraction is 1 at most; REFRACT_ROUNDING in it has the half
  * unit there of refraction's part. */
 FORMULA(REFLECTED_FRESNEL);
 
-/* Of what is refracted, which is 1 at most. */
+/* By the refracted part, which is 1 at most. */
 FORMULA(REFRACTED_WEIGHT);
 
 /* As REFLECTED_FRESNEL. */
@@ -215,10 +215,10 @@ FORMULA(REFRACTED_FRESNEL);
  * small. */
 #define BOUND_WEIGHT_ROUNDING P2M(51)
 
-/* Straight on: the point, and b times what the viewer is off by. */
+/* Straight on: the point, and b times the error of the viewer. */
 FORMULA(STRAIGHT_ON);
 
-/* b times what the viewer is off by, of samples. */
+/* b times the error of the viewer, of samples. */
 FORMULA(STRAIGHT_ON_TURN);
 
 #endif

@@ -1,8 +1,9 @@
-/* paths.h - bounds of samples of light along paths: emitters.h, scatter.h, look.h, ends.h, glass.h, walk_paths.h. */
+/* paths.h - bounds of samples of light along paths: emitters_tmpl.h, scatter_tmpl.h, look_tmpl.h, ends_tmpl.h,
+ * glass_tmpl.h, walk_paths_tmpl.h. */
 #ifndef TIA_SIMD_RAYS_BOUNDS_PATHS_H
 #define TIA_SIMD_RAYS_BOUNDS_PATHS_H
 
-/* ---- densities of places on emitters, see emitters.h ---- */
+/* ---- densities of places on emitters, see emitters_tmpl.h ---- */
 
 /* (2.125 x + y)/(1 - y) for x, y <= 1/8: 2.43 x + 1.15 y; the rest is for the bound's own roundings. Unseen: hidden. */
 #define BOUND_PLANE_DENSITY_DISTANCE 2.5
@@ -40,7 +41,7 @@ FORMULA(PLANE_DENSITY);
  * Unseen: small. */
 #define BOUND_CONE_QUOTIENT_ROUNDING P2M(48)
 
-/* What s^2 is off by, as a part of it. Unseen: hidden. */
+/* The error of s^2, as a part of it. Unseen: hidden. */
 FORMULA(CONE_SINE_PART);
 
 /* With the root's, s^2 p/root. Unseen: hidden. */
@@ -53,21 +54,21 @@ FORMULA(CONE_PART);
 /* |C - P| by doubles: a difference of 2 u, of both, and a root of 2 u: 5 of 8 u. Unseen: small. */
 #define BOUND_BALL_DISTANCE_ROUNDING P2M(50)
 
-/* And what the point is off by; there the norm is cut to a unit. Unseen: hidden. */
+/* And the error of the point; there the norm is cut to a unit. Unseen: hidden. */
 FORMULA(BALL_DISTANCE);
 
 /* |way| by doubles: a root of a sum of squares, 2.5 of 8 u. Unseen: small. */
 #define BOUND_SEEN_DISTANCE_ROUNDING P2M(50)
 
-/* And what the way is off by; there it is cut to a unit. Unseen: hidden. */
+/* And the error of the way; there it is cut to a unit. Unseen: hidden. */
 FORMULA(SEEN_DISTANCE);
 
 /* The direction's and the normal's, as FACING. Unseen: hidden. */
 FORMULA(SEEN_COSINE);
 
 /* A place on a rectangle or disc by doubles: 2 u - 1 is exact, a disc's is within 2^-50 in both coordinates, 11.3 u of
- * the radius; a product and the axis 2 u of what is across and along, two sums 2 u of the place. 11.3 of 16 u. Unseen:
- * small. */
+ * the radius; a product and the axis 2 u of the parts across and along, two sums 2 u of the place. 11.3 of 16 u.
+ * Unseen: small. */
 #define BOUND_EMITTER_PLACE_ROUNDING P2M(49)
 
 /* There: a disc's two products half a unit each, .71 U, two points along axes .87 U each: 2.45 of 6. Unseen: small. */
@@ -83,10 +84,10 @@ FORMULA(EMITTER_PLACE);
 /* There the dot product half a unit; of the way, the place off the plane .87 U: .87 of 2. Unseen: small. */
 #define BOUND_EMITTER_SIDE_UNITS (2 * SURE_UNIT)
 
-/* What point and place are off by. Unseen: hidden. */
+/* The errors of point and place. Unseen: hidden. */
 FORMULA(EMITTER_SIDE);
 
-/* C - P by doubles: 2 of 4 u of both. It stands for what the origin is off by in sphere.h, whose L is exact there.
+/* C - P by doubles: 2 of 4 u of both. It stands for the error of the origin in sphere_tmpl.h, whose L is exact there.
  * Unseen: small. */
 #define BOUND_BALL_WAY_ROUNDING P2M(51)
 
@@ -109,7 +110,7 @@ FORMULA(BALL_WAY);
 /* There the halves of v of h and of h (1 - h/2), and the root's cut: 2 of 4 v. Unseen: small. */
 #define BOUND_BALL_HEIGHT_UNITS P2M(60)
 
-/* What h is off by. Unseen: hidden. */
+/* The error of h. Unseen: hidden. */
 FORMULA(BALL_HEIGHT);
 
 /* r = sqrt(2 h - h^2): |a - b|/(sqrt a + sqrt b) with |a - b| <= 2 eh, and sqrt b >= .93 sqrt a while h is within an
@@ -121,7 +122,7 @@ FORMULA(BALL_HEIGHT);
  * small. */
 #define BOUND_BALL_RADIUS_ROUNDING P2M(49)
 
-/* What r is off by. Unseen: hidden. */
+/* The error of r. Unseen: hidden. */
 FORMULA(BALL_RADIUS);
 
 /* The direction in the cone: r times a turn that is off by LOCAL, r's and h's. Unseen: hidden. */
@@ -130,7 +131,7 @@ FORMULA(BALL_LOCAL);
 /* The place from the centre: 2 u of both, of which the point's own are in its bound. 2 of 4 u. Unseen: small. */
 #define BOUND_BALL_NORMAL_ROUNDING P2M(51)
 
-/* The normal: what the place is off by, over the radius. Unseen: hidden. */
+/* The normal: the error of the place, over the radius. Unseen: hidden. */
 FORMULA(BALL_NORMAL);
 
 /* The way to where the shadow ray ends: a product, a sum and a difference: 3 of 8 u of both. Unseen: small. */
@@ -139,10 +140,10 @@ FORMULA(BALL_NORMAL);
 /* The place's, the point's, and b times the normal's. Unseen: hidden. */
 FORMULA(BALL_END);
 
-/* L - P: what the point is off by, and POINT_ROUNDING of both; there it is exact. Unseen: hidden. */
+/* L - P: the error of the point, and POINT_ROUNDING of both; there it is exact. Unseen: hidden. */
 FORMULA(POINT_WAY);
 
-/* ---- lobes, see scatter.h ---- */
+/* ---- lobes, see scatter_tmpl.h ---- */
 
 /* (a/s) (e/s) s/(s - e), and s > 16 e: 16/15 of it; the rest is for the bound's own roundings. Unseen: hidden. */
 #define BOUND_CHANCE_QUOTIENT 1.125
@@ -151,10 +152,10 @@ FORMULA(POINT_WAY);
 /* a/s by doubles, three sums and a quotient: 4 of 8 u; there 2^-59. Unseen: small. */
 #define BOUND_CHANCE_ROUNDING P2M(50)
 
-/* A textured colour's largest channel: what the texel is off by, and half a unit. 1 of 2. Unseen: small. */
+/* A textured colour's largest channel: the error of the texel, and half a unit. 1 of 2. Unseen: small. */
 #define BOUND_CHANCE_UNIT SURE_UNIT
 
-/* The sum is off by e, what comes before it is exact. Unseen: hidden. */
+/* The sum is off by e, its terms before are exact. Unseen: hidden. */
 FORMULA(CHANCE);
 
 /* R.L: both directions, as FACING. Unseen: hidden. */
@@ -189,13 +190,14 @@ FORMULA(DIFFUSE_REFLECTED);
 /* As the former has it. Unseen: hidden. */
 FORMULA(DIFFUSE_DENSITY);
 
-/* ---- light that is looked for, see look.h and walk_paths.h ---- */
+/* ---- light that is looked for, see look_tmpl.h and walk_paths_tmpl.h ---- */
 
 /* x/q - x'/q' <= (ex + x/q eq)/(q - eq), and q > 16 eq: 16/15 of it; the rest is for the bound's own roundings. */
 #define BOUND_SHARE_QUOTIENT 1.125
 #define BOUND_SHARE_KNOWN 16 /* as the former has it. Unseen: choice. */
 
-/* Densities below that are open: fixed-point ones end at 2^-126. A choice, and so is 10^15 above. Unseen: choice. */
+/* Densities below that are undecided: fixed-point ones end at 2^-126. A choice, and so is 10^15 above. Unseen:
+ * choice. */
 #define BOUND_SHARE_LEAST P2M(40)
 
 /* By doubles the density's two products and sum 3 u, an inverse and a product 2 u: 5 of 8 u; there 2^-59. Unseen:
@@ -208,7 +210,7 @@ FORMULA(DIFFUSE_DENSITY);
 /* Reflectance over density: both are off, see SHARE_QUOTIENT. */
 FORMULA(SHARE);
 
-/* Radiance times what is left of it: there half a unit, 1 of 2. Unseen: hidden. */
+/* Radiance times the part that is left: there half a unit, 1 of 2. Unseen: hidden. */
 FORMULA(SEEN_LIGHT);
 
 /* As the former has it. Unseen: small. */
@@ -239,18 +241,18 @@ FORMULA(DIVIDED_WEIGHT);
 /* A chance is the throughput, within 2^-59 of itself there, cut to 32 bits. 2^-14 of 1. Unseen: small. */
 #define BOUND_SURVIVAL_UNIT SURE_UNIT
 
-/* And what the throughput is off by. Unseen: hidden. */
+/* And the error of the throughput. Unseen: hidden. */
 FORMULA(SURVIVAL);
 
 /* Fresnel's part in units of 2^-32, cut there: 1 of 2. Unseen: hidden. */
 #define BOUND_REFLECTED_CHANCE 2
 
-/* ---- what paths add, see ends.h ---- */
+/* ---- light added to paths, see ends_tmpl.h ---- */
 
-/* Radiance by throughput: what the radiance is off by, times the throughput. */
+/* Radiance by throughput: the error of the radiance, times the throughput. */
 FORMULA(ADDED);
 
-/* And what the throughput is off by, times the radiance. */
+/* And the error of the throughput, times the radiance. */
 FORMULA(ADDED_THROUGHPUT);
 
 /* There two products, half a unit each: 1 of 2. By doubles u of 4. Unseen: small. */
@@ -275,7 +277,7 @@ FORMULA(BALANCE);
 /* Two units there, of which ADDED_UNITS has both: 0 of 2. Unseen: small. */
 #define BOUND_WEIGHTED_UNITS (2 * SURE_UNIT)
 
-/* Radiance by what the weight is off by. Unseen: hidden. */
+/* Radiance by the error of the weight. Unseen: hidden. */
 FORMULA(WEIGHTED);
 
 /* Before the weight, products of 2^17 and more are cut there: the product's half unit. 1 of 2. Unseen: hidden. */
@@ -288,13 +290,13 @@ FORMULA(WEIGHTED);
 /* By doubles none; 2^-57 there: .06 of 16 u. Unseen: small. */
 #define BOUND_MET_ROUNDING P2M(49)
 
-/* What t is off by; eo is not needed, as the points are on the same ray. Unseen: hidden. */
+/* The error of t; eo is not needed, as the points are on the same ray. Unseen: hidden. */
 FORMULA(MET_DISTANCE);
 
-/* What the direction is off by, and COSINE. Unseen: hidden. */
+/* The error of the direction, and COSINE. Unseen: hidden. */
 FORMULA(MET_COSINE);
 
-/* What faces the viewer, by what the cosine is off by; there half a unit: 1 of 4. Unseen: hidden. */
+/* The cosine to the viewer, by the error of the cosine; there half a unit: 1 of 4. Unseen: hidden. */
 FORMULA(FACING_LIGHT);
 
 /* As the former has it. Unseen: small. */

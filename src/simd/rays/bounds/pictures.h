@@ -1,4 +1,5 @@
-/* pictures.h - bounds of camera rays, throughputs, colours and pixels: tracer.h, paths.h, pixels.h, path_state.h. */
+/* pictures.h - bounds of camera rays, throughputs, colours and pixels: tracer_tmpl.h, paths.h, pixels_tmpl.h,
+ * path_state_tmpl.h. */
 #ifndef TIA_SIMD_RAYS_BOUNDS_PICTURES_H
 #define TIA_SIMD_RAYS_BOUNDS_PICTURES_H
 
@@ -31,22 +32,22 @@ FORMULA(CAMERA_DIRECTION);
 /* A fixed-point direction, converted: u of its length. 1 of 2. Unseen: small. */
 #define BOUND_FIRST_DIRECTION P2M(52)
 
-/* ---- throughputs and colours, see tracer.h and paths.h ---- */
+/* ---- throughputs and colours, see tracer_tmpl.h and paths.h ---- */
 
-/* What a sample gets: products and sums there have half a unit each, of a colour, of its product with the throughput
- * and of the sum: 1 of 8; by doubles 2 u of it. */
+/* A sample's sum: products and sums there have half a unit each, of a colour, of its product with the throughput and of
+ * the sum: 1 of 8; by doubles 2 u of it. */
 #define BOUND_COLOUR_UNITS P2M(42)
 
 /* Colour by throughput: either's, times the other. */
 FORMULA(COLOUR_FAR);
 
-/* What surfaces send, by the throughput: what it is off by, times the most that the throughput may be. */
+/* Emission and direct light, by the throughput: its error, times the most that the throughput may be. */
 FORMULA(COLOUR_OWN);
 
-/* And what the throughput is off by, times the colour. */
+/* And the error of the throughput, times the colour. */
 FORMULA(COLOUR_WEIGHT);
 
-/* What faces the viewer, by what the cosine is off by. */
+/* The cosine to the viewer, by the error of the cosine. */
 FORMULA(COLOUR_FACING);
 
 /* A ray that may add `most` adds half of that, give or take as much. */
@@ -61,20 +62,20 @@ FORMULA(COLOUR_GIVEN_UP);
 /* The throughput's product there: half a unit; 1 of 64. */
 #define BOUND_FAINT_UNITS P2M(40)
 
-/* And what it is off by. */
+/* And the error of the throughput. */
 FORMULA(FAINT_MARGIN);
 
 /* The most that a ray may bring: 17 + 256 sums of products, u each, are 2^-44 of it; the rest keeps it above what
  * bounds add. */
 #define BOUND_BRIGHTEST 1.0625
 
-/* What fixed-point sums of so many add: half a unit each, 2^-38. 1 of 256. Unseen: small. */
+/* Errors of fixed-point sums of so many: half a unit each, 2^-38. 1 of 256. Unseen: small. */
 #define BOUND_BRIGHTEST_UNITS P2M(30)
 
 /* 1024 bounces with three additions each, of doubles, are off by 3072 u of the sum. 3 of 4. Unseen: small. */
 #define BOUND_SUMMED P2M(41)
 
-/* ---- pixels, see pixels.h ---- */
+/* ---- pixels, see pixels_tmpl.h ---- */
 
 /* A sample that is drawn there is converted: u of 1 at most. 1 of 8 u. Unseen: small. */
 #define BOUND_EXACT_SAMPLE P2M(50)
@@ -85,7 +86,7 @@ FORMULA(FAINT_MARGIN);
 /* mean n + threshold by doubles: two roundings of 63 at most, 2^-46. 1 of 64. Unseen: small. */
 #define BOUND_PIXEL_LEVEL P2M(40)
 
-/* What the samples' mean is off by. */
+/* The error of the samples' mean. */
 FORMULA(PIXEL_ERROR);
 
 #endif

@@ -1,8 +1,8 @@
-/* rounds.h - bounds of cones and cylinders: round.h, cylinder.h. */
+/* rounds.h - bounds of cones and cylinders: round_tmpl.h, cylinder_tmpl.h. */
 #ifndef TIA_SIMD_RAYS_BOUNDS_ROUNDS_H
 #define TIA_SIMD_RAYS_BOUNDS_ROUNDS_H
 
-/* ---- cones, see round.h and geometry/round.c ---- */
+/* ---- cones, see round_tmpl.h and geometry/round.c ---- */
 
 /* start = -(O - A).D: |O - A|1. As SPHERE_ALONG, proved: rays_forms.g (tca), 5 of 8 u. Unseen: small. */
 #define BOUND_CONE_START_ROUNDING (8 * SURE_EPS)
@@ -22,17 +22,17 @@ FORMULA(CONE_NEAR);
 /* CONE_NEAR_ROUNDING, as the ray passes the shape: 16 u. Unseen: small. */
 #define BOUND_CONE_PASS_ROUNDING P2M(49)
 
-/* How far the rays are apart anywhere near the shape. */
+/* The distance of the rays anywhere near the shape. */
 FORMULA(CONE_PASS);
 
 /* Squares of 2 to 6 roundings, 6 u; and the bound's own. 2^-10 of it. Unseen: small. */
 #define BOUND_CONE_SQUARE P2M(40)
 
-/* How far beyond its widest radius a fixed-point cone may be met, its roots being rounded near a tangent. Its root of
- * D^2 = E^2 - ab P^2 has E and P rounded by two units, so that the point K/ab that it finds has rho^2 c^2 - g^2 = 4 E
- * U/ab at most, and rho c - g half of that over g: 2 U sigma/ab, as E is sigma g. 128 U are enough for ab >= 1/64 c.
- * Not derived for flatter angles between ray and side, whose roots are far away, or are the other one. Unseen: small.
- */
+/* The distance beyond its widest radius at which a fixed-point cone may be met, its roots being rounded near a tangent.
+ * Its root of D^2 = E^2 - ab P^2 has E and P rounded by two units, so that the point K/ab that it finds has rho^2 c^2 -
+ * g^2 = 4 E U/ab at most, and rho c - g half of that over g: 2 U sigma/ab, as E is sigma g. 128 U are enough for ab >=
+ * 1/64 c. Not derived for flatter angles between ray and side, whose roots are far away, or are the other one. Unseen:
+ * small. */
 #define BOUND_CONE_TANGENT P2M(38)
 
 /* (near.a0) y1 - (near.a1) y0: near 16 u, its dot products and y 5 u each, products and difference 2 u: 28 of 32 u of
@@ -71,19 +71,19 @@ FORMULA(CONE_PLACE);
 /* O + t D: eo, t and t ed. */
 FORMULA(CONE_POINT);
 
-/* ---- cylinders, see cylinder.h, which derives all of it ---- */
+/* ---- cylinders, see cylinder_tmpl.h, which derives all of it ---- */
 
 /* A ray in the axes. Proved: rays_forms.g (tube, tubed): 16 u of |O|1, and of 1. Unseen: small. */
 #define BOUND_TUBE (SURE_TUBE * SURE_EPS)
 
-/* What is within 2^-55 of the reach: fixed-point lengths of v/2 and quotients of 2^-59, 2^-57 and less; and what t adds
+/* Errors within 2^-55 of the reach: fixed-point lengths of v/2 and quotients of 2^-59, 2^-57 and less; and what t adds
  * to lambda where the farther end counts. 8 u. Unseen: small. */
 #define BOUND_TUBE_REACH (8 * SURE_EPS)
 
 /* There: 2.6 units of the origin, 1 of the nearest place and 1.5 of the root: 5.1, of 5.25. */
 #define BOUND_TUBE_UNITS (5.25 * SURE_UNIT)
 
-/* lambda(t) = off + |t| turn: eo, and what does not grow with t. */
+/* lambda(t) = off + |t| turn: eo, and the roundings that do not grow with t. */
 FORMULA(TUBE_OFF);
 
 /* ed, and 16 u. */
@@ -101,8 +101,8 @@ FORMULA(TUBE_ETA);
 /* f'^2 <= (f + ed)^2 = f^2 + ed (2 f + ed) <= f^2 + 3 ed. Unseen: small. */
 #define BOUND_TUBE_SQUARE 3
 
-/* Below this f^2 is no divisor: it would be infinite along the axis, and nothing is sure then. A choice. Unseen:
- * choice. */
+/* Below this f^2 is no divisor: it would be infinite along the axis, and every lane is undecided then. A choice.
+ * Unseen: choice. */
 #define BOUND_TUBE_SLANTED P2M(60)
 
 /* (D x A).(O - B) and |D x A|: 32 u of the way to the shape, and pad is 2^-21 of it or more: 2^-27 of pad. 1 of 8.
@@ -112,19 +112,19 @@ FORMULA(TUBE_ETA);
 /* Heights there: the point 1 unit, its product half of one, the end's half: 2 of 3. Unseen: small. */
 #define BOUND_TUBE_HEIGHT_UNITS (3 * SURE_UNIT)
 
-/* A distance there, besides what is off already: the quotient's and the sum's halves. 1 of 2. Unseen: small. */
+/* A distance there, besides the errors so far: the quotient's and the sum's halves. 1 of 2. Unseen: small. */
 #define BOUND_TUBE_DISTANCE_UNITS (2 * SURE_UNIT)
 
-/* How far along the ray the origin's nearest place to the shape may be off. */
+/* The error along the ray of the point nearest to the shape. */
 FORMULA(TUBE_START);
 
-/* Whatever of the shape a ray may meet lies between heights that are that far beyond its ends. */
+/* Possible hits lie between heights that are that far beyond its ends. */
 FORMULA(TUBE_MARGIN);
 
 /* lambda (r + lambda)/T, see there. */
 FORMULA(TUBE_DISTANCE);
 
-/* What heights are off by at an end. */
+/* The errors of heights at an end. */
 FORMULA(TUBE_END);
 
 /* A plane across the axis: lambda/(|d| - ed). */
@@ -136,7 +136,7 @@ FORMULA(TUBE_STRETCH);
 /* The point is off by no more than t, see there. */
 FORMULA(TUBE_POINT);
 
-/* How near to the axis a ray must come: the radius, and how far rays are apart. */
+/* The distance from the axis below which a ray must come: the radius, and the distance of the rays. */
 FORMULA(TUBE_WIDEST);
 
 #endif

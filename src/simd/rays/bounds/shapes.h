@@ -1,9 +1,9 @@
-/* shapes.h - bounds of what rays meet: sphere.h, flat.h, triangle.h, box.h, grid.h, grid_ray.h, slabs.h, pairs.h,
- * instance.h. */
+/* shapes.h - bounds of intersections: sphere_tmpl.h, flat_tmpl.h, triangle_tmpl.h, box_tmpl.h, grid_tmpl.h,
+ * grid_ray_tmpl.h, slabs_tmpl.h, pairs_tmpl.h, instance_tmpl.h. */
 #ifndef TIA_SIMD_RAYS_BOUNDS_SHAPES_H
 #define TIA_SIMD_RAYS_BOUNDS_SHAPES_H
 
-/* ---- what several shapes have in common ---- */
+/* ---- several shapes ---- */
 
 /* A point O + t D or P + b G there: half a unit in each coordinate, sqrt 3/2 U together. .87 of 2; where a norm that is
  * cut to a unit is compared, or a distance that is rounded by half a one, 1.87 of 2. Unseen: small. */
@@ -23,7 +23,7 @@
 /* A point that is within eo and goes on for t in a direction within ed. */
 FORMULA(POINT);
 
-/* ---- spheres, see sphere.h ---- */
+/* ---- spheres, see sphere_tmpl.h ---- */
 
 /* tca: |L|1. Proved: rays_forms.g (tca). Unseen: small. */
 #define BOUND_SPHERE_ALONG (SURE_ALONG * SURE_EPS)
@@ -56,14 +56,14 @@ FORMULA(SPHERE_ACROSS);
 /* In any direction P moves by eo, |tca| ed and, along D, |L| ed: |tca| <= |L|. */
 FORMULA(SPHERE_ANY);
 
-/* |P|^2 - |P'|^2 = 2 P.(P - P') - |P - P'|^2; P is at right angles to D, so that of P - P' only what lies across counts
- * in the first. |P| <= r, or the ray is open anyway. */
+/* |P|^2 - |P'|^2 = 2 P.(P - P') - |P - P'|^2; P is at right angles to D, so that of P - P' only the part across counts
+ * in the first. |P| <= r, or the ray is undecided anyway. */
 FORMULA(SPHERE_SQUARE);
 
 /* |sqrt a - sqrt b| <= |a - b|/sqrt a; |P| is `aside` at most. */
 FORMULA(SPHERE_HALF_CHORD);
 
-/* What of t comes of D's turning, |P| ed and in second order |P - P'| ed, and of thc. */
+/* The part of t from D's turning, |P| ed and in second order |P - P'| ed, and of thc. */
 FORMULA(SPHERE_POINT_ALONG);
 
 /* Across the ray the point -(P + thc D) moves by P's lambda and thc ed. */
@@ -75,7 +75,7 @@ FORMULA(SPHERE_DISTANCE);
 /* The two former are at right angles. */
 FORMULA(SPHERE_POINT);
 
-/* ---- planes, see flat.h ---- */
+/* ---- planes, see flat_tmpl.h ---- */
 
 /* (P - O).N and D.N: |P - O|1, and 1. Proved: rays_forms.g (way). Unseen: small. */
 #define BOUND_PLANE_WAY (SURE_WAY * SURE_EPS)
@@ -83,8 +83,8 @@ FORMULA(SPHERE_POINT);
 /* D.N: ed, as |N| is 1, and its roundings. */
 FORMULA(PLANE_SLOPE);
 
-/* Flatter rays are open. A choice, not an error: fixed-point rays are parallel below 2^-42, and the quotient's bound
- * needs no more than a slope above its own. Unseen: choice. */
+/* Flatter rays are undecided. A choice, not an error: fixed-point rays are parallel below 2^-42, and the quotient's
+ * bound needs no more than a slope above its own. Unseen: choice. */
 #define BOUND_PLANE_STEEP P2M(20)
 
 /* (P - O).N there: half a unit; a face's, see TRIANGLE_AHEAD, 1.3 units. 1.3 of 2. */
@@ -97,14 +97,14 @@ FORMULA(PLANE_SLOPE);
 /* h/s - h'/s' <= (|h - h'| + |t| |s - s'|)/(|s| - es); h moves by eo. */
 FORMULA(PLANE_DISTANCE);
 
-/* The height N.(P - O) above which a ray that rises is surely past the plane. */
+/* The height N.(P - O) above which a ray that rises is certainly past the plane. */
 FORMULA(PLANE_BEHIND);
 
-/* Where the coordinates of a plane's point end; 1 is left on either side for what rounds. */
+/* The end of the coordinates of a plane's point; 1 is left on either side for roundings. */
 FORMULA(PLANE_FAR);
 
 /* Two points of the plane: O' + t' D' is O + t D, moved by a, |a| <= eo + t ed, and slid along D' back into the plane:
- * no farther than |a|/|D'.N|, which is part of what t is off by. Off the plane it is by its roundings. */
+ * no farther than |a|/|D'.N|, which is part of the error of t. Off the plane it is by its roundings. */
 FORMULA(PLANE_POINT);
 
 /* O + t D - C: t's, t ed and eo, as |D| = 1. */
@@ -124,7 +124,7 @@ FORMULA(DISC_PLACE);
  * side's half of one each, 1.87 of the 2 of POINT_UNITS. */
 FORMULA(RECTANGLE_PLACE);
 
-/* ---- triangles, see triangle.h ---- */
+/* ---- triangles, see triangle_tmpl.h ---- */
 
 /* An area's roundings: |x| + |y| + |z| of the origin and the most of a corner, squared. Proved: rays_forms.g (area).
  * Unseen: small. */
@@ -135,7 +135,7 @@ FORMULA(RECTANGLE_PLACE);
  * of which 9 are the doubles'. 1 of 2. Unseen: small. */
 #define BOUND_TRIANGLE_CORNERS P2M(42)
 
-/* The origin's |x| + |y| + |z| from the centre, the most of a corner's, and what the origin is off by. */
+/* The origin's |x| + |y| + |z| from the centre, the most of a corner's, and the error of the origin. */
 FORMULA(TRIANGLE_FAR);
 
 /* far 2^-42 and far^2 16 u. Unseen: small. */
@@ -170,9 +170,9 @@ FORMULA(TRIANGLE_RETURN_DISTANCE);
 /* There the point is moved by eo as well. */
 FORMULA(TRIANGLE_RETURN_POINT);
 
-/* ---- pairs of faces in floats, see pairs.h ---- */
+/* ---- pairs of faces in floats, see pairs_tmpl.h ---- */
 
-/* (R + |M|) c, by floats: 25 of 2^-24, as pairs.h counts. Proved: rays_pairs.g. */
+/* (R + |M|) c, by floats: 25 of 2^-24, as pairs_tmpl.h counts. Proved: rays_pairs.g. */
 #define BOUND_PAIR_AREA (SURE_PAIR * P2M(24))
 
 /* 3 l.each c, as a face's extent is 3 c at most: c is no less than the largest coordinate of any edge. */
@@ -181,7 +181,7 @@ FORMULA(PAIR_EDGE);
 /* off + by c in floats: two conversions, a product and a sum, 4 of 2^-24. Half of 2^-21. Unseen: small. */
 #define BOUND_PAIR_ROUNDING P2M(21)
 
-/* ---- boxes, see box.h ---- */
+/* ---- boxes, see box_tmpl.h ---- */
 
 /* (plane - O) (1/D): |t|. Proved: rays_forms.g (slab), 3 of 4 u. Unseen: small. */
 #define BOUND_SLAB (SURE_SLAB * SURE_EPS)
@@ -189,31 +189,31 @@ FORMULA(PAIR_EDGE);
 /* plane - O by doubles: a difference, u of both; a plane is of 2^-16 and exact. 1 of 4 u. Unseen: small. */
 #define BOUND_SLAB_PLANE (4 * SURE_EPS)
 
-/* Fixed-point rays that have left a slab by t are told by t d, which is rounded by half a unit. 1 of 4. Unseen: small.
- */
+/* Fixed-point rays that have left a slab by t are located by t d, which is rounded by half a unit. 1 of 4. Unseen:
+ * small. */
 #define BOUND_SLAB_UNITS (2 * SURE_UNIT)
 
-/* A component of the direction below this, or 64 times its bound, is nearly level: times across it are open. A choice;
- * |d| - ed is then 63/64 |d| at least. Unseen: choice. */
+/* A component of the direction below this, or 64 times its bound, is nearly level: times across it are undecided. A
+ * choice; |d| - ed is then 63/64 |d| at least. Unseen: choice. */
 #define BOUND_SLAB_STEEP P2M(24)
 #define BOUND_SLAB_TURN 64 /* as the former has it */
 
 /* t: (eo + roundings + |t| (ed + 4 u))/(|d| - ed), a quotient's as PLANE_DISTANCE. */
 FORMULA(SLAB_TIME);
 
-/* How far a level ray moves across the slab anywhere up to the box's far end. */
+/* The largest move of a level ray across the slab anywhere up to the box's far end. */
 FORMULA(SLAB_LEVEL);
 
-/* ---- boxes of the hierarchy in floats, see slabs.h ---- */
+/* ---- boxes of the hierarchy in floats, see slabs_tmpl.h ---- */
 
 /* Smaller components of directions are taken for this: a turn that moves a ray by 2^17 2^-60 = 2^-43, which is less
  * than the roundings of `pad` where anything reaches 2^-22; boxes do, by their margin of 2^-16. Unseen: choice. */
 #define BOUND_SLABS_TINY P2M(60)
 
-/* How far two rays are apart in the scene: eo, and ed times its reach. */
+/* The distance of two rays in the scene: eo, and ed times its reach. */
 FORMULA(SLABS_APART);
 
-/* Floats: 8 of 2^-24 of |o| + reach, as slabs.h counts: below 2^-21 of it. */
+/* Floats: 8 of 2^-24 of |o| + reach, as slabs_tmpl.h counts: below 2^-21 of it. */
 #define BOUND_SLABS_FLOATS P2M(21)
 
 /* A ray with so wide a margin would enter nearly everything. A choice: 2^-9 of the scene, and of 2^-10 more where it
@@ -224,46 +224,46 @@ FORMULA(SLABS_APART);
 /* A limit, rounded to a float: 2^-24 of it. 1 of 4. Unseen: small. */
 #define BOUND_SLABS_LIMIT P2M(22)
 
-/* ---- grids, see grid.h and grid_ray.h ---- */
+/* ---- grids, see grid_tmpl.h and grid_ray_tmpl.h ---- */
 
 /* corner + edge n - O, by doubles: a product, of numbers of 2^-16 and a count that fit, a sum and a difference. In
- * grid.h: A and plane B, 3 u each with the inverse, of which two are of t. 3 of 4 u. Unseen: small. */
+ * grid_tmpl.h: A and plane B, 3 u each with the inverse, of which two are of t. 3 of 4 u. Unseen: small. */
 #define BOUND_GRID_PLANE (4 * SURE_EPS)
 
 /* As SLAB_UNITS. Unseen: small. */
 #define BOUND_GRID_UNITS (2 * SURE_UNIT)
 
-/* t: the inverse of d, the product with it and in grid.h the sum A + plane B. 3 of 4 u. Unseen: small. */
+/* t: the inverse of d, the product with it and in grid_tmpl.h the sum A + plane B. 3 of 4 u. Unseen: small. */
 #define BOUND_GRID_TIME (4 * SURE_EPS)
 
 /* As SLAB_STEEP. Unseen: choice. */
 #define BOUND_GRID_STEEP P2M(24)
 #define BOUND_GRID_TURN 64 /* as the former has it */
 
-/* What of a time's bound does not grow with it: (eo + roundings)/(|d| - ed), and half a unit there. */
+/* The part of a time's bound that does not grow with it: (eo + roundings)/(|d| - ed), and half a unit there. */
 FORMULA(GRID_BASE);
 
-/* And what does: (ed + 4 u)/(|d| - ed). */
+/* And the part that does: (ed + 4 u)/(|d| - ed). */
 FORMULA(GRID_SLOPE);
 
-/* The cell (place - corner)/edge: a difference, in grid.h an inverse, and a product or quotient. 3 of 16 u. Unseen:
- * small. */
+/* The cell (place - corner)/edge: a difference, in grid_tmpl.h an inverse, and a product or quotient. 3 of 16 u.
+ * Unseen: small. */
 #define BOUND_GRID_CELL P2M(49)
 
 /* The same by a quotient: 2 of 8 u. Unseen: small. */
 #define BOUND_GRID_RAY_CELL P2M(50)
 
-/* Where the ray enters: eo, at ed, and as far as `at` is off. */
+/* The ray's entry: eo, at ed, and as far as `at` is off. */
 FORMULA(GRID_PLACE);
 
 /* o + at d by doubles: u at, u of the sum and u when the corner is subtracted, of |o| and at. 3 of 8 u. Unseen: small.
  */
 #define BOUND_GRID_PLACE_ROUNDING (8 * SURE_EPS)
 
-/* How far a level ray moves across the axis anywhere in the grid. */
+/* The largest move of a level ray across the axis anywhere in the grid. */
 FORMULA(GRID_LEVEL);
 
-/* A place there: t d is rounded by half a unit, and so are the times by which cells are told. 1 of 4; 1 of 8. Unseen:
+/* A place there: t d is rounded by half a unit, and so are the times by which cells are found. 1 of 4; 1 of 8. Unseen:
  * small. */
 #define BOUND_GRID_PLACE_UNITS (2 * SURE_UNIT)
 #define BOUND_GRID_LEVEL_UNITS (4 * SURE_UNIT) /* as the former has it. Unseen: small. */
@@ -271,7 +271,7 @@ FORMULA(GRID_LEVEL);
 /* Two planes are in order where their times are farther apart than both are off. */
 FORMULA(GRID_ORDER);
 
-/* ---- instances, see instance.h ---- */
+/* ---- instances, see instance_tmpl.h ---- */
 
 /* v = O - p along the axes: a difference, the axis, a product and two sums: 5 u of |v|1 in each of three, sqrt 3 of
  * that is 8.7 u. The ray that is moved to the box is turned by 2^-57 there, which is 4 2^-59 of the box's distance: 8.8
@@ -288,7 +288,7 @@ FORMULA(GRID_ORDER);
 /* The inverse of the scale and the product, 2 u, and 2^-59 there. 2.1 of 8 u. Unseen: small. */
 #define BOUND_INSTANCE_SCALED P2M(50)
 
-/* In the instance's axes the origin is off by what v is, over the least scale. */
+/* In the instance's axes the origin has the error of v, over the least scale. */
 FORMULA(INSTANCE_PLACE);
 
 /* (D.a_i)/s_i times s_i: the axis, a product, two sums, an inverse and a product: 6 u in each of three. 10.4 of 16 u.
@@ -302,7 +302,7 @@ FORMULA(INSTANCE_LENGTH);
 #define BOUND_INSTANCE_RATIO 1.07
 #define BOUND_INSTANCE_KNOWN 16 /* as the former has it. Unseen: choice. */
 
-/* |t/k - t'/k'| <= e/k + 1.07 (t + e) ek/k^2, see instance.h. */
+/* |t/k - t'/k'| <= e/k + 1.07 (t + e) ek/k^2, see instance_tmpl.h. */
 FORMULA(INSTANCE_DISTANCE);
 
 /* t/k there: half a unit, and half of one when `start` is subtracted; 1 of 2. Unseen: small. */
@@ -314,7 +314,7 @@ FORMULA(INSTANCE_DISTANCE);
 /* 1/k' >= 1/(k + ek) >= (1 - ek/k)/k: the part that `low` may be less by. 1 of 2. Unseen: small. */
 #define BOUND_INSTANCE_LOW 2
 
-/* `limit` is taken into the instance's axes: t (k + ek), what is rounded by and the origin, which is eo off along the
+/* `limit` is taken into the instance's axes: t (k + ek), the roundings and the origin, which is eo off along the
  * ray. Anything above that would do: hits behind a limit do not count, but to look at them is only slow. */
 #define BOUND_INSTANCE_LIMIT (1 + P2M(10))
 #define BOUND_INSTANCE_LIMIT_MORE P2M(20) /* as the former has it. Unseen: choice. */

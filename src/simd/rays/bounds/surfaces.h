@@ -1,28 +1,28 @@
-/* surfaces.h - bounds of what is at a point that is met: surface.h, texture.h. */
+/* surfaces.h - bounds of a point that is met, its normal and its texture: surface_tmpl.h, texture_tmpl.h. */
 #ifndef TIA_SIMD_RAYS_BOUNDS_SURFACES_H
 #define TIA_SIMD_RAYS_BOUNDS_SURFACES_H
 
-/* ---- points and normals, see surface.h ---- */
+/* ---- points and normals, see surface_tmpl.h ---- */
 
 /* O + t D by doubles: u of |t D|1 <= sqrt 3 t, and u of the sum. 3.5 of 4 u of |O|1 + t. Unseen: small. */
 #define BOUND_SURFACE_POINT P2M(51)
 
-/* P + b G: the point's, b times the normal's, and what is rounded. */
+/* P + b G: the point's, b times the normal's, and the roundings. */
 FORMULA(OUTSIDE);
 
-/* b G: b times what the normal is off by. */
+/* b G: b times the error of the normal. */
 FORMULA(OUTSIDE_NORMAL);
 
-/* A sphere's normal: what the point is off by, as the centre is exact, over the radius. */
+/* A sphere's normal: the error of the point, as the centre is exact, over the radius. */
 FORMULA(ROUND_NORMAL);
 
-/* A dot product of two directions: what both are off by, as both are 1 long. */
+/* A dot product of two directions: the errors of both, as both are 1 long. */
 FORMULA(FACING);
 
 /* The side of a surface on which the viewer is. */
 FORMULA(SIDE);
 
-/* A ray surely leaves: D.G is above what both are off by. */
+/* A ray certainly leaves: D.G is above the errors of both. */
 FORMULA(LEAVING);
 
 /* A ray that goes straight on starts b behind the point along itself; see struct origin for these angles. Unseen:
@@ -31,10 +31,10 @@ FORMULA(LEAVING);
 #define BOUND_LEAVING_FLAT P2M(6)  /* as the former has it. Unseen: choice. */
 #define BOUND_LEAVING_BIAS P2M(20) /* as the former has it. Unseen: choice. */
 
-/* A ray surely comes back: D.G is below 0 by what both are off by. */
+/* A ray certainly comes back: D.G is below 0 by the errors of both. */
 FORMULA(RETURNING);
 
-/* Two mirrors: 2 dn |the part of D in the plane of the normals|, see mirrored_at(); and what D is off by. */
+/* Two mirrors: 2 dn |the part of D in the plane of the normals|, see mirrored_at(); and the error of D. */
 FORMULA(MIRRORED);
 
 /* 2 (N.V) N - V: the dot product 5 u, products and differences 3 u in each of three components, twice: 13 u; there
@@ -51,7 +51,7 @@ FORMULA(MIRRORED);
 /* As INSTANCE_SCALED: 2.1 of 8 u. Unseen: small. */
 #define BOUND_LOCAL_SCALED P2M(50)
 
-/* What the point in the world is off by, and the former. */
+/* The error of the point in the world, and the former. */
 FORMULA(LOCAL_PLACE);
 
 /* That over the least scale. */
@@ -103,22 +103,21 @@ FORMULA(SMOOTH_AREA);
 /* An area and the sum move by ew; so a part does by that over the sum. */
 FORMULA(SMOOTH_SHARE);
 
-/* Parts of less may be below 0 there: twice what they are off by. Unseen: small. */
+/* Parts of less may be below 0 there: twice their errors. Unseen: small. */
 FORMULA(SMOOTH_CLEAR);
 
-/* Where parts are below 0 the fixed-point path takes 0, and divides by the sum of the others, 1 + N with N what is
- * below 0. Ours are not below -ew, as the ray meets the face. So a part of which 0 is left changes by ew at most.
- * Another, w
- * <= 1, moves by D and then changes by (D - N w)/(1 + N) in all. If only the first corner's is below 0, N is at most ew
- * and the two moves of the others, D among them, which leaves 2 ew; if only the other one's is, N is at most 2 ew: 3
- * ew. If both are, it becomes 1 where it was 1 less the two, whose sum is between -2 ew and D. */
+/* The fixed-point code clamps negative weights to 0 and renormalises by 1 + N, N being the sum clamped away. The
+ * certified ones are not below -ew, as the ray meets the face. So a part of which 0 is left changes by ew at most.
+ * Another, w <= 1, moves by D and then changes by (D - N w)/(1 + N) in all. If only the first corner's is below 0, N is
+ * at most ew and the two moves of the others, D among them, which leaves 2 ew; if only the other one's is, N is at most
+ * 2 ew: 3 ew. If both are, it becomes 1 where it was 1 less the two, whose sum is between -2 ew and D. */
 #define BOUND_SMOOTH_CUT 3
 
 /* Known within 1/32 of the sum, so that its inverse is off by 32/31 of that: what the three roundings of parts and the
  * areas' 16 u leave. A choice. Unseen: choice. */
 #define BOUND_SMOOTH_KNOWN 32
 
-/* The parts' errors add up to 0, as their sum stays: what the corners' normals have in common does not count, only how
+/* The parts' errors add up to 0, as their sum stays: the common part of the corners' normals does not count, only how
  * far those of the other two are from the first's, times their own parts' errors. */
 FORMULA(SMOOTH_NORMAL);
 
@@ -126,7 +125,7 @@ FORMULA(SMOOTH_NORMAL);
  * of 64 u. Unseen: small. */
 #define BOUND_SMOOTH_SUM P2M(47)
 
-/* ---- textures, see texture.h ---- */
+/* ---- textures, see texture_tmpl.h ---- */
 
 /* A point along an axis, v.a, by doubles: a difference, the axis, a product and two sums: 5 of 16 u of |v|1. Unseen:
  * small. */
@@ -145,7 +144,7 @@ FORMULA(SMOOTH_NORMAL);
 /* A coordinate of 0..1 by doubles: a sum, a scale and a product, or a quotient: 3 of 8 u. Unseen: small. */
 #define BOUND_UV_ROUNDING P2M(50)
 
-/* What the point and its dot product are off by, by the scale; a plane's is a power of two. */
+/* The errors of the point and its dot product, by the scale; a plane's is a power of two. */
 FORMULA(UV_FLAT);
 
 /* A box's faces: at, min and size are subtracted, 3 u of all; a grid's min is a product and a sum, 2 u more. 5 of 8 u.
@@ -161,14 +160,14 @@ FORMULA(UV_FACE_AREA);
 /* Parts are known within a sixteenth; else the face is too small. A choice, as SMOOTH_KNOWN. Unseen: choice. */
 #define BOUND_UV_FACE_KNOWN 16
 
-/* Three times what parts are off by, as one may be cut to 0: see SMOOTH_CUT. */
+/* Three times the errors of parts, as one may be cut to 0: see SMOOTH_CUT. */
 FORMULA(UV_FACE);
 
 /* The sum of three coordinates by parts: 1 - a - b has two differences, then a product and two sums: 5 of 16 u of the
  * given coordinates. Unseen: small. */
 #define BOUND_UV_FACE_SUM P2M(49)
 
-/* Parts, by how far the corners' coordinates are apart. */
+/* Parts, by the distances of the corners' coordinates. */
 FORMULA(UV_MESH);
 
 /* A fixed-point angle of a vector that is off by e: e over its length at most over 2 pi, .1592 asin x/x <= .1596 for x
@@ -183,7 +182,7 @@ FORMULA(UV_MESH);
 /* The turn of the vector, and the angle's rounding. */
 FORMULA(ANGLE);
 
-/* Where x is below 0, the angle jumps at y = 0: y is off by no more than the vector. */
+/* For x below 0 the angle jumps at y = 0: y is off by no more than the vector. */
 FORMULA(ANGLE_SEAM);
 
 /* Directions that are off by more than a sixteenth have no angle, nor have those below 2^-12: choices. Unseen: choice.
@@ -201,13 +200,13 @@ FORMULA(ANGLE_SEAM);
  * doubles 3 u. 19 of 128 u. Unseen: small. */
 #define BOUND_UV_POLE P2M(46)
 
-/* What both angles are off by. */
+/* The errors of both angles. */
 FORMULA(UV_SPHERE);
 
 /* The second is twice an angle. */
 FORMULA(UV_SPHERE_HEIGHT);
 
-/* What the way from the centre is off by, over its length. */
+/* The error of the way from the centre, over its length. */
 FORMULA(UV_SPHERE_TURN);
 
 /* The way from the base along the axes. */
@@ -232,7 +231,7 @@ FORMULA(UV_HEIGHT);
 /* There the part of a pattern is cut to a unit, times the texels: 1 of 8. Unseen: small. */
 #define BOUND_TEXEL_UNITS P2M(42)
 
-/* What coordinates are off by, in texels. */
+/* The errors of coordinates, in texels. */
 FORMULA(TEXEL_PLACE);
 
 /* A texel's colour there: a quotient and its product with the material's, half a unit each; by doubles 2 u. 1 of 2.

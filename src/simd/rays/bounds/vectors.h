@@ -1,8 +1,9 @@
-/* vectors.h - bounds of vectors and of numbers with bounds: vector.h, interval.h, direction.h, power.h. */
+/* vectors.h - bounds of vectors and of numbers with bounds: vector_tmpl.h, interval_tmpl.h, direction_tmpl.h,
+ * power_tmpl.h. */
 #ifndef TIA_SIMD_RAYS_BOUNDS_VECTORS_H
 #define TIA_SIMD_RAYS_BOUNDS_VECTORS_H
 
-/* How far two unit vectors are apart whose angle has the sine x < 1/16, over x. Proved: rays_forms.g (turned). */
+/* The distance of two unit vectors whose angle has the sine x < 1/16, over x. Proved: rays_forms.g (turned). */
 #define BOUND_UNIT_CHORD (1 + P2M(10))
 
 /* The roundings of v/|v| by a double and by num_normalise. Proved: rays_forms.g (unit), 5 u; with 2^-58 there. Unseen:
@@ -46,7 +47,7 @@
 /* sqrt(a) there is cut to a unit. Unseen: small. */
 #define BOUND_ROOT_UNIT SURE_UNIT
 
-/* (a + b) - (a' + b'): what each of the terms is off by. */
+/* (a + b) - (a' + b'): the error of each of the terms. */
 FORMULA(INTERVAL_SUM);
 
 /* a b - a' b' = a (b - b') + b (a - a') - (a - a') (b - b'). */
@@ -58,16 +59,16 @@ FORMULA(INTERVAL_QUOTIENT);
 /* sqrt a - sqrt a' = (a - a')/(sqrt a + sqrt a') <= e/sqrt a. */
 FORMULA(INTERVAL_ROOT);
 
-/* A random direction around z, each coordinate within 2^-50 of the exact one, as direction.h derives: sine and cosine
- * are off by 2^-51 and the share of an eighth of a turn turns them by pi/4 2^-53, the product with the radius adds u;
- * fixed-point directions are within 2^-59. The length of three such is sqrt 3 2^-50 < 2^-49. Unseen: small. */
+/* A random direction around z, each coordinate within 2^-50 of the exact one, as direction_tmpl.h derives: sine and
+ * cosine are off by 2^-51 and the share of an eighth of a turn turns them by pi/4 2^-53, the product with the radius
+ * adds u; fixed-point directions are within 2^-59. The length of three such is sqrt 3 2^-50 < 2^-49. Unseen: small. */
 #define BOUND_LOCAL P2M(49)
 
-/* x^e by polynomials. power.h: 2.1e-14 here, 1.7e-14 there, of 5.7e-14. */
+/* x^e by polynomials. power_tmpl.h: 2.1e-14 here, 1.7e-14 there, of 5.7e-14. */
 #define BOUND_POWER P2M(44)
 
-/* A direction around an axis that is within e: sqrt(14 + 14 + 1) e < 6 e, see around(); what the direction around z is
- * off by, as turning keeps lengths; and its roundings. Unseen: small. */
+/* A direction around an axis that is within e: sqrt(14 + 14 + 1) e < 6 e, see around(); the error of the direction
+ * around z, as turning keeps lengths; and its roundings. Unseen: small. */
 FORMULA(AROUND);
 
 /* k = 1/(1 + |z|) is off by 2 u of itself, x^2 k and x y k by 4 u, 1 - x^2 k by 5 u; the sums of three products of
