@@ -1,10 +1,10 @@
-"""cases.py - which cases of a script run: all, or those that its arguments name."""
+"""cases.py - the choice of a script's cases: all, or those that its arguments name."""
 import difflib
 import sys
 
 
 def chosen(names):
-    """Those of `names` that run. An argument that is none of them ends the script with status 2 and one line."""
+    """Returns the cases to run. An argument that is not among `names` ends the script with status 2 and one line."""
     asked = sys.argv[1:]
     for name in asked:
         if name not in names:

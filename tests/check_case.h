@@ -1,9 +1,9 @@
 /* check_case.h - one case of a test program instead of all: `build/tests/test_math square_root_of_4`.
  *
- * The case is the first argument that is a word: numbers, options and paths are the program's own. Arguments are read
- * where Linux keeps them, since most programs' main has none; where that cannot be read all cases run. In a program
- * with `static bool check_ordered = true;` cases depend on those before them, which then run as well, untold: what they
- * counted, or the random numbers that they took.
+ * The case is the first argument that is a word; numbers, options and paths are the program's own arguments. Arguments
+ * are read from /proc/self/cmdline, since main has no parameters in most programs; where that fails, all cases run. In
+ * a program with `static bool check_ordered = true;` cases use the counts or random numbers of earlier ones, so these
+ * run as well, without a report.
  */
 #ifndef TESTS_CHECK_CASE_H
 #define TESTS_CHECK_CASE_H
@@ -17,29 +17,29 @@
 
 enum { CHECK_NAME = 80, CHECK_NEAREST = 3 };
 
-static bool check_ordered;           /* a program says true, see above */
-static char check_asked[CHECK_NAME]; /* the case, or "" for all of them */
+static bool check_ordered;           /* cases depend on earlier ones, see above */
+static char check_asked[CHECK_NAME]; /* the chosen case; "": all */
 static bool check_asked_known;
-static unsigned check_found; /* cases of that name */
+static unsigned check_found; /* number of cases of the chosen name */
 static struct check_closest {
     char name[CHECK_NAME];
     unsigned distance;
-} check_closest[CHECK_NEAREST]; /* the names most like it, the nearest first */
+} check_closest[CHECK_NEAREST]; /* the names most like the chosen one, the nearest first */
 
-/* Makes a program run this case alone, or all for "", whatever its arguments are. */
+/* Chooses the case to run, "" for all, in place of the program's arguments. */
 static inline void check_choose(const char *name)
 {
     (void)snprintf(check_asked, sizeof check_asked, "%s", name);
     check_asked_known = true;
 }
 
-/* Whether an argument names a case. */
+/* True if an argument is the name of a case. */
 static inline bool check_is_word(const char *argument)
 {
     return isalpha((unsigned char)*argument) && !strchr(argument, '/');
 }
 
-/* An argument of the program's own as a number; where there is none, or a case is named, what it is otherwise. */
+/* Returns argument i as a number; `otherwise` when there is none or it is the name of a case. */
 static inline uint64_t check_number(int argc, char **argv, int i, uint64_t otherwise)
 {
     return i < argc && !check_is_word(argv[i]) ? strtoull(argv[i], NULL, 10) : otherwise;
@@ -60,7 +60,7 @@ static inline void check_read_arguments(void)
         (void)fclose(file);
 }
 
-/* Letters to insert, delete or replace to make one name the other; 0 where one is a part of the other. */
+/* Returns the letters to insert, delete or replace to turn one name into the other; 0 if one is part of the other. */
 static inline unsigned check_distance(const char *a, const char *b)
 {
     unsigned row[CHECK_NAME + 1], n = (unsigned)strnlen(b, CHECK_NAME);
@@ -95,7 +95,8 @@ static inline void check_keep_near(const char *name)
     }
 }
 
-/* Whether a case was asked for. Of "avx2: threads", which runs once a level, "threads" is a name as well. */
+/* True if a case is the chosen one. The case "avx2: threads", which runs for each instruction set, has the name
+ * "threads" as well. */
 static inline bool check_is_asked(const char *name)
 {
     const char *part = strrchr(name, ' ');
@@ -112,7 +113,7 @@ static inline bool check_is_asked(const char *name)
     return false;
 }
 
-/* 0, or 2 and a line on standard error when there is no case of the name that was asked for. */
+/* Returns 0, or 2 after a line on standard error when there is no case of the chosen name. */
 static inline int check_unmet(void)
 {
     if (!check_asked_known || !check_asked[0] || check_found)

@@ -14,14 +14,14 @@ class Wrong(Exception):
 
 
 class Mutant:
-    """One slip: what it is, where, and either texts (old, new) or a function and what is done to it."""
+    """One slip: its name, its file, and either texts (old, new) or an operator on a function."""
 
     def __init__(self, room, path, what):
         self.room, self.path, self.what = room, path, what
         self.old, self.new, self.operator = [], [], None
 
     def mutated(self, text):
-        """The source with this slip in it."""
+        """Returns the source with this slip in it."""
         if self.operator:
             return operate(text, *self.operator)
         old = "\n".join(self.old)
@@ -46,7 +46,7 @@ class Room:
                 raise Wrong(f"{path}: {mutant.what}: nothing is changed")
 
     def add(self, line):
-        """By its indentation a line is a file or the tests, the name of a mutant, or a part of it."""
+        """Reads a line. Its indentation decides: a file or the tests, the name of a mutant, or a part of one."""
         if not line or line.startswith("#"):
             return
         if line.startswith("tests: "):
@@ -65,7 +65,7 @@ def rooms():
     return [Room(path) for path in sorted(glob.glob(os.path.join(FOLDER, "*.txt")))]
 
 
-# ---- operators: what is done to the n-th place of its kind in a function or macro ----
+# ---- operators: changes of the n-th place of its kind in a function or macro ----
 
 OPERATOR = re.compile(r"(\w+): (?:(drop) (operand|\w+)|(condition|choice|return|call \w+|.+?) becomes (.+?))(?: \((\d+) of (\d+)\))?")
 
@@ -79,7 +79,7 @@ def read_operator(line):
 
 
 def function(text, name):
-    """Where a function or macro is: from its name to the end of its body."""
+    """Returns the start and end of a function or macro, from its name to the end of its body."""
     found = []
     for start in re.finditer(rf"^#define {name}\b.*(?:\\\n.*)*", text, re.M):
         found.append((start.start() + len("#define "), start.end()))
@@ -93,13 +93,13 @@ def function(text, name):
 
 
 def tokens(text, start, end):
-    """(token, from, to), without comments."""
+    """Returns (token, from, to) of each token, without comments."""
     blank = COMMENT.sub(lambda match: " " * len(match[0]), text[start:end])
     return [(match[0], start + match.start(), start + match.end()) for match in TOKEN.finditer(blank)]
 
 
 def closing(found, at):
-    """The index of what closes the bracket at `at`."""
+    """Returns the index of the bracket that closes the one at `at`."""
     depth = 0
     for i in range(at, len(found)):
         depth += (found[i][0] in "([{") - (found[i][0] in ")]}")
@@ -109,7 +109,7 @@ def closing(found, at):
 
 
 def statements_of(found, name):
-    """(from, to) of statements that begin with a call of `name` or change it."""
+    """Yields (from, to) of statements that begin with a call of `name` or change it."""
     for i, (token, _, _) in enumerate(found):
         if i and token == name and found[i - 1][0] in (";", "{", "}", ")", "else") and found[i + 1][0] in "(=+-*&|.->[":
             end = i
@@ -126,7 +126,7 @@ def conditions(found):
 
 
 def expression_end(found, at, stops):
-    """The index of the token that ends the expression which begins at `at`."""
+    """Returns the index of the token after the expression that begins at `at`."""
     while at < len(found) and found[at][0] not in stops and found[at][0] not in (",", ";", ")", "]", "}"):
         at = closing(found, at) + 1 if found[at][0] in "([{" else at + 1
     return at
@@ -144,7 +144,7 @@ def expression_start(found, at):
 
 
 def operands(found):
-    """Each && or || with what is right of it."""
+    """Yields (from, to) of each && or || with its right operand."""
     for i, (token, start, _) in enumerate(found):
         if token in ("&&", "||"):
             stops = ("||", "?", ":") + (("&&",) if token == "&&" else ())
@@ -152,7 +152,7 @@ def operands(found):
 
 
 def choices(found):
-    """(condition and both values, the first value, the second) of each ?:."""
+    """Yields, for each ?:, (from, to) of the whole, of its first value and of its second."""
     for i, (token, _, _) in enumerate(found):
         if token == "?":
             middle = i
@@ -201,7 +201,7 @@ def places_of(found, what):
 
 
 def operate(text, name, what, new, which, count):
-    """`which` of `count` places in the function is changed: another count means that the function is another now."""
+    """Changes place `which` of `count` in the function. Another count is an error: the function has changed."""
     found = tokens(text, *function(text, name))
     values = list(choices(found)) if what == "choice" else []
     places = [whole for whole, _, _ in values] or places_of(found, what)

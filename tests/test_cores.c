@@ -1,4 +1,4 @@
-/* Cores: whichever made a view, the same functions draw it, in the arithmetic that it was made in. */
+/* Cores: the same functions draw the views of every core, each in the arithmetic of its own core. */
 #include <tia/simd.h>
 #include <tia/tia.h>
 
@@ -15,7 +15,7 @@ struct drawn {
     tia_rgb565 pixels[W * H];
 };
 
-/* The thesis scene as key w lights it, by functions that know no arithmetic once there is a view. */
+/* Draws the thesis scene, lit as by key w; the core is used only to make the view. */
 static void draw(struct drawn *d, const struct tia_core *core)
 {
     const struct tia_scene *scene = &tia_thesis_scene;
@@ -35,7 +35,7 @@ static void draw(struct drawn *d, const struct tia_core *core)
 #ifdef TIA_HAVE_F64
 static struct drawn q16, f64;
 
-/* As against the oracle, see test_thesis: integers have two pixels of this picture wrong, doubles none. */
+/* Two pixels of this picture differ from the oracle's in integers, none in doubles, as in test_thesis. */
 TEST(a_view_is_drawn_in_its_arithmetic)
 {
     unsigned other = 0;
@@ -60,7 +60,7 @@ TEST(hits_are_of_one_view)
              TIA_ERR_MEMORY);
 }
 
-/* Levels have the integers' bits. */
+/* Vector units give the bits of tia_core_q16. */
 TEST(levels_draw_integers)
 {
     const struct tia_simd *simd = tia_simd_best();

@@ -1,4 +1,4 @@
-/* Scenes so dark that nothing is seen: warned of below 2^-13, which is 131072 in Q2.30, and not from there on. */
+/* Scenes too dark to see: a warning below 2^-13, which is 131072 in Q2.30, and none from there on. */
 #include <string.h>
 
 #include <tia/motion.h>
@@ -29,7 +29,7 @@ static void begin(void)
                                .light_count = 1};
 }
 
-/* The thing that the check warns of, or "". */
+/* Returns the thing that the check warns of, or "". */
 static const char *warned(void)
 {
     struct tia_fault fault = {"untouched", 7, "", ""};
@@ -53,7 +53,7 @@ TEST(lights)
     CHECK(light_is_told(LIMIT - 1));
     CHECK(!light_is_told(LIMIT));
     CHECK(light_is_told(1));
-    light.emission = (struct tia_rgb){0, 0, 0}; /* meant: a hidden light has none */
+    light.emission = (struct tia_rgb){0, 0, 0}; /* intended: a hidden light has no emission */
     CHECK(!strcmp(warned(), ""));
     CHECK(light_is_told(TIA_Q16(1.99))); /* a colour as a length */
     light.quadratic = 1;                 /* 2^16 times as bright at the distance 1 */
@@ -78,7 +78,8 @@ TEST(exposure_and_bits)
 {
     begin();
     CHECK(light_is_told(LIMIT - 1));
-    scene.integration = (struct tia_integration){.exposure = TIA_Q16(1)}; /* Whitted's has none */
+    scene.integration =
+        (struct tia_integration){.exposure = TIA_Q16(1)}; /* Whitted's integrator ignores the exposure */
     CHECK(light_is_told(LIMIT - 1));
     scene.integration.integrator = TIA_PATHS;
     CHECK(light_is_told(LIMIT / 2 - 1));
@@ -125,7 +126,7 @@ static int read_text(const char *text, bool strict, struct tia_read_warning *war
     return status;
 }
 
-/* 2^-13 is 0.0001220703125. */
+/* Scene files: 2^-13 is 0.0001220703125. */
 TEST(files)
 {
     static struct tia_read_warning warnings[TIA_WARNINGS];

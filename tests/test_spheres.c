@@ -1,4 +1,5 @@
-/* The cores for spheres alone: the pinned pixels of the built-in scene, and what they refuse. */
+/* The cores for spheres alone: the pinned pixels of the built-in scene, and the scenes that they refuse. */
+#include <tia/debug.h>
 #include <tia/tia.h>
 
 #include "check.h"
@@ -16,7 +17,7 @@ static int init(const struct tia_core *core, struct tia_view **view, const struc
     return core->view_init(core, view, view_memory, sizeof view_memory, scene, LIGHTS, W, H, NULL);
 }
 
-/* Key a's light; see tests/golden/frames.crc. */
+/* The picture with key a's light; the CRC is that of tests/golden/frames.crc. */
 TEST(the_pinned_picture)
 {
     const struct tia_surface surface = {pixels, 2, 2 * W};
@@ -39,7 +40,7 @@ static const struct tia_track track = {.target = TIA_MOVES_EYE, .keys = keys, .k
 static const struct tia_texture texture = {.kind = TIA_CHECKER, .repeat = {TIA_Q16_ONE, TIA_Q16_ONE}};
 static const struct tia_transform transform = {.scale = TIA_VEC3(1, 1, 1)};
 
-/* All of these are scenes that tia_core_q16 draws. */
+/* tia_core_q16 draws each of these scenes. */
 TEST(scenes_of_more_than_spheres)
 {
     struct tia_scene scenes[5];
@@ -85,7 +86,7 @@ TEST(spheres_that_need_rays)
     CHECK(!view);
 }
 
-/* A view of spheres takes no light that spans do not draw, as tia_core_q16's does not. */
+/* Views of spheres refuse lights that need rays, as span views of tia_core_q16 do. */
 TEST(lights_that_need_rays)
 {
     struct tia_light light = tia_thesis_scene.bindings[0].state;

@@ -48,18 +48,21 @@ size_t tia_bvh_size(const struct tia_scene *scene);
 
 /* Builds the hierarchies of a scene that tia_scene_check accepts; set scene->bvh = *bvh to use them.
  * TIA_ERR_MEMORY when `size` is too small. Building needs more memory than the result: only the first *used
- * bytes stay in use, the rest is free again. `used` may be NULL. Stopped, it does not set *bvh.
+ * bytes stay in use, the rest is free again. `used` may be NULL. TIA_STOPPED leaves *bvh as it is.
  *
  * The job's workers build trees of 16384 items and more, which take one thread over 5 ms. The hierarchy has the same
  * bits for any number of threads. */
 int tia_bvh_build(const struct tia_bvh **bvh, void *memory, size_t size, size_t *used, const struct tia_scene *scene,
                   const struct tia_job *job);
 
-/* The same for a scene that tia_scene_at made of `standing`, which has a hierarchy: only what moved gets new boxes. The
- * hierarchy shares what stands still with standing->bvh, which must stay. `memory` is aligned likewise and of
- * tia_bvh_move_size(scene) bytes. One thread moves it. What rays meet is the same as with a hierarchy built anew.
- * TIA_ERR_ARGUMENT, too, when `standing` has no hierarchy of its own or another number of objects. */
+/* Returns the bytes of memory that tia_bvh_move needs for a scene that tia_scene_check accepts; SIZE_MAX when there are
+ * too many. The memory must be aligned for uint64_t. */
 size_t tia_bvh_move_size(const struct tia_scene *scene);
+
+/* Updates the hierarchy of `standing` for `scene`, which tia_scene_at made of it: only objects that moved get new
+ * boxes. The result shares the rest with standing->bvh, which must stay. Rays meet the same as with a hierarchy built
+ * anew. Runs on one thread. TIA_ERR_ARGUMENT, too, when `standing` has no hierarchy of its own or another number of
+ * objects; TIA_ERR_MEMORY when `size` is too small. */
 int tia_bvh_move(const struct tia_bvh **bvh, void *memory, size_t size, const struct tia_scene *scene,
                  const struct tia_scene *standing, const struct tia_job *job);
 

@@ -24,20 +24,20 @@ struct tia_traced {
     tia_q16 length;           /* INT32_MAX: it meets nothing */
     uint32_t object, light;   /* the ones it meets, or a shadow ray's surface and light; or TIA_NO_OBJECT */
     struct tia_vec3 normal;   /* the shading normal where it ends, on the side that the ray comes from */
-    bool arrives;             /* of a shadow ray: some of the light does */
+    bool arrives;             /* TIA_RAY_SHADOW: some of the light arrives */
 };
 
-/* Observes rays; only tia_core_watched supports it, other builds ignore it. It changes no pixel. */
+/* An observer of rays, for tia_core_watched; other cores ignore it. It changes no pixel. */
 struct tia_observer {
     void (*traced)(void *ctx, const struct tia_traced *traced); /* NULL: only tests are counted */
     void *ctx;
     uint32_t tests; /* counts boxes of hierarchies, objects and faces of meshes that rays were tested against */
 };
 
-/* For `debug` of struct tia_options. All zero: nothing is told. */
+/* The output that `debug` of struct tia_options selects. All zero: none. */
 struct tia_debug {
     uint32_t *path_hash;           /* NULL, or receives a hash of each pixel's light paths, row by row of the tile */
-    uint64_t *lit;                 /* NULL, or receives which lights reach each pixel, row by row of the tile */
+    uint64_t *lit;                 /* NULL, or receives the lights that reach each pixel, row by row of the tile */
     struct tia_observer *observer; /* NULL, or is called for each ray, in the order of the path hash; spans have none */
 };
 
@@ -47,13 +47,13 @@ struct tia_debug {
  * renderer does not write `lit`: bits 0..15 of its path hash hold the same. */
 
 /* Pixels whose colours came about along the same paths have the same path hash. Compare it between two arithmetics to
- * tell rounding from a ray that took another path.
+ * distinguish rounding from a ray that took another path.
  *
- * Of the span renderer: bit n (0..15) is set when light n reaches the point; bits 16..31 hold the sum of
+ * Span renderer: bit n (0..15) is set when light n reaches the point; bits 16..31 hold the sum of
  * (n + 1)(j + 1) over the transparent spheres j in between. Where light n itself is visible,
  * 0xffff0000 + n.
  *
- * Of the ray renderer: the 32-bit FNV-1a hash (start 2166136261, then (hash ^ byte) * 16777619) of 32-bit
+ * Ray renderer: the 32-bit FNV-1a hash (start 2166136261, then (hash ^ byte) * 16777619) of 32-bit
  * words, lowest byte first. For each sample in order, for each of its rays, depth first, reflection before
  * refraction before what is seen past an opacity, the words are: the index of the object hit, TIA_NO_OBJECT for
  * the background, or TIA_NO_OBJECT - 1 - n for light n. An object's index is followed by
@@ -64,8 +64,8 @@ struct tia_debug {
  *     counted row by row from 0;
  *   - with an opacity texture without `bilinear`, its texel;
  *   - unless the opacity is 0, for each sample of each light, ambient ones without a radius excepted, in order: 1 when
- *     it arrives
- *     (G.L > 0 and N.L > 0, see material.h, P is inside a spot light's cone, and T is not black), otherwise 0. */
+ *     it arrives (G.L > 0 and N.L > 0, see material.h, P is inside a spot light's cone, and T is not black), otherwise
+ * 0. */
 
 /* ---- other arithmetics ---- */
 
@@ -77,48 +77,51 @@ extern const struct tia_estimator tia_estimator_chk;
 
 /* ---- pictures ---- */
 
-/* CRC-32 (IEEE 802.3, as in zlib) over `count` pixels as little-endian bytes. Start with 0 and pass the
- * result on from row to row. Without pixels, NULL, `crc` stays as it is. */
+/* Returns the CRC-32 (IEEE 802.3, as in zlib) over `count` pixels as little-endian bytes. Start with 0 and pass the
+ * result on from row to row. Without pixels, NULL, the result is `crc`. */
 uint32_t tia_crc32(uint32_t crc, const tia_rgb565 *pixels, size_t count);
 
-/* The guides' means, normals as (N + 1)/2, and the standard error of the luminance. */
+/* The picture made of a guide: its mean, of normals as (N + 1)/2; or the standard error of the luminance. */
 enum tia_shown_guide { TIA_SHOW_NOTHING, TIA_SHOW_NORMAL, TIA_SHOW_DEPTH, TIA_SHOW_ALBEDO, TIA_SHOW_ERROR };
 
-/* "normal", "depth", "albedo", "error"; NULL for others. */
+/* Returns "normal", "depth", "albedo", "error"; NULL for others. */
 const char *tia_shown_guide_name(unsigned shown);
 
-/* The sum that `count` samples would give if they showed that guide of the pixel with the index `at` in `gathered`, the
- * albedo for other guides. 0 where sums or guides, or squares for the error, are NULL, or the count is not in
- * 1..TIA_SPP_MAX. */
+/* Returns the sum that `count` samples would give if they showed that guide of the pixel with the index `at` in
+ * `gathered`, the albedo for other guides. 0 where sums or guides, or squares for the error, are NULL, or the count is
+ * not in 1..TIA_SPP_MAX. */
 struct tia_sum tia_guide_shown(enum tia_shown_guide shown, const struct tia_gathered *gathered, size_t at,
                                uint32_t count);
 
-/* The estimated standard error of a pixel's mean luminance (red + 2 green + blue)/4, in units of 2^-16, from the spread
- * of its samples; for one sample, that luminance, for none 0. Sobol points are more even than random ones, so the
- * estimate tends to be too large. */
+/* Returns the estimated standard error of a pixel's mean luminance (red + 2 green + blue)/4, in units of 2^-16, from
+ * the spread of its samples; for one sample, that luminance, for none 0. Sobol points are more even than random ones,
+ * so the estimate tends to be too large. */
 uint32_t tia_standard_error(const struct tia_sum *sum, uint64_t squares, uint32_t count);
 
 /* ---- shadows and motion ---- */
 
-/* The first object (see render.h) that is too far away for the rasteriser, in a width x height view that tia_view_init
- * has refused with TIA_ERR_RANGE, or TIA_NO_OBJECT, as for a scene that tia_scene_check refuses. A corner is too far if
- * a clip coordinate, see raster.h, reaches 2^TIA_RANGE_MAX, in orthographic views 2^TIA_RANGE_FLAT: it is then that
- * many times half the view's width or height off its middle. */
+/* Returns the first object (see render.h) that is too far away for the rasteriser, in a width x height view that
+ * tia_view_init has refused with TIA_ERR_RANGE, or TIA_NO_OBJECT, as for a scene that tia_scene_check refuses. A corner
+ * is too far if a clip coordinate, see raster.h, reaches 2^TIA_RANGE_MAX, in orthographic views 2^TIA_RANGE_FLAT: it is
+ * then that many times half the view's width or height off its middle. */
 uint32_t tia_shadow_too_far(const struct tia_scene *scene, unsigned width, unsigned height);
 
-/* The same of a light: the first of these for the scene that is too far away, in a view that tia_view_init or
- * tia_view_set_lights has refused. Of a light with an area all of it counts. *range receives the r for which 2^r is too
+/* Returns the index of the first of these lights that is too far away for the scene's shadows, in a view that
+ * tia_view_init or tia_view_set_lights has refused with TIA_ERR_RANGE, or TIA_NO_OBJECT. All of an area light must be
+ * near enough. *range receives the r for which 2^r is too
  * far: as for corners, but less in an orthographic view whose image has more than 1024 pixels in a row or column. There
  * lights much farther away than all corners are in range, too: they count as directional where this moves no shadow by
  * half a pixel. */
 uint32_t tia_shadow_light_too_far(const struct tia_scene *scene, const struct tia_light *lights, uint32_t count,
                                   unsigned width, unsigned height, unsigned *range);
 
+/* Returns the bytes of room for tia_shadow_mesh_closes; SIZE_MAX for NULL. */
+size_t tia_shadow_mesh_room(const struct tia_mesh *mesh);
+
 /* True if each edge of a mesh has a face on its other side that runs along it in the opposite direction. A mesh that
  * does not close casts the same shadow, but face by face, so its volumes have more sides. `room` has
  * tia_shadow_mesh_room(mesh) bytes and is aligned for uint32_t, or the result is false; the mesh is one that
  * tia_scene_check accepts. */
-size_t tia_shadow_mesh_room(const struct tia_mesh *mesh);
 bool tia_shadow_mesh_closes(const struct tia_mesh *mesh, void *room);
 
 /* True if falling balls bounce off shape number `shape`: a plane or a box whose transform has no track. */
@@ -126,8 +129,8 @@ bool tia_scene_bounces_off(const struct tia_scene *scene, uint32_t shape);
 
 /* ---- vector units ---- */
 
-/* The level's part in drawing polygons, for struct tia_raster_target of raster.h; NULL: none. A view's own is set with
- * its level, and needs no memory. */
+/* Returns the rasteriser's inner loops for an instruction set, for struct tia_raster_target of raster.h; NULL: none. A
+ * view with vector units uses its own, which need no memory. */
 const struct tia_raster_runs *tia_simd_raster(const struct tia_simd *simd);
 
 #ifdef __cplusplus

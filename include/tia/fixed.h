@@ -34,13 +34,13 @@ typedef uint16_t tia_rgb565;
  *
  * An invalid call returns TIA_ERR_ARGUMENT and changes nothing: with a pointer that is NULL where its comment does not
  * allow that, memory that is not aligned as required, or a number, an enum or a tile out of its range, unless the
- * comment names another result. Of functions without a status, those that return bytes give SIZE_MAX for NULL, those
- * that return an object or a light TIA_NO_OBJECT or TIA_NO_LIGHT, other values 0, false or NULL, and those that return
- * nothing do nothing. docs/library.md lists errors that no call detects. */
+ * comment names another result. Functions without a status return SIZE_MAX for bytes, TIA_NO_OBJECT for an object,
+ * TIA_NO_LIGHT for a light, 0, false or NULL for other values; those that return nothing do nothing. docs/library.md
+ * lists errors that no call detects. */
 enum tia_status {
     TIA_OK = 0,
     TIA_HIDDEN = 1,          /* not an error: another program has the display at the moment */
-    TIA_STOPPED = 2,         /* not an error: the caller asked to stop, see tia/job.h */
+    TIA_STOPPED = 2,         /* not an error: the caller's `stop` returned true, see tia/job.h */
     TIA_BUSY = 3,            /* not an error: a display is still showing a picture, see tia/port.h */
     TIA_ERR_ARGUMENT = -1,   /* a size, a tile, an enum or a pointer outside the documented range */
     TIA_ERR_RANGE = -2,      /* a scene value outside its range; tia_scene_check names it */

@@ -13,11 +13,11 @@
  *   - colour and texture: Lambert's law; specular: Phong's lobe specular (n + 2)/(2 pi) cos^n, normalised (Lafortune
  * and Willems 1994);
  *   - mirror, refraction, index, fresnel, opacity and media as they are; where a ray meets several, chance decides;
- *   - emission, 2^emission_bits times, and facing: radiance, to both sides of a surface. transmission counts for
- * nothing. The background is radiance from everywhere. Rectangle, disc and sphere lights are surfaces of the radiance
+ *   - emission, 2^emission_bits times, and facing: radiance, to both sides of a surface. transmission is
+ * ignored. The background is radiance from everywhere. Rectangle, disc and sphere lights are surfaces of the radiance
  * emission 2^emission_bits to all sides, without attenuation, which absorb what meets them. Point, spot and directional
  * lights light as in light.h; where they have a radius, only the eye sees it, directly or by mirrors and refraction.
- * Ambient lights, which stand for paths, count for nothing.
+ * Ambient lights, which stand for paths, are ignored.
  *
  * At each diffuse or glossy point one light or emitting sphere of the scene is chosen, all with the same chance, and a
  * point of it (of spheres within the cone that sees it, else evenly on the surface); and the path goes on by one of the
@@ -51,7 +51,7 @@ enum tia_tone {
 /* Returns "linear" and "srgb" for TIA_TONE_LINEAR and TIA_TONE_SRGB; NULL for others. */
 const char *tia_tone_name(unsigned tone);
 
-#define TIA_SPP_DEFAULT 16 /* the default */
+#define TIA_SPP_DEFAULT 16 /* samples per pixel */
 #define TIA_SPP_MAX (UINT32_C(1) << 24)
 #define TIA_BOUNCES_MAX 1024
 #define TIA_EXPOSURE_MAX TIA_Q16(24)
@@ -80,7 +80,7 @@ struct tia_sum {
  * denoise.h.
  */
 struct tia_guide {
-    int64_t normal[3]; /* of length 1, on the visible side, 2^-24; 0 for the background */
+    int64_t normal[3]; /* unit normal on the visible side, 2^-24; 0 for the background */
     int64_t depth;     /* path length to it, 2^-16; 0 for the background */
     int64_t albedo[3]; /* reflectance, all lobes together, plus the emission of it or of a light there; 2^-24 */
 };
@@ -126,7 +126,7 @@ struct tia_estimator {
 };
 
 extern const struct tia_estimator tia_estimator_q16;
-extern const struct tia_estimator tia_estimator_f64; /* as in render.h */
+extern const struct tia_estimator tia_estimator_f64; /* the estimator for tia_core_f64 */
 
 #ifdef __cplusplus
 }

@@ -23,10 +23,10 @@ struct tia_workers {
 struct tia_job {
     const struct tia_workers *workers; /* NULL, or threads to divide the work among, where a function does */
     /* NULL, or polled after every few thousand items of work. Once it returns true, the function returns TIA_STOPPED
-     * soon, and what it was making is of no use. It may be called again and must return true again. Only one thread at
+     * soon, and its result is undefined. It may be called again and must return true again. Only one thread at
      * a time calls it, any of them. */
     bool (*stop)(void *ctx);
-    void *ctx; /* of `stop` */
+    void *ctx; /* argument of `stop` */
 };
 
 #ifdef __cplusplus

@@ -21,30 +21,33 @@
 extern "C" {
 #endif
 
-/* The place of a kind of light, its fields in struct tia_light, its surface, and the code that draws it. */
+/* Traits of a kind of light: its place, its fields in struct tia_light, its surface, and the renderers that draw it. */
 enum tia_light_trait {
-    TIA_LIGHT_FAR = 1,              /* infinitely far away, along `direction` */
-    TIA_LIGHT_EVERYWHERE = 1 << 1,  /* the same at every point, without shadows; others arrive along rays */
-    TIA_LIGHT_DIRECTION = 1 << 2,   /* has `direction` */
-    TIA_LIGHT_CONE = 1 << 3,        /* has `inner` and `outer` */
-    TIA_LIGHT_RADIUS = 1 << 4,      /* has `radius` */
-    TIA_LIGHT_SIDES = 1 << 5,       /* has `side`, which is within the surface's plane */
-    TIA_LIGHT_SAMPLED = 1 << 6,     /* has `samples` */
-    TIA_LIGHT_AREA = 1 << 7,        /* its samples are points of an area; others have one sample, their centre */
-    TIA_LIGHT_BALL = 1 << 8,        /* its surface is a ball, and an area the disc in it that faces the lit point */
-    TIA_LIGHT_DISC = 1 << 9,        /* its surface is a disc, with its normal along `direction` */
-    TIA_LIGHT_PATHS = 1 << 10,      /* TIA_PATHS looks for it */
-    TIA_LIGHT_TECHNIQUES = 1 << 11, /* taken by techniques for shadows, see shadow.h; TIA_FILTER_PCSS takes all */
-    TIA_LIGHT_SPANS = 1 << 12,      /* drawn where spheres are drawn without tracing rays */
-    TIA_LIGHT_SIMD = 1 << 13        /* drawn by vector units; scenes with others are for the fixed-point path */
+    TIA_LIGHT_FAR = 1,             /* infinitely far away, along `direction` */
+    TIA_LIGHT_EVERYWHERE = 1 << 1, /* shines equally on every point, without shadows; others arrive along rays */
+    TIA_LIGHT_DIRECTION = 1 << 2,  /* has `direction` */
+    TIA_LIGHT_CONE = 1 << 3,       /* has `inner` and `outer` */
+    TIA_LIGHT_RADIUS = 1 << 4,     /* has `radius` */
+    TIA_LIGHT_SIDES = 1 << 5,      /* has `side`, which is within the surface's plane */
+    TIA_LIGHT_SAMPLED = 1 << 6,    /* has `samples` */
+    TIA_LIGHT_AREA = 1 << 7,       /* its samples are points of an area; others have one sample, their centre */
+    TIA_LIGHT_BALL = 1 << 8,       /* its surface is a ball, and an area the disc in it that faces the lit point */
+    TIA_LIGHT_DISC = 1 << 9,       /* its surface is a disc, with its normal along `direction` */
+    TIA_LIGHT_PATHS = 1 << 10,     /* TIA_PATHS samples it */
+    TIA_LIGHT_TECHNIQUES =
+        1 << 11,               /* supported by techniques for shadows, see shadow.h; TIA_FILTER_PCSS supports all */
+    TIA_LIGHT_SPANS = 1 << 12, /* drawn by the span renderer */
+    TIA_LIGHT_SIMD = 1 << 13   /* drawn by vector units; scenes with other kinds take the fixed-point path */
 };
 
-/* Without a place, and so without attenuation; with a surface. */
+/* Lights without a place, and so without attenuation. */
 #define TIA_LIGHT_PLACELESS (TIA_LIGHT_FAR | TIA_LIGHT_EVERYWHERE)
+
+/* Lights with a surface. */
 #define TIA_LIGHT_SURFACE (TIA_LIGHT_SIDES | TIA_LIGHT_BALL | TIA_LIGHT_DISC)
 
-/* Every kind of light: its name, its word in scene files, its name in messages, and its traits. Tables and switches of
- * kinds are made of this list: a new kind goes to its end, see docs/architecture.md.
+/* Every kind of light: its name, its word in scene files, its name in messages, and its traits. All tables of kinds are
+ * made from this list: a new kind goes to its end, see docs/architecture.md.
  *
  *     point        shines from its centre; looks like a sphere of its radius
  *     directional  infinitely far away, shines along `direction`
@@ -81,14 +84,14 @@ enum tia_light_kind { TIA_LIGHTS(TIA_LIGHT_KIND) };
 enum { TIA_LIGHT_KINDS = TIA_LIGHTS(TIA_LIGHT_ONE) };
 #undef TIA_LIGHT_ONE
 
-/* Compilers for size would call it, which takes more than the few comparisons that are left of it. */
+/* Inlined even with -Os: a call takes more code than the comparisons that remain for constant traits. */
 #ifdef __GNUC__
 #define TIA_LIGHT_INLINE static inline __attribute__((always_inline))
 #else
 #define TIA_LIGHT_INLINE static inline
 #endif
 
-/* Returns true for a kind with one of these traits; false for a number that is no kind. */
+/* True if the kind has one of these traits; false for a number that is no kind. */
 TIA_LIGHT_INLINE bool tia_light_has(enum tia_light_kind kind, unsigned traits)
 {
 #define TIA_LIGHT_HAS(KIND, name, what, has) || (kind == KIND && (traits & (has)))
@@ -96,7 +99,7 @@ TIA_LIGHT_INLINE bool tia_light_has(enum tia_light_kind kind, unsigned traits)
 #undef TIA_LIGHT_HAS
 }
 
-#define TIA_LIGHT_SAMPLES_DEFAULT 16 /* the default for area lights */
+#define TIA_LIGHT_SAMPLES_DEFAULT 16 /* samples of an area light */
 #define TIA_LIGHT_SAMPLES_MAX 256
 
 struct tia_light {
@@ -105,7 +108,7 @@ struct tia_light {
                        the distance up to which objects occlude them, see above */
     struct tia_rgb emission; /* each channel in [0, 2) */
     enum tia_light_kind kind;
-    struct tia_dir3 direction;           /* of a length in 0.5..1.5; it is normalised */
+    struct tia_dir3 direction;           /* length 0.5..1.5; it is normalised */
     tia_q16 inner, outer;                /* degrees from the axis: 0 <= inner <= outer <= 90, outer >= 1 */
     struct tia_vec3 side[2];             /* half the sides of a rectangle: both 0, or not parallel */
     tia_q16 constant, linear, quadratic; /* attenuation, each 0..TIA_Q16(32767) */

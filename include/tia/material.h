@@ -18,7 +18,7 @@
  * the ray hits the back of the surface both are negated. Shadow rays and reflected rays start at P + b G,
  * refracted rays at P - b G, so that rounding cannot make them hit their own surface; b is 2^-13, in scenes that have
  * `fine` 2^-26. A shadow ray ends
- * exactly at the light's sample. A light gives nothing where G.L <= 0 or N.L <= 0. Where an interpolated
+ * exactly at the light's sample. A light contributes nothing where G.L <= 0 or N.L <= 0. Where an interpolated
  * normal has N.V <= 0, F = 1. T is the product of `transmission` over the objects that the shadow ray hits
  * before the light. Each object counts once, however often it is hit: a grid with the first cell that the ray
  * hits, a mesh that has groups once for each group that is hit.
@@ -51,7 +51,7 @@
  *
  * A ray's throughput is the product of the kr and kt along its path. A ray is not traced when its throughput
  * is below 2^-16 in every channel, after scene.depth bounces or TIA_LAYERS_MAX layers, or when TIA_RAYS_MAX rays of
- * its sample have been traced, in the order of path_hash in render.h (without layers there are never more).
+ * its sample have been traced, in the order of path_hash in debug.h (without layers there are never more).
  * A ray that hits nothing sees the background. Only a sample's final colour is clamped; no intermediate value
  * exceeds 2^17.
  */

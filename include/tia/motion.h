@@ -85,8 +85,8 @@ size_t tia_scene_at_size(const struct tia_scene *scene);
  * are shared with `scene`. *out has no tracks and no balls that fall, no bvh, since objects moved: build a new one, and
  * no `fine` if there were any. It depends on nothing but the scene and the time, to the bit, so the way of balls is
  * computed from the beginning each time: in steps of 1/256 s, and time in proportion to their number times that of
- * balls, planes and boxes. TIA_ERR_MEMORY when `size` is too small. `out` may equal `scene`, which is then lost. One
- * thread does it. Stopped, *out is not to be drawn. */
+ * balls, planes and boxes. TIA_ERR_MEMORY when `size` is too small. `out` may equal `scene`, which is then lost. Runs
+ * on one thread. After TIA_STOPPED *out is undefined and must not be drawn. */
 int tia_scene_at(struct tia_scene *out, void *memory, size_t size, const struct tia_scene *scene, tia_q16 time,
                  const struct tia_job *job);
 

@@ -40,7 +40,7 @@ struct tia_radio_face {
     uint32_t object, material; /* indices in the scene */
     uint32_t plane;            /* number of its plane */
     bool solid;                /* a side of a box; the normal then points outwards */
-    int64_t normal[3];         /* of length 1, Q2.62 */
+    int64_t normal[3];         /* unit normal, Q2.62 */
     tia_q16 thickness;         /* thickness of a box, from this side to the opposite one; else 0 */
 };
 
@@ -57,7 +57,7 @@ struct tia_radio_path {
     uint32_t order, wall_count;
     uint32_t face[TIA_RADIO_ORDER_MAX];
     struct tia_vec3 point[TIA_RADIO_ORDER_MAX];      /* rounded to nearest, ties up */
-    int64_t direction[TIA_RADIO_ORDER_MAX + 1][3];   /* of length 1, Q2.62, within 2^-56 */
+    int64_t direction[TIA_RADIO_ORDER_MAX + 1][3];   /* unit vectors, Q2.62, within 2^-56 */
     int64_t length;                                  /* in units of 2^-TIA_RADIO_LENGTH_BITS, relative error 2^-56 */
     struct tia_radio_wall wall[TIA_RADIO_WALLS_MAX]; /* ordered by segment */
 };
@@ -83,6 +83,7 @@ size_t tia_radio_size(const struct tia_scene *scene);
 int tia_radio_init(struct tia_radio **radio, void *memory, size_t size, const struct tia_scene *scene,
                    struct tia_fault *fault);
 
+/* Returns the numbers of faces, planes and objects without faces. */
 struct tia_radio_counts tia_radio_count(const struct tia_radio *radio);
 
 /* Returns face number `face`; its object is TIA_RADIO_NO_OBJECT when there is no such face. */

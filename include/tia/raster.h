@@ -129,7 +129,7 @@ struct tia_raster_plane {
     uint64_t x[2], y[2], c[2], det[2];
 };
 
-/* A vector unit's part in drawing: the same bits. */
+/* The rasteriser's inner loops for an instruction set, with the bits of plain C. */
 struct tia_raster_runs;
 
 /* A rectangle of the image, row by row. An absent buffer is NULL. */
@@ -145,7 +145,7 @@ struct tia_raster_target {
     uint32_t *sum;    /* the accumulation buffer, three a pixel */
     struct tia_raster_plane *planes;
     uint32_t face_count, pitch;         /* pitch: pixels from one row to the next */
-    bool planes_known;                  /* the planes are the callers, from another target, and only read */
+    bool planes_known;                  /* the planes are the caller's, from another target, and only read */
     const struct tia_raster_runs *runs; /* NULL: plain C; see tia_simd_raster */
     uint32_t exact;                     /* number of depth tests that the filter could not decide */
 };

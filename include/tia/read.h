@@ -55,7 +55,7 @@ enum tia_read_warning_kind {
     TIA_WARN_CORNER,    /* texture coordinates or normals on some corners of a face only: ignored */
     TIA_WARN_FACE,      /* a face with too few corners, or one whose vertex does not exist: left out */
     TIA_WARN_EMPTY,     /* a model without faces: only the background is visible */
-    TIA_WARN_DARK,      /* of all formats: what tia_scene_check warns of */
+    TIA_WARN_DARK,      /* in any format: a warning of tia_scene_check */
     TIA_WARNINGS
 };
 

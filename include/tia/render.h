@@ -38,12 +38,12 @@ struct tia_surface {
 struct tia_options {
     bool dither;                   /* ordered dithering, Bayer 8x8, before quantising to RGB565 */
     uint16_t *colours;             /* NULL, or receives each pixel's red, green and blue, row by row of the tile */
-    const struct tia_debug *debug; /* NULL, or what else is told of each pixel, see tia/debug.h */
+    const struct tia_debug *debug; /* NULL, or more output for each pixel, see tia/debug.h */
 };
 
 /* `colours` hold the light from which RGB565 is rounded, 0 to 65535 for 0 to 1, rounded to nearest; as 255 divides
- * 65535, colours of 8 bits can be rounded from them. Not with dither, of a view with a level, or of integrators with
- * samples, which have sums: TIA_ERR_UNSUPPORTED. */
+ * 65535, colours of 8 bits can be rounded from them. TIA_ERR_UNSUPPORTED with dither, for a view drawn by vector units,
+ * and for integrators with samples, which have sums. */
 
 struct tia_view; /* a prepared scene, in the caller's memory */
 struct tia_hits; /* a hit buffer, in the caller's memory */
@@ -54,12 +54,12 @@ size_t tia_view_size(const struct tia_scene *scene, uint32_t light_capacity);
 
 /* Prepares `scene` for a width x height image (1..TIA_SIZE_MAX each) in `memory`, aligned for uint64_t. The view refers
  * to the scene's arrays: they must outlive it. TIA_ERR_ARGUMENT when light_capacity is less than the scene's lights,
- * TIA_ERR_RANGE when tia_scene_check refuses the scene or something is too far away for its shadows, see shadow.h;
- * TIA_ERR_MEMORY when `size` is too small.
+ * TIA_ERR_RANGE when tia_scene_check refuses the scene or something is too far away for its shadows, see
+ * tia_shadow_too_far; TIA_ERR_MEMORY when `size` is too small.
  *
- * One thread prepares it. The view keeps the job's `stop` and calls it in tia_view_set_lights, and in tia_view_trace
- * and tia_view_light as well, in the thread that draws, at least every 16 rays or so; spans after each row. What a call
- * has drawn of the tile, the hits and the view's lights when it returns TIA_STOPPED is not defined. */
+ * One thread prepares it. The view keeps the job's `stop` and calls it in tia_view_set_lights, tia_view_trace,
+ * tia_view_light and tia_view_draw, in the thread that draws, after about 16 rays or, for spans, a row. After
+ * TIA_STOPPED the tile's pixels, its hits and the view's lights are undefined. */
 int tia_view_init(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
                   uint32_t light_capacity, unsigned width, unsigned height, const struct tia_job *job);
 
@@ -88,7 +88,7 @@ int tia_view_trace(const struct tia_view *view, struct tia_hits *hits, struct ti
 /* Computes the colours of the traced pixels of `tile` and writes each pixel once, left to right, top to bottom.
  * `options` may be NULL. Errors as for tia_view_trace, and TIA_ERR_ARGUMENT when no tile of the hits is traced, or the
  * surface has no pixels or is not aligned. Once a tile is traced, it is not detected that others are not: all pixels of
- * `tile` must be. A level, see simd.h, needs no hits. */
+ * `tile` must be. Vector units, see simd.h, need no hits. */
 int tia_view_light(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                    const struct tia_surface *surface, const struct tia_options *options);
 
@@ -96,17 +96,17 @@ int tia_view_light(const struct tia_view *view, const struct tia_hits *hits, str
 int tia_view_draw(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
                   const struct tia_surface *surface, const struct tia_options *options);
 
-/* True if a tile of one pixel costs little more than its share of a large one. Rays draw so; spans prepare a row, and
- * the rasteriser goes through all faces. */
+/* True if a tile of one pixel costs little more than its share of a large one: with rays. Spans prepare a whole row,
+ * and the rasteriser all faces. */
 bool tia_draws_by_pixel(const struct tia_scene *scene);
 
-/* What draws with a processor's vector units, see tia/simd.h. */
+/* An instruction set of a processor's vector units, see tia/simd.h. */
 struct tia_simd;
 
-/* How views are drawn: the functions above that take a view or its hits call these of its core, with a view that is not
- * NULL. A program that draws in a way of its own, or does more when something is drawn, has such a table in a core of
- * its own. Such views begin with a pointer to their core, their hits with a pointer to their view, as the library's do.
- */
+/* A core's functions for its views. tia_view_set_lights, tia_hits_init, tia_hits_object, tia_view_trace, tia_view_light
+ * and tia_view_draw check that the view is not NULL and call the slot of the view's core. A program with a renderer of
+ * its own, or one that extends the library's, sets such a table in a core of its own. A view must begin with a pointer
+ * to its core, and hits with a pointer to their view, as the library's do. */
 struct tia_drawing {
     int (*set_lights)(struct tia_view *, const struct tia_light *, uint32_t);
     int (*hits_init)(struct tia_hits **, void *, size_t, const struct tia_view *, struct tia_tile);
@@ -118,13 +118,13 @@ struct tia_drawing {
                   const struct tia_options *);
 };
 
-/* The library's, for one that does more to call. */
+/* The library's table, for programs that extend it. */
 extern const struct tia_drawing tia_drawing;
 
-/* An arithmetic, with its renderers. A program can link several and choose at run time: each makes its views, and the
- * functions above draw the views of all. The functions here are those above that need no view, with the core that they
- * are for, as in core->view_size(core, scene, 1); the core may be a copy with another `drawing`, and must outlive its
- * views. */
+/* An arithmetic and its renderers. A program can link several cores and choose one at run time; the functions above
+ * draw the views of every core. The slots are those functions above that need no view. Their first argument is the
+ * core, as in core->view_size(core, scene, 1). It may be a copy of the library's with another `drawing`, and must
+ * outlive its views. */
 struct tia_core {
     const char *name; /* "q16", "f64", ... */
     size_t (*view_size)(const struct tia_core *, const struct tia_scene *, uint32_t);
@@ -135,22 +135,18 @@ struct tia_core {
                         unsigned);                                             /* may be NULL: 0 */
     bool (*draws_by_pixel)(const struct tia_core *, const struct tia_scene *); /* may be NULL: not known */
     const struct tia_drawing *drawing;                                         /* NULL: tia_drawing */
-    const struct tia_renderers *renderers; /* the library's; NULL: none, it draws in a way of its own */
+    const struct tia_renderers *renderers; /* the library's; NULL: none, `drawing` has its own */
 };
 
-extern const struct tia_core tia_core_q16; /* integers: what the functions above take */
+extern const struct tia_core tia_core_q16; /* integers: the core of the functions above */
 extern const struct tia_core tia_core_f64; /* double: the reference, libtia-f64.a */
 
-/* Integers for the scenes that spans draw, see scene.h: a program that names no other core links no other renderer, nor
- * any of what other scenes have. They refuse shapes, meshes, textures, tracks, what falls and techniques for shadows
- * with TIA_ERR_RANGE, and what else spans do not draw with TIA_ERR_UNSUPPORTED. The second is the smallest: without
- * what decides many pixels at once, at 1.7 times the time. */
+/* Cores of integers for the span renderer's scenes, see scene.h. A program that names no other core links no other
+ * renderer, and no code for other scenes. view_init returns TIA_ERR_RANGE for scenes with shapes, meshes, textures,
+ * tracks, falling balls or techniques for shadows, and TIA_ERR_UNSUPPORTED for all others that spans do not draw. The
+ * second has less code, as it decides each pixel on its own, and takes 1.7 times the time. */
 extern const struct tia_core tia_core_spheres;
 extern const struct tia_core tia_core_spheres_small;
-
-/* Returns the CRC-32 (IEEE 802.3, as in zlib) over `count` pixels as little-endian bytes. Start with 0 and pass the
- * result on from row to row. Without pixels, NULL, the result is `crc`. */
-uint32_t tia_crc32(uint32_t crc, const tia_rgb565 *pixels, size_t count);
 
 #ifdef __cplusplus
 }

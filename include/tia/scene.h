@@ -32,7 +32,7 @@ extern "C" {
 #endif
 
 #define TIA_SPAN_SPHERES 256
-#define TIA_DEPTH_DEFAULT 5 /* the default */
+#define TIA_DEPTH_DEFAULT 5 /* reflections and refractions along a path */
 #define TIA_DEPTH_MAX 16
 #define TIA_SCALE_BITS_MAX 16
 #define TIA_FALLS_MAX 256
@@ -61,9 +61,10 @@ struct tia_fine_ends {
 };
 
 struct tia_fine {
-    struct tia_fine_place eye, reference;  /* of the camera */
-    const struct tia_fine_sphere *spheres; /* as many as the scene's */
-    /* As many as the scene's; used for cylinders (the base's radius for both ends) and cones without a transform. */
+    struct tia_fine_place eye, reference;  /* digits of the camera's eye and reference */
+    const struct tia_fine_sphere *spheres; /* one for each of the scene's spheres */
+    /* One for each of the scene's shapes; used for cylinders (the base's radius for both ends) and cones without a
+     * transform. */
     const struct tia_fine_ends *shapes;
 };
 
@@ -102,8 +103,8 @@ struct tia_scene {
     const struct tia_falling *falling; /* NULL: none */
 };
 
-/* What is darker is black in pictures of 8 bits, also by sRGB. Each colour in Q2.30 that is written by mistake as a
- * length in Q16.16 is. */
+/* The darkest colour that is not black in pictures of 8 bits, in sRGB as well: 2^-13, Q2.30. A colour written by
+ * mistake as a length, in Q16.16, is always darker. */
 #define TIA_DARK (TIA_Q30_ONE >> 13)
 
 /* A violated rule, to be printed as "sphere 3: radius: must be at least 2^-10". */
@@ -116,10 +117,9 @@ struct tia_fault {
 };
 
 /* Checks all ranges; where a count is not 0, its array must have so many elements. TIA_OK, or TIA_ERR_RANGE with *fault
- * filled in (`fault` may be NULL). With TIA_OK, too, *fault may have a thing, a warning: the scene is drawn, but all
- * its lights, or all its materials, are darker than TIA_DARK, and not black. Takes one pass over the scene, and one
- * over its shapes for every 16 meshes or grids.
- */
+ * filled in (`fault` may be NULL). With TIA_OK a fault->thing that is not NULL is a warning: the scene can be drawn,
+ * but all its lights, or all its materials, are darker than TIA_DARK without being black. Takes one pass over the
+ * scene, and one over its shapes for every 16 meshes or grids. */
 int tia_scene_check(const struct tia_scene *scene, struct tia_fault *fault);
 
 /* The default scene, scenes/thesis.tia: a ball on a ground sphere, without lights; the keys a, d, s and w put

@@ -33,7 +33,7 @@ enum tia_shadows {
     TIA_SHADOWS_ZFAIL,  /* shadow volumes, counted behind the visible point; where undecided, as TIA_SHADOWS_ZPASS */
     TIA_SHADOWS_MAP,    /* shadow maps, see struct tia_shadow_map: not exact */
     TIA_SHADOWS_MAP_EXACT,  /* an alias-free map, whose samples are the visible points: exact */
-    TIA_SHADOWS_ZPASS_PLAIN /* as TIA_SHADOWS_ZPASS, assuming the eye in no volume: wrong where it is in one */
+    TIA_SHADOWS_ZPASS_PLAIN /* TIA_SHADOWS_ZPASS with the eye assumed in no volume: wrong where it is in one */
 };
 
 /* Returns "traced", "rays", "zpass", "zfail", "map", "map-exact", "zpass-plain"; NULL beyond the last. */
@@ -77,7 +77,7 @@ enum tia_filter {
     TIA_FILTER_PCSS
 };
 
-#define TIA_MAP_SIZE_DEFAULT 1024 /* the default */
+#define TIA_MAP_SIZE_DEFAULT 1024 /* texels along a side */
 #define TIA_MAP_SIZE_MIN 64
 #define TIA_MAP_SIZE_MAX 4096
 #define TIA_SHADOW_AMOUNT_DEFAULT TIA_Q16(2)

@@ -72,12 +72,12 @@ enum tia_shape_kind { TIA_SHAPES(TIA_SHAPE_KIND) };
 
 struct tia_plane {
     struct tia_vec3 point;
-    struct tia_dir3 normal; /* of a length in 0.5..1.5; it is normalised */
+    struct tia_dir3 normal; /* length 0.5..1.5; it is normalised */
 };
 
 struct tia_disc {
     struct tia_vec3 centre;
-    struct tia_dir3 normal; /* as for a plane */
+    struct tia_dir3 normal; /* length 0.5..1.5; it is normalised */
     tia_q16 radius;
 };
 
@@ -166,7 +166,7 @@ struct tia_face {
 /* Triangles over shared vertices. */
 struct tia_mesh {
     const struct tia_vec3 *vertices;
-    const struct tia_dir3 *normals; /* each of a length in 0.5..1.5; they are normalised, interpolated by the
+    const struct tia_dir3 *normals; /* each of length 0.5..1.5; they are normalised, interpolated by the
                                        barycentric coordinates, then transformed */
     const struct tia_uv *uvs;
     const struct tia_face *faces;

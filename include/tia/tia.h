@@ -1,7 +1,7 @@
 /* tia.h - the interface of tia, a ray tracer in integers.
  *
  *   fixed.h   number formats and status codes
- *   job.h     threads that share long work, and what stops it
+ *   job.h     threads that share long work, and its cancellation
  *   vec.h     vectors and colours
  *   camera.h, material.h, light.h, shape.h    the parts of a scene
  *   lightfield.h    pictures for displays that show each eye another one

@@ -16,19 +16,19 @@ struct tia_exposure {
     int shift;
 };
 
-/* The tone that TIA_TONE_DEFAULT stands for. */
+/* Returns the integration's tone; for TIA_TONE_DEFAULT, the tone that it stands for. */
 enum tia_tone tia_tone_of(const struct tia_integration *integration);
 
-/* The exposure is clamped to -TIA_EXPOSURE_MAX..TIA_EXPOSURE_MAX. */
+/* Returns 2^exposure; the exposure is clamped to -TIA_EXPOSURE_MAX..TIA_EXPOSURE_MAX. */
 struct tia_exposure tia_exposure_of(tia_q16 exposure);
 
-/* The value that a pixel shows, from the sum of `count` samples of one channel: 2^exposure times their mean, in units
- * of 2^-32, at most 2^32 - 1. Rounded down; exact for an exposure of 0. The mean is clamped to 0..2^14; a count of 0
- * gives 0. */
+/* Returns the value that a pixel shows, from the sum of `count` samples of one channel: 2^exposure times their mean, in
+ * units of 2^-32, at most 2^32 - 1. Rounded down; exact for an exposure of 0. The mean is clamped to 0..2^14; a count
+ * of 0 gives 0. */
 uint32_t tia_exposed(const struct tia_exposure *exposure, int64_t sum, uint32_t count);
 
-/* The nearest of 2^bits levels to that value, ties up: exact. The bits are 1..16, for srgb 5, 6 or 8; others give 0.
- * Other tones are as TIA_TONE_LINEAR. */
+/* Returns the number of the nearest of 2^bits levels to that value, ties up: exact. The bits are 1..16, for srgb 5, 6
+ * or 8; others give 0. Other tones are as TIA_TONE_LINEAR. */
 unsigned tia_tone_level(enum tia_tone tone, uint32_t value, unsigned bits);
 
 #ifdef __cplusplus

@@ -13,7 +13,7 @@ struct tia_vec3 {
     tia_q16 x, y, z;
 };
 
-/* More digits of a position, in units of 2^-32; see struct tia_fine. */
+/* The digits of a position below Q16.16, in units of 2^-32; see struct tia_fine. */
 struct tia_fine_place {
     int16_t x, y, z;
 };
@@ -28,8 +28,9 @@ struct tia_rgb {
     tia_q30 r, g, b;
 };
 
-/* Constants of these types: places; directions of length 1; colours, each channel 0 for black to 1 for white. A
- * compiler refuses a place where a colour is due, and a colour where a place is. */
+/* Initialisers of these types: positions; directions of length 1; colours, each channel from 0, black, to 1, white. As
+ * each names the members that it sets, a position in place of a colour does not compile, nor a colour in place of a
+ * position. */
 #ifndef __cplusplus
 #define TIA_VEC3(X, Y, Z)                                                                                              \
     {                                                                                                                  \

@@ -65,7 +65,7 @@ struct tia_frame {
     uint64_t key_us; /* latency: from the oldest key press that this frame shows to the end of present; 0 when there was
                         none, its time is unknown, or the frame is not shown yet, and in all but the first of a frame's
                         coarse pictures */
-    const char *simd; /* the level that drew it, see tia_view_simd */
+    const char *simd; /* name of the instruction set that drew it, see tia_view_simd */
 };
 
 /* The effect of an event. */
@@ -98,7 +98,7 @@ struct tia_viewer_state {
     bool incomplete; /* the display does not show all of these changes yet */
     struct tia_camera camera;
     uint32_t light_count,
-        light;    /* their number, at most light_capacity; the one that keys move, or the next if it is ambient */
+        light;    /* their number, at most lights.capacity; the one that keys move, or the next if it is ambient */
     tia_q16 time; /* seconds */
 };
 
@@ -114,7 +114,7 @@ struct tia_viewer_lights {
 /* The times of frames. All zero: they follow the clock, and no frame is made coarser to keep a rate. */
 struct tia_viewer_pacing {
     uint32_t frame_limit; /* stop after this many frames; 0: no limit */
-    tia_q16 time;         /* of the first frame, seconds, for scenes with tracks */
+    tia_q16 time;         /* time of the first frame, seconds, for scenes with tracks */
     uint32_t rate[2];     /* films: frame n shows time + n rate[1]/rate[0], each 1..1000000, and needs a frame_limit */
     uint32_t pace[2];     /* frames a second that motion shall keep, pace[0]/pace[1], each 1..1000000 */
 };
@@ -142,7 +142,7 @@ struct tia_viewer_hooks {
     int (*frame_done)(void *ctx, const struct tia_frame *frame);
 
     const struct tia_control *control; /* NULL: other keys end the loop. Needs the viewer's `variant` */
-    void *ctx;                         /* of all of them, and of the control's functions */
+    void *ctx;                         /* first argument of these functions, and of the control's */
 };
 
 struct tia_viewer {
@@ -156,11 +156,11 @@ struct tia_viewer {
     struct tia_viewer_ports ports;
     struct tia_viewer_hooks hooks;
 
-    /* Its workers draw tiles, and the level has memory for each. Its `stop` ends the loop, such as after a signal: it
-     * is called between frames, and about every 20 ms while one is drawn. So is input->poll, on the same threads. */
+    /* The workers draw tiles; the vector units have memory for each. `stop` ends the loop, as after a signal: it is
+     * called between frames, and about every 20 ms while one is drawn, as is input->poll, on the same threads. */
     struct tia_job job;
 
-    bool dither;          /* as in struct tia_options */
+    bool dither;          /* ordered dithering, see struct tia_options */
     const uint16_t *keys; /* keys to press before the first frame; NULL: none */
     size_t key_count;
     struct tia_gaze gaze;
@@ -174,8 +174,8 @@ struct tia_viewer {
  */
 int tia_viewer_run(struct tia_viewer *viewer);
 
-/* The same for scenes of spheres alone, see tia_core_spheres: TIA_ERR_RANGE for others. The core must be set. Frames
- * are drawn at once, only keys that move lights have a meaning, and nothing else is linked. */
+/* Runs the viewer for scenes of spheres alone, see tia_core_spheres; TIA_ERR_RANGE for others. `core` must be set.
+ * Frames are drawn at once, only keys that set or move lights have a meaning, and nothing else is linked. */
 int tia_viewer_run_spheres(struct tia_viewer *viewer);
 
 /* Applies a key press to the lights, *count of an array of `capacity`. Returns 1 when they changed; 0 when the key has

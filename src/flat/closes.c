@@ -3,7 +3,7 @@
 
 #include "edges.h"
 
-/* Returns the bytes of room. It holds an index for each point; then, first, the room to weld points, and later the
+/* Returns the bytes of room, which holds an index for each point; then, first, the room to weld points, and later the
  * faces, the edges across, and the room to join edges. */
 size_t tia_shadow_mesh_room(const struct tia_mesh *mesh)
 {

@@ -53,9 +53,9 @@ static void include(struct reach *r, const struct tia_raster_vertex *v, unsigned
 #define BITS 40
 #define LEAST_W (INT32_C(1) << 17) /* with coordinates off by 1/2, a pixel is off by 8192/2^17 */
 
-/* Gives the pixels that may show a box: one in front of the eye is within the rectangle around its corners. A pixel
- * more on either side allows for the rounding of corners and rays, and for every sample. False: not all of it is in
- * front of the eye, or it is too far aside. */
+/* Gives the pixels that may show a box: a box in front of the eye is within the rectangle around its corners. A pixel
+ * more on either side allows for the rounding of corners and rays, and for every sample. False when part of the box is
+ * not in front of the eye, or is too far aside. */
 static bool box_reach(const struct bounds_wide *box, const struct tia_eye *eye, unsigned width, unsigned height,
                       struct reach *r)
 {

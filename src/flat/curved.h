@@ -1,10 +1,10 @@
-/* curved.h - the image's parts with objects that have no flat faces: rays look for them there. */
+/* curved.h - the parts of the image that may show objects without flat faces, where rays are traced. */
 #ifndef TIA_FLAT_CURVED_H
 #define TIA_FLAT_CURVED_H
 
 #include "faces.h"
 
-/* Pixels x0 <= x < x1, y0 <= y < y1: no others show the object. */
+/* The pixels that may show an object: x0 <= x < x1, y0 <= y < y1. */
 struct tia_curved_place {
     uint32_t object;
     uint16_t x0, y0, x1, y1;
@@ -13,7 +13,7 @@ struct tia_curved_place {
 /* Returns the number of a scene's objects that are neither flat nor empty, see source.h. */
 uint32_t tia_curved_count(const struct tia_scene *scene);
 
-/* Gives their places, one for each. */
+/* Gives the place of each object that tia_curved_count counts. */
 void tia_curved_find(struct tia_curved_place *places, const struct tia_scene *scene, const struct tia_eye *eye,
                      unsigned width, unsigned height);
 

@@ -23,8 +23,9 @@ static inline unsigned tia_face_sides(const struct tia_flat_face *face)
 
 /* The edge from corner k of face f to the next has the number TIA_SIDES f + k. */
 
-/* Return the bytes of room for the two functions. */
+/* Returns the bytes of room for tia_weld. */
 size_t tia_weld_room(uint32_t points);
+/* Returns the bytes of room for tia_edges_join. */
 size_t tia_edges_room(uint32_t faces);
 
 /* Unites points of equal coordinates: first[i] becomes the lowest index of a point at the position of point i. */

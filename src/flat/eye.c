@@ -13,7 +13,7 @@
 #include "math/wide.h"
 #include "scene/axes.h"
 
-/* m 2^-places */
+/* A ratio, m 2^-places. */
 struct ratio {
     int64_t m; /* 2^58..2^62 */
     int places;
@@ -49,7 +49,7 @@ static struct tia_eye_row scaled(const int64_t axis[3], struct ratio scale)
     return row;
 }
 
-/* Drops low bits. */
+/* Rounds a row to at most `places` fraction bits. */
 static void coarsen(struct tia_eye_row *row, int places)
 {
     for (int i = 0; i < 3 && places < row->places; i++)

@@ -75,7 +75,7 @@ static struct tia_raster_vertex opposite(struct tia_raster_vertex v)
     return (struct tia_raster_vertex){-v.x, -v.y, -v.w, -v.h};
 }
 
-/* Gives four directions in the plane, at right angles. */
+/* Adds four directions in a plane, at right angles. */
 static void add_directions(const struct tia_flat_scene *flat, const struct tia_dir3 *normal,
                            struct tia_raster_vertex *to)
 {

@@ -5,8 +5,8 @@
 #include "reach.h"
 #include "source.h"
 
-/* An object: faces first_face .. first_face + face_count - 1, in the order of its elements, see render.h; an element of
- * a box has two. */
+/* An object: faces first_face .. first_face + face_count - 1, in the order of its parts, see path_hash in debug.h; a
+ * part of a box has two. */
 struct tia_flat_object {
     enum tia_shape_kind kind;
     uint32_t object;
@@ -35,7 +35,7 @@ struct tia_flat_scene {
 /* True if a vertex is at infinity. */
 bool tia_flat_is_direction(const struct tia_flat_scene *flat, const struct tia_raster_vertex *v);
 
-/* Gives its three affine coordinates: x, y and w, in orthographic views x, y and h. */
+/* Gives a vertex's three affine coordinates: x, y and w, in orthographic views x, y and h. */
 void tia_flat_affine(const struct tia_flat_scene *flat, const struct tia_raster_vertex *v, int64_t out[3]);
 
 /* Returns the number of faces of a scene that tia_scene_check accepts with shadows. */
@@ -63,7 +63,7 @@ unsigned tia_flat_range(const struct tia_flat_scene *flat);
  * undefined then. */
 int tia_flat_place(struct tia_flat_scene *flat, const struct tia_scene *scene, unsigned range, struct cancel *cancel);
 
-/* Gives the same faces for sample `sample` of each pixel. */
+/* Gives the faces for sample `sample` of each pixel. */
 void tia_flat_sample(struct tia_flat_scene *out, const struct tia_flat_scene *flat, const struct tia_scene *scene,
                      unsigned sample);
 
@@ -71,7 +71,7 @@ void tia_flat_sample(struct tia_flat_scene *out, const struct tia_flat_scene *fl
 unsigned tia_flat_corners(const struct tia_flat_scene *flat, uint32_t face,
                           struct tia_raster_vertex corners[TIA_SIDES]);
 
-/* Returns the part of its object that a face is, see render.h. */
+/* Returns the part of its object that a face is, see path_hash in debug.h. */
 uint32_t tia_flat_element_of(const struct tia_flat_scene *flat, uint32_t face);
 
 /* Returns the object that a face belongs to. */

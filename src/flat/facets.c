@@ -1,4 +1,6 @@
-/* facets.c - a sphere's point 0 is its lowest one, 1 its highest; then come its rings, upwards. All other shapes have
+/* facets.c - the points and faces of a divided shape.
+ *
+ * A sphere's point 0 is its lowest one, 1 its highest; then come its rings, upwards. All other shapes have
  * the centres of their ends first, then the corners of each end that is more than a point. Of two corners the next one
  * of a ring lies to the right, seen from outside with the axis upwards. */
 #include "facets.h"
@@ -9,7 +11,7 @@
 
 /* ---- in the shape's own axes ---- */
 
-/* Returns Q31.32. */
+/* Returns a length with its fine digits, Q31.32. */
 static int64_t finely(tia_q16 a, int16_t digits)
 {
     return a * INT64_C(65536) + digits;

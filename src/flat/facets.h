@@ -20,10 +20,10 @@ void tia_facet_shape_init(struct tia_facet_shape *shape, const struct tia_scene 
 /* Gives point i, Q31.32. */
 void tia_facet_point(const struct tia_facet_shape *shape, uint32_t i, int64_t point[3]);
 
-/* Returns face i: numbers of points. */
+/* Returns face i; its corners are indices of points. */
 struct tia_flat_face tia_facet_face(const struct tia_facet_shape *shape, uint32_t i);
 
-/* Gives the number of faces of its side, the element 0, see render.h, which come first; then of its base. */
+/* Gives the numbers of faces of a shape's side, its part 0 (see debug.h), which come first, and of its base. */
 void tia_facet_parts(const struct tia_facet_shape *shape, uint32_t parts[2]);
 
 #endif

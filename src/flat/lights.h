@@ -10,8 +10,8 @@ typedef struct tia_raster_vertex tia_flat_light;
 /* Returns the number of samples of a light that have shadows: none if it is ambient. */
 unsigned tia_flat_light_samples(const struct tia_light *light);
 
-/* Gives sample i of a light that shadow.h allows and that is in reach, see tia_reach_too_far. A light so far away that
- * it counts as a direction there gives its direction from the eye. */
+/* Gives sample i of a light that shadow.h allows and that is in reach, see tia_reach_too_far; for a light so far away
+ * that it counts as a direction there, its direction from the eye. */
 void tia_flat_light_at(const struct tia_flat_scene *flat, const struct tia_light *light, unsigned i,
                        tia_flat_light *out);
 

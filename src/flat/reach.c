@@ -1,4 +1,6 @@
-/* reach.c - with a width and height of at most 2^b pixels, half a pixel is at least 2^-b of half the window. Let
+/* reach.c - the ranges of corners and lights.
+ *
+ * Take a width and height of at most 2^b pixels, half a pixel is then at least 2^-b of half the window. Let
  * corners have coordinates below R = 2^r, and a light one of 2^(d-1) or more, d the range of both.
  *
  * A light as a vertex of range d is rounded by 2^-(30 - d) at most, as all corners then are: orthographic vertices have

@@ -11,7 +11,7 @@
 /* The properties of a scene that limit its lights. */
 struct tia_reach {
     const struct tia_eye *eye;
-    unsigned width, height; /* of the image */
+    unsigned width, height; /* size of the image, in pixels */
     uint32_t samples;       /* samples of a pixel */
     unsigned faces;         /* the largest range of a corner, see tia_eye_range */
 };
@@ -33,7 +33,7 @@ bool tia_reach_is_direction(const struct tia_reach *reach, const struct tia_ligh
  * whose vertices are rounded by less than half a pixel, or that of the faces. */
 unsigned tia_reach_of_lights(const struct tia_reach *reach);
 
-/* Returns the index of the first light beyond it, or `count`. */
+/* Returns the index of the first light beyond tia_reach_of_lights, or `count`. */
 uint32_t tia_reach_too_far(const struct tia_reach *reach, const struct tia_light *lights, uint32_t count);
 
 /* Returns the range for the scene's faces with these lights, of which none is too far: the same for the scene's own

@@ -39,10 +39,10 @@ static inline uint32_t tia_flat_places(const struct tia_flat_source *source)
     return source->kind == TIA_PLANE ? 1 : source->points;
 }
 
-/* Gives point i of these in the world, Q31.32. */
+/* Gives point i in the world, Q31.32; i is below tia_flat_places. */
 void tia_flat_source_point(const struct tia_flat_source *source, uint32_t i, int64_t world[3]);
 
-/* Returns face i: numbers of points. */
+/* Returns face i; its corners are indices of points. */
 struct tia_flat_face tia_flat_source_face(const struct tia_flat_source *source, uint32_t i);
 
 #endif

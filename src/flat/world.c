@@ -1,4 +1,5 @@
-/* world.c - the inverse of the camera's rows r: the columns c0 = r1 x r2, c1 = r2 x r0, c2 = r0 x r1, each over r0.c0.
+/* world.c - the inverse of the camera's matrix, of rows r: the columns c0 = r1 x r2, c1 = r2 x r0, c2 = r0 x r1, each
+ * over r0.c0.
  */
 #include "world.h"
 

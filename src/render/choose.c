@@ -1,4 +1,4 @@
-/* choose.c - chooses the first of a core's renderers that draws a scene. */
+/* choose.c - the choice of a renderer: the first of the core's list that draws the scene. */
 #include "renderer.h"
 
 const struct renderer *tia_renderer_for(const struct tia_core *core, const struct tia_scene *scene)

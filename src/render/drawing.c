@@ -1,4 +1,4 @@
-/* drawing.c - the functions of a view, through its core. */
+/* drawing.c - the public functions of a view, which call through its core. */
 #include "renderer.h"
 
 const struct tia_drawing tia_drawing = {
@@ -10,7 +10,8 @@ const struct tia_drawing tia_drawing = {
     .render = tia_drawing_render,
 };
 
-/* NULL: the library's. A program's own view begins like ours, and so do its hits. */
+/* Returns the slots of the view's core; NULL: the library's. A program's own views and hits begin as the library's do.
+ */
 static const struct tia_drawing *drawing_of(const struct tia_view *view)
 {
     return (*(const struct tia_core *const *)(const void *)view)->drawing;

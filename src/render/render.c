@@ -1,7 +1,7 @@
-/* render.c - draws a tile by the view's renderer or its level. */
+/* render.c - draws a tile, by the view's renderer or by vector units. */
 #include "renderer.h"
 
-/* Returns the status of the work on a tile of the hits; `traces`: the tile was traced. */
+/* Returns the status after work on a tile; marks the hits as traced if `traces` and not stopped. */
 static int ended(const struct tia_view *view, struct tia_hits *hits, bool traces)
 {
     if (view_stops(view))
@@ -15,14 +15,14 @@ int tia_drawing_trace(const struct tia_view *view, struct tia_hits *hits, struct
 {
     if (!tia_hits_have(hits, view, tile))
         return TIA_ERR_ARGUMENT;
-    if (!view->simd) /* a level finds the visible surfaces while it lights */
+    if (!view->simd) /* vector units find the visible surfaces while they light */
         view->renderer->trace(view, hits, tile);
     return ended(view, hits, !view->simd);
 }
 
 static const struct tia_options plain = {0};
 
-/* True if the renderer can write these colours: levels only have RGB565, samples have sums. */
+/* True if the view can write options->colours: vector units have RGB565 alone, and samples have sums. */
 static bool has_colours(const struct tia_view *view, const struct tia_options *options)
 {
     return !options->colours || !(view->simd || view->renderer->sample || options->dither);

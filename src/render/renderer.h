@@ -14,17 +14,17 @@
 
 #include "math/tile.h"
 
-/* Parts of a level, one for each renderer that it may draw for. SIMD_PARTS: none. */
+/* The parts of an instruction set's code, one for each kind of renderer that it replaces. SIMD_PARTS: none. */
 enum simd_part { SIMD_SPANS, SIMD_RAYS, SIMD_SAMPLES, SIMD_PARTS };
 
 struct renderer {
-    /* True if it draws the scene; when no renderer before it does; NULL: any scene. New lights of a view are tested in
-     * a scene with no objects. */
+    /* True if it draws the scene; called only when no renderer before it in the list does. NULL: it draws any scene.
+     * New lights of a view are tested in a scene without objects. */
     bool (*draws)(const struct tia_scene *scene);
 
     /* Returns the bytes behind view->prepared, SIZE_MAX when there are too many. */
     size_t (*prepared_size)(const struct tia_scene *scene, uint32_t light_capacity);
-    /* Fills them in for the view's scene and size, without its lights. May return TIA_STOPPED. */
+    /* Fills in view->prepared for the view's scene and size, without its lights. May return TIA_STOPPED. */
     int (*prepare)(struct tia_view *view);
     /* Sets the view's lights: after `prepare`, and whenever they change. May return TIA_STOPPED. */
     int (*set_lights)(struct tia_view *view);
@@ -32,16 +32,16 @@ struct renderer {
     /* Returns the bytes behind hits->buffer for `pixels` pixels of the scene; below 2^40. NULL: none. */
     uint64_t (*buffer_size)(const struct tia_scene *scene, uint32_t pixels);
 
-    /* Trace and light a tile of the view and of the hits, see tia_view_trace and tia_view_light. */
+    /* The work of tia_view_trace and tia_view_light, for a tile that is inside the image and the hits. */
     void (*trace)(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile);
     void (*light)(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                   const struct tia_surface *surface, const struct tia_options *options);
 
     bool by_pixel;       /* see tia_draws_by_pixel */
-    enum simd_part part; /* the part of a level that may draw in its place */
+    enum simd_part part; /* the part of an instruction set's code that may draw in its place */
 
     /* Returns an error if the view cannot have these lights: TIA_ERR_MEMORY when its memory is not enough for them,
-     * TIA_ERR_RANGE when one is too far away. NULL: it can have any. See tia_view_set_lights. */
+     * TIA_ERR_RANGE when one is too far away. NULL: never. See tia_view_set_lights. */
     int (*refuses)(const struct tia_view *view, const struct tia_light *lights, uint32_t count);
 
     /* Traces and lights at once, where that saves work; NULL: one after the other. */
@@ -53,12 +53,12 @@ struct renderer {
                    const struct tia_gathered *gathered);
 };
 
-/* A level's replacement of one renderer's plain C, on a processor with vector units: the same bits. */
+/* A renderer's replacement by vector units, of one instruction set: the same bits. */
 struct simd_renderer {
     /* Returns the bytes behind view->simd_memory, SIZE_MAX when there are too many. */
     size_t (*size)(const struct tia_scene *scene, uint32_t light_capacity);
 
-    /* True if it can draw the view, whatever the lights. */
+    /* True if it can draw the view with any lights. */
     bool (*draws)(const struct tia_view *view);
     /* Prepares its memory once; NULL: not needed. */
     void (*open)(struct tia_view *view);
@@ -69,17 +69,17 @@ struct simd_renderer {
      * to 64. */
     size_t (*room)(const struct tia_simd *simd);
 
-    /* As in struct renderer, but without hits: their buffer stays unused. */
+    /* Draws a tile, see struct renderer, without hits, whose buffer stays unused. */
     void (*light)(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
                   const struct tia_options *options, void *room);
 
-    /* As in struct renderer, for one that has samples. */
+    /* Adds samples, see struct renderer; for renderers that have samples. */
     void (*sample)(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end,
                    const struct tia_gathered *gathered, void *room);
 };
 
-/* Entries of a view's level. They call the functions above in a floating-point environment of their own, with room that
- * no other thread uses, and restore the caller's environment. If either cannot be had, plain C draws.
+/* Entry points to the vector units. They call the functions above in a floating-point environment of their own, with
+ * room that no other thread uses, and restore the caller's environment. Without such room or environment plain C draws.
  */
 struct simd_entries {
     /* Returns the bytes for the part's own memory and for `workers` workers. */
@@ -93,22 +93,22 @@ struct simd_entries {
                    const struct tia_gathered *gathered);
 };
 
-/* See tia/simd.h and src/simd. */
+/* An instruction set, see tia/simd.h and src/simd. */
 struct tia_simd {
     const char *name;
     const struct simd_entries *enter;
     const struct span_kernels *plain;              /* the kernels whose bits it reproduces: one arithmetic's */
     const struct simd_renderer *parts[SIMD_PARTS]; /* NULL: left to plain C */
-    const struct simd_kernels *kernels;            /* of the spans */
-    const struct sure_kernels *sure;               /* of the rays */
-    const struct tia_raster_runs *raster;          /* of the rasteriser; NULL: plain C */
+    const struct simd_kernels *kernels;            /* kernels of the spans */
+    const struct sure_kernels *sure;               /* kernels of the rays */
+    const struct tia_raster_runs *raster;          /* the rasteriser's inner loops; NULL: plain C */
 };
 
 /* The renderers of a core: a program links those of the cores that it names. */
 struct tia_renderers {
     const struct renderer *const *list; /* the first that draws a scene draws it; ends with NULL */
     const struct span_kernels *plain;   /* its arithmetic's */
-    /* Whether the renderers know all that the scene has, see tia_check_scene. */
+    /* Checks all ranges, and that the renderers have code for all parts of the scene, see tia_check_scene. */
     int (*check)(const struct tia_scene *scene, struct tia_fault *fault, struct cancel *cancel);
 };
 
@@ -128,14 +128,14 @@ struct tia_view {
     void *stop_ctx;
 };
 
-/* Returns the level's part that draws the scenes of a renderer, or NULL. */
+/* Returns the part of an instruction set's code that draws a renderer's scenes, or NULL. */
 static inline const struct simd_renderer *simd_renderer_for(const struct tia_simd *simd,
                                                             const struct renderer *renderer)
 {
     return simd && renderer->part < SIMD_PARTS ? simd->parts[renderer->part] : NULL;
 }
 
-/* What a caller wants to be told of each pixel. */
+/* Returns the output that a caller selected with `debug`. */
 static inline struct tia_debug options_debug(const struct tia_options *options)
 {
     return options->debug ? *options->debug : (struct tia_debug){NULL, NULL, NULL};
@@ -199,14 +199,13 @@ static inline size_t hits_index(const struct tia_hits *hits, unsigned x, unsigne
     return (size_t)(y - hits->area.y) * hits->area.width + (x - hits->area.x);
 }
 
-/* Spheres with a common eye, a row at a time: for scenes that need no more. The small one is without what decides many
- * pixels at once, see coherence.h. */
+/* Spans: scenes of spheres, a row at a time. The small renderer decides each pixel on its own, without coherence.h. */
 extern const struct renderer span_renderer, span_renderer_small;
 
 /* Rays, after Whitted: any scene. */
 extern const struct renderer whitted_renderer;
 
-/* Flat faces through the rasteriser, for primary visibility and its shadows; rays for the rest. */
+/* Hybrid: the rasteriser finds the visible flat faces and their shadows, rays the rest. */
 extern const struct renderer raster_renderer;
 
 /* Ambient occlusion, in samples. */
@@ -215,10 +214,10 @@ extern const struct renderer ao_renderer;
 /* Light along random paths, in samples. */
 extern const struct renderer path_renderer;
 
-/* The renderer for a scene; it depends on nothing but the core and the scene. NULL: the core has none that draws it. */
+/* Returns the renderer for a scene, which depends on the core and the scene alone; NULL: the core has none. */
 const struct renderer *tia_renderer_for(const struct tia_core *core, const struct tia_scene *scene);
 
-/* A core's functions before there is a view, see struct tia_core; `core` is one of the library's. */
+/* The slots of struct tia_core in the library's cores. */
 size_t tia_core_view_size(const struct tia_core *core, const struct tia_scene *scene, uint32_t light_capacity);
 int tia_core_view_init(const struct tia_core *core, struct tia_view **view, void *memory, size_t size,
                        const struct tia_scene *scene, uint32_t light_capacity, unsigned width, unsigned height,
@@ -228,7 +227,7 @@ size_t tia_core_level_size(const struct tia_core *core, const struct tia_simd *s
                            uint32_t light_capacity, unsigned workers);
 bool tia_core_draws_by_pixel(const struct tia_core *core, const struct tia_scene *scene);
 
-/* The functions of a view; `view` is not NULL. */
+/* The slots of struct tia_drawing in the library's cores; `view` is not NULL. */
 int tia_drawing_set_lights(struct tia_view *view, const struct tia_light *lights, uint32_t count);
 int tia_drawing_hits_init(struct tia_hits **hits, void *memory, size_t size, const struct tia_view *view,
                           struct tia_tile area);
@@ -239,7 +238,7 @@ int tia_drawing_light(const struct tia_view *view, const struct tia_hits *hits, 
 int tia_drawing_render(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
                        const struct tia_surface *surface, const struct tia_options *options);
 
-/* A core of the library. */
+/* Initialises a core of the library. */
 #define TIA_CORE(core_name, core_renderers)                                                                            \
     {                                                                                                                  \
         .name = (core_name), .view_size = tia_core_view_size, .view_init = tia_core_view_init,                         \

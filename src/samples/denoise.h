@@ -6,13 +6,13 @@
 
 #include "math/tile.h"
 
-/* Data that each pass changes. */
+/* The part of a pixel's data that each pass changes. */
 struct light {
     uint32_t rgb[3]; /* radiance over the albedo, Q16.16 */
     uint32_t error;  /* the standard error of its luminance, Q16.16 */
 };
 
-/* Constant data. */
+/* The part of a pixel's data that guides the passes. */
 struct feature {
     uint32_t albedo[3]; /* Q16.16, the divisor of the light: never 0 */
     uint32_t depth;     /* Q16.16 */

@@ -18,7 +18,7 @@ struct middle {
     bool stops; /* at edges of the light */
     struct feature feature;
     uint32_t luminance;
-    uint64_t spread;      /* of the luminance, caused by noise, Q.16 */
+    uint64_t spread;      /* spread of the luminance by noise, Q.16 */
     int64_t across, down; /* change of the depth to the next pixel, Q.16 */
     uint32_t slope;       /* the larger absolute value of them */
 };

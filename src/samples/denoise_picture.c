@@ -54,7 +54,8 @@ static uint64_t mean(int64_t sum, uint32_t count)
     return ((uint64_t)sum + count / 2) / count;
 }
 
-/* n (mean of squares - square of the mean)/(n - 1) is the variance of a sample, and 1/n of that of the mean's. */
+/* Derivation: a sample's variance is n (mean of squares - square of the mean)/(n - 1), and 1/n of that is the mean's.
+ */
 uint32_t tia_standard_error(const struct tia_sum *sum, uint64_t squares, uint32_t count)
 {
     if (!sum || !count)

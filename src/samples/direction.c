@@ -67,7 +67,7 @@ void tia_sample_disc(const uint32_t u[2], int64_t place[2])
     (void)concentric(u, place);
 }
 
-/* cos t = u^(1/(n + 1)) */
+/* Derivation: the density (n + 1)/(2 pi) cos^n t has cos t = u^(1/(n + 1)). */
 void tia_sample_phong(const uint32_t u[2], tia_q16 exponent, int64_t direction[3])
 {
     int64_t s, c, z = tia_exp2(ONE, wide_quotient(tia_log2(unit_of(u[0])), (int64_t)exponent + TIA_Q16_ONE, 16));

@@ -39,7 +39,7 @@ static inline uint32_t sobol_reversed(uint32_t index, unsigned dimension)
 }
 
 struct sampler {
-    uint32_t seed, index; /* of the pixel; the sample */
+    uint32_t seed, index; /* the pixel's seed; the sample's number */
 };
 
 /* Returns the sampler of sample `index` of pixel (x, y). */

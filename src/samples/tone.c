@@ -15,7 +15,7 @@ enum tia_tone tia_tone_of(const struct tia_integration *how)
     return how->integrator == TIA_PATHS ? TIA_TONE_SRGB : TIA_TONE_LINEAR;
 }
 
-/* 2^-(1 - fraction) 2^(floor + 1) */
+/* Derivation: 2^exposure = 2^-(1 - fraction) 2^(floor + 1). */
 struct tia_exposure tia_exposure_of(tia_q16 exposure)
 {
     exposure = exposure > TIA_EXPOSURE_MAX ? TIA_EXPOSURE_MAX : exposure;
@@ -56,7 +56,7 @@ uint32_t tia_exposed(const struct tia_exposure *exposure, int64_t sum, uint32_t 
     return (uint32_t)wide_down(product, (unsigned)shift);
 }
 
-/* Returns how many thresholds, of 2^bits - 1 in rising order, the value has reached. */
+/* Returns the number of thresholds, of 2^bits - 1 in rising order, that are at most the value. */
 static unsigned reached(const uint32_t *thresholds, unsigned bits, uint32_t value)
 {
     unsigned level = 0;
@@ -67,7 +67,7 @@ static unsigned reached(const uint32_t *thresholds, unsigned bits, uint32_t valu
     return level;
 }
 
-/* Returns the same for 8 bits, as in files, in little time: one step or two, except near black. */
+/* Returns reached() for 8 bits, as in files, in one step or two, except near black. */
 static unsigned reached8(uint32_t value)
 {
     unsigned level = tia_srgb8_from[value >> 24], end = tia_srgb8_from[(value >> 24) + 1];

@@ -4,7 +4,7 @@
 
 #include <tia/job.h>
 
-/* All zero but the first two. */
+/* A caller's `stop`, its context, and the work since the last poll. Initialise all but the first two to zero. */
 struct cancel {
     bool (*stop)(void *ctx); /* NULL: never cancelled */
     void *ctx;
@@ -22,7 +22,7 @@ static inline struct cancel cancel_for(const struct tia_job *job)
     return job ? (struct cancel){job->stop, job->ctx, 0, false} : (struct cancel){NULL, NULL, 0, false};
 }
 
-#define CANCEL_INTERVAL 4096 /* items: a poll may read a clock or a keyboard */
+#define CANCEL_INTERVAL 4096 /* items between polls, since a poll may read a clock or a keyboard */
 
 /* Adds `work` items; returns true once cancelled. */
 static inline bool cancelled(struct cancel *cancel, uint32_t work)

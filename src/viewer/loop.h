@@ -28,11 +28,11 @@ struct held {
 
 struct loop;
 
-/* Whether a scene can be drawn, as tia_check_scene. */
+/* A check of a scene, with the result of tia_check_scene. */
 typedef int scene_check(const struct tia_scene *scene, struct tia_fault *fault, struct cancel *cancel);
 
-/* Everything but frames of spheres at once and keys that move lights: a program links what its function names, see
- * tia_viewer_run_spheres. */
+/* The viewer's functions beyond frames of spheres drawn at once and keys that move lights. The linker drops them from a
+ * program that calls tia_viewer_run_spheres alone. */
 struct viewer_more {
     scene_check *check;
     int (*play_begin)(struct loop *loop);
@@ -55,7 +55,7 @@ struct viewer_more {
 
 struct loop {
     const struct tia_viewer *viewer;
-    const struct viewer_more *more; /* NULL: none of it */
+    const struct viewer_more *more; /* NULL: spheres alone */
     const struct tia_core *core;
     const struct tia_scene *base;  /* the viewer's scene, or its copy with another technique for shadows */
     const struct tia_scene *scene; /* base, or *current when it has tracks */
@@ -68,11 +68,11 @@ struct loop {
     struct tia_hits *hits;
     size_t view_size, hits_size, simd_size;
     void *hits_memory, *simd_memory;
-    int8_t *status;       /* of each tile */
-    uint8_t *passes;      /* of each tile: passes done */
-    uint32_t *drawn;      /* of each tile: pixels drawn */
+    int8_t *status;       /* status of each tile */
+    uint8_t *passes;      /* passes done of each tile */
+    uint32_t *drawn;      /* pixels drawn of each tile */
     tia_rgb565 *canvas;   /* the picture so far, see refine.c; NULL: frames are drawn at once */
-    struct tia_sum *sums; /* of each pixel: its samples so far; NULL: pixels get all their samples at once */
+    struct tia_sum *sums; /* each pixel's samples so far; NULL: pixels get all their samples at once */
     unsigned tile_width, tile_height, columns;
     uint32_t tiles;
     bool view_ready; /* the view is up to date, except perhaps for its lights */
@@ -173,10 +173,10 @@ static inline void viewer_tell(struct loop *loop)
     *state = loop->state;
 }
 
-/* As tia_viewer_run; `core` is for a viewer without one, or NULL. */
+/* Runs the loop, see tia_viewer_run. `core`: the default for a viewer without one, or NULL. */
 int tia_viewer_loop(struct tia_viewer *viewer, const struct tia_core *core, const struct viewer_more *more);
 
-/* As tia_viewer_press, for lights that the check lets pass. */
+/* Applies a key press as tia_viewer_press does, if `check` accepts the lights. */
 int tia_viewer_press_lights(scene_check *check, const struct tia_scene *scene, struct tia_light *lights,
                             uint32_t *count, uint32_t capacity, uint16_t key);
 
@@ -240,11 +240,12 @@ int tia_viewer_play(struct loop *loop);
 
 /* ---- watch.c ---- */
 
-/* Called before a frame. */
+/* Resets the state of watching before a frame. */
 void tia_viewer_watch_begin(struct loop *loop);
-/* Called while a frame is drawn, on any thread; TIA_STOPPED or VIEWER_OUTDATED when the frame is to end. */
+/* Polls `stop` and the input while a frame is drawn, on any thread; TIA_STOPPED or VIEWER_OUTDATED when the frame is to
+ * end. */
 int tia_viewer_watch(struct loop *loop);
-/* The same as a `stop` callback. */
+/* True if tia_viewer_watch ends the frame: a `stop` callback. */
 bool tia_viewer_stops(void *loop);
 
 /* ---- present.c ---- */
@@ -264,7 +265,7 @@ int tia_viewer_prepare_view(struct loop *loop);
 
 /* ---- tiles.c ---- */
 
-/* Draws a frame at once. */
+/* Draws a frame at once, tile by tile. */
 int tia_viewer_draw_tiles(struct loop *loop);
 struct tia_tile tia_viewer_tile(const struct loop *loop, unsigned index);
 /* Runs a job that leaves its status in loop->status for each tile, on the workers if the display allows it. */
@@ -288,11 +289,11 @@ uint64_t tia_viewer_whole_us(const struct loop *loop, const struct tia_frame *fr
 
 /* Returns the bytes for the canvas and, if `sums`, its sums of samples; 0: there is none. */
 uint64_t tia_viewer_canvas_size(const struct loop *loop, bool sums);
-/* Takes that memory. */
+/* Sets the canvas and the sums up in `memory`, of the size that tia_viewer_canvas_size returned. */
 void tia_viewer_set_canvas(struct loop *loop, void *memory, uint64_t size);
 /* True if the next frame is to be drawn coarse to fine. */
 bool tia_viewer_refines(const struct loop *loop);
-/* Draws it, and sets frame->draw_us. */
+/* Draws a frame coarse to fine, and sets frame->draw_us. */
 int tia_viewer_draw_passes(struct loop *loop, struct tia_frame *frame);
 
 /* ---- pass.c ---- */
@@ -314,11 +315,11 @@ int tia_viewer_refine_tile(struct loop *loop, struct tia_tile tile, uint32_t *dr
 
 /* Copies the canvas onto the display. */
 int tia_viewer_copy(struct loop *loop);
-/* Does so after the loop, if it has been shown and the display is still the same. */
+/* Copies the canvas after the loop, if it has been shown and the display is still the same. */
 void tia_viewer_copy_last(struct loop *loop);
 
-/* The technique for shadows that follows the scene's, in the order of tia_shadows_name and round again, of those that
- * the scene qualifies for. TIA_SHADOWS_TRACED after one that there is not. */
+/* Returns the technique for shadows that follows the scene's, in the order of tia_shadows_name and round again, among
+ * those that the scene qualifies for; TIA_SHADOWS_TRACED after an invalid one. */
 enum tia_shadows tia_next_shadows(const struct tia_scene *scene);
 
 #endif

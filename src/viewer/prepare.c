@@ -15,7 +15,7 @@ static void set_tiles(struct loop *loop, unsigned height)
 enum { PARTS = 9 };
 
 /* Gets memory from the caller for the current scene, its hierarchy, the view, six bytes for each tile, hits, the
- * level's constants, and a canvas of `canvas` bytes. */
+ * vector units, and a canvas of `canvas` bytes. */
 static bool get_memory(struct loop *loop, struct tia_tile hits, uint64_t canvas)
 {
     const struct tia_viewer *v = loop->viewer;

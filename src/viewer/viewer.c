@@ -16,7 +16,7 @@ static int idle_ms(const struct loop *loop)
     if (!next)
         return -1;
     uint64_t ms = next > time ? (next - time + 999) / 1000 : 0;
-    return ms < INT16_MAX ? (int)ms : INT16_MAX; /* too early does no harm */
+    return ms < INT16_MAX ? (int)ms : INT16_MAX; /* waking too early does no harm */
 }
 
 static void keep_lights(struct loop *loop)
@@ -233,7 +233,7 @@ static bool is_rate(const uint32_t rate[2])
     return !rate[0] || (rate[0] <= RATE_MAX && rate[1] - 1 < RATE_MAX);
 }
 
-/* True if all that the ports and callbacks need is set. */
+/* True if all required ports and hooks are set. */
 static bool is_complete(const struct tia_viewer *v)
 {
     const struct tia_display *d = v->ports.display;

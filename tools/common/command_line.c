@@ -13,16 +13,16 @@
 #include "parse.h"
 
 enum {
-    OPTIONS_MOST = 96, /* in a table */
-    CODE = 256,        /* of the first row: greater than any letter */
+    OPTIONS_MOST = 96, /* rows of a table */
+    CODE = 256,        /* code of the first row for getopt_long: greater than any letter */
     TEXT_SIZE = 400,
     LINE_WIDTH = 100,
-    LEFT_MOST = 32 /* for the texts' column; wider rows have theirs on the next line */
+    LEFT_MOST = 32 /* column of the help texts; wider rows have theirs on the next line */
 };
 
 /* ---- values ---- */
 
-/* Returns the index of `value` among the words of "a|b|c"; -1: it is none of them. */
+/* Returns the index of `value` among the words of "a|b|c"; -1 if it is none of them. */
 static int word_of(const char *words, const char *value)
 {
     size_t length = strlen(value);
@@ -268,7 +268,7 @@ static void name_options(const struct option_row *rows, struct option *longs, ch
     *shorts = '\0';
 }
 
-/* Returns the row of a code of getopt_long; NULL: the code says that the option was refused. */
+/* Returns the row for a code of getopt_long; NULL for the codes of a refused option. */
 static const struct option_row *row_of(const struct option_row *rows, int code)
 {
     if (code >= CODE)

@@ -37,7 +37,7 @@ def sums(v):
 
 
 def main():
-    print("/* tables.c - what sobol.h looks up, written by tools/generate/sampling.py. */")
+    print("/* tables.c - the tables of sobol.h, written by tools/generate/sampling.py. */")
     print("// clang-format off")
     print('#include "sobol.h"\n')
     print("const uint32_t tia_sobol_tables[2][8][16] = {")

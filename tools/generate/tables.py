@@ -156,7 +156,7 @@ def power(bits=200):
     for n in range(1, 7):
         factor = -factor * ln2(bits) // (n << bits)
         series.append(factor)
-    print("/* power_tables.c - what power.c looks up, written by tools/generate/tables.py. */")
+    print("/* power_tables.c - the tables of power.c, written by tools/generate/tables.py. */")
     print("// clang-format off")
     print('#include "power.h"\n')
     print("const uint16_t tia_log_inverses[64] = {")

@@ -16,7 +16,7 @@ def linear(code):
 
 
 def main():
-    print("/* thresholds.c - where sRGB's levels begin, in units of 2^-32, written by tools/generate/tone.py. */")
+    print("/* thresholds.c - the lower ends of sRGB's levels, in units of 2^-32, written by tools/generate/tone.py. */")
     print("// clang-format off")
     print('#include "thresholds.h"')
     for bits in (5, 6, 8):

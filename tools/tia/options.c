@@ -11,7 +11,7 @@
 
 enum { ACUITY_BITS = 8 }; /* w0 and m are Q8.24 */
 
-/* ---- values with parsers of their own: each returns NULL, or the mistake as in common/command_line.h ---- */
+/* ---- parsers of single options, see `parse` of common/command_line.h ---- */
 
 /* Cuts "drm:/dev/dri/card1" into its name and device. */
 static const char *cut_device(char *value, const char **name, const char **device)
@@ -102,7 +102,7 @@ static const char *set_bias(void *context, char *value)
     return "";
 }
 
-/* Accepts "ao=2.5" as well, which it cuts at the '='. */
+/* Accepts the name of an integrator, or "ao=2.5" with a distance, and ends the name at the '='. */
 static const char *set_integrator(void *context, char *value)
 {
     struct options *options = context;

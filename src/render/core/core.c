@@ -1,4 +1,4 @@
-/* core.c - the renderers of one arithmetic, and its core. */
+/* core.c - the core of one arithmetic, with all renderers. */
 #include "render/renderer.h"
 #include "render/span/kernels.h"
 #include "scene/check/check.h"

@@ -1,4 +1,4 @@
-/* spheres.c - the cores for scenes of spheres alone. */
+/* spheres.c - the core for scenes of spheres alone. */
 #include "render/renderer.h"
 #include "render/span/kernels.h"
 #include "scene/check/check.h"

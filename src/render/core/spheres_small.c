@@ -1,4 +1,4 @@
-/* spheres_small.c - the same, of the least size. */
+/* spheres_small.c - the core for scenes of spheres alone, of the smallest size. */
 #include "render/renderer.h"
 #include "render/span/kernels.h"
 #include "scene/check/check.h"

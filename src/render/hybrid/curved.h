@@ -1,4 +1,4 @@
-/* curved.h - ray tests with only the objects that have no flat faces. */
+/* curved.h - intersections of rays with the objects that have no flat faces. */
 #ifndef TIA_RENDER_HYBRID_CURVED_H
 #define TIA_RENDER_HYBRID_CURVED_H
 

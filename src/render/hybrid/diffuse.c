@@ -212,7 +212,7 @@ static int64_t dot(const int64_t n[3], const int64_t v[3])
     return n[0] * v[0] + n[1] * v[1] + n[2] * v[2];
 }
 
-/* Turns the normal to the eye; false when the eye may be in the plane. */
+/* Turns the face's normal to the eye; false when the eye may be in its plane. */
 static bool turn(struct diffuse *m, const int64_t at[3])
 {
     int64_t side = dot(m->face.normal, at);

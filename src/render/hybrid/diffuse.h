@@ -53,7 +53,7 @@ struct diffuse_pixel {
     const tia_share *shares; /* NULL: all light arrives */
 };
 
-/* Prepares; false when no pixel of the view can be drawn in this way. `first_bit` as in struct first_hits. */
+/* Prepares a view; false when none of its pixels can be drawn in this way. `first_bit` as in struct first_hits. */
 bool diffuse_init(struct diffuse *m, const struct tia_view *view, const struct tia_shadow_view *shadow,
                   const uint8_t *first_bit);
 

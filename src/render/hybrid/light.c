@@ -1,5 +1,5 @@
-/* light.c - shading of rasterised pixels: a technique for shadows decides the light that reaches flat faces past each
- * other; colours are computed as by the ray renderer. */
+/* light.c - shading of rasterised pixels: a technique for shadows finds the lights that no flat face blocks; colours
+ * are the ray renderer's. */
 #include "curved.h"
 #include "diffuse.h"
 #include "render/core/dither.h"
@@ -19,8 +19,8 @@ static const tia_share *shares_at(const struct rasterised *r, const struct raste
     return r->raster->shares ? (const tia_share *)(const void *)b->more + r->raster->shares * at : NULL;
 }
 
-/* Finds the true surface. Faces that stand for a curved surface decide visibility and shadow only; the colour is that
- * of the surface behind or before them. A ray can miss it where the shape is open. */
+/* Moves the hit to the true surface. Faces that stand for a curved surface decide visibility and shadow only; the
+ * colour is that of the surface behind or before them. A ray can miss it where the shape is open. */
 static void show_surface(const struct rasterised *r, uint32_t face, const struct ray *ray, struct hit *hit)
 {
     struct hit met;

@@ -7,7 +7,7 @@
 #include "render/trace/trace.h"
 #include "shadow/technique.h"
 
-/* Behind the struct ray_view that the ray renderer prepares. */
+/* A view's data behind the struct ray_view that the ray renderer prepares. */
 struct raster_view {
     uint8_t *first_bit; /* for each light, the number of its first sample */
     struct tia_curved_place *places;
@@ -42,9 +42,9 @@ uint64_t raster_sample_size(unsigned more_bytes, uint64_t pixels);
 
 struct raster_buffers raster_buffers(const struct raster_view *raster, const struct tia_hits *hits, unsigned sample);
 
-/* The number of an object, of which there are at most TIA_OBJECTS_MAX, or TIA_NO_OBJECT. In the buffers of the first
- * sample, the bits above hold the range of the vertices with which the pixel was traced: with another range, the data
- * of all samples of the pixel are outdated. */
+/* The bits of an object's number, which is at most TIA_OBJECTS_MAX, or those of TIA_NO_OBJECT. In the buffers of the
+ * first sample, the bits above hold the range of the vertices with which the pixel was traced: with another range, the
+ * data of all samples of the pixel are outdated. */
 #define RASTER_OBJECT_BITS 25
 #define RASTER_OBJECT ((UINT32_C(1) << RASTER_OBJECT_BITS) - 1)
 

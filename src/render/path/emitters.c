@@ -45,7 +45,7 @@ static struct num_density disc_area(const struct ray_light *l)
     return num_density_product(pi(), num_density_product(radius, radius));
 }
 
-/* Points need none, and neither do spheres, whose places are chosen by the cone. */
+/* Returns 0: points have no area, and places on spheres are chosen by the cone. */
 static struct num_density no_area(const struct ray_light *l)
 {
     (void)l;
@@ -82,11 +82,11 @@ static struct num_point place_at_centre(const struct ray_light *l, const uint32_
 
 struct emitter_light {
     enum emitter_kind kind;
-    struct num_density (*area)(const struct ray_light *l);                     /* of planes */
-    struct num_point (*place)(const struct ray_light *l, const uint32_t u[2]); /* on planes */
+    struct num_density (*area)(const struct ray_light *l);                     /* area, of EMITTER_PLANE */
+    struct num_point (*place)(const struct ray_light *l, const uint32_t u[2]); /* random place on an EMITTER_PLANE */
 };
 
-/* A row for each of TIA_LIGHTS. */
+/* A row for each kind of TIA_LIGHTS. */
 #define EMITTER(name, kind, area, place) static const struct emitter_light name##_emitter = {kind, area, place}
 EMITTER(point, EMITTER_POINT, no_area, place_at_centre);
 EMITTER(directional, EMITTER_POINT, no_area, place_at_centre);

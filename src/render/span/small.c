@@ -1,4 +1,4 @@
-/* small.c - spans pixel by pixel. */
+/* small.c - the span renderer without coherence, pixel by pixel. */
 #include "span.h"
 
 static int prepare(struct tia_view *view)

@@ -1,4 +1,4 @@
-/* whole.c - spans with everything that makes them fast. */
+/* whole.c - the span renderer with coherence. */
 #include "coherence/coherence.h"
 #include "coherence/coherence_pays.h"
 #include "span.h"

@@ -97,7 +97,7 @@ static struct num_point at_centre(const struct ray_aim *aim, num_unit u, unsigne
     return aim->light->centre;
 }
 
-/* A point of the disc around the centre with the aim's axes. */
+/* Returns a point of the disc around the centre, with the aim's axes. */
 static struct num_point on_disc(const struct ray_aim *aim, num_unit u, unsigned v)
 {
     num_length r = num_times(aim->light->radius, num_unit_sqrt(u));
@@ -115,7 +115,8 @@ static struct num_point on_rectangle(const struct ray_aim *aim, num_unit u, unsi
     return num_point_add(l->centre, num_point_add(scaled(l->side[0], s), scaled(l->side[1], t)));
 }
 
-/* Where a ray meets the plane of a rectangle or disc. */
+/* Gives the distance and the point, relative to the centre, where a ray meets the plane of a rectangle or disc; false
+ * when it does not before `limit`. */
 static bool meets_plane(const struct ray_light *l, const struct ray *ray, num_length limit, num_length *t,
                         struct num_point *from_centre)
 {
@@ -172,11 +173,12 @@ static bool meets_rectangle(const struct ray_light *l, const struct ray *ray, nu
 
 struct light_kind {
     void (*prepare)(struct ray_light *l, const struct tia_light *given);
-    struct num_point (*place)(const struct ray_aim *aim, num_unit u, unsigned v); /* that a sample shines from */
+    struct num_point (*place)(const struct ray_aim *aim, num_unit u,
+                              unsigned v); /* the point that a sample shines from */
     bool (*meets)(const struct ray_light *l, const struct ray *ray, num_length limit, num_length *t);
 };
 
-/* A row for each of TIA_LIGHTS. */
+/* A row for each kind of TIA_LIGHTS. */
 #define LIGHT(name, prepare, place, meets) static const struct light_kind name##_light = {prepare, place, meets}
 LIGHT(point, prepare_centre, at_centre, meets_ball);
 LIGHT(directional, prepare_direction, at_centre, meets_nothing);
@@ -197,7 +199,7 @@ static void prepare_shape(struct ray_light *l, const struct tia_light *given)
     }
 }
 
-/* The point that sample i shines from. */
+/* Returns the point that sample i shines from. */
 static struct num_point source(const struct ray_aim *aim, unsigned i)
 {
     const struct ray_light *l = aim->light;
@@ -270,7 +272,7 @@ void ray_light_aim(struct ray_aim *aim, const struct ray_light *l, struct num_po
     }
 }
 
-/* 1/(constant + linear d + quadratic d^2), 0 when the sum is 2^17 or more; d in its units. */
+/* Returns 1/(constant + linear d + quadratic d^2), 0 when the sum is 2^17 or more; d in its units. */
 static num_length attenuation(const struct ray_light *l, num_length d)
 {
     num_length slope = l->linear + num_product_within(l->quadratic, d);
@@ -279,7 +281,7 @@ static num_length attenuation(const struct ray_light *l, num_length d)
     return sum < NUM_LENGTH_MAX ? num_ratio(NUM_LENGTH_ONE, sum) : 0;
 }
 
-/* The part of a spot light that reaches a point from which it is seen in the direction `to`. */
+/* Returns the fraction of a spot light that reaches a point from which it is seen in the direction `to`. */
 static num_length spot(const struct ray_light *l, struct num_dir to)
 {
     num_unit c = -num_dir_dot(to, l->direction);

@@ -11,8 +11,9 @@
 #include "math/align.h"
 #include "scene/bounds.h"
 
-/* Costs of a test, relative to a visit to two boxes: about twice as many instructions for a sphere, three times for a
- * triangle, and five times for cylinders and cones, averaged over all tests, most of which miss early. */
+/* Costs of a test with an object, relative to a visit to two boxes: about twice as many instructions for a sphere,
+ * three times for a triangle, and five times for cylinders and cones, averaged over all tests, most of which miss
+ * early. */
 enum { SPHERE_COST = 2, FACE_COST = 3, ROUND_COST = 5 };
 
 /* Returns the largest number of boxes needed at the same time. */

@@ -21,7 +21,7 @@ size_t tia_bvh_move_size(const struct tia_scene *scene)
     return size > SIZE_MAX / 2 ? SIZE_MAX : (size_t)size;
 }
 
-/* True if both are the same, byte by byte. Padding may differ: then an object only seems to have moved. */
+/* True if both are the same, byte by byte. Where only padding differs, an object counts as moved. */
 static bool same(const void *a, const void *b, size_t size)
 {
     const unsigned char *one = a, *other = b;

@@ -39,11 +39,11 @@ bool tia_bvh_object_box(struct tia_bounds *box, const struct tia_scene *scene, u
 /* Builds bvh->objects; the meshes' trees are there already. */
 void tia_bvh_build_objects(struct bvh_space *space, struct tia_bvh *bvh, const struct tia_scene *scene);
 
-/* Divides a large tree among space->workers; for space->build. */
+/* Builds a large tree with space->workers; a value for space->build. */
 uint32_t tia_bvh_build_together(struct bvh_space *space, struct tia_bvh_node *nodes, const struct bvh_items *all,
                                 uint32_t count);
 
-/* Does the work of tia_bvh_build, in space->front, with the space's builder. */
+/* Builds all hierarchies of a scene, as tia_bvh_build does, in space->front with the space's builder. */
 int tia_bvh_build_in(const struct tia_bvh **bvh, struct bvh_space *space, size_t size, size_t *used,
                      const struct tia_scene *scene);
 

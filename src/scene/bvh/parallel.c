@@ -45,7 +45,7 @@ struct crew {
 
 /* ---- jobs of the threads ---- */
 
-/* Calls the caller's `stop`, one thread at a time; the others go on meanwhile. */
+/* Returns the result of the caller's `stop`, called on one thread at a time; other threads go on meanwhile. */
 static bool asks(void *ctx)
 {
     const struct bvh_space *space = ctx;
@@ -129,7 +129,7 @@ static bool run_chunks(struct crew *crew, void (*job)(void *arg, unsigned index)
     return !stopped;
 }
 
-/* Does the work of tia_bvh_split_items in parallel. */
+/* Splits items as tia_bvh_split_items does, on several threads. */
 static uint32_t split_together(struct crew *crew, struct tia_bounds *bounds, uint32_t most)
 {
     struct chunk *c = crew->chunks;

@@ -20,7 +20,7 @@ struct split {
     uint32_t count; /* items of the first child */
 };
 
-/* True if stopped. With few items it does not call `stop`: the caller does that often enough. */
+/* True if cancelled. Few items are not counted here, since the caller polls often enough. */
 static bool stops(const struct tia_bvh_split_items *items)
 {
     return items->count > CANCEL_INTERVAL && cancelled(items->cancel, 1);
@@ -36,7 +36,7 @@ static tia_q16 larger(tia_q16 a, tia_q16 b)
     return a > b ? a : b;
 }
 
-/* Does what tia_bounds_add does, inline: a call would cost more than the work. */
+/* Enlarges `to` as tia_bounds_add does, but inline: a call would cost more than the work. */
 static inline void add(struct tia_bounds *to, const struct tia_bounds *more)
 {
     to->min = (struct tia_vec3){smaller(to->min.x, more->min.x), smaller(to->min.y, more->min.y),

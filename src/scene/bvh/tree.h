@@ -7,7 +7,7 @@
 #include "scene/cancel.h"
 #include "split.h"
 
-/* An upper bound of the nodes for n items: each leaf has at least one. */
+/* The largest number of nodes for n items: each leaf has at least one item. */
 #define TREE_NODES(n) ((n) ? 2 * (uint64_t)(n)-1 : 0)
 
 /* The input of a tree's construction. Building reorders the items, and their boxes with them: boxes[i] is that of

@@ -1,9 +1,9 @@
-/* more.c - the check of what scenes have besides spheres. */
+/* more.c - the checks of scenes with more than spheres. */
 #include <tia/motion.h>
 
 #include "check.h"
 
-/* Tracks are not checked yet: a bad one may have no keys. */
+/* Gives bounds of all eye positions. Tracks are not checked yet: a bad one may have no keys. */
 static void find_eyes(const struct tia_scene *scene, struct tia_bounds *eyes)
 {
     for (uint32_t i = 0; i < scene->track_count; i++) {
@@ -18,7 +18,7 @@ static int check_parts(struct check *check)
 {
     static const struct {
         const char *thing;
-        size_t count; /* its place in the scene */
+        size_t count; /* offset of the count in struct tia_scene */
         int (*one)(const struct check *check);
     } parts[] = {
         {"texture", offsetof(struct tia_scene, texture_count), tia_check_texture},
