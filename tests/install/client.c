@@ -4,11 +4,16 @@
 #include <tia/debug.h>
 #include <tia/tia.h>
 
+#ifndef CLIENT_CORE
+#define CLIENT_CORE tia_core_q16
+#endif
+
 static uint64_t view_memory[128], hits_memory[320 + 8];
 static tia_rgb565 row[320];
 
 int main(void)
 {
+    const struct tia_core *core = &CLIENT_CORE;
     struct tia_surface surface;
     struct tia_view *view;
     struct tia_hits *hits;
@@ -17,7 +22,7 @@ int main(void)
     surface.pixels = row;
     surface.step = sizeof *row;
     surface.pitch = sizeof row;
-    if (tia_view_init(&view, view_memory, sizeof view_memory, &tia_thesis_scene, 1, 320, 240, NULL) ||
+    if (core->view_init(core, &view, view_memory, sizeof view_memory, &tia_thesis_scene, 1, 320, 240, NULL) ||
         tia_view_set_lights(view, &tia_thesis_scene.bindings[0].state, 1))
         return 1;
     for (; tile.y < 240; tile.y++) {

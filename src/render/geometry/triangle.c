@@ -38,32 +38,32 @@ static int largest(struct num_dir d)
     return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
 }
 
-/* Gives the components in the order main, next, the one after. */
-static void turn(int main, struct num_point p, num_length v[3])
+/* Gives the components in the order of the dominant axis, the next, and the one after. */
+static void turn(int axis, struct num_point p, num_length v[3])
 {
-    v[0] = main == 0 ? p.x : main == 1 ? p.y : p.z;
-    v[1] = main == 0 ? p.y : main == 1 ? p.z : p.x;
-    v[2] = main == 0 ? p.z : main == 1 ? p.x : p.y;
+    v[0] = axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+    v[1] = axis == 0 ? p.y : axis == 1 ? p.z : p.x;
+    v[2] = axis == 0 ? p.z : axis == 1 ? p.x : p.y;
 }
 
-static void relative(struct num_point origin, int main, struct tia_vec3 corner, num_length v[3])
+static void relative(struct num_point origin, int axis, struct tia_vec3 corner, num_length v[3])
 {
-    turn(main, num_point_sub(num_point_of(corner), origin), v);
+    turn(axis, num_point_sub(num_point_of(corner), origin), v);
 }
 
 void triangle_ray_prepare(struct triangle_ray *start, const struct ray *ray)
 {
     const struct num_dir *d = &ray->direction;
-    int main = largest(*d);
+    int axis = largest(*d);
 
-    start->main = main;
-    turn(main, ray->origin, start->origin);
-    start->along = num_divisor_of(main == 0 ? d->x : main == 1 ? d->y : d->z);
-    start->slope[0] = num_fraction_by(main == 0 ? d->y : main == 1 ? d->z : d->x, start->along);
-    start->slope[1] = num_fraction_by(main == 0 ? d->z : main == 1 ? d->x : d->y, start->along);
+    start->main = axis;
+    turn(axis, ray->origin, start->origin);
+    start->along = num_divisor_of(axis == 0 ? d->x : axis == 1 ? d->y : d->z);
+    start->slope[0] = num_fraction_by(axis == 0 ? d->y : axis == 1 ? d->z : d->x, start->along);
+    start->slope[1] = num_fraction_by(axis == 0 ? d->z : axis == 1 ? d->x : d->y, start->along);
 }
 
-/* Gives the coordinates of the corners along the axis that is `step` after the main one, from the ray's origin. */
+/* Gives the coordinates of the corners along the axis that is `step` after the axis one, from the ray's origin. */
 static void corners_along(const struct triangle_ray *ray, const struct triangle_corners *corners, int step,
                           num_length v[3])
 {
@@ -187,7 +187,7 @@ bool triangle_normal(const struct triangle_corners *corners, struct num_dir *nor
     return bits > 0;
 }
 
-/* Projects along the normal's main axis; a point that rounding has moved outside counts as on the edge. */
+/* Projects along the normal's axis axis; a point that rounding has moved outside counts as on the edge. */
 void triangle_barycentric(const struct triangle_corners *corners, struct num_dir normal, struct num_point point,
                           num_unit parts[3])
 {
