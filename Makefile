@@ -298,7 +298,7 @@ check-rays-billion: $(BUILD)/tests/test_ray_bounds
 SECONDS ?= 600
 check-mutants:
 	@$(alone) tests/mutate
-# The levels once more, with their bounds scaled by the environment.
+# The ray kernels once more, with their bounds scaled by the environment.
 SCALED_TESTS := ray_steps ray_spawned ray_ends ray_tubes ray_pixels ray_edges ray_pairs ray_bounds simd_samples
 check-bounds:
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)/scaled CFLAGS='$(CFLAGS) -DBOUND_SCALES=\"../tests/bound_scales.h\"' \

@@ -52,13 +52,13 @@ $(BUILD)/q16/port/%.o: CORE += -Iport
 .PHONY: amalgamation
 amalgamation: $(if $(PYTHON),$(BUILD)/amalgamation/tia.c)
 	@$(if $(PYTHON),:,echo "amalgamation: python3 not found (make deps check installs it)" >&2; exit 1)
-$(BUILD)/amalgamation/tia.c: tools/generate/amalgamation.py $(CORE_SRC) $(RADIO_SRC) $(wildcard include/tia/*.h src/*/*.h src/*/*/*.h)
+$(BUILD)/amalgamation/tia.c: tools/generate/amalgamation.py $(CORE_SRC) $(RADIO_SRC) $(wildcard include/tia/*.h src/*/*.h src/*/*/*.h src/*/*/*/*.h)
 	$(call say,WRITE,$(@D))$(PYTHON) $< $(@D) $(CORE_SRC) $(RADIO_SRC)
 
 # As Arduino wants a library: with headers at the top of src/.
 .PHONY: arduino
 ARDUINO := $(BUILD)/arduino/tia
-arduino: tools/generate/amalgamation.py $(CORE_SRC) $(wildcard include/tia/*.h src/*/*.h src/*/*/*.h package/arduino/* package/arduino/examples/*/*)
+arduino: tools/generate/amalgamation.py $(CORE_SRC) $(wildcard include/tia/*.h src/*/*.h src/*/*/*.h src/*/*/*/*.h package/arduino/* package/arduino/examples/*/*)
 	$(call say,WRITE,$(ARDUINO))rm -rf $(ARDUINO) && mkdir -p $(ARDUINO) && cp -R package/arduino/. LICENSE $(ARDUINO) \
 	    && $(or $(PYTHON),python3) $< $(ARDUINO)/src $(CORE_SRC)
 

@@ -37,15 +37,15 @@ void raster_bench_init(struct raster_bench *b, struct mesh *m, int level, uint16
 
     bench_mesh(m, level);
     b->count = m->count;
-    raster_bench_must(tia_raster_grid_init(&b->lattice, TIA_PERSPECTIVE, width, height, 1, 0, RANGE) == TIA_OK);
+    raster_bench_must(tia_raster_grid_init(&b->grid, TIA_PERSPECTIVE, width, height, 1, 0, RANGE) == TIA_OK);
     size_t size = tia_raster_size(all, buffers, m->count);
     b->polygon = malloc(sizeof *b->polygon * m->count);
     b->memory = malloc(size);
     raster_bench_must(b->polygon && b->memory);
     for (uint32_t i = 0; i < m->count; i++)
         for (int k = 0; k < 3; k++)
-            b->polygon[i][k] = seen(&b->lattice, m->corner[i][k]);
-    raster_bench_must(tia_raster_init(&b->target, b->memory, size, &b->lattice, all, buffers, m->count) == TIA_OK);
+            b->polygon[i][k] = seen(&b->grid, m->corner[i][k]);
+    raster_bench_must(tia_raster_init(&b->target, b->memory, size, &b->grid, all, buffers, m->count) == TIA_OK);
 }
 
 void raster_bench_free(struct raster_bench *b)

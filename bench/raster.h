@@ -8,7 +8,7 @@
 
 /* A mesh projected to an image, in that image's buffers. */
 struct raster_bench {
-    struct tia_raster_grid lattice;
+    struct tia_raster_grid grid;
     struct tia_raster_target target;
     struct tia_raster_vertex (*polygon)[3];
     uint32_t count;

@@ -82,16 +82,16 @@ void shadow_passes_init(struct shadow_passes *p, const struct shadow_scene *s, u
 {
     const struct tia_tile all = {0, 0, width, height};
     const unsigned buffers = TIA_BUFFER_DEPTH | TIA_BUFFER_COUNT;
-    struct cancel nobody = {NULL, NULL, 0, false};
+    struct cancel never = {NULL, NULL, 0, false};
     size_t size = tia_flat_size(&s->scene);
 
     p->memory[0] = malloc(size);
-    shadow_must(p->memory[0] && !tia_flat_init(&p->flat, p->memory[0], size, &s->scene, width, height, &nobody));
+    shadow_must(p->memory[0] && !tia_flat_init(&p->flat, p->memory[0], size, &s->scene, width, height, &never));
     tia_flat_light_at(&p->flat, lamps, 0, &p->light);
     size = tia_raster_size(all, buffers, p->flat.face_count);
     p->memory[1] = malloc(size);
     shadow_must(p->memory[1] &&
-                !tia_raster_init(&p->target, p->memory[1], size, &p->flat.lattice, all, buffers, p->flat.face_count));
+                !tia_raster_init(&p->target, p->memory[1], size, &p->flat.grid, all, buffers, p->flat.face_count));
     p->target.planes = p->flat.planes;
     p->target.planes_known = true;
     p->target.runs = tia_simd_raster(tia_simd_best());
@@ -100,16 +100,16 @@ void shadow_passes_init(struct shadow_passes *p, const struct shadow_scene *s, u
 void shadow_passes_draw(struct shadow_passes *p, enum shadow_pass pass)
 {
     struct tia_raster_target target = p->target;
-    struct cancel nobody = {NULL, NULL, 0, false};
+    struct cancel never = {NULL, NULL, 0, false};
 
     if (pass == SHADOW_DEPTH) {
         target.count = NULL;
         tia_raster_clear_depth(&target);
-        shadow_must(!tia_shadow_faces(&target, &p->flat, &nobody));
+        shadow_must(!tia_shadow_faces(&target, &p->flat, &never));
         return;
     }
     tia_raster_clear_count(&target, 0);
-    shadow_must(!(pass == SHADOW_ZFAIL ? tia_shadow_zfail : tia_shadow_zpass)(&target, &p->flat, &p->light, &nobody));
+    shadow_must(!(pass == SHADOW_ZFAIL ? tia_shadow_zfail : tia_shadow_zpass)(&target, &p->flat, &p->light, &never));
 }
 
 void shadow_passes_free(struct shadow_passes *p)

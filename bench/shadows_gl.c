@@ -72,7 +72,7 @@ int __wrap_tia_raster_draw(struct tia_raster_target *target, const struct tia_ra
                            const struct tia_raster_vertex *corners, unsigned count, uint32_t face)
 {
     if (drawn.on)
-        keep(target->lattice, state, corners, count, face);
+        keep(target->grid, state, corners, count, face);
     return __real_tia_raster_draw(target, state, corners, count, face);
 }
 

@@ -41,7 +41,7 @@ static void open_picture(struct picture *p, struct mesh *m, int level, uint16_t 
     for (uint32_t i = 0; i < p->exact.count; i++)
         for (int k = 0; k < 3; k++) {
             const struct tia_raster_vertex *v = &p->exact.polygon[i][k];
-            double one = ldexp(1, p->exact.lattice.fraction);
+            double one = ldexp(1, p->exact.grid.fraction);
             p->polygon[i][k] = (struct corner){(GLfloat)((double)v->x / one), (GLfloat)((double)v->y / one),
                                                (GLfloat)((double)v->w / one)};
         }

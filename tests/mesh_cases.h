@@ -113,7 +113,7 @@ TEST(cubes_have_no_holes)
     made_free(m);
 }
 
-/* Every ray along an axis through the lattice of halves, edges and corners of the cube's outline too. */
+/* Every ray along an axis through the grid of halves, edges and corners of the cube's outline too. */
 TEST(rays_along_axes_meet_edges_and_corners)
 {
     struct made *m = made_cube((struct tia_vec3){-TIA_Q16_ONE, -TIA_Q16_ONE, -TIA_Q16_ONE}, 2 * TIA_Q16_ONE);

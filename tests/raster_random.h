@@ -26,19 +26,19 @@ static inline int64_t random_size(int64_t most)
 }
 
 /* Returns a coordinate: any number, or one of a few, so that corners, edges and planes coincide. */
-static inline int64_t random_coordinate(bool lattice, int64_t most)
+static inline int64_t random_coordinate(bool grid, int64_t most)
 {
-    return lattice ? random_size(4) * (most / 4) : random_size(most);
+    return grid ? random_size(4) * (most / 4) : random_size(most);
 }
 
-static inline struct tia_raster_vertex random_vertex(bool lattice, int64_t most, bool flat)
+static inline struct tia_raster_vertex random_vertex(bool grid, int64_t most, bool flat)
 {
     struct tia_raster_vertex v;
 
-    v.x = random_coordinate(lattice, most);
-    v.y = random_coordinate(lattice, most);
-    v.w = flat ? most : random_below(4) ? llabs(random_coordinate(lattice, most)) : random_coordinate(lattice, most);
-    v.h = flat ? random_coordinate(lattice, most) : 1;
+    v.x = random_coordinate(grid, most);
+    v.y = random_coordinate(grid, most);
+    v.w = flat ? most : random_below(4) ? llabs(random_coordinate(grid, most)) : random_coordinate(grid, most);
+    v.h = flat ? random_coordinate(grid, most) : 1;
     return v;
 }
 
@@ -66,23 +66,23 @@ static inline struct tia_raster_vertex difference(struct tia_raster_vertex a, st
 }
 
 /* Makes the side of a shadow volume: a, b and the same drawn to infinity away from l. */
-static inline void random_quad(struct random_polygon *p, bool lattice, int64_t most, bool flat)
+static inline void random_quad(struct random_polygon *p, bool grid, int64_t most, bool flat)
 {
-    struct tia_raster_vertex l = random_vertex(lattice, most, flat);
+    struct tia_raster_vertex l = random_vertex(grid, most, flat);
 
     p->count = 4;
-    p->v[0] = random_vertex(lattice, most, flat);
-    p->v[1] = random_vertex(lattice, most, flat);
+    p->v[0] = random_vertex(grid, most, flat);
+    p->v[1] = random_vertex(grid, most, flat);
     p->v[2] = difference(p->v[1], l);
     p->v[3] = difference(p->v[0], l);
 }
 
 /* Makes a convex polygon of 3..8 corners in the plane through three points. */
-static inline void random_flat_polygon(struct random_polygon *p, bool lattice, int64_t most, bool flat)
+static inline void random_flat_polygon(struct random_polygon *p, bool grid, int64_t most, bool flat)
 {
     static const int8_t octagon[8][2] = {{2, 1}, {1, 2}, {-1, 2}, {-2, 1}, {-2, -1}, {-1, -2}, {1, -2}, {2, -1}};
-    struct tia_raster_vertex o = random_vertex(lattice, most / 5, flat), u = random_vertex(lattice, most / 5, flat);
-    struct tia_raster_vertex v = random_vertex(lattice, most / 5, flat);
+    struct tia_raster_vertex o = random_vertex(grid, most / 5, flat), u = random_vertex(grid, most / 5, flat);
+    struct tia_raster_vertex v = random_vertex(grid, most / 5, flat);
     unsigned left_out = random_u32();
 
     p->count = 0;
@@ -102,24 +102,24 @@ static inline void random_flat_polygon(struct random_polygon *p, bool lattice, i
 static inline void random_polygon(struct random_polygon *p, const struct tia_raster_grid *l, struct tia_tile area,
                                   int64_t most)
 {
-    bool lattice = random_bits() & 1, flat = l->projection == TIA_ORTHOGRAPHIC;
+    bool grid = random_bits() & 1, flat = l->projection == TIA_ORTHOGRAPHIC;
 
     switch (random_below(5)) {
     case 0:
-        random_quad(p, lattice, most, flat);
+        random_quad(p, grid, most, flat);
         break;
     case 1:
         random_flat_polygon(p, true, most, flat);
         break;
     case 2: /* now and then with an edge of the one before */
         for (unsigned i = p->count == 3 && random_below(2) ? 2 : 0; i < 3; i++)
-            p->v[i] = flat ? random_vertex(lattice, most, flat) : random_centre(l, area, most);
+            p->v[i] = flat ? random_vertex(grid, most, flat) : random_centre(l, area, most);
         p->count = 3;
         break;
     default:
         p->count = 3;
         for (int i = 0; i < 3; i++) {
-            p->v[i] = random_vertex(lattice, most, flat);
+            p->v[i] = random_vertex(grid, most, flat);
             if (!flat && random_below(12) == 0)
                 p->v[i].h = 0;
         }
@@ -178,14 +178,14 @@ static inline void *allocated(size_t size)
 }
 
 /* Returns a target with memory of its own: free(target.planes) or, without depth, the first buffer. */
-static inline struct tia_raster_target target_of(const struct tia_raster_grid *lattice, struct tia_tile area,
+static inline struct tia_raster_target target_of(const struct tia_raster_grid *grid, struct tia_tile area,
                                                  unsigned buffers, uint32_t faces, void **memory)
 {
     size_t size = tia_raster_size(area, buffers, faces);
     struct tia_raster_target target = {0};
 
     *memory = allocated(size);
-    CHECK_EQ(tia_raster_init(&target, *memory, size, lattice, area, buffers, faces), TIA_OK);
+    CHECK_EQ(tia_raster_init(&target, *memory, size, grid, area, buffers, faces), TIA_OK);
     return target;
 }
 

@@ -102,10 +102,10 @@ static void make_light(enum tia_light_kind kind, double outer)
 
 static void make_map(unsigned border)
 {
-    struct cancel nobody = {0};
+    struct cancel never = {0};
 
     w.memory = malloc(tia_flat_size(&w.scene));
-    CHECK(!tia_flat_init(&w.flat, w.memory, tia_flat_size(&w.scene), &w.scene, 80, 60, &nobody));
+    CHECK(!tia_flat_init(&w.flat, w.memory, tia_flat_size(&w.scene), &w.scene, 80, 60, &never));
     tia_world_init(&w.world, &w.flat);
     tia_flat_light_at(&w.flat, &w.light, 0, &w.at);
     CHECK(!tia_map_init(&w.map, &w.world, &(struct tia_map_light){&w.light, w.at}, SIZE, border));
@@ -113,7 +113,7 @@ static void make_map(unsigned border)
     w.room = malloc((size_t)tia_map_room(SIZE, w.flat.face_count));
     for (unsigned i = 0; i < w.map.view_count; i++)
         w.map.view[i].distance = w.texels + (size_t)i * SIZE * SIZE;
-    CHECK(!tia_map_draw(&w.map, &w.flat, w.room, &nobody));
+    CHECK(!tia_map_draw(&w.map, &w.flat, w.room, &never));
 }
 
 static void unmake(void)

@@ -8,7 +8,7 @@
 #include "random.h"
 #include "shadow_oracle.h"
 
-static struct cancel nobody;
+static struct cancel never;
 
 #define FACES 64
 #define POINTS (3 * FACES)
@@ -27,7 +27,7 @@ static uint32_t across[TIA_SIDES * FACES];
 static struct tia_raster_vertex vertex(const struct world *w, int64_t x, int64_t y, int64_t z, bool point)
 {
     if (w->flat.eye.projection == TIA_ORTHOGRAPHIC)
-        return (struct tia_raster_vertex){x, y, point ? INT64_C(1) << w->flat.lattice.fraction : 0, z};
+        return (struct tia_raster_vertex){x, y, point ? INT64_C(1) << w->flat.grid.fraction : 0, z};
     return (struct tia_raster_vertex){x, y, z, point};
 }
 
@@ -35,8 +35,7 @@ static void begin(struct world *w, enum tia_projection projection)
 {
     *w = (struct world){.flat = {.objects = objects, .faces = faces, .across = across, .points = points}};
     w->flat.eye.projection = projection;
-    CHECK(
-        !tia_raster_grid_init(&w->flat.lattice, projection, SIZE, SIZE, 1, 0, projection == TIA_ORTHOGRAPHIC ? 20 : 5));
+    CHECK(!tia_raster_grid_init(&w->flat.grid, projection, SIZE, SIZE, 1, 0, projection == TIA_ORTHOGRAPHIC ? 20 : 5));
 }
 
 /* Gives multiples of `step`: up to `range` in each direction, and in depth from slightly behind the eye. */
@@ -85,7 +84,7 @@ static void end(struct world *w, int32_t range, int32_t step)
     void *room = malloc(tia_edges_room(w->flat.face_count));
     int64_t at[3];
 
-    (void)tia_edges_join(across, faces, w->flat.face_count, room, &nobody);
+    (void)tia_edges_join(across, faces, w->flat.face_count, room, &never);
     free(room);
     for (uint32_t i = 0; i < w->flat.object_count; i++) {
         struct tia_flat_object *o = &objects[i];

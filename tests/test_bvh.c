@@ -190,8 +190,8 @@ TEST(a_depth_that_would_not_do)
 {
     struct tia_bounds boxes[100], bounds;
     uint32_t numbers[100];
-    struct cancel nobody = {0};
-    const struct tia_bvh_split_items items = {boxes, numbers, 100, 1, &nobody};
+    struct cancel never = {0};
+    const struct tia_bvh_split_items items = {boxes, numbers, 100, 1, &never};
 
     for (uint32_t i = 0; i < 100; i++) {
         struct tia_vec3 p = {i < 90 ? (tia_q16)i : (tia_q16)i * ONE, 0, 0};
@@ -210,10 +210,10 @@ TEST(items_that_cost_more_are_split_sooner)
 {
     struct tia_bounds boxes[2] = {{{0, 0, 0}, {2, 2, 2}}, {{0, 0, 1}, {2, 2, 3}}};
     uint32_t numbers[2] = {0, 1};
-    struct cancel nobody = {0};
+    struct cancel never = {0};
 
     for (uint32_t cost = 1; cost < 5; cost++) {
-        const struct tia_bvh_split_items items = {boxes, numbers, 2, cost, &nobody};
+        const struct tia_bvh_split_items items = {boxes, numbers, 2, cost, &never};
         struct tia_bounds bounds;
         CHECK_EQ(tia_bvh_split_items(&items, &bounds, 2), cost > 2);
     }

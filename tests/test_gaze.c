@@ -132,8 +132,8 @@ static bool same_around(unsigned x, unsigned y, const tia_rgb565 *a, const tia_r
     return a[y * WORLD_WIDTH + x] == b[y * WORLD_WIDTH + x];
 }
 
-/* True if a pixel is drawn: in the lattice of each tile of 64 x 16, those for which the largest block of the lattice
- * with this corner is too large, and those of the largest lattice. */
+/* True if a pixel is drawn: in the grid of each tile of 64 x 16, those for which the largest block of the grid
+ * with this corner is too large, and those of the largest grid. */
 static bool is_drawn(const struct tia_acuity *a, unsigned x, unsigned y)
 {
     unsigned level = 1;

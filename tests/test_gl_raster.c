@@ -83,14 +83,14 @@ static size_t trial(struct gl_raster *gl, unsigned step, bool all_new, bool ties
     static bool tied[SIDE * SIDE];
     static uint32_t face[SIDE * SIDE];
     static uint8_t stencil[SIDE * SIDE];
-    struct tia_raster_grid lattice;
+    struct tia_raster_grid grid;
     uint8_t clear = (uint8_t)random_below(4);
     size_t wrong = 0;
     void *memory;
 
     memset(tied, 0, sizeof tied);
-    CHECK_EQ(tia_raster_grid_init(&lattice, TIA_PERSPECTIVE, SIDE, SIDE, 1, 0, 5), TIA_OK);
-    struct tia_raster_target t = target_of(&lattice, (struct tia_tile){0, 0, SIDE, SIDE}, BUFFERS, POLYGONS, &memory);
+    CHECK_EQ(tia_raster_grid_init(&grid, TIA_PERSPECTIVE, SIDE, SIDE, 1, 0, 5), TIA_OK);
+    struct tia_raster_target t = target_of(&grid, (struct tia_tile){0, 0, SIDE, SIDE}, BUFFERS, POLYGONS, &memory);
     tia_raster_clear_stencil(&t, clear, 255);
     gl_raster_clear(gl, clear);
     for (uint32_t id = 0; id < POLYGONS; id++) {
@@ -99,7 +99,7 @@ static size_t trial(struct gl_raster *gl, unsigned step, bool all_new, bool ties
         struct tia_raster_vertex v[3];
         double clip[3][4];
         random_triangle(step, &triangle);
-        place(&triangle, &lattice, v, clip);
+        place(&triangle, &grid, v, clip);
         if (!ties_count)
             mark_ties(&triangle, tied);
         CHECK_EQ(tia_raster_draw(&t, &s, v, 3, id), TIA_OK);

@@ -34,7 +34,7 @@ int main(void)
 #define ACROSS 16
 #define Q(x) ((tia_q16)((x)*65536 + ((x) > 0) - 0.5))
 
-static struct cancel nobody;
+static struct cancel never;
 static struct tia_vec3 ring_points[AROUND * ACROSS];
 static struct tia_face ring_faces[2 * AROUND * ACROSS];
 static const struct tia_mesh ring = {
@@ -169,7 +169,7 @@ static struct tia_raster_target target_of(const struct view *v, void **memory)
     struct tia_raster_target t = {0};
 
     *memory = malloc(size);
-    CHECK_EQ(tia_raster_init(&t, *memory, size, &v->flat.lattice, all, BUFFERS, v->flat.face_count), TIA_OK);
+    CHECK_EQ(tia_raster_init(&t, *memory, size, &v->flat.grid, all, BUFFERS, v->flat.face_count), TIA_OK);
     return t;
 }
 
@@ -181,12 +181,12 @@ static void draw_exactly(struct view *v, const struct tia_scene *scene, struct p
 
     v->memory = malloc(size);
     CHECK_EQ(tia_scene_check(scene, NULL), TIA_OK);
-    CHECK_EQ(tia_flat_init(&v->flat, v->memory, size, scene, WIDTH, HEIGHT, &nobody), TIA_OK);
+    CHECK_EQ(tia_flat_init(&v->flat, v->memory, size, scene, WIDTH, HEIGHT, &never), TIA_OK);
     tia_flat_light_at(&v->flat, &scene->lights[0], 0, &v->light);
     struct tia_raster_target t = target_of(v, &memory);
     drawn_count = 0;
-    CHECK_EQ(tia_shadow_faces(&t, &v->flat, &nobody), TIA_OK);
-    CHECK_EQ(tia_shadow_zfail(&t, &v->flat, &v->light, &nobody), TIA_OK);
+    CHECK_EQ(tia_shadow_faces(&t, &v->flat, &never), TIA_OK);
+    CHECK_EQ(tia_shadow_zfail(&t, &v->flat, &v->light, &never), TIA_OK);
     take_picture(v, &t, p);
     free(memory);
 }
@@ -218,7 +218,7 @@ static void draw_by_gl(struct gl_raster *gl, const struct view *v, struct pictur
         double corner[4][4];
         for (unsigned k = 0; k < d->count; k++) {
             const struct tia_raster_vertex *c = &d->corner[k];
-            double one = ldexp(1, v->flat.lattice.fraction), w = (double)c->w / one;
+            double one = ldexp(1, v->flat.grid.fraction), w = (double)c->w / one;
             corner[k][0] = (double)c->x / one;
             corner[k][1] = (double)c->y / one;
             corner[k][2] = w - (c->h ? 2 : 0);

@@ -19,29 +19,29 @@ static const struct tia_raster_state nearest = {.depth = TIA_COMPARE_LESS, .dept
 static const uint16_t white[3] = {1, 2, 3};
 
 static uint64_t memory[1000];
-static struct tia_raster_grid lattice;
+static struct tia_raster_grid grid;
 static struct tia_raster_target target, bare;
 static struct tia_raster_plane plane;
 
 static void prepare(void)
 {
-    CHECK_EQ(tia_raster_grid_init(&lattice, TIA_PERSPECTIVE, SIZE, SIZE, 1, 0, 5), TIA_OK);
-    CHECK_EQ(tia_raster_init(&target, memory, sizeof memory, &lattice, frame, ALL_BUFFERS, FACES), TIA_OK);
-    CHECK_EQ(tia_raster_init(&bare, NULL, 0, &lattice, frame, 0, 0), TIA_OK);
-    CHECK_EQ(tia_raster_plane_init(&plane, &lattice, triangle, 3), TIA_OK);
+    CHECK_EQ(tia_raster_grid_init(&grid, TIA_PERSPECTIVE, SIZE, SIZE, 1, 0, 5), TIA_OK);
+    CHECK_EQ(tia_raster_init(&target, memory, sizeof memory, &grid, frame, ALL_BUFFERS, FACES), TIA_OK);
+    CHECK_EQ(tia_raster_init(&bare, NULL, 0, &grid, frame, 0, 0), TIA_OK);
+    CHECK_EQ(tia_raster_plane_init(&plane, &grid, triangle, 3), TIA_OK);
 }
 
 TEST(misuse_of_lattices)
 {
     REFUSES(tia_raster_grid_init(NULL, TIA_PERSPECTIVE, SIZE, SIZE, 1, 0, 5));
-    REFUSES(tia_raster_grid_init(&lattice, (enum tia_projection)9, SIZE, SIZE, 1, 0, 5));
-    REFUSES(tia_raster_grid_init(&lattice, (enum tia_projection) - 1, SIZE, SIZE, 1, 0, 5));
-    REFUSES(tia_raster_grid_init(&lattice, TIA_PERSPECTIVE, 0, SIZE, 1, 0, 5));
-    REFUSES(tia_raster_grid_init(&lattice, TIA_PERSPECTIVE, SIZE, TIA_SIZE_MAX + 1, 1, 0, 5));
-    REFUSES(tia_raster_grid_init(&lattice, TIA_PERSPECTIVE, SIZE, SIZE, 3, 0, 5));
-    REFUSES(tia_raster_grid_init(&lattice, TIA_PERSPECTIVE, SIZE, SIZE, 0, 0, 5));
-    REFUSES(tia_raster_grid_init(&lattice, TIA_PERSPECTIVE, SIZE, SIZE, 4, 4, 5));
-    REFUSES(tia_raster_grid_init(&lattice, TIA_PERSPECTIVE, SIZE, SIZE, 1, 0, 25));
+    REFUSES(tia_raster_grid_init(&grid, (enum tia_projection)9, SIZE, SIZE, 1, 0, 5));
+    REFUSES(tia_raster_grid_init(&grid, (enum tia_projection) - 1, SIZE, SIZE, 1, 0, 5));
+    REFUSES(tia_raster_grid_init(&grid, TIA_PERSPECTIVE, 0, SIZE, 1, 0, 5));
+    REFUSES(tia_raster_grid_init(&grid, TIA_PERSPECTIVE, SIZE, TIA_SIZE_MAX + 1, 1, 0, 5));
+    REFUSES(tia_raster_grid_init(&grid, TIA_PERSPECTIVE, SIZE, SIZE, 3, 0, 5));
+    REFUSES(tia_raster_grid_init(&grid, TIA_PERSPECTIVE, SIZE, SIZE, 0, 0, 5));
+    REFUSES(tia_raster_grid_init(&grid, TIA_PERSPECTIVE, SIZE, SIZE, 4, 4, 5));
+    REFUSES(tia_raster_grid_init(&grid, TIA_PERSPECTIVE, SIZE, SIZE, 1, 0, 25));
     misuse_end();
 }
 
@@ -51,18 +51,18 @@ TEST(misuse_of_targets)
     size_t need = tia_raster_size(frame, ALL_BUFFERS, FACES), size = sizeof memory;
 
     prepare();
-    REFUSES(tia_raster_init(NULL, memory, size, &lattice, frame, ALL_BUFFERS, FACES));
-    REFUSES(tia_raster_init(&made, NULL, size, &lattice, frame, ALL_BUFFERS, FACES));
-    REFUSES(tia_raster_init(&made, MISALIGNED(memory), size - 8, &lattice, frame, ALL_BUFFERS, FACES));
+    REFUSES(tia_raster_init(NULL, memory, size, &grid, frame, ALL_BUFFERS, FACES));
+    REFUSES(tia_raster_init(&made, NULL, size, &grid, frame, ALL_BUFFERS, FACES));
+    REFUSES(tia_raster_init(&made, MISALIGNED(memory), size - 8, &grid, frame, ALL_BUFFERS, FACES));
     REFUSES(tia_raster_init(&made, memory, size, NULL, frame, ALL_BUFFERS, FACES));
-    REFUSES(tia_raster_init(&made, memory, size, &lattice, TILE(4, 4, 8, 8), ALL_BUFFERS, FACES));
-    REFUSES(tia_raster_init(&made, memory, size, &lattice, TILE(65535, 0, 2, 2), ALL_BUFFERS, FACES));
-    REFUSES(tia_raster_init(&made, memory, size, &lattice, TILE(0, 0, 0, 2), ALL_BUFFERS, FACES));
-    REFUSES(tia_raster_init(&made, memory, size, &lattice, frame, TIA_BUFFER_SUM, FACES));
-    REFUSES(tia_raster_init(&made, memory, size, &lattice, frame, 32, FACES));
-    REFUSES(tia_raster_init(&made, memory, size, &lattice, frame, UINT_MAX, FACES));
-    GIVES(TIA_ERR_MEMORY, tia_raster_init(&made, memory, need - 1, &lattice, frame, ALL_BUFFERS, FACES));
-    GIVES(TIA_ERR_MEMORY, tia_raster_init(&made, memory, size, &lattice, frame, ALL_BUFFERS, UINT32_MAX));
+    REFUSES(tia_raster_init(&made, memory, size, &grid, TILE(4, 4, 8, 8), ALL_BUFFERS, FACES));
+    REFUSES(tia_raster_init(&made, memory, size, &grid, TILE(65535, 0, 2, 2), ALL_BUFFERS, FACES));
+    REFUSES(tia_raster_init(&made, memory, size, &grid, TILE(0, 0, 0, 2), ALL_BUFFERS, FACES));
+    REFUSES(tia_raster_init(&made, memory, size, &grid, frame, TIA_BUFFER_SUM, FACES));
+    REFUSES(tia_raster_init(&made, memory, size, &grid, frame, 32, FACES));
+    REFUSES(tia_raster_init(&made, memory, size, &grid, frame, UINT_MAX, FACES));
+    GIVES(TIA_ERR_MEMORY, tia_raster_init(&made, memory, need - 1, &grid, frame, ALL_BUFFERS, FACES));
+    GIVES(TIA_ERR_MEMORY, tia_raster_init(&made, memory, size, &grid, frame, ALL_BUFFERS, UINT32_MAX));
     GIVES(1, tia_raster_size(TILE(0, 0, 65535, 65535), ALL_BUFFERS, UINT32_MAX) > UINT32_MAX);
     REFUSES(tia_raster_part(NULL, &target, frame));
     REFUSES(tia_raster_part(&made, NULL, frame));
@@ -78,20 +78,20 @@ TEST(misuse_of_planes)
 
     prepare();
     far[1].x = INT64_MIN;
-    REFUSES(tia_raster_plane_init(NULL, &lattice, triangle, 3));
+    REFUSES(tia_raster_plane_init(NULL, &grid, triangle, 3));
     REFUSES(tia_raster_plane_init(&plane, NULL, triangle, 3));
-    REFUSES(tia_raster_plane_init(&plane, &lattice, NULL, 3));
-    REFUSES(tia_raster_plane_init(&plane, &lattice, triangle, 2));
-    REFUSES(tia_raster_plane_init(&plane, &lattice, triangle, 9));
-    REFUSES(tia_raster_plane_init(&plane, &lattice, triangle, UINT_MAX));
-    GIVES(TIA_ERR_RANGE, tia_raster_plane_init(&plane, &lattice, far, 3));
-    GIVES(0, tia_raster_distance(NULL, &lattice, 1, 1));
+    REFUSES(tia_raster_plane_init(&plane, &grid, NULL, 3));
+    REFUSES(tia_raster_plane_init(&plane, &grid, triangle, 2));
+    REFUSES(tia_raster_plane_init(&plane, &grid, triangle, 9));
+    REFUSES(tia_raster_plane_init(&plane, &grid, triangle, UINT_MAX));
+    GIVES(TIA_ERR_RANGE, tia_raster_plane_init(&plane, &grid, far, 3));
+    GIVES(0, tia_raster_distance(NULL, &grid, 1, 1));
     GIVES(0, tia_raster_distance(&plane, NULL, 1, 1));
-    GIVES(0, tia_raster_distance(&plane, &lattice, INT_MAX, INT_MIN));
-    GIVES(0, tia_raster_distance(&plane, &lattice, INT_MIN, INT_MAX));
-    GIVES(0, tia_raster_distance(&plane, &lattice, SIZE, 0));
-    GIVES(0, tia_raster_distance(&plane, &lattice, 0, -1));
-    GIVES(1, tia_raster_distance(&plane, &lattice, 4, 4) > 0);
+    GIVES(0, tia_raster_distance(&plane, &grid, INT_MAX, INT_MIN));
+    GIVES(0, tia_raster_distance(&plane, &grid, INT_MIN, INT_MAX));
+    GIVES(0, tia_raster_distance(&plane, &grid, SIZE, 0));
+    GIVES(0, tia_raster_distance(&plane, &grid, 0, -1));
+    GIVES(1, tia_raster_distance(&plane, &grid, 4, 4) > 0);
     misuse_end();
 }
 
@@ -165,11 +165,11 @@ TEST(misuse_of_interpolation)
 
     prepare();
     far[2].y = INT64_MIN;
-    CHECK(tia_raster_corners_init(&corners, &lattice, triangle));
-    GIVES(0, tia_raster_corners_init(NULL, &lattice, triangle));
+    CHECK(tia_raster_corners_init(&corners, &grid, triangle));
+    GIVES(0, tia_raster_corners_init(NULL, &grid, triangle));
     GIVES(0, tia_raster_corners_init(&made, NULL, triangle));
-    GIVES(0, tia_raster_corners_init(&made, &lattice, NULL));
-    GIVES(0, tia_raster_corners_init(&made, &lattice, far));
+    GIVES(0, tia_raster_corners_init(&made, &grid, NULL));
+    GIVES(0, tia_raster_corners_init(&made, &grid, far));
     GIVES(0, tia_raster_corners_blend(NULL, 1, 1, ones));
     GIVES(0, tia_raster_corners_blend(&corners, 1, 1, NULL));
     GIVES(0, tia_raster_corners_blend(&corners, INT_MAX, INT_MIN, values));

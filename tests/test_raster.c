@@ -12,7 +12,7 @@ static uint16_t colour[3 * PIXELS];
 static struct oracle_raster oracle;
 
 struct trial {
-    struct tia_raster_grid lattice;
+    struct tia_raster_grid grid;
     struct tia_raster_target target;
     void *memory;
     struct tia_tile area;
@@ -26,14 +26,13 @@ static void begin_image(struct trial *t, unsigned buffers, unsigned range, const
     struct oracle_image image = {t->flat ? TIA_ORTHOGRAPHIC : TIA_PERSPECTIVE, size[0], size[1], (int)samples,
                                  (int)random_below(samples)};
 
-    CHECK_EQ(
-        tia_raster_grid_init(&t->lattice, image.projection, size[0], size[1], samples, (uint32_t)image.sample, range),
-        TIA_OK);
+    CHECK_EQ(tia_raster_grid_init(&t->grid, image.projection, size[0], size[1], samples, (uint32_t)image.sample, range),
+             TIA_OK);
     t->area.width = (uint16_t)(1 + random_below(size[0] < 32 ? size[0] : 32));
     t->area.height = (uint16_t)(1 + random_below(size[1] < 32 ? size[1] : 32));
     t->area.x = (uint16_t)random_below(size[0] - t->area.width + UINT64_C(1));
     t->area.y = (uint16_t)random_below(size[1] - t->area.height + UINT64_C(1));
-    t->target = target_of(&t->lattice, t->area, buffers, ORACLE_FACES, &t->memory);
+    t->target = target_of(&t->grid, t->area, buffers, ORACLE_FACES, &t->memory);
     memset(face, 255, sizeof face);
     memset(stencil, 0, sizeof stencil);
     memset(colour, 0, sizeof colour);
@@ -63,7 +62,7 @@ static void compare(const struct trial *t, const char *what)
         wrong[2] += t->target.colour && memcmp(&t->target.colour[3 * i], &colour[3 * i], 6);
     }
     CHECK_MSG(wrong[0] + wrong[1] + wrong[2] == 0, "%s, image %ux%u: %zu faces, %zu stencils, %zu colours of %zu", what,
-              t->lattice.width, t->lattice.height, wrong[0], wrong[1], wrong[2], n);
+              t->grid.width, t->grid.height, wrong[0], wrong[1], wrong[2], n);
     free(t->memory);
 }
 
@@ -98,10 +97,10 @@ static void nearest(bool flat, unsigned ranges, int trials)
         struct trial t = {.flat = flat};
         unsigned range = (unsigned)random_below(ranges);
         begin(&t, TIA_BUFFER_DEPTH, range);
-        t.most = most_of(&t.lattice, range);
+        t.most = most_of(&t.grid, range);
         struct random_polygon p = {.count = 0};
         for (uint32_t id = 0; id < 30; id++) {
-            random_polygon(&p, &t.lattice, t.area, t.most);
+            random_polygon(&p, &t.grid, t.area, t.most);
             if (flat && random_below(4) == 0)
                 make_level(&p, t.most);
             draw(&t, &state, &p, id);
@@ -128,12 +127,12 @@ TEST(all_states_are_as_opengl_says)
         struct trial t = {.flat = i % 8 == 0};
         unsigned range = (unsigned)random_below(t.flat ? TIA_RANGE_FLAT + 1 : TIA_RANGE_MAX + 1);
         begin(&t, ALL, range);
-        t.most = most_of(&t.lattice, range);
+        t.most = most_of(&t.grid, range);
         struct random_polygon p[20] = {{.count = 0}};
         for (uint32_t id = 0; id < 40; id++) {
             struct tia_raster_state s = random_state_of_all();
             if (id < 20)
-                random_polygon(&p[id], &t.lattice, t.area, t.most);
+                random_polygon(&p[id], &t.grid, t.area, t.most);
             draw(&t, &s, &p[id % 20], id % 20); /* the second time it is equal in depth to itself */
         }
         compare(&t, "states");
@@ -150,12 +149,12 @@ static void check_nearness(const struct trial *t)
             if (t->target.face[at] == TIA_NO_FACE)
                 continue;
             long double exact =
-                oracle_nearness(&oracle.image, oracle.planes[face[at]], t->area.x + x, t->area.y + y, t->lattice.w);
-            exact = ldexpl(exact, t->lattice.scale) + (t->flat ? 0x1p61L : 0);
+                oracle_nearness(&oracle.image, oracle.planes[face[at]], t->area.x + x, t->area.y + y, t->grid.w);
+            exact = ldexpl(exact, t->grid.scale) + (t->flat ? 0x1p61L : 0);
             exact = exact < 0 ? 0 : exact > 0x1p62L ? 0x1p62L : exact;
             long double error = fabsl((long double)t->target.nearness[at] - exact);
-            CHECK_MSG(error < 2 * t->area.width + 12 + 4, "pixel %d, %d of %ux%u: off by %Lg", x, y, t->lattice.width,
-                      t->lattice.height, error);
+            CHECK_MSG(error < 2 * t->area.width + 12 + 4, "pixel %d, %d of %ux%u: off by %Lg", x, y, t->grid.width,
+                      t->grid.height, error);
         }
 }
 
@@ -168,7 +167,7 @@ static void check_steep(struct trial *t, unsigned range, unsigned beyond)
     begin(t, TIA_BUFFER_DEPTH, range);
     for (uint32_t id = 0; id < 4; id++) {
         struct random_polygon p = {.count = 3};
-        int64_t one = INT64_C(1) << t->lattice.fraction, most = one << (random_below(2) ? 0 : random_below(range + 1));
+        int64_t one = INT64_C(1) << t->grid.fraction, most = one << (random_below(2) ? 0 : random_below(range + 1));
         for (int i = 0; i < 3; i++)
             p.v[i] = (struct tia_raster_vertex){random_size(most - 1), random_size(most - 1), one,
                                                 random_size(one << (range + beyond))};
@@ -196,7 +195,7 @@ TEST(orthographic_nearness_steps_over_both_signs_at_once)
     for (unsigned i = 0; i < 100; i++) {
         struct trial t = {.flat = true};
         begin_image(&t, TIA_BUFFER_DEPTH, 1 + i % 10, (const uint16_t[2]){30, 30}, 1);
-        int64_t one = INT64_C(1) << t.lattice.fraction, side = one / 30 + one / 999;
+        int64_t one = INT64_C(1) << t.grid.fraction, side = one / 30 + one / 999;
         int64_t h = (i & 1 ? one : -one) * (INT64_C(1) << (1 + i % 10));
         const struct random_polygon p = {.v = {{-side, -one + 1, one, -h},
                                                {side, -one + 1, one, h},
@@ -219,7 +218,7 @@ TEST(the_filter_tells_orthographic_depths_of_both_signs_apart)
     for (unsigned i = 0; i < 8; i++) {
         struct trial t = {.flat = true};
         begin(&t, TIA_BUFFER_DEPTH, 4);
-        int64_t one = INT64_C(1) << t.lattice.fraction;
+        int64_t one = INT64_C(1) << t.grid.fraction;
         for (uint32_t id = 0; id < 2; id++) {
             int64_t h = depths[i / 2][(id + i) % 2] * one;
             const struct random_polygon p = {
@@ -241,9 +240,9 @@ TEST(nearness_errs_by_no_more_than_derived)
         unsigned range = (unsigned)random_below(t.flat ? TIA_RANGE_FLAT + 1 : TIA_RANGE_MAX + 1);
         struct random_polygon p = {.count = 0};
         begin(&t, TIA_BUFFER_DEPTH, range);
-        t.most = most_of(&t.lattice, range);
+        t.most = most_of(&t.grid, range);
         for (uint32_t id = 0; id < 8; id++) {
-            random_polygon(&p, &t.lattice, t.area, t.most);
+            random_polygon(&p, &t.grid, t.area, t.most);
             draw(&t, &state, &p, id);
         }
         check_nearness(&t);

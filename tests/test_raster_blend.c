@@ -31,14 +31,14 @@ static void try_polygons(enum tia_projection projection, unsigned range)
 {
     struct oracle_image image = {projection, 40, 30, 16, (int)random_below(16)};
     const struct tia_tile all = {0, 0, 40, 30};
-    struct tia_raster_grid lattice;
+    struct tia_raster_grid grid;
     struct random_polygon p = {.count = 0};
     struct tia_raster_corners corners;
 
-    CHECK_EQ(tia_raster_grid_init(&lattice, projection, 40, 30, 16, (uint32_t)image.sample, range), TIA_OK);
-    int64_t most = ((INT64_C(1) << (lattice.fraction + (int)range)) - 1) / 40 * 40;
-    random_polygon(&p, &lattice, all, most);
-    if (!tia_raster_corners_init(&corners, &lattice, p.v))
+    CHECK_EQ(tia_raster_grid_init(&grid, projection, 40, 30, 16, (uint32_t)image.sample, range), TIA_OK);
+    int64_t most = ((INT64_C(1) << (grid.fraction + (int)range)) - 1) / 40 * 40;
+    random_polygon(&p, &grid, all, most);
+    if (!tia_raster_corners_init(&corners, &grid, p.v))
         return;
     for (int i = 0; i < 40; i++) {
         int x = (int)random_below(40), y = (int)random_below(30);
@@ -63,18 +63,18 @@ TEST(values_are_rounded_to_nearest)
 TEST(values_beyond_the_range_are_clamped_at_the_right_end)
 {
     const struct oracle_image image = {TIA_PERSPECTIVE, 640, 480, 1, 0};
-    struct tia_raster_grid lattice;
+    struct tia_raster_grid grid;
     struct tia_raster_corners corners;
 
     wrong = tried = 0;
-    CHECK_EQ(tia_raster_grid_init(&lattice, image.projection, 640, 480, 1, 0, 3), TIA_OK);
+    CHECK_EQ(tia_raster_grid_init(&grid, image.projection, 640, 480, 1, 0, 3), TIA_OK);
     for (int n = 0; n < 20000; n++) {
         struct tia_raster_vertex v[3];
         int64_t far = 1000 + random_below(1000);
         for (int i = 0; i < 3; i++)
             v[i] = (struct tia_raster_vertex){random_size(100), random_size(2), far + random_below(200), 1};
         int x = (int)random_below(640), y = 200 + (int)random_below(80);
-        if (tia_raster_corners_init(&corners, &lattice, v) && oracle_nearness(&image, v, x, y, 1) > 0)
+        if (tia_raster_corners_init(&corners, &grid, v) && oracle_nearness(&image, v, x, y, 1) > 0)
             try_pixel(&image, &corners, v, x, y);
     }
     CHECK_MSG(wrong == 0 && tried > 5000, "%d of %d are wrong", wrong, tried);
@@ -114,11 +114,11 @@ TEST(means_are_those_of_space_not_of_the_image)
 {
     const struct tia_raster_vertex v[3] = {{-400, 0, 400, 1}, {1200, 0, 1200, 1}, {0, 4000, 0, 1}};
     const tia_q16 a[3] = {0, 4000, 0};
-    struct tia_raster_grid lattice;
+    struct tia_raster_grid grid;
     struct tia_raster_corners corners;
 
-    CHECK_EQ(tia_raster_grid_init(&lattice, TIA_PERSPECTIVE, 1, 1, 1, 0, 0), TIA_OK);
-    CHECK(tia_raster_corners_init(&corners, &lattice, v));
+    CHECK_EQ(tia_raster_grid_init(&grid, TIA_PERSPECTIVE, 1, 1, 1, 0, 0), TIA_OK);
+    CHECK(tia_raster_corners_init(&corners, &grid, v));
     CHECK_EQ(tia_raster_corners_blend(&corners, 0, 0, a), 1000);
 }
 
@@ -127,11 +127,11 @@ TEST(halves_are_rounded_up)
     const struct tia_raster_vertex v[3] = {{-400, 0, 400, 1}, {400, 0, 400, 1}, {0, 4000, 0, 1}};
     const tia_q16 a[4][3] = {{3, 4, 0}, {-3, -4, 0}, {INT32_MAX, INT32_MAX - 1, 0}, {INT32_MIN, INT32_MIN + 1, 0}};
     const tia_q16 wanted[4] = {4, -3, INT32_MAX, INT32_MIN + 1};
-    struct tia_raster_grid lattice;
+    struct tia_raster_grid grid;
     struct tia_raster_corners corners;
 
-    CHECK_EQ(tia_raster_grid_init(&lattice, TIA_PERSPECTIVE, 1, 1, 1, 0, 0), TIA_OK);
-    CHECK(tia_raster_corners_init(&corners, &lattice, v));
+    CHECK_EQ(tia_raster_grid_init(&grid, TIA_PERSPECTIVE, 1, 1, 1, 0, 0), TIA_OK);
+    CHECK(tia_raster_corners_init(&corners, &grid, v));
     for (int i = 0; i < 4; i++)
         CHECK_EQ(tia_raster_corners_blend(&corners, 0, 0, a[i]), wanted[i]);
 }
@@ -141,11 +141,11 @@ TEST(almost_halves_are_not_taken_for_halves)
 {
     const struct tia_raster_vertex v[3] = {{-1000000, 0, 4, 1}, {1000001, 0, 4, 1}, {0, 4000, 0, 1}};
     const tia_q16 a[3] = {7, 8, 0}, b[3] = {8, 7, 0};
-    struct tia_raster_grid lattice;
+    struct tia_raster_grid grid;
     struct tia_raster_corners corners;
 
-    CHECK_EQ(tia_raster_grid_init(&lattice, TIA_PERSPECTIVE, 1, 1, 1, 0, 0), TIA_OK);
-    CHECK(tia_raster_corners_init(&corners, &lattice, v));
+    CHECK_EQ(tia_raster_grid_init(&grid, TIA_PERSPECTIVE, 1, 1, 1, 0, 0), TIA_OK);
+    CHECK(tia_raster_corners_init(&corners, &grid, v));
     CHECK_EQ(tia_raster_corners_blend(&corners, 0, 0, a), 7);
     CHECK_EQ(tia_raster_corners_blend(&corners, 0, 0, b), 8);
 }

@@ -77,16 +77,16 @@ TEST(tiles_are_parts_of_the_whole)
     void *memory[2];
 
     for (int i = 0; i < 60; i++) {
-        struct tia_raster_grid lattice;
-        CHECK_EQ(tia_raster_grid_init(&lattice, i % 5 ? TIA_PERSPECTIVE : TIA_ORTHOGRAPHIC, 150, 110, 1, 0, 5), TIA_OK);
-        write_script(&script, &lattice, whole, ((INT64_C(1) << (lattice.fraction + 5)) - 1) / 40 * 40);
-        struct tia_raster_target a = target_of(&lattice, whole, ALL, COUNT, &memory[0]);
+        struct tia_raster_grid grid;
+        CHECK_EQ(tia_raster_grid_init(&grid, i % 5 ? TIA_PERSPECTIVE : TIA_ORTHOGRAPHIC, 150, 110, 1, 0, 5), TIA_OK);
+        write_script(&script, &grid, whole, ((INT64_C(1) << (grid.fraction + 5)) - 1) / 40 * 40);
+        struct tia_raster_target a = target_of(&grid, whole, ALL, COUNT, &memory[0]);
         play(&a, &script);
         for (uint16_t y = 0; y < 110; y = (uint16_t)(y + 37))
             for (uint16_t x = 0; x < 150; x = (uint16_t)(x + 64)) {
                 struct tia_tile area = {x, y, x + 64 < 150 ? 64 : (uint16_t)(150 - x),
                                         y + 37 < 110 ? 37 : (uint16_t)(110 - y)};
-                struct tia_raster_target b = target_of(&lattice, area, ALL, COUNT, &memory[1]);
+                struct tia_raster_target b = target_of(&grid, area, ALL, COUNT, &memory[1]);
                 play(&b, &script);
                 CHECK_EQ(differing(&b, &a), 0);
                 free(memory[1]);
@@ -106,11 +106,11 @@ TEST(ties_by_face_do_not_depend_on_order)
     size_t ties = 0;
 
     for (int i = 0; i < 100; i++) {
-        struct tia_raster_grid lattice;
-        CHECK_EQ(tia_raster_grid_init(&lattice, TIA_PERSPECTIVE, 60, 40, 1, 0, 5), TIA_OK);
-        struct tia_raster_target a = target_of(&lattice, area, ALL, COUNT, &memory[0]);
-        struct tia_raster_target b = target_of(&lattice, area, ALL, COUNT, &memory[1]);
-        write_script(&script, &lattice, area, (INT64_C(1) << 22) / 40 * 40);
+        struct tia_raster_grid grid;
+        CHECK_EQ(tia_raster_grid_init(&grid, TIA_PERSPECTIVE, 60, 40, 1, 0, 5), TIA_OK);
+        struct tia_raster_target a = target_of(&grid, area, ALL, COUNT, &memory[0]);
+        struct tia_raster_target b = target_of(&grid, area, ALL, COUNT, &memory[1]);
+        write_script(&script, &grid, area, (INT64_C(1) << 22) / 40 * 40);
         for (uint32_t k = 0; k < COUNT; k++) {
             if (k % 2) /* the same plane as the one before */
                 script.polygon[k] = script.polygon[k - 1];
@@ -171,12 +171,12 @@ static void draw_extremes(enum tia_projection projection, const uint16_t size[2]
     struct tia_raster_state state = {
         .depth = TIA_COMPARE_LESS, .depth_write = true, .front = untested, .back = untested};
     struct oracle_image image = {projection, size[0], size[1], 16, 15};
-    struct tia_raster_grid lattice;
+    struct tia_raster_grid grid;
     void *memory;
     size_t wrong = 0;
 
-    CHECK_EQ(tia_raster_grid_init(&lattice, projection, size[0], size[1], 16, 15, 3), TIA_OK);
-    struct tia_raster_target t = target_of(&lattice, area, TIA_BUFFER_DEPTH, 8, &memory);
+    CHECK_EQ(tia_raster_grid_init(&grid, projection, size[0], size[1], 16, 15, 3), TIA_OK);
+    struct tia_raster_target t = target_of(&grid, area, TIA_BUFFER_DEPTH, 8, &memory);
     for (int i = 0; i < 3000; i++) {
         bool flat = projection == TIA_ORTHOGRAPHIC;
         int64_t limit = (INT64_C(1) << (flat ? 29 : 40)) - 1;
@@ -185,7 +185,7 @@ static void draw_extremes(enum tia_projection projection, const uint16_t size[2]
             bool direction = random_below(3) == 0;
             int64_t own = direction ? 2 * limit + 1 : limit;
             if (random_below(3) == 0 && !flat && !direction)
-                own = lattice.narrow;
+                own = grid.narrow;
             v[k] = (struct tia_raster_vertex){random_size(1) * own, random_size(1) * own, random_size(1) * own,
                                               !direction};
             if (flat)

@@ -41,19 +41,19 @@ _Static_assert(!TIA_INT128, "128-bit integers are used all the same");
 static void compare(enum tia_projection projection, unsigned range)
 {
     const struct tia_tile area = {13, 200, 90, 70};
-    struct tia_raster_grid lattice;
+    struct tia_raster_grid grid;
     struct random_polygon p = {.count = 0};
     void *memory[2];
 
-    CHECK_EQ(tia_raster_grid_init(&lattice, projection, 640, 480, 4, (uint32_t)random_below(4), range), TIA_OK);
-    int64_t most = ((INT64_C(1) << (lattice.fraction + (int)range)) - 1) / 40 * 40;
-    struct tia_raster_target a = target_of(&lattice, area, ALL, FACES, &memory[0]), b = a;
+    CHECK_EQ(tia_raster_grid_init(&grid, projection, 640, 480, 4, (uint32_t)random_below(4), range), TIA_OK);
+    int64_t most = ((INT64_C(1) << (grid.fraction + (int)range)) - 1) / 40 * 40;
+    struct tia_raster_target a = target_of(&grid, area, ALL, FACES, &memory[0]), b = a;
     size_t size = tia_raster_size(area, ALL, FACES);
     memory[1] = allocated(size);
-    CHECK_EQ(tia_raster_init(&b, memory[1], size, &lattice, area, ALL, FACES), TIA_OK);
+    CHECK_EQ(tia_raster_init(&b, memory[1], size, &grid, area, ALL, FACES), TIA_OK);
     for (uint32_t id = 0; id < FACES; id++) {
         struct tia_raster_state s = random_state_of_all();
-        random_polygon(&p, &lattice, area, most);
+        random_polygon(&p, &grid, area, most);
         CHECK_EQ(tia_raster_draw(&a, &s, p.v, p.count, id), halves_raster_draw(&b, &s, p.v, p.count, id));
     }
     CHECK(memcmp(memory[0], memory[1], size) == 0);
@@ -75,15 +75,15 @@ TEST(values_are_the_same)
 {
     for (int i = 0; i < 3000; i++) {
         const struct tia_tile area = {0, 0, 640, 480};
-        struct tia_raster_grid lattice;
+        struct tia_raster_grid grid;
         struct random_polygon p = {.count = 0};
         struct tia_raster_corners corners[2];
         const tia_q16 a[3] = {(tia_q16)random_bits(), (tia_q16)random_size(9), (tia_q16)random_bits()};
         int x = (int)random_below(640), y = (int)random_below(480);
-        CHECK_EQ(tia_raster_grid_init(&lattice, TIA_PERSPECTIVE, 640, 480, 1, 0, 0), TIA_OK);
-        random_polygon(&p, &lattice, area, (INT64_C(1) << 25) / 40 * 40);
-        bool seen = tia_raster_corners_init(&corners[0], &lattice, p.v);
-        CHECK_EQ(halves_raster_corners_init(&corners[1], &lattice, p.v), seen);
+        CHECK_EQ(tia_raster_grid_init(&grid, TIA_PERSPECTIVE, 640, 480, 1, 0, 0), TIA_OK);
+        random_polygon(&p, &grid, area, (INT64_C(1) << 25) / 40 * 40);
+        bool seen = tia_raster_corners_init(&corners[0], &grid, p.v);
+        CHECK_EQ(halves_raster_corners_init(&corners[1], &grid, p.v), seen);
         CHECK(memcmp(&corners[0], &corners[1], sizeof corners[0]) == 0);
         CHECK_EQ(halves_raster_corners_blend(&corners[1], x, y, a), tia_raster_corners_blend(&corners[0], x, y, a));
     }

@@ -142,16 +142,16 @@ static unsigned draw(const struct tia_scene *given)
     struct tia_scene scene = *given;
     struct tia_raster_target target;
     struct tia_flat_scene flat;
-    struct cancel nobody = {NULL, NULL, 0, false};
+    struct cancel never = {NULL, NULL, 0, false};
     unsigned mirrored = 0;
 
     scene.shape_count += TRIANGLES;
     size_t flat_size = tia_flat_size(&scene), size;
     void *flat_memory = malloc(flat_size);
-    CHECK_EQ(tia_flat_init(&flat, flat_memory, flat_size, &scene, WIDTH, HEIGHT, &nobody), TIA_OK);
+    CHECK_EQ(tia_flat_init(&flat, flat_memory, flat_size, &scene, WIDTH, HEIGHT, &never), TIA_OK);
     size = tia_raster_size(all, buffers, flat.face_count);
     void *memory = malloc(size);
-    CHECK_EQ(tia_raster_init(&target, memory, size, &flat.lattice, all, buffers, flat.face_count), TIA_OK);
+    CHECK_EQ(tia_raster_init(&target, memory, size, &flat.grid, all, buffers, flat.face_count), TIA_OK);
     tia_raster_clear_colour(&target, (const uint16_t[3]){BEHIND, 0, 0});
     draw_mirrored(&target, &flat);
     for (unsigned i = 0; i < PIXELS; i++) {

@@ -49,15 +49,14 @@ static void try_net(unsigned range, int64_t size, int64_t jitter, bool far)
 {
     static const uint16_t sizes[][2] = {{160, 120}, {97, 61}, {64, 64}, {120, 160}};
     const uint16_t *image = sizes[random_below(4)];
-    struct tia_raster_grid lattice;
+    struct tia_raster_grid grid;
     struct net net;
     void *memory;
     size_t holes = 0, twice = 0;
 
-    CHECK_EQ(tia_raster_grid_init(&lattice, TIA_PERSPECTIVE, image[0], image[1], 4, (uint32_t)random_below(4), range),
-             0);
+    CHECK_EQ(tia_raster_grid_init(&grid, TIA_PERSPECTIVE, image[0], image[1], 4, (uint32_t)random_below(4), range), 0);
     struct tia_tile all = {0, 0, image[0], image[1]};
-    struct tia_raster_target target = target_of(&lattice, all, TIA_BUFFER_STENCIL, 0, &memory);
+    struct tia_raster_target target = target_of(&grid, all, TIA_BUFFER_STENCIL, 0, &memory);
     make_net(&net, size, jitter, far);
     draw_net(&target, &net);
     for (size_t i = 0; i < (size_t)image[0] * image[1]; i++) {

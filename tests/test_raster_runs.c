@@ -42,14 +42,14 @@ static void compare(const struct tia_simd *simd, enum tia_projection projection,
     struct tia_tile all = {0, 0, 90, 40}, area = {(uint16_t)random_below(20), (uint16_t)random_below(9), 70, 31};
     static struct random_polygon polygons[POLYGONS];
     struct tia_raster_target whole[2], part[2];
-    struct tia_raster_grid lattice;
+    struct tia_raster_grid grid;
     unsigned range = (unsigned)random_below(projection == TIA_ORTHOGRAPHIC ? TIA_RANGE_FLAT + 1 : TIA_RANGE_MAX + 1);
     void *memory[2];
 
-    CHECK_EQ(tia_raster_grid_init(&lattice, projection, 90, 40, 1, 0, range), TIA_OK);
-    int64_t most = ((INT64_C(1) << (lattice.fraction + (int)range)) - 1) / 40 * 40;
+    CHECK_EQ(tia_raster_grid_init(&grid, projection, 90, 40, 1, 0, range), TIA_OK);
+    int64_t most = ((INT64_C(1) << (grid.fraction + (int)range)) - 1) / 40 * 40;
     for (int i = 0; i < 2; i++) {
-        whole[i] = target_of(&lattice, all, BUFFERS, POLYGONS, &memory[i]);
+        whole[i] = target_of(&grid, all, BUFFERS, POLYGONS, &memory[i]);
         CHECK_EQ(tia_raster_part(&part[i], &whole[i], area), TIA_OK);
     }
     part[1].runs = tia_simd_raster(simd);
@@ -57,7 +57,7 @@ static void compare(const struct tia_simd *simd, enum tia_projection projection,
     for (uint32_t i = 0; i < 2 * POLYGONS; i++) {
         if (i < POLYGONS) {
             polygons[i] = i ? polygons[i - 1] : (struct random_polygon){.count = 0};
-            random_polygon(&polygons[i], &lattice, area, most);
+            random_polygon(&polygons[i], &grid, area, most);
         }
         draw(&part[0], &part[1], &polygons[i % POLYGONS], i);
     }

@@ -30,7 +30,7 @@ static void add_light(struct tia_raster_target *target, const struct world *w)
     static const uint16_t black[3] = {0, 0, 0};
 
     tia_raster_clear_stencil(target, 0, 255);
-    CHECK_EQ(tia_shadow_zfail(target, &w->flat, &w->light, &nobody), TIA_OK);
+    CHECK_EQ(tia_shadow_zfail(target, &w->flat, &w->light, &never), TIA_OK);
     tia_raster_clear_colour(target, black);
     draw_lit_faces(target, w);
     tia_raster_sum_add(target, 1);
@@ -72,8 +72,8 @@ static unsigned draw_world(struct world *w)
     unsigned lit[PIXELS] = {0};
     struct tia_raster_vertex at = w->light;
 
-    CHECK(!tia_raster_init(&target, memory, size, &w->flat.lattice, all, buffers, w->flat.face_count));
-    CHECK(!tia_shadow_faces(&target, &w->flat, &nobody));
+    CHECK(!tia_raster_init(&target, memory, size, &w->flat.grid, all, buffers, w->flat.face_count));
+    CHECK(!tia_shadow_faces(&target, &w->flat, &never));
     for (int i = 0; i < LIGHTS; i++) {
         w->light = (struct tia_raster_vertex){at.x + 60 * i, at.y + 45 * (i % 3), at.w, at.h};
         add_light(&target, w);

@@ -138,9 +138,9 @@ static void compare_surface(const struct shade *h, const struct shading *shading
 static void compare_light(const struct shade *h, const struct shading *shading, struct path *path)
 {
     const num_length whole[3] = {NUM_LENGTH_ONE, NUM_LENGTH_ONE, NUM_LENGTH_ONE};
-    struct cancel nobody = {0};
+    struct cancel never = {0};
     struct lit lit = {
-        .cancel = &nobody, .room = &lights, .unsure = mnone(), .eown = most3(h->flat) * h->efacing + P2M(42)};
+        .cancel = &never, .room = &lights, .unsure = mnone(), .eown = most3(h->flat) * h->efacing + P2M(42)};
     uint32_t blocker = TIA_NO_OBJECT;
     const uint8_t class[1] = {(uint8_t)path->class};
     num_length colour[3] = {0, 0, 0};

@@ -288,8 +288,8 @@ static void try_sample(struct used *u, bool grazing)
     struct real to = real_random();
     struct shade h = {.colour = {1, 1, 1}, .eg = some_size(8, 30)};
     struct sample s = {.to = v3_of(to), .eto = grazing ? some_size(8, 30) : 0, .falloff = {some_part(), 0, 0}};
-    struct cancel nobody = {0};
-    struct lit lit = {.cancel = &nobody, .room = &lights};
+    struct cancel never = {0};
+    struct lit lit = {.cancel = &never, .room = &lights};
     uint32_t blocker = TIA_NO_OBJECT;
     long double turn = WITHIN * (long double)some_sign();
 
@@ -313,8 +313,8 @@ static void try_ambient(struct used *u)
     struct sure_light l = {.from = &from, .emission = {1, 1, 1}, .brightest = 1};
     const struct sure_scene scene = {.lights = &l};
     struct shade h = {.colour = {0.5, 0.5, 0.5}, .ecolour = some_size(3, 30)};
-    struct cancel nobody = {0};
-    struct lit lit = {.cancel = &nobody, .room = &lights};
+    struct cancel never = {0};
+    struct lit lit = {.cancel = &never, .room = &lights};
     const uint8_t class[1] = {0};
     uint32_t blocker = TIA_NO_OBJECT;
 

@@ -91,7 +91,7 @@ static void ask(const struct world *w, const struct tia_casters *casters, const 
  * far away it crosses the whole scene. */
 static void aim_back(struct world *w, const struct tia_seen *seen)
 {
-    const struct tia_raster_grid *l = &w->flat.lattice;
+    const struct tia_raster_grid *l = &w->flat.grid;
     const int64_t d[3] = {l->x + (int64_t)l->right * seen->x, l->y - (int64_t)l->down * seen->y, l->w};
     const struct tia_raster_vertex *v = &points[3 * below(30)];
     const int64_t sum[3] = {v[0].x + v[1].x + v[2].x, v[0].y + v[1].y + v[2].y, v[0].w + v[1].w + v[2].w};
@@ -109,7 +109,7 @@ static void aim_back(struct world *w, const struct tia_seen *seen)
 /* Tests the points of the planes of all faces at pixels, also beside the faces, where they are in front of the eye. */
 static void ask_pixels(struct world *w, const struct tia_casters *casters, struct tally *t, struct tally *back)
 {
-    bool flat = w->flat.lattice.projection == TIA_ORTHOGRAPHIC;
+    bool flat = w->flat.grid.projection == TIA_ORTHOGRAPHIC;
 
     for (uint32_t f = 0; f < w->flat.face_count; f++) {
         struct tia_seen_face of;
@@ -148,11 +148,11 @@ static void check_worlds(enum tia_projection projection, int32_t range, int32_t 
         for (uint32_t f = 0; f < w.flat.face_count; f++) {
             struct tia_raster_vertex corners[TIA_SIDES];
             unsigned sides = tia_flat_corners(&w.flat, f, corners);
-            CHECK(!tia_raster_plane_init(&planes[f], &w.flat.lattice, corners, sides));
+            CHECK(!tia_raster_plane_init(&planes[f], &w.flat.grid, corners, sides));
         }
         w.flat.planes = planes;
         void *memory = malloc(tia_casters_size(w.flat.face_count));
-        CHECK(!tia_casters_build(&casters, memory, &w.flat, &nobody));
+        CHECK(!tia_casters_build(&casters, memory, &w.flat, &never));
         CHECK_EQ(casters.unbounded_count, 4);
         ask_pixels(&w, &casters, t, &back);
         free(memory);

@@ -12,7 +12,7 @@
 
 #define MANY 400
 
-static struct cancel nobody;
+static struct cancel never;
 
 static uint32_t below(uint32_t n)
 {
@@ -94,7 +94,7 @@ static bool check_joined(const struct tia_flat_face *faces, uint32_t count)
 {
     uint32_t *across = malloc(TIA_SIDES * count * sizeof *across + 1);
     void *room = malloc(tia_edges_room(count) + 1);
-    bool closed = tia_edges_join(across, faces, count, room, &nobody), balanced = true;
+    bool closed = tia_edges_join(across, faces, count, room, &never), balanced = true;
     uint32_t single = 0;
     double unpaired = 0;
 

@@ -13,7 +13,7 @@
 #define Q TIA_Q16
 
 /* A pyramid with a square base, of which each face has its own corners, as many programs write models. */
-static struct cancel nobody;
+static struct cancel never;
 
 static const struct tia_vec3 pyramid_points[] = {
     {Q(-1), 0, Q(-1)}, {Q(1), 0, Q(-1)}, {Q(1), 0, Q(1)},  {Q(-1), 0, Q(-1)}, {Q(1), 0, Q(1)}, {Q(-1), 0, Q(1)},
@@ -87,8 +87,8 @@ static unsigned compare(const struct tia_flat_scene *flat, const struct tia_scen
     struct tia_hits *hits;
     unsigned differ = 0;
 
-    CHECK(!tia_raster_init(&target, memory, size, &flat->lattice, all, TIA_BUFFER_DEPTH, flat->face_count));
-    CHECK(!tia_shadow_faces(&target, flat, &nobody));
+    CHECK(!tia_raster_init(&target, memory, size, &flat->grid, all, TIA_BUFFER_DEPTH, flat->face_count));
+    CHECK(!tia_shadow_faces(&target, flat, &never));
     hit_memory = trace(s, &hits, &view);
     for (unsigned i = 0; i < WIDTH * HEIGHT; i++) {
         uint32_t face = target.face[i], object = TIA_NO_OBJECT;
@@ -111,8 +111,8 @@ static void check_camera(const struct tia_camera *camera, unsigned *seen)
     s.camera = *camera;
     size_t size = tia_flat_size(&s);
     void *memory = malloc(size);
-    CHECK_EQ(tia_flat_init(&flat, memory, size - 1, &s, WIDTH, HEIGHT, &nobody), TIA_ERR_MEMORY);
-    CHECK_EQ(tia_flat_init(&flat, memory, size, &s, WIDTH, HEIGHT, &nobody), TIA_OK);
+    CHECK_EQ(tia_flat_init(&flat, memory, size - 1, &s, WIDTH, HEIGHT, &never), TIA_ERR_MEMORY);
+    CHECK_EQ(tia_flat_init(&flat, memory, size, &s, WIDTH, HEIGHT, &never), TIA_OK);
     CHECK_EQ(flat.face_count, 2 + 12 + 12 + 6 + 5 + 1 + 6);
     CHECK_EQ(flat.object_count, 7); /* but the mesh without faces */
     for (uint32_t i = 0; i < flat.object_count; i++) {
@@ -174,7 +174,7 @@ TEST(faces_turn_outward)
         if (flatly)
             s.camera = (struct tia_camera){
                 .projection = TIA_ORTHOGRAPHIC, .eye = {Q(1), Q(2), Q(9)}, .window = {0, 0, Q(-4), Q(4), 0}};
-        CHECK_EQ(tia_flat_init(&flat, memory, size, &s, WIDTH, HEIGHT, &nobody), TIA_OK);
+        CHECK_EQ(tia_flat_init(&flat, memory, size, &s, WIDTH, HEIGHT, &never), TIA_OK);
         const struct tia_flat_object *box = &flat.objects[1]; /* object 2: the empty mesh before it has no faces */
         for (uint32_t f = 0; f < 12; f++) /* two each of -x +x -y +y -z +z; some are seen edge-on from a direction */
             CHECK_EQ(tia_flat_side_of_eye(&flat, &flat.faces[box->first_face + f]),

@@ -13,7 +13,7 @@
 
 enum { POINTS_MAX = 1 << 17 };
 
-static struct cancel nobody;
+static struct cancel never;
 static double own[POINTS_MAX][3];
 static struct tia_flat_face faces[2 * POINTS_MAX];
 static uint32_t across[2 * POINTS_MAX * TIA_SIDES];
@@ -166,7 +166,7 @@ static void check_shape(const struct tia_scene *scene, const struct truth *t, do
     CHECK_MSG(facets.around < 24 || t->kind == TIA_DISC || m.most > 0.4 * error * t->scale[0] / 1.6,
               "%g away with %u corners, %g would do", m.most, facets.around, error);
     void *room = malloc(tia_edges_room(source.faces));
-    bool closed = tia_edges_join(across, faces, source.faces, room, &nobody);
+    bool closed = tia_edges_join(across, faces, source.faces, room, &never);
     free(room);
     CHECK_EQ(closed, t->capped || t->kind == TIA_SPHERE);
     if (closed)

@@ -7,7 +7,7 @@
 #include "shadow/technique.h"
 #include "shadow_worlds.h"
 
-static struct cancel nobody;
+static struct cancel never;
 
 struct tally {
     uint32_t seen, dark, wrong, tiles;
@@ -26,7 +26,7 @@ static struct drawn {
 static void draw(struct world *w)
 {
     memset(&drawn, 0, sizeof drawn);
-    drawn.target = (struct tia_raster_target){.lattice = &w->flat.lattice,
+    drawn.target = (struct tia_raster_target){.grid = &w->flat.grid,
                                               .area = {0, 0, SIZE, SIZE},
                                               .face = drawn.face,
                                               .nearness = drawn.nearness,
@@ -37,11 +37,11 @@ static void draw(struct world *w)
     for (uint32_t f = 0; f < w->flat.face_count; f++) {
         struct tia_raster_vertex corners[TIA_SIDES];
         unsigned sides = tia_flat_corners(&w->flat, f, corners);
-        CHECK(!tia_raster_plane_init(&drawn.planes[f], &w->flat.lattice, corners, sides));
+        CHECK(!tia_raster_plane_init(&drawn.planes[f], &w->flat.grid, corners, sides));
     }
     w->flat.planes = drawn.planes;
     drawn.target.planes_known = true;
-    CHECK(!tia_shadow_faces(&drawn.target, &w->flat, &nobody));
+    CHECK(!tia_shadow_faces(&drawn.target, &w->flat, &never));
 }
 
 static void light_tile(const struct tia_shadow_view *view, struct tia_tile area, unsigned sample)
@@ -50,7 +50,7 @@ static void light_tile(const struct tia_shadow_view *view, struct tia_tile area,
     struct tia_shadow_tile tile = {.lit = drawn.lit + first, .more = drawn.more + first};
 
     CHECK(!tia_raster_part(&tile.target, &drawn.target, area));
-    tia_shadow_exact_maps.light(view, &tile, sample, &nobody);
+    tia_shadow_exact_maps.light(view, &tile, sample, &never);
 }
 
 /* Lights in columns and rows of random widths; the other half of the worlds whole. */
@@ -95,9 +95,9 @@ static void compare(struct world *w, struct tally *t)
         CHECK(!drawn.lit[j * PITCH + SIZE] && !drawn.more[j * PITCH + SIZE + 1]);
 }
 
-static void check_worlds(enum tia_projection projection, enum contents contents, bool lattice)
+static void check_worlds(enum tia_projection projection, enum contents contents, bool grid)
 {
-    int32_t step = lattice ? projection == TIA_ORTHOGRAPHIC ? 128 : 96 : 1, range = lattice ? 4 : 500;
+    int32_t step = grid ? projection == TIA_ORTHOGRAPHIC ? 128 : 96 : 1, range = grid ? 4 : 500;
     const unsigned rounds = check_count(150);
     struct tally t = {0};
     struct world w;
@@ -116,9 +116,9 @@ static void check_worlds(enum tia_projection projection, enum contents contents,
 
 static void check_all(enum contents contents)
 {
-    for (int lattice = 0; lattice < 2; lattice++) {
-        check_worlds(TIA_PERSPECTIVE, contents, lattice);
-        check_worlds(TIA_ORTHOGRAPHIC, contents, lattice);
+    for (int grid = 0; grid < 2; grid++) {
+        check_worlds(TIA_PERSPECTIVE, contents, grid);
+        check_worlds(TIA_ORTHOGRAPHIC, contents, grid);
     }
 }
 

@@ -13,7 +13,7 @@
 #define PIXELS (WIDTH * HEIGHT)
 #define SCENES 120
 
-static struct cancel nobody;
+static struct cancel never;
 
 struct picture {
     struct tia_shadow_view view;
@@ -39,17 +39,17 @@ static void open_picture(struct picture *p, const struct tia_scene *scene)
 
     *p = (struct picture){.view.scene = scene, .tile.lit = p->lit};
     p->flat = malloc(size);
-    CHECK(!tia_flat_init(&p->view.flat, p->flat, size, scene, WIDTH, HEIGHT, &nobody));
+    CHECK(!tia_flat_init(&p->view.flat, p->flat, size, scene, WIDTH, HEIGHT, &never));
     p->view.own = p->own = malloc((size_t)technique->own_size(scene));
     set_lights(p);
     size = tia_raster_size(all, TIA_BUFFER_DEPTH | TIA_BUFFER_COUNT, p->view.flat.face_count);
     p->target = malloc(size);
-    CHECK(!tia_raster_init(&p->tile.target, p->target, size, &p->view.flat.lattice, all,
+    CHECK(!tia_raster_init(&p->tile.target, p->target, size, &p->view.flat.grid, all,
                            TIA_BUFFER_DEPTH | TIA_BUFFER_COUNT, p->view.flat.face_count));
-    CHECK(!tia_shadow_faces(&p->tile.target, &p->view.flat, &nobody));
-    CHECK(!technique->prepare(&p->view, &nobody) && !technique->set_lights(&p->view, &nobody));
+    CHECK(!tia_shadow_faces(&p->tile.target, &p->view.flat, &never));
+    CHECK(!technique->prepare(&p->view, &never) && !technique->set_lights(&p->view, &never));
     for (unsigned i = 0; i < p->view.sample_count; i++)
-        technique->light(&p->view, &p->tile, i, &nobody);
+        technique->light(&p->view, &p->tile, i, &never);
 }
 
 static void close_picture(struct picture *p)

@@ -33,8 +33,8 @@ static void open_drawing(struct drawing *d, const struct world *w)
     d->own = malloc(4096 + tia_casters_size(FACES));
     d->view = (struct tia_shadow_view){.scene = &d->scene, .flat = w->flat, .sample_count = 1, .own = d->own};
     d->view.samples[0] = w->light;
-    CHECK(!tia_raster_init(&d->tile.target, d->memory, size, &d->view.flat.lattice, all, buffers, w->flat.face_count));
-    CHECK(!tia_shadow_faces(&d->tile.target, &d->view.flat, &nobody));
+    CHECK(!tia_raster_init(&d->tile.target, d->memory, size, &d->view.flat.grid, all, buffers, w->flat.face_count));
+    CHECK(!tia_shadow_faces(&d->tile.target, &d->view.flat, &never));
     d->view.flat.planes = d->tile.target.planes;
     d->tile.lit = d->lit;
 }
@@ -45,9 +45,9 @@ static void draw(struct drawing *d, enum tia_shadows shadows)
 
     d->scene.shadows = shadows;
     memset(d->lit, 0, sizeof d->lit);
-    CHECK(!technique->prepare(&d->view, &nobody));
-    CHECK(!technique->set_lights(&d->view, &nobody));
-    technique->light(&d->view, &d->tile, 0, &nobody);
+    CHECK(!technique->prepare(&d->view, &never));
+    CHECK(!technique->set_lights(&d->view, &never));
+    technique->light(&d->view, &d->tile, 0, &never);
 }
 
 static void close_drawing(struct drawing *d)
@@ -75,8 +75,8 @@ static void scale_world(struct world *w, int bits)
             objects[i].high[k] *= INT64_C(1) << bits;
         }
     scale_vertex(&w->light, flat, INT64_C(1) << bits);
-    w->flat.lattice.fraction += bits;
-    w->flat.lattice.scale += flat ? 0 : bits;
+    w->flat.grid.fraction += bits;
+    w->flat.grid.scale += flat ? 0 : bits;
 }
 
 /* ---- comparisons ---- */
@@ -108,9 +108,9 @@ static void compare(const struct world *w, const bool lit[PIXELS], struct tally 
     close_drawing(&d);
 }
 
-static void check_worlds(enum tia_projection projection, enum contents contents, bool lattice)
+static void check_worlds(enum tia_projection projection, enum contents contents, bool grid)
 {
-    int32_t step = lattice ? projection == TIA_ORTHOGRAPHIC ? 128 : 96 : 1, range = lattice ? 4 : 500;
+    int32_t step = grid ? projection == TIA_ORTHOGRAPHIC ? 128 : 96 : 1, range = grid ? 4 : 500;
     static bool lit[PIXELS];
     struct tally t = {0};
     struct world w;
@@ -133,10 +133,10 @@ static void check_worlds(enum tia_projection projection, enum contents contents,
     CHECK_MSG(t.dark > t.seen / 8 && t.dark < t.seen - check_count(300), "%u of %u are dark", t.dark, t.seen);
 }
 
-static void check_both(enum contents contents, bool lattice)
+static void check_both(enum contents contents, bool grid)
 {
-    check_worlds(TIA_PERSPECTIVE, contents, lattice);
-    check_worlds(TIA_ORTHOGRAPHIC, contents, lattice);
+    check_worlds(TIA_PERSPECTIVE, contents, grid);
+    check_worlds(TIA_ORTHOGRAPHIC, contents, grid);
 }
 
 TEST(soups)

@@ -69,8 +69,8 @@ static void prepare(struct technique *how, const struct world *w)
     size_t size = tia_raster_size(all, buffers, w->flat.face_count);
 
     how->memory = malloc(size);
-    CHECK(!tia_raster_init(&how->target, how->memory, size, &w->flat.lattice, all, buffers, w->flat.face_count));
-    CHECK(!tia_shadow_faces(&how->target, &w->flat, &nobody));
+    CHECK(!tia_raster_init(&how->target, how->memory, size, &w->flat.grid, all, buffers, w->flat.face_count));
+    CHECK(!tia_shadow_faces(&how->target, &w->flat, &never));
 }
 
 static void compare(const struct world *w, struct tally *t)
@@ -79,10 +79,10 @@ static void compare(const struct world *w, struct tally *t)
 
     for (int k = 0; k < 2; k++)
         prepare(&how[k], w);
-    CHECK(!tia_shadow_zfail(&how[0].target, &w->flat, &w->light, &nobody));
-    CHECK(!tia_shadow_zpass(&how[1].target, &w->flat, &w->light, &nobody));
-    how[0].sure = tia_shadow_count_far(&w->flat, &w->light, &how[0].count, &nobody);
-    how[1].sure = tia_shadow_count_eye(&w->flat, &w->light, &how[1].count, &nobody);
+    CHECK(!tia_shadow_zfail(&how[0].target, &w->flat, &w->light, &never));
+    CHECK(!tia_shadow_zpass(&how[1].target, &w->flat, &w->light, &never));
+    how[0].sure = tia_shadow_count_far(&w->flat, &w->light, &how[0].count, &never);
+    how[1].sure = tia_shadow_count_eye(&w->flat, &w->light, &how[1].count, &never);
     t->worlds++;
     for (int j = 0; j < SIZE; j++)
         for (int i = 0; i < SIZE; i++)
@@ -106,9 +106,9 @@ static void check_tally(const struct tally *t, bool ties, bool flat)
                   "%u of %u unsure", t->unsure[k], t->worlds);
 }
 
-static void check_worlds(enum tia_projection projection, enum contents contents, bool lattice)
+static void check_worlds(enum tia_projection projection, enum contents contents, bool grid)
 {
-    int32_t step = lattice ? projection == TIA_ORTHOGRAPHIC ? 128 : 96 : 1, range = lattice ? 4 : 500;
+    int32_t step = grid ? projection == TIA_ORTHOGRAPHIC ? 128 : 96 : 1, range = grid ? 4 : 500;
     unsigned rounds = contents == MIXED ? check_count(200) : 200;
     struct tally t = {0};
     struct world w;
@@ -119,7 +119,7 @@ static void check_worlds(enum tia_projection projection, enum contents contents,
         end(&w, range, step);
         compare(&w, &t);
     }
-    check_tally(&t, lattice, projection == TIA_ORTHOGRAPHIC);
+    check_tally(&t, grid, projection == TIA_ORTHOGRAPHIC);
 }
 
 TEST(soups)

@@ -53,7 +53,7 @@ struct tia_raster_grid {
 #define TIA_RANGE_MAX 24  /* largest range in perspective */
 #define TIA_RANGE_FLAT 20 /* largest range of orthographic views */
 
-/* Sets the lattice of the pixels of a width x height image (1..TIA_SIZE_MAX each), or of sample `sample` of each pixel
+/* Sets the grid of the pixels of a width x height image (1..TIA_SIZE_MAX each), or of sample `sample` of each pixel
  * when there are 1, 4 or 16 `samples`, placed as in camera.h. All coordinates of points are below 2^range in size,
  * range at least 0 and at most as above. TIA_FRUSTUM counts as perspective, since its shear is in the vertices.
  * TIA_ERR_ARGUMENT when an argument is outside these bounds.
@@ -61,8 +61,8 @@ struct tia_raster_grid {
  * This chooses `fraction`: 25 - range where that is at least 18 and most polygons then fit 64 bits, else 40 - range;
  * orthographic always 29 - range, or 28 when that is 0, as w is 1. Of 6 million pixels of meshes, 5 see another face
  * with 18 bits than with 34, none with 22. */
-int tia_raster_grid_init(struct tia_raster_grid *lattice, enum tia_projection projection, unsigned width,
-                         unsigned height, uint32_t samples, uint32_t sample, unsigned range);
+int tia_raster_grid_init(struct tia_raster_grid *grid, enum tia_projection projection, unsigned width, unsigned height,
+                         uint32_t samples, uint32_t sample, unsigned range);
 
 struct tia_raster_vertex {
     int64_t x, y, w, h;
@@ -134,7 +134,7 @@ struct tia_raster_runs;
 
 /* A rectangle of the image, row by row. An absent buffer is NULL. */
 struct tia_raster_target {
-    const struct tia_raster_grid *lattice;
+    const struct tia_raster_grid *grid;
     struct tia_tile area;
     uint32_t *face;     /* TIA_NO_FACE at empty pixels */
     uint64_t *nearness; /* within 2^15 of 1/t 2^scale, orthographic of 2^61 more, and clamped to 0..2^62; 0 at empty
@@ -154,9 +154,9 @@ struct tia_raster_target {
  * when there are too many. */
 size_t tia_raster_size(struct tia_tile area, unsigned buffers, uint32_t faces);
 
-/* Creates a target in `memory`, aligned for uint64_t, and clears it. The lattice must outlive it. TIA_ERR_ARGUMENT when
+/* Creates a target in `memory`, aligned for uint64_t, and clears it. The grid must outlive it. TIA_ERR_ARGUMENT when
  * the area is empty or not inside the image, or there are no such buffers; TIA_ERR_MEMORY when `size` is too small. */
-int tia_raster_init(struct tia_raster_target *target, void *memory, size_t size, const struct tia_raster_grid *lattice,
+int tia_raster_init(struct tia_raster_target *target, void *memory, size_t size, const struct tia_raster_grid *grid,
                     struct tia_tile area, unsigned buffers, uint32_t faces);
 
 /* Empties the depth buffer. TIA_OK, too, without that buffer, here and below: nothing is done then. */
@@ -191,7 +191,7 @@ struct tia_raster_corners {
 
 /* Prepares a triangle. False when the eye is in the triangle's plane or a vertex out of range; *corners is undefined
  * then. */
-bool tia_raster_corners_init(struct tia_raster_corners *corners, const struct tia_raster_grid *lattice,
+bool tia_raster_corners_init(struct tia_raster_corners *corners, const struct tia_raster_grid *grid,
                              const struct tia_raster_vertex vertices[3]);
 
 /* Interpolates a[0], a[1], a[2], given at the corners, linearly on the triangle's plane, to the point that pixel (x, y)

@@ -22,7 +22,7 @@ bool tia_shadow_mesh_closes(const struct tia_mesh *mesh, void *room)
     uint32_t *first = room, *rest = first + mesh->vertex_count;
     struct tia_flat_face *faces = (void *)rest;
     uint32_t *across = (void *)(faces + mesh->face_count);
-    struct cancel nobody = {.stop = NULL};
+    struct cancel never = {.stop = NULL};
 
     tia_weld(first, mesh->vertices, mesh->vertex_count, rest);
     for (uint32_t f = 0; f < mesh->face_count; f++) {
@@ -30,5 +30,5 @@ bool tia_shadow_mesh_closes(const struct tia_mesh *mesh, void *room)
             faces[f].corner[k] = first[mesh->faces[f].corner[k].vertex];
         faces[f].corner[TIA_SIDES - 1] = TIA_NO_CORNER;
     }
-    return tia_edges_join(across, faces, mesh->face_count, across + (size_t)TIA_SIDES * mesh->face_count, &nobody);
+    return tia_edges_join(across, faces, mesh->face_count, across + (size_t)TIA_SIDES * mesh->face_count, &never);
 }

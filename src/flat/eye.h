@@ -19,7 +19,7 @@ struct tia_eye {
 };
 
 /* Sets the eye for the camera of a scene that tia_scene_check accepts, with its fine digits; its samples are the
- * lattice's. */
+ * grid's. */
 void tia_eye_init(struct tia_eye *eye, const struct tia_scene *scene, unsigned width, unsigned height);
 
 /* Returns the smallest r for which the coordinates of a point's vertex are below 2^r in size, at least 0. Points are

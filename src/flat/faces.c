@@ -97,7 +97,7 @@ static void add_points(struct tia_flat_scene *flat, const struct tia_flat_source
     for (uint32_t i = 0; i < tia_flat_places(source) && !cancelled(cancel, 1); i++) {
         int64_t world[3];
         tia_flat_source_point(source, i, world);
-        tia_eye_point(&flat->eye, world, flat->lattice.fraction, &to[i]);
+        tia_eye_point(&flat->eye, world, flat->grid.fraction, &to[i]);
     }
     if (source->kind == TIA_PLANE)
         add_directions(flat, &source->shape->plane.normal, to + 1);
@@ -189,7 +189,7 @@ static int make_plane(struct tia_flat_scene *flat, uint32_t face)
     struct tia_raster_vertex corners[TIA_SIDES];
     unsigned sides = tia_flat_corners(flat, face, corners);
 
-    return tia_raster_plane_init(&flat->planes[face], &flat->lattice, corners, sides);
+    return tia_raster_plane_init(&flat->planes[face], &flat->grid, corners, sides);
 }
 
 static int make_planes(struct tia_flat_scene *flat, const struct tia_scene *scene, struct cancel *cancel)
@@ -208,12 +208,11 @@ static int make_planes(struct tia_flat_scene *flat, const struct tia_scene *scen
 void tia_flat_sample(struct tia_flat_scene *out, const struct tia_flat_scene *flat, const struct tia_scene *scene,
                      unsigned sample)
 {
-    const struct tia_raster_grid *l = &flat->lattice;
+    const struct tia_raster_grid *l = &flat->grid;
     unsigned range = tia_flat_range(flat);
 
     *out = *flat;
-    (void)tia_raster_grid_init(&out->lattice, l->projection, l->width, l->height, tia_flat_samples(scene), sample,
-                               range);
+    (void)tia_raster_grid_init(&out->grid, l->projection, l->width, l->height, tia_flat_samples(scene), sample, range);
     out->planes = flat->planes + (size_t)flat->face_count * sample;
 }
 
@@ -229,12 +228,12 @@ static char *take(char **memory, size_t size)
 
 struct tia_reach tia_flat_reach(const struct tia_flat_scene *flat)
 {
-    return (struct tia_reach){&flat->eye, flat->lattice.width, flat->lattice.height, flat->samples, flat->reach};
+    return (struct tia_reach){&flat->eye, flat->grid.width, flat->grid.height, flat->samples, flat->reach};
 }
 
 unsigned tia_flat_range(const struct tia_flat_scene *flat)
 {
-    return (unsigned)(flat->bits - flat->lattice.fraction);
+    return (unsigned)(flat->bits - flat->grid.fraction);
 }
 
 /* Places the points of all objects, and the boxes around them. */
@@ -252,11 +251,11 @@ static void place_points(struct tia_flat_scene *flat, const struct tia_scene *sc
 
 int tia_flat_place(struct tia_flat_scene *flat, const struct tia_scene *scene, unsigned range, struct cancel *cancel)
 {
-    const struct tia_raster_grid now = flat->lattice;
+    const struct tia_raster_grid now = flat->grid;
     int status =
-        tia_raster_grid_init(&flat->lattice, scene->camera.projection, now.width, now.height, flat->samples, 0, range);
+        tia_raster_grid_init(&flat->grid, scene->camera.projection, now.width, now.height, flat->samples, 0, range);
 
-    flat->bits = flat->lattice.fraction + (int)range;
+    flat->bits = flat->grid.fraction + (int)range;
     if (!status)
         place_points(flat, scene, cancel);
     status = status ? status : make_planes(flat, scene, cancel);
@@ -284,8 +283,8 @@ int tia_flat_init(struct tia_flat_scene *flat, void *memory, size_t size, const 
     if (cancel->stopped)
         return TIA_STOPPED;
     flat->samples = tia_flat_samples(scene);
-    flat->lattice.width = (uint16_t)width;
-    flat->lattice.height = (uint16_t)height;
+    flat->grid.width = (uint16_t)width;
+    flat->grid.height = (uint16_t)height;
     struct tia_reach reach = tia_flat_reach(flat);
     if (flat->reach > tia_reach_most(flat->eye.projection) ||
         tia_reach_too_far(&reach, scene->lights, scene->light_count) < scene->light_count)

@@ -19,7 +19,7 @@ struct tia_flat_object {
 
 struct tia_flat_scene {
     struct tia_eye eye;
-    struct tia_raster_grid lattice;
+    struct tia_raster_grid grid;
     unsigned reach;   /* reach of the faces, see reach.h */
     uint32_t samples; /* samples of a pixel */
     int bits;         /* coordinates of points are below 2^bits */
@@ -27,7 +27,7 @@ struct tia_flat_scene {
     struct tia_flat_face *faces;
     uint32_t *across; /* see tia_edges_join */
     struct tia_raster_vertex *points;
-    /* Planes of the faces; their lattice is that of the first sample, then of the next. */
+    /* Planes of the faces; their grid is that of the first sample, then of the next. */
     struct tia_raster_plane *planes;
     uint32_t object_count, face_count, point_count;
 };

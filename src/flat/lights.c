@@ -72,7 +72,7 @@ static void from_point(const struct tia_flat_scene *flat, const struct tia_light
     const struct tia_reach reach = tia_flat_reach(flat);
 
     if (!tia_reach_is_direction(&reach, light)) {
-        tia_eye_point(&flat->eye, at, flat->lattice.fraction, out);
+        tia_eye_point(&flat->eye, at, flat->grid.fraction, out);
         return;
     }
     for (int k = 0; k < 3; k++)

@@ -188,11 +188,11 @@ static unsigned range_of_places(const struct tia_reach *reach, const struct tia_
 /* Returns the largest range that a light's point may have with vertices for `range`. */
 static unsigned limit_of(const struct tia_reach *reach, unsigned range)
 {
-    struct tia_raster_grid lattice;
+    struct tia_raster_grid grid;
     int status =
-        tia_raster_grid_init(&lattice, reach->eye->projection, reach->width, reach->height, reach->samples, 0, range);
+        tia_raster_grid_init(&grid, reach->eye->projection, reach->width, reach->height, reach->samples, 0, range);
 
-    return status ? 0 : (unsigned)(POINT_BITS(is_flat(reach)) - lattice.fraction);
+    return status ? 0 : (unsigned)(POINT_BITS(is_flat(reach)) - grid.fraction);
 }
 
 /* Returns the range of the scene's lights and keys with room: each may move to four times its distance, if that is not

@@ -72,7 +72,7 @@ static int64_t limited(int64_t a, int64_t most)
 void tia_world_init(struct tia_world *world, const struct tia_flat_scene *flat)
 {
     static const int64_t ahead[3] = {0, 0, -1};
-    const struct tia_raster_grid *l = &flat->lattice;
+    const struct tia_raster_grid *l = &flat->grid;
     bool flat_view = flat->eye.projection == TIA_ORTHOGRAPHIC;
     const int64_t first[3] = {l->x, l->y, flat_view ? 0 : l->w}, right[3] = {l->right}, down[3] = {0, -l->down};
 
@@ -93,7 +93,7 @@ void tia_world_place(const struct tia_world *world, const struct tia_raster_vert
     tia_flat_affine(world->flat, v, q);
     for (int i = 0; i < 3; i++)
         place[i] = wide_round(wide_dot(world->m[i], q),
-                              (unsigned)(world->places + world->flat->lattice.fraction - TIA_WORLD_BITS));
+                              (unsigned)(world->places + world->flat->grid.fraction - TIA_WORLD_BITS));
 }
 
 /* Gives a direction of any length, of which the largest component then has 60 bits. */

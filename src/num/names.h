@@ -133,6 +133,7 @@
 #define ray_around NAMES(ray_around)
 #define ray_trace_tile NAMES(ray_trace_tile)
 #define ray_light_prepare NAMES(ray_light_prepare)
+#define ray_light_rectangle_point NAMES(ray_light_rectangle_point)
 #define ray_light_aim NAMES(ray_light_aim)
 #define ray_light_sample NAMES(ray_light_sample)
 #define ray_light_shadow NAMES(ray_light_shadow)

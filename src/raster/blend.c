@@ -7,13 +7,13 @@
 
 /* The point at a pixel is a weighted sum of the corners, each weight det(D, q, q) of the other two; the value is the
  * mean of the corners' values with these weights, without corners that are directions. */
-bool tia_raster_corners_init(struct tia_raster_corners *corners, const struct tia_raster_grid *lattice,
+bool tia_raster_corners_init(struct tia_raster_corners *corners, const struct tia_raster_grid *grid,
                              const struct tia_raster_vertex vertices[3])
 {
     int64_t q[3][3];
     wide n[3];
 
-    if (!corners || !lattice || !vertices || !tia_polygon_has_range(lattice, vertices, 3))
+    if (!corners || !grid || !vertices || !tia_polygon_has_range(grid, vertices, 3))
         return false;
     for (int i = 0; i < 3; i++) {
         q[i][0] = vertices[i].x;
@@ -23,9 +23,9 @@ bool tia_raster_corners_init(struct tia_raster_corners *corners, const struct ti
     wide_cross(q[0], q[1], n);
     int sign = wide_sign(wide_determinant(n, q[2]));
     for (int i = 0; i < 3; i++) {
-        bool point = lattice->projection == TIA_ORTHOGRAPHIC ? vertices[i].w != 0 : vertices[i].h != 0;
+        bool point = grid->projection == TIA_ORTHOGRAPHIC ? vertices[i].w != 0 : vertices[i].h != 0;
         wide_cross(q[(i + 1) % 3], q[(i + 2) % 3], n);
-        struct wide_form f = wide_form_of(n, lattice);
+        struct wide_form f = wide_form_of(n, grid);
         halves_put(corners->weights[i][0], wide_times(f.x, point * sign));
         halves_put(corners->weights[i][1], wide_times(f.y, point * sign));
         halves_put(corners->weights[i][2], wide_times(f.c, point * sign));

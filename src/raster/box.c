@@ -58,7 +58,7 @@ static bool is_outside(const struct tia_raster_vertex *v, unsigned count, const 
     return left == count || right == count || above == count || below == count || behind == count;
 }
 
-bool tia_polygon_box(struct polygon *p, const struct tia_raster_grid *lattice, struct tia_tile area,
+bool tia_polygon_box(struct polygon *p, const struct tia_raster_grid *grid, struct tia_tile area,
                      const struct tia_raster_vertex *corners, unsigned count, unsigned more)
 {
     struct reach r = {INT32_MAX, INT32_MIN, INT32_MAX, INT32_MIN};
@@ -68,14 +68,14 @@ bool tia_polygon_box(struct polygon *p, const struct tia_raster_grid *lattice, s
     p->x1 = (int)(area.x + area.width);
     p->y0 = (int)area.y;
     p->y1 = (int)(area.y + area.height);
-    if (is_outside(corners, count, lattice, more))
+    if (is_outside(corners, count, grid, more))
         return false;
     for (unsigned i = 0; i < count; i++)
         behind |= corners[i].w <= 0;
     if (behind)
         return true;
     for (unsigned i = 0; i < count; i++)
-        include_corner(&r, lattice, &corners[i]);
+        include_corner(&r, grid, &corners[i]);
     narrow_to(&p->x0, &p->x1, r.x0, r.x1, (int)more);
     narrow_to(&p->y0, &p->y1, r.y0, r.y1, (int)more);
     return p->x0 < p->x1 && p->y0 < p->y1;

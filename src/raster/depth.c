@@ -63,11 +63,11 @@ static bool is_steady(const struct polygon *p)
 /* Prepares the scale. With det = m 2^bits, 1/2 <= m < 1, the reciprocal is 2^62/m: f/det 2^scale = f reciprocal
  * 2^(scale - 62 - bits). From 0 to `most` that is 0..2^62. In orthographic views, f is cut at half of that on either
  * side of 0. */
-void tia_depth_scale_init(struct polygon *p, const struct tia_raster_grid *lattice)
+void tia_depth_scale_init(struct polygon *p, const struct tia_raster_grid *grid)
 {
     struct depth_scale *d = &p->depth;
-    bool flat = lattice->projection == TIA_ORTHOGRAPHIC;
-    int scale = lattice->scale, bits = wide_bits(p->det), cut = bits - 1 - scale, shift;
+    bool flat = grid->projection == TIA_ORTHOGRAPHIC;
+    int scale = grid->scale, bits = wide_bits(p->det), cut = bits - 1 - scale, shift;
     uint64_t top = (uint64_t)wide_high(wide_up(p->det, (unsigned)(128 - bits)));
 
     d->reciprocal = (uint64_t)wide_reciprocal(top);

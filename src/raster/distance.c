@@ -41,9 +41,9 @@ int64_t tia_plane_distance(const struct tia_raster_plane *plane, const struct ti
     return scaled(ratio, up - down - 60 + TIA_DISTANCE_BITS - (flat ? 0 : l->fraction));
 }
 
-int64_t tia_raster_distance(const struct tia_raster_plane *plane, const struct tia_raster_grid *lattice, int x, int y)
+int64_t tia_raster_distance(const struct tia_raster_plane *plane, const struct tia_raster_grid *grid, int x, int y)
 {
-    bool seen = plane && lattice && x >= 0 && y >= 0 && x < (int)lattice->width && y < (int)lattice->height;
+    bool seen = plane && grid && x >= 0 && y >= 0 && x < (int)grid->width && y < (int)grid->height;
 
-    return seen ? tia_plane_distance(plane, lattice, x, y) : 0;
+    return seen ? tia_plane_distance(plane, grid, x, y) : 0;
 }

@@ -257,7 +257,7 @@ static bool is_state(const struct tia_raster_state *s)
 static bool is_valid(const struct tia_raster_target *t, const struct tia_raster_state *s,
                      const struct tia_raster_vertex *corners, unsigned count, uint32_t face)
 {
-    return t && t->lattice && s && corners && is_state(s) && count >= 3 && count <= TIA_RASTER_CORNERS &&
+    return t && t->grid && s && corners && is_state(s) && count >= 3 && count <= TIA_RASTER_CORNERS &&
            (!s->depth_write || !t->face || face < t->face_count);
 }
 
@@ -270,10 +270,10 @@ int tia_raster_draw(struct tia_raster_target *target, const struct tia_raster_st
 
     if (!is_valid(target, state, corners, count, face))
         return TIA_ERR_ARGUMENT;
-    status = tia_polygon_init(&p, target->lattice, target->area, corners, count);
+    status = tia_polygon_init(&p, target->grid, target->area, corners, count);
     if (status || !p.count || (p.front ? state->skip_front : state->skip_back))
         return status;
-    if (state->ahead && target->lattice->projection == TIA_ORTHOGRAPHIC)
+    if (state->ahead && target->grid->projection == TIA_ORTHOGRAPHIC)
         tia_polygon_cut_ahead(&p);
     if (state->depth_write && target->face && !target->planes_known)
         tia_depth_plane(&p, &target->planes[face]);
@@ -286,18 +286,18 @@ int tia_raster_draw(struct tia_raster_target *target, const struct tia_raster_st
     return TIA_OK;
 }
 
-int tia_raster_plane_init(struct tia_raster_plane *plane, const struct tia_raster_grid *lattice,
+int tia_raster_plane_init(struct tia_raster_plane *plane, const struct tia_raster_grid *grid,
                           const struct tia_raster_vertex *corners, unsigned count)
 {
     struct polygon p;
 
-    if (!plane || !lattice)
+    if (!plane || !grid)
         return TIA_ERR_ARGUMENT;
     *plane = (struct tia_raster_plane){.det = {0, 0}};
     if (!corners || count < 3 || count > TIA_RASTER_CORNERS)
         return TIA_ERR_ARGUMENT;
-    struct tia_tile all = {0, 0, lattice->width, lattice->height};
-    int status = tia_polygon_init(&p, lattice, all, corners, count);
+    struct tia_tile all = {0, 0, grid->width, grid->height};
+    int status = tia_polygon_init(&p, grid, all, corners, count);
     if (!status && p.count)
         tia_depth_plane(&p, plane);
     return status;

@@ -35,22 +35,21 @@ static int64_t largest(const struct tia_raster_grid *l, const struct tia_raster_
     return most;
 }
 
-bool tia_polygon_has_range(const struct tia_raster_grid *lattice, const struct tia_raster_vertex *corners,
-                           unsigned count)
+bool tia_polygon_has_range(const struct tia_raster_grid *grid, const struct tia_raster_vertex *corners, unsigned count)
 {
-    return largest(lattice, corners, count) >= 0;
+    return largest(grid, corners, count) >= 0;
 }
 
 /* Prepares a polygon; `more` pixels around it are in its box, too, but its edges stay. */
-static int init(struct polygon *p, const struct tia_raster_grid *lattice, struct tia_tile area,
+static int init(struct polygon *p, const struct tia_raster_grid *grid, struct tia_tile area,
                 const struct tia_raster_vertex *corners, unsigned count, unsigned more)
 {
-    int64_t most = largest(lattice, corners, count), q[TIA_RASTER_CORNERS][3];
+    int64_t most = largest(grid, corners, count), q[TIA_RASTER_CORNERS][3];
 
     p->count = 0;
     if (most < 0)
         return TIA_ERR_RANGE;
-    if (!tia_polygon_box(p, lattice, area, corners, count, more))
+    if (!tia_polygon_box(p, grid, area, corners, count, more))
         return TIA_OK;
     for (unsigned i = 0; i < count; i++) {
         q[i][0] = corners[i].x;
@@ -58,27 +57,27 @@ static int init(struct polygon *p, const struct tia_raster_grid *lattice, struct
         q[i][2] = corners[i].w;
     }
     p->count = count;
-    p->narrow = most <= lattice->narrow;
-    if (!(p->narrow ? narrow_set_up(p, lattice, q, corners) : wide_set_up(p, lattice, q, corners)))
+    p->narrow = most <= grid->narrow;
+    if (!(p->narrow ? narrow_set_up(p, grid, q, corners) : wide_set_up(p, grid, q, corners)))
         p->count = 0;
     return TIA_OK;
 }
 
-int tia_polygon_init(struct polygon *p, const struct tia_raster_grid *lattice, struct tia_tile area,
+int tia_polygon_init(struct polygon *p, const struct tia_raster_grid *grid, struct tia_tile area,
                      const struct tia_raster_vertex *corners, unsigned count)
 {
-    int status = init(p, lattice, area, corners, count, 0);
+    int status = init(p, grid, area, corners, count, 0);
 
     if (!status && p->count)
-        tia_depth_scale_init(p, lattice);
+        tia_depth_scale_init(p, grid);
     return status;
 }
 
 /* Enlarges the polygon by a pixel: an edge's value is at most |x| + |y| less at a neighbouring pixel. */
-int tia_polygon_init_enlarged(struct polygon *p, const struct tia_raster_grid *lattice, struct tia_tile area,
+int tia_polygon_init_enlarged(struct polygon *p, const struct tia_raster_grid *grid, struct tia_tile area,
                               const struct tia_raster_vertex *corners, unsigned count)
 {
-    int status = init(p, lattice, area, corners, count, 2);
+    int status = init(p, grid, area, corners, count, 2);
 
     for (unsigned i = 0; i < p->count; i++)
         if (p->narrow) {

@@ -38,16 +38,15 @@ struct polygon {
 };
 
 /* True if the corners are in the range of raster.h. */
-bool tia_polygon_has_range(const struct tia_raster_grid *lattice, const struct tia_raster_vertex *corners,
-                           unsigned count);
+bool tia_polygon_has_range(const struct tia_raster_grid *grid, const struct tia_raster_vertex *corners, unsigned count);
 
 /* Prepares a polygon. TIA_OK, with p->count = 0 when no pixel is covered; or TIA_ERR_RANGE. */
-int tia_polygon_init(struct polygon *p, const struct tia_raster_grid *lattice, struct tia_tile area,
+int tia_polygon_init(struct polygon *p, const struct tia_raster_grid *grid, struct tia_tile area,
                      const struct tia_raster_vertex *corners, unsigned count);
 
 /* Prepares an enlarged polygon: all pixels whose centres are at most one column and one row from a point of the
  * polygon, and a few more beside its corners: without its depth. The corners may be directions. */
-int tia_polygon_init_enlarged(struct polygon *p, const struct tia_raster_grid *lattice, struct tia_tile area,
+int tia_polygon_init_enlarged(struct polygon *p, const struct tia_raster_grid *grid, struct tia_tile area,
                               const struct tia_raster_vertex *corners, unsigned count);
 
 /* Excludes the pixels where the polygon's h is above 0, by one more edge. */
@@ -55,10 +54,10 @@ void tia_polygon_cut_ahead(struct polygon *p);
 
 /* Gives the box of the pixels of `area` that the corners can cover, or that are up to `more` beside; false when it is
  * empty. A little too large rather than too small. */
-bool tia_polygon_box(struct polygon *p, const struct tia_raster_grid *lattice, struct tia_tile area,
+bool tia_polygon_box(struct polygon *p, const struct tia_raster_grid *grid, struct tia_tile area,
                      const struct tia_raster_vertex *corners, unsigned count, unsigned more);
 
-void tia_depth_scale_init(struct polygon *p, const struct tia_raster_grid *lattice);
+void tia_depth_scale_init(struct polygon *p, const struct tia_raster_grid *grid);
 
 static inline bool polygon_edge_covers(const struct polygon *p, unsigned edge, int x, int y)
 {

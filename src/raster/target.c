@@ -53,19 +53,19 @@ static void place(struct tia_raster_target *t, char *memory, unsigned buffers)
         t->stencil = (uint8_t *)memory;
 }
 
-int tia_raster_init(struct tia_raster_target *target, void *memory, size_t size, const struct tia_raster_grid *lattice,
+int tia_raster_init(struct tia_raster_target *target, void *memory, size_t size, const struct tia_raster_grid *grid,
                     struct tia_tile area, unsigned buffers, uint32_t faces)
 {
     static const uint16_t black[3] = {0};
     size_t needed = tia_raster_size(area, buffers, faces);
 
-    if (!target || !lattice || !tile_is_inside(area, (struct tia_tile){0, 0, lattice->width, lattice->height}) ||
+    if (!target || !grid || !tile_is_inside(area, (struct tia_tile){0, 0, grid->width, grid->height}) ||
         (buffers & (TIA_BUFFER_SUM | TIA_BUFFER_COLOUR)) == TIA_BUFFER_SUM || buffers > ALL_BUFFERS ||
         (needed && !memory_is_usable(memory)))
         return TIA_ERR_ARGUMENT;
     if (needed == SIZE_MAX || size < needed)
         return TIA_ERR_MEMORY;
-    *target = (struct tia_raster_target){.lattice = lattice, .area = area, .face_count = faces, .pitch = area.width};
+    *target = (struct tia_raster_target){.grid = grid, .area = area, .face_count = faces, .pitch = area.width};
     place(target, memory, buffers);
     (void)tia_raster_clear_depth(target);
     (void)tia_raster_clear_stencil(target, 0, 255);

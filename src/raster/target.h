@@ -27,7 +27,7 @@ static inline int target_bottom(const struct tia_raster_target *t)
 int tia_raster_part(struct tia_raster_target *part, const struct tia_raster_target *target, struct tia_tile area);
 
 /* The plane of a polygon, as tia_raster_draw keeps it. Errors as there. */
-int tia_raster_plane_init(struct tia_raster_plane *plane, const struct tia_raster_grid *lattice,
+int tia_raster_plane_init(struct tia_raster_plane *plane, const struct tia_raster_grid *grid,
                           const struct tia_raster_vertex *corners, unsigned count);
 
 #endif

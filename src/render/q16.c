@@ -20,7 +20,7 @@ size_t tia_hits_size(const struct tia_scene *scene, struct tia_tile area)
 size_t tia_simd_size(const struct tia_simd *simd, const struct tia_scene *scene, uint32_t light_capacity,
                      unsigned workers)
 {
-    return tia_core_level_size(&tia_core_q16, simd, scene, light_capacity, workers);
+    return tia_core_simd_size(&tia_core_q16, simd, scene, light_capacity, workers);
 }
 
 bool tia_draws_by_pixel(const struct tia_scene *scene)

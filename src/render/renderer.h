@@ -223,8 +223,8 @@ int tia_core_view_init(const struct tia_core *core, struct tia_view **view, void
                        const struct tia_scene *scene, uint32_t light_capacity, unsigned width, unsigned height,
                        const struct tia_job *job);
 size_t tia_core_hits_size(const struct tia_core *core, const struct tia_scene *scene, struct tia_tile area);
-size_t tia_core_level_size(const struct tia_core *core, const struct tia_simd *simd, const struct tia_scene *scene,
-                           uint32_t light_capacity, unsigned workers);
+size_t tia_core_simd_size(const struct tia_core *core, const struct tia_simd *simd, const struct tia_scene *scene,
+                          uint32_t light_capacity, unsigned workers);
 bool tia_core_draws_by_pixel(const struct tia_core *core, const struct tia_scene *scene);
 
 /* The slots of struct tia_drawing in the library's cores; `view` is not NULL. */
@@ -242,7 +242,7 @@ int tia_drawing_render(const struct tia_view *view, struct tia_hits *hits, struc
 #define TIA_CORE(core_name, core_renderers)                                                                            \
     {                                                                                                                  \
         .name = (core_name), .view_size = tia_core_view_size, .view_init = tia_core_view_init,                         \
-        .hits_size = tia_core_hits_size, .simd_size = tia_core_level_size, .draws_by_pixel = tia_core_draws_by_pixel,  \
+        .hits_size = tia_core_hits_size, .simd_size = tia_core_simd_size, .draws_by_pixel = tia_core_draws_by_pixel,   \
         .renderers = (core_renderers)                                                                                  \
     }
 

@@ -33,11 +33,12 @@ int tia_core_view_init(const struct tia_core *core, struct tia_view **view, void
         return status;
     if (size < tia_core_view_size(core, scene, light_capacity))
         return TIA_ERR_MEMORY;
-    if (!tia_renderer_for(core, scene))
+    const struct renderer *renderer = tia_renderer_for(core, scene);
+    if (!renderer)
         return TIA_ERR_UNSUPPORTED;
     v->core = core;
     v->scene = scene;
-    v->renderer = tia_renderer_for(core, scene);
+    v->renderer = renderer;
     v->simd = NULL;
     v->simd_memory = NULL;
     v->raster_runs = NULL;
@@ -49,7 +50,7 @@ int tia_core_view_init(const struct tia_core *core, struct tia_view **view, void
     v->stop = job ? job->stop : NULL;
     v->stop_ctx = job ? job->ctx : NULL;
     v->prepared = (char *)v->lights + ALIGN(light_capacity * sizeof *v->lights);
-    status = v->renderer->prepare(v);
+    status = renderer->prepare(v);
     if (!status)
         status = tia_drawing_set_lights(v, scene->lights, scene->light_count);
     *view = v;
@@ -96,8 +97,8 @@ static const struct simd_renderer *drawn_by(const struct tia_core *core, const s
     return simd && renderer && simd->plain == core->renderers->plain ? simd_renderer_for(simd, renderer) : NULL;
 }
 
-size_t tia_core_level_size(const struct tia_core *core, const struct tia_simd *simd, const struct tia_scene *scene,
-                           uint32_t light_capacity, unsigned workers)
+size_t tia_core_simd_size(const struct tia_core *core, const struct tia_simd *simd, const struct tia_scene *scene,
+                          uint32_t light_capacity, unsigned workers)
 {
     if (!core || !scene)
         return SIZE_MAX;
@@ -120,7 +121,7 @@ int tia_view_set_simd(struct tia_view *view, const struct tia_simd *simd, void *
         return TIA_OK;
     if (!memory_is_usable(memory))
         return TIA_ERR_ARGUMENT;
-    if (size < tia_core_level_size(view->core, simd, view->scene, view->light_capacity, 1))
+    if (size < tia_core_simd_size(view->core, simd, view->scene, view->light_capacity, 1))
         return TIA_ERR_MEMORY;
     view->simd = simd;
     simd->enter->open(view, memory, size);

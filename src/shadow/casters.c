@@ -206,9 +206,9 @@ enum tia_segment_kind tia_segment_init(struct tia_segment *segment, const struct
 
     if (!casters->tree.node_count)
         return TIA_SEGMENT_MISSES;
-    if (!seen->nearness && flat->lattice.projection != TIA_ORTHOGRAPHIC)
+    if (!seen->nearness && flat->grid.projection != TIA_ORTHOGRAPHIC)
         return TIA_SEGMENT_FAR;
-    if (!find_point(seen, &flat->lattice, a))
+    if (!find_point(seen, &flat->grid, a))
         return TIA_SEGMENT_FAR;
     find_light(flat, casters, light, a, b);
     if (!cut(casters, a, b) || !cut(casters, b, a))

@@ -11,7 +11,7 @@ unsigned tia_map_corners(const struct tia_map *map, const struct tia_map_view *v
                          uint32_t face, struct tia_raster_vertex corners[TIA_SIDES])
 {
     unsigned sides = tia_flat_corners(flat, face, corners);
-    int fraction = view->lattice.fraction;
+    int fraction = view->grid.fraction;
 
     for (unsigned k = 0; k < sides; k++) {
         bool direction = tia_flat_is_direction(flat, &corners[k]);
@@ -69,7 +69,7 @@ void tia_map_plane_init(struct tia_map_plane *plane, const struct tia_map *map, 
         plane->places = 122 + exponent + side - cut - units;
     } else {
         plane->factor = m;
-        plane->places = cut + view->lattice.fraction - exponent - side - units;
+        plane->places = cut + view->grid.fraction - exponent - side - units;
     }
 }
 
@@ -158,7 +158,7 @@ int tia_map_draw(const struct tia_map *map, const struct tia_flat_scene *flat, v
         const struct tia_map_view *view = &map->view[i];
         for (unsigned y = 0; !status && y < map->size; y += band_of(map->size, y).height) {
             struct tia_raster_target target;
-            status = tia_raster_init(&target, room, size, &view->lattice, band_of(map->size, y), TIA_BUFFER_DEPTH,
+            status = tia_raster_init(&target, room, size, &view->grid, band_of(map->size, y), TIA_BUFFER_DEPTH,
                                      flat->face_count);
             status = status ? status : draw_faces(map, view, &target, flat, cancel);
             if (!status && !cancel->stopped)

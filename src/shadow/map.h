@@ -17,7 +17,7 @@
 
 struct tia_map_view {
     struct tia_eye eye; /* from 256 times the coordinates of tia_flat_affine */
-    struct tia_raster_grid lattice;
+    struct tia_raster_grid grid;
     int64_t axes[3][3]; /* right, up and forward, Q1.62 */
     uint32_t *distance; /* TIA_MAP_NOTHING where there is no face */
 };

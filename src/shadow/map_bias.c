@@ -74,13 +74,13 @@ static void find_plane(struct tia_map_point *point)
     const struct tia_map_view *view = point->spot.view;
     struct tia_raster_vertex corners[TIA_SIDES];
     struct tia_raster_plane plane = {.det = {0, 0}};
-    struct tia_tile all = {0, 0, view->lattice.width, view->lattice.height};
+    struct tia_tile all = {0, 0, view->grid.width, view->grid.height};
     struct polygon polygon;
 
     if (point->of == view)
         return;
     unsigned sides = tia_map_corners(point->map, view, point->world->flat, point->face, corners);
-    if (!tia_polygon_init_enlarged(&polygon, &view->lattice, all, corners, sides) && polygon.count)
+    if (!tia_polygon_init_enlarged(&polygon, &view->grid, all, corners, sides) && polygon.count)
         tia_depth_plane(&polygon, &plane);
     tia_map_plane_init(&point->plane, point->map, view, &plane);
     point->of = view;

@@ -56,7 +56,7 @@ static int64_t dot(const int64_t axis[3], const int64_t place[3])
 /* Returns axis times scale 2^-scale_places, for a vertex in the world's coordinates. */
 static struct tia_eye_row row_of(const struct tia_world *world, const int64_t axis[3], int64_t scale, int scale_places)
 {
-    int shift = 0, spread = 8 + world->flat->lattice.fraction - 32; /* for 256 times a coordinate, in Q.32 */
+    int shift = 0, spread = 8 + world->flat->grid.fraction - 32; /* for 256 times a coordinate, in Q.32 */
     struct tia_eye_row row = {.offset = 0};
     wide product[3];
 
@@ -105,7 +105,7 @@ static void spread(const struct tia_flat_scene *flat, const struct tia_raster_ve
         out[k] *= 256;
 }
 
-/* Prepares the lattice. Vertices must be below 2^20; where the scene reaches farther, their unit is larger. */
+/* Prepares the grid. Vertices must be below 2^20; where the scene reaches farther, their unit is larger. */
 static int make_lattice(struct tia_map *map, const struct tia_flat_scene *flat)
 {
     unsigned range = 0;
@@ -127,10 +127,10 @@ static int make_lattice(struct tia_map *map, const struct tia_flat_scene *flat)
             view->eye.row[k].offset_places += map->unit;
         }
         status = status ? status
-                        : tia_raster_grid_init(&view->lattice, view->eye.projection, map->size, map->size, 1, 0,
+                        : tia_raster_grid_init(&view->grid, view->eye.projection, map->size, map->size, 1, 0,
                                                range - (unsigned)map->unit);
     }
-    map->bits = map->view[0].lattice.fraction + (int)range - map->unit;
+    map->bits = map->view[0].grid.fraction + (int)range - map->unit;
     return status;
 }
 

@@ -104,9 +104,9 @@ static int64_t cut(wide a, int unit)
 }
 
 /* Prepares a plane. Pixels are below 2^13, so each of the three products is below 2^60. */
-static void prepare(struct tia_occluder_plane *p, const struct plane *plane, const struct tia_raster_grid *lattice)
+static void prepare(struct tia_occluder_plane *p, const struct plane *plane, const struct tia_raster_grid *grid)
 {
-    struct wide_form form = wide_form_of(plane->n, lattice);
+    struct wide_form form = wide_form_of(plane->n, grid);
     int bits =
         larger(larger(wide_bits(wide_size(form.x)), wide_bits(wide_size(form.y))) + 13, wide_bits(wide_size(form.c)));
     int unit = larger(bits - 60, 0), m_unit;
@@ -139,7 +139,7 @@ static int sure_side(const struct tia_occluder_plane *p, const struct tia_seen *
 static int exact_side(const struct tia_occluder *o, unsigned k, const struct tia_seen *seen)
 {
     struct plane plane = plane_of(o, k);
-    struct wide_form a = wide_form_of(plane.n, &o->flat->lattice), b = form_of_plane(seen->of->plane);
+    struct wide_form a = wide_form_of(plane.n, &o->flat->grid), b = form_of_plane(seen->of->plane);
     wide det = halves_get(seen->of->plane->det);
     int side =
         wide_order_of_products(wide_form_at(&a, seen->x, seen->y), det, plane.d, wide_form_at(&b, seen->x, seen->y));
@@ -179,10 +179,10 @@ bool tia_occluder_init(struct tia_occluder *o, const struct tia_flat_scene *flat
     o->side = -side_of_light(&plane, light);
     if (!o->side)
         return false;
-    prepare(&o->plane[0], &plane, &flat->lattice);
+    prepare(&o->plane[0], &plane, &flat->grid);
     for (unsigned k = 1; k <= o->sides; k++) {
         plane = plane_of(o, k);
-        prepare(&o->plane[k], &plane, &flat->lattice);
+        prepare(&o->plane[k], &plane, &flat->grid);
     }
     return true;
 }

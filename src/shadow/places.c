@@ -23,7 +23,7 @@ static bool scaled(int64_t a, int64_t b, int shift, int64_t *out)
 
 bool tia_place_seen(const struct tia_places *p, int x, int y, uint32_t face, int64_t at[3])
 {
-    const struct tia_raster_grid *l = &p->flat->lattice;
+    const struct tia_raster_grid *l = &p->flat->grid;
     int64_t distance = tia_plane_distance(&p->flat->planes[face], l, x, y);
     int64_t u = wide_quotient(l->x + (int64_t)l->right * x, l->w, 60);
     int64_t v = wide_quotient(l->y - (int64_t)l->down * y, l->w, 60);

@@ -172,7 +172,7 @@ static void light_pixel(struct lighting *l, int x, int y, size_t at)
     }
     if (!l->turned)
         return;
-    tia_world_seen(&l->world, x, y, tia_plane_distance(&flat->planes[face], &flat->lattice, x, y), place);
+    tia_world_seen(&l->world, x, y, tia_plane_distance(&flat->planes[face], &flat->grid, x, y), place);
     tia_map_place(&l->point, &maps->look, place);
     unsigned share = tia_map_share(&l->point, maps->look.filter, maps->radius[l->sample], (unsigned)(x + 3 * y));
     l->tile->lit[at] |= (uint64_t)(share > 0) << l->sample;

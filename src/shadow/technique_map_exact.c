@@ -308,7 +308,7 @@ static bool is_thin(const struct tia_raster_vertex *v)
     return place_size(area) < INT64_C(1) << ACROSS_THIN;
 }
 
-static void draw(struct exact *e, const struct tia_raster_grid *lattice, uint32_t face)
+static void draw(struct exact *e, const struct tia_raster_grid *grid, uint32_t face)
 {
     struct tia_raster_vertex v[TIA_SIDES];
     unsigned count = tia_flat_corners(&e->view->flat, face, v);
@@ -326,12 +326,12 @@ static void draw(struct exact *e, const struct tia_raster_grid *lattice, uint32_
     }
     for (unsigned i = 0; i < count && !e->places.parallel; i++)
         seen_from_point(e, (unsigned)(e->now - e->cells), &v[i]);
-    if (!tia_polygon_init_enlarged(&p, lattice, area_of(e->now), v, count) && p.count)
+    if (!tia_polygon_init_enlarged(&p, grid, area_of(e->now), v, count) && p.count)
         tia_polygon_rows(&p, ask_run, e);
 }
 
 /* Draws an object. With a silhouette, faces turned to the light suffice: any ray to a hidden point meets one. */
-static void draw_object(struct exact *e, const struct tia_raster_grid *lattice, const struct tia_flat_object *object)
+static void draw_object(struct exact *e, const struct tia_raster_grid *grid, const struct tia_flat_object *object)
 {
     const struct tia_flat_scene *flat = &e->view->flat;
     bool closed = tia_flat_has_silhouette(flat, object, e->light);
@@ -339,23 +339,23 @@ static void draw_object(struct exact *e, const struct tia_raster_grid *lattice, 
     for (uint32_t n = 0; n < object->face_count && !cancelled(e->cancel, 1); n++) {
         uint32_t face = object->first_face + n;
         if (!closed || tia_flat_side(flat, &flat->faces[face], e->light) > 0)
-            draw(e, lattice, face);
+            draw(e, grid, face);
     }
 }
 
 static void draw_view(struct exact *e, unsigned view)
 {
     const struct tia_flat_scene *flat = &e->view->flat;
-    struct tia_raster_grid lattice;
+    struct tia_raster_grid grid;
     unsigned side = 1u << (CELL_BITS - e->cells[view].shift);
 
     e->now = &e->cells[view];
     if (!e->now->count ||
-        tia_raster_grid_init(&lattice, e->places.parallel ? TIA_ORTHOGRAPHIC : TIA_PERSPECTIVE, side, side, 1, 0, 1))
+        tia_raster_grid_init(&grid, e->places.parallel ? TIA_ORTHOGRAPHIC : TIA_PERSPECTIVE, side, side, 1, 0, 1))
         return;
     for (uint32_t i = 0; i < flat->object_count && !e->cancel->stopped; i++)
         if (!tia_flat_hides_nothing(flat, &flat->objects[i], e->light))
-            draw_object(e, &lattice, &flat->objects[i]);
+            draw_object(e, &grid, &flat->objects[i]);
 }
 
 /* ---- the technique ---- */

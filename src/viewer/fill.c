@@ -6,7 +6,7 @@ struct sample {
     unsigned x, y, size;
 };
 
-/* Returns the largest block of the lattice, up to TIA_GAZE_BLOCK, that has this corner. */
+/* Returns the largest block of the grid, up to TIA_GAZE_BLOCK, that has this corner. */
 static unsigned level_of(unsigned x, unsigned y)
 {
     unsigned bits = x | y | TIA_GAZE_BLOCK;

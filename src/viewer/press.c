@@ -67,14 +67,14 @@ static int move_light(scene_check *check, const struct tia_scene *scene, struct 
 {
     struct tia_light moved = *light;
     struct tia_scene alone = {.camera = scene->camera, .lights = &moved, .light_count = 1};
-    struct cancel nobody = {0};
+    struct cancel never = {0};
 
-    if (check(&alone, NULL, &nobody))
+    if (check(&alone, NULL, &never))
         return 0;
     if (tia_light_has(light->kind, TIA_LIGHT_FAR) ? !rotate(&moved.direction, move)
                                                   : !move_centre(&moved.centre, move, scene->scale_bits))
         return 0;
-    if (check(&alone, NULL, &nobody))
+    if (check(&alone, NULL, &never))
         return 0;
     *light = moved;
     return 1;

@@ -113,7 +113,7 @@ static inline void frames_cameras(struct frames_canvas *c)
 #define FRAMES_TARGET (TIA_BUFFER_DEPTH | TIA_BUFFER_STENCIL | TIA_BUFFER_COLOUR)
 
 struct frames_target {
-    struct tia_raster_grid lattice;
+    struct tia_raster_grid grid;
     struct tia_raster_target target;
     void *memory;
 };
@@ -127,8 +127,8 @@ static inline void frames_open_target(struct frames_canvas *c, struct frames_tar
     c->pixels = calloc((size_t)64 * 48, sizeof *c->pixels);
     size = tia_raster_size(c->area, FRAMES_TARGET, FRAMES_POLYGONS);
     t->memory = malloc(size);
-    if (!c->pixels || !t->memory || tia_raster_grid_init(&t->lattice, projection, 64, 48, 1, 0, range) ||
-        tia_raster_init(&t->target, t->memory, size, &t->lattice, c->area, FRAMES_TARGET, FRAMES_POLYGONS))
+    if (!c->pixels || !t->memory || tia_raster_grid_init(&t->grid, projection, 64, 48, 1, 0, range) ||
+        tia_raster_init(&t->target, t->memory, size, &t->grid, c->area, FRAMES_TARGET, FRAMES_POLYGONS))
         abort();
 }
 
@@ -203,7 +203,7 @@ static inline void frames_polygons(struct frames_canvas *c, const char *format, 
     how.back.zfail = TIA_STENCIL_INVERT;
     for (uint32_t i = 0; i < FRAMES_POLYGONS; i++) {
         struct tia_raster_vertex v[4];
-        unsigned corners = frames_polygon(&state, &t.lattice, most ? most : t.lattice.narrow / 2, v);
+        unsigned corners = frames_polygon(&state, &t.grid, most ? most : t.grid.narrow / 2, v);
         if (tia_raster_draw(&t.target, &how, v, corners, i))
             abort();
     }
@@ -223,7 +223,7 @@ static inline void frames_polygons(struct frames_canvas *c, const char *format, 
 static inline void frames_draw_reflected(struct tia_raster_target *target, struct tia_raster_state *how, uint32_t face,
                                          bool mirrored)
 {
-    const int32_t one = (int32_t)1 << target->lattice->fraction;
+    const int32_t one = (int32_t)1 << target->grid->fraction;
     struct tia_raster_vertex v[3];
     uint64_t state = face;
     int32_t x = dice_between(&state, -3 * one, 3 * one), y = dice_between(&state, -2 * one, 2 * one);
@@ -253,7 +253,7 @@ static inline void frames_mirror(struct frames_canvas *c)
         .depth = TIA_COMPARE_LESS, .depth_write = true, .front = any, .back = any, .colour_write = {true, true, true}};
 
     frames_open_target(c, &t, TIA_PERSPECTIVE, 5);
-    const int64_t one = INT64_C(1) << t.lattice.fraction, x = 6 * one, y = 5 * one, w = 8 * one;
+    const int64_t one = INT64_C(1) << t.grid.fraction, x = 6 * one, y = 5 * one, w = 8 * one;
     const struct tia_raster_vertex mirror[4] = {{-x, -y, w, 1}, {x, -y, w, 1}, {x, y, w, 1}, {-x, y, w, 1}};
     for (uint32_t i = 0; i + 1 < half; i++)
         frames_draw_reflected(&t.target, &how, i, false);

@@ -16,7 +16,7 @@
 
 /* A target drawn in the format that fits, and one always in 128 bits. */
 struct drawn {
-    struct tia_raster_grid lattice;
+    struct tia_raster_grid grid;
     struct tia_raster_target whole, part;
     void *memory;
 };
@@ -67,12 +67,12 @@ static void open_target(struct drawn *d, struct tia_tile area, unsigned buffers,
     struct tia_tile whole = whole_of(area);
     size_t size = tia_raster_size(whole, buffers, POLYGONS);
 
-    MUST(!tia_raster_grid_init(&d->lattice, m->projection, (unsigned)m->width, (unsigned)m->height,
-                               (uint32_t)m->samples, (uint32_t)m->sample, range));
+    MUST(!tia_raster_grid_init(&d->grid, m->projection, (unsigned)m->width, (unsigned)m->height, (uint32_t)m->samples,
+                               (uint32_t)m->sample, range));
     if (!any)
-        d->lattice.narrow = -1;
+        d->grid.narrow = -1;
     d->memory = malloc(size);
-    MUST(d->memory && !tia_raster_init(&d->whole, d->memory, size, &d->lattice, whole, buffers, POLYGONS));
+    MUST(d->memory && !tia_raster_init(&d->whole, d->memory, size, &d->grid, whole, buffers, POLYGONS));
     MUST(!tia_raster_part(&d->part, &d->whole, area));
 }
 
@@ -105,7 +105,7 @@ static int64_t take_coordinate(struct bytes *b, const struct tia_raster_grid *l)
 /* Takes a point on the centre of a pixel, or almost. */
 static struct tia_raster_vertex take_centre(struct bytes *b, const struct drawn *d)
 {
-    const struct tia_raster_grid *l = &d->lattice;
+    const struct tia_raster_grid *l = &d->grid;
     uint8_t i = take_byte(b), j = take_byte(b), times = take_byte(b), off = take_byte(b);
     int64_t x = d->part.area.x + i % SIDE, y = d->part.area.y + j % SIDE, k = 1 + times % 16;
 
@@ -115,7 +115,7 @@ static struct tia_raster_vertex take_centre(struct bytes *b, const struct drawn 
 
 static struct tia_raster_vertex take_vertex(struct bytes *b, const struct drawn *d)
 {
-    const struct tia_raster_grid *l = &d->lattice;
+    const struct tia_raster_grid *l = &d->grid;
     uint8_t kind = take_byte(b);
     bool flat = l->projection == TIA_ORTHOGRAPHIC;
 
@@ -266,7 +266,7 @@ static void must_blend(struct bytes *b, const struct drawn *d, const struct shap
     int32_t a[3] = {take_number(b), take_number(b), take_number(b)};
     struct tia_raster_corners corners;
 
-    if (!tia_raster_corners_init(&corners, &d->lattice, p->v))
+    if (!tia_raster_corners_init(&corners, &d->grid, p->v))
         return;
     for (int i = 0; i < part->width && i < part->height; i++)
         if (sees_value(p, part->x + i, part->y + i))
@@ -322,7 +322,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         struct shape *p = &shapes[id % 2], *before = &shapes[1 - id % 2];
         struct tia_raster_state state = take_state(&b);
         take_polygon(&b, &any, before, p);
-        int status = is_accepted(&any.lattice, p) ? TIA_OK : TIA_ERR_RANGE;
+        int status = is_accepted(&any.grid, p) ? TIA_OK : TIA_ERR_RANGE;
         MUST(tia_raster_draw(&any.part, &state, p->v, p->count, id) == status);
         MUST(tia_raster_draw(&wide.part, &state, p->v, p->count, id) == status);
         if (status) {

@@ -92,7 +92,7 @@ static bool add_light(struct diffuse *m, const struct tia_light *light, unsigned
 /* Chooses the unit: positions reach 2^(range + 10), and no hit is beyond 2^16. */
 static void choose_unit(struct diffuse *m)
 {
-    int range = m->flat->bits - m->flat->lattice.fraction, most;
+    int range = m->flat->bits - m->flat->grid.fraction, most;
 
     m->bits = MOST_BITS - 10 - range;
     most = m->bits + 15;
@@ -183,7 +183,7 @@ static void begin_row(struct diffuse *m, int y)
 /* Returns D, from nearness = w 2^scale/(D 2^fraction); 0: too far. */
 static int64_t distance_of(const struct diffuse *m, uint64_t nearness)
 {
-    const struct tia_raster_grid *l = &m->flat->lattice;
+    const struct tia_raster_grid *l = &m->flat->grid;
     unsigned zeros = tia_clz64(nearness);
     uint64_t product = (uint64_t)l->w * tia_reciprocal((uint32_t)(nearness << zeros >> 32));
     int shift = 95 - (int)zeros - l->scale + l->fraction - m->bits;

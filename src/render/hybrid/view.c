@@ -31,7 +31,7 @@ void raster_open_tile(const struct tia_view *view, const struct tia_hits *hits, 
     const struct raster_view *raster = raster_of(view);
     const struct tia_shadow_view *shadow = &raster->shadow[sample];
     size_t first = hits_index(hits, tile.x, tile.y);
-    struct tia_raster_target all = {.lattice = &shadow->flat.lattice,
+    struct tia_raster_target all = {.grid = &shadow->flat.grid,
                                     .area = hits->area,
                                     .face = b->face,
                                     .nearness = b->nearness,
@@ -53,7 +53,7 @@ void raster_find_face(const struct ray_view *rays, const struct tia_flat_scene *
     *hit = (struct hit){NUM_LENGTH_MAX, TIA_NO_OBJECT, 0, TIA_NO_OBJECT};
     if (face == TIA_NO_FACE)
         return;
-    num_length depth = num_length_of_q45(tia_plane_distance(&flat->planes[face], &flat->lattice, x, y));
+    num_length depth = num_length_of_q45(tia_plane_distance(&flat->planes[face], &flat->grid, x, y));
     num_length t = num_div(depth, num_dir_dot(num_dir_negated(rays->camera.n), ray->direction));
     if (t >= NUM_LENGTH_FAR)
         return;

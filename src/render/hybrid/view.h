@@ -16,7 +16,7 @@ struct raster_view {
     unsigned shares, more_bytes;     /* per sample of a pixel, for the technique */
     unsigned range;                  /* range of the vertices, see flat/reach.h; RASTER_NO_RANGE: they are not ready */
     bool whole;                      /* the technique's is_whole */
-    struct tia_shadow_view shadow[]; /* one for each sample; they share all but lattice and planes */
+    struct tia_shadow_view shadow[]; /* one for each sample; they share all but grid and planes */
 };
 
 static inline struct raster_view *raster_of(const struct tia_view *view)

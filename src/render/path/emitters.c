@@ -52,16 +52,10 @@ static struct num_density no_area(const struct ray_light *l)
     return (struct num_density){0};
 }
 
-static struct num_point scaled(struct num_point p, num_unit s)
-{
-    return (struct num_point){num_times(p.x, s), num_times(p.y, s), num_times(p.z, s)};
-}
-
 static struct num_point place_on_rectangle(const struct ray_light *l, const uint32_t u[2])
 {
-    num_unit s = 2 * (num_unit_of_u32(u[0]) - NUM_UNIT_ONE / 2), t = 2 * (num_unit_of_u32(u[1]) - NUM_UNIT_ONE / 2);
-
-    return num_point_add(l->centre, num_point_add(scaled(l->side[0], s), scaled(l->side[1], t)));
+    return ray_light_rectangle_point(l, 2 * (num_unit_of_u32(u[0]) - NUM_UNIT_ONE / 2),
+                                     2 * (num_unit_of_u32(u[1]) - NUM_UNIT_ONE / 2));
 }
 
 static struct num_point place_on_disc(const struct ray_light *l, const uint32_t u[2])
@@ -146,9 +140,9 @@ static uint32_t count_spheres(const struct tia_scene *scene, struct cancel *canc
 
 uint64_t emitters_size(const struct tia_scene *scene, uint32_t light_capacity)
 {
-    struct cancel nobody = {0};
+    struct cancel never = {0};
 
-    return ((uint64_t)light_capacity + count_spheres(scene, &nobody)) * sizeof(struct emitter);
+    return ((uint64_t)light_capacity + count_spheres(scene, &never)) * sizeof(struct emitter);
 }
 
 /* Prepares the emitters. The spheres lie behind the room for all lights, and are moved up behind the present ones. */

@@ -65,4 +65,12 @@ void span_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_t
 void span_light(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                 const struct tia_surface *surface, const struct tia_options *options);
 
+/* The span renderer with a `prepare` of its own. */
+#define SPAN_RENDERER(own_prepare)                                                                                     \
+    {                                                                                                                  \
+        .draws = span_draws, .prepared_size = span_prepared_size, .prepare = (own_prepare),                            \
+        .set_lights = span_set_lights, .buffer_size = span_buffer_size, .trace = span_trace, .light = span_light,      \
+        .part = SIMD_SPANS                                                                                             \
+    }
+
 #endif

@@ -10,13 +10,4 @@ static int prepare(struct tia_view *view)
     return span_prepare(view, &coherence);
 }
 
-const struct renderer span_renderer = {
-    .draws = span_draws,
-    .prepared_size = span_prepared_size,
-    .prepare = prepare,
-    .set_lights = span_set_lights,
-    .buffer_size = span_buffer_size,
-    .trace = span_trace,
-    .light = span_light,
-    .part = SIMD_SPANS,
-};
+const struct renderer span_renderer = SPAN_RENDERER(prepare);

@@ -85,11 +85,6 @@ static void pattern(const struct ray_light *l, unsigned class, unsigned i, num_u
     *v = (16 * mirrored(i & 15) + mirrored(i >> 4) + 16 * mirrored(class)) & 255;
 }
 
-static struct num_point scaled(struct num_point p, num_unit s)
-{
-    return (struct num_point){num_times(p.x, s), num_times(p.y, s), num_times(p.z, s)};
-}
-
 static struct num_point at_centre(const struct ray_aim *aim, num_unit u, unsigned v)
 {
     (void)u;
@@ -107,12 +102,20 @@ static struct num_point on_disc(const struct ray_aim *aim, num_unit u, unsigned 
     return num_point_add(aim->light->centre, num_point_add(a, b));
 }
 
+static struct num_point scaled(struct num_point p, num_unit s)
+{
+    return (struct num_point){num_times(p.x, s), num_times(p.y, s), num_times(p.z, s)};
+}
+
+struct num_point ray_light_rectangle_point(const struct ray_light *l, num_unit s, num_unit t)
+{
+    return num_point_add(l->centre, num_point_add(scaled(l->side[0], s), scaled(l->side[1], t)));
+}
+
 static struct num_point on_rectangle(const struct ray_aim *aim, num_unit u, unsigned v)
 {
-    const struct ray_light *l = aim->light;
-    num_unit s = 2 * (u - NUM_UNIT_ONE / 2), t = NUM_UNIT_ONE / 128 * (num_unit)((int)v - 128);
-
-    return num_point_add(l->centre, num_point_add(scaled(l->side[0], s), scaled(l->side[1], t)));
+    return ray_light_rectangle_point(aim->light, 2 * (u - NUM_UNIT_ONE / 2),
+                                     NUM_UNIT_ONE / 128 * (num_unit)((int)v - 128));
 }
 
 /* Gives the distance and the point, relative to the centre, where a ray meets the plane of a rectangle or disc; false
@@ -173,8 +176,8 @@ static bool meets_rectangle(const struct ray_light *l, const struct ray *ray, nu
 
 struct light_kind {
     void (*prepare)(struct ray_light *l, const struct tia_light *given);
-    struct num_point (*place)(const struct ray_aim *aim, num_unit u,
-                              unsigned v); /* the point that a sample shines from */
+    /* Returns the point that a sample shines from. */
+    struct num_point (*place)(const struct ray_aim *aim, num_unit u, unsigned v);
     bool (*meets)(const struct ray_light *l, const struct ray *ray, num_length limit, num_length *t);
 };
 

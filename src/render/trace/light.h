@@ -56,6 +56,9 @@ bool ray_light_sample(const struct ray_aim *aim, unsigned i, struct ray_sample *
 bool ray_light_shadow(const struct ray_light *light, const struct ray_sample *sample, struct num_point from,
                       struct ray *shadow, num_length *distance);
 
+/* Returns the point of a rectangle that is s and t times its half sides from the centre. */
+struct num_point ray_light_rectangle_point(const struct ray_light *light, num_unit s, num_unit t);
+
 /* True if it has a surface that rays can meet. */
 bool ray_light_is_seen(const struct ray_light *light);
 

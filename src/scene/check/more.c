@@ -49,11 +49,11 @@ int tia_check_scene(const struct tia_scene *scene, struct tia_fault *fault, stru
 
 int tia_scene_check(const struct tia_scene *scene, struct tia_fault *fault)
 {
-    struct cancel nobody = {0};
+    struct cancel never = {0};
 
     if (!scene)
         return TIA_ERR_ARGUMENT;
-    int status = tia_check_scene(scene, fault, &nobody);
+    int status = tia_check_scene(scene, fault, &never);
     if (!status && fault)
         tia_check_warn(scene, fault);
     return status;

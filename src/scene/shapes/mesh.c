@@ -9,8 +9,8 @@ static int check_mesh(const struct check *check, const struct tia_shape *shape)
 
 static void add_bounds(struct hull *hull, const struct tia_scene *scene, const struct tia_shape *shape)
 {
-    struct cancel nobody = {0};
-    const struct tia_bounds box = tia_bounds_of_mesh(&scene->meshes[shape->mesh], &nobody);
+    struct cancel never = {0};
+    const struct tia_bounds box = tia_bounds_of_mesh(&scene->meshes[shape->mesh], &never);
 
     tia_hull_add_box(hull, &box);
 }

@@ -70,19 +70,19 @@ static void choose_format(struct tia_raster_grid *l, int range)
     l->scale = 62 + l->fraction - 4 - w;
 }
 
-int tia_raster_grid_init(struct tia_raster_grid *lattice, enum tia_projection projection, unsigned width,
-                         unsigned height, uint32_t samples, uint32_t sample, unsigned range)
+int tia_raster_grid_init(struct tia_raster_grid *grid, enum tia_projection projection, unsigned width, unsigned height,
+                         uint32_t samples, uint32_t sample, unsigned range)
 {
     unsigned most = projection == TIA_ORTHOGRAPHIC ? TIA_RANGE_FLAT : TIA_RANGE_MAX;
 
-    if (!lattice || (unsigned)projection > TIA_ORTHOGRAPHIC || !width || width > TIA_SIZE_MAX || !height ||
+    if (!grid || (unsigned)projection > TIA_ORTHOGRAPHIC || !width || width > TIA_SIZE_MAX || !height ||
         height > TIA_SIZE_MAX || range > most || sample >= samples || (samples != 1 && samples != 4 && samples != 16))
         return TIA_ERR_ARGUMENT;
-    lattice->projection = projection;
-    lattice->width = (uint16_t)width;
-    lattice->height = (uint16_t)height;
-    place(lattice, samples == 16 ? 4 : samples == 4 ? 2 : 1, (int32_t)sample);
-    choose_format(lattice, (int)range);
-    lattice->narrow = narrow_limit(lattice);
+    grid->projection = projection;
+    grid->width = (uint16_t)width;
+    grid->height = (uint16_t)height;
+    place(grid, samples == 16 ? 4 : samples == 4 ? 2 : 1, (int32_t)sample);
+    choose_format(grid, (int)range);
+    grid->narrow = narrow_limit(grid);
     return TIA_OK;
 }
