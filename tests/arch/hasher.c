@@ -1,6 +1,6 @@
 /* hasher.c - prints the checksums of tests/arch/frames.h: `hasher`, or, built with TIA_HAVE_F32, `hasher f32` for the
  * same frames in single precision. `hasher sums FIRST END` prints those sums of samples instead, of occlusion, then of
- * paths. Built with HASHER_SIMD it draws by the level that TIA_SIMD names, and fails if that is not available. Needs
+ * paths. Built with HASHER_SIMD it draws with the vector units that TIA_SIMD names, and fails if that is not available. Needs
  * only the libraries, so that it can be built for any machine. */
 #include "frames.h"
 
@@ -25,15 +25,15 @@ static void print_sums(uint32_t first, uint32_t end)
 #ifdef HASHER_SIMD
 #include <tia/simd.h>
 
-#define LEAST_VIEWS 10 /* least views that the level draws itself: scalar leaves spheres to plain C */
+#define LEAST_VIEWS 10 /* least views that vector units draw themselves: scalar leaves spheres to plain C */
 
 static const struct tia_simd *simd;
 static unsigned simd_count;
 
-/* The level's memory is not freed: the program ends soon. */
+/* The vector units' memory is not freed: the program ends soon. */
 static int view_init_with_simd(const struct tia_core *core, struct tia_view **view, void *memory, size_t size,
                                const struct tia_scene *scene, uint32_t light_capacity, unsigned width, unsigned height,
-                               bool (*stop)(void *ctx), void *ctx)
+                               const struct tia_job *job)
 {
     size_t more = tia_simd_size(simd, scene, light_capacity, 1);
     int status = tia_core_q16.view_init(core, view, memory, size, scene, light_capacity, width, height, job);
@@ -50,7 +50,7 @@ static int hash_by_simd(void)
     struct tia_core core = tia_core_q16;
 
     if (!name || tia_simd_named(name, &simd) || !simd) {
-        (void)fprintf(stderr, "error: no level %s here\n", name ? name : "is named by TIA_SIMD");
+        (void)fprintf(stderr, "error: no vector units %s here\n", name ? name : "is named by TIA_SIMD");
         return 1;
     }
     core.view_init = view_init_with_simd;

@@ -22,7 +22,7 @@ static void add(struct brightest *b, uint32_t index, const struct tia_rgb *colou
 /* Returns the stops by which an integrator's exposure brightens the picture; 0 for those without exposure. */
 static unsigned exposure_bits(const struct tia_integration *i)
 {
-    return i->integrator == TIA_WHITTED || i->exposure <= 0 ? 0 : ((unsigned)i->exposure + 65535) >> 16;
+    return i->integrator == TIA_WHITTED || i->exposure <= 0 ? 0 : (unsigned)(((uint32_t)i->exposure + 65535) >> 16);
 }
 
 static unsigned bits_of(const struct tia_scene *scene, uint8_t emission_bits)

@@ -119,10 +119,9 @@ struct drawing {
     tia_rgb565 *pixels;
 };
 
-/* Fills pixels first..last. */
-static void fill(const struct drawing *d, int first, int last, tia_rgb565 pixel)
+static void put(const struct drawing *d, int x, tia_rgb565 pixel)
 {
-    span_fill(d->pixels + (first - d->first), last + 1 - first, pixel);
+    d->pixels[x - d->first] = pixel;
 }
 
 static num_u smaller(num_u a, num_u b)
@@ -160,16 +159,16 @@ static bool draw_between(const struct drawing *d, const struct coherence_sample 
         if (b->slack < NUM_ONE / 64)
             b->shadow = (uint8_t)shadows_between(d->run, a, b);
     }
-    if (b->shadow == COHERENCE_DARK) {
-        fill(d, a->x, b->x, colour_of(&d->colouring, 0));
-    } else if (b->shadow == COHERENCE_LIT && b->x - a->x <= 1) {
-        fill(d, a->x, a->x, a->pixel);
-        fill(d, b->x, b->x, b->pixel);
-    } else if (b->shadow == COHERENCE_LIT && a->pixel == b->pixel && same_between(d, a, b)) {
-        fill(d, a->x, b->x, a->pixel);
+    if (b->shadow == COHERENCE_LIT && b->x - a->x <= 1) {
+        put(d, a->x, a->pixel);
+        put(d, b->x, b->pixel);
+    } else if (b->shadow == COHERENCE_DARK ||
+               (b->shadow == COHERENCE_LIT && a->pixel == b->pixel && same_between(d, a, b))) {
+        tia_rgb565 pixel = b->shadow == COHERENCE_DARK ? colour_of(&d->colouring, 0) : a->pixel;
+        span_fill(d->pixels + (a->x - d->first), b->x + 1 - a->x, pixel);
     } else if (b->shadow == COHERENCE_OPEN && b->x - a->x <= LEAF) {
         for (int x = a->x; x <= b->x; x++)
-            fill(d, x, x, colour_of(&d->colouring, coherence_lambert_at(d->run, x)));
+            put(d, x, colour_of(&d->colouring, coherence_lambert_at(d->run, x)));
     } else {
         return false;
     }
@@ -275,18 +274,17 @@ static bool prepare_casters(struct coherence_run *run, const struct tia_view *vi
 
     run->caster_count = 0;
     for (uint32_t j = 0; j < view->scene->sphere_count; j++) {
-        struct shadow_line line;
+        /* One caster too many overwrites the first, and the run is then not drawn here. */
+        struct coherence_caster *cast = &run->caster[run->caster_count % COHERENCE_CASTERS];
         if (j == object ||
-            !shadow_line_prepare(run->primary, &run->source, &spans->spheres[j], run->middle, run->y, &line))
+            !shadow_line_prepare(run->primary, &run->source, &spans->spheres[j], run->middle, run->y, &cast->line))
             continue;
-        if (line.enclosed || run->caster_count == COHERENCE_CASTERS)
+        if (cast->line.enclosed || run->caster_count == COHERENCE_CASTERS)
             return false;
-        casters[run->caster_count] = j;
-        struct coherence_caster *cast = &run->caster[run->caster_count++];
-        line.count = 1;
-        cast->line = line;
-        cast->a = line.a;
-        cast->c = line.c;
+        casters[run->caster_count++] = j;
+        cast->line.count = 1;
+        cast->a = cast->line.a;
+        cast->c = cast->line.c;
     }
     run->exponent = length_exponent(run, spans, casters);
     run->bias = coherence_shift(2 * NUM_BIAS, run->exponent - 16) + coherence_power(0);
@@ -323,12 +321,15 @@ bool coherence_shade(const struct tia_view *view, const struct shaded_span *span
 {
     const struct tia_scene *scene = view->scene;
     struct coherence_run run;
-    struct drawing d = {.run = &run, .first = span->x, .pixels = pixels};
+    struct drawing d;
     int last = span->x + span->count - 1;
 
     if (span->count < SHORT || view->light_count != 1 || threshold[0] != threshold[1] ||
         !prepare_run(&run, view, span, span->x - 1, last + 1))
         return false;
+    d.run = &run;
+    d.first = span->x;
+    d.pixels = pixels;
     colouring_prepare(view, &scene->materials[scene->spheres[span->object].material], threshold[0], &d.colouring);
     draw_run(&d, span->x, last);
     return true;
