@@ -80,6 +80,13 @@ static inline void check_run(const char *name, void (*test)(void))
 
 #define RUN(name) check_run(#name, name)
 
+/* The same for a case of a second or more: make check-quick leaves it out. */
+#define RUN_LONG(name)                                                                                                 \
+    do {                                                                                                               \
+        if (!check_is_quick())                                                                                         \
+            RUN(name);                                                                                                 \
+    } while (0)
+
 static inline int check_status(void)
 {
     return check_failures ? 1 : check_unmet();

@@ -156,7 +156,7 @@ int main(void)
 {
     RUN(by_several_threads);
     RUN(by_several_threads_at_one_place);
-    RUN(several_threads_asked_to_stop);
+    RUN_LONG(several_threads_asked_to_stop);
     RUN(asked_to_stop_while_looking_together);
     free(memory);
     return check_status();

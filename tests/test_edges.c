@@ -328,9 +328,9 @@ int main(int argc, char **argv)
     RUN(forty_lights);
     RUN(lattice_of_touching_balls);
     RUN(odd_sizes);
-    RUN(wild_scenes_in_q16);
+    RUN_LONG(wild_scenes_in_q16);
 #ifdef TIA_HAVE_F64
-    RUN(wild_scenes_in_f64);
+    RUN_LONG(wild_scenes_in_f64);
 #endif
     threads_destroy(pool);
     return check_status();

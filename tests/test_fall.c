@@ -315,6 +315,6 @@ int main(void)
     RUN(fast_balls_and_thin_walls);
     RUN(any_frame_by_itself);
     RUN(as_the_oracle_has_it);
-    RUN(a_heap_comes_to_rest);
+    RUN_LONG(a_heap_comes_to_rest);
     return check_status();
 }

@@ -314,8 +314,8 @@ int main(void)
     RUN(furnace_with_a_narrow_lobe);
     RUN(furnace_with_a_lobe_on_lambert);
     RUN(cavity_of_a_half);
-    RUN(cavity_of_nine_tenths);
-    RUN(cavity_of_nineteen_twentieths);
+    RUN_LONG(cavity_of_nine_tenths);
+    RUN_LONG(cavity_of_nineteen_twentieths);
     RUN(parts_make_the_whole);
     RUN(memory_of_a_picture);
     RUN(whitted_has_no_samples);

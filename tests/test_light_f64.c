@@ -64,7 +64,7 @@ TEST(occlusion_is_that_of_double)
 
 int main(void)
 {
-    RUN(paths_are_those_of_double);
+    RUN_LONG(paths_are_those_of_double);
     RUN(occlusion_is_that_of_double);
     return check_status();
 }

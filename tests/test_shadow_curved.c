@@ -308,10 +308,10 @@ int main(void)
 {
     RUN(places_hold_what_is_seen);
     RUN(places_are_small);
-    RUN(agrees_with_rays);
-    RUN(area_lights_agree_there);
+    RUN_LONG(agrees_with_rays);
+    RUN_LONG(area_lights_agree_there);
     RUN(tiles_and_hierarchies_change_nothing);
     RUN(samples_are_averaged);
-    RUN(tessellation_converges);
+    RUN_LONG(tessellation_converges);
     return check_status();
 }

@@ -160,8 +160,8 @@ int main(void)
 {
     RUN(soups);
     RUN(soups_with_ties);
-    RUN(solids);
-    RUN(solids_with_ties);
+    RUN_LONG(solids);
+    RUN_LONG(solids_with_ties);
     RUN(planes_and_all);
     return check_status();
 }

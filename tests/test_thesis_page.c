@@ -182,11 +182,11 @@ int main(void)
     RUN(pictures_are_the_oracles);
     RUN(colours_of_blockers);
     RUN(directions);
-    RUN(biases);
+    RUN_LONG(biases);
     RUN(roots_of_the_quadratic);
     RUN(roots_without_a_bias);
     RUN(signs);
-    RUN(blockers_beyond_the_light);
+    RUN_LONG(blockers_beyond_the_light);
     RUN(texture_coordinates_without_acos);
     return check_status();
 }

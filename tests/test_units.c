@@ -170,7 +170,7 @@ TEST(random_scenes_in_other_units)
 
 int main(void)
 {
-    RUN(five_units_are_the_same_picture);
+    RUN_LONG(five_units_are_the_same_picture);
     RUN(large_scenes_in_small_units);
     RUN(textures_on_planes);
     RUN(lights_that_fade);

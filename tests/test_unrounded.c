@@ -278,8 +278,8 @@ int main(int argc, char **argv)
     height = width * 3 / 4;
     pool = threads_create(threads_processors());
     RUN(files_are_drawn_as_they_say);
-    RUN(files_in_small_units);
-    RUN(files_in_large_units);
+    RUN_LONG(files_in_small_units);
+    RUN_LONG(files_in_large_units);
     RUN(ever_smaller_balls);
     RUN(ever_smaller_jacks);
     threads_destroy(pool);

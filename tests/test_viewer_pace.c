@@ -152,7 +152,7 @@ TEST(no_pace)
 
 int main(void)
 {
-    RUN(a_scene_that_plays);
+    RUN_LONG(a_scene_that_plays);
     RUN(a_held_key_and_then_the_rest);
     RUN(a_key_that_is_tapped);
     RUN(no_pace);
