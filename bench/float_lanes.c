@@ -30,7 +30,7 @@ static tia_rgb565 quantised(const float rgb[3])
     return (tia_rgb565)((int)(rgb[0] + .5f) << 11 | (int)(rgb[1] + .5f) << 5 | (int)(rgb[2] + .5f));
 }
 
-/* Copies in levels of 31 and 63. */
+/* Scales a colour to the levels of RGB565, 31 and 63. */
 static void copy_colour(const struct tia_rgb *from, float to[3])
 {
     to[0] = 31 * fminf(1, channel(from->r));

@@ -1,5 +1,5 @@
-/* float_lanes_loop.h - the loop itself in a level's operations (src/simd/isa/isa.h lists them), included once by a
- * file for each level, which defines DRAW, its name. */
+/* float_lanes_loop.h - the loop itself in an instruction set's operations (src/simd/isa/isa.h lists them), included by
+ * one file for each instruction set, which defines the loop's name, DRAW. */
 #ifndef BENCH_FLOAT_LANES_LOOP_H
 #define BENCH_FLOAT_LANES_LOOP_H
 
@@ -44,7 +44,7 @@ INLINE V v_sel(M m, V a, V b)
     return (V){f_sel(m, a.x, b.x), f_sel(m, a.y, b.y), f_sel(m, a.z, b.z)};
 }
 
-/* The hit of a ray: the sphere 0 unless it is 1 or the light. */
+/* The hits of rays: sphere 0, but sphere 1 in the lanes of `second` and the light in those of `light`. */
 struct seen {
     F t;
     M any, second, light;
@@ -122,7 +122,7 @@ INLINE void lanes_of(const struct lanes_world *w, V d, uint16_t *out)
         return;
     }
     struct sphere o = sphere_of(w, &s);
-    V rgb = v_scaled(o.colour, lambert_at(w, d, &s, &o)); /* in levels */
+    V rgb = v_scaled(o.colour, lambert_at(w, d, &s, &o)); /* in the levels of RGB565 */
     rgb = (V){f_min(f_set(31), rgb.x), f_min(f_set(63), rgb.y), f_min(f_set(31), rgb.z)};
     if (m_bits(m_and(s.any, m_not(s.light))) != ALL_LANES)
         rgb = v_sel(s.light, v_set(w->glow), v_sel(s.any, rgb, v_set(w->background)));

@@ -10,7 +10,7 @@ enum { ROULETTE = 3, BOUNCES_MAX = 1024 };
 
 struct material {
     float colour[3], specular[3], mirror[3], emission[3], exponent;
-    float below[2]; /* chances: of a mirror; of that or the glossy lobe */
+    float below[2]; /* cumulative probabilities: a mirror; a mirror or the glossy lobe */
     bool black;
 };
 
@@ -33,7 +33,7 @@ struct float_paths {
 struct path {
     const struct float_paths *scene;
     struct float_ray ray;
-    float throughput[3], sum[3], density; /* times pi; 0: scattered by a mirror, or from the eye */
+    float throughput[3], sum[3], density; /* density: times pi; 0 for a ray from a mirror or from the eye */
     unsigned bounce;
     uint64_t rays, state;
 };

@@ -1,5 +1,5 @@
 /* float_paths.h - a small path tracer in scalar float, to compare speed and means. The estimator is that of
- * tia/integrator.h, its random numbers are plain ones.
+ * tia/integrator.h, its random numbers are pseudorandom, not Sobol points.
  *
  * It supports spheres, meshes and point and rectangle lights; Lambert's law, Phong's lobe and mirrors; perspective. */
 #ifndef BENCH_FLOAT_PATHS_H
@@ -9,7 +9,7 @@
 
 struct float_paths;
 
-/* Opens a scene; NULL when it has more than that, or memory is short. */
+/* Opens a scene; NULL when the scene needs more than that, or memory is short. */
 struct float_paths *float_paths_open(const struct tia_scene *scene, unsigned width, unsigned height);
 void float_paths_close(struct float_paths *paths);
 

@@ -51,7 +51,7 @@ static float half_area(const struct float_node *n)
 
 static int (*const orders[3])(const void *, const void *) = {by_x, by_y, by_z};
 
-/* Finds the best cut of the items in this order by the surface-area heuristic. Room for `count` areas. */
+/* Finds the best cut of the items in this order by the surface-area heuristic. `areas` has room for `count` areas. */
 static float best_cut(struct float_item *items, uint32_t count, int axis, float *areas, uint32_t *cut)
 {
     struct float_node grown = nothing;

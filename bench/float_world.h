@@ -40,7 +40,7 @@ struct float_world {
 bool float_world_build(struct float_world *world, const struct tia_scene *scene);
 void float_world_free(struct float_world *world);
 
-/* Finds the nearest item before hit->t; with `any` some item. */
+/* Finds the nearest item closer than hit->t; with `any`, any item closer than that. */
 void float_world_meet(const struct float_world *world, const struct float_ray *ray, bool any, struct float_hit *hit);
 
 static inline struct vec float_place(struct tia_vec3 v)

@@ -51,7 +51,7 @@ static void add_ball_part(struct mesh *m, struct point a, struct point b, struct
     add_ball_part(m, ab, bc, ca, depth - 1);
 }
 
-/* Adds an icosahedron, its faces divided into four `level` times. */
+/* Adds an icosahedron, its faces divided into four `depth` times. */
 static void add_ball(struct mesh *m, int depth)
 {
     static const double g = 1.618033988749895;

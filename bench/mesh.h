@@ -19,7 +19,7 @@ struct mesh {
     uint32_t count, first[MESH_SOLIDS + 1];
 };
 
-/* Makes 98, 350, 1358, 5390, 21518 or 86030 faces, into corners for MESH_FACES_MAX. */
+/* Makes 98, 350, 1358, 5390, 21518 or 86030 faces, in memory for MESH_FACES_MAX. */
 void bench_mesh(struct mesh *m, int depth);
 
 #endif

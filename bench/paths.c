@@ -27,7 +27,7 @@ static void must(int status)
     }
 }
 
-/* Draws the sums; `level` NULL: plain C. */
+/* Draws the sums; `simd` NULL: plain C. */
 static void draw_sums(const struct tia_core *core, const struct tia_estimator *estimator, const struct tia_simd *simd,
                       const struct tia_scene *scene, struct run *run)
 {
@@ -129,7 +129,8 @@ static void measure(const char *path)
     free(materials);
 }
 
-/* Measures. The estimators are the same, so the rays that the small tracer counts are those of all, on average. */
+/* Measures the path tracers. All have the same estimator, so on average all trace the number of rays that the small
+ * tracer counts. */
 void bench_paths(void)
 {
     printf("\n| paths, %dx%d, %d samples a pixel | | samples/s | ns a ray | mean |\n|---|---|--:|--:|---|\n", SIDE,

@@ -1,4 +1,5 @@
-/* radio.c - a link between houses: time by faces and reflections for images, by rays for shooting and bouncing. */
+/* radio.c - a link between houses: the image method's time by faces and reflections, the time of shooting and bouncing
+ * by rays. */
 #include "radio.h"
 
 #include <stdio.h>
@@ -20,7 +21,7 @@ struct city {
     struct tia_radio_room *room;
 };
 
-/* Builds side x side houses of 8 to 14 m, 20 m apart, on a ground; turned all together or not. */
+/* Builds side x side houses of 8 to 14 m, 20 m apart, on a ground; with `turned`, all rotated by 20 degrees. */
 static bool build(struct city *c, int side, bool turned)
 {
     uint64_t dice = 7;
@@ -66,7 +67,7 @@ static bool count_ray(void *ctx, const struct tia_radio_ray *ray)
     return true;
 }
 
-/* Returns the link in the street that goes through the middle, 12 m long. */
+/* Returns a link of about 12 m along the street through the middle. */
 static struct tia_radio_link link_of(uint32_t order, unsigned *count)
 {
     return (struct tia_radio_link){TIA_VEC3(1, 9, 1.5), TIA_VEC3(1.5, 1.5, 13), order, 0, count_path, count};

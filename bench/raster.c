@@ -9,7 +9,7 @@
 #define ROUNDS 15
 #define RANGE 5 /* clip coordinates stay below 32 */
 
-/* Projects a point, seen from (0.5, 4.2, 9) towards (0.2, 0.9, 0.3), 45 degrees high. */
+/* Projects a point for an eye at (0.5, 4.2, 9) that looks at (0.2, 0.9, 0.3) with a field of view of 45 degrees. */
 static struct tia_raster_vertex seen(const struct tia_raster_grid *l, struct point p)
 {
     static const double nx = 0.3, ny = 3.3, nz = 8.7, cot = 2.414213562373095;
@@ -55,7 +55,7 @@ void raster_bench_free(struct raster_bench *b)
 }
 
 static const struct tia_raster_state nearest = {.depth = TIA_COMPARE_LESS, .depth_write = true};
-/* Counts surfaces behind the visible one up, if seen from outside, or down. */
+/* Counts surfaces behind the visible one: up for front faces, down for back faces. */
 static const struct tia_raster_state behind = {
     .depth = TIA_COMPARE_LESS,
     .front = {.test = TIA_COMPARE_ALWAYS, .mask = 255, .write = 255, .zfail = TIA_STENCIL_DECR_WRAP},

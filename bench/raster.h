@@ -6,7 +6,7 @@
 
 #include <tia/raster.h>
 
-/* A mesh projected to an image, in that image's buffers. */
+/* A mesh projected to an image, and the image's buffers. */
 struct raster_bench {
     struct tia_raster_grid grid;
     struct tia_raster_target target;

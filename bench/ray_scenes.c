@@ -8,7 +8,7 @@
 #include "common/thread_pool.h"
 #include "milliseconds.h"
 
-#define BUILDS 3 /* the fastest of these counts */
+#define BUILDS 3 /* number of builds, of which the fastest counts */
 
 void *ray_scene_memory(size_t size)
 {
@@ -62,7 +62,7 @@ static struct point place(int i)
     return (struct point){wide * cos(turn), wide * sin(turn), height};
 }
 
-/* Returns v, rotated as z is when it becomes w. */
+/* Returns v after the rotation that turns z into w. */
 static struct point turned(struct point v, struct point w)
 {
     if (w.z < -0.999999)

@@ -13,11 +13,11 @@ struct ray_scene {
     void *memory[5];
 };
 
-/* Makes the databases' sphere flake: (9^(level + 1) - 1)/8 spheres on the ground and under the lights of balls_1.nff;
- * levels 1 to 4 are balls_1.nff to balls_4.nff. */
+/* Makes the databases' sphere flake: (9^(depth + 1) - 1)/8 spheres on the ground and under the lights of balls_1.nff;
+ * depths 1 to 4 give balls_1.nff to balls_4.nff. */
 void ray_scene_balls(struct ray_scene *s, int depth);
 
-/* Makes the solids of bench_mesh as one mesh of 84 4^level + 12 faces. */
+/* Makes the solids of bench_mesh as one mesh of 84 4^depth + 12 faces. */
 void ray_scene_mesh(struct ray_scene *s, int depth);
 
 void ray_scene_free(struct ray_scene *s);

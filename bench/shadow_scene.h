@@ -9,7 +9,7 @@
 
 #define SHADOW_LAMPS 4
 
-/* Its scene has the first of these lights; light_count may be set up to SHADOW_LAMPS. */
+/* A scene with the first of these lights; light_count may be set up to SHADOW_LAMPS. */
 struct shadow_scene {
     struct mesh mesh;
     struct tia_vec3 *points;
@@ -22,9 +22,9 @@ struct shadow_scene {
 /* Ends the program if `fine` is false. */
 void shadow_must(bool fine);
 
-/* Allocates memory for all levels. */
+/* Allocates memory for meshes of every level. */
 void shadow_scene_init(struct shadow_scene *s);
-/* Makes the scene of a level, one of MESH_LEVELS. */
+/* Makes the scene with a mesh of one of MESH_LEVELS levels. */
 void shadow_scene_make(struct shadow_scene *s, int level);
 void shadow_scene_free(struct shadow_scene *s);
 

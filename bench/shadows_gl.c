@@ -21,7 +21,8 @@ void bench_shadows_gl(const char *driver)
 #include <unistd.h>
 
 #define ROUNDS 7
-#define PATIENCE 500 /* ms: after this time, no more rounds than 2; llvmpipe compiles in the first */
+/* Milliseconds after which no further round than the second begins; llvmpipe compiles in the first. */
+#define PATIENCE 500
 
 /* ---- recording ---- */
 
@@ -40,7 +41,7 @@ static struct {
     bool on;
 } drawn;
 
-/* The linker puts this in front of the rasteriser's. */
+/* Replaces the rasteriser's function: the linker's option --wrap gives the two these names. */
 int __real_tia_raster_draw(struct tia_raster_target *target, const struct tia_raster_state *state,
                            const struct tia_raster_vertex *corners, unsigned count, uint32_t face);
 int __wrap_tia_raster_draw(struct tia_raster_target *target, const struct tia_raster_state *state,
@@ -102,7 +103,7 @@ static void record(struct shadow_passes *p, enum shadow_pass pass)
     drawn.on = false;
 }
 
-/* The times of both: this library's rasteriser, and GL. */
+/* Times of this library's rasteriser and of GL. */
 struct times {
     double depth[2], zfail[2];
 };
@@ -170,7 +171,7 @@ static void measure_all(const char *driver)
     shadow_scene_free(&s);
 }
 
-/* Measures; the driver is chosen before the library is loaded, which is never unloaded. */
+/* Measures one driver; it is chosen before the library is loaded, and the library is never unloaded. */
 void bench_shadows_gl(const char *driver)
 {
     (void)fflush(stdout);

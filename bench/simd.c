@@ -13,7 +13,7 @@
 
 #define ROUNDS 25
 
-/* The best of the rounds: other programs may run on this machine, and no round is too fast. */
+/* The fastest round: other programs can slow a round down, and nothing makes one too fast. */
 struct best {
     double wall, cpu;
 };
@@ -46,7 +46,7 @@ struct measured {
     struct best full, relit, floats;
 };
 
-/* Draws by the loop in float, an instruction set's baseline; for plain C one without lanes. */
+/* Draws by the float loop: in lanes of an instruction set, as its baseline, or without lanes for plain C. */
 static void draw_floats(const struct picture *p, const char *simd)
 {
     if (simd)

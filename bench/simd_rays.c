@@ -14,7 +14,8 @@
 
 #define ROUNDS 5
 #define STRIP 16 /* rows that a thread draws at a time */
-/* Largest number: plain C, the instruction sets, the last of them in two threads, double precision, Embree. */
+/* Largest number of drawers: plain C, the instruction sets, the last of them in two threads, double precision,
+ * Embree. */
 #define DRAWERS 11
 
 const char *bench_scene;
@@ -27,10 +28,10 @@ struct drawer {
     unsigned threads;
 };
 
-/* For the databases' scenes: the factor by which Embree is faster than each drawer. */
+/* Embree's speed relative to each drawer, for the databases' scenes. */
 static struct against {
     char name[32];
-    double logarithm; /* sum over all scenes */
+    double logarithm; /* sum of logarithms over all scenes */
     unsigned scenes, lost;
 } against[DRAWERS];
 

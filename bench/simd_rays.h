@@ -2,7 +2,7 @@
 #ifndef BENCH_SIMD_RAYS_H
 #define BENCH_SIMD_RAYS_H
 
-/* NULL, or only scenes whose name contains it are measured. */
+/* A part of the names of the scenes to measure; NULL: all scenes. */
 extern const char *bench_scene;
 
 void bench_simd_rays(void);

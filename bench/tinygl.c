@@ -83,7 +83,7 @@ static void draw(const struct picture *p)
     glEnd();
 }
 
-/* Returns the number of pixels where it shows another face, or none. */
+/* Returns the number of pixels where TinyGL shows a different face, or none. */
 static uint32_t differences(const struct picture *p)
 {
     const struct tia_raster_target *t = &p->exact.target;

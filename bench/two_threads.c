@@ -19,7 +19,7 @@ struct stage {
     struct tia_scene scene;
     struct tia_view *view;
     struct tia_hits *hits;
-    void *part[4]; /* view, level, hits, picture */
+    void *part[4]; /* view, memory of the SIMD kernels, hits, picture */
     bool relit;
 };
 
@@ -101,8 +101,8 @@ struct cost {
     double wall, cpu;
 };
 
-/* Measures frames in sequence, as when a key is held. The first are not counted: until the other thread spins for the
- * next round. */
+/* Measures frames in sequence, as when a key is held. The first frames are not counted: by their end the other thread
+ * spins while it waits for the next round. */
 static void take(struct threads *pool, struct stage *s, bool relit, struct cost *best)
 {
     for (int i = 0; i < FRAMES; i++)

@@ -8,7 +8,7 @@ extern const struct tia_clock clock_monotonic; /* ignores its context */
 
 uint64_t clock_now_us(void);
 
-/* Milliseconds until `end_us`, below 2^31; 0 when it is past. */
+/* Returns the milliseconds until `end_us`, below 2^31; 0 when it is past. */
 int clock_left_ms(uint64_t end_us);
 
 #endif

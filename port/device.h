@@ -16,7 +16,7 @@ struct port_wish {
     uint16_t width, height;
     const char *connector; /* DRM: a connector's name, or NULL */
     const char *mode;      /* DRM: "preferred", "WxH" or "WxH@R", or NULL */
-    bool pointer;          /* for an input: report its pointer's position */
+    bool pointer;          /* an input reports its pointer's position */
     char *why;             /* [PORT_WHY] */
 };
 
@@ -27,8 +27,8 @@ struct port_display {
     const char *name, *summary;
     bool takes_screen; /* covers the console: must not be opened without an input */
     const struct tia_display *ops;
-    void *(*create)(const struct port_wish *wish); /* NULL on failure; the reason is in *why */
-    void (*destroy)(void *ctx);                    /* after close */
+    void *(*create)(const struct port_wish *wish); /* returns NULL on failure, with the reason in *why */
+    void (*destroy)(void *ctx);                    /* to be called after close */
     /* Prints each device found, its modes and formats, or the reason why it cannot be opened. */
     void (*list)(port_line *line, void *arg);
 };

@@ -14,7 +14,7 @@
 #endif
 #include "terminal/terminal.h"
 
-/* `auto` stops before "none". */
+/* Displays in the order of `auto`, which stops before "none". */
 const struct port_display port_displays[] = {
 #ifdef TIA_HAVE_DRM
     {

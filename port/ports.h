@@ -7,7 +7,7 @@
 
 #include "device.h"
 
-/* In the order in which `auto` tries them; the last row has the name NULL. */
+/* Displays in the order in which `auto` tries them; the last row has the name NULL. */
 extern const struct port_display port_displays[];
 extern const struct port_input port_inputs[];
 

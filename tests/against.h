@@ -12,7 +12,7 @@
 #include <string.h>
 
 #define AGAINST_NOTES 8
-#define AGAINST_REACH 1e-9 /* of a pixel: a thousand times double's errors, far below those of q16 */
+#define AGAINST_REACH 1e-9 /* pixels: a thousand times double's errors, far below those of q16 */
 
 /* A pixel that differs. */
 struct against_note {
@@ -30,7 +30,7 @@ struct against {
 
 struct against_comparison {
     const struct measure *what;
-    struct against *out; /* one for each core */
+    struct against *out; /* an array with an element for each core */
     pthread_mutex_t lock;
 };
 
@@ -60,7 +60,7 @@ static inline void against_differs(void *arg, unsigned core, enum verdict verdic
     (void)pthread_mutex_unlock(&c->lock);
 }
 
-/* Draws `what` with its cores and with the oracle, once. A negative tia_status: it could not be drawn. */
+/* Draws `what` with its cores and with the oracle, once. Returns a negative tia_status when it cannot be drawn. */
 static inline int against_oracle_with(struct measure what, struct against out[])
 {
     struct against_comparison comparison = {&what, out, PTHREAD_MUTEX_INITIALIZER};

@@ -1,6 +1,6 @@
 /* bound_scales.h - the bounds of src/simd/rays by name, each with a factor: see bounds.h there, which includes this
- * where BOUND_SCALES says so. tests/bounds scales one bound of a whole program by TIA_BOUND=NAME and TIA_BOUND_SCALE=x
- * in the environment; test_ray_bounds --uses does so within. */
+ * file where BOUND_SCALES is defined. tests/bounds scales one bound of a whole program by TIA_BOUND=NAME and
+ * TIA_BOUND_SCALE=x in the environment; test_ray_bounds --uses does so within the program. */
 #ifndef TIA_TESTS_BOUND_SCALES_H
 #define TIA_TESTS_BOUND_SCALES_H
 
@@ -15,7 +15,7 @@ struct scaled_bound {
     double scale;
 };
 
-/* Of this translation unit: those that were reached so far. */
+/* Bounds of this translation unit that were reached so far. */
 static struct scaled_bound scaled_bounds[BOUNDS_MAX];
 static int scaled_bound_count;
 
@@ -26,7 +26,7 @@ static double first_scale(const char *name)
     return scaled && scale && strcmp(scaled, name) == 0 ? strtod(scale, NULL) : 1;
 }
 
-/* The place of a bound's factor: 1 until somebody changes it. */
+/* Returns the address of a bound's factor, which is 1 until a test changes it. */
 static inline double *bound_scale_of(const char *name)
 {
     for (int i = 0; i < scaled_bound_count; i++)

@@ -17,14 +17,14 @@
 
 enum { CHECK_NAME = 80, CHECK_NEAREST = 3 };
 
-static bool check_ordered;           /* cases depend on earlier ones, see above */
-static char check_asked[CHECK_NAME]; /* the chosen case; "": all */
+static bool check_ordered;           /* true where cases depend on earlier ones, see above */
+static char check_asked[CHECK_NAME]; /* the chosen case; "": all cases */
 static bool check_asked_known;
 static unsigned check_found; /* number of cases of the chosen name */
 static struct check_closest {
     char name[CHECK_NAME];
     unsigned distance;
-} check_closest[CHECK_NEAREST]; /* the names most like the chosen one, the nearest first */
+} check_closest[CHECK_NEAREST]; /* the names most similar to the chosen one, the nearest first */
 
 /* Chooses the case to run, "" for all, in place of the program's arguments. */
 static inline void check_choose(const char *name)

@@ -15,7 +15,7 @@ struct subject {
     const char *why;
     /* Returns pixel (x, y) of the frame presented last, as RGB565; NULL: it cannot be read. */
     tia_rgb565 (*pixel)(void *arg, unsigned x, unsigned y);
-    /* NULL, or waits until so many frames have been shown, those left out that changed nothing. */
+    /* NULL, or waits until `frames` frames have been shown, not counting those that changed nothing */
     void (*settle)(void *arg, unsigned frames);
     void *arg;
     unsigned frames, last;
@@ -24,7 +24,7 @@ struct subject {
 static struct subject subject;
 static struct tia_mode mode;
 
-/* Returns a pixel's colour. 40503 is odd: every colour comes before one comes again, and neighbours differ. */
+/* Returns a pixel's colour. 40503 is odd, so that all colours occur before one is repeated, and neighbours differ. */
 static inline tia_rgb565 wanted(unsigned x, unsigned y, unsigned frame)
 {
     return (tia_rgb565)((x + y * mode.width + frame * 7919) * 40503u);
@@ -186,7 +186,7 @@ static inline void conform(void)
             return;
         for (unsigned frame = 0; frame < 3; frame++)
             one_thread(frame);
-        one_thread(2); /* the same frame once more */
+        one_thread(2); /* the same frame again */
         if (mode.concurrent)
             two_threads(3);
         check_limits();

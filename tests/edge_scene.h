@@ -35,7 +35,9 @@ static inline int32_t edge_any(uint64_t *state, int bits)
 
 static inline struct tia_vec3 edge_point(uint64_t *state, int bits)
 {
-    int32_t x = edge_any(state, bits), y = edge_any(state, bits), z = edge_any(state, bits); /* in this order */
+    int32_t x = edge_any(state, bits), y = edge_any(state, bits), z = edge_any(state, bits); /* in this order, which the
+                                                                                                compiler may not
+                                                                                                change */
 
     return (struct tia_vec3){x, y, z};
 }
@@ -65,8 +67,8 @@ static inline void edge_sphere(uint64_t *state, struct edge_scene *e, unsigned i
     s->centre.x += edge_any(state, 12);
     s->centre.y = eye->y + away / 4 * ((int32_t)edge_below(state, 3) - 1);
     s->centre.y += edge_any(state, 12);
-    s->centre.z = eye->z - away - (edge_below(state, 8) ? s->radius : 0); /* before the eye, mostly */
-    if (i > 0 && edge_below(state, 3) == 0) {                             /* touches the last one */
+    s->centre.z = eye->z - away - (edge_below(state, 8) ? s->radius : 0); /* in most cases before the eye */
+    if (i > 0 && edge_below(state, 3) == 0) {                             /* the sphere touches the one before */
         s->centre = e->spheres[i - 1].centre;
         s->centre.y += s->radius + e->spheres[i - 1].radius;
     }
@@ -79,7 +81,7 @@ static inline void edge_light(uint64_t *state, struct edge_scene *e, unsigned i,
 
     *light = (struct tia_light){.kind = TIA_POINT_LIGHT, .emission = edge_colour(state, grey)};
     light->centre = edge_point(state, reach);
-    if (edge_below(state, 3) == 0) { /* on a sphere or near it */
+    if (edge_below(state, 3) == 0) { /* on a sphere, or near one */
         light->centre = at->centre;
         light->centre.y += at->radius + edge_any(state, 16);
     }

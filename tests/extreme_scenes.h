@@ -1,4 +1,5 @@
-/* extreme_scenes.h - random scenes of samples with sizes, places and materials at the ends of what scenes may have. */
+/* extreme_scenes.h - random scenes of samples with sizes, positions and materials at the ends of the accepted
+ * ranges. */
 #ifndef TESTS_EXTREME_SCENES_H
 #define TESTS_EXTREME_SCENES_H
 
@@ -13,7 +14,8 @@ static tia_q16 random_size(uint64_t *state)
     return sizes[dice_next(state) % (sizeof sizes / sizeof *sizes)];
 }
 
-/* Returns a position as far away as an object of that size may be; on an axis, or on an existing object. */
+/* Returns a position at the largest distance that an object of that size may have; on an axis, or on an existing
+ * object. */
 static struct tia_vec3 random_place(uint64_t *state, const struct tia_scene *s, tia_q16 size)
 {
     tia_q16 away = dice_one_in(state, 2) ? size + TIA_Q16(4) : dice_between(state, 0, TIA_Q16(200));
@@ -154,8 +156,8 @@ static void look_from(double x, double y, double z, double fov)
                                        .fov = TIA_Q16(fov)};
 }
 
-/* Makes a box around the eye of a material that reflects all light in every way: each path takes one of four, and is
- * worth four times as much. */
+/* Makes a box around the eye of a material that reflects all light in each of four ways: each path takes one of them,
+ * and its weight is four times as large. */
 static struct tia_material *world_of_all_lobes(uint16_t bounces)
 {
     world_begin(TIA_PATHS);
@@ -172,14 +174,14 @@ static struct tia_material *world_of_all_lobes(uint16_t bounces)
     return &world_materials[0];
 }
 
-/* Makes throughputs of 2^17 and more, which are cut, on their way to a background of 2^-28. */
+/* Makes throughputs of 2^17 and more, which are clamped, on their way to a background of 2^-28. */
 static void make_cut_throughput(void)
 {
     (void)world_of_all_lobes(12);
     world.background = (struct tia_rgb){4, 4, 4};
 }
 
-/* Makes the same behind two walls without refraction: after 7 bounces they alone bring a path beyond 2^17. */
+/* Makes throughputs behind two walls without refraction: after 7 bounces they alone bring a path beyond 2^17. */
 static void make_cut_layers(void)
 {
     world_of_all_lobes(8)->index = TIA_Q16(1);
@@ -188,8 +190,8 @@ static void make_cut_layers(void)
         (struct tia_box){{-TIA_Q16(2), -TIA_Q16(2), -TIA_Q16(2)}, {TIA_Q16(2), TIA_Q16(2), TIA_Q16(2)}};
 }
 
-/* Makes a light that is more likely chosen than met: throughput times radiance is cut, though the weight leaves less.
- */
+/* Makes a light that is more likely chosen than met: throughput times radiance is clamped, though the weight leaves
+ * less. */
 static void make_cut_radiance(void)
 {
     struct tia_light *lamp;

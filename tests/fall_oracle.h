@@ -1,5 +1,5 @@
 /* fall_oracle.h - balls between planes in double precision: from contact to contact, each at a root of the textbook's
- * quadratic. There are no steps of time, and no ball rests. */
+ * quadratic. Time has no steps, and no ball rests. */
 #ifndef TESTS_FALL_ORACLE_H
 #define TESTS_FALL_ORACLE_H
 

@@ -1,4 +1,4 @@
-/* gathered.h - a small picture of samples, with all that is gathered of each pixel. */
+/* gathered.h - a small picture of samples, with the guides and squares of each pixel. */
 #ifndef TESTS_GATHERED_H
 #define TESTS_GATHERED_H
 

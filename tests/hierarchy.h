@@ -38,7 +38,7 @@ static inline void set_spheres(uint32_t count)
         spheres[i] = (struct tia_sphere){point(100 * ONE), 64 + (tia_q16)(random_u32() % (3 * ONE)), 0};
 }
 
-/* Sets spheres, each twice as far away as the one before, in every direction; many at every distance. */
+/* Sets spheres at distances that are powers of two, in every direction; there are many at each distance. */
 static inline void set_exponential_spheres(void)
 {
     set_spheres(MOST);

@@ -3,7 +3,7 @@
 #include "ray_cases.h"
 #include "render/geometry/instance.h"
 
-/* Error bounds of a coordinate in the world, when the largest of them has that size; and of a direction. */
+/* Error bounds: of a coordinate in the world, whose largest coordinate is `size`; of a direction. */
 #ifdef TIA_NUM_F64
 #define ERROR(size) (16 * 0x1p-52L * (size))
 #define ANGLE 0x1p-49L
@@ -73,7 +73,7 @@ static real3 to_world(const struct matrix *m, real3 q)
     return plus(plus(p, m->axes[1], q.y * m->scale[1]), m->axes[2], q.z * m->scale[2]);
 }
 
-/* Transforms a vector. */
+/* Transforms a vector from the world to the shape's axes. */
 static real3 to_shape(const struct matrix *m, real3 v)
 {
     return (real3){dot(v, m->axes[0]) / m->scale[0], dot(v, m->axes[1]) / m->scale[1],
@@ -85,7 +85,7 @@ static long double between(int64_t a, int64_t b)
     return ((long double)a + (long double)(b - a) * (random_real() + 1) / 2) / 65536;
 }
 
-/* Returns a point in the box, or out of it by up to `beyond` of its size; in the shape's axes. */
+/* Returns a point in the box, or outside it by up to `beyond` of its size; in the shape's axes. */
 static real3 in_box(const struct matrix *m, int64_t beyond)
 {
     int64_t out[3];
@@ -121,7 +121,7 @@ static bool is_near(const struct matrix *m, real3 a, real3 b, long double error)
            fabsl(a.z - b.z) <= error / m->scale[2];
 }
 
-/* A ray that meets the point q of the box. */
+/* Checks a ray that meets the point q of the box. */
 static void tia_check_placed(const struct matrix *m, const struct ray *ray, real3 q)
 {
     struct instance_ray placed;
@@ -145,7 +145,7 @@ static void tia_check_placed(const struct matrix *m, const struct ray *ray, real
         CHECK_MSG(fabsl(there - wanted) < k * error + 1e-12L * (1 + wanted), "%Lg there, not %Lg", there, wanted);
     long double back = real_of(instance_distance_back(&placed, num_of(wanted)));
     CHECK_MSG(t <= start || fabsl(back - t) < error + 4 * 0x1p-45L / k, "%Lg back, not %Lg", back, t);
-    /* the ray comes from the box's side, unless it begins behind it: so numbers stay as large as the shape */
+    /* the ray comes from the box's side, unless it begins behind the box: numbers then stay as large as the shape */
     for (int i = 0; i < 3; i++) {
         long double x = i == 0   ? local.x
                         : i == 1 ? local.y
@@ -223,7 +223,7 @@ TEST(points_are_placed_as_matrices_say)
     }
 }
 
-/* Tangents stay at right angles. */
+/* Tangents of the surface stay at right angles to the normal. */
 TEST(normals_are_placed_by_the_inverse_transpose)
 {
     struct matrix m;

@@ -23,7 +23,7 @@ static struct tia_shape world_shapes[WORLD_PARTS];
 static struct tia_sphere world_spheres[WORLD_PARTS];
 static struct tia_light world_lights[WORLD_PARTS];
 
-/* Material 0 is Lambert's, half grey. */
+/* Begins a world; material 0 is Lambert's, half grey. */
 static void world_begin(enum tia_integrator integrator)
 {
     memset(world_materials, 0, sizeof world_materials);
@@ -115,7 +115,7 @@ static inline void world_close(struct world_view *v)
     free(v->memory);
 }
 
-/* Draws a tile's pixels, and their paths' hashes unless NULL. */
+/* Draws a tile's pixels, and the hashes of their paths unless `hashes` is NULL. */
 static inline void world_draw(const struct tia_core *core, const struct world_view *v, unsigned width, unsigned height,
                               tia_rgb565 *pixels, uint32_t *hashes)
 {
@@ -145,7 +145,7 @@ static inline double world_mean(uint32_t seed, uint32_t count)
 }
 
 struct world_estimate {
-    double mean, error; /* the standard error of the mean */
+    double mean, error; /* error: the standard error of the mean */
 };
 
 static inline struct world_estimate world_measure(unsigned seeds, uint32_t count)

@@ -10,7 +10,7 @@
 #define UNIT "each channel must be in 0..1"
 #define LENGTH "its length must be in 0.5..1.5"
 
-/* An object before the eye, on a floor, lit: a case changes a part of it. */
+/* An object before the eye, on a floor, lit; a case changes a part of the scene. */
 static struct tia_scene scene;
 static struct tia_material materials[2];
 static struct tia_shape shapes[2];
@@ -46,7 +46,7 @@ static void set_up(void)
     scene.transform_count = scene.texture_count = scene.grid_count = 1;
 }
 
-/* Each function changes the scene to a limit, or if `beyond` is 1 to one step beyond. */
+/* Defines a function that changes the scene to a limit, or if `beyond` is 1 to one step beyond. */
 #define LIMIT(name) static void name(int beyond)
 
 LIMIT(narrowest_view)
@@ -64,7 +64,7 @@ LIMIT(most_samples)
     scene.camera.samples = TIA_SAMPLES_MAX + (uint32_t)beyond;
 }
 
-/* 5 k = 2^31 - 3 */
+/* a coordinate k for which 5 k = 2^31 - 3 */
 #define FIFTH (INT32_MAX / 5)
 
 LIMIT(farthest_window)
@@ -157,7 +157,7 @@ LIMIT(dimmest_light)
 LIMIT(narrowest_spot)
 {
     light.kind = TIA_SPOT_LIGHT;
-    light.centre = (struct tia_vec3)TIA_VEC3(0, 64, 74); /* it falls before the ball */
+    light.centre = (struct tia_vec3)TIA_VEC3(0, 64, 74); /* its light falls before the ball */
     light.direction = (struct tia_dir3){0, TIA_Q30(-0.6), TIA_Q30(-0.7)};
     light.outer = ONE - beyond;
 }
@@ -165,7 +165,7 @@ LIMIT(narrowest_spot)
 LIMIT(widest_spot)
 {
     light.kind = TIA_SPOT_LIGHT;
-    light.direction.y = -TIA_Q30_ONE / 2 + beyond; /* the shortest */
+    light.direction.y = -TIA_Q30_ONE / 2 + beyond; /* the shortest direction */
     light.inner = light.outer = 90 * ONE;
 }
 
@@ -182,7 +182,7 @@ LIMIT(longest_direction)
     light.direction.y = -TIA_Q30_ONE / 2 * 3 - beyond;
 }
 
-/* At 2^-5 from the ball 1/32 remains. */
+/* At 2^-5 from the ball the attenuation leaves 1/32. */
 LIMIT(steepest_attenuation)
 {
     light.quadratic = 32767 * ONE + beyond;
@@ -203,7 +203,7 @@ LIMIT(farthest_light)
 
 LIMIT(smallest_sphere)
 {
-    shape->kind = TIA_GRID; /* that stands no more in its way */
+    shape->kind = TIA_GRID; /* which then no longer stands in the way */
     scene.spheres = &sphere;
     scene.sphere_count = 1;
     sphere = (struct tia_sphere){{0, 0, -200}, TIA_RADIUS_MIN - beyond, 1};

@@ -1,4 +1,5 @@
-/* media_scene.h - a few shapes on the axis of an eye, seen in integers, in double precision and by the oracle. */
+/* media_scene.h - a few shapes on the axis of an eye, drawn by the fixed-point path, in double precision and by the
+ * oracle. */
 #ifndef TESTS_MEDIA_SCENE_H
 #define TESTS_MEDIA_SCENE_H
 
@@ -49,7 +50,7 @@ static void draw(const struct tia_core *core, unsigned size, tia_rgb565 *pixels)
     free(memory[1]);
 }
 
-/* Checks the colour of a ray from (x, y, z), in the plane of y and z, by `degrees` up from -z: in every arithmetic. */
+/* Checks the colour of a ray from (x, y, z), in the plane of y and z, by `degrees` up from -z, in every arithmetic. */
 static void see(double x, double y, double z, double degrees, tia_rgb565 want)
 {
     tia_rgb565 pixel = 1;

@@ -54,7 +54,7 @@ static void check_inside(const struct made *m, real3 centre, long double within,
     }
 }
 
-/* True if all faces whose plane holds the point turn to the eye. */
+/* True if all faces whose plane holds the point are turned to the eye. */
 static bool faces_eye(const struct made *m, real3 eye, real3 point)
 {
     long double apart = length(minus(eye, point));
@@ -113,7 +113,7 @@ TEST(cubes_have_no_holes)
     made_free(m);
 }
 
-/* Every ray along an axis through the grid of halves, edges and corners of the cube's outline too. */
+/* Rays along the axes through the grid of halves, which include edges and corners of the cube's outline. */
 TEST(rays_along_axes_meet_edges_and_corners)
 {
     struct made *m = made_cube((struct tia_vec3){-TIA_Q16_ONE, -TIA_Q16_ONE, -TIA_Q16_ONE}, 2 * TIA_Q16_ONE);
@@ -265,7 +265,7 @@ TEST(a_bare_mesh_has_flat_normals_and_barycentric_uv)
     made_free(m);
 }
 
-/* Corner 0's normal against corner 1's: in the middle between them there is none. */
+/* Normals of corners 0 and 1 that cancel in the middle between them. */
 TEST(where_normals_cancel_the_face_has_its_own)
 {
     struct made *m = made_disorder(8, 1);

@@ -17,7 +17,7 @@ struct made {
     struct tia_mesh mesh;
     struct tia_bvh_node nodes[2 * MADE_FACES];
     uint32_t items[MADE_FACES];
-    struct tia_bvh_tree tree; /* without nodes until made_tree */
+    struct tia_bvh_tree tree; /* a tree without nodes until made_tree */
 };
 
 static inline struct made *made_new(void)
@@ -62,7 +62,7 @@ static inline uint32_t made_middle(struct made *m, uint32_t a, uint32_t b, struc
     return made_vertex(m, v);
 }
 
-/* Makes an octahedron whose faces are split into four, `times`; faces turn outwards. */
+/* Makes an octahedron whose faces are split into four, `times` times; faces turn outwards. */
 static inline struct made *made_sphere(struct tia_vec3 centre, long double radius, int times)
 {
     struct made *m = made_new();
@@ -73,7 +73,7 @@ static inline struct made *made_sphere(struct tia_vec3 centre, long double radiu
         made_vertex(m, (struct tia_vec3){centre.x + (i / 2 == 0) * s, centre.y + (i / 2 == 1) * s,
                                          centre.z + (i / 2 == 2) * s});
     }
-    for (uint32_t i = 0; i < 8; i++) { /* an odd number of negative axes turns the face */
+    for (uint32_t i = 0; i < 8; i++) { /* an odd number of negative axes reverses the face's orientation */
         uint32_t x = i & 1, y = 2 + (i >> 1 & 1), z = 4 + (i >> 2 & 1);
         bool odd = (x + y + z) % 2;
         made_face(m, x, odd ? z : y, odd ? y : z);
@@ -109,7 +109,7 @@ static inline struct made *made_cube(struct tia_vec3 min, tia_q16 edge)
     return m;
 }
 
-/* Makes any tetrahedron but a very thin one. */
+/* Makes a random tetrahedron that is not very thin. */
 static inline struct made *made_tetrahedron(long double size)
 {
     struct made *m = made_new();

@@ -13,12 +13,12 @@
 
 #include "check.h"
 
-#define MISUSE_SECONDS 20 /* processor time; no call takes a tenth of it: endless loops are ended */
+#define MISUSE_SECONDS 20 /* limit of processor time, which ends endless loops; no call takes a tenth of it */
 
 static unsigned misuse_count, misuse_wrong;
 static char misuse_first[400];
 
-/* Forks. Returns 0 in the child; it writes the call's result to *in. */
+/* Forks; returns 0 in the child, which writes the call's result to *in. */
 static inline pid_t misuse_begin(int pipes[2])
 {
     const struct rlimit none = {0, 0}, seconds = {MISUSE_SECONDS, MISUSE_SECONDS};
@@ -65,7 +65,7 @@ static inline void misuse_judge(pid_t pid, const int pipes[2], intmax_t want, co
                        want);
 }
 
-/* The call returns `want`. */
+/* Checks that a call returns `want`. */
 #define GIVES(want, ...)                                                                                               \
     do {                                                                                                               \
         int misuse_pipes[2];                                                                                           \
@@ -86,7 +86,7 @@ static inline void misuse_end(void)
     misuse_count = misuse_wrong = 0;
 }
 
-/* Memory that is not aligned for uint64_t, where that has an alignment. */
+/* Returns memory that is not aligned for uint64_t, where that has an alignment. */
 #define MISALIGNED(memory) ((void *)((char *)(memory) + 1))
 
 #endif

@@ -1,4 +1,4 @@
-/* misuse_scene.h - a scene of each kind of object, its hierarchy, and a view and hits of it. */
+/* misuse_scene.h - a scene with each kind of object, its hierarchy, and its view and hits. */
 #ifndef TESTS_MISUSE_SCENE_H
 #define TESTS_MISUSE_SCENE_H
 

@@ -1,4 +1,4 @@
-/* pseudo.h - the pseudo-terminal that the tests of the guardian make raw and expect cooked again. */
+/* pseudo.h - the pseudo-terminal that the guardian's tests make raw and expect cooked again. */
 #ifndef TESTS_PSEUDO_H
 #define TESTS_PSEUDO_H
 

@@ -51,7 +51,7 @@ static inline void world_triangle(struct world *w, struct tia_vec3 a, struct tia
     world_add(w, (struct tia_shape){.kind = TIA_TRIANGLE, .triangle = {{a, b, c}}});
 }
 
-/* Adds six planes around a room from 0 to the given corner. */
+/* Adds the six planes of a room from 0 to the given corner. */
 static inline void world_shoebox(struct world *w, double x, double y, double z)
 {
     const double far[3] = {x, y, z};
@@ -97,7 +97,7 @@ static inline struct tia_radio_link world_link(struct world *w, struct tia_vec3 
     return (struct tia_radio_link){from, to, order, walls, world_found, w};
 }
 
-/* Compares by order, then planes, then walls: the order does not depend on the method. */
+/* Compares paths by order, then planes, then walls, so that the order does not depend on the method. */
 static inline int world_compare(const void *left, const void *right)
 {
     const struct tia_radio_path *a = left, *b = right;

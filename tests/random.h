@@ -1,5 +1,5 @@
-/* random.h - random numbers for tests, the same in every run: SplitMix64, as in the corpus. A case alone takes the
- * numbers that it takes among the others. */
+/* random.h - random numbers for tests, the same in every run: SplitMix64, as in the corpus. A case gets the same
+ * numbers alone as among the others. */
 #ifndef TESTS_RANDOM_H
 #define TESTS_RANDOM_H
 

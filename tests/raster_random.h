@@ -42,8 +42,8 @@ static inline struct tia_raster_vertex random_vertex(bool grid, int64_t most, bo
     return v;
 }
 
-/* Returns a point at the centre of a pixel of the area, or a little outside it; exactly, or almost, often in the same
- * row as others. */
+/* Returns a point at the centre of a pixel of the area, or a little outside it; exactly or almost, and often in the
+ * same row as other points. */
 static inline struct tia_raster_vertex random_centre(const struct tia_raster_grid *l, struct tia_tile area,
                                                      int64_t most)
 {
@@ -65,7 +65,7 @@ static inline struct tia_raster_vertex difference(struct tia_raster_vertex a, st
     return (struct tia_raster_vertex){a.x - b.x, a.y - b.y, a.w - b.w, a.h - b.h};
 }
 
-/* Makes the side of a shadow volume: a, b and the same drawn to infinity away from l. */
+/* Makes the side of a shadow volume: a, b and both drawn to infinity away from l. */
 static inline void random_quad(struct random_polygon *p, bool grid, int64_t most, bool flat)
 {
     struct tia_raster_vertex l = random_vertex(grid, most, flat);
@@ -97,7 +97,7 @@ static inline void random_flat_polygon(struct random_polygon *p, bool grid, int6
     }
 }
 
-/* Makes a polygon. All coordinates of points up to `most`, a multiple of 40. Every polygon is flat, to the bit. At
+/* Makes a polygon. Coordinates of points are up to `most`, a multiple of 40. Every polygon is flat, to the bit. At
  * first count is 0. */
 static inline void random_polygon(struct random_polygon *p, const struct tia_raster_grid *l, struct tia_tile area,
                                   int64_t most)
@@ -111,7 +111,7 @@ static inline void random_polygon(struct random_polygon *p, const struct tia_ras
     case 1:
         random_flat_polygon(p, true, most, flat);
         break;
-    case 2: /* now and then with an edge of the one before */
+    case 2: /* now and then a polygon with an edge of the one before */
         for (unsigned i = p->count == 3 && random_below(2) ? 2 : 0; i < 3; i++)
             p->v[i] = flat ? random_vertex(grid, most, flat) : random_centre(l, area, most);
         p->count = 3;
@@ -139,7 +139,7 @@ static inline struct tia_stencil random_stencil(void)
     s.fail = (enum tia_stencil_op)random_below(8);
     s.zfail = (enum tia_stencil_op)random_below(8);
     s.zpass = (enum tia_stencil_op)random_below(8);
-    if (random_below(3) == 0) { /* as shadow volumes count */
+    if (random_below(3) == 0) { /* operations as for shadow volumes */
         s.zfail = TIA_STENCIL_KEEP;
         s.zpass = random_below(2) ? TIA_STENCIL_INCR_WRAP : TIA_STENCIL_DECR_WRAP;
     } else if (random_below(2) == 0) {

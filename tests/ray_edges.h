@@ -57,7 +57,7 @@ static const struct world {
                   "box min -1 -1 -1 max 1 1 1 at -0.8 -0.2 0.3 rotate 30 40 10 scale 0.2 0.5 0.3 material mirror\n"
                   "cylinder base 0 0 0 top 0 1 0 radius 0.4 capped at 0.2 -0.9 0.2 rotate 5 70 10 scale 0.6 0.8 0.6 "
                   "material thin\n"},
-    {"thin", /* with a distant object, so that the unit of length is no smaller than the file's */
+    {"thin", /* a distant object keeps the unit of length as large as the file's */
      "sphere centre 0 0 -20000 radius 1 material plain\n"
      "sphere radius 0.1 at 0 0.2 0 rotate 10 20 30 scale 4 0.001 4 material thin\n"
      "cone base -0.4 -0.002 0 top -0.4 0 0 radii 0.4 0 capped material thin\n"
@@ -191,7 +191,7 @@ static struct ray edge_ray(struct real3 origin, long double gap)
     struct ray ray = {place(origin), {0, 0, 0}};
     struct hit first, second;
 
-    if (random_bits() % 4 == 0) { /* nearly across an axis */
+    if (random_bits() % 4 == 0) { /* nearly at a right angle to an axis */
         int i = (int)(random_bits() % 3);
         a.v[i] = origin.v[i] + ldexpl(unit * random_real(), -(int)(random_bits() % 48));
         b.v[i] = origin.v[i] + ldexpl(unit * random_real(), -(int)(random_bits() % 48));

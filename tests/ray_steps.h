@@ -93,7 +93,7 @@ static inline struct real real_aside(struct real a)
     return real_unit(real_cross(a, real_random()));
 }
 
-/* Returns a unit vector turned towards `to`, which is at right angles to it: by the chord e. */
+/* Returns a unit vector turned by the chord e towards `to`, which is at right angles to it. */
 static inline struct real real_turned(struct real a, struct real to, long double e)
 {
     long double turn = 2 * asinl(e / 2);

@@ -1,4 +1,4 @@
-/* reading.h - reads scene texts like a program: asks for the need, then provides exactly that. */
+/* reading.h - reads scene texts as programs do: the memory provided is exactly what tia_read needs. */
 #ifndef TESTS_READING_H
 #define TESTS_READING_H
 
@@ -21,7 +21,7 @@ static inline void read_end(struct reading *r)
     r->memory = NULL;
 }
 
-/* Reads r->reader's text, from a copy that ends where it ends. */
+/* Reads r->reader's text from a copy in memory of exactly its length. */
 static inline void read_begin(struct reading *r)
 {
     const char *text = r->reader.text;
@@ -35,7 +35,7 @@ static inline void read_begin(struct reading *r)
     r->status = tia_read(&r->reader, &r->scene, NULL, 0, &r->need);
     if (r->status == TIA_ERR_MEMORY) {
         r->memory = malloc(r->need);
-        memset(r->memory, 0xaa, r->need); /* no code may rely on zeros */
+        memset(r->memory, 0xaa, r->need); /* code must not rely on zeros */
         CHECK_EQ(tia_read(&r->reader, &r->scene, r->memory, r->need - 1, &again), TIA_ERR_MEMORY);
         CHECK_EQ(again, r->need);
         r->status = tia_read(&r->reader, &r->scene, r->memory, r->need, &again);

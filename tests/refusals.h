@@ -1,4 +1,4 @@
-/* refusals.h - a scene that is accepted; a case changes one part of it, and checks tia_scene_check's result. */
+/* refusals.h - a scene that is accepted; a case changes one part of it and checks the result of tia_scene_check. */
 #ifndef TESTS_REFUSALS_H
 #define TESTS_REFUSALS_H
 

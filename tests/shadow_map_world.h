@@ -1,4 +1,5 @@
-/* shadow_map_world.h - boxes in front of a camera, a light and its shadow map, and the same in double precision. */
+/* shadow_map_world.h - boxes in front of a camera, a light and its shadow map; and the same world in double
+ * precision. */
 #ifndef TESTS_SHADOW_MAP_WORLD_H
 #define TESTS_SHADOW_MAP_WORLD_H
 
@@ -40,7 +41,7 @@ static struct {
     struct tia_map map;
     struct tia_map_look look;
     double eye[3], zero[3]; /* positions are relative to zero: the eye, or the middle of the window */
-    double axes[3][3];      /* the camera's: right, up, back */
+    double axes[3][3];      /* the camera's axes: right, up, back */
     tia_flat_light at;
     void *memory, *room;
     uint32_t *texels;
@@ -136,7 +137,7 @@ static void origin_of(double out[3])
         out[k] = (double)w.map.origin[k] * unit;
 }
 
-/* Returns texels per unit, or at the distance 1. */
+/* Returns texels per unit, or at the distance 1 for a point light. */
 static double density(void)
 {
     return (double)w.map.density * 0x1p-40;
@@ -208,7 +209,7 @@ static struct found find(const double place[3])
     return f;
 }
 
-/* Returns the distance of the plane through a point with this normal, in the middle of a texel. */
+/* Returns the distance, in the middle of a texel, of the plane through a point with this normal. */
 static double plane_at(const struct point *p, const struct found *f, int i, int j)
 {
     double axes[3][3], origin[3], d[3], to[3], u = (i + 0.5 - SIZE / 2) / density(),

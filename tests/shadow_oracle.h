@@ -1,5 +1,4 @@
-/* shadow_oracle.h - the visible face of a pixel, and if light comes there: tested with every face, in integers of 128
- * bits. */
+/* shadow_oracle.h - the visible face of a pixel and its light, by a test with every face, in integers of 128 bits. */
 #ifndef TESTS_SHADOW_ORACLE_H
 #define TESTS_SHADOW_ORACLE_H
 
@@ -7,7 +6,7 @@
 
 __extension__ typedef __int128 big;
 
-#define SIZE 24 /* of the image */
+#define SIZE 24 /* side of the image */
 
 struct big3 {
     big x, y, z;
@@ -49,7 +48,7 @@ static struct at_pixel along(struct big3 n, int i, int j)
     return (struct at_pixel){dot(n, (struct big3){2 * i + 1 - SIZE, SIZE - 1 - 2 * j, SIZE}), 2 * n.x, -2 * n.y};
 }
 
-/* The plane n.(x, y, w) = d h. A pixel D sees it at (D, s) with the nearness s = n.D/d, whatever the projection. */
+/* The plane n.(x, y, w) = d h. Pixel D shows its point (D, s) with the nearness s = n.D/d, whatever the projection. */
 struct plane {
     struct big3 n;
     big d;
@@ -105,7 +104,7 @@ static bool covers(const struct world *w, uint32_t f, int i, int j)
     int turn = sign(plane_of(w, f).d);
 
     if (w->flat.eye.projection == TIA_ORTHOGRAPHIC && along(plane_of(w, f).n, i, j).value * turn > 0)
-        return false; /* it is behind the window */
+        return false; /* the point is behind the window */
     for (unsigned k = 0; turn && k < sides_of(w, f); k++)
         if (sign_at(along(cross(vector(corner(w, f, k)), vector(corner(w, f, k + 1))), i, j)) != turn)
             return false;

@@ -23,7 +23,7 @@ static struct tia_flat_object objects[FACES];
 static struct tia_raster_vertex points[POINTS];
 static uint32_t across[TIA_SIDES * FACES];
 
-/* Returns a point or direction in perspective; in orthographic views h is the w of those. */
+/* Returns a point or direction; in orthographic views h is what w is in perspective. */
 static struct tia_raster_vertex vertex(const struct world *w, int64_t x, int64_t y, int64_t z, bool point)
 {
     if (w->flat.eye.projection == TIA_ORTHOGRAPHIC)
@@ -38,7 +38,8 @@ static void begin(struct world *w, enum tia_projection projection)
     CHECK(!tia_raster_grid_init(&w->flat.grid, projection, SIZE, SIZE, 1, 0, projection == TIA_ORTHOGRAPHIC ? 20 : 5));
 }
 
-/* Gives multiples of `step`: up to `range` in each direction, and in depth from slightly behind the eye. */
+/* Gives a position of multiples of `step`: up to `range` in each direction, and in depth from slightly behind the
+ * eye. */
 static void any_place(const struct world *w, int32_t range, int32_t step, int64_t at[3])
 {
     for (int k = 0; k < 3; k++)
@@ -63,7 +64,7 @@ static void add_object(struct world *w, const uint8_t (*corners)[4], uint32_t co
     for (uint32_t i = 0; i < count; i++)
         for (int k = 0; k < TIA_SIDES; k++)
             faces[f->face_count + i].corner[k] =
-                k == 3 && !corners[i][3] ? TIA_NO_CORNER : first + corners[i][k]; /* the last is never point 0 */
+                k == 3 && !corners[i][3] ? TIA_NO_CORNER : first + corners[i][k]; /* no last corner is point 0 */
     f->face_count += count;
     for (int k = 0; k < 3; k++) {
         o->low[k] = INT64_MAX;
@@ -111,7 +112,7 @@ static void make_soup(struct world *w, uint32_t count, int32_t range, int32_t st
     }
 }
 
-/* Adds boxes, or their distortions when all corners move. */
+/* Adds boxes, or distorted ones when all corners move. */
 static void make_solids(struct world *w, uint32_t count, int32_t range, int32_t step, int32_t jitter)
 {
     static const uint8_t box[12][4] = {{0, 6, 4}, {0, 2, 6}, {1, 5, 7}, {1, 7, 3}, {0, 5, 1}, {0, 4, 5},

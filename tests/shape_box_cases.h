@@ -47,7 +47,7 @@ static real face_distance(const struct box *box, struct vec p, uint32_t face)
 
 static void face_coordinates(const struct box *box, struct vec p, uint32_t face, real uv[2])
 {
-    /* At -x z y, at +x -z y, at -y x z, at +y x -z, at -z -x y, at +z x y. */
+    /* The axes U and V of each face: at -x z y, at +x -z y, at -y x z, at +y x -z, at -z -x y, at +z x y. */
     static const int axes[6][2] = {{2, 1}, {2, 1}, {0, 2}, {0, 2}, {0, 1}, {0, 1}};
     static const bool back[6][2] = {{false, false}, {true, false}, {false, false},
                                     {false, true},  {true, false}, {false, false}};
@@ -97,7 +97,7 @@ static real box_curvature(const struct subject *s, struct vec p, uint32_t elemen
     return 1 / smallest;
 }
 
-/* Returns a point of a face; `near` its edges every second time. */
+/* Returns a point of a face; `near` its edges in every second call. */
 static struct vec any_of_face(const struct box *box, uint32_t face, bool near)
 {
     real p[3];
@@ -257,7 +257,7 @@ static void tia_check_grid(const unsigned n[3], double far, double edge, double 
     }
 }
 
-/* True if at t the ray is in the cell, by the order in which the planes between it and others are met. */
+/* True if at t the ray is in the cell, by the order in which the ray meets the planes between the cell and others. */
 static bool is_in_cell(const struct grid *g, uint32_t cell, const struct ray *ray, num_length t)
 {
     const uint16_t *n = g->grid.size;
@@ -278,8 +278,8 @@ static bool is_in_cell(const struct grid *g, uint32_t cell, const struct ray *ra
     return true;
 }
 
-/* Checks a block of one material, which is a box: no ray enters or leaves it anywhere else, also one that goes exactly
- * through the edges and corners of its cells. */
+/* Checks a block of one material, which is a box: no ray enters or leaves it except at its surface, not even one that
+ * goes exactly through the edges and corners of its cells. */
 static void check_block(const unsigned n[3], double far, double edge)
 {
     static struct grid g;

@@ -113,7 +113,7 @@ static void check_flat(double radius, double far)
 /* ---- cylinders and cones ---- */
 struct cone {
     struct vec base, axis, u, v;
-    real length, base_radius, top_radius, slant; /* the side's length */
+    real length, base_radius, top_radius, slant; /* slant: the side's length */
     bool capped;
 };
 
@@ -268,7 +268,7 @@ static void check_cone(struct tia_cone cone)
 
     prepare_cone(&s, &c, &cone);
     double scale = (double)least(c.length, most(c.base_radius, c.top_radius));
-    for (int i = 0; i < 8; i++) { /* on the side, inwards and outwards of both ends and of the rim */
+    for (int i = 0; i < 8; i++) { /* on the side, a little inside and outside of both ends and of the rim */
         struct vec out = any_across(c.axis);
         double edge = i < 3 ? between(0, 1) : (i & 1) + chance() * exp2(between(-40, -3));
         struct vec p = add(c.base, c.length * edge, c.axis);
@@ -298,7 +298,7 @@ static void check_apex(struct tia_cone cone)
     }
 }
 
-/* Returns a cone from `base` a length away in a direction, within the world. */
+/* Returns a cone whose axis has a random length and direction from `base`, within the world. */
 static struct tia_cone any_cone(double far, double longest, double base_radius, double top_radius)
 {
     struct tia_vec3 base = any_place(far);

@@ -2,7 +2,7 @@
  * computed with 113 bits.
  *
  * The formulas give a list of candidates for a ray and a shape, each with its distance from not being a hit: its
- * margin, the distance from the shape's edge, and its depth, the distance that the ray gets in before it is out again.
+ * margin, the distance from the shape's edge, and its depth, the distance that the ray enters before it leaves again.
  * Where both are larger than the arithmetic's error, the nearest of them must be found; every hit found must lie on the
  * shape; so only cases within rounding are left open. An error e of a surface's position is one of e/|D.N| along the
  * ray. */
@@ -74,7 +74,7 @@ static inline struct vec unit(struct vec a)
 
 /* ---- from and to the arithmetic ---- */
 #ifdef TIA_NUM_F64
-#define EPSILON 0x1p-50 /* of the largest number that there is */
+#define EPSILON 0x1p-50 /* relative to the largest number */
 static inline real real_x(num_length x)
 {
     return x;
@@ -128,7 +128,7 @@ static inline struct vec position(struct tia_vec3 v)
 }
 
 /* ---- chance ---- */
-static inline double chance(void) /* -1..1 */
+static inline double chance(void) /* in -1..1 */
 {
     return random_double();
 }
@@ -179,10 +179,10 @@ struct subject {
     struct shape shape;
     real extent; /* its size plus its distance from the origin: the scale of rounding errors */
     bool is_infinite;
-    const void *what; /* its public struct */
+    const void *what; /* the shape's public struct */
     int (*candidates)(const struct subject *s, struct vec o, struct vec d,
-                      struct candidate found[]);                               /* some behind o */
-    real (*distance)(const struct subject *s, struct vec p, uint32_t element); /* of p from the element */
+                      struct candidate found[]);                               /* candidates; some lie behind o */
+    real (*distance)(const struct subject *s, struct vec p, uint32_t element); /* distance of p from the element */
     struct vec (*normal)(const struct subject *s, struct vec p, uint32_t element);
     void (*uv)(const struct subject *s, struct vec p, uint32_t element, real uv[2]);
     real (*curvature)(const struct subject *s, struct vec p, uint32_t element); /* 1/radius; also the divisor of uv */
@@ -285,7 +285,7 @@ static inline void check_rays_through(const struct subject *s, struct vec p, str
         d = unit(add(any_across(n), exp2(between(-24, 0)) * (chance() < 0 ? -1 : 1), n));
         check_ray(s, add(p, -far, d), d, 131072);
         check_ray(s, add(p, -far, d), d, far * between(0, 2));
-        d = any_across(n); /* just above and just below it */
+        d = any_across(n); /* just above and just below the surface */
         check_ray(s, add(add(p, -far, d), (chance() < 0 ? -1 : 1) * scale * exp2(between(-36, -10)), n), d, 131072);
     }
     struct vec d = any_direction();

@@ -60,7 +60,7 @@ TEST(cylinders_along_the_axes)
     CHECK_MEETS(&s, 0, 0, 0, 0, 1, 0, 1);
 }
 
-/* A cone and the same turned upside down. */
+/* A cone, and the same cone turned upside down. */
 TEST(cones_along_the_axes)
 {
     for (int capped = 0; capped < 2; capped++) {
@@ -97,7 +97,7 @@ static void check_uv(const struct shape *s, double x, double y, double z, uint32
     CHECK_MSG(fabs((double)real_x(uv[1]) - v) < 1e-14, "v is %g, not %g", (double)real_x(uv[1]), v);
 }
 
-/* For an axis along y U is x and V is -z; for one along x U is -z and V is y. */
+/* Along y, U is x and V is -z; along x, U is -z and V is y. */
 TEST(surface_coordinates)
 {
     struct shape s;
@@ -134,7 +134,7 @@ TEST(boxes_along_the_axes)
     CHECK_MEETS(&s, 1, 1, 1, 0, 1, 1, 1);
     CHECK_MEETS(&s, 1, 9, 1, 1, -1, 3, 5);
     CHECK_MEETS(&s, 1, 1, 9, 2, -1, 5, 1);
-    CHECK_MEETS(&s, 0, 1, 1, 0, 1, 0, 0); /* from a face: there, whichever way */
+    CHECK_MEETS(&s, 0, 1, 1, 0, 1, 0, 0); /* a start on a face is a hit there, whichever way the ray goes */
     CHECK_MEETS(&s, 0, 1, 1, 0, -1, 0, 0);
     CHECK_MEETS(&s, 0, 1, 1, 1, 1, 3, 3); /* along a face */
     CHECK_MEETS(&s, 2, -1, 1, 1, 1, 2, 1);
@@ -142,8 +142,7 @@ TEST(boxes_along_the_axes)
     CHECK_MISSES(&s, 1, 5, 1, 1, 1);
 }
 
-/* Cells 1 0 2 1 in a row along x: where each changes into the next, from in front and from the planes
- * between them. */
+/* Cells 1 0 2 1 in a row along x: rays from in front, and from the planes where the content changes. */
 TEST(grids_along_the_axes)
 {
     static const uint8_t cells[] = {1, 0, 2, 1};

@@ -8,7 +8,7 @@
 #include "check.h"
 #include "float_modes.h"
 
-#define GUARD 64 /* bytes before and behind the pixels, and between rows */
+#define GUARD 64 /* bytes before and behind the pixels, and between their rows */
 #define GUARDED 0xa5
 
 struct simd_frames {
@@ -38,7 +38,7 @@ static inline void simd_frames_close(struct simd_frames *f)
     free(f->got);
 }
 
-/* False when the scene is refused. */
+/* Opens the frames; false when the scene is refused. */
 static inline bool simd_frames_open(struct simd_frames *f, const struct tia_simd *simd, const struct tia_scene *scene,
                                     unsigned width, unsigned height)
 {
@@ -72,7 +72,7 @@ static inline struct tia_surface simd_frames_surface(uint8_t *bytes, ptrdiff_t p
         .pixels = (tia_rgb565 *)(void *)(bytes + GUARD), .step = sizeof(tia_rgb565), .pitch = pitch};
 }
 
-/* Draws both, tracing again if `trace`. Returns the number of bytes that differ, those of guards included. */
+/* Draws both frames, tracing again if `trace`. Returns the number of bytes that differ, those of guards included. */
 static inline size_t simd_frames_differ(struct simd_frames *f, bool trace, bool dither)
 {
     const struct tia_options options = {dither, NULL};
@@ -91,7 +91,7 @@ static inline size_t simd_frames_differ(struct simd_frames *f, bool trace, bool 
     return differ;
 }
 
-/* Returns the first difference as text. */
+/* Returns the position of the first difference as text. */
 static inline const char *simd_frames_where(const struct simd_frames *f)
 {
     static char text[80];

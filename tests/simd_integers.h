@@ -1,4 +1,4 @@
-/* simd_integers.h - the integer code's results for a pixel of a run, and its first light. */
+/* simd_integers.h - the fixed-point results for a pixel of a run, and for its first light. */
 #ifndef TESTS_SIMD_INTEGERS_H
 #define TESTS_SIMD_INTEGERS_H
 
@@ -6,7 +6,7 @@
 
 struct simd_integers {
     num_u t;
-    bool lit; /* true if the pixel faces the light: then the rest is set */
+    bool lit; /* the pixel faces the light; only then the other fields are set */
     struct lit light;
     num_u cosine;
 };

@@ -8,7 +8,7 @@
 #include "edge_scene.h"
 #include "simd/span/bound_cache.h"
 
-/* Receives the result of tia_simd_fine for a run that it takes. */
+/* Receives tia_simd_fine's result for a run that the kernels draw. */
 typedef void simd_runs_try(const struct simd_fine *fine);
 
 static inline void simd_runs_row(const struct tia_view *view, const struct simd_row *row, uint32_t sphere,
@@ -46,7 +46,7 @@ static inline void simd_runs_scene(const struct tia_scene *scene, unsigned width
     free(pairs);
 }
 
-/* Tries edge scenes and scenes of the corpus, these in 320x240. */
+/* Calls `try` for the runs of edge scenes and of scenes of the corpus, these in 320x240. */
 static inline void simd_runs(unsigned edges, unsigned corpus, simd_runs_try *try)
 {
     static struct edge_scene e;

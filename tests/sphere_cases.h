@@ -3,7 +3,7 @@
  */
 #include "ray_cases.h"
 
-/* Error bound of a coordinate, when distances have that size; in floating point also by the coordinates' own size. */
+/* Error bound of a coordinate at distances of that size; in floating point the coordinates' own size counts, too. */
 #ifdef TIA_NUM_F64
 #define ERROR(size) (16 * 0x1p-52L * ((size) + 30000))
 #else
@@ -45,7 +45,7 @@ static void check_ray(const struct ball *b, const struct ray *ray, num_length li
         bool inside = p.tca - thc < 0;
         CHECK_MSG(fabsl(length(at) - r) < error, "off the sphere by %Lg, not %Lg", length(at) - r, error);
         CHECK(t >= 0 && t <= limit);
-        if (thc > 4 * blur && fabsl(p.tca - thc) > blur) /* the front from outside, the back from inside */
+        if (thc > 4 * blur && fabsl(p.tca - thc) > blur) /* a front hit from outside, a back hit from inside */
             CHECK_MSG((dot(at, d) > 0) == inside, "the other side: t %Lg of %Lg, %Lg", real_of(t), p.tca, thc);
     }
     long double wanted = p.tca - thc < 0 ? p.tca + thc : p.tca - thc;
@@ -111,7 +111,7 @@ TEST(spheres_are_met_at_grazing_angles)
         long double r = b.radius / 65536.0L, away = length(minus(c, from)), s = r / away;
         if (s >= 1)
             continue;
-        /* The outline as seen from there: nearer than the centre by r s, aside by r cos. */
+        /* The outline as seen from the ray's origin: nearer than the centre by r s, aside by r cos. */
         real3 rim = plus(plus(c, unit(minus(from, c)), r * s), unit(n),
                          r * sqrtl(1 - s * s) *
                              (1 + powl(2, -20 - (long double)(random_bits() % 24)) * (random_bits() % 2 ? 1 : -1)));

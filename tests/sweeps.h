@@ -15,7 +15,7 @@
 #define TWO_TO_32 (UINT64_C(1) << 32)
 
 struct sweep_range {
-    double low, high; /* the errors seen, in ulp or relative */
+    double low, high; /* range of the errors found, in ulp or relative */
 };
 
 static uint64_t sweep_bad;
@@ -78,7 +78,7 @@ static inline uint64_t sweep_sqrt32(uint64_t first, uint64_t step)
     return bad;
 }
 
-/* Sweeps; the result is a function of the upper word: both ends of the lower one bound its error. */
+/* Sweeps the upper words; both ends of the lower word bound the error, as the result is a function of the upper one. */
 static inline uint64_t sweep_rsqrt(uint64_t first, uint64_t step, struct sweep_range *ulp)
 {
     uint64_t bad = 0;

@@ -1,8 +1,8 @@
 /* terminal_model.h - a terminal for tests: interprets a program's output and stores the pixels.
  *
- * It knows the few sequences that a picture of half blocks needs, CAN, which ends any of them, and ST, and counts
+ * It interprets the few sequences that a picture of half blocks needs, CAN, which ends any of them, and ST, and counts
  * everything else in `unknown`. A cell is two pixels: the colours of U+2580, or twice the background for a space.
- */
+ * */
 #ifndef TESTS_TERMINAL_MODEL_H
 #define TESTS_TERMINAL_MODEL_H
 
@@ -13,12 +13,12 @@
 
 struct model {
     unsigned columns, rows;
-    uint32_t *upper, *lower; /* 0xRRGGBB of each cell, row by row */
-    unsigned column, row;    /* the cursor */
+    uint32_t *upper, *lower; /* colour of each cell, row by row: 0xRRGGBB */
+    unsigned column, row;    /* position of the cursor */
     uint32_t fore, back;
     bool alternate, cursor_shown, wrap, paste, synchronised;
     unsigned printed, frames, unknown, bytes;
-    /* the parser */
+    /* State of the parser. */
     int state; /* 0: text, 1: after ESC, 2: in CSI */
     char sequence[64];
     unsigned length;
@@ -70,7 +70,7 @@ static inline void model_print(struct model *m, uint32_t character)
     if (m->column + 1 < m->columns)
         m->column++;
     else if (m->wrap)
-        m->unknown++; /* would scroll sooner or later */
+        m->unknown++; /* would scroll the window sooner or later */
 }
 
 static inline void model_colours(struct model *m, const unsigned *p, unsigned n)

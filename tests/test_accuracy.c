@@ -12,8 +12,8 @@
 
 #include <stdlib.h>
 
-/* The ground's hits are the worst of double's errors: t = tca - sqrt(r^2 - d2) with terms of 1e8 has an
- * absolute error of some 1e8 2^-53 / 1e2 = 1e-10, a normal the same, and 63 levels make 1e-8 of it. */
+/* The largest margin of f64. The ground's hits have the worst of double's errors: t = tca - sqrt(r^2 - d2) with terms
+ * of 1e8 has an absolute error of some 1e8 2^-53 / 1e2 = 1e-10, a normal the same, and 63 levels make 1e-8 of it. */
 #define F64_MARGIN 1e-8
 
 static struct threads *pool;
@@ -35,7 +35,8 @@ static void tell(const struct tia_core *core, bool dither, const struct against 
            (uintmax_t)t->one, (uintmax_t)t->flips, (uintmax_t)sum->undecided, (uintmax_t)t->stray, sum->margin);
 }
 
-/* Scene number i by all cores, added to their sums. No frame may have fewer than 99.99 % identical pixels. */
+/* Draws scene number i by all cores, and adds the results to their sums. No frame may have fewer than 99.99 % identical
+ * pixels. */
 static void compare(unsigned i, struct measure what, struct against sums[])
 {
     struct against all[MEASURE_CORES];
@@ -73,7 +74,7 @@ static void check_f64(const struct against *a)
     CHECK_MSG(a->margin < F64_MARGIN, "a colour is off by more than %g levels", a->margin);
 }
 
-/* The oracle is slow: each of its pictures is compared with both. */
+/* Compares all scenes; the oracle is slow, so each of its pictures is compared with both cores. */
 static void compare_all(bool dither)
 {
     struct measure what = {

@@ -46,7 +46,7 @@ static struct tia_bounds bounds(bool placed)
     return tia_object_bounds(&scene, 0);
 }
 
-/* Extent of the points so far, in the world, units of 2^-16. */
+/* Extent of the points so far in the world, in units of 2^-16. */
 static double least[3], most[3];
 
 static void see_nothing(void)
@@ -269,7 +269,7 @@ static void check_box(struct tia_bounds b, struct tia_vec3 min, struct tia_vec3 
     CHECK_EQ(b.max.z, max.z);
 }
 
-/* Bounds that need no rounding are exact but for the unit of margin, also with right angles and whole scales. */
+/* Bounds that need no rounding are exact but for the unit of margin, also with right angles and integer scales. */
 TEST(exact)
 {
     const struct tia_sphere sphere = {{1, -2, 3}, 100};

@@ -13,7 +13,7 @@ static bool contains(const struct tia_bounds *b, const struct tia_bounds *in)
                               b->max.x >= in->max.x && b->max.y >= in->max.y && b->max.z >= in->max.z);
 }
 
-/* How often each item was found. */
+/* number of times that each item was found */
 static unsigned char met[MOST + 40];
 static uint32_t deepest, met_nodes;
 
@@ -98,7 +98,7 @@ TEST(everything)
     set_everything();
     build();
     check_all();
-    CHECK_EQ(bvh->unbounded_count, 8 - 2 + 1); /* 0, 5, ... 35 without 0 and 35; and 38 */
+    CHECK_EQ(bvh->unbounded_count, 8 - 2 + 1); /* 0, 5, ... 35 except 0 and 35; and 38 */
     CHECK_EQ(bvh->unbounded[0], 105);
     CHECK_EQ(bvh->unbounded[6], 138);
     CHECK_EQ(bvh->meshes[1].node_count, 0);
@@ -139,7 +139,7 @@ TEST(memory_as_promised)
     free(again);
 }
 
-/* Building stops whenever asked, and at once: `stop` is not called again. */
+/* Cancellation is prompt whenever `stop` returns true: `stop` is not called again. */
 TEST(asked_to_stop)
 {
     const struct tia_bvh *none = NULL;
@@ -184,8 +184,8 @@ TEST(exponential_spacing)
     CHECK(deepest <= TIA_BVH_DEPTH_MAX);
 }
 
-/* 90 of 100 items are close together and the others far away: the best division, and its replacement when a child may
- * not have as many. */
+/* With 90 of 100 items close together and the others far away, the best division would be too deep: the case has it,
+ * and its replacement when a child may not have as many items. */
 TEST(a_depth_that_would_not_do)
 {
     struct tia_bounds boxes[100], bounds;
@@ -205,7 +205,7 @@ TEST(a_depth_that_would_not_do)
     CHECK_EQ(tia_bvh_split_items(&items, &bounds, 50), 50);
 }
 
-/* Two cubes that share half of their space: 12/16 + 12/16 + 1/c < 2 for a cost c above 2. */
+/* Two cubes share half of their space: 12/16 + 12/16 + 1/c < 2 for a cost c above 2. */
 TEST(items_that_cost_more_are_split_sooner)
 {
     struct tia_bounds boxes[2] = {{{0, 0, 0}, {2, 2, 2}}, {{0, 0, 1}, {2, 2, 3}}};
@@ -227,7 +227,7 @@ TEST(ends_of_the_numbers)
                                               i & 2 ? INT32_MAX - 5000 : INT32_MIN + 5000, number(INT32_MAX - 70000)};
         spheres[i].radius = 64 + (tia_q16)(random_u32() % 4900);
     }
-    spheres[30].radius = 5000; /* no room for the margin */
+    spheres[30].radius = 5000; /* Q16.16 has no room for the margin */
     spheres[40].radius = 4998;
     build();
     check_all();

@@ -1,4 +1,4 @@
-/* tia_bvh_move: the hierarchy is refitted, and rays meet the same as with a new one; films rebuild no static part. */
+/* tia_bvh_move: the hierarchy is refitted, and rays hit the same as with a new one; films rebuild no static part. */
 #include <stdlib.h>
 
 #include "check.h"
@@ -7,7 +7,7 @@
 #include "render/trace/trace.h"
 #include "tia/bvh.h"
 
-/* tools/tia/film_scene.c, where each build is counted. */
+/* Counts of the calls of tools/tia/film_scene.c, which is included below. */
 static unsigned builds, moves;
 
 static inline int counted_build(const struct tia_bvh **bvh, void *memory, size_t size, size_t *used,

@@ -1,8 +1,8 @@
-/* tia_bvh_build by several workers: the hierarchy that one thread builds; and that it stops. */
+/* tia_bvh_build by several workers: the hierarchy is that of one thread, and building can be cancelled. */
 #include "common/thread_pool.h"
 #include "hierarchy.h"
 
-/* Workers that take the last job first, and let no second job enter. */
+/* Workers that run the last job first, and let no second job enter. */
 static bool inside;
 
 static void run_backwards(void *ctx, void (*job)(void *arg, unsigned index), void *arg, unsigned count)
@@ -41,7 +41,7 @@ static void check_parallel(const struct tia_workers *workers)
 {
     const struct tia_bvh *other = NULL;
     size_t size = tia_bvh_size(&scene), used_too = 0;
-    void *room = malloc(size); /* exactly: a sanitizer detects a byte too far */
+    void *room = malloc(size); /* of exactly this size: a sanitizer detects a byte too far */
 
     memset(room, 0x5a, size);
     CHECK_EQ(tia_bvh_build(&other, room, size - 1, &used_too, &scene, &(struct tia_job){.workers = workers}),
@@ -78,7 +78,7 @@ TEST(by_several_threads)
     check_all_workers();
 }
 
-/* Where lists are halved, the order of a node's items counts, too. */
+/* Where lists of items are halved, the order of a node's items matters, too. */
 TEST(by_several_threads_at_one_place)
 {
     set_spheres(MOST);
@@ -124,8 +124,8 @@ static bool count_after(void *ctx)
     return c->left == 0;
 }
 
-/* So many faces that the threads call `stop` while they process a part's items together, 32 at a time: once it returns
- * true for one, each of the others calls it once more, and none continues with unprocessed items. */
+/* With so many faces, the threads call `stop` while they process a part's items together, 32 at a time: once it returns
+ * true for one thread, each of the others calls it once more, and none continues with unprocessed items. */
 TEST(asked_to_stop_while_looking_together)
 {
     enum { FACES = 32 * 5000, BOXES = FACES / 4096 };

@@ -1,4 +1,4 @@
-/* Hierarchies and rays: few boxes are met, and a walk in double finds the same as a test of all boxes. */
+/* Hierarchies and rays: few boxes are visited, and a walk in double precision finds the same as a test of all boxes. */
 #include <math.h>
 
 #include "hierarchy.h"
@@ -37,7 +37,7 @@ TEST(few_items_a_ray)
     CHECK_MSG(cost() < 30, "cost %.1f", cost());
 }
 
-/* Returns where the ray enters the box, or -1. */
+/* Returns the distance at which the ray enters the box, or -1. */
 static double enter(const struct tia_bounds *b, const double o[3], const double d[3])
 {
     const double min[3] = {b->min.x, b->min.y, b->min.z}, max[3] = {b->max.x, b->max.y, b->max.z};
@@ -113,7 +113,7 @@ TEST(rays)
     build();
     check_rays(&bvh->objects, NULL, 1000, 150 * ONE);
     set_everything();
-    for (uint32_t i = 0; i < 3000; i++) { /* faces of a size of their own */
+    for (uint32_t i = 0; i < 3000; i++) { /* faces, each of a random size */
         uint32_t near = (i * 7 + 1) % 3000;
         faces[i].corner[0].vertex = i;
         faces[i].corner[1].vertex = faces[i].corner[2].vertex = near;

@@ -94,7 +94,7 @@ TEST(scale_bits)
     check_refused("scene", 0, "scale_bits", "must be in -16..16");
 }
 
-/* Of another scene. */
+/* A hierarchy of another scene is refused. */
 TEST(bvh)
 {
     struct tia_bvh bvh = {.unbounded_count = 1};
@@ -105,7 +105,7 @@ TEST(bvh)
     bvh.unbounded_count = 0;
     check_accepted();
     bvh.objects.item_count = UINT32_MAX;
-    bvh.unbounded_count = 1; /* 2^32 in all */
+    bvh.unbounded_count = 1; /* 2^32 items in all */
     check_refused("scene", 0, "bvh", "must be of this scene");
 }
 
@@ -131,7 +131,7 @@ TEST(projections)
     check_refused("camera", 0, "projection", rule);
     scene.camera.projection = (enum tia_projection)255;
     check_refused("camera", 0, "projection", rule);
-    scene.camera.fov = 0; /* is a perspective's alone */
+    scene.camera.fov = 0; /* the field of view is only for perspective */
     scene.camera.projection = TIA_FRUSTUM;
     check_accepted();
     scene.camera.window.near = 0;
@@ -159,7 +159,7 @@ TEST(windows)
     }
 }
 
-/* 3, 4, 5: the corner at 5 k is 2^31 - 3. */
+/* With a 3, 4, 5 triangle the corner at 5 k is 2^31 - 3. */
 TEST(orthographic_corners)
 {
     const tia_q16 k = INT32_MAX / 5;
@@ -182,14 +182,14 @@ TEST(line_of_sight)
     const char *rule = "must be at least 0.056 degrees off the line of sight";
 
     set_up();
-    check_accepted(); /* the reference is the eye, but nothing looks at it */
+    check_accepted(); /* the reference coincides with the eye, but is not used */
     scene.camera.up = (struct tia_vec3){0, 0, 1};
     check_refused("camera", 0, "reference", "must not be the eye");
     scene.camera.reference = (struct tia_vec3){0, 1, 0};
     check_accepted();
     scene.camera.reference = (struct tia_vec3){0, 0, -7};
     check_refused("camera", 0, "up", rule);
-    /* The tangent and the sine of such an angle are the same to 2^-31: 1/1024, and a thousandth less. */
+    /* The tangent and the sine of this angle are the same to 2^-31: 1/1024, and a thousandth less. */
     scene.camera.up = (struct tia_vec3){0, 1001, 1024000};
     check_accepted();
     scene.camera.up = (struct tia_vec3){0, 999, -1024000};
@@ -249,7 +249,7 @@ TEST(textures)
         for (int i = 0; i < 2; i++)
             check_range(&texture.repeat[i], 64, INT32_MAX, "texture", 0, "repeat", "must be 1/1024 or more");
     }
-    texture.cells[0].r = -1; /* a checker's alone */
+    texture.cells[0].r = -1; /* cells are only for checkers */
     check_accepted();
     texture.cells[0].r = 0;
     texture.width = 16384;

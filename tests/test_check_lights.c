@@ -61,7 +61,7 @@ TEST(kinds_of_lights)
     check_lights("kind", "must be a kind of light");
 }
 
-/* Where a kind has no radius, position or attenuation, those fields may have any value. */
+/* Kinds without a radius, position or attenuation ignore those fields, which may have any value. */
 TEST(what_each_kind_of_light_has)
 {
     for (int kind = 0; kind < 7; kind++) {
@@ -120,7 +120,7 @@ TEST(cones_of_light)
     check_range(&light.outer, ONE, 90 * ONE, "light", 0, "outer", "must be in 1..90 degrees");
 }
 
-/* Lengths of exactly 1/2 and 3/2, and 2^-30 beyond, along each axis. */
+/* Directions have lengths of exactly 1/2 and 3/2, and 2^-30 beyond, along each axis. */
 TEST(directions)
 {
     set_light(TIA_DIRECTIONAL_LIGHT);
@@ -260,7 +260,7 @@ TEST(values_of_tracks)
     check_range(&keys[1].value.z, 64, 1024 * ONE, "track", 0, "value", "must be in 2^-10..1024");
 }
 
-/* Every position of the eye counts, the camera's own too. */
+/* Every position of the eye counts, and so does the camera's own. */
 TEST(an_eye_that_moves)
 {
     set_track(TIA_MOVES_EYE);

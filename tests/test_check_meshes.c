@@ -95,7 +95,7 @@ TEST(grids_themselves)
     check_refused("grid", 0, "cells", "must not be NULL");
 }
 
-/* A grid of the largest size, whose every cell counts. */
+/* A grid of the largest size, with a fault in its last cells. */
 TEST(the_largest_grid)
 {
     static uint8_t many[1024 * 1024];
@@ -137,7 +137,7 @@ TEST(materials_of_cells)
     check_refused("shape", 0, "material", rule);
 }
 
-/* More parts than are kept at a time: each shape finds its own. */
+/* There are more parts than are kept at a time: each shape finds its own. */
 TEST(many_meshes_and_grids)
 {
     static struct tia_vec3 corners[PARTS][3];

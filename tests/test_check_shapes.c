@@ -3,7 +3,7 @@
 
 #define FLAT "too flat for its size: the radius around it, over the least scale, must be below 32768"
 
-/* tia_scene_check as a whole would look at all spheres; it is refused before. */
+/* The counts are refused before any sphere is read: the array has fewer than sphere_count. */
 TEST(counts)
 {
     const char *rule = "spheres and shapes must be at most 2^24";
@@ -91,7 +91,7 @@ TEST(cones)
     check_refused("shape", 0, "top_radius", "must differ from the base's");
 }
 
-/* 64 units of 2^-16: along an axis, and 2, 3, 6 times 9 and a little, |.| = 63 and more. */
+/* Ends are 64 units of 2^-16 apart: along an axis, and at 2, 3, 6 times 9 and a little, |.| = 63 and more. */
 static void check_ends(struct tia_vec3 *base, struct tia_vec3 *top)
 {
     const char *rule = "must be at least 2^-10 from the base";
@@ -179,9 +179,9 @@ TEST(triangles)
     check_accepted();
     c[0] = (struct tia_vec3){0, 0, 0};
     c[1] = (struct tia_vec3){1, 1, 0};
-    c[2] = (struct tia_vec3){1, -1, 0}; /* 1 * -1 and 1 * 1 differ by their sign alone */
+    c[2] = (struct tia_vec3){1, -1, 0}; /* 1 * -1 and 1 * 1 differ only by their sign */
     check_accepted();
-    /* Differences of 33 bits, that no scale makes small enough. */
+    /* differences of 33 bits, which no scale makes small enough */
     shape->transform = 1;
     transform.scale = (struct tia_vec3){ONE / 4, ONE / 4, ONE / 4};
     c[0] = (struct tia_vec3){INT32_MIN, INT32_MIN, 1};
@@ -213,7 +213,7 @@ TEST(distances)
         check_accepted();
         vertices[1].x += out;
         check_refused("shape", 0, "place", FAR);
-        shapes[0].kind = TIA_BOX; /* alone it may be anywhere */
+        shapes[0].kind = TIA_BOX; /* without a transform it may be anywhere */
         shapes[0].box = (struct tia_box){{0, 0, 0}, {ONE, ONE, ONE}};
         check_accepted();
     }
@@ -226,7 +226,7 @@ TEST(places)
     check_accepted();
     shape->plane.point.z++;
     check_refused("shape", 0, "point", FAR);
-    set_up(TIA_SPHERE); /* exact, as the scene's own */
+    set_up(TIA_SPHERE); /* exact, like the scene's own spheres */
     shape->sphere.radius = INT32_MAX;
     check_accepted();
     shape->sphere.centre.y = 1;
@@ -249,7 +249,7 @@ TEST(places)
     }
 }
 
-/* Also of a transform that no shape has. */
+/* Positions are also checked for a transform that no shape uses. */
 TEST(positions)
 {
     set_up(TIA_BOX);
@@ -274,7 +274,7 @@ TEST(scales)
         check_range(scale[i], 64, 1024 * ONE, "transform", 0, "scale", "must be in 2^-10..1024");
 }
 
-/* A square of the side 2 a, scaled by 2^-k across: a sqrt 2 must be below 2^(31 - k), that is a below 1448.2 where
+/* A square with the side 2 a is scaled by 2^-k across: a sqrt 2 must be below 2^(31 - k), that is a below 1448.2 where
  * that is 2048. */
 TEST(flatness)
 {

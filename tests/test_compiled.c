@@ -9,7 +9,7 @@
 
 enum { WIDTH = 72, HEIGHT = 54 };
 
-/* Each scene of the gallery, and one of everything: the Makefile compiles them. */
+/* Scenes that the Makefile compiles: each scene of the gallery, and one of everything. */
 extern const struct tia_scene compiled_every, compiled_glass, compiled_flake, compiled_chess, compiled_castle,
     compiled_vase, compiled_orrery, compiled_porch, compiled_shadow_volume, compiled_shadow_mapping, compiled_cornell,
     compiled_marbles, compiled_window, compiled_caustic, compiled_block;
@@ -26,7 +26,7 @@ static uint32_t picture(const struct tia_scene *given)
     struct tia_hits *hits;
 
     plain.integration.spp = 1;
-    plain.camera.samples = 1; /* so many are enough to see a difference */
+    plain.camera.samples = 1; /* one sample is enough to show a difference */
     CHECK_EQ(tia_view_init(&view, view_memory, view_size, scene, scene->light_count, WIDTH, HEIGHT, NULL), TIA_OK);
     CHECK_EQ(tia_hits_init(&hits, hits_memory, hits_size, view, all), TIA_OK);
     memset(pixels, 0, sizeof pixels);
@@ -61,7 +61,7 @@ static void compare_keys(const struct tia_scene *compiled, const struct tia_scen
         with_got.lights = &got->state;
         with_want.lights = &want->state;
         with_got.light_count = with_want.light_count = 1;
-        with_got.track_count = with_want.track_count = 0; /* they may be of other lights */
+        with_got.track_count = with_want.track_count = 0; /* tracks may be of other lights */
         CHECK_EQ(got->key, want->key);
         CHECK_EQ(got->light, want->light);
         CHECK_EQ(picture(&with_got), picture(&with_want));
@@ -82,7 +82,7 @@ static void compare(const char *path, const struct tia_scene *compiled)
     if (file.scene.track_count > 0)
         CHECK_EQ(moved(compiled), moved(&file.scene));
     compare_keys(compiled, &file.scene);
-    /* the hierarchy is part of it, unless objects are few */
+    /* the hierarchy is compiled too, unless objects are few */
     CHECK(compiled->bvh || compiled->sphere_count + compiled->shape_count <= 4);
     scene_close(&file);
 }

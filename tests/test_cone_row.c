@@ -42,7 +42,7 @@ static void check_slice(const struct cone_row *s)
     partials += pixels && pixels < s->count;
     for (int k = 0; k < 12; k++) {
         int near = (int)(random_bits() % 5) - 2, first = (int)(random_bits() % (unsigned)s->count);
-        struct span guess = {0, 0}; /* none; good; nearly good; bad; everything */
+        struct span guess = {0, 0}; /* guesses: none; good; nearly good; bad; the whole row */
         if (k > 0)
             guess = k < 3   ? want
                     : k < 6 ? (struct span){want.first + near, want.end + near}
@@ -72,7 +72,7 @@ static void tia_check_sphere(int count, int64_t lx, int64_t ly, int64_t lz, int6
     check_slice(&s);
 }
 
-#define FAR ((int64_t)18000 << 16) /* in each coordinate: |L| < 2^31 */
+#define FAR ((int64_t)18000 << 16) /* limit of each coordinate: |L| < 2^31 */
 
 static void check_random(int count, int cases)
 {
@@ -123,8 +123,8 @@ TEST(the_longest_line)
     CHECK(empties > 20 && partials > 100);
 }
 
-/* Where both sides of the inequality are equal the pixel is inside. L = (0, 0, -5), r = 3: c = 16, and
- * with v = (X, 0, -4) it is 20^2 >= 16 (X^2 + 16), that is X^2 <= 9: X = -3..3 of the odd ones. */
+/* Pixels where both sides of the inequality are equal are inside. L = (0, 0, -5), r = 3: c = 16, and with v = (X, 0,
+ * -4) it is 20^2 >= 16 (X^2 + 16), that is X^2 <= 9: X = -3..3, of the odd numbers. */
 TEST(tangents)
 {
     struct cone_row s = {.slope = 0, .base = 20, .square = 16, .c = 16, .exponent = 0, .count = 10};
@@ -138,7 +138,7 @@ TEST(tangents)
     s.c = 400 / 16; /* the tangent in the middle lies between two pixels */
     span = cone_row_span(&s, (struct span){0, 10});
     CHECK_EQ(span.end, span.first);
-    s.count = 9; /* and here on one: X = 0 */
+    s.count = 9; /* the tangent is on a pixel here: X = 0 */
     span = cone_row_span(&s, (struct span){0, 0});
     CHECK(span.first == 4 && span.end == 5);
 }

@@ -1,5 +1,5 @@
-/* The console without a VT to take: its listeners, and where signals are unblocked. Its effects on a real VT are tested
- * in guests (tests/vm). */
+/* The console where there is no VT: its listeners, and the places where signals are unblocked. Its effects on a real VT
+ * are tested in guests (tests/vm). */
 #include "check.h"
 #include "console/console.h"
 #include "without_vt.h"
@@ -39,7 +39,7 @@ TEST(listeners_enter_in_turn_and_leave_in_reverse)
     CHECK_EQ(console_state(), CONSOLE_FREE);
     CHECK_EQ(console_open(true, why), TIA_OK);
     CHECK_EQ(console_state(), CONSOLE_OURS);
-    console_listen(&first); /* again: now it is the last */
+    console_listen(&first); /* added again: now it is the last */
     console_close();
     CHECK_EQ(console_state(), CONSOLE_FREE);
     CHECK_MSG(strcmp(told, "+a+b-a-b") == 0, "'%s'", told);

@@ -35,7 +35,7 @@ static void draw(struct drawn *d, const struct tia_core *core)
 #ifdef TIA_HAVE_F64
 static struct drawn q16, f64;
 
-/* Two pixels of this picture differ from the oracle's in integers, none in doubles, as in test_thesis. */
+/* Two pixels of this picture differ from the oracle's in the fixed-point path, none in doubles, as in test_thesis. */
 TEST(a_view_is_drawn_in_its_arithmetic)
 {
     unsigned other = 0;
@@ -60,7 +60,7 @@ TEST(hits_are_of_one_view)
              TIA_ERR_MEMORY);
 }
 
-/* Vector units give the bits of tia_core_q16. */
+/* Vector units draw the bits of tia_core_q16. */
 TEST(levels_draw_integers)
 {
     const struct tia_simd *simd = tia_simd_best();

@@ -1,7 +1,7 @@
 /* The Cornell box: the scene is its published measurements, its light that of an oracle in double precision, by either
- * strategy and by both; how fast the error falls.
+ * strategy and by both; and the error falls fast enough.
  *
- *     test_cornell [TIMES]    with so many times the samples; 1 takes seconds */
+ *     test_cornell [TIMES]    with TIMES times the samples; 1 takes seconds */
 #include <math.h>
 #include <stdlib.h>
 
@@ -47,7 +47,7 @@ static bool is_corner(const struct tia_vec3 *v, const double want[3])
            fabs(v->z / unit - want[2]) < 2e-5;
 }
 
-/* True if one of the scene's meshes has a triangle of those corners. */
+/* True if one of the scene's meshes has a triangle with those corners. */
 static bool has_triangle(const double *a, const double *b, const double *c, const double colour[3])
 {
     const double *const want[3] = {a, b, c};
@@ -90,7 +90,7 @@ TEST(measurements_are_those_published)
 
 enum { SIDE = 16, BLOCKS = 4, NUMBERS = SIDE * SIDE * 3, MEANS = BLOCKS * BLOCKS * 3 + 3 };
 
-/* A view of the box, for one seed. */
+/* A view of the box for one seed. */
 struct drawing {
     struct tia_view *view;
     void *memory;
@@ -126,7 +126,7 @@ static void draw_box(struct tia_integration how, unsigned spp, double rgb[NUMBER
     free(d.memory);
 }
 
-/* Sums of means over blocks of the picture, and over all of it, and of their squares. */
+/* Sums over seeds: means of blocks of the picture and of all of it, and their squares. */
 struct tally {
     double sum[MEANS], square[MEANS];
     unsigned count;
@@ -159,7 +159,7 @@ static double mean_of(const struct tally *tally, unsigned i, double *variance)
     return mean;
 }
 
-/* Compares: the whole picture within three standard errors; one of many blocks may be off by four. */
+/* Compares pictures: the whole picture must be within three standard errors; one of many blocks may be off by four. */
 static void compare(const char *name, const struct tally *got, const struct tally *want, double most)
 {
     for (unsigned i = 0; i < MEANS; i++) {
@@ -206,13 +206,13 @@ static unsigned side_of_slopes(void)
     return times > 1 ? 32 : 8;
 }
 
-/* 16, 32 ... 1024 samples; in make check-quick 512. */
+/* Returns the number of steps: 16, 32 ... 1024 samples; in make check-quick up to 512. */
 static unsigned steps_of_slopes(void)
 {
     return check_is_quick() ? STEPS - 1 : STEPS;
 }
 
-/* The root of the mean variance of pixels between seeds: of an estimate without bias, its RMSE. */
+/* The mean variance of pixels between seeds; for an estimate without bias, its root is the RMSE. */
 struct spread {
     double sum[STEPS][PIXELS_MAX * 3], square[STEPS][PIXELS_MAX * 3];
 };
@@ -286,8 +286,9 @@ static void check_slope(const char *name, struct tia_integration how, double mos
     CHECK_MSG(s <= most + off, "%s: slope %f", name, s);
 }
 
-/* Edges between light and dark that lie at a slant in the pixel, or in the lamp, fall with -3/4, whatever the points:
- * the mean square discrepancy of half-planes is at least n^(-3/2) (Alexander 1990). Others fall faster. */
+/* The error converges. It falls with -3/4 at edges between light and dark that are slanted in the pixel or in the lamp,
+ * whatever the points: the mean square discrepancy of half-planes is at least n^(-3/2) (Alexander 1990). Elsewhere it
+ * falls faster. */
 TEST(direct_light_converges)
 {
     check_slope("direct light", (struct tia_integration){.integrator = TIA_PATHS, .bounces = 1}, -0.8);

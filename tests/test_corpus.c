@@ -69,7 +69,7 @@ TEST(scenes_have_variety)
     CHECK_MSG(hidden_lights > 20, "%u lights cannot be seen", hidden_lights);
 }
 
-/* FNV-1a over a value's four bytes, the lowest first. */
+/* Continues an FNV-1a hash by a value's four bytes, the lowest first. */
 static uint32_t hash(uint32_t h, int32_t value)
 {
     for (int shift = 0; shift < 32; shift += 8)
@@ -90,7 +90,7 @@ static uint32_t hash_scene(uint32_t h, const struct corpus_scene *c)
     return h;
 }
 
-/* The value that these scenes had when the accuracy tables were made. */
+/* The hash of these scenes when the accuracy tables were made. */
 TEST(scenes_are_the_same_everywhere)
 {
     struct corpus_scene c;

@@ -81,7 +81,7 @@ TEST(scenes_have_variety)
     CHECK(n.samples[16] > 0 && n.samples[0] > 0 && n.samples[1] > 0);
 }
 
-/* FNV-1a over a value's four bytes, the lowest first. */
+/* Continues an FNV-1a hash by a value's four bytes, the lowest first. */
 static uint32_t hash(uint32_t h, int32_t value)
 {
     for (int shift = 0; shift < 32; shift += 8)
@@ -105,7 +105,7 @@ static uint32_t hash_scene(uint32_t h, const struct corpus_rays *c)
     return hash(h, c->cells[5]);
 }
 
-/* The value that these scenes had when the accuracy tables were made. */
+/* The hash of these scenes when the accuracy tables were made. */
 TEST(scenes_are_the_same_everywhere)
 {
     static struct corpus_rays c;

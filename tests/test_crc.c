@@ -8,7 +8,7 @@
 
 static tia_rgb565 pixels[MOST];
 
-/* Returns the CRC of the pixels with these little-endian bytes. */
+/* Returns the CRC of pixels that have these little-endian bytes. */
 static uint32_t crc_of(const void *bytes, size_t size)
 {
     const uint8_t *b = bytes;
@@ -32,7 +32,7 @@ static uint32_t divide(const uint8_t *bytes, size_t size)
     return ~rest;
 }
 
-/* python3 -c 'import zlib; print(hex(zlib.crc32(b"1234567890")))' and so on. */
+/* Expected values of python3 -c 'import zlib; print(hex(zlib.crc32(b"1234567890")))' and so on. */
 TEST(values_of_zlib)
 {
     uint8_t bytes[32];

@@ -29,7 +29,7 @@ static void begin(void)
                                .light_count = 1};
 }
 
-/* Returns the thing that the check warns of, or "". */
+/* Returns the thing of the check's warning, or "". */
 static const char *warned(void)
 {
     struct tia_fault fault = {"untouched", 7, "", ""};
@@ -55,8 +55,8 @@ TEST(lights)
     CHECK(light_is_told(1));
     light.emission = (struct tia_rgb){0, 0, 0}; /* intended: a hidden light has no emission */
     CHECK(!strcmp(warned(), ""));
-    CHECK(light_is_told(TIA_Q16(1.99))); /* a colour as a length */
-    light.quadratic = 1;                 /* 2^16 times as bright at the distance 1 */
+    CHECK(light_is_told(TIA_Q16(1.99))); /* a colour written as a length */
+    light.quadratic = 1;                 /* makes it 2^16 times as bright at the distance 1 */
     CHECK(!light_is_told(TIA_Q16(1.99)));
 }
 
@@ -70,7 +70,7 @@ TEST(lights_of_keys)
     key.state.emission.b = LIMIT;
     CHECK(!strcmp(warned(), ""));
     key.state.emission.b = LIMIT - 1;
-    scene.light_count = 1; /* a bright one */
+    scene.light_count = 1; /* a bright light */
     CHECK(!strcmp(warned(), ""));
 }
 
@@ -126,7 +126,7 @@ static int read_text(const char *text, bool strict, struct tia_read_warning *war
     return status;
 }
 
-/* Scene files: 2^-13 is 0.0001220703125. */
+/* Scene files cause the warning, too: 2^-13 is 0.0001220703125. */
 TEST(files)
 {
     static struct tia_read_warning warnings[TIA_WARNINGS];

@@ -1,4 +1,4 @@
-/* Decimals to fixed point, against fractions of whole numbers; those in the table are Python's. */
+/* Decimals to fixed point, against fractions of integers; those in the table are Python's. */
 #include "check.h"
 #include "random.h"
 #include "read/text/text.h"

@@ -1,4 +1,4 @@
-/* The denoiser against its formulas in double precision, and its bits. */
+/* The denoiser against its formulas in double precision, and its pinned bits. */
 #include <math.h>
 #include <stdlib.h>
 #include <tia/denoise.h>
@@ -119,7 +119,7 @@ static void oracle_passes(struct pixel pictures[2][PIXELS], bool stop)
             pictures[~pass & 1][i] = oracle_pixel(pictures[pass & 1], i % WIDE, i / WIDE, 1 << pass, stop);
 }
 
-/* Runs three passes; the removed light, averaged by three more, is added. */
+/* Runs three passes, then averages the removed light by three more and adds it. */
 static const struct pixel *oracle(void)
 {
     static struct pixel pictures[2][PIXELS], taken[2][PIXELS];
@@ -275,7 +275,7 @@ TEST(tiles_do_not_matter)
     invent(0.4);
     denoise();
     for (unsigned step = 0; step < TIA_DENOISE_PASSES + 2; step++)
-        for (int y = HIGH; y > 0; y -= 7) /* from the end: widths of 5, heights of 7 and the remainder */
+        for (int y = HIGH; y > 0; y -= 7) /* tiles from the end: widths of 5, heights of 7 and the remainder */
             for (int x = WIDE; x > 0; x -= 5) {
                 struct tia_tile t = {(uint16_t)(x < 5 ? 0 : x - 5), (uint16_t)(y < 7 ? 0 : y - 7),
                                      (uint16_t)(x < 5 ? x : 5), (uint16_t)(y < 7 ? y : 7)};
@@ -292,7 +292,7 @@ TEST(tiles_do_not_matter)
     free(d);
 }
 
-/* Only integer arithmetic has made these numbers: they are the same on each processor, by each compiler. */
+/* These numbers come from integer arithmetic alone: they are the same on each processor, by each compiler. */
 TEST(bits_are_pinned)
 {
     uint32_t hash = UINT32_C(2166136261);

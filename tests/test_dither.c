@@ -3,7 +3,7 @@
 #include "random.h"
 #include "render/core/dither.h"
 
-static unsigned matrix[8][8]; /* row, column */
+static unsigned matrix[8][8]; /* index: row, column */
 
 /* M(1) = [0], M(2n) = [4M, 4M + 2; 4M + 3, 4M + 1]. */
 static void build_matrix(void)
@@ -35,7 +35,7 @@ TEST(matrix_by_its_recursion)
         CHECK_EQ(seen[i], 1);
 }
 
-/* (n + 1/2)/64, in units of 2^-30: never 0 nor 1, one half on average. */
+/* Thresholds are (n + 1/2)/64, in units of 2^-30: never 0 or 1, one half on average. */
 TEST(thresholds)
 {
     for (int y = 0; y < 20; y++) {
@@ -82,8 +82,8 @@ static unsigned quantised(tia_q30 c, int which, unsigned offset)
     return (unsigned)((levels * (uint64_t)c * 128 + ((uint64_t)offset << 30)) >> 37);
 }
 
-/* Each pixel by the matrix; and the mean of a block is the colour to the nearest 64th of a level:
- * by Hermite's identity the 64 pixels add up to floor(64 levels c + 1/2). */
+/* Checks each pixel by the matrix. And the mean of a block is the colour to the nearest 64th of a level: by Hermite's
+ * identity the 64 pixels add up to floor(64 levels c + 1/2). */
 static void check_dithered(struct tia_rgb colour)
 {
     const tia_q30 channels[3] = {colour.r, colour.g, colour.b};
@@ -111,7 +111,8 @@ TEST(a_dithered_colour_is_right_on_average)
         tia_q30 c[3];
         for (int k = 0; k < 3; k++)
             c[k] = (tia_q30)(random_u32() >> 2);
-        check_dithered((struct tia_rgb){c[0], i % 3 ? c[1] : c[0], i % 3 ? c[2] : c[0]}); /* some grey */
+        check_dithered((struct tia_rgb){c[0], i % 3 ? c[1] : c[0], i % 3 ? c[2] : c[0]}); /* one colour in three is
+                                                                                             grey */
     }
 }
 

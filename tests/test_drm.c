@@ -1,4 +1,4 @@
-/* The choice of connector, mode, CRTC and format: from structs as of real cards. */
+/* The choice of connector, mode, CRTC and format, from structs like those of real cards. */
 #include "check.h"
 
 #ifdef TIA_HAVE_DRM
@@ -104,7 +104,7 @@ TEST(preferred_mode_then_the_others)
     CHECK(!pick_mode(&vga, NULL, 4));
     CHECK(pick_mode(&vga, "preferred", 0) == &modes[1]);
     CHECK(!pick_mode(&vga, "preferred", 1));
-    modes[1].type = 0; /* no mode is preferred: the driver's first */
+    modes[1].type = 0; /* no mode is preferred: the driver's first is chosen */
     CHECK(pick_mode(&vga, "preferred", 0) == &modes[0]);
 }
 
@@ -140,7 +140,7 @@ TEST(crtc_of_the_encoder_or_one_that_is_free)
     CHECK_EQ(pick_current_crtc(&parts, &vga), 0);
     encoder_a.possible_crtcs = 2; /* only the CRTC that lights HDMI-A-1 */
     CHECK_EQ(pick_crtc(&parts, &vga), 0);
-    encoder_b.crtc_id = 0; /* which goes dark */
+    encoder_b.crtc_id = 0; /* HDMI-A-1 is dark */
     CHECK_EQ(pick_crtc(&parts, &vga), 41);
 }
 

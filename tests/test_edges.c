@@ -1,6 +1,6 @@
-/* Scenes at the edges of what is accepted, q16 and f64 against the oracle: the eye or a light inside
- * a ball, the smallest and the farthest things, the narrowest and the widest view, ties, many lights,
- * and small pictures of thousands of scenes drawn from all magnitudes. */
+/* Scenes at the edges of what is accepted, q16 and f64 against the oracle: the eye or a light inside a ball, the
+ * smallest and the farthest objects, the narrowest and the widest view, ties, many lights, and small pictures of
+ * thousands of scenes drawn from all magnitudes. */
 #include "against.h"
 #include "check.h"
 #include "common/thread_pool.h"
@@ -46,7 +46,7 @@ static void light(double x, double y, double z, double radius, double bright)
         (struct tia_light){TIA_VEC3(x, y, z), TIA_Q16(radius), TIA_RGB(bright, bright, bright)};
 }
 
-/* Compares: every pixel must be the oracle's, except those on an outline, where the oracle is undecided. */
+/* Compares pictures: every pixel must be the oracle's, except those on an outline, where the oracle is undecided. */
 static void compare(const struct tia_core *core, unsigned width, unsigned height)
 {
     struct against a;
@@ -78,7 +78,7 @@ TEST(eye_inside_a_ball)
     compare_both(160, 120);
 }
 
-/* Its centre is behind some of the rays: those pass through its wall, as in step 2 of the algorithm. */
+/* The ball's centre is behind some of the rays: those pass through its wall, as in step 2 of the algorithm. */
 TEST(eye_inside_a_ball_whose_centre_is_behind)
 {
     start(120);
@@ -128,7 +128,7 @@ TEST(eye_inside_a_light)
     compare_both(160, 120);
 }
 
-/* 2^-10, the smallest radius, with its shadow and one pixel in sight. */
+/* A ball of 2^-10, the smallest radius, is visible with its shadow and one pixel. */
 TEST(smallest_balls)
 {
     start(30);
@@ -202,7 +202,7 @@ TEST(lights_in_sight)
     compare_both(160, 120);
 }
 
-/* More lights than the bits of `path_hash`, brighter than white together. */
+/* There are more lights than bits of `path_hash`, and together they are brighter than white. */
 TEST(forty_lights)
 {
     start(40);
@@ -270,7 +270,7 @@ static void wild_scene(unsigned index)
     }
 }
 
-/* Compares small pictures; only the sum counts: `wrong` and `flips` in a million pixels. */
+/* Compares small pictures by their sums: `wrong` and `flips` in a million pixels. */
 static void compare_wild(const struct tia_core *core, uint64_t wrong, uint64_t flips)
 {
     struct against sum = {0}, a;
@@ -295,8 +295,8 @@ static void compare_wild(const struct tia_core *core, uint64_t wrong, uint64_t f
     CHECK_EQ(t->stray, 0);
 }
 
-/* Balls not much larger than the bias, 2^-13, lit from thousands of units away: their shadows on each
- * other are off by pixels. With radii of 0.25 and more 2 pixels in a million differ. */
+/* Balls are not much larger than the bias, 2^-13, and lit from thousands of units away: their shadows on each other are
+ * off by pixels. With radii of 0.25 and more 2 pixels in a million differ. */
 TEST(wild_scenes_in_q16)
 {
     compare_wild(&tia_core_q16, 130, 130);

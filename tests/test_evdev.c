@@ -16,7 +16,7 @@ static char letter(uint16_t key)
     return key ? (char)key : '.';
 }
 
-/* Positions as printed in linux/input-event-codes.h, code 0 first: 16 to a line. */
+/* The positions are those printed in linux/input-event-codes.h, code 0 first: 16 to a line. */
 TEST(keys_by_position)
 {
     static const char want[] = ".E1234567890-+?T" /* reserved, ESC, digits, - = backspace tab */
@@ -57,7 +57,7 @@ TEST(console_numbers)
     CHECK_EQ(key_console(KEY_F13), 0);
 }
 
-/* Valid until the next one. */
+/* Returns a set of keys, valid until the next call. */
 static const struct key_set *set_of(const unsigned *codes, size_t count)
 {
     static struct key_set set;
@@ -192,7 +192,7 @@ TEST(ctrl_c_interrupts)
     CHECK_TOLD("+!-!+c-c+a");
 }
 
-/* Enter is still down from the shell when the keyboard is opened. */
+/* Enter is still down from the shell when the keyboard is opened: it causes no event. */
 TEST(keys_held_at_the_start_are_nothing)
 {
     begin();
@@ -212,7 +212,7 @@ TEST(an_unplug_releases_what_was_told)
     feed(KEY_LEFT, 1);
     feed(KEY_LEFTSHIFT, 1);
     feed(KEY_D, 1);
-    key_state_begin(&state, SET(KEY_LEFT)); /* physically down or not: for us it is released */
+    key_state_begin(&state, SET(KEY_LEFT)); /* whether it is physically down or not, it is released for us */
     settle();
     CHECK_TOLD("+L+d-d-L");
     feed(KEY_LEFT, 0);
@@ -255,7 +255,7 @@ TEST(a_mouse_tells_how_far_it_has_moved)
     CHECK(!sent(&mouse, EV_REL, REL_X, 4, &event));
     CHECK(sent(&mouse, EV_SYN, SYN_REPORT, 0, &event));
     CHECK(event.kind == TIA_EVENT_MOVE && event.x == 7 && event.y == -5 && !event.drag);
-    CHECK(!sent(&mouse, EV_SYN, SYN_REPORT, 0, &event)); /* it has not moved since */
+    CHECK(!sent(&mouse, EV_SYN, SYN_REPORT, 0, &event)); /* the mouse has not moved since */
     CHECK(!sent(&mouse, EV_KEY, BTN_LEFT, 1, &event));
     CHECK(!sent(&mouse, EV_KEY, BTN_RIGHT, 0, &event));
     CHECK(!sent(&mouse, EV_REL, REL_X, INT32_MAX, &event));
@@ -278,7 +278,7 @@ TEST(a_wheel_zooms)
     CHECK(pointer_wheel(&mouse, &event) && event.key == TIA_KEY_PLUS);
 }
 
-/* A tablet from 100 to 300 across and from -10 to 10 down. */
+/* A tablet with a range from 100 to 300 across and from -10 to 10 down. */
 TEST(a_tablet_tells_where_it_is)
 {
     struct pointer tablet = {.fd = -1, .absolute = true, .low = {100, -10}, .high = {300, 10}, .at = {100, -10}};

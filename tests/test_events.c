@@ -1,7 +1,7 @@
 /* Events of a playing scene: objects that appear and vanish, colours, and the fate of falling balls. */
 #include "fall_world.h"
 
-/* A wall that vanishes lets balls through; one that has not appeared too; a ball waits until it appears. */
+/* Balls pass through a wall that has vanished or has not appeared yet; a ball waits until it appears. */
 TEST(only_what_is_there)
 {
     open_world(
@@ -18,7 +18,7 @@ TEST(only_what_is_there)
     read_end(&world);
 }
 
-/* At a distance of 2^14 it is lost; a hidden shape is a mesh without faces, and keeps its number. */
+/* A ball is lost at a distance of 2^14. A hidden shape is a mesh without faces, and keeps its number. */
 TEST(lost_balls_vanish)
 {
     struct tia_scene out;
@@ -101,7 +101,7 @@ TEST(shapes_appear_and_vanish)
     read_end(&world);
 }
 
-/* It keeps its number: keys and tracks still refer to the same lights. */
+/* A hidden light keeps its number: keys and tracks still refer to the same lights. */
 TEST(lights_appear_and_vanish)
 {
     open_world("light sphere at 0 5 0 radius 1 emission 1 appears 1 vanishes 2\nlight at 1 5 0 emission 0.5\n");
@@ -147,7 +147,7 @@ TEST(colours_have_keyframes)
     read_end(&world);
 }
 
-/* A smooth curve goes beyond its keyframes; a colour does not. */
+/* A smooth curve goes beyond its keyframes, but a colour is cut off. */
 TEST(colours_are_cut_off)
 {
     open_world("animate m colour smooth 0: 0 1 0  1: 1 0 0.5  2: 1 0 0.5  3: 0 1 0\n");

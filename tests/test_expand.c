@@ -1,9 +1,9 @@
-/* Every RGB565 value into every format, against the rule written another way: a number of w bits
- * written k times is the number times (2^(wk) - 1) / (2^w - 1). */
+/* Every RGB565 value into every format, against the rule written in a different form: a number of w bits written k
+ * times is the number times (2^(wk) - 1) / (2^w - 1). */
 #include "check.h"
 #include "pixels/expand.h"
 
-/* Returns the upper `length` bits of `value` (w bits) repeated for ever. */
+/* Returns the upper `length` bits of `value` (w bits) repeated without end. */
 static uint32_t rule(uint32_t value, unsigned w, unsigned length)
 {
     uint64_t ones = ((UINT64_C(1) << 6 * w) - 1) / ((UINT64_C(1) << w) - 1);
@@ -76,7 +76,7 @@ TEST(every_value_in_every_format)
     }
 }
 
-/* Full, black and the lowest bit of each channel, from the documentation of the VGA and of the DRM formats. */
+/* Full, black and the lowest bit of each channel, as in the documentation of the VGA and of the DRM formats. */
 TEST(known_values)
 {
     static const tia_rgb565 in[] = {0xffff, 0x0000, 0xf800, 0x07e0, 0x001f, 0x0800, 0x0020, 0x0001, 0x8410};

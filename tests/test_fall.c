@@ -3,7 +3,7 @@
 #include "fall_world.h"
 #include "random.h"
 
-/* x + v t + g t^2 / 2, to half a unit, at times within ticks as well. */
+/* The position is x + v t + g t^2 / 2, to half a unit, at times within ticks as well. */
 TEST(free_fall)
 {
     open_world("sphere name a centre 1 100 -2 radius 0.5 material m\ngravity 0.5 -9.75 0.25 until 5\n"
@@ -18,7 +18,7 @@ TEST(free_fall)
     read_end(&world);
 }
 
-/* They meet at 1 s, 1 apart, and each goes on as the other came. */
+/* The balls meet at 1 s, 1 apart, and each continues with the other's velocity. */
 TEST(equal_masses_exchange_velocities)
 {
     open_world(
@@ -41,7 +41,8 @@ TEST(masses_and_restitution)
     read_end(&world);
 }
 
-/* A quarter of the mass at 45 degrees: only the component along the line of centres is exchanged. */
+/* A ball meets one of a quarter of its mass at 45 degrees: only the component along the line of centres is
+ * exchanged. */
 TEST(along_the_line_of_centres)
 {
     open_world("sphere name a centre -2 0 0 radius 0.5 material m\n"
@@ -52,7 +53,7 @@ TEST(along_the_line_of_centres)
     read_end(&world);
 }
 
-/* With restitution 1 it comes back to its height each time, 2 sqrt(2 h / g) apart: no energy is lost. */
+/* With restitution 1 a ball returns to its height each time, 2 sqrt(2 h / g) apart: no energy is lost. */
 TEST(energy_stays)
 {
     open_world(FLOOR "sphere name a centre 0 2.5 0 radius 0.5 material m\ngravity 0 -10 0 until 60\nfall a\n");
@@ -64,7 +65,7 @@ TEST(energy_stays)
     read_end(&world);
 }
 
-/* Each bounce goes e^2 as high; it lies still in the end, on the floor and not in it. */
+/* Each bounce reaches e^2 of the height before; the ball lies still in the end, on the floor and not in it. */
 TEST(restitution_of_the_floor)
 {
     open_world(FLOOR "sphere name a centre 0 2.5 0 radius 0.5 material m\ngravity 0 -10 0 until 60\n"
@@ -106,7 +107,7 @@ TEST(one_contact_makes_the_next)
     read_end(&world);
 }
 
-/* Balls 0 and 1 would meet in this tick, but 2 pushes 1 out of the way before: 0 goes straight on. */
+/* Balls 0 and 1 would meet in this tick, but 2 pushes 1 out of the way before: 0 continues straight. */
 TEST(a_partner_that_is_gone)
 {
     open_world("sphere name a centre -1 0 0 radius 0.25 material m\nsphere name b centre 0 0 0 radius 0.25 material m\n"
@@ -119,7 +120,8 @@ TEST(a_partner_that_is_gone)
     read_end(&world);
 }
 
-/* Off the side of a box that is turned by 45 degrees, and off its edge, where the line to the centre is the normal. */
+/* Balls bounce off the side of a box that is turned by 45 degrees, and off its edge, where the line to the centre is
+ * the normal. */
 TEST(boxes)
 {
     open_world("box name b min -2 -2 -2 max 2 2 2 scale 0.5 rotate 0 0 45 material m\n"
@@ -131,7 +133,7 @@ TEST(boxes)
     read_end(&world);
 }
 
-/* 900 a second: 3.5 in a tick, through a wall of 0.1 with a ball of 0.25 at no time. */
+/* At 900 a second, which is 3.5 in a tick, a ball of 0.25 never passes through a wall of 0.1. */
 TEST(fast_balls_and_thin_walls)
 {
     for (int n = 0; n < 40; n++) {

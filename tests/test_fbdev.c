@@ -90,7 +90,7 @@ TEST(grey_and_coded_pixels_are_refused)
     var.nonstd = 1;
     CHECK_EQ(fb_format(&var, &fix, &format, reason), TIA_ERR_UNSUPPORTED);
     var.nonstd = 0;
-    var.yoffset = 1; /* the shown part would end after the memory */
+    var.yoffset = 1; /* the visible part would end behind the memory */
     CHECK_EQ(fb_format(&var, &fix, &format, reason), TIA_ERR_UNSUPPORTED);
 }
 

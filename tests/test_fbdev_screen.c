@@ -19,9 +19,9 @@ enum { WIDTH = 20, HEIGHT = 10, MOST = 16384 };
 static struct {
     struct fb_var_screeninfo var, before;
     struct fb_fix_screeninfo fix;
-    bool resets; /* setting a mode resets the position to (0, 0), as in some drivers */
+    bool resets; /* a mode change resets the position to (0, 0), as in some drivers */
     int fd;
-    uint8_t *memory; /* the test's mapping */
+    uint8_t *memory; /* the test's own mapping */
     uint8_t old[MOST];
     char path[32];
 } fb;
@@ -48,7 +48,7 @@ static int set(struct fb_var_screeninfo *to, bool position_only)
     return 0;
 }
 
-/* Replaces the C library's. */
+/* Replaces the C library's ioctl. */
 int ioctl(int fd, unsigned long request, ...)
 {
     va_list values;
@@ -78,7 +78,7 @@ int ioctl(int fd, unsigned long request, ...)
 /* ---- a device, and a picture on it ---- */
 
 struct geometry {
-    unsigned bits, row, rows, x, y; /* bits a pixel, bytes a row, rows of memory; the position */
+    unsigned bits, row, rows, x, y; /* bits of a pixel, bytes of a row, rows of memory; position */
     bool pans, resets;
 };
 
@@ -139,7 +139,7 @@ static void draw(void *ctx, unsigned frame)
     CHECK_EQ(port_fbdev_display.present(ctx), TIA_OK);
 }
 
-/* Returns the bytes of a pixel, little endian, as on this machine's framebuffers. */
+/* Returns a pixel's bytes, little endian, as on this machine's framebuffers. */
 static uint32_t shown(unsigned bits, tia_rgb565 p)
 {
     uint32_t r = p >> 11, g = p >> 5 & 63, b = p & 31;
@@ -147,7 +147,7 @@ static uint32_t shown(unsigned bits, tia_rgb565 p)
     return bits == 16 ? p : (r << 3 | r >> 2) << 16 | (g << 2 | g >> 4) << 8 | (b << 3 | b >> 2);
 }
 
-/* Checks that the screen shows this frame, and that, without the other page, all other memory is unchanged. */
+/* Checks that the screen shows this frame and that all other memory, except the other page, is unchanged. */
 static void check_picture(const struct geometry *g, unsigned frame)
 {
     unsigned bytes = g->bits / 8, wrong = 0, spoilt = 0;

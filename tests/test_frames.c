@@ -44,7 +44,7 @@ TEST(pinned_frames)
     CHECK_EQ(frame_count, pinned_count);
 }
 
-/* The same frames by each level of vector units: a core that sets the level of its views. */
+/* Draws the same frames by each instruction set, through a core that sets it for its views. */
 static const struct tia_simd *simd;
 static void *simd_memory[1000];
 static size_t memory_count, simd_count;
@@ -82,7 +82,7 @@ int main(void)
     read_pinned();
     RUN(pinned_frames);
     for (unsigned i = 0; (simd = tia_simd_at(i)); i++)
-        if (!check_is_quick() || simd == tia_simd_best()) /* in make check-quick the best alone */
+        if (!check_is_quick() || simd == tia_simd_best()) /* in make check-quick only the best one */
             RUN(pinned_frames_by_a_level);
     return check_status();
 }

@@ -9,7 +9,7 @@
 
 /* ---- the model ---- */
 
-/* Returns the degrees between the gaze and the middle of a pixel, seen from before the middle of the picture. */
+/* Returns the degrees between the gaze and the middle of a pixel, for an eye before the middle of the picture. */
 static double eccentricity(const struct tia_gaze *g, unsigned width, unsigned height, double x, double y)
 {
     double z = width / 2.0 / tan(g->view_angle / 65536.0 / 2 * DEGREE);
@@ -25,7 +25,7 @@ static double pixel_degrees(const struct tia_gaze *g, unsigned width)
     return tan(g->view_angle / 65536.0 / 2 * DEGREE) * 2 / width / DEGREE;
 }
 
-/* Returns the block that w0 + m e allows, 1..16; within 2.5 degrees 1. */
+/* Returns the block that w0 + m e allows, 1..16; 1 within 2.5 degrees. */
 static unsigned block_for(const struct tia_gaze *g, double pixel, double e)
 {
     unsigned block = 1;
@@ -36,11 +36,12 @@ static unsigned block_for(const struct tia_gaze *g, double pixel, double e)
     return block;
 }
 
-/* Checks a block; near a limit, both sides are accepted. */
+/* Checks the block of a pixel; near a limit, both sizes are accepted. */
 static void check_block(const struct tia_gaze *g, const struct tia_acuity *a, unsigned x, unsigned y)
 {
     double e = eccentricity(g, a->width, a->height, x, y), pixel = pixel_degrees(g, a->width);
-    double part = 1.0 / a->distance + 1e-4, slack = 0.005 + e * part; /* the distance is whole half pixels */
+    double part = 1.0 / a->distance + 1e-4, slack = 0.005 + e * part; /* the distance is a whole number of half
+                                                                         pixels */
     unsigned got = tia_acuity_block(a, x, y);
 
     CHECK_MSG(got >= block_for(g, pixel * (1 + part), e - slack) && got <= block_for(g, pixel * (1 - part), e + slack),
@@ -89,9 +90,9 @@ TEST(when_every_pixel_is_drawn)
     struct tia_gaze g = {5, 5, TIA_Q16(50), TIA_GAZE_W0, TIA_GAZE_M, false};
 
     CHECK(tia_acuity_init(&a, &g, 1000, 1000));
-    CHECK(!tia_acuity_init(&a, &g, 5, 1000)); /* it is outside the picture */
+    CHECK(!tia_acuity_init(&a, &g, 5, 1000)); /* the gaze is outside the picture */
     CHECK(!tia_acuity_init(&a, &g, 1000, 5));
-    CHECK(!tia_acuity_init(&a, &g, 6, 6)); /* a pixel has eight degrees */
+    CHECK(!tia_acuity_init(&a, &g, 6, 6)); /* a pixel spans eight degrees */
     g.m = 0;
     CHECK(!tia_acuity_init(&a, &g, 1000, 1000));
     g.view_angle = 0;
@@ -110,7 +111,7 @@ static void keep(struct world *w, const tia_rgb565 *want)
     memcpy(full, want, sizeof full);
 }
 
-/* Returns a scene that rays draw, in blocks even in so small a picture. */
+/* Returns a scene that is drawn by rays, in blocks even in so small a picture. */
 static struct world *gazing_world(uint16_t x, uint16_t y, bool smooth)
 {
     static struct tia_scene scene;
@@ -218,7 +219,8 @@ TEST(blocks_between_their_corners)
     }
 }
 
-/* Each other pixel shows a colour between those drawn; without `smooth` one of them. */
+/* All pixels that are not drawn show a colour between those of the drawn ones; without `smooth` they repeat one of
+ * them. */
 TEST(what_is_between)
 {
     for (int smooth = 0; smooth < 2; smooth++) {
@@ -236,7 +238,7 @@ TEST(what_is_between)
     }
 }
 
-/* In any order of tiles. */
+/* Threads draw tiles in any order. */
 TEST(several_threads)
 {
     for (int smooth = 0; smooth < 2; smooth++) {
@@ -252,7 +254,7 @@ TEST(several_threads)
     }
 }
 
-/* The gaze follows the pointer; a picture without that pixel is a full one. */
+/* The gaze follows the pointer; a picture whose gaze is outside is a full one. */
 TEST(the_gaze_follows_a_pointer)
 {
     struct world *w = gazing_world(10, 10, false);

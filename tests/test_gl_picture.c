@@ -2,11 +2,11 @@
  *
  * The visible objects must agree to one pixel: where one picture shows an object, the other shows it there or in one of
  * the 8 pixels around; the same for lit regions, at the ball's terminator and around its shadow. Where they agree on
- * both, colours may differ by one level, GL's spheres being made of flat triangles; and all in all less than one pixel
- * in a thousand may differ.
+ * both, colours may differ by one level, GL's spheres being made of flat triangles; and in total less than one pixel in
+ * a thousand may differ.
  *
  * Given a directory, the program leaves both pictures of each case there as PPM files.
- */
+ * */
 #include <stdlib.h>
 
 #include "check.h"
@@ -169,7 +169,7 @@ static void compare(const char *name)
 
 static const struct state {
     const char *name;
-    uint16_t key; /* whose binding is the same light; 0: none */
+    uint16_t key; /* key whose binding is the same light; 0: none */
     struct gl_ball light;
 } states[] = {
     {"no_light", 0, {{0, 0, 0}, 0, {0, 0, 0}}},
@@ -222,7 +222,7 @@ TEST(portrait)
     check_state(243, 321);
 }
 
-/* Runs all cases; in make check-quick each library, and both are Mesa, draws only two of the states. */
+/* Runs all cases; in make check-quick each library draws only two of the states, since both are Mesa. */
 static void run_all(const char *name)
 {
     size_t count = check_count(sizeof states / sizeof states[0]);
@@ -242,7 +242,7 @@ static void run_all(const char *name)
 int main(int argc, char **argv)
 {
     directory = argc > 1 && !check_is_word(argv[1]) ? argv[1] : NULL;
-    /* Mesa would keep compiled shaders in the user's home. */
+    /* keeps Mesa from storing compiled shaders in the user's home */
     (void)setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
 #ifdef TIA_HAVE_EGL
     run_all("egl");

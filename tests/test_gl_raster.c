@@ -23,7 +23,7 @@ int main(void)
 
 #define SIDE 64
 #define POLYGONS 40
-#define STATES 150 /* llvmpipe compiles code for each */
+#define STATES 150 /* number of states, for each of which llvmpipe compiles code */
 #define LEVELS 12
 #define BUFFERS (TIA_BUFFER_DEPTH | TIA_BUFFER_STENCIL)
 
@@ -34,7 +34,7 @@ static struct tia_raster_state any_state(void)
     struct tia_raster_state s = random_state_of_all();
 
     s.ties_by_face = false;
-    s.colour_write[0] = s.depth_write; /* the colour then belongs to the depth */
+    s.colour_write[0] = s.depth_write; /* a colour is written only with its depth */
     return s;
 }
 
@@ -63,7 +63,7 @@ static void place(const struct triangle *t, const struct tia_raster_grid *l, str
         clip[i][0] = (double)v[i].x / (double)one;
         clip[i][1] = (double)v[i].y / (double)one;
         clip[i][3] = (double)level;
-        clip[i][2] = (double)(level * (level - 8)) / 8; /* z/w grows evenly from level to level */
+        clip[i][2] = (double)(level * (level - 8)) / 8; /* z/w is the same distance apart for all levels */
     }
 }
 
@@ -77,7 +77,7 @@ static void mark_ties(const struct triangle *t, bool *tied)
     }
 }
 
-/* Returns the number of pixels that differ from Mesa's; those with ties only if they count. */
+/* Returns the number of pixels that differ from Mesa's; those with ties only if `ties_count`. */
 static size_t trial(struct gl_raster *gl, unsigned step, bool all_new, bool ties_count)
 {
     static bool tied[SIDE * SIDE];

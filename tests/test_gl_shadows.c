@@ -1,6 +1,6 @@
 /* test_gl_shadows.c - faces and shadow volumes beside Mesa's rasterisers: each polygon that goes to tia_raster_draw is
  * also drawn by GL, whose corners, edges and depths are rounded. A face may differ in 1 of 10000 pixels of a view,
- * light in 1 of 20000; and of all that differ, 95 % where the exact picture changes, too, when pixel centres move by
+ * light in 1 of 20000; and at 95 % of all these pixels the exact picture must change, too, when pixel centres move by
  * 1/128. */
 #include <math.h>
 #include <stdlib.h>
@@ -113,7 +113,7 @@ struct drawn {
 static struct drawn *drawn;
 static size_t drawn_count, drawn_room;
 
-/* The linker puts this in front of the rasteriser's. */
+/* Replaces the rasteriser's function: the linker's option --wrap gives the two these names. */
 int __real_tia_raster_draw(struct tia_raster_target *target, const struct tia_raster_state *state,
                            const struct tia_raster_vertex *corners, unsigned count, uint32_t face);
 int __wrap_tia_raster_draw(struct tia_raster_target *target, const struct tia_raster_state *state,
@@ -173,7 +173,7 @@ static struct tia_raster_target target_of(const struct view *v, void **memory)
     return t;
 }
 
-/* Draws by tia; records the polygons. */
+/* Draws by tia, and records the polygons. */
 static void draw_exactly(struct view *v, const struct tia_scene *scene, struct picture *p)
 {
     size_t size = tia_flat_size(scene);
@@ -191,7 +191,7 @@ static void draw_exactly(struct view *v, const struct tia_scene *scene, struct p
     free(memory);
 }
 
-/* Draws the same polygons with pixel centres moved by dx/128, dy/128. */
+/* Draws the recorded polygons with pixel centres moved by dx/128, dy/128. */
 static void draw_moved(const struct view *v, int dx, int dy, struct picture *p)
 {
     void *memory;

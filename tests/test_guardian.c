@@ -9,13 +9,13 @@
 #include <time.h>
 #include <unistd.h>
 
-/* Runs `guarded` in a process that dies of `number` afterwards (0: ends). */
+/* Runs `guarded` in a process that then dies of signal `number` (0: ends). */
 static void in_process(void (*guarded)(void), int number)
 {
     pid_t child = fork();
 
     if (child == 0) {
-        (void)signal(SIGSEGV, SIG_DFL); /* not a sanitizer's handler */
+        (void)signal(SIGSEGV, SIG_DFL); /* the default, not a sanitizer's handler */
         guarded();
         if (number != 0)
             (void)raise(number);
@@ -128,8 +128,8 @@ static void pass_a_tick(void)
     while (now.tv_sec == start.tv_sec && now.tv_nsec == start.tv_nsec);
 }
 
-/* Opens a terminal of that name. The lowest free name is given first: those below are taken until it is this one's
- * turn. */
+/* Opens a terminal of that name. The kernel gives the lowest free name, so those below are taken until this one is
+ * next. */
 static struct pty open_pty_named(const char *name)
 {
     struct pty below[64], p = open_pty();
@@ -144,8 +144,8 @@ static struct pty open_pty_named(const char *name)
     return p;
 }
 
-/* The guardian processes its entries in its own order: when the first and the last are cooked again, the one in the
- * middle has had its turn. */
+/* The guardian processes its entries in its own order: once the first and the last are cooked again, the one in the
+ * middle has been processed. */
 TEST(another_terminal_of_the_same_name)
 {
     struct pty p[3] = {open_pty(), open_pty(), open_pty()}, other;
@@ -203,7 +203,7 @@ TEST(ends_when_there_is_nothing_to_keep)
     close_terminal();
 }
 
-/* It reads and writes nothing of ours: a reader of our output sees its end. */
+/* The guardian holds no descriptor of ours: a reader of our output gets the end of the file. */
 TEST(holds_no_descriptor_of_ours)
 {
     int ends[2];

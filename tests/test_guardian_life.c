@@ -1,4 +1,4 @@
-/* The guardian's own life: when the parent is notified of a death, and the fate of a guardian that dies or is stopped
+/* The guardian's own life: when the parent is notified of a death, and the end of a guardian that dies or is stopped
  * itself. */
 #include "pseudo.h"
 
@@ -23,7 +23,7 @@ static long number_in(const char *path, const char *name)
     return number;
 }
 
-/* Returns the guardian of process `of`, not `but`; 0: there is none. */
+/* Returns the guardian of process `of`, unless it is `but`; 0: there is none. */
 static pid_t find_guardian(pid_t of, pid_t but)
 {
     DIR *processes = opendir("/proc");
@@ -60,7 +60,7 @@ static bool is_traced(void)
     return found;
 }
 
-/* When a parent is notified of the death, the terminal is cooked already. */
+/* The terminal is cooked before a parent is notified of the death. */
 TEST(cooked_before_the_parent_knows)
 {
     int status = 0;
@@ -86,8 +86,8 @@ TEST(cooked_before_the_parent_knows)
 
 enum { STOPS = 4, MESSAGES = 5 };
 
-/* Stops itself with a raw terminal, and makes it raw again afterwards; then it dies. The guardian has messages to read
- * when the next stop comes. */
+/* Stops the process with a raw terminal, and makes it raw again after the stop; then the process dies. The guardian has
+ * messages to read when the next stop comes. */
 static void stop_and_die(void)
 {
     keep_and_make_raw();
@@ -108,7 +108,7 @@ static void stop_and_die(void)
     _exit(2);
 }
 
-/* True if the child has stopped; fails with a message if that cannot be. */
+/* True if the child has stopped; fails with a message if it cannot stop. */
 static bool has_stopped(pid_t child)
 {
     int status = 0;
@@ -132,8 +132,7 @@ static pid_t stopped_child(void)
     return 0;
 }
 
-/* When a parent is notified of a stop, the terminal is cooked already, and when the process continues it is guarded
- * again. */
+/* The terminal is cooked before a parent is notified of a stop, and guarded again when the process continues. */
 TEST(cooked_before_the_parent_knows_of_a_stop)
 {
     for (int i = 0; i < 20; i++) {
@@ -166,7 +165,7 @@ TEST(put_back_once)
     close_terminal();
 }
 
-/* Stops of threads of their own, SIGCONT between and after them: the process goes on, and is guarded. */
+/* Threads stop on their own, with SIGCONT between and after the stops: the process continues, and is guarded. */
 TEST(stopped_and_continued_at_once)
 {
     for (int i = 0; i < 50; i++) {
@@ -243,7 +242,7 @@ static pid_t child_of(pid_t pid)
     return child;
 }
 
-/* In either order: neither can act between the two. */
+/* Process and guardian are killed in either order, so fast that neither can act in between. */
 TEST(both_killed_at_once)
 {
     for (int i = 0; i < 10; i++) {
@@ -270,7 +269,7 @@ TEST(both_killed_at_once)
     }
 }
 
-/* Replaces libc's: the process dies just before it has a child, or just after. */
+/* Replaces libc's fork: the process dies just before it has a child, or just after. */
 static enum { LIVES, DIES_BEFORE, DIES_AFTER } at_fork;
 
 pid_t fork(void)
@@ -283,7 +282,7 @@ pid_t fork(void)
     return child;
 }
 
-/* While the next guardian is made; the spare does not wait for it in vain. */
+/* The process is killed while the next guardian is made; the spare does not wait for that one in vain. */
 TEST(killed_after_its_guardian)
 {
     for (int i = 0; i < 10; i++) {
@@ -345,7 +344,7 @@ TEST(is_no_choice_when_memory_is_short)
     (void)set_score(back);
 }
 
-/* A guardian that somebody has stopped does not delay the end. */
+/* A stopped guardian does not delay the end. */
 TEST(ends_with_a_stopped_guardian)
 {
     if (!open_terminal())

@@ -2,7 +2,7 @@
 #include "light_scene.h"
 #include "random.h"
 
-/* After light_scene.h, whose functions have parameters of the same names. */
+/* Included after light_scene.h, whose functions have parameters of the same names. */
 #include "gathered.h"
 
 static void gather(const struct tia_estimator *estimator, const struct tia_core *core, uint32_t first, uint32_t end,
@@ -40,8 +40,8 @@ TEST(gathering_changes_no_sums_and_joins)
     CHECK(!memcmp(guides, once, sizeof once) && !memcmp(squares, squares_once, sizeof squares));
 }
 
-/* Checks a floor seen from above: its normal, its distance, its colour; in a mirror the mirrored floor, the way there
- * and back, and both colours. */
+/* Checks a floor seen from above: its normal, distance and colour; and in a mirror the mirrored floor, the distance
+ * there and back, and both colours. */
 static void check_guide(double z, double depth, double albedo)
 {
     const struct tia_guide *g = &guides[PIXELS / 2];
@@ -110,7 +110,7 @@ TEST(guides_of_double_are_the_same)
 #endif
 }
 
-/* Independent random numbers: the spread of such means shows the right size. */
+/* With independent random numbers the spread of the means is the size that the standard error must have. */
 TEST(standard_errors_are_those_of_means)
 {
     double spread = 0, told = 0, mean = 0;
@@ -120,7 +120,7 @@ TEST(standard_errors_are_those_of_means)
         struct tia_sum sum = {{0, 0, 0}};
         uint64_t square = 0;
         for (int i = 0; i < COUNT; i++) {
-            int64_t light = (int64_t)(random_bits() >> 38); /* 0..4 */
+            int64_t light = (int64_t)(random_bits() >> 38); /* in 0..4 */
             for (int c = 0; c < 3; c++)
                 sum.rgb[c] += light;
             square += (uint64_t)(light * light) >> 16;

@@ -1,4 +1,4 @@
-/* test_halfblocks.c - a terminal's bytes from pixels, shown by a model of a terminal. */
+/* test_halfblocks.c - the text that shows pixels in a terminal, interpreted by a model of a terminal. */
 #include <stdlib.h>
 
 #include "check.h"
@@ -67,7 +67,7 @@ TEST(who_takes_24_bit_colours)
 /* ---- pictures ---- */
 
 struct picture {
-    unsigned width, height, columns, rows; /* and the window's cells */
+    unsigned width, height, columns, rows; /* and the size of the window in cells */
     tia_rgb565 *pixels;
     struct grid grid;
     struct model model;
@@ -190,7 +190,7 @@ TEST(only_changes_are_written)
     picture_free(&p);
 }
 
-/* One colour: 80 spaces a row, one movement of at most 6 bytes a row, one colour, two brackets. */
+/* One colour takes 80 spaces a row, one movement of at most 6 bytes a row, one colour, two brackets. */
 TEST(a_plain_picture_is_short)
 {
     struct picture p = picture_new(80, 48, 80, 24, true);

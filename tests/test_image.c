@@ -1,4 +1,4 @@
-/* Picture files: their bytes, and that a file exists completely or not at all. */
+/* Picture files: their bytes; and a file exists completely or not at all. */
 #include "common/image/image.h"
 
 #include <dirent.h>
@@ -41,7 +41,7 @@ static int entries(void)
     return count;
 }
 
-/* Writes the pixels one row a band. */
+/* Writes the pixels, one row a band. */
 static int write_image(const char *name, enum image_format format)
 {
     why[0] = '\0';
@@ -216,7 +216,7 @@ TEST(a_full_device_says_so)
     CHECK(stat("/dev/full", &status) == 0 && S_ISCHR(status.st_mode));
 }
 
-/* A disk that becomes full while a file is written; the limit of file size simulates it. */
+/* A file that cannot grow is removed: the limit of the file size simulates a disk that becomes full. */
 TEST(a_file_that_cannot_grow_is_removed)
 {
     struct rlimit before, small = {100, 100};

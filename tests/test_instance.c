@@ -1,2 +1,2 @@
-/* instance_cases.h in integers: the cases are independent of the arithmetic, which num.h provides. */
+/* instance_cases.h in fixed point: the cases are independent of the arithmetic, which num.h provides. */
 #include "instance_cases.h"

@@ -6,7 +6,7 @@
 #include "check.h"
 
 #define ONE TIA_Q16_ONE
-#define EDGE (INT32_MAX - INT32_MAX % ONE) /* 32767.0 */
+#define EDGE (INT32_MAX - INT32_MAX % ONE) /* the integer 32767 */
 
 static struct tia_light lights[4];
 static uint32_t count;
@@ -30,7 +30,7 @@ static void check_put(uint16_t key, int x, int y, int z)
 {
     const struct tia_light *l = &lights[0];
 
-    for (count = 0; count < 2; count++) { /* as the first light, and over one that was there */
+    for (count = 0; count < 2; count++) { /* once as the first light, once in place of an existing one */
         lights[0] = light_at(7, 7, 7, 7777);
         CHECK_EQ(press(1, key), 1);
         CHECK_MSG(count == 1 && is_at(l, x * ONE, y * ONE, z * ONE), "%c", key);
@@ -103,7 +103,7 @@ TEST(no_room_for_a_light)
 }
 
 /* Checks the limit. The farthest point stays nearer than 32768: 32767 with no radius is accepted, one more is not; with
- * radius 3 it is 32764.99..., so 32764 is the last whole number. */
+ * radius 3 it is 32764.99..., so 32764 is the last integer. */
 static void check_limit(tia_q16 radius, tia_q16 last)
 {
     for (size_t i = 0; i < MOVES; i++) {
@@ -163,7 +163,7 @@ static const struct tia_binding bindings[] = {
     {TIA_KEY_LEFT, 1, {{11, 0, 0}, 0, {0, 0, 0}}},
 };
 
-/* A light beyond those in use is added at the end; where all are in use nothing changes. */
+/* A light with a number beyond those in use is added at the end; where all are in use nothing changes. */
 TEST(several_lights)
 {
     struct tia_scene scene = {.bindings = bindings, .binding_count = 4, .camera = {{0, 0, 0}, TIA_Q16(25)}};
@@ -173,7 +173,7 @@ TEST(several_lights)
     CHECK(count == 1 && lights[0].centre.x == 12);
     CHECK_EQ(tia_viewer_press(&scene, lights, &count, 3, '0'), 1);
     CHECK(count == 1 && lights[0].centre.x == 10);
-    CHECK_EQ(tia_viewer_press(&scene, lights, &count, 3, TIA_KEY_LEFT), 1); /* a binding comes before a move */
+    CHECK_EQ(tia_viewer_press(&scene, lights, &count, 3, TIA_KEY_LEFT), 1); /* a binding takes precedence over a move */
     CHECK(count == 2 && lights[0].centre.x == 10 && lights[1].centre.x == 11);
     CHECK_EQ(tia_viewer_press(&scene, lights, &count, 3, '3'), 1);
     CHECK(count == 3 && lights[2].centre.x == 13);
@@ -204,7 +204,7 @@ TEST(the_first_light_that_has_a_place)
         CHECK_EQ(tia_viewer_press(&scene, lights, &count, 4, TIA_KEY_UP), 1);
         for (uint32_t i = 0; i < 4; i++)
             CHECK(is_at(&lights[i], ONE, 2 * ONE, (i == ambient ? 2 : 3) * ONE));
-        count = ambient; /* and there is none */
+        count = ambient; /* all lights are ambient */
         CHECK_EQ(tia_viewer_key_light(&scene, lights, count, TIA_KEY_UP), TIA_NO_LIGHT);
         CHECK_EQ(tia_viewer_press(&scene, lights, &count, 4, TIA_KEY_UP), 0);
     }
@@ -221,7 +221,7 @@ TEST(which_light_a_key_puts)
     CHECK_EQ(tia_viewer_key_light(&scene, lights, 4, 'q'), TIA_NO_LIGHT);
 }
 
-/* Checks a turn. The light comes from -direction: there, at the distance 1, it moves by 1/16. */
+/* Checks a turn. The light comes from -direction: the point there, at the distance 1, moves by 1/16. */
 static void check_turn(const double from[3], size_t move)
 {
     struct tia_scene scene = {.camera = {{0, 0, 0}, TIA_Q16(25)}};
@@ -264,7 +264,7 @@ TEST(a_directional_light_at_its_end)
     CHECK_EQ(tia_viewer_press(&scene, lights, &count, 1, TIA_KEY_PAGE_UP), 0);
     CHECK_EQ(lights[0].direction.y, -TIA_Q30_ONE);
     CHECK_EQ(tia_viewer_press(&scene, lights, &count, 1, TIA_KEY_LEFT), 1);
-    CHECK(lights[0].direction.x > 0); /* it comes from the left */
+    CHECK(lights[0].direction.x > 0); /* the light comes from the left */
     for (unsigned i = 0; i < 1000; i++)
         (void)tia_viewer_press(&scene, lights, &count, 1, TIA_KEY_PAGE_UP);
     CHECK(lights[0].direction.x >= 0 && lights[0].direction.x < 1000);

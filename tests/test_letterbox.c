@@ -16,7 +16,7 @@
 
 enum { WIDTH = 23, HEIGHT = 17, EDGE = 1, TALL = 8192 };
 
-/* The screen with a border of pixels around it that must not change. */
+/* The screen, and around it a border of pixels that must not change. */
 static tia_rgb565 pixels[HEIGHT + 2 * EDGE][WIDTH + 2 * EDGE];
 static struct port_memory screen;
 static struct letterbox letterbox;
@@ -114,7 +114,7 @@ static const char *const label[9] = {"...................", ".#####.............
                                      "....#........#####.", "...#...#####....#..", "..#............#...",
                                      "..#...........#....", "..#..........#####.", "..................."};
 
-/* Returns the pixel that covers that of pixel_at. */
+/* Returns the pixel shown, with the label, in place of that of pixel_at. */
 static tia_rgb565 with_label(tia_rgb565 pixel)
 {
     unsigned x = pixel >> 7 & 127, y = pixel & 127;
@@ -136,7 +136,7 @@ static void check_screen(int width, int height, unsigned degrees)
     }
 }
 
-/* Computes bit by bit, from the polynomial alone. */
+/* Computes a CRC bit by bit, from the polynomial alone. */
 static uint32_t slow_crc(uint32_t crc, const unsigned char *bytes, size_t count)
 {
     crc = ~crc;
@@ -201,7 +201,7 @@ TEST(tiles_keep_the_screens_limits)
     screen.tile_width = screen.tile_height = 0;
 }
 
-/* A label is on the picture's own corner, cut off where it does not fit, and not in the checksum. */
+/* A label is drawn at the picture's own corner, cut off where it does not fit, and is not in the checksum. */
 TEST(labels)
 {
     for (unsigned degrees = 0; degrees < 360; degrees += 90)
@@ -312,7 +312,7 @@ TEST(a_signal_ends_a_checksum)
     CHECK_EQ(draw_picture(), TIA_OK);
     const uint32_t crc = letterbox.crc;
     CHECK_EQ(crc, tia_crc32(0, letterbox.frame, TALL));
-    (void)signal(SIGTERM, SIG_DFL); /* were it ignored, it would stay so */
+    (void)signal(SIGTERM, SIG_DFL); /* if the signal is ignored, it must stay so */
     signals_prepare();
     signals_catch_waiting();
     (void)raise(SIGTERM);
@@ -321,7 +321,7 @@ TEST(a_signal_ends_a_checksum)
     letterbox_display.close(&letterbox);
 }
 
-/* Nearest rank: the smallest sample that p % of them do not exceed. */
+/* A percentile is the nearest rank: the smallest sample that p % of them do not exceed. */
 TEST(percentiles)
 {
     static struct samples samples;

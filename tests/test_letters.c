@@ -50,7 +50,7 @@ static void draw(const struct tia_scene *scene, tia_rgb565 pixels[SIDE * SIDE])
     free(hits_memory);
 }
 
-/* Checks the colours 3/8 of the half window from its middle: upper left, upper right, lower left, lower right. */
+/* Checks the colours at 3/8 of the window from its middle: upper left, upper right, lower left, lower right. */
 static void check_seen(const char *camera, const char *field, const char *shape, const char *want)
 {
     static const char head[] = "material m colour 1 texture t\nlight ambient\ntexture t image f ";
@@ -70,7 +70,7 @@ static void check_seen(const char *camera, const char *field, const char *shape,
     read_end(&r);
 }
 
-/* u = 1/2 is at +x, and 1/4 at +z: there are only the colours at the left. */
+/* At +x u is 1/2, and at +z 1/4: only the colours at the left are visible. */
 TEST(sphere)
 {
     check_seen(RIGHT, "", "sphere radius 1 material m\n", "RGBW");
@@ -108,14 +108,14 @@ static void check_round(const char *shape)
     check_seen(FRONT, "", shape, "RRBB");
     check_seen(BEHIND, "", shape, "GGWW");
     check_seen(INSIDE("1 0 0"), "", shape, "GRWB");
-    check_seen(ABOVE, "", shape, "RGBW"); /* the caps */
+    check_seen(ABOVE, "", shape, "RGBW"); /* views of the caps */
     check_seen(BELOW, "", shape, "RGBW");
 }
 
 TEST(cylinder)
 {
     check_round(TUBE);
-    /* lying along -x, U is z, which is at the middle of the picture */
+    /* the axis lies along -x; U is then z, which is at the middle of the picture */
     check_seen("camera orthographic eye 0 0 9 look 0 0 0 up -1 0 0 window -1 1 -1 1\n", "",
                "cylinder base 1 0 0 top -1 0 0 radius 1 material m\n", "RGBW");
     check_seen(RIGHT, "", "cylinder base -1 0 0 top 1 0 0 radius 1 capped material m\n", "RGBW");
@@ -138,7 +138,7 @@ TEST(disc)
     check_seen(FRONT, "", "disc normal 0.2 -0.3 1 radius 1 material m\n", "RGBW");
 }
 
-/* A unit of the plane holds the picture once, from its point on. */
+/* A unit of the plane shows the picture once, from the plane's point on. */
 TEST(plane)
 {
     check_seen(FRONT, "repeat 0.5", "plane point -1 -1 0 normal 0 0 1 material m\n", "RGBW");
@@ -148,7 +148,7 @@ TEST(plane)
     check_seen(RIGHT, "repeat 0.5", "plane point 0 -1 1 normal 1 0 0 material m\n", "RGBW");
 }
 
-/* The picture's lower left corner is at a, b is to the right of it, c above; upper right of b and c is empty. */
+/* The picture's lower left corner is at a, b is to the right of it, c above; the half beyond b and c is empty. */
 TEST(triangle)
 {
     check_seen(FRONT, "", "triangle a -2 -2 0 b 2.5 -2 0 c -2 2.5 0 material m\n", "R.BW");
@@ -161,7 +161,7 @@ TEST(mesh)
     check_seen(BEHIND, "", SAIL "face 1/1 2/2 3/3 4/4\nend\ninstance sail material m\n", "GRWB");
 }
 
-/* The texels' own colours are left at their centres alone. */
+/* Only at their centres do the texels keep their own colours. */
 TEST(bilinear)
 {
     check_seen(FRONT, "bilinear offset -0.0625 0.0625", "disc normal 0 0 1 radius 1 material m\n", "...W");
@@ -169,7 +169,7 @@ TEST(bilinear)
                "RGBW");
 }
 
-/* The pixel of the middle moves half a picture to the right and up. */
+/* The pixel in the middle moves by half a picture to the right and up. */
 TEST(offset_and_scale)
 {
     check_seen(FRONT, "offset 0.5 0", "disc normal 0 0 1 radius 1 material m\n", "GRWB");

@@ -1,4 +1,4 @@
-/* The light of sampling integrators is right: compared with formulas. */
+/* The light of sampling integrators, compared with formulas. */
 #include "light_scene.h"
 
 /* ---- irradiance below lights: form factors ---- */
@@ -17,8 +17,8 @@ TEST(below_a_sphere_light)
     CHECK_LIGHT(0.5 * 1.25 * 1.25 / (3 * 3));
 }
 
-/* Aside, where all of the sphere is above the floor: times the cosine. The material's emission is 2^2 times as large.
- */
+/* The sphere is at the side, all of it above the floor: the light has the factor of a cosine. The material's emission
+ * is 2^2 times as large. */
 TEST(beside_an_emitting_sphere)
 {
     floor_below(TIA_PATHS);
@@ -29,7 +29,7 @@ TEST(beside_an_emitting_sphere)
     CHECK_LIGHT(0.5 * 3 * 1 / 8.0 * sqrt(0.5));
 }
 
-/* Returns the form factor seen from below one corner. */
+/* Returns the form factor of a rectangle above one of its corners, seen from below. */
 static double corner(double a, double b)
 {
     double p = sqrt(1 + a * a), q = sqrt(1 + b * b);
@@ -73,7 +73,7 @@ TEST(below_a_rectangle_by_scattering_alone)
     CHECK_LIGHT(0.5 * rectangle_factor());
 }
 
-/* Several lights: one is chosen at a time. */
+/* With several lights, one is chosen at a time. */
 TEST(below_a_disc_and_a_rectangle_and_a_point)
 {
     floor_below(TIA_PATHS);
@@ -95,7 +95,7 @@ TEST(below_a_point)
     CHECK(fabs(world_mean(1, 16) - 0.5 * 0.8 / (0.125 * 25)) < 1e-6);
 }
 
-/* Attenuation means nothing infinitely far away, and paths look for no ambient light. */
+/* Attenuation has no effect at an infinite distance, and paths ignore ambient lights. */
 TEST(below_the_sun)
 {
     floor_below(TIA_PATHS);
@@ -106,7 +106,7 @@ TEST(below_the_sun)
     CHECK(fabs(world_mean(1, 16) - 0.5 * 0.8) < 1e-6);
 }
 
-/* The cosine is half-way between those of the cones, within what Q16.16 has of their degrees. */
+/* The cosine is half-way between those of the cones, within the accuracy of their degrees in Q16.16. */
 TEST(below_a_spot)
 {
     floor_below(TIA_PATHS);
@@ -119,7 +119,7 @@ TEST(below_a_spot)
 
 /* ---- furnaces and cavities ---- */
 
-/* Checks that a scene surrounded by 1 shows nothing else, in every sample. */
+/* Checks that a scene surrounded by radiance 1 shows nothing else, in every sample. */
 static void check_furnace(void)
 {
     enum { SIDE = 24, COUNT = 16 };
@@ -170,7 +170,7 @@ TEST(furnace_with_glass)
     }
 }
 
-/* Checks Phong's lobe seen along the normal: its integral with the cosine is 1. */
+/* Checks Phong's lobe for a viewer along the normal: its integral with the cosine is 1. */
 static void lobe(double exponent)
 {
     floor_below(TIA_PATHS);
@@ -231,7 +231,7 @@ TEST(cavity_of_nineteen_twentieths)
 
 /* ---- sums ---- */
 
-/* Checks that any tiles, any ranges of samples, in any order give the same sums. */
+/* Checks that the sums do not depend on tiles, on ranges of samples, or on their order. */
 static void check_parts(enum tia_integrator integrator)
 {
     enum { SIDE = 17, COUNT = 16 };

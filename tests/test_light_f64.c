@@ -1,4 +1,4 @@
-/* Samples in integers and in double precision: the same paths, and the same sums. */
+/* Samples in fixed point and in double precision: the same paths, and the same sums. */
 #include "light_scene.h"
 
 #ifdef TIA_HAVE_F64
@@ -17,7 +17,7 @@ static void draw(const struct tia_core *core, const struct tia_estimator *estima
     world_close(&v);
 }
 
-/* Compares: at least 99.99 % of the paths, and of the samples at 2^-24, are the same. */
+/* Compares the samples: at least 99.99 % of the paths, and of the samples at 2^-24, are the same. */
 static void compare(void)
 {
     static struct tia_sum sums[2][SIDE * SIDE];

@@ -1,4 +1,4 @@
-/* The eyes' positions of light fields, rounded once, against whole-number arithmetic; and refusals. */
+/* The eyes' positions of light fields, rounded once, against integer arithmetic; and refusals. */
 #include <tia/lightfield.h>
 #include <tia/scene.h>
 
@@ -43,7 +43,7 @@ TEST(views_stand_evenly)
     CHECK_EQ(tia_light_field_place(&longest, 0, 1), 0);
 }
 
-/* Upright, u is x; rotated by a right angle, z. */
+/* For an upright screen u is x; rotated by a right angle, z. */
 TEST(a_place_moves_the_eye_and_not_the_screen)
 {
     struct tia_camera camera = camera_of(5 * ONE), out;
@@ -63,7 +63,7 @@ TEST(a_place_moves_the_eye_and_not_the_screen)
     CHECK_EQ(out.reference.z, camera.reference.z - 777);
 }
 
-/* Along (3, 0, -4)/5, whose multiples are not multiples of 2^-16. */
+/* The line runs along (3, 0, -4)/5, whose multiples are not multiples of 2^-16. */
 TEST(an_oblique_place_is_rounded_once)
 {
     struct tia_camera camera = camera_of(90 * ONE), out;
@@ -90,7 +90,7 @@ static struct light_grid grid_of(struct tia_scene *scene, struct tia_camera came
     return grid;
 }
 
-/* s = q + (q - p) D/d; q = left + (x + 1/2)/W 5, p = middle + place, with the middle at 1/2. */
+/* Projectors aim at s = q + (q - p) D/d; q = left + (x + 1/2)/W 5, p = middle + place, with the middle at 1/2. */
 TEST(projectors_aim_at_the_line)
 {
     unsigned seen = 0;
@@ -106,12 +106,12 @@ TEST(projectors_aim_at_the_line)
         bool seen_here = tia_light_grid_pixel(&grid, x, 0, 0, &pixel);
         int64_t d = field.projector.distance, whole = 2 * width;
         int64_t q = -2 * ONE * whole + (int64_t)5 * ONE * (2 * x + 1), p = whole * (ONE / 2 + field.projector.place);
-        int64_t n = q * d + (q - p) * 4 * ONE; /* over whole d */
+        int64_t n = q * d + (q - p) * 4 * ONE; /* n over whole d */
         bool inside = n <= (3 * ONE * 2 + 1) * whole * d / 2 && n >= -(3 * ONE * 2 + 1) * whole * d / 2;
         seen += seen_here;
         CHECK_MSG(seen_here == inside || !is_nearest(pixel.place, n, whole * d), "whether %d is on the line", x);
         CHECK_MSG(!seen_here || is_nearest(pixel.place, n, whole * d) ||
-                      2 * n % (whole * d) == 0, /* a half: either neighbour */
+                      2 * n % (whole * d) == 0, /* at a half either neighbour is correct */
                   "width %d, x %d: %d", width, x, (int)pixel.place);
     }
     CHECK(seen > 100);
@@ -123,7 +123,8 @@ TEST(phases_at_their_limits)
     struct tia_scene scene;
     struct light_pixel pixel;
 
-    field.lens.pitch = INT64_C(3) << 40; /* three lenses over three pixels: each subpixel a third on */
+    field.lens.pitch = INT64_C(3) << 40; /* three lenses over three pixels: the phase grows by a third from subpixel to
+                                            subpixel */
     struct light_grid grid = grid_of(&scene, camera_of(INT32_C(3000) * ONE), &field, 3);
     tia_light_grid_pixel(&grid, 0, 0, 0, &pixel); /* the phase is 1/2 */
     CHECK_EQ(pixel.place, 0);

@@ -1,8 +1,8 @@
 /* A scene at each stated limit draws, and one step beyond it is refused by name.
  *
  * At the limit q16 draws the same as f64: where both have the same path, no channel is more than two levels off, and
- * few pixels have another path; and the checking build draws the same and reports nothing. Scenes too large for a quick
- * test are not drawn: of TIA_OBJECTS_MAX objects only the sizes are checked. */
+ * few pixels have a different path; and the checking build draws the same and reports nothing. Scenes too large for a
+ * quick test are not drawn: of TIA_OBJECTS_MAX objects only the sizes are checked. */
 #include "check.h"
 #include "common/corpus/measure.h"
 #include "common/thread_pool.h"
@@ -18,7 +18,7 @@ static struct threads *pool;
 #define WIDTH 24
 #define HEIGHT 18
 
-/* Returns how often the colour changes: never if no object is visible. */
+/* Returns the number of changes of colour along the picture: 0 if no object is visible. */
 static unsigned changes(const tia_rgb565 *picture)
 {
     unsigned count = 0;
@@ -88,7 +88,8 @@ TEST(images_of_any_size)
     CHECK_EQ(tia_view_init(&view, memory, sizeof memory, &scene, 1, 1, TIA_SIZE_MAX + 1, NULL), TIA_ERR_ARGUMENT);
 }
 
-/* Not drawn: 2^24 spheres, shapes or faces. Their memory is checked: a tree of n has 2 n - 1 nodes and n items. */
+/* The largest numbers, 2^24 spheres, shapes or faces, are not drawn. Their memory is checked: a tree of n has 2 n - 1
+ * nodes and n items. */
 TEST(most_objects)
 {
     const uint64_t n = TIA_OBJECTS_MAX, tree = n * 4 + (2 * n - 1) * sizeof(struct tia_bvh_node);
@@ -98,7 +99,7 @@ TEST(most_objects)
     set_up();
     scene.sphere_count = TIA_OBJECTS_MAX - 2;
     CHECK(tia_bvh_size(&scene) > tree && tia_bvh_size(&scene) < 2 * tree);
-    CHECK(tia_view_size(&scene, 1) < 1 << 16); /* spheres are met as they are */
+    CHECK(tia_view_size(&scene, 1) < 1 << 16); /* spheres need no prepared data */
     scene.sphere_count++;
     scene.spheres = &sphere;
     CHECK_EQ(tia_scene_check(&scene, &f), TIA_ERR_RANGE);

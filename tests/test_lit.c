@@ -1,5 +1,5 @@
-/* The lights that reach a pixel, tia_options.lit: against points and boxes computed here in double, from the equations
- * in tia/light.h; and where plain z-pass is wrong. */
+/* The lights that reach a pixel, tia_debug.lit: against points and boxes computed here in double precision, from the
+ * equations in tia/light.h; and where plain z-pass is wrong. */
 #include "reading.h"
 #include <math.h>
 #include <tia/debug.h>
@@ -8,7 +8,7 @@
 #define SIDE 16
 #define PIXELS (SIDE * SIDE)
 
-/* Pixel (i, j) sees the ground at x = -4 + (i + 1/2)/2, z = -4 + (j + 1/2)/2, or the box. */
+/* The scene: pixel (i, j) shows the ground at x = -4 + (i + 1/2)/2, z = -4 + (j + 1/2)/2, or the box. */
 static const char scene_text[] = "camera orthographic eye 0 10 0 look 0 0 0 up 0 0 -1 window -4 4 -4 4\n"
                                  "material m colour 0.5\n"
                                  "light ambient emission 0.1\n"
@@ -48,12 +48,12 @@ static void draw(const struct tia_scene *scene, enum tia_shadows shadows, struct
     free(hits_memory);
 }
 
-/* Positions of samples, w = 1, or directions, w = 0. The rectangle's have u = (i + 1/2)/4 and v = 0, 1/2, 1/4, 3/4. */
+/* Samples: positions, w = 1, or directions, w = 0. The rectangle's have u = (i + 1/2)/4 and v = 0, 1/2, 1/4, 3/4. */
 static const double from[BITS][4] = {{3.1, 4.3, 0.2, 1},           {1, 2, -0.3, 0},
                                      {0.3 - 0.45, 5, -5 - 0.6, 1}, {0.3 - 0.15, 5, -5, 1},
                                      {0.3 + 0.15, 5, -5 - 0.3, 1}, {0.3 + 0.45, 5, -5 + 0.3, 1}};
 
-/* True if the segment from p, in the direction d, up to `end` times it, goes through the box. */
+/* True if the segment from p along d, `end` times d long, passes through the box. */
 static bool is_blocked(const double p[3], const double d[3], double end)
 {
     static const double low[3] = {-1, 0, -1}, high[3] = {1, 1, 1};
@@ -95,10 +95,10 @@ static void check_bits(const struct tia_scene *scene, enum tia_shadows shadows, 
         dark &= p.lit[i];
         lit &= ~p.lit[i];
     }
-    CHECK_EQ(dark | lit, 0); /* each light has pixels that it reaches, and others */
+    CHECK_EQ(dark | lit, 0); /* each light reaches some pixels, and not others */
 }
 
-/* Traced area lights have other samples from pixel to pixel. */
+/* Traced area lights have different samples from pixel to pixel. */
 TEST(samples_that_arrive)
 {
     struct reading r;
@@ -112,7 +112,7 @@ TEST(samples_that_arrive)
     read_end(&r);
 }
 
-/* 70 lights from above, 8 x 8 pixels of background in the middle, four samples in each pixel. */
+/* There are 70 lights above, 8 x 8 pixels of background in the middle, and four samples in each pixel. */
 TEST(samples_without_a_bit)
 {
     static struct picture p;
@@ -130,8 +130,8 @@ TEST(samples_without_a_bit)
     read_end(&r);
 }
 
-/* Checks a light from behind the eye: the shadow of the one box falls past the eye onto the ground. Where the eye is in
- * the volume its count is one too low: points in no volume are dark, and points in one are lit. */
+/* Checks a light behind the eye: the shadow of the one box falls past the eye onto the ground. Where the eye is in the
+ * volume its count is one too low: points in no volume are dark, and points in one are lit. */
 static void check_plain(const char *box, bool inside)
 {
     static struct picture right, plain;

@@ -4,7 +4,7 @@
 
 #include "math/trig.h"
 
-/* Coprime to every power of two, so that thinned sweeps cover all residues. */
+/* Step of thinned sweeps; coprime to every power of two, so that they cover all residues. */
 #define THIN 4099
 
 TEST(leading_zeros)
@@ -30,8 +30,8 @@ TEST(round_shift_to_nearest_ties_up)
         unsigned s = 1 + (unsigned)(dice_next(&state) % 62);
         int64_t unit = INT64_C(1) << s, x = (int64_t)dice_next(&state);
         x >>= 2 + dice_next(&state) % 60;
-        x -= i & 1 ? 0 : x % unit;                /* half of them whole ... */
-        x += i % 4 == 2 && s < 62 ? unit / 2 : 0; /* ... or ties */
+        x -= i & 1 ? 0 : x % unit;                /* half of them are integers ... */
+        x += i % 4 == 2 && s < 62 ? unit / 2 : 0; /* ... or halves */
         int64_t whole = x / unit, rest = x % unit;
         whole -= rest < 0;
         rest += rest < 0 ? unit : 0;
@@ -114,7 +114,7 @@ TEST(normalise)
     CHECK(fabs(corner.x + 0x1p30 / sqrt(3)) <= 1.5 && fabs(corner.z - 0x1p30 / sqrt(3)) <= 1.5);
 }
 
-/* Multiplies a b by 16-bit digits, as on paper. */
+/* Multiplies a and b digit by digit, with digits of 16 bits. */
 static void paper_product(uint64_t a, uint64_t b, uint64_t *high, uint64_t *low)
 {
     uint32_t digits[8] = {0};
@@ -179,7 +179,7 @@ TEST(products_compared)
     }
 }
 
-/* Exact to 2^-57, from 70-digit decimal series. */
+/* Expected values are exact to 2^-57, from 70-digit decimal series. */
 TEST(cotangent_to_50_bits)
 {
     static const struct {
@@ -201,8 +201,7 @@ TEST(cotangent_to_50_bits)
         CHECK_MSG(fabs(error) <= (double)table[i].cotangent * 0x1p-50, "fov %d: off by %.0f 2^-56", table[i].fov,
                   error);
     }
-    /* Here it is double's own rounding of the angle, 17 times larger in its tangent at 85 degrees,
-     * that sets the bound. */
+    /* Double's own rounding of the angle, 17 times larger in its tangent at 85 degrees, sets the bound here. */
     for (tia_q16 fov = TIA_FOV_MIN; fov <= TIA_FOV_MAX; fov += 97) {
         double want = 1 / tan(fov * (3.14159265358979323846 / (360.0 * 65536)));
         CHECK_MSG(fabs((double)tia_cotangent(fov) * 0x1p-56 / want - 1) < 0x1p-47, "fov %d", fov);

@@ -1,5 +1,5 @@
-/* Rays through media: nested media, straight layers and shadows, each case worked out by hand, in integers, in double
- * precision and by the oracle. */
+/* Rays through media: nested media, straight layers and shadows, each case worked out by hand, in fixed point, in
+ * double precision and by the oracle. */
 #include "media_scene.h"
 
 static double tangent_of_sine(double sine)
@@ -7,7 +7,7 @@ static double tangent_of_sine(double sine)
     return sine / sqrt(1 - sine * sine);
 }
 
-/* Checks that the ray from the origin at 30 degrees, having passed layers, is at that height in z = -depth: a lamp of a
+/* Checks that the ray from the origin at 30 degrees, after passing layers, is at that height in z = -depth: a lamp of a
  * hundredth is visible there, and one aside is not. */
 static void arrives(double height, double depth)
 {
@@ -17,7 +17,7 @@ static void arrives(double height, double depth)
     see(0, 0, 0, 30, 0);
 }
 
-/* n sin is the same in all parallel layers: 1/2 in air, 1/3 in glass, 2/5 in water. */
+/* Tangent in a medium: n sin is the same in all parallel layers, 1/2 in air, 1/3 in glass, 2/5 in water. */
 #define IN_AIR tangent_of_sine(0.5)
 #define IN_GLASS tangent_of_sine(0.5 / 1.5)
 #define IN_WATER tangent_of_sine(0.5 / 1.25)
@@ -30,7 +30,7 @@ TEST(water_in_glass)
     arrives(4 * IN_AIR + 2 * IN_GLASS + 2 * IN_WATER, 8);
 }
 
-/* From an index to one eight times as large and back. */
+/* A ray goes from an index to one eight times as large and back. */
 TEST(water_in_what_is_thinner_than_air)
 {
     double sine = sin(10 * DEGREES), in_air = tangent_of_sine(sine);
@@ -44,7 +44,7 @@ TEST(water_in_what_is_thinner_than_air)
     see(0, 0, 0, 10, RED);
 }
 
-/* Of two that overlap the one entered last counts, until it is left. */
+/* Where two objects overlap, the one entered last counts until the ray leaves it. */
 TEST(overlaps)
 {
     begin();
@@ -53,7 +53,7 @@ TEST(overlaps)
     arrives(5 * IN_AIR + 1 * IN_GLASS + 2 * IN_WATER, 8);
 }
 
-/* More than a ray's list holds: the ninth is passed, the medium behind it is the eighth's. */
+/* More objects are entered than a ray's list holds: the ninth is ignored, and the medium behind it is the eighth's. */
 TEST(nine_deep)
 {
     begin();
@@ -75,7 +75,8 @@ TEST(bubble)
     begin();
     add_ball(0, -10, outer, GLASS);
     add_ball(0, -10, inner, AIR);
-    /* behind, by 8 along the new direction, downwards by `turned`, from the point nearest to the centre */
+    /* behind the balls, 8 along the new direction from the point nearest to the centre; the ray has turned downwards by
+     * `turned` */
     add_ball(b * cos(turned) - 8 * sin(turned), -10 - b * sin(turned) - 8 * cos(turned), 0.01, LAMP);
     see(0, b, 0, 0, RED);
     scene.shape_count = 3;
@@ -83,7 +84,7 @@ TEST(bubble)
     see(0, b, 0, 0, 0);
 }
 
-/* The same glass within glass is invisible: no pixel changes. */
+/* Glass within the same glass is invisible: no pixel changes. */
 TEST(same_index)
 {
     static tia_rgb565 with[64 * 64], without[64 * 64];
@@ -111,7 +112,7 @@ TEST(same_index)
     }
 }
 
-/* The eye has entered nothing: from water to 1, then from glass to 1. */
+/* A ray from an eye in a medium has entered nothing: from water it goes to index 1, then from glass to 1. */
 TEST(eye_inside)
 {
     double sine = 1.25 * 0.5;
@@ -123,7 +124,7 @@ TEST(eye_inside)
     see(0, 0, 0, 30, RED);
 }
 
-/* A shape without an inside bends a ray, which then is still outside. */
+/* A shape without an inside bends a ray, but the ray is still outside. */
 TEST(open_shapes_are_not_entered)
 {
     static const struct tia_vec3 corners[4] = {TIA_VEC3(-50, -50, 0), TIA_VEC3(50, -50, 0), TIA_VEC3(50, 50, 0),
@@ -145,7 +146,7 @@ TEST(open_shapes_are_not_entered)
     arrives(0.5 * IN_AIR + 0.5 * IN_GLASS + 3 * tangent_of_sine(sine) + 4 * tangent_of_sine(sine / 1.25), 8);
 }
 
-/* The faces of a box, each edge once in each direction, are entered: water in them is in glass. */
+/* Meshes of a box's faces, with each edge once in each direction, are entered: water in them is in glass. */
 TEST(closed_meshes_are_entered)
 {
     static const uint8_t quads[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
@@ -166,7 +167,7 @@ TEST(closed_meshes_are_entered)
     arrives(4 * IN_AIR + 2 * IN_GLASS + 2 * IN_WATER, 8);
 }
 
-/* From a cell of glass to one of water and out. */
+/* A ray goes from a cell of glass to one of water and out. */
 TEST(cells)
 {
     static const uint8_t cells[2] = {2, 1};
@@ -186,7 +187,7 @@ static void add_panes(int count, uint32_t material)
         add(TIA_DISC, material)->disc = (struct tia_disc){{0, 0, Q16(-1 - i / 64.0)}, {0, 0, TIA_Q30(1)}, TIA_Q16(9)};
 }
 
-/* Panes cost no reflection, but there is an end to them. Halves of white: 1/2^6 is half a level of red. */
+/* Panes cost no reflection, but their number is limited. Halves of white: 1/2^6 is half a level of red. */
 TEST(panes)
 {
     begin();
@@ -200,11 +201,11 @@ TEST(panes)
     scene.shape_count = 5;
     materials[PANE].refraction = (struct tia_rgb)TIA_RGB(0.5, 0.5, 0.5);
     see(0, 0, 0, 0, 1 << 11 | 2 << 5 | 1); /* 1/32 */
-    materials[PANE].index = TIA_Q16(1.5);  /* now each is a refraction */
+    materials[PANE].index = TIA_Q16(1.5);  /* now each pane is a refraction */
     see(0, 0, 0, 0, 0);
 }
 
-/* Two facing mirrors that glow, a pane before each: 1/4 (1 + 1/2 + 1/4 ...), a term more than the depth. */
+/* Two facing mirrors glow, with a pane before each: 1/4 (1 + 1/2 + 1/4 ...), one term more than the depth. */
 TEST(panes_before_mirrors)
 {
     begin();
@@ -219,7 +220,7 @@ TEST(panes_before_mirrors)
 
 /* ---- shadows ---- */
 
-/* Begins a wall at z = -4, its light on the eye's side at z = -1. */
+/* Begins a wall at z = -4, with a light on the eye's side at z = -1. */
 static void begin_shadow(void)
 {
     begin();
@@ -245,7 +246,7 @@ static void add_faces(uint32_t count, const uint32_t *groups)
     add(TIA_MESH, PANE);
 }
 
-/* A mesh filters once, and with groups once for each. The eye is behind the faces. */
+/* A mesh filters light once, and one with groups once for each group. The eye is behind the faces. */
 TEST(groups_filter_one_by_one)
 {
     static const uint32_t groups[5] = {7, 3, 7, 900000, 3};
@@ -257,7 +258,7 @@ TEST(groups_filter_one_by_one)
     mesh.groups = groups;
     see(0, 0, -3, 0, 4 << 11 | 8 << 5 | 4); /* 1/8 */
     for (uint32_t i = 0; i < 30; i++)
-        many[i] = i * 7919 % 29 + i / 29; /* 29 of them: as 29 is a prime, all, and one twice */
+        many[i] = i * 7919 % 29 + i / 29; /* 29 groups: as 29 is a prime, all of them, and one twice */
     materials[PANE].transmission = (struct tia_rgb)TIA_RGB(0.9, 0.95, 0.98);
     scene.shape_count = 1;
     add_faces(30, many);
@@ -266,8 +267,9 @@ TEST(groups_filter_one_by_one)
     see(0, 0, -3, 0, want);
 }
 
-/* From 2^-13 above the wall to the light itself. A ball of 2^-10 just before the light leaves that line free by
- * 2^-14; a line from there that is parallel to that from the wall itself ends 2^-13 off, and would meet it. */
+/* The shadow ray runs from 2^-13 above the wall to the light itself. A ball of 2^-10 just before the light leaves that
+ * line free by 2^-14; a line from there that is parallel to that from the wall itself ends 2^-13 off, and would meet
+ * it. */
 TEST(shadow_rays_end_in_the_light)
 {
     const double bias = 1 / 8192.0, radius = 1 / 1024.0, along = 0.99;
@@ -278,7 +280,7 @@ TEST(shadow_rays_end_in_the_light)
     see(0, 0, -3, 0, 5 << 11 | 10 << 5 | 5); /* 1/sqrt(37) */
     add_ball(along * y - free * z / length, -4 + bias + along * z + free * y / length, radius, LAMP);
     see(0, 0, -3, 0, 5 << 11 | 10 << 5 | 5);
-    shapes[1].sphere.centre.z -= Q16(bias); /* over the line by as much */
+    shapes[1].sphere.centre.z -= Q16(bias); /* across the line by as much */
     see(0, 0, -3, 0, 0);
 }
 

@@ -1,4 +1,4 @@
-/* test_memory.c - the memory display in all its shapes, and its refusals. */
+/* test_memory.c - the memory display with all strides, and its refusals. */
 #include <stdlib.h>
 
 #include "check.h"
@@ -55,7 +55,7 @@ TEST(memory_with_tile_limits)
     conform_in(&memory);
 }
 
-/* Upside down; a panel rotated by a quarter: a step to the right is a row of the memory. */
+/* The memory is upside down, or rotated by a quarter: a step to the right is then a row of the memory. */
 TEST(memory_turned)
 {
     struct port_memory flipped = memory_of(33, 9, -2, -80), turned = memory_of(33, 9, 64, -2);
@@ -102,7 +102,7 @@ TEST(memory_refuses_what_the_contract_forbids)
     CHECK_EQ(d->open(&memory, &mode), TIA_ERR_ARGUMENT);
     CHECK_EQ(d->submit(&memory, tile), TIA_ERR_ARGUMENT);
     CHECK_EQ(d->acquire(&memory, tile, &surface), TIA_OK);
-    CHECK_EQ(d->acquire(&memory, tile, &surface), TIA_ERR_ARGUMENT); /* not concurrent */
+    CHECK_EQ(d->acquire(&memory, tile, &surface), TIA_ERR_ARGUMENT); /* the display is not concurrent */
     CHECK_EQ(d->present(&memory), TIA_ERR_ARGUMENT);
     CHECK_EQ(d->submit(&memory, tile), TIA_OK);
     memory.hidden = true;

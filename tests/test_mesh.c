@@ -1,2 +1,2 @@
-/* mesh_cases.h in integers: the cases are independent of the arithmetic, which num.h provides. */
+/* mesh_cases.h in fixed point: the cases are independent of the arithmetic, which num.h provides. */
 #include "mesh_cases.h"

@@ -147,7 +147,7 @@ TEST(misuse_of_rays)
     REFUSES(shoot(linked(between.from, between.to, TIA_RADIO_ORDER_MAX + 1, 0, NULL), 64, 0));
     REFUSES(shoot(linked(between.from, between.to, 1, UINT32_MAX, NULL), 64, 0));
     REFUSES(shoot(linked(between.from, between.from, 1, 1, NULL), 64, 3));
-    GIVES(TIA_OK, tia_radio_shoot(radio, room, &nowhere, 64, 3, true, received, NULL)); /* it ignores the receiver */
+    GIVES(TIA_OK, tia_radio_shoot(radio, room, &nowhere, 64, 3, true, received, NULL)); /* the receiver is ignored */
     GIVES(TIA_OK, shoot(linked(between.from, between.to, 1, 1, NULL), 64, 3));
     misuse_end();
 }

@@ -1,4 +1,4 @@
-/* Misuse of the rasteriser: lattices, targets, planes, polygons, buffers and interpolation. */
+/* Misuse of the rasteriser: grids, targets, planes, polygons, buffers and interpolation. */
 #include <limits.h>
 
 #include <tia/raster.h>
@@ -130,7 +130,7 @@ TEST(misuse_of_polygons)
     REFUSES(draw(STATE(.back.zpass = (enum tia_stencil_op) - 1)));
     GIVES(TIA_ERR_RANGE, tia_raster_draw(&target, &nearest, far, 3, 0));
     GIVES(TIA_ERR_RANGE, tia_raster_draw(&target, &nearest, high, 3, 0));
-    GIVES(TIA_OK, tia_raster_draw(&bare, &nearest, triangle, 3, TIA_NO_FACE)); /* there is no depth to write */
+    GIVES(TIA_OK, tia_raster_draw(&bare, &nearest, triangle, 3, TIA_NO_FACE)); /* the target has no depth to write */
     GIVES(TIA_OK, draw(nearest));
     misuse_end();
 }

@@ -1,4 +1,4 @@
-/* Misuse of views, lights, hits, tiles, surfaces and levels. */
+/* Misuse of views, lights, hits, tiles, surfaces and vector units. */
 #include <limits.h>
 #include <tia/debug.h>
 
@@ -148,7 +148,7 @@ TEST(misuse_of_tracing)
     REFUSES(tia_view_trace(misuse_view, misuse_hits, TILE(0, 1, MISUSE_W, MISUSE_H)));
     REFUSES(tia_view_trace(misuse_view, misuse_hits, TILE(65530, 0, 10, 10)));
     REFUSES(tia_view_trace(misuse_view, misuse_hits, TILE(0, 65535, 1, 65535)));
-    REFUSES(tia_view_trace(misuse_view, hits, TILE(20, 10, 60, 60))); /* in the hits, not in the image */
+    REFUSES(tia_view_trace(misuse_view, hits, TILE(20, 10, 60, 60))); /* inside the hits, but not inside the image */
     REFUSES(tia_view_trace(misuse_view, hits, TILE(19, 10, 2, 2)));
     GIVES(TIA_OK, tia_view_trace(misuse_view, hits, TILE(20, 10, 12, 14)));
     misuse_end();
@@ -182,8 +182,8 @@ TEST(misuse_of_lighting)
     REFUSES(light_with((struct tia_surface){.pixels = MISALIGNED(misuse_memory), .step = 2, .pitch = 2 * MISUSE_W}));
     REFUSES(light_with((struct tia_surface){.pixels = (void *)misuse_memory, .step = 3, .pitch = 2 * MISUSE_W}));
     REFUSES(light_with((struct tia_surface){.pixels = (void *)misuse_memory, .step = 2, .pitch = 2 * MISUSE_W + 1}));
-    GIVES(TIA_OK,
-          light_with((struct tia_surface){.pixels = misuse_pixels, .step = 0, .pitch = 0})); /* all onto one pixel */
+    GIVES(TIA_OK, light_with((struct tia_surface){.pixels = misuse_pixels, .step = 0, .pitch = 0})); /* all pixels at
+                                                                                                        one address */
     GIVES(TIA_OK, light_with(misuse_surface));
     misuse_end();
 }
@@ -208,7 +208,7 @@ TEST(misuse_of_rendering)
     misuse_end();
 }
 
-/* Its spans have hits of another kind. */
+/* Hits of spans have a different format. */
 TEST(misuse_of_hits_of_spans)
 {
     static struct tia_view *spans;
@@ -245,7 +245,7 @@ TEST(misuse_of_levels)
         CHECK_EQ(tia_view_set_simd(misuse_view, simd, misuse_memory, sizeof misuse_memory), TIA_OK);
         REFUSES(tia_view_light(misuse_view, misuse_hits, misuse_frame, NULL, NULL));
         GIVES(TIA_NO_OBJECT, tia_hits_object(misuse_hits, MISUSE_W, 0));
-        /* The hits do not contain the pixels that the level has traced. */
+        /* the hits lack the pixels that vector units have traced */
         REFUSES(tia_view_trace(misuse_view, misuse_hits, misuse_frame) || tia_view_set_simd(misuse_view, NULL, NULL, 0)
                     ? 1
                     : tia_view_light(misuse_view, misuse_hits, misuse_frame, &misuse_surface, NULL));

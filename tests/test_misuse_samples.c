@@ -107,7 +107,7 @@ TEST(misuse_of_the_denoiser)
     REFUSES(tia_denoise_get(d, TILE(0, 0, 8, 8), 1, NULL, 8));
     REFUSES(tia_denoise_get(d, TILE(0, 0, 8, 8), 0, sums, 8));
     REFUSES(tia_denoise_get(d, TILE(0, 0, 9, 8), 1, sums, 8));
-    /* Black before anything is put in. */
+    /* pixels are black before any samples are put in */
     GIVES(TIA_OK, tia_denoise_get(d, TILE(0, 0, 8, 8), 1, sums, 8) ? 1 : sums[5].rgb[0] | sums[63].rgb[2]);
     GIVES(TIA_OK, tia_denoise_pass(d, 0, TILE(0, 0, 8, 8)) ? 1 : tia_denoise_get(d, TILE(7, 7, 1, 1), 1, sums, 8));
     misuse_end();
@@ -135,7 +135,7 @@ TEST(misuse_of_guides)
         GIVES(0, shown(guide, gathered, 0));
         GIVES(0, shown(guide, gathered, UINT32_MAX));
     }
-    GIVES(1, shown(99, gathered, 1) == 1 << 24); /* as the albedo */
+    GIVES(1, shown(99, gathered, 1) == 1 << 24); /* an unknown guide counts as the albedo */
     misuse_end();
 }
 
@@ -162,7 +162,7 @@ TEST(misuse_of_tones)
     GIVES(0, tia_tone_level(TIA_TONE_SRGB, UINT32_MAX, 7));
     GIVES(0, tia_tone_level(TIA_TONE_SRGB, UINT32_MAX, 16));
     GIVES(0, tia_tone_level((enum tia_tone)77, UINT32_MAX, 99));
-    GIVES(255, tia_tone_level((enum tia_tone)77, UINT32_MAX, 8)); /* as linear */
+    GIVES(255, tia_tone_level((enum tia_tone)77, UINT32_MAX, 8)); /* an unknown tone counts as linear */
     misuse_end();
 }
 

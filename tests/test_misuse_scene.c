@@ -79,7 +79,7 @@ TEST(misuse_of_hierarchies_that_move)
     REFUSES(tia_bvh_move(&bvh, misuse_memory, size, &scene, &fewer, NULL));
     REFUSES(tia_bvh_move(&bvh, misuse_memory, size, &fewer, &scene, NULL));
     REFUSES(tia_bvh_move(&bvh, misuse_memory, size, &other, &scene, NULL));
-    REFUSES(tia_bvh_move(&bvh, misuse_memory, size, &fewer, &fewer, NULL)); /* not its hierarchy */
+    REFUSES(tia_bvh_move(&bvh, misuse_memory, size, &fewer, &fewer, NULL)); /* the hierarchy is another scene's */
     GIVES(TIA_ERR_MEMORY, tia_bvh_move(&bvh, misuse_memory, need - 1, &scene, &scene, NULL));
     GIVES(TIA_OK, tia_bvh_move(&bvh, misuse_memory, need, &bare, &scene, NULL));
     misuse_end();
@@ -125,7 +125,8 @@ TEST(misuse_of_animation)
     REFUSES(tia_scene_at(&out, misuse_memory, size, NULL, 0, NULL));
     GIVES(TIA_ERR_MEMORY, tia_scene_at(&out, misuse_memory, need - 1, &scene, 0, NULL));
     GIVES(TIA_OK, tia_scene_at(&out, misuse_memory, need, &scene, INT32_MIN, NULL));
-    GIVES(TIA_OK, tia_scene_at(&out, NULL, 0, &misuse_scene, INT32_MAX, NULL)); /* needs none */
+    GIVES(TIA_OK, tia_scene_at(&out, NULL, 0, &misuse_scene, INT32_MAX, NULL)); /* a scene without motion needs no
+                                                                                   memory */
     GIVES(0, tia_scene_moves(NULL));
     GIVES(0, tia_scene_duration(NULL));
     misuse_end();
@@ -195,7 +196,7 @@ TEST(misuse_of_light_fields)
                                     .line = TIA_Q16(2)};
     struct tia_camera bad = good, minus = good, made;
 
-    bad.up = (struct tia_vec3){0, TIA_Q16(1), 0}; /* the reference is the eye */
+    bad.up = (struct tia_vec3){0, TIA_Q16(1), 0}; /* the reference coincides with the eye */
     minus.line = INT32_MIN;
     REFUSES(tia_light_field_camera(NULL, &good, 0));
     REFUSES(tia_light_field_camera(&made, NULL, 0));

@@ -103,7 +103,7 @@ static enum tia_effect act(void *ctx, const struct tia_event *event, struct tia_
 static const struct tia_display display = {get_mode, get_mode, acquire, submit, present, close_port};
 static const struct tia_input input = {open_input, poll_input, wait_input, close_port};
 
-/* Returns a viewer of one frame. */
+/* Returns a viewer for one frame. */
 static struct tia_viewer viewer(void)
 {
     return (struct tia_viewer){.scene = &misuse_scene,
@@ -155,7 +155,7 @@ TEST(misuse_of_a_viewer)
     REFUSES(WITH(scene, NULL));
     REFUSES(WITH(lights.array, NULL));
     REFUSES(WITH(lights.capacity, 1));
-    REFUSES(WITH(key_count, 3)); /* no keys */
+    REFUSES(WITH(key_count, 3)); /* the keys are NULL */
     REFUSES(WITH(pacing.time, -1));
     REFUSES(WITH(state, &on));
     REFUSES(WITH(hooks.memory, NULL));
@@ -230,7 +230,7 @@ TEST(misuse_of_other_ports)
     REFUSES((changed = viewer(), changed.ports.input = NULL, changed.pacing.frame_limit = 0, run(changed)));
     REFUSES(WITH(ports.clock, &no_clock));
     REFUSES(WITH(job.workers, &no_workers));
-    REFUSES(WITH(hooks.control, &control)); /* no variant */
+    REFUSES(WITH(hooks.control, &control)); /* the variant is NULL */
     REFUSES((changed = viewer(), changed.hooks.control = &no_weigh, changed.variant = &variant, run(changed)));
     REFUSES((changed = viewer(), changed.hooks.control = &no_act, changed.variant = &variant, run(changed)));
     GIVES(TIA_OK, (changed = viewer(), changed.hooks.control = &control, changed.variant = &variant, run(changed)));
@@ -267,7 +267,7 @@ static int run_with_estimator(const struct tia_estimator *estimator)
     return run(v);
 }
 
-/* An estimator of another arithmetic cannot read the core's views. */
+/* An estimator of a different arithmetic cannot read the core's views. */
 TEST(misuse_of_an_estimator)
 {
     static const struct tia_estimator other = {.name = "q16 or so"}, nameless = {.name = NULL};
@@ -301,7 +301,7 @@ TEST(misuse_of_keys)
     REFUSES(tia_viewer_press(&scene, NULL, &one, 0, TIA_KEY_LEFT));
     GIVES(0, tia_viewer_press(&scene, NULL, &none, 0, 'a'));
     GIVES(0, tia_viewer_press(&scene, NULL, &none, 0, TIA_KEY_LEFT));
-    GIVES(0, tia_viewer_press(&scene, dark, &one, 1, TIA_KEY_LEFT)); /* it has no direction to turn */
+    GIVES(0, tia_viewer_press(&scene, dark, &one, 1, TIA_KEY_LEFT)); /* a dark light has no direction that could turn */
     GIVES(0, tia_viewer_press(&scene, odd, &one, 1, TIA_KEY_LEFT));
     GIVES(1, tia_viewer_press(&scene, lights, &one, MISUSE_LIGHTS, 'a'));
     GIVES(TIA_NO_LIGHT, tia_viewer_key_light(NULL, lights, 1, 'a'));

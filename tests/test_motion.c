@@ -72,7 +72,7 @@ static void check_time(tia_q16 time)
     check_near(eye.z, formula(t, z, (int)track.key_count, track.smooth, time));
 }
 
-/* Tracks of all lengths, short and long stretches, small and largest values. */
+/* Tracks have all lengths, short and long intervals, small and largest values. */
 TEST(random_tracks)
 {
     for (int n = 0; n < 4000; n++) {
@@ -104,7 +104,7 @@ TEST(by_hand)
     track.key_count = 4;
     for (int i = 0; i < 4; i++)
         keys[i] = (struct tia_keyframe){times[i] * ONE, {values[i] * ONE, 0, -values[i] * ONE}};
-    /* Between 1 and 2, tangents of 8: 8/8 + 16/2 - 8/8 = 8; before, from 0 to 0 with the tangents 0 and 8: -1 */
+    /* between 1 and 2, with tangents of 8: 8/8 + 16/2 - 8/8 = 8; before, from 0 to 0 with the tangents 0 and 8: -1 */
     CHECK_EQ(eye_at(3 * ONE / 2).x, 8 * ONE);
     CHECK_EQ(eye_at(3 * ONE / 2).z, -8 * ONE);
     CHECK_EQ(eye_at(ONE / 2).x, -ONE);
@@ -185,13 +185,13 @@ TEST(every_target)
     CHECK_EQ(tia_scene_duration(&scene), 2 * ONE);
 }
 
-/* Only moving elements are copied. */
+/* Elements that do not move are shared, others are copied. */
 TEST(what_stays_is_shared)
 {
     struct tia_scene out;
 
     set_everything();
-    scene.track_count = 2; /* the camera's */
+    scene.track_count = 2; /* only the camera's tracks */
     CHECK_EQ(tia_scene_at_size(&scene), 0);
     CHECK_EQ(tia_scene_at(&out, NULL, 0, &scene, 0, NULL), TIA_OK);
     CHECK(out.lights == lights && out.transforms == transforms);
@@ -221,7 +221,7 @@ TEST(into_itself)
     CHECK(is_moment(scene.lights[2].centre) && is_moment(scene.transforms[1].position));
 }
 
-/* Halfway between opposite directions there is none: the light keeps its own. */
+/* The mean of opposite directions is 0: the light then keeps its direction. */
 TEST(a_direction_through_nothing)
 {
     struct tia_keyframe turning[2] = {{0, {ONE, 0, 0}}, {2 * ONE, {-ONE, 0, 0}}};

@@ -1,5 +1,5 @@
-/* The operations of q16's number layer, each against its header's statement: exact ones at their boundaries, rounded
- * ones by the size, the sign and the mean of their errors. */
+/* The operations of q16's number layer, each against its specification in the header: exact ones at their boundaries,
+ * rounded ones by the size, the sign and the mean of their errors. */
 #include "check.h"
 #include "num/num.h"
 #include "random.h"
@@ -12,7 +12,7 @@
 
 __extension__ typedef __int128 wide128;
 
-/* True if result 2^s is `exact` to nearest, ties up. */
+/* True if result 2^s is `exact` rounded to nearest, ties up. */
 static bool nearest(wide128 result, wide128 exact, unsigned s)
 {
     wide128 half = (wide128)1 << s >> 1, error = result * ((wide128)1 << s) - exact;
@@ -66,7 +66,7 @@ TEST(lengths_in_bits)
     CHECK_EQ(num_bits(INT64_MAX), 63);
 }
 
-/* The least channel that gives level n is the least c with levels c + 1/2 >= n. */
+/* The least channel that gives level n is the smallest c with levels c + 1/2 >= n. */
 TEST(levels_begin_where_they_should)
 {
     static const unsigned most[] = {31, 63};
@@ -85,8 +85,8 @@ TEST(levels_begin_where_they_should)
     CHECK_EQ(num_threshold(63), 127 * ((1 << 30) / 128));
 }
 
-/* a/b 2^(63 - s) below 2^31: half a unit of rounding and one of the reciprocal's error. The mean error distinguishes
- * rounding from truncation. */
+/* Results are a/b 2^(63 - s), below 2^31: half a unit of rounding and one of the reciprocal's error. The mean error
+ * distinguishes rounding from truncation. */
 TEST(quotients)
 {
     double sum = 0;
@@ -152,8 +152,8 @@ TEST(the_nearer_of_two_scales)
     CHECK(!num_nearer(2, 1, 1, 0) && !num_nearer(1, 0, 2, 1)); /* equal */
 }
 
-/* a^2 against d k (1 + swell): right when they differ by 2^-26 of themselves, and when they do not,
- * an unbiased guess. */
+/* num_covers compares a^2 with d k (1 + swell): it is correct when they differ by 2^-26 of themselves, and otherwise
+ * not biased. */
 TEST(what_covers)
 {
     for (int i = 0; i < ROUNDS; i++) {
@@ -171,7 +171,7 @@ TEST(what_covers)
     }
 }
 
-/* For a radius R = 2^16 r: bias/r = 2^-13 2^16 / R = 8/R. */
+/* The bias for a radius R = 2^16 r is bias/r = 2^-13 2^16 / R = 8/R. */
 TEST(the_bias)
 {
     for (int i = 0; i < ROUNDS; i++) {

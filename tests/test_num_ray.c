@@ -1,4 +1,4 @@
-/* The numbers of general rays in integers, each operation against its statement in num_ray.h. */
+/* The numbers of general rays in fixed point, each operation against its statement in num_ray.h. */
 #include "check.h"
 #include "num/num_ray.h"
 #include "random.h"
@@ -30,7 +30,7 @@ static struct num_point any_point(unsigned bits)
     return (struct num_point){any(bits), any(bits), any(bits)};
 }
 
-/* True if it is within 2^-59 of itself and half a unit, at most `limit` in size. */
+/* True if the result is within 2^-59 of `want` and half a unit, at most `limit` in size. */
 static bool is_quotient(int64_t got, real want, int64_t limit)
 {
     real error = (real)got - want, own = want < 0 ? -want : want;
@@ -78,7 +78,7 @@ TEST(coarse_roots_are_not_below)
     }
 }
 
-/* A plane's distance is too small in size, by less than 2^-21 of it, and a unit. */
+/* A plane's distance is too small in size, by less than 2^-21 of itself and a unit. */
 TEST(slopes_reach_planes_early)
 {
     for (int i = 0; i < ROUNDS; i++) {
@@ -113,7 +113,7 @@ TEST(within_has_its_edge)
     }
 }
 
-/* Numbers of 62 bits whose squares nearly cancel: the numerator is exact. */
+/* Numbers of 62 bits have squares that nearly cancel: the numerator is exact. */
 TEST(what_is_beyond)
 {
     for (int i = 0; i < ROUNDS; i++) {
@@ -144,7 +144,7 @@ TEST(quotients)
     CHECK_EQ(num_div(0, 0), 0);
 }
 
-/* The bits of the version with roots, though it takes none. */
+/* Powers as lengths have the bits of the version with roots, though mostly no root is computed. */
 TEST(powers_as_lengths)
 {
     for (int i = 0; i < ROUNDS / 2; i++) {
@@ -173,7 +173,7 @@ TEST(powers_and_turns)
         CHECK_MSG(off < 0x1p-44L, "%jd^%jd is off by %Lg", (intmax_t)d, (intmax_t)e, off);
         num_unit y = any(62), x = any(62);
         y = y / 2 +
-            (y < 0 ? -NUM_UNIT_ONE / 2 : NUM_UNIT_ONE / 2); /* not too short: the error is relative to the length */
+            (y < 0 ? -NUM_UNIT_ONE / 2 : NUM_UNIT_ONE / 2); /* large enough: the error is relative to the length */
         want = atan2l((long double)y, (long double)x) / (2 * acosl(-1));
         off = fabsl((long double)num_atan2(y, x) / 0x1p62L - want);
         CHECK_MSG(off < 0x1p-54L || off > 1 - 0x1p-54L, "the angle of %jd, %jd is off by %Lg", (intmax_t)x, (intmax_t)y,

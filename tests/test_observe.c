@@ -58,8 +58,8 @@ static bool at(struct tia_vec3 v, double x, double y, double z)
     return dx * dx + dy * dy + dz * dz < 1e-6;
 }
 
-/* From (0, 3, 4) down to the origin: up again to (0, 3, -4), where there is a wall. A light is above, one below the
- * ground. */
+/* The ray goes from (0, 3, 4) down to the origin and up again to (0, 3, -4), where there is a wall. One light is above
+ * the ground, one below. */
 TEST(mirror_and_shadows)
 {
     uint32_t tests =
@@ -77,10 +77,10 @@ TEST(mirror_and_shadows)
     CHECK(told[2].object == 1 && at(told[2].normal, 0, 0, 1));
     CHECK(told[3].ray == TIA_RAY_SHADOW && told[3].light == 0 && told[3].arrives && at(told[3].from, 0, 3, -4));
     CHECK(told[4].ray == TIA_RAY_SHADOW && told[4].light == 1 && !told[4].arrives && at(told[4].to, 0, -8, 0));
-    CHECK_EQ(tests, 2 + 2 + 2 + 2 + 1); /* two planes, of which the last ray needs the first alone */
+    CHECK_EQ(tests, 2 + 2 + 2 + 2 + 1); /* two planes, of which the last ray needs only the first */
 }
 
-/* Glass without refraction at a right angle; a ball between point and light; no object behind. */
+/* One ray passes glass without refraction at a right angle; a ball is between point and light; one ray hits nothing. */
 TEST(glass_and_nothing)
 {
     (void)watch("camera eye 0 0 9 look 0 0 0 fov 40\nmaterial glass colour 0.1 refraction 0.9 index 1.5\n"

@@ -1,7 +1,8 @@
 /* Ambient occlusion, as an integrator and for ambient lights, against formulas. */
 #include "light_scene.h"
 
-/* Returns the part of the unit disc right of x = c: cosines around the normal are areas of the disc below (Nusselt). */
+/* Returns the part of the unit disc to the right of x = c: cosines around the normal are areas of the disc below
+ * (Nusselt). */
 static double segment(double c)
 {
     return (acos(c) - c * sqrt(1 - c * c)) / pi;
@@ -26,7 +27,7 @@ TEST(close_beside_a_wall)
     CHECK_LIGHT(1 - segment(1.0 / 64));
 }
 
-/* Returns the part of the disc beyond x = c and y = c. */
+/* Returns the part of the disc beyond both x = c and y = c. */
 static double beyond_both(double c)
 {
     double s = sqrt(1 - c * c);
@@ -51,7 +52,7 @@ TEST(just_below_a_disc)
     CHECK_LIGHT(1 - radius * radius / (radius * radius + height * height));
 }
 
-/* Returns the green of an ambient light in Whitted's integrator, white on half grey: the occlusion's part of 63/2
+/* Returns the green of an ambient light, white on half grey, in Whitted's integrator: the openness times 63/2
  * levels. */
 static unsigned ambient_green(tia_q16 distance)
 {

@@ -1,4 +1,4 @@
-/* Opacity textures, in integers, in double precision and by the oracle: values worked out by hand. */
+/* Opacity textures, in fixed point, in double precision and by the oracle: values worked out by hand. */
 #include "media_scene.h"
 
 static tia_rgb565 grey(double x)
@@ -9,7 +9,7 @@ static tia_rgb565 grey(double x)
 static uint8_t texels[4];
 static struct tia_texture texture;
 
-/* White background; PANE has the opacity of one texel, and all other properties of a surface. */
+/* Begins a scene with a white background; PANE has the opacity of one texel, and all other properties of a surface. */
 static void begin_opacity(uint8_t value)
 {
     begin();
@@ -55,11 +55,11 @@ TEST(holes)
         texels[1] = 255;
         see(0, -4.5, 0, 0, 0xffff);
         see(-0.5, 4.5, 0, 0, bilinear ? 31 << 11 | 35 << 5 | 17 : 0xffff);
-        see(0.5, 4.5, 0, 0, bilinear ? 31 << 11 | 28 << 5 | 14 : RED); /* 1/2 + 1/18 of it: u = 1/2 + 1/36 */
+        see(0.5, 4.5, 0, 0, bilinear ? 31 << 11 | 28 << 5 | 14 : RED); /* 1/2, and 1/18 of it more: u = 1/2 + 1/36 */
     }
 }
 
-/* Half of the surface's colour and half of the background. */
+/* A half opacity shows half of the surface's colour and half of the background. */
 TEST(halves)
 {
     begin_opacity(128);
@@ -73,13 +73,13 @@ TEST(halves)
     add_disc(5, LAMP); /* behind the eye */
     see(0, 0, 0, 0, 16 << 11);
     scene.background = (struct tia_rgb)TIA_RGB(1, 1, 1);
-    materials[PANE] = materials[AIR]; /* refracted straight on: 128/255 of 0.5, and the rest */
+    materials[PANE] = materials[AIR]; /* refracted straight on: 128/255 of 0.5, and the rest of the light */
     materials[PANE].refraction = (struct tia_rgb)TIA_RGB(0.5, 0, 1);
     materials[PANE].opacity = 1;
     see(0, 0, 0, 0, 23 << 11 | 31 << 5 | 31);
 }
 
-/* Leaves of a tree one behind the other, and one too many. */
+/* The layers of a tree's leaves lie behind one another; one more is too many. */
 TEST(layers)
 {
     begin_opacity(0);
@@ -91,7 +91,7 @@ TEST(layers)
     see(0, 0, 0, 0, 0);
 }
 
-/* Three rays at each surface: mirrored, refracted and past it, and 16 bounces of the first two. */
+/* Each surface spawns three rays: mirrored, refracted and past it; the first two have 16 bounces. */
 TEST(three_ways)
 {
     tia_rgb565 want = 0;
@@ -109,8 +109,8 @@ TEST(three_ways)
     see(0, 0, 0, 0, want);
 }
 
-/* A ball of glass with holes is one of two panes: no ray is ever inside it. Otherwise it would go from glass to glass.
- */
+/* A ball of glass with holes acts as two panes: no ray is ever inside it. Otherwise rays would go from glass to
+ * glass. */
 TEST(media)
 {
     begin_opacity(255);
@@ -121,7 +121,7 @@ TEST(media)
     add_ball(0, -4, 1, WATER);
     add_ball(0, -40, 1, LAMP);
     see(0, 0, 0, 0, RED);
-    materials[PANE] = materials[GLASS]; /* a slab: at 40 degrees a ray leaves it as it came */
+    materials[PANE] = materials[GLASS]; /* a slab: at 40 degrees a ray leaves it in its old direction */
     scene.shape_count = 0;
     double shift = 1 * (tan(40 * DEGREES) - tan(asin(sin(40 * DEGREES) / 1.5)));
     add_slab(2, 3, PANE);
@@ -144,7 +144,7 @@ static void begin_shadow(uint8_t value)
     add(TIA_PLANE, FLOOR)->plane = (struct tia_plane){TIA_VEC3(0, 0, -4), {0, 0, TIA_Q30(1)}};
 }
 
-/* Each surface takes its part, also those of one object; without opacity an object takes it once. */
+/* Each surface filters the light, including several of one object; without opacity an object filters it once. */
 TEST(shadows_surface_by_surface)
 {
     const double o = 51 / 255.0;
@@ -169,7 +169,7 @@ TEST(shadows_surface_by_surface)
     see(0, 0, -3, 0, 0);
 }
 
-/* Of a ball around the light only the surface before the light counts, not its inside. */
+/* From a ball around the light, only the surface before the light counts, not its inside. */
 TEST(shadows_end_in_the_light)
 {
     begin_shadow(51);
@@ -182,7 +182,7 @@ TEST(shadows_end_in_the_light)
     see(0, 0, -3, 0, 0xffff);
 }
 
-/* The shadow of a screen: full light where its lower half has holes. */
+/* The shadow of a screen has full light where the screen's lower half has holes. */
 TEST(shadows_have_holes)
 {
     begin_shadow(255);
@@ -194,12 +194,12 @@ TEST(shadows_have_holes)
     see(0, 1, -3, 0, 0);
     see(0, -1, -3, 0, 0xffff);
     see(0, -2.25, -3, 0, 0xffff);
-    light.direction = (struct tia_dir3){0, TIA_Q30(-0.6), TIA_Q30(-0.8)}; /* from (-1, -4) by (0.5, -2) */
+    light.direction = (struct tia_dir3){0, TIA_Q30(-0.6), TIA_Q30(-0.8)}; /* from (-1, -4) through (0.5, -2) */
     see(0, -1, -3, 0, grey(0));
     see(0, -3, -3, 0, grey(0.8));
 }
 
-/* Cells of a grid along the axis: three with opacity, between them two that count once for both. */
+/* A grid has cells along the axis: three with opacity, between them two that count once for both. */
 TEST(shadows_of_cells)
 {
     static const uint8_t cells[] = {1, 2, 1, 2, 1};
@@ -212,11 +212,11 @@ TEST(shadows_of_cells)
     materials[AIR] = (struct tia_material){.colour = TIA_RGB(1, 1, 1)};
     shapes[0].material = AIR;
     add(TIA_GRID, PANE);
-    /* objects towards the light: two cells whole, and so the first's front and back */
+    /* whole objects towards the light: two cells, and of the first both front and back */
     see(0, 0, -3, 0, grey(0.5 * pow(1 - o, 4)));
 }
 
-/* As many as a ray from the eye passes. */
+/* Shadow rays pass as many layers as a ray from the eye. */
 TEST(shadows_of_many_layers)
 {
     static struct tia_vec3 corners[3 * (TIA_LAYERS_MAX + 1)];

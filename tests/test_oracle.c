@@ -1,4 +1,4 @@
-/* The oracle against values worked out by hand: its results are worth as much as these. */
+/* The oracle against values worked out by hand, on which the trust in it rests. */
 #include "check.h"
 #include "oracle/oracle.h"
 #include "random.h"
@@ -15,7 +15,7 @@ static double q16_unit(tia_q16 v)
     return v / 65536.0;
 }
 
-/* Returns one ball of radius 3 at (0, 0, -10), all else black, seen through one pixel at fov 90. */
+/* Returns a scene of one ball of radius 3 at (0, 0, -10), all else black, for one pixel at fov 90. */
 static struct tia_scene one_ball(const struct tia_sphere *ball, const struct tia_light *lights, uint32_t count)
 {
     return (struct tia_scene){.camera = {.fov = TIA_Q16(90)},
@@ -39,7 +39,7 @@ TEST(primary_ray_of_a_single_pixel_leads_straight_ahead)
     NEAR(d.z, -1);
 }
 
-/* fov 90: a = 1. Pixel (0, 0) of 4x2 is at (-3/4 * 2, 1/2, -1) = (-1.5, 0.5, -1), length sqrt(3.5). */
+/* Fov 90 makes a = 1. Pixel (0, 0) of 4x2 is at (-3/4 * 2, 1/2, -1) = (-1.5, 0.5, -1), length sqrt(3.5). */
 TEST(primary_ray_of_a_corner)
 {
     struct tia_camera camera = {.fov = TIA_Q16(90)};
@@ -53,7 +53,7 @@ TEST(primary_ray_of_a_corner)
     NEAR(d.y, -0.5 / sqrt(3.5));
 }
 
-/* fov 60 in a 2x2 image: a = 1/sqrt(3), pixel (0, 1) at (-a/2, -a/2, -1). */
+/* Fov 60 in a 2x2 image makes a = 1/sqrt(3) and pixel (0, 1) at (-a/2, -a/2, -1). */
 TEST(primary_ray_depends_on_the_field_of_view)
 {
     struct tia_camera camera = {.fov = TIA_Q16(60)};
@@ -64,8 +64,8 @@ TEST(primary_ray_depends_on_the_field_of_view)
     NEAR(d.x * d.x + d.y * d.y + d.z * d.z, 1);
 }
 
-/* The 3-4-5 triangle: a ray 4 beside the centre of a sphere of radius 5 meets it 3 before and
- * after the nearest point. */
+/* By the 3-4-5 triangle, a ray 4 beside the centre of a sphere of radius 5 meets it 3 before and after the nearest
+ * point. */
 TEST(geometric_hits_by_pencil)
 {
     struct oracle_vec ahead = {0, 0, -1}, centre = {4, 0, -20};
@@ -75,7 +75,7 @@ TEST(geometric_hits_by_pencil)
     NEAR(t, 17);
     CHECK(oracle_sphere_geometric((struct oracle_vec){0, 0, -18}, ahead, centre, 5, &t)); /* from inside */
     NEAR(t, 5);
-    CHECK(!oracle_sphere_geometric((struct oracle_vec){0, 0, -21}, ahead, centre, 5, &t)); /* centre behind */
+    CHECK(!oracle_sphere_geometric((struct oracle_vec){0, 0, -21}, ahead, centre, 5, &t)); /* the centre is behind */
     CHECK(!oracle_sphere_geometric((struct oracle_vec){0, 0, 0}, ahead, centre, 3.999, &t));
     CHECK(oracle_sphere_geometric((struct oracle_vec){0, 0, 0}, ahead, centre, 4, &t)); /* a graze is a hit */
     NEAR(t, 20);
@@ -91,7 +91,7 @@ TEST(analytic_hits_by_pencil)
     NEAR(t, 17);
     CHECK(oracle_sphere_analytic((struct oracle_vec){0, 0, -18}, ahead, centre, 5, &t));
     NEAR(t, 5);
-    CHECK(oracle_sphere_analytic((struct oracle_vec){0, 0, -21}, ahead, centre, 5, &t)); /* leaves a sphere */
+    CHECK(oracle_sphere_analytic((struct oracle_vec){0, 0, -21}, ahead, centre, 5, &t)); /* the ray leaves a sphere */
     NEAR(t, 2);
     CHECK(!oracle_sphere_analytic((struct oracle_vec){0, 0, 0}, ahead, centre, 3.999, &t));
     CHECK(!oracle_sphere_analytic((struct oracle_vec){0, 0, -26}, ahead, centre, 5, &t));
@@ -139,7 +139,7 @@ TEST(both_forms_agree_on_the_ground)
     compare_forms(10004, 10000, 1e-3);
 }
 
-/* From M(4) = [0 8 2 10; 12 4 14 6; 3 11 1 9; 15 7 13 5]: row 0 and column 0 of M(8), as printed in
+/* The matrix follows from M(4) = [0 8 2 10; 12 4 14 6; 3 11 1 9; 15 7 13 5]: row 0 and column 0 of M(8), as printed in
  * textbooks, and each value once. */
 TEST(bayer_matrix)
 {
@@ -168,8 +168,8 @@ TEST(background_is_quantised_to_nearest)
     CHECK_EQ(p.colour & 31, 8);       /* 7.75 */
 }
 
-/* A channel of 0.3 is 9.3 levels of 31: threshold (b + 0.5)/64 > 0.7 gives 10, that is b >= 45,
- * in 19 of the 64 cells. */
+/* A channel of 0.3 is 9.3 levels of 31: a threshold (b + 0.5)/64 > 0.7 gives 10, that is b >= 45, in 19 of the 64
+ * cells. */
 TEST(dithering_shares_out_the_fraction)
 {
     struct tia_scene scene = {.camera = {.fov = TIA_Q16(90)}, .background = TIA_RGB(0.3, 1, 0)};
@@ -185,7 +185,7 @@ TEST(dithering_shares_out_the_fraction)
     CHECK_EQ(up, 19);
 }
 
-/* Light at the eye: the ball's nearest point faces it, so the colour is the surface's own. */
+/* With the light at the eye, the ball's nearest point faces it, so the colour is the surface's own. */
 TEST(light_from_the_front)
 {
     struct tia_light light = {TIA_VEC3(0, 0, 0), 0, TIA_RGB(1, 1, 1)};
@@ -199,8 +199,8 @@ TEST(light_from_the_front)
     CHECK_EQ(p.colour, 16 << 11 | 32 << 5 | 16);
 }
 
-/* P = (0, 0, -7), N = (0, 0, 1). A light at P + (3, 0, 4) is met at cosine 4/5, one at P + (1, 0, 0)
- * at 0, one behind the ball not at all. */
+/* At P = (0, 0, -7) the normal is (0, 0, 1). A light at P + (3, 0, 4) arrives at cosine 4/5, one at P + (1, 0, 0) at 0,
+ * one behind the ball not at all. */
 TEST(lambert_cosine)
 {
     struct tia_light lights[3] = {{TIA_VEC3(3, 0, -3), 0, TIA_RGB(1, 0.5, 0.25)},
@@ -231,13 +231,14 @@ TEST(lights_and_emission_add_up)
     CHECK_EQ(p.colour & 31, 31);
 }
 
-/* A half transparent ball passes half of the light, two of them a quarter, an opaque one nothing. */
+/* A half transparent ball transmits half of the light, two of them a quarter, an opaque one nothing. */
 TEST(shadows_and_transmission)
 {
     struct tia_material materials[2] = {{.colour = TIA_RGB(1, 1, 1)}, {.transmission = TIA_RGB(0.5, 0, 0.25)}};
     struct tia_sphere spheres[3] = {
         {TIA_VEC3(0, 0, -10), TIA_Q16(1), 0}, {TIA_VEC3(3, 0, -6), TIA_Q16(1), 1}, {TIA_VEC3(6, 0, -3), TIA_Q16(1), 1}};
-    struct tia_light light = {TIA_VEC3(9, 0, 0), 0, TIA_RGB(1, 1, 1)}; /* P = (0, 0, -9), the way (9, 0, 9) */
+    struct tia_light light = {TIA_VEC3(9, 0, 0), 0, TIA_RGB(1, 1, 1)}; /* P = (0, 0, -9), the vector to the light is (9,
+                                                                          0, 9) */
     struct tia_scene scene = {.camera = {.fov = TIA_Q16(90)},
                               .materials = materials,
                               .spheres = spheres,
@@ -254,14 +255,14 @@ TEST(shadows_and_transmission)
     NEAR(p.linear[0], cosine / 4);
     NEAR(p.linear[1], 0);
     NEAR(p.linear[2], cosine / 16);
-    spheres[2].material = 0; /* opaque */
+    spheres[2].material = 0; /* now an opaque sphere */
     p = oracle_pixel(&scene, 1, 1, 0, 0, false);
     CHECK_EQ(p.path_hash, 0);
     NEAR(p.linear[0], 0);
 }
 
-/* P = (0, 0, -9), the light at (9, 0, 0): a ball behind the light casts no shadow, nor does a ball of radius 1 whose
- * centre is 1.01 from the segment. */
+/* With P = (0, 0, -9) and the light at (9, 0, 0), a ball behind the light casts no shadow, nor does a ball of radius 1
+ * whose centre is 1.01 from the segment. */
 TEST(only_what_lies_before_the_light_shadows)
 {
     struct tia_sphere spheres[2] = {{TIA_VEC3(0, 0, -10), TIA_Q16(1), 0}, {TIA_VEC3(12, 0, 3), TIA_Q16(1), 0}};
@@ -276,7 +277,7 @@ TEST(only_what_lies_before_the_light_shadows)
     CHECK_EQ(oracle_pixel(&scene, 1, 1, 0, 0, false).path_hash, 0);
 }
 
-/* Two equal spheres: the first is hit. A light in the same place: the sphere is. */
+/* Two equal spheres are a tie, which the first wins. A light in the same position loses to the sphere. */
 TEST(ties_go_to_the_lower_index)
 {
     struct tia_sphere spheres[2] = {ball, ball};
@@ -304,7 +305,7 @@ TEST(lights_are_seen)
     CHECK_EQ(oracle_pixel(&scene, 1, 1, 0, 0, false).object, 0);
 }
 
-/* The eye may be anywhere: moved with the scene it gives the same picture. */
+/* A scene and its eye, moved together, give the same picture. */
 TEST(the_eye_moves)
 {
     struct tia_sphere moved = {TIA_VEC3(5, -7, -1), TIA_Q16(3), 0};

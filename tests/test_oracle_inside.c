@@ -45,7 +45,7 @@ static bool inside_at(const struct tia_shape *shape, struct ray r, double t)
     return is_inside(shape->kind, (struct oracle_vec){p.x / s.x, p.y / s.y, p.z / s.z});
 }
 
-/* Walks along a ray: up to the hit nothing changes, there it does; the normal leads out. */
+/* Walks along a ray: up to the hit inside and outside do not change, there they do; the normal points out. */
 static bool walk(const struct tia_shape *shape, struct ray r)
 {
     bool start = inside_at(shape, r, 0);

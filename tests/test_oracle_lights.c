@@ -22,7 +22,7 @@ static struct tia_shape shapes[3];
 static struct tia_light light;
 static struct tia_scene scene;
 
-/* Begins a white floor y = 0 under the eye at (0, 1, 0), one light; material 1 is red glass to shadows, 2 opaque. */
+/* Begins a white floor y = 0, the eye at (0, 1, 0) and a light; material 1 is red glass to shadow rays, 2 is opaque. */
 static void begin(enum tia_light_kind kind)
 {
     memset(materials, 0, sizeof materials);
@@ -48,7 +48,7 @@ static double red_at(double x, double z)
     return floor_at(x, z).channel[0];
 }
 
-/* Returns a box of that material over the floor, its x from x0 to x1, between the eye and the light. */
+/* Returns a box of that material over the floor, from x0 to x1, between the eye and the light. */
 static struct tia_shape box(double x0, double x1, uint32_t material)
 {
     return (struct tia_shape){
@@ -57,7 +57,7 @@ static struct tia_shape box(double x0, double x1, uint32_t material)
         .box = {{(tia_q16)(x0 * 65536), TIA_Q16(2), TIA_Q16(-50)}, {(tia_q16)(x1 * 65536), TIA_Q16(3), TIA_Q16(50)}}};
 }
 
-/* 4 above: cosine 4/5 and distance 5 at (3, 0, 0). */
+/* The light is 4 above: cosine 4/5 and distance 5 at (3, 0, 0). */
 TEST(point_and_attenuation)
 {
     begin(TIA_POINT_LIGHT);
@@ -72,7 +72,7 @@ TEST(point_and_attenuation)
     NEAR(red_at(3, 0), 0.8 / (2 + 1.25 + 6.25));
 }
 
-/* From (3, 4)/5 above, however far: a box beyond any point light still shadows, and nothing attenuates. */
+/* The direction is (3, 4)/5: a box at any distance towards the light casts a shadow; there is no attenuation. */
 TEST(directional)
 {
     begin(TIA_DIRECTIONAL_LIGHT);
@@ -93,7 +93,7 @@ TEST(ambient_casts_no_shadow)
     NEAR(red_at(0, 0), 0.25);
 }
 
-/* Inner 20, outer 40 degrees, straight down: all at 20, nothing at 40, linear in the cosine between. */
+/* A cone of 20 degrees inside and 40 outside, downwards: all light at 20, none at 40, linear in the cosine between. */
 TEST(spot)
 {
     double inner = cos(20 * PI / 180), outer = cos(40 * PI / 180), half = acos((inner + outer) / 2);
@@ -124,12 +124,12 @@ TEST(transmission)
     NEAR(c.channel[2], 0);
     scene.shape_count = 3;
     NEAR(red_at(0, 0), 0.25);
-    light.centre.y = TIA_Q16(1.5); /* both are beyond it */
+    light.centre.y = TIA_Q16(1.5); /* both boxes are beyond the light */
     NEAR(red_at(0, 0), 1);
 }
 
-/* u = (i + 1/2)/4 + b/16, v = 0, 1/2, 1/4, 3/4 from r(b) on; the pixel (2, 1) is of the class 14 = 1110 in
- * binary, r = 0.0111 = 7/16. */
+/* The pattern is u = (i + 1/2)/4 + b/16, v = 0, 1/2, 1/4, 3/4 from r(b) on; the pixel (2, 1) is of the class 14 = 1110
+ * in binary, r = 0.0111 = 7/16. */
 TEST(sample_pattern)
 {
     static const double u[4] = {0.125, 0.375, 0.625, 0.875}, v[4] = {0, 0.5, 0.25, 0.75};
@@ -157,8 +157,8 @@ static struct oracle_vec sample_at(unsigned pixel_class, unsigned i, struct orac
     return along(p, beam.distance, beam.direction);
 }
 
-/* Sample 1 of 4 in class 0: u = 3/8, v = 1/2, so s = -1/4, t = 0; of the disc, down: e = x, A = x x -y = -z,
- * at half a turn +z times sqrt(3/8); of the sphere's disc the same, turned up to the point above: A = z. */
+/* Sample 1 of 4 in class 0 has u = 3/8, v = 1/2. So s = -1/4, t = 0; on the disc, which faces down: e = x, A = x x -y =
+ * -z, at half a turn +z times sqrt(3/8); on the sphere's disc the same, turned up to the point above: A = z. */
 TEST(area_samples)
 {
     begin(TIA_RECTANGLE_LIGHT);
@@ -178,7 +178,7 @@ TEST(area_samples)
     NEAR_VEC(sample_at(0, 2, (struct oracle_vec){0, 9, 0}), 2 * sqrt(0.625), 4, 0);
 }
 
-/* Half of the samples are behind the box, which reaches to the middle; 16 are the default. */
+/* Half of the samples are behind the box, whose edge is at the middle; 16 is the default. */
 TEST(soft_shadow)
 {
     begin(TIA_RECTANGLE_LIGHT);
@@ -189,7 +189,7 @@ TEST(soft_shadow)
     shapes[1] = box(-9, 0, 2);
     scene.shape_count = 2;
     NEAR_BY(red_at(0, 0), 0.5, 1e-6);
-    /* Its top edge, 2 above the floor, stands before the samples up to s = 0.49: 12 of 16. */
+    /* the box's top edge, 2 above the floor, is in front of the samples up to s = 0.49: 12 of 16 */
     shapes[1] = box(-9, 0.5 * 2 / 4000, 2);
     NEAR_BY(red_at(0, 0), 0.25, 1e-6);
 }
@@ -201,7 +201,7 @@ static bool seen(double ox, double oy, double oz, double dx, double dy, double d
     return oracle_ray(&scene, ray, 0, 0).channel[1] > 0.9;
 }
 
-/* At (0, 4, 0), from below, from above and beside their edges. */
+/* Lights at (0, 4, 0) are visible from below, from above and beside their edges. */
 TEST(lights_are_seen)
 {
     static const enum tia_light_kind round[] = {TIA_POINT_LIGHT, TIA_SPHERE_LIGHT, TIA_DISC_LIGHT};
@@ -225,7 +225,7 @@ TEST(lights_are_seen)
     CHECK(!seen(0, 1, 0, 0, 1, 0));
 }
 
-/* Lights cast no shadow: the light from (0, 9, 0) passes the one below it. Also in a mirror. */
+/* Lights cast no shadow: the light from (0, 9, 0) passes the one below it, also in a mirror. */
 TEST(lights_cast_no_shadow)
 {
     struct tia_light two[2];
@@ -243,14 +243,14 @@ TEST(lights_cast_no_shadow)
     NEAR(floor_at(0, 0).channel[1], 1);
 }
 
-static uint32_t cell; /* texel of the last texture_at */
+static uint32_t cell; /* texel of the last call of texture_at */
 
 static double texture_at(const struct tia_texture *t, double u, double v)
 {
     return oracle_texture(t, u, v, &cell).channel[0];
 }
 
-/* 1 x 1 cells; floor(-0.5) + floor(0.5) = -1 is odd. The floor's u is its x, its v its -z. */
+/* Cells are 1 x 1; floor(-0.5) + floor(0.5) = -1 is odd. The floor's u is its x, its v its -z. */
 TEST(checker)
 {
     struct tia_texture t = {
@@ -276,7 +276,7 @@ TEST(checker)
     NEAR(red_at(0.5, -0.125), 0.5);
 }
 
-/* Two texels wide and high, upper row 0 255, lower row 51 102. */
+/* The image is two texels wide and high: upper row 0 255, lower row 51 102. */
 TEST(image)
 {
     static const uint8_t texels[12] = {0, 0, 0, 255, 0, 0, 51, 0, 0, 102, 0, 0};
@@ -295,7 +295,7 @@ TEST(image)
     NEAR(texture_at(&t, 0.5, 0.75), 0.5);
     NEAR(texture_at(&t, 0.5, 0.5), (0 + 1 + 0.2 + 0.4) / 4);
     NEAR(texture_at(&t, 0.25 + 0.125, 0.75), 0.25);
-    NEAR(texture_at(&t, 1, 0.75), 0.5); /* around the edge */
+    NEAR(texture_at(&t, 1, 0.75), 0.5); /* across the edge */
     t.offset[0] = TIA_Q16(-0.125);
     t.offset[1] = TIA_Q16(2.5);
     NEAR(texture_at(&t, 0.25, 3.25), 0.25);
@@ -307,7 +307,7 @@ static struct oracle_vec towards(const struct tia_camera *camera, double x, doub
     return oracle_camera(camera, NULL, 4, 2, x, y).direction;
 }
 
-/* From (0, 0, 5) to +x: n = -x, u = y x -x = z, v = -x x z = y. */
+/* The eye looks from (0, 0, 5) to +x: n = -x, u = y x -x = z, v = -x x z = y. */
 TEST(look_at)
 {
     struct tia_camera c = {.eye = TIA_VEC3(0, 0, 5), .fov = TIA_Q16(90), .reference = TIA_VEC3(7, 0, 5)};
@@ -326,7 +326,7 @@ TEST(frustum)
 
     NEAR_VEC(towards(&c, 1, 2), 0, 0, -1);
     NEAR_VEC(towards(&c, 4, 0), 3 / sqrt(17), 2 / sqrt(17), -2 / sqrt(17));
-    c.window.left = c.window.right = 0; /* 4 wide for 2 high */
+    c.window.left = c.window.right = 0; /* 4 wide at a height of 2 */
     NEAR_VEC(towards(&c, 0, 0), -2 / sqrt(12), 2 / sqrt(12), -2 / sqrt(12));
 }
 
@@ -364,7 +364,7 @@ TEST(samples)
     CHECK_EQ(rows, 0xffff);
 }
 
-/* Half of the samples see a floor that is twice as bright as white: each is clamped before the mean. */
+/* Half of the samples show a floor that is twice as bright as white: each is clamped before the mean. */
 TEST(samples_are_clamped_one_by_one)
 {
     begin(TIA_AMBIENT_LIGHT);
@@ -374,7 +374,7 @@ TEST(samples_are_clamped_one_by_one)
 
     NEAR(p.linear[0], 0.5);
     NEAR(p.linear[1], 0.25);
-    CHECK_EQ(p.sphere, TIA_NO_OBJECT); /* the first sample's */
+    CHECK_EQ(p.sphere, TIA_NO_OBJECT); /* the first sample's object */
 }
 
 int main(void)

@@ -25,7 +25,7 @@ static struct tia_shape shapes[3];
 static struct tia_light lights[2];
 static struct tia_scene scene;
 
-/* Begins up to three shapes and two lights on black. */
+/* Begins up to three shapes and two lights before black. */
 static void begin(uint32_t shape_count, uint32_t light_count)
 {
     memset(materials, 0, sizeof materials);
@@ -79,7 +79,7 @@ static struct colour see(double ox, double oy, double oz, double dx, double dy, 
     return oracle_ray(&scene, ray, 0, 0);
 }
 
-/* Up at (3, -4)/5, onto the wall at z = -8 in y = 6, back down to y = 12 at z = 0. */
+/* The ray goes up at (3, -4)/5, onto the wall at z = -8 in y = 6, and back to y = 12 at z = 0. */
 TEST(mirror_wall)
 {
     begin(2, 0);
@@ -90,7 +90,7 @@ TEST(mirror_wall)
     NEAR_RGB(see(0, 0, 0, 0, 3, -4), 0, 0, 0);
 }
 
-/* Two facing mirrors that glow: e (1 + 1/2 + 1/4 ...), a term more than rays may bounce. */
+/* Two facing mirrors glow: e (1 + 1/2 + 1/4 ...), one term more than the bounces of a ray. */
 TEST(depth)
 {
     begin(2, 0);
@@ -102,7 +102,7 @@ TEST(depth)
     NEAR_RGB(see(0, 0, 0, 0, 0, -1), 0.25 * 1.5, 0, 0);
 }
 
-/* Weights of 1/20, 1/400, 1/8000; the next, 1/160000, is below 2^-16. */
+/* Throughputs are 1/20, 1/400, 1/8000; the next, 1/160000, is below 2^-16. */
 TEST(faint_rays_end)
 {
     begin(2, 0);
@@ -114,8 +114,8 @@ TEST(faint_rays_end)
     NEAR_RGB(see(0, 0, 0, 0, 0, -1), 0, 1 + 1 / 20.0 + 1 / 400.0 + 1 / 8000.0, 0);
 }
 
-/* 30 degrees into glass 4 thick: sin t = 1/3. The ray leaves beside its old line by
- * 4 (tan 30 - tan t) across, parallel to it. */
+/* At 30 degrees into glass 4 thick, sin t = 1/3. The ray leaves parallel to its old line, beside it by 4 (tan 30 - tan
+ * t) across. */
 TEST(slab_of_glass)
 {
     double tan_t = (1 / 3.0) / sqrt(1 - 1 / 9.0), y = 5 * tan(PI / 6) + 4 * tan_t;
@@ -147,8 +147,8 @@ TEST(total_internal_reflection)
     NEAR_RGB(see(0, 0, 0, 0, sin(above), -cos(above)), 0, 1, 0);
 }
 
-/* ((n - 1)/(n + 1))^2 at normal incidence; at Brewster's angle, tan = n, only the half polarised across
- * the plane of incidence, ((n^2 - 1)/(n^2 + 1))^2; all at a graze and beyond the critical angle. */
+/* The reflectance is ((n - 1)/(n + 1))^2 at normal incidence; at Brewster's angle, tan = n, only the half polarised
+ * across the plane of incidence, ((n^2 - 1)/(n^2 + 1))^2; 1 at a grazing angle and beyond the critical angle. */
 TEST(fresnel)
 {
     NEAR(oracle_fresnel(1, 1, 1.5), 0.04);
@@ -160,9 +160,8 @@ TEST(fresnel)
     NEAR(oracle_fresnel(0.5, 1, 1), 0);
 }
 
-/* Red before the pane, green behind it: 0.04 of the one, 0.96^2 of the other, with the light that is
- * reflected within the glass 0.96 0.04^2 0.96 more, a bounce later; red also from the back face,
- * 0.96 0.04 0.96. */
+/* A red wall is before the pane, a green one behind it: 0.04 of the one, 0.96^2 of the other, with the light that is
+ * reflected within the glass 0.96 0.04^2 0.96 more, a bounce later; red also from the back face, 0.96 0.04 0.96. */
 TEST(fresnel_shares_out)
 {
     begin(3, 0);
@@ -180,7 +179,7 @@ TEST(fresnel_shares_out)
     NEAR_RGB(see(0, 0, 0, 0, 0, -1), 0.04 + 0.96 * 0.04 * 0.96, 0.96 * 0.96 * (1 + 0.04 * 0.04), 0);
 }
 
-/* Without Fresnel's shares both are the material's own; the mirror's is of the near side. */
+/* Without Fresnel's equations both shares are the material's own; the mirror's is that of the near side. */
 TEST(mirror_and_refraction)
 {
     begin(3, 0);
@@ -192,7 +191,7 @@ TEST(mirror_and_refraction)
     NEAR_RGB(see(0, 0, 0, 0, 0, -1), 0.25, 0.5, 0);
 }
 
-/* The light 20 degrees from the normal, the viewer on it: cos 20 and its tenth power. */
+/* The light is 20 degrees from the normal, the viewer on it: cos 20 and its tenth power. */
 TEST(phong)
 {
     double cosine = cos(20 * PI / 180);
@@ -210,7 +209,7 @@ TEST(phong)
              0); /* the viewer 20 degrees above, the mirror image below */
 }
 
-/* 60 degrees from the normal, from either side: cos 60. */
+/* The viewer is 60 degrees from the normal, on either side: cos 60. */
 TEST(facing_ratio)
 {
     begin(1, 0);
@@ -240,11 +239,11 @@ TEST(smooth_normals)
     materials[MATT].transmission = (struct tia_rgb)WHITE; /* so that the face's own shadow does not hide it */
     lights[0].direction = (struct tia_dir3){TIA_Q30(-1), 0, TIA_Q30(0.1)}; /* N.L > 0 */
     NEAR_RGB(see(0, 0, 0, 0, 0, -1), 0, 0, 0);
-    lights[0].direction = (struct tia_dir3){TIA_Q30(-0.6), 0, TIA_Q30(0.8)}; /* the back: the normal is turned */
+    lights[0].direction = (struct tia_dir3){TIA_Q30(-0.6), 0, TIA_Q30(0.8)}; /* the back: the normal is negated */
     NEAR_RGB(see(0, 0, -4, 0, 0, 1), 0.5 * 0.28, 0.5 * 0.28, 0.5 * 0.28);
 }
 
-/* A mirror that leans by the normal (0.6, 0, 0.8): (0, 0, -1) becomes (0.96, 0, 0.28). */
+/* A mirror with the interpolated normal (0.6, 0, 0.8) turns (0, 0, -1) into (0.96, 0, 0.28). */
 TEST(smooth_mirror)
 {
     static const struct tia_vec3 vertices[] = {TIA_VEC3(-9, -9, -2), TIA_VEC3(9, -9, -2), TIA_VEC3(0, 9, -2)};
@@ -260,8 +259,8 @@ TEST(smooth_mirror)
     NEAR_RGB(see(0, 0, 0, 0, 0, -1), 0.5, 0, 0);
 }
 
-/* FNV-1a over the words 0, 0, 1, 0 for an object, its only part, and that one of two lights reaches it, then
- * the background in the mirror; alone, the second light. */
+/* The hash is FNV-1a over the words 0, 0, 1, 0 for an object, its only part, and the first of two lights, which reaches
+ * it, then the background in the mirror; alone, the second light. */
 TEST(path)
 {
     struct tia_scene alone;
@@ -293,7 +292,7 @@ TEST(path)
     NEAR(p.depth, 3);
 }
 
-/* The spheres of the thesis, drawn by both halves of the oracle: an up vector needs rays. */
+/* Both halves of the oracle draw the spheres of the thesis: an up vector needs rays. */
 TEST(rays_and_the_plain_formulas_agree)
 {
     static struct corpus_scene c;

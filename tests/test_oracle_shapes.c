@@ -31,7 +31,7 @@ static struct ray ray(double ox, double oy, double oz, double dx, double dy, dou
     return (struct ray){{ox, oy, oz}, unit((struct oracle_vec){dx, dy, dz})};
 }
 
-/* y = -2. With N = y: U = x, V = -z; seen from below, too, as the normal does not turn. */
+/* The plane is y = -2. With N = y: U = x, V = -z, also seen from below, as the normal does not turn. */
 TEST(plane)
 {
     struct tia_shape s = {.kind = TIA_PLANE, .plane = {TIA_VEC3(1, -2, 0), {0, TIA_Q30(1.25), 0}}};
@@ -49,8 +49,8 @@ TEST(plane)
     CHECK(!meets(&s, ray(0, 0, 0, 1, 0, 0), &h));
 }
 
-/* light.h's e is the first of the coordinates nearest to 0: for N = x it is y, A = y x x = -z, B = x x -z = y;
- * for N along (-2, -3, 1) it is z. */
+/* The e of light.h is the first of the coordinates nearest to 0: for N = x it is y, A = y x x = -z, B = x x -z = y; for
+ * N along (-2, -3, 1) it is z. */
 TEST(axes_of_a_normal)
 {
     struct oracle_vec a, b;
@@ -74,7 +74,7 @@ TEST(points_farther_than_65536_are_not_met)
     CHECK(!meets(&s, ray(0, 0, 0, 65537.0, -1, 0), &h));
 }
 
-/* N = z: U = y x z = x, V = z x x = y, 2 on each side of the centre. */
+/* With N = z: U = y x z = x, V = z x x = y, 2 on each side of the centre. */
 TEST(disc)
 {
     struct tia_shape s = {.kind = TIA_DISC, .disc = {TIA_VEC3(1, 0, -4), {0, 0, TIA_Q30(1)}, TIA_Q16(2)}};
@@ -88,7 +88,7 @@ TEST(disc)
     CHECK(!meets(&s, ray(3.01, 0, 0, 0, 0, -1), &h));
 }
 
-/* At (3, 0, 4)/5 r from the centre: 1/2 - atan2(4, 3)/(2 pi), 1 - acos(0)/pi. */
+/* The point at (3, 0, 4)/5 r from the centre has 1/2 - atan2(4, 3)/(2 pi), 1 - acos(0)/pi. */
 TEST(sphere)
 {
     struct tia_shape s = {.kind = TIA_SPHERE, .sphere = {TIA_VEC3(0, 0, -10), TIA_Q16(5)}};
@@ -109,7 +109,7 @@ TEST(sphere)
     NEAR_VEC(h.normal, 0, 0, 1);
 }
 
-/* Axis y from 0 to 4: U = x, V = -z as for the plane; u = 1/2 - atan2(z, x)/(2 pi), as on a sphere. */
+/* The axis is y from 0 to 4: U = x, V = -z as for the plane; u = 1/2 - atan2(z, x)/(2 pi), as on a sphere. */
 TEST(cylinder)
 {
     struct tia_shape s = {.kind = TIA_CYLINDER, .cylinder = {TIA_VEC3(0, 0, 0), TIA_VEC3(0, 4, 0), TIA_Q16(2), false}};
@@ -150,7 +150,7 @@ TEST(caps)
     CHECK_EQ(h.part, 2);
 }
 
-/* x^2 + z^2 = (1 - y)^2: the side falls at 45 degrees. */
+/* The cone x^2 + z^2 = (1 - y)^2 has a side that falls at 45 degrees. */
 TEST(cone)
 {
     struct tia_shape s = {.kind = TIA_CONE,
@@ -177,7 +177,7 @@ TEST(cone)
     CHECK_EQ(h.part, 1);
 }
 
-/* Parallel to the far side of the cone, so that the quadratic's first coefficient is 0. */
+/* A ray parallel to the far side of the cone makes the quadratic's first coefficient 0. */
 TEST(cone_along_its_side)
 {
     struct tia_shape s = {.kind = TIA_CONE,
@@ -233,7 +233,8 @@ TEST(triangle)
     CHECK(!meets(&s, ray(1, -0.1, 0, 0, 0, -1), &h));
 }
 
-/* One face as above; its normals lean to x, y and z: at the weights 1/4, 1/4, 1/2 they add up to (1, 1, 2)/4. */
+/* The mesh has one face as above; its normals lean to x, y and z: with the weights 1/4, 1/4, 1/2 they add up to (1, 1,
+ * 2)/4. */
 TEST(mesh)
 {
     static const struct tia_vec3 vertices[] = {TIA_VEC3(0, 0, -2), TIA_VEC3(4, 0, -2), TIA_VEC3(0, 2, -2)};
@@ -259,7 +260,7 @@ TEST(mesh)
     NEAR(h.v, 0.5);
 }
 
-/* Cells of 2 from the origin: in x one of material 0, one of 0, one of 1, one empty, one of 0. */
+/* Cells are 2 wide from the origin: in x one of material 0, one of 0, one of 1, one empty, one of 0. */
 TEST(grid)
 {
     static const uint8_t cells[5] = {1, 1, 2, 0, 1};
@@ -277,12 +278,12 @@ TEST(grid)
     NEAR(h.t, 3);
     NEAR_VEC(h.normal, -1, 0, 0);
     CHECK_EQ(h.material, 8);
-    CHECK(meets(&s, ray(5, 1, 1, 1, 0, 0), &h)); /* into the empty one */
+    CHECK(meets(&s, ray(5, 1, 1, 1, 0, 0), &h)); /* into the empty cell */
     CHECK_EQ(h.part, 6 * 2 + 1);
     NEAR(h.t, 1);
     NEAR_VEC(h.normal, 1, 0, 0);
     CHECK_EQ(h.material, 8);
-    CHECK(meets(&s, ray(7, 1, 1, 1, 0, 0), &h)); /* and through it */
+    CHECK(meets(&s, ray(7, 1, 1, 1, 0, 0), &h)); /* and through the empty cell */
     NEAR(h.t, 1);
     NEAR_VEC(h.normal, -1, 0, 0);
     CHECK_EQ(h.material, 7);
@@ -291,7 +292,7 @@ TEST(grid)
     NEAR(h.t, 1);
 }
 
-/* About x by 90 degrees y becomes z, about y z becomes x, about z x becomes y. */
+/* A rotation by 90 degrees about x takes y to z, about y it takes z to x, about z it takes x to y. */
 TEST(rotations)
 {
     struct tia_transform t = {TIA_VEC3(1, 2, 3), TIA_VEC3(90, 0, 0), TIA_VEC3(2, 3, 4)};
@@ -307,7 +308,7 @@ TEST(rotations)
     NEAR_VEC(transform_turn_back(&t, transform_turn(&t, y)), 0, 1, 0);
 }
 
-/* x^2/4 + y^2 = 1 at (sqrt 2, sqrt 1/2): the normal is along (x/4, y) = (sqrt 2/4, sqrt 2/2). */
+/* The ellipse x^2/4 + y^2 = 1 has at (sqrt 2, sqrt 1/2) the normal along (x/4, y) = (sqrt 2/4, sqrt 2/2). */
 TEST(ellipsoid)
 {
     struct tia_shape s = {.kind = TIA_SPHERE, .transform = 1, .sphere = {TIA_VEC3(0, 0, 0), TIA_Q16(1)}};

@@ -1,4 +1,4 @@
-/* test_orbit.c - camera movement: its results, by trigonometry in double precision. */
+/* test_orbit.c - camera movement: its results, computed by trigonometry in double precision. */
 #include <math.h>
 
 #include <tia/orbit.h>
@@ -31,7 +31,7 @@ static void check_place(const char *what, struct tia_vec3 got, double x, double 
               "%s: %g %g %g, not %g %g %g", what, got.x / 65536.0, got.y / 65536.0, got.z / 65536.0, x, y, z);
 }
 
-/* From 10 before the point, the eye moves around it on circles. */
+/* The eye starts 10 before the point and moves around it on circles. */
 TEST(around_a_point)
 {
     for (int right = -180; right <= 180; right += 7)
@@ -43,7 +43,7 @@ TEST(around_a_point)
         }
 }
 
-/* In many steps: back after a full turn, and as far away as before. */
+/* After many steps of a full turn, the eye is back, and as far away as before. */
 TEST(many_steps)
 {
     for (int i = 0; i < 200; i++) {
@@ -62,7 +62,7 @@ TEST(many_steps)
     }
 }
 
-/* Not over the pole, nor nearer to it than 3 degrees; around the up vector it still turns. */
+/* The eye does not pass the pole, nor come nearer to it than 3 degrees; around the up vector it still turns. */
 TEST(the_pole)
 {
     struct tia_camera c = looking(2, -1, 13);
@@ -85,7 +85,7 @@ TEST(another_up)
     check_place("about -z", c.eye, 0, -10, 0, 1e-4);
 }
 
-/* Along u, v, -n of camera.h, by a 32nd of the distance. */
+/* Each step is along u, v, -n of camera.h, by a 32nd of the distance. */
 TEST(along_its_axes)
 {
     struct tia_camera c = looking(2, -1, 35), d = c;
@@ -127,7 +127,8 @@ TEST(nearer)
           c.window.top == 21 * ONE);
 }
 
-/* Of the objects ahead the ball nearest to the line of sight; planes have no middle. */
+/* The reference is as far away as the ball nearest to the line of sight among the objects ahead; planes have no
+ * middle. */
 TEST(what_a_camera_along_z_looks_at)
 {
     static const struct tia_material materials[] = {{.colour = {0, 0, 0}}};
@@ -140,7 +141,7 @@ TEST(what_a_camera_along_z_looks_at)
     tia_camera_aim(&c, &scene);
     check_place("the ball", c.reference, 0, 0, -7, 1e-4);
     CHECK(c.up.y == ONE && c.eye.z == 5 * ONE);
-    c.eye.z = 30 * ONE; /* it looks at something already */
+    c.eye.z = 30 * ONE; /* the camera has a reference point already */
     tia_camera_aim(&c, &scene);
     CHECK_EQ(c.reference.z, -7 * ONE);
     c = (struct tia_camera){.eye = {0, 0, 5 * ONE}};

@@ -1,4 +1,4 @@
-/* test_osmesa.c - the osmesa display: pixels drawn through GL come back bit by bit, with both libraries. */
+/* test_osmesa.c - the osmesa display: pixels drawn through GL are read back unchanged, with both libraries. */
 #include <stdlib.h>
 
 #include "check.h"
@@ -17,7 +17,7 @@ int main(void)
 #include "conform.h"
 #include "osmesa/osmesa.h"
 
-static const char *library; /* the one under test */
+static const char *library; /* the library under test */
 static char why[PORT_WHY];
 
 static void *create(unsigned width, unsigned height)
@@ -77,7 +77,7 @@ static void compare(void *ctx, const tia_rgb565 *image, unsigned width, unsigned
     }
 }
 
-/* Returns a pattern: 40503 is odd, so it has every colour before it repeats, and no two rows are alike. */
+/* Returns a pattern: 40503 is odd, so that all colours occur before one is repeated, and no two rows are alike. */
 static tia_rgb565 *pattern(unsigned width, unsigned height, unsigned seed)
 {
     tia_rgb565 *image = malloc((size_t)width * height * sizeof *image);
@@ -136,7 +136,7 @@ TEST(every_colour)
     round_trip(256, 256);
 }
 
-/* Rows of an odd number of pixels, single rows and columns. */
+/* Sizes include rows of an odd number of pixels, single rows and single columns. */
 TEST(any_size)
 {
     static const unsigned sizes[][2] = {{1, 1}, {3, 5}, {1, 67}, {67, 1}, {641, 9}, {17, 481}, {8192, 2}, {2, 8192}};
@@ -184,7 +184,7 @@ TEST(two_displays)
     free(right);
 }
 
-/* Draws the built-in scene, lit as by each of its keys, or not at all (key 0). */
+/* Draws the built-in scene, lit by one of its keys, or unlit (key 0). */
 static bool draw_frame(uint16_t key, tia_rgb565 *image, struct tia_tile all)
 {
     const struct tia_core *core = &tia_core_q16;
@@ -249,7 +249,7 @@ TEST(open_again)
     free(image);
 }
 
-/* Refused with a reason in the form that every port uses, and safe to close. */
+/* Refusals have a reason in the form that every port uses, and closing is safe after them. */
 TEST(refusals)
 {
     struct port_wish other = {.device = "opengl", .why = why};
@@ -304,7 +304,7 @@ static void run_all(const char *name)
 
 int main(void)
 {
-    /* Mesa would keep compiled shaders in the user's home. */
+    /* keeps Mesa from storing compiled shaders in the user's home */
     (void)setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
 #ifdef TIA_HAVE_LIBOSMESA
     run_all("osmesa");

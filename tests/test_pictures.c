@@ -1,4 +1,5 @@
-/* Pictures on terminals: a terminal's answers, on a pseudo-terminal too, and sixel's and kitty's bytes, decoded. */
+/* Pictures on terminals: a terminal's answers, also on a pseudo-terminal, and the bytes of sixel and kitty's protocol,
+ * decoded. */
 #include <sys/ioctl.h>
 #include <sys/wait.h>
 #include <time.h>
@@ -56,7 +57,7 @@ struct result {
     struct tia_mode mode;
     char format[40];
     long ms;
-    bool same; /* the terminal's modes afterwards as before */
+    bool same; /* the terminal's modes are the same as before */
 };
 
 static long now_ms(void)
@@ -67,9 +68,9 @@ static long now_ms(void)
     return (long)t.tv_sec * 1000 + t.tv_nsec / 1000000;
 }
 
-static const char *chosen; /* as after "terminal:" */
+static const char *chosen; /* the user's choice, the text after "terminal:" */
 
-/* The program: opens the display on its controlling terminal and reports its format. */
+/* Runs the program: opens the display on its controlling terminal and reports its format. */
 static void play_program(const char *name, const char *term, int out)
 {
     char why[PORT_WHY] = "";
@@ -213,7 +214,7 @@ static size_t decode_kitty(const char *text, unsigned *width, unsigned *height)
             *width = (unsigned)strtoul(w + 2, NULL, 10);
             *height = (unsigned)strtoul(h + 2, NULL, 10);
         }
-        have = 0; /* each ends with its own padding */
+        have = 0; /* each sequence ends with its own padding */
         for (; payload && ++payload < end;) {
             if (base64(*payload) < 0)
                 continue;
@@ -242,7 +243,7 @@ static unsigned number(const char **s)
     return n;
 }
 
-/* Takes #n;2;r;g;b in per cent, or #n: a colour. */
+/* Reads a colour: #n;2;r;g;b in per cent, or #n. */
 static unsigned take_colour(const char **s)
 {
     unsigned n = number(s) % 256, c[4] = {0};
@@ -256,7 +257,7 @@ static unsigned take_colour(const char **s)
     return n;
 }
 
-/* Decodes after the VT340's manual; true if all is valid. */
+/* Decodes sixels by the VT340's manual; true if all of them are valid. */
 static bool decode_sixel(const char *text)
 {
     const char *s = strstr(text, "\033P");
@@ -332,7 +333,7 @@ static void check_kitty(unsigned columns, struct strip strip)
     text_free(&text);
 }
 
-/* Also where the last part has one byte or two in its last group. */
+/* The last part may have one byte or two in its last group. */
 TEST(kittys_pictures)
 {
     for (unsigned columns = 1; columns <= 6; columns++) {
@@ -347,7 +348,7 @@ static unsigned apart(uint32_t a, uint32_t b)
     return a > b ? a - b : b - a;
 }
 
-/* A channel has 101 levels there: 255/100 apart, and one more for libchafa's own palette. */
+/* Sixel's channels have 101 levels: 255/100 apart, and one more for libchafa's own palette. */
 TEST(sixel)
 {
     for (int n = 0; n < 5; n++) {
@@ -383,7 +384,7 @@ TEST(sixel)
 
 int main(void)
 {
-    (void)setenv("LC_ALL", "C.UTF-8", 1); /* symbols are there for UTF-8 alone */
+    (void)setenv("LC_ALL", "C.UTF-8", 1); /* symbols need UTF-8 */
     RUN(what_terminals_answer);
     RUN(terminals_are_asked);
     RUN(kittys_pictures);

@@ -17,7 +17,7 @@ static uint32_t random_below(uint32_t limit)
     return random_u32() % limit;
 }
 
-/* The placement of the plane's x and y in space: along which axes, swapped, with which slope of the third. */
+/* The placement of the plane's x and y in space: their axes, their order, and the slopes of the third axis. */
 struct placing {
     int u, v;
     double slope_u, slope_v;
@@ -64,7 +64,7 @@ static double area_of_polygon(uint32_t count)
     return sum;
 }
 
-/* True if the point is inside, by the even-odd rule; *unsure: it is too near to an edge. */
+/* True if the point is inside, by the even-odd rule; *unsure: it is too close to an edge. */
 static bool is_inside(const double *p, uint32_t count, bool *unsure)
 {
     bool inside = false;
@@ -104,7 +104,7 @@ static void check_points(uint32_t count, double low, double high)
     }
 }
 
-/* Checks that there are enough triangles, all in the polygon's order, and of its area. */
+/* Checks that there are enough triangles, all in the polygon's order, and that their areas add up to its area. */
 static void check_covered(uint32_t count, double low, double high)
 {
     double whole = area_of_polygon(count), sum = 0;
@@ -122,7 +122,7 @@ static void check_covered(uint32_t count, double low, double high)
     check_points(count, low, high);
 }
 
-/* Checks the same, and that none is flat. */
+/* Checks the triangles as check_covered does, and that none is degenerate. */
 static void check_simple(uint32_t count, double low, double high)
 {
     check_covered(count, low, high);
@@ -149,7 +149,7 @@ TEST(stars)
     }
 }
 
-/* The range's whole width: coordinates whose differences need 33 bits. */
+/* Coordinates span the whole range: their differences need 33 bits. */
 TEST(largest)
 {
     for (int n = 0; n < 500; n++) {
@@ -159,7 +159,7 @@ TEST(largest)
     }
 }
 
-/* A skyline of whole steps: right angles, flat corners, corners on the diagonals of others. */
+/* A skyline has steps of integers: right angles, flat corners, corners on the diagonals of others. */
 TEST(skylines)
 {
     for (int n = 0; n < 2000; n++) {
@@ -178,7 +178,7 @@ TEST(skylines)
     }
 }
 
-/* Makes a wound-up wall: few ears at a time, and each may have all the corners in view. */
+/* Makes a spiral wall, which has few ears at a time, each of which may have all corners in view. */
 static uint32_t make_spiral(uint32_t turns, struct placing how)
 {
     uint32_t half = turns * 12;
@@ -205,7 +205,7 @@ TEST(most_corners)
     check_simple(4080, -65536.0 * 2000, 65536.0 * 2000);
 }
 
-#define HOLE 8 /* corners */
+#define HOLE 8 /* number of corners of a hole */
 
 /* Adds corners from..to of the n-th hole, clockwise from its left. */
 static uint32_t go_around(uint32_t count, double (*hole)[2], uint32_t from, uint32_t to, struct placing how)
@@ -226,7 +226,7 @@ static uint32_t make_holes(uint32_t holes, struct placing how)
     for (uint32_t i = 0; i < sizeof frame / sizeof *frame; i++)
         put(count++, (frame[i][0] > 0 ? holes * 10.0 : -8.0) * 65536.0, frame[i][1] * 65536.0, how);
     for (uint32_t n = 0; n < holes; n++) {
-        exit[n] = n + 1 < holes ? HOLE / 2 : HOLE - 1; /* the last one is left as it was reached */
+        exit[n] = n + 1 < holes ? HOLE / 2 : HOLE - 1; /* the last hole is left where it was entered */
         double height = 65.536 * random_below(1500);
         for (uint32_t i = 0; i < HOLE; i++) {
             double distance = 65.536 * (2000 + random_below(1000)),
@@ -250,7 +250,7 @@ TEST(holes)
     }
 }
 
-/* As few corners as possible: all the ears lie at the bridge. */
+/* With as few corners as possible, all ears are at the bridge. */
 TEST(triangle_in_triangle)
 {
     static const int at[][2] = {{0, 0}, {12, 0}, {0, 12}, {0, 0}, {1, 1}, {1, 9}, {9, 1}, {1, 1}};
@@ -262,7 +262,7 @@ TEST(triangle_in_triangle)
     }
 }
 
-/* Petals around a point that the polygon goes through once for each. */
+/* Petals lie around a point through which the polygon goes once for each petal. */
 TEST(petals)
 {
     for (int n = 0; n < 2000; n++) {
@@ -281,7 +281,7 @@ TEST(petals)
     }
 }
 
-/* Checks a polygon that is not simple: as many triangles, each corner in one or cut off, and an end. */
+/* Checks a polygon that is not simple: the same number of triangles, each corner in one or cut off, and an end. */
 static void check_ends(uint32_t count)
 {
     triangulate(count);

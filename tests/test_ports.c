@@ -81,7 +81,7 @@ struct screen {
     char device[64];
 };
 
-/* Reads slowly and little at a time, so that the display has to wait for its terminal. */
+/* Reads slowly and in small pieces, so that the display has to wait for its terminal. */
 static void *read_screen(void *arg)
 {
     struct screen *s = arg;
@@ -165,7 +165,7 @@ TEST(terminal)
     conform_terminal(1, 1);
 }
 
-/* A failed open has a reason, and may be closed. */
+/* A failed open has a reason, and closing is safe after it. */
 TEST(a_failed_open_can_be_closed)
 {
     static const struct {
@@ -207,7 +207,7 @@ TEST(conform_chosen)
     conform_where_it_opens(chosen, chosen_device);
 }
 
-/* NAME or NAME:DEVICE of a display; false where it is none. */
+/* Tests the display NAME or NAME:DEVICE; false when there is none. */
 static bool conform_argument(const char *argument)
 {
     char name[40];
@@ -238,7 +238,7 @@ int main(int argc, char **argv)
 {
     int displays = 0;
 
-    (void)setenv("LC_ALL", "C.UTF-8", 1); /* symbols are there for UTF-8 alone */
+    (void)setenv("LC_ALL", "C.UTF-8", 1); /* symbols need UTF-8 */
     for (int i = 1; i < argc; i++)
         displays += conform_argument(argv[i]);
     if (!displays)

@@ -3,7 +3,7 @@
 #include "ps2/ps2.h"
 #include "random.h"
 
-/* Feeds bytes, collects events as text: "+a -a" is a press and a release, "!" a tap. */
+/* The keyboard that decodes the bytes; events are collected as text: "+a -a" is a press and a release, "!" a tap. */
 static struct tia_ps2 keyboard;
 static char told[256];
 
@@ -98,7 +98,7 @@ TEST(held_key_is_one_press)
     CHECK_TOLD("+a", 0x1c, 0x1c, 0x1c);
     CHECK_TOLD("+s", 0x1b, 0x1b);
     CHECK_TOLD("-a -s", 0xf0, 0x1c, 0xf0, 0x1b);
-    CHECK_TOLD("", 0xf0, 0x1c); /* was held before we listened */
+    CHECK_TOLD("", 0xf0, 0x1c); /* a key held before we listened */
 }
 
 TEST(modifiers_and_locks_are_silent)
@@ -132,7 +132,7 @@ TEST(other_keys)
     START();
     CHECK_TOLD("+esc -esc", 0x76, 0xf0, 0x76);
     CHECK_TOLD("+other -other", 0x29, 0xf0, 0x29);                                 /* space */
-    CHECK_TOLD("+other -other", 0x83, 0xf0, 0x83);                                 /* F7, the one above 7f */
+    CHECK_TOLD("+other -other", 0x83, 0xf0, 0x83);                                 /* F7, the only code above 7f */
     CHECK_TOLD("+other -other", 0xe0, 0x71, 0xe0, 0xf0, 0x71);                     /* Delete */
     CHECK_TOLD("!other +a", 0xe1, 0x14, 0x77, 0xe1, 0xf0, 0x14, 0xf0, 0x77, 0x1c); /* Pause, then a */
 }
@@ -150,7 +150,7 @@ TEST(keyboard_plugged_in_anew_holds_nothing)
     CHECK_TOLD("+a +left", 0x1c, 0xe0, 0x6b, 0x12);
     CHECK_TOLD("-a -left", 0xaa);
     CHECK_TOLD("+a", 0x1c);
-    CHECK_TOLD("-a", 0x00); /* overrun: its release may be lost */
+    CHECK_TOLD("-a", 0x00); /* overrun: the release may be lost */
 }
 
 /* Random bytes: presses and releases alternate for each key, and the decoder stays valid. */
@@ -164,7 +164,7 @@ TEST(noise)
         for (; told_one; told_one = tia_ps2_owed(&keyboard, &event)) {
             CHECK(event.key <= TIA_KEY_OTHER);
             if (event.key == TIA_KEY_OTHER || event.key == TIA_KEY_INTERRUPT || event.key == 'c')
-                continue; /* many keys in one, or a name that Ctrl changes */
+                continue; /* several keys in one code, or a name that Ctrl changes */
             balance[event.key] += event.kind == TIA_EVENT_PRESS ? 1 : -1;
             CHECK(balance[event.key] == 0 || balance[event.key] == 1);
         }

@@ -70,7 +70,7 @@ TEST(shoebox_room_has_the_paths_of_the_mirror_formula)
     world_end(&w);
 }
 
-/* The same room rotated, whose planes have normals of many digits: as many paths, lengths within rounding. */
+/* The rotated room has planes whose normals have many digits: as many paths, with lengths within rounding. */
 TEST(turned_room_has_as_many_paths)
 {
     static const double unit[3][3] = {{0.36, 0.48, -0.8}, {-0.8, 0.6, 0}, {0.48, 0.64, 0.6}};
@@ -107,7 +107,7 @@ TEST(parallel_plates)
     CHECK(world_build(&w));
     CHECK_EQ(world_images(&w, world_at(0, 1, 0), world_at(8, 1, 0), TIA_RADIO_ORDER_MAX, 0), 17);
     for (unsigned i = 0; i < w.count; i++) {
-        /* Of order k one that begins below, one above: images at heights 2 * 3 m +- 1. */
+        /* two paths of order k, one that begins below and one above: images at heights 2 * 3 m +- 1 */
         const struct tia_radio_path *path = &w.paths[i];
         int k = (int)path->order;
         bool below = k > 0 && path->point[0].y == 0;
@@ -142,14 +142,14 @@ TEST(corner_reflector)
         if (w.paths[i].order == 3) {
             threes++;
             CHECK(fabs(world_length(&w.paths[i]) - sqrt(36 + 8.25 * 8.25 + 100)) < 1e-11);
-            for (int k = 0; k < 3; k++) /* it leaves as it came */
+            for (int k = 0; k < 3; k++) /* the wave leaves in the opposite direction */
                 CHECK(w.paths[i].direction[0][k] == -w.paths[i].direction[3][k]);
         }
     CHECK_EQ(threes, 1);
     world_end(&w);
 }
 
-/* The line where two walls meet at a right angle: the path through it is found once; at an outer edge not at all. */
+/* A path through the line where two walls meet at a right angle is found once; at an outer edge not at all. */
 TEST(paths_through_an_edge_of_two_walls)
 {
     world_begin(&w);
@@ -171,7 +171,8 @@ TEST(paths_through_an_edge_of_two_walls)
     world_end(&w);
 }
 
-/* Two small mirrors where the planes are met in the wrong order: (0, -2) at 3/4 of the way, then (-2, 0) at 1/4. */
+/* Two small mirrors are at the points where the planes are met in the wrong order: (0, -2) at 3/4 of the way, then (-2,
+ * 0) at 1/4. */
 TEST(reflections_are_in_order)
 {
     world_begin(&w);
@@ -229,7 +230,7 @@ TEST(face_has_its_edge_and_nothing_beyond)
         world_begin(&w);
         world_triangle(&w, world_at(2, 0, 0), world_at(2, 4, 0), world_at(0, 2, 0));
         CHECK(world_build(&w));
-        to.x += 2 * beyond; /* the point moves by one */
+        to.x += 2 * beyond; /* the point moves by one unit */
         CHECK_EQ(world_images(&w, from, to, 1, 0), beyond > 0 ? 1 : 2);
         to.z = -to.z;
         CHECK_EQ(world_images(&w, from, to, 1, 0), beyond > 0 ? 1 : 0);
@@ -264,7 +265,7 @@ TEST(boxes_are_one_wall_and_reflect_outside)
         CHECK(face.solid && face.normal[0] == -(INT64_C(1) << 62));
         CHECK_EQ(face.thickness, face.object == 0 ? TIA_Q16(0.25) : TIA_Q16(0.5));
     }
-    /* between the two, forth and back: not inside either */
+    /* between the two boxes, back and forth: inside neither */
     CHECK_EQ(world_images(&w, world_at(0, 0, 0), world_at(6, 1, 0), 2, 2), 2);
     CHECK_EQ(w.paths[1].point[0].x, TIA_Q16(4));
     CHECK_EQ(w.paths[1].point[1].x, TIA_Q16(2.25));
@@ -298,7 +299,7 @@ TEST(sequences_are_counted)
     world_end(&w);
 }
 
-/* Paths are reported one by one, and the caller may end the search. */
+/* Counts the paths, which are reported one by one, and ends the search after enough of them. */
 static bool enough(void *ctx, const struct tia_radio_path *path)
 {
     (void)path;

@@ -1,4 +1,4 @@
-/* Paths between random blocks of houses: the same as the oracle's, and the same by rays as by images. */
+/* Paths between random blocks of houses: rays and images find the same as the oracle. */
 #include <math.h>
 
 #include "oracle/radio.h"
@@ -63,7 +63,7 @@ static void add_roof(void)
     add_polygon((const double(*)[3])c, 3, false);
 }
 
-/* Builds houses of any size on a square, a ground, two slanting triangles in the air. */
+/* Builds houses of random sizes on a square, with a ground and two slanting triangles in the air. */
 static void build_city(unsigned number)
 {
     const double ground[4][3] = {{-30, 0, -30}, {-30, 0, 70}, {70, 0, 70}, {70, 0, -30}};
@@ -112,7 +112,7 @@ static bool is_same(const struct oracle_path *want, const struct tia_radio_path 
 static struct oracle_path want[WORLD_PATHS];
 static unsigned total, unsure;
 
-/* Compares both ways: the side that is not sure may have a path that the other has not. */
+/* Compares both ways; either may find a path that the other lacks where the oracle is not sure. */
 static void compare_link(unsigned city, unsigned order)
 {
     double from[3], to[3];
@@ -151,7 +151,7 @@ TEST(paths_are_those_of_the_oracle)
 
 /* ---- rays ---- */
 
-/* The finds of rays: sequences, and the receiver's paths by them. */
+/* Results of rays: the sequences, and the receiver's paths found by them. */
 struct finds {
     uint32_t plane[WORLD_PATHS][TIA_RADIO_ORDER_MAX], order[WORLD_PATHS], count;
 };
@@ -208,7 +208,7 @@ TEST(hybrid_gives_the_paths_of_images_to_the_bit)
     CHECK(total > 2 * check_count(8));
 }
 
-/* A room of 5 x 3.5 x 4.25 has 38 paths up to 3 reflections: 42 rays find all of them, 12 do not. */
+/* Rays in a room of 5 x 3.5 x 4.25, which has 38 paths up to 3 reflections: 42 rays find all of them, 12 do not. */
 TEST(rays_of_a_room)
 {
     struct tia_vec3 from = world_at(1.25, 1.5, 3), to = world_at(4.125, 1.0625, 0.75);
@@ -221,7 +221,7 @@ TEST(rays_of_a_room)
     world_end(&w);
 }
 
-/* Where faces are small, rays miss them: number of paths of twelve cities that are found, by density. */
+/* Rays miss small faces: the numbers are those of twelve cities' paths that are found, by density. */
 TEST(rays_of_cities_by_density)
 {
     static const unsigned densities[] = {1, 2, 4, 8, 16, 32}, counts[] = {19, 25, 28, 31, 33, 34};

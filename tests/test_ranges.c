@@ -1,10 +1,10 @@
-/* The checking build over the built-in scene and random ones: no number leaves its range, and the pixels are q16's.
- * Sums that overflow end the program: the compiler checks them. */
+/* The checking build over the built-in scene and random ones: no number leaves its range, and the pixels are those of
+ * q16. Sums that overflow end the program: the compiler checks them. */
 #include "arch/frames.h"
 #include "check.h"
 #include "reports.h"
 
-static unsigned scene_count = 60; /* or the argument */
+static unsigned scene_count = 60; /* default, or the program's argument */
 
 static void draw_both(const struct tia_scene *scene, unsigned width, unsigned height, bool dither)
 {
@@ -48,9 +48,9 @@ TEST(random_general_scenes_keep_their_ranges)
     }
 }
 
-/* Finds of fuzzing, each once beyond some range: a light nearer to a surface than its distance is known, an image of
- * two pixels, v.v that rounds to nothing in one 8000 times as wide as high, a caster with its centre at the eye, and
- * L.L - r^2 = 2^48 - 2^12, which rounds up to a power of two. In units of 2^-16. */
+/* Scenes found by fuzzing, each of which was once beyond some range: a light nearer to a surface than its distance is
+ * known, an image of two pixels, v.v that rounds to nothing in one 8000 times as wide as high, a caster with its centre
+ * at the eye, and L.L - r^2 = 2^48 - 2^12, which rounds up to a power of two. In units of 2^-16. */
 static const struct {
     struct tia_vec3 eye;
     tia_q16 fov;

@@ -20,7 +20,7 @@ struct trial {
     bool flat;
 };
 
-/* Begins any tile of at most 32 x 32 pixels. */
+/* Begins a random tile of at most 32 x 32 pixels. */
 static void begin_image(struct trial *t, unsigned buffers, unsigned range, const uint16_t size[2], uint32_t samples)
 {
     struct oracle_image image = {t->flat ? TIA_ORTHOGRAPHIC : TIA_PERSPECTIVE, size[0], size[1], (int)samples,
@@ -77,7 +77,7 @@ static int64_t most_of(const struct tia_raster_grid *l, unsigned range)
     return ((INT64_C(1) << (l->fraction + (int)range)) - 1) / 40 * 40;
 }
 
-/* Puts an orthographic polygon at one of three depths: often in the plane of another. */
+/* Puts an orthographic polygon at one of three depths, so that it is often in the plane of another. */
 static void make_level(struct random_polygon *p, int64_t most)
 {
     int64_t h = random_size(1) * (most / 4);
@@ -86,7 +86,7 @@ static void make_level(struct random_polygon *p, int64_t most)
         p->v[i].h = p->v[i].w ? h : 0;
 }
 
-/* Tests the nearest faces, of soups in all formats and sizes. */
+/* Tests the nearest faces of random polygons in all formats and sizes. */
 static void nearest(bool flat, unsigned ranges, int trials)
 {
     const struct tia_stencil always = {.test = TIA_COMPARE_ALWAYS};
@@ -133,14 +133,14 @@ TEST(all_states_are_as_opengl_says)
             struct tia_raster_state s = random_state_of_all();
             if (id < 20)
                 random_polygon(&p[id], &t.grid, t.area, t.most);
-            draw(&t, &s, &p[id % 20], id % 20); /* the second time it is equal in depth to itself */
+            draw(&t, &s, &p[id % 20], id % 20); /* the second time, the polygon is as deep as itself */
         }
         compare(&t, "states");
     }
 }
 
-/* Checks the bound that src/raster/depth.h derives, for a run as long as the area is wide, and 4 for the oracle's
- * rounding. */
+/* Checks the bound that src/raster/depth.h derives, for a run as long as the area is wide, and an allowance of 4 for
+ * the oracle's rounding. */
 static void check_nearness(const struct trial *t)
 {
     for (int y = 0; y < t->area.height; y++)
@@ -186,7 +186,7 @@ TEST(orthographic_nearness_errs_by_no_more_where_h_changes_its_sign)
     }
 }
 
-/* From one pixel to the next almost from -2^range to 2^range: the largest step that there is. */
+/* From one pixel to the next h changes almost from -2^range to 2^range, the largest step possible. */
 TEST(orthographic_nearness_steps_over_both_signs_at_once)
 {
     const struct tia_stencil always = {.test = TIA_COMPARE_ALWAYS};
@@ -208,7 +208,7 @@ TEST(orthographic_nearness_steps_over_both_signs_at_once)
     }
 }
 
-/* Two planes far apart, before the window and behind it: the nearer one needs no exact order anywhere. */
+/* Two planes are far apart, one before the window and one behind it: the nearer one needs no exact order anywhere. */
 TEST(the_filter_tells_orthographic_depths_of_both_signs_apart)
 {
     static const int8_t depths[4][2] = {{-8, -7}, {7, 8}, {-8, 8}, {-1, 1}};

@@ -1,7 +1,7 @@
 /* Interpolation against the oracle's exact quotients. */
 #include "raster_random.h"
 
-/* Makes large and small values: means of the latter are halves now and then. */
+/* Makes large or small values; means of small ones are sometimes halves. */
 static void random_values(tia_q16 a[3])
 {
     for (int i = 0; i < 3; i++)
@@ -26,7 +26,7 @@ static void try_pixel(const struct oracle_image *image, const struct tia_raster_
     try_values(image, corners, v, x, y, a);
 }
 
-/* Tries pixels in front of which the plane is, in the triangle or far outside, where the weights cancel. */
+/* Tests pixels with the plane in front of the eye, in the triangle or far outside it, where the weights cancel. */
 static void try_polygons(enum tia_projection projection, unsigned range)
 {
     struct oracle_image image = {projection, 40, 30, 16, (int)random_below(16)};
@@ -59,7 +59,7 @@ TEST(values_are_rounded_to_nearest)
     CHECK_MSG(wrong == 0 && tried > 5000, "%d of %d are wrong", wrong, tried);
 }
 
-/* Small triangles that are seen almost from the edge, far beside them: values far out of range, at either end. */
+/* Small triangles are seen almost edge-on, far beside them: values are far out of range, at either end. */
 TEST(values_beyond_the_range_are_clamped_at_the_right_end)
 {
     const struct oracle_image image = {TIA_PERSPECTIVE, 640, 480, 1, 0};
@@ -109,7 +109,7 @@ TEST(thin_sums_are_exact)
     CHECK_MSG(wrong == 0 && tried > 1500, "%d of %d are wrong", wrong, tried);
 }
 
-/* A quarter of the way from one corner to another, where the image has the middle. */
+/* The middle of the image shows a quarter of the way from one corner to another. */
 TEST(means_are_those_of_space_not_of_the_image)
 {
     const struct tia_raster_vertex v[3] = {{-400, 0, 400, 1}, {1200, 0, 1200, 1}, {0, 4000, 0, 1}};
@@ -136,7 +136,7 @@ TEST(halves_are_rounded_up)
         CHECK_EQ(tia_raster_corners_blend(&corners, 0, 0, a[i]), wanted[i]);
 }
 
-/* The middle of the image is 2.5 10^-7 of the edge away from its middle. */
+/* The middle of the image is 2.5 10^-7 of the edge away from the edge's middle. */
 TEST(almost_halves_are_not_taken_for_halves)
 {
     const struct tia_raster_vertex v[3] = {{-1000000, 0, 4, 1}, {1000001, 0, 4, 1}, {0, 4000, 0, 1}};

@@ -45,7 +45,7 @@ static size_t differing(const struct tia_raster_target *part, const struct tia_r
     return wrong;
 }
 
-/* 640x480 with range 2 to 5 has vertices of 25 bits: most need 64-bit numbers only. */
+/* At 640x480 with range 2 to 5 vertices have 25 bits: most polygons need only 64-bit numbers. */
 TEST(both_formats_draw_the_same)
 {
     const struct tia_tile area = {300, 200, 100, 80};
@@ -95,7 +95,7 @@ TEST(tiles_are_parts_of_the_whole)
     }
 }
 
-/* The result does not depend on the order. */
+/* The result of ties_by_face does not depend on the order of drawing. */
 TEST(ties_by_face_do_not_depend_on_order)
 {
     const struct tia_tile area = {0, 0, 60, 40};
@@ -112,7 +112,7 @@ TEST(ties_by_face_do_not_depend_on_order)
         struct tia_raster_target b = target_of(&grid, area, ALL, COUNT, &memory[1]);
         write_script(&script, &grid, area, (INT64_C(1) << 22) / 40 * 40);
         for (uint32_t k = 0; k < COUNT; k++) {
-            if (k % 2) /* the same plane as the one before */
+            if (k % 2) /* in the plane of the one before */
                 script.polygon[k] = script.polygon[k - 1];
             script.state[k] = state;
         }
@@ -163,7 +163,7 @@ TEST(hinges_are_seen_as_beside_the_edge)
         draw_hinge(i & 1, i & 2);
 }
 
-/* Draws every vertex at the bounds, everywhere in the largest image: with -fsanitize=undefined no operation may
+/* Draws every vertex at its bounds, everywhere in the largest image: with -fsanitize=undefined no operation may
  * overflow. */
 static void draw_extremes(enum tia_projection projection, const uint16_t size[2])
 {
@@ -249,7 +249,7 @@ TEST(what_is_out_of_range_is_refused)
     }
 }
 
-/* A triangle that fills the image, in three weights. */
+/* A triangle fills the image, and is added with three weights. */
 TEST(sums_are_means_of_what_was_drawn)
 {
     const struct tia_tile area = {0, 0, 3, 2};
@@ -296,7 +296,7 @@ TEST(clearing_a_stencil_keeps_masked_bits)
     free(memory);
 }
 
-/* 300 times up, once down, of polygons that cover everything: by the general way and the one for counting alone. */
+/* Polygons that cover everything count 300 times up, once down: by the general code and by that for counting alone. */
 TEST(counts_do_not_wrap_as_the_stencil_does)
 {
     static const struct tia_raster_vertex all[3] = {{-400, -400, 100, 1}, {400, -400, 100, 1}, {0, 800, 100, 1}};

@@ -1,5 +1,5 @@
 /* Faces without gloss, whose colours are computed with fewer bits and a bound, against the same pixels ray by ray: with
- * tia_options.lit all of them are drawn by rays. No byte differs. */
+ * tia_debug.lit all of them are drawn by rays. No byte differs. */
 #include <stdlib.h>
 #include <tia/debug.h>
 #include <tia/tia.h>

@@ -54,7 +54,7 @@ static void check_plane(const struct tia_raster_grid *l, const struct tia_raster
         want = ldexpl(want, flat ? TIA_DISTANCE_BITS : TIA_DISTANCE_BITS - l->fraction);
         int64_t got = tia_raster_distance(&plane, l, x, y);
         if (!isfinite(want) || want < 1)
-            continue; /* behind the eye, or too near to decide */
+            continue; /* behind the eye, or too close for a decision */
         if (want > ldexpl(1, 62))
             want = ldexpl(1, 62);
         CHECK_MSG(fabsl((long double)got - want) <= 1 + ldexpl(want, -44), "%jd, not %Lf", (intmax_t)got, want);
@@ -88,7 +88,7 @@ static void check_planes(enum tia_projection projection)
     CHECK_MSG(seen > 5000, "%u planes seen", seen);
 }
 
-/* A wall at a known distance, straight ahead: in both projections every pixel has that distance. */
+/* A wall is at a known distance, straight ahead: in both projections every pixel has that distance. */
 TEST(a_wall)
 {
     for (int flat = 0; flat < 2; flat++) {

@@ -1,4 +1,4 @@
-/* The rasteriser as on 32-bit machines, without 128-bit integers, against the library's: the same bits. */
+/* The rasteriser without 128-bit integers, as on 32-bit machines, against the library's: the same bits. */
 #define TIA_NO_INT128
 #define tia_polygon_init halves_polygon_init
 #define tia_polygon_init_enlarged halves_polygon_init_enlarged

@@ -18,7 +18,7 @@
 
 enum { WIDTH = 160, HEIGHT = 120, PIXELS = WIDTH * HEIGHT, TRIANGLES = 40, MIRROR = 2, SCENES = 20 };
 
-/* The triangles, the mirror's two, and the triangles mirrored; the last are not in the traced scene. */
+/* The triangles, the mirror's two, and the mirrored triangles; these are not in the traced scene. */
 static struct tia_shape shapes[2 * TRIANGLES + MIRROR];
 static struct tia_material materials[TRIANGLES + 1];
 static tia_rgb565 traced[PIXELS], drawn[PIXELS], marked[PIXELS];
@@ -26,7 +26,7 @@ static tia_rgb565 traced[PIXELS], drawn[PIXELS], marked[PIXELS];
 /* ---- scenes ---- */
 
 #define PLACE (TIA_Q16_ONE * -8) /* the mirror's z */
-#define BEHIND 0x5b0f            /* no triangle's colour */
+#define BEHIND 0x5b0f            /* a colour of no triangle */
 
 static tia_rgb565 colour_of(uint32_t i)
 {
@@ -117,7 +117,8 @@ static void draw_objects(struct tia_raster_target *target, const struct tia_flat
         .test = TIA_COMPARE_ALWAYS, .mask = 255, .write = 255                                                          \
     }
 
-/* Draws three passes, as in the manuals of OpenGL. No object is behind the mirror, so its plane needs not clip. */
+/* Draws in three passes, as in the manuals of OpenGL. No object is behind the mirror, so no clipping at its plane is
+ * needed. */
 static void draw_mirrored(struct tia_raster_target *target, const struct tia_flat_scene *flat)
 {
     struct tia_raster_state state = {

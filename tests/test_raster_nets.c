@@ -4,7 +4,7 @@
 #define ROWS 20
 #define COLUMNS 24
 
-/* Counts with the stencil buffer how often each pixel is drawn. */
+/* A state that counts in the stencil buffer how often each pixel is drawn. */
 static const struct tia_stencil count_all = {TIA_COMPARE_ALWAYS, 0, 255, 255, TIA_STENCIL_INCR, TIA_STENCIL_INCR,
                                              TIA_STENCIL_INCR};
 
@@ -30,7 +30,7 @@ static void make_net(struct net *n, int64_t size, int64_t jitter, bool far)
         }
 }
 
-/* Draws two triangles each; quads whose corners moved are not flat. */
+/* Draws each quad as two triangles; quads whose corners moved are not flat. */
 static void draw_net(struct tia_raster_target *t, const struct net *n)
 {
     const struct tia_raster_state state = {.depth = TIA_COMPARE_ALWAYS, .front = count_all, .back = count_all};
@@ -75,7 +75,7 @@ TEST(jittered_nets_are_watertight)
     }
 }
 
-/* Corners and whole edges on pixel centres. */
+/* Nets have corners and whole edges on pixel centres. */
 TEST(nets_on_the_lattice_are_watertight)
 {
     for (int i = 0; i < 30; i++) {

@@ -1,5 +1,5 @@
-/* The ranges of src/raster/ranges.h, driven to their ends: coordinates at the limit are drawn as by the oracle, and the
- * next one is refused; polygons that need all of 64 bits have the bits of the format in 128; no quantity is larger than
+/* The ranges of src/raster/ranges.h, at their ends: coordinates at the limit are drawn as by the oracle, and the next
+ * one is refused; polygons that need all of 64 bits have the bits of the format in 128; no quantity is larger than
  * stated. The quantities are linear in each coordinate, so they are largest where each is at an end. */
 #include "raster/target.h"
 #include "raster_random.h"
@@ -8,7 +8,7 @@
 #include "raster/ranges.h"
 
 #define CORNERS 3
-#define PLACES 5 /* of pixels: the image's corners and its middle */
+#define PLACES 5 /* pixels: the image's corners and its middle */
 
 static struct tia_tile whole_of(const struct tia_raster_grid *l)
 {
@@ -60,7 +60,7 @@ static int draw_one(const struct tia_raster_grid *l, const struct tia_raster_ver
     return tia_raster_plane_init(&plane, l, v, CORNERS);
 }
 
-/* Draws with coordinate `k` of corner 1, h being the last, at `value`; the others are small. */
+/* Draws a triangle whose corner 1 has coordinate `k`, of which h is the last, at `value`; the others are small. */
 static int draw_with(const struct tia_raster_grid *l, unsigned k, bool direction, int64_t value)
 {
     bool flat = l->projection == TIA_ORTHOGRAPHIC;
@@ -82,7 +82,7 @@ static void check_limits(bool flat)
         unsigned k = i % 3;
         bool direction = i / 3 % 2, negative = i / 6;
         if (flat && k == 2 && direction)
-            continue; /* w = 0 makes it one */
+            continue; /* w = 0 makes it a direction */
         int64_t limit = limit_of(flat) << direction, sign = negative ? -1 : 1;
         CHECK_EQ(draw_with(&l, k, direction, sign * (limit - 1)), TIA_OK);
         CHECK_EQ(draw_with(&l, k, direction, sign * limit), TIA_ERR_RANGE);
@@ -97,7 +97,7 @@ static void check_limits(bool flat)
 
 TEST(limits_are_accepted_and_the_next_is_refused)
 {
-    CHECK_EQ(limit_of(false), INT64_C(1) << 40); /* as <tia/raster.h> says */
+    CHECK_EQ(limit_of(false), INT64_C(1) << 40); /* the limits of tia/raster.h */
     CHECK_EQ(limit_of(true), INT64_C(1) << 29);
     check_limits(false);
     check_limits(true);
@@ -115,7 +115,7 @@ TEST(images_and_ranges_beyond_are_refused)
     CHECK_EQ(tia_raster_grid_init(&l, TIA_PERSPECTIVE, 1, 1, 4, 4, 0), TIA_ERR_ARGUMENT);
 }
 
-/* D of the outermost pixels, of the largest images: at most 2^RASTER_PIXEL, and more than half of it. */
+/* The vectors D of the outermost pixels of the largest images are at most 2^RASTER_PIXEL, and above half of it. */
 TEST(pixels_reach_their_bound)
 {
     static const uint16_t sizes[][2] = {{8192, 8191}, {8191, 8192}, {8192, 8192}, {8191, 8191}, {1, 8192}, {8192, 1}};
@@ -194,7 +194,7 @@ static int try_narrow(unsigned width, unsigned height, int64_t more)
     return most;
 }
 
-/* Polygons that fit have the same bits in both, up to all 63; one more bit is drawn in 128. */
+/* Polygons that fit have the same bits in both formats, up to all 63; one more bit is drawn in 128. */
 TEST(sixty_four_bits_are_used_to_the_last)
 {
     struct tia_raster_vertex v[CORNERS];
@@ -218,7 +218,7 @@ static void check_bits(const char *what, int most, int stated)
     CHECK_MSG(most <= stated && most >= stated - 3, "%s has %d bits, stated %d", what, most, stated);
 }
 
-/* The oracle's result for two such triangles at the image's corners. */
+/* Number of comparisons with the oracle of two such triangles at the image's corners. */
 static unsigned compared;
 
 static void compare_order(const struct tia_raster_grid *l, const struct oracle_image *image,

@@ -1,4 +1,4 @@
-/* The rasteriser's runs by each level of vector units against plain C: every nearness, face and count. */
+/* The rasteriser's runs by each instruction set against plain C: every nearness, face and count. */
 #include <stdlib.h>
 #include <tia/debug.h>
 #include <tia/simd.h>
@@ -26,7 +26,7 @@ static struct tia_raster_state counting(void)
     return s;
 }
 
-/* Draws; half of the faces count as those that were drawn, which meet themselves, and half as no face. */
+/* Draws polygons; half of them have faces drawn before, which meet themselves, and half have no face. */
 static void draw(struct tia_raster_target *a, struct tia_raster_target *b, const struct random_polygon *p, uint32_t i)
 {
     struct tia_raster_state state = i < POLYGONS ? seen : counting();
@@ -36,7 +36,7 @@ static void draw(struct tia_raster_target *a, struct tia_raster_target *b, const
     CHECK_EQ(tia_raster_draw(b, &state, p->v, p->count, face), TIA_OK);
 }
 
-/* Compares a part of a target, beside which no byte may change. */
+/* Compares a part of a target, around which no byte may change. */
 static void compare(const struct tia_simd *simd, enum tia_projection projection, uint64_t *drawn)
 {
     struct tia_tile all = {0, 0, 90, 40}, area = {(uint16_t)random_below(20), (uint16_t)random_below(9), 70, 31};

@@ -49,7 +49,8 @@ static uint32_t rounded(uint32_t full, unsigned lit)
     return (2 * full * lit + LIGHTS) / (2 * LIGHTS);
 }
 
-/* Returns the pixels in the penumbra, which some of the points reach. */
+/* Compares the target with the lit pixels; returns the number of pixels in the penumbra, which only some of the points
+ * reach. */
 static unsigned compare(const struct tia_raster_target *target, const unsigned lit[PIXELS])
 {
     unsigned between = 0;

@@ -50,7 +50,7 @@ static const struct ray_view *view;
 static struct exact {
     struct ray ray;
     struct media media;
-    unsigned class; /* of its pixel */
+    unsigned class; /* class of the sample's pixel */
 } now, waiting[QUEUE_SIZE];
 static struct shading shading;
 static struct path path;
@@ -196,7 +196,7 @@ static void check_bounds(const char *what)
     forget_uses();
 }
 
-/* The pictures are `part` times as large. */
+/* Checks the scenes of files, in pictures of `part` times their size. */
 static void check_files(unsigned part)
 {
     static const char *const files[] = {"scenes/nff/balls_2.nff", "scenes/nff/rings_3.nff", "scenes/nff/teapot_3.nff",
@@ -252,7 +252,7 @@ static bool holds(void)
     return all && differing == 0;
 }
 
-/* Returns the least power of two by which it may be scaled, from 1/64 on; 0: it may be left out. */
+/* Returns the least power of two by which the bound may be scaled, from 1/64 on; 0: the bound is not needed. */
 static double least_scale(double *scale)
 {
     double least = 1;
@@ -333,7 +333,7 @@ TEST(many_rays)
     bool enough = false;
 
     for (unsigned pass = first_pass; !enough; pass++) {
-        unsigned width = 96 + 8 * (pass % 64) + pass / 64; /* never the same picture twice */
+        unsigned width = 96 + 8 * (pass % 64) + pass / 64; /* sizes differ, so that no picture is drawn twice */
         for (unsigned i = 0; i < count && !enough; i++) {
             check_file(files[i], width, width / 4 * 3);
             enough = has_enough(files[i]);

@@ -1,5 +1,5 @@
 /* src/simd/rays, a ray at a time, where its bounds matter: at the edges of shapes, with the fixed-point ray off by as
- * much as the bounds allow. In pictures it hardly ever is: there no test would miss most of a bound.
+ * much as the bounds allow. In pictures it hardly ever is: there no test would notice that most of a bound is missing.
  *
  * A fixed-point ray, chosen by halving between two with different hits, is moved by up to eo and turned by up to ed; a
  * certain result for the moved one must be true of the other. */
@@ -16,7 +16,7 @@ static void check_push(int item, bool refracted)
     is_refracted[item] = refracted;
 }
 
-/* Checks of whole pictures, see test_ray_bounds.c. */
+/* Hooks for whole pictures, which are unused here, see test_ray_bounds.c. */
 static void check_camera(const struct sure_block *b, const struct rays *r)
 {
     (void)b;
@@ -193,7 +193,7 @@ static void compare_bounces(const struct packet *p, const struct shade *h, const
                      is_refracted[i] ? next.refracts : next.reflects);
 }
 
-/* Returns any direction, often close to the surface with that normal. */
+/* Returns a random direction, often close to the surface with that normal. */
 static struct num_dir grazing(struct v3 normal)
 {
     const double n[3] = {normal.x, normal.y, normal.z};
@@ -207,7 +207,7 @@ static struct num_dir grazing(struct v3 normal)
     return towards(d);
 }
 
-/* Compares rays that start at the point: the shapes that they certainly leave, and the faces that they go back to. */
+/* Compares rays that start at the point: the shapes that they certainly leave, and the faces to which they return. */
 static void compare_leaving(const struct shade *h, const struct shading *shading, double sign)
 {
     struct ray ray = {num_point_at(shading->point, shading->geometric, sign > 0 ? view->bias : -view->bias),

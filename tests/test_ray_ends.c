@@ -1,24 +1,24 @@
 /* src/simd/rays, rays and points chosen for one bound each, moved by all that it allows: shapes that random rays hardly
- * meet at the end of a bound, and coordinates of textures, against the fixed-point code; the brightest rays, and the
- * hits that are still shaded. */
+ * ever hit at the end of a bound, and coordinates of textures, against the fixed-point code; the brightest rays, and
+ * the hits that are still shaded. */
 #include "ray_edges.h"
 
 #include "float_modes.h"
 #include "ray_steps.h"
 #include "render/trace/texture.h"
 
-#define WITHIN .9999L /* share of a bound */
+#define WITHIN .9999L /* used part of a bound */
 
 /* ---- rays: certain results are true of the fixed-point ray ---- */
 
 #define CELL "grid g size 1 1 1 corner 0 0 0 cell 0.1\nrow 1\nend\n"
 
-/* The fixed-point ray, whose d need not be of length 1; the certified one starts eo beside it in the direction `off`
- * and is turned by ed there. An object far away makes the scene so large that this is not too much for its boxes. */
+/* The fixed-point ray, whose d may have any length; the certified one starts eo beside it in the direction `off` and is
+ * turned by ed there. An object far away enlarges the scene, so that its boxes allow this. */
 static const struct end {
     const char *name, *shape;
     double o[3], d[3], off[3], eo, ed;
-    const char *behind; /* other objects */
+    const char *behind; /* other objects of the scene */
 } ends[] = {
     {"past a small sphere", "sphere centre 0 0 0 radius 0.00006", {0, 0, 2}, {0, 0, -1}, {1, 0, 0}, 0.01, 0},
     {"turned past a small sphere", "sphere centre 0 0 0 radius 0.00006", {0, 0, 2}, {0, 0, -1}, {1, 0, 0}, 0, 0.002},
@@ -155,8 +155,8 @@ TEST(rays)
 
 /* ---- textures ---- */
 
-/* Points in the axes of the shape, times its unit: around it, where coordinates are the whole direction's; in it for
- * faces, of which `element` is any. */
+/* Points in the axes of the shape, times its unit: around it for shapes whose coordinates are those of the direction;
+ * in it for faces, of which `element` is any. */
 static const struct textured {
     const char *name, *shape;
     uint32_t element;
@@ -188,7 +188,7 @@ static const struct textured {
      {0.29, 0.29, 0}},
 };
 
-/* True if the point is in the face itself, as of a certain hit. */
+/* True if the point is inside the face, as that of a certain hit is. */
 static bool is_in_face(const struct sure_object *o, const double at[3])
 {
     const struct sure_face *f = o->kind == SURE_MESH ? &o->mesh->faces[0] : o->face;
@@ -221,7 +221,7 @@ static void try_coordinates(const struct textured *surface, struct used *u)
         p.at[i] = (double)unit * (surface->centre[i] + surface->size[i] * random_double());
         theirs.v[i] = (p.at[i] + p.e * WITHIN / sqrtl(real_dot(off, off)) * off.v[i] * (long double)some_sign());
     }
-    p.e += 2 * SURE_UNIT; /* the fixed-point one is rounded */
+    p.e += 2 * SURE_UNIT; /* the fixed-point point is rounded */
     if (!is_in_face(p.object, p.at))
         return;
     if (!coordinates_of(&p, &c)) {
@@ -249,7 +249,7 @@ TEST(coordinates)
     }
 }
 
-/* Tries an image of four texels, blended, on a plane: its change where the coordinates are off. */
+/* Tests an image of four texels, blended, on a plane: the change of its value where the coordinates are off. */
 static void try_blend(struct used *u)
 {
     static const uint8_t texels[12] = {255, 255, 0, 0, 0, 0, 0, 255, 0, 255, 255, 255};
@@ -292,7 +292,7 @@ TEST(blends)
 
 /* ---- the brightest rays ---- */
 
-/* Tries two mirrors that emit, after so many bounces. */
+/* Tests two mirrors that emit light, after `depth` bounces. */
 static void try_brightest(unsigned depth)
 {
     char text[300];
@@ -324,7 +324,7 @@ TEST(brightest)
 
 /* ---- pending hits ---- */
 
-/* Hits of samples that are uncertain by now are not shaded any more, the others are. */
+/* Queued hits of samples that are undecided by now are not shaded, the others are. */
 TEST(hits)
 {
     static struct sure_block block;

@@ -4,7 +4,7 @@
 #include "float_modes.h"
 #include "ray_steps.h"
 
-/* A mesh of one face around its centre, in a box of these half axes, and a ray. */
+/* A mesh of one face around its centre, in a box with these half axes, and a ray. */
 struct tried {
     double half[3];
     struct sure_face face;
@@ -28,7 +28,7 @@ static void some_tried(struct tried *t)
     t->packet.o = v3_scale(v3_of(real_random()), 4 * some_part());
 }
 
-/* Changes a value by much or by very little. */
+/* Changes a value by a large or a very small amount. */
 static void change(struct tried *t)
 {
     double by = ldexp(random_double(), -(int)(random_bits() % 24));
@@ -77,7 +77,7 @@ static double used_by(const struct tried *t)
     return most;
 }
 
-/* Climbs: roundings seldom add up, so the worse of two cases is kept. */
+/* Searches by climbing: roundings seldom add up, so the worse of two cases is kept. */
 static void climb(struct used *u, int steps)
 {
     struct tried best, next;

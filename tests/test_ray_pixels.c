@@ -1,5 +1,5 @@
 /* src/simd/rays, pixels by every instruction set: samples and their errors in RGB565, close to where colours change. A
- * certain result must be that of the fixed-point samples, which are off by all that the errors allow. */
+ * certain result must be that of the fixed-point samples, which are off by as much as the errors allow. */
 #include <math.h>
 #include <tia/simd.h>
 
@@ -10,14 +10,14 @@
 #include "simd/rays/sure.h"
 #include "simd/simd.h"
 
-#define WITHIN .9999 /* share of a bound */
+#define WITHIN .9999 /* used part of a bound */
 
 static double some_part(void)
 {
     return fabs(random_double());
 }
 
-/* A block, and the fixed-point samples: the block's are off by their errors. */
+/* A block, and the fixed-point samples, from which the block's are off by their errors. */
 struct drawn {
     struct sure_block block;
     num_length sample[3][SURE_SLOTS];
@@ -42,8 +42,8 @@ static void open_block(struct drawn *d)
     }
 }
 
-/* Returns a mean close to the beginning of one of so many levels, within the error of the pixel's samples and some
- * units, or anywhere. */
+/* Returns a mean close to the lower end of one of the levels, within the error of the pixel's samples and some units,
+ * or a random one. */
 static double some_mean(unsigned levels, num_u threshold, double error)
 {
     double level = (double)(1 + random_bits() % levels), near = error + 32 * SURE_UNIT;
@@ -58,9 +58,8 @@ static num_length clamped(num_length x)
     return num_length_clamp(x, 0, NUM_LENGTH_ONE);
 }
 
-/* Sets a pixel's samples in one colour, in pairs, one above the mean and one as much below it; some are none of a
- * picture's.
- */
+/* Sets a pixel's samples in one colour, in pairs: one above the mean and one as much below it. Some are outside of a
+ * picture's range. */
 static void set_samples(struct drawn *d, int first, int colour, double mean, const double *error, double turn)
 {
     struct sure_block *b = &d->block;
@@ -91,7 +90,7 @@ static void set_pixel(struct drawn *d, int first, num_u threshold)
         set_samples(d, first, c, some_mean(c == 1 ? 63 : 31, threshold, mean), &b->error[first], turn);
 }
 
-/* Packs as the fixed-point code does. */
+/* Packs a pixel as the fixed-point code does. */
 static tia_rgb565 packed(const struct drawn *d, int first, num_u threshold)
 {
     num_length mean[3] = {0, 0, 0};

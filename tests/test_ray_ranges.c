@@ -1,6 +1,5 @@
-/* General scenes at their worst, by q16 and by the checking build, tried object by object and found by a hierarchy: no
- * number leaves its range, and all of them draw the same picture. Sums that overflow end the program: the compiler
- * checks them. */
+/* Extreme general scenes, by q16 and by the checking build, with and without a hierarchy: no number leaves its range,
+ * and all of them draw the same picture. Sums that overflow end the program: the compiler checks them. */
 #include "arch/frames.h"
 #include "check.h"
 #include "light_scene.h"
@@ -62,7 +61,7 @@ TEST(random_scenes_by_their_hierarchies)
     }
 }
 
-/* Finds of fuzzing, each once beyond some range, or with another picture by a hierarchy. */
+/* Scenes found by fuzzing, each of which was once beyond some range, or had a different picture with a hierarchy. */
 
 TEST(windows_as_high_as_may_be_in_wide_images)
 {
@@ -80,7 +79,7 @@ TEST(windows_as_high_as_may_be_in_wide_images)
     }
 }
 
-/* Lamps whose attenuation is nearly 0 at the lit surface: 2^17 bright. */
+/* Lamps have an attenuation of nearly 0 at the lit surface: they are 2^17 bright. */
 TEST(light_without_end)
 {
     set_up(1, 3);
@@ -95,7 +94,8 @@ TEST(light_without_end)
     draw_all(&scene, 6, 6);
 }
 
-/* Mirrors that reflect all, and as much again because refraction is total: after 16 of them 2^16 times as much. */
+/* Mirrors reflect all light, and as much again because refraction is total: after 16 of them it is 2^16 times as
+ * much. */
 TEST(a_hall_of_mirrors)
 {
     set_up(2, 3);
@@ -104,7 +104,7 @@ TEST(a_hall_of_mirrors)
         lights[i] = (struct tia_light){{0, 0, 0}, 0, {MOST, MOST, MOST}, .kind = TIA_AMBIENT_LIGHT};
     for (int i = 0; i < 2; i++) {
         materials[i].refraction = materials[i].mirror;
-        materials[i].index = TIA_INDEX_MIN; /* from outside nearly all directions are reflected */
+        materials[i].index = TIA_INDEX_MIN; /* nearly all directions from outside are reflected */
         shapes[i].kind = TIA_PLANE;
         shapes[i].plane.point.z = i ? 2 * ONE : -2 * ONE;
         shapes[i].plane.normal.z = i ? -TIA_Q30_ONE : TIA_Q30_ONE;
@@ -114,7 +114,7 @@ TEST(a_hall_of_mirrors)
     draw_all(&scene, 6, 6);
 }
 
-/* 1024 cells of 48 are more than 32768, from -32768 on they end within. */
+/* A grid of 1024 cells of 48 exceeds 32768, but from -32768 on it ends within the range. */
 TEST(grids_larger_than_their_numbers)
 {
     static uint8_t cells[TIA_GRID_MAX];
@@ -130,8 +130,8 @@ TEST(grids_larger_than_their_numbers)
     draw_all(&scene, 40, 30);
 }
 
-/* The face of the first object is hit of two at the same position, though the search's limit comes from the other
- * one's axes and goes back to them. The second is tested first: it has a face that ends beyond Q16.16. */
+/* Two objects have a face at the same position, and the first one's must be hit, though the search's limit is converted
+ * from the other one's axes and back. The second is tested first: it has a face that ends beyond Q16.16. */
 TEST(placed_twice)
 {
     static const struct tia_vec3 vertices[] = {
@@ -191,7 +191,7 @@ TEST(many_veils)
     draw_all(&scene, 2, 2);
 }
 
-/* Samples, also of a lamp of the largest brightness. */
+/* Samples are in range, also with a lamp of the largest brightness. */
 TEST(light_that_bounces)
 {
     enum { SIDE = 24 };

@@ -7,7 +7,7 @@
 #include "simd/rays/walk_paths_tmpl.h"
 
 enum { TRIES = 20000 };
-#define WITHIN .9999L /* share of a bound */
+#define WITHIN .9999L /* used part of a bound */
 
 static const struct real nowhere = {{0, 0, 0}};
 
@@ -42,7 +42,7 @@ static void try_start(struct used *u)
     use(u, real_gap(real_along(point, real_along(real_of(h.geometric), off, h.eg * WITHIN), scene.bias), from), eo);
 }
 
-/* Tries rays that certainly move away from their start, or certainly come back. */
+/* Tests rays that certainly leave their start, or certainly return to it. */
 static void try_leaving(struct used *u)
 {
     struct real way = real_random(), normal = real_aside(way);
@@ -58,7 +58,7 @@ static void try_leaving(struct used *u)
         use(u, (from.side < 0) == (theirs * (long double)sign < 0) ? 0 : 2, 1);
 }
 
-/* Returns the normal: areas in the projection along an axis, 0 where they are negative, divided by their sum. */
+/* Returns the normal, weighted by areas in the projection along an axis, 0 where negative, divided by their sum. */
 static struct real smoothed(const struct sure_face *f, struct real at, int main)
 {
     int a = (main + 1) % 3, b = (main + 2) % 3;
@@ -79,7 +79,7 @@ static struct real smoothed(const struct sure_face *f, struct real at, int main)
     return real_unit(sum);
 }
 
-/* Makes a face across the z axis; corner 0 at the origin. */
+/* Makes a face across the z axis, with corner 0 at the origin. */
 static void make_face(struct sure_face *f)
 {
     const struct real up = {{0, 0, 1}};
@@ -97,7 +97,7 @@ static void make_face(struct sure_face *f)
     }
 }
 
-/* Tries points in the face, on its edges or at its corners; the fixed-point one may be outside. */
+/* Tests points in the face, on its edges or at its corners; the fixed-point one may be outside. */
 static void try_smooth(struct used *u, bool inside)
 {
     struct sure_face f;
@@ -154,7 +154,7 @@ struct one_ray {
     struct rays rays;
 };
 
-/* Returns a ray whose throughput is off; the fixed-point one is this much more. */
+/* Returns a ray whose throughput is off: *theirs is how much larger the fixed-point one is. */
 static struct one_ray *some_ray(double *theirs)
 {
     static struct one_ray one;
@@ -195,7 +195,7 @@ static void try_sky(struct used *u)
         one->block.error[0]);
 }
 
-/* Tries a dropped, undecided ray: from 0 to all possible light. */
+/* Tests an undecided ray that is dropped: its light may be anything from 0 to all that is possible. */
 static void try_given_up(struct used *u)
 {
     double theirs;
@@ -211,7 +211,7 @@ static void try_given_up(struct used *u)
     use(u, fmaxl(one->rays.weight[0] * P2M(9) + (long double)theirs, 0) - b->colour[0][0], b->error[0]);
 }
 
-/* Tries rays that may be too faint: below 2^-16. */
+/* Tests rays that may be too faint: below 2^-16. */
 static void try_faint(struct used *u)
 {
     double theirs, around = P2M(16);
@@ -297,7 +297,7 @@ static void try_refraction(struct used *directions, struct used *parts, struct u
     use(directions, real_gap(other, f.to), f.eto);
 }
 
-/* Tries as much of each part as possible: only the products matter here. */
+/* Tests spawned rays with the largest value of each part: only the products matter here. */
 static void try_spawned(struct used *through, struct used *back)
 {
     double theirs;
@@ -342,7 +342,7 @@ static void try_straight(struct used *u)
     use(u, real_gap(real_along(point, viewer, -(long double)one->scene.bias), (struct v3){n[0], n[1], n[2]}), n[9]);
 }
 
-/* Tries the same of a path, which starts less far behind the point. */
+/* Tests the straight rays of a path, which start less far behind the point. */
 static void try_pass(struct used *u)
 {
     static const struct sure_scene scene = {.bias = P2M(26)};

@@ -6,7 +6,7 @@
 #include "ray_steps.h"
 
 enum { TRIES = 20000 };
-#define WITHIN .9999L /* share of a bound */
+#define WITHIN .9999L /* used part of a bound */
 
 static struct light_room lights;
 
@@ -58,7 +58,7 @@ static void make_fading(struct fading *to, double at)
     f.light.constant = random_bits() % 2 ? some_part() : 0;
     f.light.linear = random_bits() % 2 ? 2 * some_part() : 0;
     f.light.quadratic = random_bits() % 2 || f.light.linear == 0 ? 2 * some_part() : 0;
-    if (random_bits() % 8 == 0 && at > 0.01) { /* close to where the fixed-point code gives 0 */
+    if (random_bits() % 8 == 0 && at > 0.01) { /* close to where the fixed-point result is 0 */
         double d = at * f.light.unit;
         f.light.constant = f.light.linear = 0;
         f.light.quadratic = 131072 * (1 + 0.001 * random_double()) / (d * d);
@@ -116,8 +116,8 @@ TEST(attenuation)
     check_used(&from);
 }
 
-/* Returns a point that is off by ep, mostly to where the two smallest coordinates seen from the light are nearly the
- * same. */
+/* Returns a point that is off by ep, mostly to where the two smallest coordinates, relative to the light, are nearly
+ * equal. */
 static struct real some_point(struct real *theirs, const double at[3], double *ep)
 {
     struct real n = real_random(), off = real_random(), point;
@@ -136,7 +136,8 @@ static struct real some_point(struct real *theirs, const double at[3], double *e
     return point;
 }
 
-/* Gives axes at right angles to the direction from the centre: that with the smallest coordinate left out, rotated. */
+/* Gives axes at right angles to the direction from the centre: one is the direction without its smallest coordinate,
+ * rotated. */
 static void real_axes(struct real point, const double at[3], struct real axes[2])
 {
     struct real n = real_unit(real_along(point, (struct real){{at[0], at[1], at[2]}}, -1));
@@ -223,8 +224,8 @@ TEST(shadows)
 
 /* ---- a surface's reflection ---- */
 
-/* Tries the highlight. The exponent is the scene's, whole or not; x^e by the fixed-point code, and by the formula where
- * x is off. */
+/* Tests the highlight. The exponent is the scene's, an integer or not; x^e is computed by the fixed-point code, and by
+ * the formula where x is off. */
 static void try_highlight(struct used *u, struct used *exact)
 {
     tia_q16 exponent = (tia_q16)(65536 * exp2(4 * some_part()));
@@ -239,7 +240,7 @@ static void try_highlight(struct used *u, struct used *exact)
     h.efacing = moved ? some_size(8, 40) : 0;
     s.to = (struct v3){1, 0, 0};
     h.viewer = (struct v3){-sure_cosine(x) / 2, 0, 0};
-    h.facing = sure_cosine(x) / 4; /* half is x */
+    h.facing = sure_cosine(x) / 4; /* half of it is x */
     reflect_light(&h, &s, lambert, el, 1, rgb, &e);
     if (!moved) {
         use(exact, sure_length(num_power_length(x, exponent)) - rgb[0], e);
@@ -279,7 +280,7 @@ TEST(reflected_light)
     check_used(&diffuse);
 }
 
-/* Tries one sample of an unobstructed light, at an angle: above the surface or not, lit or not. */
+/* Tests one sample of an unobstructed light, at angles above the surface and below it, lit and dark. */
 static void try_sample(struct used *u, bool grazing)
 {
     const struct ray_light from = {.kind = TIA_DIRECTIONAL_LIGHT, .samples = 1};

@@ -6,16 +6,17 @@
 #include "ray_steps.h"
 
 enum { TRIES = 40000 };
-#define WITHIN .9999L /* share of a bound */
+#define WITHIN .9999L /* used part of a bound */
 
 /* ---- moved rays ---- */
 
-/* A ray that meets the side of radius 1 around the z axis, and the fixed-point one. */
+/* A ray that meets the side of radius 1 around the z axis, and the fixed-point ray beside it. */
 struct passing {
     struct real o, d;
     double eo, ed;
     struct real theirs[2];
-    long double start, half; /* where it starts along the chord, from its middle, and half of that, across the axis */
+    long double start, half; /* start: position of the ray's start on the chord, from the chord's middle; half: half the
+                                chord; both across the axis */
 };
 
 static long double power_of_two(unsigned bits)
@@ -23,7 +24,7 @@ static long double power_of_two(unsigned bits)
     return ldexpl(1 + (long double)some_part(), -1 - (int)(random_bits() % bits));
 }
 
-/* Returns a start from outside, from close to either end of the chord, or from anywhere on it. */
+/* Returns a start outside the chord, close to either end of it, or anywhere on it. */
 static long double some_start(long double half)
 {
     switch (random_bits() % 4) {
@@ -38,8 +39,8 @@ static long double some_start(long double half)
     }
 }
 
-/* Returns any direction, or straight to or from the axis, or along it: in the plane across `d` when that is not NULL.
- */
+/* Returns a random direction, or one straight to the axis, from it, or along it: in the plane across `d` unless that is
+ * NULL. */
 static struct real some_way(const struct real *d)
 {
     struct real way = random_bits() % 2 ? real_random() : (struct real){{0, 1, 0}};
@@ -116,11 +117,11 @@ TEST(moved_rays)
 
 /* ---- roundings ---- */
 
-/* A cylinder anywhere, and a distant object, so that the unit of length is no smaller than the file's. */
+/* A random cylinder, and a distant object, so that the unit of length is no smaller than the file's. */
 struct given {
     const char *name;
-    double far, length, radius; /* largest coordinate of its base */
-    long double away;           /* start of rays from it */
+    double far, length, radius; /* far: largest coordinate of the cylinder's base */
+    long double away;           /* largest distance of a ray's start from the cylinder */
 };
 
 struct thin {
@@ -153,8 +154,8 @@ static void open_thin(const struct given *given, struct thin *c)
     c->across[1] = real_cross(real_unit(way), c->across[0]);
 }
 
-/* Returns the fixed-point ray, past the axis at nearly the radius, from `away` at most; from a start of doubles, too.
- */
+/* Returns the fixed-point ray, which passes the axis at nearly the radius, from a distance of `away` at most; its start
+ * is exact in doubles. */
 static struct ray grazing_ray(const struct thin *c, long double away)
 {
     long double turn = 3.2L * random_real(), aside = c->radius * (1 - ldexpl(1, -(int)(random_bits() % 36)));
@@ -169,7 +170,7 @@ static struct ray grazing_ray(const struct thin *c, long double away)
                         towards((struct real3){{d.v[0], d.v[1], d.v[2]}})};
 }
 
-/* Tries the same in doubles, which have its exact origin and its rounded direction. */
+/* Tests the ray in doubles, which have its exact origin and its rounded direction. */
 static void try_exact(const struct ray *ray, struct used *ends, struct used *points)
 {
     struct packet p = {.ed = SURE_EPS, .from = {-1, 0, 0}};

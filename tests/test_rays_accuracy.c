@@ -3,10 +3,10 @@
  *     test_rays_accuracy [SCENES [SEED [WIDTH]]]    default 16, 1 and 48; with VERBOSE set, pixels that differ are
  *     listed
  *
- * f64 evaluates the oracle's formulas in another order, so the two may differ where rounding errors in
- * double decide, and nowhere else. q16 has paths of its own at edges; where it has f64's path, its colours
- * are at most two levels off.
- */
+ * f64 evaluates the oracle's formulas in another order, so the two may differ where rounding errors in double decide,
+ * and nowhere else. At edges the paths of q16 may differ; where they are those of f64, its colours are at most two
+ * levels off.
+ * */
 #ifdef TIA_HAVE_F64
 #include "against.h"
 #include "check.h"
@@ -21,8 +21,8 @@ static struct threads *pool;
 static unsigned scene_count = 16, width = 48;
 static uint64_t seed = 1;
 
-/* Returns scene number i, after scene_count the same again with holes, every other one with a hierarchy; gives the
- * height of its picture. */
+/* Returns scene number i and the height of its picture. Scenes from scene_count on are the first ones again, with
+ * holes; every second scene has a hierarchy. */
 static unsigned scene_at(struct corpus_rays *c, unsigned i)
 {
     static uint64_t memory[1 << 13];
@@ -35,8 +35,8 @@ static unsigned scene_at(struct corpus_rays *c, unsigned i)
     return width * c->height / c->width;
 }
 
-/* An error of 1e-12 at the first hit grows with each bounce on a round object, some hundredfold; a highlight's exponent
- * of 200 and 63 levels make 1e-4 of that at worst. */
+/* Largest margin of f64: an error of 1e-12 at the first hit grows with each bounce on a round object, some hundredfold;
+ * a highlight's exponent of 200 and 63 levels make 1e-4 of that at worst. */
 #define F64_MARGIN 1e-4
 
 static void check_f64(unsigned first)

@@ -21,7 +21,7 @@ static struct tia_transform transform;
 static struct tia_texture texture;
 static struct tia_light lights[2];
 static struct tia_scene scene;
-static struct corpus_rays parts; /* its meshes and grid are borrowed */
+static struct corpus_rays parts; /* random parts, whose meshes and grid are used */
 static struct threads *pool;
 
 /* Begins a floor, a back wall, a ball and the object under test: a box at (0, 1, 0). */
@@ -61,8 +61,8 @@ static void begin(void)
     scene.camera.reference = (struct tia_vec3)TIA_VEC3(0.2, 0.9, 0);
 }
 
-/* Draws. Rounding decides few pixels of scenes as plain as these: all but a few are the oracle's, and none of q16 is
- * more than a level off where it has f64's path. */
+/* Draws the scene and compares. Rounding decides few pixels of scenes as plain as these: all but a few are the
+ * oracle's, and none of q16 is more than a level off where it has f64's path. */
 static void draw(const char *what)
 {
     struct measure m = {.scene = &scene,
@@ -97,7 +97,8 @@ static void thing(enum tia_shape_kind kind, bool placed)
     shapes[1].transform = placed;
 }
 
-/* Draws the object unchanged, placed, and as glass with a mirroring floor, where rays start on its inside too. */
+/* Draws the object unchanged, with a transform, and as glass on a mirroring floor, where rays start on its inside
+ * too. */
 static void draw_thing(const char *what)
 {
     draw(what);
@@ -182,7 +183,7 @@ TEST(meshes_and_grids)
     draw_thing("grid");
 }
 
-/* Each weight of a material by itself, then all of them. */
+/* Each part of a material is tested by itself, then all together. */
 TEST(materials_one_by_one)
 {
     struct tia_material *m = &materials[THING];
@@ -256,7 +257,7 @@ static void light(enum tia_light_kind kind)
     lights[0].outer = TIA_Q16(24);
 }
 
-/* Each kind, then fading, then seen from before and in a mirror. */
+/* Each kind of light is tested, then with attenuation, then seen directly and in a mirror. */
 TEST(lights_one_by_one)
 {
 #define NAME(KIND, name, what, traits) #name,
@@ -278,7 +279,7 @@ TEST(lights_one_by_one)
     }
 }
 
-/* Lights fade by the file's units, and a floor's tiles are as large there. */
+/* Attenuation of lights is in the file's units, and so are a floor's tiles. */
 TEST(units)
 {
     for (uint32_t bits = 0; bits <= TIA_SCALE_BITS_MAX; bits += 4) {
@@ -298,7 +299,7 @@ TEST(units)
     }
 }
 
-/* Digits below those of Q16.16, which mirrors magnify: large ones, so that a missing one would be detected. */
+/* Digits below those of Q16.16 are magnified by mirrors; they are large, so that a missing one would be detected. */
 TEST(fine_digits)
 {
     static const struct tia_fine_sphere spheres[1] = {{{25612, -32768, 32767}, -23041}};

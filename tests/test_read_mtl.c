@@ -1,7 +1,7 @@
 /* The .mtl reader: the meaning of its statements. */
 #include "obj_files.h"
 
-/* Returns the material of a library with one, used by one triangle. */
+/* Returns the material of a library with a single material, used by one triangle. */
 static struct tia_material material_of(const char *statements)
 {
     char library[500];
@@ -41,11 +41,11 @@ TEST(materials)
     CHECK(!m.refraction.g && !m.transmission.g);
 }
 
-/* Programs that mean an opaque material write Tr 1 or d 0: it is drawn, and the line is in a warning. */
+/* Programs that mean an opaque material write Tr 1 or d 0: it is drawn opaque, and the line is in a warning. */
 TEST(materials_of_which_nothing_would_be_seen)
 {
     static const struct {
-        const char *statements, *warning; /* none: the opacity stays */
+        const char *statements, *warning; /* NULL: no warning, and the opacity stays */
         tia_q30 red;
     } cases[] = {
         {"Kd 1 0 0\nTr 1\n", "m:3:4: '1' hides the whole material, expected some opacity; drawn opaque", TIA_Q30_ONE},
@@ -90,12 +90,13 @@ TEST(images)
     const struct tia_material *a = &r.scene.materials[r.scene.shapes[0].material];
     CHECK(a->colour.r == TIA_Q30(0.8) && a->texture == 1 && r.scene.materials[r.scene.shapes[1].material].texture == 2);
     CHECK(r.scene.textures[0].repeat[0] == TIA_Q16(2) && r.scene.textures[0].repeat[1] == TIA_Q16(0.5));
-    CHECK(!r.scene.textures[0].offset[0] && !r.scene.textures[0].offset[1]); /* an image repeats */
+    CHECK(!r.scene.textures[0].offset[0] && !r.scene.textures[0].offset[1]); /* a whole number of images does not
+                                                                                matter, as they repeat */
     CHECK(r.scene.textures[1].repeat[0] == TIA_Q16_ONE && r.scene.textures[1].width == 2 && r.scene.textures[1].texels);
     finish(&r, &files);
 }
 
-/* A texture's position is repeat (u - offset), the format's s u + o. */
+/* A texture's position is repeat (u - offset), while the format's is s u + o. */
 TEST(offsets)
 {
     struct files files = {.names = {"m"},
@@ -110,7 +111,7 @@ TEST(offsets)
     finish(&r, &files);
 }
 
-/* Each channel is fetched once, as a texture of its own; the colour's texture is another one. */
+/* Each channel is fetched once, as a texture of its own; the colour's texture is a separate one. */
 TEST(opacities)
 {
     struct files files = {

@@ -46,7 +46,7 @@ static bool load(struct reading *r, const char *name, char **text)
 /* ---- the second reader: these files' statements, in their order ---- */
 
 struct second {
-    const char *at; /* the rest of the text */
+    const char *at; /* the unread text */
     const struct tia_scene *scene;
     uint32_t sphere, shape, mesh, face, vertex, normal, material, light;
     bool in_mesh;
@@ -73,7 +73,7 @@ static void check_length(struct second *s, tia_q16 got, int16_t digits)
 {
     int64_t off = got * INT64_C(65536) + digits - fine(s->scene, number(s));
 
-    CHECK(off >= -1 && off <= 1); /* the double is rounded itself, and may be beside a half */
+    CHECK(off >= -1 && off <= 1); /* the double itself is rounded, and may be on the other side of a half */
 }
 
 static void check_fine(struct second *s, const struct tia_vec3 *got, const struct tia_fine_place *digits)
@@ -105,7 +105,7 @@ static void add_cross(double sum[3], const struct tia_vec3 *a, const struct tia_
     }
 }
 
-/* Checks the faces of a polygon: of its vertices, and together of its area and side. */
+/* Checks the faces of a polygon: they have its vertices, and together its area and side. */
 static void check_faces(struct second *s, const struct tia_mesh *mesh, uint32_t count, bool has_normals)
 {
     double whole[3] = {0}, sum[3] = {0};
@@ -310,7 +310,7 @@ TEST(what_is_taken_in)
     read_end(&r);
 }
 
-/* With T > 0 each polygon is a group of its own, all triangles of it; without, none is needed. */
+/* With T > 0 each polygon is a group of its own, with all its triangles; otherwise no groups are needed. */
 TEST(polygons_filter_one_by_one)
 {
     struct reading r;

@@ -3,8 +3,8 @@
 
 #define VIEW "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 40\n"
 
-/* The unit is the finest with which the farthest point stays within 32768 of the eye, and every number in the range:
- * 6.17 from the eye below 8, 400.01 below 512, and so on. */
+/* The unit is the finest with which the farthest point stays within 32768 of the eye, and every number in its range:
+ * 6.17 from the eye is below 8, 400.01 below 512, and so on. */
 TEST(units)
 {
     static const struct {
@@ -65,8 +65,8 @@ TEST(errors)
     }
 }
 
-/* Faults of tia_scene_check: at the word responsible, in the file's own words and unit, 2^12 of which are below 32768
- * in the first and third scene. */
+/* Faults of tia_scene_check are reported at the word responsible, in the file's own words and unit, 2^12 of which are
+ * below 32768 in the first and third scene. */
 TEST(places_of_faults)
 {
     static const struct {

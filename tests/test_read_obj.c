@@ -1,4 +1,5 @@
-/* The .obj and .mtl readers: models by hand and those of scenes/obj, their areas and frames in double. */
+/* The .obj and .mtl readers: models written by hand and those of scenes/obj, with areas and frames computed in
+ * double. */
 #include <math.h>
 
 #include "obj_files.h"
@@ -111,7 +112,7 @@ TEST(star_of_glass)
     free(text);
 }
 
-/* Projects a point by a camera as in any viewer: its position in the picture, from -1 to 1 along the shorter side. */
+/* Projects a point by a camera as any viewer does: its position in the picture, from -1 to 1 along the shorter side. */
 static void project(const struct tia_camera *c, const struct tia_vec3 *p, double *x, double *y, double *distance)
 {
     double n[3], v[3], length = 0, square = 0;
@@ -159,11 +160,11 @@ static void check_frame(const struct tia_scene *scene)
     CHECK_MSG(most > 0.4, "it fills only %g of the picture", most);
 }
 
-/* Boxes of any size anywhere have the same picture. */
+/* Boxes of any size and position have the same picture. */
 TEST(frames)
 {
     static const struct {
-        const char *numbers[4]; /* x, y, z from and to */
+        const char *numbers[4]; /* x, y, z: lower and upper ends */
         bool moved;
     } cases[] = {
         {{"-1", "1"}, false},
@@ -220,7 +221,7 @@ TEST(frames_of_models)
     }
 }
 
-/* Materials used by turns make one mesh each, with no more vertices than it needs. */
+/* Materials that alternate make one mesh each, with no more vertices than it needs. */
 TEST(faces_by_material)
 {
     struct files files = {.names = {"m"}, .texts = {"newmtl a b\nnewmtl c\nnewmtl unused\n"}};
@@ -262,9 +263,8 @@ TEST(corners_with_empty_parts)
     }
 }
 
-/* Faces below lines with the same names are one group; an o is not a g; the faces before the first line are a group
- * too.
- */
+/* Faces after lines with the same names are one group; an o is not a g; the faces before the first line are a group
+ * too. */
 TEST(groups)
 {
     static const uint8_t same[] = {0, 1, 2, 1, 3, 4, 3, 5}; /* faces of equal numbers */

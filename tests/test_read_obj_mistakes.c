@@ -3,11 +3,11 @@
 
 /* The reader's warning of one mistake: "FILE:LINE:COLUMN: TEXT", and the number of its kind. */
 struct mistake {
-    const char *text; /* text of the model, whose library "m" has the material `m` and `lines` in it */
+    const char *text; /* text of the model; its library "m" has the material `m`, which contains `lines` */
     enum tia_read_warning_kind kind;
     uint32_t count;
     const char *want;
-    uint32_t faces; /* faces that are still drawn */
+    uint32_t faces; /* number of faces that are still drawn */
 };
 
 static const char library[] = "newmtl m\nKd 1 0 0\n";
@@ -92,7 +92,7 @@ TEST(mistakes)
     }
 }
 
-/* Parts that not all corners of a face have are not used; the others are. */
+/* Parts that only some corners of a face have are not used; the others are. */
 TEST(what_faces_become)
 {
     struct files files = {.libraries = 0};
@@ -116,7 +116,8 @@ TEST(what_faces_become)
     finish(&r, &files);
 }
 
-/* Some mistakes show only in the second pass, when the names of the first are known and those of groups are not all. */
+/* Some mistakes are found only in the second pass, when the names of the first are known and those of groups are not
+ * complete. */
 TEST(refused_in_the_second_pass)
 {
     struct files files = {.strict = true};
@@ -178,7 +179,7 @@ TEST(mistakes_of_libraries)
     CHECK(m.index == TIA_Q16(4) && !m.specular.r);
     check_warning(&files, TIA_WARN_RANGE, 2,
                   "m:2:4: '9' is out of range, expected an index of refraction from 0.25 to 4; the nearest is used");
-    m = material_of("d 0.25\nTr 0.25\n", &files); /* some programs mean the same by both: d takes precedence */
+    m = material_of("d 0.25\nTr 0.25\n", &files); /* some programs mean the same by both; d takes precedence */
     CHECK(m.refraction.r == TIA_Q30(0.75));
     m = material_of("Tr 0.25\nd 1\n", &files);
     CHECK(!m.refraction.r);

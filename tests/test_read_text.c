@@ -74,7 +74,7 @@ TEST(lines_and_words)
         uint32_t line, column;
     } want[] = {{"one", 3, 1},   {"two", 3, 5},   {"", 3, 8},       {"3#4", 4, 3}, {"", 4, 7},    {"six", 6, 1},
                 {"seven", 7, 3}, {"eight", 8, 1}, {"\\nine", 8, 7}, {"", 8, 12},   {"ten", 9, 1}, {"", 9, 4}};
-    /* exactly as many bytes as there are, for the sanitizers */
+    /* a copy of exactly this size, for the sanitizers */
     char *copy = malloc(sizeof bytes - 1);
     memcpy(copy, bytes, sizeof bytes - 1);
     struct tia_text t = tia_text_begin(copy, sizeof bytes - 1, "", &error);
@@ -176,7 +176,7 @@ TEST(names_sorted_and_found)
         CHECK(found && found->index == i);
         CHECK(!tia_names_find(names, COUNT, (i + 1) % 3, &word));
     }
-    names[17].word.line = 9000; /* the same name as another: the later one is reported */
+    names[17].word.line = 9000; /* the same name as an earlier one: the later one is reported */
     names[18].word = names[17].word;
     names[18].kind = names[17].kind;
     names[18].word.line = 8000;

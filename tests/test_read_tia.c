@@ -156,7 +156,7 @@ TEST(meshes)
     CHECK(m[1].vertex_count == 4 && m[1].face_count == 4 && m[1].normal_count == 1 && m[1].uv_count == 2);
     CHECK(is_dir3(m[1].normals[0], 0, 0, 1) && m[1].uvs[0].v == TIA_Q16(0.5) && m[1].uvs[1].u == TIA_Q16_ONE);
     CHECK(is_vec3(m[1].vertices[2], 1, 1, 0));
-    const struct tia_corner *c = m[1].faces[1].corner; /* the fan's second triangle */
+    const struct tia_corner *c = m[1].faces[1].corner; /* the second triangle of the fan */
     CHECK(c[0].vertex == 0 && c[1].vertex == 2 && c[2].vertex == 3 && c[2].uv == 1 && c[2].normal == 0);
     c = m[1].faces[2].corner;
     CHECK(c[0].vertex == 3 && c[0].normal == 0 && c[0].uv == TIA_NO_INDEX);
@@ -204,7 +204,7 @@ TEST(lights)
     CHECK(l[7].radius == TIA_Q16(2) && l[7].samples == 256);
 }
 
-/* Emission above 1, or a light's above 2, has so many powers of 2. */
+/* Emission above 1, or a light's above 2, gets the powers of 2 that it needs. */
 TEST(bright_emission)
 {
     check_reads("material a emission 1\nmaterial b emission 1.5 0.5 0\nmaterial c emission 12 8 7\n"

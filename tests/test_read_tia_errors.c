@@ -169,7 +169,7 @@ TEST(motion)
     check_refused("animate camera eye 1: 0 0", "1:26: the line ends here, expected a number below 2147483648");
 }
 
-/* Faults of the scene as a whole: at the word responsible, in the file's own words. */
+/* Faults of the scene as a whole are reported at the word responsible, in the file's own words. */
 TEST(faults_of_the_scene)
 {
     check_refused(M "\nsphere radius 1 material m\n  sphere radius 0 material m",
@@ -207,7 +207,7 @@ TEST(faults_of_the_scene)
     check_refused("camera look 0 0 0", "1:8: camera: look: must not be the eye");
 }
 
-/* Many editors begin a text with it. */
+/* A byte order mark, with which many editors begin a text, is skipped. */
 TEST(byte_order_mark)
 {
     check_refused("\xef\xbb\xbfspher 1", "1:1: 'spher' is not a statement, expected " STATEMENTS);

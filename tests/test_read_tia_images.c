@@ -1,4 +1,4 @@
-/* The pictures of a .tia file: the files fetched for a texture, and their texels. */
+/* The images of a .tia file: the files fetched for a texture, and their texels. */
 #include "reading.h"
 
 static struct reading now;

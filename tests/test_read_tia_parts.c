@@ -205,7 +205,7 @@ TEST(groups_move_and_scale)
     CHECK(is_vec(now.scene.transforms[1].rotation, 0, 0, 0));
 }
 
-/* Angles from one line are unchanged, those about one axis add up, and right angles are exact. */
+/* Angles from a single line are unchanged, those about one axis add up, and right angles are exact. */
 TEST(groups_rotate)
 {
     check_reads(
@@ -216,7 +216,7 @@ TEST(groups_rotate)
     const struct tia_transform *t = now.scene.transforms;
     CHECK(is_vec(t[0].rotation, 10.3, 20.7, -30.1) && is_vec(t[1].rotation, 77, 123, -170));
     CHECK(is_vec(t[2].rotation, 0, 50.75, 0));
-    /* x goes to y, and so is scaled by 2, y to x by 1; then x to -z. */
+    /* x becomes y, and so is scaled by 2, y becomes x and is scaled by 1; then x becomes -z */
     CHECK(is_vec(t[3].position, 0, 0, -1) && is_vec(t[3].scale, 8, 5, 18));
 }
 
@@ -246,8 +246,9 @@ static char *say(char *to, const char *what, const struct tia_transform *t)
                         t->scale.y / 65536.0, t->scale.z / 65536.0);
 }
 
-/* Compares a point placed by the oracle's transforms one after the other, and by the one that was read. Positions and
- * scales are half of 2^-16 off, three angles half of 2^-16 degrees each: at 2 by 8 from the position 1.6e-5. */
+/* Compares a point placed by the oracle's transforms one after the other with a point placed by the one that was read.
+ * Positions and scales are half of 2^-16 off, three angles half of 2^-16 degrees each: at 2 by 8 from the position
+ * 1.6e-5. */
 static void check_composed(const struct tia_transform t[3], const struct tia_transform *read, int bits)
 {
     for (int i = 0; i < 8; i++) {

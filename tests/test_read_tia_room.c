@@ -1,11 +1,12 @@
-/* The unit of length of .tia scenes: random ones, at the limits of what is accepted, stay accepted in a finer unit. */
+/* The unit of length of .tia scenes: random scenes at the limits of the accepted ranges stay accepted in a finer
+ * unit. */
 #include "check.h"
 #include "random.h"
 #include "reading.h"
 
 #include <math.h>
 
-/* A growing text; each of its lengths is a multiple of 2^-16 plus digits that Q16.16 drops. */
+/* Two growing texts; each length is a multiple of 2^-16 plus digits that Q16.16 drops. */
 static char whole[4000], tiny[4000], *whole_end, *tiny_end;
 
 static void add_word(const char *word)
@@ -39,7 +40,7 @@ static void add_scale(void)
     add_word(words);
 }
 
-/* Adds, perhaps, a position, a rotation and a scale. */
+/* Adds a position, a rotation and a scale, each only in some cases. */
 static void add_transform(int most)
 {
     if (random_u32() % 2) {

@@ -34,7 +34,7 @@
 
 /* ---- every length ---- */
 
-static int finer_bits; /* of the second scene; the first has 0 */
+static int finer_bits; /* scale_bits of the second scene; the first has 0 */
 
 static void same_lengths(const char *what, const void *a, const void *b, unsigned count)
 {
@@ -124,8 +124,8 @@ static void same_scene(const struct tia_scene *a, const struct tia_scene *b)
     same_tracks(a, b);
 }
 
-/* Checks lengths. The first text is exact; a sphere that is not, a tenth of a unit large, makes the second one finer.
- */
+/* Checks lengths. The first text is exact; in the second one a sphere that is not, a tenth of a unit large, makes the
+ * unit finer. */
 static void check_lengths(const char *text)
 {
     struct reading exact, finer;
@@ -168,7 +168,7 @@ static int bits_of(const char *text)
 #define M "material m colour 1\n"
 #define TENTH "sphere centre 0 0 -5 radius 0.1 material m\n"
 
-/* No point is 32768 from an eye; and an eye is no more than 8 above a plane. */
+/* No point is 32768 or more from an eye, and no eye more than 8 above a plane. */
 TEST(as_fine_as_there_is_room)
 {
     CHECK_EQ(bits_of(M "sphere centre 0 0 -5 radius 0.125 material m\n"), 0);
@@ -208,7 +208,7 @@ TEST(small_things_are_not_refused)
 
 /* ---- the same picture ---- */
 
-/* Returns how many pixels change when all is a thousandth as large. */
+/* Returns the number of pixels that change when everything is a thousandth as large. */
 static unsigned changed(const char *text, const char *small_text)
 {
     static tia_rgb565 pixels[2][WIDTH * HEIGHT];
@@ -229,7 +229,7 @@ static unsigned changed(const char *text, const char *small_text)
     return count;
 }
 
-/* Attenuation is given in the smaller unit, the floor's tiles in theirs. */
+/* Attenuation is given in the smaller unit, and so are the floor's tiles. */
 TEST(a_thousandth_is_the_same_picture)
 {
     static const char whole[] = CAMERA SHAPES LIGHTS;
@@ -245,7 +245,7 @@ TEST(a_thousandth_is_the_same_picture)
     CHECK_EQ(count, 0);
 }
 
-/* For programs that want lengths in the file's unit, and materials by name. */
+/* Names of materials, for programs that need them and lengths in the file's unit. */
 static char names[3][TIA_NAME_MAX + 1];
 
 static void keep_name(void *ctx, uint32_t index, const char *name)

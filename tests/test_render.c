@@ -23,7 +23,7 @@ static const struct tia_sphere spheres[] = {
     {TIA_VEC3(3.5, 0.5, -17), TIA_Q16(1.5), 2},  {TIA_VEC3(-3, -2, -15), TIA_Q16(1.2), 2},
     {TIA_VEC3(-6, 2, -30), TIA_Q16(4), 1},
 };
-/* One is visible, before the ball; one lies behind it; one is out of sight. */
+/* Lights: one is visible, before the ball; one lies behind it; one is out of sight. */
 static const struct tia_light lights[] = {
     {TIA_VEC3(1, 1, -14), TIA_Q16(0.4), RGB(0.9, 0.5, 0.2)},
     {TIA_VEC3(4, 6, -26), TIA_Q16(2), RGB(0.4, 0.4, 1.2)},
@@ -41,7 +41,7 @@ static const struct tia_scene scene = {
 };
 
 static uint64_t view_memory[1000], hits_memory[PIXELS + 100];
-static tia_rgb565 want[2][H][W]; /* plain, dithered */
+static tia_rgb565 want[2][H][W]; /* expected pictures: plain, dithered */
 static uint32_t want_reached[H][W];
 
 static const struct tia_tile frame = {0, 0, W, H};
@@ -104,7 +104,7 @@ TEST(the_picture_has_everything)
 
 /* ---- tiles ---- */
 
-/* The hits of the tile alone, of the frame, or of an area around the tile. */
+/* Areas of hits: the tile alone, the frame, or an area around the tile. */
 enum area { AREA_TILE, AREA_FRAME, AREA_ODD };
 
 static struct tia_tile area_around(struct tia_tile tile, enum area area)
@@ -137,7 +137,7 @@ static struct tia_tile tile_at(unsigned index, unsigned width, unsigned height)
                              (uint16_t)(H - y < height ? H - y : height)};
 }
 
-/* Checks tiles forwards, backwards and shuffled: a step that shares no factor with the count takes each tile once. */
+/* Checks tiles forwards, backwards and shuffled: a step without a common factor with the count draws each tile once. */
 static void check_tiles(unsigned width, unsigned height)
 {
     const struct tia_view *view = view_of(&scene);
@@ -170,8 +170,8 @@ TEST(every_tile_size_and_order)
 
 enum { ROOM = 2 * (W + 6) * (H + 6) };
 
-/* Draws the frame in two tiles into a block where pixel (x, y) is at `first` + x step + y pitch, and checks all of the
- * block. */
+/* Draws the frame in two tiles into a block of memory where pixel (x, y) is at `first` + x step + y pitch, and checks
+ * all of the block. */
 static void check_surface(ptrdiff_t first, ptrdiff_t step, ptrdiff_t pitch)
 {
     static tia_rgb565 block[ROOM], expected[ROOM];
@@ -203,7 +203,7 @@ TEST(every_surface)
     check_surface(9 + H - 1, column, -2);
     check_surface(9 + last * column / 2, -column, 2);
     check_surface(9 + last * column / 2 + H - 1, -column, -2);
-    check_surface(0, 4, 4 * W); /* every other word */
+    check_surface(0, 4, 4 * W); /* every second pixel of the memory */
 }
 
 /* ---- threads ---- */
@@ -255,7 +255,7 @@ static struct tia_light random_light(bool grey)
     return l;
 }
 
-/* Checks one view and its hits, lit again and again, in memory that was not clean. */
+/* Checks one view and its hits, lit again and again, in memory that was not zero. */
 static void check_relighting(const struct tia_scene *s)
 {
     static uint64_t kept_view[1000], kept_hits[PIXELS + 100];
@@ -289,7 +289,7 @@ TEST(relit_is_rendered)
     check_relighting(&scene);
 }
 
-/* Grey shadows and, every other time, grey lights: where red is computed for all three. */
+/* Shadows are grey and, in every second case, the lights: red is then computed for all three channels. */
 TEST(relit_in_grey_is_rendered)
 {
     static const struct tia_material grey[] = {

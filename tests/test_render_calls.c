@@ -1,5 +1,4 @@
-/* The renderer's calls one by one: their refusals, that a refused call changes nothing, and a pixel computed by hand.
- */
+/* The renderer's calls one by one: their refusals, which change nothing, and a pixel computed by hand. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -69,7 +68,7 @@ TEST(sizes)
     }
 }
 
-/* Exactly the stated memory, and not a byte more. */
+/* A view needs exactly the stated memory, and not a byte more. */
 TEST(memory_of_a_view)
 {
     for (uint32_t lights = 0; lights < 5; lights++) {
@@ -125,7 +124,7 @@ TEST(scenes_that_are_refused)
     scene.light_count = 1;
     CHECK_EQ(init(&view, &scene, 1, W, H), TIA_ERR_RANGE);
     scene.lights = &light;
-    CHECK_EQ(init(&view, &scene, 0, W, H), TIA_ERR_ARGUMENT); /* no room for it */
+    CHECK_EQ(init(&view, &scene, 0, W, H), TIA_ERR_ARGUMENT); /* no room for the light */
     CHECK(!view);
     CHECK_EQ(init(&view, &scene, 1, W, H), TIA_OK);
 }
@@ -154,7 +153,7 @@ TEST(lights_that_are_refused)
     CHECK(memcmp(before, after, sizeof before));
 }
 
-/* So do lights that need more shadow maps than the scene's: six for a point, or a second one. */
+/* Lights are refused, too, when they need more shadow maps than the scene's: six for a point light, or a second one. */
 TEST(lights_without_room_for_maps)
 {
     const struct tia_light spot = {.kind = TIA_SPOT_LIGHT,
@@ -190,7 +189,7 @@ TEST(lights_without_room_for_maps)
     free(mapped);
 }
 
-/* Tiles that are empty or leave the image or the hits: refused by all three, and no pixel is drawn. */
+/* Tiles that are empty or leave the image or the hits are refused by all three functions, and no pixel is drawn. */
 TEST(tiles_that_are_refused)
 {
     static const struct tia_tile bad[] = {
@@ -223,7 +222,7 @@ TEST(tiles_that_are_refused)
     CHECK_EQ(after[0], before[W * H - 1]);
 }
 
-/* In the largest picture: its corners and its middle. */
+/* In the largest picture the corners and the middle are correct. */
 TEST(the_largest_picture)
 {
     static const struct {
@@ -247,7 +246,7 @@ static const struct tia_material materials[] = {
     {TIA_RGB(0.5, 0.5, 0.75), TIA_RGB(0, 0, 0), TIA_RGB(0.0625, 0, 0)},
     {TIA_RGB(1, 1, 1), TIA_RGB(0.5, 0.25, 1), TIA_RGB(0, 0, 0)},
 };
-/* Glass halfway to light 2, and an opaque sphere halfway to light 3. */
+/* A sphere of glass halfway to light 2, and an opaque one halfway to light 3. */
 static const struct tia_sphere spheres[] = {
     {TIA_VEC3(0, 0, -10), TIA_Q16(1), 0},
     {TIA_VEC3(0, 4, -5), TIA_Q16(0.5), 1},
@@ -314,7 +313,7 @@ TEST(a_pixel_by_hand)
     CHECK_EQ(colour, level(0.0625, 31) << 11);
 }
 
-/* Light 4 stands before it all: its emission, clamped. */
+/* Light 4 is in front of everything: the pixel shows its emission, clamped. */
 TEST(a_light_in_sight)
 {
     tia_rgb565 colour;

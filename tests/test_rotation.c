@@ -16,7 +16,7 @@ static tia_q16 any_angle(void)
     return (tia_q16)random_u32();
 }
 
-/* Returns the error against an angle reduced exactly; long double must have the bits to judge 2^-59. */
+/* Returns the error against an angle that is reduced exactly; long double must have enough bits to judge 2^-59. */
 static long double error(int64_t got, long double want)
 {
     return fabsl((long double)got / ONE - want);
@@ -101,7 +101,7 @@ TEST(axes)
     }
 }
 
-/* A quarter about x takes y to z; then one about z takes x to y. */
+/* A quarter turn about x takes y to z; then one about z takes x to y. */
 TEST(axes_by_hand)
 {
     const int64_t want[3][3] = {{0, ONE, 0}, {0, 0, ONE}, {ONE, 0, 0}};
@@ -123,7 +123,7 @@ static void check_angles(struct tia_vec3 rotation)
     tia_rotation_axes(rotation, axes);
     tia_rotation_angles((const int64_t(*)[3])axes, &found);
     tia_rotation_axes(found, again);
-    /* half a unit from each angle, and an eighth more where the pole swallows one */
+    /* half a unit from each angle, and an eighth more at the poles, where two angles merge */
     for (int i = 0; i < 9; i++)
         CHECK_MSG(error(again[i / 3][i % 3], (long double)axes[i / 3][i % 3] / ONE) < 1.625L * unit,
                   "%d %d %d: %d %d %d", (int)rotation.x, (int)rotation.y, (int)rotation.z, (int)found.x, (int)found.y,
@@ -131,7 +131,7 @@ static void check_angles(struct tia_vec3 rotation)
     CHECK(found.y >= -RIGHT && found.y <= RIGHT);
 }
 
-/* Anywhere, and nearer and nearer to where y is a right angle. */
+/* Axes are random, or closer and closer to where the angle about y is a right one. */
 TEST(angles_of_axes)
 {
     for (int i = 0; i < 20000; i++) {

@@ -1,4 +1,4 @@
-/* Sobol points: their uniformity, by definition. Directions, powers: against long double. */
+/* Sobol points: their uniformity, by definition. Directions and powers: against long double. */
 #include "math/power.h"
 #include "samples/direction.h"
 #include "samples/sobol.h"
@@ -13,7 +13,7 @@
 
 static const long double pi = 3.14159265358979323846264338327950288L;
 
-/* Returns the bound, if long double can distinguish 2^-60. */
+/* Returns the bound 2^-bits, or one that long double can distinguish. */
 static long double bound(int bits)
 {
     return ldexpl(1, sizeof(long double) > 8 ? -bits : bits < 48 ? -bits : -48);
@@ -37,7 +37,7 @@ static void draw(uint32_t seed, uint32_t quad, uint32_t u[POINTS][4])
     }
 }
 
-/* Returns the most points in any of the boxes that have 2^-bits[k] of dimension k. */
+/* Returns the largest number of points in any of the boxes that have 2^-bits[k] of dimension k. */
 static uint32_t most_in_a_box(uint32_t u[POINTS][4], const unsigned bits[4])
 {
     uint32_t counts[POINTS] = {0}, most = 0;
@@ -51,7 +51,7 @@ static uint32_t most_in_a_box(uint32_t u[POINTS][4], const unsigned bits[4])
     return most;
 }
 
-/* A (t, m, s)-net: every elementary box of volume 2^(t - m) has 2^t points. */
+/* Quads are (t, m, s)-nets: every elementary box of volume 2^(t - m) has 2^t points. */
 TEST(quads_are_nets)
 {
     static uint32_t u[POINTS][4];
@@ -82,7 +82,8 @@ TEST(pairs_are_nets)
     }
 }
 
-/* Returns the correlation of two dimensions; of different quads, pixels or seeds it is that of chance: 1/sqrt(n). */
+/* Returns the correlation of two dimensions; for different quads, pixels or seeds it must be that of chance:
+ * 1/sqrt(n). */
 static double correlation(const uint32_t *a, const uint32_t *b, unsigned n)
 {
     double sum = 0;
@@ -205,7 +206,7 @@ TEST(cosines)
     }
 }
 
-/* Equal areas: as many points in each of 64 rings and of 64 sectors. */
+/* Areas are equal: each of 64 rings and each of 64 sectors has as many points. */
 TEST(discs_are_even)
 {
     enum { N = 1 << 20 };

@@ -65,7 +65,7 @@ TEST(colours)
     }
 }
 
-/* 2 is where Q2.30 ends: only negative channels are outside. */
+/* Q2.30 ends at 2: only negative channels are out of range. */
 TEST(emission_of_lights)
 {
     const char *rule = "each channel must be in 0..2";
@@ -117,7 +117,7 @@ TEST(radii)
     }
 }
 
-/* Around the eye itself: the farthest point is one radius away. */
+/* A ball around the eye itself has its farthest point one radius away. */
 TEST(the_largest_radius)
 {
     set_up();
@@ -130,7 +130,7 @@ TEST(the_largest_radius)
     check_accepted();
 }
 
-/* Checks all three objects with a position, at `offset` from the eye. */
+/* Checks all three kinds of objects with a position, at `offset` from the eye. */
 static void check_place(struct tia_vec3 offset, int32_t radius, bool accepted)
 {
     const struct tia_vec3 *eye = &scene.camera.eye;
@@ -152,7 +152,8 @@ static void check_place(struct tia_vec3 offset, int32_t radius, bool accepted)
     }
 }
 
-/* 2^31 = 32768 with 16 bits behind the point, less the radius 68 it is 5 k, and less 65 it is 7 m. */
+/* The numbers K and M: 2^31 = 32768 with 16 bits behind the point, less the radius 68 it is 5 K, and less 65 it is 7
+ * M. */
 #define K ((int32_t)((UINT32_C(1) << 31) - 68) / 5)
 #define M ((int32_t)((UINT32_C(1) << 31) - 65) / 7)
 
@@ -176,7 +177,7 @@ TEST(distances)
     check_place((struct tia_vec3){INT32_MIN, 0, 0}, 64, false);
 }
 
-/* From one end of Q16.16 to the other: offsets of up to 2^32 - 1. */
+/* The eye is at one end of Q16.16 and an object at the other: offsets of up to 2^32 - 1. */
 TEST(an_eye_at_the_end_of_the_numbers)
 {
     const int32_t ends[] = {INT32_MIN, INT32_MAX};
@@ -203,7 +204,7 @@ static uint64_t square(int64_t a)
     return (uint64_t)(a * a);
 }
 
-/* |centre - eye| + radius < 2^31 squared, where no operation can overflow. */
+/* The rule is |centre - eye| + radius < 2^31, squared, where no operation can overflow. */
 TEST(random_distances)
 {
     int inside = 0;

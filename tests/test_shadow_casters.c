@@ -1,6 +1,6 @@
-/* The hierarchy of faces: every face that hides a light from a point is among those that the segment from the point to
- * the light comes near, however far away the point is. Faces are tested for hiding one by one, without the hierarchy.
- */
+/* The hierarchy of faces: every face that hides a light from a point is among those near the segment from the point to
+ * the light, however far away the point is. Faces are tested for hiding one by one, without the hierarchy.
+ * */
 #include <math.h>
 
 #include "raster/target.h"
@@ -14,7 +14,7 @@ struct tally {
 
 static struct tia_raster_plane planes[FACES];
 
-/* Makes a plane in which the eye's horizon goes through the centres of pixels: the points there are at infinity. */
+/* Makes a plane whose horizon goes through the centres of pixels: the points there are at infinity. */
 static void make_sloping_plane(struct world *w, int32_t range, int32_t step)
 {
     static const uint8_t halves[2][4] = {{0, 1, 2, 3}, {0, 3, 4, 1}};
@@ -37,7 +37,7 @@ static bool is_in_leaf(const struct tia_casters *casters, const struct tia_bvh_n
     return false;
 }
 
-/* Returns the bits of the faces, 64 at most, that are to be tested. */
+/* Returns the set of faces, at most 64, that are to be tested, a bit each. */
 static uint64_t offered(const struct world *w, const struct tia_casters *casters, const struct tia_seen *seen,
                         struct tally *t)
 {
@@ -106,7 +106,7 @@ static void aim_back(struct world *w, const struct tia_seen *seen)
     w->light = vertex(w, (int64_t)way[0], (int64_t)way[1], (int64_t)way[2], false);
 }
 
-/* Tests the points of the planes of all faces at pixels, also beside the faces, where they are in front of the eye. */
+/* Tests points at pixels, on the planes of all faces and also beside the faces, where they are in front of the eye. */
 static void ask_pixels(struct world *w, const struct tia_casters *casters, struct tally *t, struct tally *back)
 {
     bool flat = w->flat.grid.projection == TIA_ORTHOGRAPHIC;

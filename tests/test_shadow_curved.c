@@ -1,5 +1,5 @@
-/* Scenes with curved objects under techniques for shadows: rays find objects without faces. All is compared with the
- * tracer, which rasterises nothing. */
+/* Scenes with curved objects under techniques for shadows: rays find objects without faces. All pictures are compared
+ * with the tracer's, which rasterises nothing. */
 #include <stdlib.h>
 
 #include <tia/bvh.h>
@@ -20,7 +20,7 @@ struct picture {
 
 static struct picture one, other;
 
-/* The techniques with the same result. */
+/* The techniques with identical results. */
 static const enum tia_shadows exact[4] = {TIA_SHADOWS_ZPASS, TIA_SHADOWS_ZFAIL, TIA_SHADOWS_RAYS,
                                           TIA_SHADOWS_MAP_EXACT};
 
@@ -65,8 +65,8 @@ static void draw(const struct tia_scene *scene, int tile_width, int tile_height,
 
 /* ---- places ---- */
 
-/* Checks objects in scenes of their own, from eyes near and far, inside of them too: no pixel outside its place shows
- * one. */
+/* Checks objects in scenes of their own, from eyes near, far and inside of them: no pixel outside an object's place
+ * shows it. */
 static unsigned check_places(const struct world *w)
 {
     static struct tia_curved_place places[SPHERES + SHAPES];
@@ -111,8 +111,8 @@ TEST(places_hold_what_is_seen)
     }
 }
 
-/* A ball of radius 1 at the distance 10: its box reaches at most 50/9 pixels from the middle of 100, which with a pixel
- * more on either side are 43 to 56. From inside its box it may be anywhere. */
+/* A ball of radius 1 is at the distance 10: its box reaches at most 50/9 pixels from the middle of 100, which with a
+ * pixel more on either side are 43 to 56. For an eye inside its box it may be at any pixel. */
 TEST(places_are_small)
 {
     static const struct tia_sphere ball = {.radius = Q(1)};
@@ -148,7 +148,8 @@ static void compare(struct difference *d)
     }
 }
 
-/* Rays start off a surface, and vertices are rounded: both matter only at edges, in one of 10,000 and of 20,000. */
+/* Rays start off a surface, and vertices are rounded: both matter only at edges, in one of 10,000 and of 20,000
+ * pixels. */
 TEST(agrees_with_rays)
 {
     struct difference d = {0, 0};
@@ -228,7 +229,8 @@ static int channel(tia_rgb565 pixel, int c)
 }
 
 /* Checks a mean. Sample i + n j of a pixel is a pixel of the picture that is n^2 times as large: in column n^2 x + n i
- * + j, row n^2 y + n j + n - 1 - i, see camera.h. So the pixel is the mean of those, but for the rounding of each. */
+ * + j, row n^2 y + n j + n - 1 - i, see camera.h. So the pixel is the mean of those pixels, but for the rounding of
+ * each. */
 static void check_mean(const struct tia_scene *scene, int n, int width, int height)
 {
     struct tia_scene sampled = *scene;
@@ -272,8 +274,8 @@ TEST(samples_are_averaged)
 
 /* ---- flat faces in place of curved surfaces ---- */
 
-/* Returns how many of the pixels show another object or light than rays show, with an error; all techniques the same.
- */
+/* Returns the number of pixels that show a different object or light than rays do, with an error; all techniques must
+ * give the same. */
 static unsigned count_differences(double error)
 {
     struct difference d = {0, 0};

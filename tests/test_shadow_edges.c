@@ -1,4 +1,4 @@
-/* Points that are united, and the face across an edge: by sorting in the product, by testing every pair here. */
+/* Points that are united, and the face across an edge: the product sorts, the test compares every pair. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -89,7 +89,7 @@ static uint32_t count_edges(const struct tia_flat_face *faces, uint32_t count, s
     return n;
 }
 
-/* Checks that each edge is joined as far as there are others, with an edge that runs back and is joined to it. */
+/* Checks that each edge is joined where another is available, with an edge that runs back and is joined to it. */
 static bool check_joined(const struct tia_flat_face *faces, uint32_t count)
 {
     uint32_t *across = malloc(TIA_SIDES * count * sizeof *across + 1);
@@ -106,7 +106,7 @@ static bool check_joined(const struct tia_flat_face *faces, uint32_t count)
         uint32_t back = count_edges(faces, count, (struct ends){ends.to, ends.from});
         single += across[e] == TIA_NO_EDGE;
         balanced = balanced && there == back;
-        unpaired += there > back ? (double)(there - back) / there : 0; /* so many of `there` equal ones find none */
+        unpaired += there > back ? (double)(there - back) / there : 0; /* share of the equal edges without a partner */
         if (across[e] != TIA_NO_EDGE) {
             struct ends other = ends_of(faces, across[e]);
             CHECK(other.from == ends.to && other.to == ends.from && across[across[e]] == e);
@@ -137,7 +137,7 @@ TEST(solids_close)
     CHECK(check_joined(needle, 3) && check_joined(needle, 0));
 }
 
-/* The same solid several times over few points, some of it turned inside out: edges with many faces. */
+/* The same solid several times over few points, some copies turned inside out: edges have many faces. */
 TEST(many_faces_at_an_edge)
 {
     static struct tia_flat_face faces[60];
@@ -156,7 +156,7 @@ TEST(many_faces_at_an_edge)
     CHECK(closed > 200 && closed < 1500);
 }
 
-/* A tetrahedron whose faces have corners of their own, at the same places. */
+/* Faces of a tetrahedron have corners of their own, in the same positions. */
 TEST(meshes_close_by_place)
 {
     static const struct tia_vec3 vertices[12] = {

@@ -1,4 +1,4 @@
-/* The camera in integers against the formulas of camera.h in long double, written independently. */
+/* The camera in fixed point against the formulas of camera.h in long double, written independently. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -7,7 +7,7 @@
 #include "random.h"
 
 #define FRACTION 20
-#define BITS 25 /* of directions */
+#define BITS 25 /* bits of directions */
 
 static long double real(tia_q16 q)
 {
@@ -40,7 +40,7 @@ static void copy(struct tia_vec3 v, long double out[3])
     out[2] = real(v.z);
 }
 
-/* The eye's and the reference's digits behind Q16.16; 0 without. */
+/* Digits of the eye and the reference below Q16.16; 0: there are none. */
 static struct tia_fine fine;
 
 static void copy_finely(struct tia_vec3 v, struct tia_fine_place digits, long double out[3])
@@ -51,7 +51,7 @@ static void copy_finely(struct tia_vec3 v, struct tia_fine_place digits, long do
     out[2] += ldexpl(digits.z, -32);
 }
 
-/* Finds u, v, n. */
+/* Finds the axes u, v, n. */
 static void find_axes(const struct tia_camera *c, long double axes[3][3])
 {
     long double eye[3], reference[3], up[3];
@@ -72,7 +72,7 @@ static void find_axes(const struct tia_camera *c, long double axes[3][3])
     cross(axes[2], axes[0], axes[1]);
 }
 
-/* Finds left, right, bottom, top at the distance 1; in orthographic views unchanged. */
+/* Finds left, right, bottom, top at the distance 1; in orthographic views they stay as given. */
 static void find_window(const struct tia_camera *c, unsigned width, unsigned height, long double w[4])
 {
     long double by = c->projection == TIA_FRUSTUM ? real(c->window.near) : 1, a;
@@ -183,7 +183,7 @@ static unsigned range_of(const long double v[4], bool flat)
     return r;
 }
 
-/* Checks that the direction is the same, whatever its length, and as long as possible. */
+/* Checks that the vertex has the same direction, and is as long as possible. */
 static void check_direction(const struct tia_eye *eye, const int64_t direction[3], const long double want[4], bool flat)
 {
     struct tia_raster_vertex v;

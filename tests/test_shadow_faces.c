@@ -12,7 +12,7 @@
 
 #define Q TIA_Q16
 
-/* A pyramid with a square base, of which each face has its own corners, as many programs write models. */
+/* A pyramid with a square base, each face of which has its own corners, as many programs write models. */
 static struct cancel never;
 
 static const struct tia_vec3 pyramid_points[] = {
@@ -35,7 +35,8 @@ static const struct tia_vec3 pyramid_points[] = {
 static const struct tia_face pyramid_faces[] = {FACE(0), FACE(1), FACE(2), FACE(3), FACE(4), FACE(5)};
 static const struct tia_mesh meshes[] = {
     {.vertices = pyramid_points, .faces = pyramid_faces, .vertex_count = 18, .face_count = 6},
-    {.vertices = pyramid_points, .faces = pyramid_faces, .vertex_count = 18, .face_count = 5}, /* it has a hole */
+    {.vertices = pyramid_points, .faces = pyramid_faces, .vertex_count = 18, .face_count = 5}, /* this mesh has a
+                                                                                                  hole */
     {.vertices = pyramid_points},
 };
 static const struct tia_transform transforms[] = {
@@ -77,7 +78,7 @@ static void *trace(const struct tia_scene *s, struct tia_hits **hits, void **mem
     return hit_memory;
 }
 
-/* Returns the number of pixels that show another object. */
+/* Returns the number of pixels that show a different object. */
 static unsigned compare(const struct tia_flat_scene *flat, const struct tia_scene *s, unsigned *seen)
 {
     struct tia_tile all = {0, 0, WIDTH, HEIGHT};
@@ -114,7 +115,7 @@ static void check_camera(const struct tia_camera *camera, unsigned *seen)
     CHECK_EQ(tia_flat_init(&flat, memory, size - 1, &s, WIDTH, HEIGHT, &never), TIA_ERR_MEMORY);
     CHECK_EQ(tia_flat_init(&flat, memory, size, &s, WIDTH, HEIGHT, &never), TIA_OK);
     CHECK_EQ(flat.face_count, 2 + 12 + 12 + 6 + 5 + 1 + 6);
-    CHECK_EQ(flat.object_count, 7); /* but the mesh without faces */
+    CHECK_EQ(flat.object_count, 7); /* all but the mesh without faces */
     for (uint32_t i = 0; i < flat.object_count; i++) {
         uint32_t object = flat.objects[i].object;
         CHECK_EQ(flat.objects[i].closed, object != 0 && object != 5 && object != 6);
@@ -161,7 +162,8 @@ TEST(orthographic)
     check_cameras((struct tia_camera){.projection = TIA_ORTHOGRAPHIC, .window = {0, 0, Q(-4), Q(3.5), 0}});
 }
 
-/* Faces of solids run counterclockwise seen from outside: from a distant point all that are turned to it are front. */
+/* Faces of solids run counterclockwise seen from outside: from a distant point all faces turned to it are front
+ * faces. */
 TEST(faces_turn_outward)
 {
     struct tia_scene s = scene;
@@ -197,7 +199,7 @@ static void check_fault(const struct tia_scene *s, const char *thing, const char
               "%s %u: %s: %s", fault.thing, (unsigned)fault.index, fault.field, fault.rule);
 }
 
-/* Scenes that need more than a bit can hold are refused by name. */
+/* Scenes that need more memory than allowed are refused by name. */
 TEST(refuses)
 {
     static const struct tia_material glass = {.transmission = {0, 1, 0}}, leaf = {.opacity = 1};

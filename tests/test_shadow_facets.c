@@ -27,7 +27,7 @@ static double dot(const double a[3], const double b[3])
 
 struct truth {
     enum tia_shape_kind kind;
-    double base[3], axis[3], length, radius[2]; /* a sphere: base and radius[0]; a disc has length 0 */
+    double base[3], axis[3], length, radius[2]; /* of a sphere: base and radius[0]; a disc has length 0 */
     double scale[3];
     bool capped;
 };
@@ -73,8 +73,8 @@ static struct truth truth_of(const struct tia_shape *s, struct tia_vec3 scale)
     return t;
 }
 
-/* Returns the distance, in the world, of a point of element `element` from a point of the surface near it: that in the
- * same direction from the centre or the axis. Below 0: outside. */
+/* Returns the distance, in the world, of a point of element `element` from the surface point in the same direction from
+ * the centre or the axis. Below 0: the point is outside. */
 static double distance(const struct truth *t, const double p[3], uint32_t element)
 {
     double from[3] = {p[0] - t->base[0], p[1] - t->base[1], p[2] - t->base[2]}, way[3], sum = 0;
@@ -97,8 +97,8 @@ static double distance(const struct truth *t, const double p[3], uint32_t elemen
 /* ---- measuring ---- */
 
 struct measured {
-    double most;   /* error */
-    double volume; /* enclosed by the faces, if they are turned outwards */
+    double most;   /* largest error */
+    double volume; /* volume enclosed by the faces, if they are turned outwards */
 };
 
 static double cross_part(const double a[3], const double b[3], int k)
@@ -106,7 +106,7 @@ static double cross_part(const double a[3], const double b[3], int k)
     return a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
 }
 
-/* Measures at the middle of each edge and at a few random points. */
+/* Measures the middle of each edge and a few random points. */
 static void measure_face(const struct truth *t, const struct tia_flat_face *face, uint32_t element, struct measured *m)
 {
     const double *a = own[face->corner[0]], *b = own[face->corner[1]], *c = own[face->corner[2]];
@@ -203,7 +203,7 @@ static struct tia_shape random_shape(enum tia_shape_kind kind, int i)
     return s;
 }
 
-/* The error is in the world: scaled shapes have more faces. */
+/* Checks the error, which is in the world's units: scaled shapes have more faces. */
 static void check_kind(enum tia_shape_kind kind)
 {
     for (int i = 0; i < 24; i++) {
@@ -242,7 +242,7 @@ TEST(cones)
     check_kind(TIA_CONE);
 }
 
-/* A scene's own spheres are the same, with their fine digits. */
+/* A scene's own spheres are divided alike, with their fine digits. */
 TEST(own_spheres)
 {
     static const struct tia_sphere sphere = {{Q(1), Q(2), Q(3)}, Q(2), 0};
@@ -260,7 +260,8 @@ TEST(own_spheres)
     CHECK(!tia_facets_of(&scene, 0, &(struct tia_facets){0}) && !tia_flat_takes(&scene, 0));
 }
 
-/* n^2 >= 5 r/e, for spheres 10 r/e; numbers that would be too many faces are reported without counting them. */
+/* The number of corners is n^2 >= 5 r/e, for spheres 10 r/e; numbers that mean too many faces are reported without
+ * counting these. */
 TEST(numbers)
 {
     static const struct tia_material material = {.colour = {0, 0, 0}};

@@ -13,7 +13,7 @@ struct tally {
     uint32_t seen, dark, wrong, tiles;
 };
 
-/* Two more pixels a row than the image has. */
+/* Pixels from row to row, two more than the image has. */
 #define PITCH (SIZE + 2)
 
 static struct drawn {
@@ -53,7 +53,7 @@ static void light_tile(const struct tia_shadow_view *view, struct tia_tile area,
     tia_shadow_exact_maps.light(view, &tile, sample, &never);
 }
 
-/* Lights in columns and rows of random widths; the other half of the worlds whole. */
+/* Computes the light of all pixels, in tiles of random sizes; in half of the worlds, in a single tile. */
 static uint32_t light_all(const struct world *w)
 {
     static struct tia_shadow_view view;

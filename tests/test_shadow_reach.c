@@ -1,4 +1,4 @@
-/* The range of lights with techniques for shadows, the fault of those beyond, and the fate of hits when vertices need
+/* The range of lights with techniques for shadows, the fault of those beyond, and the loss of hits when vertices need
  * other fraction bits. */
 #include <stdlib.h>
 #include <string.h>
@@ -101,7 +101,7 @@ static void check_light(struct tia_scene s, const struct tia_light *light, unsig
     close_view(&d);
 }
 
-/* x = p 2 near/(right - left), here 1024 p, must be below 2^24. */
+/* The limit is that x = p 2 near/(right - left), here 1024 p, must be below 2^24. */
 TEST(perspective_lights_are_in_reach_up_to_2_24)
 {
     const struct tia_light in = point_at(16383.9, 5, 0), out = point_at(16384, 5, 0);
@@ -110,10 +110,11 @@ TEST(perspective_lights_are_in_reach_up_to_2_24)
     for (enum tia_shadows technique = TIA_SHADOWS_RAYS; technique <= TIA_SHADOWS_ZPASS_PLAIN; technique++) {
         struct tia_scene s = yard(NULL, technique);
         s.camera =
-            (struct tia_camera){.projection = TIA_FRUSTUM, .window = {-64, 64, -64, 64, Q(1)}}; /* -2^-10..2^-10 */
+            (struct tia_camera){.projection = TIA_FRUSTUM, .window = {-64, 64, -64, 64, Q(1)}}; /* a window of
+                                                                                                   -2^-10..2^-10 */
         check_light(s, &in, 64, 48, 0);
         check_light(s, &out, 64, 48, 24);
-        bright[0].kind = TIA_DISC_LIGHT; /* its edge counts */
+        bright[0].kind = TIA_DISC_LIGHT; /* the light's edge counts */
         bright[0].direction = (struct tia_dir3){0, TIA_Q30(-1), 0};
         bright[0].radius = Q(1);
         bright[0].samples = 4;
@@ -124,7 +125,7 @@ TEST(perspective_lights_are_in_reach_up_to_2_24)
     }
 }
 
-/* Lights behind the eye count as well, and those without a position are never too far. */
+/* Lights behind the eye count as well; lights without a position are never too far. */
 TEST(only_places_are_too_far)
 {
     struct tia_scene s = yard(NULL, TIA_SHADOWS_ZFAIL);
@@ -172,7 +173,7 @@ TEST(orthographic_lights_are_directions_far_beyond_all_faces)
     s.camera = (struct tia_camera){.projection = TIA_ORTHOGRAPHIC, .window = {-512, 512, -512, 512, 0}};
     s.shapes = &small;
     check_light(s, &far, 64, 48, 0);
-    check_light(s, &farther, 64, 48, 20); /* 2^21, neither */
+    check_light(s, &farther, 64, 48, 20); /* 2^21: neither */
     s.shapes = &shapes[1];
     check_light(s, &far, 64, 48, 20);
 }
@@ -222,7 +223,7 @@ static void check_moved(enum tia_shadows technique, uint32_t samples, const stru
     CHECK_EQ(open_view(&moved, &s, WIDTH, HEIGHT), TIA_OK);
     open_hits(&moved, &s);
     CHECK_EQ(tia_view_trace(moved.view, moved.hits, moved.all), TIA_OK);
-    for (int i = 0; i < 3; i++) { /* there and back: earlier frames do not matter */
+    for (int i = 0; i < 3; i++) { /* there and back: earlier frames must not matter */
         const struct tia_light *now = i % 2 ? &from : to;
         CHECK_EQ(tia_view_set_lights(moved.view, now, 1), TIA_OK);
         light_all(&moved, got);
@@ -233,7 +234,7 @@ static void check_moved(enum tia_shadows technique, uint32_t samples, const stru
     close_view(&moved);
 }
 
-/* Faces up to 2^9 from the eye leave no room for a light much farther away than before. */
+/* With faces up to 2^9 from the eye there is no room for a light much farther away than before. */
 TEST(hits_are_traced_again_where_a_light_needs_other_vertices)
 {
     const struct tia_light far[2] = {point_at(3000, 5000, -1000), point_at(-20000, 20000, 1000)};
@@ -243,7 +244,7 @@ TEST(hits_are_traced_again_where_a_light_needs_other_vertices)
             check_moved(technique, technique == TIA_SHADOWS_ZFAIL ? 4 : 1, &far[i]);
 }
 
-/* A refused light leaves the old lights. */
+/* A refused light leaves the old lights in place. */
 TEST(the_old_lights_stay)
 {
     static tia_rgb565 got[WIDTH * HEIGHT], want[WIDTH * HEIGHT];

@@ -171,14 +171,14 @@ static bool stop(void *ctx)
     return true;
 }
 
-/* A cancel that polls at once and is stopped; `asked` counts the calls. */
+/* Returns a cancel that polls at once and is stopped; `asked` counts the calls. */
 static struct cancel stopper(unsigned *asked)
 {
     *asked = 0;
     return (struct cancel){.stop = stop, .ctx = asked, .work = CANCEL_INTERVAL};
 }
 
-/* No loop over all faces continues after the stop, or calls again. */
+/* No loop over all faces continues after the stop, or calls `stop` again. */
 TEST(passes_over_faces_stop)
 {
     static struct drawing d;

@@ -13,7 +13,7 @@ struct tally {
     uint32_t worlds, pixels, seen, dark, faces_wrong, wrong[2], rays_wrong, unsure[2];
 };
 
-/* A technique: z-fail or z-pass, and the number of volumes that contain the rays' ends or starts. */
+/* A technique, z-fail or z-pass, and the number of volumes that contain the rays' ends or starts. */
 struct technique {
     struct tia_raster_target target;
     void *memory;
@@ -26,7 +26,7 @@ static bool is_lit_by(const struct technique *t, size_t at)
     return t->target.count[at] + t->count == 0;
 }
 
-/* True if the light is hidden, by rays to a light that the face is turned to. */
+/* True if a face hides the light, by rays; the visible face is turned to the light. */
 static bool is_hidden(const struct world *w, const struct tia_raster_plane *planes, uint32_t face, int i, int j)
 {
     struct tia_flat_scene flat = w->flat;

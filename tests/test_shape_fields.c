@@ -1,4 +1,4 @@
-/* The fields of each kind of shape, by which files and tools read and write it. */
+/* The fields of each kind of shape, by which files and tools read and write a shape. */
 #include <string.h>
 
 #include "check.h"
@@ -44,7 +44,7 @@ TEST(meshes_and_grids_are_indices)
     CHECK(!tia_shape_fields(TIA_MESH)->member && !tia_shape_fields(TIA_GRID)->member);
 }
 
-/* The values behind the second name are read where the first one's are. */
+/* A field without a word follows the one before: the values behind the second name are read after the first one's. */
 TEST(a_field_without_a_word_follows_the_one_before)
 {
     for (unsigned kind = 0; tia_shape_description((enum tia_shape_kind)kind); kind++) {

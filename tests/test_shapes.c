@@ -1,2 +1,2 @@
-/* shape_runs.h in integers: the cases are independent of the arithmetic, which num.h provides. */
+/* shape_runs.h in fixed point: the cases are independent of the arithmetic, which num.h provides. */
 #include "shape_runs.h"

@@ -1,4 +1,4 @@
-/* shape_runs.h in integers that report numbers out of range. */
+/* shape_runs.h in fixed-point arithmetic that reports numbers out of range. */
 #define TIA_NUM_CHK
 #include "shape_runs.h"
 

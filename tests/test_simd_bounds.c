@@ -21,7 +21,7 @@ static void note(int which, long double error, double bound)
     worst[which] = ratio > worst[which] ? ratio : worst[which];
 }
 
-/* Returns 1/t of a pixel to some 60 bits; the coefficients are good for 50, of D's size. */
+/* Returns 1/t of a pixel to some 60 bits; the coefficients are accurate to 50, relative to the size of D. */
 static long double per_t(const struct simd_fine *f, long double x)
 {
     const double *b = f->seen.b, *d = f->seen.d;
@@ -41,7 +41,7 @@ static void try_float(const struct simd_fine *f, int i)
         note(FLOAT_T, (s - exact) / exact, f->depth.es);
 }
 
-/* Tries the fixed-point t, |w|^2 and cosine of the first light; the bounds are those of an arithmetic without
+/* Compares the fixed-point t, |w|^2 and cosine of the first light; the bounds are those of an arithmetic without
  * roundings. */
 static void try_integers(const struct simd_fine *f, int i)
 {

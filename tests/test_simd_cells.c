@@ -67,8 +67,8 @@ static bool is_dark(const struct simd_fine_light *light, real x, const struct tr
 
 /* ---- colour levels ---- */
 
-/* Tries a channel of a pixel: before it is rounded, y of `levels` is within 1/2 less `near` of the fixed-point result
- * for the integer code's cosine, and of that for one that is as far from the kernels' as its bound allows. */
+/* Checks a channel of a pixel: before it is rounded, y of `levels` is within 1/2 less `near` of the fixed-point result
+ * for the fixed-point cosine, and of that for a cosine as far from the kernels' as its bound allows. */
 static void try_level(int which, real y, real levels, real near, const tia_q30 part[3], num_u whole, real cosine,
                       real bound)
 {
@@ -83,7 +83,7 @@ static void try_level(int which, real y, real levels, real near, const tia_q30 p
     }
 }
 
-/* Tries pixels that one light shines on, without shadows. */
+/* Checks pixels that are lit by one light, without shadows. */
 static void try_levels(const struct simd_fine *f, const struct simd_run *r, const struct body *k, int first)
 {
     const struct tia_scene *scene = f->view->scene;
@@ -109,7 +109,7 @@ static void try_levels(const struct simd_fine *f, const struct simd_run *r, cons
     }
 }
 
-/* Tries P = t v with t = c/S: t' = -t S'/S, t'' = t (2 (S'/S)^2 - S''/S). */
+/* Checks the motion of P = t v with t = c/S: t' = -t S'/S, t'' = t (2 (S'/S)^2 - S''/S). */
 static void try_motion(const struct simd_fine *f, real x, real first, real second)
 {
     const double *d = f->seen.d;
@@ -193,7 +193,7 @@ static void try_run(const struct simd_fine *run)
     try_cells(&fine, &r, &cells, count);
 }
 
-/* The built-in scene: shadows and large spheres. */
+/* Runs the built-in scene, which has shadows and large spheres. */
 static void thesis(simd_runs_try *try)
 {
     static const char *const keys[] = {"", "a", "d", "s", "w"};
@@ -222,14 +222,14 @@ TEST(cells)
 
 static unsigned long own, kept_ones;
 
-/* Checks that no value of the first is less than that of the second. */
+/* Checks that no value of the first is less than the second's. */
 static void no_less(const struct simd_fine *kept, const struct simd_fine *alone)
 {
     const struct simd_depth *a = &kept->depth, *b = &alone->depth;
 
     CHECK(a->cut >= b->cut);
     if (a->cut > b->cut)
-        return; /* more pixels are left out: no statement about them */
+        return; /* more pixels are left out, which permits no statement about them */
     CHECK(a->es >= b->es && a->et >= b->et && a->floor <= b->floor);
     CHECK(kept->near31 <= alone->near31 && kept->near63 <= alone->near63);
     for (uint32_t l = 0; l < kept->view->light_count; l++) {

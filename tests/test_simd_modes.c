@@ -46,7 +46,7 @@ typedef void scene_try(const struct tia_scene *scene, unsigned number);
 static struct edge_scene edge;
 static struct corpus_rays rays;
 
-/* Tries scenes of spheres, which spans draw; of all shapes by rays, ambient occlusion and paths, four of each. */
+/* Runs scenes of spheres, which spans draw, and of all shapes, by rays, ambient occlusion and paths: four of each. */
 static void each_scene(scene_try *try)
 {
     for (unsigned i = 1; i <= 12; i++) {
@@ -66,7 +66,7 @@ enum { W = 24, H = 17 };
 
 /* ---- cases ---- */
 
-/* Compares memory: addresses in it are the same since it is the same memory. */
+/* Compares memory; even addresses in it are equal, since it is reused. */
 static void compare_memory(const struct tia_scene *scene, unsigned number)
 {
     size_t size = tia_view_size(scene, scene->light_count), more = tia_simd_size(simd, scene, scene->light_count, 1);

@@ -26,7 +26,7 @@ TEST(rounding)
 TEST(subnormal_numbers)
 {
 #ifdef __SSE__
-    const unsigned bits[] = {0x8000, 0x0040}; /* results as zero; operands as zero */
+    const unsigned bits[] = {0x8000, 0x0040}; /* flush results to zero; treat operands as zero */
     struct environment caller;
 
     for (int i = 0; i < 2; i++) {

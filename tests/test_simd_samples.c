@@ -22,8 +22,8 @@
 static const struct tia_simd *simd;
 static unsigned random_scenes = 80;
 
-/* Counting kernels in front of the instruction set's: kernels that leave everything to the fixed-point code would be
- * detected. */
+/* Counting kernels in front of the instruction set's, which detect kernels that leave all samples to the fixed-point
+ * code. */
 static const struct sure_kernels *kernels;
 static unsigned long samples, unsure, clear;
 
@@ -58,7 +58,7 @@ struct gathered {
     struct tia_guide guides[W * H];
 };
 
-/* Gathers in tiles of an odd size, samples 1 and 2 before sample 0. */
+/* Gathers samples in tiles of an odd size: samples 1 and 2 before sample 0. */
 static void gather(const struct tia_view *view, bool guides, struct gathered *to)
 {
     memset(to, 0, sizeof *to);
@@ -159,8 +159,8 @@ static void bound_random(const struct tia_scene *scene, unsigned number)
     check_bounds(scene);
 }
 
-/* Makes samples: one material in three emits; other integrators in turn; points of light are large, so that rays meet
- * them. */
+/* Makes scenes of samples: one material in three emits; the other integrators alternate; point lights are large, so
+ * that rays meet them. */
 static void make_samples(struct corpus_rays *c, unsigned i)
 {
     struct tia_material *m = (struct tia_material *)(uintptr_t)c->scene.materials;
@@ -255,7 +255,7 @@ static void compare_light(const struct tia_scene *scene, unsigned number)
               samples);
 }
 
-/* A scene with a light of a kind without TIA_LIGHT_SIMD. */
+/* Gathers samples of a scene with a light of a kind without TIA_LIGHT_SIMD. */
 static void gather_other(const struct tia_scene *scene, unsigned number)
 {
     static struct gathered want, got;
@@ -280,7 +280,7 @@ TEST(kinds_of_lights)
     with_light(0, gather_other);
 }
 
-/* Scenes of files, and the largest part of their samples, in hundredths, that may be uncertain. */
+/* Scenes of files, and the largest part of their samples, in hundredths, that may be undecided. */
 static const struct {
     const char *path;
     enum tia_integrator integrator;
@@ -305,7 +305,7 @@ TEST(scene_files)
     }
 }
 
-/* Pixels of the scene's own number of samples, dithered or not; hashes; lights that move. */
+/* Pixels have the scene's own number of samples, dithered or not; with hashes; and with lights that move. */
 TEST(pixels_hashes_and_moved_lights)
 {
     static uint32_t hashes[2][W * H];

@@ -62,7 +62,7 @@ TEST(thesis)
         thesis_at(sizes[i][0], sizes[i][1]);
 }
 
-/* So large that rows are written past the caches; then a tile at odd positions. */
+/* Pictures are so large that rows are written past the caches; then a tile at odd positions. */
 TEST(large_pictures)
 {
     enum { W = 8192, H = 520, GAP = GUARD / 2 };
@@ -103,7 +103,7 @@ TEST(edge_scenes_of_any_magnitude)
     }
 }
 
-/* Tiles of odd sizes, drawn one by one, each through a surface that is rotated by a quarter. */
+/* Tiles have odd sizes, and each is drawn through a surface that is rotated by a quarter. */
 TEST(tiles_and_turned_surfaces)
 {
     static const unsigned W = 200, H = 150, TILE = 37;
@@ -184,7 +184,7 @@ TEST(threads)
     threads_destroy(pool);
 }
 
-/* Scenes that SIMD kernels do not draw are unchanged: the eye in a sphere; a scene for rays; another arithmetic. */
+/* Scenes that SIMD kernels do not draw are unchanged: the eye in a sphere; a scene for rays; a different arithmetic. */
 TEST(what_levels_leave_alone)
 {
     struct corpus_scene s;

@@ -37,7 +37,7 @@ struct work {
     struct tia_hits *hits;
     void *memory;
     size_t size;
-    const uint8_t *top; /* top of the stack, where the work begins */
+    const uint8_t *top; /* top of the stack, where the measured work begins */
     int status;
 };
 
@@ -84,7 +84,7 @@ static uint8_t *stack;
 static size_t deepest;
 static char deepest_scene[80];
 
-/* Measures; stacks grow downwards on every processor with SIMD kernels. */
+/* Measures the stack of a call; stacks grow downwards on every processor with SIMD kernels. */
 static void measure(struct work *w, const char *what, unsigned number)
 {
     size_t unused = 0;
@@ -122,7 +122,7 @@ static void draw_corpus(const struct tia_scene *scene, unsigned number)
     draw(scene, "random scene", number);
 }
 
-/* A scene with all features that need the most stack: grids and meshes that are placed, glass, textures, mirrors,
+/* A scene with all features that need much stack: grids and meshes with transforms, glass, textures, mirrors,
  * transparent groups, and lights with samples. */
 static const char large[] =
     "camera eye 0 1 6 fov 50\nbackground 0.1 0.2 0.3\n"

@@ -1,4 +1,4 @@
-/* Pictures by each instruction set that are stopped: soon, however slow their rays are, and without a call of `stop`
+/* Cancelled pictures by each instruction set: they end soon, however slow their rays are, and without a call of `stop`
  * for every packet. */
 #include <stdlib.h>
 #include <time.h>
@@ -16,7 +16,7 @@ enum { W = 64, H = 48, MANY = 1000, PLANES = 5000 };
 /* ---- the callback ---- */
 
 static struct {
-    unsigned asked, until; /* calls so far; the call from which on it returns true */
+    unsigned asked, until; /* asked: calls so far; until: number of the first call that returns true */
     double last, longest;  /* time of the last call, and the longest time between two calls */
 } caller;
 
@@ -51,7 +51,7 @@ static struct tia_shape planes[PLANES];
 static struct tia_light lights[MANY];
 static struct tia_material material;
 
-/* Returns a ball, or planes one behind the other, which have no box. */
+/* Returns a scene with a ball, or with planes one behind the other, which have no box. */
 static struct tia_scene scene_of(uint32_t light_count, uint32_t plane_count)
 {
     struct tia_scene scene = tia_thesis_scene;
@@ -75,8 +75,8 @@ static struct tia_scene scene_of(uint32_t light_count, uint32_t plane_count)
     return scene;
 }
 
-/* Each ray that meets the ball spawns two, sixteen times, and each of them needs 256 shadow rays to a thousand lights:
- * one pixel would take days. */
+/* Returns a scene without an end: each ray that meets the ball spawns two, sixteen times, and each of them needs 256
+ * shadow rays to a thousand lights: one pixel would take days. */
 static struct tia_scene endless_scene(void)
 {
     struct tia_scene scene = scene_of(MANY, 0);
@@ -144,7 +144,7 @@ static int gather(const struct picture *p)
     return tia_estimator_q16.sample(p->view, frame, 0, 4, sums, W);
 }
 
-/* Stops from the until-th call on: no step takes long, before it or after. */
+/* Cancels at the until-th call: no step takes long, before that call or after. */
 static void stop(int (*work)(const struct picture *p), const struct picture *p, unsigned until)
 {
     caller.asked = 0;
@@ -183,8 +183,8 @@ TEST(soon_along_paths)
     }
 }
 
-/* A call may read a clock: in a simple picture one for ten pixels. Packets are no more than a fourth of its pixels, as
- * there are pixels with and without shadow rays. */
+/* Calls are rare, since they may read a clock: in a simple picture one for ten pixels. The number of packets is no more
+ * than a fourth of its pixels, as there are pixels with and without shadow rays. */
 TEST(seldom)
 {
     struct tia_scene scene = scene_of(1, 1);
@@ -197,7 +197,7 @@ TEST(seldom)
     close_picture(&p);
 }
 
-/* But packets with many tests are work: here as many planes as are worth a call. */
+/* Packets with many tests count as more work: here the number of planes is that of a call. */
 TEST(often_where_rays_are_slow)
 {
     struct tia_scene scene = scene_of(0, PLANES);

@@ -16,8 +16,8 @@ typedef long double real;
 
 enum { DISTANCE, SQUARE, TURNS, LAMBERT, FOOT, CLEAR, PATH, CHORD, BOUNDS };
 
-/* Sums of up to four powers of two have a reserve, which they must keep: so many times the worst is within the bound.
- */
+/* Sums of up to four powers of two have a reserve, which they must keep: this many times the worst error is within the
+ * bound. */
 static struct {
     const char *name;
     double reserve, worst;
@@ -82,7 +82,7 @@ static struct vector direction(const struct coherence_run *run, int x)
 
 static const struct vector origin;
 
-/* Returns the point, seen from outside. */
+/* Returns the point of a pixel, seen from outside. */
 static struct vector point(const struct coherence_run *run, int x, real *t)
 {
     struct vector v = direction(run, x);
@@ -122,7 +122,7 @@ static void try_sample(struct coherence_run *run, const struct span_view *spans,
     struct vector p = point(run, x, &t);
 
     coherence_sample_at(run, x, run->caster_count > 0, &s);
-    real integer = (real)s.t * power(-run->sphere->t_exponent); /* 2^t_exponent is for v with its exponent */
+    real integer = (real)s.t * power(-run->sphere->t_exponent); /* 2^t_exponent applies to v with its exponent */
     struct vector v = direction(run, x), w = along(q, -1, p), off = along(q, -integer, v);
     note(DISTANCE, integer / t - 1, power(b->t));
     note(SQUARE, (real)s.square / light - dot(off, off), power(b->square));
@@ -136,7 +136,7 @@ static void try_sample(struct coherence_run *run, const struct span_view *spans,
         try_caster(run, &s, j, &spans->spheres[casters[j]], p, slack);
 }
 
-/* Tries the path of the points of a few pixels between two samples. */
+/* Checks the path of the points of a few pixels between two samples. */
 static void try_path(struct coherence_run *run, int first, int last)
 {
     struct coherence_sample a, b;
@@ -152,7 +152,7 @@ static void try_path(struct coherence_run *run, int first, int last)
     }
 }
 
-/* Tries the circle of a row's points on the sphere: r^2 less the squared distance of its plane. */
+/* Checks the circle of a row's points on the sphere: r^2 less the squared distance of its plane. */
 static void try_chord(struct coherence_run *run, int first, int last)
 {
     struct coherence_sample a, b;
@@ -167,7 +167,7 @@ static void try_chord(struct coherence_run *run, int first, int last)
              2 * sqrtl(radius * radius - up * up / (v.y * v.y + v.z * v.z)));
 }
 
-/* Finds the casters of a run, which are those that it has. */
+/* Finds the casters of a run by brute force, and compares them with the run's. */
 static void find_casters(const struct coherence_run *run, const struct tia_view *view, uint32_t object,
                          uint32_t casters[COHERENCE_CASTERS])
 {
@@ -204,7 +204,7 @@ static void try_bounds(const struct tia_view *view, const struct shaded_span *sp
 #define GUARDS 8
 
 static unsigned long compared, left;
-static bool check_ordered = true; /* the last cases look at what all have compared */
+static bool check_ordered = true; /* the last cases check what all have compared */
 
 static void try_pixels(const struct tia_view *view, const struct shaded_span *span)
 {
@@ -226,7 +226,7 @@ static void try_pixels(const struct tia_view *view, const struct shaded_span *sp
         CHECK(got[i] == 0xa5a5 && got[GUARDS + span->count + i] == 0xa5a5);
 }
 
-/* Tries parts of a row's span of a sphere: as long as a piece, and those into which tiles of 1 to 130 pixels would cut
+/* Checks parts of a row's span of a sphere: as long as a piece, and those into which tiles of 1 to 130 pixels would cut
  * it. */
 static void try_row(const struct tia_view *view, uint32_t sphere, int y, uint64_t *state)
 {
@@ -245,7 +245,7 @@ static void try_row(const struct tia_view *view, uint32_t sphere, int y, uint64_
     }
 }
 
-/* Tries a scene with its first light alone. */
+/* Checks a scene with only its first light. */
 static void try_scene(struct tia_scene *scene, unsigned width, unsigned height, uint64_t seed)
 {
     size_t size = tia_view_size(scene, 1);
@@ -281,8 +281,8 @@ TEST(random_scenes)
     }
 }
 
-/* A ground and a ball on or near it, and a light: on the tangent plane of a visible point, in the ball, below the
- * ground, on it, or anywhere. */
+/* Scenes have a ground and a ball on or near it, and a light: on the tangent plane of a visible point, in the ball,
+ * below the ground, on it, or anywhere. */
 TEST(constructed_scenes)
 {
     static const tia_q16 radii[] = {64, 655, TIA_Q16_ONE, 20 * TIA_Q16_ONE, 10000 * TIA_Q16_ONE};
@@ -300,7 +300,7 @@ TEST(constructed_scenes)
         ball->centre.x += edge_any(&state, 18);
         struct tia_vec3 *light = &s.lights[0].centre;
         *light = i % 3 == 0 ? ball->centre : ground->centre;
-        light->y += i % 3 == 1 ? ground->radius : 0; /* on the plane that touches it */
+        light->y += i % 3 == 1 ? ground->radius : 0; /* on the ground's tangent plane */
         light->x += i % 3 == 1 ? edge_any(&state, 20) : 0;
         light->z += i % 3 == 1 ? edge_any(&state, 20) : 0;
         light->y += i % 3 == 2 ? ground->radius + edge_any(&state, 18) : 0;
@@ -310,7 +310,7 @@ TEST(constructed_scenes)
     }
 }
 
-/* Two samples whose light is a share of the slack from where a level of 63 begins, above it or below: a pixel between
+/* The light of two samples is a share of the slack from where a level of 63 begins, above it or below: a pixel between
  * them may have either level when that share is less than the whole, and has one when it is more. */
 TEST(levels_within_the_slack)
 {
@@ -342,7 +342,7 @@ TEST(levels_within_the_slack)
     free(memory);
 }
 
-/* Rows of 1 to 130 pixels. */
+/* Rows have 1 to 130 pixels. */
 TEST(rows_of_any_width)
 {
     struct corpus_scene s;

@@ -1,2 +1,2 @@
-/* sphere_cases.h in integers: the cases are independent of the arithmetic, which num.h provides. */
+/* sphere_cases.h in fixed point: the cases are independent of the arithmetic, which num.h provides. */
 #include "sphere_cases.h"

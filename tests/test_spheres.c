@@ -17,7 +17,7 @@ static int init(const struct tia_core *core, struct tia_view **view, const struc
     return core->view_init(core, view, view_memory, sizeof view_memory, scene, LIGHTS, W, H, NULL);
 }
 
-/* The picture with key a's light; the CRC is that of tests/golden/frames.crc. */
+/* The picture with key a's light has the CRC of tests/golden/frames.crc. */
 TEST(the_pinned_picture)
 {
     const struct tia_surface surface = {pixels, 2, 2 * W};
@@ -40,7 +40,7 @@ static const struct tia_track track = {.target = TIA_MOVES_EYE, .keys = keys, .k
 static const struct tia_texture texture = {.kind = TIA_CHECKER, .repeat = {TIA_Q16_ONE, TIA_Q16_ONE}};
 static const struct tia_transform transform = {.scale = TIA_VEC3(1, 1, 1)};
 
-/* tia_core_q16 draws each of these scenes. */
+/* Scenes of more than spheres are refused, but tia_core_q16 draws each of them. */
 TEST(scenes_of_more_than_spheres)
 {
     struct tia_scene scenes[5];

@@ -1,5 +1,5 @@
-/* test_spi_panel.c - the SPI panel's port against a model of the panel: it follows the commands on the bus by the data
- * sheets and has a picture in the end. Its DMA is as late as the contract allows, so a strip that is drawn into too
+/* test_spi_panel.c - the SPI panel's port against a model of the panel, which follows the commands on the bus by the
+ * data sheets and ends with a picture. Its DMA is as late as the contract allows, so a strip that is drawn into too
  * early is detected. */
 #include "check.h"
 #include "spi-panel/spi_panel.h"
@@ -9,24 +9,24 @@ enum { MEMORY_WIDTH = 240, MEMORY_HEIGHT = 320, MEMORY = MEMORY_WIDTH * MEMORY_H
 
 /* The controller and its glass. */
 static struct model {
-    /* the bus */
+    /* The bus. */
     const uint8_t *pending; /* data that DMA has not read yet */
     size_t pending_count;
-    uint8_t log[LOG]; /* the commands */
+    uint8_t log[LOG]; /* log of the commands */
     size_t commands;
-    int fails_after; /* calls until the bus refuses; -1: never */
+    int fails_after; /* number of calls until the bus refuses; -1: never */
     uint64_t now_us;
-    /* the controller */
+    /* The controller. */
     uint8_t command;
     size_t parameter;
     bool asleep, on, inverted;
     uint8_t madctl, colmod, gamma[3];
-    uint16_t range[2][2];      /* columns and rows: first, last */
-    unsigned column, row;      /* where the next pixel goes */
+    uint16_t range[2][2];      /* range of columns and of rows: first, last */
+    unsigned column, row;      /* position of the next pixel */
     int high;                  /* a pixel's first byte, or -1 */
     uint64_t not_before;       /* end of the last command's pause */
-    unsigned early;            /* commands in such a pause */
-    tia_rgb565 memory[MEMORY]; /* by the glass's own columns and rows */
+    unsigned early;            /* number of commands during such a pause */
+    tia_rgb565 memory[MEMORY]; /* pixels by the glass's own columns and rows */
 } model;
 
 static void put_pixel(tia_rgb565 pixel)
@@ -248,13 +248,13 @@ TEST(tiles_of_any_size)
     }
 }
 
-/* Four ways to hold the panel, each corner where the data sheet puts it: the glass is 240 x 320. */
+/* The panel is held in four orientations, with each corner where the data sheet puts it: the glass is 240 x 320. */
 TEST(orientations)
 {
     static const struct {
         uint8_t orientation;
         uint16_t width, height;
-        unsigned corner; /* of the memory, where pixel (0, 0) goes */
+        unsigned corner; /* position of pixel (0, 0) in the memory */
     } cases[] = {{0, 240, 320, 0},
                  {TIA_SPI_PANEL_FLIP_COLUMNS | TIA_SPI_PANEL_SWAP_AXES, 320, 240, 239},
                  {TIA_SPI_PANEL_FLIP_COLUMNS | TIA_SPI_PANEL_FLIP_ROWS, 240, 320, MEMORY - 1},
@@ -274,7 +274,7 @@ TEST(small_glass_in_a_large_memory)
 {
     struct tia_spi_panel panel = make_panel(80, 160, 0);
     struct tia_mode mode;
-    panel.left = 26, panel.top = 1; /* the 0.96 inch ST7735 */
+    panel.left = 26, panel.top = 1; /* as for the 0.96 inch ST7735 */
     CHECK_EQ(tia_spi_panel_display.open(&panel, &mode), TIA_OK);
     CHECK_EQ(draw(&panel, mode.tile_width, mode.tile_height), TIA_OK);
     CHECK_EQ(wrong_pixels(&panel), 0);
@@ -318,7 +318,7 @@ TEST(bad_sizes_and_tiles)
     CHECK_EQ(tia_spi_panel_display.acquire(&panel, (struct tia_tile){0, 0, 0, 1}, &surface), TIA_ERR_ARGUMENT);
 }
 
-/* Wherever the bus fails, the port reports it, goes no further, and can be closed. */
+/* Wherever the bus fails, the port reports the failure, stops, and can be closed. */
 TEST(bus_failures)
 {
     int calls = 0;
@@ -351,7 +351,7 @@ static void *take_memory(void *ctx, size_t size)
     return size <= sizeof memory ? memory : NULL;
 }
 
-/* The viewer, with room for the hits of a strip only, against the same frame drawn in one piece. */
+/* The viewer has room for the hits of a strip only; its picture is that of a frame drawn in one piece. */
 TEST(viewer_on_the_panel)
 {
     static tia_rgb565 picture[240 * 320];

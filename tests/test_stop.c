@@ -1,4 +1,4 @@
-/* Work stops when asked: drawing, in the middle of a picture that would take minutes, and preparing. */
+/* Cancellation: of drawing, in the middle of a picture that would take minutes, and of preparing. */
 #include <stdlib.h>
 #include <time.h>
 
@@ -15,7 +15,7 @@ static tia_rgb565 pixels[W * H];
 /* ---- the callback ---- */
 
 struct cancel {
-    unsigned asked, until; /* calls so far; the call from which on it returns true */
+    unsigned asked, until; /* asked: calls so far; until: number of the first call that returns true */
 };
 
 static bool ask(void *ctx)
@@ -55,7 +55,7 @@ static double cpu_seconds(void)
     return (double)clock() / CLOCKS_PER_SEC;
 }
 
-/* Balls in a row, and a light for each of the `light_count`. */
+/* A scene of balls in a row, and one light for each of `light_count`. */
 static struct tia_sphere balls[2];
 static struct tia_light lights[MANY];
 static struct tia_material materials[1];
@@ -79,8 +79,8 @@ static struct tia_scene scene_of(uint32_t light_count)
     return scene;
 }
 
-/* Each ray that meets the ball spawns two, sixteen times, and each of them needs 256 shadow rays to a thousand lights:
- * one pixel would take days. */
+/* Returns a scene without an end: each ray that meets the ball spawns two, sixteen times, and each of them needs 256
+ * shadow rays to a thousand lights: one pixel would take days. */
 static struct tia_scene endless_scene(void)
 {
     struct tia_scene scene = scene_of(MANY);
@@ -110,7 +110,7 @@ TEST(nobody_asks)
     CHECK(!memcmp(plain, pixels, sizeof plain) && never.asked >= H);
 }
 
-/* For spans a row is the unit: after the stop no row is begun. */
+/* Spans are cancelled row by row: after the stop no row is begun. */
 TEST(spans)
 {
     struct tia_scene scene = scene_of(10);
@@ -128,7 +128,7 @@ TEST(spans)
     }
 }
 
-/* But many lights make a row take long. */
+/* With many lights a row takes long, so it is cancelled within. */
 TEST(many_lights_in_a_row)
 {
     struct tia_scene scene = scene_of(MANY);
@@ -152,7 +152,7 @@ TEST(a_trace_by_spans)
     CHECK(cancel.asked <= 2);
 }
 
-/* The first call comes soon, and returning true ends all. */
+/* Rays call `stop` soon, and end when it returns true. */
 TEST(rays)
 {
     struct tia_scene scene = endless_scene();
@@ -174,7 +174,7 @@ TEST(rays)
     CHECK(cpu_seconds() - start < 20);
 }
 
-/* Every core has the function. */
+/* Every core calls `stop` through its table of functions. */
 TEST(the_table_of_functions)
 {
     struct tia_scene scene = endless_scene();
@@ -262,7 +262,7 @@ static struct tia_scene scene_of_many(int kind)
     return scene;
 }
 
-/* Checks that each of `passes` over the objects calls `stop` after every 4096, and that returning true ends it. */
+/* Checks that each of `passes` passes over the objects calls `stop` after every 4096, and ends when it returns true. */
 static void check_preparing(int kind, unsigned passes)
 {
     struct tia_scene scene = scene_of_many(kind);
@@ -290,14 +290,14 @@ static void check_preparing(int kind, unsigned passes)
 TEST(preparing_a_view)
 {
     fill_many();
-    check_preparing(SHAPES, 2);  /* the check, and their constants */
+    check_preparing(SHAPES, 2);  /* the check, and the shapes' constants */
     check_preparing(SPHERES, 1); /* the check */
-    check_preparing(FACES, 4);   /* the check, the box for it, the box for the instance, whether they are closed */
+    check_preparing(FACES, 4);   /* the check, its box, the box for the instance, the test for closed meshes */
     check_preparing(NORMALS, 1);
     check_preparing(CELLS, 1);
-    check_preparing(LIGHTS, 3); /* the check of the scene, that of new lights, their constants */
+    check_preparing(LIGHTS, 3); /* the check of the scene, the check of new lights, the lights' constants */
     check_preparing(KEYS, 1);
-    check_preparing(TRANSFORMS, 2); /* and as many keys */
+    check_preparing(TRANSFORMS, 2); /* and the same number of keys */
 }
 
 TEST(a_scene_at_a_time)
@@ -322,7 +322,7 @@ TEST(a_scene_at_a_time)
     free(memory);
 }
 
-/* Without a hierarchy, or beside it like planes, each ray tests them all. */
+/* Without a hierarchy, or outside of it as with planes, each ray tests all objects. */
 TEST(one_ray)
 {
     struct tia_scene scene;

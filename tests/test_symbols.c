@@ -1,5 +1,5 @@
 /* Symbols on terminals: the text sent, decoded by Unicode's description of the block elements; the ways that a user can
- * name; keys that are typed during the terminal's query. */
+ * name; and keys that are typed during the terminal's query. */
 #include <sys/ioctl.h>
 #include <sys/wait.h>
 
@@ -46,12 +46,12 @@ struct cell {
 
 static tia_rgb565 pixels[WIDTH * HEIGHT];
 static struct cell screen[ROWS][COLUMNS];
-static unsigned written; /* cells of the last text */
+static unsigned written; /* number of cells of the last text */
 
 /* The quadrants of U+2596 to U+259F: upper left 1, upper right 2, lower left 4, lower right 8. */
 static const uint8_t quadrants[] = {4, 8, 1, 13, 9, 7, 11, 2, 6, 14};
 
-/* 1 if a point of a block element is inked, by the Unicode standard, in eighths of the cell; -1: none of these. */
+/* Returns 1 if a block element inks this point, in eighths of the cell, by the Unicode standard; else 0; -1: none. */
 static int is_inked(uint32_t code, unsigned x, unsigned y)
 {
     if (code == ' ')
@@ -156,7 +156,7 @@ static uint32_t code_of(tia_rgb565 pixel, bool direct)
     return direct ? (uint32_t)c.r << 16 | (uint32_t)c.g << 8 | c.b : colour_nearest(c);
 }
 
-/* Draws two colours in a cell: halves, quarters of the height or quadrants. */
+/* Draws two colours in each cell: halves, quarters of the height or quadrants. */
 static void draw_patches(void)
 {
     for (unsigned cell = 0; cell < COLUMNS * ROWS; cell++) {
@@ -213,7 +213,7 @@ TEST(what_did_not_change_is_not_sent)
     draw(true);
     add_frame(true, &text);
     CHECK_EQ(text.count, 0);
-    draw_halves(0x1234, 0x1234); /* then either the background alone changes or the foreground */
+    draw_halves(0x1234, 0x1234); /* then only the background changes, or only the foreground */
     draw_halves(0x1234, 0xffff);
     draw_halves(0x1234, 0xf800);
     draw_halves(0x001f, 0xf800);
@@ -224,7 +224,7 @@ TEST(what_did_not_change_is_not_sent)
     text_free(&text);
 }
 
-/* Blocks, box drawing and Braille, one column each. */
+/* Pictures use blocks, box drawing and Braille, one column each. */
 TEST(any_picture)
 {
     unsigned lines = 0;
@@ -246,10 +246,10 @@ TEST(any_picture)
 
 struct told {
     struct tia_mode mode;
-    char format[40], why[80], keys[40]; /* keys: those that are letters; ^ for others */
+    char format[40], why[80], keys[40]; /* keys: letters themselves, ^ for all others */
 };
 
-/* The program: opens its keyboard and display, and reports the keys up to z. */
+/* Runs the program: opens its keyboard and display, and reports the keys up to z. */
 static void play_program(const char *name, const char *device, int out)
 {
     char why[PORT_WHY] = "";
@@ -364,7 +364,7 @@ static void check_keys(const char *text, const char *later, const char *keys)
 
 #define KITTY_OK "\033_Gi=31;OK\033\\"
 
-/* Before, between and after the answers; also on a terminal that does not answer. */
+/* Keys are typed before, between and after the answers, also on a terminal that does not answer. */
 TEST(keys_while_it_is_asked)
 {
     check_keys("ab" KITTY_OK "c\033[A\033[?62;4cd", "ez", "abc^dez");

@@ -94,7 +94,7 @@ TEST(other_keys_are_one_event_each)
         {"\033OMa", "?a"},        /* Enter of the keypad */
         {"\xc3\xa9"
          "a",
-         "?a"}, /* two, three and four bytes of UTF-8 */
+         "?a"}, /* UTF-8 of two, three and four bytes */
         {"\xe2\x82\xac"
          "a",
          "?a"},
@@ -103,8 +103,8 @@ TEST(other_keys_are_one_event_each)
          "?a"},
         {"\xe2\x82"
          "a",
-         "?a"},               /* cut short */
-        {"\x80\xffs", "??s"}, /* no UTF-8 at all */
+         "?a"},               /* UTF-8 that is cut short */
+        {"\x80\xffs", "??s"}, /* no valid UTF-8 */
     };
     TYPINGS(rows, false);
 }
@@ -179,7 +179,7 @@ TEST(a_broken_sequence_ends)
     TYPINGS(rows, false);
 }
 
-/* Bytes of sequences, in any order: no key is invented, and Ctrl-C always counts. */
+/* Sequences' bytes come in any order: no key is invented, and Ctrl-C always counts. */
 TEST(any_bytes_at_all)
 {
     static const char common[] = "\033\033\033[[OP]^_?;;0125~ABCD200\a\\\x80\xc3\xe2\xf0 az";
@@ -227,7 +227,7 @@ TEST(shift_is_told_with_keys_that_move)
         CHECK_MSG(decoded(rows[i].bytes, &d) == rows[i].key && d.shift == rows[i].shift, "row %u", i);
 }
 
-/* As xterm's ctlseqs describes SGR mouse reports. */
+/* Reports of the mouse are as in SGR mode of xterm's ctlseqs. */
 TEST(the_mouse_in_sgr_reports)
 {
     static const struct {
@@ -235,16 +235,16 @@ TEST(the_mouse_in_sgr_reports)
         uint16_t result, column, row;
         bool drag;
     } rows[] = {
-        {"\033[<35;10;20M", DECODED_POINTER, 10, 20, false},      /* moved, no button */
-        {"\033[<0;1;1M", DECODED_POINTER, 1, 1, true},            /* the left one is pressed */
-        {"\033[<32;80;24M", DECODED_POINTER, 80, 24, true},       /* moved with it */
-        {"\033[<36;300;1000M", DECODED_POINTER, 300, 1000, true}, /* and with Shift */
-        {"\033[<0;80;24m", DECODED_POINTER, 80, 24, false},       /* released */
-        {"\033[<2;80;24M", DECODED_POINTER, 80, 24, false},       /* the right one */
+        {"\033[<35;10;20M", DECODED_POINTER, 10, 20, false},      /* moved without a button */
+        {"\033[<0;1;1M", DECODED_POINTER, 1, 1, true},            /* the left button is pressed */
+        {"\033[<32;80;24M", DECODED_POINTER, 80, 24, true},       /* moved with the left button */
+        {"\033[<36;300;1000M", DECODED_POINTER, 300, 1000, true}, /* the same with Shift */
+        {"\033[<0;80;24m", DECODED_POINTER, 80, 24, false},       /* the left button is released */
+        {"\033[<2;80;24M", DECODED_POINTER, 80, 24, false},       /* the right button */
         {"\033[<64;8;9M", TIA_KEY_PLUS, 8, 9, false},             /* the wheel */
         {"\033[<65;8;9M", TIA_KEY_MINUS, 8, 9, false},
         {"\033[<66;8;9M", 0, 8, 9, false},
-        {"\033[<35;0;4M", 0, 0, 4, false}, /* no place */
+        {"\033[<35;0;4M", 0, 0, 4, false}, /* without a valid position */
         {"\033[<35M", 0, 0, 0, false},
     };
     struct decoder d;

@@ -48,7 +48,8 @@ static bool is_pending(int number)
     return sigpending(&pending) == 0 && sigismember(&pending, number) == 1;
 }
 
-/* SIGCONT just before the write: nothing is written, the next wait ends at once, and then the window is taken again. */
+/* With SIGCONT just before the write nothing is written, the next wait ends at once, and then the window is taken
+ * again. */
 TEST(continued_before_a_frame_is_written)
 {
     struct tia_mode mode;
@@ -72,7 +73,7 @@ TEST(continued_before_a_frame_is_written)
     close_terminal();
 }
 
-/* While the window is left, too: it is left all the same. */
+/* With SIGCONT while the window is left, it is left nevertheless. */
 TEST(continued_before_the_window_is_left)
 {
     struct tia_mode mode;

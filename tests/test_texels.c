@@ -1,4 +1,4 @@
-/* Pictures as textures: PPM by hand-written bytes, PNG as written by this program, and refusals. */
+/* Textures from picture files: hand-written PPM, PNG as written by this program, and refusals. */
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -34,7 +34,7 @@ TEST(ppm)
 {
     PPM("P6 1 2 255\nabcdef", 1, 2, "abcdef");
     PPM("P6\n# a comment 9\n2 #another\n1\n255\n#bcdef", 2, 1, "#bcdef");
-    PPM("P6 1 1 255\nabcdef", 1, 1, "abc"); /* the bytes after it are another picture */
+    PPM("P6 1 1 255\nabcdef", 1, 1, "abc"); /* the bytes after it belong to a second picture */
     PPM("P3 1 1 255 0 1 255", 1, 1, "\0\1\377");
     PPM("P3\n1 1\n255\n1 # one\n2\t3\n", 1, 1, "\1\2\3");
     /* v 255 / full to nearest: 1/3 is 85, 1/2 of 254 full is 127.5 */
@@ -65,7 +65,7 @@ TEST(what_is_no_picture)
     REFUSED("P6 -1 1 255\nabc");
     REFUSED("P6 1 1 0\nabc");
     REFUSED("P6 1 1 65536\nabcdef");
-    REFUSED("P6 1 1 100\na\145c"); /* 101 of 100 */
+    REFUSED("P6 1 1 100\na\145c"); /* 101 at a maximum of 100 */
     REFUSED("P6 99999999999999999999 1 255\nabc");
     REFUSED("P3 1 1 255 0 1");
     REFUSED("P3 1 1 255 0 1 256");
@@ -103,7 +103,7 @@ TEST(channels)
     }
 }
 
-/* Refused by size before any byte is read or allocated. */
+/* Too large a picture is refused by its size, before any byte is read or allocated. */
 TEST(too_large_a_picture)
 {
     REFUSED("P6 101 1 255\n");
@@ -147,7 +147,7 @@ TEST(png)
     image_free(&texels);
     CHECK_EQ(decode(file, length, 2, sizeof want), TIA_ERR_RANGE);
     CHECK_EQ(decode(file, length, 3, sizeof want - 1), TIA_ERR_RANGE);
-    for (size_t cut = 0; cut < length - 12; cut++) /* without its last chunk a picture is still complete */
+    for (size_t cut = 0; cut < length - 12; cut++) /* a picture is complete even without its last chunk */
         CHECK_MSG(decode(file, cut, 3, sizeof want) == TIA_ERR_RANGE && !texels.rgb, "cut to %zu", cut);
 }
 #else

@@ -5,7 +5,7 @@
 #include "common/thread_pool.h"
 
 static struct threads *pool;
-static unsigned width = 640, height = 480; /* or the two arguments */
+static unsigned width = 640, height = 480; /* defaults, or the two arguments */
 
 static bool is_grey(struct tia_rgb c, tia_q30 level)
 {
@@ -60,8 +60,8 @@ TEST(its_keys)
     tia_check_light("w", 0, 20, -32);
 }
 
-/* Compares: at 640x480 at most `wrong` pixels may differ and none be a flip. At other sizes q16 may have one wrong in
- * 100,000 and two flips in a million, f64 none. */
+/* Compares with the oracle: at 640x480 at most `wrong` pixels may differ, and none be a flip. At other sizes q16 may
+ * have one wrong in 100,000 and two flips in a million, f64 none. */
 static void compare(const struct tia_core *core, const char *keys, unsigned wrong)
 {
     struct corpus_scene c;
@@ -95,7 +95,7 @@ TEST(q16_light_near_the_eye)
 {
     compare(&tia_core_q16, "s", 0);
 }
-/* Two pixels, one the other's mirror image, lie 1.6e-7 of a level beside a boundary. */
+/* Two pixels, each the other's mirror image, are 1.6e-7 of a level beside a boundary. */
 TEST(q16_light_far_from_the_eye)
 {
     compare(&tia_core_q16, "w", 2);

@@ -12,7 +12,7 @@ enum { WIDTH = 640, HEIGHT = 480, PIXELS = WIDTH * HEIGHT, KEYS = 3, FIRST_MOVE 
 
 #define PI 3.14159265358979323846
 
-static const char *const keys[KEYS] = {"a", "s", "w"}; /* key d's pictures are mirror images of a's */
+static const char *const keys[KEYS] = {"a", "s", "w"}; /* key d's pictures are mirror images of key a's */
 static struct oracle_pixel pictures[KEYS][PIXELS];
 static char page[1 << 16];
 
@@ -104,7 +104,7 @@ TEST(roots_of_the_quadratic)
     check_variant("the roots of the quadratic", (struct oracle_variant){.bias = ORACLE_BIAS, .quadratic = true});
 }
 
-/* The number of points that round to the inner side of their surface depends on the compiler. */
+/* The number of points that are rounded to the inner side of their surface depends on the compiler. */
 TEST(roots_without_a_bias)
 {
     unsigned differ = count("a", (struct oracle_variant){.quadratic = true}, pictures[0]);
@@ -128,7 +128,7 @@ TEST(signs)
     check_row("normals inwards", normal);
 }
 
-/* From the height of the ball's top, 2, down to -2. */
+/* A light moves from the height of the ball's top, 2, down to -2. */
 TEST(blockers_beyond_the_light)
 {
     struct oracle_variant tia = {.bias = ORACLE_BIAS}, variant = {.bias = ORACLE_BIAS, .beyond_light = true};

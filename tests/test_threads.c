@@ -1,4 +1,4 @@
-/* The thread pool: every job once, on the given threads, with signals blocked, and ended afterwards. */
+/* The thread pool: every job runs once, on the given threads, with signals blocked, and the threads end. */
 #include "common/thread_pool.h"
 
 #include <dirent.h>
@@ -76,7 +76,7 @@ static void slow_job(void *arg, unsigned index)
     atomic_fetch_add(&done[index], 1u);
 }
 
-/* Some rounds begin while threads still spin, others when all sleep; some end like that. */
+/* Rounds begin while threads still spin, or when all sleep; the pool ends in either state. */
 TEST(every_job_runs_once_after_pauses)
 {
     struct threads *pool = threads_create(2);
@@ -98,7 +98,7 @@ static long cpu_us(void)
     return (long)t.tv_sec * 1000000 + t.tv_nsec / 1000;
 }
 
-/* The idle time between two frames of a display at 60 Hz, or of a viewer that waits for a key. */
+/* Threads idle for the time between two frames of a display at 60 Hz, and of a viewer that waits for a key. */
 TEST(idle_threads_take_no_processor)
 {
     struct threads *pool = threads_create(2);
@@ -150,7 +150,7 @@ static pthread_t caller;
 static atomic_uint others, open_to_signals;
 static pthread_barrier_t meeting;
 
-/* All threads meet here, so each takes exactly one job. */
+/* Waits until all threads have come, so that each runs exactly one job. */
 static void look_at_mask(void *arg, unsigned index)
 {
     (void)arg, (void)index;

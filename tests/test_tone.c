@@ -1,4 +1,4 @@
-/* From sums of samples to levels: against IEC 61966-2-1 in long double, and exact fractions. */
+/* The conversion of sums of samples to levels: against IEC 61966-2-1 in long double, and exact fractions. */
 #include <tia/integrator.h>
 #include <tia/tone.h>
 
@@ -18,7 +18,7 @@ static unsigned nearest(uint32_t value, unsigned bits)
     return (unsigned)floorl(encoded((long double)value / 4294967296.0L) * (long double)((1u << bits) - 1) + 0.5L);
 }
 
-/* Returns the least value that has the level or a higher one. */
+/* Returns the least value whose level is `level` or higher. */
 static uint32_t first_of(unsigned level, unsigned bits)
 {
     uint64_t low = 0, high = UINT32_MAX;
@@ -33,7 +33,7 @@ static uint32_t first_of(unsigned level, unsigned bits)
     return (uint32_t)low;
 }
 
-/* At each threshold and just below; between them levels only rise. */
+/* Checks each threshold of sRGB and the value just below it; between thresholds levels never fall. */
 TEST(srgb_is_exact)
 {
     static const unsigned widths[] = {5, 6, 8};
@@ -65,14 +65,14 @@ TEST(linear_is_nearest)
         }
 }
 
-/* Without exposure: floor(2^8 sum/count), by another way. */
+/* Means without exposure are floor(2^8 sum/count), computed here by long division. */
 TEST(means_are_exact)
 {
     const struct tia_exposure none = tia_exposure_of(0);
 
     for (int i = 0; i < 100000; i++) {
         uint32_t count = (uint32_t)random_short(24) + 1;
-        uint64_t mean = random_bits() >> 31; /* in units of 2^-33 of 1 */
+        uint64_t mean = random_bits() >> 31; /* a mean in units of 2^-33 */
         int64_t sum = (int64_t)((mean >> 9) * count + random_u32() % count);
         uint64_t want = 0, rest = (uint64_t)sum;
         for (int bit = 0; bit < 9; bit++) { /* long division, a bit at a time */
@@ -97,7 +97,7 @@ TEST(exposures)
     }
 }
 
-/* Those are powers of two: floor(2^(8 + stops) sum/count), by shifts of 64-bit numbers. */
+/* Whole stops are powers of two: floor(2^(8 + stops) sum/count), by shifts of 64-bit numbers. */
 TEST(whole_stops)
 {
     for (int stop = -24; stop <= 24; stop++) {

@@ -1,2 +1,2 @@
-/* triangle_cases.h in integers: the cases are independent of the arithmetic, which num.h provides. */
+/* triangle_cases.h in fixed point: the cases are independent of the arithmetic, which num.h provides. */
 #include "triangle_cases.h"

@@ -12,7 +12,7 @@
 #include <stdarg.h>
 #include <tia/bvh.h>
 
-#define ROWS 8u /* a job's */
+#define ROWS 8u /* rows of a job */
 
 static struct threads *pool;
 static unsigned width = 128, height;
@@ -23,7 +23,7 @@ struct pair {
     const struct nff *nff;
     const struct tia_scene *scene;
     const struct tia_view *view;
-    unsigned same[TIA_SIZE_MAX / ROWS + 1]; /* pixels, by job */
+    unsigned same[TIA_SIZE_MAX / ROWS + 1]; /* number of equal pixels, by job */
 };
 
 static void draw_rows(void *arg, unsigned job)
@@ -46,7 +46,7 @@ static void draw_rows(void *arg, unsigned job)
     free(pixels);
 }
 
-/* Returns how many pixels of both pictures are the same. */
+/* Returns the number of pixels that are equal in both pictures. */
 static unsigned draw(const struct nff *nff, struct tia_scene *scene)
 {
     static struct pair pair;
@@ -108,8 +108,8 @@ __attribute__((format(printf, 2, 3))) static void say(struct writing *w, const c
     w->length += (size_t)length;
 }
 
-/* Returns how many numbers after a statement's word are lengths; those of a polygon's corners are on lines without a
- * word, each three of them, and then a normal. */
+/* Returns the number of lengths after a statement's word; those of a polygon's corners are on lines without a word,
+ * each three of them, and then a normal. */
 static int lengths_of(const char *word)
 {
     static const struct {
@@ -138,7 +138,7 @@ static void say_line(struct writing *w, const char *line, double scale)
     say(w, "\n");
 }
 
-/* Returns the same scene in other units. */
+/* Returns the text of the same scene in other units. */
 static char *scaled_text(const char *text, double scale)
 {
     struct writing w = {NULL, 0, 0};
@@ -179,8 +179,8 @@ static char *flake_text(unsigned levels)
     return w.text;
 }
 
-/* Writes a jack: three sticks that cross, at right angles, with balls on their ends; and eight of half its size around
- * it. */
+/* Writes a jack: three sticks that cross at right angles, with balls on their ends; and eight jacks of half its size
+ * around it. */
 static void say_jack(struct writing *w, unsigned levels, struct oracle_vec at, double size,
                      const struct oracle_vec axes[3])
 {
@@ -217,7 +217,7 @@ static char *jacks_text(unsigned levels)
 static const char *const names[] = {"balls_1", "balls_2", "balls_3",  "balls_4",  "gears_1", "jacks_3", "lattice_3",
                                     "mount_3", "rings_3", "shells_2", "teapot_3", "tetra_4", "tree_4"};
 
-/* Checks the project's files, in units a factor larger or smaller; in make check-quick every third of them in other
+/* Checks the project's files, in units `scale` times as large; in make check-quick only every third of them in other
  * units. */
 static void check_files(double scale)
 {
@@ -265,7 +265,7 @@ TEST(ever_smaller_balls)
     check_made("balls", 5, flake_text(5));
 }
 
-/* Of level 5 an oracle in double precision is not the truth any more: one in long double has another 0.03 %. */
+/* At depth 5 an oracle in double precision is not accurate enough: one in long double has another 0.03 %. */
 TEST(ever_smaller_jacks)
 {
     for (unsigned level = 1; level <= 4; level++)

@@ -43,7 +43,7 @@ TEST(the_scene_brings_its_lights)
     CHECK_EQ(world_play(w), TIA_ERR_ARGUMENT);
 }
 
-/* 60 taps that wait are one frame, whose latency is the oldest's. */
+/* 60 taps that wait make one frame, whose latency is the oldest tap's. */
 TEST(all_waiting_keys_before_a_frame)
 {
     struct world *w = lit_world();
@@ -86,14 +86,14 @@ TEST(a_tap_moves_once)
     CHECK_EQ(w->frame_count, 2);
 }
 
-/* Returns how often a key has moved the light that was pressed and is held since `held` microseconds. */
+/* Returns the number of moves of the light by a key that was pressed and is held since `held` microseconds. */
 static int steps(uint64_t held)
 {
     return held < TIA_HOLD_DELAY_US ? 1 : 2 + (int)((held - TIA_HOLD_DELAY_US) / TIA_HOLD_STEP_US);
 }
 
-/* Checks that frames while a key is held show it moved by the time since it was taken, after the frame that was being
- * drawn; and that it ends where it was released. */
+/* Checks that each frame while a key is held shows the light moved by the time since the key was taken, after the frame
+ * that was being drawn; and that the light ends where it was when the key was released. */
 static const struct world *check_held(uint64_t tile_us, uint64_t present_us)
 {
     const uint64_t frame_us = 3 * tile_us + present_us;
@@ -117,7 +117,7 @@ static const struct world *check_held(uint64_t tile_us, uint64_t present_us)
     return w;
 }
 
-/* Where drawing takes no time each step is a frame, late by less than the 1 ms unit of waits. */
+/* When drawing takes no time each step is a frame, late by less than the 1 ms unit of waits. */
 TEST(a_held_key_moves_by_the_clock)
 {
     const struct world *w = check_held(0, 0);
@@ -136,8 +136,8 @@ TEST(slow_frames_do_not_slow_the_light)
     (void)check_held(20000, 30000);
 }
 
-/* Frames of 170 ms and of a second have time for five steps and thirty: each shows three more, and none comes after the
- * one that was being drawn when the key was released. */
+/* Frames of 170 ms and of a second have time for five steps and thirty: each shows only three more, and none comes
+ * after the one that was being drawn when the key was released. */
 TEST(slower_frames_are_no_jumps)
 {
     for (uint64_t present = 50000; present < 1000000; present += 830000) {
@@ -224,7 +224,7 @@ TEST(keys_that_quit)
     }
 }
 
-/* Frame after frame, each with its time: 3 tiles of 16 rows and a wait for the display. */
+/* Frames follow one another, each with its time: 3 tiles of 16 rows and a wait for the display. */
 TEST(as_many_frames_as_asked_for)
 {
     for (int with_input = 0; with_input < 2; with_input++) {
@@ -272,7 +272,7 @@ TEST(the_stop_flag)
     CHECK_EQ(w->frame_count, 0);
 }
 
-/* Lights may be moved behind a hidden screen; when it is back it is drawn, moved or not. */
+/* Lights may be moved while the screen is hidden; when it is back the frame is drawn, moved or not. */
 TEST(hidden)
 {
     for (int moved = 0; moved < 2; moved++) {
@@ -300,7 +300,7 @@ TEST(hidden_from_the_start)
     CHECK(w->frame_count == 1 && w->frames[0].drawn_us == START + 500);
     w = world_new();
     w->hidden_until_us = UINT64_MAX;
-    w->viewer.ports.input = NULL; /* its return cannot be noticed */
+    w->viewer.ports.input = NULL; /* without an input, its return cannot be noticed */
     w->viewer.pacing.frame_limit = 1;
     CHECK_EQ(world_play(w), TIA_HIDDEN);
     CHECK_EQ(w->frame_count, 0);

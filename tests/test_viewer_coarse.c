@@ -5,7 +5,7 @@
 
 enum { TILES = 3, SHOWN = 64 };
 
-/* An expected picture: its time, the blocks in each tile, and the length of the line. */
+/* An expected picture: its time, the blocks in each tile, and the length of the progress line. */
 struct picture {
     uint64_t at_us;
     uint8_t block[TILES];
@@ -19,7 +19,7 @@ static struct {
     uint64_t pixel_us;
     unsigned traced[WORLD_HEIGHT][WORLD_WIDTH], lit[WORLD_HEIGHT][WORLD_WIDTH];
 
-    const struct picture *expected; /* NULL: the times are free */
+    const struct picture *expected; /* NULL: the times may be any */
     unsigned expected_count, shown;
     uint64_t at_us[SHOWN];
     struct tia_frame told[SHOWN];
@@ -57,7 +57,7 @@ static int slow_render(const struct tia_view *view, struct tia_hits *hits, struc
     return status ? status : slow_light(view, hits, tile, surface, options);
 }
 
-/* Checks that each pixel of the frame was computed once, and how often it was traced. */
+/* Checks that each pixel of the frame was computed once, and that `traced` of them were traced. */
 static void check_counts(unsigned traced)
 {
     for (unsigned y = 0; y < WORLD_HEIGHT; y++)
@@ -125,9 +125,9 @@ static struct world *slow_world(uint64_t pixel_us, const struct picture *expecte
     return w;
 }
 
-/* 3.072 s in all. Passes end after 12, 48, 192, 768 and 3072 ms; the first is over before a display's period is, and
- * those that take longer than 250 ms are shown after the tile at which these are over. The line is as long as pixels
- * are done: 64 x 48 / 3072, that is one a pixel's column for 48 pixels. */
+/* The pictures of a frame of 3.072 s. Passes end after 12, 48, 192, 768 and 3072 ms; the first is over before a
+ * display's period is, and those that take longer than 250 ms are shown after the tile at which these are over. The
+ * line's length is the share of pixels done: one column for 48 pixels. */
 static const struct picture slow[] = {
     {48000, {8, 8, 8}, 1},    {192000, {4, 4, 4}, 4},   {576000, {2, 2, 4}, 12}, {768000, {2, 2, 2}, 16},
     {1536000, {1, 2, 2}, 32}, {2304000, {1, 1, 2}, 48}, {3072000, {1, 1, 1}, 0},
@@ -154,7 +154,7 @@ TEST(coarse_to_fine)
     }
 }
 
-/* Relit: no pixel is traced again. */
+/* A relit frame traces no pixel again. */
 TEST(coarse_to_fine_from_old_hits)
 {
     struct world *w = slow_world(1000, NULL, 0);
@@ -173,7 +173,7 @@ TEST(coarse_to_fine_from_old_hits)
     CHECK_EQ(now.told[13].key_us, 3072000);
 }
 
-/* 15.36 ms: what a display with 60 Hz shows in a period. */
+/* A frame of 15.36 ms, which a display of 60 Hz shows within a period, is shown whole. */
 TEST(a_quick_frame_is_shown_whole)
 {
     static const struct picture whole[] = {{15360, {1, 1, 1}, 0}, {115360, {1, 1, 1}, 0}};
@@ -185,7 +185,7 @@ TEST(a_quick_frame_is_shown_whole)
     CHECK_EQ(now.shown, 2);
 }
 
-/* Less than a second: no line. */
+/* A frame of less than a second has no progress line. */
 TEST(no_line_for_a_short_time)
 {
     static const struct picture short_time[] = {
@@ -197,8 +197,8 @@ TEST(no_line_for_a_short_time)
     CHECK_EQ(now.shown, 4);
 }
 
-/* A key at 100 ms is noticed at the next poll, 20 ms apart, and the frame with it is shown 48 ms after that. One before
- * the first picture waits for it. */
+/* A key at 100 ms is noticed at the next poll, 20 ms apart, and the frame with it is shown 48 ms after that. A key
+ * before the first picture waits for it. */
 TEST(a_key_begins_the_frame_anew)
 {
     for (int early = 0; early < 2; early++) {
@@ -267,7 +267,7 @@ TEST(a_key_that_quits)
     CHECK(w->frame_count == 0 && now.shown == 2);
 }
 
-/* In any order, the same pictures except for which tile is finer. */
+/* Tiles are drawn in any order; the pictures are the same except for which tile is finer. */
 TEST(several_threads)
 {
     static const struct picture backwards[] = {
@@ -297,7 +297,7 @@ TEST(another_program_takes_the_screen)
     CHECK(now.at_us[1] == 192000 && now.at_us[2] == 2048000);
 }
 
-/* Without the memory, without a clock, in films and where frames are counted: at once, as before. */
+/* Frames are drawn at once without the memory, without a clock, in films and where frames are counted. */
 TEST(frames_at_once)
 {
     struct world *w = slow_world(1000, NULL, 0);

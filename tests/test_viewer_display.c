@@ -60,7 +60,7 @@ TEST(tiles_as_the_display_takes_them)
     }
 }
 
-/* From no memory to enough: the hits of a whole frame, of a tile, or the error. Never other pixels. */
+/* Memory grows from none to enough: the hits of a whole frame, of a tile, or the error; never different pixels. */
 TEST(every_amount_of_memory)
 {
     int refused = 0, tiles = 0, whole = 0;
@@ -92,7 +92,7 @@ TEST(no_memory_at_all)
     CHECK(w->frame_count == 0 && w->acquired == 0);
 }
 
-/* A smaller window, a larger one, other tiles: traced anew, in memory asked for anew. */
+/* A smaller window, a larger one or other tiles cause new tracing, in newly requested memory. */
 TEST(the_mode_changes)
 {
     const struct tia_mode all = {WORLD_WIDTH, WORLD_HEIGHT, 0, 0, false, ""}, small = {33, 20, 0, 0, false, ""},
@@ -122,7 +122,7 @@ TEST(a_new_mode_is_drawn)
     w->later_mode.width = 10;
     w->change_after = 1;
     tap(w, 1000, 'n');
-    w->events[0].event.kind = TIA_EVENT_RELEASE; /* wakes, does nothing */
+    w->events[0].event.kind = TIA_EVENT_RELEASE; /* wakes the loop, but has no effect */
     tap(w, 2000, 'n');
     w->events[1].event.kind = TIA_EVENT_RELEASE;
     tap(w, 3000, 'q');
@@ -136,7 +136,7 @@ TEST(workers_draw_where_the_display_lets_them)
 
     w->viewer.job.workers = &w->workers;
     CHECK_EQ(world_play(w), TIA_OK);
-    CHECK_EQ(w->runs, 0); /* it takes one tile at a time */
+    CHECK_EQ(w->runs, 0); /* tiles are drawn one at a time */
     w = moving_world();
     w->viewer.job.workers = &w->workers;
     w->mode.concurrent = true;
@@ -146,13 +146,13 @@ TEST(workers_draw_where_the_display_lets_them)
     w = moving_world();
     w->viewer.job.workers = &w->workers;
     w->mode.concurrent = true;
-    w->memory_limit = 20000; /* one tile's hits are not for several threads */
+    w->memory_limit = 20000; /* memory for one tile's hits is not for several threads */
     CHECK_EQ(world_play(w), TIA_OK);
     check_three_frames(w, false);
     CHECK_EQ(w->runs, 0);
 }
 
-/* A port's status ends the loop and is passed on; a frame that failed is not shown. */
+/* A port's error ends the loop and is passed on; a frame that failed is not shown. */
 TEST(errors_of_ports)
 {
     for (int concurrent = 0; concurrent < 2; concurrent++)
@@ -207,7 +207,7 @@ TEST(without_an_input_too)
     CHECK_EQ(w->slices_done, 12);
 }
 
-/* Two polls are 20 ms apart. */
+/* A key is polled every 20 ms while a frame is shown. */
 TEST(a_key_quits_while_a_frame_is_shown)
 {
     struct world *w = world_new();
@@ -218,7 +218,7 @@ TEST(a_key_quits_while_a_frame_is_shown)
     CHECK(w->now_us <= START + 100000 + 2 * 20000);
 }
 
-/* More of them than the queue has room for. */
+/* More keys wait than the queue has room for. */
 TEST(a_key_quits_after_others_that_wait)
 {
     struct world *w = world_new();
@@ -243,7 +243,7 @@ TEST(a_failed_input_ends_it_while_a_frame_is_shown)
     CHECK(w->now_us <= START + 100000 + 2 * 20000);
 }
 
-/* As after a stop, when another program's picture was on the screen. */
+/* The last frame is shown again as after a stop, when another program's picture was on the screen. */
 TEST(the_last_frame_is_shown_again)
 {
     struct world *w = world_new();

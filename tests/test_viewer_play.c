@@ -40,7 +40,7 @@ static const struct tia_scene *scene_at(const struct world *w, tia_q16 time)
     return &scene;
 }
 
-/* Returns the time since playing began: with the first tile of the first frame. */
+/* Returns the time since playing began, with the first tile of the first frame. */
 static tia_q16 time_by_clock(const struct world *w, unsigned frame)
 {
     double begin = w->viewer.pacing.time / (double)ONE;
@@ -49,7 +49,7 @@ static tia_q16 time_by_clock(const struct world *w, unsigned frame)
     return w->viewer.pacing.time + (tia_q16)floor(fmod(elapsed, DURATION - begin) * ONE);
 }
 
-/* Returns the scene. The viewer's lights are checked separately: here they are its own. */
+/* Returns the scene at a frame's time. The viewer's lights are checked separately: here they are its own. */
 static const struct tia_scene *scene_by_clock(const struct world *w)
 {
     return scene_at(w, time_by_clock(w, w->frame_count));
@@ -86,7 +86,7 @@ static void check_lights_by_clock(const struct world *w)
         CHECK_MSG(same_place(w->frames[i].light, scene_at(w, time_by_clock(w, i))->lights[0].centre), "frame %u", i);
 }
 
-/* Drawing takes no time: a frame is due every 16.7 ms, late by less than the 1 ms unit of waits. */
+/* When drawing takes no time a frame is due every 16.7 ms, late by less than the 1 ms unit of waits. */
 TEST(it_plays_by_the_clock_and_again)
 {
     struct world *w = film_world(true);
@@ -99,7 +99,7 @@ TEST(it_plays_by_the_clock_and_again)
     check_lights_by_clock(w);
 }
 
-/* Slow frames are fewer, not later. */
+/* Frames that are slow are fewer, but not later. */
 TEST(slow_frames_show_their_time)
 {
     struct world *w = film_world(true);
@@ -126,7 +126,7 @@ TEST(where_only_lights_move_hits_stay)
     CHECK_EQ(w->memory_calls, 2);
 }
 
-/* Then the scene at a time takes no memory for moving elements. */
+/* Where only the eye moves, the scene at a time takes no memory for moving elements. */
 TEST(where_only_the_eye_moves)
 {
     struct world *w = film_world(true);
@@ -141,7 +141,7 @@ TEST(where_only_the_eye_moves)
     CHECK(w->frame_count > 40);
 }
 
-/* Frame by frame, whatever the clock says, and without one. */
+/* Films are drawn frame by frame, independent of the clock, and also without one. */
 TEST(films_are_stepped)
 {
     static const uint32_t rates[][2] = {{4, 1}, {30000, 1001}, {1, 1}, {1000000, 1}, {1, 1000000}};
@@ -165,7 +165,7 @@ TEST(films_are_stepped)
     }
 }
 
-/* Without a clock and without a rate time stands still. */
+/* Without a clock and without a rate the time does not change. */
 TEST(without_a_clock_nothing_moves)
 {
     struct world *w = film_world(true);
@@ -181,7 +181,7 @@ TEST(without_a_clock_nothing_moves)
     CHECK(same_place(w->lights[0].centre, light_keys[1].value));
 }
 
-/* Of a scene that is over there is one picture. */
+/* After its end a scene has one picture. */
 TEST(after_the_end)
 {
     struct world *w = film_world(true);
@@ -195,7 +195,7 @@ TEST(after_the_end)
     CHECK(same_place(w->lights[0].centre, light_keys[2].value));
 }
 
-/* From the frame after the key on the light stays where it was then, moved; the other one goes on. */
+/* From the frame after the key on, the light stays where it was then, moved; the other one continues. */
 TEST(a_key_holds_its_light)
 {
     struct world *w = film_world(true);
@@ -244,7 +244,7 @@ TEST(a_still_scene_needs_no_flags)
     CHECK_EQ(w->frame_count, 1);
 }
 
-/* Behind a hidden screen time goes on. */
+/* Behind a hidden screen the time continues. */
 TEST(hidden_while_it_plays)
 {
     struct world *w = film_world(true);
@@ -273,7 +273,7 @@ TEST(the_mode_changes_while_it_plays)
     }
 }
 
-/* From no memory to enough: the same frames, or the error. */
+/* Memory grows from none to enough: the same frames, or the error. */
 TEST(every_amount_of_memory)
 {
     int refused = 0, drawn = 0;
@@ -302,7 +302,7 @@ TEST(what_the_caller_must_keep)
     w->viewer.pacing.time = -1;
     CHECK_EQ(world_play(w), TIA_ERR_ARGUMENT);
     w = film_world(true);
-    w->viewer.pacing.rate[0] = w->viewer.pacing.rate[1] = 1; /* and no limit */
+    w->viewer.pacing.rate[0] = w->viewer.pacing.rate[1] = 1; /* and no frame limit */
     CHECK_EQ(world_play(w), TIA_ERR_ARGUMENT);
     w->viewer.pacing.rate[1] = 0;
     w->viewer.pacing.frame_limit = 1;

@@ -1,4 +1,4 @@
-/* tia_viewer_run: pictures of samples are shown before they have all of them, and rasterised ones in rows. Time passes
+/* tia_viewer_run: pictures of samples are shown before they have all samples, and rasterised ones in rows. Time passes
  * only while samples or pixels are drawn, 1 ms each, so that the pictures and their times follow from counting them: in
  * the five passes over three tiles of 64 x 16 pixels 12, 36, 144, 576 and 2304 have their first sample, then all 3072
  * get their second, and then two more each. */
@@ -23,11 +23,11 @@ static struct {
     struct tia_drawing drawing;
     struct tia_estimator estimator;
     struct tia_scene scene;
-    tia_rgb565 pictures[SPP + 1][PIXELS]; /* pictures of so many samples */
+    tia_rgb565 pictures[SPP + 1][PIXELS]; /* pictures by the number of their samples */
     tia_rgb565 last[PIXELS];              /* the picture that was shown last */
     uint32_t samples[PIXELS];
     unsigned lit[PIXELS];
-    bool rows; /* blocks are as wide as the picture's pixels */
+    bool rows; /* pictures are refined in rows: blocks are as wide as the picture */
     const struct picture *expected;
     unsigned count, shown, told;
     uint64_t at_us[SHOWN], key_us[SHOWN];
@@ -59,7 +59,7 @@ static int slow_render(const struct tia_view *view, struct tia_hits *hits, struc
     return tia_drawing.render(view, hits, tile, surface, options);
 }
 
-/* Draws the scene with so many samples, at once. */
+/* Draws the scene with `spp` samples, at once. */
 static void draw_whole(uint32_t spp, tia_rgb565 *pixels)
 {
     static uint64_t view_memory[32768], hits_memory[32768];
@@ -108,7 +108,7 @@ static int done(void *ctx, const struct tia_frame *frame)
 
     now.key_us[now.told % SHOWN] = frame->key_us;
     CHECK(!p || (frame->block == p->told_block && frame->samples == p->told_samples));
-    if (p && frame->block > 1) { /* by a share of 16 bits, rounded down */
+    if (p && frame->block > 1) { /* share with 16 bits, rounded down */
         uint64_t end = now.expected[now.count - 1].at_us, told = frame->left_us + p->at_us;
         CHECK(told >= end && told - end <= end / frame->done);
     }
@@ -152,7 +152,7 @@ static struct world *open_world(const struct picture *expected, unsigned count)
 
 /* ---- samples ---- */
 
-/* A line is as long as the samples are done, 192 for each pixel of it. */
+/* The line's length is the number of samples done, 192 for each of its pixels. */
 static const struct picture samples[] = {
     {48000, {8, 8, 8}, {1, 1, 1}, 0, 8, 1},     {192000, {4, 4, 4}, {1, 1, 1}, 1, 4, 1},
     {576000, {2, 2, 4}, {1, 1, 1}, 3, 4, 1},    {768000, {2, 2, 2}, {1, 1, 1}, 4, 2, 1},
@@ -178,7 +178,7 @@ TEST(samples_as_they_come)
         CHECK(now.samples[i] == SPP && !now.lit[i]);
 }
 
-/* Three are one, one and one: the last pass adds the rest. */
+/* Three samples are one, one and one: the last pass adds the rest. */
 TEST(a_number_that_is_no_power_of_two)
 {
     struct world *w = open_world(NULL, 0);
@@ -191,9 +191,8 @@ TEST(a_number_that_is_no_power_of_two)
         CHECK_EQ(now.samples[i], 3);
 }
 
-/* While all pixels get their second sample: the key is noticed 20 ms later, and its first picture comes 48 ms after
- * that.
- */
+/* A key comes while all pixels get their second sample: it is noticed 20 ms later, and its first picture comes 48 ms
+ * after that. */
 TEST(a_key_begins_the_frame_anew)
 {
     struct world *w = open_world(NULL, 0);
@@ -210,8 +209,8 @@ TEST(a_key_begins_the_frame_anew)
         CHECK_EQ(now.samples[i], SPP);
 }
 
-/* Beyond the fovea, 8 pixels around the gaze, blocks of 8 are enough: the drawn pixels have all samples, and show them.
- */
+/* Beyond the fovea, 8 pixels around the gaze, blocks of 8 suffice: the drawn pixels have all samples, and their colours
+ * are shown. */
 TEST(only_where_the_eye_looks)
 {
     struct world *w = open_world(NULL, 0);
@@ -230,8 +229,8 @@ TEST(only_where_the_eye_looks)
     CHECK_EQ(now.at_us[now.shown - 1], (uint64_t)SPP * US * drawn);
 }
 
-/* Without an estimator, or with less memory than for the sums, a pixel gets all samples at once; without a canvas, all
- * pixels do. */
+/* All samples are drawn at once: for each pixel without an estimator, or with less memory than for the sums; for all
+ * pixels without a canvas. */
 TEST(all_samples_at_once)
 {
     struct world *w = open_world(NULL, 0);
@@ -255,7 +254,7 @@ TEST(all_samples_at_once)
 
 /* ---- rows ---- */
 
-/* Two boxes and their shadows. Every 16th row takes 192 ms, and a tile's others 960. */
+/* Returns two boxes and their shadows. Every 16th row takes 192 ms, and the other rows of a tile 960. */
 static struct world *shadows_world(const struct picture *expected, unsigned count)
 {
     static const struct tia_material grey = {.colour = TIA_RGB(0.5, 0.6, 0.7)};

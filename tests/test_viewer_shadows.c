@@ -15,7 +15,7 @@ static const struct tia_material material[] = {{.colour = TIA_RGB(0.5, 0.5, 0.5)
 static const struct tia_light light[] = {
     {.centre = TIA_VEC3(3, 5, 2), .radius = TIA_Q16(1), .emission = TIA_RGB(1, 1, 1)}};
 static struct tia_scene yard, variant;
-static unsigned techniques; /* there are */
+static unsigned techniques; /* number of techniques */
 
 static struct world *yard_world(void)
 {
@@ -36,8 +36,8 @@ static struct world *yard_world(void)
     return w;
 }
 
-/* Returns the scene: each technique in its turn, then the first one again; each frame is compared with that
- * technique's. */
+/* Returns the scene of a frame: each technique in turn, then the first one again; each frame is compared with that
+ * technique's picture. */
 static const struct tia_scene *scene_of_frame(const struct world *w)
 {
     static struct tia_scene now;
@@ -74,7 +74,7 @@ TEST(lights_between_techniques)
     world_event(w, START + 2000, TIA_EVENT_TAP, 't');
     world_event(w, START + 3000, TIA_EVENT_TAP, TIA_KEY_LEFT);
     quit_at(w, START + 90000);
-    yard.shadows = TIA_SHADOWS_ZPASS; /* then zfail, and the two draw the same */
+    yard.shadows = TIA_SHADOWS_ZPASS; /* zfail is next, and both draw the same */
     CHECK_EQ(world_play(w), TIA_OK);
     CHECK_EQ(w->frame_count, 4);
     CHECK_EQ(w->frames[2].told.shadows, TIA_SHADOWS_ZFAIL);
@@ -82,7 +82,7 @@ TEST(lights_between_techniques)
     CHECK_EQ(w->frames[3].light.x, ONE);
 }
 
-/* Without memory for it, the key is like any other; where the scene has it, it is the scene's. */
+/* The key quits without memory for the variant; where the scene binds it, it is the scene's. */
 TEST(whose_key_it_is)
 {
     struct world *w = yard_world();
@@ -104,12 +104,12 @@ TEST(whose_key_it_is)
     CHECK_EQ(w->frames[1].told.shadows, TIA_SHADOWS_TRACED);
 }
 
-/* A window of 2^-9 x 2^-9 before the eye: objects more than 2^14 beside it are out of range of the rasteriser. */
+/* A camera with a window of 2^-9 x 2^-9: objects more than 2^14 beside it are out of range of the rasteriser. */
 static const struct tia_camera narrow = {
     .projection = TIA_FRUSTUM, .eye = TIA_VEC3(0, 3, 9), .window = {-64, 64, -64, 64, TIA_Q16(1)}};
 
-/* Light through a box: only traced rays are left, and the key does not quit. Through a narrow lens, far corners are out
- * of the rasteriser's range, which only preparing finds. */
+/* With light through a box, only traced rays are left, and the key does not quit. With a narrow window, far corners are
+ * out of the rasteriser's range, which is found only in preparing. */
 TEST(what_only_rays_can_draw)
 {
     static const struct tia_material clear = {.colour = TIA_RGB(0.5, 0.5, 0.5), .transmission = TIA_RGB(0.5, 0, 0)};
@@ -133,7 +133,7 @@ TEST(what_only_rays_can_draw)
     CHECK_EQ(w->frames[1].told.shadows, TIA_SHADOWS_TRACED);
 }
 
-/* Far away, the light needs vertices of other fraction bits, so that the picture before is of no use; then back. */
+/* A light far away needs vertices of other fraction bits, so that the hits are of no use; then it moves back. */
 TEST(a_light_moves_far_away)
 {
     static const struct tia_shape floor[] = {
@@ -158,8 +158,8 @@ TEST(a_light_moves_far_away)
     }
 }
 
-/* Where a light would be too far away for the technique, the key has no effect, and further keys go on from there;
- * except for the technique without that limit. Without the lights of the last picture the loop ends. */
+/* If a light would be too far away for the technique, the key has no effect, and further keys go on from there; except
+ * for the technique without that limit. Without the lights of the last picture the loop ends. */
 TEST(a_light_that_would_be_too_far_away_stays)
 {
     struct world *w = yard_world();
@@ -181,7 +181,7 @@ TEST(a_light_that_would_be_too_far_away_stays)
     for (unsigned i = 0; i < 2; i++)
         world_event(w, START + 500 + 1000 * i, TIA_EVENT_TAP, TIA_KEY_RIGHT);
     world_event(w, START + 3000, TIA_EVENT_TAP,
-                't'); /* to the first technique, and past all that cannot have the light */
+                't'); /* to the first technique, skipping all that cannot have the light */
     quit_at(w, START + 90000);
     CHECK_EQ(world_play(w), TIA_OK);
     CHECK_EQ(w->frame_count, 4);
@@ -199,7 +199,7 @@ TEST(a_light_that_would_be_too_far_away_stays)
     CHECK_EQ(w->frame_count, 2);
 }
 
-/* Six maps of 1024 x 1024 do not fit into the world's memory; all else does. */
+/* Six maps of 1024 x 1024 do not fit into the world's memory; the other techniques do. */
 TEST(what_there_is_no_memory_for)
 {
     struct world *w = yard_world();
@@ -215,8 +215,8 @@ TEST(what_there_is_no_memory_for)
     CHECK_EQ(w->frames[techniques - 1].told.shadows, TIA_SHADOWS_TRACED);
 }
 
-/* Returns a world whose core has no draws_by_pixel, so that frames are drawn at once: here a tile's time passes when it
- * is requested from the display. */
+/* Returns a world whose core has no draws_by_pixel, so that frames are drawn at once: a tile's time passes when it is
+ * requested from the display. */
 static struct world *yard_at_once(void)
 {
     static struct tia_core core;
@@ -228,7 +228,7 @@ static struct world *yard_at_once(void)
     return w;
 }
 
-/* While a slow frame is drawn, the key gives it up like one that moves a light. */
+/* While a slow frame is drawn, the key ends it, as one does that moves a light. */
 TEST(in_the_middle_of_a_frame)
 {
     struct world *w = yard_at_once();
@@ -250,7 +250,7 @@ static void note_drawn(void *ctx, const struct tia_frame *frame)
 {
     struct world *w = ctx;
 
-    CHECK(w->tiles > 0 && !w->acquired); /* all tiles are there, and not yet shown */
+    CHECK(w->tiles > 0 && !w->acquired); /* all tiles are drawn, but not yet shown */
     CHECK_EQ(frame->number, w->frame_count);
     CHECK_EQ(frame->draw_us, 300 * w->tiles);
     CHECK_EQ(frame->shadows, drawn++ % 2 ? TIA_SHADOWS_ZFAIL : TIA_SHADOWS_ZPASS);
@@ -271,7 +271,7 @@ TEST(told_before_it_is_shown)
     CHECK_EQ(drawn, 2);
 }
 
-/* The eye moves; its time goes on through a change of the technique. */
+/* Returns a scene whose eye moves; its time continues through a change of the technique. */
 static const struct tia_scene *moving_scene(const struct world *w)
 {
     static uint64_t memory[512];

@@ -1,2 +1,2 @@
-/* walk_cases.h in integers: the cases are independent of the arithmetic, which num.h provides. */
+/* walk_cases.h in fixed point: the cases are independent of the arithmetic, which num.h provides. */
 #include "walk_cases.h"

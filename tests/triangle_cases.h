@@ -3,7 +3,7 @@
 #include "ray_cases.h"
 #include "render/geometry/triangle.h"
 
-/* Error bound of a coordinate, when the largest of them has that size. */
+/* Error bound of a coordinate whose largest value has that size. */
 #ifdef TIA_NUM_F64
 #define ERROR(size) (8 * 0x1p-52L * (size))
 #else
@@ -12,7 +12,7 @@
 
 struct wanted {
     long double t, facing; /* facing: |N.D| */
-    long double aside;     /* distance of the ray from the nearest edge, negative outside */
+    long double aside;     /* distance of the ray from the nearest edge, negative outside the triangle */
     long double parts[3];
 };
 
@@ -32,7 +32,7 @@ static bool is_flat(const struct triangle_corners *c)
     return true;
 }
 
-/* Intersects by the plane's equation, and edges by D.(A x B). */
+/* Intersects the plane by its equation, and tests the edges by D.(A x B). */
 static struct wanted meet(const struct triangle_corners *c, const struct ray *ray)
 {
     real3 o = real3_of(ray->origin), d = real3_dir(ray->direction), v[3];
@@ -57,7 +57,7 @@ static struct wanted meet(const struct triangle_corners *c, const struct ray *ra
     return w;
 }
 
-/* Returns a point of the triangle's plane, perhaps beside it. */
+/* Returns a point of the triangle's plane, inside the triangle or beside it. */
 static real3 point_near(const struct triangle_corners *c)
 {
     long double u = (random_real() + 0.8L) / 1.4L, v = (random_real() + 0.8L) / 1.4L;
@@ -89,7 +89,7 @@ static void check_ray(const struct triangle_corners *c, const struct ray *ray, l
                   (real_of(t) - w.t) * w.facing, error, w.t);
 }
 
-/* Checks triangles of edges `size` around a centre up to `far` away, seen from everywhere. */
+/* Checks triangles with edges of `size` around a centre up to `far` away, from all directions. */
 static void check_size(long double size, long double far, unsigned hits[2])
 {
     for (int i = 0; i < 3000; i++) {
@@ -120,7 +120,7 @@ TEST(triangles_are_met_where_they_are)
     CHECK_MSG(hits[0] > 4000 && hits[1] > 4000, "%u missed, %u met", hits[0], hits[1]);
 }
 
-/* The largest there is, around the world, a small way in front of the eye. */
+/* The largest floor possible, around the world, is hit a short way in front of the eye. */
 TEST(a_floor_as_large_as_the_world_is_met_nearby)
 {
     struct triangle_corners c = {{{-TIA_Q16(30000), 12345, -TIA_Q16(30000)},
@@ -144,7 +144,7 @@ TEST(normals_are_exact_and_lines_have_none)
         bool any = triangle_normal(&c, &got);
         CHECK_EQ(any, !is_flat(&c));
         real3 a = real3_vec(c.at[0]), n = cross(minus(real3_vec(c.at[1]), a), minus(real3_vec(c.at[2]), a));
-        if (any && length(n) > size * size * 1e-3L) /* else long doubles cancel */
+        if (any && length(n) > size * size * 1e-3L) /* otherwise long doubles cancel */
             CHECK(length(minus(real3_dir(got), plus((real3){0, 0, 0}, n, 1 / length(n)))) < 0x1p-50L);
     }
 }

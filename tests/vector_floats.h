@@ -25,7 +25,7 @@ typedef int32_t M __attribute__((vector_size(16)));
 #define f_rsqrt(x) (f_set(1) / f_root(x))
 #define f_add_root(a, x) ((a) + f_root(x))
 #define f_over_root(a, x) ((a) / f_root(x))
-#define f_min(a, b) f_sel(f_gt(b, a), a, b) /* b where one is NaN */
+#define f_min(a, b) f_sel(f_gt(b, a), a, b) /* the result is b where one argument is NaN */
 #define f_max(a, b) f_sel(f_gt(a, b), a, b)
 
 static inline F f_set(float a)

@@ -18,34 +18,35 @@ struct world_event {
 };
 
 struct world_frame {
-    uint64_t drawn_us;     /* time when its first tile was begun */
+    uint64_t drawn_us;     /* time when the frame's first tile was begun */
     struct tia_vec3 light; /* the first light's position */
     struct tia_frame told;
 };
 
 struct world {
     struct tia_viewer viewer;
-    struct tia_workers workers; /* for tests that have some */
+    struct tia_workers workers; /* workers, for tests that have several jobs */
     struct tia_light lights[WORLD_LIGHTS];
     struct tia_light kept[WORLD_LIGHTS];
     bool detached[WORLD_LIGHTS];
     uint64_t now_us;
 
-    /* NULL, or the scene as it must be in the frame that was just drawn. */
+    /* NULL, or returns the scene that the frame just drawn must show */
     const struct tia_scene *(*scene_now)(const struct world *);
 
-    /* NULL, or compares a picture that is not always a full render: gets that, WORLD_WIDTH pixels a row. */
+    /* NULL, or compares a picture that is not always a full render; `full` has WORLD_WIDTH pixels a row */
     void (*compare)(struct world *, const tia_rgb565 *full);
 
     /* The script. */
-    struct world_event events[WORLD_EVENTS]; /* by time */
+    struct world_event events[WORLD_EVENTS]; /* events in the order of time */
     unsigned event_count;
-    struct tia_mode mode, later_mode; /* the later one after change_after frames, if not 0 */
+    struct tia_mode mode, later_mode; /* later_mode: the mode after change_after frames, if not 0 */
     unsigned change_after;
     uint64_t hidden_from_us, hidden_until_us;
-    uint64_t tile_us, present_us; /* time to draw a tile, and to present */
-    unsigned slices;              /* so many times 20 ms more, in go_on */
-    uint64_t again_us;            /* if not 0: from then on `mode` has the last frame shown again, once */
+    uint64_t tile_us, present_us; /* time for drawing a tile, and for presenting */
+    unsigned slices;              /* number of further 20 ms, which go_on takes */
+    uint64_t again_us;            /* if not 0: the time from which `mode` requests once that the last frame is shown
+                                     again */
     enum world_call fail;         /* call that fails, after fail_after frames */
     unsigned fail_after, stop_after;
     uint64_t fail_from_us;
@@ -109,7 +110,7 @@ static inline int world_acquire(void *ctx, struct tia_tile tile, struct tia_surf
     const struct tia_mode *mode = world_mode_now(w);
 
     CHECK(!world_hidden(w) && w->acquired == 0);
-    CHECK(w->tiles > 0 || w->compare || !world_event_waits(w)); /* all keys are taken before a frame is begun */
+    CHECK(w->tiles > 0 || w->compare || !world_event_waits(w)); /* all keys are handled before a frame is begun */
     CHECK(!mode->tile_width || tile.width <= mode->tile_width);
     CHECK(!mode->tile_height || tile.height <= mode->tile_height);
     if (world_result(w, CALL_ACQUIRE))
@@ -133,7 +134,7 @@ static inline int world_submit(void *ctx, struct tia_tile tile)
     return world_result(w, CALL_SUBMIT);
 }
 
-/* Compares the picture: traced as a whole, with the present lights. */
+/* Compares the picture with one that is traced as a whole, with the present lights. */
 static inline void world_compare(struct world *w)
 {
     static tia_rgb565 want[WORLD_WIDTH * WORLD_HEIGHT];
@@ -244,7 +245,7 @@ static inline void *world_take_memory(void *ctx, size_t size)
     return world_memory;
 }
 
-/* Runs the jobs backwards: the order must not matter. */
+/* Runs the jobs in reverse order: the order must not matter. */
 static inline void world_run(void *ctx, void (*job)(void *arg, unsigned index), void *arg, unsigned count)
 {
     ((struct world *)ctx)->runs++;
@@ -304,7 +305,7 @@ static inline struct world *world_new(void)
     return &w;
 }
 
-/* Runs it and checks that no byte was written beyond the memory asked for. */
+/* Runs the viewer and checks that no byte was written beyond the memory that it requested. */
 static inline int world_play(struct world *w)
 {
     int status = tia_viewer_run(&w->viewer);
@@ -317,7 +318,7 @@ static inline int world_play(struct world *w)
 
 /* ---- scripts ---- */
 
-#define START 1000000 /* the clock when a world begins */
+#define START 1000000 /* the clock's time when a world begins */
 #define ONE TIA_Q16_ONE
 
 static const uint16_t key_a[] = {'a'};

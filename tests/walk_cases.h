@@ -2,9 +2,9 @@
 #include "mesh_made.h"
 #include "render/geometry/walk.h"
 
-/* The part of its distance by which a box that is missed may count as entered, and the slope below which a ray across
- * an axis is taken to have that slope, see num_slope and clip of walk.c: the tolerance of a walk. It costs time, never
- * a leaf: every leaf that the ray does enter is required. */
+/* The tolerance of a walk: the part of its distance by which a box that is missed may count as entered, and the slope
+ * that replaces a smaller one of a ray across an axis, see num_slope and clip of walk.c. It costs time, never a leaf:
+ * every leaf that the ray enters is required. */
 #ifdef TIA_NUM_F64
 #define COARSE 0
 #define LEVEL 0x1p-20L
@@ -13,8 +13,8 @@
 #define LEVEL 0x1p-8L
 #endif
 
-/* Clips the ray to the part between two planes across an axis. With a slope of less than `least` it enters as if that
- * were its slope, and leaves only if it does so behind the origin. */
+/* Clips the ray to the part between two planes across an axis. With a slope of less than `least` it enters as if its
+ * slope were `least`, and leaves only if it does so behind the origin. */
 static void clip_to(long double min, long double max, long double o, long double d, long double least,
                     long double *near, long double *far)
 {
@@ -39,7 +39,7 @@ static long double misses_by(const struct tia_bounds *b, const struct ray *ray, 
     return near * (1 - (coarse ? COARSE : 0)) - far;
 }
 
-/* Returns a slope from 2 LEVEL down, in either direction; or 0. */
+/* Returns a slope below 2 LEVEL, of either sign, or 0. */
 static num_unit tiny_slope(void)
 {
     long double size = ldexpl(LEVEL * (2 - fabsl(random_real())), -(int)(random_bits() % 40));
@@ -47,7 +47,7 @@ static num_unit tiny_slope(void)
     return (num_unit)(size * (long double)NUM_UNIT_ONE) * (int)(random_bits() % 3 - 1);
 }
 
-/* Checks that each entered leaf comes once, and no other. */
+/* Checks that each entered leaf comes once, and no other leaf. */
 static unsigned check_leaves(const struct made *m, const struct ray *ray, long double limit)
 {
     static uint8_t times[2 * MADE_FACES];
@@ -71,7 +71,7 @@ static unsigned check_leaves(const struct made *m, const struct ray *ray, long d
     return count;
 }
 
-/* Checks that a leaf beyond a limit that has become smaller is left out. */
+/* Checks that a leaf beyond a limit that has become smaller is skipped. */
 static void check_shrinking(const struct made *m, const struct ray *ray, long double limit)
 {
     const struct tia_bvh_node *leaf;
@@ -115,7 +115,7 @@ TEST(a_walk_finds_the_leaves_that_the_ray_enters)
     CHECK(count > 10000);
 }
 
-/* In a plane across an axis, seen from a nearby point: slopes that are nearly or exactly 0. */
+/* A tree lies in a plane across an axis, seen from a nearby point: slopes are nearly or exactly 0. */
 TEST(level_rays_find_their_way_through_a_tree)
 {
     struct made *m = made_sphere((struct tia_vec3){TIA_Q16(9000), 0, 0}, 4, 2);

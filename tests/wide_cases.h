@@ -7,7 +7,7 @@
 
 __extension__ typedef __int128 exact;
 
-/* Returns a number of any length of bits up to `most`, any sign. */
+/* Returns a number of up to `most` bits, of any length and sign. */
 static int64_t some(int most)
 {
     int64_t n = (int64_t)(random_bits() >> (64 - 1 - random_bits() % (unsigned)most));
@@ -92,7 +92,7 @@ TEST(vectors_are_normalised)
     }
 }
 
-/* Returns 128 bits, of any length below `most`. */
+/* Returns a number of 128 bits, of any length below `most`. */
 static exact any(unsigned most)
 {
     exact n = (exact)(int64_t)random_bits() * ((exact)1 << 64) + random_bits();
@@ -119,7 +119,7 @@ TEST(numbers_of_128_bits_are_multiplied_and_ordered)
     CHECK_EQ(wide_sign(given((exact)1 << 64)), 1);
 }
 
-/* With a = p q, b = r s, c = p r, d = q s + e: a b - c d = -p r e. */
+/* Products: with a = p q, b = r s, c = p r, d = q s + e: a b - c d = -p r e. */
 TEST(products_of_256_bits_are_ordered)
 {
     for (int i = 0; i < 200000; i++) {

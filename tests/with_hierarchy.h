@@ -1,4 +1,4 @@
-/* with_hierarchy.h - for tests of levels, which draw no rays of scenes without a hierarchy. */
+/* with_hierarchy.h - for tests of vector units, which draw no rays of scenes without a hierarchy. */
 #ifndef TESTS_WITH_HIERARCHY_H
 #define TESTS_WITH_HIERARCHY_H
 

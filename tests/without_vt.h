@@ -10,8 +10,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* Runs in a process of another session and without rights, which has no VT. A test must not take the console that
- * somebody is using. */
+/* Runs a test in a process of a new session and without rights, which has no VT. A test must not take a console that is
+ * in use. */
 static inline int in_process_without_vt(int (*run)(void))
 {
     pid_t child;

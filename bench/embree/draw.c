@@ -5,7 +5,7 @@
 #endif
 
 #define BIAS (1.0F / 8192)     /* 2^-13 */
-#define DARKEST (1.0F / 65536) /* a ray of less throughput is not followed */
+#define DARKEST (1.0F / 65536) /* rays with less throughput are not traced */
 
 /* A pending ray: each ray spawns two more at most, one level deeper. */
 struct pending {
@@ -133,7 +133,7 @@ static void follow(struct pixel *pixel, const struct pending *from, struct vec o
     pixel->waiting += visible;
 }
 
-/* Refracts; false: total reflection. */
+/* Refracts the direction; false on total internal reflection. */
 static bool refract(const struct point *p, struct vec *direction)
 {
     float index = p->back ? 1 / p->material->index : p->material->index;
@@ -199,7 +199,7 @@ static tia_rgb565 draw_pixel(const struct embree *e, struct vec eye, struct vec 
                         level(pixel.colour[2], 31));
 }
 
-/* Modes that flush denormal results and operands to zero, as Embree requires. Returns the modes before. */
+/* Bits of MXCSR that flush denormal results and operands to zero, as Embree requires. */
 #define FLUSH_TO_ZERO 0x9fc0u
 
 static unsigned set_modes(unsigned modes)

@@ -12,7 +12,7 @@ struct embree;
 extern const bool embree_is_there;
 
 /* Opens a scene; NULL when it has shapes, lights or textures that are not supported here, or memory is short. `scene`
- * must stay. */
+ * must outlive it. */
 struct embree *embree_open(const struct tia_scene *scene);
 void embree_close(struct embree *embree);
 

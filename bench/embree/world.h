@@ -14,7 +14,7 @@ enum embree_geometry { EMBREE_SPHERES, EMBREE_FACES, EMBREE_CONES, EMBREE_GEOMET
 
 struct embree_material {
     float colour[3], specular[3], mirror[3], refraction[3], transmission[3], exponent, index;
-    bool shines, reflects, refracts, passes; /* those that are not black */
+    bool shines, reflects, refracts, passes; /* terms of the material that are not black */
 };
 
 struct embree_light {
@@ -52,9 +52,9 @@ static inline struct vec embree_place(const struct tia_scene *scene, struct tia_
     return (struct vec){embree_length(scene, v.x), embree_length(scene, v.y), embree_length(scene, v.z)};
 }
 
-/* The context of a ray, and the light that is left of shadow rays. */
+/* A ray's context, and the fraction of light that is left of a shadow ray. */
 struct embree_context {
-    struct RTCIntersectContext context; /* must be the first */
+    struct RTCIntersectContext context; /* must be the first member */
     float through[3];
 };
 

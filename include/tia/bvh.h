@@ -60,9 +60,9 @@ int tia_bvh_build(const struct tia_bvh **bvh, void *memory, size_t size, size_t 
 size_t tia_bvh_move_size(const struct tia_scene *scene);
 
 /* Updates the hierarchy of `standing` for `scene`, which tia_scene_at made of it: only objects that moved get new
- * boxes. The result shares the rest with standing->bvh, which must stay. Rays meet the same as with a hierarchy built
- * anew. Runs on one thread. TIA_ERR_ARGUMENT, too, when `standing` has no hierarchy of its own or another number of
- * objects; TIA_ERR_MEMORY when `size` is too small. */
+ * boxes. The result shares the rest with standing->bvh, which must stay. Rays hit the same objects as with a hierarchy
+ * built anew. Runs on one thread. TIA_ERR_ARGUMENT, too, when `standing` has no hierarchy of its own or another number
+ * of objects; TIA_ERR_MEMORY when `size` is too small. */
 int tia_bvh_move(const struct tia_bvh **bvh, void *memory, size_t size, const struct tia_scene *scene,
                  const struct tia_scene *standing, const struct tia_job *job);
 

@@ -22,7 +22,8 @@ struct tia_traced {
     enum tia_ray ray;
     struct tia_vec3 from, to; /* its ends; `to` is 1 from `from` when it meets nothing */
     tia_q16 length;           /* INT32_MAX: it meets nothing */
-    uint32_t object, light;   /* the ones it meets, or a shadow ray's surface and light; or TIA_NO_OBJECT */
+    uint32_t object, light;   /* object and light that it meets, or a shadow ray's surface and light; or
+                                 TIA_NO_OBJECT */
     struct tia_vec3 normal;   /* the shading normal where it ends, on the side that the ray comes from */
     bool arrives;             /* TIA_RAY_SHADOW: some of the light arrives */
 };
@@ -81,7 +82,7 @@ extern const struct tia_estimator tia_estimator_chk;
  * result on from row to row. Without pixels, NULL, the result is `crc`. */
 uint32_t tia_crc32(uint32_t crc, const tia_rgb565 *pixels, size_t count);
 
-/* The picture made of a guide: its mean, of normals as (N + 1)/2; or the standard error of the luminance. */
+/* The guide that a picture shows: its mean, for normals (N + 1)/2; or the standard error of the luminance. */
 enum tia_shown_guide { TIA_SHOW_NOTHING, TIA_SHOW_NORMAL, TIA_SHOW_DEPTH, TIA_SHOW_ALBEDO, TIA_SHOW_ERROR };
 
 /* Returns "normal", "depth", "albedo", "error"; NULL for others. */

@@ -1,5 +1,5 @@
 /* denoise.h - removes noise from a picture of samples: an edge-avoiding a-trous wavelet (Dammertz et al. 2010), guided
- * by the surface that each pixel sees and by the standard error of its mean (the spatial part of Schied et al. 2017),
+ * by the visible surface of each pixel and by the standard error of its mean (the spatial part of Schied et al. 2017),
  * in integers.
  *
  *     sums, guides --tia_denoise_put--> pixels  --tia_denoise_pass, TIA_DENOISE_PASSES times--> pixels
@@ -22,7 +22,7 @@
  * Weights that depend on the light favour pixels that noise has made similar: of many dark samples and a few bright
  * ones the bright are left out, and the mean falls. So the light that three such passes have removed from each pixel is
  * averaged by three more, whose weights lack the last term of x, and added: the mean of a surface stays.
- */
+ * */
 #ifndef TIA_DENOISE_H
 #define TIA_DENOISE_H
 

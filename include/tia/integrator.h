@@ -7,7 +7,7 @@
  *
  * TIA_OCCLUSION shows the openness of a point: the share of rays from it that meet no object up to a distance. These
  * rays start at a pixel's visible point, their directions have the density cos t/pi around its normal N; those below
- * the surface meet it. Where a pixel sees no object it is 1.
+ * the surface meet it. Where a pixel shows no object it is 1.
  *
  * TIA_PATHS follows light along random paths (Kajiya, "The rendering equation", 1986). Of tia/material.h it takes
  *   - colour and texture: Lambert's law; specular: Phong's lobe specular (n + 2)/(2 pi) cos^n, normalised (Lafortune
@@ -20,13 +20,13 @@
  * Ambient lights, which stand for paths, are ignored.
  *
  * At each diffuse or glossy point one light or emitting sphere of the scene is chosen, all with the same chance, and a
- * point of it (of spheres within the cone that sees it, else evenly on the surface); and the path goes on by one of the
- * material's lobes. The two are combined by the balance heuristic (Veach 1997). Other emitting shapes are met by
+ * point of it (of spheres within the cone that they fill, else evenly on the surface); and the path goes on by one of
+ * the material's lobes. The two are combined by the balance heuristic (Veach 1997). Other emitting shapes are met by
  * chance. From the fourth bounce on paths end by roulette, at the latest after TIA_BOUNCES_MAX.
  *
  * Samples draw Owen-scrambled Sobol points, src/samples/sobol.h: a pixel's first numbers are its place in the pixel,
  * without a filter, and the first direction. Rays start 2^-26 off a surface.
- */
+ * */
 #ifndef TIA_INTEGRATOR_H
 #define TIA_INTEGRATOR_H
 
@@ -76,9 +76,9 @@ struct tia_sum {
     int64_t rgb[3];
 };
 
-/* The first surface that a pixel's samples see, past mirrors and glass, added up like them. It guides a denoiser, see
+/* The first surface that a pixel's samples meet, past mirrors and glass, added up like them. It guides a denoiser, see
  * denoise.h.
- */
+ * */
 struct tia_guide {
     int64_t normal[3]; /* unit normal on the visible side, 2^-24; 0 for the background */
     int64_t depth;     /* path length to it, 2^-16; 0 for the background */
@@ -99,7 +99,7 @@ struct tia_surface;
 
 /* A sampling integrator in one arithmetic, for the views of its core; of others' TIA_ERR_ARGUMENT. */
 struct tia_estimator {
-    const char *name; /* name of the core whose views it takes */
+    const char *name; /* name of the core whose views it accepts */
 
     /* Adds samples first..end - 1 of each pixel of the tile to its sum, row by row, the next row `pitch` sums on.
      * TIA_ERR_UNSUPPORTED: the scene is drawn by an integrator without samples. TIA_ERR_ARGUMENT when the tile is not
@@ -109,7 +109,7 @@ struct tia_estimator {
     int (*sample)(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end, struct tia_sum *sums,
                   size_t pitch);
 
-    /* Does the same, and gathers their guides and squares. */
+    /* Adds samples as `sample` does, and gathers their guides and squares. */
     int (*gather)(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end,
                   const struct tia_gathered *gathered);
 
@@ -120,7 +120,7 @@ struct tia_estimator {
     uint32_t (*enclosing)(const struct tia_view *view, uint32_t light);
 
     /* Writes the pixels of a row, a tile of height 1, from their sums of `count` samples each, 1..TIA_SPP_MAX. With all
-     * samples of the scene they are those of tia_view_light. Errors as above. */
+     * samples of the scene they are those of tia_view_light. Errors as for `sample`. */
     int (*show)(const struct tia_view *view, struct tia_tile row, const struct tia_sum *sums, uint32_t count,
                 const struct tia_surface *surface, bool dither);
 };

@@ -12,7 +12,8 @@ extern "C" {
 struct tia_workers {
     /* Runs job(arg, 0) .. job(arg, count - 1), in any order, on any threads, and returns when all are done. */
     void (*run)(void *ctx, void (*job)(void *arg, unsigned index), void *arg, unsigned count);
-    /* A lock for work that one job at a time may do, held until leave; false when another job holds it. Never waits. */
+    /* Acquires the lock for work that one job at a time may do, until leave; false when another job holds it. Never
+     * waits. */
     bool (*enter)(void *ctx);
     void (*leave)(void *ctx);
     void *ctx;
@@ -21,7 +22,7 @@ struct tia_workers {
 
 /* The last argument of functions that can take long. NULL, or all zero: one thread, never stopped. */
 struct tia_job {
-    const struct tia_workers *workers; /* NULL, or threads to divide the work among, where a function does */
+    const struct tia_workers *workers; /* threads among which a function divides the work if it can; NULL: none */
     /* NULL, or polled after every few thousand items of work. Once it returns true, the function returns TIA_STOPPED
      * soon, and its result is undefined. It may be called again and must return true again. Only one thread at
      * a time calls it, any of them. */

@@ -35,7 +35,7 @@ enum tia_light_trait {
     TIA_LIGHT_DISC = 1 << 9,       /* its surface is a disc, with its normal along `direction` */
     TIA_LIGHT_PATHS = 1 << 10,     /* TIA_PATHS samples it */
     TIA_LIGHT_TECHNIQUES =
-        1 << 11,               /* supported by techniques for shadows, see shadow.h; TIA_FILTER_PCSS supports all */
+        1 << 11,               /* supported by the techniques for shadows, see shadow.h; TIA_FILTER_PCSS supports all */
     TIA_LIGHT_SPANS = 1 << 12, /* drawn by the span renderer */
     TIA_LIGHT_SIMD = 1 << 13   /* drawn by vector units; scenes with other kinds take the fixed-point path */
 };

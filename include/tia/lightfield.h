@@ -1,4 +1,4 @@
-/* lightfield.h - pictures for displays that show each eye another one, with horizontal parallax only.
+/* lightfield.h - pictures for displays that show each eye a different one, with horizontal parallax only.
  *
  * The display is a flat screen in the scene: the window of a TIA_FRUSTUM camera with an observer line, see camera.h.
  * Each pixel of such a picture, or each of its three subpixels, is a pixel of an ordinary off-axis picture of the whole
@@ -10,8 +10,8 @@
  *
  * A subpixel of a lenticular panel lies under a lens, which sends its light in one direction only. The lenses are
  * parallel and straight, so a subpixel's place under its lens is a linear function of its place in the picture, modulo
- * 1. This phase is the part of the observer line that sees it, from 0, the left end, to 1, the right end. Subpixel k =
- * 0, 1, 2 of pixel x, in row r, counted from 0 at the bottom, of a picture W pixels wide has the phase
+ * 1. This phase is the place on the observer line from which it is visible, from 0, the left end, to 1, the right end.
+ * Subpixel k = 0, 1, 2 of pixel x, in row r, counted from 0 at the bottom, of a picture W pixels wide has the phase
  *
  *     ((x + 1/2 + k/3) pitch + (r + 1/2) rise)/W - centre   modulo 1,   or 1 - that if it is inverted.
  *
@@ -26,7 +26,7 @@
  *
  * p the projector's place and d its distance from the screen, D that of the observer line; p, q and s are lengths along
  * the camera's axis u. Its picture is the whole picture that it projects. Pixels whose light misses the line are black.
- */
+ * */
 #ifndef TIA_LIGHTFIELD_H
 #define TIA_LIGHTFIELD_H
 

@@ -21,7 +21,7 @@ enum tia_target {
     TIA_SHOWS_LIGHT,
     TIA_SETS_COLOUR, /* a material's colour, and so on: red, green and blue, Q2.30 in 0..1 */
     TIA_SETS_TRANSMISSION,
-    TIA_SETS_EMISSION, /* without its bits */
+    TIA_SETS_EMISSION, /* a material's emission, without emission_bits */
     TIA_SETS_SPECULAR,
     TIA_SETS_MIRROR,
     TIA_SETS_REFRACTION,
@@ -81,12 +81,12 @@ struct tia_falling {
  * too many. The memory must be aligned for uint64_t, and may be NULL if that is 0. */
 size_t tia_scene_at_size(const struct tia_scene *scene);
 
-/* Sets *out to the scene at `time` (seconds). Arrays with moving elements are copied to `memory`, all others
- * are shared with `scene`. *out has no tracks and no balls that fall, no bvh, since objects moved: build a new one, and
- * no `fine` if there were any. It depends on nothing but the scene and the time, to the bit, so the way of balls is
- * computed from the beginning each time: in steps of 1/256 s, and time in proportion to their number times that of
- * balls, planes and boxes. TIA_ERR_MEMORY when `size` is too small. `out` may equal `scene`, which is then lost. Runs
- * on one thread. After TIA_STOPPED *out is undefined and must not be drawn. */
+/* Sets *out to the scene at `time` (seconds). Arrays with moving elements are copied to `memory`, all others are shared
+ * with `scene`. *out has no tracks and no balls that fall, no bvh, since objects moved: build a new one, and no `fine`
+ * if there were any. It depends on nothing but the scene and the time, to the bit, so the path of balls is computed
+ * from the beginning each time: in steps of 1/256 s, and time in proportion to their number times that of balls, planes
+ * and boxes. TIA_ERR_MEMORY when `size` is too small. `out` may equal `scene`, which is then lost. Runs on one thread.
+ * After TIA_STOPPED *out is undefined and must not be drawn. */
 int tia_scene_at(struct tia_scene *out, void *memory, size_t size, const struct tia_scene *scene, tia_q16 time,
                  const struct tia_job *job);
 

@@ -1,9 +1,9 @@
 /* port.h - the interfaces that a platform implements: a display, an input, a clock.
  *
- * Every function pointer must be set, unless it says otherwise: tia_viewer_run returns TIA_ERR_ARGUMENT when one that
- * it calls is not. A port never exits, prints, or starts threads. On failure it returns a negative enum tia_status and
- * keeps the reason in its context, for the program to print.
- */
+ * Every function pointer must be set, unless its comment allows NULL: tia_viewer_run returns TIA_ERR_ARGUMENT when one
+ * that it calls is not. A port never exits, prints, or starts threads. On failure it returns a negative enum tia_status
+ * and keeps the reason in its context, for the program to print.
+ * */
 #ifndef TIA_PORT_H
 #define TIA_PORT_H
 
@@ -20,9 +20,9 @@ enum tia_key {
     TIA_KEY_TAB = 9,
     TIA_KEY_ESCAPE = 27,
     TIA_KEY_SPACE = ' ',
-    TIA_KEY_PLUS = '+',  /* and = */
-    TIA_KEY_MINUS = '-', /* and _ */
-    TIA_KEY_HELP = '?',  /* and / */
+    TIA_KEY_PLUS = '+',  /* also = */
+    TIA_KEY_MINUS = '-', /* also _ */
+    TIA_KEY_HELP = '?',  /* also / */
     TIA_KEY_LEFT = 0x100,
     TIA_KEY_RIGHT,
     TIA_KEY_UP,

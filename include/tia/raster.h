@@ -9,7 +9,7 @@
  * difference of two points. w may have any sign: there is no near plane, nothing is clipped and no depth is out of
  * range. Orthographic: w is 1, which is 2^fraction, and h is the nearness: larger is nearer. A direction has w = 0.
  *
- * Pixel (i, j) of the image sees the points at positive multiples of D(i, j), an integer vector linear in i and j.
+ * Pixel (i, j) of the image shows the points at positive multiples of D(i, j), an integer vector linear in i and j.
  * Where an edge passes exactly through it, D is moved to the right by a distance smaller than any, then down by one
  * still smaller: the top-left rule of OpenGL and Direct3D. A polygon whose plane contains the eye is not drawn.
  *
@@ -26,7 +26,7 @@
  *
  * (8192^2 pixels, 16 samples.) Polygons with smaller coordinates need only 64 bits for all but det; each such polygon
  * is detected and drawn faster, with the same result.
- */
+ * */
 #ifndef TIA_RASTER_H
 #define TIA_RASTER_H
 
@@ -47,7 +47,7 @@ struct tia_raster_grid {
     int32_t centre[2]; /* position of x = y = 0: 2^-16 pixel, from the centre of pixel (0, 0) */
     int fraction;      /* fraction bits of the vertices */
     int scale;         /* scale of nearness 1/t, where the point is t D; see struct tia_raster_target */
-    int64_t narrow;    /* polygons with no coordinate above this in size need 64 bits only */
+    int64_t narrow;    /* largest coordinate of a polygon that needs only 64 bits */
 };
 
 #define TIA_RANGE_MAX 24  /* largest range in perspective */
@@ -55,8 +55,8 @@ struct tia_raster_grid {
 
 /* Sets the grid of the pixels of a width x height image (1..TIA_SIZE_MAX each), or of sample `sample` of each pixel
  * when there are 1, 4 or 16 `samples`, placed as in camera.h. All coordinates of points are below 2^range in size,
- * range at least 0 and at most as above. TIA_FRUSTUM counts as perspective, since its shear is in the vertices.
- * TIA_ERR_ARGUMENT when an argument is outside these bounds.
+ * range at least 0 and at most TIA_RANGE_MAX or TIA_RANGE_FLAT. TIA_FRUSTUM counts as perspective, since its shear is
+ * in the vertices. TIA_ERR_ARGUMENT when an argument is outside these bounds.
  *
  * This chooses `fraction`: 25 - range where that is at least 18 and most polygons then fit 64 bits, else 40 - range;
  * orthographic always 29 - range, or 28 when that is 0, as w is 1. Of 6 million pixels of meshes, 5 see another face
@@ -101,8 +101,8 @@ struct tia_stencil {
 };
 
 /* Two polygons are equal in depth at a pixel if they have the same face, or lie in the same plane. Where two planes
- * cross exactly at a pixel, the one that is nearer at the pixel moved as above is nearer. An empty pixel is farther
- * than any polygon. */
+ * cross exactly at a pixel, the one that is nearer at the pixel moved to the right, then down, is nearer. An empty
+ * pixel is farther than any polygon. */
 struct tia_raster_state {
     enum tia_compare depth;
     bool depth_write;           /* also puts the face there */
@@ -195,10 +195,10 @@ bool tia_raster_corners_init(struct tia_raster_corners *corners, const struct ti
                              const struct tia_raster_vertex vertices[3]);
 
 /* Interpolates a[0], a[1], a[2], given at the corners, linearly on the triangle's plane, to the point that pixel (x, y)
- * of the image sees: perspective-correct, rounded to nearest, ties up, and clamped to the range of tia_q16. A corner
+ * of the image shows: perspective-correct, rounded to nearest, ties up, and clamped to the range of tia_q16. A corner
  * that is a direction has no value. 0 where the plane is not before the eye, and for x and y not in 0..TIA_SIZE_MAX
  * - 1.
- */
+ * */
 tia_q16 tia_raster_corners_blend(const struct tia_raster_corners *corners, int x, int y, const tia_q16 a[3]);
 
 #ifdef __cplusplus

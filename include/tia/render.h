@@ -34,7 +34,7 @@ struct tia_surface {
     ptrdiff_t step, pitch; /* even; where they are too small, pixels cover each other */
 };
 
-/* All zero, or NULL: neither. */
+/* More output than the pixels, and dithering. All zero, or NULL: none. */
 struct tia_options {
     bool dither;                   /* ordered dithering, Bayer 8x8, before quantising to RGB565 */
     uint16_t *colours;             /* NULL, or receives each pixel's red, green and blue, row by row of the tile */
@@ -69,7 +69,7 @@ int tia_view_init(struct tia_view **view, void *memory, size_t size, const struc
  * lights stay. */
 int tia_view_set_lights(struct tia_view *view, const struct tia_light *lights, uint32_t count);
 
-/* Returns the bytes for the hits of `area` in a picture of `scene`, as above; SIZE_MAX when there are too many. */
+/* Returns the bytes for the hits of `area` in a picture of `scene`; SIZE_MAX when there are too many. */
 size_t tia_hits_size(const struct tia_scene *scene, struct tia_tile area);
 
 /* Creates a hit buffer for `area` of the view's picture in `memory`, aligned for uint64_t, for this view alone.
@@ -96,8 +96,8 @@ int tia_view_light(const struct tia_view *view, const struct tia_hits *hits, str
 int tia_view_draw(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
                   const struct tia_surface *surface, const struct tia_options *options);
 
-/* True if a tile of one pixel costs little more than its share of a large one: with rays. Spans prepare a whole row,
- * and the rasteriser all faces. */
+/* True for scenes drawn by rays, where a tile of one pixel costs little more than its share of a large one. Spans
+ * prepare a whole row, and the rasteriser all faces. */
 bool tia_draws_by_pixel(const struct tia_scene *scene);
 
 /* An instruction set of a processor's vector units, see tia/simd.h. */
@@ -132,8 +132,8 @@ struct tia_core {
                      unsigned, unsigned, const struct tia_job *);
     size_t (*hits_size)(const struct tia_core *, const struct tia_scene *, struct tia_tile);
     size_t (*simd_size)(const struct tia_core *, const struct tia_simd *, const struct tia_scene *, uint32_t,
-                        unsigned);                                             /* may be NULL: 0 */
-    bool (*draws_by_pixel)(const struct tia_core *, const struct tia_scene *); /* may be NULL: not known */
+                        unsigned);                                             /* may be NULL, for size 0 */
+    bool (*draws_by_pixel)(const struct tia_core *, const struct tia_scene *); /* may be NULL, for "not known" */
     const struct tia_drawing *drawing;                                         /* NULL: tia_drawing */
     const struct tia_renderers *renderers; /* the library's; NULL: none, `drawing` has its own */
 };

@@ -88,13 +88,13 @@ struct tia_scene {
     struct tia_integration integration; /* another integrator than Whitted's */
     enum tia_shadows shadows;           /* another technique than traced rays, see shadow.h */
     struct tia_shadow_map shadow_map;   /* for TIA_SHADOWS_MAP; all zero: the defaults */
-    tia_q16 tessellated; /* for all techniques but traced rays. 0: rays find curved shapes; otherwise these are divided
-                            into flat faces, none farther than this from the true surface: 2^-16 or more, at most
-                            TIA_OBJECTS_MAX faces */
+    tia_q16 tessellated; /* accuracy of flat faces that replace curved shapes for all techniques but traced rays: none
+                            is farther than this from the true surface; 2^-16 or more, at most TIA_OBJECTS_MAX faces. 0:
+                            rays draw curved shapes */
     int scale_bits;      /* a unit of the file is 2^scale_bits units here: -TIA_SCALE_BITS_MAX..TIA_SCALE_BITS_MAX */
     const struct tia_fine *fine;         /* NULL, or more digits; rays then start 2^-26 off a surface, see material.h */
-    const struct tia_light_field *field; /* NULL, or a picture for many eyes: of a camera with an observer line, without
-                                            another technique for shadows than traced rays */
+    const struct tia_light_field *field; /* NULL, or a picture for many eyes; needs a camera with an observer line, and
+                                            traced rays for shadows */
     const struct tia_bvh *bvh;           /* NULL, or this scene's, see bvh.h: the same picture in less time */
 
     /* Keyframes and balls that fall, see motion.h. Rendering ignores them; tia_scene_at applies them. */

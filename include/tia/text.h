@@ -23,10 +23,11 @@ struct tia_text {
     tia_rgb565 ink, paper; /* colours of the letters and of the rest */
 };
 
-/* Returns the part of a width x height image that it covers; empty when it is all outside, or the scale is 0. */
+/* Returns the part of a width x height image that the text covers; empty when all of it is outside, or the scale is
+ * 0. */
 struct tia_tile tia_text_area(const struct tia_text *text, unsigned width, unsigned height);
 
-/* Draws the part in `tile`; the other pixels stay. */
+/* Draws the part of the text that is in `tile`; all other pixels stay unchanged. */
 int tia_text_draw(const struct tia_text *text, struct tia_tile tile, const struct tia_surface *surface);
 
 #ifdef __cplusplus

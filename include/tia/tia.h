@@ -4,7 +4,7 @@
  *   job.h     threads that share long work, and its cancellation
  *   vec.h     vectors and colours
  *   camera.h, material.h, light.h, shape.h    the parts of a scene
- *   lightfield.h    pictures for displays that show each eye another one
+ *   lightfield.h    pictures for displays that show each eye a different one
  *   shadow.h  techniques for shadows
  *   integrator.h    integrators of light
  *   scene.h   the scene
@@ -26,7 +26,7 @@
  *   tone.h    from sums of samples to what pixels show
  *   radio.h   paths of radio waves, in libtia-radio.a
  *   debug.h   for tests and comparison
- */
+ * */
 #ifndef TIA_TIA_H
 #define TIA_TIA_H
 

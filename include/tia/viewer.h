@@ -90,7 +90,7 @@ struct tia_control {
     enum tia_effect (*act)(void *ctx, const struct tia_event *event, struct tia_camera *camera);
 };
 
-/* The changes by keys. */
+/* The changes that keys have made. */
 struct tia_viewer_state {
     bool goes_on; /* set by the caller: begin with this state and the viewer's lights, not with the scene's */
     bool moved;   /* the camera is not the scene's */

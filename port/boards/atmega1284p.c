@@ -57,7 +57,7 @@ void board_exit(int status)
     }
 }
 
-/* avr-libc calls it when main returns. */
+/* Ends the program; avr-libc calls it when main returns. */
 void exit(int status);
 void exit(int status)
 {

@@ -20,13 +20,13 @@ void board_print_hex(uint32_t value);
 /* Ends the program; passes the status to a debugger. */
 _Noreturn void board_exit(int status);
 
-/* Peak stack use since the start, in bytes. */
+/* Returns the peak stack use since the start, in bytes. */
 uint32_t board_stack_used(void);
 
 /* Boards with a panel: a clock from a 24 MHz counter. Needs no context. */
 extern const struct tia_clock board_clock;
 
-/* Called by the start-up code. */
+/* Initialises the memory and runs main; the processor's own start-up code calls it. */
 _Noreturn void board_start(void);
 
 #endif

@@ -87,7 +87,7 @@ static int panel_present(void *ctx)
     return TIA_OK;
 }
 
-/* In the reverse order of open: power first, then the signals. */
+/* Switches off in the reverse order of open: power first, then the signals. */
 static void panel_close(void *ctx)
 {
     (void)ctx;

@@ -92,7 +92,8 @@ static void leave(enum console_state state)
 
 /* ---- switching ---- */
 
-/* Ignores a signal that did not come from the kernel: no answer is expected, and the screen stays ours. */
+/* Answers the signal for leaving. One that did not come from the kernel is ignored: no answer is expected, and the
+ * screen stays ours. */
 static void answer_leave(void)
 {
     leave_asked = 0;

@@ -19,9 +19,9 @@
 #include "device.h"
 
 enum console_state {
-    CONSOLE_FREE, /* no display of this program has taken the screen: grab nothing */
+    CONSOLE_FREE, /* no display of this program has taken the screen: grab no keyboard */
     CONSOLE_OURS, /* the screen is ours: draw, grab the keyboards */
-    CONSOLE_AWAY  /* ours, but another console is in front: draw and grab nothing */
+    CONSOLE_AWAY  /* ours, but another console is in front: neither draw nor grab keyboards */
 };
 
 enum console_state console_state(void);
@@ -34,14 +34,14 @@ struct console_listener {
     struct console_listener *next; /* private to console.c */
 };
 
-/* Neither calls the listener: check console_state(). enter is called in the order in which listeners were added, leave
- * in reverse. console_ignore is safe when it was not added. */
+/* Add and remove a listener without calling it: check console_state(). enter is called in the order in which listeners
+ * were added, leave in reverse. console_ignore is safe when it was not added. */
 void console_listen(struct console_listener *listener);
 void console_ignore(struct console_listener *listener);
 
-/* poll(2) with every signal unblocked while it waits; then does what the kernel's switching signals asked for. Every
- * tia_input.wait uses it, with or without a console. Returns how many descriptors are ready, 0 when none is (time is up
- * or a signal came), or TIA_ERR_DEVICE. */
+/* poll(2) with every signal unblocked while it waits; then handles the kernel's signals for switching. Every
+ * tia_input.wait uses it, with or without a console. Returns the number of descriptors that are ready, 0 when none is
+ * (time is up or a signal came), or TIA_ERR_DEVICE. */
 int console_wait(struct pollfd *fds, nfds_t count, int timeout_ms);
 
 /* Asks for console number `vt` (1..63) to come in front, as Ctrl-Alt-Fn does; it happens in a later
@@ -60,10 +60,10 @@ int console_open(bool graphics, char why[PORT_WHY]);
 /* Puts back what console_open changed. Safe when it is not open. */
 void console_close(void);
 
-/* "tty1, the controlling terminal", "tty1, the console in front" or "none: WHY"; of the console
- * taken, or of the one that would be taken now. */
+/* Returns "tty1, the controlling terminal", "tty1, the console in front" or "none: WHY": the console taken, or the one
+ * that would be taken now. */
 const char *console_name(char text[PORT_WHY]);
-/* The same as a line of a display's list. */
+/* Prints that name as a line of a display's list. */
 void console_list(port_line *line, void *arg);
 
 #endif

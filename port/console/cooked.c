@@ -94,7 +94,7 @@ static int open_terminal(const struct saved *saved)
     return fd;
 }
 
-/* True when nothing is left to do. */
+/* Restores an entry; true when nothing is left to do. */
 static bool restore(struct saved *saved, pid_t group)
 {
     if (saved->kind == TEXT)

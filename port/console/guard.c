@@ -24,16 +24,16 @@
 #include "traced.h"
 
 #define LINE 0        /* the socket's descriptor in this process */
-#define SETTLE_MS 100 /* how long a stopped process may take until its main thread stops, in case a driver holds it */
+#define SETTLE_MS 100 /* time for the main thread of a stopped process to stop, in case a driver holds it */
 
-static pid_t process, process_group; /* that is guarded */
+static pid_t process, process_group; /* the guarded process */
 static int process_end;              /* its pidfd */
 
 /* ---- consoles and framebuffers ---- */
 
-/* When a session's leader dies, the session loses its terminal, and the user may not change the VT until it is
- * somebody's controlling terminal again. Only a process that leads no group can start a session to claim it, so a child
- * does, and goes on as the guardian. */
+/* When a session's leader dies, the session loses its terminal, and the user may not change the VT until it is the
+ * controlling terminal of a session again. Only a process that leads no group can start a session to claim it, so a
+ * child does, and goes on as the guardian. */
 static bool claim_terminal(int fd)
 {
     pid_t child = fork();
@@ -84,7 +84,7 @@ static void restore_screens(void)
 
 /* ---- operations that may take long ---- */
 
-/* Codes from BTN_MISC on are buttons of mice and joysticks. */
+/* True if a key is down, up to BTN_MISC; the codes above are buttons of mice and joysticks. */
 static bool is_any_key_down(int fd)
 {
     unsigned char down[KEY_CNT / 8] = {0};
@@ -97,7 +97,8 @@ static bool is_any_key_down(int fd)
     return false;
 }
 
-/* Reads all events: asking for the keys removes only key events from the queue, and the rest would wake us again. */
+/* True if all keys are up. Reads all events, since EVIOCGKEY removes only key events from the queue, and the others
+ * would end the next wait at once. */
 static bool is_released(int fd)
 {
     struct input_event events[64];
@@ -107,7 +108,7 @@ static bool is_released(int fd)
     return !is_any_key_down(fd);
 }
 
-/* Does what can be done now; true when nothing is left to do. */
+/* Completes an operation as far as possible without waiting; true when nothing is left to do. */
 static bool finish_one(struct saved *saved)
 {
     bool done = saved->fd < 0 || (saved->kind != TEXT && saved->kind != KEYBOARD);
@@ -121,8 +122,8 @@ static bool finish_one(struct saved *saved)
     return done;
 }
 
-/* A key that is down when its grab ends would repeat on the console, so a keyboard's descriptor, and with it the grab,
- * is kept until its keys are up. */
+/* Completes all operations. A key that is down when its grab ends would repeat on the console, so a keyboard's
+ * descriptor, and with it the grab, is kept until its keys are up. */
 static void finish(void)
 {
     struct pollfd fds[KEPT_MOST];
@@ -138,7 +139,7 @@ static void finish(void)
 
 /* ---- messages ---- */
 
-/* The descriptor that came with the message, or -1. */
+/* Returns the descriptor that came with the message, or -1. */
 static int descriptor_of(struct msghdr *message)
 {
     struct cmsghdr *part = CMSG_FIRSTHDR(message);
@@ -169,7 +170,7 @@ static void follow(struct saved *saved)
     (void)kept_note(saved);
 }
 
-/* False when the other end is closed. */
+/* Receives a message and handles it; false when the other end is closed. */
 static bool take_message(void)
 {
     struct saved saved;
@@ -187,7 +188,7 @@ static bool take_message(void)
 
 /* ---- signals ---- */
 
-/* The main thread, which uses the terminals: in a stop of the process or of its tracer's, such as strace. */
+/* True if the main thread, which uses the terminals, is stopped with the process or by its tracer, such as strace. */
 static bool is_main_stopped(void)
 {
     char path[32], line[64] = "";
@@ -201,7 +202,8 @@ static bool is_main_stopped(void)
     return state && strlen(state) > 2 && (state[2] == 'T' || state[2] == 't');
 }
 
-/* What the process has sent before it touched a terminal is known when that is put back. */
+/* Handles all messages that have arrived: those that the process sent before it touched a terminal must be known when
+ * that is put back. */
 static void take_all_messages(void)
 {
     struct pollfd line = {.fd = LINE, .events = POLLIN};
@@ -210,8 +212,8 @@ static void take_all_messages(void)
         ;
 }
 
-/* A shell takes the terminal's modes for its own when it sees the stop, so they are put back before, unless SIGCONT has
- * come already. If it comes meanwhile, the program is to look at its terminal once more. */
+/* Puts terminals back before the shell is notified of the stop, since it adopts the modes that it finds then; not if
+ * SIGCONT has come already. If it comes meanwhile, the program has to check its terminal once more. */
 static void on_stop(bool held)
 {
     stand_in_begin();
@@ -242,8 +244,8 @@ static void take_signals(int signals)
 
 /* ---- the process ---- */
 
-/* When memory is short, the kernel never kills root's guardian, not even with its whole cgroup; another user's gets the
- * lowest score that its user may give. */
+/* Protects the guardian while memory is short: the kernel never kills root's, not even with its whole cgroup; another
+ * user's gets the lowest score that its user may give. */
 static void stay_alive(void)
 {
     int fd = open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC);
@@ -253,8 +255,8 @@ static void stay_alive(void)
     (void)close(fd);
 }
 
-/* Takes a name of its own, so that killing tia by name spares it, and closes all files, so that nobody waits for it at
- * a pipe. It stays in its session: a user who is not root may set the mode of a VT only while that is the controlling
+/* Renames the process, so that `pkill tia` spares it, and closes all files, so that no reader of a pipe waits for it.
+ * It stays in its session: a user who is not root may set the mode of a VT only while that is the controlling
  * terminal. */
 static void go_away(int line)
 {
@@ -302,7 +304,8 @@ static void listen_until_the_end(void)
     }
 }
 
-/* The kernel puts a DRM device back when its last descriptor is closed, so ours must not outlive the dead process's. */
+/* Closes the DRM devices: the kernel puts one back when its last descriptor is closed, so ours must not outlive the
+ * dead process's. */
 static void close_cards(void)
 {
     for (int i = 0; i < KEPT_MOST; i++)

@@ -38,7 +38,7 @@ int guardian_keep_fb(const char *path, const struct fb_var_screeninfo *var)
     return keeper_keep(&saved);
 }
 
-/* A process may have several keyboards, with long names: they are known by descriptor instead. */
+/* Returns an entry known by its descriptor: a process may have several keyboards, with long names. */
 static struct saved numbered(enum kind kind, int fd)
 {
     struct saved saved = {.kind = kind, .fd = fd};
@@ -120,7 +120,7 @@ int guardian_keep_terminal(int fd, const struct termios *raw)
     return keeper_keep(&saved);
 }
 
-/* The modes from before the first change: those of now may be the raw ones still. */
+/* Sends the entry again, with the modes from before the first change: the present ones may be the raw ones still. */
 void guardian_keep_again(int fd)
 {
     struct saved saved;

@@ -33,10 +33,10 @@ int guardian_keep_card(int fd);
  * the terminal has no name. */
 int guardian_keep_text(int fd, const char *text);
 
-/* Returns how many stops have made the guardian restore terminals. Where the kernel lets it, the guardian restores the
- * terminals that a stopped process has in front before the parent is notified. Read the count before guardian_keep_...;
- * when it has changed, the terminal is as it was before. To change it again, call guardian_keep_again and
- * guardian_keep_text first, and then guardian_sync. */
+/* Returns the number of stops at which the guardian restored terminals. Where the kernel permits tracing, the guardian
+ * restores the terminals that a stopped process has in front before the parent is notified. Read the count before
+ * guardian_keep_...; when it has changed, the terminal is as it was before. To change it again, call
+ * guardian_keep_again and guardian_keep_text first, and then guardian_sync. */
 unsigned guardian_put_back(void);
 /* Sends the entry of the terminal `fd` again, with the modes from before the first change. */
 void guardian_keep_again(int fd);

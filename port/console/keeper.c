@@ -22,20 +22,20 @@
 #include "console/kept.h"
 
 #define RETRY_MS 100               /* after a fork that failed */
-#define SYNC_MS 200                /* how long a guardian may take that somebody has stopped */
-#define WATCHER_STACK (256 * 1024) /* for a thread that only waits and forks */
+#define SYNC_MS 200                /* time limit for the answer of a guardian, which may be stopped */
+#define WATCHER_STACK (256 * 1024) /* stack of a thread that only waits and forks */
 
 /* The lock protects this and the table: the watcher (guard.h), which replaces a guardian that died, uses both, too. */
 static struct {
     pthread_mutex_t lock;
     pthread_t watcher, held;
     sem_t traced;   /* the guardian has answered the watcher */
-    sem_t holding;  /* the held thread has told its number */
-    sem_t released; /* and may end */
-    pid_t holder;   /* that number */
-    int line;       /* to the guardian; -1: there is none */
+    sem_t holding;  /* the held thread has stored its number in `holder` */
+    sem_t released; /* the held thread may end */
+    pid_t holder;   /* thread number of the held thread */
+    int line;       /* socket to the guardian; -1: there is no guardian */
     pid_t process;
-    bool watched; /* there is a watcher */
+    bool watched; /* a watcher exists */
     bool ending;
 } guardian = {.lock = PTHREAD_MUTEX_INITIALIZER, .line = -1};
 
@@ -57,7 +57,7 @@ static int send_message(const struct saved *saved)
     return sendmsg(guardian.line, &message, MSG_NOSIGNAL) == (ssize_t)sizeof *saved ? 0 : -1;
 }
 
-/* A new guardian has the table from the fork, but has closed the descriptors in it. */
+/* Sends the descriptors to a new guardian: it has the table from the fork, but has closed the descriptors in it. */
 static void send_descriptors(void)
 {
     for (int i = 0; i < KEPT_MOST; i++)
@@ -67,8 +67,8 @@ static void send_descriptors(void)
 
 /* ---- the process ---- */
 
-/* No signal to our process group or session ends it: it blocks all of them from the start and, before this returns, is
- * in a group of its own, since SIGKILL cannot be blocked. */
+/* Forks the guardian. No signal to our process group or session ends it: it blocks all of them from the start and,
+ * before this returns, is in a group of its own, since SIGKILL cannot be blocked. */
 static int start_process(void)
 {
     int ends[2];
@@ -96,7 +96,7 @@ static int start_process(void)
     return 0;
 }
 
-/* It has ended, or does when its socket is closed; SIGCONT is for one that somebody has stopped. */
+/* Waits for the guardian's end: it has ended, or does when its socket is closed. SIGCONT is for a stopped one. */
 static void reap_process(void)
 {
     if (guardian.line < 0)
@@ -115,7 +115,8 @@ static pid_t own_number(void)
     return (pid_t)syscall(SYS_gettid);
 }
 
-/* Asks the guardian to trace this thread and the one to be held. Where the kernel has Yama, we have to allow it. */
+/* Asks the guardian to trace this thread and the one to be held. Where the kernel has Yama, this process must permit
+ * it. */
 static void be_traced(void)
 {
     const struct saved saved = {
@@ -166,7 +167,7 @@ static void *be_held(void *arg)
     return NULL;
 }
 
-/* guardian.holder is 0 if there is no such thread. */
+/* Starts the held thread; guardian.holder is 0 if that fails. */
 static void start_held(const pthread_attr_t *small)
 {
     guardian.holder = 0;
@@ -177,7 +178,8 @@ static void start_held(const pthread_attr_t *small)
             ;
 }
 
-/* All signals are blocked in both: they are for the other threads, and a traced thread would stop at each. */
+/* Starts both threads with all signals blocked: these are for the other threads, and a traced thread would stop at
+ * each. */
 static void start_threads(void)
 {
     pthread_attr_t small;

@@ -5,13 +5,13 @@
 
 #include "kept.h"
 
-/* 0, or -1: see guardian.h. */
+/* Sends a state to the guardian; 0, or -1: see guardian.h. */
 int keeper_keep(const struct saved *saved);
-/* Also ends the guardian when nothing is left to put back. */
+/* Removes a state; ends the guardian when no state is left to put back. */
 void keeper_forget(struct saved *saved);
-/* Sends the table's entry for the same terminal once more, if there is one. */
+/* Sends the table's entry for the same terminal again, if there is one. */
 void keeper_again(const struct saved *like);
-/* See guardian_sync. */
+/* Waits for the guardian, see guardian_sync. */
 void keeper_sync(void);
 
 #endif

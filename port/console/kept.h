@@ -20,7 +20,7 @@ struct saved {
     bool forget;   /* in a message: remove it from the table */
     bool put_back; /* TERMINAL, TEXT: restored at a stop */
     char path[64];
-    struct timespec made; /* TERMINAL, TEXT: the node's ctime; a later terminal of the same name has another */
+    struct timespec made; /* TERMINAL, TEXT: the node's ctime, which distinguishes a later terminal of the same name */
     int fd;               /* VT, KEYBOARD, CARD: this process's descriptor for it, else -1 */
     union {
         struct {
@@ -39,11 +39,11 @@ struct saved {
     } was;
 };
 
-/* Enough for a display, its console, and as many keyboards as evdev.c takes. */
+/* Enough for a display, its console, and as many keyboards as evdev.c opens. */
 #define KEPT_MOST 40
 extern struct saved kept[KEPT_MOST];
 
-/* The table's entry for the same console, terminal or device, or NULL. */
+/* Returns the table's entry for the same console, terminal or device, or NULL. */
 struct saved *kept_find(const struct saved *like);
 /* True if the table has an entry of this kind. */
 bool kept_any(enum kind kind);
@@ -55,15 +55,15 @@ bool kept_nothing(void);
 void kept_share(void);
 /* Returns the number of the guardian in charge. */
 unsigned kept_guardian(void);
-/* Makes the guardian after `before` the one in charge; false if another process has done so. */
+/* Puts the guardian after `before` in charge; false if another process has done so. */
 bool kept_take_over(unsigned before);
-/* Notes that the guardian in charge has left nothing to do. */
+/* Notes that the guardian in charge has completed its work. */
 void kept_finish(void);
-/* True if that guardian has left nothing to do. */
+/* True if that guardian has completed its work. */
 bool kept_is_finished(unsigned guardian);
 /* Counts a stop at which terminals were restored. */
 void kept_count_put_back(void);
-/* Returns that count. */
+/* Returns the number of stops at which terminals were restored. */
 unsigned kept_put_back(void);
 /* Answers a SYNC message. */
 void kept_answer(void);
@@ -72,7 +72,7 @@ void kept_forget_answers(void);
 /* Waits for the answer, timeout_ms at most. */
 void kept_await_answer(int timeout_ms);
 
-/* Applies a message. 0, or -1: the table is full, or has no such entry to remove. */
+/* Applies a message; returns 0, or -1 when the table is full or has no such entry to remove. */
 int kept_note(const struct saved *message);
 
 #endif

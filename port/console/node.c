@@ -18,7 +18,7 @@ const char *node_error(int error, char text[PORT_WHY])
     return text;
 }
 
-/* How to get the right to open the node: join its group, if the group may read it. */
+/* Writes the remedy for a missing right to open the node: join its group, if the group may read it. */
 static void fix(const char *path, char text[64])
 {
     char buffer[1024];
@@ -64,7 +64,7 @@ int node_each(const char *prefix, int limit, bool (*visit)(void *arg, const char
     return visited;
 }
 
-/* Does the process hold the device open? */
+/* True if the process holds the device open. */
 static bool holds(long pid, dev_t device)
 {
     char path[64];

@@ -4,14 +4,15 @@
 
 #include "device.h"
 
-/* A descriptor (closed on exec), or -1 and `why`: "/dev/fb0: permission denied (join group 'video')". */
+/* Opens a node; returns a descriptor (closed on exec), or -1 and `why`: "/dev/fb0: permission denied (join group
+ * 'video')". */
 int node_open(const char *path, int flags, char why[PORT_WHY]);
 
-/* Visits those of PREFIX0, PREFIX1, ... below PREFIX<limit> that exist, until a visit returns true.
- * Returns how many were visited. */
+/* Visits those of PREFIX0, PREFIX1, ... below PREFIX<limit> that exist, until a visit returns true. Returns the number
+ * of nodes visited. */
 int node_each(const char *prefix, int limit, bool (*visit)(void *arg, const char *path), void *arg);
 
-/* strerror with a lower-case first letter, as in our error messages: "no such device". */
+/* Returns strerror with a lower-case first letter, as in our error messages: "no such device". */
 const char *node_error(int error, char text[PORT_WHY]);
 
 /* Another process that has the node open: "Xorg (pid 812)", or "another program" when it belongs to

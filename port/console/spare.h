@@ -5,10 +5,10 @@
 #ifndef PORT_CONSOLE_SPARE_H
 #define PORT_CONSOLE_SPARE_H
 
-/* Forks it. `process` is the guarded process's pidfd; `put_back` puts back what the table has. */
+/* Forks the second guardian. `process` is the guarded process's pidfd; `put_back` restores the table's states. */
 void spare_start(int process, void (*put_back)(void));
 
-/* The table has changed. */
+/* Copies the table after it has changed. */
 void spare_follow(void);
 
 #endif

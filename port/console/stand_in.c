@@ -11,7 +11,7 @@
 #include "kept.h"
 #include "vt_mark.h"
 
-/* As in drm.h, without libdrm's headers. */
+/* Requests as in drm.h, without libdrm's headers. */
 #define DRM_SET_MASTER _IO('d', 0x1e)
 #define DRM_DROP_MASTER _IO('d', 0x1f)
 
@@ -28,7 +28,7 @@ static void own_consoles(char mark)
             (void)ioctl(kept[i].fd, VT_SETMODE, &mode);
 }
 
-/* Makes the request to all of this kind; true if one of them accepted it. */
+/* Makes the request to all entries of this kind; true if one of them accepted it. */
 static bool ioctl_all(enum kind kind, unsigned long request, long value)
 {
     bool done = false;
@@ -39,13 +39,13 @@ static bool ioctl_all(enum kind kind, unsigned long request, long value)
     return done;
 }
 
-/* The other console gets the screen and the keyboards; the screen first, as the kernel draws that console's text when
+/* Gives the other console the screen and the keyboards; the screen first, as the kernel draws that console's text when
  * this one is released. */
 void stand_in_leave(void)
 {
     bool was_master = ioctl_all(CARD, DRM_DROP_MASTER, 0);
 
-    if (!ioctl_all(VT, VT_RELDISP, 1)) { /* nobody had asked */
+    if (!ioctl_all(VT, VT_RELDISP, 1)) { /* there was no request */
         if (was_master)
             (void)ioctl_all(CARD, DRM_SET_MASTER, 0);
         return;
@@ -66,7 +66,7 @@ static bool is_down(const unsigned char *down, unsigned code)
     return (down[code / 8] >> code % 8 & 1) != 0;
 }
 
-/* Adds the keys that are down on a keyboard. Opens it anew: asking through the descriptor shared with the stopped
+/* Adds the keys that are down on a keyboard. Opens it anew: a query through the descriptor shared with the stopped
  * process would remove events from its queue. */
 static void add_down(int fd, unsigned char down[KEY_CNT / 8])
 {
@@ -104,7 +104,7 @@ int stand_in_keys(void)
     return keys;
 }
 
-/* Edge-triggered, as nobody reads the events before the process continues. */
+/* Watches the keyboards, edge-triggered, since their events stay unread until the process continues. */
 static void watch_keys(void)
 {
     struct epoll_event event = {.events = EPOLLIN | EPOLLET};
@@ -117,7 +117,7 @@ static void watch_keys(void)
 
 /* ---- the process ---- */
 
-/* stand_in_leave, as the kernel may have asked for the console just before the stop. */
+/* Begins to answer; calls stand_in_leave, as the kernel may have requested the console just before the stop. */
 void stand_in_begin(void)
 {
     stand_in_end();

@@ -5,15 +5,15 @@
 #ifndef PORT_CONSOLE_STAND_IN_H
 #define PORT_CONSOLE_STAND_IN_H
 
-/* The guarded process has stopped, or continues. */
+/* Begin when the guarded process has stopped, and end when it continues. */
 void stand_in_begin(void);
 void stand_in_end(void);
 
-/* The kernel's signals: it asks for the console, or the VT is in front again. */
+/* Answer the kernel's signals: it requests the console, or the VT is in front again. */
 void stand_in_leave(void);
 void stand_in_enter(void);
 
-/* A descriptor, readable when a key was pressed or released; -1 unless the process is stopped. */
+/* Returns a descriptor that is readable when a key was pressed or released; -1 unless the process is stopped. */
 int stand_in_keys(void);
 /* Switches consoles if Ctrl-Alt-Fn is down. */
 void stand_in_look(void);

@@ -6,7 +6,7 @@
 #include <sys/wait.h>
 
 static pid_t reporter, holder; /* 0: not traced */
-static bool listens;           /* the holder has to return from a stop of the process */
+static bool listens;           /* the holder is in a stop of the process, whose end it will report */
 
 /* Reasons for which a thread stops. */
 enum cause { NOTHING_NEW, STOP, CONTINUED, SIGNAL };
@@ -46,7 +46,7 @@ static enum cause cause_of(pid_t thread, uintptr_t *number)
     return *number == SIGTRAP ? CONTINUED : STOP;
 }
 
-/* Lets a thread run on with a signal: SIGSTOP, which no thread can block, may come to any thread of a process. */
+/* Lets a thread continue with a signal: SIGSTOP, which no thread can block, may come to any thread of a process. */
 static void deliver(pid_t thread, uintptr_t number)
 {
     (void)ptrace(PTRACE_CONT, thread, NULL, (void *)number);
@@ -93,7 +93,7 @@ void traced_follow(void (*stops)(bool held), void (*goes_on)(void))
     follow_holder();
 }
 
-/* Waits; entering the next stop instead ends the wait, too. */
+/* Waits until the held thread is in its stop again; the process's next stop ends the wait, too. */
 void traced_settle(void)
 {
     siginfo_t what;

@@ -8,17 +8,17 @@
 #include <stdbool.h>
 #include <sys/types.h>
 
-/* Where tracing is forbidden, or another process traces them, nothing is reported. */
+/* Begins tracing both threads. Where tracing is forbidden, or another process traces them, nothing is reported. */
 void traced_begin(pid_t reports, pid_t holds);
 
-/* On SIGCHLD. `stops(held)`: the process stops, and its parent does not know yet if `held`; goes_on: it continues. A
- * thread's death is not taken notice of: see traced_end. */
+/* Reports stops, on SIGCHLD. `stops(held)`: the process stops, and if `held`, its parent is not yet notified; goes_on:
+ * it continues. Deaths of threads are left to traced_end. */
 void traced_follow(void (*stops)(bool held), void (*goes_on)(void));
 
-/* The process runs again after a stop: waits until the thread that is held is so. */
+/* Waits, after the process was continued, until the held thread is in a stop of its own again. */
 void traced_settle(void);
 
-/* When the process has died: waits for the two threads, and with that allows its parent to see the death. */
+/* Waits for the two threads once the process has died, and thereby lets its parent be notified of the death. */
 void traced_end(void);
 
 #endif

@@ -131,8 +131,8 @@ static int read_modes(struct vt *vt)
     return ioctl(vt->fd, KDGETMODE, &vt->kd_mode) != 0 || ioctl(vt->fd, VT_GETMODE, &vt->mode) != 0 ? -1 : 0;
 }
 
-/* We and our guardian lock the node while we have the console. A mark without a lock is left by a process that was
- * killed together with its guardian: then the console is put back here. */
+/* Locks the node: this process and its guardian hold the lock while they have the console. A mark without a lock is
+ * left by a process that was killed together with its guardian: then the console is put back here. */
 static int lock(struct vt *vt)
 {
     struct vt_mode plain = {.mode = VT_AUTO};

@@ -7,7 +7,7 @@
 
 #include "card.h"
 
-/* In the order to try. DRM's format codes mean little-endian pixels. */
+/* Formats in the order of trial. DRM's format codes mean little-endian pixels. */
 static const struct {
     struct card_format format;
     bool always;
@@ -53,7 +53,7 @@ static bool is_primary(int fd, uint32_t plane)
     return primary;
 }
 
-/* The primary plane that the CRTC can use; NULL when the driver lists none. */
+/* Returns the primary plane that the CRTC can use; NULL when the driver lists none. */
 static drmModePlane *primary_plane(const struct card *card, uint32_t crtc)
 {
     drmModePlaneRes *planes = drmModeGetPlaneResources(card->fd);
@@ -138,7 +138,7 @@ int card_buffer_create(const struct card *card, struct card_buffer *buffer, unsi
     return -1;
 }
 
-/* Unmaps first: a buffer that is still mapped when its file is closed stays on the CRTC. */
+/* Unmaps the buffer before it is destroyed: one that is still mapped when its file is closed stays on the CRTC. */
 void card_buffer_destroy(const struct card *card, struct card_buffer *buffer)
 {
     struct drm_mode_destroy_dumb dumb = {.handle = buffer->handle};

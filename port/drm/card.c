@@ -17,7 +17,8 @@ int card_failed(const struct card *card, const char *what, char why[PORT_WHY])
     return TIA_ERR_DEVICE;
 }
 
-/* Connectors come and go (DisplayPort hubs), so any of those listed may be gone by now. */
+/* Reads the connectors and encoders. Connectors come and go (DisplayPort hubs), so any of those listed may be gone by
+ * now. */
 static int read_parts(struct drm_parts *p, int fd)
 {
     p->resources = drmModeGetResources(fd);

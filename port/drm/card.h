@@ -29,11 +29,11 @@ struct card_format {
     const struct pixel_format *pixel;
 };
 
-/* The formats to try on a CRTC, best first, by n = 0, 1, ...; false after the last. RGB565 and XRGB8888 are tried in
- * any case, since some drivers list too few formats; others only if the primary plane lists them. With `listed`, only
+/* Gives format n = 0, 1, ... to try on a CRTC, best first; false after the last. RGB565 and XRGB8888 are tried in any
+ * case, since some drivers list too few formats; others only if the primary plane lists them. With `listed`, only
  * formats that the plane lists. */
 bool card_format(const struct card *card, uint32_t crtc, int n, bool listed, struct card_format *format);
-/* The same, given the plane's formats. */
+/* Gives the format as card_format does, from the plane's formats. */
 bool card_format_of(const uint32_t *plane, size_t count, int n, bool listed, struct card_format *format);
 
 /* A dumb buffer: the screen can show it, and the CPU writes to it. */
@@ -43,7 +43,7 @@ struct card_buffer {
     uint8_t *map; /* NULL: no buffer */
 };
 
-/* 0, or -1 with errno and the failed step in `what`; then nothing is left behind. */
+/* Creates a buffer; returns 0, or -1 with errno and the failed step in `what`; then nothing is left behind. */
 int card_buffer_create(const struct card *card, struct card_buffer *buffer, unsigned width, unsigned height,
                        const struct card_format *format, const char **what);
 void card_buffer_destroy(const struct card *card, struct card_buffer *buffer);

@@ -15,9 +15,9 @@ struct drm {
     struct port_wish wish;
     struct card card;
     struct scanout scanout;
-    const drmModeConnector *connector; /* of the card's */
-    bool direct;                       /* draw straight into the buffers */
-    struct canvas canvas;              /* otherwise draw here, then expand */
+    const drmModeConnector *connector; /* one of the card's connectors */
+    bool direct;                       /* frames are drawn straight into the buffers */
+    struct canvas canvas;              /* otherwise frames are drawn here, then expanded */
     struct expander expander;
     char format[PIXEL_NAME];
     struct console_listener listener;
@@ -80,7 +80,7 @@ static bool open_card(struct drm *d, const char *path, char why[PORT_WHY])
     return false;
 }
 
-/* Keeps the reason of the first card that fails. */
+/* Tries a card; keeps the reason of the first one that fails. */
 static bool try_card(void *arg, const char *path)
 {
     struct drm *d = arg;
@@ -103,7 +103,7 @@ static int find_card(struct drm *d)
     return d->card.fd >= 0 ? TIA_OK : TIA_ERR_DEVICE;
 }
 
-/* DRM's formats are little-endian on every processor. */
+/* Prepares drawing into the buffers or the canvas. DRM's formats are little-endian on every processor. */
 static int prepare_drawing(struct drm *d)
 {
     const uint16_t one = 1;
@@ -157,7 +157,7 @@ static int drm_open(void *ctx, struct tia_mode *mode)
 
 /* ---- a frame ---- */
 
-/* Whether the screen is still plugged in. Reads the kernel's last known state, since probing takes long. */
+/* Checks that the screen is still plugged in. Reads the kernel's last known state, since probing takes long. */
 static int check_connector(struct drm *d)
 {
     drmModeConnector *c = drmModeGetConnectorCurrent(d->card.fd, d->scanout.connector);

@@ -103,7 +103,7 @@ static const drmModeModeInfo *preferred(const drmModeConnector *c)
     return c->count_modes > 0 ? &c->modes[0] : NULL;
 }
 
-/* "WxH" or "WxH@R", and nothing else. */
+/* True if the mode matches "WxH" or "WxH@R"; false for any other wish. */
 static bool matches(const drmModeModeInfo *mode, const char *wish)
 {
     char full[PICK_NAME];

@@ -16,22 +16,22 @@ struct drm_parts {
 /* "HDMI-A-1", like the kernel's name. */
 #define PICK_NAME 32
 const char *pick_name(const drmModeConnector *connector, char name[PICK_NAME]);
-/* "1024x768@60". */
+/* Writes the mode's name, "1024x768@60". */
 const char *pick_mode_name(const drmModeModeInfo *mode, char name[PICK_NAME]);
 
-/* A connector that is connected and has modes: the one called `wish`; if wish is NULL, one that is lit, or else the
- * first. NULL, with the reason in `why`, if there is none. */
+/* Returns a connector that is connected and has modes: the one called `wish`; if wish is NULL, one that is lit, or else
+ * the first. NULL, with the reason in `why`, if there is none. */
 const drmModeConnector *pick_connector(const struct drm_parts *parts, const char *wish, char why[PORT_WHY]);
 
-/* The modes to try, best first, by n = 0, 1, ...; NULL after the last. `wish` is NULL for the preferred mode, then all
- * others in the driver's order; "preferred" for only that one; "WxH" or "WxH@R" for the modes of that size (and
- * refresh rate). */
+/* Returns mode n = 0, 1, ... of those to try, best first; NULL after the last. `wish` is NULL for the preferred mode,
+ * then all others in the driver's order; "preferred" for only that one; "WxH" or "WxH@R" for the modes of that size
+ * (and refresh rate). */
 const drmModeModeInfo *pick_mode(const drmModeConnector *connector, const char *wish, int n);
 
-/* The CRTC of the connector's present encoder, or else the first possible one that drives no other connector; 0: none.
- */
+/* Returns the CRTC of the connector's present encoder, or else the first possible one that drives no other connector;
+ * 0: none. */
 uint32_t pick_crtc(const struct drm_parts *parts, const drmModeConnector *connector);
-/* The CRTC that drives the connector now, or 0. */
+/* Returns the CRTC that drives the connector now, or 0. */
 uint32_t pick_current_crtc(const struct drm_parts *parts, const drmModeConnector *connector);
 
 #endif

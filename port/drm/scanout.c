@@ -71,7 +71,7 @@ static int try(struct scanout *s, const char **what)
     return -1;
 }
 
-/* An error that no other mode or format can avoid. */
+/* True for an error that no other mode or format can avoid. */
 static bool hopeless(int error)
 {
     return error == ENODEV || error == EACCES || error == EPERM || error == ENOMEM;
@@ -163,7 +163,8 @@ void scanout_settle(struct scanout *scanout)
         }
 }
 
-/* Retries on EBUSY: the driver is still busy with the frame before, which may not even be ours. */
+/* Flips to a buffer. Retries on EBUSY: the driver is still busy with the frame before, which may be another
+ * program's. */
 static int flip(struct scanout *s, int buffer)
 {
     for (int ms = 0;; ms++) {

@@ -4,7 +4,7 @@
 
 #include "card.h"
 
-#define SCANOUT_CONNECTORS 8 /* that a CRTC can drive at once */
+#define SCANOUT_CONNECTORS 8 /* connectors that a CRTC can drive at once */
 
 struct scanout {
     const struct card *card; /* NULL: no mode set */
@@ -23,7 +23,7 @@ struct scanout {
 /* Shows black on the connector, in the first mode and format that the driver accepts. Needs to be the card's master. */
 int scanout_light(struct scanout *scanout, const struct card *card, const drmModeConnector *connector,
                   const char *mode_wish, char why[PORT_WHY]);
-/* The back buffer. */
+/* Returns the back buffer. */
 const struct card_buffer *scanout_hidden(const struct scanout *scanout);
 /* Shows the back buffer and waits until it is on screen. */
 int scanout_swap(struct scanout *scanout, char why[PORT_WHY]);

@@ -20,8 +20,8 @@
 #define KEYBOARDS 32
 #define DESCRIPTORS (KEYBOARDS + POINTERS + 1)
 
-/* How long close waits for a held key, usually the one that quits, to be released: a keyboard that repeats by itself
- * (PS/2) would type it into the shell. Nobody holds a key this long by accident. */
+/* Time limit for the release of a held key, usually the one that quits, before close returns: a keyboard that repeats
+ * by itself (PS/2) would type it into the shell. Nobody holds a key this long by accident. */
 #define RELEASE_MS 1000
 
 struct evdev {
@@ -33,8 +33,8 @@ struct evdev {
     struct keyboard keyboards[KEYBOARDS];
     unsigned count;
     struct pointers pointers;
-    char failure[PORT_WHY]; /* of the first node that should have worked and did not, or of the directory */
-    bool no_memory;         /* to look into the directory */
+    char failure[PORT_WHY]; /* failure of the first node that should have worked, or of the directory */
+    bool no_memory;         /* memory was too short to read the directory */
 };
 
 /* ---- keyboards that come and go ---- */
@@ -47,7 +47,8 @@ static bool is_used(const struct evdev *evdev, const char *path)
     return false;
 }
 
-/* udev creates a node before it gives us the right to open it, so changes of mode are watched, too. */
+/* Opens a node as a keyboard or a pointer. udev creates a node before it gives us the right to open it, so changes of
+ * mode are watched, too. */
 static void try_node(struct evdev *evdev, const char *path)
 {
     struct keyboard *keyboard = &evdev->keyboards[evdev->count];
@@ -68,7 +69,7 @@ static void try_node(struct evdev *evdev, const char *path)
     }
 }
 
-/* Without the directory the machine has no keyboard; any other failure to open it is reported. */
+/* Opens the directory. Without it the machine has no keyboard; any other failure to open it is reported. */
 static DIR *open_directory(struct evdev *evdev)
 {
     DIR *directory = opendir(DIRECTORY);
@@ -214,7 +215,8 @@ static int evdev_open(void *ctx)
     return evdev->no_memory ? TIA_ERR_MEMORY : TIA_ERR_DEVICE;
 }
 
-/* A key held on two keyboards is released when it is up on both. */
+/* True if a keyboard still reports the key as pressed: a key held on two keyboards is released when it is up on
+ * both. */
 static bool is_reported(const struct evdev *evdev, unsigned code)
 {
     for (unsigned i = 0; i < evdev->count; i++)
@@ -244,7 +246,7 @@ static bool report(const struct evdev *evdev, const struct key_change *change, u
     return true;
 }
 
-/* Events that are still to be reported after an unplug, a switch or an overflow. */
+/* Gives an event that is still to be reported after an unplug, a switch or an overflow. */
 static bool settle(struct evdev *evdev, struct tia_event *event)
 {
     struct key_change change;
@@ -272,7 +274,8 @@ static struct keyboard *oldest_event(struct evdev *evdev)
     return oldest && keyboard_next_us(oldest) != UINT64_MAX ? oldest : NULL;
 }
 
-/* Ctrl-Alt-Fn switches the console: the kernel's console does not see a grabbed keyboard. */
+/* Takes a keyboard's next event. Ctrl-Alt-Fn switches the console here: the kernel's console does not get the events of
+ * a grabbed keyboard. */
 static bool take(struct evdev *evdev, struct keyboard *keyboard, struct tia_event *event)
 {
     struct key_modifiers held = modifiers(evdev);
@@ -295,13 +298,13 @@ static int evdev_poll(void *ctx, struct tia_event *event)
     struct evdev *evdev = ctx;
     struct keyboard *keyboard;
 
-    /* First let the console switch: keys typed elsewhere while this process was stopped are not ours. */
+    /* console switches come first: keys typed elsewhere while this process was stopped are not ours */
     if (console_state() != CONSOLE_FREE && console_wait(NULL, 0, 0) < 0)
         return TIA_ERR_DEVICE;
     watch_nodes(evdev);
     while (!settle(evdev, event)) {
         if (console_state() == CONSOLE_AWAY) {
-            discard(evdev); /* and read nothing more: a key that comes now is not ours either */
+            discard(evdev); /* and no events are read: keys that come now are not ours either */
             return 0;
         }
         keyboard = oldest_event(evdev);

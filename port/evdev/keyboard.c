@@ -27,7 +27,7 @@ static int failed(const char *path, int error, char why[PORT_WHY])
     return TIA_ERR_DEVICE;
 }
 
-/* Checks that it is a keyboard which nobody else has grabbed, and sets its clock to CLOCK_MONOTONIC. */
+/* Checks that the device is a keyboard which no other program has grabbed, and sets its clock to CLOCK_MONOTONIC. */
 static int examine(const struct keyboard *keyboard, char why[PORT_WHY])
 {
     int fd = keyboard->fd, clock = CLOCK_MONOTONIC;
@@ -42,8 +42,9 @@ static int examine(const struct keyboard *keyboard, char why[PORT_WHY])
     return TIA_OK;
 }
 
-/* The kernel queues 64 events while the program is busy drawing. Scan codes (EV_MSC) would take a third of that, a
- * keyboard's touchpad far more, so only keys are let through. Kernels before 4.4 have no masks. */
+/* Restricts the events to keys. The kernel queues 64 events while the program is busy drawing. Scan codes (EV_MSC)
+ * would take a third of that, a keyboard's touchpad far more, so only keys are let through. Kernels before 4.4 have no
+ * masks. */
 static void want_keys_only(const struct keyboard *keyboard)
 {
     const unsigned long types = 1ul << EV_KEY;
@@ -79,7 +80,7 @@ void keyboard_close(struct keyboard *keyboard)
     keyboard->fd = -1;
 }
 
-/* Which keys of a set: all, the modifiers, or the others. */
+/* Selects keys of a set: all, the modifiers, or the others. */
 enum which { ALL, MODIFIERS, OTHERS };
 
 static bool is_meant(enum which which, unsigned code)
@@ -112,7 +113,8 @@ static bool is_subset(const struct key_set *part, const struct key_set *whole)
     return true;
 }
 
-/* EVIOCGKEY also removes all key events from the queue, including those that we wrote. */
+/* Begins with the keys that are down. EVIOCGKEY also removes all key events from the queue, including those that we
+ * wrote. */
 static void begin(struct keyboard *keyboard)
 {
     struct key_set down;
@@ -123,7 +125,8 @@ static void begin(struct keyboard *keyboard)
     key_state_begin(&keyboard->state, &down);
 }
 
-/* False when a key went down between the two steps: the console saw the press and would miss the release. */
+/* Grabs the keyboard; false when a key went down between the two steps: the console got the press and would miss the
+ * release. */
 static bool try_grab(struct keyboard *keyboard)
 {
     struct key_set before, after;
@@ -139,7 +142,7 @@ static bool try_grab(struct keyboard *keyboard)
     return !get_pressed(keyboard, &after) || is_subset(&after, &before);
 }
 
-/* Nobody types fast enough to spoil three tries. */
+/* Three tries suffice: typing is not fast enough to spoil all of them. */
 void keyboard_grab(struct keyboard *keyboard)
 {
     if (keyboard->grabbed || keyboard->unplugged)
@@ -149,8 +152,8 @@ void keyboard_grab(struct keyboard *keyboard)
     begin(keyboard);
 }
 
-/* Forwards the state of the modifiers to the console, so that Ctrl-Alt-F2, then F1, works with Ctrl and Alt held. Other
- * keys, such as F2, are not forwarded: the console would take them as typed. */
+/* Releases the grab and forwards the state of the modifiers to the console, so that Ctrl-Alt-F2, then F1, works with
+ * Ctrl and Alt held. Other keys, such as F2, are not forwarded: the console would take them as typed. */
 void keyboard_release(struct keyboard *keyboard)
 {
     struct key_set down;
@@ -210,8 +213,8 @@ uint64_t keyboard_next_us(const struct keyboard *keyboard)
     return (uint64_t)e->input_event_sec * 1000000u + (uint64_t)e->input_event_usec;
 }
 
-/* SYN_DROPPED (Documentation/input/event-codes.rst): ignore events up to SYN_REPORT, then ask for the
- * state. Later events still count: one that repeats the state changes nothing. */
+/* Handles SYN_DROPPED (Documentation/input/event-codes.rst): ignores events up to SYN_REPORT, then queries the state.
+ * Later events still count: one that repeats the state changes nothing. */
 static void synchronise(struct keyboard *keyboard, const struct input_event *e)
 {
     struct key_set down;

@@ -20,7 +20,7 @@ struct keyboard {
     bool dropped; /* the kernel lost events: ignore the rest up to SYN_REPORT */
     struct key_state state;
     struct input_event events[KEYBOARD_EVENTS];
-    size_t next, count; /* read and not yet taken: [next, count) */
+    size_t next, count; /* unread part of the events: [next, count) */
 };
 
 /* Opens a keyboard. TIA_ERR_UNSUPPORTED when the node is not a keyboard, TIA_ERR_DEVICE when it cannot be used (another
@@ -44,7 +44,7 @@ void keyboard_read(struct keyboard *keyboard);
 /* Returns the time of the next event in microseconds; UINT64_MAX: there is none. */
 uint64_t keyboard_next_us(const struct keyboard *keyboard);
 
-/* Takes the next event; true if it is a change to report, false if it is not, or there is no event. */
+/* Takes the next event; true if it is a change to report, false if it is not, or if there is no event. */
 bool keyboard_take(struct keyboard *keyboard, struct key_modifiers modifiers, struct key_change *change);
 
 /* Discards keys that were typed for another program. */

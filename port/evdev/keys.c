@@ -20,7 +20,7 @@ void key_set_remove(struct key_set *set, unsigned code)
         set->words[code / KEY_WORD_BITS] &= ~(1ul << code % KEY_WORD_BITS);
 }
 
-/* Letters and digits, by position on a US keyboard. The codes of a row follow one another. */
+/* Returns the character of a letter or digit, by position on a US keyboard. The codes of a row follow one another. */
 static uint16_t character_at(unsigned code)
 {
     static const struct {
@@ -74,8 +74,8 @@ bool key_is_modifier(unsigned code)
     return false;
 }
 
-/* The other keys of PC keyboards, Asian ones too. Between these ranges are locks, media keys, buttons, and keys that
- * only announce something (power, lid, rfkill). */
+/* True for the other keys of PC keyboards, Asian ones too. Between these ranges are locks, media keys, buttons, and
+ * keys that only announce an event (power, lid, rfkill). */
 static bool is_typing_key(unsigned code)
 {
     static const unsigned ranges[][2] = {
@@ -152,7 +152,7 @@ static bool released(struct key_state *state, unsigned code, struct key_change *
     return reported;
 }
 
-/* Value 2 is the kernel's repeat. */
+/* Updates the state by an event; value 2 is the kernel's repeat. */
 bool key_state_take(struct key_state *state, unsigned code, int value, struct key_modifiers modifiers,
                     struct key_change *change)
 {
@@ -177,7 +177,7 @@ void key_state_lost(struct key_state *state, const struct key_set *down)
     state->held = *down;
 }
 
-/* Removes a code from the set; KEY_CNT: it is empty. */
+/* Removes a code from the set and returns it; KEY_CNT when the set is empty. */
 static unsigned take_one(struct key_set *set)
 {
     for (unsigned code = 0; code < KEY_CNT; code++)

@@ -23,53 +23,53 @@ bool key_set_has(const struct key_set *set, unsigned code);
 void key_set_add(struct key_set *set, unsigned code);
 void key_set_remove(struct key_set *set, unsigned code);
 
-/* The key at this position (tia/port.h), or 0: a modifier, a lock, a button, a media key. */
+/* Returns the key at this position (tia/port.h), or 0: a modifier, a lock, a button, a media key. */
 uint16_t key_at(unsigned code);
 
-/* Ctrl, Shift, Alt and Meta, left and right. */
+/* True for Ctrl, Shift, Alt and Meta, left and right. */
 bool key_is_modifier(unsigned code);
 
-/* The number of the console that Ctrl-Alt and this key switch to, 1..12, or 0. */
+/* Returns the number of the console that Ctrl-Alt and this key switch to, 1..12, or 0. */
 unsigned key_console(unsigned code);
 
-/* Does a device with these codes type? It has a letter or the space bar. */
+/* True if a device with these codes is for typing: it has a letter or the space bar. */
 bool key_set_types(const struct key_set *set);
 
 /* The keys of one keyboard. All zero at first. */
 struct key_state {
-    struct key_set held;     /* down, as far as the keyboard has said */
-    struct key_set reported; /* those of them whose press was reported */
-    bool interrupt;          /* KEY_C was reported as Ctrl-C */
-    struct key_set ending;   /* those of `reported` whose release is still to be reported */
-    struct key_set missing;  /* down, and a press is still to be reported */
+    struct key_set held;     /* keys that are down according to the keyboard */
+    struct key_set reported; /* keys of `held` whose press was reported */
+    bool interrupt;          /* C was reported as Ctrl-C */
+    struct key_set ending;   /* keys of `reported` whose release is still to be reported */
+    struct key_set missing;  /* keys that are down and whose press is still to be reported */
 };
 
 struct key_change {
-    bool press; /* else a release */
+    bool press; /* false: a release */
     uint16_t code, key;
 };
 
-/* Which modifiers are down, on any keyboard. */
+/* Modifiers that are down on any keyboard. */
 struct key_modifiers {
     bool ctrl, alt, shift;
 };
 
-/* Adds those of this keyboard. */
+/* Adds the modifiers of this keyboard. */
 void key_state_modifiers(const struct key_state *state, struct key_modifiers *modifiers);
 
-/* Takes an EV_KEY event. True: it is a change to report; false: it is none. */
+/* Processes an EV_KEY event; true if it is a change to report. */
 bool key_state_take(struct key_state *state, unsigned code, int value, struct key_modifiers modifiers,
                     struct key_change *change);
 
-/* These keys are down now, and neither their presses nor their releases are meant for us. Releases follow of all keys
- * that were reported as pressed. */
+/* Begins with these keys down; neither their presses nor their releases are meant for us. The release of each key that
+ * was reported as pressed follows. */
 void key_state_begin(struct key_state *state, const struct key_set *down);
 
-/* Events were lost, and these keys are down now. */
+/* Corrects the state after events were lost: these keys are down now. */
 void key_state_lost(struct key_state *state, const struct key_set *down);
 
-/* Call it after those two until it returns false, before taking more events. It reports what is missing, releases
- * first. */
+/* Reports the changes that are left after those two, releases first. Call it until it returns false, before processing
+ * more events. */
 bool key_state_settle(struct key_state *state, struct key_modifiers modifiers, struct key_change *change);
 
 #endif

@@ -37,14 +37,15 @@ static void take_absolute(struct pointer *pointer, const struct input_event *inp
     }
 }
 
-/* A drag begins at a place, which the kernel does not repeat for a pointer that has not moved. */
+/* Processes a button. A drag begins with a position, which the kernel does not repeat for a pointer that has not
+ * moved. */
 static void take_button(struct pointer *pointer, bool drag)
 {
     pointer->moved = pointer->moved || (pointer->absolute && drag != pointer->drag);
     pointer->drag = drag;
 }
 
-/* An axis without a range has the pointer in its middle. */
+/* Returns the position on an axis; the middle for an axis without a range. */
 static int32_t part_of_axis(const struct pointer *pointer, int axis)
 {
     int64_t low = pointer->low[axis], high = pointer->high[axis];
@@ -110,7 +111,7 @@ static void get_range(struct pointer *pointer, int axis)
     pointer->at[axis] = info.value;
 }
 
-/* Joysticks have axes, too, but not these buttons. */
+/* Checks that the device is a pointer; joysticks have axes, too, but not these buttons. */
 static bool examine(struct pointer *pointer)
 {
     int fd = pointer->fd, clock = CLOCK_MONOTONIC;
@@ -147,7 +148,7 @@ void pointers_try(struct pointers *pointers, const char *path)
         (void)close(pointer->fd);
 }
 
-/* False when it is unplugged. */
+/* Reads the pending events; false when the pointer is unplugged. */
 static bool read_events(struct pointer *pointer)
 {
     ssize_t n = read(pointer->fd, pointer->events, sizeof pointer->events);

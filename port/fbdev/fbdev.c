@@ -15,13 +15,13 @@
 #define DEVICES 32 /* FB_MAX of the kernel */
 
 struct fbdev {
-    const char *device; /* the one asked for, or NULL */
+    const char *device; /* the requested device, or NULL */
     char *why;
     struct fb_screen screen;
     struct expander expander;
     struct console_listener listener;
-    struct canvas frame; /* being drawn */
-    unsigned page;       /* the one that is shown */
+    struct canvas frame; /* the frame being drawn */
+    unsigned page;       /* the page that is shown */
     char format[PIXEL_NAME];
 };
 
@@ -44,7 +44,7 @@ static void enter(void *arg)
     copy(f, f->page);
 }
 
-/* The frame stays in memory, and mode() says that nobody sees it. */
+/* Gives the screen away. The frame stays in memory, and mode() reports it as hidden. */
 static void leave(void *arg)
 {
     (void)arg;
@@ -64,7 +64,7 @@ static void fbdev_close(void *ctx)
     canvas_free(&f->frame);
 }
 
-/* Keeps the reason of the first device that fails. */
+/* Tries a device; keeps the reason of the first one that fails. */
 static bool probe(void *arg, const char *path)
 {
     struct fbdev *f = arg;

@@ -1,16 +1,16 @@
-/* format.c - what a framebuffer device says about its pixels: Documentation/fb/api.rst of the kernel. */
+/* format.c - the pixel format that a framebuffer device reports: Documentation/fb/api.rst of the kernel. */
 #include <stdio.h>
 
 #include "screen.h"
 
 static struct pixel_channel channel(const struct fb_bitfield *f)
 {
-    /* Numbers too large for any pixel stay so, and pixel_fault refuses them. */
+    /* numbers too large for any pixel stay too large, and pixel_fault refuses them */
     return (struct pixel_channel){(uint8_t)(f->offset > 99 ? 99 : f->offset),
                                   (uint8_t)(f->length > 99 ? 99 : f->length)};
 }
 
-/* The property that a struct pixel_format cannot express; NULL: none. */
+/* Returns the property that a struct pixel_format cannot express; NULL: none. */
 static const char *odd(const struct fb_var_screeninfo *var, const struct fb_fix_screeninfo *fix)
 {
     if (fix->type != FB_TYPE_PACKED_PIXELS)

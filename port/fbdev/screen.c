@@ -40,7 +40,7 @@ static int read_format(struct fb_screen *s, char why[PORT_WHY])
     return status;
 }
 
-/* The kernel lets any number of programs draw on one device. The lock keeps out a second tia. */
+/* Locks the device against a second tia: the kernel lets any number of programs draw on one device. */
 static int lock(struct fb_screen *s, char why[PORT_WHY])
 {
     char holder[NODE_HOLDER];
@@ -82,7 +82,7 @@ static bool same_picture(const struct fb_var_screeninfo *a, const struct fb_var_
            memcmp(&a->red, &b->red, sizeof a->red) == 0 && memcmp(&a->blue, &b->blue, sizeof a->blue) == 0;
 }
 
-/* Two pages, if the driver can. It may round what it is asked for, so the result is checked. */
+/* Requests two pages, if the driver can. It may round the request, so the result is checked. */
 static void ask_for_pages(struct fb_screen *s)
 {
     struct fb_var_screeninfo two = s->var;
@@ -106,7 +106,7 @@ static void ask_for_pages(struct fb_screen *s)
 
 static int map(struct fb_screen *s, char why[PORT_WHY])
 {
-    /* The kernel maps whole pages of memory; the first pixel may be inside the first one. */
+    /* the kernel maps whole pages of memory; the first pixel may be inside the first one */
     size_t skip = s->fix.smem_start & (size_t)(sysconf(_SC_PAGESIZE) - 1);
 
     s->map_size = s->fix.smem_len + skip;
@@ -119,7 +119,8 @@ static int map(struct fb_screen *s, char why[PORT_WHY])
     return TIA_OK;
 }
 
-/* Direct colour maps each channel through a table, of which a text console sets only 16 entries. */
+/* Reads or sets the palette: direct colour maps each channel through a table, of which a text console sets only 16
+ * entries. */
 static void palette(struct fb_screen *s, uint16_t *colours, unsigned long request)
 {
     struct fb_cmap map = {.red = colours, .green = colours + 256, .blue = colours + 512};
@@ -213,7 +214,7 @@ void fb_wait(struct fb_screen *screen)
         screen->vsync = false;
 }
 
-/* While another console is in front, the position and the picture are that console's. */
+/* Puts the screen back; while another console is in front, the position and the picture are that console's. */
 static void put_back(struct fb_screen *s, bool visible)
 {
     struct fb_var_screeninfo old = s->old, now;

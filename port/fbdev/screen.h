@@ -11,33 +11,33 @@ struct fb_screen {
     int fd; /* -1: not open */
     char path[64];
     struct fb_fix_screeninfo fix;
-    struct fb_var_screeninfo var, old; /* now, and as found */
+    struct fb_var_screeninfo var, old; /* present mode, and the mode as found */
     struct pixel_format format;
     uint8_t *map; /* all of the device's memory */
     size_t map_size;
-    uint8_t *memory;   /* its first pixel */
+    uint8_t *memory;   /* the first pixel */
     unsigned pages;    /* 1, or 2: one is shown while the other is written */
     bool vsync;        /* FBIO_WAITFORVSYNC works */
     uint16_t *palette; /* direct colour: the colour map as found, 3 x 256 */
-    uint8_t *saved;    /* what was on the screen */
+    uint8_t *saved;    /* contents of the screen before fb_take */
 };
 
-/* The format that the device says its pixels have. TIA_ERR_UNSUPPORTED and the reason: "8 bits a pixel, ...". */
+/* Gives the format that the device reports; TIA_ERR_UNSUPPORTED and the reason: "8 bits a pixel, ...". */
 int fb_format(const struct fb_var_screeninfo *var, const struct fb_fix_screeninfo *fix, struct pixel_format *format,
               char reason[PORT_WHY]);
-/* Can it pan, and has it memory for two pages, one above the other? */
+/* True if the device can pan and has memory for two pages, one above the other. */
 bool fb_can_pan(const struct fb_var_screeninfo *var, const struct fb_fix_screeninfo *fix);
-/* A colour map that changes nothing: 2^length entries from 0 to 65535. */
+/* Makes a colour map that changes nothing: 2^length entries from 0 to 65535. */
 void fb_ramp(uint16_t *out, unsigned length);
 
 /* Opens `path`, reads its mode and locks it against a second tia; changes nothing. */
 int fb_probe(struct fb_screen *screen, const char *path, char why[PORT_WHY]);
-/* After fb_probe: saves the screen, sets up a second page if possible, maps the memory. */
+/* Prepares the device after fb_probe: saves the screen, sets up a second page if possible, maps the memory. */
 int fb_take(struct fb_screen *screen, char why[PORT_WHY]);
 /* Shows page number `page`; fb_show_again shows the last one again, after another console. */
 int fb_show(struct fb_screen *screen, unsigned page);
 void fb_show_again(struct fb_screen *screen);
-/* The first byte of a page. */
+/* Returns the first byte of a page. */
 uint8_t *fb_page(const struct fb_screen *screen, unsigned page);
 /* Waits until the last shown page is really on the screen, if the driver reports it. */
 void fb_wait(struct fb_screen *screen);

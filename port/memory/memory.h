@@ -29,13 +29,13 @@ struct port_memory {
     bool concurrent;
     bool hidden;               /* mode returns TIA_HIDDEN, and drawing is an error */
     int fail_open;             /* if not 0, open fails with this status */
-    struct memory_call *calls; /* the record, or NULL */
+    struct memory_call *calls; /* record of the calls, or NULL */
     size_t call_capacity;      /* further calls are counted but not recorded */
 
     /* Maintained by the display; zero before open. */
     atomic_size_t call_count;
     atomic_uint acquired; /* tiles acquired but not submitted */
-    unsigned frames;      /* presented so far */
+    unsigned frames;      /* frames presented so far */
     bool is_open;
 };
 

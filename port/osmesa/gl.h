@@ -7,7 +7,7 @@
 
 typedef void (*gl_proc)(void);
 
-/* The GL functions that both libraries need: F(type, name, arguments). */
+/* GL functions that both libraries need: F(type, name, arguments). */
 #define GL_COMMON(F)                                                                                                   \
     F(void, Disable, (GLenum))                                                                                         \
     F(void, DrawPixels, (GLsizei, GLsizei, GLenum, GLenum, const void *))                                              \
@@ -20,7 +20,7 @@ typedef void (*gl_proc)(void);
     F(void, RasterPos2f, (GLfloat, GLfloat))                                                                           \
     F(void, Viewport, (GLint, GLint, GLsizei, GLsizei))
 
-/* F for the members of a table of functions, and for the rows of the list from which gl_symbols fills it. */
+/* Definitions of F: a member of a table of functions, and a row of the list from which gl_symbols fills it. */
 #define GL_MEMBER(type, name, arguments) type(GLAPIENTRY *name) arguments;
 #define GL_ROW(table, prefix, name)                                                                                    \
     {                                                                                                                  \
@@ -38,7 +38,7 @@ struct gl_common {
 
 struct gl_screen {
     const struct gl_platform *platform;
-    void *state; /* the platform's own */
+    void *state; /* the platform's own state */
     uint16_t width, height;
     tia_rgb565 *pixels; /* the frame buffer, top row first; the platform writes it */
     struct gl_common gl;
@@ -59,7 +59,7 @@ struct gl_platform {
 
 extern const struct gl_platform gl_mesa, gl_egl;
 
-/* Loads the shared library `file`, for good. NULL on failure, with the reason in `why`. */
+/* Loads the shared library `file`, for good. Returns NULL on failure, with the reason in `why`. */
 void *gl_library(struct gl_screen *screen, const char *file, const char *package);
 
 /* Fills a table with functions of a library or, if library is NULL, of GL. False if one is missing; `why` names it. */

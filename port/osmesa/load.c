@@ -31,7 +31,8 @@ void *gl_library(struct gl_screen *screen, const char *file, const char *package
     return library;
 }
 
-/* Copies the bytes: ISO C has no conversion from data to function pointers, but POSIX guarantees the same format. */
+/* Copies the bytes of a pointer: ISO C has no conversion from data to function pointers, but POSIX guarantees the same
+ * format. */
 bool gl_symbols(struct gl_screen *screen, void *library, void *table, const struct gl_row *rows, size_t count)
 {
     for (size_t i = 0; i < count; i++) {

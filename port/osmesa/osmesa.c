@@ -12,7 +12,7 @@
 #define DEFAULT_WIDTH 640
 #define DEFAULT_HEIGHT 480
 
-/* In the order to try. */
+/* Platforms in the order of trial. */
 static const struct gl_platform *const platforms[] = {
 #ifdef TIA_HAVE_LIBOSMESA
     &gl_mesa,
@@ -26,7 +26,7 @@ static const struct gl_platform *const platforms[] = {
 struct osmesa {
     struct gl_screen screen;
     const struct gl_platform *chosen; /* NULL: the first that opens */
-    struct canvas frame;              /* drawn by present; its pixels are NULL while closed */
+    struct canvas frame;              /* the frame that present draws; its pixels are NULL while closed */
 };
 
 #define ROW(type, name, arguments) GL_ROW(gl_common, "gl", name),

@@ -15,16 +15,17 @@
 
 extern const struct tia_display port_osmesa_display;
 
-/* wish->device is "osmesa", "egl" or, for the first that opens, NULL. The default size is 640x480. */
+/* Creates a display by wish->device: "osmesa", "egl" or, for the first that opens, NULL. The default size is
+ * 640x480. */
 void *port_osmesa_create(const struct port_wish *wish);
 void port_osmesa_destroy(void *ctx);
 void port_osmesa_list(port_line *line, void *arg);
 
-/* For an open display: GL's frame buffer, top row first, without gaps; valid until the next call. NULL when GL
+/* Returns an open display's frame buffer from GL, top row first, without gaps; valid until the next call. NULL when GL
  * fails. */
 const tia_rgb565 *port_osmesa_read(void *ctx);
 
-/* For an open display: a GL function by name, for programs that draw on their own; NULL if GL has none. */
+/* Returns an open display's GL function by name, for programs that draw on their own; NULL if GL has none. */
 void (*port_osmesa_proc(void *ctx, const char *name))(void);
 
 #endif

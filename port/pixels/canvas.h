@@ -12,12 +12,12 @@ struct canvas {
 /* Resizes the canvas and clears it to black. After TIA_ERR_MEMORY it is empty. */
 int canvas_resize(struct canvas *canvas, uint16_t width, uint16_t height);
 
-/* The part of the canvas that `tile` covers. TIA_ERR_ARGUMENT when the tile is empty or not inside the canvas. */
+/* Gives the part of the canvas that `tile` covers. TIA_ERR_ARGUMENT when the tile is empty or not inside the canvas. */
 int canvas_tile(const struct canvas *canvas, struct tia_tile tile, struct tia_surface *surface);
 
 void canvas_free(struct canvas *canvas);
 
-/* Whether `tile` is not empty and inside a width x height picture. */
+/* True if `tile` is not empty and inside a width x height picture. */
 bool tile_inside(struct tia_tile tile, uint16_t width, uint16_t height);
 
 #endif

@@ -84,7 +84,7 @@ const char *pixel_name(const struct pixel_format *format, char text[PIXEL_NAME])
     return text;
 }
 
-/* `value`, of `width` bits, repeated to fill the channel from its top bit down. */
+/* Repeats `value`, of `width` bits, to fill the channel from its top bit down. */
 static uint32_t spread(uint32_t value, unsigned width, struct pixel_channel c)
 {
     uint64_t bits = 0;
@@ -140,7 +140,7 @@ static void expand_row32(const struct expander *e, uint32_t *to, const tia_rgb56
         to[i] = expand(e, from[i]);
 }
 
-/* Three bytes in the processor's byte order. */
+/* Expands a row to pixels of three bytes, in the processor's byte order. */
 static void expand_row24(const struct expander *e, uint8_t *to, const tia_rgb565 *from, size_t count)
 {
     const uint16_t one = 1;

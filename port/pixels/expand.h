@@ -17,16 +17,16 @@ struct pixel_format {
     uint8_t bits; /* 15, 16, 24 or 32 */
     bool swapped; /* the byte order is not the processor's */
     struct pixel_channel red, green, blue;
-    struct pixel_channel alpha; /* filled with ones; length 0: none */
+    struct pixel_channel alpha; /* alpha is filled with ones; length 0: none */
 };
 
 extern const struct pixel_format pixel_rgb565, pixel_bgr565, pixel_xrgb8888, pixel_xbgr8888;
 
-/* Bytes of a pixel: 2, 3 or 4. */
+/* Returns the bytes of a pixel: 2, 3 or 4. */
 unsigned pixel_bytes(const struct pixel_format *format);
-/* Whether it is tia_rgb565, bit for bit. */
+/* True if the format is tia_rgb565, bit for bit. */
 bool pixel_is_rgb565(const struct pixel_format *format);
-/* NULL when tia supports the format, otherwise the reason: "green is 0 bits wide". */
+/* Returns NULL when tia supports the format, otherwise the reason: "green is 0 bits wide". */
 const char *pixel_fault(const struct pixel_format *format);
 /* "RGB565", "XBGR8888", or a list of channels: "32 bit r10@0 g10@10 b10@20". */
 #define PIXEL_NAME 48
@@ -39,7 +39,7 @@ struct expander {
     uint32_t red[32], green[64], blue[32];
 };
 
-/* `format` must have no pixel_fault. */
+/* Prepares the tables; pixel_fault must have accepted `format`. */
 void expander_init(struct expander *expander, const struct pixel_format *format);
 /* Expands `count` pixels; writes each once, at rising addresses. */
 void expand_row(const struct expander *expander, void *to, const tia_rgb565 *from, size_t count);

@@ -9,9 +9,9 @@ enum {
     FAKE_SHIFT_LEFT = 0x12, FAKE_SHIFT_RIGHT = 0x59,
     LAST_CODE = 0x84,
     EXTENDED = 0xe0, PAUSE = 0xe1, RELEASE = 0xf0,
-    SELF_TEST_PASSED = 0xaa,            /* after power-on */
+    SELF_TEST_PASSED = 0xaa,            /* sent after power-on */
     OVERRUN = 0x00, KEY_ERROR = 0xff,   /* codes were lost */
-    PAUSE_REST = 7                      /* E1 14 77 E1 F0 14 F0 77 */
+    PAUSE_REST = 7                      /* bytes after the first of E1 14 77 E1 F0 14 F0 77 */
 };
 /* clang-format on */
 
@@ -50,7 +50,7 @@ static uint16_t extended_key(uint8_t code)
     case ALT_GR:
     case SUPER_LEFT:
     case SUPER_RIGHT:
-    case FAKE_SHIFT_LEFT: /* put around the arrows while Num Lock is on */
+    case FAKE_SHIFT_LEFT: /* sent around the arrows while Num Lock is on */
     case FAKE_SHIFT_RIGHT:
         return SILENT;
     default:
@@ -72,7 +72,7 @@ static uint16_t key_of(const struct tia_ps2 *ps2, bool extended, uint8_t code)
     return plain[code] ? plain[code] : (uint16_t)TIA_KEY_OTHER;
 }
 
-/* Notes that a key went down or came up; 1 if that is a change, and not of a silent key. */
+/* Records that a key went down or came up; returns 1 if that is a change, and the key is not silent. */
 static int change(struct tia_ps2 *ps2, bool extended, uint8_t code, bool down, struct tia_event *event)
 {
     if (is_held(ps2, extended, code) == down)

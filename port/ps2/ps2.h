@@ -9,24 +9,24 @@
 
 #include <tia/port.h>
 
-#define TIA_PS2_ENABLE 0xf4u      /* to the keyboard: start scanning */
-#define TIA_PS2_ACKNOWLEDGE 0xfau /* from the keyboard: command accepted */
-#define TIA_PS2_CODES 0x88        /* codes are 01..84 (hex), rounded up to whole bytes of bits */
+#define TIA_PS2_ENABLE 0xf4u      /* command to the keyboard: start scanning */
+#define TIA_PS2_ACKNOWLEDGE 0xfau /* answer of the keyboard: command accepted */
+#define TIA_PS2_CODES 0x88        /* number of codes: 01..84 (hex), rounded up to whole bytes of bits */
 
 /* All zero: no key is held. */
 struct tia_ps2 {
     uint8_t held[2][TIA_PS2_CODES / 8]; /* a bit per code: [0] plain, [1] after E0 */
-    bool extended, released;            /* E0 or F0 was received, its code not yet */
+    bool extended, released;            /* E0 or F0 was received, but not yet the code after it */
     uint8_t pause;                      /* bytes of Pause left */
     bool forget;                        /* replugged, or bytes were lost: release all held keys */
 };
 
-/* Decodes a byte: 1 and *event (without a time), or 0 when there is no event: for a modifier or lock key, a key that is
- * held already, a part of a sequence, or the answer to a command. */
+/* Decodes a byte; returns 1 and *event (without a time), or 0 when there is no event: for a modifier or lock key, a key
+ * that is held already, a part of a sequence, or the answer to a command. */
 int tia_ps2_feed(struct tia_ps2 *ps2, uint8_t byte, struct tia_event *event);
 
-/* Call after each byte until it returns 0. Releases the held keys after the keyboard was replugged or bytes were lost,
- * since their release codes will not come. */
+/* Releases the held keys after the keyboard was replugged or bytes were lost, since their release codes will not come.
+ * Call it after each byte until it returns 0. */
 int tia_ps2_owed(struct tia_ps2 *ps2, struct tia_event *event);
 
 #endif

@@ -16,7 +16,7 @@ struct entry {
     bool (*there)(void);
 };
 
-/* gcc's cpu model also checks that the system saves the wide registers. */
+/* Defines a test for an instruction set; gcc's cpu model also checks that the system saves the wide registers. */
 #define THERE(name, question)                                                                                          \
     static bool name(void)                                                                                             \
     {                                                                                                                  \
@@ -71,7 +71,7 @@ THERE(has_wasm, true) /* a module that needs it does not start without it */
 #define WASM NULL, NULL
 #endif
 
-/* From the narrowest; those of one processor side by side. */
+/* Instruction sets from the narrowest to the widest; those of one processor family are adjacent. */
 static const struct entry entries[] = {{"scalar", SCALAR}, {"sse41", SSE41}, {"avx2", AVX2},
                                        {"avx512", AVX512}, {"neon", NEON},   {"wasm", WASM}};
 #define ENTRIES (sizeof entries / sizeof *entries)
@@ -84,7 +84,7 @@ const struct tia_simd *tia_simd_at(unsigned index)
     return NULL;
 }
 
-/* QEMU without KVM emulates vector units and floats, much slower than integers. */
+/* True under QEMU without KVM, which emulates vector units and floats, much slower than integers. */
 static bool is_emulated(void)
 {
 #if defined __x86_64__ || defined __i386__
@@ -124,7 +124,7 @@ int tia_simd_named(const char *name, const struct tia_simd **simd)
         if (entries[i].simd && entries[i].there())
             found = entries[i].simd;
         if (strcmp(name, entries[i].name) == 0) {
-            /* "neon" allows nothing that a processor of the other kind has */
+            /* "neon" is no bound for a processor of the other kind */
             *simd = i < 4 || entries[i].simd ? found : NULL;
             return TIA_OK;
         }

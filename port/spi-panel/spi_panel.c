@@ -52,7 +52,7 @@ static void pause_ms(const struct tia_spi_panel *panel, unsigned ms)
     }
 }
 
-/* CASET and PASET take the first and the last column or row, high byte first. The bytes are in *panel, not on the
+/* Sends CASET or PASET with the first and the last column or row, high byte first. The bytes are in *panel, not on the
  * stack, because the bus may still be sending them when this returns. They are changed only after `command`, which
  * waits for the previous data. */
 static int send_range(struct tia_spi_panel *panel, uint8_t command, unsigned first, unsigned count)
@@ -163,7 +163,8 @@ static uint8_t *wire_order(tia_rgb565 *pixels, size_t count)
     return bytes;
 }
 
-/* The first command waits until the previous strip has been sent, so that one is free for the next acquire. */
+/* Sends a strip. The first command waits until the previous strip has been sent, so that one is free for the next
+ * acquire. */
 static int panel_submit(void *ctx, struct tia_tile tile)
 {
     struct tia_spi_panel *panel = ctx;

@@ -18,7 +18,7 @@ struct tia_spi_panel_bus {
     int (*data)(void *bus, const uint8_t *bytes, size_t count);
 };
 
-/* The panel's register 36h, MADCTL: how its memory maps to the glass. */
+/* Bits of the panel's register 36h, MADCTL, which maps its memory to the glass. */
 enum {
     TIA_SPI_PANEL_FLIP_ROWS = 0x80,    /* MY */
     TIA_SPI_PANEL_FLIP_COLUMNS = 0x40, /* MX */
@@ -30,10 +30,10 @@ struct tia_spi_panel {
     /* Set by the caller before open. */
     const struct tia_spi_panel_bus *ops;
     void *bus;
-    const struct tia_clock *clock; /* for the pauses that the controller needs */
+    const struct tia_clock *clock; /* clock for the pauses that the controller needs */
     void *clock_ctx;
     uint16_t width, height; /* after applying `orientation` */
-    uint16_t left, top;     /* where the glass begins in the controller's memory */
+    uint16_t left, top;     /* position of the glass in the controller's memory */
     uint8_t orientation;    /* SPI_PANEL_... */
     bool inverted;          /* IPS glass: send 21h (INVON) */
     const uint8_t *setup;   /* vendor registers, or NULL: for each the command, the */
@@ -43,8 +43,8 @@ struct tia_spi_panel {
 
     /* Private to the port, except `why`. */
     const char *why; /* the reason of the last failure, one line */
-    uint16_t rows;   /* of a strip */
-    uint8_t strip;   /* the one to draw next */
+    uint16_t rows;   /* rows of a strip */
+    uint8_t strip;   /* index of the strip to draw next */
     bool awake, shown;
     uint8_t range[4]; /* CASET's or PASET's parameters, being sent */
 };

@@ -18,7 +18,7 @@
 
 enum { GROUND, ESCAPE, CSI, ATTRIBUTES, MESSAGE, MESSAGE_ESCAPE };
 
-/* A picture of one pixel, only to be checked; and the device's attributes. */
+/* Queries: a picture of one pixel, only to be checked; and the device's attributes. */
 static const char ask_kitty[] = "\033_Gi=31,s=1,v=1,a=q,t=d,f=24;AAAA\033\\", ask_attributes[] = "\033[c";
 
 static void begin(struct answers *a, uint8_t state)
@@ -41,7 +41,7 @@ static void after_attribute(struct answers *a, uint8_t byte)
         begin(a, GROUND);
 }
 
-/* Of "Gi=31;OK" the last three count; the number is the one that we chose. */
+/* Evaluates kitty's message: the last three characters of "Gi=31;OK" count; the number is the one that we chose. */
 static void after_message(struct answers *a, uint8_t byte)
 {
     if (byte == ESC) {
@@ -108,8 +108,8 @@ static void ask(int fd, const char *term, struct answers *answers)
         read_answers(fd, answers);
 }
 
-/* Keys that are typed in between are kept for the keyboard. Where that has the terminal already, its modes, and what
- * the guardian knows of them, stay. */
+/* Queries in raw mode. Keys that are typed meanwhile are kept for the keyboard. Where that has the terminal already,
+ * its modes, and the guardian's entry for them, stay. */
 static void ask_raw(int fd, const char *term, struct answers *answers)
 {
     struct termios before, raw;

@@ -1,4 +1,4 @@
-/* answers.h - what a terminal can show, as it says itself. */
+/* answers.h - the kinds of pictures that a terminal reports that it can show. */
 #ifndef PORT_TERMINAL_ANSWERS_H
 #define PORT_TERMINAL_ANSWERS_H
 
@@ -8,11 +8,11 @@
 /* Ways to show pictures, the best last. */
 enum pictures { PICTURES_HALF_BLOCKS, PICTURES_SYMBOLS, PICTURES_SIXEL, PICTURES_KITTY };
 
-/* Whether $TERM is that of tmux or screen, which show kitty's pictures nowhere: they take them for titles or nothing.
- */
+/* True if $TERM is that of tmux or screen, which never show kitty's pictures: they treat them as titles, or ignore
+ * them. */
 bool answers_multiplexer(const char *term);
 
-#define ANSWERS_MS 150 /* how long a terminal may take: over a network the answers come within a round trip */
+#define ANSWERS_MS 150 /* time limit for a terminal's answers: over a network they come within a round trip */
 
 /* The answers to the two questions, byte by byte: kitty's, ESC _ G i=31 ; OK ESC \, comes before the device's
  * attributes, ESC [ ? n ; n ... c, which every terminal sends and which has a 4 where there is sixel. */
@@ -20,16 +20,16 @@ struct answers {
     uint8_t state;
     uint16_t number;             /* the attribute being read */
     char message[8];             /* the beginning of kitty's message */
-    uint8_t length;              /* of it */
-    bool sixel, kitty, complete; /* complete: nothing more will come */
+    uint8_t length;              /* length of `message` */
+    bool sixel, kitty, complete; /* complete: all answers have come */
 };
 
 void answers_byte(struct answers *answers, uint8_t byte);
 
-/* Asks the terminal of `fd` and waits ANSWERS_MS at most. What cannot be read or answers nothing has half blocks.
- * What answers and has neither sixel nor kitty's protocol has symbols. Nor is a terminal asked that is not ours, or not
- * now: its shell would take the answers as typed. `term` is $TERM: tmux and screen are not asked for kitty's protocol,
- * since they make a title of the question. */
+/* Queries the terminal of `fd` and waits ANSWERS_MS at most. A terminal that cannot be read or does not answer has half
+ * blocks; one that answers and has neither sixel nor kitty's protocol has symbols. A terminal that is not ours, or not
+ * in front, gets no query: its shell would take the answers as typed. `term` is $TERM: tmux and screen get no query for
+ * kitty's protocol, since they would make a title of it. */
 enum pictures answers_ask(int fd, const char *term);
 
 #endif

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-/* xterm's palette: from 16 a cube of 6 x 6 x 6 colours, from 232 the greys 8, 18, ... 238. */
+/* Colours of xterm's palette: from 16 a cube of 6 x 6 x 6 colours, from 232 the greys 8, 18, ... 238. */
 #define CUBE 16
 #define GREYS 232
 #define GREY_COUNT 24
@@ -21,7 +21,7 @@ static unsigned square(int difference)
     return (unsigned)(difference * difference);
 }
 
-/* The sum of squares is least when each channel's square is. */
+/* Returns the nearest level of a channel: the sum of squares is least when each channel's square is. */
 static unsigned nearest_level(uint8_t value)
 {
     unsigned best = 0;
@@ -32,8 +32,8 @@ static unsigned nearest_level(uint8_t value)
     return best;
 }
 
-/* Sum (c - g)^2 = 3 (g - mean)^2 + what does not depend on g: the grey 8 + 10 k nearest to the
- * mean is that nearest to (sum - 24)/30; adding 14 of 30 rounds a half down. */
+/* Returns the nearest grey. Sum (c - g)^2 = 3 (g - mean)^2 + a part that does not depend on g: the grey 8 + 10 k
+ * nearest to the mean is that nearest to (sum - 24)/30; adding 14 of 30 rounds a half down. */
 static unsigned nearest_grey(struct rgb8 c)
 {
     unsigned sum = (unsigned)c.r + c.g + c.b;
@@ -64,7 +64,8 @@ static bool ends_with(const char *text, const char *end)
     return n >= m && strcmp(text + n - m, end) == 0;
 }
 
-/* Most terminals say so in COLORTERM; ssh and sudo drop it, and then the name has to do. */
+/* True if COLORTERM reports 24-bit colours, as it does on most terminals, or if the name does: ssh and sudo drop
+ * COLORTERM. */
 bool colour_is_direct(const char *term, const char *colorterm)
 {
     static const char *const known[] = {"alacritty", "foot", "wezterm", "xterm-ghostty", "xterm-kitty"};

@@ -13,14 +13,14 @@ enum { GROUND, ESCAPE, CSI, SS3, STRING, STRING_ESCAPE, LINUX_FUNCTION };
 #define PASTE_BEGIN 200
 #define PASTE_END 201
 
-/* Ctrl and a letter give the letter's code less 0x60. Backspace, Tab, Enter and Line Feed have
- * the codes of Ctrl-H, I, M and J: they are keys of their own far more often. */
+/* True if the byte is Ctrl and a letter: the letter's code less 0x60. Backspace, Tab, Enter and Line Feed have the
+ * codes of Ctrl-H, I, M and J: they are keys of their own far more often. */
 static bool is_ctrl_letter(uint8_t byte)
 {
     return byte >= 1 && byte <= 26 && byte != '\b' && byte != '\t' && byte != '\n' && byte != '\r';
 }
 
-/* As on a US keyboard, with or without Shift. */
+/* Returns the key of a sign, as on a US keyboard, with or without Shift. */
 static uint16_t sign_key(uint8_t byte)
 {
     switch (byte) {
@@ -73,8 +73,8 @@ static uint16_t arrow_key(uint8_t final)
     }
 }
 
-/* A button's number: 0 is the left one, 3 none; 32 is added while it moves, 64 to those of the wheel, and 4, 8, 16 for
- * Shift, Alt and Ctrl. */
+/* Decodes a report of the mouse. A button's number: 0 is the left one, 3 none; 32 is added while it moves, 64 to those
+ * of the wheel, and 4, 8, 16 for Shift, Alt and Ctrl. */
 static uint16_t mouse_report(struct decoder *d, uint8_t final)
 {
     unsigned button = d->number & 0x43u;
@@ -119,7 +119,7 @@ static void begin_sequence(struct decoder *d, uint8_t state)
     d->more_parameters = false;
 }
 
-/* Lead bytes of UTF-8 (RFC 3629) announce one to three more. */
+/* Skips a UTF-8 character (RFC 3629): its lead byte announces one to three more. */
 static uint16_t begin_utf8(struct decoder *d, uint8_t byte)
 {
     if (byte >= 0xc2 && byte <= 0xf4)
@@ -161,7 +161,7 @@ static uint16_t after_escape(struct decoder *d, uint8_t byte)
     }
 }
 
-/* After a mark such as < the first parameter begins. */
+/* Adds a digit to the parameter; the first parameter begins after a mark such as <. */
 static void add_digit(struct decoder *d, uint8_t digit)
 {
     uint16_t *number = d->parameters == 0 ? &d->number : d->parameters < 3 ? &d->more[d->parameters - 1] : NULL;

@@ -11,7 +11,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* What decode_byte returns for a report of the mouse. */
+/* Result of decode_byte for a report of the mouse. */
 #define DECODED_POINTER 0xffffu
 
 struct decoder {
@@ -19,22 +19,22 @@ struct decoder {
     uint8_t skip;         /* bytes of a UTF-8 character still to come */
     uint8_t private_mark; /* '<' '=' '>' '?' or 0: how the CSI sequence began */
     uint16_t number;      /* the CSI sequence's first parameter */
-    uint16_t more[2];     /* and those after it; 0: there is none */
-    uint8_t parameters;   /* how many have ended */
+    uint16_t more[2];     /* parameters after the first; 0: there is none */
+    uint8_t parameters;   /* number of parameters that have ended */
     bool more_parameters;
-    bool shift;           /* the last key was typed with Shift, as far as the terminal says so */
-    bool drag;            /* at the last report of the mouse its left button was down */
-    uint16_t column, row; /* where that was, from 1 */
+    bool shift;           /* the last key was typed with Shift, as far as the terminal reports it */
+    bool drag;            /* the mouse's left button was down in its last report */
+    uint16_t column, row; /* position in that report, from 1 */
     bool in_paste;
 };
 
-/* Takes one byte; returns the key that it completes (tia/port.h), DECODED_POINTER or 0. */
+/* Processes one byte; returns the key that it completes (tia/port.h), DECODED_POINTER or 0. */
 uint16_t decode_byte(struct decoder *decoder, uint8_t byte);
 
-/* Has a sequence begun that may still turn out to be a lone Escape? */
+/* True if a sequence has begun that may still turn out to be a lone Escape. */
 bool decode_pending(const struct decoder *decoder);
 
-/* Call it when no more bytes came for a while; returns the key that this means, or 0. */
+/* Ends a sequence after a pause without bytes; returns the key that it then stands for, or 0. */
 uint16_t decode_silence(struct decoder *decoder);
 
 #endif

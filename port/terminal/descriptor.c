@@ -27,8 +27,8 @@ bool descriptor_in_front(int fd)
     return front <= 0 || front == getpgrp();
 }
 
-/* tcsetattr stops a process in the background. The kernel begins it anew after SIGCONT, and so stops the process again,
- * unless a signal's handler has run. */
+/* Waits by tcsetattr, which stops a process in the background. The kernel begins it anew after SIGCONT, and so stops
+ * the process again, unless a signal's handler has run. */
 bool descriptor_await_front(int fd)
 {
     struct termios own;
@@ -45,7 +45,7 @@ bool descriptor_await_front(int fd)
     return descriptor_in_front(fd);
 }
 
-/* SIGTTOU would stop a process in the background here. */
+/* Drops the output; SIGTTOU would stop a process in the background here. */
 void descriptor_drop_output(int fd)
 {
     sigset_t stop, before;

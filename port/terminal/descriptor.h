@@ -8,10 +8,10 @@
 int descriptor_open(const char *path, int access);
 
 /* Opens the terminal of `fd` again: setting O_NONBLOCK on `fd` itself would set it for the shell, which shares the open
- * file description. A terminal without a name, or that we may not open, is only duplicated, and may block. */
+ * file description. A terminal that has no name or cannot be opened is only duplicated, and may block. */
 int descriptor_copy(int fd, int access);
 
-/* False when another process group has the terminal in front: a shell has its own modes and its own screen then. */
+/* True unless another process group has the terminal in front: a shell has its own modes and its own screen then. */
 bool descriptor_in_front(int fd);
 
 /* Stops a process in the background until its terminal is in front, or a signal comes. Returns descriptor_in_front. */

@@ -27,10 +27,10 @@
 #include "utf8.h"
 #include "ways.h"
 
-#define DEFAULT_COLUMNS 80 /* for a terminal that does not know its size, such as a serial line */
+#define DEFAULT_COLUMNS 80 /* size of a window whose terminal reports none, such as a serial line */
 #define DEFAULT_ROWS 24
 
-#define SLICE_MS 20 /* that present and go_on take */
+#define SLICE_MS 20 /* time limit of present and go_on */
 
 static const char clear_direct[] = "\033[48;2;0;0;0m\033[2J", clear_256[] = "\033[48;5;16m\033[2J";
 
@@ -39,15 +39,15 @@ struct terminal {
     char *why;
     unsigned max_width, max_height;
     bool clear;    /* the next frame begins on an empty window */
-    bool fresh;    /* the canvas has a frame of which nothing is encoded */
-    bool encoding; /* one is encoded in part: the rows up to `next`; `begun`: and has added text */
+    bool fresh;    /* the canvas has a frame of which no row is encoded */
+    bool encoding; /* a frame is encoded up to row `next`; begun: text has been added for it */
     bool begun;
     unsigned next;
-    unsigned columns, rows; /* of the window */
-    struct way way;         /* as the user wants it */
+    unsigned columns, rows; /* size of the window */
+    struct way way;         /* the user's choice */
     enum pictures pictures;
     struct symbols symbols;
-    struct cell cell; /* where there are pictures */
+    struct cell cell; /* size of a character, where pictures are shown */
     struct canvas canvas;
     struct grid grid;
     struct output output;
@@ -83,7 +83,7 @@ static void read_window(const struct terminal *t, unsigned *columns, unsigned *r
     }
 }
 
-/* Pixels in a window of so many columns and rows. */
+/* Returns the number of pixels side by side in a window of `columns` columns. */
 static unsigned pixels_across(const struct terminal *t, unsigned columns)
 {
     return t->grid.spaces && columns > 1 ? columns / 2 : columns;
@@ -147,7 +147,7 @@ static int look_at_environment(struct terminal *t)
     return TIA_OK;
 }
 
-/* Symbols need UTF-8. */
+/* Chooses the kind of pictures; symbols need UTF-8. */
 static int choose_pictures(struct terminal *t)
 {
     const char *why = NULL;
@@ -192,7 +192,7 @@ static void begin_frame(struct terminal *t)
     t->next = 0;
 }
 
-/* Adds nothing where nothing changed. */
+/* Encodes a strip; adds nothing where nothing changed. */
 static void encode_strip(struct terminal *t)
 {
     struct strip strip = pictures_strip(t->pictures, &t->cell, t->next, t->canvas.width, t->canvas.height);
@@ -238,7 +238,8 @@ static int encode(struct terminal *t)
     return TIA_ERR_MEMORY;
 }
 
-/* After a stop the shell has had the window: the last frame is shown again. False in the background. */
+/* True if the process has the window, false in the background. The shell has had it after a stop, so the last frame is
+ * then shown again. */
 static bool has_window(struct terminal *t)
 {
     if (!output_is_lost(&t->output))
@@ -250,8 +251,8 @@ static bool has_window(struct terminal *t)
     return true;
 }
 
-/* A frame that is not encoded yet waits until all of the one before is sent. One that a stop has cut is shown again
- * when the viewer has looked for keys: the terminal may have hung up. */
+/* Continues with a frame. One that is not encoded yet waits until all of the one before is sent. One that a stop has
+ * cut is shown again once the viewer has polled the keys: the terminal may have hung up. */
 static int terminal_go_on(void *ctx)
 {
     struct terminal *t = ctx;

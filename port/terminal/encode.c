@@ -8,7 +8,7 @@
 #include "colour.h"
 
 #define BLACK_256 16
-#define UNKNOWN UINT32_MAX /* no colour's code, no cell's column */
+#define UNKNOWN UINT32_MAX /* neither a colour's code nor a cell's column */
 
 static bool text_room(struct text *text, size_t more)
 {
@@ -41,7 +41,7 @@ void text_free(struct text *text)
     *text = (struct text){0};
 }
 
-/* Columns of the window that a cell takes. */
+/* Returns the columns of the window that a cell covers. */
 static unsigned span(const struct grid *grid)
 {
     return grid->spaces ? 2 : 1;
@@ -75,15 +75,15 @@ void grid_free(struct grid *grid)
     grid->columns = grid->rows = 0;
 }
 
-/* The pen: where the terminal's cursor is and which colours it has. */
+/* The pen: the terminal's cursor position, and the colours that are set. */
 struct pen {
     struct text *text;
     bool direct;
-    unsigned column, row; /* of the grid, or UNKNOWN */
+    unsigned column, row; /* position in the grid, or UNKNOWN */
     uint32_t fore, back;  /* codes, or UNKNOWN */
 };
 
-/* Everything below writes into room that grid_draw made before. */
+/* Writes text; all functions below write into memory that grid_draw has allocated. */
 static void put(struct text *text, const char *bytes, size_t count)
 {
     memcpy(text->bytes + text->count, bytes, count);
@@ -157,7 +157,7 @@ static void set_colours(struct pen *pen, uint32_t fore, uint32_t back)
     pen->back = back;
 }
 
-/* A cell of one colour is a space, which needs no foreground colour. */
+/* Writes a cell. One of a single colour is a space, which needs no foreground colour. */
 static void put_cell(struct pen *pen, const struct grid *grid, unsigned column, unsigned row, uint32_t cell)
 {
     uint32_t upper = cell >> 16, lower = cell & 0xffff;
@@ -169,7 +169,7 @@ static void put_cell(struct pen *pen, const struct grid *grid, unsigned column, 
     else
         put(pen->text, "\xe2\x96\x80", 3);
     pen->row = row;
-    pen->column = column + 1; /* after the last column terminals differ, but there no cell follows in the row */
+    pen->column = column + 1; /* terminals differ after the last column, but there no cell follows in the row */
 }
 
 static uint32_t code_of(const struct grid *grid, tia_rgb565 pixel)

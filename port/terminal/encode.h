@@ -9,7 +9,7 @@
 
 #include <tia/port.h>
 
-/* A text that grows. Without memory it stays as it is, and `failed` is set. */
+/* A text that grows. Once memory is short, it stays as it is, and `failed` is set. */
 struct text {
     char *bytes;
     size_t count, capacity;
@@ -28,10 +28,10 @@ struct strip {
     unsigned first, rows;
 };
 
-/* The terminal's contents, cell by cell, as far as we wrote it. */
+/* The terminal's contents, cell by cell, as far as we wrote them. */
 struct grid {
-    unsigned columns, rows; /* of cells: the picture's width and (height + 1)/2, or its height */
-    unsigned left, top;     /* the window's cell of its upper left corner */
+    unsigned columns, rows; /* size in cells: the picture's width and (height + 1)/2, or its height */
+    unsigned left, top;     /* the window's cell at the upper left corner */
     bool direct;            /* 24-bit colours, else 256 */
     bool spaces;            /* a cell is one pixel and two columns of the window, else half blocks */
     bool known;             /* the terminal shows `cells` */
@@ -44,7 +44,7 @@ struct grid {
 
 /* Makes the grid for a width x height picture in the middle of a window of cells, not shown yet. */
 int grid_resize(struct grid *grid, unsigned width, unsigned height, unsigned window_columns, unsigned window_rows);
-void grid_forget(struct grid *grid); /* the window may show anything */
+void grid_forget(struct grid *grid); /* Marks the contents as unknown: the window may show anything. */
 void grid_free(struct grid *grid);
 
 /* Adds the text that turns the grid into the picture, none if it is the same, and updates the grid. `pixels` are width

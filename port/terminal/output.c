@@ -9,7 +9,7 @@
 #include "console/guardian.h"
 #include "descriptor.h"
 
-#define LAST_WRITE_MS 150 /* how long output_leave waits for a terminal that accepts nothing */
+#define LAST_WRITE_MS 150 /* time that output_leave waits for a terminal that accepts nothing */
 
 /* The alternate screen, no cursor, no automatic wrap; and back, even from the middle of a sequence or of a picture's
  * string: CAN ends it on some terminals and ST on the others, and for kitty the picture's data end, too, without an
@@ -34,7 +34,7 @@ static void forget(struct output *output)
     output->sent = output->text.count = 0;
 }
 
-/* The counts are read before the check, so that a stop between the two is noticed later. */
+/* Takes the window. The counts are read before the check, so that a stop between the two is noticed later. */
 bool output_take(struct output *output)
 {
     struct terminal_stops now = terminal_stops_now();
@@ -52,7 +52,7 @@ bool output_take(struct output *output)
 void output_enter(struct output *output)
 {
     terminal_signals_begin();
-    output->since.put_back = guardian_put_back() - 1; /* lost, in the background */
+    output->since.put_back = guardian_put_back() - 1; /* lost, since the process is in the background */
     (void)output_take(output);
     output->entered = true;
 }
@@ -85,7 +85,8 @@ int output_send(struct output *output, int timeout_ms)
     return send_unless(terminal_is_lost, output, timeout_ms);
 }
 
-/* Without the rest of a frame, also what the kernel has of it: a slow terminal would take long to show it. */
+/* Sends the last text, without the rest of a frame and without what the kernel has buffered of it: a slow terminal
+ * would take long to show it. */
 static void send_last(struct output *output)
 {
     uint64_t end = clock_now_us() + LAST_WRITE_MS * 1000;
@@ -106,7 +107,7 @@ void output_leave(struct output *output)
     else
         send_last(output);
     terminal_signals_end();
-    /* Otherwise the guardian sends it when the terminal accepts it. */
+    /* otherwise the guardian sends it when the terminal accepts it */
     if (!output_is_left(output))
         guardian_forget_text(output->fd, leaving(output));
     output->entered = false;

@@ -1,4 +1,4 @@
-/* output.h - what is on its way to a terminal, and whether the window is ours. */
+/* output.h - the text on its way to a terminal, and the state of the window: ours or not. */
 #ifndef PORT_TERMINAL_OUTPUT_H
 #define PORT_TERMINAL_OUTPUT_H
 
@@ -8,31 +8,31 @@
 struct output {
     int fd;           /* -1: closed */
     bool kitty;       /* pictures of kitty's protocol may be cut short */
-    bool entered;     /* the alternate screen */
-    struct text text; /* what is to be sent: [sent, text.count) */
+    bool entered;     /* the alternate screen is entered */
+    struct text text; /* text to be sent: [sent, text.count) */
     size_t sent;
 
-    struct terminal_stops since; /* when the window was last taken */
+    struct terminal_stops since; /* counts of stops when the window was last taken */
 };
 
 /* Takes the window if it is in front, and has the guardian give it back if this process dies or is stopped. */
 void output_enter(struct output *output);
 
-/* Gives the window back, if it is ours: within 150 ms, or later by the guardian if the terminal accepts nothing. What
- * is still to be sent is dropped. */
+/* Gives the window back, if it is ours: within 150 ms, or later by the guardian if the terminal accepts nothing. Text
+ * that is still to be sent is dropped. */
 void output_leave(struct output *output);
 
 /* True if the shell has or had the window, because of a stop. */
 bool output_is_lost(const struct output *output);
 
-/* Takes it again: nothing that was to be sent before matters any more, and it shows what the shell wrote. False in the
- * background. */
+/* Takes the window again: text that was to be sent before is dropped, and the window shows what the shell wrote. False
+ * in the background. */
 bool output_take(struct output *output);
 
 bool output_is_left(const struct output *output);
 
-/* Sends what the terminal accepts within timeout_ms in all (-1: no limit) and before a signal, and drops it once the
- * window is lost. */
+/* Sends as much as the terminal accepts within timeout_ms in all (-1: no limit) and before a signal, and drops the text
+ * once the window is lost. */
 int output_send(struct output *output, int timeout_ms);
 
 void output_free(struct output *output);

@@ -7,7 +7,7 @@
 #include "answers.h"
 #include "encode.h"
 
-#define PICTURES_BAND 6 /* rows of pixels that sixel sends at once: the height of its pictures is a multiple */
+#define PICTURES_BAND 6 /* rows of pixels that sixel sends at once: heights of its pictures are multiples */
 
 /* The size of a character, pixels. */
 struct cell {
@@ -18,23 +18,23 @@ struct cell {
  * report that size gets no query: a picture's size would be unknown. */
 enum pictures pictures_find(int fd, struct cell *cell);
 
-/* Sets the size of the cells for pictures that the user chose; NULL, or why they cannot be shown. */
+/* Sets the size of the cells for pictures that the user chose; returns NULL, or the reason why they cannot be shown. */
 const char *pictures_need(int fd, enum pictures pictures, struct cell *cell);
 
-/* Pixels of a picture in a window of so many columns and rows: whole cells, but of symbols not in the last row, where
- * some terminals scroll; `most` at most, but one cell. */
+/* Return the width and height of a picture in a window of `columns` and `rows`, in pixels: whole cells, but of symbols
+ * not in the last row, where some terminals scroll; `most` at most, but at least one cell. */
 uint16_t pictures_width(const struct cell *cell, unsigned columns, unsigned most);
 uint16_t pictures_height(enum pictures pictures, const struct cell *cell, unsigned rows, unsigned most);
 
-/* The strip from row `first` on of a picture of width x height pixels: whole cells, and of sixel whole bands, but for
- * the last one. It takes a processor some 30 ms at most. */
+/* Returns the strip from row `first` on of a picture of width x height pixels: whole cells, and of sixel whole bands,
+ * but for the last one. It takes a processor some 30 ms at most. */
 struct strip pictures_strip(enum pictures pictures, const struct cell *cell, unsigned first, unsigned width,
                             unsigned height);
 
-/* Sixel and kitty's; symbols.h has the others. Adds the text that shows a strip of a picture in the window's upper left
- * corner, whose rows have `width` pixels. They are not scaled if the strip covers whole cells or, of sixel, the most
- * bands that fit into the cells it reaches. A frame's strips come from the top down. Without memory text->failed gets
- * set. */
+/* Adds the text, of sixel or kitty's protocol (symbols.h has the other kinds), that shows a strip of a picture in the
+ * window's upper left corner, whose rows have `width` pixels. They are not scaled if the strip covers whole cells or,
+ * of sixel, the most bands that fit into the cells it reaches. A frame's strips come from the top down. text->failed is
+ * set when memory is short. */
 void pictures_draw(enum pictures pictures, const tia_rgb565 *pixels, unsigned width, struct strip strip,
                    const struct cell *cell, struct text *text);
 

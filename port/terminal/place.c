@@ -1,8 +1,8 @@
 #include "place.h"
 
-#define CELL 256 /* parts of a cell: a picture need not end with one */
+#define CELL 256 /* Parts of a cell: a picture need not end at a cell's border. */
 
-/* A process has one controlling terminal. */
+/* Position of the picture; a process has one controlling terminal. */
 static struct {
     unsigned left, top;     /* cells, from 0 */
     uint32_t width, height; /* 1/CELL cells; 0: there is no picture */

@@ -39,7 +39,7 @@ static void unblock(int number, sigset_t *before)
     (void)pthread_sigmask(SIG_UNBLOCK, &one, before);
 }
 
-/* Blocked except in console_wait: otherwise a signal just before the wait would be missed. */
+/* Blocks the signals except in console_wait: otherwise a signal just before the wait would be missed. */
 void terminal_signals_begin(void)
 {
     struct sigaction winch = {.sa_handler = on_winch}, cont = {.sa_handler = on_cont};
@@ -106,8 +106,8 @@ bool terminal_has_other_signal(void)
     return sigisemptyset(&pending) == 0;
 }
 
-/* Without the jump, the kernel would begin a write anew that a stop has kept from writing. Of one that has written the
- * count is lost. */
+/* Writes, and jumps out of the write at a stop: without the jump, the kernel would repeat a write that the stop has
+ * prevented. The count of a write that has begun is lost. */
 ssize_t terminal_write(int fd, const void *bytes, size_t count)
 {
     sigset_t before;

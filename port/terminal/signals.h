@@ -5,25 +5,25 @@
 #include <stdbool.h>
 #include <sys/types.h>
 
-/* From now on SIGWINCH and SIGCONT end a console_wait, and stay pending until then. Calls nest: the
- * last terminal_signals_end undoes the first terminal_signals_begin. */
+/* Begins a time in which SIGWINCH and SIGCONT end a console_wait, and stay pending until then. Calls nest: the last
+ * terminal_signals_end undoes the first terminal_signals_begin. */
 void terminal_signals_begin(void);
 void terminal_signals_end(void);
 
-/* Counts of what has happened to the process when a terminal was taken. */
+/* Counts of events of the process when a terminal was taken. */
 struct terminal_stops {
-    int resumes;       /* SIGCONT */
-    unsigned put_back; /* guardian_put_back */
+    int resumes;       /* number of SIGCONT */
+    unsigned put_back; /* result of guardian_put_back */
 };
 
-/* Today's counts, with a SIGCONT that is pending, which no longer ends a console_wait. */
+/* Returns the present counts; they include a pending SIGCONT, which then no longer ends a console_wait. */
 struct terminal_stops terminal_stops_now(void);
 
 /* True if the guardian has put the terminal back since: it is the shell's, or was. */
 bool terminal_is_put_back(const struct terminal_stops *since);
 
-/* True if the process has continued since as well: others may have written on the screen and changed the terminal's
- * modes. */
+/* True if the process has continued after a stop as well: other programs may have written on the screen and changed the
+ * terminal's modes. */
 bool terminal_is_lost(const struct terminal_stops *since);
 
 /* Leaves a SIGCONT pending: the next console_wait ends at once. */
@@ -32,8 +32,8 @@ void terminal_resume_again(void);
 /* True if a signal other than SIGWINCH and SIGCONT is pending. */
 bool terminal_has_other_signal(void);
 
-/* write(2) to a terminal, between begin and end. Fails with EINTR when the process is stopped just before it writes,
- * and continues: the terminal may be the shell's by then. */
+/* Calls write(2) on a terminal, between begin and end. Fails with EINTR when the process is stopped just before it
+ * writes, and continues: the terminal may be the shell's by then. */
 ssize_t terminal_write(int fd, const void *bytes, size_t count);
 
 #endif

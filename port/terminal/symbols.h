@@ -6,7 +6,7 @@
 
 #include "encode.h"
 
-/* Pixels of a character. libchafa compares 8 x 8 points; a character is about twice as high as it is wide. */
+/* Size of a character in pixels. libchafa compares 8 x 8 points; a character is about twice as high as it is wide. */
 #define SYMBOLS_WIDTH 4
 #define SYMBOLS_HEIGHT 8
 
@@ -21,10 +21,10 @@ struct symbols {
 
 /* Adds the text that shows a strip of width x height pixels, whole characters, in 24-bit colours (`direct`) or the
  * nearest of the 256; only of characters that changed, none if there are none. A frame's strips come from the top down.
- * If text->failed gets set, nothing is known any more. */
+ * When text->failed is set, the contents are unknown. */
 void symbols_draw(struct symbols *symbols, const tia_rgb565 *pixels, unsigned width, unsigned height,
                   struct strip strip, bool direct, struct text *text);
-void symbols_forget(struct symbols *symbols); /* the window may show anything */
+void symbols_forget(struct symbols *symbols); /* Marks the contents as unknown: the window may show anything. */
 void symbols_free(struct symbols *symbols);
 
 #endif

@@ -25,30 +25,30 @@
 #include "terminal.h"
 #include "typed.h"
 
-/* How long after an ESC the rest of a sequence may take. The bytes of one key are sent at once;
- * 50 ms allow for a network's packets, and are too short for a person's next key. */
+/* Time limit for the rest of a sequence after an ESC. The bytes of one key are sent at once; 50 ms allow for a
+ * network's packets, and are too short for a person's next key. */
 #define SILENCE_US 50000
 
-#define BEHIND_MS 100 /* between two looks at whether the terminal is in front */
+#define BEHIND_MS 100 /* time between two checks that the terminal is in front */
 
 /* Bracketed paste: pasted text can be distinguished from typed keys. */
 static const char paste_on[] = "\033[?2004h", paste_off[] = "\033[?2004l";
 
-/* And the mouse: all of its movements, in numbers of any size. */
+/* Paste and the mouse: all of its movements, in numbers of any size. */
 static const char mouse_on[] = "\033[?2004h\033[?1003h\033[?1006h", mouse_off[] = "\033[?1006l\033[?1003l\033[?2004l";
 
 struct tty {
     const char *device;
     char *why;
-    const char *on, *off; /* what is sent first and last */
+    const char *on, *off; /* text that is sent first and last */
     int fd;               /* -1: closed */
-    bool controlling;     /* it is the process's, which the display may have asked */
-    bool raw;             /* `before` holds what close puts back */
+    bool controlling;     /* it is the controlling terminal, which the display may have queried */
+    bool raw;             /* `before` holds the modes that close restores */
     struct termios before, now;
-    struct terminal_stops since; /* when `now` was last set */
+    struct terminal_stops since; /* counts of stops when `now` was last set */
     struct decoder decoder;
-    uint64_t last_us;          /* when the last byte came */
-    uint8_t bytes[TYPED_MOST]; /* read and not yet decoded: [next, count) */
+    uint64_t last_us;          /* time of the last byte */
+    uint8_t bytes[TYPED_MOST]; /* bytes not yet decoded: [next, count) */
     size_t next, count;
 };
 
@@ -102,7 +102,8 @@ static int make_raw(struct tty *tty)
     return TIA_OK;
 }
 
-/* False when the terminal accepts nothing now. Other failures do not matter: it is read only, or has hung up. */
+/* Sends a text; false when the terminal accepts nothing now. Other failures do not matter: it is read only, or has hung
+ * up. */
 static bool send(const struct tty *tty, const char *text)
 {
     ssize_t n = terminal_write(tty->fd, text, strlen(text));
@@ -110,7 +111,7 @@ static bool send(const struct tty *tty, const char *text)
     return n == (ssize_t)strlen(text) || (n < 0 && errno != EAGAIN);
 }
 
-/* After a stop that put all this back the terminal is the shell's. */
+/* Restores the modes. After a stop that has restored all this the terminal is the shell's. */
 static void make_cooked(const struct tty *tty)
 {
     /* If it cannot be sent now, the guardian sends it later. */
@@ -168,7 +169,7 @@ static int take_typed(struct tty *tty)
     return 1;
 }
 
-/* Reads what is there: 1, or 0 if that is nothing. */
+/* Reads the bytes that have come; returns 1, or 0 when there are none. */
 static int read_bytes(struct tty *tty)
 {
     struct pollfd ready = {.fd = tty->fd, .events = POLLIN};
@@ -199,7 +200,7 @@ static uint16_t next_key(struct tty *tty)
     return key;
 }
 
-/* After a stop the shell has set its own modes. */
+/* Takes the terminal again after a stop, when the shell has set its own modes. */
 static void after_stop(struct tty *tty)
 {
     if (!terminal_is_lost(&tty->since) || !descriptor_await_front(tty->fd))
@@ -212,7 +213,7 @@ static void after_stop(struct tty *tty)
     (void)send(tty, tty->on);
 }
 
-/* The middle of the cell. */
+/* Sets the event; a pointer is in the middle of its cell. */
 static void set_event(const struct tty *tty, uint16_t key, struct tia_event *event)
 {
     const struct decoder *d = &tty->decoder;
@@ -255,7 +256,7 @@ static int smaller(int limit_ms, int timeout_ms)
     return timeout_ms < 0 || limit_ms < timeout_ms ? limit_ms : timeout_ms;
 }
 
-/* While a sequence is unfinished, waits no longer than until it counts as a lone Escape. A lost terminal is taken again
+/* Limits the wait: while a sequence is unfinished, until it counts as a lone Escape. A lost terminal is taken again
  * soon: the SIGCONT that would end the wait may have been counted already. */
 static int limit_ms(const struct tty *tty, int timeout_ms)
 {

@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define TYPED_MOST 256 /* bytes: answers of about 40 and what a person types within ANSWERS_MS */
+#define TYPED_MOST 256 /* number of bytes: answers of about 40, and the keys typed within ANSWERS_MS */
 
 /* Empties the buffer. */
 void typed_forget(void);

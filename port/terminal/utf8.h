@@ -1,10 +1,11 @@
-/* utf8.h - what characters the terminal takes. */
+/* utf8.h - the character set of the terminal. */
 #ifndef PORT_TERMINAL_UTF8_H
 #define PORT_TERMINAL_UTF8_H
 
 #include <stdbool.h>
 
-/* Asks the locale or, if it is not installed here, goes by its name: ssh passes on that of the terminal's machine. */
+/* True if the locale has UTF-8 or, where it is not installed, its name contains UTF-8: ssh passes on the locale of the
+ * terminal's machine. */
 bool locale_is_utf8(void);
 
 #endif

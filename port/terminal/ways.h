@@ -8,16 +8,16 @@
 
 #define WAYS_NAMES "automatic, halfblocks, symbols, sixel or kitty"
 
-/* Zero is automatic: the best that the terminal has, as it says itself. */
+/* A way to show pictures. Zero is automatic: the best that the terminal reports. */
 struct way {
     bool chosen;
-    enum pictures pictures; /* if chosen */
+    enum pictures pictures; /* the chosen kind, if any */
 };
 
-/* Whether `name` (NULL: not given) is one of WAYS_NAMES, which then is stored in `way`. */
+/* True if `name` (NULL: not given) is one of WAYS_NAMES; it is then stored in `way`. */
 bool ways_find(const char *name, struct way *way);
 
-/* What is shown, for the mode's format; `direct`: characters have 24-bit colours. */
+/* Returns the format for the mode; `direct`: characters have 24-bit colours. */
 const char *ways_format(enum pictures pictures, bool direct);
 
 #endif

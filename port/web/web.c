@@ -3,15 +3,15 @@
 
 #define HOST(name) __attribute__((import_module("host"), import_name(name)))
 
-/* An event as the script writes it. */
+/* An event, in the layout that the script writes. */
 struct host_event {
     int32_t kind, key, shift, drag, x, y;
-    double time_us; /* by host_now */
+    double time_us; /* time by host_now */
 };
 
-HOST("now") double host_now(void); /* microseconds */
+HOST("now") double host_now(void); /* returns microseconds */
 HOST("look") int32_t host_look(void);
-HOST("rest") int32_t host_rest(int32_t timeout_ms); /* 1: not here */
+HOST("rest") int32_t host_rest(int32_t timeout_ms); /* returns 1 where it is not possible */
 HOST("take") int32_t host_take(struct host_event *event);
 HOST("show") void host_show(const tia_rgb565 *pixels, uint32_t width, uint32_t height, const struct web_frame *frame);
 HOST("lines") void host_lines(const struct web_line *lines, uint32_t count);
@@ -46,7 +46,7 @@ static int web_submit(void *ctx, struct tia_tile tile)
     return TIA_OK;
 }
 
-/* The picture is shown when all is known of it. */
+/* Presents nothing: the script shows the picture once its data are complete. */
 static int web_present(void *ctx)
 {
     (void)ctx;
@@ -68,7 +68,7 @@ static int web_open(void *ctx)
     return TIA_OK;
 }
 
-/* The script takes a new event while it goes on. */
+/* Gives the next event; host_look lets the script go on, so that it can add one. */
 static int web_poll(void *ctx, struct tia_event *event)
 {
     struct host_event got;

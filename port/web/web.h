@@ -24,7 +24,7 @@ struct web_frame {
     uint32_t draw_us, key_us, relit;
     const void *state; /* state to pass to the next web_run */
     uint32_t state_size;
-    uint32_t plays; /* not 0: the scene moves */
+    uint32_t plays; /* not 0: the scene moves over time */
 };
 
 struct web_line {
@@ -38,21 +38,21 @@ struct web_screen {
     bool stays; /* set by wait if the browser cannot suspend: see above */
 };
 
-extern const struct tia_display web_display; /* the context is a struct web_screen */
-extern const struct tia_input web_input;     /* likewise */
+extern const struct tia_display web_display; /* display; its context is a struct web_screen */
+extern const struct tia_input web_input;     /* input; its context is a struct web_screen */
 extern const struct tia_clock web_clock;     /* ignores its context */
 
 /* Shows the screen's pixels, with their frame's data. */
 void web_show(const struct web_screen *screen, const struct web_frame *frame);
-/* Draws lines over them. */
+/* Draws lines over the pixels. */
 void web_draw_lines(const struct web_line *lines, unsigned count);
 
 /* True if an event is pending; the script goes on meanwhile. */
 bool web_look(void);
 
-/* Returns the length of a file that the script has; -1: it has not, and notes the name as wanted. */
+/* Returns the length of a file that the script has; -1 when it has not, and then notes the name as wanted. */
 int32_t web_file_size(const char *name, uint32_t length);
-/* Copies its bytes. */
+/* Copies the file's bytes. */
 void web_file_read(const char *name, uint32_t length, void *bytes);
 
 #endif

@@ -64,7 +64,7 @@ static void list(struct edges *edges, uint32_t face)
 
     for (unsigned k = 0; k < sides; k++) {
         uint32_t a = f->corner[k], b = f->corner[k + 1 < sides ? k + 1 : 0], e = TIA_SIDES * face + k;
-        edges->across[e] = a == b ? e : TIA_NO_EDGE; /* an edge without length is its own */
+        edges->across[e] = a == b ? e : TIA_NO_EDGE; /* an edge without length is its own neighbour */
         edges->low[e] = a < b ? a : b;
         edges->high[e] = a < b ? b : a;
         if (a != b)

@@ -21,7 +21,7 @@ static inline unsigned tia_face_sides(const struct tia_flat_face *face)
     return face->corner[TIA_SIDES - 1] == TIA_NO_CORNER ? TIA_SIDES - 1 : TIA_SIDES;
 }
 
-/* The edge from corner k of face f to the next has the number TIA_SIDES f + k. */
+/* Edges are numbered: from corner k of face f to the next corner is edge TIA_SIDES f + k. */
 
 /* Returns the bytes of room for tia_weld. */
 size_t tia_weld_room(uint32_t points);
@@ -32,9 +32,9 @@ size_t tia_edges_room(uint32_t faces);
 void tia_weld(uint32_t *first, const struct tia_vec3 *points, uint32_t count, void *room);
 
 /* Sets across[e] to an edge that runs the other way between the same points, each used once, or to TIA_NO_EDGE; an edge
- * without length is its own. Returns true if each edge has one, that is if the faces close. Corners at one position
- * must have one index. across has TIA_SIDES `count` elements; the fourth of a triangle is not written. Once cancelled,
- * the result is undefined. */
+ * without length is its own neighbour. Returns true if each edge has one, that is if the faces close. Corners at one
+ * position must have one index. across has TIA_SIDES `count` elements; the fourth of a triangle is not written. Once
+ * cancelled, the result is undefined. */
 bool tia_edges_join(uint32_t *across, const struct tia_flat_face *faces, uint32_t count, void *room,
                     struct cancel *cancel);
 

@@ -5,8 +5,8 @@
 #include "reach.h"
 #include "source.h"
 
-/* An object: faces first_face .. first_face + face_count - 1, in the order of its parts, see path_hash in debug.h; a
- * part of a box has two. */
+/* An object, with the faces first_face .. first_face + face_count - 1, in the order of its parts, see path_hash in
+ * debug.h; a part of a box has two. */
 struct tia_flat_object {
     enum tia_shape_kind kind;
     uint32_t object;
@@ -27,7 +27,7 @@ struct tia_flat_scene {
     struct tia_flat_face *faces;
     uint32_t *across; /* see tia_edges_join */
     struct tia_raster_vertex *points;
-    /* Planes of the faces; their grid is that of the first sample, then of the next. */
+    /* Planes of the faces; their grid is the first sample's at first, then that of each sample in turn. */
     struct tia_raster_plane *planes;
     uint32_t object_count, face_count, point_count;
 };
@@ -38,17 +38,17 @@ bool tia_flat_is_direction(const struct tia_flat_scene *flat, const struct tia_r
 /* Gives a vertex's three affine coordinates: x, y and w, in orthographic views x, y and h. */
 void tia_flat_affine(const struct tia_flat_scene *flat, const struct tia_raster_vertex *v, int64_t out[3]);
 
-/* Returns the number of faces of a scene that tia_scene_check accepts with shadows. */
+/* Returns the number of faces of a scene whose shadows tia_scene_check accepts. */
 uint64_t tia_flat_face_count(const struct tia_scene *scene);
 
 /* Returns the samples of a pixel: at least 1. */
 unsigned tia_flat_samples(const struct tia_scene *scene);
 
-/* Returns the bytes for a scene that tia_scene_check accepts with shadows; SIZE_MAX when there are too many, or more
- * than 2^28 faces. */
+/* Returns the bytes for a scene whose shadows tia_scene_check accepts; SIZE_MAX when there are too many, or more than
+ * 2^28 faces. */
 size_t tia_flat_size(const struct tia_scene *scene);
 
-/* Fills in the scene's faces, projected to a width x height image, in `memory`, aligned for uint64_t, with the scene's
+/* Stores the scene's faces, projected to a width x height image, in `memory`, aligned for uint64_t, with the scene's
  * lights. TIA_ERR_RANGE when a corner or a light is too far away for the rasteriser, see reach.h; TIA_STOPPED when
  * cancelled. */
 int tia_flat_init(struct tia_flat_scene *flat, void *memory, size_t size, const struct tia_scene *scene, unsigned width,
@@ -57,7 +57,7 @@ int tia_flat_init(struct tia_flat_scene *flat, void *memory, size_t size, const 
 /* Returns the scene's reach, for its lights. */
 struct tia_reach tia_flat_reach(const struct tia_flat_scene *flat);
 
-/* Returns the range of its vertices, see tia_reach_with_lights. */
+/* Returns the range of the scene's vertices, see tia_reach_with_lights. */
 unsigned tia_flat_range(const struct tia_flat_scene *flat);
 /* Places the vertices again with the fraction bits that another range leaves; TIA_STOPPED when cancelled: they are
  * undefined then. */
@@ -71,7 +71,7 @@ void tia_flat_sample(struct tia_flat_scene *out, const struct tia_flat_scene *fl
 unsigned tia_flat_corners(const struct tia_flat_scene *flat, uint32_t face,
                           struct tia_raster_vertex corners[TIA_SIDES]);
 
-/* Returns the part of its object that a face is, see path_hash in debug.h. */
+/* Returns the number of a face's part of its object, see path_hash in debug.h. */
 uint32_t tia_flat_element_of(const struct tia_flat_scene *flat, uint32_t face);
 
 /* Returns the object that a face belongs to. */

@@ -11,7 +11,7 @@
 
 /* ---- in the shape's own axes ---- */
 
-/* Returns a length with its fine digits, Q31.32. */
+/* Returns a length with its fine digits, in Q31.32. */
 static int64_t finely(tia_q16 a, int16_t digits)
 {
     return a * INT64_C(65536) + digits;
@@ -98,7 +98,7 @@ void tia_facet_shape_init(struct tia_facet_shape *f, const struct tia_scene *sce
 
 /* ---- points ---- */
 
-/* Returns n/around of a full turn. */
+/* Returns n/around of a full turn, as an angle. */
 static tia_q16 turn(uint32_t n, uint32_t around)
 {
     return (tia_q16)(((uint64_t)n * (uint32_t)TIA_Q16(360) + around / 2) / around);
@@ -152,7 +152,7 @@ static struct tia_flat_face between(uint32_t low, uint32_t high, uint32_t k, uin
     return half ? triangle(low + k, high + next, high + k) : triangle(low + k, low + next, high + next);
 }
 
-/* Returns the face from a point to two corners of a ring above it; or below. */
+/* Returns the face from a point to two corners of a ring above it, or below it. */
 static struct tia_flat_face fan(uint32_t point, uint32_t ring, uint32_t k, uint32_t around, bool above)
 {
     uint32_t next = (k + 1) % around;

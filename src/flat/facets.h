@@ -10,7 +10,8 @@ struct tia_facet_shape {
     enum tia_shape_kind kind;
     uint32_t around;
     bool capped;
-    int64_t centre[2][3], radius[2]; /* Q31.32; of a sphere and disc the first, else those of the ends */
+    int64_t centre[2][3], radius[2]; /* Q31.32; of a sphere and a disc only the first, of other shapes those of both
+                                        ends */
     int64_t across[2][3];            /* Q1.62; not set for a sphere */
 };
 

@@ -30,8 +30,8 @@ static int64_t fraction(int numerator, unsigned n)
     return numerator < 0 ? -q : q;
 }
 
-/* Gives centre + s side[0] + t side[1], with s = (2i + 1 - n)/n and t = 2 v - 1, v being i's bits behind the point: see
- * light.h. */
+/* Gives centre + s side[0] + t side[1], with s = (2i + 1 - n)/n and t = 2 v - 1, where v is the bits of i in reverse
+ * order behind the point: see light.h. */
 static void on_rectangle(const struct tia_light *light, unsigned i, int64_t at[3])
 {
     const tia_q16 a[3] = {light->side[0].x, light->side[0].y, light->side[0].z};
@@ -43,7 +43,8 @@ static void on_rectangle(const struct tia_light *light, unsigned i, int64_t at[3
         at[k] += wide_round(wide_sum(wide_product(a[k], s), wide_product(b[k], t)), 32);
 }
 
-/* Gives the point at the distance radius sqrt(u), u = (2i + 1)/(2n), and the angle v of a turn. */
+/* Gives the point of a disc at the distance radius sqrt(u) from its centre, u = (2i + 1)/(2n), and at v of a full
+ * turn. */
 static void on_disc(const struct tia_light *light, unsigned i, int64_t at[3])
 {
     const int64_t given[3] = {light->direction.x, light->direction.y, light->direction.z};

@@ -92,7 +92,7 @@ static bool is_flat(const struct tia_reach *reach)
     return reach->eye->projection == TIA_ORTHOGRAPHIC;
 }
 
-/* Returns b, as above. */
+/* Returns the b of the derivation: the image has at most 2^b pixels a side. */
 static unsigned image_bits(const struct tia_reach *reach)
 {
     return 32 - (unsigned)tia_clz32((larger(reach->width, reach->height) - 1) | 1);

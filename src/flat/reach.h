@@ -13,7 +13,7 @@ struct tia_reach {
     const struct tia_eye *eye;
     unsigned width, height; /* size of the image, in pixels */
     uint32_t samples;       /* samples of a pixel */
-    unsigned faces;         /* the largest range of a corner, see tia_eye_range */
+    unsigned faces;         /* largest range of a corner, see tia_eye_range */
 };
 
 /* Returns the range of the scene's faces; undefined once cancelled. */

@@ -5,7 +5,8 @@
 #include "facets.h"
 #include "scene/hull.h"
 
-/* The two faces of a plane are its halves. They meet along a line, from a direction to the opposite one. */
+/* The two faces of a plane are half planes. Their common edge is a line, which runs from a direction at infinity to the
+ * opposite direction. */
 #define TIA_PLANE_FACES 2
 #define TIA_PLANE_POINTS 5
 
@@ -24,8 +25,8 @@ struct tia_flat_source {
  * memory, so that the memory for a scene with all its shapes suffices at all times. */
 bool tia_flat_is_empty(const struct tia_scene *scene, uint32_t object);
 
-/* True if an object has flat faces here. Curved objects are left to rays, unless the scene has them tessellated, and
- * grids always. */
+/* True if an object has flat faces here. Rays draw curved objects, unless the scene has them tessellated, and all
+ * grids. */
 bool tia_flat_takes(const struct tia_scene *scene, uint32_t object);
 
 /* Gives the number of points and faces of an object that has flat faces. */
@@ -33,7 +34,8 @@ void tia_flat_count(const struct tia_scene *scene, uint32_t object, uint64_t *po
 
 void tia_flat_source_init(struct tia_flat_source *source, const struct tia_scene *scene, uint32_t object);
 
-/* Returns the number of its points in the world: of a plane only point 0, the others are directions. */
+/* Returns the number of the object's points that have a position in the world: of a plane only point 0, the others are
+ * directions. */
 static inline uint32_t tia_flat_places(const struct tia_flat_source *source)
 {
     return source->kind == TIA_PLANE ? 1 : source->points;

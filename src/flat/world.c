@@ -50,11 +50,11 @@ static void invert(struct tia_world *world, const struct tia_eye *eye)
             world->m[i][k] = quotient(columns[k][i], det, exponents[k] + world->places);
 }
 
-/* Limit of a view's numbers, three of which are added: for the first pixel, and for the way from there to the last
- * column and row. Only views of 2^16 units and more reach it, apart from the limits of coordinates. */
+/* Limit of a view's numbers. Three of them are added: the first pixel's, and the steps from there to the last column
+ * and row. Only views of 2^16 units and more reach it, apart from the limits of coordinates. */
 #define VIEW_MOST (INT64_C(1) << 61)
 
-/* Returns m d/w in Q.45, d any whole numbers below 2^31. */
+/* Returns m d/w in Q.45, for d of any integers below 2^31. */
 static int64_t over(const struct tia_world *world, int i, const int64_t d[3], int32_t w)
 {
     wide sum = wide_dot(world->m[i], d);
@@ -96,7 +96,7 @@ void tia_world_place(const struct tia_world *world, const struct tia_raster_vert
                               (unsigned)(world->places + world->flat->grid.fraction - TIA_WORLD_BITS));
 }
 
-/* Gives a direction of any length, of which the largest component then has 60 bits. */
+/* Gives the direction of q in the world, of any length; its largest component then has 60 bits. */
 static void turn(const struct tia_world *world, const int64_t q[3], int64_t direction[3])
 {
     int64_t long_one[3];

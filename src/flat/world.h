@@ -12,7 +12,7 @@ struct tia_world {
     int64_t m[3][3];
     int places;
     const struct tia_flat_scene *flat;
-    /* Q.45. Pixel (x, y) sees, at the distance d, the point d (first + x right + y down), or in orthographic views
+    /* Q.45. Pixel (x, y) shows, at the distance d, the point d (first + x right + y down), or in orthographic views
      * first + x right + y down + d along. */
     int64_t first[3], right[3], down[3], along[3];
 };
@@ -28,7 +28,7 @@ void tia_world_direction(const struct tia_world *world, const struct tia_raster_
 void tia_world_from_to(const struct tia_world *world, const struct tia_raster_vertex *from,
                        const struct tia_raster_vertex *to, int64_t direction[3]);
 
-/* Gives the point that pixel (x, y) sees at a distance from tia_raster_distance. */
+/* Gives the point that pixel (x, y) shows, at a distance from tia_raster_distance. */
 void tia_world_seen(const struct tia_world *world, int x, int y, int64_t distance, int64_t place[3]);
 
 #endif

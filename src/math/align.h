@@ -6,10 +6,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* A size, of any integer type, rounded up so that the next array is aligned for uint64_t. */
+/* Rounds a size, of any integer type, up so that the next array is aligned for uint64_t. */
 #define ALIGN(size) (((size) + 7) / 8 * 8)
 
-/* Its offset is the alignment of uint64_t: 1 on an AVR, 4 on an i386, 8 elsewhere. */
+/* A struct in which `number` has the alignment of uint64_t as its offset: 1 on an AVR, 4 on an i386, 8 elsewhere. */
 struct align_probe {
     char before;
     uint64_t number;

@@ -15,7 +15,7 @@ static inline int64_t tia_atan2(int64_t y, int64_t x)
         x = -x;
         y = -y;
     }
-    x /= 2; /* CORDIC lengthens the vector by 1.65 */
+    x /= 2; /* CORDIC lengthens the vector by the factor 1.65 */
     y /= 2;
     if (x == 0 && y == 0)
         return 0;

@@ -7,7 +7,7 @@
 /* Returns a/b, rounded down; b is not 0. */
 uint64_t tia_quotient(uint64_t a, uint64_t b);
 
-/* a modulo b. */
+/* Returns a modulo b. */
 static inline uint64_t divide_rest(uint64_t a, uint64_t b)
 {
     return a - tia_quotient(a, b) * b;

@@ -75,7 +75,7 @@ static inline unsigned tia_clz64(uint64_t x)
 #endif
 }
 
-/* x / 2^s to nearest, ties up. s <= 63, |x| < 2^62. */
+/* Returns x / 2^s to nearest, ties up. s <= 63, |x| < 2^62. */
 /*@ requires s <= 63 && -0x4000000000000000 < x < 0x4000000000000000;
     assigns \nothing;
     ensures s == 0 ==> \result == x;
@@ -87,8 +87,8 @@ static inline int64_t tia_round_shift(int64_t x, unsigned s)
     return (x + half) >> s;
 }
 
-/* The same for s >= 1 on 32-bit machines, where a 64-bit addition needs a carry: it adds the highest bit that is
- * shifted out. */
+/* Selects a version of tia_round_shift for s >= 1 on 32-bit machines, where a 64-bit addition needs a carry: it adds
+ * the highest bit that is shifted out. */
 #define TIA_SHIFTS_WORDS (UINTPTR_MAX == UINT32_MAX)
 static inline int64_t tia_round_shift_words(int64_t x, unsigned s)
 {
@@ -100,7 +100,7 @@ static inline int64_t tia_round_shift_words(int64_t x, unsigned s)
     return (int64_t)(floor + (low >> (s - 1) & 1));
 }
 
-/* Returns the lower 32 bits of the same, for unsigned x. */
+/* Returns the lower 32 bits of tia_round_shift, for unsigned x. */
 static inline uint32_t tia_round_shift_low(uint64_t x, unsigned s)
 {
     uint32_t low = (uint32_t)x, high = (uint32_t)(x >> 32);
@@ -116,19 +116,19 @@ static inline uint32_t tia_seed(uint32_t line, uint32_t f)
     return c0 - (((line & 0xfff) * f) >> 3);
 }
 
-/* 2^31 / sqrt(a / 2^32) with a relative error below 3.2e-6. a >= 2^30. */
+/* Returns 2^31 / sqrt(a / 2^32) with a relative error below 3.2e-6. a >= 2^30. */
 static inline uint32_t tia_rsqrt_seed(uint32_t a)
 {
     return tia_seed(tia_rsqrt_lines[(a >> 23) - 128], (a >> 7) & 0xffff);
 }
 
-/* 2^63 / d with a relative error below 7.9e-6. d >= 2^31. */
+/* Returns 2^63 / d with a relative error below 7.9e-6. d >= 2^31. */
 static inline uint32_t tia_reciprocal_seed(uint32_t d)
 {
     return tia_seed(tia_reciprocal_lines[(d >> 24) - 128], (d >> 8) & 0xffff);
 }
 
-/* 2^31 / sqrt(n / 2^64), Q1.31 in [2^31, 2^32), within 2 ulp. n >= 2^62.
+/* Returns 2^31 / sqrt(n / 2^64), Q1.31 in [2^31, 2^32), within 2 ulp. n >= 2^62.
  *
  * One Newton step y (1 + e/2), e = 1 - n y^2, on the upper word of n; the lower word is too small to matter.
  * Cutting a factor to 32 bits loses half a unit on average, so half a unit is added back: n counts as a + 1/2
@@ -144,7 +144,7 @@ static inline uint32_t tia_rsqrt(uint64_t n)
     return y + (uint32_t)(tia_mul_s32((int32_t)(y >> 1), (int32_t)(e >> 16)) >> 46);
 }
 
-/* 2^63 / d, at most 2^32 - 1; the error is -1.02 to +0.25 ulp. d >= 2^31.
+/* Returns 2^63 / d, at most 2^32 - 1; the error is -1.02 to +0.25 ulp. d >= 2^31.
  *
  * One Newton step y (1 + e), e = 1 - d y, rounded down. Its own error is -e^2, a quarter of an ulp at d = 2^31.
  * Raising e by 2^-34 corrects that; more would take 2^63 / 2^31 to 2^32, which does not fit. */
@@ -155,7 +155,7 @@ static inline uint32_t tia_reciprocal(uint32_t d)
     return y + (uint32_t)(tia_mul_s32((int32_t)(y >> 1), (int32_t)(e >> 16)) >> 46);
 }
 
-/* The square root of n >= 2^62, rounded down, exact.
+/* Returns the square root of n >= 2^62, rounded down, exact.
  *
  * r0 = n y with the seed y, then one Newton step with y for 1/r: r0 + (n - r0^2) y / 2. Its error is -3/2 e^2 r,
  * less than 0.1 in size, and 2^-12 either way from rounding. Subtracting 2^12 from the remainder (1/32 to 1/16 in
@@ -165,13 +165,13 @@ static inline uint32_t tia_sqrt_normalised(uint64_t n)
 {
     uint32_t a = (uint32_t)(n >> 32);
     uint32_t y = tia_rsqrt_seed(a);
-    uint32_t half = (uint32_t)(tia_mul_u32(a, y) >> 32); /* of r0, which may need 33 bits */
+    uint32_t half = (uint32_t)(tia_mul_u32(a, y) >> 32); /* half of r0, which may need 33 bits */
     int32_t rest = (int32_t)((int64_t)(n - (tia_mul_u32(half, half) << 2)) >> 16) - (1 << 12);
     uint32_t r = (half << 1) + (uint32_t)(tia_mul_s32(rest, (int32_t)(y >> 1)) >> 47);
     return r + (n - tia_mul_u32(r, r) > 2 * (uint64_t)r);
 }
 
-/* The square root of x, rounded down, exact. */
+/* Returns the square root of x, rounded down, exact. */
 static inline uint32_t tia_sqrt64(uint64_t x)
 {
     if (!x)
@@ -213,7 +213,7 @@ static inline uint32_t tia_sqrt32(uint32_t x)
  * inlined, as no inner loop calls it. */
 struct tia_dir3 tia_normalise(int32_t x, int32_t y, int32_t z);
 
-/* TIA_NO_INT128: without the compiler's 128-bit integers though it has them. */
+/* Compiler's 128-bit integers. TIA_NO_INT128: they are not used though they exist. */
 #if defined(__SIZEOF_INT128__) && !defined(TIA_NO_INT128)
 #define TIA_INT128 1
 #else
@@ -225,7 +225,7 @@ struct tia_wide {
     uint64_t high, low;
 };
 
-/* a b, exact, from 32-bit halves: for compilers without 128-bit integers. */
+/* Returns a b, exact, from 32-bit halves: for compilers without 128-bit integers. */
 static inline struct tia_wide tia_wide_product_by_halves(uint64_t a, uint64_t b)
 {
     uint32_t a0 = (uint32_t)a, a1 = (uint32_t)(a >> 32), b0 = (uint32_t)b, b1 = (uint32_t)(b >> 32);
@@ -234,7 +234,7 @@ static inline struct tia_wide tia_wide_product_by_halves(uint64_t a, uint64_t b)
     return (struct tia_wide){tia_mul_u32(a1, b1) + (middle >> 32) + (cross >> 32), cross << 32 | (uint32_t)low};
 }
 
-/* a b, exact. */
+/* Returns a b, exact. */
 static inline struct tia_wide tia_wide_product(uint64_t a, uint64_t b)
 {
 #if TIA_INT128

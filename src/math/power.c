@@ -39,7 +39,7 @@ int64_t tia_log2(int64_t d)
     int64_t x = wide_round(wide_product(m, tia_log_inverses[i]), 9) - ONE;
     int64_t y = ((int64_t)n << 56) + tia_logs[i] - tia_round_shift(series(tia_log_series, 8, x), 6);
 
-    return y < 0 ? 0 : y; /* y may be off by a rounding: below 0 for d next to 1 */
+    return y < 0 ? 0 : y; /* rounding may bring y below 0 for d next to 1 */
 }
 
 int64_t tia_exp2(int64_t whole, int64_t v)

@@ -15,11 +15,12 @@ extern const int64_t tia_log_series[8], tia_exp_series[6];
 /* Returns -log2 d, Q8.56, within 2^-56; 0 < d <= 1, Q1.62. */
 int64_t tia_log2(int64_t d);
 
-/* Returns whole 2^-v with an error of at most 2^-56 of it plus 2^-61; whole <= 1, Q1.62; v >= 0, Q8.56. */
+/* Returns whole times 2^-v with an error of at most 2^-56 of the result plus 2^-61; whole <= 1, Q1.62; v >= 0,
+ * Q8.56. */
 int64_t tia_exp2(int64_t whole, int64_t v);
 
-/* Returns whole d^(fraction/2^16), within 2^-55: d^e for num_power_q16.h, without roots; Q1.62, whole <= d < 1, 0 < d.
- */
+/* Returns whole times d^(fraction/2^16), within 2^-55: d^e for num_power_q16.h, without roots; Q1.62, whole <= d < 1, 0
+ * < d. */
 int64_t tia_power_near(int64_t whole, int64_t d, uint32_t fraction);
 
 #endif

@@ -48,14 +48,15 @@ void tia_rotation_axes(struct tia_vec3 rotation, int64_t axes[3][3])
     }
 }
 
-/* degrees = 360 turns, which have 62 bits after the point; the result is the nearest with 16 */
+/* Returns the angle in degrees: 360 times the turns, which have 62 bits after the point; the result is the nearest with
+ * 16. */
 static tia_q16 degrees(int64_t y, int64_t x)
 {
     return (tia_q16)wide_round(wide_product(tia_atan2(y, x), 360), 46);
 }
 
-/* axes[0] is at (cz cy, sz cy, -sy), and axes[1] and [2] have cy sx and cy cx along z. Where cy is only a rounding
- * error, x and z turn alike: with z = 0 axes[1] is at (sy sx, cx, 0). */
+/* Gives the angles. axes[0] is at (cz cy, sz cy, -sy), and axes[1] and [2] have cy sx and cy cx along z. Where cy is
+ * only a rounding error, x and z turn alike: with z = 0 axes[1] is at (sy sx, cx, 0). */
 void tia_rotation_angles(const int64_t axes[3][3], struct tia_vec3 *rotation)
 {
     int64_t horizontal =

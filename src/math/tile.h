@@ -4,7 +4,7 @@
 
 #include <tia/render.h>
 
-/* True if a tile has pixels, all of them in an area. It may end beyond 65535, the most that a 16-bit unsigned int
+/* True if a tile has pixels, all of them in an area. The area may end beyond 65535, the most that a 16-bit unsigned int
  * holds. */
 static inline bool tile_is_inside(struct tia_tile tile, struct tia_tile area)
 {
@@ -13,7 +13,7 @@ static inline bool tile_is_inside(struct tia_tile tile, struct tia_tile area)
            (uint32_t)tile.y + tile.height <= (uint32_t)area.y + area.height;
 }
 
-/* Its offset is the alignment of a pixel: 1 on an AVR, 2 elsewhere. */
+/* A struct in which `pixel` has the alignment of a pixel as its offset: 1 on an AVR, 2 elsewhere. */
 struct surface_probe {
     char before;
     tia_rgb565 pixel;

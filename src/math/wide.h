@@ -43,14 +43,14 @@ static inline uint64_t wide_low(wide a)
     return (uint64_t)a;
 }
 
-/* a 2^s, s in 0..127; no bit is lost. */
+/* Returns a 2^s, s in 0..127; no bit is lost. */
 static inline wide wide_up(wide a, unsigned s)
 {
     __extension__ typedef unsigned __int128 bits;
     return (wide)((bits)a << s);
 }
 
-/* a / 2^s rounded down, s in 1..127, the result below 2^63. */
+/* Returns a / 2^s rounded down, s in 1..127, the result below 2^63. */
 static inline int64_t wide_down(wide a, unsigned s)
 {
     return (int64_t)(a >> s);
@@ -63,7 +63,7 @@ static inline wide wide_of_halves(int64_t high, uint64_t low)
     return (wide)((bits)(uint64_t)high << 64 | low);
 }
 
-/* a b, below 2^127 in size. */
+/* Returns a b, below 2^127 in size. */
 static inline wide wide_times(wide a, int64_t b)
 {
     return a * b;
@@ -74,13 +74,13 @@ typedef struct {
     uint64_t low;
 } wide;
 
-/* a b, |a| <= 2^31, b < 2^32. */
+/* Returns a b, |a| <= 2^31, b < 2^32. */
 static inline int64_t wide_mixed(int32_t a, uint32_t b)
 {
     return (int64_t)(tia_mul_u32((uint32_t)a, b) - (a < 0 ? (uint64_t)b << 32 : 0));
 }
 
-/* The upper words are signed, the lower ones are not: no sum below leaves 64 bits. */
+/* Returns a b. The upper words are signed, the lower ones are not: no sum below leaves 64 bits. */
 static inline wide wide_product(int64_t a, int64_t b)
 {
     uint32_t a0 = (uint32_t)a, b0 = (uint32_t)b;
@@ -140,7 +140,7 @@ static inline wide wide_of_halves(int64_t high, uint64_t low)
     return (wide){high, low};
 }
 
-/* Modulo 2^128 the halves may be taken as unsigned: b < 0 counts 2^64 too much. */
+/* Returns a b modulo 2^128, where the halves may be taken as unsigned: b < 0 counts 2^64 too much. */
 static inline wide wide_times(wide a, int64_t b)
 {
     struct tia_wide p = tia_wide_product(a.low, (uint64_t)b);
@@ -150,8 +150,8 @@ static inline wide wide_times(wide a, int64_t b)
 }
 #endif
 
-/* a / 2^s rounded to nearest, ties up; s in 1..126, the result below 2^63. The highest bit shifted out is added to
- * round up. */
+/* Returns a / 2^s rounded to nearest, ties up; s in 1..126, the result below 2^63. The highest bit shifted out is added
+ * to round up. */
 static inline int64_t wide_round(wide a, unsigned s)
 {
     uint64_t half = s > 64 ? (uint64_t)wide_high(a) >> (s - 65) : wide_low(a) >> (s - 1);
@@ -165,7 +165,7 @@ static inline wide wide_size(wide a)
     return wide_is_negative(a) ? wide_difference(wide_product(0, 0), a) : a;
 }
 
-/* -1, 0 or 1. */
+/* Returns the sign: -1, 0 or 1. */
 static inline int wide_sign(wide a)
 {
     return wide_is_negative(a) ? -1 : (wide_high(a) | (int64_t)wide_low(a)) != 0;
@@ -176,7 +176,7 @@ static inline wide wide_negative(wide a)
     return wide_difference(wide_product(0, 0), a);
 }
 
-/* a b in 256 bits, the lowest word first. a, b >= 0. */
+/* Gives a b in 256 bits, the lowest word first. a, b >= 0. */
 static inline void wide_long_product(wide a, wide b, uint64_t p[4])
 {
     uint64_t x[2] = {wide_low(a), (uint64_t)wide_high(a)}, y[2] = {wide_low(b), (uint64_t)wide_high(b)};
@@ -195,7 +195,7 @@ static inline void wide_long_product(wide a, wide b, uint64_t p[4])
     }
 }
 
-/* The sign of a b - c d, exact. */
+/* Returns the sign of a b - c d, exact. */
 static inline int wide_order_of_products(wide a, wide b, wide c, wide d)
 {
     int s = wide_sign(a) * wide_sign(b), t = wide_sign(c) * wide_sign(d);
@@ -213,13 +213,13 @@ static inline int wide_order_of_products(wide a, wide b, wide c, wide d)
     return 0;
 }
 
-/* The sum of three products. |a|, |b| below 2^62. */
+/* Returns the sum of three products. |a|, |b| below 2^62. */
 static inline wide wide_dot(const int64_t a[3], const int64_t b[3])
 {
     return wide_sum(wide_sum(wide_product(a[0], b[0]), wide_product(a[1], b[1])), wide_product(a[2], b[2]));
 }
 
-/* The length of a >= 0 in bits. */
+/* Returns the length of a >= 0 in bits. */
 static inline int wide_bits(wide a)
 {
     uint64_t high = (uint64_t)wide_high(a), low = wide_low(a);
@@ -233,13 +233,13 @@ static inline unsigned wide_zeros(wide a)
     return (unsigned)(126 - wide_bits(a)) & ~1u;
 }
 
-/* One Newton step for the square root of n: r + (n - r^2)/(2r), where y is 2^31/sqrt(n / 2^126). */
+/* Returns one Newton step for the square root of n: r + (n - r^2)/(2r), where y is 2^31/sqrt(n / 2^126). */
 static inline int64_t wide_sqrt_step(wide n, int64_t r, uint32_t y)
 {
     return r + wide_down(wide_product(wide_down(wide_difference(n, wide_product(r, r)), 35), y), 60);
 }
 
-/* The square root of 0 <= a < 2^126, rounded down, exact. Two Newton steps go from 29 correct bits to 57 to 63,
+/* Returns the square root of 0 <= a < 2^126, rounded down, exact. Two Newton steps go from 29 correct bits to 57 to 63,
  * then the remainder corrects the last unit. */
 static inline int64_t wide_sqrt(wide a)
 {
@@ -260,7 +260,7 @@ static inline int64_t wide_sqrt(wide a)
     return r >> (s / 2);
 }
 
-/* 2^62/sqrt(top / 2^64), at most 2^63 - 1, with a relative error below 2^-59. top >= 2^62.
+/* Returns 2^62/sqrt(top / 2^64), at most 2^63 - 1, with a relative error below 2^-59. top >= 2^62.
  *
  * y (1 + e/2 + 3/8 e^2) with e = 1 - n y^2 below 2^-28; the next term, 5/16 e^3, is small enough to omit. */
 static inline int64_t wide_rsqrt(uint64_t top)
@@ -274,7 +274,7 @@ static inline int64_t wide_rsqrt(uint64_t top)
     return r >> 63 ? INT64_MAX : (int64_t)r;
 }
 
-/* 2^62/(b / 2^64), at most 2^63 - 1, with a relative error below 2^-60. b >= 2^63. */
+/* Returns 2^62/(b / 2^64), at most 2^63 - 1, with a relative error below 2^-60. b >= 2^63. */
 static inline int64_t wide_reciprocal(uint64_t b)
 {
     uint32_t y = tia_reciprocal((uint32_t)(b >> 32));
@@ -286,7 +286,7 @@ static inline int64_t wide_reciprocal(uint64_t b)
     return r >> 63 ? INT64_MAX : (int64_t)r;
 }
 
-/* Precomputed for many quotients by the same b: |b| < 2^63. */
+/* A divisor b prepared for many quotients: |b| < 2^63. */
 struct wide_divisor {
     int64_t reciprocal; /* reciprocal of |b| 2^zeros; 0 when b is 0 */
     int zeros;
@@ -301,8 +301,8 @@ static inline struct wide_divisor wide_divisor(int64_t b)
     return (struct wide_divisor){divisor ? wide_reciprocal(divisor << z) : 0, (int)z, b < 0};
 }
 
-/* a/b * 2^e, with a relative error below 2^-59 plus half a unit. Clamped to +-2^62, also when b is 0. |a| < 2^63, e in
- * 0..126. */
+/* Returns a/b 2^e, with a relative error below 2^-59 plus half a unit. Clamped to +-2^62, also when b is 0. |a| < 2^63,
+ * e in 0..126. */
 static inline int64_t wide_quotient_by(int64_t a, struct wide_divisor b, int e)
 {
     bool negative = (a < 0) != b.negative;
@@ -321,7 +321,8 @@ static inline int64_t wide_quotient(int64_t a, int64_t b, int e)
     return wide_quotient_by(a, wide_divisor(b), e);
 }
 
-/* Sets d to v, in any unit, divided by its length: Q1.62, within 2^-58. False, and d = 0, when v is 0. |v| < 2^62. */
+/* Sets d to v, in any unit, divided by the length of v: Q1.62, within 2^-58. False, and d = 0, when v is 0. |v| <
+ * 2^62. */
 static inline bool wide_normalise(const int64_t v[3], int64_t d[3])
 {
     wide n = wide_dot(v, v);

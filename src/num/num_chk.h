@@ -13,7 +13,7 @@
 
 void tia_chk_report(const char *file, int line, const char *range);
 
-/* The call being checked. Static: one for each source file; and one for each thread. */
+/* The call being checked: a variable for each source file and each thread. */
 static _Thread_local struct num_site {
     const char *file;
     int line;

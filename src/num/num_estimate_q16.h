@@ -23,7 +23,7 @@ static inline num_unit num_of_chance(uint32_t chance)
     return chance == UINT32_MAX ? NUM_UNIT_ONE : (num_unit)chance << 30;
 }
 
-/* mantissa 2^exponent, the mantissa in 2^61..2^62; or 0. */
+/* A density, mantissa 2^exponent with the mantissa in 2^61..2^62; or 0. */
 struct num_density {
     int64_t mantissa;
     int exponent;

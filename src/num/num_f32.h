@@ -1,4 +1,4 @@
-/* num_f32.h - single precision, the usual choice, to compare speed and error with the integers'. */
+/* num_f32.h - single precision, the usual choice, for comparing speed and error with fixed point. */
 #ifndef TIA_NUM_NUM_F32_H
 #define TIA_NUM_NUM_F32_H
 

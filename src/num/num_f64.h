@@ -1,4 +1,4 @@
-/* num_f64.h - double precision: the reference for the integers' error. */
+/* num_f64.h - double precision: the reference for the error of fixed point. */
 #ifndef TIA_NUM_NUM_F64_H
 #define TIA_NUM_NUM_F64_H
 

@@ -4,7 +4,7 @@
 
 #include "math/power.h"
 
-/* d^n by squaring. */
+/* Returns d^n by squaring. */
 static inline num_unit num_whole_power(num_unit d, tia_q16 n)
 {
     num_unit power = NUM_UNIT_ONE, base = d;

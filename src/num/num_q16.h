@@ -54,7 +54,7 @@ static inline num_u num_colour_product(num_u a, num_u b)
     return (num_u)((tia_mul_u32(a, b) + ((uint64_t)1 << 29)) >> 30);
 }
 
-/* A mantissa below 2^31 as a signed one. */
+/* Returns a mantissa below 2^31 as a signed one. */
 static inline num num_signed(num_u t)
 {
     NUM_CHECK(t >> 31 == 0);
@@ -85,7 +85,7 @@ static inline num_wide num_shift(num_wide x, int s)
     return s < -63 ? 0 : tia_round_shift(x, (unsigned)-s);
 }
 
-/* x * 2^-s, rounded to nearest, ties up; s in 0..63. */
+/* Returns x * 2^-s, rounded to nearest, ties up; s in 0..63. */
 static inline num_wide num_down(num_wide x, int s)
 {
     NUM_CHECK(s >= 0 && s <= 63);
@@ -105,7 +105,7 @@ static inline num_u num_top_u(num_wide x)
     return (num_u)((num_uwide)x >> 32);
 }
 
-/* max(0, a - b). */
+/* Returns max(0, a - b). */
 static inline num_uwide num_excess(num_uwide a, num_uwide b)
 {
     return a > b ? a - b : 0;
@@ -116,8 +116,8 @@ static inline num_u num_sqrt(num_uwide x)
     return tia_sqrt64(x);
 }
 
-/* a/b * 2^(63 - s), rounded to nearest; b > 0, the result below 2^32. Relative error 2^-31, from the
- * reciprocal of b. */
+/* Returns a/b * 2^(63 - s), rounded to nearest; b > 0, the result below 2^32. Relative error 2^-31, from the reciprocal
+ * of b. */
 static inline num_u num_quotient(num_u a, num_u b, int s)
 {
     NUM_CHECK(b > 0);
@@ -129,7 +129,7 @@ static inline num_u num_quotient(num_u a, num_u b, int s)
     return (num_u)(((product >> (shift - 1)) + 1) >> 1);
 }
 
-/* The normalised x > 0: mantissa = x * 4^half in [2^62, 2^64), inverse = 2^63 / sqrt(mantissa). */
+/* A normalised number x > 0: mantissa = x * 4^half in [2^62, 2^64), inverse = 2^63 / sqrt(mantissa). */
 struct num_normal {
     num_uwide mantissa;
     num_u inverse;
@@ -175,7 +175,7 @@ static inline bool num_product_above(num_wide a, num_wide b, num_wide c, num_wid
     return tia_cmp_products((uint64_t)-a, (uint64_t)b, (uint64_t)c, (uint64_t)-d) < 0;
 }
 
-/* x * 2^s as a mantissa, which must fit. */
+/* Returns x * 2^s as a mantissa, which must fit. */
 static inline num_u num_scale(num_wide x, int s)
 {
     NUM_CHECK(x >= 0 && num_bits(num_shift(x, s)) <= 32);
@@ -183,7 +183,7 @@ static inline num_u num_scale(num_wide x, int s)
                                                  : (num_u)num_shift(x, s);
 }
 
-/* x * 2^s as a mantissa, at most UINT32_MAX. */
+/* Returns x * 2^s as a mantissa, at most UINT32_MAX. */
 static inline num_u num_scale_within(num_wide x, int s)
 {
     NUM_CHECK(x >= 0);
@@ -192,13 +192,13 @@ static inline num_u num_scale_within(num_wide x, int s)
     return s > -32 && (num_u)(x >> 32) >> -s ? UINT32_MAX : tia_round_shift_low((num_uwide)x, (unsigned)-s);
 }
 
-/* The upper half of a product of mantissas, rounded to nearest. */
+/* Returns the upper half of a product of mantissas, rounded to nearest. */
 static inline num_u num_mul_top(num_u a, num_u b)
 {
     return (num_u)((num_mul_u(a, b) + (num_uwide)NUM_HALF) >> 32);
 }
 
-/* The mantissa's upper 32 bits. */
+/* Returns the mantissa's upper 32 bits. */
 static inline num_u num_normal_top(struct num_normal n)
 {
     return (num_u)(n.mantissa >> 32);
@@ -233,14 +233,14 @@ static inline num_u num_lambert(num_u scaled, num_u inverse)
 /* Biases: shadow rays start bias = 2^-13 above the surface, and the sphere kernels need bias/r. With R = 2^16 r and
  * inverse = num_inverse(r) = 2^(31 + num_bits(R)) / R, it is 2^(-28 - num_bits(R)) inverse. */
 
-/* bias/r with the exponent 32, for a radius of `bits` bits. */
+/* Returns bias/r with the exponent 32, for a radius of `bits` bits. */
 static inline num_u num_bias(num_u inverse, int bits)
 {
     NUM_CHECK(num_bits(num_shift(inverse, 4 - bits)) <= 32);
     return (num_u)num_shift(inverse, 4 - bits);
 }
 
-/* facing * inverse * 2^-s, rounded to nearest: bias N.w from r N.w and num_inverse(r). */
+/* Returns facing * inverse * 2^-s, rounded to nearest: bias N.w from r N.w and num_inverse(r). */
 static inline num_wide num_bias_product(num_u facing, num_u inverse, int s)
 {
     NUM_CHECK(s >= 1);
@@ -248,7 +248,7 @@ static inline num_wide num_bias_product(num_u facing, num_u inverse, int s)
     return (num_wide)(((num_mul_u(facing, inverse) >> (s - 1)) + 1) >> 1);
 }
 
-/* x bias/r with the exponent e, where x has the exponent 30 and the radius `bits` bits. */
+/* Returns x bias/r with the exponent e, where x has the exponent 30 and the radius `bits` bits. */
 static inline num_wide num_bias_of(num_wide x, num_u inverse, int bits, int e)
 {
     int x_bits = num_bits(x), s = 88 + bits - x_bits - e;
@@ -269,7 +269,7 @@ static inline unsigned num_quantise(num_u c, unsigned levels, num_u threshold)
     return (unsigned)(((num_uwide)c * levels + threshold) >> 30);
 }
 
-/* (n + 1/2) / 64 as a threshold. */
+/* Returns (n + 1/2) / 64 as a threshold. */
 static inline num_u num_threshold(unsigned n)
 {
     return (num_u)(2 * n + 1) << 23;

@@ -43,7 +43,7 @@
 
 #include "num.h"
 
-/* n and o along an axis of a texture, in Q16.16 times 2^-bits, see there. */
+/* The numbers n and o of a texture along an axis, in Q16.16 times 2^-bits, see struct tia_texture. */
 struct num_pattern {
     tia_q16 repeat, offset;
     int repeat_bits, offset_bits;
@@ -83,7 +83,7 @@ static inline struct num_point num_point_sub(struct num_point a, struct num_poin
     return (struct num_point){a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
-/* 2^-bits, bits in 0..30: a unit of a scene with these scale_bits, in units of its file. */
+/* Returns 2^-bits, bits in 0..30: a unit of a scene with these scale_bits, in units of its file. */
 static inline num_unit num_scene_unit(int bits)
 {
     return num_unit_of_q62((int64_t)(UINT64_C(1) << (62 - bits)));
@@ -95,7 +95,7 @@ static inline struct num_point num_point_along(struct num_dir d, num_length t)
     return (struct num_point){num_times(t, d.x), num_times(t, d.y), num_times(t, d.z)};
 }
 
-/* a + t d */
+/* Returns a + t d. */
 static inline struct num_point num_point_at(struct num_point a, struct num_dir d, num_length t)
 {
     return num_point_add(a, num_point_along(d, t));
@@ -131,7 +131,7 @@ static inline num_unit num_dir_dot(struct num_dir a, struct num_dir d)
     return num_dot3(a.x, a.y, a.z, d.x, d.y, d.z);
 }
 
-/* a x d, each component rounded once. */
+/* Returns a x d, each component rounded once. */
 static inline struct num_dir num_dir_cross(struct num_dir a, struct num_dir d)
 {
     return (struct num_dir){num_dot3(a.y, -a.z, 0, d.z, d.y, 0), num_dot3(a.z, -a.x, 0, d.x, d.z, 0),
@@ -143,8 +143,8 @@ static inline bool num_normalise(struct num_point v, struct num_dir *d)
     return num_normalise3(v.x, v.y, v.z, &d->x, &d->y, &d->z);
 }
 
-/* Normalises a direction whose length is not 1; it must not be 0. Halved first, since num_normalise3 takes lengths,
- * whose range is smaller. */
+/* Normalises a direction whose length is not 1; it must not be 0. The direction is halved first, since num_normalise3
+ * takes lengths, whose range is smaller. */
 static inline struct num_dir num_dir_normalised(struct num_dir v)
 {
     struct num_dir d;
@@ -183,13 +183,13 @@ static inline num_length num_length_clamp(num_length x, num_length least, num_le
     return x < least ? least : x > most ? most : x;
 }
 
-/* a + b, at most NUM_LENGTH_MAX; a and b in 0..NUM_LENGTH_MAX. */
+/* Returns a + b, at most NUM_LENGTH_MAX; a and b in 0..NUM_LENGTH_MAX. */
 static inline num_length num_sum_within(num_length a, num_length b)
 {
     return a < NUM_LENGTH_MAX - b ? a + b : NUM_LENGTH_MAX;
 }
 
-/* See num_divide3. */
+/* Divides a vector by components, see num_divide3. */
 static inline struct num_scale num_divide(struct num_dir v, const num_length s[3], struct num_dir *d)
 {
     const num_unit from[3] = {v.x, v.y, v.z};

@@ -83,8 +83,8 @@ static inline num_length num_product_within(num_length a, num_length b)
     return wide_bits(product) > 62 + 45 ? NUM_LENGTH_MAX : wide_round(product, 45);
 }
 
-/* Reduces n x - n o, both in units of 2^-(45 + down): n x is below 2^94, n o below 2^62 before it is shifted, by at
- * most 53 bits; down is -8 or more. */
+/* Returns the fraction of n x - n o, both in units of 2^-(45 + down): n x is below 2^94, n o below 2^62 before it is
+ * shifted, by at most 53 bits; down is -8 or more. */
 static inline num_length num_repeat(num_length x, int bits, const struct num_pattern *p, int32_t *cell)
 {
     int down = 16 + p->repeat_bits - bits;
@@ -139,7 +139,7 @@ static inline bool num_within4(num_length r, num_length x, num_length y, num_len
     return !wide_is_negative(wide_difference(wide_product(r, r), wide_dot(p, p)));
 }
 
-/* The numerator is computed exactly, then cut to its upper 63 bits. */
+/* Returns the power of a point; the numerator is computed exactly, then cut to its upper 63 bits. */
 static inline num_length num_point_power5(num_length x, num_length y, num_length z, num_length r, num_length k)
 {
     const int64_t p[3] = {x, y, z};
@@ -220,13 +220,13 @@ static inline int num_area_sign(num_area a)
     return wide_sign(a);
 }
 
-/* a 2^zeros, rounded down; must be below 2^62. */
+/* Returns a 2^zeros, rounded down; the result must be below 2^62. */
 static inline int64_t num_area_top(num_area a, int zeros)
 {
     return zeros < 0 ? wide_down(a, (unsigned)-zeros) : (int64_t)wide_low(wide_up(a, (unsigned)zeros));
 }
 
-/* Each of three areas divided by their sum, which must not be 0. An area of the other sign counts as 0: to within
+/* Divides each of three areas by their sum, which must not be 0. An area of the other sign counts as 0: to within
  * rounding, the point is then on the edge. */
 static inline void num_barycentric(const num_area areas[3], num_unit parts[3])
 {
@@ -248,7 +248,7 @@ static inline void num_barycentric(const num_area areas[3], num_unit parts[3])
 
 #define NUM_UNIT_PARALLEL ((num_unit)1 << 42) /* 2^-20 */
 
-/* 1/d with 42 fractional bits, below 2^62, rounded towards 0; |d| is raised to NUM_UNIT_PARALLEL.
+/* Returns 1/d with 42 fractional bits, below 2^62, rounded towards 0; |d| is raised to NUM_UNIT_PARALLEL.
  *
  * wide_reciprocal gives 2^126/(|d| 2^z), and z is at most 21. */
 static inline num_length num_reciprocal(num_unit d)
@@ -261,13 +261,13 @@ static inline num_length num_reciprocal(num_unit d)
     return d < 0 ? -reciprocal : reciprocal;
 }
 
-/* x/d with 23 fractional bits, rounded down: a multiplication instead of a division. */
+/* Returns x/d with 23 fractional bits, rounded down: a multiplication instead of a division. */
 static inline num_length num_slab(num_length x, num_length reciprocal)
 {
     return wide_high(wide_product(x, reciprocal));
 }
 
-#define NUM_SLAB_ERROR ((num_length)2) /* largest error of the difference of two */
+#define NUM_SLAB_ERROR ((num_length)2) /* largest error of the difference of two distances */
 
 /* Returns a distance in num_slab's format. */
 static inline num_length num_slab_of(num_length t)
@@ -275,7 +275,7 @@ static inline num_length num_slab_of(num_length t)
     return t >> 22;
 }
 
-/* Returns a num_slab as a num_length, reduced by its error: never beyond the true distance. */
+/* Returns a distance of num_slab's format as a num_length, reduced by its error: never beyond the true distance. */
 static inline num_length num_slab_start(num_length slab)
 {
     return slab <= NUM_SLAB_ERROR ? 0 : (slab - NUM_SLAB_ERROR) * ((num_length)1 << 22);
@@ -326,15 +326,15 @@ static inline num_walk num_walk_slack(num_walk far)
     return far + (far >> 21) + 4;
 }
 
-/* mantissa 2^exponent */
+/* A factor, mantissa 2^exponent. */
 struct num_scale {
     num_unit mantissa;
     int exponent;
 };
 
-/* The vector (x/s[0], y/s[1], z/s[2]): returns its length, sets d to its direction within 2^-57. |x|, |y|, |z| <= 1,
- * at least one of them 1/2 or more, s in 2^-10..2^10. A first pass with 51 fractional bits finds the size of the
- * quotients, the second one keeps as many bits as fit. */
+/* Divides a vector: returns the length of (x/s[0], y/s[1], z/s[2]) and sets d to its direction, within 2^-57. |x|, |y|,
+ * |z| <= 1, at least one of them 1/2 or more, s in 2^-10..2^10. A first pass with 51 fractional bits finds the size of
+ * the quotients, the second one keeps as many bits as fit. */
 static inline struct num_scale num_divide3(const num_unit v[3], const num_length s[3], num_unit d[3])
 {
     int64_t q[3], most = 0;

@@ -28,7 +28,7 @@ static inline num_length num_fine(int16_t digits)
     return (num_real)digits / (num_real)4294967296;
 }
 
-/* Returns the offset; a float has no digits for anything finer than this, whatever the unit. */
+/* Returns the offset of rays from a surface; a float has no digits for anything finer than this, whatever the unit. */
 static inline num_length num_scene_bias(bool fine, int scale_bits)
 {
 #ifdef TIA_NUM_F32
@@ -61,7 +61,7 @@ static inline num_length num_integer(int32_t n)
     return (num_real)n;
 }
 
-/* x below 2^31. */
+/* Returns the integer part of x, which is below 2^31. */
 static inline int32_t num_floor(num_length x)
 {
     int32_t n = (int32_t)x;
@@ -83,7 +83,7 @@ static inline num_length num_product_within(num_length a, num_length b)
     return a * b < NUM_LENGTH_MAX ? a * b : NUM_LENGTH_MAX;
 }
 
-/* 2^bits, -31..31 */
+/* Returns 2^bits, bits in -31..31. */
 static inline num_real num_two_to(int bits)
 {
     return bits < 0 ? 1 / (num_real)((int64_t)1 << -bits) : (num_real)((int64_t)1 << bits);

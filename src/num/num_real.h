@@ -28,7 +28,7 @@ static inline num_wide num_pixel_coordinate(int32_t n, int exponent)
 static inline num_wide num_depth(uint32_t height, uint64_t cotangent, int exponent)
 {
     (void)exponent;
-    return (num_real)height * ((num_real)cotangent / 72057594037927936.0f); /* 2^56 */
+    return (num_real)height * ((num_real)cotangent / 72057594037927936.0f); /* times cotangent/2^56 */
 }
 
 static inline num_u num_colour(tia_q30 c)

@@ -23,11 +23,11 @@ static inline wide radio_get(struct radio_wide a)
 struct radio_plane {
     int64_t n[3];
     struct radio_wide d, square; /* square: n.n */
-    uint32_t first, count;       /* its part of tia_radio.members */
-    struct tia_bounds bounds;    /* of its faces */
-    bool endless;                /* one of them is a whole plane */
+    uint32_t first, count;       /* the plane's part of tia_radio.members */
+    struct tia_bounds bounds;    /* bounds of the plane's faces */
+    bool endless;                /* one of the faces is a whole plane */
     bool sides[2];               /* sides that reflect: where n.p > d; where n.p < d */
-    uint8_t across[2];           /* the axes of its projection along the third, in which n is largest */
+    uint8_t across[2];           /* axes of the projection along the third axis, in which n is largest */
 };
 
 enum radio_kind { RADIO_WHOLE, RADIO_DISC, RADIO_POLYGON };
@@ -39,7 +39,7 @@ struct radio_face {
     uint32_t corner[4];
     uint8_t count;
     bool solid;
-    bool turned; /* its own normal is -n */
+    bool turned; /* the face's own normal is -n */
     tia_q16 radius, thickness;
 };
 

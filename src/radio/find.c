@@ -19,7 +19,7 @@ static int order_of(struct tia_radio_room *room, uint32_t order, uint32_t i)
     return tia_number_compare_sizes(&n[LEFT], &n[RIGHT]);
 }
 
-/* True if a face reaches to that side of a plane. */
+/* True if a face extends to that side of a plane. */
 static bool reaches_beyond(const struct tia_radio *radio, uint32_t number, const struct radio_plane *plane, int side)
 {
     const struct radio_face *face = &radio->faces[number];
@@ -113,7 +113,7 @@ static int64_t length_of(struct tia_radio_room *room, uint32_t order)
     return more <= 0 ? ratio << -more : (ratio + (INT64_C(1) << (more - 1))) >> more;
 }
 
-/* Stores the path. Unused elements are 0, so that equal paths have equal bytes. */
+/* Stores the path as found. Unused elements are 0, so that equal paths have equal bytes. */
 static void report(struct tia_radio_room *room, uint32_t order)
 {
     struct tia_radio_path *path = &room->path, *told = &room->told;

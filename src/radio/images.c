@@ -20,7 +20,7 @@ void tia_radio_side(struct number *side, const struct radio_plane *plane, const 
     }
 }
 
-/* Gives the image: x (n.n) - 2 (n.x - d w) n over w (n.n). */
+/* Gives a point's mirror image: x (n.n) - 2 (n.x - d w) n over w (n.n). */
 void tia_radio_mirror(struct spot *out, const struct radio_plane *plane, const struct spot *at,
                       const struct number *side, struct number room[2])
 {
@@ -37,8 +37,8 @@ void tia_radio_mirror(struct spot *out, const struct radio_plane *plane, const s
     tia_number_times_wide(&out->w, &at->w, square);
 }
 
-/* Gives the intersection. The distances are |from| / (a.w |n|) and |to| / (b.w |n|): so the point is |to| a + |from| b,
- * with their weights. */
+/* Gives the intersection of a line and a plane. The distances are |from| / (a.w |n|) and |to| / (b.w |n|): so the point
+ * is |to| a + |from| b, with their weights. */
 void tia_radio_meet(struct spot *out, const struct spot *a, const struct spot *b, const struct number *from,
                     const struct number *to, struct number *room)
 {
@@ -75,7 +75,7 @@ static void from_corner(struct number *out, const struct spot *at, const struct 
     tia_number_add(out, room, -1);
 }
 
-/* Returns the side of the edge a -> b that the point is on, in a projection along an axis. */
+/* Returns the side of the edge a -> b on which the point is, in a projection along an axis. */
 static int side_of_edge(const struct spot *at, const struct tia_vec3 *a, const struct tia_vec3 *b,
                         const uint8_t across[2], struct number room[3])
 {
@@ -131,8 +131,8 @@ static bool in_box(const struct tia_bounds *box, const struct tia_vec3 *p)
            p->z <= box->max.z;
 }
 
-/* Finds the face. Rounding to nearest does not move a point out of a box with integer corners; a side of a turned box
- * is a little off its own plane, so its box is, too: there the exact test alone decides. */
+/* Finds the first face that has the point. Rounding to nearest does not move a point out of a box with integer corners;
+ * a side of a turned box is a little off its own plane, so its box is, too: there the exact test alone decides. */
 uint32_t tia_radio_face_at(struct tia_radio_room *room, const struct radio_plane *plane, const struct spot *at,
                            int side)
 {

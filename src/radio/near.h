@@ -35,7 +35,7 @@ static inline bool near_box(const struct near *s, const struct tia_bounds *box)
         int64_t low = radio_axis(&box->min, k), high = radio_axis(&box->max, k);
         if (high < s->low[k] || low > s->high[k])
             return false;
-        c[k] = ((low + high) >> 10) - s->middle[k]; /* twice the distance of the middles */
+        c[k] = ((low + high) >> 10) - s->middle[k]; /* twice the distance between the middles */
         e[k] = ((high - low) >> 10) + 6;
     }
     for (int k = 0; k < 3; k++) {

@@ -105,7 +105,7 @@ static void add_sizes(struct number *out, const struct number *a)
         out->word[out->count++] = carry;
 }
 
-/* Subtracts: out = |large| - |small|; `out` may be one of them. */
+/* Subtracts sizes: out = |large| - |small|; `out` may be one of them. */
 static void subtract_sizes(struct number *out, const struct number *large, const struct number *small)
 {
     uint64_t borrow = 0;

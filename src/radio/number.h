@@ -30,7 +30,7 @@ struct number {
 void tia_number_set(struct number *out, int64_t a);
 void tia_number_copy(struct number *out, const struct number *a);
 
-/* `out` is another number than the factors. */
+/* Multiplies; `out` is not one of the factors. */
 void tia_number_multiply(struct number *out, const struct number *a, const struct number *b);
 void tia_number_times(struct number *out, const struct number *a, int64_t b);
 void tia_number_times_wide(struct number *out, const struct number *a, wide b);
@@ -43,7 +43,7 @@ int tia_number_compare_sizes(const struct number *a, const struct number *b);
 
 /* Returns the length of |a| in bits. */
 int tia_number_bits(const struct number *a);
-/* Returns 64 bits of |a|, from bit `shift` up; a negative shift moves them up. */
+/* Returns 64 bits of |a|, from bit `shift` up; a negative shift moves the bits up. */
 uint64_t tia_number_part(const struct number *a, int shift);
 
 /* Returns a / b to nearest, ties up; b > 0. Clamped to +-2^40. */

@@ -18,7 +18,7 @@ static uint64_t size_of(int64_t a)
     return a < 0 ? 0 - (uint64_t)a : (uint64_t)a;
 }
 
-/* Divides by the greatest common divisor; false: all are 0. */
+/* Divides a vector by the greatest common divisor of its components; false: all are 0. */
 static bool reduce(int64_t v[3])
 {
     uint64_t g = divisor(divisor(size_of(v[0]), size_of(v[1])), size_of(v[2]));

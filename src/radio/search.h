@@ -13,7 +13,7 @@ struct spot {
 #define SEARCH_NUMBERS 12
 #define NO_PLANE UINT32_MAX
 
-/* A ray that is being followed. */
+/* A ray that is traced. */
 struct search_ray {
     int64_t at[3], way; /* Q16.16: position, and distance travelled */
     uint32_t last;      /* the plane that it comes from */
@@ -26,10 +26,10 @@ struct search_ray {
 struct tia_radio_room {
     const struct tia_radio *radio;
     const struct tia_radio_link *link;
-    uint32_t plane[TIA_RADIO_ORDER_MAX]; /* of the sequence, from the receiver's end */
+    uint32_t plane[TIA_RADIO_ORDER_MAX]; /* planes of the sequence, from the receiver's end */
     int side[TIA_RADIO_ORDER_MAX];       /* side of reflection i's plane that the path comes from */
     struct tia_radio_path path, told;    /* the path during the search; the path found */
-    union {                              /* an object below 32768 bytes also where a word has 16 bits */
+    union {                              /* below 32768 bytes: the largest object where a word has 16 bits */
         struct {
             struct spot sent[TIA_RADIO_ORDER_MAX + 1], got[TIA_RADIO_ORDER_MAX + 1];
             struct spot met; /* intersection of a line and a plane */
@@ -70,7 +70,7 @@ void tia_radio_spot(struct spot *out, struct tia_vec3 point);
 /* Rounds to nearest, ties up; false: beyond Q16.16. */
 bool tia_radio_round(const struct spot *at, struct tia_vec3 *point, struct number room[2]);
 
-/* True if a point of the face's plane lies on the face or its edge. `room` is for 3 numbers. */
+/* True if the point, which is in the face's plane, lies on the face or its edge. `room` is for 3 numbers. */
 bool tia_radio_on_face(const struct tia_radio *radio, const struct radio_face *face, const struct spot *at,
                        struct number room[3]);
 
@@ -86,7 +86,7 @@ bool tia_radio_pass(struct tia_radio_room *room, uint32_t order, uint32_t i);
  * stores it in room->told. */
 bool tia_radio_find(struct tia_radio_room *room, uint32_t order);
 
-/* Direction i of tia_radio_directions(density), of length 1, Q2.62. */
+/* Gives direction i of tia_radio_directions(density), of length 1, Q2.62. */
 int tia_radio_direction(uint32_t density, uint32_t i, int64_t direction[3]);
 
 #endif

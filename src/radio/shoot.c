@@ -59,8 +59,8 @@ static bool on_disc(const struct tia_radio *radio, const struct radio_face *face
     return !wide_is_negative(wide_difference(wide_product(face->radius, face->radius), wide_dot(v, v)));
 }
 
-/* Finds the hit of a face. The distance is n.(corner - at) / n.d: of Q.78 and Q.124, rounded to Q.32 and Q.60; times
- * 2^44 that is Q.16. */
+/* Intersects a ray with a face. The distance is n.(corner - at) / n.d: of Q.78 and Q.124, rounded to Q.32 and Q.60;
+ * times 2^44 that is Q.16. */
 static bool meets(const struct tia_radio *radio, const struct search_ray *ray, uint32_t number, struct hit *hit)
 {
     const struct radio_face *face = &radio->faces[number];
@@ -164,7 +164,7 @@ static void move(struct search_ray *ray, const struct tia_radio *radio, const st
     ray->last = radio->faces[hit->face].plane;
 }
 
-/* Reflects: d - 2 (n.d) n, halved before it is normalised: n.d is Q.61. */
+/* Reflects the ray: d - 2 (n.d) n, halved before it is normalised: n.d is Q.61. */
 static void reflect(struct search_ray *ray, const struct tia_radio *radio, const struct hit *hit)
 {
     struct tia_radio_path *path = &ray->told.path;

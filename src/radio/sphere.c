@@ -29,8 +29,8 @@ uint32_t tia_radio_directions(uint32_t density)
     return density - 1 < TIA_RADIO_DENSITY_MAX ? 10 * density * density + 2 : 0;
 }
 
-/* Directions are in this order: the corners, then the inner points edge by edge, then face by face, row by row. Weights
- * are at most 2^11, sums below 2^43. */
+/* Gives direction i. The order of directions: the corners, then the inner points edge by edge, then face by face, row
+ * by row. Weights are at most 2^11, sums below 2^43. */
 int tia_radio_direction(uint32_t density, uint32_t i, int64_t direction[3])
 {
     int64_t v[3] = {0, 0, 0};

@@ -3,10 +3,10 @@
 #include "polygon.h"
 #include "ranges.h"
 
-#define QUOTIENT_BITS 42 /* bits of quotients: far beyond the range of values */
+#define QUOTIENT_BITS 42 /* bits of quotients, far beyond the range of values */
 
-/* The point at a pixel is a weighted sum of the corners, each weight det(D, q, q) of the other two; the value is the
- * mean of the corners' values with these weights, without corners that are directions. */
+/* Prepares a triangle. The point at a pixel is a weighted sum of the corners, each weight det(D, q, q) of the other
+ * two; the value is the mean of the corners' values with these weights, without corners that are directions. */
 bool tia_raster_corners_init(struct tia_raster_corners *corners, const struct tia_raster_grid *grid,
                              const struct tia_raster_vertex vertices[3])
 {

@@ -2,7 +2,7 @@
 #include "ranges.h"
 
 struct reach {
-    int32_t x0, x1, y0, y1; /* 2^-16 pixel, from the centre of pixel (0, 0) */
+    int32_t x0, x1, y0, y1; /* in units of 2^-16 pixel, from the centre of pixel (0, 0) */
 };
 
 /* Returns half the image's width or height times a/w, in 2^-16 pixel, clamped to just outside the image. w > 0.

@@ -2,7 +2,8 @@
 
 #include "halves.h"
 
-/* Returns f / 2^cut of a number in 128 bits; clamped beyond the unclamped range. */
+/* Returns f / 2^cut of a number of 128 bits, clamped; the clamp leaves the range of nearness that is not clamped
+ * unchanged. */
 static int64_t wide_cut(wide f, unsigned cut)
 {
     if (wide_bits(wide_size(f)) > (int)cut + 63)
@@ -38,7 +39,8 @@ static int64_t scaled(const struct depth_scale *d, int64_t cut)
     return unclamped(d, cut);
 }
 
-/* Returns the step. If a run has two pixels that are not clamped, it is in `least`..`most`; else it is not used. */
+/* Returns the step of nearness to the next pixel. If a run has two pixels that are not clamped, it is in
+ * `least`..`most`; else it is not used. */
 static int64_t step_of(const struct polygon *p)
 {
     wide x = p->narrow ? wide_product(p->of.narrow_forms.plane.x, 1) : p->of.wide_forms.plane.x;
@@ -49,7 +51,7 @@ static int64_t step_of(const struct polygon *p)
     return wide_is_negative(x) ? -times_scale(&p->depth, cut) : times_scale(&p->depth, cut);
 }
 
-#define LOW 8 /* rows of a low box */
+#define LOW 8 /* largest height of a low box, in rows */
 
 /* True if nearness is nowhere clamped: as it is linear, its extremes are at corners. */
 static bool is_steady(const struct polygon *p)
@@ -60,9 +62,9 @@ static bool is_steady(const struct polygon *p)
            !is_clamped(d, cut_at(p, p->x0, p->y1)) && !is_clamped(d, cut_at(p, p->x1, p->y1));
 }
 
-/* Prepares the scale. With det = m 2^bits, 1/2 <= m < 1, the reciprocal is 2^62/m: f/det 2^scale = f reciprocal
- * 2^(scale - 62 - bits). From 0 to `most` that is 0..2^62. In orthographic views, f is cut at half of that on either
- * side of 0. */
+/* Prepares the scale from f to nearness. With det = m 2^bits, 1/2 <= m < 1, the reciprocal is 2^62/m: f/det 2^scale = f
+ * reciprocal 2^(scale - 62 - bits). From 0 to `most` that is 0..2^62. In orthographic views, f is cut at half of that
+ * on either side of 0. */
 void tia_depth_scale_init(struct polygon *p, const struct tia_raster_grid *grid)
 {
     struct depth_scale *d = &p->depth;
@@ -124,8 +126,8 @@ void tia_depth_plane(const struct polygon *p, struct tia_raster_plane *plane)
     halves_put(plane->det, p->det);
 }
 
-/* Returns the order. Ties are broken as for edges. The three signs together distinguish two planes: f/det is the same
- * function of the pixel only when x, y and the value at a pixel are. */
+/* Returns the order in depth. Ties are broken as for edges. The three signs together distinguish two planes: f/det is
+ * the same function of the pixel only when x, y and the value at a pixel are. */
 int tia_depth_order(const struct polygon *p, const struct tia_raster_plane *plane, int x, int y)
 {
     struct wide_form a = plane_of(p), b = {halves_get(plane->x), halves_get(plane->y), halves_get(plane->c)};

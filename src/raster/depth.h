@@ -26,11 +26,11 @@ struct depth_run {
 
 void tia_depth_plane(const struct polygon *p, struct tia_raster_plane *plane);
 
-/* Returns the run of nearness at x0..x1-1 of row y, covered pixels. */
+/* Returns the run of nearness at pixels x0..x1-1 of row y, which are covered. */
 struct depth_run tia_depth_run(const struct polygon *p, int y, int x0, int x1);
 
-/* Returns the same, without a call in the most frequent case: a narrow polygon is never orthographic, so nearness is 0
- * where f is. */
+/* Returns the run of tia_depth_run, without a call in the most frequent case: a narrow polygon is never orthographic,
+ * so nearness is 0 where f is. */
 static inline struct depth_run depth_run(const struct polygon *p, int y, int x0, int x1)
 {
     const struct depth_scale *d = &p->depth;

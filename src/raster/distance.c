@@ -23,8 +23,8 @@ static int64_t scaled(wide m, int exponent)
     return exponent < -126 ? 0 : wide_round(m, (unsigned)-exponent);
 }
 
-/* Returns the distance. With t = det/f, the visible point of a plane is t D, and in perspective its depth t D.w. In
- * orthographic views the visible point has w = 1, so t = 1/D.w there, and -h = -f/(det D.w). */
+/* Returns the distance of the plane's point. With t = det/f, the visible point of a plane is t D, and in perspective
+ * its depth t D.w. In orthographic views the visible point has w = 1, so t = 1/D.w there, and -h = -f/(det D.w). */
 int64_t tia_plane_distance(const struct tia_raster_plane *plane, const struct tia_raster_grid *l, int x, int y)
 {
     bool flat = l->projection == TIA_ORTHOGRAPHIC;

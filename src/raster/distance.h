@@ -6,9 +6,9 @@
 
 #define TIA_DISTANCE_BITS 45
 
-/* The distance from the eye, along the line of sight, of the point of a plane that pixel (x, y) of the image sees: w,
- * or in orthographic views -h. Fraction bits: TIA_DISTANCE_BITS; relative error below 2^-58 and half a unit, at most
- * 2^62; 0 where the plane is not in front of the eye, and outside the image. */
+/* Returns the distance from the eye, along the line of sight, of the point of a plane that is visible at pixel (x, y)
+ * of the image: w, or in orthographic views -h. Fraction bits: TIA_DISTANCE_BITS; relative error below 2^-58 and half a
+ * unit, at most 2^62; 0 where the plane is not in front of the eye, and outside the image. */
 int64_t tia_raster_distance(const struct tia_raster_plane *plane, const struct tia_raster_grid *grid, int x, int y);
 
 /* Does the work of tia_raster_distance without its checks: (x, y) is a pixel of the image. */

@@ -19,7 +19,7 @@ static inline bool passes(enum tia_compare test, int order)
     return (unsigned)test >> (order + 1) & 1;
 }
 
-/* Returns the order of two planes; ties as the state demands. */
+/* Returns the order of two planes; the state's ties_by_face decides ties. */
 static int order_of_planes(const struct job *job, int x, int y, uint32_t there)
 {
     struct tia_raster_target *t = job->target;
@@ -31,8 +31,8 @@ static int order_of_planes(const struct job *job, int x, int y, uint32_t there)
     return order;
 }
 
-/* Returns 1 where the polygon is nearer than the face there, -1 farther, 0 equal. For pixels where nearness alone does
- * not decide. */
+/* Returns 1 where the polygon is nearer than the face there, -1 farther, 0 equal; for pixels where the filter in
+ * nearness is unsure. */
 static inline int exact_order(const struct job *job, int x, int y, size_t at)
 {
     uint32_t there = job->target->face[at];
@@ -53,7 +53,7 @@ static inline int order_at(const struct job *job, int64_t z, int x, int y, size_
 
 static inline void put_depth(const struct job *job, int64_t z, size_t at)
 {
-    job->target->nearness[at] = z < 0 ? 0 : (uint64_t)z; /* a step's error may lead below infinity */
+    job->target->nearness[at] = z < 0 ? 0 : (uint64_t)z; /* a step's error may lead below 0, which is infinity */
     job->target->face[at] = job->face;
 }
 

@@ -47,7 +47,8 @@ static uint64_t reach(const struct tia_raster_grid *l)
     return (uint64_t)(x + y + l->w);
 }
 
-/* Returns m of NARROW_SQUARE in ranges.h; and 2 m^2 below 2^61 so that normals and sums of them fit. */
+/* Returns the m of NARROW_SQUARE in ranges.h, limited so that 2 m^2 is below 2^61: normals and sums of them then
+ * fit. */
 static int64_t narrow_limit(const struct tia_raster_grid *l)
 {
     if (l->projection == TIA_ORTHOGRAPHIC)

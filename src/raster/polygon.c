@@ -40,7 +40,7 @@ bool tia_polygon_has_range(const struct tia_raster_grid *grid, const struct tia_
     return largest(grid, corners, count) >= 0;
 }
 
-/* Prepares a polygon; `more` pixels around it are in its box, too, but its edges stay. */
+/* Prepares a polygon; `more` pixels around it are in its box, too, but its edges stay in place. */
 static int init(struct polygon *p, const struct tia_raster_grid *grid, struct tia_tile area,
                 const struct tia_raster_vertex *corners, unsigned count, unsigned more)
 {

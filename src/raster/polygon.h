@@ -7,7 +7,7 @@
 #include "forms_narrow.h"
 #include "forms_wide.h"
 
-/* From f to nearness, f/det 2^scale, with one multiplication: (f / 2^cut) reciprocal / 2^shift. */
+/* Scale from f to nearness, f/det 2^scale, in one multiplication: (f / 2^cut) reciprocal / 2^shift. */
 struct depth_scale {
     uint64_t reciprocal;
     unsigned cut, shift;
@@ -17,7 +17,7 @@ struct depth_scale {
     bool steady; /* nearness is not clamped anywhere in the polygon's box; if the box is low, this was not tested */
 };
 
-#define POLYGON_EDGES (TIA_RASTER_CORNERS + 1) /* with the edge of tia_polygon_cut_ahead */
+#define POLYGON_EDGES (TIA_RASTER_CORNERS + 1) /* the edges of the corners, and that of tia_polygon_cut_ahead */
 
 /* A pixel is covered where all edges are >= 0; their constants are less by 1 where the tie rule excludes 0. At a pixel
  * 1/t is plane/det. */
@@ -52,8 +52,8 @@ int tia_polygon_init_enlarged(struct polygon *p, const struct tia_raster_grid *g
 /* Excludes the pixels where the polygon's h is above 0, by one more edge. */
 void tia_polygon_cut_ahead(struct polygon *p);
 
-/* Gives the box of the pixels of `area` that the corners can cover, or that are up to `more` beside; false when it is
- * empty. A little too large rather than too small. */
+/* Gives the box of the pixels of `area` that the corners can cover, or that are up to `more` pixels away from those;
+ * false when it is empty. The box may be a little too large, never too small. */
 bool tia_polygon_box(struct polygon *p, const struct tia_raster_grid *grid, struct tia_tile area,
                      const struct tia_raster_vertex *corners, unsigned count, unsigned more);
 

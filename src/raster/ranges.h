@@ -17,7 +17,7 @@
 #define RASTER_DET 126   /* q.(q x q) */
 #define RASTER_ORDER 243 /* N.D det */
 #define FLAT_POINT 29    /* a point's coordinate where the projection is orthographic, and half of its h */
-#define FLAT_NORMAL 61   /* and the same again: w is a coordinate, too */
+#define FLAT_NORMAL 61   /* the same for the normal: w is a coordinate, too */
 #define FLAT_EDGE 93
 #define FLAT_PLANE 125
 #define FLAT_DET 93

@@ -46,7 +46,7 @@ static struct block block_of_narrow(int64_t a)
     return (struct block){size ? size << zeros : 0, 64 - (int)zeros, a < 0};
 }
 
-/* Returns -a/b as fixed point; `reciprocal` is 2^126/b.top. */
+/* Returns -a/b in fixed point; `reciprocal` is 2^126/b.top. */
 static int64_t quotient(struct block a, struct block b, int64_t reciprocal)
 {
     int shift = 125 - WALKER_BITS + b.bits - a.bits;

@@ -4,7 +4,7 @@
 
 #include "polygon.h"
 
-/* Pixels x0 <= x < x1 of row y; x0 < x1. */
+/* Draws pixels x0 <= x < x1 of row y; x0 < x1. */
 typedef void raster_run(void *ctx, int y, int x0, int x1);
 
 /* Calls `run` for each row of which pixels are covered, downwards. */

@@ -18,7 +18,7 @@ static void nearest(const struct raster_polygon *p, size_t at, int pixels, uint6
         int64_t difference = (int64_t)(z - nearness[at]);
         if (difference < -DEPTH_UNSURE || (difference <= DEPTH_UNSURE && !settle(p, at)))
             continue;
-        nearness[at] = (int64_t)z < 0 ? 0 : z; /* a step's error may lead below infinity */
+        nearness[at] = (int64_t)z < 0 ? 0 : z; /* a step's error may lead below 0, which is infinity */
         faces[at] = own;
     }
 }

@@ -7,14 +7,15 @@
 
 /* Data that all runs of a polygon share. */
 struct raster_polygon {
-    uint64_t *nearness; /* of the target */
+    uint64_t *nearness; /* the target's */
     uint32_t *face, *count;
     uint64_t step; /* step of the polygon's nearness to the next pixel */
     uint32_t own;  /* the polygon's face */
-    bool nearer;   /* count where it is nearer, else where it is not */
-    uint32_t one;  /* increment */
+    bool nearer;   /* where counts change: where the polygon is nearer, else where it is not */
+    uint32_t one;  /* the increment of the counts */
 
-    /* Called where the filter is uncertain and another face is there: true if the polygon is nearer at that index. */
+    /* Decides where the filter is uncertain and a different face is stored: true if the polygon is nearer at that
+     * index. */
     bool (*is_nearer)(const void *ctx, size_t at);
     const void *ctx;
 };
@@ -24,7 +25,7 @@ typedef void raster_run_kernel(const struct raster_polygon *p, size_t at, int pi
 
 struct tia_raster_runs {
     raster_run_kernel *nearest; /* stores nearness and face where the polygon is nearer */
-    raster_run_kernel *add;     /* counts */
+    raster_run_kernel *add;     /* adds to the counts */
 };
 
 /* The runs in plain C. */

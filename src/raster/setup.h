@@ -14,7 +14,7 @@ static void FORM(set_plane)(struct polygon *p, const struct tia_raster_grid *l, 
     p->of.FORM(forms).plane = FORM(form_of)(n, l);
 }
 
-/* Returns an edge with the tie rule: to the right, then down. A side without length covers all pixels. */
+/* Returns an edge with the tie rule: moved to the right, then down. A side without length covers all pixels. */
 static struct FORM(form) FORM(edge_of)(const struct polygon *p, const struct tia_raster_grid *l, FORM(number) n[3])
 {
     if (!p->front)

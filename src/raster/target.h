@@ -10,23 +10,23 @@ static inline size_t target_index(const struct tia_raster_target *t, int x, int 
     return ((size_t)y - t->area.y) * (size_t)t->pitch + ((size_t)x - t->area.x);
 }
 
-/* Returns the column right of its area. */
+/* Returns the column right of the target's area. */
 static inline int target_right(const struct tia_raster_target *t)
 {
     return (int)t->area.x + (int)t->area.width;
 }
 
-/* Returns the row below it. */
+/* Returns the row below the target's area. */
 static inline int target_bottom(const struct tia_raster_target *t)
 {
     return (int)t->area.y + (int)t->area.height;
 }
 
-/* The pixels of `area` in the buffers of another target. TIA_ERR_ARGUMENT when it is empty or not inside. Threads may
- * draw into parts that share no pixel at once, if the planes are known. */
+/* Gives the pixels of `area` in the buffers of another target. TIA_ERR_ARGUMENT when it is empty or not inside. Threads
+ * may draw at once into parts that share no pixel, if the planes are known. */
 int tia_raster_part(struct tia_raster_target *part, const struct tia_raster_target *target, struct tia_tile area);
 
-/* The plane of a polygon, as tia_raster_draw keeps it. Errors as there. */
+/* Gives the plane of a polygon, as tia_raster_draw stores it. Errors as for tia_raster_draw. */
 int tia_raster_plane_init(struct tia_raster_plane *plane, const struct tia_raster_grid *grid,
                           const struct tia_raster_vertex *corners, unsigned count);
 

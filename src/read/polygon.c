@@ -101,7 +101,7 @@ static void uncount(struct polygon *polygon, const struct polygon_corner *c)
     polygon->candidates -= c->ear != 0;
 }
 
-/* Computes the orientation of corner i from its present neighbours; its `ear` becomes unknown. */
+/* Computes the orientation of corner i from its present neighbours, and marks its `ear` as unknown. */
 static void classify(struct polygon *polygon, uint32_t i)
 {
     struct polygon_corner *c = &polygon->corners[i];

@@ -18,9 +18,9 @@ int tia_read_tia(struct tia_reader *reader, struct tia_scene *scene, struct tia_
 int tia_read_nff(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena);
 int tia_read_obj(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena);
 
-/* Find the text of a fault: its line and column become those of reader->error, which are 0 before and stay so if it is
- * not found; the fault's thing and field become the words of the file. The arena is as the reader left it. There is no
- * such function for .obj: its statements have already refused all that the check may refuse. */
+/* Find a fault's place in the text: its line and column become those of reader->error, which are 0 before and stay so
+ * if it is not found; the fault's thing and field become the words of the file. The arena is as the reader left it.
+ * There is no such function for .obj: its statements have already refused all that the check may refuse. */
 void tia_locate_tia(struct tia_reader *reader, struct tia_fault *fault, struct tia_arena *arena);
 void tia_locate_nff(struct tia_reader *reader, struct tia_fault *fault);
 

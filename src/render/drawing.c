@@ -10,8 +10,8 @@ const struct tia_drawing tia_drawing = {
     .render = tia_drawing_render,
 };
 
-/* Returns the slots of the view's core; NULL: the library's. A program's own views and hits begin as the library's do.
- */
+/* Returns the slots of the view's core; NULL in the core stands for the library's. A program's own views and hits begin
+ * as the library's do. */
 static const struct tia_drawing *drawing_of(const struct tia_view *view)
 {
     return (*(const struct tia_core *const *)(const void *)view)->drawing;

@@ -10,7 +10,7 @@
 #include "num/num.h"
 #include "scene/cancel.h"
 
-#include <tia/debug.h> /* after num.h, which may rename its functions */
+#include <tia/debug.h> /* <tia/debug.h> comes after num.h, which may rename its functions */
 
 #include "math/tile.h"
 
@@ -18,8 +18,8 @@
 enum simd_part { SIMD_SPANS, SIMD_RAYS, SIMD_SAMPLES, SIMD_PARTS };
 
 struct renderer {
-    /* True if it draws the scene; called only when no renderer before it in the list does. NULL: it draws any scene.
-     * New lights of a view are tested in a scene without objects. */
+    /* True if the renderer draws the scene; called only when no renderer before it in the list does. NULL: it draws any
+     * scene. New lights of a view are tested in a scene without objects. */
     bool (*draws)(const struct tia_scene *scene);
 
     /* Returns the bytes behind view->prepared, SIZE_MAX when there are too many. */
@@ -32,7 +32,8 @@ struct renderer {
     /* Returns the bytes behind hits->buffer for `pixels` pixels of the scene; below 2^40. NULL: none. */
     uint64_t (*buffer_size)(const struct tia_scene *scene, uint32_t pixels);
 
-    /* The work of tia_view_trace and tia_view_light, for a tile that is inside the image and the hits. */
+    /* Trace and light: the work of tia_view_trace and tia_view_light, for a tile that is inside the image and the
+     * hits. */
     void (*trace)(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile);
     void (*light)(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                   const struct tia_surface *surface, const struct tia_options *options);
@@ -40,15 +41,15 @@ struct renderer {
     bool by_pixel;       /* see tia_draws_by_pixel */
     enum simd_part part; /* the part of an instruction set's code that may draw in its place */
 
-    /* Returns an error if the view cannot have these lights: TIA_ERR_MEMORY when its memory is not enough for them,
+    /* Returns an error if the view cannot hold these lights: TIA_ERR_MEMORY when its memory is not enough for them,
      * TIA_ERR_RANGE when one is too far away. NULL: never. See tia_view_set_lights. */
     int (*refuses)(const struct tia_view *view, const struct tia_light *lights, uint32_t count);
 
-    /* Traces and lights at once, where that saves work; NULL: one after the other. */
+    /* Traces and lights in one pass, where that saves work; NULL: the two follow each other. */
     void (*render)(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
                    const struct tia_surface *surface, const struct tia_options *options);
 
-    /* Adds samples first..end - 1 of a tile's pixels, see struct tia_estimator; NULL: it has no samples. */
+    /* Adds samples first..end - 1 of a tile's pixels, see struct tia_estimator; NULL: a renderer without samples. */
     void (*sample)(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end,
                    const struct tia_gathered *gathered);
 };
@@ -58,11 +59,11 @@ struct simd_renderer {
     /* Returns the bytes behind view->simd_memory, SIZE_MAX when there are too many. */
     size_t (*size)(const struct tia_scene *scene, uint32_t light_capacity);
 
-    /* True if it can draw the view with any lights. */
+    /* True if the kernels can draw the view with any lights. */
     bool (*draws)(const struct tia_view *view);
-    /* Prepares its memory once; NULL: not needed. */
+    /* Prepares the memory once; NULL: not needed. */
     void (*open)(struct tia_view *view);
-    /* Prepares for the view's lights, whenever they change. */
+    /* Prepares the memory for the view's lights, whenever they change. */
     void (*prepare)(struct tia_view *view);
 
     /* Returns the bytes that each call of the following two needs: a thread's stack may be small. `room` is aligned
@@ -98,7 +99,7 @@ struct tia_simd {
     const char *name;
     const struct simd_entries *enter;
     const struct span_kernels *plain;              /* the kernels whose bits it reproduces: one arithmetic's */
-    const struct simd_renderer *parts[SIMD_PARTS]; /* NULL: left to plain C */
+    const struct simd_renderer *parts[SIMD_PARTS]; /* the parts; NULL: plain C draws */
     const struct simd_kernels *kernels;            /* kernels of the spans */
     const struct sure_kernels *sure;               /* kernels of the rays */
     const struct tia_raster_runs *raster;          /* the rasteriser's inner loops; NULL: plain C */
@@ -106,25 +107,25 @@ struct tia_simd {
 
 /* The renderers of a core: a program links those of the cores that it names. */
 struct tia_renderers {
-    const struct renderer *const *list; /* the first that draws a scene draws it; ends with NULL */
-    const struct span_kernels *plain;   /* its arithmetic's */
+    const struct renderer *const *list; /* the first that draws a scene is chosen; ends with NULL */
+    const struct span_kernels *plain;   /* plain C kernels of the core's arithmetic */
     /* Checks all ranges, and that the renderers have code for all parts of the scene, see tia_check_scene. */
     int (*check)(const struct tia_scene *scene, struct tia_fault *fault, struct cancel *cancel);
 };
 
 /* A scene prepared for one image size. */
 struct tia_view {
-    const struct tia_core *core; /* first, see struct tia_drawing */
+    const struct tia_core *core; /* must be first, see struct tia_drawing */
     const struct tia_scene *scene;
     const struct renderer *renderer;
     const struct tia_simd *simd; /* NULL: plain C */
     void *simd_memory;
     const struct tia_raster_runs *raster_runs; /* NULL: plain C */
     void *prepared;                            /* the renderer's data */
-    struct tia_light *lights;                  /* the view's copy */
+    struct tia_light *lights;                  /* the view's copy of the lights */
     uint32_t light_count, light_capacity;
     int width, height;
-    bool (*stop)(void *ctx); /* NULL, or polled to stop, see tia/job.h */
+    bool (*stop)(void *ctx); /* polled to stop the work, see tia/job.h; NULL: never stopped */
     void *stop_ctx;
 };
 
@@ -152,9 +153,9 @@ static inline struct cancel view_cancel(const struct tia_view *view)
     return (struct cancel){view->stop, view->stop_ctx, 0, false};
 }
 
-/* The visible object of each pixel of an area, row by row. */
+/* The visible objects of an area's pixels, row by row. */
 struct tia_hits {
-    const struct tia_view *view; /* first, see struct tia_drawing */
+    const struct tia_view *view; /* must be first, see struct tia_drawing */
     struct tia_tile area;
     uint32_t *object; /* an object's index, or TIA_NO_OBJECT */
     void *buffer;     /* the renderer's data */

@@ -9,12 +9,12 @@
 /* The part of a pixel's data that each pass changes. */
 struct light {
     uint32_t rgb[3]; /* radiance over the albedo, Q16.16 */
-    uint32_t error;  /* the standard error of its luminance, Q16.16 */
+    uint32_t error;  /* standard error of the light's luminance, Q16.16 */
 };
 
 /* The part of a pixel's data that guides the passes. */
 struct feature {
-    uint32_t albedo[3]; /* Q16.16, the divisor of the light: never 0 */
+    uint32_t albedo[3]; /* Q16.16, the divisor of the light; never 0 */
     uint32_t depth;     /* Q16.16 */
     int16_t normal[4];  /* Q2.14 */
 };
@@ -30,7 +30,7 @@ struct colour {
 
 struct tia_denoiser {
     unsigned width, height;
-    struct light *light[2];  /* a pass reads one and writes the other */
+    struct light *light[2];  /* light before and after a pass */
     struct colour *filtered; /* the light before the passes; after pass EDGE_PASSES - 1, the filtered light */
     struct feature *features;
 };

@@ -4,7 +4,7 @@
 #include "math/integer.h"
 
 /* Constants found by trying 500 settings on a Cornell box of 128x128 with 4, 16 and 64 samples a pixel. A fraction of
- * the depth is tolerance for curved surfaces; a spread of 2^-12 is for means that are exact to the last digit. */
+ * the depth is tolerated for curved surfaces; a spread of 2^-12 for means that are exact to the last digit. */
 #define SPREAD(error) (3 * (uint64_t)(error) + 16)
 #define ROOM(slope, pixels, depth) ((uint64_t)(slope) * (pixels) / 8 + (depth) / 512)
 #define ALBEDO_WEIGHT 4
@@ -15,12 +15,12 @@ struct middle {
     const struct tia_denoiser *d;
     const struct light *light; /* light of the whole picture */
     int x, y, step;
-    bool stops; /* at edges of the light */
+    bool stops; /* the pass stops at edges of the light */
     struct feature feature;
     uint32_t luminance;
     uint64_t spread;      /* spread of the luminance by noise, Q.16 */
     int64_t across, down; /* change of the depth to the next pixel, Q.16 */
-    uint32_t slope;       /* the larger absolute value of them */
+    uint32_t slope;       /* the larger absolute value of the two */
 };
 
 struct total {
@@ -100,7 +100,7 @@ static void add(struct total *total, const struct light *light, uint32_t weight,
     total->squares += we * we;
 }
 
-/* Returns the standard error of the mean of 3x3 pixels. */
+/* Returns the standard error of the mean of a pixel, over 3x3 pixels. */
 static uint32_t error_around(const struct middle *m)
 {
     uint64_t sum = 0, weights = 0;

@@ -8,7 +8,7 @@
 
 #define FLOOR 512                    /* least albedo: 2^-7 */
 #define MEAN_MAX (INT64_C(1) << 38)  /* samples are at most 2^14, in units of 2^-24 */
-#define DEPTH_MAX (INT64_C(1) << 54) /* largest depth shown, of a sum */
+#define DEPTH_MAX (INT64_C(1) << 54) /* largest depth shown, times the number of samples in a sum */
 
 size_t tia_denoise_size(unsigned width, unsigned height)
 {
@@ -48,7 +48,7 @@ bool tia_denoise_has(const struct tia_denoiser *d, struct tia_tile tile)
     return d && tile_is_inside(tile, (struct tia_tile){0, 0, (uint16_t)d->width, (uint16_t)d->height});
 }
 
-/* Returns the mean of a sum that is not negative: to nearest. */
+/* Returns the mean of a sum that is not negative, rounded to nearest. */
 static uint64_t mean(int64_t sum, uint32_t count)
 {
     return ((uint64_t)sum + count / 2) / count;

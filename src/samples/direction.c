@@ -43,8 +43,8 @@ void tia_sample_turn(uint32_t u, int64_t *sine, int64_t *cosine)
     turn((uint64_t)u << 32 | UINT64_C(1) << 31, sine, cosine);
 }
 
-/* Maps a and b in -1..1: the larger is the radius, the other's share of it an angle of up to an eighth of a turn.
- * Neither is ever 0. Returns the radius, which has a sign. */
+/* Maps a and b in -1..1 to a point of the disc: the larger is the radius, and the other's share of it an angle of up to
+ * an eighth of a turn. Neither is ever 0. Returns the radius, which has a sign. */
 static int64_t concentric(const uint32_t u[2], int64_t place[2])
 {
     int64_t a = 2 * unit_of(u[0]) - ONE, b = 2 * unit_of(u[1]) - ONE, s, c;

@@ -6,7 +6,7 @@
 
 extern const uint32_t tia_srgb5[31], tia_srgb6[63], tia_srgb8[255];
 
-/* The 8-bit level of each value i 2^24. */
+/* 8-bit levels of the values i 2^24. */
 extern const uint8_t tia_srgb8_from[257];
 
 #endif

@@ -28,7 +28,7 @@ struct tia_exposure tia_exposure_of(tia_q16 exposure)
     return (struct tia_exposure){tia_exp2(INT64_C(1) << 62, (65536 - fraction) << 40), floor + 1};
 }
 
-#define MEAN_MOST (INT64_C(1) << 38) /* in units of 2^-24: of samples of 2^14 */
+#define MEAN_MOST (INT64_C(1) << 38) /* in units of 2^-24: mean of samples of 2^14 */
 
 /* Returns the mean in units of 2^-32, rounded down, without overflow; of sums from 2^55 on it is at most 2^46. */
 static int64_t mean_of(int64_t sum, uint32_t count)
@@ -40,7 +40,8 @@ static int64_t mean_of(int64_t sum, uint32_t count)
     return (whole < MEAN_MOST ? whole : MEAN_MOST) * 256 + sum % count * 256 / count;
 }
 
-/* Returns the exposed mean; a value that would overflow when shifted is far too bright. Whole stops need no product. */
+/* Returns the exposed mean; a value that would overflow when shifted is far above white. Integer exposures need no
+ * product. */
 uint32_t tia_exposed(const struct tia_exposure *exposure, int64_t sum, uint32_t count)
 {
     if (!exposure || !count || sum <= 0)

@@ -4,7 +4,7 @@
 
 #include <tia/camera.h>
 
-/* c = a x b, all Q1.62. */
+/* Gives c = a x b, all Q1.62. */
 void tia_axes_cross(const int64_t a[3], const int64_t b[3], int64_t c[3]);
 
 /* Gives the rows of axes: u, v and n, Q1.62, of a camera that tia_scene_check accepts; `back` leads from the reference

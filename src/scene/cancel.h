@@ -4,11 +4,11 @@
 
 #include <tia/job.h>
 
-/* A caller's `stop`, its context, and the work since the last poll. Initialise all but the first two to zero. */
+/* A caller's `stop`, its context, and the work since the last poll. All but the first two start as zero. */
 struct cancel {
     bool (*stop)(void *ctx); /* NULL: never cancelled */
     void *ctx;
-    uint32_t work; /* items since the last poll */
+    uint32_t work; /* number of items since the last poll */
     bool stopped;
 };
 
@@ -22,7 +22,7 @@ static inline struct cancel cancel_for(const struct tia_job *job)
     return job ? (struct cancel){job->stop, job->ctx, 0, false} : (struct cancel){NULL, NULL, 0, false};
 }
 
-#define CANCEL_INTERVAL 4096 /* items between polls, since a poll may read a clock or a keyboard */
+#define CANCEL_INTERVAL 4096 /* number of items between polls, since a poll may read a clock or a keyboard */
 
 /* Adds `work` items; returns true once cancelled. */
 static inline bool cancelled(struct cancel *cancel, uint32_t work)

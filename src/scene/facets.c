@@ -16,7 +16,7 @@
 
 struct round {
     int64_t radius; /* the largest radius */
-    bool ends[2];   /* cylinder or cone: its ends that are more than a point */
+    bool ends[2];   /* ends of a cylinder or cone that are more than a point */
     bool capped;
 };
 
@@ -66,7 +66,7 @@ static void count(const struct tia_shape *s, const struct round *r, struct tia_f
 {
     uint64_t n = f->around, ends = (uint64_t)r->ends[0] + r->ends[1];
 
-    if (s->kind == TIA_SPHERE) { /* n/2 - 1 rings and the poles */
+    if (s->kind == TIA_SPHERE) { /* n/2 - 1 rings and two poles */
         f->points = n * (n / 2 - 1) + 2;
         f->faces = 2 * n * (n / 2 - 1);
         return;

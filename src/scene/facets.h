@@ -6,12 +6,12 @@
 #include <tia/scene.h>
 
 struct tia_facets {
-    uint32_t around; /* corners of a full circle: a multiple of 4 */
+    uint32_t around; /* corners of a full circle, a multiple of 4 */
     uint64_t points, faces;
 };
 
 /* Gives the division of a sphere, disc, cylinder or cone of a scene with `tessellated`; false if the object is none of
- * these, or not tessellated. Gives far more faces than TIA_OBJECTS_MAX when there would be too many corners. */
+ * these, or not tessellated. When there would be too many corners, the number of faces is far above TIA_OBJECTS_MAX. */
 bool tia_facets_of(const struct tia_scene *scene, uint32_t object, struct tia_facets *facets);
 
 #endif

@@ -12,7 +12,7 @@
 #include "math/integer.h"
 #include "math/rotation.h"
 
-/* mantissa 2^exponent */
+/* A length, mantissa 2^exponent. */
 struct length {
     uint64_t mantissa;
     int exponent;
@@ -73,7 +73,7 @@ static struct length measure(const int64_t v[3], bool up)
 
     if (!all)
         return (struct length){0, 0};
-    int shift = 33 - (int)tia_clz64(all); /* leaves 31 bits */
+    int shift = 33 - (int)tia_clz64(all); /* the sum then has 31 bits */
     for (int i = 0; i < 3; i++) {
         uint64_t size = size_of(v[i]), rest = shift > 0 && up ? (UINT64_C(1) << shift) - 1 : 0;
         size = shift > 0 ? (size + rest) >> shift : size << -shift;
@@ -98,7 +98,7 @@ static int64_t stretch(tia_q16 radius, struct length length)
     if (shift <= 0)
         return (int64_t)(p.low << -shift);
     if (shift >= 64)
-        return p.high | p.low ? 1 : 0; /* below 2^65 */
+        return p.high | p.low ? 1 : 0; /* the low half of a number below 2^65 */
     bool exact = !(p.low & ((UINT64_C(1) << shift) - 1));
     return (int64_t)(p.high << (64 - shift) | p.low >> shift) + !exact;
 }
@@ -117,7 +117,7 @@ void tia_hull_add_sphere(struct hull *hull, struct tia_vec3 centre, tia_q16 radi
     }
 }
 
-/* Adds, along each axis, the corners that lie farthest either way. */
+/* Adds a box: along each axis, the corners that lie farthest either way. */
 void tia_hull_add_box(struct hull *hull, const struct tia_bounds *b)
 {
     if (b->max.x < b->min.x)

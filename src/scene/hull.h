@@ -11,7 +11,7 @@ struct bounds_wide {
     int64_t min[3], max[3];
 };
 
-/* An empty box, to be enlarged. */
+/* An empty box, which grows. */
 #define BOUNDS_NOTHING                                                                                                 \
     (struct tia_bounds)                                                                                                \
     {                                                                                                                  \
@@ -25,9 +25,9 @@ void tia_bounds_add(struct tia_bounds *bounds, const struct tia_bounds *more);
 
 /* Return the box of a face or of a mesh, exact, in the mesh's own axes. */
 struct tia_bounds tia_bounds_of_face(const struct tia_mesh *mesh, uint32_t face);
-struct tia_bounds tia_bounds_of_mesh(const struct tia_mesh *mesh, struct cancel *cancel); /* any box when stopped */
+struct tia_bounds tia_bounds_of_mesh(const struct tia_mesh *mesh, struct cancel *cancel); /* undefined when cancelled */
 
-/* The rows of R S and the position. */
+/* The position of a shape, and the rows of R S. */
 struct frame {
     int64_t rows[3][3];
     int64_t position[3];
@@ -44,7 +44,7 @@ void tia_frame_prepare(struct frame *frame, const struct tia_transform *transfor
 
 /* Returns the coordinate of a shape's point in the world, along axis k: Q31.32. */
 int64_t tia_frame_place(const struct frame *frame, int k, struct tia_vec3 p);
-/* Returns the same for a point that is Q31.32 itself. */
+/* Returns the coordinate of a point that is given in Q31.32. */
 int64_t tia_frame_place_finely(const struct frame *frame, int k, const int64_t p[3]);
 
 void tia_hull_add_point(struct hull *hull, struct tia_vec3 p);

@@ -6,15 +6,15 @@
 #include "scene/fall/fall.h"
 #include "scene/track.h"
 
-/* Sets a light's direction. An interpolated one can pass through 0, which has no direction: the light then keeps its
- * own. */
+/* Sets a light's direction. An interpolated one can pass through 0, which has no direction: the light then keeps the
+ * one it has. */
 static void set_direction(struct tia_dir3 *direction, struct tia_vec3 to)
 {
     if (to.x | to.y | to.z)
         *direction = tia_normalise(to.x, to.y, to.z);
 }
 
-/* A hidden light keeps its kind, so that scenes of all times need the same memory. */
+/* Hides a light; its kind stays, so that scenes of all times need the same memory. */
 static void hide_light(struct tia_light *light)
 {
     const struct tia_vec3 none = {0, 0, 0};
@@ -38,7 +38,7 @@ static void set_colour(struct tia_material *material, enum tia_target target, st
     *colours[target - TIA_SETS_COLOUR] = (struct tia_rgb){channel(value.x), channel(value.y), channel(value.z)};
 }
 
-/* The arrays with moving elements, which are copied, in the order of memory. */
+/* The arrays with moving elements, which are copied, in the order of their copies in memory. */
 struct moving {
     struct tia_camera camera;
     struct tia_light *lights;
@@ -56,7 +56,7 @@ static bool has_track(const struct tia_scene *scene, enum tia_target first, enum
     return false;
 }
 
-/* Returns the bytes for a copy of `count` elements; 0 if none moves. */
+/* Returns the bytes for a copy of `count` elements; 0 if none of them moves. */
 static uint64_t copy_size(bool moves, uint32_t count, size_t size)
 {
     return moves ? ALIGN(count * (uint64_t)size) : 0;
@@ -134,7 +134,7 @@ static void apply(const struct tia_scene *scene, const struct tia_track *track, 
     }
 }
 
-/* Returns the memory for a part; NULL when it stays as it is. */
+/* Takes memory for a copy from the block; NULL when the array is not copied. */
 static void *part(char **memory, uint64_t size)
 {
     char *here = *memory;

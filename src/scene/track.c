@@ -9,8 +9,8 @@ static int64_t fraction(int64_t a, int64_t b)
     return (int64_t)((n / d) << 31 | (n % d << 31) / d);
 }
 
-/* The weights of the ends' distance and of the two tangents, Q2.62: the cubic Hermite polynomials 3u^2 - 2u^3,
- * u - 2u^2 + u^3 and u^3 - u^2, evaluated so that no intermediate exceeds 1. */
+/* The weights of the distance between the ends and of the two tangents, Q2.62: the cubic Hermite polynomials 3u^2 -
+ * 2u^3, u - 2u^2 + u^3 and u^3 - u^2, evaluated so that no intermediate exceeds 1. */
 struct weights {
     int64_t end, first_slope, last_slope;
 };

@@ -5,7 +5,7 @@
 #include "scene/bvh/tree.h"
 
 #define BOX_BITS 26
-#define SEGMENT_BITS 28 /* bits of ends that are not cut, so that products of two differences have less than 62 */
+#define SEGMENT_BITS 28 /* bits of ends that are not cut; products of two differences then have less than 62 */
 #define FAR_BITS 58
 #define MOVED 48 /* 8 for the rounding of the point, 1/2 for each of at most 36 halvings at either end */
 
@@ -57,7 +57,7 @@ static int find_shift(const struct tia_flat_scene *flat, struct cancel *cancel)
     return bits > BOX_BITS ? bits - BOX_BITS : 0;
 }
 
-/* Rounds a box: one unit more for each bound that is rounded down, and one for the upper end. */
+/* Rounds a box outwards: enlarges it by one unit for each bound that is rounded down, and by one for the upper end. */
 static struct tia_bounds enlarged(const int64_t low[3], const int64_t high[3], int shift)
 {
     int64_t more = (MOVED >> shift) + 3;
@@ -155,8 +155,8 @@ static int bits_of(int64_t a)
     return a ? 64 - (int)tia_clz64((uint64_t)a) : 0;
 }
 
-/* Finds the light's end. For a directional light it is so far along its direction from the point that it is outside the
- * root: 2^beyond more than four times as far as both. */
+/* Finds the light's end. For a directional light the end lies so far along its direction from the point that it is
+ * outside the root: 2^beyond more than four times as far as both. */
 static void find_light(const struct tia_flat_scene *flat, const struct tia_casters *casters,
                        const tia_flat_light *light, const int64_t from[3], int64_t p[3])
 {
@@ -181,7 +181,7 @@ static bool meet(const struct tia_bounds *box, int shift, const int64_t a[3], co
     return true;
 }
 
-/* Moves a far end towards b, as far as the part cut off does not meet the box. False: no part meets it. */
+/* Moves a far end towards b, as long as the part cut off does not meet the box. False: no part meets it. */
 static bool cut(const struct tia_casters *casters, int64_t a[3], const int64_t b[3])
 {
     const struct tia_bounds *root = &casters->tree.nodes[0].bounds;

@@ -14,14 +14,14 @@
 
 struct tia_casters {
     struct tia_bvh_tree tree;
-    const uint32_t *unbounded; /* faces with a corner at infinity: in no box */
+    const uint32_t *unbounded; /* faces with a corner at infinity, which are in no box */
     uint32_t unbounded_count;
     int shift;
 };
 
-/* Returns the bytes of memory for so many faces. */
+/* Returns the bytes of memory for `faces` faces. */
 uint64_t tia_casters_size(uint64_t faces);
-/* Fills in the memory, aligned for uint64_t; TIA_STOPPED when cancelled. */
+/* Builds the hierarchy in memory aligned for uint64_t; TIA_STOPPED when cancelled. */
 int tia_casters_build(struct tia_casters *casters, void *memory, const struct tia_flat_scene *flat,
                       struct cancel *cancel);
 
@@ -31,7 +31,7 @@ struct tia_segment {
 };
 
 enum tia_segment_kind {
-    TIA_SEGMENT_MISSES, /* it comes near no box */
+    TIA_SEGMENT_MISSES, /* the segment comes near no box */
     TIA_SEGMENT_INSIDE,
     TIA_SEGMENT_FAR /* the visible point is so far away that any face may be near */
 };
@@ -50,7 +50,7 @@ struct tia_segment_walk {
 /* Begins a walk, with walk->segment set. */
 void tia_segment_walk_start(struct tia_segment_walk *walk, const struct tia_casters *casters);
 
-/* Returns the next leaf that the segment comes near, or NULL. */
+/* Returns the next leaf near the segment, or NULL. */
 const struct tia_bvh_node *tia_segment_walk_leaf(struct tia_segment_walk *walk);
 
 #endif

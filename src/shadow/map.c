@@ -4,7 +4,7 @@
 #include "raster/halves.h"
 #include "raster/target.h"
 
-#define BAND_TEXELS (UINT32_C(1) << 20) /* texels drawn at a time: more would need more room */
+#define BAND_TEXELS (UINT32_C(1) << 20) /* number of texels drawn at a time: more would need more room */
 #define ASKED_TEXELS 4096               /* texels that count as an item, see cancel.h */
 
 unsigned tia_map_corners(const struct tia_map *map, const struct tia_map_view *view, const struct tia_flat_scene *flat,
@@ -27,7 +27,7 @@ unsigned tia_map_corners(const struct tia_map *map, const struct tia_map_view *v
     return sides;
 }
 
-/* Returns 62 bits of a > 0 and an exponent. */
+/* Returns 62 bits of a > 0, and gives their exponent. */
 static int64_t mantissa(wide a, int *exponent)
 {
     int bits = wide_bits(a);
@@ -48,8 +48,8 @@ static int64_t cut_by(wide a, int cut)
     return cut > 0 ? wide_down(a, (unsigned)cut) : (int64_t)wide_low(a);
 }
 
-/* Prepares the plane. Its point in the middle of a texel is t D, t = det/f, D.w = size; so the distance is det size/f,
- * in units of the vertices. For parallel rays it is -f/(det size). */
+/* Prepares a plane. Its point in the middle of a texel is t D, t = det/f, D.w = size; so the distance is det size/f, in
+ * units of the vertices. For parallel rays it is -f/(det size). */
 void tia_map_plane_init(struct tia_map_plane *plane, const struct tia_map *map, const struct tia_map_view *view,
                         const struct tia_raster_plane *given)
 {
@@ -89,7 +89,7 @@ static uint32_t parallel_distance(const struct tia_map_plane *plane, int64_t f)
     return clamped((uint64_t)wide_round(product, (unsigned)plane->places));
 }
 
-/* Returns the distance; 32 bits of f give 31 of the quotient. */
+/* Returns the distance of a plane at a texel; 32 bits of f give 31 of the quotient. */
 uint32_t tia_map_distance(const struct tia_map *map, const struct tia_map_plane *plane, int i, int j)
 {
     int64_t f = plane->c + plane->x * i + plane->y * j;

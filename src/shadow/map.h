@@ -1,5 +1,5 @@
-/* map.h - shadow maps (Williams 1978): the distances that a light sees, texel by texel, and a point's position among
- * the texels.
+/* map.h - shadow maps (Williams 1978): the distances from a light, texel by texel, and a point's position among the
+ * texels.
  *
  * A map has views of size x size texels: one, in which rays are parallel or go through one point, or six that look
  * along the world's axes to both sides. Faces are drawn into them by the rasteriser: their corners are rounded once
@@ -13,10 +13,10 @@
 
 #define TIA_CUBE_VIEWS 6
 #define TIA_MAP_NOTHING UINT32_MAX
-#define TIA_MAP_FAR (UINT32_MAX - 1) /* this or more: farther than any corner */
+#define TIA_MAP_FAR (UINT32_MAX - 1) /* this distance or more is farther than any corner */
 
 struct tia_map_view {
-    struct tia_eye eye; /* from 256 times the coordinates of tia_flat_affine */
+    struct tia_eye eye; /* the view's matrix, from 256 times the coordinates of tia_flat_affine */
     struct tia_raster_grid grid;
     int64_t axes[3][3]; /* right, up and forward, Q1.62 */
     uint32_t *distance; /* TIA_MAP_NOTHING where there is no face */
@@ -27,7 +27,7 @@ struct tia_map {
     unsigned view_count, size;
     bool parallel;
     int64_t origin[3]; /* the light's position, or the origin of distances along parallel rays */
-    int64_t density;   /* Q.40: texels per unit, or at the distance 1 */
+    int64_t density;   /* texels per unit, or at the distance 1: Q.40 */
     int bits;          /* vertices are below 2^bits */
     int unit;          /* vertices are in units of 2^unit */
     int coarse;        /* distances are in units of 2^(coarse - TIA_WORLD_BITS) */
@@ -59,15 +59,15 @@ unsigned tia_map_corners(const struct tia_map *map, const struct tia_map_view *v
 /* A face's plane, whose f in raster.h is here x i + y j + c in units that leave 62 bits. */
 struct tia_map_plane {
     int64_t x, y, c;
-    int64_t factor; /* distances are factor/f, or for parallel rays factor f, */
-    int places;     /* times 2^-places, in the unit of maps */
+    int64_t factor; /* numerator: distances are factor/f, or for parallel rays factor f */
+    int places;     /* distances have this number of fraction bits, in the unit of maps */
 };
 
 void tia_map_plane_init(struct tia_map_plane *plane, const struct tia_map *map, const struct tia_map_view *view,
                         const struct tia_raster_plane *given);
 
-/* Returns the distance in the middle of texel (i, j): within 2^-30 of itself, and rounded; 0 where the plane is not in
- * front of the light. */
+/* Returns the distance of the plane in the middle of texel (i, j): within 2^-30 of itself, and rounded; 0 where the
+ * plane is not in front of the light. */
 uint32_t tia_map_distance(const struct tia_map *map, const struct tia_map_plane *plane, int i, int j);
 
 /* A point's position in a map. */
@@ -75,7 +75,7 @@ struct tia_map_spot {
     const struct tia_map_view *view;
     int64_t u, v;     /* texels, Q.16, from the upper left corner; clamped to 2^40 beyond the map */
     int64_t distance; /* TIA_WORLD_BITS fraction bits */
-    int64_t texel;    /* size of a texel there, likewise */
+    int64_t texel;    /* size of a texel at that distance, TIA_WORLD_BITS fraction bits */
 };
 
 void tia_map_find(const struct tia_map *map, const int64_t place[3], struct tia_map_spot *spot);

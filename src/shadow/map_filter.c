@@ -2,8 +2,8 @@
 
 #include "math/wide.h"
 
-#define WIDEST 8 /* a search or filter reaches at most a map's size over this to each side */
-#define STEPS 4  /* taps to each side, when texels are skipped */
+#define WIDEST 8 /* divisor: a search or filter reaches at most a map's size over this to each side */
+#define STEPS 4  /* number of taps to each side when texels are skipped */
 
 unsigned tia_map_border(enum tia_filter filter)
 {
@@ -99,11 +99,11 @@ static unsigned disc(const struct tia_map_point *p, int64_t k)
     return part(lit, taps);
 }
 
-/* Filters by the penumbra's width: a light of radius R is seen R/w wide from the point at the distance w, and through a
+/* Filters by the penumbra's width: a light of radius R appears R/w wide from the point at the distance w, and through a
  * hole at b its disc is R (w - b)/(b w) wide. */
 static unsigned pcss(const struct tia_map_point *p, int64_t radius)
 {
-    int64_t widest = p->map->size / WIDEST, texels = wide_quotient(radius, p->spot.texel, 16); /* Q.16 */
+    int64_t widest = p->map->size / WIDEST, texels = wide_quotient(radius, p->spot.texel, 16); /* texels, Q.16 */
 
     if (!radius)
         return bilinear(p);

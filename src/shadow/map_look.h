@@ -18,7 +18,7 @@ void tia_map_look_init(struct tia_map_look *look, const struct tia_scene *scene)
 /* Returns the largest distance of a tap from the point's texel, except with TIA_FILTER_PCSS. */
 unsigned tia_map_border(enum tia_filter filter);
 
-/* A point of a face that is turned to the light, and its position in the map. */
+/* A point of a lit face, and its position in the map. */
 struct tia_map_point {
     const struct tia_map *map;
     const struct tia_world *world;
@@ -27,17 +27,17 @@ struct tia_map_point {
     const struct tia_map_view *of; /* view that the plane belongs to, or NULL */
     struct tia_map_plane plane;    /* the face's plane; used for TIA_BIAS_PLANE only */
     struct tia_map_spot spot;
-    int64_t limit,
-        slack; /* least distance of texels that do not shadow it; TIA_BIAS_PLANE: the plane's less the slack */
+    int64_t limit, slack; /* limit: least distance of texels that do not shadow the point; TIA_BIAS_PLANE: the plane's
+                             less the slack */
 };
 
-/* Begins a face; the next points are on it. */
+/* Begins a face; the points that follow are on it. */
 void tia_map_face(struct tia_map_point *point, const tia_flat_light *light, uint32_t face);
 
 void tia_map_place(struct tia_map_point *point, const struct tia_map_look *look, const int64_t place[3]);
 
-/* True if texel (i, j) lets light through to the point. Beyond a single view there is light; beyond a cube's, its
- * border's. */
+/* True if texel (i, j) lets light through to the point. Beyond a single view all is lit; beyond a view of a cube the
+ * texel at its border decides. */
 bool tia_map_tap(const struct tia_map_point *point, int64_t i, int64_t j);
 
 /* Returns the distance that a tap reads, TIA_WORLD_BITS fraction bits. */

@@ -29,7 +29,7 @@ static void along_world(int64_t axes[3][3], unsigned view)
     axes[2][forward] = view % 2 ? -ONE : ONE;
 }
 
-/* Gives axes with this one forward. */
+/* Gives axes for a view that looks along `forward`. */
 static void along_direction(int64_t axes[3][3], const int64_t forward[3])
 {
     int64_t aside[3] = {0, 0, 0}, across[3];
@@ -53,10 +53,11 @@ static int64_t dot(const int64_t axis[3], const int64_t place[3])
 
 /* ---- from the scene's coordinates to a view's ---- */
 
-/* Returns axis times scale 2^-scale_places, for a vertex in the world's coordinates. */
+/* Returns a row, axis times scale 2^-scale_places, for a vertex in the world's coordinates. */
 static struct tia_eye_row row_of(const struct tia_world *world, const int64_t axis[3], int64_t scale, int scale_places)
 {
-    int shift = 0, spread = 8 + world->flat->grid.fraction - 32; /* for 256 times a coordinate, in Q.32 */
+    int shift = 0, spread = 8 + world->flat->grid.fraction - 32; /* for a row applied to 256 times a coordinate, in
+                                                                    Q.32 */
     struct tia_eye_row row = {.offset = 0};
     wide product[3];
 
@@ -79,7 +80,7 @@ static int bits_of(unsigned size)
 
 static void make_rows(struct tia_map *map, const struct tia_world *world, struct tia_map_view *view)
 {
-    int zoom_places = DENSITY_BITS + bits_of(map->size) - 1; /* 2/size of the density */
+    int zoom_places = DENSITY_BITS + bits_of(map->size) - 1; /* the factor 2/size of the density */
     const int64_t back[3] = {-view->axes[2][0], -view->axes[2][1], -view->axes[2][2]};
 
     for (int k = 0; k < 2; k++)
@@ -105,7 +106,7 @@ static void spread(const struct tia_flat_scene *flat, const struct tia_raster_ve
         out[k] *= 256;
 }
 
-/* Prepares the grid. Vertices must be below 2^20; where the scene reaches farther, their unit is larger. */
+/* Prepares the grid. Vertices must be below 2^20; for larger scenes their unit is larger. */
 static int make_lattice(struct tia_map *map, const struct tia_flat_scene *flat)
 {
     unsigned range = 0;
@@ -136,7 +137,7 @@ static int make_lattice(struct tia_map *map, const struct tia_flat_scene *flat)
 
 /* ---- the extent of views ---- */
 
-/* Fits a view around all points: the origin is in the middle of their sides that face the light. */
+/* Fits the view of parallel rays around all points: the origin is in the middle of their sides towards the light. */
 static void fit(struct tia_map *map, const struct tia_world *world, int64_t texels)
 {
     const struct tia_flat_scene *flat = world->flat;
@@ -224,7 +225,7 @@ static const struct tia_map_view *facing(const struct tia_map *map, const int64_
     return &map->view[2 * most + (d[most] < 0)];
 }
 
-/* Returns the texels from the middle of the view. */
+/* Returns the distance in texels from the middle of the view. */
 static int64_t across(const struct tia_map *map, int64_t at, int64_t distance)
 {
     int64_t tangent = map->parallel  ? at

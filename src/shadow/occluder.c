@@ -33,7 +33,7 @@ void tia_seen_face_init(struct tia_seen_face *of, const struct tia_flat_scene *f
     of->reciprocal = of->bits ? wide_reciprocal((uint64_t)wide_high(wide_up(det, (unsigned)(128 - of->bits)))) : 0;
 }
 
-/* Prepares a visible point: a mantissa below 2^62 times a reciprocal of 2^62..2^63. */
+/* Prepares a visible point. Its s is a mantissa below 2^62 times a reciprocal of 2^62..2^63. */
 void tia_seen_init(struct tia_seen *seen, const struct tia_seen_face *of, int x, int y)
 {
     struct wide_form form = form_of_plane(of->plane);
@@ -135,7 +135,7 @@ static int sure_side(const struct tia_occluder_plane *p, const struct tia_seen *
     return a - b > p->unsure ? 1 : a - b < -p->unsure ? -1 : 0;
 }
 
-/* Returns the exact sign; 0: the planes are the same. */
+/* Returns the exact sign; 0: the two planes are equal. */
 static int exact_side(const struct tia_occluder *o, unsigned k, const struct tia_seen *seen)
 {
     struct plane plane = plane_of(o, k);

@@ -1,14 +1,14 @@
-/* occluder.h - tests exactly if a face stands between a visible point and a light, by the signs of integers.
+/* occluder.h - exact test for a face between a visible point and a light, by the signs of integers.
  *
- * A pixel with the direction D sees the point (D, s), s = N.D/d, of a plane N.(x, y, w) = d h, whatever the projection,
- * see raster.h. Another plane M.(x, y, w) = m h has that point on the side of
+ * A pixel with the direction D shows the point (D, s), s = N.D/d, of a plane N.(x, y, w) = d h, whatever the
+ * projection, see raster.h. Another plane M.(x, y, w) = m h has that point on the side of
  *
  *     M.D - m s,   which for d > 0 has the sign of   (M.D) d - m (N.D).
  *
  * A face hides the light when the point is on one side of all planes through the light and an edge of the face, and
  * beyond the face's own plane. Where a sign is 0, D is moved as the rasteriser moves it, to the right, then down; a
  * face in the plane of the visible face does not hide it. The depths of shadow volumes are compared by the same
- * integers, since their sides lie in the same planes, so both find the same, and neither needs a bias.
+ * integers, since their sides lie in the same planes, so both give the same shadows, and neither needs a bias.
  *
  * The products have up to 243 bits. A filter comes first: s with a relative error below 2^-58, m with one of 2^-61,
  * and M.D, in units that make it smaller than 2^62, less than 2^14 too small. ranges.h has the resulting error of their
@@ -26,7 +26,7 @@ struct tia_seen_face {
     int bits;
 };
 
-/* The point that pixel (x, y) sees: s is nearness 2^exponent. */
+/* The visible point of pixel (x, y): s is nearness 2^exponent. */
 struct tia_seen {
     const struct tia_seen_face *of;
     int x, y;
@@ -49,14 +49,14 @@ struct tia_occluder {
     uint32_t face;
     uint32_t flush; /* a face found to lie in the same plane, or TIA_NO_FACE */
     unsigned sides;
-    int side; /* side of all planes that the hidden points are on; 0: it hides none */
-    struct tia_occluder_plane plane[TIA_SIDES + 1]; /* its own plane, then those of its edges */
+    int side; /* side of all planes on which the hidden points are; 0: the face hides none */
+    struct tia_occluder_plane plane[TIA_SIDES + 1]; /* the face's own plane, then those through its edges */
 };
 
-/* Prepares a face that some pixel sees. */
+/* Prepares a face that is visible at some pixel. */
 void tia_seen_face_init(struct tia_seen_face *of, const struct tia_flat_scene *flat, uint32_t face);
 
-/* Prepares a pixel that sees it. */
+/* Prepares a pixel that shows the face. */
 void tia_seen_init(struct tia_seen *seen, const struct tia_seen_face *of, int x, int y);
 
 /* Prepares an occluder; false when the light is in the face's plane, so that it hides no point. Keeps both pointers. */

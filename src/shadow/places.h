@@ -5,26 +5,28 @@
 #include "flat/lights.h"
 #include "ranges.h"
 
-/* Coordinates of vertices with SEEN_BITS more. */
+/* A scene's positions: coordinates of vertices with SEEN_BITS more fraction bits. */
 struct tia_places {
     const struct tia_flat_scene *flat;
     const tia_flat_light *light;
     bool parallel;
     int64_t origin[3]; /* origin of a point light */
-    /* A direction's largest axis; across it the unit is that of positions times 2^(SEEN_BITS - scale) */
+    /* axis: the largest of the light's direction; scale: across it the unit is that of positions times 2^(SEEN_BITS -
+     * scale) */
     int axis, scale;
-    int64_t slope[3], middle[3]; /* Q.60: the light's slope against the axis; the middle of all corners across it */
+    int64_t slope[3], middle[3]; /* the light's slope against the axis, Q.60; the middle of all corners across the
+                                    axis */
 };
 
 void tia_places_init(struct tia_places *p, const struct tia_flat_scene *flat, const tia_flat_light *light);
 
 /* Gives the position of a vertex, exact. */
 void tia_place_of_vertex(const struct tia_places *p, const struct tia_raster_vertex *v, int64_t at[3]);
-/* Gives that of the visible point of a face at pixel (x, y), within SEEN_OFF; false when it is too far away. */
+/* Gives the position of the visible point of a face at pixel (x, y), within SEEN_OFF; false when it is too far away. */
 bool tia_place_seen(const struct tia_places *p, int x, int y, uint32_t face, int64_t at[3]);
 
-/* Projects a position along the light onto a plane across the axis. Those of corners are below 2^ACROSS_BITS in size
- * and within ACROSS_OFF. */
+/* Projects a position along the light onto a plane across the axis. Projections of corners are below 2^ACROSS_BITS in
+ * size and within ACROSS_OFF. */
 void tia_place_across(const struct tia_places *p, const int64_t at[3], int64_t out[2]);
 
 static inline int64_t place_size(int64_t a)

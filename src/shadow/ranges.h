@@ -8,8 +8,8 @@
 #define OCCLUDER_UNSURE 15
 #define OCCLUDER_CUT 16383
 
-/* A visible point is within SEEN_OFF, in units of 2^-SEEN_BITS of a vertex's; positions of more than SEEN_FAR bits are
- * not computed. */
+/* Accuracy of a visible point: within SEEN_OFF, in units of 2^-SEEN_BITS of a vertex's; positions of more than SEEN_FAR
+ * bits are not computed. */
 #define SEEN_BITS 8
 #define SEEN_OFF 5
 #define SEEN_FAR 52

@@ -4,7 +4,7 @@
 
 #define OCCLUDERS 16
 
-/* Data for the coherence between neighbouring pixels. */
+/* State of the coherence between neighbouring pixels. */
 struct rays {
     const struct tia_flat_scene *flat;
     const struct tia_casters *casters;
@@ -12,7 +12,7 @@ struct rays {
     struct cancel *cancel;
     struct tia_seen_face of;
     bool turned;
-    uint32_t last;                           /* the last face that hid the light */
+    uint32_t last;                           /* last face that hid the light */
     struct tia_occluder occluder[OCCLUDERS]; /* occluder of face f, if present, at f mod OCCLUDERS */
 };
 

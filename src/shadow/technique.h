@@ -12,32 +12,32 @@ struct tia_shadow_view {
     struct tia_flat_scene flat;
     unsigned sample_count;
     tia_flat_light samples[TIA_SHADOW_SAMPLES_MAX];
-    const struct tia_light *lights[TIA_SHADOW_SAMPLES_MAX]; /* the lights of the samples, while lights are set */
+    const struct tia_light *lights[TIA_SHADOW_SAMPLES_MAX]; /* lights of the samples, valid while lights are set */
     void *own;                                              /* the technique's data, aligned for uint64_t */
 };
 
-/* The data kept for each pixel of a tile. */
+/* The data of each pixel of a tile. */
 struct tia_shadow_tile {
     struct tia_raster_target target;
-    uint64_t *lit; /* a bit for each sample; target.pitch pixels from one row to the next */
+    uint64_t *lit; /* a bit for each light sample; target.pitch pixels from one row to the next */
     void *more;    /* the technique's own bytes of each pixel, or its shares */
 };
 
-/* A share: the part of a sample's light that arrives, of TIA_SHARE_ALL. */
+/* A share: the part of a sample's light that arrives, in units of 1/TIA_SHARE_ALL. */
 typedef uint16_t tia_share;
 #define TIA_SHARE_BITS 15
 #define TIA_SHARE_ALL (1u << TIA_SHARE_BITS)
 
 struct tia_shadow_technique {
-    /* Returns the bytes behind view->own. */
+    /* returns the number of bytes behind view->own */
     uint64_t (*own_size)(const struct tia_scene *scene);
-    /* Fills in view->own when the scene's faces are there. TIA_STOPPED when cancelled. */
+    /* fills view->own once the scene's faces are there; TIA_STOPPED when cancelled */
     int (*prepare)(struct tia_shadow_view *view, struct cancel *cancel);
-    /* Updates view->own whenever the view's samples have changed; likewise. */
+    /* updates view->own whenever the view's samples have changed; TIA_STOPPED when cancelled */
     int (*set_lights)(struct tia_shadow_view *view, struct cancel *cancel);
 
-    /* Sets the bit of a sample where its light arrives; faces and depths are drawn, and the bit is clear everywhere.
-     * With shares, stores the pixel's share of the sample as well. Once cancelled, the bits are
+    /* Sets the bit of a sample where its light arrives. Before the call faces and depths are drawn, and the bit is
+     * clear everywhere. With shares, stores the pixel's share of the sample as well. Once cancelled, the bits are
      * undefined. */
     void (*light)(const struct tia_shadow_view *view, struct tia_shadow_tile *tile, unsigned sample,
                   struct cancel *cancel);
@@ -45,12 +45,12 @@ struct tia_shadow_technique {
     /* Returns the number of shares of a pixel, at least one per sample; 0 where bits suffice. Few techniques have
      * shares. */
     unsigned (*shares)(const struct tia_scene *scene);
-    /* True if an area light then has only one sample, in its centre, whose share counts for all of its own. */
+    /* True if an area light has only one sample, in its centre, whose share stands for all samples of the light. */
     bool (*is_whole)(const struct tia_scene *scene);
 
-    /* True if own_size bytes are enough for these lights in place of the scene's. NULL: they always are. */
+    /* True if own_size bytes also suffice for these lights in place of the scene's. NULL: they always do. */
     bool (*has_room)(const struct tia_scene *scene, const struct tia_light *lights, uint32_t count);
-    unsigned scratch; /* bytes of each pixel, a multiple of 4, if there are no shares */
+    unsigned scratch; /* bytes of scratch memory for each pixel, a multiple of 4, if there are no shares */
 };
 
 /* Returns a technique; NULL for TIA_SHADOWS_TRACED. */
@@ -59,13 +59,13 @@ const struct tia_shadow_technique *tia_shadow_technique(enum tia_shadows techniq
 /* Returns the number of a light's samples that a technique uses. */
 unsigned tia_shadow_samples(const struct tia_scene *scene, const struct tia_light *light);
 
-/* TIA_SHADOWS_RAYS. */
+/* The technique TIA_SHADOWS_RAYS. */
 extern const struct tia_shadow_technique tia_shadow_rays;
-/* TIA_SHADOWS_ZPASS, TIA_SHADOWS_ZFAIL and TIA_SHADOWS_ZPASS_PLAIN. */
+/* The techniques TIA_SHADOWS_ZPASS, TIA_SHADOWS_ZFAIL and TIA_SHADOWS_ZPASS_PLAIN. */
 extern const struct tia_shadow_technique tia_shadow_volumes;
-/* TIA_SHADOWS_MAP. */
+/* The technique TIA_SHADOWS_MAP. */
 extern const struct tia_shadow_technique tia_shadow_maps;
-/* TIA_SHADOWS_MAP_EXACT. */
+/* The technique TIA_SHADOWS_MAP_EXACT. */
 extern const struct tia_shadow_technique tia_shadow_exact_maps;
 
 #endif

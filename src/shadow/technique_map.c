@@ -10,7 +10,7 @@
 struct maps {
     struct tia_map_look look;
     struct tia_world world;
-    struct tia_map *map; /* for each sample */
+    struct tia_map *map; /* a map for each sample */
     int64_t radius[TIA_SHADOW_SAMPLES_MAX];
     void *room;
     uint32_t *distance;
@@ -40,7 +40,7 @@ static void add_light(struct demand *demand, const struct tia_scene *scene, cons
     demand->texels += (uint64_t)samples * tia_map_views(light) * look.size * look.size;
 }
 
-/* Returns the demand of all lights and keys, whichever are pressed. */
+/* Returns the maps that all lights and keys need, whichever keys are pressed. */
 static struct demand demand_of(const struct tia_scene *scene)
 {
     struct demand demand = {0, 0};
@@ -112,7 +112,9 @@ static int64_t radius_of(const struct tia_light *light)
         return 0;
     tia_axes_cross(unit[0], unit[1], normal);
     int64_t sine = wide_sqrt(wide_dot(normal, normal));                                              /* Q1.62 */
-    int64_t lengths = wide_sqrt(wide_product(wide_sqrt(wide_dot(a, a)), wide_sqrt(wide_dot(b, b)))); /* Q.16, mean */
+    int64_t lengths = wide_sqrt(wide_product(wide_sqrt(wide_dot(a, a)), wide_sqrt(wide_dot(b, b)))); /* mean length of
+                                                                                                        the sides,
+                                                                                                        Q.16 */
     int64_t root = wide_sqrt(wide_product(sine, INT64_C(1) << 62));
     return wide_round(wide_product(wide_round(wide_product(lengths, root), 62 - 12), ROOT), 62);
 }
@@ -146,11 +148,11 @@ static int set_lights(struct tia_shadow_view *view, struct cancel *cancel)
 
 /* ---- light ---- */
 
-#define PIXEL_WORK 4 /* items of a pixel, see cancel.h: PCSS has two hundred taps */
+#define PIXEL_WORK 4 /* items of work for a pixel, see cancel.h: PCSS has two hundred taps */
 
 struct lighting {
     const struct tia_shadow_view *view;
-    struct tia_world world; /* in the coordinates of the view's pixels; a pixel's samples differ */
+    struct tia_world world; /* in the coordinates of the view's pixels, which differ between a pixel's samples */
     struct tia_shadow_tile *tile;
     unsigned sample, shares;
     bool turned; /* the point's face is turned to the light */

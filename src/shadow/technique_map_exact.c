@@ -20,19 +20,19 @@
 #include "raster/target.h"
 #include "technique.h"
 
-#define VIEWS 6 /* views of a point; a direction has one */
+#define VIEWS 6 /* number of views of a point light; a directional one has one view */
 #define NONE UINT32_MAX
-#define ASIDE (UINT32_MAX - 1) /* tested already */
+#define ASIDE (UINT32_MAX - 1) /* in no cell: tested already */
 
-/* A pixel's links: the first pixel filed in the cell with its number, and the next pixel in its own cell. */
+/* Links of a pixel: the first pixel filed in the cell of this number, and the next pixel in this pixel's own cell. */
 struct filed {
     uint32_t head, next;
 };
 
 /* The light's view of the tile's points in one direction. */
 struct cells {
-    uint32_t count, base, x0, y0, x1, y1; /* x0 .. x1 - 1 */
-    unsigned shift;                       /* cells are 2^shift of the smallest, 2^-CELL_BITS */
+    uint32_t count, base, x0, y0, x1, y1; /* x0 .. x1 - 1 and y0 .. y1 - 1 */
+    unsigned shift;                       /* cells are 2^shift times the smallest, 2^-CELL_BITS */
 };
 
 struct exact {
@@ -43,7 +43,7 @@ struct exact {
     struct filed *filed;
     uint64_t bit;
     struct tia_places places;
-    struct tia_seen_face of; /* the last pixel tested */
+    struct tia_seen_face of; /* face of the last pixel tested */
     bool turned;
     struct cells cells[VIEWS];
     const struct cells *now; /* the cells being drawn into */
@@ -152,7 +152,7 @@ static void include(struct cells *c, uint32_t x, uint32_t y)
 #define Y_OF(spot) ((spot) >> CELL_BITS & ((1u << CELL_BITS) - 1))
 #define VIEW_OF(spot) ((spot) >> 2 * CELL_BITS)
 
-/* Locates each pixel whose face is turned to the light: it is lit until a face is found that hides it. */
+/* Files a pixel whose face is turned to the light: it is lit until a face is found that hides it. */
 static void locate(struct exact *e, uint32_t number)
 {
     const struct tia_raster_target *t = &e->tile->target;
@@ -220,7 +220,7 @@ static void file(struct exact *e, uint32_t number)
 
 /* ---- drawing ---- */
 
-/* Tests the face against all points filed in some cells; hidden points are not tested again. */
+/* Tests a face against all points filed in a run of cells; hidden points are not tested again. */
 static void ask_run(void *ctx, int y, int x0, int x1)
 {
     struct exact *e = ctx;
@@ -256,7 +256,7 @@ static void ask_box(struct exact *e, uint32_t x0, uint32_t y0, uint32_t x1, uint
         ask_run(e, (int)y, (int)x0, (int)x1);
 }
 
-/* Tests the cells around three corners, and one more to each side. */
+/* Tests the face against the points in the cells around three corners, and one more cell to each side. */
 static void ask_around(struct exact *e, const struct tia_raster_vertex *v)
 {
     uint32_t x0 = NONE, y0 = NONE, x1 = 0, y1 = 0;
@@ -287,7 +287,7 @@ static void seen_from_point(const struct exact *e, unsigned view, struct tia_ras
 }
 
 /* Prepares corners in a direction's view, which are rounded. Where that could change the order of corners, their box is
- * used. False: a plane, which is everywhere. */
+ * used. False: the face of a plane, whose image is unbounded. */
 static bool is_flattened(const struct exact *e, struct tia_raster_vertex *v, unsigned count)
 {
     for (unsigned i = 0; i < count; i++) {

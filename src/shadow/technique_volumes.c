@@ -2,7 +2,7 @@
 #include "math/align.h"
 #include "rays.h"
 
-/* The way of counting a sample's volumes: behind the visible point or in front of it. Where both are undecided, rays
+/* Ways to count a sample's volumes: behind the visible point or in front of it. Where both are undecided, rays
  * decide. */
 enum counts { BEHIND, BEFORE, NOT };
 
@@ -13,7 +13,7 @@ struct counted {
 
 struct volumes {
     struct counted sample[TIA_SHADOW_SAMPLES_MAX];
-    struct tia_casters casters; /* for rays, once they are needed */
+    struct tia_casters casters; /* faces for rays, built once they are needed */
     bool has_casters;
 };
 

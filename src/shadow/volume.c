@@ -15,7 +15,7 @@ static int sign(wide a)
     return wide_is_negative(a) ? -1 : wide_bits(a) != 0;
 }
 
-/* Returns the sign of (a x b).c, each below 2^41 in size: below 2^126. */
+/* Returns the sign of (a x b).c; components are below 2^41 in size, the product below 2^126. */
 static int orientation(const int64_t a[3], const int64_t b[3], const int64_t c[3])
 {
     wide sum = wide_product(0, 0);
@@ -28,7 +28,7 @@ static int orientation(const int64_t a[3], const int64_t b[3], const int64_t c[3
     return sign(sum);
 }
 
-/* Gives the vector from a face's first corner, a point, to v; a direction stays. */
+/* Gives the vector from a face's first corner, which is a point, to v; a direction stays unchanged. */
 static void relative(const struct tia_flat_scene *flat, const struct tia_flat_face *face,
                      const struct tia_raster_vertex *v, int64_t out[3])
 {
@@ -42,7 +42,7 @@ static void relative(const struct tia_flat_scene *flat, const struct tia_flat_fa
         out[i] -= first[i];
 }
 
-/* x, y, w are left-handed, x, y, h right-handed */
+/* the axes x, y, w are left-handed, x, y, h right-handed */
 int tia_flat_side(const struct tia_flat_scene *flat, const struct tia_flat_face *face, const tia_flat_light *light)
 {
     int64_t a[3], b[3], c[3];
@@ -54,7 +54,7 @@ int tia_flat_side(const struct tia_flat_scene *flat, const struct tia_flat_face 
     return flat->eye.projection == TIA_ORTHOGRAPHIC ? turn : -turn;
 }
 
-/* The eye: only the fourth coordinate is not 0, whatever the projection. */
+/* The eye: only its fourth coordinate is not 0, whatever the projection. */
 static const struct tia_raster_vertex eye = {0, 0, 0, 1};
 
 int tia_flat_side_of_eye(const struct tia_flat_scene *flat, const struct tia_flat_face *face)
@@ -71,7 +71,7 @@ bool tia_flat_is_turned(const struct tia_flat_scene *flat, uint32_t face, const 
 
 /* ---- casters ---- */
 
-/* True if the plane hides no visible point: the half-space before it contains them all. In orthographic views rays
+/* True if the plane hides no visible point: all of them are in the half-space before it. In orthographic views rays
  * start at the window, which the plane may cross. */
 bool tia_flat_hides_nothing(const struct tia_flat_scene *flat, const struct tia_flat_object *object,
                             const tia_flat_light *light)
@@ -96,7 +96,8 @@ static bool is_between(const int64_t low[3], const int64_t at[3], const int64_t 
            at[2] <= high[2];
 }
 
-/* True if the eye is outside a box; in orthographic views, where the eye is at infinity, if the window is. */
+/* True if the eye is outside the object's box; in orthographic views, where the eye is at infinity, if the window is
+ * outside. */
 static bool is_seen_whole(const struct tia_flat_scene *flat, const struct tia_flat_object *object)
 {
     static const int64_t here[3] = {0, 0, 0};
@@ -135,7 +136,7 @@ static bool casts(const struct tia_flat_scene *flat, const tia_flat_light *light
 
 typedef int caster_function(void *ctx, const struct caster *caster, uint32_t face);
 
-/* Calls `caster` for each casting face; `work` is that of one face, counted for `cancel`. */
+/* Calls `caster` for each casting face; `work` is the work for one face, counted for `cancel`. */
 static int for_each_caster(const struct tia_flat_scene *flat, const tia_flat_light *light, caster_function *call,
                            void *ctx, struct cancel *cancel, uint32_t work)
 {
@@ -167,7 +168,7 @@ struct drawing {
     bool near, far; /* caps to draw */
 };
 
-/* Returns the end of a corner's shadow, at infinity. */
+/* Returns the end of a corner's shadow, which is at infinity. */
 static struct tia_raster_vertex shadow_of(const struct drawing *d, const struct tia_raster_vertex *v)
 {
     const tia_flat_light *l = d->light;
@@ -184,7 +185,8 @@ static int draw(const struct drawing *d, const struct tia_raster_vertex *corners
     return tia_raster_draw(d->target, &d->state, corners, count, face);
 }
 
-/* Draws a side. The cap runs from a to b, so its side from b to a. A vertex at infinity is its own shadow. */
+/* Draws a side of a volume. The cap runs from a to b, so its side from b to a. A vertex at infinity is its own
+ * shadow. */
 static int draw_side(const struct drawing *d, const struct tia_raster_vertex *a, const struct tia_raster_vertex *b)
 {
     struct tia_raster_vertex corners[4] = {*b, *a};
@@ -231,7 +233,7 @@ static int draw_volume(void *ctx, const struct caster *c, uint32_t face)
         .test = TIA_COMPARE_ALWAYS, .mask = 255, .write = 255                                                          \
     }
 
-/* Returns the work of a polygon, which may cover all of a target. */
+/* Returns the work of a polygon, which may cover the whole target. */
 static uint32_t work_of(const struct tia_raster_target *target)
 {
     return 1 + (uint32_t)target->area.width * target->area.height / 512;
@@ -290,7 +292,7 @@ int tia_shadow_zpass(struct tia_raster_target *target, const struct tia_flat_sce
 struct end_count {
     const struct tia_flat_scene *flat;
     const tia_flat_light *light;
-    int end; /* -1: the eye; 1: its opposite, where all rays of orthographic views end */
+    int end; /* end of the rays: -1 is the eye, 1 its opposite, where all rays of orthographic views end */
     uint32_t count;
     bool unsure;
 };

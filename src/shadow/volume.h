@@ -11,11 +11,11 @@
 #include "flat/lights.h"
 #include "scene/cancel.h"
 
-/* Returns the side of a face's plane that the light is on: 1 where the corners run counterclockwise seen from it, -1
+/* Returns the side of a face's plane on which the light is: 1 where the corners run counterclockwise seen from it, -1
  * behind, 0 in the plane. */
 int tia_flat_side(const struct tia_flat_scene *flat, const struct tia_flat_face *face, const tia_flat_light *light);
 
-/* Returns the same for the eye. */
+/* Returns the side of a face's plane on which the eye is, as tia_flat_side does. */
 int tia_flat_side_of_eye(const struct tia_flat_scene *flat, const struct tia_flat_face *face);
 
 /* True if the visible side of a face is turned to the light. */
@@ -37,13 +37,14 @@ bool tia_flat_has_silhouette(const struct tia_flat_scene *flat, const struct tia
  * then z-pass is undecided. Once cancelled, the count is undefined. */
 bool tia_shadow_count_eye(const struct tia_flat_scene *flat, const tia_flat_light *light, uint32_t *count,
                           struct cancel *cancel);
-/* Counts the volumes that contain the point at infinity to which rays go: 0 in perspective, where each ray goes to
- * another. False when it lies exactly on the surface of a volume: then, in orthographic views, z-fail is undecided. */
+/* Counts the volumes that contain the point at infinity to which rays go: 0 in perspective, where each ray goes to a
+ * different point. False when it lies exactly on the surface of a volume: then, in orthographic views, z-fail is
+ * undecided. */
 bool tia_shadow_count_far(const struct tia_flat_scene *flat, const tia_flat_light *light, uint32_t *count,
                           struct cancel *cancel);
 
-/* Draws the visible faces into depth and faces of the target, which must be empty. TIA_STOPPED when the cancel is
- * stopped, as the next two. */
+/* Draws the visible faces into depth and faces of the target, which must be empty. TIA_STOPPED when cancelled, also
+ * from the two functions below. */
 int tia_shadow_faces(struct tia_raster_target *target, const struct tia_flat_scene *flat, struct cancel *cancel);
 
 /* With the faces drawn, adds to each pixel's count the number of volumes that contain its point, less the number of
@@ -52,7 +53,7 @@ int tia_shadow_faces(struct tia_raster_target *target, const struct tia_flat_sce
 int tia_shadow_zfail(struct tia_raster_target *target, const struct tia_flat_scene *flat, const tia_flat_light *light,
                      struct cancel *cancel);
 
-/* Does the same, less the number of volumes that contain the eye. */
+/* Counts as tia_shadow_zfail does, but subtracts the number of volumes that contain the eye. */
 int tia_shadow_zpass(struct tia_raster_target *target, const struct tia_flat_scene *flat, const tia_flat_light *light,
                      struct cancel *cancel);
 

@@ -4,8 +4,8 @@
 
 #define WORKERS_MAX 65536
 
-/* Rooms for the calls that draw at the same time, one behind the other, each after a cache line that says whether it is
- * in use. */
+/* The memory of calls that draw at the same time, one room behind the other. Before each room is a cache line with a
+ * flag: it is in use. */
 struct simd_pool {
     char *first;
     size_t stride;
@@ -13,7 +13,7 @@ struct simd_pool {
     bool prepared; /* false: plain C draws everything */
 };
 
-/* Returns the pool, which lies before the part's own memory, behind the rooms. */
+/* Returns the pool, which lies before the part's own memory, behind the view. */
 static struct simd_pool *pool_of(const struct tia_view *view)
 {
     return (struct simd_pool *)(void *)((char *)view->simd_memory - SIMD_ALIGN(sizeof(struct simd_pool)));
@@ -24,7 +24,7 @@ static size_t stride_of(const struct tia_simd *simd, const struct simd_renderer 
     return 64 + SIMD_ALIGN(part->room(simd));
 }
 
-/* Returns the bytes for a view. The caller's memory need not be aligned to 64. */
+/* Returns the bytes of the pool and the part for a view. The caller's memory need not be aligned to 64. */
 static size_t size(const struct tia_simd *simd, const struct simd_renderer *part, const struct tia_scene *scene,
                    uint32_t light_capacity, unsigned workers)
 {

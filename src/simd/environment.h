@@ -1,6 +1,6 @@
 /* environment.h - the floating-point environment that the error bounds assume: rounding to nearest, subnormal numbers
- * kept, no trap. Programs may have set another one: fesetround, feenableexcept, -ffast-math in a library, a compiler's
- * option for the whole process. */
+ * kept, no trap. A caller may have a different environment: fesetround, feenableexcept, -ffast-math in a library, a
+ * compiler's option for the whole process. */
 #ifndef TIA_SIMD_ENVIRONMENT_H
 #define TIA_SIMD_ENVIRONMENT_H
 
@@ -12,7 +12,7 @@ struct environment {
     uint64_t control, flags;
 };
 
-#if defined SIMD_ENVIRONMENT_FIXED /* for a test of what follows the #else */
+#if defined SIMD_ENVIRONMENT_FIXED /* defined for a test of the version after the #else */
 #define ENVIRONMENT_FIXED
 #elif defined __SSE__
 static inline void environment_read(struct environment *e)
@@ -23,7 +23,7 @@ static inline void environment_write(const struct environment *e)
 {
     __builtin_ia32_ldmxcsr((unsigned)e->control);
 }
-#define ENVIRONMENT_DEFAULT 0x1f80 /* every exception masked */
+#define ENVIRONMENT_DEFAULT 0x1f80 /* all exceptions masked */
 #elif defined __aarch64__
 static inline void environment_read(struct environment *e)
 {
@@ -90,8 +90,8 @@ static inline void environment_write(const struct environment *e)
 
 #ifdef ENVIRONMENT_FIXED
 
-/* Returns whether sums are rounded to nearest and subnormal numbers are kept: 1 + 2^-53 is halfway between 1 and the
- * next double, 1 + 3 2^-54 closer to that; floats as well, half as many bits. */
+/* True if sums are rounded to nearest and subnormal numbers are kept: 1 + 2^-53 is halfway between 1 and the next
+ * double, 1 + 3 2^-54 closer to that; floats as well, with half as many bits. */
 static inline bool environment_is_default(void)
 {
     volatile double one = 1, half_d = 0x1p-53, more_d = 0x3p-54, least_d = 0x1p-1022;
@@ -103,7 +103,7 @@ static inline bool environment_is_default(void)
            small_f * 4 > 0;
 }
 
-/* Returns whether the environment suits as it is, on a processor whose control register is unknown. */
+/* True if the environment suits as it is, on a processor whose control register is unknown. */
 static inline bool environment_take(struct environment *e)
 {
     *e = (struct environment){0, 0};
@@ -131,7 +131,7 @@ static inline bool environment_take(struct environment *e)
     return true;
 }
 
-/* Restores the caller's environment with its flags: computations of the kernels raise none there. */
+/* Restores the caller's environment with its flags: the kernels' computations raise none there. */
 static inline void environment_leave(const struct environment *e)
 {
     environment_write(e);

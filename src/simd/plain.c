@@ -2,7 +2,7 @@
  * tiles without memory or without a floating-point environment of their own. */
 #include "simd.h"
 
-#define PIECE 128 /* pixels of a row that are traced at once */
+#define PIECE 128 /* number of a row's pixels that are traced at once */
 
 static void light_piece(const struct tia_view *view, struct tia_tile piece, const struct tia_surface *surface,
                         const struct tia_options *options)

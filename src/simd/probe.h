@@ -1,4 +1,5 @@
-/* probe.h - preprocessed by the Makefile with the flags of each instruction set: "yes" where the compiler makes it. */
+/* probe.h - preprocessed by the Makefile with the flags of each instruction set; yields "yes" where the compiler has
+ * the set. */
 #if defined __FAST_MATH__ || (defined __FLT_EVAL_METHOD__ && __FLT_EVAL_METHOD__ != 0)
 no
 #elif (defined ASK_scalar && (!defined __arm__ || defined __ARM_FP) && (!defined __riscv || defined __riscv_flen)) ||  \

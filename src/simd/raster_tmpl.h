@@ -6,7 +6,7 @@
 
 #include "raster/runs.h"
 
-/* Returns the undecided pixels in which the polygon is nearer. Empty pixels are far, and a face is not nearer than
+/* Returns the undecided pixels in which the polygon is nearer. Empty pixels are farther, and a face is not nearer than
  * itself. */
 static __attribute__((noinline)) unsigned settle(const struct raster_polygon *p, size_t at, unsigned unsure)
 {
@@ -36,7 +36,7 @@ INLINE void put_nearest(const struct raster_polygon *p, size_t at, Q z, K nearer
 {
     if (!k_any(nearer))
         return;
-    q_store(p->nearness + at, nearer, q_clamp(z)); /* a step's error may lead below infinity */
+    q_store(p->nearness + at, nearer, q_clamp(z)); /* a step's error may lead below 0, which is infinity */
     w_store(p->face + at, nearer, w_set(p->own));
 }
 

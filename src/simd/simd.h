@@ -6,7 +6,7 @@
 #include "render/renderer.h"
 #include "span/pair.h"
 
-/* The entries of struct simd_renderer for scenes of spheres. */
+/* Implement struct simd_renderer for scenes of spheres. */
 bool tia_simd_draws(const struct tia_view *view);
 void tia_simd_light(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
                     const struct tia_options *options, void *room);
@@ -15,9 +15,9 @@ void tia_simd_light(const struct tia_view *view, struct tia_tile tile, const str
 void tia_simd_light_plain(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
                           const struct tia_options *options);
 
-#define SIMD_ALIGN(n) (((n) + 63) / 64 * 64) /* a line of the caches */
+#define SIMD_ALIGN(n) (((n) + 63) / 64 * 64) /* a cache line */
 
-/* Bytes of a call's room: first the structure of `own` bytes, then the kernels' memory. */
+/* Returns the bytes of a call's room: first the structure of `own` bytes, then the kernels' memory. */
 static inline size_t simd_room(size_t own, size_t of_kernels)
 {
     return SIMD_ALIGN(own) + of_kernels;
@@ -32,7 +32,7 @@ extern const struct simd_renderer tia_simd_spans, tia_simd_rays, tia_simd_sample
 
 extern const struct simd_entries tia_simd_entries;
 
-/* Defines the tables of an instruction set; `runs`: the rasteriser's, or NULL. */
+/* Defines the tables of an instruction set; `runs`: its loops of the rasteriser, or NULL. */
 #define SIMD(simd, runs)                                                                                               \
     extern const struct tia_simd tia_simd_##simd;                                                                      \
     extern const struct sure_kernels tia_sure_##simd;                                                                  \

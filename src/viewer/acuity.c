@@ -14,7 +14,7 @@
  * small angle is its tangent: 2 * 180 / pi * 2^24. */
 #define PIXEL_ANGLE UINT32_C(1922527338)
 
-/* cos^2 of 0..90 degrees, Q0.20, rounded to nearest. */
+/* Values of cos^2 for 0..90 degrees, Q0.20, rounded to nearest. */
 static uint32_t cosine_squared(uint32_t degrees)
 {
     const uint32_t right_angle = RIGHT_ANGLE;
@@ -73,8 +73,8 @@ bool tia_acuity_init(struct tia_acuity *acuity, const struct tia_gaze *gaze, uns
 }
 
 /* Returns the block size. e is the angle between the gaze G, of length 1, and the pixel's direction p, so cos e = G.p /
- * |p|, and e is at least a level's angle when (G.p)^2 <= cos^2 |p|^2. With |p| < 2^20.1 and G.p in units of 2^-10, both
- * sides are below 2^61. */
+ * |p|, and e is at least the angle of a block size when (G.p)^2 <= cos^2 |p|^2. With |p| < 2^20.1 and G.p in units of
+ * 2^-10, both sides are below 2^61. */
 unsigned tia_acuity_block(const struct tia_acuity *acuity, unsigned x, unsigned y)
 {
     if (!acuity || x >= acuity->width || y >= acuity->height)

@@ -41,10 +41,11 @@ static void set_camera(struct loop *loop, const struct tia_camera *camera)
     loop->view_ready = false;
     loop->changed = true;
     if (loop->core->view_size(loop->core, loop->base, loop->viewer->lights.capacity) != loop->view_size)
-        loop->view = NULL; /* another renderer draws it */
+        loop->view = NULL; /* another renderer draws the scene */
 }
 
-/* Moves the camera. Preparing the view finds out if all of the scene is still within reach: see tia_viewer_go_back. */
+/* Moves the camera. Whether all of the scene is still within reach is checked when the view is prepared: see
+ * tia_viewer_go_back. */
 static void move_camera(struct loop *loop, const struct tia_camera *camera)
 {
     const struct tia_scene alone = {.camera = *camera};
@@ -60,7 +61,7 @@ static void go_home(struct loop *loop)
     loop->state.moved = false;
     set_camera(loop, &loop->viewer->scene->camera);
     if (loop->plays)
-        loop->time = -1; /* another: the camera follows its track again */
+        loop->time = -1; /* differs from any time: the camera follows its track again */
 }
 
 static bool same_place(struct tia_vec3 a, struct tia_vec3 b)

@@ -6,7 +6,7 @@ struct sample {
     unsigned x, y, size;
 };
 
-/* Returns the largest block of the grid, up to TIA_GAZE_BLOCK, that has this corner. */
+/* Returns the largest block of the grid, up to TIA_GAZE_BLOCK, whose corner is (x, y). */
 static unsigned level_of(unsigned x, unsigned y)
 {
     unsigned bits = x | y | TIA_GAZE_BLOCK;
@@ -14,7 +14,7 @@ static unsigned level_of(unsigned x, unsigned y)
     return bits & (~bits + 1u);
 }
 
-/* Returns the sample that (x, y) shows: the smallest block around it whose corner was drawn in the pass of its size.
+/* Returns the sample shown at (x, y): the smallest block around it whose corner was drawn in the pass of its size.
  * Blocks do not cross tiles. */
 static struct sample sample_at(const struct loop *loop, unsigned x, unsigned y)
 {
@@ -64,13 +64,13 @@ static tia_rgb565 mixed(const tia_rgb565 corners[4], unsigned size, unsigned x, 
     return (tia_rgb565)(red << 11 | green << 5 | mix(corners, 0, 31, size, x, y));
 }
 
-/* Returns the nearest corner; ties go to the left, and up. */
+/* Returns the nearest corner; ties go to the left and upwards. */
 static tia_rgb565 nearest(const tia_rgb565 corners[4], unsigned size, unsigned x, unsigned y)
 {
     return corners[(2 * x > size) + 2 * (2 * y > size)];
 }
 
-/* Fills a row. Reads only pixels that are drawn and writes only those that are not: tiles may come in any order. */
+/* Fills a row. Reads only drawn pixels and writes only the others: tiles may come in any order. */
 static void fill_row(const struct loop *loop, struct tia_tile tile, unsigned y)
 {
     struct sample last = {0, 0, 0};

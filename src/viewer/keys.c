@@ -30,7 +30,7 @@ static int press_light(struct loop *loop, uint16_t key)
     return light == TIA_NO_LIGHT ? TIA_ERR_ARGUMENT : TIA_OK;
 }
 
-/* Keys that move no light end the loop of spheres alone. */
+/* Returns the effect of an event. Keys that move no light end the loop of spheres alone. */
 enum tia_effect tia_viewer_effect_of(const struct loop *loop, const struct tia_event *event)
 {
     if (loop->more)
@@ -133,8 +133,8 @@ void tia_viewer_take_quiet(struct loop *loop)
         loop->queue[i] = loop->queue[i + taken];
 }
 
-/* Drops steps where pictures come so slowly that a key is due more often than TIA_HOLD_STEPS: the eye could not follow,
- * and the user would let go of the key too late. */
+/* Drops steps when pictures come so slowly that a key is due more often than TIA_HOLD_STEPS times: the eye could not
+ * follow, and the user would release the key too late. */
 static void drop_steps(struct held *held, uint64_t time)
 {
     uint64_t late = held->due_us && time > held->due_us ? tia_quotient(time - held->due_us, TIA_HOLD_STEP_US) : 0;

@@ -9,11 +9,11 @@
 #include "scene/cancel.h"
 
 #define VIEWER_STRIP 16    /* rows of a tile when the display sets no limit */
-#define VIEWER_HELD_KEYS 6 /* keys followed at the same time */
+#define VIEWER_HELD_KEYS 6 /* number of keys that are followed at the same time */
 
 #define VIEWER_PERIOD_US 16666 /* period of a display of 60 Hz */
-#define VIEWER_PASSES 5        /* coarse to fine: blocks of 16, 8, 4, 2, 1; later passes add samples */
-#define VIEWER_QUEUE 8         /* events while a frame is drawn; a full queue ends it */
+#define VIEWER_PASSES 5        /* number of passes: blocks of 16, 8, 4, 2, 1; later passes add samples */
+#define VIEWER_QUEUE 8         /* number of events while a frame is drawn; a full queue ends the frame */
 
 /* Statuses besides tia_status: a key ended the loop; the frame was given up. */
 #define VIEWER_QUIT 10
@@ -60,24 +60,24 @@ struct loop {
     const struct tia_scene *base;  /* the viewer's scene, or its copy with another technique for shadows */
     const struct tia_scene *scene; /* base, or *current when it has tracks */
     struct tia_viewer_state state;
-    struct tia_camera good; /* the last camera that a frame was drawn with */
+    struct tia_camera good; /* camera of the last frame that was drawn */
 
-    /* The display's mode, and data that depend on it. */
+    /* The display's mode, and data that depend on the mode. */
     struct tia_mode mode;
     struct tia_view *view;
     struct tia_hits *hits;
     size_t view_size, hits_size, simd_size;
     void *hits_memory, *simd_memory;
     int8_t *status;       /* status of each tile */
-    uint8_t *passes;      /* passes done of each tile */
-    uint32_t *drawn;      /* pixels drawn of each tile */
+    uint8_t *passes;      /* number of passes done of each tile */
+    uint32_t *drawn;      /* number of pixels drawn of each tile */
     tia_rgb565 *canvas;   /* the picture so far, see refine.c; NULL: frames are drawn at once */
     struct tia_sum *sums; /* each pixel's samples so far; NULL: pixels get all their samples at once */
     unsigned tile_width, tile_height, columns;
     uint32_t tiles;
     bool view_ready; /* the view is up to date, except perhaps for its lights */
     bool whole;      /* there is memory for the whole frame's hits */
-    unsigned traced; /* the passes whose hits are valid; VIEWER_PASSES: all are, relight instead of tracing */
+    unsigned traced; /* number of passes whose hits are valid; VIEWER_PASSES: all are, relight instead of tracing */
 
     /* Animation. */
     struct tia_scene *current; /* the scene at `time`, followed by the arrays that it points to */
@@ -95,21 +95,21 @@ struct loop {
     bool gazes; /* only the pixels that the acuity requires are drawn */
 
     /* State while a frame is drawn, see watch.c. */
-    struct tia_event queue[VIEWER_QUEUE]; /* events that came meanwhile */
+    struct tia_event queue[VIEWER_QUEUE]; /* events that came while the frame was drawn */
     unsigned queued;
-    uint64_t lights_us;         /* time when its lights were set */
+    uint64_t lights_us;         /* time when the frame's lights were set */
     uint64_t begun_us, look_us; /* begin of the frame; time of the next check for events */
-    bool outdated;              /* a key was pressed since all were handled, or while the view was prepared */
+    bool outdated;              /* a key was pressed since all keys were handled, or while the view was prepared */
     bool answered;              /* a picture of this frame has been shown */
-    bool gives_up, gave_up;     /* this frame is given up; the one before was */
+    bool gives_up, gave_up;     /* this frame is given up; the frame before was */
     bool ends;                  /* a key, `stop` or a failed input ends the loop */
     int failure;                /* status of the input */
 
     /* State of drawing coarse to fine. */
     bool refining;
     unsigned pass;         /* the pass being drawn */
-    uint32_t line;         /* share of the frame that is done, 2^-16, for the line at the edge; 0: no line */
-    uint64_t show_us;      /* time to show the pass being drawn, unfinished */
+    uint32_t line;         /* share of the frame that is done, 2^-16, for the progress line; 0: no line */
+    uint64_t show_us;      /* time to show the picture of the unfinished pass */
     uint64_t shown_us;     /* time when this frame was last shown or, before that, begun */
     uint64_t showing_us;   /* time spent showing this frame so far */
     uint64_t last_us;      /* time that the last frame took to draw; 0: unknown */
@@ -117,20 +117,20 @@ struct loop {
     bool unfinished;       /* the last frame was drawn in motion, not as fine as possible */
     bool complete;         /* the canvas is the whole last frame */
 
-    /* State of frames at a given pace, see pace.c. */
+    /* State of frames with a pace, see pace.c. */
     uint32_t cost_ns;                    /* measured cost of a pixel; 0: unknown */
     uint32_t pass_pixels[VIEWER_PASSES]; /* pixels drawn in each pass of the last frame */
 
     uint64_t key_us; /* time of the oldest key press that the next frame will show */
     struct held held[VIEWER_HELD_KEYS];
-    struct tia_event last; /* the event that has ended the loop; its key is 0: none */
+    struct tia_event last; /* the event that has ended the loop; its key is 0 if there is none */
     uint32_t frame;
     bool changed;  /* the screen is out of date */
     bool covered;  /* only the overlay on the picture is out of date */
     bool switched; /* a key has changed the technique since the last frame */
     bool pressed;  /* a key has changed the lights since the last frame */
     bool showing;  /* the display has not shown all of the last frame */
-    bool keeps;    /* the viewer's `kept` are those of the last picture, kept_count of them */
+    bool keeps;    /* the viewer's `kept` hold the lights of the last picture, kept_count of them */
     uint32_t kept_count;
 };
 
@@ -192,9 +192,9 @@ bool tia_viewer_is_switch(const struct loop *loop, uint16_t key);
 /* ---- keys.c ---- */
 
 int tia_viewer_take_key(struct loop *loop, const struct tia_event *event);
-/* Handles all waiting events; VIEWER_QUIT when one quits. */
+/* Handles all waiting events; returns VIEWER_QUIT when one of them quits. */
 int tia_viewer_take_events(struct loop *loop);
-/* Handles, while a frame is drawn, the events that leave it as it is and came before all others. */
+/* Handles, while a frame is drawn, the events that do not change the frame and came before all others. */
 void tia_viewer_take_quiet(struct loop *loop);
 int tia_viewer_repeat_held(struct loop *loop);
 /* Returns the time of a held key's next repeat; 0: none is held. */
@@ -209,9 +209,9 @@ enum tia_effect tia_viewer_effect_of(const struct loop *loop, const struct tia_e
 enum tia_effect tia_viewer_effect(const struct loop *loop, const struct tia_event *event);
 /* Handles an event that does not concern lights; VIEWER_QUIT when it quits. */
 int tia_viewer_control(struct loop *loop, const struct tia_event *event);
-/* Goes back to the last camera that a frame was drawn with; false if that is the present one. */
+/* Restores the camera of the last frame that was drawn; false if that is the present one. */
 bool tia_viewer_go_back(struct loop *loop);
-/* Adds a pointer's event to the last one that waits; false when they do not go together. */
+/* Merges a pointer's event with the last one that waits; false when they cannot be merged. */
 bool tia_viewer_joins(struct loop *loop, const struct tia_event *event);
 
 /* ---- gaze.c ---- */
@@ -250,10 +250,10 @@ bool tia_viewer_stops(void *loop);
 
 /* ---- present.c ---- */
 
-/* Presents the frame and goes on until all of it is shown. While that takes long, keys are polled, and may end it as
- * they would end drawing: then the rest stays for later. */
+/* Presents the frame and continues until all of it is shown. While that takes long, keys are polled, and may end it as
+ * they would end drawing: the rest is then shown later. */
 int tia_viewer_present(struct loop *loop);
-/* Goes on with the rest of a frame. */
+/* Continues with the rest of a frame. */
 int tia_viewer_go_on(struct loop *loop);
 
 /* ---- prepare.c ---- */
@@ -278,7 +278,7 @@ bool tia_viewer_same_mode(const struct tia_mode *a, const struct tia_mode *b);
 uint64_t tia_viewer_period_us(const struct loop *loop);
 /* True if anything in the picture moves. */
 bool tia_viewer_is_moving(const struct loop *loop);
-/* True if there is time for the next pass; for a picture that moves. */
+/* True if there is time for the next pass of a moving picture. */
 bool tia_viewer_has_time(const struct loop *loop);
 /* Records the cost of a pass. */
 void tia_viewer_learn(struct loop *loop, uint32_t pixels, uint64_t us);
@@ -306,11 +306,11 @@ unsigned tia_viewer_passes(const struct loop *loop);
 unsigned tia_viewer_block(unsigned pass);
 /* True if passes draw rows in place of blocks. */
 bool tia_viewer_by_rows(const struct loop *loop);
-/* Returns the samples that each pixel has after so many passes. */
+/* Returns the samples that each pixel has after `passes` passes. */
 uint32_t tia_viewer_samples(const struct loop *loop, unsigned passes);
-/* Returns the share of all samples that is drawn after so many passes, in 2^-16. */
+/* Returns the share of all samples that is drawn after `passes` passes, in 2^-16. */
 uint32_t tia_viewer_share(const struct loop *loop, unsigned passes);
-/* Draws the part of loop->pass in a tile; *drawn counts the pixels that had none of their samples before. */
+/* Draws the part of loop->pass that is in a tile; *drawn counts the pixels that had no sample before. */
 int tia_viewer_refine_tile(struct loop *loop, struct tia_tile tile, uint32_t *drawn);
 
 /* Copies the canvas onto the display. */
@@ -318,8 +318,8 @@ int tia_viewer_copy(struct loop *loop);
 /* Copies the canvas after the loop, if it has been shown and the display is still the same. */
 void tia_viewer_copy_last(struct loop *loop);
 
-/* Returns the technique for shadows that follows the scene's, in the order of tia_shadows_name and round again, among
- * those that the scene qualifies for; TIA_SHADOWS_TRACED after an invalid one. */
+/* Returns the technique for shadows that follows the scene's, in the order of tia_shadows_name cyclically, among those
+ * that the scene qualifies for; TIA_SHADOWS_TRACED after an invalid one. */
 enum tia_shadows tia_next_shadows(const struct tia_scene *scene);
 
 #endif

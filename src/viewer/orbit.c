@@ -17,7 +17,7 @@ static int64_t drop30(int64_t a)
     return a < 0 ? -((half - a) / one) : (a + half) / one;
 }
 
-/* A displacement in 2^-16, each component below 2^31. */
+/* A displacement in units of 2^-16, each component below 2^31. */
 struct way {
     int64_t x, y, z;
 };
@@ -68,7 +68,7 @@ static int64_t size_of(int64_t a)
     return a < 0 ? -a : a;
 }
 
-/* Returns the distance to an object ahead, Q16.16, or 0: it is not ahead, or has no bounds, such as a plane. *off is
+/* Returns the distance to an object ahead, Q16.16, or 0 when it is not ahead or has no bounds, like a plane. *off is
  * the distance of its middle from the line of sight, |x| + |y|, divided by that: 2^-16. */
 static int64_t ahead_of(const struct tia_camera *camera, const struct tia_scene *scene, uint32_t object, uint64_t *off)
 {
@@ -82,7 +82,7 @@ static int64_t ahead_of(const struct tia_camera *camera, const struct tia_scene 
     return z;
 }
 
-/* True if the camera has an up vector. */
+/* True if the camera has an up vector, and so can turn. */
 static bool looks_about(const struct tia_camera *camera)
 {
     return camera->up.x || camera->up.y || camera->up.z;

@@ -16,8 +16,8 @@ bool tia_viewer_is_moving(const struct loop *loop)
     return v->pacing.pace[0] && v->ports.clock && (plays || tia_viewer_repeat_us(loop));
 }
 
-/* Returns the samples that the pass adds to pixels that are drawn already, each counted as a pixel, as in loop->cost_ns
- * then. */
+/* Returns the samples that the pass adds to pixels that are drawn already; each counts as a pixel then, as in
+ * loop->cost_ns. */
 static uint64_t more_samples(const struct loop *loop)
 {
     uint64_t pixels = 0;
@@ -27,8 +27,8 @@ static uint64_t more_samples(const struct loop *loop)
     return pixels * (tia_viewer_samples(loop, loop->pass + 1) - tia_viewer_samples(loop, loop->pass));
 }
 
-/* Returns the pixels of the pass: as many as in the last frame; before that, three for each of the pass before, which
- * is a 4^-n of the picture. */
+/* Returns the pixels of the pass: as many as in the last frame; without one, three for each pixel of the pass before,
+ * which draws 4^-n of the picture. */
 static uint64_t pass_pixels(const struct loop *loop)
 {
     uint64_t all = (uint64_t)loop->mode.width * loop->mode.height;
@@ -49,8 +49,8 @@ uint64_t tia_viewer_whole_us(const struct loop *loop, const struct tia_frame *fr
     return !loop->unfinished || all < frame->draw_us ? frame->draw_us : all;
 }
 
-/* Leaves time to show the picture, as much as the last one took, and an eighth of the pass's time to spare: a missing
- * pass is better than a late frame. */
+/* True if there is time for the pass, for showing the picture, as long as the last one took, and for an eighth of the
+ * pass's time to spare: a missing pass is better than a late frame. */
 bool tia_viewer_has_time(const struct loop *loop)
 {
     uint64_t period = tia_viewer_period_us(loop), spent = viewer_now(loop) - loop->begun_us + loop->show_cost_us;

@@ -1,10 +1,10 @@
-/* pass.c - a pass of refine.c in a tile: pixels at a distance from each other, each as a block; more samples of each
- * pixel; or whole rows. */
+/* pass.c - a pass of refine.c in a tile: pixels in a grid, each as a block; more samples of each pixel; or whole
+ * rows. */
 #include "loop.h"
 
 #define FIRST_BLOCK (1u << (VIEWER_PASSES - 1))
 #define ROW_PASSES 2u
-#define SUMS_MAX (UINT32_C(1) << 23) /* pixels, for which sums take 192 MiB: 3840x2160 is just below */
+#define SUMS_MAX (UINT32_C(1) << 23) /* number of pixels, for which sums take 192 MiB: 3840x2160 is just below */
 
 unsigned tia_viewer_block(unsigned pass)
 {
@@ -74,7 +74,7 @@ static unsigned at_most(unsigned value, unsigned limit)
 
 /* ---- pixels ---- */
 
-/* Returns the canvas's part at these pixels. */
+/* Returns the part of the canvas for these pixels. */
 static struct tia_surface surface_of(const struct loop *loop, struct tia_tile pixels)
 {
     return (struct tia_surface){.pixels = viewer_canvas_at(loop, pixels.x, pixels.y),
@@ -125,8 +125,8 @@ static void fill_block(struct loop *loop, struct tia_tile tile, struct pixel_gri
             *viewer_canvas_at(loop, column, row) = colour;
 }
 
-/* Returns the number of pixels from (x, y) on that are drawn together: neighbours in a row are. 0: the pixels drawn
- * already suffice for the eye there. */
+/* Returns the number of pixels from (x, y) on that are drawn together, neighbours in a row; 0: the pixels drawn already
+ * suffice for the eye there. */
 static unsigned run_at(const struct loop *loop, struct pixel_grid at, unsigned right)
 {
     unsigned run = 0;
@@ -167,8 +167,8 @@ static int draw_grid(struct loop *loop, struct tia_tile tile, struct pixel_grid 
     return status;
 }
 
-/* Draws the blocks of a size. For all but the first size: the blocks between those of each row that is already
- * drawn, then the rows in between. */
+/* Draws the blocks of a size. After the first size: the blocks between those of each drawn row, then the rows in
+ * between. */
 static int draw_blocks(struct loop *loop, struct tia_tile tile, unsigned size, uint32_t *drawn)
 {
     unsigned x = tile.x, y = tile.y;
@@ -180,7 +180,7 @@ static int draw_blocks(struct loop *loop, struct tia_tile tile, unsigned size, u
     return status ? status : draw_grid(loop, tile, (struct pixel_grid){x, y + size, size, 2 * size, size}, drawn);
 }
 
-/* Draws more samples of the pixels that are drawn: all, or as many as the eye needs. */
+/* Draws more samples of the drawn pixels: all samples, or as many as the eye needs. */
 static int draw_more(struct loop *loop, struct tia_tile tile)
 {
     uint32_t counted = 0;
@@ -202,7 +202,7 @@ static void repeat_row(struct loop *loop, struct tia_tile row, unsigned bottom)
             *viewer_canvas_at(loop, row.x + x, y) = *viewer_canvas_at(loop, row.x + x, row.y);
 }
 
-/* Draws every 16th row first, repeated below it, then all between two of them at once. */
+/* Draws rows: first every 16th row, repeated below it, then all rows between two of these at once. */
 static int draw_rows(struct loop *loop, struct tia_tile tile, uint32_t *drawn)
 {
     unsigned bottom = (unsigned)tile.y + tile.height, skipped = loop->pass ? 1 : 0;

@@ -29,7 +29,7 @@ static const struct tia_binding *find_binding(const struct tia_scene *scene, uin
     return NULL;
 }
 
-/* False when the coordinate would leave Q16.16. */
+/* Adds a step to a coordinate; false when the sum would leave Q16.16. */
 static bool add(tia_q16 *coordinate, int step, int32_t unit)
 {
     int64_t sum = (int64_t)*coordinate + (int64_t)step * unit;
@@ -40,8 +40,7 @@ static bool add(tia_q16 *coordinate, int step, int32_t unit)
     return true;
 }
 
-/* Moves a centre by a unit of the scene's file. False: the unit is too large for Q16.16, or the coordinate would leave
- * it. */
+/* Moves a centre by a unit of the scene's file. False: the unit is too large for Q16.16, or the sum would leave it. */
 static bool move_centre(struct tia_vec3 *centre, const struct move *move, int scale_bits)
 {
     if (scale_bits > 14)
@@ -100,7 +99,7 @@ bool tia_viewer_moves(const struct loop *loop, uint16_t key)
     return !find_binding(loop->scene, key) && find_move(key);
 }
 
-/* Returns true for such keys. With Shift they may have another function, if the viewer has a control. */
+/* True for keys that set or move lights. With Shift they may have another function, if the viewer has a control. */
 bool tia_viewer_lights(const struct loop *loop, const struct tia_event *event)
 {
     return find_binding(loop->scene, event->key) ||

@@ -8,7 +8,7 @@
 #include "loop.h"
 #include "math/align.h"
 
-#define REFINE_US 250000      /* time between two pictures of a long pass; minimum for a moving scene */
+#define REFINE_US 250000      /* time between two pictures of a long pass; shorter moving frames are not refined */
 #define WORTH_LINE_US 1000000 /* a shorter frame has no progress line */
 
 /* True if a user waits for frames. */
@@ -184,7 +184,8 @@ static int draw_pass(struct loop *loop, struct tia_frame *frame)
     return status;
 }
 
-/* True if the rasteriser draws the frames: those have rows that stand for others. Spans draw whole rows sooner. */
+/* True if the rasteriser draws the frames: they are refined by rows, each of which stands for the rows below it. Spans
+ * draw whole rows sooner. */
 static bool is_rasterised(const struct loop *loop)
 {
     return loop->base->shadows != TIA_SHADOWS_TRACED && !loop->gazes && !loop->viewer->pacing.pace[0];
@@ -195,8 +196,8 @@ static uint64_t pixels_size(const struct loop *loop)
     return ALIGN((uint64_t)loop->mode.width * loop->mode.height * sizeof(tia_rgb565));
 }
 
-/* A canvas is for frames that a user waits for, or looks at in one place, and that can be drawn pixel by pixel or row
- * by row. */
+/* Returns the size of the canvas. It is for frames that a user waits for, or looks at in one place, and that can be
+ * drawn pixel by pixel or row by row. */
 uint64_t tia_viewer_canvas_size(const struct loop *loop, bool sums)
 {
     bool refines = (is_watched(loop) || loop->gazes) && loop->core->draws_by_pixel &&
@@ -213,7 +214,8 @@ void tia_viewer_set_canvas(struct loop *loop, void *memory, uint64_t size)
     loop->sums = size > pixels ? (struct tia_sum *)(void *)((char *)memory + pixels) : NULL;
 }
 
-/* The rasteriser goes through all faces twice for a frame in rows, so it refines only frames that take long. */
+/* True if the frame is refined. For a frame in rows the rasteriser processes all faces twice, so it refines only frames
+ * that take long. */
 bool tia_viewer_refines(const struct loop *loop)
 {
     if (!loop->canvas || loop->gazes || !loop->last_us)
@@ -254,8 +256,8 @@ static uint64_t wait_us(const struct loop *loop)
     return loop->plays && !loop->key_us ? REFINE_US : tia_viewer_by_rows(loop) ? period / 4 : period;
 }
 
-/* True if the picture so far is to be shown: after a pass, or at a pace also during one. The first picture at a pace is
- * as fine as there is time for. */
+/* True if the picture so far is to be shown: after a pass, or with a pace also during one. The first picture with a
+ * pace is as fine as time allows. */
 static bool is_due(const struct loop *loop)
 {
     if (!is_watched(loop) || loop->pass + 1 == tia_viewer_passes(loop))
@@ -263,7 +265,7 @@ static bool is_due(const struct loop *loop)
     return viewer_now(loop) >= loop->shown_us + wait_us(loop) && (!loop->viewer->pacing.pace[0] || loop->answered);
 }
 
-/* Draws the passes for which there is time; all of them, unless the picture moves. */
+/* Draws the passes for which there is time; all passes, unless the picture moves. */
 static int draw_in_time(struct loop *loop, struct tia_frame *frame)
 {
     bool moving = tia_viewer_is_moving(loop), paced = is_watched(loop) && loop->viewer->pacing.pace[0];

@@ -14,7 +14,7 @@ enum tia_shadows tia_next_shadows(const struct tia_scene *scene)
     return tried.shadows;
 }
 
-/* Switches; the view and the hits have another size then. */
+/* Selects the next technique; the view and the hits then have another size. */
 void tia_viewer_switch(struct loop *loop)
 {
     struct tia_scene *variant = loop->viewer->variant;

@@ -16,7 +16,7 @@ static int idle_ms(const struct loop *loop)
     if (!next)
         return -1;
     uint64_t ms = next > time ? (next - time + 999) / 1000 : 0;
-    return ms < INT16_MAX ? (int)ms : INT16_MAX; /* waking too early does no harm */
+    return ms < INT16_MAX ? (int)ms : INT16_MAX; /* early wake-ups do no harm */
 }
 
 static void keep_lights(struct loop *loop)
@@ -30,7 +30,7 @@ static void keep_lights(struct loop *loop)
         v->lights.kept[i] = v->lights.array[i];
 }
 
-/* Undoes the keys' changes to the lights since the last picture. False: there are none. */
+/* Undoes the keys' changes to the lights since the last picture; false when there are none. */
 static bool take_back_lights(struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;
@@ -55,7 +55,7 @@ static int show_frame(struct loop *loop, struct tia_frame *frame)
     if (v->hooks.frame_drawn)
         v->hooks.frame_drawn(v->hooks.ctx, frame);
     status = tia_viewer_present(loop);
-    if (status && status != VIEWER_OUTDATED) /* in that case the rest of it is shown before the next */
+    if (status && status != VIEWER_OUTDATED) /* the rest of the frame is then shown before the next one */
         return status;
     loop->switched = false;
     loop->changed = loop->covered = false;
@@ -124,7 +124,7 @@ static int show_again(struct loop *loop)
     return status ? status : show_frame(loop, &frame);
 }
 
-/* True if the picture is to be drawn, and not only shown again. */
+/* True if the picture must be drawn, and not only shown again. */
 static bool is_due(const struct loop *loop)
 {
     return loop->changed || loop->viewer->pacing.frame_limit || (loop->unfinished && !is_moving(loop)) ||
@@ -137,7 +137,7 @@ static int set_lights(struct loop *loop)
     return tia_view_set_lights(loop->view, loop->viewer->lights.array, loop->state.light_count);
 }
 
-/* Brings the view up to date. */
+/* Updates the view. */
 static int play(struct loop *loop)
 {
     if (loop->more)

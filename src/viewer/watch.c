@@ -1,10 +1,10 @@
 /* watch.c - events that end a frame that is being drawn. A key that quits, or the viewer's `stop`, ends it at once, in
- * the middle of a ray's tree. A key that moves a light, pressed or held, makes it out of date: once a coarse picture of
- * it is shown, it ends at once; else, if it has taken long already, at the next tile. A full queue ends it at the next
- * tile, too, since more keys are waiting. */
+ * the middle of a ray's tree. A key that moves a light, pressed or held, makes the frame out of date: once a coarse
+ * picture of the frame is shown, it ends at once; else, if it has taken long already, at the next tile. A full queue
+ * ends it at the next tile, too, since more keys are waiting. */
 #include "loop.h"
 
-#define PATIENCE_US 250000 /* a frame that is finished sooner is shown */
+#define PATIENCE_US 250000 /* time within which a frame is finished and shown */
 #define STEP_US 20000      /* time between two checks */
 
 static bool is_full(const struct loop *loop)
@@ -24,7 +24,7 @@ static void keep(struct loop *loop, const struct tia_event *event)
         loop->queue[loop->queued++] = *event;
 }
 
-/* Polls the input. Events that do not fit stay with the input, so that no key is lost. */
+/* Polls the input. Events for which there is no room stay with the input, so that no key is lost. */
 static void poll_input(struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;
@@ -77,7 +77,7 @@ void tia_viewer_watch_begin(struct loop *loop)
     loop->showing_us = 0;
 }
 
-/* Takes the lock. Fields of struct loop that change while tiles are drawn are only used between enter and leave. */
+/* Acquires the lock. Fields of struct loop that change while tiles are drawn are only used between enter and leave. */
 static bool enter(const struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;

@@ -30,7 +30,7 @@ static inline void frames_close(struct frames_canvas *c)
     free(c->pixels);
 }
 
-/* Opens a canvas; 0 when the scene is refused or memory is short. */
+/* Opens a canvas; returns 0 when the scene is refused or memory is short. */
 static inline int frames_open(struct frames_canvas *c, const struct tia_scene *scene, unsigned width, unsigned height)
 {
     const struct tia_core *core = c->core;

@@ -1,5 +1,5 @@
 /* frames.h - the frames whose checksums are pinned in tests/golden/frames.crc: small enough for an emulator, and
- * together they cover all that pixels depend on. */
+ * together they cover everything on which pixels depend. */
 #ifndef TESTS_ARCH_FRAMES_H
 #define TESTS_ARCH_FRAMES_H
 

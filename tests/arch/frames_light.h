@@ -178,7 +178,7 @@ static inline uint32_t frames_sums_crc(const struct tia_sum sums[FRAMES_SUMS_WID
     return crc;
 }
 
-/* Reports the sums themselves, drawn in parts in disorder. Only the integers' are pinned. */
+/* Reports the sums themselves, drawn in parts out of order. Only those of the fixed-point path are pinned. */
 static inline void frames_sums(struct frames_canvas *c, enum tia_integrator integrator)
 {
     static const uint32_t parts[][2] = {{3, 7}, {7, FRAMES_SUMS_SAMPLES}, {0, 1}, {1, 3}};

@@ -1,4 +1,4 @@
-/* frames_play.h - the frames of frames.h of a playing scene. */
+/* frames_play.h - the frames of frames.h that show a playing scene. */
 #ifndef TESTS_ARCH_FRAMES_PLAY_H
 #define TESTS_ARCH_FRAMES_PLAY_H
 
@@ -68,7 +68,7 @@ static inline struct tia_scene frames_play_scene(void)
 #undef FRAMES_AT
 }
 
-/* Draws the frames, not in the order of time. */
+/* Draws the frames out of the order of time. */
 static inline void frames_play(struct frames_canvas *c)
 {
     const struct tia_scene scene = frames_play_scene();

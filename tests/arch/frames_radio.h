@@ -47,7 +47,7 @@ static inline bool frames_radio_ray(void *ctx, const struct tia_radio_ray *ray)
     return frames_radio_path(ctx, &ray->path);
 }
 
-/* Reports a ground, turned and plain blocks, a slanting triangle, a disc. */
+/* Reports the paths between a ground, turned and plain blocks, a slanting triangle and a disc. */
 static inline void frames_radio(struct frames_canvas *c)
 {
     static const struct tia_material material = {.index = TIA_Q16_ONE};

@@ -1,7 +1,7 @@
 /* hasher.c - prints the checksums of tests/arch/frames.h: `hasher`, or, built with TIA_HAVE_F32, `hasher f32` for the
  * same frames in single precision. `hasher sums FIRST END` prints those sums of samples instead, of occlusion, then of
- * paths. Built with HASHER_SIMD it draws with the vector units that TIA_SIMD names, and fails if that is not available. Needs
- * only the libraries, so that it can be built for any machine. */
+ * paths. Built with HASHER_SIMD it draws with the vector units that TIA_SIMD names, and fails if that is not available.
+ * Needs only the libraries, so that it can be built for any machine. */
 #include "frames.h"
 
 static void print(void *ctx, const char *name, uint32_t crc)
@@ -25,7 +25,7 @@ static void print_sums(uint32_t first, uint32_t end)
 #ifdef HASHER_SIMD
 #include <tia/simd.h>
 
-#define LEAST_VIEWS 10 /* least views that vector units draw themselves: scalar leaves spheres to plain C */
+#define LEAST_VIEWS 10 /* least number of views that vector units draw themselves: scalar draws spheres by plain C */
 
 static const struct tia_simd *simd;
 static unsigned simd_count;

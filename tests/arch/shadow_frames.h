@@ -25,7 +25,7 @@ static inline void frames_scene(struct frames_canvas *c, const struct tia_scene 
     frames_close(c);
 }
 
-/* Draws flat faces, whose shadows are the same by each of these techniques. */
+/* Draws flat faces, whose shadows are the same by each exact technique. */
 static inline void frames_flat(struct frames_canvas *c, unsigned index)
 {
     static struct corpus_rays scene;
@@ -42,7 +42,8 @@ static inline void frames_flat(struct frames_canvas *c, unsigned index)
     }
 }
 
-/* Draws maps by each filter, and by each bias without one, in scenes where each of them draws another picture. */
+/* Draws maps by each filter, and by each bias without a filter, in scenes where each of them gives a different
+ * picture. */
 static inline void frames_map(struct frames_canvas *c, enum tia_filter filter, enum tia_bias bias, tia_q16 amount)
 {
     static struct corpus_rays scene;
@@ -67,7 +68,7 @@ static inline void frames_maps(struct frames_canvas *c)
             frames_map(c, TIA_FILTER_NONE, (enum tia_bias)i, i == TIA_BIAS_CONSTANT ? TIA_Q16(0.05) : TIA_Q16(1.5));
 }
 
-/* Draws curved shapes, left to rays and as facets. */
+/* Draws curved shapes, by rays and as facets. */
 static inline void frames_curved(struct frames_canvas *c, unsigned index)
 {
     static struct corpus_rays scene;
@@ -143,7 +144,7 @@ static inline int64_t frames_coordinate(uint64_t *state, int64_t most)
     return (int64_t)(dice_next(state) % (2 * (uint64_t)most + 1)) - most;
 }
 
-/* Returns a point: in perspective before the eye or behind it; else h is its nearness. */
+/* Returns a point, in perspective before the eye or behind it; in orthographic views its h is its nearness. */
 static inline struct tia_raster_vertex frames_point(uint64_t *state, const struct tia_raster_grid *l, int64_t most)
 {
     int64_t x = frames_coordinate(state, most), y = frames_coordinate(state, most), z = frames_coordinate(state, most);
@@ -177,7 +178,7 @@ static inline unsigned frames_polygon(uint64_t *state, const struct tia_raster_g
     return 4;
 }
 
-/* Returns the position of the first bit, and the nine that follow it. */
+/* Returns the position of the highest bit of n, and the nine bits that follow it. */
 static inline tia_rgb565 frames_magnitude(uint64_t n)
 {
     unsigned zeros = 0;

@@ -12,16 +12,16 @@
 #define CORE tia_core_spheres
 #endif
 #ifndef LARGE
-#define LARGE 1 /* 0: the small size alone, where an emulator takes minutes */
+#define LARGE 1 /* 0: only the small size, where an emulator takes minutes */
 #endif
 enum { WIDTH = 320, HEIGHT = 240, SMALL_WIDTH = 128, SMALL_HEIGHT = 160, ARENA = WIDTH * ROWS * 8 + 1024 };
 
 static uint64_t arena[ARENA / sizeof(uint64_t)];
 
-/* A display that keeps nothing but a strip and the checksum of what went through it. */
+/* A display that stores only a strip and the checksum of all strips so far. */
 struct checksum {
     uint16_t width, height;
-    uint16_t next_row; /* strips must come from top to bottom */
+    uint16_t next_row; /* least row of the next strip: strips must come from top to bottom */
     uint32_t crc;
     tia_rgb565 strip[WIDTH * ROWS];
 };
@@ -114,7 +114,7 @@ static int draw(uint16_t width, uint16_t height, char key)
 
 int main(void)
 {
-    static const char states[] = "-adsw"; /* none, then the four keys */
+    static const char states[] = "-adsw"; /* no light, then the four keys */
     int failed = 0;
     for (const char *key = states; *key; key++) {
         failed |= LARGE ? draw(WIDTH, HEIGHT, *key) : 0;

@@ -43,7 +43,7 @@ int qemu_plugin_install(qemu_plugin_id_t id, const struct qemu_info *info, int a
 static uint64_t begin_at = UINT64_MAX, end_at = UINT64_MAX;
 static uint64_t executed_all, executed_before;
 
-/* For each halfword of `text`: executed ever, ever before this passage, and in passages. */
+/* Counts for each halfword of `text`: all executions; those before this passage; those in passages. */
 static uint64_t text_start, text_count, *text_all, *text_before, *text_passages;
 
 static void say(const char *what, uint64_t address, uint64_t count)

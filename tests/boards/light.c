@@ -4,7 +4,7 @@
 
 #include <tia/debug.h>
 
-/* Sizes. Tiles do not divide the picture. Only the pixels of a strip are stored. */
+/* Sizes of the picture, of tiles, which do not divide it, and of the memory. Only the pixels of a strip are stored. */
 enum { WIDTH = 64, HEIGHT = 48, TILE_WIDTH = 15, TILE_HEIGHT = 7, MEMORY = 16384 };
 
 static const struct tia_material materials[] = {

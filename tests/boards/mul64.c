@@ -8,7 +8,7 @@ static uint32_t wrong, tried;
 
 static void try_pair(uint32_t a, uint32_t b)
 {
-    volatile uint64_t wide = b; /* the compiler must not see that its upper half is zero */
+    volatile uint64_t wide = b; /* hides from the compiler that the upper half is zero */
     uint64_t product = a * wide;
     /* -2^32 where a factor is negative: a = ua - 2^32 if its top bit is set */
     uint64_t minus_b = (a >> 31) ? (uint64_t)b << 32 : 0, minus_a = (b >> 31) ? (uint64_t)a << 32 : 0;

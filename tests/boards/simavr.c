@@ -59,7 +59,7 @@ static int run(avr_t *avr)
     return state;
 }
 
-/* One instruction at a time. */
+/* Runs the program, one instruction at a time, and counts. */
 static int run_and_count(avr_t *avr, uint32_t begin, uint32_t end, FILE *log)
 {
     uint64_t executed = 0, executed_before = 0, cycle_before = 0;

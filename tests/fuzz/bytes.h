@@ -27,7 +27,7 @@ static inline uint32_t take_word(struct bytes *b)
     return word;
 }
 
-/* Takes a number: a whole, a small fraction, near a limit, or any. */
+/* Takes a number: an integer, a small fraction, a number near a limit, or any number. */
 static inline int32_t take_number(struct bytes *b)
 {
     static const int32_t limits[] = {0,         TIA_RADIUS_MIN, TIA_Q30_ONE, INT32_MAX,

@@ -1,4 +1,4 @@
-/* check.c - tia_scene_check on any numbers at all: a refused scene has a fault, and an accepted one keeps the ranges
+/* check.c - tia_scene_check on arbitrary numbers: a refused scene has a fault, and an accepted one keeps the ranges
  * that include/tia/scene.h states, computed here in double. */
 #include <math.h>
 #include <stdio.h>
@@ -10,7 +10,8 @@ static bool is_unit(struct tia_rgb c)
     return c.r >= 0 && c.g >= 0 && c.b >= 0 && c.r <= TIA_Q30_ONE && c.g <= TIA_Q30_ONE && c.b <= TIA_Q30_ONE;
 }
 
-/* A tolerance of one 2^-16 for double's rounding; the exact limit is test_scene's. */
+/* True if a point is near the eye, with a tolerance of one 2^-16 for double's rounding; test_scene tests the exact
+ * limit. */
 static bool is_near(const struct tia_scene *s, struct tia_vec3 p, tia_q16 radius)
 {
     double x = (double)p.x - s->camera.eye.x, y = (double)p.y - s->camera.eye.y, z = (double)p.z - s->camera.eye.z;
@@ -111,7 +112,8 @@ static void must_be_shape(const struct tia_scene *s, uint32_t i)
         must_be_placed(&s->transforms[shape->transform - 1], b);
 }
 
-/* Checks that builds and motions of the scene stay in the memory asked for, and give a scene again. */
+/* Checks that hierarchies and motions of the scene fit in the memory whose size the library returned, and that a moved
+ * scene is a scene again. */
 static void must_be_of_use(const struct tia_scene *s)
 {
     const tia_q16 times[] = {INT32_MIN, 0, 1, 65536, 1 << 20, INT32_MAX};

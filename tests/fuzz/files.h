@@ -11,12 +11,13 @@
 
 #define MEMORY_FILE_MOST 16384
 
-/* All zero at first; the same inode for each input, since readers remember the files that they have read. */
+/* A file in memory; all zero at first. Its inode is the same for each input, since readers remember the files that they
+ * have read. */
 struct memory_file {
     char path[32];
     int fd;
     size_t size;
-    uint8_t bytes[MEMORY_FILE_MOST]; /* bytes that are written at once, by memory_file_save */
+    uint8_t bytes[MEMORY_FILE_MOST]; /* bytes that memory_file_save writes at once */
 };
 
 static inline void memory_file_write(struct memory_file *file, const void *bytes, size_t size)

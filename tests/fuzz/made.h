@@ -24,7 +24,7 @@ struct made {
     struct tia_light lights[MADE_LIGHTS];
     struct tia_material materials[MADE_MATERIALS];
     struct tia_transform transforms[2];
-    struct tia_texture textures[3]; /* the last one is an opacity */
+    struct tia_texture textures[3]; /* textures, of which the last one is an opacity */
     struct tia_mesh meshes[2];
     struct tia_grid grid;
     struct tia_vec3 vertices[MADE_VERTICES];

@@ -26,7 +26,7 @@ static void take_rows(struct bytes *b, struct image_film *film)
     film->frames = frames / FRAMES % FRAMES + 1u;
 }
 
-/* Takes a film. All parts have the same; in one part in eight one number differs. */
+/* Takes a film. All parts have the same film, except that in one part of eight one number differs. */
 static struct image_film take_film(struct bytes *b, uint8_t shape)
 {
     struct image_film film = {.width = shape % SIDE + 1u,
@@ -166,8 +166,8 @@ static void must_be_drawn(const tia_rgb565 *pixels, const struct image_film *fil
         MUST(pixels[i] == pixel_of(frame, i / film->width, i % film->width));
 }
 
-/* Checks that every pixel is written, since both backgrounds give the same picture, and that it is the one that was
- * drawn. */
+/* Checks that every pixel is written, since both backgrounds give the same picture, and that the picture is the one
+ * that was drawn. */
 static void must_fill(struct parts *parts, uint32_t frame, bool raw)
 {
     const struct image_film *film = &parts->array[0].film;

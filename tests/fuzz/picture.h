@@ -1,4 +1,4 @@
-/* picture.h - a scene drawn into memory of exactly the size that the library asks for. */
+/* picture.h - a scene drawn into memory of exactly the size that the library requires. */
 #ifndef TESTS_FUZZ_PICTURE_H
 #define TESTS_FUZZ_PICTURE_H
 

@@ -10,7 +10,7 @@
 #include "bytes.h"
 
 #define POLYGONS 6
-#define SIDE 10 /* of the drawn part; there is a pixel more around it */
+#define SIDE 10 /* side of the drawn part; around it is one more pixel */
 #define PIXELS ((SIDE + 2) * (SIDE + 2))
 #define BUFFERS (TIA_BUFFER_DEPTH | TIA_BUFFER_STENCIL | TIA_BUFFER_COLOUR)
 
@@ -102,7 +102,7 @@ static int64_t take_coordinate(struct bytes *b, const struct tia_raster_grid *l)
     }
 }
 
-/* Takes a point on the centre of a pixel, or almost. */
+/* Takes a point at the centre of a pixel, or almost there. */
 static struct tia_raster_vertex take_centre(struct bytes *b, const struct drawn *d)
 {
     const struct tia_raster_grid *l = &d->grid;
@@ -186,7 +186,7 @@ static struct tia_stencil take_stencil(struct bytes *b)
     struct tia_stencil s = {TIA_COMPARE_ALWAYS, take_byte(b),    255, 255, TIA_STENCIL_KEEP,
                             TIA_STENCIL_KEEP,   TIA_STENCIL_KEEP};
 
-    if (kind < 64) /* as shadow volumes count */
+    if (kind < 64) /* operations as for shadow volumes */
         *(kind & 1 ? &s.zfail : &s.zpass) = kind & 2 ? TIA_STENCIL_INCR_WRAP : TIA_STENCIL_DECR_WRAP;
     else
         s = (struct tia_stencil){kind & 7,         s.reference,      take_byte(b),    take_byte(b),
@@ -224,7 +224,7 @@ static void must_be_the_oracles(const struct drawn *d)
     }
 }
 
-/* Checks that nearness is within 2^15 of the exact one in both. */
+/* Checks that nearness is within 2^15 of the exact one in both formats. */
 static void must_be_alike(const struct drawn *a, const struct drawn *b)
 {
     for (size_t i = 0; i < (size_t)a->whole.area.width * a->whole.area.height; i++) {
@@ -236,7 +236,7 @@ static void must_be_alike(const struct drawn *a, const struct drawn *b)
     MUST(!memcmp(a->whole.planes, b->whole.planes, POLYGONS * sizeof *a->whole.planes));
 }
 
-/* Draws the oracle's picture, only in the part, so that the surroundings must not have changed. */
+/* Draws the oracle's picture, only in the drawn part, so that its surroundings must not have changed. */
 static void draw_oracles(const struct tia_raster_state *s, const struct shape *p, uint32_t id, const struct drawn *d)
 {
     struct tia_tile part = d->part.area, whole = d->whole.area;
@@ -253,7 +253,7 @@ static void draw_oracles(const struct tia_raster_state *s, const struct shape *p
     memcpy(oracle.planes[id], row.planes[id], sizeof row.planes[id]);
 }
 
-/* True if the pixel has a value: in perspective it can look at a corner at infinity, which has none. */
+/* True if the pixel has a value: in perspective it may show a corner at infinity, which has none. */
 static bool sees_value(const struct shape *p, int x, int y)
 {
     return oracle_covers(&oracle.image, p->v, 3, x, y) &&
@@ -274,7 +274,8 @@ static void must_blend(struct bytes *b, const struct drawn *d, const struct shap
                  oracle_blend(&oracle.image, p->v, part->x + i, part->y + i, a));
 }
 
-/* Checks that two triangles with an edge in opposite directions cover no pixel twice, seen from the same side. */
+/* Checks that two triangles that share an edge, in opposite directions, cover no pixel twice when seen from the same
+ * side. */
 static void must_not_overlap(const struct drawn *d, const struct shape *a, const struct shape *b, unsigned range)
 {
     static const struct tia_stencil once = {TIA_COMPARE_ALWAYS,   0, 255, 255, TIA_STENCIL_KEEP, TIA_STENCIL_KEEP,

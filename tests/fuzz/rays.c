@@ -7,7 +7,7 @@
 #include "accepted.h"
 #include "picture.h"
 
-#define WORK 1500 /* rays times objects, about as many as in a thousandth of a second */
+#define WORK 1500 /* limit of rays times objects, about as many as in a thousandth of a second */
 
 static uint64_t rays_of(const struct made *m, uint32_t pixels)
 {
@@ -72,7 +72,7 @@ static struct tia_tile take_tile(struct bytes *b, uint16_t *width, uint16_t *hei
     return tile;
 }
 
-/* Draws the same with the hierarchy. */
+/* Draws the scene with its hierarchy; the picture must be the same. */
 static void draw_sooner(const struct picture *plain, const struct tia_scene *scene, uint16_t width, uint16_t height)
 {
     struct tia_scene with = *scene;
@@ -94,7 +94,7 @@ static bool is_exact(enum tia_shadows shadows)
            shadows == TIA_SHADOWS_MAP_EXACT;
 }
 
-/* Draws the same by other techniques for shadows. */
+/* Draws the scene by other techniques for shadows; the pictures must be the same. */
 static void draw_otherwise(const struct picture *plain, const struct tia_scene *scene, uint16_t width, uint16_t height)
 {
     struct tia_scene other = *scene;

@@ -1,6 +1,6 @@
 /* read.h - any bytes as a scene file: an error with a text, or a scene that tia_scene_check accepts, in exactly the
- * memory that was asked for. The bytes after the first zero byte are the text of every library, and of every file that
- * a .tia file includes, which it may 64 times. */
+ * memory that it needs. The bytes after the first zero byte are the text of every library, and of every file that a
+ * .tia file includes, which it may 64 times. */
 #ifndef TESTS_FUZZ_READ_H
 #define TESTS_FUZZ_READ_H
 

@@ -1,5 +1,5 @@
 /* render.c - any scene of spheres for spans that tia_scene_check accepts, drawn by q16 and by chk into memory of
- * exactly the size asked for: no number leaves its range, no access its memory, both draw the same, and so do hits that
+ * exactly the required size: no number leaves its range, no access its memory, both draw the same, and so do hits that
  * are lit a second time. */
 #include <stdio.h>
 #include <string.h>
@@ -18,7 +18,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     take_scene(&b, &f);
     if (tia_scene_check(&f.scene, NULL))
         return 0;
-    if (shape % 16 == 1) /* far off-square, to the largest sizes */
+    if (shape % 16 == 1) /* pictures far from square, up to the largest sizes */
         width = 1 + width * 204, height = 1;
     if (shape % 16 == 2)
         height = 1 + height * 204, width = 1;

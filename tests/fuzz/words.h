@@ -25,7 +25,7 @@ static inline struct words take_words(char *command, const uint8_t *data, size_t
     w.text[size] = '\0';
     for (char *word = strtok(w.text, "\n"); word && w.argc <= WORDS_MOST; word = strtok(NULL, "\n"))
         w.argv[w.argc++] = word;
-    optind = 0; /* glibc: start anew */
+    optind = 0; /* glibc: restarts getopt */
     return w;
 }
 

@@ -1,4 +1,4 @@
-/* drivers.h - tests beside Mesa's software drivers. */
+/* drivers.h - tests against Mesa's software drivers. */
 #ifndef TESTS_GL_DRIVERS_H
 #define TESTS_GL_DRIVERS_H
 
@@ -10,7 +10,7 @@
 #include "gl/raster.h"
 #include "ports.h"
 
-/* Opens a driver; NULL: the case is skipped, as the driver is not there. */
+/* Opens a driver; returns NULL, and skips the case, where the driver is missing. */
 static inline struct gl_raster *gl_opened(const char *driver, unsigned width, unsigned height)
 {
     static char why[PORT_WHY];
@@ -26,8 +26,8 @@ static inline struct gl_raster *gl_opened(const char *driver, unsigned width, un
     return gl;
 }
 
-/* Runs a case in a process of its own, which must choose the driver before the library is loaded. When the process
- * before had no case of the name that was asked for, and this one has none either, it says so. */
+/* Runs a case in a process of its own, which must choose the driver before the library is loaded. `before`: status of
+ * the process before; if neither has a case of the chosen name, the status is 2. */
 static inline int gl_in_process(const char *driver, void (*run)(void), int before)
 {
     int status = 1;
@@ -48,7 +48,7 @@ static inline int gl_in_process(const char *driver, void (*run)(void), int befor
     return WEXITSTATUS(status);
 }
 
-/* The status of a test beside both drivers. */
+/* Returns the status of a test with both drivers. */
 static inline int gl_in_both(void (*by_llvmpipe)(void), void (*by_softpipe)(void))
 {
     int first = gl_in_process("llvmpipe", by_llvmpipe, 0), second = gl_in_process("softpipe", by_softpipe, first);

@@ -74,7 +74,7 @@ static const char vertex_shader[] = "#version 120\n"
                                     "    gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex;\n"
                                     "}\n";
 
-/* The mask shows the object (red: the ground, green: the ball) and if light gets there (blue). */
+/* Shader of the mask, which shows the object (red: the ground, green: the ball) and lit pixels (blue). */
 static const char fragment_shader[] =
     "#version 120\n"
     "varying vec3 point;\n"
@@ -103,8 +103,8 @@ static const char fragment_shader[] =
     "    gl_FragColor = vec4(seen, 1.0);\n"
     "}\n";
 
-/* Draws the part of a sphere that can be seen from the eye at the origin, and a little more, as rings around the axis
- * to the eye. A triangle leaves the sphere by at most step^2/8 times the radius, for the ground 10^-4, for the ball 3
+/* Draws the part of a sphere that is visible from the eye at the origin, and a little more, as rings around the axis to
+ * the eye. A triangle leaves the sphere by at most step^2/8 times the radius, for the ground 10^-4, for the ball 3
  * 10^-5. */
 static void draw_ball(const struct gl_ball *ball)
 {
@@ -156,7 +156,7 @@ static GLuint make_program(char *why)
     return program;
 }
 
-/* Makes a target beside the display, which has no depth buffer, and in floating point: GL's specification leaves
+/* Makes a target beside the display, since that has no depth buffer. It is in floating point: GL's specification leaves
  * rounding a colour to 5 or 6 bits open. */
 static bool make_target(unsigned width, unsigned height, char *why)
 {
@@ -207,7 +207,7 @@ static void draw_things(GLuint program, int count, bool mask)
     }
 }
 
-/* One pixel as drawn. GL counts rows from the bottom. */
+/* A pixel as drawn; GL counts rows from the bottom. */
 typedef float gl_colour[3];
 static gl_colour pixels[PICTURE_PIXELS];
 
@@ -228,7 +228,7 @@ static tia_rgb565 quantised(const gl_colour c)
     return (tia_rgb565)((unsigned)level[0] << 11 | (unsigned)level[1] << 5 | (unsigned)level[2]);
 }
 
-/* Sets the position of the picture, with the balls as display lists: object i is list i + 1. */
+/* Sets the position of the picture, and the balls as display lists: object i is list i + 1. */
 static void place(GLuint program, const struct gl_ball *light, double aspect)
 {
     const double top = tan(FOV_DEGREES / 2 * PI / 180);

@@ -8,7 +8,7 @@ struct gl_ball {
     double centre[3], radius, colour[3];
 };
 
-/* The object visible in a pixel. A light counts as the object behind it. */
+/* The visible object of a pixel. A light counts as the object behind it. */
 enum gl_thing { GL_GROUND, GL_BALL, GL_SKY };
 
 enum { PICTURE_PIXELS = 640 * 480 };
@@ -17,12 +17,12 @@ struct picture {
     unsigned width, height;
     tia_rgb565 colour[PICTURE_PIXELS];
     unsigned char thing[PICTURE_PIXELS]; /* enum gl_thing */
-    unsigned char lit[PICTURE_PIXELS];   /* 1: the light gets there */
-    unsigned char light[PICTURE_PIXELS]; /* 1: the light itself is seen; left alone here */
+    unsigned char lit[PICTURE_PIXELS];   /* 1: light arrives */
+    unsigned char light[PICTURE_PIXELS]; /* 1: the light itself is visible; always 0 after gl_scene_draw */
 };
 
-/* Draws it with a library of the osmesa display into a picture whose size is set; a light of radius 0 is none. False:
- * `why`, PORT_WHY characters, has the reason. */
+/* Draws the scene with a library of the osmesa display into a picture whose size is set; a light of radius 0 is none.
+ * False: `why`, PORT_WHY characters, has the reason. */
 bool gl_scene_draw(const char *library, const struct gl_ball *light, struct picture *picture, char *why);
 
 #endif

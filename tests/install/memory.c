@@ -43,7 +43,7 @@ static int poll(void *ctx, struct tia_event *event)
     return 0;
 }
 
-/* The rest of the ports is there, though nothing is drawn without memory. */
+/* Stands for the rest of the ports, though nothing is drawn without memory. */
 
 static int acquire(void *ctx, struct tia_tile tile, struct tia_surface *surface)
 {

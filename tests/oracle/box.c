@@ -99,7 +99,7 @@ static struct meeting meet(struct ray ray)
 
 /* ---- paths ---- */
 
-/* Light of the lamp from nearer than this is found by directions, from farther by points of the lamp: either alone
+/* Distance up to which light of the lamp is sampled by directions, and from which by points of the lamp: either alone
  * would be noisy, in its gap or everywhere else. */
 #define NEAR 60
 
@@ -132,7 +132,7 @@ static struct oracle_vec scattered(struct oracle_vec normal, uint64_t *state)
     return along(along(scaled(normal, sqrt(1 - a * a - b * b)), a, u), b, v);
 }
 
-#define GOES_ON 0.75 /* the chance of each bounce after the second */
+#define GOES_ON 0.75 /* probability of each bounce after the second */
 
 static struct colour radiance(struct ray ray, uint64_t *state)
 {
@@ -166,7 +166,7 @@ static struct ray camera_ray(double x, double y)
     return (struct ray){{278, 273, -800}, unit(d)};
 }
 
-/* Adds samples; those of a pixel lie one in each of rows x rows squares. */
+/* Adds samples; those of a pixel are in rows x rows squares, one in each. */
 void oracle_box(unsigned side, uint64_t seed, unsigned rows, double *rgb)
 {
     uint64_t state = seed * UINT64_C(0xd1342543de82ef95);

@@ -1,7 +1,7 @@
 /* camera.c - the rays of a picture. */
 #include "rays.h"
 
-/* The camera's axes: u to the right, v up, n towards the eye. */
+/* The camera's axes: u to the right, v upwards, n towards the eye. */
 struct frame {
     struct oracle_vec u, v, n;
 };

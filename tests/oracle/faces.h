@@ -20,8 +20,8 @@ uint32_t oracle_faces(const struct tia_scene *scene, struct oracle_face *faces);
 /* Returns the face that a ray meets first, and gives t; or ORACLE_NO_FACE. */
 uint32_t oracle_face_seen(const struct oracle_face *faces, uint32_t count, struct ray ray, double *t);
 
-/* True if light comes from sample i of a light, with the pattern of class 0, to the point of that face that is seen
- * from `eye`. */
+/* True if light of sample i, with the pattern of class 0, arrives at the point of that face that is visible from
+ * `eye`. */
 bool oracle_face_lit(const struct oracle_face *faces, uint32_t count, uint32_t face, struct ray eye, double t,
                      const struct tia_light *light, unsigned i);
 

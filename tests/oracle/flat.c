@@ -12,7 +12,7 @@ static struct oracle_vec axis_vec(int axis, double sign)
     return (struct oracle_vec){axis == 0 ? sign : 0, axis == 1 ? sign : 0, axis == 2 ? sign : 0};
 }
 
-/* Returns a point's position along a tangent of a face, from the face's edge: 0 to 1. */
+/* Returns a point's position along a tangent of a face, measured from the face's edge: 0 to 1. */
 static double share(const double part[3], struct oracle_vec tangent)
 {
     double sum = 0;

@@ -17,7 +17,7 @@ unsigned light_class(unsigned x, unsigned y)
     return bayer[y % 4][x % 4];
 }
 
-/* Returns 0, 1/2, 1/4, 3/4, ...: the binary digits behind the point, backwards. */
+/* Returns 0, 1/2, 1/4, 3/4, ...: the binary digits of i in reverse order behind the point. */
 static double radical_inverse(unsigned i)
 {
     double sum = 0;

@@ -4,19 +4,19 @@
 
 #include "shape.h"
 
-/* Light on its way to a point. */
+/* Light that arrives at a point. */
 struct beam {
-    struct oracle_vec direction; /* to the light, of length 1 */
-    struct oracle_vec source;    /* its origin; none of a directional light */
-    double distance;             /* distance from there; infinite from a directional light */
-    double strength;             /* attenuation, spot and the sample's share */
+    struct oracle_vec direction; /* direction to the light, of length 1 */
+    struct oracle_vec source;    /* the light's point; undefined for a directional light */
+    double distance;             /* distance from `source`; infinite for a directional light */
+    double strength;             /* product of attenuation, spot falloff and the sample's share */
 };
 
 /* Returns the number of samples of a light: 1 but for area lights. */
 unsigned light_samples(const struct tia_light *light);
 
-/* Gives sample i of a light, not ambient, for the point p and a pixel of that class, 0..15; false when it is in p
- * itself. `unit` is that of attenuations. */
+/* Gives sample i of a light, not ambient, for the point p and a pixel of that class, 0..15; false when it coincides
+ * with p. `unit` is that of attenuations. */
 bool light_beam(const struct tia_light *light, double unit, struct oracle_vec p, unsigned pixel_class, unsigned i,
                 struct beam *beam);
 

@@ -11,13 +11,13 @@ struct media {
     tia_q16 index[TIA_MEDIA_MAX];
 };
 
-/* From one index of refraction to another. */
+/* The two indices of refraction at a boundary. */
 struct crossing {
     tia_q16 from, to;
 };
 
-/* Returns the boundary where a refracted ray meets the front or back of an object, there of that material; `media`
- * become those behind it. */
+/* Returns the boundary where a refracted ray meets the front or back of an object, which has that material there;
+ * `media` become those behind it. */
 struct crossing media_cross(const struct tia_scene *scene, struct media *media, uint32_t object, bool front,
                             const struct tia_material *material);
 

@@ -1,8 +1,8 @@
 /* nff.h - pictures of .nff files from their numbers as they are written, in double precision.
  *
  * The oracle of oracle.h starts from a scene in memory, whose coordinates a reader has rounded: it cannot show the cost
- * of that. This one reads the text itself. Rays start a trillionth of the scene off a surface, so that the library's
- * larger bias shows. */
+ * of that rounding. This one reads the text itself. Rays start a trillionth of the scene off a surface, so that the
+ * library's larger bias shows. */
 #ifndef TESTS_ORACLE_NFF_H
 #define TESTS_ORACLE_NFF_H
 
@@ -11,9 +11,9 @@
 enum nff_kind { NFF_SPHERE, NFF_CONE, NFF_POLYGON };
 
 struct nff_material {
-    double colour[3]; /* with Kd */
+    double colour[3]; /* colour times Kd */
     double ks, shine, t, index;
-    bool shines; /* has a highlight */
+    bool shines; /* the material has a highlight */
 };
 
 struct nff_thing {
@@ -23,27 +23,28 @@ struct nff_thing {
     struct oracle_vec min, max;
     struct oracle_vec point[2]; /* centre, or base and top */
     double radius[2];
-    struct oracle_vec normal;         /* of a polygon, on its front */
+    struct oracle_vec normal;         /* normal of a polygon, on its front */
     const struct oracle_vec *corner;  /* `count` corners */
-    const struct oracle_vec *normals; /* at the corners, of a triangle only; NULL: none */
+    const struct oracle_vec *normals; /* normals at the corners of a triangle; NULL: none */
     unsigned count;
 };
 
 struct nff_light {
     struct oracle_vec at;
     double emission[3];
-    bool coloured; /* the file sets it */
+    bool coloured; /* the file sets the background */
 };
 
 struct nff_tree {
     struct oracle_vec min, max;
-    unsigned first, count; /* leaf: its things; count 0: two subtrees, this one's next and tree[first] */
+    unsigned first, count; /* leaf: its objects; inner node: count is 0, and its subtrees are the next node and
+                              tree[first] */
 };
 
 struct nff {
     struct oracle_vec eye, look, up;
     double angle, background[3];
-    double extent; /* of the scene */
+    double extent; /* size of the scene */
     struct nff_material *materials;
     struct nff_light *lights;
     struct nff_thing *things;
@@ -56,11 +57,11 @@ struct nff {
 struct nff *nff_read(const char *text);
 void nff_free(struct nff *nff);
 
-/* Sorts the things into trees. */
+/* Builds the trees of the objects. */
 void nff_plant(struct nff *nff);
 unsigned nff_nearest(const struct nff *nff, struct ray ray, struct hit *hit);
 
-/* Returns the part of white light that passes all things that the ray meets before t = 1. */
+/* Returns the part of white light that passes all objects on the ray before t = 1. */
 double nff_transmission(const struct nff *nff, struct ray ray);
 
 /* Returns pixel (x, y) of a picture of that size. */

@@ -5,7 +5,7 @@
 #define OFF 1e-12
 #define FAINT (1.0 / 65536.0)
 
-/* A ray's way from the eye. */
+/* A ray on its path from the eye. */
 struct journey {
     double weight;
     unsigned bounces, layers;
@@ -55,7 +55,7 @@ static double medium(const struct journey *j)
     return j->count ? j->index[j->count - 1] : 1;
 }
 
-/* Gives the indices before and behind the surface; the journey continues behind it. */
+/* Gives the indices of refraction before and behind the surface; the journey continues behind it. */
 static void cross_over(const struct nff *nff, const struct place *s, struct journey *j, double *from, double *to)
 {
     int at = -1;

@@ -6,11 +6,11 @@
 struct reading {
     const char *at;
     struct nff *nff;
-    unsigned body; /* the polygons' since the last f; 0: none yet */
+    unsigned body; /* body of the polygons since the last f; 0: none yet */
     bool bad;
 };
 
-/* Makes room for one more item; arrays grow at powers of two. */
+/* Makes room for one more item; arrays double when they are full. */
 static void *grow(void *items, unsigned count, size_t size)
 {
     return count & (count - 1) ? items : realloc(items, (count ? 2 * count : 1) * size);
@@ -104,7 +104,7 @@ static struct nff_thing *new_thing(struct reading *r, enum nff_kind kind)
     return t;
 }
 
-/* Widens the thing's box by a ball. */
+/* Extends the object's box to hold a ball. */
 static void cover(struct nff_thing *t, struct oracle_vec p, double r)
 {
     t->min = (struct oracle_vec){fmin(t->min.x, p.x - r), fmin(t->min.y, p.y - r), fmin(t->min.z, p.z - r)};
@@ -195,7 +195,7 @@ static bool is_same(struct oracle_vec a, struct oracle_vec b)
     return !(length(sub(a, b)) > 0);
 }
 
-/* True if some polygon of the body has the edge from a to b. */
+/* True if any polygon of the body has the edge from a to b. */
 static bool has_edge(const struct nff *nff, unsigned body, struct oracle_vec a, struct oracle_vec b)
 {
     for (unsigned i = 0; i < nff->thing_count; i++) {

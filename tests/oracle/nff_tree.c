@@ -1,4 +1,4 @@
-/* nff_tree.c - the nearest thing, by halving boxes: the larger files have too many things to try all. */
+/* nff_tree.c - the nearest object, by halving boxes: the larger files have too many objects to try all. */
 #include "nff.h"
 
 #include <stdlib.h>
@@ -10,7 +10,7 @@ static double coordinate(struct oracle_vec v, int axis)
     return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 }
 
-static int sorted_by; /* an axis */
+static int sorted_by; /* the axis of the present order */
 
 static int compare(const void *a, const void *b)
 {
@@ -60,7 +60,7 @@ void nff_plant(struct nff *nff)
         halve(nff, 0, nff->thing_count);
 }
 
-/* True if the ray is in the box somewhere in 0..limit; widened a little, for its own rounding errors. */
+/* True if the ray is in the box somewhere in 0..limit; the box is enlarged a little for rounding errors. */
 static bool meets(const struct nff_tree *tree, struct ray ray, double limit)
 {
     double from = 0, to = limit;
@@ -68,7 +68,7 @@ static bool meets(const struct nff_tree *tree, struct ray ray, double limit)
     for (int i = 0; i < 3; i++) {
         double o = coordinate(ray.origin, i), d = coordinate(ray.direction, i);
         double a = (coordinate(tree->min, i) - o) / d, b = (coordinate(tree->max, i) - o) / d;
-        from = fmax(from, fmin(a, b) * (1 - 1e-12)); /* fmin and fmax leave out what is not a number, 0/0 */
+        from = fmax(from, fmin(a, b) * (1 - 1e-12)); /* fmin and fmax ignore NaN, 0/0 */
         to = fmin(to, fmax(a, b) * (1 + 1e-12));
     }
     return from <= to;

@@ -4,7 +4,7 @@
 
 static const struct oracle_variant as_tia = {.bias = ORACLE_BIAS};
 
-/* Returns a unit vector with as many bits as the variant has. */
+/* Returns a unit vector, rounded to the variant's bits. */
 static struct oracle_vec rounded(struct oracle_variant variant, struct oracle_vec v)
 {
     double one = ldexp(1, (int)variant.direction_bits);
@@ -110,8 +110,8 @@ static uint32_t nearest_light(const struct tia_scene *scene, struct ray ray, dou
     return nearest;
 }
 
-/* Returns the part of white light that passes along the ray up to `distance`; *passed is the sum of index + 1 over the
- * spheres on the way. */
+/* Returns the part of white light that is transmitted along the ray up to `distance`; *passed is the sum of index + 1
+ * over the spheres on the way. */
 static struct colour transmission(const struct tia_scene *scene, struct oracle_variant variant, struct ray ray,
                                   double distance, uint32_t *passed)
 {

@@ -24,8 +24,8 @@ bool oracle_sphere_analytic(struct oracle_vec origin, struct oracle_vec directio
 /* Returns row y & 7, column x & 7 of the 8x8 matrix M(8): M(1) = 0, M(2n) = [4M, 4M+2; 4M+3, 4M+1]. */
 unsigned oracle_bayer(unsigned x, unsigned y);
 
-/* Returns the pixel at (x, y) of the width x height image of `scene`, where pixel (1, 2) has its centre at (1, 2);
- * without colour and margin. */
+/* Returns the pixel at (x, y) of the width x height image of `scene`, where pixel (1, 2) has its centre at (1, 2); its
+ * colour and margin are not set. */
 struct oracle_pixel oracle_look(const struct tia_scene *scene, unsigned width, unsigned height, double x, double y);
 tia_rgb565 oracle_pack(struct oracle_pixel *pixel, unsigned x, unsigned y, bool dither);
 
@@ -37,10 +37,10 @@ struct oracle_pixel oracle_pixel(const struct tia_scene *scene, unsigned width, 
 #define ORACLE_BIAS (1.0 / 8192.0)
 struct oracle_variant {
     double bias;        /* distance from a surface along its normal to the start of its shadow rays */
-    bool colour_passes; /* a blocker lets its colour through, instead of its transmission */
+    bool colour_passes; /* a blocker transmits its colour instead of its transmission */
     bool beyond_light;  /* spheres behind the light block it too */
-    bool quadratic;     /* spheres by oracle_sphere_analytic */
-    /* Directions and normals are rounded to multiples of 2^-direction_bits; 0: not rounded. */
+    bool quadratic;     /* spheres are intersected by oracle_sphere_analytic */
+    /* directions and normals are rounded to multiples of 2^-direction_bits; 0: not rounded */
     unsigned direction_bits;
 };
 struct oracle_pixel oracle_variant_pixel(const struct tia_scene *scene, struct oracle_variant variant, unsigned width,
@@ -49,8 +49,8 @@ struct oracle_pixel oracle_variant_pixel(const struct tia_scene *scene, struct o
 /* The oracle as one of the library's arithmetics; its lights cannot be replaced. */
 extern const struct tia_core oracle_core;
 
-/* True if the oracle itself finds another object, or other lights, when it looks `reach` pixels beside the pixel's
- * centre: its rounding errors, some 1e-12 of a pixel, decide there. */
+/* True if the oracle itself finds a different object, or different lights, `reach` pixels beside the pixel's centre:
+ * its rounding errors, some 1e-12 of a pixel, decide there. */
 bool oracle_undecided(const struct tia_scene *scene, unsigned width, unsigned height, unsigned x, unsigned y,
                       double reach);
 

@@ -104,7 +104,7 @@ bool shape_hit(const struct tia_scene *scene, const struct tia_shape *shape, str
     struct oracle_vec scale = position(t->scale);
     if (!local_hit(scene, shape, local_ray(t, ray), hit))
         return false;
-    /* normals transform by the inverse's transpose */
+    /* normals are transformed by the inverse's transpose */
     hit->normal = unit(transform_turn(t, quotient(hit->normal, scale)));
     hit->smooth = unit(transform_turn(t, quotient(hit->smooth, scale)));
     return true;

@@ -49,7 +49,7 @@ static double height(const struct oracle_polygon *p, const double at[3])
     return dot(n, d);
 }
 
-/* Returns the distance of a point of the polygon's plane inside its edges; below 0: outside. */
+/* Returns the depth of a point, in the polygon's plane, inside its edges; below 0: it is outside. */
 static double depth(const struct oracle_polygon *p, const double at[3])
 {
     double n[3], least = INFINITY;
@@ -65,7 +65,7 @@ static double depth(const struct oracle_polygon *p, const double at[3])
     return least;
 }
 
-/* True if x is above 0; *sure is cleared if it is closer than the doubt. */
+/* True if x is above 0; *sure is cleared if x is closer to 0 than the doubt. */
 static bool holds(const struct search *s, double x, bool *sure)
 {
     *sure &= fabs(x) > s->doubt;
@@ -80,7 +80,7 @@ static bool blocks(const struct search *s, const struct oracle_polygon *p, const
 
     if (fabs(ha) < s->doubt || fabs(hb) < s->doubt) {
         double nearer = fmin(fabs(ha), fabs(hb)) == fabs(ha) ? depth(p, a) : depth(p, b);
-        *sure &= nearer < -s->doubt; /* an end in the plane, and maybe on the polygon */
+        *sure &= nearer < -s->doubt; /* an end is in the plane, and perhaps on the polygon */
         return false;
     }
     if (ha * hb > 0)

@@ -9,7 +9,7 @@
 struct oracle_polygon {
     double corner[4][3];
     int count;
-    bool solid; /* only its outside reflects, where its corners run counterclockwise */
+    bool solid; /* only the outside reflects, where the corners run counterclockwise */
 };
 
 struct oracle_path {

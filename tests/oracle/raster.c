@@ -62,7 +62,7 @@ struct ray {
 
 static const struct ray rightwards = {1, 0, 0}, downwards = {0, -1, 0};
 
-/* Returns the direction of a sample, see camera.h: times 2 n^2 to have integers. */
+/* Returns the direction of a sample, see camera.h, times 2 n^2, so that it has integers. */
 static struct ray ray_of(const struct oracle_image *m, int x, int y)
 {
     int n = m->samples == 16 ? 4 : m->samples == 4 ? 2 : 1, i = m->sample % n, j = m->sample / n;
@@ -112,7 +112,7 @@ bool oracle_covers(const struct oracle_image *image, const struct tia_raster_ver
     return wanted != 0;
 }
 
-/* Returns 1/t det along d, by Cramer's rule. */
+/* Returns 1/t times det along d, by Cramer's rule. */
 static struct big height(const struct tia_raster_vertex *v, struct ray d)
 {
     struct big sum = big_of(0);
@@ -143,7 +143,7 @@ int oracle_order(const struct oracle_image *image, const struct tia_raster_verte
     return order ? order : order_along(a, b, downwards);
 }
 
-/* Returns the highest 96 bits or more, rounded: a relative error below 2^-63. */
+/* Returns the value of the highest 96 bits or more, rounded: a relative error below 2^-63. */
 static long double big_value(struct big a)
 {
     long double value = 0;
@@ -270,7 +270,7 @@ void oracle_draw(struct oracle_raster *raster, const struct tia_raster_state *st
                 draw_pixel(raster, state, v, face, x, y);
 }
 
-/* Returns the largest n with 2 n - 1 <= 2 value, found from the highest bit on. */
+/* Interpolates: returns the largest n with 2 n - 1 <= 2 value, found from the highest bit on. */
 int32_t oracle_blend(const struct oracle_image *image, const struct tia_raster_vertex v[3], int x, int y,
                      const int32_t a[3])
 {

@@ -9,27 +9,27 @@
 struct look {
     const struct tia_scene *scene;
     unsigned pixel_class;
-    uint32_t path; /* FNV-1a of the hits */
-    uint32_t rays; /* of the sample, so far */
+    uint32_t path; /* FNV-1a hash of the hits */
+    uint32_t rays; /* number of rays of the sample so far */
 };
 
-/* A ray's history: its factor, bends and straight layers so far, and its media. */
+/* A ray's history: its factor, the bends and straight layers so far, and its media. */
 struct way {
     struct colour weight;
     unsigned bounces, layers;
     struct media media;
 };
 
-/* The data of a hit for its colour. */
+/* A hit, prepared for shading. */
 struct surface {
     const struct tia_material *material;
     struct oracle_vec p, g, n, v; /* the point, the normals and the direction to the viewer */
     double cosine;                /* N.V */
-    struct colour colour;         /* with its texture */
+    struct colour colour;         /* diffuse colour with its texture */
     double opacity;
     bool front;
     uint32_t object;
-    uint32_t cell, opaque_cell; /* of the textures */
+    uint32_t cell, opaque_cell; /* texels of the two textures */
 };
 
 static struct colour trace(struct look *look, struct ray ray, const struct way *way);
@@ -165,7 +165,7 @@ static void add_ray(struct look *look, struct ray ray, struct colour factor, str
     add(sum, 1, product(factor, trace(look, ray, &way)));
 }
 
-/* Gives the refracted ray and its history; F of it goes from kt to kr. */
+/* Gives the refracted ray and its history; moves the part F from kt to kr. */
 static void bend(const struct tia_scene *scene, const struct surface *s, struct way *way, struct ray *ray,
                  struct colour *kr, struct colour *kt)
 {

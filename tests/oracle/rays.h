@@ -19,7 +19,7 @@ static inline double oracle_bias(const struct tia_scene *scene)
 /* True if a scene needs general rays, see tia/scene.h. */
 bool oracle_needs_rays(const struct tia_scene *scene);
 
-/* As oracle_look. The pixel's object and depth are those of its first sample. */
+/* Returns a pixel as oracle_look does; its object and depth are those of its first sample. */
 struct oracle_pixel oracle_rays_look(const struct tia_scene *scene, unsigned width, unsigned height, double x,
                                      double y);
 
@@ -30,8 +30,8 @@ struct ray oracle_camera(const struct tia_camera *camera, const struct tia_fine 
 /* Gives the position of sample n of a pixel whose upper left corner is (0, 0), of 1, 4 or 16 samples. */
 void oracle_sample(unsigned samples, unsigned n, double *x, double *y);
 
-/* Returns the texture at surface coordinates u, v, an opacity as a grey; *cell is the texel, the checker's colour, or
- * ORACLE_BLENDED. */
+/* Result in *cell for a blend of texels. oracle_texture returns the texture at surface coordinates u, v, an opacity as
+ * a grey; *cell is the texel, the checker's colour, or ORACLE_BLENDED. */
 #define ORACLE_BLENDED UINT32_MAX
 struct colour oracle_texture(const struct tia_texture *texture, double u, double v, uint32_t *cell);
 
@@ -45,7 +45,7 @@ struct colour oracle_transmission(const struct tia_scene *scene, struct ray ray,
  * in total reflection. */
 double oracle_fresnel(double cosine, double n1, double n2);
 
-/* Returns the colour along a ray to the pixel (x, y), black when it is no longer traced. */
+/* Returns the colour along a ray of pixel (x, y); black when the ray is no longer traced. */
 struct colour oracle_ray(const struct tia_scene *scene, struct ray ray, unsigned x, unsigned y);
 
 #endif

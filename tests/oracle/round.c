@@ -16,7 +16,7 @@ bool shape_sphere(struct ray ray, struct oracle_vec centre, double radius, struc
     double thc = sqrt(radius * radius - dot(perpendicular, perpendicular));
     double t = tca - thc >= 0 ? tca - thc : tca + thc;
 
-    if (!(t >= 0)) /* not a number when the root is imaginary */
+    if (!(t >= 0)) /* NaN when the root is imaginary */
         return false;
     struct oracle_vec p = sub(along(ray.origin, t, d), centre), n = unit(p);
     double cosine = p.y / radius;
@@ -71,7 +71,7 @@ static int roots(double a, double b, double c, double t[2])
     return 2;
 }
 
-/* Fills in the hit at t when that lies on the side. */
+/* Gives the hit at t when that lies on the side. */
 static bool on_side(const struct side *side, struct ray ray, double t, struct hit *hit)
 {
     struct oracle_vec p = sub(at(ray, t), side->base), u, v;

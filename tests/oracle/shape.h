@@ -6,9 +6,9 @@
 
 /* A ray's hit on a surface. The normals are of length 1 and on the surface's own side. */
 struct hit {
-    double t;                 /* the ray at t: its direction may have any length */
-    struct oracle_vec normal; /* geometric */
-    struct oracle_vec smooth; /* interpolated, or the same */
+    double t;                 /* parameter of the point on the ray, whose direction may have any length */
+    struct oracle_vec normal; /* the geometric normal */
+    struct oracle_vec smooth; /* the interpolated normal, or the geometric one */
     double u, v;
     uint32_t part; /* part of the shape, as in tia_debug.path_hash */
     /* index into the scene's materials; in a shape's own hit, an offset from the shape's material */
@@ -20,13 +20,13 @@ bool shape_sphere(struct ray ray, struct oracle_vec centre, double radius, struc
 bool shape_plane(struct ray ray, struct oracle_vec point, struct oracle_vec normal, struct hit *hit);
 bool shape_disc(struct ray ray, struct oracle_vec centre, struct oracle_vec normal, double radius, struct hit *hit);
 bool shape_cone(struct ray ray, struct oracle_vec base, struct oracle_vec top, double base_radius, double top_radius,
-                bool capped, struct hit *hit); /* equal radii: a cylinder */
+                bool capped, struct hit *hit); /* with equal radii, a cylinder */
 bool shape_box(struct ray ray, struct oracle_vec min, struct oracle_vec max, struct hit *hit);
 bool shape_triangle(struct ray ray, const struct oracle_vec corner[3], struct hit *hit);
 bool shape_mesh(struct ray ray, const struct tia_mesh *mesh, struct hit *hit);
 bool shape_grid(struct ray ray, const struct tia_grid *grid, struct hit *hit);
 
-/* Returns how many groups of a mesh's faces are met before t. */
+/* Returns the number of groups of a mesh's faces that are met before t. */
 unsigned shape_mesh_groups(struct ray ray, const struct tia_mesh *mesh, double t);
 
 /* Intersects a shape of the scene, placed by its transform. */
@@ -35,10 +35,11 @@ bool shape_hit(const struct tia_scene *scene, const struct tia_shape *shape, str
 /* Intersects object `index`: the spheres, then the shapes. A point 65536 or more away from 0 is not met. */
 bool object_hit(const struct tia_scene *scene, uint32_t index, struct ray ray, struct hit *hit);
 
-/* Returns how many groups of object `index`, which the ray meets, it meets before `distance`; 1 without groups. */
+/* Returns the number of groups of object `index`, which the ray meets, that are met before `distance`; 1 without
+ * groups. */
 unsigned groups_hit(const struct tia_scene *scene, uint32_t index, struct ray ray, double distance);
 
-/* Return Rz Ry Rx (scale v) + position of a transform; without the position the inverse of R and its use. */
+/* Return Rz Ry Rx (scale v) + position of a transform; R v; and the inverse rotation of v. */
 struct oracle_vec transform_point(const struct tia_transform *transform, struct oracle_vec v);
 struct oracle_vec transform_turn(const struct tia_transform *transform, struct oracle_vec v);
 struct oracle_vec transform_turn_back(const struct tia_transform *transform, struct oracle_vec v);

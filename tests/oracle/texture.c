@@ -1,7 +1,7 @@
 /* texture.c - the value of a texture. */
 #include "rays.h"
 
-/* Returns the index of a texel; x and y are whole numbers from the upper left, of any size. */
+/* Returns the index of a texel; x and y are integers of any size, counted from the upper left. */
 static uint32_t texel_index(const struct tia_texture *texture, double x, double y)
 {
     double w = texture->width, h = texture->height;
@@ -21,7 +21,7 @@ static struct colour texel(const struct tia_texture *texture, uint32_t index)
     return (struct colour){{p[0] / 255.0, p[1] / 255.0, p[2] / 255.0}};
 }
 
-/* Returns a to b, exactly a where they are equal: opaque texels must not let 1e-16 of the light past. */
+/* Interpolates from a to b, exactly a where they are equal: opaque texels must not transmit 1e-16 of the light. */
 static struct colour between(struct colour a, struct colour b, double part)
 {
     for (int i = 0; i < 3; i++)
@@ -29,7 +29,7 @@ static struct colour between(struct colour a, struct colour b, double part)
     return a;
 }
 
-/* Interpolates the four texels around (x, y), where whole numbers are the centres of texels. */
+/* Interpolates the four texels around (x, y), where the centres of texels have integer coordinates. */
 static struct colour bilinear(const struct tia_texture *texture, double x, double y)
 {
     double left = floor(x), top = floor(y);
@@ -55,7 +55,7 @@ struct colour oracle_texture(const struct tia_texture *texture, double u, double
     *cell = ORACLE_BLENDED;
     if (texture->bilinear)
         return bilinear(texture, u * texture->width - 0.5, (1 - v) * texture->height - 0.5);
-    /* from the lower left a texel has its lower and left edge */
+    /* counted from the lower left, a texel includes its lower and left edge */
     *cell = texel_index(texture, floor(u * texture->width), texture->height - 1 - floor(v * texture->height));
     return texel(texture, *cell);
 }

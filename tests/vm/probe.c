@@ -5,10 +5,10 @@
  *   probe push N TEXT       TEXT as if typed on tty N, a newline after it; no keyboard involved
  *   probe fb DEVICE         geometry and pixel format of a framebuffer
  *   probe master DEVICE     a DRM master that stays until it is killed
- *   probe grabbed           the event devices that somebody has grabbed
+ *   probe grabbed           the event devices that are grabbed by any program
  *   probe as UID COMMAND    COMMAND by that user, with no signal ignored
  *   probe keyboard NAME     a virtual keyboard fed by lines "CODE VALUE" on standard input
- */
+ * */
 #include <errno.h>
 #include <fcntl.h>
 #include <linux/fb.h>
@@ -146,7 +146,7 @@ int main(int argc, char **argv)
 {
     static const struct {
         const char *name;
-        int arguments; /* at least */
+        int arguments; /* least number of arguments */
         int (*run)(char **argv);
     } commands[] = {{"vt", 1, vt},         {"text", 1, text},       {"push", 2, push},         {"fb", 1, fb},
                     {"master", 1, master}, {"grabbed", 0, grabbed}, {"keyboard", 1, keyboard}, {"as", 2, as}};

@@ -48,7 +48,7 @@ static int view(const char **why)
         .hooks = {.memory = take_arena, .frame_done = tell_frame},
     };
     struct tia_mode mode;
-    scene.camera.samples = 1; /* such a processor has time for only one ray per pixel */
+    scene.camera.samples = 1; /* one ray per pixel, since such a processor has no time for more */
     int status = panel_keyboard.open(why);
     if (!status)
         status = panel_display.open(why, &mode);

@@ -1,11 +1,11 @@
 /* calibration.c - reads visual.json, the calibration that a Looking Glass holds: each value under its name, as a number
  * or in an object's "value".
  *
- * HoloPlayCore's shader, as Looking Glass Factory has published it, needs the lenses to the picture's width, and the
- * phase gained over its height, as a part of them:
+ * HoloPlayCore's shader, as Looking Glass Factory has published it, needs the number of lenses in the picture's width,
+ * and the phase gained over its height relative to that number:
  *
  *     pitch' = pitch screenW/DPI cos(atan(1/slope)),   tilt = +-screenH/(screenW slope),   - if flipImageX.
- */
+ * */
 #include <math.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -17,12 +17,12 @@ enum {
     CODE = 256,        /* code of the first row for getopt_long: greater than any letter */
     TEXT_SIZE = 400,
     LINE_WIDTH = 100,
-    LEFT_MOST = 32 /* column of the help texts; wider rows have theirs on the next line */
+    LEFT_MOST = 32 /* width of the column of options; wider rows have their help text on the next line */
 };
 
 /* ---- values ---- */
 
-/* Returns the index of `value` among the words of "a|b|c"; -1 if it is none of them. */
+/* Returns the index of `value` among the words of "a|b|c"; -1 if it is not one of them. */
 static int word_of(const char *words, const char *value)
 {
     size_t length = strlen(value);
@@ -74,7 +74,8 @@ static bool parse_decimal(const struct option_row *row, const char *value, uint6
     return fine && *number >= row->min && *number <= row->max;
 }
 
-/* Reads the one or two numbers of a value; texts and parsed values have none. `word` is its index among the words. */
+/* Reads the one or two numbers of a value; texts and parsed values have no numbers. `word` is its index among the
+ * words. */
 static bool parse_numbers(const struct option_row *row, const char *value, int word, uint64_t numbers[2])
 {
     switch (row->kind) {
@@ -198,7 +199,7 @@ static unsigned format_left(const struct option_row *row, char *text, size_t siz
                               row->argument ? " " : "", row->argument ? row->argument : "");
 }
 
-/* Writes the row's help, with the limits in place of '#'. */
+/* Writes the row's help text, with the limits in place of '#'. */
 static void format_right(const struct option_row *row, char *text, size_t size)
 {
     const char *mark = strchr(row->help, '#');

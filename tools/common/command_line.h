@@ -6,8 +6,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* The kinds of an option's value, each with the type of the member that gets it. Where the argument is a list of words,
- * "srgb|linear", only these are accepted, in upper or lower case, unless a parser of the row's own accepts more. */
+/* The kinds of an option's value, each with the type of the member that receives it. Where the argument is a list of
+ * words, "srgb|linear", only these are accepted, in upper or lower case, unless the row has a parser that accepts
+ * more. */
 enum option_kind {
     OPTION_FLAG,    /* no value: bool, which becomes true */
     OPTION_TEXT,    /* any text: const char * */
@@ -23,22 +24,23 @@ enum option_kind {
 };
 
 struct option_row {
-    const char *name; /* without hyphens; NULL ends a table */
-    char letter;      /* '\0': none */
+    const char *name; /* the name without hyphens; NULL ends a table */
+    char letter;      /* a short name; '\0': none */
     enum option_kind kind;
-    const char *argument; /* for --help: capitals stand for values, all else is literal. NULL: the option takes none */
-    const char *help;     /* '#' stands for the limits */
+    const char *argument; /* for --help: capitals stand for values, all else is literal. NULL: the option has no
+                             argument */
+    const char *help;     /* text of --help; '#' stands for the limits */
 
     /* Offsets in the command's struct. */
     size_t at, size; /* the member that gets the value */
-    size_t second;   /* the member, of the same size, that gets the second of two numbers; 0: none */
+    size_t second;   /* the member, of the same size, that receives the second of two numbers; 0: none */
     size_t given;    /* a bool that becomes true; 0: none */
 
     uint64_t min, max;
     int bits;
-    /* Stores a value. Returns NULL, or a message, "" for the one made from `rule`. May change the value. */
+    /* stores a value; returns NULL, or a message, "" for the one made from `rule`; may change the value */
     const char *(*parse)(void *options, char *value);
-    const char *rule; /* the allowed values, for messages: "not a rate (...)". NULL: made from the row */
+    const char *rule; /* the allowed values, for messages: "not a rate (...)"; NULL: made from the row */
 };
 
 /* The member of struct `type` that gets a row's value. */
@@ -60,8 +62,8 @@ struct command {
 
 enum { COMMAND_RUN = -1 };
 
-/* Stores the options in the command's struct, which already holds the defaults. Returns COMMAND_RUN, with the arguments
- * that are left in argc and argv; or the exit status: 0 after --help and --version, 1 if these could not be printed, 2
+/* Stores the options in the command's struct, which already holds the defaults. Returns COMMAND_RUN, with the remaining
+ * arguments in argc and argv; or the exit status: 0 after --help and --version, 1 if these could not be printed, 2
  * after an error message. */
 int command_parse(const struct command *command, void *options, int *argc, char ***argv);
 

@@ -10,24 +10,24 @@
 
 struct request {
     const char *scene, *output; /* paths; "-": standard input, standard output */
-    int format;                 /* of the scene; SCENE_UNKNOWN: by the file's name */
+    int format;                 /* format of the scene; SCENE_UNKNOWN: by the file's name */
     bool strict;
-    const char *symbol; /* --name */
+    const char *symbol; /* value of --name */
     char source[64];    /* the scene's name, made safe for a comment */
 
-    /* Of a command with `write_memory`. */
+    /* For a command with `write_memory`. */
     const char *memory; /* --memory: NULL, or a path; then `output` may be NULL */
     uint32_t lights;    /* --lights: 0 when it is not given */
     uint16_t tiles[CONVERT_TILES][2];
-    unsigned tile_count; /* --size: widths and heights */
+    unsigned tile_count; /* number of --size options, each a width and a height */
 };
 
 struct converter {
-    const struct command *command; /* of struct request */
+    const struct command *command; /* its options fill a struct request */
     const char *symbol;            /* default of --name */
-    /* Writes request->output. TIA_OK, or a failure with the reason in `why`, PORT_WHY bytes. */
+    /* writes request->output; returns TIA_OK, or a failure with the reason in `why`, PORT_WHY bytes */
     int (*write)(const struct request *request, const struct tia_scene *scene, char *why);
-    /* NULL, or writes request->memory in the same way. */
+    /* NULL, or writes request->memory in the same way */
     int (*write_memory)(const struct request *request, const struct tia_scene *scene, char *why);
 };
 

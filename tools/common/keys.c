@@ -10,7 +10,7 @@ static const struct {
 } named[] = {{"<left>", TIA_KEY_LEFT}, {"<right>", TIA_KEY_RIGHT},  {"<up>", TIA_KEY_UP},
              {"<down>", TIA_KEY_DOWN}, {"<pgup>", TIA_KEY_PAGE_UP}, {"<pgdn>", TIA_KEY_PAGE_DOWN}};
 
-/* Returns the length of the key's name at `text`; 0 if there is none. */
+/* Returns the length of the key's name at the start of `text`; 0 if there is none. */
 static size_t key_at(const char *text, const struct tia_scene *scene, uint16_t *key)
 {
     for (size_t i = 0; i < sizeof named / sizeof named[0]; i++) {

@@ -5,7 +5,7 @@
 #include <tia/scene.h>
 
 /* Parses "ad<left>" as key codes, at most one per character; accepts only keys that set or move a light of `scene`.
- * *bad is set to the place of an error. */
+ * *bad receives the position of an error. */
 bool keys_parse(const char *text, const struct tia_scene *scene, uint16_t *keys, size_t *count, const char **bad);
 
 #endif

@@ -1,5 +1,4 @@
-/* lenticular.h - the geometry of a panel's lenses: from an option, or from the calibration that a Looking Glass holds.
- */
+/* lenticular.h - the geometry of a panel's lenses: from an option, or from the calibration file of a Looking Glass. */
 #ifndef TOOLS_LENTICULAR_H
 #define TOOLS_LENTICULAR_H
 
@@ -7,19 +6,19 @@
 
 struct lenticular {
     struct tia_lenticular lens;
-    uint16_t width, height; /* of the panel; 0: not known */
+    uint16_t width, height; /* size of the panel; 0: unknown */
     char why[480];          /* reason of a failure */
 };
 
 /* Parses --lenticular "pitch=50.2,slope=-7.1,center=0.3,subpixels=bgr,flip,invert": fields in any order, of which only
- * pitch is needed. Pitch is lenses to the picture's width; slope is rows to a column along a lens, none: upright.
- * TIA_OK; TIA_ERR_RANGE or TIA_ERR_MEMORY with the reason, which names the option. */
+ * pitch is needed. `pitch` is the number of lenses in the picture's width; `slope` the number of rows for a column
+ * along a lens, upright without it. TIA_OK; TIA_ERR_RANGE or TIA_ERR_MEMORY with the reason, which names the option. */
 int lenticular_parse(struct lenticular *panel, const char *text);
 
 /* Sets a lens from numbers; false: one of them is not a number or is beyond TIA_PITCH_MAX. `rise` is pitch/slope. */
 bool lenticular_set(struct tia_lenticular *lens, double pitch, double rise, double centre);
 
-/* Reads visual.json. TIA_OK; TIA_ERR_RANGE, or TIA_ERR_DEVICE if there is no such file to read, with the reason. */
+/* Reads visual.json. TIA_OK; TIA_ERR_RANGE, or TIA_ERR_DEVICE if the file cannot be read, with the reason. */
 int calibration_read(struct lenticular *panel, const char *path);
 
 #endif

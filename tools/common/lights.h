@@ -6,7 +6,7 @@
 
 struct lights {
     struct tia_light *array, *kept; /* array and room of the same size, see viewer.h */
-    bool *detached;                 /* lights that a key has set or moved: they no longer follow their tracks */
+    bool *detached;                 /* marks lights that a key has set or moved: they no longer follow their tracks */
     uint32_t count, capacity;
 };
 
@@ -14,10 +14,10 @@ struct lights {
 bool lights_copy(struct lights *lights, const struct tia_scene *scene);
 void lights_free(struct lights *lights);
 
-/* Presses `count` keys. */
+/* Applies `count` key presses to the lights. */
 void lights_press(struct lights *lights, const struct tia_scene *scene, const uint16_t *keys, size_t count);
 
-/* Sets the lights that no key holds to those of the scene. */
+/* Sets the lights that no key has set or moved to those of the scene. */
 void lights_follow(struct lights *lights, const struct tia_scene *scene);
 
 #endif

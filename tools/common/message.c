@@ -13,7 +13,7 @@ void message_clean(char *text)
 
 int message_list(const char *tool, int status, const char *format, va_list values)
 {
-    char text[1400]; /* longer messages are cut */
+    char text[1400]; /* the message; longer ones are cut */
 
     (void)vsnprintf(text, sizeof text, format, values);
     message_clean(text);

@@ -4,19 +4,19 @@
 
 #include <stdarg.h>
 
-/* Makes the text one line: control characters, as in odd file names, become '?'. */
+/* Makes a single line of the text: control characters, as in odd file names, become '?'. */
 void message_clean(char *text);
 
 /* Prints "TOOL: " and the text, cleaned. Returns `status`. */
 __attribute__((format(printf, 3, 4))) int message(const char *tool, int status, const char *format, ...);
 
-/* The same of a list of arguments. */
+/* Prints a message as message() does, from a list of arguments. */
 int message_list(const char *tool, int status, const char *format, va_list values);
 
 /* Prints "TOOL: WHAT: WHY", or "TOOL: WHAT" where there is no why (""). Returns `status`. */
 int message_why(const char *tool, int status, const char *what, const char *why);
 
-/* Prints a text to standard output, as after --help. Returns 0, or 1 after a message that it could not be written. */
+/* Prints a text to standard output, as for --help. Returns 0, or 1 after a message that it could not be written. */
 int message_output(const char *tool, const char *text);
 
 #endif

@@ -1,5 +1,5 @@
 /* modules.h - projectors behind a light-field display's screen: "32,distance=0.5,spacing=0.02", lengths in the scene's
- * unit. They stand in a row along the screen, their middle behind its middle. */
+ * unit. They stand in a row along the screen, centred behind it. */
 #ifndef TOOLS_MODULES_H
 #define TOOLS_MODULES_H
 
@@ -9,12 +9,13 @@ enum { MODULES_MAX = 65536 };
 
 struct modules {
     uint32_t count;
-    tia_q16 distance, spacing; /* from the screen; from one to the next */
+    tia_q16 distance, spacing; /* distance from the screen; spacing from one to the next */
 };
 
-/* Parses the text; returns NULL, or the reason why it is wrong. The scene has an observer line. By default the modules
- * are half as far from the screen as that is, and so wide apart that every position on the line gets all of the screen.
- */
+/* Parses the text; returns NULL, or the reason why it is wrong. The scene has an observer line. By default the modules'
+ * distance from the screen is half that of the line, and their spacing lights all of the screen for every position on
+ * the line.
+ * */
 const char *modules_parse(struct modules *modules, const char *text, const struct tia_scene *scene);
 
 /* Returns the position of module `module`, from the screen's middle: (module - (count - 1)/2) spacing, halves rounded

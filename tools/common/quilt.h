@@ -4,10 +4,10 @@
 
 #include <tia/lightfield.h>
 
-/* True if a file's name is that of a quilt; `aspect` in thousandths, rounded down. */
+/* True if a file's name is that of a quilt; `aspect` receives thousandths, rounded down. */
 bool quilt_named(const char *path, struct tia_quilt *quilt, uint32_t *aspect);
 
-/* Gives the size of a quilt when the user gives none: views 480 pixels high, fewer if that is too many. */
+/* Gives the size of a quilt for which the user gives none: views 480 pixels high, fewer if that is too many. */
 void quilt_size(const struct tia_quilt *quilt, uint32_t aspect, uint16_t *width, uint16_t *height);
 
 #endif

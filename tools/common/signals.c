@@ -7,10 +7,10 @@
 enum { ENDING = 4 };
 static const int ending[ENDING] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
 
-/* Global, since signals belong to the process. */
-static sigset_t set;         /* of `ending`, those that the parent process does not ignore */
-static sigset_t mask_before; /* before signals_hold */
-static sigset_t mask_of_all; /* before signals_catch_waiting */
+/* Signal masks, which are global since signals belong to the process. */
+static sigset_t set;         /* signals of `ending` that the parent process does not ignore */
+static sigset_t mask_before; /* mask before signals_hold */
+static sigset_t mask_of_all; /* mask before signals_catch_waiting */
 static unsigned holds;
 static struct signals_cleanup *cleanups;
 static volatile sig_atomic_t noted;
@@ -24,7 +24,7 @@ static void end(int number)
     for (const struct signals_cleanup *cleanup = cleanups; cleanup; cleanup = cleanup->next)
         cleanup->undo(cleanup->arg);
     (void)sigaction(number, &action, NULL);
-    (void)raise(number); /* takes effect when the handler returns: until then it is blocked */
+    (void)raise(number); /* takes effect when the handler returns: until then the signal is blocked */
 }
 
 /* Installs a handler. While a signal is handled, the others are blocked. Without SA_RESTART, so that a noted signal

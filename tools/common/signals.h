@@ -28,7 +28,7 @@ void signals_prepare(void);
 
 /* Holds all signals, to create a file and register its cleanup. Calls nest. */
 void signals_hold(void);
-/* Allows them again. */
+/* Allows the signals again. */
 void signals_allow(void);
 
 /* Registers a cleanup. */

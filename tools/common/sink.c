@@ -11,7 +11,7 @@
 #include "inputs.h"
 #include "ports.h"
 
-/* Stores the reason of the first failure, since it causes the later ones. */
+/* Stores the reason of the first failure, since the first causes the later ones. */
 static int refuse(struct sink *sink, const char *reason)
 {
     if (!sink->failed)
@@ -31,7 +31,7 @@ static int open_directly(struct sink *sink)
     return sink->fd >= 0 ? TIA_OK : fail(sink, errno);
 }
 
-/* Opens a temporary file. A symbolic link stays: the file that it points to is replaced, or created. */
+/* Opens a temporary file. A symbolic link stays a link: the file that it points to is replaced, or created. */
 static int open_beside(struct sink *sink, const struct stat *before)
 {
     sink->path = temporary_target(sink->name);
@@ -102,8 +102,8 @@ int sink_write(struct sink *sink, const void *bytes, size_t count)
 }
 
 /* Seals the file. Without fsync, the system may report a full disk only after the rename, and a crash may leave an
- * empty file. Only for regular files: pipes and devices refuse it, but may report a failure when they are closed. A
- * regular file stays open until it is renamed, as closing it would release the lock. */
+ * empty file. Calls fsync only for regular files: pipes and devices refuse it, but may report a failure when they are
+ * closed. A regular file stays open until it is renamed, as closing it would release the lock. */
 int sink_seal(struct sink *sink)
 {
     if (!sink->failed)
@@ -136,7 +136,7 @@ int sink_commit(struct sink *sink)
     return !status ? sink_publish(sink) : status;
 }
 
-/* Removes the file before closing it, so that it never is a leftover without a lock. */
+/* Removes the file before closing it, so that no file without a lock is ever left over. */
 void sink_discard(struct sink *sink)
 {
     temporary_remove(&sink->temporary);

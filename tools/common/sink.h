@@ -9,9 +9,9 @@
 
 struct sink {
     int fd;                     /* -1: none */
-    char *path;                 /* the file's final name; NULL: written directly */
-    struct temporary temporary; /* its name until then */
-    const char *name;           /* for messages */
+    char *path;                 /* the file's final name; NULL: the file is written directly */
+    struct temporary temporary; /* the file's name until it is published */
+    const char *name;           /* name in messages */
     char *why;
     size_t used;
     bool failed;
@@ -28,7 +28,7 @@ int sink_seal(struct sink *sink);
 
 /* Ends the sink: gives a sealed file its final name. After a failure no file is left. */
 int sink_publish(struct sink *sink);
-/* Seals and publishes. */
+/* Seals and publishes the file. */
 int sink_commit(struct sink *sink);
 /* Ends the sink without a file. */
 void sink_discard(struct sink *sink);

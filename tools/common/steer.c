@@ -3,7 +3,7 @@
 #include <tia/orbit.h>
 
 #define STEP TIA_Q16(5)       /* degrees of a step by a key that orbits */
-#define PIXEL_STEP TIA_Q16(1) /* degrees of four pixels of a mouse */
+#define PIXEL_STEP TIA_Q16(1) /* degrees of a mouse's movement by four pixels */
 #define TURN 180              /* degrees of a drag through the whole picture */
 
 bool steer_points(const struct tia_event *event)

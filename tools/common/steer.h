@@ -4,7 +4,7 @@
 
 #include <tia/viewer.h>
 
-/* All zero at first. */
+/* State of the pointer; all zero at first. */
 struct steer {
     bool has_place; /* last position of the pointer */
     int32_t x, y;
@@ -14,7 +14,7 @@ bool steer_points(const struct tia_event *event); /* true if the event comes fro
 bool steer_is_arrow(uint16_t key);                /* arrow keys, page up and page down */
 bool steer_takes(const struct tia_event *event);  /* true for a key that moves the camera */
 
-/* Moves the camera, for an event of a pointer or a key that is taken: TIA_EFFECT_CAMERA, or TIA_EFFECT_NONE when it
+/* Moves the camera by an event of a pointer or of a key that moves it: TIA_EFFECT_CAMERA, or TIA_EFFECT_NONE when it
  * moves nothing. A camera without a reference point gets one from the scene. */
 enum tia_effect steer(struct steer *steer, const struct tia_scene *scene, const struct tia_event *event,
                       struct tia_camera *camera);

@@ -11,7 +11,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-enum { NAMES = 64, LINKS_MOST = 40 }; /* runs for one name at once; links, as many as Linux follows */
+enum { NAMES = 64, LINKS_MOST = 40 }; /* runs with one name at once; links to follow, as many as in Linux */
 
 /* ---- names ---- */
 
@@ -39,7 +39,7 @@ char *temporary_target(const char *name)
     return NULL;
 }
 
-/* FNV-1a. */
+/* Returns the FNV-1a hash of a text. */
 static uint32_t hash(const char *text)
 {
     uint32_t sum = UINT32_C(2166136261);
@@ -63,7 +63,7 @@ static char *name_beside(const char *path, unsigned number)
 
 /* ---- locks ---- */
 
-/* True if `name` is still the name of this file, and it is ours. */
+/* True if `name` is still the name of this file, and the user owns it. */
 static bool has_name(int fd, const char *name)
 {
     struct stat file, named;
@@ -71,8 +71,8 @@ static bool has_name(int fd, const char *name)
            file.st_ino == named.st_ino && (file.st_uid == geteuid() || geteuid() == 0);
 }
 
-/* Removes the file unless another process is writing it. Checks its name again under the lock: others may have removed
- * it and created a new one before. */
+/* Removes the file unless another process is writing it. Checks its name again under the lock: another process may have
+ * removed it and created a new one before. */
 static void remove_left(const char *name)
 {
     int fd = open(name, O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
@@ -84,7 +84,7 @@ static void remove_left(const char *name)
 }
 
 /* Creates and locks a file. Before it is locked, another run may take it for a leftover and remove it: then this one
- * fails, and the next name is tried. On file systems without locks it goes on without one, and leftovers stay. */
+ * fails, and the next name is tried. On file systems without locks the file has none, and leftovers stay. */
 static int create_locked(const char *name, mode_t mode)
 {
     int fd = open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOCTTY, mode);
@@ -122,8 +122,8 @@ static int take_name(struct temporary *temporary, char *name, mode_t mode)
     return fd;
 }
 
-/* Copies owner and mode from the file that will be replaced, but not the setuid and setgid bits, which writing to it
- * would clear, too. Only root may change owners, so a failure of that does not count. */
+/* Copies owner and mode from the file that will be replaced, but not the setuid and setgid bits, which a write would
+ * clear, too. Only root may change owners, so a failure of that does not count. */
 static bool make_like(int fd, const struct stat *before)
 {
     bool owned = fchown(fd, before->st_uid, before->st_gid) == 0 || fchown(fd, (uid_t)-1, before->st_gid) == 0;
@@ -143,8 +143,7 @@ static int finish(struct temporary *temporary, int fd, const struct stat *before
     return fd;
 }
 
-/* Creates the file. Checks all names, since a leftover can have any of them: other runs may have had the names before
- * it. */
+/* Creates the file. Checks all names, since a leftover can have any of them: other runs may have had the lower ones. */
 int temporary_create(struct temporary *temporary, const char *path, const struct stat *before)
 {
     mode_t mode = before ? S_IRUSR | S_IWUSR : S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH;

@@ -11,7 +11,7 @@
 #include "signals.h"
 
 struct temporary {
-    char *name; /* NULL: there is none */
+    char *name; /* name of the file; NULL: there is none */
     struct signals_cleanup cleanup;
 };
 
@@ -24,10 +24,10 @@ char *temporary_target(const char *name);
  * a descriptor, or -1 and errno. */
 int temporary_create(struct temporary *temporary, const char *path, const struct stat *before);
 
-/* Gives it its final name. 0, or -1 and errno, and then it still has to be removed. */
+/* Gives the file its final name. 0, or -1 and errno, and then it still has to be removed. */
 int temporary_rename(struct temporary *temporary, const char *path);
 
-/* Does nothing if there is none. */
+/* Removes the file; does nothing if there is none. */
 void temporary_remove(struct temporary *temporary);
 
 #endif

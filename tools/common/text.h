@@ -12,15 +12,15 @@ struct text {
     char last;       /* the last byte written */
 };
 
-/* Like sink_open: the name "-" is standard output; `why` has PORT_WHY bytes. */
+/* Opens the file as sink_open does: the name "-" is standard output; `why` has PORT_WHY bytes. */
 int text_open(struct text *text, const char *name, char *why);
 
-/* Like printf, at most TEXT_MOST bytes per call. Failures are kept; checking text_close is enough. */
+/* Prints as printf does, at most TEXT_MOST bytes per call. Failures are kept; checking text_close is enough. */
 #define TEXT_MOST 1024
 __attribute__((format(printf, 2, 3))) void text_print(struct text *text, const char *format, ...);
 
-/* Does the same for a word of a paragraph: separates it by a space, or by a new line if it would not fit. No space
- * before a leading comma. */
+/* Prints a word of a paragraph: separated by a space, or by a new line if it would not fit. No space before a leading
+ * comma. */
 __attribute__((format(printf, 2, 3))) void text_word(struct text *text, const char *format, ...);
 
 int text_close(struct text *text);

@@ -8,8 +8,9 @@
 
 #include "clock.h"
 
-/* Enough for the core, whose stack depth is bounded, and for compressing a file. The default of 8 MB could exceed a
- * limit on the address space. ThreadSanitizer keeps its data about a thread on the thread's stack as well. */
+/* Size of a thread's stack: enough for the core, whose stack depth is bounded, and for compressing a file. The default
+ * of 8 MB could exceed a limit on the address space. ThreadSanitizer keeps its data about a thread on the thread's
+ * stack as well. */
 #ifdef __SANITIZE_THREAD__
 #define STACK_BYTES (4096u * 1024u)
 #else
@@ -22,24 +23,24 @@
 #define SPIN_US 100u
 #define SLEEP_TIMES 8u
 
-/* A pool. `round` and `busy` change without the lock. A thread that is to be woken is counted in `asleep` or `waits`
- * before it checks for the last time; the thread that changes what it waits for checks these afterwards. All of these
+/* A pool. `round` and `busy` change without the lock. A thread that must be woken is counted in `asleep` or `waits`
+ * before it checks for the last time; the thread that changes the condition checks these afterwards. All of these
  * accesses are in one total order, so one of the two sees the other's. */
 struct threads {
-    pthread_mutex_t lock; /* for sleeping */
+    pthread_mutex_t lock; /* protects the sleep of threads */
     pthread_cond_t begin, end;
     pthread_mutex_t door; /* lock for enter and leave */
-    unsigned started;     /* threads besides the caller */
+    unsigned started;     /* number of threads besides the caller */
     bool spins;           /* each thread has a processor */
-    atomic_uint round;    /* counts the calls of run that need others, and the call that ends them */
-    atomic_uint busy;     /* threads that may still run jobs of this round */
-    atomic_uint asleep;   /* threads that wait for `begin` */
+    atomic_uint round;    /* counts the calls of run that need other threads, and the call that ends them */
+    atomic_uint busy;     /* number of threads that may still run jobs of this round */
+    atomic_uint asleep;   /* number of threads that wait for `begin` */
     atomic_bool waits;    /* the caller waits for `end` */
     atomic_bool quit;
     void (*job)(void *arg, unsigned index);
     void *arg;
     unsigned count;
-    unsigned sleeps;  /* the caller's count, see spin */
+    unsigned sleeps;  /* `sleeps` of the caller, see spin */
     atomic_uint next; /* the next job to run */
     struct tia_workers workers;
     pthread_t thread[];
@@ -86,8 +87,8 @@ static void pause_briefly(void)
 #endif
 }
 
-/* Spins; true if `done` became true within SPIN_US. `*sleeps` is the number of times yet to sleep at once, each
- * thread's own. */
+/* Spins; true if `done` became true within SPIN_US. `*sleeps`, one for each thread, is the number of times that it will
+ * sleep without spinning. */
 static bool spin(struct threads *pool, bool (*done)(struct threads *pool, unsigned seen), unsigned seen,
                  unsigned *sleeps)
 {

@@ -11,8 +11,8 @@ struct threads;
 /* Returns the number of processors that this process may use, 1..THREADS_MAX. */
 unsigned threads_processors(void);
 
-/* Creates a pool of `count` threads: the caller of run and count - 1 others, which block signals. If the system gives
- * fewer threads, the pool works with those. NULL: no memory. */
+/* Creates a pool of `count` threads: the caller of run and count - 1 others, which block signals. If the system permits
+ * fewer threads, the pool has fewer. NULL: no memory. */
 struct threads *threads_create(unsigned count);
 
 /* Returns the number of threads, including the caller of run. */
@@ -21,10 +21,10 @@ unsigned threads_count(const struct threads *pool);
 /* Ends the threads. NULL is allowed. */
 void threads_destroy(struct threads *pool);
 
-/* As tia_workers.run. Do not call it from a job, nor from two threads at once. */
+/* Runs jobs, see tia_workers.run. Do not call it from a job, nor from two threads at once. */
 void threads_run(struct threads *pool, void (*job)(void *arg, unsigned index), void *arg, unsigned count);
 
-/* The pool's threads as tia takes them, while there is the pool; NULL without one. */
+/* Returns the pool's threads as workers, valid as long as the pool; NULL without a pool. */
 const struct tia_workers *threads_workers(const struct threads *pool);
 
 #endif

@@ -9,9 +9,9 @@
 
 struct heatmap {
     unsigned width, height, panels;
-    const tia_rgb565 *colours;              /* of the verdicts from 1 on; 0: no difference */
+    const tia_rgb565 *colours;              /* colours of the verdicts from 1 on; 0 means no difference */
     tia_rgb565 *picture;                    /* the reference's picture */
-    unsigned char *verdict[HEATMAP_PANELS]; /* for each pixel */
+    unsigned char *verdict[HEATMAP_PANELS]; /* verdict of each pixel */
 };
 
 /* Allocates memory for a frame; false: no memory. Call heatmap_free in either case. */
@@ -27,8 +27,8 @@ void heatmap_mark(void *map, unsigned core, enum verdict verdict, const struct m
 
 /* Draws `path`: for each panel, from left to right, the reference's picture in dark grey with a square on each pixel
  * that differs, or the pixel alone where more than HEATMAP_MANY do. Where squares overlap the higher verdict is
- * visible. It appears when *sealed is published; `path` and `why`, [PORT_WHY] bytes, must outlive that. A negative
- * tia_status on failure, with the reason in `why`. */
+ * visible. The file appears when *sealed is published; `path` and `why`, [PORT_WHY] bytes, must outlive that. A
+ * negative tia_status on failure, with the reason in `why`. */
 int heatmap_draw(const struct heatmap *map, const char *path, char *why, struct image **sealed);
 
 #endif

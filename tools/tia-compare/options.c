@@ -72,7 +72,7 @@ static int mistake(const char *what, const char *why)
     return message_why("tia-compare", 2, what, why);
 }
 
-/* Arithmetics and techniques are compared in runs of their own. */
+/* Checks --shadows: arithmetics and techniques are compared in separate runs. */
 static int check_shadows(struct options *options)
 {
     bool others = options->random || options->rays_random || options->thesis || options->summary ||

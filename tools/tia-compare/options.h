@@ -14,18 +14,20 @@ struct options {
     uint64_t seed;
     char **scenes; /* files, scene_count of them */
     int scene_count;
-    uint16_t width, height; /* 0: 1920x1080 for the built-in scene, 640x480 for files, random scenes choose their own */
+    uint16_t width, height; /* 0: the default, 1920x1080 for the built-in scene, 640x480 for files; random scenes choose
+                               their own */
     unsigned threads;
     bool json, summary;
     const char *heatmap;
-    double require_identical;      /* percent; negative: not given */
-    int64_t max_flips, max_levels; /* negative: not given */
-    bool shadows;                  /* compare techniques for shadows instead */
-    unsigned light, best_of;       /* with shadows; light 0: all */
-    const char *technique;         /* only this one; NULL: all */
+    double require_identical;      /* least percentage of identical pixels; negative: not given */
+    int64_t max_flips, max_levels; /* limits; negative: not given */
+    bool shadows;                  /* compare techniques for shadows instead of arithmetics */
+    unsigned light, best_of;       /* with `shadows`: number of the light to compare, 0 for all lights */
+    const char *technique;         /* the only technique to compare; NULL: all */
 };
 
-/* COMMAND_RUN; or the status to exit with, 0 after --help and --version, else after an error message. */
+/* Parses the command line. Returns COMMAND_RUN; or the status to exit with, 0 after --help and --version, else after an
+ * error message. */
 int options_parse(struct options *options, int argc, char **argv);
 
 #endif

@@ -11,16 +11,16 @@ struct pictures {
     unsigned count;
     struct image **images;
     char **paths;
-    char why[PORT_WHY]; /* after a failure */
+    char why[PORT_WHY]; /* reason of a failure */
 };
 
 /* Begins a run of `most` frames. False: no memory; pictures_end is safe in either case. */
 bool pictures_begin(struct pictures *pictures, const char *name, unsigned most);
 
-/* Draws the next one; pictures_publish gives it its name. A negative tia_status on failure. */
+/* Draws the next heatmap; pictures_publish gives it its name. A negative tia_status on failure. */
 int pictures_add(struct pictures *pictures, const struct heatmap *map);
 
-/* Gives all of them their names. A negative tia_status on failure. */
+/* Gives all heatmaps their names. A negative tia_status on failure. */
 int pictures_publish(struct pictures *pictures);
 
 /* Removes pictures that were not published. */

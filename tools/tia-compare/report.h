@@ -6,8 +6,8 @@
 
 struct report {
     bool json, summary;
-    const struct measure *what; /* for its reference and cores */
-    unsigned frames;            /* frames so far */
+    const struct measure *what; /* has the names of the reference and the cores */
+    unsigned frames;            /* number of frames so far */
     struct tally sums[MEASURE_CORES];
 };
 

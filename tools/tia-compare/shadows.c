@@ -26,10 +26,10 @@ struct comparison {
     struct pictures pictures;
     const char *name; /* name of the scene */
     struct technique_job job;
-    uint64_t mask; /* the samples that are compared */
+    uint64_t mask; /* set of the light samples that are compared */
     struct technique_frame reference;
     struct shadows_row rows[TECHNIQUES];
-    unsigned count; /* rows; the first one is the reference's */
+    unsigned count; /* number of rows; the first one is the reference's */
     struct heatmap map;
 };
 
@@ -235,7 +235,7 @@ static int check_scene(const struct comparison *c)
             return 0;
         first = first.field ? first : fault;
     }
-    if (!first.field) /* only traced rays are wanted */
+    if (!first.field) /* no technique but traced rays is selected */
         return 0;
     (void)snprintf(why, sizeof why, "--shadows: %s %u: %s: %s", first.thing, (unsigned)first.index, first.field,
                    first.rule);

@@ -5,7 +5,7 @@
 #include "common/thread_pool.h"
 #include "options.h"
 
-/* Compares in each scene of the command line; returns the exit status, after an error message. */
+/* Compares techniques in each scene of the command line; returns the exit status, after an error message. */
 int shadows_compare(const struct options *options, struct threads *pool);
 
 #endif

@@ -12,25 +12,25 @@
 struct shadows_row {
     const char *name;
     bool fits;              /* false: `fault` has the reason, and the rest is not set */
-    struct tia_fault fault; /* without a field: a point is too far away */
+    struct tia_fault fault; /* the scene's fault; without a field: a point is too far away */
     uint64_t objects, dark, lit, colours;
     uint64_t wall_us, cpu_us, bytes;
 };
 
 struct shadows_report {
     bool json;
-    unsigned scenes; /* scenes so far */
+    unsigned scenes; /* number of scenes so far */
 };
 
 /* Data common to the rows of a scene. */
 struct shadows_table {
     const char *scene, *reference;
     unsigned width, height;
-    uint64_t seen;  /* pixels with an object */
-    unsigned light; /* 0: all */
+    uint64_t seen;  /* number of pixels with an object */
+    unsigned light; /* number of the compared light; 0: all */
     const struct shadows_row *rows;
     unsigned count;
-    const bool *is_closed; /* for each of the scene's meshes */
+    const bool *is_closed; /* an element for each of the scene's meshes */
     uint32_t meshes;
 };
 

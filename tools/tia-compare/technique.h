@@ -4,7 +4,7 @@
 
 #include <tia/port.h>
 
-/* The job. The scene's own technique does not count. */
+/* A drawing; the scene's own technique is ignored. */
 struct technique_job {
     const struct tia_scene *scene;
     const struct tia_light *lights;
@@ -18,7 +18,7 @@ struct technique_frame {
     enum tia_shadows technique;
     tia_rgb565 *pixels;
     uint32_t *object;
-    uint64_t *lit; /* see struct tia_options */
+    uint64_t *lit; /* lights that reach each pixel, see struct tia_debug */
     uint64_t wall_us, cpu_us, bytes;
 
     /* Private. */
@@ -27,12 +27,12 @@ struct technique_frame {
     struct tia_hits *hits;
     void *view_memory, *hits_memory;
     bool timed;
-    int *status; /* of each job of rows */
+    int *status; /* status of each job of rows */
 };
 
-/* Draws a frame; wall_us and cpu_us are the least of all rounds from new lights to the pixels, and `bytes` is the
- * memory of the view and the hits of the whole picture. A negative tia_status on failure; call technique_free in either
- * case. */
+/* Draws a frame; wall_us and cpu_us are the least times of all rounds, from new lights to the pixels, and `bytes` is
+ * the memory of the view and the hits of the whole picture. A negative tia_status on failure; call technique_free in
+ * either case. */
 int technique_draw(struct technique_frame *frame, const struct technique_job *job, enum tia_shadows technique);
 void technique_free(struct technique_frame *frame);
 

@@ -1,4 +1,4 @@
-/* tia-compare - compares integers with double precision, pixel by pixel, over a set of scenes. */
+/* tia-compare - compares fixed point with double precision, pixel by pixel, over a set of scenes. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -30,7 +30,7 @@ static int failed(const char *what, const char *why)
     return message_why("tia-compare", 1, what, why);
 }
 
-/* The exit status for a status of run->pictures; prints its reason if it is an error. */
+/* Returns the exit status for a status of run->pictures; prints its reason if it is an error. */
 static int report(const struct run *run, int status)
 {
     if (!status)
@@ -138,7 +138,7 @@ static int run_frames(struct run *run)
     return result;
 }
 
-/* The limits apply to q16, the first core, over all frames together. */
+/* Checks the limits, which apply to q16, the first core, over all frames together. */
 static int check_bounds(const struct run *run)
 {
     const struct options *o = &run->options;

@@ -14,18 +14,20 @@
 
 #define ALIGN(size) (((size) + 7) / 8 * 8)
 
-/* Kinds of machines, by the sizes of pointers and enumerations; all have 64-bit numbers at multiples of 8. */
+/* Kinds of machines, by the sizes of pointers and enumerations; on all of them 64-bit numbers are at multiples of 8. */
 enum { WIDE, NARROW, SHORT, KINDS };
 
 /* Sizes on a kind of machine: the library's sizes here, less those of its structures that differ there, plus their
- * sizes there. These are all such structures: tests/slow/memory compares with the library on machines of each kind. */
+ * sizes there. The list is complete: tests/slow/memory compares with the library on machines of each kind. */
 struct layout {
     unsigned view, hits, scene, bvh, block; /* block: a plane or a box that balls bounce off */
-    unsigned spans;                         /* of scenes drawn by row */
-    unsigned rays, shape;                   /* of all others */
-    unsigned emitter;                       /* for paths: for each light, and for each sphere that emits */
-    unsigned raster, sample;    /* for other techniques for shadows than traced rays: once, and for a pixel's sample */
-    unsigned map, volumes, own; /* the data of these techniques */
+    unsigned spans;                         /* sizes for scenes drawn by row */
+    unsigned rays, shape;                   /* sizes for all other scenes */
+    unsigned emitter;                       /* for paths: size of an emitter, of which there is one for each light and
+                                               for each sphere that emits */
+    unsigned raster, sample;    /* for techniques for shadows other than traced rays: size of the view, and of a pixel's
+                                   sample */
+    unsigned map, volumes, own; /* size of these techniques' data */
 };
 
 static const struct layout layouts[KINDS] = {{96, 40, 304, 48, 208, 80, 392, 224, 88, 40, 2856, 744, 560, 40},
@@ -86,7 +88,7 @@ static uint64_t technique_part(const struct layout *l, const struct tia_scene *s
     }
 }
 
-/* Returns the sizes that differ between kinds of machines. */
+/* Returns the part of a view's size that differs between kinds of machines. */
 static uint64_t view_part(const struct layout *l, const struct scene_memory *m)
 {
     enum tia_integrator integrator = m->scene->integration.integrator;
@@ -112,7 +114,7 @@ static uint64_t hits_size(const struct tia_scene *scene, struct tia_tile tile, i
     return tia_hits_size(scene, tile) - ALIGN(layouts[kind_here()].hits) + ALIGN(layouts[kind].hits);
 }
 
-/* Returns the sizes that differ in a copy of the moving arrays. */
+/* Returns the part of the size of the moving arrays' copy that differs. */
 static uint64_t copy_part(const struct layout *l, const struct tia_scene *scene)
 {
     uint64_t part = ALIGN(l->scene);
@@ -123,8 +125,8 @@ static uint64_t copy_part(const struct layout *l, const struct tia_scene *scene)
     return part + (scene->bvh ? ALIGN(l->bvh) : 0);
 }
 
-/* Returns the viewer's first request: a view, whole frames of hits, a canvas to refine pictures on, and a copy of the
- * moving arrays. A tile has this many rows if the display sets no limit. */
+/* Returns the size of the viewer's first request: a view, whole frames of hits, a canvas to refine pictures on, and a
+ * copy of the moving arrays. The rows of a tile are those for a display that sets no limit. */
 static uint64_t viewer_size(const struct scene_memory *m, struct tia_tile frame, int kind)
 {
     enum { ROWS = 16 };
@@ -143,7 +145,7 @@ static uint64_t viewer_size(const struct scene_memory *m, struct tia_tile frame,
 
 /* ---- flash ---- */
 
-/* A program's code and tables on a Cortex-M3 by gcc -Os, without the board's own: measured with the example of
+/* Flash of a program's code and tables on a Cortex-M3 by gcc -Os, without the board's own: measured with the example of
  * docs/boards.md, with tia_core_spheres_small and with tia_core_q16. */
 enum { FLASH_SPHERES = 24000, FLASH_ALL = 219000 };
 
@@ -169,7 +171,8 @@ static uint64_t meshes_size(const struct tia_scene *scene)
         size += m->vertex_count * (uint64_t)sizeof *m->vertices + m->face_count * (uint64_t)sizeof *m->faces +
                 m->normal_count * (uint64_t)sizeof *m->normals + m->uv_count * (uint64_t)sizeof *m->uvs;
     }
-    return size + (scene->bvh ? tia_bvh_size(scene) * 3 / 5 : 0); /* without the boxes, which only building needs */
+    return size + (scene->bvh ? tia_bvh_size(scene) * 3 / 5 : 0); /* without the boxes, which are needed only while
+                                                                     building */
 }
 
 static uint64_t tables_size(const struct tia_scene *scene)

@@ -73,7 +73,7 @@ static const struct command command = {
     "\n"
     "Exit status: 0 success, 1 failure, 2 usage error or invalid scene.\n"};
 
-/* A hierarchy of so few objects is a single box around them all: a waste of flash. */
+/* Number of objects up to which a hierarchy would be a single box around them all, a waste of flash. */
 #define FEW 4
 
 static struct tia_scene compiled_scene(const struct tia_scene *scene)

@@ -160,7 +160,7 @@ void unit_write(struct unit *unit, const char *source)
     if (tia_scene_moves(scene))
         text_print(&unit->text, "#include <tia/motion.h>\n");
     text_print(&unit->text, "#include <tia/scene.h>\n\n");
-    /* the declaration avoids a warning (-Wmissing-variable-declarations) in programs that turn it on */
+    /* the declaration avoids a warning in programs with -Wmissing-variable-declarations */
     text_print(&unit->text, "extern const struct tia_scene %s;\n\n", unit->symbol);
     unit_things(unit);
     if (scene->fine)

@@ -13,14 +13,14 @@ struct unit {
     const struct tia_scene *scene;
 };
 
-/* Writes the whole unit. A comment names `source`. If scene->bvh is NULL, there is no hierarchy. */
+/* Writes the whole unit; a comment in it names `source`. If scene->bvh is NULL, the unit has no hierarchy. */
 void unit_write(struct unit *unit, const char *source);
 
 /* The parts of the unit: the tables that the scene points to. */
-void unit_things(struct unit *unit); /* materials, spheres, lights, keys */
-void unit_fine(struct unit *unit);   /* their fine digits; only if the scene has them */
-void unit_shapes(struct unit *unit); /* shapes, transforms */
-void unit_images(struct unit *unit); /* textures and grids */
+void unit_things(struct unit *unit); /* writes materials, spheres, lights, keys */
+void unit_fine(struct unit *unit);   /* writes fine digits, if the scene has them */
+void unit_shapes(struct unit *unit); /* writes shapes, transforms */
+void unit_images(struct unit *unit); /* writes textures and grids */
 void unit_meshes(struct unit *unit);
 void unit_tracks(struct unit *unit);
 void unit_bvh(struct unit *unit);

@@ -22,11 +22,11 @@ struct summand {
 struct addition {
     struct summand *summands;
     unsigned count;
-    struct sums sums; /* sums of the result */
+    struct sums sums; /* description of the result */
     struct image *image;
     struct sink *sink;
     struct tia_sum *row;
-    unsigned char *bytes; /* of a row, in a file or in a picture */
+    unsigned char *bytes; /* bytes of a row, in a file or in a picture */
     unsigned depth;
     char written[PORT_WHY];
     char *why;
@@ -154,7 +154,7 @@ static int add_row(struct addition *a, unsigned y)
     for (unsigned i = 0; i < a->count; i++) {
         struct summand *s = &a->summands[i];
         size_t length = sums_row_bytes(&s->sums);
-        /* From the end: a .pfm stores the bottom row first. */
+        /* counted from the end: a .pfm stores the bottom row first */
         long back = -(long)((uint64_t)(s->sums.height - y) * length);
         if (fseek(s->file, back, SEEK_END) != 0 || fread(a->bytes, 1, length, s->file) != length)
             return refuse(a, s->path, "cannot be read");

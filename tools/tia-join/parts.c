@@ -261,12 +261,12 @@ static int read_pixels(struct parts *parts, const struct part *part, int fd, uin
     size_t count = (size_t)part->film.width * part->film.rows;
     unsigned char *bytes = (unsigned char *)rows;
     int result = read_at(parts, part, fd, bytes, count * sizeof *rows, offset);
-    for (size_t i = 0; i < count && result == 0; i++) /* little endian, in place */
+    for (size_t i = 0; i < count && result == 0; i++) /* from little endian, in place */
         rows[i] = (tia_rgb565)(bytes[2 * i] | bytes[2 * i + 1] << 8);
     return result;
 }
 
-/* Checks that these are the pixels that were written, for this frame and these rows. */
+/* Checks that these pixels are those that were written, for this frame and these rows. */
 static int check_sum(struct parts *parts, const struct part *part, uint32_t frame, const tia_rgb565 *rows,
                      const unsigned char *found)
 {

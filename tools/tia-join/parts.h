@@ -17,15 +17,15 @@ struct parts {
     struct part *array;
     unsigned count, capacity;
     uint64_t *colours;   /* for .y4m: every pixel value below its Y, U and V, sorted; NULL: not built yet */
-    char why[PARTS_WHY]; /* one line, after a failure */
+    char why[PARTS_WHY]; /* reason of a failure, one line */
 };
 
-/* Reads the parts' headers, all of a .tiapart that contains several, and checks that they make one film, without gaps
- * or overlaps. 0, or -1 if not. */
+/* Reads the parts' headers, also those of several parts in one .tiapart, and checks that they make one film, without
+ * gaps or overlaps. Returns 0, or -1 if they do not. */
 int parts_open(struct parts *parts, char *const *paths, unsigned count);
 void parts_close(struct parts *parts);
 
-/* Reads the pixels of a whole frame from all parts that have rows of it. 0, or -1 on failure. */
+/* Reads the pixels of a whole frame from all parts that have rows of it. Returns 0, or -1 on failure. */
 int parts_frame(struct parts *parts, uint32_t frame, tia_rgb565 *pixels);
 
 #endif

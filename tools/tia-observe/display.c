@@ -2,7 +2,8 @@
 
 #include <math.h>
 
-/* Far more than the doubles' errors, and far less than matters: halves are rounded the same way on every machine. */
+/* Slack of comparisons: far more than the doubles' errors, and far less than matters, so that halves are rounded the
+ * same way on every machine. */
 #define SLACK 0x1p-24
 
 void display_init(struct display *display, const struct tia_scene *scene, unsigned views, const struct modules *modules)
@@ -28,7 +29,8 @@ static double rounded(double number)
     return floor(number + 0.5 + SLACK);
 }
 
-/* Returns where that ray crosses the observer line's plane, from the screen's middle. */
+/* Returns the position where the ray from the eye through q crosses the observer line's plane, from the screen's
+ * middle. */
 static double crossing(const struct display *d, const struct eye *eye, double q)
 {
     return q + (eye->x - q) / eye->z * d->distance;
@@ -55,7 +57,7 @@ double display_part(const struct display *display, const struct eye *eye, double
  * renderer rounds the crossing with the line to units, so a point up to a quarter beyond an end is lit. */
 static int misses(const struct display *d, double module, double q)
 {
-    /* Like modules_place. */
+    /* position as in modules_place */
     double p = floor(((2 * module - (d->count - 1)) * d->spacing / d->unit + 1) / 2) * d->unit;
     double s = q + (q - p) * d->distance / d->behind;
 

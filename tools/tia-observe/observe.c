@@ -7,13 +7,13 @@ static struct eye between(const struct eye *a, const struct eye *b, double part)
     return (struct eye){a->x + (b->x - a->x) * part, a->y + (b->y - a->y) * part, a->z + (b->z - a->z) * part};
 }
 
-/* An eye in a frame. */
+/* An eye in a frame, and the pictures shown to it. */
 struct sight {
     struct eye at;
     int *column; /* view or module of each column, the same in all rows */
 };
 
-/* Returns a pixel of a panel with lenses: each channel comes from a subpixel of its own. */
+/* Returns a pixel of a panel with lenses: each channel comes from a different subpixel. */
 static tia_rgb565 see_lenses(const struct observation *o, const struct eye *eye, unsigned x, unsigned from)
 {
     static const tia_rgb565 masks[] = {0xf800, 0x07e0, 0x001f};
@@ -50,7 +50,7 @@ static void place_eye(const struct observation *o, const struct eye *eye, double
         sight->column[x] = display_picture(&o->display, &sight->at, x, o->width);
 }
 
-/* Puts the left eye's red into the right one's picture. */
+/* Copies the left eye's red into the right eye's picture. */
 static void mix(const tia_rgb565 *left, tia_rgb565 *right, unsigned count)
 {
     for (unsigned x = 0; x < count; x++)

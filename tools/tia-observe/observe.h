@@ -10,11 +10,11 @@
 struct observation {
     struct display display;
     struct pictures pictures;
-    bool lenses; /* the only picture is the panel's */
+    bool lenses; /* the only picture is that of a panel */
     struct panel panel;
     struct eye eye, to;     /* position of the eye, or the middle between two; its position in the film's last frame */
-    double apart;           /* two eyes; 0: one */
-    bool anaglyph;          /* both in one picture, red for the left eye; else side by side */
+    double apart;           /* distance between two eyes; 0: one eye */
+    bool anaglyph;          /* both eyes' views are in one picture, red for the left eye; else side by side */
     unsigned width, height; /* size of one eye's picture */
 };
 

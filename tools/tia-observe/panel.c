@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-/* As in display.c: ties are ties on every machine. */
+/* Slack of comparisons as in display.c: ties are ties on every machine. */
 #define SLACK 0x1p-24
 
 void panel_init(struct panel *panel, const struct tia_lenticular *lens, unsigned width, unsigned height)
@@ -17,7 +17,7 @@ void panel_init(struct panel *panel, const struct tia_lenticular *lens, unsigned
                             .height = height};
 }
 
-/* Returns which of a pixel's three subpixels a channel is, from the left of the shown picture. */
+/* Returns the number of a channel's subpixel in its pixel, 0 to 2, from the left of the shown picture. */
 static unsigned third_of(const struct panel *panel, unsigned channel)
 {
     unsigned stored = panel->subpixels == TIA_SUBPIXELS_BGR ? 2 - channel : channel;
@@ -27,7 +27,7 @@ static unsigned third_of(const struct panel *panel, unsigned channel)
 
 /* The subpixels of one colour in a row. All positions are in pixels from the left of the shown picture. */
 struct row {
-    double first, step; /* phases: of the leftmost one, and its step to the next */
+    double first, step; /* phase of the leftmost subpixel, and its step to the next */
     double target;      /* the eye's phase */
 };
 
@@ -39,9 +39,10 @@ static double apart(const struct row *row, double i)
     return fabs(phase - round(phase));
 }
 
-/* Returns the nearest subpixel. From the first to the last the phases go around once at most, so it is beside the
- * position where they meet the eye's. Of such positions, a lens apart, it is the one nearest to the middle: if that is
- * outside, so is the next, and farther from the other end. Of ties `first` comes first. */
+/* Returns the subpixel whose phase is nearest to the eye's. From the first to the last the phases go around once at
+ * most, so it is beside the position where they are equal. Of such positions, a lens apart, it is beside the one
+ * nearest to the middle: if that is outside, so is the next, and farther from the other end. Of ties `first` comes
+ * first. */
 static double nearest_of(const struct row *row, double first, double last)
 {
     double middle = (first + last) / 2;

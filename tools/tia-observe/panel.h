@@ -9,7 +9,7 @@ struct panel {
     double pitch, rise, centre; /* lenses, see struct tia_lenticular */
     enum tia_subpixels subpixels;
     bool flipped, inverted;
-    unsigned width, height; /* size of its picture */
+    unsigned width, height; /* size of the panel's picture */
 };
 
 void panel_init(struct panel *panel, const struct tia_lenticular *lens, unsigned width, unsigned height);

@@ -1,4 +1,5 @@
-/* pictures.h - the pictures of a light field, from files: a quilt, one of each view or module, or a panel's. */
+/* pictures.h - the pictures of a light field, from files: a quilt, a file for each view or module, or a panel's
+ * picture. */
 #ifndef TOOLS_TIA_OBSERVE_PICTURES_H
 #define TOOLS_TIA_OBSERVE_PICTURES_H
 
@@ -7,15 +8,16 @@
 #include "common/image/texels.h"
 
 struct pictures {
-    unsigned count, width, height; /* count; size of each */
-    unsigned columns, rows;        /* of a quilt; 0: there is a file for each */
+    unsigned count, width, height; /* number of pictures; size of each */
+    unsigned columns, rows;        /* columns and rows of a quilt; 0: each picture has a file */
     struct image_texels *files;
     unsigned file_count;
     char why[400];
 };
 
-/* Loads `path`, a quilt's name or one with a pattern, for `count` pictures; for a quilt 0. TIA_OK; TIA_ERR_DEVICE,
- * TIA_ERR_MEMORY or TIA_ERR_RANGE with the reason in pictures->why. pictures_free is safe afterwards. */
+/* Loads `path`, the name of a quilt, for which `count` is 0, or one with a pattern for `count` pictures. TIA_OK;
+ * TIA_ERR_DEVICE, TIA_ERR_MEMORY or TIA_ERR_RANGE with the reason in pictures->why. pictures_free is safe
+ * afterwards. */
 int pictures_load(struct pictures *pictures, const char *path, unsigned count);
 
 /* Loads a single picture, a panel's, in the same way. */

@@ -1,4 +1,4 @@
-/* tia-observe - what an eye sees of a light-field display, by its pictures. */
+/* tia-observe - the view of a light-field display from an eye, from the display's pictures. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

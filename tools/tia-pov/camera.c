@@ -36,8 +36,8 @@ static void perspective(struct pov *pov, const struct axes *axes)
     text_print(&pov->text, "\n}\n\n");
 }
 
-/* The rays of a frustum go from the eye through the window at the distance near. Those of an orthographic camera start
- * in the window, whose centre is POV-Ray's location. */
+/* Writes the window. Rays of a frustum go from the eye through the window at the distance near. Those of an
+ * orthographic camera start in the window, whose centre is POV-Ray's location. */
 static void window(struct pov *pov, const struct axes *axes)
 {
     const struct tia_camera *c = &pov->scene->camera;

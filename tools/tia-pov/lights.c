@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-/* The distance of a directional light: greater than the distance of any two points of a scene. */
+/* The distance of a directional light: greater than the distance between any two points of a scene. */
 #define FAR 200000.0
 /* Returns the samples along each side of an area light. */
 static unsigned side_of(const struct tia_light *l)
@@ -12,7 +12,7 @@ static unsigned side_of(const struct tia_light *l)
     return (unsigned)ceil(sqrt(samples));
 }
 
-/* POV-Ray's attenuation is 2/(1 + (d/D)^p). Chooses D and p, and returns the factor for the light's colour, so that it
+/* Chooses D and p of POV-Ray's attenuation 2/(1 + (d/D)^p), and returns the factor for the light's colour, so that it
  * equals 1/(constant + term d^p). */
 static double fade(const struct tia_light *l, double *distance, int *power)
 {
@@ -38,7 +38,8 @@ static void write_fade(struct pov *pov, uint32_t index, double distance, int pow
         pov_note(pov, "light %u: its attenuation has no linear term here besides the quadratic one", index);
 }
 
-/* POV-Ray's samples reach the edges; shrinking the light by one sample's width puts them at the centres of cells. */
+/* Writes an area light. POV-Ray's samples reach the edges; shrinking the light by one sample's width puts them at the
+ * centres of cells. */
 static void area(struct pov *pov, struct point a, struct point b, unsigned n, const char *form)
 {
     double f = 2.0 * (n - 1) / n;
@@ -124,8 +125,10 @@ static void no_surface(struct pov *pov, const struct tia_light *l)
 }
 
 struct pov_light {
-    void (*area)(struct pov *pov, uint32_t index, const struct tia_light *l); /* the words of a spot or an area */
-    void (*surface)(struct pov *pov, const struct tia_light *l);              /* the beginning of its object */
+    void (*area)(struct pov *pov, uint32_t index, const struct tia_light *l); /* writes the keywords of a spot or an
+                                                                                 area */
+    void (*surface)(struct pov *pov, const struct tia_light *l);              /* writes the beginning of the light's
+                                                                                 object */
 };
 
 /* A row for each of TIA_LIGHTS. */

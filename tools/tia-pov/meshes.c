@@ -81,7 +81,7 @@ static void write_normal_indices(struct pov *pov, const struct tia_mesh *m)
     end_list(pov);
 }
 
-/* Writes the coordinates. Faces without any get a triangle's: the last three, (0, 0), (1, 0), (0, 1). */
+/* Writes the coordinates. Faces without coordinates get those of a triangle: the last three, (0, 0), (1, 0), (0, 1). */
 static void write_uvs(struct pov *pov, const struct tia_mesh *m)
 {
     begin_list(pov, "uv_vectors", m->uv_count + 3);
@@ -148,7 +148,7 @@ void pov_triangle(struct pov *pov, const struct tia_triangle *t)
     pov_mesh(pov, &mesh);
 }
 
-/* For each face, the corners with the coordinates (0, 0), (1, 0), (1, 1), (0, 1): for x, y and z, 0 for the box's
+/* The corners of each face with the coordinates (0, 0), (1, 0), (1, 1), (0, 1): for x, y and z, 0 for the box's
  * minimum, 1 for its maximum. */
 static const uint8_t box_corners[6][4][3] = {
     {{0, 0, 0}, {0, 0, 1}, {0, 1, 1}, {0, 1, 0}}, {{1, 0, 1}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}}, /* z, y; -z, y */

@@ -12,10 +12,10 @@
 
 struct pov {
     struct text text;
-    const char *path; /* path of the output; "-": standard output, so pictures cannot be written beside it */
-    char *why;        /* [PORT_WHY] */
+    const char *path; /* path of the output; "-": standard output, beside which no pictures can be written */
+    char *why;        /* receives the reason of a failure, [PORT_WHY] */
     const struct tia_scene *scene;
-    char note[200]; /* the last note, so as not to repeat it */
+    char note[200]; /* the last note, which is not repeated */
     bool failed;    /* writing a picture beside the scene failed; `why` has the reason */
 };
 
@@ -26,7 +26,7 @@ struct point {
 /* Writes the whole scene. Properties that POV-Ray cannot express become a comment, and a line on standard error. */
 void pov_write(struct pov *pov, const char *source);
 
-/* The parts of the scene. */
+/* Write parts of the scene. */
 void pov_camera(struct pov *pov);
 void pov_lights(struct pov *pov);
 void pov_materials(struct pov *pov);
@@ -37,16 +37,16 @@ void pov_shapes(struct pov *pov);
 void pov_material(struct pov *pov, uint32_t material, const struct tia_shape *shape);
 /* True if the correct shadow needs a separate, invisible object. */
 bool pov_has_shadow(const struct pov *pov, uint32_t material);
-/* Writes the material of that object. */
+/* Writes the material of that invisible object. */
 void pov_shadow_material(struct pov *pov, uint32_t material, const struct tia_shape *shape);
 
 /* True if a material has a texture, of its colour or as its opacity. */
 bool pov_textured(const struct pov *pov, uint32_t material);
-/* True if its colour has a texture. */
+/* True if a material's colour has a texture. */
 bool pov_coloured(const struct pov *pov, uint32_t material);
 /* Writes the pigment in tia's u, v, with the given `transmit`; false if POV-Ray cannot express it. */
 bool pov_texture(struct pov *pov, uint32_t material, double transmit);
-/* True if it has an opacity that can be written. */
+/* True if a material has an opacity that can be written. */
 bool pov_has_opacity(const struct pov *pov, uint32_t material);
 /* Declares the opacity as a pigment, white where it is 1. */
 void pov_write_opacity(struct pov *pov, uint32_t material);
@@ -55,7 +55,7 @@ bool pov_closes(const struct pov *pov, uint32_t material);
 /* True if POV-Ray evaluates a shape's pigment at the point itself; else in the coordinates of its own uv_mapping, which
  * not all shapes have. */
 bool pov_plain(const struct tia_shape *shape);
-/* Writes the mapping from u, v to those coordinates. */
+/* Writes the mapping from u, v to the coordinates that pov_plain distinguishes. */
 void pov_mapping(struct pov *pov, uint32_t material, const struct tia_shape *shape);
 
 /* Gives the side and the caps of a textured cylinder or cone that has caps, whose coordinates differ; returns their
@@ -64,7 +64,7 @@ unsigned pov_parts(const struct pov *pov, const struct tia_shape *shape, struct 
 
 /* Writes a shape without its material; not for grids. */
 void pov_geometry(struct pov *pov, const struct tia_shape *shape);
-/* True if it has an inside. */
+/* True if a shape has an inside. */
 bool pov_closed(const struct tia_scene *scene, const struct tia_shape *shape);
 
 /* Write a mesh2 without its material: for a mesh, a triangle, or a box with coordinates on its faces. */
@@ -81,7 +81,7 @@ struct point pov_vec3(struct tia_vec3 v);
 /* Convert to the units of the scene's file. */
 double pov_length(const struct pov *pov, tia_q16 length);
 struct point pov_place(const struct pov *pov, struct tia_vec3 v);
-struct point pov_dir3(struct tia_dir3 d); /* normalised */
+struct point pov_dir3(struct tia_dir3 d); /* gives a normalised direction */
 struct point pov_rgb(struct tia_rgb c);
 struct point pov_scaled(struct point a, double f);
 struct point pov_sum(struct point a, struct point b);

@@ -70,7 +70,7 @@ void pov_geometry(struct pov *pov, const struct tia_shape *s)
     case TIA_MESH:
         pov_mesh(pov, &pov->scene->meshes[s->mesh]);
         break;
-    case TIA_GRID: /* objects.c, cell by cell */
+    case TIA_GRID: /* grids are written by objects.c, cell by cell */
         break;
     }
 }
@@ -94,7 +94,8 @@ static void tangents(struct point n, struct point *u, struct point *v)
     *v = pov_cross(n, *u);
 }
 
-/* Maps the unit square of the pattern to a square of that side, its corner or (`around`) its centre at the origin. */
+/* Maps the unit square of the pattern to a square with a given side, with its corner or (`around`) its centre at the
+ * origin. */
 static void write_frame(struct pov *pov, struct point normal, struct point origin, double side, bool around)
 {
     struct point a, b;
@@ -188,6 +189,6 @@ void pov_mapping(struct pov *pov, uint32_t material, const struct tia_shape *s)
     case TIA_TRIANGLE:
     case TIA_MESH:
     case TIA_GRID:
-        break; /* meshes with tia's coordinates */
+        break; /* meshes have tia's coordinates */
     }
 }

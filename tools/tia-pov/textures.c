@@ -57,7 +57,7 @@ static int write_texels(struct text *text, const struct tia_texture *t, struct p
     return text_close(text);
 }
 
-/* Returns FILE-N.ppm for FILE.pov; .pgm is its opacity. */
+/* Returns FILE-N.ppm for FILE.pov, or FILE-N.pgm for an opacity. */
 static char *picture_path(const struct pov *pov, uint32_t material, const char *ending)
 {
     size_t length = strlen(pov->path);
@@ -115,7 +115,7 @@ static void write_checker(struct pov *pov, uint32_t material, double transmit)
         pov_triple(pov, i == 0 ? "checker rgb" : ", rgb", cell);
         text_word(&pov->text, "transmit %.10g", transmit);
     }
-    /* POV-Ray's checkers are cubes: put the surface in the middle of a layer */
+    /* POV-Ray's checkers are cubes: the surface must be in the middle of a layer */
     text_word(&pov->text, "translate <0, 0, -0.5>");
 }
 

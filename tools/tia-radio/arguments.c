@@ -95,7 +95,7 @@ static const char *set_range(void *context, char *text)
     return NULL;
 }
 
-/* One of "permittivity:5", "conductivity:0.1", "thickness:0.2". */
+/* Parses one of "permittivity:5", "conductivity:0.1", "thickness:0.2". */
 static bool parse_property(const char *text, size_t length, struct naming *naming)
 {
     static const char *const words[] = {"permittivity:", "conductivity:", "thickness:"};

@@ -4,7 +4,8 @@
 
 #include "options.h"
 
-/* COMMAND_RUN; or the status to exit with, FINE after --help or the like, else after an error message. */
+/* Parses the command line. Returns COMMAND_RUN; or the status to exit with, FINE after --help or the like, else after
+ * an error message. */
 int arguments_parse(struct options *options, int argc, char **argv);
 
 #endif

@@ -101,8 +101,8 @@ static void polarisation_of(const struct world *world, int polarisation, const d
 
 /* ---- along a path ---- */
 
-/* Multiplies E: its component across the plane of incidence by c.te and that in it by c.tm. The latter's direction is d
- * x across before and after. Where d is the normal, any plane will do. */
+/* Multiplies E: its component across the plane of incidence by c.te and that in it by c.tm. The direction of the latter
+ * is d x across before and after. Where d is the normal, any plane will do. */
 static void apply(struct coefficients c, const double n[3], const double before[3], const double after[3],
                   double complex e[3])
 {
@@ -151,8 +151,8 @@ static void meet(const struct world *world, const struct tia_radio_path *path, s
     }
 }
 
-/* Applies the walls that a segment passes through, in the order in which they were found: for parallel walls, or a wave
- * in a plane that all are across, any order is the same but for rounding. */
+/* Applies the walls that a segment passes through, in the order in which they were found: for parallel walls, or for a
+ * wave in a plane across all of them, the order matters only for rounding. */
 static double complex carry(const struct world *world, const struct tia_radio_path *path, const struct field *field,
                             int polarisation)
 {
@@ -183,15 +183,15 @@ static double complex carry(const struct world *world, const struct tia_radio_pa
 static void angles_of(int up, const double d[3], double s, double angles[2])
 {
     double v[3] = {s * d[0], s * d[1], s * d[2]};
-    double left = up == 1 ? -v[2] : v[1]; /* of +x, seen from above */
+    double left = up == 1 ? -v[2] : v[1]; /* left of +x, seen from above */
 
     angles[0] = v[0] == 0 && left == 0 ? 0 : atan2(left, v[0]) * 180 / PI;
     angles[1] = atan2(v[up], hypot(v[0], left)) * 180 / PI;
 }
 
-/* Returns the fractional part of the length, with `bits` bits behind the point, in waves: 10 km at 28 GHz are 10^6
- * waves, whose phase a product of doubles would have to 10^-9 only. So the length, the wave number and their product
- * are sums of two doubles each. */
+/* Returns the fractional part of the length in waves; the length has `bits` bits behind the point. 10 km at 28 GHz are
+ * 10^6 waves, whose phase a product of doubles would give only to 10^-9. So the length, the wave number and their
+ * product are sums of two doubles each. */
 static double part_of_wave(int64_t length, int bits, double frequency)
 {
     double high = (double)(length >> 20 << 20), low = (double)(length & 0xfffff);

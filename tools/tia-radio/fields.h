@@ -12,44 +12,46 @@ enum { VERTICAL, HORIZONTAL, POLARISATIONS };
 
 struct world {
     const struct tia_radio *radio;
-    const struct medium *media; /* for the scene's materials */
+    const struct medium *media; /* media of the scene's materials */
     double frequency;           /* hertz */
-    int up;                     /* vertical axis: 1 y, 2 z */
-    int scale_bits;             /* as in the scene */
+    int up;                     /* number of the vertical axis: 1 for y, 2 for z */
+    int scale_bits;             /* scale_bits of the scene */
 };
 
-/* Perpendicular to the plane of incidence (TE), and in it (TM). */
+/* Coefficients of a surface: for the field perpendicular to the plane of incidence (TE), and in it (TM). */
 struct coefficients {
     double complex te, tm;
 };
 
-/* Returns Fresnel's coefficients of a half space of relative permittivity eta; `cosine` of the angle of incidence. */
+/* Returns Fresnel's coefficients of a half space of relative permittivity eta; `cosine` is that of the angle of
+ * incidence. */
 struct coefficients fresnel(double complex eta, double cosine);
 
-/* Returns the transmission through a slab of that thickness, relative to air in its place. */
+/* Returns the transmission through a slab with a thickness in metres, relative to air in its place. */
 struct coefficients slab(double complex eta, double thickness, double cosine, double frequency);
 
 struct field {
     double length, delay;                                  /* metres, seconds */
-    struct coefficients reflection[TIA_RADIO_ORDER_MAX];   /* at each face */
-    struct coefficients transmission[TIA_RADIO_WALLS_MAX]; /* through each wall */
-    double complex gain[POLARISATIONS];                    /* between isotropic antennas of that polarisation */
-    /* Azimuth and elevation in degrees: direction in which the wave leaves; direction from which it comes. */
+    struct coefficients reflection[TIA_RADIO_ORDER_MAX];   /* coefficients at each face */
+    struct coefficients transmission[TIA_RADIO_WALLS_MAX]; /* coefficients through each wall */
+    double complex gain[POLARISATIONS];                    /* gain between isotropic antennas of each polarisation */
+    /* Azimuth and elevation in degrees: departure[] of the direction in which the wave leaves, arrival[] of that from
+     * which it comes. */
     double departure[2], arrival[2];
 };
 
 /* Converts a coordinate in the scene's unit to metres. */
 double metres_of(const struct world *world, tia_q16 at);
-/* Returns the nearest position to one in metres. */
+/* Returns the position nearest to one in metres. */
 struct tia_vec3 place_at(const struct world *world, const double metres[3]);
 
 void field_of(const struct world *world, const struct tia_radio_path *path, struct field *field);
 
 /* Totals over all paths of a link. */
 struct summary {
-    double coherent[POLARISATIONS], incoherent[POLARISATIONS]; /* power gains */
+    double coherent[POLARISATIONS], incoherent[POLARISATIONS]; /* sums of gains in power */
     double delay_spread[POLARISATIONS];                        /* seconds, root mean square */
-    double rician[POLARISATIONS]; /* power of the line of sight over that of the rest; 0: no line of sight */
+    double rician[POLARISATIONS]; /* power of the line of sight over that of the other paths; 0: no line of sight */
 };
 
 void summarise(const struct field *fields, const struct tia_radio_path *paths, unsigned count, struct summary *summary);

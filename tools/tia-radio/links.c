@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { CHUNK = 1024 }; /* rays of a job */
+enum { CHUNK = 1024 }; /* number of rays of a job */
 
 const char *method_name(enum method method)
 {
@@ -98,7 +98,7 @@ static int compare_sequences(const struct sequence *a, const struct sequence *b)
     return 0;
 }
 
-/* Orders equal sequences together; of these first those with the fewest walls, then the nearest. */
+/* Orders finds: equal sequences are adjacent; of these, first those with the fewest walls, then the nearest. */
 static int compare_finds(const void *left, const void *right)
 {
     const struct find *a = left, *b = right;
@@ -170,7 +170,7 @@ static void shoot_chunk(void *arg, unsigned index)
     free(room);
 }
 
-/* Shoots all rays, in parallel; the result has each sequence once. */
+/* Shoots all rays in parallel; the result has each sequence once. */
 static bool shoot(const struct search *search, struct tia_vec3 from, struct tia_vec3 to, bool everywhere,
                   struct finds *all)
 {

@@ -10,13 +10,13 @@ enum method { METHOD_IMAGE, METHOD_SBR, METHOD_HYBRID, METHODS };
 
 const char *method_name(enum method method);
 
-/* Sequences of planes that the image method would have to try: more take minutes. */
+/* Largest number of sequences of planes for the image method: more take minutes. */
 #define SEQUENCES_MOST UINT64_C(200000000)
 
 struct path_list {
     struct tia_radio_path *paths;
     unsigned count, room;
-    bool exhausted; /* no memory for more */
+    bool exhausted; /* memory for more paths was short */
 };
 
 struct search {
@@ -26,8 +26,8 @@ struct search {
     uint32_t order, walls, density;
 };
 
-/* Finds the paths, ordered by length, then reflections, then faces. Images and hybrid give the same. False: no memory.
- * The list's paths are to be freed. */
+/* Finds the paths, ordered by length, then reflections, then faces. METHOD_IMAGE and METHOD_HYBRID give the same.
+ * False: no memory. The caller frees the list's paths. */
 bool links_find(const struct search *search, struct tia_vec3 from, struct tia_vec3 to, struct path_list *list);
 
 /* ---- many receivers ---- */
@@ -41,10 +41,10 @@ struct sequences {
     bool exhausted;
 };
 
-/* Shoots the rays; false: no memory. Free `array`. */
+/* Shoots the rays; false: no memory. `array` must be freed. */
 bool sequences_shoot(const struct search *search, struct tia_vec3 from, struct sequences *sequences);
 
-/* Finds the link's paths by the given sequences, or with NULL by all: on one thread, in any order. */
+/* Finds the link's paths by the given sequences, or by all if `sequences` is NULL: on one thread, in any order. */
 bool links_try(const struct search *search, struct tia_radio_room *room, const struct sequences *sequences,
                struct tia_vec3 from, struct tia_vec3 to, struct path_list *list);
 

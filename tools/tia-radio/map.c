@@ -15,14 +15,14 @@
 #include "picture.h"
 #include "ports.h"
 
-#define INSIDE 0x8410  /* grey: inside a wall */
-#define NOTHING 0x0000 /* no path */
+#define INSIDE 0x8410  /* grey, for pixels inside a wall */
+#define NOTHING 0x0000 /* black, for pixels without a path */
 
 struct map {
     const struct options *options;
     const struct site *site;
     const struct search *search;
-    struct sequences sequences[PLACES_MOST]; /* hybrid: for each transmitter */
+    struct sequences sequences[PLACES_MOST]; /* for the hybrid method: the sequences of each transmitter */
     int across[2];                           /* the axes to the right and up */
     bool down;                               /* the second axis grows downwards */
     double area[4];
@@ -33,7 +33,7 @@ struct map {
 
 /* ---- axes ---- */
 
-/* Chooses the axes. The plane is seen along the normal's axis from its positive side, but from above the north, -z, is
+/* Chooses the axes. The plane is seen along the normal's axis from its positive side; seen from above, north, -z, is
  * up. */
 static void choose_axes(struct map *map)
 {
@@ -92,7 +92,7 @@ static bool is_same_place(struct tia_vec3 a, struct tia_vec3 b)
     return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
-/* Returns the coherent sum, over the paths in one order, so that it has the same bits by any method and thread. */
+/* Returns the coherent sum over the paths in one order, so that it has the same bits by any method and thread. */
 static double gain_at(struct map *map, struct tia_radio_room *room, struct path_list *list, unsigned tx,
                       struct tia_vec3 place)
 {

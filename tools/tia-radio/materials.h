@@ -1,15 +1,15 @@
-/* materials.h - electrical properties of walls' materials: ITU-R P.2040-3. */
+/* materials.h - electrical properties of the materials of walls: ITU-R P.2040-3. */
 #ifndef TOOLS_RADIO_MATERIALS_H
 #define TOOLS_RADIO_MATERIALS_H
 
 #include <complex.h>
 #include <stdbool.h>
 
-#define THICKNESS_DEFAULT 0.1 /* metres; for objects that are not boxes and have no thickness of their own */
+#define THICKNESS_DEFAULT 0.1 /* metres; for objects that are not boxes and so have no thickness of their own */
 
 /* A material at the frequency of interest. */
 struct medium {
-    double permittivity, conductivity; /* relative; siemens a metre */
+    double permittivity, conductivity; /* relative permittivity; conductivity in siemens a metre */
     double thickness;                  /* metres; 0: not given */
     double complex eta;                /* the complex relative permittivity */
 };
@@ -17,7 +17,7 @@ struct medium {
 /* Returns epsilon' - j sigma / (2 pi f epsilon0), for time as exp(j omega t). */
 double complex medium_eta(double permittivity, double conductivity, double frequency);
 
-/* A row of the table. A material may have several rows, of other frequencies. */
+/* A row of the table. A material may have several rows, for different frequencies. */
 struct itu_row {
     const char *name;
     double low, high;  /* GHz */
@@ -25,10 +25,11 @@ struct itu_row {
 };
 extern const struct itu_row itu_rows[];
 
-/* True if there is such a material. Blanks, '-' and '_' are the same, and a leading "itu" is ignored. */
+/* True if a material has that name. Blanks, '-' and '_' are the same, and a leading "itu" is ignored. */
 bool itu_has(const char *name);
 
-/* Gives the named material's values; false: the frequency, in hertz, is out of its range, *low to *high in GHz. */
+/* Gives the named material's values; false: the frequency, in hertz, is out of its range, which is *low to *high in
+ * GHz. */
 bool itu_medium(const char *name, double frequency, struct medium *medium, double *low, double *high);
 
 #endif

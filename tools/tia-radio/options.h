@@ -8,16 +8,17 @@
 
 enum { PLACES_MOST = 16, NAMES_MOST = 64 };
 
-/* A material of the scene, or all of them when name is NULL, and what it is for waves. */
+/* Properties of a material of the scene, or of all of them when name is NULL. */
 struct naming {
-    char name[256]; /* "": all */
-    char itu[64];   /* "": given by numbers */
+    char name[256]; /* name of the material; "": all */
+    char itu[64];   /* name in ITU-R P.2040-3; "": given by numbers */
     double permittivity, conductivity, thickness;
 };
 
 struct options {
     const char *scene, *output, *csv;
-    double tx_at[PLACES_MOST][3], rx_at[PLACES_MOST][3]; /* metres; and in the scene's unit, once that is known: */
+    double tx_at[PLACES_MOST][3], rx_at[PLACES_MOST][3]; /* positions in metres; and in the scene's unit, once that is
+                                                            known: */
     struct tia_vec3 tx[PLACES_MOST], rx[PLACES_MOST];
     unsigned tx_count, rx_count, naming_count;
     struct naming namings[NAMES_MOST];
@@ -26,15 +27,15 @@ struct options {
     enum method method;
     unsigned threads;
     bool lists, json, best_server, horizontal;
-    int up;         /* the axis */
-    int map_axis;   /* -1: no map */
+    int up;         /* number of the vertical axis */
+    int map_axis;   /* axis of the map's normal; -1: no map */
     double map_at;  /* metres */
-    double area[4]; /* of the map, metres; */
+    double area[4]; /* area of the map, metres; then in the scene's unit */
     bool has_area, has_size;
     uint16_t width, height;
-    double low, high; /* of the map's colours, dB */
+    double low, high; /* range of the map's colours, dB */
     bool has_rows;
-    uint16_t first_row, last_row; /* of the map */
+    uint16_t first_row, last_row; /* rows of the map */
     enum image_format format;
 };
 

@@ -12,7 +12,7 @@
 #include "fail.h"
 #include "ports.h"
 
-enum { ROWS = 16 }; /* rows of a job */
+enum { ROWS = 16 }; /* number of rows of a job */
 
 struct drawing {
     const struct options *options;

@@ -4,8 +4,8 @@
 
 #include "site.h"
 
-/* Draws paths of any links; ends[i] are the transmitter and receiver of path i. FINE, or the exit status after printing
- * the reason. */
+/* Draws paths of any links; ends[i] are the transmitter and receiver of path i. Returns FINE, or the exit status after
+ * printing the reason. */
 int picture_draw(const struct options *options, const struct site *site, struct threads *pool,
                  const struct path_list *paths, struct tia_vec3 (*ends)[2]);
 

@@ -14,10 +14,10 @@ struct link_report {
     unsigned count;
 };
 
-/* Prints a table. Failures of standard output are left to the caller. */
+/* Prints a table. The caller handles failures of standard output. */
 void report_table(const struct link_report *report);
 
-/* Prints an element of an array; `first`: it is the first one. */
+/* Prints an element of an array; `first`: it is the first element. */
 void report_json(const struct link_report *report, bool first);
 void report_json_begin(const struct options *options, const struct world *world);
 void report_json_end(void);

@@ -33,7 +33,7 @@ static const char *name_of(const struct site *site, uint32_t material)
 
 /* ---- materials ---- */
 
-/* Returns the last naming for the material; one with its name takes precedence over one for all. */
+/* Returns the last naming for the material; a naming with its name takes precedence over one for all materials. */
 static const struct naming *naming_of(const struct options *o, const char *name)
 {
     const struct naming *found = NULL;

@@ -1,4 +1,4 @@
-/* tia-radio - paths of radio waves in a scene, and what arrives along them. */
+/* tia-radio - paths of radio waves in a scene, and the waves that arrive along them. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -14,7 +14,7 @@ struct run {
     struct options options;
     struct site site;
     struct search search;
-    struct path_list all; /* of all links, for a picture */
+    struct path_list all; /* paths of all links, for a picture */
     struct tia_vec3 (*ends)[2];
 };
 

@@ -13,7 +13,7 @@
 #include "integration.h"
 #include "lightfield.h"
 
-/* The widest level that there is and that the environment does not mask. */
+/* Chooses the widest instruction set that exists and that the environment does not mask. */
 static int choose_simd(struct options *options)
 {
     const char *most = getenv("TIA_SIMD");
@@ -112,7 +112,7 @@ static int load_tessellated(const char *error, struct tia_scene *scene)
     return EXIT_FINE;
 }
 
-/* Applies --shadows and its options, and says at once what of the scene the technique cannot draw. */
+/* Applies --shadows and its options; reports immediately which part of the scene the technique cannot draw. */
 static int load_shadows(struct options *options)
 {
     struct tia_scene *scene = &options->scene;
@@ -130,7 +130,8 @@ static int load_shadows(struct options *options)
                 (unsigned)fault.index, fault.field, fault.rule);
 }
 
-/* False colours and drawn rays, of integers and of Whitted's rays. */
+/* Applies options for false colours and drawn rays, which are those of the fixed-point path and of Whitted's
+ * integrator. */
 static int load_views(struct options *options)
 {
     const struct views *views = &options->views;

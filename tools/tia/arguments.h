@@ -4,17 +4,18 @@
 
 #include "options.h"
 
-/* COMMAND_RUN; or the status to exit with, EXIT_FINE after --help and --version, else after an error message. */
+/* Parses the command line. Returns COMMAND_RUN; or the status to exit with, EXIT_FINE after --help and --version, else
+ * after an error message. */
 int arguments_parse(struct options *options, int argc, char **argv);
 
-/* Call next, if there is something to draw. Reads the scene and its keys. EXIT_FINE, or EXIT_USAGE or EXIT_RUNNING
+/* Reads the scene and its keys; call it next if there is something to draw. EXIT_FINE, or EXIT_USAGE or EXIT_RUNNING
  * after an error message. */
 int arguments_load(struct options *options);
 
 /* Chooses the core and the scene for options->views, once the scene is loaded. */
 void arguments_set_view(struct options *options);
 
-/* Safe at any time after arguments_parse. */
+/* Frees the options; safe at any time after arguments_parse. */
 void arguments_free(struct options *options);
 
 #endif

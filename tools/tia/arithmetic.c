@@ -3,7 +3,7 @@
 #include <string.h>
 #include <tia/debug.h>
 
-/* The Makefile defines TIA_LINKED_... for this file alone, one for each library that this program is linked with. */
+/* Cores of the linked libraries. The Makefile defines TIA_LINKED_... for this file alone, one for each library. */
 static const struct tia_core *const cores[] = {
     &tia_core_q16,
 #ifdef TIA_LINKED_F64

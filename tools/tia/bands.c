@@ -1,4 +1,4 @@
-/* bands.c - a picture of samples, a band of rows at a time. */
+/* bands.c - draws a picture of samples, a band of rows at a time. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -11,7 +11,7 @@ struct bands {
     struct estimation *e;
     struct resume resume;
     struct denoising denoising;
-    unsigned y, rows, known; /* the band; number of its rows, from the top, that are known already */
+    unsigned y, rows, known; /* the band; number of its rows, from the top, that are read from the file */
     bool again;              /* all rows have been drawn before */
     struct tia_gathered band;
 };
@@ -74,7 +74,7 @@ static void choose(struct bands *b, unsigned number)
     b->rows = left < band ? left : band;
 }
 
-/* Gathers the samples of a band: from the file, or drawn and appended to it. */
+/* Gathers the samples of a band: reads them from the file, or draws and appends them. */
 static int gather(struct bands *b, unsigned number)
 {
     choose(b, number);
@@ -106,8 +106,8 @@ static void develop_row(void *arg, unsigned row)
     estimation_develop(b->e, b->y, row, from.sums);
 }
 
-/* Gathers all rows before any is written: the denoiser needs them, and a file grows from the top, in whichever order
- * the picture is written. */
+/* Gathers all rows before any is written: the denoiser needs them, and the file of --resume grows from the top, in
+ * whichever order the picture is written. */
 static int gather_all(struct bands *b)
 {
     bool denoise = b->e->options->denoise;
@@ -165,7 +165,7 @@ int bands_draw(struct estimation *e)
     struct bands b = {.e = e};
     int status = get_memory(&b);
 
-    if (!status && rounds_possible(e)) /* if only their memory is missing */
+    if (!status && rounds_possible(e)) /* only memory for rounds is missing */
         note("no memory for %zu bytes: drawn row by row, a signal keeps nothing (see --resume)", rounds_size(e));
     if (!status && e->options->resume)
         status = resume_open(&b.resume, e->options->resume, &e->sums, e->why);

@@ -17,8 +17,8 @@ static bool is_one_of(const char *name, const char *const *names)
     return *names;
 }
 
-/* Checks names. One that another build of tia knows is not a usage error; opening it fails later, with its own message.
- */
+/* Checks names. A name that is valid only in other builds of tia is no usage error; opening it fails later, with its
+ * own message. */
 static int check_names(const struct options *options)
 {
     static const char *const displays[] = {"auto", "drm", "fbdev", "terminal", "none", NULL};
@@ -129,7 +129,7 @@ int check_scene(struct options *options)
     return EXIT_FINE;
 }
 
-/* Checks several scenes: they are for a display, where a key goes to the next. */
+/* Checks several scenes: they need a display, where a key selects the next one. */
 static int check_scenes(struct options *options)
 {
     int result = check_scene(options);

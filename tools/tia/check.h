@@ -4,10 +4,10 @@
 
 #include "options.h"
 
-/* Checks the options and fills in the formats that are not given. EXIT_FINE, or EXIT_USAGE after an error message. */
+/* Checks the options and sets the formats that are not given. EXIT_FINE, or EXIT_USAGE after an error message. */
 int check(struct options *options);
 
-/* Does so for the scene alone: its format. */
+/* Checks the options for the scene alone, and sets its format. */
 int check_scene(struct options *options);
 
 #endif

@@ -1,4 +1,4 @@
-/* denoising.c - removes noise from gathered samples, and shows the denoiser's guides. */
+/* denoising.c - removes noise from gathered samples, and draws the denoiser's guides. */
 #include <stdlib.h>
 #include <tia/debug.h>
 

@@ -20,12 +20,12 @@ struct drawing {
     struct picture picture;
     struct finished finished;
     struct series series;
-    uint64_t start_us; /* when the frame was begun */
+    uint64_t start_us; /* time when the frame was begun */
     bool no_output;    /* writing a line of --checksum failed */
     char why[PORT_WHY];
 };
 
-static struct stats stats; /* too large for the stack */
+static struct stats stats; /* static, since it is too large for the stack */
 
 static int end_frame(struct drawing *drawing, uint32_t frame)
 {
@@ -87,7 +87,7 @@ static int draw_all(struct drawing *drawing)
     return !status ? draw_film(drawing) : status;
 }
 
-/* Prints the same figures as for a display. */
+/* Prints the figures of --stats, as for a display. */
 static int print_stats(const struct drawing *drawing)
 {
     const struct tia_view *view = drawing->film_scene.view;

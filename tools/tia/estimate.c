@@ -13,9 +13,9 @@
 
 enum { LOOK_US = 5000 };
 
-/* True if the drawing is to stop. Threads poll after every few rays; one of them checks for signals now and then. The
- * time of the last check has 32 bits, since not every processor has 64-bit atomics; whatever it is, the next is at most
- * LOOK_US away. */
+/* True if the drawing must stop. Threads poll after every few rays; one of them checks for signals now and then. The
+ * time of the last check has 32 bits, since some processors lack 64-bit atomics; whatever it is, the next check is at
+ * most LOOK_US away. */
 static bool stops(void *ctx)
 {
     struct estimation *e = ctx;
@@ -113,8 +113,8 @@ static int report(const struct estimation *e, int status)
         fail(status == TIA_ERR_RANGE ? EXIT_USAGE : EXIT_RUNNING, "%s", e->why[0] ? e->why : fail_reason(status)));
 }
 
-/* Draws. Without the memory for rounds, rows are completed one by one, unless an option needs all samples of the
- * picture. */
+/* Draws the picture. Without the memory for rounds, rows are completed one by one, unless an option needs all samples
+ * of the picture. */
 static int draw(struct estimation *e)
 {
     const struct options *options = e->options;

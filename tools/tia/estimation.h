@@ -1,5 +1,5 @@
-/* estimation.h - the state of a picture of samples being drawn: shared by estimate.c, which decides, and the files that
- * draw. */
+/* estimation.h - the state of a picture of samples being drawn: shared by estimate.c, which chooses how to draw, and
+ * the files that draw. */
 #ifndef TOOLS_TIA_ESTIMATION_H
 #define TOOLS_TIA_ESTIMATION_H
 
@@ -18,8 +18,8 @@ struct estimation {
     struct image_film film;
     struct film_scene film_scene;
     const struct tia_estimator *estimator;
-    struct sums sums;    /* as in the file; `count` is the number requested until all is drawn */
-    struct image *image; /* one of these is the output */
+    struct sums sums;    /* description of the file; `count` is the number requested until all samples are drawn */
+    struct image *image; /* the output is one of these */
     struct sink *sink;
     struct threads *pool;
     unsigned char *bytes; /* rows of a band in the file's format */
@@ -35,9 +35,9 @@ struct estimation {
 /* Returns the rows that are drawn, or written, at once. */
 unsigned estimation_band_rows(const struct estimation *e);
 
-/* Opens the file. */
+/* Opens the output. */
 int estimation_open(struct estimation *e);
-/* Begins a part, whose header has e->sums.count. */
+/* Writes the header of a part, which has e->sums.count. */
 int estimation_head(struct estimation *e);
 
 /* Converts a row to the output's format: number `row` of a band that begins at `y`. */
@@ -45,7 +45,7 @@ void estimation_develop(struct estimation *e, unsigned y, unsigned row, const st
 /* Writes the band. */
 int estimation_write(struct estimation *e, unsigned rows);
 
-/* Draws a band at a time, all samples at once: for any size of picture, and finished rows can be stored for --resume.
+/* Draws a band at a time, all samples at once, for pictures of any size. Finished rows can be stored for --resume.
  * Including the output rows, a band has at most 16 bytes for each pixel of a picture of 8 rows or more. */
 int bands_draw(struct estimation *e);
 
@@ -55,12 +55,12 @@ bool rounds_possible(const struct estimation *e);
  * e->sums.count. TIA_STOPPED: a signal came before the first one was complete. */
 int rounds_draw(struct estimation *e);
 
-/* The bytes of memory that rounds_draw asks for: all samples of a pixel, twice. Without them it returns
- * ROUNDS_NO_MEMORY, and nothing has been opened. */
+/* Status of rounds_draw when memory is short; nothing has been opened then. rounds_size returns the bytes that it
+ * needs: all samples of a pixel, twice. */
 enum { ROUNDS_NO_MEMORY = 1 };
 size_t rounds_size(const struct estimation *e);
 
-/* A denoiser of the whole picture; all zero, there is none. */
+/* A denoiser of the whole picture; all zero: none. */
 struct denoising {
     struct estimation *e;
     struct tia_denoiser *denoiser;
@@ -68,13 +68,13 @@ struct denoising {
     unsigned pass;
 };
 
-/* Prepares; takes 68 bytes a pixel. */
+/* Creates the denoiser, which takes 68 bytes a pixel. */
 int denoising_begin(struct denoising *denoising, struct estimation *e);
 void denoising_end(struct denoising *denoising);
 
 /* Puts in e->sums.count samples of row `y`. Rows come in any order, from any threads. */
 void denoising_put(struct denoising *denoising, unsigned y, const struct tia_gathered *row);
-/* Filters, after all rows. */
+/* Filters the picture, after all rows. */
 void denoising_filter(struct denoising *denoising);
 /* Gives the row's sums without noise. */
 void denoising_get(const struct denoising *denoising, unsigned y, struct tia_sum *row);

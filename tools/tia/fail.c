@@ -10,7 +10,7 @@
 
 #include "common/message.h"
 
-/* The target of messages instead of standard error. */
+/* The target of messages; text NULL: standard error. */
 static struct {
     char *text;
     size_t size;

@@ -21,7 +21,7 @@ struct rotation film_rotation(const struct options *options)
                              options->height ? options->height : DEFAULT_HEIGHT};
 }
 
-/* Returns the number of frames that begin before the last keyframe; one if nothing moves. */
+/* Returns the number of frames that begin before the last keyframe; 1 if nothing moves. */
 static uint32_t count_frames(const struct options *options)
 {
     int64_t left = (int64_t)tia_scene_duration(&options->scene) - options->time;
@@ -46,7 +46,7 @@ static int identify_field(char *text, size_t size, const struct light_options *l
                     (int)light->spacing);
 }
 
-/* Returns a CRC of all data besides the size that the pixels depend on: the same in all parts of a film. */
+/* Returns a CRC of all data, besides the size, on which the pixels depend: the same in all parts of a film. */
 static uint32_t identify(const struct options *options)
 {
     const struct tia_integration *how = &options->scene.integration;

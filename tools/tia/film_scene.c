@@ -19,7 +19,7 @@ static bool get_memory(void **memory, size_t *bytes, size_t size)
     return *memory;
 }
 
-/* Checks the scene at a time: one that was valid in the file can leave a range between two keyframes. */
+/* Checks the scene at a time: a scene that was valid in the file can leave a range between two keyframes. */
 static int check(struct film_scene *film, tia_q16 time)
 {
     struct tia_fault fault;
@@ -49,7 +49,7 @@ static int set_time(struct film_scene *film, uint32_t frame)
     return check(film, time);
 }
 
-/* Updates the hierarchy; its static part was built with the scene, once. */
+/* Updates the hierarchy; its static part was built once, with the scene. */
 static int move_bvh(struct film_scene *film)
 {
     struct tia_scene *moved = &film->moved;

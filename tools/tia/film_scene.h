@@ -7,27 +7,27 @@
 
 struct film_scene {
     const struct options *options;
-    const struct tia_scene *scene; /* at that time */
+    const struct tia_scene *scene; /* the scene at the time of the frame */
     struct tia_view *view;
-    char *why;          /* [PORT_WHY] */
-    struct tia_job job; /* its `stop` is the view's as well */
+    char *why;          /* receives the reason of a failure, [PORT_WHY] */
+    struct tia_job job; /* job of the film's calls; views share its `stop` */
 
     /* Private. */
     struct tia_scene moved, pictured; /* the scene at a time; then for a view or module */
-    struct tia_light_field field;     /* for a module */
+    struct tia_light_field field;     /* light field for a module */
     void *arrays, *bvh_memory, *view_memory, *simd_memory;
     size_t arrays_bytes, bvh_bytes, view_bytes, simd_bytes;
     struct lights lights;
 };
 
-/* `film` is all zero but for `job`. Sets up the scene at the time of frame 0 and presses the keys. A negative status
- * on failure, with `why` for TIA_ERR_RANGE. */
+/* Sets up the scene at the time of frame 0 and presses the keys; `film` is all zero but for `job`. A negative status on
+ * failure, with `why` for TIA_ERR_RANGE. */
 int film_scene_begin(struct film_scene *film, const struct options *options, char *why);
 
 /* Updates scene and view to frame number `frame`. */
 int film_scene_update(struct film_scene *film, uint32_t frame);
 
-/* Safe after a failure. */
+/* Frees the scene; safe after a failure. */
 void film_scene_end(struct film_scene *film);
 
 #endif

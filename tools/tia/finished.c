@@ -13,7 +13,7 @@ struct finished_rows {
     uint32_t frame;
     unsigned first, count;
     uint64_t at;  /* offset of the pixels in the file */
-    bool checked; /* their checksum is right */
+    bool checked; /* their checksum is correct */
 };
 
 static size_t row_bytes(const struct finished *f)
@@ -66,7 +66,7 @@ static bool is_torn(const char *text, size_t length)
     return length < IMAGE_PART_HEADER && !memchr(text, '\n', length) && !memcmp(text, magic, most);
 }
 
-/* Adds the part at an offset. *next: its end; the offset itself if it is torn. */
+/* Adds the part at an offset. *next: end of the part; the offset itself if the part is torn. */
 static int read_part(struct finished *f, uint64_t at, uint64_t size, uint64_t *next)
 {
     char text[IMAGE_PART_HEADER];
@@ -131,7 +131,7 @@ void finished_close(struct finished *f)
 
 /* ---- rows ---- */
 
-/* Returns the frame of a part that has the row; NULL: none. */
+/* Returns the frame of a part that contains the row; NULL: none. */
 static struct finished_rows *find(const struct finished *f, uint32_t frame, unsigned y)
 {
     const struct finished_rows wanted = {.frame = frame, .first = y};
@@ -170,7 +170,7 @@ static int read_pixels(const struct finished *f, const struct finished_rows *row
 
     if (status || got < length)
         return status ? status : kept_refused(&f->kept, "ends too early");
-    for (size_t i = 0; i < length / 2; i++) /* little endian, in place */
+    for (size_t i = 0; i < length / 2; i++) /* from little endian, in place */
         pixels[i] = (tia_rgb565)(bytes[2 * i] | bytes[2 * i + 1] << 8);
     return TIA_OK;
 }
@@ -216,7 +216,7 @@ int finished_read(struct finished *f, uint32_t frame, unsigned y, unsigned rows,
     return status;
 }
 
-/* Appends in one piece, so that a signal comes before or after it. */
+/* Appends a part in one piece, so that a signal comes before or after it. */
 static int append_part(struct finished *f, uint32_t frame, unsigned y, unsigned rows, const tia_rgb565 *pixels)
 {
     struct image_film part = f->film;

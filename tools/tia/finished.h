@@ -11,7 +11,7 @@
 
 struct finished_rows;
 
-/* All zero: no file. */
+/* A file of finished rows; all zero: no file. */
 struct finished {
     struct kept kept;
     struct image_film film;     /* the film being drawn */
@@ -21,17 +21,17 @@ struct finished {
 };
 
 /* Opens the file, or creates it. A part that a killed run has not completed is cut off. TIA_ERR_RANGE, with the reason
- * in `why`: it is of another scene, size or film, or damaged. The other functions use `why`, too. */
+ * in `why`: it is damaged, or belongs to another scene, size or film. The other functions use `why`, too. */
 int finished_open(struct finished *finished, const char *path, const struct image_film *film, char *why);
 void finished_close(struct finished *finished);
 
-/* True if these rows were all there when the file was opened. */
+/* True if all these rows were in the file when it was opened. */
 bool finished_has(const struct finished *finished, uint32_t frame, unsigned y, unsigned rows);
 
-/* Reads rows that are there. */
+/* Reads rows that were in the file. */
 int finished_read(struct finished *finished, uint32_t frame, unsigned y, unsigned rows, tia_rgb565 *pixels);
 
-/* Appends the rows that were not there. Without a file it does nothing. */
+/* Appends the rows that are missing in the file. Without a file it does nothing. */
 int finished_append(struct finished *finished, uint32_t frame, unsigned y, unsigned rows, const tia_rgb565 *pixels);
 
 #endif

@@ -6,7 +6,7 @@
 /* The viewing angle of a monitor of 24 inches, 53 cm wide, from 57 cm away. */
 #define VIEW_ANGLE TIA_Q16(50)
 
-/* The first option that needs a gaze; NULL: none is given. */
+/* Returns the first option that needs a gaze; NULL: none is given. */
 static const char *option_of(const struct options *options)
 {
     return options->gaze.view_angle ? "view-angle"
@@ -16,7 +16,8 @@ static const char *option_of(const struct options *options)
                                     : NULL;
 }
 
-/* A file is a picture of the display's bits, since it is drawn as for one. */
+/* Checks the options for a file: with a gaze its picture has the bits of a display's, since it is drawn in the same
+ * way. */
 static int check_file(const struct options *options)
 {
     bool film = image_format_films(options->format) || options->format == IMAGE_PFM ||

@@ -1,13 +1,13 @@
-/* gaze.h - the options that say where the eye looks and how sharply it sees, include/tia/gaze.h. */
+/* gaze.h - the options for the place where the eye looks and for its acuity, include/tia/gaze.h. */
 #ifndef TOOLS_TIA_GAZE_H
 #define TOOLS_TIA_GAZE_H
 
 #include "options.h"
 
-/* EXIT_FINE, or EXIT_USAGE after an error message. */
+/* Checks the options. EXIT_FINE, or EXIT_USAGE after an error message. */
 int gaze_check(struct options *options);
 
-/* The viewer's gaze: none where none is given. */
+/* Returns the viewer's gaze; all zero if none is given. */
 struct tia_gaze gaze_of(const struct options *options);
 
 #endif

@@ -50,7 +50,7 @@ static int check_parts(const struct options *options)
     return EXIT_FINE;
 }
 
-/* The first of those options that are for the whole picture's samples. */
+/* Returns the first option given that needs the samples of the whole picture. */
 static const char *rounds_option(const struct options *options)
 {
     return options->denoise      ? "denoise"
@@ -60,7 +60,7 @@ static const char *rounds_option(const struct options *options)
                                  : NULL;
 }
 
-/* What ends a picture after some round of all its samples: those are in memory. */
+/* Checks the limits that end a picture after some round; they need all its samples in memory. */
 static int check_limits(struct options *options)
 {
     const char *option = options->time_limit ? "time-limit" : "error";
@@ -75,7 +75,7 @@ static int check_limits(struct options *options)
     return EXIT_FINE;
 }
 
-/* --denoise, --guide, --time-limit and --error; after choose_depth. */
+/* Checks --denoise, --guide, --time-limit and --error; after choose_depth. */
 static int check_rounds(struct options *options)
 {
     const char *option = rounds_option(options);
@@ -93,7 +93,8 @@ static int check_rounds(struct options *options)
     return options->time_limit || options->error ? check_limits(options) : EXIT_FINE;
 }
 
-/* Pictures of samples have 8 bits a channel where the file can; but what only RGB565 has wins. */
+/* Chooses the bits of the file. Pictures of samples have 8 bits a channel where the format can; but options that need
+ * RGB565 take precedence. */
 static int choose_depth(struct options *options)
 {
     bool sampled = is_sampled(options);
@@ -105,7 +106,7 @@ static int choose_depth(struct options *options)
     if (options->depth_bits && !sampled && (options->resume || options->views.view || options->views.draws_rays))
         return fail(EXIT_USAGE, "--colour: --resume, --view and --draw-rays take 565 of whitted");
     if (options->depth_bits && !sampled)
-        options->simd = NULL; /* levels have no colours but 565 */
+        options->simd = NULL; /* vector units have only RGB565 */
     if (options->colour_given && options->depth_bits && plain)
         return fail(EXIT_USAGE, "--colour: films, --checksum, --dither, --rotate, --views and --modules take 565");
     if (options->format == IMAGE_PFM) {
@@ -133,7 +134,7 @@ static bool shines(const struct tia_rgb *colour)
     return colour->r || colour->g || colour->b;
 }
 
-/* A picture of such a scene is black, which may surprise. */
+/* Warns of a scene whose picture is black, which may surprise. */
 static void warn_of_darkness(const struct tia_scene *scene)
 {
     bool bright = shines(&scene->background) || scene->binding_count > 0;

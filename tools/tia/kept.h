@@ -7,8 +7,8 @@
 #include <stdint.h>
 
 struct kept {
-    const char *path; /* NULL: no file */
-    char *why;        /* [PORT_WHY], for all failures */
+    const char *path; /* path of the file; NULL: no file */
+    char *why;        /* receives the reason of any failure, [PORT_WHY] */
     int fd;
 };
 

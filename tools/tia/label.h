@@ -4,7 +4,7 @@
 
 #include <tia/text.h>
 
-/* Returns the text for a picture of that many rows: white on black, larger in large pictures. */
+/* Returns the text for a picture of `height` rows: white on black, larger in large pictures. */
 struct tia_text label_text(const char *text, unsigned height);
 
 #endif

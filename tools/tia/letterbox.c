@@ -88,7 +88,8 @@ static int letterbox_open(void *ctx, struct tia_mode *mode)
     return TIA_OK;
 }
 
-/* Gives the mode. A window that becomes too small for the picture counts as hidden until it is large enough again. */
+/* Gives the picture's mode. A window that becomes too small for the picture counts as hidden until it is large enough
+ * again. */
 static int letterbox_mode(void *ctx, struct tia_mode *mode)
 {
     struct letterbox *letterbox = ctx;
@@ -242,7 +243,7 @@ static int draw_label(struct letterbox *letterbox)
     return status;
 }
 
-/* Computes the CRC. That of the largest frame takes so long that signals must be polled. */
+/* Computes the CRC of the frame. For the largest frame this takes so long that signals must be polled. */
 static int compute_crc(struct letterbox *letterbox)
 {
     const size_t width = letterbox->place.width;

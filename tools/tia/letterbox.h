@@ -16,19 +16,19 @@ struct letterbox {
     void *screen_ctx;
     const char *name;       /* name of the screen, for messages */
     uint16_t width, height; /* size of the picture; 0: as large as the screen */
-    unsigned degrees;       /* clockwise */
+    unsigned degrees;       /* rotation of the picture, clockwise */
     bool checksum;
     bool keeps; /* the picture is needed after it is shown */
-    char *why;  /* [PORT_WHY]: as in port/ports.h */
+    char *why;  /* receives the reason of a failure, [PORT_WHY], see port/ports.h */
 
-    char label[1200]; /* see label.h; empty: none. May change from frame to frame */
+    char label[1200]; /* see label.h; empty: no label. May change from frame to frame */
 
     /* Private, but readable. */
     bool opened;          /* the screen was opened, even if the letterbox was not */
     struct tia_mode mode; /* the screen's mode */
     struct rotation rotation;
     struct tia_tile place; /* position of the rotated picture on the screen */
-    tia_rgb565 *frame;     /* the rotated picture; only with a checksum, or if it is kept */
+    tia_rgb565 *frame;     /* the rotated picture; only with a checksum, or if the picture is kept */
     bool shown;            /* a picture of this size was shown */
     uint32_t crc;          /* CRC of the frame presented last, rotated */
 };

@@ -11,7 +11,7 @@
 
 /* ---- the command line alone ---- */
 
-/* EXIT_FINE, or the status of a failure after its message. */
+/* Copies the panel's lens to the options. EXIT_FINE, or the status of a failure after its message. */
 static int take_lens(struct light_options *light, const struct lenticular *panel, int status)
 {
     if (status)
@@ -36,7 +36,7 @@ static int read_lens(struct light_options *light)
     return take_lens(light, &panel, calibration_read(&panel, light->calibration));
 }
 
-/* The option that asks for a light field; NULL: none. */
+/* Returns the first option given for a light field; NULL: none. */
 static const char *option_of(const struct light_options *light)
 {
     return light->modules       ? "modules"

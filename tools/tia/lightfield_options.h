@@ -1,4 +1,4 @@
-/* lightfield_options.h - what the command line says of light-field displays. */
+/* lightfield_options.h - the options for light-field displays. */
 #ifndef TOOLS_TIA_LIGHTFIELD_OPTIONS_H
 #define TOOLS_TIA_LIGHTFIELD_OPTIONS_H
 
@@ -11,9 +11,9 @@ struct light_options {
 
     struct tia_light_field field;
     bool has_field;
-    uint32_t pictures;      /* one of each view or module; 0: a single one */
-    tia_q16 spacing;        /* of modules */
-    uint16_t width, height; /* of the panel of a calibration */
+    uint32_t pictures;      /* number of pictures, one of each view or module; 0: a single one */
+    tia_q16 spacing;        /* spacing of modules */
+    uint16_t width, height; /* size of the panel of a calibration */
 };
 
 #endif

@@ -1,4 +1,4 @@
-/* move.h - control by keys and the mouse in every scene but the built-in one: see struct tia_control. */
+/* move.h - control by keys and the mouse, in every scene but the built-in one: see struct tia_control. */
 #ifndef TOOLS_TIA_MOVE_H
 #define TOOLS_TIA_MOVE_H
 
@@ -21,23 +21,23 @@ struct moves {
     enum move_to to;        /* the user's choice after the loop */
     bool help;              /* help is shown */
     char message[PORT_WHY]; /* message of the last key, if any */
-    uint64_t until_us;      /* end of its display */
+    uint64_t until_us;      /* time when the message ends */
 
     /* Private. */
     bool saves;     /* the picture is to be saved when it is complete */
-    unsigned saved; /* see save_numbered */
+    unsigned saved; /* last number used by save_numbered */
     struct steer steer;
 };
 
-/* As the functions of struct tia_control. */
+/* Implement the functions of struct tia_control. */
 enum tia_effect moves_weigh(const struct moves *moves, const struct tia_event *event);
 enum tia_effect moves_act(struct moves *moves, const struct tia_event *event, struct tia_camera *camera);
 
-/* Called when a frame was shown; coarse ones are not complete. */
+/* Updates the state when a frame was shown; coarse ones are not complete. */
 void moves_shown(struct moves *moves, const struct tia_frame *frame);
 
-/* Called after the loop: saves the picture that was to be saved when it is complete, as far as it is drawn. True if
- * there was one; `text` has the result. */
+/* Saves, after the loop, the picture that was to be saved when it is complete, as far as it is drawn. True if there was
+ * one; `text` has the result. */
 bool moves_finish(struct moves *moves, char text[PORT_WHY]);
 
 /* Shows a line for a few seconds. */

@@ -12,18 +12,18 @@ struct overlay {
     const struct options *options;
     bool labelled;       /* a key has changed the technique for shadows */
     uint64_t shown_us;   /* time when a frame was last completed */
-    uint64_t between_us; /* time from the one before to that; 0: unknown */
+    uint64_t between_us; /* time between the last two completed frames; 0: unknown */
     uint64_t key_us;     /* latency of the last frame after a key */
     unsigned width, height, threads;
     const struct moves *moves;             /* NULL, or the source of the keys' messages */
     const struct tia_viewer_state *viewer; /* changes by keys */
-    bool hints;                            /* show the keys that add a light, while there is none */
+    bool hints;                            /* show the keys that add a light while there is no light */
 };
 
 /* Writes the text for a picture that has been drawn but not shown; empty when there are no messages. */
 void overlay_text(struct overlay *overlay, const struct tia_frame *frame, char *text, size_t size);
 
-/* Called when a frame is complete and shown. */
+/* Updates the overlay when a frame is complete and shown. */
 void overlay_shown(struct overlay *overlay, const struct tia_frame *frame);
 
 #endif

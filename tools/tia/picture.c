@@ -10,7 +10,7 @@
  * which take some tens of bytes per pixel. A job is a few full rows, since the core works by rows. */
 enum { BAND_PIXELS = 1 << 19, JOB_PIXELS = 1 << 13 };
 
-/* With --resume a signal loses at most a band: a small part of the picture, unless it is drawn soon. */
+/* Sizes with --resume: a signal loses at most a band, a small part of the picture, unless the picture is drawn soon. */
 enum { KEPT_PIXELS = 1 << 14, KEPT_BANDS = 64, KEPT_JOBS = 16 };
 
 static struct tia_tile tile_of(const struct picture *picture, const struct picture_band *band)
@@ -22,7 +22,7 @@ static struct tia_tile tile_of(const struct picture *picture, const struct pictu
 
 /* ---- jobs ---- */
 
-/* Converts colours to the file's format, in the same memory: 255 levels of 8 bits are 257 of 65535 apart. */
+/* Converts colours to the file's format, in the same memory: neighbouring values of 8 bits are 257 of 65535 apart. */
 static const unsigned char *colour_bytes(uint16_t *colours, size_t count, unsigned depth)
 {
     unsigned char *bytes = (unsigned char *)colours;
@@ -93,7 +93,7 @@ static void work(void *arg, unsigned index)
 
 /* ---- the picture ---- */
 
-/* Prepares the parts of a band that are to be drawn; *jobs: their number. */
+/* Prepares the parts of a band that must be drawn; *jobs receives their number. */
 static int prepare_band(struct picture *picture, const struct picture_band *band, unsigned *jobs)
 {
     picture->tile = tile_of(picture, band);

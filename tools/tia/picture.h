@@ -23,19 +23,19 @@ struct picture {
     struct tia_view *view;
     struct image *image;
     struct finished *finished; /* NULL: finished rows are not stored */
-    uint32_t frame;            /* frame number for it */
+    uint32_t frame;            /* number of the frame in `finished` */
 
     /* Private. */
     const struct tia_core *core;
     struct tia_options pixel_options;
     struct rotation rotation;
-    unsigned width, first_row, rows; /* of the file, that is, of the rotated picture */
+    unsigned width, first_row, rows; /* size and rows of the file, that is, of the rotated picture */
     unsigned band_rows, job_rows;
     void *hits_memory;
     size_t hits_bytes;
     struct tia_hits *hits;
     struct threads *pool;
-    struct picture_band band[2]; /* one being drawn, one being written */
+    struct picture_band band[2]; /* one band being drawn, one being written */
     struct tia_tile tile;        /* tile of the picture: the band being drawn */
     unsigned depth;              /* bits of the colours, see struct image_film */
     bool checksum;

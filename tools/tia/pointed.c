@@ -13,7 +13,7 @@ static unsigned inside(int32_t part, unsigned screen, unsigned from, unsigned si
     return at < from ? 0 : at - from < size ? at - from : size - 1;
 }
 
-/* Returns the middle of a pixel. */
+/* Returns the position of a pixel's middle. */
 static int32_t part_of(unsigned at, unsigned size)
 {
     return (int32_t)((2 * at + 1) * UINT32_C(32768) / size);

@@ -5,8 +5,8 @@
 
 #include "clock.h"
 
-/* Timing: shows nothing for drawings of less than half a second; then updates a terminal ten times a second, and writes
- * a line elsewhere once a second. */
+/* Timing: a drawing of less than half a second shows nothing; after that a terminal is updated ten times a second, and
+ * other outputs get a line once a second. */
 enum { FIRST_US = 500000, STEP_US = 100000, LINE_US = 1000000 };
 
 static const char erase[] = "\r\033[K";
@@ -64,7 +64,7 @@ static void print(const struct progress *progress, uint64_t now)
     (void)fflush(stderr);
 }
 
-/* Shows the progress; call it with the lock. */
+/* Shows the progress; the caller holds the lock. */
 static void show(struct progress *progress, uint64_t now)
 {
     if (now < progress->next_us)

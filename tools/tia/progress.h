@@ -1,4 +1,4 @@
-/* progress.h - the progress of a long drawing, on standard error if that is a terminal or --progress asks for it. */
+/* progress.h - the progress of a long drawing, on standard error if that is a terminal or --progress is given. */
 #ifndef TOOLS_TIA_PROGRESS_H
 #define TOOLS_TIA_PROGRESS_H
 
@@ -12,30 +12,30 @@
 #define PROGRESS_TEXT 80
 
 struct progress {
-    bool terminal, asked; /* asked: also without a terminal, in lines */
+    bool terminal, asked; /* asked: progress is shown without a terminal, too, in lines */
     uint64_t begun_us;
     uint64_t frame_pixels;
     uint32_t frames;
     pthread_mutex_t lock; /* protects the following members */
-    uint64_t done;        /* pixels */
+    uint64_t done;        /* number of pixels drawn */
     uint64_t next_us;
-    char text[PROGRESS_TEXT];       /* text shown instead of percents; empty: none */
+    char text[PROGRESS_TEXT];       /* text shown instead of a percentage; empty: none */
     atomic_bool shown;              /* the line is on the terminal */
     struct signals_cleanup cleanup; /* erases the line */
 };
 
-/* Begins; on the main thread, as progress_end: see common/signals.h. */
+/* Begins; to be called on the main thread, like progress_end: see common/signals.h. */
 void progress_begin(struct progress *progress, uint64_t frame_pixels, uint32_t frames, bool asked);
 
-/* Adds completed pixels; call it from any thread. */
+/* Adds completed pixels; may be called on any thread. */
 void progress_add(struct progress *progress, uint64_t pixels);
 
 /* Shows this text from now on. */
 void progress_say(struct progress *progress, const char *text);
 
-/* Erases the line, which may come again. */
+/* Erases the line, which may be shown again. */
 void progress_erase(struct progress *progress);
-/* Erases it for good. */
+/* Erases the line for good. */
 void progress_end(struct progress *progress);
 
 #endif

@@ -19,7 +19,8 @@ static int read_header(struct resume *r, uint64_t size)
     int status = kept_read(&r->kept, text, sizeof text, 0, &got);
     if (status)
         return status;
-    if (got < r->header && !memcmp(text, wanted, got)) /* new, or killed in its first line */
+    if (got < r->header && !memcmp(text, wanted, got)) /* the file is new, or the run was killed while it wrote the
+                                                          first line */
         return kept_write(&r->kept, wanted, r->header, 0);
     if (!sums_parse(&old, text, got))
         return kept_refused(&r->kept, "not a part left by an interrupted run");
@@ -30,7 +31,7 @@ static int read_header(struct resume *r, uint64_t size)
                                                  : "is of a run without --denoise and --guide");
     if (old.first != r->sums.first || old.count != r->sums.count)
         return kept_refused(&r->kept, "has other samples (--spp, --samples-range)");
-    r->header = sums_print(wanted, &old); /* its tone and exposure do not matter */
+    r->header = sums_print(wanted, &old); /* tone and exposure of the old file do not matter */
     uint64_t rows = (size - r->header) / sums_row_bytes(&r->sums);
     r->rows = rows < r->sums.height ? (unsigned)rows : r->sums.height;
     return TIA_OK;

@@ -6,7 +6,7 @@
 
 struct rotation {
     unsigned degrees;       /* 0, 90, 180, 270 */
-    unsigned width, height; /* of the picture before rotation */
+    unsigned width, height; /* size of the picture before rotation */
 };
 
 /* True if the rotation swaps width and height. */
@@ -15,7 +15,7 @@ static inline bool rotation_swaps(unsigned degrees)
     return degrees % 180 != 0;
 }
 
-/* Returns the rotation that undoes this one. */
+/* Returns the inverse rotation. */
 struct rotation rotation_inverse(const struct rotation *rotation);
 
 /* Returns the rectangle of the rotated picture that shows `tile` of the original. */

@@ -1,4 +1,4 @@
-/* rounds.c - a picture of samples, a sample of each pixel at a time, so that it can end after any of them. */
+/* rounds.c - draws a picture of samples, one sample of each pixel at a time, so that it can end after any of them. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,9 +11,9 @@
 #include "fail.h"
 #include "pixels/pages.h"
 
-/* A picture up to PIXELS_MAX has its samples in memory, twice: those of the rounds that are complete, and those with
- * the next round. A round of a small picture is several samples, so that threads have enough work. Fewer than
- * SPREAD_MIN samples give no estimate of their spread. A signal leaves 0.2 s for the picture: a picture up to
+/* Sizes and times. A picture up to PIXELS_MAX has its samples in memory, twice: those of the rounds that are complete,
+ * and those with the next round. A round of a small picture is several samples, so that threads have enough work. Fewer
+ * than SPREAD_MIN samples give no estimate of their spread. A signal leaves 0.2 s for the picture: a picture up to
  * SMALL_PIXELS is denoised in 0.13 s. */
 enum { PIXELS_MAX = 1 << 24, ROUND_PIXELS = 1 << 12, SPREAD_MIN = 8, TOLD_US = 500000, SMALL_PIXELS = 98304 };
 
@@ -26,9 +26,9 @@ struct rounds {
     struct estimation *e;
     size_t pixels;
     struct gathered kept, next;
-    uint32_t done, round; /* samples in `kept`, and number to be added */
+    uint32_t done, round; /* number of samples in `kept`, and number to be added */
     uint64_t begun_us, told_us;
-    double error; /* estimate; < 0: none yet */
+    double error; /* the estimated error; negative: none yet */
     struct row_error *row_errors;
     struct denoising *denoising;
 };
@@ -61,7 +61,7 @@ static size_t pixels_of(const struct estimation *e)
     return (size_t)e->film.width * e->film.height;
 }
 
-/* Returns the size of one of the two. */
+/* Returns the size of one of the two arrays of samples. */
 static size_t gathered_size(const struct estimation *e)
 {
     size_t guide = e->sums.guided ? sizeof(struct tia_guide) : 0, square = has_squares(e) ? sizeof(uint64_t) : 0;
@@ -87,7 +87,7 @@ static bool get_memory(struct gathered *g, const struct rounds *r)
     return g->memory;
 }
 
-/* True if a signal has come and steps that a picture does not need have to be left out, so that it ends in time. */
+/* True if a signal has come and optional steps must be left out, so that the picture ends in time. */
 static bool hurries(const struct rounds *r)
 {
     return r->pixels > SMALL_PIXELS && signals_asked(NULL);
@@ -108,7 +108,7 @@ static void estimate_row(void *arg, unsigned y)
     }
 }
 
-/* Returns the mean of the pixels' standard errors over that of their luminance; -1: there is no time for it. */
+/* Returns the mean of the pixels' standard errors over that of their luminance; -1: there is no time to compute it. */
 static double estimated_error(struct rounds *r)
 {
     struct row_error all = {0, 0};
@@ -144,7 +144,7 @@ static void begin_row(const struct rounds *r, size_t place, const struct tia_gat
         memcpy(to->guides, from.guides, width * sizeof *to->guides);
 }
 
-/* Draws a row. Once a row was stopped the round does not count, so the remaining rows are not needed. */
+/* Draws a row. Once a row was stopped the round is invalid, so the remaining rows are not drawn. */
 static void draw_row(void *arg, unsigned y)
 {
     struct rounds *r = arg;
@@ -209,7 +209,7 @@ static void tell(struct rounds *r, uint64_t now)
     progress_say(&r->e->progress, text);
 }
 
-/* Estimates the error if it is a limit, or is displayed: that takes a while, too. */
+/* Estimates the error if it is a limit or is displayed, as that takes a while. */
 static void look(struct rounds *r)
 {
     bool tells = watched(r->e);
@@ -233,7 +233,7 @@ static bool is_good(const struct rounds *r)
     return options->error && r->error >= 0 && r->error * 65536 <= options->error;
 }
 
-/* Draws; TIA_STOPPED: not a single round is complete. */
+/* Draws rounds; TIA_STOPPED: not a single round is complete. */
 static int draw(struct rounds *r)
 {
     uint32_t count = r->e->sums.count;
@@ -251,7 +251,7 @@ static int draw(struct rounds *r)
 
 /* ---- the file ---- */
 
-/* Rows written at once. */
+/* Rows that are written at once. */
 struct rows {
     const struct rounds *r;
     unsigned y, count;
@@ -319,7 +319,7 @@ static void guide_row(void *arg, unsigned y)
     show_guide(r->e, &row);
 }
 
-/* Writes the picture. After a signal, a large one keeps its noise and is not compressed. */
+/* Writes the picture. After a signal, a large picture keeps its noise and is not compressed. */
 static int finish(struct rounds *r)
 {
     const struct options *options = r->e->options;
@@ -378,7 +378,7 @@ int rounds_draw(struct estimation *e)
 
     if (!status)
         status = draw(&r);
-    signals_release(); /* another signal ends the program at once */
+    signals_release(); /* a second signal ends the program at once */
     if (!status) {
         say_samples(&r, asked);
         status = finish(&r);

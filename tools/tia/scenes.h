@@ -5,8 +5,8 @@
 #include "device.h"
 #include "options.h"
 
-/* Loads the scene that is `step` further, cyclically; the one before is closed. False: it cannot be loaded, for the
- * reason in `why`, [PORT_WHY]; then the one before stays. */
+/* Loads the scene that is `step` further, cyclically; the scene before is closed. False: it cannot be loaded, for the
+ * reason in `why`, [PORT_WHY]; then the scene before stays. */
 bool scenes_go(struct options *options, int step, char *why);
 
 /* Shows the next view of the scene, see view.h. */

@@ -97,7 +97,7 @@ void session_close(struct session *session)
 
 /* ---- callbacks of the viewer ---- */
 
-/* Allocates; not by realloc, as the old contents are not needed. */
+/* Allocates memory; not by realloc, as the old contents are not needed. */
 static void *get_memory(void *ctx, size_t size)
 {
     struct session *session = ctx;
@@ -184,7 +184,7 @@ static enum tia_effect act(void *ctx, const struct tia_event *event, struct tia_
 
 static const struct tia_control control = {weigh, act};
 
-/* True if --fps is a pace: else it is a film's rate. */
+/* True if --fps is a pace, not a film's rate. */
 static bool viewer_paces(const struct options *options)
 {
     return options->rate_given && options->frames == 0;
@@ -227,7 +227,7 @@ static struct tia_viewer viewer_of(struct session *session)
     };
 }
 
-/* Begins the overlay. Without a keyboard there are no hints; nor if keys are pressed first, which add the light. */
+/* Begins the overlay. It shows hints only with a keyboard, and unless keys are pressed first, which add the light. */
 static void begin_overlay(struct session *session)
 {
     const struct options *options = session->options;
@@ -242,8 +242,8 @@ static void begin_overlay(struct session *session)
     session->pointed = (struct pointed){session->input->ops, session->input_ctx, &session->letterbox};
 }
 
-/* Returns true if there is more to show after a key that ended the loop. If a scene cannot be loaded, the one before
- * shows a message. */
+/* True if there is more to show after a key that ended the loop. If a scene cannot be loaded, a message appears in the
+ * one before. */
 static bool move_on(struct session *session)
 {
     enum move_to to = session->moves.to;
@@ -269,8 +269,8 @@ static bool move_on(struct session *session)
     return lights_copy(&session->lights, &session->options->scene);
 }
 
-/* Does the same; a picture that could not be completed is saved, with a message on the next or, after the last, on
- * standard error: the display is closed by then. */
+/* Returns the result of move_on. A picture that could not be completed is saved, with a message in the next scene or,
+ * after the last, on standard error: the display is closed by then. */
 static bool go_on(struct session *session)
 {
     char text[PORT_WHY];
@@ -283,8 +283,8 @@ static bool go_on(struct session *session)
     return more;
 }
 
-/* Runs the session. Creates the threads after opening the display: opening may fork, and threads do not survive that.
- */
+/* Runs the session. Creates the threads after opening the display: opening may fork, and threads do not survive a
+ * fork. */
 int session_run(struct session *session)
 {
     int status = TIA_ERR_MEMORY;

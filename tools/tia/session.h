@@ -16,8 +16,8 @@
 
 struct session {
     struct options *options;
-    char why[PORT_WHY];                 /* the last failure */
-    char last[PORT_WHY];                /* message for after the display is closed; empty: none */
+    char why[PORT_WHY];                 /* reason of the last failure */
+    char last[PORT_WHY];                /* message to print after the display is closed; empty: none */
     const struct port_display *display; /* NULL: not open */
     const struct port_input *input;
     void *display_ctx, *input_ctx;
@@ -34,17 +34,17 @@ struct session {
     const char *save_to; /* NULL, or the file to which the first complete picture is written, in options->format */
     void *memory;        /* the viewer's memory */
     size_t memory_bytes;
-    FILE *lines; /* for checksums: standard output, or memory until the display is closed */
+    FILE *lines; /* output of checksums: standard output, or memory until the display is closed */
     char *text;
     size_t text_bytes;
     struct stats stats;
-    char format[32]; /* a copy of the display's, since it is printed after closing */
+    char format[32]; /* copy of the display's format, since it is printed after closing */
 };
 
-/* Until session_end, signals are only noted, see common/signals.h. NULL: no memory. */
+/* Creates a session. Until session_end, signals are only noted, see common/signals.h. NULL: no memory. */
 struct session *session_create(struct options *options);
 
-/* Open or run; return an exit status, and the reason in session->why. */
+/* Open the input, open the display, run; return an exit status, and the reason in session->why. */
 int session_open_input(struct session *session, const struct port_input *port);
 int session_open_display(struct session *session, const struct port_display *port);
 int session_run(struct session *session);

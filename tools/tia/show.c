@@ -44,7 +44,7 @@ static int open_input(struct session *session, const char *name)
     return port ? session_open_input(session, port) : refuse_input(session, name);
 }
 
-/* Chooses the input. A display that takes over the console needs a way out: an input, or a limit on the frames. */
+/* Chooses the input. A display that takes over the console needs a way to end: an input, or a limit on the frames. */
 static int choose_input(struct session *session, const struct port_display *port)
 {
     const struct options *options = session->options;
@@ -92,7 +92,7 @@ static int draw_instead(struct options *options)
 {
     struct options file = *options;
     struct unused unused;
-    file.frames = 0; /* one picture, whatever --frames says */
+    file.frames = 0; /* a file has one picture, whatever the value of --frames */
     file.format = image_format_built(IMAGE_PNG) ? IMAGE_PNG : IMAGE_PPM;
     file.output = unused.path;
     if (!unused_create(&unused, image_format_name(file.format)))
@@ -142,7 +142,8 @@ int show(struct options *options)
     return session_end(session, status);
 }
 
-/* Draws a picture with a gaze, which needs the whole picture in memory: as on a display that shows nothing. */
+/* Draws a picture with a gaze into a file. It needs the whole picture in memory, as a display that shows nothing
+ * does. */
 int show_into_file(struct options *options)
 {
     struct session *session;

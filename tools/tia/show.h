@@ -4,7 +4,7 @@
 
 #include "options.h"
 
-/* All return the exit status, after an error message if it is not 0. */
+/* Shows the scene. All three functions return the exit status, after an error message if it is not 0. */
 int show(struct options *options);
 
 /* Draws one picture into options->output, with a gaze. */

@@ -80,7 +80,7 @@ static void print_paced(const struct paced *paced)
     (void)fputs("}}, ", stderr);
 }
 
-/* Prints the number of drawn pixels as a share of those of all frames. */
+/* Prints the drawn pixels as a share of the pixels of all frames. */
 static void print_drawn(const struct stats *stats)
 {
     uint64_t all = stats->all_pixels ? stats->all_pixels : 1, millionths = stats->pixels * 1000000 / all;

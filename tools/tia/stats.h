@@ -5,19 +5,19 @@
 #include <stdint.h>
 #include <tia/viewer.h>
 
-/* Number of samples kept: the newest, since a program may run for weeks. */
+/* Number of samples kept: the newest ones, since a program may run for weeks. */
 enum { STATS_SAMPLES = 65536 };
 
 struct samples {
-    uint64_t count;             /* samples added in all */
-    uint32_t us[STATS_SAMPLES]; /* ring buffer */
+    uint64_t count;             /* number of all samples added */
+    uint32_t us[STATS_SAMPLES]; /* ring buffer of the newest samples */
 };
 
-/* Frames of motion at a pace. */
+/* Statistics of moving frames with a pace. */
 struct paced {
     uint64_t asked_us;      /* period of the pace; 0: there is no pace */
     uint64_t sum_us, count; /* time between successive frames: sum and count */
-    uint64_t last_us;       /* time of the last frame; 0: it was not in motion */
+    uint64_t last_us;       /* time of the last frame; 0: it was not moving */
     uint64_t blocks[5];     /* number of frames with blocks of 1, 2, 4, 8 and 16 pixels */
 };
 
@@ -28,17 +28,17 @@ struct stats {
     bool answered;             /* a coarse picture of a key's frame was shown, and the complete one is to come */
     const char *display, *format, *simd;
     unsigned width, height, threads;
-    int scale_bits;              /* of the scene */
-    uint64_t pixels, all_pixels; /* pixels drawn, and those of all frames */
-    bool gazes;                  /* true if these differ */
+    int scale_bits;              /* scale_bits of the scene */
+    uint64_t pixels, all_pixels; /* number of drawn pixels, and of the pixels of all frames */
+    bool gazes;                  /* pixels and all_pixels differ */
     struct paced paced;
 };
 
-/* Adds a latency: a picture was shown so long after the key press that it shows; 0: it shows none, or the key's coarse
+/* Adds the latency of a picture: the time since the key press that it shows; 0: it shows none, or the key's coarse
  * picture was shown before. */
 void stats_key(struct stats *stats, uint64_t us, bool coarse);
 
-/* Adds a picture shown at that time. */
+/* Adds a picture shown at time now_us. */
 void stats_paced(struct paced *paced, const struct tia_frame *frame, uint64_t now_us);
 
 void stats_add(struct samples *samples, uint64_t us);

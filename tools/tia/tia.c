@@ -13,8 +13,8 @@
 #include "fail.h"
 #include "show.h"
 
-/* A program can be started with a standard descriptor closed. The next file opened would then get its number, and
- * messages would go into the picture. */
+/* Opens the standard descriptors with which the program was not started. The next file opened would get the number of
+ * one, and messages would go into the picture. */
 static void fill_descriptors(void)
 {
     for (int fd = STDIN_FILENO; fd <= STDERR_FILENO; fd++)

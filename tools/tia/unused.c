@@ -8,7 +8,7 @@
 
 enum { NUMBERS = 9999 };
 
-/* Removes the file unless a complete picture has replaced it. Runs in a signal's handler, too. */
+/* Removes the file unless a complete picture has replaced it; may run in a signal's handler. */
 static void remove_empty(void *arg)
 {
     const struct unused *unused = arg;

@@ -9,8 +9,8 @@ struct unused {
     struct signals_cleanup cleanup;
 };
 
-/* Creates the first of tia.png, tia-1.png, ... (or another extension) that does not exist, as an empty file, so that no
- * other run takes its name. False, with errno: there is none. */
+/* Creates the first of tia.png, tia-1.png, ... (or with another extension) that does not exist, as an empty file, so
+ * that no other run takes its name. False, with errno: there is none. */
 bool unused_create(struct unused *unused, const char *extension);
 
 /* Removes the file if it is still empty. */

@@ -1,4 +1,4 @@
-/* core.c - the core for the settings. It records its view: samples and single rays are drawn with it later. */
+/* core.c - the core for the settings, which records its view: samples and single rays are drawn with it later. */
 #include "session.h"
 
 #include <tia/debug.h>

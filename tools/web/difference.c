@@ -1,9 +1,9 @@
-/* difference.c - two cores in one: integers, and doubles for comparison, as in tia-compare. */
+/* difference.c - two cores in one: fixed point, and doubles for comparison, as in tia-compare. */
 #include "session.h"
 
 #include <tia/debug.h>
 
-enum { MANY = 1000, REACH = 2 }; /* as in tia-compare's pictures */
+enum { MANY = 1000, REACH = 2 }; /* limits as for tia-compare's pictures */
 
 struct pair {
     const struct tia_core *core;
@@ -199,8 +199,8 @@ static unsigned kind_of(tia_rgb565 pixel)
     return kind;
 }
 
-/* Spreads a difference to the pixels around that are not different. Its colours there are marked in the lowest bits, so
- * that they are not spread again. */
+/* Spreads a difference to the pixels around it that do not differ. The colours of these are marked in the lowest bits,
+ * so that they are not spread again. */
 static void spread(tia_rgb565 *pixels, unsigned width, unsigned height, size_t at)
 {
     static const tia_rgb565 around[3] = {0xff80, 0xf820, 0x07df};

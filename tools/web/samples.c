@@ -4,13 +4,13 @@
 
 #include "session.h"
 
-enum { SHOW_US = 150000 }; /* between two intermediate pictures */
+enum { SHOW_US = 150000 }; /* time between two intermediate pictures */
 
 static struct {
     struct tia_sum *sums;
-    size_t room;        /* sums */
-    uint32_t done, row; /* complete samples of all pixels, and rows that have one more */
-    uint64_t shown_us;  /* time when a picture was shown last */
+    size_t room;        /* size of the sums */
+    uint32_t done, row; /* number of complete samples of all pixels; number of rows that have one more */
+    uint64_t shown_us;  /* time when a picture was last shown */
 } now;
 
 void samples_reset(void)

@@ -158,8 +158,8 @@ static bool begin(bool goes_on)
 
 /* ---- exported functions ---- */
 
-/* Reads the scene `name` and the files that it refers to; 0, or an error whose reason is in web_why: then the old scene
- * stays. */
+/* Reads the scene `name` and the files that it refers to. Returns 0, or an error whose reason is in web_why: then the
+ * old scene stays. */
 EXPORT("web_load") int web_load(const char *name);
 int web_load(const char *name)
 {
@@ -192,8 +192,8 @@ void web_set(unsigned width, unsigned height, int arithmetic, int view, int rays
                                          .samples = samples};
 }
 
-/* Runs the loop. 0: an event ended it; 1: there is nothing to do and this browser cannot wait; 2: it failed, see
- * web_why. */
+/* Runs the loop. Returns 0: an event ended it; 1: there is nothing to do and this browser cannot wait; 2: it failed,
+ * see web_why. */
 EXPORT("web_run") int web_run(int goes_on);
 int web_run(int goes_on)
 {
@@ -229,7 +229,7 @@ int web_run(int goes_on)
     return 2;
 }
 
-/* Returns memory for the state of another worker, of the same scene; NULL: it is of another one. The state is used
+/* Returns memory for another worker's state of the same scene; NULL: the state is of another scene. The state is used
  * once. */
 EXPORT("web_kept") void *web_kept(unsigned size);
 void *web_kept(unsigned size)

@@ -25,17 +25,17 @@ struct session {
     struct web_screen screen;
     struct scene_file file;
     bool loaded;
-    struct tia_scene scene, variant; /* with the settings applied; the viewer's copy */
+    struct tia_scene scene, variant; /* the scene with the settings applied; the viewer's copy */
     struct lights lights;
-    struct tia_binding *bindings; /* the scene's, and one by which the pointer sets a light */
+    struct tia_binding *bindings; /* the scene's bindings, and one by which the pointer sets a light */
     struct tia_viewer_state state;
     struct steer steer;
     uint32_t spp; /* samples of the integrator; 0: Whitted's, or not drawn sample by sample */
-    bool polled;  /* an event was taken */
+    bool polled;  /* an event has been polled */
 
     /* The pixel under the pointer. */
     bool rays_due;
-    int32_t pointer_x, pointer_y; /* as in struct tia_event; negative: not on the picture */
+    int32_t pointer_x, pointer_y; /* position as in struct tia_event; negative: not on the picture */
 
     struct web_frame frame; /* data of the last frame */
     void *memory, *kept;
@@ -45,35 +45,35 @@ struct session {
 
 extern struct session session;
 
-/* core.c: the core for the settings, which records its view. */
+/* The core for the settings, which records its view. core.c */
 struct seat {
-    struct tia_view *view; /* NULL: none yet */
+    struct tia_view *view; /* view of the last frame; NULL: none yet */
     const struct tia_core *base;
 };
 extern struct seat seat;
 const struct tia_core *seat_core(void);
 
-/* difference.c: a core that shows and counts the pixels where integers and doubles differ: by a level of a channel, by
- * more, because a ray took another path. A few of them are drawn larger, so that they are visible. */
+/* A core that shows and counts the pixels where fixed point and doubles differ: by a level of a channel, by more, or
+ * because a ray took another path. A few of them are drawn larger, so that they are visible. difference.c */
 extern const struct tia_core difference_core;
 extern uint32_t difference_counts[3];
 void difference_spread(tia_rgb565 *pixels, unsigned width, unsigned height);
 
-/* samples.c: the picture of the seat's view, a sample of each pixel at a time, drawn while idle; `reset` begins again.
- * TIA_OK: there is more to do. */
+/* Draw the picture of the seat's view, a sample of each pixel at a time, while idle; `reset` begins again. TIA_OK:
+ * there is more to do. samples.c */
 void samples_reset(void);
 bool samples_left(void);
 int samples_go_on(void);
 
-/* control.c, input.c */
+/* Control and input of the session. control.c */
 extern const struct tia_control session_control;
-extern const struct tia_input session_input; /* the context is that of web_input */
+extern const struct tia_input session_input; /* input; its context is that of web_input */
 
-/* light.c: returns the light that keys move, or TIA_NO_LIGHT. */
+/* Returns the light that keys move, or TIA_NO_LIGHT. light.c */
 uint32_t light_chosen(void);
 /* Stores the light and its position in the picture. */
 void light_tell(struct web_frame *frame);
-/* Moves the light by a pointer; false if that position is not valid. */
+/* Moves the light by a pointer's movement; false if the new position is not valid. */
 bool light_drag(int32_t right, int32_t down);
 
 /* Shows the picture, with its checksum when it is complete. */

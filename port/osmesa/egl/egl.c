@@ -117,7 +117,7 @@ static int egl_open(struct gl_screen *screen)
     return status;
 }
 
-/* GL's first row is the bottom one. */
+/* Reads the frame and reverses its rows: GL's first row is the bottom one. */
 static void egl_read(struct gl_screen *screen)
 {
     struct egl *egl = screen->state;
@@ -128,7 +128,7 @@ static void egl_read(struct gl_screen *screen)
     }
 }
 
-/* Destroying the context frees its frame buffer object. The display is not terminated: it belongs to the whole
+/* Destroys the context, which frees its frame buffer object. The display is not terminated: it belongs to the whole
  * program, without reference counting, so that would destroy the contexts of others. */
 static void egl_close(struct gl_screen *screen)
 {

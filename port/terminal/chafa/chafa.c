@@ -7,7 +7,7 @@
 #include "terminal/chafa/expand.h"
 #include "terminal/pictures.h"
 
-/* Pictures of kitty's protocol lie on top of each other, so those before are removed. */
+/* Removes the pictures before: those of kitty's protocol lie on top of each other. */
 static const char remove_before[] = "\033_Ga=d,q=2\033\\";
 
 static unsigned cells(unsigned size, unsigned cell)
@@ -30,7 +30,7 @@ static ChafaCanvas *canvas_for(enum pictures pictures, unsigned width, unsigned 
     return canvas;
 }
 
-/* Prints with the sequences of all terminals: the support of this one is known from its answers. */
+/* Prints with the sequences of all terminals: this one's support is known from its answers. */
 static GString *print(ChafaCanvas *canvas)
 {
     ChafaTermInfo *info = chafa_term_info_new(), *all = chafa_term_db_get_fallback_info(chafa_term_db_get_default());
@@ -72,7 +72,7 @@ void pictures_draw(enum pictures pictures, const tia_rgb565 *pixels, unsigned wi
         text->failed = true;
         return;
     }
-    chafa_set_n_threads(1); /* a port starts none */
+    chafa_set_n_threads(1); /* ports start no threads */
     ChafaCanvas *canvas = canvas_for(pictures, width, strip.rows, cell->width, cell->height);
     chafa_canvas_draw_all_pixels(canvas, CHAFA_PIXEL_RGBA8_UNASSOCIATED, rgba, (gint)width, (gint)strip.rows,
                                  (gint)(4 * width));

@@ -1,4 +1,4 @@
-/* expand.h - pixels as libchafa takes them. */
+/* expand.h - pixels in libchafa's format. */
 #ifndef PORT_TERMINAL_CHAFA_EXPAND_H
 #define PORT_TERMINAL_CHAFA_EXPAND_H
 
@@ -6,8 +6,8 @@
 
 #include <tia/port.h>
 
-/* Each pixel so many times as red, green, blue and 255: libchafa 1.12 wants rows of a multiple of four bytes. The
- * caller frees it; NULL without memory. */
+/* Returns each pixel `times` times as red, green, blue and 255: libchafa 1.12 needs rows of a multiple of four bytes.
+ * The caller frees the memory; NULL: memory is short. */
 uint8_t *expand(const tia_rgb565 *pixels, size_t count, unsigned times);
 
 #endif

@@ -1,4 +1,4 @@
-/* symbols.c - libchafa chooses the characters and their colours; what changed is written here. */
+/* symbols.c - libchafa chooses the characters and their colours; this file writes those that changed. */
 #include "terminal/symbols.h"
 
 #include <chafa.h>
@@ -9,16 +9,16 @@
 #include "terminal/chafa/expand.h"
 #include "terminal/colour.h"
 
-#define POINTS 8 /* of a character, across */
+#define POINTS 8 /* points of a character, across */
 #define UNKNOWN UINT32_MAX
 #define BRAILLE_BLANK 0x2800
 
-/* Colours are 0xrrggbb, or indices of the 256. */
+/* A character; colours are 0xrrggbb, or indices of the 256. */
 struct symbol {
     uint32_t code, fore, back;
 };
 
-/* Where the cursor is and which colours it has. */
+/* The cursor's position and the colours that are set. */
 struct pen {
     unsigned column, row;
     uint32_t fore, back;
@@ -79,7 +79,7 @@ static uint32_t code_of(gint colour, bool direct)
     return direct ? c : colour_nearest((struct rgb8){(uint8_t)(c >> 16), (uint8_t)(c >> 8), (uint8_t)c});
 }
 
-/* A character of one colour is a space, which needs no foreground colour. */
+/* Returns a cell's character. A character of one colour is a space, which needs no foreground colour. */
 static struct symbol symbol_at(ChafaCanvas *canvas, unsigned column, unsigned row, bool direct)
 {
     gint fore, back;
@@ -133,7 +133,7 @@ static void put_symbol(struct pen *pen, const struct symbol *s, bool direct, str
     text_add(text, character);
 }
 
-/* The canvas has the rows from `top` on. */
+/* Writes the characters that changed; the canvas has the rows from `top` on. */
 static void put_changed(struct symbols *symbols, ChafaCanvas *canvas, unsigned top, unsigned rows, bool direct,
                         struct text *text)
 {
@@ -147,7 +147,7 @@ static void put_changed(struct symbols *symbols, ChafaCanvas *canvas, unsigned t
             continue;
         move(&pen, column, top + row, text);
         put_symbol(&pen, &s, direct, text);
-        pen.column = column + 1; /* after the last column terminals differ, but there the next row begins */
+        pen.column = column + 1; /* terminals differ after the last column, but there the next row begins */
         pen.row = top + row;
         *known = s;
     }
@@ -165,7 +165,7 @@ void symbols_draw(struct symbols *symbols, const tia_rgb565 *pixels, unsigned wi
         text->failed = true;
         return;
     }
-    chafa_set_n_threads(1); /* a port starts none */
+    chafa_set_n_threads(1); /* ports start no threads */
     ChafaCanvas *canvas = canvas_new(columns, rows);
     chafa_canvas_draw_all_pixels(canvas, CHAFA_PIXEL_RGBA8_UNASSOCIATED, rgba, (gint)(columns * POINTS),
                                  (gint)(rows * SYMBOLS_HEIGHT), (gint)(4 * columns * POINTS));

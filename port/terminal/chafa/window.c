@@ -1,4 +1,4 @@
-/* window.c - how large pictures are in a terminal's window. */
+/* window.c - the size of pictures in a terminal's window. */
 #include <stdlib.h>
 #include <sys/ioctl.h>
 
@@ -27,7 +27,8 @@ enum pictures pictures_find(int fd, struct cell *cell)
     return found;
 }
 
-/* What a multiplexer does not show it drops without a word. Of sixel it says itself whether it does. */
+/* Returns what a multiplexer lacks for these pictures: it drops without a message what it does not show, but its answer
+ * tells whether it shows sixel. */
 static const char *multiplexer_needs(int fd, enum pictures pictures)
 {
     const char *term = getenv("TERM");
@@ -54,11 +55,11 @@ static unsigned whole_cells(unsigned count, unsigned cell, unsigned most)
     return count * cell <= most ? count * cell : most > cell ? most / cell * cell : cell;
 }
 
-/* Sixel and kitty's pictures take libchafa some 30 to 50 ns a pixel, symbols 100. */
+/* Pixels of a strip: sixel and kitty's pictures take libchafa some 30 to 50 ns a pixel, symbols 100. */
 #define STRIP_PIXELS (1u << 19)
 #define SYMBOLS_PIXELS (1u << 18)
 
-/* The least common multiple of both. */
+/* Returns the least common multiple of both. */
 static unsigned common(unsigned a, unsigned b)
 {
     unsigned multiple = a;

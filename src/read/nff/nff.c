@@ -197,7 +197,7 @@ static bool is_found(const struct nff *n)
     return false;
 }
 
-/* One pass. When searching for a fault, sets the error's place to the statement that made the object. */
+/* Reads the file once. When searching for a fault, sets the error's place to the statement that made the object. */
 static int read_all(struct nff *n, const struct tia_reader *reader, struct tia_read_error *error)
 {
     struct tia_word word;
@@ -323,7 +323,7 @@ int tia_read_nff(struct tia_reader *reader, struct tia_scene *scene, struct tia_
     return status;
 }
 
-/* The words for a fault: the file's name of its field ("": the whole line), and the index of the word in the line. */
+/* Words for a field: the file's name of it ("": the whole line), and the index of the word in the line. */
 static const struct nff_field {
     const char *thing, *field, *name;
     unsigned word;

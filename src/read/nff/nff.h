@@ -29,7 +29,7 @@ struct nff {
     const char *line;              /* NULL; else the fault is in the line of the view that begins with this word */
 };
 
-/* The statements that make objects. */
+/* Read the statements that make objects. */
 int tia_nff_s(struct nff *n);
 int tia_nff_c(struct nff *n);
 int tia_nff_p(struct nff *n);

@@ -3,7 +3,7 @@
 
 enum part { PART_VERTEX, PART_UV, PART_NORMAL, PARTS };
 
-/* Takes the index that begins at *p: a whole number below 2^32, perhaps negative; 0 is none. */
+/* Reads the index that begins at *p: an integer below 2^32 in size, perhaps negative; 0 is none. */
 static int64_t take_index(const char **p, const char *end)
 {
     int64_t index = 0;
@@ -82,7 +82,7 @@ static int read_corner(struct obj *o, struct obj_face *face, struct tia_corner *
     return TIA_OK;
 }
 
-/* Adds a corner to the face, which keeps the parts that all its corners have. */
+/* Adds a corner to the face; the face has only the parts that all its corners have. */
 static int add_corner(struct obj *o, struct obj_face *face, const struct tia_corner *corner,
                       const struct tia_word *word)
 {
@@ -217,7 +217,7 @@ static const void *item(const struct tia_array *array, uint32_t index)
     return array->items + index * array->item;
 }
 
-/* Makes the mesh of a group: its arrays are cut down to the range from the first to the last element it uses. */
+/* Makes the mesh of a group: its arrays are cut to the range from the first to the last element that it uses. */
 static struct tia_mesh make_mesh(const struct obj *o, const struct obj_group *g)
 {
     uint32_t first = g->next_face - g->face_count;
@@ -248,7 +248,7 @@ static struct tia_mesh make_mesh(const struct obj *o, const struct obj_group *g)
  * of them, and a loop over all meshes takes time quadratic in the size of the file. */
 #define SEEN_MAX (UINT64_C(1) << 30)
 
-/* Gives normals without a direction one: no face uses them any more, but a mesh may not have any. */
+/* Gives normals without a direction one: no face uses them any more, but a mesh must not have any. */
 static void fix_normals(struct obj *o)
 {
     struct tia_dir3 *normals = (struct tia_dir3 *)(void *)o->normals.items;
@@ -261,7 +261,7 @@ static void fix_normals(struct obj *o)
 int tia_obj_make_meshes(struct obj *o, struct tia_mesh *meshes, struct tia_shape *shapes)
 {
     uint32_t count = 0;
-    uint64_t seen = 0; /* normals looked at */
+    uint64_t seen = 0; /* number of normals that were checked */
 
     fix_normals(o);
     for (uint32_t i = 0; i < o->scene->material_count; i++) {

@@ -35,7 +35,7 @@ static void count_vertex(struct obj *o, const int64_t v[3])
     }
 }
 
-/* Moves a vertex of a model: |v - origin| < 2^61, and after the shift below 2^21. */
+/* Converts a vertex's coordinate to the scene: |v - origin| < 2^61, and after the shift below 2^21. */
 static tia_q16 move(const struct obj *o, int64_t v, int axis)
 {
     int64_t from = v - o->origin[axis];
@@ -65,7 +65,7 @@ int tia_obj_v(struct obj *o)
     return status;
 }
 
-/* Refuses the whole file, without a line. */
+/* Refuses the whole file; the error has no line. */
 static int refuse(struct obj *o, const char *why)
 {
     tia_say(&o->reader->error, why);
@@ -92,7 +92,7 @@ int tia_obj_fit(struct obj *o)
     if (half < TINY)
         return refuse(o, "the model is too small, expected an extent of more than 1/32768");
     o->moved = half < SMALL || farthest > FAR_AWAY;
-    /* half has 64 - clz bits, of which 20 are to stay: 8..16 in Q16.16. */
+    /* `half` has 64 - clz bits, of which 20 are to stay: 8..16 in Q16.16. */
     o->shift = 44 - (int)tia_clz64((uint64_t)half);
     return TIA_OK;
 }
@@ -140,8 +140,9 @@ static uint64_t farthest(const struct tia_scene *scene, struct tia_vec3 c)
     return most;
 }
 
-/* The direction to the camera, from the right and from above: 35 degrees to the right of +z, 25 above the horizon. The
- * sphere around the model touches the edges of a field of 40 degrees, at the distance of 1/sin 20 radii. */
+/* Components of the direction to the camera, from the right and from above: 35 degrees to the right of +z, 25 above the
+ * horizon. The sphere around the model touches the edges of a field of 40 degrees, at the distance of 1/sin 20
+ * radii. */
 #define TOWARDS_X INT32_C(558170729) /* 0.519837; TIA_Q30 would need a double of 64 bits for all its bits */
 #define TOWARDS_Y INT32_C(453782622) /* 0.422618 */
 #define TOWARDS_Z INT32_C(797149151) /* 0.742403 */
@@ -174,7 +175,7 @@ int tia_obj_frame(struct obj *o, struct tia_light *lights)
         return refuse(o, "all faces lie in one point, expected a model");
     scene->camera = look_at(c, radius);
     scene->background = tia_grey(TIA_Q30(0.8));
-    /* The sun stands to the camera's left, and higher; the sky fills its shadows. */
+    /* the sun stands to the camera's left, and higher; the sky fills its shadows */
     lights[0] = (struct tia_light){.emission = tia_grey(TIA_Q30(0.75)),
                                    .kind = TIA_DIRECTIONAL_LIGHT,
                                    .direction = {TIA_Q30(0.36), TIA_Q30(-0.8), TIA_Q30(-0.48)}};

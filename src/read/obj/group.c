@@ -1,8 +1,8 @@
-/* group.c - o and g lines: all faces below lines with the same names, wherever they stand, filter a shadow ray
- * only once. */
+/* group.c - o and g lines: all faces after lines with the same names, wherever these are, filter a shadow ray only
+ * once. */
 #include "obj.h"
 
-/* Takes the rest of the line, of any length, even empty. */
+/* Reads the rest of the line, of any length, even empty. */
 static void take_name(struct tia_text *t, struct tia_word *name)
 {
     struct tia_word word;

@@ -51,7 +51,7 @@ static bool is_known(const struct obj *o, const struct tia_word *word)
     return false;
 }
 
-/* Loads a library as the last one; it is not parsed yet. */
+/* Loads a library and appends it; it is not parsed yet. */
 static int fetch(struct obj *o, const struct tia_word *word, const char **why)
 {
     struct obj_library *library = &o->libraries[o->library_count];

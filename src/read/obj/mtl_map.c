@@ -20,7 +20,7 @@ static int not_supported(struct mtl *m, const struct tia_word *option)
     return tia_obj_forgive(m->obj, TIA_WARN_OPTION);
 }
 
-/* Reads up to three numbers; the others stay. */
+/* Reads up to three numbers; the others stay unchanged. */
 static int read_numbers(struct mtl *m, tia_q16 numbers[3], bool scales)
 {
     for (int i = 0; i < 3 && tia_text_has_number(&m->text); i++) {
@@ -131,8 +131,8 @@ static int fetch_image(struct obj *o, const struct tia_name *name, struct tia_te
     return status;
 }
 
-/* Returns the offset added to coordinates after the scale, as a position on the surface. Images repeat: only its
- * fraction counts. */
+/* Returns the offset added to coordinates after the scale, as a position on the surface. Images repeat, so only the
+ * offset's fraction counts. */
 static tia_q16 offset_of(tia_q16 added, tia_q16 scale)
 {
     int64_t fraction = (int64_t)(added & (TIA_Q16_ONE - 1)) * TIA_Q16_ONE;
@@ -176,8 +176,8 @@ int tia_mtl_map_kd(struct mtl *m)
     return status ? status : add_texture(m, &map, OBJ_IMAGE, &m->texture);
 }
 
-/* True if the opacity is 1 everywhere, and so needs no texture: such an image is often named only for its colours, and
- * costs time. */
+/* True if the opacity is 1 everywhere, and so needs no texture: files often name such an image only for its colours,
+ * and it costs time. */
 static bool is_opaque(const struct tia_texture *t)
 {
     size_t count = (size_t)t->width * t->height, i = 0;

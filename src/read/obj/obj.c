@@ -4,7 +4,7 @@
  *     vt u [v [w]]     v points up, as the scene's does
  *     vn x y z         of any length
  *     f                V, V/VT, V//VN or V/VT/VN, counted from 1 or, backwards, from -1; 3 to POLYGON_MAX corners
- *     usemtl mtllib    see material.c and mtl.c; before the first usemtl things are grey
+ *     usemtl mtllib    see material.c and mtl.c; before the first usemtl faces are grey
  *
  *     o g              see group.c
  *
@@ -14,7 +14,7 @@
  * Many programs write files full of small mistakes, and other programs draw them all the same. So most mistakes are
  * warnings, one for each kind; with reader->strict they are errors. Mistakes in vertices are always errors: without
  * them the model's shape is unknown.
- */
+ * */
 #include "obj.h"
 
 /* ---- texture coordinates and normals ---- */
@@ -101,7 +101,7 @@ static int read_statement(struct obj *o, const struct tia_word *word)
     return skip_mistake(o);
 }
 
-/* One pass over the text. */
+/* Reads the text once. */
 static int read_text(struct obj *o)
 {
     struct tia_word word;
@@ -121,7 +121,7 @@ static int read_text(struct obj *o)
     return TIA_OK;
 }
 
-/* One pass over the libraries. */
+/* Reads all libraries once. */
 static int read_libraries(struct obj *o)
 {
     int status = TIA_OK;
@@ -139,7 +139,7 @@ static uint32_t least(uint32_t a, uint32_t b)
     return a < b ? a : b;
 }
 
-/* Memory that is allocated besides the arrays. */
+/* Memory besides the arrays. */
 struct places {
     struct tia_mesh *meshes;
     struct tia_shape *shapes;

@@ -19,7 +19,7 @@ enum obj_pass {
 enum obj_name { OBJ_MATERIAL, OBJ_IMAGE, OBJ_OBJECT, OBJ_GROUP, OBJ_OPACITY };
 
 struct obj_library {
-    struct tia_word name; /* its place in the text */
+    struct tia_word name; /* the image's name in the text */
     const char *text;
     size_t length;
 };

@@ -41,7 +41,7 @@ void tia_array_add(struct tia_array *array, const void *item);
 /* Sets the count to 0, for another pass. */
 void tia_array_restart(struct tia_array *array);
 
-/* Allocates memory for the items counted, then restarts. Returns the array's address. */
+/* Allocates memory for the items counted, then sets the count to 0. Returns the array's address. */
 void *tia_array_place(struct tia_arena *arena, struct tia_array *array);
 
 #endif

@@ -1,7 +1,7 @@
 /* error.c - error messages. */
 #include "text.h"
 
-#define SHOWN 40 /* bytes of a word shown in a message */
+#define SHOWN 40 /* largest number of a word's bytes in a message */
 
 static void add(struct tia_read_error *error, const char *bytes, size_t count)
 {

@@ -38,11 +38,11 @@ int tia_emission(struct tia_text *t, struct tia_emission *out, int64_t most)
     return TIA_OK;
 }
 
-#define FADING_MORE 5                                   /* extra bits, to find out if Q16.16 has a number exactly */
-#define FADING_LEAST (INT64_C(1) << (10 + FADING_MORE)) /* 2^-6: within 2^-11 of itself */
+#define FADING_MORE 5                                   /* extra bits, to test if Q16.16 holds a number exactly */
+#define FADING_LEAST (INT64_C(1) << (10 + FADING_MORE)) /* 2^-6: rounded by 2^-11 of itself at most */
 #define FADING_MOST (INT64_C(32767) << (16 + FADING_MORE))
 
-/* Reads the linear and the quadratic number in a unit of 2^unit times the file's, with FADING_MORE bits more. */
+/* Reads the linear and the quadratic number in a unit of 2^unit times the file's, with FADING_MORE more bits. */
 static int read_fading(struct tia_text *t, int unit, int64_t out[2])
 {
     int status = tia_text_long(t, &out[0], (unsigned)(16 + FADING_MORE + unit));
@@ -50,7 +50,7 @@ static int read_fading(struct tia_text *t, int unit, int64_t out[2])
     return status ? status : tia_text_long(t, &out[1], (unsigned)(16 + FADING_MORE + 2 * unit));
 }
 
-/* True if Q16.16 has the numbers exactly or with enough digits. */
+/* True if Q16.16 holds the numbers exactly or with enough digits. */
 static bool keeps_digits(const int64_t numbers[2])
 {
     bool keeps = true;
@@ -67,7 +67,7 @@ static bool fits(const int64_t numbers[2])
            numbers[1] >= -FADING_MOST;
 }
 
-#define FADING_UNITS 16 /* tia_decimal has no more bits */
+#define FADING_UNITS 16 /* tia_decimal gives no more bits */
 
 int tia_fading(struct tia_text *t, struct tia_fading *out)
 {

@@ -9,7 +9,7 @@
 
 enum tia_field_kind {
     TIA_NUMBERS,    /* `count` tia_q16 */
-    TIA_LENGTHS,    /* the same, in the scene's unit of length, see length.h */
+    TIA_LENGTHS,    /* `count` tia_q16 in the scene's unit of length, see length.h */
     TIA_VECTOR,     /* a tia_vec3 whose length does not matter */
     TIA_SPREAD,     /* `count` tia_q16; a single number sets them all */
     TIA_LONGS,      /* `count` int64_t below 2^63 with 32 bits behind the point; with `max` 1 as TIA_SPREAD */
@@ -28,7 +28,7 @@ struct tia_field {
     uint8_t kind, count;
     uint16_t max;    /* TIA_WHOLE: largest value; TIA_EMISSION: 1 if `rgb` must be at most 1 */
     uint16_t offset; /* offset in the struct that the fields fill */
-    bool needed;     /* a line without it is an error */
+    bool needed;     /* a line without the field is an error */
 };
 
 /* Fills `out` from the rest of the line. Sets bit n of *given (which may be NULL) if fields[n] was there. `what` names
@@ -36,8 +36,8 @@ struct tia_field {
 int tia_fields(struct tia_text *t, const char *what, const struct tia_field *fields, unsigned count, void *out,
                uint32_t *given);
 
-/* A colour rgb 2^bits, the bits as few as possible for each channel to be below 2, or with TIA_EMISSION's `max` at most
- * 1. */
+/* A colour, rgb times 2^bits with the fewest bits for which each channel is below 2, or with TIA_EMISSION's `max` at
+ * most 1. */
 struct tia_emission {
     struct tia_rgb rgb;
     uint8_t bits;
@@ -51,7 +51,7 @@ struct tia_fading {
 
 /* A statement that has several forms, named by the word after it: "camera frustum ...". */
 struct tia_form {
-    const char *word, *what; /* `what`: for errors, as above */
+    const char *word, *what; /* `what`: the name in errors, as for tia_fields */
     unsigned kind;           /* value for the caller */
     const struct tia_field *fields;
     unsigned count;

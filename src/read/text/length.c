@@ -106,7 +106,7 @@ static int measure(struct tia_text *t, tia_q16 *out)
     struct tia_text before = *t;
     int64_t length = 0, exact;
     int status = tia_text_long(t, &length, (unsigned)(16 + l->scale_bits));
-    int64_t size = length < 0 ? -(length + 1) : length; /* that is INT32_MAX at both ends of the range */
+    int64_t size = length < 0 ? -(length + 1) : length; /* the size is INT32_MAX at both ends of the range */
 
     l->longest = size > l->longest ? size : l->longest;
     *out = (tia_q16)(length < INT32_MIN ? INT32_MIN : length > INT32_MAX ? INT32_MAX : length);

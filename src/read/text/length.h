@@ -20,8 +20,8 @@ struct tia_lengths {
     bool rounded;         /* a length was not exact in Q16.16 */
     bool finest;          /* use the whole range, even if no length is rounded */
     int64_t longest;      /* largest absolute length read; values read are clamped to Q16.16 */
-    struct tia_span all;  /* around the scene, lights and eyes too */
-    struct tia_span eyes; /* around the positions that the eye may take */
+    struct tia_span all;  /* span of the scene, with its lights and eyes */
+    struct tia_span eyes; /* span of the positions that the eye may have */
 };
 
 /* Makes an empty span. */
@@ -35,8 +35,7 @@ void tia_span_join(struct tia_span *span, const struct tia_span *more);
  * as `reach` from 0, Q16.16 of the file's unit, must fit as well, and the finest unit is wanted. */
 void tia_lengths_begin(struct tia_lengths *lengths, int scale_bits, tia_q16 reach);
 
-/* Called after a first pass: true if a length did not fit. Then the pass is to be repeated with the scale_bits that
- * this sets. */
+/* Gives in *scale_bits the unit in which all lengths of the pass fit; true if it is coarser: another pass is needed. */
 bool tia_lengths_widen(const struct tia_lengths *lengths, int *scale_bits);
 
 /* Returns x times 2^bits, bits at most 16, saturated; rounded up. */
@@ -55,11 +54,12 @@ int tia_lengths_room(const struct tia_lengths *lengths);
 int tia_text_length(struct tia_text *t, tia_q16 *out);
 int tia_text_place(struct tia_text *t, struct tia_vec3 *out);
 
-/* Read the same with more digits, see struct tia_fine, in the last pass; 0 before it. */
+/* Read a length or position with more digits, see struct tia_fine, in the last pass; these digits are 0 before it. */
 int tia_text_fine_length(struct tia_text *t, tia_q16 *out, int16_t *digits);
 int tia_text_fine_place(struct tia_text *t, struct tia_vec3 *out, struct tia_fine_place *digits);
 
-/* Reads a vector whose length does not matter: unchanged if Q16.16 has it exactly, else as long as fits. */
+/* Reads a vector whose length does not matter: unchanged if Q16.16 holds it exactly, else scaled to the largest that
+ * fits. */
 int tia_text_vector(struct tia_text *t, struct tia_vec3 *out);
 
 #endif

@@ -14,7 +14,7 @@
 
 /* A number's digits: "12.5e3" has the digits 125, and its point after 2 + 3 digits. */
 struct digits {
-    const char *at, *end; /* the characters, including the point */
+    const char *at, *end; /* the numeral's characters, with the point */
     int64_t point;
     bool negative;
 };
@@ -88,9 +88,9 @@ static uint64_t parse_whole(const char **p, const struct digits *d)
     return whole < WHOLE_MAX ? whole : WHOLE_MAX;
 }
 
-/* The fraction times 2^bits, rounded down; bits in 1..54. Multiplies limbs of nine digits from the last to the first,
- * by at most 2^32: a product plus the carry is below LIMB 2^32 < 2^62; carries are below 2^32. The limbs then hold the
- * fraction of the product. */
+/* Returns the fraction times 2^bits, rounded down; bits in 1..54. Multiplies limbs of nine digits from the last to the
+ * first, by at most 2^32: a product plus the carry is below LIMB 2^32 < 2^62; carries are below 2^32. The limbs then
+ * hold the fraction of the product. */
 static uint64_t parse_fraction(const char *p, const struct digits *d, unsigned bits)
 {
     uint32_t limbs[LIMBS] = {0};

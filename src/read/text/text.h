@@ -32,12 +32,12 @@ struct tia_text {
     uint32_t line;
     const char *file; /* "", or the name of the library being read */
     struct tia_read_error *error;
-    struct tia_lengths *lengths; /* NULL, or for length.h */
+    struct tia_lengths *lengths; /* units and bounds of lengths, see length.h; NULL: none */
 
     /* Names for numbers, see constants.h; NULL: none. A name's numbers replace it: those still to be read come before
      * the next word of the line, with the name's place. */
     const struct tia_constants *constants;
-    const char *numbers, *numbers_end; /* NULL: all are read */
+    const char *numbers, *numbers_end; /* numbers of the name that are still to be read; NULL: none */
     struct tia_word use;
     bool negated; /* the last word is one of those numbers, and the name had a minus */
 };
@@ -53,7 +53,7 @@ bool tia_text_line(struct tia_text *t);
 
 /* Reads the next word of the line; false, and an empty word, at the end of the line. */
 bool tia_text_word(struct tia_text *t, struct tia_word *word);
-/* Gives the same word without consuming it. */
+/* Gives the next word of the line without consuming it. */
 bool tia_text_peek(const struct tia_text *t, struct tia_word *word);
 
 /* Skips the rest of the line. */
@@ -84,7 +84,7 @@ enum tia_decimal { TIA_DECIMAL_FINE, TIA_DECIMAL_NONE, TIA_DECIMAL_RANGE };
  * 2^63. */
 enum tia_decimal tia_decimal(int64_t *out, const struct tia_word *word, unsigned bits);
 
-/* True if the next word of the line is a number, or a name for some. */
+/* True if the next word of the line is a number, or a name that stands for numbers. */
 bool tia_text_has_number(const struct tia_text *t);
 
 /* Read a number as Q16.16, Q2.30 or Q31.32. tia_text_scaled and tia_text_fine multiply it by 2^bits, -16..16, and give
@@ -108,7 +108,7 @@ int tia_text_integer(struct tia_text *t, int64_t *out, int64_t min, int64_t max)
 
 /* Read three numbers. A direction may have any length but 0; it is normalised, within 2 ulp. */
 int tia_text_vec3(struct tia_text *t, struct tia_vec3 *out);
-/* Channels as of tia_text_unit; `bright`: tia_text_bright. */
+/* Reads channels as tia_text_unit does or, if `bright`, as tia_text_bright does. */
 int tia_text_rgb(struct tia_text *t, struct tia_rgb *out, bool bright);
 int tia_text_dir3(struct tia_text *t, struct tia_dir3 *out);
 
@@ -124,7 +124,8 @@ int tia_text_error(struct tia_text *t, const struct tia_word *word, const char *
 int tia_text_error_at(struct tia_text *t, const struct tia_word *word);
 /* Append text, as far as it fits. */
 void tia_say(struct tia_read_error *error, const char *string);
-void tia_say_word(struct tia_read_error *error, const struct tia_word *word); /* 'word', safe to print */
+void tia_say_word(struct tia_read_error *error, const struct tia_word *word); /* Appends the word in quotes, with bytes
+                                                                                 that are safe to print. */
 void tia_say_number(struct tia_read_error *error, int64_t number);
 
 #endif

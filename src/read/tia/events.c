@@ -39,7 +39,7 @@ static const struct tia_field gravity_fields[] = {
     {.word = "until", .kind = TIA_NUMBERS, .count = 1, .offset = offsetof(struct tia_falling, end)},
 };
 
-/* Converts a speed to the scene's unit. In scenes with gravity, the unit may only be larger than the file's. */
+/* Converts a speed to the scene's unit. In scenes with gravity, the unit is the file's or larger. */
 static void rescale(const struct tia_parse *job, struct tia_vec3 *v)
 {
     int bits = job->reach.lengths.scale_bits;

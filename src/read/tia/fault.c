@@ -40,7 +40,8 @@ static void seek(struct tia_parse *job, const struct tia_fault *fault)
         job->sought_statement = fault->field;
 }
 
-/* Returns the name in the file of a scene's field that has another one. "": the line as a whole is at fault. */
+/* Returns the name in the file of a scene's field, where the file has a different one. "": the line as a whole is at
+ * fault. */
 static const char *keyword(const struct tia_fault *fault)
 {
     static const struct {
@@ -85,7 +86,8 @@ static bool is_named(const char *statement)
     return false;
 }
 
-/* Reuses the scene's memory to read again: the refused scene is not needed any more. */
+/* Finds the fault's place by reading the text again, in the scene's memory: the refused scene is not needed any
+ * more. */
 void tia_locate_tia(struct tia_reader *reader, struct tia_fault *fault, struct tia_arena *arena)
 {
     struct tia_scene scene;

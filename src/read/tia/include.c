@@ -5,7 +5,8 @@
  */
 #include "parse.h"
 
-/* Replaces `path`, the path of a file, by that of `name`, which is relative to the file's folder; false: too long. */
+/* Replaces `path`, a file's path, by that of `name`, which is relative to the file's folder; false: the new path is too
+ * long. */
 static bool follow(char path[TIA_NAME_MAX + 1], const struct tia_word *name)
 {
     size_t folder = 0;

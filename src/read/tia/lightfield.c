@@ -69,7 +69,7 @@ static struct tia_vec3 added(struct tia_vec3 a, struct tia_vec3 b)
                              saturated((int64_t)a.z + b.z)};
 }
 
-/* Places the camera. An upright screen that faces along z needs no axes: they are exact then. */
+/* Sets the camera. An upright screen that faces along z needs no axes: the camera's are exact then. */
 static void place(struct tia_camera *camera, const struct display *d, bool turned)
 {
     struct tia_dir3 n = d->normal, u = {TIA_Q30_ONE, 0, 0}, v = {0, TIA_Q30_ONE, 0};

@@ -90,13 +90,13 @@ int tia_line_material(struct tia_parse *job)
     return status;
 }
 
-/* Numbers with 32 bits behind the point. */
+/* A texture's line; numbers have 32 bits behind the point. */
 struct texture_line {
     struct tia_texture texture;
     int64_t repeat[2], scale[2], offset[2];
 };
 
-/* Fields of every texture, at the beginning. */
+/* Indices of the fields of every texture, which come first. */
 enum { REPEAT_FIELD, SCALE_FIELD };
 #define LYING                                                                                                          \
     {.word = "repeat", .kind = TIA_LONGS, .count = 2, .max = 1, .offset = offsetof(struct texture_line, repeat)},      \
@@ -131,8 +131,8 @@ static bool is_exact(const int64_t numbers[2])
     return !((numbers[0] | numbers[1]) & 0xffff);
 }
 
-/* Sets both numbers as Q16.16 times 2^-bits: 0 bits if they fit exactly, else as many as fit. False: even the fewest
- * are too many. */
+/* Sets both numbers in Q16.16 times 2^-bits: 0 bits if they fit exactly, else as many as fit. False: the numbers are
+ * too large even for the fewest. */
 static bool set_numbers(const int64_t numbers[2], tia_q16 out[2], int8_t *bits)
 {
     int64_t a = numbers[0] < 0 ? -numbers[0] : numbers[0], b = numbers[1] < 0 ? -numbers[1] : numbers[1];
@@ -177,7 +177,7 @@ static int set_pattern(struct tia_text *t, struct texture_line *line, uint32_t g
     return TIA_OK;
 }
 
-/* Loads the file only once, in the last pass, when the rest of the text is known to be valid. */
+/* Loads an image, only once, in the last pass, when the rest of the text is known to be valid. */
 static int fetch_image(struct tia_parse *job, const struct tia_word *file, struct tia_texture *texture)
 {
     struct tia_reader *reader = job->reader;

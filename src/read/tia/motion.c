@@ -35,7 +35,7 @@ static const struct property *find_property(enum moving of, const struct tia_wor
     return NULL;
 }
 
-/* Reads the name of the moving object. In the first passes it is not known if it is a light or a shape. */
+/* Reads the name of the moving object. In the first passes it may be that of a light or of a shape. */
 static int read_target(struct tia_parse *job, enum moving *of, struct tia_track *track)
 {
     struct tia_word word, property;

@@ -13,10 +13,10 @@
 #include "read/text/names.h"
 
 enum tia_kind_of_name {
-    TIA_NAMED_MATERIAL, /* index: the material's */
-    TIA_NAMED_TEXTURE,  /* index: the texture's */
-    TIA_NAMED_SOLID,    /* index: twice a mesh's, or twice a grid's plus 1 */
-    TIA_NAMED_MOVER     /* index: twice a transform's, or twice a light's plus 1 */
+    TIA_NAMED_MATERIAL, /* with the material's index */
+    TIA_NAMED_TEXTURE,  /* with the texture's index */
+    TIA_NAMED_SOLID,    /* with twice a mesh's index, or twice a grid's index plus 1 */
+    TIA_NAMED_MOVER     /* with twice a transform's index, or twice a light's index plus 1 */
 };
 
 enum tia_parse_array {
@@ -53,11 +53,11 @@ enum tia_pass { TIA_COUNTING, TIA_NAMING, TIA_FILLING };
 struct tia_includes {
     struct {
         struct tia_text text;
-        unsigned groups; /* open groups at the include statement */
+        unsigned groups; /* number of open groups at the include statement */
     } outer[TIA_INCLUDE_DEPTH];
     struct tia_word names[TIA_INCLUDE_DEPTH]; /* names of the included files, as written; the innermost last */
     unsigned depth, count;
-    struct tia_text next;        /* file of an include statement just read; next.next is NULL: none */
+    struct tia_text next;        /* file of an include statement just read; next.next is NULL if there is none */
     char file[TIA_NAME_MAX + 1]; /* path of the innermost file, from the scene's folder */
 };
 
@@ -124,11 +124,11 @@ bool tia_parse_moves(const struct tia_parse *job, const struct tia_word *name);
 /* Finds the light or transform of that name, in the last pass. */
 struct tia_name *tia_parse_mover(const struct tia_parse *job, const struct tia_word *name);
 
-/* Adds a track of a shape's or light's visibility, unless both times are NULL: not given. */
+/* Adds a track of a shape's or light's visibility, unless both times are NULL, which means not given. */
 int tia_parse_show(struct tia_parse *job, enum tia_target target, uint32_t index, const tia_q16 *appears,
                    const tia_q16 *vanishes);
 
-/* Called before and after a pass; tia_events_resolve after the last one, when all shapes are known. events.c */
+/* Begin and end a pass; tia_events_resolve follows the last one, when all shapes are known. events.c */
 void tia_events_begin(struct tia_parse *job);
 void tia_events_end(struct tia_parse *job);
 void tia_events_resolve(struct tia_parse *job);
@@ -149,7 +149,7 @@ int tia_include_end(struct tia_parse *job);
 
 /* Read the rest of a statement's line, and its block if it has one. */
 int tia_line_camera(struct tia_parse *job);
-int tia_light_field_line(struct tia_parse *job); /* part of a camera statement */
+int tia_light_field_line(struct tia_parse *job); /* reads a part of a camera statement */
 int tia_line_samples(struct tia_parse *job);
 int tia_line_background(struct tia_parse *job);
 int tia_line_depth(struct tia_parse *job);

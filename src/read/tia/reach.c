@@ -3,12 +3,13 @@
 #include "math/integer.h"
 #include "scene/shapes/description.h"
 
-/* An eye 1 above an infinite plane would have its horizon 2^-16 too low, since hits end at a distance of 65536; an eye
- * 8 above it 2^-13, which is less than a quarter of a pixel. So the unit of length is no smaller than this allows. */
+/* Largest height of an eye above a plane that leaves the unit as fine as it is. An eye 1 above an infinite plane would
+ * have its horizon 2^-16 too low, since hits end at a distance of 65536; an eye 8 above it 2^-13, which is less than a
+ * quarter of a pixel. So the unit of length is no smaller than this allows. */
 #define HEIGHT_MOST TIA_Q16(8)
-/* A window whose width follows the picture's may grow to 64 times its height. */
+/* Growth of a window whose width follows the picture's: up to 64 times its height. */
 #define WINDOW_GROWS 32
-#define OWN_MOST (INT64_C(1) << 33) /* beyond any scene; times the largest scale it still fits 64 bits */
+#define OWN_MOST (INT64_C(1) << 33) /* a length beyond any scene, which times the largest scale still fits 64 bits */
 
 static int64_t larger(int64_t a, int64_t b)
 {
@@ -22,7 +23,8 @@ static int64_t size_of(struct tia_vec3 v)
     return larger(x, larger(y, z));
 }
 
-/* Returns a bound of the distance from 0 to a point with this largest coordinate: sqrt(3) times as much, rounded up. */
+/* Returns a bound of the distance from 0 to a point whose largest coordinate is `size`: sqrt(3) times as much, rounded
+ * up. */
 static int64_t distance(int64_t size)
 {
     return size * 7 / 4 + 2;
@@ -116,7 +118,7 @@ void tia_reach_light(struct tia_reach *r, const struct tia_light *light)
     enlarge_own(r, distance(radius));
 }
 
-/* Returns an eye beside another; the observer line may lead in any direction. */
+/* Returns the farthest eye beside another one; the observer line may have any direction. */
 static struct tia_vec3 beside(struct tia_vec3 eye, tia_q16 line)
 {
     int64_t at[3] = {(int64_t)eye.x + line, (int64_t)eye.y + line, (int64_t)eye.z + line};
@@ -175,7 +177,7 @@ void tia_reach_keys(struct tia_reach *r, const struct tia_track *track, struct t
             r->scale_largest = span.max[i] > r->scale_largest ? (tia_q16)span.max[i] : r->scale_largest;
         }
         break;
-    default: /* not positions */
+    default: /* values that are not positions */
         break;
     }
 }
@@ -200,7 +202,7 @@ void tia_reach_plane(struct tia_reach *r, const struct tia_plane *plane)
     }
 }
 
-/* Adds a box around all instances; and half its diagonal over the least scale, see tia_transform. */
+/* Adds a box around all instances to the bounds, and half its diagonal over the least scale, see tia_transform. */
 static void add_placed(struct tia_reach *r)
 {
     int64_t largest = r->scale_largest < TIA_SCALE_MAX ? r->scale_largest : TIA_SCALE_MAX;

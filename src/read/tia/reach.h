@@ -19,7 +19,7 @@ struct tia_reach {
     int64_t height;                     /* largest height of an eye above a plane */
 };
 
-/* See tia_lengths_begin. */
+/* Begins a pass, see tia_lengths_begin. */
 void tia_reach_begin(struct tia_reach *reach, int scale_bits, tia_q16 places);
 
 /* Extend the bounds in the first pass; tia_reach_shape has the shape's transform if it is placed or may move. */
@@ -35,9 +35,9 @@ void tia_reach_group(struct tia_reach *reach, const int64_t position[3]);
 /* Extends the bounds by a plane in a later pass, when all eyes are known. */
 void tia_reach_plane(struct tia_reach *reach, const struct tia_plane *plane);
 
-/* Returns the largest scale_bits for which there is certainly room, 0 if no more are needed. */
+/* Returns the largest scale_bits that certainly fit; 0 if no more are needed. */
 int tia_reach_room(const struct tia_reach *reach);
-/* Returns `most` or fewer, if an eye is high above a plane. */
+/* Returns `most`, or fewer bits if an eye is high above a plane. */
 int tia_reach_bits(const struct tia_reach *reach, int most);
 
 #endif

@@ -10,7 +10,8 @@ struct shape_line {
     struct tia_shape shape;
 };
 
-/* Fields of every shape with a position come first; infinite shapes have only those before the name. */
+/* Indices of the fields of every shape with a position, which come first; infinite shapes have only those before the
+ * name. */
 enum { MATERIAL_FIELD, APPEARS_FIELD, VANISHES_FIELD, NAME_FIELD, AT_FIELD, ROTATE_FIELD, SCALE_FIELD, COMMON_FIELDS };
 #define OFFSET(member) .offset = offsetof(struct shape_line, member)
 static const struct tia_field common_fields[COMMON_FIELDS] = {
@@ -70,8 +71,8 @@ static unsigned fields_of(const struct shape_description *description,
     return count;
 }
 
-/* Adds the transform of a shape that needs one. A named shape needs one if it moves, and as long as that is not known.
- */
+/* Adds the transform of a shape that needs one. A named shape needs one if it moves, and while its motion is not
+ * known. */
 static void add_transform(struct tia_parse *job, struct shape_line *line, uint32_t given)
 {
     bool filling = job->pass == TIA_FILLING, moves = tia_parse_moves(job, &line->name);
@@ -129,7 +130,7 @@ static int read_fields(struct tia_parse *job, struct shape_line *line)
     int status = tia_fields(&job->text, description->what, fields, fields_of(description, fields), line, &given);
 
     if (!description->add_bounds)
-        given &= NAMED - 1; /* the bits after it are the shape's own fields */
+        given &= NAMED - 1; /* the bits from NAMED on are the shape's own fields */
     if (!status && (given & NAMED) && tia_word_is(&line->name, "camera"))
         status = tia_text_error(&job->text, &line->name, "is the camera's name", "another");
     if (!status)

@@ -56,7 +56,7 @@ static int read_uv(struct mesh_block *block)
     return status;
 }
 
-/* Takes a number from 1 to `count` from the front of `rest`; gives the index, from 0. */
+/* Reads a number from 1 to `count` at the front of `rest`; gives the index, from 0. */
 static int take_index(struct tia_text *t, struct tia_word *rest, uint32_t count, const char *thing, uint32_t *index)
 {
     struct tia_word number = *rest;

@@ -3,11 +3,11 @@
 #include "read/readers.h"
 #include "scene/shapes/description.h"
 
-/* All statements but those of shapes, whose descriptions have their words. */
+/* Statements except those of shapes, whose words are in their descriptions. */
 static const struct statement {
     const char *word;
     int (*read)(struct tia_parse *job);
-    bool once, outside; /* at most one in a scene; not inside groups, which do not transform it */
+    bool once, outside; /* at most one in a scene; not inside groups, which do not transform the object */
 } statements[] = {
     {"instance", tia_line_instance, false, false},
     {"mesh", tia_line_mesh, false, false},
@@ -91,7 +91,7 @@ static int read_statement(struct tia_parse *job, const struct tia_word *word)
     return status ? status : tia_text_end(&job->text);
 }
 
-/* True if the statement just read is the one that the job seeks. */
+/* True if the statement just read is the one that is searched for. */
 static bool is_sought(const struct tia_parse *job, const struct tia_word *word)
 {
     if (job->sought_statement)
@@ -190,7 +190,7 @@ static void look_at(struct tia_camera *camera, struct tia_vec3 reference)
     camera->reference = reference;
 }
 
-/* Replaces the position of the name, which tracks of shapes and lights hold until now, by the index. */
+/* Replaces, in the tracks of shapes and lights, the position of the name by the index. */
 static void resolve_tracks(struct tia_parse *job)
 {
     struct tia_track *tracks = (struct tia_track *)(void *)job->arrays[TIA_OF_TRACKS].items;
@@ -260,9 +260,8 @@ static void size_arrays(struct tia_parse *job)
         job->arrays[i] = (struct tia_array){.item = sizes[i]};
 }
 
-/* Chooses the unit. If all lengths fit in the file's unit, that is tried first, even if the estimated bounds are too
- * large for it.
- */
+/* Chooses the unit of length. If all lengths fit in the file's unit, that is tried first, even if the estimated bounds
+ * are too large for it. */
 static void choose_unit(struct tia_parse *job)
 {
     bool fits = job->reach.lengths.scale_bits == 0;

@@ -119,7 +119,7 @@ static int map_size(struct tia_text *t, struct tia_shadow_map *map)
     return status;
 }
 
-/* Stores extra digits: a length in a file with a large unit has few digits in Q16.16. */
+/* Stores digits of the amount below Q16.16: a length in a file with a large unit has few digits there. */
 static int amount_digits(struct tia_text *t, struct tia_shadow_map *map)
 {
     int64_t amount;
@@ -168,7 +168,7 @@ static int map_filter(struct tia_text *t, struct tia_shadow_map *map)
 /* Reads a field of shadows; `seen` has a bit for each field that was read. */
 static int shadow_field(struct tia_text *t, const struct tia_word *word, struct tia_scene *scene, unsigned *seen)
 {
-    static const char *const fields[] = {"tessellated", "size", "bias", "filter"}; /* fields of maps last */
+    static const char *const fields[] = {"tessellated", "size", "bias", "filter"}; /* fields, those of maps last */
     bool map = scene->shadows == TIA_SHADOWS_MAP;
     unsigned i = 0, count = map ? TIA_COUNT_OF(fields) : 1;
 
@@ -203,7 +203,7 @@ int tia_line_shadows(struct tia_parse *job)
     return status;
 }
 
-/* Reads integrator NAME, and for ao a distance. */
+/* Reads the statement integrator: a name, and for ao a distance. */
 int tia_line_integrator(struct tia_parse *job)
 {
     struct tia_integration *how = &job->scene->integration;

@@ -1,4 +1,4 @@
-/* core.c - the core of one arithmetic, with all renderers. */
+/* core.c - the core of each arithmetic, with all renderers. */
 #include "render/renderer.h"
 #include "render/span/kernels.h"
 #include "scene/check/check.h"

@@ -2,7 +2,7 @@
 #include "estimate.h"
 #include "render/span/kernels.h"
 
-/* Whether the view was made in this arithmetic. */
+/* True if the view was made in this arithmetic. */
 static bool is_ours(const struct tia_view *view)
 {
     return view && view->core->renderers && view->core->renderers->plain == &span_kernels_plain;

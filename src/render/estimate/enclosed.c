@@ -3,7 +3,7 @@
 
 enum { WAYS = 14 };
 
-/* Returns a direction to one of the faces and corners of a cube, slightly off all symmetries. */
+/* Returns direction i of those to the faces and corners of a cube, slightly off all symmetries. */
 static struct num_dir way(unsigned i)
 {
     const num_unit much = NUM_UNIT_ONE / 2, little = NUM_UNIT_ONE / 64;
@@ -26,7 +26,8 @@ static bool is_opaque(const struct ray_view *view, const struct hit *hit)
     return !m->opacity && !m->refraction.r && !m->refraction.g && !m->refraction.b;
 }
 
-/* Returns the object that rays in all these directions from the point meet, at a distance of `least` or more. */
+/* Returns the opaque object that the rays in all these directions from the point hit at a distance of `least` or more;
+ * TIA_NO_OBJECT: there is none. */
 static uint32_t around(const struct ray_view *view, struct num_point point, num_length least)
 {
     uint32_t object = TIA_NO_OBJECT;

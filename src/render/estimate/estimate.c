@@ -4,9 +4,9 @@
 
 #include "render/core/dither.h"
 
-#define PATIENCE 16 /* rays between two calls of `stop`, which may read a clock or a keyboard */
+#define PATIENCE 16 /* number of rays between two calls of `stop`, which may read a clock or a keyboard */
 #define RADIANCE_MAX (16384 * NUM_LENGTH_ONE)
-#define LAYER_QUAD UINT32_C(0x40000000) /* the first quad for opacities */
+#define LAYER_QUAD UINT32_C(0x40000000) /* the first quad of random numbers for opacities */
 #define ONE (INT64_C(1) << 24)
 #define HASH UINT32_C(2166136261)
 
@@ -142,7 +142,7 @@ struct packing {
     num_u threshold[8];
 };
 
-/* Returns the level; dithering has the amplitude of an 8-bit picture's. */
+/* Returns the level that a sum shows; the amplitude of dithering is that of an 8-bit picture. */
 static unsigned level(const struct packing *p, int64_t sum, unsigned bits, int x)
 {
     uint32_t value = tia_exposed(&p->exposure, sum, p->spp);

@@ -11,11 +11,11 @@ struct estimate {
     const struct ray_view *view;
     num_length bias; /* offset of rays from surfaces */
     struct sampler sampler;
-    uint32_t layers;         /* opacities that its rays have passed */
+    uint32_t layers;         /* number of opacities that its rays have passed */
     uint32_t hash;           /* hash of the hits of all rays of the pixel's samples */
     uint32_t blocker;        /* object that blocked the last shadow ray, or TIA_NO_OBJECT */
     struct tia_guide *guide; /* the pixel's guide; NULL: not wanted, or the sample has filled it in */
-    unsigned rays;           /* rays since the last call of `stop` */
+    unsigned rays;           /* number of rays since the last call of `stop` */
     bool stopped;
 };
 
@@ -25,7 +25,7 @@ struct estimate {
 /* Computes the radiance along a sample's first ray. */
 typedef void estimate_radiance(struct estimate *e, const struct ray *ray, num_length rgb[3]);
 
-/* See struct renderer. */
+/* Implements `sample`, see struct renderer. */
 void estimate_sample_tile(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end,
                           const struct tia_gathered *gathered, estimate_radiance *radiance);
 void estimate_light_tile(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
@@ -35,7 +35,7 @@ void estimate_light_tile(const struct tia_view *view, struct tia_tile tile, cons
 void estimate_show(const struct tia_view *view, struct tia_tile row, const struct tia_sum *sums, uint32_t count,
                    const struct tia_surface *surface, bool dither);
 
-/* Counts a ray; true once the caller wants to stop. */
+/* Counts a ray; true once `stop` has returned true. */
 bool estimate_stops(struct estimate *e);
 
 /* Finds the nearest surface that the ray does not pass by the chance of an opacity texture; false: there is none, but
@@ -47,7 +47,7 @@ bool estimate_meet(struct estimate *e, struct ray *ray, unsigned lights, struct 
  */
 void estimate_guide(struct estimate *e, const num_length albedo[3], const struct num_dir *normal, num_length depth);
 
-/* See struct tia_estimator. */
+/* Implements `enclosing`, see struct tia_estimator. */
 uint32_t estimate_enclosing(const struct tia_view *view, uint32_t light);
 
 /* Adds the square of a sample's luminance, which is below 2^14, in units of 2^-32. A sum of squares that stops at its
@@ -60,7 +60,7 @@ static inline void estimate_add_square(const int64_t rgb[3], uint64_t *squares)
     *squares += added <= UINT64_MAX - *squares ? added : UINT64_MAX - *squares;
 }
 
-/* Adds a word to the hash, as tia_options.path_hash has it. */
+/* Adds a word to the hash, see tia_debug.path_hash. */
 static inline void estimate_note(struct estimate *e, uint32_t word)
 {
     for (int i = 0; i < 4; i++)

@@ -13,8 +13,8 @@ struct box_axis {
 
 struct box_axis box_axis(num_length min, num_length max, num_length origin, num_unit direction);
 
-/* Intersects a ray with the box, t <= limit: the element is the face, 2 axis + (0 at the minimum, 1 at the maximum).
- * `inside`: the ray starts inside, and leaves there. */
+/* Intersects a ray with the box, t <= limit; the intersection's element is the face, 2 axis + (0 at the minimum, 1 at
+ * the maximum). `inside`: the ray starts inside, and leaves there. */
 bool box_intersect(const struct prepared_box *box, const struct ray *ray, num_length limit,
                    struct intersection *intersection, bool *inside);
 

@@ -9,7 +9,7 @@ void flat_prepare(struct prepared_plane *plane, struct tia_vec3 point, struct ti
 /* Intersects a ray with the infinite plane. */
 bool flat_intersect(const struct prepared_plane *plane, const struct ray *ray, num_length limit, num_length *t);
 
-/* For shape_kind; the normal is the plane's. */
+/* Describes the surface, for shape_kind; the normal is the plane's. */
 void flat_surface(const struct shape *shape, struct num_point point, uint32_t element, struct surface *surface);
 
 /* Gives the coordinates along the tangents. */

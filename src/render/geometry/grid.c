@@ -10,8 +10,8 @@ struct walker {
     const struct tia_grid *grid;
     num_length corner[3], origin[3], edge;
     num_unit direction[3];
-    int32_t at[3];      /* the cell */
-    num_length next[3]; /* t at which the ray leaves it along each axis */
+    int32_t at[3];      /* the ray's cell */
+    num_length next[3]; /* t at which the ray leaves the cell along each axis */
 };
 
 static int step_of(const struct walker *w, int axis)
@@ -74,7 +74,7 @@ static void start(struct walker *w, const struct prepared_grid *grid, const stru
         find_cell(w, axis, t);
 }
 
-/* Goes from cell to cell until the next one differs from the first. */
+/* Walks from cell to cell until the next one differs from the first. */
 static bool go(struct walker *w, num_length limit, struct intersection *intersection)
 {
     uint32_t cell = cell_index(w);

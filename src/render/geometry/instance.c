@@ -67,8 +67,8 @@ num_length instance_distance(const struct instance_ray *placed, num_length t)
     return t < placed->start ? -1 : num_scaled(t - placed->start, placed->scale);
 }
 
-/* Returns the limit. Converting t forth and back errs by 2^-57 of it and by units of 2^-45, one of which in the world
- * is k <= 2^10 in the shape's axes: 2^-40 k and as much again. */
+/* Returns the limit with a margin. Converting t forth and back errs by 2^-57 of it and by units of 2^-45, one of which
+ * in the world is k <= 2^10 in the shape's axes: 2^-40 k and as much again. */
 num_length instance_limit(const struct instance_ray *placed, num_length t)
 {
     num_length more = t / (num_length)(INT64_C(1) << 40) + NUM_LENGTH_BIAS / (num_length)(INT32_C(1) << 27);
@@ -84,7 +84,7 @@ num_length instance_distance_back(const struct instance_ray *placed, num_length 
     return placed->start + num_unscaled(t, placed->scale);
 }
 
-/* Transforms by the inverse transpose: n_i / s_i along the axes. */
+/* Transforms a normal by the inverse transpose: n_i / s_i along the axes. */
 struct num_dir instance_normal(const struct instance *p, struct num_dir normal)
 {
     struct num_dir n;

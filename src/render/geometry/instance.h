@@ -36,7 +36,7 @@ void instance_transform_ray(const struct instance *instance, const struct ray *r
 /* Converts a distance in the world to one along the local ray: below 0 when it ends before the local 0 or the ray
  * misses. */
 num_length instance_distance(const struct instance_ray *placed, num_length t);
-/* Converts it back. */
+/* Converts a distance along the local ray to one in the world. */
 num_length instance_distance_back(const struct instance_ray *placed, num_length t);
 
 /* Returns instance_distance of t plus a margin for its rounding: an intersection within t in the world is within this

@@ -4,7 +4,7 @@
 
 #define GROUPS 16
 
-/* The lowest groups from `from` on, in rising order, and a flag if there are more. */
+/* The lowest groups from number `from` on, in rising order, and a flag if there are more. */
 struct groups {
     uint32_t group[GROUPS], count, from;
     bool more;
@@ -129,7 +129,7 @@ uint32_t mesh_groups_met(const struct shape *shape, const struct ray *ray, num_l
     return met;
 }
 
-/* Returns a hash of the edge from a to b; the edge from b to a has another. */
+/* Returns a hash of the edge from a to b, which differs from that of the edge from b to a. */
 static uint64_t edge_number(const struct tia_vec3 *a, const struct tia_vec3 *b)
 {
     const tia_q16 words[6] = {a->x, a->y, a->z, b->x, b->y, b->z};

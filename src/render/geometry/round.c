@@ -44,7 +44,7 @@ static const struct span everywhere = {-NUM_LENGTH_MAX, NUM_LENGTH_MAX}, nowhere
 
 /* The ray relative to the axis. */
 struct beam {
-    num_length start;            /* distance by which its origin was moved */
+    num_length start;            /* distance by which the ray's origin was moved */
     num_length height;           /* height of the moved origin above the anchor */
     num_unit rise;               /* d */
     num_unit run;                /* q */
@@ -143,7 +143,7 @@ static struct span height_span(const struct prepared_cone *cone, const struct be
     return b->rise > 0 ? (struct span){to_base, to_top} : (struct span){to_top, to_base};
 }
 
-/* True if the intersection at t from the moved origin is valid; no point of the shape is beyond its reach. */
+/* True if there is an intersection at t from the moved origin; no point of the shape is beyond its reach. */
 static bool take(const struct prepared_cone *cone, const struct beam *b, num_length t, num_length limit,
                  uint32_t element, struct intersection *intersection)
 {
@@ -185,7 +185,7 @@ static void aside(const struct prepared_cone *cone, struct num_point v, num_unit
                          &none);
 }
 
-/* Returns the gradient of (1). At an apex its remaining part is the axis. */
+/* Returns the gradient of (1), normalised. At an apex only its part along the axis is left. */
 static struct num_dir side_normal(const struct prepared_cone *cone, struct num_point point)
 {
     num_unit out[2];

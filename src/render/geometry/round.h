@@ -19,7 +19,7 @@ struct tia_fine_ends round_fine(const struct tia_scene *scene, const struct tia_
 
 void round_prepare(struct prepared_cone *cone, const struct round_ends *ends, bool capped);
 
-/* For shape_kind. */
+/* Implement the functions of struct shape_kind. */
 bool round_intersect(const struct shape *shape, const struct ray *ray, num_length limit,
                      struct intersection *intersection);
 void round_surface(const struct shape *shape, struct num_point point, uint32_t element, struct surface *surface);

@@ -20,7 +20,7 @@ struct ray {
 #endif
 };
 
-/* Gives the ray a counter, or NULL. In builds without observers this and the next are empty. */
+/* Gives the ray a counter, or NULL. In builds without observers this function and the two below are empty. */
 static inline void ray_watch(struct ray *ray, uint32_t *tests)
 {
 #ifdef TIA_WATCHED
@@ -31,7 +31,7 @@ static inline void ray_watch(struct ray *ray, uint32_t *tests)
 #endif
 }
 
-/* Gives the ray the counter of another ray. */
+/* Gives the ray the counter of a second ray. */
 static inline void ray_watch_as(struct ray *ray, const struct ray *other)
 {
 #ifdef TIA_WATCHED
@@ -63,7 +63,7 @@ struct intersection {
 /* The surface at an intersection, for shading. */
 struct surface {
     struct num_dir normal; /* the geometric one, length 1, outwards as in tia/shape.h */
-    struct num_dir smooth; /* the shading normal: interpolated on a smooth mesh, otherwise the same */
+    struct num_dir smooth; /* the shading normal: interpolated on a smooth mesh, elsewhere the geometric one */
 };
 
 struct shape;
@@ -80,7 +80,7 @@ struct shape_kind {
      * used. */
     bool (*occluded)(const struct shape *shape, const struct ray *ray, num_length limit);
     void (*surface)(const struct shape *shape, struct num_point point, uint32_t element, struct surface *surface);
-    /* Gives surface coordinates, see tia/shape.h. */
+    /* Gives the surface coordinates of a point, see tia/shape.h. */
     void (*uv)(const struct shape *shape, struct num_point point, uint32_t element, num_length uv[2]);
 };
 
@@ -96,11 +96,11 @@ struct prepared_cone {
     struct num_point base;
     struct num_dir axis, across[2]; /* of length 1, at right angles; `across` are the tangents U and -V of `axis` */
     num_length length, base_radius, top_radius;
-    struct num_point anchor;           /* the thinner end of the axis, */
-    num_length anchored;               /* its height above the base, */
-    num_length reach;                  /* and no point of the shape is farther from that end, */
-    num_length thickness;              /* nor farther from the axis */
-    num_unit slope_cosine, slope_sine; /* of the side against the axis: 1 and 0 for a cylinder; see round.c */
+    struct num_point anchor;           /* the thinner end of the axis */
+    num_length anchored;               /* height of the anchor above the base */
+    num_length reach;                  /* largest distance of a point of the shape from the anchor */
+    num_length thickness;              /* largest distance of a point of the shape from the axis */
+    num_unit slope_cosine, slope_sine; /* slope of the side against the axis: 1 and 0 for a cylinder; see round.c */
     bool capped;
 };
 
@@ -131,13 +131,13 @@ struct shape {
     const struct shape_kind *kind;
     const struct instance *instance; /* NULL: the world's axes */
     uint32_t material;
-    enum inside inside; /* for shapes that refract */
-    bool layered;       /* it has an opacity texture */
-    int8_t uv_bits;     /* its coordinates u, v times 2^uv_bits are those of its textures */
+    enum inside inside; /* the parts that a refracted ray may enter */
+    bool layered;       /* the shape has an opacity texture */
+    int8_t uv_bits;     /* the shape's coordinates u, v times 2^uv_bits are those of its textures */
     union {
         struct prepared_sphere sphere;
-        struct prepared_plane plane; /* discs too */
-        struct prepared_cone cone;   /* cylinders too */
+        struct prepared_plane plane; /* also used for discs */
+        struct prepared_cone cone;   /* also used for cylinders */
         struct prepared_box box;
         struct tia_triangle triangle;
         struct prepared_mesh mesh;
@@ -154,10 +154,10 @@ TIA_SHAPES(DECLARE)
 /* Sets shape->kind and the constants. */
 void shape_prepare(struct shape *shape, const struct tia_scene *scene, const struct tia_shape *given);
 
-/* True if a mesh's faces enclose a volume, see tia/material.h. If stopped, any value. */
+/* True if a mesh's faces enclose a volume, see tia/material.h. Undefined once cancelled. */
 bool mesh_is_closed(const struct tia_mesh *mesh, struct cancel *cancel);
 
-/* Returns how many of a mesh's groups of faces a ray meets at 0 <= t <= limit; the mesh must have groups. */
+/* Returns the number of a mesh's groups of faces that a ray meets at 0 <= t <= limit; the mesh must have groups. */
 uint32_t mesh_groups_met(const struct shape *shape, const struct ray *ray, num_length limit);
 
 /* Implements `occluded` for shapes without a faster test: calls intersect. */

@@ -9,8 +9,8 @@ struct slab {
     bool parallel;
 };
 
-/* Returns a slab. num_reciprocal clamps the slope of a ray nearly parallel to the planes. That makes it enter early,
- * which is safe, but it would also leave early: so a parallel ray between the planes never leaves. */
+/* Returns a slab. num_reciprocal clamps the slope of a ray nearly parallel to the planes. That makes the ray enter
+ * early, which is safe, but also leave early, which is not: so a parallel ray between the planes never leaves. */
 static inline struct slab slab_of(num_length origin, num_unit direction)
 {
     bool parallel = direction < NUM_UNIT_PARALLEL && direction > -NUM_UNIT_PARALLEL;

@@ -38,7 +38,7 @@ static int largest(struct num_dir d)
     return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
 }
 
-/* Gives the components in the order of the dominant axis, the next, and the one after. */
+/* Gives the point's components in the order of the main axis, the next axis, and the one after that. */
 static void turn(int axis, struct num_point p, num_length v[3])
 {
     v[0] = axis == 0 ? p.x : axis == 1 ? p.y : p.z;
@@ -63,7 +63,7 @@ void triangle_ray_prepare(struct triangle_ray *start, const struct ray *ray)
     start->slope[1] = num_fraction_by(axis == 0 ? d->z : axis == 1 ? d->x : d->y, start->along);
 }
 
-/* Gives the coordinates of the corners along the axis that is `step` after the axis one, from the ray's origin. */
+/* Gives the coordinates of the corners, from the ray's origin, along the axis that comes `step` after the main axis. */
 static void corners_along(const struct triangle_ray *ray, const struct triangle_corners *corners, int step,
                           num_length v[3])
 {
@@ -92,7 +92,7 @@ static bool is_beside(const num_length v[3])
     return (v[0] > 0 && v[1] > 0 && v[2] > 0) || (v[0] < 0 && v[1] < 0 && v[2] < 0);
 }
 
-/* Returns the area that the origin makes with the edge that does not touch corner i. */
+/* Returns the area of the triangle of the origin and the edge that does not touch corner i. */
 static num_area span_area(const num_length x[3], const num_length y[3], int i)
 {
     int a = i < 2 ? i + 1 : 0, b = i > 0 ? i - 1 : 2;
@@ -128,7 +128,7 @@ static struct edges edges_of(const struct triangle_corners *corners)
                           {(int64_t)c.x - a.x, (int64_t)c.y - a.y, (int64_t)c.z - a.z}};
 }
 
-/* Returns a component of the edges' product, exact: up to 67 bits. It is that of the axis before j. */
+/* Returns a component of the edges' cross product, exact: up to 67 bits. It is that of the axis before j. */
 static wide edge_product(const struct edges *e, int j)
 {
     int k = j < 2 ? j + 1 : 0;
@@ -187,7 +187,8 @@ bool triangle_normal(const struct triangle_corners *corners, struct num_dir *nor
     return bits > 0;
 }
 
-/* Projects along the normal's axis axis; a point that rounding has moved outside counts as on the edge. */
+/* Gives the coordinates in the projection along the normal's main axis; a point that rounding has moved outside counts
+ * as on the edge. */
 void triangle_barycentric(const struct triangle_corners *corners, struct num_dir normal, struct num_point point,
                           num_unit parts[3])
 {

@@ -6,10 +6,10 @@
 
 /* A ray prepared for triangles: `main` is the axis of its direction's largest component, 0, 1 or 2. */
 struct triangle_ray {
-    num_length origin[3]; /* along the main axis and the two that follow */
+    num_length origin[3]; /* coordinates along the main axis and the two that follow */
     int main;
     num_divisor along; /* the direction's component along the main axis */
-    num_unit slope[2]; /* those along the next two axes, divided by it */
+    num_unit slope[2]; /* the components along the next two axes, divided by `along` */
 };
 
 /* The corners of a triangle, wherever they are stored. */

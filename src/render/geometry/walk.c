@@ -1,8 +1,8 @@
 #include "walk.h"
 
 /* Clips near..far to the part between two planes. A ray nearly parallel to the planes is assumed to approach them
- * faster than it does. So it enters early, which is safe, but it would also leave early: if they are ahead it never
- * leaves. */
+ * faster than it does. So it enters early, which is safe, but it would also leave early: where the planes are ahead, it
+ * never leaves. */
 static inline void clip(const struct num_slope *s, tia_q16 min, tia_q16 max, num_walk *near, num_walk *far)
 {
     num_walk enter = num_walk_to(s, s->backward ? max : min), leave = num_walk_to(s, s->backward ? min : max);
@@ -91,7 +91,7 @@ void candidates_start(struct candidates *c, const struct tia_scene *scene, const
     c->walking = false;
 }
 
-/* Takes the next leaf's objects; false: there is none. */
+/* Gives the next leaf's objects; false: there is none. */
 static bool take_leaf(struct candidates *c, num_length limit)
 {
     const struct tia_bvh_tree *tree = &c->scene->bvh->objects;

@@ -36,7 +36,8 @@ struct candidates {
 
 void candidates_start(struct candidates *candidates, const struct tia_scene *scene, const struct ray *ray);
 
-/* Returns the next one, or TIA_NO_OBJECT. The hierarchy excludes objects that cannot be met at 0 <= t <= limit. */
+/* Returns the next candidate, or TIA_NO_OBJECT. The hierarchy excludes objects that cannot be met at 0 <= t <=
+ * limit. */
 uint32_t candidates_next(struct candidates *candidates, num_length limit);
 
 #endif

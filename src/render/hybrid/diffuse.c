@@ -67,7 +67,7 @@ static void aim_spot(const struct tia_light *light, struct diffuse_light *l)
     l->outer = (cosine >> 32) - uncertain;
 }
 
-/* Adds a light; false if it is visible, attenuated or has an area, which are left to rays. */
+/* Adds a light; false if it is visible, attenuated or has an area: such lights are drawn by rays. */
 static bool add_light(struct diffuse *m, const struct tia_light *light, unsigned bit)
 {
     struct diffuse_light *l = &m->lights[m->light_count++];
@@ -99,7 +99,7 @@ static void choose_unit(struct diffuse *m)
     m->most = INT64_C(1) << (most < MOST_BITS ? most : MOST_BITS);
 }
 
-/* True if the arithmetic is fine enough: numbers of 24 bits have larger errors of their own. */
+/* True if the arithmetic is fine enough: numbers with a mantissa of 24 bits have larger errors of their own. */
 static bool is_fine(void)
 {
     return num_length_of_q45(INT32_C(1) << 15) + NUM_LENGTH_ONE > NUM_LENGTH_ONE;

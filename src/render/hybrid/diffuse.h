@@ -17,17 +17,17 @@
 
 struct diffuse_light {
     enum tia_light_kind kind; /* point, spot, directional or ambient */
-    unsigned bit;             /* its number in the pixels' bits and shares */
-    int64_t at[3];            /* relative to the eye; directional light: the direction to it, Q.30 */
+    unsigned bit;             /* the light's number in the pixels' bits and shares */
+    int64_t at[3];            /* position relative to the eye; of a directional light: the direction to it, Q.30 */
     int32_t emission[3];      /* Q2.30 */
-    int64_t back[3];          /* spot light: against its direction, Q.20, */
-    int64_t inner, outer;     /* and the cosines, Q.30, beyond which it is certainly full or dark */
+    int64_t back[3];          /* spot light: the opposite of its direction, Q.20 */
+    int64_t inner, outer;     /* spot light: the cosines, Q.30, beyond which it is certainly full or dark */
 };
 
 /* A face, with the normal turned to the eye. */
 struct diffuse_face {
     uint32_t face;
-    bool fits;         /* it can be drawn here: flat and without gloss */
+    bool fits;         /* the face can be drawn here: it is flat and without gloss */
     int64_t normal[3]; /* Q.20 */
     const struct tia_material *material;
 };

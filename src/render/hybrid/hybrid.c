@@ -26,7 +26,7 @@ static size_t prepared_size(const struct tia_scene *scene, uint32_t light_capaci
     return rays < SIZE_MAX / 2 && flat < SIZE_MAX / 2 && size < SIZE_MAX / 2 ? (size_t)size : SIZE_MAX;
 }
 
-/* Returns the technique's shares of lights, or scratch bytes, for each sample of a pixel. */
+/* Returns the shares of lights or scratch bytes that the technique has for each sample of a pixel. */
 static unsigned shares_of(const struct tia_scene *scene)
 {
     const struct tia_shadow_technique *technique = tia_shadow_technique(scene->shadows);

@@ -13,7 +13,7 @@ struct raster_view {
     struct tia_curved_place *places;
     uint32_t place_count;
     unsigned sample_count;           /* samples of a pixel */
-    unsigned shares, more_bytes;     /* per sample of a pixel, for the technique */
+    unsigned shares, more_bytes;     /* numbers for each sample of a pixel, set by the technique */
     unsigned range;                  /* range of the vertices, see flat/reach.h; RASTER_NO_RANGE: they are not ready */
     bool whole;                      /* the technique's is_whole */
     struct tia_shadow_view shadow[]; /* one for each sample; they share all but grid and planes */
@@ -37,7 +37,7 @@ struct raster_buffers {
     char *more; /* more_bytes for each pixel */
 };
 
-/* Returns the bytes of a sample's buffers, for so many pixels. */
+/* Returns the bytes of a sample's buffers for `pixels` pixels. */
 uint64_t raster_sample_size(unsigned more_bytes, uint64_t pixels);
 
 struct raster_buffers raster_buffers(const struct raster_view *raster, const struct tia_hits *hits, unsigned sample);

@@ -145,7 +145,8 @@ uint64_t emitters_size(const struct tia_scene *scene, uint32_t light_capacity)
     return ((uint64_t)light_capacity + count_spheres(scene, &never)) * sizeof(struct emitter);
 }
 
-/* Prepares the emitters. The spheres lie behind the room for all lights, and are moved up behind the present ones. */
+/* Prepares the emitters. The spheres are stored behind the room for all lights first, and then moved up behind the
+ * present lights. */
 int emitters_prepare(struct emitters *emitters, const struct ray_view *view, void *memory, uint32_t light_capacity)
 {
     struct cancel cancel = view_cancel(view->view);
@@ -157,7 +158,7 @@ int emitters_prepare(struct emitters *emitters, const struct ray_view *view, voi
     return cancel.stopped ? TIA_STOPPED : TIA_OK;
 }
 
-/* Returns false for a light that is dark, that paths do not look for, or whose area is 0. */
+/* Returns false for a light that is dark, that paths do not sample, or whose area is 0. */
 static bool shines(const struct tia_light *l)
 {
     if (!tia_light_has(l->kind, TIA_LIGHT_PATHS) || colour_is_black(&l->emission))
@@ -188,7 +189,7 @@ void emitters_set(struct emitters *emitters, const struct ray_view *view)
     emitters->one_of = num_density_quotient(num_density_of(NUM_LENGTH_ONE), count_density(emitters->count));
 }
 
-/* Returns 1 - the cosine of the cone that a sphere fills; 0: from inside. With the sine s it is s^2/(1 + cos). */
+/* Returns 1 - the cosine of the cone that a sphere fills; 0 for a point inside. With the sine s it is s^2/(1 + cos). */
 static num_unit cone_of(const struct emitter *e, num_length distance)
 {
     if (distance <= e->radius)
@@ -211,7 +212,7 @@ struct num_density emitter_density(const struct emitter *e, struct num_point fro
                                 num_density_product(e->area, num_density_of_unit(cosine < 0 ? -cosine : cosine)));
 }
 
-/* Returns a direction in the cone: 1 - cos = open u, and sin = sqrt(2 h - h^2) of that. */
+/* Returns a direction in the cone: 1 - cos = open u = h, and sin = sqrt(2 h - h^2). */
 static struct num_dir within_cone(struct num_dir axis, num_unit open, const uint32_t u[2])
 {
     num_unit h = num_times(open, num_unit_of_u32(u[0])), r = num_unit_sqrt(2 * num_times(h, NUM_UNIT_ONE - h / 2));

@@ -10,17 +10,17 @@
 enum emitter_kind { EMITTER_POINT, EMITTER_PLANE, EMITTER_SPHERE };
 
 struct emitter {
-    enum emitter_kind kind;        /* points have no surface: directional and spot lights too */
+    enum emitter_kind kind;        /* points have no surface; they include directional and spot lights */
     const struct ray_light *light; /* NULL: a sphere of the scene */
-    num_length radiance[3];        /* of points: as light.h defines a light's emission */
-    struct num_point centre;       /* of spheres */
+    num_length radiance[3];        /* radiance; for points the light's emission as light.h defines it */
+    struct num_point centre;       /* centre of a sphere */
     num_length radius;
-    struct num_density area; /* of planes */
+    struct num_density area; /* area of a plane */
 };
 
 struct emitters {
     struct emitter *first;
-    uint32_t count, spheres;     /* the scene's spheres are the last ones */
+    uint32_t count, spheres;     /* number of emitters, and of the scene's spheres, which are the last ones */
     struct num_density one_of;   /* 1/count */
     struct num_density by_light; /* probability of choosing one of the lights */
 };
@@ -30,7 +30,7 @@ struct emitter_sample {
     struct num_dir to;
     num_length distance; /* length of the shadow ray: it ends 2^-26 before the surface, along the light's normal */
     num_length radiance[3];
-    struct num_density density; /* 0: a point */
+    struct num_density density; /* 0 for a point */
 };
 
 /* Returns the bytes for `light_capacity` lights and the spheres. */

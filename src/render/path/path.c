@@ -10,9 +10,9 @@ struct walk {
     struct estimate *e;
     const struct path_view *view;
     struct ray ray;
-    struct num_point from;      /* point of the last scattering */
-    struct num_density density; /* density of the last scattering's direction */
-    bool specular;              /* scattered in a single direction, or from the eye: no light was sampled */
+    struct num_point from;      /* position of the last scattering */
+    struct num_density density; /* density of the direction at the last scattering */
+    bool specular;              /* scattered in a single direction, or from the eye: no light was sampled there */
     num_length throughput[3], sum[3];
     num_length depth; /* distance to the last scattering, as long as only mirrors and glass were met */
     struct media media;

@@ -1,32 +1,32 @@
-/* path.h - the path integrator's prepared data, for levels that draw in its place. */
+/* path.h - the path integrator's prepared data, for SIMD kernels that draw in its place. */
 #ifndef TIA_RENDER_PATH_PATH_H
 #define TIA_RENDER_PATH_PATH_H
 
 #include "emitters.h"
 #include "render/estimate/estimate.h"
 
-/* Behind the struct ray_view. */
+/* Prepared data behind the struct ray_view. */
 struct path_view {
     struct emitters emitters;
 };
 
 const struct path_view *path_view_of(const struct tia_view *view);
 
-/* An estimate_radiance. */
+/* Implements estimate_radiance. */
 void path_radiance(struct estimate *e, const struct ray *first, num_length rgb[3]);
 
 /* First bounce after which paths may end by roulette; bounces count from 0. */
 #define PATH_ROULETTE 3
 
-/* The kinds of lights that paths meet as surfaces, a bit each; and those visible to the eye or in mirrors. */
+/* Sets of lights, a bit for each kind: those that paths meet as surfaces; those visible to the eye or in mirrors. */
 #define PATH_SURFACE(KIND, name, what, traits)                                                                         \
     | (TIA_LIGHT_AREA & (traits) && TIA_LIGHT_PATHS & (traits) ? 1u << KIND : 0)
 #define PATH_SEEN_KIND(KIND, name, what, traits) | (TIA_LIGHT_SURFACE & (traits) ? 1u << KIND : 0)
 #define PATH_SURFACES (0 TIA_LIGHTS(PATH_SURFACE))
 #define PATH_SEEN (0 TIA_LIGHTS(PATH_SEEN_KIND))
 
-/* The two quads of a bounce. 0: a point of a light, and a direction, which for the first bounce is in the quad before.
- * 1: choice of lobe, choice of light, roulette, and reflection by glass. */
+/* The two quads of a bounce. Quad 0: a point of a light, and a direction, which for the first bounce is in the quad
+ * before. Quad 1: choice of lobe, choice of light, roulette, and reflection by glass. */
 #define PATH_QUAD(bounce, which) (ESTIMATE_FIRST_QUAD + 1 + 2 * (bounce) + (which))
 
 #endif

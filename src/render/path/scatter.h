@@ -14,9 +14,9 @@ struct scatter {
     const struct shading *surface;
     num_length specular[3], mirror[3], refraction[3];
     struct num_dir mirrored;
-    uint32_t below[3]; /* chances: of a mirror; of that or glass; of those or the glossy lobe */
-    bool rough;        /* it has a diffuse or a glossy lobe */
-    bool black;        /* it has no lobe at all */
+    uint32_t below[3]; /* cumulative chances: mirror; mirror or glass; mirror, glass or the glossy lobe */
+    bool rough;        /* the surface has a diffuse or a glossy lobe */
+    bool black;        /* the surface has no lobe at all */
 };
 
 void scatter_prepare(struct scatter *scatter, const struct shading *surface);

@@ -34,7 +34,8 @@ static int peak(const struct cone_row *s)
     return low;
 }
 
-/* Returns the last pixel inside, walking from `in`, which is inside, by `step` (+1 or -1) to the line's end. */
+/* Returns the last pixel inside the cone on the way from `in`, which is inside, to the line's end, in steps of +1 or
+ * -1. */
 static int boundary(const struct cone_row *s, int in, int step, int guess)
 {
     int out = step > 0 ? s->count : -1;
@@ -64,7 +65,7 @@ static int boundary(const struct cone_row *s, int in, int step, int guess)
     return in;
 }
 
-/* Returns a pixel inside the cone, or -1. */
+/* Returns any pixel inside the cone, or -1. */
 static int any_inside(const struct cone_row *s, struct span guess)
 {
     int middle = guess.first + (guess.end - guess.first) / 2;

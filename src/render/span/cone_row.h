@@ -15,10 +15,10 @@
 #include "num/num.h"
 
 struct cone_row {
-    num_wide slope, base; /* exponents 16 and 16 + f */
+    num_wide slope, base; /* slope: exponent 16; base: exponent 16 + f */
     num_wide square;      /* exponent 2 f */
     num_wide c;           /* exponent 32 */
-    int exponent;         /* f, of pixel coordinates */
+    int exponent;         /* the exponent f of pixel coordinates */
     int count;            /* pixels on the line */
 };
 
@@ -33,8 +33,8 @@ static inline struct span span_within(struct span span, int first, int end)
     return r;
 }
 
-/* Returns the span of pixels inside the cone. `guess`, for example the span of the row above, only saves time: the
- * result does not depend on it. */
+/* Returns the span of pixels inside the cone. `guess`, for example the span of the row above, only saves time and does
+ * not affect the result. */
 struct span cone_row_span(const struct cone_row *cone_row, struct span guess);
 
 #endif

@@ -73,7 +73,7 @@ static void lambert(const struct lit *lit, num_u inverse, int count, num_u *lamb
         lambert[i] = lit->facing[i] > 0 ? num_lambert(num_mul_top(lit->facing[i], lit->inverse[i]), inverse) : 0;
 }
 
-/* True if the sphere stands before the light; `product` is t (C + Q).v and `turn` t C.v. */
+/* True if the sphere blocks the light; `product` is t (C + Q).v and `turn` t C.v. */
 static bool meets(const struct shadow_line *line, num_wide product, num_wide turn, const struct lit *lit, int i)
 {
     num_wide a = shadow_toward(line, product, lit->reach[i]);
@@ -114,7 +114,7 @@ static void pack(const num_u *red, const num_u *green, const num_u *blue, const 
     for (int i = 0; i < count; i++) {
         num_u half = threshold[(x + i) & 7];
         unsigned r = num_quantise(red[i], 31, half), g = num_quantise(green[i], 63, half),
-                 b = blue == red ? r : num_quantise(blue[i], 31, half); /* often grey */
+                 b = blue == red ? r : num_quantise(blue[i], 31, half); /* greys are frequent */
         out[i] = (tia_rgb565)(r << 11 | g << 5 | b);
     }
 }

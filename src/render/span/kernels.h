@@ -42,7 +42,7 @@ struct lit {
     num_u facing[CHUNK];    /* r N.(Q - P), times 2^half; 0: turned away or in shadow */
     num_wide reach[CHUNK];  /* |P|^2 */
     num_wide square[CHUNK]; /* |Q - P|^2 */
-    num_u near[CHUNK];      /* the same as a mantissa, times 4^half */
+    num_u near[CHUNK];      /* |Q - P|^2 as a mantissa, times 4^half */
     num_u inverse[CHUNK];   /* 1/|Q - P|, times 2^-half */
     uint8_t half[CHUNK];
 };
@@ -66,8 +66,8 @@ struct shadow_line {
     num_wide c, c_step;            /* accumulator of C.v */
     num_wide toward;               /* C.Q, with the exponent e_a of A.w */
     num_wide power;                /* C.C - R^2 and the bias's terms, with the exponent e_k */
-    int a_down, power_down;        /* e_p - e_a and e_p - e_k, where e_p is the exponent of |P|^2 */
-    int square_down, product_down; /* from e_d and e_a to the smaller of them */
+    int a_down, power_down;        /* a_down: e_p - e_a; power_down: e_p - e_k; e_p is the exponent of |P|^2 */
+    int square_down, product_down; /* differences of e_d and of e_a to the smaller of the two */
     num_u inverse;                 /* num_inverse(r) */
     int bias_shift;                /* num_bias_product's shift, less half */
     num_u swell;                   /* bias/r */
@@ -84,7 +84,7 @@ struct span_kernels {
     /* Fills `lit`; false when no pixel faces the light. */
     bool (*light)(const struct light_line *line, const num_u *t, struct lit *lit);
 
-    /* Sets facing to 0 where the sphere stands before the light. */
+    /* Sets facing to 0 where the sphere blocks the light. */
     void (*shadow)(const struct shadow_line *line, const num_u *t, struct lit *lit);
 
     /* Computes lambert = max(0, N.Ldir), NUM_ONE is 1; `inverse` is num_inverse of the lit sphere's radius. */

@@ -7,9 +7,9 @@
 
 /* A light on the sphere of a span of pixels. */
 struct light_source {
-    const struct span_sphere *sphere; /* the span's sphere */
+    const struct span_sphere *sphere; /* the sphere whose span is lit */
     struct num_vec light;             /* Q */
-    int exponent, reach_exponent;     /* e_d of |Q - P|^2 and e_p of |P|^2, set by light_line_prepare */
+    int exponent, reach_exponent;     /* the exponents e_d of |Q - P|^2 and e_p of |P|^2, set by light_line_prepare */
 };
 
 /* Prepares all of `line` except count, for the pixels from (x, y) on. */

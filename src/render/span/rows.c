@@ -4,7 +4,7 @@
 #include "shade.h"
 #include "span.h"
 
-/* Keeps arrays off the stack during deeper calls. */
+/* Marks functions that are not inlined, which keeps their arrays off the stack during deeper calls. */
 #if defined(__GNUC__)
 #define NOINLINE __attribute__((noinline))
 #else
@@ -20,10 +20,10 @@ struct chunk {
     int x, y, count;
     const num_u *t;
     const uint32_t *object;
-    uint32_t *path_hash; /* NULL, or the row's */
-    uint16_t *colours;   /* the same */
+    uint32_t *path_hash; /* path hashes of the row, or NULL */
+    uint16_t *colours;   /* colours of the row, or NULL */
     bool lights;         /* the row may show lights */
-    tia_rgb565 *pixels;  /* side by side */
+    tia_rgb565 *pixels;  /* pixels that lie side by side */
 };
 
 /* Draws a span of the background or of a light: one colour, except for dithering, which repeats after 8 pixels. */
@@ -106,8 +106,8 @@ static void distances_of(const struct chunk *chunk, int first, int end, num_u *t
             t[i - first] = chunk->t[i];
 }
 
-/* Adds visible lights. They are not in the hits, since they move; so where the row may show one, the chunk gets its own
- * copy of the objects, with the lights among them. */
+/* Adds visible lights to the objects. They are not in the hits, since they move; so where the row may show one, the
+ * chunk gets its own copy of the objects, with the lights among them. */
 static NOINLINE void see_lights(struct chunk *chunk, uint32_t object[CHUNK])
 {
     const struct tia_view *view = chunk->view;
@@ -134,7 +134,7 @@ static void light_span(struct chunk *chunk, int first, int count, uint32_t n, co
         chunk->path_hash[i] = UINT32_C(0xffff0000) | (n & 0xffff);
 }
 
-/* Shades pixel by pixel; those of a wide sphere with distances of their own. */
+/* Shades a span pixel by pixel, for the distances of a wide sphere. */
 static NOINLINE void shade_pixels(const struct chunk *chunk, uint32_t object, int first, int end,
                                   const num_u threshold[8])
 {
@@ -181,7 +181,7 @@ static void light_chunk(struct chunk *chunk, const num_u threshold[8])
     }
 }
 
-/* Does the same where the row may show lights. */
+/* Draws a chunk where the row may show lights. */
 static NOINLINE void light_chunk_with_lights(struct chunk *chunk, const num_u threshold[8])
 {
     uint32_t object[CHUNK];

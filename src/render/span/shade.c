@@ -9,7 +9,7 @@ struct shading {
     const struct tia_view *view;
     const struct span_view *spans;
     const struct tia_material *material;
-    bool grey; /* red is used for all three */
+    bool grey; /* red serves as all three channels */
     num_u sum[3][CHUNK];
 };
 
@@ -19,8 +19,8 @@ struct tint {
     uint16_t passed[CHUNK]; /* sum of index + 1 of the spheres on the way */
 };
 
-/* Multiplies the tint by `through`, the transmission of `sphere`, where it has just darkened `lit`, and restores the
- * light unless none of it is left. */
+/* Multiplies the tint by `through`, the transmission of `sphere`, where the sphere has just darkened `lit`, and
+ * restores the light unless none of it is left. */
 static void tint_light(const struct tia_rgb *through, uint32_t sphere, const num_u *before, struct lit *lit, int count,
                        struct tint *tint)
 {
@@ -36,7 +36,7 @@ static void tint_light(const struct tia_rgb *through, uint32_t sphere, const num
     }
 }
 
-/* Notes in the path hash that the light arrives, see tia/render.h. */
+/* Adds the light to the path hash of each pixel where it arrives, see tia/debug.h. */
 static void note_reached(const struct lit *lit, const struct tint *tint, uint32_t l, int count, uint32_t *path_hash)
 {
     for (int i = 0; i < count; i++)
@@ -93,7 +93,7 @@ static void shade_from_light(struct shading *s, uint32_t l, struct tint *tint)
                                   .light = num_vec_between(view->scene->camera.eye, view->lights[l].centre)};
     struct light_line line;
     struct lit lit;
-    num_u *lambert = lit.facing; /* in the same memory: stack is scarce */
+    num_u *lambert = lit.facing; /* in the same memory, as stack is scarce */
 
     light_line_prepare(&s->spans->primary, &source, span->x, span->y, &line);
     line.count = span->count;
@@ -128,7 +128,7 @@ void shade_span(const struct tia_view *view, const struct shaded_span *span, con
                 tia_rgb565 *pixels)
 {
     const struct tia_scene *scene = view->scene;
-    struct shading s; /* not zeroed: the sums are large */
+    struct shading s; /* not zeroed, since the sums are large */
 
     s.span = span;
     s.view = view;

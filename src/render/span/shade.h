@@ -5,14 +5,15 @@
 #include "span.h"
 
 struct shaded_span {
-    uint32_t object; /* the sphere */
+    uint32_t object; /* number of the sphere */
     int x, y, count; /* the first pixel; at most CHUNK */
     const num_u *t;
-    uint32_t *path_hash; /* NULL, or receives each pixel's lights, see tia/render.h */
-    uint16_t *colours;   /* NULL, or receives red, green and blue, see there */
+    uint32_t *path_hash; /* path hashes, see tia/debug.h, or NULL */
+    uint16_t *colours;   /* receives red, green and blue, see tia/render.h, or NULL */
 };
 
-/* Stores colours with 16 bits each, of pixels side by side; `step` 0: the first for all; NULL: none. */
+/* Stores colours with 16 bits each, of pixels side by side. `step` 0: all pixels have the first colour. `colours` NULL:
+ * stores nothing. */
 void span_put_colours(const num_u *const rgb[3], int step, int count, uint16_t *colours);
 
 void shade_span(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[8],

@@ -6,7 +6,7 @@ static int limit(int e, int bits)
     return e < 92 - bits ? e : 92 - bits;
 }
 
-/* Returns the same for t a.v, a product of t (31 bits) and a.v. */
+/* Returns the smaller of `e` and the exponent that keeps t a.v, a product of t (31 bits) and a.v, below 2^60. */
 static int limit_product(int e, const struct primary_rays *primary, const struct span_sphere *sphere, struct num_vec a)
 {
     int most = sphere->t_exponent + primary->exponent - 16 + 61 - num_bits(primary_reach(primary, a));

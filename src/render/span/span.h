@@ -8,7 +8,7 @@
 
 struct shaded_span;
 
-/* What decides many pixels at once, see coherence.h and coherence_pays.h. */
+/* Functions that decide many pixels at once, see coherence.h and coherence_pays.h. */
 struct span_coherence {
     bool (*pays)(const struct primary_rays *primary, const struct span_sphere *sphere);
     bool (*shade)(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[8],
@@ -19,11 +19,11 @@ struct span_coherence {
 struct span_view {
     const struct span_kernels *kernels;
     const struct span_coherence *coherence; /* NULL: no sphere is wide */
-    struct span_sphere *spheres;            /* those of the scene, then those of the lights */
+    struct span_sphere *spheres;            /* spheres of the scene, then of the lights */
     struct primary_rays primary;
     bool tinted;       /* some material transmits shadow rays */
-    bool grey_shadows; /* their transmission is grey */
-    bool grey;         /* and all lights are grey */
+    bool grey_shadows; /* transmission of all materials is grey */
+    bool grey;         /* colours of all lights are grey, too */
 };
 
 static inline const struct span_view *span_view_of(const struct tia_view *view)
@@ -55,7 +55,7 @@ void span_distances(const struct span_view *spans, uint32_t n, int y, int x, int
 void span_keep_nearer(const struct span_view *spans, uint32_t n, const num_u *t, int count, num_u *best,
                       uint32_t *object);
 
-/* See struct renderer. */
+/* Implement struct renderer. */
 bool span_draws(const struct tia_scene *scene);
 size_t span_prepared_size(const struct tia_scene *scene, uint32_t light_capacity);
 int span_prepare(struct tia_view *view, const struct span_coherence *coherence);
@@ -65,7 +65,7 @@ void span_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_t
 void span_light(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                 const struct tia_surface *surface, const struct tia_options *options);
 
-/* The span renderer with a `prepare` of its own. */
+/* Defines the span renderer with its own `prepare`. */
 #define SPAN_RENDERER(own_prepare)                                                                                     \
     {                                                                                                                  \
         .draws = span_draws, .prepared_size = span_prepared_size, .prepare = (own_prepare),                            \

@@ -26,8 +26,8 @@ struct span_sphere {
     int b_shift;         /* L.v * 2^b_shift fills an accumulator */
     num_u c_disc, c_top; /* c for the discriminant and for the quotient */
     int t_shift;         /* num_quotient's shift */
-    int t_exponent;      /* the exponent of t */
-    struct span rows;    /* the rows that may show it; empty: no pixel does */
+    int t_exponent;      /* exponent of t */
+    struct span rows;    /* rows that may show the sphere; empty: no pixel does */
     bool wide;           /* hits do not store its distances, see coherence.h */
 };
 

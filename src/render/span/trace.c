@@ -11,8 +11,8 @@ static void clear(struct tia_hits *hits, struct tia_tile tile)
     }
 }
 
-#define WORTH 16   /* least number of pixels worth a test of all at once */
-#define T_SHIFT 39 /* up to here S = b + sqrt(D), see sphere.c, has 24 bits */
+#define WORTH 16   /* least number of pixels for which one test of all together pays */
+#define T_SHIFT 39 /* largest t_shift for which S = b + sqrt(D), see sphere.c, has 24 bits */
 
 static num_u apart(num_u a, num_u b)
 {

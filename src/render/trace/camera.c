@@ -66,7 +66,7 @@ static void set_grid(struct ray_camera *c, const struct tia_scene *scene, int wi
     c->channels = c->grid.channels;
 }
 
-/* Returns n 2^-5: an image may be three times as wide as a picture, which is too wide for num_integer. */
+/* Returns n 2^-5: an image may be three times as wide as a picture, too wide for num_integer. */
 static num_length small(int64_t n)
 {
     return num_length_of_q45(n * (INT64_C(1) << 40));
@@ -95,7 +95,7 @@ bool ray_camera_pixel(const struct ray_camera *c, int x, int y, int channel, str
     return !c->grid.field || tia_light_grid_pixel(&c->grid, x, y, channel, pixel);
 }
 
-/* Gives the ray through the point at these parts of the image's width and height, from the eye at `place`. */
+/* Gives the ray from the eye at `place` through the point at these fractions of the image's width and height. */
 static void through(const struct ray_camera *c, tia_q16 place, num_unit right, num_unit down, struct ray *ray)
 {
     num_length left = place ? num_length_of(c->window.left - place) : c->left;
@@ -111,8 +111,8 @@ static void through(const struct ray_camera *c, tia_q16 place, num_unit right, n
         (void)num_normalise(num_point_add(aside, c->ahead), &ray->direction);
 }
 
-/* Gives the ray; the sample's position is, in units of 1/(2 n^2) of a pixel: (n i + j + 1/2)/n^2 and (n j + n - i -
- * 1/2)/n^2. */
+/* Gives the ray of a sample; the sample's position is, in units of 1/(2 n^2) of a pixel: (n i + j + 1/2)/n^2 and (n j +
+ * n - i - 1/2)/n^2. */
 void ray_camera_ray(const struct ray_camera *c, const struct light_pixel *pixel, int sample, struct ray *ray)
 {
     int32_t n = c->side, i = sample % n, j = sample / n;

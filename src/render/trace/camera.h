@@ -9,21 +9,22 @@ struct ray_camera {
     struct num_point eye;
     struct num_dir u, v, n;
     enum tia_projection projection;
-    int width, height, side; /* of the image, see ray_camera_pixel; side^2 samples a pixel */
-    int channels;            /* 3: red, green and blue have rays of their own; else 1 */
-    struct light_grid grid;  /* without a light field: the image alone */
+    int width, height, side; /* size of the image, see ray_camera_pixel; side^2 samples a pixel */
+    int channels;            /* 3 where red, green and blue have rays of their own, else 1 */
+    struct light_grid grid;  /* the light field's map; without a light field, the image itself */
     struct tia_window window;
     num_length depth;                        /* distance of the image plane from the eye */
-    num_length left, bottom, across, upward; /* the window and its sizes */
-    num_divisor columns, rows;               /* of the samples' positions in the image */
-    struct num_point ahead;                  /* from the eye to the image plane */
+    num_length left, bottom, across, upward; /* lower left corner and size of the window */
+    num_divisor columns, rows;               /* divisors of the samples' positions in the image */
+    struct num_point ahead;                  /* vector from the eye to the image plane */
 };
 
 void ray_camera_prepare(struct ray_camera *camera, const struct tia_scene *scene, int width, int height);
 
 /* Gives the pixel that a channel of pixel (x, y) of the picture shows: in a light field, a pixel of an image from an
- * eye of its own; else the pixel itself, seen from the eye. False: none, it is black. All that depends on a pixel's
- * position, samples too, uses the position in the image, so that a light field has the bits of ordinary pictures. */
+ * eye of its own; else the pixel itself, with the camera's own eye. False: no pixel, it is black. All that depends on a
+ * pixel's position, samples too, uses the position in the image, so that a light field has the bits of ordinary
+ * pictures. */
 bool ray_camera_pixel(const struct ray_camera *camera, int x, int y, int channel, struct light_pixel *pixel);
 
 static inline struct light_pixel ray_pixel_at(int x, int y)

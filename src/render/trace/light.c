@@ -76,7 +76,7 @@ unsigned ray_pixel_class(int x, int y)
     return bayer[y & 3][x & 3];
 }
 
-/* Gives u = frac((i + 1/2)/n + b/16), in integers so that a whole number becomes exactly 0; and v in units of 1/256. */
+/* Gives u = frac((i + 1/2)/n + b/16), in integers so that an integer becomes exactly 0; and v in units of 1/256. */
 static void pattern(const struct ray_light *l, unsigned class, unsigned i, num_unit *u, unsigned *v)
 {
     unsigned n = l->samples;
@@ -176,7 +176,7 @@ static bool meets_rectangle(const struct ray_light *l, const struct ray *ray, nu
 
 struct light_kind {
     void (*prepare)(struct ray_light *l, const struct tia_light *given);
-    /* Returns the point that a sample shines from. */
+    /* returns the point of a sample */
     struct num_point (*place)(const struct ray_aim *aim, num_unit u, unsigned v);
     bool (*meets)(const struct ray_light *l, const struct ray *ray, num_length limit, num_length *t);
 };
@@ -202,7 +202,7 @@ static void prepare_shape(struct ray_light *l, const struct tia_light *given)
     }
 }
 
-/* Returns the point that sample i shines from. */
+/* Returns the point of sample i. */
 static struct num_point source(const struct ray_aim *aim, unsigned i)
 {
     const struct ray_light *l = aim->light;
@@ -275,7 +275,8 @@ void ray_light_aim(struct ray_aim *aim, const struct ray_light *l, struct num_po
     }
 }
 
-/* Returns 1/(constant + linear d + quadratic d^2), 0 when the sum is 2^17 or more; d in its units. */
+/* Returns 1/(constant + linear d + quadratic d^2), 0 when the sum is 2^17 or more; d is in the units of the
+ * attenuation. */
 static num_length attenuation(const struct ray_light *l, num_length d)
 {
     num_length slope = l->linear + num_product_within(l->quadratic, d);
@@ -294,7 +295,7 @@ static num_length spot(const struct ray_light *l, struct num_dir to)
     return c <= l->outer ? 0 : num_length_of_unit(num_fraction(c - l->outer, l->inner - l->outer));
 }
 
-/* True if N.L, computed from the direction L of `way`, is surely below 0. The direction's rounding, 2^-57, moves the
+/* True if N.L, computed from the direction L of `way`, is certainly below 0. The direction's rounding, 2^-57, moves the
  * product along `way` by less than 2^-37. */
 static bool is_behind(const struct ray_aim *aim, struct num_point way)
 {

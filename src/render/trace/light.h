@@ -13,12 +13,12 @@ struct ray_light {
     struct num_dir direction; /* of length 1 */
     num_length radius;        /* 0: invisible */
     num_unit inner, outer;    /* cosines */
-    struct num_dir axes[2];   /* of a disc */
-    struct num_point side[2]; /* of a rectangle */
-    struct num_dir across[2]; /* in its plane, at right angles to the other side */
+    struct num_dir axes[2];   /* axes of a disc */
+    struct num_point side[2]; /* half sides of a rectangle */
+    struct num_dir across[2]; /* vectors in the plane of `side`, each at right angles to the other side */
     num_length constant, linear, quadratic;
     num_unit unit; /* the scene's unit of length in that of its attenuation */
-    bool fades;    /* never without a place */
+    bool fades;    /* attenuation depends on the distance; false for lights without a place */
 };
 
 /* True if the samples lie on a disc that faces each point. */
@@ -27,7 +27,7 @@ static inline bool ray_light_turns(const struct ray_light *light)
     return tia_light_has(light->kind, TIA_LIGHT_AREA) && tia_light_has(light->kind, TIA_LIGHT_BALL);
 }
 
-/* What one sample of a light does to a point. */
+/* The effect of one sample of a light on a point. */
 struct ray_sample {
     struct num_point source; /* not set for a directional light */
     struct num_dir to;       /* L */
@@ -41,7 +41,7 @@ struct ray_aim {
     const struct ray_light *light;
     struct num_point point;
     struct num_dir normal;  /* light from behind does not count */
-    struct num_dir axes[2]; /* of the disc from which samples are taken */
+    struct num_dir axes[2]; /* axes of the disc that has the samples */
     unsigned class;
 };
 
@@ -59,7 +59,7 @@ bool ray_light_shadow(const struct ray_light *light, const struct ray_sample *sa
 /* Returns the point of a rectangle that is s and t times its half sides from the centre. */
 struct num_point ray_light_rectangle_point(const struct ray_light *light, num_unit s, num_unit t);
 
-/* True if it has a surface that rays can meet. */
+/* True if the light has a surface that rays can meet. */
 bool ray_light_is_seen(const struct ray_light *light);
 
 /* Intersects a ray with the light's surface, 0 <= t < limit. */

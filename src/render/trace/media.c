@@ -3,7 +3,7 @@
 #define OBJECT (TIA_OBJECTS_MAX - 1)
 #define MATERIAL_STEP TIA_OBJECTS_MAX
 
-/* Returns the material of an object; of a grid, its first. */
+/* Returns the material of an object; for a grid, its first material. */
 static const struct tia_material *material_of(const struct tia_scene *scene, uint32_t object)
 {
     uint32_t spheres = scene->sphere_count;

@@ -4,7 +4,7 @@
 
 #include "trace.h"
 
-/* The objects in the order of entry. Each is packed into a word, as many rays are pending on a small stack: the
+/* The entered objects in the order of entry. Each is packed into a word, as many rays are pending on a small stack: the
  * object's index, below TIA_OBJECTS_MAX, and in the bits above it the index of a grid's material. */
 struct media {
     uint32_t entered[TIA_MEDIA_MAX], count;

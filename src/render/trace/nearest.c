@@ -1,4 +1,4 @@
-/* nearest.c - the nearest hit of a ray. A hierarchy gives the same as a test of all objects: of several at the same
+/* nearest.c - the nearest hit of a ray. A hierarchy gives the same hit as a test of all objects: of several at the same
  * distance, the one with the lowest index. */
 #include "render/geometry/walk.h"
 #include "trace.h"

@@ -65,7 +65,7 @@ struct num_dir shading_mirrored(const struct shading *s)
     return num_dir_normalised(num_dir_add(num_dir_scaled(s->normal, s->facing), half));
 }
 
-/* Snell's law with q = n2/(4 n1), c = N.V and the sines s of V and s n1/n2 of the refracted direction T:
+/* Refracts by Snell's law, with q = n2/(4 n1), c = N.V and the sines s of V and s n1/n2 of the refracted direction T:
  *
  *     n2/n1 T = -V + (c - sqrt((n2/n1)^2 - s^2)) N,   in quarters  -V/4 + (c/4 - root) N,
  *     root = sqrt(q^2 - s^2/16)

@@ -12,11 +12,11 @@ struct shading {
     struct num_dir geometric, normal; /* G and N, turned to the viewer */
     struct num_dir viewer;            /* V */
     num_unit facing;                  /* N.V */
-    bool back;                        /* the ray meets the surface's back: it leaves the object */
+    bool back;                        /* the ray hits the back of the surface, where it leaves the object */
     num_length colour[3];             /* the diffuse colour, with the texture */
     num_length opacity;
-    uint32_t texels[2]; /* index of the value in the colour's and in the opacity's texture, see ray_texture, */
-    bool textured[2];   /* and true if it belongs into a path's hash */
+    uint32_t texels[2]; /* indices of the values in the colour's and in the opacity's texture, see ray_texture */
+    bool textured[2];   /* true if texels[i] belongs into a path's hash */
 };
 
 /* Prepares the hit of one ray; other rays start `bias` off the surface. */

@@ -1,6 +1,6 @@
 #include "trace.h"
 
-#define PATIENCE 16 /* rays between two calls of `stop`, which may read a clock or a keyboard */
+#define PATIENCE 16 /* number of rays between two calls of `stop`, which may read a clock or a keyboard */
 
 void ray_trace_tile(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile)
 {

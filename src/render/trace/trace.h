@@ -9,10 +9,10 @@
 #include "rgb.h"
 
 struct ray_view {
-    const struct tia_view *view; /* the view that this belongs to */
+    const struct tia_view *view; /* the view that these data belong to */
     const struct tia_scene *scene;
     struct ray_camera camera;
-    struct shape *shapes;       /* the scene's, prepared */
+    struct shape *shapes;       /* the scene's shapes, prepared */
     struct instance *instances; /* one for each shape that has a transform */
     struct ray_light *lights;
     uint32_t light_count, depth;
@@ -21,7 +21,7 @@ struct ray_view {
     bool lit;        /* some light has a visible surface */
 };
 
-/* See struct renderer: any integrator's scene is prepared by these, its view->prepared is a struct ray_view. */
+/* Prepare the scene for any integrator, see struct renderer; view->prepared is a struct ray_view. */
 size_t ray_prepared_size(const struct tia_scene *scene, uint32_t light_capacity);
 int ray_prepare(struct tia_view *view);
 int ray_set_lights(struct tia_view *view);
@@ -32,12 +32,12 @@ void ray_trace_tile(const struct tia_view *view, struct tia_hits *hits, struct t
 /* A ray's first hit. */
 struct hit {
     num_length t;
-    uint32_t object;  /* an index; TIA_NO_OBJECT: none, or if `light` is set that light */
-    uint32_t element; /* of a shape, see shape.h */
-    uint32_t light;   /* TIA_NO_OBJECT, or the visible light: then there is no object */
+    uint32_t object;  /* index of an object; TIA_NO_OBJECT: none, or that light if `light` is set */
+    uint32_t element; /* part of a shape, see shape.h */
+    uint32_t light;   /* the visible light, where there is no object, or TIA_NO_OBJECT */
 };
 
-/* Finds the nearest object, the lower index of several. */
+/* Finds the nearest object; of several at the same distance, the one with the lowest index. */
 void ray_intersect(const struct ray_view *view, const struct ray *ray, struct hit *hit);
 
 /* Gives the hit on object `object`, known to be the nearest. */
@@ -46,10 +46,10 @@ void ray_intersect_object(const struct ray_view *view, const struct ray *ray, ui
 /* Replaces the hit by a light with a surface that is nearer than the object. */
 void ray_intersect_lights(const struct ray_view *view, const struct ray *ray, struct hit *hit);
 
-/* Does the same for lights whose kind is a bit of `kinds`. */
+/* Replaces the hit as ray_intersect_lights does, by lights whose kind is a bit of `kinds`. */
 void ray_intersect_lights_of(const struct ray_view *view, const struct ray *ray, unsigned kinds, struct hit *hit);
 
-/* One of the scene's spheres. */
+/* Return the centre and the radius of one of the scene's spheres. */
 struct num_point ray_sphere_centre(const struct tia_scene *scene, uint32_t sphere);
 num_length ray_sphere_radius(const struct tia_scene *scene, uint32_t sphere);
 
@@ -59,20 +59,20 @@ num_length ray_sphere_radius(const struct tia_scene *scene, uint32_t sphere);
 bool ray_transmittance(const struct ray_view *view, const struct ray *ray, num_length limit, uint32_t *blocker,
                        num_length through[3]);
 
-/* Gives the same for visibility, where objects transmit nothing, except past an opacity. */
+/* Gives the visibility as ray_transmittance does, except that objects transmit nothing but past an opacity. */
 bool ray_visibility(const struct ray_view *view, const struct ray *ray, num_length limit, uint32_t *blocker,
                     num_length *through);
 
 /* Converts a direction given around the z axis to one around another axis. */
 struct num_dir ray_around(struct num_dir axis, struct num_dir local);
 
-/* The start of rays from a surface, its geometric and its shading normal. */
+/* A start of rays on a surface, with the geometric and the shading normal. */
 struct ray_place {
     struct num_point outside;
     struct num_dir geometric, normal;
 };
 
-/* Returns the result of one ray of ambient occlusion, see tia/integrator.h: the part of it that gets `distance` far, 1
+/* Returns the result of one ray of ambient occlusion, see tia/integrator.h: the part of it that travels `distance`, 1
  * or 0 but for opacities. */
 num_length ray_openness(const struct ray_view *view, const struct ray_place *place, const uint32_t u[2],
                         num_length distance, uint32_t *blocker);
@@ -81,11 +81,11 @@ num_length ray_openness(const struct ray_view *view, const struct ray_place *pla
 bool ray_occluded_by(const struct ray_view *view, const struct ray *ray, uint32_t object, num_length limit,
                      uint32_t *element);
 
-/* Returns how many groups of faces the ray meets at 0 <= t <= limit, for an object that is a mesh with groups; else 1.
- */
+/* Returns the number of groups of faces that the ray meets at 0 <= t <= limit, for an object that is a mesh with
+ * groups; else 1. */
 uint32_t ray_groups_met(const struct ray_view *view, const struct ray *ray, uint32_t object, num_length limit);
 
-/* True if the object has an opacity texture; for a grid, false is certain. */
+/* True if the object may have an opacity texture; false is certain, also for a grid. */
 bool ray_is_layered(const struct ray_view *view, uint32_t object);
 
 /* Gives the hit on the object at 0 <= t <= limit. */
@@ -96,9 +96,9 @@ enum inside ray_inside(const struct ray_view *view, uint32_t object);
 
 /* Gives the surface of a hit object in the world's axes. */
 void ray_surface(const struct ray_view *view, const struct hit *hit, struct num_point point, struct surface *surface);
-/* Gives its coordinates, for textures. */
+/* Gives the hit's surface coordinates, for textures. */
 int ray_uv(const struct ray_view *view, const struct hit *hit, struct num_point point, num_length uv[2]);
-/* Returns its material. */
+/* Returns the material of an object's element. */
 uint32_t ray_material(const struct ray_view *view, uint32_t object, uint32_t element);
 
 #endif

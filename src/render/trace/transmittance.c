@@ -1,8 +1,8 @@
 /* transmittance.c - the objects between a point and a light.
  *
- * An object that lets nothing through ends the search. The others multiply what is left. Products are rounded,
- * so this is always done in the order of the indices, whatever order they are found in: one search keeps the
- * lowest few, and if there are more, another one looks for those above. */
+ * An object that transmits nothing ends the search. The others multiply the light that is left. Products are rounded,
+ * so this is always done in the order of the indices, whatever order they are found in: one search finds the few
+ * lowest, and if there are more, another search finds those above. */
 #include "render/geometry/walk.h"
 #include "scene/colour.h"
 #include "texture.h"
@@ -10,7 +10,7 @@
 
 #define KEPT 16
 
-/* An object, and the factors by which it multiplies the light. */
+/* An object that transmits light, and the factors by which it multiplies the light. */
 struct filter {
     uint32_t object, times;
     num_length through[3];
@@ -19,11 +19,11 @@ struct filter {
 /* The objects with the lowest indices that transmit light, in rising order. */
 struct filters {
     struct filter kept[KEPT];
-    uint32_t count, from; /* only objects from this index on */
-    uint32_t blocker;     /* the object that transmits nothing */
+    uint32_t count, from; /* number of objects; lowest index that the search accepts */
+    uint32_t blocker;     /* object that transmits nothing, or TIA_NO_OBJECT */
     uint32_t missed;      /* an object that the ray certainly misses, or TIA_NO_OBJECT */
     bool more;
-    bool opaque; /* objects transmit nothing but by an opacity texture */
+    bool opaque; /* objects transmit nothing except by an opacity texture */
 };
 
 static void keep(struct filters *filters, const struct filter *filter)
@@ -64,7 +64,7 @@ static void multiply(num_length through[3], const num_length factor[3])
         through[c] = num_product(through[c], factor[c]);
 }
 
-/* Filters by the surface at the hit, and goes on behind it. */
+/* Filters the light by the surface at the hit, and moves the ray behind it. */
 static void cross(const struct ray_view *view, struct crossing *crossing, const struct hit *hit, num_length through[3])
 {
     const struct tia_material *m = &view->scene->materials[ray_material(view, hit->object, hit->element)];
@@ -93,9 +93,9 @@ static bool is_black(const num_length rgb[3])
     return rgb[0] == 0 && rgb[1] == 0 && rgb[2] == 0;
 }
 
-#define PATIENCE 16 /* surfaces, see tia_view_set_stop */
+#define PATIENCE 16 /* number of surfaces between two calls of `stop` */
 
-/* False when the object transmits nothing. */
+/* Filters the light by an object with an opacity texture; false when the object transmits nothing. */
 static bool layers_transmit(const struct ray_view *view, const struct ray *ray, uint32_t object, num_length limit,
                             struct filters *filters)
 {
@@ -117,7 +117,7 @@ static bool layers_transmit(const struct ray_view *view, const struct ray *ray, 
     return true;
 }
 
-/* False when the object transmits nothing. */
+/* Filters the light by an object; false when the object transmits nothing. */
 static bool object_transmits(const struct ray_view *view, const struct ray *ray, uint32_t object, num_length limit,
                              struct filters *filters)
 {
@@ -166,7 +166,7 @@ static void apply(const struct filters *filters, num_length through[3])
 static bool passes(const struct ray_view *view, const struct ray *ray, num_length limit, bool opaque, uint32_t *blocker,
                    num_length through[3])
 {
-    struct filters filters; /* not initialised: it has many words */
+    struct filters filters; /* not initialised, since it has many words */
 
     filters.count = filters.from = 0;
     filters.opaque = opaque;

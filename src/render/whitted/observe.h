@@ -25,7 +25,7 @@ static inline void observe_begin(struct path *path, const struct tia_options *op
 #endif
 }
 
-/* Counts the tests of this ray. */
+/* Counts the tests of a ray. */
 static inline void observe_count(const struct path *path, struct ray *ray)
 {
 #ifdef TIA_WATCHED

@@ -7,8 +7,8 @@
 #define PATH_BLOCKERS 8
 #define PATH_REACHED 64
 
-/* The light that comes to a point. Bit n of `bits` is set when some of sample number n arrives, and then shares[n]
- * 2^-15 of it, or all when shares is NULL. */
+/* The light that arrives at a point. Bit n of `bits` is set when some of sample number n arrives: shares[n] 2^-15 of
+ * it, or all when shares is NULL. */
 struct arrivals {
     uint64_t bits;
     const uint16_t *shares;
@@ -30,27 +30,27 @@ struct first_hits {
 /* A tree of rays from the eye, one sample after the other. */
 struct path {
     const struct ray_view *view;
-    const struct first_hits *first; /* NULL: they are traced */
+    const struct first_hits *first; /* NULL: primary rays are traced */
     bool traces;                    /* primary rays are traced, and stored in the hits */
-    struct arrivals lit;            /* valid while `known` */
+    struct arrivals lit;            /* light of the primary hit; valid while `known` */
     bool known;
-    uint32_t seed;         /* of a pixel's sample, for rays of ambient lights */
-    unsigned class;        /* of the pixel, see light.h */
-    uint64_t reached;      /* see tia_options.lit */
-    unsigned next_reached; /* next sample's number there; PATH_REACHED: it has none */
+    uint32_t seed;         /* seed of a pixel's sample, for rays of ambient lights */
+    unsigned class;        /* class of the pixel, see light.h */
+    uint64_t reached;      /* bits for tia_debug.lit */
+    unsigned next_reached; /* next sample's number in `reached`; PATH_REACHED: the next sample has none */
 #ifdef TIA_WATCHED
     struct tia_observer *observer; /* NULL: none */
 #endif
     bool hashed;
-    uint32_t hash;                   /* of the path, see tia_options.path_hash */
-    uint32_t blocker[PATH_BLOCKERS]; /* last blocker of each of the first lights */
-    unsigned rays;                   /* rays since the last call of `stop` */
+    uint32_t hash;                   /* hash of the path, see tia_debug.path_hash */
+    uint32_t blocker[PATH_BLOCKERS]; /* last blockers of the first lights */
+    unsigned rays;                   /* number of rays since the last call of `stop` */
     bool stopped;
 };
 
-#define PATH_PATIENCE 16 /* rays between two calls of `stop`, which may read a clock or a keyboard */
+#define PATH_PATIENCE 16 /* number of rays between two calls of `stop`, which may read a clock or a keyboard */
 
-/* Counts a ray; true once the caller wants to stop: the colour does not matter any longer. */
+/* Counts a ray; true once `stop` has returned true: the colour is then unused. */
 static inline bool path_stops(struct path *path)
 {
     if (!path->stopped && ++path->rays >= PATH_PATIENCE) {

@@ -66,7 +66,8 @@ static void pixel(struct path *path, int x, int y, uint32_t *object, num_length 
     }
 }
 
-/* Quantises all 45 fraction bits at once: rounded twice, a value between two levels could go to the wrong one. */
+/* Quantises a pixel, from all 45 fraction bits at once: rounded twice, a value between two levels could become the
+ * wrong one. */
 static tia_rgb565 pack(const num_length mean[3], num_u threshold)
 {
     unsigned r = num_levels(mean[0], 31, threshold), g = num_levels(mean[1], 63, threshold),
@@ -88,11 +89,11 @@ struct job {
     struct tia_tile tile;
     const struct tia_surface *surface;
     const struct tia_options *options;
-    const struct first_hits *first; /* NULL: rays */
-    bool traces;                    /* the hits are not there yet, and are stored */
+    const struct first_hits *first; /* hits found without rays; NULL: by rays */
+    bool traces;                    /* the hits are not found yet, and are stored */
 };
 
-/* Draws a row; false: it was stopped. */
+/* Draws a row; false: the row was stopped. */
 static bool row(const struct job *job, int y)
 {
     const struct tia_options *options = job->options;
@@ -148,7 +149,7 @@ static void light_tile(const struct tia_view *view, const struct tia_hits *hits,
     whitted_light_tile(view, hits, tile, surface, options, NULL);
 }
 
-/* Traces and lights at once: each ray from the eye is made once, and its hit is not searched again. */
+/* Traces and lights a tile at once: each ray from the eye is traced once, and its hit is not searched again. */
 static void render_tile(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
                         const struct tia_surface *surface, const struct tia_options *options)
 {

@@ -46,7 +46,7 @@ static void reflectance(const struct shading *s, struct num_dir to, num_unit lam
         rgb[c] += num_product(glossy[c], shine);
 }
 
-/* Gives the part of a sample's light that reaches the point; false: none. `bit` is its number in path->lit. */
+/* Gives the part of a sample's light that reaches the point; false: none. `bit` is the sample's number in path->lit. */
 static bool arrives(const struct path *path, const struct shading *s, const struct ray_light *light,
                     const struct ray_sample *sample, unsigned bit, uint32_t *blocker, num_length through[3])
 {
@@ -70,7 +70,7 @@ static bool is_white(const num_length rgb[3])
     return rgb[0] == NUM_LENGTH_ONE && rgb[1] == NUM_LENGTH_ONE && rgb[2] == NUM_LENGTH_ONE;
 }
 
-/* Multiplies; most light is undimmed: products by 1 are exact, and left out. */
+/* Multiplies a colour. Most light is undimmed: products by 1 are exact, and left out. */
 static void multiply(num_length rgb[3], const num_length factor[3])
 {
     for (int c = 0; c < 3 && !is_white(factor); c++)
@@ -182,7 +182,7 @@ static struct ray straight_on(const struct ray_view *view, const struct shading 
                         .direction = num_dir_negated(s->viewer)};
 }
 
-/* Sets the refracted ray. Returns the part that is reflected instead. */
+/* Sets the refracted ray. Returns the reflected part of the light. */
 static num_unit pass(const struct ray_view *view, const struct shading *s, struct bounces *b)
 {
     const struct tia_material *m = s->material;
@@ -197,7 +197,7 @@ static num_unit pass(const struct ray_view *view, const struct shading *s, struc
     return m->fresnel || fresnel == NUM_UNIT_ONE ? fresnel : 0;
 }
 
-/* Sets the ray past the surface: only the part of the surface's opacity is there. */
+/* Sets the ray past the surface, and reduces the other rays to the part that the opacity leaves. */
 static void let_past(const struct ray_view *view, const struct shading *s, struct bounces *b)
 {
     num_length *passes = b->straight ? b->refracts : b->passes;

@@ -11,12 +11,12 @@ void shade_prepare(struct path *path, const struct ray *ray, const struct hit *h
 /* Adds throughput times opacity times the surface's own light along V: emission, facing ratio and lights. */
 void shade_light(struct path *path, const struct shading *s, const num_length throughput[3], num_length colour[3]);
 
-/* The reflected and the refracted ray and their kr and kt, and the one past an opacity; a ray whose throughput is
+/* The reflected and the refracted ray with their kr and kt, and the ray past an opacity; a ray whose throughput is
  * black is not set. */
 struct bounces {
     struct ray reflected, refracted, past;
     num_length reflects[3], refracts[3], passes[3];
-    struct media media; /* of the refracted ray and the one past an opacity */
+    struct media media; /* media of the refracted ray and of the ray past an opacity */
     bool straight;      /* the refracted ray is undeflected: it is the ray past an opacity as well */
 };
 

@@ -41,7 +41,7 @@ size_t tia_bvh_size(const struct tia_scene *scene)
     return size > SIZE_MAX / 2 ? SIZE_MAX : (size_t)size;
 }
 
-/* Builds the tree of `count` items, each of which costs `cost` visits to test. Keeps only the nodes used, of the
+/* Builds the tree of `count` items, each of which costs `cost` visits to test. Uses only the nodes needed, of the
  * TREE_NODES(count) that may be needed. */
 static struct tia_bvh_tree build(struct bvh_space *space, uint32_t *items, uint32_t count, uint32_t cost)
 {

@@ -21,7 +21,7 @@ size_t tia_bvh_move_size(const struct tia_scene *scene)
     return size > SIZE_MAX / 2 ? SIZE_MAX : (size_t)size;
 }
 
-/* True if both are the same, byte by byte. Where only padding differs, an object counts as moved. */
+/* True if two elements are equal, byte by byte. Where only padding differs, an object counts as moved. */
 static bool same(const void *a, const void *b, size_t size)
 {
     const unsigned char *one = a, *other = b;
@@ -97,7 +97,7 @@ static uint64_t largest(const struct tia_bounds *b)
     return extent(b->min.x, b->max.x) | extent(b->min.y, b->max.y) | extent(b->min.z, b->max.z);
 }
 
-/* Returns the sum of half the areas; extents of 18 bits keep it below 3 * 2^36 a node. */
+/* Returns half the sum of the nodes' surface areas; extents of 18 bits keep each node's below 3 * 2^36. */
 static uint64_t areas(const struct tia_bvh_node *nodes, uint32_t count, unsigned shift)
 {
     uint64_t sum = 0;

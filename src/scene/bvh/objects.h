@@ -10,9 +10,9 @@ struct bvh_space {
     unsigned char *front;
     struct tia_bounds *boxes; /* boxes of the items of one tree, while it is built */
     struct cancel cancel;
-    /* Builds a tree of `count` items, with tia_bvh_build_range's result. NULL: tia_bvh_build_range builds it. */
+    /* builds a tree of `count` items, with tia_bvh_build_range's result; NULL: tia_bvh_build_range builds it */
     uint32_t (*build)(struct bvh_space *space, struct tia_bvh_node *nodes, const struct bvh_items *all, uint32_t count);
-    const struct tia_workers *workers; /* for `build` */
+    const struct tia_workers *workers; /* workers for `build` */
 };
 
 static inline uint64_t bvh_object_count(const struct tia_scene *scene)
@@ -36,7 +36,7 @@ static inline void *bvh_allocate(struct bvh_space *space, uint64_t size)
 bool tia_bvh_object_box(struct tia_bounds *box, const struct tia_scene *scene, uint32_t object,
                         const struct tia_bvh_tree *meshes);
 
-/* Builds bvh->objects; the meshes' trees are there already. */
+/* Builds bvh->objects; the meshes' trees must be built already. */
 void tia_bvh_build_objects(struct bvh_space *space, struct tia_bvh *bvh, const struct tia_scene *scene);
 
 /* Builds a large tree with space->workers; a value for space->build. */

@@ -9,10 +9,10 @@
 #include "objects.h"
 #include "split.h"
 
-#define PARTS 64      /* enough that threads seldom wait for the last one */
-#define CHUNKS 32     /* chunks of a part's items, processed in parallel */
-#define LEAST 16384   /* least items of a tree that repays waking the threads */
-#define SMALLEST 2048 /* least items of a part that is split further */
+#define PARTS 64      /* number of parts, enough that threads seldom wait for the last one */
+#define CHUNKS 32     /* number of chunks of a part's items, which are processed in parallel */
+#define LEAST 16384   /* least number of items for which waking the threads pays */
+#define SMALLEST 2048 /* least number of items of a part that is split further */
 
 /* Totals of a chunk of a part's items. They are stored in the memory of the nodes, none of which is in use yet: CHUNKS
  * * sizeof(struct chunk) < LEAST * sizeof(struct tia_bvh_node). */
@@ -22,12 +22,12 @@ struct chunk {
     bool stopped;
 };
 
-/* A node whose children are parts, too, or the root of a part's tree. */
+/* A node whose children are parts, too, or the root of a tree that one thread builds. */
 struct part {
     struct tia_bounds bounds; /* bounds of a node with children */
     struct bvh_range range;
-    uint32_t place; /* its first node while the tree is built */
-    uint32_t nodes; /* nodes of its tree */
+    uint32_t place; /* first node of the part's tree while it is built */
+    uint32_t nodes; /* number of nodes of the part's tree */
     bool divided, stopped;
 };
 
@@ -157,7 +157,7 @@ static struct part *find_largest(struct crew *crew)
     return largest;
 }
 
-/* Divides a part. It keeps its place, and its children follow at once; `left` items are the first one's. */
+/* Divides a part. It stays in its place, and its children follow immediately; the first child has `left` items. */
 static void divide(struct crew *crew, struct part *part, uint32_t left)
 {
     struct bvh_range whole = part->range;

@@ -17,10 +17,10 @@ struct split {
     uint64_t cost; /* sum of area times items over both children */
     int axis;
     uint32_t bin;   /* first bin of the second child */
-    uint32_t count; /* items of the first child */
+    uint32_t count; /* number of items of the first child */
 };
 
-/* True if cancelled. Few items are not counted here, since the caller polls often enough. */
+/* True if cancelled. Small nodes are not counted here, since the caller polls often enough. */
 static bool stops(const struct tia_bvh_split_items *items)
 {
     return items->count > CANCEL_INTERVAL && cancelled(items->cancel, 1);
@@ -67,7 +67,7 @@ static unsigned area_shift(const struct tia_bounds *b)
     return bits > 19 ? bits - 19 : 0;
 }
 
-/* Returns half the surface area. */
+/* Returns half the surface area of a box. */
 static uint64_t area(const struct tia_bounds *b, unsigned shift)
 {
     uint64_t x = extent(b->min.x, b->max.x) >> shift, y = extent(b->min.y, b->max.y) >> shift,
@@ -162,7 +162,7 @@ static void choose_split(struct split *best, uint32_t items, const struct tia_bv
 {
     const struct tia_bvh_bin *bins = all->axes[axis];
     uint32_t used = all->used[axis];
-    uint64_t right[SPLIT_BINS], cost = 0; /* right: cost of a second child that starts at bin i */
+    uint64_t right[SPLIT_BINS], cost = 0; /* right[i]: cost of a second child that starts at bin i */
     struct tia_bounds bounds = BOUNDS_NOTHING;
     uint32_t count = 0;
 

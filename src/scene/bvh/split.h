@@ -6,11 +6,11 @@
 
 #include "scene/cancel.h"
 
-#define SPLIT_ITEMS_MOST 8 /* nodes with more items are always split, whatever the heuristic finds */
+#define SPLIT_ITEMS_MOST 8 /* largest leaf: nodes with more items are always split, whatever the heuristic finds */
 #define SPLIT_BINS 16
 
-/* boxes[i] is the box of items[i]; both are reordered together, so that a node's items are consecutive in memory. Once
- * cancelled, the functions' results are undefined. */
+/* The items of a node; boxes[i] is the box of items[i]. Both are reordered together, so that a node's items are
+ * consecutive in memory. Once cancelled, the functions' results are undefined. */
 struct tia_bvh_split_items {
     struct tia_bounds *boxes;
     uint32_t *items;
@@ -25,12 +25,12 @@ struct tia_bvh_extent {
     int64_t least[3], most[3]; /* range of twice the coordinates of their centres */
 };
 
-/* The bin of an item is ((centre - first) >> shift) * scale >> 28. */
+/* The bins of an axis: an item's bin is ((centre - first) >> shift) * scale >> 28. */
 struct tia_bvh_binning {
     int64_t first;
     unsigned shift;
     uint32_t scale;
-    bool divides; /* false if all centres are the same */
+    bool divides; /* false if all centres are equal */
 };
 
 struct tia_bvh_bin {
@@ -38,7 +38,7 @@ struct tia_bvh_bin {
     uint32_t count;
 };
 
-/* The bins of an axis. Bin i has no value unless bit i is set: most nodes have few items, and clearing all takes
+/* The bins of an axis. Bin i is undefined unless bit i is set: most nodes have few items, and clearing all bins takes
  * longer. */
 struct tia_bvh_bins {
     uint32_t used[3];
@@ -49,7 +49,7 @@ struct tia_bvh_bins {
  * child gets more than `most` items; `most` must be at least half of them. Sets `bounds` to the bounds of all. */
 uint32_t tia_bvh_split_items(const struct tia_bvh_split_items *items, struct tia_bounds *bounds, uint32_t most);
 
-/* The steps of tia_bvh_split_items. Measuring and binning may process some of the items at a time: extents and bins of
+/* Measure and bin: the steps of tia_bvh_split_items. They may process some of the items at a time: extents and bins of
  * parts are joined, and the result does not depend on the division. */
 void tia_bvh_measure(struct tia_bvh_extent *extent, const struct tia_bvh_split_items *items);
 void tia_bvh_join_extents(struct tia_bvh_extent *to, const struct tia_bvh_extent *more);

@@ -3,10 +3,10 @@
 /* A node still to be built; a stack of these replaces recursion. */
 struct task {
     struct bvh_range range;
-    uint32_t parent; /* the node whose second child it is; else its own index */
+    uint32_t parent; /* node whose second child this is; else its own index */
 };
 
-/* Sorts by insertion, at most SPLIT_ITEMS_MOST items. */
+/* Sorts items by insertion, at most SPLIT_ITEMS_MOST. */
 static void sort(uint32_t *items, uint32_t count)
 {
     for (uint32_t i = 1; i < count; i++) {

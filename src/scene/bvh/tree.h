@@ -31,8 +31,7 @@ static inline struct tia_bvh_split_items bvh_items_of(const struct bvh_items *al
                                         cancel};
 }
 
-/* Returns the most items that a node may have at `depth`: with no more, halving reaches single items by
- * TIA_BVH_DEPTH_MAX. */
+/* Returns the largest number of items at `depth` from which halving reaches single items by TIA_BVH_DEPTH_MAX. */
 static inline uint32_t bvh_most_items(uint32_t depth)
 {
     uint32_t left = TIA_BVH_DEPTH_MAX - depth;

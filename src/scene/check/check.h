@@ -7,33 +7,33 @@
 
 struct check;
 
-/* The rules for what scenes have besides spheres. */
+/* Rules for parts of scenes other than spheres. */
 struct check_more {
-    /* Makes the box around the camera's eye one around every place that it may take. */
+    /* enlarges the box around the camera's eye to every position that the eye may have */
     void (*eyes)(const struct tia_scene *scene, struct tia_bounds *eyes);
     int (*falling)(const struct check *check);
     bool (*has_texture)(const struct check *check, uint32_t number, bool opacity);
-    /* Everything that is checked after spheres and lights. */
+    /* checks all parts that are checked after spheres and lights */
     int (*parts)(struct check *check);
 };
 
 struct check {
-    const struct check_more *more; /* NULL: spheres alone, all else is refused */
+    const struct check_more *more; /* NULL: only spheres are accepted */
     const struct tia_scene *scene;
     struct tia_fault *fault; /* may be NULL */
-    struct tia_bounds eyes;  /* box around every position that the eye may take */
-    const char *thing;       /* name of the thing being checked */
+    struct tia_bounds eyes;  /* box around every position that the eye may have */
+    const char *thing;       /* name of the kind of object being checked */
     uint32_t index;
     struct cancel *cancel; /* once stopped, TIA_STOPPED is returned */
 };
 
-/* As tia_scene_check; of scenes of spheres alone; by the rules `more`. */
+/* Check a scene like tia_scene_check: by all rules; for spheres alone; by the rules `more`. */
 int tia_check_scene(const struct tia_scene *scene, struct tia_fault *fault, struct cancel *cancel);
 int tia_check_spheres(const struct tia_scene *scene, struct tia_fault *fault, struct cancel *cancel);
 int tia_check_by(const struct check_more *more, const struct tia_scene *scene, struct tia_fault *fault,
                  struct cancel *cancel);
 
-/* Of a scene that is accepted: *fault receives a warning, or NULL in all of it. */
+/* Warns of an accepted scene: *fault receives a warning, or NULL in all of it. */
 void tia_check_warn(const struct tia_scene *scene, struct tia_fault *fault);
 
 #define CHECK_FAR "every point must be nearer to the eye than 32768"
@@ -48,7 +48,7 @@ void tia_check_warn(const struct tia_scene *scene, struct tia_fault *fault);
             return tia_check_refuse(check, field, rule);                                                               \
     } while (0)
 
-/* Checks each of `count` things by `one`. */
+/* Checks each of `count` elements by `one`. */
 int tia_check_each(struct check *check, const char *thing, uint32_t count, int (*one)(const struct check *check));
 
 int tia_check_refuse(const struct check *check, const char *field, const char *rule);
@@ -64,9 +64,9 @@ bool tia_check_is_on_line(const int64_t a[3], const int64_t b[3]);
 /* True if two points are at least 2^-10 apart. */
 bool tia_check_are_apart(struct tia_vec3 a, struct tia_vec3 b);
 
-/* True if all of a ball is near every position of the eye. */
+/* True if all points of a ball are near every position of the eye. */
 bool tia_check_is_near(const struct check *check, struct tia_vec3 centre, tia_q16 radius);
-/* True if all of a box is near every position of the eye. */
+/* True if all points of a box are near every position of the eye. */
 bool tia_check_is_box_near(const struct check *check, const struct bounds_wide *box);
 
 int tia_check_camera(const struct check *check);
@@ -74,7 +74,7 @@ int tia_check_camera(const struct check *check);
 /* True if a material may have texture `number`, from 1, as its opacity or its colour. */
 bool tia_check_has_texture(const struct check *check, uint32_t number, bool opacity);
 
-/* Each function checks number check->index of its kind. */
+/* Check element number check->index of their kind. */
 int tia_check_material(const struct check *check);
 int tia_check_texture(const struct check *check);
 int tia_check_sphere(const struct check *check);
@@ -94,10 +94,10 @@ int tia_check_light(const struct check *check, const struct tia_light *light);
 /* True if all points of the light are near the eye. */
 bool tia_check_is_light_near(const struct check *check, const struct tia_light *light);
 
-/* Checks that a placed object's box is near, and not too flat. */
+/* Checks that a placed object's box is near the eye, and not too flat. */
 int tia_check_placed(const struct check *check, const struct tia_shape *shape, const struct bounds_wide *box);
 
-/* Checks the shapes' uses of the meshes and grids; and the scene's unit, which only the ray renderer supports. */
+/* Checks that shapes use meshes and grids correctly; and the scene's unit, which only the ray renderer supports. */
 int tia_check_uses(struct check *check);
 
 /* Checks the observer line and the light field. */

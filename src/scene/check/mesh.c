@@ -60,10 +60,10 @@ int tia_check_grid(const struct check *check)
 /* Properties of a mesh or grid that the shapes' checks need, found once for all shapes. */
 struct part {
     struct tia_bounds box; /* box of a mesh */
-    uint32_t materials;    /* number of materials it needs, from the shape's own on */
+    uint32_t materials;    /* number of materials that a grid needs, from the shape's own on */
 };
 
-/* Parts kept for one pass over the shapes: few enough for the stack, and usually all there are. */
+/* Number of parts for one pass over the shapes: few enough for the stack, and usually enough for all. */
 #define PARTS 16
 
 static struct part mesh_part(const struct check *check, uint32_t i)
@@ -126,7 +126,7 @@ static int check_parts(struct check *check, enum tia_shape_kind kind, uint32_t c
             parts[i] = kind == TIA_MESH ? mesh_part(check, first + i) : grid_part(check, first + i);
         status = check_shapes(check, kind, first, n, parts);
         if (count - first <= PARTS)
-            break; /* the part before `first`: its difference wrapped around */
+            break; /* a part before `first`: the difference has wrapped around */
     }
     return status;
 }

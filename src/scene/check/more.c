@@ -1,9 +1,9 @@
-/* more.c - the checks of scenes with more than spheres. */
+/* more.c - the checks of scenes that have more than spheres. */
 #include <tia/motion.h>
 
 #include "check.h"
 
-/* Gives bounds of all eye positions. Tracks are not checked yet: a bad one may have no keys. */
+/* Gives bounds of all eye positions. Tracks are unchecked here: a faulty one may have no keys. */
 static void find_eyes(const struct tia_scene *scene, struct tia_bounds *eyes)
 {
     for (uint32_t i = 0; i < scene->track_count; i++) {

@@ -51,7 +51,7 @@ int tia_check_shape(const struct check *check)
     REQUIRE(description, "kind", "must be a kind of shape");
     int status = description->check(check, s);
     if (status || !description->add_bounds || s->kind == TIA_MESH || s->kind == TIA_GRID)
-        return status; /* those of meshes and grids are checked later, see tia_check_uses */
+        return status; /* indices of meshes and grids are checked later, see tia_check_uses */
     if (s->kind == TIA_SPHERE && !s->transform) {
         REQUIRE(tia_check_is_near(check, s->sphere.centre, s->sphere.radius), "centre", CHECK_FAR);
         return TIA_OK;

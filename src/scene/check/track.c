@@ -5,7 +5,7 @@
 
 #define VALUE(condition, rule) REQUIRE(condition, "value", rule)
 
-/* Checks a key's value. Eye positions need no check here: all else is checked against check->eyes. */
+/* Checks a key's value. Eye positions need no check here: all other positions are checked against check->eyes. */
 static int check_value(const struct check *check, const struct tia_track *track, struct tia_vec3 value)
 {
     struct tia_light moved;

@@ -71,7 +71,7 @@ static bool overlaps(const struct falling *f, const struct fall_ball *ball, uint
     return is_shorter(rest, ball->radius);
 }
 
-/* Gives the way out through the nearest face, for a centre inside the box. */
+/* Gives the displacement to the nearest face, for a centre inside the box. */
 static void nearest_face(const struct fall_block *block, const int64_t offset[3], int64_t out[3])
 {
     int64_t least = INT64_MAX;
@@ -105,7 +105,7 @@ static void out_of_box(const struct fall_block *block, const int64_t offset[3], 
     (void)wide_normalise(rest, normal);
 }
 
-/* Gives the normal of a contact. Two centres at the same point part along the y axis. */
+/* Gives the normal of a contact. Balls whose centres coincide part along the y axis. */
 void tia_fall_normal(const struct falling *f, const struct fall_ball *ball, uint32_t other, uint32_t time,
                      int64_t normal[3])
 {

@@ -17,11 +17,11 @@
 struct fall_ball {
     const struct tia_track *shown; /* visibility over time; NULL: always shown */
     int64_t start[3], radius;
-    int64_t place[3], velocity[3], pull[3]; /* at the time `at`; pull: gravity less the support of other bodies */
+    int64_t place[3], velocity[3], pull[3]; /* state at the time `at`; pull: gravity less the support of other bodies */
     uint32_t at;
-    uint32_t next, partner; /* time of the next contact and the other body: a ball, or ball_count plus a block */
-    uint32_t met;           /* contacts so far in this tick */
-    bool there, lost;       /* in the simulation: shown, and not lost */
+    uint32_t next, partner; /* time of the next contact; the other body: a ball, or ball_count plus a block */
+    uint32_t met;           /* number of contacts so far in this tick */
+    bool there, lost;       /* there: takes part in the simulation, being shown and not lost */
     bool held;              /* rests on a body in this tick */
     bool stopped;           /* stands still: too many contacts in this tick */
 };
@@ -53,14 +53,14 @@ int64_t tia_fall_velocity(const struct fall_ball *ball, int axis, uint32_t time)
 /* True if, at the time, the ball overlaps body `other`, a ball or ball_count plus a block, and moves deeper into it. */
 bool tia_fall_touches(const struct falling *f, const struct fall_ball *ball, uint32_t other, uint32_t time);
 
-/* True if the ball may touch it in this tick, unless another contact comes first. */
+/* True if the ball may touch body `other` in this tick, unless another contact comes first. */
 bool tia_fall_is_near(const struct falling *f, const struct fall_ball *ball, uint32_t other);
 
 /* Gives the direction from the other body to the ball, Q1.62. */
 void tia_fall_normal(const struct falling *f, const struct fall_ball *ball, uint32_t other, uint32_t time,
                      int64_t normal[3]);
 
-/* Returns the ball with that number; NULL: it is a block. */
+/* Returns the ball of that number; NULL: the body is a block. */
 struct fall_ball *tia_fall_partner(const struct falling *f, uint32_t other);
 
 #endif

@@ -10,7 +10,7 @@
 #include "scene/cancel.h"
 #include "tick.h"
 
-#define MOST_Q32 (INT64_C(1) << 50) /* beyond any accepted scene, and 256 times it fits 64 bits */
+#define MOST_Q32 (INT64_C(1) << 50) /* a length beyond any accepted scene, which times 256 still fits 64 bits */
 
 /* Converts from Q31.32, or a product of two Q16.16. */
 static int64_t fine(int64_t q32)

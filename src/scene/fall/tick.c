@@ -7,9 +7,10 @@
 #include "scene/cancel.h"
 #include "scene/track.h"
 
-/* Contacts of a ball in a tick, after which it stands still: balls that touch many others could go on forever. */
+/* Limit of a ball's contacts in a tick, after which it stands still: balls that touch many others could go on
+ * forever. */
 #define CONTACTS_MAX 32
-#define PARTS_MAX 64 /* parts in which a tick is searched, so that no ball passes through another */
+#define PARTS_MAX 64 /* most parts in which a tick is searched, so that no ball passes through another */
 
 static int64_t speed_of(const struct fall_ball *ball)
 {
@@ -22,7 +23,8 @@ static int64_t speed_of(const struct fall_ball *ball)
     return most;
 }
 
-/* Returns the number of parts: a ball moves v 2^-8 in a tick, a quarter of its radius at most in a part. */
+/* Returns the number of parts of a tick: a ball moves v 2^-8 in a tick, and at most a quarter of its radius in a
+ * part. */
 static uint32_t parts(const struct fall_ball *ball, const struct fall_ball *partner)
 {
     int64_t way = speed_of(ball) + (partner ? speed_of(partner) : 0), size = ball->radius;
@@ -35,7 +37,7 @@ static uint32_t parts(const struct fall_ball *ball, const struct fall_ball *part
     return count;
 }
 
-/* Returns the last time before contact, to the unit, between `apart` and a time at which they touch. */
+/* Returns the last unit of time before contact, between `apart` and a time at which the bodies touch. */
 static uint32_t last_apart(const struct falling *f, const struct fall_ball *ball, uint32_t other, uint32_t apart,
                            uint32_t touching)
 {
@@ -49,7 +51,7 @@ static uint32_t last_apart(const struct falling *f, const struct fall_ball *ball
     return apart;
 }
 
-/* Returns the time when the ball meets it, from now on. */
+/* Returns the time, from now on, at which the ball meets body `other`. */
 static uint32_t meeting(const struct falling *f, const struct fall_ball *ball, uint32_t other)
 {
     if (!tia_fall_is_near(f, ball, other))
@@ -100,7 +102,8 @@ static void advance(struct fall_ball *ball, uint32_t time)
     ball->at = time;
 }
 
-/* Returns the part of a change that a ball takes, Q1.62: the other's share of both masses. A fixed body takes none. */
+/* Returns the ball's part of a change of velocity, Q1.62: the other's share of both masses. A fixed body's part is
+ * 0. */
 static int64_t share(const struct falling *f, const struct fall_ball *ball, const struct fall_ball *partner)
 {
     if (!partner || partner->stopped)
@@ -134,7 +137,7 @@ static tia_q16 restitution(const struct falling *f, const struct fall_ball *ball
     return own < others ? own : others;
 }
 
-/* Removes the acceleration towards each other: all of it from the ball that does not rest yet. */
+/* Removes the acceleration of two bodies towards each other, from the ball that does not rest yet. */
 static void hold(const struct falling *f, struct fall_ball *ball, struct fall_ball *partner, const int64_t normal[3],
                  int64_t pull)
 {

@@ -11,12 +11,12 @@
 #define SHAPE_FIELDS_MAX 8
 
 struct shape_description {
-    const char *word;                                    /* its statement in scene files; NULL: `instance` is */
-    const char *what;                                    /* the same for errors: "a box" */
+    const char *word;                                    /* its word in scene files; NULL: the word is `instance` */
+    const char *what;                                    /* its name in error messages: "a box" */
     struct tia_shape_field fields[SHAPE_FIELDS_MAX + 1]; /* fields of the statement; the last one stays empty */
-    /* Checks the rules of this kind; distance and flatness are checked for every kind alike. */
+    /* checks the rules of this kind; distance and flatness are checked for every kind alike */
     int (*check)(const struct check *check, const struct tia_shape *shape);
-    /* Adds the shape's box; NULL: it is infinite, and has no box. */
+    /* adds the shape's box; NULL: the shape is infinite, and has no box */
     void (*add_bounds)(struct hull *hull, const struct tia_scene *scene, const struct tia_shape *shape);
 };
 

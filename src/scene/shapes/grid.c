@@ -1,7 +1,7 @@
-/* grid.c - grids at a place; check/mesh.c has the rules of the grid itself. */
+/* grid.c - grids at a position; check/mesh.c has the rules of the grid itself. */
 #include "description.h"
 
-/* Returns the end, which fits Q16.16; the size of the whole grid need not. */
+/* Returns the end of a grid, which fits Q16.16; the size of the whole grid may not. */
 static tia_q16 end_of(tia_q16 corner, uint16_t size, tia_q16 cell)
 {
     return (tia_q16)(corner + (int64_t)size * cell);

@@ -1,4 +1,4 @@
-/* mesh.c - meshes at a place; check/mesh.c has the rules of the mesh itself. */
+/* mesh.c - meshes at a position; check/mesh.c has the rules of the mesh itself. */
 #include "description.h"
 
 static int check_mesh(const struct check *check, const struct tia_shape *shape)

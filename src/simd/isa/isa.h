@@ -12,7 +12,7 @@
  *   f_rsqrt f_inverse                             1/sqrt(x) and 1/x, see span/proved.h
  *   f_add_root(a, x) f_over_root(a, x)            a + sqrt(x), a/sqrt(x)
  *   f_gt f_ge m_and m_or m_not m_any m_bits f_sel(m, a, b)   false where an argument is NaN
- *   i_pack(r, g, b, out)                          N pixels of whole levels
+ *   i_pack(r, g, b, out)                          N pixels of integer levels
  *   STREAM                                        stream and settle of span/run.h, where there is such a thing
  *
  * Doubles, for rays/, and pairs of floats for its boxes (vp: two a lane):
@@ -40,7 +40,7 @@
  *   q_part w_part (p, k), q_store w_store (p, k, a)     of the pixels in k; others are neither read nor written
  *   k_all() k_first(n)    n below QN
  *   k_and k_or k_minus(a, b) k_any k_bits k_of(bits)
- */
+ * */
 #ifndef TIA_SIMD_ISA_ISA_H
 #define TIA_SIMD_ISA_ISA_H
 

@@ -1,4 +1,4 @@
-/* neon32.h - 4 floats: NEON of ARMv7, which has neither roots nor quotients, and takes numbers below 2^-126 for 0.
+/* neon32.h - 4 floats: NEON of ARMv7, which has neither roots nor quotients, and replaces numbers below 2^-126 by 0.
  *
  * So a root is x/sqrt(x), within 12 units, as bounds.h allows for. Numbers below 2^-126 do not matter: a bound that
  * became 0 leaves a pixel undecided, since every comparison needs more than the bound. */
@@ -32,6 +32,6 @@ static inline unsigned m_bits(M m)
 
 #include "neon_both.h"
 
-#include "one.h" /* its vector unit has no doubles */
+#include "one.h" /* doubles by the floating-point unit, as this vector unit has none */
 
 #endif

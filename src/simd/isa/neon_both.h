@@ -44,7 +44,7 @@ static inline F f_inverse(F x)
     return vmulq_f32(y, vrecpsq_f32(x, y));
 }
 
-/* Packs pixels: whole numbers below 2^16, exact. */
+/* Packs pixels; r, g, b are integers below 2^16, exact. */
 static inline void i_pack(F r, F g, F b, uint16_t *out)
 {
     vst1_u16(out, vmovn_u32(vcvtq_u32_f32(f_fma(r, f_set(2048), f_fma(g, f_set(32), b)))));

@@ -6,7 +6,7 @@
 #include <emmintrin.h>
 #include <stdint.h>
 
-#define LINE 64 /* bytes, and half as many pixels */
+#define LINE 64 /* bytes of a cache line; it holds half as many pixels */
 
 static void stream_pixels(uint16_t *out, const uint16_t *from, int count)
 {
@@ -21,7 +21,7 @@ static void stream_pixels(uint16_t *out, const uint16_t *from, int count)
         *out = *from;
 }
 
-/* Such stores may be seen later than those that follow them. */
+/* Orders the streamed pixels before later stores: without it they may become visible after those. */
 static void settle_pixels(void)
 {
     _mm_sfence();

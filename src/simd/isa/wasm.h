@@ -38,7 +38,7 @@ typedef v128_t M;
 #define f_add_root(a, x) f_add(a, wasm_f32x4_sqrt(x))
 #define f_over_root(a, x) wasm_f32x4_div(a, wasm_f32x4_sqrt(x))
 
-/* Packs pixels: whole numbers below 2^16, exact. */
+/* Packs pixels; r, g, b are integers below 2^16, exact. */
 static inline void i_pack(F r, F g, F b, uint16_t *out)
 {
     v128_t v = wasm_u32x4_trunc_sat_f32x4(f_fma(r, f_set(2048), f_fma(g, f_set(32), b)));

@@ -38,7 +38,8 @@ static void find_boundaries(const struct sure_scene *s, const struct shade *h, u
     *per_part = vload(part);
 }
 
-/* Fresnel's equations: with a' and b' within e together, (a - b)/(a + b) and (a' - b')/(a' + b') differ by
+/* Returns a reflectance of Fresnel's equations: with a' and b' within e together, (a - b)/(a + b) and (a' - b')/(a' +
+ * b') differ by
  *
  *     2 |b (a' - a) - a (b' - b)|/((a + b) (a' + b')) <= 2 e/(a' + b'),   and a' + b' >= 15/16 (a + b) for e < (a +
  * b)/16. */
@@ -53,8 +54,8 @@ LANE_OP vd reflectance_of(vd a, vd b, vd e, vm *fine, vd *er)
     return (a - b) / sum;
 }
 
-/* Snell's law and Fresnel's equations as in refract of shade.c: The cosine c is within ec, so c^2 under the root is
- * within (2 |c| + ec) ec. */
+/* Refracts by Snell's law and Fresnel's equations as in refract of shade.c. The cosine c is within ec, so c^2 under the
+ * root is within (2 |c| + ec) ec. */
 static void refract(const struct shade *h, vm glass, vd q, vd part, struct refraction *f)
 {
     vd c = h->facing, ec = h->efacing, square = q * q, inside = square - (1 - c * c) * (part * part), er, es, ep;
@@ -91,7 +92,7 @@ LANE_OP void keep_paths(struct rays *next, const struct rays *r, const struct me
     }
 }
 
-/* Returns the lanes whose paths may have one more bounce; one more layer for rays that go straight on. */
+/* Returns the lanes whose paths may have one more bounce; for rays that go straight on, one more layer. */
 LANE_OP unsigned may_bounce(const struct sure_scene *s, const struct rays *r)
 {
     unsigned on = 0;
@@ -110,8 +111,8 @@ LANE_OP unsigned may_pass(const struct rays *r)
     return on;
 }
 
-/* Returns the origin of rays that start `height` off a surface in any direction: certainly leaving it, certainly coming
- * back, or undecided. */
+/* Returns the origin of rays that start `height` off a surface in any direction: certainly leaving it, certainly
+ * returning to it, or undecided. */
 LANE_OP struct origin leaving_or_not(const struct shade *h, struct v3 d, vd ed, double sign, double height)
 {
     struct origin from = leaving(h, d, ed, sign, 0);
@@ -153,7 +154,9 @@ static void push_refracted(struct work *w, const struct shade *h, unsigned lanes
         next.p.ed = r->p.ed;
         next.p.from =
             leaving(h, next.p.d, next.p.ed, -1,
-                    s->bias < BOUND(LEAVING_BIAS) ? BOUND(LEAVING_STEEP) : BOUND(LEAVING_FLAT)); /* see struct origin */
+                    s->bias < BOUND(LEAVING_BIAS) ? BOUND(LEAVING_STEEP) : BOUND(LEAVING_FLAT)); /* thresholds of
+                                                                                                    LEAVING_BIAS: see
+                                                                                                    struct origin */
         push(w, straight, &next, true, true);
     }
 }

@@ -10,7 +10,7 @@
 
 #include "hit_report_tmpl.h"
 
-/* One slab: the times at which the ray enters and leaves it; `fine` lanes are certain. */
+/* A slab: the times at which the ray enters and leaves it; `fine` lanes are certain. */
 struct slab_times {
     vd in, out, ein, eout;
     vm fine, apart; /* certainly never between the planes */
@@ -41,7 +41,7 @@ LANE_OP struct slab_times slab_times_of(const struct packet *p, vd o, vd d, vd i
     return s;
 }
 
-/* The slab entered last, or left first: the one whose time is certainly the largest. */
+/* The slab that is entered last, or left first: the one whose time is certainly the largest. */
 struct slab_last {
     vd t, e, axis;
     vm sure;
@@ -62,7 +62,7 @@ LANE_OP struct slab_last slab_last_of(const vd t[3], const vd e[3])
     return last;
 }
 
-/* Returns 1 where the ray comes from the maximum along the axis. */
+/* Returns 1 in the lanes where the ray comes from the maximum along the axis. */
 LANE_OP vd comes_back(const struct slab_times s[3], vd axis)
 {
     vm back = mor(
@@ -87,7 +87,7 @@ LANE_OP void meet_box(struct query *q, const double min[3], const double max[3])
         s[i] = slab_times_of(p, o[i], d[i], inv[i], min[i], max[i], reach);
         in[i] = s[i].in;
         ein[i] = s[i].ein;
-        out[i] = -s[i].out; /* negated, so that the first to be left is the largest */
+        out[i] = -s[i].out; /* negated, so that the slab left first has the largest */
         eout[i] = s[i].eout;
         fine = mand(fine, s[i].fine);
         miss = mor(miss, s[i].apart);

@@ -51,7 +51,7 @@
 #include "hit_report_tmpl.h"
 #include "render/geometry/round.h"
 
-/* Returns whether any line passes the axis so close that it may meet the side, which most packets that miss it decide
+/* True if any lane's line passes the axis so close that it may meet the side; most packets that miss it are decided
  * here. (D x A).O is the distance from the axis times f = |D x A|. Both are off by less than 32 u of the way to the
  * shape, and pad is 2^-21 of that at least. */
 LANE_OP bool comes_near(const struct query *q, const struct sure_round *k)
@@ -75,7 +75,7 @@ struct tube {
     vd off, turn; /* lambda(t) is off + |t| turn */
     vd over;      /* 1/f^2 */
     vd from, to;
-    vm slanted; /* not along the axis, so that f^2 is a divisor */
+    vm slanted; /* the ray is not along the axis, so that f^2 is a divisor */
     vm miss;
 };
 
@@ -127,10 +127,10 @@ LANE_OP bool tube_of(const struct query *q, const struct sure_round *k, struct t
     return any(mand(q->active, mnot(b->miss)));
 }
 
-/* One end of the part inside the side: its height, and its place relative to the shape's ends. */
+/* An end of the part inside the side: its height, and its position relative to the shape's ends. */
 struct tube_end {
     vd t, e, element;
-    vm low, above, high, below; /* certainly, than the base and than the top */
+    vm low, above, high, below; /* certain comparisons: low and above with the base, high and below with the top */
     vm hit, none;
 };
 
@@ -168,8 +168,8 @@ LANE_OP void cap_end(const struct tube *b, struct tube_end *end, const struct tu
     end->none = mor(end->none, mand(end->hit, vlt(end->t, -end->e)));
 }
 
-/* Reports the hit. From inside, the first end lies behind. Where it is undecided whether the second end is at a cap, a
- * cap may be met before it. */
+/* Reports the hit. From inside, the first end lies behind. Where it is undecided if the second end is at a cap, a cap
+ * may be met before it. */
 LANE_OP void tube_report(struct query *q, const struct tube *b, const struct tube_end ends[2], vm known)
 {
     const struct tube_end *in = &ends[0], *out = &ends[1];

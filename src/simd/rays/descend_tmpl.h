@@ -10,7 +10,7 @@
 
 struct child {
     uint32_t index, count;
-    int place; /* 0 or 1 */
+    int place; /* place of the child in its node, 0 or 1 */
 };
 
 /* A queued child, and the bits of its lanes. */
@@ -42,7 +42,7 @@ LANE_OP unsigned twice(unsigned lanes)
     return ((lanes | lanes << 1) & EVEN) * 3;
 }
 
-/* Returns each second bit, from the first one on. */
+/* Returns every second bit, from the lowest one on. */
 LANE_OP unsigned half(unsigned bits)
 {
     bits &= EVEN;
@@ -58,7 +58,7 @@ LANE_OP void search_begin(struct search *w, const struct query *q)
     w->active = twice(mbits(q->active));
 }
 
-/* Shortens the search after a leaf: boxes farther than the new limit do not count. Mostly nothing is new, so a branch
+/* Updates the search after a leaf: boxes farther than the new limit are excluded. Mostly nothing is new, so a branch
  * costs less than a dependency of the next node on the limit. */
 LANE_OP void search_update(struct search *w, const struct query *q)
 {
@@ -66,7 +66,8 @@ LANE_OP void search_update(struct search *w, const struct query *q)
         search_begin(w, q);
 }
 
-/* Called with a constant in each branch: a predicted branch is cheaper than a load whose address must be computed. */
+/* Sets the child. Called with a constant in each branch: a predicted branch is cheaper than a load whose address must
+ * be computed. */
 LANE_OP void child_of(struct child *to, const struct sure_node *n, int place)
 {
     *to = (struct child){n->index[place], n->count[place], place};
@@ -87,7 +88,7 @@ LANE_OP int descend(struct node_ref *v, const struct search *w, vp *near, struct
         return -1;
     *near = in;
     if (first && second) {
-        unsigned closer = vp_le(in, vp_swap(in)); /* of each two lanes, which child is nearer */
+        unsigned closer = vp_le(in, vp_swap(in)); /* for each pair of lanes, the child that is nearer */
         turn = LANES == 1 ? !(closer & 1)
                           : __builtin_popcount(second & (~first | closer >> 1)) >
                                 __builtin_popcount(first & (~second | closer));
@@ -106,7 +107,7 @@ LANE_OP int descend(struct node_ref *v, const struct search *w, vp *near, struct
     return first && second;
 }
 
-/* Takes the next queued child within the limit; returns the number queued behind it, -1: there is none. */
+/* Takes the next queued child within the limit; returns the number queued behind it, or -1 when there is none. */
 LANE_OP int resume(struct node_ref *v, const struct search *w, const struct pending *stack, int depth)
 {
     while (depth > 0 && w->active) {
@@ -119,8 +120,8 @@ LANE_OP int resume(struct node_ref *v, const struct search *w, const struct pend
     return -1;
 }
 
-/* Two instances for each shape: a mesh's walk is called from within the scene's. Nothing else points to the queued
- * children. */
+/* Defines a walk for each kind of leaf, in two instances: a mesh's walk is called from within the scene's. Only the
+ * walk itself points to its queued children. */
 #define WALK(name, leaf, waits)                                                                                        \
     static __attribute__((noinline)) void name(const struct sure_scene *s, const struct sure_tree *tree,               \
                                                struct query *q)                                                        \

@@ -8,8 +8,9 @@
 #include "random_tmpl.h"
 #include "samples/direction.h"
 
-/* Sine and cosine of x eighths of a turn, |x| <= 1: series of the angle a to a^17 and a^16. The remaining terms are
- * below a^19/19! < 1e-19 and a^18/18! < 2e-18; roundings are below 2^-51, most of it the angle's and the last sums'. */
+/* Gives sine and cosine of x eighths of a turn, |x| <= 1, by series of the angle a to a^17 and a^16. The remaining
+ * terms are below a^19/19! < 1e-19 and a^18/18! < 2e-18; roundings are below 2^-51, most of it the angle's and the last
+ * sums'. */
 LANE_OP void sine_cosine(vd x, vd *s, vd *c)
 {
     vd a = x * 0.78539816339744831, q = a * a, u = vset(1.0 / 355687428096000.0), v = vset(1.0 / 20922789888000.0);
@@ -46,8 +47,8 @@ LANE_OP void turn_place(vu u, vd *x, vd *y)
     *y = vsel(mand(past_half, vlt(q, vset(3.5))), -across, across);
 }
 
-/* The concentric map. Both a and b are exact, and so is their order; the share is rounded, which turns the place by a
- * quarter of pi 2^-53. */
+/* Gives a place on the disc by the concentric map. Both a and b are exact, and so is their order; the share is rounded,
+ * which turns the place by a quarter of pi 2^-53. */
 LANE_OP vd disc_place(vu u0, vu u1, vd *x, vd *y)
 {
     vd a = 2 * vu_unit(u0) - 1, b = 2 * vu_unit(u1) - 1, s, c;
@@ -60,7 +61,7 @@ LANE_OP vd disc_place(vu u0, vu u1, vd *x, vd *y)
     return radius;
 }
 
-/* The cosine's root loses nothing: 1 - r and 1 + r are exact. */
+/* Gives a direction with the density of a cosine. The cosine's root loses nothing: 1 - r and 1 + r are exact. */
 LANE_OP struct v3 cosine_direction(vu u0, vu u1)
 {
     struct v3 d;

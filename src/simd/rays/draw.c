@@ -3,7 +3,7 @@
 #include "render/core/dither.h"
 #include "simd/simd.h"
 
-#define STRIP 16384 /* pixels: as many rows as fit, so that they are written in order */
+#define STRIP 16384 /* number of pixels: as many rows as fit, so that they are written in order */
 
 _Static_assert(STRIP >= TIA_SIZE_MAX, "a row fits");
 
@@ -114,8 +114,8 @@ static void light(const struct tia_view *view, struct tia_tile tile, const struc
     }
 }
 
-/* Returns whether this path draws the view. Without a hierarchy there are no boxes; a light field's neighbours have
- * eyes of their own. */
+/* True if the SIMD kernels draw the view. Without a hierarchy there are no boxes; neighbouring pixels of a light field
+ * have different eyes. */
 static bool draws(const struct tia_view *view)
 {
     return view->scene->bvh && !view->scene->field;

@@ -12,16 +12,17 @@
 #include "interval_tmpl.h"
 #include "light_tmpl.h"
 
-/* An emitter as seen from points. */
+/* An emitter's sample as seen from points. */
 struct emitter_view {
     struct v3 to;
     vd eto, distance, edistance;
-    struct ve density; /* of surfaces */
+    struct ve density; /* density of a surface's sample */
     vd factor, efactor;
-    vm some, unsure; /* some: it may shine on the point; unsure: undecided */
+    vm some, unsure; /* some: the emitter may light the point; unsure: undecided */
 };
 
-/* pi d^2/(A c), of which each part has a relative bound: x = ed/d and y = ecosine/|c| are 1/8 at most, and (1 + x)^2/(1
+/* Returns the density pi d^2/(A c), of which each part has a relative bound: x = ed/d and y = ecosine/|c| are 1/8 at
+ * most, and (1 + x)^2/(1
  * - y) - 1 <= (2.125 x + y)/(1 - y) <= 2.43 x + 1.15 y. */
 LANE_OP struct ve plane_density(const struct sure_shine *shine, vd d, vd ed, vd cosine, vd ecosine, vm *fine)
 {
@@ -37,10 +38,11 @@ LANE_OP struct ve plane_density(const struct sure_shine *shine, vd d, vd ed, vd 
                                         BOUND(PLANE_DENSITY_COSINE) * ecosine / size + BOUND(PLANE_DENSITY_ROUNDING))));
 }
 
-/* 1 - cos of the cone in which a sphere of radius r is seen, s^2/(1 + sqrt(1 - s^2)): within `part` of itself. s^2 is
- * within p = 2.25 ed/d and roundings, of which those of the fixed-point code are 2^-61 in all: 1/(1 - x)^2 - 1 <= 2.1 x
- * for x = ed/d <= 1/32. The root is off by s^2 p/root at most, 1 + root is more than 1: together that is `part` and, as
- * the quotient of the two, 1.15 times as much while part <= 1/8. Beyond that every lane is undecided. */
+/* Returns 1 - cos of the cone in which a sphere of radius r is seen, s^2/(1 + sqrt(1 - s^2)), with the relative error
+ * `part`. s^2 is within p = 2.25 ed/d and roundings, of which those of the fixed-point code are 2^-61 in all: 1/(1 -
+ * x)^2 - 1 <= 2.1 x for x = ed/d <= 1/32. The root is off by s^2 p/root at most, 1 + root is more than 1: together that
+ * is `part` and, as the quotient of the two, 1.15 times as much while part <= 1/8. Beyond that every lane is
+ * undecided. */
 LANE_OP vd cone_open(vd d, vd ed, double r, vd *part, vm *fine)
 {
     vd away = vsel(vlt(vset(0), d), d, vset(1)), sine = vset(r) / away, square = sine * sine, rest = 1 - square;
@@ -56,7 +58,7 @@ LANE_OP vd cone_open(vd d, vd ed, double r, vd *part, vm *fine)
     return square / (1 + root);
 }
 
-/* Returns the density of a sphere's places; 0 from inside. */
+/* Returns the density of a sphere's places; 0 for a point inside. */
 LANE_OP struct ve ball_density(const double at[3], double radius, struct v3 from, vd efrom, vm *fine)
 {
     struct v3 way = v3_sub(v3_set(at), from);

@@ -55,7 +55,7 @@ LANE_OP void add_weighted(struct path_state *f, unsigned lanes, const struct pat
              BOUND_OF(WEIGHTED, most * (weight.e + BOUND(WEIGHTED_ROUNDING))) + BOUND(WEIGHTED_UNITS));
 }
 
-/* Adds light number n, which these lanes see. */
+/* Adds light number n in the lanes whose paths meet it. */
 static void add_seen_light(struct path_state *f, unsigned lanes, uint32_t n, const struct paths *p,
                            const struct query *q)
 {
@@ -103,7 +103,7 @@ static unsigned add_far_ends(struct path_state *f, unsigned lanes, const struct 
     return lanes;
 }
 
-/* Adds emission of surfaces. Emitting spheres of the scene are sampled as well. */
+/* Adds the emission of surfaces, weighted for emitting spheres of the scene, which are sampled as well. */
 static void add_glow(struct path_state *f, unsigned lanes, const struct paths *p, const struct shade *h,
                      const struct lobes *l)
 {

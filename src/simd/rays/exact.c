@@ -1,4 +1,4 @@
-/* exact.c - undecided samples by the fixed-point path. */
+/* exact.c - draws undecided samples by the fixed-point path. */
 #include "render/whitted/whitted.h"
 #include "sure.h"
 

@@ -28,7 +28,7 @@ LANE_OP struct flat flat_meet(const struct packet *p, struct v3 n, struct v3 way
     return f;
 }
 
-/* Returns the lanes whose rays start on the object's plane, or on that face. */
+/* Returns the lanes whose rays start on the object's plane, or on this face. */
 LANE_OP vm starts_on(const struct query *q, vd element)
 {
     return mand(starts_here(q), from_element(q, element));

@@ -13,7 +13,7 @@ struct places {
     struct sure_lobes *lobes;
 };
 
-/* Divides the memory behind a struct sure_scene of that size; `start` NULL: the size is only measured. */
+/* Divides the memory behind a struct sure_scene of that size; `start` NULL: only measures it. */
 static uint64_t divide(char *start, const struct tia_scene *scene, uint32_t light_capacity, struct places *p)
 {
     bool paths = scene->integration.integrator == TIA_PATHS;
@@ -108,8 +108,8 @@ static bool number_of(struct num_density d, double *x)
     return true;
 }
 
-/* Returns whether places of a light lie in its plane within 2^-30. Where the sides are nearly parallel, the roundings
- * of their directions turn the normal, and long sides leave the plane by more than the 2^-26 by which shadow rays end
+/* True if the places of a light lie in its plane within 2^-30. Where the sides are nearly parallel, the roundings of
+ * their directions turn the normal, and long sides leave the plane by more than the 2^-26 by which shadow rays end
  * before it: those would meet it, see find_hidden(). A sixteenth of those 2^-26 leaves room for roundings. */
 static bool is_flat(const struct ray_light *l)
 {

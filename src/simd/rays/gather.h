@@ -8,10 +8,10 @@
 
 #include "sure.h"
 
-/* An emitter, as paths see it. */
+/* An emitter's constants for paths. */
 struct sure_shine {
     double radiance[3];
-    double area; /* of planes: times the constant of the distribution, see emitters_tmpl.h */
+    double area; /* area of a plane, times the constant of the distribution, see emitters_tmpl.h */
     bool known;  /* false: its light is undecided */
 };
 
@@ -19,28 +19,29 @@ struct sure_shine {
 struct sure_lobes {
     uint32_t below[3];
     double chance[4]; /* of mirror, glass, glossy and diffuse lobe */
-    double glow;      /* factor of its emission */
-    bool known;       /* the same all over the surface */
+    double glow;      /* factor of the material's emission */
+    bool known;       /* the lobes are the same all over the surface */
     bool black, rough;
 };
 
 struct sure_emitter {
     const struct sure_shine *shine;
-    uint32_t light, sphere; /* one of them is TIA_NO_OBJECT */
+    uint32_t light, sphere; /* one of the two is TIA_NO_OBJECT */
 };
 
 struct sure_paths {
-    struct sure_shine *lights;     /* of all lights of the view */
+    struct sure_shine *lights;     /* all lights of the view */
     struct sure_emitter *emitters; /* the emitters that are sampled */
-    struct sure_shine *spheres;    /* of the emitters that are spheres of the scene, in the emitters' order */
-    struct sure_lobes *lobes;      /* of all materials */
+    struct sure_shine *spheres;    /* emitters that are spheres of the scene, in the emitters' order */
+    struct sure_lobes *lobes;      /* all materials */
     uint32_t emitter_count, bounces;
-    double one_of, reach; /* of occlusion: the largest distance at which objects count */
+    double one_of, reach; /* one_of: 1/number of emitters; reach: the largest distance at which objects count for
+                             occlusion */
 };
 
-#define SURE_GATHERED 192 /* 40 KB with their rays */
+#define SURE_GATHERED 192 /* number of samples, 40 KB with their rays */
 
-/* Some samples of some pixels. */
+/* Samples of a block's pixels. */
 struct sure_gather {
     const struct sure_scene *scene;
     struct cancel cancel;
@@ -51,7 +52,7 @@ struct sure_gather {
     bool unsure[SURE_GATHERED];
 };
 
-/* As tia_sure_size() and the functions after it. */
+/* Size and set the data, as tia_sure_size() and the functions after it. */
 size_t tia_gather_size(const struct tia_scene *scene, uint32_t light_capacity);
 void tia_gather_prepare(struct tia_view *view);
 void tia_gather_set_lights(struct tia_view *view);

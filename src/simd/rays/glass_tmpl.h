@@ -43,9 +43,9 @@ LANE_OP void keep_media(struct path_state *f, unsigned lanes, const struct paths
     }
 }
 
-/* Continues the rays of these lanes, one bounce on. `media`: of each lane; NULL: they stay as they are. A path without
- * throughput ends; where the fixed-point throughput is 0 and the certified one slightly above, the path goes on and
- * adds no more than its bound. */
+/* Continues the rays of these lanes, one bounce on. `media`: new media of each lane; NULL: they stay unchanged. A path
+ * without throughput ends; where the fixed-point throughput is 0 and the certified one slightly above, the path goes on
+ * and adds no more than its bound. */
 LANE_OP void go_on(struct path_state *f, unsigned lanes, const struct paths *p, struct paths *next,
                    const struct media *media)
 {
@@ -86,7 +86,7 @@ static unsigned reflected_by(const struct refraction *r, const struct shade *h, 
     return reflected;
 }
 
-/* Passes glass of equal indices on both sides: only the layers are counted. */
+/* Passes glass of equal indices on both sides: only the layers count. */
 static void pass_straight(struct path_state *f, unsigned lanes, const struct paths *p, struct paths *next,
                           const struct shade *h, const struct media media[LANES])
 {

@@ -11,14 +11,14 @@
 
 #include "hit_report_tmpl.h"
 
-/* One ray in a grid. */
+/* A ray in a grid. */
 struct cell_walk {
     const struct sure_grid *grid;
     double o[3], d[3], eo, ed, limit;
-    double inverse[3], base[3], slope[3]; /* of the planes' times, see plane_time() */
+    double inverse[3], base[3], slope[3]; /* constants of the planes' times, see plane_time() */
     bool moves[3];
     int at[3], step[3];
-    double next[3], enext[3]; /* where the ray leaves the cell along each axis */
+    double next[3], enext[3]; /* times at which the ray leaves the cell along each axis, and their errors */
     unsigned here;            /* content of the cell */
     /* result: a certain hit, a possible hit */
     bool sure, may;
@@ -98,8 +98,8 @@ static bool hit_cell(struct cell_walk *w, double t, double e, double element)
     return false;
 }
 
-/* Finds the cell along one axis of a place within e; of two, the one that the ray comes from. False: there are two, or
- * it is outside. */
+/* Finds the cell of a place along one axis, where the place is known within e; of two cells, the one that the ray comes
+ * from. False: there are two, or the place is outside. */
 static bool find_cell(struct cell_walk *w, int axis, double place, double e)
 {
     double x = (place - w->grid->corner[axis]) / w->grid->edge,
@@ -111,8 +111,8 @@ static bool find_cell(struct cell_walk *w, int axis, double place, double e)
     return low == high && low >= 0 && high <= last;
 }
 
-/* Finds where the ray enters and leaves the grid's box: the axis along which it does so last; -1: it starts inside.
- * False: it misses, or may miss. */
+/* Finds where the ray enters and leaves the grid's box, and the axis that it enters last; -1: it starts inside. False:
+ * it misses, or may miss. */
 static bool enter_grid(struct cell_walk *w, int *axis, double *in, double *ein)
 {
     double out = INFINITE, eout = 0, reach = 0;
@@ -176,7 +176,7 @@ static bool start_walk(struct cell_walk *w)
             clear = find_cell(w, i, place, off) && clear;
     }
     if (!clear) {
-        /* all cells around must be empty: the first step is then taken from the one before */
+        /* all 27 cells around must be empty: the first step is then taken from the cell before */
         for (int k = 0; k < 27; k++) {
             const int near[3] = {w->at[0] + k % 3 - 1, w->at[1] + k / 3 % 3 - 1, w->at[2] + k / 9 - 1};
             if (content_at(w, near))
@@ -189,7 +189,7 @@ static bool start_walk(struct cell_walk *w)
     return true;
 }
 
-/* Returns whether each cell on the way, in all orders of the axes in `open`, has the content of this one. */
+/* True if each cell on the way, in all orders of the axes in `open`, has the content of this one. */
 static bool all_alike(const struct cell_walk *w, unsigned open, unsigned here)
 {
     for (unsigned set = open; set; set = (set - 1) & open) {
@@ -254,7 +254,7 @@ LANE_OP bool step_cell(struct cell_walk *w)
     return inside;
 }
 
-/* Walks the rest of the way. */
+/* Walks the rest of the path. */
 static void finish_walk(struct cell_walk *w)
 {
     for (int i = 0; i < 3; i++)

@@ -15,7 +15,8 @@
 
 struct grid_axis {
     vd a, b, base, slope;
-    vd step, last, stride, end; /* the last cell; the distance of cells in memory along the ray; the last plane */
+    vd step, last, stride, end; /* time between planes; time of the last plane; distance of cells in memory along the
+                                   ray; number of the last plane */
     vd cell, plane;             /* the first cell, and the next plane */
     vm back;
 };
@@ -23,11 +24,12 @@ struct grid_axis {
 struct grid_walk {
     const struct sure_grid *grid;
     struct grid_axis axis[3];
-    vd index;                   /* of the cell in memory */
-    vd off;                     /* of planes' times, for any axis */
+    vd index;                   /* index of the cell in memory */
+    vd off;                     /* bound of the planes' times, along any axis */
     uint64_t here;              /* content of the cell, a byte for each lane */
     uint64_t live;              /* all bits of the bytes of walking lanes */
-    vm walking, alone, started; /* alone: lanes for grid_ray_tmpl.h, from their cell on where they have started */
+    vm walking, alone, started; /* alone: lanes for grid_ray_tmpl.h, which start from their cell if they are
+                                   `started` */
     /* result: certain hits, possible hits */
     vm sure, may;
     vd t, e, element;
@@ -60,7 +62,7 @@ LANE_OP vm set_grid_axis(struct grid_axis *x, const struct packet *p, const stru
     return moves;
 }
 
-/* Finds the cell along an axis of a place within e, see find_cell(). */
+/* Finds the cell of a place along an axis, where the place is known within e, see find_cell(). */
 LANE_OP vm grid_cell(struct grid_axis *x, const struct sure_grid *grid, int i, vd place, vd e)
 {
     vd at = (place - vset(grid->corner[i])) * (1 / grid->edge),
@@ -74,10 +76,10 @@ LANE_OP vm grid_cell(struct grid_axis *x, const struct sure_grid *grid, int i, v
 /* Entry of rays into the grid's box and exit from it, see enter_grid(). */
 struct grid_entry {
     vd in, ein;
-    vm inside, first, second; /* the axis along which they enter, in lanes outside */
+    vm inside, first, second; /* the axis along which rays enter, in lanes outside */
 };
 
-/* Returns the lanes that certainly enter. */
+/* Returns the lanes that certainly enter the box. */
 LANE_OP vm enter_grids(struct grid_walk *g, vm lanes, vd limit, struct grid_entry *to)
 {
     vd out = vset(INFINITE), eout = vset(0), in[3];
@@ -112,7 +114,7 @@ LANE_OP uint64_t grid_contents(const struct grid_walk *g, vd index)
 {
     const uint8_t *cells = g->grid->from->cells;
     int64_t at[LANES];
-    vi bits = as_integers(index + vset(4503599627370496.0)); /* 2^52: moves the integer to the low bits */
+    vi bits = as_integers(index + vset(4503599627370496.0)); /* adding 2^52 moves the integer to the low bits */
     uint64_t content = 0;
 
     __builtin_memcpy(at, &bits, sizeof at);
@@ -185,12 +187,12 @@ LANE_OP void start_grids(struct grid_walk *g, const struct packet *p, vm lanes, 
     g->live = bytes_of_lanes(mbits(g->walking));
 }
 
-/* A step of each ray: the next plane, and the cell behind it. */
+/* A step of each ray, to the next plane and the cell behind it. */
 struct grid_step {
-    vm first, second; /* the axis */
-    vd at, from, to;  /* the time; the cells' places in memory */
+    vm first, second; /* the axis of the step */
+    vd at, from, to;  /* time of the step; indices of the cells in memory */
     vm open, over, out;
-    uint64_t differs; /* a byte for each lane: content there that is not in this cell */
+    uint64_t differs; /* a byte for each lane: bits of the next content that are not in this cell's */
 };
 
 /* Ends the walks that meet other content or leave the grid. */
@@ -217,9 +219,9 @@ static __attribute__((noinline)) void end_grids(struct grid_walk *g, const struc
     grid_hit(g, mof(hit), s->at, e, 6 * vsel(mof(into), s->to, s->from) + side);
 }
 
-/* Takes a step: the times of the next planes in order are m, then `after`. Where they are no more than 2 off apart,
- * their order is undecided. The contents of cells do not affect the way, so they are compared afterwards, and only then
- * do some walks end. */
+/* Takes a step: m is the time of the next plane, `after` that of the plane after it. Where they are no more than 2 off
+ * apart, their order is undecided. The contents of cells do not affect the way, so they are compared afterwards, and
+ * only then do some walks end. */
 LANE_OP void step_grids(struct grid_walk *g, vd limit)
 {
     struct grid_axis *x = g->axis;
@@ -250,7 +252,7 @@ LANE_OP void step_grids(struct grid_walk *g, vd limit)
         end_grids(g, &s);
 }
 
-/* Walks one lane by itself. */
+/* Walks a single lane to its end. */
 static void walk_alone(struct grid_walk *g, const struct query *q, int k)
 {
     const struct packet *p = q->p;

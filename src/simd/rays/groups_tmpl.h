@@ -6,7 +6,8 @@
 
 #include "query_tmpl.h"
 
-/* Notes a group: one that is certainly met is not tried again, one that may be met leaves the ray undecided. */
+/* Adds a group to the list: one that is certainly met is not tested again, one that may be met leaves the ray
+ * undecided. */
 LANE_OP void note_group(struct group_list *g, uint32_t group, unsigned sure, unsigned open)
 {
     for (int k = 0; (sure | open) >> k; k++) {

@@ -44,11 +44,12 @@ static void place_rays(const struct sure_instance *i, const struct packet *p, bo
     to->p.from = p->from;
     if (!box && i->least < i->most)
         to->p.from.object = vsel(vlt(vset(0.5), p->from.side), vset(-1), p->from.object);
-    to->p.from.object = vsel(vlt(p->from.side, vset(0)), vset(-1), to->p.from.object); /* heights differ there */
+    to->p.from.object = vsel(vlt(p->from.side, vset(0)), vset(-1), to->p.from.object); /* heights are different in the
+                                                                                          instance's axes */
     to->fine = mand(packet_start(i->centre, i->extent, &to->p, active), vlt(BOUND(INSTANCE_KNOWN) * to->ek, to->k));
 }
 
-/* Sets the query in the instance's axes: always for the nearest. */
+/* Sets the query in the instance's axes: always one for the nearest hit. */
 LANE_OP void placed_query(const struct query *q, const struct placed *placed, struct query *inner)
 {
     *inner = *q;
@@ -63,8 +64,8 @@ LANE_OP void placed_query(const struct query *q, const struct placed *placed, st
     inner->id = inner->element = vset(-1);
 }
 
-/* Reports hits back in the world. The point is off by `most` times as much as there, and by no more than the ray and
- * the distance along it. */
+/* Reports hits in the world. The point is off by `most` times its bound in the instance's axes, and by no more than the
+ * ray and the distance along it. */
 static void report_placed(struct query *q, const struct placed *placed, const struct query *inner, double most)
 {
     const struct packet *p = q->p;

@@ -61,7 +61,7 @@ LANE_OP struct ve ve_div(struct ve a, struct ve b, vm *fine)
                               vabs(v) * BOUND(QUOTIENT) + BOUND(QUOTIENT_UNIT)};
 }
 
-/* Takes the root; *fine is cleared where a may be negative: |sqrt a - sqrt b| <= |a - b|/sqrt a. */
+/* Takes the square root; *fine is cleared where a may be negative: |sqrt a - sqrt b| <= |a - b|/sqrt a. */
 LANE_OP struct ve ve_sqrt(struct ve a, vm *fine)
 {
     vm good = vlt(a.e, a.v);

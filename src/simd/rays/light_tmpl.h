@@ -8,7 +8,7 @@
 #include "power_tmpl.h"
 #include "spread_tmpl.h"
 
-/* A light as seen from points, see struct ray_aim: the axes of a disc that faces the point. */
+/* A light as seen from points, see struct ray_aim: the axes of a disc that faces each point. */
 struct aim {
     struct v3 axes[2];
     vd e;
@@ -65,7 +65,8 @@ static void spot_falloff(const struct sure_light *l, struct v3 to, vd eto, struc
     f->e = BOUND_OF(SPOT, BOUND(SPOT_WIDTH) * e / width) + BOUND(SPOT_UNITS);
 }
 
-/* Sets 1/(constant + linear d + quadratic d^2), and 0 from a sum of 2^17 on: less than 2^-16 from 2^16 on. */
+/* Sets the attenuation 1/(constant + linear d + quadratic d^2). It is 0 where the sum is 2^17 or more; from 2^16 on it
+ * is less than 2^-16. */
 static void attenuate(const struct sure_light *l, vd distance, vd edistance, struct falloff *f)
 {
     vd d = distance * vset(l->unit),
@@ -103,7 +104,7 @@ static void find_falloff(const struct sure_light *l, struct sample *s)
     }
 }
 
-/* The sample of a light for each lane, and the class of its pixel. A run takes successive samples of one pixel. */
+/* The sample of a light for each lane, and the class of its pixel. A run has successive samples of one pixel. */
 struct picked {
     unsigned sample;
     bool run;
@@ -199,7 +200,7 @@ static void reflect_light(const struct shade *h, const struct sample *s, vd lamb
 
 struct light_room;
 
-/* The light added up at the points; `cancel` counts the work. */
+/* The sum of the light at the points; `cancel` counts the work. */
 struct lit {
     struct cancel *cancel;
     struct light_room *room;
@@ -207,7 +208,7 @@ struct lit {
     vm unsure;
 };
 
-/* Memory that lights need of the call's, beside the walks of their shadow rays; `one` and `there` are of one point. */
+/* A call's memory for lights, beside the walks of their shadow rays; `one` and `there` are of one point. */
 struct light_room {
     struct room room;
     struct aim aim, there;
@@ -250,7 +251,7 @@ static __attribute__((noinline)) void add_sample(const struct sure_scene *scene,
     sum->eown = sum->eown + vsel(lit, (e + BOUND(SAMPLE_SUM)) * (l->brightest * part) + BOUND(SAMPLE_SUM), vset(0));
 }
 
-/* Adds one sample of the light for all points after another. */
+/* Adds one sample of the light at all points after another. */
 static void add_samples(const struct sure_scene *s, const struct sure_light *l, const struct aim *aim,
                         const struct shade *h, vm lanes, const uint8_t class[LANES], uint32_t *blocker, struct lit *sum)
 {
@@ -266,8 +267,8 @@ static void add_samples(const struct sure_scene *s, const struct sure_light *l, 
     }
 }
 
-/* Adds all samples of the light for one point: rays from there to a light go the same way through the hierarchy,
- * however far apart the packet's points are. */
+/* Adds all samples of the light for one point: rays from there to a light traverse the hierarchy alike, however far
+ * apart the packet's points are. */
 static void add_point(const struct sure_scene *s, const struct sure_light *l, const struct aim *aim,
                       const struct shade *h, uint8_t class, uint32_t *blocker, struct lit *sum)
 {
@@ -309,8 +310,8 @@ static void add_points(const struct sure_scene *s, const struct sure_light *l, c
     }
 }
 
-/* Returns whether points are lit one by one. Points close together share a sample's packet; distant ones have packets
- * of their own, and so have few points with many samples: those are fewer packets. */
+/* True if points are lit one by one. Points close together share a sample's packet; distant ones have packets of their
+ * own, and so have few points with many samples: those are fewer packets. */
 LANE_OP bool each_by_itself(const struct sure_light *l, unsigned lanes, bool apart)
 {
     unsigned n = l->from->samples, packets = (n + LANES - 1) / LANES * (unsigned)__builtin_popcount(lanes);
@@ -326,7 +327,7 @@ static void add_light(const struct sure_scene *s, uint32_t n, const struct shade
     struct aim *aim = &sum->room->aim;
 
     if (tia_light_has(l->from->kind, TIA_LIGHT_EVERYWHERE)) {
-        if (l->radius > 0) /* the transmitted part is undecided, see `occluded` of the scene */
+        if (l->radius > 0) /* the transmitted part is undecided, see `occluded` in struct sure_scene */
             sum->unsure = mor(sum->unsure, lanes);
         for (int c = 0; c < 3; c++)
             sum->own[c] = sum->own[c] + h->colour[c] * l->emission[c];

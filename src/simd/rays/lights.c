@@ -81,7 +81,7 @@ static void set_places(struct sure_light *l, double (*places)[2][SURE_PLACES])
     l->place = places;
 }
 
-/* Upper limits of a surface's emission, and of the part of other light that it sends on. */
+/* Upper limits of a surface's emission, and of the part of other light that it reflects or transmits. */
 struct brightness {
     double own, back;
     bool refracts;
@@ -111,9 +111,9 @@ static struct brightness brightness_of(const struct sure_scene *s)
     return most;
 }
 
-/* A ray's colour is at most the sum over its generations of own back^n, there being one for each bounce, and where
- * something refracts or lets pass up to TIA_LAYERS_MAX more; a ray that has bounced has so many fewer. Attenuation may
- * make lights brighter: then there is no limit. */
+/* Sets the limit of rays' colours. A ray's colour is at most the sum over its generations of own back^n, there being
+ * one for each bounce, and where something refracts or lets pass up to TIA_LAYERS_MAX more; a ray that has bounced has
+ * so many fewer. Attenuation may make lights brighter: then there is no limit. */
 static void set_brightest(struct sure_scene *s)
 {
     struct brightness most = brightness_of(s);

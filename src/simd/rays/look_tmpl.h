@@ -83,7 +83,7 @@ LANE_OP void choose_emitters(const struct path_state *f, const struct paths *p, 
     u[1] = quads_number(&quads, 1);
 }
 
-/* Adds the light of one emitter to the surface. Returns the certain lanes. */
+/* Adds the light of one emitter at the surface. Returns the certain lanes. */
 static unsigned look_for_lights(struct path_state *f, unsigned lanes, const struct paths *p, const struct shade *h,
                                 const struct lobes *l)
 {
@@ -105,7 +105,7 @@ static unsigned look_for_lights(struct path_state *f, unsigned lanes, const stru
     vd cosine = v3_dot(a->to, h->normal), above = v3_dot(a->to, h->geometric);
     vd ec = BOUND_OF(LAMBERT, a->eto + h->en + BOUND(COSINE)), ea = BOUND_OF(ABOVE, a->eto + h->eg + BOUND(COSINE));
     vm dark = mor(vlt(cosine, -ec), vlt(above, -ea)), lit = mand(vlt(ec, cosine), vlt(ea, above));
-    /* an undecided sight may have any direction, so its side of the surface is undecided too */
+    /* an undecided sample may lie in any direction, so its side of the surface is undecided too */
     vm none = mand(mnot(a->unsure), mor(dark, mnot(a->some))), open = mor(a->unsure, mnot(mor(none, lit)));
     unsigned unsure = rough & mbits(open);
     mark_unsure(f, unsure, p->r.slot);

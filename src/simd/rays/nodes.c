@@ -12,14 +12,14 @@ static float outward(tia_q16 x, bool up)
 
     if (up ? (double)f < exact : (double)f > exact) {
         __builtin_memcpy(&bits, &f, sizeof bits);
-        bits += (f > 0) == up ? 1 : -1; /* away from 0, or towards it: these are no small numbers */
+        bits += (f > 0) == up ? 1 : -1; /* away from 0, or towards it; subnormal numbers do not occur */
         __builtin_memcpy(&f, &bits, sizeof f);
     }
     return f * (float)SURE_Q16;
 }
 
-/* Returns the number of items below a node if it is no more than `most`, else 0; *first: the first one's index, as all
- * of a node's lie side by side. */
+/* Returns the number of items below a node if it is no more than `most`, else 0; *first: index of the first one, as the
+ * items of a node are consecutive. */
 static uint32_t items_below(const struct tia_bvh_node *n, uint32_t most, uint32_t *first)
 {
     uint32_t count = 0;
@@ -61,7 +61,7 @@ struct pending {
     uint32_t node, second;
 };
 
-/* Returns the next node that stays one: there is none below a leaf. */
+/* Returns the next node that is kept as a node: there is none below a leaf. */
 static uint32_t next_node(uint32_t i, struct sure_node *to, uint32_t made, const struct pending *stack, int *depth,
                           uint32_t end)
 {
@@ -76,8 +76,8 @@ static uint32_t next_node(uint32_t i, struct sure_node *to, uint32_t made, const
     return i;
 }
 
-/* Inner nodes keep their order, in which a first child comes next, and a second one after all that is below the first.
- */
+/* Makes the nodes. Inner nodes keep their order: a first child comes next, and a second one after all nodes below the
+ * first. */
 uint32_t tia_sure_set_nodes(struct sure_node *to, const struct tia_bvh_tree *from, uint32_t few)
 {
     struct pending stack[TIA_BVH_DEPTH_MAX + 1];

@@ -87,7 +87,7 @@ static void set_cells(struct sure_object *o, const struct tia_scene *scene)
     o->unclear = !o->opaque;
 }
 
-/* Objects with layers of opacity filter light more than once, as meshes of groups do. */
+/* Sets an object's filter. Objects with layers of opacity filter light more than once, as meshes of groups do. */
 static void set_filter(struct sure_object *o, const struct tia_scene *scene, bool layered, bool grouped)
 {
     const struct tia_material *m = &scene->materials[o->material];

@@ -11,8 +11,9 @@ static double length(const double p[3])
     return __builtin_sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
 }
 
-/* Returns c of pairs_tmpl.h. The P and N make it larger than the E do by sqrt 3 and sqrt 12 at most, as |P| <= R |E|
- * and |N| <= 2 R |E|. Floats have not been found off by more than 4 of their 25 units, so no test notices either. */
+/* Returns c of pairs_tmpl.h. The lengths of P and N enlarge it, compared with those of E alone, by sqrt 3 and sqrt 12
+ * at most, as |P| <= R |E| and |N| <= 2 R |E|. Floats have not been found off by more than 4 of their 25 units, so no
+ * test notices either. */
 static double size_of(const struct sure_edges *e, const double whole[3], double extent)
 {
     double most = length(whole) / extent;

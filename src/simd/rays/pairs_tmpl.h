@@ -28,13 +28,13 @@
 #include "slabs_tmpl.h"
 #include "triangle_tmpl.h"
 
-/* Lines as the test of pairs takes them, two floats a lane: D, M and the bound of an area. */
+/* Lines in the form for the test of pairs, two floats a lane: D, M and the bound of an area. */
 struct lines {
     struct line line;
     vp way[3], moment[3], off, by;
 };
 
-/* The verdict on two faces; bit 2 k + i: lane k, face i. */
+/* The result for two faces; bit 2 k + i: lane k, face i. */
 struct passes {
     unsigned inside, outside;
 };

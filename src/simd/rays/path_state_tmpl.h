@@ -32,7 +32,7 @@ struct paths {
 };
 
 struct path_state {
-    struct room room; /* this and what follows are one packet's, too large for a stack */
+    struct room room; /* this member and those after it are one packet's, too large for a stack */
     struct query query;
     struct shade shade;
     struct lobes lobes;
@@ -66,7 +66,7 @@ LANE_OP void mark_unsure(struct path_state *f, unsigned lanes, const uint32_t sl
             f->gather->unsure[slot[k]] = true;
 }
 
-/* Returns the certain lanes, and marks the samples of the others. */
+/* Marks the samples of unsure lanes; returns the certain lanes. */
 LANE_OP unsigned sure_of(struct path_state *f, unsigned lanes, vm unsure, const uint32_t slot[LANES])
 {
     unsigned gone = lanes & mbits(unsure);
@@ -160,8 +160,8 @@ LANE_OP vu path_choice(const struct path_state *f, const struct paths *p, unsign
     return quads_number(&quads, dimension);
 }
 
-/* Computes first rays by the fixed-point code: the unit of their window is 2^-45 too, and the window is small, so that
- * a bound on its rounding would be the largest of all. */
+/* Computes first rays by the fixed-point code: their window is small, and its unit is 2^-45 too, so that a bound on its
+ * rounding would be the largest of all. */
 static void first_paths(const struct path_state *f, struct paths *p, const struct quads *first)
 {
     const struct sure_gather *g = f->gather;
@@ -248,7 +248,7 @@ static void find_first(const struct sure_scene *s, struct room *room, struct que
     end_nearest(q, wild);
 }
 
-/* Meets light number n in the lanes of rays that do not end there. */
+/* Intersects light number n in the lanes whose rays do not end at it. */
 LANE_OP void meet_other_light(const struct sure_scene *s, uint32_t n, const uint32_t ends[LANES], struct query *q)
 {
     unsigned here = 0;

@@ -11,7 +11,7 @@
 
 #define COLUMNS 15
 
-/* A queued ray, see struct bounce of whitted.c, or hit, stored as scalars in the order of ray_column() or
+/* A queued ray, see struct bounce of whitted.c, or a queued hit, stored as scalars in the order of ray_column() or
  * hit_column(). */
 struct queued {
     double number[COLUMNS];
@@ -20,7 +20,7 @@ struct queued {
 };
 
 #define QUEUE_SIZE 256
-#define QUEUE_FULL 24 /* above this number, queued rays go on before further camera rays begin */
+#define QUEUE_FULL 24 /* above this number, queued rays are traced before further camera rays are started */
 #define BLOCKERS 16
 
 /* Rays of a packet: their throughput is within ew. */
@@ -37,12 +37,12 @@ struct work {
     struct sure_block *block;
     uint32_t blocker[BLOCKERS];
     uint8_t class[SURE_SLOTS];
-    uint16_t order[SURE_SLOTS];  /* the order of slots in packets */
-    double place[2][SURE_SLOTS]; /* of samples in the picture, in 2 side^2 parts of a pixel */
+    uint16_t order[SURE_SLOTS];  /* order of the slots in packets */
+    double place[2][SURE_SLOTS]; /* positions of samples in the picture, in units of a pixel/(2 side^2) */
     double rays[SURE_SLOTS];     /* largest number of rays so far, once paths may have layers */
     struct queued queue[QUEUE_SIZE], hits[2 * LANES];
     int count, hit_count;
-    struct rays packet; /* this and what follows are one packet's, too large for a stack */
+    struct rays packet; /* this member and those after it are one packet's, too large for a stack */
     struct query query;
     struct shade shade;
     struct light_room lights;
@@ -77,8 +77,8 @@ LANE_OP void enqueue(struct queued *to, double number[COLUMNS][LANES], const str
     to->media = r->media[k];
 }
 
-/* Takes up to LANES items off the end of a queue, one for each lane: row[k] holds the numbers of lane k, everything
- * else is in r. Returns their number. */
+/* Takes up to LANES items off the end of a queue, one for each lane: row[k] points to the numbers of lane k, all other
+ * data are in r. Returns their number. */
 LANE_OP int dequeue(const struct queued *queue, int *count, struct rays *r, const double *row[LANES])
 {
     static const struct queued none;

@@ -16,7 +16,7 @@
 
 #include "vector_tmpl.h"
 
-/* Adding SHIFT rounds x to a whole number, which is then in the lowest bits. */
+/* Rounds x to an integer when added to it; the sum's lowest bits hold the integer. */
 #define SHIFT 6755399441055744.0 /* 1.5 2^52 */
 
 LANE_OP vd log2_of(vd x)
@@ -33,7 +33,7 @@ LANE_OP vd log2_of(vd x)
     sum = sum * w + 1.0 / 7;
     sum = sum * w + 1.0 / 5;
     sum = sum * w + 1.0 / 3;
-    return n + (sum * w * z + z) * 2.8853900817779268; /* 2/ln 2 */
+    return n + (sum * w * z + z) * 2.8853900817779268; /* times 2/ln 2 */
 }
 
 /* Returns 2^y, -64 <= y <= 0. */

@@ -8,7 +8,7 @@
 
 #define ALIGN64(n) (((n) + 63) / 64 * 64)
 
-/* Places in the caller's memory; `start` NULL: the size is only measured. */
+/* Arrays in the caller's memory; `start` NULL: it is only measured. */
 struct room {
     char *start;
     uint64_t used;
@@ -26,8 +26,8 @@ struct places {
     struct sure_scene *scene;
     struct sure_node *nodes;
     struct sure_tree *meshes;
-    struct sure_face *faces; /* of meshes one after the other, then one for each shape */
-    struct sure_pair *pairs; /* of meshes */
+    struct sure_face *faces; /* faces of meshes, one mesh after the other, then one for each shape */
+    struct sure_pair *pairs; /* pairs of meshes */
     struct sure_places of;
     struct sure_material *materials;
     struct sure_light *lights;
@@ -170,7 +170,7 @@ static void set_trees(struct sure_scene *s, const struct tia_scene *scene, struc
     s->object = p->of.objects;
 }
 
-/* Sets a material. A ray that meets one with an opacity is undecided. */
+/* Sets a material. A ray that meets a material with an opacity is undecided. */
 static void set_material(struct sure_material *to, const struct tia_material *m, const struct tia_texture *textures)
 {
     const struct tia_texture *t = m->texture && !colour_is_black(&m->colour) ? &textures[m->texture - 1] : NULL;

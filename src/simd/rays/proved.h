@@ -8,7 +8,7 @@
 #define SURE_ASIDE 16  /* a sphere's P: |L| */
 #define SURE_SQUARE 32 /* r^2 - |P|^2: r^2 */
 #define SURE_FACE 16   /* D.(a x b): |x| + |y| + |z| of the origin and the most of a corner, squared */
-#define SURE_PAIR 25   /* the same by floats, in units of 2^-24: see pairs_tmpl.h */
+#define SURE_PAIR 25   /* D.(a x b) in floats, in units of 2^-24: see pairs_tmpl.h */
 #define SURE_WAY 16    /* (P - O).N and D.N: |P - O|, and 1 */
 #define SURE_SLAB 4    /* a plane across an axis: t */
 #define SURE_NORMAL 8  /* v/|v|: 1 */

@@ -12,9 +12,9 @@
  * for each of two boxes. */
 struct slabs {
     vp inv[3];
-    vp in[3], out[3]; /* (o +- pad)/d of the nearer planes and of the farther ones; of minima and maxima, */
-    bool uniform;     /* unless all lanes agree on the nearer planes, */
-    int near[3];      /* which begin at row 0 or 3 of a box */
+    vp in[3], out[3]; /* (o +- pad)/d of the nearer planes and of the farther ones, or of the minima and the maxima */
+    bool uniform;     /* all lanes have the same nearer planes; else rows are minima and maxima */
+    int near[3];      /* rows of the nearer planes in a box, which begin at 0 or 3 */
 };
 
 /* Starts of rays on an object's surface: b off it and certainly moving away from it; object -1: elsewhere.
@@ -32,7 +32,7 @@ struct slabs {
  * bound than its start, see return_to_face(). */
 struct origin {
     vd object, element;
-    vd side; /* inside a solid 1, outside 0; -b, where it certainly goes back to the face */
+    vd side; /* 1 inside a solid, 0 outside, -b where the ray certainly returns to the face */
 };
 
 /* Rays: the fixed-point origin is within eo of o, the direction within ed of d. */
@@ -58,7 +58,7 @@ struct line {
  * Any hit: `blocked` lanes are certainly occluded, `maybe` lanes undecided. */
 #define GROUPS 16
 
-/* The groups of a mesh that each ray meets. */
+/* The groups of a mesh that each ray meets, see struct query. */
 struct group_list {
     uint32_t group[LANES][GROUPS];
     bool sure[LANES][GROUPS];
@@ -71,26 +71,26 @@ struct room;
 
 struct query {
     const struct packet *p;
-    struct room *room;         /* of the call, see walk_tmpl.h */
+    struct room *room;         /* the call's memory, see walk_tmpl.h */
     const struct lines *lines; /* relative to the centre of a mesh */
     vm active;
     vd limit; /* hits certainly farther do not count */
     bool any;
-    bool solid; /* of any hit: every object occludes, except perhaps those with an opacity */
+    bool solid; /* any hit: every object occludes, except perhaps those with an opacity */
     double object;
     bool opaque;
     vd t, e, ep, low; /* ep: bound of the point */
     vd id, element;
     vd distance, edistance;
-    vm blocked, maybe, met, may_meet; /* the latter two of one object that filters light */
+    vm blocked, maybe, met, may_meet; /* met, may_meet: hits of a single object that filters light */
     vd through[3], ethrough;
     uint32_t index, blocker;
     struct group_list *groups; /* NULL, or receives `group` of each hit */
     uint32_t group;
-    uint32_t work; /* so far, in items of cancel.h */
+    uint32_t work; /* work so far, in items of cancel.h */
 };
 
-/* Returns the lanes whose rays start on the object that is tested, or on this element of it. */
+/* Return the lanes whose rays start on the object that is tested, or on this element of it. */
 LANE_OP vm from_object(const struct query *q)
 {
     vd here = vset(q->object);

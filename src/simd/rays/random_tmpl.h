@@ -51,7 +51,7 @@ LANE_OP vu vu_table(vu index, unsigned dimension)
 #endif
 }
 
-/* The quads of the lanes: the scrambling seeds, and the places of the samples in the sequence. */
+/* The quads of the lanes: scrambling seeds, and indices of the samples in the sequence. */
 struct quads {
     vu hash, at;
 };

@@ -10,7 +10,7 @@
 
 #define MOST 131072.0 /* NUM_LENGTH_MAX */
 
-/* The ray in a cone's axes, struct beam of geometry/round.c, and its verdict so far: in `fine` lanes every decision is
+/* The ray in a cone's axes, struct beam of geometry/round.c, and the decisions so far: in `fine` lanes each decision is
  * certain, `miss` lanes certainly miss. */
 struct beam {
     const struct sure_round *k;
@@ -20,7 +20,7 @@ struct beam {
     struct ve d0, d1, height, rise, pace, nearest, passing;
 };
 
-/* Computes the nearest point to the anchor, and makes two quick tests. False: all lanes miss. */
+/* Computes the point nearest to the anchor, and makes two quick tests. False: all lanes miss. */
 LANE_OP bool beam_start(struct query *q, const struct sure_round *k, struct beam *b)
 {
     const struct packet *p = q->p;
@@ -73,7 +73,7 @@ LANE_OP void beam_of(const struct packet *p, struct beam *b)
     b->passing = ve_sub(ve_mul(p0, q1), ve_mul(p1, q0));
 }
 
-/* The part of the ray inside something; meaningless in lanes that are not fine or miss. */
+/* A part of the ray inside a solid; undefined in lanes that are not fine or that miss. */
 struct reach {
     struct ve in, out;
 };

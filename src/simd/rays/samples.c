@@ -56,7 +56,7 @@ static void finish_sample(struct drawing *d, int i)
         sure = rounded(b->colour[i][c], e, &rgb[c]);
     d->all++;
     if (!sure) {
-        if (cancelled(&d->block.cancel, CANCEL_INTERVAL)) /* one may take long */
+        if (cancelled(&d->block.cancel, CANCEL_INTERVAL)) /* a sample may take long */
             return;
         d->unsure++;
         sample_exactly(d, b->x[i], b->y[i], b->index[i], b->index[i] + 1);
@@ -84,7 +84,7 @@ static void finish_block(struct drawing *d)
     b->count = 0;
 }
 
-/* Returns whether doubles still save time: not where most samples are undecided. */
+/* True if doubles still save time: not where most samples are undecided. */
 static bool pays(const struct drawing *d)
 {
     return d->unsure * 2 <= d->all;
@@ -107,7 +107,7 @@ static void add_pixel(struct drawing *d, int x, int y, uint32_t first, uint32_t 
     }
 }
 
-/* Draws samples. Guides, the first hits of samples, are left to the fixed-point path. */
+/* Draws samples. Guides, the first hits of samples, are drawn by the fixed-point path. */
 static void sample(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end,
                    const struct tia_gathered *gathered, void *memory)
 {
@@ -130,7 +130,7 @@ static void sample(const struct tia_view *view, struct tia_tile tile, uint32_t f
     finish_block(d);
 }
 
-#define PIECE 64 /* pixels of a row that are drawn at once */
+#define PIECE 64 /* number of a row's pixels that are drawn at once */
 
 static void light(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
                   const struct tia_options *options, void *memory)
@@ -156,8 +156,8 @@ static void light(const struct tia_view *view, struct tia_tile tile, const struc
         }
 }
 
-/* Returns whether this path draws the view. Scenes without one of the strategies are left to the fixed-point path, and
- * so are light fields: neighbours have eyes of their own. */
+/* True if the SIMD kernels draw the view. The fixed-point path draws scenes without one of the strategies, and light
+ * fields, whose neighbouring pixels have different eyes. */
 static bool draws(const struct tia_view *view)
 {
     return view->scene->bvh && !view->scene->integration.without && !view->scene->field;

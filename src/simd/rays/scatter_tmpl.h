@@ -12,8 +12,9 @@
 enum { CHANCE_MIRROR, CHANCE_GLASS, CHANCE_GLOSSY, CHANCE_DIFFUSE };
 
 struct lobes {
-    const struct sure_lobes *of[LANES]; /* lanes without one have that of another lane */
-    struct sure_lobes mine[LANES];      /* of textures beside other lobes: their chances change from texel to texel */
+    const struct sure_lobes *of[LANES]; /* lobes of each lane's material; lanes without one have that of another lane */
+    struct sure_lobes mine[LANES];      /* lobes of textured materials with several lobes, whose chances depend on the
+                                           texel */
     vd chance[4];
     unsigned glossy; /* lanes with a glossy lobe */
     struct v3 mirrored;
@@ -87,7 +88,7 @@ LANE_OP void lobes_mirror(const struct shade *h, struct lobes *l)
     l->mirrored = mirrored_at(h, &l->emirrored);
 }
 
-/* The reflected part, cosine included, and the density of going there. */
+/* The reflected part, with the cosine, and the density of the direction. */
 struct response {
     vd rgb[3], e;
     struct ve density;

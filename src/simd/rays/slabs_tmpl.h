@@ -80,7 +80,7 @@ LANE_OP unsigned enter_two(const struct slabs *s, const struct sure_node *n, vp 
 #undef PLANE
 }
 
-/* Returns each second float, from `place` on. */
+/* Returns each second float of the pairs, from `place` on. */
 LANE_OP vd lanes_of(vp pairs, int place)
 {
     float of[2 * LANES];

@@ -55,7 +55,7 @@ static void spread_shade(const struct shade *h, int k, struct shade *to)
     }
 }
 
-/* Returns whether the lanes' points are on different objects. */
+/* True if the lanes' points are on different objects. */
 LANE_OP bool on_several(const struct shade *h, unsigned lanes)
 {
     bool several = false;

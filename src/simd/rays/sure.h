@@ -19,9 +19,9 @@
 
 #define SURE_INNER UINT32_MAX
 
-/* Two children side by side. A child's box is the hierarchy's, in floats rounded outward. Where count is SURE_INNER the
- * child is node `index`, else a leaf: items[index] .. items[index + count - 1], of a mesh pairs[index] .. A root that
- * is a leaf is the only child of one; the other has no items, and is SURE_NOWHERE. */
+/* A node: two children side by side. A child's box is that of the hierarchy, in floats rounded outward. Where count is
+ * SURE_INNER the child is node `index`, else a leaf: items[index] .. items[index + count - 1], of a mesh pairs[index]
+ * .. A root that is a leaf is the only child of one; the other has no items, and is SURE_NOWHERE. */
 struct sure_node {
     float box[6][2]; /* minimum x, y, z, maximum x, y, z */
     uint32_t index[2], count[2];
@@ -31,7 +31,7 @@ struct sure_node {
 
 struct sure_face {
     double at[3][3], normal[3], smooth[3][3];
-    double extent; /* of the edges: the largest |x| + |y| + |z| */
+    double extent; /* of all edges: the largest |x| + |y| + |z| */
     double bend;   /* the largest distance between the smooth normals */
     bool any, smoothed;
 };
@@ -48,18 +48,18 @@ struct sure_pair {
     uint32_t face[2];
 };
 
-#define SURE_NONE -1e30f /* so that a line is always outside */
-#define SURE_LEAF 16     /* faces that are tested at once; a mesh of no more has no hierarchy */
-#define SURE_FEW 8       /* of a mesh, below a node that is made a leaf: pairs take less time than nodes */
+#define SURE_NONE -1e30f /* a value for which a line is always outside */
+#define SURE_LEAF 16     /* number of faces that are tested at once; a mesh of no more has no hierarchy */
+#define SURE_FEW 8       /* most items of a mesh below a node that becomes a leaf: pairs take less time than nodes */
 
 struct sure_tree {
     const struct sure_node *nodes;
     const uint32_t *items;
-    const struct sure_face *faces; /* of a mesh */
-    const struct sure_pair *pairs; /* items of its leaves */
-    const uint32_t *groups;        /* and the groups of its faces, or NULL */
+    const struct sure_face *faces; /* a mesh's faces */
+    const struct sure_pair *pairs; /* pairs of the faces, the items of a mesh's leaves */
+    const uint32_t *groups;        /* groups of the faces, or NULL */
     uint32_t node_count;
-    double centre[3], extent; /* of a mesh: the sum of the half axes of its box around the centre */
+    double centre[3], extent; /* of a mesh: the centre of its box; the sum of the half axes around it */
 };
 
 /* Kinds of shapes; SURE_UNKNOWN: may be hit anywhere in its box. */
@@ -83,9 +83,10 @@ struct sure_round {
 };
 
 struct sure_instance {
-    double position[3], axes[3][3], scale[3], inverse[3], least, most; /* of the scales */
+    double position[3], axes[3][3], scale[3], inverse[3], least, most; /* least, most: of the scales */
     double size;                                                       /* extent of the box in the world */
-    double centre[3], extent;                                          /* of the shape in its axes */
+    double centre[3], extent;                                          /* centre and extent of the shape in its own
+                                                                          axes */
 };
 
 struct sure_grid {
@@ -96,12 +97,12 @@ struct sure_grid {
 struct sure_object {
     enum sure_kind kind;
     uint32_t material;
-    bool opaque;                                       /* transmits no light */
+    bool opaque;                                       /* the object transmits no light */
     bool unclear;                                      /* its transmission is undecided */
-    bool layered;                                      /* it has an opacity */
-    bool grouped;                                      /* filters light once for each group of faces */
-    double at[3], radius, normal[3], axes[2][3], unit; /* a box: its corners are `at` and `normal` */
-    const struct tia_mesh *faces;                      /* of a mesh */
+    bool layered;                                      /* the object has an opacity */
+    bool grouped;                                      /* the object filters light once for each group of faces */
+    double at[3], radius, normal[3], axes[2][3], unit; /* a box has its corners in `at` and `normal` */
+    const struct tia_mesh *faces;                      /* a mesh's faces */
     double transmission[3];
     const struct sure_tree *mesh;
     const struct sure_face *face;
@@ -124,25 +125,26 @@ enum {
 
 struct sure_material {
     double column[SURE_COLUMNS];
-    uint32_t groups; /* bit i: columns 3 i and on are not all 0, or do not matter */
+    uint32_t groups; /* bit i is clear if columns 3 i, 3 i + 1 and 3 i + 2 are all 0 and may be left out */
     bool known, is_specular, refracts, fresnel;
-    const struct tia_texture *texture; /* of the colour, or NULL */
+    const struct tia_texture *texture; /* texture of the colour, or NULL */
     double cells[2][3], repeat[2], offset[2];
 };
 
 #define SURE_PLACES 64 /* largest number of samples of a light whose places are stored, */
-#define SURE_AREAS 16  /* and of such lights */
+#define SURE_AREAS 16  /* largest number of such lights */
 
 struct sure_light {
     const struct ray_light *from;
     double at[3], emission[3], radius;
-    double axes[2][3]; /* of a disc; a rectangle's sides */
+    double axes[2][3]; /* axes of a disc; sides of a rectangle */
     double normal[3], across[2][3], reach[2];
     double brightest;
     double inner, outer;                      /* cosines of a spot light */
-    double constant, linear, quadratic, unit; /* of a light with attenuation */
+    double constant, linear, quadratic, unit; /* attenuation of a light that has it */
     bool seen;
-    double (*place)[2][SURE_PLACES]; /* of samples along the axes, for each class of pixel; NULL: they are too many */
+    double (*place)[2][SURE_PLACES]; /* places of samples along the axes, for each class of pixel; NULL: there are too
+                                        many */
 };
 
 struct sure_camera {
@@ -158,35 +160,36 @@ struct sure_scene {
     const struct sure_object *object;
     struct sure_material *materials;
     struct sure_light *lights;
-    double (*places)[16][2][SURE_PLACES]; /* of the first SURE_AREAS lights */
+    double (*places)[16][2][SURE_PLACES]; /* places of the first SURE_AREAS lights */
     const uint32_t *unbounded;
     uint32_t unbounded_count, light_count, depth;
-    bool fixed_only; /* a light is of a kind without TIA_LIGHT_SIMD: all of the scene is left to the fixed-point path */
-    bool occluded;   /* objects occlude an ambient light: all of the scene is left to the fixed-point path */
-    double brightest[TIA_DEPTH_MAX + 1]; /* largest colour of a ray after so many bounces */
-    double generations;       /* largest number of rays, each with no more light than the one before; 0: no limit */
-    double centre[3], extent; /* of everything with bounds: around centre, the sum of the half axes */
+    bool fixed_only; /* a light's kind lacks TIA_LIGHT_SIMD: the fixed-point path draws the whole scene */
+    bool occluded;   /* objects occlude an ambient light: the fixed-point path draws the whole scene */
+    double brightest[TIA_DEPTH_MAX + 1]; /* largest colour of a ray, by its number of bounces */
+    double generations;       /* largest number of rays, each with no more light than the one before; 0: unlimited */
+    double centre[3], extent; /* box of all bounded objects and lights: its centre, and the sum of its half axes */
     double background[3], bias;
-    const struct sure_paths *paths; /* NULL unless its samples are drawn */
+    const struct sure_paths *paths; /* NULL unless the view has samples */
     struct sure_camera camera;
 };
 
-#define SURE_SIDE 16 /* pixels of a block of one sample each, either way */
+#define SURE_SIDE 16 /* width and height of a block, in pixels of one sample each */
 #define SURE_SLOTS (SURE_SIDE * SURE_SIDE)
-#define SURE_ENDS (SURE_SLOTS + 8) /* whole packets may reach beyond the last one */
+#define SURE_ENDS (SURE_SLOTS + 8) /* number of elements, since whole packets may extend beyond the last slot */
 
 /* The work of a packet in items of cancel.h, besides its hits: so that 32 packets with few hits come between two calls
  * of `stop`. */
 #define SURE_PACKET (CANCEL_INTERVAL / 32)
 
-/* Some pixels from (x, y) on; slot i is sample i % n of pixel i / n, those of a row one after the other. */
+/* A block of pixels from (x, y) on; slot i is sample i % n of pixel i / n, where the pixels of a row are
+ * consecutive. */
 struct sure_block {
     const struct sure_scene *scene;
     struct cancel cancel;
     int x, y, width, height, samples;
     double colour[3][SURE_ENDS], error[SURE_ENDS];
     bool unsure[SURE_SLOTS];
-    double threshold[SURE_SIDE][16]; /* of each row's pixels by x mod 8, twice */
+    double threshold[SURE_SIDE][16]; /* thresholds of each row's pixels by x mod 8, stored twice */
     tia_rgb565 pixels[SURE_ENDS];    /* pixels of undecided samples are not set */
     bool open[SURE_ENDS];
 };
@@ -198,14 +201,15 @@ struct sure_kernels {
     void (*set_pixels)(struct sure_block *block);
     void (*occlude)(struct sure_gather *gather, void *memory);
     void (*walk)(struct sure_gather *gather, void *memory);
-    size_t block_memory, gather_memory; /* bytes for the first, and for the last two; aligned to 64 */
+    size_t block_memory, gather_memory; /* block_memory: bytes for the first kernel; gather_memory: for the last two;
+                                           both aligned to 64 */
 };
 
 #define P2M(n) (1.0 / (double)(UINT64_C(1) << (n))) /* 2^-n, n < 64 */
-#define SURE_UNIT P2M(45)                           /* of fixed-point coordinates */
-#define SURE_EPS P2M(53)                            /* half a unit of a double of 1 */
+#define SURE_UNIT P2M(45)                           /* unit of fixed-point coordinates */
+#define SURE_EPS P2M(53)                            /* half a unit in the last place of 1.0 */
 
-/* Units of Q16.16 and the like, and of 32 random bits: products with them are exact. */
+/* Units of Q16.16 and similar formats, and of 32 random bits: products with them are exact. */
 #define SURE_Q16 P2M(16)
 #define SURE_Q30 P2M(30)
 #define SURE_Q32 P2M(32)
@@ -255,8 +259,8 @@ static inline double sure_most3(const double c[3])
     return most > c[2] ? most : c[2];
 }
 
-/* Returns a face's edges. Corners are whole units of 2^-16 and a centre halves of them, so that only the products of A
- * x B are rounded. */
+/* Returns a face's edges. Corners are integers in units of 2^-16 and a centre halves of them, so that only the products
+ * of A x B are rounded. */
 static inline struct sure_edges sure_edges_of(const struct sure_face *f, const double centre[3])
 {
     struct sure_edges e;
@@ -274,14 +278,13 @@ static inline struct sure_edges sure_edges_of(const struct sure_face *f, const d
     return e;
 }
 
-/* Returns the bytes for a scene; then the functions that fill them with the scene, and with its lights whenever they
- * change. */
+/* Return the bytes for a scene; fill them with the scene; set its lights, whenever they change. */
 size_t tia_sure_size(const struct tia_scene *scene, uint32_t light_capacity);
 struct sure_scene *tia_sure_scene(const struct tia_view *view);
 void tia_sure_prepare(struct tia_view *view);
 void tia_sure_set_lights(struct tia_view *view);
 
-/* Arrays of the objects' own data, one for each shape. */
+/* Arrays for the objects' data, with an element for each shape. */
 struct sure_places {
     struct sure_object *objects;
     struct sure_round *rounds;
@@ -290,13 +293,13 @@ struct sure_places {
     struct sure_instance *instances;
 };
 
-/* Number of nodes of a hierarchy of so many items; then the function that makes them, with leaves of at most `few`
+/* Number of nodes of a hierarchy of `count` items. tia_sure_set_nodes makes them, with leaves of at most `few`
  * items. */
 #define SURE_NODES(count) (((count) + 1) / 2)
 uint32_t tia_sure_set_nodes(struct sure_node *to, const struct tia_bvh_tree *from, uint32_t few);
 
 /* Largest number of pairs of a mesh: of its nodes one more than half are leaves, and each leaves half a pair empty at
- * most. Then the function that makes them, with pairs as items of leaves; it returns their number. */
+ * most. The function below makes them, with pairs as items of leaves, and returns their number. */
 #define SURE_PAIRS(items, nodes) (((items) + ((nodes) + 1) / 2) / 2)
 uint32_t tia_sure_set_pairs(struct sure_pair *to, struct sure_node *nodes, const struct sure_tree *tree);
 

@@ -1,4 +1,4 @@
-/* surface_tmpl.h - the points that rays meet: normals, materials, textures.
+/* surface_tmpl.h - the points where rays hit surfaces: normals, materials, textures.
  *
  * Parameters: the doubles of isa/isa.h. Defines: find_surfaces(), turn(), mirrored_at(), off_surface(), leaving(),
  * struct shade. */
@@ -17,14 +17,14 @@ struct shade {
     vm unsure;
     vm exact; /* the normal's coordinates have the sign of the fixed-point ones, or are 0 where those are */
     const struct sure_object *object[LANES]; /* NULL in other lanes */
-    vd id, part;                             /* index and element, as the query has them */
+    vd id, part;                             /* index and element of the query */
     uint32_t index[LANES], element[LANES], material[LANES];
-    const double *instance[LANES]; /* struct sure_instance */
+    const double *instance[LANES]; /* fields of struct sure_instance */
 };
 
 #define INSTANCE_AT(field) (int)(offsetof(struct sure_instance, field) / sizeof(double))
 
-/* Returns the place of a material's column i. */
+/* Returns the address of a material's column i. */
 LANE_OP vd *shade_column(struct shade *h, int i)
 {
     vd *const group[] = {h->colour, h->specular, h->mirror, h->refraction, h->emission, h->flat};
@@ -32,7 +32,7 @@ LANE_OP vd *shade_column(struct shade *h, int i)
     return i < SURE_EXPONENT ? &group[i / 3][i % 3] : &h->exponent;
 }
 
-/* Returns the material: cells of a grid have their own. */
+/* Returns the material of an object's element: cells of a grid have their own. */
 LANE_OP uint32_t material_at(const struct sure_object *o, uint32_t element)
 {
     return o->material + (o->kind == SURE_GRID ? o->grid->from->cells[element / 6] - 1u : 0);
@@ -123,7 +123,7 @@ static void find_textures(const struct sure_scene *s, unsigned textured, struct 
         add_texture(s, h, __builtin_ctz(textured));
 }
 
-/* Computes the points in the axes of their objects: only those of instances differ. */
+/* Computes the points in the axes of their objects; only those of instances differ from the world's. */
 static unsigned find_local(struct shade *h)
 {
     static const struct sure_instance none = {
@@ -153,7 +153,7 @@ static unsigned find_local(struct shade *h)
     return placed;
 }
 
-/* Returns a normal back in the world: n_i / s_i along the axes, normalised. */
+/* Returns a normal in the world: n_i / s_i along the axes, normalised. */
 static struct v3 world_normal(const struct shade *h, struct v3 n, vd e, vd *ew)
 {
     const double *const *p = h->instance;
@@ -202,7 +202,7 @@ static void round_normals(struct shade *h, unsigned lanes)
 
 #define ROUND_AT(field) (int)(offsetof(struct sure_round, field) / sizeof(double))
 
-/* Sets normals of sides of cylinders and cones: the direction from the axis, turned by the slope. Its parts are at
+/* Sets normals of the sides of cylinders and cones: the direction from the axis, turned by the slope. Its parts are at
  * right angles and of lengths cosine and sine, so the sum is of length 1 within the roundings. Where a ray has the part
  * f across the axis, a cylinder's point moves across by f ep at most, see cylinder_tmpl.h: the fixed-point f' is below
  * f + ed. That bound has 4 u t to spare; the other roundings of doubles are 2 u of the point and 4 u of its way from
@@ -238,7 +238,7 @@ static void side_normals(struct shade *h, unsigned lanes)
     h->eg = vsel(mof(side), e + BOUND(SIDE_ROUNDING), h->eg);
 }
 
-/* Sets smooth normals: those of the corners, by the areas opposite to them as seen along the face's main axis. */
+/* Sets smooth normals: those of the corners by their opposite areas, in the projection along the face's main axis. */
 static void smooth_normals(struct shade *h, const struct sure_face *const face[LANES], unsigned smooth)
 {
     static const struct sure_face none;
@@ -282,7 +282,7 @@ _Static_assert(offsetof(struct sure_face, smooth) == 12 * sizeof(double) &&
                    offsetof(struct sure_face, bend) == 22 * sizeof(double),
                "columns of a face");
 
-/* Returns a normal that is the same all over: of planes, caps, boxes and faces. *turned: to be negated. */
+/* Returns the normal of an element that has only one: of planes, caps, boxes and faces. *turned: negate it. */
 static const double *flat_normal(const struct shade *h, int k, const struct sure_face **face, bool *turned)
 {
     static const double axes[6][3] = {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}};
@@ -357,7 +357,7 @@ LANE_OP struct v3 mirrored_at(const struct shade *h, vd *ed)
                    BOUND_OF(MIRRORED, 2 * h->across * h->en + h->ev) + BOUND(MIRRORED_ROUNDING), ed);
 }
 
-/* Returns the starts of rays: P + b G, or P - b G. */
+/* Returns the start of rays off the surface: P + b G, or P - b G. */
 LANE_OP struct v3 off_surface(const struct sure_scene *s, const struct shade *h, double bias, vd *eo)
 {
     struct v3 o = v3_along(h->point, h->geometric, vset(bias));
@@ -376,7 +376,7 @@ LANE_OP struct origin leaving(const struct shade *h, struct v3 d, vd ed, double 
     return (struct origin){vsel(away, h->id, vset(-1)), h->part, vsel(inside, vset(1), vset(0))};
 }
 
-/* Fills the points that the rays of these lanes meet. */
+/* Computes the points that the rays of these lanes hit. */
 static void find_surfaces(const struct sure_scene *s, const struct packet *p, const struct query *q, unsigned lanes,
                           struct shade *h)
 {

@@ -78,8 +78,7 @@ static void grid_coordinates(const struct texture_point *p, struct coordinates *
     box_coordinates(p, min, size, p->element % 6, c);
 }
 
-/* Sets barycentric coordinates, as smooth_normals() has them, where they are within 3 ew as well; then the mesh's
- * own. */
+/* Sets barycentric coordinates, as smooth_normals() does, where they are within 3 ew as well; then the mesh's own. */
 static bool face_coordinates(const struct texture_point *p, struct coordinates *c)
 {
     const struct sure_object *o = p->object;
@@ -181,7 +180,8 @@ static bool round_coordinates(const struct texture_point *p, struct coordinates 
     return true;
 }
 
-/* Sets coordinates; false where they are undecided: at poles, along seams, and in faces that are too small. */
+/* Sets the surface coordinates; false where they are undecided: at poles, along seams, and in faces that are too
+ * small. */
 static bool coordinates_of(const struct texture_point *p, struct coordinates *c)
 {
     const struct sure_object *o = p->object;
@@ -212,7 +212,7 @@ static bool coordinates_of(const struct texture_point *p, struct coordinates *c)
     }
 }
 
-/* Finds the whole number below x within e, of which 2^30 is the largest; false: there are two. */
+/* Finds the largest integer not above x, which is within e and at most 2^30; false: it may be either of two. */
 static bool floor_of(double x, double e, int64_t *n)
 {
     double low = __builtin_floor(x - e), high = __builtin_floor(x + e);
@@ -230,7 +230,8 @@ static const uint8_t *texel_at(const struct tia_texture *t, int64_t x, int64_t y
     return t->texels + 3 * ((size_t)(t->height - 1 - y) * t->width + (size_t)x);
 }
 
-/* Interpolates bilinearly: continuous all over, and no steeper than from 0 to 1 within a texel. */
+/* Interpolates texels bilinearly: the result is continuous everywhere, and its slope is at most from 0 to 1 within a
+ * texel. */
 static void blend_texels(const struct tia_texture *t, const double place[2], double rgb[3])
 {
     double x = __builtin_floor(place[0]), y = __builtin_floor(place[1]), right = place[0] - x, up = place[1] - y;

@@ -84,7 +84,7 @@ static void shade(struct work *w, struct rays *r, const struct query *q, unsigne
 
 static void shade_hits(struct work *w, struct rays *r)
 {
-    unsigned lanes = pop_hits(w, r, &w->query); /* the columns that a surface needs */
+    unsigned lanes = pop_hits(w, r, &w->query); /* only the columns that a surface needs */
 
     if (lanes)
         shade(w, r, &w->query, lanes);
@@ -110,8 +110,8 @@ static void follow(struct work *w, struct rays *r, unsigned lanes)
         shade_hits(w, r);
 }
 
-/* Sets rays through the places x, y of the image, both in 0..1. Each product with an axis is rounded by half a unit,
- * the window and the depth by as much. */
+/* Sets rays through the positions x, y of the image, both in 0..1. Each product with an axis is rounded by half a unit,
+ * and so are the window and the depth. */
 static void camera_rays(const struct sure_camera *c, vd x, vd y, struct packet *p)
 {
     vd h = vset(c->left) + vset(c->across) * x, v = vset(c->top) - vset(c->upward) * y;
@@ -146,7 +146,7 @@ LANE_OP int place_in_packets(const struct sure_block *b, int x, int y)
     return (y / 2 * (b->width / across) + x / across) * LANES + y % 2 * across + x % across;
 }
 
-/* Places the samples of a pixel, see ray_camera_ray(). */
+/* Sets the positions of a pixel's samples, see ray_camera_ray(). */
 LANE_OP void place_samples(struct work *w, int slot, int x, int y)
 {
     const int n = w->block->scene->camera.side;
@@ -158,7 +158,7 @@ LANE_OP void place_samples(struct work *w, int slot, int x, int y)
         }
 }
 
-/* Places all samples, and sets their order in packets and the classes of their pixels. */
+/* Sets the positions of all samples, their order in packets and the classes of their pixels. */
 static void place_pixels(struct work *w, const struct sure_block *b)
 {
     for (int y = 0, i = 0; y < b->height; y++)

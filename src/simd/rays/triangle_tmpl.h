@@ -21,7 +21,7 @@
 
 #include "flat_tmpl.h"
 
-/* The sides of a face's edges on which lines pass. */
+/* The sides of a face's edges: the side on which each line passes. */
 struct sides {
     vm inside, outside;
 };
@@ -50,16 +50,16 @@ LANE_OP struct sides face_sides(const struct packet *p, const struct line *l, co
     return (struct sides){mor(vlt(e, least), vlt(most, -e)), mor(none, mand(vlt(least, -e), vlt(e, most)))};
 }
 
-/* Returns the lanes whose rays go back to the face they started on. */
+/* Returns the lanes whose rays return to the face on which they started. */
 LANE_OP vm returns_to(const struct query *q, vd element)
 {
     return mand(mand(from_object(q), from_element(q, element)), vlt(q->p->from.side, vset(0)));
 }
 
-/* Reports their hits. They come from a height b that does not depend on the place on the face, so that t is b/|D.N|,
- * and eo is no part of its bound. Error of the fixed-point height: corners were aside by 2^-46 + 2^-59 z, in two
- * coordinates, z below 2^17, which is 2^-41.4 of the plane; t by some units, eight with the point's roundings, 2^-42;
- * and b G by one: less than 2^-40. */
+/* Reports the hits of rays that return to their face. They start at a height b that does not depend on the place on the
+ * face, so that t is b/|D.N|, and eo is no part of its bound. Error of the fixed-point height: corners were aside by
+ * 2^-46 + 2^-59 z, in two coordinates, z below 2^17, which is 2^-41.4 of the plane; t by some units, eight with the
+ * point's roundings, 2^-42; and b G by one: less than 2^-40. */
 LANE_OP void return_to_face(const struct query *q, struct v3 n, vd round, vd more, struct flat *f, vd *ep, vm back)
 {
     vd size = vsel(f->steep, vabs(v3_dot(q->p->d, n)), vset(1)),

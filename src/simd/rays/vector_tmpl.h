@@ -29,7 +29,8 @@ LANE_OP vd as_doubles(vi i)
     return a;
 }
 
-/* Returns the whole number below: |x| < 2^51, to nearest by adding 1.5 2^52, less 1 if that is above. */
+/* Returns the largest integer not above x, |x| < 2^51: x is rounded to nearest by adding 1.5 2^52, less 1 if that is
+ * above x. */
 LANE_OP vd vfloor(vd x)
 {
     vd nearest = (x + vset(6755399441055744.0)) - vset(6755399441055744.0);
@@ -108,7 +109,7 @@ LANE_OP struct v3 v3_cross(struct v3 a, struct v3 b)
     return (struct v3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/* Returns |x| + |y| + |z|, which is at least the length: the measure of roundings. */
+/* Returns |x| + |y| + |z|, which is at least the length and measures roundings. */
 LANE_OP vd v3_sum(struct v3 a)
 {
     return vabs(a.x) + vabs(a.y) + vabs(a.z);
@@ -139,8 +140,8 @@ LANE_OP struct v3 v3_unit(struct v3 v, vd e, vd *ed)
     return v3_scale(v, inverse);
 }
 
-/* Gives of(0), of(1), ... one for each lane. Made of these, a vector goes through registers; stored one by one and
- * loaded as a whole, it would have to wait for all the stores. */
+/* Gives a vector of of(0), of(1), ..., one for each lane. A vector made of these goes through registers; stored one by
+ * one and loaded as a whole, it would have to wait for all the stores. */
 #if LANES == 1
 #define EACH_LANE(of) of(0)
 #elif LANES == 2

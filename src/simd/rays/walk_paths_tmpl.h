@@ -33,7 +33,7 @@ static unsigned survivors(struct path_state *f, unsigned lanes, struct paths *p)
     return lanes;
 }
 
-/* Gives the numbers of directions: those of the first quad at the first bounce, which may come after layers. */
+/* Gives the random numbers of directions: those of the first quad at the first bounce, which may come after layers. */
 LANE_OP void direction_numbers(const struct path_state *f, const struct paths *p, vu u[2])
 {
     uint32_t quad[LANES];
@@ -111,7 +111,7 @@ static __attribute__((noinline)) void reflect_paths(struct path_state *f, unsign
     go_on(f, lanes, p, &next, NULL);
 }
 
-/* Chooses one lobe of its surface for each path. */
+/* Chooses one lobe of the surface for each path. */
 static void bounce_paths(struct path_state *f, unsigned lanes, const struct paths *p, const struct shade *h,
                          struct lobes *l)
 {
@@ -146,7 +146,7 @@ static void bounce_paths(struct path_state *f, unsigned lanes, const struct path
         enter_glass(f, glass, p, h, l, path_choice(f, p, 3));
 }
 
-/* Returns the lanes whose paths go on; those with undecided lobes are dropped. */
+/* Returns the lanes whose paths continue; those with undecided lobes are dropped. */
 static unsigned going_on(struct path_state *f, unsigned lanes, const struct paths *p, const struct lobes *l)
 {
     unsigned black = 0, unknown = 0;

@@ -21,7 +21,7 @@
 #include "sphere_tmpl.h"
 #include "triangle_tmpl.h"
 
-/* Shadow rays, and their transmission as far as it is decided. */
+/* Shadow rays, and the part of their transmission that is decided. */
 struct shadow {
     struct packet p;
     vd distance, edistance;
@@ -30,19 +30,19 @@ struct shadow {
     uint32_t work;
 };
 
-/* Memory of walks, for which a thread's stack may be too small: it lies in the call's memory. */
+/* Memory of walks, which lies in the call's memory, since a thread's stack may be too small for it. */
 struct room {
     struct pending objects[TIA_BVH_DEPTH_MAX + 1], faces[TIA_BVH_DEPTH_MAX + 1];
     struct placed placed;
-    struct query inner; /* of an instance */
-    struct query any;   /* of shadow rays */
+    struct query inner; /* query in the axes of an instance */
+    struct query any;   /* query of shadow rays */
     struct lines lines;
     struct grid_walk grid;
     struct group_list groups;
 };
 
-/* Meets one of a pair's faces; `maybe` and `inside`: bit 2 k is lane k, those that may meet it and those certainly
- * inside. */
+/* Intersects one of a pair's faces. Bit 2 k is lane k, in `maybe` if it may hit the face, in `inside` if it certainly
+ * does so inside the edges. */
 LANE_OP void meet_one_of(const struct sure_tree *tree, uint32_t face, unsigned maybe, unsigned inside, struct query *q)
 {
     const struct sure_face *f = &tree->faces[face];
@@ -56,8 +56,8 @@ LANE_OP void meet_one_of(const struct sure_tree *tree, uint32_t face, unsigned m
     meet_plane_of(q, f, face, sides);
 }
 
-/* Meets some of a leaf's faces: first finds those that any line may meet, without a branch for each, then intersects
- * them. */
+/* Intersects some of a leaf's faces: first finds those that any line may hit, without a branch for each, then
+ * intersects them. */
 LANE_OP void meet_some(const struct sure_tree *tree, const struct sure_pair *pairs, uint32_t count, struct query *q)
 {
     unsigned inside[SURE_LEAF / 2], maybe[SURE_LEAF / 2], met = 0, active = twice(mbits(q->active));
@@ -108,7 +108,7 @@ LANE_OP void meet_mesh(const struct sure_scene *s, const struct sure_object *o, 
     walk_faces(s, o->mesh, q);
 }
 
-/* Meets a shape; `scale`: the factor from distances along its box to those in the object's axes. */
+/* Intersects a shape; `scale`: the factor from distances along its box to those in the object's axes. */
 LANE_OP void meet_shape(const struct sure_scene *s, const struct sure_object *o, struct query *q,
                         const struct node_ref *at, vd scale)
 {
@@ -160,7 +160,7 @@ static __attribute__((noinline)) void meet_placed(const struct sure_scene *s, co
     report_placed(q, placed, inner, o->placed->most);
 }
 
-/* Filters light by an object, once for each ray; either side rounds each product. */
+/* Filters light by an object, once for each ray; both doubles and fixed-point code round each product. */
 LANE_OP void filter(struct query *q, const struct sure_object *o)
 {
     vm unclear = mand(q->may_meet, mnot(q->met));
@@ -173,11 +173,11 @@ LANE_OP void filter(struct query *q, const struct sure_object *o)
         q->through[c] = vsel(q->met, q->through[c] * vset(o->transmission[c]), q->through[c]);
 }
 
-/* Filters light by a mesh of groups that transmits some. */
+/* Filters light by a mesh of groups that transmits some of it. */
 static __attribute__((noinline)) void meet_grouped(const struct sure_scene *s, const struct sure_object *o,
                                                    struct query *q)
 {
-    struct group_list *groups = &q->room->groups; /* not set to zero as a whole: it is large */
+    struct group_list *groups = &q->room->groups; /* not cleared as a whole, since it is large */
 
     groups->full = 0;
     for (int k = 0; k < LANES; k++)
@@ -217,7 +217,7 @@ LANE_OP void meet_objects(const struct sure_scene *s, const struct sure_tree *tr
 
 WALK(walk_objects, meet_objects, objects)
 
-/* Meets an object without a box, or one that is tested before its box. */
+/* Intersects an object without a box, or one that is tested before its box. */
 LANE_OP void meet_at_once(const struct sure_scene *s, uint32_t object, struct query *q)
 {
     static const vp zero;
@@ -237,7 +237,7 @@ static __attribute__((noinline)) void meet_one(const struct sure_scene *s, uint3
     meet_at_once(s, object, q);
 }
 
-/* Light n is encoded as object LIGHT_ID + n. */
+/* Light n has the number LIGHT_ID + n among objects. */
 #define LIGHT_ID 4294967296.0
 
 LANE_OP void meet_light(const struct sure_light *l, struct query *q)
@@ -258,7 +258,8 @@ static __attribute__((noinline)) void meet_lights(const struct sure_scene *s, st
     }
 }
 
-/* Finds the nearest object, before lights are tested. Returns the lanes that are too far off, for end_nearest(). */
+/* Finds the nearest object, before lights are tested. Returns the lanes of rays that are too far off, for
+ * end_nearest(). */
 LANE_OP vm begin_nearest(const struct sure_scene *s, struct room *room, struct query *q, struct packet *p, vm active)
 {
     vm fine = packet_start(s->centre, s->extent, p, active);
@@ -277,7 +278,7 @@ LANE_OP vm begin_nearest(const struct sure_scene *s, struct room *room, struct q
     return mand(active, mnot(fine));
 }
 
-/* Makes those lanes undecided: they may have met anything. */
+/* Makes those lanes undecided: they may hit any object. */
 LANE_OP void end_nearest(struct query *q, vm wild)
 {
     q->low = vsel(wild, vset(-1), q->low);
@@ -298,7 +299,7 @@ static void find_shadow(const struct sure_scene *s, struct room *room, struct sh
                         uint32_t *blocker)
 {
     vm fine = packet_start(s->centre, s->extent, &shadow->p, active);
-    struct query *q = &room->any; /* set field by field: fields of the nearest hit are unused, and it is large */
+    struct query *q = &room->any; /* set field by field, since it is large, and fields of the nearest hit are unused */
 
     check_shadow(mbits(active));
     q->p = &shadow->p;

@@ -29,7 +29,7 @@ static void random_camera(uint64_t *state, struct tia_camera *camera)
     camera->fov = dice_between(state, TIA_Q16(10), TIA_Q16(90));
 }
 
-/* Returns roughly the farthest distance from the axis at which an object at `distance` is in view: tan(fov/2) is about
+/* Returns roughly the largest distance from the axis at which an object at `distance` is in view: tan(fov/2) is about
  * fov/115 up to 60 degrees, and larger beyond. */
 static tia_q16 sight(const struct tia_camera *camera, tia_q16 distance)
 {

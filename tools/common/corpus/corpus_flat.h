@@ -9,7 +9,7 @@
  * lights have at most 9 samples. tia_scene_check accepts it with every technique. */
 void corpus_random_flat(struct corpus_rays *out, uint64_t seed, unsigned index);
 
-/* Makes the same scene with its curved shapes, which are left to rays or tessellated. */
+/* Makes the scene of corpus_random_flat with its curved shapes, which are drawn by rays or tessellated. */
 void corpus_random_opaque(struct corpus_rays *out, uint64_t seed, unsigned index);
 
 #endif

@@ -16,7 +16,7 @@ static const struct tia_vec3 ball_vertices[BALL_VERTICES] = {
     TIA_VEC3(EDGE, 0, -EDGE), TIA_VEC3(-EDGE, 0, -EDGE), TIA_VEC3(0, EDGE, EDGE), TIA_VEC3(0, -EDGE, EDGE),
     TIA_VEC3(0, EDGE, -EDGE), TIA_VEC3(0, -EDGE, -EDGE)};
 
-/* The same, as directions that are not normalised. */
+/* Directions to the same points, which are not normalised. */
 #define DIR3(x, y, z)                                                                                                  \
     {                                                                                                                  \
         TIA_Q30(x), TIA_Q30(y), TIA_Q30(z)                                                                             \
@@ -217,7 +217,7 @@ void parts_random_meshes(uint64_t *state, struct corpus_rays *out)
                                        BALL_FACES,    NULL};
     out->meshes[1] =
         (struct tia_mesh){out->heights, out->slopes, out->places, out->land, points, points, points, faces, NULL};
-    if (dice_one_in(state, 3)) /* flat */
+    if (dice_one_in(state, 3)) /* a flat box */
         for (uint32_t i = 0; i < faces * 3; i++)
             out->land[i / 3].corner[i % 3].normal = TIA_NO_INDEX;
 }
@@ -239,7 +239,7 @@ void parts_random_grid(uint64_t *state, struct corpus_rays *out)
     out->cells[0] = 1;
 }
 
-/* Makes glass of an index that others may have too. */
+/* Makes glass with an index that other materials may have too. */
 static void random_medium(uint64_t *state, struct tia_material *m)
 {
     static const tia_q16 indices[] = {TIA_Q16(1), TIA_Q16(1), TIA_Q16(1.33), TIA_Q16(1.5), TIA_Q16(1.5), TIA_Q16(1.5)};
@@ -272,7 +272,7 @@ static void random_vessel(uint64_t *state, struct corpus_rays *out, struct tia_s
                                                 parts_moved(centre, (struct tia_vec3){0, size, 0}, 1), size, true};
     } else if (shape->kind == TIA_DISC) {
         shape->disc = (struct tia_disc){centre, parts_random_direction(state), size};
-    } else { /* the ball, or the grid, whose other cells have the next materials */
+    } else { /* the ball, or the grid, whose other cells have the materials that follow */
         *t = (struct tia_transform){centre, {0, dice_between(state, 0, TIA_Q16(90)), 0}, {size, size, size}};
         shape->transform = ++out->scene.transform_count;
     }

@@ -5,11 +5,11 @@
 #include <tia/scene.h>
 
 #define CORPUS_RAYS_OBJECTS 12
-#define CORPUS_RAYS_NESTED 10 /* more objects, of nested glass */
+#define CORPUS_RAYS_NESTED 10 /* number of further objects, of nested glass */
 #define CORPUS_RAYS_LIGHTS 4
-#define CORPUS_RAYS_CELLS 6 /* cells of a grid along an axis */
-#define CORPUS_RAYS_LAND 5  /* cells of the height field along an axis */
-#define CORPUS_RAYS_LAND_POINTS ((CORPUS_RAYS_LAND + 1) * (CORPUS_RAYS_LAND + 1)) /* its vertices */
+#define CORPUS_RAYS_CELLS 6 /* number of cells of a grid along an axis */
+#define CORPUS_RAYS_LAND 5  /* number of cells of the height field along an axis */
+#define CORPUS_RAYS_LAND_POINTS ((CORPUS_RAYS_LAND + 1) * (CORPUS_RAYS_LAND + 1)) /* number of its vertices */
 #define CORPUS_RAYS_TEXELS 8                                                      /* texels of an image along an axis */
 
 /* A scene and the arrays that it points to; do not copy it. */
@@ -28,7 +28,7 @@ struct corpus_rays {
     struct tia_dir3 slopes[CORPUS_RAYS_LAND_POINTS];
     struct tia_uv places[CORPUS_RAYS_LAND_POINTS];
     struct tia_face land[2 * CORPUS_RAYS_LAND * CORPUS_RAYS_LAND];
-    uint32_t groups[2 * CORPUS_RAYS_LAND * CORPUS_RAYS_LAND]; /* of the faces */
+    uint32_t groups[2 * CORPUS_RAYS_LAND * CORPUS_RAYS_LAND]; /* groups of the faces */
     uint8_t cells[CORPUS_RAYS_CELLS * CORPUS_RAYS_CELLS * CORPUS_RAYS_CELLS];
     uint8_t texels[CORPUS_RAYS_TEXELS * CORPUS_RAYS_TEXELS * 3];
     uint8_t opacities[CORPUS_RAYS_TEXELS * CORPUS_RAYS_TEXELS];
@@ -42,7 +42,7 @@ struct tia_dir3 parts_random_direction(uint64_t *state);
 
 void parts_random_material(uint64_t *state, struct tia_material *material);
 void parts_random_light(uint64_t *state, struct tia_light *light);
-/* Gives every other material an opacity. */
+/* Gives every second material an opacity. */
 void parts_random_opacities(uint64_t *state, struct corpus_rays *out);
 
 void parts_random_textures(uint64_t *state, struct corpus_rays *out);

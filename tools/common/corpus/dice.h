@@ -4,7 +4,7 @@
 
 #include <tia/vec.h>
 
-/* SplitMix64 (Steele, Lea and Flood 2014): integers only. */
+/* Returns a random number by SplitMix64 (Steele, Lea and Flood 2014), with integers only. */
 static inline uint64_t dice_next(uint64_t *state)
 {
     uint64_t z = *state += UINT64_C(0x9E3779B97F4A7C15);

@@ -5,7 +5,7 @@
 #include <string.h>
 #include <tia/debug.h>
 
-#define BAND_ROWS 16u /* rows per job: a band of the widest image takes some 5 MB */
+#define BAND_ROWS 16u /* rows of a job: a band of the widest image takes some 5 MB */
 
 /* A band drawn by one arithmetic. */
 struct layer {
@@ -13,7 +13,7 @@ struct layer {
     uint32_t *path_hash, *object;
 };
 
-/* The views of the cores, then that of the reference. */
+/* The views of the cores, and then of the reference. */
 struct frame {
     const struct measure *what;
     const struct tia_core *cores[MEASURE_CORES + 1];

@@ -14,10 +14,10 @@ struct tally {
     uint64_t pixels, identical;
     uint64_t one;     /* the worst channel differs by one level */
     uint64_t more;    /* ... by more than one level */
-    uint64_t flips;   /* flips: another object is hit or other lights arrive, whatever the colour */
-    uint64_t stray;   /* differs by more than one level on the same path */
+    uint64_t flips;   /* flips: a different object is hit or different lights arrive, whatever the colour */
+    uint64_t stray;   /* pixels that differ by more than one level on the same path */
     uint64_t largest; /* largest difference of a channel, in levels */
-    uint64_t astray;  /* the same, without flips */
+    uint64_t astray;  /* largest difference of a channel without flips, in levels */
     uint64_t squares; /* sum of the squared differences of all channels, full intensity being 31 x 63 */
 };
 
@@ -51,7 +51,7 @@ struct measure {
     void *arg;
 };
 
-/* Fills in a tally for each core. A negative tia_status if the scene is invalid or memory runs out. */
+/* Fills a tally for each core. Returns a negative tia_status if the scene is invalid or memory runs out. */
 int measure(const struct measure *what, struct tally *tallies);
 
 #endif

@@ -14,8 +14,8 @@ struct image_codec {
     bool bottom_up;
     int (*begin)(struct image *image);
     int (*row)(struct image *image, const tia_rgb565 *pixels);
-    int (*bytes)(struct image *image, const unsigned char *row); /* NULL: RGB565 alone; see image_rows */
-    void (*hurry)(struct image *image);                          /* NULL: it does not compress; see image_hurry */
+    int (*bytes)(struct image *image, const unsigned char *row); /* NULL: only RGB565; see image_rows */
+    void (*hurry)(struct image *image);                          /* NULL: no compression; see image_hurry */
     int (*end)(struct image *image);
     void (*free)(struct image *image); /* called after begin in any case */
 };
@@ -23,12 +23,12 @@ struct image_codec {
 struct image {
     const struct image_codec *codec;
     struct image_film film;
-    unsigned width, height; /* of the file's part of each frame */
-    uint64_t rows;          /* written so far, of all frames */
+    unsigned width, height; /* size of the file's part of each frame */
+    uint64_t rows;          /* rows of all frames written so far */
     uint32_t sum;           /* checksum of the frame so far, in formats that have one */
     int status;             /* the first error */
     unsigned char *line;    /* one row: 3 bytes per pixel, and padding */
-    void *state;            /* for the codec */
+    void *state;            /* the codec's own data */
     struct sink sink;
 };
 

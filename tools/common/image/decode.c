@@ -76,7 +76,7 @@ static int decode_ppm(struct image_texels *texels, const unsigned char *bytes, s
     unsigned width = read_number(&ppm), height = read_number(&ppm), full = read_number(&ppm);
     if (width > 65535 || height > 65535 || full == 0 || full > 65535)
         return refuse(why, "a damaged PPM file");
-    ppm.at += !plain && ppm.at < ppm.end; /* the single blank before binary values */
+    ppm.at += !plain && ppm.at < ppm.end; /* skips the single blank before binary values */
     int status = image_room(texels, width, height, side, most, why);
     return !status ? take_values(&ppm, plain, full, texels, why) : status;
 }

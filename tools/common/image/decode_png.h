@@ -5,7 +5,7 @@
 #include "texels.h"
 
 #ifdef TIA_HAVE_PNG
-/* As image_decode. */
+/* Decodes a PNG file as image_decode does. */
 int image_decode_png(struct image_texels *texels, const void *bytes, size_t length, unsigned side, size_t most,
                      const char **why);
 #endif

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A damaged JPEG may use tables that it does not define: they are zeros, not whatever was in memory before. */
+/* Allocates zeros: a damaged JPEG may use tables that it does not define, and these must not contain old memory. */
 #define STBI_MALLOC(size) calloc(1, size)
 #define STBI_REALLOC(memory, size) realloc(memory, size)
 #define STBI_FREE(memory) free(memory)
@@ -31,8 +31,9 @@ static int refuse(const char **why, const char *what)
     return TIA_ERR_RANGE;
 }
 
-/* stb_image reads zeros beyond the end of a file, without an error. To detect that, the file is followed by SPARE
- * zeros, and afterwards the position shows whether some were read. Only internal functions give the position. */
+/* Zeros behind a file. stb_image reads zeros beyond the end of a file, without an error. To detect that, the file is
+ * followed by SPARE zeros, and afterwards the position shows whether some were read. Only internal functions give the
+ * position. */
 #define SPARE 16
 
 static unsigned char *load_padded(const struct image_texels *texels, int channels, const unsigned char *padded,
@@ -50,8 +51,8 @@ static unsigned char *load_padded(const struct image_texels *texels, int channel
     return all;
 }
 
-/* Loads a picture with `channels` bytes for each texel; free() them. NULL: the picture is damaged, or its size is not
- * that of its header. */
+/* Loads a picture with `channels` bytes for each texel, to be freed by free(). NULL: the picture is damaged, or its
+ * size is not that of its header. */
 static unsigned char *load(const struct image_texels *texels, int channels, const unsigned char *bytes, size_t length)
 {
     unsigned char *padded = calloc(1, length + SPARE);
@@ -88,9 +89,9 @@ static bool are_tables(const unsigned char *at, const unsigned char *end, int64_
     return true;
 }
 
-/* stb_image 2.27 writes beyond its array for a Huffman table with more than 256 codes, which no valid JPEG has.
- * Searches for one wherever a segment with tables might begin, since stb_image may find segments where others do not.
- */
+/* True if stb_image can read the file safely: version 2.27 writes beyond its array for a Huffman table with more than
+ * 256 codes, which no valid JPEG has. Searches for one wherever a segment with tables might begin, since stb_image may
+ * find segments where others do not. */
 static bool is_safe(const unsigned char *bytes, size_t length)
 {
     const unsigned char *end = bytes + length;

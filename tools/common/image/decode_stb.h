@@ -5,7 +5,7 @@
 #include "texels.h"
 
 #ifdef TIA_HAVE_STB
-/* As image_decode. */
+/* Decodes a file as image_decode does. */
 int image_decode_stb(struct image_texels *texels, const unsigned char *bytes, size_t length, unsigned side, size_t most,
                      const char **why);
 #endif

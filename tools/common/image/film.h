@@ -11,14 +11,14 @@ enum image_transfer { IMAGE_UNSAID, IMAGE_LINEAR, IMAGE_SRGB };
 
 /* The frames of a film that a file contains, and the rows of each. A picture is a film of one frame. */
 struct image_film {
-    unsigned width, height;   /* of a whole frame */
+    unsigned width, height;   /* size of a whole frame */
     unsigned first_row, rows; /* rows in the file */
     uint32_t first_frame, frames;
-    uint32_t all_frames; /* of the whole film */
+    uint32_t all_frames; /* number of frames in the whole film */
     uint32_t rate[2];    /* frames per second: numerator, denominator */
     unsigned depth;      /* bits a channel: 0 for RGB565, 8, 16, or 32 for floats */
     enum image_transfer transfer;
-    uint32_t crc; /* of the scene and the options: the same for all parts of a film */
+    uint32_t crc; /* CRC of the scene and the options: the same for all parts of a film */
 };
 
 #endif

@@ -49,7 +49,8 @@ void image_hurry(struct image *image);
 /* Completes the picture and frees `image`. After a failure no file is left, and `why` has the reason. */
 int image_finish(struct image *image);
 
-/* Completes the picture but for its name, so that several can appear together. Frees `image` if it fails. */
+/* Completes the picture without giving it its name, so that several can appear together. Frees `image` if that
+ * fails. */
 int image_seal(struct image *image);
 /* Gives a sealed picture its name, and frees `image`. */
 int image_publish(struct image *image);

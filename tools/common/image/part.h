@@ -17,14 +17,15 @@
 
 #include "film.h"
 
-#define IMAGE_PART_HEADER 160 /* bytes, enough for the line and its end */
+#define IMAGE_PART_HEADER 160 /* bytes of the line and its end, at most */
 
 /* Writes the line and its end; returns the length. */
 size_t image_part_print(char text[IMAGE_PART_HEADER], const struct image_film *film);
 
 size_t image_y4m_print(char text[IMAGE_PART_HEADER], const struct image_film *film);
 
-/* Read the first line of either file from `text` and check its numbers. Return its length, 0 if it is not valid. */
+/* Read the first line of either kind of file from `text` and check its numbers. Return its length, 0 if it is not
+ * valid. */
 size_t image_part_parse(struct image_film *film, const char *text, size_t length);
 size_t image_y4m_parse(struct image_film *film, const char *text, size_t length);
 
@@ -37,7 +38,7 @@ uint32_t image_part_begin_sum(const struct image_film *film, uint32_t frame);
 void image_part_put_sum(unsigned char bytes[IMAGE_PART_SUM], uint32_t sum);
 void image_y4m_put_frame(unsigned char bytes[IMAGE_Y4M_FRAME], uint32_t sum);
 
-/* Returns Y, U and V of a pixel, 8 bits each, Y in the highest bits. */
+/* Returns a pixel's Y, U and V, 8 bits each, Y in the highest bits. */
 uint32_t image_y4m_colour(tia_rgb565 pixel);
 
 #endif

@@ -1,5 +1,5 @@
 /* png.c - PNG by libpng: RGB of 8 bits, with an sBIT chunk where 5, 6 and 5 are significant, or of 16; a chunk sRGB, or
- * gAMA of 1 for linear light, if the picture's transfer function is specified. */
+ * a chunk gAMA of 1 for linear light, if the picture's transfer function is specified. */
 #ifdef TIA_HAVE_PNG
 
 #include <png.h>
@@ -10,7 +10,8 @@
 #include "codec.h"
 #include "ports.h"
 
-/* Any call of libpng can end in png_failed, which jumps back to the setjmp in the calling function. */
+/* State of the encoder: any call of libpng can end in png_failed, which jumps back to the setjmp in the calling
+ * function. */
 struct png_state {
     png_structp png;
     png_infop info;
@@ -90,7 +91,7 @@ static int row(struct image *image, const tia_rgb565 *pixels)
     return bytes(image, image->line);
 }
 
-/* Switches to storing without compression: the rows' checksums are then the only work left. */
+/* Switches to storing without compression, so that the only work left is the rows' checksums. */
 static void hurry(struct image *image)
 {
     struct png_state *state = image->state;

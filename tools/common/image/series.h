@@ -9,11 +9,11 @@ struct series {
     const char *name; /* with a pattern for the frame's number: one picture per frame */
     enum image_format format;
     struct image_film film;
-    char *why; /* [PORT_WHY] */
+    char *why; /* receives the reason of a failure, [PORT_WHY] */
 
     /* Private, but readable. */
-    struct image *image; /* of the current frame or the film; NULL: none */
-    char *path;          /* of the current frame */
+    struct image *image; /* file of the current frame or the film; NULL: none */
+    char *path;          /* path of the current frame */
 };
 
 /* True if a file name has a pattern for the frame's number, %d or %03d. */
@@ -24,7 +24,7 @@ char *series_path(const char *name, uint32_t frame);
 
 /* Begins a frame; its bands go to series->image. A negative status on failure, with the reason in `why`. */
 int series_begin(struct series *series, uint32_t frame);
-/* Ends a frame, likewise. */
+/* Ends a frame. A negative status on failure, with the reason in `why`. */
 int series_end(struct series *series);
 
 /* Completes the film. After a failure only the pictures of finished frames are left. */

@@ -28,7 +28,7 @@ static bool is_sound(const struct sums *s)
            s->exposure <= TIA_EXPOSURE_MAX;
 }
 
-/* Parses the line. One that is spelled otherwise, with leading zeros, say, is not valid. */
+/* Parses the line. A line that is spelled in any other way, for example with leading zeros, is not valid. */
 size_t sums_parse(struct sums *s, const char *text, size_t length)
 {
     char line[SUMS_HEADER], again[SUMS_HEADER], magic[MAGIC + 1];

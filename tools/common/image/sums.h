@@ -17,18 +17,18 @@
 
 #include "image.h"
 
-#define SUMS_HEADER 120 /* bytes, enough for the line and its end */
+#define SUMS_HEADER 120 /* bytes of the line and its end, at most */
 
 struct sums {
     unsigned width, height;
-    uint32_t first, count; /* samples */
+    uint32_t first, count; /* range of samples */
     enum tia_tone tone;
     tia_q16 exposure;
     uint32_t crc;
-    bool guided; /* with guides for a denoiser */
+    bool guided; /* the file has guides for a denoiser */
 };
 
-/* Returns the elements from pixel number `place` on. */
+/* Returns the arrays from pixel number `place` on. */
 static inline struct tia_gathered gathered_at(const struct tia_gathered *gathered, size_t place)
 {
     struct tia_gathered from = *gathered;
@@ -42,7 +42,7 @@ static inline struct tia_gathered gathered_at(const struct tia_gathered *gathere
 /* Writes the line and its end; returns the length. */
 size_t sums_print(char text[SUMS_HEADER], const struct sums *sums);
 
-/* Parses it and checks its numbers. Returns its length, 0 if it is not valid. */
+/* Parses the line and checks its numbers. Returns its length, 0 if it is not valid. */
 size_t sums_parse(struct sums *sums, const char *text, size_t length);
 
 /* Returns the bytes of a row in the file. */
@@ -55,13 +55,13 @@ bool sums_add_row(struct tia_sum *row, const struct sums *sums, unsigned y, cons
 
 /* Stores a row with its guides, if there are any. */
 void sums_put_gathered(unsigned char *bytes, const struct sums *sums, unsigned y, const struct tia_gathered *row);
-/* Reads it; false: its checksum is wrong, or a number out of its range. */
+/* Reads a row with its guides; false: its checksum is wrong, or a number is out of range. */
 bool sums_get_gathered(const struct tia_gathered *row, const struct sums *sums, unsigned y, const unsigned char *bytes);
 
 /* Converts a row to a picture of `depth` bits a channel, see struct image_film and image_rows. */
 void sums_develop(unsigned char *bytes, const struct sums *sums, const struct tia_sum *row, unsigned depth);
 
-/* Returns the meaning of its colours. */
+/* Returns the meaning of the picture's numbers. */
 enum image_transfer sums_transfer(const struct sums *sums, unsigned depth);
 
 #endif

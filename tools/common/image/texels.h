@@ -16,7 +16,7 @@ int image_room(struct image_texels *texels, uint64_t width, uint64_t height, uns
 
 /* Frees the alpha channel, if there is one. */
 void image_drop_alpha(struct image_texels *texels);
-/* Frees all texels, whichever there are. */
+/* Frees all texels, and the alpha channel if there is one. */
 void image_free(struct image_texels *texels);
 
 /* Splits four bytes per texel, from malloc, into colours and alpha channel. */

@@ -25,8 +25,9 @@ static int begin(struct image *image)
     return sink_write(&image->sink, header, length);
 }
 
-/* Converts by ITU-R BT.601 with Y in 16..235, U and V in 16..240, and coefficients rounded to 1/256. White and black
- * are exact. The offset 128 of U and V is added before the division, so that the sums stay in 0..65535. */
+/* Returns the pixel's colour by ITU-R BT.601 with Y in 16..235, U and V in 16..240, and coefficients rounded to 1/256.
+ * White and black are exact. The offset 128 of U and V is added before the division, so that the sums stay in
+ * 0..65535. */
 uint32_t image_y4m_colour(tia_rgb565 pixel)
 {
     unsigned char rgb[3];

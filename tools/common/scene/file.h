@@ -5,15 +5,15 @@
 #include <tia/tia.h>
 
 #define SCENE_WHY 1024
-#define SCENE_TEXT_MOST ((size_t)256 << 20)  /* bytes of the scene's own text */
+#define SCENE_TEXT_MOST ((size_t)256 << 20)  /* largest size of the scene's own text, bytes */
 #define SCENE_NAMED_MOST ((size_t)512 << 20) /* of everything that it refers to: libraries, and texels of images */
 
 struct scene_part; /* a file that the scene refers to */
 
-/* Settings for reading a scene, when not for a picture. */
+/* Settings for reading a scene other than for a picture. */
 struct scene_wish {
     tia_q16 reach;    /* see tia/read.h */
-    unsigned threads; /* threads that build the hierarchy of a large scene; 0 is 1 */
+    unsigned threads; /* number of threads that build the hierarchy of a large scene; 0 means 1 */
     void (*material)(void *ctx, uint32_t index, const char *name);
     void *ctx;
 };

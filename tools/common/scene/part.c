@@ -8,15 +8,15 @@
 #include "common/image/decode.h"
 #include "whole.h"
 
-/* From PART_OPACITY on there is one for each enum tia_channel. */
+/* Kinds of parts; from PART_OPACITY on there is one for each enum tia_channel. */
 enum { PART_LIBRARY, PART_IMAGE, PART_OPACITY };
 
 struct scene_part {
     struct scene_part *next;
     unsigned kind;
-    struct whole text;          /* of a library */
-    struct image_texels texels; /* of an image or opacity */
-    char name[];                /* as in the scene */
+    struct whole text;          /* text of a library */
+    struct image_texels texels; /* texels of an image or opacity */
+    char name[];                /* the name in the scene */
 };
 
 char *part_path(const struct scene_file *file, const char *name)
@@ -56,8 +56,8 @@ static int decode(struct scene_part *part, size_t most, const char **why)
     return status;
 }
 
-/* Reads the file with that path or, if there is none and the name has backslashes as on Windows, with slashes instead.
- */
+/* Reads the file with that path or, if it does not exist and its name has backslashes as on Windows, with slashes
+ * instead. */
 static int read_path(const struct scene_file *file, struct scene_part *part, size_t most, const char **why)
 {
     char *path = part_path(file, part->name);

@@ -4,7 +4,7 @@
 
 #include "file.h"
 
-/* The reader's callbacks (tia/read.h); ctx is the scene file. */
+/* The reader's callbacks (tia/read.h); `ctx` is the scene file. */
 int part_library(void *ctx, const char *name, const char **text, size_t *length, const char **why);
 int part_image(void *ctx, const char *name, struct tia_texture *texture, const char **why);
 int part_opacity(void *ctx, const char *name, enum tia_channel channel, struct tia_texture *texture, const char **why);

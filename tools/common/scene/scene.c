@@ -11,7 +11,8 @@
 #include "part.h"
 #include "whole.h"
 
-/* A first guess; tia_read then returns how much it needs. A byte of the file takes some tens of bytes at most. */
+/* First size of the memory; tia_read then returns how much it needs. A byte of the file takes some tens of bytes at
+ * most. */
 #define MEMORY_FIRST ((size_t)1 << 16)
 #define MEMORY_MOST ((size_t)1 << (sizeof(size_t) > 4 ? 34 : 30))
 
@@ -56,7 +57,7 @@ static int read_text(struct scene_file *file, struct whole *text)
     return status;
 }
 
-/* "FILE:LINE:COLUMN: ", FILE as it can be opened from here; returns its length. */
+/* Writes "FILE:LINE:COLUMN: ", with FILE as a path from the working directory; returns its length. */
 static size_t format_place(const struct scene_file *file, const struct tia_read_error *error, bool column,
                            char line[SCENE_WHY])
 {
@@ -94,7 +95,7 @@ bool scene_warning(const struct scene_file *file, unsigned *at, char line[SCENE_
             return true;
         }
     }
-    /* A key may also place a light; and other integrators find light elsewhere. */
+    /* A key may also add a light; and other integrators have other sources of light. */
     if ((*at)++ > TIA_WARNINGS || file->scene.light_count > 0 || file->scene.binding_count > 0 ||
         file->scene.integration.integrator != TIA_WHITTED)
         return false;
@@ -110,7 +111,7 @@ static void name_material(void *ctx, uint32_t index, const char *name)
         wish->material(wish->ctx, index, name);
 }
 
-/* Tries again with as much memory as the reader asks for, which it knows after the first try. */
+/* Reads the scene with as much memory as the reader needs, which is known after the first attempt. */
 static int read_scene(struct scene_file *file, const struct whole *text, int format, bool strict)
 {
     struct tia_reader reader = {.format = (enum tia_format)format,
@@ -137,10 +138,10 @@ static int read_scene(struct scene_file *file, const struct whole *text, int for
     return status == TIA_ERR_MEMORY ? exhausted(file) : status ? set_error(file, &reader.error) : TIA_OK;
 }
 
-/* A smaller hierarchy is built sooner than threads are. */
+/* Size of a hierarchy whose construction takes as long as the start of threads. */
 #define BOXES_FOR_THREADS ((size_t)1 << 20)
 
-/* Without memory for threads one does it. */
+/* Builds the hierarchy, on one thread where memory for others is short. */
 static int build_boxes(struct scene_file *file, unsigned threads)
 {
     struct tia_scene *scene = &file->scene;

@@ -6,7 +6,7 @@
 
 #define SCENE_UNKNOWN (-1)
 
-/* The format of a file by its extension; SCENE_UNKNOWN for others. */
+/* Returns the format of a file by its extension; SCENE_UNKNOWN for others. */
 int scene_format_of(const char *path);
 
 /* Reads the scene `path` ("-": standard input) of `format` (enum tia_format). Files that it refers to are relative to
@@ -15,7 +15,7 @@ int scene_format_of(const char *path);
  * warnings are errors. */
 int scene_open(struct scene_file *file, const char *path, int format, bool strict);
 
-/* The same for other purposes; the wish must outlive the call. */
+/* Reads the scene as scene_open does, by the settings of `wish`, which must outlive the call. */
 int scene_open_for(struct scene_file *file, const char *path, int format, bool strict, const struct scene_wish *wish);
 
 /* Gets the next warning about the opened scene, "FILE:LINE: WHAT (N more)". *at counts them; set it to 0 before the

@@ -5,7 +5,7 @@
 #include <tia/fixed.h>
 
 struct whole {
-    char *bytes; /* free() it */
+    char *bytes; /* to be freed by free() */
     size_t length;
 };
 
@@ -14,7 +14,7 @@ struct whole {
  * string. */
 int whole_read(struct whole *whole, const char *path, size_t most, const char **why);
 
-/* The same for an open descriptor of any kind, from its current position. */
+/* Reads from an open descriptor of any kind, from its current position, as whole_read does. */
 int whole_read_from(struct whole *whole, int fd, size_t most, const char **why);
 
 #endif

@@ -6,7 +6,7 @@
 #include "common/views/palette.h"
 #include "seen.h"
 
-/* A line of the legend, in the colour that it names; lines stand below each other. */
+/* A line of the legend, in the colour that it names; the lines are listed from top to bottom. */
 struct legend_line {
     char text[32];
     tia_rgb565 colour;
@@ -97,7 +97,7 @@ static unsigned lines_of(const struct legend *legend, struct legend_line lines[L
     }
 }
 
-/* Returns the paper: labels of dark colours are on white. */
+/* Returns the background of a label: white for dark colours. */
 static tia_rgb565 paper_for(tia_rgb565 ink)
 {
     unsigned brightness = 2u * (ink >> 11) + 2u * (ink >> 5 & 63) + (ink & 31u);

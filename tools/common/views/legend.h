@@ -9,12 +9,12 @@
 struct legend {
     enum view view;
     bool rays;                /* rays of a pixel are drawn */
-    unsigned width, height;   /* of the picture */
-    double scale;             /* see seen_colour */
+    unsigned width, height;   /* size of the picture */
+    double scale;             /* scale for seen_colour */
     uint32_t objects, lights; /* numbers of objects and lights */
 };
 
-/* Draws the part in the tile. */
+/* Draws the part of the legend that is in the tile. */
 void legend_draw(const struct legend *legend, struct tia_tile tile, const struct tia_surface *surface);
 
 /* Returns the colour of a kind of ray; TIA_RAY_SHADOW + 1: of a shadow ray that does not arrive; + 2: of a normal. */

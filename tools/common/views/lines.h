@@ -5,11 +5,11 @@
 #include <tia/render.h>
 
 struct line {
-    double ends[2][2]; /* pixel coordinates x, y; a pixel's centre is at whole numbers */
+    double ends[2][2]; /* pixel coordinates x, y; a pixel's centre has integer coordinates */
     tia_rgb565 colour;
 };
 
-/* Draws the part in the tile; all tiles show the same line. */
+/* Draws the part of the line that is in the tile; all tiles show the same line. */
 void line_draw(const struct line *line, struct tia_tile tile, const struct tia_surface *surface);
 
 #endif

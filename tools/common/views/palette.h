@@ -8,7 +8,7 @@
 /* Returns a colour from black over blue, red and yellow to white; t in 0..1. */
 tia_rgb565 palette_heat(double t);
 
-/* Returns the colour of number n: neighbours differ most. */
+/* Returns the colour of number n, chosen so that successive numbers differ most. */
 tia_rgb565 palette_number(uint32_t n);
 
 /* Returns a colour from channels in 0..1, clamped. */

@@ -68,7 +68,7 @@ static void place(const struct tia_camera *camera, unsigned width, unsigned heig
     at[1] = (top - p[1] * scale) / (top - bottom) * height - 0.5;
 }
 
-/* Gives a point in the camera's axes. */
+/* Converts a point to the camera's axes. */
 static void see(const struct tia_camera *camera, const struct axes *axes, struct tia_vec3 point, double p[3])
 {
     double d[3];
@@ -101,7 +101,7 @@ bool projected_segment(const struct tia_camera *camera, unsigned width, unsigned
     return true;
 }
 
-/* Returns the size of a pixel at that point. */
+/* Returns the size of a pixel at the point p. */
 static double length_of_pixel(const struct tia_camera *camera, unsigned width, unsigned height, const double p[3])
 {
     double at[2], next[2], beside[3] = {p[0] + 1, p[1], p[2]};

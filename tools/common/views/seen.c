@@ -57,7 +57,7 @@ tia_rgb565 seen_colour(const struct seen *seen, enum view view, uint32_t tests, 
         return 0;
     if (view == VIEW_DEPTH)
         return palette_heat(scale / (depth + scale));
-    if (first->object == TIA_NO_OBJECT) /* a light itself */
+    if (first->object == TIA_NO_OBJECT) /* the first hit is a light itself */
         return 0xffff;
     if (view == VIEW_NORMAL)
         return palette_rgb((first->normal.x / 65536.0 + 1) / 2, (first->normal.y / 65536.0 + 1) / 2,

@@ -8,10 +8,10 @@
 #include "view.h"
 
 struct seen {
-    uint32_t rays, primaries; /* numbers so far */
+    uint32_t rays, primaries; /* counts so far */
     bool direct;              /* the shadow rays are those of the first ray's hit */
     struct tia_traced first;  /* the first primary ray */
-    uint32_t lights;          /* bit n: light n arrives there; bit 31: all from 31 on */
+    uint32_t lights;          /* bit n: light n arrives there; bit 31: all lights from 31 on */
 };
 
 void seen_ray(void *seen, const struct tia_traced *traced);
@@ -19,7 +19,7 @@ void seen_ray(void *seen, const struct tia_traced *traced);
 /* Returns the false colour; `scale`: the distance at half of the palette. */
 tia_rgb565 seen_colour(const struct seen *seen, enum view view, uint32_t tests, double scale);
 
-/* Returns the colour of all lights in `lights`. */
+/* Returns the colour of a set of lights. */
 tia_rgb565 seen_lights(uint32_t lights);
 
 #endif

@@ -44,7 +44,7 @@ static void add_line(struct tia_vec3 from, struct tia_vec3 to, tia_rgb565 colour
 static void add_ray(void *ctx, const struct tia_traced *traced)
 {
     unsigned kind = (unsigned)traced->ray;
-    double part = now.legend.scale / 10; /* a normal's length */
+    double part = now.legend.scale / 10; /* length of a normal that is drawn */
     struct tia_vec3 tip = {(tia_q16)fmin(traced->to.x + part * traced->normal.x, INT32_MAX),
                            (tia_q16)fmin(traced->to.y + part * traced->normal.y, INT32_MAX),
                            (tia_q16)fmin(traced->to.z + part * traced->normal.z, INT32_MAX)};
@@ -82,7 +82,7 @@ static int collect_rays(const struct tia_view *view, unsigned x, unsigned y)
 
 /* ---- the core ---- */
 
-/* Returns the scale: half of the palette is for points nearer than the one that the camera looks at, or than 10. */
+/* Returns the scale: half of the palette is for points nearer than the reference point of the camera, or than 10. */
 static double scale_of(const struct tia_scene *scene)
 {
     const struct tia_camera *c = &scene->camera;
