@@ -60,7 +60,7 @@ static void lanes_world(const struct tia_scene *s, int width, int height, struct
     w->up = ((float)height - 1) / 2 * w->step;
 }
 
-bool float_lanes_render(const struct tia_scene *scene, const char *level, int width, int height, tia_rgb565 *pixels)
+bool float_lanes_render(const struct tia_scene *scene, const char *simd, int width, int height, tia_rgb565 *pixels)
 {
     static const struct {
         const char *name;
@@ -84,7 +84,7 @@ bool float_lanes_render(const struct tia_scene *scene, const char *level, int wi
 
     lanes_world(scene, width, height, &w);
     for (size_t i = 0; loops[i].draw; i++)
-        if (strcmp(loops[i].name, level) == 0) {
+        if (strcmp(loops[i].name, simd) == 0) {
             loops[i].draw(&w, width, height, pixels);
             return true;
         }

@@ -17,7 +17,7 @@ struct lanes_world {
     tia_rgb565 sky[16];
 };
 
-#define FLOAT_LANES(simd) float_lanes_##level(const struct lanes_world *, int width, int height, tia_rgb565 *pixels)
+#define FLOAT_LANES(simd) float_lanes_##simd(const struct lanes_world *, int width, int height, tia_rgb565 *pixels)
 void FLOAT_LANES(sse41);
 void FLOAT_LANES(avx2);
 void FLOAT_LANES(avx512);
