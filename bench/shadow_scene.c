@@ -52,9 +52,9 @@ static void make_solid(struct shadow_scene *s, int i)
     s->shapes[i] = (struct tia_shape){TIA_MESH, .mesh = (uint32_t)i};
 }
 
-void shadow_scene_make(struct shadow_scene *s, int simd)
+void shadow_scene_make(struct shadow_scene *s, int level)
 {
-    bench_mesh(&s->mesh, simd);
+    bench_mesh(&s->mesh, level);
     for (uint32_t i = 0; i < 3 * s->mesh.count; i++) {
         const struct point *p = &s->mesh.corner[i / 3][i % 3];
         s->points[i] = (struct tia_vec3){Q(p->x), Q(p->y), Q(p->z)};

@@ -327,16 +327,16 @@ TEST(levels_within_the_slack)
     struct tia_view *view;
     CHECK_EQ(tia_view_init(&view, memory, size, &s.scene, 1, 64, 48, NULL), TIA_OK);
     colouring_prepare(view, &(struct tia_material){.colour = white, .emission = black}, NUM_ROUND, &d.colouring);
-    for (unsigned simd = 1; simd < 63; simd++)
+    for (unsigned level = 1; level < 63; level++)
         for (int bits = 4; bits < 17; bits += 3)
             for (size_t i = 0; i < sizeof shares / sizeof *shares; i++)
                 for (int apart = 0; apart < 2; apart++) {
-                    double slack = ldexp(1, bits), begins = ldexp(simd - .5, 30) / 63;
+                    double slack = ldexp(1, bits), begins = ldexp(level - .5, 30) / 63;
                     num_u at = (num_u)(begins + shares[i] * slack), away = (num_u)(apart * slack * 4);
                     num_u other = shares[i] < 0 ? at - away : at + away;
                     struct coherence_sample a = {.lambert = apart ? other : at}, b = {.lambert = at};
                     b.slack = (num_u)slack;
-                    CHECK_MSG(same_between(&d, &a, &b) == (fabs(shares[i]) > 1), "level %u, %g of a slack of %g", simd,
+                    CHECK_MSG(same_between(&d, &a, &b) == (fabs(shares[i]) > 1), "level %u, %g of a slack of %g", level,
                               shares[i], slack);
                 }
     free(memory);
