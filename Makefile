@@ -80,7 +80,7 @@ OSMESA ?= $(call have,osmesa gl)
 EGL ?= $(call have,egl gl)
 # The osmesa display loads its library, OSMesa or EGL, when it is opened: only headers are needed.
 GL := $(filter yes,$(OSMESA) $(EGL))
-# stb_image is a header: it is compiled here, and the compiler has nothing to say about it.
+# stb_image is a header: it is compiled here, and the compiler's warnings about it are off.
 HOSTED += $(patsubst -I%,-isystem%,$(filter-out -l% -L% -Wl%,$(filter -%,$(PACKAGES))))
 LIBS := $(filter-out -lOSMesa -lEGL -lGL -lstb -lchafa -lglib-2.0 -ljansson,$(filter -l% -L% -Wl%,$(PACKAGES))) -lm
 MISSING :=
@@ -130,7 +130,7 @@ LEAN := $(if $(GOALS),$(if $(filter-out run,$(GOALS)),,yes))
 unless_lean = $(if $(LEAN),$(if $(filter-out $(wildcard $(1)),$(1)),,$(1)),$(1))
 
 # ---- sources: one object per file and arithmetic ----
-# The folders of src/render are compiled once for each arithmetic, see src/num/README.md; the rest knows integers alone.
+# The folders of src/render are compiled once for each arithmetic, see src/num/README.md; the rest uses integers alone.
 c_below   = $(sort $(foreach d,$(1),$(wildcard $(d)/*.c $(d)/*/*.c $(d)/*/*/*.c $(d)/*/*/*/*.c)))
 CORE_SRC  := $(call c_below,src)
 # Radio waves are a library of their own, which needs the core.
@@ -228,7 +228,7 @@ $(BUILD)/libtia-f64.a: $(call obj,f64,$(NUM_SRC))
 $(BUILD)/libtia-f32.a: $(call obj,f32,$(NUM_SRC))
 $(LIBWATCHED): $(call obj,watched,$(NUM_SRC))
 $(BUILD)/libtia-chk.a: $(call obj,chk,$(NUM_SRC))
-# What is common to all levels is there even where there is none: tests ask it.
+# The code common to all instruction sets is built even for a processor without vector units: tests call it.
 $(LIBSIMD): $(call obj,simd,$(SIMD_SRC) port/simd/best.c)
 $(LIBPORTS): $(call obj,host,$(PORT_SRC))
 $(LIBCOMMON): $(call obj,host,$(COMMON_SRC))
@@ -328,7 +328,7 @@ run: $(BUILD)/tia
 	[ "$$to" ] || echo 'keys:  a d s w, arrows, page up and down move the light; any other key quits'; \
 	echo "next:  $(BUILD)/tia scenes/glass.tia$$to    (more: ls scenes, man -l man/tia.1, make help)"
 
-# Tests see nothing of this make: those that build start one of their own.
+# Tests are independent of this make: those that build start one of their own.
 alone = env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL
 run_tests = $(alone) tests/run
 on_all_cores = $(run_tests) -j $$(nproc 2>/dev/null || echo 1)
@@ -354,7 +354,7 @@ test:
 	@tested=$$(tests/choose '$(T)') && $(MAKE) --no-print-directory test-built TESTED="$$tested" && \
 	$(run_tests) $(if $(C),-c '$(C)') $${tested%% *}
 
-# Real kernel drivers in guests, also what takes long; the table of what they said comes last.
+# Real kernel drivers in guests, also the tests that take long; the table of their results comes last.
 .PHONY: check-vm
 $(BUILD)/vm/probe: tests/vm/probe.c $(BUILD)/made-with/host
 	@mkdir -p $(@D)
@@ -393,7 +393,7 @@ help:
 	@echo "test T=NAME C=CASE one test, or one case of it: make test T=ray_bounds C=scene_files"
 	@echo "check-boards prove                             parts of check"
 	@echo "check-accuracy check-arch check-matrix check-simd check-denoise check-threads check-vm fuzz   parts of check, for longer"
-	@echo "check-rays-billion   10^9 rays of levels against the integers, or RAYS=N"
+	@echo "check-rays-billion   10^9 rays by vector units against plain C, or RAYS=N"
 	@echo "check-exhaustive check-mutants check-bounds    longer than check"
 	@echo "bench count size   time, instructions a pixel on boards, flash, RAM and stack"
 	@echo "bench-latency      from a key to its picture, in a guest; SCENES='chess glass': of these"

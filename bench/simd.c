@@ -115,7 +115,7 @@ void bench_simd(void)
 
     if (pinned)
         pin(&all);
-    printf("\n| size | level | full, ms | CPU | relit, ms | CPU | float, ms | CPU | full/float | relit/float |\n");
+    printf("\n| size | simd | full, ms | CPU | relit, ms | CPU | float, ms | CPU | full/float | relit/float |\n");
     printf("|---|---|--:|--:|--:|--:|--:|--:|--:|--:|\n");
     for (int i = 0; i < 3; i++) {
         struct picture p = {.scene = tia_thesis_scene, .area = {0, 0, sizes[i][0], sizes[i][1]}};
