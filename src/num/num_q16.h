@@ -223,7 +223,7 @@ static inline bool num_covers(num_wide a, num_u near, int half, num_wide k, num_
     return left >> shift >= right;
 }
 
-/* Returns a cosine, at most 1, from r N.w/|w| in the scale of span/light.c and the inverse of the radius r. */
+/* Returns a cosine, at most 1, from r N.w/|w| in the scale of span/span_light.c and the inverse of the radius r. */
 static inline num_u num_lambert(num_u scaled, num_u inverse)
 {
     num_uwide cosine = (num_mul_u(scaled, inverse) + ((num_uwide)1 << 30)) >> 31;

@@ -1,7 +1,7 @@
 # Spheres of src/simd/rays: s = r^2 - |P|^2 as doubles compute it, of their P, is within es of the exact one of the
 # integers' P, wherever that is. r is scaled to 1..2. The integers' P is P - e, |e| <= lambda: e.P = k |P| lambda and
 # e.e = c lambda^2, with k in -1..1 by Cauchy and Schwarz, which gappa cannot know, and c in 0..1. `all` is lambda at
-# least; P here is r long at most: sphere.h says what follows beyond.
+# least; P here is r long at most: sphere_tmpl.h says what follows beyond.
 @rnd = float<ieee_64,ne>;
 px = rnd(px_); py = rnd(py_); pz = rnd(pz_); r = rnd(r_); lambda = rnd(lambda_);
 square rnd= r * r;

@@ -1,5 +1,5 @@
 # What bounds.c says that the integer code adds to a cosine, 2^-26: the value is at most 1, `scaled` is r N.w in the
-# scale of render/span/light.c, whose last bit is at most 2^-29 of r |w|; tia_rsqrt's error (rsqrt.g), 2^-30 relative;
+# scale of render/span/span_light.c, whose last bit is at most 2^-29 of r |w|; tia_rsqrt's error (rsqrt.g), 2^-30 relative;
 # num_mul_top rounds where the cosine times r 2^(46 - bits), at least 2^29, is whole; tia_reciprocal (reciprocal.g) is
 # off by 1.02 2^-32 relative to at least 2^31, and num_lambert rounds to 2^-30.
 cosine = (((l + a) * (1 + b) + c) * (1 + d) + f) - l;

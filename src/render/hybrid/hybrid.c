@@ -1,5 +1,5 @@
 /* hybrid.c - prepares a view whose flat faces are rasterised. */
-#include "view.h"
+#include "raster_view.h"
 
 static bool draws(const struct tia_scene *scene)
 {

@@ -4,7 +4,7 @@
 
 #include "kernels.h"
 #include "render/renderer.h"
-#include "sphere.h"
+#include "span_sphere.h"
 
 struct shaded_span;
 

@@ -2,8 +2,8 @@
 #ifndef TIA_RENDER_TRACE_TRACE_H
 #define TIA_RENDER_TRACE_TRACE_H
 
-#include "camera.h"
-#include "light.h"
+#include "ray_camera.h"
+#include "ray_light.h"
 #include "render/geometry/instance.h"
 #include "render/renderer.h"
 #include "rgb.h"

@@ -3,7 +3,7 @@
 #ifndef TIA_RENDER_WHITTED_OBSERVE_H
 #define TIA_RENDER_WHITTED_OBSERVE_H
 
-#include "path.h"
+#include "ray_tree.h"
 
 static inline bool path_is_watched(const struct path *path)
 {

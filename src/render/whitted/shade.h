@@ -2,7 +2,7 @@
 #ifndef TIA_RENDER_WHITTED_SHADE_H
 #define TIA_RENDER_WHITTED_SHADE_H
 
-#include "path.h"
+#include "ray_tree.h"
 #include "render/trace/shading.h"
 
 /* Prepares the hit of one ray. */

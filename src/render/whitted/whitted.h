@@ -3,7 +3,7 @@
 #ifndef TIA_RENDER_WHITTED_WHITTED_H
 #define TIA_RENDER_WHITTED_WHITTED_H
 
-#include "path.h"
+#include "ray_tree.h"
 
 /* Computes the colour along `ray`, which meets `hit`, perhaps a light; not clamped. */
 void path_colour(struct path *path, const struct ray *ray, const struct hit *hit, num_length colour[3]);

@@ -306,7 +306,7 @@ uint32_t tia_sure_set_pairs(struct sure_pair *to, struct sure_node *nodes, const
 void tia_sure_set_objects(struct sure_scene *scene, const struct sure_places *places);
 void tia_sure_set_face(struct sure_face *to, const struct tia_vec3 corner[3]);
 
-/* Gives the place of sample i of an area light along its axes, in a pixel of that class: see trace/light.c. */
+/* Gives the place of sample i of an area light along its axes, in a pixel of that class: see trace/ray_light.c. */
 void tia_sure_place(const struct sure_light *light, unsigned i, unsigned class, double at[2]);
 
 /* Gives the colour of sample i of a pixel by the fixed-point path, not clamped. */

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "render/span/shade.h"
+#include "render/span/span_shade.h"
 
 void tia_simd_plain(const struct tia_view *view, uint32_t sphere, int x, int y, int count, const num_u threshold[8],
                     tia_rgb565 *out)

@@ -1,6 +1,6 @@
 /* light.c - a tile by vector units: rows, runs of one object, and the method for each. */
 #include "exact.h"
-#include "render/span/shade.h"
+#include "render/span/span_shade.h"
 #include "seen.h"
 #include "simd/simd.h"
 

@@ -28,7 +28,7 @@ static void channels(const struct tia_rgb *colour, double out[3])
     out[2] = (double)colour->b * 0x1p-30;
 }
 
-/* |L - C|^2 - r^2 - R^2 - bias r, of which render/span/shadow.c takes quarters of exponent 30, is off by less than
+/* |L - C|^2 - r^2 - R^2 - bias r, of which render/span/span_shadow.c takes quarters of exponent 30, is off by less than
  * 2^-28 there. A factor of its size is for the reciprocal's error, 2^-30. */
 static void cast_power(const struct span_sphere *sphere, const struct span_sphere *caster, struct simd_caster *cast)
 {

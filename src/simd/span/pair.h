@@ -2,9 +2,9 @@
 #ifndef TIA_SIMD_SPAN_PAIR_H
 #define TIA_SIMD_SPAN_PAIR_H
 
-#include "render/span/light.h"
-#include "render/span/shadow.h"
 #include "render/span/span.h"
+#include "render/span/span_light.h"
+#include "render/span/span_shadow.h"
 #include "run.h"
 
 /* The constants of run.h in double precision, and with their bounds those of the integer code, see bounds.h. */

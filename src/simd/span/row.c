@@ -121,7 +121,7 @@ bool tia_simd_see(const struct primary_rays *primary, const struct simd_row *row
     return seen->b_least > 0 && seen->size > 0;
 }
 
-/* The integer code, see render/span/sphere.c and kernels.c: b and v.v are accumulators whose upper halves have the last
+/* The integer code, see span/span_sphere.c and kernels.c: b and v.v are accumulators whose upper halves have the last
  * bits ub and uv, rounded to nearest but for the error of 64 steps, .51 of a bit; so has c with uc. Then D is off by
  *
  *     dd = .51 (2 b ub + ub^2 + c uv + v.v uc + uv uc).

@@ -1,7 +1,7 @@
 #include "coherence.h"
 
 #include "coherence_run.h"
-#include "render/span/shadow.h"
+#include "render/span/span_shadow.h"
 #include "scene/colour.h"
 
 #define SHORT 12 /* runs of fewer pixels are drawn one by one */

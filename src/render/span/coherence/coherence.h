@@ -11,7 +11,7 @@
 #ifndef TIA_RENDER_SPAN_COHERENCE_COHERENCE_H
 #define TIA_RENDER_SPAN_COHERENCE_COHERENCE_H
 
-#include "render/span/shade.h"
+#include "render/span/span_shade.h"
 
 /* Draws a span of a wide sphere; its t and path_hash are not used, and count may be larger than CHUNK. False, with
  * nothing drawn, where that does not pay or cannot be decided. */

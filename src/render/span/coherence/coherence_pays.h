@@ -2,7 +2,7 @@
 #ifndef TIA_RENDER_SPAN_COHERENCE_COHERENCE_PAYS_H
 #define TIA_RENDER_SPAN_COHERENCE_COHERENCE_PAYS_H
 
-#include "render/span/sphere.h"
+#include "render/span/span_sphere.h"
 
 /* True if a sphere is seen from outside and so large that many pixels have one colour. */
 bool coherence_pays(const struct primary_rays *primary, const struct span_sphere *sphere);

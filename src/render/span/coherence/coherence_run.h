@@ -2,7 +2,7 @@
 #ifndef TIA_RENDER_SPAN_COHERENCE_COHERENCE_RUN_H
 #define TIA_RENDER_SPAN_COHERENCE_COHERENCE_RUN_H
 
-#include "render/span/light.h"
+#include "render/span/span_light.h"
 
 #define COHERENCE_CASTERS 2
 

@@ -1,6 +1,6 @@
-/* path.h - state shared by the rays of one pixel. */
-#ifndef TIA_RENDER_WHITTED_PATH_H
-#define TIA_RENDER_WHITTED_PATH_H
+/* ray_tree.h - state shared by the rays of one pixel. */
+#ifndef TIA_RENDER_WHITTED_RAY_TREE_H
+#define TIA_RENDER_WHITTED_RAY_TREE_H
 
 #include "render/trace/trace.h"
 
@@ -35,7 +35,7 @@ struct path {
     struct arrivals lit;            /* light of the primary hit; valid while `known` */
     bool known;
     uint32_t seed;         /* seed of a pixel's sample, for rays of ambient lights */
-    unsigned class;        /* class of the pixel, see light.h */
+    unsigned class;        /* class of the pixel, see ray_light.h */
     uint64_t reached;      /* bits for tia_debug.lit */
     unsigned next_reached; /* next sample's number in `reached`; PATH_REACHED: the next sample has none */
 #ifdef TIA_WATCHED

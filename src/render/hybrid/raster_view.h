@@ -1,6 +1,6 @@
-/* view.h - a rasterised view, and the data of each sample of each pixel. */
-#ifndef TIA_RENDER_HYBRID_VIEW_H
-#define TIA_RENDER_HYBRID_VIEW_H
+/* raster_view.h - a rasterised view, and the data of each sample of each pixel. */
+#ifndef TIA_RENDER_HYBRID_RASTER_VIEW_H
+#define TIA_RENDER_HYBRID_RASTER_VIEW_H
 
 #include "flat/curved.h"
 #include "math/align.h"
@@ -53,7 +53,7 @@ static inline uint32_t raster_object(uint32_t kept)
     return (kept & RASTER_OBJECT) == RASTER_OBJECT ? TIA_NO_OBJECT : kept & RASTER_OBJECT;
 }
 
-/* Implements tia_view_trace. trace.c */
+/* Implements tia_view_trace. raster_trace.c */
 void raster_trace_tile(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile);
 
 /* Gives the buffers' part for a tile. */
@@ -64,7 +64,7 @@ void raster_open_tile(const struct tia_view *view, const struct tia_hits *hits, 
 void raster_find_face(const struct ray_view *rays, const struct tia_flat_scene *flat, uint32_t face, int x, int y,
                       const struct ray *ray, struct hit *hit);
 
-/* Implements tia_view_light. light.c */
+/* Implements tia_view_light. raster_light.c */
 void raster_light_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                        const struct tia_surface *surface, const struct tia_options *options);
 

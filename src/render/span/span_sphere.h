@@ -1,4 +1,4 @@
-/* sphere.h - a sphere seen from the eye: its pixels and their distances.
+/* span_sphere.h - a sphere seen from the eye: its pixels and their distances.
  *
  * For the direction v, with b = L.v and c = L.L - r^2, the roots of |t v - L|^2 = r^2 are
  *
@@ -7,8 +7,8 @@
  * Seen from outside the nearer root is c / (b + sqrt(b^2 - c v.v)), where nothing cancels; from
  * inside it is the farther one, (b + sqrt(b^2 - c v.v)) / v.v.
  */
-#ifndef TIA_RENDER_SPAN_SPHERE_H
-#define TIA_RENDER_SPAN_SPHERE_H
+#ifndef TIA_RENDER_SPAN_SPAN_SPHERE_H
+#define TIA_RENDER_SPAN_SPAN_SPHERE_H
 
 #include "cone_row.h"
 #include "kernels.h"
@@ -22,7 +22,7 @@ struct span_sphere {
     num_u inverse;         /* num_inverse(radius) */
     int radius_bits;       /* num_bits(radius) */
 
-    /* The exponents and constants of the kernels that compute t, see sphere.c. */
+    /* The exponents and constants of the kernels that compute t, see span_sphere.c. */
     int b_shift;         /* L.v * 2^b_shift fills an accumulator */
     num_u c_disc, c_top; /* c for the discriminant and for the quotient */
     int t_shift;         /* num_quotient's shift */

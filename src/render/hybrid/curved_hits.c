@@ -1,4 +1,4 @@
-#include "curved.h"
+#include "curved_hits.h"
 
 #include "flat/faces.h"
 #include "render/geometry/walk.h"

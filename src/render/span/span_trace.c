@@ -1,5 +1,5 @@
-/* trace.c - finds the visible sphere of each pixel of a tile: each sphere's pixels are one span per row, found exactly;
- * where spans overlap, the nearer wins, and a tie goes to the lower index. */
+/* span_trace.c - finds the visible sphere of each pixel of a tile: each sphere's pixels are one span per row, found
+ * exactly; where spans overlap, the nearer wins, and a tie goes to the lower index. */
 #include "span.h"
 
 static void clear(struct tia_hits *hits, struct tia_tile tile)
@@ -12,7 +12,7 @@ static void clear(struct tia_hits *hits, struct tia_tile tile)
 }
 
 #define WORTH 16   /* least number of pixels for which one test of all together pays */
-#define T_SHIFT 39 /* largest t_shift for which S = b + sqrt(D), see sphere.c, has 24 bits */
+#define T_SHIFT 39 /* largest t_shift for which S = b + sqrt(D), see span_sphere.c, has 24 bits */
 
 static num_u apart(num_u a, num_u b)
 {

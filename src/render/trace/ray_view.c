@@ -1,4 +1,4 @@
-/* prepare.c - a scene for general rays: the camera, the lights, shapes and their instances. */
+/* ray_view.c - a scene for general rays: the camera, the lights, shapes and their instances. */
 #include "math/align.h"
 #include "scene/bounds.h"
 #include "scene/colour.h"

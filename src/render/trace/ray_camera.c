@@ -1,4 +1,4 @@
-#include "camera.h"
+#include "ray_camera.h"
 
 #include "math/trig.h"
 

@@ -1,6 +1,6 @@
-/* light.h - a light's effect on a point, sample by sample, and its visible surface; see tia/light.h. */
-#ifndef TIA_RENDER_TRACE_LIGHT_H
-#define TIA_RENDER_TRACE_LIGHT_H
+/* ray_light.h - a light's effect on a point, sample by sample, and its visible surface; see tia/light.h. */
+#ifndef TIA_RENDER_TRACE_RAY_LIGHT_H
+#define TIA_RENDER_TRACE_RAY_LIGHT_H
 
 #include "render/geometry/shape.h"
 

@@ -1,8 +1,8 @@
-/* shadow.h - the kernels' constants for one sphere that may stand between a light and a span of pixels. */
-#ifndef TIA_RENDER_SPAN_SHADOW_H
-#define TIA_RENDER_SPAN_SHADOW_H
+/* span_shadow.h - the kernels' constants for one sphere that may stand between a light and a span of pixels. */
+#ifndef TIA_RENDER_SPAN_SPAN_SHADOW_H
+#define TIA_RENDER_SPAN_SPAN_SHADOW_H
 
-#include "light.h"
+#include "span_light.h"
 
 /* Prepares all of `line` except count, for the sphere `caster` and the pixels from (x, y) on. False when it
  * cannot shade any of them. */

@@ -1,6 +1,6 @@
-/* curved.h - intersections of rays with the objects that have no flat faces. */
-#ifndef TIA_RENDER_HYBRID_CURVED_H
-#define TIA_RENDER_HYBRID_CURVED_H
+/* curved_hits.h - intersections of rays with the objects that have no flat faces. */
+#ifndef TIA_RENDER_HYBRID_CURVED_HITS_H
+#define TIA_RENDER_HYBRID_CURVED_HITS_H
 
 #include "flat/curved.h"
 #include "render/trace/trace.h"

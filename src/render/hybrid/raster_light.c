@@ -1,10 +1,10 @@
-/* light.c - shading of rasterised pixels: a technique for shadows finds the lights that no flat face blocks; colours
- * are the ray renderer's. */
-#include "curved.h"
+/* raster_light.c - shading of rasterised pixels: a technique for shadows finds the lights that no flat face blocks;
+ * colours are the ray renderer's. */
+#include "curved_hits.h"
 #include "diffuse.h"
+#include "raster_view.h"
 #include "render/core/dither.h"
 #include "render/whitted/whitted.h"
-#include "view.h"
 
 struct rasterised {
     struct first_hits first;

@@ -1,4 +1,4 @@
-/* core.c - the sampling functions of one arithmetic as a table. */
+/* estimator.c - the sampling functions of one arithmetic as a table. */
 #include "estimate.h"
 #include "render/span/kernels.h"
 

@@ -1,5 +1,5 @@
-/* view.c - the buffers of each sample of each pixel, and the hit of a pixel's ray on a face. */
-#include "view.h"
+/* raster_view.c - the buffers of each sample of each pixel, and the hit of a pixel's ray on a face. */
+#include "raster_view.h"
 
 #include "raster/distance.h"
 #include "raster/target.h"

@@ -1,9 +1,9 @@
-/* light.h - the kernels' constants for one light on a span of pixels of one sphere. */
-#ifndef TIA_RENDER_SPAN_LIGHT_H
-#define TIA_RENDER_SPAN_LIGHT_H
+/* span_light.h - the kernels' constants for one light on a span of pixels of one sphere. */
+#ifndef TIA_RENDER_SPAN_SPAN_LIGHT_H
+#define TIA_RENDER_SPAN_SPAN_LIGHT_H
 
 #include "kernels.h"
-#include "sphere.h"
+#include "span_sphere.h"
 
 /* A light on the sphere of a span of pixels. */
 struct light_source {

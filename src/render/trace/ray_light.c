@@ -1,4 +1,4 @@
-#include "light.h"
+#include "ray_light.h"
 
 #include "math/integer.h"
 #include "math/rotation.h"

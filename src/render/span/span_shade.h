@@ -1,6 +1,6 @@
-/* shade.h - colours a span of pixels of one sphere, with the kernels: light by light, shadow by shadow. */
-#ifndef TIA_RENDER_SPAN_SHADE_H
-#define TIA_RENDER_SPAN_SHADE_H
+/* span_shade.h - colours a span of pixels of one sphere, with the kernels: light by light, shadow by shadow. */
+#ifndef TIA_RENDER_SPAN_SPAN_SHADE_H
+#define TIA_RENDER_SPAN_SPAN_SHADE_H
 
 #include "span.h"
 

@@ -1,8 +1,8 @@
-/* trace.c - finds the visible surface of each pixel: flat faces by the rasteriser, curved objects by rays. */
-#include "view.h"
+/* raster_trace.c - finds the visible surface of each pixel: flat faces by the rasteriser, curved objects by rays. */
+#include "raster_view.h"
 
-#include "curved.h"
-#include "render/whitted/path.h"
+#include "curved_hits.h"
+#include "render/whitted/ray_tree.h"
 
 /* Replaces the face at a pixel by a curved object, if that is nearer. */
 static void look_for_curved(const struct ray_view *rays, const struct tia_flat_scene *flat,

@@ -1,7 +1,7 @@
-#include "shade.h"
+#include "span_shade.h"
 
 #include "scene/colour.h"
-#include "shadow.h"
+#include "span_shadow.h"
 
 /* A span being shaded. */
 struct shading {

@@ -1,8 +1,8 @@
-/* rows.c - from hits to pixels: a row is divided into pieces, and a piece into spans of one object. */
+/* span_rows.c - from hits to pixels: a row is divided into pieces, and a piece into spans of one object. */
 #include "coherence/coherence.h"
 #include "render/core/dither.h"
-#include "shade.h"
 #include "span.h"
+#include "span_shade.h"
 
 /* Marks functions that are not inlined, which keeps their arrays off the stack during deeper calls. */
 #if defined(__GNUC__)

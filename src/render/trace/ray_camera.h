@@ -1,6 +1,6 @@
-/* camera.h - the ray through each sample of each pixel, see tia/camera.h. */
-#ifndef TIA_RENDER_TRACE_CAMERA_H
-#define TIA_RENDER_TRACE_CAMERA_H
+/* ray_camera.h - the ray through each sample of each pixel, see tia/camera.h. */
+#ifndef TIA_RENDER_TRACE_RAY_CAMERA_H
+#define TIA_RENDER_TRACE_RAY_CAMERA_H
 
 #include "render/geometry/shape.h"
 #include "scene/lightfield.h"

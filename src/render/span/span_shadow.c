@@ -1,4 +1,4 @@
-#include "shadow.h"
+#include "span_shadow.h"
 
 /* Returns the smaller of `e` and the exponent that keeps a number of `bits` bits, exponent 32, below 2^60. */
 static int limit(int e, int bits)
@@ -96,7 +96,7 @@ bool shadow_line_prepare(const struct primary_rays *primary, const struct light_
     int e_a = prepare_product(primary, source, caster, x, y, line);
     int e_k = prepare_power(primary, source, caster, x, y, line);
 
-    /* facing has the exponent 15 - bits + e_d/2 + half, see light.c, and bias/r is 2^(-28 - bits) inverse */
+    /* facing has the exponent 15 - bits + e_d/2 + half, see span_light.c, and bias/r is 2^(-28 - bits) inverse */
     line->inverse = sphere->inverse;
     line->bias_shift = 43 + (source->exponent >> 1) - e_a;
     line->square_down = e_a < source->exponent ? num_count(source->exponent - e_a) : 0;

@@ -1,4 +1,4 @@
-#include "sphere.h"
+#include "span_sphere.h"
 
 /* Prepares the discriminant's exponents. An accumulator for b is L.v * 2^b_shift, below 2^63, and its upper half the
  * mantissa: its exponent is e_b = 16 + f + b_shift - 32; for v.v it is e_v = 2f + square_shift - 32. For b^2 - c v.v

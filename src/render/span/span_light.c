@@ -1,4 +1,4 @@
-#include "light.h"
+#include "span_light.h"
 
 /* Returns the exponent e_p of t^2 v.v = |P|^2, which is at most c on the tangent, or (2r)^2 from inside: it keeps |P|^2
  * below 2^60, and t v.v = |P| |v|, where |v| < 2^(30 - f), a mantissa below 2^31 with the exponent e_p - e_t. */
