@@ -1,13 +1,13 @@
 /* paths_tmpl.h - the rays of a block: queued rays and hits, and the light they bring.
  *
- * Parameters: the doubles of isa/isa.h, the hooks of check.h. Defines: push(), pop(), push_hits(), pop_hits(),
+ * Parameters: the doubles of isa/isa.h, the hooks of sure_check.h. Defines: push(), pop(), push_hits(), pop_hits(),
  * add_colour(), give_up(), struct rays, struct work, QUEUE_FULL, BLOCKERS. */
 #ifndef TIA_SIMD_RAYS_PATHS_TMPL_H
 #define TIA_SIMD_RAYS_PATHS_TMPL_H
 
-#include "check.h"
 #include "light_tmpl.h"
 #include "render/trace/media.h"
+#include "sure_check.h"
 
 #define COLUMNS 15
 

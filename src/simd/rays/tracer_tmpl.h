@@ -1,6 +1,6 @@
 /* tracer_tmpl.h - a block of pixels: camera rays, then their spawned rays, in packets.
  *
- * Parameters: the doubles of isa/isa.h, the hooks of check.h. Defines: trace(), for the table of lanes.h, shade(). */
+ * Parameters: the doubles of isa/isa.h, the hooks of sure_check.h. Defines: trace(), for lanes.h's table, shade(). */
 #ifndef TIA_SIMD_RAYS_TRACER_TMPL_H
 #define TIA_SIMD_RAYS_TRACER_TMPL_H
 

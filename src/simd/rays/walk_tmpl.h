@@ -1,7 +1,7 @@
 /* walk_tmpl.h - packets through the hierarchy: the nearest hit of each ray, and the occlusion between a point and a
  * light.
  *
- * Parameters: the doubles and pairs of floats of isa/isa.h, the hooks of check.h. Defines: find_nearest(),
+ * Parameters: the doubles and pairs of floats of isa/isa.h, the hooks of sure_check.h. Defines: find_nearest(),
  * begin_nearest(), end_nearest(), find_shadow(), meet_one(), meet_unbounded(), meet_light(), struct shadow, struct
  * room, LIGHT_ID.
  *
@@ -10,7 +10,6 @@
 #define TIA_SIMD_RAYS_WALK_TMPL_H
 
 #include "box_tmpl.h"
-#include "check.h"
 #include "cylinder_tmpl.h"
 #include "descend_tmpl.h"
 #include "flat_tmpl.h"
@@ -19,6 +18,7 @@
 #include "pairs_tmpl.h"
 #include "round_tmpl.h"
 #include "sphere_tmpl.h"
+#include "sure_check.h"
 #include "triangle_tmpl.h"
 
 /* Shadow rays, and the part of their transmission that is decided. */

@@ -1,4 +1,4 @@
-/* draw.c - a tile, block by block: certain pixels become RGB565, undecided samples go to the fixed-point path. */
+/* sure_tile.c - a tile, block by block: certain pixels become RGB565, undecided samples go to the fixed-point path. */
 #include "bounds.h"
 #include "render/core/dither.h"
 #include "simd/simd.h"

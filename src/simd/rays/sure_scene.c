@@ -1,4 +1,4 @@
-/* prepare.c - the scene in double precision, from the fixed-point one. */
+/* sure_scene.c - the scene in double precision, from the fixed-point one. */
 #include <tia/motion.h>
 
 #include "render/geometry/triangle.h"

@@ -1,7 +1,7 @@
-/* check.h - hooks of the templates for a build that traces the fixed-point ray beside each certified one (SURE_CHECK,
- * see tests/test_ray_bounds.c); in any other build they are empty. */
-#ifndef TIA_SIMD_RAYS_CHECK_H
-#define TIA_SIMD_RAYS_CHECK_H
+/* sure_check.h - hooks of the templates for a build that traces the fixed-point ray beside each certified one
+ * (SURE_CHECK, see tests/test_ray_bounds.c); in any other build they are empty. */
+#ifndef TIA_SIMD_RAYS_SURE_CHECK_H
+#define TIA_SIMD_RAYS_SURE_CHECK_H
 
 #ifdef SURE_CHECK
 struct query;

@@ -1,5 +1,5 @@
-/* plain.c - tiles that SIMD kernels leave to plain C: those whose paths are hashed or whose light is reported, and all
- * tiles without memory or without a floating-point environment of their own. */
+/* plain_tiles.c - tiles that SIMD kernels leave to plain C: those whose paths are hashed or whose light is reported,
+ * and all tiles without memory or without a floating-point environment of their own. */
 #include "simd.h"
 
 #define PIECE 128 /* number of a row's pixels that are traced at once */
