@@ -4,7 +4,7 @@
 
 #include "check.h"
 #include "random.h"
-#include "scene/lightfield.h"
+#include "scene/light_grid.h"
 
 #define ONE TIA_Q16_ONE
 

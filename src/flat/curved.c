@@ -1,6 +1,6 @@
 #include "curved.h"
 
-#include "scene/bounds.h"
+#include "scene/object_bounds.h"
 
 static bool is_curved(const struct tia_scene *scene, uint32_t object)
 {

@@ -1,9 +1,9 @@
-/* facets.h - the corners and faces of curved shapes that are divided into flat faces, see scene/facets.h. */
+/* facets.h - the corners and faces of curved shapes that are divided into flat faces, see scene/facet_count.h. */
 #ifndef TIA_FLAT_FACETS_H
 #define TIA_FLAT_FACETS_H
 
 #include "edges.h"
-#include "scene/facets.h"
+#include "scene/facet_count.h"
 
 /* A shape, in its own axes: circles with a corner along across[0] and the next ones towards across[1]. */
 struct tia_facet_shape {

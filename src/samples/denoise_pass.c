@@ -1,5 +1,5 @@
 /* denoise_pass.c - a pass of the wavelet. */
-#include "denoise.h"
+#include "denoise_data.h"
 
 #include "math/integer.h"
 

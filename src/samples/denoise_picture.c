@@ -1,5 +1,5 @@
 /* denoise_picture.c - converts sums of samples to light over albedo, and back. */
-#include "denoise.h"
+#include "denoise_data.h"
 
 #include <tia/debug.h>
 

@@ -2,7 +2,7 @@
 #include "loop.h"
 
 #include "math/divide.h"
-#include "scene/check/check.h"
+#include "scene/check/scene_check.h"
 
 /* Returns the number of the light that a key sets or moves. */
 static uint32_t light_of(const struct loop *loop, uint16_t key, uint32_t *first)

@@ -1,6 +1,6 @@
 /* run.c - the viewer of any scene. */
 #include "loop.h"
-#include "scene/check/check.h"
+#include "scene/check/scene_check.h"
 
 static const struct viewer_more more = {
     .check = tia_check_scene,

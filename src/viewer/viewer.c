@@ -1,7 +1,7 @@
 /* viewer.c - the interactive loop: handle keys, advance time, draw tiles, present. Independent of the operating system.
  */
 #include "loop.h"
-#include "scene/check/check.h"
+#include "scene/check/scene_check.h"
 
 #define RATE_MAX 1000000 /* maximum of both numbers of a rate and a pace */
 

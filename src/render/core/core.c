@@ -1,7 +1,7 @@
 /* core.c - the core of each arithmetic, with all renderers. */
 #include "render/renderer.h"
 #include "render/span/kernels.h"
-#include "scene/check/check.h"
+#include "scene/check/scene_check.h"
 
 static const struct renderer *const renderers[] = {&ao_renderer,   &path_renderer,    &raster_renderer,
                                                    &span_renderer, &whitted_renderer, NULL};

@@ -1,7 +1,7 @@
 /* spheres_small.c - the core for scenes of spheres alone, of the smallest size. */
 #include "render/renderer.h"
 #include "render/span/kernels.h"
-#include "scene/check/check.h"
+#include "scene/check/scene_check.h"
 
 static const struct renderer *const renderers[] = {&span_renderer_small, NULL};
 static const struct tia_renderers spheres = {renderers, &span_kernels_plain, tia_check_spheres};

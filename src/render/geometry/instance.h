@@ -10,7 +10,7 @@
 #ifndef TIA_RENDER_GEOMETRY_INSTANCE_H
 #define TIA_RENDER_GEOMETRY_INSTANCE_H
 
-#include "scene/bounds.h"
+#include "scene/object_bounds.h"
 #include "shape.h"
 
 struct instance {

@@ -3,7 +3,7 @@
 #define TIA_RENDER_TRACE_RAY_CAMERA_H
 
 #include "render/geometry/shape.h"
-#include "scene/lightfield.h"
+#include "scene/light_grid.h"
 
 struct ray_camera {
     struct num_point eye;

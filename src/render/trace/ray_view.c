@@ -1,7 +1,7 @@
 /* ray_view.c - a scene for general rays: the camera, the lights, shapes and their instances. */
 #include "math/align.h"
-#include "scene/bounds.h"
 #include "scene/colour.h"
+#include "scene/object_bounds.h"
 #include "trace.h"
 
 /* Properties of a mesh that shapes need: computed at the first use, since there may be many. */

@@ -9,7 +9,7 @@
 #include "objects.h"
 
 #include "math/align.h"
-#include "scene/bounds.h"
+#include "scene/object_bounds.h"
 
 /* Costs of a test with an object, relative to a visit to two boxes: about twice as many instructions for a sphere,
  * three times for a triangle, and five times for cylinders and cones, averaged over all tests, most of which miss

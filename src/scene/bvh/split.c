@@ -11,7 +11,7 @@
 #include "split.h"
 
 #include "math/integer.h"
-#include "scene/bounds.h"
+#include "scene/object_bounds.h"
 
 struct split {
     uint64_t cost; /* sum of area times items over both children */

@@ -1,5 +1,5 @@
-#include "check.h"
 #include "math/integer.h"
+#include "scene_check.h"
 
 /* True if V is off the direction of n: the squared sine of their angle, |V x n|^2 of the unit vectors, is at least
  * 2^-20. */

@@ -2,7 +2,7 @@
  * as a length in Q16.16. Such a colour is 2^14 times too small, and so below 2^-13, since colours are below 2. */
 #include <tia/motion.h>
 
-#include "check.h"
+#include "scene_check.h"
 
 /* The brightest of several colours, and the index of the light or material that has it. */
 struct brightest {

@@ -1,7 +1,7 @@
 /* fall.c - balls that fall. */
 #include <tia/motion.h>
 
-#include "check.h"
+#include "scene_check.h"
 
 #define SPEED_MOST (INT32_C(1024) * TIA_Q16_ONE)
 #define MASS_MIN (TIA_Q16_ONE >> 10)

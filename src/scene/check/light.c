@@ -1,4 +1,4 @@
-#include "check.h"
+#include "scene_check.h"
 
 bool tia_check_is_light_near(const struct check *check, const struct tia_light *l)
 {

@@ -1,4 +1,4 @@
-#include "check.h"
+#include "scene_check.h"
 
 static int check_line(const struct check *check)
 {

@@ -1,4 +1,4 @@
-#include "check.h"
+#include "scene_check.h"
 
 #include "scene/colour.h"
 

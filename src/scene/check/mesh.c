@@ -1,6 +1,6 @@
 /* mesh.c - checks each mesh and grid once, and then the shapes that use it. */
-#include "check.h"
-#include "scene/bounds.h"
+#include "scene/object_bounds.h"
+#include "scene_check.h"
 
 /* True if every corner has an index, or none has. */
 static bool are_indices(uint32_t a, uint32_t b, uint32_t c, uint32_t count)

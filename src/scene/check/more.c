@@ -1,7 +1,7 @@
 /* more.c - the checks of scenes that have more than spheres. */
 #include <tia/motion.h>
 
-#include "check.h"
+#include "scene_check.h"
 
 /* Gives bounds of all eye positions. Tracks are unchecked here: a faulty one may have no keys. */
 static void find_eyes(const struct tia_scene *scene, struct tia_bounds *eyes)

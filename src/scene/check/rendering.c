@@ -1,5 +1,5 @@
 /* rendering.c - checks a scene's settings for the renderers. */
-#include "check.h"
+#include "scene_check.h"
 
 #include <tia/integrator.h>
 

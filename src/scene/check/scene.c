@@ -1,5 +1,5 @@
 /* scene.c - the whole check, in order: an object is checked before the indices that point to it. */
-#include "check.h"
+#include "scene_check.h"
 
 static bool is_array(const void *array, uint32_t count)
 {

@@ -1,8 +1,8 @@
 /* shadows.c - requirements of the techniques for shadows, other than traced rays, on a scene, see shadow.h. */
-#include "check.h"
+#include "scene_check.h"
 
 #include "scene/colour.h"
-#include "scene/facets.h"
+#include "scene/facet_count.h"
 
 /* True for a technique with soft shadows: area lights may be of any kind then, and have one sample. */
 static bool is_soft(const struct tia_scene *scene)

@@ -1,6 +1,6 @@
-#include "check.h"
-#include "scene/bounds.h"
+#include "scene/object_bounds.h"
 #include "scene/shapes/description.h"
+#include "scene_check.h"
 
 int tia_check_transform(const struct check *check)
 {

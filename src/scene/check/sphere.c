@@ -1,4 +1,4 @@
-#include "check.h"
+#include "scene_check.h"
 
 int tia_check_sphere(const struct check *check)
 {

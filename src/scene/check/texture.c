@@ -1,4 +1,4 @@
-#include "check.h"
+#include "scene_check.h"
 
 bool tia_check_has_texture(const struct check *check, uint32_t number, bool opacity)
 {

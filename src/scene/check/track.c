@@ -1,7 +1,7 @@
 #include <tia/motion.h>
 
-#include "check.h"
 #include "scene/colour.h"
+#include "scene_check.h"
 
 #define VALUE(condition, rule) REQUIRE(condition, "value", rule)
 

@@ -6,8 +6,8 @@
 #include "math/align.h"
 #include "math/rotation.h"
 #include "math/wide.h"
-#include "scene/bounds.h"
 #include "scene/cancel.h"
+#include "scene/object_bounds.h"
 #include "tick.h"
 
 #define MOST_Q32 (INT64_C(1) << 50) /* a length beyond any accepted scene, which times 256 still fits 64 bits */

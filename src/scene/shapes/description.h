@@ -5,7 +5,7 @@
 #ifndef TIA_SCENE_SHAPES_DESCRIPTION_H
 #define TIA_SCENE_SHAPES_DESCRIPTION_H
 
-#include "scene/check/check.h"
+#include "scene/check/scene_check.h"
 #include "scene/hull.h"
 
 #define SHAPE_FIELDS_MAX 8

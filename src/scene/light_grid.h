@@ -1,6 +1,6 @@
-/* lightfield.h - maps a light field's pixels to pixels of ordinary pictures, see tia/lightfield.h. */
-#ifndef TIA_SCENE_LIGHTFIELD_H
-#define TIA_SCENE_LIGHTFIELD_H
+/* light_grid.h - maps a light field's pixels to pixels of ordinary pictures, see tia/lightfield.h. */
+#ifndef TIA_SCENE_LIGHT_GRID_H
+#define TIA_SCENE_LIGHT_GRID_H
 
 #include <tia/scene.h>
 

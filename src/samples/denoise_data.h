@@ -1,6 +1,6 @@
-/* denoise.h - the denoiser's data of a picture. */
-#ifndef TIA_SAMPLES_DENOISE_H
-#define TIA_SAMPLES_DENOISE_H
+/* denoise_data.h - the denoiser's data of a picture. */
+#ifndef TIA_SAMPLES_DENOISE_DATA_H
+#define TIA_SAMPLES_DENOISE_DATA_H
 
 #include <tia/denoise.h>
 

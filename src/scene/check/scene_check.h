@@ -1,6 +1,6 @@
-/* check.h - the parts of tia_scene_check: each returns TIA_OK, or fills in the fault. */
-#ifndef TIA_SCENE_CHECK_CHECK_H
-#define TIA_SCENE_CHECK_CHECK_H
+/* scene_check.h - the parts of tia_scene_check: each returns TIA_OK, or fills in the fault. */
+#ifndef TIA_SCENE_CHECK_SCENE_CHECK_H
+#define TIA_SCENE_CHECK_SCENE_CHECK_H
 
 #include "scene/cancel.h"
 #include "scene/hull.h"

@@ -1,12 +1,12 @@
-/* facets.c - corners lie on the surface, so that closed shapes hold their faces: then each ray that meets a face also
- * meets the shape.
+/* facet_count.c - corners lie on the surface, so that closed shapes hold their faces: then each ray that meets a face
+ * also meets the shape.
  *
  * The chord between two of n corners of a circle of radius r is at most r (1 - cos(pi/n)) < r pi^2/(2 n^2) away from
  * it. So n^2 >= 5 r/e is enough for an error of e: 5 - pi^2/2 = 0.07 leaves room for the rounding of angles to 2^-16
  * degree, n being at most 2^14. On a sphere a face spans such an arc both ways. With u the direction of the middle of
  * the arcs, each corner p has p.u >= r (1 - 2 (1 - cos(pi/n))), so has each point between them: there n^2 >= 10 r/e. A
  * transform makes radii and errors longer, but by no more than its largest scale. */
-#include "facets.h"
+#include "facet_count.h"
 
 #include "math/integer.h"
 

@@ -1,4 +1,4 @@
-/* move.c - the hierarchy of a scene whose objects have moved.
+/* refit.c - the hierarchy of a scene whose objects have moved.
  *
  * The tree of the scene at rest is kept, except for the boxes of the objects that moved and the boxes around them. It
  * may become worse over time: where boxes of the same depth overlap, rays visit more of them. The number of nodes that
@@ -8,7 +8,7 @@
 #include "objects.h"
 
 #include "math/integer.h"
-#include "scene/bounds.h"
+#include "scene/object_bounds.h"
 
 size_t tia_bvh_move_size(const struct tia_scene *scene)
 {

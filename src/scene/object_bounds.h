@@ -1,6 +1,6 @@
-/* bounds.h - boxes around objects, for the check of scenes and for building hierarchies. */
-#ifndef TIA_SCENE_BOUNDS_H
-#define TIA_SCENE_BOUNDS_H
+/* object_bounds.h - boxes around objects, for the check of scenes and for building hierarchies. */
+#ifndef TIA_SCENE_OBJECT_BOUNDS_H
+#define TIA_SCENE_OBJECT_BOUNDS_H
 
 #include "hull.h"
 

@@ -1,5 +1,5 @@
-/* bounds.c - boxes around objects. */
-#include "bounds.h"
+/* object_bounds.c - boxes around objects. */
+#include "object_bounds.h"
 
 #include "scene/shapes/description.h"
 

@@ -1,6 +1,6 @@
-/* number.c - range checks of numbers, the same for all fields. */
-#include "check.h"
+/* number_range.c - range checks of numbers, the same for all fields. */
 #include "math/integer.h"
+#include "scene_check.h"
 
 int tia_check_refuse(const struct check *check, const char *field, const char *rule)
 {

@@ -1,7 +1,7 @@
-/* facets.h - number of flat faces of curved shapes, such that no point of a face is farther from the surface than the
- * scene allows. */
-#ifndef TIA_SCENE_FACETS_H
-#define TIA_SCENE_FACETS_H
+/* facet_count.h - number of flat faces of curved shapes, such that no point of a face is farther from the surface than
+ * the scene allows. */
+#ifndef TIA_SCENE_FACET_COUNT_H
+#define TIA_SCENE_FACET_COUNT_H
 
 #include <tia/scene.h>
 

@@ -1,4 +1,4 @@
-#include "lightfield.h"
+#include "light_grid.h"
 
 #include "axes.h"
 #include "math/integer.h"
