@@ -15,11 +15,11 @@
 #define tia_raster_corners_blend halves_raster_corners_blend
 #define tia_polygon_cut_ahead halves_polygon_cut_ahead
 #define tia_raster_plane_init halves_raster_plane_init
-#include "raster/box.c"
 #include "raster/depth.c"
-#include "raster/draw.c"
 #include "raster/polygon.c"
-#include "raster/rows.c"
+#include "raster/polygon_box.c"
+#include "raster/polygon_rows.c"
+#include "raster/raster_draw.c"
 #undef UNSURE
 #include "raster/blend.c"
 #undef tia_raster_draw

@@ -6,7 +6,7 @@
 #include <tia/debug.h>
 
 #include "check.h"
-#include "flat/curved.h"
+#include "flat/curved_places.h"
 #include "shadow_world.h"
 
 enum { WIDTH = 128, HEIGHT = 96, PIXELS = WIDTH * HEIGHT, MOST = 16 * PIXELS };

@@ -3,7 +3,7 @@
 #ifndef TIA_FLAT_WORLD_H
 #define TIA_FLAT_WORLD_H
 
-#include "lights.h"
+#include "light_vertices.h"
 
 #define TIA_WORLD_BITS 28 /* fraction bits of a position */
 

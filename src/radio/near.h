@@ -2,7 +2,7 @@
 #ifndef TIA_RADIO_NEAR_H
 #define TIA_RADIO_NEAR_H
 
-#include "faces.h"
+#include "face_planes.h"
 
 struct near {
     int64_t low[3], high[3];    /* box around both ends, enlarged by 4 units for turned boxes' deviations */

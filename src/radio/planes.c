@@ -1,5 +1,5 @@
 /* planes.c - planes with integer coefficients in a unique form, so that equal ones are found. */
-#include "faces.h"
+#include "face_planes.h"
 
 #include "math/sort.h"
 

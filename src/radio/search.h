@@ -2,8 +2,8 @@
 #ifndef TIA_RADIO_SEARCH_H
 #define TIA_RADIO_SEARCH_H
 
-#include "faces.h"
-#include "number.h"
+#include "face_planes.h"
+#include "long_number.h"
 
 /* A point x / w; w > 0. */
 struct spot {

@@ -1,8 +1,8 @@
 #include "occluder.h"
 
-#include "ranges.h"
 #include "raster/forms_wide.h"
 #include "raster/halves.h"
+#include "shadow_ranges.h"
 
 #define NOTHING (-(1 << 14)) /* the exponent of 0: less than any other */
 

@@ -11,12 +11,12 @@
  * integers, since their sides lie in the same planes, so both give the same shadows, and neither needs a bias.
  *
  * The products have up to 243 bits. A filter comes first: s with a relative error below 2^-58, m with one of 2^-61,
- * and M.D, in units that make it smaller than 2^62, less than 2^14 too small. ranges.h has the resulting error of their
- * difference, and tests/proofs/shadow_occluder.g proves it. */
+ * and M.D, in units that make it smaller than 2^62, less than 2^14 too small. shadow_ranges.h has the resulting error
+ * of their difference, and tests/proofs/shadow_occluder.g proves it. */
 #ifndef TIA_SHADOW_OCCLUDER_H
 #define TIA_SHADOW_OCCLUDER_H
 
-#include "flat/lights.h"
+#include "flat/light_vertices.h"
 
 /* The plane of a visible face. */
 struct tia_seen_face {

@@ -2,8 +2,8 @@
 #ifndef TIA_SHADOW_PLACES_H
 #define TIA_SHADOW_PLACES_H
 
-#include "flat/lights.h"
-#include "ranges.h"
+#include "flat/light_vertices.h"
+#include "shadow_ranges.h"
 
 /* A scene's positions: coordinates of vertices with SEEN_BITS more fraction bits. */
 struct tia_places {

@@ -6,18 +6,18 @@
  * No face is missed. Let a face hide the light from a visible point P. The segment between them meets the face, so seen
  * from the light P lies in the face's image, or on its border where the tie rule moved the pixel. P is filed by a
  * rounded position; the centre of that cell is less than a column and a row from P (tests/proofs/shadow_map_exact.g,
- * with the numbers of ranges.h; larger cells are off by a smaller part of themselves). A face is drawn with each edge
- * moved outwards by a column and a row: an edge e(x, y) >= 0 at P is at least -(|e.x| + |e.y|) at the centre. So that
- * cell is covered, and the face is tested against P. To a point light the image is exact, and P too near is tested
+ * with the numbers of shadow_ranges.h; larger cells are off by a smaller part of themselves). A face is drawn with each
+ * edge moved outwards by a column and a row: an edge e(x, y) >= 0 at P is at least -(|e.x| + |e.y|) at the centre. So
+ * that cell is covered, and the face is tested against P. To a point light the image is exact, and P too near is tested
  * against all faces. To a direction, corners are rounded, and P's image with them, being their mean; thin faces are a
  * box; and P beyond all corners can be hidden by planes alone. Nor is a point hidden wrongly: the test's integers are
  * those of exact rays. */
 #include "math/wide.h"
 #include "occluder.h"
 #include "places.h"
-#include "ranges.h"
-#include "raster/rows.h"
+#include "raster/polygon_rows.h"
 #include "raster/target.h"
+#include "shadow_ranges.h"
 #include "technique.h"
 
 #define VIEWS 6 /* number of views of a point light; a directional one has one view */

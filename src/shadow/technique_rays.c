@@ -1,6 +1,6 @@
 /* technique_rays.c - shadows by exact rays. */
 #include "math/align.h"
-#include "rays.h"
+#include "shadow_rays.h"
 
 static uint64_t own_size(const struct tia_scene *scene)
 {

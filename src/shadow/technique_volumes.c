@@ -1,6 +1,6 @@
 /* technique_volumes.c - shadows by shadow volumes, counted at each pixel. */
 #include "math/align.h"
-#include "rays.h"
+#include "shadow_rays.h"
 
 /* Ways to count a sample's volumes: behind the visible point or in front of it. Where both are undecided, rays
  * decide. */

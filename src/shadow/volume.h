@@ -8,7 +8,7 @@
 #ifndef TIA_SHADOW_VOLUME_H
 #define TIA_SHADOW_VOLUME_H
 
-#include "flat/lights.h"
+#include "flat/light_vertices.h"
 #include "scene/cancel.h"
 
 /* Returns the side of a face's plane on which the light is: 1 where the corners run counterclockwise seen from it, -1

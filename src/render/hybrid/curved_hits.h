@@ -2,7 +2,7 @@
 #ifndef TIA_RENDER_HYBRID_CURVED_HITS_H
 #define TIA_RENDER_HYBRID_CURVED_HITS_H
 
-#include "flat/curved.h"
+#include "flat/curved_places.h"
 #include "render/trace/trace.h"
 
 /* Replaces the ray's hit by the nearest curved object if it is nearer, or as near with a lower index. */

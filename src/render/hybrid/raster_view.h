@@ -2,7 +2,7 @@
 #ifndef TIA_RENDER_HYBRID_RASTER_VIEW_H
 #define TIA_RENDER_HYBRID_RASTER_VIEW_H
 
-#include "flat/curved.h"
+#include "flat/curved_places.h"
 #include "math/align.h"
 #include "render/trace/trace.h"
 #include "shadow/technique.h"

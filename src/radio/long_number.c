@@ -1,4 +1,4 @@
-#include "number.h"
+#include "long_number.h"
 
 static void trim(struct number *a)
 {

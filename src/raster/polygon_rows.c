@@ -1,4 +1,4 @@
-/* rows.c - the pixels that a polygon covers, row by row.
+/* polygon_rows.c - the pixels that a polygon covers, row by row.
  *
  * An edge x i + y j + c changes its sign in row j at -(y j + c)/x, a linear function of j. It is stepped in fixed
  * point, and the edge itself is evaluated where that comes too close to a pixel. So the runs are exact, and no row
@@ -6,7 +6,7 @@
  *
  * ranges.h has bounds on the error, and tests/proofs/raster_rows.g their proof. Larger slopes, of rare edges that are
  * nearly horizontal, are found by bisection. */
-#include "rows.h"
+#include "polygon_rows.h"
 
 #include "ranges.h"
 

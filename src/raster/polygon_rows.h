@@ -1,6 +1,6 @@
-/* rows.h - the pixels that a polygon covers, as one run in each row. */
-#ifndef TIA_RASTER_ROWS_H
-#define TIA_RASTER_ROWS_H
+/* polygon_rows.h - the pixels that a polygon covers, as one run in each row. */
+#ifndef TIA_RASTER_POLYGON_ROWS_H
+#define TIA_RASTER_POLYGON_ROWS_H
 
 #include "polygon.h"
 

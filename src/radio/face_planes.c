@@ -1,5 +1,5 @@
-/* faces.c - the flat faces of a scene's objects. */
-#include "faces.h"
+/* face_planes.c - the flat faces of a scene's objects. */
+#include "face_planes.h"
 
 #include "flat/source.h"
 #include "math/align.h"

@@ -1,6 +1,6 @@
-/* rays.h - exact shadow rays from a pixel's visible point to the light, face by face, see occluder.h. */
-#ifndef TIA_SHADOW_RAYS_H
-#define TIA_SHADOW_RAYS_H
+/* shadow_rays.h - exact shadow rays from a pixel's visible point to the light, face by face, see occluder.h. */
+#ifndef TIA_SHADOW_SHADOW_RAYS_H
+#define TIA_SHADOW_SHADOW_RAYS_H
 
 #include "casters.h"
 #include "technique.h"

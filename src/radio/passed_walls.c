@@ -1,4 +1,4 @@
-/* pass.c - finds the walls that a segment passes through. */
+/* passed_walls.c - finds the walls that a segment passes through. */
 #include "near.h"
 #include "search.h"
 

@@ -1,4 +1,4 @@
-#include "lights.h"
+#include "light_vertices.h"
 
 #include "math/wide.h"
 

@@ -1,6 +1,6 @@
-/* curved.h - the parts of the image that may show objects without flat faces, where rays are traced. */
-#ifndef TIA_FLAT_CURVED_H
-#define TIA_FLAT_CURVED_H
+/* curved_places.h - the parts of the image that may show objects without flat faces, where rays are traced. */
+#ifndef TIA_FLAT_CURVED_PLACES_H
+#define TIA_FLAT_CURVED_PLACES_H
 
 #include "faces.h"
 

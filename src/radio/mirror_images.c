@@ -1,4 +1,4 @@
-/* images.c - images of points in planes, and intersections of lines and planes: rational numbers. */
+/* mirror_images.c - images of points in planes, and intersections of lines and planes: rational numbers. */
 #include "search.h"
 
 void tia_radio_spot(struct spot *out, struct tia_vec3 point)

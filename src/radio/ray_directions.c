@@ -1,4 +1,4 @@
-/* sphere.c - directions all around: an icosahedron, its edges divided. */
+/* ray_directions.c - directions all around: an icosahedron, its edges divided. */
 #include "search.h"
 
 #define CORNERS 12

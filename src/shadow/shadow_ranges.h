@@ -1,7 +1,7 @@
-/* ranges.h - the bounds of the filter in occluder.h and of the cells in technique_map_exact.c. `make prove` puts these
- * numbers into tests/proofs/shadow_*.g, which show that they suffice. */
-#ifndef TIA_SHADOW_RANGES_H
-#define TIA_SHADOW_RANGES_H
+/* shadow_ranges.h - the bounds of the filter in occluder.h and of the cells in technique_map_exact.c. `make prove` puts
+ * these numbers into tests/proofs/shadow_*.g, which show that they suffice. */
+#ifndef TIA_SHADOW_SHADOW_RANGES_H
+#define TIA_SHADOW_SHADOW_RANGES_H
 
 /* Error bounds of the difference between M.D and m s, both below 2^62: of the products and shifts; and the further
  * error of M.D where its three numbers are cut, at columns and rows below 2^13. */

@@ -1,4 +1,4 @@
-#include "curved.h"
+#include "curved_places.h"
 
 #include "scene/object_bounds.h"
 

@@ -1,4 +1,4 @@
-#include "rays.h"
+#include "shadow_rays.h"
 
 #include "raster/target.h"
 

@@ -1,6 +1,6 @@
-/* lights.h - light samples as vertices. */
-#ifndef TIA_FLAT_LIGHTS_H
-#define TIA_FLAT_LIGHTS_H
+/* light_vertices.h - light samples as vertices. */
+#ifndef TIA_FLAT_LIGHT_VERTICES_H
+#define TIA_FLAT_LIGHT_VERTICES_H
 
 #include "faces.h"
 

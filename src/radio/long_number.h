@@ -1,4 +1,4 @@
-/* number.h - integers of as many digits as a path needs.
+/* long_number.h - integers of as many digits as a path needs.
  *
  * An image after k reflections has k factors n.n in its denominator, n the planes' normals. How large the numbers get:
  *
@@ -14,8 +14,8 @@
  *
  * So 40 words are enough. Planes across an axis have the normal 1: there all stays below 2^128.
  */
-#ifndef TIA_RADIO_NUMBER_H
-#define TIA_RADIO_NUMBER_H
+#ifndef TIA_RADIO_LONG_NUMBER_H
+#define TIA_RADIO_LONG_NUMBER_H
 
 #include "math/wide.h"
 

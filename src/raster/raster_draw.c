@@ -1,5 +1,5 @@
 #include "depth.h"
-#include "rows.h"
+#include "polygon_rows.h"
 #include "runs.h"
 #include "target.h"
 

@@ -1,6 +1,6 @@
-/* faces.h - a scene's flat faces, and the planes that they lie in. */
-#ifndef TIA_RADIO_FACES_H
-#define TIA_RADIO_FACES_H
+/* face_planes.h - a scene's flat faces, and the planes that they lie in. */
+#ifndef TIA_RADIO_FACE_PLANES_H
+#define TIA_RADIO_FACE_PLANES_H
 
 #include <tia/bvh.h>
 #include <tia/radio.h>
