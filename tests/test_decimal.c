@@ -1,7 +1,7 @@
 /* Decimals to fixed point, against fractions of integers; those in the table are Python's. */
 #include "check.h"
 #include "random.h"
-#include "read/text/text.h"
+#include "read/text/text_lines.h"
 
 static struct tia_word word_of(const char *string)
 {

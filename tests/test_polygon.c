@@ -4,7 +4,7 @@
 
 #include "check.h"
 #include "random.h"
-#include "read/polygon.h"
+#include "read/triangulation.h"
 
 #define MOST POLYGON_MAX
 

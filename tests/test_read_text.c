@@ -4,7 +4,7 @@
 
 #include "check.h"
 #include "random.h"
-#include "read/text/names.h"
+#include "read/text/name_table.h"
 
 static struct tia_read_error error;
 

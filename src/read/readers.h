@@ -12,7 +12,7 @@
 #define TIA_READ_READERS_H
 
 #include "read/text/arena.h"
-#include "read/text/text.h"
+#include "read/text/text_lines.h"
 
 int tia_read_tia(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena);
 int tia_read_nff(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena);

@@ -2,7 +2,7 @@
 #ifndef TIA_READ_SURFACE_H
 #define TIA_READ_SURFACE_H
 
-#include "read/text/text.h"
+#include "read/text/text_lines.h"
 
 static inline struct tia_rgb tia_grey(tia_q30 x)
 {

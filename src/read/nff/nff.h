@@ -2,9 +2,9 @@
 #ifndef TIA_READ_NFF_NFF_H
 #define TIA_READ_NFF_NFF_H
 
-#include "read/polygon.h"
 #include "read/readers.h"
 #include "read/text/length.h"
+#include "read/triangulation.h"
 
 enum view { VIEW_V = 1, VIEW_FROM = 2, VIEW_AT = 4, VIEW_UP = 8, VIEW_ANGLE = 16, VIEW_ALL = 31 };
 

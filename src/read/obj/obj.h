@@ -2,9 +2,9 @@
 #ifndef TIA_READ_OBJ_OBJ_H
 #define TIA_READ_OBJ_OBJ_H
 
-#include "read/polygon.h"
 #include "read/readers.h"
-#include "read/text/names.h"
+#include "read/text/name_table.h"
+#include "read/triangulation.h"
 
 #define OBJ_LIBRARIES 16 /* material libraries in one scene */
 

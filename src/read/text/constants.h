@@ -7,7 +7,7 @@
 #ifndef TIA_READ_TEXT_CONSTANTS_H
 #define TIA_READ_TEXT_CONSTANTS_H
 
-#include "text.h"
+#include "text_lines.h"
 
 #define TIA_CONSTANTS_MAX 128
 

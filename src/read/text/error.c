@@ -1,5 +1,5 @@
 /* error.c - error messages. */
-#include "text.h"
+#include "text_lines.h"
 
 #define SHOWN 40 /* largest number of a word's bytes in a message */
 

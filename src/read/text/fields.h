@@ -5,7 +5,7 @@
 #ifndef TIA_READ_TEXT_FIELDS_H
 #define TIA_READ_TEXT_FIELDS_H
 
-#include "text.h"
+#include "text_lines.h"
 
 enum tia_field_kind {
     TIA_NUMBERS,    /* `count` tia_q16 */

@@ -8,7 +8,7 @@
 #ifndef TIA_READ_TEXT_LENGTH_H
 #define TIA_READ_TEXT_LENGTH_H
 
-#include "text.h"
+#include "text_lines.h"
 
 struct tia_span {
     int64_t min[3], max[3]; /* Q47.16 */

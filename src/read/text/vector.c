@@ -1,6 +1,6 @@
 /* vector.c - vectors, colours and directions: three numbers. */
 #include "math/integer.h"
-#include "text.h"
+#include "text_lines.h"
 
 int tia_text_vec3(struct tia_text *t, struct tia_vec3 *out)
 {

@@ -1,5 +1,5 @@
 /* define.c - names for numbers:  define RADIUS 2.5 */
-#include "parse.h"
+#include "parse_state.h"
 
 static int check_name(struct tia_parse *job, const struct tia_word *name)
 {

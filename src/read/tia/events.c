@@ -1,6 +1,6 @@
 /* events.c - events of a playing scene:  sphere ... appears 2 vanishes 5    fall ball velocity 1 0 0 */
 #include "math/integer.h"
-#include "parse.h"
+#include "parse_state.h"
 
 #define END_DEFAULT TIA_Q16(10)
 

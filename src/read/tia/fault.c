@@ -2,7 +2,7 @@
  *
  * The text is read once more until the object at fault has been made: its statement is the last one read.
  */
-#include "parse.h"
+#include "parse_state.h"
 #include "read/readers.h"
 
 static struct tia_word word_of(const char *string)

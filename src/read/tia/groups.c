@@ -12,7 +12,7 @@
  * error of 2^-17 degrees each, except where only one of the composed rotations is not 0: they stay as written. */
 #include "math/rotation.h"
 #include "math/wide.h"
-#include "parse.h"
+#include "parse_state.h"
 
 #define ONE_Q62 (INT64_C(1) << 62)
 #define NOTHING (INT64_C(1) << 20)         /* 2^-42: a smaller component of an axis is 0 but for rounding */

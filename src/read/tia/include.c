@@ -3,7 +3,7 @@
  * The caller loads a file by its path from the scene's folder; names inside it are relative to its own folder: leg.tia
  * in models/chair.tia is models/leg.tia. The stack holds only the words that name the files: a path follows from them.
  */
-#include "parse.h"
+#include "parse_state.h"
 
 /* Replaces `path`, a file's path, by that of `name`, which is relative to the file's folder; false: the new path is too
  * long. */

@@ -5,7 +5,7 @@
  * u.
  */
 #include "math/integer.h"
-#include "parse.h"
+#include "parse_state.h"
 
 struct display {
     struct tia_vec3 centre, up;

@@ -1,5 +1,5 @@
 /* lights.c - lights, and keys that set them. */
-#include "parse.h"
+#include "parse_state.h"
 #include <tia/port.h>
 
 struct light_line {

@@ -1,6 +1,6 @@
 /* materials.c - materials and textures. */
 #include "math/integer.h"
-#include "parse.h"
+#include "parse_state.h"
 
 struct material_line {
     struct tia_material material;

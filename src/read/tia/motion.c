@@ -1,5 +1,5 @@
 /* motion.c - keyframes:  animate ball at smooth 0: 0 0 0  2: 0 3 0    animate gold colour 0: 1 0.8 0  1: 0.5 */
-#include "parse.h"
+#include "parse_state.h"
 
 enum moving { CAMERA, LIGHT, SHAPE, MATERIAL };
 

@@ -1,5 +1,5 @@
 /* shapes.c - the shapes, one statement each. */
-#include "parse.h"
+#include "parse_state.h"
 
 #include "scene/shapes/description.h"
 

@@ -1,5 +1,5 @@
 /* solids.c - meshes and grids: blocks of lines, from their statement to the line "end". */
-#include "parse.h"
+#include "parse_state.h"
 
 /* Reads the first word of a block's next line; an error at the text's end. */
 static int take_line(struct tia_text *t, struct tia_word *word, const char *expected)

@@ -1,5 +1,5 @@
 /* tia.c - scenes in tia's own format, tia-scene(5): the passes over the text, and the table of statements. */
-#include "parse.h"
+#include "parse_state.h"
 #include "read/readers.h"
 #include "scene/shapes/description.h"
 

@@ -1,4 +1,4 @@
-#include "polygon.h"
+#include "triangulation.h"
 
 #include "math/integer.h"
 

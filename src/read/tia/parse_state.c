@@ -1,5 +1,5 @@
-/* parse.c - the arrays and names of a .tia file. */
-#include "parse.h"
+/* parse_state.c - the arrays and names of a .tia file. */
+#include "parse_state.h"
 
 uint32_t tia_parse_count(const struct tia_parse *job, enum tia_parse_array array)
 {

@@ -1,4 +1,4 @@
-#include "reach.h"
+#include "scene_reach.h"
 
 #include "math/integer.h"
 #include "scene/shapes/description.h"

@@ -1,4 +1,4 @@
-/* text.h - reads lines of words and numbers from untrusted bytes.
+/* text_lines.h - reads lines of words and numbers from untrusted bytes.
  *
  * Blanks separate words, LF or CRLF separates lines. A # where a word could begin starts a comment. A backslash
  * at the very end of a line joins the next line to it. The text needs no final newline or 0; nothing beyond its
@@ -16,8 +16,8 @@
  *             return status;
  *     }
  */
-#ifndef TIA_READ_TEXT_TEXT_H
-#define TIA_READ_TEXT_TEXT_H
+#ifndef TIA_READ_TEXT_TEXT_LINES_H
+#define TIA_READ_TEXT_TEXT_LINES_H
 
 #include <tia/read.h>
 

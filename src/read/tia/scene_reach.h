@@ -1,11 +1,11 @@
-/* reach.h - bounds of a .tia scene, found line by line, and the finest unit that they allow.
+/* scene_reach.h - bounds of a .tia scene, found line by line, and the finest unit that they allow.
  *
  * The first pass covers objects with a position of their own. Objects placed by a transform, a group or an animation
  * lie around that position, no farther than the radius of the largest object in its own axes times the largest scale:
  * names are not resolved yet.
  */
-#ifndef TIA_READ_TIA_REACH_H
-#define TIA_READ_TIA_REACH_H
+#ifndef TIA_READ_TIA_SCENE_REACH_H
+#define TIA_READ_TIA_SCENE_REACH_H
 
 #include "read/text/length.h"
 #include <tia/motion.h>

@@ -1,16 +1,16 @@
-/* parse.h - the state of the .tia reader, shared by its statements.
+/* parse_state.h - the state of the .tia reader, shared by its statements.
  *
  * It makes three passes over the text. The first one only counts. A named sphere is counted both as a sphere
  * and as a shape, since an animate statement, which makes it a shape, may follow later. The second pass collects
  * names, so that they can be used before the line that defines them. The last one fills the arrays.
  */
-#ifndef TIA_READ_TIA_PARSE_H
-#define TIA_READ_TIA_PARSE_H
+#ifndef TIA_READ_TIA_PARSE_STATE_H
+#define TIA_READ_TIA_PARSE_STATE_H
 
-#include "reach.h"
 #include "read/text/constants.h"
 #include "read/text/fields.h"
-#include "read/text/names.h"
+#include "read/text/name_table.h"
+#include "scene_reach.h"
 
 enum tia_kind_of_name {
     TIA_NAMED_MATERIAL, /* with the material's index */

@@ -1,13 +1,13 @@
-/* names.h - lookup of names in logarithmic time, even in hostile texts: no hash, so no collisions to provoke.
+/* name_table.h - lookup of names in logarithmic time, even in hostile texts: no hash, so no collisions to provoke.
  *
  * One pass collects the names in a tia_array of struct tia_name. They are then sorted, so that later passes can
  * find them; a definition sets the index of its name.
  */
-#ifndef TIA_READ_TEXT_NAMES_H
-#define TIA_READ_TEXT_NAMES_H
+#ifndef TIA_READ_TEXT_NAME_TABLE_H
+#define TIA_READ_TEXT_NAME_TABLE_H
 
 #include "arena.h"
-#include "text.h"
+#include "text_lines.h"
 
 struct tia_name {
     struct tia_word word;

@@ -1,6 +1,6 @@
-/* polygon.h - triangulation of a polygon in space, convex or not. */
-#ifndef TIA_READ_POLYGON_H
-#define TIA_READ_POLYGON_H
+/* triangulation.h - triangulation of a polygon in space, convex or not. */
+#ifndef TIA_READ_TRIANGULATION_H
+#define TIA_READ_TRIANGULATION_H
 
 #include <tia/vec.h>
 

@@ -1,5 +1,5 @@
-/* view.c - the statements camera, samples, background, depth, shadows, and those of integrators. */
-#include "parse.h"
+/* view_settings.c - the statements camera, samples, background, depth, shadows, and those of integrators. */
+#include "parse_state.h"
 
 #include "math/integer.h"
 

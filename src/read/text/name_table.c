@@ -1,5 +1,5 @@
-/* names.c - heap sort, since it needs no memory and no recursion, and binary search. */
-#include "names.h"
+/* name_table.c - heap sort, since it needs no memory and no recursion, and binary search. */
+#include "name_table.h"
 
 static int compare_words(const struct tia_word *a, const struct tia_word *b)
 {

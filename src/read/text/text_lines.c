@@ -1,5 +1,5 @@
-/* text.c - splits text into lines and words. */
-#include "text.h"
+/* text_lines.c - splits text into lines and words. */
+#include "text_lines.h"
 
 /* byte order mark of UTF-8, with which many editors begin a text */
 static const char byte_order_mark[] = "\xef\xbb\xbf";
