@@ -189,7 +189,7 @@ bool tia_viewer_moves(const struct loop *loop, uint16_t key);
 /* True if a key changes the technique for shadows. */
 bool tia_viewer_is_switch(const struct loop *loop, uint16_t key);
 
-/* ---- keys.c ---- */
+/* ---- key_events.c ---- */
 
 int tia_viewer_take_key(struct loop *loop, const struct tia_event *event);
 /* Handles all waiting events; returns VIEWER_QUIT when one of them quits. */
@@ -226,7 +226,7 @@ bool tia_viewer_point(struct loop *loop, const struct tia_event *event);
 /* Fills in the pixels of the canvas that the eye does not need. */
 int tia_viewer_fill(struct loop *loop);
 
-/* ---- shadows.c ---- */
+/* ---- technique_switch.c ---- */
 
 /* Selects the next technique for shadows. */
 void tia_viewer_switch(struct loop *loop);
@@ -256,7 +256,7 @@ int tia_viewer_present(struct loop *loop);
 /* Continues with the rest of a frame. */
 int tia_viewer_go_on(struct loop *loop);
 
-/* ---- prepare.c ---- */
+/* ---- view_memory.c ---- */
 
 /* Gets memory for the display's mode. */
 int tia_viewer_prepare(struct loop *loop);
@@ -296,7 +296,7 @@ bool tia_viewer_refines(const struct loop *loop);
 /* Draws a frame coarse to fine, and sets frame->draw_us. */
 int tia_viewer_draw_passes(struct loop *loop, struct tia_frame *frame);
 
-/* ---- pass.c ---- */
+/* ---- refine_pass.c ---- */
 
 /* Returns the bytes for sums of samples, or 0. */
 uint64_t tia_viewer_sums_size(const struct loop *loop);

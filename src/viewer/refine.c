@@ -1,8 +1,8 @@
 /* refine.c - a frame that takes long, coarse to fine: every 16th pixel of every 16th row first, each as a block, then
  * the pixels in between, until there are no blocks left; in sampled pictures with one sample a pixel, then with twice
  * as many, until they have all. Each pixel or sample is drawn once, so the finished frame is the same as one drawn at
- * once. The rasteriser's frames are drawn in rows, see pass.c. Blocks do not cross tiles, which may be drawn by several
- * threads.
+ * once. The rasteriser's frames are drawn in rows, see refine_pass.c. Blocks do not cross tiles, which may be drawn by
+ * several threads.
  *
  * The picture so far is in loop->canvas: a display does not keep earlier pictures. */
 #include "loop.h"

@@ -1,4 +1,4 @@
-/* shadows.c - the technique for shadows, changed by a key. */
+/* technique_switch.c - the technique for shadows, changed by a key. */
 #include "loop.h"
 
 enum tia_shadows tia_next_shadows(const struct tia_scene *scene)

@@ -1,4 +1,4 @@
-/* prepare.c - memory and a view for the display's mode. */
+/* view_memory.c - memory and a view for the display's mode. */
 #include "loop.h"
 #include "math/align.h"
 

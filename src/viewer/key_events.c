@@ -1,4 +1,4 @@
-/* keys.c - events, and the repeat of held keys. */
+/* key_events.c - events, and the repeat of held keys. */
 #include "loop.h"
 
 #include "math/divide.h"
