@@ -1,6 +1,6 @@
 /* test_evdev.c - the meaning of a keyboard's events. Devices themselves are tested in a guest. */
 #include "check.h"
-#include "evdev/keys.h"
+#include "evdev/key_codes.h"
 #include "evdev/pointer.h"
 
 /* Returns a key as text: letters and digits themselves, arrows L R U D, page up and down ^ v, Escape E, Home H, Tab T,

@@ -3,8 +3,8 @@
 
 #include "check.h"
 #include "random.h"
-#include "terminal/colour.h"
 #include "terminal/encode.h"
+#include "terminal/terminal_colour.h"
 #include "terminal_model.h"
 
 /* ---- colours ---- */

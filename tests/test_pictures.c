@@ -6,9 +6,9 @@
 
 #include "pseudo.h"
 #include "terminal/answers.h"
-#include "terminal/colour.h"
 #include "terminal/pictures.h"
 #include "terminal/terminal.h"
+#include "terminal/terminal_colour.h"
 
 #include "random.h"
 

@@ -4,9 +4,9 @@
 #include <sys/wait.h>
 
 #include "pseudo.h"
-#include "terminal/colour.h"
 #include "terminal/symbols.h"
 #include "terminal/terminal.h"
+#include "terminal/terminal_colour.h"
 #include "terminal/ways.h"
 
 #include "random.h"

@@ -1,7 +1,7 @@
 /* test_terminal.c - keys from a terminal's bytes. */
 #include "check.h"
 #include "random.h"
-#include "terminal/decode.h"
+#include "terminal/key_decoder.h"
 
 #include <tia/port.h>
 

@@ -24,7 +24,7 @@ comma := ,
 board_ld = $(if $(filter $(1),$(SMALL_BOARDS)),-Wl$(comma)--defsym=board_stack_min=$(call small_stack,$(1))) \
            $(if $(filter atmega%,$(1)),port/boards/$(1).ld,-nostdlib -Lport/boards -T port/boards/$(2).ld)
 
-BOARD_SRC := port/boards/start.c port/boards/print.c port/boards/memory.c
+BOARD_SRC := port/boards/start.c port/boards/print.c port/boards/memcpy.c
 PANEL_SRC := $(BOARD_SRC) port/ps2/ps2.c $(addprefix port/boards/,pl011.c counter.c pl11x.c pl050.c start-arm.S)
 versatilepb_SRC := $(PANEL_SRC) port/boards/versatilepb.c
 vexpress-a9_SRC := $(PANEL_SRC) port/boards/vexpress-a9.c

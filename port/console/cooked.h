@@ -2,7 +2,7 @@
 #ifndef PORT_CONSOLE_COOKED_H
 #define PORT_CONSOLE_COOKED_H
 
-#include "kept.h"
+#include "restore_table.h"
 
 /* Opens a device without waiting and without taking it for the controlling terminal. */
 int cooked_open(const char *path);

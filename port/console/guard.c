@@ -18,7 +18,7 @@
 #include <unistd.h>
 
 #include "cooked.h"
-#include "kept.h"
+#include "restore_table.h"
 #include "spare.h"
 #include "stand_in.h"
 #include "traced.h"

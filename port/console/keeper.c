@@ -19,7 +19,7 @@
 #include <unistd.h>
 
 #include "console/guard.h"
-#include "console/kept.h"
+#include "console/restore_table.h"
 
 #define RETRY_MS 100               /* after a fork that failed */
 #define SYNC_MS 200                /* time limit for the answer of a guardian, which may be stopped */

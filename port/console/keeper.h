@@ -3,7 +3,7 @@
 #ifndef PORT_CONSOLE_KEEPER_H
 #define PORT_CONSOLE_KEEPER_H
 
-#include "kept.h"
+#include "restore_table.h"
 
 /* Sends a state to the guardian; 0, or -1: see guardian.h. */
 int keeper_keep(const struct saved *saved);

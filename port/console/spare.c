@@ -6,7 +6,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include "kept.h"
+#include "restore_table.h"
 
 /* Time limit for the process to die, or for another guardian to replace this one. */
 #define PATIENCE_MS 1000

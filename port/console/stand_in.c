@@ -8,7 +8,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include "kept.h"
+#include "restore_table.h"
 #include "vt_mark.h"
 
 /* Requests as in drm.h, without libdrm's headers. */

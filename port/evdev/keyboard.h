@@ -9,7 +9,7 @@
 #define PORT_EVDEV_KEYBOARD_H
 
 #include "device.h"
-#include "keys.h"
+#include "key_codes.h"
 
 #define KEYBOARD_EVENTS 64
 

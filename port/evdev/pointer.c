@@ -9,7 +9,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "keys.h"
+#include "key_codes.h"
 
 /* ---- what events mean ---- */
 

@@ -10,8 +10,8 @@
 #include "clock.h"
 #include "console/guardian.h"
 #include "descriptor.h"
-#include "signals.h"
 #include "typed.h"
+#include "window_signals.h"
 
 #define ESC 0x1b
 #define SIXEL_ATTRIBUTE 4

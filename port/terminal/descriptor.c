@@ -5,7 +5,7 @@
 #include <termios.h>
 #include <unistd.h>
 
-#include "signals.h"
+#include "window_signals.h"
 
 int descriptor_open(const char *path, int access)
 {

@@ -13,19 +13,19 @@
 #include <unistd.h>
 
 #include "clock.h"
-#include "colour.h"
 #include "console/node.h"
 #include "descriptor.h"
 #include "encode.h"
 #include "output.h"
+#include "picture_place.h"
 #include "pictures.h"
 #include "pixels/canvas.h"
-#include "place.h"
-#include "signals.h"
 #include "symbols.h"
 #include "terminal.h"
+#include "terminal_colour.h"
 #include "utf8.h"
 #include "ways.h"
+#include "window_signals.h"
 
 #define DEFAULT_COLUMNS 80 /* size of a window whose terminal reports none, such as a serial line */
 #define DEFAULT_ROWS 24

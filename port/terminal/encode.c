@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "colour.h"
+#include "terminal_colour.h"
 
 #define BLACK_256 16
 #define UNKNOWN UINT32_MAX /* neither a colour's code nor a cell's column */

@@ -3,7 +3,7 @@
 #define PORT_TERMINAL_OUTPUT_H
 
 #include "encode.h"
-#include "signals.h"
+#include "window_signals.h"
 
 struct output {
     int fd;           /* -1: closed */

@@ -18,12 +18,12 @@
 #include "console/console.h"
 #include "console/guardian.h"
 #include "console/node.h"
-#include "decode.h"
 #include "descriptor.h"
-#include "place.h"
-#include "signals.h"
+#include "key_decoder.h"
+#include "picture_place.h"
 #include "terminal.h"
 #include "typed.h"
+#include "window_signals.h"
 
 /* Time limit for the rest of a sequence after an ESC. The bytes of one key are sent at once; 50 ms allow for a
  * network's packets, and are too short for a person's next key. */

@@ -3,7 +3,7 @@
 #include <stdio.h>
 
 #include "bytes.h"
-#include "terminal/decode.h"
+#include "terminal/key_decoder.h"
 
 static void must_be_key(uint16_t key)
 {

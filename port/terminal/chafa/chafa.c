@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "terminal/chafa/expand.h"
+#include "terminal/chafa/chafa_pixels.h"
 #include "terminal/pictures.h"
 
 /* Removes the pictures before: those of kitty's protocol lie on top of each other. */

@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "terminal/chafa/expand.h"
-#include "terminal/colour.h"
+#include "terminal/chafa/chafa_pixels.h"
+#include "terminal/terminal_colour.h"
 
 #define POINTS 8 /* points of a character, across */
 #define UNKNOWN UINT32_MAX

@@ -1,4 +1,4 @@
-/* memory.c - memcpy and memset, which compilers call on their own. */
+/* memcpy.c - memcpy and memset, which compilers call on their own. */
 #include <stddef.h>
 #include <stdint.h>
 

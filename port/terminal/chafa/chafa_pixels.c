@@ -1,8 +1,8 @@
-#include "terminal/chafa/expand.h"
+#include "terminal/chafa/chafa_pixels.h"
 
 #include <stdlib.h>
 
-#include "terminal/colour.h"
+#include "terminal/terminal_colour.h"
 
 uint8_t *expand(const tia_rgb565 *pixels, size_t count, unsigned times)
 {

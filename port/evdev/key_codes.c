@@ -1,5 +1,5 @@
-/* keys.c - key codes by position, and the state of a keyboard. */
-#include "keys.h"
+/* key_codes.c - key codes by position, and the state of a keyboard. */
+#include "key_codes.h"
 
 #include <string.h>
 

@@ -1,4 +1,4 @@
-#include "place.h"
+#include "picture_place.h"
 
 #define CELL 256 /* Parts of a cell: a picture need not end at a cell's border. */
 

@@ -1,6 +1,6 @@
-/* expand.h - pixels in libchafa's format. */
-#ifndef PORT_TERMINAL_CHAFA_EXPAND_H
-#define PORT_TERMINAL_CHAFA_EXPAND_H
+/* chafa_pixels.h - pixels in libchafa's format. */
+#ifndef PORT_TERMINAL_CHAFA_CHAFA_PIXELS_H
+#define PORT_TERMINAL_CHAFA_CHAFA_PIXELS_H
 
 #include <stddef.h>
 

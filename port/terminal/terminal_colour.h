@@ -1,6 +1,6 @@
-/* colour.h - the colours of a terminal. */
-#ifndef PORT_TERMINAL_COLOUR_H
-#define PORT_TERMINAL_COLOUR_H
+/* terminal_colour.h - the colours of a terminal. */
+#ifndef PORT_TERMINAL_TERMINAL_COLOUR_H
+#define PORT_TERMINAL_TERMINAL_COLOUR_H
 
 #include <tia/port.h>
 

@@ -1,5 +1,5 @@
-/* colour.c - 24-bit colours, and the 256 of terminals that have no more. */
-#include "colour.h"
+/* terminal_colour.c - 24-bit colours, and the 256 of terminals that have no more. */
+#include "terminal_colour.h"
 
 #include <string.h>
 

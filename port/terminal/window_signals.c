@@ -1,5 +1,5 @@
-/* signals.c - SIGWINCH and SIGCONT, for the display and the keyboard of one terminal. */
-#include "signals.h"
+/* window_signals.c - SIGWINCH and SIGCONT, for the display and the keyboard of one terminal. */
+#include "window_signals.h"
 
 #include <errno.h>
 #include <setjmp.h>

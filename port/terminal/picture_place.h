@@ -1,7 +1,6 @@
-/* place.h - the picture's position in the controlling terminal's window, for the mouse: a picture may be smaller than
- * the window. */
-#ifndef PORT_TERMINAL_PLACE_H
-#define PORT_TERMINAL_PLACE_H
+/* picture_place.h - the picture's position in the controlling terminal's window, for the mouse: a picture may be smaller than the window. */
+#ifndef PORT_TERMINAL_PICTURE_PLACE_H
+#define PORT_TERMINAL_PICTURE_PLACE_H
 
 #include "pictures.h"
 

@@ -1,5 +1,5 @@
-/* decode.c - a state machine after ECMA-48 and the xterm control sequences. */
-#include "decode.h"
+/* key_decoder.c - a state machine after ECMA-48 and the xterm control sequences. */
+#include "key_decoder.h"
 
 #include <stddef.h>
 

@@ -1,10 +1,10 @@
-/* keys.h - turns the kernel's key events into tia's. Uses no device and no clock.
+/* key_codes.h - turns the kernel's key events into tia's. Uses no device and no clock.
  *
  * A keyboard sends presses, repeats and releases of codes, which are positions on the keyboard. Modifiers and locks are
  * not reported as keys; they only turn KEY_C into Ctrl-C and F1 into a console, and Shift is reported with a key.
  */
-#ifndef PORT_EVDEV_KEYS_H
-#define PORT_EVDEV_KEYS_H
+#ifndef PORT_EVDEV_KEY_CODES_H
+#define PORT_EVDEV_KEY_CODES_H
 
 #include <limits.h>
 #include <linux/input.h>

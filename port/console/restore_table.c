@@ -1,4 +1,4 @@
-#include "console/kept.h"
+#include "console/restore_table.h"
 
 #include <errno.h>
 #include <semaphore.h>

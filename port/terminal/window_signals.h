@@ -1,6 +1,6 @@
-/* signals.h - the signals that concern a terminal: a new size (SIGWINCH), and continuing after a stop (SIGCONT). */
-#ifndef PORT_TERMINAL_SIGNALS_H
-#define PORT_TERMINAL_SIGNALS_H
+/* window_signals.h - the signals that concern a terminal: a new size (SIGWINCH), continuing after a stop (SIGCONT). */
+#ifndef PORT_TERMINAL_WINDOW_SIGNALS_H
+#define PORT_TERMINAL_WINDOW_SIGNALS_H
 
 #include <stdbool.h>
 #include <sys/types.h>

@@ -1,7 +1,7 @@
-/* kept.h - the table of states that the guardian has to restore. Both processes have a copy; messages keep the two the
- * same. Private to the guardian's files. */
-#ifndef PORT_CONSOLE_KEPT_H
-#define PORT_CONSOLE_KEPT_H
+/* restore_table.h - the table of states that the guardian has to restore. Both processes have a copy; messages keep the
+ * two the same. Private to the guardian's files. */
+#ifndef PORT_CONSOLE_RESTORE_TABLE_H
+#define PORT_CONSOLE_RESTORE_TABLE_H
 
 #include <linux/fb.h>
 #include <linux/vt.h>

@@ -1,12 +1,12 @@
-/* decode.h - turns the bytes that a terminal sends into keys. Uses no clock and no device.
+/* key_decoder.h - turns the bytes that a terminal sends into keys. Uses no clock and no device.
  *
  * Reports of the mouse are those of xterm's SGR mode (CSI < button ; column ; row M or m).
  *
  * Keys are positions, as with evdev: 'A', Ctrl-A and Alt-A are the key 'a'. What a terminal sends by itself (reports,
  * focus changes, a bracketed paste) is not a key.
  */
-#ifndef PORT_TERMINAL_DECODE_H
-#define PORT_TERMINAL_DECODE_H
+#ifndef PORT_TERMINAL_KEY_DECODER_H
+#define PORT_TERMINAL_KEY_DECODER_H
 
 #include <stdbool.h>
 #include <stdint.h>
