@@ -5,7 +5,7 @@
 
 #include <tia/tia.h>
 
-#include "common/scene/scene.h"
+#include "common/scene/scene_load.h"
 #include "milliseconds.h"
 
 enum { WIDTH = 640, HEIGHT = 360, ROUNDS = 3 };

@@ -7,7 +7,7 @@
 #include <tia/simd.h>
 #include <tia/tia.h>
 
-#include "common/scene/scene.h"
+#include "common/scene/scene_load.h"
 #include "float_paths.h"
 #include "milliseconds.h"
 

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "common/scene/scene.h"
+#include "common/scene/scene_load.h"
 #include "milliseconds.h"
 
 #define WIDTH 640

@@ -6,7 +6,7 @@
 #include <string.h>
 #include <tia/debug.h>
 
-#include "common/scene/scene.h"
+#include "common/scene/scene_load.h"
 #include "common/thread_pool.h"
 #include "embree/embree.h"
 #include "milliseconds.h"

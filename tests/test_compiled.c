@@ -5,7 +5,7 @@
 #include <tia/tia.h>
 
 #include "check.h"
-#include "common/scene/scene.h"
+#include "common/scene/scene_load.h"
 
 enum { WIDTH = 72, HEIGHT = 54 };
 

@@ -14,7 +14,7 @@
 
 #include "check.h"
 #include "common/corpus/corpus_rays.h"
-#include "common/scene/scene.h"
+#include "common/scene/scene_load.h"
 #include "float_modes.h"
 #include "render/whitted/shade.h"
 #include "with_hierarchy.h"

@@ -8,7 +8,7 @@
 #include <tia/simd.h>
 
 #include "common/corpus/corpus_rays.h"
-#include "common/scene/scene.h"
+#include "common/scene/scene_load.h"
 #include "common/thread_pool.h"
 #include "reading.h"
 #include "simd/rays/sure.h"

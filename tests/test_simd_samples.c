@@ -11,7 +11,7 @@
 #include <tia/simd.h>
 
 #include "common/corpus/corpus_rays.h"
-#include "common/scene/scene.h"
+#include "common/scene/scene_load.h"
 #include "extreme_scenes.h"
 #include "one_lane.h"
 #include "simd/rays/walk_paths_tmpl.h"

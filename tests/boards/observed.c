@@ -6,7 +6,7 @@
 #include <tia/debug.h>
 #include <tia/tia.h>
 
-#include "common/scene/scene.h"
+#include "common/scene/scene_load.h"
 
 enum { WIDTH = 64, HEIGHT = 48 };
 

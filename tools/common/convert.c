@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "common/message.h"
-#include "common/scene/scene.h"
+#include "common/scene/scene_load.h"
 #include "common/signals.h"
 #include "ports.h"
 

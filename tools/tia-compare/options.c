@@ -8,7 +8,7 @@
 #include "common/command_line.h"
 #include "common/message.h"
 #include "common/parse.h"
-#include "common/scene/scene.h"
+#include "common/scene/scene_load.h"
 #include "common/thread_pool.h"
 
 static const char *set_percentage(void *context, char *value)

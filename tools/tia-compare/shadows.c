@@ -5,10 +5,10 @@
 #include <string.h>
 #include <tia/debug.h>
 
-#include "common/keys.h"
-#include "common/lights.h"
+#include "common/light_copy.h"
 #include "common/message.h"
-#include "common/scene/scene.h"
+#include "common/pressed_keys.h"
+#include "common/scene/scene_load.h"
 #include "pictures.h"
 #include "shadows_report.h"
 #include "technique.h"

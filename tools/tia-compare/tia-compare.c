@@ -7,7 +7,7 @@
 #include "common/corpus/corpus.h"
 #include "common/corpus/corpus_rays.h"
 #include "common/message.h"
-#include "common/scene/scene.h"
+#include "common/scene/scene_load.h"
 #include "common/signals.h"
 #include "common/thread_pool.h"
 #include "heatmap.h"

@@ -9,7 +9,7 @@
 #include <tia/motion.h>
 #include <tia/render.h>
 
-#include "common/text.h"
+#include "common/text_file.h"
 #include "ports.h"
 
 #define ALIGN(size) (((size) + 7) / 8 * 8)

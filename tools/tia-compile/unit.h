@@ -5,7 +5,7 @@
 #include <tia/bvh.h>
 #include <tia/motion.h>
 
-#include "common/text.h"
+#include "common/text_file.h"
 
 struct unit {
     struct text text;

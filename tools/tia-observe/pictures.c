@@ -6,7 +6,7 @@
 #include "common/image/decode.h"
 #include "common/image/series.h"
 #include "common/quilt.h"
-#include "common/scene/whole.h"
+#include "common/scene/whole_file.h"
 
 enum { FILE_MOST = 1 << 30 };
 

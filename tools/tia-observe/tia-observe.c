@@ -10,7 +10,7 @@
 #include "common/message.h"
 #include "common/parse.h"
 #include "common/quilt.h"
-#include "common/scene/scene.h"
+#include "common/scene/scene_load.h"
 #include "common/signals.h"
 #include "observe.h"
 #include "ports.h"

@@ -8,7 +8,7 @@
 
 #include <tia/scene.h>
 
-#include "common/text.h"
+#include "common/text_file.h"
 
 struct pov {
     struct text text;

@@ -9,7 +9,7 @@
 #include <tia/bvh.h>
 #include <tia/text.h>
 
-#include "common/text.h"
+#include "common/text_file.h"
 #include "common/views/palette.h"
 #include "fail.h"
 #include "picture.h"

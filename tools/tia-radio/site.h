@@ -2,7 +2,7 @@
 #ifndef TOOLS_RADIO_SITE_H
 #define TOOLS_RADIO_SITE_H
 
-#include "common/scene/scene.h"
+#include "common/scene/scene_load.h"
 #include "fields.h"
 #include "options.h"
 

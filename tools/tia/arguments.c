@@ -6,8 +6,8 @@
 
 #include "arithmetic.h"
 #include "check.h"
-#include "common/keys.h"
 #include "common/parse.h"
+#include "common/pressed_keys.h"
 #include "common/thread_pool.h"
 #include "fail.h"
 #include "integration.h"

@@ -2,7 +2,7 @@
 #ifndef TOOLS_TIA_FILM_SCENE_H
 #define TOOLS_TIA_FILM_SCENE_H
 
-#include "common/lights.h"
+#include "common/light_copy.h"
 #include "options.h"
 
 struct film_scene {

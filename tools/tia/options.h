@@ -6,7 +6,7 @@
 
 #include "common/command_line.h"
 #include "common/image/image.h"
-#include "common/scene/scene.h"
+#include "common/scene/scene_load.h"
 #include "common/views/views.h"
 #include "lightfield_options.h"
 

@@ -9,7 +9,7 @@
  * reason in `why`, [PORT_WHY]; then the scene before stays. */
 bool scenes_go(struct options *options, int step, char *why);
 
-/* Shows the next view of the scene, see view.h. */
+/* Shows the next view of the scene, see view_kind.h. */
 void scenes_next_view(struct options *options);
 
 #endif

@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-#include "common/lights.h"
+#include "common/light_copy.h"
 #include "common/thread_pool.h"
 #include "letterbox.h"
 #include "move.h"

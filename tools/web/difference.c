@@ -1,5 +1,5 @@
 /* difference.c - two cores in one: fixed point, and doubles for comparison, as in tia-compare. */
-#include "session.h"
+#include "page.h"
 
 #include <tia/debug.h>
 

@@ -4,7 +4,7 @@
 #include <tia/text.h>
 
 #include "common/views/palette.h"
-#include "seen.h"
+#include "false_colour.h"
 
 /* A line of the legend, in the colour that it names; the lines are listed from top to bottom. */
 struct legend_line {

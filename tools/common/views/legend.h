@@ -4,7 +4,7 @@
 
 #include <tia/render.h>
 
-#include "view.h"
+#include "view_kind.h"
 
 struct legend {
     enum view view;

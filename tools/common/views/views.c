@@ -4,9 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "false_colour.h"
 #include "legend.h"
 #include "projected.h"
-#include "seen.h"
 
 enum { RAYS_DRAWN = 256 };
 

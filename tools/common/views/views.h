@@ -7,7 +7,7 @@
 #include <tia/render.h>
 
 #include "lines.h"
-#include "view.h"
+#include "view_kind.h"
 
 struct views {
     enum view view;

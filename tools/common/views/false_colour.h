@@ -1,11 +1,11 @@
-/* seen.h - observations from a pixel's rays, and its false colour. */
-#ifndef TOOLS_VIEWS_SEEN_H
-#define TOOLS_VIEWS_SEEN_H
+/* false_colour.h - observations from a pixel's rays, and its false colour. */
+#ifndef TOOLS_VIEWS_FALSE_COLOUR_H
+#define TOOLS_VIEWS_FALSE_COLOUR_H
 
 #include <tia/debug.h>
 #include <tia/render.h>
 
-#include "view.h"
+#include "view_kind.h"
 
 struct seen {
     uint32_t rays, primaries; /* counts so far */

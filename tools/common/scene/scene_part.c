@@ -1,4 +1,4 @@
-#include "part.h"
+#include "scene_part.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -6,7 +6,7 @@
 
 #include "common/checksum.h"
 #include "common/image/decode.h"
-#include "whole.h"
+#include "whole_file.h"
 
 /* Kinds of parts; from PART_OPACITY on there is one for each enum tia_channel. */
 enum { PART_LIBRARY, PART_IMAGE, PART_OPACITY };

@@ -1,5 +1,5 @@
-/* core.c - the core for the settings, which records its view: samples and single rays are drawn with it later. */
-#include "session.h"
+/* page_core.c - the core for the settings, which records its view: samples and single rays are drawn with it later. */
+#include "page.h"
 
 #include <tia/debug.h>
 

@@ -1,6 +1,6 @@
-/* lights.h - a copy of the scene's lights that keys can move. */
-#ifndef TOOLS_COMMON_LIGHTS_H
-#define TOOLS_COMMON_LIGHTS_H
+/* light_copy.h - a copy of the scene's lights that keys can move. */
+#ifndef TOOLS_COMMON_LIGHT_COPY_H
+#define TOOLS_COMMON_LIGHT_COPY_H
 
 #include <tia/scene.h>
 

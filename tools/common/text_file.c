@@ -1,4 +1,4 @@
-#include "text.h"
+#include "text_file.h"
 
 #include <stdarg.h>
 #include <stdio.h>

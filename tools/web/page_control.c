@@ -1,5 +1,5 @@
-/* control.c - control by keys and the pointer, except for lights, and the input that they come from. */
-#include "session.h"
+/* page_control.c - control by keys and the pointer, except for lights, and the input that they come from. */
+#include "page.h"
 
 /* ---- control ---- */
 

@@ -1,6 +1,6 @@
-/* part.h - the files that a scene refers to, relative to its own: loaded once, kept until scene_close. */
-#ifndef PORT_SCENE_PART_H
-#define PORT_SCENE_PART_H
+/* scene_part.h - the files that a scene refers to, relative to its own: loaded once, kept until scene_close. */
+#ifndef TOOLS_SCENE_SCENE_PART_H
+#define TOOLS_SCENE_SCENE_PART_H
 
 #include "file.h"
 

@@ -1,4 +1,4 @@
-#include "lights.h"
+#include "light_copy.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,5 @@
-/* whole.c - common/scene/whole.h without a file system: files come from the page. */
-#include "common/scene/whole.h"
+/* whole_file.c - common/scene/whole_file.h without a file system: files come from the page. */
+#include "common/scene/whole_file.h"
 
 #include <stdlib.h>
 #include <string.h>

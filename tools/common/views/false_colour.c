@@ -1,4 +1,4 @@
-#include "seen.h"
+#include "false_colour.h"
 
 #include <math.h>
 

@@ -1,4 +1,4 @@
-/* plain.c - the formats that need no library: PPM, BMP and raw RGB565. */
+/* plain_formats.c - the formats that need no library: PPM, BMP and raw RGB565. */
 #include <stdio.h>
 
 #include "codec.h"

@@ -1,4 +1,4 @@
-#include "keys.h"
+#include "pressed_keys.h"
 
 #include <string.h>
 

@@ -1,6 +1,6 @@
-/* scene.h - loads a scene file: reads the text, loads the files that it refers to, builds the hierarchy. */
-#ifndef PORT_SCENE_H
-#define PORT_SCENE_H
+/* scene_load.h - loads a scene file: reads the text, loads the files that it refers to, builds the hierarchy. */
+#ifndef TOOLS_SCENE_SCENE_LOAD_H
+#define TOOLS_SCENE_SCENE_LOAD_H
 
 #include "file.h"
 

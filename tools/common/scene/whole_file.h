@@ -1,6 +1,6 @@
-/* whole.h - reads a whole file into memory. */
-#ifndef PORT_SCENE_WHOLE_H
-#define PORT_SCENE_WHOLE_H
+/* whole_file.h - reads a whole file into memory. */
+#ifndef TOOLS_SCENE_WHOLE_FILE_H
+#define TOOLS_SCENE_WHOLE_FILE_H
 
 #include <tia/fixed.h>
 

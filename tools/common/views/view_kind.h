@@ -1,6 +1,6 @@
-/* view.h - the kinds of false colours. */
-#ifndef TOOLS_VIEWS_VIEW_H
-#define TOOLS_VIEWS_VIEW_H
+/* view_kind.h - the kinds of false colours. */
+#ifndef TOOLS_VIEWS_VIEW_KIND_H
+#define TOOLS_VIEWS_VIEW_KIND_H
 
 enum view {
     VIEW_COLOUR,

@@ -1,5 +1,5 @@
-/* session.c - the functions that the worker's script calls: load a scene, choose, run. */
-#include "session.h"
+/* page.c - the functions that the worker's script calls: load a scene, choose, run. */
+#include "page.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
-/* keys.h - the keys of an option, pressed before the first frame. */
-#ifndef TOOLS_COMMON_KEYS_H
-#define TOOLS_COMMON_KEYS_H
+/* pressed_keys.h - the keys of an option, pressed before the first frame. */
+#ifndef TOOLS_COMMON_PRESSED_KEYS_H
+#define TOOLS_COMMON_PRESSED_KEYS_H
 
 #include <tia/scene.h>
 

@@ -1,10 +1,10 @@
-/* session.h - the viewer in a page: one scene, one picture, the page's settings. Its parts share this state, since a
+/* page.h - the viewer in a page: one scene, one picture, the page's settings. Its parts share this state, since a
  * core (struct tia_core) has no context. */
-#ifndef TOOLS_WEB_SESSION_H
-#define TOOLS_WEB_SESSION_H
+#ifndef TOOLS_WEB_PAGE_H
+#define TOOLS_WEB_PAGE_H
 
-#include "common/lights.h"
-#include "common/scene/scene.h"
+#include "common/light_copy.h"
+#include "common/scene/scene_load.h"
 #include "common/steer.h"
 #include "common/views/views.h"
 #include "web/web.h"
@@ -45,7 +45,7 @@ struct session {
 
 extern struct session session;
 
-/* The core for the settings, which records its view. core.c */
+/* The core for the settings, which records its view. page_core.c */
 struct seat {
     struct tia_view *view; /* view of the last frame; NULL: none yet */
     const struct tia_core *base;
@@ -59,17 +59,16 @@ extern const struct tia_core difference_core;
 extern uint32_t difference_counts[3];
 void difference_spread(tia_rgb565 *pixels, unsigned width, unsigned height);
 
-/* Draw the picture of the seat's view, a sample of each pixel at a time, while idle; `reset` begins again. TIA_OK:
- * there is more to do. samples.c */
+/* Draw the picture of the seat's view, a sample of each pixel at a time, while idle; `reset` begins again. TIA_OK: there is more to do. idle_samples.c */
 void samples_reset(void);
 bool samples_left(void);
 int samples_go_on(void);
 
-/* Control and input of the session. control.c */
+/* Control and input of the session. page_control.c */
 extern const struct tia_control session_control;
 extern const struct tia_input session_input; /* input; its context is that of web_input */
 
-/* Returns the light that keys move, or TIA_NO_LIGHT. light.c */
+/* Returns the light that keys move, or TIA_NO_LIGHT. light_control.c */
 uint32_t light_chosen(void);
 /* Stores the light and its position in the picture. */
 void light_tell(struct web_frame *frame);

@@ -1,4 +1,4 @@
-#include "scene.h"
+#include "scene_load.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,8 +8,8 @@
 
 #include "common/checksum.h"
 #include "common/thread_pool.h"
-#include "part.h"
-#include "whole.h"
+#include "scene_part.h"
+#include "whole_file.h"
 
 /* First size of the memory; tia_read then returns how much it needs. A byte of the file takes some tens of bytes at
  * most. */

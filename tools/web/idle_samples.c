@@ -1,8 +1,8 @@
-/* samples.c - draws a picture of samples while idle, and shows it as it becomes better. */
+/* idle_samples.c - draws a picture of samples while idle, and shows it as it becomes better. */
 #include <stdlib.h>
 #include <tia/tone.h>
 
-#include "session.h"
+#include "page.h"
 
 enum { SHOW_US = 150000 }; /* time between two intermediate pictures */
 

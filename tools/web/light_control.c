@@ -1,5 +1,5 @@
-/* light.c - the light that keys and the pointer move. */
-#include "session.h"
+/* light_control.c - the light that keys and the pointer move. */
+#include "page.h"
 
 #include "common/views/projected.h"
 
