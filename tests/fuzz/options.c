@@ -1,7 +1,7 @@
 /* options.c - the command line: any bytes, a newline between arguments. Accepted options keep their limits. */
 #include "tia/arguments.h"
 #include "tia/fail.h"
-#include "tia/film.h"
+#include "tia/film_plan.h"
 #include "words.h"
 
 static void must_keep_limits(const struct options *o)

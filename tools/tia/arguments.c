@@ -5,13 +5,13 @@
 #include <string.h>
 
 #include "arithmetic.h"
-#include "check.h"
 #include "common/parse.h"
 #include "common/pressed_keys.h"
 #include "common/thread_pool.h"
 #include "fail.h"
 #include "integration.h"
-#include "lightfield.h"
+#include "lightfield_setup.h"
+#include "options_check.h"
 
 /* Chooses the widest instruction set that exists and that the environment does not mask. */
 static int choose_simd(struct options *options)

@@ -7,7 +7,7 @@
 #include "clock.h"
 #include "common/image/series.h"
 #include "fail.h"
-#include "film.h"
+#include "film_plan.h"
 #include "film_scene.h"
 #include "picture.h"
 #include "ports.h"

@@ -5,7 +5,7 @@
 
 #include "common/modules.h"
 #include "fail.h"
-#include "film.h"
+#include "film_plan.h"
 #include "ports.h"
 
 /* Allocates at least `size` bytes in *memory; its contents may be lost. */

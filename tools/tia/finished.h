@@ -7,7 +7,7 @@
 #include <stdbool.h>
 
 #include "common/image/film.h"
-#include "kept.h"
+#include "resume_file.h"
 
 struct finished_rows;
 

@@ -3,8 +3,8 @@
 #include <stdlib.h>
 #include <tia/debug.h>
 
-#include "crc.h"
-#include "film.h"
+#include "crc_join.h"
+#include "film_plan.h"
 
 /* Sizes. A band has enough pixels that threads seldom wait for the last one to finish, and few enough for its hits,
  * which take some tens of bytes per pixel. A job is a few full rows, since the core works by rows. */

@@ -4,7 +4,7 @@
 #define TOOLS_TIA_RESUME_H
 
 #include "common/image/sums.h"
-#include "kept.h"
+#include "resume_file.h"
 
 /* A file of finished rows; all zero: no file. */
 struct resume {

@@ -1,9 +1,9 @@
 #include "scenes.h"
 
 #include "arguments.h"
-#include "check.h"
 #include "fail.h"
-#include "lightfield.h"
+#include "lightfield_setup.h"
+#include "options_check.h"
 
 /* keys were for the first scene */
 bool scenes_go(struct options *options, int step, char *why)

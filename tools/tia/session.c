@@ -10,7 +10,7 @@
 #include "clock.h"
 #include "common/signals.h"
 #include "fail.h"
-#include "gaze.h"
+#include "gaze_options.h"
 #include "pixels/pages.h"
 #include "save.h"
 #include "scenes.h"

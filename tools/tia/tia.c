@@ -9,8 +9,8 @@
 #include "arguments.h"
 #include "common/signals.h"
 #include "draw.h"
-#include "estimate.h"
 #include "fail.h"
+#include "sample_picture.h"
 #include "show.h"
 
 /* Opens the standard descriptors with which the program was not started. The next file opened would get the number of

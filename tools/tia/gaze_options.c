@@ -1,4 +1,4 @@
-#include "gaze.h"
+#include "gaze_options.h"
 
 #include "common/image/series.h"
 #include "fail.h"

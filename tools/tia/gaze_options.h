@@ -1,6 +1,6 @@
-/* gaze.h - the options for the place where the eye looks and for its acuity, include/tia/gaze.h. */
-#ifndef TOOLS_TIA_GAZE_H
-#define TOOLS_TIA_GAZE_H
+/* gaze_options.h - the options for the place where the eye looks and for its acuity, include/tia/gaze_options.h. */
+#ifndef TOOLS_TIA_GAZE_OPTIONS_H
+#define TOOLS_TIA_GAZE_OPTIONS_H
 
 #include "options.h"
 

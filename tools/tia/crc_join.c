@@ -1,4 +1,4 @@
-#include "crc.h"
+#include "crc_join.h"
 
 /* A CRC is a polynomial over GF(2) modulo P, with the highest power in bit 0. Appending n bytes multiplies the
  * polynomial of the data by x^(8n), so the CRC of the whole is first x^(8n) + second mod P. (The initial values

@@ -1,4 +1,4 @@
-#include "film.h"
+#include "film_plan.h"
 
 #include <inttypes.h>
 #include <stdio.h>

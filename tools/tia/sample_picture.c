@@ -1,4 +1,4 @@
-#include "estimate.h"
+#include "sample_picture.h"
 
 #include <stdlib.h>
 #include <tia/tone.h>
@@ -9,7 +9,7 @@
 #include "common/sink.h"
 #include "estimation.h"
 #include "fail.h"
-#include "film.h"
+#include "film_plan.h"
 
 enum { LOOK_US = 5000 };
 

@@ -1,6 +1,6 @@
-/* crc.h - combines the CRC-32s of two pieces of data. */
-#ifndef TOOLS_TIA_CRC_H
-#define TOOLS_TIA_CRC_H
+/* crc_join.h - combines the CRC-32s of two pieces of data. */
+#ifndef TOOLS_TIA_CRC_JOIN_H
+#define TOOLS_TIA_CRC_JOIN_H
 
 #include <stdint.h>
 

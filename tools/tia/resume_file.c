@@ -1,4 +1,4 @@
-#include "kept.h"
+#include "resume_file.h"
 
 #include <errno.h>
 #include <fcntl.h>

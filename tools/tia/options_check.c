@@ -1,11 +1,11 @@
-#include "check.h"
+#include "options_check.h"
 
 #include <string.h>
 
 #include "common/image/series.h"
 #include "fail.h"
-#include "gaze.h"
-#include "lightfield.h"
+#include "gaze_options.h"
+#include "lightfield_setup.h"
 #include "ports.h"
 
 enum { PACE_MAX = 1000 };

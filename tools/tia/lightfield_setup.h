@@ -1,7 +1,6 @@
-/* lightfield.h - pictures for light-field displays, from the command line: the views, modules or panel for which a
- * scene with an observer line is drawn, see tia/lightfield.h. */
-#ifndef TOOLS_TIA_LIGHTFIELD_H
-#define TOOLS_TIA_LIGHTFIELD_H
+/* lightfield_setup.h - pictures for light-field displays, from the command line: the views, modules or panel for which a scene with an observer line is drawn, see tia/lightfield_setup.h. */
+#ifndef TOOLS_TIA_LIGHTFIELD_SETUP_H
+#define TOOLS_TIA_LIGHTFIELD_SETUP_H
 
 #include "lightfield_options.h"
 #include "options.h"

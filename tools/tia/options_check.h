@@ -1,6 +1,6 @@
-/* check.h - checks that valid options are consistent. */
-#ifndef TOOLS_TIA_CHECK_H
-#define TOOLS_TIA_CHECK_H
+/* options_check.h - checks that valid options are consistent. */
+#ifndef TOOLS_TIA_OPTIONS_CHECK_H
+#define TOOLS_TIA_OPTIONS_CHECK_H
 
 #include "options.h"
 

@@ -1,6 +1,6 @@
-/* film.h - the frames of a film: number, times, size. */
-#ifndef TOOLS_TIA_FILM_H
-#define TOOLS_TIA_FILM_H
+/* film_plan.h - the frames of a film: number, times, size. */
+#ifndef TOOLS_TIA_FILM_PLAN_H
+#define TOOLS_TIA_FILM_PLAN_H
 
 #include "options.h"
 #include "rotate.h"

@@ -1,7 +1,7 @@
-/* kept.h - the file of --resume, in which finished data are stored. It is written from its beginning to its end, so a
- * run that is killed leaves a beginning of it. */
-#ifndef TOOLS_TIA_KEPT_H
-#define TOOLS_TIA_KEPT_H
+/* resume_file.h - the file of --resume, in which finished data are stored. It is written from its beginning to its end,
+ * so a run that is killed leaves a beginning of it. */
+#ifndef TOOLS_TIA_RESUME_FILE_H
+#define TOOLS_TIA_RESUME_FILE_H
 
 #include <stddef.h>
 #include <stdint.h>

@@ -1,4 +1,4 @@
-#include "lightfield.h"
+#include "lightfield_setup.h"
 
 #include <stdlib.h>
 #include <string.h>
