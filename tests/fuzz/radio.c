@@ -4,8 +4,8 @@
 
 #include "common/image/image.h"
 #include "tia-radio/arguments.h"
-#include "tia-radio/fail.h"
-#include "tia-radio/materials.h"
+#include "tia-radio/refuse.h"
+#include "tia-radio/wall_materials.h"
 #include "words.h"
 
 static void must_be_material(const struct naming *naming)

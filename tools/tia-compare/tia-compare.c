@@ -11,10 +11,10 @@
 #include "common/signals.h"
 #include "common/thread_pool.h"
 #include "heatmap.h"
+#include "heatmap_files.h"
 #include "options.h"
-#include "pictures.h"
 #include "report.h"
-#include "shadows.h"
+#include "shadows_compare.h"
 
 #ifdef TIA_HAVE_F64
 

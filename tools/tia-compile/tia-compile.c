@@ -8,7 +8,7 @@
 #include "common/choices.h"
 #include "common/convert.h"
 #include "common/parse.h"
-#include "memory.h"
+#include "scene_memory.h"
 #include "unit.h"
 
 #define LIGHTS_MOST 65535

@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-/* Slack of comparisons as in display.c: ties are ties on every machine. */
+/* Slack of comparisons as in field_display.c: ties are ties on every machine. */
 #define SLACK 0x1p-24
 
 void panel_init(struct panel *panel, const struct tia_lenticular *lens, unsigned width, unsigned height)

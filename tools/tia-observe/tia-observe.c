@@ -12,7 +12,7 @@
 #include "common/quilt.h"
 #include "common/scene/scene_load.h"
 #include "common/signals.h"
-#include "observe.h"
+#include "eye_views.h"
 #include "ports.h"
 
 enum { FINE, FAILED, REFUSED };

@@ -9,8 +9,8 @@
 #include "common/image/image.h"
 #include "common/message.h"
 #include "common/parse.h"
-#include "fail.h"
-#include "materials.h"
+#include "refuse.h"
+#include "wall_materials.h"
 
 /* ---- values: each function returns NULL, or the mistake as in common/command_line.h ---- */
 

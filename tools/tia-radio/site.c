@@ -1,6 +1,6 @@
 #include "site.h"
 
-#include "fail.h"
+#include "refuse.h"
 
 #include <inttypes.h>
 #include <math.h>

@@ -3,8 +3,8 @@
 #define TOOLS_RADIO_SITE_H
 
 #include "common/scene/scene_load.h"
-#include "fields.h"
 #include "options.h"
+#include "path_wave.h"
 
 struct site {
     struct scene_file file;

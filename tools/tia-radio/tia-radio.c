@@ -4,10 +4,10 @@
 
 #include "arguments.h"
 #include "common/signals.h"
-#include "fail.h"
-#include "map.h"
-#include "picture.h"
-#include "report.h"
+#include "coverage.h"
+#include "link_report.h"
+#include "path_picture.h"
+#include "refuse.h"
 #include "site.h"
 
 struct run {

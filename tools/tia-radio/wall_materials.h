@@ -1,6 +1,6 @@
-/* materials.h - electrical properties of the materials of walls: ITU-R P.2040-3. */
-#ifndef TOOLS_RADIO_MATERIALS_H
-#define TOOLS_RADIO_MATERIALS_H
+/* wall_materials.h - electrical properties of the materials of walls: ITU-R P.2040-3. */
+#ifndef TOOLS_RADIO_WALL_MATERIALS_H
+#define TOOLS_RADIO_WALL_MATERIALS_H
 
 #include <complex.h>
 #include <stdbool.h>

@@ -1,4 +1,4 @@
-#include "picture.h"
+#include "path_picture.h"
 
 #include <stdatomic.h>
 #include <stdio.h>
@@ -9,8 +9,8 @@
 #include "common/views/lines.h"
 #include "common/views/palette.h"
 #include "common/views/projected.h"
-#include "fail.h"
 #include "ports.h"
+#include "refuse.h"
 
 enum { ROWS = 16 }; /* number of rows of a job */
 

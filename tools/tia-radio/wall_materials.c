@@ -1,4 +1,4 @@
-#include "materials.h"
+#include "wall_materials.h"
 
 #include <ctype.h>
 #include <math.h>

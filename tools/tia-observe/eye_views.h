@@ -1,11 +1,11 @@
-/* observe.h - views of a light field by eyes: the screen from edge to edge, as pictures. */
-#ifndef TOOLS_TIA_OBSERVE_OBSERVE_H
-#define TOOLS_TIA_OBSERVE_OBSERVE_H
+/* eye_views.h - views of a light field by eyes: the screen from edge to edge, as pictures. */
+#ifndef TOOLS_TIA_OBSERVE_EYE_VIEWS_H
+#define TOOLS_TIA_OBSERVE_EYE_VIEWS_H
 
 #include "common/image/series.h"
-#include "display.h"
+#include "field_display.h"
+#include "field_pictures.h"
 #include "panel.h"
-#include "pictures.h"
 
 struct observation {
     struct display display;

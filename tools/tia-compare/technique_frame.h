@@ -1,6 +1,6 @@
-/* technique.h - draws a scene with one technique for shadows: the lights that reach each pixel, and the cost. */
-#ifndef TIA_COMPARE_TECHNIQUE_H
-#define TIA_COMPARE_TECHNIQUE_H
+/* technique_frame.h - draws a scene with one technique for shadows: the lights that reach each pixel, and the cost. */
+#ifndef TIA_COMPARE_TECHNIQUE_FRAME_H
+#define TIA_COMPARE_TECHNIQUE_FRAME_H
 
 #include <tia/port.h>
 

@@ -1,4 +1,4 @@
-#include "observe.h"
+#include "eye_views.h"
 
 #include <stdlib.h>
 

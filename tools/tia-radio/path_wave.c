@@ -1,4 +1,4 @@
-#include "fields.h"
+#include "path_wave.h"
 
 #include <math.h>
 

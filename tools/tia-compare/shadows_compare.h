@@ -1,6 +1,6 @@
-/* shadows.h - tia-compare --shadows: the techniques for shadows compared with exact ones, scene by scene. */
-#ifndef TIA_COMPARE_SHADOWS_H
-#define TIA_COMPARE_SHADOWS_H
+/* shadows_compare.h - tia-compare --shadows: the techniques for shadows compared with exact ones, scene by scene. */
+#ifndef TIA_COMPARE_SHADOWS_COMPARE_H
+#define TIA_COMPARE_SHADOWS_COMPARE_H
 
 #include "common/thread_pool.h"
 #include "options.h"

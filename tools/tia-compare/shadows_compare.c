@@ -1,4 +1,4 @@
-#include "shadows.h"
+#include "shadows_compare.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,9 +9,9 @@
 #include "common/message.h"
 #include "common/pressed_keys.h"
 #include "common/scene/scene_load.h"
-#include "pictures.h"
+#include "heatmap_files.h"
 #include "shadows_report.h"
-#include "technique.h"
+#include "technique_frame.h"
 
 /* Verdicts; in a picture, later ones hide the earlier. */
 enum shadow_verdict { RIGHT, OTHER_OBJECT, WRONGLY_DARK, WRONGLY_LIT };

@@ -1,4 +1,4 @@
-#include "technique.h"
+#include "technique_frame.h"
 
 #include <stdlib.h>
 #include <tia/debug.h>

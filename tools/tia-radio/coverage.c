@@ -1,4 +1,4 @@
-#include "map.h"
+#include "coverage.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -11,9 +11,9 @@
 
 #include "common/text_file.h"
 #include "common/views/palette.h"
-#include "fail.h"
-#include "picture.h"
+#include "path_picture.h"
 #include "ports.h"
+#include "refuse.h"
 
 #define INSIDE 0x8410  /* grey, for pixels inside a wall */
 #define NOTHING 0x0000 /* black, for pixels without a path */

@@ -1,4 +1,4 @@
-#include "display.h"
+#include "field_display.h"
 
 #include <math.h>
 

@@ -1,4 +1,4 @@
-#include "report.h"
+#include "link_report.h"
 
 #include <inttypes.h>
 #include <math.h>

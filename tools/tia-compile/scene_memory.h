@@ -1,6 +1,6 @@
-/* memory.h - the memory and flash that a scene takes on a machine of another kind. */
-#ifndef TIA_COMPILE_MEMORY_H
-#define TIA_COMPILE_MEMORY_H
+/* scene_memory.h - the memory and flash that a scene takes on a machine of another kind. */
+#ifndef TIA_COMPILE_SCENE_MEMORY_H
+#define TIA_COMPILE_SCENE_MEMORY_H
 
 #include "common/convert.h"
 

@@ -1,6 +1,7 @@
-/* display.h - the directions of a light-field display: the picture that each column of its screen shows to an eye. */
-#ifndef TOOLS_TIA_OBSERVE_DISPLAY_H
-#define TOOLS_TIA_OBSERVE_DISPLAY_H
+/* field_display.h - the directions of a light-field display: the picture that each column of its screen shows to an
+ * eye. */
+#ifndef TOOLS_TIA_OBSERVE_FIELD_DISPLAY_H
+#define TOOLS_TIA_OBSERVE_FIELD_DISPLAY_H
 
 #include <stdbool.h>
 #include <tia/scene.h>

@@ -1,7 +1,7 @@
-/* pictures.h - the pictures of a light field, from files: a quilt, a file for each view or module, or a panel's
+/* field_pictures.h - the pictures of a light field, from files: a quilt, a file for each view or module, or a panel's
  * picture. */
-#ifndef TOOLS_TIA_OBSERVE_PICTURES_H
-#define TOOLS_TIA_OBSERVE_PICTURES_H
+#ifndef TOOLS_TIA_OBSERVE_FIELD_PICTURES_H
+#define TOOLS_TIA_OBSERVE_FIELD_PICTURES_H
 
 #include <tia/render.h>
 

@@ -1,6 +1,6 @@
-/* map.h - coverage: the gain at each point of a plane. */
-#ifndef TOOLS_RADIO_MAP_H
-#define TOOLS_RADIO_MAP_H
+/* coverage.h - coverage: the gain at each point of a plane. */
+#ifndef TOOLS_RADIO_COVERAGE_H
+#define TOOLS_RADIO_COVERAGE_H
 
 #include "site.h"
 

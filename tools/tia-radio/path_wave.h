@@ -1,10 +1,10 @@
-/* fields.h - computes the wave along a path, in double precision. */
-#ifndef TOOLS_RADIO_FIELDS_H
-#define TOOLS_RADIO_FIELDS_H
+/* path_wave.h - computes the wave along a path, in double precision. */
+#ifndef TOOLS_RADIO_PATH_WAVE_H
+#define TOOLS_RADIO_PATH_WAVE_H
 
 #include <tia/radio.h>
 
-#include "materials.h"
+#include "wall_materials.h"
 
 #define LIGHT_SPEED 299792458.0 /* metres a second */
 

@@ -1,4 +1,4 @@
-#include "pictures.h"
+#include "heatmap_files.h"
 
 #include <stdio.h>
 #include <stdlib.h>

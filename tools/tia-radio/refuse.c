@@ -1,4 +1,4 @@
-#include "fail.h"
+#include "refuse.h"
 
 #include <stdarg.h>
 

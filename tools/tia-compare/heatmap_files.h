@@ -1,6 +1,6 @@
-/* pictures.h - the heatmaps of a run, which appear together at its end, or not at all. */
-#ifndef TIA_COMPARE_PICTURES_H
-#define TIA_COMPARE_PICTURES_H
+/* heatmap_files.h - the heatmaps of a run, which appear together at its end, or not at all. */
+#ifndef TIA_COMPARE_HEATMAP_FILES_H
+#define TIA_COMPARE_HEATMAP_FILES_H
 
 #include "heatmap.h"
 #include "ports.h"

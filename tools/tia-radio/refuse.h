@@ -1,6 +1,6 @@
-/* fail.h - error messages: one line, "tia-radio: WHAT: WHY". */
-#ifndef TOOLS_RADIO_FAIL_H
-#define TOOLS_RADIO_FAIL_H
+/* refuse.h - error messages: one line, "tia-radio: WHAT: WHY". */
+#ifndef TOOLS_RADIO_REFUSE_H
+#define TOOLS_RADIO_REFUSE_H
 
 /* The exit statuses. */
 enum { FINE, FAILED, REFUSED };

@@ -1,6 +1,6 @@
-/* picture.h - the scene with paths drawn into it. */
-#ifndef TOOLS_RADIO_PICTURE_H
-#define TOOLS_RADIO_PICTURE_H
+/* path_picture.h - the scene with paths drawn into it. */
+#ifndef TOOLS_RADIO_PATH_PICTURE_H
+#define TOOLS_RADIO_PATH_PICTURE_H
 
 #include "site.h"
 

@@ -1,9 +1,9 @@
-/* report.h - a link's paths as text. */
-#ifndef TOOLS_RADIO_REPORT_H
-#define TOOLS_RADIO_REPORT_H
+/* link_report.h - a link's paths as text. */
+#ifndef TOOLS_RADIO_LINK_REPORT_H
+#define TOOLS_RADIO_LINK_REPORT_H
 
-#include "fields.h"
 #include "options.h"
+#include "path_wave.h"
 
 struct link_report {
     const struct options *options;

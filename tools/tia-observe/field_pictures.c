@@ -1,4 +1,4 @@
-#include "pictures.h"
+#include "field_pictures.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-#include "memory.h"
+#include "scene_memory.h"
 
 #include <ctype.h>
 #include <stddef.h>
