@@ -245,8 +245,8 @@ endef
 $(foreach p,$(PROGRAMS),$(eval $(call program,$(p))))
 
 # A picture to compare with, drawn by GL.
-$(if $(GL),$(BUILD)/tests/test_gl_picture: $(BUILD)/tests/gl/scene.o)
-$(if $(GL),$(BUILD)/tests/test_gl_raster $(BUILD)/tests/test_gl_shadows: $(call obj,host,bench/gl/raster.c))
+$(if $(GL),$(BUILD)/tests/test_gl_picture: $(BUILD)/tests/gl/gl_scene.o)
+$(if $(GL),$(BUILD)/tests/test_gl_raster $(BUILD)/tests/test_gl_shadows: $(call obj,host,bench/gl/gl_raster.c))
 $(if $(filter yes,$(OSMESA)),$(BUILD)/tests/test_gl_shadows: LDFLAGS += -Xlinker --wrap=tia_raster_draw)
 CHK_TESTS := $(addprefix $(BUILD)/tests/,test_ranges test_ray_ranges test_limits test_shapes_chk)
 $(CHK_TESTS): $(BUILD)/libtia-chk.a

@@ -8,10 +8,10 @@
 #include <string.h>
 #include <tia/tia.h>
 
+#include "float_loop.h"
 #include "lightfield.h"
 #include "milliseconds.h"
 #include "paths.h"
-#include "plain.h"
 #include "radio.h"
 #include "raster.h"
 #include "rays.h"

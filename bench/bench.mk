@@ -13,10 +13,10 @@ $(if $(filter yes,$(OSMESA)),$(BENCH): LDFLAGS += -Xlinker --wrap=tia_raster_dra
 
 # Embree 3, which Debian gives no pkg-config file: EMBREE=no leaves it out, and so does a compiler for another machine.
 EMBREE ?= $(if $(and $(NATIVE),$(wildcard /usr/include/embree3/rtcore.h /usr/local/include/embree3/rtcore.h)),yes,no)
-EMBREE_SRC := $(addprefix bench/embree/,$(if $(filter yes,$(EMBREE)),world.c draw.c,none.c))
+EMBREE_SRC := $(addprefix bench/embree/,$(if $(filter yes,$(EMBREE)),embree_world.c embree_draw.c,no_embree.c))
 $(if $(filter yes,$(EMBREE)),$(BENCH): LIBS += -lembree3)
 # As fast as it can be: for this processor, and no errno.
-$(BUILD)/host/bench/embree/draw.o: HOSTED += -march=native -fno-math-errno
+$(BUILD)/host/bench/embree/embree_draw.o: HOSTED += -march=native -fno-math-errno
 
 # The float loops that levels are measured against: there where the level is, with its flags.
 LANES_SRC := $(wildcard bench/lanes_*.c)
@@ -25,7 +25,7 @@ $(BUILD)/host/bench/lanes_%.o: bench/lanes_%.c $(BUILD)/made-with/host
 	$(call compile,CC,$(HOSTED) -iquote src $(flags_$*) -fno-math-errno)
 $(BUILD)/host/bench/float_lanes.o: $(BUILD)/made-with/parts
 $(BUILD)/host/bench/float_lanes.o: HOSTED += $(HAVE_SIMD)
-$(BENCH): $(call obj,host,$(BENCH_SRC) $(EMBREE_SRC) $(if $(GL),bench/gl/raster.c)) \
+$(BENCH): $(call obj,host,$(BENCH_SRC) $(EMBREE_SRC) $(if $(GL),bench/gl/gl_raster.c)) \
           $(if $(TINYGL),$(BUILD)/tinygl/bench/tinygl.o $(TINYGL_LIB)) $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBSIMD) $(LIBRADIO) $(LIBTIA) $(LIBWATCHED) $(BUILD)/made-with/link
 	$(link)
 $(BENCH): LIBS := $(LIBWATCHED) $(LIBTIA) $(LIBS)

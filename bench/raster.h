@@ -1,8 +1,8 @@
-/* raster.h - the rasteriser alone, on the polygons of mesh.h. */
+/* raster.h - the rasteriser alone, on the polygons of mesh_scene.h. */
 #ifndef BENCH_RASTER_H
 #define BENCH_RASTER_H
 
-#include "mesh.h"
+#include "mesh_scene.h"
 
 #include <tia/raster.h>
 

@@ -4,7 +4,7 @@
 
 #include <tia/tia.h>
 
-#include "mesh.h"
+#include "mesh_scene.h"
 
 struct ray_scene {
     struct tia_scene scene;

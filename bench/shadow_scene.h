@@ -1,10 +1,10 @@
-/* shadow_scene.h - the meshes of mesh.h above a plane, as a scene with shadows. */
+/* shadow_scene.h - the meshes of mesh_scene.h above a plane, as a scene with shadows. */
 #ifndef BENCH_SHADOW_SCENE_H
 #define BENCH_SHADOW_SCENE_H
 
 #include <tia/raster.h>
 
-#include "mesh.h"
+#include "mesh_scene.h"
 #include "shadow/volume.h"
 
 #define SHADOW_LAMPS 4

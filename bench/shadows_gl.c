@@ -8,7 +8,7 @@ void bench_shadows_gl(const char *driver)
     printf("\n%s: built without OSMesa (install libosmesa6-dev)\n", driver);
 }
 #else
-#include "gl/raster.h"
+#include "gl/gl_raster.h"
 #include "milliseconds.h"
 #include "ports.h"
 #include "shadow_scene.h"

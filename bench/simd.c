@@ -7,9 +7,9 @@
 #include <tia/tia.h>
 
 #include "float_lanes.h"
+#include "float_loop.h"
 #include "milliseconds.h"
 #include "pixels/pages.h"
-#include "plain.h"
 
 #define ROUNDS 25
 

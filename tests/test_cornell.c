@@ -8,7 +8,7 @@
 #include <tia/tia.h>
 
 #include "check.h"
-#include "oracle/box.h"
+#include "oracle/cornell.h"
 #include "reading.h"
 
 static unsigned times = 1;

@@ -1,4 +1,4 @@
-/* test_gl_picture.c - the built-in scene beside the same scene drawn by OpenGL (gl/scene.c).
+/* test_gl_picture.c - the built-in scene beside the same scene drawn by OpenGL (gl/gl_scene.c).
  *
  * The visible objects must agree to one pixel: where one picture shows an object, the other shows it there or in one of
  * the 8 pixels around; the same for lit regions, at the ball's terminator and around its shadow. Where they agree on
@@ -25,7 +25,7 @@ int main(void)
 #include <tia/debug.h>
 #include <tia/render.h>
 
-#include "gl/scene.h"
+#include "gl/gl_scene.h"
 #include "ports.h"
 
 static struct picture by_tia, by_gl;

@@ -4,7 +4,7 @@
 
 #include "check.h"
 #include "common/corpus/corpus_flat.h"
-#include "oracle/faces.h"
+#include "oracle/face_shadows.h"
 #include "oracle/rays.h"
 #include "shadow/technique.h"
 

@@ -9,7 +9,7 @@
 #include "frames_light.h"
 #include "frames_play.h"
 #include "frames_radio.h"
-#include "shadow_frames.h"
+#include "frames_shadows.h"
 
 #define FRAMES_RANDOM 20
 #define FRAMES_RAYS 20

@@ -3,8 +3,8 @@
 #ifndef TESTS_ARCH_FRAMES_LIGHT_H
 #define TESTS_ARCH_FRAMES_LIGHT_H
 
-#include "canvas.h"
 #include "common/corpus/corpus_rays.h"
+#include "frames_canvas.h"
 
 #define FRAMES_SUMS_WIDTH 17
 #define FRAMES_SUMS_HEIGHT 13

@@ -4,7 +4,7 @@
 
 #include <tia/motion.h>
 
-#include "canvas.h"
+#include "frames_canvas.h"
 
 /* Returns a scene with events: balls that fall onto a floor, a turned box and each other, one that appears later, a
  * wall that vanishes, a lamp that goes on and a colour that changes. */

@@ -4,7 +4,7 @@
 
 #include <tia/radio.h>
 
-#include "canvas.h"
+#include "frames_canvas.h"
 
 enum { FRAMES_RADIO_DENSITY = 6 };
 

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "accepted.h"
-#include "picture.h"
+#include "picture_memory.h"
 
 #define WORK 1500 /* limit of rays times objects, about as many as in a thousandth of a second */
 

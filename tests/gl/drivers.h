@@ -7,7 +7,7 @@
 #include <unistd.h>
 
 #include "check.h"
-#include "gl/raster.h"
+#include "gl/gl_raster.h"
 #include "ports.h"
 
 /* Opens a driver; returns NULL, and skips the case, where the driver is missing. */

@@ -1,4 +1,4 @@
-#include "mesh.h"
+#include "mesh_scene.h"
 
 #include <math.h>
 

@@ -1,6 +1,6 @@
-/* plain.h - the textbook loop in scalar float, as a baseline. */
-#ifndef BENCH_PLAIN_H
-#define BENCH_PLAIN_H
+/* float_loop.h - the textbook loop in scalar float, as a baseline. */
+#ifndef BENCH_FLOAT_LOOP_H
+#define BENCH_FLOAT_LOOP_H
 
 #include <tia/scene.h>
 

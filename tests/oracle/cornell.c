@@ -1,9 +1,9 @@
-/* box.c - Cornell University Program of Computer Graphics, "Cornell box data",
+/* cornell.c - Cornell University Program of Computer Graphics, "Cornell box data",
  * http://www.graphics.cornell.edu/online/box/data.html: camera, polygons, spectra.
  *
  * Colours are those spectra against the CIE 1931 observer, of equal energy, with the primaries of sRGB; linear.
  * The lamp shines to both sides, absorbs what meets it, and hangs 0.05 below the ceiling. */
-#include "box.h"
+#include "cornell.h"
 
 #include "vec.h"
 

@@ -1,4 +1,4 @@
-#include "world.h"
+#include "embree_world.h"
 
 #ifdef __x86_64__
 #include <xmmintrin.h>

@@ -1,6 +1,6 @@
-/* scene.h - the built-in scene drawn by OpenGL, for comparison. */
-#ifndef TESTS_GL_SCENE_H
-#define TESTS_GL_SCENE_H
+/* gl_scene.h - the built-in scene drawn by OpenGL, for comparison. */
+#ifndef TESTS_GL_GL_SCENE_H
+#define TESTS_GL_GL_SCENE_H
 
 #include <tia/fixed.h>
 

@@ -1,6 +1,6 @@
-/* raster.h - polygons drawn by OpenGL with the states of <tia/raster.h>, for comparison. */
-#ifndef BENCH_GL_RASTER_H
-#define BENCH_GL_RASTER_H
+/* gl_raster.h - polygons drawn by OpenGL with the states of <tia/raster.h>, for comparison. */
+#ifndef BENCH_GL_GL_RASTER_H
+#define BENCH_GL_GL_RASTER_H
 
 #include <tia/raster.h>
 

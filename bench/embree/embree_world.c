@@ -1,4 +1,4 @@
-#include "world.h"
+#include "embree_world.h"
 
 #include <stdlib.h>
 

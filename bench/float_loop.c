@@ -1,4 +1,4 @@
-#include "plain.h"
+#include "float_loop.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,4 @@
-/* core.c - the oracle behind the library's table of functions, so that it can draw everything that the library's
- * arithmetics draw. A hit buffer stores all results of the oracle. */
+/* oracle_core.c - the oracle behind the library's table of functions, so that it can draw everything that the library's arithmetics draw. A hit buffer stores all results of the oracle. */
 #include "oracle.h"
 
 #include <tia/debug.h>

@@ -1,10 +1,10 @@
-/* scene.c - the built-in scene, drawn by OpenGL from its description alone.
+/* gl_scene.c - the built-in scene, drawn by OpenGL from its description alone.
  *
  * GL has no rays: it projects spheres made of small triangles, finds the nearest by a depth
  * buffer and interpolates positions over them. Only lighting is the same formula, in a shader:
  * Lambert's law and a shadow ray against both spheres.
  */
-#include "scene.h"
+#include "gl_scene.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,4 +1,4 @@
-/* memory.c - the numbers of a header by `tia-compile --memory`, and those of the library on this machine. It is
+/* scene_memory.c - the numbers of a header by `tia-compile --memory`, and those of the library on this machine. It is
  * compiled with SCENE, the scene's name, NAME, that of its sizes, and LIGHTS, and prints both, name by name. */
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
-/* world.h - a scene in Embree, and its data for shading. */
-#ifndef BENCH_EMBREE_WORLD_H
-#define BENCH_EMBREE_WORLD_H
+/* embree_world.h - a scene in Embree, and its data for shading. */
+#ifndef BENCH_EMBREE_EMBREE_WORLD_H
+#define BENCH_EMBREE_EMBREE_WORLD_H
 
 #include <embree3/rtcore.h>
 #include <stdbool.h>

@@ -1,6 +1,6 @@
-/* canvas.h - a small picture of a scene in memory, whose checksum is reported. */
-#ifndef TESTS_ARCH_CANVAS_H
-#define TESTS_ARCH_CANVAS_H
+/* frames_canvas.h - a small picture of a scene in memory, whose checksum is reported. */
+#ifndef TESTS_ARCH_FRAMES_CANVAS_H
+#define TESTS_ARCH_FRAMES_CANVAS_H
 
 #include <stdio.h>
 #include <stdlib.h>

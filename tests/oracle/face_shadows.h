@@ -1,7 +1,7 @@
-/* faces.h - hard shadows of flat faces, in double precision and in the world: the rays' test of Moeller and Trumbore
- * (1997) against each face. The face where a ray to a light starts is left out, so there is no bias. */
-#ifndef TESTS_ORACLE_FACES_H
-#define TESTS_ORACLE_FACES_H
+/* face_shadows.h - hard shadows of flat faces, in double precision and in the world: the rays' test of Moeller and
+ * Trumbore (1997) against each face. The face where a ray to a light starts is left out, so there is no bias. */
+#ifndef TESTS_ORACLE_FACE_SHADOWS_H
+#define TESTS_ORACLE_FACE_SHADOWS_H
 
 #include "vec.h"
 

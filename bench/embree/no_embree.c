@@ -1,4 +1,4 @@
-/* none.c - for builds without Embree. */
+/* no_embree.c - for builds without Embree. */
 #include "embree.h"
 
 const bool embree_is_there = false;

@@ -1,6 +1,6 @@
-/* picture.h - a scene drawn into memory of exactly the size that the library requires. */
-#ifndef TESTS_FUZZ_PICTURE_H
-#define TESTS_FUZZ_PICTURE_H
+/* picture_memory.h - a scene drawn into memory of exactly the size that the library requires. */
+#ifndef TESTS_FUZZ_PICTURE_MEMORY_H
+#define TESTS_FUZZ_PICTURE_MEMORY_H
 
 #include <stdio.h>
 #include <string.h>

@@ -1,13 +1,13 @@
-/* shadow_frames.h - the pinned frames of the techniques for shadows, and of the rasteriser alone. */
-#ifndef TESTS_ARCH_SHADOW_FRAMES_H
-#define TESTS_ARCH_SHADOW_FRAMES_H
+/* frames_shadows.h - the pinned frames of the techniques for shadows, and of the rasteriser alone. */
+#ifndef TESTS_ARCH_FRAMES_SHADOWS_H
+#define TESTS_ARCH_FRAMES_SHADOWS_H
 
 #include <tia/raster.h>
 
-#include "canvas.h"
 #include "common/corpus/corpus_flat.h"
 #include "common/corpus/corpus_rays.h"
 #include "common/corpus/dice.h"
+#include "frames_canvas.h"
 
 #define FRAMES_FLAT 6
 #define FRAMES_CURVED 2

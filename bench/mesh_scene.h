@@ -1,6 +1,6 @@
-/* mesh.h - the scene of the rasteriser's benchmarks: a ball, a box and a ring on a ground. */
-#ifndef BENCH_MESH_H
-#define BENCH_MESH_H
+/* mesh_scene.h - the scene of the rasteriser's benchmarks: a ball, a box and a ring on a ground. */
+#ifndef BENCH_MESH_SCENE_H
+#define BENCH_MESH_SCENE_H
 
 #include <stdint.h>
 

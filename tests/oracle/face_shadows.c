@@ -1,4 +1,4 @@
-#include "faces.h"
+#include "face_shadows.h"
 
 #include "light.h"
 

@@ -1,4 +1,4 @@
-#include "raster.h"
+#include "gl_raster.h"
 
 #include <stdio.h>
 #include <stdlib.h>

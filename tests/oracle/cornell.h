@@ -1,7 +1,7 @@
-/* box.h - the Cornell box of scenes/cornell.tia, its light followed along random paths in double precision: with other
- * intersections, other random numbers, other directions, and no balance heuristic. */
-#ifndef TESTS_ORACLE_BOX_H
-#define TESTS_ORACLE_BOX_H
+/* cornell.h - the Cornell box of scenes/cornell.tia, its light followed along random paths in double precision: with
+ * other intersections, other random numbers, other directions, and no balance heuristic. */
+#ifndef TESTS_ORACLE_CORNELL_H
+#define TESTS_ORACLE_CORNELL_H
 
 #include <stdint.h>
 
