@@ -6,7 +6,7 @@
 
 static void must_keep_limits(const struct options *o)
 {
-    MUST(o->core && o->display && o->input);
+    MUST(o->core && o->display.name && o->input.name);
     MUST(!o->width == !o->height && o->width <= TIA_SIZE_MAX && o->height <= TIA_SIZE_MAX);
     MUST(o->action != ACTION_DRAW || o->output);
     MUST(o->threads >= 1);

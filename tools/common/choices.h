@@ -1,9 +1,12 @@
-/* choices.h - the words of options that several commands have, each in the order of its enumeration. */
+/* choices.h - the arguments of options that several commands have; words are in the order of their enumeration. */
 #ifndef TOOLS_COMMON_CHOICES_H
 #define TOOLS_COMMON_CHOICES_H
 
 #define IMAGE_FORMATS "png|ppm|bmp|565|y4m|tiapart|pfm"                       /* enum image_format from IMAGE_PNG */
 #define SCENE_FORMATS "tia|nff|obj"                                           /* enum tia_format */
 #define SHADOW_TECHNIQUES "traced|rays|zpass|zfail|map|map-exact|zpass-plain" /* enum tia_shadows */
+
+#define LENTICULAR_KEYS "pitch=50.2,slope=-7.1,center=0.3,subpixels=rgb|bgr|none,flip,invert"
+#define MODULES_KEYS "M[,distance=D,spacing=L]"
 
 #endif

@@ -22,14 +22,15 @@ enum {
 
 /* ---- values ---- */
 
-/* Returns the index of `value` among the words of "a|b|c"; -1 if it is not one of them. */
+/* Returns the index of `value` among the words of "a|b|C", where a word in capitals stands for any; -1 if it is not one of them.
+ */
 static int word_of(const char *words, const char *value)
 {
     size_t length = strlen(value);
 
     for (int i = 0;; i++) {
         size_t word = strcspn(words, "|");
-        if (word == length && strncasecmp(words, value, length) == 0)
+        if ((*words >= 'A' && *words <= 'Z') || (word == length && strncasecmp(words, value, length) == 0))
             return i;
         if (words[word] == '\0')
             return -1;
@@ -80,7 +81,7 @@ static bool parse_numbers(const struct option_row *row, const char *value, int w
 {
     switch (row->kind) {
     case OPTION_FLAG:
-        numbers[0] = true;
+        numbers[0] = row->min ? row->min : true;
         return true;
     case OPTION_CHOICE:
         numbers[0] = row->min + (uint64_t)word;
@@ -102,7 +103,7 @@ static const char *set(const struct option_row *row, char *options, char *value)
     if (row->given)
         *(bool *)(void *)(options + row->given) = true;
     if (row->kind == OPTION_PARSED)
-        return row->parse(options, value);
+        return row->parse(options + row->at, value);
     int word = has_words(row) ? word_of(row->argument, value) : 0;
     if (word < 0)
         return "";

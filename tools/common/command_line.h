@@ -6,11 +6,11 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* The kinds of an option's value, each with the type of the member that receives it. Where the argument is a list of
- * words, "srgb|linear", only these are accepted, in upper or lower case, unless the row has a parser that accepts
- * more. */
+/* The kinds of an option's value, each with the type of the member that receives it. Where the argument is a list of words,
+ * "srgb|linear", only these are accepted, in upper or lower case, unless one begins with a capital, "NAME|help", or the
+ * row has a parser that accepts more. */
 enum option_kind {
-    OPTION_FLAG,    /* no value: bool, which becomes true */
+    OPTION_FLAG,    /* no value: min, or true where that is 0 */
     OPTION_TEXT,    /* any text: const char * */
     OPTION_NUMBER,  /* min to max: an unsigned number */
     OPTION_DECIMAL, /* "1.25", times 2^(16 + bits), min to max: tia_q16 or uint32_t */
@@ -18,7 +18,7 @@ enum option_kind {
     OPTION_SIZE,    /* "640x480", each 1 to max: two unsigned numbers */
     OPTION_PIXEL,   /* "3,4", each up to max: two unsigned numbers */
     OPTION_RANGE,   /* "0-99", up to max, not falling: two unsigned numbers */
-    OPTION_PARSED,  /* any value that `parse` accepts; it gets NULL where there is no argument */
+    OPTION_PARSED,  /* any value that `parse` accepts */
     OPTION_HELP,
     OPTION_VERSION
 };
@@ -38,8 +38,8 @@ struct option_row {
 
     uint64_t min, max;
     int bits;
-    /* stores a value; returns NULL, or a message, "" for the one made from `rule`; may change the value */
-    const char *(*parse)(void *options, char *value);
+    /* stores a value, which it may change; returns NULL, or a message, "" for the one made from `rule` */
+    const char *(*parse)(void *member, char *value);
     const char *rule; /* the allowed values, for messages: "not a rate (...)"; NULL: made from the row */
 };
 

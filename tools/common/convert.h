@@ -4,9 +4,15 @@
 
 #include <tia/scene.h>
 
+#include "choices.h"
 #include "command_line.h"
 
 #define CONVERT_TILES 16
+
+struct convert_tiles {
+    uint16_t size[CONVERT_TILES][2]; /* widths and heights */
+    unsigned count;
+};
 
 struct request {
     const char *scene, *output; /* paths; "-": standard input, standard output */
@@ -16,11 +22,18 @@ struct request {
     char source[64];    /* the scene's name, made safe for a comment */
 
     /* For a command with `write_memory`. */
-    const char *memory; /* --memory: NULL, or a path; then `output` may be NULL */
-    uint32_t lights;    /* --lights: 0 when it is not given */
-    uint16_t tiles[CONVERT_TILES][2];
-    unsigned tile_count; /* number of --size options, each a width and a height */
+    const char *memory;         /* --memory: NULL, or a path; then `output` may be NULL */
+    uint32_t lights;            /* --lights: 0 when it is not given */
+    struct convert_tiles tiles; /* --size */
 };
+
+#define CONVERT_TO(member) OPTION_TO(struct request, member)
+/* The last rows of every converter's table, and the end of its --help. */
+#define CONVERT_END                                                                                                    \
+    {"scene-format",    0, OPTION_CHOICE, SCENE_FORMATS, "the format of SCENE, if its name has no such extension",     \
+     CONVERT_TO(format)},                                                                                              \
+        {"strict", 0, OPTION_FLAG, NULL, "treat warnings about the scene as errors", CONVERT_TO(strict)}, OPTION_END
+#define CONVERT_NOTES "\nExit status: 0 success, 1 failure, 2 usage error or invalid scene.\n"
 
 struct converter {
     const struct command *command; /* its options fill a struct request */

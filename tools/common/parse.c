@@ -126,10 +126,10 @@ bool parse_real(const char **text, double *value)
     return true;
 }
 
-bool parse_reals(const char *text, double *values, int count)
+bool parse_reals(const char *text, double limit, double *values, int count)
 {
     for (int i = 0; i < count; i++)
-        if ((i > 0 && *text++ != ',') || !parse_real(&text, &values[i]))
+        if ((i > 0 && *text++ != ',') || !parse_real(&text, &values[i]) || fabs(values[i]) >= limit)
             return false;
     return *text == '\0';
 }

@@ -24,9 +24,9 @@ unsigned parse_longest(int bits);
 /* Parses "25" or "30000/1001", each number 1..1000000. */
 bool parse_rate(const char *text, uint32_t rate[2]);
 
-/* Parse a finite number at *text, and move *text behind it; or `count` numbers with commas between them, and nothing
- * else. */
+/* Parse a finite number at *text, and move *text behind it; or `count` numbers of a size below `limit`, with commas
+ * between them, and nothing else. */
 bool parse_real(const char **text, double *value);
-bool parse_reals(const char *text, double *values, int count);
+bool parse_reals(const char *text, double limit, double *values, int count);
 
 #endif

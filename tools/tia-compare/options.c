@@ -11,14 +11,11 @@
 #include "common/scene/scene_load.h"
 #include "common/thread_pool.h"
 
-static const char *set_percentage(void *context, char *value)
+static const char *set_percentage(void *percent, char *value)
 {
-    struct options *options = context;
+    bool fine = *value >= '0' && *value <= '9' && parse_reals(value, 101, percent, 1);
 
-    return *value >= '0' && *value <= '9' && parse_reals(value, &options->require_identical, 1) &&
-                   options->require_identical <= 100
-               ? NULL
-               : "";
+    return fine && *(double *)percent <= 100 ? NULL : "";
 }
 
 #define TO(member) OPTION_TO(struct options, member)
@@ -42,7 +39,7 @@ static const struct option_row rows[] = {
      "FILE-1.png, FILE-2.png, ...",
      TO(heatmap)},
     {"require-identical", 0, OPTION_PARSED, "PERCENT", "fail if fewer of the pixels of q16 are identical",
-     .parse = set_percentage, .rule = "not a percentage from 0 to 100"},
+     TO(require_identical), .parse = set_percentage, .rule = "not a percentage from 0 to 100"},
     {"max-flips", 0, OPTION_NUMBER, "N", "fail if q16 has more than N flips", TO(max_flips), .max = INT64_MAX},
     {"max-levels", 0, OPTION_NUMBER, "N", "fail if a pixel of q16, without being a flip, is off by more than N levels",
      TO(max_levels), .max = INT64_MAX},

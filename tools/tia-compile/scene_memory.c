@@ -245,8 +245,8 @@ static void write_header(struct text *text, const struct request *request, const
                " * with an input and a clock. */\n",
                m->lights);
     write_sizes(text, name, "VIEW", "", view);
-    for (unsigned i = 0; i < request->tile_count; i++)
-        write_tile(text, name, m, (struct tia_tile){0, 0, request->tiles[i][0], request->tiles[i][1]});
+    for (unsigned i = 0; i < request->tiles.count; i++)
+        write_tile(text, name, m, (struct tia_tile){0, 0, request->tiles.size[i][0], request->tiles.size[i][1]});
     text_print(
         text,
         "\n/* Flash, about: the library's part of a program on a Cortex-M3 (gcc -Os), and the scene's tables. */\n");

@@ -5,7 +5,6 @@
 
 #include <tia/render.h>
 
-#include "common/choices.h"
 #include "common/convert.h"
 #include "common/parse.h"
 #include "scene_memory.h"
@@ -13,12 +12,11 @@
 
 #define LIGHTS_MOST 65535
 
-static const char *set_name(void *context, char *value)
+static const char *set_name(void *symbol, char *value)
 {
     static const char keywords[] =
         " auto break case char const continue default do double else enum extern float for goto if inline int long "
         "register restrict return short signed sizeof static struct switch typedef union unsigned void volatile while ";
-    struct request *request = context;
     char word[68];
     size_t length = strlen(value);
     bool fine = length > 0 && length < 64;
@@ -27,40 +25,31 @@ static const char *set_name(void *context, char *value)
         fine = fine &&
                (isalpha((unsigned char)value[i]) || value[i] == '_' || (i > 0 && isdigit((unsigned char)value[i])));
     (void)snprintf(word, sizeof word, " %.64s ", value);
-    request->symbol = value;
+    *(const char **)symbol = value;
     return fine && !strstr(keywords, word) ? NULL : "";
 }
 
-static const char *add_size(void *context, char *value)
+static const char *add_size(void *member, char *value)
 {
-    struct request *request = context;
-    uint16_t width, height;
+    struct convert_tiles *tiles = member;
+    uint16_t *size = tiles->count < CONVERT_TILES ? tiles->size[tiles->count++] : NULL;
 
-    if (request->tile_count == CONVERT_TILES || !parse_size(value, NULL, TIA_SIZE_MAX, &width, &height))
-        return "";
-    request->tiles[request->tile_count][0] = width;
-    request->tiles[request->tile_count++][1] = height;
-    return NULL;
+    return size && parse_size(value, NULL, TIA_SIZE_MAX, &size[0], &size[1]) ? NULL : "";
 }
 
-#define TO(member) OPTION_TO(struct request, member)
-
 static const struct option_row rows[] = {
-    {"output", 'o', OPTION_TEXT, "FILE.c", "the file to write; - is standard output", TO(output)},
+    {"output", 'o', OPTION_TEXT, "FILE.c", "the file to write; - is standard output", CONVERT_TO(output)},
     {"memory", 0, OPTION_TEXT, "FILE.h",
      "write the memory sizes of the scene as macros: SYMBOL_VIEW and, for each size, SYMBOL_HITS_320x240 and "
      "SYMBOL_VIEWER_320x240",
-     TO(memory)},
-    {"size", 's', OPTION_PARSED, "WIDTHxHEIGHT", "the size of a picture or a tile; up to 16 times", .parse = add_size,
-     .rule = "not a size (1x1 to 8192x8192, like 320x240), or one of more than 16"},
+     CONVERT_TO(memory)},
+    {"size", 's', OPTION_PARSED, "WIDTHxHEIGHT", "the size of a picture or a tile; up to 16 times", CONVERT_TO(tiles),
+     .parse = add_size, .rule = "not a size (1x1 to 8192x8192, like 320x240), or one of more than 16"},
     {"lights", 0, OPTION_NUMBER, "N", "the maximum number of lights; default: the scene's, plus one for each key line",
-     TO(lights), .min = 1, .max = LIGHTS_MOST},
-    {"name", 0, OPTION_PARSED, "SYMBOL", "default: scene", .parse = set_name,
+     CONVERT_TO(lights), .min = 1, .max = LIGHTS_MOST},
+    {"name", 0, OPTION_PARSED, "SYMBOL", "default: scene", CONVERT_TO(symbol), .parse = set_name,
      .rule = "not a name in C, of less than 64 letters"},
-    {"scene-format", 0, OPTION_CHOICE, SCENE_FORMATS, "the format of SCENE, if its name has no such extension",
-     TO(format)},
-    {"strict", 0, OPTION_FLAG, NULL, "treat warnings about the scene as errors", TO(strict)},
-    OPTION_END};
+    CONVERT_END};
 
 static const struct command command = {
     "tia-compile",
@@ -69,9 +58,7 @@ static const struct command command = {
     "Writes a scene as C: const tables, with its bounding volume hierarchy, as\n"
     "`const struct tia_scene SYMBOL`. The file needs only tia's public headers.\n"
     "\n",
-    rows,
-    "\n"
-    "Exit status: 0 success, 1 failure, 2 usage error or invalid scene.\n"};
+    rows, CONVERT_NOTES};
 
 /* Number of objects up to which a hierarchy would be a single box around them all, a waste of flash. */
 #define FEW 4

@@ -1,10 +1,10 @@
-/* tia-observe - the view of a light-field display from an eye, from the display's pictures. */
-#include <math.h>
+/* tia-observe - what an eye sees of a light-field display, by its pictures. */
 #include <stdio.h>
 #include <stdlib.h>
 
 #include <tia/tia.h>
 
+#include "common/choices.h"
 #include "common/command_line.h"
 #include "common/lenticular.h"
 #include "common/message.h"
@@ -35,58 +35,47 @@ static int refuse(int status, const char *what, const char *why)
 
 /* ---- the command line ---- */
 
-static const char *set_eye(struct eye *eye, const char *text)
+#define NEAR 32768.0 /* limit of lengths */
+
+static const char *set_eye(void *eye, char *value)
 {
     double at[3];
 
-    if (!parse_reals(text, at, 3) || fabs(at[0]) >= 32768 || fabs(at[1]) >= 32768 || at[2] >= 32768 || at[2] <= 0)
-        return "not a position in front of the screen (X,Y,Z like 0.1,0,2.5; Z above 0)";
-    *eye = (struct eye){at[0], at[1], at[2]};
+    if (!parse_reals(value, NEAR, at, 3) || at[2] <= 0)
+        return "";
+    *(struct eye *)eye = (struct eye){at[0], at[1], at[2]};
     return NULL;
 }
 
-static const char *set_from(void *request, char *value)
+static const char *set_two(void *apart, char *value)
 {
-    return set_eye(&((struct request *)request)->observation.eye, value);
-}
-
-static const char *set_to(void *request, char *value)
-{
-    return set_eye(&((struct request *)request)->observation.to, value);
-}
-
-static const char *set_two(void *request, char *value)
-{
-    double *apart = &((struct request *)request)->observation.apart;
-
-    return parse_reals(value, apart, 1) && *apart > 0 && *apart < 32768 ? NULL : "";
+    return parse_reals(value, NEAR, apart, 1) && *(double *)apart > 0 ? NULL : "";
 }
 
 #define TO(member) OPTION_TO(struct request, member)
+#define EYE(member, given_member)                                                                                      \
+    TO(observation.member), .given = offsetof(struct request, given_member), .parse = set_eye,                         \
+                            .rule = "not a position in front of the screen (X,Y,Z like 0.1,0,2.5; Z above 0)"
 
 static const struct option_row rows[] = {
-    {"eye", 'e', OPTION_PARSED, "X,Y,Z", "the position of the eye, in the scene's unit", .parse = set_from,
-     .given = offsetof(struct request, has_eye)},
+    {"eye", 'e', OPTION_PARSED, "X,Y,Z", "the position of the eye, in the scene's unit", EYE(eye, has_eye)},
     {"output", 'o', OPTION_TEXT, "FILE",
      "a picture (.png .ppm .bmp .565) or, for a moving eye, a film (.y4m, or one picture per frame with %04d in its "
      "name)",
      TO(output)},
     {"views", 0, OPTION_NUMBER, "N", "PICTURES are N views", TO(views), .min = 1, .max = MODULES_MAX},
-    {"modules", 0, OPTION_TEXT, "M[,distance=D,spacing=L]",
-     "PICTURES are those of M projectors; the values given to tia", TO(modules)},
-    {"lenticular", 0, OPTION_TEXT, "KEYS",
-     "PICTURES is that of a panel: pitch=50.2,slope=-7.1,center=0.3,subpixels=rgb|bgr|none,flip,invert",
-     TO(lenticular)},
+    {"modules", 0, OPTION_TEXT, MODULES_KEYS, "PICTURES are those of M projectors; the values given to tia",
+     TO(modules)},
+    {"lenticular", 0, OPTION_TEXT, "KEYS", "PICTURES is that of a panel: " LENTICULAR_KEYS, TO(lenticular)},
     {"calibration", 0, OPTION_TEXT, "FILE", "PICTURES is that of the panel of this visual.json", TO(calibration)},
     {"size", 's', OPTION_SIZE, "WIDTHxHEIGHT",
      "the size of the written picture; default that of a view or of the panel",
      OPTION_PAIR(struct request, width, height), .max = TIA_SIZE_MAX},
-    {"two", 0, OPTION_PARSED, "DISTANCE", "show two eyes side by side, DISTANCE apart", .parse = set_two,
-     .rule = "not a distance of two eyes (above 0, like 0.065)"},
+    {"two", 0, OPTION_PARSED, "DISTANCE", "show two eyes side by side, DISTANCE apart", TO(observation.apart),
+     .parse = set_two, .rule = "not a distance of two eyes (above 0, like 0.065)"},
     {"anaglyph", 0, OPTION_FLAG, NULL, "combine both eyes in one picture, for red and cyan glasses",
      TO(observation.anaglyph)},
-    {"to", 0, OPTION_PARSED, "X,Y,Z", "move the eye to this position", .parse = set_to,
-     .given = offsetof(struct request, moves)},
+    {"to", 0, OPTION_PARSED, "X,Y,Z", "move the eye to this position", EYE(to, moves)},
     {"frames", 'n', OPTION_NUMBER, "N", "the number of frames of that movement (default 25)", TO(frames), .min = 1,
      .max = FRAMES_MAX},
     OPTION_END};

@@ -37,7 +37,7 @@ struct map {
  * up. */
 static void choose_axes(struct map *map)
 {
-    int axis = map->options->map_axis;
+    int axis = map->options->map.axis;
 
     map->across[0] = axis == 0 ? 2 : 0;
     map->across[1] = axis == 1 ? 2 : 1;
@@ -78,7 +78,7 @@ static bool place_of(const struct map *map, unsigned x, unsigned y, struct tia_v
     const struct options *o = map->options;
     double part[2] = {(x + 0.5) / o->width, map->down ? (y + 0.5) / o->height : 1 - (y + 0.5) / o->height}, at[3];
 
-    at[o->map_axis] = o->map_at;
+    at[o->map.axis] = o->map.at;
     for (int k = 0; k < 2; k++)
         at[map->across[k]] = map->area[k] + part[k] * (map->area[k + 2] - map->area[k]);
     *place = place_at(&map->site->world, at);
@@ -100,9 +100,10 @@ static double gain_at(struct map *map, struct tia_radio_room *room, struct path_
     double complex sum = 0;
 
     list->count = 0;
-    if (is_same_place(o->tx[tx], place))
+    if (is_same_place(o->tx.array[tx], place))
         return NAN;
-    if (!links_try(map->search, room, o->method == METHOD_HYBRID ? &map->sequences[tx] : NULL, o->tx[tx], place, list))
+    if (!links_try(map->search, room, o->method == METHOD_HYBRID ? &map->sequences[tx] : NULL, o->tx.array[tx], place,
+                   list))
         atomic_store(&map->exhausted, true);
     links_sort(list);
     for (unsigned i = 0; i < list->count; i++) {
@@ -119,12 +120,12 @@ static void fill_row(void *arg, unsigned row)
     const struct options *o = map->options;
     struct tia_radio_room *room = malloc(tia_radio_room_size());
     struct path_list list = {.paths = NULL};
-    double *gain = map->gain + (size_t)row * o->width * o->tx_count;
+    double *gain = map->gain + (size_t)row * o->width * o->tx.count;
 
     for (unsigned x = 0; x < o->width && room && !atomic_load(&map->exhausted); x++) {
         struct tia_vec3 place;
         bool outside = place_of(map, x, map->first_row + row, &place);
-        for (unsigned tx = 0; tx < o->tx_count; tx++)
+        for (unsigned tx = 0; tx < o->tx.count; tx++)
             *gain++ = outside ? gain_at(map, room, &list, tx, place) : NAN;
     }
     if (!room)
@@ -146,14 +147,14 @@ static unsigned best_of(const double *gain, unsigned count)
 
 static tia_rgb565 colour_of(const struct options *o, const double *gain)
 {
-    unsigned best = best_of(gain, o->tx_count);
+    unsigned best = best_of(gain, o->tx.count);
 
     if (isnan(gain[best]))
         return INSIDE;
     if (isinf(gain[best]))
         return NOTHING;
     return o->best_server ? palette_number(best)
-                          : palette_heat(0.08 + 0.92 * (gain[best] - o->low) / (o->high - o->low));
+                          : palette_heat(0.08 + 0.92 * (gain[best] - o->range[0]) / (o->range[1] - o->range[0]));
 }
 
 static void draw_label(const struct options *o, unsigned line, unsigned lines, tia_rgb565 paper, const char *text,
@@ -170,10 +171,10 @@ static void draw_label(const struct options *o, unsigned line, unsigned lines, t
 
 static void draw_legend(const struct options *o, struct tia_tile tile, const struct tia_surface *surface)
 {
-    unsigned lines = o->best_server ? o->tx_count : 6;
+    unsigned lines = o->best_server ? o->tx.count : 6;
 
     for (unsigned i = 0; i < lines; i++) {
-        double part = i / 5.0, db = o->high + part * (o->low - o->high);
+        double part = i / 5.0, db = o->range[1] + part * (o->range[0] - o->range[1]);
         char text[40];
         if (o->best_server)
             (void)snprintf(text, sizeof text, " tx %u ", i + 1);
@@ -196,7 +197,7 @@ static int write_picture(const struct map *map)
     if (!pixels)
         return refuse(FAILED, "memory: exhausted");
     for (size_t i = 0; i < count; i++)
-        pixels[i] = colour_of(o, map->gain + i * o->tx_count);
+        pixels[i] = colour_of(o, map->gain + i * o->tx.count);
     draw_legend(o, tile, &surface);
     int result = picture_write(o, pixels, map->first_row, map->rows, map->site->file.crc);
     free(pixels);
@@ -208,18 +209,18 @@ static int write_picture(const struct map *map)
 static void write_pixel(const struct map *map, struct text *text, unsigned x, unsigned y)
 {
     const struct options *o = map->options;
-    const double *gain = map->gain + ((size_t)y * o->width + x) * o->tx_count;
+    const double *gain = map->gain + ((size_t)y * o->width + x) * o->tx.count;
     struct tia_vec3 place;
 
     (void)place_of(map, x, map->first_row + y, &place);
     text_print(text, "%.9f,%.9f,%.9f", coordinate(map, &place, 0), coordinate(map, &place, 1),
                coordinate(map, &place, 2));
-    for (unsigned i = 0; i < o->tx_count; i++)
+    for (unsigned i = 0; i < o->tx.count; i++)
         if (isfinite(gain[i]))
             text_print(text, ",%.6f", gain[i]);
         else
             text_print(text, ",%s", isnan(gain[i]) ? "wall" : "none");
-    unsigned best = best_of(gain, o->tx_count);
+    unsigned best = best_of(gain, o->tx.count);
     text_print(text, ",%u\n", isfinite(gain[best]) ? best + 1 : 0);
 }
 
@@ -233,7 +234,7 @@ static int write_csv(const struct map *map)
         return refuse(FAILED, "%s", why);
     if (map->first_row == 0) {
         text_print(&text, "x,y,z");
-        for (unsigned i = 0; i < o->tx_count; i++)
+        for (unsigned i = 0; i < o->tx.count; i++)
             text_print(&text, ",tx%u_dB", i + 1);
         text_print(&text, ",best\n");
     }
@@ -250,9 +251,9 @@ static bool compute(struct map *map)
     const struct options *o = map->options;
     bool fine = true;
 
-    map->gain = malloc((size_t)o->width * map->rows * o->tx_count * sizeof *map->gain);
-    for (unsigned tx = 0; tx < o->tx_count && fine && o->method == METHOD_HYBRID; tx++)
-        fine = sequences_shoot(map->search, o->tx[tx], &map->sequences[tx]);
+    map->gain = malloc((size_t)o->width * map->rows * o->tx.count * sizeof *map->gain);
+    for (unsigned tx = 0; tx < o->tx.count && fine && o->method == METHOD_HYBRID; tx++)
+        fine = sequences_shoot(map->search, o->tx.array[tx], &map->sequences[tx]);
     if (!map->gain || !fine)
         return false;
     threads_run(map->search->pool, fill_row, map, map->rows);

@@ -1,4 +1,4 @@
-/* options.h - tia-radio's options. */
+/* options.h - the command line of tia-radio. */
 #ifndef TOOLS_RADIO_OPTIONS_H
 #define TOOLS_RADIO_OPTIONS_H
 
@@ -15,28 +15,44 @@ struct naming {
     double permittivity, conductivity, thickness;
 };
 
+struct namings {
+    struct naming array[NAMES_MOST];
+    unsigned count;
+};
+
+struct places {
+    double metres[PLACES_MOST][3];
+    struct tia_vec3 array[PLACES_MOST]; /* in the scene's unit, once that is known */
+    unsigned count;
+};
+
+/* The plane of a map. */
+struct plane {
+    int axis;  /* -1: no map */
+    double at; /* metres */
+};
+
 struct options {
     const char *scene, *output, *csv;
-    double tx_at[PLACES_MOST][3], rx_at[PLACES_MOST][3]; /* positions in metres; and in the scene's unit, once that is
-                                                            known: */
-    struct tia_vec3 tx[PLACES_MOST], rx[PLACES_MOST];
-    unsigned tx_count, rx_count, naming_count;
-    struct naming namings[NAMES_MOST];
+    struct places tx, rx;
+    struct namings namings;
     double frequency;
     uint32_t order, walls, density;
     enum method method;
     unsigned threads;
     bool lists, json, best_server, horizontal;
-    int up;         /* number of the vertical axis */
-    int map_axis;   /* axis of the map's normal; -1: no map */
-    double map_at;  /* metres */
-    double area[4]; /* area of the map, metres; then in the scene's unit */
+    int up; /* number of the vertical axis */
+    struct plane map;
+    double area[4];  /* area of the map, metres; then in the scene's unit */
+    double range[2]; /* range of the map's colours, dB */
     bool has_area, has_size;
     uint16_t width, height;
-    double low, high; /* range of the map's colours, dB */
     bool has_rows;
     uint16_t first_row, last_row; /* rows of the map */
     enum image_format format;
 };
+
+/* COMMAND_RUN; or the status to exit with, FINE after --help or the like, else after an error message. */
+int options_parse(struct options *options, int argc, char **argv);
 
 #endif

@@ -38,8 +38,8 @@ static const struct naming *naming_of(const struct options *o, const char *name)
 {
     const struct naming *found = NULL;
 
-    for (unsigned i = 0; i < o->naming_count; i++) {
-        const struct naming *n = &o->namings[i];
+    for (unsigned i = 0; i < o->namings.count; i++) {
+        const struct naming *n = &o->namings.array[i];
         bool named = n->name[0] != '\0';
         if (named ? strcmp(n->name, name) == 0 : !found || found->name[0] == '\0')
             found = n;
@@ -87,9 +87,9 @@ static int set_media(struct site *site, const struct options *o)
     struct tia_radio_counts counts = tia_radio_count(site->radio);
     int result = FINE;
 
-    for (unsigned i = 0; i < o->naming_count; i++)
-        if (o->namings[i].name[0] != '\0' && !is_named(site, o->namings[i].name))
-            return refuse(REFUSED, "--material: %.100s: the scene has no such material", o->namings[i].name);
+    for (unsigned i = 0; i < o->namings.count; i++)
+        if (o->namings.array[i].name[0] != '\0' && !is_named(site, o->namings.array[i].name))
+            return refuse(REFUSED, "--material: %.100s: the scene has no such material", o->namings.array[i].name);
     site->media = calloc(site->file.scene.material_count + 1u, sizeof *site->media);
     if (!site->media)
         return refuse(FAILED, "memory: exhausted");
@@ -131,11 +131,11 @@ static int find_faces(struct site *site, const struct options *o)
  * up. */
 static tia_q16 reach_of(const struct options *o)
 {
-    double most = fabs(o->map_at);
+    double most = fabs(o->map.at);
 
     for (unsigned i = 0; i < PLACES_MOST; i++)
         for (int k = 0; k < 3; k++)
-            most = fmax(most, fmax(fabs(o->tx_at[i][k]), fabs(o->rx_at[i][k])));
+            most = fmax(most, fmax(fabs(o->tx.metres[i][k]), fabs(o->rx.metres[i][k])));
     for (int k = 0; k < 4; k++)
         most = fmax(most, fabs(o->area[k]));
     return (tia_q16)fmin(ceil(most * 65536) + 1, 2147483647.0);
@@ -143,10 +143,10 @@ static tia_q16 reach_of(const struct options *o)
 
 void site_place(const struct site *site, struct options *o)
 {
-    for (unsigned i = 0; i < o->tx_count; i++)
-        o->tx[i] = place_at(&site->world, o->tx_at[i]);
-    for (unsigned i = 0; i < o->rx_count; i++)
-        o->rx[i] = place_at(&site->world, o->rx_at[i]);
+    for (unsigned i = 0; i < o->tx.count; i++)
+        o->tx.array[i] = place_at(&site->world, o->tx.metres[i]);
+    for (unsigned i = 0; i < o->rx.count; i++)
+        o->rx.array[i] = place_at(&site->world, o->rx.metres[i]);
 }
 
 int site_open(struct site *site, const struct options *o)

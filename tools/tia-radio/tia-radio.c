@@ -2,10 +2,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "arguments.h"
 #include "common/signals.h"
 #include "coverage.h"
 #include "link_report.h"
+#include "options.h"
 #include "path_picture.h"
 #include "refuse.h"
 #include "site.h"
@@ -65,13 +65,14 @@ static int check_places(const struct run *run)
     const struct options *o = &run->options;
     int result = FINE;
 
-    for (unsigned i = 0; i < o->tx_count && result == FINE; i++)
-        result = site_check_place(&run->site, "--tx", o->tx[i]);
-    for (unsigned i = 0; i < o->rx_count && result == FINE; i++)
-        result = site_check_place(&run->site, "--rx", o->rx[i]);
-    for (unsigned i = 0; i < o->tx_count && result == FINE; i++)
-        for (unsigned k = 0; k < o->rx_count && result == FINE; k++)
-            if (o->tx[i].x == o->rx[k].x && o->tx[i].y == o->rx[k].y && o->tx[i].z == o->rx[k].z)
+    for (unsigned i = 0; i < o->tx.count && result == FINE; i++)
+        result = site_check_place(&run->site, "--tx", o->tx.array[i]);
+    for (unsigned i = 0; i < o->rx.count && result == FINE; i++)
+        result = site_check_place(&run->site, "--rx", o->rx.array[i]);
+    for (unsigned i = 0; i < o->tx.count && result == FINE; i++)
+        for (unsigned k = 0; k < o->rx.count && result == FINE; k++)
+            if (o->tx.array[i].x == o->rx.array[k].x && o->tx.array[i].y == o->rx.array[k].y &&
+                o->tx.array[i].z == o->rx.array[k].z)
                 result = refuse(REFUSED, "--rx: is where --tx is");
     return result;
 }
@@ -83,9 +84,9 @@ static int run_links(struct run *run)
 
     if (o->json)
         report_json_begin(o, &run->site.world);
-    for (unsigned i = 0; i < o->tx_count && result == FINE; i++)
-        for (unsigned k = 0; k < o->rx_count && result == FINE; k++)
-            result = run_link(run, o->tx[i], o->rx[k], i + k == 0);
+    for (unsigned i = 0; i < o->tx.count && result == FINE; i++)
+        for (unsigned k = 0; k < o->rx.count && result == FINE; k++)
+            result = run_link(run, o->tx.array[i], o->rx.array[k], i + k == 0);
     if (o->json && result == FINE)
         report_json_end();
     if (result == FINE && (fflush(stdout) != 0 || ferror(stdout)))
@@ -97,7 +98,7 @@ int main(int argc, char **argv)
 {
     static struct run run;
     const struct options *o = &run.options;
-    int result = arguments_parse(&run.options, argc, argv);
+    int result = options_parse(&run.options, argc, argv);
 
     if (result != COMMAND_RUN)
         return result;
@@ -111,7 +112,7 @@ int main(int argc, char **argv)
     if (result == FINE)
         result = check_places(&run);
     if (result == FINE)
-        result = o->map_axis >= 0 ? map_draw(o, &run.site, &run.search) : run_links(&run);
+        result = o->map.axis >= 0 ? map_draw(o, &run.site, &run.search) : run_links(&run);
     site_close(&run.site);
     free(run.all.paths);
     free(run.ends);

@@ -30,8 +30,8 @@ int arguments_parse(struct options *options, int argc, char **argv)
                                 .scene = tia_thesis_scene,
                                 .core = &tia_core_q16,
                                 .gaze = {.w0 = TIA_GAZE_W0, .m = TIA_GAZE_M},
-                                .display = "auto",
-                                .input = "auto",
+                                .display = {"auto", NULL},
+                                .input = {"auto", NULL},
                                 .rate = {25, 1},
                                 .threads = threads_processors()};
     int status = command_parse(&tia_command, options, &argc, &argv);
@@ -42,6 +42,7 @@ int arguments_parse(struct options *options, int argc, char **argv)
     options->scene_count = (uint32_t)argc;
     options->format_of_scenes = options->scene_format;
     options->plain_core = options->core;
+    options->depth_bits = 8 * options->colour;
     status = check(options);
     status = status ? status : choose_simd(options);
     return status ? status : COMMAND_RUN;

@@ -151,8 +151,8 @@ int integration_load(struct options *options)
 {
     struct tia_integration *how = &options->scene.integration;
 
-    if (options->integrator) {
-        how->integrator = (enum tia_integrator)(options->integrator - 1);
+    if (options->integrator.number) {
+        how->integrator = (enum tia_integrator)(options->integrator.number - 1);
         how->distance = 0;
     }
     how->spp = options->spp ? options->spp : how->spp;
@@ -163,7 +163,7 @@ int integration_load(struct options *options)
                     : options->tone ? "tone"
                                     : "exposure");
     int status = load_exposure(options->exposure, how);
-    status = status ? status : load_distance(options->distance, &options->scene);
+    status = status ? status : load_distance(options->integrator.distance, &options->scene);
     if (!status && how->integrator == TIA_PATHS)
         warn_of_darkness(&options->scene);
     status = status ? status : check_parts(options);

@@ -14,118 +14,63 @@ enum { ACUITY_BITS = 8 }; /* w0 and m are Q8.24 */
 /* ---- parsers of single options, see `parse` of common/command_line.h ---- */
 
 /* Cuts "drm:/dev/dri/card1" into its name and device. */
-static const char *cut_device(char *value, const char **name, const char **device)
+static const char *set_port(void *member, char *value)
 {
     char *colon = strchr(value, ':');
-    *name = value;
-    *device = colon && colon[1] != '\0' ? colon + 1 : NULL;
+
+    *(struct port_option *)member = (struct port_option){value, colon && colon[1] != '\0' ? colon + 1 : NULL};
     if (colon)
         *colon = '\0';
     return NULL;
 }
 
-static const char *set_display(void *context, char *value)
+static const char *set_mode(void *mode, char *value)
 {
-    struct options *options = context;
-
-    return cut_device(value, &options->display, &options->display_device);
+    *(const char **)mode = value;
+    return strcmp(value, "help") == 0 || parse_mode(value) ? NULL : "";
 }
 
-static const char *set_input(void *context, char *value)
+static const char *set_arithmetic(void *member, char *value)
 {
-    struct options *options = context;
+    const struct tia_core **core = member;
 
-    return cut_device(value, &options->input, &options->input_device);
+    *core = arithmetic_called(value);
+    return *core ? NULL : arithmetic_missing(value);
 }
 
-static const char *set_connector(void *context, char *value)
+static const char *set_rate(void *rate, char *value)
 {
-    struct options *options = context;
-
-    if (strcmp(value, "help") == 0)
-        options->action = ACTION_MODES;
-    options->connector = value;
-    return NULL;
-}
-
-static const char *set_mode(void *context, char *value)
-{
-    struct options *options = context;
-    bool lists = strcmp(value, "help") == 0;
-
-    if (lists)
-        options->action = ACTION_MODES;
-    options->mode = value;
-    return lists || parse_mode(value) ? NULL : "";
-}
-
-static const char *set_list(void *context, char *value)
-{
-    struct options *options = context;
-
-    (void)value;
-    options->action = ACTION_LIST;
-    return NULL;
-}
-
-static const char *set_arithmetic(void *context, char *value)
-{
-    struct options *options = context;
-
-    options->core = arithmetic_called(value);
-    return options->core ? NULL : arithmetic_missing(value);
-}
-
-static const char *set_rate(void *context, char *value)
-{
-    struct options *options = context;
-
-    return parse_rate(value, options->rate) ? NULL : "";
+    return parse_rate(value, rate) ? NULL : "";
 }
 
 /* Accepts "none", or a bias and its amount: "slope=1.5". */
-static const char *set_bias(void *context, char *value)
+static const char *set_bias(void *member, char *value)
 {
-    struct options *options = context;
+    struct tia_shadow_map *map = member;
+    const char *equals = strchr(value, '='), *name;
     size_t length = strcspn(value, "=");
-    const char *name;
 
-    for (unsigned i = TIA_BIAS_NONE; (name = tia_bias_name(i)) != NULL; i++) {
-        if (strncmp(name, value, length) != 0 || name[length] != '\0')
-            continue;
-        options->map.bias = (enum tia_bias)i;
-        options->map.amount = 0;
-        if (i == TIA_BIAS_NONE ? !value[length]
-                               : value[length] && parse_seconds(value + length + 1, &options->map.amount))
-            return NULL;
-    }
-    return "";
+    map->bias = TIA_BIAS_NONE;
+    while ((name = tia_bias_name(map->bias)) && (strncmp(name, value, length) != 0 || name[length] != '\0'))
+        map->bias++;
+    map->amount = 0;
+    bool fine = map->bias == TIA_BIAS_NONE ? !equals : name && equals && parse_seconds(equals + 1, &map->amount);
+    return fine ? NULL : "";
 }
 
 /* Accepts the name of an integrator, or "ao=2.5" with a distance, and ends the name at the '='. */
-static const char *set_integrator(void *context, char *value)
+static const char *set_integrator(void *member, char *value)
 {
-    struct options *options = context;
     char *equals = strchr(value, '=');
     const char *name;
+    uint32_t number = 0;
 
     if (equals)
         *equals = '\0';
-    options->distance = equals ? equals + 1 : NULL;
-    for (unsigned i = 0; (name = tia_integrator_name(i)) != NULL; i++)
-        if (!strcmp(name, value)) {
-            options->integrator = i + 1;
-            return equals && i != TIA_OCCLUSION ? "has no distance (ao=2.5 has)" : NULL;
-        }
-    return "";
-}
-
-static const char *set_colour(void *context, char *value)
-{
-    struct options *options = context;
-
-    options->depth_bits = !strcmp(value, "888") ? 8 : !strcmp(value, "16") ? 16 : 0;
-    return options->depth_bits || !strcmp(value, "565") ? NULL : "";
+    while ((name = tia_integrator_name(number)) && strcmp(name, value) != 0)
+        number++;
+    *(struct integrator_option *)member = (struct integrator_option){number + 1, equals ? equals + 1 : NULL};
+    return !name ? "" : equals && number != TIA_OCCLUSION ? "has no distance (ao=2.5 has)" : NULL;
 }
 
 /* ---- the table, in the manual's order ---- */
@@ -133,11 +78,12 @@ static const char *set_colour(void *context, char *value)
 #define TO(member) OPTION_TO(struct options, member)
 #define PAIR(first, last) OPTION_PAIR(struct options, first, last)
 #define GIVEN(member) .given = offsetof(struct options, member)
-#define PARSED(function) .parse = (function)
+#define PARSED(member, function) TO(member), .parse = (function)
 
 static const struct option_row rows[] = {
     {"display", 'd', OPTION_PARSED, "auto|drm|fbdev|terminal|none[:DEVICE]",
-     "the display, such as drm:/dev/dri/card1 or terminal:halfblocks, symbols, sixel or kitty", PARSED(set_display)},
+     "the display, such as drm:/dev/dri/card1 or terminal:halfblocks, symbols, sixel or kitty",
+     PARSED(display, set_port)},
     {"output", 'o', OPTION_TEXT, "FILE",
      "draw into FILE, or - for standard output: a picture (.png .ppm .bmp .565 .pfm), a film (.y4m, or one picture per "
      "frame with %04d in its name) or a part for tia-join (.tiapart)",
@@ -151,7 +97,7 @@ static const struct option_row rows[] = {
     {"depth", 0, OPTION_NUMBER, "N", "reflections and refractions along a path, #; default the scene's", TO(depth),
      .min = 1, .max = TIA_DEPTH_MAX},
     {"integrator", 0, OPTION_PARSED, "whitted|ao|ao=DISTANCE|path", "the integrator; default the scene's",
-     PARSED(set_integrator)},
+     PARSED(integrator, set_integrator)},
     {"spp", 0, OPTION_NUMBER, "N", "samples per pixel of ao and path, #", TO(spp), .min = 1, .max = TIA_SPP_MAX},
     {"samples-range", 0, OPTION_RANGE, "FIRST-LAST", "draw only these samples, counted from 0, into a part (.tiapart)",
      PAIR(first_sample, last_sample), GIVEN(samples_range), .max = UINT32_MAX - 1},
@@ -166,14 +112,13 @@ static const struct option_row rows[] = {
     {"tone", 0, OPTION_CHOICE, "linear|srgb", "the transfer function; for ao and path", TO(tone),
      .min = TIA_TONE_LINEAR},
     {"exposure", 0, OPTION_TEXT, "STOPS", "multiply the light by 2^STOPS; for ao and path", TO(exposure)},
-    {"colour", 0, OPTION_PARSED, "565|888|16", "bits per channel of a .png or .ppm", PARSED(set_colour),
-     GIVEN(colour_given)},
+    {"colour", 0, OPTION_CHOICE, "565|888|16", "bits per channel of a .png or .ppm", TO(colour), GIVEN(colour_given)},
     {"shadows", 0, OPTION_CHOICE, SHADOW_TECHNIQUES, "the shadow technique; default the scene's", TO(shadows),
      .min = 1},
     {"map-size", 0, OPTION_NUMBER, "64|128|256|512|1024|2048|4096", "texels along a shadow map's side", TO(map.size),
      .max = TIA_MAP_SIZE_MAX},
     {"bias", 0, OPTION_PARSED, "none|constant=A|slope=A|normal=A|plane=A", "the bias of shadow maps, and its amount",
-     PARSED(set_bias), .rule = "not none, or constant, slope, normal or plane with an amount (slope=1.5)"},
+     PARSED(map, set_bias), .rule = "not none, or constant, slope, normal or plane with an amount (slope=1.5)"},
     {"filter", 0, OPTION_CHOICE, "none|bilinear|3x3|5x5|7x7|poisson|pcss", "the filter of shadow maps", TO(map.filter),
      .min = TIA_FILTER_NONE},
     {"tessellated", 0, OPTION_TEXT, "ERROR",
@@ -181,28 +126,27 @@ static const struct option_row rows[] = {
      TO(tessellated)},
     {"keys", 'k', OPTION_TEXT, "KEYS",
      "press these keys first: the scene's (a d s w) and <left> <right> <up> <down> <pgup> <pgdn>", TO(key_text)},
-    {"input", 'i', OPTION_PARSED, "auto|evdev|tty|none[:DEVICE]", "the keyboard", PARSED(set_input)},
+    {"input", 'i', OPTION_PARSED, "auto|evdev|tty|none[:DEVICE]", "the keyboard", PARSED(input, set_port)},
     {"frames", 'n', OPTION_NUMBER, "N", "stop after N frames; by default a film ends at the last keyframe", TO(frames),
      .min = 1, .max = UINT32_MAX},
     {"time", 0, OPTION_DECIMAL, "SECONDS", "draw the scene at this time; a film begins there", TO(time),
      .max = INT32_MAX, .rule = "not a number of seconds (0 to 32767.999, like 1.25)"},
     {"fps", 0, OPTION_PARSED, "RATE",
      "frames per second of a film, 25 (default) or 30000/1001; on a screen without --frames, the target frame rate "
-     "while "
-     "things move",
-     PARSED(set_rate), GIVEN(rate_given), .rule = "not a rate (1 to 1000000 frames, like 25 or 30000/1001)"},
+     "while things move",
+     PARSED(rate, set_rate), GIVEN(rate_given), .rule = "not a rate (1 to 1000000 frames, like 25 or 30000/1001)"},
     {"frame-range", 0, OPTION_RANGE, "FIRST-LAST", "draw only these frames of a film, counted from 0",
      PAIR(first_frame, last_frame), GIVEN(frame_range), .max = UINT32_MAX - 1},
     {"tile-rows", 0, OPTION_RANGE, "FIRST-LAST", "draw only these rows of each picture, into a part",
      PAIR(first_row, last_row), GIVEN(tile_rows), .max = UINT32_MAX - 1},
     {"threads", 'j', OPTION_NUMBER, "N", "#; default: all processors", TO(threads), .min = 1, .max = THREADS_MAX},
     {"arithmetic", 0, OPTION_PARSED, "q16|f32|f64", "fixed point (q16, the default) or floating point",
-     PARSED(set_arithmetic)},
+     PARSED(core, set_arithmetic)},
     {"dither", 0, OPTION_FLAG, NULL, "ordered dithering, to hide the banding of RGB565", TO(dither)},
     {"rotate", 0, OPTION_NUMBER, "0|90|180|270", "degrees clockwise", TO(rotate), .max = 270},
-    {"connector", 0, OPTION_PARSED, "NAME|help", "the connector of a DRM device", PARSED(set_connector)},
-    {"mode", 0, OPTION_PARSED, "preferred|WIDTHxHEIGHT[@HERTZ]|help", "the mode of a DRM device", PARSED(set_mode),
-     .rule = "not preferred, WxH or WxH@HERTZ (--mode help lists what there is)"},
+    {"connector", 0, OPTION_TEXT, "NAME|help", "the connector of a DRM device", TO(connector)},
+    {"mode", 0, OPTION_PARSED, "preferred|WIDTHxHEIGHT[@HERTZ]|help", "the mode of a DRM device",
+     PARSED(mode, set_mode), .rule = "not preferred, WxH or WxH@HERTZ (--mode help lists what there is)"},
     {"checksum", 0, OPTION_FLAG, NULL, "print each frame's number and CRC-32", TO(checksum)},
     {"stats", 0, OPTION_FLAG, NULL, "print one JSON object on standard error at the end", TO(stats)},
     {"stats-overlay", 0, OPTION_FLAG, NULL, "show times, frames per second and latency on the picture",
@@ -216,12 +160,10 @@ static const struct option_row rows[] = {
      "draw each of N views of a camera lightfield, into a name with %03d; NAME_qs8x6a0.75.png gets a quilt of 8 x 6 "
      "views",
      TO(light.views), .min = 1, .max = MODULES_MAX},
-    {"lenticular", 0, OPTION_TEXT, "KEYS",
-     "draw for a lenticular panel: pitch=50.2,slope=-7.1,center=0.3,subpixels=rgb|bgr|none,flip,invert",
-     TO(light.lenticular)},
+    {"lenticular", 0, OPTION_TEXT, "KEYS", "draw for a lenticular panel: " LENTICULAR_KEYS, TO(light.lenticular)},
     {"calibration", 0, OPTION_TEXT, "FILE", "draw for the panel of this visual.json of a Looking Glass",
      TO(light.calibration)},
-    {"modules", 0, OPTION_TEXT, "M[,distance=D,spacing=L]", "draw a picture for each of M projectors behind the screen",
+    {"modules", 0, OPTION_TEXT, MODULES_KEYS, "draw a picture for each of M projectors behind the screen",
      TO(light.modules)},
     {"module-range", 0, OPTION_RANGE, "FIRST-LAST", "draw only these modules, counted from 0",
      PAIR(first_frame, last_frame), GIVEN(light.module_range), .max = MODULES_MAX - 1},
@@ -236,7 +178,8 @@ static const struct option_row rows[] = {
      TO(gaze.m), GIVEN(m_given), .max = INT32_MAX, .bits = ACUITY_BITS,
      .rule = "not a number from 0 to 127 (like 0.0275)"},
     {"smooth", 0, OPTION_FLAG, NULL, "interpolate the pixels that are left out", TO(gaze.smooth)},
-    {"list-displays", 0, OPTION_PARSED, NULL, "list the displays, and why one cannot be opened", PARSED(set_list)},
+    {"list-displays", 0, OPTION_FLAG, NULL, "list the displays, and why one cannot be opened", TO(action),
+     .min = ACTION_LIST},
     {"scene-format", 0, OPTION_CHOICE, SCENE_FORMATS, "the format of SCENE, if its name has no such extension",
      TO(scene_format)},
     {"strict", 0, OPTION_FLAG, NULL, "treat warnings about the scene as errors", TO(strict)},

@@ -12,6 +12,16 @@
 
 enum action { ACTION_SHOW, ACTION_DRAW, ACTION_LIST, ACTION_MODES };
 
+/* A display or an input: "auto" by default. */
+struct port_option {
+    const char *name, *device; /* device: NULL if not given */
+};
+
+struct integrator_option {
+    uint32_t number;      /* 0: the scene's; n: integrator n - 1 */
+    const char *distance; /* of it; NULL: not given */
+};
+
 struct options {
     enum action action;
     const char *scene_path; /* path of the scene; NULL: the built-in scene */
@@ -26,9 +36,8 @@ struct options {
     uint32_t depth;
     uint32_t shadows;          /* 0: the scene's; n: technique n - 1 */
     struct tia_shadow_map map; /* members that are not 0 override the scene's */
-    uint32_t integrator;       /* 0: the scene's; n: integrator n - 1 */
-    const char *distance;      /* the integrator's distance; NULL: not given */
-    uint32_t spp, tone;        /* 0: the scene's */
+    struct integrator_option integrator;
+    uint32_t spp, tone; /* 0: the scene's */
     bool samples_range;
     uint32_t first_sample, last_sample; /* bounds of samples_range */
     const char *resume;                 /* NULL: not given */
@@ -36,6 +45,7 @@ struct options {
     uint32_t guide;            /* enum tia_shown_guide */
     tia_q16 time_limit, error; /* 0: not given */
     const char *exposure;      /* NULL: not given */
+    uint32_t colour;           /* 0: RGB565; n: 8 n bits a channel */
     unsigned depth_bits;       /* bits of a picture's channel, see struct image_film */
     bool colour_given;
     const char *tessellated;                  /* NULL: not given */
@@ -45,9 +55,8 @@ struct options {
     struct tia_gaze gaze; /* angle 0: the default */
     bool gazes;
     bool w0_given, m_given;
-    const struct tia_simd *simd;          /* vector units; NULL: plain C */
-    const char *display, *display_device; /* by default "auto" and NULL */
-    const char *input, *input_device;
+    const struct tia_simd *simd; /* vector units; NULL: plain C */
+    struct port_option display, input;
     const char *connector, *mode; /* NULL: not given */
     const char *output;           /* path of the file; NULL: a display */
     enum image_format format;

@@ -23,19 +23,19 @@ static int check_names(const struct options *options)
 {
     static const char *const displays[] = {"auto", "drm", "fbdev", "terminal", "none", NULL};
     static const char *const inputs[] = {"auto", "evdev", "tty", "none", NULL};
-    bool display = is_one_of(options->display, displays), input = is_one_of(options->input, inputs);
+    bool display = is_one_of(options->display.name, displays), input = is_one_of(options->input.name, inputs);
     for (const struct port_display *port = port_displays; port->name; port++)
-        display = display || strcmp(port->name, options->display) == 0;
+        display = display || strcmp(port->name, options->display.name) == 0;
     for (const struct port_input *port = port_inputs; port->name; port++)
-        input = input || strcmp(port->name, options->input) == 0;
+        input = input || strcmp(port->name, options->input.name) == 0;
     if (!display)
-        return wrong("--display", options->display, "no such display (auto, drm, fbdev, terminal or none)");
+        return wrong("--display", options->display.name, "no such display (auto, drm, fbdev, terminal or none)");
     if (!input)
-        return wrong("--input", options->input, "no such input (auto, evdev, tty or none)");
-    if (options->display_device && strcmp(options->display, "auto") == 0)
-        return wrong("--display", options->display_device, "auto takes no device (name the display)");
-    if (options->input_device && strcmp(options->input, "auto") == 0)
-        return wrong("--input", options->input_device, "auto takes no device (name the input)");
+        return wrong("--input", options->input.name, "no such input (auto, evdev, tty or none)");
+    if (options->display.device && strcmp(options->display.name, "auto") == 0)
+        return wrong("--display", options->display.device, "auto takes no device (name the display)");
+    if (options->input.device && strcmp(options->input.name, "auto") == 0)
+        return wrong("--input", options->input.device, "auto takes no device (name the input)");
     return EXIT_FINE;
 }
 
@@ -44,7 +44,7 @@ static int check_output(struct options *options)
 {
     if (!options->output)
         return options->format == IMAGE_UNKNOWN ? EXIT_FINE : fail(EXIT_USAGE, "--format: needs --output FILE");
-    if (strcmp(options->display, "auto") != 0 || strcmp(options->input, "auto") != 0 || options->connector ||
+    if (strcmp(options->display.name, "auto") != 0 || strcmp(options->input.name, "auto") != 0 || options->connector ||
         options->mode)
         return fail(EXIT_USAGE, "--output: goes to a file, without --display, --input, --connector or --mode");
     bool is_standard = strcmp(options->output, "-") == 0;
@@ -98,14 +98,21 @@ static int check_parts(const struct options *options)
     return check_pace(options);
 }
 
+static bool is_help(const char *value)
+{
+    return value && strcmp(value, "help") == 0;
+}
+
 /* Checks options for DRM: only DRM has connectors and modes. */
 static int check_drm(struct options *options)
 {
     if (!options->connector && !options->mode)
         return EXIT_FINE;
-    if (strcmp(options->display, "auto") == 0)
-        options->display = "drm";
-    if (strcmp(options->display, "drm") != 0) {
+    if (is_help(options->connector) || is_help(options->mode))
+        options->action = ACTION_MODES;
+    if (strcmp(options->display.name, "auto") == 0)
+        options->display.name = "drm";
+    if (strcmp(options->display.name, "drm") != 0) {
         return fail(EXIT_USAGE, "--%s: only the drm display has it (-d drm)",
                     options->connector ? "connector" : "mode");
     }

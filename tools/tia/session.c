@@ -31,7 +31,7 @@ struct session *session_create(struct options *options)
 int session_open_input(struct session *session, const struct port_input *port)
 {
     struct port_wish wish = {
-        .device = session->options->input_device, .pointer = session->is_moved, .why = session->why};
+        .device = session->options->input.device, .pointer = session->is_moved, .why = session->why};
     session->input_ctx = port->create(&wish);
     if (!session->input_ctx)
         return EXIT_RUNNING; /* no memory for it */
@@ -50,7 +50,7 @@ static struct port_wish display_wish(struct session *session)
 {
     const struct options *options = session->options;
     bool swaps = rotation_swaps(options->rotate);
-    return (struct port_wish){.device = options->display_device,
+    return (struct port_wish){.device = options->display.device,
                               .width = swaps ? options->height : options->width,
                               .height = swaps ? options->width : options->height,
                               .connector = options->connector,

@@ -49,15 +49,15 @@ static int choose_input(struct session *session, const struct port_display *port
 {
     const struct options *options = session->options;
     bool limited = options->frames != 0;
-    if (strcmp(options->input, "none") == 0) {
+    if (strcmp(options->input.name, "none") == 0) {
         if (port->takes_screen && !limited) {
             (void)snprintf(session->why, PORT_WHY, "%s: no input to leave the screen by (use --frames N)", port->name);
             return EXIT_INPUT;
         }
         return open_input(session, "none");
     }
-    if (strcmp(options->input, "auto") != 0)
-        return open_input(session, options->input);
+    if (strcmp(options->input.name, "auto") != 0)
+        return open_input(session, options->input.name);
     if (port->takes_screen)
         return open_input(session, "evdev");
     bool terminal = strcmp(port->name, "terminal") == 0;
@@ -110,7 +110,8 @@ static int show_any(struct session *session)
         if (!is_automatic(port))
             continue;
         int status = try_display(session, port);
-        bool named = strcmp(session->options->input, "auto") != 0 && strcmp(session->options->input, "none") != 0;
+        bool named =
+            strcmp(session->options->input.name, "auto") != 0 && strcmp(session->options->input.name, "none") != 0;
         bool refused = status == EXIT_DISPLAY || (status == EXIT_INPUT && !named);
         if (!refused || session->letterbox.opened)
             return status;
@@ -135,8 +136,8 @@ int show(struct options *options)
     struct session *session = session_create(options);
     if (!session)
         return fail(EXIT_RUNNING, "memory: exhausted");
-    bool any = strcmp(options->display, "auto") == 0;
-    int status = any ? show_any(session) : show_named(session, options->display);
+    bool any = strcmp(options->display.name, "auto") == 0;
+    int status = any ? show_any(session) : show_named(session, options->display.name);
     if (status != EXIT_FINE && session->why[0] != '\0')
         (void)fail(status, "%s", session->why);
     return session_end(session, status);
@@ -148,7 +149,7 @@ int show_into_file(struct options *options)
 {
     struct session *session;
 
-    options->display = options->input = "none";
+    options->display.name = options->input.name = "none";
     options->frames = 1;
     options->width = options->width ? options->width : 640;
     options->height = options->height ? options->height : 480;
@@ -156,7 +157,7 @@ int show_into_file(struct options *options)
     if (!session)
         return fail(EXIT_RUNNING, "memory: exhausted");
     session->save_to = options->output;
-    int status = show_named(session, options->display);
+    int status = show_named(session, options->display.name);
     if (status != EXIT_FINE && session->why[0] != '\0')
         (void)fail(status, "%s", session->why);
     return session_end(session, status);

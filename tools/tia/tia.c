@@ -28,7 +28,7 @@ static int act(struct options *options)
     case ACTION_LIST:
         return show_list(NULL);
     case ACTION_MODES:
-        return show_list(options->display);
+        return show_list(options->display.name);
     case ACTION_DRAW:
         if (options->gazes)
             return show_into_file(options);

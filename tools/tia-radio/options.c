@@ -1,4 +1,4 @@
-#include "arguments.h"
+#include "options.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -14,85 +14,54 @@
 
 /* ---- values: each function returns NULL, or the mistake as in common/command_line.h ---- */
 
-static bool is_near(double metres)
-{
-    return fabs(metres * 65536) < 2147483647.0;
-}
+#define NEAR (2147483647.0 / 65536) /* limit of places */
+#define NEAR_AREA 32767.0
 
-static const char *add_place(char *text, double (*places)[3], unsigned *count)
+static const char *add_place(void *member, char *text)
 {
-    double at[3];
+    struct places *places = member;
 
-    if (*count == PLACES_MOST)
+    if (places->count == PLACES_MOST)
         return "one too many (at most 16)";
-    if (!parse_reals(text, at, 3) || !is_near(at[0]) || !is_near(at[1]) || !is_near(at[2]))
-        return "not X,Y,Z in metres, within 32767 (1.5,2,-3)";
-    memcpy(places[(*count)++], at, sizeof at);
-    return NULL;
+    return parse_reals(text, NEAR, places->metres[places->count++], 3) ? NULL : "";
 }
 
-static const char *add_tx(void *context, char *text)
-{
-    struct options *o = context;
-
-    return add_place(text, o->tx_at, &o->tx_count);
-}
-
-static const char *add_rx(void *context, char *text)
-{
-    struct options *o = context;
-
-    return add_place(text, o->rx_at, &o->rx_count);
-}
-
-static const char *set_frequency(void *context, char *text)
+static const char *set_frequency(void *member, char *text)
 {
     static const char units[] = "kMG";
     static const double factors[] = {1e3, 1e6, 1e9};
-    struct options *o = context;
+    double *frequency = member;
     const char *at = text;
-    bool fine = parse_real(&at, &o->frequency);
+    bool fine = parse_real(&at, frequency);
     const char *unit = fine && *at != '\0' ? strchr(units, *at) : NULL;
 
     if (unit) {
-        o->frequency *= factors[unit - units];
+        *frequency *= factors[unit - units];
         at++;
     }
-    return fine && *at == '\0' && o->frequency >= 1e6 && o->frequency <= 1e12 ? NULL : "";
+    return fine && *at == '\0' && *frequency >= 1e6 && *frequency <= 1e12 ? NULL : "";
 }
 
-static const char *set_map(void *context, char *text)
+static const char *set_map(void *member, char *text)
 {
-    struct options *o = context;
+    struct plane *map = member;
 
-    if (text[0] < 'x' || text[0] > 'z' || text[1] != '=' || !parse_reals(text + 2, &o->map_at, 1) ||
-        !is_near(o->map_at))
-        return "";
-    o->map_axis = text[0] - 'x';
-    return NULL;
+    map->axis = text[0] - 'x';
+    return map->axis >= 0 && map->axis < 3 && text[1] == '=' && parse_reals(text + 2, NEAR, &map->at, 1) ? NULL : "";
 }
 
-static const char *set_area(void *context, char *text)
+static const char *set_area(void *member, char *text)
 {
-    struct options *o = context;
-    const double *area = o->area;
+    double *area = member;
 
-    return parse_reals(text, o->area, 4) && area[0] < area[2] && area[1] < area[3] && fabs(area[0]) < 32767 &&
-                   fabs(area[1]) < 32767 && fabs(area[2]) < 32767 && fabs(area[3]) < 32767
-               ? NULL
-               : "";
+    return parse_reals(text, NEAR_AREA, area, 4) && area[0] < area[2] && area[1] < area[3] ? NULL : "";
 }
 
-static const char *set_range(void *context, char *text)
+static const char *set_range(void *member, char *text)
 {
-    struct options *o = context;
-    double range[2];
+    double *range = member;
 
-    if (!parse_reals(text, range, 2) || range[0] >= range[1])
-        return "";
-    o->low = range[0];
-    o->high = range[1];
-    return NULL;
+    return parse_reals(text, HUGE_VAL, range, 2) && range[0] < range[1] ? NULL : "";
 }
 
 /* Parses one of "permittivity:5", "conductivity:0.1", "thickness:0.2". */
@@ -112,14 +81,14 @@ static bool parse_property(const char *text, size_t length, struct naming *namin
     return false;
 }
 
-static const char *set_material(void *context, char *text)
+static const char *add_material(void *member, char *text)
 {
-    struct options *o = context;
+    struct namings *namings = member;
     const char *equals = strchr(text, '='), *at = equals ? equals + 1 : text;
-    struct naming *naming = &o->namings[o->naming_count];
 
-    if (o->naming_count == NAMES_MOST)
+    if (namings->count == NAMES_MOST)
         return "one too many (at most 64)";
+    struct naming *naming = &namings->array[namings->count++];
     *naming = (struct naming){.permittivity = 0};
     if (equals && (equals == text || (size_t)(equals - text) >= sizeof naming->name))
         return "";
@@ -139,21 +108,19 @@ static const char *set_material(void *context, char *text)
         if (*at == ',')
             return "";
     }
-    if (naming->itu[0] == '\0' && naming->permittivity == 0)
-        return "";
-    o->naming_count++;
-    return NULL;
+    return naming->itu[0] == '\0' && naming->permittivity == 0 ? "" : NULL;
 }
 
 /* ---- the table ---- */
 
 #define TO(member) OPTION_TO(struct options, member)
 #define GIVEN(member) .given = offsetof(struct options, member)
+#define PLACE(member) TO(member), .parse = add_place, .rule = "not X,Y,Z in metres, within 32767 (1.5,2,-3)"
 
 static const struct option_row rows[] = {
-    {"tx", 0, OPTION_PARSED, "X,Y,Z", "the position of a transmitter; up to 16 times", .parse = add_tx},
-    {"rx", 0, OPTION_PARSED, "X,Y,Z", "the position of a receiver; up to 16 times", .parse = add_rx},
-    {"frequency", 'f', OPTION_PARSED, "FREQUENCY", "the frequency in hertz, or with k, M or G: 2.4G",
+    {"tx", 0, OPTION_PARSED, "X,Y,Z", "the position of a transmitter; up to 16 times", PLACE(tx)},
+    {"rx", 0, OPTION_PARSED, "X,Y,Z", "the position of a receiver; up to 16 times", PLACE(rx)},
+    {"frequency", 'f', OPTION_PARSED, "FREQUENCY", "the frequency in hertz, or with k, M or G: 2.4G", TO(frequency),
      .parse = set_frequency, .rule = "not a frequency from 1M to 1000G (2.4G)"},
     {"reflections", 0, OPTION_NUMBER, "N", "the maximum number of reflections, # (default 2)", TO(order),
      .max = TIA_RADIO_ORDER_MAX},
@@ -165,7 +132,8 @@ static const struct option_row rows[] = {
     {"material", 0, OPTION_PARSED, "[NAME=]WHAT",
      "the properties of the scene's material NAME, or of all materials: a material of ITU-R P.2040-3 or "
      "permittivity:E,conductivity:S; then ,thickness:M",
-     .parse = set_material, .rule = "not [NAME=]MATERIAL[,thickness:M] or [NAME=]permittivity:E,conductivity:S"},
+     TO(namings), .parse = add_material,
+     .rule = "not [NAME=]MATERIAL[,thickness:M] or [NAME=]permittivity:E,conductivity:S"},
     {"materials", 0, OPTION_FLAG, NULL, "list those materials and their frequencies", TO(lists)},
     {"up", 0, OPTION_CHOICE, "y|z", "the vertical axis (default y)", TO(up), .min = 1},
     {"polarization", 0, OPTION_CHOICE, "vertical|horizontal", "the polarisation of maps (default vertical)",
@@ -176,13 +144,13 @@ static const struct option_row rows[] = {
      TO(output)},
     {"size", 's', OPTION_SIZE, "WIDTHxHEIGHT", "the size of the picture or map (default 640x480)",
      OPTION_PAIR(struct options, width, height), GIVEN(has_size), .max = TIA_SIZE_MAX},
-    {"map", 0, OPTION_PARSED, "AXIS=AT", "a map of the gain across AXIS, x, y or z", .parse = set_map,
+    {"map", 0, OPTION_PARSED, "AXIS=AT", "a map of the gain across AXIS, x, y or z", TO(map), .parse = set_map,
      .rule = "not x=, y= or z= and a number (y=1.5)"},
     {"area", 0, OPTION_PARSED, "A0,B0,A1,B1",
-     "the area of the map along the other two axes (default: the extent of all objects but planes)", .parse = set_area,
-     GIVEN(has_area), .rule = "not A0,B0,A1,B1 in metres, rising, within 32767"},
+     "the area of the map along the other two axes (default: the extent of all objects but planes)", TO(area),
+     .parse = set_area, GIVEN(has_area), .rule = "not A0,B0,A1,B1 in metres, rising, within 32767"},
     {"csv", 0, OPTION_TEXT, "FILE", "write the map's values; - is standard output", TO(csv)},
-    {"range", 0, OPTION_PARSED, "LOW,HIGH", "the range of the map's colours in dB (default -140,-40)",
+    {"range", 0, OPTION_PARSED, "LOW,HIGH", "the range of the map's colours in dB (default -140,-40)", TO(range),
      .parse = set_range, .rule = "not LOW,HIGH in dB (-120,-60)"},
     {"best-server", 0, OPTION_FLAG, NULL, "colour the map by the best transmitter instead of the gain",
      TO(best_server)},
@@ -214,11 +182,11 @@ static int list_materials(void)
 
 static int check_map(const struct options *o)
 {
-    if (o->map_axis < 0)
+    if (o->map.axis < 0)
         return o->csv || o->has_area || o->best_server || o->has_rows
                    ? refuse(REFUSED, "--csv, --area, --best-server and --tile-rows are for maps (--map y=1.5)")
                    : FINE;
-    if (o->rx_count > 0 || o->json)
+    if (o->rx.count > 0 || o->json)
         return refuse(REFUSED, "--map: its pixels are the receivers (without --rx and --json)");
     if (!o->output && !o->csv)
         return refuse(REFUSED, "--map: needs --output FILE or --csv FILE");
@@ -251,9 +219,9 @@ static int check(struct options *o, int argc, char **argv)
     o->scene = argv[0];
     if (argc > 1)
         return refuse(REFUSED, "%.200s: one scene at a time", argv[1]);
-    if (o->tx_count == 0)
+    if (o->tx.count == 0)
         return refuse(REFUSED, "--tx: is missing (tia-radio -h)");
-    if (o->rx_count == 0 && o->map_axis < 0)
+    if (o->rx.count == 0 && o->map.axis < 0)
         return refuse(REFUSED, "--rx: is missing, and so is --map (tia-radio -h)");
     if (o->frequency == 0)
         return refuse(REFUSED, "--frequency: is missing (tia-radio -h)");
@@ -261,16 +229,15 @@ static int check(struct options *o, int argc, char **argv)
     return result != FINE ? result : check_output(o);
 }
 
-int arguments_parse(struct options *o, int argc, char **argv)
+int options_parse(struct options *o, int argc, char **argv)
 {
     *o = (struct options){.order = 2,
                           .density = 64,
                           .up = 1,
-                          .map_axis = -1,
+                          .map = {.axis = -1},
                           .width = 640,
                           .height = 480,
-                          .low = -140,
-                          .high = -40,
+                          .range = {-140, -40},
                           .threads = threads_processors(),
                           .format = IMAGE_UNKNOWN};
     int result = command_parse(&command, o, &argc, &argv);
