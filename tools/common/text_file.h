@@ -1,6 +1,6 @@
 /* text_file.h - formatted text into a file that appears complete or not at all. */
-#ifndef PORT_COMMON_TEXT_FILE_H
-#define PORT_COMMON_TEXT_FILE_H
+#ifndef TOOLS_COMMON_TEXT_FILE_H
+#define TOOLS_COMMON_TEXT_FILE_H
 
 #include "sink.h"
 

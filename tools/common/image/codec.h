@@ -1,6 +1,6 @@
 /* codec.h - the interface between image.c and the file formats. */
-#ifndef PORT_IMAGE_CODEC_H
-#define PORT_IMAGE_CODEC_H
+#ifndef TOOLS_IMAGE_CODEC_H
+#define TOOLS_IMAGE_CODEC_H
 
 #include "common/sink.h"
 #include "film.h"

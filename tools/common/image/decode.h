@@ -1,6 +1,6 @@
 /* decode.h - decodes a picture file in memory to texels: PNG by libpng, JPEG, BMP, TGA and GIF by stb_image, PPM. */
-#ifndef PORT_IMAGE_DECODE_H
-#define PORT_IMAGE_DECODE_H
+#ifndef TOOLS_IMAGE_DECODE_H
+#define TOOLS_IMAGE_DECODE_H
 
 #include <tia/read.h>
 

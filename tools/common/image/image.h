@@ -4,8 +4,8 @@
  * directory. A device, a pipe or standard output ("-") is written directly. Needs memory for one row and a buffer,
  * whatever the picture's size; for a .y4m, for a frame.
  */
-#ifndef PORT_IMAGE_H
-#define PORT_IMAGE_H
+#ifndef TOOLS_IMAGE_H
+#define TOOLS_IMAGE_H
 
 #include "film.h"
 

@@ -12,8 +12,8 @@
  * The checksum is the CRC-32 of four 32-bit numbers, little-endian, and the frame's pixels: the frame's number in the
  * film, the first row, the number of rows, and S. So pixels in the wrong place are detected, too.
  */
-#ifndef PORT_IMAGE_PART_H
-#define PORT_IMAGE_PART_H
+#ifndef TOOLS_IMAGE_PART_H
+#define TOOLS_IMAGE_PART_H
 
 #include "film.h"
 

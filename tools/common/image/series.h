@@ -1,6 +1,6 @@
 /* series.h - writes a film to one file, or each frame to a picture of its own. */
-#ifndef PORT_IMAGE_SERIES_H
-#define PORT_IMAGE_SERIES_H
+#ifndef TOOLS_IMAGE_SERIES_H
+#define TOOLS_IMAGE_SERIES_H
 
 #include "image.h"
 
