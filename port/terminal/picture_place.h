@@ -1,4 +1,5 @@
-/* picture_place.h - the picture's position in the controlling terminal's window, for the mouse: a picture may be smaller than the window. */
+/* picture_place.h - the picture's position in the controlling terminal's window, for the mouse: a picture may be
+ * smaller than the window. */
 #ifndef PORT_TERMINAL_PICTURE_PLACE_H
 #define PORT_TERMINAL_PICTURE_PLACE_H
 

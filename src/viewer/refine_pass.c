@@ -1,4 +1,5 @@
-/* refine_pass.c - a pass of refine.c in a tile: pixels in a grid, each as a block; more samples of each pixel; or whole rows. */
+/* refine_pass.c - a pass of refine.c in a tile: pixels in a grid, each as a block; more samples of each pixel; or whole
+ * rows. */
 #include "loop.h"
 
 #define FIRST_BLOCK (1u << (VIEWER_PASSES - 1))

@@ -22,7 +22,8 @@ enum {
 
 /* ---- values ---- */
 
-/* Returns the index of `value` among the words of "a|b|C", where a word in capitals stands for any; -1 if it is not one of them.
+/* Returns the index of `value` among the words of "a|b|C", where a word in capitals stands for any; -1 if it is not one
+ * of them.
  */
 static int word_of(const char *words, const char *value)
 {

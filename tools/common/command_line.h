@@ -6,9 +6,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* The kinds of an option's value, each with the type of the member that receives it. Where the argument is a list of words,
- * "srgb|linear", only these are accepted, in upper or lower case, unless one begins with a capital, "NAME|help", or the
- * row has a parser that accepts more. */
+/* The kinds of an option's value, each with the type of the member that receives it. Where the argument is a list of
+ * words, "srgb|linear", only these are accepted, in upper or lower case, unless one begins with a capital, "NAME|help",
+ * or the row has a parser that accepts more. */
 enum option_kind {
     OPTION_FLAG,    /* no value: min, or true where that is 0 */
     OPTION_TEXT,    /* any text: const char * */

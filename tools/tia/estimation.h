@@ -1,4 +1,5 @@
-/* estimation.h - the state of a picture of samples being drawn: shared by sample_picture.c, which chooses how to draw, and the files that draw. */
+/* estimation.h - the state of a picture of samples being drawn: shared by sample_picture.c, which chooses how to draw,
+ * and the files that draw. */
 #ifndef TOOLS_TIA_ESTIMATION_H
 #define TOOLS_TIA_ESTIMATION_H
 

@@ -1,4 +1,5 @@
-/* lightfield_setup.h - pictures for light-field displays, from the command line: the views, modules or panel for which a scene with an observer line is drawn, see tia/lightfield_setup.h. */
+/* lightfield_setup.h - pictures for light-field displays, from the command line: the views, modules or panel for which
+ * a scene with an observer line is drawn, see tia/lightfield_setup.h. */
 #ifndef TOOLS_TIA_LIGHTFIELD_SETUP_H
 #define TOOLS_TIA_LIGHTFIELD_SETUP_H
 

@@ -59,7 +59,8 @@ extern const struct tia_core difference_core;
 extern uint32_t difference_counts[3];
 void difference_spread(tia_rgb565 *pixels, unsigned width, unsigned height);
 
-/* Draw the picture of the seat's view, a sample of each pixel at a time, while idle; `reset` begins again. TIA_OK: there is more to do. idle_samples.c */
+/* Draw the picture of the seat's view, a sample of each pixel at a time, while idle; `reset` begins again. TIA_OK:
+ * there is more to do. idle_samples.c */
 void samples_reset(void);
 bool samples_left(void);
 int samples_go_on(void);

@@ -14,7 +14,8 @@ static int check_light(const struct check *check, const struct tia_light *light,
 {
     bool soft = is_soft(check->scene);
 
-    REQUIRE(soft || tia_light_has(light->kind, TIA_LIGHT_TECHNIQUES), "kind", "must be another kind with these shadows");
+    REQUIRE(soft || tia_light_has(light->kind, TIA_LIGHT_TECHNIQUES), "kind",
+            "must be another kind with these shadows");
     if (!soft && tia_light_has(light->kind, TIA_LIGHT_AREA))
         *samples += light->samples ? light->samples : TIA_LIGHT_SAMPLES_DEFAULT;
     else if (!tia_light_has(light->kind, TIA_LIGHT_EVERYWHERE))
