@@ -5,9 +5,9 @@
 
 #include <math.h>
 
-#include "proved.h"
+#include "bound_table.h"
 
-#define WIDER 1.1
+#define WIDER (1 + BOUND(SPAN_KEPT))
 
 enum { B_MOST, B_LEAST, SIZE, LEAST, SQUARE_MOST, SQUARE_LEAST, V_MOST, FORMS };
 #define FORMS_MOST (FORMS + SIMD_LIGHTS * (2 + 2 * SIMD_CASTS))
@@ -63,7 +63,7 @@ static const double *light_bounds(struct simd_fine *fine, struct simd_fine_light
     const struct simd_lamp *lamp = light->lamp;
 
     tia_simd_bound_light(primary, lamp, place, &fine->depth, unit, limit[0], limit[1], &light->bounds);
-    if (!(light->bounds.lambert < .01))
+    if (!(light->bounds.lambert < BOUND(SPAN_COSINE_KNOWN)))
         return NULL;
     limit += 2;
     for (int j = 0; j < lamp->casts; j++, limit += 2) {
@@ -74,19 +74,24 @@ static const double *light_bounds(struct simd_fine *fine, struct simd_fine_light
     return limit;
 }
 
-/* Bounds a colour: each light's lambert times its colour, and for the products and sums, here and in Q2.30, SIMD_COLOUR
- * units and 2^-30 a light and as many a caster; interpolating takes SIMD_LINE units more. max, min and the clamps only
- * bring values nearer. A level: as many times that, and 6 units of 63 for scaling and rounding. */
+/* Returns half a level of so many, less the bound. */
+static double near_of(double levels, double off, double unit)
+{
+    double rounded = levels * off + levels * BOUND(SPAN_LEVEL_ROUNDING) * unit;
+
+    return .5 - BOUND_OF(SPAN_LEVELS, rounded * (1 + BOUND(SPAN_LEVEL_SECOND))) - BOUND(SPAN_LEVEL_NEAR) * unit;
+}
+
 static bool derive(struct simd_fine *fine, double unit, double cut, const double *limit)
 {
     const struct primary_rays *primary = &span_view_of(fine->view)->primary;
-    double off[3] = {0, 0, 0}, step = SIMD_COLOUR * unit + 0x1p-30;
+    double off[3] = {0, 0, 0}, step = BOUND(SPAN_COLOUR) * unit + BOUND(SPAN_COLOUR_UNITS);
     struct simd_place place = fine->place;
     struct simd_seen seen = fine->seen;
 
     take_limits(limit, &place, &seen);
     tia_simd_depth(primary, fine->row, &place, simd_sphere_of(fine), &seen, unit, cut, &fine->depth);
-    if (!(seen.b_least > 0 && fine->depth.es + fine->depth.et < .01))
+    if (!(seen.b_least > 0 && fine->depth.es + fine->depth.et < BOUND(SPAN_KNOWN)))
         return false;
     limit += FORMS;
     for (uint32_t l = 0; l < fine->view->light_count; l++) {
@@ -96,13 +101,14 @@ static bool derive(struct simd_fine *fine, double unit, double cut, const double
             return false;
         for (int c = 0; c < 3; c++)
             off[c] +=
-                light->lamp->colour[c] * (light->bounds.lambert + SIMD_LINE * unit) + step * (1 + light->lamp->casts);
+                BOUND_OF(SPAN_COLOURS, light->lamp->colour[c] * (light->bounds.lambert + BOUND(SPAN_LINE) * unit) +
+                                           step * (1 + light->lamp->casts));
     }
     double side = off[0] > off[2] ? off[0] : off[2], green = fine->grey ? off[0] : off[1];
 
-    fine->near31 = .5 - (31 * side + 31 * 6 * unit) * 1.01 - 6 * unit;
-    fine->near63 = .5 - (63 * green + 63 * 6 * unit) * 1.01 - 6 * unit;
-    return fine->near31 > .1 && fine->near63 > .1;
+    fine->near31 = near_of(31, side, unit);
+    fine->near63 = near_of(63, green, unit);
+    return fine->near31 > BOUND(SPAN_LEVEL_LEAST) && fine->near63 > BOUND(SPAN_LEVEL_LEAST);
 }
 
 /* ---- kept ---- */

@@ -2,14 +2,15 @@
 #ifndef TIA_SIMD_SPAN_BOUNDS_H
 #define TIA_SIMD_SPAN_BOUNDS_H
 
+#include "bound_table.h"
 #include "pair.h"
 #include "row.h"
 
-/* Half an ulp of the kernels' float and of exact.c's double: the share of D below which a pixel is undecided. */
-#define SIMD_FLOAT 0x1p-24
-#define SIMD_FLOAT_CUT 0x1p-8
-#define SIMD_DOUBLE 0x1p-48 /* with room for its coefficients */
-#define SIMD_DOUBLE_CUT 0x1p-16
+/* The units of the kernels' floats and of exact.c's doubles; the shares of D below which a pixel is undecided. */
+#define SIMD_FLOAT BOUND(SPAN_FLOAT_UNIT)
+#define SIMD_FLOAT_CUT BOUND(SPAN_FLOAT_CUT)
+#define SIMD_DOUBLE BOUND(SPAN_DOUBLE_UNIT)
+#define SIMD_DOUBLE_CUT BOUND(SPAN_DOUBLE_CUT)
 
 struct simd_bounds {
     double distance; /* |w| at least */

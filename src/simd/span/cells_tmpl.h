@@ -5,12 +5,11 @@
 #ifndef TIA_SIMD_SPAN_CELLS_TMPL_H
 #define TIA_SIMD_SPAN_CELLS_TMPL_H
 
-#include "proved.h"
+#include "bound_table.h"
 
 #define CELLS (SIMD_BLOCK / SIMD_CELL)
 #define SAMPLES (CELLS + 2 * N)
 #define HALF_CELL (SIMD_CELL / 2)
-#define FAINT_CELL .12f /* share of a level that interpolation may cost before single pixels are faster */
 
 struct cells {
     int start; /* pixels of the run before these */
@@ -25,8 +24,7 @@ struct cells {
     uint64_t good, flat;
 };
 
-/* Computes samples. The two parts of S' = b1 + D'/(2 sqrt(D)) may cancel: their bounds, that of D' in d_off, are added
- * to |S'|. */
+/* Computes samples. The bounds of the two parts of S' = b1 + D'/(2 sqrt(D)), that of D' in d_off, are added to |S'|. */
 INLINE void take_samples(const struct simd_run *r, const struct body *k, int count, int lights, struct cells *cells)
 {
     for (int i = 0; i < count; i += N) {
@@ -34,7 +32,9 @@ INLINE void take_samples(const struct simd_run *r, const struct body *k, int cou
         struct value o = value_at(k, x);
         F slope = f_fma(f_add(x, x), k->d2, k->d1), per_root = f_rsqrt(o.d);
         F part = f_mul(f_mul(slope, f_set(.5f)), per_root), turn = f_abs(f_add(part, k->b1)), per_s = f_inverse(o.s);
-        F off = f_fma(f_abs(part), f_set(1.f / (1 << CELL_TURN)), f_fma(per_root, f_set(r->d_off), f_set(r->b_off)));
+        F off =
+            f_fma(f_abs(part), f_set((float)BOUND(SPAN_CELL_TURN)), f_fma(per_root, f_set(r->d_off), f_set(r->b_off)));
+        off = BOUND_OF_FLOATS(SPAN_CELL_TURN_OFF, off);
         f_store(cells->per_s + i, per_s);
         f_store(cells->turn + i, f_add(turn, off));
         f_store(cells->d + i, o.d);
@@ -57,12 +57,7 @@ INLINE F smaller_end(const float *samples)
     return f_min(f_load(samples), f_load(samples + 1));
 }
 
-/* Upper limits of |P'| and |P''| over a cell. P = t v and t = c/S, so with a = |S'|/S and b = |S''|/S
- *
- *     |t'| = t a,  |t''| <= t (2 a^2 + b),  |P'| <= t (|v'| + |v| a),  |P''| <= t (|v| (2 a^2 + b) + 2 |v'| a).
- *
- * S is concave, since the half of a sphere that is seen bounds a convex set in every plane through the eye, and stays
- * so when the plane is mapped to (x, 1/t): so 1/S and |S'| are largest at an end of the cell. S'' = -bend/D^1.5. */
+/* Upper limits of |P'| and |P''| over a cell. */
 struct motion {
     F first, second;
 };
@@ -72,28 +67,27 @@ INLINE struct motion motion_over(const struct simd_run *r, const struct cells *c
     F per_s = larger_end(cells->per_s + i), a = f_mul(larger_end(cells->turn + i), per_s);
     F d = f_sub(smaller_end(cells->d + i), f_set(r->d_sag)), per_root = f_rsqrt(d);
     F b = f_mul(f_mul(f_mul(per_root, per_root), f_mul(per_root, f_set(r->bend))), per_s);
-    F t = f_mul(per_s, f_set(r->c * (CELL_MOTION * .001f))), v = f_set(r->v_most), step = f_set(r->v_step);
+    F t = f_mul(per_s, f_set(r->c * (float)BOUND(SPAN_CELL_MOTION))), v = f_set(r->v_most), step = f_set(r->v_step);
     F twice = f_add(a, a);
 
     *good = m_and(f_ge(d, f_set(r->cut)), f_gt(d, f_set(0)));
-    return (struct motion){f_mul(t, f_fma(v, a, step)), f_mul(t, f_fma(v, f_fma(twice, a, b), f_mul(step, twice)))};
+    return (struct motion){
+        BOUND_OF_FLOATS(SPAN_CELL_FIRST, f_mul(t, f_fma(v, a, step))),
+        BOUND_OF_FLOATS(SPAN_CELL_SECOND, f_mul(t, f_fma(v, f_fma(twice, a, b), f_mul(step, twice))))};
 }
 
-/* Decides whether a caster shadows nothing of a cell, or all of it. As P moves by up to p along the cell's half, the
- * shadow ray's distance h from C changes by up to m = p (turn/d + shift). With e, the bound of the integer code, it
- * stays above R when h^2 - R^2 > 2 R m + 2 m^2 + 2 e, as (sqrt(R^2 + e) + m)^2 <= R^2 + e + m^2 + 2 R m + 2 m sqrt(e);
- * and below R when it is below that in size. A'.w and |w|^2 change by up to p (|A'| + |w|) and p (2 |w| + p). */
+/* Decides whether a caster shadows nothing of a cell, or all of it, as P moves by up to p along the cell's half. */
 INLINE struct verdict judge_cell(const struct simd_cast *c, F x, const struct value *o, F square, F p, F per_d, F far,
                                  float per_c2)
 {
-    const F two = f_set(2), unit = f_set(per_c2 * (CELL_UNIT * .001f));
+    const F two = f_set(2), unit = f_set(per_c2 * (float)BOUND(SPAN_EDGE_UNIT));
     struct toward t = toward_caster(c, x, o);
-    F m = f_mul(p, f_fma(per_d, f_set(c->turn), f_set(c->shift)));
+    F m = BOUND_OF_FLOATS(SPAN_EDGE_MOVE, f_mul(p, f_fma(per_d, f_set(c->turn), f_set(c->shift))));
     F e = f_fma(per_d, f_set(c->fuzz_a), f_set(c->fuzz_k));
-    F near = f_fma(two, f_fma(m, f_add(m, f_set(c->radius)), e), e);
-    F aside = f_mul(p, f_fma(far, f_set(3), f_add(p, f_set(c->size))));
+    F near = BOUND_OF_FLOATS(SPAN_EDGE, f_fma(two, f_fma(m, f_add(m, f_set(c->radius)), e), e));
+    F aside = BOUND_OF_FLOATS(SPAN_EDGE_ASIDE, f_mul(p, f_fma(far, f_set(3), f_add(p, f_set(c->size)))));
 
-    aside = f_fma(f_mul(far, far), f_set(c->ew), aside);
+    aside = f_fma(BOUND_OF_FLOATS(SPAN_EDGE_FAR, f_mul(far, far)), f_set(c->ew), aside);
     return judge(c, &t, square, f_mul(near, unit), f_fma(aside, unit, f_set(c->ea)));
 }
 
@@ -124,27 +118,24 @@ INLINE void add_range(struct cells *cells, int l, int i, F middle, const F tint[
     }
 }
 
-/* Lights cells: takes the cost of interpolation off the margins, and leaves good those that no shadow's edge crosses.
- * (N.w/|w|)'' with N' = P'/r and w' = -P' is at most |P''| (1/r + 1/d) + |P'|^2 (2/(r d) + 1.16/d^2): the unit vector
- * w/|w| has a second derivative of at most |w''|/d and |w'|^2/d^2 times max a sqrt(4 - 3 a^2) = 1.155, a being the
- * share of w' across w. Between two samples that are 8 pixels apart a line is off by 8^2/8 of that. The factors for all
- * these roundings, here and above, are proved in tests/proofs/simd_cells.g. */
+/* Lights cells: takes the cost of lines off the margins, and leaves good those that no shadow's edge crosses. */
 INLINE M light_cells(const struct simd_run *r, int l, F x, const struct value *o, const struct motion *p,
                      struct cells *cells, int i, struct gained *gained, int channels, int casts)
 {
     const struct simd_light *q = &r->light[l];
     const F zero = f_set(0), half = f_mul(p->first, f_set(HALF_CELL)), square = square_of(q, x, o);
-    F d = f_sub(f_mul(smaller_end(cells->far[l] + i), f_set(1 - CELL_FAR * .001f)), half);
+    F d = f_sub(f_mul(smaller_end(cells->far[l] + i), f_set(1 - (float)BOUND(SPAN_CELL_FAR))), half);
     F per_d = f_inverse(d), per_r = f_set(q->per_r);
     F bend = f_mul(p->second, f_add(per_r, per_d));
-    F pull = f_mul(per_d, f_fma(f_set(2), per_r, f_mul(f_set(CELL_BEND * .001f), per_d)));
-    F off = f_mul(f_fma(f_mul(p->first, p->first), pull, bend), f_set(HALF_CELL * HALF_CELL / 8 * (CELL_OFF * .001f)));
+    F pull = f_mul(per_d, f_fma(f_set(2), per_r, f_mul(f_set((float)BOUND(SPAN_CELL_BEND)), per_d)));
+    F off = BOUND_OF_FLOATS(SPAN_CELL_LINE, f_mul(f_fma(f_mul(p->first, p->first), pull, bend),
+                                                  f_set(HALF_CELL * HALF_CELL / 8 * (float)BOUND(SPAN_CELL_OFF))));
     F tint[3] = {f_set(1), f_set(1), f_set(1)};
-    M good = f_gt(d, f_mul(f_set(.01f), half));
+    M good = f_gt(d, f_mul(f_set((float)BOUND(SPAN_CELL_NEAR)), half));
 
-    gained->lost = f_fma(off, f_set(q->colour_most), gained->lost);
+    gained->lost = f_fma(BOUND_OF_FLOATS(SPAN_CELL_LOST, off), f_set(q->colour_most), gained->lost);
     if (casts) {
-        F far = f_fma(larger_end(cells->far[l] + i), f_set(1 + CELL_FAR * .001f), half);
+        F far = f_fma(larger_end(cells->far[l] + i), f_set(1 + (float)BOUND(SPAN_CELL_FAR)), half);
         M away = f_gt(zero, f_add(f_add(larger_end(cells->lambert[l] + i), off), f_set(q->faint)));
         for (int j = 0; j < casts && m_any(m_not(away)); j++) {
             struct verdict v = judge_cell(&q->cast[j], x, o, square, half, per_d, far, 1 / (r->c * r->c));
@@ -191,7 +182,7 @@ INLINE void judge_cells(const struct simd_run *r, const struct body *k, int coun
                                            casts < 2 ? casts : r->light[l].casts));
         F lost63 = f_mul(gained.lost, f_set(63)), near63 = f_sub(f_set(r->near63), lost63);
         F near31 = f_fma(gained.lost, f_set(-31), f_set(r->near31));
-        good = m_and(good, f_ge(f_set(FAINT_CELL), lost63));
+        good = m_and(good, f_ge(f_set((float)BOUND(SPAN_CELL_FAINT)), lost63));
         f_store(cells->near63 + i, near63);
         f_store(cells->near31 + i, near31);
         cells->good |= (uint64_t)m_bits(good) << i;

@@ -35,13 +35,14 @@ static enum shadow shadow_at(const struct simd_fine_cast *cast, double swell, co
 {
     const struct simd_cast_bounds *b = &cast->bounds;
     double s2 = p->s * p->s, a = form(cast->a, p), k = form(cast->k, p);
-    double ea = b->a * s2 * 1.01, ew = b->w * 1.1, beyond = ea + w * ew;
-    double delta = a * a - w * k * (1 + swell);
-    double bound = ea * (2 * fabs(a) + ea) + w * b->k * s2 * (1 + swell) * 1.02 + a * a * ew;
+    double ea = b->a * s2 * (1 + BOUND(SPAN_VERDICT_A)), ew = b->w * (1 + BOUND(SPAN_VERDICT_W));
+    double behind = BOUND_OF(SPAN_BEHIND, ea), beyond = BOUND_OF(SPAN_BEYOND, ea + w * ew);
+    double delta = a * a - w * k * (1 + swell), power = w * b->k * s2 * (1 + swell) * (1 + BOUND(SPAN_VERDICT_K));
+    double bound = BOUND_OF(SPAN_VERDICT, ea * (2 * fabs(a) + ea) + power + a * a * ew);
 
-    if (delta < -bound || a < -ea || a - w > beyond)
+    if (delta < -bound || a < -behind || a - w > beyond)
         return LIT;
-    return delta > bound && a > ea && a - w < -beyond ? DARK : OPEN;
+    return delta > bound && a > behind && a - w < -beyond ? DARK : OPEN;
 }
 
 static double at_most_1(double a)

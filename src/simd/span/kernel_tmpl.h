@@ -11,6 +11,7 @@
 #ifndef TIA_SIMD_SPAN_KERNEL_TMPL_H
 #define TIA_SIMD_SPAN_KERNEL_TMPL_H
 
+#include "bound_table.h"
 #include "run.h"
 
 #define INLINE static inline __attribute__((always_inline))
@@ -83,10 +84,12 @@ INLINE struct verdict judge(const struct simd_cast *c, const struct toward *t, F
     F a2 = f_mul(t->a, t->a), zero = f_set(0), size = f_abs(t->a);
     F ea = f_mul(t->s2, f_set(c->ea));
     F bound = f_fma(ea, f_add(f_add(size, size), ea), f_mul(a2, f_set(c->ew)));
-    bound = f_fma(f_mul(w, f_mul(t->s2, f_set(c->swell * 1.01f))), f_add(f_set(c->ek), near), bound);
+    bound = BOUND_OF_FLOATS(SPAN_VERDICT,
+                            f_fma(f_mul(w, f_mul(t->s2, f_set(c->swell * (float)(1 + BOUND(SPAN_RUN_SWELL))))),
+                                  f_add(f_set(c->ek), near), bound));
     F delta = f_fnma(f_mul(w, t->k), f_set(c->swell), a2), low = f_sub(zero, bound);
-    F ew = f_mul(w, f_set(c->ew)), clear = f_fma(t->s2, aside, ea), past = f_sub(t->a, w);
-    F beyond = f_add(clear, ew);
+    F ew = f_mul(w, f_set(c->ew)), off = f_fma(t->s2, aside, ea), past = f_sub(t->a, w);
+    F clear = BOUND_OF_FLOATS(SPAN_BEHIND, off), beyond = BOUND_OF_FLOATS(SPAN_BEYOND, f_add(off, ew));
     struct verdict v = {m_or(m_or(f_gt(low, delta), f_gt(f_sub(zero, clear), t->a)), f_gt(past, beyond)),
                         m_and(m_and(f_gt(delta, bound), f_gt(t->a, clear)), f_gt(f_sub(zero, beyond), past))};
 

@@ -2,10 +2,9 @@
 
 #include <math.h>
 
+#include "bound_table.h"
 #include "row.h"
 #include "scene/colour.h"
-
-#define BIAS 0x1p-13 /* NUM_BIAS */
 
 static double length(struct num_vec a)
 {
@@ -28,16 +27,14 @@ static void channels(const struct tia_rgb *colour, double out[3])
     out[2] = (double)colour->b * 0x1p-30;
 }
 
-/* |L - C|^2 - r^2 - R^2 - bias r, of which render/span/span_shadow.c takes quarters of exponent 30, is off by less than
- * 2^-28 there. A factor of its size is for the reciprocal's error, 2^-30. */
 static void cast_power(const struct span_sphere *sphere, const struct span_sphere *caster, struct simd_caster *cast)
 {
     double r = (double)sphere->radius * 0x1p-16, radius = (double)caster->radius * 0x1p-16;
-    double away = length(num_vec_sub(sphere->centre, caster->centre)), share = BIAS / (r + BIAS);
-    double apart = away * away - r * r - radius * radius - BIAS * r;
+    double away = length(num_vec_sub(sphere->centre, caster->centre)), share = SIMD_BIAS / (r + SIMD_BIAS);
+    double apart = away * away - r * r - radius * radius - SIMD_BIAS * r;
 
     cast->p0 = (double)caster->c * 0x1p-32 - apart * share;
-    cast->fixed = (0x1p-28 * (away * away + r * r + radius * radius) + 0x1p-27) * share;
+    cast->fixed = (BOUND(SPAN_SWELL) * (away * away + r * r + radius * radius) + BOUND(SPAN_SWELL_UNITS)) * share;
 }
 
 static void add_cast(const struct tia_view *view, const struct light_source *source, uint32_t j, struct simd_lamp *lamp)
@@ -78,9 +75,9 @@ static void light_constants(const struct span_sphere *sphere, const struct light
     lamp->k = (double)(sphere->c - num_dot(sphere->centre, source->light)) * 0x1p-32;
     lamp->qq = (double)num_dot(source->light, source->light) * 0x1p-32;
     lamp->size = sqrt(lamp->qq);
-    lamp->gap = fabs(length(lamp->g) - r) - (length(lamp->g) + r) * 0x1p-48;
+    lamp->gap = fabs(length(lamp->g) - r) - (length(lamp->g) + r) * BOUND(SPAN_GAP);
     lamp->per_r = 1 / r;
-    lamp->swell = BIAS / r;
+    lamp->swell = SIMD_BIAS / r;
     lamp->ud = simd_power(-source->exponent);
     lamp->up = simd_power(-source->reach_exponent);
     lamp->us = simd_power(-(15 - sphere->radius_bits - scale + (source->exponent >> 1)));

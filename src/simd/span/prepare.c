@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "proved.h"
+#include "bound_table.h"
 #include "render/core/dither.h"
 #include "scene/colour.h"
 
@@ -82,23 +82,24 @@ static void run_cast(const struct simd_fine *fine, const struct simd_fine_light 
     const struct simd_caster *from = &lamp->cast[j];
     const struct simd_fine_cast *fine_cast = &light->cast[j];
     const struct simd_cast_bounds *b = &fine_cast->bounds;
-    double per_c = 1 / fine->seen.c, size = from->size + fine->depth.p_most + 1, bias = 0x1p-13;
+    double per_c = 1 / fine->seen.c, size = from->size + fine->depth.p_most + BOUND(SPAN_EDGE_BIAS);
+    double sizes = 1 + BOUND(SPAN_EDGE_SIZES);
 
     scaled(fine_cast->a, per_c, &cast->aq, &cast->h0, &cast->h1);
     scaled(fine_cast->k, per_c, &cast->p0, &cast->c0, &cast->c1);
     cast->swell = (float)(1 + lamp->swell);
-    cast->ea = (float)(b->a * per_c * per_c * 1.01);
-    cast->ek = (float)(b->k * per_c * per_c * 1.01);
-    cast->ew = (float)(b->w * 1.1);
+    cast->ea = (float)(b->a * per_c * per_c * (1 + BOUND(SPAN_VERDICT_A)));
+    cast->ek = (float)(b->k * per_c * per_c * (1 + BOUND(SPAN_RUN_K)));
+    cast->ew = (float)(b->w * (1 + BOUND(SPAN_VERDICT_W)));
     for (int c = 0; c < 3; c++)
         cast->through[c] = (float)from->through[c];
     cast->clear = from->clear;
-    cast->radius = (float)(from->radius * 1.001);
-    cast->turn = (float)((from->apart + bias) * 1.001);
-    cast->shift = (float)(bias * lamp->per_r * 1.001);
-    cast->size = (float)(size * 1.001);
-    cast->fuzz_a = (float)(2.01 * size * b->a);
-    cast->fuzz_k = (float)((b->k + size * size * b->w) * 1.01);
+    cast->radius = (float)(from->radius * sizes);
+    cast->turn = (float)((from->apart + SIMD_BIAS) * sizes);
+    cast->shift = (float)(SIMD_BIAS * lamp->per_r * sizes);
+    cast->size = (float)(size * sizes);
+    cast->fuzz_a = (float)BOUND_OF(SPAN_EDGE_A, (2 + BOUND(SPAN_EDGE_A_SECOND)) * size * b->a);
+    cast->fuzz_k = (float)BOUND_OF(SPAN_EDGE_K, (b->k + size * size * b->w) * (1 + BOUND(SPAN_EDGE_K_SECOND)));
 }
 
 static void run_light(const struct simd_fine *fine, const struct simd_fine_light *from, struct simd_light *light)
@@ -134,7 +135,7 @@ void tia_simd_run(const struct simd_fine *fine, const struct simd_dither *dither
     const struct simd_seen *seen = &fine->seen;
     const struct simd_place *place = &fine->place;
     const double *d = seen->d;
-    double wider = 1.001 + 4 * fine->depth.es; /* 1/S has up to the fourth power in cells_tmpl.h */
+    double wider = 1 + BOUND(SPAN_CELL_WIDER) + BOUND_OF(SPAN_CELL_WIDER_S, 4 * fine->depth.es);
 
     run->count = fine->end - fine->first;
     run->grey = fine->grey;
@@ -152,10 +153,11 @@ void tia_simd_run(const struct simd_fine *fine, const struct simd_dither *dither
     run->v2 = (float)place->v2;
     run->v_step = (float)(place->v_step * wider);
     run->v_most = (float)(place->v_most * wider);
-    run->bend = (float)(fabs(4 * d[0] * d[2] - d[1] * d[1]) / 4 * 1.01);
-    run->d_sag = (float)((d[2] > 0 ? d[2] * SIMD_CELL * SIMD_CELL / 4 : 0) + seen->size * 0x1p-20);
-    run->b_off = (float)(fabs(seen->b[1]) / (1 << CELL_TURN));
-    run->d_off = (float)((fabs(d[1]) + 2 * fabs(d[2]) * place->reach) * CELL_SLOPE * SIMD_FLOAT);
+    run->bend = (float)(fabs(4 * d[0] * d[2] - d[1] * d[1]) / 4 * (1 + BOUND(SPAN_CELL_CURVE)));
+    run->d_sag = (float)(BOUND_OF(SPAN_CELL_SAG, d[2] > 0 ? d[2] * SIMD_CELL * SIMD_CELL / 4 : 0) +
+                         seen->size * BOUND(SPAN_CELL_SAG_ROUNDING));
+    run->b_off = (float)(fabs(seen->b[1]) * BOUND(SPAN_CELL_TURN));
+    run->d_off = (float)((fabs(d[1]) + 2 * fabs(d[2]) * place->reach) * BOUND(SPAN_CELL_SLOPE) * SIMD_FLOAT);
     for (int c = 0; c < 3; c++)
         run->emission[c] = (float)fine->emission[c];
     run->near31 = (float)fine->near31;

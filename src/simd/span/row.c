@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "proved.h"
+#include "bound_table.h"
 
 void tia_simd_row(const struct primary_rays *primary, int y, struct simd_row *row)
 {
@@ -29,9 +29,8 @@ static double quadratic(double a, double b, double c, double x)
     return a + x * (b + x * c);
 }
 
-/* Coefficients have a few roundings of double, some 2^-51: the factors 1 +- 2^-40 cover them. */
-#define ABOVE (1 + 0x1p-40)
-#define BELOW (1 - 0x1p-40)
+#define ABOVE (1 + BOUND(SPAN_RANGE))
+#define BELOW (1 - BOUND(SPAN_RANGE))
 
 void tia_simd_place(const struct primary_rays *primary, const struct simd_row *row, int first, int end,
                     struct simd_place *place)
@@ -114,19 +113,15 @@ bool tia_simd_see(const struct primary_rays *primary, const struct simd_row *row
     seen->d[1] = 2 * difference(b, b_step, c, x * step) * scale;
     seen->d[2] = difference(b_step, b_step, c, step * step) * scale;
     seen->size = fabs(seen->d[0]) + (fabs(seen->d[1]) + fabs(seen->d[2]) * place->reach) * place->reach;
-    seen->least = least_of(seen->d, place) - seen->size * 0x1p-40;
+    seen->least = least_of(seen->d, place) - seen->size * BOUND(SPAN_RANGE);
     double left = seen->b[0] + place->low * seen->b[1], right = seen->b[0] + place->high * seen->b[1];
     seen->b_most = larger(left, right) * ABOVE;
-    seen->b_least = (left < right ? left : right) - seen->b_most * 0x1p-40;
+    seen->b_least = (left < right ? left : right) - seen->b_most * BOUND(SPAN_RANGE);
     return seen->b_least > 0 && seen->size > 0;
 }
 
-/* The integer code, see span/span_sphere.c and kernels.c: b and v.v are accumulators whose upper halves have the last
- * bits ub and uv, rounded to nearest but for the error of 64 steps, .51 of a bit; so has c with uc. Then D is off by
- *
- *     dd = .51 (2 b ub + ub^2 + c uv + v.v uc + uv uc).
- *
- * ut is the last bit of t. */
+/* The integer code, see render/span/sphere.c and kernels.c: b and v.v are accumulators whose upper halves have the last
+ * bits ub and uv; c has uc, t has ut. dd is the bound of D there. */
 struct last_bits {
     double ub, ut, dd;
 };
@@ -142,21 +137,19 @@ static struct last_bits last_bits_of(const struct primary_rays *primary, const s
     double uc = simd_power(primary->square_shift - 2 * sphere->b_shift), b = seen->b_most;
 
     return (struct last_bits){ub, simd_power(-sphere->t_exponent) / pixel,
-                              .51 * (2 * b * ub + ub * ub + seen->c * uv + place->square_most * uc + uv * uc)};
+                              BOUND(SPAN_D_UNITS) *
+                                  (2 * b * ub + ub * ub + seen->c * uv + place->square_most * uc + uv * uc)};
 }
 
-/* Bounds S = b + sqrt(D) in an arithmetic whose roundings are at most `unit`, relative. b is off by SIMD_LINEAR units
- * of its largest value, D by SIMD_QUADRATIC of its size, and so sqrt(D) by that over 2 floor; the root and the sum
- * themselves by SIMD_SUM units of the whole.
- *
- * In the integer code the root of D is off by dd/floor and one ub for rounding down, t by 2^-29 for the reciprocal and
- * the quotient's constants, and .51 of its last bit. */
+/* Bounds S = b + sqrt(D) in an arithmetic whose roundings are at most `unit`, relative; and t in the integer code. */
 static void bound_depth(const struct last_bits *u, const struct simd_seen *seen, double unit, struct simd_depth *depth)
 {
-    double b = seen->b_most, off = SIMD_LINEAR * b + SIMD_QUADRATIC * seen->size / (2 * depth->floor);
+    double b = seen->b_most, b_off = BOUND(SPAN_LINEAR) * b;
+    double off = b_off + BOUND_OF(SPAN_ROOT, BOUND(SPAN_QUADRATIC) * seen->size / (2 * depth->floor));
 
-    depth->es = unit * (off / depth->sum_least + SIMD_SUM);
-    depth->et = (1.51 * u->ub + u->dd / depth->floor) / depth->sum_least + 0x1p-29 + .51 * u->ut / depth->t_least;
+    depth->es = BOUND_OF(SPAN_KERNELS_T, unit * (off / depth->sum_least + BOUND(SPAN_SUM)));
+    depth->et = BOUND_OF(SPAN_INTEGER_T, (BOUND(SPAN_SUM_UNITS) * u->ub + u->dd / depth->floor) / depth->sum_least +
+                                             BOUND(SPAN_QUOTIENT) + BOUND(SPAN_T_UNIT) * u->ut / depth->t_least);
     depth->mantissa_most = depth->t_most / u->ut + 1;
 }
 
@@ -166,20 +159,21 @@ void tia_simd_between(const struct primary_rays *primary, const struct simd_row 
                       const struct span_sphere *sphere, const struct simd_seen *seen, double t[2])
 {
     struct last_bits u = last_bits_of(primary, row, place, sphere, seen);
-    double least = seen->b_least - u.ub, most = seen->b_most + u.ub + sqrt(seen->size + u.dd) * ABOVE;
+    double ub = BOUND_OF(SPAN_BETWEEN_B, u.ub), ut = BOUND_OF(SPAN_BETWEEN_UNIT, u.ut);
+    double least = seen->b_least - ub, most = seen->b_most + ub + sqrt(seen->size + u.dd) * ABOVE;
 
-    t[0] = seen->c / most * (1 - 0x1p-28) - u.ut;
-    t[1] = least > 0 ? seen->c / least * (1 + 0x1p-28) + u.ut : SIMD_NEVER;
+    t[0] = seen->c / most * (1 - BOUND(SPAN_BETWEEN_QUOTIENT)) - ut;
+    t[1] = least > 0 ? seen->c / least * (1 + BOUND(SPAN_BETWEEN_QUOTIENT)) + ut : SIMD_NEVER;
 }
 
 void tia_simd_depth(const struct primary_rays *primary, const struct simd_row *row, const struct simd_place *place,
                     const struct span_sphere *sphere, const struct simd_seen *seen, double unit, double cut,
                     struct simd_depth *depth)
 {
-    bool all = seen->least > seen->size * cut * 1.1;
+    bool all = seen->least > seen->size * cut * (1 + BOUND(SPAN_CUT_CLEAR));
 
     depth->cut = all ? 0 : seen->size * cut;
-    depth->floor = sqrt((all ? seen->least : depth->cut) * .98); /* as computed D may be below its cut */
+    depth->floor = sqrt((all ? seen->least : depth->cut) * (1 - BOUND(SPAN_FLOOR)));
     depth->sum_least = seen->b_least + depth->floor;
     depth->t_most = seen->c / depth->sum_least * ABOVE;
     depth->t_least = seen->c / (seen->b_most + sqrt(seen->size)) * BELOW;

@@ -4,7 +4,8 @@
 
 #include "render/span/span.h"
 
-#define SIMD_NEVER 1e30 /* a bound of values without one */
+#define SIMD_NEVER 1e30   /* a bound of values without one */
+#define SIMD_BIAS 0x1p-13 /* NUM_BIAS */
 
 struct simd_row {
     int y;

@@ -50,10 +50,11 @@ static struct simd_body body_of(const struct simd_seen *seen, const struct simd_
                               (float)d[2], (float)depth->cut, (float)(1 / seen->c)};
 }
 
-/* Returns the bounds of 1/t, with the errors of multiplying and comparing. */
+/* Returns the bound of a comparison's 1/t. */
 static float bound_of(const struct simd_depth *depth)
 {
-    return (float)((depth->es + depth->et) * 1.05 + 4 * SIMD_FLOAT);
+    return (float)BOUND_OF(SPAN_NEARER,
+                           (depth->es + depth->et) * (1 + BOUND(SPAN_NEARER_SECOND)) + BOUND(SPAN_NEARER_ROUNDING));
 }
 
 /* Decides pixels first..end-1, at most 64, one by one. */
@@ -104,7 +105,7 @@ static bool deepen(struct contest *c)
     for (int i = 0; i < 2; i++)
         tia_simd_depth(&spans->primary, c->row, &c->place, &spans->spheres[sphere[i]], &c->seen[i], SIMD_FLOAT,
                        SIMD_FLOAT_CUT, &c->depth[i]);
-    return c->depth[0].es + c->depth[0].et < .01 && c->depth[1].es + c->depth[1].et < .01;
+    return c->depth[0].es + c->depth[0].et < BOUND(SPAN_KNOWN) && c->depth[1].es + c->depth[1].et < BOUND(SPAN_KNOWN);
 }
 
 /* Bisects until a part is decided as a whole or is short. */

@@ -1,0 +1,109 @@
+/* cells.h - bounds of what lies between a cell's samples: cells_tmpl.h, prepare.c. */
+#ifndef TIA_SIMD_SPAN_BOUNDS_CELLS_H
+#define TIA_SIMD_SPAN_BOUNDS_CELLS_H
+
+/* ---- samples ---- */
+
+/* S' = b1 + D'/(2 sqrt(D)), of each of its two parts, which may cancel. D is at least 2^-8 of its size, SPAN_FLOAT_CUT.
+ * Proved: simd_cells.g (part, first), 1 of 1. */
+#define BOUND_SPAN_CELL_TURN (1. / (1 << CELL_TURN))
+
+/* D'/2 = (2 d2 x + d1)/2, where x may be a pixel outside of the run. Proved: simd_cells.g (slope), 1.7 of 2 u. */
+#define BOUND_SPAN_CELL_SLOPE CELL_SLOPE
+
+/* |S'| is less than computed by the bounds of its parts, D' over sqrt(D). */
+FORMULA(SPAN_CELL_TURN_OFF);
+
+/* |w| = |w| s/S c: |w|^2 within .019, 1/S within .01. Proved: simd_cells.g (nearest, farthest), 20 of 30. */
+#define BOUND_SPAN_CELL_FAR (CELL_FAR * .001f)
+
+/* ---- motion ---- */
+
+/* D between two samples is below the smaller by d2 8^2 at most, where d2 is above 0: then it is convex. */
+FORMULA(SPAN_CELL_SAG);
+
+/* D at samples is off by SPAN_QUADRATIC, 8 of 16 u of its size. */
+#define BOUND_SPAN_CELL_SAG_ROUNDING 0x1p-20
+
+/* S'' = -bend/D^1.5: sqrt(D) by an estimate, three times. Proved: simd_cells.g (bend), 1 of 1. Unseen: hidden. */
+#define BOUND_SPAN_CELL_CURVE .01
+
+/* v' and |v| at most, as floats: 2 u, and 1/S and products with them. .0001 of .001. Unseen: hidden. */
+#define BOUND_SPAN_CELL_WIDER .001
+
+/* |P'| and |P''| have up to the fourth power of 1/S, each off by e_s. Unseen: hidden. */
+FORMULA(SPAN_CELL_WIDER_S);
+
+/* 1/S up to three times, and products. Proved: simd_cells.g (motion), 1 of 1. */
+#define BOUND_SPAN_CELL_MOTION (CELL_MOTION * .001f)
+
+/* |P'| over a cell: P = t v and t = c/S, so with a = |S'|/S, |t'| = t a and |P'| <= t (|v'| + |v| a). S is concave,
+ * since the half of a sphere that is seen bounds a convex set in every plane through the eye, and stays so when the
+ * plane is mapped to (x, 1/t): so 1/S and |S'| are largest at an end of the cell. */
+FORMULA(SPAN_CELL_FIRST);
+
+/* |P''| over a cell: with b = |S''|/S, |t''| <= t (2 a^2 + b), and |P''| <= t (|v| (2 a^2 + b) + 2 |v'| a). S'' =
+ * -bend/D^1.5 is largest where D is least. */
+FORMULA(SPAN_CELL_SECOND);
+
+/* ---- a line between samples ---- */
+
+/* (N.w/|w|)'' with N' = P'/r and w' = -P' is at most |P''| (1/r + 1/d) + |P'|^2 (2/(r d) + 1.16/d^2): the unit vector
+ * w/|w| has a second derivative of at most |w''|/d and |w'|^2/d^2 times max a sqrt(4 - 3 a^2) = 1.155, a being the
+ * share of w' across w. Between two samples that are 8 pixels apart a line is off by 8^2/8 of that. */
+FORMULA(SPAN_CELL_LINE);
+
+/* a sqrt(4 - 3 a^2) at most. Proved: simd_cells.g (over), 1.155 of 1.16. */
+#define BOUND_SPAN_CELL_BEND (CELL_BEND * .001f)
+
+/* 1/|w| twice, and products. Proved: simd_cells.g (off), 1 of 1. */
+#define BOUND_SPAN_CELL_OFF (CELL_OFF * .001f)
+
+/* The light's distance is at least that of half a cell's path: 0 is needed, so that d is positive. Unseen: choice. */
+#define BOUND_SPAN_CELL_NEAR .01
+
+/* A line may cost that share of a level. A choice: then single pixels are faster. Unseen: choice. */
+#define BOUND_SPAN_CELL_FAINT .12
+
+/* A light's cost in light, its line's times its largest colour. */
+FORMULA(SPAN_CELL_LOST);
+
+/* ---- shadows between samples ---- */
+
+/* R, |C - Q| + bias, bias/r and |A'| as floats: 2 u of 2^14. Unseen: small. */
+#define BOUND_SPAN_EDGE_SIZES .001
+
+/* |A'| <= |C| + |P| + bias: 2^-13 of 1. Unseen: small. */
+#define BOUND_SPAN_EDGE_BIAS 1
+
+/* h^2 = |A'|^2 - (A'.w)^2/|w|^2 by A'.w, divided by |w| in the kernel: 2 |A'.w|/|w|^2, |A'.w| <= |A'| |w|. */
+FORMULA(SPAN_EDGE_A);
+
+/* Its second order, (e/(|A'| |w|))^2 of twice that. Unseen: small. */
+#define BOUND_SPAN_EDGE_A_SECOND .01
+
+/* h^2 by k, and by |w|^2: |A'|^2 of its relative bound. */
+FORMULA(SPAN_EDGE_K);
+
+/* Its second order, e_w, which is below .019: the rest is in what |A'| has to spare, 1 of it. Unseen: small. */
+#define BOUND_SPAN_EDGE_K_SECOND .01
+
+/* m, by which the shadow ray's distance h from C changes as P moves by p: around Q by p |C - Q|/d, and by the bias
+ * along N, which turns by p/r. */
+FORMULA(SPAN_EDGE_MOVE);
+
+/* h stays above R when h^2 - R^2 > 2 R m + 2 m^2 + 2 e, e being h^2's bound, as (sqrt(R^2 + e) + m)^2 <= R^2 + e + m^2
+ * + 2 R m + 2 m sqrt(e); and below R when it is below that in size. */
+FORMULA(SPAN_EDGE);
+
+/* A'.w and |w|^2 change by up to p (|A'| + |w|) and p (2 |w| + p): both together. */
+FORMULA(SPAN_EDGE_ASIDE);
+
+/* |w|^2's relative bound of it. */
+FORMULA(SPAN_EDGE_FAR);
+
+/* Sums of what is not negative, 1/|w| once, and s^2 and |w|^2 as computed. Proved: simd_cells.g (clear), 1.04 of 1.2.
+ */
+#define BOUND_SPAN_EDGE_UNIT (CELL_UNIT * .001f)
+
+#endif
