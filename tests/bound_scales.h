@@ -1,9 +1,10 @@
-/* bound_scales.h - the bounds of src/simd/rays by name, each with a factor: see bounds.h there, which includes this
- * file where BOUND_SCALES is defined. tests/bounds scales one bound of a whole program by TIA_BOUND=NAME and
- * TIA_BOUND_SCALE=x in the environment; test_ray_bounds --uses does so within the program. */
+/* bound_scales.h - the bounds of src/simd and of coherence by name, each with a factor: see src/simd/bound.h and
+ * coherence_proved.h, which include this file where BOUND_SCALES is defined. tests/bounds scales one bound of a whole program
+ * by TIA_BOUND=NAME and TIA_BOUND_SCALE=x in the environment; test_ray_bounds --uses does so within the program. */
 #ifndef TIA_TESTS_BOUND_SCALES_H
 #define TIA_TESTS_BOUND_SCALES_H
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -39,5 +40,17 @@ static inline double *bound_scale_of(const char *name)
     scaled_bounds[scaled_bound_count] = (struct scaled_bound){name, first_scale(name)};
     return &scaled_bounds[scaled_bound_count++].scale;
 }
+
+/* Of a bound that is the logarithm of a power of two: the whole number that is added to it, rounded up, for 0 so little
+ * that nothing is left. */
+static inline int bound_bits_of(const char *name)
+{
+    double scale = *bound_scale_of(name);
+
+    return scale > 0 ? (int)ceil(log2(scale)) : -64;
+}
+
+/* An integer, or a number of the floating builds, scaled. */
+#define BOUND_SCALED(name, x) ((__typeof__(x))((long double)(x) * (long double)*bound_scale_of(name)))
 
 #endif

@@ -1,4 +1,4 @@
-# What src/render/span/coherence/coherence_bounds.c says of sums of errors: p is the largest of the powers of two there, and each
+# What src/render/span/coherence/coherence_proved.h says of sums of errors: p is the largest of the powers of two there, and each
 # error a share of it.
 #
 # S = b + sqrt(D), in units of b's last bit. D is off by .51 of the last bits of b twice, of v.v and of c; the root, at
@@ -30,7 +30,7 @@ length = p1 + p2 + p3;
 # Shadows between samples, with z^2 = e: (R + z + m)^2 would be more, and 2 m z <= m^2 + e.
 spare = m * m + z * z - 2 * m * z;
 # A path: half an arc, in chords. pi/4; and asin(x)/(2 x) at x = 1/4, whose series is below x + x^3/6 + x^5/10.
-arc = 0.8 - 0.785398164;
+arc = 51 / 64 - 0.785398164;
 short = 0.5 + 1 / 64 - 0.5 * (1 + x * x / 6 + x * x * x * x / 10);
 
 { w in [1b19,1b32] /\ p1 in [0,1] /\ p2 in [0,1] /\ p3 in [0,1] /\ p4 in [0,1] /\ p5 in [0,1] /\ p6 in [0,1]

@@ -1,5 +1,6 @@
 #include "coherence.h"
 
+#include "coherence_proved.h"
 #include "coherence_run.h"
 #include "render/span/span_shadow.h"
 #include "scene/colour.h"
@@ -32,17 +33,19 @@ static int shadow_between(const struct coherence_run *run, const struct coherenc
 
     if (2 * path >= d)
         return COHERENCE_OPEN;
-    num_u turn = num_quotient((num_u)path, (num_u)d, 39); /* 24 bits; d and `turn` are accurate to 1/32 */
-    turn += turn / 16 + (num_u)coherence_power(0);
+    num_u turn = num_quotient((num_u)path, (num_u)d, 39); /* 24 bits */
+    turn += COHERENCE_WIDE(COHERENCE_TURNING, turn / COHERENCE_TURNING + (num_u)coherence_power(0));
     struct coherence_slack slack = coherence_shadow_slack(run, cast, square, (num_wide)b->slack);
-    if (slack.length > coherence_power(24) || slack.power > coherence_power(58))
+    if (slack.length > coherence_power(COHERENCE_LENGTH_MOST) || slack.power > coherence_power(COHERENCE_POWER_MOST))
         return COHERENCE_OPEN;
-    num_wide m = num_down(cast->away * (num_wide)turn, 24) + run->bias + coherence_power(0);
+    num_wide m =
+        num_down(cast->away * (num_wide)turn, 24) + run->bias + coherence_power(COHERENCE_BITS(COHERENCE_SLIDE));
     num_wide foot = num_max(num_abs((num_wide)a->foot[j]), num_abs((num_wide)b->foot[j])) + m + path + slack.length;
-    num_wide margin = 2 * m * (cast->radius + m) + 3 * (2 * foot * slack.length + slack.power);
+    num_wide margin = 2 * m * (cast->radius + m) +
+                      COHERENCE_WIDE(COHERENCE_ERRORS, COHERENCE_ERRORS * (2 * foot * slack.length + slack.power));
     if (a->clear[j] > margin && b->clear[j] > margin)
         return COHERENCE_LIT;
-    num_wide behind = m + 4 * slack.length, before = behind + path;
+    num_wide behind = m + COHERENCE_WIDE(COHERENCE_BEHIND, COHERENCE_BEHIND * slack.length), before = behind + path;
     if (a->clear[j] < -margin && b->clear[j] < -margin && (num_wide)a->foot[j] > before &&
         (num_wide)b->foot[j] > before && (num_wide)(a->far - a->foot[j]) > behind &&
         (num_wide)(b->far - b->foot[j]) > behind)
@@ -156,7 +159,7 @@ static bool draw_between(const struct drawing *d, const struct coherence_sample 
     if (b->shadow == COHERENCE_OPEN && monotone(a, b)) {
         if (b->slack == 0)
             b->slack = slack_between(d->run, a, b);
-        if (b->slack < NUM_ONE / 64)
+        if (b->slack < NUM_ONE / COHERENCE_COARSE)
             b->shadow = (uint8_t)shadows_between(d->run, a, b);
     }
     if (b->shadow == COHERENCE_LIT && b->x - a->x <= 1) {
@@ -287,7 +290,7 @@ static bool prepare_casters(struct coherence_run *run, const struct tia_view *vi
         cast->c = cast->line.c;
     }
     run->exponent = length_exponent(run, spans, casters);
-    run->bias = coherence_shift(2 * NUM_BIAS, run->exponent - 16) + coherence_power(0);
+    run->bias = coherence_shift(2 * NUM_BIAS, run->exponent - 16) + coherence_power(COHERENCE_BITS(COHERENCE_BIAS));
     for (int j = 0; j < run->caster_count; j++)
         coherence_bound_caster(run, &spans->spheres[casters[j]], &run->caster[j]);
     return true;

@@ -23,7 +23,7 @@ struct coherence_bounds {
 struct coherence_caster {
     struct shadow_line line;
     num_wide a, c;         /* its forms at the image's middle */
-    num_wide radius, away; /* lower bounds of R and |C - Q| */
+    num_wide radius, away; /* upper bounds of R and |C - Q| */
     int scale;             /* A.w 2^(scale + half) is a mantissa */
     int power_exponent;    /* exponent of |A|^2 - R^2 */
     int toward_error, power_error;
