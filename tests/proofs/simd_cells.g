@@ -7,7 +7,7 @@ slope = ((1 + e0) * (1 + e1) * (1 + e2) - 1) * 0.5 * 1.125;
 part = ((1 + h) * (1 + root) * (1 + e0) * (1 + e1) - 1) / 0.875;
 first = ((1 + e0) * (1 + e1) - 1) / 0.875;
 spare = (1 + h) * (1 + root) * (1 + e0) * (1 + e2) * (1 + e3) * (1 + e4) * (1 + e5);
-# |P'| and |P''|: 1/S up to three times, and products; S'' has 1/sqrt(D) three times and 1.01 from prepare.c.
+# |P'| and |P''|: 1/S up to three times, and products; S'' has 1/sqrt(D) three times and 1.01 from bounds/cells.h.
 motion = CELL_MOTION * 0.001 * (1 + inverse) * (1 + inverse) * (1 + inverse) * (1 + e0) * (1 + e1) * (1 + e2) * (1 + e3)
        * (1 + e4) * (1 + e5) * (1 + e6) * (1 + e7) * (1 + e8) * (1 + e9);
 bend = 1.01 * (1 + root) * (1 + root) * (1 + root) * (1 + e0) * (1 + e1) * (1 + e2) * (1 + e3) * (1 + e4);

@@ -5,7 +5,7 @@
 /* ---- samples ---- */
 
 /* S' = b1 + D'/(2 sqrt(D)), of each of its two parts, which may cancel. D is at least 2^-8 of its size, SPAN_FLOAT_CUT.
- * Proved: simd_cells.g (part, first), 1 of 1. */
+ * Proved: simd_cells.g (part, first), .7 of 1. */
 #define BOUND_SPAN_CELL_TURN (1. / (1 << CELL_TURN))
 
 /* D'/2 = (2 d2 x + d1)/2, where x may be a pixel outside of the run. Proved: simd_cells.g (slope), 1.7 of 2 u. */
@@ -14,12 +14,15 @@
 /* |S'| is less than computed by the bounds of its parts, D' over sqrt(D). */
 FORMULA(SPAN_CELL_TURN_OFF);
 
-/* |w| = |w| s/S c: |w|^2 within .019, 1/S within .01. Proved: simd_cells.g (nearest, farthest), 20 of 30. */
+/* |w| = |w| s/S c: |w|^2 within .019, 1/S within .01. Proved: simd_cells.g (nearest, farthest), 20 of 30. Unseen:
+ * small. */
 #define BOUND_SPAN_CELL_FAR (CELL_FAR * .001f)
 
 /* ---- motion ---- */
 
-/* D between two samples is below the smaller by d2 8^2 at most, where d2 is above 0: then it is convex. */
+/* D between two samples is below the smaller by d2 8^2 at most, where d2 is above 0: then it is convex. 0 of it: b > 0
+ * and D > 0 make a convex cone, so that D is above 0 between two pixels that see the sphere; and its minimum is not, or
+ * all of a plane through the eye would see it, with the directions across L. Unseen: choice. */
 FORMULA(SPAN_CELL_SAG);
 
 /* D at samples is off by SPAN_QUADRATIC, 8 of 16 u of its size. */
@@ -76,16 +79,18 @@ FORMULA(SPAN_CELL_LOST);
 /* |A'| <= |C| + |P| + bias: 2^-13 of 1. Unseen: small. */
 #define BOUND_SPAN_EDGE_BIAS 1
 
-/* h^2 = |A'|^2 - (A'.w)^2/|w|^2 by A'.w, divided by |w| in the kernel: 2 |A'.w|/|w|^2, |A'.w| <= |A'| |w|. */
+/* h^2 = |A'|^2 - (A'.w)^2/|w|^2 by A'.w, divided by |w| in the kernel: 2 |A'.w|/|w|^2, |A'.w| <= |A'| |w|.
+ * Unseen: small. */
 FORMULA(SPAN_EDGE_A);
 
 /* Its second order, (e/(|A'| |w|))^2 of twice that. Unseen: small. */
 #define BOUND_SPAN_EDGE_A_SECOND .01
 
-/* h^2 by k, and by |w|^2: |A'|^2 of its relative bound. */
+/* h^2 by k, and by |w|^2: |A'|^2 of its relative bound. Unseen: small. */
 FORMULA(SPAN_EDGE_K);
 
-/* Its second order, e_w, which is below .019: the rest is in what |A'| has to spare, 1 of it. Unseen: small. */
+/* e_w makes (A'.w)^2/|w|^2 larger by 1/(1 - e_w), below 1.02: .01 of that is here, the rest in what each part of e_w
+ * has to spare, as SPAN_VERDICT_A counts. Unseen: small. */
 #define BOUND_SPAN_EDGE_K_SECOND .01
 
 /* m, by which the shadow ray's distance h from C changes as P moves by p: around Q by p |C - Q|/d, and by the bias
@@ -93,13 +98,13 @@ FORMULA(SPAN_EDGE_K);
 FORMULA(SPAN_EDGE_MOVE);
 
 /* h stays above R when h^2 - R^2 > 2 R m + 2 m^2 + 2 e, e being h^2's bound, as (sqrt(R^2 + e) + m)^2 <= R^2 + e + m^2
- * + 2 R m + 2 m sqrt(e); and below R when it is below that in size. */
+ * + 2 R m + 2 m sqrt(e); and below R when it is below that in size. It is off by e at the sample as well: 3 e. */
 FORMULA(SPAN_EDGE);
 
 /* A'.w and |w|^2 change by up to p (|A'| + |w|) and p (2 |w| + p): both together. */
 FORMULA(SPAN_EDGE_ASIDE);
 
-/* |w|^2's relative bound of it. */
+/* |w|^2's relative bound of it. Unseen: small. */
 FORMULA(SPAN_EDGE_FAR);
 
 /* Sums of what is not negative, 1/|w| once, and s^2 and |w|^2 as computed. Proved: simd_cells.g (clear), 1.04 of 1.2.

@@ -8,7 +8,7 @@
 #define BOUND_SPAN_FLOAT_UNIT 0x1p-24
 
 /* A double of 1 is rounded by 2^-53, and its coefficients by as much up to 6 times: conversions, 1/depth, its square
- * and products with them. Each number of u has one of these; so 6 of 32. Unseen: hidden. */
+ * and products with them. Each number of u has one of these; so 6 of 32. */
 #define BOUND_SPAN_DOUBLE_UNIT 0x1p-48
 
 /* The shares of D's size below which a pixel is undecided. A choice: S's bound grows with 1/sqrt(D), and SPAN_CELL_TURN
@@ -34,9 +34,8 @@
 /* sqrt(D): D's over the sum of both roots, each at least the floor. */
 FORMULA(SPAN_ROOT);
 
-/* D is at least the cut as computed, and so at least that less 8 u of the size, 2^-13 of the cut: of 2^-6. Unseen:
- * small.
- */
+/* D is at least the cut as computed, and so at least that less 8 u of the size, 2^-13 of the cut for
+ * floats. 1 of 160. Unseen: small. */
 #define BOUND_SPAN_FLOOR .02
 
 /* b + sqrt(D) but for the errors of its parts, of itself: an estimate's root and a sum, of half. Proved: simd_forms.g
@@ -49,13 +48,13 @@ FORMULA(SPAN_KERNELS_T);
 /* ---- 1/t there ---- */
 
 /* D = b^2 - c v.v: upper halves of b and v.v and c_disc, each rounded to half of its last bit and 2^-18 of it: .5 of
- * .51; the rest makes up for T's own error where this multiplies it. */
+ * .51. */
 #define BOUND_SPAN_D_UNITS .51
 
 /* b's half bit, as the former, and one for the root, which is rounded down. 1.5 of 1.51. */
 #define BOUND_SPAN_SUM_UNITS 1.51
 
-/* The reciprocal of S and c's 32 bits. Proved: simd_integer.g (quotient), 5 of 8. */
+/* The reciprocal of S and c's 32 bits. Proved: simd_integer.g (quotient), 3 of 8. */
 #define BOUND_SPAN_QUOTIENT 0x1p-29
 
 /* t is rounded to nearest. .5 of .51. */
@@ -74,7 +73,7 @@ FORMULA(SPAN_INTEGER_T);
 /* A whole line's least sum there: b's .51 of its last bit, whatever root; 1 of 2. Unseen: small. */
 FORMULA(SPAN_BETWEEN_B);
 
-/* The reciprocal and c, SPAN_QUOTIENT: 1 of 2. Unseen: small. */
+/* The reciprocal and c, as SPAN_QUOTIENT: 3 of 16. Unseen: small. */
 #define BOUND_SPAN_BETWEEN_QUOTIENT 0x1p-28
 
 /* t is rounded to nearest, 1 of 2. */

@@ -34,10 +34,10 @@ FORMULA(SPAN_FORM);
 FORMULA(SPAN_REACH);
 
 /* t's own error moves a form by its derivative, t d/dt of |w|^2 being 2 |Q| |P| + 2 |P|^2 at most. The second order is
- * e_t/2 of that, .005 of .02. */
+ * e_t/2 of that, .005 of .02. Unseen: small. */
 #define BOUND_SPAN_MOVED .02
 
-/* Q.Q and the shift of |P|^2 there: half a bit each. 1 of 1. */
+/* Q.Q and the shift of |P|^2 there: half a bit each; T makes far more of the next row. 1 of 1. Unseen: small. */
 #define BOUND_SPAN_SQUARE_UNITS 1
 
 /* 2 t Q.v there: Q.v is off by half a bit and 2^-18 of it, times 2 T, which may be e_t above its largest: 1.01 of 1.02.
@@ -58,7 +58,7 @@ FORMULA(SPAN_SQUARE);
 /* K s is linear in s, so that e_s has no second order: 0 of .01. Unseen: small. */
 #define BOUND_SPAN_FACING_SECOND .01
 
-/* The constant there is rounded to half a bit. .5 of .5. */
+/* The constant there is rounded to half a bit. .5 of .5. Unseen: small. */
 #define BOUND_SPAN_FACING_UNITS .5
 
 /* t G.v there: half a bit of G.v and 2^-18 of it, times T, which may be e_t above its largest: .505 of .51. */
@@ -95,13 +95,13 @@ FORMULA(SPAN_COSINE);
 /* ---- colours and levels ---- */
 
 /* Lambert times tint and colour, and the sum: for a light; as much for a caster. Proved: simd_forms.g (colour,
- * colour_sum, caster), 5 of 6 u. */
+ * colour_sum, caster), 4 of 6 u. */
 #define BOUND_SPAN_COLOUR SIMD_COLOUR
 
 /* There the product of two colours and its product with lambert have half of 2^-30 each; a caster's as many. 1 of 1. */
 #define BOUND_SPAN_COLOUR_UNITS 0x1p-30
 
-/* Two lines between three samples, of 1.01. Proved: simd_forms.g (line), 12 of 15 u. */
+/* Two lines between three samples, of 1.01. Proved: simd_forms.g (line), 11 of 15 u. */
 #define BOUND_SPAN_LINE SIMD_LINE
 
 /* A light's share of a colour: its cosine's times its colour, and the three former. Minima, maxima and clamps only

@@ -4,7 +4,7 @@
 
 /* ---- A'.w ---- */
 
-/* A.w there: the constant, the shift of |P|^2 and that of the bias: half a bit each. 1.5 of 2.5. */
+/* A.w there: the constant, the shift of |P|^2 and that of the bias: half a bit each. 1.5 of 2.5. Unseen: small. */
 #define BOUND_SPAN_TOWARD_UNITS 2.5
 
 /* t (C + Q).v there: as SPAN_FACING_T counts, .505 of .52. */
@@ -25,7 +25,7 @@ FORMULA(SPAN_TOWARD_BIAS);
 
 /* ---- k, whose part that the bias adds is a constant ---- */
 
-/* k there: the constant, the bias's and the shift of |P|^2: half a bit each. 1.5 of 2.5. */
+/* k there: the constant, the bias's and the shift of |P|^2: half a bit each. 1.5 of 2.5. Unseen: small. */
 #define BOUND_SPAN_POWER_UNITS 2.5
 
 /* 2 t C.v there: as SPAN_SQUARE_T counts, 1.01 of 1.04. */
@@ -38,13 +38,13 @@ FORMULA(SPAN_POWER);
  * of 8 of its size. */
 #define BOUND_SPAN_SWELL 0x1p-28
 
-/* It has the exponent 30: squares are cut to a unit, the others rounded to half a unit. 3 of 16. Unseen: small. */
+/* It has the exponent 30: squares are cut to a unit, the others rounded to half a unit. 3 of 16. */
 #define BOUND_SPAN_SWELL_UNITS 0x1p-27
 
 /* ---- |w|^2 and the comparisons ---- */
 
 /* |w|^2 k (1 + B) and (A'.w)^2 there: the factors are cut to 30 bits, 2^-30 for k, as much for |w|^2, 2^-31 twice for
- * A'.w and 2^-31 for the product with B: 3.5 of 16. Unseen: hidden. */
+ * A'.w and 2^-31 for the product with B: 3.5 of 16. */
 #define BOUND_SPAN_COVERED_CUT 0x1p-26
 
 /* (A'.w)^2 and |w|^2 k (1 + B), each. Proved: simd_forms.g (delta0, delta1), 4 of 10 u. */
@@ -64,12 +64,13 @@ FORMULA(SPAN_VERDICT);
 /* A pixel is lit for certain where A'.w is below 0 by its bound. */
 FORMULA(SPAN_BEHIND);
 
-/* And where A'.w is above |w|^2 by the bounds of both. */
+/* And where A'.w is above |w|^2 by the bounds of both. Where they are equal the ray passes the light itself, which is
+ * outside of the caster: so k says the same. Unseen: hidden. */
 FORMULA(SPAN_BEYOND);
 
 /* A'.w's bound takes s^2 as computed, 2 e_s of it, and |w|^2's error makes all of the verdict's bound too small by 1/(1
- * - e_w), together below 1.04. A fourth of what the kernels' roundings are allowed and 3 of 100 of what those there are
- * is to spare besides: so .01 of .01. Unseen: small. */
+ * - e_w), together below 1.04. Of the kernels' roundings in it a tenth is to spare, of those there 3 of 100: so .01 of
+ * .01. Unseen: small. */
 #define BOUND_SPAN_VERDICT_A .01
 
 /* |w|^2's is relative to the exact one, and in doubt the bound too small by the former's: 1/(1 - e_w), .02 of .1.

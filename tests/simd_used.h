@@ -1,0 +1,36 @@
+/* simd_used.h - for tests of single steps of src/simd/span: how much of a row's bound they use. */
+#ifndef TESTS_SIMD_USED_H
+#define TESTS_SIMD_USED_H
+
+#include <math.h>
+
+#include "check.h"
+#include "random.h"
+
+typedef long double real;
+
+/* The largest used part of a row. */
+struct used {
+    const char *name;
+    double most;
+    unsigned long tried;
+};
+
+static inline void use(struct used *u, real error, real bound)
+{
+    double part = (double)(fabsl(error) / bound);
+
+    u->tried++;
+    u->most = bound > 0 || error != 0 ? (part > u->most || isnan(part) ? part : u->most) : u->most;
+}
+
+static inline void check_used(const struct used *used, int count)
+{
+    for (int i = 0; i < count; i++) {
+        printf("# %-18s %9lu values, the worst has %.3f of its bound\n", used[i].name, used[i].tried, used[i].most);
+        CHECK_MSG(used[i].most <= 1, "%s: %g times its bound", used[i].name, used[i].most);
+        CHECK_MSG(used[i].tried > 1000, "%s: only %lu were tried", used[i].name, used[i].tried);
+    }
+}
+
+#endif
