@@ -298,8 +298,9 @@ check-rays-billion: $(BUILD)/tests/test_ray_bounds
 SECONDS ?= 600
 check-mutants:
 	@$(alone) tests/mutate
-# The ray kernels once more, with their bounds scaled by the environment.
-SCALED_TESTS := ray_steps ray_spawned ray_ends ray_tubes ray_pixels ray_edges ray_pairs ray_bounds simd_samples
+# The vector units' kernels once more, with their bounds scaled by the environment.
+SCALED_TESTS := ray_steps ray_spawned ray_ends ray_tubes ray_pixels ray_edges ray_pairs ray_bounds simd_samples \
+    simd_bounds simd_steps simd_integers simd_cells span_coherence
 check-bounds:
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)/scaled CFLAGS='$(CFLAGS) -DBOUND_SCALES=\"../tests/bound_scales.h\"' \
 	    $(SCALED_TESTS:%=$(BUILD)/scaled/tests/test_%)

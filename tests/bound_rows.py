@@ -1,12 +1,17 @@
-"""bound_rows.py - the rows of the tables in src/simd/rays/bounds, for tests/quick/bounds and tests/bounds."""
+"""bound_rows.py - the rows of the tables of error bounds, for tests/quick/bounds and tests/bounds."""
 import glob
 import re
 
 from sources import read
 
-RAYS = "src/simd/rays/"
-TABLES = sorted(glob.glob(RAYS + "bounds/*.h"))
-ROW = re.compile(r"^(?:#define BOUND_(\w+) |FORMULA\((\w+)\);)")
+RAYS, SPANS, COHERENCE = "src/simd/rays/", "src/simd/span/", "src/render/span/coherence/"
+TABLES = [*sorted(glob.glob(RAYS + "bounds/*.h") + glob.glob(SPANS + "bounds/*.h")), COHERENCE + "coherence_proved.h"]
+ROW = re.compile(r"^(?:#define BOUND_(\w+) |FORMULA\((\w+)\);|#define (COHERENCE_(?!BITS|BELOW|WIDE)\w+)[ (])")
+
+
+def table_of(path):
+    """A table's short name: rays/lights, span/cells, coherence."""
+    return "coherence" if path.startswith(COHERENCE) else re.sub(r"src/simd/(\w+)/bounds/(\w+)\.h", r"\1/\2", path)
 
 
 def rows():
@@ -22,4 +27,4 @@ def rows():
                 first -= 1
             beside = line.partition("/*")[2]
             text = " ".join(part.strip(" /*") for part in [*lines[first:number], beside])
-            yield row.group(1) or row.group(2), path, number + 1, text.strip()
+            yield row.group(1) or row.group(2) or row.group(3), path, number + 1, text.strip()
