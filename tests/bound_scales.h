@@ -1,6 +1,7 @@
 /* bound_scales.h - the bounds of src/simd and of coherence by name, each with a factor: see src/simd/bound.h and
- * coherence_proved.h, which include this file where BOUND_SCALES is defined. tests/bounds scales one bound of a whole program
- * by TIA_BOUND=NAME and TIA_BOUND_SCALE=x in the environment; test_ray_bounds --uses does so within the program. */
+ * coherence_proved.h, which include this file where BOUND_SCALES is defined. tests/bounds scales one bound of a whole
+ * program by TIA_BOUND=NAME and TIA_BOUND_SCALE=x in the environment; test_ray_bounds --uses does so within the
+ * program. */
 #ifndef TIA_TESTS_BOUND_SCALES_H
 #define TIA_TESTS_BOUND_SCALES_H
 

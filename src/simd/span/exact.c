@@ -74,14 +74,14 @@ static bool add_light(const struct simd_fine_light *light, const struct pixel *p
 }
 
 /* Gives a channel's level; false when it is too near to another. */
-static bool quantise(double channel, double levels, double half, double near, unsigned *simd)
+static bool quantise(double channel, double levels, double half, double near, unsigned *level)
 {
     double y = channel * levels + half;
 
     if (!(y >= -.5 && y < 64))
         return false;
-    *simd = (unsigned)(y + .5);
-    return fabs(y - (int)*simd) <= near;
+    *level = (unsigned)(y + .5);
+    return fabs(y - (int)*level) <= near;
 }
 
 static bool decide(const struct simd_fine *fine, int i, double half, tia_rgb565 *out)

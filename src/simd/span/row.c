@@ -120,8 +120,8 @@ bool tia_simd_see(const struct primary_rays *primary, const struct simd_row *row
     return seen->b_least > 0 && seen->size > 0;
 }
 
-/* The integer code, see render/span/sphere.c and kernels.c: b and v.v are accumulators whose upper halves have the last
- * bits ub and uv; c has uc, t has ut. dd is the bound of D there. */
+/* The integer code, see render/span/span_sphere.c and kernels.c: b and v.v are accumulators whose upper halves have the
+ * last bits ub and uv; c has uc, t has ut. dd is the bound of D there. */
 struct last_bits {
     double ub, ut, dd;
 };
