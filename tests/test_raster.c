@@ -252,7 +252,7 @@ TEST(nearness_errs_by_no_more_than_derived)
 
 int main(void)
 {
-    RUN(the_nearest_face_in_perspective_is_the_oracles);
+    RUN_LONG(the_nearest_face_in_perspective_is_the_oracles);
     RUN(the_nearest_face_orthographic_is_the_oracles);
     RUN(nearness_errs_by_no_more_than_derived);
     RUN(orthographic_nearness_errs_by_no_more_where_h_changes_its_sign);

@@ -358,8 +358,8 @@ int main(void)
     RUN(triangles);
     RUN(meshes_and_grids);
     RUN(materials_one_by_one);
-    RUN(textures);
-    RUN(lights_one_by_one);
+    RUN_LONG(textures);
+    RUN_LONG(lights_one_by_one);
     RUN(units);
     RUN(fine_digits);
     RUN(cameras);

@@ -184,7 +184,7 @@ TEST(orthographic)
 
 int main(void)
 {
-    RUN(perspective);
+    RUN_LONG(perspective);
     RUN(orthographic);
     return check_status();
 }

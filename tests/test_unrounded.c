@@ -280,8 +280,8 @@ int main(int argc, char **argv)
     RUN(files_are_drawn_as_they_say);
     RUN_LONG(files_in_small_units);
     RUN_LONG(files_in_large_units);
-    RUN(ever_smaller_balls);
-    RUN(ever_smaller_jacks);
+    RUN_LONG(ever_smaller_balls);
+    RUN_LONG(ever_smaller_jacks);
     threads_destroy(pool);
     return check_status();
 }

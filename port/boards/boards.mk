@@ -47,7 +47,7 @@ $(BUILD)/boards/$(1)/$(2).elf: $(call bare,$(1),$(3) $($(1)_SRC) $(CORE_SRC)) $(
 	$$(call say,LD,$$@)$$($(1)_CC) $$(BOARD_LD) $(call board_ld,$(1),$(4)) -o $$@ $$(filter %.o,$$^) -lgcc
 endef
 define bare_rule
-$(BUILD)/boards/$(1)/$(2)%.o: %.c
+$(BUILD)/boards/$(1)/$(2)%.o: %.c port/boards/boards.mk
 	$$(call board_compile,$(1),CC $(patsubst %/,%,$(2)),$$(BOARD) $(3))
 endef
 define board
@@ -58,8 +58,9 @@ $(BUILD)/boards/$(1)/%.o: %.S
 	$$(call board_compile,$(1),AS)
 endef
 # Where what draws spheres fits into the flash at -O2 alone, of size the rest; -O3 where there is room for it.
-SPANS_O3 := $(addprefix src/render/span/,coherence kernels)
-rv32_O2 := src/math/integer $(addprefix src/render/span/,coherence kernels rows shade sphere trace)
+SPANS_O3 := $(addprefix src/render/span/,coherence/coherence kernels)
+rv32_O2 := src/math/integer $(SPANS_O3) $(addprefix src/render/span/span_,rows shade sphere trace)
+$(foreach f,$(SPANS_O3) $(rv32_O2),$(if $(wildcard $(f).c),,$(error boards.mk: there is no $(f).c)))
 $(SPANS_O3:%=$(BUILD)/boards/mps2-an385/%.o): BOARD += -O3
 $(BUILD)/boards/rv32/%.o: BOARD += -Os -msave-restore
 $(rv32_O2:%=$(BUILD)/boards/rv32/%.o): BOARD += -O2
