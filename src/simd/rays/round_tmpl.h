@@ -41,13 +41,13 @@ LANE_OP bool beam_start(struct query *q, const struct sure_round *k, struct beam
     b->miss = mor(b->miss, vlt(q->limit, b->start - reach - b->estart));
     if (!any(mand(q->active, mnot(b->miss))))
         return false;
-    /* the whole line passes the axis farther away than any point of the shape, by its bound and the fixed-point
-     * rounding at a tangent, some units */
+    /* as passes_by() of geometry/round.c does; |Q|, whose square is flat, is at most 1 */
     struct v3 a0 = v3_set(k->across[0]), a1 = v3_set(k->across[1]);
-    vd y0 = v3_dot(p->d, a0), y1 = v3_dot(p->d, a1);
+    vd y0 = v3_dot(p->d, a0), y1 = v3_dot(p->d, a1), flat = y0 * y0 + y1 * y1;
     vd aside = vabs(v3_dot(b->near, a0) * y1 - v3_dot(b->near, a1) * y0) - b->l1 * BOUND(CONE_ASIDE);
-    vd widest = vset((k->base_radius > k->top_radius ? k->base_radius : k->top_radius) + BOUND(CONE_TANGENT)) + lambda;
-    vd bound = widest * widest * (y0 * y0 + y1 * y1) * (1 + BOUND(CONE_SQUARE));
+    vd thick = vset((k->base_radius > k->top_radius ? k->base_radius : k->top_radius) + BOUND(CONE_THICKNESS));
+    vd beside = BOUND_OF(CONE_BESIDE, 3 * lambda + BOUND(CONE_PASSED));
+    vd bound = (thick * thick * flat + (2 * thick + beside) * beside) * (1 + BOUND(CONE_SQUARE));
     b->miss = mor(b->miss, mand(vlt(vset(0), aside), vlt(bound, aside * aside)));
     return any(mand(q->active, mnot(b->miss)));
 }

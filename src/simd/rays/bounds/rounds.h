@@ -28,12 +28,17 @@ FORMULA(CONE_PASS);
 /* Squares of 2 to 6 roundings, 6 u; and the bound's own. 2^-10 of it. Unseen: small. */
 #define BOUND_CONE_SQUARE P2M(40)
 
-/* The distance beyond its widest radius at which a fixed-point cone may be met, its roots being rounded near a tangent.
- * Its root of D^2 = E^2 - ab P^2 has E and P rounded by two units, so that the point K/ab that it finds has rho^2 c^2 -
- * g^2 = 4 E U/ab at most, and rho c - g half of that over g: 2 U sigma/ab, as E is sigma g. 128 U are enough for ab >=
- * 1/64 c. Not derived for flatter angles between ray and side, whose roots are far away, or are the other one. Unseen:
- * small. */
-#define BOUND_CONE_TANGENT P2M(38)
+/* A line passes a fixed-point cone where |P x Q| > (widest + 2^-13) |Q| + 2^-32 there, see passes_by(). The radius is
+ * rounded to a double by 2^-38. 1 of 2. Unseen: small. */
+#define BOUND_CONE_THICKNESS P2M(12)
+
+/* 2^-32 of that comparison, and 4 units: P by half of one, both products by another, |Q| by 2^-62 of a thickness below
+ * 2^17. 1 of 2. Unseen: small. */
+#define BOUND_CONE_PASSED P2M(31)
+
+/* P x Q moves by CONE_PASS across, and Q by ed, so by reach ed at a point that near: as much again; and so does
+ * thickness |Q|. Unseen: small. */
+FORMULA(CONE_BESIDE);
 
 /* (near.a0) y1 - (near.a1) y0: near 16 u, its dot products and y 5 u each, products and difference 2 u: 28 of 32 u of
  * |O - A|1, which near is no longer than. Unseen: small. */
