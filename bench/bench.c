@@ -1,8 +1,8 @@
 /* bench.c - milliseconds per frame on one core: a full frame, a frame with only the light moved, and the textbook
  * loop in float. The three are measured in turn, so that drift of the machine's speed affects them alike. Prints
  * the median of each and of their ratios. With a name it measures that part alone: thesis, levels, threads, rays,
- * simd-rays, paths, radio, raster, tinygl, shadows, shadow-frames or light-fields; of simd-rays, only scenes whose
- * name contains a second argument. */
+ * simd-rays, paths, radio, raster, tinygl, shadows, shadow-frames or light-fields; simd-rays then measures only scenes
+ * whose name contains the second argument, if given. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

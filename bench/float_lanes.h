@@ -5,14 +5,14 @@
 #include <stdbool.h>
 #include <tia/scene.h>
 
-/* Draws a scene of two spheres and one light, each object where the ray meets it, with one instruction set. False if
- * this program has no loop for it; tia_simd_named reports if the processor has the instructions. */
+/* Draws a scene of two spheres and one light with the instruction set `simd`. False if this program has no loop for
+ * that set; tia_simd_named reports if the processor has the instructions. */
 bool float_lanes_render(const struct tia_scene *scene, const char *simd, int width, int height, tia_rgb565 *pixels);
 
-/* The scene's data for a pixel: spheres, then the light. */
+/* The scene in float: elements 0 and 1 of arrays are the spheres, 2 is the light. */
 struct lanes_world {
     float centre[3][3], c[3], radius2[3], per_radius[3];
-    float colour[2][3], glow[3], background[3]; /* in levels of 31 and 63 */
+    float colour[2][3], glow[3], background[3]; /* levels of RGB565: full is 31 or 63 */
     float start, step, up; /* v.x of the first pixel, v.x from pixel to pixel, v.y of the first row */
     tia_rgb565 sky[16];
 };

@@ -1,5 +1,5 @@
-/* float_lanes_loop.h - the loop itself in an instruction set's operations (src/simd/isa/isa.h lists them), included by
- * one file for each instruction set, which defines the loop's name, DRAW. */
+/* float_lanes_loop.h - the loop in the operations of an instruction set, which src/simd/isa/isa.h lists. Each
+ * instruction set has a file that defines DRAW, the name of the loop, and includes this one. */
 #ifndef BENCH_FLOAT_LANES_LOOP_H
 #define BENCH_FLOAT_LANES_LOOP_H
 
@@ -44,7 +44,8 @@ INLINE V v_sel(M m, V a, V b)
     return (V){f_sel(m, a.x, b.x), f_sel(m, a.y, b.y), f_sel(m, a.z, b.z)};
 }
 
-/* The hits of rays: sphere 0, but sphere 1 in the lanes of `second` and the light in those of `light`. */
+/* The nearest hits of rays, in the lanes of `any`, at the distances `t`: of the light in the lanes of `light`, of
+ * sphere 1 in those of `second`, else of sphere 0. */
 struct seen {
     F t;
     M any, second, light;
@@ -71,7 +72,7 @@ INLINE struct seen look(const struct lanes_world *w, V d)
     return s;
 }
 
-/* Returns the lit lanes where no sphere stands between the point and the light. */
+/* Returns the lanes of `lit` in which no sphere stands between the point and the light. */
 INLINE M unhidden(const struct lanes_world *w, V p, V to, M lit)
 {
     for (int i = 1; i >= 0; i--) {
@@ -82,7 +83,7 @@ INLINE M unhidden(const struct lanes_world *w, V p, V to, M lit)
     return lit;
 }
 
-/* The sphere that is hit. */
+/* The sphere that is hit in each lane. */
 struct sphere {
     V centre, colour;
     F per_radius;

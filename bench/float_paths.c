@@ -10,7 +10,7 @@ enum { ROULETTE = 3, BOUNCES_MAX = 1024 };
 
 struct material {
     float colour[3], specular[3], mirror[3], emission[3], exponent;
-    float below[2]; /* cumulative probabilities: a mirror; a mirror or the glossy lobe */
+    float below[2]; /* cumulative probabilities: of a mirror ray; of that or a ray of the glossy lobe */
     bool black;
 };
 
@@ -33,7 +33,7 @@ struct float_paths {
 struct path {
     const struct float_paths *scene;
     struct float_ray ray;
-    float throughput[3], sum[3], density; /* density: times pi; 0 for a ray from a mirror or from the eye */
+    float throughput[3], sum[3], density; /* density of the ray: times pi; 0 from a mirror or the eye */
     unsigned bounce;
     uint64_t rays, state;
 };
@@ -160,7 +160,7 @@ static bool meets_light(const struct light *l, const struct float_ray *ray, floa
     return true;
 }
 
-/* Returns pi/(area's solid angle). */
+/* Returns the density of a sample on the light, times pi: pi over the solid angle of the light's area. */
 static float density_of(const struct light *l, struct vec direction, float t)
 {
     return PI * t * t / (l->area * fabsf(vec_dot(direction, l->normal)));
@@ -179,7 +179,7 @@ static struct vec reflected(struct vec d, struct vec n)
     return vec_along(d, -2 * vec_dot(d, n), n);
 }
 
-/* Gives the reflectance times the cosine, and the density, both times pi. */
+/* Gives the reflectance times the cosine in f; returns the density of `to`. Both are times pi. */
 static float evaluate(const struct material *m, struct vec from, struct vec n, struct vec to, float f[3])
 {
     float cosine = vec_dot(to, n), along = vec_dot(to, reflected(from, n));
@@ -255,7 +255,7 @@ static bool survives(struct path *p)
     return true;
 }
 
-/* Follows one ray, and adds the light at its end. */
+/* Follows one ray, and adds the light at its end; false: the path ends. */
 static bool step(struct path *p)
 {
     const struct float_paths *s = p->scene;

@@ -9,11 +9,11 @@
 
 struct float_paths;
 
-/* Opens a scene; NULL when the scene needs more than that, or memory is short. */
+/* Opens a scene; NULL when it has anything else, or memory is short. */
 struct float_paths *float_paths_open(const struct tia_scene *scene, unsigned width, unsigned height);
 void float_paths_close(struct float_paths *paths);
 
-/* Gives the mean radiance of `spp` samples of each pixel, three numbers a pixel. Returns the number of rays traced. */
+/* Gives the mean radiance of `spp` samples of each pixel, as three numbers. Returns the number of rays traced. */
 uint64_t float_paths_draw(const struct float_paths *paths, unsigned spp, float *rgb);
 
 #endif

@@ -16,7 +16,8 @@ struct float_item {
 
 struct float_node {
     struct vec low, high;
-    /* Leaf: its items; inner node: count is 0 and `first` the first of two nodes, which differ along `axis`. */
+    /* Leaf: the range of its items. Inner node: count is 0, and `first` is the first of two nodes, which differ along
+     * `axis`. */
     uint32_t first, count;
     int axis;
 };
@@ -36,7 +37,7 @@ struct float_world {
     uint32_t count, node_count;
 };
 
-/* Builds the hierarchy; false when the scene has other objects, or memory is short. */
+/* Builds the hierarchy; false when the scene has anything but spheres and meshes, or memory is short. */
 bool float_world_build(struct float_world *world, const struct tia_scene *scene);
 void float_world_free(struct float_world *world);
 

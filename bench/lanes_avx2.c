@@ -1,4 +1,4 @@
-/* lanes_avx2.c - see float_lanes_loop.h. */
+/* lanes_avx2.c - the float loop with AVX2. */
 #include "simd/isa/avx2.h"
 
 #define DRAW float_lanes_avx2

@@ -1,4 +1,4 @@
-/* lanes_avx512.c - see float_lanes_loop.h. */
+/* lanes_avx512.c - the float loop with AVX-512. */
 #include "simd/isa/avx512.h"
 
 #define DRAW float_lanes_avx512

@@ -1,4 +1,4 @@
-/* lanes_sse41.c - see float_lanes_loop.h. */
+/* lanes_sse41.c - the float loop with SSE4.1. */
 #include "simd/isa/sse41.h"
 
 #define DRAW float_lanes_sse41

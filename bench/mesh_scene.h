@@ -12,14 +12,14 @@ struct point {
 #define MESH_FACES_MAX 100000
 #define MESH_SOLIDS 3
 
-/* Two faces of the ground, then solids; solid i has the faces first[i]..first[i + 1] - 1. Faces run counterclockwise.
- */
+/* Two faces of the ground, then solids; solid i has the faces first[i]..first[i + 1] - 1. Corners run
+ * counterclockwise. */
 struct mesh {
     struct point (*corner)[3];
     uint32_t count, first[MESH_SOLIDS + 1];
 };
 
-/* Makes 98, 350, 1358, 5390, 21518 or 86030 faces, in memory for MESH_FACES_MAX. */
+/* Makes 98, 350, 1358, 5390, 21518 or 86030 faces, for depths 0 to 5, in memory for MESH_FACES_MAX faces. */
 void bench_mesh(struct mesh *m, int depth);
 
 #endif

@@ -20,7 +20,7 @@ static inline double cpu_milliseconds(void)
     return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
 }
 
-/* Keeps the smallest of several measurements, which begins as 0: none. */
+/* Updates the least of several measurements; *least is 0 before the first one. */
 static inline void keep_least(double *least, double ms)
 {
     if (*least <= 0 || ms < *least)

@@ -18,11 +18,13 @@ struct raster_bench {
 /* Ends the program if `fine` is false. */
 void raster_bench_must(bool fine);
 
+/* Makes the mesh of a level (the depth of bench_mesh) in *m, and projects it to an image. `buffers` is a set of
+ * TIA_BUFFER_.... */
 void raster_bench_init(struct raster_bench *b, struct mesh *m, int level, uint16_t width, uint16_t height,
                        unsigned buffers);
 void raster_bench_free(struct raster_bench *b);
 
-/* Draws the nearest face of each pixel into a target that may lack buffers of the benchmark's. */
+/* Draws the nearest face of each pixel into a target, which may have fewer buffers than the benchmark's. */
 void raster_bench_nearest(const struct raster_bench *b, struct tia_raster_target *target);
 
 void bench_raster(void);

@@ -52,7 +52,7 @@ struct ball {
     double radius;
 };
 
-/* Returns one of the nine positions on a ball whose own position is at +z. */
+/* Returns the direction from a ball to one of its nine balls; the ball itself lies at +z of the ball that it is on. */
 static struct point place(int i)
 {
     static const double angle[3] = {45, 15, 75};

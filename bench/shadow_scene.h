@@ -9,7 +9,7 @@
 
 #define SHADOW_LAMPS 4
 
-/* A scene with the first of these lights; light_count may be set up to SHADOW_LAMPS. */
+/* A scene with one light, the first of SHADOW_LAMPS; scene.light_count may be set up to that number. */
 struct shadow_scene {
     struct mesh mesh;
     struct tia_vec3 *points;
@@ -28,7 +28,7 @@ void shadow_scene_init(struct shadow_scene *s);
 void shadow_scene_make(struct shadow_scene *s, int level);
 void shadow_scene_free(struct shadow_scene *s);
 
-/* The passes of the scene in one image: depths without the counts, and counts for the scene's light. */
+/* The passes that draw the scene in one image: depths alone, and counts of shadow volumes for the scene's light. */
 struct shadow_passes {
     struct tia_flat_scene flat;
     tia_flat_light light;

@@ -21,7 +21,7 @@ void bench_shadows_gl(const char *driver)
 #include <unistd.h>
 
 #define ROUNDS 7
-/* Milliseconds after which no further round than the second begins; llvmpipe compiles in the first. */
+/* Milliseconds after which no third or later round begins; llvmpipe compiles shaders in the first. */
 #define PATIENCE 500
 
 /* ---- recording ---- */
@@ -32,7 +32,7 @@ struct drawn {
     uint32_t face;
 };
 
-/* The polygons of a pass; all have one state. */
+/* Recorded polygons; those of a pass have one state. */
 static struct {
     struct tia_raster_state state[SHADOW_PASSES];
     enum shadow_pass pass;
@@ -41,9 +41,10 @@ static struct {
     bool on;
 } drawn;
 
-/* Replaces the rasteriser's function: the linker's option --wrap gives the two these names. */
+/* The rasteriser's own function, under the name that the linker's option --wrap gives it. */
 int __real_tia_raster_draw(struct tia_raster_target *target, const struct tia_raster_state *state,
                            const struct tia_raster_vertex *corners, unsigned count, uint32_t face);
+/* The function that --wrap calls in its place: also records the polygon. */
 int __wrap_tia_raster_draw(struct tia_raster_target *target, const struct tia_raster_state *state,
                            const struct tia_raster_vertex *corners, unsigned count, uint32_t face);
 
@@ -103,7 +104,7 @@ static void record(struct shadow_passes *p, enum shadow_pass pass)
     drawn.on = false;
 }
 
-/* Times of this library's rasteriser and of GL. */
+/* Milliseconds of tia's rasteriser and of GL. */
 struct times {
     double depth[2], zfail[2];
 };
@@ -171,7 +172,8 @@ static void measure_all(const char *driver)
     shadow_scene_free(&s);
 }
 
-/* Measures one driver; it is chosen before the library is loaded, and the library is never unloaded. */
+/* Measures one driver in a process of its own: the driver is chosen before the library is loaded, and the library is
+ * never unloaded. */
 void bench_shadows_gl(const char *driver)
 {
     (void)fflush(stdout);

@@ -2,7 +2,7 @@
 #ifndef BENCH_SHADOWS_GL_H
 #define BENCH_SHADOWS_GL_H
 
-/* Measures with "llvmpipe" or "softpipe": in a process of its own. */
+/* Measures the driver "llvmpipe" or "softpipe", in a process of its own. */
 void bench_shadows_gl(const char *driver);
 
 #endif

@@ -13,7 +13,7 @@
 
 #define ROUNDS 25
 
-/* The fastest round: other programs can slow a round down, and nothing makes one too fast. */
+/* Milliseconds of the fastest round: other programs can slow a round down, but nothing makes one too fast. */
 struct best {
     double wall, cpu;
 };
@@ -46,7 +46,7 @@ struct measured {
     struct best full, relit, floats;
 };
 
-/* Draws by the float loop: in lanes of an instruction set, as its baseline, or without lanes for plain C. */
+/* Draws by the float loop: in lanes of the instruction set `simd`, as its baseline; in plain C if NULL. */
 static void draw_floats(const struct picture *p, const char *simd)
 {
     if (simd)
@@ -55,7 +55,8 @@ static void draw_floats(const struct picture *p, const char *simd)
         plain_render(&p->scene, p->area.width, p->area.height, p->surface.pixels);
 }
 
-/* Measures the three in turns, so that a change of the machine's speed affects them alike. */
+/* Measures full frames, relit frames and the float loop in turns, so that a change of the machine's speed affects them
+ * alike. */
 static void measure_rounds(const struct picture *p, const char *simd, struct tia_view *view, struct tia_hits *hits,
                            struct measured *m)
 {
@@ -128,7 +129,7 @@ void bench_simd(void)
         row(&p, "plain", NULL);
         for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
             (void)tia_simd_named(names[k], &simd);
-            if (simd && simd != last) /* tia_simd_named may have given a narrower one in its place */
+            if (simd && simd != last) /* tia_simd_named may have given a narrower set in its place */
                 row(&p, names[k], simd);
             last = simd;
         }

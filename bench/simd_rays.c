@@ -20,7 +20,7 @@
 
 const char *bench_scene;
 
-/* A drawer: a core, with SIMD kernels or without; or, without a core, Embree. */
+/* A drawer: a core, with SIMD kernels or without; `core` is NULL for Embree. */
 struct drawer {
     const char *name;
     const struct tia_core *core;
@@ -169,7 +169,7 @@ static int find_drawers(struct drawer to[DRAWERS])
     return n;
 }
 
-/* Returns the share of pixels, per mille, that another program draws with a channel more than two levels of red off. */
+/* Returns the share of pixels, per mille, whose values differ by more than two levels of red in a channel. */
 static double different(const struct canvas *a, const struct canvas *b)
 {
     size_t count = (size_t)a->width * a->height, wrong = 0;
@@ -219,7 +219,8 @@ static void print_against(void)
         printf("| %s | %.2f | %u |\n", against[i].name, exp(against[i].logarithm / against[i].scenes), against[i].lost);
 }
 
-/* Measures all in turns, so that a change of the machine's speed affects all; the pictures must be the same. */
+/* Measures all drawers in turns, so that a change of the machine's speed affects all, and reports pixels that differ
+ * from the first drawer's, plain C. */
 static void measure(const char *name, const struct tia_scene *scene, uint16_t width, uint16_t height, bool database)
 {
     struct drawer drawers[DRAWERS];

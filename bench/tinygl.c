@@ -28,8 +28,8 @@ struct picture {
     ZBuffer *buffer;
 };
 
-/* Clip coordinates, z being w - 2: the near plane is at 1. TinyGL assumes that the fourth coordinate of its input is 1,
- * so here w is the third. */
+/* Matrix from a corner's x, y and w to clip coordinates, with z = w - 2: the near plane is at 1. TinyGL assumes that
+ * the fourth coordinate of its input is 1, so w is passed as the third. */
 static const GLfloat from_corner[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 0, -2, 0};
 
 static void open_picture(struct picture *p, struct mesh *m, int level, uint16_t width, uint16_t height)

@@ -32,7 +32,7 @@ static void *checked(void *memory)
     return memory;
 }
 
-/* Prepares a stage; its memory is allocated as in tia. */
+/* Prepares a stage, with memory allocated as tia does. */
 static void set(struct stage *s, const struct tia_simd *simd)
 {
     const struct tia_tile all = {0, 0, WIDTH, HEIGHT};
@@ -77,7 +77,7 @@ static void draw(struct threads *pool, struct stage *s, bool relit)
 }
 
 /* Ties the thread that runs job n to the n-th of the processors that this program may use: schedulers may put threads
- * that run for half a millisecond on one. Each job waits for the other, so that no thread runs both. */
+ * that run for only half a millisecond on one processor. Each job waits for the other, so that no thread runs both. */
 static void settle(void *arg, unsigned index)
 {
     atomic_uint *settled = arg;
@@ -96,7 +96,7 @@ static void settle(void *arg, unsigned index)
         (void)sched_yield();
 }
 
-/* Wall and CPU time of a frame. */
+/* Wall and CPU time of a frame, in milliseconds. */
 struct cost {
     double wall, cpu;
 };

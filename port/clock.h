@@ -6,9 +6,10 @@
 
 extern const struct tia_clock clock_monotonic; /* ignores its context */
 
+/* Returns CLOCK_MONOTONIC in microseconds. */
 uint64_t clock_now_us(void);
 
-/* Returns the milliseconds until `end_us`, below 2^31; 0 when it is past. */
+/* Returns the whole milliseconds, below 2^31, until clock_now_us() is `end_us`; 0 when that is past. */
 int clock_left_ms(uint64_t end_us);
 
 #endif

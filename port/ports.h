@@ -9,6 +9,7 @@
 
 /* Displays in the order in which `auto` tries them; the last row has the name NULL. */
 extern const struct port_display port_displays[];
+/* Inputs; the last row has the name NULL. */
 extern const struct port_input port_inputs[];
 
 #endif

@@ -42,8 +42,8 @@ static inline double *bound_scale_of(const char *name)
     return &scaled_bounds[scaled_bound_count++].scale;
 }
 
-/* Of a bound that is the logarithm of a power of two: the whole number that is added to it, rounded up, for 0 so little
- * that nothing is left. */
+/* Returns the whole number to add to a bound that is the logarithm of a power of two: log2 of its factor, rounded up;
+ * -64 for the factor 0. */
 static inline int bound_bits_of(const char *name)
 {
     double scale = *bound_scale_of(name);
@@ -51,7 +51,7 @@ static inline int bound_bits_of(const char *name)
     return scale > 0 ? (int)ceil(log2(scale)) : -64;
 }
 
-/* An integer, or a number of the floating builds, scaled. */
+/* Scales a bound that is an integer or, in the floating-point builds, a real number. */
 #define BOUND_SCALED(name, x) ((__typeof__(x))((long double)(x) * (long double)*bound_scale_of(name)))
 
 #endif

@@ -1,4 +1,4 @@
-/* check.h - what every C test uses. A test program runs its cases one by one and prints a line
+/* check.h - the checks of all C tests. A test program runs its cases one by one and prints a line
  * for each: "ok NAME", "FAIL NAME: FILE:LINE: WHAT" or "skip NAME: WHY". tests/run counts them.
  *
  *     TEST(square_root_of_4) { CHECK(root(4) == 2); CHECK_EQ(root(5), 2); }
@@ -16,7 +16,7 @@
 
 #include "check_case.h"
 
-/* With -fsanitize=address: OSMesa itself loses about 100 bytes with every context. */
+/* Suppresses a report of -fsanitize=address: OSMesa leaks about 100 bytes for each context. */
 #if defined __SANITIZE_ADDRESS__ || defined __clang__
 __attribute__((weak)) const char *__lsan_default_suppressions(void);
 __attribute__((weak)) const char *__lsan_default_suppressions(void)
@@ -80,10 +80,10 @@ static inline void check_run(const char *name, void (*test)(void))
 
 #define RUN(name) check_run(#name, name)
 
-/* The same for a case of a second or more: make check-quick leaves it out. */
+/* Runs a case that takes half a second or more; make check-quick omits it, unless it is the chosen one. */
 #define RUN_LONG(name)                                                                                                 \
     do {                                                                                                               \
-        if (!check_is_quick())                                                                                         \
+        if (!check_is_quick() || check_chooses())                                                                      \
             RUN(name);                                                                                                 \
     } while (0)
 

@@ -60,7 +60,8 @@ static inline void check_read_arguments(void)
         (void)fclose(file);
 }
 
-/* Returns the letters to insert, delete or replace to turn one name into the other; 0 if one is part of the other. */
+/* Returns the number of letters to insert, delete or replace to turn one name into the other; 0 if one is part of the
+ * other. */
 static inline unsigned check_distance(const char *a, const char *b)
 {
     unsigned row[CHECK_NAME + 1], n = (unsigned)strnlen(b, CHECK_NAME);
@@ -95,15 +96,21 @@ static inline void check_keep_near(const char *name)
     }
 }
 
+/* True if the arguments choose one case. */
+static inline bool check_chooses(void)
+{
+    if (!check_asked_known)
+        check_read_arguments();
+    return check_asked[0] != 0;
+}
+
 /* True if a case is the chosen one. The case "avx2: threads", which runs for each instruction set, has the name
  * "threads" as well. */
 static inline bool check_is_asked(const char *name)
 {
     const char *part = strrchr(name, ' ');
 
-    if (!check_asked_known)
-        check_read_arguments();
-    if (!check_asked[0])
+    if (!check_chooses())
         return true;
     if (strcmp(check_asked, name) == 0 || (part && strcmp(check_asked, part + 1) == 0)) {
         check_found++;

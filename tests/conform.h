@@ -24,7 +24,8 @@ struct subject {
 static struct subject subject;
 static struct tia_mode mode;
 
-/* Returns a pixel's colour. 40503 is odd, so that all colours occur before one is repeated, and neighbours differ. */
+/* Returns the expected colour of a pixel. 40503 is odd, so that all colours occur before one is repeated, and
+ * neighbours differ. */
 static inline tia_rgb565 wanted(unsigned x, unsigned y, unsigned frame)
 {
     return (tia_rgb565)((x + y * mode.width + frame * 7919) * 40503u);
@@ -75,7 +76,7 @@ static inline unsigned smaller(unsigned a, unsigned b)
     return a < b ? a : b;
 }
 
-/* Draws every `every`th tile from `first` on, the last one first. */
+/* Draws every `every`th tile from `first` on, in reverse order. */
 static inline void *draw_cut(void *arg)
 {
     struct cut *cut = arg;

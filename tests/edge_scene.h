@@ -35,9 +35,7 @@ static inline int32_t edge_any(uint64_t *state, int bits)
 
 static inline struct tia_vec3 edge_point(uint64_t *state, int bits)
 {
-    int32_t x = edge_any(state, bits), y = edge_any(state, bits), z = edge_any(state, bits); /* in this order, which the
-                                                                                                compiler may not
-                                                                                                change */
+    int32_t x = edge_any(state, bits), y = edge_any(state, bits), z = edge_any(state, bits); /* in this order */
 
     return (struct tia_vec3){x, y, z};
 }
@@ -68,7 +66,7 @@ static inline void edge_sphere(uint64_t *state, struct edge_scene *e, unsigned i
     s->centre.y = eye->y + away / 4 * ((int32_t)edge_below(state, 3) - 1);
     s->centre.y += edge_any(state, 12);
     s->centre.z = eye->z - away - (edge_below(state, 8) ? s->radius : 0); /* in most cases before the eye */
-    if (i > 0 && edge_below(state, 3) == 0) {                             /* the sphere touches the one before */
+    if (i > 0 && edge_below(state, 3) == 0) {                             /* the sphere touches the previous one */
         s->centre = e->spheres[i - 1].centre;
         s->centre.y += s->radius + e->spheres[i - 1].radius;
     }

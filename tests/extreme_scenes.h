@@ -14,8 +14,8 @@ static tia_q16 random_size(uint64_t *state)
     return sizes[dice_next(state) % (sizeof sizes / sizeof *sizes)];
 }
 
-/* Returns a position at the largest distance that an object of that size may have; on an axis, or on an existing
- * object. */
+/* Returns a position for an object of this size: the centre of an existing sphere, a point on the y axis, or a point
+ * at the height size/2. */
 static struct tia_vec3 random_place(uint64_t *state, const struct tia_scene *s, tia_q16 size)
 {
     tia_q16 away = dice_one_in(state, 2) ? size + TIA_Q16(4) : dice_between(state, 0, TIA_Q16(200));
@@ -181,7 +181,7 @@ static void make_cut_throughput(void)
     world.background = (struct tia_rgb){4, 4, 4};
 }
 
-/* Makes throughputs behind two walls without refraction: after 7 bounces they alone bring a path beyond 2^17. */
+/* Makes two walls of index 1: after 7 bounces, only passing straight through them brings a throughput beyond 2^17. */
 static void make_cut_layers(void)
 {
     world_of_all_lobes(8)->index = TIA_Q16(1);
@@ -190,8 +190,8 @@ static void make_cut_layers(void)
         (struct tia_box){{-TIA_Q16(2), -TIA_Q16(2), -TIA_Q16(2)}, {TIA_Q16(2), TIA_Q16(2), TIA_Q16(2)}};
 }
 
-/* Makes a light that is more likely chosen than met: throughput times radiance is clamped, though the weight leaves
- * less. */
+/* Makes a light that is more likely chosen than met: throughput times radiance is clamped, although their product with
+ * the weight would be smaller. */
 static void make_cut_radiance(void)
 {
     struct tia_light *lamp;
@@ -202,8 +202,8 @@ static void make_cut_radiance(void)
     lamp->emission_bits = 12;
 }
 
-/* Makes a light as long as 5,200 and no wider than 2^-15: some of its points lie farther behind its plane than the gap
- * at the end of shadow rays. */
+/* Makes a light 5,200 long and at most 2^-15 wide: some of its points lie farther behind its plane than the gap at the
+ * end of shadow rays. */
 static void make_sliver(void)
 {
     world_begin(TIA_PATHS);
@@ -219,8 +219,8 @@ static void make_sliver(void)
     look_from(0, 0, 3, 40);
 }
 
-/* Makes rays that go straight on where they graze a scaled sphere: a unit of its own axes is 2^-35, and some start
- * outside again, as they are 2^-26 times an angle behind its surface. */
+/* Makes rays that pass straight through a scaled sphere where they graze it. A unit in the sphere's axes is 2^-35; some
+ * rays start outside again, since their origins are only 2^-26 times an angle behind its surface. */
 static void make_grazed(void)
 {
     static const struct tia_transform large = {

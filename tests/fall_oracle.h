@@ -24,7 +24,7 @@ static inline double oracle_dot(const double a[3], const double b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* Returns the first t >= 0 at which a t^2 + b t + c, positive before, falls to 0; infinite: never. */
+/* Returns the first t >= 0 at which a t^2 + b t + c, positive before, falls to 0; infinity if it never does. */
 static inline double oracle_root(double a, double b, double c)
 {
     double disc = b * b - 4 * a * c;
@@ -101,7 +101,7 @@ static inline void oracle_bounce(struct oracle_falling *o, int i, int other)
     }
 }
 
-/* Simulates a time; returns the number of contacts. */
+/* Simulates `time` seconds; returns the number of contacts. */
 static inline int oracle_fall(struct oracle_falling *o, double time)
 {
     for (int contacts = 0;; contacts++) {

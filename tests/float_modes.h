@@ -1,5 +1,5 @@
 /* float_modes.h - floating-point environments in which a program may call SIMD kernels: rounding other than to nearest,
- * and, where a processor can, subnormal numbers that become 0, and traps.
+ * and, where the processor has them, subnormal numbers that become 0, and traps.
  *
  * A program with this header runs in the mode that the variable SIMD_MODE names: tests/slow/simd runs tests of the SIMD
  * kernels in each. */

@@ -19,7 +19,7 @@ static struct tia_mesh meshes[3];
 static struct tia_transform transform;
 static struct tia_scene scene;
 
-/* Returns a number in -most..most. */
+/* Returns a random number in -most..most. */
 static tia_q16 number(int32_t most)
 {
     return (tia_q16)((int64_t)(random_u32() % (2 * (uint32_t)most)) - most);
@@ -38,7 +38,7 @@ static inline void set_spheres(uint32_t count)
         spheres[i] = (struct tia_sphere){point(100 * ONE), 64 + (tia_q16)(random_u32() % (3 * ONE)), 0};
 }
 
-/* Sets spheres at distances that are powers of two, in every direction; there are many at each distance. */
+/* Sets spheres in every direction, many at each distance; distances are powers of two. */
 static inline void set_exponential_spheres(void)
 {
     set_spheres(MOST);
@@ -49,10 +49,9 @@ static inline void set_exponential_spheres(void)
     }
 }
 
-/* The hierarchy, and its memory. */
-static const struct tia_bvh *bvh;
-static void *memory;
-static size_t used;
+static const struct tia_bvh *bvh; /* the hierarchy of the last build() */
+static void *memory;              /* its memory */
+static size_t used;               /* number of bytes that it needs */
 
 static inline void build(void)
 {

@@ -3,7 +3,8 @@
 #include "ray_cases.h"
 #include "render/geometry/instance.h"
 
-/* Error bounds: of a coordinate in the world, whose largest coordinate is `size`; of a direction. */
+/* ERROR: bound of the error of a coordinate in the world, where the largest coordinate is `size`. ANGLE: bound of the
+ * error of a direction. */
 #ifdef TIA_NUM_F64
 #define ERROR(size) (16 * 0x1p-52L * (size))
 #define ANGLE 0x1p-49L
@@ -12,7 +13,7 @@
 #define ANGLE 0x1p-54L
 #endif
 
-/* A transform as a matrix: the axes in its columns, and a box. */
+/* A transform as a matrix whose columns are the axes, and a box in these axes. */
 struct matrix {
     struct tia_transform transform;
     real3 axes[3], position;
@@ -51,7 +52,7 @@ static void make(struct matrix *m, const tia_q16 scale[3], long double reach)
     instance_prepare(&m->instance, &m->transform, &m->box);
 }
 
-/* Makes scales of all sizes, often the extremes. */
+/* Makes a random transform, whose scales have all sizes, often the extremes. */
 static void make_random(struct matrix *m)
 {
     tia_q16 scale[3];
@@ -114,7 +115,7 @@ static struct ray ray_at(real3 target)
     return ray_towards(from, target);
 }
 
-/* True if |a_i - b_i| <= the world's error over the scale. */
+/* True if |a_i - b_i| <= error/scale_i, where a and b are in the shape's axes and `error` is in the world. */
 static bool is_near(const struct matrix *m, real3 a, real3 b, long double error)
 {
     return fabsl(a.x - b.x) <= error / m->scale[0] && fabsl(a.y - b.y) <= error / m->scale[1] &&
@@ -145,7 +146,8 @@ static void tia_check_placed(const struct matrix *m, const struct ray *ray, real
         CHECK_MSG(fabsl(there - wanted) < k * error + 1e-12L * (1 + wanted), "%Lg there, not %Lg", there, wanted);
     long double back = real_of(instance_distance_back(&placed, num_of(wanted)));
     CHECK_MSG(t <= start || fabsl(back - t) < error + 4 * 0x1p-45L / k, "%Lg back, not %Lg", back, t);
-    /* the ray comes from the box's side, unless it begins behind the box: numbers then stay as large as the shape */
+    /* the transformed ray starts near the box, unless it begins behind it: its coordinates then stay as large as the
+     * shape's */
     for (int i = 0; i < 3; i++) {
         long double x = i == 0   ? local.x
                         : i == 1 ? local.y
@@ -243,7 +245,7 @@ TEST(normals_are_placed_by_the_inverse_transpose)
     }
 }
 
-/* A sphere around (1, 2, 3) of radius 2 becomes an ellipsoid; its bounding box shows where. */
+/* A sphere of radius 2 around (1, 2, 3) becomes an ellipsoid. */
 TEST(ellipsoids_are_met_where_they_are)
 {
     static const struct tia_vec3 centre = TIA_VEC3(1, 2, 3);

@@ -92,7 +92,7 @@ static inline void world_room(void)
     world.camera = (struct tia_camera){.eye = {0, 0, TIA_Q16(3)}, .fov = TIA_Q16(40)};
 }
 
-/* A view of the world, drawn by one arithmetic. */
+/* A view of the world in one arithmetic. */
 struct world_view {
     void *memory;
     struct tia_view *view;
@@ -115,7 +115,7 @@ static inline void world_close(struct world_view *v)
     free(v->memory);
 }
 
-/* Draws a tile's pixels, and the hashes of their paths unless `hashes` is NULL. */
+/* Draws a picture, and stores the hashes of its paths unless `hashes` is NULL. */
 static inline void world_draw(const struct tia_core *core, const struct world_view *v, unsigned width, unsigned height,
                               tia_rgb565 *pixels, uint32_t *hashes)
 {
@@ -132,7 +132,7 @@ static inline void world_draw(const struct tia_core *core, const struct world_vi
     free(memory);
 }
 
-/* Returns the mean of red in the probe's pixel for one seed. */
+/* Returns the mean of red over `count` samples of the probe's pixel, for one seed. */
 static inline double world_mean(uint32_t seed, uint32_t count)
 {
     struct tia_sum sum = {{0, 0, 0}};
@@ -172,7 +172,7 @@ static inline void floor_below(enum tia_integrator integrator)
     world_plane(0, 0, 0, 0, 0, 1);
 }
 
-/* Checks that the mean is within three standard errors, and that those are small. */
+/* Checks that the mean is within three standard errors of `want`, and that the standard error is small. */
 #define CHECK_LIGHT(want)                                                                                              \
     do {                                                                                                               \
         struct world_estimate e_ = world_measure(SEEDS, SAMPLES);                                                      \

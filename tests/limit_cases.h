@@ -157,7 +157,7 @@ LIMIT(dimmest_light)
 LIMIT(narrowest_spot)
 {
     light.kind = TIA_SPOT_LIGHT;
-    light.centre = (struct tia_vec3)TIA_VEC3(0, 64, 74); /* its light falls before the ball */
+    light.centre = (struct tia_vec3)TIA_VEC3(0, 64, 74); /* lights only the floor in front of the ball */
     light.direction = (struct tia_dir3){0, TIA_Q30(-0.6), TIA_Q30(-0.7)};
     light.outer = ONE - beyond;
 }
@@ -203,7 +203,7 @@ LIMIT(farthest_light)
 
 LIMIT(smallest_sphere)
 {
-    shape->kind = TIA_GRID; /* which then no longer stands in the way */
+    shape->kind = TIA_GRID; /* the shape no longer hides the sphere */
     scene.spheres = &sphere;
     scene.sphere_count = 1;
     sphere = (struct tia_sphere){{0, 0, -200}, TIA_RADIUS_MIN - beyond, 1};

@@ -265,7 +265,7 @@ TEST(a_bare_mesh_has_flat_normals_and_barycentric_uv)
     made_free(m);
 }
 
-/* Normals of corners 0 and 1 that cancel in the middle between them. */
+/* The normals of corners 0 and 1 cancel in the middle between them. */
 TEST(where_normals_cancel_the_face_has_its_own)
 {
     struct made *m = made_disorder(8, 1);

@@ -1,4 +1,4 @@
-/* mesh_made.h - meshes made for tests, and trees around their faces that split them at random. */
+/* mesh_made.h - meshes made for tests, and trees over their faces, split at random. */
 #ifndef TESTS_MESH_MADE_H
 #define TESTS_MESH_MADE_H
 
@@ -48,7 +48,7 @@ static inline void made_face(struct made *m, uint32_t a, uint32_t b, uint32_t c)
         {{a, TIA_NO_INDEX, TIA_NO_INDEX}, {b, TIA_NO_INDEX, TIA_NO_INDEX}, {c, TIA_NO_INDEX, TIA_NO_INDEX}}};
 }
 
-/* Returns a vertex halfway between two, moved out to the sphere; an existing one is shared. */
+/* Returns the vertex halfway between two, moved out to the sphere; an existing one is shared. */
 static inline uint32_t made_middle(struct made *m, uint32_t a, uint32_t b, struct tia_vec3 centre, long double radius)
 {
     real3 c = real3_vec(centre),
@@ -172,7 +172,8 @@ static inline void made_include(struct tia_bounds *b, struct tia_vec3 v)
     b->max.z = v.z + 1 > b->max.z ? v.z + 1 : b->max.z;
 }
 
-/* Moves the faces below the middle to the front: by the first corner's coordinate along an axis. */
+/* Moves the faces whose first corner has a smaller coordinate along an axis than that of a random face to the front.
+ * Returns the number of these faces. */
 static inline uint32_t made_part(struct made *m, uint32_t first, uint32_t count, unsigned axis)
 {
     uint32_t low = first;

@@ -18,7 +18,7 @@
 static unsigned misuse_count, misuse_wrong;
 static char misuse_first[400];
 
-/* Forks; returns 0 in the child, which writes the call's result to *in. */
+/* Opens a pipe and forks. Returns the child's process id, or 0 in the child, whose processor time is limited. */
 static inline pid_t misuse_begin(int pipes[2])
 {
     const struct rlimit none = {0, 0}, seconds = {MISUSE_SECONDS, MISUSE_SECONDS};

@@ -32,7 +32,7 @@ static inline struct tia_reader misuse_reader(void)
     return (struct tia_reader){.format = TIA_FORMAT_TIA, .text = misuse_text, .length = sizeof misuse_text - 1};
 }
 
-/* Reads the scene. */
+/* Reads the scene and builds its hierarchy. */
 static inline void misuse_read(void)
 {
     struct tia_reader reader = misuse_reader();

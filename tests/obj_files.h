@@ -6,7 +6,7 @@
 
 #define SCENES "scenes/obj/"
 
-/* Files that the text names: as strings; others are in scenes/obj. */
+/* Files that a text names, as strings; all others are in scenes/obj. */
 struct files {
     const char *names[20], *texts[20];
     char *loaded[4];
@@ -35,7 +35,7 @@ static inline int fetch_library(void *ctx, const char *name, const char **text, 
     return found ? TIA_OK : TIA_ERR_ARGUMENT;
 }
 
-/* Fetches an image; each is two texels, of 1, 2, 3 and 4, 5, 6. */
+/* Fetches an image, whatever its name: two texels, (1, 2, 3) and (4, 5, 6). */
 static inline int fetch_image(void *ctx, const char *name, struct tia_texture *texture, const char **why)
 {
     static const uint8_t texels[] = {1, 2, 3, 4, 5, 6};

@@ -4,7 +4,7 @@
 
 #include "render/geometry/shape.h"
 
-/* PREPARE(&shape, TIA_BOX, box, {min, max}) */
+/* Prepares a shape: PREPARE(&shape, TIA_BOX, box, {min, max}). */
 #define PREPARE(shape, KIND, field, ...)                                                                               \
     shape_prepare(shape, &(const struct tia_scene){.shape_count = 0},                                                  \
                   &(const struct tia_shape){.kind = KIND, .field = __VA_ARGS__})

@@ -62,7 +62,7 @@ static inline void keep_and_make_raw(void)
         make_raw();
 }
 
-/* True when the terminal is cooked again within 10 s: a change of its modes causes no event to wait for. */
+/* True when the terminal is cooked again within 10 s. It polls, since a change of the modes causes no event. */
 static inline bool cooked_again(void)
 {
     for (int i = 0; i < 1000; i++) {

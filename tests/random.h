@@ -1,5 +1,5 @@
-/* random.h - random numbers for tests, the same in every run: SplitMix64, as in the corpus. A case gets the same
- * numbers alone as among the others. */
+/* random.h - random numbers for tests, the same in every run: SplitMix64, as in the corpus. A case has the
+ * same numbers alone and among others. */
 #ifndef TESTS_RANDOM_H
 #define TESTS_RANDOM_H
 

@@ -65,7 +65,7 @@ static inline struct tia_raster_vertex difference(struct tia_raster_vertex a, st
     return (struct tia_raster_vertex){a.x - b.x, a.y - b.y, a.w - b.w, a.h - b.h};
 }
 
-/* Makes the side of a shadow volume: a, b and both drawn to infinity away from l. */
+/* Makes the side of a shadow volume: corners a and b, and the directions from a point l to each. */
 static inline void random_quad(struct random_polygon *p, bool grid, int64_t most, bool flat)
 {
     struct tia_raster_vertex l = random_vertex(grid, most, flat);
@@ -97,8 +97,8 @@ static inline void random_flat_polygon(struct random_polygon *p, bool grid, int6
     }
 }
 
-/* Makes a polygon. Coordinates of points are up to `most`, a multiple of 40. Every polygon is flat, to the bit. At
- * first count is 0. */
+/* Makes a random polygon, flat to the bit; coordinates of points are up to `most`, a multiple of 40. p->count is 0
+ * before the first call. */
 static inline void random_polygon(struct random_polygon *p, const struct tia_raster_grid *l, struct tia_tile area,
                                   int64_t most)
 {
@@ -111,7 +111,7 @@ static inline void random_polygon(struct random_polygon *p, const struct tia_ras
     case 1:
         random_flat_polygon(p, true, most, flat);
         break;
-    case 2: /* now and then a polygon with an edge of the one before */
+    case 2: /* often with an edge of the previous triangle */
         for (unsigned i = p->count == 3 && random_below(2) ? 2 : 0; i < 3; i++)
             p->v[i] = flat ? random_vertex(grid, most, flat) : random_centre(l, area, most);
         p->count = 3;

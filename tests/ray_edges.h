@@ -225,7 +225,7 @@ static struct ray edge_ray(struct real3 origin, long double gap)
     return ray;
 }
 
-/* Returns the ray in doubles: off by up to eo and ed. */
+/* Returns the certified ray: its origin is eo and its direction ed away from those of `ray`, in random directions. */
 static struct packet moved(const struct ray *ray, double eo, double ed)
 {
     struct real3 o = random_unit(), d = random_unit();

@@ -12,7 +12,7 @@
 struct used {
     const char *name;
     double most;
-    unsigned long sure, open;
+    unsigned long sure, open; /* number of certain results, and of undecided ones */
 };
 
 static inline void use(struct used *u, long double gap, double bound)
@@ -30,7 +30,7 @@ static inline void check_used(const struct used *u)
     CHECK_MSG(u->sure > 1000, "the %s: only %lu are sure", u->name, u->sure);
 }
 
-/* The reference's own vectors. */
+/* A vector of the reference, in long double. */
 struct real {
     long double v[3];
 };
@@ -93,7 +93,7 @@ static inline struct real real_aside(struct real a)
     return real_unit(real_cross(a, real_random()));
 }
 
-/* Returns a unit vector turned by the chord e towards `to`, which is at right angles to it. */
+/* Returns the unit vector a, turned towards `to`, a unit vector at right angles to it, by an angle whose chord is e. */
 static inline struct real real_turned(struct real a, struct real to, long double e)
 {
     long double turn = 2 * asinl(e / 2);
@@ -102,7 +102,7 @@ static inline struct real real_turned(struct real a, struct real to, long double
     return real_along(real_along(zero, a, cosl(turn)), to, sinl(turn));
 }
 
-/* Returns 2^-most .. 2^-least, or 0. */
+/* Returns a random number in 2^-(least + 1)..2^-most, or 0. */
 static inline double some_size(int most, int least)
 {
     int bits = most + (int)(random_bits() % (unsigned)(least - most + 1));

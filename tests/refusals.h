@@ -27,8 +27,8 @@ static inline void check_refused(const char *thing, uint32_t index, const char *
               (unsigned)index, field, rule);
 }
 
-/* Checks that `value`, a field of the scene, must stay in first..last: tries the ends, the values beside them, the
- * extremes, and restores it. */
+/* Checks that `value`, a field of the scene, must be in first..last: the ends are accepted; the values beside them and
+ * the extremes cause the given fault. Restores the value. */
 static inline void check_range(int32_t *value, int32_t first, int32_t last, const char *thing, uint32_t index,
                                const char *field, const char *rule)
 {

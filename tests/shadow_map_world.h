@@ -137,7 +137,7 @@ static void origin_of(double out[3])
         out[k] = (double)w.map.origin[k] * unit;
 }
 
-/* Returns texels per unit, or at the distance 1 for a point light. */
+/* Returns the number of texels per unit of length; for a point light, at the distance 1. */
 static double density(void)
 {
     return (double)w.map.density * 0x1p-40;
@@ -209,7 +209,7 @@ static struct found find(const double place[3])
     return f;
 }
 
-/* Returns the distance, in the middle of a texel, of the plane through a point with this normal. */
+/* Returns the depth in the map, at the centre of texel (i, j), of the plane through p with p's normal. */
 static double plane_at(const struct point *p, const struct found *f, int i, int j)
 {
     double axes[3][3], origin[3], d[3], to[3], u = (i + 0.5 - SIZE / 2) / density(),

@@ -12,7 +12,7 @@ struct big3 {
     big x, y, z;
 };
 
-/* A linear function of the direction at a pixel, and its steps to the right and then down. */
+/* The value of a linear function of the direction at a pixel, and its steps to the right and down. */
 struct at_pixel {
     big value, right, down;
 };
@@ -69,7 +69,7 @@ static int side(struct plane p, const struct tia_raster_vertex *v)
     return sign(dot(p.n, vector(v)) - p.d * v->h);
 }
 
-/* Returns the side of a plane that the visible point of another is on: n.D - d s with s = seen.n.D/seen.d. */
+/* Returns the side of plane p on which pixel (i, j) shows plane `seen`: n.D - d s with s = seen.n.D/seen.d. */
 static int side_of_seen(struct plane p, struct plane seen, int i, int j)
 {
     struct at_pixel a = along(p.n, i, j), b = along(seen.n, i, j);
@@ -111,7 +111,7 @@ static bool covers(const struct world *w, uint32_t f, int i, int j)
     return turn != 0;
 }
 
-/* True if f is nearer than g where both are met; of two in one plane, the lower number. */
+/* True if face f is nearer than g at a pixel that both cover, or has the lower number if both are in one plane. */
 static bool is_nearer(const struct world *w, uint32_t f, uint32_t g, int i, int j)
 {
     int order = side_of_seen(plane_of(w, f), plane_of(w, g), i, j) * sign(plane_of(w, f).d);

@@ -53,7 +53,7 @@ static void add_point(struct world *w, int64_t x, int64_t y, int64_t z, bool poi
     points[w->flat.point_count++] = vertex(w, x, y, z, point);
 }
 
-/* Adds an object; its points were added just before. */
+/* Adds an object of `count` faces, whose points are the last `point_count`. */
 static void add_object(struct world *w, const uint8_t (*corners)[4], uint32_t count, uint32_t point_count)
 {
     struct tia_flat_scene *f = &w->flat;
@@ -64,7 +64,7 @@ static void add_object(struct world *w, const uint8_t (*corners)[4], uint32_t co
     for (uint32_t i = 0; i < count; i++)
         for (int k = 0; k < TIA_SIDES; k++)
             faces[f->face_count + i].corner[k] =
-                k == 3 && !corners[i][3] ? TIA_NO_CORNER : first + corners[i][k]; /* no last corner is point 0 */
+                k == 3 && !corners[i][3] ? TIA_NO_CORNER : first + corners[i][k]; /* no fourth corner is point 0 */
     f->face_count += count;
     for (int k = 0; k < 3; k++) {
         o->low[k] = INT64_MAX;
@@ -112,7 +112,7 @@ static void make_soup(struct world *w, uint32_t count, int32_t range, int32_t st
     }
 }
 
-/* Adds boxes, or distorted ones when all corners move. */
+/* Adds boxes whose corners are displaced by up to `jitter`. */
 static void make_solids(struct world *w, uint32_t count, int32_t range, int32_t step, int32_t jitter)
 {
     static const uint8_t box[12][4] = {{0, 6, 4}, {0, 2, 6}, {1, 5, 7}, {1, 7, 3}, {0, 5, 1}, {0, 4, 5},
@@ -132,7 +132,7 @@ static void make_solids(struct world *w, uint32_t count, int32_t range, int32_t 
     }
 }
 
-/* Adds a whole plane in two halves; it goes through a point between the others. */
+/* Adds an infinite plane through a random point, in two halves. */
 static void make_plane(struct world *w, int32_t range, int32_t step)
 {
     static const uint8_t halves[2][4] = {{0, 1, 2, 3}, {0, 3, 4, 1}};
@@ -150,7 +150,7 @@ static void make_plane(struct world *w, int32_t range, int32_t step)
     objects[w->flat.object_count - 1].kind = TIA_PLANE;
 }
 
-/* SMALL: a few solids, a plane and a light, at a distance large for their size. */
+/* SMALL: a few solids, a plane and a light, far away for their size. */
 enum contents { SOUP, SOLIDS, CROOKED, MIXED, SMALL };
 
 static inline void make(struct world *w, enum contents contents, int32_t range, int32_t step)

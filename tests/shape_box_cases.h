@@ -238,7 +238,7 @@ static void prepare_grid(struct subject *s, struct grid *g, const unsigned n[3],
     s->shape.material = 7;
 }
 
-/* Checks a grid; a share of the cells is filled, with one of two materials. */
+/* Checks a grid of which `share` of the cells are filled, with one of two materials. */
 static void tia_check_grid(const unsigned n[3], double far, double edge, double share, int rays)
 {
     static struct grid g;

@@ -134,7 +134,7 @@ static real radius_at(const struct cone *c, real height)
     return c->base_radius + (c->top_radius - c->base_radius) * height / c->length;
 }
 
-/* Returns the distance of p inside the side. */
+/* Returns the distance of p from the side, positive inside the shape. */
 static real depth_of(const struct cone *c, struct vec p)
 {
     return (radius_at(c, height_of(c, p)) - aside_of(c, p)) * c->length / c->slant;

@@ -4,7 +4,7 @@
  * The formulas give a list of candidates for a ray and a shape, each with its distance from not being a hit: its
  * margin, the distance from the shape's edge, and its depth, the distance that the ray enters before it leaves again.
  * Where both are larger than the arithmetic's error, the nearest of them must be found; every hit found must lie on the
- * shape; so only cases within rounding are left open. An error e of a surface's position is one of e/|D.N| along the
+ * shape; so only cases within rounding are left open. An error e of a surface's position becomes e/|D.N| along the
  * ray. */
 #ifndef TESTS_SHAPE_CHECK_H
 #define TESTS_SHAPE_CHECK_H

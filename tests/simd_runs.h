@@ -8,7 +8,7 @@
 #include "edge_scene.h"
 #include "simd/span/bound_cache.h"
 
-/* Receives tia_simd_fine's result for a run that the kernels draw. */
+/* Called with tia_simd_fine's result for each run that the kernels draw. */
 typedef void simd_runs_try(const struct simd_fine *fine);
 
 static inline void simd_runs_row(const struct tia_view *view, const struct simd_row *row, uint32_t sphere,

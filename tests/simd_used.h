@@ -1,4 +1,4 @@
-/* simd_used.h - for tests of single steps of src/simd/span: how much of a row's bound they use. */
+/* simd_used.h - the part of a row's bound that single steps of src/simd/span use, for their tests. */
 #ifndef TESTS_SIMD_USED_H
 #define TESTS_SIMD_USED_H
 
@@ -9,7 +9,7 @@
 
 typedef long double real;
 
-/* The largest used part of a row. */
+/* The largest used part of a row's bound, and the number of values tried. */
 struct used {
     const char *name;
     double most;

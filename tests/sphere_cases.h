@@ -1,9 +1,9 @@
 /* sphere_cases.h - src/render/geometry/sphere.c against its equation in long double, in whatever arithmetic it is
- * compiled for.
- */
+ * compiled for. */
 #include "ray_cases.h"
 
-/* Error bound of a coordinate at distances of that size; in floating point the coordinates' own size counts, too. */
+/* Bound of the error of a coordinate at distances up to `size`; in floating point, the coordinates' own size counts as
+ * well. */
 #ifdef TIA_NUM_F64
 #define ERROR(size) (16 * 0x1p-52L * ((size) + 30000))
 #else
@@ -17,7 +17,7 @@ struct ball {
     tia_q16 radius;
 };
 
-/* The point of a line nearest to the centre, and its distance. */
+/* The position of a line's point nearest to the centre, and the distance of this point from it. */
 struct pass {
     long double tca, aside;
 };

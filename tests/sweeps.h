@@ -93,8 +93,7 @@ static inline uint64_t sweep_rsqrt(uint64_t first, uint64_t step, struct sweep_r
     return bad;
 }
 
-/* Gives the relative errors of the tables' straight lines for 1/sqrt and 1/d: the starting points of the proofs of the
- * Newton steps (tests/proofs). */
+/* Sweeps the table's straight lines for 1/sqrt(a), whose error the proofs of the Newton steps use (tests/proofs). */
 static inline uint64_t sweep_rsqrt_seed(uint64_t first, uint64_t step, struct sweep_range *relative)
 {
     uint64_t bad = 0;
@@ -106,6 +105,7 @@ static inline uint64_t sweep_rsqrt_seed(uint64_t first, uint64_t step, struct sw
     return bad;
 }
 
+/* Sweeps the table's straight lines for 1/d, see sweep_rsqrt_seed(). */
 static inline uint64_t sweep_reciprocal_seed(uint64_t first, uint64_t step, struct sweep_range *relative)
 {
     uint64_t bad = 0;

@@ -2,7 +2,7 @@
  *
  * It interprets the few sequences that a picture of half blocks needs, CAN, which ends any of them, and ST, and counts
  * everything else in `unknown`. A cell is two pixels: the colours of U+2580, or twice the background for a space.
- * */
+ */
 #ifndef TESTS_TERMINAL_MODEL_H
 #define TESTS_TERMINAL_MODEL_H
 

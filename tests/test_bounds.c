@@ -130,8 +130,8 @@ static void see_box(struct tia_vec3 min, struct tia_vec3 max)
         see(i & 1 ? min.x : max.x, i & 2 ? min.y : max.y, i & 4 ? min.z : max.z);
 }
 
-/* Checks that all points are inside; and that the box is not larger than a unit of margin, rounding, and `slack` times
- * the points' own extent for points left out. */
+/* Checks that all points are inside the box, and that it is larger than their extent by at most a unit of margin,
+ * rounding, and `slack` times the extent, for points left out. */
 static void check_tight(struct tia_bounds b, double slack)
 {
     const tia_q16 min[3] = {b.min.x, b.min.y, b.min.z}, max[3] = {b.max.x, b.max.y, b.max.z};
@@ -144,7 +144,8 @@ static void check_tight(struct tia_bounds b, double slack)
     }
 }
 
-/* A circle of STEPS points misses its end by 1 - cos(pi/STEPS) of the radius, a sphere's in two directions. */
+/* Slacks of curves of STEPS points: a circle's points miss its end by 1 - cos(pi/STEPS) of the radius, a sphere's in
+ * two directions. */
 #define CIRCLE 1e-5
 #define SPHERE 4e-5
 

@@ -98,7 +98,7 @@ TEST(everything)
     set_everything();
     build();
     check_all();
-    CHECK_EQ(bvh->unbounded_count, 8 - 2 + 1); /* 0, 5, ... 35 except 0 and 35; and 38 */
+    CHECK_EQ(bvh->unbounded_count, 8 - 2 + 1); /* planes 5, 10, ... 30 and sphere 38 */
     CHECK_EQ(bvh->unbounded[0], 105);
     CHECK_EQ(bvh->unbounded[6], 138);
     CHECK_EQ(bvh->meshes[1].node_count, 0);
@@ -184,8 +184,8 @@ TEST(exponential_spacing)
     CHECK(deepest <= TIA_BVH_DEPTH_MAX);
 }
 
-/* With 90 of 100 items close together and the others far away, the best division would be too deep: the case has it,
- * and its replacement when a child may not have as many items. */
+/* With 90 of 100 items close together and the others far away, the best division makes the tree too deep. It is used
+ * only if a child may have 90 items; otherwise the items are halved. */
 TEST(a_depth_that_would_not_do)
 {
     struct tia_bounds boxes[100], bounds;

@@ -7,7 +7,7 @@
 #include "render/trace/trace.h"
 #include "tia/bvh.h"
 
-/* Counts of the calls of tools/tia/film_scene.c, which is included below. */
+/* Numbers of calls of tia_bvh_build and tia_bvh_move by tools/tia/film_scene.c, which is included below. */
 static unsigned builds, moves;
 
 static inline int counted_build(const struct tia_bvh **bvh, void *memory, size_t size, size_t *used,

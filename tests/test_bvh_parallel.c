@@ -2,7 +2,7 @@
 #include "common/thread_pool.h"
 #include "hierarchy.h"
 
-/* Workers that run the last job first, and let no second job enter. */
+/* True between enter() and leave(): a second enter() must not come in between. */
 static bool inside;
 
 static void run_backwards(void *ctx, void (*job)(void *arg, unsigned index), void *arg, unsigned count)
@@ -113,7 +113,7 @@ TEST(several_threads_asked_to_stop)
 }
 
 struct countdown {
-    unsigned left, after; /* calls before it returns true, and after */
+    unsigned left, after; /* calls of `stop` before it returns true, and later calls */
 };
 
 static bool count_after(void *ctx)

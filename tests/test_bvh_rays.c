@@ -51,7 +51,8 @@ static double enter(const struct tia_bounds *b, const double o[3], const double 
     return first <= last ? first : -1;
 }
 
-/* Returns the distance to the nearest sphere, or the nearest box of a face. */
+/* Returns the distance at which the ray enters the box of a mesh's face or, without a mesh, of an object; -1: it
+ * misses. */
 static double distance(const struct tia_mesh *mesh, uint32_t item, const double o[3], const double d[3])
 {
     struct tia_bounds box = box_of(mesh, item);

@@ -137,7 +137,7 @@ TEST(materials_of_cells)
     check_refused("shape", 0, "material", rule);
 }
 
-/* There are more parts than are kept at a time: each shape finds its own. */
+/* There are more meshes and grids than the check stores at a time: each shape has its own. */
 TEST(many_meshes_and_grids)
 {
     static struct tia_vec3 corners[PARTS][3];

@@ -63,8 +63,8 @@ TEST(only_one_display_takes_it)
     console_close();
 }
 
-/* The signals of switching change nothing when only another program can have sent them, and the handlers from before
- * are restored. */
+/* The signals that switch consoles have no effect when another program sends them, and closing restores the earlier
+ * handlers. */
 TEST(its_signals_are_its_own)
 {
     struct sigaction before = {.sa_handler = SIG_IGN}, after;

@@ -93,7 +93,7 @@ TEST(estimators_take_their_arithmetics_views)
 }
 #endif
 
-/* ---- a program's own way to draw ---- */
+/* ---- drawing functions of the program's own ---- */
 
 enum called { SET_LIGHTS, HITS_INIT, HITS_OBJECT, TRACE, LIGHT, RENDER, CALLED };
 

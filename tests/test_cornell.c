@@ -150,7 +150,7 @@ static void count_picture(struct tally *tally, const double rgb[NUMBERS])
     tally->count++;
 }
 
-/* Returns the mean, and its squared standard error. */
+/* Returns mean number i; *variance receives its squared standard error. */
 static double mean_of(const struct tally *tally, unsigned i, double *variance)
 {
     double n = tally->count, mean = tally->sum[i] / n;
@@ -159,7 +159,8 @@ static double mean_of(const struct tally *tally, unsigned i, double *variance)
     return mean;
 }
 
-/* Compares pictures: the whole picture must be within three standard errors; one of many blocks may be off by four. */
+/* Compares means: the whole picture's must be within three standard errors, those of its many blocks within four. The
+ * whole picture's relative standard error must be below `most`/sqrt(TIMES). */
 static void compare(const char *name, const struct tally *got, const struct tally *want, double most)
 {
     for (unsigned i = 0; i < MEANS; i++) {
@@ -200,19 +201,20 @@ TEST(means_are_those_of_the_oracle)
 
 enum { PIXELS_MAX = 32 * 32, STEPS = 7, LEAST = 16 };
 
-/* Returns the width of a picture: with few pixels, and few seeds, slopes are off by up to 0.1. */
+/* Returns the width of a picture. With few pixels and few seeds, slopes are off by up to 0.1. */
 static unsigned side_of_slopes(void)
 {
     return times > 1 ? 32 : 8;
 }
 
-/* Returns the number of steps: 16, 32 ... 1024 samples; in make check-quick up to 512. */
+/* Returns the number of steps, which are 16, 32 ... 1024 samples, or up to 512 in make check-quick. */
 static unsigned steps_of_slopes(void)
 {
     return check_is_quick() ? STEPS - 1 : STEPS;
 }
 
-/* The mean variance of pixels between seeds; for an estimate without bias, its root is the RMSE. */
+/* Sums over seeds of the numbers of each step, and of their squares. The root of their mean variance is the RMSE of an
+ * estimate without bias. */
 struct spread {
     double sum[STEPS][PIXELS_MAX * 3], square[STEPS][PIXELS_MAX * 3];
 };

@@ -1,4 +1,4 @@
-/* The random scenes: the promises of their header, and the same scenes on every machine. */
+/* The random scenes: the properties that their header states, and the same scenes on every machine. */
 #include "check.h"
 #include "common/corpus/corpus.h"
 

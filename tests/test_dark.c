@@ -29,7 +29,7 @@ static void begin(void)
                                .light_count = 1};
 }
 
-/* Returns the thing of the check's warning, or "". */
+/* Returns the `thing` of tia_scene_check's warning, or "" if there is none. */
 static const char *warned(void)
 {
     struct tia_fault fault = {"untouched", 7, "", ""};

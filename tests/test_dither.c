@@ -82,8 +82,8 @@ static unsigned quantised(tia_q30 c, int which, unsigned offset)
     return (unsigned)((levels * (uint64_t)c * 128 + ((uint64_t)offset << 30)) >> 37);
 }
 
-/* Checks each pixel by the matrix. And the mean of a block is the colour to the nearest 64th of a level: by Hermite's
- * identity the 64 pixels add up to floor(64 levels c + 1/2). */
+/* Checks each pixel by the matrix, and that the mean of a block is the colour to the nearest 64th of a level: by
+ * Hermite's identity the 64 pixels add up to floor(64 levels c + 1/2). */
 static void check_dithered(struct tia_rgb colour)
 {
     const tia_q30 channels[3] = {colour.r, colour.g, colour.b};

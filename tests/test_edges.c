@@ -20,7 +20,7 @@ static struct tia_material materials[4] = {
     {.colour = TIA_RGB(0.25, 0.75, 0.5), .emission = TIA_RGB(0.125, 0, 0.25)},
     {.colour = TIA_RGB(0.5, 1, 0.5), .transmission = TIA_RGB(0, 0.5, 1), .emission = TIA_RGB(0, 0.25, 0)}};
 
-/* A scene to be filled in. */
+/* Arrays of the scene, which each case fills in. */
 static struct tia_sphere spheres[SPHERES];
 static struct tia_light lights[LIGHTS];
 static struct tia_scene scene;
@@ -150,7 +150,7 @@ TEST(farthest_things)
     compare_both(160, 120);
 }
 
-/* A light like the sun: from there a ball is so small that its outline is the last bits of an angle. */
+/* A light like the sun: seen from its position, a ball's outline lies in the last bits of an angle. */
 TEST(distant_light)
 {
     start(25);
@@ -189,7 +189,7 @@ TEST(equal_balls)
     compare_both(160, 120);
 }
 
-/* Two lights that cover each other and one the other's twin: the nearer, then the lower index. */
+/* Two equal lights, and one that covers them: the nearest is visible, and of equal ones that of the lower index. */
 TEST(lights_in_sight)
 {
     start(40);
@@ -202,7 +202,7 @@ TEST(lights_in_sight)
     compare_both(160, 120);
 }
 
-/* There are more lights than bits of `path_hash`, and together they are brighter than white. */
+/* There are more lights than bits in `path_hash`, and together they are brighter than white. */
 TEST(forty_lights)
 {
     start(40);
@@ -270,7 +270,7 @@ static void wild_scene(unsigned index)
     }
 }
 
-/* Compares small pictures by their sums: `wrong` and `flips` in a million pixels. */
+/* Compares small pictures by their sums: of a million pixels `wrong` may differ, and `flips` have another path. */
 static void compare_wild(const struct tia_core *core, uint64_t wrong, uint64_t flips)
 {
     struct against sum = {0}, a;
@@ -288,7 +288,7 @@ static void compare_wild(const struct tia_core *core, uint64_t wrong, uint64_t f
     printf("%s: %u scenes, %ju pixels, %ju identical, %ju flips (%ju undecided), %ju stray\n", core->name, wild_scenes,
            (uintmax_t)t->pixels, (uintmax_t)t->identical, (uintmax_t)t->flips, (uintmax_t)sum.undecided,
            (uintmax_t)t->stray);
-    /* undecided pixels may have the same colour all the same: sums, where a difference could wrap */
+    /* sums, as a difference could wrap: undecided pixels may be identical */
     CHECK_MSG((t->pixels - t->identical) * 1000000 <= wrong * t->pixels + sum.undecided * 1000000, "%ju pixels differ",
               (uintmax_t)(t->pixels - t->identical));
     CHECK_MSG(t->flips * 1000000 <= flips * t->pixels + sum.undecided * 1000000, "%ju flips", (uintmax_t)t->flips);

@@ -212,7 +212,7 @@ TEST(an_unplug_releases_what_was_told)
     feed(KEY_LEFT, 1);
     feed(KEY_LEFTSHIFT, 1);
     feed(KEY_D, 1);
-    key_state_begin(&state, SET(KEY_LEFT)); /* whether it is physically down or not, it is released for us */
+    key_state_begin(&state, SET(KEY_LEFT)); /* counts as released, physically down or not */
     settle();
     CHECK_TOLD("+L+d-d-L");
     feed(KEY_LEFT, 0);

@@ -1,7 +1,7 @@
-/* Events of a playing scene: objects that appear and vanish, colours, and the fate of falling balls. */
+/* Events of a playing scene: objects that appear and vanish, colours, and lost balls. */
 #include "fall_world.h"
 
-/* Balls pass through a wall that has vanished or has not appeared yet; a ball waits until it appears. */
+/* Balls pass through a wall that has vanished or has not appeared yet; a ball begins to fall when it appears. */
 TEST(only_what_is_there)
 {
     open_world(
@@ -147,7 +147,7 @@ TEST(colours_have_keyframes)
     read_end(&world);
 }
 
-/* A smooth curve goes beyond its keyframes, but a colour is cut off. */
+/* A smooth curve goes beyond its keyframes, but a colour is clamped. */
 TEST(colours_are_cut_off)
 {
     open_world("animate m colour smooth 0: 0 1 0  1: 1 0 0.5  2: 1 0 0.5  3: 0 1 0\n");

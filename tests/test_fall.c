@@ -95,7 +95,7 @@ TEST(contacts_are_never_late)
     }
 }
 
-/* A cradle within one tick: 0 hits 1, which had no contact to come before, and 1 hits 2. */
+/* A cradle within one tick: ball 0 hits ball 1, which had no contact ahead before, and ball 1 hits ball 2. */
 TEST(one_contact_makes_the_next)
 {
     open_world("sphere name a centre -1.5 0 0 radius 0.5 material m\nsphere name b centre 0 0 0 radius 0.5 material m\n"

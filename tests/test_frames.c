@@ -44,7 +44,7 @@ TEST(pinned_frames)
     CHECK_EQ(frame_count, pinned_count);
 }
 
-/* Draws the same frames by each instruction set, through a core that sets it for its views. */
+/* Instruction set that the core below sets for its views. */
 static const struct tia_simd *simd;
 static void *simd_memory[1000];
 static size_t memory_count, simd_count;

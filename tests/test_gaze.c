@@ -219,8 +219,7 @@ TEST(blocks_between_their_corners)
     }
 }
 
-/* All pixels that are not drawn show a colour between those of the drawn ones; without `smooth` they repeat one of
- * them. */
+/* All pixels that are not drawn show a mean of the colours of drawn ones or, without `smooth`, one of these colours. */
 TEST(what_is_between)
 {
     for (int smooth = 0; smooth < 2; smooth++) {

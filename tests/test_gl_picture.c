@@ -6,7 +6,7 @@
  * a thousand may differ.
  *
  * Given a directory, the program leaves both pictures of each case there as PPM files.
- * */
+ */
 #include <stdlib.h>
 
 #include "check.h"
@@ -165,7 +165,7 @@ static void compare(const char *name)
     }
 }
 
-/* ---- cases: the light as each key puts it, and one within the picture ---- */
+/* ---- cases: the light of each key, and one within the picture ---- */
 
 static const struct state {
     const char *name;

@@ -113,7 +113,7 @@ struct drawn {
 static struct drawn *drawn;
 static size_t drawn_count, drawn_room;
 
-/* Replaces the rasteriser's function: the linker's option --wrap gives the two these names. */
+/* The rasteriser's function: with the linker's option --wrap, calls reach __wrap_tia_raster_draw instead. */
 int __real_tia_raster_draw(struct tia_raster_target *target, const struct tia_raster_state *state,
                            const struct tia_raster_vertex *corners, unsigned count, uint32_t face);
 int __wrap_tia_raster_draw(struct tia_raster_target *target, const struct tia_raster_state *state,
@@ -209,7 +209,7 @@ static void draw_moved(const struct view *v, int dx, int dy, struct picture *p)
     free(memory);
 }
 
-/* Draws by GL. The near plane is at 1: faces are behind it, and depths are clamped. */
+/* Draws by GL. The near plane is at 1, in front of all faces; depths beyond the planes are clamped. */
 static void draw_by_gl(struct gl_raster *gl, const struct view *v, struct picture *p)
 {
     gl_raster_clear(gl, 0);

@@ -9,7 +9,7 @@
 #include <time.h>
 #include <unistd.h>
 
-/* Runs `guarded` in a process that then dies of signal `number` (0: ends). */
+/* Runs `guarded` in a process that then dies of signal `number`, or ends by itself if it is 0. */
 static void in_process(void (*guarded)(void), int number)
 {
     pid_t child = fork();
@@ -76,7 +76,7 @@ TEST(whole_group_killed)
     close_terminal();
 }
 
-/* ---- a terminal that is gone, and another that has got its name ---- */
+/* ---- a terminal that is gone, and another of the same name ---- */
 
 struct pty {
     int master, terminal;
@@ -103,7 +103,8 @@ static void keep(struct pty p)
     keep_and_make_raw();
 }
 
-/* Keeps the modes of all three, drops those of the middle one and lives until `end` ends. */
+/* Guards three terminals and closes the middle one, writes a byte to `ready`, and dies when `end` is readable or
+ * closed. */
 static void keep_three(const struct pty p[3], int ready, int end)
 {
     char byte = 0;
@@ -128,7 +129,7 @@ static void pass_a_tick(void)
     while (now.tv_sec == start.tv_sec && now.tv_nsec == start.tv_nsec);
 }
 
-/* Opens a terminal of that name. The kernel gives the lowest free name, so those below are taken until this one is
+/* Opens the terminal of this name. The kernel assigns the lowest free name, so lower ones are opened until this one is
  * next. */
 static struct pty open_pty_named(const char *name)
 {
@@ -203,7 +204,7 @@ TEST(ends_when_there_is_nothing_to_keep)
     close_terminal();
 }
 
-/* The guardian holds no descriptor of ours: a reader of our output gets the end of the file. */
+/* The guardian holds no descriptor of the process: a reader of the process's output reaches the end of the file. */
 TEST(holds_no_descriptor_of_ours)
 {
     int ends[2];

@@ -23,7 +23,7 @@ static long number_in(const char *path, const char *name)
     return number;
 }
 
-/* Returns the guardian of process `of`, unless it is `but`; 0: there is none. */
+/* Returns the guardian of process `of`, or 0 if there is none but `but`. */
 static pid_t find_guardian(pid_t of, pid_t but)
 {
     DIR *processes = opendir("/proc");
@@ -269,7 +269,7 @@ TEST(both_killed_at_once)
     }
 }
 
-/* Replaces libc's fork: the process dies just before it has a child, or just after. */
+/* The time at which the process dies in fork(), which is replaced below: before the child exists, or after. */
 static enum { LIVES, DIES_BEFORE, DIES_AFTER } at_fork;
 
 pid_t fork(void)
@@ -282,7 +282,7 @@ pid_t fork(void)
     return child;
 }
 
-/* The process is killed while the next guardian is made; the spare does not wait for that one in vain. */
+/* The process is killed while it makes the next guardian: the spare one restores the terminal all the same. */
 TEST(killed_after_its_guardian)
 {
     for (int i = 0; i < 10; i++) {

@@ -40,8 +40,8 @@ TEST(gathering_changes_no_sums_and_joins)
     CHECK(!memcmp(guides, once, sizeof once) && !memcmp(squares, squares_once, sizeof squares));
 }
 
-/* Checks a floor seen from above: its normal, distance and colour; and in a mirror the mirrored floor, the distance
- * there and back, and both colours. */
+/* Checks the middle pixel's guides, means of 4 samples: z of the normal, the depth and the albedo. In a mirror, they
+ * are those of the mirrored surface, with the length of the whole path and the product of both colours. */
 static void check_guide(double z, double depth, double albedo)
 {
     const struct tia_guide *g = &guides[PIXELS / 2];

@@ -67,7 +67,7 @@ TEST(who_takes_24_bit_colours)
 /* ---- pictures ---- */
 
 struct picture {
-    unsigned width, height, columns, rows; /* and the size of the window in cells */
+    unsigned width, height, columns, rows; /* size in pixels, and size of the window in cells */
     tia_rgb565 *pixels;
     struct grid grid;
     struct model model;

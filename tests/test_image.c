@@ -19,7 +19,7 @@ static const tia_rgb565 pixels[6] = {0xf800, 0x07e0, 0x001f, 0x0821, 0xffff, 0xa
 static char directory[64], path[128], why[PORT_WHY];
 static unsigned char bytes[4096];
 
-/* Returns the file's length, -1 when it does not exist. */
+/* Returns the file's length, or -1 if there is no file. */
 static long slurp(const char *name)
 {
     FILE *file = fopen(name, "rb");

@@ -102,8 +102,8 @@ TEST(no_room_for_a_light)
     CHECK(count == 0 && is_at(&lights[0], 1, 2, 3));
 }
 
-/* Checks the limit. The farthest point stays nearer than 32768: 32767 with no radius is accepted, one more is not; with
- * radius 3 it is 32764.99..., so 32764 is the last integer. */
+/* Checks that `last` is the last integer coordinate that a light of this radius can reach: its farthest point stays
+ * nearer than 32768. Without a radius that is 32767; with radius 3, where the limit is 32764.99..., 32764. */
 static void check_limit(tia_q16 radius, tia_q16 last)
 {
     for (size_t i = 0; i < MOVES; i++) {

@@ -114,7 +114,7 @@ static const char *const label[9] = {"...................", ".#####.............
                                      "....#........#####.", "...#...#####....#..", "..#............#...",
                                      "..#...........#....", "..#..........#####.", "..................."};
 
-/* Returns the pixel shown, with the label, in place of that of pixel_at. */
+/* Returns the colour that is shown where pixel_at returns `pixel`: the label's if the label covers it. */
 static tia_rgb565 with_label(tia_rgb565 pixel)
 {
     unsigned x = pixel >> 7 & 127, y = pixel & 127;

@@ -17,8 +17,8 @@ TEST(below_a_sphere_light)
     CHECK_LIGHT(0.5 * 1.25 * 1.25 / (3 * 3));
 }
 
-/* The sphere is at the side, all of it above the floor: the light has the factor of a cosine. The material's emission
- * is 2^2 times as large. */
+/* The sphere is at the side, entirely above the floor, so its irradiance has the factor of a cosine. The material's
+ * emission is 2^2 times as large. */
 TEST(beside_an_emitting_sphere)
 {
     floor_below(TIA_PATHS);
@@ -119,7 +119,7 @@ TEST(below_a_spot)
 
 /* ---- furnaces and cavities ---- */
 
-/* Checks that a scene surrounded by radiance 1 shows nothing else, in every sample. */
+/* Checks that every sample of a scene surrounded by radiance 1 is 1. */
 static void check_furnace(void)
 {
     enum { SIDE = 24, COUNT = 16 };

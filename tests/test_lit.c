@@ -1,5 +1,5 @@
-/* The lights that reach a pixel, tia_debug.lit: against points and boxes computed here in double precision, from the
- * equations in tia/light.h; and where plain z-pass is wrong. */
+/* The lights that reach each pixel, in tia_debug.lit, against points and boxes computed in double precision from the
+ * equations in tia/light.h; and the pixels that plain z-pass lights wrongly. */
 #include "reading.h"
 #include <math.h>
 #include <tia/debug.h>
@@ -48,7 +48,8 @@ static void draw(const struct tia_scene *scene, enum tia_shadows shadows, struct
     free(hits_memory);
 }
 
-/* Samples: positions, w = 1, or directions, w = 0. The rectangle's have u = (i + 1/2)/4 and v = 0, 1/2, 1/4, 3/4. */
+/* Samples of the lights: positions have w = 1, directions w = 0. The rectangle's have u = (i + 1/2)/4 and v = 0, 1/2,
+ * 1/4, 3/4. */
 static const double from[BITS][4] = {{3.1, 4.3, 0.2, 1},           {1, 2, -0.3, 0},
                                      {0.3 - 0.45, 5, -5 - 0.6, 1}, {0.3 - 0.15, 5, -5, 1},
                                      {0.3 + 0.15, 5, -5 - 0.3, 1}, {0.3 + 0.45, 5, -5 + 0.3, 1}};
@@ -130,8 +131,8 @@ TEST(samples_without_a_bit)
     read_end(&r);
 }
 
-/* Checks a light behind the eye: the shadow of the one box falls past the eye onto the ground. Where the eye is in the
- * volume its count is one too low: points in no volume are dark, and points in one are lit. */
+/* Checks the shadow of a box between the eye and a light behind it. If the eye is in the shadow volume (`inside`),
+ * plain z-pass counts one too few: points in no volume are dark, and points in one are lit. */
 static void check_plain(const char *box, bool inside)
 {
     static struct picture right, plain;

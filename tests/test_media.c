@@ -7,8 +7,8 @@ static double tangent_of_sine(double sine)
     return sine / sqrt(1 - sine * sine);
 }
 
-/* Checks that the ray from the origin at 30 degrees, after passing layers, is at that height in z = -depth: a lamp of a
- * hundredth is visible there, and one aside is not. */
+/* Checks that the ray from the origin at 30 degrees, behind the layers, is at y = height where z = -depth: a lamp of
+ * radius 0.01 is visible there, but not if it is moved by 0.025. */
 static void arrives(double height, double depth)
 {
     add_ball(height, -depth, 0.01, LAMP);
@@ -17,7 +17,8 @@ static void arrives(double height, double depth)
     see(0, 0, 0, 30, 0);
 }
 
-/* Tangent in a medium: n sin is the same in all parallel layers, 1/2 in air, 1/3 in glass, 2/5 in water. */
+/* Tangents of the ray's angle in each medium: n sin is the same in all parallel layers, and sin is 1/2 in air, 1/3 in
+ * glass, 2/5 in water. */
 #define IN_AIR tangent_of_sine(0.5)
 #define IN_GLASS tangent_of_sine(0.5 / 1.5)
 #define IN_WATER tangent_of_sine(0.5 / 1.25)
@@ -267,9 +268,9 @@ TEST(groups_filter_one_by_one)
     see(0, 0, -3, 0, want);
 }
 
-/* The shadow ray runs from 2^-13 above the wall to the light itself. A ball of 2^-10 just before the light leaves that
- * line free by 2^-14; a line from there that is parallel to that from the wall itself ends 2^-13 off, and would meet
- * it. */
+/* The shadow ray runs from 2^-13 above the wall to the light itself. A ball of 2^-10 just before the light is 2^-14
+ * away from this ray. A ray from the same point, but parallel to the line from the wall itself, would end 2^-13 beside
+ * the light and meet the ball. */
 TEST(shadow_rays_end_in_the_light)
 {
     const double bias = 1 / 8192.0, radius = 1 / 1024.0, along = 0.99;
@@ -280,7 +281,7 @@ TEST(shadow_rays_end_in_the_light)
     see(0, 0, -3, 0, 5 << 11 | 10 << 5 | 5); /* 1/sqrt(37) */
     add_ball(along * y - free * z / length, -4 + bias + along * z + free * y / length, radius, LAMP);
     see(0, 0, -3, 0, 5 << 11 | 10 << 5 | 5);
-    shapes[1].sphere.centre.z -= Q16(bias); /* across the line by as much */
+    shapes[1].sphere.centre.z -= Q16(bias); /* moved across the line by 2^-13 */
     see(0, 0, -3, 0, 0);
 }
 

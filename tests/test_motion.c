@@ -26,7 +26,7 @@ static struct tia_vec3 eye_at(tia_q16 time)
     return out.camera.eye;
 }
 
-/* Returns h00 p0 + h10 m0 + h01 p1 + h11 m1 on one coordinate, units of 2^-16. */
+/* Returns h00 p0 + h10 m0 + h01 p1 + h11 m1 for one coordinate, in units of 2^-16. */
 static double formula(const double *t, const double *p, int count, bool smooth, double time)
 {
     int i = 0;

@@ -85,8 +85,8 @@ TEST(levels_begin_where_they_should)
     CHECK_EQ(num_threshold(63), 127 * ((1 << 30) / 128));
 }
 
-/* Results are a/b 2^(63 - s), below 2^31: half a unit of rounding and one of the reciprocal's error. The mean error
- * distinguishes rounding from truncation. */
+/* Results are a/b 2^(63 - s), below 2^31, with an error of at most half a unit from rounding and one from the
+ * reciprocal. The mean error distinguishes rounding from truncation. */
 TEST(quotients)
 {
     double sum = 0;
@@ -152,8 +152,7 @@ TEST(the_nearer_of_two_scales)
     CHECK(!num_nearer(2, 1, 1, 0) && !num_nearer(1, 0, 2, 1)); /* equal */
 }
 
-/* num_covers compares a^2 with d k (1 + swell): it is correct when they differ by 2^-26 of themselves, and otherwise
- * not biased. */
+/* num_covers compares a^2 with d k (1 + swell); it is correct where they differ by 2^-26 of themselves. */
 TEST(what_covers)
 {
     for (int i = 0; i < ROUNDS; i++) {

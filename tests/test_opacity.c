@@ -199,7 +199,8 @@ TEST(shadows_have_holes)
     see(0, -3, -3, 0, grey(0.8));
 }
 
-/* A grid has cells along the axis: three with opacity, between them two that count once for both. */
+/* A grid has five cells along the axis: three with opacity and, between them, two of a material that filters the light
+ * once for both. */
 TEST(shadows_of_cells)
 {
     static const uint8_t cells[] = {1, 2, 1, 2, 1};

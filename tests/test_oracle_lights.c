@@ -225,7 +225,7 @@ TEST(lights_are_seen)
     CHECK(!seen(0, 1, 0, 0, 1, 0));
 }
 
-/* Lights cast no shadow: the light from (0, 9, 0) passes the one below it, also in a mirror. */
+/* Lights cast no shadow: the light from (0, 9, 0) passes the one below it, which the floor shows as a mirror. */
 TEST(lights_cast_no_shadow)
 {
     struct tia_light two[2];

@@ -77,7 +77,7 @@ static void compare(void *ctx, const tia_rgb565 *image, unsigned width, unsigned
     }
 }
 
-/* Returns a pattern: 40503 is odd, so that all colours occur before one is repeated, and no two rows are alike. */
+/* Returns an allocated pattern; 40503 is odd, so that all colours occur before one is repeated, and rows differ. */
 static tia_rgb565 *pattern(unsigned width, unsigned height, unsigned seed)
 {
     tia_rgb565 *image = malloc((size_t)width * height * sizeof *image);

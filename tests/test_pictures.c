@@ -97,7 +97,7 @@ static void play_program(const char *name, const char *term, int out)
 
 static bool kitty_asked;
 
-/* Answers `text` to the query for the device's attributes, until the program has reported. */
+/* Answers the query for the device's attributes with `text`, until the program has reported. */
 static struct result play_terminal(const char *text, int in)
 {
     struct pollfd two[2] = {{.fd = master, .events = POLLIN}, {.fd = in, .events = POLLIN}};

@@ -178,7 +178,8 @@ TEST(skylines)
     }
 }
 
-/* Makes a spiral wall, which has few ears at a time, each of which may have all corners in view. */
+/* Makes a spiral wall, which has few ears at a time, each of which may have all corners in view. Returns its number of
+ * corners. */
 static uint32_t make_spiral(uint32_t turns, struct placing how)
 {
     uint32_t half = turns * 12;
@@ -207,7 +208,7 @@ TEST(most_corners)
 
 #define HOLE 8 /* number of corners of a hole */
 
-/* Adds corners from..to of the n-th hole, clockwise from its left. */
+/* Adds corners from..to of a hole, clockwise from its left, to `count` corners. Returns the number of corners then. */
 static uint32_t go_around(uint32_t count, double (*hole)[2], uint32_t from, uint32_t to, struct placing how)
 {
     for (uint32_t i = from; i <= to; i++)
@@ -215,8 +216,8 @@ static uint32_t go_around(uint32_t count, double (*hole)[2], uint32_t from, uint
     return count;
 }
 
-/* Makes a frame with holes in a row, each reached by a bridge from the one before, there and back through the same
- * points. */
+/* Makes a frame with holes in a row, each reached by a bridge from the previous one, there and back through the same
+ * points. Returns its number of corners. */
 static uint32_t make_holes(uint32_t holes, struct placing how)
 {
     static const int frame[][2] = {{-8, 0}, {-8, -6}, {1, -6}, {1, 6}, {-8, 6}, {-8, 0}};
@@ -281,7 +282,7 @@ TEST(petals)
     }
 }
 
-/* Checks a polygon that is not simple: the same number of triangles, each corner in one or cut off, and an end. */
+/* Checks that triangulation of a polygon that is not simple gives count - 2 triangles of different corners. */
 static void check_ends(uint32_t count)
 {
     triangulate(count);

@@ -3,9 +3,8 @@
 #include "ps2/ps2.h"
 #include "random.h"
 
-/* The keyboard that decodes the bytes; events are collected as text: "+a -a" is a press and a release, "!" a tap. */
-static struct tia_ps2 keyboard;
-static char told[256];
+static struct tia_ps2 keyboard; /* decoder of the bytes */
+static char told[256];          /* its events: "+a -a" is a press and a release, "!" a tap */
 
 static const char *name(uint16_t key)
 {

@@ -70,7 +70,7 @@ TEST(shoebox_room_has_the_paths_of_the_mirror_formula)
     world_end(&w);
 }
 
-/* The rotated room has planes whose normals have many digits: as many paths, with lengths within rounding. */
+/* The rotated room, whose planes have normals of many digits, has as many paths, equally long but for rounding. */
 TEST(turned_room_has_as_many_paths)
 {
     static const double unit[3][3] = {{0.36, 0.48, -0.8}, {-0.8, 0.6, 0}, {0.48, 0.64, 0.6}};

@@ -112,7 +112,8 @@ static bool is_same(const struct oracle_path *want, const struct tia_radio_path 
 static struct oracle_path want[WORLD_PATHS];
 static unsigned total, unsure;
 
-/* Compares both ways; either may find a path that the other lacks where the oracle is not sure. */
+/* Compares the paths between two random points with the oracle's. Only paths of which the oracle is not sure may be
+ * missing. */
 static void compare_link(unsigned city, unsigned order)
 {
     double from[3], to[3];

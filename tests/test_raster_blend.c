@@ -59,7 +59,7 @@ TEST(values_are_rounded_to_nearest)
     CHECK_MSG(wrong == 0 && tried > 5000, "%d of %d are wrong", wrong, tried);
 }
 
-/* Small triangles are seen almost edge-on, far beside them: values are far out of range, at either end. */
+/* Pixels far beside small triangles that are seen almost edge-on: values are far out of range, at either end. */
 TEST(values_beyond_the_range_are_clamped_at_the_right_end)
 {
     const struct oracle_image image = {TIA_PERSPECTIVE, 640, 480, 1, 0};
@@ -109,7 +109,7 @@ TEST(thin_sums_are_exact)
     CHECK_MSG(wrong == 0 && tried > 1500, "%d of %d are wrong", wrong, tried);
 }
 
-/* The middle of the image shows a quarter of the way from one corner to another. */
+/* The middle of the image shows the point at a quarter of the way from one corner to another. */
 TEST(means_are_those_of_space_not_of_the_image)
 {
     const struct tia_raster_vertex v[3] = {{-400, 0, 400, 1}, {1200, 0, 1200, 1}, {0, 4000, 0, 1}};

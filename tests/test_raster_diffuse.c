@@ -16,7 +16,7 @@ static struct tia_material materials[5];
 static struct tia_shape shapes[SHAPES];
 static struct tia_light lights[LIGHTS];
 
-/* Returns from..to in units of `one`. */
+/* Returns a random number in from..to, in units of 1/`one`. */
 static int32_t between(double from, double to, double one)
 {
     return (int32_t)((from + (to - from) * (double)(random_bits() % 65537) / 65536) * one);

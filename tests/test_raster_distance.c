@@ -27,7 +27,7 @@ static long double dot(struct real3 a, struct real3 b)
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/* Returns f/det of raster.h. */
+/* Returns the nearness f/det of raster.h. */
 static long double nearness(const struct tia_raster_vertex v[3], struct real3 d)
 {
     struct real3 a = real(&v[0]), b = real(&v[1]), c = real(&v[2]), u = cross(b, c), s = cross(c, a), t = cross(a, b);
@@ -62,8 +62,7 @@ static void check_plane(const struct tia_raster_grid *l, const struct tia_raster
     }
 }
 
-/* Checks planes whose corners are on the image's edges, so that they are visible and long double does not cancel much.
- */
+/* Checks planes whose corners are on the image's edges, so that they are visible and long double loses few bits. */
 static void check_planes(enum tia_projection projection)
 {
     unsigned seen = 0;

@@ -18,7 +18,7 @@
 
 enum { WIDTH = 160, HEIGHT = 120, PIXELS = WIDTH * HEIGHT, TRIANGLES = 40, MIRROR = 2, SCENES = 20 };
 
-/* The triangles, the mirror's two, and the mirrored triangles; these are not in the traced scene. */
+/* The triangles, the mirror's two, and the mirrored triangles, which are not in the traced scene. */
 static struct tia_shape shapes[2 * TRIANGLES + MIRROR];
 static struct tia_material materials[TRIANGLES + 1];
 static tia_rgb565 traced[PIXELS], drawn[PIXELS], marked[PIXELS];

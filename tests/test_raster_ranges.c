@@ -218,7 +218,7 @@ static void check_bits(const char *what, int most, int stated)
     CHECK_MSG(most <= stated && most >= stated - 3, "%s has %d bits, stated %d", what, most, stated);
 }
 
-/* Number of comparisons with the oracle of two such triangles at the image's corners. */
+/* Number of pairs of triangles whose order was compared with the oracle's, at PLACES pixels each. */
 static unsigned compared;
 
 static void compare_order(const struct tia_raster_grid *l, const struct oracle_image *image,
@@ -291,7 +291,7 @@ static struct sizes try_wide(bool flat)
     return most;
 }
 
-/* Checks sizes; `stated` are the bits of a normal, an edge, a plane and a determinant. */
+/* Checks the sizes of numbers; `stated` has the bits of a normal, an edge, a plane and a determinant. */
 static void check_sizes(bool flat, struct sizes stated)
 {
     struct sizes most = try_wide(flat);

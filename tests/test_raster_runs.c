@@ -26,7 +26,8 @@ static struct tia_raster_state counting(void)
     return s;
 }
 
-/* Draws polygons; half of them have faces drawn before, which meet themselves, and half have no face. */
+/* Draws a polygon in both targets. The first POLYGONS have new faces; of the others, which count, half have one of
+ * these faces again, and half have no face. */
 static void draw(struct tia_raster_target *a, struct tia_raster_target *b, const struct random_polygon *p, uint32_t i)
 {
     struct tia_raster_state state = i < POLYGONS ? seen : counting();

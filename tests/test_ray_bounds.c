@@ -117,7 +117,7 @@ static void check_surface(const struct shade *h)
     use(NORMAL, gap3(&h->normal, v), h->en);
 }
 
-/* Compares shadow rays by their transmission, in check_own(). */
+/* Counts shadow rays, which check_own() compares by their transmission. */
 static void check_shadow(unsigned lanes)
 {
     shadow_rays += lanes;
@@ -196,7 +196,7 @@ static void check_bounds(const char *what)
     forget_uses();
 }
 
-/* Checks the scenes of files, in pictures of `part` times their size. */
+/* Checks the scenes of files, in pictures of `part` times 16 x 12 or 8 x 8 pixels. */
 static void check_files(unsigned part)
 {
     static const char *const files[] = {"scenes/nff/balls_2.nff", "scenes/nff/rings_3.nff", "scenes/nff/teapot_3.nff",

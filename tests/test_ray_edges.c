@@ -76,7 +76,7 @@ static double object_of(const struct hit *hit)
                                           : -1;
 }
 
-/* Finds the ray's hit; false when it is not certain. */
+/* Compares the certified ray's hit with the fixed-point one's; true if both are certainly the same object. */
 static bool compare_hit(const struct ray *ray, struct packet *p, struct query *q, struct hit *hit)
 {
     double at[3];

@@ -99,7 +99,8 @@ static struct real3 real3_of(const double v[3], long double by)
     return (struct real3){{v[0] * by, v[1] * by, v[2] * by}};
 }
 
-/* Gives the ray in doubles: its ends moved by up to eo and turned by up to ed. */
+/* Gives the certified ray: the fixed-point ray, whose origin is moved by `part` of eo and which is turned by `part` of
+ * ed. */
 static void move(const struct end *end, const struct ray *ray, double part, struct packet *p)
 {
     double at[3], to[3], length = 0, eo = end->eo * part * (double)unit, ed = end->ed * part;
@@ -155,8 +156,8 @@ TEST(rays)
 
 /* ---- textures ---- */
 
-/* Points in the axes of the shape, times its unit: around it for shapes whose coordinates are those of the direction;
- * in it for faces, of which `element` is any. */
+/* Textured shapes, and the points to test: within `size` of `centre` in the axes of the shape, times its unit. They lie
+ * around shapes whose texture coordinates are those of the direction, and in faces, of which `element` is any. */
 static const struct textured {
     const char *name, *shape;
     uint32_t element;

@@ -17,7 +17,7 @@ static double some_part(void)
     return fabs(random_double());
 }
 
-/* A block, and the fixed-point samples, from which the block's are off by their errors. */
+/* A block, and the fixed-point samples, from which those of the block differ by their errors. */
 struct drawn {
     struct sure_block block;
     num_length sample[3][SURE_SLOTS];

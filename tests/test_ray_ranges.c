@@ -130,8 +130,9 @@ TEST(grids_larger_than_their_numbers)
     draw_all(&scene, 40, 30);
 }
 
-/* Two objects have a face at the same position, and the first one's must be hit, though the search's limit is converted
- * from the other one's axes and back. The second is tested first: it has a face that ends beyond Q16.16. */
+/* Two objects have a face at the same position, and rays must hit the first object's, although the limit of the search
+ * is converted from the second object's axes and back. The second is tested first, because another face of it ends
+ * beyond Q16.16. */
 TEST(placed_twice)
 {
     static const struct tia_vec3 vertices[] = {
@@ -168,7 +169,7 @@ TEST(placed_twice)
     }
 }
 
-/* 20 filters, more than a search keeps at a time, leave 0.9^20 = 0.1216 of the light: 4 of 31 levels, 8 of 63. */
+/* 20 filters, more than a search stores at a time, leave 0.9^20 = 0.1216 of the light: 4 of 31 levels, 8 of 63. */
 TEST(many_veils)
 {
     struct tia_shape filters[21] = {{.kind = TIA_PLANE, .plane = {{0, 0, 0}, {0, TIA_Q30_ONE, 0}}}};

@@ -58,7 +58,7 @@ static void try_leaving(struct used *u)
         use(u, (from.side < 0) == (theirs * (long double)sign < 0) ? 0 : 2, 1);
 }
 
-/* Returns the normal, weighted by areas in the projection along an axis, 0 where negative, divided by their sum. */
+/* Returns the corners' mean normal, weighted by areas projected along axis `main`; areas below 0 count as 0. */
 static struct real smoothed(const struct sure_face *f, struct real at, int main)
 {
     int a = (main + 1) % 3, b = (main + 2) % 3;
@@ -145,7 +145,7 @@ TEST(surfaces)
     check_used(&edges);
 }
 
-/* ---- their light ---- */
+/* ---- the light of surfaces and rays ---- */
 
 struct one_ray {
     struct sure_scene scene;
@@ -154,7 +154,7 @@ struct one_ray {
     struct rays rays;
 };
 
-/* Returns a ray whose throughput is off: *theirs is how much larger the fixed-point one is. */
+/* Returns a ray with an error of its throughput; *theirs receives the fixed-point throughput minus that of the ray. */
 static struct one_ray *some_ray(double *theirs)
 {
     static struct one_ray one;
@@ -195,7 +195,7 @@ static void try_sky(struct used *u)
         one->block.error[0]);
 }
 
-/* Tests an undecided ray that is dropped: its light may be anything from 0 to all that is possible. */
+/* Tests an undecided ray that is dropped: the fixed-point light may be anything from 0 to all that is possible. */
 static void try_given_up(struct used *u)
 {
     double theirs;
@@ -247,7 +247,7 @@ TEST(colours)
 
 /* ---- refraction ---- */
 
-/* Returns the reflectance by Snell's law and Fresnel's equations, for eta = n2/n1 and the cosine c; -1: total. */
+/* Returns Fresnel's reflectance for eta = n2/n1 and the cosine c; -1: total. *root: eta times the refracted cosine. */
 static long double fresnel_of(long double eta, long double c, long double *root)
 {
     long double inside = eta * eta - 1 + c * c;
@@ -259,7 +259,7 @@ static long double fresnel_of(long double eta, long double c, long double *root)
     return (s * s + p * p) / 2;
 }
 
-/* Returns a cosine, mostly at grazing angles, or close to total reflection. */
+/* Returns a cosine, mostly at grazing angles, or close to total reflection; *ec receives the bound of its error. */
 static long double some_cosine(double eta, double *ec)
 {
     long double edge = sqrtl(fmaxl(1 - (long double)(eta * eta), 0));

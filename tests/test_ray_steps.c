@@ -116,8 +116,8 @@ TEST(attenuation)
     check_used(&from);
 }
 
-/* Returns a point that is off by ep, mostly to where the two smallest coordinates, relative to the light, are nearly
- * equal. */
+/* Returns a point; *theirs receives the fixed-point one, at most *ep away. In half of the cases two of its coordinates
+ * relative to the light are nearly equal in size. */
 static struct real some_point(struct real *theirs, const double at[3], double *ep)
 {
     struct real n = real_random(), off = real_random(), point;

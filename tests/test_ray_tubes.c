@@ -39,8 +39,7 @@ static long double some_start(long double half)
     }
 }
 
-/* Returns a random direction, or one straight to the axis, from it, or along it: in the plane across `d` unless that is
- * NULL. */
+/* Returns a unit vector: random, along y or along -y; projected onto the plane across `d` unless `d` is NULL. */
 static struct real some_way(const struct real *d)
 {
     struct real way = random_bits() % 2 ? real_random() : (struct real){{0, 1, 0}};

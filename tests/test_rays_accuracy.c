@@ -6,7 +6,7 @@
  * f64 evaluates the oracle's formulas in another order, so the two may differ where rounding errors in double decide,
  * and nowhere else. At edges the paths of q16 may differ; where they are those of f64, its colours are at most two
  * levels off.
- * */
+ */
 #ifdef TIA_HAVE_F64
 #include "against.h"
 #include "check.h"

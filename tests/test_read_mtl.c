@@ -130,7 +130,7 @@ TEST(opacities)
     CHECK(m[0].texture == 1 && m[0].opacity == 2 && t[0].kind == TIA_IMAGE && t[1].kind == TIA_OPACITY);
     CHECK(t[1].repeat[0] == TIA_Q16(3) && t[1].repeat[1] == TIA_Q16(2) && t[1].bilinear && t[1].texels == t[2].texels);
     CHECK(m[0].colour.r == TIA_Q30(0.5) && m[0].refraction.g == TIA_Q30(0.25) && m[0].transmission.g == TIA_Q30(0.25));
-    for (uint32_t i = 1; i < 7; i++) /* the channels in their order, the first one's number is 0 */
+    for (uint32_t i = 1; i < 7; i++) /* the six channels, in the order of their numbers from 0 */
         CHECK(!m[i].texture && m[i].opacity == i + 2 && *t[i + 1].texels == i - 1);
     CHECK(!m[7].opacity && !m[8].opacity); /* opaque; missing */
     finish(&r, &files);

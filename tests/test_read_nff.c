@@ -15,7 +15,7 @@ static tia_q16 q16(double x)
     return (tia_q16)lround(x * 65536);
 }
 
-/* Returns a length, and its fine digits, with 32 + scale_bits bits behind the point. */
+/* Returns a length with its fine digits: 32 + scale_bits bits are behind the point. */
 static int64_t fine(const struct tia_scene *scene, double x)
 {
     return llround(ldexp(x, 32 + (int)scene->scale_bits));

@@ -65,8 +65,8 @@ TEST(errors)
     }
 }
 
-/* Faults of tia_scene_check are reported at the word responsible, in the file's own words and unit, 2^12 of which are
- * below 32768 in the first and third scene. */
+/* Faults of tia_scene_check are reported at the word responsible, in the file's own words and unit, which is
+ * 2^12 of the scene's in the first and third case. */
 TEST(places_of_faults)
 {
     static const struct {

@@ -164,7 +164,7 @@ static void check_frame(const struct tia_scene *scene)
 TEST(frames)
 {
     static const struct {
-        const char *numbers[4]; /* x, y, z: lower and upper ends */
+        const char *numbers[4]; /* lower and upper end, the same for x, y and z */
         bool moved;
     } cases[] = {
         {{"-1", "1"}, false},

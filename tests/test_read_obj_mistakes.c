@@ -116,8 +116,7 @@ TEST(what_faces_become)
     finish(&r, &files);
 }
 
-/* Some mistakes are found only in the second pass, when the names of the first are known and those of groups are not
- * complete. */
+/* A missing material is found only in the second pass, when all materials are known, but not all groups. */
 TEST(refused_in_the_second_pass)
 {
     struct files files = {.strict = true};

@@ -246,9 +246,9 @@ static char *say(char *to, const char *what, const struct tia_transform *t)
                         t->scale.y / 65536.0, t->scale.z / 65536.0);
 }
 
-/* Compares a point placed by the oracle's transforms one after the other with a point placed by the one that was read.
- * Positions and scales are half of 2^-16 off, three angles half of 2^-16 degrees each: at 2 by 8 from the position
- * 1.6e-5. */
+/* Compares a point placed by the oracle's transforms, one after the other, with the point placed by the single
+ * transform that was read. Positions and scales are half of 2^-16 off, three angles half of 2^-16 degrees each: at 2 by
+ * 8 from the position 1.6e-5. */
 static void check_composed(const struct tia_transform t[3], const struct tia_transform *read, int bits)
 {
     for (int i = 0; i < 8; i++) {

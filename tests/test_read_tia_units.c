@@ -124,7 +124,7 @@ static void same_scene(const struct tia_scene *a, const struct tia_scene *b)
     same_tracks(a, b);
 }
 
-/* Checks lengths. The first text is exact; in the second one a sphere that is not, a tenth of a unit large, makes the
+/* Checks lengths. The first text is exact in Q16.16; in the second one, a sphere of radius 0.1, which is not, makes the
  * unit finer. */
 static void check_lengths(const char *text)
 {
@@ -194,7 +194,8 @@ TEST(as_fine_as_there_is_room)
     CHECK_EQ(bits_of(M TENTH "camera orthographic window 0 0 -4 4\n"), 6);
 }
 
-/* Where an eye is so high that the least lengths would be too small, the unit is finer at the cost of the horizon. */
+/* Where the eye is so high above a plane that the least lengths would be too small, the unit is finer at the cost of
+ * the plane's horizon. */
 TEST(small_things_are_not_refused)
 {
     CHECK_EQ(bits_of(M "camera eye 0 1000 0\nplane point 0 0 0 normal 0 1 0 material m\n"), -7);

@@ -289,7 +289,7 @@ TEST(relit_is_rendered)
     check_relighting(&scene);
 }
 
-/* Shadows are grey and, in every second case, the lights: red is then computed for all three channels. */
+/* Shadows are grey and, in every second case, so are the lights: red is then computed for all three channels. */
 TEST(relit_in_grey_is_rendered)
 {
     static const struct tia_material grey[] = {

@@ -16,12 +16,14 @@ static tia_q16 any_angle(void)
     return (tia_q16)random_u32();
 }
 
-/* Returns the error against an angle that is reduced exactly; long double must have enough bits to judge 2^-59. */
+/* Returns the absolute error of got/ONE. */
 static long double error(int64_t got, long double want)
 {
     return fabsl((long double)got / ONE - want);
 }
 
+/* Compares sine and cosine with those of an angle that is reduced exactly; long double may have too few bits to judge
+ * 2^-59. */
 static void check_angle(tia_q16 degrees)
 {
     long double radians = (long double)(degrees % (4 * RIGHT)) / 65536 * (pi / 180);

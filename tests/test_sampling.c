@@ -1,4 +1,4 @@
-/* Sobol points: their uniformity, by definition. Directions and powers: against long double. */
+/* Sobol points against the definition of their uniformity; directions and powers against long double. */
 #include "math/power.h"
 #include "samples/direction.h"
 #include "samples/sobol.h"
@@ -13,7 +13,7 @@
 
 static const long double pi = 3.14159265358979323846264338327950288L;
 
-/* Returns the bound 2^-bits, or one that long double can distinguish. */
+/* Returns 2^-bits as an error bound; 2^-48 at least where long double has no more bits than double. */
 static long double bound(int bits)
 {
     return ldexpl(1, sizeof(long double) > 8 ? -bits : bits < 48 ? -bits : -48);
@@ -37,7 +37,7 @@ static void draw(uint32_t seed, uint32_t quad, uint32_t u[POINTS][4])
     }
 }
 
-/* Returns the largest number of points in any of the boxes that have 2^-bits[k] of dimension k. */
+/* Returns the largest number of points in a box whose side in dimension k is 2^-bits[k]. */
 static uint32_t most_in_a_box(uint32_t u[POINTS][4], const unsigned bits[4])
 {
     uint32_t counts[POINTS] = {0}, most = 0;
@@ -68,7 +68,7 @@ TEST(quads_are_nets)
     }
 }
 
-/* The first two dimensions are a net with t = 0; each dimension is one. */
+/* The first two dimensions together are a net with t = 0, and so is each dimension alone. */
 TEST(pairs_are_nets)
 {
     static uint32_t u[POINTS][4];
@@ -82,8 +82,8 @@ TEST(pairs_are_nets)
     }
 }
 
-/* Returns the correlation of two dimensions; for different quads, pixels or seeds it must be that of chance:
- * 1/sqrt(n). */
+/* Returns the correlation coefficient of n uniform numbers; for different quads, pixels or seeds it must be about
+ * 1/sqrt(n), as for independent numbers. */
 static double correlation(const uint32_t *a, const uint32_t *b, unsigned n)
 {
     double sum = 0;
@@ -177,7 +177,7 @@ TEST(turns)
     }
 }
 
-/* Computes Shirley and Chiu's formula. */
+/* Gives the point of the unit disc by Shirley and Chiu's concentric map. */
 static void disc(const uint32_t u[2], long double place[2])
 {
     long double a = 2 * unit(u[0]) - 1, b = 2 * unit(u[1]) - 1;
@@ -206,7 +206,7 @@ TEST(cosines)
     }
 }
 
-/* Areas are equal: each of 64 rings and each of 64 sectors has as many points. */
+/* 64 rings of equal area and 64 equal sectors contain about equally many points. */
 TEST(discs_are_even)
 {
     enum { N = 1 << 20 };

@@ -117,7 +117,7 @@ TEST(radii)
     }
 }
 
-/* A ball around the eye itself has its farthest point one radius away. */
+/* The farthest point of a ball around the eye itself is one radius away. */
 TEST(the_largest_radius)
 {
     set_up();
@@ -130,7 +130,7 @@ TEST(the_largest_radius)
     check_accepted();
 }
 
-/* Checks all three kinds of objects with a position, at `offset` from the eye. */
+/* Checks a sphere, a light and the light of a key at `offset` from the eye. */
 static void check_place(struct tia_vec3 offset, int32_t radius, bool accepted)
 {
     const struct tia_vec3 *eye = &scene.camera.eye;
@@ -152,8 +152,7 @@ static void check_place(struct tia_vec3 offset, int32_t radius, bool accepted)
     }
 }
 
-/* The numbers K and M: 2^31 = 32768 with 16 bits behind the point, less the radius 68 it is 5 K, and less 65 it is 7
- * M. */
+/* 5 K = 2^31 - 68 and 7 M = 2^31 - 65; 2^31 is 32768 in Q16.16. */
 #define K ((int32_t)((UINT32_C(1) << 31) - 68) / 5)
 #define M ((int32_t)((UINT32_C(1) << 31) - 65) / 7)
 
@@ -164,12 +163,12 @@ TEST(distances)
     check_place((struct tia_vec3){0, INT32_MAX - 63, 0}, 64, false);
     check_place((struct tia_vec3){0, 0, -INT32_MAX + 64}, 64, true);
     check_place((struct tia_vec3){0, 0, -INT32_MAX + 63}, 64, false);
-    check_place((struct tia_vec3){3 * K, -4 * K, 0}, 67, true); /* 3, 4, 5 */
+    check_place((struct tia_vec3){3 * K, -4 * K, 0}, 67, true); /* 3^2 + 4^2 = 5^2 */
     check_place((struct tia_vec3){3 * K, -4 * K, 1}, 67, true);
     check_place((struct tia_vec3){-4 * K, 0, 3 * K}, 68, false);
     check_place((struct tia_vec3){-4 * K - 1, 0, 3 * K}, 68, false);
     check_place((struct tia_vec3){-4 * K + 1, 0, 3 * K}, 68, true);
-    check_place((struct tia_vec3){2 * M, 3 * M, -6 * M}, 64, true); /* 2, 3, 6, 7 */
+    check_place((struct tia_vec3){2 * M, 3 * M, -6 * M}, 64, true); /* 2^2 + 3^2 + 6^2 = 7^2 */
     check_place((struct tia_vec3){-2 * M, 3 * M, 6 * M}, 65, false);
     check_place((struct tia_vec3){-2 * M, 3 * M, 6 * M - 1}, 65, true);
     check_place((struct tia_vec3){INT32_MAX, INT32_MAX, INT32_MAX}, INT32_MAX, false);
@@ -177,7 +176,7 @@ TEST(distances)
     check_place((struct tia_vec3){INT32_MIN, 0, 0}, 64, false);
 }
 
-/* The eye is at one end of Q16.16 and an object at the other: offsets of up to 2^32 - 1. */
+/* The eye is at one end of the range of Q16.16 and an object at the other: offsets of up to 2^32 - 1. */
 TEST(an_eye_at_the_end_of_the_numbers)
 {
     const int32_t ends[] = {INT32_MIN, INT32_MAX};
@@ -204,7 +203,7 @@ static uint64_t square(int64_t a)
     return (uint64_t)(a * a);
 }
 
-/* The rule is |centre - eye| + radius < 2^31, squared, where no operation can overflow. */
+/* The rule |centre - eye| + radius < 2^31, squared and in integers of 128 bits, which cannot overflow. */
 TEST(random_distances)
 {
     int inside = 0;

@@ -1,6 +1,6 @@
-/* The hierarchy of faces: every face that hides a light from a point is among those near the segment from the point to
- * the light, however far away the point is. Faces are tested for hiding one by one, without the hierarchy.
- * */
+/* The hierarchy of faces: each face that hides a light from a point is among the faces that a walk along the segment
+ * from the point to the light returns, however far away the point is. Without the hierarchy, each face is tested on its
+ * own. */
 #include <math.h>
 
 #include "raster/target.h"
@@ -37,7 +37,8 @@ static bool is_in_leaf(const struct tia_casters *casters, const struct tia_bvh_n
     return false;
 }
 
-/* Returns the set of faces, at most 64, that are to be tested, a bit each. */
+/* Returns the set of faces in the leaves that the walk returns, one bit for each of at most 64 faces; all faces when
+ * the point is too far away for a walk. */
 static uint64_t offered(const struct world *w, const struct tia_casters *casters, const struct tia_seen *seen,
                         struct tally *t)
 {
@@ -87,8 +88,8 @@ static void ask(const struct world *w, const struct tia_casters *casters, const 
     }
 }
 
-/* Aims a direction from the visible point, in perspective and not at infinity, through the middle of a triangle: from
- * far away it crosses the whole scene. */
+/* Makes the light a direction from the visible point through the middle of a triangle, so that the segment of a distant
+ * point crosses the whole scene. In perspective only, and for points not at infinity. */
 static void aim_back(struct world *w, const struct tia_seen *seen)
 {
     const struct tia_raster_grid *l = &w->flat.grid;
@@ -106,7 +107,7 @@ static void aim_back(struct world *w, const struct tia_seen *seen)
     w->light = vertex(w, (int64_t)way[0], (int64_t)way[1], (int64_t)way[2], false);
 }
 
-/* Tests points at pixels, on the planes of all faces and also beside the faces, where they are in front of the eye. */
+/* Tests points at pixels on the planes of all faces, also outside the faces, where they are in front of the eye. */
 static void ask_pixels(struct world *w, const struct tia_casters *casters, struct tally *t, struct tally *back)
 {
     bool flat = w->flat.grid.projection == TIA_ORTHOGRAPHIC;

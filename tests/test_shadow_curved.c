@@ -1,5 +1,5 @@
-/* Scenes with curved objects under techniques for shadows: rays find objects without faces. All pictures are compared
- * with the tracer's, which rasterises nothing. */
+/* Scenes with curved objects under techniques for shadows: rays find the objects that have no faces. All pictures are
+ * compared with those of the tracer, which does not rasterise. */
 #include <stdlib.h>
 
 #include <tia/bvh.h>
@@ -65,8 +65,8 @@ static void draw(const struct tia_scene *scene, int tile_width, int tile_height,
 
 /* ---- places ---- */
 
-/* Checks objects in scenes of their own, from eyes near, far and inside of them: no pixel outside an object's place
- * shows it. */
+/* Checks each curved object in a scene of its own: no pixel outside its place shows it. Returns the number of pixels
+ * that show an object. */
 static unsigned check_places(const struct world *w)
 {
     static struct tia_curved_place places[SPHERES + SHAPES];
@@ -111,8 +111,8 @@ TEST(places_hold_what_is_seen)
     }
 }
 
-/* A ball of radius 1 is at the distance 10: its box reaches at most 50/9 pixels from the middle of 100, which with a
- * pixel more on either side are 43 to 56. For an eye inside its box it may be at any pixel. */
+/* A ball of radius 1 at the distance 10: its box reaches at most 50/9 pixels from the middle of 100, so its place, with
+ * one more pixel on either side, is 43 to 56. When the eye is inside the box, the place is the whole picture. */
 TEST(places_are_small)
 {
     static const struct tia_sphere ball = {.radius = Q(1)};
@@ -148,8 +148,8 @@ static void compare(struct difference *d)
     }
 }
 
-/* Rays start off a surface, and vertices are rounded: both matter only at edges, in one of 10,000 and of 20,000
- * pixels. */
+/* The start of rays off a surface and the rounding of vertices matter at edges only: to the object in one pixel of
+ * 10,000, to the light in one of 20,000. */
 TEST(agrees_with_rays)
 {
     struct difference d = {0, 0};
@@ -166,8 +166,8 @@ TEST(agrees_with_rays)
               "of %d pixels %u see another object, %u another light", 12 * PIXELS, d.object, d.path);
 }
 
-/* Area lights have the same sample points at every pixel: those of the tracer in every fourth column of every fourth
- * row. */
+/* The techniques use the same sample points of an area light at every pixel: those that the tracer uses in every fourth
+ * column of every fourth row. */
 TEST(area_lights_agree_there)
 {
     const struct tia_light area[2] = {{.kind = TIA_DISC_LIGHT,
@@ -199,7 +199,7 @@ TEST(area_lights_agree_there)
     CHECK_MSG(differ * 200 <= pixels, "%u of %u pixels, each with 39 rays to a light", differ, pixels);
 }
 
-/* Neither tiles nor a hierarchy change a bit. */
+/* Tiles and hierarchies change no bit. */
 TEST(tiles_and_hierarchies_change_nothing)
 {
     struct world w;
@@ -274,8 +274,8 @@ TEST(samples_are_averaged)
 
 /* ---- flat faces in place of curved surfaces ---- */
 
-/* Returns the number of pixels that show a different object or light than rays do, with an error; all techniques must
- * give the same. */
+/* Returns the number of pixels that show a different object or light than rays do, when curved surfaces are faces with
+ * this error. All techniques must give the same pixels. */
 static unsigned count_differences(double error)
 {
     struct difference d = {0, 0};

@@ -1,4 +1,4 @@
-/* Points that are united, and the face across an edge: the product sorts, the test compares every pair. */
+/* The merging of equal points, and the joining of edges: the library sorts, the tests compare each pair. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -89,7 +89,8 @@ static uint32_t count_edges(const struct tia_flat_face *faces, uint32_t count, s
     return n;
 }
 
-/* Checks that each edge is joined where another is available, with an edge that runs back and is joined to it. */
+/* Checks tia_edges_join: an edge is joined to one that runs back, as long as there is one left, and that one to it.
+ * Returns the result of tia_edges_join. */
 static bool check_joined(const struct tia_flat_face *faces, uint32_t count)
 {
     uint32_t *across = malloc(TIA_SIDES * count * sizeof *across + 1);
@@ -137,7 +138,8 @@ TEST(solids_close)
     CHECK(check_joined(needle, 3) && check_joined(needle, 0));
 }
 
-/* The same solid several times over few points, some copies turned inside out: edges have many faces. */
+/* Random faces over few points, so that an edge has many faces; in half of the rounds each face also has a copy turned
+ * round. */
 TEST(many_faces_at_an_edge)
 {
     static struct tia_flat_face faces[60];
@@ -148,7 +150,7 @@ TEST(many_faces_at_an_edge)
         for (uint32_t f = 0; f < count; f++)
             for (unsigned k = 0; k < TIA_SIDES; k++)
                 faces[f].corner[k] = k == 3 && below(2) ? NONE : below(4);
-        for (uint32_t f = 0; round % 4 >= 2 && f + 1 < count; f += 2) /* and each turned round: they close */
+        for (uint32_t f = 0; round % 4 >= 2 && f + 1 < count; f += 2) /* turned copies close them */
             for (unsigned k = 0, sides = tia_face_sides(&faces[f]); k < TIA_SIDES; k++)
                 faces[f + 1].corner[k] = k < sides ? faces[f].corner[sides - 1 - k] : NONE;
         closed += check_joined(faces, count);
@@ -156,7 +158,7 @@ TEST(many_faces_at_an_edge)
     CHECK(closed > 200 && closed < 1500);
 }
 
-/* Faces of a tetrahedron have corners of their own, in the same positions. */
+/* The faces of a tetrahedron have vertices of their own, at equal positions. */
 TEST(meshes_close_by_place)
 {
     static const struct tia_vec3 vertices[12] = {

@@ -40,7 +40,7 @@ static void copy(struct tia_vec3 v, long double out[3])
     out[2] = real(v.z);
 }
 
-/* Digits of the eye and the reference below Q16.16; 0: there are none. */
+/* Digits of the eye and the reference point below Q16.16; 0 if the scene has none. */
 static struct tia_fine fine;
 
 static void copy_finely(struct tia_vec3 v, struct tia_fine_place digits, long double out[3])
@@ -51,7 +51,7 @@ static void copy_finely(struct tia_vec3 v, struct tia_fine_place digits, long do
     out[2] += ldexpl(digits.z, -32);
 }
 
-/* Finds the axes u, v, n. */
+/* Finds the camera's axes u, v, n. */
 static void find_axes(const struct tia_camera *c, long double axes[3][3])
 {
     long double eye[3], reference[3], up[3];
@@ -72,7 +72,7 @@ static void find_axes(const struct tia_camera *c, long double axes[3][3])
     cross(axes[2], axes[0], axes[1]);
 }
 
-/* Finds left, right, bottom, top at the distance 1; in orthographic views they stay as given. */
+/* Finds the window's left, right, bottom and top at the distance 1; of orthographic views as given. */
 static void find_window(const struct tia_camera *c, unsigned width, unsigned height, long double w[4])
 {
     long double by = c->projection == TIA_FRUSTUM ? real(c->window.near) : 1, a;
@@ -95,7 +95,7 @@ static void find_window(const struct tia_camera *c, unsigned width, unsigned hei
     }
 }
 
-/* Finds x, y, w and h of a point, or of a direction. */
+/* Finds the vertex (x, y, w, h) of a point, or of a direction. */
 static void find_vertex(const struct tia_camera *c, unsigned width, unsigned height, const long double at[3],
                         bool direction, long double out[4])
 {
@@ -183,7 +183,7 @@ static unsigned range_of(const long double v[4], bool flat)
     return r;
 }
 
-/* Checks that the vertex has the same direction, and is as long as possible. */
+/* Checks that the vertex of a direction is parallel to `want`, and as long as BITS allow. */
 static void check_direction(const struct tia_eye *eye, const int64_t direction[3], const long double want[4], bool flat)
 {
     struct tia_raster_vertex v;

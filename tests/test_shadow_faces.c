@@ -1,6 +1,5 @@
-/* A scene as flat faces, drawn by the rasteriser: each pixel must show the object that the tracer finds there, from
- * cameras of every kind. The two share only the scene; the tracer rounds, so a few pixels at edges may differ.
- */
+/* A scene as flat faces, drawn by the rasteriser: each pixel must show the object that the tracer finds, for cameras of
+ * every kind. The two share only the scene. The tracer rounds, so a few pixels at edges may differ. */
 #include <stdlib.h>
 
 #include "check.h"
@@ -12,9 +11,9 @@
 
 #define Q TIA_Q16
 
-/* A pyramid with a square base, each face of which has its own corners, as many programs write models. */
 static struct cancel never;
 
+/* A pyramid with a square base. Each face has its own corners, as many programs write models. */
 static const struct tia_vec3 pyramid_points[] = {
     {Q(-1), 0, Q(-1)}, {Q(1), 0, Q(-1)}, {Q(1), 0, Q(1)},  {Q(-1), 0, Q(-1)}, {Q(1), 0, Q(1)}, {Q(-1), 0, Q(1)},
     {Q(-1), 0, Q(-1)}, {0, Q(2), 0},     {Q(1), 0, Q(-1)}, {Q(1), 0, Q(-1)},  {0, Q(2), 0},    {Q(1), 0, Q(1)},
@@ -78,7 +77,8 @@ static void *trace(const struct tia_scene *s, struct tia_hits **hits, void **mem
     return hit_memory;
 }
 
-/* Returns the number of pixels that show a different object. */
+/* Returns the number of pixels that show a different object; seen[n] counts the pixels of object n, seen[0] also those
+ * of the background. */
 static unsigned compare(const struct tia_flat_scene *flat, const struct tia_scene *s, unsigned *seen)
 {
     struct tia_tile all = {0, 0, WIDTH, HEIGHT};
@@ -162,8 +162,8 @@ TEST(orthographic)
     check_cameras((struct tia_camera){.projection = TIA_ORTHOGRAPHIC, .window = {0, 0, Q(-4), Q(3.5), 0}});
 }
 
-/* Faces of solids run counterclockwise seen from outside: from a distant point all faces turned to it are front
- * faces. */
+/* The corners of a solid's faces run counterclockwise seen from outside, so that faces turned to a distant eye are
+ * front faces. */
 TEST(faces_turn_outward)
 {
     struct tia_scene s = scene;
@@ -178,7 +178,7 @@ TEST(faces_turn_outward)
                 .projection = TIA_ORTHOGRAPHIC, .eye = {Q(1), Q(2), Q(9)}, .window = {0, 0, Q(-4), Q(4), 0}};
         CHECK_EQ(tia_flat_init(&flat, memory, size, &s, WIDTH, HEIGHT, &never), TIA_OK);
         const struct tia_flat_object *box = &flat.objects[1]; /* object 2: the empty mesh before it has no faces */
-        for (uint32_t f = 0; f < 12; f++) /* two each of -x +x -y +y -z +z; some are seen edge-on from a direction */
+        for (uint32_t f = 0; f < 12; f++) /* two each of -x +x -y +y -z +z; orthographic views see some edge-on */
             CHECK_EQ(tia_flat_side_of_eye(&flat, &flat.faces[box->first_face + f]),
                      flatly                                   ? (f / 2 == 5) - (f / 2 == 4)
                      : f / 2 == 1 || f / 2 == 3 || f / 2 == 5 ? 1
@@ -199,7 +199,7 @@ static void check_fault(const struct tia_scene *s, const char *thing, const char
               "%s %u: %s: %s", fault.thing, (unsigned)fault.index, fault.field, fault.rule);
 }
 
-/* Scenes that need more memory than allowed are refused by name. */
+/* Scenes that these techniques cannot draw are refused, and the fault names the part. */
 TEST(refuses)
 {
     static const struct tia_material glass = {.transmission = {0, 1, 0}}, leaf = {.opacity = 1};

@@ -1,4 +1,4 @@
-/* Curved shapes as flat faces: measured in double precision against the true surface. */
+/* Flat faces of curved shapes, measured in double precision against the true surface. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -73,8 +73,8 @@ static struct truth truth_of(const struct tia_shape *s, struct tia_vec3 scale)
     return t;
 }
 
-/* Returns the distance, in the world, of a point of element `element` from the surface point in the same direction from
- * the centre or the axis. Below 0: the point is outside. */
+/* Returns the distance, in the world, of point p of part `element` of the shape from the surface in the same direction
+ * from the centre or the axis; -1 if the point is outside. */
 static double distance(const struct truth *t, const double p[3], uint32_t element)
 {
     double from[3] = {p[0] - t->base[0], p[1] - t->base[1], p[2] - t->base[2]}, way[3], sum = 0;
@@ -203,7 +203,7 @@ static struct tia_shape random_shape(enum tia_shape_kind kind, int i)
     return s;
 }
 
-/* Checks the error, which is in the world's units: scaled shapes have more faces. */
+/* Checks shapes of a kind with several errors, which are in units of the world: scaled shapes have more faces. */
 static void check_kind(enum tia_shape_kind kind)
 {
     for (int i = 0; i < 24; i++) {
@@ -242,7 +242,7 @@ TEST(cones)
     check_kind(TIA_CONE);
 }
 
-/* A scene's own spheres are divided alike, with their fine digits. */
+/* Spheres of the scene itself are divided like shapes, with their fine digits. */
 TEST(own_spheres)
 {
     static const struct tia_sphere sphere = {{Q(1), Q(2), Q(3)}, Q(2), 0};
@@ -260,8 +260,8 @@ TEST(own_spheres)
     CHECK(!tia_facets_of(&scene, 0, &(struct tia_facets){0}) && !tia_flat_takes(&scene, 0));
 }
 
-/* The number of corners is n^2 >= 5 r/e, for spheres 10 r/e; numbers that mean too many faces are reported without
- * counting these. */
+/* The number n of corners around satisfies n^2 >= 5 r/e, for spheres 10 r/e. Too many faces are reported without being
+ * counted. */
 TEST(numbers)
 {
     static const struct tia_material material = {.colour = {0, 0, 0}};

@@ -1,12 +1,13 @@
-/* Shadow maps against the textbook in double precision: the distance in a texel, found by a ray through its middle; a
- * point's position in the map; each bias and filter from the map's distances. Comparisons too close to distinguish
- * rounding from a mistake are left out, and counted. */
+/* Shadow maps against textbook formulas in double precision: the distance in a texel, found by a ray through its
+ * middle; a point's position in the map; and each bias and filter, from the map's distances. Comparisons that are too
+ * close to distinguish rounding from a mistake are counted and left out. */
 #include "raster/distance.h"
 #include "shadow_map_world.h"
 
 /* ---- the light's view ---- */
 
-/* Returns the distance at which a ray enters the boxes; *near is the ray's distance from a silhouette. */
+/* Returns the distance at which a ray enters the boxes, or infinity; *near is how close the ray passes to a silhouette.
+ */
 static double enter(const double from[3], const double d[3], double *near)
 {
     double best = INFINITY;
@@ -29,7 +30,8 @@ static double enter(const double from[3], const double d[3], double *near)
     return best;
 }
 
-/* Results: corners are rounded to 2^-22, and a side seen at an angle of 1/400 magnifies that 400 times. */
+/* Numbers of texels. Corners are rounded to 2^-22, and a side seen at an angle of 1/400 magnifies this error 400 times.
+ */
 struct tally {
     uint32_t texels, seen, unsure, wrong;
 };
@@ -63,7 +65,7 @@ static void check_views(enum tia_light_kind kind, double outer, unsigned views)
         make_scene(round % 2 ? TIA_ORTHOGRAPHIC : TIA_PERSPECTIVE);
         make_light(kind, outer);
         make_map(2);
-        CHECK_EQ(w.map.view_count, w.map.parallel ? 1 : views); /* light from a distant light counts as parallel */
+        CHECK_EQ(w.map.view_count, w.map.parallel ? 1 : views); /* a distant light's rays count as parallel */
         for (unsigned n = 0; n < w.map.view_count; n++)
             for (int at = 0; at < SIZE * SIZE; at++)
                 check_texel(&w.map.view[n], at % SIZE, at / SIZE, &t);
@@ -290,7 +292,7 @@ TEST(looks)
     check_looks(TIA_POINT_LIGHT, 0);
 }
 
-/* ---- sixteen taps, turned: parts of sixteen, no tap more than 3 texels and a bit away ---- */
+/* The 16 taps lie within 3.6 texels; turned patterns give shares in sixteenths. */
 
 TEST(poisson)
 {
@@ -303,7 +305,7 @@ TEST(poisson)
     point.spot = (struct tia_map_spot){.view = &w.map.view[0], .u = 32 << 16 | 32768, .v = 32 << 16 | 32768};
     point.limit = 5;
     for (int i = 0; i < SIZE * SIZE; i++)
-        texels[i] = hypot(i % SIZE - 32, i / SIZE - 32) < 3.6 ? 9 : 1; /* dark beyond this radius */
+        texels[i] = hypot(i % SIZE - 32, i / SIZE - 32) < 3.6 ? 9 : 1; /* lit within this radius */
     for (unsigned turn = 0; turn < 8; turn++)
         CHECK_EQ(tia_map_share(&point, TIA_FILTER_POISSON, 0, turn), TIA_SHARE_ALL);
     for (int i = 0; i < SIZE * SIZE; i++)
@@ -330,7 +332,7 @@ TEST(stops)
     make_scene(TIA_PERSPECTIVE);
     make_light(TIA_POINT_LIGHT, 0);
     make_map(1);
-    w.map.size = 4096; /* a band of a map is much work: the first one is not finished */
+    w.map.size = 4096; /* a band of this map is so much work that the first one is not finished */
     void *room = malloc((size_t)tia_map_room(4096, w.flat.face_count));
     CHECK(!tia_map_init(&w.map, &w.world, &(struct tia_map_light){&w.light, w.at}, 4096, 1));
     CHECK_EQ(tia_map_draw(&w.map, &w.flat, room, &cancel), TIA_STOPPED);

@@ -1,5 +1,5 @@
-/* The alias-free map against exact rays tested with every face, in integers of 128 bits: in whole images and in tiles
- * of any size, whose points are filed each time in other cells. Many corners lie on pixel centres, in one plane, in the
+/* The alias-free map against exact rays, tested with every face in integers of 128 bits, in whole images and in tiles
+ * of any size, which sort their points into different cells. Many corners lie on pixel centres, in one plane, or in the
  * plane of the light or the eye. */
 #include <string.h>
 
@@ -13,7 +13,7 @@ struct tally {
     uint32_t seen, dark, wrong, tiles;
 };
 
-/* Pixels from row to row, two more than the image has. */
+/* Distance between rows in pixels: two more than the image has. */
 #define PITCH (SIZE + 2)
 
 static struct drawn {
@@ -53,7 +53,8 @@ static void light_tile(const struct tia_shadow_view *view, struct tia_tile area,
     tia_shadow_exact_maps.light(view, &tile, sample, &never);
 }
 
-/* Computes the light of all pixels, in tiles of random sizes; in half of the worlds, in a single tile. */
+/* Computes the light of all pixels, in half of the worlds in a single tile, in the others in tiles of random sizes.
+ * Returns the number of tiles. */
 static uint32_t light_all(const struct world *w)
 {
     static struct tia_shadow_view view;

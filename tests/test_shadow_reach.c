@@ -1,5 +1,5 @@
-/* The range of lights with techniques for shadows, the fault of those beyond, and the loss of hits when vertices need
- * other fraction bits. */
+/* The range of lights under techniques for shadows, the error for a light beyond it, and new hits where a light needs
+ * vertices with other fraction bits. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -78,7 +78,8 @@ static void close_view(struct drawn *d)
     free(d->memory[1]);
 }
 
-/* Checks the scene with this light, and a view of it that gets the light later by a key. */
+/* Checks the scene with this light, and a view of the scene that gets the light later, by a key. refused: 0, or n if
+ * the light must be within 2^n. */
 static void check_light(struct tia_scene s, const struct tia_light *light, unsigned width, unsigned height,
                         unsigned refused)
 {
@@ -101,7 +102,7 @@ static void check_light(struct tia_scene s, const struct tia_light *light, unsig
     close_view(&d);
 }
 
-/* The limit is that x = p 2 near/(right - left), here 1024 p, must be below 2^24. */
+/* For a light at p the coordinate x = p 2 near/(right - left), here 1024 p, must be below 2^24. */
 TEST(perspective_lights_are_in_reach_up_to_2_24)
 {
     const struct tia_light in = point_at(16383.9, 5, 0), out = point_at(16384, 5, 0);
@@ -125,7 +126,7 @@ TEST(perspective_lights_are_in_reach_up_to_2_24)
     }
 }
 
-/* Lights behind the eye count as well; lights without a position are never too far. */
+/* Lights behind the eye have the same limit; lights without a position have none. */
 TEST(only_places_are_too_far)
 {
     struct tia_scene s = yard(NULL, TIA_SHADOWS_ZFAIL);
@@ -142,9 +143,9 @@ TEST(only_places_are_too_far)
     check_light(s, &behind, 64, 48, 0);
 }
 
-/* The window is -1/64..1/64, so x is 64 p: 2^20 is reached at 16384. A vertex is rounded by half a pixel at most up to
- * 2^19 where an image has 1920 pixels in a row, and up to 2^17 with 8192. The faces reach 200 * 64 < 2^14, so that only
- * lights from 2^30 on are directions. */
+/* The window is -1/64..1/64, so x is 64 p for a light at p. The limit is 2^20, or less where rounding would move
+ * vertices by more than half a pixel: 2^19 with 1920 pixels in a row, 2^17 with 8192. The faces reach 200 * 64 < 2^14,
+ * so only lights from 2^30 on are directions. */
 TEST(orthographic_lights_are_in_reach_where_vertices_are_fine_enough)
 {
     const struct tia_light in[3] = {point_at(16383, 5, 0), point_at(8191, 5, 0), point_at(2047, 5, 0)};
@@ -159,9 +160,9 @@ TEST(orthographic_lights_are_in_reach_where_vertices_are_fine_enough)
     }
 }
 
-/* The window is -1/128..1/128 and the image has at most 2^6 pixels in a row, so b is 6. Faces within 1/4, and at most
- * 2^6 from the eye, make r 6: from 2^22 on, a light 2^15 away is. Faces within 2 make it 9, and 2^(2 * 9 + 2 + 6) is
- * 2^26. */
+/* The window is -1/128..1/128 and the image has at most 2^6 pixels in a row, so b of reach.c is 6. Faces within 1/4, at
+ * most 2^6 from the eye, make r 6: lights are directions from 2^22 on, about 2^15 away. Faces within 2 make r 9, and
+ * lights are directions from 2^(2 * 9 + 2 + 6) = 2^26 on. */
 TEST(orthographic_lights_are_directions_far_beyond_all_faces)
 {
     static const struct tia_shape small = {.kind = TIA_BOX,
@@ -173,7 +174,7 @@ TEST(orthographic_lights_are_directions_far_beyond_all_faces)
     s.camera = (struct tia_camera){.projection = TIA_ORTHOGRAPHIC, .window = {-512, 512, -512, 512, 0}};
     s.shapes = &small;
     check_light(s, &far, 64, 48, 0);
-    check_light(s, &farther, 64, 48, 20); /* 2^21: neither */
+    check_light(s, &farther, 64, 48, 20); /* 2^21: neither a position nor a direction */
     s.shapes = &shapes[1];
     check_light(s, &far, 64, 48, 20);
 }
@@ -195,7 +196,7 @@ static void draw_anew(const struct tia_scene *s, const struct tia_light *light, 
     close_view(&d);
 }
 
-/* Compares with traced rays, which see the edges of shapes and shadows elsewhere only where these almost pass through a
+/* Compares a picture with traced rays, which differ only where an edge of a shape or shadow almost passes through a
  * pixel's centre. */
 static void compare_traced(struct tia_scene s, const struct tia_light *light, const tia_rgb565 *pixels)
 {
@@ -234,7 +235,7 @@ static void check_moved(enum tia_shadows technique, uint32_t samples, const stru
     close_view(&moved);
 }
 
-/* With faces up to 2^9 from the eye there is no room for a light much farther away than before. */
+/* Faces reach 2^9 from the eye, so that vertices need other fraction bits for a light much farther away than before. */
 TEST(hits_are_traced_again_where_a_light_needs_other_vertices)
 {
     const struct tia_light far[2] = {point_at(3000, 5000, -1000), point_at(-20000, 20000, 1000)};

@@ -1,6 +1,6 @@
-/* Each technique that is exact, as the renderer calls it, against rays tested with every face in integers of 128 bits:
- * no pixel differs, whichever fallback a technique takes. Coordinates times a power of two change no sign, so the same
- * scenes are drawn in all formats that vertices have. */
+/* The exact techniques, called as the renderer calls them, against rays that are tested with every face in integers of
+ * 128 bits: no pixel differs, whichever fallback a technique uses. Coordinates times a power of two change no sign, so
+ * the same scenes are drawn in all vertex formats. */
 #include <stdlib.h>
 
 #include "math/align.h"
@@ -171,14 +171,14 @@ static bool stop(void *ctx)
     return true;
 }
 
-/* Returns a cancel that polls at once and is stopped; `asked` counts the calls. */
+/* Returns a cancellation that is polled at once and stops; `asked` counts the calls. */
 static struct cancel stopper(unsigned *asked)
 {
     *asked = 0;
     return (struct cancel){.stop = stop, .ctx = asked, .work = CANCEL_INTERVAL};
 }
 
-/* No loop over all faces continues after the stop, or calls `stop` again. */
+/* After the stop, no loop over the faces continues or calls `stop` again. */
 TEST(passes_over_faces_stop)
 {
     static struct drawing d;

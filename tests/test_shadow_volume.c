@@ -1,7 +1,6 @@
-/* Shadow volumes against exact rays: a pixel's visible point, and a face between that and the light, tested with every
- * face in integers of 128 bits. Corners are small enough for those, and many lie on pixel centres, in one plane, in the
- * plane of the light or the eye. Rays that meet an edge are moved to the right by an infinitesimal distance, then down.
- */
+/* Shadow volumes against exact rays from a pixel's visible point to the light, tested with every face in integers of
+ * 128 bits. Corners are small enough for these integers, and many lie on pixel centres, in one plane, or in the plane
+ * of the light or the eye. Rays that meet an edge are moved to the right by an infinitesimal distance, then down. */
 #include <stdlib.h>
 
 #include "shadow/occluder.h"
@@ -13,7 +12,8 @@ struct tally {
     uint32_t worlds, pixels, seen, dark, faces_wrong, wrong[2], rays_wrong, unsure[2];
 };
 
-/* A technique, z-fail or z-pass, and the number of volumes that contain the rays' ends or starts. */
+/* State of z-fail or z-pass: the target, and the number of volumes that contain the far ends (z-fail) or the starts
+ * (z-pass) of all rays from the eye; not sure: the number is undecided. */
 struct technique {
     struct tia_raster_target target;
     void *memory;
@@ -26,7 +26,8 @@ static bool is_lit_by(const struct technique *t, size_t at)
     return t->target.count[at] + t->count == 0;
 }
 
-/* True if a face hides the light, by rays; the visible face is turned to the light. */
+/* True if tia_occluder_hides finds a face that hides the light from the point of `face` at pixel (i, j); `face` is
+ * turned to the light. */
 static bool is_hidden(const struct world *w, const struct tia_raster_plane *planes, uint32_t face, int i, int j)
 {
     struct tia_flat_scene flat = w->flat;

@@ -1,4 +1,4 @@
-/* The fields of each kind of shape, by which files and tools read and write a shape. */
+/* The fields by which files and tools read and write each kind of shape. */
 #include <string.h>
 
 #include "check.h"
@@ -11,7 +11,7 @@ static size_t size_of(const struct tia_shape_field *f)
     return f->value < sizeof sizes / sizeof *sizes ? sizes[f->value] : 0;
 }
 
-/* Checks that the fields cover the struct, each byte once, except for the rest of a flag's word. */
+/* Checks that the fields cover the struct, and no byte twice; of a flag's word the first byte is enough. */
 static void check_cover(enum tia_shape_kind kind, size_t start, size_t size)
 {
     unsigned char covered[sizeof(struct tia_shape)] = {0};
@@ -44,7 +44,7 @@ TEST(meshes_and_grids_are_indices)
     CHECK(!tia_shape_fields(TIA_MESH)->member && !tia_shape_fields(TIA_GRID)->member);
 }
 
-/* A field without a word follows the one before: the values behind the second name are read after the first one's. */
+/* A field without a word is the second number of the field before it: both are Q16.16 and adjacent in memory. */
 TEST(a_field_without_a_word_follows_the_one_before)
 {
     for (unsigned kind = 0; tia_shape_description((enum tia_shape_kind)kind); kind++) {

@@ -1,5 +1,5 @@
-/* The bounds of src/simd against the errors that they bound: never exceeded, and within ten times of the worst of some
- * thousand runs. So a bound that is ten times too small is detected here, like any that is exceeded. */
+/* The error bounds of src/simd: no error exceeds them, and the worst of some thousand runs has more than a tenth of its
+ * bound. So a bound of a tenth of the right size is detected here. */
 #include <math.h>
 
 #include "check.h"
@@ -21,7 +21,8 @@ static void note(int which, long double error, double bound)
     worst[which] = ratio > worst[which] ? ratio : worst[which];
 }
 
-/* Returns 1/t of a pixel to some 60 bits; the coefficients are accurate to 50, relative to the size of D. */
+/* Returns 1/t of a pixel, accurate to about 60 bits for the given coefficients, which are accurate to 50 bits relative
+ * to the size of D. */
 static long double per_t(const struct simd_fine *f, long double x)
 {
     const double *b = f->seen.b, *d = f->seen.d;
@@ -41,7 +42,7 @@ static void try_float(const struct simd_fine *f, int i)
         note(FLOAT_T, (s - exact) / exact, f->depth.es);
 }
 
-/* Compares the fixed-point t, |w|^2 and cosine of the first light; the bounds are those of an arithmetic without
+/* Compares the fixed-point t, |w|^2 and cosine of the first light with exact ones; the bounds are for kernels without
  * roundings. */
 static void try_integers(const struct simd_fine *f, int i)
 {

@@ -1,6 +1,6 @@
-/* The cells of src/simd against every pixel in them: the movement of points, the error of a line between samples, the
- * beginning of shadows; and stored bounds against a run's own. Bounds are never exceeded, and within ten times of the
- * worst case, so that one that is a tenth of the right size is detected here. */
+/* The cells of src/simd against each of their pixels: the movement of points, the error of a line between samples, and
+ * where shadows begin; and stored bounds against those of a run alone. No error exceeds its bound, and the worst has
+ * more than a tenth of it, so that a bound of a tenth of the right size is detected here. */
 #include <float.h>
 #include <math.h>
 
@@ -45,7 +45,7 @@ static struct truth truth_at(const struct simd_fine *f, real x)
     return o;
 }
 
-/* Returns c[0] + c[1]/s + v.v/s^2 with c[1] linear in x. */
+/* Returns constant + (linear[0] + linear[1] x)/s + v.v/s^2. */
 static real form(real constant, const double linear[2], real x, const struct truth *o)
 {
     return constant + (linear[0] + linear[1] * x + o->vv / o->s) / o->s;
@@ -68,8 +68,8 @@ static bool is_dark(const struct simd_fine_light *light, real x, const struct tr
 
 /* ---- colour levels ---- */
 
-/* Checks a channel of a pixel: before it is rounded, y of `levels` is within 1/2 less `near` of the fixed-point result
- * for the fixed-point cosine, and of that for a cosine as far from the kernels' as its bound allows. */
+/* Checks a channel of a pixel. y, the channel times `levels` before it is rounded, is within 1/2 - `near` of the
+ * fixed-point result for the fixed-point cosine `whole`, and of the result for `cosine`, the kernel's, +- `bound`. */
 static void try_level(int which, real y, real levels, real near, const tia_q30 part[3], num_u whole, real cosine,
                       real bound)
 {
@@ -114,7 +114,7 @@ static void try_levels(const struct simd_fine *f, const struct simd_run *r, cons
     }
 }
 
-/* Checks S' at a sample, near the outline where D is just above its cut. */
+/* Checks S' at a sample where D is not below its cut; near the outline S' is largest. */
 static void try_turn(const struct simd_fine *f, const struct simd_run *r, const struct cells *cells, int i)
 {
     const double *d = f->seen.d;
@@ -222,8 +222,8 @@ static void thesis(simd_runs_try *try)
     }
 }
 
-/* A ball whose centre is on the ground, and a light at its side: on the ground inside of the ball there is an edge
- * where it is not the ball's outline that begins a shadow but the plane across the light's way. */
+/* Runs scenes with a ball whose centre is on the ground and a light at its side: on the ground inside the ball, a
+ * shadow begins not at the ball's outline but at the plane across the direction of the light. */
 static void sunk(simd_runs_try *try)
 {
     struct corpus_scene s;
@@ -265,14 +265,14 @@ TEST(cells)
 
 static unsigned long own, kept_ones;
 
-/* Checks that no value of the first is less than the second's. */
+/* Checks that no stored bound is narrower than that of the run alone. */
 static void no_less(const struct simd_fine *kept, const struct simd_fine *alone)
 {
     const struct simd_depth *a = &kept->depth, *b = &alone->depth;
 
     CHECK(a->cut >= b->cut);
     if (a->cut > b->cut)
-        return; /* more pixels are left out, which permits no statement about them */
+        return; /* it leaves out more pixels, so the other bounds are not comparable */
     CHECK(a->es >= b->es && a->et >= b->et && a->floor <= b->floor);
     CHECK(kept->near31 <= alone->near31 && kept->near63 <= alone->near63);
     for (uint32_t l = 0; l < kept->view->light_count; l++) {

@@ -1,6 +1,6 @@
-/* Steps of the integer code of render/span at random arguments, and its forms at its own t, against the rows of
- * src/simd/span/bounds that allow for them. So a row that is less than a step needs is detected here, whatever else a
- * run's bounds have to spare. */
+/* Steps of the integer code of render/span at random arguments, and its forms at its own t: no error exceeds what the
+ * rows of src/simd/span/bounds allow for it. So a row that is too small for its step is detected here, even where the
+ * other rows of a run's bounds have a reserve. */
 #include "simd_integers.h"
 
 #include "float_modes.h"
@@ -13,8 +13,7 @@ enum { SUMS, QUOTIENTS, COLOURS, COVERS, STEPS_THERE };
 static struct used there[STEPS_THERE] = {
     {"S there", 0, 0}, {"c/S there", 0, 0}, {"colours there", 0, 0}, {"num_covers", 0, 0}};
 
-/* Tries S = b + sqrt(D) of a sphere that the eye is close to, whose D is nearly b^2: there D's bound has least to
- * spare. */
+/* Tries S = b + sqrt(D) of a sphere near the eye, whose D is nearly b^2: there the bound of D has the least reserve. */
 static void try_sum_there(const struct primary_rays *primary)
 {
     int64_t away = 1 + (int64_t)random_short(24), over = 1 + (int64_t)random_short(20);
@@ -59,7 +58,8 @@ static void try_colour_there(void)
     use(&there[COLOURS], product * 0x1p-30L - exact, BOUND(SPAN_COLOUR_UNITS));
 }
 
-/* Tries a^2 >= d k (1 + B) near equality: where both are further apart than the bound, the verdict is the exact one. */
+/* Tries a^2 >= d k (1 + B) near equality: where the two sides differ by more than the bound, num_covers gives the exact
+ * result. */
 static void try_covers_there(void)
 {
     num_wide d = (num_wide)(random_bits() >> 3 | 1u << 20), k = (num_wide)(random_bits() >> 3 | 1u << 20);
@@ -124,9 +124,8 @@ static void try_casters(const struct simd_fine *f, const struct simd_depth *dept
     }
 }
 
-/* Tries a pixel as a run of its own, whose forms are constants; t is known exactly, so that its error counts for
- * nothing.
- */
+/* Tries a pixel as a run of its own, whose forms are constants. Its t is known exactly, so that the error of t adds
+ * nothing to the bounds. */
 static void try_pixel(const struct simd_fine *f)
 {
     const struct span_view *spans = span_view_of(f->view);
@@ -154,7 +153,7 @@ static void try_pixel(const struct simd_fine *f)
     try_casters(f, &depth, &bounds, &o, t);
 }
 
-/* Tries pixels where a sphere's D is 0 all but: there the integer t is furthest. */
+/* Tries a pixel where the D of a sphere is almost 0: there the fixed-point t is largest. */
 static void try_outline(const struct simd_fine *f)
 {
     const struct span_view *spans = span_view_of(f->view);

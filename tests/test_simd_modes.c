@@ -46,7 +46,8 @@ typedef void scene_try(const struct tia_scene *scene, unsigned number);
 static struct edge_scene edge;
 static struct corpus_rays rays;
 
-/* Runs scenes of spheres, which spans draw, and of all shapes, by rays, ambient occlusion and paths: four of each. */
+/* Runs twelve scenes for spans, as far as they are valid, and twelve scenes of all shapes: four each by rays, ambient
+ * occlusion and paths. */
 static void each_scene(scene_try *try)
 {
     for (unsigned i = 1; i <= 12; i++) {
@@ -66,7 +67,8 @@ enum { W = 24, H = 17 };
 
 /* ---- cases ---- */
 
-/* Compares memory; even addresses in it are equal, since it is reused. */
+/* Compares the constants that SIMD kernels prepare; both times at the same place, so that addresses in them are equal.
+ */
 static void compare_memory(const struct tia_scene *scene, unsigned number)
 {
     size_t size = tia_view_size(scene, scene->light_count), more = tia_simd_size(simd, scene, scene->light_count, 1);

@@ -2,8 +2,7 @@
  * threads. Instruction sets that the processor lacks are named.
  *
  *     test_simd_rays            as many scenes as seconds allow
- *     test_simd_rays N          N random scenes: make check runs 200 (tests/slow/simd)
- */
+ *     test_simd_rays N          N random scenes: make check runs 200 (tests/slow/simd) */
 #include <stdlib.h>
 #include <tia/simd.h>
 
@@ -19,8 +18,7 @@
 static const struct tia_simd *simd;
 static unsigned random_scenes = 6;
 
-/* Counting kernels in front of the instruction set's, which detect kernels that leave all pixels to the fixed-point
- * code. */
+/* The instruction set's kernels. `count` wraps them to detect kernels that leave all pixels to the fixed-point code. */
 static const struct sure_kernels *kernels;
 static unsigned long samples, unsure;
 
@@ -67,7 +65,7 @@ TEST(random_corpus)
     printf("# %lu of %lu samples were left to the integers\n", unsure, samples);
 }
 
-/* Scenes of files, and the largest part of their samples, in thousandths, that may be undecided. */
+/* Scene files, and the largest share of their samples, in thousandths, that may be undecided. */
 static const struct {
     const char *path;
     unsigned unsure;
@@ -126,9 +124,9 @@ static void compare_far(const struct tia_scene *scene, unsigned number)
     compare("spheres far out", number, scene, 160, 120, false);
 }
 
-/* Scenes are far from the origin, where a float's unit, 2^-10 at 9000, is not small beside small objects: boxes need
- * room for the rounding of floats. Errors show where rays graze a box's face, so the eye looks along an axis; mirrors
- * send rays in all directions. */
+/* The scenes are far from the origin, where the unit of a float, 2^-10 at 9000, is not small beside small objects:
+ * boxes need a margin for the rounding of floats. Errors show where rays graze the face of a box, so the eye looks
+ * along an axis; mirrors reflect rays in all directions. */
 TEST(far_out)
 {
     static const double ways[][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
@@ -159,7 +157,7 @@ static void compare_hindered(const struct tia_scene *scene, unsigned number)
     compare("ambient light that objects hinder", number, scene, 40, 30, false);
 }
 
-/* An occluded ambient light gives the fixed-point result, at any index among the lights. */
+/* Ambient light with occlusion gives the fixed-point result, at any index among the lights. */
 TEST(ambient_light_is_hindered)
 {
     static const char text[] = "camera eye 0 1 5 look 0 0 0 fov 40\nmaterial plain colour 0.7 0.6 0.5 mirror 0.2\n"
@@ -182,7 +180,7 @@ static void compare_light(const struct tia_scene *scene, unsigned number)
               samples);
 }
 
-/* Compares a scene with a light of a kind without TIA_LIGHT_SIMD. */
+/* Compares a scene that is marked as one with a light that the kernels do not support. */
 static void compare_other(const struct tia_scene *scene, unsigned number)
 {
     struct simd_frames f;
@@ -202,7 +200,7 @@ TEST(kinds_of_lights)
     with_light(0, compare_other);
 }
 
-/* Outputs other than pixels are the same, too. */
+/* Objects, path hashes and the sets of light samples that arrive are the same, too. */
 TEST(objects_hashes_and_lights)
 {
     enum { W = 60, H = 45 };
@@ -231,7 +229,7 @@ static void draw_row(void *arg, unsigned index)
     CHECK_EQ(tia_view_draw(f->simd, f->hits[1], tile, &surface, NULL), TIA_OK);
 }
 
-/* With room for one thread only, plain C draws for the others. */
+/* With memory for one thread only, the other threads draw by plain C. */
 TEST(more_threads_than_rooms)
 {
     size_t size = tia_simd_size(simd, &balls.scene, balls.scene.light_count, 1);
@@ -249,7 +247,7 @@ TEST(more_threads_than_rooms)
     threads_destroy(pool);
 }
 
-/* Frames that are drawn in the middle of a call, when its room is in use; then the first call continues. */
+/* Frames that `stop` draws within a call, while this call uses the memory of the only thread. */
 static struct simd_frames *nested;
 static unsigned nested_calls;
 
@@ -297,7 +295,7 @@ TEST(threads)
     threads_destroy(pool);
 }
 
-/* New lights do not need a new scene; too little memory is refused. */
+/* New lights need no new scene. One byte less memory is an error, and leaves plain C. */
 TEST(lights_move)
 {
     struct tia_light lights[8];
@@ -335,7 +333,7 @@ static void run_all(const struct tia_simd *tested)
     RUN_SIMD(kinds_of_lights);
     RUN_SIMD(objects_hashes_and_lights);
     RUN_SIMD(lights_move);
-    simd = tested; /* tests alone, whose kernels do not count the threads' work */
+    simd = tested; /* without counters, which are not for several threads */
     RUN_SIMD(threads);
     RUN_SIMD(more_threads_than_rooms);
     RUN_SIMD(a_call_within_a_call);

@@ -1,11 +1,10 @@
 /* Samples by every instruction set against plain C: ambient occlusion and light along paths, random scenes and scene
- * files. Sums are compared to the last bit; and each sample's bound with the distance of the doubles from the
- * fixed-point radiance before it is rounded.
+ * files. Sums must be equal to the last bit. The error bound of each sample must be at least the distance of the
+ * radiance in double precision from the fixed-point radiance before rounding.
  *
  *     test_simd_samples            as many scenes as seconds allow
  *     test_simd_samples N          N random scenes: make check runs 200 (tests/slow/simd)
- *     test_simd_samples N I        extreme ones from number I on
- */
+ *     test_simd_samples N I        extreme ones from number I on */
 #include <math.h>
 #include <stdlib.h>
 #include <tia/simd.h>
@@ -22,8 +21,8 @@
 static const struct tia_simd *simd;
 static unsigned random_scenes = 80;
 
-/* Counting kernels in front of the instruction set's, which detect kernels that leave all samples to the fixed-point
- * code. */
+/* The instruction set's kernels. Counters wrap them to detect kernels that leave all samples to the fixed-point code.
+ */
 static const struct sure_kernels *kernels;
 static unsigned long samples, unsure, clear;
 
@@ -58,7 +57,7 @@ struct gathered {
     struct tia_guide guides[W * H];
 };
 
-/* Gathers samples in tiles of an odd size: samples 1 and 2 before sample 0. */
+/* Gathers EACH samples a pixel in tiles of 7 x 5, samples 1 and 2 before sample 0. */
 static void gather(const struct tia_view *view, bool guides, struct gathered *to)
 {
     memset(to, 0, sizeof *to);
@@ -159,8 +158,8 @@ static void bound_random(const struct tia_scene *scene, unsigned number)
     check_bounds(scene);
 }
 
-/* Makes scenes of samples: one material in three emits; the other integrators alternate; point lights are large, so
- * that rays meet them. */
+/* Makes a scene of samples from one of rays: every third material emits, one scene in three has ambient occlusion and
+ * the others paths, and point lights are so large that rays meet them. */
 static void make_samples(struct corpus_rays *c, unsigned i)
 {
     struct tia_material *m = (struct tia_material *)(uintptr_t)c->scene.materials;
@@ -255,7 +254,7 @@ static void compare_light(const struct tia_scene *scene, unsigned number)
               samples);
 }
 
-/* Gathers samples of a scene with a light of a kind without TIA_LIGHT_SIMD. */
+/* Checks a scene that is marked as one with a light that the kernels do not support: they compute no sample. */
 static void gather_other(const struct tia_scene *scene, unsigned number)
 {
     static struct gathered want, got;
@@ -280,7 +279,7 @@ TEST(kinds_of_lights)
     with_light(0, gather_other);
 }
 
-/* Scenes of files, and the largest part of their samples, in hundredths, that may be undecided. */
+/* Scene files, and the largest share of their samples, in hundredths, that may be undecided. */
 static const struct {
     const char *path;
     enum tia_integrator integrator;
@@ -305,7 +304,7 @@ TEST(scene_files)
     }
 }
 
-/* Pixels have the scene's own number of samples, dithered or not; with hashes; and with lights that move. */
+/* Pixels with the scene's own number of samples, dithered or not and with moved lights, and path hashes. */
 TEST(pixels_hashes_and_moved_lights)
 {
     static uint32_t hashes[2][W * H];

@@ -1,9 +1,8 @@
-/* Every instruction set against plain C, byte by byte, as checkasm does for dav1d: each is called directly, not through
- * the choice for the processor. Instruction sets that the processor lacks are named.
+/* Every instruction set against plain C, byte by byte, as checkasm does for dav1d. The kernels of each are called
+ * directly, whichever set would be chosen for the processor. Instruction sets that the processor lacks are named.
  *
  *     test_simd_spans           as many scenes as seconds allow
- *     test_simd_spans N         N edge scenes and N/100 of the corpus, see tests/slow/simd
- */
+ *     test_simd_spans N         N edge scenes and N/100 of the corpus, see tests/slow/simd */
 #include <tia/simd.h>
 
 #include "common/corpus/corpus.h"
@@ -16,7 +15,7 @@ static const struct tia_simd *simd;
 static const char *simd_name;
 static unsigned edge_scenes = 700, random_scenes = 6;
 
-/* Compares a frame, then one with its first light moved, relit and anew. */
+/* Compares a frame, then the same frame relit with its first light moved. */
 static void compare(const char *what, unsigned number, const struct tia_scene *scene, unsigned width, unsigned height,
                     bool dither)
 {
@@ -62,7 +61,7 @@ TEST(thesis)
         thesis_at(sizes[i][0], sizes[i][1]);
 }
 
-/* Pictures are so large that rows are written past the caches; then a tile at odd positions. */
+/* A picture so large that rows are written past the caches; then a tile at odd positions. */
 TEST(large_pictures)
 {
     enum { W = 8192, H = 520, GAP = GUARD / 2 };
@@ -184,8 +183,8 @@ TEST(threads)
     threads_destroy(pool);
 }
 
-/* Scenes that SIMD kernels do not draw are unchanged: the eye in a sphere; a scene for rays; a different arithmetic. */
-TEST(what_levels_leave_alone)
+/* Plain C draws with too little memory for SIMD kernels, and when the eye is in a sphere. */
+TEST(plain_c_draws_the_rest)
 {
     struct corpus_scene s;
     struct simd_frames f;
@@ -217,7 +216,7 @@ static void run_all(const struct tia_simd *tested, const char *name)
     RUN_SIMD(tiles_and_turned_surfaces);
     RUN_SIMD(objects_and_path_hashes);
     RUN_SIMD(threads);
-    RUN_SIMD(what_levels_leave_alone);
+    RUN_SIMD(plain_c_draws_the_rest);
 }
 
 TEST(names_of_levels)

@@ -1,5 +1,5 @@
-/* The stack that SIMD kernels take of a thread, for any scene: the stack is painted, and the deepest changed byte is
- * searched. Also, threads with small stacks can draw. */
+/* The stack use of SIMD kernels, for any scene: the stack is painted, and the deepest changed byte is found. Also,
+ * drawing works in threads with small stacks. */
 #include <pthread.h>
 #include <stdlib.h>
 #include <sys/mman.h>
@@ -84,7 +84,8 @@ static uint8_t *stack;
 static size_t deepest;
 static char deepest_scene[80];
 
-/* Measures the stack of a call; stacks grow downwards on every processor with SIMD kernels. */
+/* Measures the stack use of a call, and records the largest. Stacks grow downwards on every processor with SIMD
+ * kernels. */
 static void measure(struct work *w, const char *what, unsigned number)
 {
     size_t unused = 0;
@@ -183,7 +184,7 @@ static void draw_all(void)
 
 /* ---- cases ---- */
 
-TEST(no_more_than_levels_h_says)
+TEST(no_more_than_simd_h_says)
 {
     stack = mmap(NULL, SIZE, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     deepest = 0;
@@ -204,7 +205,7 @@ TEST(threads_with_little)
 int main(void)
 {
     for (unsigned i = 0; (simd = tia_simd_at(i)); i++) {
-        RUN(no_more_than_levels_h_says);
+        RUN(no_more_than_simd_h_says);
         RUN(threads_with_little);
     }
     return check_status();

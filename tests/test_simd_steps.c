@@ -1,6 +1,6 @@
-/* Sums of the kernels of src/simd/span by floats at random arguments, whose error is no more than the row of
- * src/simd/span/bounds allows. So a row that is less than a step needs is detected here, whatever else a run's bounds
- * have to spare. */
+/* Float sums of the kernels of src/simd/span at random arguments: no error exceeds what the row of src/simd/span/bounds
+ * allows. So a row that is too small for its step is detected here, even where the other rows of a run's bounds have a
+ * reserve. */
 #include <float.h>
 
 #include "float_modes.h"
@@ -70,7 +70,7 @@ static void try_sum(double x)
     }
 }
 
-/* Tries the forms of a light, and of the comparison for a shadow. */
+/* Tries the forms of a light: |w|^2, and the numerator k S + g of the cosine. */
 static void try_forms(double x)
 {
     double qq = any(4), q0 = any(4), q1 = any(8), v0 = fabs(any(2)), v1 = any(6), v2 = any(10), k = any(4), g0 = any(4),
@@ -88,7 +88,7 @@ static void try_forms(double x)
         BOUND(SPAN_FACING) * U * fabs(k) * s + BOUND(SPAN_TURN) * U * (fabs(g0) + fabs(g1 * x)));
 }
 
-/* Tries r N.w = S by a square and 1/r; then the colour, of which lambert is that of the kernel. */
+/* Tries the cosine from S, |w|^2 and 1/r; then the colour for the kernel's cosine. */
 static void try_colour(double x)
 {
     double per_r = fabs(any(4)), square = fabs(any(4)) + .001, own = fabs(random_double()),
@@ -158,7 +158,7 @@ TEST(sums_of_the_kernels)
 
 /* ---- levels, and the nearer of two ---- */
 
-/* A channel beside a boundary between two levels: where it is said to be sure, the exact level is the same. */
+/* A channel near the boundary between two levels: a level that the kernel reports as sure is the exact one. */
 TEST(levels_of_the_kernels)
 {
     unsigned count = check_count(4000000), sure = 0;
@@ -178,7 +178,8 @@ TEST(levels_of_the_kernels)
     CHECK(sure > count / 4);
 }
 
-/* Two spheres at nearly the same distance, whose 1/t are exact but for the kernel's own roundings. */
+/* Two spheres at nearly the same distance: if the kernel decides which is nearer, the decision is exact. Their 1/t have
+ * no errors but the kernel's own roundings. */
 TEST(distances_of_the_kernels)
 {
     unsigned count = check_count(2000000), sure = 0;

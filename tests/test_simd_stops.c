@@ -1,4 +1,4 @@
-/* Cancelled pictures by each instruction set: they end soon, however slow their rays are, and without a call of `stop`
+/* Cancelled pictures by each instruction set: drawing ends soon, however slow the rays are, and does not call `stop`
  * for every packet. */
 #include <stdlib.h>
 #include <time.h>
@@ -51,7 +51,7 @@ static struct tia_shape planes[PLANES];
 static struct tia_light lights[MANY];
 static struct tia_material material;
 
-/* Returns a scene with a ball, or with planes one behind the other, which have no box. */
+/* Returns a scene with a ball, and with planes one behind the other, which have no bounding box. */
 static struct tia_scene scene_of(uint32_t light_count, uint32_t plane_count)
 {
     struct tia_scene scene = tia_thesis_scene;
@@ -75,8 +75,8 @@ static struct tia_scene scene_of(uint32_t light_count, uint32_t plane_count)
     return scene;
 }
 
-/* Returns a scene without an end: each ray that meets the ball spawns two, sixteen times, and each of them needs 256
- * shadow rays to a thousand lights: one pixel would take days. */
+/* Returns a scene that takes days for one pixel: each ray that meets the ball spawns two, to the depth 16, and each of
+ * these needs 256 shadow rays to each of a thousand lights. */
 static struct tia_scene endless_scene(void)
 {
     struct tia_scene scene = scene_of(MANY, 0);
@@ -144,7 +144,7 @@ static int gather(const struct picture *p)
     return tia_estimator_q16.sample(p->view, frame, 0, 4, sums, W);
 }
 
-/* Cancels at the until-th call: no step takes long, before that call or after. */
+/* Cancels the work at call `until`: at most two calls follow, and no two calls are SOON apart. */
 static void stop(int (*work)(const struct picture *p), const struct picture *p, unsigned until)
 {
     caller.asked = 0;
@@ -183,8 +183,7 @@ TEST(soon_along_paths)
     }
 }
 
-/* Calls are rare, since they may read a clock: in a simple picture one for ten pixels. The number of packets is no more
- * than a fourth of its pixels, as there are pixels with and without shadow rays. */
+/* Calls are rare, since `stop` may read a clock: in a simple picture at most one for ten pixels. */
 TEST(seldom)
 {
     struct tia_scene scene = scene_of(1, 1);
@@ -197,7 +196,7 @@ TEST(seldom)
     close_picture(&p);
 }
 
-/* Packets with many tests count as more work: here the number of planes is that of a call. */
+/* Packets with many tests count as more work: PLANES planes are enough for a call for each packet. */
 TEST(often_where_rays_are_slow)
 {
     struct tia_scene scene = scene_of(0, PLANES);

@@ -1,6 +1,6 @@
-/* Coherence against the same pixels one by one: random and constructed scenes, rows of any width, guard pixels. And its
- * bounds against the errors that they bound: never exceeded, and not much wider than the worst of some thousand runs,
- * so that one that is a tenth of the right size is detected here. */
+/* Coherence against the same pixels one by one: random and constructed scenes, rows of any width, guard pixels. No
+ * error exceeds its bound, and the worst of some thousand runs has more than a tenth of it, so that a bound of a tenth
+ * of the right size is detected here. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -16,8 +16,8 @@ typedef long double real;
 
 enum { DISTANCE, REACH, SQUARE, TURNS, LAMBERT, FOOT, CLEAR, PATH, CHORD, BOUNDS };
 
-/* Sums of up to four powers of two have a reserve, which they must keep: this many times the worst error is within the
- * bound. */
+/* Bounds that are sums of up to four powers of two have a reserve: the worst error times `reserve` is within the bound.
+ */
 static struct {
     const char *name;
     double reserve, worst;
@@ -79,7 +79,8 @@ static struct vector direction(const struct coherence_run *run, int x)
 
 static const struct vector origin;
 
-/* Returns the point of a pixel, seen from outside. */
+/* Returns the point of the run's sphere that a pixel shows, for an eye outside the sphere; *t is its multiple of the
+ * direction. */
 static struct vector point(const struct coherence_run *run, int x, real *t)
 {
     struct vector v = direction(run, x);
@@ -135,7 +136,7 @@ static void try_sample(struct coherence_run *run, const struct span_view *spans,
         try_caster(run, &s, j, &spans->spheres[casters[j]], p, slack);
 }
 
-/* Checks the path of the points of a few pixels between two samples. */
+/* Checks the bound of the distance between the points of pixels and the nearer one of two samples. */
 static void try_path(struct coherence_run *run, int first, int last)
 {
     struct coherence_sample a, b;
@@ -151,7 +152,8 @@ static void try_path(struct coherence_run *run, int first, int last)
     }
 }
 
-/* Checks the circle of a row's points on the sphere: r^2 less the squared distance of its plane. */
+/* Checks that the chord of a run is at most the diameter of the circle in which the plane of the row cuts the sphere.
+ */
 static void try_chord(struct coherence_run *run, int first, int last)
 {
     struct coherence_sample a, b;
@@ -166,7 +168,7 @@ static void try_chord(struct coherence_run *run, int first, int last)
              2 * sqrtl(radius * radius - up * up / (v.y * v.y + v.z * v.z)));
 }
 
-/* Finds the casters of a run by brute force, and compares them with the run's. */
+/* Finds the casters of a run by testing all spheres in their order. */
 static void find_casters(const struct coherence_run *run, const struct tia_view *view, uint32_t object,
                          uint32_t casters[COHERENCE_CASTERS])
 {
@@ -225,8 +227,8 @@ static void try_pixels(const struct tia_view *view, const struct shaded_span *sp
         CHECK(got[i] == 0xa5a5 && got[GUARDS + span->count + i] == 0xa5a5);
 }
 
-/* Checks parts of a row's span of a sphere: as long as a piece, and those into which tiles of 1 to 130 pixels would cut
- * it. */
+/* Checks three parts of a row's span of a sphere: all of it, up to MOST pixels, and two random parts of 1 to 130
+ * pixels, as tiles would cut it. */
 static void try_row(const struct tia_view *view, uint32_t sphere, int y, uint64_t *state)
 {
     const struct span_view *spans = span_view_of(view);
@@ -280,8 +282,8 @@ TEST(random_scenes)
     }
 }
 
-/* Scenes have a ground and a ball on or near it, and a light: on the tangent plane of a visible point, in the ball,
- * below the ground, on it, or anywhere. */
+/* Scenes with a ground and a ball on or near it, and a light: at the centre of the ball, on the tangent plane of a
+ * visible point of the ground, or on the ground, above or below it. */
 TEST(constructed_scenes)
 {
     static const tia_q16 radii[] = {64, 655, TIA_Q16_ONE, 20 * TIA_Q16_ONE, 10000 * TIA_Q16_ONE};
@@ -311,8 +313,8 @@ TEST(constructed_scenes)
     }
 }
 
-/* The light of two samples is a share of the slack from where a level of 63 begins, above it or below: a pixel between
- * them may have either level when that share is less than the whole, and has one when it is more. */
+/* The light of two samples lies shares[i] times the slack above the beginning of a level of 63. A pixel between the
+ * samples may have either level if that share is within -1..1, and else has one. */
 TEST(levels_within_the_slack)
 {
     static const struct tia_rgb white = {NUM_ONE, NUM_ONE, NUM_ONE}, black = {0, 0, 0};
@@ -343,7 +345,7 @@ TEST(levels_within_the_slack)
     free(memory);
 }
 
-/* Rows have 1 to 130 pixels. */
+/* Pictures whose rows have 1 to 130 pixels. */
 TEST(rows_of_any_width)
 {
     struct corpus_scene s;

@@ -1,4 +1,4 @@
-/* The cores for spheres alone: the pinned pixels of the built-in scene, and the scenes that they refuse. */
+/* The cores for spheres alone: the pinned pixels of the built-in scene, and the scenes that the cores refuse. */
 #include <tia/debug.h>
 #include <tia/tia.h>
 
@@ -17,7 +17,7 @@ static int init(const struct tia_core *core, struct tia_view **view, const struc
     return core->view_init(core, view, view_memory, sizeof view_memory, scene, LIGHTS, W, H, NULL);
 }
 
-/* The picture with key a's light has the CRC of tests/golden/frames.crc. */
+/* The CRC of the picture with the light of key a is that in tests/golden/frames.crc. */
 TEST(the_pinned_picture)
 {
     const struct tia_surface surface = {pixels, 2, 2 * W};
@@ -40,7 +40,7 @@ static const struct tia_track track = {.target = TIA_MOVES_EYE, .keys = keys, .k
 static const struct tia_texture texture = {.kind = TIA_CHECKER, .repeat = {TIA_Q16_ONE, TIA_Q16_ONE}};
 static const struct tia_transform transform = {.scale = TIA_VEC3(1, 1, 1)};
 
-/* Scenes of more than spheres are refused, but tia_core_q16 draws each of them. */
+/* Scenes with parts other than spheres are refused; tia_core_q16 draws them. */
 TEST(scenes_of_more_than_spheres)
 {
     struct tia_scene scenes[5];
@@ -86,7 +86,7 @@ TEST(spheres_that_need_rays)
     CHECK(!view);
 }
 
-/* Views of spheres refuse lights that need rays, as span views of tia_core_q16 do. */
+/* Views refuse new lights that need rays. */
 TEST(lights_that_need_rays)
 {
     struct tia_light light = tia_thesis_scene.bindings[0].state;

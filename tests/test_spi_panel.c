@@ -1,22 +1,22 @@
-/* test_spi_panel.c - the SPI panel's port against a model of the panel, which follows the commands on the bus by the
- * data sheets and ends with a picture. Its DMA is as late as the contract allows, so a strip that is drawn into too
- * early is detected. */
+/* test_spi_panel.c - the port for SPI panels against a model of a panel, which decodes the commands on the bus by the
+ * data sheets and thus receives a picture. The model's DMA is as late as the contract allows, so drawing too early into
+ * a strip is detected. */
 #include "check.h"
 #include "spi-panel/spi_panel.h"
 #include <tia/tia.h>
 
 enum { MEMORY_WIDTH = 240, MEMORY_HEIGHT = 320, MEMORY = MEMORY_WIDTH * MEMORY_HEIGHT, LOG = 4096 };
 
-/* The controller and its glass. */
+/* The model: the bus, the controller and its glass. */
 static struct model {
-    /* The bus. */
+    /* the bus */
     const uint8_t *pending; /* data that DMA has not read yet */
     size_t pending_count;
     uint8_t log[LOG]; /* log of the commands */
     size_t commands;
-    int fails_after; /* number of calls until the bus refuses; -1: never */
+    int fails_after; /* number of calls until the bus fails; -1: never */
     uint64_t now_us;
-    /* The controller. */
+    /* the controller */
     uint8_t command;
     size_t parameter;
     bool asleep, on, inverted;
@@ -248,7 +248,7 @@ TEST(tiles_of_any_size)
     }
 }
 
-/* The panel is held in four orientations, with each corner where the data sheet puts it: the glass is 240 x 320. */
+/* Each of the four orientations has its corners where the data sheet puts them; the glass is 240 x 320. */
 TEST(orientations)
 {
     static const struct {
@@ -318,7 +318,7 @@ TEST(bad_sizes_and_tiles)
     CHECK_EQ(tia_spi_panel_display.acquire(&panel, (struct tia_tile){0, 0, 0, 1}, &surface), TIA_ERR_ARGUMENT);
 }
 
-/* Wherever the bus fails, the port reports the failure, stops, and can be closed. */
+/* At whichever call the bus fails, the port reports the failure, stops, and can be closed. */
 TEST(bus_failures)
 {
     int calls = 0;
@@ -351,7 +351,8 @@ static void *take_memory(void *ctx, size_t size)
     return size <= sizeof memory ? memory : NULL;
 }
 
-/* The viewer has room for the hits of a strip only; its picture is that of a frame drawn in one piece. */
+/* The viewer has memory for the hits of one strip only; its picture is the same as that of a frame drawn in one piece.
+ */
 TEST(viewer_on_the_panel)
 {
     static tia_rgb565 picture[240 * 320];

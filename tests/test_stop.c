@@ -1,4 +1,4 @@
-/* Cancellation: of drawing, in the middle of a picture that would take minutes, and of preparing. */
+/* Cancellation of drawing, in the middle of a picture that would take minutes, and of preparation. */
 #include <stdlib.h>
 #include <time.h>
 
@@ -55,7 +55,7 @@ static double cpu_seconds(void)
     return (double)clock() / CLOCKS_PER_SEC;
 }
 
-/* A scene of balls in a row, and one light for each of `light_count`. */
+/* Arrays of the scene of scene_of: a ball on a ground, and MANY lights, of which `light_count` are used. */
 static struct tia_sphere balls[2];
 static struct tia_light lights[MANY];
 static struct tia_material materials[1];
@@ -79,8 +79,8 @@ static struct tia_scene scene_of(uint32_t light_count)
     return scene;
 }
 
-/* Returns a scene without an end: each ray that meets the ball spawns two, sixteen times, and each of them needs 256
- * shadow rays to a thousand lights: one pixel would take days. */
+/* Returns a scene that takes days for one pixel: each ray that meets the ball spawns two, to the depth 16, and each of
+ * these needs 256 shadow rays to each of a thousand lights. */
 static struct tia_scene endless_scene(void)
 {
     struct tia_scene scene = scene_of(MANY);
@@ -110,7 +110,7 @@ TEST(nobody_asks)
     CHECK(!memcmp(plain, pixels, sizeof plain) && never.asked >= H);
 }
 
-/* Spans are cancelled row by row: after the stop no row is begun. */
+/* Spans are cancelled row by row: after the stop no new row is begun. */
 TEST(spans)
 {
     struct tia_scene scene = scene_of(10);
@@ -128,7 +128,7 @@ TEST(spans)
     }
 }
 
-/* With many lights a row takes long, so it is cancelled within. */
+/* With many lights a row takes long, so it can be cancelled before its end. */
 TEST(many_lights_in_a_row)
 {
     struct tia_scene scene = scene_of(MANY);
@@ -152,7 +152,7 @@ TEST(a_trace_by_spans)
     CHECK(cancel.asked <= 2);
 }
 
-/* Rays call `stop` soon, and end when it returns true. */
+/* Drawing by rays calls `stop` soon, and ends when it returns true. */
 TEST(rays)
 {
     struct tia_scene scene = endless_scene();
@@ -174,7 +174,7 @@ TEST(rays)
     CHECK(cpu_seconds() - start < 20);
 }
 
-/* Every core calls `stop` through its table of functions. */
+/* A core calls `stop` through its table of functions, too. */
 TEST(the_table_of_functions)
 {
     struct tia_scene scene = endless_scene();
@@ -262,7 +262,8 @@ static struct tia_scene scene_of_many(int kind)
     return scene;
 }
 
-/* Checks that each of `passes` passes over the objects calls `stop` after every 4096, and ends when it returns true. */
+/* Checks that each of `passes` passes over the objects calls `stop` after every 4096 objects, and ends when it returns
+ * true. */
 static void check_preparing(int kind, unsigned passes)
 {
     struct tia_scene scene = scene_of_many(kind);
@@ -292,7 +293,7 @@ TEST(preparing_a_view)
     fill_many();
     check_preparing(SHAPES, 2);  /* the check, and the shapes' constants */
     check_preparing(SPHERES, 1); /* the check */
-    check_preparing(FACES, 4);   /* the check, its box, the box for the instance, the test for closed meshes */
+    check_preparing(FACES, 4);   /* the check, the mesh's box, the box of the instance, the test for closed meshes */
     check_preparing(NORMALS, 1);
     check_preparing(CELLS, 1);
     check_preparing(LIGHTS, 3); /* the check of the scene, the check of new lights, the lights' constants */
@@ -322,7 +323,7 @@ TEST(a_scene_at_a_time)
     free(memory);
 }
 
-/* Without a hierarchy, or outside of it as with planes, each ray tests all objects. */
+/* Without a hierarchy, and for planes with one, a ray tests all objects; `stop` is called meanwhile. */
 TEST(one_ray)
 {
     struct tia_scene scene;

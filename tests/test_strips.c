@@ -3,7 +3,8 @@
 #include "terminal/pictures.h"
 
 #ifdef TIA_HAVE_CHAFA
-/* Checks that strips cover a picture, that none is large, and that each begins where a cell and a band begin. */
+/* Checks that strips cover a picture, that none is large, and that each begins at a row of cells and, for sixels, of
+ * bands. */
 static void check_strips(enum pictures pictures, struct cell size, unsigned width, unsigned height)
 {
     unsigned end = 0, count = 0;

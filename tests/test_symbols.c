@@ -1,5 +1,5 @@
-/* Symbols on terminals: the text sent, decoded by Unicode's description of the block elements; the ways that a user can
- * name; and keys that are typed during the terminal's query. */
+/* Symbols on terminals: the text sent, decoded by Unicode's description of the block elements; the names of formats;
+ * and keys typed during the terminal's query. */
 #include <sys/ioctl.h>
 #include <sys/wait.h>
 
@@ -41,7 +41,7 @@ TEST(ways_by_name)
 #define HEIGHT (ROWS * SYMBOLS_HEIGHT)
 
 struct cell {
-    uint32_t code, fore, back; /* 0xrrggbb, or the index of 256 */
+    uint32_t code, fore, back; /* character; colours: 0xrrggbb, or an index below 256 */
 };
 
 static tia_rgb565 pixels[WIDTH * HEIGHT];
@@ -51,7 +51,7 @@ static unsigned written; /* number of cells of the last text */
 /* The quadrants of U+2596 to U+259F: upper left 1, upper right 2, lower left 4, lower right 8. */
 static const uint8_t quadrants[] = {4, 8, 1, 13, 9, 7, 11, 2, 6, 14};
 
-/* Returns 1 if a block element inks this point, in eighths of the cell, by the Unicode standard; else 0; -1: none. */
+/* Returns 1 if a block element inks this point, in eighths of the cell, by Unicode, else 0; -1 for other characters. */
 static int is_inked(uint32_t code, unsigned x, unsigned y)
 {
     if (code == ' ')
@@ -93,7 +93,7 @@ static uint32_t take_utf8(const char **s)
     return *b < 0x80 ? *b : (*b & 15u) << 12 | (b[1] & 63u) << 6 | (b[2] & 63u);
 }
 
-/* Plays positions, colours and characters; an unknown sequence fails. */
+/* Decodes positions, colours and characters onto the screen; an unknown sequence is an error. */
 static void play(const struct text *text)
 {
     char *whole = calloc(1, text->count + 1);
@@ -194,7 +194,7 @@ TEST(two_colours_in_a_cell)
     symbols_free(&symbols);
 }
 
-/* Draws one cell. */
+/* Draws the halves of one cell, and checks that no other cell is sent. */
 static void draw_halves(tia_rgb565 upper, tia_rgb565 lower)
 {
     for (unsigned y = 0; y < SYMBOLS_HEIGHT; y++)
@@ -213,7 +213,7 @@ TEST(what_did_not_change_is_not_sent)
     draw(true);
     add_frame(true, &text);
     CHECK_EQ(text.count, 0);
-    draw_halves(0x1234, 0x1234); /* then only the background changes, or only the foreground */
+    draw_halves(0x1234, 0x1234); /* next, only the background changes, or only the foreground */
     draw_halves(0x1234, 0xffff);
     draw_halves(0x1234, 0xf800);
     draw_halves(0x001f, 0xf800);
@@ -224,7 +224,7 @@ TEST(what_did_not_change_is_not_sent)
     text_free(&text);
 }
 
-/* Pictures use blocks, box drawing and Braille, one column each. */
+/* Pictures are drawn in blocks, box drawing and Braille, each one column wide. */
 TEST(any_picture)
 {
     unsigned lines = 0;
@@ -249,7 +249,7 @@ struct told {
     char format[40], why[80], keys[40]; /* keys: letters themselves, ^ for all others */
 };
 
-/* Runs the program: opens its keyboard and display, and reports the keys up to z. */
+/* Opens the program's keyboard and display, and reports the keys up to z. */
 static void play_program(const char *name, const char *device, int out)
 {
     char why[PORT_WHY] = "";
@@ -280,7 +280,7 @@ static void play_program(const char *name, const char *device, int out)
 
 static bool asked;
 
-/* Types `text` when the query for the device's attributes comes, and `later` when the window is entered. */
+/* Types `text` when the terminal's attributes are queried, and `later` when the alternate screen is entered. */
 static void play_terminal(const char *text, const char *later, int in)
 {
     struct pollfd two[2] = {{.fd = master, .events = POLLIN}, {.fd = in, .events = POLLIN}};
@@ -364,7 +364,7 @@ static void check_keys(const char *text, const char *later, const char *keys)
 
 #define KITTY_OK "\033_Gi=31;OK\033\\"
 
-/* Keys are typed before, between and after the answers, also on a terminal that does not answer. */
+/* Keys typed before, between and after the answers arrive, also on a terminal that does not answer. */
 TEST(keys_while_it_is_asked)
 {
     check_keys("ab" KITTY_OK "c\033[A\033[?62;4cd", "ez", "abc^dez");

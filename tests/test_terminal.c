@@ -5,9 +5,9 @@
 
 #include <tia/port.h>
 
-/* Returns the keys of `bytes`, then (with `silence`) of the silence after them, as text: letters and digits themselves,
- * arrows L R U D, page up and down ^ v, Home H, Tab T, Space _, + and -, ? as /, Escape E, Ctrl-C !, others ?, the
- * mouse M. */
+/* Returns the keys of `bytes` and, with `silence`, of the silence after them, as text: letters and digits as
+ * themselves, arrows L R U D, page up and down ^ v, Home H, Tab T, Space _, + and -, ? as /, Escape E, Ctrl-C !, other
+ * keys ?, the mouse M; at the end ~ for an unfinished sequence. */
 static const char *typed(const char *bytes, size_t count, bool silence)
 {
     static char text[64];
@@ -179,7 +179,7 @@ TEST(a_broken_sequence_ends)
     TYPINGS(rows, false);
 }
 
-/* Sequences' bytes come in any order: no key is invented, and Ctrl-C always counts. */
+/* The bytes of sequences in any order: no key is invented, and Ctrl-C always counts. */
 TEST(any_bytes_at_all)
 {
     static const char common[] = "\033\033\033[[OP]^_?;;0125~ABCD200\a\\\x80\xc3\xe2\xf0 az";
@@ -198,7 +198,7 @@ TEST(any_bytes_at_all)
     }
 }
 
-/* Returns the last byte's result, and the decoder's state. */
+/* Returns the result of the last byte; *d is the decoder after it. */
 static uint16_t decoded(const char *bytes, struct decoder *d)
 {
     uint16_t key = 0;
@@ -227,7 +227,7 @@ TEST(shift_is_told_with_keys_that_move)
         CHECK_MSG(decoded(rows[i].bytes, &d) == rows[i].key && d.shift == rows[i].shift, "row %u", i);
 }
 
-/* Reports of the mouse are as in SGR mode of xterm's ctlseqs. */
+/* Reports of the mouse in SGR mode, see xterm's ctlseqs. */
 TEST(the_mouse_in_sgr_reports)
 {
     static const struct {

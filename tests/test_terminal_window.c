@@ -48,8 +48,8 @@ static bool is_pending(int number)
     return sigpending(&pending) == 0 && sigismember(&pending, number) == 1;
 }
 
-/* With SIGCONT just before the write nothing is written, the next wait ends at once, and then the window is taken
- * again. */
+/* After a SIGCONT just before a frame is written, nothing is written, the next wait ends at once, and then the window
+ * is entered again. */
 TEST(continued_before_a_frame_is_written)
 {
     struct tia_mode mode;
@@ -73,7 +73,7 @@ TEST(continued_before_a_frame_is_written)
     close_terminal();
 }
 
-/* With SIGCONT while the window is left, it is left nevertheless. */
+/* A SIGCONT while the window is left does not keep the window. */
 TEST(continued_before_the_window_is_left)
 {
     struct tia_mode mode;

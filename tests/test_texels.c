@@ -1,4 +1,4 @@
-/* Textures from picture files: hand-written PPM, PNG as written by this program, and refusals. */
+/* Textures from picture files: hand-written PPM, PNG files of this program, and files that are refused. */
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -34,10 +34,10 @@ TEST(ppm)
 {
     PPM("P6 1 2 255\nabcdef", 1, 2, "abcdef");
     PPM("P6\n# a comment 9\n2 #another\n1\n255\n#bcdef", 2, 1, "#bcdef");
-    PPM("P6 1 1 255\nabcdef", 1, 1, "abc"); /* the bytes after it belong to a second picture */
+    PPM("P6 1 1 255\nabcdef", 1, 1, "abc"); /* the rest belongs to a second picture */
     PPM("P3 1 1 255 0 1 255", 1, 1, "\0\1\377");
     PPM("P3\n1 1\n255\n1 # one\n2\t3\n", 1, 1, "\1\2\3");
-    /* v 255 / full to nearest: 1/3 is 85, 1/2 of 254 full is 127.5 */
+    /* each value times 255 / maximum, rounded to nearest: 1/3 is 85, 127 of 254 is 127.5 */
     PPM("P3 1 1 3 0 1 3", 1, 1, "\0\125\377");
     PPM("P3 1 1 254 127 253 254", 1, 1, "\200\376\377");
     PPM("P6 1 1 65535\n\0\0\377\377\1\1", 1, 1, "\0\377\1");
@@ -65,7 +65,7 @@ TEST(what_is_no_picture)
     REFUSED("P6 -1 1 255\nabc");
     REFUSED("P6 1 1 0\nabc");
     REFUSED("P6 1 1 65536\nabcdef");
-    REFUSED("P6 1 1 100\na\145c"); /* 101 at a maximum of 100 */
+    REFUSED("P6 1 1 100\na\145c"); /* 101, above the maximum 100 */
     REFUSED("P6 99999999999999999999 1 255\nabc");
     REFUSED("P3 1 1 255 0 1");
     REFUSED("P3 1 1 255 0 1 256");
@@ -103,7 +103,7 @@ TEST(channels)
     }
 }
 
-/* Too large a picture is refused by its size, before any byte is read or allocated. */
+/* A picture that is too large is refused by its size, before any byte is read or allocated. */
 TEST(too_large_a_picture)
 {
     REFUSED("P6 101 1 255\n");
@@ -135,7 +135,7 @@ static size_t write_png(const tia_rgb565 *pixels, unsigned width, unsigned heigh
     return length > 0 ? (size_t)length : 0;
 }
 
-/* Each channel of RGB565 is written by repeating its high bits. */
+/* Each channel of RGB565 is written with 8 bits, by repeating its high bits. */
 TEST(png)
 {
     static const tia_rgb565 pixels[] = {0x0000, 0xffff, 0xf800, 0x07e0, 0x001f, 0x8410};

@@ -1,4 +1,4 @@
-/* tia_text_draw: letters as designed by hand, in any tiles and sizes. */
+/* tia_text_draw: letters against drawings by hand, in any tiles and sizes. */
 #include <string.h>
 #include <tia/text.h>
 
@@ -62,7 +62,7 @@ TEST(what_it_covers)
     CHECK_EQ(tia_text_area(&text, 3, 20).width, 0);
 }
 
-/* Letters differ and stay within five columns; other characters are blank. */
+/* Printable characters differ and stay within five columns; other characters are blank. */
 TEST(all_of_ascii)
 {
     static tia_rgb565 seen[95][8][6];

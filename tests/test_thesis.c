@@ -1,11 +1,12 @@
-/* The built-in scene: its contents, and its pictures after each of its keys, q16 and f64, against the oracle's. */
+/* The built-in scene: its contents, and its pictures after each of its keys, by q16 and f64, against those of the
+ * oracle. */
 #include "against.h"
 #include "check.h"
 #include "common/corpus/corpus.h"
 #include "common/thread_pool.h"
 
 static struct threads *pool;
-static unsigned width = 640, height = 480; /* defaults, or the two arguments */
+static unsigned width = 640, height = 480; /* or the two arguments */
 
 static bool is_grey(struct tia_rgb c, tia_q30 level)
 {
@@ -60,8 +61,8 @@ TEST(its_keys)
     tia_check_light("w", 0, 20, -32);
 }
 
-/* Compares with the oracle: at 640x480 at most `wrong` pixels may differ, and none be a flip. At other sizes q16 may
- * have one wrong in 100,000 and two flips in a million, f64 none. */
+/* Compares with the oracle: at most `wrong` pixels may differ, and none may be a flip. At sizes other than 640x480, q16
+ * may have one wrong pixel in 100,000 and two flips in a million. */
 static void compare(const struct tia_core *core, const char *keys, unsigned wrong)
 {
     struct corpus_scene c;
@@ -95,7 +96,7 @@ TEST(q16_light_near_the_eye)
 {
     compare(&tia_core_q16, "s", 0);
 }
-/* Two pixels, each the other's mirror image, are 1.6e-7 of a level beside a boundary. */
+/* The exact values of two pixels, mirror images of each other, are within 1.6e-7 of a level of a boundary. */
 TEST(q16_light_far_from_the_eye)
 {
     compare(&tia_core_q16, "w", 2);

@@ -104,7 +104,8 @@ TEST(roots_of_the_quadratic)
     check_variant("the roots of the quadratic", (struct oracle_variant){.bias = ORACLE_BIAS, .quadratic = true});
 }
 
-/* The number of points that are rounded to the inner side of their surface depends on the compiler. */
+/* The number of points that are rounded to the inner side of their surface depends on the compiler, so the page says
+ * "some". */
 TEST(roots_without_a_bias)
 {
     unsigned differ = count("a", (struct oracle_variant){.quadratic = true}, pictures[0]);
@@ -128,7 +129,7 @@ TEST(signs)
     check_row("normals inwards", normal);
 }
 
-/* A light moves from the height of the ball's top, 2, down to -2. */
+/* The light moves down from the height of the ball's top, 2, to -2. */
 TEST(blockers_beyond_the_light)
 {
     struct oracle_variant tia = {.bias = ORACLE_BIAS}, variant = {.bias = ORACLE_BIAS, .beyond_light = true};
@@ -155,7 +156,7 @@ TEST(blockers_beyond_the_light)
     check_page(text);
 }
 
-/* Returns the row of cells of an 8-row checker, by the angle from the pole or by its cosine alone. */
+/* Rows of a checker with 8 rows, by the angle from the pole and by its cosine alone. */
 TEST(texture_coordinates_without_acos)
 {
     unsigned ball = 0, differ = 0;

@@ -1,4 +1,4 @@
-/* The thread pool: every job runs once, on the given threads, with signals blocked, and the threads end. */
+/* The thread pool: every job runs once, on the threads of the pool, with signals blocked, and the threads end. */
 #include "common/thread_pool.h"
 
 #include <dirent.h>
@@ -76,7 +76,7 @@ static void slow_job(void *arg, unsigned index)
     atomic_fetch_add(&done[index], 1u);
 }
 
-/* Rounds begin while threads still spin, or when all sleep; the pool ends in either state. */
+/* A round can begin while threads still spin or when all sleep, and the pool can end in either state. */
 TEST(every_job_runs_once_after_pauses)
 {
     struct threads *pool = threads_create(2);
@@ -98,7 +98,7 @@ static long cpu_us(void)
     return (long)t.tv_sec * 1000000 + t.tv_nsec / 1000;
 }
 
-/* Threads idle for the time between two frames of a display at 60 Hz, and of a viewer that waits for a key. */
+/* Threads use little processor time while idle between two frames of a display at 60 Hz. */
 TEST(idle_threads_take_no_processor)
 {
     struct threads *pool = threads_create(2);
@@ -150,7 +150,8 @@ static pthread_t caller;
 static atomic_uint others, open_to_signals;
 static pthread_barrier_t meeting;
 
-/* Waits until all threads have come, so that each runs exactly one job. */
+/* Counts the threads other than the caller, and their unblocked signals. Waits until all threads have arrived, so that
+ * each runs exactly one job. */
 static void look_at_mask(void *arg, unsigned index)
 {
     (void)arg, (void)index;

@@ -33,7 +33,7 @@ static uint32_t first_of(unsigned level, unsigned bits)
     return (uint32_t)low;
 }
 
-/* Checks each threshold of sRGB and the value just below it; between thresholds levels never fall. */
+/* Each threshold of sRGB and the value just below it have the exact levels, and so do random values. */
 TEST(srgb_is_exact)
 {
     static const unsigned widths[] = {5, 6, 8};
@@ -65,7 +65,7 @@ TEST(linear_is_nearest)
         }
 }
 
-/* Means without exposure are floor(2^8 sum/count), computed here by long division. */
+/* Without exposure a mean is floor(2^8 sum/count), computed here by long division. */
 TEST(means_are_exact)
 {
     const struct tia_exposure none = tia_exposure_of(0);
@@ -97,7 +97,7 @@ TEST(exposures)
     }
 }
 
-/* Whole stops are powers of two: floor(2^(8 + stops) sum/count), by shifts of 64-bit numbers. */
+/* Whole stops multiply by powers of two: floor(2^(8 + stops) sum/count), computed here by shifts of 64-bit numbers. */
 TEST(whole_stops)
 {
     for (int stop = -24; stop <= 24; stop++) {

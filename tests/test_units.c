@@ -1,8 +1,8 @@
-/* A scene in metres, decimetres, centimetres, millimetres and kilometres is the same picture, by every renderer. */
+/* A scene in metres, decimetres, centimetres, millimetres and kilometres gives the same picture, by every renderer. */
 #include "random.h"
 #include "scaled.h"
 
-/* A street: an unbounded ground, and so a horizon; no length is exact in any of the units. */
+/* A street: the ground is unbounded, so there is a horizon; no length is exact in any of the units. */
 #define STREET                                                                                                         \
     "background 0.5 0.7 1\nmaterial grey colour 0.5\nmaterial red colour 0.8 0.2 0.1\ntexture bricks checker odd "     \
     "0.25 "                                                                                                            \
@@ -29,7 +29,8 @@ static const char *const renderers[] = {"",
                                         "integrator ao @3.3\nspp 4\n",
                                         "integrator path\nspp 4\n"};
 
-/* Returns the number of pixels of the text in a unit that are equal to those in its own, and gives its scale_bits. */
+/* Draws the text's scene in a unit into `pixels`. Returns the number of pixels that are equal to the old ones; gives
+ * the scene's scale_bits. */
 static unsigned drawn(const char *text, double scale, tia_rgb565 *pixels, int *scale_bits)
 {
     struct reading r;
@@ -48,9 +49,9 @@ static unsigned drawn(const char *text, double scale, tia_rgb565 *pixels, int *s
     return same;
 }
 
-/* Checks a unit. Lengths are rounded to 2^-18 m or less, so a point 5 m away, with 65 pixels to a metre there, moves by
- * 2^-12 of a pixel: of some 1000 pixels at edges, of objects, bricks and shadows, that is less than one. A path may
- * pass three such edges. */
+/* Checks the picture in a unit against that in metres. Lengths are rounded to 2^-18 m or less. So a point 5 m away,
+ * with 65 pixels to a metre there, moves by 2^-12 of a pixel: of some 1000 pixels at edges of objects, bricks and
+ * shadows, less than one changes. A path may pass three such edges. */
 static void check_unit(const char *text, double scale, int apart)
 {
     static tia_rgb565 pixels[WIDTH * HEIGHT];
@@ -82,7 +83,7 @@ TEST(five_units_are_the_same_picture)
 
     for (unsigned c = 0; c < sizeof cameras / sizeof *cameras; c++)
         for (unsigned i = 0; i < sizeof renderers / sizeof *renderers; i++) {
-            if (check_is_quick() && (c + i) % 2) /* in make check-quick every second one */
+            if (check_is_quick() && (c + i) % 2) /* make check-quick: every second one */
                 continue;
             (void)snprintf(text, sizeof text, "%s%s" STREET LAMP, cameras[c], renderers[i]);
             if (!strstr(renderers[i], "constant")) {
@@ -94,7 +95,7 @@ TEST(five_units_are_the_same_picture)
         }
 }
 
-/* Large scenes have more than 32768 millimetres, or planes seen from high above. */
+/* Scenes of more than 32768 mm, and planes seen from a great height. */
 TEST(large_scenes_in_small_units)
 {
     check_units("camera eye @0.3 @41.7 @90.1 look @0 @20.3 @0 fov 40\n" STREET LAMP);
@@ -104,7 +105,7 @@ TEST(large_scenes_in_small_units)
                 "box min @-300 @0 @-500 max @700 @800 @900 material brick\n");
 }
 
-/* Planes are textured with squares, and end before the horizon, where squares would be finer than pixels. */
+/* Planes with textures of squares; the planes end before the horizon, where squares would be finer than pixels. */
 TEST(textures_on_planes)
 {
     static const char *const given[] = {"scale @1.7 @0.9 offset @0.37 @-1.3", "repeat ~0.31",
@@ -121,7 +122,7 @@ TEST(textures_on_planes)
     }
 }
 
-/* Attenuation keeps at least 11 bits. */
+/* Attenuations are read with at least 11 significant bits. */
 TEST(lights_that_fade)
 {
     static const double scales[] = {10, 100, 1000, 0.001, 0.125, 512};
@@ -135,7 +136,7 @@ static double random_between(double low, double high)
     return low + (high - low) * (random_u32() / 4294967296.0);
 }
 
-/* Writes random boxes, balls and lights over a ground, from random heights. */
+/* Writes random boxes, balls and lights over a ground, seen from random heights. */
 static void random_text(char *text)
 {
     char *to = text;

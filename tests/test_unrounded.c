@@ -1,8 +1,8 @@
-/* .nff files against their pictures: the numbers as written, in double precision from the text to the pixel, see
- * oracle/nff.h. The other comparisons start from the coordinates that the reader has rounded.
+/* Pictures of .nff files against those of an oracle that computes with the numbers as written, in double precision from
+ * the text to the pixel, see oracle/nff.h. The other comparisons start from the coordinates that the reader has
+ * rounded.
  *
- *     test_unrounded [WIDTH]    default 128; the figures of each picture go to standard output
- */
+ *     test_unrounded [WIDTH]    default 128; the figures of each picture go to standard output */
 #include "check.h"
 #include "common/thread_pool.h"
 #include "oracle/nff.h"
@@ -108,8 +108,8 @@ __attribute__((format(printf, 2, 3))) static void say(struct writing *w, const c
     w->length += (size_t)length;
 }
 
-/* Returns the number of lengths after a statement's word; those of a polygon's corners are on lines without a word,
- * each three of them, and then a normal. */
+/* Returns the number of lengths after the word of a statement. The corners of a polygon are on lines without a word, of
+ * three lengths each, which a normal may follow. */
 static int lengths_of(const char *word)
 {
     static const struct {
@@ -138,7 +138,7 @@ static void say_line(struct writing *w, const char *line, double scale)
     say(w, "\n");
 }
 
-/* Returns the text of the same scene in other units. */
+/* Returns the text of the same scene in other units, allocated by malloc. */
 static char *scaled_text(const char *text, double scale)
 {
     struct writing w = {NULL, 0, 0};
@@ -151,8 +151,8 @@ static char *scaled_text(const char *text, double scale)
     return w.text;
 }
 
-/* Writes a ball and nine more around it, each a third of its size and touching it: six around its waist, three above,
- * where "above" is away from the ball that it stands on. */
+/* Writes a ball and, with more levels, nine balls that touch it, each with a third of its radius: six around its
+ * equator and three above, where "above" is the direction away from the ball that carries it. */
 static void say_ball(struct writing *w, unsigned levels, struct oracle_vec at, double radius, struct oracle_vec above)
 {
     struct oracle_vec u, v;
@@ -167,7 +167,7 @@ static void say_ball(struct writing *w, unsigned levels, struct oracle_vec at, d
     }
 }
 
-/* Returns a flake of balls as in the Standard Procedural Databases, which print six digits. */
+/* Returns a flake of balls as in the Standard Procedural Databases, with six digits a number. */
 static char *flake_text(unsigned levels)
 {
     struct writing w = {NULL, 0, 0};
@@ -179,8 +179,8 @@ static char *flake_text(unsigned levels)
     return w.text;
 }
 
-/* Writes a jack: three sticks that cross at right angles, with balls on their ends; and eight jacks of half its size
- * around it. */
+/* Writes a jack, three rods that cross at right angles with balls on their ends, and around it eight jacks of half its
+ * size. */
 static void say_jack(struct writing *w, unsigned levels, struct oracle_vec at, double size,
                      const struct oracle_vec axes[3])
 {
@@ -217,8 +217,8 @@ static char *jacks_text(unsigned levels)
 static const char *const names[] = {"balls_1", "balls_2", "balls_3",  "balls_4",  "gears_1", "jacks_3", "lattice_3",
                                     "mount_3", "rings_3", "shells_2", "teapot_3", "tetra_4", "tree_4"};
 
-/* Checks the project's files, in units `scale` times as large; in make check-quick only every third of them in other
- * units. */
+/* Checks the project's files with lengths multiplied by `scale`; in make check-quick, only every third file if `scale`
+ * is not 1. */
 static void check_files(double scale)
 {
     for (unsigned i = 0; i < sizeof names / sizeof *names; i += scale != 1 && check_is_quick() ? 3 : 1) {
@@ -265,7 +265,8 @@ TEST(ever_smaller_balls)
     check_made("balls", 5, flake_text(5));
 }
 
-/* At depth 5 an oracle in double precision is not accurate enough: one in long double has another 0.03 %. */
+/* Up to level 4: at 5 an oracle in double precision is not accurate enough, since one in long double draws 0.03 % of
+ * the pixels differently. */
 TEST(ever_smaller_jacks)
 {
     for (unsigned level = 1; level <= 4; level++)

@@ -43,7 +43,7 @@ TEST(the_scene_brings_its_lights)
     CHECK_EQ(world_play(w), TIA_ERR_ARGUMENT);
 }
 
-/* 60 taps that wait make one frame, whose latency is the oldest tap's. */
+/* One frame follows 60 waiting taps, and its latency is that of the oldest tap. */
 TEST(all_waiting_keys_before_a_frame)
 {
     struct world *w = lit_world();
@@ -63,7 +63,7 @@ TEST(frames_only_for_changes)
 {
     struct world *w = world_new();
 
-    world_event(w, START + 1000, TIA_EVENT_TAP, TIA_KEY_LEFT); /* there is no light yet */
+    world_event(w, START + 1000, TIA_EVENT_TAP, TIA_KEY_LEFT); /* without effect: the scene has no light yet */
     world_event(w, START + 2000, TIA_EVENT_TAP, 's');
     world_event(w, START + 3000, TIA_EVENT_TAP, TIA_KEY_LEFT);
     quit_at(w, START + 3000);
@@ -86,14 +86,14 @@ TEST(a_tap_moves_once)
     CHECK_EQ(w->frame_count, 2);
 }
 
-/* Returns the number of moves of the light by a key that was pressed and is held since `held` microseconds. */
+/* Returns the number of moves of the light by a key that has been held for `held` microseconds. */
 static int steps(uint64_t held)
 {
     return held < TIA_HOLD_DELAY_US ? 1 : 2 + (int)((held - TIA_HOLD_DELAY_US) / TIA_HOLD_STEP_US);
 }
 
-/* Checks that each frame while a key is held shows the light moved by the time since the key was taken, after the frame
- * that was being drawn; and that the light ends where it was when the key was released. */
+/* Checks that each frame while a key is held shows the light moved for the time since the viewer received the key,
+ * which is after the frame drawn at that time; and that no frame moves the light after the release. */
 static const struct world *check_held(uint64_t tile_us, uint64_t present_us)
 {
     const uint64_t frame_us = 3 * tile_us + present_us;
@@ -117,7 +117,7 @@ static const struct world *check_held(uint64_t tile_us, uint64_t present_us)
     return w;
 }
 
-/* When drawing takes no time each step is a frame, late by less than the 1 ms unit of waits. */
+/* If drawing takes no time, each step is a frame, late by less than 1 ms, the unit of waits. */
 TEST(a_held_key_moves_by_the_clock)
 {
     const struct world *w = check_held(0, 0);
@@ -136,8 +136,8 @@ TEST(slow_frames_do_not_slow_the_light)
     (void)check_held(20000, 30000);
 }
 
-/* Frames of 170 ms and of a second have time for five steps and thirty: each shows only three more, and none comes
- * after the one that was being drawn when the key was released. */
+/* In frames of 170 ms and of a second a held key moves five and thirty steps, but each frame shows only three more, and
+ * none follows the frame that is being drawn at the release. */
 TEST(slower_frames_are_no_jumps)
 {
     for (uint64_t present = 50000; present < 1000000; present += 830000) {
@@ -272,7 +272,8 @@ TEST(the_stop_flag)
     CHECK_EQ(w->frame_count, 0);
 }
 
-/* Lights may be moved while the screen is hidden; when it is back the frame is drawn, moved or not. */
+/* Keys can move lights while the screen is hidden. When the screen is visible again, the frame is drawn, moved or not.
+ */
 TEST(hidden)
 {
     for (int moved = 0; moved < 2; moved++) {
@@ -300,7 +301,7 @@ TEST(hidden_from_the_start)
     CHECK(w->frame_count == 1 && w->frames[0].drawn_us == START + 500);
     w = world_new();
     w->hidden_until_us = UINT64_MAX;
-    w->viewer.ports.input = NULL; /* without an input, its return cannot be noticed */
+    w->viewer.ports.input = NULL; /* without an input, the screen's return cannot be noticed */
     w->viewer.pacing.frame_limit = 1;
     CHECK_EQ(world_play(w), TIA_HIDDEN);
     CHECK_EQ(w->frame_count, 0);

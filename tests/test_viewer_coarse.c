@@ -1,11 +1,11 @@
-/* tia_viewer_run: frames that take long are shown coarse to fine. Here time passes only while pixels are lit, the same
- * for each, so that the pictures and their times follow from counting pixels: 12, 36, 144, 576 and 2304 in the five
+/* tia_viewer_run: frames that take long are shown coarse to fine. Time passes here only while pixels are lit, equally
+ * for each, so that the number of pixels gives the pictures and their times: 12, 36, 144, 576 and 2304 in the five
  * passes over three tiles of 64 x 16. */
 #include "viewer_world.h"
 
 enum { TILES = 3, SHOWN = 64 };
 
-/* An expected picture: its time, the blocks in each tile, and the length of the progress line. */
+/* An expected picture: its time, the size of the blocks in each tile, and the length of the progress line. */
 struct picture {
     uint64_t at_us;
     uint8_t block[TILES];
@@ -57,7 +57,7 @@ static int slow_render(const struct tia_view *view, struct tia_hits *hits, struc
     return status ? status : slow_light(view, hits, tile, surface, options);
 }
 
-/* Checks that each pixel of the frame was computed once, and that `traced` of them were traced. */
+/* Checks that each pixel of the frame was lit once, and traced `traced` times; then resets the numbers. */
 static void check_counts(unsigned traced)
 {
     for (unsigned y = 0; y < WORLD_HEIGHT; y++)
@@ -70,7 +70,7 @@ static void check_counts(unsigned traced)
 
 /* ---- the pictures ---- */
 
-/* Returns the pixel that the block around (x, y) shows. */
+/* Returns the pixel shown by the block around (x, y): its upper left one. */
 static tia_rgb565 mosaic(const tia_rgb565 *full, unsigned x, unsigned y, unsigned block)
 {
     return full[y / block * block * WORLD_WIDTH + x / block * block];
@@ -99,7 +99,7 @@ static int done(void *ctx, const struct tia_frame *frame)
     return frame->block > 1 ? TIA_OK : world_frame_done(ctx, frame);
 }
 
-/* Returns the thesis scene with four rays a pixel, which spans do not draw. */
+/* Returns a world with the thesis scene and four rays a pixel, which the span renderer does not draw. */
 static struct world *slow_world(uint64_t pixel_us, const struct picture *expected, unsigned expected_count)
 {
     static struct tia_scene scene;
@@ -125,9 +125,9 @@ static struct world *slow_world(uint64_t pixel_us, const struct picture *expecte
     return w;
 }
 
-/* The pictures of a frame of 3.072 s. Passes end after 12, 48, 192, 768 and 3072 ms; the first is over before a
- * display's period is, and those that take longer than 250 ms are shown after the tile at which these are over. The
- * line's length is the share of pixels done: one column for 48 pixels. */
+/* The pictures of a frame of 3.072 s. Passes end after 12, 48, 192, 768 and 3072 ms. The first ends within a period of
+ * the display; passes that take longer than 250 ms are also shown after the tile at which that time is over. The length
+ * of the line is the share of finished pixels: one column for 48 pixels. */
 static const struct picture slow[] = {
     {48000, {8, 8, 8}, 1},    {192000, {4, 4, 4}, 4},   {576000, {2, 2, 4}, 12}, {768000, {2, 2, 2}, 16},
     {1536000, {1, 2, 2}, 32}, {2304000, {1, 1, 2}, 48}, {3072000, {1, 1, 1}, 0},
@@ -154,7 +154,7 @@ TEST(coarse_to_fine)
     }
 }
 
-/* A relit frame traces no pixel again. */
+/* A relit frame traces no pixel, and is also shown coarse to fine. */
 TEST(coarse_to_fine_from_old_hits)
 {
     struct world *w = slow_world(1000, NULL, 0);
@@ -173,7 +173,7 @@ TEST(coarse_to_fine_from_old_hits)
     CHECK_EQ(now.told[13].key_us, 3072000);
 }
 
-/* A frame of 15.36 ms, which a display of 60 Hz shows within a period, is shown whole. */
+/* A frame of 15.36 ms, less than a period at 60 Hz, is shown whole. */
 TEST(a_quick_frame_is_shown_whole)
 {
     static const struct picture whole[] = {{15360, {1, 1, 1}, 0}, {115360, {1, 1, 1}, 0}};
@@ -197,8 +197,8 @@ TEST(no_line_for_a_short_time)
     CHECK_EQ(now.shown, 4);
 }
 
-/* A key at 100 ms is noticed at the next poll, 20 ms apart, and the frame with it is shown 48 ms after that. A key
- * before the first picture waits for it. */
+/* A key at 100 ms is noticed at the next poll, at most 20 ms later, and the first picture of the new frame is shown 48
+ * ms after that. A key before the first picture is noticed after that picture. */
 TEST(a_key_begins_the_frame_anew)
 {
     for (int early = 0; early < 2; early++) {
@@ -226,8 +226,8 @@ static int slow_prepare(const struct tia_core *core, struct tia_view **view, voi
                : tia_core_q16.view_init(core, view, memory, size, scene, light_capacity, width, height, job);
 }
 
-/* The key comes while the first frame is prepared, and is noticed there: the first picture is the last of that frame.
- */
+/* A key during the preparation of the first frame is noticed after the preparation; the first picture of that frame is
+ * shown, and then the frame begins anew. */
 TEST(a_key_while_the_view_is_prepared)
 {
     struct world *w = slow_world(1000, NULL, 0);
@@ -241,7 +241,8 @@ TEST(a_key_while_the_view_is_prepared)
     CHECK(now.at_us[1] >= 196000 && now.at_us[1] <= 196000 + 21000);
 }
 
-/* While a key is held, pictures keep coming; the last is complete and shows where it was released. */
+/* While a key is held, pictures follow one another; the last is complete and shows the light's position at the release.
+ */
 TEST(a_held_key)
 {
     struct world *w = slow_world(1000, NULL, 0);
@@ -267,7 +268,7 @@ TEST(a_key_that_quits)
     CHECK(w->frame_count == 0 && now.shown == 2);
 }
 
-/* Tiles are drawn in any order; the pictures are the same except for which tile is finer. */
+/* With several threads tiles are drawn in any order; only the order in which tiles become finer differs. */
 TEST(several_threads)
 {
     static const struct picture backwards[] = {
@@ -284,7 +285,7 @@ TEST(several_threads)
     check_counts(1);
 }
 
-/* Another program takes the screen at 300 ms: the frame is drawn again when it comes back. */
+/* Another program's screen is shown from 300 ms on: the frame is drawn again when the viewer's screen is back. */
 TEST(another_program_takes_the_screen)
 {
     struct world *w = slow_world(1000, NULL, 0);
@@ -297,7 +298,8 @@ TEST(another_program_takes_the_screen)
     CHECK(now.at_us[1] == 192000 && now.at_us[2] == 2048000);
 }
 
-/* Frames are drawn at once without the memory, without a clock, in films and where frames are counted. */
+/* Frames are drawn at once, not coarse to fine, with too little memory, without a clock, in films, and with a limit of
+ * frames. */
 TEST(frames_at_once)
 {
     struct world *w = slow_world(1000, NULL, 0);

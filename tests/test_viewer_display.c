@@ -6,7 +6,7 @@ static void tap(struct world *w, uint64_t after_us, uint16_t key)
     world_event(w, START + after_us, TIA_EVENT_TAP, key);
 }
 
-/* Returns three frames, the last two relit if the hits of a whole frame are kept. */
+/* Returns a world of three frames; the last two are relit if memory suffices for the hits of a whole frame. */
 static struct world *moving_world(void)
 {
     struct world *w = world_new();
@@ -60,7 +60,7 @@ TEST(tiles_as_the_display_takes_them)
     }
 }
 
-/* Memory grows from none to enough: the hits of a whole frame, of a tile, or the error; never different pixels. */
+/* With growing memory: an error, then hits of a tile, then hits of a whole frame; never different pixels. */
 TEST(every_amount_of_memory)
 {
     int refused = 0, tiles = 0, whole = 0;
@@ -92,7 +92,7 @@ TEST(no_memory_at_all)
     CHECK(w->frame_count == 0 && w->acquired == 0);
 }
 
-/* A smaller window, a larger one or other tiles cause new tracing, in newly requested memory. */
+/* A smaller or larger window, or other tiles, cause new tracing, in newly requested memory. */
 TEST(the_mode_changes)
 {
     const struct tia_mode all = {WORLD_WIDTH, WORLD_HEIGHT, 0, 0, false, ""}, small = {33, 20, 0, 0, false, ""},
@@ -113,7 +113,7 @@ TEST(the_mode_changes)
     }
 }
 
-/* When nothing else happens, a new mode causes a frame, the same mode does not. */
+/* A new mode causes a frame even when nothing else changes; the same mode does not. */
 TEST(a_new_mode_is_drawn)
 {
     struct world *w = world_new();
@@ -146,7 +146,7 @@ TEST(workers_draw_where_the_display_lets_them)
     w = moving_world();
     w->viewer.job.workers = &w->workers;
     w->mode.concurrent = true;
-    w->memory_limit = 20000; /* memory for one tile's hits is not for several threads */
+    w->memory_limit = 20000; /* enough for the hits of one tile, and so for one thread */
     CHECK_EQ(world_play(w), TIA_OK);
     check_three_frames(w, false);
     CHECK_EQ(w->runs, 0);
@@ -207,7 +207,7 @@ TEST(without_an_input_too)
     CHECK_EQ(w->slices_done, 12);
 }
 
-/* A key is polled every 20 ms while a frame is shown. */
+/* Keys are polled every 20 ms while a frame is shown. */
 TEST(a_key_quits_while_a_frame_is_shown)
 {
     struct world *w = world_new();
@@ -218,7 +218,7 @@ TEST(a_key_quits_while_a_frame_is_shown)
     CHECK(w->now_us <= START + 100000 + 2 * 20000);
 }
 
-/* More keys wait than the queue has room for. */
+/* A key that quits counts, too, when more keys wait than the queue has room for. */
 TEST(a_key_quits_after_others_that_wait)
 {
     struct world *w = world_new();
@@ -243,7 +243,7 @@ TEST(a_failed_input_ends_it_while_a_frame_is_shown)
     CHECK(w->now_us <= START + 100000 + 2 * 20000);
 }
 
-/* The last frame is shown again as after a stop, when another program's picture was on the screen. */
+/* The last frame is shown again after another program's picture was on the screen, as after a stop. */
 TEST(the_last_frame_is_shown_again)
 {
     struct world *w = world_new();

@@ -1,5 +1,5 @@
-/* tia_viewer_run: frames of a moving picture with a pace. Time passes here only while pixels are lit, 10 us each:
- * passes of 12, 36, 144, 576 and 2304 pixels take 0.12, 0.36, 1.44, 5.76 and 23.04 ms, a frame 30.72 ms. */
+/* tia_viewer_run: frames of a moving picture at a target rate. Time passes here only while pixels are lit, 10 us for
+ * each: passes of 12, 36, 144, 576 and 2304 pixels take 0.12, 0.36, 1.44, 5.76 and 23.04 ms, a frame 30.72 ms. */
 #include <tia/motion.h>
 
 #include "viewer_world.h"
@@ -44,8 +44,8 @@ static int done(void *ctx, const struct tia_frame *frame)
     return frame->block > 1 && !frame->moving ? TIA_OK : world_frame_done(ctx, frame);
 }
 
-/* Returns the thesis scene with four rays a pixel, which spans do not draw; if it plays, its light goes around within
- * 10 s. */
+/* Returns a world with the thesis scene and four rays a pixel, which the span renderer does not draw; with `plays`, its
+ * light moves for 10 s. */
 static struct world *paced_world(uint32_t pace, bool plays)
 {
     static const struct tia_keyframe keys[] = {{0, {-20 * ONE, 20 * ONE, -20 * ONE}},
@@ -76,7 +76,7 @@ static struct world *paced_world(uint32_t pace, bool plays)
     return w;
 }
 
-/* Frames keep the rate, with the finest blocks for which an eighth of their pass is to spare. */
+/* Frames keep the rate, with the finest blocks that leave an eighth of their pass as a reserve. */
 TEST(a_scene_that_plays)
 {
     static const struct {
@@ -102,7 +102,7 @@ TEST(a_scene_that_plays)
     }
 }
 
-/* Frames are coarse while a key is held; when it is released the rest follows, and the picture is the full one. */
+/* Frames are coarse while a key is held. After its release they are refined to the full picture. */
 TEST(a_held_key_and_then_the_rest)
 {
     struct world *w = paced_world(60, false);
@@ -123,7 +123,7 @@ TEST(a_held_key_and_then_the_rest)
     CHECK(memcmp(now.pixels, now.full, sizeof now.full) == 0);
 }
 
-/* Without motion the first picture comes when there is no time for more, and is then refined. */
+/* After a tap, the first picture is as fine as the period allows, and is then refined. */
 TEST(a_key_that_is_tapped)
 {
     struct world *w = paced_world(60, false);
@@ -136,7 +136,7 @@ TEST(a_key_that_is_tapped)
     CHECK(now.told[3].block == 1 && now.at_us[3] == 100000 + 30720);
 }
 
-/* Without a pace frames are refined as usual. */
+/* Without a target rate, frames are refined as usual. */
 TEST(no_pace)
 {
     struct world *w = paced_world(0, true);

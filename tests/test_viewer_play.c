@@ -1,5 +1,5 @@
-/* tia_viewer_run on scenes that move: by the clock and frame by frame, each frame compared with the scene
- * at its time, in the world of viewer_world.h. */
+/* tia_viewer_run on scenes that move, by the clock and frame by frame, in the world of viewer_world.h: each frame is
+ * compared with the scene at the frame's time. */
 #include <math.h>
 
 #include <tia/motion.h>
@@ -17,7 +17,7 @@ static const struct tia_track tracks[] = {{TIA_MOVES_LIGHT, 1, true, light_keys,
 static const struct tia_light two_lights[] = {{{0, 0, 0}, TIA_Q16(3), TIA_RGB(1, 1, 1)},
                                               {{0, 0, 0}, TIA_Q16(2), TIA_RGB(0, 0.5, 0)}};
 
-/* Returns the thesis scene with two lights that move; with `all`, the eye moves too. */
+/* Returns the thesis scene with two moving lights and, with `all`, a moving eye. */
 static const struct tia_scene *film(bool all)
 {
     static struct tia_scene scene;
@@ -40,7 +40,7 @@ static const struct tia_scene *scene_at(const struct world *w, tia_q16 time)
     return &scene;
 }
 
-/* Returns the time since playing began, with the first tile of the first frame. */
+/* Returns the scene's time at a frame by the clock; the clock starts with the first tile of the first frame. */
 static tia_q16 time_by_clock(const struct world *w, unsigned frame)
 {
     double begin = w->viewer.pacing.time / (double)ONE;
@@ -86,7 +86,7 @@ static void check_lights_by_clock(const struct world *w)
         CHECK_MSG(same_place(w->frames[i].light, scene_at(w, time_by_clock(w, i))->lights[0].centre), "frame %u", i);
 }
 
-/* When drawing takes no time a frame is due every 16.7 ms, late by less than the 1 ms unit of waits. */
+/* If drawing takes no time, a frame is due every 16.7 ms, and late by less than 1 ms, the unit of waits. */
 TEST(it_plays_by_the_clock_and_again)
 {
     struct world *w = film_world(true);
@@ -99,7 +99,7 @@ TEST(it_plays_by_the_clock_and_again)
     check_lights_by_clock(w);
 }
 
-/* Frames that are slow are fewer, but not later. */
+/* Slow frames are fewer, but each shows the scene at the time of its drawing. */
 TEST(slow_frames_show_their_time)
 {
     struct world *w = film_world(true);
@@ -126,7 +126,7 @@ TEST(where_only_lights_move_hits_stay)
     CHECK_EQ(w->memory_calls, 2);
 }
 
-/* Where only the eye moves, the scene at a time takes no memory for moving elements. */
+/* If only the eye moves, the scene at a time needs no memory for moving elements. */
 TEST(where_only_the_eye_moves)
 {
     struct world *w = film_world(true);
@@ -141,7 +141,7 @@ TEST(where_only_the_eye_moves)
     CHECK(w->frame_count > 40);
 }
 
-/* Films are drawn frame by frame, independent of the clock, and also without one. */
+/* Films are drawn frame by frame, independently of the clock, and also without a clock. */
 TEST(films_are_stepped)
 {
     static const uint32_t rates[][2] = {{4, 1}, {30000, 1001}, {1, 1}, {1000000, 1}, {1, 1000000}};
@@ -181,7 +181,7 @@ TEST(without_a_clock_nothing_moves)
     CHECK(same_place(w->lights[0].centre, light_keys[1].value));
 }
 
-/* After its end a scene has one picture. */
+/* After its end a scene does not change, so it is drawn once. */
 TEST(after_the_end)
 {
     struct world *w = film_world(true);
@@ -195,7 +195,8 @@ TEST(after_the_end)
     CHECK(same_place(w->lights[0].centre, light_keys[2].value));
 }
 
-/* From the frame after the key on, the light stays where it was then, moved; the other one continues. */
+/* A key stops its light: from the next frame on, the light stays at its place at the time of the key, moved by the key.
+ * The other light moves on. */
 TEST(a_key_holds_its_light)
 {
     struct world *w = film_world(true);
@@ -215,7 +216,7 @@ TEST(a_key_holds_its_light)
     CHECK(w->detached[0] && !w->detached[1]);
 }
 
-/* Keys before the first frame are pressed at its time. */
+/* Keys to press before the first frame act at the time of that frame. */
 TEST(keys_at_the_first_time)
 {
     static const uint16_t keys[] = {TIA_KEY_RIGHT};
@@ -232,7 +233,7 @@ TEST(keys_at_the_first_time)
     CHECK_EQ(w->frames[w->frame_count - 1].light.z, -20 * ONE);
 }
 
-/* A scene without motion is played as before, with and without flags. */
+/* A scene without motion needs no flags for detached lights. */
 TEST(a_still_scene_needs_no_flags)
 {
     struct world *w = world_new();
@@ -244,7 +245,7 @@ TEST(a_still_scene_needs_no_flags)
     CHECK_EQ(w->frame_count, 1);
 }
 
-/* Behind a hidden screen the time continues. */
+/* While the screen is hidden the time continues. */
 TEST(hidden_while_it_plays)
 {
     struct world *w = film_world(true);
@@ -259,7 +260,7 @@ TEST(hidden_while_it_plays)
     CHECK(w->frames[w->frame_count - 1].drawn_us > START + 1400000);
 }
 
-/* A new mode discards the memory of the scene at its time. */
+/* A new mode replaces the memory of the scene at its time. */
 TEST(the_mode_changes_while_it_plays)
 {
     for (int all = 0; all < 2; all++) {
@@ -273,7 +274,7 @@ TEST(the_mode_changes_while_it_plays)
     }
 }
 
-/* Memory grows from none to enough: the same frames, or the error. */
+/* With growing memory: an error, then the frames, always the same. */
 TEST(every_amount_of_memory)
 {
     int refused = 0, drawn = 0;

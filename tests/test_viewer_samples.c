@@ -1,14 +1,15 @@
-/* tia_viewer_run: pictures of samples are shown before they have all samples, and rasterised ones in rows. Time passes
- * only while samples or pixels are drawn, 1 ms each, so that the pictures and their times follow from counting them: in
- * the five passes over three tiles of 64 x 16 pixels 12, 36, 144, 576 and 2304 have their first sample, then all 3072
- * get their second, and then two more each. */
+/* tia_viewer_run: pictures of samples are shown before all samples are drawn, and rasterised ones in rows. Time passes
+ * only while samples or pixels are drawn, 1 ms for each, so that their number gives the pictures and times: in the five
+ * passes over three tiles of 64 x 16 pixels, 12, 36, 144, 576 and 2304 pixels are drawn with one sample; then all 3072
+ * get their second sample, and then two more each. */
 #include <tia/shadow.h>
 
 #include "viewer_world.h"
 
 enum { TILES = 3, SHOWN = 64, SPP = 4, PIXELS = WORLD_WIDTH * WORLD_HEIGHT, US = 1000 };
 
-/* An expected picture: its time, the blocks and samples in each tile, the length of the line; and the frame's data. */
+/* An expected picture: its time, the size of blocks and the number of samples in each tile, and the length of the
+ * progress line; told_*: the values that the frame reports. */
 struct picture {
     uint64_t at_us;
     uint8_t block[TILES], samples[TILES];
@@ -59,7 +60,7 @@ static int slow_render(const struct tia_view *view, struct tia_hits *hits, struc
     return tia_drawing.render(view, hits, tile, surface, options);
 }
 
-/* Draws the scene with `spp` samples, at once. */
+/* Draws the scene at once, with `spp` samples. */
 static void draw_whole(uint32_t spp, tia_rgb565 *pixels)
 {
     static uint64_t view_memory[32768], hits_memory[32768];
@@ -139,7 +140,7 @@ static struct world *slow_world(const struct picture *expected, unsigned count)
     return w;
 }
 
-/* Returns the openness of the thesis scene's ground around its ball. */
+/* Returns a world with ambient occlusion in the thesis scene, SPP samples a pixel. */
 static struct world *open_world(const struct picture *expected, unsigned count)
 {
     struct world *w = slow_world(expected, count);
@@ -152,7 +153,7 @@ static struct world *open_world(const struct picture *expected, unsigned count)
 
 /* ---- samples ---- */
 
-/* The line's length is the number of samples done, 192 for each of its pixels. */
+/* Each pixel of the progress line stands for 192 samples. */
 static const struct picture samples[] = {
     {48000, {8, 8, 8}, {1, 1, 1}, 0, 8, 1},     {192000, {4, 4, 4}, {1, 1, 1}, 1, 4, 1},
     {576000, {2, 2, 4}, {1, 1, 1}, 3, 4, 1},    {768000, {2, 2, 2}, {1, 1, 1}, 4, 2, 1},
@@ -178,7 +179,7 @@ TEST(samples_as_they_come)
         CHECK(now.samples[i] == SPP && !now.lit[i]);
 }
 
-/* Three samples are one, one and one: the last pass adds the rest. */
+/* Three samples are drawn in passes of one each: the last pass adds the rest. */
 TEST(a_number_that_is_no_power_of_two)
 {
     struct world *w = open_world(NULL, 0);
@@ -191,8 +192,8 @@ TEST(a_number_that_is_no_power_of_two)
         CHECK_EQ(now.samples[i], 3);
 }
 
-/* A key comes while all pixels get their second sample: it is noticed 20 ms later, and its first picture comes 48 ms
- * after that. */
+/* A key while all pixels get their second sample is noticed at most 20 ms later, and the first picture of the new frame
+ * follows 48 ms after that. */
 TEST(a_key_begins_the_frame_anew)
 {
     struct world *w = open_world(NULL, 0);
@@ -209,8 +210,8 @@ TEST(a_key_begins_the_frame_anew)
         CHECK_EQ(now.samples[i], SPP);
 }
 
-/* Beyond the fovea, 8 pixels around the gaze, blocks of 8 suffice: the drawn pixels have all samples, and their colours
- * are shown. */
+/* Blocks of 8 suffice beyond the fovea, 8 pixels around the gaze. The pixels that are drawn have all samples, and are
+ * shown. */
 TEST(only_where_the_eye_looks)
 {
     struct world *w = open_world(NULL, 0);
@@ -229,8 +230,8 @@ TEST(only_where_the_eye_looks)
     CHECK_EQ(now.at_us[now.shown - 1], (uint64_t)SPP * US * drawn);
 }
 
-/* All samples are drawn at once: for each pixel without an estimator, or with less memory than for the sums; for all
- * pixels without a canvas. */
+/* All samples are drawn at once: pixel by pixel without an estimator or with too little memory for the sums, and the
+ * whole picture at once without memory for a canvas. */
 TEST(all_samples_at_once)
 {
     struct world *w = open_world(NULL, 0);
@@ -254,7 +255,8 @@ TEST(all_samples_at_once)
 
 /* ---- rows ---- */
 
-/* Returns two boxes and their shadows. Every 16th row takes 192 ms, and the other rows of a tile 960. */
+/* Returns a world with two boxes and their shadows. The first rows of the three tiles take 192 ms, and the other rows
+ * of each tile 960 ms. */
 static struct world *shadows_world(const struct picture *expected, unsigned count)
 {
     static const struct tia_material grey = {.colour = TIA_RGB(0.5, 0.6, 0.7)};

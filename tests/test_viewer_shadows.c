@@ -6,7 +6,7 @@
 #define SMALL_WIDTH 32
 #define SMALL_HEIGHT 24
 
-/* A box on the ground. */
+/* A ground and a box on it. */
 static const struct tia_shape shapes[] = {
     {.kind = TIA_PLANE, .material = 0, .plane = {TIA_VEC3(0, 0, 0), {0, TIA_Q30_ONE, 0}}},
     {.kind = TIA_BOX, .material = 0, .box = {TIA_VEC3(-1, 0, -1), TIA_VEC3(1, 2, 1)}},
@@ -36,8 +36,7 @@ static struct world *yard_world(void)
     return w;
 }
 
-/* Returns the scene of a frame: each technique in turn, then the first one again; each frame is compared with that
- * technique's picture. */
+/* Returns the scene with which the next frame is compared: each technique in turn, then the first one again. */
 static const struct tia_scene *scene_of_frame(const struct world *w)
 {
     static struct tia_scene now;
@@ -64,7 +63,7 @@ TEST(one_technique_after_the_other)
     CHECK_EQ(yard.shadows, TIA_SHADOWS_TRACED);
 }
 
-/* Lights stay where keys have set them, and moved lights need no new hits. */
+/* Lights keep their places when the technique changes, and moved lights need no new hits. */
 TEST(lights_between_techniques)
 {
     struct world *w = yard_world();
@@ -74,7 +73,7 @@ TEST(lights_between_techniques)
     world_event(w, START + 2000, TIA_EVENT_TAP, 't');
     world_event(w, START + 3000, TIA_EVENT_TAP, TIA_KEY_LEFT);
     quit_at(w, START + 90000);
-    yard.shadows = TIA_SHADOWS_ZPASS; /* zfail is next, and both draw the same */
+    yard.shadows = TIA_SHADOWS_ZPASS; /* zfail is next, and draws the same */
     CHECK_EQ(world_play(w), TIA_OK);
     CHECK_EQ(w->frame_count, 4);
     CHECK_EQ(w->frames[2].told.shadows, TIA_SHADOWS_ZFAIL);
@@ -82,7 +81,8 @@ TEST(lights_between_techniques)
     CHECK_EQ(w->frames[3].light.x, ONE);
 }
 
-/* The key quits without memory for the variant; where the scene binds it, it is the scene's. */
+/* Without memory for a variant of the scene, the key quits like others. A key that the scene binds has the scene's
+ * effect. */
 TEST(whose_key_it_is)
 {
     struct world *w = yard_world();
@@ -104,12 +104,12 @@ TEST(whose_key_it_is)
     CHECK_EQ(w->frames[1].told.shadows, TIA_SHADOWS_TRACED);
 }
 
-/* A camera with a window of 2^-9 x 2^-9: objects more than 2^14 beside it are out of range of the rasteriser. */
+/* A camera with a window of 2^-9 x 2^-9: objects more than 2^14 to its side are beyond the range of the rasteriser. */
 static const struct tia_camera narrow = {
     .projection = TIA_FRUSTUM, .eye = TIA_VEC3(0, 3, 9), .window = {-64, 64, -64, 64, TIA_Q16(1)}};
 
-/* With light through a box, only traced rays are left, and the key does not quit. With a narrow window, far corners are
- * out of the rasteriser's range, which is found only in preparing. */
+/* If a box transmits light, only traced rays can draw it, and the key chooses these again. With a narrow window, far
+ * corners are beyond the range of the rasteriser, which is detected only in preparation. */
 TEST(what_only_rays_can_draw)
 {
     static const struct tia_material clear = {.colour = TIA_RGB(0.5, 0.5, 0.5), .transmission = TIA_RGB(0.5, 0, 0)};
@@ -133,7 +133,8 @@ TEST(what_only_rays_can_draw)
     CHECK_EQ(w->frames[1].told.shadows, TIA_SHADOWS_TRACED);
 }
 
-/* A light far away needs vertices of other fraction bits, so that the hits are of no use; then it moves back. */
+/* When a light moves far away, vertices need other fraction bits, so the hits are traced again; then the light moves
+ * back. */
 TEST(a_light_moves_far_away)
 {
     static const struct tia_shape floor[] = {
@@ -158,8 +159,8 @@ TEST(a_light_moves_far_away)
     }
 }
 
-/* If a light would be too far away for the technique, the key has no effect, and further keys go on from there; except
- * for the technique without that limit. Without the lights of the last picture the loop ends. */
+/* A key that would move a light out of the technique's range has no effect, and further keys continue from the old
+ * place; traced rays have no such limit. Without memory for the old lights, the loop ends with an error. */
 TEST(a_light_that_would_be_too_far_away_stays)
 {
     struct world *w = yard_world();
@@ -180,8 +181,7 @@ TEST(a_light_that_would_be_too_far_away_stays)
     yard.scale_bits = 13;
     for (unsigned i = 0; i < 2; i++)
         world_event(w, START + 500 + 1000 * i, TIA_EVENT_TAP, TIA_KEY_RIGHT);
-    world_event(w, START + 3000, TIA_EVENT_TAP,
-                't'); /* to the first technique, skipping all that cannot have the light */
+    world_event(w, START + 3000, TIA_EVENT_TAP, 't'); /* skips all techniques for which the light is too far away */
     quit_at(w, START + 90000);
     CHECK_EQ(world_play(w), TIA_OK);
     CHECK_EQ(w->frame_count, 4);
@@ -199,7 +199,7 @@ TEST(a_light_that_would_be_too_far_away_stays)
     CHECK_EQ(w->frame_count, 2);
 }
 
-/* Six maps of 1024 x 1024 do not fit into the world's memory; the other techniques do. */
+/* A technique is skipped if the memory is too small for it: here six maps of 1024 x 1024. */
 TEST(what_there_is_no_memory_for)
 {
     struct world *w = yard_world();
@@ -215,8 +215,8 @@ TEST(what_there_is_no_memory_for)
     CHECK_EQ(w->frames[techniques - 1].told.shadows, TIA_SHADOWS_TRACED);
 }
 
-/* Returns a world whose core has no draws_by_pixel, so that frames are drawn at once: a tile's time passes when it is
- * requested from the display. */
+/* Returns a world whose core has no draws_by_pixel, so that frames are drawn at once. The time of a tile passes when
+ * the tile is requested from the display. */
 static struct world *yard_at_once(void)
 {
     static struct tia_core core;
@@ -228,7 +228,7 @@ static struct world *yard_at_once(void)
     return w;
 }
 
-/* While a slow frame is drawn, the key ends it, as one does that moves a light. */
+/* The key ends a slow frame that is being drawn, as a key does that moves a light. */
 TEST(in_the_middle_of_a_frame)
 {
     struct world *w = yard_at_once();
@@ -271,7 +271,7 @@ TEST(told_before_it_is_shown)
     CHECK_EQ(drawn, 2);
 }
 
-/* Returns a scene whose eye moves; its time continues through a change of the technique. */
+/* Returns the scene at the time of the next frame: its eye moves, and changes of the technique do not stop the time. */
 static const struct tia_scene *moving_scene(const struct world *w)
 {
     static uint64_t memory[512];

@@ -27,7 +27,7 @@ TEST(a_frame_that_is_not_wanted)
     }
 }
 
-/* A key that was down before, perhaps Return, quits only when it is pressed. */
+/* The release of a key that was down before the start, for example Return, does not quit. */
 TEST(a_key_that_is_let_go)
 {
     struct world *w = lit_world();
@@ -39,7 +39,7 @@ TEST(a_key_that_is_let_go)
     CHECK_EQ(w->frame_count, 1);
 }
 
-/* Only one job polls at a time, and no other waits for it. */
+/* Only one thread polls at a time, and the others do not wait for it. */
 TEST(one_looks_at_a_time)
 {
     struct world *w = lit_world();
@@ -52,8 +52,8 @@ TEST(one_looks_at_a_time)
     CHECK_EQ(w->frame_count, 1);
 }
 
-/* The rest of a slow frame that is out of date is not drawn. The next frame is, though keys keep coming, and so is a
- * quick one. */
+/* A slow frame that is out of date is not finished. The next frame is, although more keys arrive, and so is a quick
+ * frame. */
 TEST(a_frame_that_is_out_of_date)
 {
     struct world *w = lit_world();
@@ -64,7 +64,7 @@ TEST(a_frame_that_is_out_of_date)
     quit_at(w, START + 3000000);
     CHECK_EQ(world_play(w), TIA_OK);
     CHECK_EQ(w->frames[0].drawn_us, START);
-    CHECK_EQ(w->frames[0].light.x, (-20 - 5) * ONE); /* the effect of the keys until 300 ms */
+    CHECK_EQ(w->frames[0].light.x, (-20 - 5) * ONE); /* the keys until 300 ms */
     CHECK_EQ(w->frames[w->frame_count - 1].light.x, (-20 - 12) * ONE);
     CHECK(w->frame_count >= 2 && w->frame_count <= 4);
     w = lit_world();
@@ -75,7 +75,7 @@ TEST(a_frame_that_is_out_of_date)
     CHECK(w->frame_count == 2 && w->frames[0].light.x == -20 * ONE && w->frames[1].light.x == -21 * ONE);
 }
 
-/* With more keys than the queue holds, the frame is given up, and all keys count, the release of a held one too. */
+/* More keys than the queue holds end the frame, and all of them count, also the release of a held key. */
 TEST(many_keys_in_one_frame)
 {
     struct world *w = lit_world();

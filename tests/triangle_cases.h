@@ -3,7 +3,7 @@
 #include "ray_cases.h"
 #include "render/geometry/triangle.h"
 
-/* Error bound of a coordinate whose largest value has that size. */
+/* Bound of the error of coordinates whose largest value is `size`. */
 #ifdef TIA_NUM_F64
 #define ERROR(size) (8 * 0x1p-52L * (size))
 #else

@@ -44,7 +44,7 @@ struct world {
     unsigned change_after;
     uint64_t hidden_from_us, hidden_until_us;
     uint64_t tile_us, present_us; /* time for drawing a tile, and for presenting */
-    unsigned slices;              /* number of further 20 ms, which go_on takes */
+    unsigned slices;              /* number of calls of go_on, of 20 ms each, that a frame needs */
     uint64_t again_us;            /* if not 0: the time from which `mode` requests once that the last frame is shown
                                      again */
     enum world_call fail;         /* call that fails, after fail_after frames */
@@ -228,7 +228,7 @@ static inline void world_event(struct world *w, uint64_t at_us, enum tia_event_k
     w->events[w->event_count++] = (struct world_event){at_us, {.kind = kind, .key = key, .time_us = at_us}};
 }
 
-/* ---- the rest ---- */
+/* ---- the clock, memory and workers ---- */
 
 static const struct tia_clock world_clock = {.now_us = world_now};
 

@@ -2,9 +2,9 @@
 #include "mesh_made.h"
 #include "render/geometry/walk.h"
 
-/* The tolerance of a walk: the part of its distance by which a box that is missed may count as entered, and the slope
- * that replaces a smaller one of a ray across an axis, see num_slope and clip of walk.c. It costs time, never a leaf:
- * every leaf that the ray enters is required. */
+/* COARSE: the part of a walk's distance by which a box that is missed may count as entered. LEVEL: the least slope
+ * across an axis, which replaces smaller ones, see num_slope and clip of walk.c. This tolerance costs time, never a
+ * leaf: every leaf that the ray enters is required. */
 #ifdef TIA_NUM_F64
 #define COARSE 0
 #define LEVEL 0x1p-20L
@@ -26,8 +26,8 @@ static void clip_to(long double min, long double max, long double o, long double
         *far = fminl(*far, fmaxl(from, to));
 }
 
-/* Returns the distance by which the ray misses a box before the limit; below 0: it enters. `coarse`: within the walk's
- * tolerance. */
+/* Returns the distance by which the ray misses a box before the limit, or a negative number if it enters; `coarse`:
+ * within the walk's tolerance. */
 static long double misses_by(const struct tia_bounds *b, const struct ray *ray, long double limit, bool coarse)
 {
     real3 o = real3_of(ray->origin), d = real3_dir(ray->direction), min = real3_vec(b->min), max = real3_vec(b->max);
@@ -47,7 +47,7 @@ static num_unit tiny_slope(void)
     return (num_unit)(size * (long double)NUM_UNIT_ONE) * (int)(random_bits() % 3 - 1);
 }
 
-/* Checks that each entered leaf comes once, and no other leaf. */
+/* Checks that each entered leaf comes once, and that no other leaf comes. Returns the number of leaves. */
 static unsigned check_leaves(const struct made *m, const struct ray *ray, long double limit)
 {
     static uint8_t times[2 * MADE_FACES];

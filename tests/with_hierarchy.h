@@ -1,4 +1,4 @@
-/* with_hierarchy.h - for tests of vector units, which draw no rays of scenes without a hierarchy. */
+/* with_hierarchy.h - gives a scene a hierarchy, for tests of vector units, which draw no rays without one. */
 #ifndef TESTS_WITH_HIERARCHY_H
 #define TESTS_WITH_HIERARCHY_H
 

@@ -1,4 +1,4 @@
-/* without_vt.h - runs tests that take a console where none can be taken. */
+/* without_vt.h - runs tests of the console in a process that has no VT. */
 #ifndef TESTS_WITHOUT_VT_H
 #define TESTS_WITHOUT_VT_H
 
@@ -10,8 +10,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* Runs a test in a process of a new session and without rights, which has no VT. A test must not take a console that is
- * in use. */
+/* Runs a test in a process of a new session and without rights, which therefore has no VT: a test must not take a
+ * console that is in use. */
 static inline int in_process_without_vt(int (*run)(void))
 {
     pid_t child;

@@ -1,5 +1,5 @@
-/* embree.h - the scenes of the Standard Procedural Databases by Embree 3, to compare with: rtcIntersect1 and
- * rtcOccluded1 in float, one ray at a time, and Whitted's shading around them in float, too. The rays are tia's: its
+/* embree.h - the scenes of the Standard Procedural Databases drawn by Embree 3, for comparison: rtcIntersect1 and
+ * rtcOccluded1 in float, one ray at a time, and Whitted's shading around them, also in float. The rays are tia's: its
  * camera, its bias, its depth, and its limit for faint rays. */
 #ifndef BENCH_EMBREE_EMBREE_H
 #define BENCH_EMBREE_EMBREE_H
@@ -11,8 +11,8 @@ struct embree;
 /* False if this was built without Embree: then embree_open always returns NULL. */
 extern const bool embree_is_there;
 
-/* Opens a scene; NULL when it has shapes, lights or textures that are not supported here, or memory is short. `scene`
- * must outlive it. */
+/* Opens a scene, which must outlive the result. NULL when the scene has shapes, lights or textures that are not
+ * supported here, or memory is short. */
 struct embree *embree_open(const struct tia_scene *scene);
 void embree_close(struct embree *embree);
 

@@ -63,7 +63,7 @@ static void find_normals(const struct embree *e, const struct RTCHit *hit, struc
     }
 }
 
-/* Finds the hit; false: there is none. */
+/* Finds the nearest hit of a ray; false: there is none. */
 static bool find_point(const struct embree *e, const struct float_ray *ray, struct point *p)
 {
     struct embree_context context;

@@ -35,7 +35,7 @@ struct embree {
     struct embree_light *lights;
     struct embree_face *faces;
     const float (*spheres)[4];                /* centre and radius: Embree's own buffer */
-    uint32_t *material_of[EMBREE_GEOMETRIES]; /* by the number of the primitive */
+    uint32_t *material_of[EMBREE_GEOMETRIES]; /* indices of materials, by number of the primitive */
     float background[3];
     unsigned depth;
 };
@@ -52,7 +52,7 @@ static inline struct vec embree_place(const struct tia_scene *scene, struct tia_
     return (struct vec){embree_length(scene, v.x), embree_length(scene, v.y), embree_length(scene, v.z)};
 }
 
-/* A ray's context, and the fraction of light that is left of a shadow ray. */
+/* The context of a ray. For a shadow ray, `through` is the fraction of the light that passes. */
 struct embree_context {
     struct RTCIntersectContext context; /* must be the first member */
     float through[3];

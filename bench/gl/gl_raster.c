@@ -56,8 +56,9 @@ struct gl_raster {
     uint8_t *rgba;
 };
 
-/* Prepares the state. Polygons are drawn upside down: of edges through pixel centres Mesa's software keeps those at the
- * bottom and the left, in GL's orientation. Front faces then go round clockwise. */
+/* Prepares the state; false with the reason in `why`. Polygons are drawn upside down: on edges through pixel centres,
+ * Mesa's software rasterisers draw the pixels of bottom and left edges, in GL's orientation. Front faces then go round
+ * clockwise. */
 static bool prepare(const struct gl_raster *r, char *why)
 {
     static const GLenum formats[2] = {GL_RGBA8, GL_DEPTH24_STENCIL8},

@@ -6,9 +6,9 @@
 
 struct gl_raster;
 
-/* An image with a face, a 24-bit depth and a stencil value for each pixel, drawn by a library of the osmesa display:
- * "osmesa" or "egl". Pixels on edges follow the top-left rule, as in tia. NULL: `why`, PORT_WHY characters, has the
- * reason. One at a time. */
+/* Opens an image with a face, a 24-bit depth and a stencil value for each pixel, drawn by a library of the osmesa
+ * display: "osmesa" or "egl". Pixels on edges follow the top-left rule, as in tia. Only one image can be open at a
+ * time. Returns NULL on failure, with the reason in `why`, PORT_WHY characters. */
 struct gl_raster *gl_raster_open(const char *library, unsigned width, unsigned height, char *why);
 void gl_raster_close(struct gl_raster *r);
 
@@ -17,12 +17,15 @@ const char *gl_raster_driver(void);
 
 void gl_raster_clear(struct gl_raster *r, uint8_t stencil);
 
-/* Draw convex polygons in clip coordinates x, y, z, w. Pixels that pass all tests get this face, if the state writes
- * red. gl_raster_draw is gl_raster_begin, gl_raster_polygon and gl_raster_end; many polygons with one state between
- * those take GL a fraction of the time. */
+/* Begins polygons with one state: many between begin and end take GL a fraction of the time of as many calls of
+ * gl_raster_draw. */
 void gl_raster_begin(struct gl_raster *r, const struct tia_raster_state *state);
+/* Draws a convex polygon in clip coordinates x, y, z, w. Pixels that pass all tests get `face`, if the state writes
+ * red. */
 void gl_raster_polygon(struct gl_raster *r, const double (*corners)[4], unsigned count, uint32_t face);
+/* Ends the polygons of gl_raster_begin. */
 void gl_raster_end(struct gl_raster *r);
+/* Draws one polygon, by the three functions above. */
 void gl_raster_draw(struct gl_raster *r, const struct tia_raster_state *state, const double (*corners)[4],
                     unsigned count, uint32_t face);
 

@@ -1,7 +1,7 @@
 /* bvh.h - a bounding volume hierarchy: boxes within boxes, so that a ray tests few objects.
  *
- * The builder uses the binned surface area heuristic, in integers: the tree is the same on every machine
- * and serves every arithmetic. It lives in the caller's memory and is read-only once built.
+ * The builder uses the binned surface area heuristic, in integers: the tree is the same on every machine and serves
+ * every arithmetic. The tree is in the caller's memory and is read-only once built.
  */
 #ifndef TIA_BVH_H
 #define TIA_BVH_H
@@ -13,7 +13,7 @@
 extern "C" {
 #endif
 
-#define TIA_BVH_DEPTH_MAX 48 /* levels below the root */
+#define TIA_BVH_DEPTH_MAX 48 /* largest number of levels below the root */
 
 struct tia_bounds {
     struct tia_vec3 min, max; /* min <= max; empty bounds have max < min in all three coordinates */
@@ -33,8 +33,8 @@ struct tia_bvh_tree {
     uint32_t node_count, item_count; /* both 0 for an empty tree */
 };
 
-/* scene.bvh points to one. Objects that no box can hold stay outside the tree, and every ray tests them:
- * planes, which have no bounds, and objects that extend beyond Q16.16. */
+/* The hierarchies of a scene, to which scene.bvh points. Objects without a finite box are outside the tree, and every
+ * ray is tested against them: planes, and objects that extend beyond Q16.16. */
 struct tia_bvh {
     struct tia_bvh_tree objects;
     const struct tia_bvh_tree *meshes; /* one for each of the scene's meshes */
@@ -59,15 +59,15 @@ int tia_bvh_build(const struct tia_bvh **bvh, void *memory, size_t size, size_t 
  * too many. The memory must be aligned for uint64_t. */
 size_t tia_bvh_move_size(const struct tia_scene *scene);
 
-/* Updates the hierarchy of `standing` for `scene`, which tia_scene_at made of it: only objects that moved get new
- * boxes. The result shares the rest with standing->bvh, which must stay. Rays hit the same objects as with a hierarchy
- * built anew. Runs on one thread. TIA_ERR_ARGUMENT, too, when `standing` has no hierarchy of its own or another number
- * of objects; TIA_ERR_MEMORY when `size` is too small. */
+/* Gives in *bvh the hierarchy of `scene`, which tia_scene_at made from `standing`: only objects that moved get new
+ * boxes. All else is shared with standing->bvh, whose memory must stay valid. Rays hit the same objects as with a
+ * hierarchy built anew. Runs on one thread. TIA_ERR_ARGUMENT, too, when `standing` has no hierarchy of its own or
+ * another number of objects; TIA_ERR_MEMORY when `size` is too small. */
 int tia_bvh_move(const struct tia_bvh **bvh, void *memory, size_t size, const struct tia_scene *scene,
                  const struct tia_scene *standing, const struct tia_job *job);
 
 /* Returns the world bounds of object `index`, rounded outwards, then enlarged by 2^-16 on every side, and clamped to
- * the range of Q16.16. They are empty for a plane, for a mesh without faces and for an index that is no object's. The
+ * the range of Q16.16. They are empty for a plane, for a mesh without faces and for an index without an object. The
  * scene is one that tia_scene_check accepts. Takes time proportional to a mesh's faces. */
 struct tia_bounds tia_object_bounds(const struct tia_scene *scene, uint32_t index);
 

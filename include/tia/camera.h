@@ -9,14 +9,13 @@
  *
  *     n = (E - R)/|E - R|,   u = V x n normalised,   v = n x u.
  *
- * An off-axis frustum (TIA_FRUSTUM, like glFrustum) maps the window left..right, bottom..top at the distance
- * `near` to the whole image. The rays of an orthographic camera (TIA_ORTHOGRAPHIC, like glOrtho) start in
- * that window around the eye and all run along -n. A window with left = right = 0 is centred and takes its
- * width from the image's aspect ratio, up to 65536.
+ * An off-axis frustum (TIA_FRUSTUM, like glFrustum) maps the window left..right, bottom..top at the distance `near` to
+ * the whole image. The rays of an orthographic camera (TIA_ORTHOGRAPHIC, like glOrtho) start in that window around the
+ * eye and all run along -n. A window with left = right = 0 is centred, and its width follows from the image's aspect
+ * ratio, up to 65536.
  *
  * A frustum camera can have an observer line, along u and centred on the eye. Its window is then a display's flat
- * screen. lightfield.h makes the pictures for the other eyes on that line; the camera itself draws the picture for the
- * middle.
+ * screen. The camera's own picture is that of the eye in the middle; for the other eyes see lightfield.h.
  *
  * With n x n samples per pixel, sample i + n j goes through (x + (i + (j + 1/2)/n)/n, y + (j + (n - i - 1/2)/n)/n):
  * no two samples share a row or a column. Each sample's colour is clamped; the pixel is the mean.
@@ -54,8 +53,8 @@ struct tia_camera {
                                   (0, 0, 0): the camera looks along -z */
     struct tia_window window;  /* TIA_FRUSTUM and TIA_ORTHOGRAPHIC only */
     uint32_t samples;          /* per pixel: 1, 4 or 16; 0 means 1 */
-    tia_q16 line; /* TIA_FRUSTUM only: half the length of the observer line, 0: none. The window must lie within 32768
-                     of all eyes on it, along u. */
+    tia_q16 line; /* TIA_FRUSTUM only: half the length of the observer line, 0: none. The window must lie within 32768,
+                     along u, of all eyes on the line. */
 };
 
 #ifdef __cplusplus

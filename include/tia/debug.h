@@ -13,18 +13,18 @@ extern "C" {
 
 /* ---- paths of light ---- */
 
-/* The kinds of a pixel's rays. */
+/* Kinds of rays. */
 enum tia_ray { TIA_RAY_PRIMARY, TIA_RAY_REFLECTED, TIA_RAY_REFRACTED, TIA_RAY_PAST, TIA_RAY_SHADOW };
 
 /* A traced ray. TIA_RAY_PAST goes on past an opacity; a shadow ray runs from a surface to a light, or for a length of 1
  * if the light is directional. Numbers are rounded to Q16.16 and clamped to its range. */
 struct tia_traced {
     enum tia_ray ray;
-    struct tia_vec3 from, to; /* its ends; `to` is 1 from `from` when it meets nothing */
-    tia_q16 length;           /* INT32_MAX: it meets nothing */
-    uint32_t object, light;   /* object and light that it meets, or a shadow ray's surface and light; or
-                                 TIA_NO_OBJECT */
-    struct tia_vec3 normal;   /* the shading normal where it ends, on the side that the ray comes from */
+    struct tia_vec3 from, to; /* ends; `to` is at the distance 1 from `from` if the ray meets nothing */
+    tia_q16 length;           /* INT32_MAX: the ray meets nothing */
+    uint32_t object, light;   /* the object and the light that the ray meets, or a shadow ray's surface and light;
+                                 TIA_NO_OBJECT: none */
+    struct tia_vec3 normal;   /* shading normal at `to`, on the side from which the ray comes */
     bool arrives;             /* TIA_RAY_SHADOW: some of the light arrives */
 };
 
@@ -42,13 +42,13 @@ struct tia_debug {
     struct tia_observer *observer; /* NULL, or is called for each ray, in the order of the path hash; spans have none */
 };
 
-/* `lit` does not depend on the lights' colours. The samples of all lights are numbered consecutively, in the order of
- * the lights; an ambient light has none. Bit k is set when sample number k arrives, see below, at what the first sample
- * of the pixel sees directly; 0 where that is the background or a light. Samples from 64 on have no bit. The span
- * renderer does not write `lit`: bits 0..15 of its path hash hold the same. */
+/* The bits of `lit` do not depend on the lights' colours. The samples of all lights are numbered consecutively, in the
+ * order of the lights; an ambient light has none. Bit k is set if sample number k arrives, as defined below, at the
+ * point that the pixel's first sample shows; no bit is set if it shows the background or a light. Samples from 64 on
+ * have no bit. The span renderer does not write `lit`: bits 0..15 of its path hash hold the same information. */
 
-/* Pixels whose colours came about along the same paths have the same path hash. Compare it between two arithmetics to
- * distinguish rounding from a ray that took another path.
+/* Pixels whose rays took the same paths have the same path hash. If a pixel's colour differs between two arithmetics,
+ * equal hashes show that rounding is the cause, and not a ray that took another path.
  *
  * Span renderer: bit n (0..15) is set when light n reaches the point; bits 16..31 hold the sum of
  * (n + 1)(j + 1) over the transparent spheres j in between. Where light n itself is visible,
@@ -64,65 +64,65 @@ struct tia_debug {
  *   - when the material's colour is not black: of a checker 0 or 1, of an image without `bilinear` the texel,
  *     counted row by row from 0;
  *   - with an opacity texture without `bilinear`, its texel;
- *   - unless the opacity is 0, for each sample of each light, ambient ones without a radius excepted, in order: 1 when
- *     it arrives (G.L > 0 and N.L > 0, see material.h, P is inside a spot light's cone, and T is not black), otherwise
- * 0. */
+ *   - unless the opacity is 0, for each sample of each light, in order, except ambient lights without a radius: 1 if
+ *     the sample arrives (G.L > 0 and N.L > 0, see material.h, P is inside a spot light's cone, and T is not black),
+ *     otherwise 0. */
 
 /* ---- other arithmetics ---- */
 
 extern const struct tia_core tia_core_watched; /* integers, with an observer of rays: libtia-watched.a */
 extern const struct tia_core tia_core_f32;     /* float: libtia-f32.a */
-extern const struct tia_core tia_core_chk;     /* q16 that reports values out of range: libtia-chk.a */
+extern const struct tia_core tia_core_chk;     /* integers, with reports of values out of range: libtia-chk.a */
 extern const struct tia_estimator tia_estimator_f32;
 extern const struct tia_estimator tia_estimator_chk;
 
 /* ---- pictures ---- */
 
-/* Returns the CRC-32 (IEEE 802.3, as in zlib) over `count` pixels as little-endian bytes. Start with 0 and pass the
- * result on from row to row. Without pixels, NULL, the result is `crc`. */
+/* Returns the CRC-32 (IEEE 802.3, as in zlib) over `count` pixels as little-endian bytes. `crc` is 0 for the first row
+ * of a picture, then the result for the row before. If `pixels` is NULL, the result is `crc`. */
 uint32_t tia_crc32(uint32_t crc, const tia_rgb565 *pixels, size_t count);
 
-/* The guide that a picture shows: its mean, for normals (N + 1)/2; or the standard error of the luminance. */
+/* The quantity that a picture shows: the mean of a guide, for normals (N + 1)/2, or the standard error of the
+ * luminance. */
 enum tia_shown_guide { TIA_SHOW_NOTHING, TIA_SHOW_NORMAL, TIA_SHOW_DEPTH, TIA_SHOW_ALBEDO, TIA_SHOW_ERROR };
 
 /* Returns "normal", "depth", "albedo", "error"; NULL for others. */
 const char *tia_shown_guide_name(unsigned shown);
 
-/* Returns the sum that `count` samples would give if they showed that guide of the pixel with the index `at` in
- * `gathered`, the albedo for other guides. 0 where sums or guides, or squares for the error, are NULL, or the count is
- * not in 1..TIA_SPP_MAX. */
+/* Returns the sum of `count` samples that show the quantity `shown` of the pixel with the index `at` in `gathered`, or
+ * the albedo for other values of `shown`. The sum is 0 if gathered->sums, its guides or, for the error, its squares are
+ * NULL, or the count is not in 1..TIA_SPP_MAX. */
 struct tia_sum tia_guide_shown(enum tia_shown_guide shown, const struct tia_gathered *gathered, size_t at,
                                uint32_t count);
 
 /* Returns the estimated standard error of a pixel's mean luminance (red + 2 green + blue)/4, in units of 2^-16, from
- * the spread of its samples; for one sample, that luminance, for none 0. Sobol points are more even than random ones,
- * so the estimate tends to be too large. */
+ * the spread of its samples; for one sample the error is that sample's luminance, for none 0. Sobol points are more
+ * even than random ones, so the estimate tends to be too large. */
 uint32_t tia_standard_error(const struct tia_sum *sum, uint64_t squares, uint32_t count);
 
 /* ---- shadows and motion ---- */
 
-/* Returns the first object (see render.h) that is too far away for the rasteriser, in a width x height view that
- * tia_view_init has refused with TIA_ERR_RANGE, or TIA_NO_OBJECT, as for a scene that tia_scene_check refuses. A corner
- * is too far if a clip coordinate, see raster.h, reaches 2^TIA_RANGE_MAX, in orthographic views 2^TIA_RANGE_FLAT: it is
- * then that many times half the view's width or height off its middle. */
+/* Returns the index of the first object that is too far away for the rasteriser in a width x height view, the reason
+ * for which tia_view_init may have returned TIA_ERR_RANGE; TIA_NO_OBJECT: there is none, or tia_scene_check refuses the
+ * scene. A corner is too far away if a clip coordinate, see raster.h, reaches 2^TIA_RANGE_MAX, in orthographic views
+ * 2^TIA_RANGE_FLAT: its distance from the view's middle is then that multiple of half the view's width or height. */
 uint32_t tia_shadow_too_far(const struct tia_scene *scene, unsigned width, unsigned height);
 
-/* Returns the index of the first of these lights that is too far away for the scene's shadows, in a view that
- * tia_view_init or tia_view_set_lights has refused with TIA_ERR_RANGE, or TIA_NO_OBJECT. All of an area light must be
- * near enough. *range receives the r for which 2^r is too
- * far: as for corners, but less in an orthographic view whose image has more than 1024 pixels in a row or column. There
- * lights much farther away than all corners are in range, too: they count as directional where this moves no shadow by
- * half a pixel. */
+/* Returns the index of the first of `count` lights that is too far away for the scene's shadows in a width x height
+ * view, the reason for which tia_view_init or tia_view_set_lights may have returned TIA_ERR_RANGE; TIA_NO_OBJECT: there
+ * is none. All of an area light must be near enough. *range receives the r for which 2^r is too far: as for corners,
+ * but less in an orthographic view whose image has more than 1024 pixels in a row or column. In such a view lights much
+ * farther away than all corners are in range, too: they count as directional where this moves no shadow by half a
+ * pixel. */
 uint32_t tia_shadow_light_too_far(const struct tia_scene *scene, const struct tia_light *lights, uint32_t count,
                                   unsigned width, unsigned height, unsigned *range);
 
 /* Returns the bytes of room for tia_shadow_mesh_closes; SIZE_MAX for NULL. */
 size_t tia_shadow_mesh_room(const struct tia_mesh *mesh);
 
-/* True if each edge of a mesh has a face on its other side that runs along it in the opposite direction. A mesh that
- * does not close casts the same shadow, but face by face, so its volumes have more sides. `room` has
- * tia_shadow_mesh_room(mesh) bytes and is aligned for uint32_t, or the result is false; the mesh is one that
- * tia_scene_check accepts. */
+/* True if each edge of each face is an edge of another face in the opposite direction. A mesh that does not close casts
+ * the same shadow, but face by face, so that its volumes have more sides. `room` has tia_shadow_mesh_room(mesh) bytes;
+ * if it is not aligned for uint32_t, the result is false. The mesh is one that tia_scene_check accepts. */
 bool tia_shadow_mesh_closes(const struct tia_mesh *mesh, void *room);
 
 /* True if falling balls bounce off shape number `shape`: a plane or a box whose transform has no track. */
@@ -130,8 +130,8 @@ bool tia_scene_bounces_off(const struct tia_scene *scene, uint32_t shape);
 
 /* ---- vector units ---- */
 
-/* Returns the rasteriser's inner loops for an instruction set, for struct tia_raster_target of raster.h; NULL: none. A
- * view with vector units uses its own, which need no memory. */
+/* Returns the rasteriser's inner loops for an instruction set, to be set in struct tia_raster_target; NULL: none. A
+ * view with vector units uses those of its instruction set, which need no memory. */
 const struct tia_raster_runs *tia_simd_raster(const struct tia_simd *simd);
 
 #ifdef __cplusplus

@@ -26,17 +26,18 @@ typedef uint16_t tia_rgb565;
 #define TIA_Q16_ONE 65536
 #define TIA_Q30_ONE 1073741824
 
-/* A constant as Q16.16 or Q2.30, rounded to nearest, ties away from zero: TIA_Q16(-1.5) is -98304. */
+/* A constant as Q16.16, rounded to nearest, ties away from zero: TIA_Q16(-1.5) is -98304. */
 #define TIA_Q16(x) ((tia_q16)((x)*65536.0 + ((x) < 0 ? -0.5 : 0.5)))
+/* A constant as Q2.30, rounded likewise. */
 #define TIA_Q30(x) ((tia_q30)((x)*1073741824.0 + ((x) < 0 ? -0.5 : 0.5)))
 
 /* The result of every library function that can fail: 0 is success, errors are negative.
  *
- * An invalid call returns TIA_ERR_ARGUMENT and changes nothing: with a pointer that is NULL where its comment does not
- * allow that, memory that is not aligned as required, or a number, an enum or a tile out of its range, unless the
- * comment names another result. Functions without a status return SIZE_MAX for bytes, TIA_NO_OBJECT for an object,
- * TIA_NO_LIGHT for a light, 0, false or NULL for other values; those that return nothing do nothing. docs/library.md
- * lists errors that no call detects. */
+ * A call with an invalid argument returns TIA_ERR_ARGUMENT and changes nothing, unless the function's comment names
+ * another result. Invalid arguments are NULL where the comment does not allow it, memory that is not aligned as
+ * required, and a number, an enum or a tile out of its range. For an invalid argument, functions without a status
+ * return SIZE_MAX for bytes, TIA_NO_OBJECT for an object, TIA_NO_LIGHT for a light, 0, false or NULL for other values;
+ * functions without a result do nothing. docs/library.md lists errors that no call detects. */
 enum tia_status {
     TIA_OK = 0,
     TIA_HIDDEN = 1,          /* not an error: another program has the display at the moment */
@@ -45,7 +46,7 @@ enum tia_status {
     TIA_ERR_ARGUMENT = -1,   /* a size, a tile, an enum or a pointer outside the documented range */
     TIA_ERR_RANGE = -2,      /* a scene value outside its range; tia_scene_check names it */
     TIA_ERR_MEMORY = -3,     /* the caller's memory is too small */
-    TIA_ERR_DEVICE = -4,     /* a port's device failed; the port keeps the reason */
+    TIA_ERR_DEVICE = -4,     /* a port's device failed; the port's context has the reason */
     TIA_ERR_UNSUPPORTED = -5 /* the device cannot do this */
 };
 

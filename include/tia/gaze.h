@@ -3,10 +3,10 @@
  *
  *     MAR(e) = w0 + m e
  *
- * degrees apart, the minimum angle of resolution. So only the corners of blocks are drawn, blocks 1, 2, 4, 8 or 16
- * pixels wide: the largest that is no wider than MAR. Within TIA_FOVEA of the gaze every pixel is drawn; e is clamped
- * to 90. All pixels are assumed to look as large as the one in the middle of the picture. Towards the edges they look
- * smaller, so no block is too large there.
+ * degrees apart, the minimum angle of resolution. So only one pixel of each block is drawn, its upper left corner.
+ * Blocks are 1, 2, 4, 8 or 16 pixels wide: the largest width that is at most MAR. Within TIA_FOVEA of the gaze every
+ * pixel is drawn; e is clamped to 90. All pixels are assumed to look as large as the one in the middle of the picture.
+ * Towards the edges they look smaller, so no block is too large there.
  *
  * The eye is in front of the middle of the picture, at the distance where the picture is `view_angle` wide.
  */
@@ -21,8 +21,8 @@ extern "C" {
 
 #define TIA_FOVEA TIA_Q16(2.5) /* degrees: half of the fovea's 5 */
 #define TIA_GAZE_W0 349525u    /* 1/48 degree, Q8.24 */
-#define TIA_GAZE_M 461373u     /* 0.0275 */
-#define TIA_GAZE_BLOCK 16      /* the largest block */
+#define TIA_GAZE_M 461373u     /* 0.0275 degrees per degree, Q8.24 */
+#define TIA_GAZE_BLOCK 16      /* width of the largest block, pixels */
 
 struct tia_gaze {
     uint16_t x, y;      /* the pixel that is looked at; if it is outside the picture, every pixel is drawn */

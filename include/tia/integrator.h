@@ -5,28 +5,31 @@
  * rounded once, to 2^-24, and samples are added in 64 bits. So a picture does not depend on the order, the place or the
  * parts in which its samples are drawn: the sums of samples a..b and of b..c are those of a..c, exactly.
  *
- * TIA_OCCLUSION shows the openness of a point: the share of rays from it that meet no object up to a distance. These
- * rays start at a pixel's visible point, their directions have the density cos t/pi around its normal N; those below
- * the surface meet it. Where a pixel shows no object it is 1.
+ * TIA_OCCLUSION shows the openness of a point: the share of rays from it that meet no object up to a distance. The rays
+ * start at the point that a pixel shows; their directions have the density cos t/pi around the normal N there. Rays
+ * below the surface count as meeting it. Where a pixel shows no object, the openness is 1.
  *
- * TIA_PATHS follows light along random paths (Kajiya, "The rendering equation", 1986). Of tia/material.h it takes
+ * TIA_PATHS follows light along random paths (Kajiya, "The rendering equation", 1986). From tia/material.h it uses
  *   - colour and texture: Lambert's law; specular: Phong's lobe specular (n + 2)/(2 pi) cos^n, normalised (Lafortune
- * and Willems 1994);
- *   - mirror, refraction, index, fresnel, opacity and media as they are; where a ray meets several, chance decides;
- *   - emission, 2^emission_bits times, and facing: radiance, to both sides of a surface. transmission is
- * ignored. The background is radiance from everywhere. Rectangle, disc and sphere lights are surfaces of the radiance
- * emission 2^emission_bits to all sides, without attenuation, which absorb what meets them. Point, spot and directional
- * lights light as in light.h; where they have a radius, only the eye sees it, directly or by mirrors and refraction.
- * Ambient lights, which stand for paths, are ignored.
+ *     and Willems 1994);
+ *   - mirror, refraction, index, fresnel, opacity and media as they are; at a surface with several of these, one is
+ *     chosen at random;
+ *   - emission, 2^emission_bits times, and facing: radiance, to both sides of a surface.
  *
- * At each diffuse or glossy point one light or emitting sphere of the scene is chosen, all with the same chance, and a
- * point of it (of spheres within the cone that they fill, else evenly on the surface); and the path goes on by one of
- * the material's lobes. The two are combined by the balance heuristic (Veach 1997). Other emitting shapes are met by
- * chance. From the fourth bounce on paths end by roulette, at the latest after TIA_BOUNCES_MAX.
+ * transmission is ignored. The background is radiance from everywhere. Rectangle, disc and sphere lights are surfaces
+ * that emit the radiance emission 2^emission_bits to all sides, without attenuation, and absorb the rays that meet
+ * them. Point, spot and directional lights light surfaces as in light.h; a surface that such a light has is visible
+ * only directly, or by mirrors and refraction. Ambient lights are ignored, since paths replace them.
  *
- * Samples draw Owen-scrambled Sobol points, src/samples/sobol.h: a pixel's first numbers are its place in the pixel,
- * without a filter, and the first direction. Rays start 2^-26 off a surface.
- * */
+ * At each diffuse or glossy point one light or emitting sphere of the scene is chosen, each with the same probability,
+ * and a point on it: on a sphere, within the cone of directions that it fills; else uniformly on the surface. The path
+ * itself continues along one of the material's lobes. The two are combined by the balance heuristic (Veach 1997). Other
+ * emitting shapes are met by chance. From the fourth bounce on, paths end by Russian roulette, at the latest after the
+ * scene's largest number of bounces.
+ *
+ * Samples use Owen-scrambled Sobol points, see src/samples/sobol.h: a sample's first numbers are its place in the
+ * pixel, without a filter, and the first direction. Rays start 2^-26 off a surface.
+ */
 #ifndef TIA_INTEGRATOR_H
 #define TIA_INTEGRATOR_H
 
@@ -64,7 +67,7 @@ struct tia_integration {
     enum tia_integrator integrator;
     uint32_t spp;     /* samples per pixel, 1..TIA_SPP_MAX; 0 means TIA_SPP_DEFAULT */
     uint32_t seed;    /* seed of the random samples */
-    uint16_t bounces; /* TIA_PATHS: the maximum, 1..TIA_BOUNCES_MAX; 0 means TIA_BOUNCES_MAX */
+    uint16_t bounces; /* TIA_PATHS: largest number of bounces, 1..TIA_BOUNCES_MAX; 0 means TIA_BOUNCES_MAX */
     uint16_t without; /* TIA_PATHS, for comparison: the enum tia_strategy to leave out */
     tia_q16 distance; /* TIA_OCCLUSION: farther objects do not count; 0: all count */
     enum tia_tone tone;
@@ -76,13 +79,13 @@ struct tia_sum {
     int64_t rgb[3];
 };
 
-/* The first surface that a pixel's samples meet, past mirrors and glass, added up like them. It guides a denoiser, see
- * denoise.h.
- * */
+/* Properties of the first surface that each of a pixel's samples meets behind mirrors and glass, added up like the
+ * samples. They guide a denoiser, see denoise.h. */
 struct tia_guide {
-    int64_t normal[3]; /* unit normal on the visible side, 2^-24; 0 for the background */
-    int64_t depth;     /* path length to it, 2^-16; 0 for the background */
-    int64_t albedo[3]; /* reflectance, all lobes together, plus the emission of it or of a light there; 2^-24 */
+    int64_t normal[3]; /* unit normal on the visible side, in units of 2^-24; 0 for the background */
+    int64_t depth;     /* length of the path to the surface, in units of 2^-16; 0 for the background */
+    int64_t albedo[3]; /* reflectance, all lobes together, plus the emission of the surface or of a light; in units of
+                          2^-24 */
 };
 
 /* The arrays to which samples are added. */
@@ -90,21 +93,21 @@ struct tia_gathered {
     struct tia_sum *sums;
     struct tia_guide *guides; /* or NULL */
     uint64_t *squares;        /* or NULL: the squares of (red + 2 green + blue)/4, in units of 2^-32, up to 2^64 - 1 */
-    size_t pitch;             /* elements from one row of the tile to the next, in each of them */
+    size_t pitch;             /* elements from one row of the tile to the next, in each array */
 };
 
 struct tia_view;
 struct tia_tile;
 struct tia_surface;
 
-/* A sampling integrator in one arithmetic, for the views of its core; of others' TIA_ERR_ARGUMENT. */
+/* A sampling integrator in one arithmetic, for the views of one core; for other cores' views TIA_ERR_ARGUMENT. */
 struct tia_estimator {
     const char *name; /* name of the core whose views it accepts */
 
-    /* Adds samples first..end - 1 of each pixel of the tile to its sum, row by row, the next row `pitch` sums on.
-     * TIA_ERR_UNSUPPORTED: the scene is drawn by an integrator without samples. TIA_ERR_ARGUMENT when the tile is not
-     * inside the image, first is beyond end, or end beyond TIA_SPP_MAX. TIA_STOPPED: see tia/job.h; the sums are not
-     * defined.
+    /* Adds samples first..end - 1 of each pixel of the tile to the pixel's sum; a row of sums begins `pitch` sums after
+     * the one before. TIA_ERR_UNSUPPORTED: the scene's integrator has no samples. TIA_ERR_ARGUMENT when the tile is not
+     * inside the image, first is beyond end, or end beyond TIA_SPP_MAX. TIA_STOPPED: see tia/job.h; the sums are then
+     * undefined.
      */
     int (*sample)(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end, struct tia_sum *sums,
                   size_t pitch);
@@ -114,13 +117,13 @@ struct tia_estimator {
                   const struct tia_gathered *gathered);
 
     /* Returns the opaque object that encloses light number `light` of the view, but not the eye, so that the light
-     * reaches nothing else; TIA_NO_OBJECT: none, no such light, or a scene without samples. Decided by 14 rays from the
-     * light.
+     * reaches nothing else; TIA_NO_OBJECT: none, no such light, or a scene without samples. The test consists of 14
+     * rays from the light.
      */
     uint32_t (*enclosing)(const struct tia_view *view, uint32_t light);
 
     /* Writes the pixels of a row, a tile of height 1, from their sums of `count` samples each, 1..TIA_SPP_MAX. With all
-     * samples of the scene they are those of tia_view_light. Errors as for `sample`. */
+     * of the scene's samples, the pixels are those of tia_view_light. Errors as for `sample`. */
     int (*show)(const struct tia_view *view, struct tia_tile row, const struct tia_sum *sums, uint32_t count,
                 const struct tia_surface *surface, bool dither);
 };

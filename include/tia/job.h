@@ -17,15 +17,15 @@ struct tia_workers {
     bool (*enter)(void *ctx);
     void (*leave)(void *ctx);
     void *ctx;
-    unsigned count; /* the most jobs that run at once; 0 means 1 */
+    unsigned count; /* largest number of jobs that run at once; 0 means 1 */
 };
 
 /* The last argument of functions that can take long. NULL, or all zero: one thread, never stopped. */
 struct tia_job {
     const struct tia_workers *workers; /* threads among which a function divides the work if it can; NULL: none */
-    /* NULL, or polled after every few thousand items of work. Once it returns true, the function returns TIA_STOPPED
-     * soon, and its result is undefined. It may be called again and must return true again. Only one thread at
-     * a time calls it, any of them. */
+    /* NULL, or a function that is polled after every few thousand items of work. Once it returns true, the polling
+     * function soon returns TIA_STOPPED, with an undefined result. `stop` may be called again until then and must
+     * return true again. Any thread may call it, but only one at a time. */
     bool (*stop)(void *ctx);
     void *ctx; /* argument of `stop` */
 };

@@ -6,7 +6,7 @@
  * arrives.
  *
  * An ambient light with a radius is occluded by objects within it: its light is multiplied by the openness up to that
- * distance, as TIA_OCCLUSION of integrator.h defines it, the mean of `samples` rays.
+ * distance, see TIA_OCCLUSION in integrator.h, estimated by `samples` rays.
  *
  * A light whose radius or sides are not 0 is visible from all sides as a surface that shows its emission.
  * Shadow rays pass through it. An area light's contribution is the mean over its samples, each of which
@@ -31,7 +31,7 @@ enum tia_light_trait {
     TIA_LIGHT_SIDES = 1 << 5,      /* has `side`, which is within the surface's plane */
     TIA_LIGHT_SAMPLED = 1 << 6,    /* has `samples` */
     TIA_LIGHT_AREA = 1 << 7,       /* its samples are points of an area; others have one sample, their centre */
-    TIA_LIGHT_BALL = 1 << 8,       /* its surface is a ball, and an area the disc in it that faces the lit point */
+    TIA_LIGHT_BALL = 1 << 8,       /* its surface is a ball; its area, if any, the disc that faces the lit point */
     TIA_LIGHT_DISC = 1 << 9,       /* its surface is a disc, with its normal along `direction` */
     TIA_LIGHT_PATHS = 1 << 10,     /* TIA_PATHS samples it */
     TIA_LIGHT_TECHNIQUES =
@@ -115,7 +115,8 @@ struct tia_light {
     uint16_t samples;                    /* area lights, ambient ones with a radius: 1..TIA_LIGHT_SAMPLES_MAX; 0 means
                                             TIA_LIGHT_SAMPLES_DEFAULT */
     uint8_t emission_bits; /* TIA_PATHS: emission is 2^emission_bits times as large, 0..TIA_EMISSION_BITS_MAX */
-    int8_t unit_bits;      /* attenuation is in 2^unit_bits units of the file; with the scene's scale_bits 0..30 */
+    int8_t unit_bits;      /* the attenuation's unit of length is 2^unit_bits units of the file; unit_bits + the scene's
+                              scale_bits is 0..30 */
 };
 
 /* The sample points of an area light with n samples are fixed, so that every machine draws the same picture.

@@ -5,7 +5,7 @@
  * screen, seen from an eye somewhere on that line. The kinds differ only in the choice of pixel and eye. So a light
  * field has the bits of those pictures.
  *
- * A quilt has them side by side: view 0, the leftmost, at the lower left, then to the right, then up, each of
+ * A quilt has such pictures side by side: view 0, the leftmost, at the lower left, then to the right, then up, each of
  * floor(width/columns) x floor(height/rows) pixels. Remaining columns at the right and rows at the top stay black.
  *
  * A subpixel of a lenticular panel lies under a lens, which sends its light in one direction only. The lenses are
@@ -25,8 +25,8 @@
  *     s = q + (q - p) D/d,
  *
  * p the projector's place and d its distance from the screen, D that of the observer line; p, q and s are lengths along
- * the camera's axis u. Its picture is the whole picture that it projects. Pixels whose light misses the line are black.
- * */
+ * the camera's axis u. The projector projects the whole picture. Pixels whose light misses the line are black.
+ */
 #ifndef TIA_LIGHTFIELD_H
 #define TIA_LIGHTFIELD_H
 
@@ -48,10 +48,11 @@ struct tia_quilt {
 enum tia_subpixels { TIA_SUBPIXELS_RGB, TIA_SUBPIXELS_BGR, TIA_SUBPIXELS_NONE };
 
 struct tia_lenticular {
-    /* Lenses to the width of the picture, 40 fraction bits; pitch and rise are below TIA_PITCH_MAX in size. */
+    /* Number of lenses in the width of the picture, 40 fraction bits. pitch and rise are below TIA_PITCH_MAX in
+     * size. */
     int64_t pitch;
-    int64_t rise;                 /* the phase gained over `width` rows, 40 fraction bits */
-    int64_t centre;               /* 40 fraction bits */
+    int64_t rise;                 /* phase gained over as many rows as the picture is wide, 40 fraction bits */
+    int64_t centre;               /* offset of the phase, 40 fraction bits */
     enum tia_subpixels subpixels; /* from left to right */
     bool flipped;                 /* the picture, lenses and all, is shown from right to left */
     bool inverted;
@@ -70,14 +71,14 @@ struct tia_light_field {
     struct tia_projector projector;
 };
 
-/* Returns the eye of view `view` of `views`, which include both ends of the line: its position along u from the line's
- * middle, to the nearest 2^-16. A single view's eye is in the middle; so is one with another number, or on a line below
- * 0. */
+/* Returns the position of the eye of view number `view`, of `views` views spread from one end of the observer line to
+ * the other: along u, from the line's middle, rounded to the nearest 2^-16. The position is 0, the middle, for a single
+ * view, for a number that is no view's, and for a line of negative length. */
 tia_q16 tia_light_field_place(const struct tia_camera *camera, uint32_t view, uint32_t views);
 
-/* Gives the ordinary off-axis camera whose eye is at a position within the line's ends: eye and reference move by
- * `place` times u, each coordinate rounded to the nearest 2^-16, and the window stays where it is. It has no line.
- * TIA_ERR_RANGE for other positions, and for a camera that tia_scene_check refuses. */
+/* Gives in *out the ordinary off-axis camera whose eye is at `place` on the observer line: eye and reference are moved
+ * by `place` times u, each coordinate rounded to the nearest 2^-16; the window stays where it is, and out->line is 0.
+ * TIA_ERR_RANGE when `place` is beyond the line's ends, and when tia_scene_check refuses *camera. */
 int tia_light_field_camera(struct tia_camera *out, const struct tia_camera *camera, tia_q16 place);
 
 #ifdef __cplusplus

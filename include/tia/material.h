@@ -14,14 +14,13 @@
  * (1 - F) refraction, where F is the reflectance by Fresnel's equations for unpolarised light. On total
  * internal reflection F = 1, with or without `fresnel`.
  *
- * N is the shading normal: interpolated on a mesh that has normals, elsewhere the geometric normal G. Where
- * the ray hits the back of the surface both are negated. Shadow rays and reflected rays start at P + b G,
- * refracted rays at P - b G, so that rounding cannot make them hit their own surface; b is 2^-13, in scenes that have
- * `fine` 2^-26. A shadow ray ends
- * exactly at the light's sample. A light contributes nothing where G.L <= 0 or N.L <= 0. Where an interpolated
- * normal has N.V <= 0, F = 1. T is the product of `transmission` over the objects that the shadow ray hits
- * before the light. Each object counts once, however often it is hit: a grid with the first cell that the ray
- * hits, a mesh that has groups once for each group that is hit.
+ * N is the shading normal: interpolated on a mesh that has normals, elsewhere the geometric normal G. Where the ray
+ * hits the back of the surface both are negated. Shadow rays and reflected rays start at P + b G, refracted rays at P -
+ * b G, so that rounding cannot make them hit their own surface; b is 2^-13, in scenes that have `fine` 2^-26. A shadow
+ * ray ends exactly at the light's sample. A light contributes nothing where G.L <= 0 or N.L <= 0. Where an interpolated
+ * normal has N.V <= 0, F = 1. T is the product of `transmission` over the objects that the shadow ray hits before the
+ * light. Each object counts once, however often it is hit: a grid with the first cell that the ray hits, a mesh that
+ * has groups once for each group that is hit.
  *
  * An opacity texture, whose value at P is o, defines the part of the surface that is there: the colour is o times the
  * one above plus 1 - o times the colour seen past it, along a ray that goes straight on from P - b V. Where the

@@ -19,7 +19,7 @@ enum tia_target {
     TIA_SCALES_TRANSFORM,
     TIA_SHOWS_SHAPE, /* 1 in x: shown, 0: hidden; from its keyframe on, without interpolation */
     TIA_SHOWS_LIGHT,
-    TIA_SETS_COLOUR, /* a material's colour, and so on: red, green and blue, Q2.30 in 0..1 */
+    TIA_SETS_COLOUR, /* a material's colour; like the members below red, green and blue, Q2.30 in 0..1 */
     TIA_SETS_TRANSMISSION,
     TIA_SETS_EMISSION, /* a material's emission, without emission_bits */
     TIA_SETS_SPECULAR,
@@ -34,14 +34,14 @@ struct tia_keyframe {
     struct tia_vec3 value;
 };
 
-/* Before its first keyframe a track holds the first value, after its last the last. In between it is linear;
- * a smooth track is the cubic Hermite curve through the keyframes whose tangent at an inner keyframe is the
+/* Before its first keyframe a track has the first value, after its last keyframe the last value. In between it is
+ * linear; a smooth track is the cubic Hermite curve through the keyframes whose tangent at an inner keyframe is the
  * slope between its neighbours (Catmull-Rom), and 0 at the first and last.
  *
- * Every keyframe must keep the range of the field that it sets: lights, reference points and transforms stay
- * within 32768 of every eye position, and directions are not 0. tia_scene_check cannot see in advance where a
- * transform carries its shapes, or how far a smooth curve overshoots: check the scene of each time as well. Colours
- * that overshoot are cut off.
+ * Every keyframe's value must be in the range of the field that it sets: lights, reference points and transforms stay
+ * within 32768 of every eye position, and directions are not 0. tia_scene_check does not test where a transform moves
+ * its shapes, or how far a smooth curve overshoots: check the scene of each time as well. Colours that overshoot are
+ * clamped.
  *
  * A hidden shape keeps its index, but becomes an instance of the scene's last mesh, which must have no faces. Tracks of
  * colours that the span renderer does not draw need that mesh as well, so that one renderer draws all times. A hidden
@@ -64,7 +64,7 @@ struct tia_track {
  * comes to rest, and can then carry others. Contacts are found to 2^-20 s, if balls move less than 16 times their
  * diameter in 1/256 s. */
 struct tia_fall {
-    uint32_t shape;           /* a sphere with a transform of its own, scaled evenly, that no track moves */
+    uint32_t shape;           /* index of a sphere with a transform of its own, scaled uniformly, that no track moves */
     struct tia_vec3 velocity; /* velocity at the beginning, units of length a second, each within +-1024 */
     tia_q16 restitution;      /* 0..1 */
     tia_q16 mass;             /* 2^-10..1024 */
@@ -74,19 +74,20 @@ struct tia_falling {
     const struct tia_fall *balls;
     uint32_t count;          /* at most TIA_FALLS_MAX */
     struct tia_vec3 gravity; /* units of length a second^2, each within +-1024 */
-    tia_q16 end;             /* seconds, at most TIA_FALL_END_MAX: then all balls stay where they are */
+    tia_q16 end;             /* seconds, at most TIA_FALL_END_MAX: from then on all balls stay where they are */
 };
 
 /* Returns the bytes of memory that tia_scene_at needs for a scene that tia_scene_check accepts; SIZE_MAX when there are
- * too many. The memory must be aligned for uint64_t, and may be NULL if that is 0. */
+ * too many. The memory must be aligned for uint64_t, and may be NULL if the result is 0. */
 size_t tia_scene_at_size(const struct tia_scene *scene);
 
 /* Sets *out to the scene at `time` (seconds). Arrays with moving elements are copied to `memory`, all others are shared
- * with `scene`. *out has no tracks and no balls that fall, no bvh, since objects moved: build a new one, and no `fine`
- * if there were any. It depends on nothing but the scene and the time, to the bit, so the path of balls is computed
- * from the beginning each time: in steps of 1/256 s, and time in proportion to their number times that of balls, planes
- * and boxes. TIA_ERR_MEMORY when `size` is too small. `out` may equal `scene`, which is then lost. Runs on one thread.
- * After TIA_STOPPED *out is undefined and must not be drawn. */
+ * with `scene`. *out has no tracks and no falling balls. It has no bvh either, since objects may have moved, so that a
+ * new one must be built; and no `fine` if anything in the scene moves. The bits of *out depend on nothing but the scene
+ * and the time. So the balls' paths are computed from the beginning each time, in steps of 1/256 s, each of which takes
+ * time proportional to the number of balls times that of balls, planes and boxes. TIA_ERR_MEMORY when `size` is too
+ * small. `out` may equal `scene`, which is then overwritten. Runs on one thread. After TIA_STOPPED *out is undefined
+ * and must not be drawn. */
 int tia_scene_at(struct tia_scene *out, void *memory, size_t size, const struct tia_scene *scene, tia_q16 time,
                  const struct tia_job *job);
 

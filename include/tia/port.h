@@ -2,8 +2,8 @@
  *
  * Every function pointer must be set, unless its comment allows NULL: tia_viewer_run returns TIA_ERR_ARGUMENT when one
  * that it calls is not. A port never exits, prints, or starts threads. On failure it returns a negative enum tia_status
- * and keeps the reason in its context, for the program to print.
- * */
+ * and stores the reason in its context, for the program to print.
+ */
 #ifndef TIA_PORT_H
 #define TIA_PORT_H
 
@@ -45,10 +45,10 @@ struct tia_event {
     enum tia_event_kind kind;
     uint16_t key;     /* enum tia_key or ASCII */
     bool shift;       /* for a key that moves a light or the camera: it was typed with Shift */
-    bool drag;        /* for a pointer: its left button is down, or a finger */
+    bool drag;        /* for a pointer: its left button is down, or a finger touches */
     uint64_t time_us; /* time by struct tia_clock; 0 when the device does not report times */
-    /* For a pointer, to the right and down: position 0..65535, 2^-16 of the display's width and height; or movement,
-     * about a pixel a unit, -32767..32767. */
+    /* A pointer's position or movement, to the right and down. A position is 0..65535, in 2^-16 of the display's width
+     * and height; a movement is -32767..32767, in units of about a pixel. */
     int32_t x, y;
 };
 
@@ -69,25 +69,26 @@ struct tia_display {
      * resized terminal window, another screen plugged in). TIA_HIDDEN while another program has the screen: do not draw
      * then. TIA_BUSY, with the mode, if the last frame must be shown again: see go_on. */
     int (*mode)(void *ctx, struct tia_mode *mode);
-    /* Gives memory for the pixels of `tile`, valid until submit. It may be write-combining, where reads are slow: only
-     * write, at rising addresses. Its old contents are undefined. */
+    /* Gives memory for the pixels of `tile`, valid until submit. The memory may be write-combining, so that reads are
+     * slow: only write it, at rising addresses. Its contents are undefined at first. */
     int (*acquire)(void *ctx, struct tia_tile tile, struct tia_surface *surface);
     /* Takes the tile's pixels, which are complete. */
     int (*submit)(void *ctx, struct tia_tile tile);
     /* Shows the frame, which is complete. May wait until it is on screen, but no longer; a device that needs more than
-     * about 20 ms for that, such as a slow line, returns TIA_BUSY and goes on in go_on. */
+     * about 20 ms for that, such as a slow line, returns TIA_BUSY and continues in go_on. */
     int (*present)(void *ctx);
     /* Restores what open changed. Safe after a failed open, and when called twice. */
     void (*close)(void *ctx);
-    /* Goes on, for about 20 ms, with the frame that present began, or for which `mode` returned TIA_BUSY; TIA_BUSY if
-     * that is not all. NULL if the display never returns TIA_BUSY. In between the caller may poll its input, close the
-     * display, or draw the next frame; that is shown after this one. */
+    /* Continues, for about 20 ms, to show the frame that present began or for which `mode` returned TIA_BUSY; returns
+     * TIA_BUSY if the frame is not complete then. NULL if the display never returns TIA_BUSY. Between two calls the
+     * caller may poll its input, close the display, or draw the next frame, which is shown after this one. */
     int (*go_on)(void *ctx);
 };
 
 struct tia_input {
     int (*open)(void *ctx);
-    /* Takes the next event: 1, 0 when there is none, negative on failure. Never blocks. */
+    /* Gives the next event and returns 1; returns 0 when there is none, and a negative status on failure. Never
+     * blocks. */
     int (*poll)(void *ctx, struct tia_event *event);
     /* Waits for an event or a signal, at most timeout_ms (-1: no limit; 0: only delivers pending signals). It may
      * return early for no reason. */

@@ -23,22 +23,22 @@
 extern "C" {
 #endif
 
-#define TIA_RADIO_ORDER_MAX 8 /* reflections */
+#define TIA_RADIO_ORDER_MAX 8 /* reflections of a path */
 #define TIA_RADIO_WALLS_MAX 8 /* walls that a path passes through */
 #define TIA_RADIO_LENGTH_BITS 41
 #define TIA_RADIO_NO_OBJECT UINT32_MAX
 
-struct tia_radio; /* the faces of a scene */
-struct tia_radio_room;
+struct tia_radio;      /* the faces of a scene */
+struct tia_radio_room; /* working memory of a search */
 
 struct tia_radio_counts {
-    uint32_t faces, planes; /* planes: distinct planes of faces */
-    uint32_t left_out;      /* objects without flat faces */
+    uint32_t faces, planes; /* number of faces, and of the distinct planes in which they lie */
+    uint32_t left_out;      /* number of objects without flat faces */
 };
 
 struct tia_radio_face {
     uint32_t object, material; /* indices in the scene */
-    uint32_t plane;            /* number of its plane */
+    uint32_t plane;            /* number of the face's plane */
     bool solid;                /* a side of a box; the normal then points outwards */
     int64_t normal[3];         /* unit normal, Q2.62 */
     tia_q16 thickness;         /* thickness of a box, from this side to the opposite one; else 0 */
@@ -48,7 +48,7 @@ struct tia_radio_face {
  */
 struct tia_radio_wall {
     uint32_t face;
-    uint32_t segment; /* number of reflections before it */
+    uint32_t segment; /* number of reflections before the wall */
 };
 
 /* A path. point[i] and face[i] are those of reflection i, direction[i] that of the segment before it; the last
@@ -62,12 +62,12 @@ struct tia_radio_path {
     struct tia_radio_wall wall[TIA_RADIO_WALLS_MAX]; /* ordered by segment */
 };
 
-/* A search. `from` and `to` differ, except for rays that go everywhere. Neither should be inside an object, see
- * tia_radio_inside: paths found then are meaningless. */
+/* A search for paths. `from` and `to` differ, except with `everywhere` of tia_radio_shoot. Neither should be inside an
+ * object, see tia_radio_inside: the paths would be meaningless. */
 struct tia_radio_link {
     struct tia_vec3 from, to;
-    uint32_t order; /* the most reflections: 0..TIA_RADIO_ORDER_MAX */
-    uint32_t walls; /* the most walls to pass through: 0..TIA_RADIO_WALLS_MAX */
+    uint32_t order; /* largest number of reflections: 0..TIA_RADIO_ORDER_MAX */
+    uint32_t walls; /* largest number of walls that a path passes through: 0..TIA_RADIO_WALLS_MAX */
 
     /* Called for each path, in any order; returns false to stop. */
     bool (*found)(void *ctx, const struct tia_radio_path *path);
@@ -77,9 +77,9 @@ struct tia_radio_link {
 /* Returns the bytes for the faces of a scene that tia_scene_check accepts; SIZE_MAX when there are too many. */
 size_t tia_radio_size(const struct tia_scene *scene);
 
-/* Finds the faces in `memory`, aligned for uint64_t. It is read-only from then on: any number of threads may use it.
- * TIA_ERR_MEMORY; TIA_ERR_RANGE, with *fault, when a corner is beyond the range of Q16.16 or a face that is not
- * parallel to an axis is 32768 wide or wider. */
+/* Finds the faces and stores them in `memory`, aligned for uint64_t, which is read-only from then on: any number of
+ * threads may use it. TIA_ERR_MEMORY when `size` is too small; TIA_ERR_RANGE, with *fault filled in, when a corner is
+ * beyond the range of Q16.16 or a face that is not parallel to an axis is 32768 wide or wider. */
 int tia_radio_init(struct tia_radio **radio, void *memory, size_t size, const struct tia_scene *scene,
                    struct tia_fault *fault);
 
@@ -92,7 +92,7 @@ struct tia_radio_face tia_radio_face(const struct tia_radio *radio, uint32_t fac
 /* Returns an object that has the point inside its box or on one of its faces; TIA_RADIO_NO_OBJECT: none. */
 uint32_t tia_radio_inside(const struct tia_radio *radio, struct tia_vec3 point);
 
-/* Returns the bytes of room for one search at a time; aligned for uint64_t. */
+/* Returns the bytes of the working memory of a search, which serves one search at a time and is aligned for uint64_t. */
 size_t tia_radio_room_size(void);
 
 /* Returns the number of sequences of planes of up to `order` reflections, no plane twice in a row: all that the image
@@ -103,7 +103,8 @@ uint64_t tia_radio_sequences(const struct tia_radio *radio, uint32_t order);
  * of its faces, lies behind the one before it. 0, or TIA_STOPPED when `found` returned false. */
 int tia_radio_images(const struct tia_radio *radio, struct tia_radio_room *room, const struct tia_radio_link *link);
 
-/* Tries the given planes in that order, at most TIA_RADIO_ORDER_MAX; calls `found` if they give a path. */
+/* Tries one sequence of `order` planes, at most TIA_RADIO_ORDER_MAX; calls link->found if it gives a path. Returns 0,
+ * or TIA_STOPPED when `found` returned false. */
 int tia_radio_try(const struct tia_radio *radio, struct tia_radio_room *room, const struct tia_radio_link *link,
                   const uint32_t *planes, uint32_t order);
 
@@ -122,10 +123,11 @@ struct tia_radio_ray {
     int64_t miss; /* the squared distance from the receiver, Q32.32 */
 };
 
-/* Shoots ray i of that density from link->from and follows it as far as link->order reflections, and through up to
- * link->walls walls. Calls `received` when it passes the receiver within the radius of the reception sphere: the length
- * of its path times 0.764 / density, the most by which any direction is off the nearest ray. With `everywhere` it
- * ignores the receiver and calls `received` at each reflection. `received` returns false to stop.  */
+/* Shoots ray `i` of tia_radio_directions(density) from link->from, and follows it through at most link->order
+ * reflections and link->walls walls. Calls `received` when the ray passes the receiver within the radius of the
+ * reception sphere: the length of the ray's path times 0.764/density, the largest angle between any direction and the
+ * nearest ray. With `everywhere` the receiver is ignored, and `received` is called at each reflection. `received`
+ * returns false to stop: the result is then TIA_STOPPED, else 0. */
 int tia_radio_shoot(const struct tia_radio *radio, struct tia_radio_room *room, const struct tia_radio_link *link,
                     uint32_t density, uint32_t i, bool everywhere,
                     bool (*received)(void *ctx, const struct tia_radio_ray *ray), void *ctx);

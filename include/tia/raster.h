@@ -1,6 +1,6 @@
 /* raster.h - convex polygons into depth, stencil and colour buffers, without rounding after the vertices.
  *
- * A vertex is (x, y, w) with `fraction` bits and h, rounded once, by the caller. Everything after is exact: which
+ * A vertex is (x, y, w) with `fraction` bits and h, rounded once, by the caller. All else is computed exactly: which
  * pixels a polygon covers, and which of two polygons is nearer at a pixel. So no pixel at a common edge is drawn twice
  * or left out, and the result does not depend on drawing order, tiles or machine.
  *
@@ -26,7 +26,7 @@
  *
  * (8192^2 pixels, 16 samples.) Polygons with smaller coordinates need only 64 bits for all but det; each such polygon
  * is detected and drawn faster, with the same result.
- * */
+ */
 #ifndef TIA_RASTER_H
 #define TIA_RASTER_H
 
@@ -36,7 +36,7 @@
 extern "C" {
 #endif
 
-#define TIA_RASTER_CORNERS 8   /* the most corners of a polygon */
+#define TIA_RASTER_CORNERS 8   /* largest number of corners of a polygon */
 #define TIA_NO_FACE UINT32_MAX /* no face at this pixel */
 
 /* The pixels of an image: D(i, j) = (x + right i, y - down j, w). */
@@ -53,13 +53,13 @@ struct tia_raster_grid {
 #define TIA_RANGE_MAX 24  /* largest range in perspective */
 #define TIA_RANGE_FLAT 20 /* largest range of orthographic views */
 
-/* Sets the grid of the pixels of a width x height image (1..TIA_SIZE_MAX each), or of sample `sample` of each pixel
- * when there are 1, 4 or 16 `samples`, placed as in camera.h. All coordinates of points are below 2^range in size,
- * range at least 0 and at most TIA_RANGE_MAX or TIA_RANGE_FLAT. TIA_FRUSTUM counts as perspective, since its shear is
- * in the vertices. TIA_ERR_ARGUMENT when an argument is outside these bounds.
+/* Sets the grid of sample number `sample`, 0..samples - 1, of each pixel of a width x height image (1..TIA_SIZE_MAX
+ * each) with 1, 4 or 16 `samples` per pixel, placed as in camera.h. All coordinates of points are below 2^range in
+ * size, range at least 0 and at most TIA_RANGE_MAX or TIA_RANGE_FLAT. TIA_FRUSTUM counts as perspective, since its
+ * shear is in the vertices. TIA_ERR_ARGUMENT when an argument is outside these bounds.
  *
  * This chooses `fraction`: 25 - range where that is at least 18 and most polygons then fit 64 bits, else 40 - range;
- * orthographic always 29 - range, or 28 when that is 0, as w is 1. Of 6 million pixels of meshes, 5 see another face
+ * orthographic always 29 - range, or 28 when `range` is 0, as w is 1. Of 6 million pixels of meshes, 5 see another face
  * with 18 bits than with 34, none with 22. */
 int tia_raster_grid_init(struct tia_raster_grid *grid, enum tia_projection projection, unsigned width, unsigned height,
                          uint32_t samples, uint32_t sample, unsigned range);
@@ -105,9 +105,9 @@ struct tia_stencil {
  * pixel is farther than any polygon. */
 struct tia_raster_state {
     enum tia_compare depth;
-    bool depth_write;           /* also puts the face there */
-    bool ties_by_face;          /* in the same plane, the smaller face is nearer: any order draws the same */
-    bool skip_front, skip_back; /* front faces go round counterclockwise in the image */
+    bool depth_write;  /* a pixel that passes also stores the polygon's face */
+    bool ties_by_face; /* in the same plane the face of the smaller number is nearer: any order gives the same result */
+    bool skip_front, skip_back; /* corners of front faces run counterclockwise in the image */
     bool ahead;                 /* orthographic: draw only where h <= 0, as if the window were before the scene */
     struct tia_stencil front, back;
     bool colour_write[3];
@@ -137,8 +137,9 @@ struct tia_raster_target {
     const struct tia_raster_grid *grid;
     struct tia_tile area;
     uint32_t *face;     /* TIA_NO_FACE at empty pixels */
-    uint64_t *nearness; /* within 2^15 of 1/t 2^scale, orthographic of 2^61 more, and clamped to 0..2^62; 0 at empty
-                           pixels. In perspective w = 1/16 has 2^61..2^62, orthographic h of -2^range 0..2^60 */
+    uint64_t *nearness; /* 1/t 2^scale, in orthographic views plus 2^61, with an error below 2^15 and clamped to
+                           0..2^62; 0 at empty pixels. In perspective w = 1/16 has a nearness of 2^61..2^62, in
+                           orthographic views h = -2^range has one of 0..2^60 */
     uint8_t *stencil;
     uint32_t *count; /* TIA_STENCIL_INCR_WRAP and TIA_STENCIL_DECR_WRAP count here too, modulo 2^32 and without masks */
     uint16_t *colour; /* three a pixel: red, green, blue */
@@ -155,26 +156,29 @@ struct tia_raster_target {
 size_t tia_raster_size(struct tia_tile area, unsigned buffers, uint32_t faces);
 
 /* Creates a target in `memory`, aligned for uint64_t, and clears it. The grid must outlive it. TIA_ERR_ARGUMENT when
- * the area is empty or not inside the image, or there are no such buffers; TIA_ERR_MEMORY when `size` is too small. */
+ * the area is empty or not inside the image, or `buffers` is not such a sum; TIA_ERR_MEMORY when `size` is too
+ * small. */
 int tia_raster_init(struct tia_raster_target *target, void *memory, size_t size, const struct tia_raster_grid *grid,
                     struct tia_tile area, unsigned buffers, uint32_t faces);
 
-/* Empties the depth buffer. TIA_OK, too, without that buffer, here and below: nothing is done then. */
+/* Empties the depth buffer. This function and those below do nothing, and return TIA_OK, if the target lacks the
+ * buffer. */
 int tia_raster_clear_depth(struct tia_raster_target *target);
-/* Sets the bits of `write`, as OpenGL's clear does. */
+/* Sets the bits of `write` in the stencil buffer to those of `value`, as OpenGL's clear does. */
 int tia_raster_clear_stencil(struct tia_raster_target *target, uint8_t value, uint8_t write);
+/* Sets all counts to `value`. */
 int tia_raster_clear_count(struct tia_raster_target *target, uint32_t value);
+/* Sets the colour buffer to one colour: red, green, blue. */
 int tia_raster_clear_colour(struct tia_raster_target *target, const uint16_t colour[3]);
+/* Sets the accumulation buffer to 0. */
 int tia_raster_clear_sum(struct tia_raster_target *target);
 
-/* The accumulation buffer is for callers: with an area light, they draw a picture for each of its points and take the
- * mean. tia_view_draw records which samples of a light arrive, and needs no such buffer.
- *
- * Adds `weight` times the colour buffer to the sum; all weights together at most 65536. TIA_ERR_ARGUMENT for a weight
- * above that. */
+/* Adds `weight` times the colour buffer to the accumulation buffer; the sum of all weights must be at most 65536.
+ * TIA_ERR_ARGUMENT for a single weight above that. With this buffer a caller can average the pictures of an area
+ * light's points; tia_view_draw does not need it, since it records which samples of a light arrive. */
 int tia_raster_sum_add(struct tia_raster_target *target, uint32_t weight);
-/* Sets the colour buffer to the sum over `total`, rounded to nearest, ties up. TIA_ERR_ARGUMENT when the total is
- * not in 1..65536. */
+/* Sets the colour buffer to the accumulation buffer divided by `total`, rounded to nearest, ties up. TIA_ERR_ARGUMENT
+ * when the total is not in 1..65536. */
 int tia_raster_sum_return(struct tia_raster_target *target, uint32_t total);
 
 /* Draws a convex polygon of 3..TIA_RASTER_CORNERS corners by `state`. Its plane, for depth, is that of its first three
@@ -195,10 +199,10 @@ bool tia_raster_corners_init(struct tia_raster_corners *corners, const struct ti
                              const struct tia_raster_vertex vertices[3]);
 
 /* Interpolates a[0], a[1], a[2], given at the corners, linearly on the triangle's plane, to the point that pixel (x, y)
- * of the image shows: perspective-correct, rounded to nearest, ties up, and clamped to the range of tia_q16. A corner
- * that is a direction has no value. 0 where the plane is not before the eye, and for x and y not in 0..TIA_SIZE_MAX
- * - 1.
- * */
+ * of the image shows: perspective-correct, rounded to nearest, ties up, and clamped to the range of tia_q16. The value
+ * at a corner that is a direction is ignored. 0 where the plane is not before the eye, and for x and y not in
+ * 0..TIA_SIZE_MAX - 1.
+ */
 tia_q16 tia_raster_corners_blend(const struct tia_raster_corners *corners, int x, int y, const tia_q16 a[3]);
 
 #ifdef __cplusplus

@@ -41,7 +41,7 @@ struct tia_read_error {
     char text[280];
 };
 
-/* The mistakes that a reader tolerates, all but the last in .obj and .mtl, and their remedies. */
+/* Mistakes that a reader tolerates, and their remedies; all but the last occur only in .obj and .mtl. */
 enum tia_read_warning_kind {
     TIA_WARN_STATEMENT, /* an unknown or faulty statement: skipped */
     TIA_WARN_LIBRARY,   /* a material library that cannot be read: its materials are grey */
@@ -61,7 +61,7 @@ enum tia_read_warning_kind {
 
 struct tia_read_warning {
     uint32_t count;           /* 0: none of this kind */
-    struct tia_read_error at; /* the first one, and its remedy */
+    struct tia_read_error at; /* the first mistake, and its remedy */
 };
 
 struct tia_reader {
@@ -69,27 +69,27 @@ struct tia_reader {
     const char *text;
     size_t length; /* the text may hold any bytes and needs no final 0 */
 
-    /* Load a file that the text names, `name` being its path from the scene's folder; on failure return a negative
-     * status and set *why to a static string. The loaded memory stays the caller's and must outlive the scene. With
-     * NULL, a scene that refers to such files is an error. The text is read in several passes: `library` may be called
-     * again for the same name and must then return the same text. `image` is called once for each texture, and only
-     * when the memory is known to suffice; it sets the width, height and texels. `opacity` does so for one channel of
-     * an image.
-     */
+    /* Loads the file called `name`, a path from the scene's folder. On failure returns a negative status and sets *why
+     * to a static string. The text is read in several passes: `library` may be called again for the same name and must
+     * then return the same text. Here and below, the loaded memory stays the caller's and must outlive the scene; NULL:
+     * a scene that refers to such files is an error. */
     int (*library)(void *ctx, const char *name, const char **text, size_t *length, const char **why);
+    /* Loads an image: sets the texture's width, height and texels. Called once for each texture, and only when the
+     * memory is known to suffice. Names and errors are as for `library`. */
     int (*image)(void *ctx, const char *name, struct tia_texture *texture, const char **why);
+    /* Loads one channel of an image, otherwise as `image` does. */
     int (*opacity)(void *ctx, const char *name, enum tia_channel channel, struct tia_texture *texture,
                    const char **why);
     void (*material)(void *ctx, uint32_t index, const char *name); /* NULL, or called for each named material */
     void *ctx;
 
-    bool unscaled; /* lengths keep the file's unit: scale_bits is 0 */
-    /* Above 0: lengths are as fine as there is room for, though none is rounded and the horizon comes nearer; positions
-     * as far from 0 along an axis fit, too. */
+    bool unscaled; /* lengths stay in the file's unit: scale_bits is 0 */
+    /* Above 0: the unit of length is the finest in which the scene and all positions up to `reach` (in the file's unit)
+     * from 0 along an axis fit, even if a coarser one would round no length, and although the horizon comes nearer. */
     tia_q16 reach;
     bool strict;                       /* warnings are errors */
-    struct tia_read_warning *warnings; /* TIA_WARNINGS of them, by kind, set by tia_read; NULL: not wanted */
-    struct tia_read_error error;       /* after TIA_ERR_RANGE */
+    struct tia_read_warning *warnings; /* array of TIA_WARNINGS elements, by kind, which tia_read sets; or NULL */
+    struct tia_read_error error;       /* set if tia_read returns TIA_ERR_RANGE */
 };
 
 /* Reads the scene into `memory` of `size` bytes, aligned for uint64_t; *scene points into it, and tia_scene_check

@@ -41,9 +41,9 @@ struct tia_options {
     const struct tia_debug *debug; /* NULL, or more output for each pixel, see tia/debug.h */
 };
 
-/* `colours` hold the light from which RGB565 is rounded, 0 to 65535 for 0 to 1, rounded to nearest; as 255 divides
- * 65535, colours of 8 bits can be rounded from them. TIA_ERR_UNSUPPORTED with dither, for a view drawn by vector units,
- * and for integrators with samples, which have sums. */
+/* `colours` receives the light of which RGB565 is the rounded value: 0..65535 for 0..1, rounded to nearest. Colours of
+ * 8 bits can be rounded from it, as 255 divides 65535. TIA_ERR_UNSUPPORTED with `dither`, for a view drawn by vector
+ * units, and for integrators with samples, whose sums serve instead. */
 
 struct tia_view; /* a prepared scene, in the caller's memory */
 struct tia_hits; /* a hit buffer, in the caller's memory */
@@ -57,8 +57,8 @@ size_t tia_view_size(const struct tia_scene *scene, uint32_t light_capacity);
  * TIA_ERR_RANGE when tia_scene_check refuses the scene or something is too far away for its shadows, see
  * tia_shadow_too_far; TIA_ERR_MEMORY when `size` is too small.
  *
- * One thread prepares it. The view keeps the job's `stop` and calls it in tia_view_set_lights, tia_view_trace,
- * tia_view_light and tia_view_draw, in the thread that draws, after about 16 rays or, for spans, a row. After
+ * The view is prepared on one thread. It refers to the job's `stop`, which tia_view_set_lights, tia_view_trace,
+ * tia_view_light and tia_view_draw call on their own thread, after about 16 rays or, for spans, a row. After
  * TIA_STOPPED the tile's pixels, its hits and the view's lights are undefined. */
 int tia_view_init(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
                   uint32_t light_capacity, unsigned width, unsigned height, const struct tia_job *job);
@@ -78,7 +78,7 @@ int tia_hits_init(struct tia_hits **hits, void *memory, size_t size, const struc
 
 /* Returns the index of the object at pixel (x, y) of the image, or TIA_NO_OBJECT; with several samples per pixel, that
  * of the first. Lights are not in the hits, since they may move: tia_view_light finds them. TIA_NO_OBJECT, too, outside
- * the image and the hits, and as long as no tile of the hits is traced; the pixel must be traced. */
+ * the image and the hits, and as long as no tile of the hits is traced; else the pixel must be traced. */
 uint32_t tia_hits_object(const struct tia_hits *hits, unsigned x, unsigned y);
 
 /* Finds the nearest object of each pixel of `tile`. TIA_ERR_ARGUMENT when the tile is empty or not inside the image and
@@ -92,7 +92,7 @@ int tia_view_trace(const struct tia_view *view, struct tia_hits *hits, struct ti
 int tia_view_light(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                    const struct tia_surface *surface, const struct tia_options *options);
 
-/* Calls tia_view_trace, then tia_view_light; faster than one after the other where rays draw. */
+/* Does the work of tia_view_trace and then tia_view_light; where rays draw, faster than the two calls. */
 int tia_view_draw(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
                   const struct tia_surface *surface, const struct tia_options *options);
 
@@ -105,7 +105,7 @@ struct tia_simd;
 
 /* A core's functions for its views. tia_view_set_lights, tia_hits_init, tia_hits_object, tia_view_trace, tia_view_light
  * and tia_view_draw check that the view is not NULL and call the slot of the view's core. A program with a renderer of
- * its own, or one that extends the library's, sets such a table in a core of its own. A view must begin with a pointer
+ * its own, or one that extends the library's, puts its table into a core of its own. A view must begin with a pointer
  * to its core, and hits with a pointer to their view, as the library's do. */
 struct tia_drawing {
     int (*set_lights)(struct tia_view *, const struct tia_light *, uint32_t);
@@ -122,9 +122,9 @@ struct tia_drawing {
 extern const struct tia_drawing tia_drawing;
 
 /* An arithmetic and its renderers. A program can link several cores and choose one at run time; the functions above
- * draw the views of every core. The slots are those functions above that need no view. Their first argument is the
- * core, as in core->view_size(core, scene, 1). It may be a copy of the library's with another `drawing`, and must
- * outlive its views. */
+ * draw the views of every core. A core has those functions above that need no view, with the core as their first
+ * argument, as in core->view_size(core, scene, 1). A program's core may be a copy of the library's with another
+ * `drawing`; it must outlive its views. */
 struct tia_core {
     const char *name; /* "q16", "f64", ... */
     size_t (*view_size)(const struct tia_core *, const struct tia_scene *, uint32_t);
@@ -141,11 +141,11 @@ struct tia_core {
 extern const struct tia_core tia_core_q16; /* integers: the core of the functions above */
 extern const struct tia_core tia_core_f64; /* double: the reference, libtia-f64.a */
 
-/* Cores of integers for the span renderer's scenes, see scene.h. A program that names no other core links no other
+/* A core of integers for the span renderer's scenes, see scene.h. A program that names no other core links no other
  * renderer, and no code for other scenes. view_init returns TIA_ERR_RANGE for scenes with shapes, meshes, textures,
- * tracks, falling balls or techniques for shadows, and TIA_ERR_UNSUPPORTED for all others that spans do not draw. The
- * second has less code, as it decides each pixel on its own, and takes 1.7 times the time. */
+ * tracks, falling balls or techniques for shadows, and TIA_ERR_UNSUPPORTED for all others that spans do not draw. */
 extern const struct tia_core tia_core_spheres;
+/* A core like tia_core_spheres with less code: it decides each pixel on its own, and takes 1.7 times the time. */
 extern const struct tia_core tia_core_spheres_small;
 
 #ifdef __cplusplus

@@ -47,7 +47,7 @@ struct tia_binding {
     struct tia_light state;
 };
 
-/* More digits of lengths, in units of 2^-32: each is the number of that name in the scene plus these. Round mirrors
+/* More digits of lengths, in units of 2^-32, to be added to the scene's numbers of the same names. Round mirrors
  * magnify an error of a coordinate with every reflection, some a hundredfold; flat ones do not. So balls, cylinders,
  * cones and the eye can have more digits than Q16.16. The span renderer ignores these. */
 struct tia_fine_sphere {
@@ -77,7 +77,7 @@ struct tia_scene {
     const struct tia_binding *bindings;
     uint32_t material_count, sphere_count, light_count, binding_count;
 
-    /* Only the ray renderer draws scenes that use one of these. */
+    /* Members that only the ray renderer supports. */
     const struct tia_shape *shapes;
     const struct tia_transform *transforms;
     const struct tia_texture *textures;
@@ -95,7 +95,7 @@ struct tia_scene {
     const struct tia_fine *fine;         /* NULL, or more digits; rays then start 2^-26 off a surface, see material.h */
     const struct tia_light_field *field; /* NULL, or a picture for many eyes; needs a camera with an observer line, and
                                             traced rays for shadows */
-    const struct tia_bvh *bvh;           /* NULL, or this scene's, see bvh.h: the same picture in less time */
+    const struct tia_bvh *bvh; /* NULL, or the scene's hierarchies, see bvh.h: the same picture in less time */
 
     /* Keyframes and balls that fall, see motion.h. Rendering ignores them; tia_scene_at applies them. */
     const struct tia_track *tracks;
@@ -109,14 +109,13 @@ struct tia_scene {
 
 /* A violated rule, to be printed as "sphere 3: radius: must be at least 2^-10". */
 struct tia_fault {
-    const char
-        *thing;     /* NULL: nothing; "sphere", "shape", "mesh", "light", "material", "key", "camera", "scene", ... */
-    uint32_t index; /* its index, from 0; for "camera" and "scene" 0 */
+    const char *thing; /* "sphere", "shape", "light", "material", "camera", "scene", ...; NULL: no fault */
+    uint32_t index;    /* the thing's index, from 0; for "camera" and "scene" 0 */
     const char *field;
     const char *rule; /* the range that the field must keep */
 };
 
-/* Checks all ranges; where a count is not 0, its array must have so many elements. TIA_OK, or TIA_ERR_RANGE with *fault
+/* Checks all ranges. Each array must have at least as many elements as its count. TIA_OK, or TIA_ERR_RANGE with *fault
  * filled in (`fault` may be NULL). With TIA_OK a fault->thing that is not NULL is a warning: the scene can be drawn,
  * but all its lights, or all its materials, are darker than TIA_DARK without being black. Takes one pass over the
  * scene, and one over its shapes for every 16 meshes or grids. */

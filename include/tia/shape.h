@@ -129,7 +129,7 @@ enum tia_shape_value {
     TIA_SHAPE_FLAG  /* bool */
 };
 
-/* Describes a field of a shape kind's struct, for code that reads or writes shapes of all kinds. */
+/* Description of a field of a shape kind's struct, for code that reads or writes shapes of all kinds. */
 struct tia_shape_field {
     const char *word;   /* in scene files; NULL: its values follow those of the previous field */
     const char *member; /* in C; NULL ends the list */
@@ -142,9 +142,9 @@ struct tia_shape_field {
  */
 const struct tia_shape_field *tia_shape_fields(enum tia_shape_kind kind);
 
-/* Scales a shape along its own axes, then rotates it, then translates it. Not for planes. An instance must not
- * be too flat for its size: half the diagonal of its bounding box, divided by the smallest component of scale,
- * is below 32768. */
+/* A transform, which scales a shape along its own axes, then rotates it, then translates it. Not for planes. An
+ * instance must not be too flat for its size: half the diagonal of its bounding box, divided by the smallest component
+ * of scale, is below 32768. */
 struct tia_transform {
     struct tia_vec3 position; /* within 32768 of the eye, like the instances themselves */
     struct tia_vec3 rotation; /* degrees, right-handed: about x, then y, then z */

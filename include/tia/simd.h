@@ -16,10 +16,10 @@
  * that the ray renderer, ambient occlusion or paths draw. Plain C draws everything else. No pixel, object or hash
  * differs.
  *
- * They compute with rounding to nearest, subnormal numbers and masked exceptions, whatever the caller has set: each
- * call sets these in the processor's control register and puts the caller's register back, its exception flags as well.
- * On a processor whose register is unknown here, plain C draws if the environment differs. A view's `stop` is called in
- * that environment.
+ * The kernels compute with rounding to nearest, subnormal numbers and masked exceptions, whatever the caller has set:
+ * each call sets these in the processor's control register and then restores the caller's register, with its exception
+ * flags. On a processor whose register is unknown here, plain C draws if the environment differs. A view's `stop` is
+ * called in that environment.
  *
  * A call takes at most 16 KiB of its thread's stack; all else is in the memory above. */
 #ifndef TIA_SIMD_H
@@ -41,12 +41,12 @@ const struct tia_simd *tia_simd_best(void);
 int tia_simd_named(const char *name, const struct tia_simd **simd);
 
 /* Returns number `index` of the instruction sets that both this library and this processor have, narrowest first; NULL
- * from their number on. */
+ * if there are no more. */
 const struct tia_simd *tia_simd_at(unsigned index);
 
 /* Returns the bytes that the SIMD kernels need for a view of `scene`; 0 for NULL, SIZE_MAX when there are too many.
- * `workers`: number of calls that may draw the view at the same time, each with 100 to 200 KB; when there are more,
- * plain C draws those. 0 means 1. */
+ * `workers` is the number of calls that may draw the view at the same time, each with 100 to 200 KB; plain C draws for
+ * calls beyond that number. 0 means 1. */
 size_t tia_simd_size(const struct tia_simd *simd, const struct tia_scene *scene, uint32_t light_capacity,
                      unsigned workers);
 

@@ -1,8 +1,8 @@
 /* text.h - small text on pictures: ASCII in cells of 6x8 pixels, for programs with or without an OS.
  *
- * Letters take a cell's first five columns and seven rows; the eighth row is for tails (g j p q y , ;) and _. ' '
- * begins a new line; characters that are not ASCII are blank. Around the text is a border of one pixel at the left and
- * above, so that a text of m columns and n lines covers 6 m + 1 by 8 n + 1 pixels, times the scale.
+ * Letters take a cell's first five columns and seven rows; the eighth row is for tails (g j p q y , ;) and _. A line
+ * feed begins a new line; characters that are not ASCII are blank. Around the text is a border of one pixel at the left
+ * and above, so that a text of m columns and n lines covers 6 m + 1 by 8 n + 1 pixels, times the scale.
  */
 #ifndef TIA_TEXT_H
 #define TIA_TEXT_H
@@ -18,7 +18,7 @@ extern "C" {
 
 struct tia_text {
     const char *text;
-    uint16_t x, y;         /* the image's pixel at its upper left corner */
+    uint16_t x, y;         /* position of the text's upper left corner, pixels of the image */
     uint16_t scale;        /* pixels of a letter's dot, from 1 */
     tia_rgb565 ink, paper; /* colours of the letters and of the rest */
 };
@@ -27,7 +27,7 @@ struct tia_text {
  * 0. */
 struct tia_tile tia_text_area(const struct tia_text *text, unsigned width, unsigned height);
 
-/* Draws the part of the text that is in `tile`; all other pixels stay unchanged. */
+/* Draws the part of the text that is in `tile`, whose memory is *surface; all other pixels stay unchanged. */
 int tia_text_draw(const struct tia_text *text, struct tia_tile tile, const struct tia_surface *surface);
 
 #ifdef __cplusplus

@@ -10,7 +10,7 @@
 extern "C" {
 #endif
 
-/* 2^exposure, prepared. */
+/* 2^exposure, prepared for tia_exposed. */
 struct tia_exposure {
     int64_t mantissa;
     int shift;
@@ -27,8 +27,9 @@ struct tia_exposure tia_exposure_of(tia_q16 exposure);
  * of 0 gives 0. */
 uint32_t tia_exposed(const struct tia_exposure *exposure, int64_t sum, uint32_t count);
 
-/* Returns the number of the nearest of 2^bits levels to that value, ties up: exact. The bits are 1..16, for srgb 5, 6
- * or 8; others give 0. Other tones are as TIA_TONE_LINEAR. */
+/* Returns the number of the level that is nearest to `value`, in units of 2^-32, of 2^bits levels; ties up, exact.
+ * `bits` is 1..16, for TIA_TONE_SRGB 5, 6 or 8; the result for other numbers of bits is 0. Other tones are as
+ * TIA_TONE_LINEAR. */
 unsigned tia_tone_level(enum tia_tone tone, uint32_t value, unsigned bits);
 
 #ifdef __cplusplus

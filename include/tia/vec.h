@@ -28,7 +28,7 @@ struct tia_rgb {
     tia_q30 r, g, b;
 };
 
-/* Initialisers of these types: positions; directions of length 1; colours, each channel from 0, black, to 1, white. As
+/* Initialisers of a position, of a direction of length 1, and of a colour with channels from 0, black, to 1, white. As
  * each names the members that it sets, a position in place of a colour does not compile, nor a colour in place of a
  * position. */
 #ifndef __cplusplus

@@ -8,8 +8,8 @@
  * the scene's bindings set lights. Unless the scene binds it, TIA_KEY_SHADOWS selects the next technique for shadows
  * that the scene qualifies for, if the caller allows it. Every other key quits. Keys are also polled while a frame is
  * drawn: one that quits ends it at once, and one that moves a light ends it at the next tile if it has taken 250 ms,
- * though not two frames in a row. A frame of a scene that plays ends at once then, if the next one can be shown in
- * blocks or rows.
+ * though not two frames in a row. In a scene that plays, such a key ends the frame at once if the next one can be shown
+ * in blocks or rows.
  *
  * A frame that rays draw, and that takes longer than a display's period, is shown coarse to fine: every 16th pixel of
  * every 16th row as a block first, then twice as many of both, until it is complete. A key that moves a light then ends
@@ -18,16 +18,18 @@
  * and of those that take 250 ms.
  *
  * With an `estimator`, each pixel of a picture of samples has one sample at first; once all pixels are drawn, all get
- * twice as many, and again, until they have those of the scene. Each sample is computed once. That takes 24 bytes a
- * pixel, of pictures of up to 2^23.
+ * twice as many, and again, until they have those of the scene. Each sample is computed once. This takes 24 bytes a
+ * pixel; in pictures of more than 2^23 pixels, each pixel gets all samples at once.
  *
  * A picture that is rasterised is shown in two steps, where it follows a key or takes 250 ms: every 16th row first,
- * then all.
+ * then all rows.
  *
- * With a gaze, where rays draw, pixels that the eye would not see are left out, and the gaze follows a pointer.
+ * With a gaze, where rays draw, pixels that the eye cannot distinguish from their neighbours are left out, and the gaze
+ * follows a pointer.
  *
- * With `pace`, each frame of a motion (a scene that plays, a key that is held) is as fine as time allows: it draws as
- * many passes as fit the period, judged by the cost of the pixels before. When nothing moves, the rest follows.
+ * With `pace`, each frame of a motion (a scene that plays, a key that is held) is as fine as time allows: as many
+ * passes are drawn as fit the period, judged by the cost of earlier pixels. When nothing moves, the remaining passes
+ * follow.
  *
  * A scene with tracks plays from `time` to its last keyframe in a loop, with at most one frame every
  * TIA_PLAY_STEP_US. A light that a key has set or moved stays there; the others follow their tracks.
@@ -49,23 +51,23 @@ extern "C" {
 #define TIA_PLAY_STEP_US 16666u
 #define TIA_KEY_SHADOWS 't'
 
-/* A frame's data, reported when a picture is drawn, and after it is shown. A frame that takes long is shown coarse
- * before, with the same number and `block` above 1. */
+/* Data of a picture, reported when it is drawn, and after it is shown. A frame that takes long has coarse pictures
+ * before the complete one, with the same number and `block` above 1. */
 struct tia_frame {
-    uint32_t number;          /* from 0 */
+    uint32_t number;          /* number of the frame, from 0 */
     uint16_t block;           /* 1: the frame is complete; else the size of its largest blocks, in pixels, at least 2 */
-    uint32_t samples;         /* coarse picture of samples: least samples of a pixel; else 0 */
+    uint32_t samples;         /* coarse picture of samples: smallest number of samples of a pixel; else 0 */
     uint16_t done;            /* coarse picture: the share of its pixels drawn so far, 2^-16 */
-    uint32_t pixels;          /* number drawn; each of the others repeats one of these */
+    uint32_t pixels;          /* number of pixels drawn; the others repeat these, or are interpolated from them */
     bool moving;              /* with `pace`: the picture moves */
     uint64_t left_us;         /* coarse picture: estimated time for the rest, from the time so far */
     bool relit;               /* only lights changed: the previous frame's hits were used again */
     uint64_t draw_us;         /* time to draw, microseconds, without waiting for the display */
-    enum tia_shadows shadows; /* the technique that drew it */
+    enum tia_shadows shadows; /* technique for shadows */
     uint64_t key_us; /* latency: from the oldest key press that this frame shows to the end of present; 0 when there was
                         none, its time is unknown, or the frame is not shown yet, and in all but the first of a frame's
                         coarse pictures */
-    const char *simd; /* name of the instruction set that drew it, see tia_view_simd */
+    const char *simd; /* name of the instruction set that drew the picture, see tia_view_simd */
 };
 
 /* The effect of an event. */
@@ -83,10 +85,11 @@ enum tia_effect {
 struct tia_control {
     /* Returns the effect that the event would have; changes nothing. Called like the viewer's `stop`. */
     enum tia_effect (*weigh)(void *ctx, const struct tia_event *event);
-    /* Handles the event. *camera is the present camera, to be changed; one that tia_scene_check refuses is ignored. It
-     * also receives keys that move lights when there is no light to move. An event that has no effect by `weigh` is
-     * passed between two pictures of a frame that is drawn coarse to fine. For TIA_EFFECT_END it is called when the
-     * loop is over, and the display's memory has as much of a picture shown coarse as was drawn. */
+    /* Handles the event. *camera is the present camera, which `act` may change; a camera that tia_scene_check refuses
+     * is ignored. Keys that move lights are passed to `act` as well when there is no light to move. An event for which
+     * `weigh` returns TIA_EFFECT_NONE is passed between two pictures of a frame that is drawn coarse to fine. An event
+     * of TIA_EFFECT_END is passed when the loop is over; if a picture was shown coarse, the display's memory then has
+     * as much of it as was drawn. */
     enum tia_effect (*act)(void *ctx, const struct tia_event *event, struct tia_camera *camera);
 };
 
@@ -97,17 +100,17 @@ struct tia_viewer_state {
     bool paused;
     bool incomplete; /* the display does not show all of these changes yet */
     struct tia_camera camera;
-    uint32_t light_count,
-        light;    /* their number, at most lights.capacity; the one that keys move, or the next if it is ambient */
+    /* Number of lights, at most lights.capacity; index of the light that keys move, or the next if it is ambient. */
+    uint32_t light_count, light;
     tia_q16 time; /* seconds */
 };
 
-/* The lights as they are, the scene's and those that keys add: arrays of `capacity` elements. */
+/* The present lights, those of the scene and those that keys add: arrays of `capacity` elements. */
 struct tia_viewer_lights {
     struct tia_light *array;
-    struct tia_light *kept; /* NULL, or for the lights of the last picture: a key that moves one too far away for the
-                               scene's shadows then has no effect, where else it ends the loop */
-    bool *detached;         /* only for scenes with tracks: for the lights that keys hold */
+    struct tia_light *kept; /* NULL, or memory for the lights of the last picture. With it, a key that moves a light too
+                               far away for the scene's shadows has no effect; without it, the key ends the loop */
+    bool *detached;         /* only for scenes with tracks: the lights that keys have set or moved */
     uint32_t capacity;
 };
 
@@ -116,7 +119,7 @@ struct tia_viewer_pacing {
     uint32_t frame_limit; /* stop after this many frames; 0: no limit */
     tia_q16 time;         /* time of the first frame, seconds, for scenes with tracks */
     uint32_t rate[2];     /* films: frame n shows time + n rate[1]/rate[0], each 1..1000000, and needs a frame_limit */
-    uint32_t pace[2];     /* frames a second that motion shall keep, pace[0]/pace[1], each 1..1000000 */
+    uint32_t pace[2]; /* frames a second to keep in motion, pace[0]/pace[1], each 1..1000000; pace[0] = 0: no pace */
 };
 
 /* `input` may be NULL with a frame_limit: frames are then drawn one after the other. `clock` may be NULL: held keys
@@ -130,12 +133,13 @@ struct tia_viewer_ports {
 
 /* The caller's functions. All but `memory` may be NULL. */
 struct tia_viewer_hooks {
-    /* Memory for the view and the hits: returns at least `size` bytes, aligned for uint64_t, or NULL. It may
-     * discard what it returned before. Called again when the mode or the technique changes. When a whole frame's hits
-     * do not fit, the viewer takes memory for one tile's, and traces every frame anew. */
+    /* Memory for the view and the hits: returns at least `size` bytes, aligned for uint64_t, or NULL. Memory that the
+     * function returned before may be discarded. Called again when the mode or the technique changes. When a whole
+     * frame's hits do not fit, the viewer takes memory for one tile's, and traces every frame anew. */
     void *(*memory)(void *ctx, size_t size);
 
-    /* Called when a picture is drawn, before it is shown: what it draws on the display is shown with it. */
+    /* Called when a picture is drawn, before it is shown: anything that the function draws on the display is shown with
+     * the picture. */
     void (*frame_drawn)(void *ctx, const struct tia_frame *frame);
 
     /* Called after each picture. A result other than 0 ends the loop with that status. */
@@ -148,7 +152,7 @@ struct tia_viewer_hooks {
 struct tia_viewer {
     const struct tia_core *core;           /* NULL: tia_core_q16 */
     const struct tia_simd *simd;           /* NULL: plain C; see tia/simd.h */
-    const struct tia_estimator *estimator; /* NULL, or the core's: samples are shown as they come. Others are ignored */
+    const struct tia_estimator *estimator; /* NULL, or the core's, to show samples as they are drawn; else ignored */
     const struct tia_scene *scene;
     struct tia_scene *variant; /* NULL, or memory for a copy of the scene: then TIA_KEY_SHADOWS changes the technique */
     struct tia_viewer_lights lights;
@@ -156,15 +160,16 @@ struct tia_viewer {
     struct tia_viewer_ports ports;
     struct tia_viewer_hooks hooks;
 
-    /* The workers draw tiles; the vector units have memory for each. `stop` ends the loop, as after a signal: it is
-     * called between frames, and about every 20 ms while one is drawn, as is input->poll, on the same threads. */
+    /* The workers draw tiles; the vector units have memory for each. When `stop` returns true, as after a signal, the
+     * loop ends. `stop` and input->poll are called between frames and, on any thread that draws, about every 20 ms
+     * while a frame is drawn. */
     struct tia_job job;
 
     bool dither;          /* ordered dithering, see struct tia_options */
     const uint16_t *keys; /* keys to press before the first frame; NULL: none */
     size_t key_count;
     struct tia_gaze gaze;
-    struct tia_viewer_state *state; /* NULL, or is kept up to date */
+    struct tia_viewer_state *state; /* NULL, or is updated with each change */
 };
 
 /* Runs until a key quits, the frame limit is reached or `stop` returns true; then TIA_OK. The caller opens display and

@@ -5,12 +5,13 @@
 #include <avr/io.h>
 #include <avr/sleep.h>
 
-/* From avr-libc's linker script. RAM ends with the stack; there is no heap. */
+/* Symbols of avr-libc's linker script: the end of the variables, and the last byte of RAM, from which the stack grows
+ * down. There is no heap. */
 extern uint8_t _end[], __stack[];
 
 enum { PAINT = 0xac, BAUD = 16000000 / 16 / 38400 - 1 };
 
-/* Runs before main, without a frame: the stack is still empty. */
+/* Fills the free RAM with PAINT. Runs before main, without a stack frame: the stack is still empty. */
 __attribute__((naked, used, section(".init3"))) void paint_stack(void);
 void paint_stack(void)
 {
@@ -45,7 +46,7 @@ void board_print(const char *text)
     }
 }
 
-/* Sleeps with interrupts off: nothing wakes the processor again, and simavr ends there. */
+/* Waits until all text is sent, then sleeps with interrupts off: nothing wakes the processor again, and simavr ends. */
 void board_exit(int status)
 {
     while (UCSR0B && !(UCSR0A & _BV(TXC0)))

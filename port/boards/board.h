@@ -17,16 +17,16 @@ void board_print_number(uint32_t value);
 /* Prints `value` as eight hexadecimal digits. */
 void board_print_hex(uint32_t value);
 
-/* Ends the program; passes the status to a debugger. */
+/* Ends the program; reports the status to the debugger or the emulator, or on the serial line. */
 _Noreturn void board_exit(int status);
 
 /* Returns the peak stack use since the start, in bytes. */
 uint32_t board_stack_used(void);
 
-/* Boards with a panel: a clock from a 24 MHz counter. Needs no context. */
+/* The clock of boards with a panel, from a 24 MHz counter; ignores its context. */
 extern const struct tia_clock board_clock;
 
-/* Initialises the memory and runs main; the processor's own start-up code calls it. */
+/* Initialises the memory and runs main. Called by the processor's own start-up code. */
 _Noreturn void board_start(void);
 
 #endif

@@ -60,7 +60,7 @@ endef
 # Where what draws spheres fits into the flash at -O2 alone, of size the rest; -O3 where there is room for it.
 SPANS_O3 := $(addprefix src/render/span/,coherence/coherence kernels)
 rv32_O2 := src/math/integer $(SPANS_O3) $(addprefix src/render/span/span_,rows shade sphere trace)
-$(foreach f,$(SPANS_O3) $(rv32_O2),$(if $(wildcard $(f).c),,$(error boards.mk: there is no $(f).c)))
+$(foreach f,$(if $(wildcard src),$(SPANS_O3) $(rv32_O2)),$(if $(wildcard $(f).c),,$(error boards.mk: there is no $(f).c)))
 $(SPANS_O3:%=$(BUILD)/boards/mps2-an385/%.o): BOARD += -O3
 $(BUILD)/boards/rv32/%.o: BOARD += -Os -msave-restore
 $(rv32_O2:%=$(BUILD)/boards/rv32/%.o): BOARD += -O2

@@ -1,5 +1,5 @@
-/* counter.c - a 64-bit clock from a 32-bit counter. The counter wraps after 179 s. If the clock is not read for longer,
- * that time is lost, but the clock never goes back. */
+/* counter.c - a 64-bit clock from a 32-bit counter, which wraps after 179 s. If the clock is not read for longer, it
+ * loses multiples of 179 s, but it never goes back. */
 #include "panel_board.h"
 
 #define TICKS_PER_US 24

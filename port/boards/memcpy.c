@@ -1,4 +1,4 @@
-/* memcpy.c - memcpy and memset, which compilers call on their own. */
+/* memcpy.c - memcpy and memset, which compilers call even where the source does not. */
 #include <stddef.h>
 #include <stdint.h>
 
@@ -8,10 +8,10 @@ typedef uint32_t __attribute__((may_alias)) word;
 void *memcpy(void *restrict to, const void *restrict from, size_t count);
 void *memset(void *to, int value, size_t count);
 
-/* Keeps gcc from recognising these loops as memcpy and memset, which would make each call itself. */
+/* Keeps gcc from replacing the loops below by calls of memcpy and memset: each function would call itself. */
 #define AS_WRITTEN __attribute__((optimize("no-tree-loop-distribute-patterns")))
 
-/* Copies words if both addresses are aligned; the rest, byte by byte, is short or rare. */
+/* Copies words if both addresses are aligned; copies the rest, which is short or rare, byte by byte. */
 AS_WRITTEN void *memcpy(void *restrict to, const void *restrict from, size_t count)
 {
     unsigned char *bytes = to;

@@ -7,11 +7,11 @@
 #define PANEL_WIDTH 640
 #define PANEL_HEIGHT 480
 
-/* The addresses of a board's devices; each board's file defines one. */
+/* A board: the addresses of its devices, and its own functions. Each board's file defines one. */
 struct panel_board {
     const char *name;
-    uintptr_t uart, panel, keyboard; /* PL011, PL110 or PL111, PL050 */
-    uintptr_t counter;               /* 32 bits, counting up at 24 MHz */
+    uintptr_t uart, panel, keyboard; /* PL011; PL110 or PL111; PL050 */
+    uintptr_t counter;               /* a 32-bit counter that counts up at 24 MHz */
     uint32_t panel_format;           /* the LCDControl bits for RGB565 with red in the upper bits */
     void (*prepare_panel)(void);
     void (*switch_off)(void);
@@ -28,7 +28,7 @@ static inline volatile uint32_t *panel_board_register(uintptr_t base, uintptr_t 
  * failure. */
 extern const struct tia_display panel_display;
 
-/* The keyboard as an input; the same kind of context. */
+/* The keyboard as an input, with the same kind of context. */
 extern const struct tia_input panel_keyboard;
 
 #endif

@@ -1,5 +1,5 @@
-/* pl11x.c - the PL110 and PL111 panel controllers. Registers: Arm DDI 0161 and DDI 0293; the
- * Versatile's PL110 has LCDControl where the PL111 has it. */
+/* pl11x.c - the PL110 and PL111 panel controllers. Registers: Arm DDI 0161 and DDI 0293; the Versatile's PL110 has
+ * LCDControl at the address where the PL111 has it. */
 #include "panel_board.h"
 
 enum {
@@ -14,12 +14,12 @@ enum {
     ENABLE = 1 << 0,
     TFT = 1 << 5,
     POWER = 1 << 11,
-    POWER_DELAY_US = 20000, /* DDI 0161, 3.4: from ENABLE to POWER */
+    POWER_DELAY_US = 20000, /* least time from ENABLE to POWER: DDI 0161, 3.4 */
     SYNC_LIMIT_US = 10000000
 };
 
 static uint16_t frames[2][PANEL_WIDTH * PANEL_HEIGHT] __attribute__((aligned(8)));
-static unsigned drawn; /* the back buffer */
+static unsigned drawn; /* index of the back buffer */
 
 static volatile uint32_t *lcd(uintptr_t offset)
 {
@@ -40,8 +40,8 @@ static int panel_mode(void *ctx, struct tia_mode *mode)
     return TIA_OK;
 }
 
-/* VGA's 640x480 at 60 Hz: front porch, sync and back porch are 16, 96 and 48 pixels, and 10, 2 and 33 lines. The pixel
- * clock is the 25 MHz that the board has at power-on. */
+/* Opens the panel with the timing of VGA's 640x480 at 60 Hz: front porch, sync and back porch are 16, 96 and 48 pixels,
+ * and 10, 2 and 33 lines. The pixel clock is the 25 MHz that the board has at power-on. */
 static int panel_open(void *ctx, struct tia_mode *mode)
 {
     panel_board.prepare_panel();
@@ -71,8 +71,8 @@ static int panel_submit(void *ctx, struct tia_tile tile)
     return TIA_OK;
 }
 
-/* Sets the new address and waits until the controller switches to it at the start of its next frame: it reads the old
- * buffer until then. */
+/* Sets the new address and waits until the controller switches to it at the start of its next frame: until then the
+ * controller reads the old buffer. */
 static int panel_present(void *ctx)
 {
     uint64_t start = board_clock.now_us(NULL);

@@ -10,7 +10,7 @@ static void semihost(uint32_t operation, const void *argument)
 #if defined(__riscv)
     register uint32_t a0 __asm__("a0") = operation;
     register const void *a1 __asm__("a1") = argument;
-    /* The debugger recognises the trap by the two shifts around it: uncompressed, in one page. */
+    /* The debugger recognises the trap by the two shifts around it. The three must be uncompressed and in one page. */
     __asm__ volatile(".balign 16\n slli x0, x0, 0x1f\n ebreak\n srai x0, x0, 7" : "+r"(a0) : "r"(a1) : "memory");
 #else
     register uint32_t r0 __asm__("r0") = operation;

@@ -1,7 +1,8 @@
-/* start.c - from the stack pointer, which the processor's own start-up code sets, to main. */
+/* start.c - initialises the memory and calls main, after the processor's own start-up code has set the stack
+ * pointer. */
 #include "board.h"
 
-/* Defined by sections.ld. */
+/* Symbols that sections.ld defines. */
 extern uint32_t board_data_load[], board_data[], board_data_end[], board_bss_end[], board_stack_end[];
 
 #define PAINT 0x5afe57acu
@@ -15,7 +16,7 @@ static void fill_sections(void)
         *to++ = 0;
 }
 
-/* Paints the free stack, which extends down from this function's frame to the end of .bss. */
+/* Fills the free stack with PAINT, from the end of .bss to below this function's frame. */
 static void paint_stack(void)
 {
     volatile uint32_t *here = __builtin_frame_address(0);

@@ -21,7 +21,7 @@ const struct panel_board panel_board = {
     .panel = 0x10020000,
     .keyboard = 0x10006000,
     .counter = SYSTEM + SYS_24MHZ,
-    .panel_format = 6 << 1 | 1 << 8, /* 5:6:5, and BGR: the PL111 has red at bit 0 otherwise */
+    .panel_format = 6 << 1 | 1 << 8, /* 5:6:5 and BGR, without which the PL111 has red at bit 0 */
     .prepare_panel = nothing,
     .switch_off = shut_down,
 };

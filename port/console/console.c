@@ -16,13 +16,13 @@ static struct console {
     enum console_state state;
     struct vt vt;
     struct console_listener *listeners; /* in the order in which they began to listen */
-    sigset_t mask;                      /* changes made by console_open */
+    sigset_t mask; /* the caller's signal mask; this and the handlers are replaced by console_open */
     struct sigaction on_leave, on_enter, on_resume;
 } console = {.state = CONSOLE_FREE, .vt.fd = -1};
 
 static volatile sig_atomic_t leave_asked, enter_asked, resumed;
 
-/* Calls the terminal input's own handler for SIGCONT as well. */
+/* Notes a signal; for SIGCONT, also calls the terminal input's handler. */
 static void note_signal(int number)
 {
     if (number == LEAVE)
@@ -92,8 +92,8 @@ static void leave(enum console_state state)
 
 /* ---- switching ---- */
 
-/* Answers the signal for leaving. One that did not come from the kernel is ignored: no answer is expected, and the
- * screen stays ours. */
+/* Answers the signal LEAVE by releasing the console. If the signal did not come from the kernel, no answer is expected,
+ * and the console is entered again. */
 static void answer_leave(void)
 {
     leave_asked = 0;
@@ -129,8 +129,8 @@ static void answer_resume(void)
         enter();
 }
 
-/* Answers pending requests. The kernel requests the console only while it is ours, and waits for the answer: when both
- * signals are pending, the state shows which came first. */
+/* Answers pending requests. The kernel requests the console only from a process that has it, and waits for the answer:
+ * when both signals are pending, the state shows which one came first. */
 static void answer(void)
 {
     if (resumed)

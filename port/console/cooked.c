@@ -15,7 +15,7 @@ int cooked_open(const char *path)
     return open(path, O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
 }
 
-/* True if the node is still the terminal that was kept: names of pseudo-terminals are reused. */
+/* True if the node is still the terminal that was saved: names of pseudo-terminals are reused. */
 static bool is_same_node(const struct saved *saved, int fd)
 {
     struct stat s;
@@ -32,8 +32,8 @@ static bool is_untouched(int fd, const struct termios *raw)
            now.c_cc[VMIN] == raw->c_cc[VMIN] && now.c_cc[VTIME] == raw->c_cc[VTIME];
 }
 
-/* True if another process group has the terminal; false if that cannot be found out, because the terminal is not ours.
- */
+/* True if another process group has the terminal; false if that cannot be determined, because the terminal is not the
+ * controlling one. */
 static bool is_behind(int fd, pid_t group)
 {
     pid_t front = tcgetpgrp(fd);
@@ -41,8 +41,8 @@ static bool is_behind(int fd, pid_t group)
     return front > 0 && front != group;
 }
 
-/* Restores the modes, unless a shell that has its terminal back, because tia was stopped or could not be traced, may
- * have set its own. */
+/* Restores the modes. If tia was stopped or could not be traced, a shell has the terminal back: modes that it may have
+ * set stay. */
 static void restore_modes(const struct saved *saved, int fd, pid_t group)
 {
     if (is_behind(fd, group) && !is_untouched(fd, &saved->was.terminal.raw))
@@ -68,8 +68,9 @@ bool cooked_write(struct saved *saved, int timeout_ms)
     return true;
 }
 
-/* Writes the text within PATIENCE_MS. The part of a frame that a slow terminal has not read by then is dropped: the
- * text begins by ending any sequence that this cuts. */
+/* Writes the text; true when all of it is written. A terminal that does not accept it within PATIENCE_MS loses the
+ * output that it has not read, such as a part of a frame, and gets the text once more: the text first ends any sequence
+ * that was cut. */
 static bool write_soon(struct saved *saved)
 {
     struct saved again = *saved;
@@ -82,7 +83,7 @@ static bool write_soon(struct saved *saved)
     return cooked_write(saved, PATIENCE_MS);
 }
 
-/* Returns the terminal's descriptor, or -1 if it is gone or is not a terminal. */
+/* Opens the entry's terminal; -1 if the terminal is gone or the entry has none. */
 static int open_terminal(const struct saved *saved)
 {
     int fd = saved->kind == TERMINAL || saved->kind == TEXT ? cooked_open(saved->path) : -1;

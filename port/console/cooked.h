@@ -1,21 +1,21 @@
-/* cooked.h - puts terminals back: their modes, and texts such as the end of a picture. Private to the guardian. */
+/* cooked.h - restores terminals: their modes, and texts such as the end of a picture. Private to the guardian. */
 #ifndef PORT_CONSOLE_COOKED_H
 #define PORT_CONSOLE_COOKED_H
 
 #include "restore_table.h"
 
-/* Opens a device without waiting and without taking it for the controlling terminal. */
+/* Opens a device without waiting and without making it the controlling terminal. Returns a descriptor, or -1. */
 int cooked_open(const char *path);
 
-/* Puts back, once the process of this group has died, all that no stop has put back before. A terminal that accepts no
- * text delays it by 0.4 s at most; then that text remains, with a descriptor for cooked_write. */
+/* Restores, once the process of `group` has died, all terminals that no stop has restored before. A terminal that
+ * accepts no text causes a delay of 0.4 s at most; the text then remains, with a descriptor for cooked_write. */
 void cooked_at_the_end(pid_t group);
 
-/* Puts back, when the process has stopped, the terminals that it had in front; true if there were any. They stay so
- * until a message reports that the process has changed them again. */
+/* Restores, when the process of `group` has stopped, the terminals that it had in front; true if there were any. They
+ * stay restored until a message reports that the process has changed them again. */
 bool cooked_at_a_stop(pid_t group);
 
-/* Writes a text that remains, as much as the terminal accepts; false: some is left after timeout_ms. */
+/* Writes a remaining text, as much of it as the terminal accepts within timeout_ms; false if some is left. */
 bool cooked_write(struct saved *saved, int timeout_ms);
 
 #endif

@@ -1,4 +1,4 @@
-/* Nothing here may take a lock, as malloc does: another thread may have held it at the fork. */
+/* No function here may take a lock, as malloc does: another thread may have held it at the fork. */
 #include "guard.h"
 
 #include <errno.h>
@@ -26,14 +26,15 @@
 #define LINE 0        /* the socket's descriptor in this process */
 #define SETTLE_MS 100 /* time for the main thread of a stopped process to stop, in case a driver holds it */
 
-static pid_t process, process_group; /* the guarded process */
-static int process_end;              /* its pidfd */
+static pid_t process, process_group; /* the guarded process and its group */
+static int process_end;              /* pidfd of the guarded process */
 
 /* ---- consoles and framebuffers ---- */
 
-/* When a session's leader dies, the session loses its terminal, and the user may not change the VT until it is the
- * controlling terminal of a session again. Only a process that leads no group can start a session to claim it, so a
- * child does, and goes on as the guardian. */
+/* Makes the VT the controlling terminal of a new session, led by a child that goes on as the guardian; false on
+ * failure. When a session's leader dies, the session loses its terminal, and a user other than root may not change the
+ * VT until it is the controlling terminal of a session again. Only a process that leads no group can start a session,
+ * hence the child. */
 static bool claim_terminal(int fd)
 {
     pid_t child = fork();
@@ -47,8 +48,8 @@ static void restore_vt(const struct saved *saved, int fd)
 {
     struct vt_mode mode = saved->was.vt.mode;
 
-    /* Text mode comes before the switch, which does not redraw a console in graphics mode. The kernel draws the text
-     * only when the mode changes, so it is set to graphics first. */
+    /* Text mode is set before the switch, which does not redraw a console in graphics mode. The kernel draws the text
+     * only when the mode changes, so graphics mode is set first. */
     if (ioctl(fd, KDSETMODE, (long)KD_GRAPHICS) != 0 && errno == EPERM && claim_terminal(fd))
         (void)ioctl(fd, KDSETMODE, (long)KD_GRAPHICS);
     (void)ioctl(fd, KDSETMODE, (long)saved->was.vt.kd_mode);
@@ -84,7 +85,7 @@ static void restore_screens(void)
 
 /* ---- operations that may take long ---- */
 
-/* True if a key is down, up to BTN_MISC; the codes above are buttons of mice and joysticks. */
+/* True if a key with a code below BTN_MISC is down; the codes above are buttons of mice and joysticks. */
 static bool is_any_key_down(int fd)
 {
     unsigned char down[KEY_CNT / 8] = {0};
@@ -108,7 +109,7 @@ static bool is_released(int fd)
     return !is_any_key_down(fd);
 }
 
-/* Completes an operation as far as possible without waiting; true when nothing is left to do. */
+/* Completes an entry's operation as far as possible without waiting; true when nothing is left to do. */
 static bool finish_one(struct saved *saved)
 {
     bool done = saved->fd < 0 || (saved->kind != TEXT && saved->kind != KEYBOARD);
@@ -123,7 +124,7 @@ static bool finish_one(struct saved *saved)
 }
 
 /* Completes all operations. A key that is down when its grab ends would repeat on the console, so a keyboard's
- * descriptor, and with it the grab, is kept until its keys are up. */
+ * descriptor, and with it the grab, stays open until all keys are up. */
 static void finish(void)
 {
     struct pollfd fds[KEPT_MOST];
@@ -202,8 +203,8 @@ static bool is_main_stopped(void)
     return state && strlen(state) > 2 && (state[2] == 'T' || state[2] == 't');
 }
 
-/* Handles all messages that have arrived: those that the process sent before it touched a terminal must be known when
- * that is put back. */
+/* Handles all messages that have arrived. The process sends one before it changes a terminal; the message must be
+ * handled before the terminal is restored. */
 static void take_all_messages(void)
 {
     struct pollfd line = {.fd = LINE, .events = POLLIN};
@@ -212,8 +213,9 @@ static void take_all_messages(void)
         ;
 }
 
-/* Puts terminals back before the shell is notified of the stop, since it adopts the modes that it finds then; not if
- * SIGCONT has come already. If it comes meanwhile, the program has to check its terminal once more. */
+/* If `held`, restores terminals before the shell is notified of the stop, since the shell adopts the modes that it then
+ * finds. Restores none if SIGCONT has come already; if SIGCONT comes meanwhile, the program has to check its terminal
+ * once more. */
 static void on_stop(bool held)
 {
     stand_in_begin();
@@ -244,8 +246,8 @@ static void take_signals(int signals)
 
 /* ---- the process ---- */
 
-/* Protects the guardian while memory is short: the kernel never kills root's, not even with its whole cgroup; another
- * user's gets the lowest score that its user may give. */
+/* Protects the guardian while memory is short. The kernel never kills root's guardian, not even with its whole cgroup;
+ * another user's gets the lowest score that the user may set. */
 static void stay_alive(void)
 {
     int fd = open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC);
@@ -255,9 +257,9 @@ static void stay_alive(void)
     (void)close(fd);
 }
 
-/* Renames the process, so that `pkill tia` spares it, and closes all files, so that no reader of a pipe waits for it.
- * It stays in its session: a user who is not root may set the mode of a VT only while that is the controlling
- * terminal. */
+/* Renames the process, so that `pkill tia` does not match it, and closes all files, so that no reader of a pipe waits
+ * for it. The process stays in its session: a user other than root may set the mode of a VT only while that is the
+ * controlling terminal. */
 static void go_away(int line)
 {
     long limit = sysconf(_SC_OPEN_MAX);
@@ -269,7 +271,7 @@ static void go_away(int line)
     if (syscall(SYS_close_range, 1u, ~0u, 0u) != 0)
         for (int fd = 1; fd < (limit > 0 && limit < 65536 ? limit : 65536); fd++)
             (void)close(fd);
-    /* These were descriptors of the other process; ours come with messages. */
+    /* These are descriptors of the guarded process; the guardian receives its own with messages. */
     for (int i = 0; i < KEPT_MOST; i++)
         kept[i].fd = -1;
 }
@@ -304,8 +306,8 @@ static void listen_until_the_end(void)
     }
 }
 
-/* Closes the DRM devices: the kernel puts one back when its last descriptor is closed, so ours must not outlive the
- * dead process's. */
+/* Closes the DRM devices: the kernel restores a device when its last descriptor is closed, so the guardian's must not
+ * stay open longer than the process's. */
 static void close_cards(void)
 {
     for (int i = 0; i < KEPT_MOST; i++)
@@ -322,8 +324,8 @@ static void put_all_back(void)
     close_cards();
     cooked_at_the_end(process_group);
     traced_end();
-    /* The process is gone when the kernel has closed its files, and with them put DRM devices back. At most 2 s, in
-     * case it hangs in a driver; 0.2 s on kernels before 5.3, which have no pidfd_open. */
+    /* Waits until the process is gone: by then the kernel has closed its files, and thereby restored DRM devices. 2 s
+     * at most, in case the process hangs in a driver; 0.2 s on kernels before 5.3, which have no pidfd_open. */
     if (kept_any(VT) || kept_any(FB))
         (void)poll(&end, 1, end.fd < 0 ? 200 : 2000);
     restore_screens();

@@ -120,7 +120,7 @@ int guardian_keep_terminal(int fd, const struct termios *raw)
     return keeper_keep(&saved);
 }
 
-/* Sends the entry again, with the modes from before the first change: the present ones may be the raw ones still. */
+/* The entry has the modes from before the first change: the present ones may still be the raw ones. */
 void guardian_keep_again(int fd)
 {
     struct saved saved;

@@ -1,12 +1,12 @@
-/* guardian.h - a small process that restores the console when this one dies without doing so.
+/* guardian.h - a small process that restores the console if this process dies without restoring it.
  *
- * The first guardian_keep_... forks it. It stores the state that each of them passes, and sleeps on a socket that the
- * kernel closes however this process dies, by SIGKILL and SIGSEGV too. Call guardian_keep_... before changing something
- * and guardian_forget_... after restoring it; when nothing is left to restore, the guardian ends. If it dies earlier,
- * another one takes its place at once.
+ * The first guardian_keep_... forks the guardian. It stores the state that each such call passes, and sleeps on a
+ * socket that the kernel closes however this process dies, by SIGKILL and SIGSEGV too. Call guardian_keep_... before
+ * changing something and guardian_forget_... after restoring it; when nothing is left to restore, the guardian ends. If
+ * the guardian dies earlier, another one takes its place at once.
  *
- * Most devices it stores only by name. It keeps consoles and cards open, to release them on behalf of a stopped
- * process, and keyboards, whose grab has to outlast the process a little.
+ * Most devices are stored only by name. The guardian holds consoles and cards open, to release them on behalf of a
+ * stopped process, and keyboards, whose grab has to outlast the process a little.
  */
 #ifndef PORT_CONSOLE_GUARDIAN_H
 #define PORT_CONSOLE_GUARDIAN_H
@@ -14,23 +14,23 @@
 struct fb_var_screeninfo;
 struct termios;
 
-/* Each guardian_keep_... returns 0, or -1 if the state cannot be guarded (fork failed, the table is full): go on
- * without. */
+/* Each guardian_keep_... returns 0, or -1 if the state cannot be guarded (fork failed, or the table is full): go on
+ * without a guardian. */
 
-/* Keeps the text mode of a VT as it is now (KD_TEXT, VT_AUTO), and the VT to switch back to; 0: none. */
+/* Stores the present modes of the VT `fd` (KD_TEXT, VT_AUTO), and the number of the VT to switch back to; 0: none. */
 int guardian_keep_vt(int fd, const char *path, unsigned back_to);
-/* Keeps the modes of the terminal `fd` as they are now, before they become `raw`. Also returns -1 when `fd` is not a
+/* Stores the modes of the terminal `fd` as they are now, before they become `raw`. Also returns -1 when `fd` is not a
  * terminal or has no name. */
 int guardian_keep_terminal(int fd, const struct termios *raw);
-/* Keeps the mode and the position of a framebuffer device. */
+/* Stores the mode and the position of a framebuffer device. */
 int guardian_keep_fb(const char *path, const struct fb_var_screeninfo *var);
 /* Guards a grabbed keyboard: if this process dies, the grab lasts until no key is down. */
 int guardian_keep_keyboard(int fd);
 /* Guards a DRM device. While this process is stopped, another console can have it if the guardian runs as root. Drop
  * DRM master before guardian_forget_card: the guardian closes its descriptor only a moment later. */
 int guardian_keep_card(int fd);
-/* Keeps a text of less than 96 bytes, to be written to the terminal `fd` as soon as it accepts it. Also returns -1 when
- * the terminal has no name. */
+/* Stores a text of less than 96 bytes, to be written to the terminal `fd` at a stop or after the process's death, as
+ * soon as the terminal accepts it. Also returns -1 when the terminal has no name. */
 int guardian_keep_text(int fd, const char *text);
 
 /* Returns the number of stops at which the guardian restored terminals. Where the kernel permits tracing, the guardian
@@ -43,7 +43,9 @@ void guardian_keep_again(int fd);
 /* Waits until the guardian is ready for the next stop. */
 void guardian_sync(void);
 
-/* Reports that the state was restored. The arguments are those of guardian_keep_...; safe when nothing was kept. */
+/* Each guardian_forget_... reports that a state was restored, with the arguments of guardian_keep_...; safe when it was
+ * not stored. */
+
 void guardian_forget_vt(const char *path);
 void guardian_forget_terminal(int fd);
 void guardian_forget_text(int fd, const char *text);

@@ -21,11 +21,12 @@
 #include "console/guard.h"
 #include "console/restore_table.h"
 
-#define RETRY_MS 100               /* after a fork that failed */
+#define RETRY_MS 100               /* pause after a fork that failed */
 #define SYNC_MS 200                /* time limit for the answer of a guardian, which may be stopped */
 #define WATCHER_STACK (256 * 1024) /* stack of a thread that only waits and forks */
 
-/* The lock protects this and the table: the watcher (guard.h), which replaces a guardian that died, uses both, too. */
+/* The guardian. The lock protects this struct and the table: both are also used by the watcher (guard.h), which
+ * replaces a guardian that died. */
 static struct {
     pthread_mutex_t lock;
     pthread_t watcher, held;
@@ -67,8 +68,8 @@ static void send_descriptors(void)
 
 /* ---- the process ---- */
 
-/* Forks the guardian. No signal to our process group or session ends it: it blocks all of them from the start and,
- * before this returns, is in a group of its own, since SIGKILL cannot be blocked. */
+/* Forks the guardian; returns 0, or -1. No signal to this process's group or session ends the guardian: it blocks all
+ * signals from the start and, before this returns, is in a group of its own, since SIGKILL cannot be blocked. */
 static int start_process(void)
 {
     int ends[2];
@@ -96,7 +97,8 @@ static int start_process(void)
     return 0;
 }
 
-/* Waits for the guardian's end: it has ended, or does when its socket is closed. SIGCONT is for a stopped one. */
+/* Closes the socket, at which the guardian ends if it has not ended already, and reaps it. SIGCONT is sent in case it
+ * is stopped. */
 static void reap_process(void)
 {
     if (guardian.line < 0)
@@ -115,8 +117,8 @@ static pid_t own_number(void)
     return (pid_t)syscall(SYS_gettid);
 }
 
-/* Asks the guardian to trace this thread and the one to be held. Where the kernel has Yama, this process must permit
- * it. */
+/* Requests that the guardian trace this thread and the held one. Where the kernel has Yama, this process must permit
+ * the tracing. */
 static void be_traced(void)
 {
     const struct saved saved = {
@@ -128,7 +130,7 @@ static void be_traced(void)
         (void)!recv(guardian.line, &answer, 1, 0);
 }
 
-/* Returns when the guardian has died, or end() has shut the socket down. */
+/* Waits until the guardian has died or end() has shut the socket down. */
 static void await_death(int line)
 {
     struct pollfd end = {.fd = line, .events = POLLIN};
@@ -178,7 +180,7 @@ static void start_held(const pthread_attr_t *small)
             ;
 }
 
-/* Starts both threads with all signals blocked: these are for the other threads, and a traced thread would stop at
+/* Starts both threads with all signals blocked: signals are for the other threads, and a traced thread would stop at
  * each. */
 static void start_threads(void)
 {
@@ -239,7 +241,7 @@ int keeper_keep(const struct saved *saved)
     (void)pthread_mutex_lock(&guardian.lock);
     if (kept_note(saved) == 0)
         status = guardian.line < 0 ? start() : 0;
-    /* If this fails, the guardian has just died; the next one gets the table. */
+    /* If the message cannot be sent, the guardian has just died; the next one gets the table. */
     if (status == 0)
         (void)send_message(saved);
     (void)pthread_mutex_unlock(&guardian.lock);

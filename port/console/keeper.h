@@ -1,13 +1,13 @@
-/* keeper.h - the guarded process's side: starts and ends the guardian, and sends it what it has to put back. Private to
+/* keeper.h - the guarded process's side: starts and ends the guardian, and sends it the states to restore. Private to
  * guardian.c. */
 #ifndef PORT_CONSOLE_KEEPER_H
 #define PORT_CONSOLE_KEEPER_H
 
 #include "restore_table.h"
 
-/* Sends a state to the guardian; 0, or -1: see guardian.h. */
+/* Stores a state in the table and sends it to the guardian. Returns 0, or -1 as guardian_keep_... do. */
 int keeper_keep(const struct saved *saved);
-/* Removes a state; ends the guardian when no state is left to put back. */
+/* Removes a state; ends the guardian when no state is left to restore. */
 void keeper_forget(struct saved *saved);
 /* Sends the table's entry for the same terminal again, if there is one. */
 void keeper_again(const struct saved *like);

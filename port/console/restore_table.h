@@ -17,11 +17,11 @@ enum kind { NOTHING, VT, TERMINAL, TEXT, FB, KEYBOARD, CARD, THREADS, SYNC };
 /* A console, terminal or device: its name, and the state to restore. */
 struct saved {
     enum kind kind;
-    bool forget;   /* in a message: remove it from the table */
+    bool forget;   /* in a message: remove the entry from the table */
     bool put_back; /* TERMINAL, TEXT: restored at a stop */
     char path[64];
     struct timespec made; /* TERMINAL, TEXT: the node's ctime, which distinguishes a later terminal of the same name */
-    int fd;               /* VT, KEYBOARD, CARD: this process's descriptor for it, else -1 */
+    int fd;               /* VT, KEYBOARD, CARD: this process's descriptor of the device, else -1 */
     union {
         struct {
             int kd_mode;
@@ -39,7 +39,7 @@ struct saved {
     } was;
 };
 
-/* Enough for a display, its console, and as many keyboards as evdev.c opens. */
+/* Number of entries: enough for a display, its console, and as many keyboards as evdev.c opens. */
 #define KEPT_MOST 40
 extern struct saved kept[KEPT_MOST];
 
@@ -50,8 +50,8 @@ bool kept_any(enum kind kind);
 /* True if the table is empty. */
 bool kept_nothing(void);
 
-/* Allocates memory that both processes share: the counts, numbers and answers below. Without it nothing is counted, and
- * no call waits. */
+/* Allocates the memory that both processes share: the counts, numbers and answers below. Without that memory nothing is
+ * counted, and no function waits. */
 void kept_share(void);
 /* Returns the number of the guardian in charge. */
 unsigned kept_guardian(void);
@@ -69,10 +69,10 @@ unsigned kept_put_back(void);
 void kept_answer(void);
 /* Drops old answers; call it before sending a SYNC message. */
 void kept_forget_answers(void);
-/* Waits for the answer, timeout_ms at most. */
+/* Waits for the answer to a SYNC message, timeout_ms at most. */
 void kept_await_answer(int timeout_ms);
 
-/* Applies a message; returns 0, or -1 when the table is full or has no such entry to remove. */
+/* Applies a message to the table. Returns 0, or -1 when the table is full or lacks the entry to remove. */
 int kept_note(const struct saved *message);
 
 #endif

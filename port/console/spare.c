@@ -8,10 +8,10 @@
 
 #include "restore_table.h"
 
-/* Time limit for the process to die, or for another guardian to replace this one. */
+/* Time limit, after the first guardian's death, for the guarded process to die. */
 #define PATIENCE_MS 1000
 
-static struct saved *table; /* table that both guardians share */
+static struct saved *table; /* copy of the table that both guardians share */
 
 static void await_end(int first)
 {
@@ -21,7 +21,7 @@ static void await_end(int first)
         ;
 }
 
-/* Copies the table, without the descriptors, which have died with the first guardian. */
+/* Copies the table, without the descriptors, which were closed with the first guardian. */
 static void take_table(void)
 {
     (void)memcpy(kept, table, sizeof kept);
@@ -42,8 +42,8 @@ static _Noreturn void stand_by(unsigned guardian, int first, int process, void (
     _exit(0);
 }
 
-/* The spare must not hold the guarded process's socket, the guardian's standard input: the end of that file means that
- * the first guardian has died. */
+/* The spare closes standard input, the guardian's end of the socket: the guarded process must read the end of the file
+ * when the first guardian has died. */
 void spare_start(int process, void (*put_back)(void))
 {
     void *page = mmap(NULL, sizeof kept, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);

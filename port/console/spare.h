@@ -1,7 +1,8 @@
-/* spare.h - a second guardian, the first one's child, that puts everything back when both the first and the guarded
- * process are killed at nearly the same moment. Private to guard.c.
+/* spare.h - a second guardian, the first one's child, that restores all states when both the first guardian and the
+ * guarded process are killed at nearly the same moment. Private to guard.c.
  *
- * It traces nothing, so the shell may come first then: modes that the shell has set stay. */
+ * It traces nothing, so the shell may then be notified first: modes that the shell has set stay.
+ */
 #ifndef PORT_CONSOLE_SPARE_H
 #define PORT_CONSOLE_SPARE_H
 

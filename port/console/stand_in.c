@@ -28,7 +28,7 @@ static void own_consoles(char mark)
             (void)ioctl(kept[i].fd, VT_SETMODE, &mode);
 }
 
-/* Makes the request to all entries of this kind; true if one of them accepted it. */
+/* Makes an ioctl request on all entries of a kind; true if it succeeded on one of them. */
 static bool ioctl_all(enum kind kind, unsigned long request, long value)
 {
     bool done = false;
@@ -39,8 +39,8 @@ static bool ioctl_all(enum kind kind, unsigned long request, long value)
     return done;
 }
 
-/* Gives the other console the screen and the keyboards; the screen first, as the kernel draws that console's text when
- * this one is released. */
+/* Releases the screen, then the keyboards, if the kernel has requested the console. DRM devices come before the
+ * console, since the kernel draws the other console's text when this one is released. */
 void stand_in_leave(void)
 {
     bool was_master = ioctl_all(CARD, DRM_DROP_MASTER, 0);

@@ -16,7 +16,7 @@ static pid_t seize(pid_t thread)
     return thread > 0 && ptrace(PTRACE_SEIZE, thread, NULL, NULL) == 0 ? thread : 0;
 }
 
-/* Seizes a thread; it is in a stop of its own when this returns, and the report is left for traced_follow. */
+/* Seizes a thread and stops it; the report of the stop is left for traced_follow. Returns the thread, or 0. */
 static pid_t seize_and_hold(pid_t thread)
 {
     siginfo_t what;
@@ -57,9 +57,9 @@ static void listen_too(void)
     listens = holder != 0 && ptrace(PTRACE_LISTEN, holder, NULL, NULL) == 0;
 }
 
-/* Follows the holder. PTRACE_LISTEN in its own stop makes it report the present state at once: STOP, or CONTINUED if
- * that has come in between. In the first case it goes on listening; in the second it stays in its stop, as in the
- * beginning. */
+/* Handles the holder's reports. After PTRACE_LISTEN in its own stop, the holder reports the present state at once:
+ * STOP, or CONTINUED if SIGCONT has come in between. After STOP it continues to listen; after CONTINUED it stays in its
+ * stop, as in the beginning. */
 static void follow_holder(void)
 {
     uintptr_t number;

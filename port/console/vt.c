@@ -70,7 +70,7 @@ void vt_find(struct vt *vt)
         none(vt, "/dev/tty0");
         return;
     }
-    /* tty0 stands for whichever console is in front; from here on it must be this one */
+    /* /dev/tty0 is whichever console is in front; from here on this one is used */
     number = in_front(fd);
     (void)close(fd);
     found(vt, -1, number, "the console in front");
@@ -86,7 +86,8 @@ void vt_close(struct vt *vt)
     vt->fd = -1;
 }
 
-/* Switches and waits, with a limit: the program that has the console in front may refuse. */
+/* Switches to the console and waits, 3 s at most: the program that has the console in front may not release it. Returns
+ * 0, or -1. */
 static int bring_in_front(struct vt *vt, int enter)
 {
     const struct timespec limit = {.tv_sec = 3};
@@ -131,8 +132,9 @@ static int read_modes(struct vt *vt)
     return ioctl(vt->fd, KDGETMODE, &vt->kd_mode) != 0 || ioctl(vt->fd, VT_GETMODE, &vt->mode) != 0 ? -1 : 0;
 }
 
-/* Locks the node: this process and its guardian hold the lock while they have the console. A mark without a lock is
- * left by a process that was killed together with its guardian: then the console is put back here. */
+/* Locks the node: this process and its guardian hold the lock while they have the console. A mark without a lock was
+ * left by a process that was killed together with its guardian; the console is then restored here. Returns 0, or -1 on
+ * failure. */
 static int lock(struct vt *vt)
 {
     struct vt_mode plain = {.mode = VT_AUTO};
@@ -146,8 +148,8 @@ static int lock(struct vt *vt)
     return read_modes(vt);
 }
 
-/* Sets the mode for drawing. Where the kernel's text does not appear over the display's picture, text mode stays, so
- * that the console need not be restored. It still goes through graphics mode and back, so that the kernel draws text
+/* Sets graphics mode if `graphics`. A display that the kernel's text does not cover needs no graphics mode: text mode
+ * stays, so that the console need not be restored, but is set anew after graphics mode, so that the kernel draws text
  * again where a process died with its guardian. */
 static int set_graphics(const struct vt *vt, bool graphics)
 {
@@ -206,7 +208,7 @@ void vt_give(struct vt *vt)
     /* The kernel draws the text when the mode changes. */
     (void)ioctl(vt->fd, KDSETMODE, (long)KD_GRAPHICS);
     (void)ioctl(vt->fd, KDSETMODE, (long)vt->kd_mode);
-    (void)vt_let_go(vt); /* a switch that waits would be forgotten by VT_SETMODE */
+    (void)vt_let_go(vt); /* VT_SETMODE would forget a switch that waits */
     (void)ioctl(vt->fd, VT_SETMODE, &mode);
     if (vt->back_to != 0 && vt_in_front(vt))
         (void)ioctl(vt->fd, VT_ACTIVATE, (long)vt->back_to);

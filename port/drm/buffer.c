@@ -138,7 +138,7 @@ int card_buffer_create(const struct card *card, struct card_buffer *buffer, unsi
     return -1;
 }
 
-/* Unmaps the buffer before it is destroyed: one that is still mapped when its file is closed stays on the CRTC. */
+/* Unmaps the buffer before destroying it: a buffer that is still mapped when its file is closed stays on the CRTC. */
 void card_buffer_destroy(const struct card *card, struct card_buffer *buffer)
 {
     struct drm_mode_destroy_dumb dumb = {.handle = buffer->handle};

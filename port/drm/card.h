@@ -14,11 +14,12 @@ struct card {
     struct drm_parts parts;
 };
 
-/* Opens the card and reads its resources. Changes nothing, except that the kernel makes us the card's master if it
- * has none. */
+/* Opens the card and reads its resources. Changes nothing, except that the kernel makes this process the card's master
+ * if the card has none. */
 int card_open(struct card *card, const char *path, char why[PORT_WHY]);
 void card_close(struct card *card);
-/* Gets the right to set modes. TIA_ERR_DEVICE, with the present owner in `why`, if another program has it. */
+/* Becomes the card's master, which may set modes. Returns TIA_OK, or TIA_ERR_DEVICE with the present master in
+ * `why`. */
 int card_become_master(const struct card *card, char why[PORT_WHY]);
 /* Writes "PATH: WHAT: the reason of errno" and returns TIA_ERR_DEVICE. */
 int card_failed(const struct card *card, const char *what, char why[PORT_WHY]);
@@ -30,8 +31,8 @@ struct card_format {
 };
 
 /* Gives format n = 0, 1, ... to try on a CRTC, best first; false after the last. RGB565 and XRGB8888 are tried in any
- * case, since some drivers list too few formats; others only if the primary plane lists them. With `listed`, only
- * formats that the plane lists. */
+ * case, since some drivers list too few formats; others only if the primary plane lists them. If `listed`, all formats
+ * are ones that the plane lists. */
 bool card_format(const struct card *card, uint32_t crtc, int n, bool listed, struct card_format *format);
 /* Gives the format as card_format does, from the plane's formats. */
 bool card_format_of(const uint32_t *plane, size_t count, int n, bool listed, struct card_format *format);
@@ -43,7 +44,7 @@ struct card_buffer {
     uint8_t *map; /* NULL: no buffer */
 };
 
-/* Creates a buffer; returns 0, or -1 with errno and the failed step in `what`; then nothing is left behind. */
+/* Creates a buffer. Returns 0, or -1 with errno and the failed step in *what, after freeing all that was created. */
 int card_buffer_create(const struct card *card, struct card_buffer *buffer, unsigned width, unsigned height,
                        const struct card_format *format, const char **what);
 void card_buffer_destroy(const struct card *card, struct card_buffer *buffer);

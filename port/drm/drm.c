@@ -17,7 +17,7 @@ struct drm {
     struct scanout scanout;
     const drmModeConnector *connector; /* one of the card's connectors */
     bool direct;                       /* frames are drawn straight into the buffers */
-    struct canvas canvas;              /* otherwise frames are drawn here, then expanded */
+    struct canvas canvas;              /* if not direct: frames are drawn here, then expanded */
     struct expander expander;
     char format[PIXEL_NAME];
     struct console_listener listener;
@@ -60,7 +60,7 @@ static void drm_close(void *ctx)
     canvas_free(&d->canvas);
 }
 
-/* Opens a card that has a screen and makes us its master. */
+/* Opens a card that has a screen, and becomes its master. False with the reason in `why`. */
 static bool open_card(struct drm *d, const char *path, char why[PORT_WHY])
 {
     const struct drm_parts *parts = &d->card.parts;
@@ -80,7 +80,7 @@ static bool open_card(struct drm *d, const char *path, char why[PORT_WHY])
     return false;
 }
 
-/* Tries a card; keeps the reason of the first one that fails. */
+/* Tries a card; true if it works. wish.why gets the reason of the first card that failed. */
 static bool try_card(void *arg, const char *path)
 {
     struct drm *d = arg;

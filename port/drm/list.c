@@ -10,7 +10,7 @@
 
 #define LINE 100
 
-/* Prints words on lines of at most LINE characters that begin with `start`. */
+/* Words to print on lines of at most LINE characters that begin with `start`. */
 struct words {
     port_line *line;
     void *arg;

@@ -9,12 +9,12 @@
 /* A card's connectors and encoders; elements may be NULL. */
 struct drm_parts {
     drmModeRes *resources;
-    drmModeConnector **connectors; /* resources->count_connectors */
-    drmModeEncoder **encoders;     /* resources->count_encoders */
+    drmModeConnector **connectors; /* array of resources->count_connectors */
+    drmModeEncoder **encoders;     /* array of resources->count_encoders */
 };
 
-/* "HDMI-A-1", like the kernel's name. */
 #define PICK_NAME 32
+/* Writes the connector's name as the kernel does, "HDMI-A-1". */
 const char *pick_name(const drmModeConnector *connector, char name[PICK_NAME]);
 /* Writes the mode's name, "1024x768@60". */
 const char *pick_mode_name(const drmModeModeInfo *mode, char name[PICK_NAME]);
@@ -23,9 +23,9 @@ const char *pick_mode_name(const drmModeModeInfo *mode, char name[PICK_NAME]);
  * the first. NULL, with the reason in `why`, if there is none. */
 const drmModeConnector *pick_connector(const struct drm_parts *parts, const char *wish, char why[PORT_WHY]);
 
-/* Returns mode n = 0, 1, ... of those to try, best first; NULL after the last. `wish` is NULL for the preferred mode,
- * then all others in the driver's order; "preferred" for only that one; "WxH" or "WxH@R" for the modes of that size
- * (and refresh rate). */
+/* Returns mode n = 0, 1, ... of those to try, best first; NULL after the last. `wish` selects the modes: NULL for the
+ * preferred one, then all others in the driver's order; "preferred" for the preferred one alone; "WxH" or "WxH@R" for
+ * the modes of that size (and refresh rate). */
 const drmModeModeInfo *pick_mode(const drmModeConnector *connector, const char *wish, int n);
 
 /* Returns the CRTC of the connector's present encoder, or else the first possible one that drives no other connector;

@@ -8,7 +8,8 @@
 
 #include "console/node.h"
 
-/* Much longer than a flip on a working screen: the slowest modes show 24 frames per second. */
+/* Time limit for a flip, much longer than one takes on a working screen: the slowest modes show 24 frames per
+ * second. */
 #define FLIP_MS 1000
 
 /* ---- saving what the CRTC showed before ---- */
@@ -56,7 +57,8 @@ static void free_buffers(struct scanout *s)
     errno = error;
 }
 
-/* Tries one mode with one format. Drivers that do not support RGB565 may report it at any of these calls. */
+/* Tries one mode with one format. Returns 0, or -1 with errno and the failed step in *what; a driver that does not
+ * support RGB565 may fail at any of these calls. */
 static int try(struct scanout *s, const char **what)
 {
     for (int i = 0; i < 2; i++)
@@ -87,8 +89,8 @@ static int refused(const struct scanout *s, const char *mode_wish, const char *w
     return choice ? TIA_ERR_UNSUPPORTED : TIA_ERR_DEVICE;
 }
 
-/* Tries one mode with each format: 0 on success; 1 when the driver refuses all; a negative status after a hopeless
- * error. `why` keeps the first refusal. */
+/* Tries one mode with each format. Returns 0 on success, 1 when the driver rejects all formats, or a negative status
+ * after a hopeless error. *status and `why` are set by the first failure and by a hopeless error. */
 static int try_mode(struct scanout *s, const char *mode_wish, int *status, char why[PORT_WHY])
 {
     const char *what;
@@ -140,7 +142,7 @@ static void flipped(int fd, unsigned sequence, unsigned seconds, unsigned micros
         s->pending--;
 }
 
-/* Handles one event; false when none comes. */
+/* Handles one event; false when none comes within timeout_ms. */
 static bool read_event(struct scanout *s, int timeout_ms)
 {
     drmEventContext events = {.version = 2, .page_flip_handler = flipped};
@@ -163,8 +165,8 @@ void scanout_settle(struct scanout *scanout)
         }
 }
 
-/* Flips to a buffer. Retries on EBUSY: the driver is still busy with the frame before, which may be another
- * program's. */
+/* Flips to a buffer. Returns 0, or -1 with errno. Retries on EBUSY: the driver is still busy with the frame before,
+ * which may be another program's. */
 static int flip(struct scanout *s, int buffer)
 {
     for (int ms = 0;; ms++) {

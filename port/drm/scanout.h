@@ -12,15 +12,16 @@ struct scanout {
     drmModeModeInfo mode;
     struct card_format format;
     struct card_buffer buffers[2];
-    int shown;        /* index of the buffer on screen */
-    bool flips;       /* the driver flips pages and sends an event for each */
-    unsigned pending; /* flips whose event has not come yet */
-    drmModeCrtc *old; /* the CRTC as found, and the connectors that it drove */
-    uint32_t old_connectors[SCANOUT_CONNECTORS];
+    int shown;                                   /* index of the buffer on screen */
+    bool flips;                                  /* the driver flips pages and sends an event for each */
+    unsigned pending;                            /* flips whose event has not come yet */
+    drmModeCrtc *old;                            /* the CRTC as found */
+    uint32_t old_connectors[SCANOUT_CONNECTORS]; /* connectors that the CRTC drove */
     int old_count;
 };
 
-/* Shows black on the connector, in the first mode and format that the driver accepts. Needs to be the card's master. */
+/* Shows black on the connector, in the first mode and format that the driver accepts. This process must be the card's
+ * master. */
 int scanout_light(struct scanout *scanout, const struct card *card, const drmModeConnector *connector,
                   const char *mode_wish, char why[PORT_WHY]);
 /* Returns the back buffer. */
@@ -31,7 +32,7 @@ int scanout_swap(struct scanout *scanout, char why[PORT_WHY]);
 int scanout_relight(struct scanout *scanout);
 /* Waits for pending flips. */
 void scanout_settle(struct scanout *scanout);
-/* Restores the CRTC as found, if we are still the master, and frees the buffers. */
+/* Restores the CRTC as found, if this process is still the master, and frees the buffers. */
 void scanout_end(struct scanout *scanout);
 
 #endif

@@ -20,7 +20,7 @@
 #define KEYBOARDS 32
 #define DESCRIPTORS (KEYBOARDS + POINTERS + 1)
 
-/* Time limit for the release of a held key, usually the one that quits, before close returns: a keyboard that repeats
+/* Time limit, before close returns, for the release of a held key, usually the one that quits: a keyboard that repeats
  * by itself (PS/2) would type it into the shell. Nobody holds a key this long by accident. */
 #define RELEASE_MS 1000
 
@@ -33,7 +33,7 @@ struct evdev {
     struct keyboard keyboards[KEYBOARDS];
     unsigned count;
     struct pointers pointers;
-    char failure[PORT_WHY]; /* failure of the first node that should have worked, or of the directory */
+    char failure[PORT_WHY]; /* message for the first node that failed, or for the directory */
     bool no_memory;         /* memory was too short to read the directory */
 };
 
@@ -47,8 +47,8 @@ static bool is_used(const struct evdev *evdev, const char *path)
     return false;
 }
 
-/* Opens a node as a keyboard or a pointer. udev creates a node before it gives us the right to open it, so changes of
- * mode are watched, too. */
+/* Opens a node as a keyboard or a pointer. udev creates a node before granting the right to open it, so changes of the
+ * node's mode are watched, too. */
 static void try_node(struct evdev *evdev, const char *path)
 {
     struct keyboard *keyboard = &evdev->keyboards[evdev->count];
@@ -69,7 +69,8 @@ static void try_node(struct evdev *evdev, const char *path)
     }
 }
 
-/* Opens the directory. Without it the machine has no keyboard; any other failure to open it is reported. */
+/* Opens the directory; NULL on failure. A machine without the directory has no keyboard; any other failure is
+ * reported. */
 static DIR *open_directory(struct evdev *evdev)
 {
     DIR *directory = opendir(DIRECTORY);
@@ -246,7 +247,7 @@ static bool report(const struct evdev *evdev, const struct key_change *change, u
     return true;
 }
 
-/* Gives an event that is still to be reported after an unplug, a switch or an overflow. */
+/* Gives an event that is still to be reported after an unplug, a switch or an overflow; false if there is none. */
 static bool settle(struct evdev *evdev, struct tia_event *event)
 {
     struct key_change change;
@@ -274,8 +275,8 @@ static struct keyboard *oldest_event(struct evdev *evdev)
     return oldest && keyboard_next_us(oldest) != UINT64_MAX ? oldest : NULL;
 }
 
-/* Takes a keyboard's next event. Ctrl-Alt-Fn switches the console here: the kernel's console does not get the events of
- * a grabbed keyboard. */
+/* Takes a keyboard's next event; true if *event is to be reported. Ctrl-Alt-Fn switches the console here: the kernel's
+ * console does not get the events of a grabbed keyboard. */
 static bool take(struct evdev *evdev, struct keyboard *keyboard, struct tia_event *event)
 {
     struct key_modifiers held = modifiers(evdev);
@@ -298,13 +299,13 @@ static int evdev_poll(void *ctx, struct tia_event *event)
     struct evdev *evdev = ctx;
     struct keyboard *keyboard;
 
-    /* console switches come first: keys typed elsewhere while this process was stopped are not ours */
+    /* console switches come first: keys typed elsewhere while this process was stopped are not for it */
     if (console_state() != CONSOLE_FREE && console_wait(NULL, 0, 0) < 0)
         return TIA_ERR_DEVICE;
     watch_nodes(evdev);
     while (!settle(evdev, event)) {
         if (console_state() == CONSOLE_AWAY) {
-            discard(evdev); /* and no events are read: keys that come now are not ours either */
+            discard(evdev); /* no events are read: keys that come now are not for this process either */
             return 0;
         }
         keyboard = oldest_event(evdev);

@@ -74,8 +74,8 @@ bool key_is_modifier(unsigned code)
     return false;
 }
 
-/* True for the other keys of PC keyboards, Asian ones too. Between these ranges are locks, media keys, buttons, and
- * keys that only announce an event (power, lid, rfkill). */
+/* True for a key that types, on any PC keyboard, Asian ones too, and is no modifier. Between the ranges are locks,
+ * media keys, buttons, and keys that only report an event (power, lid, rfkill). */
 static bool is_typing_key(unsigned code)
 {
     static const unsigned ranges[][2] = {
@@ -152,7 +152,7 @@ static bool released(struct key_state *state, unsigned code, struct key_change *
     return reported;
 }
 
-/* Updates the state by an event; value 2 is the kernel's repeat. */
+/* Updates the state by an event. The value 2, the kernel's repeat, changes nothing. */
 bool key_state_take(struct key_state *state, unsigned code, int value, struct key_modifiers modifiers,
                     struct key_change *change)
 {

@@ -61,15 +61,15 @@ void key_state_modifiers(const struct key_state *state, struct key_modifiers *mo
 bool key_state_take(struct key_state *state, unsigned code, int value, struct key_modifiers modifiers,
                     struct key_change *change);
 
-/* Begins with these keys down; neither their presses nor their releases are meant for us. The release of each key that
- * was reported as pressed follows. */
+/* Begins with the keys `down` pressed: neither their presses nor their releases are for this program. The releases of
+ * all keys that were reported as pressed are then due. */
 void key_state_begin(struct key_state *state, const struct key_set *down);
 
-/* Corrects the state after events were lost: these keys are down now. */
+/* Corrects the state after events were lost: the keys `down` are pressed now. Changes may be due. */
 void key_state_lost(struct key_state *state, const struct key_set *down);
 
-/* Reports the changes that are left after those two, releases first. Call it until it returns false, before processing
- * more events. */
+/* Gives a change that is due after key_state_begin or key_state_lost, releases first; false if none is left. Call it
+ * until it returns false, before processing more events. */
 bool key_state_settle(struct key_state *state, struct key_modifiers modifiers, struct key_change *change);
 
 #endif

@@ -27,7 +27,7 @@ static int failed(const char *path, int error, char why[PORT_WHY])
     return TIA_ERR_DEVICE;
 }
 
-/* Checks that the device is a keyboard which no other program has grabbed, and sets its clock to CLOCK_MONOTONIC. */
+/* Checks that the device is a keyboard that no other program has grabbed, and sets its clock to CLOCK_MONOTONIC. */
 static int examine(const struct keyboard *keyboard, char why[PORT_WHY])
 {
     int fd = keyboard->fd, clock = CLOCK_MONOTONIC;
@@ -42,9 +42,8 @@ static int examine(const struct keyboard *keyboard, char why[PORT_WHY])
     return TIA_OK;
 }
 
-/* Restricts the events to keys. The kernel queues 64 events while the program is busy drawing. Scan codes (EV_MSC)
- * would take a third of that, a keyboard's touchpad far more, so only keys are let through. Kernels before 4.4 have no
- * masks. */
+/* Restricts the events to keys. The kernel queues 64 events while the program is busy drawing: scan codes (EV_MSC)
+ * would take a third of the queue, and a keyboard's touchpad far more. Kernels before 4.4 have no masks. */
 static void want_keys_only(const struct keyboard *keyboard)
 {
     const unsigned long types = 1ul << EV_KEY;
@@ -88,8 +87,9 @@ static bool is_meant(enum which which, unsigned code)
     return which == ALL || key_is_modifier(code) == (which == MODIFIERS);
 }
 
-/* Writes events of a set's keys, one for each value from `first` to `last` (0 release, 1 press), in a single call, so
- * that a key is unlikely to move meanwhile. A device that refuses is unplugged, which the next read notices. */
+/* Writes events for the selected keys of a set: one for each value from `first` to `last` (0 release, 1 press), in a
+ * single call, so that a key is unlikely to move meanwhile. If the write fails, the device is unplugged, which the next
+ * read detects. */
 static void write_keys(const struct keyboard *keyboard, const struct key_set *set, enum which which, int first,
                        int last)
 {
@@ -113,8 +113,8 @@ static bool is_subset(const struct key_set *part, const struct key_set *whole)
     return true;
 }
 
-/* Begins with the keys that are down. EVIOCGKEY also removes all key events from the queue, including those that we
- * wrote. */
+/* Begins with the keys that are down. EVIOCGKEY also removes all key events from the queue, including those written
+ * here. */
 static void begin(struct keyboard *keyboard)
 {
     struct key_set down;
@@ -125,8 +125,8 @@ static void begin(struct keyboard *keyboard)
     key_state_begin(&keyboard->state, &down);
 }
 
-/* Grabs the keyboard; false when a key went down between the two steps: the console got the press and would miss the
- * release. */
+/* Grabs the keyboard; false when a key went down between the query and the grab: the console got the press and would
+ * miss the release. */
 static bool try_grab(struct keyboard *keyboard)
 {
     struct key_set before, after;
@@ -142,7 +142,7 @@ static bool try_grab(struct keyboard *keyboard)
     return !get_pressed(keyboard, &after) || is_subset(&after, &before);
 }
 
-/* Three tries suffice: typing is not fast enough to spoil all of them. */
+/* Tries three times: nobody types fast enough to spoil all three. */
 void keyboard_grab(struct keyboard *keyboard)
 {
     if (keyboard->grabbed || keyboard->unplugged)

@@ -1,9 +1,9 @@
 /* keyboard.h - one keyboard: an event device of the kernel.
  *
  * Grabbing a keyboard (EVIOCGRAB) hides it from the console, which never gets the releases of keys that are down at
- * that moment: Alt would stay down for it, or Enter repeat. So all keys are released first, while the console still
- * gets its events, and those that are really down are pressed again afterwards. Both are done by writing events to the
- * device, which the kernel treats like its own.
+ * that moment: there Alt would stay down, or Enter repeat. So all keys are released first, while the console still gets
+ * the keyboard's events, and those that are really down are pressed again afterwards, both by writing events to the
+ * device, which the kernel treats like the device's own.
  */
 #ifndef PORT_EVDEV_KEYBOARD_H
 #define PORT_EVDEV_KEYBOARD_H
@@ -23,16 +23,16 @@ struct keyboard {
     size_t next, count; /* unread part of the events: [next, count) */
 };
 
-/* Opens a keyboard. TIA_ERR_UNSUPPORTED when the node is not a keyboard, TIA_ERR_DEVICE when it cannot be used (another
- * program may have grabbed it); then `why` has the reason. Keys that are down now give no events, not even a release.
- */
+/* Opens a keyboard. Returns TIA_OK or, with the reason in `why`, TIA_ERR_UNSUPPORTED when the node is not a keyboard,
+ * and TIA_ERR_DEVICE when it cannot be used (another program may have grabbed it). Keys that are down now give no
+ * events, not even a release. */
 int keyboard_open(struct keyboard *keyboard, const char *path, char why[PORT_WHY]);
 void keyboard_close(struct keyboard *keyboard);
 
-/* Grabs the keyboard: the previous owner gets the releases of all keys, the next one begins with none pressed
+/* Grabs the keyboard: the console gets the releases of all keys, and this program begins with no key pressed
  * (key_state_begin). */
 void keyboard_grab(struct keyboard *keyboard);
-/* Ends the grab, with the same rule for both owners. */
+/* Ends the grab: the console begins with no key pressed but the modifiers that are down. */
 void keyboard_release(struct keyboard *keyboard);
 
 /* True if a key that types or a modifier is down. */
@@ -44,7 +44,7 @@ void keyboard_read(struct keyboard *keyboard);
 /* Returns the time of the next event in microseconds; UINT64_MAX: there is none. */
 uint64_t keyboard_next_us(const struct keyboard *keyboard);
 
-/* Takes the next event; true if it is a change to report, false if it is not, or if there is no event. */
+/* Takes the next event; true if *change is to be reported, false if not, or if there is no event. */
 bool keyboard_take(struct keyboard *keyboard, struct key_modifiers modifiers, struct key_change *change);
 
 /* Discards keys that were typed for another program. */

@@ -45,7 +45,7 @@ static void take_button(struct pointer *pointer, bool drag)
     pointer->drag = drag;
 }
 
-/* Returns the position on an axis; the middle for an axis without a range. */
+/* Returns the position on an axis, 0..65535; 32768 if the axis has no range. */
 static int32_t part_of_axis(const struct pointer *pointer, int axis)
 {
     int64_t low = pointer->low[axis], high = pointer->high[axis];
@@ -111,7 +111,7 @@ static void get_range(struct pointer *pointer, int axis)
     pointer->at[axis] = info.value;
 }
 
-/* Checks that the device is a pointer; joysticks have axes, too, but not these buttons. */
+/* Prepares the device; false if it is no pointer: joysticks have axes, too, but not these buttons. */
 static bool examine(struct pointer *pointer)
 {
     int fd = pointer->fd, clock = CLOCK_MONOTONIC;

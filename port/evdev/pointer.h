@@ -2,7 +2,7 @@
  * and y.
  *
  * They are not grabbed. Their events are discarded while another program has the console.
- * */
+ */
 #ifndef PORT_EVDEV_POINTER_H
 #define PORT_EVDEV_POINTER_H
 
@@ -14,7 +14,7 @@
 #define POINTERS 16
 #define POINTER_EVENTS 64
 
-/* A pointer. Without a descriptor it is only the state that its events lead to. */
+/* A pointer. pointer_take and pointer_wheel do not use the descriptor. */
 struct pointer {
     int fd;
     char path[64];
@@ -27,11 +27,11 @@ struct pointer {
     size_t next, count; /* unread part of the events: [next, count) */
 };
 
-/* Processes an event of the kernel; true when *event is one to report, a position, or all movement since the last
+/* Processes an event of the kernel; true when *event is to be reported: a position, or all movement since the last
  * report. */
 bool pointer_take(struct pointer *pointer, const struct input_event *input, struct tia_event *event);
 
-/* Gives a step of the wheel; true: *event is the key + or -. */
+/* Takes a step of the wheel: *event is then the key + or -; false if no step is left. */
 bool pointer_wheel(struct pointer *pointer, struct tia_event *event);
 
 struct pointers {
@@ -47,9 +47,9 @@ int pointers_poll(struct pointers *pointers, struct tia_event *event);
 void pointers_discard(struct pointers *pointers);
 void pointers_close(struct pointers *pointers);
 
-/* Adds the descriptors to wait for, POINTERS at most. */
+/* Writes the descriptors to wait for, POINTERS at most, to `fds`. Returns their number. */
 nfds_t pointers_list(const struct pointers *pointers, struct pollfd *fds);
-/* True if events can be read without a wait. */
+/* True if an event that was already read is still to be reported. */
 bool pointers_wait_not(const struct pointers *pointers);
 
 #endif

@@ -44,7 +44,7 @@ static void enter(void *arg)
     copy(f, f->page);
 }
 
-/* Gives the screen away. The frame stays in memory, and mode() reports it as hidden. */
+/* Called when another program takes the screen. The frame stays in memory; meanwhile fbdev_mode returns TIA_HIDDEN. */
 static void leave(void *arg)
 {
     (void)arg;
@@ -64,7 +64,7 @@ static void fbdev_close(void *ctx)
     canvas_free(&f->frame);
 }
 
-/* Tries a device; keeps the reason of the first one that fails. */
+/* Tries a device; true if it works. f->why gets the reason of the first device that failed. */
 static bool probe(void *arg, const char *path)
 {
     struct fbdev *f = arg;
@@ -139,7 +139,7 @@ static int fbdev_mode(void *ctx, struct tia_mode *mode)
     struct fbdev *f = ctx;
     struct fb_var_screeninfo now;
 
-    /* Without an input that waits, consoles are switched here. */
+    /* A program without input never waits, so console switches are handled here. */
     if (f->screen.fd < 0 || console_wait(NULL, 0, 0) < 0)
         return TIA_ERR_DEVICE;
     describe(f, mode);

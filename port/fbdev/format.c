@@ -5,7 +5,7 @@
 
 static struct pixel_channel channel(const struct fb_bitfield *f)
 {
-    /* numbers too large for any pixel stay too large, and pixel_fault refuses them */
+    /* numbers too large for any pixel become 99, which pixel_fault rejects */
     return (struct pixel_channel){(uint8_t)(f->offset > 99 ? 99 : f->offset),
                                   (uint8_t)(f->length > 99 ? 99 : f->length)};
 }

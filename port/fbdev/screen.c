@@ -82,7 +82,7 @@ static bool same_picture(const struct fb_var_screeninfo *a, const struct fb_var_
            memcmp(&a->red, &b->red, sizeof a->red) == 0 && memcmp(&a->blue, &b->blue, sizeof a->blue) == 0;
 }
 
-/* Requests two pages, if the driver can. It may round the request, so the result is checked. */
+/* Requests two pages, if the device can pan. The driver may round the request, so the result is checked. */
 static void ask_for_pages(struct fb_screen *s)
 {
     struct fb_var_screeninfo two = s->var;
@@ -106,7 +106,7 @@ static void ask_for_pages(struct fb_screen *s)
 
 static int map(struct fb_screen *s, char why[PORT_WHY])
 {
-    /* the kernel maps whole pages of memory; the first pixel may be inside the first one */
+    /* the kernel maps whole pages of memory; the first pixel may be inside the first page */
     size_t skip = s->fix.smem_start & (size_t)(sysconf(_SC_PAGESIZE) - 1);
 
     s->map_size = s->fix.smem_len + skip;
@@ -214,7 +214,7 @@ void fb_wait(struct fb_screen *screen)
         screen->vsync = false;
 }
 
-/* Puts the screen back; while another console is in front, the position and the picture are that console's. */
+/* Restores the screen; if it is not `visible`, the position and the picture are another console's, and stay. */
 static void put_back(struct fb_screen *s, bool visible)
 {
     struct fb_var_screeninfo old = s->old, now;

@@ -17,7 +17,7 @@ enum memory_call_kind { MEMORY_OPEN, MEMORY_MODE, MEMORY_ACQUIRE, MEMORY_SUBMIT,
 
 struct memory_call {
     enum memory_call_kind kind;
-    struct tia_tile tile; /* for acquire and submit */
+    struct tia_tile tile; /* tile of an acquire or a submit */
     int result;
 };
 

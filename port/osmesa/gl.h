@@ -20,8 +20,9 @@ typedef void (*gl_proc)(void);
     F(void, RasterPos2f, (GLfloat, GLfloat))                                                                           \
     F(void, Viewport, (GLint, GLint, GLsizei, GLsizei))
 
-/* Definitions of F: a member of a table of functions, and a row of the list from which gl_symbols fills it. */
+/* Definition of F: a member of a table of functions. */
 #define GL_MEMBER(type, name, arguments) type(GLAPIENTRY *name) arguments;
+/* A row of the list from which gl_symbols and gl_load fill a table. */
 #define GL_ROW(table, prefix, name)                                                                                    \
     {                                                                                                                  \
         prefix #name, offsetof(struct table, name)                                                                     \
@@ -59,11 +60,13 @@ struct gl_platform {
 
 extern const struct gl_platform gl_mesa, gl_egl;
 
-/* Loads the shared library `file`, for good. Returns NULL on failure, with the reason in `why`. */
+/* Loads the shared library `file`, which is never unloaded. Returns NULL on failure, with the reason, and the package
+ * to install, in `why`. */
 void *gl_library(struct gl_screen *screen, const char *file, const char *package);
 
-/* Fills a table with functions of a library or, if library is NULL, of GL. False if one is missing; `why` names it. */
+/* Fills a table with functions of a library. False if one is missing; `why` names it. */
 bool gl_symbols(struct gl_screen *screen, void *library, void *table, const struct gl_row *rows, size_t count);
+/* Fills a table with functions of the current context's GL, as gl_symbols does. */
 bool gl_load(struct gl_screen *screen, void *table, const struct gl_row *rows, size_t count);
 
 /* Writes "osmesa:NAME: ..." to `why`; returns status. */

@@ -61,8 +61,8 @@ void port_osmesa_destroy(void *ctx)
     free(ctx);
 }
 
-/* Sets all state that present relies on, once. The unpack alignment is 2, since our rows have no padding and GL's
- * default is 4. Raster position and zoom put the first row at the top. */
+/* Sets all state that present relies on, once. The unpack alignment is 2, since rows have no padding and GL's default
+ * is 4. Raster position and zoom put the first row at the top. */
 static int prepare(struct gl_screen *screen)
 {
     const struct gl_common *gl = &screen->gl;

@@ -8,7 +8,7 @@
 
 #define LARGE_PAGE ((size_t)2 << 20)
 
-/* Allocates below the size of a large page by malloc; a system without large pages ignores the advice. */
+/* Uses malloc for less than a large page; a system without large pages ignores the advice. */
 void *pages_alloc(size_t size)
 {
     size_t rounded = (size + LARGE_PAGE - 1) / LARGE_PAGE * LARGE_PAGE;

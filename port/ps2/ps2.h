@@ -13,12 +13,12 @@
 #define TIA_PS2_ACKNOWLEDGE 0xfau /* answer of the keyboard: command accepted */
 #define TIA_PS2_CODES 0x88        /* number of codes: 01..84 (hex), rounded up to whole bytes of bits */
 
-/* All zero: no key is held. */
+/* State of a decoder. All zero: no key is held. */
 struct tia_ps2 {
     uint8_t held[2][TIA_PS2_CODES / 8]; /* a bit per code: [0] plain, [1] after E0 */
     bool extended, released;            /* E0 or F0 was received, but not yet the code after it */
     uint8_t pause;                      /* bytes of Pause left */
-    bool forget;                        /* replugged, or bytes were lost: release all held keys */
+    bool forget;                        /* replugged, or bytes were lost: all held keys are to be released */
 };
 
 /* Decodes a byte; returns 1 and *event (without a time), or 0 when there is no event: for a modifier or lock key, a key

@@ -65,7 +65,7 @@ THERE(has_neon, true) /* every AArch64 */
 #endif
 #ifdef TIA_HAVE_WASM
 extern const struct tia_simd tia_simd_wasm;
-THERE(has_wasm, true) /* a module that needs it does not start without it */
+THERE(has_wasm, true) /* a module with these instructions does not start without them */
 #define WASM &tia_simd_wasm, has_wasm
 #else
 #define WASM NULL, NULL
@@ -124,7 +124,7 @@ int tia_simd_named(const char *name, const struct tia_simd **simd)
         if (entries[i].simd && entries[i].there())
             found = entries[i].simd;
         if (strcmp(name, entries[i].name) == 0) {
-            /* "neon" is no bound for a processor of the other kind */
+            /* no narrower set replaces one of another processor family */
             *simd = i < 4 || entries[i].simd ? found : NULL;
             return TIA_OK;
         }

@@ -163,8 +163,8 @@ static uint8_t *wire_order(tia_rgb565 *pixels, size_t count)
     return bytes;
 }
 
-/* Sends a strip. The first command waits until the previous strip has been sent, so that one is free for the next
- * acquire. */
+/* Sends a strip. The first command waits until the previous strip has been sent, so that its buffer is free for the
+ * next acquire. */
 static int panel_submit(void *ctx, struct tia_tile tile)
 {
     struct tia_spi_panel *panel = ctx;

@@ -34,12 +34,12 @@ struct tia_spi_panel {
     void *clock_ctx;
     uint16_t width, height; /* after applying `orientation` */
     uint16_t left, top;     /* position of the glass in the controller's memory */
-    uint8_t orientation;    /* SPI_PANEL_... */
+    uint8_t orientation;    /* bits TIA_SPI_PANEL_... */
     bool inverted;          /* IPS glass: send 21h (INVON) */
-    const uint8_t *setup;   /* vendor registers, or NULL: for each the command, the */
-    size_t setup_size;      /* number of parameters, the parameters */
-    tia_rgb565 *strips;     /* two strips, one after the other */
-    size_t strips_size;     /* bytes; a strip has as many whole rows as fit in half of it */
+    const uint8_t *setup; /* vendor registers: for each the command, the number of its parameters, and these; or NULL */
+    size_t setup_size;    /* bytes of `setup` */
+    tia_rgb565 *strips;   /* two strips, one after the other */
+    size_t strips_size;   /* bytes; a strip has as many whole rows as fit in half of it */
 
     /* Private to the port, except `why`. */
     const char *why; /* the reason of the last failure, one line */

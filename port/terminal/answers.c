@@ -41,7 +41,7 @@ static void after_attribute(struct answers *a, uint8_t byte)
         begin(a, GROUND);
 }
 
-/* Evaluates kitty's message: the last three characters of "Gi=31;OK" count; the number is the one that we chose. */
+/* Evaluates kitty's message at its end: "Gi=31;OK" reports support; 31 is the query's number. */
 static void after_message(struct answers *a, uint8_t byte)
 {
     if (byte == ESC) {
@@ -108,8 +108,8 @@ static void ask(int fd, const char *term, struct answers *answers)
         read_answers(fd, answers);
 }
 
-/* Queries in raw mode. Keys that are typed meanwhile are kept for the keyboard. Where that has the terminal already,
- * its modes, and the guardian's entry for them, stay. */
+/* Queries in raw mode; keys typed meanwhile are stored for the keyboard. If the keyboard has set raw mode already, the
+ * modes and the guardian's entry for them stay. */
 static void ask_raw(int fd, const char *term, struct answers *answers)
 {
     struct termios before, raw;

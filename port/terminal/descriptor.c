@@ -27,8 +27,8 @@ bool descriptor_in_front(int fd)
     return front <= 0 || front == getpgrp();
 }
 
-/* Waits by tcsetattr, which stops a process in the background. The kernel begins it anew after SIGCONT, and so stops
- * the process again, unless a signal's handler has run. */
+/* Waits in tcsetattr, which stops a process in the background. The kernel restarts the call after SIGCONT, and so stops
+ * the process again, unless a signal handler has run. */
 bool descriptor_await_front(int fd)
 {
     struct termios own;

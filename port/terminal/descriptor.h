@@ -4,17 +4,19 @@
 
 #include <stdbool.h>
 
-/* Opens the file `path`, a terminal or not, with O_NONBLOCK. -1 and errno on failure. */
+/* Opens the file `path`, a terminal or not, with O_NONBLOCK and `access` (O_RDWR, ...). Returns -1 and errno on
+ * failure. */
 int descriptor_open(const char *path, int access);
 
 /* Opens the terminal of `fd` again: setting O_NONBLOCK on `fd` itself would set it for the shell, which shares the open
  * file description. A terminal that has no name or cannot be opened is only duplicated, and may block. */
 int descriptor_copy(int fd, int access);
 
-/* True unless another process group has the terminal in front: a shell has its own modes and its own screen then. */
+/* True unless another process group has the terminal in front: a shell then has its own modes and its own screen. */
 bool descriptor_in_front(int fd);
 
-/* Stops a process in the background until its terminal is in front, or a signal comes. Returns descriptor_in_front. */
+/* Stops this process in the background until its terminal is in front, or a signal comes. Returns
+ * descriptor_in_front(fd). */
 bool descriptor_await_front(int fd);
 
 /* Drops what the kernel has not yet passed to the terminal. */

@@ -1,8 +1,8 @@
 /* display.c - a terminal's window as a display.
  *
- * Frames are drawn into memory; present encodes what changed, in strips, and sends them. What takes longer than 20 ms,
- * to encode or for the terminal to accept, is left to go_on. The rest of a frame is sent before the next one, since the
- * grid counts it as shown.
+ * Frames are drawn into memory; present encodes what changed, in strips, and sends them. After 20 ms of encoding, or of
+ * waiting for the terminal, the rest is left to go_on. The rest of a frame is sent before the next one, since the grid
+ * counts it as shown.
  */
 #include <errno.h>
 #include <fcntl.h>
@@ -27,7 +27,7 @@
 #include "ways.h"
 #include "window_signals.h"
 
-#define DEFAULT_COLUMNS 80 /* size of a window whose terminal reports none, such as a serial line */
+#define DEFAULT_COLUMNS 80 /* size of a window if its terminal reports none, such as a serial line */
 #define DEFAULT_ROWS 24
 
 #define SLICE_MS 20 /* time limit of present and go_on */
@@ -40,14 +40,14 @@ struct terminal {
     unsigned max_width, max_height;
     bool clear;    /* the next frame begins on an empty window */
     bool fresh;    /* the canvas has a frame of which no row is encoded */
-    bool encoding; /* a frame is encoded up to row `next`; begun: text has been added for it */
-    bool begun;
+    bool encoding; /* a frame is encoded up to row `next` */
+    bool begun;    /* text has been added for that frame */
     unsigned next;
     unsigned columns, rows; /* size of the window */
     struct way way;         /* the user's choice */
     enum pictures pictures;
     struct symbols symbols;
-    struct cell cell; /* size of a character, where pictures are shown */
+    struct cell cell; /* size of a character for pictures */
     struct canvas canvas;
     struct grid grid;
     struct output output;
@@ -238,8 +238,8 @@ static int encode(struct terminal *t)
     return TIA_ERR_MEMORY;
 }
 
-/* True if the process has the window, false in the background. The shell has had it after a stop, so the last frame is
- * then shown again. */
+/* True if the process has the window; false in the background. After a stop, the shell has had the window, so the last
+ * frame is shown again. */
 static bool has_window(struct terminal *t)
 {
     if (!output_is_lost(&t->output))
@@ -251,7 +251,7 @@ static bool has_window(struct terminal *t)
     return true;
 }
 
-/* Continues with a frame. One that is not encoded yet waits until all of the one before is sent. One that a stop has
+/* Continues with a frame. A frame that is not encoded yet waits until the one before is sent. A frame that a stop has
  * cut is shown again once the viewer has polled the keys: the terminal may have hung up. */
 static int terminal_go_on(void *ctx)
 {

@@ -41,7 +41,7 @@ void text_free(struct text *text)
     *text = (struct text){0};
 }
 
-/* Returns the columns of the window that a cell covers. */
+/* Returns the number of the window's columns that a cell covers. */
 static unsigned span(const struct grid *grid)
 {
     return grid->spaces ? 2 : 1;
@@ -157,7 +157,7 @@ static void set_colours(struct pen *pen, uint32_t fore, uint32_t back)
     pen->back = back;
 }
 
-/* Writes a cell. One of a single colour is a space, which needs no foreground colour. */
+/* Writes a cell. A cell of a single colour is written as spaces, which need no foreground colour. */
 static void put_cell(struct pen *pen, const struct grid *grid, unsigned column, unsigned row, uint32_t cell)
 {
     uint32_t upper = cell >> 16, lower = cell & 0xffff;

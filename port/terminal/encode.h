@@ -18,8 +18,9 @@ struct text {
 
 void text_add(struct text *text, const char *string);
 
-/* Synchronised update: terminals that support it show the whole frame at once, others ignore it. */
+/* Begins a synchronised update: terminals that support it show the whole frame at once, others ignore it. */
 #define FRAME_BEGIN "\033[?2026h"
+/* Ends a synchronised update. */
 #define FRAME_END "\033[?2026l"
 void text_free(struct text *text);
 
@@ -28,9 +29,9 @@ struct strip {
     unsigned first, rows;
 };
 
-/* The terminal's contents, cell by cell, as far as we wrote them. */
+/* The terminal's contents, cell by cell, as last written. */
 struct grid {
-    unsigned columns, rows; /* size in cells: the picture's width and (height + 1)/2, or its height */
+    unsigned columns, rows; /* size in cells: the picture's width and (height + 1)/2 or, with `spaces`, its height */
     unsigned left, top;     /* the window's cell at the upper left corner */
     bool direct;            /* 24-bit colours, else 256 */
     bool spaces;            /* a cell is one pixel and two columns of the window, else half blocks */
@@ -42,13 +43,14 @@ struct grid {
  * colours (38) and the block (3). */
 #define GRID_CELL_BYTES 56
 
-/* Makes the grid for a width x height picture in the middle of a window of cells, not shown yet. */
+/* Makes the grid for a width x height picture in the middle of a window of window_columns x window_rows; its contents
+ * are unknown. Returns TIA_OK or TIA_ERR_MEMORY. */
 int grid_resize(struct grid *grid, unsigned width, unsigned height, unsigned window_columns, unsigned window_rows);
 void grid_forget(struct grid *grid); /* Marks the contents as unknown: the window may show anything. */
 void grid_free(struct grid *grid);
 
-/* Adds the text that turns the grid into the picture, none if it is the same, and updates the grid. `pixels` are width
- * x height, row by row. If text->failed gets set, nothing is added and the grid is forgotten. */
+/* Adds the text that turns the grid into the picture, none if they are the same, and updates the grid. `pixels` has
+ * `height` rows of the grid's width. If text->failed gets set, nothing is added and the grid is forgotten. */
 void grid_draw(struct grid *grid, const tia_rgb565 *pixels, unsigned height, struct text *text);
 
 #endif

@@ -73,8 +73,8 @@ static uint16_t arrow_key(uint8_t final)
     }
 }
 
-/* Decodes a report of the mouse. A button's number: 0 is the left one, 3 none; 32 is added while it moves, 64 to those
- * of the wheel, and 4, 8, 16 for Shift, Alt and Ctrl. */
+/* Decodes a report of the mouse. Button 0 is the left one, 3 is none; 32 is added for a movement, 64 for the wheel, and
+ * 4, 8 and 16 for Shift, Alt and Ctrl. */
 static uint16_t mouse_report(struct decoder *d, uint8_t final)
 {
     unsigned button = d->number & 0x43u;
@@ -141,7 +141,7 @@ static uint16_t after_escape(struct decoder *d, uint8_t byte)
 {
     switch (byte) {
     case ESC:
-        return TIA_KEY_ESCAPE; /* the second one begins a new sequence */
+        return TIA_KEY_ESCAPE; /* the second ESC begins a new sequence */
     case '[':
         begin_sequence(d, CSI);
         return 0;
@@ -161,7 +161,7 @@ static uint16_t after_escape(struct decoder *d, uint8_t byte)
     }
 }
 
-/* Adds a digit to the parameter; the first parameter begins after a mark such as <. */
+/* Adds a digit to a parameter. Digits of the first one count only at the beginning, or after the mark <. */
 static void add_digit(struct decoder *d, uint8_t digit)
 {
     uint16_t *number = d->parameters == 0 ? &d->number : d->parameters < 3 ? &d->more[d->parameters - 1] : NULL;

@@ -15,16 +15,16 @@
 #define DECODED_POINTER 0xffffu
 
 struct decoder {
-    uint8_t state;        /* zero: between keys */
+    uint8_t state;        /* 0: between keys */
     uint8_t skip;         /* bytes of a UTF-8 character still to come */
-    uint8_t private_mark; /* '<' '=' '>' '?' or 0: how the CSI sequence began */
+    uint8_t private_mark; /* mark after CSI: '<' '=' '>' '?' or 0 */
     uint16_t number;      /* the CSI sequence's first parameter */
-    uint16_t more[2];     /* parameters after the first; 0: there is none */
+    uint16_t more[2];     /* second and third parameter; 0: not given */
     uint8_t parameters;   /* number of parameters that have ended */
     bool more_parameters;
     bool shift;           /* the last key was typed with Shift, as far as the terminal reports it */
     bool drag;            /* the mouse's left button was down in its last report */
-    uint16_t column, row; /* position in that report, from 1 */
+    uint16_t column, row; /* position in the mouse's last report, from 1 */
     bool in_paste;
 };
 
@@ -34,7 +34,7 @@ uint16_t decode_byte(struct decoder *decoder, uint8_t byte);
 /* True if a sequence has begun that may still turn out to be a lone Escape. */
 bool decode_pending(const struct decoder *decoder);
 
-/* Ends a sequence after a pause without bytes; returns the key that it then stands for, or 0. */
+/* Ends a sequence after a pause without bytes; returns the key that the sequence then means, or 0. */
 uint16_t decode_silence(struct decoder *decoder);
 
 #endif

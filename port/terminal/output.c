@@ -11,9 +11,9 @@
 
 #define LAST_WRITE_MS 150 /* time that output_leave waits for a terminal that accepts nothing */
 
-/* The alternate screen, no cursor, no automatic wrap; and back, even from the middle of a sequence or of a picture's
- * string: CAN ends it on some terminals and ST on the others, and for kitty the picture's data end, too, without an
- * answer. A terminal without an alternate screen is cleared. */
+/* Texts that enter the alternate screen, without cursor and automatic wrap, and leave it, even from the middle of a
+ * sequence or of a picture's string: CAN ends those on some terminals and ST on the others; for kitty, the picture's
+ * data end, too, without an answer. A terminal without an alternate screen is cleared. */
 #define CUT "\030\033\\"
 #define LEAVE "\033[?2026l\033[0m\033[2J\033[H\033[?7h\033[?25h\033[?1049l"
 static const char enter_text[] = "\033[?1049h\033[?25l\033[?7l", leave_text[] = CUT LEAVE,
@@ -34,7 +34,7 @@ static void forget(struct output *output)
     output->sent = output->text.count = 0;
 }
 
-/* Takes the window. The counts are read before the check, so that a stop between the two is noticed later. */
+/* Takes the window. The counts are read before the check, so that a stop in between is noticed later. */
 bool output_take(struct output *output)
 {
     struct terminal_stops now = terminal_stops_now();
@@ -52,7 +52,7 @@ bool output_take(struct output *output)
 void output_enter(struct output *output)
 {
     terminal_signals_begin();
-    output->since.put_back = guardian_put_back() - 1; /* lost, since the process is in the background */
+    output->since.put_back = guardian_put_back() - 1; /* lost, if in the background */
     (void)output_take(output);
     output->entered = true;
 }
@@ -85,8 +85,8 @@ int output_send(struct output *output, int timeout_ms)
     return send_unless(terminal_is_lost, output, timeout_ms);
 }
 
-/* Sends the last text, without the rest of a frame and without what the kernel has buffered of it: a slow terminal
- * would take long to show it. */
+/* Sends the last text. The rest of a frame, including the part that the kernel has buffered, is dropped: a slow
+ * terminal would take long to show it. */
 static void send_last(struct output *output)
 {
     uint64_t end = clock_now_us() + LAST_WRITE_MS * 1000;
@@ -107,7 +107,7 @@ void output_leave(struct output *output)
     else
         send_last(output);
     terminal_signals_end();
-    /* otherwise the guardian sends it when the terminal accepts it */
+    /* otherwise the guardian sends the text when the terminal accepts it */
     if (!output_is_left(output))
         guardian_forget_text(output->fd, leaving(output));
     output->entered = false;

@@ -1,6 +1,6 @@
 #include "picture_place.h"
 
-#define CELL 256 /* Parts of a cell: a picture need not end at a cell's border. */
+#define CELL 256 /* Parts into which a cell is divided: a picture need not end at a cell's border. */
 
 /* Position of the picture; a process has one controlling terminal. */
 static struct {

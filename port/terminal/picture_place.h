@@ -5,15 +5,17 @@
 
 #include "pictures.h"
 
-/* Set the position: a picture of width x height pixels in the window's upper left corner; or this grid; or no picture,
- * so that the window counts instead. */
+/* Sets the position of a picture of width x height pixels in the window's upper left corner. */
 void place_of_picture(const struct cell *cell, unsigned width, unsigned height);
+/* Sets the position of a picture of width x height pixels in a grid. */
 void place_of_grid(const struct grid *grid, unsigned width, unsigned height);
+/* Sets the whole window in place of a picture. */
 void place_forget(void);
 
-/* Return the position of a cell's middle, 2^-16 of the picture, 0..65535: at its edge if it is beyond. Columns and rows
- * count from 1; `columns` and `rows` are those of the window. */
+/* Returns the horizontal position of a cell's middle in the picture, in 2^-16 of its width, 0..65535; beside the
+ * picture, that of its nearer edge. `column` counts from 1; the window has `columns`. */
 int32_t place_across(unsigned column, unsigned columns);
+/* Returns the vertical position in the same way, in 2^-16 of the picture's height. */
 int32_t place_down(unsigned row, unsigned rows);
 
 #endif

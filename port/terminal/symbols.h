@@ -19,9 +19,9 @@ struct symbols {
     bool known;
 };
 
-/* Adds the text that shows a strip of width x height pixels, whole characters, in 24-bit colours (`direct`) or the
- * nearest of the 256; only of characters that changed, none if there are none. A frame's strips come from the top down.
- * When text->failed is set, the contents are unknown. */
+/* Adds the text that shows a strip of a picture of width x height pixels, in whole characters, with 24-bit colours
+ * (`direct`) or the nearest of the 256. Characters that did not change are left out. A frame's strips come from the top
+ * down. When text->failed is set, the contents are unknown. */
 void symbols_draw(struct symbols *symbols, const tia_rgb565 *pixels, unsigned width, unsigned height,
                   struct strip strip, bool direct, struct text *text);
 void symbols_forget(struct symbols *symbols); /* Marks the contents as unknown: the window may show anything. */

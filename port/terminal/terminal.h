@@ -4,8 +4,7 @@
 
 #include "device.h"
 
-/* The terminal of standard output. wish.device may name another one, or one of the ways of
- * ways.h. */
+/* The terminal of standard output. wish.device may name another one, or a way to show pictures: see ways.h. */
 extern const struct tia_display port_terminal_display;
 void *port_terminal_create(const struct port_wish *wish);
 void port_terminal_destroy(void *ctx);

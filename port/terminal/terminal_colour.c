@@ -64,8 +64,8 @@ static bool ends_with(const char *text, const char *end)
     return n >= m && strcmp(text + n - m, end) == 0;
 }
 
-/* True if COLORTERM reports 24-bit colours, as it does on most terminals, or if the name does: ssh and sudo drop
- * COLORTERM. */
+/* True if COLORTERM reports 24-bit colours, as it does on most terminals, or if the terminal's name does: ssh and sudo
+ * drop COLORTERM. */
 bool colour_is_direct(const char *term, const char *colorterm)
 {
     static const char *const known[] = {"alacritty", "foot", "wezterm", "xterm-ghostty", "xterm-kitty"};

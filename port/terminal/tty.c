@@ -34,7 +34,7 @@
 /* Bracketed paste: pasted text can be distinguished from typed keys. */
 static const char paste_on[] = "\033[?2004h", paste_off[] = "\033[?2004l";
 
-/* Paste and the mouse: all of its movements, in numbers of any size. */
+/* Bracketed paste, and reports of all movements of the mouse, with coordinates of any size. */
 static const char mouse_on[] = "\033[?2004h\033[?1003h\033[?1006h", mouse_off[] = "\033[?1006l\033[?1003l\033[?2004l";
 
 struct tty {
@@ -42,7 +42,7 @@ struct tty {
     char *why;
     const char *on, *off; /* text that is sent first and last */
     int fd;               /* -1: closed */
-    bool controlling;     /* it is the controlling terminal, which the display may have queried */
+    bool controlling;     /* `fd` is the controlling terminal, which the display may have queried */
     bool raw;             /* `before` holds the modes that close restores */
     struct termios before, now;
     struct terminal_stops since; /* counts of stops when `now` was last set */
@@ -102,8 +102,8 @@ static int make_raw(struct tty *tty)
     return TIA_OK;
 }
 
-/* Sends a text; false when the terminal accepts nothing now. Other failures do not matter: it is read only, or has hung
- * up. */
+/* Sends a text; false when the terminal accepts nothing now. Other failures do not matter: the terminal is read-only,
+ * or has hung up. */
 static bool send(const struct tty *tty, const char *text)
 {
     ssize_t n = terminal_write(tty->fd, text, strlen(text));
@@ -111,10 +111,10 @@ static bool send(const struct tty *tty, const char *text)
     return n == (ssize_t)strlen(text) || (n < 0 && errno != EAGAIN);
 }
 
-/* Restores the modes. After a stop that has restored all this the terminal is the shell's. */
+/* Restores the modes, unless a stop has: the terminal is then the shell's. */
 static void make_cooked(const struct tty *tty)
 {
-    /* If it cannot be sent now, the guardian sends it later. */
+    /* If the text cannot be sent now, the guardian sends it later. */
     if (terminal_is_put_back(&tty->since) || send(tty, tty->off))
         guardian_forget_text(tty->fd, tty->off);
     if (!terminal_is_put_back(&tty->since)) {
@@ -256,8 +256,9 @@ static int smaller(int limit_ms, int timeout_ms)
     return timeout_ms < 0 || limit_ms < timeout_ms ? limit_ms : timeout_ms;
 }
 
-/* Limits the wait: while a sequence is unfinished, until it counts as a lone Escape. A lost terminal is taken again
- * soon: the SIGCONT that would end the wait may have been counted already. */
+/* Returns the time to wait, timeout_ms at most. A sequence that stays unfinished becomes a lone Escape after
+ * SILENCE_US. A lost terminal is taken again soon: the SIGCONT that would end the wait may have been counted
+ * already. */
 static int limit_ms(const struct tty *tty, int timeout_ms)
 {
     if (terminal_is_lost(&tty->since))

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-/* Bytes that are kept; a process has one controlling terminal. */
+/* Bytes stored until the keyboard is read; a process has one controlling terminal. */
 static uint8_t kept[TYPED_MOST];
 static size_t kept_count;
 

@@ -6,12 +6,12 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define TYPED_MOST 256 /* number of bytes: answers of about 40, and the keys typed within ANSWERS_MS */
+#define TYPED_MOST 256 /* capacity in bytes: answers of about 40, and the keys typed within ANSWERS_MS */
 
 /* Empties the buffer. */
 void typed_forget(void);
-/* Stores bytes, answers included: the decoder recognises that they are not keys, and one that is cut off by the end of
- * the wait is completed when the keyboard is read. Bytes beyond TYPED_MOST are lost. */
+/* Stores bytes, answers included: the decoder recognises that an answer is no key, and completes one that the end of
+ * the wait has cut off when the keyboard is read. Bytes beyond TYPED_MOST are lost. */
 void typed_keep(const uint8_t *bytes, size_t count);
 
 bool typed_any(void);

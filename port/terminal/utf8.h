@@ -4,8 +4,8 @@
 
 #include <stdbool.h>
 
-/* True if the locale has UTF-8 or, where it is not installed, its name contains UTF-8: ssh passes on the locale of the
- * terminal's machine. */
+/* True if the locale's character set is UTF-8 or, where the locale is not installed, its name contains UTF-8: ssh
+ * passes on the locale of the terminal's machine. */
 bool locale_is_utf8(void);
 
 #endif

@@ -107,7 +107,7 @@ bool terminal_has_other_signal(void)
 }
 
 /* Writes, and jumps out of the write at a stop: without the jump, the kernel would repeat a write that the stop has
- * prevented. The count of a write that has begun is lost. */
+ * prevented. If the write had already sent bytes, their number is lost. */
 ssize_t terminal_write(int fd, const void *bytes, size_t count)
 {
     sigset_t before;

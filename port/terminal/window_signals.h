@@ -5,25 +5,26 @@
 #include <stdbool.h>
 #include <sys/types.h>
 
-/* Begins a time in which SIGWINCH and SIGCONT end a console_wait, and stay pending until then. Calls nest: the last
+/* Begins a period in which SIGWINCH and SIGCONT end a console_wait, and stay pending until then. Calls nest: the last
  * terminal_signals_end undoes the first terminal_signals_begin. */
 void terminal_signals_begin(void);
+/* Ends that period. */
 void terminal_signals_end(void);
 
-/* Counts of events of the process when a terminal was taken. */
+/* Counts at the time when a terminal was taken. */
 struct terminal_stops {
-    int resumes;       /* number of SIGCONT */
+    int resumes;       /* number of SIGCONT signals */
     unsigned put_back; /* result of guardian_put_back */
 };
 
 /* Returns the present counts; they include a pending SIGCONT, which then no longer ends a console_wait. */
 struct terminal_stops terminal_stops_now(void);
 
-/* True if the guardian has put the terminal back since: it is the shell's, or was. */
+/* True if the guardian has restored the terminal since: the shell has or had it. */
 bool terminal_is_put_back(const struct terminal_stops *since);
 
-/* True if the process has continued after a stop as well: other programs may have written on the screen and changed the
- * terminal's modes. */
+/* True if the guardian has restored the terminal since, or the process has continued after a stop: other programs may
+ * have written on the screen and changed the terminal's modes. */
 bool terminal_is_lost(const struct terminal_stops *since);
 
 /* Leaves a SIGCONT pending: the next console_wait ends at once. */
@@ -32,8 +33,8 @@ void terminal_resume_again(void);
 /* True if a signal other than SIGWINCH and SIGCONT is pending. */
 bool terminal_has_other_signal(void);
 
-/* Calls write(2) on a terminal, between begin and end. Fails with EINTR when the process is stopped just before it
- * writes, and continues: the terminal may be the shell's by then. */
+/* Calls write(2) on a terminal, between terminal_signals_begin and terminal_signals_end. Fails with EINTR when the
+ * process is stopped just before the write, and continues: the shell may have the terminal by then. */
 ssize_t terminal_write(int fd, const void *bytes, size_t count);
 
 #endif

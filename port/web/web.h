@@ -1,9 +1,9 @@
 /* web.h - a page's canvas, keyboard and pointer, in a worker of its browser: display, input and clock on functions that
  * the worker's script provides (tools/web/page/worker.js).
  *
- * Two of them, web_look and web_rest, let the script go on and return later, where the browser can suspend WebAssembly
- * (JavaScript Promise Integration). Where it cannot, web_rest reports that when there is nothing to do, and the input's
- * wait returns TIA_STOPPED: the loop ends, and its caller runs it again when there are events.
+ * Two of them, host_look and host_rest, let the script go on and return later, where the browser can suspend
+ * WebAssembly (JavaScript Promise Integration). Where it cannot, host_rest reports that, and the input's wait returns
+ * TIA_STOPPED: the viewer's loop ends, and its caller runs it again when there are events.
  */
 #ifndef PORT_WEB_H
 #define PORT_WEB_H
@@ -18,7 +18,7 @@
 struct web_frame {
     uint32_t number, crc, block, done, samples, spp;
     uint32_t differs[3];  /* pixels of an error map that differ by one level, by more, or by another path */
-    uint32_t light_count; /* lights, including those that keys move */
+    uint32_t light_count; /* number of lights, including those that keys move */
     int32_t light, light_x,
         light_y; /* the light that keys move, -1: none that has a position; x and y in 2^-16 of the picture */
     uint32_t draw_us, key_us, relit;
@@ -35,12 +35,12 @@ struct web_line {
 struct web_screen {
     uint16_t width, height;
     tia_rgb565 *pixels;
-    bool stays; /* set by wait if the browser cannot suspend: see above */
+    bool stays; /* set by the input's wait if the browser cannot suspend WebAssembly */
 };
 
-extern const struct tia_display web_display; /* display; its context is a struct web_screen */
-extern const struct tia_input web_input;     /* input; its context is a struct web_screen */
-extern const struct tia_clock web_clock;     /* ignores its context */
+extern const struct tia_display web_display; /* the display; its context is a struct web_screen */
+extern const struct tia_input web_input;     /* the input; its context is a struct web_screen */
+extern const struct tia_clock web_clock;     /* the clock; ignores its context */
 
 /* Shows the screen's pixels, with their frame's data. */
 void web_show(const struct web_screen *screen, const struct web_frame *frame);
@@ -50,9 +50,10 @@ void web_draw_lines(const struct web_line *lines, unsigned count);
 /* True if an event is pending; the script goes on meanwhile. */
 bool web_look(void);
 
-/* Returns the length of a file that the script has; -1 when it has not, and then notes the name as wanted. */
+/* Returns the length in bytes of a file that the script has; -1 if it has not, after recording the name as missing.
+ * `length` is that of `name`. */
 int32_t web_file_size(const char *name, uint32_t length);
-/* Copies the file's bytes. */
+/* Copies the bytes of a file, as many as web_file_size returned. */
 void web_file_read(const char *name, uint32_t length, void *bytes);
 
 #endif

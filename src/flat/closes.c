@@ -3,8 +3,8 @@
 
 #include "edges.h"
 
-/* Returns the bytes of room. It holds an index for each point; behind those, first the room to weld points, and later
- * the faces, the edges across, and the room to join edges. */
+/* The room holds an index for each point; behind these, first the room to weld points, later the faces, the edges
+ * across, and the room to join edges. */
 size_t tia_shadow_mesh_room(const struct tia_mesh *mesh)
 {
     if (!mesh)

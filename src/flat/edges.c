@@ -64,7 +64,7 @@ static void list(struct edges *edges, uint32_t face)
 
     for (unsigned k = 0; k < sides; k++) {
         uint32_t a = f->corner[k], b = f->corner[k + 1 < sides ? k + 1 : 0], e = TIA_SIDES * face + k;
-        edges->across[e] = a == b ? e : TIA_NO_EDGE; /* an edge without length is its own neighbour */
+        edges->across[e] = a == b ? e : TIA_NO_EDGE; /* an edge without length is across from itself */
         edges->low[e] = a < b ? a : b;
         edges->high[e] = a < b ? b : a;
         if (a != b)
@@ -72,7 +72,8 @@ static void list(struct edges *edges, uint32_t face)
     }
 }
 
-/* Pairs the edges ids[from .. to - 1], which join the same ends: those that run up with those that run down. */
+/* Pairs the edges ids[from .. to - 1], which all join the same ends: edges towards the higher index with edges towards
+ * the lower. False: an edge remains. */
 static bool pair(const struct edges *edges, uint32_t from, uint32_t to)
 {
     uint32_t up = from, down = from;

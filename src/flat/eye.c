@@ -1,10 +1,10 @@
-/* eye.c - with the camera's axes u, v, n, see camera.h, and a point's P = u p + v q + n r relative to the eye
+/* eye.c - the camera's matrix. With the axes u, v, n, see camera.h, and a point u p + v q + n r relative to the eye
  *
  *     perspective    x = cot(fov/2) height/width p,  y = cot(fov/2) q,  w = -r
  *     frustum        x = (2 near p + (right + left) r)/(right - left),  y likewise,  w = -r
  *     orthographic   x = (2 p - (right + left))/(right - left),  y likewise,  h = r
  *
- * so that the image shows -w..w. Each is a sum of three products, which is rounded once.
+ * so that the image shows -w..w in x and y. Each coordinate is a sum of three products, rounded once.
  */
 #include "eye.h"
 
@@ -13,7 +13,7 @@
 #include "math/wide.h"
 #include "scene/axes.h"
 
-/* A ratio, m 2^-places. */
+/* A ratio: m 2^-places. */
 struct ratio {
     int64_t m; /* 2^58..2^62 */
     int places;
@@ -24,8 +24,7 @@ static int bits_of(int64_t a)
     return 64 - (int)tia_clz64((uint64_t)(a < 0 ? -a : a));
 }
 
-/* Returns a/b with a relative error below 2^-57. a and b are above 0; a has at most 60 bits more than b, and b 60 more
- * than a.
+/* Returns a/b with a relative error below 2^-57. a and b are above 0; their lengths differ by at most 60 bits.
  */
 static struct ratio ratio(int64_t a, int64_t b)
 {
@@ -92,7 +91,7 @@ void tia_eye_around(const int64_t a[3], const int64_t b[3], tia_q16 angle, int64
         direction[k] = wide_round(wide_sum(wide_product(a[k], cosine), wide_product(b[k], sine)), 62);
 }
 
-/* Gives the position in Q31.32, with the fine digits if there are any. */
+/* Gives a position in Q31.32, with its fine digits unless `fine` is NULL. */
 static void finely(struct tia_vec3 place, const struct tia_fine_place *fine, int64_t out[3])
 {
     const tia_q16 at[3] = {place.x, place.y, place.z};
@@ -191,8 +190,8 @@ void tia_eye_init(struct tia_eye *eye, const struct tia_scene *scene, unsigned w
 
 /* ---- vertices ---- */
 
-/* Returns the row's product with p, relative to the eye and with 32 fraction bits: places + 32 of them. The offset has
- * 15 to 48 fewer, see shifted. */
+/* Returns the row's value at p, which is relative to the eye and Q31.32: places + 32 fraction bits. The offset has 15
+ * to 48 fewer, see shifted. */
 static wide at_point(const struct tia_eye_row *row, const int64_t p[3])
 {
     wide sum = wide_dot(row->m, p);
@@ -241,7 +240,7 @@ void tia_eye_direction(const struct tia_eye *eye, const int64_t direction[3], in
 
     for (int i = 0; i < 3; i++) {
         int size = wide_bits(wide_size(wide_dot(eye->row[i].m, half)));
-        int room = eye->row[i].places + 61 - size + bits - 1; /* 2^room of the unit has bits - 1 bits */
+        int room = eye->row[i].places + 61 - size + bits - 1; /* 2^room times the coordinate has bits - 1 bits */
         places = size && room < places ? room : places;
     }
     for (int i = 0; i < 3; i++) {

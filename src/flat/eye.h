@@ -1,44 +1,45 @@
-/* eye.h - the camera in integers: points of the world become vertices for the rasteriser. */
+/* eye.h - the camera's matrix in integers, from points of the world to vertices for the rasteriser. */
 #ifndef TIA_FLAT_EYE_H
 #define TIA_FLAT_EYE_H
 
 #include <tia/raster.h>
 #include <tia/scene.h>
 
-/* A row of the matrix, m[i] 2^-places along each axis of the world. Points have offset 2^-offset_places more. */
+/* A row of the matrix: m[i] 2^-places for each axis i of the world, plus offset 2^-offset_places for points. */
 struct tia_eye_row {
     int64_t m[3], offset; /* below 2^62 in size */
     int places, offset_places;
 };
 
-/* In perspective the rows give x, y and w of raster.h, in orthographic views x, y and h. */
+/* The matrix. Its rows give x, y and w of raster.h, in orthographic views x, y and h. */
 struct tia_eye {
     enum tia_projection projection;
-    int64_t origin[3]; /* Q31.32 */
+    int64_t origin[3]; /* position of the eye, Q31.32 */
     struct tia_eye_row row[3];
 };
 
-/* Sets the eye for the camera of a scene that tia_scene_check accepts, with its fine digits; its samples are the
- * grid's. */
+/* Sets the eye for the camera of a scene that tia_scene_check accepts, with its fine digits; pixels' samples are left
+ * to the rasteriser's grid. */
 void tia_eye_init(struct tia_eye *eye, const struct tia_scene *scene, unsigned width, unsigned height);
 
 /* Returns the smallest r for which the coordinates of a point's vertex are below 2^r in size, at least 0. Points are
  * Q31.32 and less than 2^17 from the eye in each coordinate. */
 unsigned tia_eye_range(const struct tia_eye *eye, const int64_t point[3]);
 
-/* Gives the vertex of a point that is in range TIA_RANGE_MAX, each coordinate rounded once to `fraction` bits, 0..40.
+/* Gives the vertex of a point, whose tia_eye_range is at most TIA_RANGE_MAX; each coordinate is rounded once, to
+ * `fraction` fraction bits, 0..40.
  */
 void tia_eye_point(const struct tia_eye *eye, const int64_t point[3], int fraction, struct tia_raster_vertex *vertex);
 
-/* Gives the vertex at infinity in a direction, Q1.62 and of about the length 1. The vertex's length does not matter;
- * its largest coordinate is just below 2^bits, 8..40. */
+/* Gives the vertex at infinity in a direction, Q1.62, of about the length 1. The vertex has the same direction; its
+ * largest coordinate is just below 2^bits, bits in 8..40. */
 void tia_eye_direction(const struct tia_eye *eye, const int64_t direction[3], int bits,
                        struct tia_raster_vertex *vertex);
 
-/* Gives the axes A and B of light.h for a normal of length 1, all Q1.62. */
+/* Gives the axes A and B of light.h for a normal of length 1; all are Q1.62. */
 void tia_eye_across(const int64_t normal[3], int64_t across[2][3]);
 
-/* Gives the direction at an angle, in degrees, from a towards b, which are at right angles. */
+/* Gives the direction at an angle, in degrees, from a towards b. Directions are Q1.62; a and b are at right angles. */
 void tia_eye_around(const int64_t a[3], const int64_t b[3], tia_q16 angle, int64_t direction[3]);
 
 #endif

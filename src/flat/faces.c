@@ -33,8 +33,8 @@ static struct counts count(const struct tia_scene *scene)
     return all;
 }
 
-/* Returns the memory that is needed only while the faces are found: the first point at each position and the room to
- * find it, then the room for the edges. */
+/* Returns the bytes needed only while the edges across are found: the larger of the first points with tia_weld's room,
+ * and tia_edges_join's room. */
 static uint64_t room_size(struct counts n)
 {
     uint64_t weld = n.most * sizeof(uint32_t) + tia_weld_room((uint32_t)n.most),
@@ -75,7 +75,7 @@ static struct tia_raster_vertex opposite(struct tia_raster_vertex v)
     return (struct tia_raster_vertex){-v.x, -v.y, -v.w, -v.h};
 }
 
-/* Adds the four directions of two lines in a plane, at right angles to each other. */
+/* Adds four directions in a plane: two at right angles to each other, and their opposites. */
 static void add_directions(const struct tia_flat_scene *flat, const struct tia_dir3 *normal,
                            struct tia_raster_vertex *to)
 {
@@ -236,7 +236,7 @@ unsigned tia_flat_range(const struct tia_flat_scene *flat)
     return (unsigned)(flat->bits - flat->grid.fraction);
 }
 
-/* Places the points of all objects, and the boxes around them. */
+/* Sets the points of all objects, and the boxes around them. */
 static void place_points(struct tia_flat_scene *flat, const struct tia_scene *scene, struct cancel *cancel)
 {
     flat->point_count = 0;

@@ -1,8 +1,8 @@
 /* facets.c - the points and faces of a divided shape.
  *
- * A sphere's point 0 is its lowest one, 1 its highest; then come its rings, upwards. All other shapes have
- * the centres of their ends first, then the corners of each end that is more than a point. Of two corners the next one
- * of a ring lies to the right, seen from outside with the axis upwards. */
+ * A sphere's point 0 is the lowest, 1 the highest; then come the rings, upwards. All other shapes have the centres of
+ * their ends first, then the corners of each end that is not a point. The next corner of a ring lies to the right, seen
+ * from outside with the axis upwards. */
 #include "facets.h"
 
 #include "eye.h"
@@ -11,7 +11,7 @@
 
 /* ---- in the shape's own axes ---- */
 
-/* Returns a length with its fine digits, in Q31.32. */
+/* Returns a length with its fine digits, Q31.32. */
 static int64_t finely(tia_q16 a, int16_t digits)
 {
     return a * INT64_C(65536) + digits;
@@ -98,13 +98,14 @@ void tia_facet_shape_init(struct tia_facet_shape *f, const struct tia_scene *sce
 
 /* ---- points ---- */
 
-/* Returns n/around of a full turn, as an angle. */
+/* Returns n/around of a full turn, in degrees. */
 static tia_q16 turn(uint32_t n, uint32_t around)
 {
     return (tia_q16)(((uint64_t)n * (uint32_t)TIA_Q16(360) + around / 2) / around);
 }
 
-/* Gives a direction of the sphere: its poles are along y, and its corners go round from z towards x. */
+/* Gives the direction from a sphere's centre to point i: the poles are along y, and corners go round from z towards
+ * x. */
 static void sphere_direction(uint32_t i, uint32_t around, int64_t d[3])
 {
     uint32_t ring = (i - 2) / around + 1;
@@ -144,7 +145,7 @@ static struct tia_flat_face triangle(uint32_t a, uint32_t b, uint32_t c)
     return (struct tia_flat_face){{a, b, c, TIA_NO_CORNER}};
 }
 
-/* Returns half `half` of the quadrangle of corner k and the next one of two rings, the lower one first. */
+/* Returns the lower or, for `half`, the upper triangle of the quadrangle between corner k and the next of two rings. */
 static struct tia_flat_face between(uint32_t low, uint32_t high, uint32_t k, uint32_t around, bool half)
 {
     uint32_t next = (k + 1) % around;
@@ -152,7 +153,7 @@ static struct tia_flat_face between(uint32_t low, uint32_t high, uint32_t k, uin
     return half ? triangle(low + k, high + next, high + k) : triangle(low + k, low + next, high + next);
 }
 
-/* Returns the face from a point to two corners of a ring above it, or below it. */
+/* Returns the triangle of a point and corners k and k + 1 of a ring above it or below it. */
 static struct tia_flat_face fan(uint32_t point, uint32_t ring, uint32_t k, uint32_t around, bool above)
 {
     uint32_t next = (k + 1) % around;

@@ -7,15 +7,15 @@
 /* A light sample: a point, or a direction as a vertex at infinity. */
 typedef struct tia_raster_vertex tia_flat_light;
 
-/* Returns the number of samples of a light that have shadows: none if it is ambient. */
+/* Returns the number of a light's samples that have shadows: 0 for ambient light. */
 unsigned tia_flat_light_samples(const struct tia_light *light);
 
-/* Gives sample i of a light that shadow.h allows and that is in reach, see tia_reach_too_far; for a light so far away
- * that it counts as a direction there, its direction from the eye. */
+/* Gives sample i of a light that shadow.h allows and that is in reach, see tia_reach_too_far; for a light that counts
+ * as a direction, see tia_reach_is_direction, the direction from the eye to it. */
 void tia_flat_light_at(const struct tia_flat_scene *flat, const struct tia_light *light, unsigned i,
                        tia_flat_light *out);
 
-/* Gives the centre of any light, or its direction. */
+/* Gives the centre of a light, or the direction of one that counts as a direction. */
 void tia_flat_light_centre(const struct tia_flat_scene *flat, const struct tia_light *light, tia_flat_light *out);
 
 #endif

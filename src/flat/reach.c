@@ -1,15 +1,15 @@
 /* reach.c - the ranges of corners and lights.
  *
- * Take a width and height of at most 2^b pixels, half a pixel is then at least 2^-b of half the window. Let
- * corners have coordinates below R = 2^r, and a light one of 2^(d-1) or more, d the range of both.
+ * Let the width and height be at most 2^b pixels: half a pixel is then at least 2^-b of half the window. Let corners
+ * have coordinates below R = 2^r, and the light a coordinate of 2^(d-1) or more, d being the range of both.
  *
- * A light as a vertex of range d is rounded by 2^-(30 - d) at most, as all corners then are: orthographic vertices have
+ * A light as a vertex of range d is rounded by at most 2^-(30 - d), as all corners then are: orthographic vertices have
  * 29 - d fraction bits.
  *
- * A light as a direction from the eye: a point p casts its shadow at p + s (p - l), and s < 2R/(2^(d-1) - R) since the
- * way from the caster is below 2R along each axis. With the direction it is p - s l, which is s p away, less than 2^(2r
- * + 2 - d) where R is small beside 2^d. That is below half a pixel from d = 2r + 2 + b on, and no more than the
- * rounding from d = r + 16 on. */
+ * A light l as a direction from the eye: a point p casts its shadow at p + s (p - l), and s < 2R/(2^(d-1) - R) since
+ * the shadow is less than 2R from the point along each axis. With the direction the shadow is at p - s l: s p away,
+ * less than 2^(2r + 2 - d) if R is small beside 2^d. This is below half a pixel from d = 2r + 2 + b on, and no more
+ * than the rounding from d = r + 16 on. */
 #include "reach.h"
 
 #include <tia/debug.h>
@@ -19,7 +19,8 @@
 
 #define POINT_BITS(flat) ((flat) ? 29 : 40) /* bits of a coordinate, see raster.h */
 
-/* Range in which lights may move without a new range: vertices keep 20 fraction bits, orthographic ones 9 at least. */
+/* Range in which lights may move while the vertices stay valid: vertices have at least 20 fraction bits then,
+ * orthographic ones 9. */
 #define ROOM_RANGE 20
 #define NEAR_BITS 9
 
@@ -92,13 +93,14 @@ static bool is_flat(const struct tia_reach *reach)
     return reach->eye->projection == TIA_ORTHOGRAPHIC;
 }
 
-/* Returns the b of the derivation: the image has at most 2^b pixels a side. */
+/* Returns the b of the derivation: the image is at most 2^b pixels wide and high. */
 static unsigned image_bits(const struct tia_reach *reach)
 {
     return 32 - (unsigned)tia_clz32((larger(reach->width, reach->height) - 1) | 1);
 }
 
-/* Returns the range of a light: that of the corners around a rectangle or a disc, or of the same point eight times. */
+/* Returns the range of a light: the largest range of eight corners around a rectangle or disc; a point light's all
+ * coincide. */
 static unsigned range_of_light(const struct tia_eye *eye, const struct tia_light *light)
 {
     const int64_t centre[3] = {light->centre.x, light->centre.y, light->centre.z};
@@ -137,7 +139,7 @@ unsigned tia_reach_of_lights(const struct tia_reach *reach)
     return is_flat(reach) ? larger(reach->faces, smaller(most, 30 - image_bits(reach))) : most;
 }
 
-/* Finds a light's range; false: it is a direction, or ambient. */
+/* Gives a light's range; false: the light is ambient, or counts as a direction. */
 static bool find_range(const struct tia_reach *reach, const struct tia_light *light, unsigned *range)
 {
     if (!has_place(light))
@@ -185,7 +187,7 @@ static unsigned range_of_places(const struct tia_reach *reach, const struct tia_
     return most;
 }
 
-/* Returns the largest range that a light's point may have with vertices for `range`. */
+/* Returns the largest range of a light's point whose vertex fits the fraction bits for `range`. */
 static unsigned limit_of(const struct tia_reach *reach, unsigned range)
 {
     struct tia_raster_grid grid;
@@ -195,8 +197,8 @@ static unsigned limit_of(const struct tia_reach *reach, unsigned range)
     return status ? 0 : (unsigned)(POINT_BITS(is_flat(reach)) - grid.fraction);
 }
 
-/* Returns the range of the scene's lights and keys with room: each may move to four times its distance, if that is not
- * farther than 2^ROOM_RANGE, or 2^NEAR_BITS times the reach of orthographic faces. */
+/* Returns the range of the scene's lights, at all states of its keys, with room: each may move to four times its
+ * distance, up to 2^ROOM_RANGE, or in orthographic views 2^NEAR_BITS times the reach of the faces. */
 static unsigned with_room(const struct tia_reach *reach, const struct tia_scene *scene)
 {
     unsigned room = is_flat(reach) ? smaller(reach->faces + NEAR_BITS, ROOM_RANGE) : ROOM_RANGE;

@@ -111,7 +111,7 @@ void tia_flat_source_point(const struct tia_flat_source *s, uint32_t i, int64_t 
             s->divided ? tia_frame_place_finely(&s->frame, k, own) : tia_frame_place(&s->frame, k, point_of(s, i));
 }
 
-/* Returns a face. Rounded, four corners need not lie in one plane, so a box has triangles; those of a plane are exact
+/* Four rounded corners need not lie in one plane, so a box has triangles. The directions of a plane's faces are exact
  * opposites. */
 struct tia_flat_face tia_flat_source_face(const struct tia_flat_source *s, uint32_t i)
 {

@@ -5,8 +5,8 @@
 #include "facets.h"
 #include "scene/hull.h"
 
-/* The two faces of a plane are half planes. Their common edge is a line, which runs from a direction at infinity to the
- * opposite direction. */
+/* The two faces of a plane are half planes; their common edge is a line from a direction at infinity to the opposite
+ * one. */
 #define TIA_PLANE_FACES 2
 #define TIA_PLANE_POINTS 5
 
@@ -16,25 +16,25 @@ struct tia_flat_source {
     enum tia_shape_kind kind;
     uint32_t points, faces;
     uint32_t parts[2]; /* see tia_facet_parts */
-    bool divided;      /* it is curved */
+    bool divided;      /* the object is curved, and divided into flat faces */
     struct tia_facet_shape facets;
     struct frame frame;
 };
 
-/* True for an instance of a mesh without faces, as hidden shapes are (motion.h): neither flat nor curved. It takes no
- * memory, so that the memory for a scene with all its shapes suffices at all times. */
+/* True for an instance of a mesh without faces, as hidden shapes are (motion.h): neither flat nor curved. Empty objects
+ * need no memory, so the memory for a scene with all its shapes suffices at all times. */
 bool tia_flat_is_empty(const struct tia_scene *scene, uint32_t object);
 
-/* True if an object has flat faces here. Rays draw curved objects, unless the scene has them tessellated, and all
- * grids. */
+/* True if an object is drawn as flat faces. Rays draw all grids, and curved objects unless the scene has them
+ * tessellated. */
 bool tia_flat_takes(const struct tia_scene *scene, uint32_t object);
 
-/* Gives the number of points and faces of an object that has flat faces. */
+/* Gives the numbers of points and faces of an object for which tia_flat_takes is true. */
 void tia_flat_count(const struct tia_scene *scene, uint32_t object, uint64_t *points, uint64_t *faces);
 
 void tia_flat_source_init(struct tia_flat_source *source, const struct tia_scene *scene, uint32_t object);
 
-/* Returns the number of the object's points that have a position in the world: of a plane only point 0, the others are
+/* Returns the number of the object's points that have a position in the world. A plane has only point 0; its others are
  * directions. */
 static inline uint32_t tia_flat_places(const struct tia_flat_source *source)
 {

@@ -1,5 +1,5 @@
-/* world.c - the inverse of the camera's matrix, of rows r: the columns c0 = r1 x r2, c1 = r2 x r0, c2 = r0 x r1, each
- * over r0.c0.
+/* world.c - the inverse of the camera's matrix. With its rows r0, r1, r2, the inverse has the columns c0 = r1 x r2, c1
+ * = r2 x r0, c2 = r0 x r1, each over r0.c0.
  */
 #include "world.h"
 
@@ -7,20 +7,20 @@
 #include "raster/distance.h"
 #include "scene/axes.h"
 
-#define COLUMN_BITS 60 /* bits of the largest column */
+#define COLUMN_BITS 60 /* number of bits of the largest column */
 
 static int bits_of(int64_t a)
 {
     return 64 - (int)tia_clz64((uint64_t)(a < 0 ? -a : a) | 1);
 }
 
-/* Returns a/b 2^e, rounded; e -64..126. */
+/* Returns a/b 2^e, rounded; e in -64..126. */
 static int64_t quotient(int64_t a, int64_t b, int e)
 {
     return wide_quotient(e < 0 ? a >> (e < -62 ? 62 : -e) : a, b, e < 0 ? 0 : e);
 }
 
-/* Gives halves of the rows, so that their products fit. */
+/* Gives half of each row, so that products of rows fit. */
 static void rows_of(const struct tia_eye *eye, int64_t rows[3][3])
 {
     for (int k = 0; k < 3; k++)
@@ -50,11 +50,11 @@ static void invert(struct tia_world *world, const struct tia_eye *eye)
             world->m[i][k] = quotient(columns[k][i], det, exponents[k] + world->places);
 }
 
-/* Limit of a view's numbers. Three of them are added: the first pixel's, and the steps from there to the last column
- * and row. Only views of 2^16 units and more reach it, apart from the limits of coordinates. */
+/* Limit of a view's numbers, of which three are added: the first pixel's, and the steps from there to the last column
+ * and row. Only views of 2^16 units and more reach the limit. */
 #define VIEW_MOST (INT64_C(1) << 61)
 
-/* Returns m d/w in Q.45, for d of any integers below 2^31. */
+/* Returns row i of m d/w in Q.45; components of d are integers below 2^31. */
 static int64_t over(const struct tia_world *world, int i, const int64_t d[3], int32_t w)
 {
     wide sum = wide_dot(world->m[i], d);
@@ -96,7 +96,7 @@ void tia_world_place(const struct tia_world *world, const struct tia_raster_vert
                               (unsigned)(world->places + world->flat->grid.fraction - TIA_WORLD_BITS));
 }
 
-/* Gives the direction of q in the world, of any length; its largest component then has 60 bits. */
+/* Gives the direction of q in the world; its largest component has 60 bits. */
 static void turn(const struct tia_world *world, const int64_t q[3], int64_t direction[3])
 {
     int64_t long_one[3];

@@ -1,5 +1,5 @@
-/* world.h - converts the coordinates of faces in front of the camera back to the world's axes and units, without its
- * origin. */
+/* world.h - converts the coordinates of vertices back to the world's axes and units; positions stay relative to the
+ * eye. */
 #ifndef TIA_FLAT_WORLD_H
 #define TIA_FLAT_WORLD_H
 
@@ -8,7 +8,7 @@
 #define TIA_WORLD_BITS 28 /* fraction bits of a position */
 
 struct tia_world {
-    /* A vertex q, in the coordinates of tia_flat_affine, is at m q 2^-places. */
+    /* matrix: a vertex q, in the coordinates of tia_flat_affine, is at m q 2^-places */
     int64_t m[3][3];
     int places;
     const struct tia_flat_scene *flat;
@@ -19,7 +19,7 @@ struct tia_world {
 
 void tia_world_init(struct tia_world *world, const struct tia_flat_scene *flat);
 
-/* Gives the position of a vertex that is a point. */
+/* Gives the position of a vertex that is a point, with TIA_WORLD_BITS fraction bits. */
 void tia_world_place(const struct tia_world *world, const struct tia_raster_vertex *v, int64_t place[3]);
 
 /* Gives the direction of a vertex at infinity, Q1.62. */
@@ -28,7 +28,7 @@ void tia_world_direction(const struct tia_world *world, const struct tia_raster_
 void tia_world_from_to(const struct tia_world *world, const struct tia_raster_vertex *from,
                        const struct tia_raster_vertex *to, int64_t direction[3]);
 
-/* Gives the point that pixel (x, y) shows, at a distance from tia_raster_distance. */
+/* Gives the point that pixel (x, y) shows, TIA_WORLD_BITS fraction bits, at a distance from tia_raster_distance. */
 void tia_world_seen(const struct tia_world *world, int x, int y, int64_t distance, int64_t place[3]);
 
 #endif

@@ -1,4 +1,4 @@
-/* align.h - arrays that lie one after the other in the caller's memory: sizes and alignment. */
+/* align.h - sizes and alignment of consecutive arrays in the caller's memory. */
 #ifndef TIA_MATH_ALIGN_H
 #define TIA_MATH_ALIGN_H
 

@@ -1,8 +1,8 @@
 /* integer.h - integer kernels: shifts that round, reciprocal, square root and its inverse, wide products.
  *
- * They have few branches or none, no state, and the same results, bit for bit, on every machine. "ulp" is the last bit
- * of the result. They build on 32 x 32 to 64 bit products and count-leading-zeros, one instruction each on most
- * machines.
+ * The kernels have few branches or none, no state, and the same results, bit for bit, on every machine. They build on
+ * products of 32 x 32 bits in 64 bits and on counting leading zeros, one instruction each on most machines. "ulp" is
+ * the unit of the result's last bit.
  *
  * The error bounds stated here are proved (tests/proofs, make prove), tested with every 32-bit argument (make
  * check-exhaustive), and sampled by every make check.
@@ -18,7 +18,7 @@
 #endif
 #include TIA_MUL64
 
-/* Implementation-defined in C, but arithmetic with every known compiler. */
+/* Right shifts of negative numbers are implementation-defined in C, but arithmetic with every known compiler. */
 _Static_assert((-5 >> 1) == -3, "signed right shift must be arithmetic");
 
 /* Places tables in flash even where constants are copied to RAM, if the compiler has a keyword for it: avr-gcc, in GNU
@@ -29,7 +29,7 @@ _Static_assert((-5 >> 1) == -3, "signed right shift must be arithmetic");
 #define TIA_FLASH
 #endif
 
-/* Newton's first guesses: piecewise linear, see tools/generate/tables.py. */
+/* First approximations for Newton's method, piecewise linear, see tools/generate/tables.py. */
 extern const TIA_FLASH uint32_t tia_rsqrt_lines[384];
 extern const TIA_FLASH uint32_t tia_reciprocal_lines[128];
 
@@ -41,9 +41,9 @@ extern const TIA_FLASH int64_t tia_turns[60];
 /* sin(2 pi i/256), i = 0..64, Q1.62. */
 extern const TIA_FLASH int64_t tia_sines[65];
 
-/* Returns the leading zero bits of x, not 0, for machines without an instruction for it. Setting all bits below the
- * first one makes x = 2^n - 1; the multiplier (from Anderson's Bit Twiddling Hacks) gives each n different upper five
- * bits. */
+/* Returns the number of leading zero bits of x, not 0, on machines without an instruction for it. Setting all bits
+ * below the highest set bit makes x = 2^n - 1; the product with the constant (from Anderson's Bit Twiddling Hacks) has
+ * different upper five bits for each n. */
 static inline unsigned tia_clz32_table(uint32_t x)
 {
     x |= x >> 1;
@@ -54,7 +54,7 @@ static inline unsigned tia_clz32_table(uint32_t x)
     return tia_clz_places[x * UINT32_C(0x07c4acdd) >> 27];
 }
 
-/* Returns the leading zero bits of x, not 0. */
+/* Returns the number of leading zero bits of x, not 0. */
 static inline unsigned tia_clz32(uint32_t x)
 {
 #if defined(__GNUC__) && !defined(TIA_NO_CLZ) && __SIZEOF_INT__ == 4
@@ -64,7 +64,7 @@ static inline unsigned tia_clz32(uint32_t x)
 #endif
 }
 
-/* Returns the leading zero bits of x, not 0. */
+/* Returns the number of leading zero bits of x, not 0. */
 static inline unsigned tia_clz64(uint64_t x)
 {
 #if defined(__GNUC__) && UINTPTR_MAX > UINT32_MAX
@@ -87,9 +87,10 @@ static inline int64_t tia_round_shift(int64_t x, unsigned s)
     return (x + half) >> s;
 }
 
-/* Selects a version of tia_round_shift for s >= 1 on 32-bit machines, where a 64-bit addition needs a carry: it adds
- * the highest bit that is shifted out. */
+/* True on 32-bit machines, where a 64-bit addition needs a carry: tia_round_shift_words is then used for s >= 1. */
 #define TIA_SHIFTS_WORDS (UINTPTR_MAX == UINT32_MAX)
+
+/* Returns the result of tia_round_shift, s >= 1, by adding the highest bit that is shifted out. */
 static inline int64_t tia_round_shift_words(int64_t x, unsigned s)
 {
     uint32_t low = (uint32_t)x;
@@ -100,7 +101,7 @@ static inline int64_t tia_round_shift_words(int64_t x, unsigned s)
     return (int64_t)(floor + (low >> (s - 1) & 1));
 }
 
-/* Returns the lower 32 bits of tia_round_shift, for unsigned x. */
+/* Returns the lower 32 bits of tia_round_shift's result, for unsigned x. */
 static inline uint32_t tia_round_shift_low(uint64_t x, unsigned s)
 {
     uint32_t low = (uint32_t)x, high = (uint32_t)(x >> 32);
@@ -109,7 +110,7 @@ static inline uint32_t tia_round_shift_low(uint64_t x, unsigned s)
     return (low >> s) + (high << (32 - s)) + (low >> (s - 1) & 1);
 }
 
-/* Evaluates a table entry's line at f / 2^16: Q1.31 in [2^31, 2^32). */
+/* Returns the value of a table entry's line at f / 2^16: Q1.31 in [2^31, 2^32). */
 static inline uint32_t tia_seed(uint32_t line, uint32_t f)
 {
     uint32_t c0 = UINT32_C(0x80000000) | ((line >> 1) & ~UINT32_C(0x7ff));
@@ -209,11 +210,10 @@ static inline uint32_t tia_sqrt32(uint32_t x)
     return r;
 }
 
-/* Returns (x, y, z), in any unit, divided by its length: each component within 1.5 ulp; (0, 0, 0) for itself. Not
- * inlined, as no inner loop calls it. */
+/* Returns (x, y, z), in any unit, divided by its length, each component within 1.5 ulp; (0, 0, 0) for (0, 0, 0). */
 struct tia_dir3 tia_normalise(int32_t x, int32_t y, int32_t z);
 
-/* Compiler's 128-bit integers. TIA_NO_INT128: they are not used though they exist. */
+/* 1 if the compiler's 128-bit integers are used: if they exist and TIA_NO_INT128 is not defined. */
 #if defined(__SIZEOF_INT128__) && !defined(TIA_NO_INT128)
 #define TIA_INT128 1
 #else
@@ -246,8 +246,8 @@ static inline struct tia_wide tia_wide_product(uint64_t a, uint64_t b)
 #endif
 }
 
-/* Returns a b / 2^shift rounded to nearest, ties away from zero, so that negating a negates the result. The result must
- * fit; shift in 1..63. */
+/* Returns a b / 2^shift rounded to nearest, ties away from zero, so that negating a negates the result. shift in 1..63;
+ * the result must fit. */
 static inline int64_t tia_scaled_product(int64_t a, int64_t b, unsigned shift)
 {
     struct tia_wide p = tia_wide_product((uint64_t)(a < 0 ? -a : a), (uint64_t)(b < 0 ? -b : b));

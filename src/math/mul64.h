@@ -1,12 +1,12 @@
-/* mul64.h - products of 32 x 32 bits in 64 bits. A processor whose multiplier gives only 32 bits can have its own
- * version of this file: define TIA_MUL64 as its name. */
+/* mul64.h - products of 32 x 32 bits in 64 bits. For a processor whose multiplier gives only 32 bits, TIA_MUL64 can be
+ * defined as the name of another version of this file. */
 #ifndef TIA_MATH_MUL64_H
 #define TIA_MATH_MUL64_H
 
 #include <stdint.h>
 
-/* Hides a factor's origin from the compiler. Otherwise gcc for a 32-bit machine may widen a factor once, to share it
- * between products, and then multiply 64 x 64 bits each time. */
+/* Hides from the compiler that a factor was widened from 32 bits elsewhere. Otherwise gcc for a 32-bit machine may
+ * widen a factor once for several products, and then multiply 64 x 64 bits each time. */
 #if defined(__GNUC__) && UINTPTR_MAX == UINT32_MAX
 #define TIA_OPAQUE(x) __asm__("" : "+r"(x))
 #else

@@ -1,13 +1,13 @@
 /* power.c - d^f = 2^(-f y) with y = -log2 d.
  *
- * With d = m 2^-n, m in [1/2, 1), and a table's r near 1/m, m r = 1 + x has |x| < 1/113, and
+ * With d = m 2^-n, m in [1/2, 1), and r near 1/m from a table, m r = 1 + x with |x| < 1/113, and
  *
  *     y = n + log2 r - log2(1 + x).
  *
- * Eight terms of the series leave less than 2^-63. y has 56 fraction bits: with the table's rounding it is off by less
- * than 2^-56, so for f < 1 f y too, and d^f by 0.7 times that. 2^-v is a shift, a table's 2^(-i/64) and six terms of
- * the series for the rest, below 1/64: the omitted terms are below 2^-57. A dozen roundings of 2^-62 are negligible
- * beside this. */
+ * After eight terms of the series less than 2^-63 is omitted. y has 56 fraction bits: with the table's rounding its
+ * error is below 2^-56, so is that of f y for f < 1, and the relative error of d^f is 0.7 times as large. 2^-v is
+ * computed by a shift, a table's 2^(-i/64), and six terms of the series for the rest, below 1/64: the omitted terms are
+ * below 2^-57. A dozen roundings of 2^-62 are negligible beside this. */
 #include "power.h"
 
 #include "wide.h"
@@ -39,7 +39,7 @@ int64_t tia_log2(int64_t d)
     int64_t x = wide_round(wide_product(m, tia_log_inverses[i]), 9) - ONE;
     int64_t y = ((int64_t)n << 56) + tia_logs[i] - tia_round_shift(series(tia_log_series, 8, x), 6);
 
-    return y < 0 ? 0 : y; /* rounding may bring y below 0 for d next to 1 */
+    return y < 0 ? 0 : y; /* rounding may make y negative for d near 1 */
 }
 
 int64_t tia_exp2(int64_t whole, int64_t v)

@@ -38,7 +38,7 @@ void tia_rotation_axes(struct tia_vec3 rotation, int64_t axes[3][3])
     tia_sincos(rotation.x, &sx, &cx);
     tia_sincos(rotation.y, &sy, &cy);
     tia_sincos(rotation.z, &sz, &cz);
-    /* The axes after the rotations about x and y; the loop rotates them about z. */
+    /* axes after the rotations about x and y, before that about z */
     const int64_t tilted[3][3] = {
         {cy, 0, -sy}, {product(sy, sx), cx, product(cy, sx)}, {product(sy, cx), -sx, product(cy, cx)}};
     for (int i = 0; i < 3; i++) {
@@ -48,15 +48,14 @@ void tia_rotation_axes(struct tia_vec3 rotation, int64_t axes[3][3])
     }
 }
 
-/* Returns the angle in degrees: 360 times the turns, which have 62 bits after the point; the result is the nearest with
- * 16. */
+/* Returns the angle of (x, y) in degrees, rounded to nearest: 360 times the turns, which are Q1.62. */
 static tia_q16 degrees(int64_t y, int64_t x)
 {
     return (tia_q16)wide_round(wide_product(tia_atan2(y, x), 360), 46);
 }
 
-/* Gives the angles. axes[0] is at (cz cy, sz cy, -sy), and axes[1] and [2] have cy sx and cy cx along z. Where cy is
- * only a rounding error, x and z turn alike: with z = 0 axes[1] is at (sy sx, cx, 0). */
+/* axes[0] is (cz cy, sz cy, -sy), and the z components of axes[1] and axes[2] are cy sx and cy cx. If cy is only a
+ * rounding error, rotations about x and z have the same effect: with the angle 0 about z, axes[1] is (sy sx, cx, 0). */
 void tia_rotation_angles(const int64_t axes[3][3], struct tia_vec3 *rotation)
 {
     int64_t horizontal =
@@ -66,7 +65,7 @@ void tia_rotation_angles(const int64_t axes[3][3], struct tia_vec3 *rotation)
     rotation->y = degrees(up, horizontal);
     rotation->z = 0;
     rotation->x = degrees(up < 0 ? -axes[1][0] : axes[1][0], axes[1][1]);
-    if (horizontal < INT64_C(1) << 38) /* 2^-24, an eighth of the angles' unit */
+    if (horizontal < INT64_C(1) << 38) /* 2^-24 radians, less than a unit of angles */
         return;
     rotation->z = degrees(axes[0][1], axes[0][0]);
     rotation->x = degrees(axes[1][2], axes[2][2]);

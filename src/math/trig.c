@@ -13,8 +13,8 @@ static uint64_t product(uint64_t a, uint64_t b)
     return p.high << 1 | p.low >> 63;
 }
 
-/* Returns the Taylor series 1 - z2 / (n (n-1)) (1 - z2 / ((n-2) (n-3)) (...)): cos z for an even `last`, sin z / z for
- * an odd one. For z <= pi/4 the omitted terms (beyond the 20th) are below 2^-70. */
+/* Returns the Taylor series 1 - z2 / (n (n-1)) (1 - z2 / ((n+2) (n+1)) (...)) up to n = last: cos z for an even `last`,
+ * sin z / z for an odd one. For z <= pi/4 the omitted terms, from z^22 on, are below 2^-70. */
 static uint64_t series(uint64_t z2, unsigned last)
 {
     uint64_t sum = ONE;
@@ -38,7 +38,7 @@ static uint64_t quotient(uint64_t a, uint64_t b)
 
 void tia_octant(uint32_t half_degrees, uint64_t *sine, uint64_t *cosine)
 {
-    /* to radians: times pi / (360 * 2^16), with 86 fractional bits; then down to 63 */
+    /* radians: times pi / (360 * 2^16), with 86 fraction bits, then rounded down to 63 */
     struct tia_wide z86 = tia_wide_product(half_degrees, UINT64_C(0x8efa351294e9c8ae));
     uint64_t z = z86.high << 41 | z86.low >> 23;
     uint64_t z2 = product(z, z);

@@ -1,8 +1,8 @@
 /* wide.h - 128-bit sums of products of 64-bit integers, and their roots and quotients.
  *
  * Every curved mirror on a path multiplies the error of the ray. Therefore the ray renderer's coordinates have 64 bits,
- * and a sum of products is rounded once. Compilers without 128-bit integers use two halves; the results are the same to
- * the bit.
+ * and a sum of products is rounded once. Without 128-bit integers in the compiler, numbers are two halves, with the
+ * same results to the bit.
  */
 #ifndef TIA_MATH_WIDE_H
 #define TIA_MATH_WIDE_H
@@ -32,7 +32,7 @@ static inline bool wide_is_negative(wide a)
     return a < 0;
 }
 
-/* Returns the upper half. */
+/* Returns the upper half of a. */
 static inline int64_t wide_high(wide a)
 {
     return (int64_t)(a >> 64);
@@ -56,7 +56,7 @@ static inline int64_t wide_down(wide a, unsigned s)
     return (int64_t)(a >> s);
 }
 
-/* high 2^64 + low */
+/* Returns high 2^64 + low. */
 static inline wide wide_of_halves(int64_t high, uint64_t low)
 {
     __extension__ typedef unsigned __int128 bits;
@@ -80,7 +80,7 @@ static inline int64_t wide_mixed(int32_t a, uint32_t b)
     return (int64_t)(tia_mul_u32((uint32_t)a, b) - (a < 0 ? (uint64_t)b << 32 : 0));
 }
 
-/* Returns a b. The upper words are signed, the lower ones are not: no sum below leaves 64 bits. */
+/* Returns a b. Upper words are signed, lower words unsigned: all sums of their products fit 64 bits. */
 static inline wide wide_product(int64_t a, int64_t b)
 {
     uint32_t a0 = (uint32_t)a, b0 = (uint32_t)b;
@@ -140,7 +140,8 @@ static inline wide wide_of_halves(int64_t high, uint64_t low)
     return (wide){high, low};
 }
 
-/* Returns a b modulo 2^128, where the halves may be taken as unsigned: b < 0 counts 2^64 too much. */
+/* Returns a b modulo 2^128, computed with unsigned halves: as such a negative b is 2^64 too large, which is
+ * subtracted. */
 static inline wide wide_times(wide a, int64_t b)
 {
     struct tia_wide p = tia_wide_product(a.low, (uint64_t)b);
@@ -150,8 +151,8 @@ static inline wide wide_times(wide a, int64_t b)
 }
 #endif
 
-/* Returns a / 2^s rounded to nearest, ties up; s in 1..126, the result below 2^63. The highest bit shifted out is added
- * to round up. */
+/* Returns a / 2^s rounded to nearest, ties up; s in 1..126, the result below 2^63. The highest bit that is shifted out
+ * is added. */
 static inline int64_t wide_round(wide a, unsigned s)
 {
     uint64_t half = s > 64 ? (uint64_t)wide_high(a) >> (s - 65) : wide_low(a) >> (s - 1);
@@ -159,13 +160,13 @@ static inline int64_t wide_round(wide a, unsigned s)
     return wide_down(a, s) + (int64_t)(half & 1);
 }
 
-/* |a| */
+/* Returns |a|. */
 static inline wide wide_size(wide a)
 {
     return wide_is_negative(a) ? wide_difference(wide_product(0, 0), a) : a;
 }
 
-/* Returns the sign: -1, 0 or 1. */
+/* Returns the sign of a: -1, 0 or 1. */
 static inline int wide_sign(wide a)
 {
     return wide_is_negative(a) ? -1 : (wide_high(a) | (int64_t)wide_low(a)) != 0;
@@ -213,7 +214,7 @@ static inline int wide_order_of_products(wide a, wide b, wide c, wide d)
     return 0;
 }
 
-/* Returns the sum of three products. |a|, |b| below 2^62. */
+/* Returns the dot product; components are below 2^62 in size. */
 static inline wide wide_dot(const int64_t a[3], const int64_t b[3])
 {
     return wide_sum(wide_sum(wide_product(a[0], b[0]), wide_product(a[1], b[1])), wide_product(a[2], b[2]));
@@ -227,19 +228,19 @@ static inline int wide_bits(wide a)
     return high ? 128 - (int)tia_clz64(high) : low ? 64 - (int)tia_clz64(low) : 0;
 }
 
-/* Returns the even shift that brings 0 < a < 2^126 to 125 or 126 bits; even, so that its root shifts by half of it. */
+/* Returns the even shift that brings 0 < a < 2^126 to 125 or 126 bits; the square root is shifted by half as much. */
 static inline unsigned wide_zeros(wide a)
 {
     return (unsigned)(126 - wide_bits(a)) & ~1u;
 }
 
-/* Returns one Newton step for the square root of n: r + (n - r^2)/(2r), where y is 2^31/sqrt(n / 2^126). */
+/* Returns r after a Newton step for the square root of n: r + (n - r^2)/(2r), where y is 2^31/sqrt(n / 2^126). */
 static inline int64_t wide_sqrt_step(wide n, int64_t r, uint32_t y)
 {
     return r + wide_down(wide_product(wide_down(wide_difference(n, wide_product(r, r)), 35), y), 60);
 }
 
-/* Returns the square root of 0 <= a < 2^126, rounded down, exact. Two Newton steps go from 29 correct bits to 57 to 63,
+/* Returns the square root of 0 <= a < 2^126, rounded down, exact. Two Newton steps raise 29 correct bits to 57 and 63;
  * then the remainder corrects the last unit. */
 static inline int64_t wide_sqrt(wide a)
 {
@@ -301,8 +302,8 @@ static inline struct wide_divisor wide_divisor(int64_t b)
     return (struct wide_divisor){divisor ? wide_reciprocal(divisor << z) : 0, (int)z, b < 0};
 }
 
-/* Returns a/b 2^e, with a relative error below 2^-59 plus half a unit. Clamped to +-2^62, also when b is 0. |a| < 2^63,
- * e in 0..126. */
+/* Returns a/b 2^e, with a relative error below 2^-59 plus half a unit, clamped to +-2^62, also for b = 0. |a| < 2^63, e
+ * in 0..126. */
 static inline int64_t wide_quotient_by(int64_t a, struct wide_divisor b, int e)
 {
     bool negative = (a < 0) != b.negative;
@@ -321,8 +322,7 @@ static inline int64_t wide_quotient(int64_t a, int64_t b, int e)
     return wide_quotient_by(a, wide_divisor(b), e);
 }
 
-/* Sets d to v, in any unit, divided by the length of v: Q1.62, within 2^-58. False, and d = 0, when v is 0. |v| <
- * 2^62. */
+/* Sets d to v, in any unit, divided by its length: Q1.62, within 2^-58. False, and d = 0, if v is 0. |v| < 2^62. */
 static inline bool wide_normalise(const int64_t v[3], int64_t d[3])
 {
     wide n = wide_dot(v, v);

@@ -1,5 +1,5 @@
-/* num_chk.h - q16 with range checks: every intermediate value out of its range is reported, with the file and the line
- * of the call. Numbers and pixels are the same as q16's.
+/* num_chk.h - q16 with range checks: each intermediate value out of range is reported, with the file and line of the
+ * call. Numbers and pixels are the same as in q16.
  *
  * The program that links this build defines tia_chk_report. Sums and differences use C's operators; for them
  * the Makefile turns on the compiler's own overflow checks. */

@@ -1,18 +1,20 @@
 /* num_estimate.h - arithmetic of the sampling integrators, on top of num_ray.h.
  *
- *   num_ray_bias(scene's bias)   their rays' offset from a surface: 2^-26, or as much as the arithmetic needs
+ *   num_ray_bias(bias)           rays' offset from a surface: 2^-26, or the scene's `bias` if the arithmetic needs it
  *   num_q24(x)                   x in 0..2^14, rounded to nearest, ties up, in units of 2^-24
- *   num_chance(p)                a probability as a chance: a random 32-bit number is below the chance with that
- * probability. UINT32_MAX: sure num_of_chance(c)             the probability that a chance stands for
+ *   num_chance(p)                the chance of a probability: random 32-bit numbers are below the chance with this
+ *                                probability; UINT32_MAX is certainty
+ *   num_of_chance(c)             the probability of a chance
  *
- * Densities have no range: a struct num_density is a number from 0 up, block floating point in integers, with a
- * relative error below 2^-58 an operation.
+ * Densities are not limited to a range: a struct num_density is a number >= 0, in integers block floating point, with
+ * a relative error below 2^-58 per operation.
  *
- *   num_density_of(x)            of a length; num_density_of_unit(d) of a part
+ *   num_density_of(x)            a length as a density
+ *   num_density_of_unit(d)       a fraction as a density
  *   num_density_product, num_density_quotient, num_density_sum
- *   num_density_over(x, p)       x/p as a length, 0 where p is 0
- *   num_density_share(p, q)      p/(p + q), 0 where both are
- * */
+ *   num_density_over(x, p)       x/p as a length, 0 if p is 0
+ *   num_density_share(p, q)      p/(p + q), 0 if both are 0
+ */
 #ifndef TIA_NUM_NUM_ESTIMATE_H
 #define TIA_NUM_NUM_ESTIMATE_H
 
@@ -24,6 +26,7 @@
 #include "num_estimate_q16.h"
 #endif
 
+/* True if an event with this chance happens, for a random 32-bit number. */
 static inline bool num_happens(uint32_t chance, uint32_t number)
 {
     return number < chance || chance == UINT32_MAX;

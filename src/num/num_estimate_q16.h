@@ -23,7 +23,7 @@ static inline num_unit num_of_chance(uint32_t chance)
     return chance == UINT32_MAX ? NUM_UNIT_ONE : (num_unit)chance << 30;
 }
 
-/* A density, mantissa 2^exponent with the mantissa in 2^61..2^62; or 0. */
+/* A density: mantissa 2^exponent, the mantissa in 2^61..2^62 or 0. */
 struct num_density {
     int64_t mantissa;
     int exponent;
@@ -53,7 +53,7 @@ static inline struct num_density num_density_product(struct num_density a, struc
     return num_density_made(wide_round(wide_product(a.mantissa, b.mantissa), 61), a.exponent + b.exponent + 61);
 }
 
-/* Returns a/b; if b is 0, a number larger than any other. */
+/* Returns a/b; if b is 0, a density above all others. */
 static inline struct num_density num_density_quotient(struct num_density a, struct num_density b)
 {
     if (!b.mantissa)

@@ -2,7 +2,7 @@
 #ifndef TIA_NUM_NUM_ESTIMATE_REAL_H
 #define TIA_NUM_NUM_ESTIMATE_REAL_H
 
-/* Returns the larger offset that a float needs: it has no digits for the scene's. */
+/* Returns the rays' offset from a surface: the scene's for a float, which has no digits for 2^-26. */
 static inline num_length num_ray_bias(num_length bias)
 {
     return sizeof(num_real) == sizeof(float) ? bias : NUM_LENGTH_ONE / 67108864;

@@ -4,7 +4,7 @@
 
 #include "math/power.h"
 
-/* Returns d^n by squaring. */
+/* Returns d^n by squaring; n >= 0 is an integer. */
 static inline num_unit num_whole_power(num_unit d, tia_q16 n)
 {
     num_unit power = NUM_UNIT_ONE, base = d;
@@ -31,10 +31,10 @@ static inline num_unit num_power(num_unit d, tia_q16 e)
     return power;
 }
 
-/* Returns num_power as a length, to the bit, mostly without its roots. With e >= 1 the roots change d^e by less than
- * 2^-56: each is rounded by 2^-62, which is 2^-62/sqrt(d) of it, and all are multiplied by d at least. tia_power_near
- * is within 2^-55. If adding and subtracting 2^-54 round to the same length, that is the length of the version with
- * roots. */
+/* Returns num_power as a length, to the bit, mostly without its roots. For e >= 1 the error of d^e by the roots is
+ * below 2^-56: each root is rounded by 2^-62, a relative error of 2^-62/sqrt(d), and their product is multiplied by at
+ * most d. tia_power_near is within 2^-55. If its result plus 2^-54 and minus 2^-54 round to the same length, that
+ * length is num_power's. */
 static inline num_length num_power_length(num_unit d, tia_q16 e)
 {
     const num_unit off = (num_unit)1 << 8;

@@ -35,7 +35,7 @@ static inline num_wide num_pixel_coordinate(int32_t n, int exponent)
     return (num_wide)n * ((num_wide)1 << exponent);
 }
 
-/* Returns height * cotangent, where cotangent is Q8.56 and below 2^7, with the given exponent of at most 43. */
+/* Returns height * cotangent, with this exponent, 0..43; cotangent is Q8.56 and below 2^7. */
 static inline num_wide num_depth(uint32_t height, uint64_t cotangent, int exponent)
 {
     NUM_CHECK(exponent >= 0 && exponent <= 43);
@@ -47,7 +47,7 @@ static inline num_u num_colour(tia_q30 c)
     return (num_u)c;
 }
 
-/* Returns the product of two colours, each at most 2, rounded to nearest. */
+/* Returns the product of two colours, each at most 2, Q2.30, rounded to nearest. */
 static inline num_u num_colour_product(num_u a, num_u b)
 {
     NUM_CHECK(a <= (num_u)1 << 31 && b <= (num_u)1 << 31);
@@ -81,7 +81,7 @@ static inline num_wide num_shift(num_wide x, int s)
 {
     NUM_CHECK(s <= -63 || (s < 0 ? num_bits(x) <= 63 : num_bits(x) + s <= 63));
     if (s >= 0)
-        return s == 0 ? x : (num_wide)((uint64_t)x << s); /* equal exponents are common: skip the shift */
+        return s == 0 ? x : (num_wide)((uint64_t)x << s); /* equal exponents are common */
     return s < -63 ? 0 : tia_round_shift(x, (unsigned)-s);
 }
 
@@ -116,8 +116,8 @@ static inline num_u num_sqrt(num_uwide x)
     return tia_sqrt64(x);
 }
 
-/* Returns a/b * 2^(63 - s), rounded to nearest; b > 0, the result below 2^32. Relative error 2^-31, from the reciprocal
- * of b. */
+/* Returns a/b * 2^(63 - s), rounded to nearest; b > 0, and the result must be below 2^32. The reciprocal of b has a
+ * relative error of 2^-31. */
 static inline num_u num_quotient(num_u a, num_u b, int s)
 {
     NUM_CHECK(b > 0);
@@ -145,7 +145,7 @@ static inline struct num_normal num_normal(num_wide x)
     return n;
 }
 
-/* Returns 1/r for a radius with exponent 16: 2^63 / (r normalised to 32 bits). */
+/* Returns 1/r for a radius with exponent 16, as 2^63 / (r normalised to 32 bits). */
 static inline num_u num_inverse(num_wide r)
 {
     NUM_CHECK(r > 0 && r <= UINT32_MAX);
@@ -175,7 +175,7 @@ static inline bool num_product_above(num_wide a, num_wide b, num_wide c, num_wid
     return tia_cmp_products((uint64_t)-a, (uint64_t)b, (uint64_t)c, (uint64_t)-d) < 0;
 }
 
-/* Returns x * 2^s as a mantissa, which must fit. */
+/* Returns x * 2^s, x >= 0, as a mantissa; the result must fit. */
 static inline num_u num_scale(num_wide x, int s)
 {
     NUM_CHECK(x >= 0 && num_bits(num_shift(x, s)) <= 32);
@@ -183,7 +183,7 @@ static inline num_u num_scale(num_wide x, int s)
                                                  : (num_u)num_shift(x, s);
 }
 
-/* Returns x * 2^s as a mantissa, at most UINT32_MAX. */
+/* Returns x * 2^s, x >= 0, as a mantissa, at most UINT32_MAX. */
 static inline num_u num_scale_within(num_wide x, int s)
 {
     NUM_CHECK(x >= 0);
@@ -192,21 +192,21 @@ static inline num_u num_scale_within(num_wide x, int s)
     return s > -32 && (num_u)(x >> 32) >> -s ? UINT32_MAX : tia_round_shift_low((num_uwide)x, (unsigned)-s);
 }
 
-/* Returns the upper half of a product of mantissas, rounded to nearest. */
+/* Returns the upper half of the product a b, rounded to nearest. */
 static inline num_u num_mul_top(num_u a, num_u b)
 {
     return (num_u)((num_mul_u(a, b) + (num_uwide)NUM_HALF) >> 32);
 }
 
-/* Returns the mantissa's upper 32 bits. */
+/* Returns the upper 32 bits of the normalised number's mantissa. */
 static inline num_u num_normal_top(struct num_normal n)
 {
     return (num_u)(n.mantissa >> 32);
 }
 
-/* True if a^2 >= d k (1 + swell) for positive a, d and k, where d = near 2^(32 - 2 half) comes from a num_normal, swell
- * has the exponent 32, and `e` is twice a's exponent minus those of d and k. Not exact: the factors are cut to 32 and
- * 31 bits, so each side's relative error is below 2^-29. */
+/* True if a^2 >= d k (1 + swell) for positive a, d and k, with d = near 2^(32 - 2 half) from a num_normal; swell has
+ * the exponent 32, and `e` is twice a's exponent minus those of d and k. Not exact: factors are cut to 32 and 31 bits,
+ * so the relative error of each side is below 2^-29. */
 static inline bool num_covers(num_wide a, num_u near, int half, num_wide k, num_u swell, int e)
 {
     NUM_CHECK(a > 0 && k > 0 && half >= 0 && half <= 31);
@@ -231,16 +231,16 @@ static inline num_u num_lambert(num_u scaled, num_u inverse)
 }
 
 /* Biases: shadow rays start bias = 2^-13 above the surface, and the sphere kernels need bias/r. With R = 2^16 r and
- * inverse = num_inverse(r) = 2^(31 + num_bits(R)) / R, it is 2^(-28 - num_bits(R)) inverse. */
+ * inverse = num_inverse(R) = 2^(31 + num_bits(R)) / R, bias/r is 2^(-28 - num_bits(R)) inverse. */
 
-/* Returns bias/r with the exponent 32, for a radius of `bits` bits. */
+/* Returns bias/r with the exponent 32, from num_inverse of a radius of `bits` bits. */
 static inline num_u num_bias(num_u inverse, int bits)
 {
     NUM_CHECK(num_bits(num_shift(inverse, 4 - bits)) <= 32);
     return (num_u)num_shift(inverse, 4 - bits);
 }
 
-/* Returns facing * inverse * 2^-s, rounded to nearest: bias N.w from r N.w and num_inverse(r). */
+/* Returns facing * inverse * 2^-s, rounded to nearest: bias N.w from r N.w and the radius' num_inverse. */
 static inline num_wide num_bias_product(num_u facing, num_u inverse, int s)
 {
     NUM_CHECK(s >= 1);
@@ -262,14 +262,14 @@ static inline num_wide num_bias_of(num_wide x, num_u inverse, int bits, int e)
 #define NUM_LEAST 1            /* the smallest positive mantissa */
 #define NUM_BIAS ((num_wide)8) /* bias of shadow rays: 2^-13, exponent 16 */
 
-/* Returns floor(levels c + threshold): c and threshold are Q2.30; a threshold of 1/2 (2^29) rounds to nearest. */
+/* Returns floor(levels c + threshold), c and threshold in Q2.30; the threshold NUM_ROUND, 1/2, rounds to nearest. */
 static inline unsigned num_quantise(num_u c, unsigned levels, num_u threshold)
 {
     NUM_CHECK(c <= NUM_ONE && threshold < NUM_ONE);
     return (unsigned)(((num_uwide)c * levels + threshold) >> 30);
 }
 
-/* Returns (n + 1/2) / 64 as a threshold. */
+/* Returns (n + 1/2) / 64 as a threshold for num_quantise. */
 static inline num_u num_threshold(unsigned n)
 {
     return (num_u)(2 * n + 1) << 23;

@@ -16,14 +16,14 @@
  *   num_sum_within(x, y)         x + y clamped to 2^17; both in 0..2^17
  *   num_point_dot(a, d), num_dir_dot   dot products, rounded once
  *   num_normalise(v, d)          sets d to v/|v|; false, and d = 0, when v is 0
- *   num_half_chord(r, p)         sqrt(r^2 - |p|^2), -1 when that is imaginary
- *   num_within(r, p)             |p| <= r, exactly
+ *   num_half_chord(r, p)         sqrt(r^2 - |p|^2), -1 if |p| > r
+ *   num_within(r, p)             true if |p| <= r, exactly
  *   num_point_power(p, r, k)     (|p|^2 - r^2)/k, clamped to +-NUM_LENGTH_MAX; |p| and r below 2^18
- *   num_norm(p), num_unit_sqrt(d), num_root_up(d): the latter a coarse one, not below the root
+ *   num_norm(p), num_unit_sqrt(d), num_root_up(d)   |p|, sqrt(d), and a coarse root not below sqrt(d)
  *   num_div(x, d), num_ratio(x, y)   x/d, x/y as num_length, clamped to +-NUM_LENGTH_MAX
  *   num_fraction(x, y)           x/y as num_unit, between -1 and 1
  *   num_div_by(x, d), num_fraction_by(x, d)   the same for many x, with d = num_divisor_of(y)
- *   num_cross2(ax, ay, bx, by)   ax by - ay bx; its sign is exact or 0; num_area_sign, num_barycentric: see there
+ *   num_cross2(ax, ay, bx, by)   ax by - ay bx; its sign is exact or 0; see num_area_sign, num_barycentric
  *   num_power(d, e)              d^e, 0 <= d <= 1, e in Q16.16; num_power_length(d, e): as num_length, faster
  *   num_atan2(y, x)              atan2(y, x)/(2 pi), in -1/2..1/2, as num_unit
  *   num_repeat(x, bits, p, &cell)   y - floor(y), and floor(y) modulo 2^31 in cell, for y = n (2^bits x - o) by the
@@ -89,7 +89,7 @@ static inline num_unit num_scene_unit(int bits)
     return num_unit_of_q62((int64_t)(UINT64_C(1) << (62 - bits)));
 }
 
-/* t d */
+/* Returns t d. */
 static inline struct num_point num_point_along(struct num_dir d, num_length t)
 {
     return (struct num_point){num_times(t, d.x), num_times(t, d.y), num_times(t, d.z)};
@@ -143,8 +143,8 @@ static inline bool num_normalise(struct num_point v, struct num_dir *d)
     return num_normalise3(v.x, v.y, v.z, &d->x, &d->y, &d->z);
 }
 
-/* Normalises a direction whose length is not 1; it must not be 0. The direction is halved first, since num_normalise3
- * takes lengths, whose range is smaller. */
+/* Returns a direction of any length but 0, normalised. The direction is halved first, since num_normalise3's arguments
+ * are lengths, of a smaller range. */
 static inline struct num_dir num_dir_normalised(struct num_dir v)
 {
     struct num_dir d;
@@ -189,7 +189,7 @@ static inline num_length num_sum_within(num_length a, num_length b)
     return a < NUM_LENGTH_MAX - b ? a + b : NUM_LENGTH_MAX;
 }
 
-/* Divides a vector by components, see num_divide3. */
+/* Divides a vector component by component, see num_divide3. */
 static inline struct num_scale num_divide(struct num_dir v, const num_length s[3], struct num_dir *d)
 {
     const num_unit from[3] = {v.x, v.y, v.z};

@@ -1,4 +1,4 @@
-/* num_ray_chk.h - records file and line for the checks of num_ray_q16.h, see num_chk.h. */
+/* num_ray_chk.h - records file and line of calls for the checks of num_ray_q16.h, see num_chk.h. */
 #ifndef TIA_NUM_NUM_RAY_CHK_H
 #define TIA_NUM_NUM_RAY_CHK_H
 

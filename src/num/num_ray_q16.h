@@ -10,8 +10,8 @@ typedef int64_t num_unit;
 
 #define NUM_LENGTH_ONE ((num_length)1 << 45)
 #define NUM_LENGTH_BIAS ((num_length)1 << 32) /* 2^-13 */
-#define NUM_LENGTH_FAR ((num_length)1 << 61)  /* 2^16: no hits at larger coordinates */
-#define NUM_LENGTH_MAX ((num_length)1 << 62)  /* 2^17: infinity */
+#define NUM_LENGTH_FAR ((num_length)1 << 61)  /* 2^16: hits with larger coordinates do not count */
+#define NUM_LENGTH_MAX ((num_length)1 << 62)  /* 2^17, for infinity */
 #define NUM_LENGTH_LEAST ((num_length)1)      /* the smallest positive length */
 #define NUM_UNIT_ONE ((num_unit)1 << 62)
 #define NUM_UNIT_LEAST ((num_unit)1 << 20) /* 2^-42: a ray with a smaller slope counts as parallel */
@@ -83,8 +83,8 @@ static inline num_length num_product_within(num_length a, num_length b)
     return wide_bits(product) > 62 + 45 ? NUM_LENGTH_MAX : wide_round(product, 45);
 }
 
-/* Returns the fraction of n x - n o, both in units of 2^-(45 + down): n x is below 2^94, n o below 2^62 before it is
- * shifted, by at most 53 bits; down is -8 or more. */
+/* Returns the fraction of y = n x - n o, and gives its integer part in *cell. Both products are in units of 2^-(45 +
+ * down): n x is below 2^94, n o below 2^62 before a shift of at most 53 bits; down is -8 or more. */
 static inline num_length num_repeat(num_length x, int bits, const struct num_pattern *p, int32_t *cell)
 {
     int down = 16 + p->repeat_bits - bits;
@@ -139,7 +139,7 @@ static inline bool num_within4(num_length r, num_length x, num_length y, num_len
     return !wide_is_negative(wide_difference(wide_product(r, r), wide_dot(p, p)));
 }
 
-/* Returns the power of a point; the numerator is computed exactly, then cut to its upper 63 bits. */
+/* Returns num_point_power's result; the numerator is computed exactly, then cut to its upper 63 bits. */
 static inline num_length num_point_power5(num_length x, num_length y, num_length z, num_length r, num_length k)
 {
     const int64_t p[3] = {x, y, z};
@@ -167,7 +167,7 @@ static inline num_unit num_unit_sqrt(num_unit d)
     return wide_sqrt(wide_product(d, NUM_UNIT_ONE));
 }
 
-/* Returns a root not below sqrt(d), and above it by 2^-28 at most. */
+/* Returns a root in sqrt(d)..sqrt(d) + 2^-28; d >= 0. */
 static inline num_unit num_root_up(num_unit d)
 {
     NUM_CHECK(d >= 0);
@@ -226,8 +226,8 @@ static inline int64_t num_area_top(num_area a, int zeros)
     return zeros < 0 ? wide_down(a, (unsigned)-zeros) : (int64_t)wide_low(wide_up(a, (unsigned)zeros));
 }
 
-/* Divides each of three areas by their sum, which must not be 0. An area of the other sign counts as 0: to within
- * rounding, the point is then on the edge. */
+/* Divides each of three areas by their sum, which must not be 0. An area whose sign differs from the sum's counts as 0:
+ * to within rounding, the point is then on the edge. */
 static inline void num_barycentric(const num_area areas[3], num_unit parts[3])
 {
     wide sum = wide_sum(wide_sum(areas[0], areas[1]), areas[2]), none = wide_product(0, 0), a[3];
@@ -261,30 +261,31 @@ static inline num_length num_reciprocal(num_unit d)
     return d < 0 ? -reciprocal : reciprocal;
 }
 
-/* Returns x/d with 23 fractional bits, rounded down: a multiplication instead of a division. */
+/* Returns x/d with 23 fraction bits, rounded down, by multiplication with num_reciprocal(d). */
 static inline num_length num_slab(num_length x, num_length reciprocal)
 {
     return wide_high(wide_product(x, reciprocal));
 }
 
-#define NUM_SLAB_ERROR ((num_length)2) /* largest error of the difference of two distances */
+#define NUM_SLAB_ERROR ((num_length)2) /* largest error of the difference of two such distances */
 
-/* Returns a distance in num_slab's format. */
+/* Returns a length in num_slab's format. */
 static inline num_length num_slab_of(num_length t)
 {
     return t >> 22;
 }
 
-/* Returns a distance of num_slab's format as a num_length, reduced by its error: never beyond the true distance. */
+/* Returns a distance in num_slab's format as a num_length, reduced by its error, so never beyond the true distance; at
+ * least 0. */
 static inline num_length num_slab_start(num_length slab)
 {
     return slab <= NUM_SLAB_ERROR ? 0 : (slab - NUM_SLAB_ERROR) * ((num_length)1 << 22);
 }
 
 /* Coarse distances from a ray to planes across an axis, for the traversal of a hierarchy: t = (plane - origin)/d with
- * 38 fraction bits. 1/|d| is 2^8 at most and rounded towards 0, by less than 2^-22 of itself; so |t| is too small by
- * this factor, within one unit. The product is of 32 x 32 bits. An origin beyond 2^16 would need more bits: no plane
- * counts as hit then. */
+ * 38 fraction bits. 1/|d| is at most 2^8 and rounded towards 0, with a relative error below 2^-22; so is |t|, within
+ * one unit more. The product is of 32 x 32 bits. An origin beyond 2^16 would need more bits: from there no plane counts
+ * as hit. */
 typedef int64_t num_walk;
 
 struct num_slope {
@@ -314,27 +315,27 @@ static inline num_walk num_walk_to(const struct num_slope *s, tia_q16 plane)
     return tia_mul_s32(plane, s->inverse) - s->start;
 }
 
-/* Returns a limit of t in this format. */
+/* Returns a length as an upper limit for distances of this format. */
 static inline num_walk num_walk_limit(num_length t)
 {
     return (t >> 7) + 2;
 }
 
-/* Returns the greatest `near` for which near <= far may be true. */
+/* Returns the greatest computed `near` for which near <= far may be true of the exact distances. */
 static inline num_walk num_walk_slack(num_walk far)
 {
     return far + (far >> 21) + 4;
 }
 
-/* A factor, mantissa 2^exponent. */
+/* A factor: mantissa 2^exponent. */
 struct num_scale {
     num_unit mantissa;
     int exponent;
 };
 
 /* Divides a vector: returns the length of (x/s[0], y/s[1], z/s[2]) and sets d to its direction, within 2^-57. |x|, |y|,
- * |z| <= 1, at least one of them 1/2 or more, s in 2^-10..2^10. A first pass with 51 fractional bits finds the size of
- * the quotients, the second one keeps as many bits as fit. */
+ * |z| <= 1, at least one of them 1/2 or more, s in 2^-10..2^10. A first pass with 51 fraction bits finds the size of
+ * the quotients; the second one computes as many bits as fit. */
 static inline struct num_scale num_divide3(const num_unit v[3], const num_length s[3], num_unit d[3])
 {
     int64_t q[3], most = 0;
@@ -350,7 +351,7 @@ static inline struct num_scale num_divide3(const num_unit v[3], const num_length
     return (struct num_scale){wide_sqrt(wide_dot(q, q)), 11 - more};
 }
 
-/* Returns t multiplied or divided by the scale, at most NUM_LENGTH_MAX; t >= 0. */
+/* Returns t k, at most NUM_LENGTH_MAX; t >= 0. */
 static inline num_length num_scaled(num_length t, struct num_scale k)
 {
     wide p = wide_product(t, k.mantissa);

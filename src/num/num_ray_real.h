@@ -28,7 +28,8 @@ static inline num_length num_fine(int16_t digits)
     return (num_real)digits / (num_real)4294967296;
 }
 
-/* Returns the offset of rays from a surface; a float has no digits for anything finer than this, whatever the unit. */
+/* Returns the offset of rays from a surface; the same in all units for a float, which has no digits for a smaller
+ * one. */
 static inline num_length num_scene_bias(bool fine, int scale_bits)
 {
 #ifdef TIA_NUM_F32
@@ -61,7 +62,7 @@ static inline num_length num_integer(int32_t n)
     return (num_real)n;
 }
 
-/* Returns the integer part of x, which is below 2^31. */
+/* Returns x rounded down; x is below 2^31 in size. */
 static inline int32_t num_floor(num_length x)
 {
     int32_t n = (int32_t)x;
@@ -94,7 +95,7 @@ static inline num_length num_repeat(num_length x, int bits, const struct num_pat
     num_real offset = (num_real)p->offset * num_two_to(-16 - p->offset_bits);
     num_real y = (x * num_two_to(bits) - offset) * ((num_real)p->repeat * num_two_to(-16 - p->repeat_bits));
 
-    if (y >= 1073741824 || y <= -1073741824) /* the remainder has no more digits than y: it is exact */
+    if (y >= 1073741824 || y <= -1073741824) /* the remainder is exact: it has no more digits than y */
         y -= (num_real)num_floor(y / 2147483648) * 2147483648;
     int32_t floor = num_floor(y);
     *cell = floor & INT32_MAX;
@@ -251,7 +252,8 @@ static inline num_length num_slab(num_length x, num_length reciprocal)
     return x * reciprocal;
 }
 
-/* Double: 2^-22. Float: 2^-4, since at coordinates near 2^16 its values are 2^-8 apart. */
+/* Largest error of the difference of two distances: 2^-22 for double, 2^-4 for float, whose values near 2^16 are 2^-8
+ * apart. */
 #define NUM_SLAB_ERROR ((num_real)1 / (sizeof(num_real) == sizeof(float) ? 16 : 4194304))
 
 static inline num_length num_slab_of(num_length t)

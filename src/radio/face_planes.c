@@ -119,7 +119,7 @@ static void set_box(const struct tia_radio *radio, uint32_t number)
                                {(tia_q16)high[0], (tia_q16)high[1], (tia_q16)high[2]}};
 }
 
-/* Adds a face; its plane is already stored at the face's index. */
+/* Adds a face. Its plane must be stored already, at the same index. */
 static void add_face(struct filling *f, const struct radio_face *face)
 {
     struct tia_radio *radio = f->radio;
@@ -149,8 +149,8 @@ static int add_polygon(struct filling *f, uint32_t base, const uint32_t *corner,
     return TIA_OK;
 }
 
-/* Adds a box. The four corners of a side, rounded, need not lie in one plane: the first three define it. The thickness
- * of a box is the edge that is normal to the side: that of its own axes, times the scale. */
+/* Adds a box. The four rounded corners of a side need not lie in one plane: the first three define the plane. A side's
+ * thickness is the length of the edges normal to it: that in the box's own axes, times the scale. */
 static int add_box(struct filling *f, uint32_t base)
 {
     static const uint32_t sides[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
@@ -223,7 +223,7 @@ static int add_object(struct filling *f)
 
 /* ---- all objects ---- */
 
-/* Builds the tree; `boxes` has room for those of the items, and both are reordered together. */
+/* Builds the tree; `boxes` has room for the boxes of the items, and is reordered together with them. */
 static void build_tree(struct tia_radio *radio, struct tia_bvh_node *nodes, uint32_t *items, struct tia_bounds *boxes)
 {
     struct cancel cancel = {.stop = NULL};

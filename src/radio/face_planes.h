@@ -18,16 +18,16 @@ static inline wide radio_get(struct radio_wide a)
     return wide_of_halves(a.high, a.low);
 }
 
-/* A plane n.p = d. n has no common divisor, and the first of its components that is not 0 is positive: so each plane
+/* A plane n.p = d. The components of n have no common divisor, and the first that is not 0 is positive: so each plane
  * has exactly one such form. */
 struct radio_plane {
     int64_t n[3];
     struct radio_wide d, square; /* square: n.n */
-    uint32_t first, count;       /* the plane's part of tia_radio.members */
+    uint32_t first, count;       /* the plane's faces are tia_radio.members[first .. first + count - 1] */
     struct tia_bounds bounds;    /* bounds of the plane's faces */
-    bool endless;                /* one of the faces is a whole plane */
-    bool sides[2];               /* sides that reflect: where n.p > d; where n.p < d */
-    uint8_t across[2];           /* axes of the projection along the third axis, in which n is largest */
+    bool endless;                /* one of the faces is infinite */
+    bool sides[2];               /* true for a side that reflects; sides[0]: n.p > d, sides[1]: n.p < d */
+    uint8_t across[2];           /* axes that remain in the projection along the third axis, along which n is largest */
 };
 
 enum radio_kind { RADIO_WHOLE, RADIO_DISC, RADIO_POLYGON };
@@ -35,7 +35,7 @@ enum radio_kind { RADIO_WHOLE, RADIO_DISC, RADIO_POLYGON };
 struct radio_face {
     enum radio_kind kind;
     uint32_t object, material, plane;
-    /* Indices into tia_radio.corners; of a disc the first is its centre, of a whole plane a point. */
+    /* indices into tia_radio.corners; a disc has only its centre, an infinite plane only a point */
     uint32_t corner[4];
     uint8_t count;
     bool solid;
@@ -47,10 +47,10 @@ struct tia_radio {
     const struct tia_scene *scene;
     struct radio_plane *planes;
     struct radio_face *faces;
-    uint32_t *members; /* faces, plane by plane, in rising order */
+    uint32_t *members; /* face numbers, plane by plane, in rising order */
     struct tia_vec3 *corners;
     struct tia_bounds *boxes; /* boxes of the faces */
-    struct tia_bvh_tree tree; /* tree of the faces that have a box */
+    struct tia_bvh_tree tree; /* hierarchy of the faces that have a box */
     uint32_t *endless;
     uint32_t plane_count, face_count, corner_count, endless_count, left_out;
 };
@@ -60,18 +60,18 @@ static inline int64_t radio_axis(const struct tia_vec3 *v, int k)
     return k == 0 ? v->x : k == 1 ? v->y : v->z;
 }
 
-/* Gives the plane through three corners. False: the corners are collinear. *too_wide: it has no such form with |n|
- * below 2^62. */
+/* Gives the plane through three corners; *turned: the corners' own normal is -n. False: the corners are collinear, or,
+ * with *too_wide, the normal has a component of 2^62 or more. */
 bool tia_radio_plane_by_corners(struct radio_plane *plane, const struct tia_vec3 corner[3], bool *turned,
                                 bool *too_wide);
-/* Gives the plane through a point with a normal. */
+/* Gives the plane through a point with a normal; *turned: the normal is opposite to n. */
 void tia_radio_plane_by_normal(struct radio_plane *plane, struct tia_vec3 point, struct tia_dir3 normal, bool *turned);
 
-/* Finds equal planes among `planes`, one for each face, and keeps one of each; fills in the fields that depend on its
- * faces. `room` is for 4 numbers a face. */
+/* Removes duplicates from radio->planes, which has one plane for each face, and sets the fields that depend on a
+ * plane's faces. `room` has space for 4 numbers per face. */
 void tia_radio_join_planes(struct tia_radio *radio, uint32_t *room);
 
-/* True if an object has planes here: it has flat faces, or is a disc. */
+/* True if an object has flat faces, or is a disc. */
 bool tia_radio_takes(const struct tia_scene *scene, uint32_t object);
 
 #endif

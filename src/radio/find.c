@@ -4,9 +4,9 @@
 /* Indices into the room's numbers. */
 enum { SCRATCH, FROM = 3, TO, BEFORE_FROM, BEFORE_TO, LEFT, RIGHT };
 
-/* Returns -1 if reflection i comes after reflection i - 1 on the segment between them, 0 at the same point, else 1. The
- * sides of plane i that the images are on are in the room: a plane is met at |from| / (|from| + |to|) of the way
- * between the images, whose weights are alike for both. */
+/* Returns -1 if the line from the transmitter's image to the receiver's meets plane i after plane i - 1, 0 if at the
+ * same point, else 1. The images' sides of plane i must be in the room. A plane is met at |from| / (|from| + |to|) of
+ * the way between the images, whose weights are the same for both planes. */
 static int order_of(struct tia_radio_room *room, uint32_t order, uint32_t i)
 {
     const struct radio_plane *plane = &room->radio->planes[search_plane(room, order, i - 1)];
@@ -19,7 +19,7 @@ static int order_of(struct tia_radio_room *room, uint32_t order, uint32_t i)
     return tia_number_compare_sizes(&n[LEFT], &n[RIGHT]);
 }
 
-/* True if a face extends to that side of a plane. */
+/* True if a face extends to a side of a plane, 1 or -1. */
 static bool reaches_beyond(const struct tia_radio *radio, uint32_t number, const struct radio_plane *plane, int side)
 {
     const struct radio_face *face = &radio->faces[number];
@@ -33,8 +33,8 @@ static bool reaches_beyond(const struct tia_radio *radio, uint32_t number, const
     return face->kind != RADIO_POLYGON;
 }
 
-/* True if reflections i - 1 and i at the same point, on the line where their planes meet, are in a possible order:
- * `side` is that of plane i. */
+/* True if reflections i - 1 and i, at the same point on the line where their planes meet, may have this order. `side`
+ * is the side of plane i from which the path comes. */
 static bool looks_back(const struct tia_radio_room *room, uint32_t order, uint32_t i, int side)
 {
     const struct tia_radio *radio = room->radio;
@@ -75,7 +75,7 @@ static bool reflects(struct tia_radio_room *room, uint32_t order, uint32_t i)
 
 /* ---- reporting a path ---- */
 
-/* Gives the vector from sent[i] to got[order - i], both weights multiplied out, in 62 bits: times 2^-shift. */
+/* Gives the vector from sent[i] to got[order - i], times both weights and 2^-shift, in 62 bits; returns shift. */
 static int vector_of(struct tia_radio_room *room, uint32_t order, uint32_t i, int64_t v[3])
 {
     const struct spot *a = &room->exact.sent[i], *b = &room->exact.got[order - i];
@@ -95,8 +95,8 @@ static int vector_of(struct tia_radio_room *room, uint32_t order, uint32_t i, in
     return most - 61;
 }
 
-/* Returns the path's length: that of the vector from the transmitter to the receiver's last image. Root and weights
- * have 62 bits: relative errors of 2^-59 in all. */
+/* Returns the path's length, which is that of the vector from the transmitter to the receiver's last image. Root and
+ * weights have 62 bits; the relative error is 2^-59 in all. */
 static int64_t length_of(struct tia_radio_room *room, uint32_t order)
 {
     int64_t v[3];
@@ -113,7 +113,7 @@ static int64_t length_of(struct tia_radio_room *room, uint32_t order)
     return more <= 0 ? ratio << -more : (ratio + (INT64_C(1) << (more - 1))) >> more;
 }
 
-/* Stores the path as found. Unused elements are 0, so that equal paths have equal bytes. */
+/* Stores the path in room->told. Unused elements are 0, so that equal paths have equal bytes. */
 static void report(struct tia_radio_room *room, uint32_t order)
 {
     struct tia_radio_path *path = &room->path, *told = &room->told;

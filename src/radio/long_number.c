@@ -23,7 +23,7 @@ void tia_number_copy(struct number *out, const struct number *a)
         out->word[i] = a->word[i];
 }
 
-/* Adds a b 2^(64 at), where a is one word: a row of long multiplication. */
+/* Adds a b 2^(64 at) to `out`, where a is one word: a row of long multiplication. */
 static void add_row(struct number *out, const struct number *b, uint64_t a, unsigned at)
 {
     uint64_t carry = 0;
@@ -105,7 +105,7 @@ static void add_sizes(struct number *out, const struct number *a)
         out->word[out->count++] = carry;
 }
 
-/* Subtracts sizes: out = |large| - |small|; `out` may be one of them. */
+/* Sets out to |large| - |small|; `out` may be either operand. */
 static void subtract_sizes(struct number *out, const struct number *large, const struct number *small)
 {
     uint64_t borrow = 0;
@@ -178,7 +178,7 @@ static void halve(struct number *a)
     trim(a);
 }
 
-/* Returns floor((2a + b) / 2b), digit by digit; below 0 the quotient of absolute values is rounded up. */
+/* Computes floor((2a + b) / 2b), bit by bit; if 2a + b is negative, the quotient of absolute values is rounded up. */
 int64_t tia_number_quotient(const struct number *a, const struct number *b, struct number room[2])
 {
     const int most = 40;

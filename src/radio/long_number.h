@@ -1,6 +1,6 @@
-/* long_number.h - integers of as many digits as a path needs.
+/* long_number.h - integers that are long enough for exact paths.
  *
- * An image after k reflections has k factors n.n in its denominator, n the planes' normals. How large the numbers get:
+ * An image after k reflections has k factors n.n in its denominator, n being the planes' normals. Sizes of the numbers:
  *
  *     corners and points of the scene                below 2^31 in size
  *     a normal's component                           below 2^62; n.n below 2^126, n.v below 2^95
@@ -12,7 +12,8 @@
  *     a meeting point                                2^(1024 + 101) times 2^36; an edge's cross product: 2^34 times
  * that the square of a distance on a disc             2^(2 (1024 + 101 + 38) + 2) < 2^2330
  *
- * So 40 words are enough. Planes across an axis have the normal 1: there all stays below 2^128.
+ * So 40 words are enough. For planes at right angles to an axis, whose normals have the length 1, all numbers are below
+ * 2^128.
  */
 #ifndef TIA_RADIO_LONG_NUMBER_H
 #define TIA_RADIO_LONG_NUMBER_H
@@ -30,23 +31,25 @@ struct number {
 void tia_number_set(struct number *out, int64_t a);
 void tia_number_copy(struct number *out, const struct number *a);
 
-/* Multiplies; `out` is not one of the factors. */
+/* Sets out to a b; `out` must not be one of the factors. */
 void tia_number_multiply(struct number *out, const struct number *a, const struct number *b);
+/* Sets out to a b; `out` must not be a. */
 void tia_number_times(struct number *out, const struct number *a, int64_t b);
+/* Sets out to a b; `out` must not be a. */
 void tia_number_times_wide(struct number *out, const struct number *a, wide b);
 
-/* Adds s a to `out`, s = 1 or -1. */
+/* Adds s a to `out`; s is 1 or -1. */
 void tia_number_add(struct number *out, const struct number *a, int s);
 
-/* Returns the order of |a| and |b|: -1, 0, 1. */
+/* Returns the sign of |a| - |b|: -1, 0 or 1. */
 int tia_number_compare_sizes(const struct number *a, const struct number *b);
 
 /* Returns the length of |a| in bits. */
 int tia_number_bits(const struct number *a);
-/* Returns 64 bits of |a|, from bit `shift` up; a negative shift moves the bits up. */
+/* Returns the lower 64 bits of |a| 2^-shift, rounded down. */
 uint64_t tia_number_part(const struct number *a, int shift);
 
-/* Returns a / b to nearest, ties up; b > 0. Clamped to +-2^40. */
+/* Returns a/b rounded to nearest, ties up, clamped to +-2^40; b > 0. */
 int64_t tia_number_quotient(const struct number *a, const struct number *b, struct number room[2]);
 
 #endif

@@ -20,7 +20,7 @@ void tia_radio_side(struct number *side, const struct radio_plane *plane, const 
     }
 }
 
-/* Gives a point's mirror image: x (n.n) - 2 (n.x - d w) n over w (n.n). */
+/* The image is x (n.n) - 2 (n.x - d w) n over w (n.n). */
 void tia_radio_mirror(struct spot *out, const struct radio_plane *plane, const struct spot *at,
                       const struct number *side, struct number room[2])
 {
@@ -37,8 +37,8 @@ void tia_radio_mirror(struct spot *out, const struct radio_plane *plane, const s
     tia_number_times_wide(&out->w, &at->w, square);
 }
 
-/* Gives the intersection of a line and a plane. The distances are |from| / (a.w |n|) and |to| / (b.w |n|): so the point
- * is |to| a + |from| b, with their weights. */
+/* The distances of a and b from the plane are |from| / (a.w |n|) and |to| / (b.w |n|), so the intersection is |to| a +
+ * |from| b, coordinates and weights alike. */
 void tia_radio_meet(struct spot *out, const struct spot *a, const struct spot *b, const struct number *from,
                     const struct number *to, struct number *room)
 {
@@ -66,7 +66,7 @@ bool tia_radio_round(const struct spot *at, struct tia_vec3 *point, struct numbe
 
 /* ---- faces ---- */
 
-/* Gives x w - c: w times the point's distance from a corner along axis k. */
+/* Gives w times the distance of the point x/w from a corner along axis k: x - c w. */
 static void from_corner(struct number *out, const struct spot *at, const struct tia_vec3 *corner, int k,
                         struct number *room)
 {
@@ -75,7 +75,7 @@ static void from_corner(struct number *out, const struct spot *at, const struct 
     tia_number_add(out, room, -1);
 }
 
-/* Returns the side of the edge a -> b on which the point is, in a projection along an axis. */
+/* Returns the side of the edge a -> b on which the point is, 1, 0 or -1, in the projection to the axes `across`. */
 static int side_of_edge(const struct spot *at, const struct tia_vec3 *a, const struct tia_vec3 *b,
                         const uint8_t across[2], struct number room[3])
 {
@@ -131,8 +131,9 @@ static bool in_box(const struct tia_bounds *box, const struct tia_vec3 *p)
            p->z <= box->max.z;
 }
 
-/* Finds the first face that has the point. Rounding to nearest does not move a point out of a box with integer corners;
- * a side of a turned box is a little off its own plane, so its box is, too: there the exact test alone decides. */
+/* A face's bounding box is tested first: rounding to nearest never moves a point out of it, as its corners are
+ * integers. The sides of a rotated box are a little off their own plane, and so are their bounding boxes: for these the
+ * exact test alone decides. */
 uint32_t tia_radio_face_at(struct tia_radio_room *room, const struct radio_plane *plane, const struct spot *at,
                            int side)
 {

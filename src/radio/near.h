@@ -1,15 +1,16 @@
-/* near.h - a quick test of a segment against a box: it may report a hit wrongly, but never a miss. */
+/* near.h - a quick test of a segment against a box, which may report a false hit, but never a false miss. */
 #ifndef TIA_RADIO_NEAR_H
 #define TIA_RADIO_NEAR_H
 
 #include "face_planes.h"
 
 struct near {
-    int64_t low[3], high[3];    /* box around both ends, enlarged by 4 units for turned boxes' deviations */
-    int64_t middle[3], half[3]; /* sum and difference of the ends, in units of 2^10 */
+    int64_t low[3], high[3];    /* box around both ends, enlarged by 4 units, as the sides of rotated boxes are a little
+                                   off their planes */
+    int64_t middle[3], half[3]; /* a + b and b - a, in units of 2^10 */
 };
 
-/* Prepares a segment whose ends are below 2^35. */
+/* Prepares the segment from a to b, whose coordinates are below 2^35 in size. */
 static inline void near_begin(struct near *s, const int64_t a[3], const int64_t b[3])
 {
     for (int k = 0; k < 3; k++) {
@@ -25,8 +26,8 @@ static inline int64_t near_size(int64_t a)
     return a < 0 ? -a : a;
 }
 
-/* True if the segment comes near the box. Separating axes: those of the box, and their cross products with the segment.
- * In units of 2^10 the numbers stay below 2^28, products below 2^58; all lengths are rounded up. */
+/* True if the segment is near the box: no separating axis exists among the box's axes and their cross products with the
+ * segment. In units of 2^10 numbers are below 2^28, and products below 2^58; all lengths are rounded up. */
 static inline bool near_box(const struct near *s, const struct tia_bounds *box)
 {
     int64_t c[3], e[3];

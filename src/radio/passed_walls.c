@@ -13,8 +13,8 @@ struct segment {
     struct near near;
 };
 
-/* Returns the order along the line of its intersections with two planes: the sign of |from a| / |to a| - |from b| / |to
- * b|. */
+/* Returns the order of a line's intersections with two planes: the sign of |from_a| / |to_a| - |from_b| / |to_b|.
+ * Arguments are indices into the room's numbers. */
 static int order_of(struct tia_radio_room *room, int from_a, int to_a, int from_b, int to_b)
 {
     struct number *n = room->exact.number;
@@ -24,7 +24,8 @@ static int order_of(struct tia_radio_room *room, int from_a, int to_a, int from_
     return tia_number_compare_sizes(&n[LEFT], &n[RIGHT]);
 }
 
-/* True if the segment crosses the plane of a face between its ends, exclusively; room->exact.met is then the point. */
+/* True if the segment crosses the plane strictly between the segment's ends; room->exact.met is then the
+ * intersection. */
 static bool crosses(const struct segment *s, const struct radio_plane *plane)
 {
     struct tia_radio_room *room = s->room;
@@ -51,7 +52,8 @@ static bool is_same_wall(const struct tia_radio *radio, uint32_t a, uint32_t b)
     return f->solid && g->solid ? f->object == g->object : f->plane == g->plane && !f->solid && !g->solid;
 }
 
-/* Adds a wall. A box is named by the side where it is entered; at an edge that is either, and the lower one counts. */
+/* Adds a wall; false when the link allows no more. A box's wall has the face where the path enters the box, at an edge
+ * the one with the lower number. */
 static bool add_wall(const struct segment *s, uint32_t face)
 {
     struct tia_radio_path *path = &s->room->path;
@@ -69,8 +71,9 @@ static bool add_wall(const struct segment *s, uint32_t face)
     return true;
 }
 
-/* Tests a face; a box's exit is not counted, as its entry was. */
-static bool ask_face(const struct segment *s, uint32_t number)
+/* Tests a face, and adds a wall where the segment passes through it, except where the segment leaves a box: its entry
+ * is counted. False: too many walls. */
+static bool test_face(const struct segment *s, uint32_t number)
 {
     const struct tia_radio *radio = s->room->radio;
     const struct radio_face *face = &radio->faces[number];
@@ -84,7 +87,7 @@ static bool ask_face(const struct segment *s, uint32_t number)
 
 /* ---- faces near the segment ---- */
 
-static bool ask_tree(const struct segment *s)
+static bool test_tree(const struct segment *s)
 {
     const struct tia_bvh_tree *tree = &s->room->radio->tree;
     uint32_t stack[TIA_BVH_DEPTH_MAX + 2], count = 0;
@@ -98,7 +101,7 @@ static bool ask_tree(const struct segment *s)
             continue;
         for (uint32_t i = 0; i < node->count; i++)
             if (near_box(&s->near, &s->room->radio->boxes[tree->items[node->index + i]]) &&
-                !ask_face(s, tree->items[node->index + i]))
+                !test_face(s, tree->items[node->index + i]))
                 return false;
         if (node->count == 0) {
             stack[count++] = at + 1;
@@ -141,7 +144,7 @@ bool tia_radio_pass(struct tia_radio_room *room, uint32_t order, uint32_t i)
         tia_radio_side(&n[END_TO], &radio->planes[s.end], s.b, &n[SCRATCH]);
     }
     for (uint32_t k = 0; k < radio->endless_count; k++)
-        if (!ask_face(&s, radio->endless[k]))
+        if (!test_face(&s, radio->endless[k]))
             return false;
-    return ask_tree(&s);
+    return test_tree(&s);
 }

@@ -1,4 +1,4 @@
-/* planes.c - planes with integer coefficients in a unique form, so that equal ones are found. */
+/* planes.c - planes with integer coefficients in a unique form, in which equal planes are recognised. */
 #include "face_planes.h"
 
 #include "math/sort.h"
@@ -41,7 +41,7 @@ static struct radio_wide halves(wide a)
     return (struct radio_wide){wide_high(a), wide_low(a)};
 }
 
-/* Completes a plane with a reduced normal. */
+/* Sets the other fields of a plane with a reduced normal n, in the unique form; *turned: n was negated. */
 static void complete(struct radio_plane *plane, const struct tia_vec3 *point, bool *turned)
 {
     int64_t *n = plane->n;
@@ -92,7 +92,7 @@ void tia_radio_plane_by_normal(struct radio_plane *plane, struct tia_vec3 point,
 
 /* ---- equal planes ---- */
 
-#define KEYS 10 /* keys of 32 bits: the normal's components and d */
+#define KEYS 10 /* number of 32-bit sort keys: the normal's components and d */
 
 static uint32_t key(const struct radio_plane *plane, int i)
 {
@@ -144,8 +144,8 @@ static void gather(struct tia_radio *radio, struct radio_plane *plane)
     }
 }
 
-/* Joins equal planes. Sorted, they are neighbours, and the faces of each are in rising order. Planes are numbered by
- * their first face. */
+/* Sorting makes equal planes neighbours, with their faces in rising order. Planes are numbered in the order of their
+ * first faces. */
 void tia_radio_join_planes(struct tia_radio *radio, uint32_t *room)
 {
     uint32_t count = radio->face_count, *ids = room, *first = room + count, *size = first + count;

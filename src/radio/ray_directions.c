@@ -1,4 +1,4 @@
-/* ray_directions.c - directions all around: an icosahedron, its edges divided. */
+/* ray_directions.c - directions all around: those of the corners of an icosahedron with divided faces. */
 #include "search.h"
 
 #define CORNERS 12
@@ -15,7 +15,8 @@ static const uint8_t faces[FACES][3] = {{0, 1, 4},   {0, 1, 6},  {0, 4, 8},   {0
                                         {2, 5, 8},   {2, 7, 9},  {2, 8, 9},   {3, 5, 10}, {3, 7, 11},
                                         {3, 10, 11}, {4, 5, 8},  {4, 5, 10},  {6, 7, 9},  {6, 7, 11}};
 
-/* Adds a corner. Corner 4 a + i has 0 along axis a, +-1 along the next and +-golden ratio along the one after that. */
+/* Adds a corner times its weight. Corner 4 a + i has 0 along axis a, +-1 along the next axis and +-golden ratio along
+ * the third. */
 static void add_corner(int64_t v[3], uint32_t corner, int64_t weight)
 {
     uint32_t axis = corner / 4;
@@ -29,8 +30,8 @@ uint32_t tia_radio_directions(uint32_t density)
     return density - 1 < TIA_RADIO_DENSITY_MAX ? 10 * density * density + 2 : 0;
 }
 
-/* Gives direction i. The order of directions: the corners, then the inner points edge by edge, then face by face, row
- * by row. Weights are at most 2^11, sums below 2^43. */
+/* Directions are in this order: the corners; the inner points of the edges, edge by edge; those of the faces, face by
+ * face and row by row. Weights are at most 2^11, and sums below 2^43. */
 int tia_radio_direction(uint32_t density, uint32_t i, int64_t direction[3])
 {
     int64_t v[3] = {0, 0, 0};

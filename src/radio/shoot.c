@@ -1,15 +1,15 @@
-/* shoot.c - shooting and bouncing rays. They only find the sequences of planes that paths may use, so numbers are
- * rounded here: positions to Q16.16, directions to Q2.62. */
+/* shoot.c - shooting and bouncing rays. Rays only find the sequences of planes that paths may use, so numbers are
+ * rounded: positions to Q16.16, directions to Q2.62. */
 #include "near.h"
 #include "search.h"
 
-#define FAR (INT64_C(1) << 33) /* longer than any scene */
+#define FAR (INT64_C(1) << 33) /* a distance beyond any scene, Q16.16 */
 #define COVER INT64_C(50066)   /* 0.76394 in units of 2^-16, rounded up: see tia_radio_shoot */
 #define LENGTH_SHIFT (TIA_RADIO_LENGTH_BITS - 16)
 
 /* A ray's hit. */
 struct hit {
-    int64_t t; /* Q16.16 */
+    int64_t t; /* distance along the ray, Q16.16 */
     uint32_t face;
     int64_t at[3];
 };
@@ -59,8 +59,8 @@ static bool on_disc(const struct tia_radio *radio, const struct radio_face *face
     return !wide_is_negative(wide_difference(wide_product(face->radius, face->radius), wide_dot(v, v)));
 }
 
-/* Intersects a ray with a face. The distance is n.(corner - at) / n.d: of Q.78 and Q.124, rounded to Q.32 and Q.60;
- * times 2^44 that is Q.16. */
+/* True if a ray meets a face, then gives the hit. The distance is n.(corner - at) / n.d, of Q.78 and Q.124, which are
+ * rounded to Q.32 and Q.60; the quotient times 2^44 is Q.16. */
 static bool meets(const struct tia_radio *radio, const struct search_ray *ray, uint32_t number, struct hit *hit)
 {
     const struct radio_face *face = &radio->faces[number];
@@ -85,8 +85,8 @@ static bool meets(const struct tia_radio *radio, const struct search_ray *ray, u
                                        : true;
 }
 
-/* Tests a face and keeps the nearer hit; of equally near ones, that of the lower number. */
-static void ask(const struct tia_radio *radio, const struct search_ray *ray, uint32_t face, struct hit *nearest)
+/* Tests a face; *nearest becomes the nearest hit, of equally near ones the hit with the lowest face number. */
+static void meet_face(const struct tia_radio *radio, const struct search_ray *ray, uint32_t face, struct hit *nearest)
 {
     struct hit hit;
 
@@ -101,7 +101,7 @@ static struct hit nearest_of(const struct tia_radio *radio, const struct search_
     struct near near;
 
     for (uint32_t i = 0; i < radio->endless_count; i++)
-        ask(radio, ray, radio->endless[i], &nearest);
+        meet_face(radio, ray, radio->endless[i], &nearest);
     if (nearest.face == TIA_NO_INDEX)
         go(ray, FAR, nearest.at);
     near_begin(&near, ray->at, nearest.at);
@@ -114,7 +114,7 @@ static struct hit nearest_of(const struct tia_radio *radio, const struct search_
             continue;
         int64_t before = nearest.t;
         for (uint32_t i = 0; i < node->count; i++)
-            ask(radio, ray, radio->tree.items[node->index + i], &nearest);
+            meet_face(radio, ray, radio->tree.items[node->index + i], &nearest);
         if (nearest.t < before)
             near_begin(&near, ray->at, nearest.at);
         if (node->count == 0) {
@@ -164,7 +164,7 @@ static void move(struct search_ray *ray, const struct tia_radio *radio, const st
     ray->last = radio->faces[hit->face].plane;
 }
 
-/* Reflects the ray: d - 2 (n.d) n, halved before it is normalised: n.d is Q.61. */
+/* Reflects the ray's direction d: d - 2 (n.d) n, halved and then normalised; n.d is Q.61. */
 static void reflect(struct search_ray *ray, const struct tia_radio *radio, const struct hit *hit)
 {
     struct tia_radio_path *path = &ray->told.path;
@@ -197,8 +197,9 @@ static bool is_in_range(const struct hit *hit)
     return hit->face != TIA_NO_INDEX;
 }
 
-/* Follows the ray on top of the stack until it ends; where it goes through a wall, it is pushed once more: never more
- * than one for each reflection and wall. */
+/* Moves the ray on top of the stack to its next hit; there the reflected ray and the ray that passes through replace
+ * it, as far as the link allows: the stack never has more rays than one for each reflection and wall. False:
+ * stopped. */
 static bool follow(const struct shot *shot, struct search_ray *stack, uint32_t *count)
 {
     const struct tia_radio_link *link = shot->room->link;

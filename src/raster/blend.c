@@ -3,10 +3,10 @@
 #include "polygon.h"
 #include "ranges.h"
 
-#define QUOTIENT_BITS 42 /* bits of quotients, far beyond the range of values */
+#define QUOTIENT_BITS 42 /* largest number of bits of a quotient, far beyond the range of values */
 
-/* Prepares a triangle. The point at a pixel is a weighted sum of the corners, each weight det(D, q, q) of the other
- * two; the value is the mean of the corners' values with these weights, without corners that are directions. */
+/* The point at a pixel is a weighted sum of the corners; a corner's weight is det(D, q, q') of the other two. The value
+ * is the weighted mean of the corners' values, without corners that are directions. */
 bool tia_raster_corners_init(struct tia_raster_corners *corners, const struct tia_raster_grid *grid,
                              const struct tia_raster_vertex vertices[3])
 {
@@ -33,8 +33,8 @@ bool tia_raster_corners_init(struct tia_raster_corners *corners, const struct ti
     return sign != 0;
 }
 
-/* True if the value is at least m - 1/2: the sign of the sum of (2 a - 2 m + 1) weight, in two parts of 62 bits and the
- * rest. The weights are below 2^116, so neither sum reaches 2^98. */
+/* True if the value is at least m - 1/2, that is, if the sum of (2 a - 2 m + 1) weight is at least 0. Weights, below
+ * 2^116, are split into their lower 62 bits and the rest, so neither sum reaches 2^98. */
 static bool is_at_least(const wide weight[3], const tia_q16 a[3], int64_t m)
 {
     wide low = wide_product(0, 0), high = low;
@@ -58,14 +58,14 @@ static tia_q16 search(const wide weight[3], const tia_q16 a[3])
     return (tia_q16)n;
 }
 
-/* Returns the bits of |over/under|, or one more. under > 0. */
+/* Returns the length of |over/under| in bits, or one more. under > 0. */
 static int quotient_bits(wide over, int64_t under)
 {
     return wide_bits(wide_size(over)) - (64 - (int)tia_clz64((uint64_t)under)) + 1;
 }
 
-/* Returns over/under, which is at most QUOTIENT_BITS long, with BLEND_BITS fraction bits: below 2^31 within 2^-8 of a
- * unit plus 1. */
+/* Returns over/under, of at most QUOTIENT_BITS bits, with BLEND_BITS fraction bits; if below 2^31, within 1 + 2^-8
+ * units. */
 static int64_t fine_quotient(wide over, int64_t under)
 {
     wide size = wide_size(over);
@@ -79,9 +79,9 @@ static int64_t fine_quotient(wide over, int64_t under)
     return wide_is_negative(over) ? -quotient : quotient;
 }
 
-/* Interpolates with the upper 60 bits of the weights, cut to the same place: each errs by less than 1 of at least 2^59.
- * So where their sum is at least 2^BLEND_LEAST the quotient errs little (ranges.h; tests/proofs/raster_blend.g), and
- * only close to a half is the exact sum needed. */
+/* Interpolates with the upper 60 bits of the weights, all cut at the same place: the error of each is less than 1,
+ * where the largest has at least 2^59. So if their sum is at least 2^BLEND_LEAST, the quotient's error is small
+ * (ranges.h; tests/proofs/raster_blend.g), and the exact sum is needed only close to a half. */
 tia_q16 tia_raster_corners_blend(const struct tia_raster_corners *corners, int x, int y, const tia_q16 a[3])
 {
     wide weight[3], over = wide_product(0, 0), sum = over;

@@ -2,8 +2,7 @@
 
 #include "halves.h"
 
-/* Returns f / 2^cut of a number of 128 bits, clamped; the clamp leaves the range of nearness that is not clamped
- * unchanged. */
+/* Returns f / 2^cut, clamped to 64 bits, which is beyond the range where nearness is not clamped. */
 static int64_t wide_cut(wide f, unsigned cut)
 {
     if (wide_bits(wide_size(f)) > (int)cut + 63)
@@ -39,8 +38,8 @@ static int64_t scaled(const struct depth_scale *d, int64_t cut)
     return unclamped(d, cut);
 }
 
-/* Returns the step of nearness to the next pixel. If a run has two pixels that are not clamped, it is in
- * `least`..`most`; else it is not used. */
+/* Returns the step of nearness to the next pixel. The step is used only in runs with two pixels that are not clamped;
+ * it is then in `least`..`most`. */
 static int64_t step_of(const struct polygon *p)
 {
     wide x = p->narrow ? wide_product(p->of.narrow_forms.plane.x, 1) : p->of.wide_forms.plane.x;
@@ -53,7 +52,7 @@ static int64_t step_of(const struct polygon *p)
 
 #define LOW 8 /* largest height of a low box, in rows */
 
-/* True if nearness is nowhere clamped: as it is linear, its extremes are at corners. */
+/* True if nearness is not clamped anywhere in the box: nearness is linear, so its extremes are at corners. */
 static bool is_steady(const struct polygon *p)
 {
     const struct depth_scale *d = &p->depth;
@@ -63,8 +62,8 @@ static bool is_steady(const struct polygon *p)
 }
 
 /* Prepares the scale from f to nearness. With det = m 2^bits, 1/2 <= m < 1, the reciprocal is 2^62/m: f/det 2^scale = f
- * reciprocal 2^(scale - 62 - bits). From 0 to `most` that is 0..2^62. In orthographic views, f is cut at half of that
- * on either side of 0. */
+ * reciprocal 2^(scale - 62 - bits). For f in 0..most this is in 0..2^62. In orthographic views, f is clamped at half of
+ * `most` on either side of 0. */
 void tia_depth_scale_init(struct polygon *p, const struct tia_raster_grid *grid)
 {
     struct depth_scale *d = &p->depth;
@@ -126,8 +125,8 @@ void tia_depth_plane(const struct polygon *p, struct tia_raster_plane *plane)
     halves_put(plane->det, p->det);
 }
 
-/* Returns the order in depth. Ties are broken as for edges. The three signs together distinguish two planes: f/det is
- * the same function of the pixel only when x, y and the value at a pixel are. */
+/* Ties are broken as for edges. The three signs together distinguish any two planes: f/det is the same function of the
+ * pixel only if x/det, y/det and the value at one pixel are equal. */
 int tia_depth_order(const struct polygon *p, const struct tia_raster_plane *plane, int x, int y)
 {
     struct wide_form a = plane_of(p), b = {halves_get(plane->x), halves_get(plane->y), halves_get(plane->c)};

@@ -2,7 +2,7 @@
 
 #include "halves.h"
 
-/* Returns the mantissa of a = m 2^exponent for a > 0, m in 2^61..2^62. */
+/* Returns the mantissa m of a = m 2^exponent, m in 2^61..2^62; a > 0. */
 static int64_t mantissa(wide a, int *exponent)
 {
     int bits = wide_bits(a);
@@ -11,7 +11,7 @@ static int64_t mantissa(wide a, int *exponent)
     return bits > 62 ? wide_down(a, (unsigned)(bits - 62)) : (int64_t)(wide_low(a) << (62 - bits));
 }
 
-/* Returns m 2^exponent, m in 0..2^93, rounded and clamped to 2^62. */
+/* Returns m 2^exponent, m in 0..2^93, rounded, at most 2^62. */
 static int64_t scaled(wide m, int exponent)
 {
     int bits = wide_bits(m) + exponent;
@@ -23,8 +23,8 @@ static int64_t scaled(wide m, int exponent)
     return exponent < -126 ? 0 : wide_round(m, (unsigned)-exponent);
 }
 
-/* Returns the distance of the plane's point. With t = det/f, the visible point of a plane is t D, and in perspective
- * its depth t D.w. In orthographic views the visible point has w = 1, so t = 1/D.w there, and -h = -f/(det D.w). */
+/* With t = det/f the visible point of a plane is t D, and in perspective its distance t D.w. In orthographic views that
+ * point has w = 1, so t = 1/D.w, and -h = -f/(det D.w). */
 int64_t tia_plane_distance(const struct tia_raster_plane *plane, const struct tia_raster_grid *l, int x, int y)
 {
     bool flat = l->projection == TIA_ORTHOGRAPHIC;

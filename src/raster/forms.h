@@ -10,7 +10,7 @@ static inline FORM(number) FORM(form_at)(const struct FORM(form) * f, int i, int
     return FORM(sum)(FORM(sum)(f->c, FORM(times)(f->x, i)), FORM(times)(f->y, j));
 }
 
-/* Returns n.D(i, j). */
+/* Returns n.D(i, j) as a function of the pixel. */
 static inline struct FORM(form) FORM(form_of)(const FORM(number) n[3], const struct tia_raster_grid *l)
 {
     FORM(number) c = FORM(sum)(FORM(times)(n[0], l->x), FORM(times)(n[1], l->y));

@@ -21,9 +21,9 @@ static int bits_of(uint64_t n)
     return n ? 64 - (int)tia_clz64(n) : 0;
 }
 
-/* Sets the sample position. Sample s of n x n is at column 2 n i + 2 j + 1, row 2 n j + 2 n - 2 i - 1 of 2 n^2, i = s
- * mod n, j = s div n. From
- * -W n^2 to W n^2 that is x/w times W n^2; to have integers on both axes, D is that times W H/gcd(W, H). */
+/* Sets the position of sample s of n x n: in a pixel of 2 n^2 columns and rows, column 2 n i + 2 j + 1 and row 2 n j +
+ * 2 n - 2 i - 1, where i = s mod n, j = s div n. Counted from the middle of the image, in -W n^2..W n^2, the column is
+ * x/w times W n^2; D is x/w, y/w and 1 times n^2 W H/gcd(W, H), so that all components are integers. */
 static void place(struct tia_raster_grid *l, int32_t n, int32_t sample)
 {
     int32_t width = l->width, height = l->height, g = common_divisor(width, height), i = sample % n, j = sample / n;
@@ -38,8 +38,8 @@ static void place(struct tia_raster_grid *l, int32_t n, int32_t sample)
     l->centre[1] = row * (32768 / (n * n));
 }
 
-/* Returns a bound of |D.x| + |D.y| + |D.w|, a pixel around the image included: the same for all samples, so that their
- * vertices are. */
+/* Returns a bound on |D.x| + |D.y| + |D.w| in the image and a pixel around it: the same for all samples, which
+ * therefore have the same vertices. */
 static uint64_t reach(const struct tia_raster_grid *l)
 {
     int64_t x = (int64_t)l->right * (l->width + 4) / 2, y = (int64_t)l->down * (l->height + 4) / 2;
@@ -47,8 +47,7 @@ static uint64_t reach(const struct tia_raster_grid *l)
     return (uint64_t)(x + y + l->w);
 }
 
-/* Returns the m of NARROW_SQUARE in ranges.h, limited so that 2 m^2 is below 2^61: normals and sums of them then
- * fit. */
+/* Returns the bound m of NARROW_SQUARE in ranges.h; 2 m^2 is below 2^61, so that normals and their sums fit. */
 static int64_t narrow_limit(const struct tia_raster_grid *l)
 {
     if (l->projection == TIA_ORTHOGRAPHIC)

@@ -14,8 +14,8 @@ static inline int64_t size_of(int64_t a)
     return a < 0 ? -a : a;
 }
 
-/* Returns the largest absolute coordinate, or -1 when one is out of range: a direction's is a difference of two
- * points'. */
+/* Returns the largest absolute coordinate, or -1 when a coordinate is out of range. Directions, as differences of
+ * points, have twice the range. */
 static int64_t largest(const struct tia_raster_grid *l, const struct tia_raster_vertex *v, unsigned count)
 {
     bool flat = l->projection == TIA_ORTHOGRAPHIC;
@@ -40,7 +40,7 @@ bool tia_polygon_has_range(const struct tia_raster_grid *grid, const struct tia_
     return largest(grid, corners, count) >= 0;
 }
 
-/* Prepares a polygon; `more` pixels around it are in its box, too, but its edges stay in place. */
+/* Prepares a polygon. Its box is `more` pixels larger on every side; its edges are not moved. */
 static int init(struct polygon *p, const struct tia_raster_grid *grid, struct tia_tile area,
                 const struct tia_raster_vertex *corners, unsigned count, unsigned more)
 {
@@ -73,7 +73,7 @@ int tia_polygon_init(struct polygon *p, const struct tia_raster_grid *grid, stru
     return status;
 }
 
-/* Enlarges the polygon by a pixel: an edge's value is at most |x| + |y| less at a neighbouring pixel. */
+/* Each edge is moved outwards by a column and a row: its value falls by |x| + |y| at most. */
 int tia_polygon_init_enlarged(struct polygon *p, const struct tia_raster_grid *grid, struct tia_tile area,
                               const struct tia_raster_vertex *corners, unsigned count)
 {

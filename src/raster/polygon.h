@@ -11,16 +11,16 @@
 struct depth_scale {
     uint64_t reciprocal;
     unsigned cut, shift;
-    int64_t least, most; /* f / 2^cut beyond which nearness is clamped to 0 and 2^62 */
-    int64_t zero;        /* nearness where f is 0: orthographic h has both signs */
+    int64_t least, most; /* values of f / 2^cut beyond which nearness is clamped, to 0 and to 2^62 */
+    int64_t zero;        /* nearness where f is 0: 0, or 2^61 in orthographic views */
     int64_t step;        /* nearness step to the next pixel on the right, within 2 */
-    bool steady; /* nearness is not clamped anywhere in the polygon's box; if the box is low, this was not tested */
+    bool steady;         /* true: nearness is not clamped anywhere in the polygon's box; not tested for low boxes */
 };
 
-#define POLYGON_EDGES (TIA_RASTER_CORNERS + 1) /* the edges of the corners, and that of tia_polygon_cut_ahead */
+#define POLYGON_EDGES (TIA_RASTER_CORNERS + 1) /* the edges between corners, and one of tia_polygon_cut_ahead */
 
-/* A pixel is covered where all edges are >= 0; their constants are less by 1 where the tie rule excludes 0. At a pixel
- * 1/t is plane/det. */
+/* A pixel is covered if the values of all edges are >= 0; an edge's constant is less by 1 if the tie rule excludes 0.
+ * At a pixel 1/t is plane/det. */
 struct polygon {
     unsigned count;
     bool narrow, front;
@@ -40,20 +40,20 @@ struct polygon {
 /* True if the corners are in the range of raster.h. */
 bool tia_polygon_has_range(const struct tia_raster_grid *grid, const struct tia_raster_vertex *corners, unsigned count);
 
-/* Prepares a polygon. TIA_OK, with p->count = 0 when no pixel is covered; or TIA_ERR_RANGE. */
+/* Prepares a polygon. Returns TIA_OK, with p->count = 0 when no pixel is covered, or TIA_ERR_RANGE. */
 int tia_polygon_init(struct polygon *p, const struct tia_raster_grid *grid, struct tia_tile area,
                      const struct tia_raster_vertex *corners, unsigned count);
 
-/* Prepares an enlarged polygon: all pixels whose centres are at most one column and one row from a point of the
- * polygon, and a few more beside its corners: without its depth. The corners may be directions. */
+/* Prepares an enlarged polygon, without depth: it covers all pixels whose centres are at most one column and one row
+ * from a point of the polygon, and a few more beside its corners. The corners may be directions. */
 int tia_polygon_init_enlarged(struct polygon *p, const struct tia_raster_grid *grid, struct tia_tile area,
                               const struct tia_raster_vertex *corners, unsigned count);
 
-/* Excludes the pixels where the polygon's h is above 0, by one more edge. */
+/* Excludes the pixels where the polygon's h is above 0, by a further edge. */
 void tia_polygon_cut_ahead(struct polygon *p);
 
-/* Gives the box of the pixels of `area` that the corners can cover, or that are up to `more` pixels away from those;
- * false when it is empty. The box may be a little too large, never too small. */
+/* Sets the polygon's box in `area`: the pixels that the corners can cover, and `more` on every side; false when the box
+ * is empty. The box may be a little too large, never too small. */
 bool tia_polygon_box(struct polygon *p, const struct tia_raster_grid *grid, struct tia_tile area,
                      const struct tia_raster_vertex *corners, unsigned count, unsigned more);
 

@@ -5,9 +5,9 @@ struct reach {
     int32_t x0, x1, y0, y1; /* in units of 2^-16 pixel, from the centre of pixel (0, 0) */
 };
 
-/* Returns half the image's width or height times a/w, in 2^-16 pixel, clamped to just outside the image. w > 0.
- * `reciprocal` is 2^63/(w 2^zeros / 2^32) within 2^-31, so the quotient's error is below 2^-29, that is up to half of
- * the result's unit; and the result is cut: tests/proofs/raster_rows.g. */
+/* Returns a/w times half the image's width or height, `size`, in 2^-16 pixel, clamped to just outside the image. w > 0.
+ * `reciprocal` is 2^63/(w 2^zeros / 2^32) within 2^-31, so the quotient's error is below 2^-29, at most half a unit of
+ * the result; then the result is rounded down: see tests/proofs/raster_rows.g. */
 static int32_t along(int64_t a, int64_t w, unsigned zeros, uint32_t reciprocal, int32_t size)
 {
     uint64_t n = a < 0 ? 0 - (uint64_t)a : (uint64_t)a, quotient;
@@ -40,8 +40,8 @@ static void narrow_to(int *low, int *high, int32_t from, int32_t to, int more)
     *high = end < *high ? end : *high;
 }
 
-/* True if all corners are on one outer side of the image, or none is in front of the eye: the same holds for all points
- * between, so no pixel is covered. */
+/* True if all corners are beyond the same side of the image, or none is in front of the eye: so are all points between
+ * the corners, and no pixel is covered. */
 static bool is_outside(const struct tia_raster_vertex *v, unsigned count, const struct tia_raster_grid *l, int64_t more)
 {
     int64_t width = l->width, height = l->height, sides = 2 * more;

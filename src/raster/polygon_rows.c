@@ -1,16 +1,16 @@
 /* polygon_rows.c - the pixels that a polygon covers, row by row.
  *
- * An edge x i + y j + c changes its sign in row j at -(y j + c)/x, a linear function of j. It is stepped in fixed
- * point, and the edge itself is evaluated where that comes too close to a pixel. So the runs are exact, and no row
- * needs a division or more than 64 bits.
+ * An edge x i + y j + c changes its sign in row j at -(y j + c)/x, a linear function of j. This position is stepped in
+ * fixed point, and the edge itself is evaluated where the position is too close to a pixel. So the runs are exact, and
+ * no row needs a division or more than 64 bits.
  *
- * ranges.h has bounds on the error, and tests/proofs/raster_rows.g their proof. Larger slopes, of rare edges that are
- * nearly horizontal, are found by bisection. */
+ * ranges.h has bounds on the error, and tests/proofs/raster_rows.g their proof. Edges that are nearly horizontal, which
+ * are rare, have too large a slope for this; their runs are found by bisection. */
 #include "polygon_rows.h"
 
 #include "ranges.h"
 
-#define SMALL_AREA 64 /* pixels of a small box, in which each pixel is tested */
+#define SMALL_AREA 64 /* largest number of pixels of a box in which each pixel is tested */
 
 struct walker {
     int64_t at, step;
@@ -22,7 +22,7 @@ struct walkers {
     unsigned lefts, rights, bisected, bisect[POLYGON_EDGES];
 };
 
-/* A block floating point number, +- top 2^(bits - 64), top >= 2^63; or 0. */
+/* A number in block floating point; its size is top 2^(bits - 64), top >= 2^63, or 0. */
 struct block {
     uint64_t top;
     int bits;
@@ -82,14 +82,14 @@ static void start(struct walkers *w, const struct polygon *p)
     }
 }
 
-/* True if the least integer above the value is certainly that above the exact one. Otherwise that is the integer below
- * the value or the one above. */
+/* True if the value and the exact one certainly have the same least integer above. Otherwise the exact value's is the
+ * integer below the value or the one above. */
 static inline bool is_sure(int64_t at)
 {
     return (at & ((INT64_C(1) << WALKER_BITS) - 1)) > INT32_C(2) * WALKER_ERROR;
 }
 
-static void ask_left(const struct walkers *w, const struct polygon *p, int y, int *x0, int x1)
+static void clip_left(const struct walkers *w, const struct polygon *p, int y, int *x0, int x1)
 {
     for (unsigned i = 0; i < w->lefts; i++) {
         int64_t x = (w->left[i].at >> WALKER_BITS) + is_sure(w->left[i].at);
@@ -100,7 +100,7 @@ static void ask_left(const struct walkers *w, const struct polygon *p, int y, in
     }
 }
 
-static void ask_right(const struct walkers *w, const struct polygon *p, int y, int x0, int *x1)
+static void clip_right(const struct walkers *w, const struct polygon *p, int y, int x0, int *x1)
 {
     for (unsigned i = 0; i < w->rights; i++) {
         int64_t x = (w->right[i].at >> WALKER_BITS) + is_sure(w->right[i].at);
@@ -111,8 +111,8 @@ static void ask_right(const struct walkers *w, const struct polygon *p, int y, i
     }
 }
 
-/* Steps the left side. If its greatest value is certain, no other edge leads farther to the right: any uncertain value
- * is at most the integer above. */
+/* Steps the left edges. If the greatest value is certain, no other edge leads farther to the right: an uncertain value
+ * leads to the integer above at most. */
 static inline void step_left(struct walkers *w, const struct polygon *p, int y, int *x0, int x1)
 {
     int64_t most = INT64_MIN;
@@ -121,14 +121,15 @@ static inline void step_left(struct walkers *w, const struct polygon *p, int y, 
         most = w->left[i].at > most ? w->left[i].at : most;
     int64_t x = (most >> WALKER_BITS) + 1;
     if (w->lefts && !is_sure(most))
-        ask_left(w, p, y, x0, x1);
+        clip_left(w, p, y, x0, x1);
     else if (x > *x0)
         *x0 = x < x1 ? (int)x : x1;
     for (unsigned i = 0; i < w->lefts; i++)
         w->left[i].at += w->left[i].step;
 }
 
-/* Steps the right side. If its least value is certain, any uncertain value is greater, so above the next integer. */
+/* Steps the right edges. If the least value is certain, uncertain values are greater, so none leads farther to the
+ * left. */
 static inline void step_right(struct walkers *w, const struct polygon *p, int y, int x0, int *x1)
 {
     int64_t least = INT64_MAX;
@@ -137,14 +138,14 @@ static inline void step_right(struct walkers *w, const struct polygon *p, int y,
         least = w->right[i].at < least ? w->right[i].at : least;
     int64_t x = (least >> WALKER_BITS) + 1;
     if (w->rights && !is_sure(least))
-        ask_right(w, p, y, x0, x1);
+        clip_right(w, p, y, x0, x1);
     else if (x < *x1)
         *x1 = x > x0 ? (int)x : x0;
     for (unsigned i = 0; i < w->rights; i++)
         w->right[i].at += w->right[i].step;
 }
 
-/* Cuts the run to the part that the edge covers: all, none, its left or its right part. */
+/* Reduces the run to the part on the inner side of the edge: all, none, its left or its right part. */
 static void bisect(const struct polygon *p, unsigned edge, int y, int *x0, int *x1)
 {
     bool first = polygon_edge_covers(p, edge, *x0, y), last = polygon_edge_covers(p, edge, *x1 - 1, y);

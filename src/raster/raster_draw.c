@@ -9,17 +9,18 @@ struct job {
     const struct polygon *polygon;
     uint32_t face;
     const struct tia_raster_runs *runs;
-    struct raster_polygon shared; /* shared by the runs */
+    struct raster_polygon shared; /* data that all runs share */
 };
 
-/* True if the test passes. OpenGL's order makes a comparison the set of its results: less 1, equal 2, greater 4.
- * `order` is -1, 0 or 1. */
+/* True if the test passes; `order` is -1, 0 or 1. A comparison's number, as in OpenGL, is a set of results: less 1,
+ * equal 2, greater 4. */
 static inline bool passes(enum tia_compare test, int order)
 {
     return (unsigned)test >> (order + 1) & 1;
 }
 
-/* Returns the order of two planes; the state's ties_by_face decides ties. */
+/* Returns the order of the polygon and face `there` by their planes; if these are equal, the state's ties_by_face
+ * decides. */
 static int order_of_planes(const struct job *job, int x, int y, uint32_t there)
 {
     struct tia_raster_target *t = job->target;
@@ -31,8 +32,8 @@ static int order_of_planes(const struct job *job, int x, int y, uint32_t there)
     return order;
 }
 
-/* Returns 1 where the polygon is nearer than the face there, -1 farther, 0 equal; for pixels where the filter in
- * nearness is unsure. */
+/* Returns 1 if the polygon is nearer than the face stored at the pixel, -1 if farther, 0 if equal; for pixels where
+ * nearness does not decide. */
 static inline int exact_order(const struct job *job, int x, int y, size_t at)
 {
     uint32_t there = job->target->face[at];
@@ -159,7 +160,7 @@ static bool is_nearer(const void *ctx, size_t at)
     return exact_order(job, x, y, at) > 0;
 }
 
-/* Draws depth alone; the nearest wins. */
+/* Draws depth alone, keeping the nearest face. */
 static void nearest_run(void *ctx, int y, int x0, int x1)
 {
     const struct job *job = ctx;
@@ -205,7 +206,7 @@ static void counting_run(void *ctx, int y, int x0, int x1)
     }
 }
 
-/* Prepares the polygon's data for the target's vector unit, or plain C. */
+/* Prepares the data that the runs share. */
 static void share(struct job *job)
 {
     const struct tia_raster_target *t = job->target;
@@ -246,7 +247,7 @@ static bool is_depth_alone(const struct tia_raster_target *t, const struct tia_r
            (!t->count || (never_counts(&s->front) && never_counts(&s->back)));
 }
 
-/* True if all enums are valid: each has eight values, so none is out of range if all ORed together are not. */
+/* True if all enums are valid: each has eight values, so all are valid if their OR is below 8. */
 static bool is_state(const struct tia_raster_state *s)
 {
     return ((unsigned)s->depth | (unsigned)s->front.test | (unsigned)s->front.fail | (unsigned)s->front.zfail |

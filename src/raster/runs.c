@@ -1,7 +1,7 @@
 #include "runs.h"
 
-/* True if the polygon is nearer where the filter is uncertain: pixels without a face are farther, and a face is not
- * nearer than itself. */
+/* True if the polygon is nearer, at a pixel where nearness does not decide: nearer than no face, but not than
+ * itself. */
 static bool settle(const struct raster_polygon *p, size_t at)
 {
     uint32_t there = p->face[at];
@@ -28,7 +28,7 @@ static inline bool is_unsure(int64_t difference)
     return (uint64_t)difference + DEPTH_UNSURE <= 2 * DEPTH_UNSURE;
 }
 
-/* Adds to the counts; the difference's sign bit decides, inverted when nearer pixels count. */
+/* Adds to the counts: the sign bit of the difference in nearness decides, inverted if nearer pixels count. */
 static void add(const struct raster_polygon *p, size_t at, int pixels, uint64_t z)
 {
     const uint64_t *nearness = p->nearness;

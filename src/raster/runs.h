@@ -1,5 +1,5 @@
-/* runs.h - the rasteriser's part for vector units: runs of pixels in which nearness is stepped. Integers only, so every
- * unit gives the same bits as plain C. */
+/* runs.h - runs of pixels in which nearness is stepped: the part of the rasteriser that vector units have versions of.
+ * All is in integers, so every version gives the same bits as plain C. */
 #ifndef TIA_RASTER_RUNS_H
 #define TIA_RASTER_RUNS_H
 
@@ -7,20 +7,20 @@
 
 /* Data that all runs of a polygon share. */
 struct raster_polygon {
-    uint64_t *nearness; /* the target's */
+    uint64_t *nearness; /* the target's buffer, as are face and count */
     uint32_t *face, *count;
     uint64_t step; /* step of the polygon's nearness to the next pixel */
-    uint32_t own;  /* the polygon's face */
-    bool nearer;   /* where counts change: where the polygon is nearer, else where it is not */
+    uint32_t own;  /* the polygon's face number */
+    bool nearer;   /* true: counts change where the polygon is nearer; false: where it is not */
     uint32_t one;  /* the increment of the counts */
 
-    /* Decides where the filter is uncertain and a different face is stored: true if the polygon is nearer at that
-     * index. */
+    /* True if the polygon is nearer than a different face, stored at this index; for pixels where nearness does not
+     * decide. */
     bool (*is_nearer)(const void *ctx, size_t at);
     const void *ctx;
 };
 
-/* Draws a run of `pixels` from index `at` on, where the polygon's nearness is z. */
+/* Draws a run of `pixels` pixels from index `at` on, where the polygon's nearness is z. */
 typedef void raster_run_kernel(const struct raster_polygon *p, size_t at, int pixels, uint64_t z);
 
 struct tia_raster_runs {

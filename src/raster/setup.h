@@ -1,4 +1,5 @@
-/* setup.h - a polygon's edges and plane, in 64 or 128 bits as forms.h. No guard: polygon.c includes it once for each.
+/* setup.h - a polygon's edges and plane, in 64 or 128 bits as in forms.h. No guard: polygon.c includes it once for each
+ * width.
  */
 
 static void FORM(set_plane)(struct polygon *p, const struct tia_raster_grid *l, FORM(number) sides[3][3],
@@ -14,7 +15,8 @@ static void FORM(set_plane)(struct polygon *p, const struct tia_raster_grid *l, 
     p->of.FORM(forms).plane = FORM(form_of)(n, l);
 }
 
-/* Returns an edge with the tie rule: moved to the right, then down. A side without length covers all pixels. */
+/* Returns an edge with the tie rule, by which pixels are moved to the right, then down. An edge without length covers
+ * all pixels. */
 static struct FORM(form) FORM(edge_of)(const struct polygon *p, const struct tia_raster_grid *l, FORM(number) n[3])
 {
     if (!p->front)
@@ -26,8 +28,8 @@ static struct FORM(form) FORM(edge_of)(const struct polygon *p, const struct tia
     return e;
 }
 
-/* Sets up the edges and the plane; false when the eye is in the polygon's plane. sides[i] is that from corner i to the
- * next one. */
+/* Sets up the edges and the plane; false when the eye is in the polygon's plane. sides[i] is the normal of the side
+ * from corner i to the next one. */
 static bool FORM(set_up)(struct polygon *p, const struct tia_raster_grid *l, int64_t q[][3],
                          const struct tia_raster_vertex *v)
 {

@@ -1,4 +1,4 @@
-/* target.h - addresses of a pixel's values. */
+/* target.h - indices of pixels in a target's buffers, and parts of targets. */
 #ifndef TIA_RASTER_TARGET_H
 #define TIA_RASTER_TARGET_H
 
@@ -22,11 +22,12 @@ static inline int target_bottom(const struct tia_raster_target *t)
     return (int)t->area.y + (int)t->area.height;
 }
 
-/* Gives the pixels of `area` in the buffers of another target. TIA_ERR_ARGUMENT when it is empty or not inside. Threads
- * may draw at once into parts that share no pixel, if the planes are known. */
+/* Makes *part a target for the pixels of `area` in the buffers of another target. Returns TIA_OK, or TIA_ERR_ARGUMENT
+ * when the area is empty or not inside. Threads may draw at the same time into parts that share no pixel, if the planes
+ * are already stored. */
 int tia_raster_part(struct tia_raster_target *part, const struct tia_raster_target *target, struct tia_tile area);
 
-/* Gives the plane of a polygon, as tia_raster_draw stores it. Errors as for tia_raster_draw. */
+/* Gives the plane of a polygon as tia_raster_draw stores it, with the same errors. */
 int tia_raster_plane_init(struct tia_raster_plane *plane, const struct tia_raster_grid *grid,
                           const struct tia_raster_vertex *corners, unsigned count);
 

@@ -31,7 +31,8 @@ static const char *after(const char *string, const char *start)
     return *start ? NULL : string;
 }
 
-/* Appends the rule; a least length, 2^-10 in the scene, and a distance are converted to the file's unit. */
+/* Appends the rule. The smallest length, 2^-10 in the scene, and the largest distance are converted to the file's
+ * unit. */
 static void say_rule(struct tia_read_error *error, const char *rule, int scale_bits)
 {
     static const char *const starts[] = {"must be at least 2^", "must be 0 or at least 2^"};

@@ -9,8 +9,9 @@ static inline struct tia_rgb tia_grey(tia_q30 x)
     return (struct tia_rgb){x, x, x};
 }
 
-/* Return a b, clamped to the range of Q2.30. */
+/* Returns a b, clamped to the largest Q2.30; a and b are 0 or more. */
 tia_q30 tia_q30_product(tia_q30 a, tia_q30 b);
+/* Returns the colour with each channel multiplied by `by`, clamped likewise. */
 struct tia_rgb tia_rgb_product(struct tia_rgb colour, tia_q30 by);
 
 /* Reads a highlight's exponent, of any size; clamps it to TIA_EXPONENT_MAX. */

@@ -133,7 +133,7 @@ static bool coincide(const struct polygon_corner *a, const struct polygon_corner
     return a->x == b->x && a->y == b->y;
 }
 
-/* True if q prevents cutting off the tip b of the convex triangle a, b, c: it lies inside or on an edge. Corners that
+/* True if q prevents cutting off the tip b of the convex triangle a, b, c: q lies inside or on an edge. Corners that
  * coincide with a or c do not count. They occur where a bridge leads to a hole and back, and the polygon cannot enter
  * the triangle from there without crossing an edge. */
 static bool blocks(const struct polygon_corner *q, const struct polygon_corner *a, const struct polygon_corner *b,
@@ -155,7 +155,7 @@ static int32_t most(int32_t a, int32_t b, int32_t c)
 }
 
 /* True if corner i is an ear: it is convex and no other corner blocks it. Only corners that are not convex need to be
- * tested: when a convex one is in the triangle, one that is not is there as well. */
+ * tested: when a convex corner is in the triangle, one that is not convex is in it as well. */
 static bool is_ear(const struct polygon *polygon, uint32_t i)
 {
     const struct polygon_corner *corners = polygon->corners, *b = &corners[i], *a = &corners[b->prev],
@@ -173,7 +173,7 @@ static bool is_ear(const struct polygon *polygon, uint32_t i)
     return true;
 }
 
-/* Finds the first corner with that orientation. */
+/* Finds the next corner with that orientation; false: there is none. */
 static bool find_orientation(const struct polygon *polygon, int orientation, uint32_t *found)
 {
     uint32_t i = polygon->at;

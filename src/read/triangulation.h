@@ -4,7 +4,7 @@
 
 #include <tia/vec.h>
 
-/* Limit of corners: ear clipping takes time quadratic in them, milliseconds for 4096. */
+/* Largest number of corners: ear clipping takes time quadratic in it, milliseconds for 4096. */
 #define POLYGON_MAX 4096
 
 struct polygon_corner {
@@ -18,7 +18,7 @@ struct polygon_corner {
 struct polygon {
     struct polygon_corner *corners;
     uint32_t left, at; /* number of corners left; the corner at which the search for an ear continues */
-    uint32_t not_convex, flat, candidates; /* corners left: orientation < 1, orientation = 0, ear != 0 */
+    uint32_t not_convex, flat, candidates; /* numbers of corners left with orientation < 1, orientation = 0, ear != 0 */
 };
 
 /* Begins ear clipping into count - 2 triangles, each of three corners in the polygon's order. The triangles of a simple
@@ -27,7 +27,7 @@ struct polygon {
  * plane in which its area is largest, so its corners need not be coplanar. */
 void tia_polygon_begin(struct polygon *polygon, struct polygon_corner *corners, uint32_t count);
 
-/* Gives the next triangle; false when there are no more. */
+/* Gives the indices of the next triangle's corners; false when there are no more triangles. */
 bool tia_polygon_next(struct polygon *polygon, uint32_t triangle[3]);
 
 #endif

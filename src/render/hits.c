@@ -45,7 +45,7 @@ bool tia_hits_have(const struct tia_hits *hits, const struct tia_view *view, str
            tile_bottom(tile) <= view->height;
 }
 
-/* Returns the object at a pixel by tracing it: vector units leave no hits. */
+/* Returns the object at a pixel, traced for this call: vector units store no hits. */
 static uint32_t traced_object(const struct tia_view *view, unsigned x, unsigned y)
 {
     uint32_t object = TIA_NO_OBJECT;

@@ -1,7 +1,7 @@
 /* render.c - draws a tile, by the view's renderer or by vector units. */
 #include "renderer.h"
 
-/* Returns the status after work on a tile; marks the hits as traced if `traces` and not stopped. */
+/* Returns TIA_STOPPED or TIA_OK after work on a tile; if `traces`, marks the hits as traced unless stopped. */
 static int ended(const struct tia_view *view, struct tia_hits *hits, bool traces)
 {
     if (view_stops(view))
@@ -22,7 +22,8 @@ int tia_drawing_trace(const struct tia_view *view, struct tia_hits *hits, struct
 
 static const struct tia_options plain = {0};
 
-/* True if the view can write options->colours: vector units have RGB565 alone, and samples have sums. */
+/* True if options->colours is NULL, or the view can write it: not with vector units, a renderer of samples, or
+ * dithering. */
 static bool has_colours(const struct tia_view *view, const struct tia_options *options)
 {
     return !options->colours || !(view->simd || view->renderer->sample || options->dither);

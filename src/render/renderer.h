@@ -1,8 +1,8 @@
 /* renderer.h - a renderer, from scene to pixels, as a table of functions.
  *
- * A view takes the first renderer of its core that draws the scene, see choose.c, and keeps it. A renderer's
- * prepared data are in the view's memory, behind view->prepared, and its data of each pixel in the hit
- * buffer, behind hits->buffer; it defines the layout of both. No code outside a renderer depends on which one it is.
+ * A view uses the first renderer of its core that draws the scene, see choose.c. A renderer's prepared data are in the
+ * view's memory, at view->prepared, and its data of each pixel in the hit buffer, at hits->buffer; only the renderer
+ * depends on their layouts.
  */
 #ifndef TIA_RENDER_RENDERER_H
 #define TIA_RENDER_RENDERER_H
@@ -14,38 +14,40 @@
 
 #include "math/tile.h"
 
-/* The parts of an instruction set's code, one for each kind of renderer that it replaces. SIMD_PARTS: none. */
+/* The parts of an instruction set's code, one for each kind of renderer that has such code. SIMD_PARTS: no part. */
 enum simd_part { SIMD_SPANS, SIMD_RAYS, SIMD_SAMPLES, SIMD_PARTS };
 
 struct renderer {
-    /* True if the renderer draws the scene; called only when no renderer before it in the list does. NULL: it draws any
-     * scene. New lights of a view are tested in a scene without objects. */
+    /* True if the renderer draws the scene; called only when no earlier renderer in the list draws it. NULL: always
+     * true. A view's new lights are tested in a scene without objects. */
     bool (*draws)(const struct tia_scene *scene);
 
-    /* Returns the bytes behind view->prepared, SIZE_MAX when there are too many. */
+    /* Returns the size in bytes of the data at view->prepared; SIZE_MAX: too large. */
     size_t (*prepared_size)(const struct tia_scene *scene, uint32_t light_capacity);
-    /* Fills in view->prepared for the view's scene and size, without its lights. May return TIA_STOPPED. */
+    /* Fills in view->prepared for the view's scene and size, without its lights. Returns a tia_status, such as
+     * TIA_STOPPED. */
     int (*prepare)(struct tia_view *view);
-    /* Sets the view's lights: after `prepare`, and whenever they change. May return TIA_STOPPED. */
+    /* Prepares view->lights: called after `prepare`, and whenever the lights change. Returns a tia_status, such as
+     * TIA_STOPPED. */
     int (*set_lights)(struct tia_view *view);
 
-    /* Returns the bytes behind hits->buffer for `pixels` pixels of the scene; below 2^40. NULL: none. */
+    /* Returns the size in bytes of the data at hits->buffer for `pixels` pixels, below 2^40. NULL: no data. */
     uint64_t (*buffer_size)(const struct tia_scene *scene, uint32_t pixels);
 
-    /* Trace and light: the work of tia_view_trace and tia_view_light, for a tile that is inside the image and the
-     * hits. */
+    /* Implements tia_view_trace for a tile inside the image and the hits. */
     void (*trace)(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile);
+    /* Implements tia_view_light for a tile inside the image and the hits. */
     void (*light)(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                   const struct tia_surface *surface, const struct tia_options *options);
 
-    bool by_pixel;       /* see tia_draws_by_pixel */
+    bool by_pixel;       /* result of tia_draws_by_pixel */
     enum simd_part part; /* the part of an instruction set's code that may draw in its place */
 
-    /* Returns an error if the view cannot hold these lights: TIA_ERR_MEMORY when its memory is not enough for them,
-     * TIA_ERR_RANGE when one is too far away. NULL: never. See tia_view_set_lights. */
+    /* Returns TIA_OK, or an error if the view cannot hold these lights: TIA_ERR_MEMORY when the view's memory is too
+     * small, TIA_ERR_RANGE when a light is too far away. NULL: always TIA_OK. See tia_view_set_lights. */
     int (*refuses)(const struct tia_view *view, const struct tia_light *lights, uint32_t count);
 
-    /* Traces and lights in one pass, where that saves work; NULL: the two follow each other. */
+    /* Traces and lights a tile in one pass, where one pass saves work; NULL: `trace` and `light` are called instead. */
     void (*render)(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
                    const struct tia_surface *surface, const struct tia_options *options);
 
@@ -54,36 +56,36 @@ struct renderer {
                    const struct tia_gathered *gathered);
 };
 
-/* A renderer's replacement by vector units, of one instruction set: the same bits. */
+/* A renderer's replacement by the vector units of one instruction set, with the same bits. */
 struct simd_renderer {
-    /* Returns the bytes behind view->simd_memory, SIZE_MAX when there are too many. */
+    /* Returns the size in bytes of the data at view->simd_memory; SIZE_MAX: too large. */
     size_t (*size)(const struct tia_scene *scene, uint32_t light_capacity);
 
     /* True if the kernels can draw the view with any lights. */
     bool (*draws)(const struct tia_view *view);
-    /* Prepares the memory once; NULL: not needed. */
+    /* Prepares view->simd_memory once for a view; NULL: not needed. */
     void (*open)(struct tia_view *view);
-    /* Prepares the memory for the view's lights, whenever they change. */
+    /* Prepares view->simd_memory for the view's lights, whenever they change. */
     void (*prepare)(struct tia_view *view);
 
-    /* Returns the bytes that each call of the following two needs: a thread's stack may be small. `room` is aligned
-     * to 64. */
+    /* Returns the size in bytes of the scratch memory `room` for a call of `light` or `sample`, as a thread's stack may
+     * be small. `room` is aligned to 64 bytes. */
     size_t (*room)(const struct tia_simd *simd);
 
-    /* Draws a tile, see struct renderer, without hits, whose buffer stays unused. */
+    /* Traces and lights a tile, see struct renderer, without hits: their buffer is unused. */
     void (*light)(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
                   const struct tia_options *options, void *room);
 
-    /* Adds samples, see struct renderer; for renderers that have samples. */
+    /* Adds samples, see struct renderer; called only if the renderer has samples. */
     void (*sample)(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end,
                    const struct tia_gathered *gathered, void *room);
 };
 
-/* Entry points to the vector units. They call the functions above in a floating-point environment of their own, with
- * room that no other thread uses, and restore the caller's environment. Without such room or environment plain C draws.
- */
+/* Entry points to the vector units. They call the functions of struct simd_renderer in a separate floating-point
+ * environment, with `room` that no other thread uses, and restore the caller's environment. If there is no such
+ * environment or room, plain C draws. */
 struct simd_entries {
-    /* Returns the bytes for the part's own memory and for `workers` workers. */
+    /* Returns the size in bytes of the part's own memory and of `room` for `workers` workers. */
     size_t (*size)(const struct tia_simd *simd, const struct simd_renderer *part, const struct tia_scene *scene,
                    uint32_t light_capacity, unsigned workers);
     void (*open)(struct tia_view *view, void *memory, size_t size);
@@ -98,18 +100,18 @@ struct simd_entries {
 struct tia_simd {
     const char *name;
     const struct simd_entries *enter;
-    const struct span_kernels *plain;              /* the kernels whose bits it reproduces: one arithmetic's */
-    const struct simd_renderer *parts[SIMD_PARTS]; /* the parts; NULL: plain C draws */
-    const struct simd_kernels *kernels;            /* kernels of the spans */
-    const struct sure_kernels *sure;               /* kernels of the rays */
+    const struct span_kernels *plain;              /* plain kernels with the same bits: those of one arithmetic */
+    const struct simd_renderer *parts[SIMD_PARTS]; /* NULL: plain C draws instead */
+    const struct simd_kernels *kernels;            /* kernels of the span renderer */
+    const struct sure_kernels *sure;               /* kernels of the ray renderers */
     const struct tia_raster_runs *raster;          /* the rasteriser's inner loops; NULL: plain C */
 };
 
-/* The renderers of a core: a program links those of the cores that it names. */
+/* The renderers of a core. A program links only the renderers of the cores that it uses. */
 struct tia_renderers {
-    const struct renderer *const *list; /* the first that draws a scene is chosen; ends with NULL */
+    const struct renderer *const *list; /* in order of preference; ends with NULL */
     const struct span_kernels *plain;   /* plain C kernels of the core's arithmetic */
-    /* Checks all ranges, and that the renderers have code for all parts of the scene, see tia_check_scene. */
+    /* Checks all ranges of the scene, and that the renderers have code for all its parts; see tia_check_scene. */
     int (*check)(const struct tia_scene *scene, struct tia_fault *fault, struct cancel *cancel);
 };
 
@@ -136,7 +138,7 @@ static inline const struct simd_renderer *simd_renderer_for(const struct tia_sim
     return simd && renderer->part < SIMD_PARTS ? simd->parts[renderer->part] : NULL;
 }
 
-/* Returns the output that a caller selected with `debug`. */
+/* Returns the debug output that the caller requests; members are NULL for output that is not wanted. */
 static inline struct tia_debug options_debug(const struct tia_options *options)
 {
     return options->debug ? *options->debug : (struct tia_debug){NULL, NULL, NULL};
@@ -147,7 +149,7 @@ static inline bool view_stops(const struct tia_view *view)
     return view->stop && view->stop(view->stop_ctx);
 }
 
-/* Returns a struct cancel for work that the view's owner may stop. */
+/* Returns a struct cancel that polls the view's `stop`. */
 static inline struct cancel view_cancel(const struct tia_view *view)
 {
     return (struct cancel){view->stop, view->stop_ctx, 0, false};
@@ -159,7 +161,7 @@ struct tia_hits {
     struct tia_tile area;
     uint32_t *object; /* an object's index, or TIA_NO_OBJECT */
     void *buffer;     /* the renderer's data */
-    bool traced;      /* part of the area was traced; set by any of the threads that trace */
+    bool traced;      /* some of the area was traced, by any thread */
 };
 
 /* Sets `traced`. Several threads may do so at once, all to the same value. */
@@ -184,12 +186,13 @@ static inline bool hits_are_traced(const struct tia_hits *hits)
 #endif
 }
 
-/* Returns a tile's end; tia_view_trace has checked that it is inside the image. */
+/* Returns the x to the right of a tile; tia_view_trace has checked that the tile is inside the image. */
 static inline int tile_right(struct tia_tile tile)
 {
     return (int)tile.x + (int)tile.width;
 }
 
+/* Returns the y below a tile. */
 static inline int tile_bottom(struct tia_tile tile)
 {
     return (int)tile.y + (int)tile.height;
@@ -200,7 +203,7 @@ static inline size_t hits_index(const struct tia_hits *hits, unsigned x, unsigne
     return (size_t)(y - hits->area.y) * hits->area.width + (x - hits->area.x);
 }
 
-/* Spans: scenes of spheres, a row at a time. The small renderer decides each pixel on its own, without coherence.h. */
+/* Spans: scenes of spheres, row by row. The small renderer computes every pixel separately, without coherence.h. */
 extern const struct renderer span_renderer, span_renderer_small;
 
 /* Rays, after Whitted: any scene. */
@@ -218,7 +221,8 @@ extern const struct renderer path_renderer;
 /* Returns the renderer for a scene, which depends on the core and the scene alone; NULL: the core has none. */
 const struct renderer *tia_renderer_for(const struct tia_core *core, const struct tia_scene *scene);
 
-/* The slots of struct tia_core in the library's cores. */
+/* ---- functions of struct tia_core in the library's cores ---- */
+
 size_t tia_core_view_size(const struct tia_core *core, const struct tia_scene *scene, uint32_t light_capacity);
 int tia_core_view_init(const struct tia_core *core, struct tia_view **view, void *memory, size_t size,
                        const struct tia_scene *scene, uint32_t light_capacity, unsigned width, unsigned height,
@@ -228,7 +232,8 @@ size_t tia_core_simd_size(const struct tia_core *core, const struct tia_simd *si
                           uint32_t light_capacity, unsigned workers);
 bool tia_core_draws_by_pixel(const struct tia_core *core, const struct tia_scene *scene);
 
-/* The slots of struct tia_drawing in the library's cores; `view` is not NULL. */
+/* ---- functions of struct tia_drawing in the library's cores; `view` is not NULL ---- */
+
 int tia_drawing_set_lights(struct tia_view *view, const struct tia_light *lights, uint32_t count);
 int tia_drawing_hits_init(struct tia_hits **hits, void *memory, size_t size, const struct tia_view *view,
                           struct tia_tile area);

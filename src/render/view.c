@@ -89,7 +89,7 @@ int tia_drawing_set_lights(struct tia_view *view, const struct tia_light *lights
     return status;
 }
 
-/* Returns the part of an instruction set's code for a view; NULL: there is none, or its bits are those of a different
+/* Returns the part of an instruction set's code for a renderer; NULL: there is none, or the code is for a different
  * arithmetic. */
 static const struct simd_renderer *drawn_by(const struct tia_core *core, const struct tia_simd *simd,
                                             const struct renderer *renderer)

@@ -6,13 +6,13 @@
 
 #include "math/tile.h"
 
-/* The part of a pixel's data that each pass changes. */
+/* Data of a pixel that each pass changes. */
 struct light {
     uint32_t rgb[3]; /* radiance over the albedo, Q16.16 */
-    uint32_t error;  /* standard error of the light's luminance, Q16.16 */
+    uint32_t error;  /* standard error of the luminance of rgb, Q16.16 */
 };
 
-/* The part of a pixel's data that guides the passes. */
+/* Data of a pixel that guides the passes. */
 struct feature {
     uint32_t albedo[3]; /* Q16.16, the divisor of the light; never 0 */
     uint32_t depth;     /* Q16.16 */
@@ -23,14 +23,14 @@ struct colour {
     uint32_t rgb[3];
 };
 
-/* Number of passes that stop at edges of the light; the passes after these average the light that these have removed
- * from each pixel, which has a sign: it is stored with NONE_TAKEN added. */
+/* Number of passes that stop at edges of the light. Later passes average the light that these passes have removed from
+ * each pixel; it has a sign, and is stored with NONE_TAKEN added. */
 #define EDGE_PASSES 3
 #define NONE_TAKEN (UINT32_C(1) << 31)
 
 struct tia_denoiser {
     unsigned width, height;
-    struct light *light[2];  /* light before and after a pass */
+    struct light *light[2];  /* light before and after a pass, in turn */
     struct colour *filtered; /* the light before the passes; after pass EDGE_PASSES - 1, the filtered light */
     struct feature *features;
 };

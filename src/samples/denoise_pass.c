@@ -1,16 +1,16 @@
-/* denoise_pass.c - a pass of the wavelet. */
+/* denoise_pass.c - a pass of the denoiser's wavelet filter. */
 #include "denoise_data.h"
 
 #include "math/integer.h"
 
-/* Constants found by trying 500 settings on a Cornell box of 128x128 with 4, 16 and 64 samples a pixel. A fraction of
- * the depth is tolerated for curved surfaces; a spread of 2^-12 for means that are exact to the last digit. */
+/* Tolerances, the best of 500 settings on a Cornell box of 128x128 pixels with 4, 16 and 64 samples a pixel. ROOM
+ * includes a fraction of the depth, for curved surfaces, and SPREAD 2^-12, for means without noise. */
 #define SPREAD(error) (3 * (uint64_t)(error) + 16)
 #define ROOM(slope, pixels, depth) ((uint64_t)(slope) * (pixels) / 8 + (depth) / 512)
 #define ALBEDO_WEIGHT 4
 #define NORMAL_SQUARINGS 3
 
-/* A pixel, and the values with which its neighbours are compared. */
+/* A pixel, and the values with which neighbours are compared. */
 struct middle {
     const struct tia_denoiser *d;
     const struct light *light; /* light of the whole picture */
@@ -18,9 +18,9 @@ struct middle {
     bool stops; /* the pass stops at edges of the light */
     struct feature feature;
     uint32_t luminance;
-    uint64_t spread;      /* spread of the luminance by noise, Q.16 */
+    uint64_t spread;      /* tolerance of the luminance for noise, Q.16 */
     int64_t across, down; /* change of the depth to the next pixel, Q.16 */
-    uint32_t slope;       /* the larger absolute value of the two */
+    uint32_t slope;       /* the larger of |across| and |down| */
 };
 
 struct total {
@@ -34,7 +34,7 @@ static uint32_t apart(uint32_t a, uint32_t b)
     return a > b ? a - b : b - a;
 }
 
-/* Returns 2^-x, x and the result with 16 bits behind the point: between powers of two by a parabola, within 0.2 %. */
+/* Returns 2^-x within 0.2 %, x and the result in Q.16: a parabola between powers of two. */
 static uint32_t fade(uint64_t x)
 {
     uint32_t f = (uint32_t)(x & 0xffff);
@@ -49,7 +49,7 @@ static uint64_t ratio(uint64_t a, uint64_t b)
     return b ? (a << 16) / b : a ? UINT32_MAX : 0;
 }
 
-/* Returns (N.N')^8, Q.16. */
+/* Returns (N.N')^8, Q.16, for normals a and b. */
 static uint32_t alike(const int16_t a[3], const int16_t b[3])
 {
     int32_t dot = 0;
@@ -167,7 +167,7 @@ static struct light filtered(const struct middle *m)
     return result;
 }
 
-/* Stores the filtered light; leaves the removed part. */
+/* Stores the filtered light; *light becomes the part that the filter removed. */
 static void take(struct tia_denoiser *d, size_t at, struct light *light)
 {
     for (int c = 0; c < 3; c++) {

@@ -6,8 +6,8 @@
 #include "math/align.h"
 #include "math/integer.h"
 
-#define FLOOR 512                    /* least albedo: 2^-7 */
-#define MEAN_MAX (INT64_C(1) << 38)  /* samples are at most 2^14, in units of 2^-24 */
+#define FLOOR 512                    /* least albedo: 2^-7, Q16.16 */
+#define MEAN_MAX (INT64_C(1) << 38)  /* largest mean of samples: 2^14, in units of 2^-24 */
 #define DEPTH_MAX (INT64_C(1) << 54) /* largest depth shown, times the number of samples in a sum */
 
 size_t tia_denoise_size(unsigned width, unsigned height)
@@ -48,13 +48,14 @@ bool tia_denoise_has(const struct tia_denoiser *d, struct tia_tile tile)
     return d && tile_is_inside(tile, (struct tia_tile){0, 0, (uint16_t)d->width, (uint16_t)d->height});
 }
 
-/* Returns the mean of a sum that is not negative, rounded to nearest. */
+/* Returns sum/count, rounded to nearest; sum >= 0. */
 static uint64_t mean(int64_t sum, uint32_t count)
 {
     return ((uint64_t)sum + count / 2) / count;
 }
 
-/* Derivation: a sample's variance is n (mean of squares - square of the mean)/(n - 1), and 1/n of that is the mean's.
+/* Derivation: the variance of samples is n (mean of squares - square of the mean)/(n - 1), the variance of their mean
+ * 1/n of that.
  */
 uint32_t tia_standard_error(const struct tia_sum *sum, uint64_t squares, uint32_t count)
 {
@@ -71,7 +72,7 @@ uint32_t tia_standard_error(const struct tia_sum *sum, uint64_t squares, uint32_
     return spread > most ? tia_sqrt64((spread - most) / (count - 1)) : 0;
 }
 
-/* Stores a channel. Light is below 2^16 times its divisor, which for emitters is its own mean. */
+/* Stores a channel's albedo and light. The divisor is raised so that the quotient, the light, is below 2^16. */
 static void put_channel(struct light *light, struct feature *feature, int c, uint64_t radiance, uint64_t albedo)
 {
     uint64_t divisor = (albedo + 128) >> 8, least = radiance >> 24;
@@ -83,7 +84,7 @@ static void put_channel(struct light *light, struct feature *feature, int c, uin
     feature->albedo[c] = (uint32_t)divisor;
 }
 
-/* Stores the mean normal at length 1, or 0: with at most 2^27 in a component, squares do not overflow. */
+/* Stores the mean normal with length 1, or 0. Components are reduced below 2^30, so that squares do not overflow. */
 static void put_normal(struct feature *feature, const int64_t sum[3])
 {
     int64_t n[3];
@@ -136,7 +137,7 @@ int tia_denoise_put(struct tia_denoiser *d, struct tia_tile tile, const struct t
     return TIA_OK;
 }
 
-/* Returns the light that is left, plus the mean of the removed light around it. */
+/* Returns a channel of the filtered light, plus the mean of the light removed from the pixels around. */
 static uint32_t light_of(const struct tia_denoiser *d, size_t at, int c)
 {
     int64_t light = (int64_t)d->filtered[at].rgb[c] + d->light[TIA_DENOISE_PASSES & 1][at].rgb[c] - NONE_TAKEN;

@@ -12,7 +12,8 @@
 
 #include <stdint.h>
 
-/* Bit-reversed points of the Sobol sequence's third and fourth dimension, for each four bits of the index. */
+/* Bit-reversed points of the Sobol sequence's third and fourth dimension: [dimension - 2][n][v] for the value v of bits
+ * 4n..4n+3 of the index. */
 extern const uint32_t tia_sobol_tables[2][8][16];
 
 #define SOBOL_WORD uint32_t
@@ -21,7 +22,7 @@ extern const uint32_t tia_sobol_tables[2][8][16];
 #undef SOBOL_WORD
 #undef SOBOL_STEP
 
-/* Returns a point of the third or fourth dimension, 2 or 3, its bits reversed. */
+/* Returns point `index` of dimension 2 or 3, its bits reversed. */
 static inline uint32_t sobol_table(uint32_t index, unsigned dimension)
 {
     uint32_t sum = 0;
@@ -31,8 +32,8 @@ static inline uint32_t sobol_table(uint32_t index, unsigned dimension)
     return sum;
 }
 
-/* Returns point `index` of a dimension 0..3, its bits reversed. The first dimension is the radical inverse; the
- * matrices of the others are those of Joe and Kuo (2008). */
+/* Returns point `index` of dimension 0..3, its bits reversed. Dimension 0 is the radical inverse; the other dimensions
+ * have the matrices of Joe and Kuo (2008). */
 static inline uint32_t sobol_reversed(uint32_t index, unsigned dimension)
 {
     return dimension == 0 ? index : dimension == 1 ? sobol_pascal(index) : sobol_table(index, dimension);
@@ -48,7 +49,7 @@ static inline struct sampler sampler_of(uint32_t seed, int x, int y, uint32_t in
     return (struct sampler){sobol_hash2(sobol_hash2(seed, (uint32_t)y), (uint32_t)x), index};
 }
 
-/* Gives two numbers of a quad: those of its dimensions `first` and `first` + 1. */
+/* Gives the sample's numbers in dimensions `first` and `first` + 1 of a quad. */
 static inline void sampler_pair(const struct sampler *sampler, uint32_t quad, unsigned first, uint32_t u[2])
 {
     uint32_t hash = sobol_hash2(sampler->seed, quad);

@@ -22,7 +22,7 @@ static inline SOBOL_WORD SOBOL_STEP(reverse)(SOBOL_WORD x)
     return (x >> 1 & UINT32_C(0x55555555)) | (x & UINT32_C(0x55555555)) << 1;
 }
 
-/* Returns Owen's scrambling of a number whose bits are reversed: no bit depends on a higher one. */
+/* Returns a number whose bits are reversed, scrambled by Owen's method: no bit depends on a higher one. */
 static inline SOBOL_WORD SOBOL_STEP(scramble)(SOBOL_WORD x, SOBOL_WORD seed)
 {
     x ^= x * UINT32_C(0x3d20adea);

@@ -28,9 +28,9 @@ struct tia_exposure tia_exposure_of(tia_q16 exposure)
     return (struct tia_exposure){tia_exp2(INT64_C(1) << 62, (65536 - fraction) << 40), floor + 1};
 }
 
-#define MEAN_MOST (INT64_C(1) << 38) /* in units of 2^-24: mean of samples of 2^14 */
+#define MEAN_MOST (INT64_C(1) << 38) /* largest mean, 2^14, in units of 2^-24 */
 
-/* Returns the mean in units of 2^-32, rounded down, without overflow; of sums from 2^55 on it is at most 2^46. */
+/* Returns the mean in units of 2^-32, rounded down, without overflow: for sums of 2^55 and more at most 2^46. */
 static int64_t mean_of(int64_t sum, uint32_t count)
 {
     int64_t whole = sum / count;
@@ -40,8 +40,7 @@ static int64_t mean_of(int64_t sum, uint32_t count)
     return (whole < MEAN_MOST ? whole : MEAN_MOST) * 256 + sum % count * 256 / count;
 }
 
-/* Returns the exposed mean; a value that would overflow when shifted is far above white. Integer exposures need no
- * product. */
+/* Exposures by whole stops need no product. A value too large to be shifted is far above white. */
 uint32_t tia_exposed(const struct tia_exposure *exposure, int64_t sum, uint32_t count)
 {
     if (!exposure || !count || sum <= 0)
@@ -57,7 +56,7 @@ uint32_t tia_exposed(const struct tia_exposure *exposure, int64_t sum, uint32_t 
     return (uint32_t)wide_down(product, (unsigned)shift);
 }
 
-/* Returns the number of thresholds, of 2^bits - 1 in rising order, that are at most the value. */
+/* Returns the number of thresholds that are at most the value; the array has 2^bits - 1, in rising order. */
 static unsigned reached(const uint32_t *thresholds, unsigned bits, uint32_t value)
 {
     unsigned level = 0;
@@ -68,7 +67,7 @@ static unsigned reached(const uint32_t *thresholds, unsigned bits, uint32_t valu
     return level;
 }
 
-/* Returns reached() for 8 bits, as in files, in one step or two, except near black. */
+/* Returns reached() for 8 bits, in one step or two, except near black. */
 static unsigned reached8(uint32_t value)
 {
     unsigned level = tia_srgb8_from[value >> 24], end = tia_srgb8_from[(value >> 24) + 1];

@@ -1,4 +1,5 @@
-/* cancel.h - cancellation of long work: polls the caller's `stop` at intervals, and ends once it returns true. */
+/* cancel.h - cancellation of long work: polls the caller's `stop` at intervals; the work ends once `stop` has returned
+ * true. */
 #ifndef TIA_SCENE_CANCEL_H
 #define TIA_SCENE_CANCEL_H
 

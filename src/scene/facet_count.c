@@ -1,11 +1,11 @@
-/* facet_count.c - corners lie on the surface, so that closed shapes hold their faces: then each ray that meets a face
- * also meets the shape.
+/* facet_count.c - corners lie on the surface, so that the faces of a closed shape are inside it: each ray that meets a
+ * face also meets the shape.
  *
  * The chord between two of n corners of a circle of radius r is at most r (1 - cos(pi/n)) < r pi^2/(2 n^2) away from
  * it. So n^2 >= 5 r/e is enough for an error of e: 5 - pi^2/2 = 0.07 leaves room for the rounding of angles to 2^-16
  * degree, n being at most 2^14. On a sphere a face spans such an arc both ways. With u the direction of the middle of
- * the arcs, each corner p has p.u >= r (1 - 2 (1 - cos(pi/n))), so has each point between them: there n^2 >= 10 r/e. A
- * transform makes radii and errors longer, but by no more than its largest scale. */
+ * the arcs, each corner p has p.u >= r (1 - 2 (1 - cos(pi/n))), and so has each point between the corners: a sphere
+ * needs n^2 >= 10 r/e. A transform lengthens radii and errors, by its largest scale at most. */
 #include "facet_count.h"
 
 #include "math/integer.h"
@@ -16,7 +16,7 @@
 
 struct round {
     int64_t radius; /* the largest radius */
-    bool ends[2];   /* ends of a cylinder or cone that are more than a point */
+    bool ends[2];   /* the ends of a cylinder or cone; false: the end is a point */
     bool capped;
 };
 
@@ -52,7 +52,7 @@ static int64_t largest_scale(const struct tia_scene *scene, const struct tia_sha
     return most > scale->z ? most : scale->z;
 }
 
-/* Returns the least number of corners that suffices. */
+/* Returns the least multiple of 4 corners that suffices: n^2 >= factor radius/error. */
 static uint32_t corners_of(int64_t radius, tia_q16 error, uint32_t factor)
 {
     uint64_t size = radius < 0 ? 0 : (uint64_t)(radius < RADIUS_MAX ? radius : RADIUS_MAX);
@@ -86,7 +86,7 @@ bool tia_facets_of(const struct tia_scene *scene, uint32_t object, struct tia_fa
         s.sphere.radius = scene->spheres[object].radius;
     if (scene->tessellated <= 0 || !round_of(&s, &r))
         return false;
-    int64_t radius = r.radius + (scene->fine ? 1 : 0); /* fine digits add at most a unit */
+    int64_t radius = r.radius + (scene->fine ? 1 : 0); /* the scene's fine digits add a unit at most */
     facets->around = corners_of(radius * largest_scale(scene, &s), scene->tessellated, s.kind == TIA_SPHERE ? 10 : 5);
     count(&s, &r, facets);
     if (facets->around > AROUND_MAX)

@@ -1,4 +1,4 @@
-/* facet_count.h - number of flat faces of curved shapes, such that no point of a face is farther from the surface than
+/* facet_count.h - number of flat faces for a curved shape, so that no point of a face is farther from the surface than
  * the scene allows. */
 #ifndef TIA_SCENE_FACET_COUNT_H
 #define TIA_SCENE_FACET_COUNT_H
@@ -10,8 +10,8 @@ struct tia_facets {
     uint64_t points, faces;
 };
 
-/* Gives the division of a sphere, disc, cylinder or cone of a scene with `tessellated`; false if the object is none of
- * these, or not tessellated. When there would be too many corners, the number of faces is far above TIA_OBJECTS_MAX. */
+/* Gives the division of a sphere, disc, cylinder or cone; false for other objects, and in a scene that is not
+ * tessellated. With too many corners, the number of faces is far above TIA_OBJECTS_MAX. */
 bool tia_facets_of(const struct tia_scene *scene, uint32_t object, struct tia_facets *facets);
 
 #endif

@@ -1,18 +1,18 @@
 /* hull.c - tight boxes around shapes.
  *
- * A shape's point p lies in the world at position + R S p, S being the scale. Along the world's axis k the part R S p
- * is w.p with the row w of R S; so a shape's extent along k is its extent along w in its own axes: r |w| for a sphere,
- * the sum over the coordinates of a corner for a box, r |w x N| / |N| for a disc.
+ * A shape's point p lies in the world at position + R S p, S being the scale. Along the world's axis k, R S p is w.p,
+ * where w is a row of R S; so a shape's extent along k is its extent along w in its own axes: r |w| for a sphere, the
+ * sum of |w_i c_i| over a corner c for a box, r |w x N| / |N| for a disc.
  *
- * Rows are kept as Q11.52, scales being at most 2^10, and sums as Q31.32. A length is rounded up to 2^-30 of
- * itself; all other roundings together stay far below the unit of 2^-16 that tia_bounds_with_margin adds.
+ * Rows are Q11.52, as scales are at most 2^10, and sums Q31.32. A length is rounded up to 2^-30 of itself; all other
+ * roundings together stay far below the unit of 2^-16 that tia_bounds_with_margin adds.
  */
 #include "hull.h"
 
 #include "math/integer.h"
 #include "math/rotation.h"
 
-/* A length, mantissa 2^exponent. */
+/* A length: mantissa 2^exponent. */
 struct length {
     uint64_t mantissa;
     int exponent;
@@ -46,7 +46,7 @@ static void include(struct hull *hull, int k, int64_t value, int64_t reach)
         hull->max[k] = value + reach;
 }
 
-/* Returns a point's coordinate: the product of Q.52 and Q.16, rounded to Q.32. */
+/* The products, of Q.52 and Q.16, are rounded to Q.32. */
 int64_t tia_frame_place(const struct frame *frame, int k, struct tia_vec3 p)
 {
     const int64_t *w = frame->rows[k];
@@ -66,7 +66,7 @@ static uint64_t size_of(int64_t x)
     return (uint64_t)(x < 0 ? -x : x);
 }
 
-/* Returns |v| with an error of at most 2^-30 of it, rounded up or down. v's components are below 2^62. */
+/* Returns |v| rounded up or down, with a relative error of at most 2^-30. Components of v are below 2^62. */
 static struct length measure(const int64_t v[3], bool up)
 {
     uint64_t all = size_of(v[0]) | size_of(v[1]) | size_of(v[2]), square = 0;
@@ -83,13 +83,13 @@ static struct length measure(const int64_t v[3], bool up)
     return (struct length){root + (up && root * root < square), shift};
 }
 
-/* Returns a mantissa of 32 bits over one of 31 or 32, rounded up. */
+/* Returns a/b, rounded up; mantissas of 32 bits over 31 or 32. */
 static struct length ratio(struct length a, struct length b)
 {
     return (struct length){((a.mantissa << 31) + b.mantissa - 1) / b.mantissa, a.exponent - b.exponent - 31};
 }
 
-/* Returns radius times a length that is Q.52, rounded up: Q.32. */
+/* Returns radius times length, the mantissa times 2^exponent being Q.52: Q.32, rounded up. */
 static int64_t stretch(tia_q16 radius, struct length length)
 {
     struct tia_wide p = tia_wide_product((uint32_t)radius, length.mantissa);
@@ -117,7 +117,7 @@ void tia_hull_add_sphere(struct hull *hull, struct tia_vec3 centre, tia_q16 radi
     }
 }
 
-/* Adds a box: along each axis, the corners that lie farthest either way. */
+/* Along each axis of the world, only the two outermost corners count. */
 void tia_hull_add_box(struct hull *hull, const struct tia_bounds *b)
 {
     if (b->max.x < b->min.x)
@@ -132,8 +132,8 @@ void tia_hull_add_box(struct hull *hull, const struct tia_bounds *b)
     }
 }
 
-/* Adds a disc. The products w x N, of 62 bits and 33, are cut by 34 bits: they cancel where the disc lies flat, and the
- * significant bits stay. */
+/* The products of w x N, of 62 bits and 33, are cut by 34 bits: where the disc is normal to the axis they cancel, and
+ * the significant bits stay. */
 void tia_hull_add_disc(struct hull *hull, struct tia_vec3 centre, tia_q16 radius, const int64_t normal[3])
 {
     const struct length whole = measure(normal, false);
@@ -151,7 +151,7 @@ void tia_hull_add_disc(struct hull *hull, struct tia_vec3 centre, tia_q16 radius
     }
 }
 
-/* Adds both ends; the axis is shifted up to 33 bits, so that tia_hull_add_disc loses little. */
+/* The axis is shifted up to 33 bits, so that tia_hull_add_disc loses little precision. */
 void tia_hull_add_ends(struct hull *hull, struct tia_vec3 base, struct tia_vec3 top, tia_q16 base_radius,
                        tia_q16 top_radius)
 {

@@ -6,7 +6,7 @@
 
 #include "cancel.h"
 
-/* A box in the world, Q47.16: a transform may move an object out of the range of Q16.16. */
+/* A box in the world, Q47.16, as a transform may move objects out of the range of Q16.16. */
 struct bounds_wide {
     int64_t min[3], max[3];
 };
@@ -23,11 +23,12 @@ struct bounds_wide {
 
 void tia_bounds_add(struct tia_bounds *bounds, const struct tia_bounds *more);
 
-/* Return the box of a face or of a mesh, exact, in the mesh's own axes. */
+/* Returns the box of a face, exact, in the mesh's own axes. */
 struct tia_bounds tia_bounds_of_face(const struct tia_mesh *mesh, uint32_t face);
-struct tia_bounds tia_bounds_of_mesh(const struct tia_mesh *mesh, struct cancel *cancel); /* undefined when cancelled */
+/* Returns the box of a mesh, exact, in its own axes; undefined once cancelled. */
+struct tia_bounds tia_bounds_of_mesh(const struct tia_mesh *mesh, struct cancel *cancel);
 
-/* The position of a shape, and the rows of R S. */
+/* The position of a shape, Q31.32, and the rows of R S, Q11.52: rotation and scale. */
 struct frame {
     int64_t rows[3][3];
     int64_t position[3];
@@ -42,15 +43,15 @@ struct hull {
 /* Prepares a frame; a NULL transform is the identity. */
 void tia_frame_prepare(struct frame *frame, const struct tia_transform *transform);
 
-/* Returns the coordinate of a shape's point in the world, along axis k: Q31.32. */
+/* Returns the coordinate along the world's axis k, Q31.32, of a point in the shape's axes. */
 int64_t tia_frame_place(const struct frame *frame, int k, struct tia_vec3 p);
-/* Returns the coordinate of a point that is given in Q31.32. */
+/* Returns the same for a point given in Q31.32. */
 int64_t tia_frame_place_finely(const struct frame *frame, int k, const int64_t p[3]);
 
 void tia_hull_add_point(struct hull *hull, struct tia_vec3 p);
 void tia_hull_add_sphere(struct hull *hull, struct tia_vec3 centre, tia_q16 radius);
 void tia_hull_add_box(struct hull *hull, const struct tia_bounds *box); /* the box may be empty */
-/* Adds a disc. The normal may have any length, its components up to 33 bits. */
+/* Adds a disc. The normal may have any length; components have at most 33 bits. */
 void tia_hull_add_disc(struct hull *hull, struct tia_vec3 centre, tia_q16 radius, const int64_t normal[3]);
 /* Adds discs at both ends of an axis. */
 void tia_hull_add_ends(struct hull *hull, struct tia_vec3 base, struct tia_vec3 top, tia_q16 base_radius,

@@ -59,7 +59,7 @@ int tia_light_field_camera(struct tia_camera *out, const struct tia_camera *came
 
 /* ---- the kinds ---- */
 
-/* Returns a/n, 40 fraction bits of a, 64 of the result, modulo 1; n below 2^16. */
+/* Returns a/n modulo 1, in units of 2^-64; a is in units of 2^-40, n below 2^16. */
 static uint64_t part(int64_t a, int n)
 {
     uint64_t size = a < 0 ? 0 - (uint64_t)a : (uint64_t)a, by = (uint64_t)n;
@@ -126,7 +126,7 @@ static void lensed(const struct light_grid *grid, int x, int y, int channel, str
     pixel->place = (tia_q16)((int64_t)(((phase >> 32) * 2 * line + (UINT64_C(1) << 31)) >> 32) - (int64_t)line);
 }
 
-/* Returns a b/c with 16 bits fewer, to nearest; |a| < 2^62, b and c above 0. */
+/* Returns a b/c 2^-16, rounded to nearest; |a| < 2^62, b and c above 0. */
 static int64_t scaled(int64_t a, tia_q16 b, tia_q16 c)
 {
     wide product = wide_product(a < 0 ? -a : a, b);
@@ -137,7 +137,7 @@ static int64_t scaled(int64_t a, tia_q16 b, tia_q16 c)
     return a < 0 ? -quotient : quotient;
 }
 
-/* Projects a pixel; q, p and q - p are Q31.32 here, from the middle of the line. */
+/* Gives the pixel of a projector; q, p and q - p are Q31.32, relative to the middle of the observer line. */
 static bool projected(const struct light_grid *grid, int x, int y, struct light_pixel *pixel)
 {
     const struct tia_projector *projector = &grid->field->projector;

@@ -6,15 +6,14 @@
 #include "scene/fall/fall.h"
 #include "scene/track.h"
 
-/* Sets a light's direction. An interpolated one can pass through 0, which has no direction: the light then keeps the
- * one it has. */
+/* Sets a light's direction, except to 0, through which interpolated values can pass. */
 static void set_direction(struct tia_dir3 *direction, struct tia_vec3 to)
 {
     if (to.x | to.y | to.z)
         *direction = tia_normalise(to.x, to.y, to.z);
 }
 
-/* Hides a light; its kind stays, so that scenes of all times need the same memory. */
+/* Hides a light. The kind stays, so that the scene needs the same memory at all times. */
 static void hide_light(struct tia_light *light)
 {
     const struct tia_vec3 none = {0, 0, 0};
@@ -134,7 +133,7 @@ static void apply(const struct tia_scene *scene, const struct tia_track *track, 
     }
 }
 
-/* Takes memory for a copy from the block; NULL when the array is not copied. */
+/* Allocates a copy in the block; returns NULL for the size 0, when the array is not copied. */
 static void *part(char **memory, uint64_t size)
 {
     char *here = *memory;

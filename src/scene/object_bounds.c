@@ -3,8 +3,8 @@
 
 #include "scene/shapes/description.h"
 
-/* Returns the most that the scene's fine digits can add to a box, rounded up: half a unit each for a centre and a
- * radius. */
+/* Returns the largest enlargement of a box by the scene's fine digits, in units of 2^-16: half a unit each for centre
+ * and radius. */
 static int64_t fine_margin(const struct tia_scene *scene)
 {
     return scene->fine ? 1 : 0;
@@ -70,7 +70,7 @@ void tia_bounds_in_own_axes(const struct tia_scene *scene, const struct tia_shap
     }
 }
 
-/* Returns x as Q16.16, clamped if it does not fit. */
+/* Returns x as Q16.16; if it does not fit, clamps it and sets *fits to false. */
 static tia_q16 cut(int64_t x, bool *fits)
 {
     if (x < INT32_MIN || x > INT32_MAX)

@@ -2,7 +2,7 @@
 
 #include "math/integer.h"
 
-/* Returns a / b as Q2.62, rounded down; 0 <= a <= b < 2^31, b not 0. */
+/* Returns a/b as Q2.62, rounded down; 0 <= a <= b < 2^31, b > 0. */
 static int64_t fraction(int64_t a, int64_t b)
 {
     uint64_t n = (uint64_t)a << 31, d = (uint64_t)b;
@@ -21,8 +21,8 @@ static struct weights hermite(int64_t u)
     return (struct weights){u2 + 2 * (u2 - u3), (u - u2) - (u2 - u3), u3 - u2};
 }
 
-/* One coordinate of the four keyframes around the time: the segment's two ends, and the ones before and after. A
- * tangent is the difference of an end's neighbours, multiplied by the segment's share of the time between them,
+/* One coordinate of the four keyframes around a time: the segment's two ends, and the keyframes before and after. An
+ * end's tangent is the difference of its neighbours, multiplied by the segment's share of the time between them,
  * first_share or last_share; 0 at the ends of the track. */
 struct segment {
     tia_q16 before, first, last, after;

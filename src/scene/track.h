@@ -1,4 +1,4 @@
-/* track.h - values of tracks at a time. */
+/* track.h - values of tracks. */
 #ifndef TIA_SCENE_TRACK_H
 #define TIA_SCENE_TRACK_H
 

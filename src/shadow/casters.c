@@ -5,9 +5,9 @@
 #include "scene/bvh/tree.h"
 
 #define BOX_BITS 26
-#define SEGMENT_BITS 28 /* bits of ends that are not cut; products of two differences then have less than 62 */
+#define SEGMENT_BITS 28 /* longer ends are cut, so that products of two differences have less than 62 bits */
 #define FAR_BITS 58
-#define MOVED 48 /* 8 for the rounding of the point, 1/2 for each of at most 36 halvings at either end */
+#define MOVED 48 /* largest movement: 8 by rounding the point, 1/2 by each of at most 36 halvings at either end */
 
 /* ---- building ---- */
 
@@ -57,7 +57,8 @@ static int find_shift(const struct tia_flat_scene *flat, struct cancel *cancel)
     return bits > BOX_BITS ? bits - BOX_BITS : 0;
 }
 
-/* Rounds a box outwards: enlarges it by one unit for each bound that is rounded down, and by one for the upper end. */
+/* Returns a box shifted down, and enlarged by MOVED on every side: one unit allows for each number that is rounded
+ * down, and one for the upper end. */
 static struct tia_bounds enlarged(const int64_t low[3], const int64_t high[3], int shift)
 {
     int64_t more = (MOVED >> shift) + 3;
@@ -68,7 +69,7 @@ static struct tia_bounds enlarged(const int64_t low[3], const int64_t high[3], i
          (int32_t)((high[2] >> shift) + more)}};
 }
 
-/* Builds the tree. Faces in boxes fill the items from the front, the others from the back. */
+/* Faces with a box fill the items from the front, unbounded ones from the back. */
 int tia_casters_build(struct tia_casters *casters, void *memory, const struct tia_flat_scene *flat,
                       struct cancel *cancel)
 {
@@ -97,7 +98,7 @@ int tia_casters_build(struct tia_casters *casters, void *memory, const struct ti
 
 /* ---- the ends ---- */
 
-/* Gives a r 2^-places, r below 2^63, rounded down; false when it is not below 2^FAR_BITS in size. */
+/* Gives a r 2^-places, rounded down, r below 2^63; false when the result is not below 2^FAR_BITS in size. */
 static bool scaled(int64_t a, int64_t r, int places, int64_t *out)
 {
     wide product = wide_product(a, r);
@@ -113,7 +114,7 @@ static bool scaled(int64_t a, int64_t r, int places, int64_t *out)
     return true;
 }
 
-/* Returns 1/a 2^places. */
+/* Returns 1/a 2^*places; a > 0. */
 static int64_t inverse(int64_t a, int *places)
 {
     unsigned zeros = tia_clz64((uint64_t)a);
@@ -122,7 +123,8 @@ static int64_t inverse(int64_t a, int *places)
     return wide_reciprocal((uint64_t)a << zeros);
 }
 
-/* Finds the visible point: D/s; in orthographic views (D.x, D.y, s) 2^fraction/D.w. */
+/* Gives the visible point, D/s, or in orthographic views (D.x, D.y, s) 2^fraction/D.w. False: the point is too far
+ * away. */
 static bool find_point(const struct tia_seen *seen, const struct tia_raster_grid *l, int64_t p[3])
 {
     int64_t d[3] = {l->x + (int64_t)l->right * seen->x, l->y - (int64_t)l->down * seen->y, l->w};
@@ -155,8 +157,8 @@ static int bits_of(int64_t a)
     return a ? 64 - (int)tia_clz64((uint64_t)a) : 0;
 }
 
-/* Finds the light's end. For a directional light the end lies so far along its direction from the point that it is
- * outside the root: 2^beyond more than four times as far as both. */
+/* Gives the segment's end at the light. For a directional light that is a point outside the root, in its direction from
+ * the visible point: 2^beyond, more than four times as far as the root and the point. */
 static void find_light(const struct tia_flat_scene *flat, const struct tia_casters *casters,
                        const tia_flat_light *light, const int64_t from[3], int64_t p[3])
 {
@@ -181,7 +183,8 @@ static bool meet(const struct tia_bounds *box, int shift, const int64_t a[3], co
     return true;
 }
 
-/* Moves a far end towards b, as long as the part cut off does not meet the box. False: no part meets it. */
+/* Moves the end a, if far away, towards b, as long as the part that is cut off does not meet the root's box. False: no
+ * part meets the box. */
 static bool cut(const struct tia_casters *casters, int64_t a[3], const int64_t b[3])
 {
     const struct tia_bounds *root = &casters->tree.nodes[0].bounds;
@@ -229,7 +232,8 @@ static int64_t size_of(int64_t a)
     return a < 0 ? -a : a;
 }
 
-/* True if no plane at right angles to an axis, or to an axis and the segment, separates segment and box. */
+/* True if no separating axis exists between segment and box, among the box's axes and their cross products with the
+ * segment. */
 static bool touches(const struct tia_segment *s, const struct tia_bounds *box)
 {
     const int64_t size[3] = {(int64_t)box->max.x - box->min.x, (int64_t)box->max.y - box->min.y,

@@ -1,9 +1,10 @@
-/* casters.h - finds the faces that may stand between a pixel's visible point and a light: a hierarchy of boxes, against
- * which the segment to the light is tested. It finds too many faces rather than too few; occluder.h decides.
+/* casters.h - finds the faces that may stand between a pixel's visible point and a light: a hierarchy of boxes is
+ * tested against the segment from the point to the light. It may find too many faces, never too few; the test of
+ * occluder.h decides.
  *
- * Boxes have 27 bits: a unit of theirs is 2^shift of the vertices'. The visible point is rounded, and the segment is
- * cut where it is far outside the root, by halving; both together move a point of it by less than 48 units of the
- * vertices. Each box is larger by that. */
+ * Boxes have 27 bits, in units of 2^shift units of the vertices. The visible point is rounded, and a segment that
+ * reaches far outside the root is cut by halving; both together move the segment's points by less than 48 units of the
+ * vertices. Each box is enlarged by as much. */
 #ifndef TIA_SHADOW_CASTERS_H
 #define TIA_SHADOW_CASTERS_H
 
@@ -19,23 +20,24 @@ struct tia_casters {
     int shift;
 };
 
-/* Returns the bytes of memory for `faces` faces. */
+/* Returns the number of bytes of memory for this number of faces. */
 uint64_t tia_casters_size(uint64_t faces);
 /* Builds the hierarchy in memory aligned for uint64_t; TIA_STOPPED when cancelled. */
 int tia_casters_build(struct tia_casters *casters, void *memory, const struct tia_flat_scene *flat,
                       struct cancel *cancel);
 
-/* A segment from a to b, in units of the boxes. */
+/* A segment from a to b, in the boxes' units. */
 struct tia_segment {
     int64_t sum[3], way[3]; /* a + b, b - a */
 };
 
 enum tia_segment_kind {
-    TIA_SEGMENT_MISSES, /* the segment comes near no box */
+    TIA_SEGMENT_MISSES, /* the segment is near no box */
     TIA_SEGMENT_INSIDE,
     TIA_SEGMENT_FAR /* the visible point is so far away that any face may be near */
 };
 
+/* Prepares the segment from a visible point to a light. */
 enum tia_segment_kind tia_segment_init(struct tia_segment *segment, const struct tia_casters *casters,
                                        const struct tia_seen *seen, const struct tia_flat_scene *flat,
                                        const tia_flat_light *light);
@@ -47,7 +49,7 @@ struct tia_segment_walk {
     uint32_t stack[TIA_BVH_DEPTH_MAX + 2];
 };
 
-/* Begins a walk, with walk->segment set. */
+/* Begins a walk through the leaves near walk->segment, which must be set. */
 void tia_segment_walk_start(struct tia_segment_walk *walk, const struct tia_casters *casters);
 
 /* Returns the next leaf near the segment, or NULL. */

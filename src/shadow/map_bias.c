@@ -68,8 +68,7 @@ static void move(struct tia_map_point *point, const int64_t place[3], int64_t by
     tia_map_find(point->map, moved, &point->spot);
 }
 
-/* Finds the face's plane in the view of the point. The face may lie between the middles of texels, or end just beside
- * the view. */
+/* Sets the face's plane in the point's view. The face may cover no middle of a texel, or end just beside the view. */
 static void find_plane(struct tia_map_point *point)
 {
     const struct tia_map_view *view = point->spot.view;
@@ -124,8 +123,8 @@ int64_t tia_map_read(const struct tia_map_point *point, int64_t i, int64_t j)
     return (int64_t)texel(point, i, j) << point->map->coarse;
 }
 
-/* Returns the limit of lit distances at a texel. The plane is rounded to texels like the map's faces: without slack,
- * the face itself is exactly at the limit. */
+/* Returns the least distance at a texel that does not shadow the point. The plane is rounded as the map's faces are:
+ * without slack, the face itself is exactly at the limit. */
 static int64_t limit_at(const struct tia_map_point *point, int64_t i, int64_t j)
 {
     const struct tia_map *map = point->map;

@@ -2,7 +2,7 @@
 
 #include "math/wide.h"
 
-#define WIDEST 8 /* divisor: a search or filter reaches at most a map's size over this to each side */
+#define WIDEST 8 /* a search or filter reaches at most 1/WIDEST of a map's size to each side */
 #define STEPS 4  /* number of taps to each side when texels are skipped */
 
 unsigned tia_map_border(enum tia_filter filter)
@@ -45,7 +45,8 @@ static unsigned square(const struct tia_map_point *p, int half)
     return part(lit, side * side);
 }
 
-/* Filters by 16 points of a disc of radius 3, none near another: Q.6 texels; turned by multiples of 45 degrees. */
+/* Returns the share by 16 taps spread over a disc with a radius of 3 texels, Q.6, turned by a multiple of 45
+ * degrees. */
 static unsigned poisson(const struct tia_map_point *p, unsigned turn)
 {
     static const int16_t disc[16][2] = {{26, 31},    {-93, -3},  {-25, -94},  {88, -60},   {-63, 96},  {118, 44},
@@ -70,8 +71,8 @@ static int64_t least(int64_t a, int64_t b)
     return a < b ? a : b;
 }
 
-/* Returns the mean distance of the blockers, texels up to `reach` away that are nearer than the point; -1 where there
- * are none. */
+/* Returns the mean distance of the blockers: texels at most `reach` columns and rows away that shadow the point.
+ * Returns -1 without blockers. */
 static int64_t find_blocker(const struct tia_map_point *p, int64_t reach)
 {
     int64_t step = reach > STEPS ? reach / STEPS : 1, sum = 0, count = 0;
@@ -99,8 +100,8 @@ static unsigned disc(const struct tia_map_point *p, int64_t k)
     return part(lit, taps);
 }
 
-/* Filters by the penumbra's width: a light of radius R appears R/w wide from the point at the distance w, and through a
- * hole at b its disc is R (w - b)/(b w) wide. */
+/* Returns the share by a filter as wide as the penumbra: seen from the point at the distance w, a light of radius R has
+ * the size R/w, and its disc through a hole at the distance b the size R (w - b)/(b w). */
 static unsigned pcss(const struct tia_map_point *p, int64_t radius)
 {
     int64_t widest = p->map->size / WIDEST, texels = wide_quotient(radius, p->spot.texel, 16); /* texels, Q.16 */

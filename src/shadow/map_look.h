@@ -1,11 +1,11 @@
-/* map_look.h - the share of light that a shadow map lets through to a point: biases and filters, see tia/shadow.h. */
+/* map_look.h - the share of a light that reaches a point by a shadow map: biases and filters, see tia/shadow.h. */
 #ifndef TIA_SHADOW_MAP_LOOK_H
 #define TIA_SHADOW_MAP_LOOK_H
 
 #include "map.h"
 #include "technique.h"
 
-/* The scene's settings for maps, with defaults filled in. */
+/* The scene's settings for maps, with the defaults in place of 0. */
 struct tia_map_look {
     unsigned size;
     enum tia_bias bias;
@@ -15,7 +15,7 @@ struct tia_map_look {
 
 void tia_map_look_init(struct tia_map_look *look, const struct tia_scene *scene);
 
-/* Returns the largest distance of a tap from the point's texel, except with TIA_FILTER_PCSS. */
+/* Returns the largest distance of a tap from the point's texel, in texels; not for TIA_FILTER_PCSS. */
 unsigned tia_map_border(enum tia_filter filter);
 
 /* A point of a lit face, and its position in the map. */
@@ -24,27 +24,28 @@ struct tia_map_point {
     const struct tia_world *world;
     uint32_t face;
     int64_t normal[3];             /* the face's normal, towards the light, Q1.62 */
-    const struct tia_map_view *of; /* view that the plane belongs to, or NULL */
+    const struct tia_map_view *of; /* view of `plane`, or NULL */
     struct tia_map_plane plane;    /* the face's plane; used for TIA_BIAS_PLANE only */
     struct tia_map_spot spot;
-    int64_t limit, slack; /* limit: least distance of texels that do not shadow the point; TIA_BIAS_PLANE: the plane's
-                             less the slack */
+    int64_t limit, slack; /* limit: least distance of a texel that does not shadow the point; with TIA_BIAS_PLANE the
+                             plane's distance less slack */
 };
 
-/* Begins a face; the points that follow are on it. */
+/* Begins a face, on which all points lie until the next call. */
 void tia_map_face(struct tia_map_point *point, const tia_flat_light *light, uint32_t face);
 
+/* Sets the point's position, with TIA_WORLD_BITS fraction bits, and its limit. */
 void tia_map_place(struct tia_map_point *point, const struct tia_map_look *look, const int64_t place[3]);
 
-/* True if texel (i, j) lets light through to the point. Beyond a single view all is lit; beyond a view of a cube the
- * texel at its border decides. */
+/* True if texel (i, j) does not shadow the point. Beyond a single view all is lit; beyond a view of a cube the nearest
+ * texel at the border decides. */
 bool tia_map_tap(const struct tia_map_point *point, int64_t i, int64_t j);
 
-/* Returns the distance that a tap reads, TIA_WORLD_BITS fraction bits. */
+/* Returns the distance at the texel of a tap, TIA_WORLD_BITS fraction bits. */
 int64_t tia_map_read(const struct tia_map_point *point, int64_t i, int64_t j);
 
-/* Returns the share of the light that reaches the point. The light's radius has TIA_WORLD_BITS fraction bits; `turn` is
- * any number that differs from pixel to pixel. */
+/* Returns the share of the light that reaches the point, in 0..TIA_SHARE_ALL. The light's radius has TIA_WORLD_BITS
+ * fraction bits; `turn` is a number that differs from pixel to pixel. */
 unsigned tia_map_share(const struct tia_map_point *point, enum tia_filter filter, int64_t radius, unsigned turn);
 
 #endif

@@ -1,4 +1,4 @@
-/* map_view.c - the views of a light's map, and a point's position in them. */
+/* map_view.c - the views of a light's map, and the position of points in them. */
 #include "map.h"
 
 #include "math/trig.h"
@@ -7,7 +7,7 @@
 
 #define ONE (INT64_C(1) << 62)
 #define DENSITY_BITS 40
-#define LEAST_HALF (INT64_C(1) << (TIA_WORLD_BITS - 8)) /* half the width of the view of a scene without extent */
+#define LEAST_HALF (INT64_C(1) << (TIA_WORLD_BITS - 8)) /* least half width of a view, for a scene without extent */
 
 unsigned tia_map_views(const struct tia_light *light)
 {
@@ -53,7 +53,7 @@ static int64_t dot(const int64_t axis[3], const int64_t place[3])
 
 /* ---- from the scene's coordinates to a view's ---- */
 
-/* Returns a row, axis times scale 2^-scale_places, for a vertex in the world's coordinates. */
+/* Returns a row of a view's matrix: axis times scale 2^-scale_places in the world, converted to apply to vertices. */
 static struct tia_eye_row row_of(const struct tia_world *world, const int64_t axis[3], int64_t scale, int scale_places)
 {
     int shift = 0, spread = 8 + world->flat->grid.fraction - 32; /* for a row applied to 256 times a coordinate, in
@@ -98,7 +98,7 @@ static void make_rows(struct tia_map *map, const struct tia_world *world, struct
     view->eye.row[2].offset_places = TIA_WORLD_BITS;
 }
 
-/* Gives 256 times an affine coordinate. */
+/* Gives 256 times the affine coordinates of a vertex. */
 static void spread(const struct tia_flat_scene *flat, const struct tia_raster_vertex *v, int64_t out[3])
 {
     tia_flat_affine(flat, v, out);
@@ -106,7 +106,7 @@ static void spread(const struct tia_flat_scene *flat, const struct tia_raster_ve
         out[k] *= 256;
 }
 
-/* Prepares the grid. Vertices must be below 2^20; for larger scenes their unit is larger. */
+/* Prepares the views' grids. Vertices must be below 2^20; larger scenes have a larger unit. */
 static int make_lattice(struct tia_map *map, const struct tia_flat_scene *flat)
 {
     unsigned range = 0;
@@ -137,7 +137,8 @@ static int make_lattice(struct tia_map *map, const struct tia_flat_scene *flat)
 
 /* ---- the extent of views ---- */
 
-/* Fits the view of parallel rays around all points: the origin is in the middle of their sides towards the light. */
+/* Fits the view of parallel rays to all points: the origin is in the middle of that side of their box which faces the
+ * light. */
 static void fit(struct tia_map *map, const struct tia_world *world, int64_t texels)
 {
     const struct tia_flat_scene *flat = world->flat;
@@ -225,7 +226,7 @@ static const struct tia_map_view *facing(const struct tia_map *map, const int64_
     return &map->view[2 * most + (d[most] < 0)];
 }
 
-/* Returns the distance in texels from the middle of the view. */
+/* Returns the distance from the middle of the view along an axis, in texels, Q.16. */
 static int64_t across(const struct tia_map *map, int64_t at, int64_t distance)
 {
     int64_t tangent = map->parallel  ? at

@@ -4,9 +4,9 @@
 #include "raster/halves.h"
 #include "shadow_ranges.h"
 
-#define NOTHING (-(1 << 14)) /* the exponent of 0: less than any other */
+#define NOTHING (-(1 << 14)) /* exponent of 0, below that of any other number */
 
-/* Returns the mantissa of a = m 2^exponent, m in 2^61..2^62 in size, rounded towards 0. */
+/* Returns the mantissa m of a = m 2^exponent, |m| in 2^61..2^62, rounded towards 0. */
 static int64_t mantissa(wide a, int *exponent)
 {
     wide size = wide_size(a);
@@ -33,7 +33,7 @@ void tia_seen_face_init(struct tia_seen_face *of, const struct tia_flat_scene *f
     of->reciprocal = of->bits ? wide_reciprocal((uint64_t)wide_high(wide_up(det, (unsigned)(128 - of->bits)))) : 0;
 }
 
-/* Prepares a visible point. Its s is a mantissa below 2^62 times a reciprocal of 2^62..2^63. */
+/* s is the product of a mantissa below 2^62 and a reciprocal of 2^62..2^63. */
 void tia_seen_init(struct tia_seen *seen, const struct tia_seen_face *of, int x, int y)
 {
     struct wide_form form = form_of_plane(of->plane);
@@ -77,7 +77,8 @@ static struct plane plane_through(const struct tia_raster_vertex *const v[3])
     return plane;
 }
 
-/* Returns the face's own plane for k = 0, else that through the light and the edge from corner k - 1 to the next. */
+/* Returns the face's own plane for k = 0, else the plane through the light and the edge from corner k - 1 to the
+ * next. */
 static struct plane plane_of(const struct tia_occluder *o, unsigned k)
 {
     const struct tia_flat_face *face = &o->flat->faces[o->face];
@@ -103,7 +104,7 @@ static int64_t cut(wide a, int unit)
     return unit ? wide_down(a, (unsigned)unit) : (int64_t)wide_low(a);
 }
 
-/* Prepares a plane. Pixels are below 2^13, so each of the three products is below 2^60. */
+/* Prepares a plane for the filter. Columns and rows are below 2^13, so each of the three terms is below 2^60. */
 static void prepare(struct tia_occluder_plane *p, const struct plane *plane, const struct tia_raster_grid *grid)
 {
     struct wide_form form = wide_form_of(plane->n, grid);
@@ -122,7 +123,7 @@ static void prepare(struct tia_occluder_plane *p, const struct plane *plane, con
 
 /* ---- sides ---- */
 
-/* Returns the sign of M.D - m s, or 0 when the filter cannot decide it. */
+/* Returns the sign of M.D - m s, or 0 when the filter cannot decide. */
 static int sure_side(const struct tia_occluder_plane *p, const struct tia_seen *seen)
 {
     int64_t a = p->c + p->x * seen->x + p->y * seen->y, b = wide_down(wide_product(p->m, seen->nearness), 62);
@@ -135,7 +136,7 @@ static int sure_side(const struct tia_occluder_plane *p, const struct tia_seen *
     return a - b > p->unsure ? 1 : a - b < -p->unsure ? -1 : 0;
 }
 
-/* Returns the exact sign; 0: the two planes are equal. */
+/* Returns the exact sign of M.D - m s, with ties broken; 0: the two planes are equal. */
 static int exact_side(const struct tia_occluder *o, unsigned k, const struct tia_seen *seen)
 {
     struct plane plane = plane_of(o, k);

@@ -10,7 +10,7 @@ void tia_place_of_vertex(const struct tia_places *p, const struct tia_raster_ver
         at[k] *= 1 << SEEN_BITS;
 }
 
-/* Gives a b 2^shift; false: the position is too far away. */
+/* Gives a b 2^shift; false when the result has more than SEEN_FAR bits. */
 static bool scaled(int64_t a, int64_t b, int shift, int64_t *out)
 {
     wide product = wide_product(a, b);
@@ -48,7 +48,7 @@ void tia_place_across(const struct tia_places *p, const int64_t at[3], int64_t o
     }
 }
 
-/* Places the axis along the light's direction, through the middle of all points, and sets the unit across it. */
+/* Chooses the axis nearest to the light's direction, the middle of all points, and the unit across the axis. */
 static void aim(struct tia_places *p)
 {
     const struct tia_flat_scene *flat = p->flat;

@@ -5,24 +5,24 @@
 #include "flat/light_vertices.h"
 #include "shadow_ranges.h"
 
-/* A scene's positions: coordinates of vertices with SEEN_BITS more fraction bits. */
+/* Data for the positions in a scene: coordinates as of vertices, with SEEN_BITS more fraction bits. */
 struct tia_places {
     const struct tia_flat_scene *flat;
     const tia_flat_light *light;
     bool parallel;
     int64_t origin[3]; /* origin of a point light */
-    /* axis: the largest of the light's direction; scale: across it the unit is that of positions times 2^(SEEN_BITS -
-     * scale) */
+    /* axis: that of the largest component of the light's direction; scale: units across the axis are 2^(SEEN_BITS -
+     * scale) units of positions */
     int axis, scale;
-    int64_t slope[3], middle[3]; /* the light's slope against the axis, Q.60; the middle of all corners across the
-                                    axis */
+    int64_t slope[3], middle[3]; /* the light's slope against the axis, Q.60; middle of all corners across the axis */
 };
 
 void tia_places_init(struct tia_places *p, const struct tia_flat_scene *flat, const tia_flat_light *light);
 
 /* Gives the position of a vertex, exact. */
 void tia_place_of_vertex(const struct tia_places *p, const struct tia_raster_vertex *v, int64_t at[3]);
-/* Gives the position of the visible point of a face at pixel (x, y), within SEEN_OFF; false when it is too far away. */
+/* Gives the position of the point of a face that is visible at pixel (x, y), within SEEN_OFF; false when the point is
+ * too far away. */
 bool tia_place_seen(const struct tia_places *p, int x, int y, uint32_t face, int64_t at[3]);
 
 /* Projects a position along the light onto a plane across the axis. Projections of corners are below 2^ACROSS_BITS in

@@ -1,22 +1,23 @@
-/* shadow_ranges.h - the bounds of the filter in occluder.h and of the cells in technique_map_exact.c. `make prove` puts
- * these numbers into tests/proofs/shadow_*.g, which show that they suffice. */
+/* shadow_ranges.h - the bounds of the filter in occluder.h and of the cells in technique_map_exact.c. `make prove`
+ * inserts these numbers into tests/proofs/shadow_*.g, which prove that they suffice. */
 #ifndef TIA_SHADOW_SHADOW_RANGES_H
 #define TIA_SHADOW_SHADOW_RANGES_H
 
-/* Error bounds of the difference between M.D and m s, both below 2^62: of the products and shifts; and the further
- * error of M.D where its three numbers are cut, at columns and rows below 2^13. */
+/* Error bound of M.D - m s by the products and shifts, M.D and m s being below 2^62. */
 #define OCCLUDER_UNSURE 15
+/* Further error bound of M.D, whose three coefficients are cut, at columns and rows below 2^13. */
 #define OCCLUDER_CUT 16383
 
-/* Accuracy of a visible point: within SEEN_OFF, in units of 2^-SEEN_BITS of a vertex's; positions of more than SEEN_FAR
- * bits are not computed. */
+/* Accuracy of a visible point: within SEEN_OFF, in units of 2^-SEEN_BITS units of a vertex; positions with more than
+ * SEEN_FAR bits are not computed. */
 #define SEEN_BITS 8
 #define SEEN_OFF 5
 #define SEEN_FAR 52
 
-/* Views of the alias-free map have 2^28 units to each side of their middle, and 2^CELL_BITS cells. A position relative
- * to a point light with fewer than CELL_NEAR bits is in no certain cell. Across a direction the positions of corners
- * are below 2^ACROSS_BITS and within ACROSS_OFF; if twice their area is at least 2^ACROSS_THIN, their order is certain.
+/* Views of the alias-free map have 2^28 units to each side of their middle, and 2^CELL_BITS cells in each direction.
+ * The cell of a position that has fewer than CELL_NEAR bits relative to a point light is uncertain. Across a light's
+ * direction the positions of corners are below 2^ACROSS_BITS and within ACROSS_OFF; if twice the area of three corners
+ * is at least 2^ACROSS_THIN, their order is certain.
  */
 #define CELL_BITS 13
 #define CELL_NEAR 17

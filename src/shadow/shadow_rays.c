@@ -4,7 +4,7 @@
 
 #define OCCLUDERS 16
 
-/* State of the coherence between neighbouring pixels. */
+/* Data shared between neighbouring pixels, which mostly have the same occluder. */
 struct rays {
     const struct tia_flat_scene *flat;
     const struct tia_casters *casters;
@@ -13,7 +13,7 @@ struct rays {
     struct tia_seen_face of;
     bool turned;
     uint32_t last;                           /* last face that hid the light */
-    struct tia_occluder occluder[OCCLUDERS]; /* occluder of face f, if present, at f mod OCCLUDERS */
+    struct tia_occluder occluder[OCCLUDERS]; /* a cache: face f has its occluder at f mod OCCLUDERS */
 };
 
 static bool hides(struct rays *rays, uint32_t face, const struct tia_seen *seen)

@@ -5,7 +5,7 @@
 #include "casters.h"
 #include "technique.h"
 
-/* Implements a technique's function `light`. */
+/* Does the work of `light` in struct tia_shadow_technique, by rays. */
 void tia_shadow_rays_light(const struct tia_shadow_view *view, const struct tia_casters *casters,
                            struct tia_shadow_tile *tile, unsigned sample, struct cancel *cancel);
 

@@ -1,4 +1,4 @@
-/* technique.h - the interface of a technique for shadows, which decides which of the rasterised pixels the light
+/* technique.h - the interface of techniques for shadows: a technique decides which rasterised pixels a light
  * reaches. */
 #ifndef TIA_SHADOW_TECHNIQUE_H
 #define TIA_SHADOW_TECHNIQUE_H
@@ -12,15 +12,15 @@ struct tia_shadow_view {
     struct tia_flat_scene flat;
     unsigned sample_count;
     tia_flat_light samples[TIA_SHADOW_SAMPLES_MAX];
-    const struct tia_light *lights[TIA_SHADOW_SAMPLES_MAX]; /* lights of the samples, valid while lights are set */
+    const struct tia_light *lights[TIA_SHADOW_SAMPLES_MAX]; /* light of each sample; valid only during set_lights */
     void *own;                                              /* the technique's data, aligned for uint64_t */
 };
 
 /* The data of each pixel of a tile. */
 struct tia_shadow_tile {
     struct tia_raster_target target;
-    uint64_t *lit; /* a bit for each light sample; target.pitch pixels from one row to the next */
-    void *more;    /* the technique's own bytes of each pixel, or its shares */
+    uint64_t *lit; /* a bit for each light sample of each pixel; rows are target.pitch pixels apart */
+    void *more;    /* each pixel's scratch memory or shares */
 };
 
 /* A share: the part of a sample's light that arrives, in units of 1/TIA_SHARE_ALL. */
@@ -29,31 +29,31 @@ typedef uint16_t tia_share;
 #define TIA_SHARE_ALL (1u << TIA_SHARE_BITS)
 
 struct tia_shadow_technique {
-    /* returns the number of bytes behind view->own */
+    /* returns the number of bytes of view->own */
     uint64_t (*own_size)(const struct tia_scene *scene);
-    /* fills view->own once the scene's faces are there; TIA_STOPPED when cancelled */
+    /* fills view->own after view->flat is complete; TIA_STOPPED when cancelled */
     int (*prepare)(struct tia_shadow_view *view, struct cancel *cancel);
     /* updates view->own whenever the view's samples have changed; TIA_STOPPED when cancelled */
     int (*set_lights)(struct tia_shadow_view *view, struct cancel *cancel);
 
-    /* Sets the bit of a sample where its light arrives. Before the call faces and depths are drawn, and the bit is
-     * clear everywhere. With shares, stores the pixel's share of the sample as well. Once cancelled, the bits are
-     * undefined. */
+    /* Sets the bit of a sample in each pixel where its light arrives. Before the call faces and depths must be drawn,
+     * and the bit clear everywhere. With shares, stores each pixel's share of the sample as well. Once cancelled, the
+     * bits are undefined. */
     void (*light)(const struct tia_shadow_view *view, struct tia_shadow_tile *tile, unsigned sample,
                   struct cancel *cancel);
 
-    /* Returns the number of shares of a pixel, at least one per sample; 0 where bits suffice. Few techniques have
-     * shares. */
+    /* Returns the number of shares of a pixel, at least one for each sample; 0 where bits suffice. NULL: the technique
+     * has no shares. */
     unsigned (*shares)(const struct tia_scene *scene);
-    /* True if an area light has only one sample, in its centre, whose share stands for all samples of the light. */
+    /* True if an area light has only one sample, in its centre, whose share is that of the whole light. NULL: never. */
     bool (*is_whole)(const struct tia_scene *scene);
 
-    /* True if own_size bytes also suffice for these lights in place of the scene's. NULL: they always do. */
+    /* True if own_size bytes also suffice for these lights in place of the scene's. NULL: always. */
     bool (*has_room)(const struct tia_scene *scene, const struct tia_light *lights, uint32_t count);
-    unsigned scratch; /* bytes of scratch memory for each pixel, a multiple of 4, if there are no shares */
+    unsigned scratch; /* bytes of scratch memory for each pixel, a multiple of 4; only without shares */
 };
 
-/* Returns a technique; NULL for TIA_SHADOWS_TRACED. */
+/* Returns a technique's functions; NULL for TIA_SHADOWS_TRACED. */
 const struct tia_shadow_technique *tia_shadow_technique(enum tia_shadows technique);
 
 /* Returns the number of a light's samples that a technique uses. */

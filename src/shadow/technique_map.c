@@ -6,7 +6,7 @@
 #include "raster/target.h"
 #include "scene/axes.h"
 
-/* The data behind the struct: maps, room to draw one, distances. */
+/* The technique's data. The struct is followed by the maps, room to draw one map, and the distances. */
 struct maps {
     struct tia_map_look look;
     struct tia_world world;
@@ -40,7 +40,7 @@ static void add_light(struct demand *demand, const struct tia_scene *scene, cons
     demand->texels += (uint64_t)samples * tia_map_views(light) * look.size * look.size;
 }
 
-/* Returns the maps that all lights and keys need, whichever keys are pressed. */
+/* Returns the samples and texels needed for all lights, whichever keys are pressed. */
 static struct demand demand_of(const struct tia_scene *scene)
 {
     struct demand demand = {0, 0};
@@ -148,11 +148,11 @@ static int set_lights(struct tia_shadow_view *view, struct cancel *cancel)
 
 /* ---- light ---- */
 
-#define PIXEL_WORK 4 /* items of work for a pixel, see cancel.h: PCSS has two hundred taps */
+#define PIXEL_WORK 4 /* items of work for a pixel, see cancel.h: PCSS takes up to two hundred taps */
 
 struct lighting {
     const struct tia_shadow_view *view;
-    struct tia_world world; /* in the coordinates of the view's pixels, which differ between a pixel's samples */
+    struct tia_world world; /* coordinates of the grid of the pixels' present sample */
     struct tia_shadow_tile *tile;
     unsigned sample, shares;
     bool turned; /* the point's face is turned to the light */

@@ -1,17 +1,17 @@
 /* technique_map_exact.c - the alias-free map (Aila and Laine 2004; Johnson, Lee, Burns and Mark 2005): its samples are
- * the visible points of a tile's pixels. They are filed by the cell of the light's view that they fall into; faces are
- * drawn into that view a cell too large, and each face is tested exactly (occluder.h) against all points in the cells
- * that it covers. So the result is that of exact rays, and the number of cells changes only the cost.
+ * the visible points of a tile's pixels. Points are filed by their cell in the light's view; faces are drawn into that
+ * view, enlarged by a cell, and each face is tested exactly (occluder.h) against all points in the cells that it
+ * covers. So the result is that of exact rays, and the number of cells affects only the speed.
  *
  * No face is missed. Let a face hide the light from a visible point P. The segment between them meets the face, so seen
  * from the light P lies in the face's image, or on its border where the tie rule moved the pixel. P is filed by a
  * rounded position; the centre of that cell is less than a column and a row from P (tests/proofs/shadow_map_exact.g,
- * with the numbers of shadow_ranges.h; larger cells are off by a smaller part of themselves). A face is drawn with each
- * edge moved outwards by a column and a row: an edge e(x, y) >= 0 at P is at least -(|e.x| + |e.y|) at the centre. So
- * that cell is covered, and the face is tested against P. To a point light the image is exact, and P too near is tested
- * against all faces. To a direction, corners are rounded, and P's image with them, being their mean; thin faces are a
- * box; and P beyond all corners can be hidden by planes alone. Nor is a point hidden wrongly: the test's integers are
- * those of exact rays. */
+ * with the numbers of shadow_ranges.h; the error is a smaller part of larger cells). A face is drawn with each edge
+ * moved outwards by a column and a row: an edge e(x, y) >= 0 at P is at least -(|e.x| + |e.y|) at the centre. So that
+ * cell is covered, and the face is tested against P. For a point light the image is exact; a P too near to the light is
+ * tested against all faces. For a direction, corners are rounded, and P's image moves no farther than they do, as a
+ * mean of them; thin faces are drawn as a box; and a P beyond all corners can be hidden by planes alone. Nor is a point
+ * hidden wrongly: the test's integers are those of exact rays. */
 #include "math/wide.h"
 #include "occluder.h"
 #include "places.h"
@@ -22,17 +22,18 @@
 
 #define VIEWS 6 /* number of views of a point light; a directional one has one view */
 #define NONE UINT32_MAX
-#define ASIDE (UINT32_MAX - 1) /* in no cell: tested already */
+#define ASIDE (UINT32_MAX - 1) /* not a cell: the point is already tested */
 
-/* Links of a pixel: the first pixel filed in the cell of this number, and the next pixel in this pixel's own cell. */
+/* Links at a pixel's index: `head` is the first pixel in the cell with this index, `next` the pixel that follows this
+ * one in its own cell. */
 struct filed {
     uint32_t head, next;
 };
 
-/* The light's view of the tile's points in one direction. */
+/* The cells of one view, as far as the tile's points need them. */
 struct cells {
-    uint32_t count, base, x0, y0, x1, y1; /* x0 .. x1 - 1 and y0 .. y1 - 1 */
-    unsigned shift;                       /* cells are 2^shift times the smallest, 2^-CELL_BITS */
+    uint32_t count, base, x0, y0, x1, y1; /* cells x0 .. x1 - 1, y0 .. y1 - 1; base: index of the first */
+    unsigned shift; /* cells are 2^shift times as large as the smallest, of 2^-CELL_BITS of a view */
 };
 
 struct exact {
@@ -49,7 +50,7 @@ struct exact {
     const struct cells *now; /* the cells being drawn into */
     struct tia_occluder occluder;
     uint32_t face;
-    bool ready, casts; /* casts: the face has an occluder */
+    bool ready, casts; /* ready: the face's occluder was prepared; casts: the face can hide points */
 };
 
 /* ---- filing ---- */
@@ -85,8 +86,8 @@ static bool is_hidden(struct exact *e, struct tia_occluder *o, uint32_t number)
     return tia_occluder_hides(o, &seen);
 }
 
-/* Tests a pixel against faces by brute force: all faces, or only those of planes, which are infinite. */
-static void ask_all(struct exact *e, uint32_t number, bool endless)
+/* Tests a pixel against all faces, or only against those of planes, which are infinite. */
+static void test_all(struct exact *e, uint32_t number, bool endless)
 {
     const struct tia_flat_scene *flat = &e->view->flat;
     struct tia_occluder o;
@@ -111,7 +112,7 @@ static uint32_t cell(int64_t a)
     return (uint32_t)(i < 0 ? 0 : i < last ? i : last);
 }
 
-/* Returns the view and the smallest cell of a point; ASIDE when it is not needed or not certain. */
+/* Returns the view and the smallest cell of a point; ASIDE when the point needs no cell, or its cell is uncertain. */
 static uint32_t find(struct exact *e, uint32_t number, int64_t at[3])
 {
     const int64_t limit = (INT64_C(1) << ACROSS_BITS) + (INT64_C(1) << 20);
@@ -121,7 +122,7 @@ static uint32_t find(struct exact *e, uint32_t number, int64_t at[3])
     if (e->places.parallel) {
         tia_place_across(&e->places, at, place);
         if (place_size(place[0]) > limit || place_size(place[1]) > limit) {
-            ask_all(e, number, true);
+            test_all(e, number, true);
             return ASIDE;
         }
     } else {
@@ -129,7 +130,7 @@ static uint32_t find(struct exact *e, uint32_t number, int64_t at[3])
             at[k] -= e->places.origin[k];
         int k = place_largest(at);
         if (place_size(at[k]) >> CELL_NEAR == 0) {
-            ask_all(e, number, false);
+            test_all(e, number, false);
             return ASIDE;
         }
         view = 2 * (uint32_t)k + (at[k] < 0);
@@ -152,7 +153,7 @@ static void include(struct cells *c, uint32_t x, uint32_t y)
 #define Y_OF(spot) ((spot) >> CELL_BITS & ((1u << CELL_BITS) - 1))
 #define VIEW_OF(spot) ((spot) >> 2 * CELL_BITS)
 
-/* Files a pixel whose face is turned to the light: it is lit until a face is found that hides it. */
+/* Marks a pixel as lit if its face is turned to the light, and finds the smallest cell of its point. */
 static void locate(struct exact *e, uint32_t number)
 {
     const struct tia_raster_target *t = &e->tile->target;
@@ -172,14 +173,14 @@ static void locate(struct exact *e, uint32_t number)
         return;
     e->tile->lit[at] |= e->bit;
     if (!tia_place_seen(&e->places, x_of(t, number), y_of(t, number), face, place))
-        ask_all(e, number, false);
+        test_all(e, number, false);
     else
         *spot = find(e, number, place);
     if (*spot < ASIDE)
         include(&e->cells[VIEW_OF(*spot)], X_OF(*spot), Y_OF(*spot));
 }
 
-/* Chooses the cells' sizes: no more cells than pixels. */
+/* Chooses the sizes of cells, so that there are no more cells than pixels. */
 static void choose_sizes(struct exact *e)
 {
     uint32_t base = 0;
@@ -220,8 +221,8 @@ static void file(struct exact *e, uint32_t number)
 
 /* ---- drawing ---- */
 
-/* Tests a face against all points filed in a run of cells; hidden points are not tested again. */
-static void ask_run(void *ctx, int y, int x0, int x1)
+/* Tests the present face against all points filed in a run of cells; removes the hidden points from the cells. */
+static void test_run(void *ctx, int y, int x0, int x1)
 {
     struct exact *e = ctx;
 
@@ -246,18 +247,18 @@ static struct tia_tile area_of(const struct cells *c)
     return (struct tia_tile){(uint16_t)c->x0, (uint16_t)c->y0, (uint16_t)(c->x1 - c->x0), (uint16_t)(c->y1 - c->y0)};
 }
 
-static void ask_box(struct exact *e, uint32_t x0, uint32_t y0, uint32_t x1, uint32_t y1)
+static void test_box(struct exact *e, uint32_t x0, uint32_t y0, uint32_t x1, uint32_t y1)
 {
     const struct cells *c = e->now;
 
     x0 = x0 > c->x0 ? x0 : c->x0;
     x1 = x1 < c->x1 ? x1 : c->x1;
     for (uint32_t y = y0 > c->y0 ? y0 : c->y0; y < y1 && y < c->y1 && x0 < x1; y++)
-        ask_run(e, (int)y, (int)x0, (int)x1);
+        test_run(e, (int)y, (int)x0, (int)x1);
 }
 
-/* Tests the face against the points in the cells around three corners, and one more cell to each side. */
-static void ask_around(struct exact *e, const struct tia_raster_vertex *v)
+/* Tests the present face against the points in the box around three corners, enlarged by a cell. */
+static void test_around(struct exact *e, const struct tia_raster_vertex *v)
 {
     uint32_t x0 = NONE, y0 = NONE, x1 = 0, y1 = 0;
 
@@ -268,10 +269,10 @@ static void ask_around(struct exact *e, const struct tia_raster_vertex *v)
         x1 = x > x1 ? x : x1;
         y1 = y > y1 ? y : y1;
     }
-    ask_box(e, x0 ? x0 - 1 : 0, y0 ? y0 - 1 : 0, x1 + 2, y1 + 2);
+    test_box(e, x0 ? x0 - 1 : 0, y0 ? y0 - 1 : 0, x1 + 2, y1 + 2);
 }
 
-/* Gives corners in a point light's view, which are exact. */
+/* Converts a corner to a point light's view, exactly. */
 static void seen_from_point(const struct exact *e, unsigned view, struct tia_raster_vertex *v)
 {
     const struct tia_flat_scene *flat = &e->view->flat;
@@ -286,8 +287,7 @@ static void seen_from_point(const struct exact *e, unsigned view, struct tia_ras
     *v = (struct tia_raster_vertex){d[(k + 1) % 3], d[(k + 2) % 3], view % 2 ? -d[k] : d[k], 0};
 }
 
-/* Prepares corners in a direction's view, which are rounded. Where that could change the order of corners, their box is
- * used. False: the face of a plane, whose image is unbounded. */
+/* Converts corners to a direction's view, rounded. False: the face of a plane, whose image is unbounded. */
 static bool is_flattened(const struct exact *e, struct tia_raster_vertex *v, unsigned count)
 {
     for (unsigned i = 0; i < count; i++) {
@@ -301,6 +301,7 @@ static bool is_flattened(const struct exact *e, struct tia_raster_vertex *v, uns
     return true;
 }
 
+/* True if rounding may have changed the order of the corners. */
 static bool is_thin(const struct tia_raster_vertex *v)
 {
     int64_t area = (v[1].x - v[0].x) * (v[2].y - v[0].y) - (v[1].y - v[0].y) * (v[2].x - v[0].x);
@@ -317,20 +318,20 @@ static void draw(struct exact *e, const struct tia_raster_grid *grid, uint32_t f
     e->face = face;
     e->ready = false;
     if (e->places.parallel && !is_flattened(e, v, count)) {
-        ask_box(e, e->now->x0, e->now->y0, e->now->x1, e->now->y1);
+        test_box(e, e->now->x0, e->now->y0, e->now->x1, e->now->y1);
         return;
     }
     if (e->places.parallel && is_thin(v)) {
-        ask_around(e, v);
+        test_around(e, v);
         return;
     }
     for (unsigned i = 0; i < count && !e->places.parallel; i++)
         seen_from_point(e, (unsigned)(e->now - e->cells), &v[i]);
     if (!tia_polygon_init_enlarged(&p, grid, area_of(e->now), v, count) && p.count)
-        tia_polygon_rows(&p, ask_run, e);
+        tia_polygon_rows(&p, test_run, e);
 }
 
-/* Draws an object. With a silhouette, faces turned to the light suffice: any ray to a hidden point meets one. */
+/* Draws an object: if its silhouette suffices, only the faces turned to the light, as every hiding ray meets one. */
 static void draw_object(struct exact *e, const struct tia_raster_grid *grid, const struct tia_flat_object *object)
 {
     const struct tia_flat_scene *flat = &e->view->flat;

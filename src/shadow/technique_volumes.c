@@ -2,8 +2,8 @@
 #include "math/align.h"
 #include "shadow_rays.h"
 
-/* Ways to count a sample's volumes: behind the visible point or in front of it. Where both are undecided, rays
- * decide. */
+/* Ways to count a sample's volumes: behind the visible point, before it, or not at all: rays decide if both are
+ * undecided. */
 enum counts { BEHIND, BEFORE, NOT };
 
 struct counted {
@@ -60,7 +60,7 @@ static int set_lights(struct tia_shadow_view *view, struct cancel *cancel)
     return cancel->stopped ? TIA_STOPPED : TIA_OK;
 }
 
-/* Keeps the lit pixels: a face is dark where it is turned away from the light, and where volumes contain it. */
+/* Sets the sample's bit in the lit pixels: those in no volume whose face is turned to the light. */
 static void keep_lit(const struct tia_shadow_view *view, struct tia_shadow_tile *tile, unsigned sample)
 {
     const struct tia_tile *area = &tile->target.area;

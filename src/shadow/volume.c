@@ -15,7 +15,7 @@ static int sign(wide a)
     return wide_is_negative(a) ? -1 : wide_bits(a) != 0;
 }
 
-/* Returns the sign of (a x b).c; components are below 2^41 in size, the product below 2^126. */
+/* Returns the sign of (a x b).c. Components are below 2^41 in size, so the product is below 2^126. */
 static int orientation(const int64_t a[3], const int64_t b[3], const int64_t c[3])
 {
     wide sum = wide_product(0, 0);
@@ -28,7 +28,7 @@ static int orientation(const int64_t a[3], const int64_t b[3], const int64_t c[3
     return sign(sum);
 }
 
-/* Gives the vector from a face's first corner, which is a point, to v; a direction stays unchanged. */
+/* Gives the vector from a face's first corner, which is a point, to v; if v is a direction, gives v. */
 static void relative(const struct tia_flat_scene *flat, const struct tia_flat_face *face,
                      const struct tia_raster_vertex *v, int64_t out[3])
 {
@@ -71,8 +71,8 @@ bool tia_flat_is_turned(const struct tia_flat_scene *flat, uint32_t face, const 
 
 /* ---- casters ---- */
 
-/* True if the plane hides no visible point: all of them are in the half-space before it. In orthographic views rays
- * start at the window, which the plane may cross. */
+/* All visible points are in the half-space before the plane. In orthographic views rays start at the window, which the
+ * plane may cross. */
 bool tia_flat_hides_nothing(const struct tia_flat_scene *flat, const struct tia_flat_object *object,
                             const tia_flat_light *light)
 {
@@ -82,11 +82,11 @@ bool tia_flat_hides_nothing(const struct tia_flat_scene *flat, const struct tia_
            tia_flat_side(flat, face, light) * tia_flat_side_of_eye(flat, face) > 0;
 }
 
-/* A casting face: its corners run counterclockwise seen from the light. */
+/* A face that casts a shadow. Seen from the light, its corners run counterclockwise. */
 struct caster {
     const struct tia_flat_face *face;
     unsigned sides;
-    bool turned;          /* the corners run in reverse order */
+    bool turned;          /* the corners run in the reverse of the face's order */
     bool side[TIA_SIDES]; /* side k, from corner k to the next, is part of the silhouette */
 };
 
@@ -116,7 +116,7 @@ bool tia_flat_has_silhouette(const struct tia_flat_scene *flat, const struct tia
            (tia_flat_is_direction(flat, light) || !is_between(object->low, at, object->high));
 }
 
-/* True if face f casts a shadow. Faces of closed objects cast only when they face the light. */
+/* True if face f casts a shadow, then sets *c. Faces of closed objects cast one only when turned to the light. */
 static bool casts(const struct tia_flat_scene *flat, const tia_flat_light *light, uint32_t f, bool closed,
                   struct caster *c)
 {
@@ -136,7 +136,8 @@ static bool casts(const struct tia_flat_scene *flat, const tia_flat_light *light
 
 typedef int caster_function(void *ctx, const struct caster *caster, uint32_t face);
 
-/* Calls `caster` for each casting face; `work` is the work for one face, counted for `cancel`. */
+/* Calls the function for each face that casts a shadow; `work` is the number of items of work for a face, see cancel.h.
+ * Returns TIA_OK, TIA_STOPPED or the function's error. */
 static int for_each_caster(const struct tia_flat_scene *flat, const tia_flat_light *light, caster_function *call,
                            void *ctx, struct cancel *cancel, uint32_t work)
 {
@@ -185,8 +186,8 @@ static int draw(const struct drawing *d, const struct tia_raster_vertex *corners
     return tia_raster_draw(d->target, &d->state, corners, count, face);
 }
 
-/* Draws a side of a volume. The cap runs from a to b, so its side from b to a. A vertex at infinity is its own
- * shadow. */
+/* Draws the side of a volume at the cap's edge from a to b; the side has this edge from b to a. A vertex at infinity is
+ * its own shadow. */
 static int draw_side(const struct drawing *d, const struct tia_raster_vertex *a, const struct tia_raster_vertex *b)
 {
     struct tia_raster_vertex corners[4] = {*b, *a};
@@ -199,8 +200,8 @@ static int draw_side(const struct drawing *d, const struct tia_raster_vertex *a,
     return count < 3 ? TIA_OK : draw(d, corners, count, TIA_NO_FACE);
 }
 
-/* Draws the caps. A polygon's plane is that of its first three corners, and only a face's first corner is certainly a
- * point: so the reverse order begins with it too. Orthographic rays never meet points at infinity. */
+/* Draws the caps. A polygon's plane is that of its first three corners, and only a face's first corner is certain to be
+ * a point, so the reverse order begins with that corner too. Orthographic rays never meet points at infinity. */
 static int draw_caps(const struct drawing *d, const struct caster *c, uint32_t face)
 {
     struct tia_raster_vertex near[TIA_SIDES], far[TIA_SIDES];
@@ -233,7 +234,7 @@ static int draw_volume(void *ctx, const struct caster *c, uint32_t face)
         .test = TIA_COMPARE_ALWAYS, .mask = 255, .write = 255                                                          \
     }
 
-/* Returns the work of a polygon, which may cover the whole target. */
+/* Returns the number of items of work for a polygon, which may cover the whole target. */
 static uint32_t work_of(const struct tia_raster_target *target)
 {
     return 1 + (uint32_t)target->area.width * target->area.height / 512;
@@ -260,7 +261,7 @@ int tia_shadow_faces(struct tia_raster_target *target, const struct tia_flat_sce
 }
 
 /* Counts behind the point, where the ray leaves volumes through back faces and enters others through front faces. In
- * orthographic views it never reaches points at infinity. */
+ * orthographic views no ray reaches points at infinity. */
 int tia_shadow_zfail(struct tia_raster_target *target, const struct tia_flat_scene *flat, const tia_flat_light *light,
                      struct cancel *cancel)
 {
@@ -273,8 +274,8 @@ int tia_shadow_zfail(struct tia_raster_target *target, const struct tia_flat_sce
     return for_each_caster(flat, light, draw_volume, &d, cancel, 4 * work_of(target));
 }
 
-/* Counts before the point, the other way round. The far caps are never there, and a near one would be the visible face
- * itself, unless it is behind the window of an orthographic view. */
+/* Counts before the point, with opposite signs. Far caps are never before the point, and a near cap is not before a
+ * visible face, except behind the window of an orthographic view. */
 int tia_shadow_zpass(struct tia_raster_target *target, const struct tia_flat_scene *flat, const tia_flat_light *light,
                      struct cancel *cancel)
 {
@@ -292,13 +293,14 @@ int tia_shadow_zpass(struct tia_raster_target *target, const struct tia_flat_sce
 struct end_count {
     const struct tia_flat_scene *flat;
     const tia_flat_light *light;
-    int end; /* end of the rays: -1 is the eye, 1 its opposite, where all rays of orthographic views end */
+    int end; /* end of the rays: -1 is the eye, 1 the opposite point, where all rays of orthographic views end */
     uint32_t count;
     bool unsure;
 };
 
-/* Returns the side of an edge on which the line from the eye to the light passes: det(a, b, light, eye). If all four
- * are at infinity it is 0, and the edge is one of a plane's half: any side is correct that is the same for both halves.
+/* Returns the side of an edge on which the line from the eye to the light passes: the sign of det(a, b, light, eye). If
+ * all four are at infinity this is 0, and the edge is one of a half plane: any side is correct that is the same for
+ * both halves.
  */
 static int passes(const struct end_count *e, const struct tia_raster_vertex *a, const struct tia_raster_vertex *b)
 {
@@ -308,9 +310,9 @@ static int passes(const struct end_count *e, const struct tia_raster_vertex *a, 
     return p[2] || q[2] || l[2] || e->flat->eye.projection != TIA_ORTHOGRAPHIC ? orientation(p, q, l) : 1;
 }
 
-/* Counts a volume that contains the end: then the segment from there to the light crosses the cap, that is, passes all
- * edges on one side. If this holds but for edges that it meets, or if the end is in the cap's plane, the end is on a
- * volume's surface. */
+/* Counts a volume if it contains the end: then the segment from the end to the light crosses the cap, that is, passes
+ * all edges on the same side. If the segment meets edges and passes the others on the same side, or if the end is in
+ * the cap's plane, the end is on the volume's surface. */
 static int count_end(void *ctx, const struct caster *c, uint32_t face)
 {
     struct end_count *e = ctx;

@@ -1,4 +1,4 @@
-/* bound.h - rows of the tables of error bounds, and how code takes a bound by its name.
+/* bound.h - rows of the tables of error bounds, and the macros that give code a bound by its name.
  *
  * A row is `#define BOUND_NAME value`, a constant that code takes as BOUND(NAME), or `FORMULA(NAME);`, whose expression
  * stands in the code as BOUND_OF(NAME, expression) and whose derivation stands in the row; BOUND_OF_FLOATS() is the
@@ -6,10 +6,10 @@
  * which Gappa proves the value. "3 of 8" is the part of the value that the derivation needs. tests/quick/bounds checks
  * this form.
  *
- * "Unseen" says that no test notices when the bound is left out (make check-bounds), and the reason. Small: what else
- * is in the sum is far larger in all that tests draw. Hidden: it ends in a value, a sample's radiance or a pixel's
- * level, whose bound is far above what that is ever off by. Choice: with another value more is left to the
- * fixed-point path, or less, and neither is wrong.
+ * "Unseen" says that no test notices when the bound is left out (make check-bounds), and the reason. Small: the
+ * other terms of the sum are far larger in all tests. Hidden: the quantity ends in a value, a sample's radiance or a
+ * pixel's level, whose bound is far above its largest error. Choice: with another value more is left to the fixed-point
+ * path, or less, and neither is wrong.
  *
  * A new bound needs a row with its derivation, BOUND() or BOUND_OF() in the code, and a test that notices when it is
  * left out.
@@ -23,7 +23,7 @@
 
 #ifdef BOUND_SCALES
 #include BOUND_SCALES
-/* The factor's place is looked up once for each place in the code. */
+/* Looks the factor's address up once for each use in the code. */
 #define BOUND_SCALE(name)                                                                                              \
     (*__extension__({                                                                                                  \
         static const double *scale_of_##name;                                                                          \

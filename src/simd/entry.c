@@ -4,8 +4,8 @@
 
 #define WORKERS_MAX 65536
 
-/* The memory of calls that draw at the same time, one room behind the other. Before each room is a cache line with a
- * flag: it is in use. */
+/* Rooms of calls that draw at the same time, one behind the other. A cache line before each room has the flag that the
+ * room is in use. */
 struct simd_pool {
     char *first;
     size_t stride;
@@ -24,7 +24,7 @@ static size_t stride_of(const struct tia_simd *simd, const struct simd_renderer 
     return 64 + SIMD_ALIGN(part->room(simd));
 }
 
-/* Returns the bytes of the pool and the part for a view. The caller's memory need not be aligned to 64. */
+/* Returns the bytes of a view's memory: the pool, and the part's own. The caller's memory need not be aligned to 64. */
 static size_t size(const struct tia_simd *simd, const struct simd_renderer *part, const struct tia_scene *scene,
                    uint32_t light_capacity, unsigned workers)
 {

@@ -103,7 +103,7 @@ static inline bool environment_is_default(void)
            small_f * 4 > 0;
 }
 
-/* True if the environment suits as it is, on a processor whose control register is unknown. */
+/* Returns true if the environment is the default one already; for processors whose control register is unknown. */
 static inline bool environment_take(struct environment *e)
 {
     *e = (struct environment){0, 0};
@@ -131,7 +131,7 @@ static inline bool environment_take(struct environment *e)
     return true;
 }
 
-/* Restores the caller's environment with its flags: the kernels' computations raise none there. */
+/* Restores the caller's environment and its flags, so that the kernels' computations raise none for the caller. */
 static inline void environment_leave(const struct environment *e)
 {
     environment_write(e);

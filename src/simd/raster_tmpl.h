@@ -36,7 +36,7 @@ INLINE void put_nearest(const struct raster_polygon *p, size_t at, Q z, K nearer
 {
     if (!k_any(nearer))
         return;
-    q_store(p->nearness + at, nearer, q_clamp(z)); /* a step's error may lead below 0, which is infinity */
+    q_store(p->nearness + at, nearer, q_clamp(z)); /* rounding may make z negative; 0 is infinity */
     w_store(p->face + at, nearer, w_set(p->own));
 }
 

@@ -6,8 +6,10 @@
 #include "render/renderer.h"
 #include "span/pair.h"
 
-/* Implement struct simd_renderer for scenes of spheres. */
+/* True if spans draw the view with any lights; see struct simd_renderer. */
 bool tia_simd_draws(const struct tia_view *view);
+
+/* Draws a tile of spheres, see struct simd_renderer. */
 void tia_simd_light(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
                     const struct tia_options *options, void *room);
 
@@ -15,7 +17,7 @@ void tia_simd_light(const struct tia_view *view, struct tia_tile tile, const str
 void tia_simd_light_plain(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
                           const struct tia_options *options);
 
-#define SIMD_ALIGN(n) (((n) + 63) / 64 * 64) /* a cache line */
+#define SIMD_ALIGN(n) (((n) + 63) / 64 * 64) /* rounds up to whole cache lines */
 
 /* Returns the bytes of a call's room: first the structure of `own` bytes, then the kernels' memory. */
 static inline size_t simd_room(size_t own, size_t of_kernels)

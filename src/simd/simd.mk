@@ -16,7 +16,7 @@ flags_wasm   := -msimd128
 SIMD ?= $(if $(BARE),no,yes)
 # tools/generate would be too late: the compiler is tried with a line for each instruction set.
 SIMD_HAD := $(if $(filter no,$(SIMD)),,$(strip $(foreach l,$(SIMD_NAMES),$(shell $(CC) -std=c11 $(CFLAGS) $(flags_$(l)) -DASK_$(l) -E -P src/simd/probe.h 2>/dev/null | grep -c '^yes$$' | sed -n 's/1/$(l)/p'))))
-# `make run` alone makes the one that this processor can do best, beside those that are there.
+# `make run` alone makes the best instruction set of this processor, besides those that are built already.
 ifneq ($(LEAN),)
 simd_asked = $(shell $(CC) -std=c11 $(CFLAGS) -march=native -DASK_$(1) -E -P src/simd/probe.h 2>/dev/null | sed -n 's/^yes$$/$(1)/p')
 SIMD_BEST := $(lastword $(foreach l,$(SIMD_HAD),$(call simd_asked,$(l))))

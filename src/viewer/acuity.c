@@ -10,11 +10,11 @@
 #define VIEW_MOST TIA_Q16(170)
 #define RIGHT_ANGLE TIA_Q16(90)
 
-/* Degrees that a pixel in the middle spans, Q8.24, for each half pixel of distance: a pixel is two half pixels, and a
- * small angle is its tangent: 2 * 180 / pi * 2^24. */
+/* Angle of a pixel in the middle of the picture, degrees in Q8.24, times the distance in half pixels. A pixel is two
+ * half pixels, and a small angle is its tangent: 2 * 180 / pi * 2^24. */
 #define PIXEL_ANGLE UINT32_C(1922527338)
 
-/* Values of cos^2 for 0..90 degrees, Q0.20, rounded to nearest. */
+/* Returns cos^2 of 0..90 degrees, Q16.16, as Q0.20, rounded to nearest. */
 static uint32_t cosine_squared(uint32_t degrees)
 {
     const uint32_t right_angle = RIGHT_ANGLE;

@@ -44,7 +44,7 @@ static void set_camera(struct loop *loop, const struct tia_camera *camera)
         loop->view = NULL; /* another renderer draws the scene */
 }
 
-/* Moves the camera. Whether all of the scene is still within reach is checked when the view is prepared: see
+/* Moves the camera if its own values are valid. The scene's distance from it is checked when the view is prepared: see
  * tia_viewer_go_back. */
 static void move_camera(struct loop *loop, const struct tia_camera *camera)
 {
@@ -95,7 +95,7 @@ static void pause(struct loop *loop)
     loop->covered = true;
 }
 
-/* Chooses the next light that keys move, cyclically. */
+/* Chooses the next light that keys move, cyclically; false: there is none. */
 static bool choose_light(struct loop *loop)
 {
     const struct tia_light *lights = loop->viewer->lights.array;

@@ -48,7 +48,8 @@ static void get_corners(const struct loop *loop, struct sample s, tia_rgb565 cor
     }
 }
 
-/* Interpolates bilinearly, in levels of the display, rounded to nearest: weights sum to size^2, at most 256. */
+/* Interpolates a channel bilinearly at (x, y) of a block, in levels of the display, rounded to nearest: the sum of the
+ * weights is size^2, at most 256. */
 static unsigned mix(const tia_rgb565 corners[4], unsigned shift, unsigned mask, unsigned size, unsigned x, unsigned y)
 {
     unsigned a = (corners[0] >> shift & mask) * (size - x) + (corners[1] >> shift & mask) * x;
@@ -64,7 +65,7 @@ static tia_rgb565 mixed(const tia_rgb565 corners[4], unsigned size, unsigned x, 
     return (tia_rgb565)(red << 11 | green << 5 | mix(corners, 0, 31, size, x, y));
 }
 
-/* Returns the nearest corner; ties go to the left and upwards. */
+/* Returns the nearest corner's colour; ties go to the left and upwards. */
 static tia_rgb565 nearest(const tia_rgb565 corners[4], unsigned size, unsigned x, unsigned y)
 {
     return corners[(2 * x > size) + 2 * (2 * y > size)];

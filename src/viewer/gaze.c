@@ -13,7 +13,7 @@ static uint16_t moved(uint16_t at, int32_t by, uint16_t size)
     return (uint16_t)(to < 0 ? 0 : to < size ? to : size - 1);
 }
 
-/* Moves the gaze; the hits of pixels that were not drawn are then missing. */
+/* Moves the gaze; all pixels are then traced again, since pixels that were left out have no hits. */
 bool tia_viewer_point(struct loop *loop, const struct tia_event *event)
 {
     const struct tia_mode *mode = &loop->mode;

@@ -4,7 +4,8 @@
 #include "math/divide.h"
 #include "scene/check/scene_check.h"
 
-/* Returns the number of the light that a key sets or moves. */
+/* Returns the index of the light that a key sets or moves, or TIA_NO_LIGHT. *first receives the first light that the
+ * key may move: the chosen one, else 0. */
 static uint32_t light_of(const struct loop *loop, uint16_t key, uint32_t *first)
 {
     const struct tia_viewer *v = loop->viewer;
@@ -30,7 +31,8 @@ static int press_light(struct loop *loop, uint16_t key)
     return light == TIA_NO_LIGHT ? TIA_ERR_ARGUMENT : TIA_OK;
 }
 
-/* Returns the effect of an event. Keys that move no light end the loop of spheres alone. */
+/* Returns the effect of an event. In the viewer of spheres alone, keys that neither set nor move lights end the
+ * loop. */
 enum tia_effect tia_viewer_effect_of(const struct loop *loop, const struct tia_event *event)
 {
     if (loop->more)

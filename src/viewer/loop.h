@@ -13,11 +13,11 @@
 
 #define VIEWER_PERIOD_US 16666 /* period of a display of 60 Hz */
 #define VIEWER_PASSES 5        /* number of passes: blocks of 16, 8, 4, 2, 1; later passes add samples */
-#define VIEWER_QUEUE 8         /* number of events while a frame is drawn; a full queue ends the frame */
+#define VIEWER_QUEUE 8         /* largest number of events queued while a frame is drawn; a full queue ends the frame */
 
-/* Statuses besides tia_status: a key ended the loop; the frame was given up. */
-#define VIEWER_QUIT 10
-#define VIEWER_OUTDATED 11
+/* Statuses besides tia_status. */
+#define VIEWER_QUIT 10     /* a key ended the loop */
+#define VIEWER_OUTDATED 11 /* the frame was given up */
 
 /* A key that is held. */
 struct held {
@@ -31,8 +31,8 @@ struct loop;
 /* A check of a scene, with the result of tia_check_scene. */
 typedef int scene_check(const struct tia_scene *scene, struct tia_fault *fault, struct cancel *cancel);
 
-/* The viewer's functions beyond frames of spheres drawn at once and keys that move lights. The linker drops them from a
- * program that calls tia_viewer_run_spheres alone. */
+/* Functions that only tia_viewer_run needs. As they are called through this table, the linker drops them from a program
+ * that calls only tia_viewer_run_spheres. */
 struct viewer_more {
     scene_check *check;
     int (*play_begin)(struct loop *loop);
@@ -86,8 +86,8 @@ struct loop {
     tia_q16 time, end; /* time of *current, and of the last keyframe; seconds */
     bool plays, started;
     bool only_lights;          /* only lights move: hits stay valid */
-    uint64_t start_us, due_us; /* begin of playing; time of the next frame */
-    uint64_t paused_us;        /* begin of the pause */
+    uint64_t start_us, due_us; /* start of playing; time of the next frame */
+    uint64_t paused_us;        /* start of the pause */
 
     /* The gaze, see gaze.c. */
     struct tia_gaze gaze;
@@ -98,10 +98,10 @@ struct loop {
     struct tia_event queue[VIEWER_QUEUE]; /* events that came while the frame was drawn */
     unsigned queued;
     uint64_t lights_us;         /* time when the frame's lights were set */
-    uint64_t begun_us, look_us; /* begin of the frame; time of the next check for events */
+    uint64_t begun_us, look_us; /* start of the frame; time of the next check for events */
     bool outdated;              /* a key was pressed since all keys were handled, or while the view was prepared */
     bool answered;              /* a picture of this frame has been shown */
-    bool gives_up, gave_up;     /* this frame is given up; the frame before was */
+    bool gives_up, gave_up;     /* this frame is to be given up; the frame before was given up */
     bool ends;                  /* a key, `stop` or a failed input ends the loop */
     int failure;                /* status of the input */
 
@@ -109,7 +109,7 @@ struct loop {
     bool refining;
     unsigned pass;         /* the pass being drawn */
     uint32_t line;         /* share of the frame that is done, 2^-16, for the progress line; 0: no line */
-    uint64_t show_us;      /* time to show the picture of the unfinished pass */
+    uint64_t show_us;      /* time at which the picture of the unfinished pass is to be shown */
     uint64_t shown_us;     /* time when this frame was last shown or, before that, begun */
     uint64_t showing_us;   /* time spent showing this frame so far */
     uint64_t last_us;      /* time that the last frame took to draw; 0: unknown */
@@ -130,7 +130,7 @@ struct loop {
     bool switched; /* a key has changed the technique since the last frame */
     bool pressed;  /* a key has changed the lights since the last frame */
     bool showing;  /* the display has not shown all of the last frame */
-    bool keeps;    /* the viewer's `kept` hold the lights of the last picture, kept_count of them */
+    bool keeps;    /* lights.kept of the viewer has the lights of the last picture, kept_count in number */
     uint32_t kept_count;
 };
 
@@ -161,7 +161,7 @@ static inline int viewer_mode(struct loop *loop, struct tia_mode *mode)
     return status == TIA_BUSY ? TIA_OK : status;
 }
 
-/* Brings the viewer's state up to date. */
+/* Updates the viewer's `state`. */
 static inline void viewer_tell(struct loop *loop)
 {
     struct tia_viewer_state *state = loop->viewer->state;
@@ -191,6 +191,7 @@ bool tia_viewer_is_switch(const struct loop *loop, uint16_t key);
 
 /* ---- key_events.c ---- */
 
+/* Handles the press of a key; returns VIEWER_QUIT when the key quits. */
 int tia_viewer_take_key(struct loop *loop, const struct tia_event *event);
 /* Handles all waiting events; returns VIEWER_QUIT when one of them quits. */
 int tia_viewer_take_events(struct loop *loop);
@@ -202,10 +203,10 @@ uint64_t tia_viewer_repeat_us(const struct loop *loop);
 
 /* ---- control.c ---- */
 
-/* Returns the effect of an event. */
+/* Returns the effect of an event in any viewer. */
 enum tia_effect tia_viewer_effect_of(const struct loop *loop, const struct tia_event *event);
 
-/* Returns the effect that an event would have. */
+/* Returns the effect of an event in a viewer that is not for spheres alone. */
 enum tia_effect tia_viewer_effect(const struct loop *loop, const struct tia_event *event);
 /* Handles an event that does not concern lights; VIEWER_QUIT when it quits. */
 int tia_viewer_control(struct loop *loop, const struct tia_event *event);
@@ -223,7 +224,7 @@ bool tia_viewer_point(struct loop *loop, const struct tia_event *event);
 
 /* ---- fill.c ---- */
 
-/* Fills in the pixels of the canvas that the eye does not need. */
+/* Fills in the pixels of the canvas that were left out because of the gaze. */
 int tia_viewer_fill(struct loop *loop);
 
 /* ---- technique_switch.c ---- */
@@ -280,14 +281,14 @@ uint64_t tia_viewer_period_us(const struct loop *loop);
 bool tia_viewer_is_moving(const struct loop *loop);
 /* True if there is time for the next pass of a moving picture. */
 bool tia_viewer_has_time(const struct loop *loop);
-/* Records the cost of a pass. */
+/* Records that the pass has drawn `pixels` in `us` microseconds. */
 void tia_viewer_learn(struct loop *loop, uint32_t pixels, uint64_t us);
 /* Returns the time that the whole frame would have taken. */
 uint64_t tia_viewer_whole_us(const struct loop *loop, const struct tia_frame *frame);
 
 /* ---- refine.c ---- */
 
-/* Returns the bytes for the canvas and, if `sums`, its sums of samples; 0: there is none. */
+/* Returns the bytes for the canvas and, if `sums`, its sums of samples; 0: no canvas. */
 uint64_t tia_viewer_canvas_size(const struct loop *loop, bool sums);
 /* Sets the canvas and the sums up in `memory`, of the size that tia_viewer_canvas_size returned. */
 void tia_viewer_set_canvas(struct loop *loop, void *memory, uint64_t size);
@@ -298,7 +299,7 @@ int tia_viewer_draw_passes(struct loop *loop, struct tia_frame *frame);
 
 /* ---- refine_pass.c ---- */
 
-/* Returns the bytes for sums of samples, or 0. */
+/* Returns the bytes for sums of samples; 0: no sums. */
 uint64_t tia_viewer_sums_size(const struct loop *loop);
 /* Returns the passes of a complete frame. */
 unsigned tia_viewer_passes(const struct loop *loop);
@@ -308,7 +309,7 @@ unsigned tia_viewer_block(unsigned pass);
 bool tia_viewer_by_rows(const struct loop *loop);
 /* Returns the samples that each pixel has after `passes` passes. */
 uint32_t tia_viewer_samples(const struct loop *loop, unsigned passes);
-/* Returns the share of all samples that is drawn after `passes` passes, in 2^-16. */
+/* Returns the share of all samples that is drawn after `passes` passes, in units of 2^-16. */
 uint32_t tia_viewer_share(const struct loop *loop, unsigned passes);
 /* Draws the part of loop->pass that is in a tile; *drawn counts the pixels that had no sample before. */
 int tia_viewer_refine_tile(struct loop *loop, struct tia_tile tile, uint32_t *drawn);

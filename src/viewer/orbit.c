@@ -9,7 +9,7 @@
 #define HALF_TURN TIA_Q16(180)
 #define FOV_WIDEST TIA_Q16(120)
 
-/* Converts from Q.30 to units, to nearest, ties away from 0. */
+/* Returns a 2^-30, rounded to nearest, ties away from 0. */
 static int64_t drop30(int64_t a)
 {
     const int64_t one = INT64_C(1) << 30, half = one / 2;
@@ -68,8 +68,8 @@ static int64_t size_of(int64_t a)
     return a < 0 ? -a : a;
 }
 
-/* Returns the distance to an object ahead, Q16.16, or 0 when it is not ahead or has no bounds, like a plane. *off is
- * the distance of its middle from the line of sight, |x| + |y|, divided by that: 2^-16. */
+/* Returns the distance to an object ahead, Q16.16, or 0 when it is not ahead or has no bounds, like a plane. *off
+ * receives the distance of the object's middle from the line of sight, |x| + |y|, divided by the result; Q16.16. */
 static int64_t ahead_of(const struct tia_camera *camera, const struct tia_scene *scene, uint32_t object, uint64_t *off)
 {
     struct tia_bounds b = tia_object_bounds(scene, object);

@@ -16,8 +16,8 @@ bool tia_viewer_is_moving(const struct loop *loop)
     return v->pacing.pace[0] && v->ports.clock && (plays || tia_viewer_repeat_us(loop));
 }
 
-/* Returns the samples that the pass adds to pixels that are drawn already; each counts as a pixel then, as in
- * loop->cost_ns. */
+/* Returns the number of samples that the pass adds; each costs as much as a pixel of an earlier pass, which has one
+ * sample. */
 static uint64_t more_samples(const struct loop *loop)
 {
     uint64_t pixels = 0;
@@ -27,8 +27,8 @@ static uint64_t more_samples(const struct loop *loop)
     return pixels * (tia_viewer_samples(loop, loop->pass + 1) - tia_viewer_samples(loop, loop->pass));
 }
 
-/* Returns the pixels of the pass: as many as in the last frame; without one, three for each pixel of the pass before,
- * which draws 4^-n of the picture. */
+/* Returns the expected number of pixels of the pass: that of the last frame or, if it is unknown, three for each pixel
+ * drawn before, which are 4^-n of the picture, n passes before the last one of blocks. */
 static uint64_t pass_pixels(const struct loop *loop)
 {
     uint64_t all = (uint64_t)loop->mode.width * loop->mode.height;
@@ -40,7 +40,7 @@ static uint64_t pass_pixels(const struct loop *loop)
     return (loop->pass ? 3 * all : all) >> 2 * (loop->pass ? VIEWER_PASSES - loop->pass : VIEWER_PASSES - 1);
 }
 
-/* Returns the frame's time; for an unfinished frame, the time that its pixels would take, one after the other. */
+/* Returns the frame's time; for an unfinished frame, the time that all its samples would take at the measured cost. */
 uint64_t tia_viewer_whole_us(const struct loop *loop, const struct tia_frame *frame)
 {
     uint64_t pixels = (uint64_t)loop->mode.width * loop->mode.height,

@@ -21,7 +21,7 @@ tia_q16 tia_viewer_frame_time(tia_q16 start, uint32_t frame, const uint32_t rate
     return time < INT32_MAX ? (tia_q16)time : INT32_MAX;
 }
 
-/* Returns the time by the clock; it starts again at the last keyframe. */
+/* Returns the scene's time by the clock, which starts again after the last keyframe. */
 static tia_q16 clock_time(const struct loop *loop)
 {
     tia_q16 begin = loop->viewer->pacing.time;
@@ -119,8 +119,8 @@ static int update_view(struct loop *loop, tia_q16 time)
     return status;
 }
 
-/* Returns the time when the next frame is due: at a constant pace after the last one, however long that has taken,
- * unless it came too late. */
+/* Returns the time when the next frame is due: with a pace, one period after the time when the last one was due, or now
+ * if that is past; else TIA_PLAY_STEP_US from now. */
 static uint64_t next_due(const struct loop *loop, uint64_t now)
 {
     uint64_t next = loop->due_us + tia_viewer_period_us(loop);

@@ -23,7 +23,7 @@ int tia_viewer_present(struct loop *loop)
     return await(loop, v->ports.display->present(v->ports.display_ctx));
 }
 
-/* Continues showing; an event that ends it is handled in the next round. */
+/* Continues to show the frame; an event that interrupts this is handled in the next round. */
 int tia_viewer_go_on(struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;

@@ -48,7 +48,7 @@ static bool is_left(const struct loop *loop)
     return left;
 }
 
-/* Returns the share of the frame that is drawn, in 2^-16; a pixel of each block is drawn by now. */
+/* Returns the share of the frame's samples that is drawn, in units of 2^-16. */
 static uint32_t share_done(const struct loop *loop)
 {
     uint64_t sum = 0;
@@ -103,7 +103,7 @@ static void copy_job(void *arg, unsigned index)
     loop->status[index] = (int8_t)copy_tile(loop, tia_viewer_tile(loop, index));
 }
 
-/* Ends the frame if the screen or its size has changed. */
+/* Returns VIEWER_OUTDATED if the display is hidden or its mode has changed. */
 static int same_display(struct loop *loop)
 {
     struct tia_mode mode;
@@ -114,7 +114,7 @@ static int same_display(struct loop *loop)
     return status;
 }
 
-/* Returns the block size of a picture that is not complete, even if only samples are missing. */
+/* Returns the block size to report for an incomplete picture: at least 2, even if only samples are missing. */
 static uint16_t coarse_block(unsigned block)
 {
     return (uint16_t)(block > 1 ? block : 2);
@@ -154,8 +154,8 @@ static int show_so_far(struct loop *loop, struct tia_frame *frame)
 
 /* ---- the frame ---- */
 
-/* Returns the status, checking again: a stopped job may have missed it, since another job was calling `stop` at that
- * moment. */
+/* Returns the status of a pass: VIEWER_OUTDATED, too, if the frame is to be given up and a job has missed that, because
+ * another job was polling at that moment. */
 static int drawn(const struct loop *loop, int status)
 {
     if (status >= 0 && !loop->ends && (loop->gives_up || loop->queued == VIEWER_QUEUE))
@@ -184,8 +184,8 @@ static int draw_pass(struct loop *loop, struct tia_frame *frame)
     return status;
 }
 
-/* True if the rasteriser draws the frames: they are refined by rows, each of which stands for the rows below it. Spans
- * draw whole rows sooner. */
+/* True if the rasteriser draws the frames, without a gaze or a pace: they are refined by rows, each of which is
+ * repeated in the rows below it. Frames of spans are not refined. */
 static bool is_rasterised(const struct loop *loop)
 {
     return loop->base->shadows != TIA_SHADOWS_TRACED && !loop->gazes && !loop->viewer->pacing.pace[0];
@@ -196,7 +196,7 @@ static uint64_t pixels_size(const struct loop *loop)
     return ALIGN((uint64_t)loop->mode.width * loop->mode.height * sizeof(tia_rgb565));
 }
 
-/* Returns the size of the canvas. It is for frames that a user waits for, or looks at in one place, and that can be
+/* Returns the size of the canvas. A canvas is for frames that a user waits for or that have a gaze, and that can be
  * drawn pixel by pixel or row by row. */
 uint64_t tia_viewer_canvas_size(const struct loop *loop, bool sums)
 {
@@ -214,8 +214,8 @@ void tia_viewer_set_canvas(struct loop *loop, void *memory, uint64_t size)
     loop->sums = size > pixels ? (struct tia_sum *)(void *)((char *)memory + pixels) : NULL;
 }
 
-/* True if the frame is refined. For a frame in rows the rasteriser processes all faces twice, so it refines only frames
- * that take long. */
+/* True if the frame is refined. Frames in rows are refined only if they take long, since the rasteriser then processes
+ * all faces twice. */
 bool tia_viewer_refines(const struct loop *loop)
 {
     if (!loop->canvas || loop->gazes || !loop->last_us)
@@ -247,8 +247,8 @@ static void begin_passes(struct loop *loop)
     }
 }
 
-/* Returns the minimum time between two intermediate pictures. The next pass takes some four times as long as those
- * before it, but that of the rows in between some fifteen times, so rows are shown sooner. */
+/* Returns the minimum time between two intermediate pictures. A pass of blocks takes about four times as long as the
+ * one before, but the second pass of rows about fifteen times: so rows are shown sooner. */
 static uint64_t wait_us(const struct loop *loop)
 {
     uint64_t period = tia_viewer_period_us(loop);
@@ -299,7 +299,7 @@ int tia_viewer_draw_passes(struct loop *loop, struct tia_frame *frame)
     if (!status && !loop->unfinished)
         status = tia_viewer_fill(loop);
     loop->complete = !status && !loop->unfinished;
-    frame->done = 0; /* as for coarse pictures */
+    frame->done = 0; /* show_so_far may have set these */
     frame->left_us = frame->key_us = 0;
     frame->block = loop->unfinished ? coarse_block(tia_viewer_block(loop->pass - 1)) : 1;
     frame->samples = loop->unfinished && loop->sums ? tia_viewer_samples(loop, loop->pass) : 0;

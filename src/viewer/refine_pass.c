@@ -4,7 +4,7 @@
 
 #define FIRST_BLOCK (1u << (VIEWER_PASSES - 1))
 #define ROW_PASSES 2u
-#define SUMS_MAX (UINT32_C(1) << 23) /* number of pixels, for which sums take 192 MiB: 3840x2160 is just below */
+#define SUMS_MAX (UINT32_C(1) << 23) /* largest number of pixels with sums: 192 MiB; 3840x2160 is just below */
 
 unsigned tia_viewer_block(unsigned pass)
 {
@@ -167,8 +167,8 @@ static int draw_grid(struct loop *loop, struct tia_tile tile, struct pixel_grid 
     return status;
 }
 
-/* Draws the blocks of a size. After the first size: the blocks between those of each drawn row, then the rows in
- * between. */
+/* Draws the blocks of a size: all blocks of the first size; of other sizes, those between the drawn blocks of each row,
+ * then those of the rows in between. */
 static int draw_blocks(struct loop *loop, struct tia_tile tile, unsigned size, uint32_t *drawn)
 {
     unsigned x = tile.x, y = tile.y;
@@ -180,7 +180,7 @@ static int draw_blocks(struct loop *loop, struct tia_tile tile, unsigned size, u
     return status ? status : draw_grid(loop, tile, (struct pixel_grid){x, y + size, size, 2 * size, size}, drawn);
 }
 
-/* Draws more samples of the drawn pixels: all samples, or as many as the eye needs. */
+/* Adds this pass's samples to the drawn pixels: all pixels or, with a gaze, those that the acuity requires. */
 static int draw_more(struct loop *loop, struct tia_tile tile)
 {
     uint32_t counted = 0;

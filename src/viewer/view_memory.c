@@ -14,8 +14,8 @@ static void set_tiles(struct loop *loop, unsigned height)
 
 enum { PARTS = 9 };
 
-/* Gets memory from the caller for the current scene, its hierarchy, the view, six bytes for each tile, hits, the
- * vector units, and a canvas of `canvas` bytes. */
+/* Gets memory from the caller for the current scene, its hierarchy, the view, six bytes for each tile, the hits of an
+ * area, the vector units, and a canvas of `canvas` bytes. False: there is not enough. */
 static bool get_memory(struct loop *loop, struct tia_tile hits, uint64_t canvas)
 {
     const struct tia_viewer *v = loop->viewer;

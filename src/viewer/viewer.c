@@ -145,8 +145,8 @@ static int play(struct loop *loop)
     return loop->view_ready ? TIA_OK : tia_viewer_prepare_view(loop);
 }
 
-/* Prepares memory and view. A technique, light or camera that passes the check but cannot be drawn, such as one too far
- * from a point, or for lack of memory, is undone: the state before the key can be drawn. */
+/* Prepares memory and view. If the scene passes the check but cannot be drawn, because something is too far away or
+ * memory is short, the keys' changes of technique, lights or camera are undone: the state before them can be drawn. */
 static int prepare(struct loop *loop)
 {
     enum tia_shadows first = loop->base->shadows;
@@ -190,7 +190,7 @@ static int show(struct loop *loop)
     return loop->covered && loop->complete ? show_again(loop) : tia_viewer_go_on(loop);
 }
 
-/* Sleeps until there can be work; with frames left to draw, it only delivers pending signals. */
+/* Sleeps until there can be work; with work left, only delivers pending signals. */
 static int rest(struct loop *loop, bool hidden)
 {
     const struct tia_viewer *v = loop->viewer;

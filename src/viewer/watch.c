@@ -4,7 +4,7 @@
  * ends it at the next tile, too, since more keys are waiting. */
 #include "loop.h"
 
-#define PATIENCE_US 250000 /* time within which a frame is finished and shown */
+#define PATIENCE_US 250000 /* time after which a frame that is out of date is given up */
 #define STEP_US 20000      /* time between two checks */
 
 static bool is_full(const struct loop *loop)
@@ -46,8 +46,8 @@ static bool is_held_due(const struct loop *loop, uint64_t now)
     return next && now >= next;
 }
 
-/* Returns the time that a frame may take. A frame of a playing scene without a key press is not worth waiting for where
- * the next one can be shown before it is complete. */
+/* Returns the time after which a frame that is out of date is given up: 0 in a playing scene, unless the frame shows a
+ * key press, if the next frame can be shown before it is complete. */
 static uint64_t patience_us(const struct loop *loop)
 {
     return loop->plays && loop->canvas && !loop->key_us ? 0 : PATIENCE_US;
@@ -77,7 +77,8 @@ void tia_viewer_watch_begin(struct loop *loop)
     loop->showing_us = 0;
 }
 
-/* Acquires the lock. Fields of struct loop that change while tiles are drawn are only used between enter and leave. */
+/* Acquires the lock; false: another thread holds it. Fields of struct loop that change while tiles are drawn are only
+ * used between enter and leave. */
 static bool enter(const struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;

@@ -51,7 +51,8 @@ static inline void frames_thesis(struct frames_canvas *c, const char *keys, unsi
     frames_close(c);
 }
 
-/* Draws frames traced without a light, then lit: the hits alone must suffice. Then reports the object of each pixel. */
+/* Draws frames that were traced without a light and then lit, for which the hits alone must suffice; then reports the
+ * object of each pixel. */
 static inline void frames_relit(struct frames_canvas *c)
 {
     struct corpus_scene dark, lit;
@@ -85,8 +86,8 @@ static inline void frames_random(struct frames_canvas *c, unsigned index)
     frames_close(c);
 }
 
-/* Draws general rays: random shapes, materials, lights and cameras, every other scene with its hierarchy; with
- * opacities in the materials if `holes`. */
+/* Draws a scene for rays: random shapes, materials, lights and cameras; every other scene has its hierarchy, and with
+ * `holes` the materials have opacities. */
 static inline void frames_rays(struct frames_canvas *c, unsigned index, bool holes)
 {
     static struct corpus_rays scene;

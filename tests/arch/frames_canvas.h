@@ -47,7 +47,7 @@ static inline int frames_open(struct frames_canvas *c, const struct tia_scene *s
            !tia_hits_init(&c->hits, c->memory[1], hits, c->view, c->area);
 }
 
-/* Draws in tiles of the given size, from the last to the first. */
+/* Draws in tiles of the given size, the last tile first. */
 static inline void frames_draw(struct frames_canvas *c, unsigned tile_width, unsigned tile_height, bool trace,
                                bool dither)
 {

@@ -36,7 +36,7 @@ static const struct tia_material frames_materials[] = {
     [FRAMES_CHECKED] = {.colour = FRAMES_GREY(1), .texture = 1},
 };
 
-/* The planes of a room, x and y between -1 and 1, z from -1 on. */
+/* A room of planes: x and y from -1 to 1, z from -1 on. */
 static const struct tia_shape frames_walls[] = {
     {.kind = TIA_PLANE, .material = FRAMES_CHECKED, .plane = {FRAMES_VEC(0, -1, 0), {0, TIA_Q30(1), 0}}},
     {.kind = TIA_PLANE, .plane = {FRAMES_VEC(0, 1, 0), {0, -TIA_Q30(1), 0}}},
@@ -94,7 +94,7 @@ static const struct tia_light frames_lamps[] = {
      .samples = 4},
 };
 
-/* Returns the room below its lamp, or among one lamp of each kind. */
+/* Returns the room with its lamp, or with one lamp of each kind. */
 static inline struct tia_scene frames_room(struct tia_integration how, bool lamps)
 {
     return (struct tia_scene){
@@ -123,7 +123,7 @@ static inline void frames_lit(struct frames_canvas *c, const char *name, const s
     frames_close(c);
 }
 
-/* Draws a scene of frames_rays by another integrator, half of them with opacities. */
+/* Draws a random scene by another integrator; half of the scenes have opacities. */
 static inline void frames_sampled(struct frames_canvas *c, enum tia_integrator integrator, unsigned index)
 {
     static struct corpus_rays scene;
@@ -143,7 +143,7 @@ static inline void frames_sampled(struct frames_canvas *c, enum tia_integrator i
     frames_close(c);
 }
 
-/* Adds samples first..end - 1 of each pixel of a small room, in tiles of odd sizes from the last on. */
+/* Adds samples first..end - 1 of each pixel of a small room, in tiles of odd sizes, the last tile first. */
 static inline void frames_add_samples(enum tia_integrator integrator, uint32_t first, uint32_t end,
                                       struct tia_sum sums[FRAMES_SUMS_WIDTH * FRAMES_SUMS_HEIGHT])
 {
@@ -178,7 +178,7 @@ static inline uint32_t frames_sums_crc(const struct tia_sum sums[FRAMES_SUMS_WID
     return crc;
 }
 
-/* Reports the sums themselves, drawn in parts out of order. Only those of the fixed-point path are pinned. */
+/* Reports the sums themselves, whose parts are drawn out of order. Only the sums of fixed-point numbers are pinned. */
 static inline void frames_sums(struct frames_canvas *c, enum tia_integrator integrator)
 {
     static const uint32_t parts[][2] = {{3, 7}, {7, FRAMES_SUMS_SAMPLES}, {0, 1}, {1, 3}};

@@ -68,7 +68,7 @@ static inline struct tia_scene frames_play_scene(void)
 #undef FRAMES_AT
 }
 
-/* Draws the frames out of the order of time. */
+/* Draws frames in another order than that of their times. */
 static inline void frames_play(struct frames_canvas *c)
 {
     const struct tia_scene scene = frames_play_scene();

@@ -1,4 +1,4 @@
-/* frames_radio.h - checksums of the paths of radio waves: not pictures, but the same bits everywhere, too. */
+/* frames_radio.h - checksums of the paths of radio waves, whose bits are the same on every processor. */
 #ifndef TESTS_ARCH_FRAMES_RADIO_H
 #define TESTS_ARCH_FRAMES_RADIO_H
 

@@ -14,7 +14,7 @@
 
 /* ---- techniques ---- */
 
-/* Draws the scene, in tiles that do not divide it. */
+/* Draws the scene in tiles that do not divide it. */
 static inline void frames_scene(struct frames_canvas *c, const struct tia_scene *scene, unsigned width, unsigned height,
                                 bool dither, const char *name)
 {
@@ -25,7 +25,7 @@ static inline void frames_scene(struct frames_canvas *c, const struct tia_scene 
     frames_close(c);
 }
 
-/* Draws flat faces, whose shadows are the same by each exact technique. */
+/* Draws a scene of flat faces by each exact technique, all with the same shadows. */
 static inline void frames_flat(struct frames_canvas *c, unsigned index)
 {
     static struct corpus_rays scene;
@@ -42,8 +42,7 @@ static inline void frames_flat(struct frames_canvas *c, unsigned index)
     }
 }
 
-/* Draws maps by each filter, and by each bias without a filter, in scenes where each of them gives a different
- * picture. */
+/* Draws a shadow map with a filter and a bias, in a scene where each choice gives a different picture. */
 static inline void frames_map(struct frames_canvas *c, enum tia_filter filter, enum tia_bias bias, tia_q16 amount)
 {
     static struct corpus_rays scene;
@@ -68,7 +67,7 @@ static inline void frames_maps(struct frames_canvas *c)
             frames_map(c, TIA_FILTER_NONE, (enum tia_bias)i, i == TIA_BIAS_CONSTANT ? TIA_Q16(0.05) : TIA_Q16(1.5));
 }
 
-/* Draws curved shapes, by rays and as facets. */
+/* Draws curved shapes, as such and as facets. */
 static inline void frames_curved(struct frames_canvas *c, unsigned index)
 {
     static struct corpus_rays scene;
@@ -86,7 +85,7 @@ static inline void frames_curved(struct frames_canvas *c, unsigned index)
     }
 }
 
-/* Draws several samples a pixel, and a window without perspective. */
+/* Draws an orthographic view by each technique, and several samples a pixel. */
 static inline void frames_cameras(struct frames_canvas *c)
 {
     static struct corpus_rays scene;
@@ -144,7 +143,7 @@ static inline int64_t frames_coordinate(uint64_t *state, int64_t most)
     return (int64_t)(dice_next(state) % (2 * (uint64_t)most + 1)) - most;
 }
 
-/* Returns a point, in perspective before the eye or behind it; in orthographic views its h is its nearness. */
+/* Returns a point: in perspective in front of the eye or behind it; in orthographic views with its nearness in h. */
 static inline struct tia_raster_vertex frames_point(uint64_t *state, const struct tia_raster_grid *l, int64_t most)
 {
     int64_t x = frames_coordinate(state, most), y = frames_coordinate(state, most), z = frames_coordinate(state, most);
@@ -154,8 +153,8 @@ static inline struct tia_raster_vertex frames_point(uint64_t *state, const struc
     return (struct tia_raster_vertex){x, y, dice_one_in(state, 4) || z > 0 ? z : -z, 1};
 }
 
-/* Makes a polygon: one in three is the side of a shadow volume, whose far corners are at infinity; the others are
- * triangles. */
+/* Makes a polygon and returns its number of corners: one in three is the side of a shadow volume, whose far corners are
+ * at infinity; the others are triangles. */
 static inline unsigned frames_polygon(uint64_t *state, const struct tia_raster_grid *l, int64_t most,
                                       struct tia_raster_vertex v[4])
 {
@@ -178,7 +177,7 @@ static inline unsigned frames_polygon(uint64_t *state, const struct tia_raster_g
     return 4;
 }
 
-/* Returns the position of the highest bit of n, and the nine bits that follow it. */
+/* Returns the position of the highest bit of n in 6 bits, and the ten bits that follow it. */
 static inline tia_rgb565 frames_magnitude(uint64_t n)
 {
     unsigned zeros = 0;
@@ -188,8 +187,8 @@ static inline tia_rgb565 frames_magnitude(uint64_t n)
     return (tia_rgb565)((63 - zeros) << 10 | (n << zeros >> 53 & 1023));
 }
 
-/* Reports the face and nearness at each pixel, and the counts. Coordinates up to `most`, or as large as 64 bits allow.
- */
+/* Reports the face, the nearness and the stencil value of each pixel. Coordinates are below `most`; 0: as large as 64
+ * bits allow. */
 static inline void frames_polygons(struct frames_canvas *c, const char *format, enum tia_projection projection,
                                    int64_t most)
 {
@@ -220,7 +219,7 @@ static inline void frames_polygons(struct frames_canvas *c, const char *format, 
     frames_close_target(c, &t);
 }
 
-/* Draws a triangle of 1/16, at a z from 2 to 8 before the eye, or mirrored at the plane where z is 8. */
+/* Draws random triangle `face`, at a z from 2 to 8 in front of the eye, or its image in the plane z = 8. */
 static inline void frames_draw_reflected(struct tia_raster_target *target, struct tia_raster_state *how, uint32_t face,
                                          bool mirrored)
 {
@@ -242,8 +241,8 @@ static inline void frames_draw_reflected(struct tia_raster_target *target, struc
         abort();
 }
 
-/* Draws a mirror by the stencil buffer: the faces before it, the mirror itself, marked, and the mirrored faces where
- * the mark is, as in test_raster_mirror.c. */
+/* Draws a mirror by the stencil buffer: the faces in front of the mirror, then the mirror itself, which sets marks, and
+ * the mirrored faces where a mark is set, as in test_raster_mirror.c. */
 static inline void frames_mirror(struct frames_canvas *c)
 {
     static const struct tia_stencil any = {TIA_COMPARE_ALWAYS, 1, 255, 255, TIA_STENCIL_KEEP, TIA_STENCIL_KEEP,

@@ -1,7 +1,7 @@
-/* hasher.c - prints the checksums of tests/arch/frames.h: `hasher`, or, built with TIA_HAVE_F32, `hasher f32` for the
- * same frames in single precision. `hasher sums FIRST END` prints those sums of samples instead, of occlusion, then of
- * paths. Built with HASHER_SIMD it draws with the vector units that TIA_SIMD names, and fails if that is not available.
- * Needs only the libraries, so that it can be built for any machine. */
+/* hasher.c - prints the checksums of tests/arch/frames.h: `hasher` or, built with TIA_HAVE_F32, `hasher f32` for the
+ * same frames in single precision. `hasher sums FIRST END` prints those sums of samples instead, of occlusion and then
+ * of paths. Built with HASHER_SIMD, the program draws with the vector units named by TIA_SIMD, and fails if these are
+ * not available. It needs only the libraries, so that it can be built for any machine. */
 #include "frames.h"
 
 static void print(void *ctx, const char *name, uint32_t crc)
@@ -25,12 +25,13 @@ static void print_sums(uint32_t first, uint32_t end)
 #ifdef HASHER_SIMD
 #include <tia/simd.h>
 
-#define LEAST_VIEWS 10 /* least number of views that vector units draw themselves: scalar draws spheres by plain C */
+#define LEAST_VIEWS 10 /* least number of views that vector units must draw: scalar draws spheres by plain C */
 
 static const struct tia_simd *simd;
 static unsigned simd_count;
 
-/* The vector units' memory is not freed: the program ends soon. */
+/* Opens a view that draws with the vector units, and counts it if they draw it. Their memory is not freed, since the
+ * program ends soon. */
 static int view_init_with_simd(const struct tia_core *core, struct tia_view **view, void *memory, size_t size,
                                const struct tia_scene *scene, uint32_t light_capacity, unsigned width, unsigned height,
                                const struct tia_job *job)

@@ -1,5 +1,5 @@
-/* boxes.h - the scene of the programs light.c and shadows.c, and their reports: two boxes, one of them turned, and a
- * triangle on a plane. */
+/* boxes.h - the scene of light.c and shadows.c, two boxes, one of them turned, and a triangle on a plane; and their
+ * reports. */
 #ifndef TESTS_BOARDS_BOXES_H
 #define TESTS_BOARDS_BOXES_H
 
@@ -16,7 +16,7 @@ static const struct tia_shape shapes[] = {
     {TIA_TRIANGLE, .triangle = {{{Q(-3), Q(0.2), 0}, {Q(-1.5), Q(0.2), Q(1.5)}, {Q(-2), Q(2.5), Q(0.5)}}}},
 };
 
-/* Prints a line: a picture's name, its checksum, the bytes of the view and of a tile's hits. */
+/* Prints a line: a picture's name and checksum, and the sizes in bytes of the view and of a tile's hits. */
 #if __STDC_HOSTED__
 #include <stdio.h>
 static void tell(const char *name, uint32_t crc, size_t view, size_t hits)

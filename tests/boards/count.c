@@ -1,11 +1,10 @@
-/* count.c - a frame of the thesis scene lit by a, for counting instructions: everything from the first ray to the last
- * pixel happens between two marks. The emulator counts instructions, see count.py.
+/* count.c - draws a frame of the thesis scene with the light of key a, to count instructions, see count.py: all from
+ * the first ray to the last pixel are between two marks.
  *
- *   CORE     the core: tia_core_spheres, tia_f32_core_spheres or tia_f64_core_spheres, or that with _small
+ *   CORE     the core: tia_core_spheres, tia_f32_core_spheres or tia_f64_core_spheres, or one of these with _small
  *   ROWS     rows of a strip
- *   WHOLE    1: the hits of a whole frame are kept, and it is lit once more from them, between
- *            the same marks; 0: the hits are one strip's
- * */
+ *   WHOLE    1: the hits of a whole frame are stored, and the frame is lit once more from them, between
+ *            the same marks; 0: the hits of one strip are stored */
 #include "boards/board.h"
 #include "marks.h"
 #include <tia/debug.h>
@@ -13,7 +12,7 @@
 
 enum { WIDTH = 320, HEIGHT = 240, HITS_ROWS = WHOLE ? HEIGHT : ROWS, VIEW_SIZE = 1024 };
 
-/* Size of the hits: the widest arithmetic has eight bytes for a distance and four for an object. */
+/* Size of the hits in bytes: in the widest arithmetic a distance takes eight bytes and an object four. */
 enum { HITS_SIZE = 64 + WIDTH * HITS_ROWS * 12 };
 
 extern const struct tia_core CORE;

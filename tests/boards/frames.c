@@ -1,10 +1,10 @@
-/* frames.c - on a microcontroller: the thesis scene in each of its light states at two sizes, drawn
- * strip by strip in little memory, and the CRC-32 of every frame. */
+/* frames.c - draws the thesis scene on a microcontroller, in each of its light states and at two sizes, strip by strip
+ * in little memory, and prints the CRC-32 of each frame. */
 #include "boards/board.h"
 #include <tia/debug.h>
 #include <tia/tia.h>
 
-/* ROWS rows make a strip; its hits take eight bytes a pixel, the prepared scene the rest of the arena. */
+/* Number of rows of a strip. The hits of a strip take eight bytes a pixel, the prepared scene the rest of the arena. */
 #ifndef ROWS
 #define ROWS 2
 #endif
@@ -12,7 +12,7 @@
 #define CORE tia_core_spheres
 #endif
 #ifndef LARGE
-#define LARGE 1 /* 0: only the small size, where an emulator takes minutes */
+#define LARGE 1 /* 0: only the small size, for emulators that take minutes */
 #endif
 enum { WIDTH = 320, HEIGHT = 240, SMALL_WIDTH = 128, SMALL_HEIGHT = 160, ARENA = WIDTH * ROWS * 8 + 1024 };
 

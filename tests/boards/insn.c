@@ -1,14 +1,12 @@
-/* insn.c - a plugin for QEMU: counts the instructions that the program executes between two marks.
+/* insn.c - a plugin for QEMU that counts the instructions executed between two marks.
  *
  *   qemu-system-arm ... -plugin insn.so,begin=0x1234,end=0x1250,text=0x0:0x8000 -d plugin -D FILE
  *
- * begin and end are the addresses of two functions' first instructions: what is executed from the
- * one to the other is a passage, and FILE gets "passage N" for each. Where `text` is given, a line
- * "at ADDRESS N" follows at the end for each instruction of that range executed in any passage.
- * One processor is assumed.
+ * begin and end are the addresses of two functions' first instructions. The instructions from the one to the other are
+ * a passage, for which FILE gets the line "passage N". If `text` is given, a line "at ADDRESS N" follows at the end for
+ * each instruction of that range that was executed in a passage. One processor is assumed.
  *
- * Debian's QEMU 7.2 has plugins but no header: the functions of version 1 are declared here.
- */
+ * Debian's QEMU 7.2 supports plugins but has no header for them: the functions of version 1 are declared here. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -43,7 +41,7 @@ int qemu_plugin_install(qemu_plugin_id_t id, const struct qemu_info *info, int a
 static uint64_t begin_at = UINT64_MAX, end_at = UINT64_MAX;
 static uint64_t executed_all, executed_before;
 
-/* Counts for each halfword of `text`: all executions; those before this passage; those in passages. */
+/* Numbers of executions of each halfword of `text`: in all, before this passage, and in passages. */
 static uint64_t text_start, text_count, *text_all, *text_before, *text_passages;
 
 static void say(const char *what, uint64_t address, uint64_t count)

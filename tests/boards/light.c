@@ -1,10 +1,11 @@
-/* light.c - occlusion, then light along paths, tile by tile in 64 KiB of RAM: prints a line for each, the picture's
- * checksum and the bytes of the view and of a tile's hits; on the board its peak stack use, too. */
+/* light.c - draws ambient occlusion, then light along paths, tile by tile in 64 KiB of RAM, and prints a line for each:
+ * the picture's checksum, and the bytes of the view and of a tile's hits; on the board also the peak stack use. */
 #include "boxes.h"
 
 #include <tia/debug.h>
 
-/* Sizes of the picture, of tiles, which do not divide it, and of the memory. Only the pixels of a strip are stored. */
+/* Sizes of the picture, of tiles, which do not divide it, and of the memory in bytes. Only a strip of pixels is stored.
+ */
 enum { WIDTH = 64, HEIGHT = 48, TILE_WIDTH = 15, TILE_HEIGHT = 7, MEMORY = 16384 };
 
 static const struct tia_material materials[] = {

@@ -1,5 +1,5 @@
-/* mul64.c - on a processor with products of its own (TIA_MUL64): both against the compiler's,
- * for every pair of numbers whose halves are edges, and for random ones. */
+/* mul64.c - for a processor with its own functions for products (TIA_MUL64): tests both against the compiler's product,
+ * for all pairs of numbers whose halves are edge cases, and for random ones. */
 #include "boards/board.h"
 
 #include "math/integer.h"

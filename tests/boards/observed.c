@@ -1,5 +1,5 @@
-/* observed.c - counts the rays, of any kind, of the pictures that rays.c draws on a board: for each scene file its name
- * and that number. */
+/* observed.c - counts the rays of the pictures that rays.c draws on a board: prints the name of each scene file and the
+ * number of its rays, of all kinds. */
 #include <stdio.h>
 #include <stdlib.h>
 

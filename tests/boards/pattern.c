@@ -1,5 +1,5 @@
-/* pattern.c - every RGB565 value on a board's panel: the viewer's grey scene would not show red and blue
- * exchanged. Ends when a key is pressed. */
+/* pattern.c - shows every RGB565 value on a board's panel, since the viewer's grey scene would not show exchanged red
+ * and blue. Ends at a key. */
 #include "boards/panel_board.h"
 
 static int show(const char **why)

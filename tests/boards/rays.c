@@ -1,5 +1,5 @@
-/* rays.c - a compiled scene, SCENE, drawn ray by ray: prints the picture's checksum. Instructions between the marks are
- * counted, see count.py. */
+/* rays.c - draws a compiled scene, SCENE, by rays, and prints the picture's checksum. Instructions between the marks
+ * are counted, see count.py. */
 #include <tia/debug.h>
 #include <tia/tia.h>
 

@@ -1,6 +1,6 @@
-/* shadows.c - a scene of flat faces with each technique for shadows, drawn tile by tile: prints a line for each, the
- * picture's checksum and the bytes of the view and of a tile's hits. Instructions between the marks are counted, see
- * count.py. */
+/* shadows.c - draws a scene of flat faces tile by tile, with each technique for shadows, and prints a line for each:
+ * the picture's checksum, and the bytes of the view and of a tile's hits. Instructions between the marks are counted,
+ * see count.py. */
 #include "boxes.h"
 
 #include "marks.h"

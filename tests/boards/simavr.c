@@ -1,11 +1,10 @@
-/* simavr.c - runs an AVR program in simavr: prints its serial output and ends with its status.
+/* simavr.c - runs an AVR program in simavr, prints its serial output, and ends with its status.
  *
- *   simavr IMAGE                     as fast as it goes
- *   simavr IMAGE BEGIN END LOG       counts between two marks
+ *   simavr IMAGE                     as fast as possible
+ *   simavr IMAGE BEGIN END LOG       counts instructions between two marks
  *
- * BEGIN and END are the addresses of two functions' first instructions: what is executed from the one to the other
- * is a passage, and LOG gets "passage INSTRUCTIONS CYCLES" for each. Counting takes twice the time.
- */
+ * BEGIN and END are the addresses of two functions' first instructions. The instructions from the one to the other are
+ * a passage, for which LOG gets the line "passage INSTRUCTIONS CYCLES". Counting takes twice the time. */
 #include <avr_uart.h>
 #include <inttypes.h>
 #include <sim_avr.h>
@@ -59,7 +58,7 @@ static int run(avr_t *avr)
     return state;
 }
 
-/* Runs the program, one instruction at a time, and counts. */
+/* Runs the program one instruction at a time, and counts. */
 static int run_and_count(avr_t *avr, uint32_t begin, uint32_t end, FILE *log)
 {
     uint64_t executed = 0, executed_before = 0, cycle_before = 0;

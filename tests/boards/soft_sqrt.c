@@ -1,13 +1,13 @@
-/* soft_sqrt.c - the square roots of float and double for the builds that are only counted: the
- * compiler's soft float has none. Digit by digit, as in fdlibm and the C libraries of small
- * processors; rounded to nearest. For finite numbers that are not negative. */
+/* soft_sqrt.c - square roots of float and double, for builds whose instructions are counted: the compiler's soft float
+ * has none. Digit by digit, as in fdlibm and the C libraries of small processors; rounded to nearest. For finite
+ * numbers that are not negative. */
 #include <stdint.h>
 
 float sqrtf(float x);
 double sqrt(double x);
 
-/* DIGITS bits of mantissa with the leading one. The radicand, below 4, is shifted up by a digit a
- * step; the root has one digit more than a mantissa, which rounds it: it is never a tie. */
+/* DIGITS bits of mantissa with the leading one. The radicand, below 4, is shifted up by a digit a step. The root has
+ * one digit more than a mantissa, by which it is rounded; a tie is impossible. */
 #define DEFINE_SQRT(NAME, REAL, WORD, DIGITS, BIAS)                                                                    \
     REAL NAME(REAL x)                                                                                                  \
     {                                                                                                                  \

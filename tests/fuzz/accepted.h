@@ -1,5 +1,5 @@
-/* accepted.h - scenes with all features from a fuzzer's bytes, nearly all of them accepted: a part that tia_scene_check
- * refuses is repaired. */
+/* accepted.h - scenes with all features from a fuzzer's bytes, nearly all valid: a part that tia_scene_check refuses is
+ * replaced. */
 #ifndef TESTS_FUZZ_ACCEPTED_H
 #define TESTS_FUZZ_ACCEPTED_H
 
@@ -53,7 +53,7 @@ static inline void make_material(struct bytes *b, struct tia_material *m)
         m->facing = take_colour(b, TIA_Q30_ONE);
 }
 
-/* Makes a texture. The texels end where the array does: reads beyond them are detected. */
+/* Makes a texture whose texels end where their array does, so that reads beyond are detected. */
 static inline void make_texture(struct bytes *b, struct made *m, struct tia_texture *t)
 {
     static const uint16_t sizes[][2] = {{1, 1}, {2, 3}, {TIA_TEXTURE_MAX, 1}, {1, TIA_TEXTURE_MAX}};
@@ -85,7 +85,7 @@ static inline void make_transform(struct bytes *b, struct made *m, struct tia_tr
     t->scale.z = kind & 4 ? take_within(b, TIA_SCALE_MIN, TIA_SCALE_MAX) : t->scale.x;
 }
 
-/* Takes a point in a shape's own axes; it may be placed elsewhere. */
+/* Takes a point of a shape: in the shape's own axes if a transform places it, else in the world. */
 static inline struct tia_vec3 take_point(struct bytes *b, const struct made *m, bool placed)
 {
     return placed ? take_size(b) : take_place(b, m);
@@ -111,7 +111,7 @@ static inline void make_mesh(struct bytes *b, struct made *m)
     m->meshes[1].face_count = MADE_FACES;
 }
 
-/* Makes a grid; the cells end where the array does. */
+/* Makes a grid whose cells end where their array does. */
 static inline void make_grid(struct bytes *b, struct made *m)
 {
     static const uint16_t sizes[] = {1, 2, 3, 4, 1, 2, 5, TIA_GRID_MAX};
@@ -240,7 +240,7 @@ static inline void connect(struct made *m, uint8_t counts)
     m->keys[1].time = 1;
 }
 
-/* Returns some point of a shape, which all begin with one, or the position of its transform. */
+/* Returns a point of a shape, or the position of its transform; the fields of each kind begin with a point. */
 static inline struct tia_vec3 place_of(const struct made *m, const struct tia_shape *s)
 {
     if (s->transform)
@@ -305,7 +305,8 @@ static inline void make_scene(struct bytes *b, struct made *m)
         m->texels[i] = (uint8_t)(i * 77);
 }
 
-/* Replaces a shape without flat faces by a box around the eye or a plane through it. */
+/* Replaces the part that the technique for shadows does not permit: a shape without flat faces becomes a box around the
+ * eye or a plane through it. */
 static inline void flatten(struct made *m, const struct tia_fault *f)
 {
     struct tia_vec3 eye = m->scene.camera.eye;
@@ -330,7 +331,7 @@ static inline void flatten(struct made *m, const struct tia_fault *f)
         m->scene.camera.samples = 1;
 }
 
-/* Repairs the part that the fault names, by a small object at the eye. */
+/* Replaces the part that the fault names, an object by a small one at the eye. */
 static inline void mend(struct made *m, const struct tia_fault *f)
 {
     struct tia_vec3 eye = m->scene.camera.eye;
@@ -356,7 +357,7 @@ static inline void mend(struct made *m, const struct tia_fault *f)
         MUST(!"refused");
 }
 
-/* Makes an accepted scene; false: it failed. */
+/* Makes a valid scene; false if the repairs do not suffice. */
 static inline bool make_accepted(struct bytes *b, struct made *m)
 {
     struct tia_fault fault;

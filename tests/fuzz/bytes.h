@@ -1,4 +1,4 @@
-/* bytes.h - a fuzzer's bytes as numbers and scenes. When they run out, everything is 0. */
+/* bytes.h - numbers and scenes from a fuzzer's bytes; after the last byte all bytes are 0. */
 #ifndef TESTS_FUZZ_BYTES_H
 #define TESTS_FUZZ_BYTES_H
 
@@ -115,7 +115,7 @@ static inline void take_scene(struct bytes *b, struct fuzz_scene *s)
     s->bindings[0] = (struct tia_binding){take_byte(b), take_byte(b), take_light(b)};
 }
 
-/* Ends a fuzzer when a condition fails: libFuzzer keeps the bytes. */
+/* Ends a fuzzer if a condition fails; libFuzzer then saves the bytes. */
 #define MUST(condition)                                                                                                \
     do {                                                                                                               \
         if (!(condition)) {                                                                                            \

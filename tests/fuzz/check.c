@@ -1,5 +1,5 @@
-/* check.c - tia_scene_check on arbitrary numbers: a refused scene has a fault, and an accepted one keeps the ranges
- * that include/tia/scene.h states, computed here in double. */
+/* check.c - tia_scene_check on any numbers: a scene that is refused has a fault, and an accepted one is within the
+ * ranges that include/tia/scene.h states, computed here in double. */
 #include <math.h>
 #include <stdio.h>
 
@@ -10,7 +10,7 @@ static bool is_unit(struct tia_rgb c)
     return c.r >= 0 && c.g >= 0 && c.b >= 0 && c.r <= TIA_Q30_ONE && c.g <= TIA_Q30_ONE && c.b <= TIA_Q30_ONE;
 }
 
-/* True if a point is near the eye, with a tolerance of one 2^-16 for double's rounding; test_scene tests the exact
+/* True if a point is near the eye, with a tolerance of 2^-16 for the rounding of double; test_scene tests the exact
  * limit. */
 static bool is_near(const struct tia_scene *s, struct tia_vec3 p, tia_q16 radius)
 {
@@ -69,8 +69,8 @@ static void must_be_camera(const struct tia_camera *c)
                           n * up * 0.00097);
 }
 
-/* Checks every corner of an object's box from every position of the eye; with a few units for its margin and rounding.
- */
+/* Checks the distance of each corner of an object's box from each position of the eye, with a tolerance for the margin
+ * of the box and rounding. */
 static void must_be_near(const struct tia_scene *s, struct tia_bounds b)
 {
     const double far = 2147483648.0 + 16;
@@ -112,8 +112,8 @@ static void must_be_shape(const struct tia_scene *s, uint32_t i)
         must_be_placed(&s->transforms[shape->transform - 1], b);
 }
 
-/* Checks that hierarchies and motions of the scene fit in the memory whose size the library returned, and that a moved
- * scene is a scene again. */
+/* Checks that the hierarchy and the moved elements of a scene fit into memory of the size that the library returns, and
+ * that the scene at a time is valid or out of range. */
 static void must_be_of_use(const struct tia_scene *s)
 {
     const tia_q16 times[] = {INT32_MIN, 0, 1, 65536, 1 << 20, INT32_MAX};
@@ -134,7 +134,7 @@ static void must_be_of_use(const struct tia_scene *s)
     free(moved);
 }
 
-/* Checks that a key, which may change the lights, leaves an accepted scene, apart from tracks of lights. */
+/* Checks that the scene is still valid after a key, which may change the lights, apart from tracks of lights. */
 static void must_stay_accepted(const struct fuzz_scene *f, struct bytes *b)
 {
     struct tia_light lights[FUZZ_LIGHTS + 1];

@@ -27,7 +27,7 @@ static inline void memory_file_write(struct memory_file *file, const void *bytes
     file->size += size;
 }
 
-/* Replaces the file by the bytes written since the last time. */
+/* Replaces the file's contents by the bytes that were written since the last call. */
 static inline void memory_file_save(struct memory_file *file)
 {
     if (!*file->path) {

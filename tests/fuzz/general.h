@@ -34,13 +34,13 @@ static inline uint32_t take_index(struct bytes *b, uint32_t count)
     return value >= 248 ? take_word(b) - 3 : count ? value % count : 0;
 }
 
-/* Takes a kind, of which the number after the last is invalid. */
+/* Takes a kind below `count`, or rarely `count`, which is invalid. */
 static inline unsigned take_kind(struct bytes *b, unsigned count)
 {
     return take_byte(b) % (count + (take_byte(b) == 255));
 }
 
-/* Takes a direction of length 1 along an axis, or an arbitrary one. */
+/* Takes a direction: a unit vector along an axis, or any numbers. */
 static inline struct tia_dir3 take_dir3(struct bytes *b)
 {
     uint8_t kind = take_byte(b);
@@ -139,7 +139,7 @@ static inline void take_tracks(struct bytes *b, struct fuzz_general *g)
     }
 }
 
-/* Takes falling balls, for a short time: each time is computed from the beginning. */
+/* Takes falling balls, for a short time, since the fall to each time is computed from the beginning. */
 static inline void take_falls(struct bytes *b, struct fuzz_general *g)
 {
     for (int i = 0; i < 2; i++) {
@@ -194,7 +194,7 @@ static inline void take_camera_rest(struct bytes *b, struct tia_camera *c)
     c->samples = take_byte(b) % 18;
 }
 
-/* Adds general parts to a scene of take_scene, as the bytes say; without bytes, no parts. */
+/* Adds parts chosen by the bytes to a scene of take_scene; none when the bytes have run out. */
 static inline void take_general(struct bytes *b, struct fuzz_scene *f, struct fuzz_general *g)
 {
     uint8_t what = take_byte(b), shapes = take_byte(b);

@@ -1,4 +1,4 @@
-/* keys.c - a terminal's bytes, one by one with pauses: they give keys of tia/port.h, or positions of a mouse, and
+/* keys.c - a terminal's bytes, one by one with pauses: the results are keys of tia/port.h or positions of a mouse, and
  * silence ends every sequence but a paste. */
 #include <stdio.h>
 

@@ -85,7 +85,7 @@ static inline tia_q16 take_radius(struct bytes *b)
     return r < TIA_RADIUS_MIN ? TIA_RADIUS_MIN + r % 2 : r;
 }
 
-/* Takes a direction of the shortest length, 1, or the longest. */
+/* Takes a direction of length 1, or of the smallest or largest length allowed. */
 static inline struct tia_dir3 take_direction(struct bytes *b)
 {
     uint8_t kind = take_byte(b);

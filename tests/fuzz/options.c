@@ -18,7 +18,7 @@ static void must_keep_limits(const struct options *o)
     MUST(!o->tile_rows || o->format == IMAGE_PART);
 }
 
-/* Checks that the built-in scene's keys are read, and that the drawn frames lie in the film. */
+/* Checks that the keys for the built-in scene are read, and that the frames to draw lie in the film. */
 static void must_plan(struct options *o)
 {
     struct image_film film;

@@ -1,5 +1,5 @@
-/* parts.c - tia-join's inputs: up to three files of parts, of any bytes or of parts as tia writes them with some of
- * their numbers and bytes changed. Parts that are accepted have every pixel of every frame. */
+/* parts.c - input of tia-join: up to three files of any bytes, or of parts as tia writes them with some numbers and
+ * bytes changed. Parts that are accepted have every pixel of every frame. */
 #include <string.h>
 #include <tia/debug.h>
 
@@ -26,7 +26,7 @@ static void take_rows(struct bytes *b, struct image_film *film)
     film->frames = frames / FRAMES % FRAMES + 1u;
 }
 
-/* Takes a film. All parts have the same film, except that in one part of eight one number differs. */
+/* Takes a film, the same for all parts but for one number in one part of eight. */
 static struct image_film take_film(struct bytes *b, uint8_t shape)
 {
     struct image_film film = {.width = shape % SIDE + 1u,
@@ -119,7 +119,7 @@ static void write_sums(struct bytes *b, struct memory_file *file, uint8_t shape)
     }
 }
 
-/* Changes a byte, or cuts the file, of one file in four. */
+/* Changes a byte of one file in four, or cuts the file. */
 static void damage(struct bytes *b, struct memory_file *file)
 {
     uint8_t how = take_byte(b);
@@ -166,8 +166,8 @@ static void must_be_drawn(const tia_rgb565 *pixels, const struct image_film *fil
         MUST(pixels[i] == pixel_of(frame, i / film->width, i % film->width));
 }
 
-/* Checks that every pixel is written, since both backgrounds give the same picture, and that the picture is the one
- * that was drawn. */
+/* Checks that every pixel is written, since the picture is the same over two backgrounds, and that it is the one that
+ * was drawn. */
 static void must_fill(struct parts *parts, uint32_t frame, bool raw)
 {
     const struct image_film *film = &parts->array[0].film;
@@ -188,7 +188,7 @@ static void must_fill(struct parts *parts, uint32_t frame, bool raw)
     free(two);
 }
 
-/* Takes a kind; planes are rare, since 65536 colours are sorted to read them. */
+/* Takes a kind of part; planes are rare, since reading them sorts 65536 colours. */
 static enum kind take_kind(struct bytes *b)
 {
     uint8_t kind = take_byte(b) % 64;

@@ -26,7 +26,7 @@ struct picture {
     void *memory[2];
 };
 
-/* Opens a picture: a tile of an image, traced. */
+/* Opens a picture of a tile of an image, and traces it. */
 static inline void open_picture(struct picture *p, const struct tia_core *core, const struct tia_scene *scene,
                                 unsigned width, unsigned height, struct tia_tile tile)
 {

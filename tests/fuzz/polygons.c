@@ -1,7 +1,7 @@
-/* polygons.c - the rasteriser on any polygons: corners before the eye, behind it and at infinity, at the limits and
- * beyond, in 64 and in 128 bits. Both formats draw the same as the oracle, pixel by pixel; triangles on either side of
- * an edge have no pixel in common; no pixel outside the drawn part changes; and a polygon out of range is refused
- * before a pixel is drawn. */
+/* polygons.c - the rasteriser on any polygons: corners in front of the eye, behind it and at infinity, within the
+ * limits and beyond, in 64 and in 128 bits. Both formats draw the same as the oracle, pixel by pixel; two triangles on
+ * either side of an edge have no pixel in common; no pixel outside the drawn part changes; and a polygon out of range
+ * is refused before a pixel is drawn. */
 #include <stdio.h>
 #include <string.h>
 
@@ -10,11 +10,12 @@
 #include "bytes.h"
 
 #define POLYGONS 6
-#define SIDE 10 /* side of the drawn part; around it is one more pixel */
+#define SIDE 10 /* largest side of the drawn part, which has a border of one pixel */
 #define PIXELS ((SIDE + 2) * (SIDE + 2))
 #define BUFFERS (TIA_BUFFER_DEPTH | TIA_BUFFER_STENCIL | TIA_BUFFER_COLOUR)
 
-/* A target drawn in the format that fits, and one always in 128 bits. */
+/* A target and its part that is drawn. Each polygon is drawn in two of these: in the format that fits, and in 128 bits.
+ */
 struct drawn {
     struct tia_raster_grid grid;
     struct tia_raster_target whole, part;
@@ -83,7 +84,7 @@ static int64_t limit_of(const struct tia_raster_grid *l)
     return INT64_C(1) << (l->projection == TIA_ORTHOGRAPHIC ? 29 : 40);
 }
 
-/* Takes a small number times a power of two, one near a limit, or any. */
+/* Takes a coordinate: a small number times a power of two, one near a limit, or any. */
 static int64_t take_coordinate(struct bytes *b, const struct tia_raster_grid *l)
 {
     uint8_t kind = take_byte(b);
@@ -127,8 +128,7 @@ static struct tia_raster_vertex take_vertex(struct bytes *b, const struct drawn 
     return v;
 }
 
-/* Takes a polygon; now and then a corner and the next are those of an edge of the one before, in the other direction.
- */
+/* Takes a polygon; its first two corners may be those of the polygon before, in reverse order. */
 static void take_polygon(struct bytes *b, const struct drawn *d, const struct shape *before, struct shape *p)
 {
     uint8_t kind = take_byte(b);
@@ -166,8 +166,8 @@ static bool is_accepted(const struct tia_raster_grid *l, const struct shape *p)
     return true;
 }
 
-/* True if all sides have an outside: one whose ends are in one direction from the eye has none, and covers nothing in
- * the oracle. */
+/* True if all sides have an outside. A side whose ends lie in one direction from the eye has none, and the polygon
+ * covers nothing in the oracle. */
 static bool has_all_sides(const struct shape *p)
 {
     for (unsigned i = 0; i < p->count; i++) {
@@ -224,7 +224,7 @@ static void must_be_the_oracles(const struct drawn *d)
     }
 }
 
-/* Checks that nearness is within 2^15 of the exact one in both formats. */
+/* Checks that nearness in the two formats is about the same: each is within 2^15 of the exact one. */
 static void must_be_alike(const struct drawn *a, const struct drawn *b)
 {
     for (size_t i = 0; i < (size_t)a->whole.area.width * a->whole.area.height; i++) {
@@ -236,7 +236,7 @@ static void must_be_alike(const struct drawn *a, const struct drawn *b)
     MUST(!memcmp(a->whole.planes, b->whole.planes, POLYGONS * sizeof *a->whole.planes));
 }
 
-/* Draws the oracle's picture, only in the drawn part, so that its surroundings must not have changed. */
+/* Draws the oracle's picture in the drawn part only, so that a change outside is detected. */
 static void draw_oracles(const struct tia_raster_state *s, const struct shape *p, uint32_t id, const struct drawn *d)
 {
     struct tia_tile part = d->part.area, whole = d->whole.area;
@@ -253,7 +253,7 @@ static void draw_oracles(const struct tia_raster_state *s, const struct shape *p
     memcpy(oracle.planes[id], row.planes[id], sizeof row.planes[id]);
 }
 
-/* True if the pixel has a value: in perspective it may show a corner at infinity, which has none. */
+/* True if the pixel has a value: in perspective it may show a corner at infinity, where values are undefined. */
 static bool sees_value(const struct shape *p, int x, int y)
 {
     return oracle_covers(&oracle.image, p->v, 3, x, y) &&
@@ -274,8 +274,8 @@ static void must_blend(struct bytes *b, const struct drawn *d, const struct shap
                  oracle_blend(&oracle.image, p->v, part->x + i, part->y + i, a));
 }
 
-/* Checks that two triangles that share an edge, in opposite directions, cover no pixel twice when seen from the same
- * side. */
+/* Checks that two triangles with a common edge, which has opposite directions in them, cover no pixel twice when both
+ * are seen from the same side. */
 static void must_not_overlap(const struct drawn *d, const struct shape *a, const struct shape *b, unsigned range)
 {
     static const struct tia_stencil once = {TIA_COMPARE_ALWAYS,   0, 255, 255, TIA_STENCIL_KEEP, TIA_STENCIL_KEEP,

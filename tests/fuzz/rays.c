@@ -1,13 +1,13 @@
-/* rays.c - scenes with all features that tia_scene_check accepts, by q16 and by chk, with and without a hierarchy: no
- * number leaves its range, all draw the same along the same paths, and so do hits that are lit again. In double
- * precision the same scene is drawn to its end. Exact techniques for shadows draw the same. */
+/* rays.c - valid scenes with all features, by q16 and by chk, with and without a hierarchy: no number leaves its range,
+ * all draw the same along the same paths, and so do hits that are lit again. In double precision the same scene can be
+ * drawn. Exact techniques for shadows draw the same. */
 #include <stdio.h>
 #include <string.h>
 
 #include "accepted.h"
 #include "picture_memory.h"
 
-#define WORK 1500 /* limit of rays times objects, about as many as in a thousandth of a second */
+#define WORK 1500 /* limit of rays times objects, about a millisecond's */
 
 static uint64_t rays_of(const struct made *m, uint32_t pixels)
 {
@@ -35,7 +35,7 @@ static uint64_t work_of(const struct made *m, uint32_t pixels)
     return objects * rays_of(m, pixels);
 }
 
-/* Reduces the factors of the work until it is drawn in a short time. */
+/* Reduces the depth, the tile and the samples until the work is within its limit. */
 static void limit_work(struct made *m, struct tia_tile *tile)
 {
     while (work_of(m, (uint32_t)tile->width * tile->height) > WORK)
@@ -72,7 +72,7 @@ static struct tia_tile take_tile(struct bytes *b, uint16_t *width, uint16_t *hei
     return tile;
 }
 
-/* Draws the scene with its hierarchy; the picture must be the same. */
+/* Checks that the scene with its hierarchy gives the same picture. */
 static void draw_sooner(const struct picture *plain, const struct tia_scene *scene, uint16_t width, uint16_t height)
 {
     struct tia_scene with = *scene;
@@ -94,7 +94,7 @@ static bool is_exact(enum tia_shadows shadows)
            shadows == TIA_SHADOWS_MAP_EXACT;
 }
 
-/* Draws the scene by other techniques for shadows; the pictures must be the same. */
+/* Checks that the other exact techniques for shadows give the same picture. */
 static void draw_otherwise(const struct picture *plain, const struct tia_scene *scene, uint16_t width, uint16_t height)
 {
     struct tia_scene other = *scene;
@@ -113,7 +113,7 @@ static void draw_otherwise(const struct picture *plain, const struct tia_scene *
     }
 }
 
-/* Chooses a technique: where objects are too far away for the rasteriser, shadows are traced. */
+/* Chooses traced shadows if objects are too far away for the rasteriser. */
 static void choose_shadows(struct tia_scene *scene, uint16_t width, uint16_t height)
 {
     size_t size = tia_view_size(scene, scene->light_count);

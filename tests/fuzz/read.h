@@ -1,6 +1,6 @@
-/* read.h - any bytes as a scene file: an error with a text, or a scene that tia_scene_check accepts, in exactly the
- * memory that it needs. The bytes after the first zero byte are the text of every library, and of every file that a
- * .tia file includes, which it may 64 times. */
+/* read.h - any bytes as a scene file: the result is an error with a text, or a scene that tia_scene_check accepts, in
+ * exactly the memory that the reader required. The bytes after the first zero byte are the text of each library, and of
+ * each of up to 64 files that a .tia file includes. */
 #ifndef TESTS_FUZZ_READ_H
 #define TESTS_FUZZ_READ_H
 
@@ -40,7 +40,7 @@ static int fetch_opacity(void *ctx, const char *name, enum tia_channel channel, 
     return fetch_image(ctx, name, texture, why);
 }
 
-/* Checks that a warning has a text and a place in one of the texts. */
+/* Checks that each warning has a text and a place in one of the texts. */
 static void must_warn(const struct tia_read_warning *warnings, size_t size)
 {
     for (unsigned i = 0; i < TIA_WARNINGS; i++)

@@ -1,6 +1,6 @@
 /* render.c - any scene of spheres for spans that tia_scene_check accepts, drawn by q16 and by chk into memory of
- * exactly the required size: no number leaves its range, no access its memory, both draw the same, and so do hits that
- * are lit a second time. */
+ * exactly the required size: no number leaves its range, no access the memory; both draw the same, and so do hits that
+ * are lit again. */
 #include <stdio.h>
 #include <string.h>
 

@@ -1,5 +1,5 @@
 /* resume.c - files of interrupted runs, for --resume: any bytes, or a file of rows that was cut or changed at any
- * place. Accepted rows are correct, and can be continued and read again. */
+ * place. The rows that are accepted are correct, and the file can be continued and read again. */
 #include <string.h>
 
 #include "files.h"
@@ -55,7 +55,8 @@ static void must_read_rows(struct finished *f, uint32_t frame, bool raw)
         MUST(raw || memcmp(pixels, drawn, sizeof drawn) == 0);
 }
 
-/* Checks that the file has all rows after all have been appended, whatever it contained before. */
+/* Checks that the file has all rows after all have been appended, whatever it contained before; or that an error is
+ * reported. */
 static void must_finish(bool raw)
 {
     struct finished f;

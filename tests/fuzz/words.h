@@ -1,4 +1,4 @@
-/* words.h - a fuzzer's bytes as a command line, a newline between arguments. */
+/* words.h - a command line from a fuzzer's bytes, a newline between arguments. */
 #ifndef TESTS_FUZZ_WORDS_H
 #define TESTS_FUZZ_WORDS_H
 

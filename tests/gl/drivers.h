@@ -10,7 +10,7 @@
 #include "gl/gl_raster.h"
 #include "ports.h"
 
-/* Opens a driver; returns NULL, and skips the case, where the driver is missing. */
+/* Opens OSMesa with a driver; returns NULL, and skips the case, if the driver is missing. */
 static inline struct gl_raster *gl_opened(const char *driver, unsigned width, unsigned height)
 {
     static char why[PORT_WHY];
@@ -26,8 +26,9 @@ static inline struct gl_raster *gl_opened(const char *driver, unsigned width, un
     return gl;
 }
 
-/* Runs a case in a process of its own, which must choose the driver before the library is loaded. `before`: status of
- * the process before; if neither has a case of the chosen name, the status is 2. */
+/* Runs a case in a process of its own, since the driver must be chosen before the library is loaded. `before` is the
+ * status of the process before, 0 for the first. Returns the exit status; 2: neither process has a case of the chosen
+ * name. */
 static inline int gl_in_process(const char *driver, void (*run)(void), int before)
 {
     int status = 1;
@@ -48,7 +49,7 @@ static inline int gl_in_process(const char *driver, void (*run)(void), int befor
     return WEXITSTATUS(status);
 }
 
-/* Returns the status of a test with both drivers. */
+/* Runs a test with both drivers; returns its status. */
 static inline int gl_in_both(void (*by_llvmpipe)(void), void (*by_softpipe)(void))
 {
     int first = gl_in_process("llvmpipe", by_llvmpipe, 0), second = gl_in_process("softpipe", by_softpipe, first);

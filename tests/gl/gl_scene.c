@@ -2,8 +2,7 @@
  *
  * GL has no rays: it projects spheres made of small triangles, finds the nearest by a depth
  * buffer and interpolates positions over them. Only lighting is the same formula, in a shader:
- * Lambert's law and a shadow ray against both spheres.
- */
+ * Lambert's law and a shadow ray against both spheres. */
 #include "gl_scene.h"
 
 #include <math.h>
@@ -74,7 +73,7 @@ static const char vertex_shader[] = "#version 120\n"
                                     "    gl_Position = gl_ModelViewProjectionMatrix * gl_Vertex;\n"
                                     "}\n";
 
-/* Shader of the mask, which shows the object (red: the ground, green: the ball) and lit pixels (blue). */
+/* Fragment shader. For a mask it draws the object (red: the ground, green: the ball) and lit pixels (blue). */
 static const char fragment_shader[] =
     "#version 120\n"
     "varying vec3 point;\n"
@@ -104,8 +103,8 @@ static const char fragment_shader[] =
     "}\n";
 
 /* Draws the part of a sphere that is visible from the eye at the origin, and a little more, as rings around the axis to
- * the eye. A triangle leaves the sphere by at most step^2/8 times the radius, for the ground 10^-4, for the ball 3
- * 10^-5. */
+ * the eye. The distance of a triangle from the sphere is at most step^2/8 times the radius: 10^-4 for the ground, 3
+ * 10^-5 for the ball. */
 static void draw_ball(const struct gl_ball *ball)
 {
     const int rings = 200, segments = 720;
@@ -156,8 +155,8 @@ static GLuint make_program(char *why)
     return program;
 }
 
-/* Makes a target beside the display, since that has no depth buffer. It is in floating point: GL's specification leaves
- * rounding a colour to 5 or 6 bits open. */
+/* Makes a render target apart from the display, which has no depth buffer. Its colours are floats, since GL's
+ * specification does not define the rounding of a colour to 5 or 6 bits. */
 static bool make_target(unsigned width, unsigned height, char *why)
 {
     static const GLenum attachments[2] = {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT},
@@ -180,7 +179,7 @@ static bool make_target(unsigned width, unsigned height, char *why)
     return true;
 }
 
-/* Sets an object's uniform of one or three components. */
+/* Sets element `thing` of a uniform array, of one or three components. */
 static void set(GLuint program, const char *name, int thing, const double *value, int count)
 {
     char element[32];
@@ -207,8 +206,10 @@ static void draw_things(GLuint program, int count, bool mask)
     }
 }
 
-/* A pixel as drawn; GL counts rows from the bottom. */
+/* red, green and blue */
 typedef float gl_colour[3];
+
+/* The picture, the top row first; GL counts rows from the bottom. */
 static gl_colour pixels[PICTURE_PIXELS];
 
 static void read_pixels(const struct picture *picture)
@@ -228,7 +229,7 @@ static tia_rgb565 quantised(const gl_colour c)
     return (tia_rgb565)((unsigned)level[0] << 11 | (unsigned)level[1] << 5 | (unsigned)level[2]);
 }
 
-/* Sets the position of the picture, and the balls as display lists: object i is list i + 1. */
+/* Sets the projection and the uniforms of the balls, and makes display list i + 1 of object i. */
 static void place(GLuint program, const struct gl_ball *light, double aspect)
 {
     const double top = tan(FOV_DEGREES / 2 * PI / 180);

@@ -1,5 +1,5 @@
-/* scene_memory.c - the numbers of a header by `tia-compile --memory`, and those of the library on this machine. It is
- * compiled with SCENE, the scene's name, NAME, that of its sizes, and LIGHTS, and prints both, name by name. */
+/* scene_memory.c - the sizes in a header by `tia-compile --memory`, and those that the library returns on this machine,
+ * name by name. Compiled with SCENE, the scene's name, NAME, the prefix of its sizes, and LIGHTS. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <tia/tia.h>
@@ -10,7 +10,7 @@ extern const struct tia_scene SCENE;
 #define JOIN(a, b) JOIN2(a, b)
 #define SIZE(what) JOIN(NAME, what)
 
-/* An array of the size, as in an embedded program. */
+/* The view's memory, an array as in an embedded program. */
 static uint64_t view_memory[TIA_WORDS(SIZE(_VIEW))];
 
 struct asked {
@@ -43,7 +43,7 @@ static int poll(void *ctx, struct tia_event *event)
     return 0;
 }
 
-/* Stands for the rest of the ports, though nothing is drawn without memory. */
+/* Functions that the viewer requires, but does not call, as nothing is drawn without memory. */
 
 static int acquire(void *ctx, struct tia_tile tile, struct tia_surface *surface)
 {

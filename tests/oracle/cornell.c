@@ -1,8 +1,8 @@
-/* cornell.c - Cornell University Program of Computer Graphics, "Cornell box data",
+/* cornell.c - the Cornell box: Cornell University Program of Computer Graphics, "Cornell box data",
  * http://www.graphics.cornell.edu/online/box/data.html: camera, polygons, spectra.
  *
- * Colours are those spectra against the CIE 1931 observer, of equal energy, with the primaries of sRGB; linear.
- * The lamp shines to both sides, absorbs what meets it, and hangs 0.05 below the ceiling. */
+ * Colours are linear, from those spectra by the CIE 1931 observer with equal energy, with the primaries of sRGB. The
+ * lamp emits on both sides, absorbs light that meets it, and is 0.05 below the ceiling. */
 #include "cornell.h"
 
 #include "vec.h"
@@ -57,7 +57,7 @@ static struct oracle_vec corner(const double p[3])
     return (struct oracle_vec){p[0], p[1], p[2]};
 }
 
-/* Intersects the triangle's plane; a hit is on the same side of all three edges. */
+/* Updates `nearest` if the triangle is met before it: in the triangle's plane, on the same side of all three edges. */
 static void meet_triangle(struct ray ray, const double a[3], const double b[3], const double c[3], int colour,
                           struct meeting *nearest)
 {
@@ -99,11 +99,12 @@ static struct meeting meet(struct ray ray)
 
 /* ---- paths ---- */
 
-/* Distance up to which light of the lamp is sampled by directions, and from which by points of the lamp: either alone
- * would be noisy, in its gap or everywhere else. */
+/* Distance from the lamp: nearer surfaces sample its light by directions, others by points of the lamp. Directions
+ * alone would be noisy everywhere else, points alone in the gap above the lamp. */
 #define NEAR 60
 
-/* Returns the light from a point of the lamp to a white surface at x: 1/pi cos cos' area/d^2. */
+/* Returns the light from a random point of the lamp to a white surface at x, for a radiance of 1: 1/pi cos cos'
+ * area/d^2. */
 static double from_lamp(struct oracle_vec x, struct oracle_vec normal, uint64_t *state)
 {
     const double *low = oracle_box_lamp[0], *high = oracle_box_lamp[1];
@@ -118,7 +119,7 @@ static double from_lamp(struct oracle_vec x, struct oracle_vec normal, uint64_t 
     return cosine * fabs(ray.direction.y) * (high[0] - low[0]) * (high[2] - low[2]) / (PI * distance * distance);
 }
 
-/* Returns a direction with the density cos t/pi: the point above a random one of the unit disc. */
+/* Returns a random direction with the density cos t/pi: the point above a random one of the unit disc. */
 static struct oracle_vec scattered(struct oracle_vec normal, uint64_t *state)
 {
     double a, b;
@@ -166,7 +167,7 @@ static struct ray camera_ray(double x, double y)
     return (struct ray){{278, 273, -800}, unit(d)};
 }
 
-/* Adds samples; those of a pixel are in rows x rows squares, one in each. */
+/* The samples of a pixel are in rows x rows squares, one in each. */
 void oracle_box(unsigned side, uint64_t seed, unsigned rows, double *rgb)
 {
     uint64_t state = seed * UINT64_C(0xd1342543de82ef95);

@@ -1,5 +1,5 @@
-/* cornell.h - the Cornell box of scenes/cornell.tia, its light followed along random paths in double precision: with
- * other intersections, other random numbers, other directions, and no balance heuristic. */
+/* cornell.h - the Cornell box of scenes/cornell.tia by random paths in double precision, with other intersections,
+ * random numbers and directions than the library's, and no balance heuristic. */
 #ifndef TESTS_ORACLE_CORNELL_H
 #define TESTS_ORACLE_CORNELL_H
 
@@ -9,13 +9,13 @@
  * independent samples. */
 void oracle_box(unsigned side, uint64_t seed, unsigned rows, double *rgb);
 
-/* The reflectances of white, red and green, and the lamp's radiance, from the spectra of Cornell's page of data. */
+/* Reflectances of white, red and green, and the lamp's radiance, from the spectra on Cornell's page of data. */
 extern const double oracle_box_colours[4][3];
 
-/* The four corners of each polygon, in the page's order. */
+/* Corners of the polygons, in the order of the page. */
 extern const double oracle_box_polygons[15][4][3];
 
-/* The lamp: two opposite corners. */
+/* Two opposite corners of the lamp. */
 extern const double oracle_box_lamp[2][3];
 
 #endif

@@ -26,7 +26,7 @@ static double *axis_of(struct oracle_vec *v, int axis)
     return axis == 0 ? &v->x : axis == 1 ? &v->y : &v->z;
 }
 
-/* Adds the side of a box at its lowest or highest coordinate along an axis, in two halves. */
+/* Writes the two triangles of a box's side at its lowest or highest coordinate along an axis. */
 static void add_side(const struct tia_scene *scene, const struct tia_shape *s, int axis, bool high,
                      struct oracle_face *faces)
 {
@@ -85,7 +85,7 @@ uint32_t oracle_faces(const struct tia_scene *scene, struct oracle_face *faces)
 
 /* ---- rays ---- */
 
-/* Gives the intersection of the line and the face, as a multiple of its direction, which need not be of length 1. */
+/* Gives the intersection of the ray's line with the face, as a multiple of the direction, which can have any length. */
 static bool meets(const struct oracle_face *f, struct ray ray, double *t)
 {
     struct oracle_vec from = sub(ray.origin, f->at);
@@ -114,7 +114,7 @@ uint32_t oracle_face_seen(const struct oracle_face *faces, uint32_t count, struc
     return seen;
 }
 
-/* Returns the vector from the point to the light, or a directional light's, of any length. */
+/* Returns the vector from the point to sample i of the light; for a directional light its reversed direction. */
 static struct oracle_vec way_to(const struct tia_light *light, unsigned i, struct oracle_vec p)
 {
     struct oracle_vec source = position(light->centre);

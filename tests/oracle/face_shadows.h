@@ -1,5 +1,6 @@
-/* face_shadows.h - hard shadows of flat faces, in double precision and in the world: the rays' test of Moeller and
- * Trumbore (1997) against each face. The face where a ray to a light starts is left out, so there is no bias. */
+/* face_shadows.h - hard shadows of flat faces, in double precision and world coordinates: the intersection test of
+ * Moeller and Trumbore (1997) with each face. The face on which a ray to a light starts is left out, so there is no
+ * bias. */
 #ifndef TESTS_ORACLE_FACE_SHADOWS_H
 #define TESTS_ORACLE_FACE_SHADOWS_H
 
@@ -8,19 +9,19 @@
 #define ORACLE_NO_FACE UINT32_MAX
 
 struct oracle_face {
-    bool plane;                    /* the whole plane, with the normal edge[0] */
+    bool plane;                    /* the face is a whole plane, with the normal edge[0] */
     struct oracle_vec at, edge[2]; /* a corner, and the vectors from there to the others */
     uint32_t object;
 };
 
-/* Returns the number of faces of a scene of planes, boxes, triangles and meshes; fills them in if `faces` is not NULL.
- */
+/* Returns the number of faces of a scene of planes, boxes, triangles and meshes; writes them to `faces` if it is not
+ * NULL. */
 uint32_t oracle_faces(const struct tia_scene *scene, struct oracle_face *faces);
 
-/* Returns the face that a ray meets first, and gives t; or ORACLE_NO_FACE. */
+/* Returns the face that a ray meets first, and gives t; ORACLE_NO_FACE and infinity if there is none. */
 uint32_t oracle_face_seen(const struct oracle_face *faces, uint32_t count, struct ray ray, double *t);
 
-/* True if light of sample i, with the pattern of class 0, arrives at the point of that face that is visible from
+/* True if sample i of the light, with the pattern of pixel class 0, reaches the point of `face` at t along the ray
  * `eye`. */
 bool oracle_face_lit(const struct oracle_face *faces, uint32_t count, uint32_t face, struct ray eye, double t,
                      const struct tia_light *light, unsigned i);

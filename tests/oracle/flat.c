@@ -12,7 +12,7 @@ static struct oracle_vec axis_vec(int axis, double sign)
     return (struct oracle_vec){axis == 0 ? sign : 0, axis == 1 ? sign : 0, axis == 2 ? sign : 0};
 }
 
-/* Returns a point's position along a tangent of a face, measured from the face's edge: 0 to 1. */
+/* Returns the position of a point along a tangent of a face, 0..1 from the face's edge. */
 static double share(const double part[3], struct oracle_vec tangent)
 {
     double sum = 0;
@@ -24,7 +24,7 @@ static double share(const double part[3], struct oracle_vec tangent)
     return sum;
 }
 
-/* Gives the hit on the face of a box whose outward normal is sign times the axis: at *t, when the point lies in it. */
+/* Gives the hit on the face of a box with the outward normal sign times the axis, if the ray meets that face. */
 static bool face_hit(struct ray ray, struct oracle_vec min, struct oracle_vec max, int axis, double sign,
                      struct hit *hit)
 {
@@ -158,8 +158,8 @@ static unsigned cell(const struct tia_grid *grid, const int at[3])
     return grid->cells[cell_index(grid, at)];
 }
 
-/* Gives the hit on the nearest surface among a filled cell's faces: a front where the neighbour differs, a back where
- * it is empty. */
+/* Gives the nearest hit on the faces of a filled cell: on the front of a face if the neighbour differs, on the back
+ * only if the neighbour is empty. */
 static bool cell_hit(struct ray ray, const struct tia_grid *grid, const int at[3], struct hit *hit)
 {
     struct oracle_vec corner = position(grid->corner);

@@ -98,7 +98,7 @@ bool light_beam(const struct tia_light *light, double unit, struct oracle_vec p,
     return true;
 }
 
-/* Intersects a parallelogram around the centre: p = s side[0] + t side[1] with |s|, |t| <= 1. */
+/* Intersects a parallelogram around the light's centre: p = s side[0] + t side[1] with |s|, |t| <= 1. */
 static bool rectangle_hit(const struct tia_light *light, struct ray ray, struct hit *hit)
 {
     struct oracle_vec a = position(light->side[0]), b = position(light->side[1]), n = cross(a, b);

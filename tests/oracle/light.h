@@ -8,23 +8,25 @@
 struct beam {
     struct oracle_vec direction; /* direction to the light, of length 1 */
     struct oracle_vec source;    /* the light's point; undefined for a directional light */
-    double distance;             /* distance from `source`; infinite for a directional light */
+    double distance;             /* distance to `source`; infinite for a directional light */
     double strength;             /* product of attenuation, spot falloff and the sample's share */
 };
 
-/* Returns the number of samples of a light: 1 but for area lights. */
+/* Returns the number of samples of a light; 1 for all but area lights. */
 unsigned light_samples(const struct tia_light *light);
 
-/* Gives sample i of a light, not ambient, for the point p and a pixel of that class, 0..15; false when it coincides
- * with p. `unit` is that of attenuations. */
+/* Gives sample i of a light that is not ambient, for the point p and a pixel of class 0..15; false if the sample is at
+ * p. `unit` is the unit of attenuations. */
 bool light_beam(const struct tia_light *light, double unit, struct oracle_vec p, unsigned pixel_class, unsigned i,
                 struct beam *beam);
 
-/* Returns the pixel's class. */
+/* Returns the class of pixel (x, y), 0..15. */
 unsigned light_class(unsigned x, unsigned y);
+
+/* Gives point i of n in the unit square for pixels of a class. */
 void light_pattern(unsigned pixel_class, unsigned i, unsigned n, double *u, double *v);
 
-/* Intersects a ray with the light's own surface. */
+/* Intersects a ray with the surface of the light itself; *t is the parameter of the hit. */
 bool light_hit(const struct tia_light *light, struct ray ray, double *t);
 
 #endif

@@ -1,4 +1,4 @@
-/* media.h - the media that a ray is inside of, as tia/material.h defines them. */
+/* media.h - the media that contain a ray, as defined in tia/material.h. */
 #ifndef TESTS_ORACLE_MEDIA_H
 #define TESTS_ORACLE_MEDIA_H
 
@@ -11,17 +11,17 @@ struct media {
     tia_q16 index[TIA_MEDIA_MAX];
 };
 
-/* The two indices of refraction at a boundary. */
+/* Indices of refraction before and behind a boundary. */
 struct crossing {
     tia_q16 from, to;
 };
 
-/* Returns the boundary where a refracted ray meets the front or back of an object, which has that material there;
- * `media` become those behind it. */
+/* Returns the boundary where a refracted ray meets the front or back of an object with this material; `media` become
+ * the media behind the boundary. */
 struct crossing media_cross(const struct tia_scene *scene, struct media *media, uint32_t object, bool front,
                             const struct tia_material *material);
 
-/* True if the object can be entered. */
+/* True if a ray can enter the object. */
 bool media_has_inside(const struct tia_scene *scene, uint32_t object);
 
 #endif

@@ -1,8 +1,8 @@
-/* nff.h - pictures of .nff files from their numbers as they are written, in double precision.
+/* nff.h - pictures of .nff files from the numbers as written, in double precision.
  *
- * The oracle of oracle.h starts from a scene in memory, whose coordinates a reader has rounded: it cannot show the cost
- * of that rounding. This one reads the text itself. Rays start a trillionth of the scene off a surface, so that the
- * library's larger bias shows. */
+ * The oracle of oracle.h starts from a scene in memory, whose coordinates a reader has rounded: it cannot show the
+ * error of that rounding. This one reads the text itself. Its rays start a trillionth of the scene's size off a
+ * surface, so it also shows the effect of the library's larger bias. */
 #ifndef TESTS_ORACLE_NFF_H
 #define TESTS_ORACLE_NFF_H
 
@@ -19,7 +19,7 @@ struct nff_material {
 struct nff_thing {
     enum nff_kind kind;
     unsigned material;
-    unsigned body; /* medium of rays: a sphere, or all polygons of one f */
+    unsigned body; /* body that rays enter: a sphere or cone, or all polygons after one f */
     struct oracle_vec min, max;
     struct oracle_vec point[2]; /* centre, or base and top */
     double radius[2];
@@ -49,19 +49,21 @@ struct nff {
     struct nff_light *lights;
     struct nff_thing *things;
     struct nff_tree *trees;
-    bool *closed; /* the bodies that can be entered */
+    bool *closed; /* true for bodies that can be entered */
     unsigned material_count, light_count, thing_count, tree_count, body_count;
 };
 
-/* Reads a file; NULL: the text is no such file. */
+/* Reads the text of a file; NULL if it is not valid. Free the result by nff_free. */
 struct nff *nff_read(const char *text);
 void nff_free(struct nff *nff);
 
-/* Builds the trees of the objects. */
+/* Builds the tree of the objects, for nff_nearest. */
 void nff_plant(struct nff *nff);
+
+/* Returns the index of the nearest object on the ray, and gives the hit; thing_count and infinity if there is none. */
 unsigned nff_nearest(const struct nff *nff, struct ray ray, struct hit *hit);
 
-/* Returns the part of white light that passes all objects on the ray before t = 1. */
+/* Returns the part of white light that passes all objects on the ray up to t = 1. */
 double nff_transmission(const struct nff *nff, struct ray ray);
 
 /* Returns pixel (x, y) of a picture of that size. */

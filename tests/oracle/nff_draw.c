@@ -5,11 +5,12 @@
 #define OFF 1e-12
 #define FAINT (1.0 / 65536.0)
 
-/* A ray on its path from the eye. */
+/* History of a ray: its weight, the bends and straight layers so far, and the bodies that it has entered, with their
+ * indices of refraction. */
 struct journey {
     double weight;
     unsigned bounces, layers;
-    unsigned count, body[TIA_MEDIA_MAX]; /* entered bodies */
+    unsigned count, body[TIA_MEDIA_MAX]; /* entered bodies, the last one at the end */
     double index[TIA_MEDIA_MAX];
 };
 
@@ -55,7 +56,8 @@ static double medium(const struct journey *j)
     return j->count ? j->index[j->count - 1] : 1;
 }
 
-/* Gives the indices of refraction before and behind the surface; the journey continues behind it. */
+/* Gives the indices of refraction in front of the surface and behind it, and updates the bodies of the journey, which
+ * crosses the surface. */
 static void cross_over(const struct nff *nff, const struct place *s, struct journey *j, double *from, double *to)
 {
     int at = -1;

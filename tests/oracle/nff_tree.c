@@ -1,4 +1,4 @@
-/* nff_tree.c - the nearest object, by halving boxes: the larger files have too many objects to try all. */
+/* nff_tree.c - the nearest object, by a tree of boxes: the larger files have too many objects to test each. */
 #include "nff.h"
 
 #include <stdlib.h>
@@ -60,7 +60,7 @@ void nff_plant(struct nff *nff)
         halve(nff, 0, nff->thing_count);
 }
 
-/* True if the ray is in the box somewhere in 0..limit; the box is enlarged a little for rounding errors. */
+/* True if the ray is in the box anywhere in 0..limit; the interval is enlarged a little for rounding errors. */
 static bool meets(const struct nff_tree *tree, struct ray ray, double limit)
 {
     double from = 0, to = limit;
@@ -92,7 +92,7 @@ static bool is_inside(const struct nff_thing *t, struct oracle_vec p)
     return inside;
 }
 
-/* Returns the normal of a triangle whose corners have them, by barycentric coordinates. */
+/* Returns the normal at a point of a triangle that has normals at its corners, by barycentric coordinates. */
 static struct oracle_vec smooth(const struct nff_thing *t, struct oracle_vec p)
 {
     struct oracle_vec e1 = sub(t->corner[1], t->corner[0]), e2 = sub(t->corner[2], t->corner[0]), n = cross(e1, e2);

@@ -65,7 +65,7 @@ unsigned oracle_bayer(unsigned x, unsigned y)
     static const unsigned quadrant[2][2] = {{0, 2}, {3, 1}};
     unsigned value = 0;
 
-    /* from M(1) to M(8): the bits of x and y, the lowest first, choose the quadrant */
+    /* from M(1) to M(8) the bits of x and y, the lowest first, choose the quadrant */
     for (unsigned bit = 0; bit < 3; bit++)
         value += quadrant[y >> bit & 1][x >> bit & 1] << (4 - 2 * bit);
     return value;
@@ -77,7 +77,7 @@ static bool meets(struct oracle_variant variant, struct ray ray, const struct ti
         ray.origin, ray.direction, position(sphere->centre), q16(sphere->radius), t);
 }
 
-/* Returns the nearest sphere on the ray, the lower index on a tie; *t is its distance, or infinite. */
+/* Returns the nearest sphere on the ray, the lower index on a tie; *t is the distance, infinite without a sphere. */
 static uint32_t nearest_sphere(const struct tia_scene *scene, struct oracle_variant variant, struct ray ray, double *t)
 {
     uint32_t nearest = TIA_NO_OBJECT;
@@ -93,7 +93,8 @@ static uint32_t nearest_sphere(const struct tia_scene *scene, struct oracle_vari
     return nearest;
 }
 
-/* Returns the nearest light, if it is nearer than *t. A light of radius 0 is invisible. */
+/* Returns the nearest light that is nearer than *t, and sets *t to its distance; TIA_NO_OBJECT if there is none. A
+ * light of radius 0 is invisible. */
 static uint32_t nearest_light(const struct tia_scene *scene, struct ray ray, double *t)
 {
     uint32_t nearest = TIA_NO_OBJECT;
@@ -111,7 +112,7 @@ static uint32_t nearest_light(const struct tia_scene *scene, struct ray ray, dou
 }
 
 /* Returns the part of white light that is transmitted along the ray up to `distance`; *passed is the sum of index + 1
- * over the spheres on the way. */
+ * of the spheres on the way. */
 static struct colour transmission(const struct tia_scene *scene, struct oracle_variant variant, struct ray ray,
                                   double distance, uint32_t *passed)
 {
@@ -130,8 +131,7 @@ static struct colour transmission(const struct tia_scene *scene, struct oracle_v
     return left;
 }
 
-/* Adds the light of one light at the point p with normal n of a surface; true when any of it arrives, through spheres
- * that *passed sums up. */
+/* Adds the light of one light at a surface's point p with the normal n; true if any arrives. *passed is as above. */
 static bool add_light(const struct tia_scene *scene, struct oracle_variant variant, const struct tia_light *light,
                       struct oracle_vec p, struct oracle_vec n, struct colour surface, double sum[3], uint32_t *passed)
 {

@@ -1,4 +1,4 @@
-/* oracle_core.c - the oracle behind the library's table of functions, so that it can draw everything that the library's
+/* oracle_core.c - the oracle behind the library's table of functions, by which it draws all that the library's
  * arithmetics draw. A hit buffer stores all results of the oracle. */
 #include "oracle.h"
 

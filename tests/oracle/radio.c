@@ -49,7 +49,7 @@ static double height(const struct oracle_polygon *p, const double at[3])
     return dot(n, d);
 }
 
-/* Returns the depth of a point, in the polygon's plane, inside its edges; below 0: it is outside. */
+/* Returns the distance of a point, in the polygon's plane, from the nearest edge; below 0 outside the polygon. */
 static double depth(const struct oracle_polygon *p, const double at[3])
 {
     double n[3], least = INFINITY;
@@ -65,14 +65,14 @@ static double depth(const struct oracle_polygon *p, const double at[3])
     return least;
 }
 
-/* True if x is above 0; *sure is cleared if x is closer to 0 than the doubt. */
+/* True if x may be above 0, with an error of up to `doubt`; clears *sure if |x| is not above `doubt`. */
 static bool holds(const struct search *s, double x, bool *sure)
 {
     *sure &= fabs(x) > s->doubt;
     return x > -s->doubt;
 }
 
-/* True if a polygon stands between two points, neither of which is on it. */
+/* True if a polygon is between two points that are not on it; clears *sure if that is in doubt. */
 static bool blocks(const struct search *s, const struct oracle_polygon *p, const double a[3], const double b[3],
                    bool *sure)
 {

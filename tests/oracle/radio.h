@@ -1,4 +1,4 @@
-/* radio.h - paths of waves in double precision: every sequence of polygons, mirrored and walked back. */
+/* radio.h - paths of radio waves in double precision, by the mirror images of every sequence of polygons. */
 #ifndef TESTS_ORACLE_RADIO_H
 #define TESTS_ORACLE_RADIO_H
 
@@ -9,7 +9,7 @@
 struct oracle_polygon {
     double corner[4][3];
     int count;
-    bool solid; /* only the outside reflects, where the corners run counterclockwise */
+    bool solid; /* only the side from which the corners run counterclockwise reflects */
 };
 
 struct oracle_path {
@@ -19,8 +19,8 @@ struct oracle_path {
     bool sure; /* no decision was closer than `doubt` */
 };
 
-/* Finds all paths of up to `order` reflections, and all that may be one if decisions are wrong by less than `doubt`.
- * Returns their number, of which `most` are written. */
+/* Finds the paths of up to `order` reflections, and those that are paths if decisions are wrong by less than `doubt`.
+ * Returns their number; at most `most` are written. */
 int oracle_radio(const struct oracle_polygon *polygons, int count, const double from[3], const double to[3], int order,
                  double doubt, struct oracle_path *paths, int most);
 

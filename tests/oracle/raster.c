@@ -62,7 +62,7 @@ struct ray {
 
 static const struct ray rightwards = {1, 0, 0}, downwards = {0, -1, 0};
 
-/* Returns the direction of a sample, see camera.h, times 2 n^2, so that it has integers. */
+/* Returns the direction of a sample, see camera.h, scaled so that its components are integers. */
 static struct ray ray_of(const struct oracle_image *m, int x, int y)
 {
     int n = m->samples == 16 ? 4 : m->samples == 4 ? 2 : 1, i = m->sample % n, j = m->sample / n;
@@ -112,7 +112,7 @@ bool oracle_covers(const struct oracle_image *image, const struct tia_raster_ver
     return wanted != 0;
 }
 
-/* Returns 1/t times det along d, by Cramer's rule. */
+/* Returns 1/t of the plane's point along d, times det, by Cramer's rule. */
 static struct big height(const struct tia_raster_vertex *v, struct ray d)
 {
     struct big sum = big_of(0);
@@ -143,7 +143,7 @@ int oracle_order(const struct oracle_image *image, const struct tia_raster_verte
     return order ? order : order_along(a, b, downwards);
 }
 
-/* Returns the value of the highest 96 bits or more, rounded: a relative error below 2^-63. */
+/* Returns an integer rounded, with a relative error below 2^-63. */
 static long double big_value(struct big a)
 {
     long double value = 0;
@@ -219,7 +219,7 @@ static void write_stencil(uint8_t *pixel, const struct tia_stencil *s, enum tia_
             *pixel = (uint8_t)((*pixel & ~bit) | (now & bit));
 }
 
-/* Returns the sign of the polygon's depth minus the stored one's. */
+/* Returns the sign of the polygon's depth minus that of `there`, the pixel's face. */
 static int depth_against(const struct oracle_raster *r, const struct tia_raster_state *state,
                          const struct tia_raster_vertex *v, uint32_t face, uint32_t there, int x, int y)
 {
@@ -270,7 +270,7 @@ void oracle_draw(struct oracle_raster *raster, const struct tia_raster_state *st
                 draw_pixel(raster, state, v, face, x, y);
 }
 
-/* Interpolates: returns the largest n with 2 n - 1 <= 2 value, found from the highest bit on. */
+/* Finds the largest n with 2 n - 1 <= 2 value, from the highest bit on. */
 int32_t oracle_blend(const struct oracle_image *image, const struct tia_raster_vertex v[3], int x, int y,
                      const int32_t a[3])
 {

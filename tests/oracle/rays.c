@@ -5,7 +5,7 @@
 
 #define FAINT (1.0 / 65536.0)
 
-/* A sample being computed. */
+/* State of a sample. */
 struct look {
     const struct tia_scene *scene;
     unsigned pixel_class;
@@ -13,7 +13,7 @@ struct look {
     uint32_t rays; /* number of rays of the sample so far */
 };
 
-/* A ray's history: its factor, the bends and straight layers so far, and its media. */
+/* History of a ray: the product of its factors, the bends and straight layers so far, and the media that contain it. */
 struct way {
     struct colour weight;
     unsigned bounces, layers;
@@ -52,7 +52,7 @@ static bool is_faint(struct colour c)
     return c.channel[0] < FAINT && c.channel[1] < FAINT && c.channel[2] < FAINT;
 }
 
-/* Returns the nearest object, the lower index on a tie; *hit.t is infinite without one. */
+/* Returns the nearest object, the lower index on a tie; hit->t is infinite if there is none. */
 static uint32_t nearest_object(const struct tia_scene *scene, struct ray ray, struct hit *hit)
 {
     uint32_t nearest = TIA_NO_OBJECT;
@@ -67,7 +67,7 @@ static uint32_t nearest_object(const struct tia_scene *scene, struct ray ray, st
     return nearest;
 }
 
-/* Returns the light that is visible before `distance`. */
+/* Returns the nearest light whose surface the ray meets before `distance`, or TIA_NO_OBJECT. */
 static uint32_t nearest_light(const struct tia_scene *scene, struct ray ray, double distance)
 {
     uint32_t nearest = TIA_NO_OBJECT;
@@ -90,7 +90,7 @@ static double highlight(const struct surface *s, struct oracle_vec l)
     return cosine > 0 ? pow(cosine, q16(s->material->exponent)) : 0.0;
 }
 
-/* Adds the light of one beam to the surface; true if it arrives. */
+/* Adds the light of one beam to *sum; true if it arrives. */
 static bool add_beam(const struct look *look, const struct tia_light *light, const struct beam *beam,
                      const struct surface *s, struct colour *sum)
 {
@@ -141,8 +141,8 @@ double oracle_fresnel(double cosine, double n1, double n2)
     return (rs * rs + rp * rp) / 2;
 }
 
-/* Gives the refracted direction by Snell's law, for the ratio n1/n2; false when all is reflected, as it is where an
- * interpolated normal is turned away. */
+/* Gives the refracted direction by Snell's law, for the ratio n1/n2; false in total reflection, and if the interpolated
+ * normal points away from the viewer. */
 static bool refract(const struct surface *s, double ratio, struct oracle_vec *way)
 {
     double square = 1 - ratio * ratio * (1 - s->cosine * s->cosine);
@@ -165,7 +165,7 @@ static void add_ray(struct look *look, struct ray ray, struct colour factor, str
     add(sum, 1, product(factor, trace(look, ray, &way)));
 }
 
-/* Gives the refracted ray and its history; moves the part F from kt to kr. */
+/* Gives the refracted ray and its history; moves the fraction F of the refraction from kt to kr. */
 static void bend(const struct tia_scene *scene, const struct surface *s, struct way *way, struct ray *ray,
                  struct colour *kr, struct colour *kt)
 {

@@ -47,13 +47,14 @@ bool shape_disc(struct ray ray, struct oracle_vec centre, struct oracle_vec norm
     return true;
 }
 
-/* A frustum's side: |p - (p.axis) axis| = base_radius + slope p.axis, 0 <= p.axis <= height. */
+/* The side of a frustum: |p - (p.axis) axis| = base_radius + slope p.axis, 0 <= p.axis <= height, p relative to `base`.
+ */
 struct side {
     struct oracle_vec base, axis;
     double height, base_radius, slope;
 };
 
-/* Gives the real roots of a t^2 + 2 b t + c, the smaller first, without cancellation; returns their number. */
+/* Gives the real roots of a t^2 + 2 b t + c, the smaller first, without cancellation; returns their number, 0 or 2. */
 static int roots(double a, double b, double c, double t[2])
 {
     double discriminant = b * b - a * c;
@@ -71,7 +72,7 @@ static int roots(double a, double b, double c, double t[2])
     return 2;
 }
 
-/* Gives the hit at t when that lies on the side. */
+/* Gives the hit at t if it lies on the side. */
 static bool on_side(const struct side *side, struct ray ray, double t, struct hit *hit)
 {
     struct oracle_vec p = sub(at(ray, t), side->base), u, v;
@@ -90,7 +91,7 @@ static bool on_side(const struct side *side, struct ray ray, double t, struct hi
     return true;
 }
 
-/* Intersects the side, from the ray's point that is nearest to the base, so that the numbers are no larger than needed.
+/* Intersects the side. The equation is relative to the ray's point nearest to the base, which keeps its numbers small.
  */
 static bool side_hit(const struct side *side, struct ray ray, struct hit *hit)
 {
@@ -109,7 +110,7 @@ static bool side_hit(const struct side *side, struct ray ray, struct hit *hit)
     return false;
 }
 
-/* Intersects a cap: a disc, its normal outwards. */
+/* Intersects a cap: a disc with an outward normal; none if the radius is 0. */
 static bool cap_hit(struct ray ray, struct oracle_vec centre, struct oracle_vec outwards, double radius,
                     struct hit *hit)
 {

@@ -4,7 +4,7 @@
 
 #include "vec.h"
 
-/* A ray's hit on a surface. The normals are of length 1 and on the surface's own side. */
+/* A ray's hit on a surface. Normals have length 1, and point to the surface's front. */
 struct hit {
     double t;                 /* parameter of the point on the ray, whose direction may have any length */
     struct oracle_vec normal; /* the geometric normal */
@@ -15,7 +15,8 @@ struct hit {
     uint32_t material;
 };
 
-/* Intersect one shape before its transform; true and the nearest hit not before t = 0. */
+/* Intersections with one shape in its own axes. Each returns true and gives the nearest hit with t >= 0, if there is
+ * one. */
 bool shape_sphere(struct ray ray, struct oracle_vec centre, double radius, struct hit *hit);
 bool shape_plane(struct ray ray, struct oracle_vec point, struct oracle_vec normal, struct hit *hit);
 bool shape_disc(struct ray ray, struct oracle_vec centre, struct oracle_vec normal, double radius, struct hit *hit);
@@ -26,22 +27,27 @@ bool shape_triangle(struct ray ray, const struct oracle_vec corner[3], struct hi
 bool shape_mesh(struct ray ray, const struct tia_mesh *mesh, struct hit *hit);
 bool shape_grid(struct ray ray, const struct tia_grid *grid, struct hit *hit);
 
-/* Returns the number of groups of a mesh's faces that are met before t. */
+/* Returns the number of groups of a mesh's faces that the ray meets before t. */
 unsigned shape_mesh_groups(struct ray ray, const struct tia_mesh *mesh, double t);
 
-/* Intersects a shape of the scene, placed by its transform. */
+/* Intersects a shape of the scene, placed by its transform, if it has one. */
 bool shape_hit(const struct tia_scene *scene, const struct tia_shape *shape, struct ray ray, struct hit *hit);
 
-/* Intersects object `index`: the spheres, then the shapes. A point 65536 or more away from 0 is not met. */
+/* Intersects object `index`, where spheres come before shapes. Points at a distance of 65536 or more from the origin
+ * are not met. */
 bool object_hit(const struct tia_scene *scene, uint32_t index, struct ray ray, struct hit *hit);
 
-/* Returns the number of groups of object `index`, which the ray meets, that are met before `distance`; 1 without
- * groups. */
+/* Returns the number of groups of object `index` that the ray meets before `distance`; 1 for an object without groups.
+ * The ray meets the object. */
 unsigned groups_hit(const struct tia_scene *scene, uint32_t index, struct ray ray, double distance);
 
-/* Return Rz Ry Rx (scale v) + position of a transform; R v; and the inverse rotation of v. */
+/* Returns Rz Ry Rx (scale v) + position of a transform. */
 struct oracle_vec transform_point(const struct tia_transform *transform, struct oracle_vec v);
+
+/* Returns Rz Ry Rx v. */
 struct oracle_vec transform_turn(const struct tia_transform *transform, struct oracle_vec v);
+
+/* Returns the inverse rotation of v. */
 struct oracle_vec transform_turn_back(const struct tia_transform *transform, struct oracle_vec v);
 
 #endif

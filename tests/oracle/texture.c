@@ -21,7 +21,8 @@ static struct colour texel(const struct tia_texture *texture, uint32_t index)
     return (struct colour){{p[0] / 255.0, p[1] / 255.0, p[2] / 255.0}};
 }
 
-/* Interpolates from a to b, exactly a where they are equal: opaque texels must not transmit 1e-16 of the light. */
+/* Returns the interpolation between a and b, exactly a if they are equal: opaque texels must not transmit 1e-16 of the
+ * light. */
 static struct colour between(struct colour a, struct colour b, double part)
 {
     for (int i = 0; i < 3; i++)
@@ -29,7 +30,7 @@ static struct colour between(struct colour a, struct colour b, double part)
     return a;
 }
 
-/* Interpolates the four texels around (x, y), where the centres of texels have integer coordinates. */
+/* Returns the interpolation of the four texels around (x, y); the centres of texels have integer coordinates. */
 static struct colour bilinear(const struct tia_texture *texture, double x, double y)
 {
     double left = floor(x), top = floor(y);

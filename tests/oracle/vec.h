@@ -36,7 +36,7 @@ static inline struct oracle_vec position(struct tia_vec3 v)
     return (struct oracle_vec){q16(v.x), q16(v.y), q16(v.z)};
 }
 
-/* Returns a vector with its fine digits. */
+/* Returns a position with its fine digits. */
 static inline struct oracle_vec finely(struct tia_vec3 v, const struct tia_fine_place *fine)
 {
     struct oracle_vec p = position(v);

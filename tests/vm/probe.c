@@ -1,14 +1,13 @@
-/* probe.c - a test's queries and commands to a guest's kernel beside the program under test.
+/* probe.c - a test's queries and commands to the kernel of a guest, beside the program under test.
  *
- *   probe vt N              the state of virtual terminal N and which one is active
- *   probe text N            text mode for tty N, as systemd sets it before a getty begins
- *   probe push N TEXT       TEXT as if typed on tty N, a newline after it; no keyboard involved
- *   probe fb DEVICE         geometry and pixel format of a framebuffer
- *   probe master DEVICE     a DRM master that stays until it is killed
- *   probe grabbed           the event devices that are grabbed by any program
- *   probe as UID COMMAND    COMMAND by that user, with no signal ignored
- *   probe keyboard NAME     a virtual keyboard fed by lines "CODE VALUE" on standard input
- * */
+ *   probe vt N              prints the state of virtual terminal N, and which one is active
+ *   probe text N            sets text mode for tty N, as systemd does before a getty begins
+ *   probe push N TEXT       enters TEXT and a newline as if typed on tty N, without a keyboard
+ *   probe fb DEVICE         prints geometry and pixel format of a framebuffer
+ *   probe master DEVICE     is DRM master until it is killed
+ *   probe grabbed           lists the event devices that any program has grabbed
+ *   probe as UID COMMAND    runs COMMAND as that user, with no signal ignored
+ *   probe keyboard NAME     makes a virtual keyboard fed by lines "CODE VALUE" on standard input */
 #include <errno.h>
 #include <fcntl.h>
 #include <linux/fb.h>

@@ -1,4 +1,4 @@
-/* calibration.c - reads visual.json, the calibration that a Looking Glass holds: each value under its name, as a number
+/* calibration.c - reads visual.json, the calibration stored in a Looking Glass: each value under its name, as a number
  * or in an object's "value".
  *
  * HoloPlayCore's shader, as Looking Glass Factory has published it, needs the number of lenses in the picture's width,

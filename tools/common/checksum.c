@@ -3,8 +3,8 @@
 #include <tia/debug.h>
 #include <tia/render.h>
 
-/* Returns the CRC of bytes. tia_crc32 takes pixels of two bytes, low byte first, so an odd last byte is padded with a
- * zero. The length comes first, to distinguish that from a real zero. */
+/* tia_crc32 takes pixels of two bytes, low byte first, so an odd last byte is padded with a zero. The length comes
+ * first, so that the padding differs from a zero in the data. */
 uint32_t checksum_bytes(uint32_t crc, const void *bytes, size_t length)
 {
     const unsigned char *from = bytes;

@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Returns the CRC-32 of bytes; start with 0 and pass the result on. */
+/* Returns the CRC-32 of the length (64 bits) and the bytes, continued from `crc`; 0 to start. */
 uint32_t checksum_bytes(uint32_t crc, const void *bytes, size_t length);
 
 #endif

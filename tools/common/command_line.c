@@ -176,7 +176,7 @@ static int refuse(const struct command *command, const struct option_row *row, c
     return message(command->name, 2, "--%s '%.200s': %s", row->name, value ? value : "", *mistake ? mistake : rule);
 }
 
-/* Reports an option that getopt_long refused: its code is ':' for a missing value, '?' for anything else. */
+/* Reports an invalid option: getopt_long returned the code ':' for a missing value, '?' for anything else. */
 static int refuse_option(const char *tool, int code, char **argv)
 {
     const char letter[] = {'-', (char)optopt, '\0'};
@@ -271,7 +271,7 @@ static void name_options(const struct option_row *rows, struct option *longs, ch
     *shorts = '\0';
 }
 
-/* Returns the row for a code of getopt_long; NULL for the codes of a refused option. */
+/* Returns the row for a code of getopt_long; NULL for the codes of an invalid option. */
 static const struct option_row *row_of(const struct option_row *rows, int code)
 {
     if (code >= CODE)

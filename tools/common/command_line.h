@@ -34,7 +34,7 @@ struct option_row {
     /* Offsets in the command's struct. */
     size_t at, size; /* the member that gets the value */
     size_t second;   /* the member, of the same size, that receives the second of two numbers; 0: none */
-    size_t given;    /* a bool that becomes true; 0: none */
+    size_t given;    /* a bool that becomes true if the option is given; 0: none */
 
     uint64_t min, max;
     int bits;
@@ -43,8 +43,9 @@ struct option_row {
     const char *rule; /* the allowed values, for messages: "not a rate (...)"; NULL: made from the row */
 };
 
-/* The member of struct `type` that gets a row's value. */
+/* Initialises `at` and `size` for the member of struct `type` that gets a row's value. */
 #define OPTION_TO(type, member) .at = offsetof(type, member), .size = sizeof(((type *)0)->member)
+/* Initialises `at`, `size` and `second` for the two members that get a row's two numbers. */
 #define OPTION_PAIR(type, first, last) OPTION_TO(type, first), .second = offsetof(type, last)
 /* The last rows of every table. */
 #define OPTION_END                                                                                                     \

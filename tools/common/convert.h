@@ -19,7 +19,7 @@ struct request {
     int format;                 /* format of the scene; SCENE_UNKNOWN: by the file's name */
     bool strict;
     const char *symbol; /* value of --name */
-    char source[64];    /* the scene's name, made safe for a comment */
+    char source[64];    /* the scene's name, without characters that would end a comment */
 
     /* For a command with `write_memory`. */
     const char *memory;         /* --memory: NULL, or a path; then `output` may be NULL */
@@ -40,7 +40,7 @@ struct converter {
     const char *symbol;            /* default of --name */
     /* writes request->output; returns TIA_OK, or a failure with the reason in `why`, PORT_WHY bytes */
     int (*write)(const struct request *request, const struct tia_scene *scene, char *why);
-    /* NULL, or writes request->memory in the same way */
+    /* writes request->memory; returns as `write`; NULL: the command has no --memory */
     int (*write_memory)(const struct request *request, const struct tia_scene *scene, char *why);
 };
 

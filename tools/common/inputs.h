@@ -5,8 +5,8 @@
 #include <stdbool.h>
 #include <sys/stat.h>
 
-/* Adds a file by its device and inode, so that links to it are the same file. Without memory for it, it is not
- * added. */
+/* Adds a file by its device and inode, so that all its links count as the same file. Does nothing if memory is
+ * short. */
 void inputs_add(const struct stat *status);
 
 /* True for a file that was added. */

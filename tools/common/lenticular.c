@@ -9,7 +9,7 @@
 
 #define ONE_40 1099511627776.0
 
-/* Rounds to the nearest 2^-40. The products are exact but for their exponent, so every machine rounds alike. */
+/* Rounds to the nearest 2^-40. Multiplying by 2^40 is exact, so every machine rounds alike. */
 bool lenticular_set(struct tia_lenticular *lens, double pitch, double rise, double centre)
 {
     const double most = (double)TIA_PITCH_MAX / ONE_40;

@@ -11,8 +11,9 @@ struct lenticular {
 };
 
 /* Parses --lenticular "pitch=50.2,slope=-7.1,center=0.3,subpixels=bgr,flip,invert": fields in any order, of which only
- * pitch is needed. `pitch` is the number of lenses in the picture's width; `slope` the number of rows for a column
- * along a lens, upright without it. TIA_OK; TIA_ERR_RANGE or TIA_ERR_MEMORY with the reason, which names the option. */
+ * pitch is needed. `pitch` is the number of lenses in the picture's width; `slope` the number of rows per column along
+ * a lens, which is upright if no slope is given. TIA_OK; TIA_ERR_RANGE or TIA_ERR_MEMORY, with a reason that names the
+ * option. */
 int lenticular_parse(struct lenticular *panel, const char *text);
 
 /* Sets a lens from numbers; false: one of them is not a number or is beyond TIA_PITCH_MAX. `rise` is pitch/slope. */

@@ -13,10 +13,10 @@ __attribute__((format(printf, 3, 4))) int message(const char *tool, int status, 
 /* Prints a message as message() does, from a list of arguments. */
 int message_list(const char *tool, int status, const char *format, va_list values);
 
-/* Prints "TOOL: WHAT: WHY", or "TOOL: WHAT" where there is no why (""). Returns `status`. */
+/* Prints "TOOL: WHAT: WHY", or "TOOL: WHAT" if `why` is "". Returns `status`. */
 int message_why(const char *tool, int status, const char *what, const char *why);
 
-/* Prints a text to standard output, as for --help. Returns 0, or 1 after a message that it could not be written. */
+/* Prints a text to standard output, as for --help. Returns 0; 1 after an error message if that fails. */
 int message_output(const char *tool, const char *text);
 
 #endif

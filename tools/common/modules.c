@@ -14,9 +14,8 @@ static bool set_length(const char *field, const char *name, int scale_bits, tia_
            parse_scaled(field + size + 1, scale_bits, length) && *length > 0;
 }
 
-/* Returns the default spacing. The ray from an end of the line to an edge of the screen comes from q + (q - s) d/D,
- * which is at most w/2 + (w/2 + |s|) d/D from the middle; s is the farther end's position before the screen. Rounded
- * up. */
+/* Returns the default spacing. The ray from an end of the line to an edge q of the screen comes from q + (q - s) d/D,
+ * which is at most w/2 + (w/2 + |s|) d/D from the middle; s is the position of the line's farther end. Rounded up. */
 static int64_t default_spacing(const struct tia_camera *camera, const struct modules *modules)
 {
     int64_t screen = (int64_t)camera->window.right - camera->window.left;

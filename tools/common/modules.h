@@ -12,10 +12,9 @@ struct modules {
     tia_q16 distance, spacing; /* distance from the screen; spacing from one to the next */
 };
 
-/* Parses the text; returns NULL, or the reason why it is wrong. The scene has an observer line. By default the modules'
- * distance from the screen is half that of the line, and their spacing lights all of the screen for every position on
- * the line.
- * */
+/* Parses the text; returns NULL, or the reason why it is wrong. The scene must have an observer line. By default the
+ * modules' distance from the screen is half that of the line, and their spacing is such that all of the screen is lit
+ * for every position on the line. */
 const char *modules_parse(struct modules *modules, const char *text, const struct tia_scene *scene);
 
 /* Returns the position of module `module`, from the screen's middle: (module - (count - 1)/2) spacing, halves rounded

@@ -7,6 +7,7 @@
 /* Parses a decimal number from `min` to `max`, without sign or blanks. *end receives the position behind it; if `end`
  * is NULL, nothing may follow. */
 bool parse_number(const char *text, const char **end, uint32_t min, uint32_t max, uint32_t *value);
+/* Parses a number of 64 bits as parse_number does. */
 bool parse_wide(const char *text, const char **end, uint64_t min, uint64_t max, uint64_t *value);
 
 /* Parses "640x480", each number 1..max; `end` as for parse_number. */
@@ -19,14 +20,16 @@ bool parse_mode(const char *text);
 bool parse_seconds(const char *text, tia_q16 *seconds);
 /* Parses a number as parse_seconds does, and multiplies it by 2^bits, -16..16, with a result below 32768. */
 bool parse_scaled(const char *text, int bits, tia_q16 *value);
+/* Returns the largest whole number that parse_scaled accepts. */
 unsigned parse_longest(int bits);
 
 /* Parses "25" or "30000/1001", each number 1..1000000. */
 bool parse_rate(const char *text, uint32_t rate[2]);
 
-/* Parse a finite number at *text, and move *text behind it; or `count` numbers of a size below `limit`, with commas
- * between them, and nothing else. */
+/* Parses a finite number at *text, and moves *text behind it. */
 bool parse_real(const char **text, double *value);
+
+/* Parses exactly `count` finite numbers, of absolute values below `limit`, with commas between them. */
 bool parse_reals(const char *text, double limit, double *values, int count);
 
 #endif

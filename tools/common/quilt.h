@@ -4,10 +4,11 @@
 
 #include <tia/lightfield.h>
 
-/* True if a file's name is that of a quilt; `aspect` receives thousandths, rounded down. */
+/* True if a file's name is that of a quilt; *aspect receives the aspect ratio of a view in thousandths, rounded
+ * down. */
 bool quilt_named(const char *path, struct tia_quilt *quilt, uint32_t *aspect);
 
-/* Gives the size of a quilt for which the user gives none: views 480 pixels high, fewer if that is too many. */
+/* Gives the default size of a quilt, pixels: views are 480 high, or less if the quilt would be too large. */
 void quilt_size(const struct tia_quilt *quilt, uint32_t aspect, uint16_t *width, uint16_t *height);
 
 #endif

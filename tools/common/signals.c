@@ -9,8 +9,8 @@ static const int ending[ENDING] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
 
 /* Signal masks, which are global since signals belong to the process. */
 static sigset_t set;         /* signals of `ending` that the parent process does not ignore */
-static sigset_t mask_before; /* mask before signals_hold */
-static sigset_t mask_of_all; /* mask before signals_catch_waiting */
+static sigset_t mask_before; /* signal mask before signals_hold */
+static sigset_t mask_of_all; /* signal mask before signals_catch_waiting */
 static unsigned holds;
 static struct signals_cleanup *cleanups;
 static volatile sig_atomic_t noted;

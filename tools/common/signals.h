@@ -4,8 +4,8 @@
  * The handler runs the cleanups that are registered here, such as removing unfinished files, and lets the signal kill
  * the process. So no other code has to check for signals, and no scene can delay them.
  *
- * A display is restored by code that must not run in a handler. With one, the signals are only noted, and the viewer
- * calls signals_asked between frames and while it draws one: see tia_viewer.stop.
+ * A display is restored by code that must not run in a handler. While a display is open, the signals are only noted,
+ * and the viewer calls signals_asked between frames and during a frame: see tia_viewer.stop.
  *
  * Signals are handled on the main thread; the others block them all (thread_pool.c).
  */
@@ -22,8 +22,8 @@ struct signals_cleanup {
     struct signals_cleanup *next;
 };
 
-/* Prepares the signals, at the start of the program. From then on they end it as above, and writing to a closed pipe or
- * beyond the limit of a file's size fails instead of ending the program. */
+/* Installs the handlers, at the start of the program. From then on the signals end the program as above, and writing to
+ * a closed pipe or beyond the limit of a file's size fails instead of ending the program. */
 void signals_prepare(void);
 
 /* Holds all signals, to create a file and register its cleanup. Calls nest. */
@@ -36,16 +36,16 @@ void signals_add(struct signals_cleanup *cleanup);
 /* Removes a cleanup; does nothing if it is not registered. */
 void signals_remove(struct signals_cleanup *cleanup);
 
-/* Makes the signals only noted from now on, and blocked except while an input waits. */
+/* From now on the signals are only noted, and blocked except while an input waits. */
 void signals_catch_waiting(void);
 
-/* True if a signal was noted or is pending. Any thread may call it. The argument is there for tia_viewer.stop. */
+/* True if a signal was noted or is pending. Any thread may call it. tia_viewer.stop requires the argument. */
 bool signals_asked(void *unused);
 
 /* Undoes signals_catch_waiting. */
 void signals_release(void);
 
-/* Calls signals_release. If a signal was noted, ends the program with it; otherwise returns `status`. */
+/* Calls signals_release. If a signal was noted, ends the program with that signal; otherwise returns `status`. */
 int signals_end(int status);
 
 #endif

@@ -101,9 +101,9 @@ int sink_write(struct sink *sink, const void *bytes, size_t count)
     return sink->failed ? TIA_ERR_DEVICE : TIA_OK;
 }
 
-/* Seals the file. Without fsync, the system may report a full disk only after the rename, and a crash may leave an
- * empty file. Calls fsync only for regular files: pipes and devices refuse it, but may report a failure when they are
- * closed. A regular file stays open until it is renamed, as closing it would release the lock. */
+/* Without fsync, the system may report a full disk only after the rename, and a crash may leave an empty file. Only
+ * regular files support fsync; pipes and devices may report a failure when they are closed. A regular file stays open
+ * until it is renamed, as closing it would release the lock. */
 int sink_seal(struct sink *sink)
 {
     if (!sink->failed)

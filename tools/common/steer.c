@@ -30,7 +30,7 @@ static void orbit(const struct tia_scene *scene, struct tia_camera *camera, tia_
     tia_camera_orbit(camera, right, up);
 }
 
-/* Steers by a pointer. The scene follows the hand, so the eye moves the other way. */
+/* Moves the camera by a pointer. The scene follows the pointer, so the eye moves the other way. */
 static enum tia_effect point(struct steer *steer, const struct tia_scene *scene, const struct tia_event *event,
                              struct tia_camera *camera)
 {

@@ -6,7 +6,7 @@
 
 /* State of the pointer; all zero at first. */
 struct steer {
-    bool has_place; /* last position of the pointer */
+    bool has_place; /* x and y are the last position of the pointer */
     int32_t x, y;
 };
 

@@ -11,7 +11,8 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-enum { NAMES = 64, LINKS_MOST = 40 }; /* runs with one name at once; links to follow, as many as in Linux */
+/* Limits of runs with the same output at a time, and of symbolic links to follow (as in Linux). */
+enum { NAMES = 64, LINKS_MOST = 40 };
 
 /* ---- names ---- */
 
@@ -83,8 +84,9 @@ static void remove_left(const char *name)
     (void)close(fd);
 }
 
-/* Creates and locks a file. Before it is locked, another run may take it for a leftover and remove it: then this one
- * fails, and the next name is tried. On file systems without locks the file has none, and leftovers stay. */
+/* Creates and locks a file; -1 and errno on failure. Before the lock is taken, another run may remove the file as a
+ * leftover: then errno is EEXIST, and the caller tries the next name. On file systems without locks, leftovers are not
+ * removed. */
 static int create_locked(const char *name, mode_t mode)
 {
     int fd = open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOCTTY, mode);
@@ -122,8 +124,8 @@ static int take_name(struct temporary *temporary, char *name, mode_t mode)
     return fd;
 }
 
-/* Copies owner and mode from the file that will be replaced, but not the setuid and setgid bits, which a write would
- * clear, too. Only root may change owners, so a failure of that does not count. */
+/* Copies owner and mode from the file that will be replaced, except the setuid and setgid bits, which a write would
+ * clear, too. Only root may change owners, so a failure to do so is ignored. */
 static bool make_like(int fd, const struct stat *before)
 {
     bool owned = fchown(fd, before->st_uid, before->st_gid) == 0 || fchown(fd, (uid_t)-1, before->st_gid) == 0;
@@ -143,7 +145,7 @@ static int finish(struct temporary *temporary, int fd, const struct stat *before
     return fd;
 }
 
-/* Creates the file. Checks all names, since a leftover can have any of them: other runs may have had the lower ones. */
+/* Checks all names, since a leftover can have any of them: other runs may have had the lower numbers. */
 int temporary_create(struct temporary *temporary, const char *path, const struct stat *before)
 {
     mode_t mode = before ? S_IRUSR | S_IWUSR : S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH;

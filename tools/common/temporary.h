@@ -15,8 +15,8 @@ struct temporary {
     struct signals_cleanup cleanup;
 };
 
-/* Returns the file that `name` refers to: follows symbolic links, even to a file that does not exist; free() it. NULL
- * and errno on failure. */
+/* Returns the path of the file that `name` refers to: follows symbolic links, even to a file that does not exist.
+ * free() it. NULL and errno on failure. */
 char *temporary_target(const char *name);
 
 /* Creates a file in the directory of `path`, and removes those that killed runs have left for it. If `before` is not
@@ -24,7 +24,7 @@ char *temporary_target(const char *name);
  * a descriptor, or -1 and errno. */
 int temporary_create(struct temporary *temporary, const char *path, const struct stat *before);
 
-/* Gives the file its final name. 0, or -1 and errno, and then it still has to be removed. */
+/* Gives the file its final name. Returns 0; or -1 and errno, and the file must still be removed. */
 int temporary_rename(struct temporary *temporary, const char *path);
 
 /* Removes the file; does nothing if there is none. */

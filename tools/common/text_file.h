@@ -15,7 +15,7 @@ struct text {
 /* Opens the file as sink_open does: the name "-" is standard output; `why` has PORT_WHY bytes. */
 int text_open(struct text *text, const char *name, char *why);
 
-/* Prints as printf does, at most TEXT_MOST bytes per call. Failures are kept; checking text_close is enough. */
+/* Prints as printf does, at most TEXT_MOST bytes per call. Failures are stored; checking text_close is enough. */
 #define TEXT_MOST 1024
 __attribute__((format(printf, 2, 3))) void text_print(struct text *text, const char *format, ...);
 

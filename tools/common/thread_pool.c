@@ -17,17 +17,17 @@
 #define STACK_BYTES (512u * 1024u)
 #endif
 
-/* Time that a thread spins for the next round, or for the end of this one, before it sleeps: waking it takes about 50
- * microseconds, a tenth of a frame of 1920x1080. After spinning without success a thread sleeps at once the next few
- * times, so that frames at a display's pace, or threads that share a processor, cost no time. */
+/* Time that a thread spins for the next round, or for the end of the current one, before it sleeps: waking a thread
+ * takes about 50 microseconds, a tenth of a frame of 1920x1080. After spinning without success a thread sleeps at once
+ * the next SLEEP_TIMES times, so that frames at a display's pace, or threads that share a processor, cost no time. */
 #define SPIN_US 100u
 #define SLEEP_TIMES 8u
 
 /* A pool. `round` and `busy` change without the lock. A thread that must be woken is counted in `asleep` or `waits`
  * before it checks for the last time; the thread that changes the condition checks these afterwards. All of these
- * accesses are in one total order, so one of the two sees the other's. */
+ * accesses are in one total order, so at least one of the two threads reads the value that the other has written. */
 struct threads {
-    pthread_mutex_t lock; /* protects the sleep of threads */
+    pthread_mutex_t lock; /* protects waiting for `begin` and `end` */
     pthread_cond_t begin, end;
     pthread_mutex_t door; /* lock for enter and leave */
     unsigned started;     /* number of threads besides the caller */
@@ -55,7 +55,8 @@ unsigned threads_processors(void)
     return count < 1 ? 1 : count > THREADS_MAX ? THREADS_MAX : count;
 }
 
-/* `next` can exceed `count` by one per thread. It cannot wrap, since there are at most TIA_SIZE_MAX^2 = 2^26 jobs. */
+/* Runs jobs until none is left. `next` can exceed `count` by one per thread; it cannot wrap, since there are at most
+ * TIA_SIZE_MAX^2 = 2^26 jobs. */
 static void run_jobs(struct threads *pool)
 {
     for (;;) {
@@ -87,8 +88,8 @@ static void pause_briefly(void)
 #endif
 }
 
-/* Spins; true if `done` became true within SPIN_US. `*sleeps`, one for each thread, is the number of times that it will
- * sleep without spinning. */
+/* Spins; true if `done` became true within SPIN_US. `*sleeps`, one for each thread, is the number of times that the
+ * thread will sleep without spinning. */
 static bool spin(struct threads *pool, bool (*done)(struct threads *pool, unsigned seen), unsigned seen,
                  unsigned *sleeps)
 {

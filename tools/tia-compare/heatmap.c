@@ -55,7 +55,7 @@ static tia_rgb565 dark_grey(tia_rgb565 c)
     return (tia_rgb565)(level << 11 | level << 6 | level);
 }
 
-/* Returns the reach of a pixel's square. */
+/* Returns half the width of the panel's squares; 0 if too many pixels differ. */
 static unsigned reach_of(const struct heatmap *map, unsigned panel)
 {
     size_t count = 0;

@@ -26,9 +26,9 @@ void heatmap_mark(void *map, unsigned core, enum verdict verdict, const struct m
 #define HEATMAP_MANY 1000
 
 /* Draws `path`: for each panel, from left to right, the reference's picture in dark grey with a square on each pixel
- * that differs, or the pixel alone where more than HEATMAP_MANY do. Where squares overlap the higher verdict is
- * visible. The file appears when *sealed is published; `path` and `why`, [PORT_WHY] bytes, must outlive that. A
- * negative tia_status on failure, with the reason in `why`. */
+ * that differs, or only that pixel coloured if more than HEATMAP_MANY differ. Where squares overlap, the highest
+ * verdict is visible. The file appears when *sealed is published, until when `path` and `why`, [PORT_WHY] bytes, must
+ * exist. A negative tia_status on failure, with the reason in `why`. */
 int heatmap_draw(const struct heatmap *map, const char *path, char *why, struct image **sealed);
 
 #endif

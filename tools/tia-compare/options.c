@@ -69,7 +69,7 @@ static int mistake(const char *what, const char *why)
     return message_why("tia-compare", 2, what, why);
 }
 
-/* Checks --shadows: arithmetics and techniques are compared in separate runs. */
+/* Checks --shadows, which excludes the options for comparing arithmetics. */
 static int check_shadows(struct options *options)
 {
     bool others = options->random || options->rays_random || options->thesis || options->summary ||

@@ -16,7 +16,7 @@ void report_frame(struct report *report, const char *name, unsigned width, unsig
                   const struct tally *tallies);
 void report_end(struct report *report);
 
-/* Escapes a file's name, which can contain any bytes. */
+/* Prints a text as a JSON string: a file's name can contain any bytes. */
 void report_json_string(const char *text);
 
 #endif

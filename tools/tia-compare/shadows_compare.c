@@ -75,7 +75,7 @@ static unsigned samples_of(const struct tia_light *light)
                                                        : TIA_LIGHT_SAMPLES_DEFAULT;
 }
 
-/* Returns the bits of light number `light`, from 1. */
+/* Returns the bits of the samples of light number `light`, from 1. */
 static uint64_t bits_of(const struct lights *lights, unsigned light)
 {
     unsigned before = 0, samples = samples_of(&lights->array[light - 1]);
@@ -181,7 +181,7 @@ static int draw_others(struct comparison *c, unsigned reference)
 
 /* ---- a scene ---- */
 
-/* Finds the meshes that close; NULL when memory is short. */
+/* Returns for each mesh whether it is closed, to be freed by free(); NULL: no memory. */
 static bool *check_meshes(const struct tia_scene *scene)
 {
     bool *is_closed = calloc((size_t)scene->mesh_count + 1, sizeof *is_closed);
@@ -221,8 +221,8 @@ static int tell(struct comparison *c)
     return 0;
 }
 
-/* Checks the scene: it is an error if only traced rays can draw it; techniques that cannot draw it have the reason in
- * their rows. */
+/* Returns 0; or 2, after an error message, if the scene qualifies for none of the selected techniques but traced
+ * rays. */
 static int check_scene(const struct comparison *c)
 {
     struct tia_fault first = {0}, fault;

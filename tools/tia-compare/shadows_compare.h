@@ -5,7 +5,8 @@
 #include "common/thread_pool.h"
 #include "options.h"
 
-/* Compares techniques in each scene of the command line; returns the exit status, after an error message. */
+/* Compares techniques in each scene of the command line. Returns the exit status, after an error message if it is not
+ * 0. */
 int shadows_compare(const struct options *options, struct threads *pool);
 
 #endif

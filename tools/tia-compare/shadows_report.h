@@ -11,7 +11,7 @@
  * differs from the reference's. */
 struct shadows_row {
     const char *name;
-    bool fits;              /* false: `fault` has the reason, and the rest is not set */
+    bool fits;              /* false: `fault` has the reason, and the members after it are not set */
     struct tia_fault fault; /* the scene's fault; without a field: a point is too far away */
     uint64_t objects, dark, lit, colours;
     uint64_t wall_us, cpu_us, bytes;

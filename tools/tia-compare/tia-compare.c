@@ -30,7 +30,7 @@ static int failed(const char *what, const char *why)
     return message_why("tia-compare", 1, what, why);
 }
 
-/* Returns the exit status for a status of run->pictures; prints its reason if it is an error. */
+/* Converts a status of run->pictures to an exit status, after printing the reason of an error. */
 static int report(const struct run *run, int status)
 {
     if (!status)

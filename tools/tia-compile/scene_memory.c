@@ -21,13 +21,13 @@ enum { WIDE, NARROW, SHORT, KINDS };
  * sizes there. The list is complete: tests/slow/memory compares with the library on machines of each kind. */
 struct layout {
     unsigned view, hits, scene, bvh, block; /* block: a plane or a box that balls bounce off */
-    unsigned spans;                         /* sizes for scenes drawn by row */
-    unsigned rays, shape;                   /* sizes for all other scenes */
+    unsigned spans;                         /* for scenes drawn by row: size of the view's part */
+    unsigned rays, shape;                   /* for all other scenes: size of the view's part, and of a shape */
     unsigned emitter;                       /* for paths: size of an emitter, of which there is one for each light and
                                                for each sphere that emits */
     unsigned raster, sample;    /* for techniques for shadows other than traced rays: size of the view, and of a pixel's
                                    sample */
-    unsigned map, volumes, own; /* size of these techniques' data */
+    unsigned map, volumes, own; /* for these techniques: sizes of their data */
 };
 
 static const struct layout layouts[KINDS] = {{96, 40, 304, 48, 208, 80, 392, 224, 88, 40, 2856, 744, 560, 40},
@@ -114,7 +114,7 @@ static uint64_t hits_size(const struct tia_scene *scene, struct tia_tile tile, i
     return tia_hits_size(scene, tile) - ALIGN(layouts[kind_here()].hits) + ALIGN(layouts[kind].hits);
 }
 
-/* Returns the part of the size of the moving arrays' copy that differs. */
+/* Returns the part of the size of the moving arrays' copy that differs between kinds of machines. */
 static uint64_t copy_part(const struct layout *l, const struct tia_scene *scene)
 {
     uint64_t part = ALIGN(l->scene);
@@ -145,8 +145,8 @@ static uint64_t viewer_size(const struct scene_memory *m, struct tia_tile frame,
 
 /* ---- flash ---- */
 
-/* Flash of a program's code and tables on a Cortex-M3 by gcc -Os, without the board's own: measured with the example of
- * docs/boards.md, with tia_core_spheres_small and with tia_core_q16. */
+/* Bytes of flash for a program's code and tables on a Cortex-M3 by gcc -Os, without the code for the board: measured
+ * with the example of docs/boards.md, with tia_core_spheres_small and with tia_core_q16. */
 enum { FLASH_SPHERES = 24000, FLASH_ALL = 219000 };
 
 static uint64_t textures_size(const struct tia_scene *scene)

@@ -28,8 +28,9 @@ void unit_bvh(struct unit *unit);
 /* Writes one light, without a separator. */
 void unit_light(struct unit *unit, const struct tia_light *light);
 
-/* Write "static const TYPE SYMBOL_NAME[] = {", and the end of the table. */
+/* Begins a table: writes "static const TYPE SYMBOL_NAME[] = {". */
 __attribute__((format(printf, 3, 4))) void table_begin(struct unit *unit, const char *type, const char *name, ...);
+/* Writes the end of the table. */
 void table_end(struct unit *unit);
 
 /* Writes ".FIELD = VALUE," as a word; nothing if the value is 0, which C initialises anyway. */

@@ -82,7 +82,7 @@ static int check_same(struct parts *parts, const struct part *part)
     return 0;
 }
 
-/* Reads the first line of the part at an offset of the file. Returns where the part ends, 0 on failure. */
+/* Reads the first line of the part at an offset of the file. Returns the offset of the part's end; 0 on failure. */
 static uint64_t read_header(struct parts *parts, struct part *part, int fd, uint64_t at, uint64_t length)
 {
     char text[IMAGE_PART_HEADER];
@@ -159,7 +159,7 @@ static const struct part *part_of(const struct parts *parts, uint32_t frame, uns
 }
 
 /* Checks for gaps. Parts that do not overlap and together have as many rows as the film leave no gap. If they have
- * fewer, finds a gap to report: at the first frame and row, or after the end of a part. */
+ * fewer rows, there is a gap at the first row of a frame or after the end of a part; the first gap is reported. */
 static int check_gaps(struct parts *parts)
 {
     const struct image_film *film = &parts->array[0].film;
@@ -261,12 +261,12 @@ static int read_pixels(struct parts *parts, const struct part *part, int fd, uin
     size_t count = (size_t)part->film.width * part->film.rows;
     unsigned char *bytes = (unsigned char *)rows;
     int result = read_at(parts, part, fd, bytes, count * sizeof *rows, offset);
-    for (size_t i = 0; i < count && result == 0; i++) /* from little endian, in place */
+    for (size_t i = 0; i < count && result == 0; i++) /* converts little-endian bytes in place */
         rows[i] = (tia_rgb565)(bytes[2 * i] | bytes[2 * i + 1] << 8);
     return result;
 }
 
-/* Checks that these pixels are those that were written, for this frame and these rows. */
+/* Compares the checksum of a part's rows of a frame with the one read, `found`. */
 static int check_sum(struct parts *parts, const struct part *part, uint32_t frame, const tia_rgb565 *rows,
                      const unsigned char *found)
 {

@@ -16,7 +16,7 @@ struct part {
 struct parts {
     struct part *array;
     unsigned count, capacity;
-    uint64_t *colours;   /* for .y4m: every pixel value below its Y, U and V, sorted; NULL: not built yet */
+    uint64_t *colours;   /* for .y4m: each pixel value below its Y, U and V, sorted by these; NULL: not built yet */
     char why[PARTS_WHY]; /* reason of a failure, one line */
 };
 

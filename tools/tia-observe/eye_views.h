@@ -1,4 +1,4 @@
-/* eye_views.h - views of a light field by eyes: the screen from edge to edge, as pictures. */
+/* eye_views.h - draws a light-field display's screen, from edge to edge, as seen by one or two eyes. */
 #ifndef TOOLS_TIA_OBSERVE_EYE_VIEWS_H
 #define TOOLS_TIA_OBSERVE_EYE_VIEWS_H
 
@@ -12,9 +12,9 @@ struct observation {
     struct pictures pictures;
     bool lenses; /* the only picture is that of a panel */
     struct panel panel;
-    struct eye eye, to;     /* position of the eye, or the middle between two; its position in the film's last frame */
-    double apart;           /* distance between two eyes; 0: one eye */
-    bool anaglyph;          /* both eyes' views are in one picture, red for the left eye; else side by side */
+    struct eye eye, to; /* position of the eye, or of the middle between two; its position in the film's last frame */
+    double apart;       /* distance between two eyes; 0: one eye */
+    bool anaglyph;      /* both eyes' views are in one picture, red for the left eye; else side by side */
     unsigned width, height; /* size of one eye's picture */
 };
 

@@ -2,8 +2,8 @@
 
 #include <math.h>
 
-/* Slack of comparisons: far more than the doubles' errors, and far less than matters, so that halves are rounded the
- * same way on every machine. */
+/* Slack of comparisons: far more than the doubles' errors, and far less than a visible difference, so that halves are
+ * rounded the same way on every machine. */
 #define SLACK 0x1p-24
 
 void display_init(struct display *display, const struct tia_scene *scene, unsigned views, const struct modules *modules)
@@ -36,9 +36,10 @@ static double crossing(const struct display *d, const struct eye *eye, double q)
     return q + (eye->x - q) / eye->z * d->distance;
 }
 
-/* True if the eye is on the line. The scene's lengths are rounded to units: an end by half of one, the screen's middle
- * by another half where its width is odd, the line's distance by a half that the ray's slope multiplies. So an eye at a
- * nominal end may cross the line's plane that far beyond it. */
+/* True if the ray from the eye through q crosses the observer line. The scene's lengths are rounded to units: an end of
+ * the line by up to half a unit, the screen's middle by another half if its width is odd, and the line's distance by
+ * half a unit, which the ray's slope multiplies. The ray of an eye at a nominal end can cross the line's plane that far
+ * beyond the end. */
 static bool on_line(const struct display *d, const struct eye *eye, double q)
 {
     double at = crossing(d, eye, q), slack = d->unit * (1 + fabs((eye->x - q) / eye->z) / 2 + SLACK);

@@ -33,8 +33,8 @@ double display_part(const struct display *display, const struct eye *eye, double
 /* Returns the picture that column `column` of `columns` shows to an eye; -1: the column is black. For views, it is the
  * picture whose eye is nearest to the point where the ray from the eye through the column's middle crosses the observer
  * line's plane; for modules, that of the module nearest to the ray's origin behind the screen; halfway between two, the
- * right one. Where that module's light misses the line, but the eye's ray does not, it is the next module, whose light
- * does not miss it. The eye's height makes no difference: there is horizontal parallax only. */
+ * right one. If that module's light misses the line but the eye's ray does not, it is the picture of the adjacent
+ * module, whose light reaches the line. The eye's height makes no difference: there is horizontal parallax only. */
 int display_picture(const struct display *display, const struct eye *eye, unsigned column, unsigned columns);
 
 #endif

@@ -39,10 +39,10 @@ static double apart(const struct row *row, double i)
     return fabs(phase - round(phase));
 }
 
-/* Returns the subpixel whose phase is nearest to the eye's. From the first to the last the phases go around once at
- * most, so it is beside the position where they are equal. Of such positions, a lens apart, it is beside the one
- * nearest to the middle: if that is outside, so is the next, and farther from the other end. Of ties `first` comes
- * first. */
+/* Returns the subpixel in first..last whose phase is nearest to the eye's; of equally near ones the first. The phases
+ * equal the eye's at positions a lens apart, and first..last is at most a lens long, so the result is beside the one of
+ * these positions that is nearest to the middle. If this position is outside first..last, the next one is outside, too,
+ * and farther from the other end. */
 static double nearest_of(const struct row *row, double first, double last)
 {
     double middle = (first + last) / 2;

@@ -14,11 +14,11 @@ struct panel {
 
 void panel_init(struct panel *panel, const struct tia_lenticular *lens, unsigned width, unsigned height);
 
-/* Returns the column of its picture that lights channel 0..2, red, green or blue, of a point of the screen for an eye:
- * of the subpixels of that colour in the row, counted from above, whose middles are within half a lens of the point,
- * the one whose phase is nearest to the eye's. Phases are compared modulo 1: the views repeat beyond the line's ends.
- * `point` is a part of the screen's width, `phase` one of the observer line, both from the left. Of equally near ones
- * the left one of the shown picture; -1: none is that near to the point, it is black. */
+/* Returns the column of the panel's picture that an eye sees at a point of the screen in channel 0..2: red, green or
+ * blue. Of the subpixels of that colour in the row, counted from above, whose middles are within half a lens of the
+ * point, it is the one whose phase is nearest to the eye's; of equally near ones, the left one of the shown picture.
+ * -1: no subpixel is within half a lens, and the point is black. Phases are compared modulo 1: the views repeat beyond
+ * the line's ends. `point` is a part of the screen's width, `phase` one of the observer line, both from the left. */
 int panel_column(const struct panel *panel, unsigned row, unsigned channel, double point, double phase);
 
 #endif

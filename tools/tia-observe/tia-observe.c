@@ -1,4 +1,4 @@
-/* tia-observe - what an eye sees of a light-field display, by its pictures. */
+/* tia-observe - draws the view of an eye on a light-field display, from the display's pictures. */
 #include <stdio.h>
 #include <stdlib.h>
 

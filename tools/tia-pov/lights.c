@@ -4,7 +4,8 @@
 
 /* The distance of a directional light: greater than the distance between any two points of a scene. */
 #define FAR 200000.0
-/* Returns the samples along each side of an area light. */
+
+/* Returns the number of samples along each side of an area light. */
 static unsigned side_of(const struct tia_light *l)
 {
     unsigned samples = l->samples > 0 ? l->samples : TIA_LIGHT_SAMPLES_DEFAULT;
@@ -23,7 +24,7 @@ static double fade(const struct tia_light *l, double *distance, int *power)
     *distance = 0;
     if (term == 0)
         return constant != 0 ? 1 / constant : 1;
-    /* without a constant term, D would be 0: use a very small one */
+    /* without a constant term D would be 0, so it is very small */
     *distance = constant != 0 ? pow(constant / term, 1.0 / *power) : 0.001;
     return constant != 0 ? 1 / (2 * constant) : 1 / (2 * term * pow(*distance, *power));
 }

@@ -25,8 +25,8 @@ static bool lacks(double part, double whole)
     return part > 0 && whole <= 0;
 }
 
-/* Writes the emission. POV-Ray multiplies it by the pigment and by the part that is not transmitted; this divides by
- * both. */
+/* Writes the emission. POV-Ray multiplies it by the pigment and by the part that is not transmitted, so it is divided
+ * by both here. */
 static void write_emission(struct pov *pov, const struct tia_material *m)
 {
     struct point e = pov_rgb(m->emission), c = pov_rgb(m->colour);
@@ -133,7 +133,7 @@ void pov_materials(struct pov *pov)
     text_print(&pov->text, "\n");
 }
 
-/* Begins a texture that covers the part of the opacity. */
+/* Begins a texture that is visible in proportion to the opacity. */
 static void begin_opacity(struct pov *pov, uint32_t material, const struct tia_shape *shape)
 {
     text_word(&pov->text, "texture {%s pigment_pattern { Opacity_%u", pov_plain(shape) ? "" : " uv_mapping", material);
@@ -160,9 +160,8 @@ void pov_material(struct pov *pov, uint32_t material, const struct tia_shape *sh
     text_word(&pov->text, "interior { Interior_%u }", material);
 }
 
-/* True if the shadow needs an object of its own. POV-Ray's shadow rays are filtered by the pigment, at each surface.
- * tia has a separate colour for them, applied once per object. The two agree if the object transmits nothing or
- * everything. */
+/* True if the shadow needs an object of its own. POV-Ray filters shadow rays by the pigment, at each surface; tia by a
+ * separate colour, once per object. The results are equal if the object transmits nothing or everything. */
 bool pov_has_shadow(const struct pov *pov, uint32_t material)
 {
     const struct tia_material *m = &pov->scene->materials[material];
@@ -172,8 +171,8 @@ bool pov_has_shadow(const struct pov *pov, uint32_t material)
     return !(pov_black(t) && pov_black(r)) && !all;
 }
 
-/* Writes the shadow's material: for a closed object half of the filter at each of two surfaces; with opacity, all of it
- * at each, as in tia. */
+/* Writes the shadow's material. Each of a closed object's two surfaces has the square root of the filter; with opacity,
+ * each surface has the whole filter, as in tia. */
 void pov_shadow_material(struct pov *pov, uint32_t material, const struct tia_shape *shape)
 {
     struct point t = pov_rgb(pov->scene->materials[material].transmission);

@@ -39,7 +39,8 @@ static bool has_normals(const struct tia_face *f)
     return f->corner[0].normal != TIA_NO_INDEX;
 }
 
-/* Counts the flat faces. POV-Ray needs normals for all faces or for none, so their normals follow the mesh's own. */
+/* Counts the faces without normals. POV-Ray needs normals for all faces or for none, so the normals of these faces
+ * follow those of the mesh. */
 static uint32_t count_flat(const struct tia_mesh *m)
 {
     uint32_t flat = 0;

@@ -1,7 +1,7 @@
 /* pov.h - writes a scene in the language of POV-Ray 3.7.
  *
  * All coordinates are those of the scene's file. POV-Ray is left-handed by default, but its camera defines its own
- * axes; with our u as `right`, the pictures are the same as ours. The numbers of rotations keep their meaning.
+ * axes; with tia's u as `right`, its pictures are the same as tia's. The numbers of rotations keep their meaning.
  */
 #ifndef TIA_POV_POV_H
 #define TIA_POV_POV_H
@@ -26,7 +26,6 @@ struct point {
 /* Writes the whole scene. Properties that POV-Ray cannot express become a comment, and a line on standard error. */
 void pov_write(struct pov *pov, const char *source);
 
-/* Write parts of the scene. */
 void pov_camera(struct pov *pov);
 void pov_lights(struct pov *pov);
 void pov_materials(struct pov *pov);
@@ -37,7 +36,7 @@ void pov_shapes(struct pov *pov);
 void pov_material(struct pov *pov, uint32_t material, const struct tia_shape *shape);
 /* True if the correct shadow needs a separate, invisible object. */
 bool pov_has_shadow(const struct pov *pov, uint32_t material);
-/* Writes the material of that invisible object. */
+/* Writes the material of the invisible object for the shadow. */
 void pov_shadow_material(struct pov *pov, uint32_t material, const struct tia_shape *shape);
 
 /* True if a material has a texture, of its colour or as its opacity. */
@@ -58,8 +57,8 @@ bool pov_plain(const struct tia_shape *shape);
 /* Writes the mapping from u, v to the coordinates that pov_plain distinguishes. */
 void pov_mapping(struct pov *pov, uint32_t material, const struct tia_shape *shape);
 
-/* Gives the side and the caps of a textured cylinder or cone that has caps, whose coordinates differ; returns their
- * number, 0 for other shapes. */
+/* Gives the side and the caps of a textured cylinder or cone with caps as separate shapes, since their texture
+ * coordinates differ. Returns their number; 0 for other shapes. */
 unsigned pov_parts(const struct pov *pov, const struct tia_shape *shape, struct tia_shape parts[3]);
 
 /* Writes a shape without its material; not for grids. */
@@ -67,9 +66,11 @@ void pov_geometry(struct pov *pov, const struct tia_shape *shape);
 /* True if a shape has an inside. */
 bool pov_closed(const struct tia_scene *scene, const struct tia_shape *shape);
 
-/* Write a mesh2 without its material: for a mesh, a triangle, or a box with coordinates on its faces. */
+/* Writes a mesh as a mesh2, without its material. */
 void pov_mesh(struct pov *pov, const struct tia_mesh *mesh);
+/* Writes a triangle as a mesh2, without its material. */
 void pov_triangle(struct pov *pov, const struct tia_triangle *triangle);
+/* Writes a box as a mesh2 with texture coordinates on its faces, without its material. */
 void pov_box(struct pov *pov, struct tia_vec3 min, struct tia_vec3 max);
 
 /* Notes a property that POV-Ray cannot express. */
@@ -78,8 +79,9 @@ __attribute__((format(printf, 2, 3))) void pov_note(struct pov *pov, const char 
 double pov_q16(tia_q16 value);
 double pov_q30(tia_q30 value);
 struct point pov_vec3(struct tia_vec3 v);
-/* Convert to the units of the scene's file. */
+/* Converts a length to the unit of the scene's file. */
 double pov_length(const struct pov *pov, tia_q16 length);
+/* Converts a point to the unit of the scene's file. */
 struct point pov_place(const struct pov *pov, struct tia_vec3 v);
 struct point pov_dir3(struct tia_dir3 d); /* gives a normalised direction */
 struct point pov_rgb(struct tia_rgb c);

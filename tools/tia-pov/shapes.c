@@ -108,8 +108,8 @@ static void write_frame(struct pov *pov, struct point normal, struct point origi
               origin.z);
 }
 
-/* Wraps the unit square of the pattern around an axis. POV-Ray's own unit goes from x to z around y; the distance from
- * that becomes z, on which patterns must not depend: checkers are cubes. */
+/* Wraps the unit square of the pattern around an axis. POV-Ray's cylindrical warp goes from x to z around y. It sets z
+ * to the distance from y; as checkers are cubes, z is scaled so that the pattern does not depend on it. */
 static void write_around(struct pov *pov, struct tia_vec3 base, struct tia_vec3 top)
 {
     struct point from = pov_place(pov, base), axis = pov_sum(pov_place(pov, top), pov_scaled(from, -1)), a, b;

@@ -23,11 +23,11 @@ struct map {
     const struct site *site;
     const struct search *search;
     struct sequences sequences[PLACES_MOST]; /* for the hybrid method: the sequences of each transmitter */
-    int across[2];                           /* the axes to the right and up */
+    int across[2];                           /* numbers of the axes to the right and up */
     bool down;                               /* the second axis grows downwards */
     double area[4];
     unsigned first_row, rows;
-    double *gain; /* dB of row, pixel, transmitter; NAN inside a wall, -INFINITY without a path */
+    double *gain; /* gains in dB by row, pixel and transmitter; NAN inside a wall, -INFINITY without a path */
     atomic_bool exhausted;
 };
 
@@ -92,7 +92,8 @@ static bool is_same_place(struct tia_vec3 a, struct tia_vec3 b)
     return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
-/* Returns the coherent sum over the paths in one order, so that it has the same bits by any method and thread. */
+/* Returns the gain in dB by the coherent sum over the paths; NAN at the transmitter, -INFINITY without a path. The
+ * paths are sorted, so that every method and thread computes the same bits. */
 static double gain_at(struct map *map, struct tia_radio_room *room, struct path_list *list, unsigned tx,
                       struct tia_vec3 place)
 {

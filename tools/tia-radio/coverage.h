@@ -4,7 +4,8 @@
 
 #include "site.h"
 
-/* Draws the map and writes its numbers, as the options say. FINE, or the exit status after printing the reason. */
+/* Draws the map and writes its numbers, to the files in `options`. Returns FINE, or the exit status after printing the
+ * reason. */
 int map_draw(const struct options *options, const struct site *site, const struct search *search);
 
 #endif

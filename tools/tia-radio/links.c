@@ -61,7 +61,8 @@ bool links_try(const struct search *search, struct tia_radio_room *room, const s
 
 /* ---- rays ---- */
 
-/* A ray's result. Between equal results the ray's number decides, so that threads do not affect the result. */
+/* A ray's result. Of equal results, that of the lowest ray number is used, so that the result does not depend on
+ * threads. */
 struct find {
     struct sequence sequence;
     struct tia_radio_path path;
@@ -170,7 +171,7 @@ static void shoot_chunk(void *arg, unsigned index)
     free(room);
 }
 
-/* Shoots all rays in parallel; the result has each sequence once. */
+/* Shoots all rays in parallel. *all receives each sequence once; false: no memory. */
 static bool shoot(const struct search *search, struct tia_vec3 from, struct tia_vec3 to, bool everywhere,
                   struct finds *all)
 {

@@ -1,4 +1,4 @@
-/* links.h - all paths of a link, by any of the methods, in one order. */
+/* links.h - all paths of a link, by any of the methods, in a fixed order. */
 #ifndef TOOLS_RADIO_LINKS_H
 #define TOOLS_RADIO_LINKS_H
 
@@ -26,7 +26,7 @@ struct search {
     uint32_t order, walls, density;
 };
 
-/* Finds the paths, ordered by length, then reflections, then faces. METHOD_IMAGE and METHOD_HYBRID give the same.
+/* Finds the paths, ordered by length, then reflections, then faces. METHOD_IMAGE and METHOD_HYBRID find the same ones.
  * False: no memory. The caller frees the list's paths. */
 bool links_find(const struct search *search, struct tia_vec3 from, struct tia_vec3 to, struct path_list *list);
 
@@ -44,7 +44,8 @@ struct sequences {
 /* Shoots the rays; false: no memory. `array` must be freed. */
 bool sequences_shoot(const struct search *search, struct tia_vec3 from, struct sequences *sequences);
 
-/* Finds the link's paths by the given sequences, or by all if `sequences` is NULL: on one thread, in any order. */
+/* Finds the link's paths by the given sequences, or by all if `sequences` is NULL: on one thread, in any order. False:
+ * no memory. */
 bool links_try(const struct search *search, struct tia_radio_room *room, const struct sequences *sequences,
                struct tia_vec3 from, struct tia_vec3 to, struct path_list *list);
 

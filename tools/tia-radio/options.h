@@ -8,7 +8,7 @@
 
 enum { PLACES_MOST = 16, NAMES_MOST = 64 };
 
-/* Properties of a material of the scene, or of all of them when name is NULL. */
+/* Properties of a material of the scene, or of all materials. */
 struct naming {
     char name[256]; /* name of the material; "": all */
     char itu[64];   /* name in ITU-R P.2040-3; "": given by numbers */
@@ -52,7 +52,8 @@ struct options {
     enum image_format format;
 };
 
-/* COMMAND_RUN; or the status to exit with, FINE after --help or the like, else after an error message. */
+/* Parses the command line. Returns COMMAND_RUN; or the exit status: FINE after --help and --version, any other after an
+ * error message. */
 int options_parse(struct options *options, int argc, char **argv);
 
 #endif

@@ -101,8 +101,8 @@ static void polarisation_of(const struct world *world, int polarisation, const d
 
 /* ---- along a path ---- */
 
-/* Multiplies E: its component across the plane of incidence by c.te and that in it by c.tm. The direction of the latter
- * is d x across before and after. Where d is the normal, any plane will do. */
+/* Multiplies the component of E across the plane of incidence by c.te, and the component in the plane by c.tm. The
+ * latter is along d x across, for d before and after. If d is along the normal, any plane is a plane of incidence. */
 static void apply(struct coefficients c, const double n[3], const double before[3], const double after[3],
                   double complex e[3])
 {
@@ -130,7 +130,7 @@ static double thickness_of(const struct world *world, const struct medium *mediu
                                  : THICKNESS_DEFAULT;
 }
 
-/* Gives the coefficients of the path's faces and walls, and the directions of its segments. */
+/* Gives the coefficients of the path's faces and walls. */
 static void meet(const struct world *world, const struct tia_radio_path *path, struct field *field)
 {
     for (uint32_t i = 0; i < path->order; i++) {
@@ -151,8 +151,9 @@ static void meet(const struct world *world, const struct tia_radio_path *path, s
     }
 }
 
-/* Applies the walls that a segment passes through, in the order in which they were found: for parallel walls, or for a
- * wave in a plane across all of them, the order matters only for rounding. */
+/* Returns the gain of a polarisation along the path, without the loss of free space. The walls that a segment passes
+ * through are applied in the order in which they were found: for parallel walls, or for a wave in a plane across all of
+ * them, the order matters only for rounding. */
 static double complex carry(const struct world *world, const struct tia_radio_path *path, const struct field *field,
                             int polarisation)
 {
@@ -190,8 +191,8 @@ static void angles_of(int up, const double d[3], double s, double angles[2])
 }
 
 /* Returns the fractional part of the length in waves; the length has `bits` bits behind the point. 10 km at 28 GHz are
- * 10^6 waves, whose phase a product of doubles would give only to 10^-9. So the length, the wave number and their
- * product are sums of two doubles each. */
+ * 10^6 waves, and in a product of doubles their phase would have an error of 10^-9. So the length, the wave number and
+ * their product are sums of two doubles each. */
 static double part_of_wave(int64_t length, int bits, double frequency)
 {
     double high = (double)(length >> 20 << 20), low = (double)(length & 0xfffff);

@@ -23,11 +23,12 @@ struct coefficients {
     double complex te, tm;
 };
 
-/* Returns Fresnel's coefficients of a half space of relative permittivity eta; `cosine` is that of the angle of
- * incidence. */
+/* Returns Fresnel's reflection coefficients of a half space of relative permittivity eta; `cosine` is that of the angle
+ * of incidence. */
 struct coefficients fresnel(double complex eta, double cosine);
 
-/* Returns the transmission through a slab with a thickness in metres, relative to air in its place. */
+/* Returns the transmission coefficients of a slab, `thickness` in metres, `frequency` in hertz, relative to air in its
+ * place. */
 struct coefficients slab(double complex eta, double thickness, double cosine, double frequency);
 
 struct field {
@@ -35,14 +36,14 @@ struct field {
     struct coefficients reflection[TIA_RADIO_ORDER_MAX];   /* coefficients at each face */
     struct coefficients transmission[TIA_RADIO_WALLS_MAX]; /* coefficients through each wall */
     double complex gain[POLARISATIONS];                    /* gain between isotropic antennas of each polarisation */
-    /* Azimuth and elevation in degrees: departure[] of the direction in which the wave leaves, arrival[] of that from
-     * which it comes. */
+    /* azimuth and elevation, degrees, of the direction in which the wave leaves the transmitter, and of that from which
+     * it comes to the receiver */
     double departure[2], arrival[2];
 };
 
 /* Converts a coordinate in the scene's unit to metres. */
 double metres_of(const struct world *world, tia_q16 at);
-/* Returns the position nearest to one in metres. */
+/* Converts a position in metres to the nearest one in the scene's unit. */
 struct tia_vec3 place_at(const struct world *world, const double metres[3]);
 
 void field_of(const struct world *world, const struct tia_radio_path *path, struct field *field);

@@ -18,7 +18,7 @@ static void keep_name(void *ctx, uint32_t index, const char *name)
         uint32_t count = index + 16;
         char(*more)[TIA_NAME_MAX + 1] = realloc(site->names, count * sizeof *more);
         if (!more)
-            return; /* the material then has no name, and must be given */
+            return; /* without memory the material stays unnamed */
         memset(more + site->name_count, 0, (count - site->name_count) * sizeof *more);
         site->names = more;
         site->name_count = count;
@@ -81,7 +81,7 @@ static bool is_named(const struct site *site, const char *name)
     return false;
 }
 
-/* Sets the media; only materials of faces matter. */
+/* Sets the media of the materials that faces have. */
 static int set_media(struct site *site, const struct options *o)
 {
     struct tia_radio_counts counts = tia_radio_count(site->radio);

@@ -19,11 +19,11 @@ struct site {
 /* Opens a site. FINE, or the exit status after printing the reason. */
 int site_open(struct site *site, const struct options *options);
 
-/* Sets the options' positions in the unit of an open site. */
+/* Converts the options' positions from metres to the scene's unit. */
 void site_place(const struct site *site, struct options *options);
 void site_close(struct site *site);
 
-/* Checks that the position is not inside a wall; prints the reason if it is. */
+/* Returns FINE; or REFUSED, after printing the reason, if the position is inside a wall. */
 int site_check_place(const struct site *site, const char *option, struct tia_vec3 place);
 
 #endif

@@ -113,7 +113,7 @@ static int load_tessellated(const char *error, struct tia_scene *scene)
     return EXIT_FINE;
 }
 
-/* Applies --shadows and its options; reports immediately which part of the scene the technique cannot draw. */
+/* Applies --shadows and its options; reports the first part of the scene that the technique cannot draw. */
 static int load_shadows(struct options *options)
 {
     struct tia_scene *scene = &options->scene;
@@ -131,8 +131,7 @@ static int load_shadows(struct options *options)
                 (unsigned)fault.index, fault.field, fault.rule);
 }
 
-/* Applies options for false colours and drawn rays, which are those of the fixed-point path and of Whitted's
- * integrator. */
+/* Applies --view and --draw-rays, which need the fixed-point core and Whitted's integrator. */
 static int load_views(struct options *options)
 {
     const struct views *views = &options->views;

@@ -4,12 +4,12 @@
 
 #include "options.h"
 
-/* Parses the command line. Returns COMMAND_RUN; or the status to exit with, EXIT_FINE after --help and --version, else
+/* Parses the command line. Returns COMMAND_RUN; or the exit status: EXIT_FINE after --help and --version, any other
  * after an error message. */
 int arguments_parse(struct options *options, int argc, char **argv);
 
-/* Reads the scene and its keys; call it next if there is something to draw. EXIT_FINE, or EXIT_USAGE or EXIT_RUNNING
- * after an error message. */
+/* Reads the scene and its keys, after arguments_parse, if there is something to draw. Returns EXIT_FINE, or EXIT_USAGE
+ * or EXIT_RUNNING after an error message. */
 int arguments_load(struct options *options);
 
 /* Chooses the core and the scene for options->views, once the scene is loaded. */

@@ -11,7 +11,7 @@ struct bands {
     struct estimation *e;
     struct resume resume;
     struct denoising denoising;
-    unsigned y, rows, known; /* the band; number of its rows, from the top, that are read from the file */
+    unsigned y, rows, known; /* first row and size of the band; number of its first rows that are read from the file */
     bool again;              /* all rows have been drawn before */
     struct tia_gathered band;
 };
@@ -49,7 +49,7 @@ static void draw_row(void *arg, unsigned row)
         progress_add(&e->progress, width);
 }
 
-/* Reads those rows of the band that an interrupted run has left. */
+/* Reads the first rows of the band, as far as the file of --resume has them. */
 static int read_known(struct bands *b)
 {
     unsigned rows = b->resume.rows;

@@ -5,8 +5,8 @@
 #include "common/image/image.h"
 #include "common/sink.h"
 
-/* Sizes. A band is at most a part of the picture: a pixel of it has two sums and 4 bytes, so that a pixel of the
- * picture has less than 16. */
+/* Most pixels of a band, and least number of bands: a pixel of a band takes two sums and 4 bytes, so that a quarter of
+ * the picture takes less than 16 bytes for each pixel of the picture. */
 enum { BAND_PIXELS = 1 << 16, BANDS_MIN = 4 };
 
 unsigned estimation_band_rows(const struct estimation *e)

@@ -19,7 +19,7 @@ struct estimation {
     struct film_scene film_scene;
     const struct tia_estimator *estimator;
     struct sums sums;    /* description of the file; `count` is the number requested until all samples are drawn */
-    struct image *image; /* the output is one of these */
+    struct image *image; /* a picture as output; NULL: the output is `sink` */
     struct sink *sink;
     struct threads *pool;
     unsigned char *bytes; /* rows of a band in the file's format */
@@ -32,32 +32,32 @@ struct estimation {
     char why[PORT_WHY];
 };
 
-/* Returns the rows that are drawn, or written, at once. */
+/* Returns the number of rows of a band, which is drawn and written at once. */
 unsigned estimation_band_rows(const struct estimation *e);
 
 /* Opens the output. */
 int estimation_open(struct estimation *e);
-/* Writes the header of a part, which has e->sums.count. */
+/* Writes the header of a part, with e->sums.count; a picture has none. */
 int estimation_head(struct estimation *e);
 
-/* Converts a row to the output's format: number `row` of a band that begins at `y`. */
+/* Converts row `row` of the band that begins at row `y` of the picture to the output's format, in e->bytes. */
 void estimation_develop(struct estimation *e, unsigned y, unsigned row, const struct tia_sum *sums);
-/* Writes the band. */
+/* Writes the first `rows` rows of e->bytes. */
 int estimation_write(struct estimation *e, unsigned rows);
 
-/* Draws a band at a time, all samples at once, for pictures of any size. Finished rows can be stored for --resume.
- * Including the output rows, a band has at most 16 bytes for each pixel of a picture of 8 rows or more. */
+/* Draws all samples of one band after the other, for pictures of any size; --resume can store the finished rows.
+ * Including the output rows, a band takes at most 16 bytes for each pixel of a picture of 8 rows or more. */
 int bands_draw(struct estimation *e);
 
-/* True if there may be memory for rounds. */
+/* True if rounds_draw can draw the picture, if there is memory: without --resume, up to 2^24 pixels. */
 bool rounds_possible(const struct estimation *e);
-/* Draws the whole picture, a sample of each pixel at a time. Rounds end after any of them, with their number in
- * e->sums.count. TIA_STOPPED: a signal came before the first one was complete. */
+/* Draws the whole picture in rounds of one or more samples of each pixel. It can end after any round; e->sums.count
+ * then is the number of samples drawn. TIA_STOPPED: no round was completed. */
 int rounds_draw(struct estimation *e);
 
-/* Status of rounds_draw when memory is short; nothing has been opened then. rounds_size returns the bytes that it
- * needs: all samples of a pixel, twice. */
+/* Status of rounds_draw when memory is short; the output is not open then. */
 enum { ROUNDS_NO_MEMORY = 1 };
+/* Returns the number of bytes that rounds_draw needs for the samples of all pixels, twice. */
 size_t rounds_size(const struct estimation *e);
 
 /* A denoiser of the whole picture; all zero: none. */
@@ -72,11 +72,11 @@ struct denoising {
 int denoising_begin(struct denoising *denoising, struct estimation *e);
 void denoising_end(struct denoising *denoising);
 
-/* Puts in e->sums.count samples of row `y`. Rows come in any order, from any threads. */
+/* Adds row `y` with e->sums.count samples a pixel. Any thread may call it, for the rows in any order. */
 void denoising_put(struct denoising *denoising, unsigned y, const struct tia_gathered *row);
-/* Filters the picture, after all rows. */
+/* Filters the picture, after denoising_put of all rows. */
 void denoising_filter(struct denoising *denoising);
-/* Gives the row's sums without noise. */
+/* Gives the filtered sums of row `y`. */
 void denoising_get(const struct denoising *denoising, unsigned y, struct tia_sum *row);
 
 /* Replaces the sums of a row by the guide of --guide. */

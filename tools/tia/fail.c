@@ -68,7 +68,7 @@ const char *fail_reason(int status)
 
 #define TOO_FAR "too far from the camera for so narrow a view"
 
-/* Names a light that is too far away; false: there is none. */
+/* Writes a reason that names a light too far away; false: there is none. */
 static bool blame_light(char *why, size_t size, const struct fail_view *view)
 {
     const struct tia_scene *scene = view->scene;

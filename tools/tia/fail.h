@@ -7,8 +7,8 @@
 /* The exit statuses. */
 enum { EXIT_FINE, EXIT_RUNNING, EXIT_USAGE, EXIT_DISPLAY, EXIT_INPUT };
 
-/* Prints "tia: " and the text to standard error. Control characters, as in odd file names, become '?', so that it is
- * always one line. Returns `status`. */
+/* Prints "tia: " and the text to standard error. Control characters, as in odd file names, become '?', so that the
+ * message is always one line. Returns `status`. */
 __attribute__((format(printf, 2, 3))) int fail(int status, const char *format, ...);
 
 /* Reports an invalid value of an option; `rule` is the reason. Returns EXIT_USAGE. */
@@ -17,23 +17,24 @@ int wrong(const char *option, const char *value, const char *rule);
 /* Reports a failed write to standard output, by errno. Returns EXIT_RUNNING. */
 int fail_output(void);
 
-/* Sends messages from now on to text[size], which has the last one only; NULL: to standard error, as at first. */
+/* Sends later messages to text[size], where each replaces the one before; text NULL: to standard error, the default. */
 void fail_into(char *text, size_t size);
 
 /* Returns a tia_status in words, for failures without a reason of their own. */
 const char *fail_reason(int status);
 
-/* A view of the scene, with other lights than its own, that failed: the reason may name an object too far away for the
- * scene's technique for shadows. */
+/* A view that failed: a scene, and the lights and the size with which it was to be drawn. */
 struct fail_view {
     const struct tia_scene *scene;
     const struct tia_light *lights;
     uint32_t light_count;
     unsigned width, height;
 };
+/* Writes the reason of a failure to why[size]: after TIA_ERR_RANGE, the object or light too far away for the scene's
+ * technique for shadows. */
 void fail_view_reason(char *why, size_t size, int status, const struct fail_view *view);
 
-/* Prints a line in the same form that is not an error. */
+/* Prints a message as `fail` does, for a message that is not an error. */
 __attribute__((format(printf, 1, 2))) void note(const char *format, ...);
 
 #endif

@@ -19,7 +19,7 @@ static bool get_memory(void **memory, size_t *bytes, size_t size)
     return *memory;
 }
 
-/* Checks the scene at a time: a scene that was valid in the file can leave a range between two keyframes. */
+/* Checks the scene at `time`: values that are valid at two keyframes can be out of range between them. */
 static int check(struct film_scene *film, tia_q16 time)
 {
     struct tia_fault fault;
@@ -102,7 +102,8 @@ int film_scene_begin(struct film_scene *film, const struct options *options, cha
     return status;
 }
 
-/* Applies a view or module to the scene: its camera or, in *field, its projector. */
+/* Sets the camera of `scene` to that of view `picture`, or its light field to *field, with the projector of module
+ * `picture`. */
 static void set_picture(struct tia_scene *scene, struct tia_light_field *field, const struct options *options,
                         uint32_t picture)
 {

@@ -13,15 +13,15 @@ struct film_scene {
     struct tia_job job; /* job of the film's calls; views share its `stop` */
 
     /* Private. */
-    struct tia_scene moved, pictured; /* the scene at a time; then for a view or module */
+    struct tia_scene moved, pictured; /* the scene at the time of the frame; that scene for a view or module */
     struct tia_light_field field;     /* light field for a module */
     void *arrays, *bvh_memory, *view_memory, *simd_memory;
     size_t arrays_bytes, bvh_bytes, view_bytes, simd_bytes;
     struct lights lights;
 };
 
-/* Sets up the scene at the time of frame 0 and presses the keys; `film` is all zero but for `job`. A negative status on
- * failure, with `why` for TIA_ERR_RANGE. */
+/* Sets up the scene at the time of frame 0 and applies the keys; `film` is all zero except `job`. A negative status on
+ * failure; after TIA_ERR_RANGE `why` has the reason. */
 int film_scene_begin(struct film_scene *film, const struct options *options, char *why);
 
 /* Updates scene and view to frame number `frame`. */

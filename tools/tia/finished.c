@@ -8,7 +8,7 @@
 
 #include "common/image/part.h"
 
-/* A frame of a part. */
+/* The rows of a frame in a part. */
 struct finished_rows {
     uint32_t frame;
     unsigned first, count;
@@ -57,7 +57,7 @@ static const char *differs(const struct image_film *a, const struct image_film *
     return NULL;
 }
 
-/* True if the line is the beginning of a part's line, which a killed run may have been writing. */
+/* True if the text is the beginning of a part's line, as a killed run may leave it. */
 static bool is_torn(const char *text, size_t length)
 {
     static const char magic[] = "TIAPART2 ";
@@ -66,7 +66,7 @@ static bool is_torn(const char *text, size_t length)
     return length < IMAGE_PART_HEADER && !memchr(text, '\n', length) && !memcmp(text, magic, most);
 }
 
-/* Adds the part at an offset. *next: end of the part; the offset itself if the part is torn. */
+/* Adds the part at an offset. *next receives the end of the part, or the offset itself if the part is incomplete. */
 static int read_part(struct finished *f, uint64_t at, uint64_t size, uint64_t *next)
 {
     char text[IMAGE_PART_HEADER];
@@ -135,7 +135,7 @@ void finished_close(struct finished *f)
 static struct finished_rows *find(const struct finished *f, uint32_t frame, unsigned y)
 {
     const struct finished_rows wanted = {.frame = frame, .first = y};
-    size_t low = 0, high = f->count; /* frames before `low` begin at the row or above */
+    size_t low = 0, high = f->count; /* elements before `low` begin at row y of the frame, or before it */
 
     while (low < high) {
         size_t middle = low + (high - low) / 2;
@@ -170,12 +170,12 @@ static int read_pixels(const struct finished *f, const struct finished_rows *row
 
     if (status || got < length)
         return status ? status : kept_refused(&f->kept, "ends too early");
-    for (size_t i = 0; i < length / 2; i++) /* from little endian, in place */
+    for (size_t i = 0; i < length / 2; i++) /* converts little-endian bytes in place */
         pixels[i] = (tia_rgb565)(bytes[2 * i] | bytes[2 * i + 1] << 8);
     return TIA_OK;
 }
 
-/* Checks a frame of a part, once; `line` has room for a row. */
+/* Checks the checksum of a frame's rows and marks them as checked; `line` has room for a row. */
 static int check_sum(const struct finished *f, struct finished_rows *rows, tia_rgb565 *line)
 {
     const struct image_film part = {.first_row = rows->first, .rows = rows->count, .crc = f->film.crc};
@@ -216,7 +216,7 @@ int finished_read(struct finished *f, uint32_t frame, unsigned y, unsigned rows,
     return status;
 }
 
-/* Appends a part in one piece, so that a signal comes before or after it. */
+/* Appends a part with a single write, since a killed run loses an incomplete part. */
 static int append_part(struct finished *f, uint32_t frame, unsigned y, unsigned rows, const tia_rgb565 *pixels)
 {
     struct image_film part = f->film;

@@ -15,23 +15,23 @@ struct finished_rows;
 struct finished {
     struct kept kept;
     struct image_film film;     /* the film being drawn */
-    struct finished_rows *rows; /* rows that were in the file when it was opened, by frame and row */
+    struct finished_rows *rows; /* rows that were in the file when it was opened, sorted by frame and row */
     size_t count, capacity;
     uint64_t end; /* end of the last complete part */
 };
 
-/* Opens the file, or creates it. A part that a killed run has not completed is cut off. TIA_ERR_RANGE, with the reason
- * in `why`: it is damaged, or belongs to another scene, size or film. The other functions use `why`, too. */
+/* Opens the file, or creates it. An incomplete part, left by a killed run, is cut off. TIA_ERR_RANGE, with the reason
+ * in `why`: the file is damaged, or belongs to another scene, size or film. The other functions use `why`, too. */
 int finished_open(struct finished *finished, const char *path, const struct image_film *film, char *why);
 void finished_close(struct finished *finished);
 
-/* True if all these rows were in the file when it was opened. */
+/* True if the file had all these rows when it was opened. */
 bool finished_has(const struct finished *finished, uint32_t frame, unsigned y, unsigned rows);
 
-/* Reads rows that were in the file. */
+/* Reads rows that the file had when it was opened. */
 int finished_read(struct finished *finished, uint32_t frame, unsigned y, unsigned rows, tia_rgb565 *pixels);
 
-/* Appends the rows that are missing in the file. Without a file it does nothing. */
+/* Appends those of the rows that the file did not have when it was opened; does nothing without a file. */
 int finished_append(struct finished *finished, uint32_t frame, unsigned y, unsigned rows, const tia_rgb565 *pixels);
 
 #endif

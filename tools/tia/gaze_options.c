@@ -16,8 +16,7 @@ static const char *option_of(const struct options *options)
                                     : NULL;
 }
 
-/* Checks the options for a file: with a gaze its picture has the bits of a display's, since it is drawn in the same
- * way. */
+/* Checks the options for a file, which with a gaze is one RGB565 picture, drawn at once as on a display. */
 static int check_file(const struct options *options)
 {
     bool film = image_format_films(options->format) || options->format == IMAGE_PFM ||

@@ -60,7 +60,7 @@ static const char *rounds_option(const struct options *options)
                                  : NULL;
 }
 
-/* Checks the limits that end a picture after some round; they need all its samples in memory. */
+/* Checks --time-limit and --error, which need the samples of the whole picture in memory. */
 static int check_limits(struct options *options)
 {
     const char *option = options->time_limit ? "time-limit" : "error";
@@ -93,8 +93,8 @@ static int check_rounds(struct options *options)
     return options->time_limit || options->error ? check_limits(options) : EXIT_FINE;
 }
 
-/* Chooses the bits of the file. Pictures of samples have 8 bits a channel where the format can; but options that need
- * RGB565 take precedence. */
+/* Chooses the bits of a channel. By default pictures of samples have 8 where the format can, and 5 or 6 if an option
+ * needs RGB565. */
 static int choose_depth(struct options *options)
 {
     bool sampled = is_sampled(options);
@@ -134,7 +134,7 @@ static bool shines(const struct tia_rgb *colour)
     return colour->r || colour->g || colour->b;
 }
 
-/* Warns of a scene whose picture is black, which may surprise. */
+/* Warns if no light, material or background emits light, so that the picture is black. */
 static void warn_of_darkness(const struct tia_scene *scene)
 {
     bool bright = shines(&scene->background) || scene->binding_count > 0;

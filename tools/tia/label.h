@@ -1,4 +1,4 @@
-/* label.h - text in the upper left corner of a picture, and so on every display. */
+/* label.h - text in the upper left corner of a picture. */
 #ifndef TOOLS_TIA_LABEL_H
 #define TOOLS_TIA_LABEL_H
 

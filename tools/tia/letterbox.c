@@ -21,7 +21,7 @@ static bool has_frame(const struct letterbox *letterbox)
     return letterbox->checksum || letterbox->keeps;
 }
 
-/* Chooses the size: the user's, or that of the screen. */
+/* Chooses the picture's size: the user's, or that of the screen. */
 static void choose_rotation(struct letterbox *letterbox)
 {
     bool swaps = rotation_swaps(letterbox->degrees);
@@ -88,8 +88,7 @@ static int letterbox_open(void *ctx, struct tia_mode *mode)
     return TIA_OK;
 }
 
-/* Gives the picture's mode. A window that becomes too small for the picture counts as hidden until it is large enough
- * again. */
+/* Gives the picture's mode. TIA_HIDDEN: a window has become too small for the picture. */
 static int letterbox_mode(void *ctx, struct tia_mode *mode)
 {
     struct letterbox *letterbox = ctx;
@@ -194,7 +193,7 @@ static int blacken(struct letterbox *letterbox, struct tia_tile area)
     return TIA_OK;
 }
 
-/* Draws black around the picture, on every frame, since a display's memory is undefined before. */
+/* Draws black around the picture in every frame, since the display does not preserve its memory between frames. */
 static int draw_border(struct letterbox *letterbox)
 {
     struct tia_tile place = letterbox->place;
@@ -224,7 +223,7 @@ static int label_tile(struct letterbox *letterbox, struct tia_tile tile)
     return letterbox->screen->submit(letterbox->screen_ctx, place);
 }
 
-/* Draws the label, a pixel's row or column at a time, in pieces of the screen's tile size. */
+/* Draws the label, one row of the picture at a time, in pieces of the screen's tile size. */
 static int draw_label(struct letterbox *letterbox)
 {
     struct tia_text text = label_text(letterbox->label, letterbox->rotation.height);
@@ -243,7 +242,7 @@ static int draw_label(struct letterbox *letterbox)
     return status;
 }
 
-/* Computes the CRC of the frame. For the largest frame this takes so long that signals must be polled. */
+/* Computes the CRC of the frame. The largest frame takes so long that signals must be polled. */
 static int compute_crc(struct letterbox *letterbox)
 {
     const size_t width = letterbox->place.width;

@@ -1,7 +1,8 @@
 /* letterbox.h - a display (tia/port.h) that draws on another one: it centres a smaller picture on black, rotates
  * it, puts a label on it, and computes its checksum, without the label.
  *
- * Without a checksum, and if it need not be kept, the picture is drawn straight into the other display's memory.
+ * If neither its checksum nor its pixels are needed later, the picture is drawn straight into the other display's
+ * memory.
  */
 #ifndef TOOLS_TIA_LETTERBOX_H
 #define TOOLS_TIA_LETTERBOX_H

@@ -11,7 +11,7 @@
 
 /* ---- the command line alone ---- */
 
-/* Copies the panel's lens to the options. EXIT_FINE, or the status of a failure after its message. */
+/* Copies the panel's lens to the options. If `status` is an error, prints its message; returns the exit status. */
 static int take_lens(struct light_options *light, const struct lenticular *panel, int status)
 {
     if (status)

@@ -6,12 +6,13 @@
 #include "lightfield_options.h"
 #include "options.h"
 
-/* Check the options by themselves; apply them to the scene, which gets its field. EXIT_FINE, or the status after an
- * error message. */
+/* Checks the options without the scene. Returns EXIT_FINE, or the exit status after an error message. */
 int light_check(struct options *options);
+
+/* Applies the options to the scene, whose light field they set. Returns as light_check. */
 int light_load(struct options *options);
 
-/* Points the scene to the field of these options, after they have been copied. */
+/* Points the scene to the light field in `options`; to be called after `options` was copied. */
 void light_attach(struct options *options);
 
 #endif

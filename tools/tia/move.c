@@ -34,7 +34,7 @@ static bool ends(const struct options *options, uint16_t key)
     return key == 'q' || key == TIA_KEY_ESCAPE || key == TIA_KEY_INTERRUPT || (key == 'v' && views_are_there(options));
 }
 
-/* Returns the effect of an event. A picture is saved when it is complete, so the key for saving interrupts nothing. */
+/* Returns the effect of an event. The key that saves has none, since only complete pictures are saved. */
 enum tia_effect moves_weigh(const struct moves *moves, const struct tia_event *event)
 {
     if (event->kind == TIA_EVENT_RELEASE)
@@ -76,7 +76,7 @@ static void save_soon(struct moves *moves)
         save(moves);
 }
 
-/* Shows a message that there is no light; the loop passes these keys only when there is no light to move. */
+/* Shows the message that there is no light; the viewer passes keys for lights only if there is no light to move. */
 static void say_no_light(struct moves *moves)
 {
     const struct tia_scene *scene = &moves->options->scene;

@@ -14,7 +14,7 @@ enum move_to { MOVE_NOWHERE, MOVE_NEXT_SCENE, MOVE_PREVIOUS_SCENE, MOVE_NEXT_VIE
 struct moves {
     /* Set by the caller; all else zero. */
     const struct options *options;
-    const struct letterbox *letterbox;     /* the letterbox, which keeps its picture */
+    const struct letterbox *letterbox;     /* a letterbox with `keeps` set */
     const struct tia_viewer_state *viewer; /* changes by keys */
 
     /* For the caller to read. */
@@ -24,20 +24,21 @@ struct moves {
     uint64_t until_us;      /* time when the message ends */
 
     /* Private. */
-    bool saves;     /* the picture is to be saved when it is complete */
+    bool saves;     /* a key has requested to save the picture when it is complete */
     unsigned saved; /* last number used by save_numbered */
     struct steer steer;
 };
 
-/* Implement the functions of struct tia_control. */
+/* Returns the effect of an event, without applying it: see struct tia_control. */
 enum tia_effect moves_weigh(const struct moves *moves, const struct tia_event *event);
+/* Applies an event; may move the camera. Returns its effect. */
 enum tia_effect moves_act(struct moves *moves, const struct tia_event *event, struct tia_camera *camera);
 
-/* Updates the state when a frame was shown; coarse ones are not complete. */
+/* Saves the picture if that is due; call it after each frame. Coarse frames are not complete. */
 void moves_shown(struct moves *moves, const struct tia_frame *frame);
 
-/* Saves, after the loop, the picture that was to be saved when it is complete, as far as it is drawn. True if there was
- * one; `text` has the result. */
+/* Saves, after the loop, a picture that was to be saved when complete, as far as it is drawn. False: there was none;
+ * else `text` receives the result. */
 bool moves_finish(struct moves *moves, char text[PORT_WHY]);
 
 /* Shows a line for a few seconds. */

@@ -19,7 +19,7 @@ struct port_option {
 
 struct integrator_option {
     uint32_t number;      /* 0: the scene's; n: integrator n - 1 */
-    const char *distance; /* of it; NULL: not given */
+    const char *distance; /* distance of TIA_OCCLUSION; NULL: not given */
 };
 
 struct options {
@@ -28,14 +28,14 @@ struct options {
     int scene_format;       /* enum tia_format, or SCENE_UNKNOWN */
     char **scene_paths;     /* all scenes of the command line; scene_path is one of them */
     uint32_t scene_count, scene_index;
-    int format_of_scenes;         /* format given for all of them, or SCENE_UNKNOWN */
+    int format_of_scenes;         /* format given for all scenes, or SCENE_UNKNOWN */
     struct scene_file file;       /* the scene's file, if there is a path */
     struct tia_scene scene;       /* the scene to draw, with --samples and --depth applied */
     struct tia_scene plain_scene; /* the scene as it is without false colours */
-    uint32_t samples;             /* 0: those of the scene; likewise the depth */
-    uint32_t depth;
-    uint32_t shadows;          /* 0: the scene's; n: technique n - 1 */
-    struct tia_shadow_map map; /* members that are not 0 override the scene's */
+    uint32_t samples;             /* rays for each pixel; 0: the scene's */
+    uint32_t depth;               /* depth of rays; 0: the scene's */
+    uint32_t shadows;             /* 0: the scene's; n: technique n - 1 */
+    struct tia_shadow_map map;    /* members that are not 0 override the scene's */
     struct integrator_option integrator;
     uint32_t spp, tone; /* 0: the scene's */
     bool samples_range;
@@ -50,7 +50,7 @@ struct options {
     bool colour_given;
     const char *tessellated;                  /* NULL: not given */
     const struct tia_core *core, *plain_core; /* the core that draws; the core that draws without false colours */
-    struct views views;                       /* views; without their core */
+    struct views views;                       /* false colours and drawn rays */
     struct light_options light;
     struct tia_gaze gaze; /* angle 0: the default */
     bool gazes;

@@ -17,8 +17,8 @@ static bool is_one_of(const char *name, const char *const *names)
     return *names;
 }
 
-/* Checks names. A name that is valid only in other builds of tia is no usage error; opening it fails later, with its
- * own message. */
+/* Checks the names of displays and inputs. A name that is valid only in other builds of tia is no usage error; opening
+ * it fails later, with its own message. */
 static int check_names(const struct options *options)
 {
     static const char *const displays[] = {"auto", "drm", "fbdev", "terminal", "none", NULL};
@@ -66,7 +66,7 @@ static int check_output(struct options *options)
     return EXIT_FINE;
 }
 
-/* Checks --fps: on a display without a number of frames it is the pace of motion. */
+/* Checks --fps, which is the pace of motion on a display without --frames. */
 static int check_pace(const struct options *options)
 {
     bool paces = options->rate_given && !options->output && options->frames == 0;

@@ -17,7 +17,7 @@ struct overlay {
     unsigned width, height, threads;
     const struct moves *moves;             /* NULL, or the source of the keys' messages */
     const struct tia_viewer_state *viewer; /* changes by keys */
-    bool hints;                            /* show the keys that add a light while there is no light */
+    bool hints;                            /* show the keys that add a light if the scene has none */
 };
 
 /* Writes the text for a picture that has been drawn but not shown; empty when there are no messages. */

@@ -6,11 +6,11 @@
 #include "crc_join.h"
 #include "film_plan.h"
 
-/* Sizes. A band has enough pixels that threads seldom wait for the last one to finish, and few enough for its hits,
- * which take some tens of bytes per pixel. A job is a few full rows, since the core works by rows. */
+/* Sizes. A band has so many pixels that threads seldom wait for the last job, and so few that its hits, some tens of
+ * bytes a pixel, take little memory. A job is whole rows, since the core works by rows. */
 enum { BAND_PIXELS = 1 << 19, JOB_PIXELS = 1 << 13 };
 
-/* Sizes with --resume: a signal loses at most a band, a small part of the picture, unless the picture is drawn soon. */
+/* Sizes with --resume, where a signal loses at most a band: a small part of the picture, or one that is drawn soon. */
 enum { KEPT_PIXELS = 1 << 14, KEPT_BANDS = 64, KEPT_JOBS = 16 };
 
 static struct tia_tile tile_of(const struct picture *picture, const struct picture_band *band)
@@ -93,7 +93,7 @@ static void work(void *arg, unsigned index)
 
 /* ---- the picture ---- */
 
-/* Prepares the parts of a band that must be drawn; *jobs receives their number. */
+/* Prepares a band for drawing; *jobs receives the number of its jobs. */
 static int prepare_band(struct picture *picture, const struct picture_band *band, unsigned *jobs)
 {
     picture->tile = tile_of(picture, band);
@@ -128,7 +128,7 @@ static int draw_band(struct picture *picture)
     return status;
 }
 
-/* Draws all bands in the order that the file needs. Each round also writes the band before; the last round only
+/* Draws all bands in the file's order. Each round also writes the band drawn in the previous round; the last round only
  * writes. */
 int picture_draw(struct picture *picture)
 {

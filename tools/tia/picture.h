@@ -1,5 +1,5 @@
-/* picture.h - draws a picture into a file in bands of rows. All threads draw a band, while one of them first writes
- * the band before. Only two bands are in memory. */
+/* picture.h - draws a picture into a file in bands of rows. All threads draw a band, but one of them first writes the
+ * previous band. Only two bands are in memory. */
 #ifndef TOOLS_TIA_PICTURE_H
 #define TOOLS_TIA_PICTURE_H
 
@@ -48,7 +48,7 @@ struct picture {
 /* Allocates bands for the film's frames. After TIA_ERR_MEMORY picture_end is safe. */
 int picture_begin(struct picture *picture, const struct options *options, const struct image_film *film);
 
-/* Draws one picture. */
+/* Draws the picture into `image`. A negative status on failure. */
 int picture_draw(struct picture *picture);
 
 void picture_end(struct picture *picture);

@@ -13,7 +13,7 @@ static unsigned inside(int32_t part, unsigned screen, unsigned from, unsigned si
     return at < from ? 0 : at - from < size ? at - from : size - 1;
 }
 
-/* Returns the position of a pixel's middle. */
+/* Returns the position of the middle of pixel `at`, in 2^-16 of `size` pixels. */
 static int32_t part_of(unsigned at, unsigned size)
 {
     return (int32_t)((2 * at + 1) * UINT32_C(32768) / size);
@@ -33,8 +33,8 @@ static void turn_place(const struct letterbox *letterbox, struct tia_event *even
     event->y = part_of(pixel.y, letterbox->rotation.height);
 }
 
-/* Rotates a movement. The picture is rotated clockwise: a movement to the right on the screen is upwards in one that is
- * rotated by 90. */
+/* Rotates a movement on the screen to one in the picture, which is rotated clockwise: at 90 degrees, right on the
+ * screen is up in the picture. */
 static void turn_way(unsigned degrees, struct tia_event *event)
 {
     int32_t x = event->x, y = event->y;

@@ -5,8 +5,8 @@
 
 #include "clock.h"
 
-/* Timing: a drawing of less than half a second shows nothing; after that a terminal is updated ten times a second, and
- * other outputs get a line once a second. */
+/* Times. A drawing of less than half a second shows nothing; later a terminal is updated ten times a second, and other
+ * outputs get a line once a second. */
 enum { FIRST_US = 500000, STEP_US = 100000, LINE_US = 1000000 };
 
 static const char erase[] = "\r\033[K";
@@ -35,7 +35,7 @@ void progress_begin(struct progress *progress, uint64_t frame_pixels, uint32_t f
     signals_add(&progress->cleanup);
 }
 
-/* Returns seconds, rounded up, estimated from the time so far. */
+/* Returns the estimated number of seconds left, rounded up. */
 static unsigned seconds_left(const struct progress *progress, uint64_t now)
 {
     double all = (double)progress->frame_pixels * progress->frames, done = (double)progress->done;

@@ -12,7 +12,7 @@
 #define PROGRESS_TEXT 80
 
 struct progress {
-    bool terminal, asked; /* asked: progress is shown without a terminal, too, in lines */
+    bool terminal, asked; /* asked: show progress also without a terminal, in lines */
     uint64_t begun_us;
     uint64_t frame_pixels;
     uint32_t frames;
@@ -24,13 +24,13 @@ struct progress {
     struct signals_cleanup cleanup; /* erases the line */
 };
 
-/* Begins; to be called on the main thread, like progress_end: see common/signals.h. */
+/* Begins to show progress. Call it and progress_end on the main thread: see common/signals.h. */
 void progress_begin(struct progress *progress, uint64_t frame_pixels, uint32_t frames, bool asked);
 
 /* Adds completed pixels; may be called on any thread. */
 void progress_add(struct progress *progress, uint64_t pixels);
 
-/* Shows this text from now on. */
+/* Shows `text` in place of the percentage from now on. */
 void progress_say(struct progress *progress, const char *text);
 
 /* Erases the line, which may be shown again. */

@@ -14,13 +14,13 @@ struct resume {
     unsigned rows; /* number of rows in the file, from the top */
 };
 
-/* Opens the file, or creates it. TIA_ERR_RANGE, with the reason in `why`: it belongs to another scene, or to other
- * samples. The other functions use `why`, too. */
+/* Opens the file, or creates it. TIA_ERR_RANGE, with the reason in `why`: the file belongs to another scene, or to
+ * other samples. The other functions use `why`, too. */
 int resume_open(struct resume *resume, const char *path, const struct sums *sums, char *why);
 
 /* Reads rows that are in the file. */
 int resume_read(const struct resume *resume, unsigned y, unsigned rows, const struct tia_gathered *band);
-/* Appends those of the rows that are not in the file, if they are the next ones. */
+/* Appends those of the rows that directly follow the rows in the file. */
 int resume_append(struct resume *resume, unsigned y, unsigned rows, const struct tia_gathered *band);
 
 void resume_close(struct resume *resume);

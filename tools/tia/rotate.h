@@ -21,8 +21,8 @@ struct rotation rotation_inverse(const struct rotation *rotation);
 /* Returns the rectangle of the rotated picture that shows `tile` of the original. */
 struct tia_tile rotation_tile(const struct rotation *rotation, struct tia_tile tile);
 
-/* Returns a surface for drawing the original picture, rotated, into `surface`: plain memory for a rotated tile of width
- * x height pixels. */
+/* Returns a surface on which the original picture can be drawn, so that it appears rotated in `surface`: the plain
+ * memory of a rotated tile of width x height pixels. */
 struct tia_surface rotation_surface(const struct rotation *rotation, const struct tia_surface *surface, unsigned width,
                                     unsigned height);
 

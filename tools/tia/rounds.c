@@ -11,10 +11,10 @@
 #include "fail.h"
 #include "pixels/pages.h"
 
-/* Sizes and times. A picture up to PIXELS_MAX has its samples in memory, twice: those of the rounds that are complete,
- * and those with the next round. A round of a small picture is several samples, so that threads have enough work. Fewer
- * than SPREAD_MIN samples give no estimate of their spread. A signal leaves 0.2 s for the picture: a picture up to
- * SMALL_PIXELS is denoised in 0.13 s. */
+/* Sizes and times. The samples of a picture up to PIXELS_MAX are in memory twice: of the complete rounds, and including
+ * the next round. A round of a small picture is several samples, so that threads have enough work. Fewer than
+ * SPREAD_MIN samples give no estimate of their spread. After a signal the picture must be complete within 0.2 s:
+ * SMALL_PIXELS are denoised in 0.13 s. */
 enum { PIXELS_MAX = 1 << 24, ROUND_PIXELS = 1 << 12, SPREAD_MIN = 8, TOLD_US = 500000, SMALL_PIXELS = 98304 };
 
 struct gathered {
@@ -50,7 +50,7 @@ static bool watched(const struct estimation *e)
     return e->progress.terminal || e->progress.asked;
 }
 
-/* True if squares are needed: for the error, as a limit or in the display, or for the denoiser. */
+/* True if squares are needed: for the denoiser, or for the error as a limit or in the display. */
 static bool has_squares(const struct estimation *e)
 {
     return e->sums.guided || e->options->error || e->options->time_limit || watched(e);
@@ -108,7 +108,8 @@ static void estimate_row(void *arg, unsigned y)
     }
 }
 
-/* Returns the mean of the pixels' standard errors over that of their luminance; -1: there is no time to compute it. */
+/* Returns the mean of the pixels' standard errors over the mean of their luminance; -1: there is no time to compute
+ * it. */
 static double estimated_error(struct rounds *r)
 {
     struct row_error all = {0, 0};
@@ -123,7 +124,7 @@ static double estimated_error(struct rounds *r)
 
 /* ---- a round ---- */
 
-/* Begins a row with the samples so far; with none in the first round, whose memory is uninitialised. */
+/* Copies the samples so far into a row of the next round; clears the row in the first round. */
 static void begin_row(const struct rounds *r, size_t place, const struct tia_gathered *to)
 {
     const struct tia_gathered from = gathered_at(&r->kept.all, place);
@@ -209,7 +210,7 @@ static void tell(struct rounds *r, uint64_t now)
     progress_say(&r->e->progress, text);
 }
 
-/* Estimates the error if it is a limit or is displayed, as that takes a while. */
+/* Estimates the error only if it is a limit or is displayed, since estimating takes a while. */
 static void look(struct rounds *r)
 {
     bool tells = watched(r->e);
@@ -319,7 +320,7 @@ static void guide_row(void *arg, unsigned y)
     show_guide(r->e, &row);
 }
 
-/* Writes the picture. After a signal, a large picture keeps its noise and is not compressed. */
+/* Writes the picture. After a signal, a large picture is neither denoised nor compressed. */
 static int finish(struct rounds *r)
 {
     const struct options *options = r->e->options;

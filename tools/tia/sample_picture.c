@@ -13,9 +13,9 @@
 
 enum { LOOK_US = 5000 };
 
-/* True if the drawing must stop. Threads poll after every few rays; one of them checks for signals now and then. The
- * time of the last check has 32 bits, since some processors lack 64-bit atomics; whatever it is, the next check is at
- * most LOOK_US away. */
+/* True if the drawing must stop. All threads poll after every few rays; every LOOK_US one of them checks for signals.
+ * The time of the last check has 32 bits, since some processors lack 64-bit atomics; when it overflows, the next check
+ * is still at most LOOK_US away. */
 static bool stops(void *ctx)
 {
     struct estimation *e = ctx;
@@ -31,7 +31,7 @@ static bool stops(void *ctx)
     return atomic_load(&e->stopped);
 }
 
-/* Warns once of a light inside an object: such a picture is darker than intended. */
+/* Warns of the first light inside an object, where it illuminates nothing else. */
 static void warn_of_walls(const struct estimation *e)
 {
     const struct film_scene *film = &e->film_scene;
@@ -113,8 +113,7 @@ static int report(const struct estimation *e, int status)
         fail(status == TIA_ERR_RANGE ? EXIT_USAGE : EXIT_RUNNING, "%s", e->why[0] ? e->why : fail_reason(status)));
 }
 
-/* Draws the picture. Without the memory for rounds, rows are completed one by one, unless an option needs all samples
- * of the picture. */
+/* Draws the picture in rounds if there is memory for them or an option needs them, else in bands. */
 static int draw(struct estimation *e)
 {
     const struct options *options = e->options;

@@ -5,8 +5,8 @@
 #include "device.h"
 #include "options.h"
 
-/* Loads the scene that is `step` further, cyclically; the scene before is closed. False: it cannot be loaded, for the
- * reason in `why`, [PORT_WHY]; then the scene before stays. */
+/* Loads the scene that is `step` further, cyclically, and closes the current one. False: the new scene cannot be
+ * loaded, for the reason in `why`, [PORT_WHY]; the current scene stays open. */
 bool scenes_go(struct options *options, int step, char *why);
 
 /* Shows the next view of the scene, see view_kind.h. */

@@ -151,8 +151,8 @@ static int frame_done(void *ctx, const struct tia_frame *frame)
 
 /* ---- the run ---- */
 
-/* Chooses where --checksum prints. On the terminal that shows the picture, lines would spoil it: they are stored and
- * printed afterwards. */
+/* Chooses the output of --checksum. Lines on a terminal would spoil its picture: they are stored and printed
+ * afterwards. */
 static int open_lines(struct session *session)
 {
     session->lines = stdout;
@@ -227,7 +227,7 @@ static struct tia_viewer viewer_of(struct session *session)
     };
 }
 
-/* Begins the overlay. It shows hints only with a keyboard, and unless keys are pressed first, which add the light. */
+/* Begins the overlay. It shows hints for the built-in scene with a keyboard, unless --keys already add a light. */
 static void begin_overlay(struct session *session)
 {
     const struct options *options = session->options;
@@ -242,8 +242,8 @@ static void begin_overlay(struct session *session)
     session->pointed = (struct pointed){session->input->ops, session->input_ctx, &session->letterbox};
 }
 
-/* True if there is more to show after a key that ended the loop. If a scene cannot be loaded, a message appears in the
- * one before. */
+/* Prepares the next scene or view if a key has selected one; false: the session ends. If a scene cannot be loaded, the
+ * current one stays, with a message. */
 static bool move_on(struct session *session)
 {
     enum move_to to = session->moves.to;
@@ -269,8 +269,8 @@ static bool move_on(struct session *session)
     return lights_copy(&session->lights, &session->options->scene);
 }
 
-/* Returns the result of move_on. A picture that could not be completed is saved, with a message in the next scene or,
- * after the last, on standard error: the display is closed by then. */
+/* Saves an incomplete picture that was to be saved, and returns the result of move_on. The message about the picture
+ * appears in the next scene or, if the session ends, on standard error after the display is closed. */
 static bool go_on(struct session *session)
 {
     char text[PORT_WHY];

@@ -44,15 +44,17 @@ struct session {
 /* Creates a session. Until session_end, signals are only noted, see common/signals.h. NULL: no memory. */
 struct session *session_create(struct options *options);
 
-/* Open the input, open the display, run; return an exit status, and the reason in session->why. */
+/* Opens the input. Returns the exit status; if it is not 0, session->why has the reason. */
 int session_open_input(struct session *session, const struct port_input *port);
+/* Opens the display. Returns as session_open_input. */
 int session_open_display(struct session *session, const struct port_display *port);
+/* Runs the viewer. Returns as session_open_input. */
 int session_run(struct session *session);
 
 /* Closes the display, then the input. */
 void session_close(struct session *session);
 
-/* Frees the session and returns `status`; after a signal, ends the program by it. */
+/* Frees the session and returns `status`; if a signal has come, ends the program with that signal. */
 int session_end(struct session *session, int status);
 
 #endif

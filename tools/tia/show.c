@@ -143,8 +143,7 @@ int show(struct options *options)
     return session_end(session, status);
 }
 
-/* Draws a picture with a gaze into a file. It needs the whole picture in memory, as a display that shows nothing
- * does. */
+/* Draws a picture with a gaze into a file, by the display "none", since a gaze needs the whole picture in memory. */
 int show_into_file(struct options *options)
 {
     struct session *session;

@@ -4,13 +4,13 @@
 
 #include "options.h"
 
-/* Shows the scene. All three functions return the exit status, after an error message if it is not 0. */
+/* Shows the scene. Returns the exit status, after an error message if it is not 0. */
 int show(struct options *options);
 
-/* Draws one picture into options->output, with a gaze. */
+/* Draws one picture with a gaze into options->output. Returns as `show`. */
 int show_into_file(struct options *options);
 
-/* Lists every display found or, for --connector help and --mode help, those of the port `only`. */
+/* Lists every display found or, for --connector help and --mode help, those of the port `only`. Returns as `show`. */
 int show_list(const char *only);
 
 #endif

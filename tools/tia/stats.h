@@ -5,7 +5,7 @@
 #include <stdint.h>
 #include <tia/viewer.h>
 
-/* Number of samples kept: the newest ones, since a program may run for weeks. */
+/* Largest number of samples stored, the newest ones, since a program may run for weeks. */
 enum { STATS_SAMPLES = 65536 };
 
 struct samples {
@@ -34,11 +34,11 @@ struct stats {
     struct paced paced;
 };
 
-/* Adds the latency of a picture: the time since the key press that it shows; 0: it shows none, or the key's coarse
- * picture was shown before. */
+/* Adds the latency of a picture: the time since the key press whose effect it shows; 0: it shows none, or an earlier
+ * coarse picture has shown it. */
 void stats_key(struct stats *stats, uint64_t us, bool coarse);
 
-/* Adds a picture shown at time now_us. */
+/* Adds a frame shown at time now_us. */
 void stats_paced(struct paced *paced, const struct tia_frame *frame, uint64_t now_us);
 
 void stats_add(struct samples *samples, uint64_t us);

@@ -13,7 +13,7 @@
 #include "sample_picture.h"
 #include "show.h"
 
-/* Opens the standard descriptors with which the program was not started. The next file opened would get the number of
+/* Opens the standard descriptors that are closed when the program starts: a file opened later would get the number of
  * one, and messages would go into the picture. */
 static void fill_descriptors(void)
 {

@@ -19,7 +19,8 @@ static const struct tia_core *const cores[2] = {&tia_core_q16, &tia_core_f64};
 static const tia_rgb565 colours[3] = {0xffe0, 0xf800, 0x07ff};
 uint32_t difference_counts[3];
 
-/* Returns the pair. A view and hits of this core are those of both, behind a struct with their addresses. */
+/* Returns the views of both cores. In memory, a view of this core is a struct pair followed by both views, and hits
+ * likewise are a struct pair_hits followed by both hits. */
 static const struct pair *pair_of(const struct tia_view *view)
 {
     return (const struct pair *)(const void *)view;
@@ -116,7 +117,8 @@ static unsigned apart(unsigned a, unsigned b)
     return a > b ? a - b : b - a;
 }
 
-/* Returns a pixel's colour: where both agree, grey at a quarter of the brightness. */
+/* Returns a pixel's colour, and counts a difference. If both cores agree, the colour is grey at a quarter of the
+ * brightness. */
 static tia_rgb565 verdict(tia_rgb565 a, tia_rgb565 b, bool other_path)
 {
     unsigned r = apart(a >> 11, b >> 11), g = apart(a >> 5 & 63, b >> 5 & 63), blue = apart(a & 31, b & 31);
@@ -199,8 +201,8 @@ static unsigned kind_of(tia_rgb565 pixel)
     return kind;
 }
 
-/* Spreads a difference to the pixels around it that do not differ. The colours of these are marked in the lowest bits,
- * so that they are not spread again. */
+/* Spreads a difference to the pixels around it that do not differ. Their colours differ slightly from those of
+ * differences, so that they are not spread again. */
 static void spread(tia_rgb565 *pixels, unsigned width, unsigned height, size_t at)
 {
     static const tia_rgb565 around[3] = {0xff80, 0xf820, 0x07df};

@@ -10,7 +10,7 @@
 
 struct session session = {.pointer_x = -1};
 
-/* ---- after a picture was drawn ---- */
+/* ---- the drawn picture ---- */
 
 const struct tia_camera *session_camera(void)
 {
@@ -77,7 +77,7 @@ static void *get_memory(void *ctx, size_t size)
 
 /* ---- settings ---- */
 
-/* Copies the scene's keys, and adds one for the pointer. Its state is a light that the check accepts. */
+/* Copies the scene's keys, and adds one for the pointer, with any valid light as its state. False: no memory. */
 static bool copy_bindings(struct tia_scene *scene)
 {
     uint32_t count = scene->binding_count;
@@ -158,8 +158,8 @@ static bool begin(bool goes_on)
 
 /* ---- exported functions ---- */
 
-/* Reads the scene `name` and the files that it refers to. Returns 0, or an error whose reason is in web_why: then the
- * old scene stays. */
+/* Reads the scene `name` and the files that it refers to. Returns 0; or 1 with the reason in web_why, and the old scene
+ * stays. */
 EXPORT("web_load") int web_load(const char *name);
 int web_load(const char *name)
 {
@@ -192,8 +192,8 @@ void web_set(unsigned width, unsigned height, int arithmetic, int view, int rays
                                          .samples = samples};
 }
 
-/* Runs the loop. Returns 0: an event ended it; 1: there is nothing to do and this browser cannot wait; 2: it failed,
- * see web_why. */
+/* Runs the viewer. Returns 0 after an event that ends it; 1 if there is nothing to do and this browser cannot wait; 2
+ * on failure, with the reason in web_why. */
 EXPORT("web_run") int web_run(int goes_on);
 int web_run(int goes_on)
 {
@@ -229,8 +229,8 @@ int web_run(int goes_on)
     return 2;
 }
 
-/* Returns memory for another worker's state of the same scene; NULL: the state is of another scene. The state is used
- * once. */
+/* Returns memory for another worker's state of the same scene, which web_take_kept then uses; NULL: the state is of
+ * another scene, or no memory. */
 EXPORT("web_kept") void *web_kept(unsigned size);
 void *web_kept(unsigned size)
 {

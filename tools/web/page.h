@@ -30,7 +30,7 @@ struct session {
     struct tia_binding *bindings; /* the scene's bindings, and one by which the pointer sets a light */
     struct tia_viewer_state state;
     struct steer steer;
-    uint32_t spp; /* samples of the integrator; 0: Whitted's, or not drawn sample by sample */
+    uint32_t spp; /* samples of a pixel to draw one by one; 0: Whitted's integrator, or not drawn one by one */
     bool polled;  /* an event has been polled */
 
     /* The pixel under the pointer. */
@@ -53,16 +53,20 @@ struct seat {
 extern struct seat seat;
 const struct tia_core *seat_core(void);
 
-/* A core that shows and counts the pixels where fixed point and doubles differ: by a level of a channel, by more, or
- * because a ray took another path. A few of them are drawn larger, so that they are visible. difference.c */
+/* A core that shows the pixels where fixed point and doubles differ: by a level of a channel, by more, or because a ray
+ * took another path. difference.c */
 extern const struct tia_core difference_core;
+/* Numbers of these pixels, in that order. */
 extern uint32_t difference_counts[3];
+/* Enlarges the pixels that differ, if they are few. */
 void difference_spread(tia_rgb565 *pixels, unsigned width, unsigned height);
 
-/* Draw the picture of the seat's view, a sample of each pixel at a time, while idle; `reset` begins again. TIA_OK:
- * there is more to do. idle_samples.c */
+/* Restarts the drawing of samples. idle_samples.c */
 void samples_reset(void);
+/* True if there are samples to draw. */
 bool samples_left(void);
+/* Draws one more sample of each pixel of a row of the seat's view; shows the picture from time to time. TIA_STOPPED, or
+ * a negative status on failure. */
 int samples_go_on(void);
 
 /* Control and input of the session. page_control.c */
@@ -71,9 +75,10 @@ extern const struct tia_input session_input; /* input; its context is that of we
 
 /* Returns the light that keys move, or TIA_NO_LIGHT. light_control.c */
 uint32_t light_chosen(void);
-/* Stores the light and its position in the picture. */
+/* Stores the chosen light and its position in the picture to `frame`. */
 void light_tell(struct web_frame *frame);
-/* Moves the light by a pointer's movement; false if the new position is not valid. */
+/* Moves the chosen light by `right` and `down`, in 2^-16 of the picture's width and height. False: there is no light
+ * that can be moved, or its new position is not valid. */
 bool light_drag(int32_t right, int32_t down);
 
 /* Shows the picture, with its checksum when it is complete. */

@@ -72,14 +72,14 @@ static void show_rays(void)
     web_draw_lines(out, count);
 }
 
-/* True for a core that observes rays, see seat_core. */
+/* True if rays are to be shown and the core observes rays, see seat_core. */
 static bool has_rays(void)
 {
     return session.rays_due && seat.view && session.settings.rays && session.settings.arithmetic == ARITHMETIC_Q16 &&
            session.scene.integration.integrator == TIA_WHITTED;
 }
 
-/* Draws samples while idle. Between them it polls `stop`, which takes events. */
+/* Draws samples until an event has been polled. */
 static int input_wait(void *ctx, int timeout_ms)
 {
     session.polled = false;

@@ -7,7 +7,7 @@
 #include "terminal/chafa/chafa_pixels.h"
 #include "terminal/pictures.h"
 
-/* Removes the pictures before: those of kitty's protocol lie on top of each other. */
+/* Removes earlier pictures: those of kitty's protocol lie on top of each other. */
 static const char remove_before[] = "\033_Ga=d,q=2\033\\";
 
 static unsigned cells(unsigned size, unsigned cell)
@@ -42,8 +42,8 @@ static GString *print(ChafaCanvas *canvas)
     return printed;
 }
 
-/* Repairs base64: libchafa 1.12 does not shift the last bits of a part whose length is not a multiple of three: all end
- * with an opaque 255, which is "8=" or "w==" then, and not "P=" or "D==". */
+/* Repairs base64: libchafa 1.12 does not shift the last bits of a part whose length is not a multiple of three. Each
+ * such part ends with an opaque 255, which must be "8=" or "w==", and not "P=" or "D==". */
 static void mend_base64(char *text)
 {
     for (char *end = strchr(text, '='); end; end = strchr(end + 1, '=')) {

@@ -27,8 +27,8 @@ enum pictures pictures_find(int fd, struct cell *cell)
     return found;
 }
 
-/* Returns what a multiplexer lacks for these pictures: it drops without a message what it does not show, but its answer
- * tells whether it shows sixel. */
+/* Returns the reason why a multiplexer cannot show these pictures, or NULL. A multiplexer silently drops what it cannot
+ * show, but reports sixel in its answer. */
 static const char *multiplexer_needs(int fd, enum pictures pictures)
 {
     const char *term = getenv("TERM");
@@ -55,11 +55,12 @@ static unsigned whole_cells(unsigned count, unsigned cell, unsigned most)
     return count * cell <= most ? count * cell : most > cell ? most / cell * cell : cell;
 }
 
-/* Pixels of a strip: sixel and kitty's pictures take libchafa some 30 to 50 ns a pixel, symbols 100. */
+/* Most pixels of a strip of sixel or kitty's pictures, which take libchafa some 30 to 50 ns a pixel. */
 #define STRIP_PIXELS (1u << 19)
+/* Most pixels of a strip of symbols, which take 100 ns a pixel. */
 #define SYMBOLS_PIXELS (1u << 18)
 
-/* Returns the least common multiple of both. */
+/* Returns the least common multiple of a and b. */
 static unsigned common(unsigned a, unsigned b)
 {
     unsigned multiple = a;

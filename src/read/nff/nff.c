@@ -3,7 +3,7 @@
  * Haines's words in quotes, and this reader's interpretation:
  *
  *     v from at up angle      the angle is the whole field of view, "from the center of top pixel row to bottom
- *                             pixel row"; like other readers, takes it to the edges of the picture
+ *                             pixel row"; this reader, like others, measures it between the edges of the picture
  *     hither resolution       for hidden surface algorithms and displays: read and ignored
  *     b r g b                 background; "if no background color is set, assume RGB = {0,0,0}"
  *     l x y z [r g b]         a point light without attenuation; its default colour is 1/sqrt(number of lights)
@@ -19,7 +19,7 @@
  *     p pp                    polygons and patches with normals, convex or not; all those after one f make one
  *                             mesh; with T > 0 each is a group, so that it filters shadow rays by itself
  *
- * "Normally, objects have one side": here they have two, as they have there when T > 0.
+ * "Normally, objects have one side": here they always have two, as they have in the databases when T > 0.
  */
 #include "nff.h"
 #include "math/integer.h"
@@ -116,7 +116,7 @@ static int read_f(struct nff *n)
     struct tia_material m = {.index = TIA_Q16_ONE};
     tia_q30 kd = 0, ks = 0, transmittance = 0;
     tia_q16 exponent = 0;
-    int status = tia_text_rgb(t, &m.colour, true); /* with Kd it is at most 1 */
+    int status = tia_text_rgb(t, &m.colour, true); /* the product with Kd is at most 1 */
 
     status = status ? status : tia_text_bright(t, &kd);
     status = status ? status : tia_text_unit(t, &ks);
@@ -323,7 +323,7 @@ int tia_read_nff(struct tia_reader *reader, struct tia_scene *scene, struct tia_
     return status;
 }
 
-/* Words for a field: the file's name of it ("": the whole line), and the index of the word in the line. */
+/* The file's name of a scene's field, "" for the whole line, and the index of its word in the line. */
 static const struct nff_field {
     const char *thing, *field, *name;
     unsigned word;

@@ -15,8 +15,8 @@ struct nff {
     struct tia_array materials, lights, spheres, shapes, meshes, vertices, normals, faces, groups;
     struct tia_array fine_spheres, fine_shapes; /* more digits of the spheres' and shapes' numbers */
     struct tia_fine fine;
-    struct tia_mesh mesh; /* the present f's mesh; open as long as it has vertices */
-    bool transmits;       /* the present f: each of its polygons filters light by itself */
+    struct tia_mesh mesh; /* the mesh of the last f; open while it has vertices */
+    bool transmits;       /* the last f is transparent: each of its polygons filters light by itself */
     uint32_t polygons;
     struct polygon_corner *corners;
     uint32_t most_corners;
@@ -25,14 +25,17 @@ struct nff {
     const char *statement; /* the statement read last */
     struct tia_text rest;  /* the rest of its line */
 
-    const struct tia_fault *fault; /* NULL; else only the place of the object at fault is searched */
-    const char *line;              /* NULL; else the fault is in the line of the view that begins with this word */
+    const struct tia_fault *fault; /* NULL, or the fault whose object's place is searched */
+    const char *line;              /* NULL, or the first word of the view's line that has the fault */
 };
 
-/* Read the statements that make objects. */
+/* Reads a sphere. */
 int tia_nff_s(struct nff *n);
+/* Reads a cylinder or cone. */
 int tia_nff_c(struct nff *n);
+/* Reads a polygon. */
 int tia_nff_p(struct nff *n);
+/* Reads a polygon with normals. */
 int tia_nff_pp(struct nff *n);
 
 /* Ends the open mesh, if there is one. */

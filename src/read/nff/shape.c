@@ -122,7 +122,7 @@ static void add_faces(struct nff *n, uint32_t count, bool has_normals)
     }
 }
 
-/* Reads a vertex, on this line or a later one, and its normal. */
+/* Reads a vertex, on this line or a later one, and its normal if it has one. */
 static int read_vertex(struct nff *n, bool has_normal)
 {
     struct tia_vec3 vertex = {0, 0, 0};

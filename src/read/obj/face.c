@@ -3,7 +3,8 @@
 
 enum part { PART_VERTEX, PART_UV, PART_NORMAL, PARTS };
 
-/* Reads the index that begins at *p: an integer below 2^32 in size, perhaps negative; 0 is none. */
+/* Reads the integer at *p, perhaps negative, and advances *p; 0: there is none. Digits after an integer of 2^32 - 1 or
+ * more are ignored. */
 static int64_t take_index(const char **p, const char *end)
 {
     int64_t index = 0;
@@ -134,7 +135,7 @@ static void add_faces(struct obj *o, uint32_t count)
     }
 }
 
-/* True if the normals of a face define its front: see read_vn. */
+/* True if the normals of all corners have a direction: see read_vn. */
 static bool are_normals(const struct obj *o, uint32_t count)
 {
     const struct tia_dir3 *normals = (const struct tia_dir3 *)(void *)o->normals.items;
@@ -245,10 +246,10 @@ static struct tia_mesh make_mesh(const struct obj *o, const struct obj_group *g)
 }
 
 /* Limit of the sum of all meshes' normals. When many materials are used all over the file, every mesh spans nearly all
- * of them, and a loop over all meshes takes time quadratic in the size of the file. */
+ * normals, and a loop over all meshes takes time quadratic in the size of the file. */
 #define SEEN_MAX (UINT64_C(1) << 30)
 
-/* Gives normals without a direction one: no face uses them any more, but a mesh must not have any. */
+/* Gives a direction to normals of (0, 0, 0): no face uses them any more, but a mesh must not contain them. */
 static void fix_normals(struct obj *o)
 {
     struct tia_dir3 *normals = (struct tia_dir3 *)(void *)o->normals.items;

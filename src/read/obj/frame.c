@@ -1,10 +1,11 @@
 /* frame.c - a unit, a camera and lights for a model, which has none.
  *
- * A model's own coordinates are the scene's, as long as they are within 4096 and it is at least 1 long, high or deep:
- * then the camera below, at most 3.93 radii from any point, has all of it nearer than 32768, and a coordinate's last
- * bit is at most 2^-16 of it. Others are moved so that the middle of the model's bounds is 0, and scaled by a power of
- * two so that they reach 8 to 16 from there: as nothing in an .obj but the model has a size, the picture is the same.
- * Only models of less than 2^-15 are refused: 28 bits behind the point are not enough for their shape.
+ * The scene has the model's own coordinates if they are within 4096 and the model is at least 1 long, high or deep:
+ * then all of it is nearer than 32768 to the camera, which is at most 3.93 radii from any point, and a coordinate's
+ * last bit is at most 2^-16 of the model's size. Any other model is moved so that the middle of its bounds is 0, and
+ * scaled by a power of two so that it reaches 8 to 16 from there: as nothing in an .obj but the model has a size, the
+ * picture is the same. Only models smaller than 2^-15 are refused: 28 bits behind the point are not enough for their
+ * shape.
  */
 #include "math/integer.h"
 #include "obj.h"
@@ -140,12 +141,12 @@ static uint64_t farthest(const struct tia_scene *scene, struct tia_vec3 c)
     return most;
 }
 
-/* Components of the direction to the camera, from the right and from above: 35 degrees to the right of +z, 25 above the
- * horizon. The sphere around the model touches the edges of a field of 40 degrees, at the distance of 1/sin 20
- * radii. */
+/* Components of the direction to the camera: 35 degrees to the right of +z and 25 degrees above the horizon. */
 #define TOWARDS_X INT32_C(558170729) /* 0.519837; TIA_Q30 would need a double of 64 bits for all its bits */
 #define TOWARDS_Y INT32_C(453782622) /* 0.422618 */
 #define TOWARDS_Z INT32_C(797149151) /* 0.742403 */
+/* The camera's distance in radii, 1/sin 20 degrees: the sphere around the model touches the edges of a field of view of
+ * 40 degrees. */
 #define DISTANCE TIA_Q16(2.9238044)
 
 static struct tia_camera look_at(struct tia_vec3 c, uint64_t radius)

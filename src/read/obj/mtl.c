@@ -86,7 +86,7 @@ void tia_mtl_add_default(struct obj *o)
 
 /* ---- statements ---- */
 
-/* Begins a material. Its name may be missing: some programs write such materials, and use them. */
+/* Begins a material. Its name may be missing: some programs write and use materials without names. */
 static int read_newmtl(struct mtl *m)
 {
     struct tia_name name = {.kind = OBJ_MATERIAL, .index = m->obj->materials.count};

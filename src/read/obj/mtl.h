@@ -14,7 +14,7 @@ struct mtl {
     tia_q16 exponent, index;
     int64_t illum;
     uint32_t texture, opacity_texture;
-    struct tia_text opacity_text; /* the line of d or Tr, and its number */
+    struct tia_text opacity_text; /* the rest of the line of d or Tr, and its number */
     struct tia_word opacity_word;
 };
 

@@ -5,7 +5,7 @@
  *     -imfchan r|g|b|m|l  of map_d: the channel that is the opacity, m being alpha. By default, which the format leaves
  *                         open, alpha or, where there is none, luminance
  *
- * Other options are a warning if they would change the picture: images repeat, and their values are not modified. */
+ * Other options cause a warning if they would change the picture: images repeat, and their values are not modified. */
 #include "mtl.h"
 
 struct map {
@@ -20,7 +20,7 @@ static int not_supported(struct mtl *m, const struct tia_word *option)
     return tia_obj_forgive(m->obj, TIA_WARN_OPTION);
 }
 
-/* Reads up to three numbers; the others stay unchanged. */
+/* Reads up to three numbers; the others stay unchanged. If `scales`, the first two must be in 1/1024..1024. */
 static int read_numbers(struct mtl *m, tia_q16 numbers[3], bool scales)
 {
     for (int i = 0; i < 3 && tia_text_has_number(&m->text); i++) {
@@ -75,7 +75,7 @@ static int read_channel(struct mtl *m, const struct tia_word *option, const stru
     return not_supported(m, option);
 }
 
-/* Reads an option that takes one word, or an unknown one. */
+/* Reads the rest of an option: numbers or a word; an unknown option counts as one with a word. */
 static int read_option(struct mtl *m, const struct tia_word *option, struct map *map)
 {
     static const char *const standard[][2] = {{"-clamp", "off"}, {"-cc", "off"}, {"-blendu", "on"}, {"-blendv", "on"}};
@@ -131,8 +131,8 @@ static int fetch_image(struct obj *o, const struct tia_name *name, struct tia_te
     return status;
 }
 
-/* Returns the offset added to coordinates after the scale, as a position on the surface. Images repeat, so only the
- * offset's fraction counts. */
+/* Returns the position on the surface for an offset that is added to coordinates after the scale. Images repeat, so
+ * only the offset's fraction counts. */
 static tia_q16 offset_of(tia_q16 added, tia_q16 scale)
 {
     int64_t fraction = (int64_t)(added & (TIA_Q16_ONE - 1)) * TIA_Q16_ONE;
@@ -140,8 +140,8 @@ static tia_q16 offset_of(tia_q16 added, tia_q16 scale)
     return (tia_q16) - ((fraction + scale / 2) / scale);
 }
 
-/* Adds a texture. It is counted before its image is read: if that fails, it stays unused, and *number does not change.
- */
+/* Adds a texture; *number receives its number, from 1. It is counted before its image is read: if that fails, the
+ * texture stays unused, and *number does not change. */
 static int add_texture(struct mtl *m, const struct map *map, unsigned kind, uint32_t *number)
 {
     static const struct tia_texture unused = {.kind = TIA_CHECKER, .repeat = {TIA_Q16_ONE, TIA_Q16_ONE}};

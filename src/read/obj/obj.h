@@ -15,11 +15,11 @@ enum obj_pass {
     OBJ_FILL
 };
 
-/* From OBJ_OPACITY on there is one for each enum tia_channel. */
+/* Kinds of names; from OBJ_OPACITY on, one for each enum tia_channel. */
 enum obj_name { OBJ_MATERIAL, OBJ_IMAGE, OBJ_OBJECT, OBJ_GROUP, OBJ_OPACITY };
 
 struct obj_library {
-    struct tia_word name; /* the image's name in the text */
+    struct tia_word name; /* the library's name in the text */
     const char *text;
     size_t length;
 };
@@ -57,14 +57,16 @@ struct obj {
     bool moved;
 };
 
-/* Reads the rest of the line as a name, with its blanks: many programs write such names. */
+/* Reads the rest of the line as a name, which may contain blanks: many programs write such names. */
 int tia_obj_name(struct tia_text *t, struct tia_word *name, const char *expected);
 
 /* ---- warn.c ---- */
-/* Turns the error just found into a warning of that kind and returns TIA_OK; with reader->strict it stays an error. */
+/* Turns the error just found into a warning of that kind and returns TIA_OK; with reader->strict, returns
+ * TIA_ERR_RANGE. */
 int tia_obj_forgive(struct obj *o, enum tia_read_warning_kind kind);
 
-/* Reports that a callback failed with `status` and `why`; forgiven unless memory is short. */
+/* Reports a file for which a callback failed with `status` and `why`: as a warning or, if memory is short, as an
+ * error. */
 int tia_obj_unreadable(struct obj *o, struct tia_text *t, const struct tia_word *word, int status, const char *why,
                        enum tia_read_warning_kind kind);
 

@@ -67,7 +67,7 @@ static bool fits(const int64_t numbers[2])
            numbers[1] >= -FADING_MOST;
 }
 
-#define FADING_UNITS 16 /* tia_decimal gives no more bits */
+#define FADING_UNITS 16 /* the largest unit: tia_decimal gives at most 53 bits */
 
 int tia_fading(struct tia_text *t, struct tia_fading *out)
 {

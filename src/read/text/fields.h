@@ -26,13 +26,14 @@ enum tia_field_kind {
 struct tia_field {
     const char *word;
     uint8_t kind, count;
-    uint16_t max;    /* TIA_WHOLE: largest value; TIA_EMISSION: 1 if `rgb` must be at most 1 */
+    uint16_t max;    /* TIA_WHOLE: largest value; TIA_EMISSION: 1 if `rgb` must be at most 1; TIA_LONGS: 1 if a single
+                        number sets them all */
     uint16_t offset; /* offset in the struct that the fields fill */
     bool needed;     /* a line without the field is an error */
 };
 
-/* Fills `out` from the rest of the line. Sets bit n of *given (which may be NULL) if fields[n] was there. `what` names
- * the statement in errors: "a sphere". */
+/* Fills `out` from the rest of the line. Sets bit n of *given (which may be NULL) if the line has fields[n]. `what`
+ * names the statement in errors: "a sphere". */
 int tia_fields(struct tia_text *t, const char *what, const struct tia_field *fields, unsigned count, void *out,
                uint32_t *given);
 
@@ -49,7 +50,7 @@ struct tia_fading {
     int8_t unit_bits;
 };
 
-/* A statement that has several forms, named by the word after it: "camera frustum ...". */
+/* A form of a statement that has several, named by the word after the statement: "camera frustum ...". */
 struct tia_form {
     const char *word, *what; /* `what`: the name in errors, as for tia_fields */
     unsigned kind;           /* value for the caller */
@@ -60,10 +61,13 @@ struct tia_form {
 /* Returns the form that the next word names; if it names none, the first one, and the word stays unread. */
 const struct tia_form *tia_form(struct tia_text *t, const struct tia_form *forms, unsigned count);
 
-/* Read the values of one field or keyframe. */
+/* Reads an emission; `most`, Q2.30, is the largest channel of out->rgb. */
 int tia_emission(struct tia_text *t, struct tia_emission *out, int64_t most);
+/* Reads the three numbers of an attenuation. */
 int tia_fading(struct tia_text *t, struct tia_fading *out);
+/* Reads a colour: three numbers in 0..1, or one for a grey. */
 int tia_colour(struct tia_text *t, struct tia_rgb *out);
+/* Reads `count` numbers, or a single one for all of them. */
 int tia_spread(struct tia_text *t, tia_q16 *out, unsigned count);
 
 #define TIA_COUNT_OF(array) ((unsigned)(sizeof(array) / sizeof *(array)))

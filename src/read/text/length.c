@@ -62,7 +62,8 @@ void tia_lengths_cover_eye(struct tia_lengths *l, struct tia_vec3 eye)
     tia_span_cover(&l->eyes, eye, 0);
 }
 
-/* Returns the distance from an eye, or in the finest unit from any point, to the farthest corner, rounded up. */
+/* Returns the distance from an eye or, if the finest unit is wanted, from any point to the farthest corner, rounded
+ * up. */
 static int64_t farthest(const struct tia_lengths *l)
 {
     uint64_t far[3], most = 0, square = 0;

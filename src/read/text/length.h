@@ -41,25 +41,27 @@ bool tia_lengths_widen(const struct tia_lengths *lengths, int *scale_bits);
 /* Returns x times 2^bits, bits at most 16, saturated; rounded up. */
 int64_t tia_length_times(int64_t x, int bits);
 
-/* Adds a ball to the scene. */
+/* Adds a ball to the span of the scene. */
 void tia_lengths_cover(struct tia_lengths *lengths, struct tia_vec3 centre, int64_t radius);
-/* Adds a position of the eye. */
+/* Adds a position of the eye to both spans. */
 void tia_lengths_cover_eye(struct tia_lengths *lengths, struct tia_vec3 eye);
 
 /* Returns the largest scale_bits, up to TIA_SCALE_BITS_MAX in size, with which all lengths fit, and nothing is farther
  * from the eye than tia_scene_check allows. */
 int tia_lengths_room(const struct tia_lengths *lengths);
 
-/* Read a length or a position with t->lengths. */
+/* Reads a length in the unit of t->lengths; measures it before the last pass. */
 int tia_text_length(struct tia_text *t, tia_q16 *out);
+/* Reads a position likewise. */
 int tia_text_place(struct tia_text *t, struct tia_vec3 *out);
 
-/* Read a length or position with more digits, see struct tia_fine, in the last pass; these digits are 0 before it. */
+/* Reads a length with more digits, see struct tia_fine, in the last pass; *digits is 0 before it. */
 int tia_text_fine_length(struct tia_text *t, tia_q16 *out, int16_t *digits);
+/* Reads a position likewise. */
 int tia_text_fine_place(struct tia_text *t, struct tia_vec3 *out, struct tia_fine_place *digits);
 
-/* Reads a vector whose length does not matter: unchanged if Q16.16 holds it exactly, else scaled to the largest that
- * fits. */
+/* Reads a vector whose length does not matter: unchanged if Q16.16 holds it exactly, else scaled by a power of 2, so
+ * that its largest component has 30 bits. */
 int tia_text_vector(struct tia_text *t, struct tia_vec3 *out);
 
 #endif

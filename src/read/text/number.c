@@ -1,15 +1,14 @@
 /* number.c - converts decimal numbers to fixed point, without floating point.
  *
- * The result is correctly rounded, ties away from zero, however many digits there are: floor(x 2^bits + 1/2) for
- * the magnitude x, which follows from floor(y), y = x 2^(bits + 1). Whether y reaches an integer k depends only on
- * the first bits + 1 digits of x's fraction, since k / 2^(bits + 1) has no more than those. So all further digits
- * can be skipped.
+ * The result is correctly rounded, ties away from zero, however many digits there are: floor(x 2^bits + 1/2) for the
+ * magnitude x, which follows from floor(y), y = x 2^(bits + 1). Only the first bits + 1 digits of x's fraction decide
+ * if y reaches an integer k, since k / 2^(bits + 1) has no more digits. So all further digits can be skipped.
  */
 #include "constants.h"
 
 #define LIMB UINT64_C(1000000000)
 #define LIMBS 6 /* groups of nine digits: 53 bits and the rounding bit need 54 digits */
-#define STEP 32 /* bits of a multiplication */
+#define STEP 32 /* largest number of bits by which the limbs are multiplied at once */
 #define WHOLE_MAX (UINT64_C(1) << 32)
 
 /* A number's digits: "12.5e3" has the digits 125, and its point after 2 + 3 digits. */
@@ -37,8 +36,8 @@ static const char *skip_sign(const char *p, const char *end, bool *negative)
     return p < end && (*p == '-' || *p == '+') ? p + 1 : p;
 }
 
-/* Parses the exponent in p..end. Clamped to 2^33 in size, beyond the length of any text, where the result no longer
- * depends on it. False if there is none. */
+/* Parses the exponent in p..end, clamped to 2^33 in size: no text is as long, so larger exponents have the same result.
+ * False if there is none. */
 static bool parse_exponent(const char *p, const char *end, int64_t *exponent)
 {
     const int64_t limit = INT64_C(1) << 33;
@@ -146,7 +145,7 @@ static void read_numeral(struct tia_text *t, struct tia_word *word)
         (void)tia_text_word(t, word);
 }
 
-/* Reads the next word, times 2^bits, which must be in min..max. */
+/* Reads a number times 2^bits; the product must be in min..max. */
 static int read_number(struct tia_text *t, int64_t *out, unsigned bits, int64_t min, int64_t max, const char *expected)
 {
     struct tia_word word;

@@ -98,7 +98,7 @@ static struct tia_word empty_word(const struct tia_text *t)
     return (struct tia_word){t->next, 0, t->line, (uint32_t)(t->next - t->line_start) + 1};
 }
 
-/* Reads the next word of the line itself. */
+/* Reads the next word of the line, without replacing constants. */
 static bool take_word(struct tia_text *t, struct tia_word *word)
 {
     bool found = has_word(t);

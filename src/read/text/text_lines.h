@@ -38,8 +38,8 @@ struct tia_text {
      * the next word of the line, with the name's place. */
     const struct tia_constants *constants;
     const char *numbers, *numbers_end; /* numbers of the name that are still to be read; NULL: none */
-    struct tia_word use;
-    bool negated; /* the last word is one of those numbers, and the name had a minus */
+    struct tia_word use;               /* the name, where it is used */
+    bool negated;                      /* the last word is one of those numbers, and the name had a minus */
 };
 
 /* True if lines, columns and indices would need more than 32 bits. */
@@ -62,15 +62,15 @@ void tia_text_skip(struct tia_text *t);
 /* Fails if the line has another word. */
 int tia_text_end(struct tia_text *t);
 
-/* Read a name: 1..TIA_NAME_MAX bytes without control characters. A file's name may be in double quotes and then
- * contain blanks. `expected` is for the error: "a material's name". */
+/* Reads a name: 1..TIA_NAME_MAX bytes without control characters. `expected` is for the error: "a material's name". */
 int tia_text_name(struct tia_text *t, struct tia_word *name, const char *expected);
+/* Reads a file's name likewise. It may be in double quotes, and then contain blanks. */
 int tia_text_file(struct tia_text *t, struct tia_word *name, const char *expected);
 
 bool tia_word_is(const struct tia_word *word, const char *string);
 
-/* Sets the error's place to word `skip` of the rest of a line, or to the first from there on that is `word` (unless
- * NULL). False: it is not on the line, and nothing changes. */
+/* Sets the error's place to word number `skip`, from 0, of the rest of a line or, if `word` is not NULL, to the first
+ * word from that one on that equals it. False: the line has no such word, and the place stays as it is. */
 bool tia_text_locate(struct tia_text rest, unsigned skip, const char *word, struct tia_read_error *error);
 
 /* Copies a name as a 0-terminated string. */
@@ -87,14 +87,17 @@ enum tia_decimal tia_decimal(int64_t *out, const struct tia_word *word, unsigned
 /* True if the next word of the line is a number, or a name that stands for numbers. */
 bool tia_text_has_number(const struct tia_text *t);
 
-/* Read a number as Q16.16, Q2.30 or Q31.32. tia_text_scaled and tia_text_fine multiply it by 2^bits, -16..16, and give
- * Q16.16 and Q31.32; tia_text_long gives a number below 2^31 with `bits` bits behind the point, 0..53, below 2^63 then.
- */
+/* Reads a number as Q16.16. */
 int tia_text_q16(struct tia_text *t, tia_q16 *out);
+/* Reads a number times 2^bits, bits in -16..16, as Q16.16. */
 int tia_text_scaled(struct tia_text *t, tia_q16 *out, int bits);
+/* Reads a number times 2^bits, bits in -16..16, as Q31.32; the product is in the range of Q16.16. */
 int tia_text_fine(struct tia_text *t, int64_t *out, int bits);
+/* Reads a number below 2^31 in size, with `bits` bits behind the point, 0..53; *out is below 2^63 in size. */
 int tia_text_long(struct tia_text *t, int64_t *out, unsigned bits);
+/* Reads a number as Q2.30. */
 int tia_text_q30(struct tia_text *t, tia_q30 *out);
+/* Reads a number as Q31.32. */
 int tia_text_q32(struct tia_text *t, int64_t *out);
 
 /* Reads a channel of a colour: 0 to 1. */
@@ -106,26 +109,29 @@ int tia_text_radiance(struct tia_text *t, int64_t *out);
 /* Reads an integer in min..max. */
 int tia_text_integer(struct tia_text *t, int64_t *out, int64_t min, int64_t max);
 
-/* Read three numbers. A direction may have any length but 0; it is normalised, within 2 ulp. */
+/* Reads three numbers as Q16.16. */
 int tia_text_vec3(struct tia_text *t, struct tia_vec3 *out);
 /* Reads channels as tia_text_unit does or, if `bright`, as tia_text_bright does. */
 int tia_text_rgb(struct tia_text *t, struct tia_rgb *out, bool bright);
+/* Reads a direction, of any length but 0, and normalises it, within 2 ulp. */
 int tia_text_dir3(struct tia_text *t, struct tia_dir3 *out);
 
 /* Normalises v, each component at most 2^62 in size; false when v is 0. */
 bool tia_dir3_of(struct tia_dir3 *out, const int64_t v[3]);
 
-/* ---- errors: they all return TIA_ERR_RANGE ---- */
+/* ---- errors ---- */
 
-/* Sets "'WORD' WHAT, expected EXPECTED" or, for an empty word, "the line ends here, expected EXPECTED". */
+/* Sets "'WORD' WHAT, expected EXPECTED" or, for an empty word, "the line ends here, expected EXPECTED"; returns
+ * TIA_ERR_RANGE. */
 int tia_text_error(struct tia_text *t, const struct tia_word *word, const char *what, const char *expected);
 
-/* Sets only the place; tia_say appends the text. */
+/* Sets only the place, and returns TIA_ERR_RANGE; tia_say appends the text. */
 int tia_text_error_at(struct tia_text *t, const struct tia_word *word);
-/* Append text, as far as it fits. */
+/* Appends a string to the error's text, as far as it fits. */
 void tia_say(struct tia_read_error *error, const char *string);
-void tia_say_word(struct tia_read_error *error, const struct tia_word *word); /* Appends the word in quotes, with bytes
-                                                                                 that are safe to print. */
+/* Appends a word in quotes, with bytes that are safe to print. */
+void tia_say_word(struct tia_read_error *error, const struct tia_word *word);
+/* Appends a number in decimal. */
 void tia_say_number(struct tia_read_error *error, int64_t number);
 
 #endif

@@ -33,15 +33,15 @@ static void seek(struct tia_parse *job, const struct tia_fault *fault)
     for (unsigned i = 0; i < TIA_COUNT_OF(things); i++)
         if (tia_word_is(&thing, things[i].thing))
             job->sought = things[i].array;
-    /* the scene's fields, and the camera's samples, are statements of the same name */
+    /* the scene's fields, and the camera's samples, are statements of the same names */
     if (tia_word_is(&thing, "camera") && !tia_word_is(&field, "samples"))
         job->sought_statement = fault->thing;
     else if (job->sought == TIA_ARRAYS)
         job->sought_statement = fault->field;
 }
 
-/* Returns the name in the file of a scene's field, where the file has a different one. "": the line as a whole is at
- * fault. */
+/* Returns the file's word for a field of the scene, which may differ from the field's name; "": the line as a whole is
+ * at fault. */
 static const char *keyword(const struct tia_fault *fault)
 {
     static const struct {

@@ -16,7 +16,7 @@
 
 #define ONE_Q62 (INT64_C(1) << 62)
 #define NOTHING (INT64_C(1) << 20)         /* 2^-42: a smaller component of an axis is 0 but for rounding */
-#define FARTHEST (INT64_C(1) << (18 + 32)) /* limit of a group's position */
+#define FARTHEST (INT64_C(1) << (18 + 32)) /* limit of a position, Q31.32 */
 #define LEAST_SCALE ((int64_t)TIA_SCALE_MIN << 16)
 #define MOST_SCALE ((int64_t)TIA_SCALE_MAX << 16)
 

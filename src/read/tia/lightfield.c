@@ -69,7 +69,8 @@ static struct tia_vec3 added(struct tia_vec3 a, struct tia_vec3 b)
                              saturated((int64_t)a.z + b.z)};
 }
 
-/* Sets the camera. An upright screen that faces along z needs no axes: the camera's are exact then. */
+/* Sets the camera. A screen that is not `turned` is upright and faces along z; the camera then has no up vector, so
+ * that its axes are exact. */
 static void place(struct tia_camera *camera, const struct display *d, bool turned)
 {
     struct tia_dir3 n = d->normal, u = {TIA_Q30_ONE, 0, 0}, v = {0, TIA_Q30_ONE, 0};

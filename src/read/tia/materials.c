@@ -46,7 +46,7 @@ static int find_texture(struct tia_parse *job, const struct tia_word *name, uint
     return status;
 }
 
-/* Reports a material's name to the caller's callback, in the last pass. */
+/* Reads and defines a material's name; in the last pass, reports it to the caller's callback. */
 static int define(struct tia_parse *job)
 {
     const struct tia_reader *reader = job->reader;
@@ -116,7 +116,7 @@ static const struct tia_field image_fields[] = {
     {.word = "bilinear", .kind = TIA_FLAG, .offset = offsetof(struct texture_line, texture.bilinear)},
 };
 
-/* Returns 2^64/x to nearest, x in 2..2^63: 2^64 = (2^64 - 1) + 1. */
+/* Returns 2^64/x, rounded to nearest, for x in 2..2^63. */
 static uint64_t inverse(uint64_t x)
 {
     uint64_t quotient = UINT64_MAX / x, rest = UINT64_MAX % x + 1;
@@ -154,7 +154,7 @@ static bool set_numbers(const int64_t numbers[2], tia_q16 out[2], int8_t *bits)
 #define REPEAT_LEAST (INT64_C(1) << 12)
 #define REPEAT_MOST (INT64_C(1) << 52)
 
-/* Sets the pattern; `scale` is 1/`repeat`. */
+/* Sets the texture's repeat, from `repeat` or as 1/`scale`, and its offset. */
 static int set_pattern(struct tia_text *t, struct texture_line *line, uint32_t given)
 {
     bool scaled = has(given, SCALE_FIELD);

@@ -77,7 +77,7 @@ static int take_property(struct tia_parse *job, struct tia_track *track)
     return TIA_OK;
 }
 
-/* Reads a number and a colon. */
+/* Reads a number, the time, which must be later than `before`, and a colon. */
 static int read_time(struct tia_text *t, tia_q16 before, tia_q16 *time)
 {
     struct tia_word word, number;

@@ -12,11 +12,12 @@
 #include "read/text/name_table.h"
 #include "scene_reach.h"
 
+/* Kinds of names, and the index that each has. */
 enum tia_kind_of_name {
-    TIA_NAMED_MATERIAL, /* with the material's index */
-    TIA_NAMED_TEXTURE,  /* with the texture's index */
-    TIA_NAMED_SOLID,    /* with twice a mesh's index, or twice a grid's index plus 1 */
-    TIA_NAMED_MOVER     /* with twice a transform's index, or twice a light's index plus 1 */
+    TIA_NAMED_MATERIAL, /* the material's index */
+    TIA_NAMED_TEXTURE,  /* the texture's index */
+    TIA_NAMED_SOLID,    /* twice a mesh's index, or twice a grid's index plus 1 */
+    TIA_NAMED_MOVER     /* twice a transform's index, or twice a light's index plus 1 */
 };
 
 enum tia_parse_array {
@@ -45,8 +46,8 @@ enum tia_parse_array {
 
 enum tia_pass { TIA_COUNTING, TIA_NAMING, TIA_FILLING };
 
-#define TIA_INCLUDE_DEPTH 8 /* nested files */
-#define TIA_INCLUDES_MAX 64 /* files in all: eight files that each include the next twice would be 256 */
+#define TIA_INCLUDE_DEPTH 8 /* largest number of files within each other */
+#define TIA_INCLUDES_MAX 64 /* largest number of files: eight that each include the next twice would be 256 */
 #define TIA_GROUP_DEPTH 8
 
 /* The stack of included files. */
@@ -121,16 +122,20 @@ int tia_parse_find(struct tia_parse *job, enum tia_kind_of_name kind, const stru
 void tia_parse_animate(struct tia_parse *job, const struct tia_word *name);
 /* True if a name is animated. */
 bool tia_parse_moves(const struct tia_parse *job, const struct tia_word *name);
-/* Finds the light or transform of that name, in the last pass. */
+/* Finds the light or transform of that name, in the last pass; NULL: none. */
 struct tia_name *tia_parse_mover(const struct tia_parse *job, const struct tia_word *name);
 
 /* Adds a track of a shape's or light's visibility, unless both times are NULL, which means not given. */
 int tia_parse_show(struct tia_parse *job, enum tia_target target, uint32_t index, const tia_q16 *appears,
                    const tia_q16 *vanishes);
 
-/* Begin and end a pass; tia_events_resolve follows the last one, when all shapes are known. events.c */
+/* ---- events.c ---- */
+
+/* Begins a pass. */
 void tia_events_begin(struct tia_parse *job);
+/* Ends a pass: adds the falling balls. */
 void tia_events_end(struct tia_parse *job);
+/* Sets the shapes of falling balls after the last pass, when all shapes are known. */
 void tia_events_resolve(struct tia_parse *job);
 
 /* Composes a shape's transform with those of the groups around it. `name`: the shape's name, or NULL. */
@@ -144,12 +149,13 @@ int tia_parse_missing(struct tia_parse *job, const struct tia_word *file, const 
 
 /* Switches to the file of the last include statement. */
 void tia_include_begin(struct tia_parse *job);
-/* Switches back at the end of a file. */
+/* Switches back at the end of a file; an error if one of its groups is open. */
 int tia_include_end(struct tia_parse *job);
 
-/* Read the rest of a statement's line, and its block if it has one. */
+/* ---- statements: each function reads the rest of the line, and the block if there is one ---- */
+
 int tia_line_camera(struct tia_parse *job);
-int tia_light_field_line(struct tia_parse *job); /* reads a part of a camera statement */
+int tia_light_field_line(struct tia_parse *job); /* the statement camera lightfield */
 int tia_line_samples(struct tia_parse *job);
 int tia_line_background(struct tia_parse *job);
 int tia_line_depth(struct tia_parse *job);

@@ -7,7 +7,7 @@
  * have its horizon 2^-16 too low, since hits end at a distance of 65536; an eye 8 above it 2^-13, which is less than a
  * quarter of a pixel. So the unit of length is no smaller than this allows. */
 #define HEIGHT_MOST TIA_Q16(8)
-/* Growth of a window whose width follows the picture's: up to 64 times its height. */
+/* Largest half width, in heights, of a window whose width follows the picture's. */
 #define WINDOW_GROWS 32
 #define OWN_MOST (INT64_C(1) << 33) /* a length beyond any scene, which times the largest scale still fits 64 bits */
 
@@ -118,7 +118,8 @@ void tia_reach_light(struct tia_reach *r, const struct tia_light *light)
     enlarge_own(r, distance(radius));
 }
 
-/* Returns the farthest eye beside another one; the observer line may have any direction. */
+/* Returns the maximum corner of a box around all eyes of an observer line of half length `line`, which may have any
+ * direction; for -line the minimum corner. */
 static struct tia_vec3 beside(struct tia_vec3 eye, tia_q16 line)
 {
     int64_t at[3] = {(int64_t)eye.x + line, (int64_t)eye.y + line, (int64_t)eye.z + line};

@@ -22,17 +22,26 @@ struct tia_reach {
 /* Begins a pass, see tia_lengths_begin. */
 void tia_reach_begin(struct tia_reach *reach, int scale_bits, tia_q16 places);
 
-/* Extend the bounds in the first pass; tia_reach_shape has the shape's transform if it is placed or may move. */
+/* ---- in the first pass: these extend the bounds ---- */
+
+/* Adds a shape. Its transform counts if it places the shape (`placed`) or a track may move the shape (`moves`). */
 void tia_reach_shape(struct tia_reach *reach, const struct tia_shape *shape, const struct tia_transform *transform,
                      bool placed, bool moves);
+/* Adds a vertex of a mesh. */
 void tia_reach_vertex(struct tia_reach *reach, struct tia_vec3 vertex);
 void tia_reach_grid(struct tia_reach *reach, const struct tia_grid *grid);
+/* Adds a light that has a place. */
 void tia_reach_light(struct tia_reach *reach, const struct tia_light *light);
+/* Adds all eyes of the camera, its reference point and its window. */
 void tia_reach_camera(struct tia_reach *reach, const struct tia_camera *camera);
+/* Adds a track, whose keyframes have the span `values`. */
 void tia_reach_keys(struct tia_reach *reach, const struct tia_track *track, struct tia_span values);
+/* Adds the position of a group, or of a shape in a group: Q31.32. */
 void tia_reach_group(struct tia_reach *reach, const int64_t position[3]);
 
-/* Extends the bounds by a plane in a later pass, when all eyes are known. */
+/* ---- after the first pass ---- */
+
+/* Adds a plane in a later pass, when all eyes are known. */
 void tia_reach_plane(struct tia_reach *reach, const struct tia_plane *plane);
 
 /* Returns the largest scale_bits that certainly fit; 0 if no more are needed. */

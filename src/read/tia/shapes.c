@@ -10,8 +10,8 @@ struct shape_line {
     struct tia_shape shape;
 };
 
-/* Indices of the fields of every shape with a position, which come first; infinite shapes have only those before the
- * name. */
+/* Indices of the fields that all shapes with a position have, which come first; infinite shapes have only those before
+ * the name. */
 enum { MATERIAL_FIELD, APPEARS_FIELD, VANISHES_FIELD, NAME_FIELD, AT_FIELD, ROTATE_FIELD, SCALE_FIELD, COMMON_FIELDS };
 #define OFFSET(member) .offset = offsetof(struct shape_line, member)
 static const struct tia_field common_fields[COMMON_FIELDS] = {
@@ -71,8 +71,8 @@ static unsigned fields_of(const struct shape_description *description,
     return count;
 }
 
-/* Adds the transform of a shape that needs one. A named shape needs one if it moves, and while its motion is not
- * known. */
+/* Adds the transform of a shape that needs one. A named shape needs one if it moves, and as long as its motion is
+ * unknown. */
 static void add_transform(struct tia_parse *job, struct shape_line *line, uint32_t given)
 {
     bool filling = job->pass == TIA_FILLING, moves = tia_parse_moves(job, &line->name);

@@ -17,7 +17,7 @@ static int take_line(struct tia_text *t, struct tia_word *word, const char *expe
 
 /* ---- meshes ---- */
 
-/* The first elements of the mesh in the arrays. */
+/* A mesh that is being read: the indices of its first elements in the arrays. */
 struct mesh_block {
     struct tia_parse *job;
     uint32_t vertices, normals, uvs, faces;
@@ -56,7 +56,7 @@ static int read_uv(struct mesh_block *block)
     return status;
 }
 
-/* Reads a number from 1 to `count` at the front of `rest`; gives the index, from 0. */
+/* Reads a number from 1 to `count` at the front of `rest` and removes it; *index receives the number minus 1. */
 static int take_index(struct tia_text *t, struct tia_word *rest, uint32_t count, const char *thing, uint32_t *index)
 {
     struct tia_word number = *rest;

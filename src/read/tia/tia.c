@@ -190,7 +190,8 @@ static void look_at(struct tia_camera *camera, struct tia_vec3 reference)
     camera->reference = reference;
 }
 
-/* Replaces, in the tracks of shapes and lights, the position of the name by the index. */
+/* Replaces the name's index, in the tracks of shapes and lights, by that of the transform or light; sets the reference
+ * point of a camera that only a track defines. */
 static void resolve_tracks(struct tia_parse *job)
 {
     struct tia_track *tracks = (struct tia_track *)(void *)job->arrays[TIA_OF_TRACKS].items;

@@ -11,7 +11,7 @@
     }
 #define LOOK_GIVEN 2u
 #define UP_GIVEN 4u
-/* left, right, bottom, top */
+/* a window: left, right, bottom, top */
 #define WINDOW                                                                                                         \
     {                                                                                                                  \
         .word = "window", .kind = TIA_LENGTHS, .count = 4, .offset = offsetof(struct tia_camera, window),              \
@@ -92,7 +92,7 @@ int tia_line_depth(struct tia_parse *job)
     return status;
 }
 
-/* Reads a name; gives its number, counted from `first`. */
+/* Reads a name; *number receives the number, from `first` on, for which `name_of` returns it. */
 static int named(struct tia_text *t, const char *(*name_of)(unsigned), unsigned first, const char *what,
                  const char *expected, unsigned *number)
 {
@@ -119,7 +119,7 @@ static int map_size(struct tia_text *t, struct tia_shadow_map *map)
     return status;
 }
 
-/* Stores digits of the amount below Q16.16: a length in a file with a large unit has few digits there. */
+/* Reads an amount with digits below Q16.16: in a file with a large unit, a length has few digits in Q16.16. */
 static int amount_digits(struct tia_text *t, struct tia_shadow_map *map)
 {
     int64_t amount;

@@ -1,7 +1,7 @@
 #include "dither.h"
 
 /* Returns the entry of Bayer's matrix M(8), where M(2n) = [4 M(n), 4 M(n) + 2; 4 M(n) + 3, 4 M(n) + 1]: each bit of x
- * and y adds two bits, the lowest bit of the coordinates the highest of the entry. */
+ * and y adds two bits to the entry, the lowest bits of x and y its highest two. */
 static unsigned bayer(unsigned x, unsigned y)
 {
     unsigned entry = 0;

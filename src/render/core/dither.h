@@ -4,7 +4,8 @@
 
 #include "num/num.h"
 
-/* Gives the rounding offsets of row y by x & 7: one half everywhere, or a row of the 8x8 Bayer matrix. */
+/* Gives the rounding offsets of row y, indexed by x & 7: one half everywhere, or with `dither` a row of the 8x8 Bayer
+ * matrix. */
 void dither_thresholds(bool dither, int y, num_u threshold[8]);
 
 #endif

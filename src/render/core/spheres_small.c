@@ -1,4 +1,4 @@
-/* spheres_small.c - the core for scenes of spheres alone, of the smallest size. */
+/* spheres_small.c - the core of the smallest code size, for scenes of spheres alone. */
 #include "render/renderer.h"
 #include "render/span/kernels.h"
 #include "scene/check/scene_check.h"

@@ -3,7 +3,7 @@
 
 enum { WAYS = 14 };
 
-/* Returns direction i of those to the faces and corners of a cube, slightly off all symmetries. */
+/* Returns direction i of the 14 from a cube's centre to its faces and corners, slightly off all symmetries. */
 static struct num_dir way(unsigned i)
 {
     const num_unit much = NUM_UNIT_ONE / 2, little = NUM_UNIT_ONE / 64;
@@ -26,8 +26,8 @@ static bool is_opaque(const struct ray_view *view, const struct hit *hit)
     return !m->opacity && !m->refraction.r && !m->refraction.g && !m->refraction.b;
 }
 
-/* Returns the opaque object that the rays in all these directions from the point hit at a distance of `least` or more;
- * TIA_NO_OBJECT: there is none. */
+/* Returns the opaque object that the rays in all 14 directions from the point hit, each at a distance of `least` or
+ * more; TIA_NO_OBJECT: no such object. */
 static uint32_t around(const struct ray_view *view, struct num_point point, num_length least)
 {
     uint32_t object = TIA_NO_OBJECT;
@@ -43,7 +43,7 @@ static uint32_t around(const struct ray_view *view, struct num_point point, num_
     return object;
 }
 
-/* True if the light's edge is inside the object: the corners of a rectangle, two points on the edge of a disc. */
+/* True if the light's edge is inside the object, tested at a rectangle's corners or at four points of a disc's edge. */
 static bool edge_is_inside(const struct ray_view *view, const struct ray_light *light, uint32_t object)
 {
     for (int i = 0; i < 4; i++) {

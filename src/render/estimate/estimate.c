@@ -19,7 +19,7 @@ bool estimate_stops(struct estimate *e)
     return e->stopped;
 }
 
-/* True if a ray passes the surface, by the chance of its opacity. */
+/* True if a ray passes the surface: a random choice with the probability 1 - opacity. */
 static bool goes_past(struct estimate *e, const struct shading *s)
 {
     uint32_t u[2];
@@ -64,7 +64,7 @@ void estimate_guide(struct estimate *e, const num_length albedo[3], const struct
     guide->normal[2] += num_q24(num_length_of_unit(normal->z) + NUM_LENGTH_ONE) - ONE;
 }
 
-/* Computes sample number `index` of a channel. */
+/* Computes sample number `index` of a channel's pixel `at`. */
 static void sample_of(struct estimate *e, const struct light_pixel *at, uint32_t index, estimate_radiance *radiance,
                       num_length rgb[3])
 {
@@ -78,8 +78,8 @@ static void sample_of(struct estimate *e, const struct light_pixel *at, uint32_t
     radiance(e, &ray, rgb);
 }
 
-/* Computes sample number `index` of the pixel, and adds it to the sum. Of three channels, each comes from its own ray.
- */
+/* Adds sample number `index` of a pixel to the sum, and gives it in `rounded`, both in units of 2^-24. If there are
+ * three channels, each has a separate ray. */
 static void add_sample(struct estimate *e, int x, int y, uint32_t index, estimate_radiance *radiance,
                        struct tia_sum *sum, int64_t rounded[3])
 {
@@ -108,7 +108,7 @@ static struct estimate begin(const struct tia_view *view)
     return (struct estimate){.view = rays, .bias = num_ray_bias(rays->bias), .blocker = TIA_NO_OBJECT};
 }
 
-/* Adds samples of one pixel, whose index among the gathered ones is `at`. */
+/* Adds samples first..end - 1 of pixel (x, y), which has the index `at` in the gathered arrays. */
 static void add_samples(struct estimate *e, int x, int y, uint32_t first, uint32_t end,
                         const struct tia_gathered *gathered, size_t at, estimate_radiance *radiance)
 {
@@ -133,7 +133,7 @@ void estimate_sample_tile(const struct tia_view *view, struct tia_tile tile, uin
                         (size_t)y * gathered->pitch + (size_t)x, radiance);
 }
 
-/* Settings for a row's pixels. */
+/* Conversion of the sums of a row to pixels. */
 struct packing {
     enum tia_tone tone;
     struct tia_exposure exposure;
@@ -142,7 +142,7 @@ struct packing {
     num_u threshold[8];
 };
 
-/* Returns the level that a sum shows; the amplitude of dithering is that of an 8-bit picture. */
+/* Returns a sum's display level, 0..2^bits - 1; dithering starts from its level of 8 bits. */
 static unsigned level(const struct packing *p, int64_t sum, unsigned bits, int x)
 {
     uint32_t value = tia_exposed(&p->exposure, sum, p->spp);

@@ -11,7 +11,7 @@ struct estimate {
     const struct ray_view *view;
     num_length bias; /* offset of rays from surfaces */
     struct sampler sampler;
-    uint32_t layers;         /* number of opacities that its rays have passed */
+    uint32_t layers;         /* number of surfaces passed by the chance of an opacity */
     uint32_t hash;           /* hash of the hits of all rays of the pixel's samples */
     uint32_t blocker;        /* object that blocked the last shadow ray, or TIA_NO_OBJECT */
     struct tia_guide *guide; /* the pixel's guide; NULL: not wanted, or the sample has filled it in */
@@ -19,15 +19,16 @@ struct estimate {
     bool stopped;
 };
 
-/* The quad whose first two numbers are the position in the pixel, and whose others are the first direction. */
+/* The quad of random numbers for the position in the pixel (two numbers) and for the first direction (two). */
 #define ESTIMATE_FIRST_QUAD 0
 
 /* Computes the radiance along a sample's first ray. */
 typedef void estimate_radiance(struct estimate *e, const struct ray *ray, num_length rgb[3]);
 
-/* Implements `sample`, see struct renderer. */
+/* Implements `sample` of struct renderer. */
 void estimate_sample_tile(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end,
                           const struct tia_gathered *gathered, estimate_radiance *radiance);
+/* Implements `light` of struct renderer. */
 void estimate_light_tile(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
                          const struct tia_options *options, estimate_radiance *radiance);
 
@@ -38,20 +39,20 @@ void estimate_show(const struct tia_view *view, struct tia_tile row, const struc
 /* Counts a ray; true once `stop` has returned true. */
 bool estimate_stops(struct estimate *e);
 
-/* Finds the nearest surface that the ray does not pass by the chance of an opacity texture; false: there is none, but
- * perhaps a light of those kinds, see ray_intersect_lights_of. A ray that passes a surface starts behind it from then
- * on. */
+/* Finds the nearest surface that the ray does not pass by the chance of an opacity texture, and moves the ray's origin
+ * behind each surface passed. False: no surface, but perhaps a light of the kinds `lights`, see
+ * ray_intersect_lights_of; or stopped. */
 bool estimate_meet(struct estimate *e, struct ray *ray, unsigned lights, struct hit *hit, struct shading *s);
 
-/* Adds the sample's first visible surface to the guide, unless it has one already; `normal` is NULL if there is none.
- */
+/* Adds the sample's first visible surface to e->guide, and sets e->guide to NULL; does nothing if it is NULL. `normal`
+ * NULL: no surface, and `depth` is unused. */
 void estimate_guide(struct estimate *e, const num_length albedo[3], const struct num_dir *normal, num_length depth);
 
 /* Implements `enclosing`, see struct tia_estimator. */
 uint32_t estimate_enclosing(const struct tia_view *view, uint32_t light);
 
-/* Adds the square of a sample's luminance, which is below 2^14, in units of 2^-32. A sum of squares that stops at its
- * largest value does not depend on their order either. */
+/* Adds the square of a sample's luminance, at most 2^14, to *squares, in units of 2^-32; rgb is in units of 2^-24. The
+ * sum saturates, and so does not depend on the order of the samples. */
 static inline void estimate_add_square(const int64_t rgb[3], uint64_t *squares)
 {
     uint64_t luminance = (uint64_t)(rgb[0] + 2 * rgb[1] + rgb[2]) / 4;

@@ -1,5 +1,5 @@
-/* flat.c - planes: t = (P - O).N / (D.N). A ray with |D.N| below 2^-42 counts as parallel: an intersection within 2^17
- * units would be less than 2^-25 above the plane. */
+/* flat.c - planes: t = (P - O).N / (D.N). A ray with |D.N| below 2^-42 counts as parallel: it meets the plane within
+ * 2^17 units only if its origin is less than 2^-25 from the plane. */
 #include "flat.h"
 
 void flat_prepare(struct prepared_plane *plane, struct tia_vec3 point, struct tia_dir3 normal)

@@ -6,13 +6,13 @@
 
 void flat_prepare(struct prepared_plane *plane, struct tia_vec3 point, struct tia_dir3 normal);
 
-/* Intersects a ray with the infinite plane. */
+/* Intersects a ray with the infinite plane; false: not at 0 <= t <= limit. */
 bool flat_intersect(const struct prepared_plane *plane, const struct ray *ray, num_length limit, num_length *t);
 
-/* Describes the surface, for shape_kind; the normal is the plane's. */
+/* Implements `surface` of struct shape_kind: the normal is the plane's. */
 void flat_surface(const struct shape *shape, struct num_point point, uint32_t element, struct surface *surface);
 
-/* Gives the coordinates along the tangents. */
+/* Gives a point's coordinates along the tangents, from plane->point. */
 void flat_uv(const struct prepared_plane *plane, struct num_point point, num_length uv[2]);
 
 #endif

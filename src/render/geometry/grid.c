@@ -1,9 +1,9 @@
 /* grid.c - grids of cubes, traversed cell by cell after Amanatides and Woo, "A fast voxel traversal algorithm" (1987).
  *
- * Cells are counted in integers, and the t of a plane between them comes from the plane's coordinate, not from the t of
- * the plane before it: so the planes that a ray meets, sorted by t, are the steps of its walk, and no rounding makes it
- * skip or repeat a cell. The walk ends after as many steps as there are planes. Element: 6 times the cell, plus the
- * face as a box has it. */
+ * Cells are counted in integers, and the t of a plane between two cells comes from the plane's coordinate, not from the
+ * t of the previous plane: so the steps of the walk are the planes that the ray meets, sorted by t, and rounding cannot
+ * make the walk skip or repeat a cell. The walk has at most as many steps as there are planes. An intersection's
+ * element is 6 times the cell plus the face, numbered as in box.h. */
 #include "box.h"
 
 struct walker {
@@ -40,8 +40,8 @@ static bool has_cell(const struct walker *w, int axis, int32_t at)
     return at >= 0 && at < w->grid->size[axis];
 }
 
-/* Finds the ray's cell at t along one axis: the one entered before t and left at t or later. The rounded
- * point itself only gives a first guess. */
+/* Finds the ray's cell at t along one axis: the cell entered before t and left at t or later. The rounded point is only
+ * the first guess. */
 static void find_cell(struct walker *w, int axis, num_length t)
 {
     int step = step_of(w, axis);
@@ -74,7 +74,8 @@ static void start(struct walker *w, const struct prepared_grid *grid, const stru
         find_cell(w, axis, t);
 }
 
-/* Walks from cell to cell until the next one differs from the first. */
+/* Walks from cell to cell until the next cell, or the space outside, differs in material from the first; false: not
+ * within `limit`, or the grid ends in empty cells. */
 static bool go(struct walker *w, num_length limit, struct intersection *intersection)
 {
     uint32_t cell = cell_index(w);

@@ -1,11 +1,11 @@
 /* instance.h - shapes that are scaled, rotated and moved.
  *
  * With the scale s, the axes a (where the shape's x, y and z point) and the position p, a world point P is
- * ((P - p).a_i) / s_i in the shape's axes, and a direction D is (D.a_i) / s_i; of length k, so that a distance
- * t in the world is k t there.
+ * ((P - p).a_i) / s_i in the shape's axes, and a direction D is (D.a_i) / s_i, whose length is k: a distance t in the
+ * world is k t in the shape's axes.
  *
- * A ray is first moved forward to the box around the shape. So no number there is larger than the shape, however
- * small the scale, and a ray that misses the box misses the shape.
+ * A ray is first moved forward to the box around the shape. So no number in the shape's axes is larger than the shape,
+ * however small the scale, and a ray that misses the box misses the shape.
  */
 #ifndef TIA_RENDER_GEOMETRY_INSTANCE_H
 #define TIA_RENDER_GEOMETRY_INSTANCE_H
@@ -17,24 +17,24 @@ struct instance {
     struct num_point position;
     struct num_dir axes[3];
     num_length scale[3];
-    num_length min[3], max[3]; /* box, along the axes in the world's units */
+    num_length min[3], max[3]; /* bounding box along the axes, in the world's units */
 };
 
-/* Prepares an instance; `bounds` are those of the shape in its own axes. */
+/* Prepares an instance; `bounds` are the shape's in its own axes. */
 void instance_prepare(struct instance *instance, const struct tia_transform *transform,
                       const struct bounds_wide *bounds);
 
 /* A ray in the shape's axes. */
 struct instance_ray {
     struct ray ray;
-    num_length start;       /* the world's t of the local 0; beyond NUM_LENGTH_MAX if the ray misses the box */
+    num_length start;       /* world t of the local origin; above NUM_LENGTH_MAX: the ray misses the box */
     struct num_scale scale; /* k */
 };
 
 void instance_transform_ray(const struct instance *instance, const struct ray *ray, struct instance_ray *placed);
 
-/* Converts a distance in the world to one along the local ray: below 0 when it ends before the local 0 or the ray
- * misses. */
+/* Converts a distance in the world to one along the local ray: below 0 when it ends before the local origin or the ray
+ * misses the box. */
 num_length instance_distance(const struct instance_ray *placed, num_length t);
 /* Converts a distance along the local ray to one in the world. */
 num_length instance_distance_back(const struct instance_ray *placed, num_length t);

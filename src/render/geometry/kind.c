@@ -8,7 +8,7 @@ bool shape_occludes(const struct shape *shape, const struct ray *ray, num_length
     return shape->kind->intersect(shape, ray, limit, &intersection);
 }
 
-/* Returns e x N, e the unit vector of N's smallest coordinate. */
+/* Returns e x N, where e is the unit vector along the axis of N's smallest coordinate. */
 static struct num_dir across(struct num_dir n)
 {
     num_unit x = n.x < 0 ? -n.x : n.x, y = n.y < 0 ? -n.y : n.y, z = n.z < 0 ? -n.z : n.z;

@@ -1,10 +1,10 @@
-/* mesh.c - faces over shared vertices; the element of an intersection is its face. */
+/* mesh.c - meshes: faces with shared vertices; an intersection's element is the face's index. */
 #include "triangle.h"
 #include "walk.h"
 
 #define GROUPS 16
 
-/* The lowest groups from number `from` on, in rising order, and a flag if there are more. */
+/* The lowest group numbers from `from` on, in rising order; `more`: there are higher ones. */
 struct groups {
     uint32_t group[GROUPS], count, from;
     bool more;
@@ -65,7 +65,7 @@ static void try_face(struct search *s, uint32_t face)
     s->found = true;
 }
 
-/* Tests faces items[i], or i if `items` is NULL, for i from `first` on. */
+/* Tests `count` faces, items[i] or, if `items` is NULL, i, for i from `first` on. */
 static void try_faces(struct search *s, const uint32_t *items, uint32_t first, uint32_t count)
 {
     for (uint32_t i = first; i - first < count && !(s->any && s->found); i++)
@@ -87,7 +87,7 @@ static void search(struct search *s, const struct prepared_mesh *prepared, const
     s->mesh = prepared->mesh;
     s->given = ray;
     triangle_ray_prepare(&s->ray, ray);
-    if (prepared->tree && prepared->tree->node_count == 1) /* a leaf: its box is the object's */
+    if (prepared->tree && prepared->tree->node_count == 1) /* a single leaf, whose box is the object's */
         try_faces(s, prepared->tree->items, 0, prepared->tree->item_count);
     else if (prepared->tree)
         try_tree(s, prepared->tree, ray);
@@ -142,8 +142,8 @@ static uint64_t edge_number(const struct tia_vec3 *a, const struct tia_vec3 *b)
     return n;
 }
 
-/* True if the mesh is closed. If each edge has one that runs back, the sum is 0; otherwise it is 0 with a chance of one
- * in 2^64. */
+/* True if the mesh is closed. If every edge has an opposite one, the sum of the hashes is 0; otherwise it is 0 with a
+ * probability of 2^-64. */
 bool mesh_is_closed(const struct tia_mesh *mesh, struct cancel *cancel)
 {
     uint64_t sum = 0;
@@ -158,8 +158,8 @@ bool mesh_is_closed(const struct tia_mesh *mesh, struct cancel *cancel)
     return sum == 0;
 }
 
-/* Returns the mean of the vertices' normals, weighted by the barycentric coordinates; the face's own where they cancel.
- */
+/* Returns the mean of the vertices' normals, weighted by the barycentric coordinates; `flat`, the face's own normal,
+ * where they cancel. */
 static struct num_dir smooth_normal(const struct tia_mesh *mesh, const struct tia_corner corner[3],
                                     const num_unit parts[3], struct num_dir flat)
 {

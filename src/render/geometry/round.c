@@ -6,14 +6,14 @@
  *
  *     rho c <= g,   g = r c + z s                                                                    (1)
  *
- * and rho c - g is the distance from the side, so that all of this has the size of lengths. A cylinder
+ * and rho c - g is the distance from the side, so all terms have the magnitude of lengths. A cylinder
  * has c = 1, s = 0.
  *
- * The ray's origin is first moved along it to the point nearest to the anchor: what is farther away than
- * any point of the shape then misses, and no number below is much larger than the shape; the anchor is
- * the thinner end because g, which errors are divided by, is smallest there. Let q be the
- * length of the direction's part across the axis, d that along it, m how far along the former the ray
- * comes nearest to the axis, and w its distance from it then: rho^2 = w^2 + (t q - m)^2. With
+ * The ray's origin is first moved along the ray to the point nearest to the anchor. If this point is farther from the
+ * anchor than any point of the shape, the ray misses; so no number below is much larger than the shape. The anchor is
+ * the thinner end because g, by which errors are divided, is smallest there. Let q be the length of the direction's
+ * part across the axis, d that of its part along the axis, m the distance along the former part at which the ray is
+ * nearest to the axis, and w the ray's distance from the axis there: rho^2 = w^2 + (t q - m)^2. With
  *
  *     P = w c,   M = m c,   G = g at t = 0,   (sigma, gamma) n = (q c, d s), sigma^2 + gamma^2 = 1,
  *
@@ -31,8 +31,8 @@
  *
  * The square loses the sign of g: (1) has no points with g < 0, but the other half of the double cone has. A ray that
  * is flatter than the side (ab >= 0) is inside between its roots, with g of the same sign all the way, that of E. A
- * steeper one (ab < 0) is inside before the first root in one half and after the second in the other; that half where g
- * grows along the ray, the second when gamma > 0, is ours. */
+ * steeper ray (ab < 0) is inside one half before the first root and inside the other half after the second. The half
+ * with g > 0 is after the second root when g grows along the ray, gamma > 0, and before the first root otherwise. */
 #include "round.h"
 
 /* An interval of t; empty when far < near. */
@@ -53,7 +53,7 @@ struct beam {
 
 /* True if the ray's line passes the axis farther away than any point of the shape: |P x Q| > r |Q|, where P is a point
  * of the line and Q its direction, both projected along the axis. This holds for most rays near a slender shape, and
- * needs no normalisation. Rounding moves a side by less than 2^-40; the shape's points have 2^-13 to spare. */
+ * needs no normalisation. Rounding moves a side by less than 2^-40; `thickness` has a margin of 2^-13. */
 static bool passes_by(const struct prepared_cone *cone, struct num_point o, const num_unit d[2])
 {
     num_length p[2] = {num_point_dot(o, cone->across[0]), num_point_dot(o, cone->across[1])};
@@ -64,7 +64,7 @@ static bool passes_by(const struct prepared_cone *cone, struct num_point o, cons
     return aside > most || aside < -most;
 }
 
-/* Gives the beam; false when the ray never comes near enough. */
+/* Gives the ray relative to the axis; false when it misses all points of the shape. */
 static bool beam_of(const struct prepared_cone *cone, const struct ray *ray, num_length limit, struct beam *b)
 {
     const struct num_dir *a = cone->across;
@@ -91,7 +91,7 @@ static bool beam_of(const struct prepared_cone *cone, const struct ray *ray, num
     return true;
 }
 
-/* The quadratic of the derivation above, with c and s. */
+/* G, M, P, sigma and gamma of the derivation above. */
 struct quadratic {
     num_length g, m, p;
     num_unit sigma, gamma;
@@ -115,7 +115,7 @@ static struct span solve(const struct quadratic *u)
     return u->gamma > 0 ? (struct span){roots.far, NUM_LENGTH_MAX} : (struct span){-NUM_LENGTH_MAX, roots.near};
 }
 
-/* Returns the interval inside the side, which extends infinitely both ways. */
+/* Returns the interval of t inside the side, extended infinitely both ways. */
 static struct span side_span(const struct prepared_cone *cone, const struct beam *b)
 {
     num_unit c = cone->slope_cosine, s = cone->slope_sine;
@@ -131,7 +131,7 @@ static struct span side_span(const struct prepared_cone *cone, const struct beam
     return (struct span){num_div(span.near, scale), num_div(span.far, scale)};
 }
 
-/* Returns the interval between base and top. An apex needs no limit: the side has one. */
+/* Returns the interval of t between base and top. An apex is no limit here, since the side ends there. */
 static struct span height_span(const struct prepared_cone *cone, const struct beam *b)
 {
     num_length base = cone->base_radius > 0 ? -cone->anchored - b->height : -NUM_LENGTH_MAX;
@@ -143,7 +143,8 @@ static struct span height_span(const struct prepared_cone *cone, const struct be
     return b->rise > 0 ? (struct span){to_base, to_top} : (struct span){to_top, to_base};
 }
 
-/* True if there is an intersection at t from the moved origin; no point of the shape is beyond its reach. */
+/* Gives the intersection at t from the moved origin; false: t is beyond the shape's reach, or the intersection not
+ * within 0..limit. */
 static bool take(const struct prepared_cone *cone, const struct beam *b, num_length t, num_length limit,
                  uint32_t element, struct intersection *intersection)
 {
@@ -176,7 +177,7 @@ bool round_intersect(const struct shape *shape, const struct ray *ray, num_lengt
            (leaves && take(cone, &b, side.far, limit, ROUND_SIDE, intersection));
 }
 
-/* Gives the direction from the axis to the point, in the axes across. */
+/* Gives the unit vector from the axis to the point v, along cone->across. */
 static void aside(const struct prepared_cone *cone, struct num_point v, num_unit out[2])
 {
     num_unit none;
@@ -185,7 +186,7 @@ static void aside(const struct prepared_cone *cone, struct num_point v, num_unit
                          &none);
 }
 
-/* Returns the gradient of (1), normalised. At an apex only its part along the axis is left. */
+/* Returns the gradient of (1), normalised; at an apex, its part along the axis alone. */
 static struct num_dir side_normal(const struct prepared_cone *cone, struct num_point point)
 {
     num_unit out[2];
@@ -208,8 +209,8 @@ void round_surface(const struct shape *shape, struct num_point point, uint32_t e
     surface->smooth = surface->normal;
 }
 
-/* Gives a disc's coordinates of a point relative to the base. The base's normal is the negated axis: that negates U,
- * or, with the axis along y, V. */
+/* Gives a cap's surface coordinates, as those of a disc, at v, relative to the base's centre. The normal of the base is
+ * the negated axis, which negates U or, when the axis is along y, V. */
 static void cap_uv(const struct prepared_cone *cone, struct num_point v, bool is_base, num_length uv[2])
 {
     num_length radius = is_base ? cone->base_radius : cone->top_radius;
@@ -238,7 +239,8 @@ void round_uv(const struct shape *shape, struct num_point point, uint32_t elemen
     uv[1] = num_ratio(num_point_dot(v, cone->axis), cone->length);
 }
 
-/* Sets the anchor. Lengths are rounded down; 2^-13 is added to reach and thickness, so that no point is hidden. */
+/* Sets the anchor. Lengths are rounded down; 2^-13 is added to reach and thickness, so that no point of the shape is
+ * missed. */
 static void set_anchor(struct prepared_cone *cone, struct num_point top)
 {
     bool at_top = cone->top_radius < cone->base_radius;

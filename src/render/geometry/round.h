@@ -7,22 +7,24 @@
 /* The elements: the side and the caps. */
 enum { ROUND_SIDE, ROUND_BASE, ROUND_TOP };
 
-/* The ends of the axis and their radii: a cylinder when they are equal. One may be 0. */
+/* The ends of the axis and the radii at them. One radius may be 0; equal radii make a cylinder. */
 struct round_ends {
     struct tia_vec3 base, top;
     tia_q16 base_radius, top_radius;
     struct tia_fine_ends fine;
 };
 
-/* Returns the fine digits of a shape, 0 if it has none. */
+/* Returns the fine digits of a shape; all are 0 if it has none. */
 struct tia_fine_ends round_fine(const struct tia_scene *scene, const struct tia_shape *given);
 
 void round_prepare(struct prepared_cone *cone, const struct round_ends *ends, bool capped);
 
-/* Implement the functions of struct shape_kind. */
+/* Implements `intersect` of struct shape_kind. */
 bool round_intersect(const struct shape *shape, const struct ray *ray, num_length limit,
                      struct intersection *intersection);
+/* Implements `surface` of struct shape_kind. */
 void round_surface(const struct shape *shape, struct num_point point, uint32_t element, struct surface *surface);
+/* Implements `uv` of struct shape_kind. */
 void round_uv(const struct shape *shape, struct num_point point, uint32_t element, num_length uv[2]);
 
 #endif

@@ -1,8 +1,8 @@
 /* shape.h - the common interface of all shapes, for intersecting rays.
  *
- * A shape is prepared once for a view: its constants lie in `struct shape`, in the shape's own axes, and the functions
- * of its kind in a table. These do not depend on transforms: a placed shape's ray is converted to the shape's axes
- * first (instance.h).
+ * A shape is prepared once for a view: `struct shape` has its constants, in the shape's own axes, and the table of its
+ * kind's functions. The functions do not depend on transforms: for a shape with a transform the ray is first converted
+ * to the shape's axes (instance.h).
  */
 #ifndef TIA_RENDER_GEOMETRY_SHAPE_H
 #define TIA_RENDER_GEOMETRY_SHAPE_H
@@ -20,7 +20,7 @@ struct ray {
 #endif
 };
 
-/* Gives the ray a counter, or NULL. In builds without observers this function and the two below are empty. */
+/* Sets the ray's counter of tests; NULL: none. Without observers this function and the two below are empty. */
 static inline void ray_watch(struct ray *ray, uint32_t *tests)
 {
 #ifdef TIA_WATCHED
@@ -31,7 +31,7 @@ static inline void ray_watch(struct ray *ray, uint32_t *tests)
 #endif
 }
 
-/* Gives the ray the counter of a second ray. */
+/* Sets the ray's counter of tests to that of a second ray. */
 static inline void ray_watch_as(struct ray *ray, const struct ray *other)
 {
 #ifdef TIA_WATCHED
@@ -42,7 +42,7 @@ static inline void ray_watch_as(struct ray *ray, const struct ray *other)
 #endif
 }
 
-/* Counts tests. */
+/* Adds to the ray's counter of tests. */
 static inline void ray_tested(const struct ray *ray, uint32_t count)
 {
 #ifdef TIA_WATCHED
@@ -68,23 +68,23 @@ struct surface {
 
 struct shape;
 
-/* The functions of a kind. `prepare` sets the shape's constants; `given` is one that tia_scene_check accepts. `ray` and
- * `point` are in the shape's axes. Only intersections with 0 <= t <= limit count; `limit` is at most
- * NUM_LENGTH_MAX. */
+/* The functions of a kind. `ray` and `point` are in the shape's axes. Only intersections with 0 <= t <= limit count;
+ * `limit` is at most NUM_LENGTH_MAX. */
 struct shape_kind {
+    /* Sets the shape's constants; tia_scene_check accepts `given`. */
     void (*prepare)(struct shape *shape, const struct tia_scene *scene, const struct tia_shape *given);
-    /* Finds the nearest intersection, the lowest element of several at the same t; false: there is none. */
+    /* Finds the nearest intersection; of several at the same t, the one with the lowest element. False: none. */
     bool (*intersect)(const struct shape *shape, const struct ray *ray, num_length limit,
                       struct intersection *intersection);
-    /* True if there is any intersection; never slower than intersect. shape_occludes, which calls intersect, may be
-     * used. */
+    /* True if there is any intersection; not slower than `intersect`. shape_occludes serves if no test is faster. */
     bool (*occluded)(const struct shape *shape, const struct ray *ray, num_length limit);
+    /* Gives the normals at a point. */
     void (*surface)(const struct shape *shape, struct num_point point, uint32_t element, struct surface *surface);
     /* Gives the surface coordinates of a point, see tia/shape.h. */
     void (*uv)(const struct shape *shape, struct num_point point, uint32_t element, num_length uv[2]);
 };
 
-/* Constants of the prepared shapes. */
+/* A plane or disc. */
 struct prepared_plane {
     struct num_point point; /* disc: its centre */
     struct num_dir normal, tangents[2];
@@ -169,17 +169,21 @@ uint32_t shape_material(const struct shape *shape, uint32_t element);
 /* Gives the axes A, B of tia/light.h for a normal. */
 void shape_axes(struct num_dir normal, struct num_dir axes[2]);
 
-/* Gives the tangents U, V of tia/shape.h for a normal; true if it is y or -y, which are special. */
+/* Gives the tangents U, V of tia/shape.h for a normal. */
 void shape_tangents(struct num_dir normal, struct num_dir tangents[2]);
+
+/* True for the normals y and -y, whose tangents are defined separately. */
 static inline bool shape_is_upright(struct num_dir normal)
 {
     return normal.x == 0 && normal.z == 0;
 }
 
-/* Intersect and describe the scene's spheres, which are not prepared. */
+/* Intersects a ray with one of the scene's spheres, which are not prepared; false: not at 0 <= t <= limit. */
 bool sphere_intersect(struct num_point centre, num_length radius, const struct ray *ray, num_length limit,
                       num_length *t);
+/* Gives the normals at a point of a sphere. */
 void sphere_surface(struct num_point centre, struct num_point point, struct surface *surface);
+/* Gives the surface coordinates of a point of a sphere. */
 void sphere_uv(struct num_point centre, struct num_point point, num_length uv[2]);
 
 #endif

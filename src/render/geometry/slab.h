@@ -1,4 +1,5 @@
-/* slab.h - the slab test: the interval of a ray between two planes across an axis. Distances are num_slab's. */
+/* slab.h - the slab test: the interval of a ray between two planes across an axis. Distances are in the format of
+ * num_slab. */
 #ifndef TIA_RENDER_GEOMETRY_SLAB_H
 #define TIA_RENDER_GEOMETRY_SLAB_H
 
@@ -9,8 +10,9 @@ struct slab {
     bool parallel;
 };
 
-/* Returns a slab. num_reciprocal clamps the slope of a ray nearly parallel to the planes. That makes the ray enter
- * early, which is safe, but also leave early, which is not: so a parallel ray between the planes never leaves. */
+/* Returns a slab. num_reciprocal clamps the slope of a ray nearly parallel to the planes. So the computed entry is
+ * early, which is safe, but the exit is also early, which is not: slab_clip ignores the exit unless the planes are
+ * behind the ray. */
 static inline struct slab slab_of(num_length origin, num_unit direction)
 {
     bool parallel = direction < NUM_UNIT_PARALLEL && direction > -NUM_UNIT_PARALLEL;
@@ -18,6 +20,7 @@ static inline struct slab slab_of(num_length origin, num_unit direction)
     return (struct slab){origin, num_reciprocal(direction), parallel};
 }
 
+/* Clips near..far to the part between the planes at `min` and `max`. */
 static inline void slab_clip(const struct slab *slab, num_length min, num_length max, num_length *near, num_length *far)
 {
     num_length a = num_slab(min - slab->origin, slab->reciprocal), b = num_slab(max - slab->origin, slab->reciprocal);

@@ -6,22 +6,22 @@
  *
  *     x' = x - z Dx/Dz,   y' = y - z Dy/Dz.
  *
- * The ray passes the triangle where the areas that the origin makes with each edge,
+ * The ray passes through the triangle if the areas that the origin forms with the edges,
  *
  *     a' x b' = ax' by' - ay' bx',
  *
- * do not differ in sign; 0 is of either. Over their sum they are the barycentric coordinates, and t is the mean
- * of the corners' z, weighted with those, over Dz.
+ * do not differ in sign; 0 counts as either sign. Divided by their sum, the areas are the barycentric coordinates, and
+ * t is the mean of the corners' z, weighted by these coordinates, divided by Dz.
  *
  * Watertight: x' and y' are rounded, but they depend on the corner and the ray alone, so all triangles at a corner use
  * the same values, and an error of b' moves all of them. In that slightly moved mesh the decision is exact in q16: 128
  * bits hold the area. In floating point each of the two products is rounded; rounding keeps their order, so the sign is
- * right or 0, and 0 excludes no triangle. From its other end, the edge has exactly the negated area.
+ * right or 0, and 0 excludes no triangle. An edge in the opposite direction has exactly the negated area.
  *
  * Error of t: x' is within 2^-46 plus the error of a slope, 2^-59 |z|. A corner displaced by e displaces the
- * intersection from the plane by e at most, wherever the corners are: no large numbers are subtracted. Areas: corners
- * are nearer to each other than 2^16 in each coordinate, so x' by 2^17, and the sum of the areas stays below 2^34,
- * 2^124 as num_area has it. */
+ * intersection from the plane by e at most, wherever the corners are: no large numbers are subtracted. Areas: two
+ * corners differ by less than 2^16 in each coordinate, and so by less than 2^17 in x'; the sum of the areas stays below
+ * 2^34, or 2^124 units of num_area. */
 #include "triangle.h"
 
 #include "math/wide.h"
@@ -63,7 +63,7 @@ void triangle_ray_prepare(struct triangle_ray *start, const struct ray *ray)
     start->slope[1] = num_fraction_by(axis == 0 ? d->z : axis == 1 ? d->x : d->y, start->along);
 }
 
-/* Gives the coordinates of the corners, from the ray's origin, along the axis that comes `step` after the main axis. */
+/* Gives the corners' coordinates, relative to the ray's origin, along the axis `step` places after the main axis. */
 static void corners_along(const struct triangle_ray *ray, const struct triangle_corners *corners, int step,
                           num_length v[3])
 {
@@ -76,8 +76,8 @@ static void corners_along(const struct triangle_ray *ray, const struct triangle_
     }
 }
 
-/* Gives the projected corners along that axis. Not inlined, so that the temporaries of its products are off a small
- * processor's stack in deeper calls. */
+/* Gives the coordinates of the projected corners along the axis `step` places after the main axis. Not inlined, so that
+ * the temporaries of its products are off a small processor's stack in deeper calls. */
 __attribute__((noinline)) static void seen(const struct triangle_ray *ray, const struct triangle_corners *corners,
                                            int step, const num_length ahead[3], num_length v[3])
 {
@@ -100,8 +100,8 @@ static num_area span_area(const num_length x[3], const num_length y[3], int i)
     return num_cross2(x[a], y[a], x[b], y[b]);
 }
 
-/* True if the ray passes the triangle: no two areas differ in sign, and not all are 0. The third is not needed where
- * the first two differ. */
+/* True if the ray passes the triangle: no two areas differ in sign, and not all are 0. The third area is computed only
+ * if the first two do not differ in sign. */
 static bool is_inside(const num_length x[3], const num_length y[3], num_area areas[3])
 {
     areas[0] = span_area(x, y, 0);
@@ -115,7 +115,7 @@ static bool is_inside(const num_length x[3], const num_length y[3], num_area are
     return b * c >= 0 && c * a >= 0 && (a || b || c);
 }
 
-/* The edges from the first corner: up to 2^33 units of 2^-16 long. */
+/* The edges from the first corner, in units of 2^-16, each shorter than 2^33. */
 struct edges {
     int64_t ab[3], ac[3];
 };
@@ -128,7 +128,7 @@ static struct edges edges_of(const struct triangle_corners *corners)
                           {(int64_t)c.x - a.x, (int64_t)c.y - a.y, (int64_t)c.z - a.z}};
 }
 
-/* Returns a component of the edges' cross product, exact: up to 67 bits. It is that of the axis before j. */
+/* Returns the component along the axis before j of the edges' cross product, exact: up to 67 bits. */
 static wide edge_product(const struct edges *e, int j)
 {
     int k = j < 2 ? j + 1 : 0;
@@ -187,8 +187,8 @@ bool triangle_normal(const struct triangle_corners *corners, struct num_dir *nor
     return bits > 0;
 }
 
-/* Gives the coordinates in the projection along the normal's main axis; a point that rounding has moved outside counts
- * as on the edge. */
+/* Gives the barycentric coordinates in the projection along the normal's main axis; a point that rounding has moved
+ * outside counts as on the edge. */
 void triangle_barycentric(const struct triangle_corners *corners, struct num_dir normal, struct num_point point,
                           num_unit parts[3])
 {

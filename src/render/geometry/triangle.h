@@ -1,4 +1,4 @@
-/* triangle.h - tests of one ray with many triangles, such as the faces of a mesh. */
+/* triangle.h - intersections of one ray with many triangles, such as the faces of a mesh. */
 #ifndef TIA_RENDER_GEOMETRY_TRIANGLE_H
 #define TIA_RENDER_GEOMETRY_TRIANGLE_H
 
@@ -12,22 +12,23 @@ struct triangle_ray {
     num_unit slope[2]; /* the components along the next two axes, divided by `along` */
 };
 
-/* The corners of a triangle, wherever they are stored. */
+/* A copy of a triangle's corners. */
 struct triangle_corners {
     struct tia_vec3 at[3];
 };
 
 void triangle_ray_prepare(struct triangle_ray *start, const struct ray *ray);
 
-/* Gives the t of the intersection, 0 <= t <= limit. A ray through an edge or corner that triangles share meets at least
- * one of them. A degenerate triangle, with its corners on one line, is never met. */
+/* Gives the t of the intersection; false: not at 0 <= t <= limit. A ray through an edge or corner that triangles share
+ * meets at least one of them. A degenerate triangle, with its corners on one line, is never met. */
 bool triangle_intersect(const struct triangle_ray *ray, const struct triangle_corners *corners, num_length limit,
                         num_length *t);
 
-/* Gives (B - A) x (C - A), normalised; false, and 0, when the corners are on one line. */
+/* Gives (B - A) x (C - A), normalised; false, and a normal of 0, when the corners are on one line. */
 bool triangle_normal(const struct triangle_corners *corners, struct num_dir *normal);
 
-/* Gives the barycentric coordinates of a point on a triangle with that normal, none below 0 by more than a unit. */
+/* Gives the barycentric coordinates of a point on a triangle with the normal `normal`; none is below 0 by more than a
+ * unit. */
 void triangle_barycentric(const struct triangle_corners *corners, struct num_dir normal, struct num_point point,
                           num_unit parts[3]);
 

@@ -1,8 +1,8 @@
 #include "walk.h"
 
 /* Clips near..far to the part between two planes. A ray nearly parallel to the planes is assumed to approach them
- * faster than it does. So it enters early, which is safe, but it would also leave early: where the planes are ahead, it
- * never leaves. */
+ * faster than it does. So the computed entry is early, which is safe, but the exit is also early: where the planes are
+ * ahead, the exit is ignored. */
 static inline void clip(const struct num_slope *s, tia_q16 min, tia_q16 max, num_walk *near, num_walk *far)
 {
     num_walk enter = num_walk_to(s, s->backward ? max : min), leave = num_walk_to(s, s->backward ? min : max);

@@ -1,9 +1,9 @@
 /* walk.h - traverses a bounding volume hierarchy without recursion: the leaves that a ray may meet, nearer ones first.
  *
  * A box is skipped only when the ray certainly misses it: boxes are a unit of 2^-16 larger than their contents, and
- * distances are compared with all of their error, see num_slope. No pixel depends on the set of leaves, so the test
- * need not be exact: a box that the ray misses by less than 2^-20 of its distance may count as entered, and slopes
- * below 2^-8 across an axis exclude few boxes.
+ * distances are compared with a margin for their error, see num_slope. Pixels do not depend on which leaves are tested,
+ * so the test need not be exact: a box that the ray misses by less than 2^-20 of its distance may count as entered, and
+ * slopes below 2^-8 across an axis exclude few boxes.
  */
 #ifndef TIA_RENDER_GEOMETRY_WALK_H
 #define TIA_RENDER_GEOMETRY_WALK_H
@@ -24,7 +24,7 @@ void walk_start(struct walk *walk, const struct tia_bvh_tree *tree, const struct
 /* Returns the next leaf that the ray enters at 0 <= t <= limit, or NULL. */
 const struct tia_bvh_node *walk_leaf(struct walk *walk, num_length limit);
 
-/* The objects of a scene that a ray may meet: those without bounds, then leaf by leaf; all, without a hierarchy. */
+/* The objects of a scene that a ray may meet: those without bounds, then each leaf's; without a hierarchy, all. */
 struct candidates {
     const struct tia_scene *scene;
     const struct ray *ray;

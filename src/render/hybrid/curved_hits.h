@@ -8,10 +8,11 @@
 /* Replaces the ray's hit by the nearest curved object if it is nearer, or as near with a lower index. */
 void curved_intersect(const struct ray_view *view, const struct ray *ray, struct hit *hit);
 
-/* True if no curved object, all of which are opaque, is met at 0 <= t <= limit. `blocker` as in ray_transmittance. */
+/* True if the ray meets no curved object at 0 <= t <= limit; curved objects are opaque here. `blocker` as in
+ * ray_transmittance. */
 bool curved_passes(const struct ray_view *view, const struct ray *ray, num_length limit, uint32_t *blocker);
 
-/* Marks the pixels where a curved object may be visible. */
+/* Sets `count` to 1 at the tile's pixels where a curved object may be visible. */
 void curved_mark(const struct tia_curved_place *places, uint32_t place_count, const struct tia_hits *hits,
                  struct tia_tile tile, uint32_t *count);
 

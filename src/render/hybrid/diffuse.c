@@ -8,7 +8,7 @@
 #define RAY_BITS 24
 #define NORMAL_BITS 20
 #define MOST_BITS 38
-#define UNCERTAIN_SHIFT 14 /* the bound of N.w/|w| is 2^-14 */
+#define UNCERTAIN_SHIFT 14 /* the error bound of N.w/|w| is 2^-14 */
 #define NEAREST (INT64_C(1) << 20)
 #define NEARNESS_LEAST (UINT64_C(1) << 47) /* nearness errs by up to 2^15, and is clamped to 2^62 */
 #define NEARNESS_MOST ((UINT64_C(1) << 62) - 65536)
@@ -67,7 +67,7 @@ static void aim_spot(const struct tia_light *light, struct diffuse_light *l)
     l->outer = (cosine >> 32) - uncertain;
 }
 
-/* Adds a light; false if it is visible, attenuated or has an area: such lights are drawn by rays. */
+/* Adds a light; false if it is visible, attenuated, too far away or has an area: such lights need rays. */
 static bool add_light(struct diffuse *m, const struct tia_light *light, unsigned bit)
 {
     struct diffuse_light *l = &m->lights[m->light_count++];
@@ -89,7 +89,7 @@ static bool add_light(struct diffuse *m, const struct tia_light *light, unsigned
            !light->quadratic && place_light(m, light, l->at);
 }
 
-/* Chooses the unit: positions reach 2^(range + 10), and no hit is beyond 2^16. */
+/* Chooses the unit of positions, 2^-bits: positions are up to 2^(range + 10), and hits up to 2^16. */
 static void choose_unit(struct diffuse *m)
 {
     int range = m->flat->bits - m->flat->grid.fraction, most;
@@ -99,7 +99,7 @@ static void choose_unit(struct diffuse *m)
     m->most = INT64_C(1) << (most < MOST_BITS ? most : MOST_BITS);
 }
 
-/* True if the arithmetic is fine enough: numbers with a mantissa of 24 bits have larger errors of their own. */
+/* True if the arithmetic is precise enough: with a mantissa of 24 bits its errors exceed the bounds. */
 static bool is_fine(void)
 {
     return num_length_of_q45(INT32_C(1) << 15) + NUM_LENGTH_ONE > NUM_LENGTH_ONE;
@@ -212,7 +212,7 @@ static int64_t dot(const int64_t n[3], const int64_t v[3])
     return n[0] * v[0] + n[1] * v[1] + n[2] * v[2];
 }
 
-/* Turns the face's normal to the eye; false when the eye may be in its plane. */
+/* Turns the face's normal to the eye; false when the eye may be in the face's plane. */
 static bool turn(struct diffuse *m, const int64_t at[3])
 {
     int64_t side = dot(m->face.normal, at);

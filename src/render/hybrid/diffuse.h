@@ -1,11 +1,11 @@
-/* diffuse.h - colours of flat faces without gloss, many times as fast as by a ray for each pixel and with the same
- * bits: they are computed to 20 bits with an error bound, and used where the whole interval rounds to one level of the
- * display. Other pixels are left to whitted_light_tile.
+/* diffuse.h - colours of flat faces without gloss, many times as fast as by a ray for each pixel, with the same bits. A
+ * colour is computed to 20 bits with an error bound, and used where the whole interval rounds to one level of the
+ * display. whitted_light_tile draws the other pixels.
  *
  * The visible point of a pixel is at P = D r from the eye, r linear in x and y; a light at L gives max(0, N.w/|w|), w =
- * L - P. Positions are in units of 2^-bits, at most 2^38 of them. With r within 2^-25, D within 2^-29 and 1, and N
- * within 2^-20, P is within 2^-23.8 D + 4; where |w| is at least D/64 and 2^20, N.w/|w| errs by less than 2^-16, and
- * that of whitted_light_tile by less than 2^-30. The bound is four times that. */
+ * L - P. Positions are in units of 2^-bits, at most 2^38 of them. With errors of r up to 2^-25, of D up to 2^-29 D + 1,
+ * and of N up to 2^-20, the error of P is up to 2^-23.8 D + 4. Where |w| is at least D/64 and 2^20, the error of
+ * N.w/|w| is below 2^-16, and in whitted_light_tile below 2^-30. The bound is four times 2^-16. */
 #ifndef TIA_RENDER_HYBRID_DIFFUSE_H
 #define TIA_RENDER_HYBRID_DIFFUSE_H
 
@@ -21,7 +21,7 @@ struct diffuse_light {
     int64_t at[3];            /* position relative to the eye; of a directional light: the direction to it, Q.30 */
     int32_t emission[3];      /* Q2.30 */
     int64_t back[3];          /* spot light: the opposite of its direction, Q.20 */
-    int64_t inner, outer;     /* spot light: the cosines, Q.30, beyond which it is certainly full or dark */
+    int64_t inner, outer;     /* spot light: cosines, Q.30, beyond which its light is certainly full or 0 */
 };
 
 /* A face, with the normal turned to the eye. */
@@ -42,10 +42,10 @@ struct diffuse {
     int64_t row_y;
     unsigned light_count;
     struct diffuse_light lights[DIFFUSE_LIGHTS];
-    struct diffuse_face face; /* the last face */
+    struct diffuse_face face; /* face of the last pixel */
 };
 
-/* A pixel's buffers. */
+/* A pixel's values in the hit buffers. */
 struct diffuse_pixel {
     int x, y;
     uint32_t face; /* TIA_NO_FACE: background */
@@ -53,11 +53,11 @@ struct diffuse_pixel {
     const tia_share *shares; /* NULL: all light arrives */
 };
 
-/* Prepares a view; false when none of its pixels can be drawn in this way. `first_bit` as in struct first_hits. */
+/* Prepares a view; false when no pixel of the view can be drawn in this way. `first_bit` as in struct first_hits. */
 bool diffuse_init(struct diffuse *m, const struct tia_view *view, const struct tia_shadow_view *shadow,
                   const uint8_t *first_bit);
 
-/* Draws a pixel; false when it is uncertain. */
+/* Gives a pixel's colour; false when it is uncertain, or the face does not fit. */
 bool diffuse_pixel(struct diffuse *m, const struct diffuse_pixel *p, num_u threshold, tia_rgb565 *out);
 
 #endif

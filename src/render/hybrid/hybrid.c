@@ -26,7 +26,7 @@ static size_t prepared_size(const struct tia_scene *scene, uint32_t light_capaci
     return rays < SIZE_MAX / 2 && flat < SIZE_MAX / 2 && size < SIZE_MAX / 2 ? (size_t)size : SIZE_MAX;
 }
 
-/* Returns the shares of lights or scratch bytes that the technique has for each sample of a pixel. */
+/* Returns the number of lights' shares that the technique stores for each sample of a pixel. */
 static unsigned shares_of(const struct tia_scene *scene)
 {
     const struct tia_shadow_technique *technique = tia_shadow_technique(scene->shadows);
@@ -41,6 +41,7 @@ static bool is_whole(const struct tia_scene *scene)
     return technique->is_whole && technique->is_whole(scene);
 }
 
+/* Returns the bytes of the technique for each sample of a pixel: shares of lights, or scratch memory. */
 static unsigned more_bytes(const struct tia_scene *scene)
 {
     const struct tia_shadow_technique *technique = tia_shadow_technique(scene->shadows);
@@ -101,7 +102,7 @@ static int refuses(const struct tia_view *view, const struct tia_light *lights, 
     return !technique->has_room || technique->has_room(view->scene, lights, count) ? TIA_OK : TIA_ERR_MEMORY;
 }
 
-/* Places the vertices and prepares the technique again where the lights need another range. */
+/* If the lights need another range of coordinates, places the vertices and prepares the technique again. */
 static int make_vertices(struct tia_view *view, struct cancel *cancel)
 {
     struct raster_view *raster = raster_of(view);

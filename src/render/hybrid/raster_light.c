@@ -1,5 +1,5 @@
-/* raster_light.c - shading of rasterised pixels: a technique for shadows finds the lights that no flat face blocks;
- * colours are the ray renderer's. */
+/* raster_light.c - shading of rasterised pixels: a technique for shadows finds the lights that no flat face blocks; the
+ * ray renderer computes the colours. */
 #include "curved_hits.h"
 #include "diffuse.h"
 #include "raster_view.h"
@@ -20,7 +20,8 @@ static const tia_share *shares_at(const struct rasterised *r, const struct raste
 }
 
 /* Moves the hit to the true surface. Faces that stand for a curved surface decide visibility and shadow only; the
- * colour is that of the surface behind or before them. A ray can miss it where the shape is open. */
+ * colour is that of the curved surface, behind or before the face. If the ray misses this surface, as an open shape
+ * allows, the hit stays on the face. */
 static void show_surface(const struct rasterised *r, uint32_t face, const struct ray *ray, struct hit *hit)
 {
     struct hit met;
@@ -101,7 +102,7 @@ static void light_run(const struct rasterised *r, const struct tia_view *view, s
         whitted_light_tile(view, r->hits, run, &part, options, &r->first);
 }
 
-/* Lights a row: by diffuse.h where possible, and by rays in the runs between. */
+/* Lights a row: by diffuse.h where possible, and the runs of other pixels by rays. */
 static void light_row(struct rasterised *r, const struct tia_view *view, struct tia_tile tile, int y,
                       const struct tia_surface *surface, const struct tia_options *options)
 {

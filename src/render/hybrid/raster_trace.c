@@ -4,7 +4,7 @@
 #include "curved_hits.h"
 #include "render/whitted/ray_tree.h"
 
-/* Replaces the face at a pixel by a curved object, if that is nearer. */
+/* Replaces the face at a pixel by the curved object that the pixel's ray meets, if the object is nearer. */
 static void look_for_curved(const struct ray_view *rays, const struct tia_flat_scene *flat,
                             const struct raster_buffers *b, size_t at, int x, int y, unsigned sample)
 {

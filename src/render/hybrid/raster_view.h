@@ -7,14 +7,14 @@
 #include "render/trace/trace.h"
 #include "shadow/technique.h"
 
-/* A view's data behind the struct ray_view that the ray renderer prepares. */
+/* A view's data, stored behind the struct ray_view that the ray renderer prepares. */
 struct raster_view {
     uint8_t *first_bit; /* for each light, the number of its first sample */
     struct tia_curved_place *places;
     uint32_t place_count;
     unsigned sample_count;           /* samples of a pixel */
-    unsigned shares, more_bytes;     /* numbers for each sample of a pixel, set by the technique */
-    unsigned range;                  /* range of the vertices, see flat/reach.h; RASTER_NO_RANGE: they are not ready */
+    unsigned shares, more_bytes;     /* shares of lights, and `more` bytes, for each sample of a pixel */
+    unsigned range;                  /* range of the vertices, see flat/reach.h; RASTER_NO_RANGE: not ready */
     bool whole;                      /* the technique's is_whole */
     struct tia_shadow_view shadow[]; /* one for each sample; they share all but grid and planes */
 };
@@ -37,17 +37,18 @@ struct raster_buffers {
     char *more; /* more_bytes for each pixel */
 };
 
-/* Returns the bytes of a sample's buffers for `pixels` pixels. */
+/* Returns the size in bytes of a sample's buffers for `pixels` pixels. */
 uint64_t raster_sample_size(unsigned more_bytes, uint64_t pixels);
 
 struct raster_buffers raster_buffers(const struct raster_view *raster, const struct tia_hits *hits, unsigned sample);
 
-/* The bits of an object's number, which is at most TIA_OBJECTS_MAX, or those of TIA_NO_OBJECT. In the buffers of the
- * first sample, the bits above hold the range of the vertices with which the pixel was traced: with another range, the
- * data of all samples of the pixel are outdated. */
+/* The number of bits of an object's number, at most TIA_OBJECTS_MAX; all are 1 for TIA_NO_OBJECT. In the first sample's
+ * buffer the bits above store the range of the vertices when the pixel was traced: if the view has another range now,
+ * the data of all samples of the pixel are outdated. */
 #define RASTER_OBJECT_BITS 25
 #define RASTER_OBJECT ((UINT32_C(1) << RASTER_OBJECT_BITS) - 1)
 
+/* Returns the object of an entry in a sample's buffer, or TIA_NO_OBJECT. */
 static inline uint32_t raster_object(uint32_t kept)
 {
     return (kept & RASTER_OBJECT) == RASTER_OBJECT ? TIA_NO_OBJECT : kept & RASTER_OBJECT;
@@ -56,11 +57,11 @@ static inline uint32_t raster_object(uint32_t kept)
 /* Implements tia_view_trace. raster_trace.c */
 void raster_trace_tile(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile);
 
-/* Gives the buffers' part for a tile. */
+/* Gives the part of a sample's buffers for a tile, as the rasteriser's target. */
 void raster_open_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile, unsigned sample,
                       const struct raster_buffers *b, struct tia_shadow_tile *open);
 
-/* Gives the hit of a pixel's ray on a face. */
+/* Gives the hit of a pixel's ray on a face; TIA_NO_FACE: no hit. */
 void raster_find_face(const struct ray_view *rays, const struct tia_flat_scene *flat, uint32_t face, int x, int y,
                       const struct ray *ray, struct hit *hit);
 

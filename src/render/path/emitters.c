@@ -16,7 +16,8 @@ static bool emits(const struct tia_scene *scene, uint32_t sphere)
     return !colour_is_black(&scene->materials[scene->spheres[sphere].material].emission);
 }
 
-/* Returns the area 4 |s x t|: |s| |t| times the sine of the angle between the sides s and t, which are half as long. */
+/* Returns the area 4 |s x t| of a rectangle with the half sides s and t: 2 |s| times 2 |t| times the sine of their
+ * angle. */
 static struct num_density rectangle_area(const struct ray_light *l)
 {
     struct num_dir along[2], normal;
@@ -45,7 +46,7 @@ static struct num_density disc_area(const struct ray_light *l)
     return num_density_product(pi(), num_density_product(radius, radius));
 }
 
-/* Returns 0: points have no area, and places on spheres are chosen by the cone. */
+/* Returns 0: points have no area, and spheres are sampled by the cone of directions to them. */
 static struct num_density no_area(const struct ray_light *l)
 {
     (void)l;
@@ -76,7 +77,7 @@ static struct num_point place_at_centre(const struct ray_light *l, const uint32_
 
 struct emitter_light {
     enum emitter_kind kind;
-    struct num_density (*area)(const struct ray_light *l);                     /* area, of EMITTER_PLANE */
+    struct num_density (*area)(const struct ray_light *l);                     /* area of an EMITTER_PLANE, else 0 */
     struct num_point (*place)(const struct ray_light *l, const uint32_t u[2]); /* random place on an EMITTER_PLANE */
 };
 
@@ -145,8 +146,7 @@ uint64_t emitters_size(const struct tia_scene *scene, uint32_t light_capacity)
     return ((uint64_t)light_capacity + count_spheres(scene, &never)) * sizeof(struct emitter);
 }
 
-/* Prepares the emitters. The spheres are stored behind the room for all lights first, and then moved up behind the
- * present lights. */
+/* Sets the memory for the emitters, which emitters_set fills in, and counts the emitting spheres. */
 int emitters_prepare(struct emitters *emitters, const struct ray_view *view, void *memory, uint32_t light_capacity)
 {
     struct cancel cancel = view_cancel(view->view);
@@ -158,7 +158,7 @@ int emitters_prepare(struct emitters *emitters, const struct ray_view *view, voi
     return cancel.stopped ? TIA_STOPPED : TIA_OK;
 }
 
-/* Returns false for a light that is dark, that paths do not sample, or whose area is 0. */
+/* False for a light that is dark, that paths do not sample, or whose area is 0. */
 static bool shines(const struct tia_light *l)
 {
     if (!tia_light_has(l->kind, TIA_LIGHT_PATHS) || colour_is_black(&l->emission))
@@ -189,7 +189,8 @@ void emitters_set(struct emitters *emitters, const struct ray_view *view)
     emitters->one_of = num_density_quotient(num_density_of(NUM_LENGTH_ONE), count_density(emitters->count));
 }
 
-/* Returns 1 - the cosine of the cone that a sphere fills; 0 for a point inside. With the sine s it is s^2/(1 + cos). */
+/* Returns 1 - cos of the half angle of the cone that a sphere fills, seen from a distance to its centre; 0 inside the
+ * sphere. With the sine s of the half angle it is s^2/(1 + cos). */
 static num_unit cone_of(const struct emitter *e, num_length distance)
 {
     if (distance <= e->radius)

@@ -1,6 +1,6 @@
 /* emitters.h - sampling of emitters: the scene's lights and its emitting spheres.
  *
- * Densities are over solid angles, times pi: so Lambert's is a cosine. */
+ * Densities are per solid angle, times pi: so the density of Lambert's law is the cosine. */
 #ifndef TIA_RENDER_PATH_EMITTERS_H
 #define TIA_RENDER_PATH_EMITTERS_H
 
@@ -12,7 +12,7 @@ enum emitter_kind { EMITTER_POINT, EMITTER_PLANE, EMITTER_SPHERE };
 struct emitter {
     enum emitter_kind kind;        /* points have no surface; they include directional and spot lights */
     const struct ray_light *light; /* NULL: a sphere of the scene */
-    num_length radiance[3];        /* radiance; for points the light's emission as light.h defines it */
+    num_length radiance[3];        /* for a point, the light's emission, see tia/light.h */
     struct num_point centre;       /* centre of a sphere */
     num_length radius;
     struct num_density area; /* area of a plane */
@@ -20,30 +20,31 @@ struct emitter {
 
 struct emitters {
     struct emitter *first;
-    uint32_t count, spheres;     /* number of emitters, and of the scene's spheres, which are the last ones */
+    uint32_t count, spheres;     /* numbers of all emitters, and of emitting spheres, which are the last ones */
     struct num_density one_of;   /* 1/count */
     struct num_density by_light; /* probability of choosing one of the lights */
 };
 
-/* A sample of an emitter from a point. */
+/* A sample of an emitter, seen from a point. */
 struct emitter_sample {
     struct num_dir to;
-    num_length distance; /* length of the shadow ray: it ends 2^-26 before the surface, along the light's normal */
+    num_length distance; /* length of the shadow ray, which ends `bias` in front of a surface */
     num_length radiance[3];
     struct num_density density; /* 0 for a point */
 };
 
-/* Returns the bytes for `light_capacity` lights and the spheres. */
+/* Returns the size in bytes of the emitters of `light_capacity` lights and of the scene's spheres. */
 uint64_t emitters_size(const struct tia_scene *scene, uint32_t light_capacity);
 int emitters_prepare(struct emitters *emitters, const struct ray_view *view, void *memory, uint32_t light_capacity);
 void emitters_set(struct emitters *emitters, const struct ray_view *view);
 
-/* Samples an emitter; false: no light comes from there. */
+/* Samples an emitter from the point `from`, whose normal is `facing`; false: the sample gives no light. The shadow ray
+ * ends `bias` in front of the emitter's surface. */
 bool emitter_sample(const struct emitter *emitter, struct num_point from, struct num_dir facing, num_length bias,
                     const uint32_t u[2], struct emitter_sample *sample);
 
-/* Returns the density with which emitter_sample chooses the visible surface point at `distance` from the point along
- * `to`; for a sphere any point of it. */
+/* Returns the density with which emitter_sample, from the point `from`, chooses the surface point in the direction `to`
+ * at `distance`; for a sphere, the density is the same for all its visible points. */
 struct num_density emitter_density(const struct emitter *emitter, struct num_point from, struct num_dir to,
                                    num_length distance);
 
@@ -52,7 +53,7 @@ void emitter_of_light(const struct ray_light *light, const struct tia_light *giv
 /* Makes the emitter of one of the scene's spheres. */
 void emitter_of_sphere(const struct tia_scene *scene, uint32_t sphere, struct emitter *emitter);
 
-/* Gives emission 2^bits. */
+/* Gives the emission times 2^bits. */
 void emitter_radiance(const struct tia_rgb *emission, uint8_t bits, num_length radiance[3]);
 
 #endif

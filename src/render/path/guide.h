@@ -5,14 +5,14 @@
 #include "render/estimate/estimate.h"
 #include "scatter.h"
 
-/* Gives a surface's own emission, to both sides and along its normal; false: none. */
+/* Gives a surface's emission, `glow`, and its weight of the facing ratio, `facing`; false: both are black. */
 bool guide_glows(const struct shading *s, num_length glow[3], num_length facing[3]);
 
-/* Adds to the guide, see estimate_guide; the throughput is that of mirrors and glass before. */
+/* Adds a surface to the guide, see estimate_guide; `throughput` is that of the mirrors and glass before the surface. */
 void guide_add(struct estimate *e, const num_length throughput[3], const num_length albedo[3],
                const struct num_dir *normal, num_length depth);
 
-/* Adds a surface, unless it is only a mirror or glass: the surfaces behind those count instead. */
+/* Adds a surface to the guide, unless it is only a mirror or glass: the guide then describes the surface behind. */
 void guide_add_surface(struct estimate *e, const num_length throughput[3], const struct scatter *scatter,
                        num_length depth);
 

@@ -14,7 +14,7 @@ struct walk {
     struct num_density density; /* density of the direction at the last scattering */
     bool specular;              /* scattered in a single direction, or from the eye: no light was sampled there */
     num_length throughput[3], sum[3];
-    num_length depth; /* distance to the last scattering, as long as only mirrors and glass were met */
+    num_length depth; /* length of the path to the last scattering, while only mirrors and glass were met */
     struct media media;
     uint32_t bounce, layers;
 };
@@ -70,13 +70,13 @@ static void add_light(struct walk *w, const struct hit *hit, const struct emitte
     add(w, emitter->radiance, is_surface ? weight_of(w, emitter, hit->t) : NUM_UNIT_ONE);
 }
 
-/* Returns the visible distance from the eye, past mirrors and glass. */
+/* Returns the length of the path from the eye to the point `at`, by mirrors and glass. */
 static num_length depth_at(const struct walk *w, struct num_point at)
 {
     return num_sum_within(w->depth, num_norm(num_point_sub(at, w->from)));
 }
 
-/* Adds the light where the ray meets no surface. */
+/* Adds the visible light, or the background, where the ray meets no surface. */
 static void add_beyond(struct walk *w, const struct hit *hit)
 {
     const struct num_dir back = num_dir_negated(w->ray.direction);
@@ -115,7 +115,8 @@ static void add_glow(struct walk *w, const struct hit *hit, const struct shading
         add(w, facing, s->facing);
 }
 
-/* True if the light at the end of the shadow ray is visible; multiplies it by the opacities on the way. */
+/* True if the light at the end of the shadow ray is visible; multiplies the sample's radiance by the part that
+ * opacities let through. */
 static bool is_seen(struct walk *w, const struct ray *shadow, struct emitter_sample *sample)
 {
     struct hit light = {sample->distance, TIA_NO_OBJECT, 0, TIA_NO_OBJECT};
@@ -131,8 +132,8 @@ static bool is_seen(struct walk *w, const struct ray *shadow, struct emitter_sam
     return seen;
 }
 
-/* Samples one of the emitters and adds its light from the surface: reflectance times radiance over the sum of the
- * densities with which this point of it could have been chosen. */
+/* Samples the emitter that the random number `which` chooses, and adds its reflected light: reflectance times radiance,
+ * divided by the sum of the densities with which the path could have chosen the sampled point. */
 static void look_for_light(struct walk *w, const struct scatter *scatter, uint32_t which)
 {
     const struct emitters *emitters = &w->view->emitters;
@@ -181,7 +182,7 @@ static void go_on(struct walk *w, struct num_point origin, struct num_dir to, bo
     w->bounce++;
 }
 
-/* Passes glass, or reflects from it by Fresnel's equations. */
+/* Passes through glass, or reflects from it by Fresnel's equations; false: past too many layers. */
 static bool go_through(struct walk *w, const struct scatter *scatter, uint32_t number)
 {
     const struct shading *s = scatter->surface;

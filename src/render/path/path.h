@@ -18,15 +18,16 @@ void path_radiance(struct estimate *e, const struct ray *first, num_length rgb[3
 /* First bounce after which paths may end by roulette; bounces count from 0. */
 #define PATH_ROULETTE 3
 
-/* Sets of lights, a bit for each kind: those that paths meet as surfaces; those visible to the eye or in mirrors. */
+/* Sets of kinds of lights, a bit for each kind, and the terms that they consist of. */
 #define PATH_SURFACE(KIND, name, what, traits)                                                                         \
     | (TIA_LIGHT_AREA & (traits) && TIA_LIGHT_PATHS & (traits) ? 1u << KIND : 0)
 #define PATH_SEEN_KIND(KIND, name, what, traits) | (TIA_LIGHT_SURFACE & (traits) ? 1u << KIND : 0)
-#define PATH_SURFACES (0 TIA_LIGHTS(PATH_SURFACE))
-#define PATH_SEEN (0 TIA_LIGHTS(PATH_SEEN_KIND))
+#define PATH_SURFACES (0 TIA_LIGHTS(PATH_SURFACE)) /* surfaces that paths meet */
+#define PATH_SEEN (0 TIA_LIGHTS(PATH_SEEN_KIND))   /* visible to the eye or in mirrors */
 
-/* The two quads of a bounce. Quad 0: a point of a light, and a direction, which for the first bounce is in the quad
- * before. Quad 1: choice of lobe, choice of light, roulette, and reflection by glass. */
+/* The two quads of random numbers of a bounce. Quad 0: a point of a light, and a direction, except for the first
+ * bounce, whose direction is in ESTIMATE_FIRST_QUAD. Quad 1: the choices of lobe and light, roulette, and reflection by
+ * glass. */
 #define PATH_QUAD(bounce, which) (ESTIMATE_FIRST_QUAD + 1 + 2 * (bounce) + (which))
 
 #endif

@@ -46,7 +46,7 @@ num_unit scatter_chance(const struct scatter *s, enum lobe lobe)
     return lobe == LOBE_MIRROR ? mirror : num_of_chance(s->below[1]) - mirror;
 }
 
-/* Returns (n + k)/2 cos^n, a lobe's value. */
+/* Returns (n + k)/2 cos^n, where cos^n is `power`: the glossy lobe's reflectance for k = 2, its density for k = 1. */
 static num_length lobe_height(const struct scatter *s, num_unit power, int k)
 {
     tia_q16 n = s->surface->material->exponent + k * TIA_Q16_ONE;

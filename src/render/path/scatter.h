@@ -1,7 +1,7 @@
 /* scatter.h - sampling of reflected directions: Lambert's law, Phong's lobe, mirror and glass.
  *
- * One random number chooses among them, in proportion to the largest channel of each. Reflectances and densities are
- * over solid angles, times pi: so Lambert's are colour cos and cos. */
+ * A random number chooses one of these, with a probability in proportion to its largest channel. Reflectances and
+ * densities are per solid angle, times pi: those of Lambert's law are colour cos and cos. */
 #ifndef TIA_RENDER_PATH_SCATTER_H
 #define TIA_RENDER_PATH_SCATTER_H
 
@@ -21,18 +21,18 @@ struct scatter {
 
 void scatter_prepare(struct scatter *scatter, const struct shading *surface);
 
-/* Evaluates light from `to`, whose cosine to the normal is positive: the reflectance of the diffuse and the glossy
- * lobe, times the cosine, and the density with which scatter_sample would choose `to`. */
+/* Evaluates light from the direction `to`, whose cosine to the normal is positive. `reflected` receives the reflectance
+ * of the diffuse and the glossy lobe, times the cosine; `density`, that with which scatter_sample would choose `to`. */
 void scatter_evaluate(const struct scatter *scatter, struct num_dir to, num_unit cosine, num_length reflected[3],
                       struct num_density *density);
 
 enum lobe scatter_choose(const struct scatter *scatter, uint32_t number);
 
-/* Returns the probability that a path continues as a mirror, or through glass. */
+/* Returns the probability with which scatter_choose returns `lobe`: LOBE_MIRROR or LOBE_GLASS. */
 num_unit scatter_chance(const struct scatter *scatter, enum lobe lobe);
 
-/* Samples a direction of the diffuse or the glossy lobe, cos t/pi or (n + 1)/(2 pi) cos^n t, and the factor of the
- * throughput; false: below the surface. `density` is that of scatter_evaluate. */
+/* Samples a direction of the diffuse or the glossy lobe, with the density cos t/pi or (n + 1)/(2 pi) cos^n t, and gives
+ * the factor of the throughput; false: the direction is below the surface. `density` is that of scatter_evaluate. */
 bool scatter_sample(const struct scatter *scatter, enum lobe lobe, const uint32_t u[2], struct num_dir *to,
                     num_length factor[3], struct num_density *density);
 

@@ -17,7 +17,7 @@ static bool rising(const struct cone_row *s, int i)
     return num_product_above(s->slope, s->square, s->base, coordinate_at(s, i));
 }
 
-/* Returns the pixel where L.v/|v| is largest, or the one left of it. */
+/* Returns the pixel where L.v/|v| is largest, or its left neighbour. */
 static int peak(const struct cone_row *s)
 {
     int low = 0, high = s->count;
@@ -34,8 +34,8 @@ static int peak(const struct cone_row *s)
     return low;
 }
 
-/* Returns the last pixel inside the cone on the way from `in`, which is inside, to the line's end, in steps of +1 or
- * -1. */
+/* Returns the last pixel inside the cone from `in`, which is inside, to the line's end; `step`, +1 or -1, is the
+ * direction, and `guess` only saves time. */
 static int boundary(const struct cone_row *s, int in, int step, int guess)
 {
     int out = step > 0 ? s->count : -1;
@@ -65,7 +65,7 @@ static int boundary(const struct cone_row *s, int in, int step, int guess)
     return in;
 }
 
-/* Returns any pixel inside the cone, or -1. */
+/* Returns a pixel inside the cone, or -1; `guess` only saves time. */
 static int any_inside(const struct cone_row *s, struct span guess)
 {
     int middle = guess.first + (guess.end - guess.first) / 2;

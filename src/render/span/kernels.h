@@ -1,14 +1,14 @@
 /* kernels.h - the hot loops: passes over a span of pixels in one row, at most CHUNK of them.
  *
- * Each takes constants, prepared once per span, and arrays with one entry per pixel. They are called
- * through a table, so that a version for vector units can be another table; it must give the same bits.
+ * A kernel's arguments are constants, prepared once per span, and arrays with one entry per pixel. Kernels are called
+ * through a table; a table for vector units must give the same bits.
  */
 #ifndef TIA_RENDER_SPAN_KERNELS_H
 #define TIA_RENDER_SPAN_KERNELS_H
 
 #include "primary.h"
 
-#define CHUNK 64 /* the most pixels that a kernel works on at once */
+#define CHUNK 64 /* largest number of pixels in a call of a kernel */
 
 /* A span of pixels of one sphere, for the kernels that compute t. */
 struct sphere_line {
@@ -69,16 +69,17 @@ struct shadow_line {
     int a_down, power_down;        /* a_down: e_p - e_a; power_down: e_p - e_k; e_p is the exponent of |P|^2 */
     int square_down, product_down; /* differences of e_d and of e_a to the smaller of the two */
     num_u inverse;                 /* num_inverse(r) */
-    int bias_shift;                /* num_bias_product's shift, less half */
+    int bias_shift;                /* num_bias_product's shift minus `half` */
     num_u swell;                   /* bias/r */
     int exponent;                  /* 2 e_a - e_d - e_k */
-    bool enclosed;                 /* the light is inside */
+    bool enclosed;                 /* the light is inside the sphere */
     int count;
 };
 
 struct span_kernels {
-    /* Computes t: from outside c / (b + sqrt(b^2 - c v.v)), from inside (b + sqrt(b^2 + |c| v.v)) / v.v. */
+    /* Computes t from outside the sphere: c / (b + sqrt(b^2 - c v.v)). */
     void (*sphere)(const struct sphere_line *line, num_u *t);
+    /* Computes t from inside the sphere: (b + sqrt(b^2 + |c| v.v)) / v.v. */
     void (*sphere_inside)(const struct sphere_line *line, num_u *t);
 
     /* Fills `lit`; false when no pixel faces the light. */
@@ -90,7 +91,7 @@ struct span_kernels {
     /* Computes lambert = max(0, N.Ldir), NUM_ONE is 1; `inverse` is num_inverse of the lit sphere's radius. */
     void (*lambert)(const struct lit *lit, num_u inverse, int count, num_u *lambert);
 
-    /* Adds: sum = min(1, sum + lambert * colour). */
+    /* Adds light: sum = min(1, sum + lambert * colour). */
     void (*add)(num_u *sum, const num_u *lambert, num_u colour, int count);
 
     /* Converts clamped linear colours to RGB565; `threshold` has the 8 rounding offsets of the row, by x & 7. */
@@ -98,28 +99,32 @@ struct span_kernels {
                  tia_rgb565 *out);
 };
 
-/* Compute |P|^2, |Q - P|^2, A.w and the form of |A'|^2 - R^2, see above, from the upper halves of accumulators. */
+/* Returns |P|^2, from the accumulator of v.v. */
 static inline num_wide light_reach(const struct light_line *line, num t, num_wide square)
 {
     num reach = num_signed((num_u)num_down(num_mul(t, num_top(square)), line->reach_down));
     return num_mul(t, reach);
 }
 
+/* Returns |Q - P|^2, from |P|^2 and the accumulator of Q.v. */
 static inline num_wide light_square(const struct light_line *line, num t, num_wide q, num_wide reach)
 {
     return line->distance - 2 * num_mul(t, num_top(q)) + num_down(reach, line->distance_down);
 }
 
+/* Returns A.w, from t (C + Q).v and |P|^2. */
 static inline num_wide shadow_toward(const struct shadow_line *line, num_wide product, num_wide reach)
 {
     return line->toward - product + num_down(reach, line->a_down);
 }
 
+/* Returns bias N.w. */
 static inline num_wide shadow_bias(const struct shadow_line *line, num_u facing, int half)
 {
     return num_bias_product(facing, line->inverse, line->bias_shift + half);
 }
 
+/* Returns (|A'|^2 - R^2)/(1 + bias/r), from t C.v and |P|^2. */
 static inline num_wide shadow_power(const struct shadow_line *line, num_wide turn, num_wide reach)
 {
     return line->power - 2 * turn + num_down(reach, line->power_down);

@@ -3,8 +3,8 @@
 #include "math/integer.h"
 #include "math/trig.h"
 
-/* Prepares the rays. The exponent of pixel coordinates makes |v| < 2^30 in every pixel, and beyond the last one as far
- * as row_square steps: its step there, 4 X + 4 for X = width + 1 and less, is below (width + 3)^2. */
+/* Prepares the rays. The exponent of pixel coordinates makes |v| < 2^30 in every pixel, and beyond the last pixel as
+ * far as a struct row_square is stepped: the step there, 4 X + 4 with X <= width + 1, is below (width + 3)^2. */
 void primary_prepare(struct primary_rays *primary, unsigned width, unsigned height, tia_q16 fov)
 {
     uint64_t cotangent = tia_cotangent(fov);
@@ -42,8 +42,8 @@ struct row_form primary_form(const struct primary_rays *primary, struct num_vec 
     struct row_form form = {num_shift(start, shift) + NUM_HALF,
                             num_shift(a.x * num_pixel_coordinate(2, primary->exponent), shift)};
 
-    /* from the middle no product is larger than the form itself; and where the shift rounds, every pixel's value is the
-     * same wherever a span begins */
+    /* from the row's middle no product is larger than the form itself, and although the shift rounds, a pixel's value
+     * does not depend on the start of the span */
     form.start += (num_wide)(x - middle) * form.step;
     return form;
 }

@@ -1,7 +1,7 @@
 /* primary.h - the directions of an image's pixels, and linear forms of them.
  *
- * Pixel (x, y) looks along v = (2x+1-width, height-2y-1, -height/tan(fov/2)), not normalised: integers
- * except for the last, which all pixels share. The exponent is chosen so that |v| < 2^30.
+ * Pixel (x, y) has the direction v = (2x+1-width, height-2y-1, -height/tan(fov/2)), not normalised: all components are
+ * integers except the last, which is the same for all pixels. The exponent is chosen so that |v| < 2^30.
  */
 #ifndef TIA_RENDER_SPAN_PRIMARY_H
 #define TIA_RENDER_SPAN_PRIMARY_H

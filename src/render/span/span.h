@@ -1,4 +1,4 @@
-/* span.h - spheres with a common eye, a row at a time: declarations shared by the parts of span_renderer. */
+/* span.h - spheres seen from one eye, row by row: declarations shared by the parts of span_renderer. */
 #ifndef TIA_RENDER_SPAN_SPAN_H
 #define TIA_RENDER_SPAN_SPAN_H
 
@@ -19,7 +19,7 @@ struct span_coherence {
 struct span_view {
     const struct span_kernels *kernels;
     const struct span_coherence *coherence; /* NULL: no sphere is wide */
-    struct span_sphere *spheres;            /* spheres of the scene, then of the lights */
+    struct span_sphere *spheres;            /* the scene's spheres, then the lights' */
     struct primary_rays primary;
     bool tinted;       /* some material transmits shadow rays */
     bool grey_shadows; /* transmission of all materials is grey */
@@ -51,11 +51,12 @@ static inline void span_fill(tia_rgb565 *pixels, int count, tia_rgb565 pixel)
 /* Computes t of the pixels x .. x + count - 1 (count <= CHUNK) of row y, all of sphere `n`. */
 void span_distances(const struct span_view *spans, uint32_t n, int y, int x, int count, num_u *t);
 
-/* Keeps, of `count` distances to sphere `n`, those that are nearer than the best so far; in a tie the best stays. */
+/* Replaces best[i] and object[i] by t[i] and n where sphere `n`, at the distance t[i], is nearer; not in a tie. */
 void span_keep_nearer(const struct span_view *spans, uint32_t n, const num_u *t, int count, num_u *best,
                       uint32_t *object);
 
-/* Implement struct renderer. */
+/* ---- functions of struct renderer ---- */
+
 bool span_draws(const struct tia_scene *scene);
 size_t span_prepared_size(const struct tia_scene *scene, uint32_t light_capacity);
 int span_prepare(struct tia_view *view, const struct span_coherence *coherence);
@@ -65,7 +66,7 @@ void span_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_t
 void span_light(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                 const struct tia_surface *surface, const struct tia_options *options);
 
-/* Defines the span renderer with its own `prepare`. */
+/* Initialises a span renderer with the given `prepare`. */
 #define SPAN_RENDERER(own_prepare)                                                                                     \
     {                                                                                                                  \
         .draws = span_draws, .prepared_size = span_prepared_size, .prepare = (own_prepare),                            \

@@ -11,7 +11,7 @@
 #define NOINLINE
 #endif
 
-#define PIECE 1024 /* the most pixels of a row drawn at once; CHUNK where lights are visible or pixels are copied */
+#define PIECE 1024 /* most pixels of a row drawn at once; CHUNK if lights are visible or pixels copied */
 
 /* Pixels of a row on their way to the display. */
 struct chunk {
@@ -23,7 +23,7 @@ struct chunk {
     uint32_t *path_hash; /* path hashes of the row, or NULL */
     uint16_t *colours;   /* colours of the row, or NULL */
     bool lights;         /* the row may show lights */
-    tia_rgb565 *pixels;  /* pixels that lie side by side */
+    tia_rgb565 *pixels;  /* contiguous pixels for output */
 };
 
 /* Draws a span of the background or of a light: one colour, except for dithering, which repeats after 8 pixels. */
@@ -106,8 +106,8 @@ static void distances_of(const struct chunk *chunk, int first, int end, num_u *t
             t[i - first] = chunk->t[i];
 }
 
-/* Adds visible lights to the objects. They are not in the hits, since they move; so where the row may show one, the
- * chunk gets its own copy of the objects, with the lights among them. */
+/* Adds the visible lights to the chunk's objects. Hits do not include lights, as lights can move: so `object` becomes a
+ * copy of the chunk's objects, with each light where it is the nearest. */
 static NOINLINE void see_lights(struct chunk *chunk, uint32_t object[CHUNK])
 {
     const struct tia_view *view = chunk->view;
@@ -126,7 +126,7 @@ static NOINLINE void see_lights(struct chunk *chunk, uint32_t object[CHUNK])
     chunk->object = object;
 }
 
-/* Draws a span of light number n itself. */
+/* Draws a span that shows light number n. */
 static void light_span(struct chunk *chunk, int first, int count, uint32_t n, const num_u threshold[8])
 {
     flat_span(chunk, first, count, &chunk->view->lights[n].emission, threshold);
@@ -134,7 +134,7 @@ static void light_span(struct chunk *chunk, int first, int count, uint32_t n, co
         chunk->path_hash[i] = UINT32_C(0xffff0000) | (n & 0xffff);
 }
 
-/* Shades a span pixel by pixel, for the distances of a wide sphere. */
+/* Shades a span pixel by pixel, and first computes the distances if the sphere is wide. */
 static NOINLINE void shade_pixels(const struct chunk *chunk, uint32_t object, int first, int end,
                                   const num_u threshold[8])
 {
@@ -196,8 +196,8 @@ static void copy_pixels(const tia_rgb565 *pixels, int count, char *out, ptrdiff_
         *(tia_rgb565 *)(void *)(out + i * step) = pixels[i];
 }
 
-/* Draws the chunk at column x of the tile, into the surface itself if pixels are side by side there; returns its
- * pixels. */
+/* Draws the chunk at column x of the tile, directly into the surface if the surface's pixels are contiguous. Returns
+ * the number of pixels drawn. */
 static int light_columns(struct chunk *chunk, const struct tia_hits *hits, struct tia_tile tile, unsigned x,
                          const struct tia_surface *surface, const num_u threshold[8])
 {

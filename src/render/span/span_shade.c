@@ -13,14 +13,14 @@ struct shading {
     num_u sum[3][CHUNK];
 };
 
-/* The part of a light that half-transparent spheres leave on its way to each pixel of a span. */
+/* The part of a light that half-transparent spheres transmit to each pixel of a span. */
 struct tint {
     num_u left[3][CHUNK];
     uint16_t passed[CHUNK]; /* sum of index + 1 of the spheres on the way */
 };
 
-/* Multiplies the tint by `through`, the transmission of `sphere`, where the sphere has just darkened `lit`, and
- * restores the light unless none of it is left. */
+/* Where `sphere` has just darkened `lit`, multiplies the tint by `through`, the sphere's transmission, and restores
+ * `lit` from `before` unless no light is left. */
 static void tint_light(const struct tia_rgb *through, uint32_t sphere, const num_u *before, struct lit *lit, int count,
                        struct tint *tint)
 {

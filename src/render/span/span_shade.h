@@ -6,14 +6,14 @@
 
 struct shaded_span {
     uint32_t object; /* number of the sphere */
-    int x, y, count; /* the first pixel; at most CHUNK */
+    int x, y, count; /* first pixel, and number of pixels, at most CHUNK */
     const num_u *t;
     uint32_t *path_hash; /* path hashes, see tia/debug.h, or NULL */
     uint16_t *colours;   /* receives red, green and blue, see tia/render.h, or NULL */
 };
 
-/* Stores colours with 16 bits each, of pixels side by side. `step` 0: all pixels have the first colour. `colours` NULL:
- * stores nothing. */
+/* Stores the colours of `count` pixels, with 16 bits a channel; pixel i has the channels rgb[0..2][i * step]. `colours`
+ * NULL: stores nothing. */
 void span_put_colours(const num_u *const rgb[3], int step, int count, uint16_t *colours);
 
 void shade_span(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[8],

@@ -76,7 +76,7 @@ static struct num_vec quarter(struct num_vec a)
  *
  *     A.w = (D - r N).(G - r N) <= D.G + r |D + G| + r^2 <= 0.
  *
- * In quarters the products fit; the last term makes up for their rounding. */
+ * In quarters the products fit; the sums of sizes of D and G make up for their rounding. */
 static bool is_behind(const struct light_source *source, const struct span_sphere *caster)
 {
     struct num_vec d = quarter(num_vec_sub(caster->centre, source->sphere->centre));

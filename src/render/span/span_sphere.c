@@ -2,8 +2,8 @@
 
 /* Prepares the discriminant's exponents. An accumulator for b is L.v * 2^b_shift, below 2^63, and its upper half the
  * mantissa: its exponent is e_b = 16 + f + b_shift - 32; for v.v it is e_v = 2f + square_shift - 32. For b^2 - c v.v
- * both products need the same exponent, so c is taken with 2 e_b - e_v = 2 b_shift - square_shift. Both must stay below
- * 2^31. From inside -c v.v is added: then one bit less keeps the sum b + sqrt(...) below 2^32. */
+ * both products need the same exponent, so c has the exponent 2 e_b - e_v = 2 b_shift - square_shift. Both must stay
+ * below 2^31. From inside -c v.v is added: then one bit less keeps the sum b + sqrt(...) below 2^32. */
 static void prepare_discriminant(const struct primary_rays *primary, struct span_sphere *sphere)
 {
     num_wide b_reach = primary_reach(primary, sphere->centre);

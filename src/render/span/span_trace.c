@@ -11,7 +11,7 @@ static void clear(struct tia_hits *hits, struct tia_tile tile)
     }
 }
 
-#define WORTH 16   /* least number of pixels for which one test of all together pays */
+#define WORTH 16   /* least number of pixels for which all_nearer pays */
 #define T_SHIFT 39 /* largest t_shift for which S = b + sqrt(D), see span_sphere.c, has 24 bits */
 
 static num_u apart(num_u a, num_u b)
@@ -24,8 +24,8 @@ static num_u apart(num_u a, num_u b)
  * In every plane through the eye the visible half of a sphere is convex, so t is convex along the row and largest at an
  * end, and S = c/t is concave: between three samples that differ by up to 1/8 it is at most 1.17 times the middle
  * one's, as it stays below the lines through the others. With 24 bits of S, which is off by 2^16.2 + 2 in its last bit
- * (by the root of 1.3 2^32 where D is nearly 0, see coherence_bounds.c), each t is accurate to 2^-7: so the others' are
- * all above .84 of the middle one, and t below 1.02 of the larger end. */
+ * (by the root of 1.3 2^32 where D is nearly 0, see coherence_bounds.c), each t is accurate to 2^-7: so all t of sphere
+ * `other` are above .84 of its middle sample, and all t of sphere `n` below 1.02 of the larger end's. */
 static bool all_nearer(const struct span_view *spans, uint32_t n, uint32_t other, int y, struct span span,
                        const num_u *t)
 {
@@ -42,7 +42,7 @@ static bool all_nearer(const struct span_view *spans, uint32_t n, uint32_t other
            num_nearer(most, spans->spheres[n].t_exponent, behind[1] - behind[1] / 4, spans->spheres[other].t_exponent);
 }
 
-/* Traces up to CHUNK pixels of one object, or none, against sphere `n`. */
+/* Traces sphere `n` in up to CHUNK pixels, which all show the same object so far, or none. */
 static void trace_chunk(const struct span_view *spans, uint32_t n, int y, struct span span, num_u *distance,
                         uint32_t *object)
 {

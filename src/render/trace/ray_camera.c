@@ -26,8 +26,8 @@ static void look(struct ray_camera *c, const struct tia_camera *given, const str
     c->v = num_dir_cross(c->n, c->u);
 }
 
-/* Sets the window at the distance `depth`. In perspective its units are pixel coordinates, see span/primary.h, over
- * 128: height/a = height cot(fov/2) is below 2^20, and tia_cotangent's result is Q8.56. */
+/* Sets the window at the distance `depth`. In perspective its units are the pixel coordinates of span/primary.h divided
+ * by 128: height cot(fov/2) is below 2^20, and tia_cotangent's result is Q8.56. */
 static void open_window(struct ray_camera *c, const struct tia_camera *given)
 {
     const struct tia_window *w = &given->window;

@@ -22,9 +22,9 @@ struct ray_camera {
 void ray_camera_prepare(struct ray_camera *camera, const struct tia_scene *scene, int width, int height);
 
 /* Gives the pixel that a channel of pixel (x, y) of the picture shows: in a light field, a pixel of an image from an
- * eye of its own; else the pixel itself, with the camera's own eye. False: no pixel, it is black. All that depends on a
- * pixel's position, samples too, uses the position in the image, so that a light field has the bits of ordinary
- * pictures. */
+ * eye of its own; else the pixel itself, with the camera's own eye. False: the channel shows no pixel, and is black.
+ * All that depends on a pixel's position, such as samples, uses its position in the image, so that the images of a
+ * light field have the bits of ordinary pictures. */
 bool ray_camera_pixel(const struct ray_camera *camera, int x, int y, int channel, struct light_pixel *pixel);
 
 static inline struct light_pixel ray_pixel_at(int x, int y)

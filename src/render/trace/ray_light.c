@@ -76,7 +76,8 @@ unsigned ray_pixel_class(int x, int y)
     return bayer[y & 3][x & 3];
 }
 
-/* Gives u = frac((i + 1/2)/n + b/16), in integers so that an integer becomes exactly 0; and v in units of 1/256. */
+/* Gives the place of sample i of n: u = frac((i + 1/2)/n + class/16), computed in integers so that the fraction of a
+ * whole number is exactly 0, and v in units of 1/256. */
 static void pattern(const struct ray_light *l, unsigned class, unsigned i, num_unit *u, unsigned *v)
 {
     unsigned n = l->samples;
@@ -118,8 +119,8 @@ static struct num_point on_rectangle(const struct ray_aim *aim, num_unit u, unsi
                                      NUM_UNIT_ONE / 128 * (num_unit)((int)v - 128));
 }
 
-/* Gives the distance and the point, relative to the centre, where a ray meets the plane of a rectangle or disc; false
- * when it does not before `limit`. */
+/* Gives the distance and the point, relative to the centre, where a ray meets the plane of a rectangle or disc; false:
+ * not at 0 <= t < limit. */
 static bool meets_plane(const struct ray_light *l, const struct ray *ray, num_length limit, num_length *t,
                         struct num_point *from_centre)
 {

@@ -4,7 +4,7 @@
 #include "scene/object_bounds.h"
 #include "trace.h"
 
-/* Properties of a mesh that shapes need: computed at the first use, since there may be many. */
+/* Properties of a mesh that its shapes need, computed at the first use: many shapes may share a mesh. */
 struct mesh_facts {
     struct tia_bounds box;
     bool has_box, has_edges, is_closed;
@@ -68,7 +68,7 @@ static enum inside inside_of(struct preparation *p, const struct tia_shape *give
     }
 }
 
-/* True if one of `count` materials has an opacity texture. */
+/* True if one of `count` materials from number `first` on has an opacity texture. */
 static bool have_opacity(const struct tia_scene *scene, uint32_t first, uint32_t count)
 {
     bool found = false;

@@ -57,7 +57,7 @@ void shading_prepare(const struct ray_view *view, num_length bias, const struct 
     texture(view, hit, s);
 }
 
-/* Returns R/2 = (N.V) N - V/2. */
+/* Returns R/2 = (N.V) N - V/2, normalised. */
 struct num_dir shading_mirrored(const struct shading *s)
 {
     struct num_dir half = {-s->viewer.x / 2, -s->viewer.y / 2, -s->viewer.z / 2};
@@ -77,7 +77,7 @@ struct num_dir shading_mirrored(const struct shading *s)
  *     Rs = (c - n2/n1 cos T)/(c + ...)          = (c/4 - root)/(c/4 + root)
  *     Rp = (n2/n1 c - cos T)/(n2/n1 c + cos T)  = (q^2 c - root/4)/(q^2 c + root/4).
  *
- * q is at most 1: where n2 > 4 n1, which is less than 16 n1, all values are in sixteenths. */
+ * q must be at most 1: where n2 > 4 n1, all values are in sixteenths, as n2 < 16 n1. */
 num_unit shading_refract(const struct shading *s, struct boundary between, struct num_dir *refracted)
 {
     const num_length parts = between.to <= 4 * between.from ? 4 : 16;

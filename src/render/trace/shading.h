@@ -16,18 +16,18 @@ struct shading {
     num_length colour[3];             /* the diffuse colour, with the texture */
     num_length opacity;
     uint32_t texels[2]; /* indices of the values in the colour's and in the opacity's texture, see ray_texture */
-    bool textured[2];   /* true if texels[i] belongs into a path's hash */
+    bool textured[2];   /* texels[i] is part of a path's hash */
 };
 
-/* Prepares the hit of one ray; other rays start `bias` off the surface. */
+/* Prepares the shading of a ray's hit; spawned rays start `bias` off the surface. */
 void shading_prepare(const struct ray_view *view, num_length bias, const struct ray *ray, const struct hit *hit,
                      struct shading *s);
 
 /* Returns the direction of the mirrored ray. */
 struct num_dir shading_mirrored(const struct shading *s);
 
-/* Gives the direction of the refracted ray. Returns the reflectance by Fresnel's equations: 1 in total reflection, and
- * then there is no direction. */
+/* Gives the direction of the refracted ray. Returns the reflectance by Fresnel's equations: 1 in total reflection,
+ * where *refracted is not set. */
 num_unit shading_refract(const struct shading *s, struct boundary between, struct num_dir *refracted);
 
 #endif

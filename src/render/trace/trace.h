@@ -21,59 +21,62 @@ struct ray_view {
     bool lit;        /* some light has a visible surface */
 };
 
-/* Prepare the scene for any integrator, see struct renderer; view->prepared is a struct ray_view. */
+/* Implements `prepared_size` of struct renderer, for a struct ray_view. */
 size_t ray_prepared_size(const struct tia_scene *scene, uint32_t light_capacity);
+/* Implements `prepare` of struct renderer: prepares a struct ray_view. */
 int ray_prepare(struct tia_view *view);
+/* Implements `set_lights` of struct renderer. */
 int ray_set_lights(struct tia_view *view);
 
-/* Implements trace of struct renderer: finds the hit of each pixel's first sample. */
+/* Implements `trace` of struct renderer: finds the hit of each pixel's first sample. */
 void ray_trace_tile(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile);
 
 /* A ray's first hit. */
 struct hit {
     num_length t;
-    uint32_t object;  /* index of an object; TIA_NO_OBJECT: none, or that light if `light` is set */
+    uint32_t object;  /* index of the object; TIA_NO_OBJECT: none, perhaps a light */
     uint32_t element; /* part of a shape, see shape.h */
-    uint32_t light;   /* the visible light, where there is no object, or TIA_NO_OBJECT */
+    uint32_t light;   /* index of the light met instead of an object, or TIA_NO_OBJECT */
 };
 
 /* Finds the nearest object; of several at the same distance, the one with the lowest index. */
 void ray_intersect(const struct ray_view *view, const struct ray *ray, struct hit *hit);
 
-/* Gives the hit on object `object`, known to be the nearest. */
+/* Gives the hit on `object`, known to be the nearest; TIA_NO_OBJECT: no hit. */
 void ray_intersect_object(const struct ray_view *view, const struct ray *ray, uint32_t object, struct hit *hit);
 
-/* Replaces the hit by a light with a surface that is nearer than the object. */
+/* Replaces the hit by the nearest light with a surface, if the light is nearer than the hit. */
 void ray_intersect_lights(const struct ray_view *view, const struct ray *ray, struct hit *hit);
 
-/* Replaces the hit as ray_intersect_lights does, by lights whose kind is a bit of `kinds`. */
+/* Replaces the hit as ray_intersect_lights does, but only by lights whose kind is a bit of `kinds`. */
 void ray_intersect_lights_of(const struct ray_view *view, const struct ray *ray, unsigned kinds, struct hit *hit);
 
-/* Return the centre and the radius of one of the scene's spheres. */
+/* Returns the centre of one of the scene's spheres. */
 struct num_point ray_sphere_centre(const struct tia_scene *scene, uint32_t sphere);
+/* Returns the radius of one of the scene's spheres. */
 num_length ray_sphere_radius(const struct tia_scene *scene, uint32_t sphere);
 
 /* Gives the part of the light that the objects between the ray's origin and t = limit transmit; false: none. *blocker
- * is the object to test first, or TIA_NO_OBJECT; it becomes the one that transmits nothing, where the next shadow ray
- * to this light often ends too. */
+ * is the object to test first, or TIA_NO_OBJECT; it receives the object that transmits nothing, if any, which often
+ * blocks the next shadow ray to the same light, too. */
 bool ray_transmittance(const struct ray_view *view, const struct ray *ray, num_length limit, uint32_t *blocker,
                        num_length through[3]);
 
-/* Gives the visibility as ray_transmittance does, except that objects transmit nothing but past an opacity. */
+/* Gives the transmitted part as ray_transmittance does, except that light passes objects only by opacity textures. */
 bool ray_visibility(const struct ray_view *view, const struct ray *ray, num_length limit, uint32_t *blocker,
                     num_length *through);
 
-/* Converts a direction given around the z axis to one around another axis. */
+/* Converts a direction relative to the z axis to the same one relative to `axis`. */
 struct num_dir ray_around(struct num_dir axis, struct num_dir local);
 
-/* A start of rays on a surface, with the geometric and the shading normal. */
+/* The start of rays on a surface, with the geometric and the shading normal. */
 struct ray_place {
     struct num_point outside;
     struct num_dir geometric, normal;
 };
 
-/* Returns the result of one ray of ambient occlusion, see tia/integrator.h: the part of it that travels `distance`, 1
- * or 0 but for opacities. */
+/* Returns the result of one ray of ambient occlusion, see tia/integrator.h: the part of the ray that objects let pass
+ * up to `distance`, 1 or 0 without opacities. `u` are two random numbers; `blocker` as in ray_transmittance. */
 num_length ray_openness(const struct ray_view *view, const struct ray_place *place, const uint32_t u[2],
                         num_length distance, uint32_t *blocker);
 
@@ -85,10 +88,10 @@ bool ray_occluded_by(const struct ray_view *view, const struct ray *ray, uint32_
  * groups; else 1. */
 uint32_t ray_groups_met(const struct ray_view *view, const struct ray *ray, uint32_t object, num_length limit);
 
-/* True if the object may have an opacity texture; false is certain, also for a grid. */
+/* True if the object may have an opacity texture; false: it certainly has none, in any of a grid's cells. */
 bool ray_is_layered(const struct ray_view *view, uint32_t object);
 
-/* Gives the hit on the object at 0 <= t <= limit. */
+/* Gives the hit on the object; false: none at 0 <= t <= limit. */
 bool ray_meets(const struct ray_view *view, const struct ray *ray, uint32_t object, num_length limit, struct hit *hit);
 
 /* Returns the part of an object that a refracted ray may enter. */
@@ -96,7 +99,7 @@ enum inside ray_inside(const struct ray_view *view, uint32_t object);
 
 /* Gives the surface of a hit object in the world's axes. */
 void ray_surface(const struct ray_view *view, const struct hit *hit, struct num_point point, struct surface *surface);
-/* Gives the hit's surface coordinates, for textures. */
+/* Gives the hit's surface coordinates, for textures; returns the `bits` of ray_texture. */
 int ray_uv(const struct ray_view *view, const struct hit *hit, struct num_point point, num_length uv[2]);
 /* Returns the material of an object's element. */
 uint32_t ray_material(const struct ray_view *view, uint32_t object, uint32_t element);

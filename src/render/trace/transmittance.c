@@ -1,8 +1,8 @@
 /* transmittance.c - the objects between a point and a light.
  *
- * An object that transmits nothing ends the search. The others multiply the light that is left. Products are rounded,
- * so this is always done in the order of the indices, whatever order they are found in: one search finds the few
- * lowest, and if there are more, another search finds those above. */
+ * An object that transmits nothing ends the search. Other objects multiply the light by their transmission. Products
+ * are rounded, so the factors are always applied in the order of the objects' indices, not in that in which objects are
+ * found: one search finds the few lowest indices, and if there are more, another search finds the next. */
 #include "render/geometry/walk.h"
 #include "scene/colour.h"
 #include "texture.h"
@@ -10,7 +10,7 @@
 
 #define KEPT 16
 
-/* An object that transmits light, and the factors by which it multiplies the light. */
+/* An object that transmits light: it multiplies the light by `through`, as many times as `times`. */
 struct filter {
     uint32_t object, times;
     num_length through[3];
@@ -54,7 +54,7 @@ struct crossing {
     struct ray ray;
     num_length limit;
     uint32_t layers;
-    bool counted; /* a grid's cells without opacity count once */
+    bool counted; /* a surface without an opacity texture was crossed: later ones do not filter the light again */
     bool opaque;  /* see struct filters */
 };
 

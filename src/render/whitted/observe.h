@@ -1,5 +1,4 @@
-/* observe.h - reports rays to an observer, see struct tia_observer: in the build with observers. In the others it
- * compiles to nothing. */
+/* observe.h - reports rays to an observer, see struct tia_observer. Builds without observers report nothing. */
 #ifndef TIA_RENDER_WHITTED_OBSERVE_H
 #define TIA_RENDER_WHITTED_OBSERVE_H
 
@@ -25,7 +24,7 @@ static inline void observe_begin(struct path *path, const struct tia_options *op
 #endif
 }
 
-/* Counts the tests of a ray. */
+/* Sets the observer's counter as the ray's counter of tests. */
 static inline void observe_count(const struct path *path, struct ray *ray)
 {
 #ifdef TIA_WATCHED

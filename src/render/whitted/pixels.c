@@ -4,8 +4,8 @@
 #include "samples/sobol.h"
 #include "whitted.h"
 
-/* Finds the hit of a pixel's sample, or of those of a channel after the first. `object` is the first sample's, or
- * receives it if path->traces. */
+/* Finds the hit of a ray from the eye. `sample` is 0 only for the first sample of the first channel; its object is
+ * *object, or is stored there if path->traces. */
 static void find_first(struct path *path, int x, int y, int sample, uint32_t *object, const struct ray *ray,
                        struct hit *hit)
 {
@@ -47,7 +47,7 @@ static void add_channel(struct path *path, const struct light_pixel *at, int cha
     }
 }
 
-/* Computes a pixel; of three channels, each comes from its own rays. */
+/* Computes a pixel's mean colour; if there are three channels, each has separate rays. */
 static void pixel(struct path *path, int x, int y, uint32_t *object, num_length mean[3])
 {
     const struct ray_camera *camera = &path->view->camera;
@@ -66,8 +66,7 @@ static void pixel(struct path *path, int x, int y, uint32_t *object, num_length 
     }
 }
 
-/* Quantises a pixel, from all 45 fraction bits at once: rounded twice, a value between two levels could become the
- * wrong one. */
+/* Quantises a pixel, from all 45 fraction bits at once: a value rounded twice could get the wrong one of two levels. */
 static tia_rgb565 pack(const num_length mean[3], num_u threshold)
 {
     unsigned r = num_levels(mean[0], 31, threshold), g = num_levels(mean[1], 63, threshold),
@@ -90,7 +89,7 @@ struct job {
     const struct tia_surface *surface;
     const struct tia_options *options;
     const struct first_hits *first; /* hits found without rays; NULL: by rays */
-    bool traces;                    /* the hits are not found yet, and are stored */
+    bool traces;                    /* the hits are found here, and stored */
 };
 
 /* Draws a row; false: the row was stopped. */
@@ -149,7 +148,7 @@ static void light_tile(const struct tia_view *view, const struct tia_hits *hits,
     whitted_light_tile(view, hits, tile, surface, options, NULL);
 }
 
-/* Traces and lights a tile at once: each ray from the eye is traced once, and its hit is not searched again. */
+/* Traces and lights a tile in one pass, in which each ray from the eye is traced only once. */
 static void render_tile(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
                         const struct tia_surface *surface, const struct tia_options *options)
 {

@@ -7,8 +7,8 @@
 #define PATH_BLOCKERS 8
 #define PATH_REACHED 64
 
-/* The light that arrives at a point. Bit n of `bits` is set when some of sample number n arrives: shares[n] 2^-15 of
- * it, or all when shares is NULL. */
+/* The samples of lights that reach a point. Bit n of `bits` is set if light of sample n arrives; shares[n] is the part
+ * that arrives, in units of 2^-15. `shares` NULL: all of it arrives. */
 struct arrivals {
     uint64_t bits;
     const uint16_t *shares;
@@ -16,22 +16,22 @@ struct arrivals {
 
 /* Primary hits that are found without rays. */
 struct first_hits {
-    /* Finds the hit of the ray of a sample of pixel (x, y). Sample i of light n has number first_bit[n] + i, or
-     * first_bit[n] if `whole`. False: the light that arrives there is unknown. */
+    /* Finds the hit of a sample's ray through pixel (x, y), and in `lit` the light that arrives at the hit; false: the
+     * light is unknown. Sample i of light n has the number first_bit[n] + i in `lit`, or first_bit[n] if `whole`. */
     bool (*find)(const struct first_hits *hits, int x, int y, int sample, const struct ray *ray, struct hit *hit,
                  struct arrivals *lit);
     const uint8_t *first_bit;
     bool whole;
-    /* NULL, or true if light that arrives by its number also passes the objects without numbers, 0 <= t <= distance
-     * along the shadow ray. `blocker` as in ray_transmittance. */
+    /* True if light that arrives according to `lit` also passes the objects that `lit` ignores, at 0 <= t <= distance
+     * along the shadow ray. `blocker` as in ray_transmittance. NULL: no objects are ignored. */
     bool (*passes)(const struct first_hits *hits, const struct ray *shadow, num_length distance, uint32_t *blocker);
 };
 
-/* A tree of rays from the eye, one sample after the other. */
+/* The tree of rays of a sample, and the state shared by consecutive samples. */
 struct path {
     const struct ray_view *view;
     const struct first_hits *first; /* NULL: primary rays are traced */
-    bool traces;                    /* primary rays are traced, and stored in the hits */
+    bool traces;                    /* objects met by primary rays are stored in the hits */
     struct arrivals lit;            /* light of the primary hit; valid while `known` */
     bool known;
     uint32_t seed;         /* seed of a pixel's sample, for rays of ambient lights */
@@ -43,7 +43,7 @@ struct path {
 #endif
     bool hashed;
     uint32_t hash;                   /* hash of the path, see tia_debug.path_hash */
-    uint32_t blocker[PATH_BLOCKERS]; /* last blockers of the first lights */
+    uint32_t blocker[PATH_BLOCKERS]; /* last blocker of each light, by its number modulo PATH_BLOCKERS */
     unsigned rays;                   /* number of rays since the last call of `stop` */
     bool stopped;
 };

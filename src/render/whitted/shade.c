@@ -70,14 +70,14 @@ static bool is_white(const num_length rgb[3])
     return rgb[0] == NUM_LENGTH_ONE && rgb[1] == NUM_LENGTH_ONE && rgb[2] == NUM_LENGTH_ONE;
 }
 
-/* Multiplies a colour. Most light is undimmed: products by 1 are exact, and left out. */
+/* Multiplies a colour by a factor; products by 1, which are frequent and exact, are left out. */
 static void multiply(num_length rgb[3], const num_length factor[3])
 {
     for (int c = 0; c < 3 && !is_white(factor); c++)
         rgb[c] = num_product(rgb[c], factor[c]);
 }
 
-/* Adds the light of sample i to the mean of the samples, which the emission multiplies later; false: none arrives. */
+/* Adds the light of sample i, not yet multiplied by the emission, to the mean of the samples; false: none arrives. */
 static bool add_sample(struct path *path, const struct shading *s, const struct ray_aim *aim, unsigned i, unsigned bit,
                        uint32_t *blocker, num_length mean[3])
 {
@@ -109,7 +109,7 @@ static void note_reached(struct path *path, bool reached)
         path->reached |= (uint64_t)reached << path->next_reached++;
 }
 
-/* Returns the part of an ambient light that reaches the point: all, or the mean of rays up to its radius. */
+/* Returns the part of an ambient light that reaches the point: all, or the mean openness of rays up to its radius. */
 static num_length ambient_part(struct path *path, const struct shading *s, const struct ray_light *light, uint32_t n)
 {
     const struct ray_place place = {s->outside, s->geometric, s->normal};
@@ -197,7 +197,7 @@ static num_unit pass(const struct ray_view *view, const struct shading *s, struc
     return m->fresnel || fresnel == NUM_UNIT_ONE ? fresnel : 0;
 }
 
-/* Sets the ray past the surface, and reduces the other rays to the part that the opacity leaves. */
+/* Sets the ray past the surface, and multiplies the factors of the other rays by the opacity. */
 static void let_past(const struct ray_view *view, const struct shading *s, struct bounces *b)
 {
     num_length *passes = b->straight ? b->refracts : b->passes;

@@ -1,11 +1,11 @@
-/* shade.h - shading of a point on a surface: its reflected light, and the rays that it spawns. */
+/* shade.h - shading of a point on a surface: the light from the point, and the rays spawned there. */
 #ifndef TIA_RENDER_WHITTED_SHADE_H
 #define TIA_RENDER_WHITTED_SHADE_H
 
 #include "ray_tree.h"
 #include "render/trace/shading.h"
 
-/* Prepares the hit of one ray. */
+/* Prepares the shading of a ray's hit, and adds the hit to the path's hash. */
 void shade_prepare(struct path *path, const struct ray *ray, const struct hit *hit, struct shading *s);
 
 /* Adds throughput times opacity times the surface's own light along V: emission, facing ratio and lights. */

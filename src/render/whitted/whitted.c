@@ -12,9 +12,9 @@ struct bounce {
     enum tia_ray kind;
 };
 
-/* Depth-first: the refracted ray is pending while the reflected one is followed, and below both the one past an
- * opacity. So at most two rays are pending for each bounce on the way to the current one, and straight layers, which
- * come last, make the stack no deeper. */
+/* The pending rays. They are followed depth-first: the reflected ray, then the refracted ray, then the ray past an
+ * opacity. So at most two rays are pending for each bounce before the current one, and straight layers, which come
+ * last, do not make the stack deeper. */
 struct stack {
     struct bounce bounces[2 * TIA_DEPTH_MAX + 1];
     int count;

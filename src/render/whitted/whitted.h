@@ -5,7 +5,7 @@
 
 #include "ray_tree.h"
 
-/* Computes the colour along `ray`, which meets `hit`, perhaps a light; not clamped. */
+/* Computes the colour along `ray`, not clamped; `hit` is the ray's hit, perhaps of a light. */
 void path_colour(struct path *path, const struct ray *ray, const struct hit *hit, num_length colour[3]);
 
 /* Implements tia_view_light for a scene prepared by ray_prepare; `first` may be NULL. */

@@ -3,17 +3,16 @@
  *     struct tia_bvh
  *     struct tia_bvh_tree of each mesh
  *     for each mesh: items, nodes
- *     of the objects: items, planes, nodes
- *     at the end of the block, only while building: the boxes of the items of one tree
+ *     for the objects: items, planes, nodes
+ *     at the end of the block, only while building: the boxes of one tree's items
  */
 #include "objects.h"
 
 #include "math/align.h"
 #include "scene/object_bounds.h"
 
-/* Costs of a test with an object, relative to a visit to two boxes: about twice as many instructions for a sphere,
- * three times for a triangle, and five times for cylinders and cones, averaged over all tests, most of which miss
- * early. */
+/* Costs of testing an object, in visits to two boxes: a sphere takes about twice as many instructions as a visit, a
+ * triangle three times, a cylinder or cone five times, on average over all tests, most of which miss early. */
 enum { SPHERE_COST = 2, FACE_COST = 3, ROUND_COST = 5 };
 
 /* Returns the largest number of boxes needed at the same time. */
@@ -41,8 +40,8 @@ size_t tia_bvh_size(const struct tia_scene *scene)
     return size > SIZE_MAX / 2 ? SIZE_MAX : (size_t)size;
 }
 
-/* Builds the tree of `count` items, each of which costs `cost` visits to test. Uses only the nodes needed, of the
- * TREE_NODES(count) that may be needed. */
+/* Builds the tree of `count` items, each of which costs `cost` visits to test. Occupies no more than the nodes used, of
+ * TREE_NODES(count) at most. */
 static struct tia_bvh_tree build(struct bvh_space *space, uint32_t *items, uint32_t count, uint32_t cost)
 {
     struct tia_bvh_node *nodes = (struct tia_bvh_node *)(void *)space->front;
@@ -67,7 +66,7 @@ static struct tia_bvh_tree build_mesh(struct bvh_space *space, const struct tia_
     return build(space, items, mesh->face_count, FACE_COST);
 }
 
-/* Removes the margin that tia_bounds_with_margin added: the root's box gives the mesh's own. */
+/* Returns a mesh's own box, from the root's: without the margin that tia_bounds_with_margin added. */
 static struct tia_bounds without_margin(const struct tia_bounds *b)
 {
 #define LESS(x) ((x) > INT32_MIN ? (x) + 1 : (x))
@@ -109,7 +108,7 @@ static uint32_t object_cost(const struct tia_scene *scene, const uint32_t *items
     return sum > count ? (uint32_t)(sum / count) : 1;
 }
 
-/* Builds the tree of the objects. Those with a box fill `items` from the front, the others from the back. */
+/* Builds the tree of the objects. Objects with a box fill `items` from the front, the others from the back. */
 void tia_bvh_build_objects(struct bvh_space *space, struct tia_bvh *bvh, const struct tia_scene *scene)
 {
     uint32_t count = (uint32_t)bvh_object_count(scene), last = count, first = 0;

@@ -5,12 +5,12 @@
 #include "math/align.h"
 #include "tree.h"
 
-/* A block of memory that fills from the front, and the builder. */
+/* A block of memory that is filled from the front, and the builder of large trees. */
 struct bvh_space {
     unsigned char *front;
     struct tia_bounds *boxes; /* boxes of the items of one tree, while it is built */
     struct cancel cancel;
-    /* builds a tree of `count` items, with tia_bvh_build_range's result; NULL: tia_bvh_build_range builds it */
+    /* builds a tree of `count` items, the same as tia_bvh_build_range's; NULL: tia_bvh_build_range */
     uint32_t (*build)(struct bvh_space *space, struct tia_bvh_node *nodes, const struct bvh_items *all, uint32_t count);
     const struct tia_workers *workers; /* workers for `build` */
 };
@@ -32,7 +32,7 @@ static inline void *bvh_allocate(struct bvh_space *space, uint64_t size)
     return place;
 }
 
-/* Gives the box of an object; false when it has none or Q16.16 cannot hold it. */
+/* Gives the box of an object; false when the object has none, or the box does not fit Q16.16. */
 bool tia_bvh_object_box(struct tia_bounds *box, const struct tia_scene *scene, uint32_t object,
                         const struct tia_bvh_tree *meshes);
 
@@ -43,7 +43,8 @@ void tia_bvh_build_objects(struct bvh_space *space, struct tia_bvh *bvh, const s
 uint32_t tia_bvh_build_together(struct bvh_space *space, struct tia_bvh_node *nodes, const struct bvh_items *all,
                                 uint32_t count);
 
-/* Builds all hierarchies of a scene, as tia_bvh_build does, in space->front with the space's builder. */
+/* Builds all hierarchies of a scene at space->front, as tia_bvh_build does, with the space's builder. *used receives
+ * the number of bytes. */
 int tia_bvh_build_in(const struct tia_bvh **bvh, struct bvh_space *space, size_t size, size_t *used,
                      const struct tia_scene *scene);
 

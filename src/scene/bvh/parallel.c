@@ -1,10 +1,9 @@
 /* parallel.c - a tree built by several threads.
  *
  * One thread repeatedly splits the largest part of the items, until there are enough parts; the passes over all items
- * of a part are divided among the threads. Then one thread builds each part's tree, in nodes reserved for it: a tree of
- * n items has at most 2n - 1 nodes, so the first node of each part can be computed before. Finally the trees are moved
- * together. So the nodes are the same as tia_bvh_build_range's, bit for bit, and do not depend on the number of
- * threads.
+ * of a part are divided among the threads. Then one thread builds each part's tree, in nodes reserved for the part: a
+ * tree of n items has at most 2n - 1 nodes, so the first node of each part is known beforehand. Finally the trees are
+ * moved together. The nodes are the same as tia_bvh_build_range's, bit for bit, whatever the number of threads.
  */
 #include "objects.h"
 #include "split.h"
@@ -14,17 +13,17 @@
 #define LEAST 16384   /* least number of items for which waking the threads pays */
 #define SMALLEST 2048 /* least number of items of a part that is split further */
 
-/* Totals of a chunk of a part's items. They are stored in the memory of the nodes, none of which is in use yet: CHUNKS
- * * sizeof(struct chunk) < LEAST * sizeof(struct tia_bvh_node). */
+/* Totals of a chunk of a part's items. Chunks are stored in the memory of the nodes, none of which is in use yet:
+ * CHUNKS * sizeof(struct chunk) < LEAST * sizeof(struct tia_bvh_node). */
 struct chunk {
     struct tia_bvh_extent extent;
     struct tia_bvh_bins bins;
     bool stopped;
 };
 
-/* A node whose children are parts, too, or the root of a tree that one thread builds. */
+/* A node whose children are parts too, or the root of a tree that one thread builds. */
 struct part {
-    struct tia_bounds bounds; /* bounds of a node with children */
+    struct tia_bounds bounds; /* bounds of a divided part */
     struct bvh_range range;
     uint32_t place; /* first node of the part's tree while it is built */
     uint32_t nodes; /* number of nodes of the part's tree */
@@ -45,8 +44,9 @@ struct crew {
 
 /* ---- jobs of the threads ---- */
 
-/* Returns the result of the caller's `stop`, called on one thread at a time; other threads go on meanwhile. */
-static bool asks(void *ctx)
+/* Returns the result of the caller's `stop`, which only one thread at a time calls: false if another thread is calling
+ * it now. */
+static bool poll_stop(void *ctx)
 {
     const struct bvh_space *space = ctx;
     bool stopped = false;
@@ -58,10 +58,10 @@ static bool asks(void *ctx)
     return stopped;
 }
 
-/* Returns a struct cancel of the thread's own, which counts only its work. */
+/* Returns a cancellation for one thread, which counts only that thread's work. */
 static struct cancel cancel_of(const struct crew *crew)
 {
-    return (struct cancel){crew->space->cancel.stop ? asks : NULL, crew->space, 0, false};
+    return (struct cancel){crew->space->cancel.stop ? poll_stop : NULL, crew->space, 0, false};
 }
 
 static struct tia_bvh_split_items chunk_items(const struct crew *crew, unsigned index, struct cancel *cancel)
@@ -117,7 +117,7 @@ static void run(struct crew *crew, void (*job)(void *arg, unsigned index), unsig
     crew->space->workers->run(crew->space->workers->ctx, job, crew, count);
 }
 
-/* Runs the job for all chunks; the result does not depend on their order. False: stopped. */
+/* Runs the job for all chunks, in any order; false if stopped. */
 static bool run_chunks(struct crew *crew, void (*job)(void *arg, unsigned index))
 {
     bool stopped = false;
@@ -157,7 +157,7 @@ static struct part *find_largest(struct crew *crew)
     return largest;
 }
 
-/* Divides a part. It stays in its place, and its children follow immediately; the first child has `left` items. */
+/* Divides a part. The part stays in its place, followed by its children; the first child has `left` items. */
 static void divide(struct crew *crew, struct part *part, uint32_t left)
 {
     struct bvh_range whole = part->range;
@@ -189,7 +189,8 @@ static void divide_all(struct crew *crew)
 
 /* ---- moving the trees together ---- */
 
-/* Moves a tree's nodes to the front, `to`. Its inner nodes refer to their children by numbers from its root. */
+/* Moves a tree's nodes forward to index `to`. Inner nodes have the index of their children relative to the root until
+ * then. */
 static void move_tree(struct crew *crew, const struct part *part, uint32_t to)
 {
     for (uint32_t i = 0; i < part->nodes; i++) {
@@ -199,8 +200,8 @@ static void move_tree(struct crew *crew, const struct part *part, uint32_t to)
     }
 }
 
-/* Moves all trees together: each tree is followed by the second child of the last node that has only its first. Returns
- * the number of nodes. */
+/* Moves all trees together, in depth-first order: behind a tree comes the second child of the last node whose second
+ * child is still missing. Returns the number of nodes. */
 static uint32_t move_together(struct crew *crew)
 {
     uint32_t waiting[TIA_BVH_DEPTH_MAX + 1], to = 0;

@@ -1,9 +1,9 @@
 /* refit.c - the hierarchy of a scene whose objects have moved.
  *
- * The tree of the scene at rest is kept, except for the boxes of the objects that moved and the boxes around them. It
- * may become worse over time: where boxes of the same depth overlap, rays visit more of them. The number of nodes that
- * a ray visits is in proportion to the boxes' areas (split.c), so when their sum has grown by half, the tree of the
- * objects is rebuilt from their boxes alone. The trees of the meshes always stay.
+ * The tree of the scene at rest stays, except for the boxes of the objects that moved and the boxes around them. Its
+ * quality may decline over time: where boxes of the same depth overlap, rays visit more of them. The number of nodes
+ * that a ray visits is in proportion to the boxes' areas (split.c), so when the sum of the areas has grown by half, the
+ * tree of the objects is rebuilt from their boxes alone. The trees of the meshes always stay.
  */
 #include "objects.h"
 
@@ -21,7 +21,7 @@ size_t tia_bvh_move_size(const struct tia_scene *scene)
     return size > SIZE_MAX / 2 ? SIZE_MAX : (size_t)size;
 }
 
-/* True if two elements are equal, byte by byte. Where only padding differs, an object counts as moved. */
+/* True if two elements are equal, byte by byte. An object that differs only in padding counts as moved. */
 static bool same(const void *a, const void *b, size_t size)
 {
     const unsigned char *one = a, *other = b;
@@ -50,7 +50,7 @@ static bool has_moved(const struct following *f, uint32_t object)
     return !same_place || !same(&f->scene->shapes[i], &f->standing->shapes[i], sizeof(struct tia_shape));
 }
 
-/* Refits the box of a leaf; it stays if no item of it moved. */
+/* Refits the box of a leaf; the box stays if none of the leaf's items moved. */
 static void follow_leaf(struct following *f, struct tia_bvh_node *leaf)
 {
     const struct tia_bvh *bvh = f->standing->bvh;
@@ -69,7 +69,8 @@ static void follow_leaf(struct following *f, struct tia_bvh_node *leaf)
         leaf->bounds = bounds;
 }
 
-/* Refits all nodes. Children come after their parents, so going from the last node to the first, both are done before.
+/* Refits all nodes from the last one to the first: children come after their parents, so both children are refitted
+ * before.
  */
 static void follow(struct following *f, struct cancel *cancel)
 {
@@ -97,7 +98,7 @@ static uint64_t largest(const struct tia_bounds *b)
     return extent(b->min.x, b->max.x) | extent(b->min.y, b->max.y) | extent(b->min.z, b->max.z);
 }
 
-/* Returns half the sum of the nodes' surface areas; extents of 18 bits keep each node's below 3 * 2^36. */
+/* Returns half the sum of the nodes' surface areas. Extents of 18 bits keep each node's half area below 3 * 2^36. */
 static uint64_t areas(const struct tia_bvh_node *nodes, uint32_t count, unsigned shift)
 {
     uint64_t sum = 0;

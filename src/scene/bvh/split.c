@@ -36,7 +36,7 @@ static tia_q16 larger(tia_q16 a, tia_q16 b)
     return a > b ? a : b;
 }
 
-/* Enlarges `to` as tia_bounds_add does, but inline: a call would cost more than the work. */
+/* Enlarges `to` as tia_bounds_add does, but inline: a call would take longer than the work. */
 static inline void add(struct tia_bounds *to, const struct tia_bounds *more)
 {
     to->min = (struct tia_vec3){smaller(to->min.x, more->min.x), smaller(to->min.y, more->min.y),
@@ -67,7 +67,7 @@ static unsigned area_shift(const struct tia_bounds *b)
     return bits > 19 ? bits - 19 : 0;
 }
 
-/* Returns half the surface area of a box. */
+/* Returns half the surface area of a box, its extents shifted down by `shift`. */
 static uint64_t area(const struct tia_bounds *b, unsigned shift)
 {
     uint64_t x = extent(b->min.x, b->max.x) >> shift, y = extent(b->min.y, b->max.y) >> shift,
@@ -97,8 +97,8 @@ void tia_bvh_measure(struct tia_bvh_extent *extent, const struct tia_bvh_split_i
     *extent = all;
 }
 
-/* Returns the bins of a range. The range, below 2^34, is reduced to 28 bits. Division by range + 1 keeps its end in the
- * last bin. */
+/* Returns the binning of the range least..most. Its length, below 2^34, is reduced to 28 bits; division by that + 1
+ * puts its end into the last bin. */
 static struct tia_bvh_binning binning_of(int64_t least, int64_t most)
 {
     if (most <= least)
@@ -156,8 +156,8 @@ void tia_bvh_join_bins(struct tia_bvh_bins *to, const struct tia_bvh_bins *more)
                 add_to_bin(to, axis, i, &more->axes[axis][i].bounds, more->axes[axis][i].count);
 }
 
-/* Sets *best to the best plane of one axis if that is better. A plane behind an empty bin is as good as the one before
- * it, which was tried. */
+/* Sets *best to the best plane of one axis if that plane is better. Planes behind empty bins are not tried: each
+ * divides the items as the plane before it does. */
 static void choose_split(struct split *best, uint32_t items, const struct tia_bvh_bins *all, int axis, unsigned shift)
 {
     const struct tia_bvh_bin *bins = all->axes[axis];

@@ -6,11 +6,11 @@
 
 #include "scene/cancel.h"
 
-#define SPLIT_ITEMS_MOST 8 /* largest leaf: nodes with more items are always split, whatever the heuristic finds */
+#define SPLIT_ITEMS_MOST 8 /* number of items of the largest leaf: nodes with more items are always split */
 #define SPLIT_BINS 16
 
-/* The items of a node; boxes[i] is the box of items[i]. Both are reordered together, so that a node's items are
- * consecutive in memory. Once cancelled, the functions' results are undefined. */
+/* The items of a node; boxes[i] is the box of items[i]. Items and boxes are reordered together, so that a node's items
+ * are consecutive in memory. Once cancelled, the results of all functions below are undefined. */
 struct tia_bvh_split_items {
     struct tia_bounds *boxes;
     uint32_t *items;
@@ -22,10 +22,11 @@ struct tia_bvh_split_items {
 /* The extent of a node's items. */
 struct tia_bvh_extent {
     struct tia_bounds bounds;  /* box around all items */
-    int64_t least[3], most[3]; /* range of twice the coordinates of their centres */
+    int64_t least[3], most[3]; /* range of twice the coordinates of the items' centres */
 };
 
-/* The bins of an axis: an item's bin is ((centre - first) >> shift) * scale >> 28. */
+/* The binning of an axis: an item's bin is ((centre - first) >> shift) * scale >> 28, `centre` being twice the centre's
+ * coordinate. */
 struct tia_bvh_binning {
     int64_t first;
     unsigned shift;
@@ -38,30 +39,36 @@ struct tia_bvh_bin {
     uint32_t count;
 };
 
-/* The bins of an axis. Bin i is undefined unless bit i is set: most nodes have few items, and clearing all bins takes
- * longer. */
+/* The bins of all axes. Bin i of an axis is undefined unless bit i of `used` is set: most nodes have few items, and
+ * clearing all bins would take longer. */
 struct tia_bvh_bins {
     uint32_t used[3];
     struct tia_bvh_bin axes[3][SPLIT_BINS];
 };
 
-/* Partitions the items and returns n: the first n become the first child, the rest the second; 0: a leaf is cheaper. No
- * child gets more than `most` items; `most` must be at least half of them. Sets `bounds` to the bounds of all. */
+/* Partitions the items and returns n: the first n items become the first child, the rest the second; 0: a leaf is
+ * cheaper. No child has more than `most` items; `most` must be at least half of all. *bounds receives the bounds of all
+ * items. */
 uint32_t tia_bvh_split_items(const struct tia_bvh_split_items *items, struct tia_bounds *bounds, uint32_t most);
 
-/* Measure and bin: the steps of tia_bvh_split_items. They may process some of the items at a time: extents and bins of
- * parts are joined, and the result does not depend on the division. */
+/* ---- the steps of tia_bvh_split_items ---- */
+
+/* Gives the extent of some of a node's items. */
 void tia_bvh_measure(struct tia_bvh_extent *extent, const struct tia_bvh_split_items *items);
+/* Adds the extent of further items; the result does not depend on how the items are divided. */
 void tia_bvh_join_extents(struct tia_bvh_extent *to, const struct tia_bvh_extent *more);
 
 /* Gives the binning of each axis; false when there is no axis to split along. */
 bool tia_bvh_choose_bins(struct tia_bvh_binning binning[3], const struct tia_bvh_extent *extent);
 
+/* Fills the bins with some of a node's items. */
 void tia_bvh_fill_bins(struct tia_bvh_bins *bins, const struct tia_bvh_split_items *items,
                        const struct tia_bvh_binning binning[3]);
+/* Adds the bins of further items; the result does not depend on how the items are divided. */
 void tia_bvh_join_bins(struct tia_bvh_bins *to, const struct tia_bvh_bins *more);
 
-/* Returns the result of tia_bvh_split_items; `bins` are NULL when there is no axis to split along. */
+/* Splits at the best plane, or into halves, with the result of tia_bvh_split_items. `bins` is NULL when there is no
+ * axis to split along. */
 uint32_t tia_bvh_split_at_best(const struct tia_bvh_split_items *items, const struct tia_bounds *bounds,
                                const struct tia_bvh_bins *bins, const struct tia_bvh_binning binning[3], uint32_t most);
 

@@ -3,7 +3,7 @@
 /* A node still to be built; a stack of these replaces recursion. */
 struct task {
     struct bvh_range range;
-    uint32_t parent; /* node whose second child this is; else its own index */
+    uint32_t parent; /* node whose second child this is; for other nodes their own index */
 };
 
 /* Sorts items by insertion, at most SPLIT_ITEMS_MOST. */

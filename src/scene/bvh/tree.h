@@ -10,7 +10,7 @@
 /* The largest number of nodes for n items: each leaf has at least one item. */
 #define TREE_NODES(n) ((n) ? 2 * (uint64_t)(n)-1 : 0)
 
-/* The input of a tree's construction. Building reorders the items, and their boxes with them: boxes[i] is that of
+/* The input of a tree's construction. Building reorders the items together with their boxes: boxes[i] is the box of
  * items[i], except in finished leaves, where boxes are no longer needed and items are in rising order. `cost` is the
  * cost of testing an item, in visits to a node's children, at least 1. */
 struct bvh_items {
@@ -38,8 +38,8 @@ static inline uint32_t bvh_most_items(uint32_t depth)
     return UINT32_C(1) << (left < 31 ? left : 31);
 }
 
-/* Fills `nodes`, which has room for TREE_NODES(range.count), with the tree below a node, itself the first; returns
- * their number. The tree is incomplete if cancelled. */
+/* Fills `nodes`, which has room for TREE_NODES(range.count), with the tree below a node, which is the first; returns
+ * the number of nodes. The tree is incomplete if cancelled. */
 uint32_t tia_bvh_build_range(struct tia_bvh_node *nodes, const struct bvh_items *all, struct bvh_range range,
                              struct cancel *cancel);
 

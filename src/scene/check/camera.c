@@ -1,7 +1,7 @@
 #include "math/integer.h"
 #include "scene_check.h"
 
-/* True if V is off the direction of n: the squared sine of their angle, |V x n|^2 of the unit vectors, is at least
+/* True if v and n are not parallel: the squared sine of their angle, |v x n|^2 of the unit vectors, is at least
  * 2^-20. */
 static bool is_off(struct tia_vec3 v, struct tia_vec3 n)
 {

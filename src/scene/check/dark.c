@@ -1,12 +1,12 @@
-/* dark.c - warns of scenes whose lights or materials are all too dark to be seen, as when a colour in Q2.30 was written
- * as a length in Q16.16. Such a colour is 2^14 times too small, and so below 2^-13, since colours are below 2. */
+/* dark.c - warns of scenes whose lights or materials are all too dark to be visible, as when colours in Q2.30 were
+ * written as lengths in Q16.16. Such a colour is 2^14 times too small, so below 2^-13, since colours are below 2. */
 #include <tia/motion.h>
 
 #include "scene_check.h"
 
-/* The brightest of several colours, and the index of the light or material that has it. */
+/* The brightest of several colours, and the index of its light or material. */
 struct brightest {
-    uint64_t channel; /* Q2.30, times 2^bits of the emission */
+    uint64_t channel; /* largest channel: Q2.30, times 2^bits of the emission */
     uint32_t index;
 };
 
@@ -19,7 +19,7 @@ static void add(struct brightest *b, uint32_t index, const struct tia_rgb *colou
         *b = (struct brightest){channel, index};
 }
 
-/* Returns the stops by which an integrator's exposure brightens the picture; 0 for those without exposure. */
+/* Returns the stops by which the exposure brightens the picture, rounded up; 0 for an integrator without exposure. */
 static unsigned exposure_bits(const struct tia_integration *i)
 {
     return i->integrator == TIA_WHITTED || i->exposure <= 0 ? 0 : (unsigned)(((uint32_t)i->exposure + 65535) >> 16);
@@ -30,7 +30,7 @@ static unsigned bits_of(const struct tia_scene *scene, uint8_t emission_bits)
     return exposure_bits(&scene->integration) + (scene->integration.integrator == TIA_PATHS ? emission_bits : 0);
 }
 
-/* Adds a light. One with attenuation counts as bright, since a small divisor makes it brighter. */
+/* Adds a light. A light with attenuation counts as bright, since a small divisor brightens it. */
 static void add_light(struct brightest *b, uint32_t index, const struct tia_scene *scene, const struct tia_light *light)
 {
     if (light->constant || light->linear || light->quadratic)

@@ -17,7 +17,7 @@ bool tia_check_is_light_near(const struct check *check, const struct tia_light *
     return true;
 }
 
-/* True if the sides are both 0, or not parallel. */
+/* True if both sides are 0, or if they are not parallel. */
 static bool are_sides(const struct tia_vec3 side[2])
 {
     const int64_t s[3] = {side[0].x, side[0].y, side[0].z}, t[3] = {side[1].x, side[1].y, side[1].z};

@@ -1,4 +1,4 @@
-/* mesh.c - checks each mesh and grid once, and then the shapes that use it. */
+/* mesh.c - checks each mesh and grid once, then the shapes that use them. */
 #include "scene/object_bounds.h"
 #include "scene_check.h"
 
@@ -60,10 +60,10 @@ int tia_check_grid(const struct check *check)
 /* Properties of a mesh or grid that the shapes' checks need, found once for all shapes. */
 struct part {
     struct tia_bounds box; /* box of a mesh */
-    uint32_t materials;    /* number of materials that a grid needs, from the shape's own on */
+    uint32_t materials;    /* number of consecutive materials of a grid; the shape's own is the first */
 };
 
-/* Number of parts for one pass over the shapes: few enough for the stack, and usually enough for all. */
+/* Number of parts in one pass over the shapes: they fit the stack, and one pass usually suffices. */
 #define PARTS 16
 
 static struct part mesh_part(const struct check *check, uint32_t i)

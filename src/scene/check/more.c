@@ -1,9 +1,9 @@
-/* more.c - the checks of scenes that have more than spheres. */
+/* more.c - checks of scenes with more than spheres. */
 #include <tia/motion.h>
 
 #include "scene_check.h"
 
-/* Gives bounds of all eye positions. Tracks are unchecked here: a faulty one may have no keys. */
+/* Enlarges *eyes to hold all positions of the eye. Tracks are not checked yet: their keys may be NULL. */
 static void find_eyes(const struct tia_scene *scene, struct tia_bounds *eyes)
 {
     for (uint32_t i = 0; i < scene->track_count; i++) {

@@ -55,8 +55,8 @@ bool tia_check_is_on_line(const int64_t a[3], const int64_t b[3])
     return are_same(a[0], b[1], a[1], b[0]) && are_same(a[1], b[2], a[2], b[1]) && are_same(a[2], b[0], a[0], b[2]);
 }
 
-/* True if the eye is nearer than `reach` to all of a box, exactly: with the squared distance d2 to its farthest corner,
- * d2 < reach^2. */
+/* True if every position of the eye is nearer than `reach` to all of a box, exactly: d2 < reach^2 for the largest
+ * squared distance d2 to a corner. */
 static bool is_nearer(const struct check *check, const struct bounds_wide *box, int64_t reach)
 {
     const struct tia_vec3 *first = &check->eyes.min, *last = &check->eyes.max;
@@ -83,7 +83,7 @@ bool tia_check_is_near(const struct check *check, struct tia_vec3 c, tia_q16 rad
     return is_nearer(check, &point, (INT64_C(1) << 31) - radius);
 }
 
-/* True if a and b are apart. The squares are needed, and fit, only where every coordinate is near. */
+/* The squares are needed, and fit, only where all coordinates are close. */
 bool tia_check_are_apart(struct tia_vec3 a, struct tia_vec3 b)
 {
     int64_t d[3] = {(int64_t)a.x - b.x, (int64_t)a.y - b.y, (int64_t)a.z - b.z}, d2 = 0;

@@ -24,7 +24,7 @@ static int check_bright(const struct check *check, uint32_t bits)
     return TIA_OK;
 }
 
-/* Checks rules that apply only to sampling integrators. */
+/* Checks the rules that apply only to sampling integrators. */
 static int check_emission(struct check *check)
 {
     const struct tia_scene *scene = check->scene;

@@ -1,4 +1,4 @@
-/* scene.c - the whole check, in order: an object is checked before the indices that point to it. */
+/* scene.c - the whole check, in order: objects are checked before the indices that refer to them. */
 #include "scene_check.h"
 
 static bool is_array(const void *array, uint32_t count)
@@ -15,7 +15,7 @@ static bool are_arrays(const struct tia_scene *s)
            is_array(s->grids, s->grid_count) && is_array(s->tracks, s->track_count);
 }
 
-/* True if the hierarchy fits the scene: one built for another scene would leave objects out. */
+/* True if the hierarchy, if any, has as many objects as the scene: a hierarchy of another scene would omit some. */
 static bool is_bvh(const struct tia_scene *scene)
 {
     const struct tia_bvh *b = scene->bvh;

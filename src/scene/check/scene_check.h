@@ -1,4 +1,4 @@
-/* scene_check.h - the parts of tia_scene_check: each returns TIA_OK, or fills in the fault. */
+/* scene_check.h - the parts of tia_scene_check. Functions return TIA_OK, or TIA_ERR_RANGE and fill in the fault. */
 #ifndef TIA_SCENE_CHECK_SCENE_CHECK_H
 #define TIA_SCENE_CHECK_SCENE_CHECK_H
 
@@ -27,13 +27,15 @@ struct check {
     struct cancel *cancel; /* once stopped, TIA_STOPPED is returned */
 };
 
-/* Check a scene like tia_scene_check: by all rules; for spheres alone; by the rules `more`. */
+/* Checks a scene as tia_scene_check does. */
 int tia_check_scene(const struct tia_scene *scene, struct tia_fault *fault, struct cancel *cancel);
+/* Checks a scene that may have no objects but spheres. */
 int tia_check_spheres(const struct tia_scene *scene, struct tia_fault *fault, struct cancel *cancel);
+/* Checks a scene by the rules `more`; NULL as for tia_check_spheres. */
 int tia_check_by(const struct check_more *more, const struct tia_scene *scene, struct tia_fault *fault,
                  struct cancel *cancel);
 
-/* Warns of an accepted scene: *fault receives a warning, or NULL in all of it. */
+/* Warns of an accepted scene: *fault receives a warning; without one, all its pointers are NULL. */
 void tia_check_warn(const struct tia_scene *scene, struct tia_fault *fault);
 
 #define CHECK_FAR "every point must be nearer to the eye than 32768"
@@ -41,24 +43,28 @@ void tia_check_warn(const struct tia_scene *scene, struct tia_fault *fault);
 #define CHECK_RADIUS "must be at least 2^-10"
 #define CHECK_LENGTH "its length must be in 0.5..1.5"
 
-/* Refuses the scene when a rule is broken. */
+/* Returns a fault from a function with the parameter `check` unless the condition holds. */
 #define REQUIRE(condition, field, rule)                                                                                \
     do {                                                                                                               \
         if (!(condition))                                                                                              \
             return tia_check_refuse(check, field, rule);                                                               \
     } while (0)
 
-/* Checks each of `count` elements by `one`. */
+/* Calls `one` for each of `count` elements, check->index being the element's number, until one has a fault. */
 int tia_check_each(struct check *check, const char *thing, uint32_t count, int (*one)(const struct check *check));
 
+/* Fills in the fault of the present element; returns TIA_ERR_RANGE. */
 int tia_check_refuse(const struct check *check, const char *field, const char *rule);
 
 /* True if all components are in 0..1. */
 bool tia_check_is_unit(const struct tia_rgb *colour);
+/* True if the squared length is in 1/4..9/4. */
 bool tia_check_is_direction(const struct tia_dir3 *direction);
+/* True if x is in least..most. */
 bool tia_check_is_between(int32_t x, int32_t least, int32_t most);
 bool tia_check_is_scale(struct tia_vec3 scale);
-/* True if a and b, with components of at most 33 bits, are on one line through 0. 0 is on every line. */
+/* True if the points a and b, with components of at most 33 bits, are on one line through 0; always if one of them is
+ * 0. */
 bool tia_check_is_on_line(const int64_t a[3], const int64_t b[3]);
 
 /* True if two points are at least 2^-10 apart. */
@@ -74,7 +80,8 @@ int tia_check_camera(const struct check *check);
 /* True if a material may have texture `number`, from 1, as its opacity or its colour. */
 bool tia_check_has_texture(const struct check *check, uint32_t number, bool opacity);
 
-/* Check element number check->index of their kind. */
+/* ---- checks of element number check->index of a kind ---- */
+
 int tia_check_material(const struct check *check);
 int tia_check_texture(const struct check *check);
 int tia_check_sphere(const struct check *check);
@@ -85,30 +92,32 @@ int tia_check_shape(const struct check *check);
 int tia_check_track(const struct check *check);
 int tia_check_fall(const struct check *check);
 
-/* Checks gravity and the falling balls as a whole, if there are any. */
+/* ---- checks of the whole scene, and helpers ---- */
+
+/* Checks gravity and the falling balls as a whole, if the scene has any. */
 int tia_check_falling(const struct check *check);
 /* True if shapes can be hidden: the scene's last mesh has no faces, see motion.h. */
 bool tia_check_can_hide(const struct check *check);
 
 int tia_check_light(const struct check *check, const struct tia_light *light);
-/* True if all points of the light are near the eye. */
+/* True if all points of the light are near every position of the eye. */
 bool tia_check_is_light_near(const struct check *check, const struct tia_light *light);
 
-/* Checks that a placed object's box is near the eye, and not too flat. */
+/* Checks that the box of a shape with a transform is near every position of the eye, and not too flat. */
 int tia_check_placed(const struct check *check, const struct tia_shape *shape, const struct bounds_wide *box);
 
-/* Checks that shapes use meshes and grids correctly; and the scene's unit, which only the ray renderer supports. */
+/* Checks the shapes that use meshes and grids; and the scene's unit, which only the ray renderer supports. */
 int tia_check_uses(struct check *check);
 
 /* Checks the observer line and the light field. */
 int tia_check_light_field(struct check *check);
 
-/* Enlarges the box around the camera's eyes to hold all of their observer lines. */
+/* Enlarges the box around all positions of the eye to hold the observer line at each. */
 void tia_check_eyes(const struct tia_camera *camera, struct tia_bounds *eyes);
 
 /* Checks the renderer's settings. */
 int tia_check_rendering(struct check *check);
-/* Checks the requirements of the technique for shadows on the whole scene. */
+/* Checks the scene by the rules of its technique for shadows. */
 int tia_check_shadows(struct check *check);
 
 #endif

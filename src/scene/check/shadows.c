@@ -1,10 +1,10 @@
-/* shadows.c - requirements of the techniques for shadows, other than traced rays, on a scene, see shadow.h. */
+/* shadows.c - rules of the techniques for shadows, other than traced rays, see shadow.h. */
 #include "scene_check.h"
 
 #include "scene/colour.h"
 #include "scene/facet_count.h"
 
-/* True for a technique with soft shadows: area lights may be of any kind then, and have one sample. */
+/* True if shadows are soft: area lights may then be of any kind, and have one sample. */
 static bool is_soft(const struct tia_scene *scene)
 {
     return scene->shadows == TIA_SHADOWS_MAP && scene->shadow_map.filter == TIA_FILTER_PCSS;

@@ -18,7 +18,7 @@ static int64_t least_scale(const struct tia_transform *t)
 }
 
 /* True if a transformed box is not too flat: half its diagonal, with the margin of tia_object_bounds, over the least
- * scale is below 32768. Scales of 1 and more cannot fail in a box that is near. */
+ * scale is below 32768. A box near the eye always passes with scales of 1 and more. */
 static bool is_round_enough(const struct tia_transform *t, const struct bounds_wide *box)
 {
     int64_t scale = least_scale(t), limit = (scale < TIA_Q16_ONE ? scale : TIA_Q16_ONE) << 15, square = 0;

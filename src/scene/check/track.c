@@ -5,7 +5,8 @@
 
 #define VALUE(condition, rule) REQUIRE(condition, "value", rule)
 
-/* Checks a key's value. Eye positions need no check here: all other positions are checked against check->eyes. */
+/* Checks a key's value. Positions of the eye are not checked here: all other positions are checked against
+ * check->eyes. */
 static int check_value(const struct check *check, const struct tia_track *track, struct tia_vec3 value)
 {
     struct tia_light moved;
@@ -47,7 +48,7 @@ static int check_value(const struct check *check, const struct tia_track *track,
     return TIA_OK;
 }
 
-/* Checks further requirements on the track's target. */
+/* Checks further rules of the track's target. */
 static int check_target(const struct check *check, const struct tia_track *track)
 {
     bool needs_mesh = track->target == TIA_SHOWS_SHAPE || track->target >= TIA_SETS_SPECULAR;
@@ -65,7 +66,7 @@ static int check_target(const struct check *check, const struct tia_track *track
     return TIA_OK;
 }
 
-/* Returns the number of objects of the kind that the track moves. */
+/* Returns the number of objects that may be the target. */
 static uint32_t targets(const struct tia_scene *scene, enum tia_target target)
 {
     if (target == TIA_MOVES_LIGHT || target == TIA_ROTATES_LIGHT || target == TIA_SHOWS_LIGHT)

@@ -30,7 +30,7 @@ static int64_t size_of(int64_t x)
     return x < 0 ? -x : x;
 }
 
-/* Returns a bound of the ball's movement along an axis in a tick: v 2^-8 + a 2^-17. */
+/* Returns a bound on the ball's movement in a tick along any axis: v 2^-8 + a 2^-17. */
 static int64_t reach(const struct fall_ball *ball)
 {
     int64_t most = 0;
@@ -40,7 +40,8 @@ static int64_t reach(const struct fall_ball *ball)
     return most;
 }
 
-/* Gives the vector from the closest point of the box to `offset`, which is from its origin, along the box's axes. */
+/* Gives the vector from the box's closest point to a point, along the box's axes; `offset` is the point's position
+ * relative to the box's origin. */
 static void from_box(const struct fall_block *block, const int64_t offset[3], int64_t out[3])
 {
     for (int i = 0; i < 3; i++) {
@@ -71,7 +72,7 @@ static bool overlaps(const struct falling *f, const struct fall_ball *ball, uint
     return is_shorter(rest, ball->radius);
 }
 
-/* Gives the displacement to the nearest face, for a centre inside the box. */
+/* Gives the vector from a centre inside the box to the nearest face, along the box's axes. */
 static void nearest_face(const struct fall_block *block, const int64_t offset[3], int64_t out[3])
 {
     int64_t least = INT64_MAX;
@@ -88,8 +89,8 @@ static void nearest_face(const struct fall_block *block, const int64_t offset[3]
     }
 }
 
-/* Gives the vector from the box's closest point to the ball's centre, in world axes; a quarter as long, which leaves
- * room for the sums. */
+/* Gives a quarter of the vector from the box's closest point to the ball's centre, in world axes: the sums then fit 64
+ * bits. */
 static void out_of_box(const struct fall_block *block, const int64_t offset[3], int64_t normal[3])
 {
     int64_t rest[3], unit[3];
@@ -105,7 +106,7 @@ static void out_of_box(const struct fall_block *block, const int64_t offset[3], 
     (void)wide_normalise(rest, normal);
 }
 
-/* Gives the normal of a contact. Balls whose centres coincide part along the y axis. */
+/* Balls whose centres coincide part along the y axis. */
 void tia_fall_normal(const struct falling *f, const struct fall_ball *ball, uint32_t other, uint32_t time,
                      int64_t normal[3])
 {

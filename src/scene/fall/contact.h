@@ -1,7 +1,7 @@
 /* contact.h - falling balls and their obstacles: positions, contacts and contact normals.
  *
- * Positions are Q23.40, velocities Q31.32 a second, accelerations Q39.24 a second^2, and time runs in units of 2^-20 s
- * within a tick of 2^-8 s. With gravity in Q16.16, a whole tick without a contact is therefore exact.
+ * Positions are Q23.40, velocities Q31.32 per second, accelerations Q39.24 per second^2, and times are in units of
+ * 2^-20 s within a tick of 2^-8 s. With gravity in Q16.16, a whole tick without a contact is therefore exact.
  */
 #ifndef TIA_SCENE_FALL_CONTACT_H
 #define TIA_SCENE_FALL_CONTACT_H
@@ -9,9 +9,9 @@
 #include <tia/motion.h>
 
 #define FALL_TICK UINT32_C(4096)         /* units of time */
-#define FALL_NEVER UINT32_MAX            /* no contact in this tick */
-#define FALL_FARTHEST (INT64_C(1) << 54) /* largest coordinate: 2^14 */
-#define FALL_FASTEST (INT64_C(1) << 47)  /* largest velocity: 2^15 */
+#define FALL_NEVER UINT32_MAX            /* a time: no contact in this tick */
+#define FALL_FARTHEST (INT64_C(1) << 54) /* largest coordinate, 2^14: beyond it a ball is lost */
+#define FALL_FASTEST (INT64_C(1) << 47)  /* largest velocity, 2^15: above it a ball is lost */
 #define FALL_ONE (INT64_C(1) << 62)      /* 1.0 in a normal, Q1.62 */
 
 struct fall_ball {
@@ -21,7 +21,7 @@ struct fall_ball {
     uint32_t at;
     uint32_t next, partner; /* time of the next contact; the other body: a ball, or ball_count plus a block */
     uint32_t met;           /* number of contacts so far in this tick */
-    bool there, lost;       /* there: takes part in the simulation, being shown and not lost */
+    bool there, lost;       /* there: takes part in the simulation, as it is shown and not lost */
     bool held;              /* rests on a body in this tick */
     bool stopped;           /* stands still: too many contacts in this tick */
 };
@@ -50,17 +50,18 @@ struct falling {
 int64_t tia_fall_place(const struct fall_ball *ball, int axis, uint32_t time);
 int64_t tia_fall_velocity(const struct fall_ball *ball, int axis, uint32_t time);
 
-/* True if, at the time, the ball overlaps body `other`, a ball or ball_count plus a block, and moves deeper into it. */
+/* True if at `time` the ball overlaps body `other`, the number of a ball, or ball_count plus that of a block, and moves
+ * deeper into it. */
 bool tia_fall_touches(const struct falling *f, const struct fall_ball *ball, uint32_t other, uint32_t time);
 
 /* True if the ball may touch body `other` in this tick, unless another contact comes first. */
 bool tia_fall_is_near(const struct falling *f, const struct fall_ball *ball, uint32_t other);
 
-/* Gives the direction from the other body to the ball, Q1.62. */
+/* Gives the normal of the contact at `time`: the direction from body `other` to the ball, Q1.62. */
 void tia_fall_normal(const struct falling *f, const struct fall_ball *ball, uint32_t other, uint32_t time,
                      int64_t normal[3]);
 
-/* Returns the ball of that number; NULL: the body is a block. */
+/* Returns body `other` if it is a ball, or NULL for a block. */
 struct fall_ball *tia_fall_partner(const struct falling *f, uint32_t other);
 
 #endif

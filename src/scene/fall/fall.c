@@ -10,9 +10,9 @@
 #include "scene/object_bounds.h"
 #include "tick.h"
 
-#define MOST_Q32 (INT64_C(1) << 50) /* a length beyond any accepted scene, which times 256 still fits 64 bits */
+#define MOST_Q32 (INT64_C(1) << 50) /* a length beyond any accepted scene; 256 times as much still fits 64 bits */
 
-/* Converts from Q31.32, or a product of two Q16.16. */
+/* Converts Q31.32, such as a product of two Q16.16, to Q23.40, clamped. */
 static int64_t fine(int64_t q32)
 {
     return (q32 < -MOST_Q32 ? -MOST_Q32 : q32 > MOST_Q32 ? MOST_Q32 : q32) * 256;
@@ -135,7 +135,7 @@ static void set_blocks(struct falling *f, const struct tia_scene *scene)
     }
 }
 
-/* Adds the ball's displacement, rounded. */
+/* Adds the ball's displacement since the start, rounded, to a position. */
 static void put(const struct fall_ball *ball, struct tia_vec3 *position)
 {
     tia_q16 *const to[3] = {&position->x, &position->y, &position->z};

@@ -1,5 +1,6 @@
-/* tick.c - a tick is a list of contacts in the order of time. Each ball stores its next contact, found from the present
- * motion of all; so after a contact both balls, and all balls that had one of them as a partner, search again.
+/* tick.c - the contacts of a tick, in the order of time. Each ball stores its next contact, which follows from the
+ * present motion of all bodies; so after a contact the next ones are searched again for both balls and for all balls
+ * that were to meet one of them.
  */
 #include "tick.h"
 
@@ -10,7 +11,7 @@
 /* Limit of a ball's contacts in a tick, after which it stands still: balls that touch many others could go on
  * forever. */
 #define CONTACTS_MAX 32
-#define PARTS_MAX 64 /* most parts in which a tick is searched, so that no ball passes through another */
+#define PARTS_MAX 64 /* largest number of parts of a tick that are searched one by one */
 
 static int64_t speed_of(const struct fall_ball *ball)
 {
@@ -23,8 +24,8 @@ static int64_t speed_of(const struct fall_ball *ball)
     return most;
 }
 
-/* Returns the number of parts of a tick: a ball moves v 2^-8 in a tick, and at most a quarter of its radius in a
- * part. */
+/* Returns the number of parts of a tick, so that in each the ball moves, relative to its partner, at most a quarter of
+ * its radius and does not pass through: in a tick it moves v 2^-8. */
 static uint32_t parts(const struct fall_ball *ball, const struct fall_ball *partner)
 {
     int64_t way = speed_of(ball) + (partner ? speed_of(partner) : 0), size = ball->radius;
@@ -51,7 +52,7 @@ static uint32_t last_apart(const struct falling *f, const struct fall_ball *ball
     return apart;
 }
 
-/* Returns the time, from now on, at which the ball meets body `other`. */
+/* Returns the next time at which the ball meets body `other`, or FALL_NEVER. */
 static uint32_t meeting(const struct falling *f, const struct fall_ball *ball, uint32_t other)
 {
     if (!tia_fall_is_near(f, ball, other))
@@ -71,7 +72,7 @@ static bool is_there(const struct falling *f, uint32_t other)
     return other < f->ball_count ? f->balls[other].there : f->blocks[other - f->ball_count].there;
 }
 
-/* Finds the ball's next contact: of several at once the first. */
+/* Finds the ball's next contact; of several at the same time, the one with the lowest number. */
 static void look(const struct falling *f, uint32_t index)
 {
     struct fall_ball *ball = &f->balls[index];
@@ -102,8 +103,8 @@ static void advance(struct fall_ball *ball, uint32_t time)
     ball->at = time;
 }
 
-/* Returns the ball's part of a change of velocity, Q1.62: the other's share of both masses. A fixed body's part is
- * 0. */
+/* Returns the ball's part of a change of velocity, Q1.62: the partner's share of the sum of both masses, or 1 if the
+ * partner is fixed. */
 static int64_t share(const struct falling *f, const struct fall_ball *ball, const struct fall_ball *partner)
 {
     if (!partner || partner->stopped)
@@ -120,7 +121,8 @@ static void push(int64_t vector[3], const int64_t normal[3], int64_t by, int64_t
         vector[i] += wide_round(wide_product(normal[i], amount), 62);
 }
 
-/* Returns the speed along the normal at which the first ball moves away from the second, which may be NULL. */
+/* Returns the speed along the normal at which the first body moves away from the second; NULL: the second stands
+ * still. */
 static int64_t parting(const int64_t first[3], const int64_t *second, const int64_t normal[3])
 {
     int64_t between[3];
@@ -137,7 +139,7 @@ static tia_q16 restitution(const struct falling *f, const struct fall_ball *ball
     return own < others ? own : others;
 }
 
-/* Removes the acceleration of two bodies towards each other, from the ball that does not rest yet. */
+/* Removes the acceleration of two bodies towards each other, from those of the two that do not rest yet. */
 static void hold(const struct falling *f, struct fall_ball *ball, struct fall_ball *partner, const int64_t normal[3],
                  int64_t pull)
 {
@@ -155,8 +157,8 @@ static void hold(const struct falling *f, struct fall_ball *ball, struct fall_ba
         push(partner->pull, normal, pull, share(f, partner, ball));
 }
 
-/* Bounces the ball off its partner. A velocity's unit is 2^-32 and a pull's 2^-24: gravity's change in 2/256 s is twice
- * the number. */
+/* Bounces the ball off its partner. As velocities are in units of 2^-32 and pulls of 2^-24, a pull changes the velocity
+ * in 2/256 s by twice its number. */
 static void collide(struct falling *f, struct fall_ball *ball, struct fall_ball *partner, const int64_t normal[3])
 {
     int64_t speed = parting(ball->velocity, partner ? partner->velocity : NULL, normal);
@@ -181,8 +183,8 @@ static void count_contact(struct fall_ball *ball)
         ball->velocity[i] = ball->pull[i] = 0;
 }
 
-/* Searches again for the ball, and for those that were to meet it; for all, if it stands still now and so searches no
- * more. */
+/* Searches again for the next contacts of the ball and of the balls that were to meet it; of all balls if this one
+ * stands still from now on. */
 static void look_again(const struct falling *f, uint32_t index)
 {
     for (uint32_t i = 0; i < f->ball_count; i++)

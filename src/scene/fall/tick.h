@@ -1,11 +1,11 @@
-/* tick.h - the motion of balls within 1/256 s: contacts, one after the other. */
+/* tick.h - the motion of balls within a tick of 1/256 s, contact by contact. */
 #ifndef TIA_SCENE_FALL_TICK_H
 #define TIA_SCENE_FALL_TICK_H
 
 #include "contact.h"
 
-/* Handles all contacts from the beginning of tick number `tick` to the time `end` in it, then moves all balls there.
- * The state at that time does not depend on `end`, to the bit. */
+/* Handles all contacts of tick number `tick` up to the time `end` in the tick, then gives all balls their state at that
+ * time, the same to the bit as on the way to a later time. */
 void tia_fall_tick(struct falling *f, uint32_t tick, uint32_t end);
 
 #endif

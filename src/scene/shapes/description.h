@@ -1,6 +1,6 @@
 /* description.h - a table of the kinds of shapes: fields, rules and bounding boxes.
  *
- * Their intersections with rays are in src/render/geometry.
+ * Intersections with rays are in src/render/geometry.
  */
 #ifndef TIA_SCENE_SHAPES_DESCRIPTION_H
 #define TIA_SCENE_SHAPES_DESCRIPTION_H
@@ -11,10 +11,10 @@
 #define SHAPE_FIELDS_MAX 8
 
 struct shape_description {
-    const char *word;                                    /* its word in scene files; NULL: the word is `instance` */
-    const char *what;                                    /* its name in error messages: "a box" */
-    struct tia_shape_field fields[SHAPE_FIELDS_MAX + 1]; /* fields of the statement; the last one stays empty */
-    /* checks the rules of this kind; distance and flatness are checked for every kind alike */
+    const char *word;                                    /* the kind's word in scene files; NULL: `instance` */
+    const char *what;                                    /* name in error messages: "a box" */
+    struct tia_shape_field fields[SHAPE_FIELDS_MAX + 1]; /* fields of the statement; the last one is empty */
+    /* checks the rules of this kind; distance and flatness are checked elsewhere, alike for all kinds */
     int (*check)(const struct check *check, const struct tia_shape *shape);
     /* adds the shape's box; NULL: the shape is infinite, and has no box */
     void (*add_bounds)(struct hull *hull, const struct tia_scene *scene, const struct tia_shape *shape);
@@ -28,12 +28,12 @@ struct shape_description {
 #define NEEDED(shape, field, type) FIELD(#field, shape, field, type, true)
 #define OPTIONAL(shape, field, type) FIELD(#field, shape, field, type, false)
 
-/* The kinds, one in each file: tia_box_description in box.c. */
+/* Declares each kind's description, which is in a file of its own: tia_box_description in box.c. */
 #define DECLARE(KIND, name) extern const struct shape_description tia_##name##_description;
 TIA_SHAPES(DECLARE)
 #undef DECLARE
 
-/* Returns a kind's description; NULL: there are no more kinds. */
+/* Returns a kind's description; NULL: there is no such kind. */
 const struct shape_description *tia_shape_description(enum tia_shape_kind kind);
 
 #endif

@@ -1,7 +1,7 @@
-/* grid.c - grids at a position; check/mesh.c has the rules of the grid itself. */
+/* grid.c - instances of grids; check/mesh.c has the rules of the grids themselves. */
 #include "description.h"
 
-/* Returns the end of a grid, which fits Q16.16; the size of the whole grid may not. */
+/* Returns the end of a grid along an axis. The end fits Q16.16; the grid's size may not. */
 static tia_q16 end_of(tia_q16 corner, uint16_t size, tia_q16 cell)
 {
     return (tia_q16)(corner + (int64_t)size * cell);

@@ -1,4 +1,4 @@
-/* mesh.c - meshes at a position; check/mesh.c has the rules of the mesh itself. */
+/* mesh.c - instances of meshes; check/mesh.c has the rules of the meshes themselves. */
 #include "description.h"
 
 static int check_mesh(const struct check *check, const struct tia_shape *shape)

@@ -13,31 +13,31 @@
  *   f_add_root(a, x) f_over_root(a, x)            a + sqrt(x), a/sqrt(x)
  *   f_gt f_ge m_and m_or m_not m_any m_bits f_sel(m, a, b)   false where an argument is NaN
  *   i_pack(r, g, b, out)                          N pixels of integer levels
- *   STREAM                                        stream and settle of span/run.h, where there is such a thing
+ *   STREAM                                        stream and settle of span/run.h; optional
  *
  * Doubles, for rays/, and pairs of floats for its boxes (vp: two a lane):
  *
  *   LANES            1, 2, 4 or 8
- *   vd, vi, vm       so many doubles, 64-bit integers, and truth values; vd has the language's + - * /, vi also << >>
+ *   vd, vi, vm       vectors of LANES doubles, integers, truth values; vd has the language's + - * /, vi also << >>
  *   vset(x)          x in every lane
  *   vsqrt vabs vmin vmax      vmin(a, NaN) and vmax(a, NaN) may be anything
  *   vlt vle          a < b, a <= b: false where one is NaN
  *   vsel(m, a, b)    a where m is true
  *   mand mor mnot, mbits(m), mof(bits)    lane k is bit k
  *
- * and may define, where that is quick:
+ * Optional, where the instruction set does this quickly:
  *   OF16(table, index)        the words of a table of 16 at the low four bits of each lane's index: vu,
  *                             see rays/random_tmpl.h
  *
- * Integers, for raster_tmpl.h, where the set compares those of 64 bits:
+ * Integers, for raster_tmpl.h, if the instruction set compares 64-bit integers:
  *
  *   QN, Q, W, K           pixels in a vector; vectors of 64-bit and 32-bit integers; a set of these pixels
  *   q_set q_ramp(z, s)    z everywhere; z, z + s, z + 2s, ...
  *   q_add q_sub q_clamp   q_clamp: negative numbers become 0
  *   q_gt(a, b)            signed
  *   w_set w_add w_eq
- *   q_load(p) w_load(p)   QN of them
- *   q_part w_part (p, k), q_store w_store (p, k, a)     of the pixels in k; others are neither read nor written
+ *   q_load(p) w_load(p)   QN integers
+ *   q_part w_part (p, k), q_store w_store (p, k, a)     for the pixels in k; others are neither read nor written
  *   k_all() k_first(n)    n below QN
  *   k_and k_or k_minus(a, b) k_any k_bits k_of(bits)
  * */

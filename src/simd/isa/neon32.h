@@ -1,7 +1,7 @@
 /* neon32.h - 4 floats: NEON of ARMv7, which has neither roots nor quotients, and replaces numbers below 2^-126 by 0.
  *
- * So a root is x/sqrt(x), within 12 units, as span/proved.h allows for. Numbers below 2^-126 do not matter: a bound
- * that became 0 leaves a pixel undecided, since every comparison needs more than the bound. */
+ * So a root is computed as x/sqrt(x), within SIMD_ROOT, 12 units (span/proved.h). Numbers below 2^-126 do not matter: a
+ * bound that became 0 leaves a pixel undecided, since every comparison needs more than the bound. */
 #ifndef TIA_SIMD_ISA_NEON32_H
 #define TIA_SIMD_ISA_NEON32_H
 

@@ -1,5 +1,5 @@
-/* stream_x86.h - pixels to memory past the caches, for SSE4.1, AVX2 and AVX-512: with stores of 16 bytes, since the
- * processor gathers whole lines of them. */
+/* stream_x86.h - stores of pixels past the caches, for SSE4.1, AVX2 and AVX-512. They have 16 bytes, as the processor
+ * combines them into whole cache lines. */
 #ifndef TIA_SIMD_ISA_STREAM_X86_H
 #define TIA_SIMD_ISA_STREAM_X86_H
 

@@ -7,37 +7,38 @@
  *
  *     t = (-p.y -+ D)/f^2,   D = sqrt(r^2 f^2 - (p x y)^2).
  *
- * The fixed-point ray is at t within lambda(t) = eo + t ed of ours, and so their line across, y' being its y, f' that
- * one's length: f' <= f + ed. Let X be where ours meets the side at t, and X + a where theirs is at t, |a| <= lambda.
- * The part of a along their ray moves it along itself alone; let b be the rest, and X + b + s D' where they meet the
- * side. Across the axis, X + b being off the circle by eta = 2 r lambda + lambda^2 squared at most,
+ * At t the fixed-point ray is within lambda(t) = eo + t ed of the certified ray. So are their lines across the axis; y'
+ * is the fixed-point y, f' its length: f' <= f + ed. Let X be the point where the certified ray meets the side at t,
+ * and X + a the fixed-point ray's point at t, |a| <= lambda. The part of a along the fixed-point ray moves a point
+ * along the ray alone; let b be the rest, and X + b + s D' the point where the fixed-point ray meets the side. Across
+ * the axis, X + b being off the circle by eta = 2 r lambda + lambda^2 squared at most,
  *
  *     s = -eta'/(G + sqrt(G^2 - f'^2 eta')),   |eta'| <= |b| (2 sqrt(r^2 - g^2) + lambda) <= eta,
  *     G = (X + b).y',   |G| >= g = D - r ed - lambda,
  *
  * as |X.y| = D, and as b is at right angles to D', so that its part along the normal X/r is at most |b| sqrt(1 -
- * (g/r)^2). Let T = sqrt(g^2 - f'^2 eta). If g > 0 and T > 0 they certainly meet it, and s^2 <= b^2 (r^2 - g^2 +
- * eta/2)/T^2: the hit moves by
+ * (g/r)^2). Let T = sqrt(g^2 - f'^2 eta). If g > 0 and T > 0 the fixed-point ray certainly meets the side, and s^2 <=
+ * b^2 (r^2 - g^2 + eta/2)/T^2: the hit moves by
  *
  *     sqrt(b^2 + s^2) <= lambda sqrt(r^2 - f'^2 eta + eta/2)/T <= lambda (r + lambda)/T,
  *
  * and t, to which the part of a along the ray adds, by no more, as (|b|, |a - b|) is no longer than lambda.
  *
- * Across the axis it moves less. Along y' the line is w = r sin v off the axis where it is v round it, X by their
- * direction, and then off by lambda at most, so that the arc is at most r lambda over the least r cos v on its way;
- * which is |X.y'|/f' >= g/f' before and sqrt(G^2 - f'^2 eta')/f' >= T/f' behind: r lambda f'/T. That is f' times the
- * bound above, and the normal is off by that over r.
+ * Across the axis the hit moves less. Along y' the line is w = r sin v off the axis where it is v round it, X in the
+ * fixed-point direction, and then off by lambda at most, so that the arc is at most r lambda over the least r cos v on
+ * its way; which is |X.y'|/f' >= g/f' before and sqrt(G^2 - f'^2 eta')/f' >= T/f' behind: r lambda f'/T. That is f'
+ * times the bound above, and the normal is off by that over r.
  *
- * A plane across the axis is met lambda/(|d| - ed) away, along the ray as in space, by the same triangle.
+ * The hit of a plane across the axis moves by lambda/(|d| - ed), along the ray as in space, by the same triangle.
  *
- * The roundings of either side are counted as a move of the ray, which is no less. Doubles: with l = |x| + |y| + |z| of
- * the origin from the base, each of its coordinates in the axes is off by 5 u l (the difference, the axis, a product,
- * two sums), p x y and p.y by 2 u l f more: together below 16 u l. Those of the direction are off by 4 u, and 5 u are
- * for f^2, 1/f^2, and t: 16 u. D^2 is off by 4 u r^2 f^2 and D by u r f, as if r were by 3 u r. The fixed-point origin,
- * moved along the ray, is half a unit off in each of its coordinates, p again in each of two, the distance from the
- * axis by one: 2.6 units. Along the ray, across the axis, the place nearest to it is off by a unit and the root by one
- * and a half. That is 5.25 units in all; t and the point are then rounded by 2 units together, heights by 3. All else
- * is within 2^-55 of the reach, of which 8 u are added.
+ * The roundings of either side are counted as a move of the ray, which is no less. In doubles, with l = |x| + |y| + |z|
+ * of the origin from the base, each of its coordinates in the axes is off by 5 u l (the difference, the axis, a
+ * product, two sums), p x y and p.y by 2 u l f more: together below 16 u l. Those of the direction are off by 4 u, and
+ * 5 u are for f^2, 1/f^2, and t: 16 u. D^2 is off by 4 u r^2 f^2 and D by u r f, as if r were by 3 u r. The fixed-point
+ * origin, moved along the ray, is half a unit off in each of its coordinates, p again in each of two, the distance from
+ * the axis by one: 2.6 units. Along the ray, across the axis, the place nearest to it is off by a unit and the root by
+ * one and a half. That is 5.25 units in all; t and the point are then rounded by 2 units together, heights by 3. All
+ * else is within 2^-55 of the reach, of which 8 u are added.
  *
  * No test notices when the following parts are left out. l in lambda: |O| is at most |t| and twice the reach, so that
  * the others, 16 u |t| and 8 u of the reach, leave 4 u |O| without it; doubles were never seen to be off by 1 u |O|.
@@ -66,13 +67,13 @@ LANE_OP bool comes_near(const struct query *q, const struct sure_round *k)
     return any(mand(q->active, mnot(passes)));
 }
 
-/* The part of a ray, within the shape's box, that may be inside the side: from `from` to `to`; nothing else of it is
- * hit. */
+/* The part of a ray, within the shape's box, that may be inside the side, from `from` to `to`; only this part can have
+ * hits. */
 struct tube {
     const struct sure_round *k;
     vd square, towards, discriminant; /* f^2, -p.y, D^2 */
     vd height, rise;
-    vd off, turn; /* lambda(t) is off + |t| turn */
+    vd off, turn; /* lambda(t) = off + |t| turn */
     vd over;      /* 1/f^2 */
     vd from, to;
     vm slanted; /* the ray is not along the axis, so that f^2 is a divisor */

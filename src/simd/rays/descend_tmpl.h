@@ -58,16 +58,16 @@ LANE_OP void search_begin(struct search *w, const struct query *q)
     w->active = twice(mbits(q->active));
 }
 
-/* Updates the search after a leaf: boxes farther than the new limit are excluded. Mostly nothing is new, so a branch
- * costs less than a dependency of the next node on the limit. */
+/* Updates the search after a leaf: boxes farther than the new limit are excluded. Mostly the limit is unchanged, so a
+ * branch costs less than a dependency of the next node on the limit. */
 LANE_OP void search_update(struct search *w, const struct query *q)
 {
     if (twice(mbits(q->active)) != w->active || any(vlt(q->limit, w->farthest)))
         search_begin(w, q);
 }
 
-/* Sets the child. Called with a constant in each branch: a predicted branch is cheaper than a load whose address must
- * be computed. */
+/* Sets the child at `place`, which is a constant in each branch of the caller: a predicted branch is cheaper than a
+ * load whose address must be computed. */
 LANE_OP void child_of(struct child *to, const struct sure_node *n, int place)
 {
     *to = (struct child){n->index[place], n->count[place], place};
@@ -120,8 +120,9 @@ LANE_OP int resume(struct node_ref *v, const struct search *w, const struct pend
     return -1;
 }
 
-/* Defines a walk for each kind of leaf, in two instances: a mesh's walk is called from within the scene's. Only the
- * walk itself points to its queued children. */
+/* Defines the walk of a hierarchy. `leaf` is called at each leaf; `waits` is the member of struct room with the queued
+ * children, to which only the walk itself points. A mesh's walk is called from within the scene's, so each is an
+ * instance. */
 #define WALK(name, leaf, waits)                                                                                        \
     static __attribute__((noinline)) void name(const struct sure_scene *s, const struct sure_tree *tree,               \
                                                struct query *q)                                                        \

@@ -33,7 +33,7 @@ LANE_OP void sine_cosine(vd x, vd *s, vd *c)
     *c = 1 + v * q;
 }
 
-/* Gives cosine and sine of (u + 1/2)/2^32 turns, by the nearest quarter q of one: 4 is 0. */
+/* Gives cosine and sine of (u + 1/2)/2^32 turns, from the nearest quarter turn q, 0..4; 4 stands for 0. */
 LANE_OP void turn_place(vu u, vd *x, vd *y)
 {
     const double shift = 6755399441055744.0; /* 1.5 2^52: rounds numbers added to it */

@@ -13,7 +13,7 @@ struct places {
     struct sure_lobes *lobes;
 };
 
-/* Divides the memory behind a struct sure_scene of that size; `start` NULL: only measures it. */
+/* Divides the memory behind a struct sure_scene. Returns the bytes used; `start` NULL: only measures them. */
 static uint64_t divide(char *start, const struct tia_scene *scene, uint32_t light_capacity, struct places *p)
 {
     bool paths = scene->integration.integrator == TIA_PATHS;
@@ -51,7 +51,7 @@ static void find_places(const struct tia_view *view, struct places *p)
     (void)divide((char *)tia_sure_scene(view) + before, view->scene, view->light_capacity, p);
 }
 
-/* Sets chances as scatter.c finds them of a material's own colours, for any direction of its surface. */
+/* Sets the chances that scatter.c computes from a material's own colours, for any direction of its surface. */
 static void set_lobes(struct sure_lobes *to, const struct tia_material *m)
 {
     struct shading s = {

@@ -52,9 +52,13 @@ struct sure_gather {
     bool unsure[SURE_GATHERED];
 };
 
-/* Size and set the data, as tia_sure_size() and the functions after it. */
+/* Returns the bytes for a scene and the data of paths. */
 size_t tia_gather_size(const struct tia_scene *scene, uint32_t light_capacity);
+
+/* Sets the scene and the data of paths, without lights. */
 void tia_gather_prepare(struct tia_view *view);
+
+/* Sets the lights, whenever they change. */
 void tia_gather_set_lights(struct tia_view *view);
 
 #endif

@@ -60,8 +60,8 @@ LANE_OP void go_on(struct path_state *f, unsigned lanes, const struct paths *p, 
     path_push(f, next, lanes);
 }
 
-/* Returns the lanes that reflect, by Fresnel's equations; `unsure` where the chance, cut to 32 bits, may lie on either
- * side of the random number. */
+/* Returns the lanes that reflect, by Fresnel's equations; *unsure receives the lanes whose chance, cut to 32 bits, may
+ * lie on either side of the random number. */
 static unsigned reflected_by(const struct refraction *r, const struct shade *h, unsigned lanes, vu given,
                              unsigned *unsure)
 {

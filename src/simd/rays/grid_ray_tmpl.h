@@ -2,10 +2,10 @@
  *
  * Parameters: the doubles of isa/isa.h. Defines: start_walk(), finish_walk(), set_axis(), cell_at(), struct cell_walk.
  *
- * As there the t of a plane between cells comes from the plane's own coordinate; it is within (eo + its roundings + |t|
- * (ed + 4 u)) over |d| less ed. Where a ray passes so close to an edge that the order of two steps is undecided, all
- * cells that it may come through are examined: when they have the content of the one it comes from, both steps are
- * taken; otherwise there may be a hit. */
+ * As in geometry/grid.c the t of a plane between cells comes from the plane's own coordinate; it is within (eo + its
+ * roundings + |t| (ed + 4 u)) over |d| less ed. Where a ray passes so close to an edge that the order of two steps is
+ * undecided, all cells that it may come through are examined: when they have the content of the one it comes from, both
+ * steps are taken; otherwise there may be a hit. */
 #ifndef TIA_SIMD_RAYS_GRID_RAY_TMPL_H
 #define TIA_SIMD_RAYS_GRID_RAY_TMPL_H
 
@@ -98,8 +98,8 @@ static bool hit_cell(struct cell_walk *w, double t, double e, double element)
     return false;
 }
 
-/* Finds the cell of a place along one axis, where the place is known within e; of two cells, the one that the ray comes
- * from. False: there are two, or the place is outside. */
+/* Sets the cell of a place that is known within e, along one axis. Returns false if the place may be in either of two
+ * cells, of which the one that the ray comes from is set, or is outside the grid. */
 static bool find_cell(struct cell_walk *w, int axis, double place, double e)
 {
     double x = (place - w->grid->corner[axis]) / w->grid->edge,
@@ -111,8 +111,8 @@ static bool find_cell(struct cell_walk *w, int axis, double place, double e)
     return low == high && low >= 0 && high <= last;
 }
 
-/* Finds where the ray enters and leaves the grid's box, and the axis that it enters last; -1: it starts inside. False:
- * it misses, or may miss. */
+/* Finds the time *in, within *ein, at which the ray enters the grid's box, and the axis of the slab that it enters
+ * last; -1: the ray starts inside. Returns false if the ray misses or may miss. */
 static bool enter_grid(struct cell_walk *w, int *axis, double *in, double *ein)
 {
     double out = INFINITE, eout = 0, reach = 0;
@@ -156,7 +156,7 @@ static bool enter_grid(struct cell_walk *w, int *axis, double *in, double *ein)
     return true;
 }
 
-/* Finds the first cell; false: the walk is decided already, or undecided. */
+/* Finds the first cell; returns false if there is nothing to walk, with the result in w. */
 static bool start_walk(struct cell_walk *w)
 {
     double t, e;

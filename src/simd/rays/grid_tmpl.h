@@ -219,9 +219,9 @@ static __attribute__((noinline)) void end_grids(struct grid_walk *g, const struc
     grid_hit(g, mof(hit), s->at, e, 6 * vsel(mof(into), s->to, s->from) + side);
 }
 
-/* Takes a step: m is the time of the next plane, `after` that of the plane after it. Where they are no more than 2 off
- * apart, their order is undecided. The contents of cells do not affect the way, so they are compared afterwards, and
- * only then do some walks end. */
+/* Takes a step: m is the time of the next plane, `after` that of the plane after it. Planes whose times are no more
+ * than 2 `off` apart have no certain order. The contents of cells do not affect the way, so they are compared
+ * afterwards, and only then do some walks end. */
 LANE_OP void step_grids(struct grid_walk *g, vd limit)
 {
     struct grid_axis *x = g->axis;

@@ -11,9 +11,9 @@
  *
  * which for ek < k/16 is within e/k + 1.07 (t + e) ek/k^2.
  *
- * A ray that starts b below the surface is there, seen from the tangent plane, but its way there is not along the
- * normal in the instance's axes: a sphere or cylinder that is stretched may be so thin there that the ray starts
- * outside, and enters it again. Only a box, whose normals stay its own, is left by such rays or not met. */
+ * A ray that starts b below the tangent plane in the world starts below it in the instance's axes too, but not along
+ * the normal: a stretched sphere or cylinder may be so thin at this place that the ray starts outside and enters the
+ * shape again. Only a box, whose normals keep their directions, is certainly left by such rays or not met. */
 #ifndef TIA_SIMD_RAYS_INSTANCE_TMPL_H
 #define TIA_SIMD_RAYS_INSTANCE_TMPL_H
 

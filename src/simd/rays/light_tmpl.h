@@ -50,7 +50,7 @@ struct falloff {
     vm unsure;
 };
 
-/* Sets (c - outer)/(inner - outer), from 0 to 1; a cone whose angles are equal has an edge instead. */
+/* Sets (c - outer)/(inner - outer), from 0 to 1; a cone whose angles are equal has a sharp edge instead. */
 static void spot_falloff(const struct sure_light *l, struct v3 to, vd eto, struct falloff *f)
 {
     vd c = -v3_dot(to, v3_set(l->normal)), e = BOUND_OF(SPOT_COSINE, eto + BOUND(COSINE)),
@@ -104,7 +104,8 @@ static void find_falloff(const struct sure_light *l, struct sample *s)
     }
 }
 
-/* The sample of a light for each lane, and the class of its pixel. A run has successive samples of one pixel. */
+/* A light's sample for each lane, and the class of the lane's pixel. `run`: the lanes have successive samples of one
+ * pixel. */
 struct picked {
     unsigned sample;
     bool run;
@@ -208,7 +209,7 @@ struct lit {
     vm unsure;
 };
 
-/* A call's memory for lights, beside the walks of their shadow rays; `one` and `there` are of one point. */
+/* A call's memory for lights, beside the walks of their shadow rays; `one` and `there` belong to a single point. */
 struct light_room {
     struct room room;
     struct aim aim, there;
@@ -251,7 +252,7 @@ static __attribute__((noinline)) void add_sample(const struct sure_scene *scene,
     sum->eown = sum->eown + vsel(lit, (e + BOUND(SAMPLE_SUM)) * (l->brightest * part) + BOUND(SAMPLE_SUM), vset(0));
 }
 
-/* Adds one sample of the light at all points after another. */
+/* Adds the light's samples one after another, each at all points. */
 static void add_samples(const struct sure_scene *s, const struct sure_light *l, const struct aim *aim,
                         const struct shade *h, vm lanes, const uint8_t class[LANES], uint32_t *blocker, struct lit *sum)
 {
@@ -267,7 +268,7 @@ static void add_samples(const struct sure_scene *s, const struct sure_light *l, 
     }
 }
 
-/* Adds all samples of the light for one point: rays from there to a light traverse the hierarchy alike, however far
+/* Adds all samples of the light for one point. Rays from one point to a light traverse the hierarchy alike, however far
  * apart the packet's points are. */
 static void add_point(const struct sure_scene *s, const struct sure_light *l, const struct aim *aim,
                       const struct shade *h, uint8_t class, uint32_t *blocker, struct lit *sum)
@@ -310,8 +311,8 @@ static void add_points(const struct sure_scene *s, const struct sure_light *l, c
     }
 }
 
-/* True if points are lit one by one. Points close together share a sample's packet; distant ones have packets of their
- * own, and so have few points with many samples: those are fewer packets. */
+/* True if points are lit one by one. Points close together share each sample's packet. Distant points have packets of
+ * their own, and so do few points with many samples, which need fewer packets that way. */
 LANE_OP bool each_by_itself(const struct sure_light *l, unsigned lanes, bool apart)
 {
     unsigned n = l->from->samples, packets = (n + LANES - 1) / LANES * (unsigned)__builtin_popcount(lanes);
@@ -327,7 +328,7 @@ static void add_light(const struct sure_scene *s, uint32_t n, const struct shade
     struct aim *aim = &sum->room->aim;
 
     if (tia_light_has(l->from->kind, TIA_LIGHT_EVERYWHERE)) {
-        if (l->radius > 0) /* the transmitted part is undecided, see `occluded` in struct sure_scene */
+        if (l->radius > 0) /* the light's openness is undecided, see `occluded` in struct sure_scene */
             sum->unsure = mor(sum->unsure, lanes);
         for (int c = 0; c < 3; c++)
             sum->own[c] = sum->own[c] + h->colour[c] * l->emission[c];

@@ -111,9 +111,9 @@ static struct brightness brightness_of(const struct sure_scene *s)
     return most;
 }
 
-/* Sets the limit of rays' colours. A ray's colour is at most the sum over its generations of own back^n, there being
- * one for each bounce, and where something refracts or lets pass up to TIA_LAYERS_MAX more; a ray that has bounced has
- * so many fewer. Attenuation may make lights brighter: then there is no limit. */
+/* Sets the limit of rays' colours. A ray's colour is at most the sum of own back^n over its generations: one for each
+ * bounce and, where something refracts or transmits, up to TIA_LAYERS_MAX more. Each bounce so far leaves one less.
+ * Attenuation may make lights brighter: then there is no limit. */
 static void set_brightest(struct sure_scene *s)
 {
     struct brightness most = brightness_of(s);

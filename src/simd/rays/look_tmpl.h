@@ -19,7 +19,7 @@ LANE_OP void merge_sights(vm m, const struct emitter_view *one, struct emitter_v
     a->unsure = mor(mand(m, one->unsure), mand(mnot(m), a->unsure));
 }
 
-/* Evaluates each emitter that a lane has chosen once. *surface: lanes whose emitter has a surface. */
+/* Evaluates every emitter that lanes have chosen, once. *surface receives the lanes whose emitter has a surface. */
 static void find_sights(struct path_state *f, unsigned lanes, const uint32_t which[LANES], const struct shade *h,
                         const vu u[2], vd radiance[3], unsigned *surface)
 {

@@ -3,7 +3,7 @@
 
 #include "sure.h"
 
-/* Returns the float next to x in this direction, or x itself. */
+/* Returns x in units of 1, as the nearest float that is no less (`up`) or no more. */
 static float outward(tia_q16 x, bool up)
 {
     float f = (float)x;
@@ -18,8 +18,8 @@ static float outward(tia_q16 x, bool up)
     return f * (float)SURE_Q16;
 }
 
-/* Returns the number of items below a node if it is no more than `most`, else 0; *first: index of the first one, as the
- * items of a node are consecutive. */
+/* Returns the number of items below a node if it is no more than `most`, else 0; *first receives the index of the first
+ * of them, which are consecutive. */
 static uint32_t items_below(const struct tia_bvh_node *n, uint32_t most, uint32_t *first)
 {
     uint32_t count = 0;
@@ -61,7 +61,7 @@ struct pending {
     uint32_t node, second;
 };
 
-/* Returns the next node that is kept as a node: there is none below a leaf. */
+/* Returns the next node to make, at or after i: nodes below a leaf are left out. `end`: there is none. */
 static uint32_t next_node(uint32_t i, struct sure_node *to, uint32_t made, const struct pending *stack, int *depth,
                           uint32_t end)
 {
@@ -77,7 +77,7 @@ static uint32_t next_node(uint32_t i, struct sure_node *to, uint32_t made, const
 }
 
 /* Makes the nodes. Inner nodes keep their order: a first child comes next, and a second one after all nodes below the
- * first. */
+ * first. Returns the number of nodes. */
 uint32_t tia_sure_set_nodes(struct sure_node *to, const struct tia_bvh_tree *from, uint32_t few)
 {
     struct pending stack[TIA_BVH_DEPTH_MAX + 1];

@@ -6,7 +6,7 @@
 
 #include "path_state_tmpl.h"
 
-/* Adds the samples of a packet: occluded or not, so that the result consists of decisions alone. */
+/* Adds the samples of a packet. A sample is occluded or not, so that the result consists of decisions alone. */
 static void occlude_packet(struct path_state *f, struct paths *p, unsigned lanes, const struct quads *first)
 {
     const struct sure_scene *s = f->gather->scene;

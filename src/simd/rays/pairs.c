@@ -12,8 +12,8 @@ static double length(const double p[3])
 }
 
 /* Returns c of pairs_tmpl.h. The lengths of P and N enlarge it, compared with those of E alone, by sqrt 3 and sqrt 12
- * at most, as |P| <= R |E| and |N| <= 2 R |E|. Floats have not been found off by more than 4 of their 25 units, so no
- * test notices either. */
+ * at most, as |P| <= R |E| and |N| <= 2 R |E|. No test notices when they are left out, as floats have not been found
+ * off by more than 4 of their 25 units. */
 static double size_of(const struct sure_edges *e, const double whole[3], double extent)
 {
     double most = length(whole) / extent;

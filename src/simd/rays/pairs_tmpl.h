@@ -3,25 +3,25 @@
  * Parameters: the doubles and pairs of floats of isa/isa.h. Defines: lines_of(), pair_passes(), struct lines, struct
  * passes.
  *
- * As triangle_tmpl.h has it, an edge's area is w = D.P + M.E with P = A x B, E = B - A and M = O x D, from the mesh's
- * centre; M is as large as the line is far from there, wherever on it O lies. In floats, v = 2^-24:
+ * As in triangle_tmpl.h, an edge's area is w = D.P + M.E with P = A x B, E = B - A and M = O x D, from the mesh's
+ * centre; |M| is the line's distance from that centre, wherever O lies on the line. In floats, v = 2^-24:
  *
- * Each term is of two numbers that were doubles, a product, and up to five sums: 8 v of it. |D| is 1, so those of D.P
- * add up to |P|, those of M.E to |M| |E|, the one as |x| + |y| + |z|, the other the most of |x|, |y| and |z|. With c no
- * less than that of E, and than |P|/R, R being the mesh's extent, they are (R + |M|) c in all, which |w| is at most: w
- * is off by 8 v of that.
+ * Each term has two conversions from doubles, a product, and up to five sums: 8 v of the term. |D| is 1, so those of
+ * D.P add up to |P|, those of M.E to |M| |E|, the one as |x| + |y| + |z|, the other the most of |x|, |y| and |z|. With
+ * c no less than that of E, and than |P|/R, R being the mesh's extent, they are (R + |M|) c in all, which |w| is at
+ * most: w is off by 8 v of that.
  *
  * The third edge follows from the sum: the E of a face add up to 0, the P to N, which is the same from anywhere. So w2
  * = D.N - w0 - w1. Where c is no less than |N|/R either, D.N is off by 5 v R c: its terms have two sums. With 8 v of w0
- * and of w1, and two differences, of w1 + w2 and of w2, these are 24 v of (R + |M|) c; the products of v and the
- * rounding of N in doubles are less than another one.
+ * and of w1, and two differences, of w1 + w2 and of w2, these are 24 v of (R + |M|) c; the second orders and the
+ * rounding of N in doubles are less than another v.
  *
  * To this is added the bound of the doubles against the fixed-point path, l.e + l.each times the face's extent, which
  * is 3 c at most: off + by c. Rounding that in floats takes less than 8 v of it. Products below 2^-126 may become 0;
  * that is less than the part of R in l.e, 2^-17 or more, as boxes are larger than their contents.
  *
- * Where floats leave undecided whether a line meets a face, doubles decide: of a mesh of 3000 faces one in a hundred of
- * those that are met, of one of 300000 one in 40. */
+ * Where floats leave undecided whether a line meets a face, doubles decide: for one in 100 of
+ * the faces that are met in a mesh of 3000 faces, for one in 40 in a mesh of 300000. */
 #ifndef TIA_SIMD_RAYS_PAIRS_TMPL_H
 #define TIA_SIMD_RAYS_PAIRS_TMPL_H
 

@@ -263,10 +263,10 @@ LANE_OP void meet_other_light(const struct sure_scene *s, uint32_t n, const uint
     q->active = mor(q->active, mine);
 }
 
-/* Decides whether a ray is occluded before its end: by objects, transparent ones too, and by lights with a surface;
- * `ends` NULL: by no lights, else by all but the light that each ray ends at, 2^-26 before it along its normal. That
- * light does not occlude: the fixed-point ray ends 2^-26 off its plane, or its sphere, which rounds by 2^-42, or 2^-43
- * of its radius, from any start; while the bound on the place here is as large as that on the start. */
+/* Decides whether a ray is occluded before its end: by objects, transparent ones too, and by lights with a surface.
+ * `ends` NULL: by no lights; otherwise by all but the light that each ray ends at, 2^-26 before it along its normal.
+ * That light does not occlude: the fixed-point ray ends 2^-26 off its plane, or its sphere, which rounds by 2^-42, or
+ * 2^-43 of its radius, from any start; while the bound on the place here is as large as that on the start. */
 static void find_hidden(const struct sure_scene *s, struct room *room, struct shadow *shadow, unsigned lanes,
                         const uint32_t *ends, uint32_t *blocker)
 {

@@ -31,8 +31,8 @@ struct rays {
     struct media media[LANES];
 };
 
-/* Hits are queued until they fill a packet: many rays of a packet meet nothing, and the surfaces, lights and shadows of
- * the others would leave their lanes empty. */
+/* Rays and hits of a block. Hits are queued until they fill a packet: many rays of a packet meet nothing, and their
+ * lanes would stay empty while the surfaces, lights and shadows of the others are computed. */
 struct work {
     struct sure_block *block;
     uint32_t blocker[BLOCKERS];

@@ -12,8 +12,8 @@ LANE_OP vd clamped(vd c)
 }
 
 /* Returns a colour's level: floor(c n + threshold), see num_levels(). *one stays set where all of mean +- error has
- * that level. 2^-40 covers the sums here and the fixed-point division by the samples: once in the error, where it is
- * levels * 2^-40 and would do, and once more for the product here, which no test notices. */
+ * that level. 2^-40 covers the sums here and the fixed-point division by the samples: once in the error, where levels *
+ * 2^-40 suffices, and once more for the product here, which no test notices. */
 LANE_OP vd level_of(vd mean, vd error, double levels, vd threshold, vm *one)
 {
     vd low = vfloor(vmax(clamped(mean - error) * vset(levels) + threshold - BOUND(PIXEL_LEVEL), vset(0)));

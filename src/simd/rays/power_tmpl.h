@@ -6,11 +6,11 @@
  * off by 2 z^17/17 < 1.2e-14, and log2 by 2e-14 with its roundings. The exponential of a fraction in -1/2..1/2 times ln
  * 2 to the power 11: off by 0.3466^12/12! < 7e-15.
  *
- * The logarithm's error is a part of it: the series ends z^16/17 < 3.4e-14 of it, roundings add 1e-15. So y = e log2 x
- * is off by 3.5e-14 |y|, and 2^y by 3.5e-14 ln 2 |y| 2^y < 1.3e-14, |y| 2^y being 0.531 at most: whatever e is. With
- * the exponential's 7e-15 and its roundings that is 2.1e-14; the fixed-point result is rounded to 2^-46, and e
- * squarings by 2^-62 before: 1.7e-14. Together they are below 2^-44. Below 2^-64 the result is 0: with |y| < 64, 1.5
- * 2^52 added to y rounds it. */
+ * The logarithm's error is relative: the end of the series is z^16/17 < 3.4e-14 of the logarithm, roundings add 1e-15.
+ * So y = e log2 x is off by 3.5e-14 |y|, and 2^y by 3.5e-14 ln 2 |y| 2^y < 1.3e-14, |y| 2^y being 0.531 at most, for
+ * any e. With the exponential's 7e-15 and its roundings that is 2.1e-14; the fixed-point result is rounded to 2^-46,
+ * and e squarings by 2^-62 before: 1.7e-14. Together they are below 2^-44. Below 2^-64 the result is 0: with |y| <
+ * 64, 1.5 2^52 added to y rounds it. */
 #ifndef TIA_SIMD_RAYS_POWER_TMPL_H
 #define TIA_SIMD_RAYS_POWER_TMPL_H
 

@@ -51,11 +51,7 @@ struct line {
     vd e, each;
 };
 
-/* Nearest hit: t, e are those of the best hit; `low` is the least t - e of every other hit and possible hit. The best
- * hit is certain if t + e < low in the end: hits behind the best one may be undecided. Equal distances are never
- * certain: in fixed point the lower index wins.
- *
- * Any hit: `blocked` lanes are certainly occluded, `maybe` lanes undecided. */
+/* Largest number of groups in a ray's list. */
 #define GROUPS 16
 
 /* The groups of a mesh that each ray meets, see struct query. */
@@ -69,6 +65,11 @@ struct group_list {
 struct lines;
 struct room;
 
+/* Search for the nearest hit: t and e are those of the best hit, `low` is the least t - e of all other hits and
+ * possible hits. The best hit is certain if t + e < low in the end; hits behind it may be undecided. Equal distances
+ * are never certain: in fixed point the lower index wins.
+ *
+ * Search for any hit: `blocked` lanes are certainly occluded, `maybe` lanes undecided. */
 struct query {
     const struct packet *p;
     struct room *room;         /* the call's memory, see walk_tmpl.h */
@@ -90,7 +91,7 @@ struct query {
     uint32_t work; /* work so far, in items of cancel.h */
 };
 
-/* Return the lanes whose rays start on the object that is tested, or on this element of it. */
+/* Returns the lanes whose rays start on the object that is tested. */
 LANE_OP vm from_object(const struct query *q)
 {
     vd here = vset(q->object);
@@ -98,6 +99,7 @@ LANE_OP vm from_object(const struct query *q)
     return mand(vle(q->p->from.object, here), vle(here, q->p->from.object));
 }
 
+/* Returns the lanes whose rays start on this element, of any object. */
 LANE_OP vm from_element(const struct query *q, vd element)
 {
     return mand(vle(element, q->p->from.element), vle(q->p->from.element, element));
@@ -119,7 +121,7 @@ LANE_OP vm starts_inside(const struct query *q)
     return mand(from_object(q), vlt(vset(0.5), q->p->from.side));
 }
 
-/* A shape's answer: a certain hit at t +- e, its point within ep, or a possible hit no nearer than `low`. */
+/* A shape's result: a certain hit at t +- e, its point within ep, or a possible hit no nearer than `low`. */
 struct hit_report {
     vm sure, may;
     vd t, e, ep, low, element;

@@ -156,9 +156,9 @@ LANE_OP struct reach height_reach(struct beam *b, vm rises)
 /* Reports an end of the part inside both side and length: an end counts when it is ahead, and without caps when it is
  * the side's.
  *
- * From inside a cylinder the first end lies behind, see cylinder_tmpl.h. Not so here: close to a cone's sharp edge b
- * may lead out of it again, and from there a ray may enter it although it moves away from the surface that it started
- * on. */
+ * From inside a cylinder the first end lies behind, see cylinder_tmpl.h. Of a cone this is
+ * not true: close to its sharp edge b may lead out of it again, and from there a ray may enter it although it moves
+ * away from the surface that it started on. */
 LANE_OP void beam_report(struct query *q, struct beam *b, const struct reach *side, const struct reach *height,
                          vm rises)
 {

@@ -82,13 +82,14 @@ LANE_OP void lobes_of(const struct sure_paths *paths, const struct shade *h, uns
         l->chance[i] = vgather(chance, i);
 }
 
-/* Mirrors directions: two mirrors whose normals differ by dn differ by 2 dn. */
+/* Sets the mirrored directions. If the normals of two mirrors differ by dn, their mirrored directions differ by 2
+ * dn. */
 LANE_OP void lobes_mirror(const struct shade *h, struct lobes *l)
 {
     l->mirrored = mirrored_at(h, &l->emirrored);
 }
 
-/* The reflected part, with the cosine, and the density of the direction. */
+/* The reflected part of light times the cosine, and the density of its direction. */
 struct response {
     vd rgb[3], e;
     struct ve density;

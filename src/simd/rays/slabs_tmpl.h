@@ -2,9 +2,9 @@
  *
  * Parameters: the doubles and pairs of floats of isa/isa.h. Defines: packet_start(), enter_two(), lanes_of(), up().
  *
- * Where the certified and the fixed-point ray differ by `pad` at most everywhere in the scene, a box enlarged by pad is
- * entered by the one if the box is by the other; taking (o +- pad)/d in place of o/d does that. d is at least 2^-60 in
- * size: a ray that is turned by so little is moved by 2^-43, far less than pad's last term.
+ * The certified and the fixed-point ray are at most `pad` apart everywhere in the scene. So if the fixed-point ray
+ * enters a box, the certified ray enters the box enlarged by pad; (o +- pad)/d in place of o/d enlarges it. |d| is at
+ * least 2^-60: a turn of the ray by this moves it by 2^-43, far less than pad's last term.
  *
  * In floats b inv - c is off by as much as v = 2^-24 for each of: inv and the product, of |b inv|; c, of |c|; the
  * difference, of itself. As a distance of the plane that is v (2 |b| + |c/inv| + |b - c/inv|) <= v (3 |b| + 2 |o|) and

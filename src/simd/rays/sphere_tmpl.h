@@ -8,10 +8,10 @@
  *     es = 2 |P| lambda + all^2 + 32 u r^2.
  *
  * s < -es is certainly a miss; otherwise |P| is at most r, except in lanes that are undecided anyway. thc is within
- * es/sqrt(s) + U + 4 u r, as |sqrt a - sqrt b| <= |a - b|/sqrt a; t within eo + |P| ed and that, and the roundings of
- * tca. The point relative to C is -(P + thc D): across the ray it is within lambda + thc ed, along it within |P| ed and
- * thc's; ep is their hypotenuse and 2 U. Kept apart, a bounce multiplies bounds by lambda/(r cos) + ed; together, by 20
- * times as much. */
+ * es/sqrt(s) + U + 4 u r, as |sqrt a - sqrt b| <= |a - b|/sqrt a; t is within eo + |P| ed, the bound of thc and the
+ * roundings of tca. The point relative to C is -(P + thc D): across the ray it is within lambda + thc ed, along it
+ * within |P| ed and the bound of thc; ep is their hypotenuse and 2 U. With the two parts apart a bounce multiplies
+ * bounds by lambda/(r cos) + ed; with a single bound, by 20 times as much. */
 #ifndef TIA_SIMD_RAYS_SPHERE_TMPL_H
 #define TIA_SIMD_RAYS_SPHERE_TMPL_H
 

@@ -1,4 +1,4 @@
-/* sure.h - Certified double-precision rays: a result is used only where its error bound proves it equal to the
+/* sure.h - certified rays in double precision: a result is used only where its error bound proves it equal to the
  * fixed-point result.
  *
  * A pixel is first traced in doubles. Every quantity x carries a bound e on its distance from the fixed-point quantity,
@@ -19,9 +19,10 @@
 
 #define SURE_INNER UINT32_MAX
 
-/* A node: two children side by side. A child's box is that of the hierarchy, in floats rounded outward. Where count is
- * SURE_INNER the child is node `index`, else a leaf: items[index] .. items[index + count - 1], of a mesh pairs[index]
- * .. A root that is a leaf is the only child of one; the other has no items, and is SURE_NOWHERE. */
+/* A node: two children side by side. A child's box is that of the hierarchy, in floats rounded outward. If `count` is
+ * SURE_INNER the child is node `index`, else a leaf: items[index] .. items[index + count - 1]; of a mesh, pairs from
+ * pairs[index] on. A root that is a leaf is the only child of a node, whose other child has no items and a box at
+ * SURE_NOWHERE. */
 struct sure_node {
     float box[6][2]; /* minimum x, y, z, maximum x, y, z */
     uint32_t index[2], count[2];
@@ -36,13 +37,14 @@ struct sure_face {
     bool any, smoothed;
 };
 
-/* Each edge, from A to B as seen from a centre: A x B and B - A. */
+/* The edges of a face, each from A to B as seen from a centre: A x B and B - A. */
 struct sure_edges {
     double edge[3][2][3];
 };
 
 /* Two faces side by side, in floats: of their first two edges as above, and the sum of all three A x B. `size` is c of
- * pairs_tmpl.h. Where a leaf has an odd number, the last one is there twice, and its twin SURE_NONE. */
+ * pairs_tmpl.h. If a leaf has an odd number of faces, the last one is in both places of its pair, the second time with
+ * SURE_NONE. */
 struct sure_pair {
     float edge[2][2][3][2], whole[3][2], size[2];
     uint32_t face[2];
@@ -59,7 +61,7 @@ struct sure_tree {
     const struct sure_pair *pairs; /* pairs of the faces, the items of a mesh's leaves */
     const uint32_t *groups;        /* groups of the faces, or NULL */
     uint32_t node_count;
-    double centre[3], extent; /* of a mesh: the centre of its box; the sum of the half axes around it */
+    double centre[3], extent; /* box of a mesh: its centre, and the sum of its half axes */
 };
 
 /* Kinds of shapes; SURE_UNKNOWN: may be hit anywhere in its box. */
@@ -131,8 +133,8 @@ struct sure_material {
     double cells[2][3], repeat[2], offset[2];
 };
 
-#define SURE_PLACES 64 /* largest number of samples of a light whose places are stored, */
-#define SURE_AREAS 16  /* largest number of such lights */
+#define SURE_PLACES 64 /* largest number of samples of a light whose places are stored */
+#define SURE_AREAS 16  /* largest number of lights whose places are stored */
 
 struct sure_light {
     const struct ray_light *from;
@@ -278,10 +280,16 @@ static inline struct sure_edges sure_edges_of(const struct sure_face *f, const d
     return e;
 }
 
-/* Return the bytes for a scene; fill them with the scene; set its lights, whenever they change. */
+/* Returns the bytes for a scene. */
 size_t tia_sure_size(const struct tia_scene *scene, uint32_t light_capacity);
+
+/* Returns the view's scene, in the view's memory. */
 struct sure_scene *tia_sure_scene(const struct tia_view *view);
+
+/* Sets the scene, without its lights. */
 void tia_sure_prepare(struct tia_view *view);
+
+/* Sets the scene's lights, whenever they change. */
 void tia_sure_set_lights(struct tia_view *view);
 
 /* Arrays for the objects' data, with an element for each shape. */
@@ -293,20 +301,23 @@ struct sure_places {
     struct sure_instance *instances;
 };
 
-/* Number of nodes of a hierarchy of `count` items. tia_sure_set_nodes makes them, with leaves of at most `few`
- * items. */
+/* Number of nodes for a hierarchy of `count` nodes with boxes of their own. */
 #define SURE_NODES(count) (((count) + 1) / 2)
+
+/* Makes the nodes, with leaves of at most `few` items; returns their number. */
 uint32_t tia_sure_set_nodes(struct sure_node *to, const struct tia_bvh_tree *from, uint32_t few);
 
-/* Largest number of pairs of a mesh: of its nodes one more than half are leaves, and each leaves half a pair empty at
- * most. The function below makes them, with pairs as items of leaves, and returns their number. */
+/* Largest number of pairs of a mesh: of its nodes one more than half are leaves, each with half a pair empty at most.
+ */
 #define SURE_PAIRS(items, nodes) (((items) + ((nodes) + 1) / 2) / 2)
+
+/* Makes the pairs, and makes them the items of the leaves; returns their number. */
 uint32_t tia_sure_set_pairs(struct sure_pair *to, struct sure_node *nodes, const struct sure_tree *tree);
 
 void tia_sure_set_objects(struct sure_scene *scene, const struct sure_places *places);
 void tia_sure_set_face(struct sure_face *to, const struct tia_vec3 corner[3]);
 
-/* Gives the place of sample i of an area light along its axes, in a pixel of that class: see trace/ray_light.c. */
+/* Gives the place of sample i of an area light along its axes, in a pixel of class `class`: see trace/ray_light.c. */
 void tia_sure_place(const struct sure_light *light, unsigned i, unsigned class, double at[2]);
 
 /* Gives the colour of sample i of a pixel by the fixed-point path, not clamped. */

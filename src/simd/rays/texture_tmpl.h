@@ -44,7 +44,7 @@ static void flat_coordinates(const struct texture_point *p, struct coordinates *
            BOUND(UV_ROUNDING);
 }
 
-/* Sets coordinates on a face of a box of that size, see box_uv(). */
+/* Sets coordinates on a face of a box with this minimum and size, see box_uv(). */
 static void box_coordinates(const struct texture_point *p, const double min[3], const double size[3], uint32_t face,
                             struct coordinates *c)
 {

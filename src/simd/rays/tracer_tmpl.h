@@ -14,7 +14,7 @@ LANE_OP void drop(unsigned *lanes, struct work *w, vm unsure, const struct rays 
     *lanes &= ~gone;
 }
 
-/* Shades and retires lanes that hit the background or a light. */
+/* Adds the background or a light in the lanes that meet it, and clears these lanes. */
 static void add_far(struct work *w, unsigned *lanes, const struct query *q, const struct rays *r)
 {
     const struct sure_scene *s = w->block->scene;
@@ -36,7 +36,7 @@ static void add_far(struct work *w, unsigned *lanes, const struct query *q, cons
     add_colour(w, sky | shining, r->slot, flat, BOUND_OF(COLOUR_FAR, top * r->ew) + BOUND(COLOUR_UNITS) * (1 + top));
 }
 
-/* Adds emission and direct light; clears undecided lanes. */
+/* Adds emission and direct light; clears the undecided lanes. */
 static void add_own(struct work *w, unsigned *lanes, const struct shade *h, const struct rays *r)
 {
     const struct sure_scene *s = w->block->scene;

@@ -130,8 +130,8 @@ LANE_OP vd most3(const vd c[3])
  *
  *     x sqrt(2/(1 + sqrt(1 - x^2))) <= (1 + 2^-10) x   for x < 1/16,
  *
- * and 2^-50 for the roundings of both: 5 u here, and q16's normalise is within 2^-58. Otherwise 4: two unit vectors are
- * never farther apart, and every lane is undecided. */
+ * and 2^-50 for the roundings of both: 5 u here, and num_normalise is within 2^-58. For larger x *ed is 4, and every
+ * lane undecided, as two unit vectors are never farther apart. */
 LANE_OP struct v3 v3_unit(struct v3 v, vd e, vd *ed)
 {
     vd inverse = 1 / vmax(vsqrt(v3_dot(v, v)), vset(1e-30)), relative = e * inverse;
@@ -140,7 +140,7 @@ LANE_OP struct v3 v3_unit(struct v3 v, vd e, vd *ed)
     return v3_scale(v, inverse);
 }
 
-/* Gives a vector of of(0), of(1), ..., one for each lane. A vector made of these goes through registers; stored one by
+/* Initialises a vector with of(0), of(1), ..., one for each lane. Such a vector goes through registers; stored one by
  * one and loaded as a whole, it would have to wait for all the stores. */
 #if LANES == 1
 #define EACH_LANE(of) of(0)

@@ -278,7 +278,7 @@ LANE_OP vm begin_nearest(const struct sure_scene *s, struct room *room, struct q
     return mand(active, mnot(fine));
 }
 
-/* Makes those lanes undecided: they may hit any object. */
+/* Makes the lanes of `wild` undecided: they may hit any object. */
 LANE_OP void end_nearest(struct query *q, vm wild)
 {
     q->low = vsel(wild, vset(-1), q->low);

@@ -1,6 +1,6 @@
-/* bound_cache.c - cached bounds. Bounds change little from row to row, and each holds for all runs whose limits are no
- * worse than those it was derived from (row.c and bounds.c use nothing else): so they are derived from limits that are
- * worse by a tenth than a run's own, and kept while these suffice. */
+/* bound_cache.c - cached bounds. Bounds change little from row to row, and they hold for all runs whose limits are no
+ * worse than those that they are derived from (row.c and bounds.c use nothing else). So they are derived from limits
+ * that are worse than a run's own by a tenth, and reused while these suffice. */
 #include "bound_cache.h"
 
 #include <math.h>
@@ -17,7 +17,7 @@ static double size_of(const double form[2], const struct simd_place *place)
     return fabs(form[0]) + fabs(form[1]) * place->reach;
 }
 
-/* Gives the limits of a run, in the order of the enumeration, then the sizes of the forms; returns their number. */
+/* Gives a run's limits in the order of the enumeration, then the sizes of its forms; returns the number of all. */
 static int limits_of(const struct simd_fine *fine, double limit[FORMS_MOST])
 {
     const struct simd_place *place = &fine->place;
@@ -42,7 +42,7 @@ static int limits_of(const struct simd_fine *fine, double limit[FORMS_MOST])
     return n;
 }
 
-/* Sets the values of `fine` that depend on limits. */
+/* Sets the values that depend on limits. */
 static void take_limits(const double limit[], struct simd_place *place, struct simd_seen *seen)
 {
     seen->b_most = limit[B_MOST];
@@ -54,8 +54,8 @@ static void take_limits(const double limit[], struct simd_place *place, struct s
     place->v_most = limit[V_MOST];
 }
 
-/* Bounds one light, `limit` being that of its forms; returns where the next light's are. NULL: the bounds are too
- * large. */
+/* Bounds one light; `limit` has the sizes of its forms. Returns the place of the next light's sizes, or NULL if the
+ * bounds are too large. */
 static const double *light_bounds(struct simd_fine *fine, struct simd_fine_light *light, const struct simd_place *place,
                                   double unit, const double *limit)
 {
@@ -74,7 +74,7 @@ static const double *light_bounds(struct simd_fine *fine, struct simd_fine_light
     return limit;
 }
 
-/* Returns half a level of so many, less the bound. */
+/* Returns half a level less the bounds, for a colour of 0..levels that is off by `off`. */
 static double near_of(double levels, double off, double unit)
 {
     double rounded = levels * off + levels * BOUND(SPAN_LEVEL_ROUNDING) * unit;
@@ -111,7 +111,7 @@ static bool derive(struct simd_fine *fine, double unit, double cut, const double
     return fine->near31 > BOUND(SPAN_LEVEL_LEAST) && fine->near63 > BOUND(SPAN_LEVEL_LEAST);
 }
 
-/* ---- kept ---- */
+/* ---- the cache ---- */
 
 static bool suffices(const struct simd_bound_cache *cache, uint32_t sphere, const double *limit, int limits)
 {
@@ -150,7 +150,8 @@ static void take_cached(const struct simd_bound_cache *cache, struct simd_fine *
     }
 }
 
-/* Gives the bounds. Bounds that are too large may be fine for the run's own limits: those are not kept. */
+/* Gives the bounds. If they are too large for the widened limits, those of the run's own limits are given, and not
+ * cached. */
 bool tia_simd_fine_bounds(struct simd_fine *fine, double unit, double cut, struct simd_bound_cache *cache)
 {
     double limit[FORMS_MOST];

@@ -1,4 +1,4 @@
-/* bound_cache.h - a run's bounds, kept for those of the next rows. */
+/* bound_cache.h - a run's bounds, reused for runs of the next rows. */
 #ifndef TIA_SIMD_SPAN_BOUND_CACHE_H
 #define TIA_SIMD_SPAN_BOUND_CACHE_H
 
@@ -18,11 +18,12 @@ struct simd_bound_cache {
     struct simd_cast_bounds cast[SIMD_LIMITS / 2];
 };
 
-/* Gives the bounds for an arithmetic; false when they are too large. `kept` may be NULL. Else it belongs to this
- * arithmetic, and the bounds may be those of an earlier run that was as bad or worse. */
+/* Gives the bounds for arithmetic with roundings of `unit`; false when they are too large. `cache` may be NULL;
+ * otherwise it serves this arithmetic alone, and the bounds may be those of an earlier run with limits that are no
+ * better. */
 bool tia_simd_fine_bounds(struct simd_fine *fine, double unit, double cut, struct simd_bound_cache *cache);
 
-/* Bounds for each half of the picture and some spheres, in both arithmetics. */
+/* Number of pairs of caches: for both halves of the picture and some spheres. */
 #define SIMD_CACHE_LINES 8
 
 struct simd_cache_line {

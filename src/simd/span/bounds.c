@@ -19,7 +19,7 @@ static double reach_bound(const struct primary_rays *primary, const struct simd_
                         BOUND(SPAN_REACH_SQUARE) * t * t * simd_power(32 - primary->square_shift) / (d * d));
 }
 
-/* Returns the bound of a s^2 + h s + v.v by the kernels, divided by s^2. */
+/* Returns the kernels' bound of a s^2 + h s + v.v, divided by s^2; `h_size` is the size of h. */
 static double quadratic_bound(double a, double h_size, const struct simd_place *place, const struct simd_depth *depth,
                               double u)
 {
@@ -30,7 +30,7 @@ static double quadratic_bound(double a, double h_size, const struct simd_place *
            second;
 }
 
-/* Returns |w| at least, for every P of the run. */
+/* Returns a lower limit of |w| for all P of the run. */
 static double distance_least(const struct simd_lamp *lamp, const struct simd_depth *depth)
 {
     double far = larger(depth->p_least - lamp->size, lamp->size - depth->p_most);

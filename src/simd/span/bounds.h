@@ -6,24 +6,26 @@
 #include "pair.h"
 #include "row.h"
 
-/* The units of the kernels' floats and of exact.c's doubles; the shares of D below which a pixel is undecided. */
+/* Units of the kernels' floats and of the doubles of exact.c, and the shares of D's size below which a pixel is
+ * undecided. */
 #define SIMD_FLOAT BOUND(SPAN_FLOAT_UNIT)
 #define SIMD_FLOAT_CUT BOUND(SPAN_FLOAT_CUT)
 #define SIMD_DOUBLE BOUND(SPAN_DOUBLE_UNIT)
 #define SIMD_DOUBLE_CUT BOUND(SPAN_DOUBLE_CUT)
 
 struct simd_bounds {
-    double distance; /* |w| at least */
-    double square;   /* |w|^2, relative */
-    double lambert;  /* absolute; SIMD_NEVER when it cannot be bounded */
+    double distance; /* lower limit of |w| */
+    double square;   /* relative bound of |w|^2 */
+    double lambert;  /* absolute bound of the cosine; SIMD_NEVER if it cannot be bounded */
 };
 
-/* The sizes of the linear forms: |a0| + |a1| X. */
+/* Bounds a light's |w|^2 and cosine. `g_size` and `q_size` are the sizes |a0| + |a1| X of the linear forms G.v and -2
+ * Q.v. */
 void tia_simd_bound_light(const struct primary_rays *primary, const struct simd_lamp *lamp,
                           const struct simd_place *place, const struct simd_depth *depth, double unit, double g_size,
                           double q_size, struct simd_bounds *bounds);
 
-/* Bounds of one caster: A'.w and k, absolute; |w|^2 with the comparison's own error, relative. */
+/* Bounds of a caster: of A'.w and k, absolute; of |w|^2 together with the comparison's own error, relative. */
 struct simd_cast_bounds {
     double a, k, w;
 };

@@ -1,6 +1,6 @@
-/* cells_tmpl.h - the span kernels' cells: 16 pixels with a sample at both ends and in the middle.
+/* cells_tmpl.h - the cells of the span kernels: 16 pixels, with samples at both ends and in the middle.
  *
- * Parameters: value_at() and the functions before the inclusion in kernel_tmpl.h, which includes this. Defines:
+ * Parameters: value_at() and the functions that kernel_tmpl.h defines before it includes this file. Defines:
  * take_samples(), judge_cells(), draw_flat(), draw_cell(), struct cells. */
 #ifndef TIA_SIMD_SPAN_CELLS_TMPL_H
 #define TIA_SIMD_SPAN_CELLS_TMPL_H
@@ -12,15 +12,15 @@
 #define HALF_CELL (SIMD_CELL / 2)
 
 struct cells {
-    int start; /* pixels of the run before these */
+    int start; /* number of the run's pixels before the cells */
     float x0;
     float per_s[SAMPLES], turn[SAMPLES], d[SAMPLES];                /* at samples: 1/S, |S'|, D */
-    float lambert[SIMD_LIGHTS][SAMPLES], far[SIMD_LIGHTS][SAMPLES]; /* not clamped; |w| */
-    float middle[SIMD_LIGHTS][SAMPLES];                             /* of cells, from here on: lambert in the middle */
-    float turn_of[SIMD_LIGHTS][SAMPLES], bend_of[SIMD_LIGHTS][SAMPLES]; /* and the lines that meet there */
-    float weight[SIMD_LIGHTS][3][SAMPLES];                              /* colours times the transmission of casters */
+    float lambert[SIMD_LIGHTS][SAMPLES], far[SIMD_LIGHTS][SAMPLES]; /* cosines, not clamped; |w| */
+    float middle[SIMD_LIGHTS][SAMPLES]; /* of each cell, as all members below: the cosine in its middle */
+    float turn_of[SIMD_LIGHTS][SAMPLES], bend_of[SIMD_LIGHTS][SAMPLES]; /* of u and |u| in add_range() */
+    float weight[SIMD_LIGHTS][3][SAMPLES]; /* the light's colour times the transmission of casters */
     float near31[SAMPLES], near63[SAMPLES];
-    uint16_t pixel[SAMPLES]; /* of all of a flat cell */
+    uint16_t pixel[SAMPLES]; /* the colour of a flat cell */
     uint64_t good, flat;
 };
 
@@ -91,13 +91,13 @@ INLINE struct verdict judge_cell(const struct simd_cast *c, F x, const struct va
     return judge(c, &t, square, f_mul(near, unit), f_fma(aside, unit, f_set(c->ea)));
 }
 
-/* The cost of interpolation in cells, in light, and the range of their sums of lights. */
+/* Sums over the lights of cells: the errors of interpolation in `lost`, and the ranges of the channels. */
 struct gained {
     F lost, low[3], high[3];
 };
 
-/* Adds the range of one light. Between its samples lie two lines that meet in the middle: m + u (e - s)/2 + |u| ((s -
- * m) + (e - m))/2, u from -1 to 1. A sum with NaN in it is NaN. */
+/* Adds the range of light l, and stores the two lines between its samples, which meet in the middle: m + u (e - s)/2 +
+ * |u| ((s - m) + (e - m))/2, u from -1 to 1. A sum with NaN in it is NaN. */
 INLINE void add_range(struct cells *cells, int l, int i, F middle, const F tint[3], const struct simd_light *q,
                       int channels, struct gained *g)
 {
@@ -118,7 +118,8 @@ INLINE void add_range(struct cells *cells, int l, int i, F middle, const F tint[
     }
 }
 
-/* Lights cells: takes the cost of lines off the margins, and leaves good those that no shadow's edge crosses. */
+/* Adds light l to cells and to `gained`; returns the cells that its lines may draw: the light is not too near, and no
+ * shadow's edge crosses them. */
 INLINE M light_cells(const struct simd_run *r, int l, F x, const struct value *o, const struct motion *p,
                      struct cells *cells, int i, struct gained *gained, int channels, int casts)
 {
@@ -147,7 +148,8 @@ INLINE M light_cells(const struct simd_run *r, int l, F x, const struct value *o
     return good;
 }
 
-/* Finds flat cells: where all samples round to one level, so does everything between. */
+/* Returns the flat cells, whose pixels all have one colour, as both ends of the cell's range round to it; sets their
+ * pixels. */
 INLINE M flat_cells(const struct simd_run *r, const struct gained *g, F near31, F near63, bool grey,
                     struct cells *cells, int i)
 {

@@ -1,4 +1,5 @@
-/* exact.c - the kernels' sums again with 53 bits, which leave little undecided but the rounding of the integer code. */
+/* exact.c - the kernels' sums again with 53 bits: little more than the rounding of the integer code then leaves a pixel
+ * undecided. */
 #include "exact.h"
 
 #include <math.h>
@@ -73,7 +74,7 @@ static bool add_light(const struct simd_fine_light *light, const struct pixel *p
     return true;
 }
 
-/* Gives a channel's level; false when it is too near to another. */
+/* Gives a channel's level; false when the value is too near the boundary to another level. */
 static bool quantise(double channel, double levels, double half, double near, unsigned *level)
 {
     double y = channel * levels + half;

@@ -9,7 +9,7 @@ void tia_simd_plain(const struct tia_view *view, uint32_t sphere, int x, int y, 
                     tia_rgb565 *out);
 
 /* Draws the listed pixels, counted from the run's first: in double precision, and undecided ones by the integer code.
- * `out` is the run's first pixel, `kept` for bounds in double precision. */
+ * `out` is the run's first pixel; `cache` is for the bounds in double precision. */
 void tia_simd_decide(struct simd_fine *fine, struct simd_bound_cache *cache, const uint16_t *list, int count,
                      const num_u threshold[8], tia_rgb565 *out);
 

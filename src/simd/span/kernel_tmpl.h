@@ -2,12 +2,12 @@
  *
  * Parameters: the floats of isa/isa.h. Defines: `kernels`, a struct simd_kernels (run.h).
  *
- * A run is drawn in cells of 16 pixels: everything is computed at their ends and in the middle, and in between r N.w/(r
- * |w|) is interpolated, where its second derivative allows that and shadows keep clear. A cell that comes to one colour
- * is filled with it. The pixels that are then too near a boundary between two levels, and the pixels of all other
- * cells, are computed one by one; undecided pixels are appended to `list`.
+ * A run is drawn in cells of 16 pixels. Everything is computed at a cell's ends and in its middle. In between, r N.w/(r
+ * |w|) is interpolated where its second derivative is small enough and no shadow's edge comes near. A cell of a single
+ * colour is filled. Pixels of interpolated cells that are too near a boundary between two levels, and the pixels of all
+ * other cells, are computed one by one; undecided pixels are appended to `list`.
  *
- * The compiler cannot know that `out` aliases no constant: constants are splat into locals first. */
+ * For the compiler `out` might alias the constants, so these are broadcast into locals first. */
 #ifndef TIA_SIMD_SPAN_KERNEL_TMPL_H
 #define TIA_SIMD_SPAN_KERNEL_TMPL_H
 
@@ -192,7 +192,7 @@ INLINE int draw_pixels(const struct simd_run *r, const struct body *k, int first
     return n;
 }
 
-/* Draws the pixels listed, anywhere in the run; keeps those of the list that stay undecided. */
+/* Draws the listed pixels, anywhere in the run; the undecided ones stay in the list. Returns their number. */
 INLINE int draw_listed(const struct simd_run *r, const struct body *k, bool grey, int lights, int casts, uint16_t *out,
                        uint16_t *list, int count)
 {
@@ -228,7 +228,7 @@ INLINE int draw_listed(const struct simd_run *r, const struct body *k, bool grey
 
 #include "cells_tmpl.h"
 
-/* Draws pixels start..start + size - 1, at most SIMD_BLOCK. */
+/* Draws pixels start..start + size - 1, at most SIMD_BLOCK. Returns the list's new length, which was `open`. */
 INLINE int draw_block(const struct simd_run *r, const struct body *k, int start, int size, bool grey, int lights,
                       int casts, uint16_t *out, uint16_t *list, int open, struct cells *restrict cells)
 {

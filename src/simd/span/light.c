@@ -4,7 +4,7 @@
 #include "seen.h"
 #include "simd/simd.h"
 
-/* Returns whether spans draw the view. Frames of scenes with the eye in a sphere are left to plain C. */
+/* True if spans draw the view. Scenes with the eye in a sphere are left to plain C. */
 bool tia_simd_draws(const struct tia_view *view)
 {
     const struct span_view *spans = span_view_of(view);
@@ -17,19 +17,19 @@ bool tia_simd_draws(const struct tia_view *view)
 
 /* ---- rows ---- */
 
-/* The colour of the background, or of a light itself: one, but for dithering. */
+/* Pixels of the background, or of a light that is seen directly; without dithering all are the same. */
 struct flat {
     tia_rgb565 pixels[8];
     uint32_t object;
-    bool known, dithered; /* then by the row */
+    bool known, dithered; /* dithered: the pixels are valid for one span only */
 };
 
-/* A picture of more pixels than this, 8 MB, is drawn row by row beside the caches: drawn in its own memory, each line
- * would be read before it is written. 3840x2160 takes four fifths of the time like that, 2560x1440 as long, smaller
- * ones would take longer. */
+/* A picture of more pixels than this, 8 MB, is drawn into a buffer of one row, which is then streamed past the caches:
+ * stores into the picture itself would first read each cache line. This takes four fifths of the time at 3840x2160, the
+ * same time at 2560x1440, and more for smaller pictures. */
 #define STREAMED (4u << 20)
 
-/* Data that rows hand on to the next, and data of a row for which a thread's stack may be too small. */
+/* Data that rows hand on to the next, and data of a row that may be too large for a thread's stack. */
 struct carried {
     bool streams;
     struct span guess[SIMD_GUESSES];

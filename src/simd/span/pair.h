@@ -13,7 +13,7 @@ struct simd_caster {
     struct num_vec sum;   /* C + Q */
     double aq, p0, size;  /* C.Q - B K; k's constant; |C| */
     double ua, uk;        /* the last bits of A.w and k */
-    double fixed;         /* k's part that the bias adds may be off by this */
+    double fixed;         /* bound of the part of k that the bias adds */
     double radius, apart; /* R; |C - Q| */
     double through[3];
     bool clear;
@@ -23,7 +23,7 @@ struct simd_lamp {
     bool plain;              /* the runs of this sphere are left to plain C */
     struct num_vec light, g; /* Q, Q - L */
     double k, qq, size;      /* K, Q.Q, |Q| */
-    double gap;              /* ||G| - r|: the light's distance from the sphere, less the error of double */
+    double gap;              /* lower limit of ||G| - r|, the light's distance from the sphere */
     double per_r, swell;     /* 1/r; B = bias/r */
     double ud, up, us;       /* the last bits of |w|^2, |P|^2 and r N.w */
     double colour[3];
@@ -31,7 +31,7 @@ struct simd_lamp {
     struct simd_caster cast[SIMD_CASTS];
 };
 
-/* Bytes for a view's pairs; SIZE_MAX when there are too many. */
+/* Returns the bytes for a view's pairs; SIZE_MAX when there are too many. */
 size_t tia_simd_pairs_size(const struct tia_scene *scene, uint32_t light_capacity);
 
 /* Fills view->simd_memory for the view's lights. */

@@ -68,7 +68,7 @@ bool tia_simd_fine(const struct tia_view *view, const struct simd_row *row, uint
 
 /* ---- for the kernels ---- */
 
-/* Takes coefficients for s to those for S = c s. */
+/* Converts coefficients of a form in s to those of the form in S = c s. */
 static void scaled(const double from[3], double per_c, float *square, float *start, float *step)
 {
     *square = (float)(from[0] * per_c * per_c);

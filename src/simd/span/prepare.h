@@ -7,13 +7,13 @@
 
 /* The forms of a run, in double precision: for the kernels' constants, and for exact.c. */
 struct simd_fine_cast {
-    double a[3], k[3]; /* A'.w s^2 = a[0] s^2 + (a[1] + a[2] x) s + v.v; k s^2 */
+    double a[3], k[3]; /* A'.w s^2 = a[0] s^2 + (a[1] + a[2] x) s + v.v; k s^2 likewise */
     struct simd_cast_bounds bounds;
 };
 
 struct simd_fine_light {
     const struct simd_lamp *lamp;
-    double g[2], q[2]; /* G.v and -2 Q.v */
+    double g[2], q[2]; /* coefficients of G.v and -2 Q.v */
     struct simd_bounds bounds;
     struct simd_fine_cast cast[SIMD_CASTS];
 };
@@ -41,7 +41,7 @@ static inline const struct span_sphere *simd_sphere_of(const struct simd_fine *f
     return &span_view_of(fine->view)->spheres[fine->sphere];
 }
 
-/* A row's dithering. */
+/* Thresholds of a row's dithering. */
 struct simd_dither {
     num_u threshold[8];
     float half[SIMD_MORE]; /* the same less 1/2, for the kernels */
@@ -49,7 +49,7 @@ struct simd_dither {
 
 void tia_simd_dither(bool on, int y, struct simd_dither *dither);
 
-/* Gives the kernels' constants; the bounds must be float's. The run keeps pointers into `dither`. */
+/* Gives the kernels' constants; the bounds of `fine` must be those for floats. The run points into `dither`. */
 void tia_simd_run(const struct simd_fine *fine, const struct simd_dither *dither, struct simd_run *run);
 
 #endif

@@ -10,13 +10,13 @@
 #define SIMD_INVERSE 6   /* 1/x, of itself, from an estimate */
 #define SIMD_TERM 8      /* each term of a s^2 + h s + v.v, but for the error of s */
 #define SIMD_FACING 6    /* K s of K s + G.v */
-#define SIMD_TURN 7      /* and G.v */
+#define SIMD_TURN 7      /* G.v of K s + G.v */
 #define SIMD_LAMBERT 24  /* r N.w/(r |w|), but for the errors of both */
 #define SIMD_COLOUR 6    /* for a light: lambert times tint and colour, and the sum; as much for a caster */
 #define SIMD_LINE 15     /* two lines between three samples */
 #define SIMD_DELTA 10    /* (A'.w)^2 and |w|^2 k (1 + B), each */
 
-/* The factors of cells_tmpl.h. Twice as many powers of two as CELL_TURN are D's, which is at least 2^-8 of its size. */
+/* The factors of cells_tmpl.h. CELL_TURN assumes that D is at least 2^-8 of its size. */
 #define CELL_TURN 13     /* of S', 2^-13 of each of its two parts */
 #define CELL_SLOPE 2     /* units that (2 d2 x + d1)/2 may be off by, where x may be a pixel outside of the run */
 #define CELL_MOTION 1001 /* for the roundings of |P'| and |P''|, in 1/1000; S's own error is in v_most and v_step */

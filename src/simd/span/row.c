@@ -120,8 +120,8 @@ bool tia_simd_see(const struct primary_rays *primary, const struct simd_row *row
     return seen->b_least > 0 && seen->size > 0;
 }
 
-/* The integer code, see render/span/span_sphere.c and kernels.c: b and v.v are accumulators whose upper halves have the
- * last bits ub and uv; c has uc, t has ut. dd is the bound of D there. */
+/* Last bits of b and t in the integer code, see render/span/span_sphere.c and kernels.c, and the bound of D in it. b
+ * and v.v are upper halves of accumulators, with the last bits ub and uv; c has uc. */
 struct last_bits {
     double ub, ut, dd;
 };
@@ -153,8 +153,8 @@ static void bound_depth(const struct last_bits *u, const struct simd_seen *seen,
     depth->mantissa_most = depth->t_most / u->ut + 1;
 }
 
-/* Finds the range of distances: t = c/(b + sqrt(D)), where the root is at least 0 and at most that of D's size, rounded
- * down: so no D is too small. */
+/* Finds the range of t = c/(b + sqrt(D)). The root is at least 0 and at most that of D's size, rounded down, so the
+ * range holds for any D. */
 void tia_simd_between(const struct primary_rays *primary, const struct simd_row *row, const struct simd_place *place,
                       const struct span_sphere *sphere, const struct simd_seen *seen, double t[2])
 {

@@ -1,10 +1,10 @@
-/* row.h - where a run lies in its row, and the sphere that it sees: exact coefficients, in double precision. */
+/* row.h - a run's place in its row, and the sphere that its pixels see: exact coefficients, in double precision. */
 #ifndef TIA_SIMD_SPAN_ROW_H
 #define TIA_SIMD_SPAN_ROW_H
 
 #include "render/span/span.h"
 
-#define SIMD_NEVER 1e30   /* a bound of values without one */
+#define SIMD_NEVER 1e30   /* the bound of a value that cannot be bounded */
 #define SIMD_BIAS 0x1p-13 /* NUM_BIAS */
 
 struct simd_row {
@@ -18,7 +18,7 @@ void tia_simd_row(const struct primary_rays *primary, int y, struct simd_row *ro
 /* The pixels first..end-1; x is counted from `middle`. */
 struct simd_place {
     int middle;
-    double low, high, reach;            /* of x; the larger in size */
+    double low, high, reach;            /* range of x, and the largest |x| */
     double v0, v1, v2;                  /* v.v = v0 + v1 x + v2 x^2, at depth 1 */
     double square_most, v_most, v_step; /* v.v and |v| at most; |v'| */
     double square_least;
@@ -39,22 +39,24 @@ struct simd_seen {
     double least;           /* of D; it may be negative */
 };
 
-/* Sees a sphere; false when a run is impossible: the eye is inside, or b is not positive. */
+/* Gives a sphere's coefficients over a place; false when a run is impossible: the eye is inside, or b is not
+ * positive. */
 bool tia_simd_see(const struct primary_rays *primary, const struct simd_row *row, const struct simd_place *place,
                   const struct span_sphere *sphere, struct simd_seen *seen);
 
-/* Gives the distances between which the integer code sees the sphere all along the place, at its outline too. */
+/* Gives the range of the distances t at which the integer code hits the sphere in any pixel of the place, at its
+ * outline too. */
 void tia_simd_between(const struct primary_rays *primary, const struct simd_row *row, const struct simd_place *place,
                       const struct span_sphere *sphere, const struct simd_seen *seen, double t[2]);
 
-/* Depths with the bounds of a cut: pixels where D is less are left undecided. */
+/* Depths and their bounds for a cut: pixels with a smaller D are left undecided. */
 struct simd_depth {
-    double cut, floor; /* of D; of sqrt(D) */
-    double sum_least;  /* of S */
-    double es, et;     /* relative bounds of 1/t: of the kernels', of the integer code's */
+    double cut, floor; /* lower limits of D and of sqrt(D) */
+    double sum_least;  /* lower limit of S */
+    double es, et;     /* relative bounds of 1/t: the kernels', and the integer code's */
     double t_least, t_most;
-    double p_least, p_most; /* |P| */
-    double mantissa_most;   /* of the integer t */
+    double p_least, p_most; /* range of |P| */
+    double mantissa_most;   /* largest mantissa of t in the integer code */
 };
 
 /* Gives depths; `unit` is half an ulp of the arithmetic, `cut` a fraction of the size. */

@@ -1,11 +1,11 @@
-/* run.h - a run: pixels of one row that see one sphere, as the vector kernels take it.
+/* run.h - a run, the pixels of one row that see one sphere: the input of the vector kernels.
  *
- * All is in terms of x, pixels from the run's middle, with directions v scaled to depth 1. Then for a sphere L, r with
- * c = L.L - r^2, seen from outside,
+ * Everything is a function of x, in pixels from the run's middle, with directions v scaled to depth 1. Then for a
+ * sphere L, r with c = L.L - r^2, seen from outside,
  *
  *     S = c/t = b + sqrt(D),   b = L.v linear, D = b^2 - c v.v quadratic in x
  *
- * and the quantities of lighting at the point P = t v, multiplied by s = 1/t or its square, needs no division:
+ * and the quantities of lighting at the point P = t v, multiplied by s = 1/t or its square, need no division:
  *
  *     r N.w  s   = K s + G.v                 with w = Q - P, K = c - L.Q, G = Q - L
  *     |w|^2  s^2 = Q.Q s^2 - 2 Q.v s + v.v
@@ -26,8 +26,8 @@
 
 #define SIMD_LIGHTS 4
 #define SIMD_CASTS 12
-#define SIMD_RUN 2048   /* the most pixels */
-#define SIMD_BLOCK 1024 /* of them, those that a kernel takes at once */
+#define SIMD_RUN 2048   /* largest number of pixels in a run */
+#define SIMD_BLOCK 1024 /* largest number of pixels that a kernel draws at once */
 #define SIMD_MORE 32    /* entries behind a list or thresholds that kernels may read and write */
 #define SIMD_CELL 16    /* pixels from one sample to the next */
 
@@ -38,7 +38,7 @@ struct simd_cast {
     float swell;       /* 1 + B */
     float ea, ek, ew;  /* bounds: of A'.w and k, for s^2 in units of S^2; relative, of |w|^2 */
     float through[3];  /* the sphere's transmission */
-    int clear;         /* true if that is more than 0 */
+    int clear;         /* true if `through` is not black */
     float radius;      /* R */
     float turn, shift; /* largest move of the shadow ray from C per unit of P: turn/|w| + shift */
     float size;        /* |A'|, at most */
@@ -51,7 +51,7 @@ struct simd_light {
     float qq, q0, q1;  /* |w|^2 s^2 */
     float per_r;       /* 1/r */
     float colour[3];   /* the product of both colours */
-    float colour_most; /* the largest of them */
+    float colour_most; /* the largest component of `colour` */
     float faint;       /* lambert's bound */
     int casts;
     struct simd_cast cast[SIMD_CASTS];
@@ -59,11 +59,11 @@ struct simd_light {
 
 struct simd_run {
     int count;
-    bool grey; /* the first channel stands for all */
+    bool grey; /* all channels are equal to the first */
     int lights;
-    float x0;                      /* of the first pixel */
+    float x0;                      /* x of the first pixel */
     float b0, b1, d0, d1, d2, cut; /* pixels whose D is below cut are undecided */
-    float c;                       /* and t = c/S */
+    float c;                       /* of the sphere: t = c/S */
     float v0, v1, v2;
     float v_step, v_most; /* |v'|, and |v| at most */
     float bend;           /* |4 d0 d2 - d1^2|/4, so that S'' = -bend/D^1.5 */
@@ -75,7 +75,7 @@ struct simd_run {
     struct simd_light light[SIMD_LIGHTS];
 };
 
-/* Two spheres that the same pixels see, to be ordered. */
+/* One of two spheres that the same pixels see. */
 struct simd_body {
     float b0, b1, d0, d1, d2, cut, per_c;
 };
@@ -84,13 +84,13 @@ struct simd_pair {
     int count; /* at most 64 */
     float x0;
     struct simd_body body[2];
-    float bound[2]; /* relative, of 1/t */
+    float bound[2]; /* relative bounds of 1/t */
 };
 
 struct simd_kernels {
-    /* Draws the pixels that can be decided, lists the undecided ones, whose memory it may overwrite, and returns their
-     * number. The list has room for SIMD_MORE besides all pixels. `cells`: memory of the size that the
-     * member of that name gives. */
+    /* Draws the pixels that can be decided; lists the undecided ones, whose pixels in `out` it may overwrite, and
+     * returns their number. The list has room for SIMD_MORE entries besides all pixels. `cells` points to memory of the
+     * size in the member of that name. */
     int (*shade)(const struct simd_run *run, uint16_t *out, uint16_t *list, void *cells);
     size_t cells;
 
@@ -99,9 +99,10 @@ struct simd_kernels {
 
     void (*fill)(uint16_t *out, int count, uint16_t pixel);
 
-    /* Copies pixels past the caches, for pictures that do not fit into them; stores after `settle` are seen after it.
-     * Both NULL where there is no such instruction. */
+    /* Copies pixels past the caches, for pictures that do not fit into them. NULL without such an instruction. */
     void (*stream)(uint16_t *out, const uint16_t *from, int count);
+
+    /* Orders streamed pixels before all later stores. NULL if `stream` is NULL. */
     void (*settle)(void);
 };
 

@@ -21,7 +21,7 @@ static void push(struct simd_line *line, int first, int end, uint32_t object)
         spans[line->count++] = (struct simd_span){(uint16_t)first, (uint16_t)end, object};
 }
 
-/* Two spheres over the same pixels: n, and m which is in the line already. */
+/* Two spheres over the same pixels: n, and m, which the line contains already. */
 struct contest {
     const struct tia_view *view;
     const struct simd_row *row;
@@ -50,7 +50,7 @@ static struct simd_body body_of(const struct simd_seen *seen, const struct simd_
                               (float)d[2], (float)depth->cut, (float)(1 / seen->c)};
 }
 
-/* Returns the bound of a comparison's 1/t. */
+/* Returns the relative bound of 1/t for a comparison. */
 static float bound_of(const struct simd_depth *depth)
 {
     return (float)BOUND_OF(SPAN_NEARER,
@@ -74,7 +74,7 @@ static void settle(const struct contest *c, int first, int end, struct simd_line
     }
 }
 
-/* Returns false when a sphere cannot be seen from outside all along. */
+/* Prepares a part; false when the eye is inside one of the spheres, or b is not positive. */
 static bool look(struct contest *c, int first, int end)
 {
     const struct span_view *spans = span_view_of(c->view);
@@ -86,7 +86,7 @@ static bool look(struct contest *c, int first, int end)
 
 enum winner { NOBODY_KNOWS, N_WINS, M_WINS };
 
-/* Compares the spheres as a whole: one is mostly nearer all along. */
+/* Compares the ranges of the spheres' distances over the whole part, which mostly suffices. */
 static enum winner before(const struct contest *c)
 {
     const struct span_view *spans = span_view_of(c->view);

@@ -21,7 +21,8 @@ struct simd_line {
     int which, count;
 };
 
-/* Fills the line for a row of the tile. `guess` has an entry for each sphere and light: where the row before saw it. */
+/* Fills the line for a row of the tile. `guess` has an entry for each sphere and light: its pixels in the row
+ * before. */
 void tia_simd_find(const struct tia_view *view, const struct simd_row *row, struct tia_tile tile, struct span *guess,
                    struct simd_line *line);
 

@@ -18,8 +18,8 @@ static bool is_flat(enum tia_shape_kind kind)
     return kind == TIA_PLANE || kind == TIA_BOX || kind == TIA_TRIANGLE || kind == TIA_MESH;
 }
 
-/* Replaces shapes that are not flat by boxes, and drops the spheres; if there are no shapes, the first sphere becomes a
- * box. */
+/* Replaces shapes that are not flat by boxes and removes the spheres; if there are no shapes, makes a box of the first
+ * sphere. */
 static void flatten_shapes(struct corpus_rays *out)
 {
     struct tia_scene *s = &out->scene;

@@ -4,9 +4,9 @@
 
 #include "corpus_parts.h"
 
-/* Makes random scene number `index` of the series `seed` of corpus_rays.h, flattened: a sphere, disc, cylinder, cone or
- * grid becomes a box as large as it, all materials are opaque, disc and sphere lights become rectangles, and area
- * lights have at most 9 samples. tia_scene_check accepts it with every technique. */
+/* Makes random scene number `index` of the series `seed` of corpus_rays.h, flattened: each sphere, disc, cylinder, cone
+ * or grid is replaced by a box of its size, all materials are opaque, disc and sphere lights become rectangles, and
+ * area lights have at most 9 samples. tia_scene_check accepts it with every technique. */
 void corpus_random_flat(struct corpus_rays *out, uint64_t seed, unsigned index);
 
 /* Makes the scene of corpus_random_flat with its curved shapes, which are drawn by rays or tessellated. */

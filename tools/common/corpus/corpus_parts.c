@@ -16,7 +16,7 @@ static const struct tia_vec3 ball_vertices[BALL_VERTICES] = {
     TIA_VEC3(EDGE, 0, -EDGE), TIA_VEC3(-EDGE, 0, -EDGE), TIA_VEC3(0, EDGE, EDGE), TIA_VEC3(0, -EDGE, EDGE),
     TIA_VEC3(0, EDGE, -EDGE), TIA_VEC3(0, -EDGE, -EDGE)};
 
-/* Directions to the same points, which are not normalised. */
+/* The directions of the octahedron's points, not normalised. */
 #define DIR3(x, y, z)                                                                                                  \
     {                                                                                                                  \
         TIA_Q30(x), TIA_Q30(y), TIA_Q30(z)                                                                             \
@@ -27,7 +27,8 @@ static const struct tia_dir3 ball_normals[BALL_VERTICES] = {
     DIR3(0.5, 0, 0.5),  DIR3(-0.5, 0, 0.5), DIR3(0.5, 0, -0.5), DIR3(-0.5, 0, -0.5), DIR3(0, 0.5, 0.5),
     DIR3(0, -0.5, 0.5), DIR3(0, 0.5, -0.5), DIR3(0, -0.5, -0.5)};
 
-/* A corner of a face; faces run counter-clockwise from outside. */
+/* A corner with vertex n and normal n, without texture coordinates; the corners of a face are in counter-clockwise
+ * order, seen from outside. */
 #define CORNER(n)                                                                                                      \
     {                                                                                                                  \
         n, n, TIA_NO_INDEX                                                                                             \
@@ -181,8 +182,8 @@ void parts_random_opacities(uint64_t *state, struct corpus_rays *out)
     out->scene.texture_count = 5;
 }
 
-/* Makes a height field from -1 to 1, at most 0.2 high. A cell is 0.4 wide, so slopes are below 1/2, and so are x and z
- * of the normals, whose y is 1. */
+/* Makes a height field from -1 to 1, at most 0.2 high. Cells are 0.4 wide, so slopes are at most 1/2; so are x and z of
+ * the normals, whose y is 1. */
 static void random_land(uint64_t *state, struct corpus_rays *out)
 {
     const unsigned row = CORPUS_RAYS_LAND + 1;
@@ -217,7 +218,7 @@ void parts_random_meshes(uint64_t *state, struct corpus_rays *out)
                                        BALL_FACES,    NULL};
     out->meshes[1] =
         (struct tia_mesh){out->heights, out->slopes, out->places, out->land, points, points, points, faces, NULL};
-    if (dice_one_in(state, 3)) /* a flat box */
+    if (dice_one_in(state, 3)) /* flat shading: no normals at the vertices */
         for (uint32_t i = 0; i < faces * 3; i++)
             out->land[i / 3].corner[i % 3].normal = TIA_NO_INDEX;
 }
@@ -239,7 +240,7 @@ void parts_random_grid(uint64_t *state, struct corpus_rays *out)
     out->cells[0] = 1;
 }
 
-/* Makes glass with an index that other materials may have too. */
+/* Makes glass whose index of refraction other materials may share. */
 static void random_medium(uint64_t *state, struct tia_material *m)
 {
     static const tia_q16 indices[] = {TIA_Q16(1), TIA_Q16(1), TIA_Q16(1.33), TIA_Q16(1.5), TIA_Q16(1.5), TIA_Q16(1.5)};

@@ -130,7 +130,7 @@ static void random_geometry(uint64_t *state, struct tia_shape *shape, struct tia
     }
 }
 
-/* Adds a transform that puts an instance at `centre`. */
+/* Adds a transform that moves an instance to `centre`. Returns its number, from 1. */
 static uint32_t random_transform(uint64_t *state, struct corpus_rays *out, struct tia_vec3 centre)
 {
     static const struct tia_vec3 turns[2] = {TIA_VEC3(-180, -180, -180), TIA_VEC3(180, 180, 180)};

@@ -13,11 +13,11 @@ enum verdict { SAME, ONE_LEVEL, MORE, FLIP };
 struct tally {
     uint64_t pixels, identical;
     uint64_t one;     /* the worst channel differs by one level */
-    uint64_t more;    /* ... by more than one level */
-    uint64_t flips;   /* flips: a different object is hit or different lights arrive, whatever the colour */
+    uint64_t more;    /* the worst channel differs by more than one level */
+    uint64_t flips;   /* pixels where a different object is hit or different lights arrive, whatever the colour */
     uint64_t stray;   /* pixels that differ by more than one level on the same path */
     uint64_t largest; /* largest difference of a channel, in levels */
-    uint64_t astray;  /* largest difference of a channel without flips, in levels */
+    uint64_t astray;  /* largest difference of a channel in pixels without a flip, in levels */
     uint64_t squares; /* sum of the squared differences of all channels, full intensity being 31 x 63 */
 };
 

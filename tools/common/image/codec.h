@@ -7,8 +7,8 @@
 
 struct image;
 
-/* A file format. The sink keeps write errors; these functions return a negative tia_status, with the reason in `why`,
- * for all others. */
+/* A file format. The sink stores write errors; for all other errors these functions return a negative tia_status, with
+ * the reason in `why`. */
 struct image_codec {
     const char *name;
     bool bottom_up;

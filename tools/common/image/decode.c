@@ -133,7 +133,8 @@ static unsigned char value_at(const struct image_texels *texels, size_t i, enum 
     }
 }
 
-/* Keeps one channel in place: one byte replaces three, so a byte written lies before those still to be read. */
+/* Reduces the picture to one channel in place: one byte replaces three, so a byte written lies before those still to be
+ * read. */
 void image_channel(struct image_texels *texels, enum tia_channel channel)
 {
     size_t count = (size_t)texels->width * texels->height;

@@ -7,12 +7,12 @@
 #include "texels.h"
 
 /* Decodes a picture of at most `side` pixels in each direction and `most` bytes of colours. TIA_ERR_RANGE or
- * TIA_ERR_MEMORY with *why, a static string. Transparent texels have the file's colours, too: transparency is in the
- * alpha channel alone. */
+ * TIA_ERR_MEMORY, with the reason in *why, a static string. Transparency affects only the alpha channel: the colours
+ * are those of the file. */
 int image_decode(struct image_texels *texels, const void *bytes, size_t length, unsigned side, size_t most,
                  const char **why);
 
-/* Keeps one channel of a decoded picture, which becomes its alpha. */
+/* Reduces a decoded picture to one of its channels, which becomes its alpha channel. */
 void image_channel(struct image_texels *texels, enum tia_channel channel);
 
 #endif

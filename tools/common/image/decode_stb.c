@@ -1,5 +1,5 @@
-/* decode_stb.c - JPEG, BMP, TGA and GIF by stb_image. Compiled here without SIMD, whose JPEG code gives other texels,
- * so that a file is the same picture on every machine. */
+/* decode_stb.c - JPEG, BMP, TGA and GIF by stb_image. It is compiled here without SIMD, whose JPEG code decodes to
+ * slightly different texels: a file has the same texels on every machine. */
 #ifdef TIA_HAVE_STB
 
 #include "decode_stb.h"
@@ -31,9 +31,9 @@ static int refuse(const char **why, const char *what)
     return TIA_ERR_RANGE;
 }
 
-/* Zeros behind a file. stb_image reads zeros beyond the end of a file, without an error. To detect that, the file is
- * followed by SPARE zeros, and afterwards the position shows whether some were read. Only internal functions give the
- * position. */
+/* Number of zeros behind a file. stb_image reads zeros beyond the end of a file, without an error. To detect that,
+ * SPARE zeros are stored after the file; the position after decoding shows if some of them were read. Only internal
+ * functions give the position. */
 #define SPARE 16
 
 static unsigned char *load_padded(const struct image_texels *texels, int channels, const unsigned char *padded,

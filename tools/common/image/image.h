@@ -1,4 +1,4 @@
-/* image.h - writes a picture or film file, a band of rows at a time; it appears complete or not at all.
+/* image.h - writes a picture or film file, a band of rows at a time; the file appears complete or not at all.
  *
  * A regular file gets its name only when image_finish succeeds; until then it is a temporary file in the same
  * directory. A device, a pipe or standard output ("-") is written directly. Needs memory for one row and a buffer,
@@ -27,20 +27,21 @@ bool image_format_films(enum image_format format);
  * must outlive the image. */
 struct image *image_create(const char *path, enum image_format format, unsigned width, unsigned height, char *why);
 
-/* Starts a file with the given frames and rows of a film. Write their bands frame by frame. */
+/* Starts a file with the given frames and rows of a film, frame by frame. Returns as image_create. */
 struct image *image_create_film(const char *path, enum image_format format, const struct image_film *film, char *why);
 
 /* True if the format stores the bottom row first; then write the last band first. */
 bool image_bottom_up(const struct image *image);
 
-/* Writes the next `count` full rows, top row first, without gaps in `pixels`. Errors are kept; checking image_finish is
- * enough. */
+/* Writes the next `count` full rows, top row first, without gaps in `pixels`. Errors are stored; checking image_finish
+ * is enough. */
 int image_band(struct image *image, const tia_rgb565 *pixels, unsigned count);
 
 /* True if a file of `format` can have `depth` bits a channel, see struct image_film. */
 bool image_format_has(enum image_format format, unsigned depth);
 
-/* Writes rows of a picture with a depth: width x 3 numbers, of 16 bits the higher byte first, of 32 the lower. */
+/* Writes rows of a picture with a `depth` of 8, 16 or 32 bits: width x 3 numbers each; those of 16 bits begin with the
+ * highest byte, those of 32 with the lowest. */
 int image_rows(struct image *image, const unsigned char *bytes, unsigned count);
 
 /* Spends as little time as possible on compression from the next row on. */
@@ -49,8 +50,8 @@ void image_hurry(struct image *image);
 /* Completes the picture and frees `image`. After a failure no file is left, and `why` has the reason. */
 int image_finish(struct image *image);
 
-/* Completes the picture without giving it its name, so that several can appear together. Frees `image` if that
- * fails. */
+/* Completes the picture under its temporary name, so that several pictures can appear together. Frees `image` on
+ * failure. */
 int image_seal(struct image *image);
 /* Gives a sealed picture its name, and frees `image`. */
 int image_publish(struct image *image);

@@ -32,7 +32,7 @@ static bool makes_sense(const struct image_film *film)
            film->frames <= film->all_frames - film->first_frame && film->rate[0] >= 1 && film->rate[1] >= 1;
 }
 
-/* Checks that printing the parsed values gives the same line again: only one spelling is valid. */
+/* Returns `printed` if printing the parsed values gives the same line again, else 0: only one spelling is valid. */
 static size_t check_spelling(const struct image_film *film, const char *line, const char *again, size_t printed)
 {
     return makes_sense(film) && strncmp(line, again, printed) == 0 ? printed : 0;

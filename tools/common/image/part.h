@@ -7,7 +7,7 @@
  * means rows 0 to 119 of frames 0 to 49 of a film of 100 frames, 640x480 each, 25 per second; S is image_film's crc.
  * The pixels follow as RGB565, little-endian, row by row, frame by frame, with a checksum after each frame, four bytes,
  * little-endian. A .y4m has the same description after XTIA= in its first line, and the checksum after XTIA= in each
- * frame's. Its pixels can be read back too, since all 65536 pixels differ in Y, U or V.
+ * frame's. Its pixels can be read back too, since all 65536 colours differ in Y, U or V.
  *
  * The checksum is the CRC-32 of four 32-bit numbers, little-endian, and the frame's pixels: the frame's number in the
  * film, the first row, the number of rows, and S. So pixels in the wrong place are detected, too.
@@ -19,14 +19,16 @@
 
 #define IMAGE_PART_HEADER 160 /* bytes of the line and its end, at most */
 
-/* Writes the line and its end; returns the length. */
+/* Writes the line of a .tiapart and its end; returns the length. */
 size_t image_part_print(char text[IMAGE_PART_HEADER], const struct image_film *film);
 
+/* Writes the first line of a .y4m and its end; returns the length. */
 size_t image_y4m_print(char text[IMAGE_PART_HEADER], const struct image_film *film);
 
-/* Read the first line of either kind of file from `text` and check its numbers. Return its length, 0 if it is not
- * valid. */
+/* Parses the first line of a .tiapart and checks its numbers. Returns its length; 0 if it is not valid. */
 size_t image_part_parse(struct image_film *film, const char *text, size_t length);
+
+/* Parses the first line of a .y4m as image_part_parse does. */
 size_t image_y4m_parse(struct image_film *film, const char *text, size_t length);
 
 #define IMAGE_PART_SUM 4   /* bytes after each frame of a .tiapart */

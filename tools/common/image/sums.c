@@ -28,7 +28,7 @@ static bool is_sound(const struct sums *s)
            s->exposure <= TIA_EXPOSURE_MAX;
 }
 
-/* Parses the line. A line that is spelled in any other way, for example with leading zeros, is not valid. */
+/* Parses the line. Only the spelling of sums_print is valid: for example, no number has leading zeros. */
 size_t sums_parse(struct sums *s, const char *text, size_t length)
 {
     char line[SUMS_HEADER], again[SUMS_HEADER], magic[MAGIC + 1];
@@ -132,7 +132,8 @@ bool sums_add_row(struct tia_sum *row, const struct sums *s, unsigned y, const u
     return add_sums(row, s, bytes) && checks(s, y, bytes);
 }
 
-/* Reads a guide: lengths up to 1, albedos up to 2^14 in units of 2^-24, and any depth whose mean has a sign. */
+/* Reads a guide; false: a mean is out of range. The coordinates of normals are in -1..1 and those of albedos in
+ * 0..2^14, in units of 2^-24; the depth is not negative. */
 static bool get_guide(struct tia_guide *guide, uint32_t count, const unsigned char *at)
 {
     const int64_t one = (int64_t)count << 24, most = (int64_t)count << 38;
@@ -163,7 +164,7 @@ bool sums_get_gathered(const struct tia_gathered *row, const struct sums *s, uns
     return sound;
 }
 
-/* Stores a float, which keeps 24 bits of the mean, and needs no exposure. */
+/* Stores the mean as a float, which has 24 bits and needs no exposure. Returns the position behind it. */
 static unsigned char *put_float(unsigned char *at, int64_t sum, uint32_t count)
 {
     float value = (float)((double)sum / (16777216.0 * count));

@@ -10,7 +10,7 @@ struct image_texels {
     unsigned char *alpha; /* one byte per texel; NULL: none */
 };
 
-/* Allocates width x height texels if they are within the limits of image_decode. */
+/* Allocates width x height texels if they are within the limits of image_decode. Returns as image_decode. */
 int image_room(struct image_texels *texels, uint64_t width, uint64_t height, unsigned side, size_t most,
                const char **why);
 

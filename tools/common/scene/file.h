@@ -6,7 +6,7 @@
 
 #define SCENE_WHY 1024
 #define SCENE_TEXT_MOST ((size_t)256 << 20)  /* largest size of the scene's own text, bytes */
-#define SCENE_NAMED_MOST ((size_t)512 << 20) /* of everything that it refers to: libraries, and texels of images */
+#define SCENE_NAMED_MOST ((size_t)512 << 20) /* largest total size of its libraries, images and their texels, bytes */
 
 struct scene_part; /* a file that the scene refers to */
 

@@ -11,9 +11,9 @@
 #include "scene_part.h"
 #include "whole_file.h"
 
-/* First size of the memory; tia_read then returns how much it needs. A byte of the file takes some tens of bytes at
- * most. */
+/* Least size of the memory for the first attempt, bytes; tia_read then returns the size that it needs. */
 #define MEMORY_FIRST ((size_t)1 << 16)
+/* Largest size of the memory, bytes: a byte of the file takes some tens of bytes at most. */
 #define MEMORY_MOST ((size_t)1 << (sizeof(size_t) > 4 ? 34 : 30))
 
 static const char *const names[] = {[TIA_FORMAT_TIA] = "tia", [TIA_FORMAT_NFF] = "nff", [TIA_FORMAT_OBJ] = "obj"};
@@ -95,7 +95,7 @@ bool scene_warning(const struct scene_file *file, unsigned *at, char line[SCENE_
             return true;
         }
     }
-    /* A key may also add a light; and other integrators have other sources of light. */
+    /* a key may add a light; integrators other than Whitted's have other sources of light */
     if ((*at)++ > TIA_WARNINGS || file->scene.light_count > 0 || file->scene.binding_count > 0 ||
         file->scene.integration.integrator != TIA_WHITTED)
         return false;
@@ -138,10 +138,10 @@ static int read_scene(struct scene_file *file, const struct whole *text, int for
     return status == TIA_ERR_MEMORY ? exhausted(file) : status ? set_error(file, &reader.error) : TIA_OK;
 }
 
-/* Size of a hierarchy whose construction takes as long as the start of threads. */
+/* Size in bytes of a hierarchy whose construction takes as long as the start of threads. */
 #define BOXES_FOR_THREADS ((size_t)1 << 20)
 
-/* Builds the hierarchy, on one thread where memory for others is short. */
+/* Builds the hierarchy; without memory for threads, on one thread. */
 static int build_boxes(struct scene_file *file, unsigned threads)
 {
     struct tia_scene *scene = &file->scene;

@@ -18,8 +18,8 @@ int scene_open(struct scene_file *file, const char *path, int format, bool stric
 /* Reads the scene as scene_open does, by the settings of `wish`, which must outlive the call. */
 int scene_open_for(struct scene_file *file, const char *path, int format, bool strict, const struct scene_wish *wish);
 
-/* Gets the next warning about the opened scene, "FILE:LINE: WHAT (N more)". *at counts them; set it to 0 before the
- * first. False: there are no more. */
+/* Gets the next warning about the opened scene, "FILE:LINE: WHAT (N more)". *at is the state of the loop over the
+ * warnings, 0 at first. False: there are no more. */
 bool scene_warning(const struct scene_file *file, unsigned *at, char line[SCENE_WHY]);
 void scene_close(struct scene_file *file);
 

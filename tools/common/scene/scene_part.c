@@ -56,8 +56,8 @@ static int decode(struct scene_part *part, size_t most, const char **why)
     return status;
 }
 
-/* Reads the file with that path or, if it does not exist and its name has backslashes as on Windows, with slashes
- * instead. */
+/* Reads the file. If it does not exist and its name has backslashes, as on Windows, reads the file whose name has
+ * slashes instead. */
 static int read_path(const struct scene_file *file, struct scene_part *part, size_t most, const char **why)
 {
     char *path = part_path(file, part->name);
@@ -85,7 +85,7 @@ static int load(struct scene_file *file, struct scene_part *part, const char **w
     return status;
 }
 
-/* Gives the file called `name`, loaded when it is first needed. */
+/* Gives the file called `name` in *found, and loads it when it is first needed. */
 static int fetch(struct scene_file *file, const char *name, unsigned kind, struct scene_part **found, const char **why)
 {
     struct scene_part *part = *found = find(file, name, kind);

@@ -9,9 +9,9 @@ struct whole {
     size_t length;
 };
 
-/* Reads the regular file `path` of at most `most` bytes. Refuses other files, which might block or never end.
- * TIA_ERR_DEVICE (it cannot be opened or read), TIA_ERR_RANGE (it is too large) or TIA_ERR_MEMORY, with *why, a static
- * string. */
+/* Reads the regular file `path` of at most `most` bytes; reading other files might block or never end. TIA_ERR_DEVICE
+ * (it cannot be opened or read, or is not regular), TIA_ERR_RANGE (it is too large) or TIA_ERR_MEMORY, with *why, a
+ * static string. */
 int whole_read(struct whole *whole, const char *path, size_t most, const char **why);
 
 /* Reads from an open descriptor of any kind, from its current position, as whole_read does. */

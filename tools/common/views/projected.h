@@ -10,9 +10,9 @@
 bool projected_segment(const struct tia_camera *camera, unsigned width, unsigned height, struct tia_vec3 a,
                        struct tia_vec3 b, double ends[2][2]);
 
-/* Returns the point moved parallel to the picture, by `right` pixels to the right and `down` pixels down: at the
- * point's distance in the picture or, if it is outside, by its distance for half of the picture's width. Clamped to the
- * range of Q16.16. */
+/* Returns the point moved parallel to the picture, by `right` pixels to the right and `down` pixels down. A pixel has
+ * its size at the point's distance; for a point outside the picture, half of the picture's width is the point's
+ * distance. Clamped to the range of Q16.16. */
 struct tia_vec3 projected_dragged(const struct tia_camera *camera, unsigned width, unsigned height,
                                   struct tia_vec3 point, double right, double down);
 

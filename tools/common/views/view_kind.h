@@ -5,11 +5,11 @@
 enum view {
     VIEW_COLOUR,
     VIEW_DEPTH,  /* distance of the visible point */
-    VIEW_NORMAL, /* its shading normal */
-    VIEW_OBJECT, /* its object's number */
-    VIEW_COST,   /* boxes, objects and faces that the pixel's rays are tested against */
-    VIEW_LIGHT,  /* the lights that arrive there */
-    VIEW_PATH,   /* the pixel's rays */
+    VIEW_NORMAL, /* shading normal at the visible point */
+    VIEW_OBJECT, /* number of the visible object */
+    VIEW_COST,   /* number of boxes, objects and faces that the pixel's rays are tested against */
+    VIEW_LIGHT,  /* lights that arrive at the visible point */
+    VIEW_PATH,   /* number of the pixel's rays */
     VIEW_COUNT
 };
 

@@ -82,7 +82,7 @@ static int collect_rays(const struct tia_view *view, unsigned x, unsigned y)
 
 /* ---- the core ---- */
 
-/* Returns the scale: half of the palette is for points nearer than the reference point of the camera, or than 10. */
+/* Returns the distance at half of the palette: that of the camera's reference point; 10 if it has none. */
 static double scale_of(const struct tia_scene *scene)
 {
     const struct tia_camera *c = &scene->camera;

@@ -12,18 +12,18 @@
 struct views {
     enum view view;
     bool draws_rays;
-    uint16_t x, y; /* the pixel whose rays are drawn; a picture without that pixel is a plain one */
+    uint16_t x, y; /* the pixel whose rays are drawn; a picture that does not contain it has no rays */
 };
 
 /* Returns "colour", ...; NULL for VIEW_COUNT and above. */
 const char *view_name(unsigned view);
 
-/* Returns the core for these views, on top of the one that observes rays, tia_core_watched: programs without views need
- * not link it. */
+/* Returns the core for these views. `watched` is tia_core_watched, the core that observes rays: as a parameter, so that
+ * programs without views need not link it. */
 const struct tia_core *views_core(const struct views *views, const struct tia_core *watched);
 
-/* Gives the rays of a pixel of a view of that core, for callers that draw them themselves: *lines are valid until the
- * next call. */
+/* Gives the rays of a pixel as lines, for callers that draw them themselves; `view` is of that core. *lines are valid
+ * until the next call. A negative status on failure. */
 int views_point(const struct tia_view *view, unsigned x, unsigned y, const struct line **lines, unsigned *count);
 
 /* Makes rays draw the scene instead of spans, with the same picture up to rounding. */

@@ -5,11 +5,11 @@
 #include "render/span/span_shadow.h"
 #include "scene/colour.h"
 
-#define SHORT 12 /* runs of fewer pixels are drawn one by one */
-#define LEAF 8   /* shorter runs where a shadow's edge may be are computed pixel by pixel rather than divided */
+#define SHORT 12 /* pixels of shorter runs are drawn one by one */
+#define LEAF 8   /* runs up to this length are not divided but computed pixel by pixel at a shadow's edge */
 #define DEPTH 12 /* largest number of pending samples */
 
-/* Returns 1 if |Q - P|^2 grows somewhere between two samples, -1 if it falls. */
+/* Returns 1 if |Q - P|^2 certainly grows somewhere between two samples, -1 if it falls, 0 if neither is certain. */
 static int8_t rise(const struct coherence_run *run, num_wide from, num_wide to)
 {
     num_wide more = to - from;
@@ -25,7 +25,7 @@ static int8_t rise(const struct coherence_run *run, num_wide from, num_wide to)
  *
  *     (sqrt(R^2 + e) + m)^2 <= R^2 + e + 2 R m + m^2 + 2 m sqrt(e) <= R^2 + 2 e + 2 R m + 2 m^2,
  *
- * and below R when it is below R^2 by as much. |w| - A'.w/|w| = (C - Q).(P - Q)/|w| changes by m, |w| by path. */
+ * and below R when h^2 - R^2 is below minus the sum. |w| - A'.w/|w| = (C - Q).(P - Q)/|w| changes by m, |w| by path. */
 static int shadow_between(const struct coherence_run *run, const struct coherence_caster *cast, int j,
                           const struct coherence_sample *a, const struct coherence_sample *b, num_wide path)
 {
@@ -153,7 +153,7 @@ static num_u slack_between(const struct coherence_run *run, const struct coheren
     return slack < (num_wide)NUM_ONE ? (num_u)slack : NUM_ONE;
 }
 
-/* Draws a..b, both included; false when they must be divided. */
+/* Draws the pixels from sample a to sample b, both included; false when they must be divided. */
 static bool draw_between(const struct drawing *d, const struct coherence_sample *a, struct coherence_sample *b)
 {
     if (b->shadow == COHERENCE_OPEN && monotone(a, b)) {
@@ -178,8 +178,7 @@ static bool draw_between(const struct drawing *d, const struct coherence_sample 
     return true;
 }
 
-/* Returns a guess of where the colour of `a` ends, if lambert were linear from a to b: the last pixel before, or else
- * the first behind. */
+/* Returns the last pixel with the colour of `a` if lambert were linear from a to b; if that pixel is a's, the next. */
 static int guess(const struct colouring *c, const struct coherence_sample *a, const struct coherence_sample *b)
 {
     num_u from = a->lambert, to = b->lambert, apart = (to > from ? to - from : from - to) / (num_u)(b->x - a->x);
@@ -196,8 +195,8 @@ static int guess(const struct colouring *c, const struct coherence_sample *a, co
     return low > a->x ? low : low + 1;
 }
 
-/* Divides a run by a sample between two, with bounds for all pixels in between. With `room` for that many more samples
- * it lies where the colour may change, as long as halving the rest would still end in time. */
+/* Divides the run between two samples by a third, s: in the middle, or, for a lit run that halving could still divide
+ * completely with `room` more samples, where the colour may change. */
 static void divide(const struct drawing *d, const struct coherence_sample *a, struct coherence_sample *b, int room,
                    struct coherence_sample *s)
 {
@@ -224,11 +223,12 @@ static void end_sample(const struct drawing *d, int x, struct coherence_sample *
     s->shadow = COHERENCE_OPEN;
 }
 
-/* Draws a run: samples both ends, then, where the pixels between two samples cannot be drawn, one between them. */
+/* Draws a run: computes samples at both ends and, where the pixels between two samples cannot be drawn, a sample
+ * between them. */
 static void draw_run(const struct drawing *d, int first, int last)
 {
     struct coherence_run *run = d->run;
-    /* The nearest is last; then free ones. */
+    /* Pending samples, the nearest last; then unused ones. */
     struct coherence_sample sample[DEPTH + 1], *left = &sample[0], *right[DEPTH];
     int depth = 1;
 
@@ -269,7 +269,7 @@ static int length_exponent(const struct coherence_run *run, const struct span_vi
     return exponent < 40 ? exponent : 40; /* the bias is then below 2^29 */
 }
 
-/* Prepares the casters; false when there are too many, or the light is in one. */
+/* Prepares the casters; false when there are too many, or the light is inside one. */
 static bool prepare_casters(struct coherence_run *run, const struct tia_view *view, uint32_t object)
 {
     const struct span_view *spans = span_view_of(view);

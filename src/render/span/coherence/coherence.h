@@ -1,10 +1,11 @@
 /* coherence.h - many pixels of a row decided by two of them.
  *
  * Where one light shines on a sphere, with G = Q - L, r N.(Q - P) and |Q - P|^2 depend on the point P only through G.P,
- * and so does N.(Q - P)/|Q - P|, which grows with it. The points P of a row's pixels lie on a circle, on less than half
- * of it: there G.P has at most one extremum. So |Q - P|^2 has at most one, and where it grows or falls both before and
- * after some pixels it does so along them. Then the light on each of them is between that on the first and the last,
- * and if both round to one colour, all have it. Shadows of other spheres change slowly, see coherence.c.
+ * and so does N.(Q - P)/|Q - P|, which grows with G.P. The points P of a row's pixels lie on a circle, on less than
+ * half of it: there G.P has at most one extremum. So |Q - P|^2 has at most one extremum, and if it grows both before
+ * and after a run of pixels, or falls both before and after, it is monotone along the run. Then the light on each pixel
+ * is between that on the first and the last, and if both round to one colour, all pixels have this colour. Shadows of
+ * other spheres change slowly, see coherence.c.
  *
  * The integers' errors are bounded, see coherence_bounds.c: so every pixel has the same bits as when computed alone,
  * and pixels that cannot be decided are computed alone. */
@@ -14,7 +15,7 @@
 #include "render/span/span_shade.h"
 
 /* Draws a span of a wide sphere; its t and path_hash are not used, and count may be larger than CHUNK. False, with
- * nothing drawn, where that does not pay or cannot be decided. */
+ * nothing drawn: this does not pay, or the pixels cannot be decided. */
 bool coherence_shade(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[8],
                      tia_rgb565 *pixels);
 

@@ -33,7 +33,7 @@ static int larger3(int a, int b, int c)
     return num_larger(num_larger(a, b), c);
 }
 
-/* Returns b, |a| < 2^b, from a.a, which has the exponent 32. */
+/* Returns b with |a| < 2^b, for `square` = a.a with the exponent 32. */
 static int length_bits(num_wide square)
 {
     return (coherence_bits(square) - 31) >> 1;
@@ -57,7 +57,7 @@ void coherence_go(struct coherence_run *run, int x)
     run->light.square.start = run->body.square.start;
 }
 
-/* sqrt(D) and S at a pixel, and t. */
+/* sqrt(D), S and t at a pixel. */
 struct depth {
     num_u root, sum, t;
 };
@@ -129,7 +129,7 @@ bool coherence_bound(struct coherence_run *run, int first, int last)
     return coherence_power(b->t + 32) <= coherence_power(COHERENCE_KNOWN);
 }
 
-/* Gives d, where d^2 is at most `square` plus its error bound. */
+/* Lower bounds of |Q - P| and |Q - P|^2, as logarithms. */
 struct distance {
     int once, twice;
 };
@@ -155,8 +155,8 @@ num_wide coherence_lambert_slack(const struct coherence_run *run, num_wide squar
                            larger3(b->facing - b->radius - d.once, relative - 1, COHERENCE_BELOW(COHERENCE_KERNELS)));
 }
 
-/* Returns a bound of the path: half an arc. The chord from one point to the other is |t2 v2 - t1 v1| <= |t2 - t1| |v1|
- * + t2 |v2 - v1|. */
+/* Returns an upper bound of the path: half the arc between the samples' points. The chord of the arc is |t2 v2 - t1 v1|
+ * <= |t2 - t1| |v1| + t2 |v2 - v1|. */
 num_wide coherence_path(const struct coherence_run *run, const struct coherence_sample *a,
                         const struct coherence_sample *b)
 {
@@ -180,7 +180,7 @@ static num_wide side(const struct coherence_run *run, const struct coherence_sam
         (num_wide)s->t * num_pixel_coordinate(2 * s->x + 1 - run->primary->width, run->primary->exponent), shift);
 }
 
-/* Finds the chord: the points' distance along x alone, less its bound. */
+/* Sets the chord: the points' distance along x alone, minus its error bound. */
 void coherence_measure(struct coherence_run *run, const struct coherence_sample *a, const struct coherence_sample *b)
 {
     num_wide off = coherence_power(run->bounds.t + run->bounds.point + run->exponent + COHERENCE_BITS(COHERENCE_ENDS)) +
@@ -189,7 +189,7 @@ void coherence_measure(struct coherence_run *run, const struct coherence_sample 
     run->chord = side(run, b) - side(run, a) - off;
 }
 
-/* Bounds a caster, without the error of t, which is part of the path. The bias is 2^-13. */
+/* Sets a caster's bounds, without the error of t, which is part of the path. The bias is 2^-13. */
 void coherence_bound_caster(const struct coherence_run *run, const struct span_sphere *caster,
                             struct coherence_caster *cast)
 {

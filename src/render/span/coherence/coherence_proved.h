@@ -12,8 +12,8 @@
  * The point at which the integer code computes the light is P (1 + e), |e| < 2^t. That moves |Q - P|^2 by up to 2.1 |w|
  * |P| e, r N.w, as computed c - L.Q + G.P, by |G| |P| e, A.w by 1.1 (|A| + |w|) |P| e and |A|^2 by 2.1 |A| |P| e.
  *
- * A build that defines BOUND_SCALES scales a bound by its name, see simd/bound.h; in any other an expression is as it
- * stands. */
+ * A build that defines BOUND_SCALES scales a bound by its name, see simd/bound.h; in any other build a bound is
+ * unscaled. */
 #ifndef TIA_RENDER_SPAN_COHERENCE_COHERENCE_PROVED_H
 #define TIA_RENDER_SPAN_COHERENCE_COHERENCE_PROVED_H
 
@@ -47,7 +47,7 @@
  * at least 2^(bits - 2). 1 of 1. */
 #define COHERENCE_ROUNDED 1
 
-/* t: these three. Proved: coherence.g (t), 1.8 of 2. */
+/* t: the sum of the three above. Proved: coherence.g (t), 1.8 of 2. */
 #define COHERENCE_DEPTH 1
 
 /* A root has at least so many bits, as COHERENCE_ROOT assumes. With more, fewer runs are drawn. Unseen: choice. */
@@ -116,7 +116,7 @@
 /* A run's chord, the points' distance along x alone, is off by 2^t |P| at both ends: 2 of 4. Unseen: small. */
 #define COHERENCE_ENDS 2
 
-/* And by two shifts: 1 of 2. Unseen: small. */
+/* The chord is off by two shifts as well: 1 of 2. Unseen: small. */
 #define COHERENCE_ENDS_SHIFTS 1
 
 /* ---- shadows at a pixel ---- */

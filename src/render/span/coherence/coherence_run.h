@@ -8,21 +8,21 @@
 
 /* Error bounds are powers of two: an `int` here is the logarithm of one, in the scene's unit. */
 struct coherence_bounds {
-    int t;        /* relative, of t */
-    int mantissa; /* of t, largest */
-    int point;    /* |P|, largest */
-    int reach;    /* |P|^2, as computed */
-    int square;   /* |Q - P|^2, without the error of t */
-    int facing;   /* r N.(Q - P) */
-    int radius;   /* r, smallest */
-    /* Bound on the difference of two values of |Q - P|^2 caused by their errors, with its exponent. */
+    int t;        /* relative error of t */
+    int mantissa; /* largest mantissa of t */
+    int point;    /* largest |P| */
+    int reach;    /* error of |P|^2 as computed */
+    int square;   /* error of |Q - P|^2, without the error of t */
+    int facing;   /* error of r N.(Q - P) */
+    int radius;   /* smallest r */
+    /* Bound on the difference of two values of |Q - P|^2 caused by their errors, with the exponent of |Q - P|^2. */
     num_wide square_slack;
 };
 
 /* A sphere C, R in front of the light. Lengths have the run's exponent. */
 struct coherence_caster {
     struct shadow_line line;
-    num_wide a, c;         /* its forms at the image's middle */
+    num_wide a, c;         /* forms of `line` at the image's middle */
     num_wide radius, away; /* upper bounds of R and |C - Q| */
     int scale;             /* A.w 2^(scale + half) is a mantissa */
     int power_exponent;    /* exponent of |A|^2 - R^2 */
@@ -34,13 +34,13 @@ struct coherence_run {
     const struct span_kernels *kernels;
     const struct span_sphere *sphere;
     struct light_source source;
-    struct sphere_line body; /* all lines here are those of the pixel being computed */
+    struct sphere_line body; /* body, light: lines of the pixel being computed */
     struct light_line light;
-    num_wide b, g, q; /* their forms at the image's middle */
+    num_wide b, g, q; /* forms of body and light at the image's middle */
     int y, middle;
     num_wide row_square; /* Y^2 + depth^2 */
     int exponent;        /* exponent of lengths: no length that matters reaches 2^30 */
-    num_wide v_most;     /* |v|, largest */
+    num_wide v_most;     /* largest |v| */
     num_wide chord;      /* no longer than the diameter of the circle of the run's points */
     num_wide bias;       /* upper bound of twice the shadow rays' bias */
     struct coherence_bounds bounds;
@@ -50,19 +50,19 @@ struct coherence_run {
 
 enum { COHERENCE_LIT, COHERENCE_DARK, COHERENCE_OPEN };
 
-/* The data computed of a pixel: compact, as several are pending at once. */
+/* The data computed for a pixel: compact, as several are pending at once. */
 struct coherence_sample {
     num_wide square;                   /* |Q - P|^2 */
     num_wide clear[COHERENCE_CASTERS]; /* clearance of the shadow ray: h^2 - R^2, with twice the run's exponent */
     num foot[COHERENCE_CASTERS];       /* A'.w/|w|, see kernels.h, with the run's exponent */
     num far;                           /* |w|, w = Q - P */
-    num_u t, lambert;                  /* without shadows */
-    num_u slack; /* error bound of lambert from the sample to the left of it on; 0: not computed yet */
+    num_u t, lambert;                  /* lambert without shadows */
+    num_u slack;                       /* error bound of lambert back to the sample to the left; 0: not computed yet */
     int x;
-    tia_rgb565 pixel;      /* pixel of that lambert */
+    tia_rgb565 pixel;      /* colour for this lambert */
     bool faces;            /* turned to the light; clear, foot and far are undefined otherwise */
-    uint8_t shadow;        /* for all pixels from the sample to the left of it on: COHERENCE_LIT, .._DARK or .._OPEN */
-    int8_t before, behind; /* 1 if |Q - P|^2 grows somewhere to the left, or right, of it; -1 if it falls; or 0 */
+    uint8_t shadow;        /* of all pixels back to the sample to the left: COHERENCE_LIT, .._DARK or .._OPEN */
+    int8_t before, behind; /* |Q - P|^2 to the left and right: 1 grows somewhere, -1 falls, 0 unknown */
 };
 
 /* num_shift, num_bits and num_bound out of line: they are called from many places, and flash is scarce. */
@@ -77,11 +77,11 @@ void coherence_go(struct coherence_run *run, int x);
 num_wide coherence_square_at(struct coherence_run *run, int x);
 /* Computes a sample but for slack, shadow, pixel, before and behind; `shadows`: with the data for shadows. */
 void coherence_sample_at(struct coherence_run *run, int x, bool shadows, struct coherence_sample *s);
-/* Returns lambert past the casters. */
+/* Returns lambert at pixel x, 0 in the shadow of a caster. */
 num_u coherence_lambert_at(struct coherence_run *run, int x);
 
-/* Sets the bounds of pixels first..last; false when t is not accurate to 2^-12. Needs the fields before v_most, but for
- * the exponent. */
+/* Sets the bounds of pixels first..last; false when t is not accurate to 2^-12. Uses the fields before v_most, except
+ * `exponent`. */
 bool coherence_bound(struct coherence_run *run, int first, int last);
 
 /* Sets the bounds of one caster, for a run with bounds and an exponent. */
@@ -92,14 +92,16 @@ void coherence_bound_caster(const struct coherence_run *run, const struct span_s
  */
 num_wide coherence_lambert_slack(const struct coherence_run *run, num_wide square);
 
-/* Error bounds: of |w| and A'.w/|w|, and of |A'|^2 - R^2. */
+/* Error bounds: `length` of |w| and A'.w/|w|, with the run's exponent; `power` of |A'|^2 - R^2, with twice that. */
 struct coherence_slack {
     num_wide length, power;
 };
+
+/* Returns the error bounds of a caster's shadow in pixels where |Q - P|^2 is at least `square`. */
 struct coherence_slack coherence_shadow_slack(const struct coherence_run *run, const struct coherence_caster *cast,
                                               num_wide square, num_wide lambert_slack);
 
-/* Finds the run's chord, from two samples. */
+/* Sets the run's chord, from the samples at its ends. */
 void coherence_measure(struct coherence_run *run, const struct coherence_sample *a, const struct coherence_sample *b);
 
 /* Returns the largest distance of a point P between the two samples from the nearer of their points. */

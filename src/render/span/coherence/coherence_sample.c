@@ -33,7 +33,6 @@ static num_wide square_here(const struct coherence_run *run, num_u distance)
     return light_square(&run->light, t, run->light.q, light_reach(&run->light, t, run->light.square.start));
 }
 
-/* Returns |Q - P|^2 at pixel x. */
 num_wide coherence_square_at(struct coherence_run *run, int x)
 {
     num_u t;
@@ -43,7 +42,6 @@ num_wide coherence_square_at(struct coherence_run *run, int x)
     return square_here(run, t);
 }
 
-/* Computes a sample; `shadows`: with the data for shadows. */
 void coherence_sample_at(struct coherence_run *run, int x, bool shadows, struct coherence_sample *s)
 {
     struct lit lit;
@@ -63,7 +61,6 @@ void coherence_sample_at(struct coherence_run *run, int x, bool shadows, struct 
     }
 }
 
-/* Returns the light that arrives at a pixel past the casters. */
 num_u coherence_lambert_at(struct coherence_run *run, int x)
 {
     num_wide ahead = (num_wide)(x - run->middle);

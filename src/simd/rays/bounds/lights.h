@@ -20,14 +20,14 @@ FORMULA(AIM_AXES);
 /* The axes of a light that stays are converted: u of each component, sqrt 3 u. 1.7 of 8 u. Unseen: small. */
 #define BOUND_AIM_CONVERTED P2M(50)
 
-/* L - P, and for areas the error of the place on it. */
+/* L - P: the error of P, and for areas that of the sample's place. */
 FORMULA(SAMPLE_WAY);
 
 /* Along an axis x: the axis's own, and x by doubles: u_i, a root, a sine and two products, 6 u, there 2^-51 of it, as
  * 32 n parts of u are rounded once, by 2^-63 over 2^-13. 7 of 8 u. Unseen: small. */
 #define BOUND_SAMPLE_PLACE P2M(50)
 
-/* x and y times the errors of the axes and both. */
+/* x and y times the errors of the axes and SAMPLE_PLACE. */
 FORMULA(SAMPLE_AREA);
 
 /* There: a disc's radius and two products, half a unit each, which move it by 1.4 U together, and two points along
@@ -41,7 +41,7 @@ FORMULA(SAMPLE_AREA);
 /* c is within eto; COSINE has 6 of its 16 u, so that inner and outer, u each, have room. */
 FORMULA(SPOT_COSINE);
 
-/* A cone whose edge is narrower than that is taken for one with an edge alone. A choice. Unseen: choice. */
+/* The width below which a cone's edge is taken for a sharp one. A choice. Unseen: choice. */
 #define BOUND_SPOT_NARROW P2M(20)
 
 /* (c - outer)/(inner - outer): over the width, whose own conversion is 2 u of 2^-20 at least; the rest is for that and
@@ -70,29 +70,30 @@ FORMULA(FADE_SUM);
  * small. */
 #define BOUND_FADE_SUM_ROUNDING P2M(43)
 
-/* A sum below that, or known less well than within a sixteenth, is undecided: choices. Unseen: choice. */
+/* A smaller sum, or one that is not known within a sixteenth of itself, is undecided: choices. Unseen: choice. */
 #define BOUND_FADE_LEAST P2M(6)
-#define BOUND_FADE_KNOWN 16 /* as the former has it. Unseen: choice. */
+#define BOUND_FADE_KNOWN 16 /* chosen together with FADE_LEAST. Unseen: choice. */
 
 /* 1/s - 1/s' = (s' - s)/(s s'), s' >= 15/16 s: 16/15 of it; the rest is for the bound's own roundings. */
 #define BOUND_FADE_INVERSE 1.125
 
-/* The factor's, times the spot light's factor before it. */
+/* The error of the factor, times the spot light's factor before it. */
 FORMULA(FADE);
 
-/* And the error of that, times the factor. */
+/* The error of the spot light's factor, times the factor. */
 FORMULA(FADE_SPOT);
 
-/* There a sum of 2^17 gives 0: ours is 2^16 or more then, and 1/s below 2^-16. */
+/* There a sum of 2^17 gives 0; by doubles it is 2^16 or more then, and 1/s below 2^-16. */
 #define BOUND_FADE_FAR P2M(16)
 
 /* There: the quotient's half unit, the product's, and 2^-59 of 2^6; by doubles 2 u of 2^6: 1.05 of 4. Unseen: small. */
 #define BOUND_FADE_FACTOR P2M(43)
 
-/* way.to: the way's, as to = way/|way| there as well; a dot product, 5 u, and 2^-57 there. 5 of 16 u. Unseen: small. */
+/* way.to: the error of the way, as to = way/|way| there as well; a dot product, 5 u, and 2^-57 there. 5 of 16 u.
+ * Unseen: small. */
 #define BOUND_DISTANCE_ROUNDING P2M(49)
 
-/* And half a unit there. */
+/* The error of the way, DISTANCE_ROUNDING, and half a unit there. */
 FORMULA(DISTANCE);
 
 /* The way from outside the surface: it differs from the sample's by b G, see aim_shadow(). */
@@ -104,13 +105,13 @@ FORMULA(SHADOW_NORMAL);
 /* N.L of the normal that shades: the errors of both, as both are 1 long. */
 FORMULA(LAMBERT);
 
-/* N.L of the surface's own normal, as the former. */
+/* N.L of the surface's own normal: the errors of both. */
 FORMULA(ABOVE);
 
-/* R.L = 2 (N.V) (N.L) - V.L: all four, as all are 1 at most. */
+/* R.L = 2 (N.V) (N.L) - V.L: the errors of all four, as all are 1 at most. */
 FORMULA(HIGHLIGHT_COSINE);
 
-/* The part of N.V and N.L in the former, twice. */
+/* The part of N.V and N.L in HIGHLIGHT_COSINE, twice. */
 FORMULA(HIGHLIGHT_FACING);
 
 /* By doubles the dot products 5 u each, their product twice and the difference: 12 u; of 32. Unseen: small. */
@@ -119,13 +120,13 @@ FORMULA(HIGHLIGHT_FACING);
 /* x^n is no steeper than n for x <= 1. */
 FORMULA(HIGHLIGHT);
 
-/* Colour by cosine: the cosine's, times the colour, and the colour's. */
+/* Colour by cosine: the error of the cosine times the colour, and that of the colour. */
 FORMULA(DIFFUSE);
 
-/* A textured colour's, times a cosine of 1 at most; the material's colour, too, is 1 at most. */
+/* The error of a textured colour, times a cosine of 1 at most; the material's colour, too, is 1 at most. */
 FORMULA(DIFFUSE_TEXTURE);
 
-/* An ambient light's colour, by its brightness. */
+/* The error of the colour, times an ambient light's brightness. */
 FORMULA(AMBIENT);
 
 /* A sample that gives less than 2^-46 gives nothing there: half a unit. Unseen: small. */
@@ -137,7 +138,7 @@ FORMULA(SAMPLE_LIGHT);
 /* The error of the factor, times the reflected part: 2 at most. */
 FORMULA(SAMPLE_FALLOFF);
 
-/* And times the error of that. 1 of 2. Unseen: small. */
+/* The error of the factor, times that of the reflected part. 1 of 2. Unseen: small. */
 FORMULA(SAMPLE_FALLOFF_MORE);
 
 /* There, of the brightness: colour by lambert, specular by shine, the transmission and the factor have half a
@@ -154,9 +155,9 @@ FORMULA(SAMPLE_FALLOFF_MORE);
 /* 2 e/(a' + b') and a' + b' >= 15/16 (a + b): 2.14 e/(a + b); the rest is for the bound's own roundings. */
 #define BOUND_FRESNEL_QUOTIENT 2.25
 
-/* a + b by which that is known: above 2^-16, and 16 e. Unseen: choice. */
+/* The least a + b with a known quotient: 2^-16, and 16 e. Unseen: choice. */
 #define BOUND_FRESNEL_LEAST P2M(16)
-#define BOUND_FRESNEL_KNOWN 16 /* as the former has it. Unseen: choice. */
+#define BOUND_FRESNEL_KNOWN 16 /* chosen together with FRESNEL_LEAST. Unseen: choice. */
 
 /* (a - b)/(a + b) by doubles: 3 u of 1, and of a and b 3 u over 2^-16: those are c/4 and a root, whose roundings are in
  * er and ex; there 2^-59 and half of v over 2^-16. 3 of 128 u. Unseen: small. */
@@ -180,13 +181,13 @@ FORMULA(REFRACT_COSINE);
 /* (Rs^2 + Rp^2)/2: |a^2 - a'^2| <= (2 |a| + e) e, and half of that is below (|a| + e) e. */
 FORMULA(REFRACT_FRESNEL);
 
-/* q^2 c and root/4 together. */
+/* The errors of q^2 c and root/4 together. */
 FORMULA(REFRACT_PARALLEL);
 
-/* c/4 and root together. */
+/* The errors of c/4 and root together. */
 FORMULA(REFRACT_ACROSS);
 
-/* (c/4 - root) N - V/4: N's by the bend, the bend's, and V's. */
+/* (c/4 - root) N - V/4: the error of N times the bend, that of the bend, and that of V. */
 FORMULA(REFRACT_DIRECTION);
 
 /* A product and a difference in each of three, and the bend's difference: 5 of 64 u. There halves of v and an integer
@@ -201,7 +202,7 @@ FORMULA(REFLECTED_WEIGHT);
  * unit there of refraction's part. */
 FORMULA(REFLECTED_FRESNEL);
 
-/* By the refracted part, which is 1 at most. */
+/* The error of the throughput, times the refracted part, which is 1 at most. */
 FORMULA(REFRACTED_WEIGHT);
 
 /* As REFLECTED_FRESNEL. */
@@ -215,10 +216,10 @@ FORMULA(REFRACTED_FRESNEL);
  * small. */
 #define BOUND_WEIGHT_ROUNDING P2M(51)
 
-/* Straight on: the point, and b times the error of the viewer. */
+/* Straight on: the error of the point, and b times that of the viewer. */
 FORMULA(STRAIGHT_ON);
 
-/* b times the error of the viewer, of samples. */
+/* For samples: b times the error of the viewer. */
 FORMULA(STRAIGHT_ON_TURN);
 
 #endif

@@ -10,10 +10,10 @@
 /* There: h and v half a unit each, .71 U, and along two axes .87 U each: 2.45 of 8. Unseen: small. */
 #define BOUND_CAMERA_PARALLEL_UNITS (8 * SURE_UNIT)
 
-/* Origins of parallel rays: the two former, and the sum with the eye. */
+/* Origins of parallel rays: CAMERA_PARALLEL, CAMERA_PARALLEL_UNITS, and the sum with the eye. */
 FORMULA(CAMERA_PARALLEL_ORIGIN);
 
-/* An eye is of 2^-32 below 2^17 and converted exactly. 0 of 8 u. */
+/* The eye's coordinates are multiples of 2^-32 below 2^17, and converted exactly. 0 of 8 u. */
 #define BOUND_CAMERA_EYE P2M(50)
 
 /* As CAMERA_PARALLEL, 7 u, and the depth by the normal: converted both, a product and a difference, 4 u. 7 of 16 u.
@@ -38,13 +38,13 @@ FORMULA(CAMERA_DIRECTION);
  * the sum: 1 of 8; by doubles 2 u of it. */
 #define BOUND_COLOUR_UNITS P2M(42)
 
-/* Colour by throughput: either's, times the other. */
+/* Colour by throughput: the error of either, times the other. */
 FORMULA(COLOUR_FAR);
 
 /* Emission and direct light, by the throughput: its error, times the most that the throughput may be. */
 FORMULA(COLOUR_OWN);
 
-/* And the error of the throughput, times the colour. */
+/* The error of the throughput, times the colour. */
 FORMULA(COLOUR_WEIGHT);
 
 /* The cosine to the viewer, by the error of the cosine. */
@@ -53,23 +53,23 @@ FORMULA(COLOUR_FACING);
 /* A ray that may add `most` adds half of that, give or take as much. */
 FORMULA(COLOUR_GIVEN_UP);
 
-/* Rays that are given up may add no more than that. A choice: most levels of a pixel stay as they are. */
+/* The most that rays may add when they are given up. A choice: most levels of a pixel stay as they are. */
 #define BOUND_GIVEN_UP P2M(8)
 
-/* Rays below 2^-16 are not followed there; that is its number, not an error. */
+/* Rays below 2^-16 are not followed there; this is that limit, not an error. */
 #define BOUND_FAINT P2M(16)
 
 /* The throughput's product there: half a unit; 1 of 64. */
 #define BOUND_FAINT_UNITS P2M(40)
 
-/* And the error of the throughput. */
+/* FAINT_UNITS and the error of the throughput. */
 FORMULA(FAINT_MARGIN);
 
 /* The most that a ray may bring: 17 + 256 sums of products, u each, are 2^-44 of it; the rest keeps it above what
  * bounds add. */
 #define BOUND_BRIGHTEST 1.0625
 
-/* Errors of fixed-point sums of so many: half a unit each, 2^-38. 1 of 256. Unseen: small. */
+/* Errors of as many fixed-point sums: half a unit each, 2^-38. 1 of 256. Unseen: small. */
 #define BOUND_BRIGHTEST_UNITS P2M(30)
 
 /* 1024 bounces with three additions each, of doubles, are off by 3072 u of the sum. 3 of 4. Unseen: small. */

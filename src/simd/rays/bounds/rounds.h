@@ -16,7 +16,7 @@ FORMULA(CONE_START);
 /* It moves by eo, by |start| ed across and |O - A| ed along. */
 FORMULA(CONE_NEAR);
 
-/* The two former there: half a unit of start, and with the point's three halves 1.37 of 2. Unseen: small. */
+/* CONE_START and CONE_NEAR there: half a unit of start, and with the point's three halves 1.37 of 2. Unseen: small. */
 #define BOUND_CONE_NEAR_UNITS (2 * SURE_UNIT)
 
 /* CONE_NEAR_ROUNDING, as the ray passes the shape: 16 u. Unseen: small. */
@@ -48,19 +48,19 @@ FORMULA(CONE_BESIDE);
  * loses nothing: v is 2^-23 of that. 4 of 512 u. Unseen: small. */
 #define BOUND_CONE_DIRECTION P2M(44)
 
-/* And with it ed. */
+/* D along an axis: ed and CONE_DIRECTION. */
 FORMULA(CONE_TURN);
 
 /* near along an axis by doubles: the axis, a product and two sums, 4 of 8 u of |near|1. Unseen: small. */
 #define BOUND_CONE_PLACE_ROUNDING (8 * SURE_EPS)
 
-/* And with it CONE_NEAR; there half a unit. */
+/* near along an axis: CONE_NEAR and CONE_PLACE_ROUNDING; there half a unit. */
 FORMULA(CONE_PLACE);
 
 /* A vector of two components that is known within 1/32 of its length. v/|v| is then off by (1 + 2^-10) e/|v|, proved:
  * rays_forms.g (turned); the rest of the factor is for the bound's own roundings. Unseen: small. */
 #define BOUND_CONE_CHORD 1.0625
-#define BOUND_CONE_KNOWN 32 /* as the former has it. Unseen: choice. */
+#define BOUND_CONE_KNOWN 32 /* chosen together with CONE_CHORD. Unseen: choice. */
 
 /* v/|v| by doubles, 5 u, and 2^-58 there: 5 of 32 u. Unseen: small. */
 #define BOUND_CONE_UNIT P2M(48)
@@ -73,7 +73,7 @@ FORMULA(CONE_PLACE);
  * CONE_START's. 0 of 2. Unseen: small. */
 #define BOUND_CONE_UNITS (2 * SURE_UNIT)
 
-/* O + t D: eo, t and t ed. */
+/* O + t D: eo, the error of t, and t ed. */
 FORMULA(CONE_POINT);
 
 /* ---- cylinders, see cylinder_tmpl.h, which derives all of it ---- */
@@ -91,7 +91,7 @@ FORMULA(CONE_POINT);
 /* lambda(t) = off + |t| turn: eo, and the roundings that do not grow with t. */
 FORMULA(TUBE_OFF);
 
-/* ed, and 16 u. */
+/* lambda's growth with t: ed, and 16 u. */
 FORMULA(TUBE_TURN);
 
 /* (r + lambda)^2 - r^2. */
@@ -100,7 +100,7 @@ FORMULA(TUBE_ETA);
 /* The bound's own roundings, a few u. 2^-29 of it. */
 #define BOUND_TUBE_BOUND (1 + P2M(20))
 
-/* And g's: its square is less by that. */
+/* The roundings of g, by which g^2 may be smaller. */
 #define BOUND_TUBE_LEAST (1 - P2M(40))
 
 /* f'^2 <= (f + ed)^2 = f^2 + ed (2 f + ed) <= f^2 + 3 ed. Unseen: small. */
@@ -123,10 +123,10 @@ FORMULA(TUBE_ETA);
 /* The error along the ray of the point nearest to the shape. */
 FORMULA(TUBE_START);
 
-/* Possible hits lie between heights that are that far beyond its ends. */
+/* Possible hits lie at heights up to this far beyond the shape's ends. */
 FORMULA(TUBE_MARGIN);
 
-/* lambda (r + lambda)/T, see there. */
+/* lambda (r + lambda)/T, see cylinder_tmpl.h. */
 FORMULA(TUBE_DISTANCE);
 
 /* The errors of heights at an end. */
@@ -138,7 +138,7 @@ FORMULA(TUBE_CAP);
 /* r + lambda over T = sqrt(g^2 - f'^2 eta). */
 FORMULA(TUBE_STRETCH);
 
-/* The point is off by no more than t, see there. */
+/* The point is off by no more than t, see cylinder_tmpl.h. */
 FORMULA(TUBE_POINT);
 
 /* The distance from the axis below which a ray must come: the radius, and the distance of the rays. */

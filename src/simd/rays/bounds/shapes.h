@@ -37,7 +37,7 @@ FORMULA(POINT);
 /* P across the ray there: half a unit in each coordinate of tca D, .87 of 1; tca's own half moves P along D. */
 #define BOUND_SPHERE_ASIDE_UNIT SURE_UNIT
 
-/* P anywhere there: the former, and half a unit of tca along D. 1.37 of 2. Unseen: small. */
+/* P anywhere there: SPHERE_ASIDE_UNIT, and half a unit of tca along D. 1.37 of 2. Unseen: small. */
 #define BOUND_SPHERE_ANY_UNITS (2 * SURE_UNIT)
 
 /* thc by doubles: the root u thc, and u of thc when tca - thc is rounded; thc <= r. What tca adds to that is in the 8 u
@@ -69,10 +69,10 @@ FORMULA(SPHERE_POINT_ALONG);
 /* Across the ray the point -(P + thc D) moves by P's lambda and thc ed. */
 FORMULA(SPHERE_POINT_ACROSS);
 
-/* t = tca - thc: tca moves by eo, and the former. */
+/* t = tca - thc: tca moves by eo, and the rest by SPHERE_POINT_ALONG. */
 FORMULA(SPHERE_DISTANCE);
 
-/* The two former are at right angles. */
+/* SPHERE_POINT_ALONG and SPHERE_POINT_ACROSS, which are at right angles. */
 FORMULA(SPHERE_POINT);
 
 /* ---- planes, see flat_tmpl.h ---- */
@@ -90,8 +90,8 @@ FORMULA(PLANE_SLOPE);
 /* (P - O).N there: half a unit; a face's, see TRIANGLE_AHEAD, 1.3 units. 1.3 of 2. */
 #define BOUND_PLANE_HEIGHT_UNITS (2 * SURE_UNIT)
 
-/* The former, and as many again: fixed-point quotients below half a unit are rounded to 0, so that a plane 2^-46
- * behind the origin may be met at 0. 1.3 of 4. Unseen: small. */
+/* PLANE_HEIGHT_UNITS, and as many again: fixed-point quotients below half a unit are rounded to 0, so that a plane
+ * 2^-46 behind the origin may be met at 0. 1.3 of 4. Unseen: small. */
 #define BOUND_PLANE_BEHIND_UNITS (4 * SURE_UNIT)
 
 /* h/s - h'/s' <= (|h - h'| + |t| |s - s'|)/(|s| - es); h moves by eo. */
@@ -100,14 +100,14 @@ FORMULA(PLANE_DISTANCE);
 /* The height N.(P - O) above which a ray that rises is certainly past the plane. */
 FORMULA(PLANE_BEHIND);
 
-/* The end of the coordinates of a plane's point; 1 is left on either side for roundings. */
+/* The largest coordinate of a plane's point; 1 is left on either side for roundings. */
 FORMULA(PLANE_FAR);
 
 /* Two points of the plane: O' + t' D' is O + t D, moved by a, |a| <= eo + t ed, and slid along D' back into the plane:
  * no farther than |a|/|D'.N|, which is part of the error of t. Off the plane it is by its roundings. */
 FORMULA(PLANE_POINT);
 
-/* O + t D - C: t's, t ed and eo, as |D| = 1. */
+/* O + t D - C: the error of t, t ed and eo, as |D| = 1. */
 FORMULA(DISC_PLACE);
 
 /* t D - (C - O) by doubles: a product and a difference, u each of |C - O|1 and |t|, and what the difference C - O and
@@ -117,7 +117,7 @@ FORMULA(DISC_PLACE);
 /* Squares: |x|^2 has a product and two sums, (r - e)^2 a difference and a product. 5 of 32 u. Unseen: small. */
 #define BOUND_DISC_SQUARE P2M(48)
 
-/* The former's, and a dot product with an axis across a side: 8 of 16 u. Unseen: small. */
+/* The roundings of DISC_PLACE_ROUNDING, and a dot product with an axis across a side: 8 of 16 u. Unseen: small. */
 #define BOUND_RECTANGLE_PLACE_ROUNDING P2M(49)
 
 /* As DISC_PLACE: the axes across the sides are no longer than 1. There: the point .87 U, its dot product and the
@@ -144,7 +144,7 @@ FORMULA(TRIANGLE_ROUNDINGS);
 /* D.(a x (b - a)) moves by |b - a| eo and, D turning, by |a| |b - a| ed; |b - a| is twice the extent at most. */
 FORMULA(TRIANGLE_EDGE);
 
-/* Both, for this face's extent. */
+/* TRIANGLE_ROUNDINGS and TRIANGLE_EDGE, for this face's extent. */
 FORMULA(TRIANGLE_SIDE);
 
 /* The height of a corner that is aside by 2^-46 + 2^-59 z in two coordinates, sqrt 2 of each: .71 U, in
@@ -164,10 +164,10 @@ FORMULA(TRIANGLE_SIDE);
  * small. */
 #define BOUND_TRIANGLE_RETURN P2M(40)
 
-/* As PLANE_DISTANCE, from that height, in which eo has no part. */
+/* As PLANE_DISTANCE, from the height b, in which eo has no part. */
 FORMULA(TRIANGLE_RETURN_DISTANCE);
 
-/* There the point is moved by eo as well. */
+/* The point of a ray that returns is moved by eo as well. */
 FORMULA(TRIANGLE_RETURN_POINT);
 
 /* ---- pairs of faces in floats, see pairs_tmpl.h ---- */
@@ -196,7 +196,7 @@ FORMULA(PAIR_EDGE);
 /* A component of the direction below this, or 64 times its bound, is nearly level: times across it are undecided. A
  * choice; |d| - ed is then 63/64 |d| at least. Unseen: choice. */
 #define BOUND_SLAB_STEEP P2M(24)
-#define BOUND_SLAB_TURN 64 /* as the former has it */
+#define BOUND_SLAB_TURN 64 /* chosen together with SLAB_STEEP */
 
 /* t: (eo + roundings + |t| (ed + 4 u))/(|d| - ed), a quotient's as PLANE_DISTANCE. */
 FORMULA(SLAB_TIME);
@@ -206,7 +206,7 @@ FORMULA(SLAB_LEVEL);
 
 /* ---- boxes of the hierarchy in floats, see slabs_tmpl.h ---- */
 
-/* Smaller components of directions are taken for this: a turn that moves a ray by 2^17 2^-60 = 2^-43, which is less
+/* Smaller components of directions are replaced by this: a turn that moves a ray by 2^17 2^-60 = 2^-43, which is less
  * than the roundings of `pad` where anything reaches 2^-22; boxes do, by their margin of 2^-16. Unseen: choice. */
 #define BOUND_SLABS_TINY P2M(60)
 
@@ -216,10 +216,10 @@ FORMULA(SLABS_APART);
 /* Floats: 8 of 2^-24 of |o| + reach, as slabs_tmpl.h counts: below 2^-21 of it. */
 #define BOUND_SLABS_FLOATS P2M(21)
 
-/* A ray with so wide a margin would enter nearly everything. A choice: 2^-9 of the scene, and of 2^-10 more where it
- * has no extent. */
+/* A ray with a wider margin would enter nearly every box. A choice: 2^-9 of the scene, and of 2^-10 more where it has
+ * no extent. */
 #define BOUND_SLABS_WIDE P2M(9)
-#define BOUND_SLABS_LEAST P2M(10) /* as the former has it */
+#define BOUND_SLABS_LEAST P2M(10) /* chosen together with SLABS_WIDE */
 
 /* A limit, rounded to a float: 2^-24 of it. 1 of 4. Unseen: small. */
 #define BOUND_SLABS_LIMIT P2M(22)
@@ -238,19 +238,19 @@ FORMULA(SLABS_APART);
 
 /* As SLAB_STEEP. Unseen: choice. */
 #define BOUND_GRID_STEEP P2M(24)
-#define BOUND_GRID_TURN 64 /* as the former has it */
+#define BOUND_GRID_TURN 64 /* chosen together with GRID_STEEP */
 
 /* The part of a time's bound that does not grow with it: (eo + roundings)/(|d| - ed), and half a unit there. */
 FORMULA(GRID_BASE);
 
-/* And the part that does: (ed + 4 u)/(|d| - ed). */
+/* The part of a time's bound that grows with it: (ed + 4 u)/(|d| - ed). */
 FORMULA(GRID_SLOPE);
 
 /* The cell (place - corner)/edge: a difference, in grid_tmpl.h an inverse, and a product or quotient. 3 of 16 u.
  * Unseen: small. */
 #define BOUND_GRID_CELL P2M(49)
 
-/* The same by a quotient: 2 of 8 u. Unseen: small. */
+/* The cell by a quotient: 2 of 8 u. Unseen: small. */
 #define BOUND_GRID_RAY_CELL P2M(50)
 
 /* The ray's entry: eo, at ed, and as far as `at` is off. */
@@ -266,7 +266,7 @@ FORMULA(GRID_LEVEL);
 /* A place there: t d is rounded by half a unit, and so are the times by which cells are found. 1 of 4; 1 of 8. Unseen:
  * small. */
 #define BOUND_GRID_PLACE_UNITS (2 * SURE_UNIT)
-#define BOUND_GRID_LEVEL_UNITS (4 * SURE_UNIT) /* as the former has it. Unseen: small. */
+#define BOUND_GRID_LEVEL_UNITS (4 * SURE_UNIT) /* derived with GRID_PLACE_UNITS. Unseen: small. */
 
 /* Two planes are in order where their times are farther apart than both are off. */
 FORMULA(GRID_ORDER);
@@ -281,7 +281,7 @@ FORMULA(GRID_ORDER);
 /* There: the moved point .87 U, its dot products half of one each, .87. 1.73 of 4. Unseen: small. */
 #define BOUND_INSTANCE_UNITS (4 * SURE_UNIT)
 
-/* Divided by the scales: half a unit each, .87 of 4; report_placed() takes as much again for the way back. Unseen:
+/* Divided by the scales: half a unit each, .87 of 4; report_placed() adds as much again for the way back. Unseen:
  * small. */
 #define BOUND_INSTANCE_SCALED_UNITS (4 * SURE_UNIT)
 
@@ -300,7 +300,7 @@ FORMULA(INSTANCE_LENGTH);
 
 /* k is known within a sixteenth of it, so that 1/(k - ek) is 1.07/k at most. Proved: rays_forms.g (scaled). */
 #define BOUND_INSTANCE_RATIO 1.07
-#define BOUND_INSTANCE_KNOWN 16 /* as the former has it. Unseen: choice. */
+#define BOUND_INSTANCE_KNOWN 16 /* chosen together with INSTANCE_RATIO. Unseen: choice. */
 
 /* |t/k - t'/k'| <= e/k + 1.07 (t + e) ek/k^2, see instance_tmpl.h. */
 FORMULA(INSTANCE_DISTANCE);
@@ -311,13 +311,13 @@ FORMULA(INSTANCE_DISTANCE);
 /* t/k by doubles: an inverse and a product, 2 u, and 2^-59 there. 2.1 of 8 u. Unseen: small. */
 #define BOUND_INSTANCE_DISTANCE_ROUNDING P2M(50)
 
-/* 1/k' >= 1/(k + ek) >= (1 - ek/k)/k: the part that `low` may be less by. 1 of 2. Unseen: small. */
+/* 1/k' >= 1/(k + ek) >= (1 - ek/k)/k: the part by which `low` may be less. 1 of 2. Unseen: small. */
 #define BOUND_INSTANCE_LOW 2
 
-/* `limit` is taken into the instance's axes: t (k + ek), the roundings and the origin, which is eo off along the
- * ray. Anything above that would do: hits behind a limit do not count, but to look at them is only slow. */
+/* `limit` in the instance's axes: t (k + ek), the roundings, and the origin, which is eo off along the ray. A larger
+ * limit would do as well: hits behind a limit do not count, and testing them only takes time. */
 #define BOUND_INSTANCE_LIMIT (1 + P2M(10))
-#define BOUND_INSTANCE_LIMIT_MORE P2M(20) /* as the former has it. Unseen: choice. */
+#define BOUND_INSTANCE_LIMIT_MORE P2M(20) /* chosen together with INSTANCE_LIMIT. Unseen: choice. */
 
 /* The point is off by the largest scale times as much as in the axes, where the roundings of the origin there are
  * counted, .87 U of INSTANCE_SCALED_UNITS, and again when the world's point is made of t alone; and by t's. */

@@ -7,7 +7,7 @@
 /* O + t D by doubles: u of |t D|1 <= sqrt 3 t, and u of the sum. 3.5 of 4 u of |O|1 + t. Unseen: small. */
 #define BOUND_SURFACE_POINT P2M(51)
 
-/* P + b G: the point's, b times the normal's, and the roundings. */
+/* P + b G: the error of the point, b times that of the normal, and the roundings. */
 FORMULA(OUTSIDE);
 
 /* b G: b times the error of the normal. */
@@ -28,8 +28,8 @@ FORMULA(LEAVING);
 /* A ray that goes straight on starts b behind the point along itself; see struct origin for these angles. Unseen:
  * choice. */
 #define BOUND_LEAVING_STEEP P2M(2)
-#define BOUND_LEAVING_FLAT P2M(6)  /* as the former has it. Unseen: choice. */
-#define BOUND_LEAVING_BIAS P2M(20) /* as the former has it. Unseen: choice. */
+#define BOUND_LEAVING_FLAT P2M(6)  /* chosen together with LEAVING_STEEP. Unseen: choice. */
+#define BOUND_LEAVING_BIAS P2M(20) /* chosen together with LEAVING_STEEP. Unseen: choice. */
 
 /* A ray certainly comes back: D.G is below 0 by the errors of both. */
 FORMULA(RETURNING);
@@ -51,10 +51,10 @@ FORMULA(MIRRORED);
 /* As INSTANCE_SCALED: 2.1 of 8 u. Unseen: small. */
 #define BOUND_LOCAL_SCALED P2M(50)
 
-/* The error of the point in the world, and the former. */
+/* The error of the point in the world, LOCAL_POINT and LOCAL_UNITS. */
 FORMULA(LOCAL_PLACE);
 
-/* That over the least scale. */
+/* LOCAL_PLACE over the least scale. */
 FORMULA(LOCAL_OVER_SCALE);
 
 /* n_i/s_i by doubles: an inverse and a product, 2 u of n, over the least scale; there 2^-57. 2.1 of 8 u. Unseen: small.
@@ -85,8 +85,8 @@ FORMULA(SIDE_NORMAL);
  * normalised. 8.7 of 32 u. Unseen: small. */
 #define BOUND_SIDE_ROUNDING P2M(48)
 
-/* Areas of a face as seen along its main axis: the corners move by ep together, so an area does by its edge times that:
- * no more than ew for the two at the first corner, twice that for the third. */
+/* Areas of a face as seen along its main axis: the corners move by ep together, and an area by its edge times ep: by no
+ * more than ew for the two areas at the first corner, twice that for the third. */
 FORMULA(SMOOTH_AREA);
 
 /* An area a d - b c by doubles: two differences, a product and a difference, 4 u of far^2, as |a| + |b| and |c| + |d|
@@ -100,7 +100,7 @@ FORMULA(SMOOTH_AREA);
  * of 8 u. Unseen: small. */
 #define BOUND_SMOOTH_PART P2M(50)
 
-/* An area and the sum move by ew; so a part does by that over the sum. */
+/* An area and the sum move by ew; so a part moves by ew over the sum. */
 FORMULA(SMOOTH_SHARE);
 
 /* Parts of less may be below 0 there: twice their errors. Unseen: small. */
@@ -131,14 +131,14 @@ FORMULA(SMOOTH_NORMAL);
  * small. */
 #define BOUND_UV_ALONG P2M(49)
 
-/* The same there: half a unit, 1 of 4. Unseen: small. */
+/* A point along an axis there: half a unit, 1 of 4. Unseen: small. */
 #define BOUND_UV_ALONG_UNITS (2 * SURE_UNIT)
 
 /* A coordinate of 0..1 there: a quotient's or an angle's half unit; 1 of 4. Of a sphere's second one it is twice an
  * angle's: 2 of 4. */
 #define BOUND_UV_UNITS (2 * SURE_UNIT)
 
-/* The same, alone. 1 of 2. */
+/* A quotient's or an angle's half unit alone. 1 of 2. */
 #define BOUND_UV_UNIT SURE_UNIT
 
 /* A coordinate of 0..1 by doubles: a sum, a scale and a product, or a quotient: 3 of 8 u. Unseen: small. */
@@ -151,7 +151,7 @@ FORMULA(UV_FLAT);
  * There the differences are exact. Unseen: small. */
 #define BOUND_UV_BOX_ROUNDING P2M(50)
 
-/* That over the least side. */
+/* The errors of the point and its roundings, over the least side. */
 FORMULA(UV_BOX);
 
 /* As SMOOTH_AREA; and SMOOTH_ROUNDING for its areas. */
@@ -167,7 +167,7 @@ FORMULA(UV_FACE);
  * given coordinates. Unseen: small. */
 #define BOUND_UV_FACE_SUM P2M(49)
 
-/* Parts, by the distances of the corners' coordinates. */
+/* The errors of the parts, times the distances of the corners' coordinates. */
 FORMULA(UV_MESH);
 
 /* A fixed-point angle of a vector that is off by e: e over its length at most over 2 pi, .1592 asin x/x <= .1596 for x
@@ -188,7 +188,7 @@ FORMULA(ANGLE_SEAM);
 /* Directions that are off by more than a sixteenth have no angle, nor have those below 2^-12: choices. Unseen: choice.
  */
 #define BOUND_ANGLE_KNOWN 16
-#define BOUND_ANGLE_LEAST P2M(12) /* as the former has it. Unseen: choice. */
+#define BOUND_ANGLE_LEAST P2M(12) /* chosen together with ANGLE_KNOWN. Unseen: choice. */
 
 /* v/|v| for |v| known within a sixteenth, as UNIT_CHORD. */
 #define BOUND_UV_CHORD 1.0625
@@ -203,7 +203,7 @@ FORMULA(ANGLE_SEAM);
 /* The errors of both angles. */
 FORMULA(UV_SPHERE);
 
-/* The second is twice an angle. */
+/* The second coordinate is twice an angle. */
 FORMULA(UV_SPHERE_HEIGHT);
 
 /* The error of the way from the centre, over its length. */
@@ -212,16 +212,16 @@ FORMULA(UV_SPHERE_TURN);
 /* The way from the base along the axes. */
 FORMULA(UV_ROUND_PLACE);
 
-/* A cap: over its diameter. */
+/* A cap: the error of the place, over the diameter. */
 FORMULA(UV_CAP);
 
 /* v/|v| of two components by doubles: two squares, a sum, a root and a quotient, 3.5 u; 3.5 of 8 u. Unseen: small. */
 #define BOUND_UV_ROUND_ROUNDING P2M(50)
 
-/* The way across the axis, over its length. */
+/* The error of the way across the axis, over its length. */
 FORMULA(UV_ROUND_TURN);
 
-/* A side's height over its length. */
+/* A side: the error of the height, over the length. */
 FORMULA(UV_HEIGHT);
 
 /* (uv - offset) repeat texels by doubles: a difference, two products and half a texel less: 4 of 8 u of both. Unseen:
@@ -242,7 +242,7 @@ FORMULA(TEXEL_PLACE);
  * with the material's colour, half of one each; by doubles 8 u. 1.04 of 8. Unseen: small. */
 #define BOUND_TEXEL_BLEND P2M(42)
 
-/* No steeper than from 0 to 1 within a texel either way. */
+/* The error of the place: within a texel either way the colour is no steeper than from 0 to 1. */
 FORMULA(TEXEL_BLEND_PLACE);
 
 #endif

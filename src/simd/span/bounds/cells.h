@@ -11,7 +11,7 @@
 /* D'/2 = (2 d2 x + d1)/2, where x may be a pixel outside of the run. Proved: simd_cells.g (slope), 1.7 of 2 u. */
 #define BOUND_SPAN_CELL_SLOPE CELL_SLOPE
 
-/* |S'| is less than computed by the bounds of its parts, D' over sqrt(D). */
+/* |S'| may exceed the computed one by the bounds of its two parts, that of D' over sqrt(D). */
 FORMULA(SPAN_CELL_TURN_OFF);
 
 /* |w| = |w| s/S c: |w|^2 within .019, 1/S within .01. Proved: simd_cells.g (nearest, farthest), 20 of 30. Unseen:
@@ -20,9 +20,10 @@ FORMULA(SPAN_CELL_TURN_OFF);
 
 /* ---- motion ---- */
 
-/* D between two samples is below the smaller by d2 8^2 at most, where d2 is above 0: then it is convex. 0 of it: b > 0
- * and D > 0 make a convex cone, so that D is above 0 between two pixels that see the sphere; and its minimum is not, or
- * all of a plane through the eye would see it, with the directions across L. Unseen: choice. */
+/* Between two samples D is below the smaller of theirs by d2 8^2 at most where d2 > 0, as D is convex then. 0 of it: b
+ * > 0 and D > 0 make a convex cone, so that D > 0 between two pixels that see the sphere. Nor is the minimum of D
+ * there: otherwise all of a plane through the eye would see the sphere, even in the directions across L. Unseen:
+ * choice. */
 FORMULA(SPAN_CELL_SAG);
 
 /* D at samples is off by SPAN_QUADRATIC, 8 of 16 u of its size. */
@@ -31,7 +32,7 @@ FORMULA(SPAN_CELL_SAG);
 /* S'' = -bend/D^1.5: sqrt(D) by an estimate, three times. Proved: simd_cells.g (bend), 1 of 1. Unseen: hidden. */
 #define BOUND_SPAN_CELL_CURVE .01
 
-/* v' and |v| at most, as floats: 2 u, and 1/S and products with them. .0001 of .001. Unseen: hidden. */
+/* The largest v' and |v| as floats, 2 u, and 1/S and the products with them. .0001 of .001. Unseen: hidden. */
 #define BOUND_SPAN_CELL_WIDER .001
 
 /* |P'| and |P''| have up to the fourth power of 1/S, each off by e_s. Unseen: hidden. */
@@ -62,13 +63,14 @@ FORMULA(SPAN_CELL_LINE);
 /* 1/|w| twice, and products. Proved: simd_cells.g (off), 1 of 1. */
 #define BOUND_SPAN_CELL_OFF (CELL_OFF * .001f)
 
-/* The light's distance is at least that of half a cell's path: 0 is needed, so that d is positive. Unseen: choice. */
+/* The light's distance is above half a cell's path by at least this share of the path: 0 is needed, so that d is
+ * positive. Unseen: choice. */
 #define BOUND_SPAN_CELL_NEAR .01
 
-/* A line may cost that share of a level. A choice: then single pixels are faster. Unseen: choice. */
+/* The largest share of a level that a line may cost. A choice: above it single pixels are faster. Unseen: choice. */
 #define BOUND_SPAN_CELL_FAINT .12
 
-/* A light's cost in light, its line's times its largest colour. */
+/* The largest error that a light's line adds to a colour: the line's, times the light's largest colour component. */
 FORMULA(SPAN_CELL_LOST);
 
 /* ---- shadows between samples ---- */
@@ -79,32 +81,34 @@ FORMULA(SPAN_CELL_LOST);
 /* |A'| <= |C| + |P| + bias: 2^-13 of 1. Unseen: small. */
 #define BOUND_SPAN_EDGE_BIAS 1
 
-/* h^2 = |A'|^2 - (A'.w)^2/|w|^2 by A'.w, divided by |w| in the kernel: 2 |A'.w|/|w|^2, |A'.w| <= |A'| |w|.
- * Unseen: small. */
+/* The part of A'.w in the bound of h^2 = |A'|^2 - (A'.w)^2/|w|^2, divided by |w| in the kernel: 2 |A'.w|/|w|^2, |A'.w|
+ * <= |A'| |w|. Unseen: small. */
 FORMULA(SPAN_EDGE_A);
 
-/* Its second order, (e/(|A'| |w|))^2 of twice that. Unseen: small. */
+/* The second order of SPAN_EDGE_A, (e/(|A'| |w|))^2 of twice that. Unseen: small. */
 #define BOUND_SPAN_EDGE_A_SECOND .01
 
-/* h^2 by k, and by |w|^2: |A'|^2 of its relative bound. Unseen: small. */
+/* The parts of k and |w|^2 in the bound of h^2: that of k, and |A'|^2 times the relative one of |w|^2. Unseen:
+ * small. */
 FORMULA(SPAN_EDGE_K);
 
 /* e_w makes (A'.w)^2/|w|^2 larger by 1/(1 - e_w), below 1.02: .01 of that is here, the rest in what each part of e_w
  * has to spare, as SPAN_VERDICT_A counts. Unseen: small. */
 #define BOUND_SPAN_EDGE_K_SECOND .01
 
-/* m, by which the shadow ray's distance h from C changes as P moves by p: around Q by p |C - Q|/d, and by the bias
- * along N, which turns by p/r. */
+/* m, by which the shadow ray's distance h from C changes as P moves by p: by p |C - Q|/d, as the ray turns around Q,
+ * and by the bias along N, as N turns by p/r. */
 FORMULA(SPAN_EDGE_MOVE);
 
 /* h stays above R when h^2 - R^2 > 2 R m + 2 m^2 + 2 e, e being h^2's bound, as (sqrt(R^2 + e) + m)^2 <= R^2 + e + m^2
- * + 2 R m + 2 m sqrt(e); and below R when it is below that in size. It is off by e at the sample as well: 3 e. */
+ * + 2 R m + 2 m sqrt(e); h stays below R when h^2 - R^2 is below the same, negated. At the sample h^2 is off by e as
+ * well: 3 e. */
 FORMULA(SPAN_EDGE);
 
-/* A'.w and |w|^2 change by up to p (|A'| + |w|) and p (2 |w| + p): both together. */
+/* A'.w and |w|^2 change by up to p (|A'| + |w|) and p (2 |w| + p): the sum of both. */
 FORMULA(SPAN_EDGE_ASIDE);
 
-/* |w|^2's relative bound of it. Unseen: small. */
+/* The largest |w|^2 of the cell, by which its relative bound is multiplied. Unseen: small. */
 FORMULA(SPAN_EDGE_FAR);
 
 /* Sums of what is not negative, 1/|w| once, and s^2 and |w|^2 as computed. Proved: simd_cells.g (clear), 1.04 of 1.2.

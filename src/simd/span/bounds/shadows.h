@@ -23,22 +23,24 @@ FORMULA(SPAN_TOWARD_BIAS);
  * Unseen: small. */
 #define BOUND_SPAN_TOWARD_BIAS_UNITS 0x1p-27
 
-/* ---- k, whose part that the bias adds is a constant ---- */
+/* ---- k; the part that the bias adds is a constant ---- */
 
-/* k there: the constant, the bias's and the shift of |P|^2: half a bit each. 1.5 of 2.5. Unseen: small. */
+/* k there: the constant, the bias's part and the shift of |P|^2: half a bit each. 1.5 of 2.5. Unseen: small. */
 #define BOUND_SPAN_POWER_UNITS 2.5
 
 /* 2 t C.v there: as SPAN_SQUARE_T counts, 1.01 of 1.04. */
 #define BOUND_SPAN_POWER_T 1.04
 
-/* k, by the kernels and there, whose derivative t d/dt is 2 |C| |P| + 2 |P|^2 at most; and the next two. */
+/* k, by the kernels and there, whose derivative t d/dt is 2 |C| |P| + 2 |P|^2 at most; SPAN_SWELL and
+ * SPAN_SWELL_UNITS. */
 FORMULA(SPAN_POWER);
 
 /* |L - C|^2 - r^2 - R^2 - bias r there is normalised to 30 bits, 2^-30, and multiplied by 1/(r + bias) of 1.02 2^-31; 3
  * of 8 of its size. */
 #define BOUND_SPAN_SWELL 0x1p-28
 
-/* It has the exponent 30: squares are cut to a unit, the others rounded to half a unit. 3 of 16. */
+/* The part that the bias adds has exponent 30: squares are cut to a unit, the others rounded to half a unit. 3 of
+ * 16. */
 #define BOUND_SPAN_SWELL_UNITS 0x1p-27
 
 /* ---- |w|^2 and the comparisons ---- */
@@ -54,7 +56,7 @@ FORMULA(SPAN_POWER);
  * sum of both. 1 of 2. Unseen: small. */
 FORMULA(SPAN_COVERED_UNITS);
 
-/* |w|^2's relative bound for comparisons: e_w and the three former. */
+/* |w|^2's relative bound for comparisons: e_w, SPAN_COVERED_CUT, SPAN_DELTA and SPAN_COVERED_UNITS. */
 FORMULA(SPAN_COVERED);
 
 /* The largest error of (A'.w)^2 - |w|^2 k (1 + B), a being A'.w and e its bound: e (2 |a| + e); |w|^2 (1 + B) times
@@ -64,8 +66,8 @@ FORMULA(SPAN_VERDICT);
 /* A pixel is lit for certain where A'.w is below 0 by its bound. */
 FORMULA(SPAN_BEHIND);
 
-/* And where A'.w is above |w|^2 by the bounds of both. Where they are equal the ray passes the light itself, which is
- * outside of the caster: so k says the same. Unseen: hidden. */
+/* A pixel is lit for certain, too, where A'.w is above |w|^2 by the bounds of both. Where they are equal the ray passes
+ * the light itself, which is outside of the caster, so that k gives the same verdict. Unseen: hidden. */
 FORMULA(SPAN_BEYOND);
 
 /* A'.w's bound takes s^2 as computed, 2 e_s of it, and |w|^2's error makes all of the verdict's bound too small by 1/(1
@@ -73,8 +75,8 @@ FORMULA(SPAN_BEYOND);
  * .01. Unseen: small. */
 #define BOUND_SPAN_VERDICT_A .01
 
-/* |w|^2's is relative to the exact one, and in doubt the bound too small by the former's: 1/(1 - e_w), .02 of .1.
- * Unseen: small. */
+/* The bound of |w|^2 is relative to the exact |w|^2, and where in doubt too small by 1/(1 - e_w), as SPAN_VERDICT_A has
+ * it: .02 of .1. Unseen: small. */
 #define BOUND_SPAN_VERDICT_W .1
 
 /* k's bound takes s^2 and |w|^2 as computed, as SPAN_VERDICT_A counts; this for pixels in doubles. Unseen: small. */
