@@ -332,7 +332,8 @@ run: $(BUILD)/tia
 # Tests are independent of this make: those that build start one of their own.
 alone = env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL
 run_tests = $(alone) tests/run
-on_all_cores = $(run_tests) -j $$(nproc 2>/dev/null || echo 1)
+processors = $$(nproc 2>/dev/null || echo 1)
+on_all_cores = $(run_tests) -j $(processors)
 # With CHECK_QUICK set tests try fewer random cases, see check_count in tests/check.h; check tries all.
 # Those that take longest are begun first, so that in the end no processor waits for one of them.
 LONG  := $(addprefix tests/slow/,build-matrix arch fuzz vm accuracy)
@@ -344,7 +345,7 @@ export BUILD CC F64
 tests: $(TESTS) $(TOOLS) $(BUILD)/vm/probe
 # One more at a time than there are processors, as some wait for terminals and clocks.
 check-quick: all tests
-	@CHECK_QUICK=yes $(run_tests) -j $$(($$(nproc 2>/dev/null || echo 1) + 1)) $(QUICK)
+	@CHECK_QUICK=yes $(run_tests) -j $$(($(processors) + 1)) $(QUICK)
 check: all tests
 	@$(on_all_cores) $(SLOW) $(QUICK)
 

@@ -16,7 +16,7 @@ from collections import Counter
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
 INCLUDE = re.compile(r'#\s*include\s+(?:"([^"]+)"|<([^>]+)>|(\w+))')
 # What is not part of this build: other arithmetics.
-ABSENT = re.compile(r"TIA_NUM_F64|TIA_NUM_F32|TIA_NUM_CHK|TIA_WATCHED")
+ABSENT = re.compile(r"TIA_NUM_F64|TIA_NUM_F32|TIA_NUM_CHK|TIA_WATCHED|BOUND_SCALES")
 TOKEN = re.compile(r'/\*.*?\*/|"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])*\'|[A-Za-z_]\w*|\.?\d[\w.]*|->|[^\w\s]|\s+', re.S)
 # Of C++: in C they are names.
 KEYWORDS = {"class", "this", "new", "delete", "template", "operator", "private", "public", "typename", "namespace", "try", "catch",
@@ -94,7 +94,7 @@ def read(path):
 # ---- which lines there are ----
 
 def chosen(text):
-    """Without the branches of conditions on other arithmetics alone, and without those lines."""
+    """Without the branches of conditions on other arithmetics or builds of the tests alone, and without those lines."""
     kept, inside = [], []  # of each open condition: None when it stays, else whether its branch is the one that is built
     for line in text.split("\n"):
         word = re.match(r"\s*#\s*(if|ifdef|ifndef|elif|else|endif)\b(.*)", line)
@@ -155,9 +155,6 @@ class Library:
         name, public, macro = include[1], include[2], include[3]
         if macro == "TIA_MUL64":
             name = "mul64.h"    # its default
-        elif macro == "BOUND_SCALES":   # the tests': not defined
-            self.put(within, [f"#include {macro}"])
-            return
         elif macro:
             raise SystemExit(f"amalgamation: {path} includes what {macro} stands for")
         if name:
