@@ -113,24 +113,24 @@ static int64_t length_of(struct tia_radio_room *room, uint32_t order)
     return more <= 0 ? ratio << -more : (ratio + (INT64_C(1) << (more - 1))) >> more;
 }
 
-/* Stores the path in room->told. Unused elements are 0, so that equal paths have equal bytes. */
+/* Stores the path in room->found. Unused elements are 0, so that equal paths have equal bytes. */
 static void report(struct tia_radio_room *room, uint32_t order)
 {
-    struct tia_radio_path *path = &room->path, *told = &room->told;
+    struct tia_radio_path *path = &room->path, *found = &room->found;
 
-    *told = (struct tia_radio_path){.order = order, .wall_count = path->wall_count};
+    *found = (struct tia_radio_path){.order = order, .wall_count = path->wall_count};
     for (uint32_t i = 0; i < path->wall_count; i++)
-        told->wall[i] = path->wall[i];
+        found->wall[i] = path->wall[i];
     for (uint32_t i = 0; i < order; i++) {
-        told->face[i] = path->face[i];
-        told->point[i] = path->point[i];
+        found->face[i] = path->face[i];
+        found->point[i] = path->point[i];
     }
     for (uint32_t i = 0; i <= order; i++) {
         int64_t v[3];
         (void)vector_of(room, order, i, v);
-        (void)wide_normalise(v, told->direction[i]);
+        (void)wide_normalise(v, found->direction[i]);
     }
-    told->length = length_of(room, order);
+    found->length = length_of(room, order);
 }
 
 bool tia_radio_find(struct tia_radio_room *room, uint32_t order)

@@ -17,7 +17,7 @@ struct spot {
 struct search_ray {
     int64_t at[3], way; /* Q16.16: position, and distance travelled */
     uint32_t last;      /* plane of the last reflection */
-    struct tia_radio_ray told;
+    struct tia_radio_ray result;
 };
 
 /* Memory of a search, with the images for a sequence of `order` planes, numbered from the transmitter: sent[i] is the
@@ -28,7 +28,7 @@ struct tia_radio_room {
     const struct tia_radio_link *link;
     uint32_t plane[TIA_RADIO_ORDER_MAX]; /* planes of the sequence, from the receiver's end */
     int side[TIA_RADIO_ORDER_MAX];       /* side from which the path comes to the plane of reflection i: 1 or -1 */
-    struct tia_radio_path path, told;    /* the path during the search; the path found */
+    struct tia_radio_path path, found;   /* the path during the search; the path found */
     union {                              /* below 32768 bytes: the largest object where a word has 16 bits */
         struct {
             struct spot sent[TIA_RADIO_ORDER_MAX + 1], got[TIA_RADIO_ORDER_MAX + 1];
@@ -85,7 +85,7 @@ uint32_t tia_radio_face_at(struct tia_radio_room *room, const struct radio_plane
 bool tia_radio_pass(struct tia_radio_room *room, uint32_t order, uint32_t i);
 
 /* True if a path has reflections in the room's first `order` planes, which are in order from the receiver, with the
- * images got[] set; stores the path in room->told. */
+ * images got[] set; stores the path in room->found. */
 bool tia_radio_find(struct tia_radio_room *room, uint32_t order);
 
 /* Gives direction i of tia_radio_directions(density), of length 1, Q2.62. Returns a tia_status. */

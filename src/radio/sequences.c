@@ -30,7 +30,7 @@ static int tell(struct tia_radio_room *room, uint32_t order)
 {
     if (!tia_radio_find(room, order))
         return TIA_OK;
-    return room->link->found(room->link->ctx, &room->told) ? TIA_OK : TIA_STOPPED;
+    return room->link->found(room->link->ctx, &room->found) ? TIA_OK : TIA_STOPPED;
 }
 
 /* Adds a plane to the sequence, in which the receiver's image number `depth` is mirrored; false: no path can use the

@@ -24,7 +24,7 @@ struct shot {
 
 static void go(const struct search_ray *ray, int64_t t, int64_t at[3])
 {
-    const int64_t *d = ray->told.path.direction[ray->told.path.order];
+    const int64_t *d = ray->result.path.direction[ray->result.path.order];
 
     for (int k = 0; k < 3; k++)
         at[k] = ray->at[k] + wide_round(wide_product(t, d[k]), 62);
@@ -64,7 +64,7 @@ static bool on_disc(const struct tia_radio *radio, const struct radio_face *face
 static bool meets(const struct tia_radio *radio, const struct search_ray *ray, uint32_t number, struct hit *hit)
 {
     const struct radio_face *face = &radio->faces[number];
-    const int64_t *d = ray->told.path.direction[ray->told.path.order];
+    const int64_t *d = ray->result.path.direction[ray->result.path.order];
     int64_t n[3], to[3];
 
     if (face->plane == ray->last)
@@ -130,7 +130,7 @@ static struct hit nearest_of(const struct tia_radio *radio, const struct search_
 static bool receive(const struct shot *shot, struct search_ray *ray, int64_t t)
 {
     const struct tia_vec3 *receiver = &shot->room->link->to;
-    const int64_t *d = ray->told.path.direction[ray->told.path.order];
+    const int64_t *d = ray->result.path.direction[ray->result.path.order];
     int64_t to[3], at[3];
 
     for (int k = 0; k < 3; k++)
@@ -144,9 +144,9 @@ static bool receive(const struct shot *shot, struct search_ray *ray, int64_t t)
     wide miss = wide_dot(to, to);
     if (wide_is_negative(wide_difference(wide_product(radius, radius), miss)))
         return true;
-    ray->told.path.length = way << LENGTH_SHIFT;
-    ray->told.miss = wide_high(miss) != 0 || wide_low(miss) >> 63 != 0 ? INT64_MAX : (int64_t)wide_low(miss);
-    return shot->received(shot->ctx, &ray->told);
+    ray->result.path.length = way << LENGTH_SHIFT;
+    ray->result.miss = wide_high(miss) != 0 || wide_low(miss) >> 63 != 0 ? INT64_MAX : (int64_t)wide_low(miss);
+    return shot->received(shot->ctx, &ray->result);
 }
 
 /* ---- reflection ---- */
@@ -167,7 +167,7 @@ static void move(struct search_ray *ray, const struct tia_radio *radio, const st
 /* Reflects the ray's direction d: d - 2 (n.d) n, halved and then normalised; n.d is Q.61. */
 static void reflect(struct search_ray *ray, const struct tia_radio *radio, const struct hit *hit)
 {
-    struct tia_radio_path *path = &ray->told.path;
+    struct tia_radio_path *path = &ray->result.path;
     const int64_t *d = path->direction[path->order];
     int64_t n[3], v[3];
 
@@ -175,7 +175,7 @@ static void reflect(struct search_ray *ray, const struct tia_radio *radio, const
     int64_t along = wide_round(wide_dot(n, d), 63);
     for (int k = 0; k < 3; k++)
         v[k] = (d[k] >> 1) - wide_round(wide_product(along, n[k]), 61);
-    ray->told.plane[path->order] = radio->faces[hit->face].plane;
+    ray->result.plane[path->order] = radio->faces[hit->face].plane;
     path->face[path->order] = hit->face;
     path->point[path->order] = place_of(hit->at);
     path->order++;
@@ -184,7 +184,7 @@ static void reflect(struct search_ray *ray, const struct tia_radio *radio, const
 
 static void pass(struct search_ray *ray, const struct hit *hit)
 {
-    struct tia_radio_path *path = &ray->told.path;
+    struct tia_radio_path *path = &ray->result.path;
 
     path->wall[path->wall_count++] = (struct tia_radio_wall){hit->face, path->order};
 }
@@ -206,7 +206,7 @@ static bool follow(const struct shot *shot, struct search_ray *stack, uint32_t *
     const struct tia_radio *radio = shot->room->radio;
     struct search_ray *ray = &stack[*count - 1];
     struct hit hit = nearest_of(radio, ray);
-    struct tia_radio_path *path = &ray->told.path;
+    struct tia_radio_path *path = &ray->result.path;
 
     if (!shot->everywhere && !receive(shot, ray, hit.t))
         return false;
@@ -224,7 +224,7 @@ static bool follow(const struct shot *shot, struct search_ray *stack, uint32_t *
         return true;
     ray = &stack[(*count)++];
     reflect(ray, radio, &hit);
-    return !shot->everywhere || shot->received(shot->ctx, &ray->told);
+    return !shot->everywhere || shot->received(shot->ctx, &ray->result);
 }
 
 int tia_radio_shoot(const struct tia_radio *radio, struct tia_radio_room *room, const struct tia_radio_link *link,
@@ -242,11 +242,11 @@ int tia_radio_shoot(const struct tia_radio *radio, struct tia_radio_room *room, 
     room->link = link;
     ray->way = 0;
     ray->last = NO_PLANE;
-    ray->told.miss = 0;
-    ray->told.path.order = ray->told.path.wall_count = 0;
+    ray->result.miss = 0;
+    ray->result.path.order = ray->result.path.wall_count = 0;
     for (int k = 0; k < 3; k++)
         ray->at[k] = radio_axis(&link->from, k);
-    (void)tia_radio_direction(density, i, ray->told.path.direction[0]);
+    (void)tia_radio_direction(density, i, ray->result.path.direction[0]);
     while (count > 0)
         if (!follow(&shot, room->rays, &count))
             return TIA_STOPPED;

@@ -26,7 +26,7 @@ FORMULA(FACING);
 FORMULA(SIDE);
 
 /* The value above which D.G means that a ray certainly leaves the surface: the errors of D and G, COSINE, and the least
- * cosine that is asked for. */
+ * cosine required. */
 FORMULA(LEAVING);
 
 /* The least cosine with which a ray that goes straight on certainly leaves, where the bias is below LEAVING_BIAS: such
