@@ -1,4 +1,4 @@
-/* simd_used.h - the part of a row's bound that single steps of src/simd/span use, for their tests. */
+/* simd_used.h - the used part of the bounds of src/simd/span, for their tests. */
 #ifndef TESTS_SIMD_USED_H
 #define TESTS_SIMD_USED_H
 
@@ -24,12 +24,27 @@ static inline void use(struct used *u, real error, real bound)
     u->most = bound > 0 || error != 0 ? (part > u->most || isnan(part) ? part : u->most) : u->most;
 }
 
+static inline void check_within(const struct used *used)
+{
+    printf("# %-22s %9lu values, the worst has %.3f of its bound\n", used->name, used->tried, used->most);
+    CHECK_MSG(used->most <= 1, "%s: %g times its bound", used->name, used->most);
+}
+
+/* Checks that no value exceeds its bound, of more than 1000 each. */
 static inline void check_used(const struct used *used, int count)
 {
     for (int i = 0; i < count; i++) {
-        printf("# %-18s %9lu values, the worst has %.3f of its bound\n", used[i].name, used[i].tried, used[i].most);
-        CHECK_MSG(used[i].most <= 1, "%s: %g times its bound", used[i].name, used[i].most);
+        check_within(&used[i]);
         CHECK_MSG(used[i].tried > 1000, "%s: only %lu were tried", used[i].name, used[i].tried);
+    }
+}
+
+/* Checks that no value exceeds its bound, and that the worst has more than a tenth of it. */
+static inline void check_tight(const struct used *used, int count)
+{
+    for (int i = 0; i < count; i++) {
+        check_within(&used[i]);
+        CHECK_MSG(used[i].most > .1, "%s: no value has more than %g of its bound", used[i].name, used[i].most);
     }
 }
 

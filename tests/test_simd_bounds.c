@@ -1,25 +1,14 @@
 /* The error bounds of src/simd: no error exceeds them, and the worst of some thousand runs has more than a tenth of its
  * bound. So a bound of a tenth of the right size is detected here. */
-#include <math.h>
-
-#include "check.h"
 #include "float_modes.h"
 #include "simd/span/proved.h"
 #include "simd_integers.h"
 #include "simd_runs.h"
+#include "simd_used.h"
 
 enum { FLOAT_T, INTEGER_T, LAMBERT, SQUARE, BOUNDS };
-static const char *const names[BOUNDS] = {"float's 1/t", "the integer t", "the integer cosine", "the integer |w|^2"};
-static double worst[BOUNDS];
-static unsigned long tried[BOUNDS];
-
-static void note(int which, long double error, double bound)
-{
-    double ratio = (double)(fabsl(error) / (long double)bound);
-
-    tried[which]++;
-    worst[which] = ratio > worst[which] ? ratio : worst[which];
-}
+static struct used bounds[BOUNDS] = {
+    {"float's 1/t", 0, 0}, {"the integer t", 0, 0}, {"the integer cosine", 0, 0}, {"the integer |w|^2", 0, 0}};
 
 /* Returns 1/t of a pixel, accurate to about 60 bits for the given coefficients, which are accurate to 50 bits relative
  * to the size of D. */
@@ -39,7 +28,7 @@ static void try_float(const struct simd_fine *f, int i)
     long double exact = per_t(f, x) * f->seen.c;
 
     if (depth >= (float)f->depth.cut)
-        note(FLOAT_T, (s - exact) / exact, f->depth.es);
+        use(&bounds[FLOAT_T], (s - exact) / exact, f->depth.es);
 }
 
 /* Compares the fixed-point t, |w|^2 and cosine of the first light with exact ones; the bounds are for kernels without
@@ -54,14 +43,14 @@ static void try_integers(const struct simd_fine *f, int i)
     long double at = f->place.low + i, exact = per_t(f, at);
     double unit = f->row->per_depth * simd_power(spans->primary.exponent);
     long double scaled = (long double)o.t * simd_power(-sphere->t_exponent) / unit;
-    note(INTEGER_T, scaled * exact - 1, f->depth.et);
+    use(&bounds[INTEGER_T], scaled * exact - 1, f->depth.et);
     if (!o.lit)
         return;
     long double vv = f->place.v0 + at * (f->place.v1 + at * (long double)f->place.v2);
     long double w = (lamp->qq * exact + light->q[0] + light->q[1] * at) * exact + vv;
     long double facing = lamp->k * exact + light->g[0] + light->g[1] * at;
-    note(SQUARE, o.light.square[0] * (long double)lamp->ud * exact * exact / w - 1, light->bounds.square);
-    note(LAMBERT, o.cosine * 0x1p-30L - facing * lamp->per_r / sqrtl(w), light->bounds.lambert);
+    use(&bounds[SQUARE], o.light.square[0] * (long double)lamp->ud * exact * exact / w - 1, light->bounds.square);
+    use(&bounds[LAMBERT], o.cosine * 0x1p-30L - facing * lamp->per_r / sqrtl(w), light->bounds.lambert);
 }
 
 static void try_run(const struct simd_fine *run)
@@ -85,11 +74,7 @@ static void try_run(const struct simd_fine *run)
 TEST(bounds_hold_and_are_not_ten_times_too_wide)
 {
     simd_runs(1500, 12, try_run);
-    for (int i = 0; i < BOUNDS; i++) {
-        printf("# %-20s %9lu values, the worst has %.3f of its bound\n", names[i], tried[i], worst[i]);
-        CHECK_MSG(worst[i] <= 1, "%s: %g times its bound", names[i], worst[i]);
-        CHECK_MSG(worst[i] > .1, "%s: no value has more than %g of its bound", names[i], worst[i]);
-    }
+    check_tight(bounds, BOUNDS);
 }
 
 int main(void)

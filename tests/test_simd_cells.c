@@ -2,33 +2,26 @@
  * where shadows begin; and stored bounds against those of a run alone. No error exceeds its bound, and the worst has
  * more than a tenth of it, so that a bound of a tenth of the right size is detected here. */
 #include <float.h>
-#include <math.h>
 
-#include "check.h"
 #include "float_modes.h"
 #include "simd/span/proved.h"
 #include "simd_integers.h"
 #include "simd_runs.h"
+#include "simd_used.h"
 #include "vector_floats.h"
 
 #include "simd/span/kernel_tmpl.h"
 
-typedef long double real;
-
 enum { SQUARE, TURN, FIRST, SECOND, SAG, LINE, LEVELS_31, LEVELS_63, BOUNDS };
-static const char *const names[BOUNDS] = {
-    "|w|^2",         "|S'|",         "|P'|", "|P''|", "D below two samples", "a line between samples",
-    "a level of 31", "a level of 63"};
-static double worst[BOUNDS];
-static unsigned long tried[BOUNDS], lit, dark, flat;
-
-static void note(int which, real value, real bound)
-{
-    double ratio = (double)(value / bound);
-
-    tried[which]++;
-    worst[which] = ratio > worst[which] ? ratio : worst[which];
-}
+static struct used bounds[BOUNDS] = {{"|w|^2", 0, 0},
+                                     {"|S'|", 0, 0},
+                                     {"|P'|", 0, 0},
+                                     {"|P''|", 0, 0},
+                                     {"D below two samples", 0, 0},
+                                     {"a line between samples", 0, 0},
+                                     {"a level of 31", 0, 0},
+                                     {"a level of 63", 0, 0}};
+static unsigned long lit, dark, flat;
 
 /* ---- the exact values of a pixel ---- */
 
@@ -80,7 +73,7 @@ static void try_level(int which, real y, real levels, real near, const tia_q30 p
     for (int sign = -1; sign <= 1; sign += 2) {
         real off = fminl(fmaxl(cosine + (real)sign * bound, 0), 1);
         off = fminl(((real)part[0] + off * (real)product) * 0x1p-30L, 1);
-        note(which, y - levels * off, .5L - near);
+        use(&bounds[which], fmaxl(y - levels * off, 0), .5L - near);
     }
 }
 
@@ -106,8 +99,8 @@ static void try_levels(const struct simd_fine *f, const struct simd_run *r, cons
             continue;
         real at_x = x[i], s = o.s[i] / (real)f->seen.c;
         struct truth exact = truth_at(f, at_x);
-        note(SQUARE, fabsl(square[i] / (s * s) / form(f->light[0].lamp->qq, f->light[0].q, at_x, &exact) - 1),
-             f->light[0].bounds.square);
+        use(&bounds[SQUARE], fabsl(square[i] / (s * s) / form(f->light[0].lamp->qq, f->light[0].q, at_x, &exact) - 1),
+            f->light[0].bounds.square);
         try_level(LEVELS_31, (real)y31[i] - half[i], 31, r->near31, red, whole, cosine[i], f->light[0].bounds.lambert);
         try_level(LEVELS_63, (real)y63[i] - half[i], 63, r->near63, green, whole, cosine[i],
                   f->light[0].bounds.lambert);
@@ -121,7 +114,7 @@ static void try_turn(const struct simd_fine *f, const struct simd_run *r, const 
     real x = f->place.low + i * SIMD_CELL, root = sqrtl(truth_at(f, x).depth);
 
     if (cells->d[i] >= r->cut)
-        note(TURN, fabsl(f->seen.b[1] + (d[1] + 2 * x * d[2]) / (2 * root)), cells->turn[i]);
+        use(&bounds[TURN], fabsl(f->seen.b[1] + (d[1] + 2 * x * d[2]) / (2 * root)), cells->turn[i]);
 }
 
 /* Checks the motion of P = t v with t = c/S: t' = -t S'/S, t'' = t (2 (S'/S)^2 - S''/S). */
@@ -134,8 +127,8 @@ static void try_motion(const struct simd_fine *f, real x, real first, real secon
     real t = 1 / o.s, t1 = -t * a, t2 = t * (2 * a * a - b);
     real across = f->place.v1 / 2 + f->place.v2 * x, step = f->place.v2; /* v.v' and v'.v' */
 
-    note(FIRST, sqrtl(t1 * t1 * o.vv + 2 * t1 * t * across + t * t * step), first);
-    note(SECOND, sqrtl(t2 * t2 * o.vv + 4 * t2 * t1 * across + 4 * t1 * t1 * step), second);
+    use(&bounds[FIRST], sqrtl(t1 * t1 * o.vv + 2 * t1 * t * across + t * t * step), first);
+    use(&bounds[SECOND], sqrtl(t2 * t2 * o.vv + 4 * t2 * t1 * across + 4 * t1 * t1 * step), second);
 }
 
 static void try_pixel(const struct simd_fine *f, const struct simd_run *r, const struct cells *cells, int cell, int i)
@@ -150,7 +143,7 @@ static void try_pixel(const struct simd_fine *f, const struct simd_run *r, const
     CHECK(fabsf((r->near31 - cells->near31[cell]) / 31 - costs) < 0x1p-20f);
     off *= q->colour_most;
     if (costs > 0x1p-14f)
-        note(LINE, off > 0 ? off : 0, costs * (1 + 0x1p-8L));
+        use(&bounds[LINE], off > 0 ? off : 0, costs * (1 + 0x1p-8L));
     else
         CHECK(off <= 0x1p-13L);
     if (q->casts != 1 || exact < q->faint || q->cast[0].clear)
@@ -180,7 +173,7 @@ static void try_cells(const struct simd_fine *f, const struct simd_run *r, struc
         for (int i = 0; i <= SIMD_CELL; i += 2) {
             real x = f->place.low + cell * SIMD_CELL + i;
             try_motion(f, x, motion.first[0], motion.second[0]);
-            note(SAG, low - truth_at(f, x).depth, r->d_sag);
+            use(&bounds[SAG], fmaxl(low - truth_at(f, x).depth, 0), r->d_sag);
             if (r->lights == 1)
                 try_pixel(f, r, cells, cell, i);
         }
@@ -252,11 +245,7 @@ TEST(cells)
     simd_runs(1500, 12, try_run);
     thesis(try_run);
     sunk(try_run);
-    for (int i = 0; i < BOUNDS; i++) {
-        printf("# %-22s %9lu values, the worst has %.3f of its bound\n", names[i], tried[i], worst[i]);
-        CHECK_MSG(worst[i] <= 1, "%s: %g times its bound", names[i], worst[i]);
-        CHECK_MSG(worst[i] > .1, "%s: no value has more than %g of its bound", names[i], worst[i]);
-    }
+    check_tight(bounds, BOUNDS);
     printf("# %lu pixels in lit cells, %lu in dark ones; %lu flat cells\n", lit, dark, flat);
     CHECK(lit > 10000 && dark > 1000 && flat > 1000);
 }

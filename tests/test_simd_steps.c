@@ -162,9 +162,7 @@ TEST(sums_of_the_kernels)
 TEST(levels_of_the_kernels)
 {
     unsigned count = check_count(4000000), sure = 0;
-    double rounded = 63 * BOUND(SPAN_LEVEL_ROUNDING) * 0x1p-24;
-    double near =
-        .5 - BOUND_OF(SPAN_LEVELS, rounded * (1 + BOUND(SPAN_LEVEL_SECOND))) - BOUND(SPAN_LEVEL_NEAR) * 0x1p-24;
+    double near = tia_simd_bound_level(63, 0, 0x1p-24);
 
     for (unsigned i = 0; i < count; i++) {
         double half = random_double() / 2, y = random_u32() % 62 + 1 + .5 + ldexp(random_double(), -14);

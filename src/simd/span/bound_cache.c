@@ -74,14 +74,6 @@ static const double *light_bounds(struct simd_fine *fine, struct simd_fine_light
     return limit;
 }
 
-/* Returns half a level less the bounds, for a colour of 0..levels that is off by `off`. */
-static double near_of(double levels, double off, double unit)
-{
-    double rounded = levels * off + levels * BOUND(SPAN_LEVEL_ROUNDING) * unit;
-
-    return .5 - BOUND_OF(SPAN_LEVELS, rounded * (1 + BOUND(SPAN_LEVEL_SECOND))) - BOUND(SPAN_LEVEL_NEAR) * unit;
-}
-
 static bool derive(struct simd_fine *fine, double unit, double cut, const double *limit)
 {
     const struct primary_rays *primary = &span_view_of(fine->view)->primary;
@@ -106,8 +98,8 @@ static bool derive(struct simd_fine *fine, double unit, double cut, const double
     }
     double side = off[0] > off[2] ? off[0] : off[2], green = fine->grey ? off[0] : off[1];
 
-    fine->near31 = near_of(31, side, unit);
-    fine->near63 = near_of(63, green, unit);
+    fine->near31 = tia_simd_bound_level(31, side, unit);
+    fine->near63 = tia_simd_bound_level(63, green, unit);
     return fine->near31 > BOUND(SPAN_LEVEL_LEAST) && fine->near63 > BOUND(SPAN_LEVEL_LEAST);
 }
 

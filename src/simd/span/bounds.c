@@ -86,3 +86,10 @@ void tia_simd_bound_cast(const struct primary_rays *primary, const struct simd_l
                          light->square + BOUND(SPAN_COVERED_CUT) + BOUND(SPAN_DELTA) * u +
                              BOUND_OF(SPAN_COVERED_UNITS, (lamp->ud + cast->ua) / (light->distance * light->distance)));
 }
+
+double tia_simd_bound_level(double levels, double off, double unit)
+{
+    double rounded = levels * off + levels * BOUND(SPAN_LEVEL_ROUNDING) * unit;
+
+    return .5 - BOUND_OF(SPAN_LEVELS, rounded * (1 + BOUND(SPAN_LEVEL_SECOND))) - BOUND(SPAN_LEVEL_NEAR) * unit;
+}

@@ -25,6 +25,10 @@ void tia_simd_bound_light(const struct primary_rays *primary, const struct simd_
                           const struct simd_place *place, const struct simd_depth *depth, double unit, double g_size,
                           double q_size, struct simd_bounds *bounds);
 
+/* Returns the largest distance from a level, in levels, at which a channel of 0..levels certainly rounds to it: a half
+ * less the channel's error `off`, where 1 is white, and roundings of `unit`. */
+double tia_simd_bound_level(double levels, double off, double unit);
+
 /* Bounds of a caster: of A'.w and k, absolute; of |w|^2 together with the comparison's own error, relative. */
 struct simd_cast_bounds {
     double a, k, w;
