@@ -1,8 +1,8 @@
-/* bench.c - milliseconds per frame on one core: a full frame, a frame with only the light moved, and the textbook
- * loop in float. The three are measured in turn, so that drift of the machine's speed affects them alike. Prints
- * the median of each and of their ratios. With a name it measures that part alone: thesis, levels, threads, rays,
- * simd-rays, paths, radio, raster, tinygl, shadows, shadow-frames or light-fields; simd-rays then measures only scenes
- * whose name contains the second argument, if given. */
+/* bench.c - milliseconds per frame on one core: a full frame, a frame with only the light moved, and the textbook loop
+ * in float. The three are measured in turn, so that a change of the machine's speed affects them alike. Prints the
+ * median of each and of their ratios. With a part's name as its argument it measures that part alone: thesis, levels,
+ * threads, rays, simd-rays, paths, radio, raster, tinygl, shadows, shadow-frames or light-fields. For simd-rays, a
+ * second argument selects the scenes whose names contain it. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -42,7 +42,7 @@ static void *memory(size_t size)
     return p;
 }
 
-/* Prepares the built-in scene with the light of key a, above left. */
+/* Prepares the built-in scene. Its light is above left, where key a puts it. */
 static void prepare(struct frame *f, uint16_t width, uint16_t height)
 {
     size_t view_size, hits_size;

@@ -1,7 +1,7 @@
-# bench.mk - the measuring program; the Makefile includes it.
+# bench.mk - builds the measuring program; the Makefile includes it.
 
-# TinyGL, where a tester has put it: measured beside the rasteriser, by a program of its own. Its own Makefile builds
-# it with OpenMP.
+# TINYGL=FOLDER: a built TinyGL, to compare the rasteriser with. The program linked with it is bench-tinygl. TinyGL's own
+# Makefile uses OpenMP.
 TINYGL ?=
 TINYGL_LIB := $(if $(TINYGL),$(firstword $(wildcard $(addprefix $(TINYGL)/,lib/libTinyGL.a src/libTinyGL.a libTinyGL.a))))
 ifneq ($(TINYGL),)
@@ -11,14 +11,15 @@ BENCH := $(BUILD)/bench$(if $(TINYGL),-tinygl)
 $(if $(TINYGL),$(BENCH): LIBS += -lgomp)
 $(if $(filter yes,$(OSMESA)),$(BENCH): LDFLAGS += -Xlinker --wrap=tia_raster_draw)
 
-# Embree 3, which Debian gives no pkg-config file: EMBREE=no leaves it out, and so does a compiler for another machine.
+# Embree 3, found by its header since Debian's package has no pkg-config file. EMBREE=no leaves it out, and so does a cross
+# compiler.
 EMBREE ?= $(if $(and $(NATIVE),$(wildcard /usr/include/embree3/rtcore.h /usr/local/include/embree3/rtcore.h)),yes,no)
 EMBREE_SRC := $(addprefix bench/embree/,$(if $(filter yes,$(EMBREE)),embree_world.c embree_draw.c,no_embree.c))
 $(if $(filter yes,$(EMBREE)),$(BENCH): LIBS += -lembree3)
-# As fast as it can be: for this processor, and no errno.
+# Optimised for this processor, and without errno from mathematical functions.
 $(BUILD)/host/bench/embree/embree_draw.o: HOSTED += -march=native -fno-math-errno
 
-# The float loops that levels are measured against: there where the level is, with its flags.
+# The float loops are the baselines of the SIMD kernels. Each is compiled with its kernel's flags, if that kernel is built.
 LANES_SRC := $(wildcard bench/lanes_*.c)
 BENCH_SRC := $(sort $(filter-out $(LANES_SRC) $(if $(TINYGL),bench/tinygl.c),$(wildcard bench/*.c)) $(filter $(SIMD_HAD:%=bench/lanes_%.c),$(LANES_SRC)))
 $(BUILD)/host/bench/lanes_%.o: bench/lanes_%.c $(BUILD)/made-with/host
@@ -29,14 +30,14 @@ $(BENCH): $(call obj,host,$(BENCH_SRC) $(EMBREE_SRC) $(if $(GL),bench/gl/gl_rast
           $(if $(TINYGL),$(BUILD)/tinygl/bench/tinygl.o $(TINYGL_LIB)) $(LIBCOMMON) $(LIBPORTS) $(LIBF64) $(LIBSIMD) $(LIBRADIO) $(LIBTIA) $(LIBWATCHED) $(BUILD)/made-with/link
 	$(link)
 $(BENCH): LIBS := $(LIBWATCHED) $(LIBTIA) $(LIBS)
-# FORCE: another TINYGL may be meant than the last time.
+# FORCE: TINYGL may differ from that of the last build.
 $(BUILD)/tinygl/%.o: %.c FORCE
 	$(call compile,CC,$(HOSTED) -DTIA_HAVE_TINYGL -isystem $(TINYGL)/include)
 $(call obj,host,bench/shadow_scene.c bench/shadow_frames.c bench/shadows.c bench/shadows_gl.c): HOSTED += -iquote src
 bench: $(BENCH)
 	@$(BENCH)
 
-# How long a key takes to be seen, in a guest.
+# The time from a key to its picture, measured in a guest.
 .PHONY: bench-latency
 bench-latency: all $(BUILD)/vm/probe $(BUILD)/tests/test_ports
 	@BUILD=$(BUILD) bench/latency.py $(SCENES)

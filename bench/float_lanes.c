@@ -1,4 +1,4 @@
-/* float_lanes.c - rays in lanes: the scene in float, and the choice of the loop that draws it. */
+/* float_lanes.c - converts the scene to float, and selects the loop that draws it. */
 #include "float_lanes.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
-/* float_lanes_loop.h - the loop in the operations of an instruction set, which src/simd/isa/isa.h lists. Each
- * instruction set has a file that defines DRAW, the name of the loop, and includes this one. */
+/* float_lanes_loop.h - the loop, written with the operations that src/simd/isa/isa.h lists. Each instruction set has a
+ * file that defines DRAW, the name of the loop, and includes this one. */
 #ifndef BENCH_FLOAT_LANES_LOOP_H
 #define BENCH_FLOAT_LANES_LOOP_H
 
@@ -44,8 +44,8 @@ INLINE V v_sel(M m, V a, V b)
     return (V){f_sel(m, a.x, b.x), f_sel(m, a.y, b.y), f_sel(m, a.z, b.z)};
 }
 
-/* The nearest hits of rays, in the lanes of `any`, at the distances `t`: of the light in the lanes of `light`, of
- * sphere 1 in those of `second`, else of sphere 0. */
+/* The nearest hits of rays. The lanes of `any` have a hit, at the distances `t`: with the light in the lanes of
+ * `light`, with sphere 1 in those of `second`, otherwise with sphere 0. */
 struct seen {
     F t;
     M any, second, light;
@@ -123,7 +123,7 @@ INLINE void lanes_of(const struct lanes_world *w, V d, uint16_t *out)
         return;
     }
     struct sphere o = sphere_of(w, &s);
-    V rgb = v_scaled(o.colour, lambert_at(w, d, &s, &o)); /* in the levels of RGB565 */
+    V rgb = v_scaled(o.colour, lambert_at(w, d, &s, &o)); /* in levels of RGB565 */
     rgb = (V){f_min(f_set(31), rgb.x), f_min(f_set(63), rgb.y), f_min(f_set(31), rgb.z)};
     if (m_bits(m_and(s.any, m_not(s.light))) != ALL_LANES)
         rgb = v_sel(s.light, v_set(w->glow), v_sel(s.any, rgb, v_set(w->background)));

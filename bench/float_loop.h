@@ -4,7 +4,7 @@
 
 #include <tia/scene.h>
 
-/* Draws the whole picture ray by ray, as one would write it for a machine with an FPU. */
+/* Draws the whole picture ray by ray, as is usual on a machine with an FPU. */
 void plain_render(const struct tia_scene *scene, int width, int height, tia_rgb565 *pixels);
 
 #endif

@@ -10,7 +10,7 @@ enum { ROULETTE = 3, BOUNCES_MAX = 1024 };
 
 struct material {
     float colour[3], specular[3], mirror[3], emission[3], exponent;
-    float below[2]; /* cumulative probabilities: of a mirror ray; of that or a ray of the glossy lobe */
+    float below[2]; /* cumulative probabilities: of a mirror ray, and of a mirror ray or a glossy one */
     bool black;
 };
 
@@ -33,7 +33,8 @@ struct float_paths {
 struct path {
     const struct float_paths *scene;
     struct float_ray ray;
-    float throughput[3], sum[3], density; /* density of the ray: times pi; 0 from a mirror or the eye */
+    float throughput[3], sum[3], density; /* probability density of the ray, times pi; 0 if it comes from a mirror or
+                                             the eye */
     unsigned bounce;
     uint64_t rays, state;
 };
@@ -160,13 +161,13 @@ static bool meets_light(const struct light *l, const struct float_ray *ray, floa
     return true;
 }
 
-/* Returns the density of a sample on the light, times pi: pi over the solid angle of the light's area. */
+/* Returns the probability density, per solid angle, of a sample on the light, times pi. */
 static float density_of(const struct light *l, struct vec direction, float t)
 {
     return PI * t * t / (l->area * fabsf(vec_dot(direction, l->normal)));
 }
 
-/* Adds a light that is hit, with the balance heuristic's weight. */
+/* Adds the emission of a light that the ray has hit, with the weight of the balance heuristic. */
 static void add_light(struct path *p, const struct light *l, float t)
 {
     float chosen = density_of(l, p->ray.direction, t) / (float)p->scene->light_count;
@@ -179,7 +180,8 @@ static struct vec reflected(struct vec d, struct vec n)
     return vec_along(d, -2 * vec_dot(d, n), n);
 }
 
-/* Gives the reflectance times the cosine in f; returns the density of `to`. Both are times pi. */
+/* Stores the reflectance times the cosine in f, and returns the probability density of `to`; both are multiplied by
+ * pi. */
 static float evaluate(const struct material *m, struct vec from, struct vec n, struct vec to, float f[3])
 {
     float cosine = vec_dot(to, n), along = vec_dot(to, reflected(from, n));
@@ -217,7 +219,7 @@ static void look_for_light(struct path *p, const struct material *m, struct vec 
     add(p, f, 1);
 }
 
-/* Continues the path; false: it ends. */
+/* Continues the path. Returns false if it ends. */
 static bool bounce(struct path *p, const struct material *m, struct vec n)
 {
     float choice = uniform(p), turn = 2 * PI * uniform(p), u = uniform(p), f[3];
@@ -255,7 +257,7 @@ static bool survives(struct path *p)
     return true;
 }
 
-/* Follows one ray, and adds the light at its end; false: the path ends. */
+/* Follows one ray, and adds the light at its end. Returns false if the path ends. */
 static bool step(struct path *p)
 {
     const struct float_paths *s = p->scene;

@@ -39,7 +39,7 @@ static inline struct vec vec_unit(struct vec a)
     return vec_scaled(a, 1 / sqrtf(vec_dot(a, a)));
 }
 
-/* Returns the direction with the coordinates d in a frame whose z axis is n. */
+/* Returns the direction that has the coordinates d in a frame whose z axis is n. */
 static inline struct vec vec_around(struct vec n, struct vec d)
 {
     const struct vec other = fabsf(n.x) < 0.5F ? (struct vec){1, 0, 0} : (struct vec){0, 1, 0};

@@ -51,8 +51,8 @@ static float half_area(const struct float_node *n)
 
 static int (*const orders[3])(const void *, const void *) = {by_x, by_y, by_z};
 
-/* Finds the best cut of the items, sorted along `axis`, by the surface-area heuristic; returns its cost. `areas` has
- * room for `count` areas. */
+/* Finds the best cut of the items, sorted along `axis`, by the surface-area heuristic; returns its cost. `areas` is
+ * memory for `count` areas. */
 static float best_cut(struct float_item *items, uint32_t count, int axis, float *areas, uint32_t *cut)
 {
     struct float_node grown = nothing;
@@ -168,7 +168,8 @@ static bool meets_sphere(const struct float_item *item, const struct float_ray *
     return true;
 }
 
-/* Intersects a triangle, after Moeller and Trumbore 1997. True for a hit nearer than *t, which becomes *t. */
+/* Intersects a triangle by the method of Moeller and Trumbore 1997. True for a hit nearer than *t, which is then
+ * updated. */
 static bool meets_triangle(const struct float_item *item, const struct float_ray *ray, float *t)
 {
     struct vec p = vec_cross(ray->direction, item->side[1]), s = vec_sub(ray->origin, item->corner);

@@ -7,7 +7,7 @@
 
 #include "float_vec.h"
 
-/* A triangle, or with a radius a sphere around its first corner. */
+/* A triangle; or, if the radius is not 0, a sphere around `corner`. */
 struct float_item {
     struct vec corner, side[2];
     float radius;
@@ -16,8 +16,8 @@ struct float_item {
 
 struct float_node {
     struct vec low, high;
-    /* Leaf: the range of its items. Inner node: count is 0, and `first` is the first of two nodes, which differ along
-     * `axis`. */
+    /* A leaf has `count` items, from number `first` on. An inner node has the count 0 and two children, the nodes
+     * `first` and first + 1, whose items are divided along `axis`. */
     uint32_t first, count;
     int axis;
 };
@@ -37,11 +37,11 @@ struct float_world {
     uint32_t count, node_count;
 };
 
-/* Builds the hierarchy; false when the scene has anything but spheres and meshes, or memory is short. */
+/* Builds the hierarchy. Returns false if the scene has anything but spheres and meshes, or if memory is short. */
 bool float_world_build(struct float_world *world, const struct tia_scene *scene);
 void float_world_free(struct float_world *world);
 
-/* Finds the nearest item closer than hit->t; with `any`, any item closer than that. */
+/* Finds the nearest item closer than hit->t; with `any`, the first such item that it meets. */
 void float_world_meet(const struct float_world *world, const struct float_ray *ray, bool any, struct float_hit *hit);
 
 static inline struct vec float_place(struct tia_vec3 v)

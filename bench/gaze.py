@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""What --gaze saves: the share of pixels that are drawn against the eccentricity, and the processor's time.
+"""Measures how much work --gaze saves: the share of the pixels that is drawn, by eccentricity, and the CPU time.
 
     bench/gaze.py scenes/castle.tia             # tables in Markdown, for 1920x1080 and 3840x2160
 
-The shares by eccentricity are those of the acuity model, one pixel of each block, counted over every eighth pixel of every
-eighth row; "all" is what build/tia counted itself. Times are those of all threads, with the scene's being read.
+The shares follow from the acuity model, which draws one pixel of each block; they are computed for every eighth pixel of
+every eighth row. The share "all" is the one that build/tia reports. Times are sums over all threads, and include reading the
+scene.
 """
 import json
 import math
@@ -28,7 +29,7 @@ def block(e, pixel):
 
 
 def shares(width, height, angle):
-    """For each ring around the middle: the share that is drawn; None without pixels there."""
+    """Returns for each ring around the middle the share of its pixels that is drawn; None for a ring without pixels."""
     z = width / 2 / math.tan(math.radians(angle / 2))
     pixel = math.degrees(1 / z)
     drawn, pixels = [0] * len(RINGS), [0] * len(RINGS)
@@ -42,7 +43,7 @@ def shares(width, height, angle):
 
 
 def run(*args):
-    """Seconds of processor time, and the share that was drawn."""
+    """Returns the seconds of CPU time, and the share of the pixels that was drawn."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     done = subprocess.run([os.path.join(os.environ.get("BUILD", "build"), "tia"), *args, "--stats"], check=True,
                           stderr=subprocess.PIPE)

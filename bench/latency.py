@@ -1,20 +1,23 @@
 #!/usr/bin/env python3
-"""latency.py [--host] [--keys N] [--pause SECONDS] [--enough SECONDS] [--limit SECONDS] [NAME]...: how long after a key its picture is seen, first coarse, then
-complete, for the scenes of the gallery or those named, at 1280x800: a table in Markdown.
+"""latency.py [--host] [--keys N] [--pause SECONDS] [--enough SECONDS] [--limit SECONDS] [NAME]...
+
+Measures the time from a key to its picture, first coarse and then complete, at 1280x800, for all scenes of the gallery or
+for those named. Prints a table in Markdown.
 
     make bench-latency                      # all of them, in a guest
     make bench-latency SCENES='chess glass'
     bench/latency.py --host                 # without a guest
 
-In the guest QEMU's PS/2 keyboard types h and l in turn, which turn the scene by 5 degrees and back, so that all of the
-picture is new; in the built-in scene, which has no such keys, the arrows that move its light. The time is what --stats tells:
-from the kernel's time stamp of the key to the end of the call that shows the picture. A guest on emulated processors is far
-slower than this machine (--kvm takes this machine's, where its KVM can boot a guest). With --host a pseudo-terminal types,
-a key's time is when it was read, which is up to 20 ms late, and a display that shows nothing takes the pictures.
+In the guest, QEMU's PS/2 keyboard types h and l in turn, which turn the scene by 5 degrees and back, so that the whole
+picture changes. In the built-in scene, which has no such keys, it types the arrows that move the light. The time is the one
+that --stats reports: from the kernel's time stamp of the key to the end of the call that shows the picture. A guest on
+emulated processors is far slower than this machine; --kvm uses this machine's processors, if its KVM can boot a guest. With
+--host, a pseudo-terminal types, and the pictures go to a display that shows nothing. A key's time is then the time at which
+it was read, up to 20 ms late.
 
-N keys (default 10) come a second or so apart, or as many as --pause says. Then as many come each after the complete
-picture of the one before, which tia tells; after --enough SECONDS (default 30) for a scene there are no more, but the first
-picture is waited for until --limit (default 3600), after which a dash is in its place.
+First, N keys (default 10) are typed about --pause SECONDS (default 1) apart. Then N more are typed, each after the complete
+picture of the one before. After --enough SECONDS (default 30) for a scene no more are typed, except that the first complete
+picture may take up to --limit SECONDS (default 3600). A dash stands for a picture that did not come.
 """
 import argparse
 import json
@@ -82,14 +85,14 @@ class OnHost:
 
 
 def type_keys(where, keys, plays, options):
-    """How many complete pictures keys were followed by."""
+    """Types all keys. Returns the number of complete pictures in the second part."""
     for i in range(options.keys):
         where.tap(keys[i % 2])
-        time.sleep(options.pause + random.random() / 5)  # in step with nothing that ticks
+        time.sleep(options.pause + random.random() / 5)  # random, so as not to be in phase with any timer
     begin, complete = time.monotonic(), 0
     enough, end = begin + options.enough, begin + options.limit
     while complete < options.keys and time.monotonic() < (enough if complete else end):
-        want = where.drawn() + 1 + plays        # what plays first shows the picture that was begun before the key
+        want = where.drawn() + 1 + plays        # a scene that plays first shows the picture that was begun before the key
         where.tap(keys[complete % 2])
         while where.drawn() < want and time.monotonic() < end:
             time.sleep(0.02)
@@ -102,7 +105,7 @@ def said(ms):
 
 
 def measure(where, name, options):
-    """A row of the table."""
+    """Returns a row of the table."""
     scene = [*OPTIONS.get(name, []), "/scenes/%s.tia" % name.partition("-openness")[0]]
     where.start(["-k", "a"] if name == BUILT_IN else scene)
     time.sleep(2)

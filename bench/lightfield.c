@@ -29,7 +29,7 @@ static void must(int status)
     }
 }
 
-/* Returns the processor time of one picture in milliseconds. `simd` NULL: plain C. */
+/* Returns the CPU time of one picture in milliseconds. `simd` NULL: plain C. */
 static double draw(const struct tia_scene *scene, const struct tia_simd *simd, uint16_t width, uint16_t height)
 {
     const struct tia_tile all = {0, 0, width, height};

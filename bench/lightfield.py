@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Measures what docs/lightfield.md tells: how near what an eye sees of a light field comes to what a camera there draws.
+"""Measures the errors in docs/lightfield.md: the difference between an eye's view of a light field and the picture of a camera
+at the eye's position.
 
-lightfield.py BUILD: the tables, for the display of scenes/lightfield.tia.
+lightfield.py BUILD: prints the tables, for the display of scenes/lightfield.tia.
 """
 import os
 import re
@@ -11,7 +12,7 @@ import tempfile
 
 WIDTH, HEIGHT = 400, 225
 SCREEN, LINE = (1.6, 0.9), dict(distance=2.4, above=0.15)
-MIDDLE = 0.45   # the screen's, above the ground
+MIDDLE = 0.45   # height of the screen's middle above the ground
 BUILD = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else "build")
 SCENE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "scenes", "lightfield.tia")
 
@@ -28,7 +29,7 @@ def read(path):
 
 
 def with_camera(x, y, z):
-    """The scene, seen by a camera that stands at a place before the screen and looks through it."""
+    """Returns the picture of a camera that looks through the screen from (x, y, z), relative to the screen's middle."""
     with open(SCENE, encoding="utf-8") as file:
         text = file.read()
     left, bottom = -SCREEN[0] / 2 - x, -SCREEN[1] / 2 - y
@@ -40,7 +41,7 @@ def with_camera(x, y, z):
 
 
 def error(eye, *args):
-    """The mean error of a channel, of 255, of what an eye sees."""
+    """Returns the mean absolute error of the channels, 0 to 255, in the view of an eye."""
     run("tia-observe", SCENE, *args, "-e", ",".join(map(str, eye)), "-o", "seen.ppm")
     seen, true = read("seen.ppm"), with_camera(*eye)
     total = sum(abs(a - b) for row in zip(seen, true) for p in zip(*row) for a, b in zip(*p))
@@ -59,7 +60,7 @@ def numbers_of_pictures():
 
 
 def panels():
-    """The same for panels of several sizes and numbers of lenses."""
+    """Prints the errors for panels of several sizes and numbers of lenses."""
     print("\n| panel | lenses | pixels to a lens | error |\n|--:|--:|--:|--:|")
     eye = (0.31, LINE["above"], LINE["distance"])
     for times, lenses in ((1, 41), (4, 41), (4, 81), (4, 161)):

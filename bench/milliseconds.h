@@ -11,7 +11,7 @@ static inline double milliseconds(void)
     return (double)clock_now_us() * 1e-3;
 }
 
-/* Returns milliseconds of processor time, which other programs do not add to. */
+/* Returns this process's CPU time in milliseconds, which other programs do not increase. */
 static inline double cpu_milliseconds(void)
 {
     struct timespec t;
@@ -20,7 +20,7 @@ static inline double cpu_milliseconds(void)
     return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
 }
 
-/* Updates the least of several measurements; *least is 0 before the first one. */
+/* Updates the minimum of several measurements; *least is 0 before the first one. */
 static inline void keep_least(double *least, double ms)
 {
     if (*least <= 0 || ms < *least)

@@ -13,7 +13,8 @@
 
 enum { SIDE = 128, SPP = 16, ROUNDS = 2, LEVELS = 8 };
 
-/* A drawer and its results: the least processor time of a sample over all rounds, and the picture's mean. */
+/* A drawer and its results: the least CPU time of all rounds, in milliseconds, and the mean of the picture's
+ * channels. */
 struct run {
     const char *simd;
     double ms, mean[3];
@@ -27,7 +28,7 @@ static void must(int status)
     }
 }
 
-/* Draws the sums; `simd` NULL: plain C. */
+/* Draws sums of samples; `simd` NULL: in plain C. */
 static void draw_sums(const struct tia_core *core, const struct tia_estimator *estimator, const struct tia_simd *simd,
                       const struct tia_scene *scene, struct run *run)
 {
@@ -74,8 +75,8 @@ static void print(const char *name, const struct run *run, double rays)
            run->mean[1], run->mean[2]);
 }
 
-/* Returns materials without highlights. The balls have highlights and mirrors: together they reflect more light than
- * they receive, so the light along paths would grow without limit. */
+/* Returns a copy of the materials without highlights. In the balls scenes, highlights and mirrors together reflect more
+ * light than they receive, so the radiance of paths would diverge. */
 static struct tia_material *without_highlights(struct tia_scene *scene)
 {
     struct tia_material *copy = calloc(scene->material_count + 1, sizeof *copy);
@@ -129,8 +130,8 @@ static void measure(const char *path)
     free(materials);
 }
 
-/* Measures the path tracers. All have the same estimator, so on average all trace the number of rays that the small
- * tracer counts. */
+/* Measures the path tracers. All have the same estimator, so on average they trace as many rays as the small tracer of
+ * float_paths.h, which counts them. */
 void bench_paths(void)
 {
     printf("\n| paths, %dx%d, %d samples a pixel | | samples/s | ns a ray | mean |\n|---|---|--:|--:|---|\n", SIDE,

@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""The databases' scenes by tia's levels, by Embree and by POV-Ray: milliseconds of CPU time a picture of 640x480.
+"""Measures the scenes of the Standard Procedural Databases with tia's SIMD kernels, Embree and POV-Ray, on one thread each:
+milliseconds of CPU time per picture of 640x480.
 
     taskset -c 1 bench/peers.py [BUILD [NAME ...]]      scenes whose name contains NAME
 
-Needs `make BUILD/bench BUILD/tia-pov`, libembree-dev when that was made, and povray; what is missing is said, and its
-column left out. One thread each. Embree and the levels are measured by `bench simd-rays`, in turns; POV-Ray, between
-two runs of that, by the CPU time that it reports for tracing, of scenes that tia-pov wrote. Of all runs the least
-counts. In the last lines: how many times as fast as tia's plain C, and as Embree, in the geometric mean.
+Needs `make BUILD/bench BUILD/tia-pov`, with libembree-dev installed for Embree, and povray. A renderer that is missing is
+reported, and has no column. `bench simd-rays` measures Embree and the SIMD kernels in turns. Between two runs of it, POV-Ray
+draws the scenes as written by tia-pov; its time is the CPU time that it reports for tracing. The least time of all runs
+counts. The last lines give the speeds relative to tia's plain C and to Embree, as geometric means.
 """
 import glob
 import math
@@ -28,7 +29,7 @@ def output(*command, **options):
 
 
 def by_bench(name):
-    """{who: ms} for a scene."""
+    """Returns {renderer: ms} for a scene."""
     rows = re.findall(rf"^\| {name}\.nff \S+ \| ([^|]+) \| ([0-9.]+) \|", output(f"{BUILD}/bench", "simd-rays", name),
                       re.MULTILINE)
     return {who: float(ms) for who, ms in rows if "threads" not in who}

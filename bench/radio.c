@@ -67,8 +67,8 @@ static bool count_ray(void *ctx, const struct tia_radio_ray *ray)
     return true;
 }
 
-/* Returns a link of about 12 m along the street through the middle, with up to `order` reflections. *count gets the
- * number of paths. */
+/* Returns a link of about 12 m along the street through the middle, with up to `order` reflections. Its paths are
+ * counted in *count. */
 static struct tia_radio_link link_of(uint32_t order, unsigned *count)
 {
     return (struct tia_radio_link){TIA_VEC3(1, 9, 1.5), TIA_VEC3(1.5, 1.5, 13), order, 0, count_path, count};

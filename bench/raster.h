@@ -1,4 +1,4 @@
-/* raster.h - the rasteriser alone, on the polygons of mesh_scene.h. */
+/* raster.h - measures the rasteriser alone, on the polygons of mesh_scene.h. */
 #ifndef BENCH_RASTER_H
 #define BENCH_RASTER_H
 
@@ -18,8 +18,8 @@ struct raster_bench {
 /* Ends the program if `fine` is false. */
 void raster_bench_must(bool fine);
 
-/* Makes the mesh of a level (the depth of bench_mesh) in *m, and projects it to an image. `buffers` is a set of
- * TIA_BUFFER_.... */
+/* Makes the mesh of a level (the depth of bench_mesh) in *m, and projects it to an image whose buffers are the set
+ * `buffers` of TIA_BUFFER_.... */
 void raster_bench_init(struct raster_bench *b, struct mesh *m, int level, uint16_t width, uint16_t height,
                        unsigned buffers);
 void raster_bench_free(struct raster_bench *b);

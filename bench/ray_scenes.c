@@ -8,7 +8,7 @@
 #include "common/thread_pool.h"
 #include "milliseconds.h"
 
-#define BUILDS 3 /* number of builds, of which the fastest counts */
+#define BUILDS 3 /* number of builds; the fastest counts */
 
 void *ray_scene_memory(size_t size)
 {
@@ -48,11 +48,12 @@ static void build(struct ray_scene *s)
 }
 
 struct ball {
-    struct point at, away; /* `away`: direction away from the ball that this one is on */
+    struct point at, away; /* `away`: the direction away from the ball that carries this one */
     double radius;
 };
 
-/* Returns the direction from a ball to one of its nine balls; the ball itself lies at +z of the ball that it is on. */
+/* Returns the direction from a ball to the i-th of the nine balls that it carries, in a frame whose z axis is the
+ * ball's `away`. */
 static struct point place(int i)
 {
     static const double angle[3] = {45, 15, 75};
@@ -62,7 +63,7 @@ static struct point place(int i)
     return (struct point){wide * cos(turn), wide * sin(turn), height};
 }
 
-/* Returns v after the rotation that turns z into w. */
+/* Returns v after the rotation that turns the z axis into w. */
 static struct point turned(struct point v, struct point w)
 {
     if (w.z < -0.999999)
@@ -86,7 +87,7 @@ static size_t write_balls(char *text, struct ball b, int depth)
     return length;
 }
 
-#define LINE 80 /* bytes of a ball's line, at most */
+#define LINE 80 /* largest length of a ball's line, in bytes */
 
 void ray_scene_balls(struct ray_scene *s, int depth)
 {

@@ -1,4 +1,4 @@
-/* ray_scenes.h - scenes of any size for the ray renderer, their hierarchy built. */
+/* ray_scenes.h - scenes of any size for the ray renderer, with their hierarchies. */
 #ifndef BENCH_RAY_SCENES_H
 #define BENCH_RAY_SCENES_H
 
@@ -13,8 +13,8 @@ struct ray_scene {
     void *memory[5];
 };
 
-/* Makes the databases' sphere flake: (9^(depth + 1) - 1)/8 spheres on the ground and under the lights of balls_1.nff;
- * depths 1 to 4 give balls_1.nff to balls_4.nff. */
+/* Makes the sphere flake of the Standard Procedural Databases: (9^(depth + 1) - 1)/8 spheres on the ground and under
+ * the lights of balls_1.nff. Depths 1 to 4 give balls_1.nff to balls_4.nff. */
 void ray_scene_balls(struct ray_scene *s, int depth);
 
 /* Makes the solids of bench_mesh as one mesh of 84 4^depth + 12 faces. */
@@ -22,7 +22,7 @@ void ray_scene_mesh(struct ray_scene *s, int depth);
 
 void ray_scene_free(struct ray_scene *s);
 
-/* Calls malloc; ends the program if it fails. */
+/* Calls malloc, and ends the program if that fails. */
 void *ray_scene_memory(size_t size);
 
 #endif

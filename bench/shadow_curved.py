@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""The table of curved shapes in docs/shadows.md: pixels that exact rays draw otherwise than traced ones, with curved
-shapes left to rays, and tessellated to some errors.
+"""Prints the table of curved shapes in docs/shadows.md: the numbers of pixels that --shadows rays draws otherwise than
+--shadows traced, with curved shapes left to rays, and tessellated with several errors.
 
-    shadow_curved.py TIA SCENE...   of 320x240 pixels: all that differ, and by more than 1/8 of a channel's range"""
+    shadow_curved.py TIA SCENE...   for 320x240 pixels: all that differ, and those by more than 1/8 of a channel's range"""
 import os
 import subprocess
 import sys
@@ -13,7 +13,7 @@ ERRORS = ["0", "0.1", "0.01", "0.001"]
 
 
 def draw(folder, tia, scene, *options):
-    """The channels of all pixels; nothing if tia refuses the scene, which it then says."""
+    """Returns the channels of all pixels; nothing if tia refuses the scene, after tia's own message."""
     out = os.path.join(folder, "out.ppm")
     drawn = subprocess.run([tia, *options, "-s", f"{WIDTH}x{HEIGHT}", "-o", out, scene], check=False)
     if drawn.returncode:
@@ -23,7 +23,7 @@ def draw(folder, tia, scene, *options):
 
 
 def differences(a, b):
-    """How many pixels differ, and by more than an eighth."""
+    """Returns the number of pixels that differ, and of those that differ by more than an eighth."""
     pixels = range(0, len(a), 3)
     most = [max(abs(a[i + c] - b[i + c]) for c in range(3)) for i in pixels if a[i:i + 3] != b[i:i + 3]]
     return f"{len(most)}, {sum(1 for m in most if m > 32)}"

@@ -56,7 +56,7 @@ static void open_frame(struct shown *f, const struct tia_scene *scene, uint16_t 
     size_t sizes[3] = {tia_view_size(scene, scene->light_count), tia_hits_size(scene, f->area),
                        tia_simd_size(simd, scene, scene->light_count, 1)};
     for (int i = 0; i < 3; i++) {
-        f->memory[i] = malloc(sizes[i] + 1); /* an instruction set may need no memory */
+        f->memory[i] = malloc(sizes[i] + 1); /* + 1, since tia_simd_size may be 0 */
         shadow_must(f->memory[i] != NULL);
     }
     f->surface = (struct tia_surface){.pixels = malloc((size_t)width * height * 2), .step = 2, .pitch = 2 * width};

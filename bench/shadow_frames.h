@@ -1,4 +1,4 @@
-/* shadow_frames.h - whole frames of the scene in shadow_scene.h with each technique for shadows. */
+/* shadow_frames.h - measures whole frames of the scene in shadow_scene.h with each technique for shadows. */
 #ifndef BENCH_SHADOW_FRAMES_H
 #define BENCH_SHADOW_FRAMES_H
 

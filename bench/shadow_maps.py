@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""The tables of shadow maps in docs/shadows.md: a scene with one light by each kind of map, beside shadow volumes.
+"""Prints the tables of shadow maps in docs/shadows.md: their errors relative to shadow volumes, in a scene with one light.
 
     shadow_maps.py TIA LIGHT [FILTER] [SIZE...]  each bias; LIGHT: spot, point or sun; FILTER: none; SIZE: all
     shadow_maps.py TIA filters [BIAS]            each filter, beside 64 volumes of an area light; BIAS: plane=1
 
-Wrongly dark and wrongly lit are the parts of the light that are missing, or too much, in per cent of the pixels that see
-a face: without a filter, of all light or none, they are pixels."""
+A pixel's error is the fraction of its unshadowed light that is missing (wrongly dark) or too much (wrongly lit). The tables
+give the sums of the errors in per cent of the pixels that see a face. Without a filter a fraction is 0 or 1, so that the
+sums are numbers of pixels."""
 import math
 import os
 import subprocess
@@ -26,7 +27,7 @@ FILTERS = ["none", "bilinear", "3x3", "5x5", "7x7", "poisson", "pcss"]
 
 
 def mesh(name, rows, columns, point):
-    """A closed surface over two angles; `point` gives it."""
+    """Returns a closed mesh; `point` maps two angles to a point of the surface."""
     lines = [f"mesh {name}"]
     for i in range(rows):
         for k in range(columns):
@@ -56,7 +57,7 @@ def scene(light):
 
 
 def draw(folder, text, *options):
-    """The green of each pixel."""
+    """Returns the green channel of each pixel."""
     path, out = os.path.join(folder, "scene.tia"), os.path.join(folder, "out.ppm")
     with open(path, "w", encoding="ascii") as file:
         file.write(text)
@@ -66,7 +67,7 @@ def draw(folder, text, *options):
 
 
 def part(got, exact, full, unlit):
-    """Of the light that there is without shadows."""
+    """Returns the error as a fraction of the unshadowed light."""
     return min(1, (got - exact) / (full - unlit)) if full > unlit else 1
 
 
@@ -92,7 +93,8 @@ def biases(folder, light, name, sizes):
 
 
 def filters(folder, bias, sizes):
-    """A square light with 64 samples; the filters but PCSS see a point in its middle."""
+    """Prints the table of filters, for a square light with 64 samples. All filters but PCSS take the light as a point at its
+    middle."""
     area = "light rectangle at 3 7 4 sides 0.443 0 0 0 0 0.443 emission 1 samples "
     exact = draw(folder, scene(area + "64"), "--shadows", "zfail")
     unlit = draw(folder, scene("light ambient emission 0"), "--shadows", "zfail")

@@ -9,7 +9,7 @@
 
 #define SHADOW_LAMPS 4
 
-/* A scene with one light, the first of SHADOW_LAMPS; scene.light_count may be set up to that number. */
+/* A scene with SHADOW_LAMPS lights. scene.light_count is 1 at first, and may be set up to SHADOW_LAMPS. */
 struct shadow_scene {
     struct mesh mesh;
     struct tia_vec3 *points;
@@ -24,11 +24,12 @@ void shadow_must(bool fine);
 
 /* Allocates memory for meshes of every level. */
 void shadow_scene_init(struct shadow_scene *s);
-/* Makes the scene with a mesh of one of MESH_LEVELS levels. */
+/* Makes the scene with the mesh of a level below MESH_LEVELS. */
 void shadow_scene_make(struct shadow_scene *s, int level);
 void shadow_scene_free(struct shadow_scene *s);
 
-/* The passes that draw the scene in one image: depths alone, and counts of shadow volumes for the scene's light. */
+/* The passes that draw the scene into one image: one for the depths, and two that count the shadow volumes of the
+ * scene's light. */
 struct shadow_passes {
     struct tia_flat_scene flat;
     tia_flat_light light;

@@ -1,4 +1,4 @@
-/* shadows.h - shadow volumes of the scene in mesh_scene.h, alone and beside OpenGL's rasterisers. */
+/* shadows.h - measures shadow volumes of the scene in shadow_scene.h, alone and beside OpenGL's rasterisers. */
 #ifndef BENCH_SHADOWS_H
 #define BENCH_SHADOWS_H
 

@@ -21,7 +21,8 @@ void bench_shadows_gl(const char *driver)
 #include <unistd.h>
 
 #define ROUNDS 7
-/* Milliseconds after which no third or later round begins; llvmpipe compiles shaders in the first. */
+/* Time in milliseconds after which no further round begins, from the third on; llvmpipe compiles its shaders in the
+ * first round. */
 #define PATIENCE 500
 
 /* ---- recording ---- */
@@ -44,7 +45,7 @@ static struct {
 /* The rasteriser's own function, under the name that the linker's option --wrap gives it. */
 int __real_tia_raster_draw(struct tia_raster_target *target, const struct tia_raster_state *state,
                            const struct tia_raster_vertex *corners, unsigned count, uint32_t face);
-/* The function that --wrap calls in its place: also records the polygon. */
+/* The function that --wrap calls in place of the rasteriser's own: it also records the polygon. */
 int __wrap_tia_raster_draw(struct tia_raster_target *target, const struct tia_raster_state *state,
                            const struct tia_raster_vertex *corners, unsigned count, uint32_t face);
 
@@ -172,7 +173,7 @@ static void measure_all(const char *driver)
     shadow_scene_free(&s);
 }
 
-/* Measures one driver in a process of its own: the driver is chosen before the library is loaded, and the library is
+/* Measures one driver in a process of its own: a driver must be chosen before the library is loaded, and the library is
  * never unloaded. */
 void bench_shadows_gl(const char *driver)
 {

@@ -46,7 +46,7 @@ struct measured {
     struct best full, relit, floats;
 };
 
-/* Draws by the float loop: in lanes of the instruction set `simd`, as its baseline; in plain C if NULL. */
+/* Draws by the float loop in SIMD lanes of the instruction set `simd`, its baseline; in plain C if `simd` is NULL. */
 static void draw_floats(const struct picture *p, const char *simd)
 {
     if (simd)
@@ -129,7 +129,7 @@ void bench_simd(void)
         row(&p, "plain", NULL);
         for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
             (void)tia_simd_named(names[k], &simd);
-            if (simd && simd != last) /* tia_simd_named may have given a narrower set in its place */
+            if (simd && simd != last) /* for a set that is missing, tia_simd_named returns a narrower one */
                 row(&p, names[k], simd);
             last = simd;
         }

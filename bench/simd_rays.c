@@ -14,13 +14,13 @@
 
 #define ROUNDS 5
 #define STRIP 16 /* rows that a thread draws at a time */
-/* Largest number of drawers: plain C, the instruction sets, the last of them in two threads, double precision,
+/* Largest number of drawers: plain C, the instruction sets, the last of these with two threads, double precision, and
  * Embree. */
 #define DRAWERS 11
 
 const char *bench_scene;
 
-/* A drawer: a core, with SIMD kernels or without; `core` is NULL for Embree. */
+/* A drawer: a core, with or without SIMD kernels. `core` is NULL for Embree. */
 struct drawer {
     const char *name;
     const struct tia_core *core;
@@ -81,7 +81,7 @@ static void begin_core(struct canvas *c)
         must(tia_view_set_simd(c->view, by->simd, c->simd_memory, more));
 }
 
-/* Begins a scene; false: Embree does not draw it. */
+/* Begins a scene. Returns false if Embree does not support it. */
 static bool begin(struct canvas *c, const struct drawer *by, const struct tia_scene *scene, uint16_t width,
                   uint16_t height)
 {
@@ -169,7 +169,7 @@ static int find_drawers(struct drawer to[DRAWERS])
     return n;
 }
 
-/* Returns the share of pixels, per mille, whose values differ by more than two levels of red in a channel. */
+/* Returns the fraction of pixels, per mille, whose values differ by more than two levels of red in a channel. */
 static double different(const struct canvas *a, const struct canvas *b)
 {
     size_t count = (size_t)a->width * a->height, wrong = 0;

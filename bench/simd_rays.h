@@ -2,7 +2,7 @@
 #ifndef BENCH_SIMD_RAYS_H
 #define BENCH_SIMD_RAYS_H
 
-/* A part of the names of the scenes to measure; NULL: all scenes. */
+/* Only scenes whose names contain this text are measured; NULL: all scenes. */
 extern const char *bench_scene;
 
 void bench_simd_rays(void);

@@ -64,7 +64,8 @@ static void close_picture(struct picture *p)
     raster_bench_free(&p->exact);
 }
 
-/* Returns the colour that TinyGL converts to `byte`: it multiplies by 254, adds nearly 1 and rounds down. */
+/* Returns the colour that TinyGL converts to `byte`. TinyGL multiplies a colour by 254, adds nearly 1 and rounds
+ * down. */
 static GLfloat shade(uint32_t byte)
 {
     return byte ? ((GLfloat)byte - 0.25f) / 254 : 0;
@@ -83,7 +84,7 @@ static void draw(const struct picture *p)
     glEnd();
 }
 
-/* Returns the number of pixels where TinyGL shows a different face, or none. */
+/* Returns the number of pixels where TinyGL does not show the same face as tia. */
 static uint32_t differences(const struct picture *p)
 {
     const struct tia_raster_target *t = &p->exact.target;

@@ -14,7 +14,7 @@
 
 enum { WIDTH = 1920, HEIGHT = 1080, ROWS = 16, ROUNDS = 25, FRAMES = 10, STARTS = 15 };
 
-/* The data to draw a frame, and its target. */
+/* The data for drawing a frame, and its target. */
 struct stage {
     struct tia_scene scene;
     struct tia_view *view;
@@ -76,8 +76,9 @@ static void draw(struct threads *pool, struct stage *s, bool relit)
     threads_run(pool, strip, s, (HEIGHT + ROWS - 1) / ROWS);
 }
 
-/* Ties the thread that runs job n to the n-th of the processors that this program may use: schedulers may put threads
- * that run for only half a millisecond on one processor. Each job waits for the other, so that no thread runs both. */
+/* Binds the thread that runs job n to the n-th of the processors that this program may use: a scheduler may put both
+ * threads on one processor if they run for only half a millisecond. Each job waits for the other, so that no thread
+ * runs both. */
 static void settle(void *arg, unsigned index)
 {
     atomic_uint *settled = arg;
@@ -101,8 +102,8 @@ struct cost {
     double wall, cpu;
 };
 
-/* Measures frames in sequence, as when a key is held. The first frames are not counted: by their end the other thread
- * spins while it waits for the next round. */
+/* Measures consecutive frames, as when a key is held down. The first frames are not counted: after them, the other
+ * thread spins while it waits for a round, instead of sleeping. */
 static void take(struct threads *pool, struct stage *s, bool relit, struct cost *best)
 {
     for (int i = 0; i < FRAMES; i++)
@@ -154,7 +155,7 @@ static double median(double values[STARTS])
     return values[STARTS / 2];
 }
 
-/* Measures with new memory and a new pool each time. */
+/* Measures the start-up, with new memory and a new pool each time. */
 static void measure_start(const struct tia_simd *simd)
 {
     double memory[STARTS], first[STARTS], tenth[STARTS];
@@ -184,7 +185,7 @@ void bench_threads(void)
 {
     const struct tia_simd *simd = tia_simd_best();
 
-    (void)mallopt(M_MMAP_THRESHOLD, 1 << 20); /* memory that is freed goes back to the system */
+    (void)mallopt(M_MMAP_THRESHOLD, 1 << 20); /* returns freed memory to the system */
     printf("\n| %ux%u | threads | full, ms | CPU | relit, ms | CPU | full, times | relit, times |\n", WIDTH, HEIGHT);
     printf("|---|--:|--:|--:|--:|--:|--:|--:|\n");
     measure_frames(NULL);

@@ -1,5 +1,5 @@
-// web.mjs - the time that the page's module takes for a picture: node bench/web.mjs SCENE WxH [ARITHMETIC [MODULE]]
-// Compare with the same picture by build/tia: node compiles WebAssembly as Chromium does.
+// web.mjs - measures the time of a picture in the page's WebAssembly module: node bench/web.mjs SCENE WxH [ARITHMETIC [MODULE]]
+// Compare it with the time of build/tia for the same picture. node compiles WebAssembly as Chromium does.
 import fs from 'node:fs';
 import path from 'node:path';
 

@@ -1,4 +1,5 @@
-/* device.h - a display or an input of this program: its functions (tia/port.h), and its data for the command line.
+/* device.h - the table rows of a display and of an input: functions (tia/port.h), and name and summary for the command
+ * line.
  *
  * The reason for a failure is one line without a full stop, in the form "WHAT: WHY" or "WHAT: WHY (FIX)", written to
  * the `why` that was passed to create.
@@ -10,25 +11,25 @@
 
 #define PORT_WHY 256
 
-/* The user's wishes; zero means the device's own choice. */
+/* The user's settings for a device. A member that is zero leaves the choice to the device. */
 struct port_wish {
-    const char *device; /* a node, or NULL: the first that works */
+    const char *device; /* path of a node, or a port's own name; NULL: the first that works */
     uint16_t width, height;
     const char *connector; /* DRM: a connector's name, or NULL */
     const char *mode;      /* DRM: "preferred", "WxH" or "WxH@R", or NULL */
-    bool pointer;          /* the input is to report its pointer's position */
+    bool pointer;          /* the input must also report a pointer */
     char *why;             /* [PORT_WHY] */
 };
 
-/* One line of text about a device, for --list-displays. */
+/* Receives one line of text about a device, for --list-displays. */
 typedef void port_line(void *arg, const char *text);
 
 struct port_display {
     const char *name, *summary;
-    bool takes_screen; /* covers the console: must not be opened without an input */
+    bool takes_screen; /* takes over the console, so an input or a limit on the frames must end it */
     const struct tia_display *ops;
     void *(*create)(const struct port_wish *wish); /* returns NULL on failure, with the reason in wish->why */
-    void (*destroy)(void *ctx);                    /* to be called after close */
+    void (*destroy)(void *ctx);                    /* call it after close */
     /* Prints each device found, its modes and formats, or the reason why it cannot be opened. */
     void (*list)(port_line *line, void *arg);
 };

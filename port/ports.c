@@ -14,7 +14,7 @@
 #endif
 #include "terminal/terminal.h"
 
-/* Displays in the order of `auto`, which stops before "none". */
+/* Displays, in the order in which `auto` tries them; "none" and "osmesa" must be named. */
 const struct port_display port_displays[] = {
 #ifdef TIA_HAVE_DRM
     {

@@ -1,6 +1,7 @@
-/* ports.h - the displays and inputs that this build has, by name.
+/* ports.h - the tables of the displays and inputs of this build.
  *
- * A port is its functions (tia/port.h), create and destroy for its context, and a row in one of the tables in ports.c.
+ * A port consists of its functions (tia/port.h), `create` and `destroy` for its context, and a row in a table of
+ * ports.c.
  */
 #ifndef PORT_PORTS_H
 #define PORT_PORTS_H

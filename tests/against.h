@@ -12,7 +12,7 @@
 #include <string.h>
 
 #define AGAINST_NOTES 8
-#define AGAINST_REACH 1e-9 /* pixels: a thousand times double's errors, far below those of q16 */
+#define AGAINST_REACH 1e-9 /* in pixels: a thousand times double's rounding errors, far below those of q16 */
 
 /* A pixel that differs. */
 struct against_note {
@@ -23,7 +23,7 @@ struct against_note {
 struct against {
     struct tally tally;
     uint64_t undecided; /* flips that lie within AGAINST_REACH of a boundary */
-    double margin;      /* largest error of the pixels off by one level without a flip */
+    double margin;      /* largest error of the pixels that are off by one level without a flip */
     unsigned note_count;
     struct against_note notes[AGAINST_NOTES];
 };
@@ -60,7 +60,7 @@ static inline void against_differs(void *arg, unsigned core, enum verdict verdic
     (void)pthread_mutex_unlock(&c->lock);
 }
 
-/* Draws `what` with its cores and with the oracle, once. Returns a negative tia_status when it cannot be drawn. */
+/* Draws `what` with its cores, and once with the oracle. Returns a negative tia_status if it cannot be drawn. */
 static inline int against_oracle_with(struct measure what, struct against out[])
 {
     struct against_comparison comparison = {&what, out, PTHREAD_MUTEX_INITIALIZER};
@@ -89,7 +89,7 @@ static inline int against_oracle(const struct tia_core *core, const struct tia_s
                                out);
 }
 
-/* Prints the notes when the environment has VERBOSE. */
+/* Prints the notes if the environment variable VERBOSE is set. */
 static inline void against_list(const char *name, const struct against *against)
 {
     for (unsigned i = 0; i < against->note_count && getenv("VERBOSE"); i++) {

@@ -1,7 +1,6 @@
-/* bound_scales.h - the bounds of src/simd and of coherence by name, each with a factor: see src/simd/bound.h and
- * coherence_proved.h, which include this file where BOUND_SCALES is defined. tests/bounds scales one bound of a whole
- * program by TIA_BOUND=NAME and TIA_BOUND_SCALE=x in the environment; test_ray_bounds --uses does so within the
- * program. */
+/* bound_scales.h - the bounds of src/simd and of coherence by name, each with a factor. src/simd/bound.h and
+ * coherence_proved.h include this file if BOUND_SCALES is defined. tests/bounds scales one bound of a whole program by
+ * TIA_BOUND=NAME and TIA_BOUND_SCALE=x in the environment; test_ray_bounds --uses does so within the program. */
 #ifndef TIA_TESTS_BOUND_SCALES_H
 #define TIA_TESTS_BOUND_SCALES_H
 
@@ -17,7 +16,7 @@ struct scaled_bound {
     double scale;
 };
 
-/* Bounds of this translation unit that were reached so far. */
+/* The bounds of this translation unit that were reached so far. */
 static struct scaled_bound scaled_bounds[BOUNDS_MAX];
 static int scaled_bound_count;
 

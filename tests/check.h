@@ -45,13 +45,13 @@ static char check_why[500];
         CHECK_MSG(check_got == check_want, "%s is %jd, not %jd", #got, check_got, check_want);                         \
     } while (0)
 
-/* True in make check-quick, where tests omit cases that take long. */
+/* True in make check-quick, in which tests omit long cases. */
 static inline bool check_is_quick(void)
 {
     return getenv("CHECK_QUICK") != NULL;
 }
 
-/* Returns the number of random cases for a test whose full run has `full`: in make check-quick a quarter. */
+/* Returns the number of random cases: `full`, or a quarter of it in make check-quick. */
 static inline unsigned check_count(unsigned full)
 {
     return check_is_quick() ? (full + 3) / 4 : full;

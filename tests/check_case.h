@@ -1,9 +1,9 @@
 /* check_case.h - one case of a test program instead of all: `build/tests/test_math square_root_of_4`.
  *
  * The case is the first argument that is a word; numbers, options and paths are the program's own arguments. Arguments
- * are read from /proc/self/cmdline, since main has no parameters in most programs; where that fails, all cases run. In
- * a program with `static bool check_ordered = true;` cases use the counts or random numbers of earlier ones, so these
- * run as well, without a report.
+ * are read from /proc/self/cmdline, since main has no parameters in most programs. If that fails, all cases run. In a
+ * program with `static bool check_ordered = true;`, cases use counts or random numbers of earlier cases. The earlier
+ * cases then run as well, without a report.
  */
 #ifndef TESTS_CHECK_CASE_H
 #define TESTS_CHECK_CASE_H
@@ -17,7 +17,7 @@
 
 enum { CHECK_NAME = 80, CHECK_NEAREST = 3 };
 
-static bool check_ordered;           /* true where cases depend on earlier ones, see above */
+static bool check_ordered;           /* true if cases depend on earlier ones, see above */
 static char check_asked[CHECK_NAME]; /* the chosen case; "": all cases */
 static bool check_asked_known;
 static unsigned check_found; /* number of cases of the chosen name */
@@ -39,7 +39,7 @@ static inline bool check_is_word(const char *argument)
     return isalpha((unsigned char)*argument) && !strchr(argument, '/');
 }
 
-/* Returns argument i as a number; `otherwise` when there is none or it is the name of a case. */
+/* Returns argument i as a number; `otherwise` if there is none, or if it is the name of a case. */
 static inline uint64_t check_number(int argc, char **argv, int i, uint64_t otherwise)
 {
     return i < argc && !check_is_word(argv[i]) ? strtoull(argv[i], NULL, 10) : otherwise;
@@ -104,8 +104,8 @@ static inline bool check_chooses(void)
     return check_asked[0] != 0;
 }
 
-/* True if a case is the chosen one. The case "avx2: threads", which runs for each instruction set, has the name
- * "threads" as well. */
+/* True if a case is the chosen one. The case "avx2: threads", which runs for each instruction set, can also be chosen
+ * as "threads". */
 static inline bool check_is_asked(const char *name)
 {
     const char *part = strrchr(name, ' ');
@@ -120,7 +120,7 @@ static inline bool check_is_asked(const char *name)
     return false;
 }
 
-/* Returns 0, or 2 after a line on standard error when there is no case of the chosen name. */
+/* Returns 0; or 2, after a line on standard error, if there is no case of the chosen name. */
 static inline int check_unmet(void)
 {
     if (!check_asked_known || !check_asked[0] || check_found)

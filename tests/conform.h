@@ -13,7 +13,7 @@ struct subject {
     const struct tia_display *ops;
     void *ctx;
     const char *why;
-    /* Returns pixel (x, y) of the frame presented last, as RGB565; NULL: it cannot be read. */
+    /* Returns pixel (x, y) of the frame presented last, as RGB565; NULL if pixels cannot be read. */
     tia_rgb565 (*pixel)(void *arg, unsigned x, unsigned y);
     /* NULL, or waits until `frames` frames have been shown, not counting those that changed nothing */
     void (*settle)(void *arg, unsigned frames);
@@ -52,7 +52,7 @@ static inline bool draw_tile(struct tia_tile tile, unsigned frame)
     return !subject.ops->submit(subject.ctx, tile);
 }
 
-/* The picture cut into tiles of a size that the mode allows and that does not divide it. */
+/* The picture cut into tiles. The mode allows their size, and the picture's size is not a multiple of it. */
 struct cut {
     unsigned width, height, columns, rows, frame, first, every;
     bool failed;
@@ -76,7 +76,7 @@ static inline unsigned smaller(unsigned a, unsigned b)
     return a < b ? a : b;
 }
 
-/* Draws every `every`th tile from `first` on, in reverse order. */
+/* Draws every `every`th tile, beginning with number `first`, in reverse order. */
 static inline void *draw_cut(void *arg)
 {
     struct cut *cut = arg;

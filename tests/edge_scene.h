@@ -24,7 +24,7 @@ static inline uint32_t edge_below(uint64_t *state, uint32_t limit)
     return (uint32_t)(dice_next(state) % limit);
 }
 
-/* Returns a number of any magnitude below 2^bits, with either sign. */
+/* Returns a number of random magnitude below 2^bits, with a random sign. */
 static inline int32_t edge_any(uint64_t *state, int bits)
 {
     uint64_t range = UINT64_C(2) << edge_below(state, (uint32_t)bits);
@@ -65,7 +65,7 @@ static inline void edge_sphere(uint64_t *state, struct edge_scene *e, unsigned i
     s->centre.x += edge_any(state, 12);
     s->centre.y = eye->y + away / 4 * ((int32_t)edge_below(state, 3) - 1);
     s->centre.y += edge_any(state, 12);
-    s->centre.z = eye->z - away - (edge_below(state, 8) ? s->radius : 0); /* in most cases before the eye */
+    s->centre.z = eye->z - away - (edge_below(state, 8) ? s->radius : 0); /* in most cases in front of the eye */
     if (i > 0 && edge_below(state, 3) == 0) {                             /* the sphere touches the previous one */
         s->centre = e->spheres[i - 1].centre;
         s->centre.y += s->radius + e->spheres[i - 1].radius;
@@ -79,7 +79,7 @@ static inline void edge_light(uint64_t *state, struct edge_scene *e, unsigned i,
 
     *light = (struct tia_light){.kind = TIA_POINT_LIGHT, .emission = edge_colour(state, grey)};
     light->centre = edge_point(state, reach);
-    if (edge_below(state, 3) == 0) { /* on a sphere, or near one */
+    if (edge_below(state, 3) == 0) { /* on a sphere, or near its surface */
         light->centre = at->centre;
         light->centre.y += at->radius + edge_any(state, 16);
     }

@@ -1,4 +1,4 @@
-/* extreme_scenes.h - random scenes of samples with sizes, positions and materials at the ends of the accepted
+/* extreme_scenes.h - random scenes for integrators, with sizes, positions and materials at the ends of the accepted
  * ranges. */
 #ifndef TESTS_EXTREME_SCENES_H
 #define TESTS_EXTREME_SCENES_H
@@ -14,8 +14,8 @@ static tia_q16 random_size(uint64_t *state)
     return sizes[dice_next(state) % (sizeof sizes / sizeof *sizes)];
 }
 
-/* Returns a position for an object of this size: the centre of an existing sphere, a point on the y axis, or a point
- * at the height size/2. */
+/* Returns a position for an object of this size: the centre of an existing sphere, a point on the y axis, or a point at
+ * the height size/2. */
 static struct tia_vec3 random_place(uint64_t *state, const struct tia_scene *s, tia_q16 size)
 {
     tia_q16 away = dice_one_in(state, 2) ? size + TIA_Q16(4) : dice_between(state, 0, TIA_Q16(200));
@@ -44,7 +44,8 @@ static void make_extreme_light(uint64_t *state, struct corpus_rays *c, struct ti
     l->side[1].z++;
 }
 
-/* Makes materials that reflect more than they receive, highlights as narrow or wide as possible, indices next to 1. */
+/* Makes a material extreme: it may reflect more than it receives, have the narrowest or widest highlight, or an index
+ * next to 1. */
 static void make_extreme_material(uint64_t *state, struct tia_material *m)
 {
     const struct tia_rgb white = {TIA_Q30_ONE, TIA_Q30_ONE, TIA_Q30_ONE};
@@ -61,7 +62,7 @@ static void make_extreme_material(uint64_t *state, struct tia_material *m)
     m->index = dice_one_in(state, 2) ? TIA_Q16_ONE + 1 : TIA_Q16(4);
 }
 
-/* Makes cylinders and cones 1000 times as large around their bases. */
+/* Makes a cylinder or a cone 1000 times as large, with the same base point. */
 static void make_huge(struct tia_shape *s)
 {
     struct tia_vec3 along;
@@ -156,8 +157,8 @@ static void look_from(double x, double y, double z, double fov)
                                        .fov = TIA_Q16(fov)};
 }
 
-/* Makes a box around the eye of a material that reflects all light in each of four ways: each path takes one of them,
- * and its weight is four times as large. */
+/* Surrounds the eye with a box whose material reflects all light in each of four ways. A path takes one of the four,
+ * with a weight that is four times as large. */
 static struct tia_material *world_of_all_lobes(uint16_t bounces)
 {
     world_begin(TIA_PATHS);
@@ -174,14 +175,15 @@ static struct tia_material *world_of_all_lobes(uint16_t bounces)
     return &world_materials[0];
 }
 
-/* Makes throughputs of 2^17 and more, which are clamped, on their way to a background of 2^-28. */
+/* Makes paths whose throughput reaches 2^17, where it is clamped, before they meet a background of 2^-28. */
 static void make_cut_throughput(void)
 {
     (void)world_of_all_lobes(12);
     world.background = (struct tia_rgb){4, 4, 4};
 }
 
-/* Makes two walls of index 1: after 7 bounces, only passing straight through them brings a throughput beyond 2^17. */
+/* Makes two walls of index 1. After 7 bounces, only passing straight through the walls raises a throughput beyond
+ * 2^17. */
 static void make_cut_layers(void)
 {
     world_of_all_lobes(8)->index = TIA_Q16(1);
@@ -190,8 +192,8 @@ static void make_cut_layers(void)
         (struct tia_box){{-TIA_Q16(2), -TIA_Q16(2), -TIA_Q16(2)}, {TIA_Q16(2), TIA_Q16(2), TIA_Q16(2)}};
 }
 
-/* Makes a light that is more likely chosen than met: throughput times radiance is clamped, although their product with
- * the weight would be smaller. */
+/* Makes a light that is chosen with a higher probability than it is hit. The product of throughput and radiance is
+ * clamped, although the weight would then reduce it. */
 static void make_cut_radiance(void)
 {
     struct tia_light *lamp;
@@ -202,7 +204,7 @@ static void make_cut_radiance(void)
     lamp->emission_bits = 12;
 }
 
-/* Makes a light 5,200 long and at most 2^-15 wide: some of its points lie farther behind its plane than the gap at the
+/* Makes a light 5,200 long and at most 2^-15 wide. Some of its points lie farther behind its plane than the gap at the
  * end of shadow rays. */
 static void make_sliver(void)
 {
@@ -219,8 +221,8 @@ static void make_sliver(void)
     look_from(0, 0, 3, 40);
 }
 
-/* Makes rays that pass straight through a scaled sphere where they graze it. A unit in the sphere's axes is 2^-35; some
- * rays start outside again, since their origins are only 2^-26 times an angle behind its surface. */
+/* Makes rays that graze a scaled sphere and pass straight through it. A unit in the sphere's axes is 2^-35. A ray's
+ * origin is behind the surface by only 2^-26 times the grazing angle, so some rays start outside the sphere again. */
 static void make_grazed(void)
 {
     static const struct tia_transform large = {

@@ -1,5 +1,5 @@
-/* fall_oracle.h - balls between planes in double precision: from contact to contact, each at a root of the textbook's
- * quadratic. Time has no steps, and no ball rests. */
+/* fall_oracle.h - balls between planes in double precision, simulated from contact to contact. The time of a contact is
+ * a root of the textbook's quadratic. There are no time steps, and no ball comes to rest. */
 #ifndef TESTS_FALL_ORACLE_H
 #define TESTS_FALL_ORACLE_H
 

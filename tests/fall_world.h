@@ -1,4 +1,4 @@
-/* fall_world.h - scenes with balls that fall, from texts. */
+/* fall_world.h - scenes with falling balls, read from texts. */
 #ifndef TESTS_FALL_WORLD_H
 #define TESTS_FALL_WORLD_H
 

@@ -1,8 +1,8 @@
-/* float_modes.h - floating-point environments in which a program may call SIMD kernels: rounding other than to nearest,
- * and, where the processor has them, subnormal numbers that become 0, and traps.
+/* float_modes.h - floating-point environments in which a program may call SIMD kernels: rounding other than to nearest;
+ * and, if the processor has them, flushing of subnormal numbers to 0, and traps.
  *
- * A program with this header runs in the mode that the variable SIMD_MODE names: tests/slow/simd runs tests of the SIMD
- * kernels in each. */
+ * A program with this header runs in the mode that the environment variable SIMD_MODE names. tests/slow/simd runs tests
+ * of the SIMD kernels in each mode. */
 #ifndef TESTS_FLOAT_MODES_H
 #define TESTS_FLOAT_MODES_H
 
@@ -56,7 +56,7 @@ static inline void float_mode_set(const struct float_mode *mode)
 #endif
 }
 
-/* Sets the environment that the entry into SIMD kernels sets: for tests of the functions behind it. */
+/* Sets the environment that SIMD kernels set on entry, for tests that call their inner functions. */
 static inline void float_mode_of_simd(void)
 {
     struct environment caller;

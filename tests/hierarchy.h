@@ -38,7 +38,7 @@ static inline void set_spheres(uint32_t count)
         spheres[i] = (struct tia_sphere){point(100 * ONE), 64 + (tia_q16)(random_u32() % (3 * ONE)), 0};
 }
 
-/* Sets spheres in every direction, many at each distance; distances are powers of two. */
+/* Places spheres in every direction, many at each distance; distances are powers of two. */
 static inline void set_exponential_spheres(void)
 {
     set_spheres(MOST);
@@ -51,7 +51,7 @@ static inline void set_exponential_spheres(void)
 
 static const struct tia_bvh *bvh; /* the hierarchy of the last build() */
 static void *memory;              /* its memory */
-static size_t used;               /* number of bytes that it needs */
+static size_t used;               /* number of bytes that the hierarchy needs */
 
 static inline void build(void)
 {

@@ -1,10 +1,10 @@
-/* instance_cases.h - src/render/geometry/instance.c and sphere.c against matrices and quadratics in long double, in
- * whatever arithmetic they are compiled for. */
+/* instance_cases.h - tests src/render/geometry/instance.c and sphere.c, in the arithmetic for which they are compiled,
+ * against matrices and quadratics in long double. */
 #include "ray_cases.h"
 #include "render/geometry/instance.h"
 
-/* ERROR: bound of the error of a coordinate in the world, where the largest coordinate is `size`. ANGLE: bound of the
- * error of a direction. */
+/* ERROR: bound of the error of a coordinate in the world, for coordinates up to `size`. ANGLE: bound of the error of a
+ * direction. */
 #ifdef TIA_NUM_F64
 #define ERROR(size) (16 * 0x1p-52L * (size))
 #define ANGLE 0x1p-49L
@@ -52,7 +52,7 @@ static void make(struct matrix *m, const tia_q16 scale[3], long double reach)
     instance_prepare(&m->instance, &m->transform, &m->box);
 }
 
-/* Makes a random transform, whose scales have all sizes, often the extremes. */
+/* Makes a random transform with scales of all magnitudes, often the smallest or the largest. */
 static void make_random(struct matrix *m)
 {
     tia_q16 scale[3];
@@ -86,7 +86,7 @@ static long double between(int64_t a, int64_t b)
     return ((long double)a + (long double)(b - a) * (random_real() + 1) / 2) / 65536;
 }
 
-/* Returns a point in the box, or outside it by up to `beyond` of its size; in the shape's axes. */
+/* Returns a point in the shape's axes: in the box, or outside it by up to `beyond` times the box's size. */
 static real3 in_box(const struct matrix *m, int64_t beyond)
 {
     int64_t out[3];
@@ -115,7 +115,7 @@ static struct ray ray_at(real3 target)
     return ray_towards(from, target);
 }
 
-/* True if |a_i - b_i| <= error/scale_i, where a and b are in the shape's axes and `error` is in the world. */
+/* True if |a_i - b_i| <= error/scale_i for a and b in the shape's axes; `error` is a length in the world. */
 static bool is_near(const struct matrix *m, real3 a, real3 b, long double error)
 {
     return fabsl(a.x - b.x) <= error / m->scale[0] && fabsl(a.y - b.y) <= error / m->scale[1] &&
@@ -146,7 +146,7 @@ static void tia_check_placed(const struct matrix *m, const struct ray *ray, real
         CHECK_MSG(fabsl(there - wanted) < k * error + 1e-12L * (1 + wanted), "%Lg there, not %Lg", there, wanted);
     long double back = real_of(instance_distance_back(&placed, num_of(wanted)));
     CHECK_MSG(t <= start || fabsl(back - t) < error + 4 * 0x1p-45L / k, "%Lg back, not %Lg", back, t);
-    /* the transformed ray starts near the box, unless it begins behind it: its coordinates then stay as large as the
+    /* a transformed ray whose start was moved forward starts near the box, so that its coordinates stay as large as the
      * shape's */
     for (int i = 0; i < 3; i++) {
         long double x = i == 0   ? local.x
@@ -172,7 +172,7 @@ TEST(rays_are_placed_as_matrices_say)
     }
 }
 
-/* Returns near - far of the slab test with the box enlarged by `grown`: negative if the ray meets it. */
+/* Returns near - far of the slab test with the box enlarged by `grown`: negative if the ray meets the box. */
 static long double passes(const struct matrix *m, const struct ray *ray, long double grown)
 {
     real3 o = to_shape(m, minus(real3_of(ray->origin), m->position)), d = to_shape(m, real3_dir(ray->direction));

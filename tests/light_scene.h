@@ -1,5 +1,5 @@
-/* light_scene.h - a small world to measure light in: a probe, which is one pixel of nearly no width that looks straight
- * down at the origin of a floor z = 0, and means and standard errors of its samples. */
+/* light_scene.h - a small world to measure light in. The probe is a pixel of nearly no width that looks straight down
+ * at the origin of a floor z = 0; its samples have a mean and a standard error. */
 #ifndef TESTS_LIGHT_SCENE_H
 #define TESTS_LIGHT_SCENE_H
 
@@ -23,7 +23,7 @@ static struct tia_shape world_shapes[WORLD_PARTS];
 static struct tia_sphere world_spheres[WORLD_PARTS];
 static struct tia_light world_lights[WORLD_PARTS];
 
-/* Begins a world; material 0 is Lambert's, half grey. */
+/* Begins a world. Material 0 is Lambertian, a grey with the reflectance 1/2. */
 static void world_begin(enum tia_integrator integrator)
 {
     memset(world_materials, 0, sizeof world_materials);
@@ -69,7 +69,7 @@ static inline struct tia_light *world_light(enum tia_light_kind kind, double x, 
     return l;
 }
 
-/* Makes a room of matt walls with a mirror, a glass and a glossy ball below a lamp. */
+/* Makes a room of matt walls with three balls below a lamp: a mirror, a glass and a glossy ball. */
 static inline void world_room(void)
 {
     static const double walls[5][6] = {

@@ -1,5 +1,5 @@
-/* limit_cases.h - a scene, changes that bring it to each of its limits and one step beyond, and the faults then
- * reported. */
+/* limit_cases.h - a scene, changes that bring it to each of its limits and one step beyond, and the faults that are
+ * reported beyond. */
 #ifndef TESTS_LIMIT_CASES_H
 #define TESTS_LIMIT_CASES_H
 
@@ -10,7 +10,7 @@
 #define UNIT "each channel must be in 0..1"
 #define LENGTH "its length must be in 0.5..1.5"
 
-/* An object before the eye, on a floor, lit; a case changes a part of the scene. */
+/* An object in front of the eye, on a floor, lit. A case changes a part of the scene. */
 static struct tia_scene scene;
 static struct tia_material materials[2];
 static struct tia_shape shapes[2];
@@ -46,7 +46,7 @@ static void set_up(void)
     scene.transform_count = scene.texture_count = scene.grid_count = 1;
 }
 
-/* Defines a function that changes the scene to a limit, or if `beyond` is 1 to one step beyond. */
+/* Defines a function that changes the scene to a limit; or, if `beyond` is 1, to one step beyond it. */
 #define LIMIT(name) static void name(int beyond)
 
 LIMIT(narrowest_view)
@@ -64,7 +64,7 @@ LIMIT(most_samples)
     scene.camera.samples = TIA_SAMPLES_MAX + (uint32_t)beyond;
 }
 
-/* a coordinate k for which 5 k = 2^31 - 3 */
+/* a coordinate k with 5 k = 2^31 - 3 */
 #define FIFTH (INT32_MAX / 5)
 
 LIMIT(farthest_window)
@@ -157,7 +157,7 @@ LIMIT(dimmest_light)
 LIMIT(narrowest_spot)
 {
     light.kind = TIA_SPOT_LIGHT;
-    light.centre = (struct tia_vec3)TIA_VEC3(0, 64, 74); /* lights only the floor in front of the ball */
+    light.centre = (struct tia_vec3)TIA_VEC3(0, 64, 74); /* the light reaches only the floor in front of the ball */
     light.direction = (struct tia_dir3){0, TIA_Q30(-0.6), TIA_Q30(-0.7)};
     light.outer = ONE - beyond;
 }
@@ -182,7 +182,7 @@ LIMIT(longest_direction)
     light.direction.y = -TIA_Q30_ONE / 2 * 3 - beyond;
 }
 
-/* At 2^-5 from the ball the attenuation leaves 1/32. */
+/* At a distance of 2^-5 from the ball, the attenuation leaves 1/32. */
 LIMIT(steepest_attenuation)
 {
     light.quadratic = 32767 * ONE + beyond;
@@ -278,7 +278,8 @@ LIMIT(largest_scale)
     *shape = (struct tia_shape){.kind = TIA_CONE, .transform = 1, .cone = {{0, -100, 0}, {0, 100, 0}, 0, 99, true}};
 }
 
-/* Half the diagonal is 2^k sqrt(2)/2 1448: below 32 with the least scale. */
+/* The radius around the box, half its diagonal, is 1448 2^10 sqrt(2) units of 2^-16: just below 32, the limit for the
+ * least scale 2^-10. */
 LIMIT(flattest)
 {
     transform.position = (struct tia_vec3)TIA_VEC3(0, 0, -60);

@@ -1,4 +1,4 @@
-/* media_scene.h - a few shapes on the axis of an eye, drawn by the fixed-point path, in double precision and by the
+/* media_scene.h - a few shapes on an eye's line of sight, drawn in fixed point, in double precision and by the
  * oracle. */
 #ifndef TESTS_MEDIA_SCENE_H
 #define TESTS_MEDIA_SCENE_H
@@ -28,7 +28,7 @@ static const struct tia_core *const cores[] = {&tia_core_q16, &oracle_core,
 #endif
 };
 
-/* Draws a small image, upright, around the axis from the eye along -z, 2 wide and high. */
+/* Draws a square picture of an area 2 wide and high around the line of sight. */
 static void draw(const struct tia_core *core, unsigned size, tia_rgb565 *pixels)
 {
     const struct tia_tile all = {0, 0, (uint16_t)size, (uint16_t)size};
@@ -50,7 +50,8 @@ static void draw(const struct tia_core *core, unsigned size, tia_rgb565 *pixels)
     free(memory[1]);
 }
 
-/* Checks the colour of a ray from (x, y, z), in the plane of y and z, by `degrees` up from -z, in every arithmetic. */
+/* Checks the colour of a ray in every arithmetic. The ray starts at (x, y, z) and runs parallel to the plane of y and
+ * z, `degrees` above the direction -z. */
 static void see(double x, double y, double z, double degrees, tia_rgb565 want)
 {
     tia_rgb565 pixel = 1;

@@ -1,5 +1,5 @@
-/* mesh_cases.h - src/render/geometry/mesh.c, in whatever arithmetic it is compiled for: no ray passes between two
- * faces, and the nearest face is that of all faces. */
+/* mesh_cases.h - tests src/render/geometry/mesh.c in the arithmetic for which it is compiled: no ray passes between two
+ * adjacent faces, and the face found is the nearest of all faces. */
 #include "mesh_made.h"
 #include "render/geometry/triangle.h"
 
@@ -16,7 +16,7 @@ static real3 vertex(const struct made *m, uint32_t face, int k)
     return real3_vec(m->vertices[m->faces[face].corner[k].vertex]);
 }
 
-/* Returns a point on an edge of a random face, often its end. */
+/* Returns a point on an edge of a random face, often an end of the edge. */
 static real3 edge_point(const struct made *m, uint32_t *face)
 {
     *face = (uint32_t)(random_bits() % m->mesh.face_count);
@@ -54,7 +54,7 @@ static void check_inside(const struct made *m, real3 centre, long double within,
     }
 }
 
-/* True if all faces whose plane holds the point are turned to the eye. */
+/* True if all faces whose planes contain the point face the eye. */
 static bool faces_eye(const struct made *m, real3 eye, real3 point)
 {
     long double apart = length(minus(eye, point));
@@ -67,7 +67,7 @@ static bool faces_eye(const struct made *m, real3 eye, real3 point)
     return true;
 }
 
-/* Checks rays from outside a convex mesh, whose faces turn outwards. */
+/* Checks rays from outside to a convex mesh, whose faces turn outwards. */
 static void check_outside(const struct made *m, real3 centre, long double away, int rays)
 {
     struct shape shape = shape_of(m);
@@ -113,7 +113,8 @@ TEST(cubes_have_no_holes)
     made_free(m);
 }
 
-/* Rays along the axes through the grid of halves, which include edges and corners of the cube's outline. */
+/* Rays along the axes whose coordinates are multiples of 1/2. Some of them meet edges and corners of the cube's
+ * outline. */
 TEST(rays_along_axes_meet_edges_and_corners)
 {
     struct made *m = made_cube((struct tia_vec3){-TIA_Q16_ONE, -TIA_Q16_ONE, -TIA_Q16_ONE}, 2 * TIA_Q16_ONE);
@@ -147,7 +148,7 @@ TEST(tetrahedra_have_no_holes)
     }
 }
 
-/* Compares the search in a mesh of random faces with each face alone. */
+/* Compares the search in a mesh of random faces with a test of each face. */
 static void check_nearest(const struct made *m, long double size, int rays, unsigned hits[2])
 {
     struct shape shape = shape_of(m);

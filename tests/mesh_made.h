@@ -1,4 +1,4 @@
-/* mesh_made.h - meshes made for tests, and trees over their faces, split at random. */
+/* mesh_made.h - meshes made for tests, and trees over their faces that are split at random. */
 #ifndef TESTS_MESH_MADE_H
 #define TESTS_MESH_MADE_H
 
@@ -17,7 +17,7 @@ struct made {
     struct tia_mesh mesh;
     struct tia_bvh_node nodes[2 * MADE_FACES];
     uint32_t items[MADE_FACES];
-    struct tia_bvh_tree tree; /* a tree without nodes until made_tree */
+    struct tia_bvh_tree tree; /* has no nodes before made_tree */
 };
 
 static inline struct made *made_new(void)
@@ -48,7 +48,7 @@ static inline void made_face(struct made *m, uint32_t a, uint32_t b, uint32_t c)
         {{a, TIA_NO_INDEX, TIA_NO_INDEX}, {b, TIA_NO_INDEX, TIA_NO_INDEX}, {c, TIA_NO_INDEX, TIA_NO_INDEX}}};
 }
 
-/* Returns the vertex halfway between two, moved out to the sphere; an existing one is shared. */
+/* Returns the vertex halfway between two, moved out to the sphere. If that vertex exists already, it is reused. */
 static inline uint32_t made_middle(struct made *m, uint32_t a, uint32_t b, struct tia_vec3 centre, long double radius)
 {
     real3 c = real3_vec(centre),
@@ -62,7 +62,7 @@ static inline uint32_t made_middle(struct made *m, uint32_t a, uint32_t b, struc
     return made_vertex(m, v);
 }
 
-/* Makes an octahedron whose faces are split into four, `times` times; faces turn outwards. */
+/* Makes an octahedron whose faces are divided into four, `times` times. The faces turn outwards. */
 static inline struct made *made_sphere(struct tia_vec3 centre, long double radius, int times)
 {
     struct made *m = made_new();
@@ -172,8 +172,8 @@ static inline void made_include(struct tia_bounds *b, struct tia_vec3 v)
     b->max.z = v.z + 1 > b->max.z ? v.z + 1 : b->max.z;
 }
 
-/* Moves the faces whose first corner has a smaller coordinate along an axis than that of a random face to the front.
- * Returns the number of these faces. */
+/* Moves to the front those faces whose first corner has a smaller coordinate along an axis than that of a random face.
+ * Returns their number. */
 static inline uint32_t made_part(struct made *m, uint32_t first, uint32_t count, unsigned axis)
 {
     uint32_t low = first;

@@ -1,4 +1,4 @@
-/* misuse.h - calls that no program should make, each in a process of its own: it must not crash, hang or trip a
+/* misuse.h - calls that no program should make, each in a process of its own. A call must not crash, hang or trip a
  * sanitizer, and must return the value that the headers name.
  *
  *     TEST(misuse_of_views) { GIVES(TIA_ERR_ARGUMENT, tia_view_init(NULL, ...)); HARMLESS(tia_f(NULL)); misuse_end(); }
@@ -13,12 +13,12 @@
 
 #include "check.h"
 
-#define MISUSE_SECONDS 20 /* limit of processor time, which ends endless loops; no call takes a tenth of it */
+#define MISUSE_SECONDS 20 /* limit of CPU time in seconds, to end endless loops; no call takes a tenth of it */
 
 static unsigned misuse_count, misuse_wrong;
 static char misuse_first[400];
 
-/* Opens a pipe and forks. Returns the child's process id, or 0 in the child, whose processor time is limited. */
+/* Opens a pipe and forks. Returns the child's process id; or 0 in the child, whose CPU time is limited. */
 static inline pid_t misuse_begin(int pipes[2])
 {
     const struct rlimit none = {0, 0}, seconds = {MISUSE_SECONDS, MISUSE_SECONDS};
@@ -86,7 +86,7 @@ static inline void misuse_end(void)
     misuse_count = misuse_wrong = 0;
 }
 
-/* Returns memory that is not aligned for uint64_t, where that has an alignment. */
+/* Returns memory that is not aligned for uint64_t, if that type needs an alignment. */
 #define MISALIGNED(memory) ((void *)((char *)(memory) + 1))
 
 #endif

@@ -1,4 +1,4 @@
-/* obj_files.h - models read with their libraries as strings or from scenes/obj, and made-up images. */
+/* obj_files.h - reads models, with libraries from strings or from scenes/obj, and with made-up images. */
 #ifndef TESTS_OBJ_FILES_H
 #define TESTS_OBJ_FILES_H
 
@@ -6,7 +6,7 @@
 
 #define SCENES "scenes/obj/"
 
-/* Files that a text names, as strings; all others are in scenes/obj. */
+/* Files that a model names, as strings; files that are not among them are read from scenes/obj. */
 struct files {
     const char *names[20], *texts[20];
     char *loaded[4];
@@ -51,7 +51,7 @@ static inline int fetch_image(void *ctx, const char *name, struct tia_texture *t
     return TIA_OK;
 }
 
-/* Fetches an opacity, whose value is the number of the channel; in "whole.ppm" all are 255. */
+/* Fetches an opacity of one texel. Its value is the number of the channel; 255 for every channel of "whole.ppm". */
 static inline int fetch_opacity(void *ctx, const char *name, enum tia_channel channel, struct tia_texture *texture,
                                 const char **why)
 {

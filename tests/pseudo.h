@@ -1,4 +1,5 @@
-/* pseudo.h - the pseudo-terminal that the guardian's tests make raw and expect cooked again. */
+/* pseudo.h - a pseudo-terminal for the guardian's tests: they make it raw, and expect the guardian to make it cooked
+ * again. */
 #ifndef TESTS_PSEUDO_H
 #define TESTS_PSEUDO_H
 
@@ -62,7 +63,8 @@ static inline void keep_and_make_raw(void)
         make_raw();
 }
 
-/* True when the terminal is cooked again within 10 s. It polls, since a change of the modes causes no event. */
+/* True if the terminal becomes cooked again within 10 s. The function polls, since a change of the modes causes no
+ * event. */
 static inline bool cooked_again(void)
 {
     for (int i = 0; i < 1000; i++) {

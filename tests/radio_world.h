@@ -97,7 +97,7 @@ static inline struct tia_radio_link world_link(struct world *w, struct tia_vec3 
     return (struct tia_radio_link){from, to, order, walls, world_found, w};
 }
 
-/* Compares paths by order, then planes, then walls, so that sorted paths do not depend on the method. */
+/* Compares paths by order, then planes, then walls. The order of sorted paths then does not depend on the method. */
 static inline int world_compare(const void *left, const void *right)
 {
     const struct tia_radio_path *a = left, *b = right;

@@ -19,13 +19,13 @@ static inline int64_t random_below(uint64_t n)
     return (int64_t)(random_bits() % n);
 }
 
-/* Returns a number in -most..most. */
+/* Returns a random number in -most..most. */
 static inline int64_t random_size(int64_t most)
 {
     return random_below(2 * (uint64_t)most + 1) - most;
 }
 
-/* Returns a coordinate: any number, or one of a few, so that corners, edges and planes coincide. */
+/* Returns a coordinate: any number; or, with `grid`, one of a few, so that corners, edges and planes coincide. */
 static inline int64_t random_coordinate(bool grid, int64_t most)
 {
     return grid ? random_size(4) * (most / 4) : random_size(most);
@@ -42,8 +42,8 @@ static inline struct tia_raster_vertex random_vertex(bool grid, int64_t most, bo
     return v;
 }
 
-/* Returns a point at the centre of a pixel of the area, or a little outside it; exactly or almost, and often in the
- * same row as other points. */
+/* Returns a point at the centre of a pixel of the area, or a little outside the area. Often it is slightly off the
+ * centre, or in the same row as other points. */
 static inline struct tia_raster_vertex random_centre(const struct tia_raster_grid *l, struct tia_tile area,
                                                      int64_t most)
 {
@@ -97,8 +97,8 @@ static inline void random_flat_polygon(struct random_polygon *p, bool grid, int6
     }
 }
 
-/* Makes a random polygon, flat to the bit; coordinates of points are up to `most`, a multiple of 40. p->count is 0
- * before the first call. */
+/* Makes a random polygon that is exactly planar. Coordinates of points are up to `most`, a multiple of 40. p->count
+ * must be 0 before the first call. */
 static inline void random_polygon(struct random_polygon *p, const struct tia_raster_grid *l, struct tia_tile area,
                                   int64_t most)
 {
@@ -111,7 +111,7 @@ static inline void random_polygon(struct random_polygon *p, const struct tia_ras
     case 1:
         random_flat_polygon(p, true, most, flat);
         break;
-    case 2: /* often with an edge of the previous triangle */
+    case 2: /* often shares an edge with the previous triangle */
         for (unsigned i = p->count == 3 && random_below(2) ? 2 : 0; i < 3; i++)
             p->v[i] = flat ? random_vertex(grid, most, flat) : random_centre(l, area, most);
         p->count = 3;
@@ -177,7 +177,7 @@ static inline void *allocated(size_t size)
     return p;
 }
 
-/* Returns a target with memory of its own: free(target.planes) or, without depth, the first buffer. */
+/* Returns a target. *memory receives its memory, to be freed by the caller. */
 static inline struct tia_raster_target target_of(const struct tia_raster_grid *grid, struct tia_tile area,
                                                  unsigned buffers, uint32_t faces, void **memory)
 {

@@ -1,5 +1,5 @@
-/* ray_cases.h - shared by the tests of general rays, in whatever arithmetic they are compiled for: random numbers,
- * rays, and the numbers of the core as long doubles. */
+/* ray_cases.h - shared by the tests of general rays, in the arithmetic for which these are compiled: random numbers,
+ * rays, and conversions between the core's numbers and long double. */
 #ifndef TESTS_RAY_CASES_H
 #define TESTS_RAY_CASES_H
 
@@ -9,7 +9,7 @@
 #include "prepared.h"
 #include "random.h"
 
-/* Returns a coordinate of any size from 2^-16 up to `most`. */
+/* Returns a random coordinate in -most..most. */
 static inline tia_q16 random_q16(long double most)
 {
     return (tia_q16)(random_real() * most * 65536);

@@ -16,7 +16,7 @@ static const struct ray_view *view;
 static const struct sure_scene *scene;
 static void *memory[3];
 static struct light_room lights;
-static long double unit; /* unit of the file */
+static long double unit; /* the unit of length of the scene's file */
 
 static const char common[] = "camera perspective eye 0 0 9 look 0 0 0 fov 40\n"
                              "texture squares checker even 0.2 0.3 0.2 odd 0.9 0.8 0.7 scale 0.3 0.3\n"
@@ -57,7 +57,7 @@ static const struct world {
                   "box min -1 -1 -1 max 1 1 1 at -0.8 -0.2 0.3 rotate 30 40 10 scale 0.2 0.5 0.3 material mirror\n"
                   "cylinder base 0 0 0 top 0 1 0 radius 0.4 capped at 0.2 -0.9 0.2 rotate 5 70 10 scale 0.6 0.8 0.6 "
                   "material thin\n"},
-    {"thin", /* a distant object keeps the unit of length as large as the file's */
+    {"thin", /* the distant object keeps the reader from enlarging the scene */
      "sphere centre 0 0 -20000 radius 1 material plain\n"
      "sphere radius 0.1 at 0 0.2 0 rotate 10 20 30 scale 4 0.001 4 material thin\n"
      "cone base -0.4 -0.002 0 top -0.4 0 0 radii 0.4 0 capped material thin\n"
@@ -184,14 +184,14 @@ static struct real3 between(struct real3 a, struct real3 b, long double part)
     return a;
 }
 
-/* Returns a ray from `origin`, mostly within `gap` of a place where its hit changes. */
+/* Returns a ray from `origin`. In most cases it passes within `gap` of a place where its hit changes. */
 static struct ray edge_ray(struct real3 origin, long double gap)
 {
     struct real3 a = random3(unit), b = random3(unit);
     struct ray ray = {place(origin), {0, 0, 0}};
     struct hit first, second;
 
-    if (random_bits() % 4 == 0) { /* nearly at a right angle to an axis */
+    if (random_bits() % 4 == 0) { /* nearly perpendicular to an axis */
         int i = (int)(random_bits() % 3);
         a.v[i] = origin.v[i] + ldexpl(unit * random_real(), -(int)(random_bits() % 48));
         b.v[i] = origin.v[i] + ldexpl(unit * random_real(), -(int)(random_bits() % 48));
@@ -225,7 +225,8 @@ static struct ray edge_ray(struct real3 origin, long double gap)
     return ray;
 }
 
-/* Returns the certified ray: its origin is eo and its direction ed away from those of `ray`, in random directions. */
+/* Returns a packet for the ray. Its origin differs by eo and its direction by ed from those of `ray`, in random
+ * directions. */
 static struct packet moved(const struct ray *ray, double eo, double ed)
 {
     struct real3 o = random_unit(), d = random_unit();

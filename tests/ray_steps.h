@@ -1,5 +1,6 @@
-/* ray_steps.h - for tests of single steps of src/simd/rays: a step's input is off by all that its bound allows, in the
- * direction that changes its result most, and its output is compared with the formula. Include it after one_lane.h. */
+/* ray_steps.h - for tests of single steps of src/simd/rays. A step's inputs have the largest errors that their bounds
+ * allow, in the direction that changes the result most; its output is compared with the formula. Include it after
+ * one_lane.h. */
 #ifndef TESTS_RAY_STEPS_H
 #define TESTS_RAY_STEPS_H
 
@@ -8,11 +9,11 @@
 #include "check.h"
 #include "random.h"
 
-/* The largest used part of a bound; printed, and checked, at the end of a test. */
+/* The largest fraction of a bound that an error has used. It is printed and checked at the end of a test. */
 struct used {
     const char *name;
     double most;
-    unsigned long sure, open; /* number of certain results, and of undecided ones */
+    unsigned long sure, open; /* numbers of certain and of undecided results */
 };
 
 static inline void use(struct used *u, long double gap, double bound)
@@ -87,13 +88,14 @@ static inline struct real real_random(void)
     return real_unit(a);
 }
 
-/* Returns a vector at right angles to a, of length 1. */
+/* Returns a unit vector perpendicular to a. */
 static inline struct real real_aside(struct real a)
 {
     return real_unit(real_cross(a, real_random()));
 }
 
-/* Returns the unit vector a, turned towards `to`, a unit vector at right angles to it, by an angle whose chord is e. */
+/* Returns the unit vector a, turned towards `to` by an angle whose chord is e. `to` is a unit vector perpendicular to
+ * a. */
 static inline struct real real_turned(struct real a, struct real to, long double e)
 {
     long double turn = 2 * asinl(e / 2);

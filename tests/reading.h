@@ -21,7 +21,8 @@ static inline void read_end(struct reading *r)
     r->memory = NULL;
 }
 
-/* Reads r->reader's text from a copy in memory of exactly its length. */
+/* Reads a copy of r->reader's text, in memory of exactly its length, so that a sanitizer detects reads beyond its
+ * end. */
 static inline void read_begin(struct reading *r)
 {
     const char *text = r->reader.text;
@@ -51,7 +52,7 @@ static inline void read_string(struct reading *r, enum tia_format format, const 
     read_begin(r);
 }
 
-/* Returns a whole file, with a zero behind it; NULL when there is none. */
+/* Returns the contents of a file, followed by a zero; NULL if there is no such file. */
 static inline char *load_file(const char *name, size_t *length)
 {
     FILE *file = fopen(name, "rb");
@@ -78,7 +79,7 @@ static inline void check_read_error(struct reading *r, const char *want)
     read_end(r);
 }
 
-/* Checks that every text with a part cut out is read, or refused at a place within it. */
+/* Checks that every text that is cut off somewhere is either accepted, or refused with a line within it. */
 static inline void check_truncated(const struct tia_reader *reader)
 {
     for (size_t length = 0; length <= reader->length; length++) {

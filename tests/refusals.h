@@ -1,4 +1,4 @@
-/* refusals.h - a scene that is accepted; a case changes one part of it and checks the result of tia_scene_check. */
+/* refusals.h - a scene that is accepted. A case changes one part of it and checks the result of tia_scene_check. */
 #ifndef TESTS_REFUSALS_H
 #define TESTS_REFUSALS_H
 
@@ -27,8 +27,8 @@ static inline void check_refused(const char *thing, uint32_t index, const char *
               (unsigned)index, field, rule);
 }
 
-/* Checks that `value`, a field of the scene, must be in first..last: the ends are accepted; the values beside them and
- * the extremes cause the given fault. Restores the value. */
+/* Checks that `value`, a field of the scene, must be in first..last. Both ends are accepted; the values next to them
+ * and the extremes cause the given fault. The value is then restored. */
 static inline void check_range(int32_t *value, int32_t first, int32_t last, const char *thing, uint32_t index,
                                const char *field, const char *rule)
 {

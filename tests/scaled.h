@@ -8,8 +8,8 @@
 #include <tia/bvh.h>
 #include <tia/render.h>
 
-/* Reads the text with scaled numbers: those marked by @, lengths, are multiplied by `scale`, those marked by ~ are
- * divided by it, and those marked by ^ are divided by its square. `more` is appended unchanged. */
+/* Reads the text with scaled numbers: those marked by @, lengths, are multiplied by `scale`; those marked by ~ are
+ * divided by it; and those marked by ^ are divided by its square. `more` is appended unchanged. */
 static void read_scaled(struct reading *r, const char *text, double scale, const char *more)
 {
     char *out = calloc(1, 12 * strlen(text) + strlen(more) + 1), *to = out;

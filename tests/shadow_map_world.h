@@ -40,14 +40,14 @@ static struct {
     struct tia_world world;
     struct tia_map map;
     struct tia_map_look look;
-    double eye[3], zero[3]; /* positions are relative to zero: the eye, or the middle of the window */
+    double eye[3], zero[3]; /* positions are relative to `zero`: the eye, or the middle of the window */
     double axes[3][3];      /* the camera's axes: right, up, back */
     tia_flat_light at;
     void *memory, *room;
     uint32_t *texels;
 } w;
 
-/* Finds the axes; the camera looks at the world's zero. */
+/* Computes the axes of the camera, which looks at the world's origin. */
 static void find_axes(void)
 {
     const struct tia_window *window = &w.scene.camera.window;
@@ -137,7 +137,7 @@ static void origin_of(double out[3])
         out[k] = (double)w.map.origin[k] * unit;
 }
 
-/* Returns the number of texels per unit of length; for a point light, at the distance 1. */
+/* Returns the number of texels per unit of length; for a point light, at a distance of 1. */
 static double density(void)
 {
     return (double)w.map.density * 0x1p-40;
@@ -150,8 +150,8 @@ struct point {
     uint32_t face;
 };
 
-/* Finds a point on a box's side that faces the light: faces 2 n and 2 n + 1 of a box are its side n, low or high along
- * an axis. */
+/* Finds a point on a side of a box that faces the light. Faces 2 n and 2 n + 1 of a box are its side n, the low or the
+ * high one along an axis. */
 static bool any_point(struct point *p)
 {
     static const int axis_of[6] = {0, 0, 1, 1, 2, 2};

@@ -1,4 +1,5 @@
-/* shadow_oracle.h - the visible face of a pixel and its light, by a test with every face, in integers of 128 bits. */
+/* shadow_oracle.h - finds the visible face of a pixel, and whether light reaches it, by testing every face in integers
+ * of 128 bits. */
 #ifndef TESTS_SHADOW_ORACLE_H
 #define TESTS_SHADOW_ORACLE_H
 
@@ -42,13 +43,14 @@ static int sign_at(struct at_pixel a)
     return a.value ? sign(a.value) : a.right ? sign(a.right) : sign(a.down);
 }
 
-/* Evaluates at pixel (i, j) of a square image, whose direction is (2 i + 1 - SIZE, SIZE - 1 - 2 j, SIZE). */
+/* Evaluates n.D at pixel (i, j) of a square image, whose direction D is (2 i + 1 - SIZE, SIZE - 1 - 2 j, SIZE). */
 static struct at_pixel along(struct big3 n, int i, int j)
 {
     return (struct at_pixel){dot(n, (struct big3){2 * i + 1 - SIZE, SIZE - 1 - 2 * j, SIZE}), 2 * n.x, -2 * n.y};
 }
 
-/* The plane n.(x, y, w) = d h. Pixel D shows its point (D, s) with the nearness s = n.D/d, whatever the projection. */
+/* The plane n.(x, y, w) = d h. At a pixel with the direction D its point is (D, s), with the nearness s = n.D/d,
+ * whatever the projection. */
 struct plane {
     struct big3 n;
     big d;
@@ -69,7 +71,8 @@ static int side(struct plane p, const struct tia_raster_vertex *v)
     return sign(dot(p.n, vector(v)) - p.d * v->h);
 }
 
-/* Returns the side of plane p on which pixel (i, j) shows plane `seen`: n.D - d s with s = seen.n.D/seen.d. */
+/* Returns the side of plane p on which the point of plane `seen` at pixel (i, j) lies: the sign of n.D - d s, with s =
+ * seen.n.D/seen.d. */
 static int side_of_seen(struct plane p, struct plane seen, int i, int j)
 {
     struct at_pixel a = along(p.n, i, j), b = along(seen.n, i, j);
@@ -111,7 +114,8 @@ static bool covers(const struct world *w, uint32_t f, int i, int j)
     return turn != 0;
 }
 
-/* True if face f is nearer than g at a pixel that both cover, or has the lower number if both are in one plane. */
+/* True if face f is nearer than g at a pixel that both cover. If both are in one plane, the face with the lower number
+ * counts as nearer. */
 static bool is_nearer(const struct world *w, uint32_t f, uint32_t g, int i, int j)
 {
     int order = side_of_seen(plane_of(w, f), plane_of(w, g), i, j) * sign(plane_of(w, f).d);

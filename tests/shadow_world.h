@@ -79,7 +79,7 @@ static void make_shape(struct tia_shape *s, enum tia_shape_kind kind)
     *s = plain[kind];
 }
 
-/* Makes a ground plane, and two or three shapes of each other kind. */
+/* Makes a ground plane, and two or three shapes of every other kind. */
 static void make_world(struct world *w, struct tia_camera camera)
 {
     *w = (struct world){.scene = {.camera = camera,

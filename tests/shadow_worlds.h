@@ -23,7 +23,7 @@ static struct tia_flat_object objects[FACES];
 static struct tia_raster_vertex points[POINTS];
 static uint32_t across[TIA_SIDES * FACES];
 
-/* Returns a point or direction; in orthographic views h is what w is in perspective. */
+/* Returns a point or a direction. In orthographic views, w and h have swapped their roles. */
 static struct tia_raster_vertex vertex(const struct world *w, int64_t x, int64_t y, int64_t z, bool point)
 {
     if (w->flat.eye.projection == TIA_ORTHOGRAPHIC)
@@ -38,8 +38,8 @@ static void begin(struct world *w, enum tia_projection projection)
     CHECK(!tia_raster_grid_init(&w->flat.grid, projection, SIZE, SIZE, 1, 0, projection == TIA_ORTHOGRAPHIC ? 20 : 5));
 }
 
-/* Gives a position of multiples of `step`: up to `range` in each direction, and in depth from slightly behind the
- * eye. */
+/* Chooses a position whose coordinates are multiples of `step`, up to `range` steps in each direction. Its depth can be
+ * slightly behind the eye. */
 static void any_place(const struct world *w, int32_t range, int32_t step, int64_t at[3])
 {
     for (int k = 0; k < 3; k++)
@@ -53,7 +53,7 @@ static void add_point(struct world *w, int64_t x, int64_t y, int64_t z, bool poi
     points[w->flat.point_count++] = vertex(w, x, y, z, point);
 }
 
-/* Adds an object of `count` faces, whose points are the last `point_count`. */
+/* Adds an object of `count` faces. Its points are the last `point_count` points of the scene. */
 static void add_object(struct world *w, const uint8_t (*corners)[4], uint32_t count, uint32_t point_count)
 {
     struct tia_flat_scene *f = &w->flat;
@@ -64,7 +64,8 @@ static void add_object(struct world *w, const uint8_t (*corners)[4], uint32_t co
     for (uint32_t i = 0; i < count; i++)
         for (int k = 0; k < TIA_SIDES; k++)
             faces[f->face_count + i].corner[k] =
-                k == 3 && !corners[i][3] ? TIA_NO_CORNER : first + corners[i][k]; /* no fourth corner is point 0 */
+                k == 3 && !corners[i][3] ? TIA_NO_CORNER : first + corners[i][k]; /* a fourth corner of 0 means that
+                                                                                     there is none */
     f->face_count += count;
     for (int k = 0; k < 3; k++) {
         o->low[k] = INT64_MAX;
@@ -150,7 +151,7 @@ static void make_plane(struct world *w, int32_t range, int32_t step)
     objects[w->flat.object_count - 1].kind = TIA_PLANE;
 }
 
-/* SMALL: a few solids, a plane and a light, far away for their size. */
+/* SMALL: a few solids, a plane and a light, at a distance that is large for their size. */
 enum contents { SOUP, SOLIDS, CROOKED, MIXED, SMALL };
 
 static inline void make(struct world *w, enum contents contents, int32_t range, int32_t step)

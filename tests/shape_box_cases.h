@@ -47,7 +47,8 @@ static real face_distance(const struct box *box, struct vec p, uint32_t face)
 
 static void face_coordinates(const struct box *box, struct vec p, uint32_t face, real uv[2])
 {
-    /* The axes U and V of each face: at -x z y, at +x -z y, at -y x z, at +y x -z, at -z -x y, at +z x y. */
+    /* The axes U and V of each face: at -x z and y, at +x -z and y, at -y x and z, at +y x and -z, at -z -x and y, at
+     * +z x and y. */
     static const int axes[6][2] = {{2, 1}, {2, 1}, {0, 2}, {0, 2}, {0, 1}, {0, 1}};
     static const bool back[6][2] = {{false, false}, {true, false}, {false, false},
                                     {false, true},  {true, false}, {false, false}};
@@ -97,7 +98,7 @@ static real box_curvature(const struct subject *s, struct vec p, uint32_t elemen
     return 1 / smallest;
 }
 
-/* Returns a point of a face; `near` its edges in every second call. */
+/* Returns a random point of a face; with `near`, one near a corner. */
 static struct vec any_of_face(const struct box *box, uint32_t face, bool near)
 {
     real p[3];
@@ -143,7 +144,7 @@ struct grid {
     uint8_t cells[CELLS_MAX];
 };
 
-/* Returns the contents of cell (x, y, z): 0 outside. */
+/* Returns the contents of cell (x, y, z); 0 outside the grid. */
 static unsigned filling(const struct grid *g, int x, int y, int z)
 {
     const uint16_t *n = g->grid.size;
@@ -165,7 +166,8 @@ static struct box cell_box(const struct grid *g, uint32_t cell)
     return box;
 }
 
-/* True if a ray along d meets the face: a front where the next cell differs, a back where it is empty. */
+/* True if the face is a surface for a ray along d: from its front if the next cell differs, from its back if the next
+ * cell is empty. */
 static bool is_surface(const struct grid *g, uint32_t cell, uint32_t face, struct vec d)
 {
     const uint16_t *n = g->grid.size;
@@ -238,7 +240,7 @@ static void prepare_grid(struct subject *s, struct grid *g, const unsigned n[3],
     s->shape.material = 7;
 }
 
-/* Checks a grid of which `share` of the cells are filled, with one of two materials. */
+/* Checks a grid. A fraction `share` of its cells is filled, each with one of two materials. */
 static void tia_check_grid(const unsigned n[3], double far, double edge, double share, int rays)
 {
     static struct grid g;
@@ -257,7 +259,7 @@ static void tia_check_grid(const unsigned n[3], double far, double edge, double 
     }
 }
 
-/* True if at t the ray is in the cell, by the order in which the ray meets the planes between the cell and others. */
+/* True if the ray is in the cell at t, judged by the order in which the ray meets the planes of the cell's faces. */
 static bool is_in_cell(const struct grid *g, uint32_t cell, const struct ray *ray, num_length t)
 {
     const uint16_t *n = g->grid.size;

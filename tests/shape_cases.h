@@ -113,7 +113,7 @@ static void check_flat(double radius, double far)
 /* ---- cylinders and cones ---- */
 struct cone {
     struct vec base, axis, u, v;
-    real length, base_radius, top_radius, slant; /* slant: the side's length */
+    real length, base_radius, top_radius, slant; /* slant: length of the side */
     bool capped;
 };
 
@@ -164,8 +164,8 @@ static int cap_candidate(const struct subject *s, uint32_t element, struct vec o
     return 1;
 }
 
-/* Finds the side from the quadratic |v|^2 - z^2 = (r + k z)^2, from the point of the ray that is nearest to the base.
- */
+/* Finds the hits on the side by the quadratic |v|^2 - z^2 = (r + k z)^2, relative to the ray's point nearest to the
+ * base. */
 static int side_candidates(const struct subject *s, struct vec o, struct vec d, struct candidate found[])
 {
     const struct cone *c = s->what;
@@ -268,7 +268,8 @@ static void check_cone(struct tia_cone cone)
 
     prepare_cone(&s, &c, &cone);
     double scale = (double)least(c.length, most(c.base_radius, c.top_radius));
-    for (int i = 0; i < 8; i++) { /* on the side, a little inside and outside of both ends and of the rim */
+    for (int i = 0; i < 8; i++) { /* points on the side and on the ends; also slightly inside and outside of the edges
+                                     between them */
         struct vec out = any_across(c.axis);
         double edge = i < 3 ? between(0, 1) : (i & 1) + chance() * exp2(between(-40, -3));
         struct vec p = add(c.base, c.length * edge, c.axis);
@@ -283,7 +284,7 @@ static void check_cone(struct tia_cone cone)
     }
 }
 
-/* Checks rays to the apex, where a cap of radius 0 would be. */
+/* Checks rays to the apex, where there would be a cap of radius 0. */
 static void check_apex(struct tia_cone cone)
 {
     struct subject s;
@@ -298,7 +299,7 @@ static void check_apex(struct tia_cone cone)
     }
 }
 
-/* Returns a cone whose axis has a random length and direction from `base`, within the world. */
+/* Returns a cone with a random base, and an axis of length `longest` in a random direction. */
 static struct tia_cone any_cone(double far, double longest, double base_radius, double top_radius)
 {
     struct tia_vec3 base = any_place(far);

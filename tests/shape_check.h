@@ -1,11 +1,11 @@
-/* shape_check.h - a shape of src/shape, in whatever arithmetic this is compiled for, against formulas
+/* shape_check.h - tests a shape of src/render/geometry, in the arithmetic for which it is compiled, against formulas
  * computed with 113 bits.
  *
- * The formulas give a list of candidates for a ray and a shape, each with its distance from not being a hit: its
- * margin, the distance from the shape's edge, and its depth, the distance that the ray enters before it leaves again.
- * Where both are larger than the arithmetic's error, the nearest of them must be found; every hit found must lie on the
- * shape; so only cases within rounding are left open. An error e of a surface's position becomes e/|D.N| along the
- * ray. */
+ * The formulas give a list of candidates for the hits of a ray on a shape. A candidate has two distances from not being
+ * a hit: its margin, the distance from the shape's edge, and its depth, the distance that the ray enters before it
+ * leaves again. Of the candidates for which both are larger than the arithmetic's error, the nearest must be found.
+ * Every hit that is found must lie on the shape. So only cases within rounding errors are left open. An error e of a
+ * surface's position becomes e/|D.N| along the ray. */
 #ifndef TESTS_SHAPE_CHECK_H
 #define TESTS_SHAPE_CHECK_H
 
@@ -74,7 +74,7 @@ static inline struct vec unit(struct vec a)
 
 /* ---- from and to the arithmetic ---- */
 #ifdef TIA_NUM_F64
-#define EPSILON 0x1p-50 /* relative to the largest number */
+#define EPSILON 0x1p-50 /* relative to the largest number in a calculation */
 static inline real real_x(num_length x)
 {
     return x;
@@ -138,7 +138,7 @@ static inline double between(double a, double b)
     return a + (b - a) * (chance() + 1) / 2;
 }
 
-/* Returns a length between the two, of any order of magnitude. */
+/* Returns a random length between a and b, distributed evenly over the orders of magnitude. */
 static inline double any_length(double a, double b)
 {
     return a * exp2(between(0, log2(b / a)));
@@ -177,11 +177,11 @@ struct candidate {
 
 struct subject {
     struct shape shape;
-    real extent; /* its size plus its distance from the origin: the scale of rounding errors */
+    real extent; /* the shape's size plus its distance from the origin: the scale of rounding errors */
     bool is_infinite;
     const void *what; /* the shape's public struct */
     int (*candidates)(const struct subject *s, struct vec o, struct vec d,
-                      struct candidate found[]);                               /* candidates; some lie behind o */
+                      struct candidate found[]);                               /* the candidates; some lie behind o */
     real (*distance)(const struct subject *s, struct vec p, uint32_t element); /* distance of p from the element */
     struct vec (*normal)(const struct subject *s, struct vec p, uint32_t element);
     void (*uv)(const struct subject *s, struct vec p, uint32_t element, real uv[2]);
@@ -217,7 +217,7 @@ static inline void check_surface(const struct subject *s, struct num_point point
               (long double)real_x(got[1]), (long double)uv[0], (long double)uv[1]);
 }
 
-/* Returns the nearest candidate whose margin is more than the error; its t may be wrong by *slack. */
+/* Returns the nearest candidate that is certainly a hit; its t may be off by *slack. */
 static inline const struct candidate *nearest_sure(const struct candidate found[], int count, struct vec d, real error,
                                                    real limit, real *slack)
 {

@@ -1,10 +1,11 @@
-/* shape_exact_cases.h - rays for which the exact answer is known and rounding does not matter: along the
- * axes, through apices and edges, from surfaces. */
+/* shape_exact_cases.h - rays whose exact result is known and does not depend on rounding: along the axes, through
+ * apices and edges, from surfaces. */
 #include "shape_check.h"
 
 enum { NOTHING = 99 };
 
-/* Returns the element that a ray from (x, y, z) along an axis, 0 to 2, `way` 1 or -1, meets, at *t. */
+/* Returns the element that a ray meets, with the distance in *t. The ray starts at (x, y, z) and runs along axis 0 to
+ * 2, forwards if `way` is 1, backwards if it is -1. */
 static uint32_t meets(const struct shape *shape, double x, double y, double z, int axis, int way, double *t)
 {
     num_unit d[3] = {0, 0, 0};
@@ -134,7 +135,8 @@ TEST(boxes_along_the_axes)
     CHECK_MEETS(&s, 1, 1, 1, 0, 1, 1, 1);
     CHECK_MEETS(&s, 1, 9, 1, 1, -1, 3, 5);
     CHECK_MEETS(&s, 1, 1, 9, 2, -1, 5, 1);
-    CHECK_MEETS(&s, 0, 1, 1, 0, 1, 0, 0); /* a start on a face is a hit there, whichever way the ray goes */
+    CHECK_MEETS(&s, 0, 1, 1, 0, 1, 0, 0); /* a ray that starts on a face hits it there, in whichever direction it
+                                             goes */
     CHECK_MEETS(&s, 0, 1, 1, 0, -1, 0, 0);
     CHECK_MEETS(&s, 0, 1, 1, 1, 1, 3, 3); /* along a face */
     CHECK_MEETS(&s, 2, -1, 1, 1, 1, 2, 1);
@@ -142,7 +144,7 @@ TEST(boxes_along_the_axes)
     CHECK_MISSES(&s, 1, 5, 1, 1, 1);
 }
 
-/* Cells 1 0 2 1 in a row along x: rays from in front, and from the planes where the content changes. */
+/* Cells 1 0 2 1 in a row along x. Rays start in front of the grid, and on the planes where the content changes. */
 TEST(grids_along_the_axes)
 {
     static const uint8_t cells[] = {1, 0, 2, 1};

@@ -8,7 +8,7 @@ static void start(void)
     hits = misses = undecided = 0;
 }
 
-/* Checks that both hits and misses occurred, and that the formulas decided some cases. */
+/* Checks that both hits and misses occurred, and that the formulas decided most cases. */
 static void check_counts(void)
 {
     CHECK_MSG(hits > 1000 && misses > 300, "%d hits and %d misses", hits, misses);

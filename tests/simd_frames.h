@@ -38,7 +38,7 @@ static inline void simd_frames_close(struct simd_frames *f)
     free(f->got);
 }
 
-/* Opens the frames; false when the scene is refused. */
+/* Opens the frames. Returns false if the scene is refused. */
 static inline bool simd_frames_open(struct simd_frames *f, const struct tia_simd *simd, const struct tia_scene *scene,
                                     unsigned width, unsigned height)
 {
@@ -72,7 +72,8 @@ static inline struct tia_surface simd_frames_surface(uint8_t *bytes, ptrdiff_t p
         .pixels = (tia_rgb565 *)(void *)(bytes + GUARD), .step = sizeof(tia_rgb565), .pitch = pitch};
 }
 
-/* Draws both frames, tracing again if `trace`. Returns the number of bytes that differ, those of guards included. */
+/* Draws both frames; traces them again if `trace`. Returns the number of bytes that differ, including those of
+ * guards. */
 static inline size_t simd_frames_differ(struct simd_frames *f, bool trace, bool dither)
 {
     const struct tia_options options = {dither, NULL};

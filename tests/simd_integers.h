@@ -6,7 +6,7 @@
 
 struct simd_integers {
     num_u t;
-    bool lit; /* the pixel faces the light; only then the other fields are set */
+    bool lit; /* the pixel faces the light; only then the fields below are set */
     struct lit light;
     num_u cosine;
 };

@@ -1,4 +1,4 @@
-/* simd_lights.h - a scene for each kind of light that vector units draw. */
+/* simd_lights.h - a scene for each kind of light that SIMD kernels support. */
 #ifndef TESTS_SIMD_LIGHTS_H
 #define TESTS_SIMD_LIGHTS_H
 

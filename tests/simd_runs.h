@@ -1,4 +1,5 @@
-/* simd_runs.h - rows of spheres as runs for src/simd: of edge scenes and of some of the corpus. */
+/* simd_runs.h - runs of pixels in the rows of spheres, as src/simd draws them, in edge scenes and in scenes of the
+ * corpus. */
 #ifndef TESTS_SIMD_RUNS_H
 #define TESTS_SIMD_RUNS_H
 
@@ -46,7 +47,7 @@ static inline void simd_runs_scene(const struct tia_scene *scene, unsigned width
     free(pairs);
 }
 
-/* Calls `try` for the runs of edge scenes and of scenes of the corpus, these in 320x240. */
+/* Calls `try` for the runs of `edges` edge scenes, and of `corpus` scenes of the corpus in 320x240. */
 static inline void simd_runs(unsigned edges, unsigned corpus, simd_runs_try *try)
 {
     static struct edge_scene e;

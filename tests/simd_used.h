@@ -1,4 +1,4 @@
-/* simd_used.h - the used part of the bounds of src/simd/span, for their tests. */
+/* simd_used.h - for tests of the bounds of src/simd/span: the fraction of a bound that errors use. */
 #ifndef TESTS_SIMD_USED_H
 #define TESTS_SIMD_USED_H
 
@@ -9,7 +9,7 @@
 
 typedef long double real;
 
-/* The largest used part of a row's bound, and the number of values tried. */
+/* The largest fraction of a bound that an error has used, and the number of values tried. */
 struct used {
     const char *name;
     double most;
@@ -30,7 +30,7 @@ static inline void check_within(const struct used *used)
     CHECK_MSG(used->most <= 1, "%s: %g times its bound", used->name, used->most);
 }
 
-/* Checks that no value exceeds its bound, of more than 1000 each. */
+/* Checks that more than 1000 values were tried for each bound, and that none exceeds it. */
 static inline void check_used(const struct used *used, int count)
 {
     for (int i = 0; i < count; i++) {
@@ -39,7 +39,7 @@ static inline void check_used(const struct used *used, int count)
     }
 }
 
-/* Checks that no value exceeds its bound, and that the worst has more than a tenth of it. */
+/* Checks that no value exceeds its bound, and that for each bound the largest value is more than a tenth of it. */
 static inline void check_tight(const struct used *used, int count)
 {
     for (int i = 0; i < count; i++) {

@@ -1,5 +1,5 @@
-/* sphere_cases.h - src/render/geometry/sphere.c against its equation in long double, in whatever arithmetic it is
- * compiled for. */
+/* sphere_cases.h - tests src/render/geometry/sphere.c, in the arithmetic for which it is compiled, against the sphere's
+ * equation in long double. */
 #include "ray_cases.h"
 
 /* Bound of the error of a coordinate at distances up to `size`; in floating point, the coordinates' own size counts as
@@ -17,7 +17,7 @@ struct ball {
     tia_q16 radius;
 };
 
-/* The position of a line's point nearest to the centre, and the distance of this point from it. */
+/* The parameter of the ray's point nearest to the centre, and that point's distance from the centre. */
 struct pass {
     long double tca, aside;
 };
@@ -100,7 +100,7 @@ TEST(spheres_are_met_from_within_and_from_close_by)
     CHECK(hits[0] > 3000 && hits[1] > 5000);
 }
 
-/* Rays that pass the outline within the smallest distances that can be distinguished. */
+/* Rays that pass the outline at the smallest distances that can be distinguished. */
 TEST(spheres_are_met_at_grazing_angles)
 {
     unsigned hits[2] = {0, 0};
@@ -111,7 +111,8 @@ TEST(spheres_are_met_at_grazing_angles)
         long double r = b.radius / 65536.0L, away = length(minus(c, from)), s = r / away;
         if (s >= 1)
             continue;
-        /* The outline as seen from the ray's origin: nearer than the centre by r s, aside by r cos. */
+        /* A point of the outline as seen from the ray's origin: nearer than the centre by r s, and beside it by r
+         * cos. */
         real3 rim = plus(plus(c, unit(minus(from, c)), r * s), unit(n),
                          r * sqrtl(1 - s * s) *
                              (1 + powl(2, -20 - (long double)(random_bits() % 24)) * (random_bits() % 2 ? 1 : -1)));

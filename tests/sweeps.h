@@ -1,8 +1,8 @@
 /* sweeps.h - sweeps over the integer kernels, for test_math.c (thinned) and exhaustive.c (all).
  *
- * Each takes first and step, walks one kernel's arguments and returns how many results are wrong or outside the stated
- * bound; the first wrong argument is left in sweep_bad. Results are checked by exact integer inequalities, or in
- * double, whose 2^-53 is far below the 2^-32 in question.
+ * Each sweeps over one kernel's arguments, from `first` on in steps of `step`. It returns the number of results that
+ * are wrong or outside the stated bound; sweep_bad is the first wrong argument. Results are checked by exact integer
+ * inequalities; or in double, whose error of 2^-53 is far below the 2^-32 in question.
  */
 #ifndef TESTS_SWEEPS_H
 #define TESTS_SWEEPS_H
@@ -39,7 +39,7 @@ static inline int sweep_is_root(uint64_t x, uint64_t r)
     return r * r <= x && x - r * r <= 2 * r && r < TWO_TO_32;
 }
 
-/* Sweeps every 32-bit r: r^2 - 1, r^2 and r^2 + 2r, where the root changes. */
+/* Sweeps over every 32-bit r: r^2 - 1, r^2 and r^2 + 2r, where the root changes. */
 static inline uint64_t sweep_sqrt64_squares(uint64_t first, uint64_t step)
 {
     uint64_t bad = 0;
@@ -78,7 +78,8 @@ static inline uint64_t sweep_sqrt32(uint64_t first, uint64_t step)
     return bad;
 }
 
-/* Sweeps the upper words; both ends of the lower word bound the error, as the result is a function of the upper one. */
+/* Sweeps over the upper words. Their result does not depend on the lower word, so the lower word's two ends bound the
+ * error. */
 static inline uint64_t sweep_rsqrt(uint64_t first, uint64_t step, struct sweep_range *ulp)
 {
     uint64_t bad = 0;
@@ -93,7 +94,8 @@ static inline uint64_t sweep_rsqrt(uint64_t first, uint64_t step, struct sweep_r
     return bad;
 }
 
-/* Sweeps the table's straight lines for 1/sqrt(a), whose error the proofs of the Newton steps use (tests/proofs). */
+/* Sweeps over the table's straight lines for 1/sqrt(a). The proofs of the Newton steps (tests/proofs) use their
+ * error. */
 static inline uint64_t sweep_rsqrt_seed(uint64_t first, uint64_t step, struct sweep_range *relative)
 {
     uint64_t bad = 0;
@@ -105,7 +107,7 @@ static inline uint64_t sweep_rsqrt_seed(uint64_t first, uint64_t step, struct sw
     return bad;
 }
 
-/* Sweeps the table's straight lines for 1/d, see sweep_rsqrt_seed(). */
+/* Sweeps over the table's straight lines for 1/d, see sweep_rsqrt_seed(). */
 static inline uint64_t sweep_reciprocal_seed(uint64_t first, uint64_t step, struct sweep_range *relative)
 {
     uint64_t bad = 0;
@@ -140,7 +142,7 @@ static inline uint64_t sweep_clz32(uint64_t first, uint64_t step)
     return bad;
 }
 
-/* Sweeps random vectors, each component of random magnitude: within 1.5 ulp of Q2.30. */
+/* Sweeps over random vectors, with components of random magnitude: the results are within 1.5 ulp of Q2.30. */
 static inline uint64_t sweep_normalise(uint64_t seed, uint64_t count, struct sweep_range *ulp)
 {
     uint64_t bad = 0, state = seed;

@@ -1,7 +1,8 @@
 /* terminal_model.h - a terminal for tests: interprets a program's output and stores the pixels.
  *
- * It interprets the few sequences that a picture of half blocks needs, CAN, which ends any of them, and ST, and counts
- * everything else in `unknown`. A cell is two pixels: the colours of U+2580, or twice the background for a space.
+ * It interprets the few sequences that a picture of half blocks needs, ST, and CAN, which ends any sequence. Everything
+ * else is counted in `unknown`. A cell is two pixels: foreground and background for U+2580, twice the background for a
+ * space.
  */
 #ifndef TESTS_TERMINAL_MODEL_H
 #define TESTS_TERMINAL_MODEL_H
@@ -42,7 +43,7 @@ static inline void model_free(struct model *m)
     free(m->lower);
 }
 
-/* Returns one of xterm's 256 colours, beyond the first 16. */
+/* Returns one of xterm's 256 colours; not one of the first 16, which vary. */
 static inline uint32_t model_palette(unsigned index)
 {
     unsigned c[3], n = index - 16;

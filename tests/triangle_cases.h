@@ -1,9 +1,10 @@
-/* triangle_cases.h - src/render/geometry/triangle.c against long doubles, in whatever arithmetic it is compiled for. */
+/* triangle_cases.h - tests src/render/geometry/triangle.c, in the arithmetic for which it is compiled, against long
+ * doubles. */
 #include "math/wide.h"
 #include "ray_cases.h"
 #include "render/geometry/triangle.h"
 
-/* Bound of the error of coordinates whose largest value is `size`. */
+/* Bound of the error of coordinates up to `size`. */
 #ifdef TIA_NUM_F64
 #define ERROR(size) (8 * 0x1p-52L * (size))
 #else
@@ -32,7 +33,7 @@ static bool is_flat(const struct triangle_corners *c)
     return true;
 }
 
-/* Intersects the plane by its equation, and tests the edges by D.(A x B). */
+/* Intersects the triangle's plane by its equation, and tests the edges by D.(A x B). */
 static struct wanted meet(const struct triangle_corners *c, const struct ray *ray)
 {
     real3 o = real3_of(ray->origin), d = real3_dir(ray->direction), v[3];
@@ -89,7 +90,7 @@ static void check_ray(const struct triangle_corners *c, const struct ray *ray, l
                   (real_of(t) - w.t) * w.facing, error, w.t);
 }
 
-/* Checks triangles with edges of `size` around a centre up to `far` away, from all directions. */
+/* Checks triangles from all directions. Their edges are about `size` long, and their centres up to `far` away. */
 static void check_size(long double size, long double far, unsigned hits[2])
 {
     for (int i = 0; i < 3000; i++) {
@@ -120,7 +121,7 @@ TEST(triangles_are_met_where_they_are)
     CHECK_MSG(hits[0] > 4000 && hits[1] > 4000, "%u missed, %u met", hits[0], hits[1]);
 }
 
-/* The largest floor possible, around the world, is hit a short way in front of the eye. */
+/* The largest possible floor, which surrounds the world, is hit a short way in front of the eye. */
 TEST(a_floor_as_large_as_the_world_is_met_nearby)
 {
     struct triangle_corners c = {{{-TIA_Q16(30000), 12345, -TIA_Q16(30000)},

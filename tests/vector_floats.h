@@ -1,4 +1,5 @@
-/* vector_floats.h - kernel.h's operations by the compiler's own vectors: 4 floats, whatever the processor. */
+/* vector_floats.h - the float operations listed in src/simd/isa/isa.h, by the compiler's own vectors: 4 floats on any
+ * processor. */
 #ifndef TESTS_VECTOR_FLOATS_H
 #define TESTS_VECTOR_FLOATS_H
 

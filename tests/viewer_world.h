@@ -45,7 +45,7 @@ struct world {
     uint64_t hidden_from_us, hidden_until_us;
     uint64_t tile_us, present_us; /* time for drawing a tile, and for presenting */
     unsigned slices;              /* number of calls of go_on, of 20 ms each, that a frame needs */
-    uint64_t again_us;            /* if not 0: the time from which `mode` requests once that the last frame is shown
+    uint64_t again_us;            /* if not 0: the time from which `mode` once requests that the last frame is shown
                                      again */
     enum world_call fail;         /* call that fails, after fail_after frames */
     unsigned fail_after, stop_after;
@@ -202,7 +202,7 @@ static inline int world_poll(void *ctx, struct tia_event *event)
     return 1;
 }
 
-/* Sleeps until the next event of the script; a sleep without an end is an error. */
+/* Sleeps until the next event of the script. A sleep without an end is an error. */
 static inline int world_wait(void *ctx, int timeout_ms)
 {
     struct world *w = ctx;
@@ -282,7 +282,7 @@ static inline int world_frame_done(void *ctx, const struct tia_frame *frame)
     return w->done_status;
 }
 
-/* Returns the thesis scene on a display of 64x48, all parts set, without events. */
+/* Returns the thesis scene on a display of 64x48, with all parts set and no events. */
 static inline struct world *world_new(void)
 {
     static struct world w;

@@ -1,10 +1,11 @@
-/* walk_cases.h - src/render/geometry/walk.c against boxes in long double, in whatever arithmetic it is compiled for. */
+/* walk_cases.h - tests src/render/geometry/walk.c, in the arithmetic for which it is compiled, against boxes in long
+ * double. */
 #include "mesh_made.h"
 #include "render/geometry/walk.h"
 
-/* COARSE: the part of a walk's distance by which a box that is missed may count as entered. LEVEL: the least slope
- * across an axis, which replaces smaller ones, see num_slope and clip of walk.c. This tolerance costs time, never a
- * leaf: every leaf that the ray enters is required. */
+/* The walk's tolerance. COARSE: a box that is missed by less than this fraction of its distance may count as entered.
+ * LEVEL: smaller slopes across an axis may count as this slope, see num_slope and clip of walk.c. The tolerance costs
+ * time, but no leaf: every leaf that the ray enters must be found. */
 #ifdef TIA_NUM_F64
 #define COARSE 0
 #define LEVEL 0x1p-20L
@@ -13,8 +14,8 @@
 #define LEVEL 0x1p-8L
 #endif
 
-/* Clips the ray to the part between two planes across an axis. With a slope of less than `least` it enters as if its
- * slope were `least`, and leaves only if it does so behind the origin. */
+/* Clips the ray to the part between two planes across an axis. A ray with a slope below `least` enters as if the slope
+ * were `least`, and leaves only if it would do so behind its origin. */
 static void clip_to(long double min, long double max, long double o, long double d, long double least,
                     long double *near, long double *far)
 {
@@ -26,8 +27,8 @@ static void clip_to(long double min, long double max, long double o, long double
         *far = fminl(*far, fmaxl(from, to));
 }
 
-/* Returns the distance by which the ray misses a box before the limit, or a negative number if it enters; `coarse`:
- * within the walk's tolerance. */
+/* Returns the distance by which the ray misses a box before the limit; negative if the ray enters the box. With
+ * `coarse`, the walk's tolerance is applied. */
 static long double misses_by(const struct tia_bounds *b, const struct ray *ray, long double limit, bool coarse)
 {
     real3 o = real3_of(ray->origin), d = real3_dir(ray->direction), min = real3_vec(b->min), max = real3_vec(b->max);
@@ -47,7 +48,7 @@ static num_unit tiny_slope(void)
     return (num_unit)(size * (long double)NUM_UNIT_ONE) * (int)(random_bits() % 3 - 1);
 }
 
-/* Checks that each entered leaf comes once, and that no other leaf comes. Returns the number of leaves. */
+/* Checks that the walk returns each entered leaf once, and no other leaf. Returns the number of leaves. */
 static unsigned check_leaves(const struct made *m, const struct ray *ray, long double limit)
 {
     static uint8_t times[2 * MADE_FACES];
@@ -71,7 +72,7 @@ static unsigned check_leaves(const struct made *m, const struct ray *ray, long d
     return count;
 }
 
-/* Checks that a leaf beyond a limit that has become smaller is skipped. */
+/* Checks that a leaf beyond the limit is skipped after the limit has been reduced. */
 static void check_shrinking(const struct made *m, const struct ray *ray, long double limit)
 {
     const struct tia_bvh_node *leaf;
@@ -84,7 +85,7 @@ static void check_shrinking(const struct made *m, const struct ray *ray, long do
     }
 }
 
-/* Makes the ray nearly parallel to two planes, or to four. */
+/* Makes the ray nearly perpendicular to one axis or to two, and so nearly parallel to two or four faces of a box. */
 static void level_out(struct ray *ray, int i)
 {
     num_unit *d[3] = {&ray->direction.x, &ray->direction.y, &ray->direction.z};
@@ -115,7 +116,7 @@ TEST(a_walk_finds_the_leaves_that_the_ray_enters)
     CHECK(count > 10000);
 }
 
-/* A tree lies in a plane across an axis, seen from a nearby point: slopes are nearly or exactly 0. */
+/* Rays run almost along the x axis to a distant tree: their slopes across its planes are nearly or exactly 0. */
 TEST(level_rays_find_their_way_through_a_tree)
 {
     struct made *m = made_sphere((struct tia_vec3){TIA_Q16(9000), 0, 0}, 4, 2);

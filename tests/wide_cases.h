@@ -1,4 +1,4 @@
-/* wide_cases.h - src/math/wide.h against exact definitions, for either implementation of products. */
+/* wide_cases.h - tests src/math/wide.h against exact definitions, for either implementation of products. */
 #include <math.h>
 
 #include "check.h"
@@ -7,7 +7,7 @@
 
 __extension__ typedef __int128 exact;
 
-/* Returns a number of up to `most` bits, of any length and sign. */
+/* Returns a random number of up to `most` bits, of random length and sign. */
 static int64_t some(int most)
 {
     int64_t n = (int64_t)(random_bits() >> (64 - 1 - random_bits() % (unsigned)most));
@@ -92,7 +92,7 @@ TEST(vectors_are_normalised)
     }
 }
 
-/* Returns a number of 128 bits, of any length below `most`. */
+/* Returns a random number of 128 bits, of random length up to `most` bits. */
 static exact any(unsigned most)
 {
     exact n = (exact)(int64_t)random_bits() * ((exact)1 << 64) + random_bits();

@@ -1,4 +1,4 @@
-/* with_hierarchy.h - gives a scene a hierarchy, for tests of vector units, which draw no rays without one. */
+/* with_hierarchy.h - gives a scene a hierarchy, for tests of SIMD kernels, which draw no rays without one. */
 #ifndef TESTS_WITH_HIERARCHY_H
 #define TESTS_WITH_HIERARCHY_H
 

@@ -1,4 +1,4 @@
-/* without_f64.h - a test in double precision in a build without it: skipped. */
+/* without_f64.h - replaces a test in double precision in a build without that core: it is skipped. */
 #include "check.h"
 
 TEST(double_precision)

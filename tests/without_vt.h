@@ -10,7 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* Runs a test in a process of a new session and without rights, which therefore has no VT: a test must not take a
+/* Runs a test in a new session and without privileges, so that its process has no VT: a test must not take over a
  * console that is in use. */
 static inline int in_process_without_vt(int (*run)(void))
 {

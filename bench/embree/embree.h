@@ -1,6 +1,6 @@
-/* embree.h - the scenes of the Standard Procedural Databases drawn by Embree 3, for comparison: rtcIntersect1 and
- * rtcOccluded1 in float, one ray at a time, and Whitted's shading around them, also in float. The rays are tia's: its
- * camera, its bias, its depth, and its limit for faint rays. */
+/* embree.h - draws scenes of the Standard Procedural Databases with Embree 3, for comparison. Rays are traced one at a
+ * time by rtcIntersect1 and rtcOccluded1, and shaded by Whitted's method, all in float. Camera, bias, depth and the
+ * limit for faint rays are those of tia. */
 #ifndef BENCH_EMBREE_EMBREE_H
 #define BENCH_EMBREE_EMBREE_H
 
@@ -8,11 +8,11 @@
 
 struct embree;
 
-/* False if this was built without Embree: then embree_open always returns NULL. */
+/* False if the program was built without Embree: then embree_open always returns NULL. */
 extern const bool embree_is_there;
 
-/* Opens a scene, which must outlive the result. NULL when the scene has shapes, lights or textures that are not
- * supported here, or memory is short. */
+/* Opens a scene, which must outlive the result. Returns NULL if the scene has shapes, lights or textures that are not
+ * supported here, or if memory is short. */
 struct embree *embree_open(const struct tia_scene *scene);
 void embree_close(struct embree *embree);
 

@@ -63,7 +63,7 @@ static void find_normals(const struct embree *e, const struct RTCHit *hit, struc
     }
 }
 
-/* Finds the nearest hit of a ray; false: there is none. */
+/* Finds the nearest hit of a ray. Returns false if there is none. */
 static bool find_point(const struct embree *e, const struct float_ray *ray, struct point *p)
 {
     struct embree_context context;
@@ -133,7 +133,7 @@ static void follow(struct pixel *pixel, const struct pending *from, struct vec o
     pixel->waiting += visible;
 }
 
-/* Refracts the direction; false on total internal reflection. */
+/* Refracts the direction. Returns false on total internal reflection. */
 static bool refract(const struct point *p, struct vec *direction)
 {
     float index = p->back ? 1 / p->material->index : p->material->index;

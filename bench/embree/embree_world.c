@@ -52,7 +52,7 @@ static bool takes(const struct tia_scene *scene)
     return all;
 }
 
-/* Filters the hits of shadow rays: transparent objects let light pass, and reduce it by their transmission. */
+/* Filters the hits of shadow rays: a transparent object lets light pass, reduced by its transmission. */
 static void let_pass(const struct RTCFilterFunctionNArguments *args)
 {
     const struct embree *e = args->geometryUserPtr;
@@ -113,7 +113,8 @@ static void add_spheres(struct embree *e)
     attach(e, geometry, EMBREE_SPHERES);
 }
 
-/* Adds cones, and cylinders as cones; each has segments of its own, so that no cone begins where another ends. */
+/* Adds cones and cylinders, both as Embree's cones. Each has its own two end points, so that none is joined to
+ * another. */
 static void add_cones(struct embree *e)
 {
     const struct tia_scene *scene = e->given;

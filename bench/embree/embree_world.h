@@ -34,14 +34,14 @@ struct embree {
     struct embree_material *materials;
     struct embree_light *lights;
     struct embree_face *faces;
-    const float (*spheres)[4];                /* centre and radius: Embree's own buffer */
-    uint32_t *material_of[EMBREE_GEOMETRIES]; /* indices of materials, by number of the primitive */
+    const float (*spheres)[4];                /* centre and radius, in Embree's own buffer */
+    uint32_t *material_of[EMBREE_GEOMETRIES]; /* indices of materials, by the primitive's number */
     float background[3];
     unsigned depth;
 };
 
-/* Returns a length in the units of the scene's file, for which the bias is meant: tia enlarges small scenes to give
- * them more digits; floats have as many at any size. */
+/* Returns a length in the units of the scene's file, in which the bias is given. tia scales small scenes up for
+ * precision; floats have the same relative precision at any scale. */
 static inline float embree_length(const struct tia_scene *scene, tia_q16 length)
 {
     return ldexpf((float)length, -16 - (int)scene->scale_bits);

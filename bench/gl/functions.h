@@ -8,8 +8,8 @@
 #include "osmesa/gl.h"
 #include "osmesa/osmesa.h"
 
-/* Fills a table from an open osmesa display. False if a function is missing: `why`, PORT_WHY characters, then names
- * it. */
+/* Fills a table with functions of an open osmesa display. Returns false if a function is missing, with its name in
+ * `why`, PORT_WHY characters. */
 static inline bool gl_functions_load(void *display, void *table, const struct gl_row *rows, size_t count, char *why)
 {
     for (size_t i = 0; i < count; i++) {

@@ -56,9 +56,9 @@ struct gl_raster {
     uint8_t *rgba;
 };
 
-/* Prepares the state; false with the reason in `why`. Polygons are drawn upside down: on edges through pixel centres,
- * Mesa's software rasterisers draw the pixels of bottom and left edges, in GL's orientation. Front faces then go round
- * clockwise. */
+/* Prepares GL's state. Returns false on failure, with the reason in `why`. Polygons are drawn upside down: Mesa's
+ * software rasterisers draw pixel centres that lie on bottom and left edges, in GL's orientation, while tia's rule is
+ * top-left. Upside down, front faces are clockwise. */
 static bool prepare(const struct gl_raster *r, char *why)
 {
     static const GLenum formats[2] = {GL_RGBA8, GL_DEPTH24_STENCIL8},

@@ -17,11 +17,11 @@
  * A frustum camera can have an observer line, along u and centred on the eye. Its window is then a display's flat
  * screen. The camera's own picture is that of the eye in the middle; for the other eyes see lightfield.h.
  *
- * With n x n samples per pixel, sample i + n j goes through (x + (i + (j + 1/2)/n)/n, y + (j + (n - i - 1/2)/n)/n):
- * no two samples share a row or a column. Each sample's colour is clamped; the pixel is the mean.
+ * With n x n samples per pixel, sample i + n j goes through (x + (i + (j + 1/2)/n)/n, y + (j + (n - i - 1/2)/n)/n): no
+ * two samples of a pixel share their x or their y. Each sample's colour is clamped; the pixel is their mean.
  *
- * The span renderer (see scene.h) leaves directions unnormalised and scales them by height/a, so that
- * (2x+1-width, height-2y-1, -height/a) has integer x and y components and steps by constants.
+ * The span renderer (see scene.h) leaves directions unnormalised and scales them by height/a, so that a direction
+ * (2x+1-width, height-2y-1, -height/a) has integer x and y components, and differs from the next pixel's by a constant.
  */
 #ifndef TIA_CAMERA_H
 #define TIA_CAMERA_H
@@ -39,22 +39,22 @@ extern "C" {
 enum tia_projection { TIA_PERSPECTIVE, TIA_FRUSTUM, TIA_ORTHOGRAPHIC };
 
 struct tia_window {
-    tia_q16 left, right, bottom, top; /* bottom < top; left < right, or both 0. The corners of an
-                                         orthographic window lie within 32768 of the eye. */
-    tia_q16 near;                     /* TIA_FRUSTUM only: above 0 */
+    tia_q16 left, right, bottom, top; /* edges along u and v, lengths from the eye: bottom < top; left < right, or both
+                                         0. The corners of an orthographic window lie within 32768 of the eye. */
+    tia_q16 near;                     /* TIA_FRUSTUM only: the window's distance from the eye, above 0 */
 };
 
 struct tia_camera {
     struct tia_vec3 eye;
     tia_q16 fov; /* TIA_PERSPECTIVE only: vertical field of view, degrees, TIA_FOV_MIN..TIA_FOV_MAX */
     enum tia_projection projection;
-    struct tia_vec3 reference; /* the point looked at: within 32768 of the eye, and not the eye itself */
+    struct tia_vec3 reference; /* target of the camera: within 32768 of the eye, and not the eye itself */
     struct tia_vec3 up;        /* at least 0.056 degrees (a sine of 2^-10) off the line of sight;
                                   (0, 0, 0): the camera looks along -z */
     struct tia_window window;  /* TIA_FRUSTUM and TIA_ORTHOGRAPHIC only */
     uint32_t samples;          /* per pixel: 1, 4 or 16; 0 means 1 */
-    tia_q16 line; /* TIA_FRUSTUM only: half the length of the observer line, 0: none. The window must lie within 32768,
-                     along u, of all eyes on the line. */
+    tia_q16 line; /* TIA_FRUSTUM only: half the length of the observer line; 0: no line. Along u, the window must lie
+                     within 32768 of all eyes on the line. */
 };
 
 #ifdef __cplusplus

@@ -1,5 +1,5 @@
-/* debug.h - for tests and comparison: paths of light, other arithmetics, checksums, and reasons of refusals. It is not
- * in tia.h, and any version may change it.
+/* debug.h - for tests and comparison: paths of light, other arithmetics, checksums, and reasons for refusals. It is not
+ * included by tia.h, and may change in any version.
  */
 #ifndef TIA_DEBUG_H
 #define TIA_DEBUG_H
@@ -16,8 +16,8 @@ extern "C" {
 /* Kinds of rays. */
 enum tia_ray { TIA_RAY_PRIMARY, TIA_RAY_REFLECTED, TIA_RAY_REFRACTED, TIA_RAY_PAST, TIA_RAY_SHADOW };
 
-/* A traced ray. TIA_RAY_PAST goes on past an opacity; a shadow ray runs from a surface to a light, or for a length of 1
- * if the light is directional. Numbers are rounded to Q16.16 and clamped to its range. */
+/* A traced ray. TIA_RAY_PAST goes straight on behind an opacity texture; a shadow ray runs from a surface to a light,
+ * or for a length of 1 if the light is directional. Numbers are rounded to Q16.16 and clamped to its range. */
 struct tia_traced {
     enum tia_ray ray;
     struct tia_vec3 from, to; /* ends; `to` is at the distance 1 from `from` if the ray meets nothing */
@@ -32,14 +32,15 @@ struct tia_traced {
 struct tia_observer {
     void (*traced)(void *ctx, const struct tia_traced *traced); /* NULL: only tests are counted */
     void *ctx;
-    uint32_t tests; /* counts boxes of hierarchies, objects and faces of meshes that rays were tested against */
+    uint32_t tests; /* counts the tests of rays against boxes of hierarchies, objects and faces of meshes */
 };
 
 /* The output that `debug` of struct tia_options selects. All zero: none. */
 struct tia_debug {
     uint32_t *path_hash;           /* NULL, or receives a hash of each pixel's light paths, row by row of the tile */
     uint64_t *lit;                 /* NULL, or receives the lights that reach each pixel, row by row of the tile */
-    struct tia_observer *observer; /* NULL, or is called for each ray, in the order of the path hash; spans have none */
+    struct tia_observer *observer; /* NULL, or is called for each ray, in the order of the path hash; the span renderer
+                                      does not call it */
 };
 
 /* The bits of `lit` do not depend on the lights' colours. The samples of all lights are numbered consecutively, in the
@@ -48,16 +49,15 @@ struct tia_debug {
  * have no bit. The span renderer does not write `lit`: bits 0..15 of its path hash hold the same information. */
 
 /* Pixels whose rays took the same paths have the same path hash. If a pixel's colour differs between two arithmetics,
- * equal hashes show that rounding is the cause, and not a ray that took another path.
+ * equal hashes show that the cause is rounding, not a ray that took another path.
  *
- * Span renderer: bit n (0..15) is set when light n reaches the point; bits 16..31 hold the sum of
- * (n + 1)(j + 1) over the transparent spheres j in between. Where light n itself is visible,
- * 0xffff0000 + n.
+ * Span renderer: bit n (0..15) is set when light n reaches the point; bits 16..31 hold the sum of (n + 1)(j + 1) over
+ * the transparent spheres j in between. Where light n itself is visible, the hash is 0xffff0000 + n.
  *
- * Ray renderer: the 32-bit FNV-1a hash (start 2166136261, then (hash ^ byte) * 16777619) of 32-bit
- * words, lowest byte first. For each sample in order, for each of its rays, depth first, reflection before
- * refraction before what is seen past an opacity, the words are: the index of the object hit, TIA_NO_OBJECT for
- * the background, or TIA_NO_OBJECT - 1 - n for light n. An object's index is followed by
+ * Ray renderer: the 32-bit FNV-1a hash (start 2166136261, then (hash ^ byte) * 16777619) of 32-bit words, lowest byte
+ * first. For each sample in order, for each of its rays, depth first, the reflected before the refracted ray, and that
+ * before the ray behind an opacity texture, the words are: the index of the object hit, TIA_NO_OBJECT for the
+ * background, or TIA_NO_OBJECT - 1 - n for light n. An object's index is followed by
  *   - the part hit: of a box the face, 2 axis + 1 on the side of its maximum; of a cylinder or cone 0 for the
  *     side, 1 for the base, 2 for the top; of a mesh the face; of a grid 6 times the cell, plus the face;
  *     otherwise 0;
@@ -89,9 +89,9 @@ enum tia_shown_guide { TIA_SHOW_NOTHING, TIA_SHOW_NORMAL, TIA_SHOW_DEPTH, TIA_SH
 /* Returns "normal", "depth", "albedo", "error"; NULL for others. */
 const char *tia_shown_guide_name(unsigned shown);
 
-/* Returns the sum of `count` samples that show the quantity `shown` of the pixel with the index `at` in `gathered`, or
- * the albedo for other values of `shown`. The sum is 0 if gathered->sums, its guides or, for the error, its squares are
- * NULL, or the count is not in 1..TIA_SPP_MAX. */
+/* Returns the quantity `shown` of the pixel at index `at` of `gathered`, as a sum of `count` samples; for other values
+ * of `shown`, the albedo. The sum is 0 if gathered->sums, its guides or, for the error, its squares are NULL, or the
+ * count is not in 1..TIA_SPP_MAX. */
 struct tia_sum tia_guide_shown(enum tia_shown_guide shown, const struct tia_gathered *gathered, size_t at,
                                uint32_t count);
 
@@ -102,27 +102,26 @@ uint32_t tia_standard_error(const struct tia_sum *sum, uint64_t squares, uint32_
 
 /* ---- shadows and motion ---- */
 
-/* Returns the index of the first object that is too far away for the rasteriser in a width x height view, the reason
- * for which tia_view_init may have returned TIA_ERR_RANGE; TIA_NO_OBJECT: there is none, or tia_scene_check refuses the
- * scene. A corner is too far away if a clip coordinate, see raster.h, reaches 2^TIA_RANGE_MAX, in orthographic views
- * 2^TIA_RANGE_FLAT: its distance from the view's middle is then that multiple of half the view's width or height. */
+/* Returns the index of the first object that is too far away for the rasteriser in a width x height view; tia_view_init
+ * then returns TIA_ERR_RANGE. TIA_NO_OBJECT: there is none, or tia_scene_check refuses the scene. A corner is too far
+ * away if a clip coordinate, see raster.h, reaches 2^TIA_RANGE_MAX, in orthographic views 2^TIA_RANGE_FLAT: its
+ * distance from the view's middle is then that many times half the view's width or height. */
 uint32_t tia_shadow_too_far(const struct tia_scene *scene, unsigned width, unsigned height);
 
 /* Returns the index of the first of `count` lights that is too far away for the scene's shadows in a width x height
- * view, the reason for which tia_view_init or tia_view_set_lights may have returned TIA_ERR_RANGE; TIA_NO_OBJECT: there
- * is none. All of an area light must be near enough. *range receives the r for which 2^r is too far: as for corners,
- * but less in an orthographic view whose image has more than 1024 pixels in a row or column. In such a view lights much
- * farther away than all corners are in range, too: they count as directional where this moves no shadow by half a
- * pixel. */
+ * view; tia_view_init or tia_view_set_lights then returns TIA_ERR_RANGE. TIA_NO_OBJECT: there is none. All of an area
+ * light must be near enough. *range receives the r for which 2^r is too far: as for corners, but less in an
+ * orthographic view whose image has more than 1024 pixels in a row or column. In orthographic views lights much farther
+ * away than all corners are in range, too: they count as directional if this moves no shadow by half a pixel. */
 uint32_t tia_shadow_light_too_far(const struct tia_scene *scene, const struct tia_light *lights, uint32_t count,
                                   unsigned width, unsigned height, unsigned *range);
 
-/* Returns the bytes of room for tia_shadow_mesh_closes; SIZE_MAX for NULL. */
+/* Returns the number of bytes of working memory for tia_shadow_mesh_closes; SIZE_MAX for NULL. */
 size_t tia_shadow_mesh_room(const struct tia_mesh *mesh);
 
-/* True if each edge of each face is an edge of another face in the opposite direction. A mesh that does not close casts
- * the same shadow, but face by face, so that its volumes have more sides. `room` has tia_shadow_mesh_room(mesh) bytes;
- * if it is not aligned for uint32_t, the result is false. The mesh is one that tia_scene_check accepts. */
+/* True if each edge of each face is an edge of another face in the opposite direction. A mesh that is not closed casts
+ * the same shadow, but face by face, so that its shadow volumes have more sides. `room` has tia_shadow_mesh_room(mesh)
+ * bytes; if it is not aligned for uint32_t, the result is false. The mesh is one that tia_scene_check accepts. */
 bool tia_shadow_mesh_closes(const struct tia_mesh *mesh, void *room);
 
 /* True if falling balls bounce off shape number `shape`: a plane or a box whose transform has no track. */

@@ -5,8 +5,8 @@
  *     sums, guides --tia_denoise_put--> pixels  --tia_denoise_pass, TIA_DENOISE_PASSES times--> pixels
  *     pixels --tia_denoise_get--> sums of the picture without the noise
  *
- * All three functions process tiles, of any size, in any order and on several threads at once, with the same bits. Each
- * step must process each pixel of the picture once, and end before the next step begins.
+ * All three functions process tiles, of any size, in any order and on several threads at once; the result is the same.
+ * Each step must process each pixel of the picture once, and end before the next step begins.
  *
  * Light is divided by albedo, so that textures stay sharp, and multiplied by it again at the end. Pass n (0, 1, 2)
  * replaces each pixel p by the mean of 5x5 pixels q, 2^n apart, with the weights
@@ -37,7 +37,8 @@ extern "C" {
 
 struct tia_denoiser; /* in the caller's memory */
 
-/* Returns the bytes for a picture: 68 a pixel and a few; SIZE_MAX when there are too many. */
+/* Returns the number of bytes for a picture: 68 a pixel and a small constant; SIZE_MAX when that number does not
+ * fit. */
 size_t tia_denoise_size(unsigned width, unsigned height);
 
 /* Creates a denoiser in `memory`, aligned for uint64_t; every pixel is black until tia_denoise_put sets it.

@@ -1,34 +1,35 @@
 /* integrator.h - integrators of the light along a ray, and the conversion of their sums to pixels.
  *
  * TIA_WHITTED is tia/material.h's model. The others estimate a mean: each pixel is the mean of `spp` samples, and a
- * sample is a function of the scene, the pixel and its number alone. A sample's radiance is clamped to 0..2^14 and
- * rounded once, to 2^-24, and samples are added in 64 bits. So a picture does not depend on the order, the place or the
- * parts in which its samples are drawn: the sums of samples a..b and of b..c are those of a..c, exactly.
+ * sample depends only on the scene, the pixel and the sample's number. A sample's radiance is clamped to 0..2^14 and
+ * rounded once, to 2^-24, and samples are added in 64 bits. So a picture does not depend on the order, the machine or
+ * the parts in which its samples are drawn: the sums of samples a..b - 1 and of samples b..c - 1 add up exactly to
+ * those of samples a..c - 1.
  *
- * TIA_OCCLUSION shows the openness of a point: the share of rays from it that meet no object up to a distance. The rays
- * start at the point that a pixel shows; their directions have the density cos t/pi around the normal N there. Rays
- * below the surface count as meeting it. Where a pixel shows no object, the openness is 1.
+ * TIA_OCCLUSION shows the openness of a point: the share of rays from that point that meet no object within a distance.
+ * The rays start at the point that a pixel shows; their directions have the density cos t/pi around the normal N there.
+ * Rays that point below the surface count as blocked. Where a pixel shows no object, the openness is 1.
  *
  * TIA_PATHS follows light along random paths (Kajiya, "The rendering equation", 1986). From tia/material.h it uses
  *   - colour and texture: Lambert's law; specular: Phong's lobe specular (n + 2)/(2 pi) cos^n, normalised (Lafortune
  *     and Willems 1994);
  *   - mirror, refraction, index, fresnel, opacity and media as they are; at a surface with several of these, one is
  *     chosen at random;
- *   - emission, 2^emission_bits times, and facing: radiance, to both sides of a surface.
+ *   - emission times 2^emission_bits, and facing: radiance that a surface emits to both sides.
  *
- * transmission is ignored. The background is radiance from everywhere. Rectangle, disc and sphere lights are surfaces
- * that emit the radiance emission 2^emission_bits to all sides, without attenuation, and absorb the rays that meet
- * them. Point, spot and directional lights light surfaces as in light.h; a surface that such a light has is visible
- * only directly, or by mirrors and refraction. Ambient lights are ignored, since paths replace them.
+ * transmission is ignored. The background is radiance from all directions. Rectangle, disc and sphere lights are
+ * surfaces that emit the radiance emission 2^emission_bits to all sides, without attenuation, and absorb the rays that
+ * meet them. Point, spot and directional lights light surfaces as in light.h; if such a light has a surface, that is
+ * visible only directly, or through mirrors and refraction. Ambient lights are ignored, since paths replace them.
  *
  * At each diffuse or glossy point one light or emitting sphere of the scene is chosen, each with the same probability,
  * and a point on it: on a sphere, within the cone of directions that it fills; else uniformly on the surface. The path
- * itself continues along one of the material's lobes. The two are combined by the balance heuristic (Veach 1997). Other
- * emitting shapes are met by chance. From the fourth bounce on, paths end by Russian roulette, at the latest after the
- * scene's largest number of bounces.
+ * itself continues along one of the material's lobes. Both ways of reaching a light are combined by the balance
+ * heuristic (Veach 1997). Other emitting shapes contribute only where a path happens to hit them. From the fourth
+ * bounce on, paths end by Russian roulette, at the latest after the scene's largest number of bounces.
  *
- * Samples use Owen-scrambled Sobol points, see src/samples/sobol.h: a sample's first numbers are its place in the
- * pixel, without a filter, and the first direction. Rays start 2^-26 off a surface.
+ * Samples use Owen-scrambled Sobol points, see src/samples/sobol.h: a sample's first numbers determine its position in
+ * the pixel, uniformly, and its first direction. Rays start 2^-26 off a surface.
  */
 #ifndef TIA_INTEGRATOR_H
 #define TIA_INTEGRATOR_H
@@ -59,7 +60,7 @@ const char *tia_tone_name(unsigned tone);
 #define TIA_BOUNCES_MAX 1024
 #define TIA_EXPOSURE_MAX TIA_Q16(24)
 
-/* A path's strategies for finding lights: with one alone, pictures have the same mean and more noise. */
+/* A path's strategies for finding lights: pictures with only one of them have the same mean, and more noise. */
 enum tia_strategy { TIA_STRATEGY_NONE, TIA_STRATEGY_LIGHTS, TIA_STRATEGY_SCATTERING };
 
 /* A scene's integrator. All zero: Whitted's, which ignores the other fields. */
@@ -69,7 +70,7 @@ struct tia_integration {
     uint32_t seed;    /* seed of the random samples */
     uint16_t bounces; /* TIA_PATHS: largest number of bounces, 1..TIA_BOUNCES_MAX; 0 means TIA_BOUNCES_MAX */
     uint16_t without; /* TIA_PATHS, for comparison: the enum tia_strategy to leave out */
-    tia_q16 distance; /* TIA_OCCLUSION: farther objects do not count; 0: all count */
+    tia_q16 distance; /* TIA_OCCLUSION: length up to which objects count; 0: all count */
     enum tia_tone tone;
     tia_q16 exposure; /* pixels show 2^exposure times the radiance: -TIA_EXPOSURE_MAX..TIA_EXPOSURE_MAX */
 };
@@ -100,7 +101,8 @@ struct tia_view;
 struct tia_tile;
 struct tia_surface;
 
-/* A sampling integrator in one arithmetic, for the views of one core; for other cores' views TIA_ERR_ARGUMENT. */
+/* A sampling integrator in one arithmetic, for the views of one core; its functions return TIA_ERR_ARGUMENT for the
+ * views of other cores. */
 struct tia_estimator {
     const char *name; /* name of the core whose views it accepts */
 
@@ -123,7 +125,7 @@ struct tia_estimator {
     uint32_t (*enclosing)(const struct tia_view *view, uint32_t light);
 
     /* Writes the pixels of a row, a tile of height 1, from their sums of `count` samples each, 1..TIA_SPP_MAX. With all
-     * of the scene's samples, the pixels are those of tia_view_light. Errors as for `sample`. */
+     * of the scene's samples, the pixels are the same as by tia_view_light. Errors as for `sample`. */
     int (*show)(const struct tia_view *view, struct tia_tile row, const struct tia_sum *sums, uint32_t count,
                 const struct tia_surface *surface, bool dither);
 };

@@ -5,8 +5,8 @@
  * all three factors are 0, and for directional lights, there is no attenuation; where the sum is 2^17 or more, no light
  * arrives.
  *
- * An ambient light with a radius is occluded by objects within it: its light is multiplied by the openness up to that
- * distance, see TIA_OCCLUSION in integrator.h, estimated by `samples` rays.
+ * An ambient light with a radius is occluded by objects within that distance of the lit point: it is multiplied by the
+ * point's openness, see TIA_OCCLUSION in integrator.h, estimated by `samples` rays.
  *
  * A light whose radius or sides are not 0 is visible from all sides as a surface that shows its emission.
  * Shadow rays pass through it. An area light's contribution is the mean over its samples, each of which
@@ -24,39 +24,39 @@ extern "C" {
 /* Traits of a kind of light: its place, its fields in struct tia_light, its surface, and the renderers that draw it. */
 enum tia_light_trait {
     TIA_LIGHT_FAR = 1,             /* infinitely far away, along `direction` */
-    TIA_LIGHT_EVERYWHERE = 1 << 1, /* shines equally on every point, without shadows; others arrive along rays */
+    TIA_LIGHT_EVERYWHERE = 1 << 1, /* shines equally on every point, without shadows; other kinds shine along rays */
     TIA_LIGHT_DIRECTION = 1 << 2,  /* has `direction` */
     TIA_LIGHT_CONE = 1 << 3,       /* has `inner` and `outer` */
     TIA_LIGHT_RADIUS = 1 << 4,     /* has `radius` */
-    TIA_LIGHT_SIDES = 1 << 5,      /* has `side`, which is within the surface's plane */
+    TIA_LIGHT_SIDES = 1 << 5,      /* has `side`: the surface is a parallelogram with these half sides */
     TIA_LIGHT_SAMPLED = 1 << 6,    /* has `samples` */
-    TIA_LIGHT_AREA = 1 << 7,       /* its samples are points of an area; others have one sample, their centre */
-    TIA_LIGHT_BALL = 1 << 8,       /* its surface is a ball; its area, if any, the disc that faces the lit point */
+    TIA_LIGHT_AREA = 1 << 7,       /* its samples are points of an area; other kinds have one sample, their centre */
+    TIA_LIGHT_BALL = 1 << 8,       /* its surface is a sphere; its area, if any, is the disc that faces the lit point */
     TIA_LIGHT_DISC = 1 << 9,       /* its surface is a disc, with its normal along `direction` */
-    TIA_LIGHT_PATHS = 1 << 10,     /* TIA_PATHS samples it */
+    TIA_LIGHT_PATHS = 1 << 10,     /* sampled by TIA_PATHS */
     TIA_LIGHT_TECHNIQUES =
         1 << 11,               /* supported by the techniques for shadows, see shadow.h; TIA_FILTER_PCSS supports all */
     TIA_LIGHT_SPANS = 1 << 12, /* drawn by the span renderer */
     TIA_LIGHT_SIMD = 1 << 13   /* drawn by vector units; scenes with other kinds take the fixed-point path */
 };
 
-/* Lights without a place, and so without attenuation. */
+/* Lights without a position, and so without attenuation. */
 #define TIA_LIGHT_PLACELESS (TIA_LIGHT_FAR | TIA_LIGHT_EVERYWHERE)
 
 /* Lights with a surface. */
 #define TIA_LIGHT_SURFACE (TIA_LIGHT_SIDES | TIA_LIGHT_BALL | TIA_LIGHT_DISC)
 
 /* Every kind of light: its name, its word in scene files, its name in messages, and its traits. All tables of kinds are
- * made from this list: a new kind goes to its end, see docs/architecture.md.
+ * generated from this list. A new kind is appended to it, see docs/architecture.md.
  *
  *     point        shines from its centre; looks like a sphere of its radius
  *     directional  infinitely far away, shines along `direction`
  *     ambient      the same everywhere, from all directions, without shadows
- *     spot         from its centre, along `direction`: full inside the inner cone, none outside the outer cone, between
- *                  them (cos a - cos outer)/(cos inner - cos outer)
- *     rectangle    samples the points centre + s side[0] + t side[1], |s|, |t| <= 1
- *     disc         samples the disc around its centre with its normal along `direction`
- *     sphere       samples the disc through the centre that faces the lit point */
+ *     spot         from its centre, along `direction`: full inside the inner cone, none outside the outer cone; between
+ *                  them times (cos a - cos outer)/(cos inner - cos outer) at the angle a from the axis
+ *     rectangle    sampled at the points centre + s side[0] + t side[1], |s|, |t| <= 1
+ *     disc         sampled on the disc around its centre whose normal is along `direction`
+ *     sphere       sampled on the disc through its centre that faces the lit point */
 #define TIA_LIGHTS(LIGHT)                                                                                              \
     LIGHT(TIA_POINT_LIGHT, point, "a point light",                                                                     \
           TIA_LIGHT_RADIUS | TIA_LIGHT_BALL | TIA_LIGHT_PATHS | TIA_LIGHT_TECHNIQUES | TIA_LIGHT_SPANS |               \
@@ -110,9 +110,9 @@ struct tia_light {
     enum tia_light_kind kind;
     struct tia_dir3 direction;           /* length 0.5..1.5; it is normalised */
     tia_q16 inner, outer;                /* degrees from the axis: 0 <= inner <= outer <= 90, outer >= 1 */
-    struct tia_vec3 side[2];             /* half the sides of a rectangle: both 0, or not parallel */
+    struct tia_vec3 side[2];             /* half of each side of a rectangle: both 0, or not parallel */
     tia_q16 constant, linear, quadratic; /* attenuation, each 0..TIA_Q16(32767) */
-    uint16_t samples;                    /* area lights, ambient ones with a radius: 1..TIA_LIGHT_SAMPLES_MAX; 0 means
+    uint16_t samples;                    /* area lights, ambient lights with a radius: 1..TIA_LIGHT_SAMPLES_MAX; 0 is
                                             TIA_LIGHT_SAMPLES_DEFAULT */
     uint8_t emission_bits; /* TIA_PATHS: emission is 2^emission_bits times as large, 0..TIA_EMISSION_BITS_MAX */
     int8_t unit_bits;      /* the attenuation's unit of length is 2^unit_bits units of the file; unit_bits + the scene's
@@ -126,10 +126,12 @@ struct tia_light {
  *
  *     u = frac((i + 1/2)/n + b/16),   v = frac(r(i) + r(b)).
  *
- * On a rectangle s = 2u - 1 and t = 2v - 1. On a disc of radius R it is the point at the distance R sqrt(u)
- * and the angle 2 pi v, measured from A towards B, where with the disc's normal N
+ * On a rectangle s = 2u - 1 and t = 2v - 1. On a disc of radius R, sample i is at the distance R sqrt(u) from the
+ * centre and at the angle 2 pi v from A towards B, where with the disc's normal N
  *
- *     A = normalise(e x N), B = N x A, e the unit vector of N's smallest coordinate in size (the first of equals). */
+ *     A = normalise(e x N), B = N x A,
+ *
+ * and e is the unit vector along the axis of N's smallest coordinate in magnitude (the first of equals). */
 
 #ifdef __cplusplus
 }

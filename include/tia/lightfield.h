@@ -1,31 +1,34 @@
-/* lightfield.h - pictures for displays that show each eye a different one, with horizontal parallax only.
+/* lightfield.h - pictures for displays that show each eye a different view, with horizontal parallax only.
  *
  * The display is a flat screen in the scene: the window of a TIA_FRUSTUM camera with an observer line, see camera.h.
  * Each pixel of such a picture, or each of its three subpixels, is a pixel of an ordinary off-axis picture of the whole
- * screen, seen from an eye somewhere on that line. The kinds differ only in the choice of pixel and eye. So a light
- * field has the bits of those pictures.
+ * screen, seen from an eye somewhere on that line. The kinds differ only in the choice of pixel and eye. So each pixel
+ * of a light field equals a pixel of one of those pictures.
  *
- * A quilt has such pictures side by side: view 0, the leftmost, at the lower left, then to the right, then up, each of
- * floor(width/columns) x floor(height/rows) pixels. Remaining columns at the right and rows at the top stay black.
+ * A quilt is a grid of such pictures, each of floor(width/columns) x floor(height/rows) pixels. View 0, the leftmost,
+ * is at the lower left; the next views follow to the right, then row by row upwards. Remaining columns at the right and
+ * rows at the top stay black.
  *
  * A subpixel of a lenticular panel lies under a lens, which sends its light in one direction only. The lenses are
  * parallel and straight, so a subpixel's place under its lens is a linear function of its place in the picture, modulo
- * 1. This phase is the place on the observer line from which it is visible, from 0, the left end, to 1, the right end.
- * Subpixel k = 0, 1, 2 of pixel x, in row r, counted from 0 at the bottom, of a picture W pixels wide has the phase
+ * 1. This phase is the position on the observer line from which the subpixel is visible, from 0, the left end, to 1,
+ * the right end. Subpixel k = 0, 1, 2 of pixel x, in row r, counted from 0 at the bottom, of a picture W pixels wide
+ * has the phase
  *
- *     ((x + 1/2 + k/3) pitch + (r + 1/2) rise)/W - centre   modulo 1,   or 1 - that if it is inverted.
+ *     ((x + 1/2 + k/3) pitch + (r + 1/2) rise)/W - centre   modulo 1,   or if `inverted`, 1 less this.
  *
- * With rise = pitch/slope this is the formula that Looking Glass Factory has published in HoloPlayCore's shader, less
- * the views in between. The subpixel is pixel 3x + k of a row of a picture that is three times as wide. Without
- * subpixels k is 0, and the pixel is that of a picture as wide.
+ * With rise = pitch/slope this is the formula of HoloPlayCore's shader, published by Looking Glass Factory, without its
+ * intermediate quilt of views. The subpixel is pixel 3x + k of the row of an ordinary picture that is three times as
+ * wide. Without subpixels k is 0, and the ordinary picture is as wide as the light field.
  *
  * A projector behind the screen sends the light of its pixel x through the screen at q, the middle of that pixel's
  * column on the screen, to the observer line at
  *
  *     s = q + (q - p) D/d,
  *
- * p the projector's place and d its distance from the screen, D that of the observer line; p, q and s are lengths along
- * the camera's axis u. The projector projects the whole picture. Pixels whose light misses the line are black.
+ * where p is the projector's position, d its distance from the screen, and D that of the observer line; p, q and s are
+ * lengths along the camera's axis u. The projector projects the whole picture. Pixels whose light misses the line are
+ * black.
  */
 #ifndef TIA_LIGHTFIELD_H
 #define TIA_LIGHTFIELD_H
@@ -48,13 +51,12 @@ struct tia_quilt {
 enum tia_subpixels { TIA_SUBPIXELS_RGB, TIA_SUBPIXELS_BGR, TIA_SUBPIXELS_NONE };
 
 struct tia_lenticular {
-    /* Number of lenses in the width of the picture, 40 fraction bits. pitch and rise are below TIA_PITCH_MAX in
-     * size. */
+    /* Number of lenses in the width of the picture, 40 fraction bits. |pitch| and |rise| are below TIA_PITCH_MAX. */
     int64_t pitch;
     int64_t rise;                 /* phase gained over as many rows as the picture is wide, 40 fraction bits */
     int64_t centre;               /* offset of the phase, 40 fraction bits */
-    enum tia_subpixels subpixels; /* from left to right */
-    bool flipped;                 /* the picture, lenses and all, is shown from right to left */
+    enum tia_subpixels subpixels; /* order of subpixels, from left to right */
+    bool flipped;                 /* the picture is mirrored left to right, together with its lenses */
     bool inverted;
 };
 
@@ -73,10 +75,10 @@ struct tia_light_field {
 
 /* Returns the position of the eye of view number `view`, of `views` views spread from one end of the observer line to
  * the other: along u, from the line's middle, rounded to the nearest 2^-16. The position is 0, the middle, for a single
- * view, for a number that is no view's, and for a line of negative length. */
+ * view, for a number that is not below `views`, and for a line of negative length. */
 tia_q16 tia_light_field_place(const struct tia_camera *camera, uint32_t view, uint32_t views);
 
-/* Gives in *out the ordinary off-axis camera whose eye is at `place` on the observer line: eye and reference are moved
+/* Sets *out to the ordinary off-axis camera whose eye is at `place` on the observer line: eye and reference are moved
  * by `place` times u, each coordinate rounded to the nearest 2^-16; the window stays where it is, and out->line is 0.
  * TIA_ERR_RANGE when `place` is beyond the line's ends, and when tia_scene_check refuses *camera. */
 int tia_light_field_camera(struct tia_camera *out, const struct tia_camera *camera, tia_q16 place);

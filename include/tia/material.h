@@ -7,26 +7,27 @@
  *       + the sum over the lights of T a E (colour texture max(0, N.L) + specular max(0, R.L)^exponent)
  *       + kr (the colour along R) + kt (the colour along the refracted ray)
  *
- * where E is the light's emission, a its attenuation, L the direction to it, and T the transmittance of the
- * objects in between. An ambient light adds colour texture E.
+ * where E is the light's emission, a its attenuation, L the direction to it, and T the transmittance of the objects in
+ * between. An ambient light adds the product colour texture E.
  *
  * Without `fresnel`, kr is mirror and kt is refraction. With it, kr is mirror + F refraction and kt is
  * (1 - F) refraction, where F is the reflectance by Fresnel's equations for unpolarised light. On total
  * internal reflection F = 1, with or without `fresnel`.
  *
  * N is the shading normal: interpolated on a mesh that has normals, elsewhere the geometric normal G. Where the ray
- * hits the back of the surface both are negated. Shadow rays and reflected rays start at P + b G, refracted rays at P -
- * b G, so that rounding cannot make them hit their own surface; b is 2^-13, in scenes that have `fine` 2^-26. A shadow
- * ray ends exactly at the light's sample. A light contributes nothing where G.L <= 0 or N.L <= 0. Where an interpolated
- * normal has N.V <= 0, F = 1. T is the product of `transmission` over the objects that the shadow ray hits before the
- * light. Each object counts once, however often it is hit: a grid with the first cell that the ray hits, a mesh that
- * has groups once for each group that is hit.
+ * hits the back of the surface both are negated. Shadow rays and reflected rays start at P + b G, and refracted rays at
+ * P - b G, so that rounding cannot make them hit the surface that they leave; b is 2^-13, or 2^-26 in scenes that have
+ * `fine`. A shadow ray ends exactly at the light's sample. A light contributes nothing where G.L <= 0 or N.L <= 0.
+ * Where an interpolated normal has N.V <= 0, F = 1. T is the product of `transmission` over the objects that the shadow
+ * ray hits before the light. Each object counts once, however often the ray hits it: a grid counts by the first cell
+ * hit, and a mesh that has groups once for each group hit.
  *
- * An opacity texture, whose value at P is o, defines the part of the surface that is there: the colour is o times the
- * one above plus 1 - o times the colour seen past it, along a ray that goes straight on from P - b V. Where the
- * refracted ray goes straight on as well, the two are one ray, of o kt + 1 - o. A shadow ray is filtered by each such
- * surface that it crosses, by o transmission + 1 - o at that place, and goes on b behind it; T is 0 behind more than
- * TIA_LAYERS_MAX of them in one object. Other cells of a grid count once, by the first.
+ * An opacity texture makes parts of a surface invisible. Where its value at P is o, the colour is o times the one above
+ * plus 1 - o times the colour seen behind the surface, along a ray that goes straight on from P - b V. Where the
+ * refracted ray goes straight on as well, one ray with the factor o kt + 1 - o replaces the two. At each surface with
+ * an opacity texture, a shadow ray is multiplied by o transmission + 1 - o, and continues at the distance b behind it;
+ * T is 0 behind more than TIA_LAYERS_MAX such surfaces of one object. The cells of a grid without an opacity texture
+ * count once, by the first one hit.
  *
  * Media nest. Each ray has a list of the objects that it has entered and not left, at most TIA_MEDIA_MAX; its
  * medium is the object entered last, or air of index 1 when the list is empty. Camera rays start with an empty
@@ -37,22 +38,21 @@
  *     the object is removed;
  *   - a back side of an object entered earlier, it goes straight on, and the object is removed;
  *   - a back side of an object that is not on the list, it goes from the material to its medium.
- * A reflected ray keeps the list. Objects without an inside are never added: discs, triangles, cylinders and
- * cones without caps, and open meshes. A mesh is closed when for each edge from one corner of a face to the
- * next there is one that runs back, corners being equal when their coordinates are. Nor is an object added
- * where it has an opacity texture, or to a full list. A ray past an opacity has the list that a refracted ray
- * would have. A ray may miss one of two surfaces less than b apart, so objects that touch should
- * overlap instead.
+ * A reflected ray keeps the list. Objects without an inside are never added: discs, triangles, cylinders and cones
+ * without caps, and open meshes. A mesh is closed if for each edge of a face, from one corner to the next, a face has
+ * the same edge in the opposite direction; corners are equal if their coordinates are. Nor is an object added where it
+ * has an opacity texture, or to a full list. A ray that goes straight on behind an opacity texture has the list that a
+ * refracted ray would have. A ray may miss one of two surfaces less than b apart, so objects that touch should overlap
+ * instead.
  *
- * Where the indices of refraction on both sides are equal, F = 0 whatever N.V is, and the refracted ray goes
- * straight on from P - b V. Such layers, and those that rays go past, do not count as bounces; a path may have
- * TIA_LAYERS_MAX of them.
+ * Where the indices of refraction on both sides are equal, F = 0 whatever N.V is, and the refracted ray goes straight
+ * on from P - b V. Such surfaces, and those that a ray passes because of an opacity texture, are called layers: they do
+ * not count as bounces, and a path may have TIA_LAYERS_MAX of them.
  *
- * A ray's throughput is the product of the kr and kt along its path. A ray is not traced when its throughput
- * is below 2^-16 in every channel, after scene.depth bounces or TIA_LAYERS_MAX layers, or when TIA_RAYS_MAX rays of
- * its sample have been traced, in the order of path_hash in debug.h (without layers there are never more).
- * A ray that hits nothing sees the background. Only a sample's final colour is clamped; no intermediate value
- * exceeds 2^17.
+ * A ray's throughput is the product of the kr and kt along its path. A ray is not traced when its throughput is below
+ * 2^-16 in every channel, after scene.depth bounces or TIA_LAYERS_MAX layers, or when TIA_RAYS_MAX rays of its sample
+ * have been traced, in the order of path_hash in debug.h (without layers a sample never has more). A ray that hits
+ * nothing sees the background. Only a sample's final colour is clamped; no intermediate value exceeds 2^17.
  */
 #ifndef TIA_MATERIAL_H
 #define TIA_MATERIAL_H
@@ -68,14 +68,14 @@ extern "C" {
 #define TIA_INDEX_MAX TIA_Q16(4)
 #define TIA_EMISSION_BITS_MAX 13
 #define TIA_MEDIA_MAX 8                  /* entered objects in a ray's list */
-#define TIA_LAYERS_MAX 256               /* straight layers in a path */
+#define TIA_LAYERS_MAX 256               /* layers in a path, see above */
 #define TIA_RAYS_MAX (UINT32_C(1) << 17) /* rays of a sample, without shadow rays */
 
 /* Every channel of a material's colours lies in [0, 1]. */
 struct tia_material {
     struct tia_rgb colour;       /* diffuse reflectance (albedo) */
-    struct tia_rgb transmission; /* filter for light on its way to other surfaces: black is opaque */
-    struct tia_rgb emission;     /* glow; does not light other objects */
+    struct tia_rgb transmission; /* factor of the light that passes through to other surfaces; black blocks it */
+    struct tia_rgb emission;     /* glow; lights other objects only with TIA_PATHS */
     struct tia_rgb specular;     /* colour of the Phong highlight */
     tia_q16 exponent;            /* exponent of the highlight, 1..TIA_EXPONENT_MAX; ignored when specular is black */
     struct tia_rgb mirror;       /* reflectance of the mirrored ray */
@@ -99,7 +99,7 @@ enum tia_texture_kind { TIA_CHECKER, TIA_IMAGE, TIA_OPACITY };
  * shape.h. */
 struct tia_texture {
     enum tia_texture_kind kind;
-    tia_q16 repeat[2]; /* repeats of u and v, times 2^-repeat_bits, TIA_Q16(1/1024)..INT32_MAX */
+    tia_q16 repeat[2]; /* repetitions per unit of u and v, times 2^-repeat_bits, TIA_Q16(1/1024)..INT32_MAX */
     tia_q16 offset[2]; /* position of the texture's (0, 0) on the surface, times 2^-offset_bits */
 
     /* TIA_CHECKER: cells of 1 x 1, cells[0] where floor(u) + floor(v) is even. Channels in [0, 1]. */

@@ -17,9 +17,9 @@ enum tia_target {
     TIA_MOVES_TRANSFORM, /* a transform's position */
     TIA_ROTATES_TRANSFORM,
     TIA_SCALES_TRANSFORM,
-    TIA_SHOWS_SHAPE, /* 1 in x: shown, 0: hidden; from its keyframe on, without interpolation */
+    TIA_SHOWS_SHAPE, /* x is 1: shown, 0: hidden; takes effect at its keyframe, without interpolation */
     TIA_SHOWS_LIGHT,
-    TIA_SETS_COLOUR, /* a material's colour; like the members below red, green and blue, Q2.30 in 0..1 */
+    TIA_SETS_COLOUR, /* a material's colour; here and below, x, y, z are red, green, blue: Q2.30, 0..1 */
     TIA_SETS_TRANSMISSION,
     TIA_SETS_EMISSION, /* a material's emission, without emission_bits */
     TIA_SETS_SPECULAR,
@@ -39,13 +39,13 @@ struct tia_keyframe {
  * slope between its neighbours (Catmull-Rom), and 0 at the first and last.
  *
  * Every keyframe's value must be in the range of the field that it sets: lights, reference points and transforms stay
- * within 32768 of every eye position, and directions are not 0. tia_scene_check does not test where a transform moves
- * its shapes, or how far a smooth curve overshoots: check the scene of each time as well. Colours that overshoot are
+ * within 32768 of every eye position, and directions are not 0. tia_scene_check tests neither where a transform moves
+ * its shapes nor how far a smooth curve overshoots: check the scene of each time as well. Colours that overshoot are
  * clamped.
  *
  * A hidden shape keeps its index, but becomes an instance of the scene's last mesh, which must have no faces. Tracks of
- * colours that the span renderer does not draw need that mesh as well, so that one renderer draws all times. A hidden
- * light has no emission and no size. */
+ * colours that the span renderer does not draw need that mesh as well, so that the same renderer draws the scene at all
+ * times. A hidden light has no emission and no size. */
 struct tia_track {
     enum tia_target target;
     uint32_t index; /* index of the light, transform, shape or material; unused for the camera */
@@ -57,15 +57,15 @@ struct tia_track {
 /* A ball that falls. Between contacts its centre moves along a parabola. Balls bounce off each other and off planes and
  * boxes whose transform has no track; they pass through everything else. They do not spin, and there is no friction.
  * Hidden shapes (TIA_SHOWS_SHAPE) take no part: a ball waits until it is shown, and is gone once it is hidden. It is
- * gone, too, once a coordinate of its centre reaches 2^14 in size or its speed exceeds 2^15.
+ * gone, too, once a coordinate of its centre reaches a magnitude of 2^14 or its speed exceeds 2^15.
  *
- * At a contact the speed with which the two approach becomes the speed with which they part, times the restitution; for
- * two balls, the smaller of their restitutions. A ball that approaches more slowly than it would fall after 2/256 s
- * comes to rest, and can then carry others. Contacts are found to 2^-20 s, if balls move less than 16 times their
- * diameter in 1/256 s. */
+ * At a contact, the speed at which the two part is the speed at which they approached, times the restitution; between
+ * two balls, the smaller of their restitutions. A ball that approaches more slowly than if it had fallen for 2/256 s
+ * comes to rest, and can then carry others. Times of contact are accurate to 2^-20 s, if balls move less than 16 times
+ * their diameter in 1/256 s. */
 struct tia_fall {
     uint32_t shape;           /* index of a sphere with a transform of its own, scaled uniformly, that no track moves */
-    struct tia_vec3 velocity; /* velocity at the beginning, units of length a second, each within +-1024 */
+    struct tia_vec3 velocity; /* velocity at the beginning, units of length per second, each within +-1024 */
     tia_q16 restitution;      /* 0..1 */
     tia_q16 mass;             /* 2^-10..1024 */
 };
@@ -73,21 +73,21 @@ struct tia_fall {
 struct tia_falling {
     const struct tia_fall *balls;
     uint32_t count;          /* at most TIA_FALLS_MAX */
-    struct tia_vec3 gravity; /* units of length a second^2, each within +-1024 */
+    struct tia_vec3 gravity; /* units of length per second^2, each within +-1024 */
     tia_q16 end;             /* seconds, at most TIA_FALL_END_MAX: from then on all balls stay where they are */
 };
 
-/* Returns the bytes of memory that tia_scene_at needs for a scene that tia_scene_check accepts; SIZE_MAX when there are
- * too many. The memory must be aligned for uint64_t, and may be NULL if the result is 0. */
+/* Returns the number of bytes of memory that tia_scene_at needs for a scene that tia_scene_check accepts; SIZE_MAX when
+ * that number does not fit. The memory must be aligned for uint64_t, and may be NULL if the result is 0. */
 size_t tia_scene_at_size(const struct tia_scene *scene);
 
 /* Sets *out to the scene at `time` (seconds). Arrays with moving elements are copied to `memory`, all others are shared
- * with `scene`. *out has no tracks and no falling balls. It has no bvh either, since objects may have moved, so that a
- * new one must be built; and no `fine` if anything in the scene moves. The bits of *out depend on nothing but the scene
- * and the time. So the balls' paths are computed from the beginning each time, in steps of 1/256 s, each of which takes
- * time proportional to the number of balls times that of balls, planes and boxes. TIA_ERR_MEMORY when `size` is too
- * small. `out` may equal `scene`, which is then overwritten. Runs on one thread. After TIA_STOPPED *out is undefined
- * and must not be drawn. */
+ * with `scene`. *out has no tracks and no falling balls. out->bvh is NULL, since objects may have moved: build a new
+ * hierarchy, or see tia_bvh_move. out->fine is NULL if anything in the scene moves. *out depends on nothing but the
+ * scene and the time. So the balls' paths are computed from the beginning each time, in steps of 1/256 s, each of which
+ * takes time proportional to the number of balls times that of balls, planes and boxes. TIA_ERR_MEMORY when `size` is
+ * too small. `out` may equal `scene`, which is then overwritten. Runs on one thread. After TIA_STOPPED *out is
+ * undefined and must not be drawn. */
 int tia_scene_at(struct tia_scene *out, void *memory, size_t size, const struct tia_scene *scene, tia_q16 time,
                  const struct tia_job *job);
 

@@ -11,9 +11,10 @@
 extern "C" {
 #endif
 
-/* Gives a camera without an up vector, which looks along -z, the up vector +y and a reference point on its line of
- * sight: as far away as the object in front of the camera that is least off that line, or at the distance 10 if there
- * is none. Other cameras stay as they are. The scene is one that tia_scene_check accepts. */
+/* Prepares a camera without an up vector, which looks along -z, for the functions below. Its up vector becomes +y, and
+ * its reference point is set on the line of sight: as far away as the object in front of the camera that is least off
+ * that line, or at the distance 10 if there is none. Other cameras stay as they are. The scene is one that
+ * tia_scene_check accepts. */
 void tia_camera_aim(struct tia_camera *camera, const struct tia_scene *scene);
 
 /* Turns the eye around the reference point: by `right` degrees about the up vector, then by `up` degrees towards that

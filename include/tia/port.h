@@ -1,8 +1,8 @@
 /* port.h - the interfaces that a platform implements: a display, an input, a clock.
  *
  * Every function pointer must be set, unless its comment allows NULL: tia_viewer_run returns TIA_ERR_ARGUMENT when one
- * that it calls is not. A port never exits, prints, or starts threads. On failure it returns a negative enum tia_status
- * and stores the reason in its context, for the program to print.
+ * that it needs is NULL. A port never exits, prints, or starts threads. On failure it returns a negative enum
+ * tia_status and stores the reason in its context, for the program to print.
  */
 #ifndef TIA_PORT_H
 #define TIA_PORT_H
@@ -44,11 +44,11 @@ enum tia_event_kind {
 struct tia_event {
     enum tia_event_kind kind;
     uint16_t key;     /* enum tia_key or ASCII */
-    bool shift;       /* for a key that moves a light or the camera: it was typed with Shift */
+    bool shift;       /* for a key that moves a light or the camera: typed with Shift */
     bool drag;        /* for a pointer: its left button is down, or a finger touches */
     uint64_t time_us; /* time by struct tia_clock; 0 when the device does not report times */
-    /* A pointer's position or movement, to the right and down. A position is 0..65535, in 2^-16 of the display's width
-     * and height; a movement is -32767..32767, in units of about a pixel. */
+    /* A pointer's position or movement, to the right and down. A position is 0..65535, in units of 2^-16 of the
+     * display's width and height; a movement is -32767..32767, in units of roughly a pixel. */
     int32_t x, y;
 };
 
@@ -66,16 +66,16 @@ struct tia_display {
     /* Acquires the device and fills in its mode. After a failure nothing stays acquired; close is still safe. */
     int (*open)(void *ctx, struct tia_mode *mode);
     /* Gives the current mode, 1..TIA_SIZE_MAX pixels in both directions; it may change while the display is open (a
-     * resized terminal window, another screen plugged in). TIA_HIDDEN while another program has the screen: do not draw
-     * then. TIA_BUSY, with the mode, if the last frame must be shown again: see go_on. */
+     * resized terminal window, another screen plugged in). Returns TIA_HIDDEN while another program has the screen: do
+     * not draw then. TIA_BUSY, with the mode, if the last frame must be shown again: see go_on. */
     int (*mode)(void *ctx, struct tia_mode *mode);
     /* Gives memory for the pixels of `tile`, valid until submit. The memory may be write-combining, so that reads are
-     * slow: only write it, at rising addresses. Its contents are undefined at first. */
+     * slow: only write to it, in order of rising addresses. Its contents are undefined at first. */
     int (*acquire)(void *ctx, struct tia_tile tile, struct tia_surface *surface);
     /* Takes the tile's pixels, which are complete. */
     int (*submit)(void *ctx, struct tia_tile tile);
     /* Shows the frame, which is complete. May wait until it is on screen, but no longer; a device that needs more than
-     * about 20 ms for that, such as a slow line, returns TIA_BUSY and continues in go_on. */
+     * about 20 ms for that, such as one on a slow serial line, returns TIA_BUSY and continues in go_on. */
     int (*present)(void *ctx);
     /* Restores what open changed. Safe after a failed open, and when called twice. */
     void (*close)(void *ctx);
@@ -91,7 +91,7 @@ struct tia_input {
      * blocks. */
     int (*poll)(void *ctx, struct tia_event *event);
     /* Waits for an event or a signal, at most timeout_ms (-1: no limit; 0: only delivers pending signals). It may
-     * return early for no reason. */
+     * return early without a reason. */
     int (*wait)(void *ctx, int timeout_ms);
     void (*close)(void *ctx);
 };

@@ -1,4 +1,4 @@
-/* radio.h - paths of radio waves: from a transmitter by mirror reflections at flat faces to a receiver.
+/* radio.h - paths of radio waves from a transmitter to a receiver, by mirror reflections at flat faces.
  *
  * Pure geometry, in integers. Corners are rounded once, to Q16.16; after that, the existence of paths is decided
  * exactly: images, points on faces and obstructions are computed in rational numbers with as many digits as they need.
@@ -11,7 +11,7 @@
  *
  * Ties. A face includes its edges: a path that touches an edge of another face is blocked. A path that runs within the
  * plane of a face is not blocked by it. Two successive points may coincide on the line where two planes meet, if the
- * faces there look at each other and the first one's plane has the lower number. So the two paths through the inner
+ * two faces there face each other and the first one's plane has the lower number. So the two paths through the inner
  * edge of a right angle, by either face first, count as one, and at an outer edge there is none.
  */
 #ifndef TIA_RADIO_H
@@ -23,9 +23,9 @@
 extern "C" {
 #endif
 
-#define TIA_RADIO_ORDER_MAX 8 /* reflections of a path */
-#define TIA_RADIO_WALLS_MAX 8 /* walls that a path passes through */
-#define TIA_RADIO_LENGTH_BITS 41
+#define TIA_RADIO_ORDER_MAX 8    /* reflections of a path */
+#define TIA_RADIO_WALLS_MAX 8    /* walls that a path passes through */
+#define TIA_RADIO_LENGTH_BITS 41 /* fraction bits of a path's length */
 #define TIA_RADIO_NO_OBJECT UINT32_MAX
 
 struct tia_radio;      /* the faces of a scene */
@@ -51,8 +51,8 @@ struct tia_radio_wall {
     uint32_t segment; /* number of reflections before the wall */
 };
 
-/* A path. point[i] and face[i] are those of reflection i, direction[i] that of the segment before it; the last
- * segment's is direction[order]. */
+/* A path. point[i] and face[i] belong to reflection i; direction[i] is the direction of the segment before it, and
+ * direction[order] that of the last segment. */
 struct tia_radio_path {
     uint32_t order, wall_count;
     uint32_t face[TIA_RADIO_ORDER_MAX];
@@ -74,12 +74,13 @@ struct tia_radio_link {
     void *ctx;
 };
 
-/* Returns the bytes for the faces of a scene that tia_scene_check accepts; SIZE_MAX when there are too many. */
+/* Returns the number of bytes for the faces of a scene that tia_scene_check accepts; SIZE_MAX when that number does not
+ * fit. */
 size_t tia_radio_size(const struct tia_scene *scene);
 
-/* Finds the faces and stores them in `memory`, aligned for uint64_t, which is read-only from then on: any number of
- * threads may use it. TIA_ERR_MEMORY when `size` is too small; TIA_ERR_RANGE, with *fault filled in, when a corner is
- * beyond the range of Q16.16 or a face that is not parallel to an axis is 32768 wide or wider. */
+/* Finds the faces and stores them in `memory`, which must be aligned for uint64_t. They are read-only from then on: any
+ * number of threads may use them. TIA_ERR_MEMORY when `size` is too small; TIA_ERR_RANGE, with *fault filled in, when a
+ * corner is beyond the range of Q16.16 or a face that is not parallel to an axis is 32768 wide or wider. */
 int tia_radio_init(struct tia_radio **radio, void *memory, size_t size, const struct tia_scene *scene,
                    struct tia_fault *fault);
 
@@ -92,15 +93,16 @@ struct tia_radio_face tia_radio_face(const struct tia_radio *radio, uint32_t fac
 /* Returns an object that has the point inside its box or on one of its faces; TIA_RADIO_NO_OBJECT: none. */
 uint32_t tia_radio_inside(const struct tia_radio *radio, struct tia_vec3 point);
 
-/* Returns the bytes of the working memory of a search, which serves one search at a time and is aligned for uint64_t. */
+/* Returns the number of bytes of a search's working memory. The memory is aligned for uint64_t, and serves one search
+ * at a time. */
 size_t tia_radio_room_size(void);
 
 /* Returns the number of sequences of planes of up to `order` reflections, no plane twice in a row: all that the image
- * method would have to try without pruning. UINT64_MAX: that or more. */
+ * method would have to try without pruning. UINT64_MAX: that number or more. */
 uint64_t tia_radio_sequences(const struct tia_radio *radio, uint32_t order);
 
 /* Searches by the image method: tries all sequences of planes, except those that are impossible because a plane, or all
- * of its faces, lies behind the one before it. 0, or TIA_STOPPED when `found` returned false. */
+ * of its faces, lies behind the one before it. Returns 0, or TIA_STOPPED when `found` returned false. */
 int tia_radio_images(const struct tia_radio *radio, struct tia_radio_room *room, const struct tia_radio_link *link);
 
 /* Tries one sequence of `order` planes, at most TIA_RADIO_ORDER_MAX; calls link->found if it gives a path. Returns 0,
@@ -112,8 +114,8 @@ int tia_radio_try(const struct tia_radio *radio, struct tia_radio_room *room, co
 
 #define TIA_RADIO_DENSITY_MAX 2048
 
-/* Returns the number of directions. They are the corners of an icosahedron whose edges are divided by `density`: 10
- * density^2 + 2 of them; 0 for densities that are not 1..TIA_RADIO_DENSITY_MAX. */
+/* Returns the number of directions, 10 density^2 + 2: the corners of an icosahedron whose edges are each divided into
+ * `density` parts. 0 for densities that are not 1..TIA_RADIO_DENSITY_MAX. */
 uint32_t tia_radio_directions(uint32_t density);
 
 /* A ray that passes the receiver: its planes, and its path, whose points are accurate to about 2^-14. */

@@ -1,9 +1,9 @@
 /* read.h - reads scene files, without floating point and without heap.
  *
  * Decimal numbers are converted to fixed point directly, rounded to nearest, ties away from zero, so that a file gives
- * the same scene on every machine. Lengths are read in a unit that uses the range, see scale_bits in scene.h. The
- * caller holds the whole text in memory, and loads the files that it refers to (material libraries, included scenes,
- * images) by name.
+ * the same scene on every machine. The unit of length is chosen so that the scene makes good use of the range of
+ * Q16.16, see scale_bits in scene.h. The caller holds the whole text in memory, and loads by name the files to which
+ * the text refers: material libraries, included scenes, images.
  */
 #ifndef TIA_READ_H
 #define TIA_READ_H
@@ -49,7 +49,7 @@ enum tia_read_warning_kind {
     TIA_WARN_IMAGE,     /* an image that cannot be read: left out */
     TIA_WARN_OPTION,    /* an option of an image that is not supported: ignored */
     TIA_WARN_RANGE,     /* a number out of range: clamped */
-    TIA_WARN_OPACITY,   /* a material that would be invisible, as by Tr 1: opaque */
+    TIA_WARN_OPACITY,   /* a material that would be invisible, as with `Tr 1`: opaque */
     TIA_WARN_NUMBER,    /* no number where a texture coordinate is expected: 0 */
     TIA_WARN_NORMAL,    /* a normal without a direction: faces that use it have none */
     TIA_WARN_CORNER,    /* texture coordinates or normals on some corners of a face only: ignored */
@@ -69,13 +69,13 @@ struct tia_reader {
     const char *text;
     size_t length; /* the text may hold any bytes and needs no final 0 */
 
-    /* Loads the file called `name`, a path from the scene's folder. On failure returns a negative status and sets *why
-     * to a static string. The text is read in several passes: `library` may be called again for the same name and must
-     * then return the same text. Here and below, the loaded memory stays the caller's and must outlive the scene; NULL:
-     * a scene that refers to such files is an error. */
+    /* Loads the file called `name`, a path relative to the scene's folder. On failure returns a negative status and
+     * sets *why to a static string. The text is read in several passes: `library` may be called again for the same name
+     * and must then return the same text. Here and below, the loaded memory stays the caller's and must outlive the
+     * scene. If the function is NULL, a reference to such a file is an error. */
     int (*library)(void *ctx, const char *name, const char **text, size_t *length, const char **why);
-    /* Loads an image: sets the texture's width, height and texels. Called once for each texture, and only when the
-     * memory is known to suffice. Names and errors are as for `library`. */
+    /* Loads an image: sets the texture's width, height and texels. Called once for each texture, and only once the
+     * memory is certain to suffice. Names and errors are as for `library`. */
     int (*image)(void *ctx, const char *name, struct tia_texture *texture, const char **why);
     /* Loads one channel of an image, otherwise as `image` does. */
     int (*opacity)(void *ctx, const char *name, enum tia_channel channel, struct tia_texture *texture,
@@ -84,8 +84,9 @@ struct tia_reader {
     void *ctx;
 
     bool unscaled; /* lengths stay in the file's unit: scale_bits is 0 */
-    /* Above 0: the unit of length is the finest in which the scene and all positions up to `reach` (in the file's unit)
-     * from 0 along an axis fit, even if a coarser one would round no length, and although the horizon comes nearer. */
+    /* If above 0, the unit of length is the finest in which the scene fits, together with all positions whose
+     * coordinates are at most `reach`, in the file's unit. If 0, a unit finer than the file's is chosen only if a
+     * length would be rounded, so that planes extend farther. */
     tia_q16 reach;
     bool strict;                       /* warnings are errors */
     struct tia_read_warning *warnings; /* array of TIA_WARNINGS elements, by kind, which tia_read sets; or NULL */

@@ -1,13 +1,13 @@
 /* render.h - renders a scene to RGB565 pixels, a tile at a time, in the caller's memory.
  *
- *     scene --tia_view_init--> view     the scene prepared for one image size
- *     view  --tia_view_trace------> hits     the nearest object of each pixel of a tile
- *     hits  --tia_view_light-> pixels   lit, clamped, packed
+ *     scene --tia_view_init---> view     the scene prepared for one image size
+ *     view  --tia_view_trace--> hits     the nearest object of each pixel of a tile
+ *     hits  --tia_view_light--> pixels   lit, clamped, packed
  *
- * When only lights have moved, tia_view_set_lights and tia_view_light make the new picture from the old
- * hits, and it is exactly the picture that tracing again would give. Tiles may have any size and be drawn in
- * any order, also from several threads at once, as long as no two threads share a pixel of a hit buffer: the
- * pixels are the same. Nothing here allocates, prints or keeps state.
+ * When only lights have moved, tia_view_set_lights and tia_view_light compute the new picture from the old hits:
+ * exactly the picture that tracing again would give. Tiles may have any size and be drawn in any order, also from
+ * several threads at once, as long as no two threads share a pixel of a hit buffer: the pixels are the same. No
+ * function here allocates, prints or keeps state.
  */
 #ifndef TIA_RENDER_H
 #define TIA_RENDER_H
@@ -31,34 +31,34 @@ struct tia_tile {
  * plain frame buffer), `pitch` to the next one below. A rotated panel swaps or negates them. */
 struct tia_surface {
     tia_rgb565 *pixels;    /* the tile's upper left pixel, aligned for tia_rgb565 */
-    ptrdiff_t step, pitch; /* even; where they are too small, pixels cover each other */
+    ptrdiff_t step, pitch; /* even; if they are too small, pixels overlap */
 };
 
-/* More output than the pixels, and dithering. All zero, or NULL: none. */
+/* Dithering, and output besides the pixels. All zero, or NULL: none. */
 struct tia_options {
     bool dither;                   /* ordered dithering, Bayer 8x8, before quantising to RGB565 */
     uint16_t *colours;             /* NULL, or receives each pixel's red, green and blue, row by row of the tile */
     const struct tia_debug *debug; /* NULL, or more output for each pixel, see tia/debug.h */
 };
 
-/* `colours` receives the light of which RGB565 is the rounded value: 0..65535 for 0..1, rounded to nearest. Colours of
- * 8 bits can be rounded from it, as 255 divides 65535. TIA_ERR_UNSUPPORTED with `dither`, for a view drawn by vector
- * units, and for integrators with samples, whose sums serve instead. */
+/* `colours` receives the colours before they are rounded to RGB565: 0..65535 for 0..1, rounded to nearest. They can be
+ * rounded further to 8 bits, as 255 divides 65535. TIA_ERR_UNSUPPORTED with `dither`, for a view drawn by vector units,
+ * and for integrators with samples, whose sums have the colours, see struct tia_estimator. */
 
 struct tia_view; /* a prepared scene, in the caller's memory */
 struct tia_hits; /* a hit buffer, in the caller's memory */
 
-/* Returns the bytes for a view of `scene`, which tia_scene_check accepts, with up to `light_capacity` lights; SIZE_MAX
- * when there are too many. */
+/* Returns the number of bytes for a view of `scene`, which tia_scene_check accepts, with up to `light_capacity` lights;
+ * SIZE_MAX when that number does not fit. */
 size_t tia_view_size(const struct tia_scene *scene, uint32_t light_capacity);
 
 /* Prepares `scene` for a width x height image (1..TIA_SIZE_MAX each) in `memory`, aligned for uint64_t. The view refers
  * to the scene's arrays: they must outlive it. TIA_ERR_ARGUMENT when light_capacity is less than the scene's lights,
- * TIA_ERR_RANGE when tia_scene_check refuses the scene or something is too far away for its shadows, see
- * tia_shadow_too_far; TIA_ERR_MEMORY when `size` is too small.
+ * TIA_ERR_RANGE when tia_scene_check refuses the scene, or an object or a light is too far away for its shadows, see
+ * tia_shadow_too_far and tia_shadow_light_too_far; TIA_ERR_MEMORY when `size` is too small.
  *
  * The view is prepared on one thread. It refers to the job's `stop`, which tia_view_set_lights, tia_view_trace,
- * tia_view_light and tia_view_draw call on their own thread, after about 16 rays or, for spans, a row. After
+ * tia_view_light and tia_view_draw poll on the thread that calls them, after about 16 rays or, for spans, a row. After
  * TIA_STOPPED the tile's pixels, its hits and the view's lights are undefined. */
 int tia_view_init(struct tia_view **view, void *memory, size_t size, const struct tia_scene *scene,
                   uint32_t light_capacity, unsigned width, unsigned height, const struct tia_job *job);
@@ -69,7 +69,8 @@ int tia_view_init(struct tia_view **view, void *memory, size_t size, const struc
  * lights stay. */
 int tia_view_set_lights(struct tia_view *view, const struct tia_light *lights, uint32_t count);
 
-/* Returns the bytes for the hits of `area` in a picture of `scene`; SIZE_MAX when there are too many. */
+/* Returns the number of bytes for the hits of `area` in a picture of `scene`; SIZE_MAX when that number does not
+ * fit. */
 size_t tia_hits_size(const struct tia_scene *scene, struct tia_tile area);
 
 /* Creates a hit buffer for `area` of the view's picture in `memory`, aligned for uint64_t, for this view alone.
@@ -78,7 +79,8 @@ int tia_hits_init(struct tia_hits **hits, void *memory, size_t size, const struc
 
 /* Returns the index of the object at pixel (x, y) of the image, or TIA_NO_OBJECT; with several samples per pixel, that
  * of the first. Lights are not in the hits, since they may move: tia_view_light finds them. TIA_NO_OBJECT, too, outside
- * the image and the hits, and as long as no tile of the hits is traced; else the pixel must be traced. */
+ * the image and the hits, and as long as no tile of the hits has been traced. After that the pixel must have been
+ * traced. */
 uint32_t tia_hits_object(const struct tia_hits *hits, unsigned x, unsigned y);
 
 /* Finds the nearest object of each pixel of `tile`. TIA_ERR_ARGUMENT when the tile is empty or not inside the image and
@@ -86,17 +88,17 @@ uint32_t tia_hits_object(const struct tia_hits *hits, unsigned x, unsigned y);
 int tia_view_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile);
 
 /* Computes the colours of the traced pixels of `tile` and writes each pixel once, left to right, top to bottom.
- * `options` may be NULL. Errors as for tia_view_trace, and TIA_ERR_ARGUMENT when no tile of the hits is traced, or the
- * surface has no pixels or is not aligned. Once a tile is traced, it is not detected that others are not: all pixels of
- * `tile` must be. Vector units, see simd.h, need no hits. */
+ * `options` may be NULL. Errors as for tia_view_trace, and TIA_ERR_ARGUMENT when no tile of the hits has been traced,
+ * or the surface has no pixels or is not aligned. All pixels of `tile` must have been traced; this is not checked once
+ * any tile has been. Vector units, see simd.h, need no hits. */
 int tia_view_light(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                    const struct tia_surface *surface, const struct tia_options *options);
 
-/* Does the work of tia_view_trace and then tia_view_light; where rays draw, faster than the two calls. */
+/* Does the work of tia_view_trace and then of tia_view_light, faster than the two calls if rays draw the scene. */
 int tia_view_draw(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
                   const struct tia_surface *surface, const struct tia_options *options);
 
-/* True for scenes drawn by rays, where a tile of one pixel costs little more than its share of a large one. Spans
+/* True for scenes drawn by rays, where a tile of one pixel costs little more than its share of a large tile. Spans
  * prepare a whole row, and the rasteriser all faces. */
 bool tia_draws_by_pixel(const struct tia_scene *scene);
 
@@ -132,10 +134,10 @@ struct tia_core {
                      unsigned, unsigned, const struct tia_job *);
     size_t (*hits_size)(const struct tia_core *, const struct tia_scene *, struct tia_tile);
     size_t (*simd_size)(const struct tia_core *, const struct tia_simd *, const struct tia_scene *, uint32_t,
-                        unsigned);                                             /* may be NULL, for size 0 */
-    bool (*draws_by_pixel)(const struct tia_core *, const struct tia_scene *); /* may be NULL, for "not known" */
+                        unsigned);                                             /* may be NULL: 0 bytes */
+    bool (*draws_by_pixel)(const struct tia_core *, const struct tia_scene *); /* may be NULL: not known */
     const struct tia_drawing *drawing;                                         /* NULL: tia_drawing */
-    const struct tia_renderers *renderers; /* the library's; NULL: none, `drawing` has its own */
+    const struct tia_renderers *renderers; /* renderers of the library; NULL: `drawing` has its own */
 };
 
 extern const struct tia_core tia_core_q16; /* integers: the core of the functions above */
@@ -145,7 +147,7 @@ extern const struct tia_core tia_core_f64; /* double: the reference, libtia-f64.
  * renderer, and no code for other scenes. view_init returns TIA_ERR_RANGE for scenes with shapes, meshes, textures,
  * tracks, falling balls or techniques for shadows, and TIA_ERR_UNSUPPORTED for all others that spans do not draw. */
 extern const struct tia_core tia_core_spheres;
-/* A core like tia_core_spheres with less code: it decides each pixel on its own, and takes 1.7 times the time. */
+/* A core like tia_core_spheres with less code: it computes each pixel on its own, and takes 1.7 times as long. */
 extern const struct tia_core tia_core_spheres_small;
 
 #ifdef __cplusplus

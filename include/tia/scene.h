@@ -1,4 +1,4 @@
-/* scene.h - the scene: const arrays of the caller's, which tia never copies or changes.
+/* scene.h - the scene: const arrays that belong to the caller; tia never copies or changes them.
  *
  * Each field's range stands beside it. In addition, every point of the scene, lights included, must lie within 32768 of
  * every eye position; shapes count by their bounding boxes (tia_object_bounds without its margin). When tia_scene_check
@@ -6,15 +6,16 @@
  *
  * An object's index counts the spheres first, then the shapes.
  *
- * Two renderers draw scenes; the scene alone decides which one. The span renderer is the fast one for scenes
- * of at most TIA_SPAN_SPHERES spheres and no other shapes or meshes, whose materials have only colour, transmission and
- * emission, with point lights without attenuation and a camera that looks along -z with one sample per pixel.
- * The ray renderer draws all other scenes.
+ * The scene alone decides which renderer draws it. The span renderer is the fast one, for scenes of at most
+ * TIA_SPAN_SPHERES spheres and no other shapes or meshes, whose materials have only colour, transmission and emission,
+ * with point lights without attenuation and a camera that looks along -z with one sample per pixel. The ray renderer
+ * draws all other scenes that have neither another integrator, see integrator.h, nor another technique for shadows, see
+ * shadow.h.
  *
- * A scene's unit of length may be smaller than that of the file it was read from, so that small numbers keep their
- * digits, or larger, so that large ones fit: a length of 1 in the file is 2^scale_bits here. Three things stay in the
- * file's units, and the renderer converts them: the attenuation of lights, the surface coordinates of planes and the
- * bias of shadow maps.
+ * A scene's unit of length may be smaller than that of the file it was read from, so that small lengths are stored
+ * precisely, or larger, so that large ones fit: a length of 1 in the file is 2^scale_bits here. Three quantities stay
+ * in the file's units, and the renderer converts them: the attenuation of lights, the surface coordinates of planes and
+ * the bias of shadow maps.
  */
 #ifndef TIA_SCENE_H
 #define TIA_SCENE_H
@@ -39,17 +40,17 @@ extern "C" {
 #define TIA_FALL_END_MAX (INT32_C(1024) * TIA_Q16_ONE)
 #define TIA_OBJECTS_MAX (UINT32_C(1) << 24) /* spheres and shapes; also a mesh's faces */
 
-/* A key that sets a light: pressing it sets light number `light` to `state`, or adds the light at the end
- * when the scene has fewer. */
+/* A key that sets a light: pressing it sets light number `light` to `state`, or appends a light when the scene has
+ * fewer. */
 struct tia_binding {
     uint16_t key; /* enum tia_key or ASCII, see port.h */
     uint16_t light;
     struct tia_light state;
 };
 
-/* More digits of lengths, in units of 2^-32, to be added to the scene's numbers of the same names. Round mirrors
- * magnify an error of a coordinate with every reflection, some a hundredfold; flat ones do not. So balls, cylinders,
- * cones and the eye can have more digits than Q16.16. The span renderer ignores these. */
+/* The remainders of lengths, in units of 2^-32, which are added to the scene's fields of the same names. With every
+ * reflection, curved mirrors magnify the error of a coordinate, some a hundredfold; flat mirrors do not. So spheres,
+ * cylinders, cones and the eye can be more precise than Q16.16. The span renderer ignores these. */
 struct tia_fine_sphere {
     struct tia_fine_place centre;
     int16_t radius;
@@ -61,7 +62,7 @@ struct tia_fine_ends {
 };
 
 struct tia_fine {
-    struct tia_fine_place eye, reference;  /* digits of the camera's eye and reference */
+    struct tia_fine_place eye, reference;  /* remainders of the camera's eye and reference */
     const struct tia_fine_sphere *spheres; /* one for each of the scene's spheres */
     /* One for each of the scene's shapes; used for cylinders (the base's radius for both ends) and cones without a
      * transform. */
@@ -77,7 +78,7 @@ struct tia_scene {
     const struct tia_binding *bindings;
     uint32_t material_count, sphere_count, light_count, binding_count;
 
-    /* Members that only the ray renderer supports. */
+    /* Members that the span renderer does not support. */
     const struct tia_shape *shapes;
     const struct tia_transform *transforms;
     const struct tia_texture *textures;
@@ -88,11 +89,11 @@ struct tia_scene {
     struct tia_integration integration; /* another integrator than Whitted's */
     enum tia_shadows shadows;           /* another technique than traced rays, see shadow.h */
     struct tia_shadow_map shadow_map;   /* for TIA_SHADOWS_MAP; all zero: the defaults */
-    tia_q16 tessellated; /* accuracy of flat faces that replace curved shapes for all techniques but traced rays: none
-                            is farther than this from the true surface; 2^-16 or more, at most TIA_OBJECTS_MAX faces. 0:
-                            rays draw curved shapes */
-    int scale_bits;      /* a unit of the file is 2^scale_bits units here: -TIA_SCALE_BITS_MAX..TIA_SCALE_BITS_MAX */
-    const struct tia_fine *fine;         /* NULL, or more digits; rays then start 2^-26 off a surface, see material.h */
+    /* Largest distance, 2^-16 or more, of a flat face from the curved surface that it replaces, for all techniques but
+     * traced rays; at most TIA_OBJECTS_MAX faces. 0: rays draw curved shapes. */
+    tia_q16 tessellated;
+    int scale_bits; /* a unit of the file is 2^scale_bits units here: -TIA_SCALE_BITS_MAX..TIA_SCALE_BITS_MAX */
+    const struct tia_fine *fine;         /* NULL, or remainders of lengths: rays then start 2^-26 off a surface */
     const struct tia_light_field *field; /* NULL, or a picture for many eyes; needs a camera with an observer line, and
                                             traced rays for shadows */
     const struct tia_bvh *bvh; /* NULL, or the scene's hierarchies, see bvh.h: the same picture in less time */
@@ -103,8 +104,8 @@ struct tia_scene {
     const struct tia_falling *falling; /* NULL: none */
 };
 
-/* The darkest colour that is not black in pictures of 8 bits, in sRGB as well: 2^-13, Q2.30. A colour written by
- * mistake as a length, in Q16.16, is always darker. */
+/* Channel values up to this one are black in pictures of 8 bits per channel, sRGB included: 2^-13, Q2.30. A colour
+ * written by mistake as a length, in Q16.16, is always darker. */
 #define TIA_DARK (TIA_Q30_ONE >> 13)
 
 /* A violated rule, to be printed as "sphere 3: radius: must be at least 2^-10". */
@@ -112,17 +113,17 @@ struct tia_fault {
     const char *thing; /* "sphere", "shape", "light", "material", "camera", "scene", ...; NULL: no fault */
     uint32_t index;    /* the thing's index, from 0; for "camera" and "scene" 0 */
     const char *field;
-    const char *rule; /* the range that the field must keep */
+    const char *rule; /* the rule that the field violates */
 };
 
-/* Checks all ranges. Each array must have at least as many elements as its count. TIA_OK, or TIA_ERR_RANGE with *fault
- * filled in (`fault` may be NULL). With TIA_OK a fault->thing that is not NULL is a warning: the scene can be drawn,
- * but all its lights, or all its materials, are darker than TIA_DARK without being black. Takes one pass over the
- * scene, and one over its shapes for every 16 meshes or grids. */
+/* Checks all ranges. Each array must have at least as many elements as its count. Returns TIA_OK, or TIA_ERR_RANGE with
+ * *fault filled in (`fault` may be NULL). With TIA_OK, a fault->thing that is not NULL is a warning: the scene can be
+ * drawn, but all its lights, or all its materials, are darker than TIA_DARK without being black. Takes one pass over
+ * the scene, and one over its shapes for every 16 meshes or grids. */
 int tia_scene_check(const struct tia_scene *scene, struct tia_fault *fault);
 
-/* The default scene, scenes/thesis.tia: a ball on a ground sphere, without lights; the keys a, d, s and w put
- * a light above left, above right, near the eye and far from it. */
+/* The default scene, scenes/thesis.tia: a ball on a ground sphere, without lights; the keys a, d, s and w add a light
+ * above left, above right, near the eye, and far from the eye. */
 extern const struct tia_scene tia_thesis_scene;
 
 #ifdef __cplusplus

@@ -1,8 +1,8 @@
 /* shape.h - shapes and instancing.
  *
- * Surface coordinates: seen from the side that the normal points to, u grows to the right and v grows upwards, so
- * that an image can be read; seen from behind it is mirrored. On a flat surface with the normal N, right and up are
- * the tangents
+ * Surface coordinates: seen from the side that the normal points to, u grows to the right and v grows upwards, so that
+ * an image appears upright; seen from behind, it is mirrored. On a flat surface with the normal N, right and up are the
+ * tangents
  *
  *     U = normalise(y x N), V = N x U; for N = y: U = x, V = -z; for N = -y: U = x, V = z.
  *
@@ -18,14 +18,14 @@
  *     box        on each face, 0..1 along its U and V:                         at the left   at the bottom
  *                -z, y at +x   z, y at -x   x, -z at +y   x, z at -y   x, y at +z   -x, y at -z
  *     triangle   the barycentric coordinates of corners 1 and 2                edge 0-2      edge 0-1
- *     mesh       its own, interpolated; without them, a triangle's
- *     grid       like a box, on each cell
+ *     mesh       the coordinates of its corners, interpolated; without any, those of a triangle
+ *     grid       those of a box, on each cell
  *
- * A ray hits a shape at the smallest distance that is at least 0; from inside, where it leaves. There is no
- * hit at points with a coordinate of 65536 or more in size. At equal distances the lower index wins, and an
- * object wins over a light. A grid has surfaces where its content changes: a ray that enters a filled cell
- * from outside, from an empty cell or from one of another material hits that cell's front; a ray that leaves
- * a filled cell for an empty one or for the outside hits the back of the cell.
+ * A ray hits a shape at the smallest distance that is not negative; a ray from inside hits where it leaves. There is no
+ * hit at points with a coordinate of magnitude 65536 or more. At equal distances the lower index wins, and an object
+ * wins over a light. A grid has surfaces where its content changes: a ray that enters a filled cell from outside, from
+ * an empty cell or from one of another material hits that cell's front; a ray that leaves a filled cell for an empty
+ * one or for the outside hits the back of the cell.
  *
  * Normals of spheres, boxes, cylinders and cones point outwards, those of planes and discs as given, those of
  * triangles along (B - A) x (C - A). For refraction, the back side of a surface is its inside. A ray that hits
@@ -40,7 +40,7 @@
 extern "C" {
 #endif
 
-#define TIA_RADIUS_MIN 64       /* the smallest radius and cell: 2^-10 as Q16.16 */
+#define TIA_RADIUS_MIN 64       /* the smallest radius, and edge of a grid's cell: 2^-10 as Q16.16 */
 #define TIA_NO_INDEX UINT32_MAX /* a corner without a normal or uv */
 #define TIA_SCALE_MIN TIA_RADIUS_MIN
 #define TIA_SCALE_MAX TIA_Q16(1024)
@@ -53,8 +53,8 @@ struct tia_sphere {
     uint32_t material; /* an index into the scene's materials */
 };
 
-/* Every kind of shape, and its field in struct tia_shape. The tables of kinds, here and elsewhere, are made from this
- * list: a new shape goes to its end, see docs/architecture.md. */
+/* Every kind of shape, and its field in struct tia_shape. All tables of kinds are generated from this list. A new shape
+ * is appended to it, see docs/architecture.md. */
 #define TIA_SHAPES(SHAPE)                                                                                              \
     SHAPE(TIA_SPHERE, sphere)                                                                                          \
     SHAPE(TIA_PLANE, plane) /* infinite */                                                                             \
@@ -94,7 +94,7 @@ struct tia_cone {
 };
 
 struct tia_box {
-    struct tia_vec3 min, max; /* min < max in each coordinate; rotate it with a transform */
+    struct tia_vec3 min, max; /* min < max in each coordinate; a transform can rotate the box */
 };
 
 struct tia_triangle {
@@ -106,7 +106,7 @@ struct tia_shape {
     uint32_t material;  /* an index into the scene's materials */
     uint32_t transform; /* 0: none; n: the scene's transform n - 1 */
     union {
-        struct { /* TIA_SPHERE: like struct tia_sphere; scaled by a transform, an ellipsoid */
+        struct { /* TIA_SPHERE: like struct tia_sphere; a transform can scale it to an ellipsoid */
             struct tia_vec3 centre;
             tia_q16 radius;
         } sphere;
@@ -131,9 +131,9 @@ enum tia_shape_value {
 
 /* Description of a field of a shape kind's struct, for code that reads or writes shapes of all kinds. */
 struct tia_shape_field {
-    const char *word;   /* in scene files; NULL: its values follow those of the previous field */
-    const char *member; /* in C; NULL ends the list */
-    uint16_t offset;    /* in struct tia_shape */
+    const char *word;   /* name in scene files; NULL: its values follow those of the previous field */
+    const char *member; /* name in C; NULL ends the list */
+    uint16_t offset;    /* byte offset in struct tia_shape */
     uint8_t value;      /* enum tia_shape_value */
     bool needed;        /* required in scene files; otherwise the default is 0 */
 };
@@ -142,9 +142,9 @@ struct tia_shape_field {
  */
 const struct tia_shape_field *tia_shape_fields(enum tia_shape_kind kind);
 
-/* A transform, which scales a shape along its own axes, then rotates it, then translates it. Not for planes. An
- * instance must not be too flat for its size: half the diagonal of its bounding box, divided by the smallest component
- * of scale, is below 32768. */
+/* A transform scales a shape along its own axes, then rotates it, then translates it. Planes must not have a transform.
+ * An instance must not be too flat for its size: half the diagonal of its bounding box, divided by the smallest
+ * component of scale, is below 32768. */
 struct tia_transform {
     struct tia_vec3 position; /* within 32768 of the eye, like the instances themselves */
     struct tia_vec3 rotation; /* degrees, right-handed: about x, then y, then z */
@@ -171,7 +171,7 @@ struct tia_mesh {
     const struct tia_uv *uvs;
     const struct tia_face *faces;
     uint32_t vertex_count, normal_count, uv_count, face_count;
-    const uint32_t *groups; /* NULL, or a number for each face: faces with equal numbers filter a shadow ray
+    const uint32_t *groups; /* NULL, or a group number for each face: the faces of a group filter a shadow ray only
                                once, see material.h */
 };
 

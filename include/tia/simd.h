@@ -1,9 +1,9 @@
 /* simd.h - vector units: pictures several times as fast, with the same bits as plain C.
  *
  * Each instruction set, such as AVX2, has SIMD kernels of its own; "scalar" has kernels in floating point without
- * vectors. They are a library of their own, libtia-simd.a, for programs on an operating system; libtia.a alone has
- * none, contains no floating point and links without it. A program picks an instruction set, allocates the memory that
- * its kernels need, and hands both to a view that has been prepared:
+ * vectors. The kernels are in a library of their own, libtia-simd.a, for programs on an operating system; libtia.a
+ * alone has no kernels and no floating point, and links without libtia-simd.a. A program picks an instruction set,
+ * allocates the memory that its kernels need, and hands both to a view that has been prepared:
  *
  *     simd = tia_simd_best();
  *     size_t size = tia_simd_size(simd, scene, light_capacity, threads);
@@ -12,16 +12,16 @@
  *         return TIA_ERR_MEMORY;
  *     status = tia_view_set_simd(view, simd, memory, size);
  *
- * SIMD kernels draw the span renderer's scenes (see scene.h) unless the eye is in a sphere, and scenes with a hierarchy
- * that the ray renderer, ambient occlusion or paths draw. Plain C draws everything else. No pixel, object or hash
- * differs.
+ * SIMD kernels draw two kinds of scenes: those of the span renderer (see scene.h), unless the eye is in a sphere; and
+ * scenes with a hierarchy that are drawn by the ray renderer, by ambient occlusion or by paths. Plain C draws
+ * everything else. No pixel, object or hash differs.
  *
  * The kernels compute with rounding to nearest, subnormal numbers and masked exceptions, whatever the caller has set:
  * each call sets these in the processor's control register and then restores the caller's register, with its exception
- * flags. On a processor whose register is unknown here, plain C draws if the environment differs. A view's `stop` is
- * called in that environment.
+ * flags. On a processor whose register the library does not know, plain C draws if the caller has set another
+ * environment. A view's `stop` is called in the kernels' environment.
  *
- * A call takes at most 16 KiB of its thread's stack; all else is in the memory above. */
+ * A call takes at most 16 KiB of its thread's stack; all other data is in the memory above. */
 #ifndef TIA_SIMD_H
 #define TIA_SIMD_H
 
@@ -35,24 +35,24 @@ extern "C" {
  * QEMU emulates the processor. */
 const struct tia_simd *tia_simd_best(void);
 
-/* Gives the widest instruction set that is at most as wide as the one called `name`: "plain" (which gives NULL),
- * "scalar", "sse41", "avx2", "avx512", "neon" or "wasm". TIA_ERR_ARGUMENT when no instruction set has that name, on any
- * processor. */
+/* Sets *simd to the widest instruction set that is at most as wide as the one called `name`: "plain" (which gives
+ * NULL), "scalar", "sse41", "avx2", "avx512", "neon" or "wasm". TIA_ERR_ARGUMENT when no instruction set has that name,
+ * on any processor. */
 int tia_simd_named(const char *name, const struct tia_simd **simd);
 
 /* Returns number `index` of the instruction sets that both this library and this processor have, narrowest first; NULL
  * if there are no more. */
 const struct tia_simd *tia_simd_at(unsigned index);
 
-/* Returns the bytes that the SIMD kernels need for a view of `scene`; 0 for NULL, SIZE_MAX when there are too many.
- * `workers` is the number of calls that may draw the view at the same time, each with 100 to 200 KB; plain C draws for
- * calls beyond that number. 0 means 1. */
+/* Returns the number of bytes that the SIMD kernels need for a view of `scene`; 0 for NULL, SIZE_MAX when that number
+ * does not fit. `workers` is the number of calls that may draw the view at the same time, each of which needs 100 to
+ * 200 KB; plain C draws for calls beyond that number. 0 means 1. */
 size_t tia_simd_size(const struct tia_simd *simd, const struct tia_scene *scene, uint32_t light_capacity,
                      unsigned workers);
 
 /* Makes these SIMD kernels draw the view from now on; NULL: plain C. `memory`, aligned for uint64_t, must outlive the
- * view. Hits traced before become invalid. As many calls may draw at once as there is memory for, see tia_simd_size;
- * TIA_ERR_MEMORY when `size` is too small for one. */
+ * view. Hits that were traced earlier become invalid. As many calls may draw at once as there is memory for, see
+ * tia_simd_size; TIA_ERR_MEMORY when `size` is too small for one. */
 int tia_view_set_simd(struct tia_view *view, const struct tia_simd *simd, void *memory, size_t size);
 
 /* Returns the name of the instruction set that draws the view, or "plain". */

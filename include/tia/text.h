@@ -1,8 +1,8 @@
 /* text.h - small text on pictures: ASCII in cells of 6x8 pixels, for programs with or without an OS.
  *
- * Letters take a cell's first five columns and seven rows; the eighth row is for tails (g j p q y , ;) and _. A line
- * feed begins a new line; characters that are not ASCII are blank. Around the text is a border of one pixel at the left
- * and above, so that a text of m columns and n lines covers 6 m + 1 by 8 n + 1 pixels, times the scale.
+ * Letters take a cell's first five columns and seven rows; the eighth row is for descenders (g j p q y , ;) and _. A
+ * line feed begins a new line; characters that are not ASCII are blank. The text has a border of one pixel at the left
+ * and above, so that m columns and n lines cover 6 m + 1 by 8 n + 1 pixels, times the scale.
  */
 #ifndef TIA_TEXT_H
 #define TIA_TEXT_H
@@ -19,7 +19,7 @@ extern "C" {
 struct tia_text {
     const char *text;
     uint16_t x, y;         /* position of the text's upper left corner, pixels of the image */
-    uint16_t scale;        /* pixels of a letter's dot, from 1 */
+    uint16_t scale;        /* size of a letter's dot, in pixels, at least 1 */
     tia_rgb565 ink, paper; /* colours of the letters and of the rest */
 };
 

@@ -4,7 +4,7 @@
  *   job.h     threads that share long work, and its cancellation
  *   vec.h     vectors and colours
  *   camera.h, material.h, light.h, shape.h    the parts of a scene
- *   lightfield.h    pictures for displays that show each eye a different one
+ *   lightfield.h    pictures for displays that show each eye a different view
  *   shadow.h  techniques for shadows
  *   integrator.h    integrators of light
  *   scene.h   the scene
@@ -19,14 +19,14 @@
  *   text.h    small text on pictures
  *   viewer.h  the interactive loop
  *
- * A program includes each of these by its name:
+ * Not included by tia.h:
  *
  *   raster.h  polygons: depth, stencil and colour buffers
- *   denoise.h pictures of samples without noise
- *   tone.h    from sums of samples to what pixels show
+ *   denoise.h removal of noise from sampled pictures
+ *   tone.h    conversion of sums of samples to pixel values
  *   radio.h   paths of radio waves, in libtia-radio.a
  *   debug.h   for tests and comparison
- * */
+ */
 #ifndef TIA_TIA_H
 #define TIA_TIA_H
 

@@ -1,5 +1,5 @@
-/* tone.h - from sums of samples to what pixels show, for programs that write pictures of samples in formats of their
- * own; struct tia_estimator does it for RGB565.
+/* tone.h - conversion of sums of samples to pixel values, for programs that write sampled pictures in formats of their
+ * own. For RGB565, see struct tia_estimator.
  */
 #ifndef TIA_TONE_H
 #define TIA_TONE_H
@@ -27,8 +27,8 @@ struct tia_exposure tia_exposure_of(tia_q16 exposure);
  * of 0 gives 0. */
 uint32_t tia_exposed(const struct tia_exposure *exposure, int64_t sum, uint32_t count);
 
-/* Returns the number of the level that is nearest to `value`, in units of 2^-32, of 2^bits levels; ties up, exact.
- * `bits` is 1..16, for TIA_TONE_SRGB 5, 6 or 8; the result for other numbers of bits is 0. Other tones are as
+/* Returns the level, of 2^bits levels, that is nearest to `value`, which is in units of 2^-32; ties up, exact. `bits`
+ * is 1..16, for TIA_TONE_SRGB 5, 6 or 8; the result for other numbers of bits is 0. Other tones are as
  * TIA_TONE_LINEAR. */
 unsigned tia_tone_level(enum tia_tone tone, uint32_t value, unsigned bits);
 

@@ -13,7 +13,7 @@ struct tia_vec3 {
     tia_q16 x, y, z;
 };
 
-/* The digits of a position below Q16.16, in units of 2^-32; see struct tia_fine. */
+/* The remainder of a position below the last bit of Q16.16, in units of 2^-32; see struct tia_fine. */
 struct tia_fine_place {
     int16_t x, y, z;
 };
@@ -28,9 +28,9 @@ struct tia_rgb {
     tia_q30 r, g, b;
 };
 
-/* Initialisers of a position, of a direction of length 1, and of a colour with channels from 0, black, to 1, white. As
- * each names the members that it sets, a position in place of a colour does not compile, nor a colour in place of a
- * position. */
+/* Initialisers of a position, of a direction of length 1, and of a colour with channels from 0, black, to 1, white.
+ * Each names its members or, in C++, its type, so that a position in place of a colour does not compile, nor the
+ * reverse. */
 #ifndef __cplusplus
 #define TIA_VEC3(X, Y, Z)                                                                                              \
     {                                                                                                                  \

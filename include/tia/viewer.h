@@ -1,34 +1,33 @@
 /* viewer.h - the interactive loop, for any display and input, with or without an OS.
  *
  * Each round handles all waiting keys, draws and shows a frame when something changed, and otherwise sleeps. The arrow
- * keys move the first light by 1 along x and z, page up and page down along y: once when pressed, and while held, after
- * TIA_HOLD_DELAY_US, every TIA_HOLD_STEP_US, though at most TIA_HOLD_STEPS times between two pictures: slower pictures
- * skip steps, so that the eye can follow. The first light is the first that is not ambient, since an ambient light has
- * no position; a directional light is moved by 1/16, as the point at the distance 1 from which it shines. The keys of
- * the scene's bindings set lights. Unless the scene binds it, TIA_KEY_SHADOWS selects the next technique for shadows
- * that the scene qualifies for, if the caller allows it. Every other key quits. Keys are also polled while a frame is
- * drawn: one that quits ends it at once, and one that moves a light ends it at the next tile if it has taken 250 ms,
- * though not two frames in a row. In a scene that plays, such a key ends the frame at once if the next one can be shown
- * in blocks or rows.
+ * keys move the first light by 1 along x and z, page up and page down along y: once when pressed and, while held for
+ * longer than TIA_HOLD_DELAY_US, every TIA_HOLD_STEP_US. Between two pictures at most TIA_HOLD_STEPS steps are made,
+ * and further ones are dropped, so that the eye can follow. The first light is the first that is not ambient, since an
+ * ambient light has no position. A directional light is rotated: the point at the distance 1 from which it shines is
+ * moved by 1/16. The keys of the scene's bindings set lights. Unless the scene binds it, TIA_KEY_SHADOWS selects the
+ * next technique for shadows that the scene qualifies for, if the caller allows it. Every other key quits. Keys are
+ * also polled while a frame is drawn: a key that quits ends the frame at once; a key that moves a light ends it at the
+ * next tile if it has taken 250 ms, but never two frames in a row. In a scene that plays, such a key ends the frame at
+ * once if the next one can be shown in blocks or rows.
  *
- * A frame that rays draw, and that takes longer than a display's period, is shown coarse to fine: every 16th pixel of
- * every 16th row as a block first, then twice as many of both, until it is complete. A key that moves a light then ends
- * it at once. For a frame of more than a second, a line at the picture's lower edge shows the progress. This needs a
- * `clock`, an `input` and no `frame_limit`; while a scene plays, blocks are shown only of the frame that follows a key,
- * and of those that take 250 ms.
+ * A frame that rays draw, and that takes longer than a display's period, is shown coarse to fine: first every 16th
+ * pixel of every 16th row as a block, then every 8th of every 8th, and so on, until it is complete. A key that moves a
+ * light then ends it at once. For a frame of more than a second, a line at the picture's lower edge shows the progress.
+ * This needs a `clock`, an `input` and no `frame_limit`; while a scene plays, only a frame that follows a key or takes
+ * 250 ms is shown in blocks.
  *
- * With an `estimator`, each pixel of a picture of samples has one sample at first; once all pixels are drawn, all get
- * twice as many, and again, until they have those of the scene. Each sample is computed once. This takes 24 bytes a
+ * With an `estimator`, each pixel of a sampled picture has one sample at first. Once all pixels are drawn, the number
+ * of samples is doubled, again and again, up to that of the scene. Each sample is computed once. This takes 24 bytes a
  * pixel; in pictures of more than 2^23 pixels, each pixel gets all samples at once.
  *
- * A picture that is rasterised is shown in two steps, where it follows a key or takes 250 ms: every 16th row first,
- * then all rows.
+ * A rasterised picture that follows a key or takes 250 ms is shown in two steps: first every 16th row, then all rows.
  *
- * With a gaze, where rays draw, pixels that the eye cannot distinguish from their neighbours are left out, and the gaze
- * follows a pointer.
+ * With a gaze, if rays draw the scene, pixels that the eye cannot distinguish from their neighbours are left out, and
+ * the gaze follows a pointer.
  *
  * With `pace`, each frame of a motion (a scene that plays, a key that is held) is as fine as time allows: as many
- * passes are drawn as fit the period, judged by the cost of earlier pixels. When nothing moves, the remaining passes
+ * passes are drawn as fit the period, estimated by the cost of earlier pixels. When nothing moves, the remaining passes
  * follow.
  *
  * A scene with tracks plays from `time` to its last keyframe in a loop, with at most one frame every
@@ -57,16 +56,16 @@ struct tia_frame {
     uint32_t number;          /* number of the frame, from 0 */
     uint16_t block;           /* 1: the frame is complete; else the size of its largest blocks, in pixels, at least 2 */
     uint32_t samples;         /* coarse picture of samples: smallest number of samples of a pixel; else 0 */
-    uint16_t done;            /* coarse picture: the share of its pixels drawn so far, 2^-16 */
+    uint16_t done;            /* coarse picture: share of the frame's samples drawn so far, in units of 2^-16 */
     uint32_t pixels;          /* number of pixels drawn; the others repeat these, or are interpolated from them */
     bool moving;              /* with `pace`: the picture moves */
-    uint64_t left_us;         /* coarse picture: estimated time for the rest, from the time so far */
+    uint64_t left_us;         /* coarse picture: microseconds for the rest, estimated from the time so far */
     bool relit;               /* only lights changed: the previous frame's hits were used again */
     uint64_t draw_us;         /* time to draw, microseconds, without waiting for the display */
     enum tia_shadows shadows; /* technique for shadows */
-    uint64_t key_us; /* latency: from the oldest key press that this frame shows to the end of present; 0 when there was
-                        none, its time is unknown, or the frame is not shown yet, and in all but the first of a frame's
-                        coarse pictures */
+    uint64_t key_us;  /* latency in microseconds, from the oldest key press that this frame shows to the end of present;
+                         0 when there was none, its time is unknown, or the frame is not shown yet, and in all but the
+                         first of a frame's coarse pictures */
     const char *simd; /* name of the instruction set that drew the picture, see tia_view_simd */
 };
 
@@ -80,27 +79,29 @@ enum tia_effect {
 };
 
 /* Handlers of keys and pointers that do not move lights. A scene's own keys come first, then those that move lights,
- * unless typed with Shift, then TIA_KEY_TAB, which chooses the next light to move, and TIA_KEY_SPACE, which pauses a
- * scene that plays and lets it go on. */
+ * unless typed with Shift, then TIA_KEY_TAB, which chooses the next light to move, and TIA_KEY_SPACE, which pauses and
+ * resumes a scene that plays. */
 struct tia_control {
-    /* Returns the effect that the event would have; changes nothing. Called like the viewer's `stop`. */
+    /* Returns the effect that the event would have; changes nothing. May be called on any thread that
+     * calls the viewer's `stop`. */
     enum tia_effect (*weigh)(void *ctx, const struct tia_event *event);
     /* Handles the event. *camera is the present camera, which `act` may change; a camera that tia_scene_check refuses
      * is ignored. Keys that move lights are passed to `act` as well when there is no light to move. An event for which
-     * `weigh` returns TIA_EFFECT_NONE is passed between two pictures of a frame that is drawn coarse to fine. An event
-     * of TIA_EFFECT_END is passed when the loop is over; if a picture was shown coarse, the display's memory then has
-     * as much of it as was drawn. */
+     * `weigh` returns TIA_EFFECT_NONE is passed even between two pictures of a frame that is drawn coarse to fine. An
+     * event of TIA_EFFECT_END is passed when the loop is over; if a coarse picture was shown, the display's memory then
+     * holds as much of the frame as was drawn. */
     enum tia_effect (*act)(void *ctx, const struct tia_event *event, struct tia_camera *camera);
 };
 
 /* The changes that keys have made. */
 struct tia_viewer_state {
     bool goes_on; /* set by the caller: begin with this state and the viewer's lights, not with the scene's */
-    bool moved;   /* the camera is not the scene's */
+    bool moved;   /* keys have moved the camera */
     bool paused;
     bool incomplete; /* the display does not show all of these changes yet */
     struct tia_camera camera;
-    /* Number of lights, at most lights.capacity; index of the light that keys move, or the next if it is ambient. */
+    /* Number of lights, at most lights.capacity; index of the light that keys move (if that is ambient, they move the
+     * next one). */
     uint32_t light_count, light;
     tia_q16 time; /* seconds */
 };
@@ -118,7 +119,7 @@ struct tia_viewer_lights {
 struct tia_viewer_pacing {
     uint32_t frame_limit; /* stop after this many frames; 0: no limit */
     tia_q16 time;         /* time of the first frame, seconds, for scenes with tracks */
-    uint32_t rate[2];     /* films: frame n shows time + n rate[1]/rate[0], each 1..1000000, and needs a frame_limit */
+    uint32_t rate[2];     /* films: frame n shows `time` + n rate[1]/rate[0]; each 1..1000000; needs a frame_limit */
     uint32_t pace[2]; /* frames a second to keep in motion, pace[0]/pace[1], each 1..1000000; pace[0] = 0: no pace */
 };
 
@@ -133,13 +134,13 @@ struct tia_viewer_ports {
 
 /* The caller's functions. All but `memory` may be NULL. */
 struct tia_viewer_hooks {
-    /* Memory for the view and the hits: returns at least `size` bytes, aligned for uint64_t, or NULL. Memory that the
-     * function returned before may be discarded. Called again when the mode or the technique changes. When a whole
-     * frame's hits do not fit, the viewer takes memory for one tile's, and traces every frame anew. */
+    /* Returns memory for the view, the hits and other data: at least `size` bytes, aligned for uint64_t, or NULL.
+     * Memory that the function returned before may be discarded. Called again when the mode or the technique changes.
+     * When a whole frame's hits do not fit, the viewer takes memory for one tile's, and traces every frame anew. */
     void *(*memory)(void *ctx, size_t size);
 
-    /* Called when a picture is drawn, before it is shown: anything that the function draws on the display is shown with
-     * the picture. */
+    /* Called when a picture is drawn, before it is shown: anything that the function draws onto the display is shown
+     * with it. */
     void (*frame_drawn)(void *ctx, const struct tia_frame *frame);
 
     /* Called after each picture. A result other than 0 ends the loop with that status. */
@@ -152,7 +153,7 @@ struct tia_viewer_hooks {
 struct tia_viewer {
     const struct tia_core *core;           /* NULL: tia_core_q16 */
     const struct tia_simd *simd;           /* NULL: plain C; see tia/simd.h */
-    const struct tia_estimator *estimator; /* NULL, or the core's, to show samples as they are drawn; else ignored */
+    const struct tia_estimator *estimator; /* NULL, or the core's, to show samples as they are drawn; others: ignored */
     const struct tia_scene *scene;
     struct tia_scene *variant; /* NULL, or memory for a copy of the scene: then TIA_KEY_SHADOWS changes the technique */
     struct tia_viewer_lights lights;
@@ -172,20 +173,20 @@ struct tia_viewer {
     struct tia_viewer_state *state; /* NULL, or is updated with each change */
 };
 
-/* Runs until a key quits, the frame limit is reached or `stop` returns true; then TIA_OK. The caller opens display and
- * input before and closes them afterwards. Errors: those of the ports; TIA_ERR_ARGUMENT when a member is missing or out
- * of its range; TIA_ERR_RANGE when tia_scene_check refuses the scene; TIA_ERR_MEMORY, also when the memory is not
- * aligned.
- */
+/* Runs until a key quits, the frame limit is reached or `stop` returns true; then returns TIA_OK. The caller opens
+ * display and input before and closes them afterwards. Errors: those of the ports; TIA_ERR_ARGUMENT when a member is
+ * missing or out of its range; TIA_ERR_RANGE when tia_scene_check refuses the scene; TIA_ERR_MEMORY, also when the
+ * memory is not aligned. */
 int tia_viewer_run(struct tia_viewer *viewer);
 
 /* Runs the viewer for scenes of spheres alone, see tia_core_spheres; TIA_ERR_RANGE for others. `core` must be set.
- * Frames are drawn at once, only keys that set or move lights have a meaning, and nothing else is linked. */
+ * Frames are not drawn coarse to fine, and all keys but those that set or move lights quit. The code for other scenes
+ * is not linked. */
 int tia_viewer_run_spheres(struct tia_viewer *viewer);
 
-/* Applies a key press to the lights, *count of an array of `capacity`. Returns 1 when they changed; 0 when the key has
- * a meaning but changes nothing; TIA_ERR_ARGUMENT when the key quits, or *count is above the capacity. A light that
- * would leave the range of tia_scene_check does not move. */
+/* Applies a key press to the lights: the first *count elements of an array of `capacity`. Returns 1 when they changed;
+ * 0 when the key has a meaning but changes nothing; TIA_ERR_ARGUMENT when the key quits, or *count is above the
+ * capacity. A light that would leave the range of tia_scene_check does not move. */
 int tia_viewer_press(const struct tia_scene *scene, struct tia_light *lights, uint32_t *count, uint32_t capacity,
                      uint16_t key);
 

@@ -46,7 +46,8 @@ void board_print(const char *text)
     }
 }
 
-/* Waits until all text is sent, then sleeps with interrupts off: nothing wakes the processor again, and simavr ends. */
+/* Waits until all text is sent, then sleeps with interrupts off. Nothing can wake the processor then, so simavr
+ * ends. */
 void board_exit(int status)
 {
     while (UCSR0B && !(UCSR0A & _BV(TXC0)))

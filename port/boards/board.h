@@ -1,7 +1,7 @@
 /* board.h - services for a program on a board without an operating system.
  *
  * The start-up code initialises the sections, fills the stack with a pattern and calls main. When main returns, the
- * board switches off if it can, and halts otherwise.
+ * board switches off, restarts or halts.
  */
 #ifndef PORT_BOARD_H
 #define PORT_BOARD_H
@@ -10,7 +10,7 @@
 
 int main(void);
 
-/* Prints to the serial line or, on a microcontroller, to the debugger's console. */
+/* Prints to the serial line or, with semihosting, to the debugger's console. */
 void board_print(const char *text);
 /* Prints a number in decimal. */
 void board_print_number(uint32_t value);

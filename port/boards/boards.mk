@@ -13,14 +13,14 @@ rv32_CC        := $(RISCV_BARE)gcc -march=rv32im -mabi=ilp32 -DTIA_NO_CLZ
 atmega1284p_CC := $(AVR_BARE)gcc -mmcu=atmega1284p
 BOARD := $(COMMON) -ffreestanding -iquote src -Iport -O2 -g -ffunction-sections -fdata-sections
 BOARD_LD := -static -Wl,--gc-sections,--fatal-warnings
-# Those without the flash for coherence.c: their programs name tia_core_spheres_small.
+# Boards whose flash is too small for coherence.c: their programs use tia_core_spheres_small.
 TIGHT_BOARDS := atmega1284p
 spheres = core_spheres$(if $(filter $(1),$(TIGHT_BOARDS)),_small)
-# The least stack that the linker leaves a small board's program: what tests/slow/freestanding allows the core, 6720
-# bytes, 5760 without coherence.c, and 512 for the program itself. tests/slow/boards measures how much of it is used.
+# The stack in bytes that a small board's program must have: the limit of tests/slow/freestanding for the core, 6720, or
+# 5760 without coherence.c, and 512 for the program itself. tests/slow/boards measures how much of the stack is used.
 small_stack = $(if $(filter $(1),$(TIGHT_BOARDS)),6272,7232)
 comma := ,
-# Other boards' scripts say where everything goes, an AVR's only adds to that of avr-libc.
+# An AVR's linker script is an addition to avr-libc's; those of other boards are complete.
 board_ld = $(if $(filter $(1),$(SMALL_BOARDS)),-Wl$(comma)--defsym=board_stack_min=$(call small_stack,$(1))) \
            $(if $(filter atmega%,$(1)),port/boards/$(1).ld,-nostdlib -Lport/boards -T port/boards/$(2).ld)
 
@@ -39,8 +39,8 @@ define board_compile
 $(call say,$(2),$< ($(1)))$($(1)_CC) $(3) -c -o $@ $<
 endef
 
-# A board's program, $(call image,board,name,sources,linker script,objects), and its objects: those of the core in another
-# arithmetic lie in a folder of its name. All of the core is there; the linker takes what the program names.
+# $(call image,board,name,sources,linker script,objects): the rule for a board's program. Objects of the core in another
+# arithmetic are in a folder named after it. All of the core is linked; --gc-sections drops what the program does not use.
 bare = $(patsubst %,$(BUILD)/boards/$(1)/%.o,$(basename $(2)))
 define image
 $(BUILD)/boards/$(1)/$(2).elf: $(call bare,$(1),$(3) $($(1)_SRC) $(CORE_SRC)) $(5) $(wildcard port/boards/$(4).ld port/boards/$(1).ld) port/boards/sections.ld
@@ -57,20 +57,21 @@ $(call bare_rule,$(1),f64/,-DTIA_NUM_F64)
 $(BUILD)/boards/$(1)/%.o: %.S
 	$$(call board_compile,$(1),AS)
 endef
-# Where what draws spheres fits into the flash at -O2 alone, of size the rest; -O3 where there is room for it.
+# Optimisation. On mps2-an385 the flash suffices for -O3 of SPANS_O3. On rv32 only the fixed-point code that draws spheres fits at
+# -O2; the rest of that code is optimised for size.
 SPANS_O3 := $(addprefix src/render/span/,coherence/coherence kernels)
 rv32_O2 := src/math/integer $(SPANS_O3) $(addprefix src/render/span/span_,rows shade sphere trace)
 $(SPANS_O3:%=$(BUILD)/boards/mps2-an385/%.o): BOARD += -O3
 $(BUILD)/boards/rv32/%.o: BOARD += -Os -msave-restore
 $(rv32_O2:%=$(BUILD)/boards/rv32/%.o): BOARD += -O2
 $(BUILD)/boards/rv32/f%.o: BOARD += -O2 -mno-save-restore
-# The counted program in arithmetic $(2), with a hit buffer for $(3) rows, kept whole or not.
+# The program whose instructions are counted: arithmetic $(2), strips of $(3) rows; $(4) is 1 to store a whole frame's hits.
 define counted
 $(BUILD)/boards/$(1)/count-$(2).o: tests/boards/count.c
 	$$(call board_compile,$(1),CC $(2),$$(BOARD) -DCORE=tia_$(if $(filter-out q16,$(2)),$(2)_)$(call spheres,$(1)) -DROWS=$(3) -DWHOLE=$(4))
 $(call image,$(1),count-$(2),,$(1)-large,$(BUILD)/boards/$(1)/count-$(2).o $(if $(filter-out q16,$(2)),$(call bare,$(1),tests/boards/soft_sqrt.c) $(call bare,$(1)/$(2),$(NUM_SRC))))
 endef
-# The viewer of a compiled scene, $(2).
+# The viewer of the compiled scene $(2).
 define shown
 $(BUILD)/boards/$(1)/shows-$(2).o: tools/boards/viewer.c
 	$$(call board_compile,$(1),CC,$$(BOARD) -DSCENE=compiled_$(2))
@@ -78,7 +79,8 @@ $(BUILD)/boards/$(1)/scene-$(2).o: $(BUILD)/scenes/$(2).c
 	$$(call board_compile,$(1),CC,$$(BOARD))
 $(call image,$(1),$(2),,$(1),$(BUILD)/boards/$(1)/shows-$(2).o $(BUILD)/boards/$(1)/scene-$(2).o)
 endef
-# A scene of the databases ray by ray, $(1): counted, on the board with memory for each of them.
+# The program that draws scene $(1) of the Standard Procedural Databases ray by ray, to count its instructions; mps2-an385
+# has memory for all of these scenes.
 define rayed
 $(BUILD)/boards/mps2-an385/rays-$(1).o: tests/boards/rays.c
 	$$(call board_compile,mps2-an385,CC,$$(BOARD) -DSCENE=compiled_$(1))
@@ -89,7 +91,7 @@ endef
 $(BUILD)/scenes/nff/%.c: scenes/nff/%.nff $(BUILD)/tia-compile
 	@mkdir -p $(@D)
 	$(call say,TABLES,$<)$(BUILD)/tia-compile $< -o $@ --name compiled_$*
-# Those boards whose compiler is there; the tests name the others.
+# The boards whose compiler is installed; the tests report the others.
 BOARDS := $(foreach b,$(PANEL_BOARDS) $(SMALL_BOARDS),$(if $(call found,$(firstword $($(b)_CC))),$(b)))
 $(foreach b,$(BOARDS),$(eval $(call board,$(b))))
 BOARDS_PANEL := $(filter $(PANEL_BOARDS),$(BOARDS))
@@ -99,7 +101,7 @@ $(foreach b,$(BOARDS_PANEL),$(eval $(call shown,$(b),castle)))
 $(foreach b,$(BOARDS_PANEL),$(eval $(call image,$(b),pattern,tests/boards/pattern.c,$(b))))
 $(foreach b,$(BOARDS_SMALL),$(eval $(call image,$(b),frames,tests/boards/frames.c,$(b))))
 $(BUILD)/boards/atmega1284p/tests/boards/frames.o: BOARD += -DROWS=1 -DLARGE=0 -DCORE=tia_core_spheres_small
-# A double of the AVR's is a float; its RAM and the Cortex-M0's have room for one row.
+# On the AVR a double is only a float, so there is no f64. The RAM of the AVR and of the Cortex-M0 has room for one row.
 counted_in = q16 f32 $(if $(findstring atmega,$(1)),,f64)
 rows_of = $(if $(findstring atmega,$(1)),1,$(if $(findstring microbit,$(1)),1,3))
 $(foreach b,$(BOARDS_SMALL),$(foreach n,$(call counted_in,$(b)),$(eval $(call counted,$(b),$(n),$(call rows_of,$(b),$(n)),$(if $(filter mps2-an385 rv32,$(b)),1,0)))))
@@ -127,18 +129,18 @@ COUNTED := $(foreach b,$(BOARDS_SMALL),$(patsubst %,$(BUILD)/boards/$(b)/count-%
 $(BUILD)/boards/insn.so: tests/boards/insn.c
 	@mkdir -p $(@D)
 	$(call say,LD,$@)$(CC) -std=c11 $(WARN) -O2 -shared -fPIC -o $@ $<
-# Runs an AVR's program; without simavr the tests name it.
+# Runs an AVR's program. It is not built without libsimavr; the tests report that.
 SIMAVR := $(if $(filter atmega1284p,$(BOARDS)),$(if $(wildcard /usr/include/simavr/sim_avr.h),$(BUILD)/boards/simavr))
 $(BUILD)/boards/simavr: tests/boards/simavr.c
 	@mkdir -p $(@D)
 	$(call say,LD,$@)$(CC) -std=c11 -D_GNU_SOURCE $(WARN) -isystem /usr/include/simavr -O2 -o $@ $< -lsimavr -lelf
 
-# What counts instructions, and the rays that they draw.
+# The programs whose instructions are counted, and those that count instructions and rays.
 COUNT_FILES := $(COUNTED) $(BOARDS_SHADOWS:%=$(BUILD)/boards/%/shadows.elf) $(BUILD)/boards/insn.so $(SIMAVR) \
                $(RAYED:%=$(BUILD)/boards/mps2-an385/rays-%.elf) $(BUILD)/boards/observed
 
 .PHONY: boards check-boards size-boards count count-rays
-boards: $(addsuffix .c,$(SPANS_O3) $(rv32_O2)) # a file that was moved loses its flags above
+boards: $(addsuffix .c,$(SPANS_O3) $(rv32_O2)) # fails if a file of these lists was moved: it would lose its flags
 boards: $(IMAGES) $(BOARDS_SMALL:%=$(BUILD)/boards/%/count-q16.elf) $(BUILD)/boards/insn.so $(SIMAVR) $(addprefix $(BUILD)/boards/,example shadows light) \
         $(if $(filter mps2-an385,$(BOARDS)),$(addprefix $(BUILD)/boards/mps2-an385/,example.elf light.elf) $(BUILD)/boards/microbit/mul64.elf)
 check: boards $(COUNT_FILES)

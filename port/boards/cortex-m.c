@@ -14,7 +14,7 @@ static void fault(void)
     board_exit(70);
 }
 
-/* The table that the processor reads at reset. Interrupts stay off, so it ends with the exceptions. */
+/* The table that the processor reads at reset. Interrupts stay off, so the table ends with the exceptions. */
 struct vector_table {
     uint32_t *stack_end;
     void (*handlers[15])(void); /* exceptions 1 (reset) to 15 */

@@ -11,7 +11,7 @@ void *memset(void *to, int value, size_t count);
 /* Keeps gcc from replacing the loops below by calls of memcpy and memset: each function would call itself. */
 #define AS_WRITTEN __attribute__((optimize("no-tree-loop-distribute-patterns")))
 
-/* Copies words if both addresses are aligned; copies the rest, which is short or rare, byte by byte. */
+/* Copies words if both addresses are aligned; copies all else, which is short or rare, byte by byte. */
 AS_WRITTEN void *memcpy(void *restrict to, const void *restrict from, size_t count)
 {
     unsigned char *bytes = to;

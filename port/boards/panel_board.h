@@ -24,7 +24,7 @@ static inline volatile uint32_t *panel_board_register(uintptr_t base, uintptr_t 
     return (volatile uint32_t *)(base + offset);
 }
 
-/* The panel as a display, double buffered. The context points to a const char *, which receives the reason of a
+/* The panel as a display, double buffered. The context points to a const char *, which receives the reason for a
  * failure. */
 extern const struct tia_display panel_display;
 

@@ -1,5 +1,5 @@
-/* pl11x.c - the PL110 and PL111 panel controllers. Registers: Arm DDI 0161 and DDI 0293; the Versatile's PL110 has
- * LCDControl at the address where the PL111 has it. */
+/* pl11x.c - the PL110 and PL111 panel controllers. Registers: Arm DDI 0161 and DDI 0293; the Versatile's PL110 has its
+ * LCDControl at the PL111's address. */
 #include "panel_board.h"
 
 enum {

@@ -1,5 +1,5 @@
-/* semihost.c - text and exit status through the debugger: Arm's semihosting, which RISC-V shares.
- * A debug probe or an emulator must be attached: without one, the trap is a fault. */
+/* semihost.c - text and exit status through the debugger, by Arm's semihosting, which RISC-V has adopted. A debug probe
+ * or an emulator must be attached: without one, the trap causes a fault. */
 #include "board.h"
 
 enum { SYS_WRITE0 = 0x04, SYS_EXIT_EXTENDED = 0x20 };
@@ -10,7 +10,8 @@ static void semihost(uint32_t operation, const void *argument)
 #if defined(__riscv)
     register uint32_t a0 __asm__("a0") = operation;
     register const void *a1 __asm__("a1") = argument;
-    /* The debugger recognises the trap by the two shifts around it. The three must be uncompressed and in one page. */
+    /* The debugger recognises the trap by the shifts around it. All three instructions must be uncompressed, in one
+     * page. */
     __asm__ volatile(".balign 16\n slli x0, x0, 0x1f\n ebreak\n srai x0, x0, 7" : "+r"(a0) : "r"(a1) : "memory");
 #else
     register uint32_t r0 __asm__("r0") = operation;

@@ -17,7 +17,7 @@ static void select_rgb565(void)
     *panel_board_register(SYSTEM, SYS_CLCD) = 3;
 }
 
-/* Restarts the board, which cannot cut its own power. */
+/* Restarts the board, which cannot switch itself off. */
 static void reset(void)
 {
     *panel_board_register(SYSTEM, SYS_LOCK) = UNLOCK;

@@ -8,21 +8,21 @@
 
 #include "vt.h"
 
-/* Signals that the kernel sends to take the console and to give it back. */
+/* Signals by which the kernel requests the console and returns it. */
 #define LEAVE SIGUSR1
 #define ENTER SIGUSR2
 
 static struct console {
     enum console_state state;
     struct vt vt;
-    struct console_listener *listeners; /* in the order in which they began to listen */
-    sigset_t mask; /* the caller's signal mask; this and the handlers are replaced by console_open */
+    struct console_listener *listeners; /* in the order in which they were added */
+    sigset_t mask;                      /* the caller's signal mask and handlers, which console_open replaces */
     struct sigaction on_leave, on_enter, on_resume;
 } console = {.state = CONSOLE_FREE, .vt.fd = -1};
 
 static volatile sig_atomic_t leave_asked, enter_asked, resumed;
 
-/* Notes a signal; for SIGCONT, also calls the terminal input's handler. */
+/* Sets a signal's flag; for SIGCONT, also calls the previous handler, that of the terminal's input. */
 static void note_signal(int number)
 {
     if (number == LEAVE)
@@ -113,7 +113,7 @@ static void answer_enter(void)
     enter();
 }
 
-/* Handles a stop during which the guardian answered the kernel. If it released the console, another program had the
+/* Takes over again from the guardian after a stop. If the guardian released the console, another program has used the
  * keyboards and the screen, even if the console is in front again. */
 static void answer_resume(void)
 {
@@ -130,7 +130,7 @@ static void answer_resume(void)
 }
 
 /* Answers pending requests. The kernel requests the console only from a process that has it, and waits for the answer:
- * when both signals are pending, the state shows which one came first. */
+ * when both signals are pending, the state shows which signal came first. */
 static void answer(void)
 {
     if (resumed)

@@ -1,5 +1,5 @@
-/* console.h - the virtual console (VT) under a display that takes the whole screen, the signals by which the kernel
- * switches it, and the only wait in which signals are unblocked.
+/* console.h - takes the virtual console (VT) for a display that uses the whole screen, answers the signals by which the
+ * kernel switches consoles, and provides the only wait during which signals are unblocked.
  *
  * A display takes the console; inputs only listen and wait:
  *
@@ -21,23 +21,23 @@
 enum console_state {
     CONSOLE_FREE, /* no display of this program has taken the screen: grab no keyboard */
     CONSOLE_OURS, /* this program has the screen: draw, grab the keyboards */
-    CONSOLE_AWAY  /* it has taken the screen, but another console is in front: neither draw nor grab keyboards */
+    CONSOLE_AWAY  /* the same, but another console is in front: neither draw nor grab keyboards */
 };
 
 enum console_state console_state(void);
 
-/* Functions to call when the screen comes and goes; a member of a port's context. */
+/* Callbacks for gaining and losing the screen. A port has this struct in its context. */
 struct console_listener {
     void (*enter)(void *arg); /* the state has become CONSOLE_OURS */
-    void (*leave)(void *arg); /* the console is released when this returns: stop using the screen and the keyboards */
+    void (*leave)(void *arg); /* stop using the screen and the keyboards: on return the console is released */
     void *arg;
     struct console_listener *next; /* private to console.c */
 };
 
-/* Adds a listener without calling it: check console_state(). `enter` is called in the order in which listeners were
- * added, `leave` in reverse order. */
+/* Adds a listener. Does not call it, so the caller must check console_state(). `enter` is called in the order in which
+ * listeners were added, `leave` in reverse order. */
 void console_listen(struct console_listener *listener);
-/* Removes a listener without calling it; safe when it was not added. */
+/* Removes a listener, without calling it. Does nothing if the listener was not added. */
 void console_ignore(struct console_listener *listener);
 
 /* Calls poll(2) with every signal unblocked, then handles the kernel's signals for switching. Every tia_input.wait uses
@@ -51,19 +51,19 @@ void console_switch(unsigned vt);
 
 /* ---- for displays ---- */
 
-/* Takes the console: the controlling terminal if it is a VT, else the VT in front, else none (no VT in this kernel,
- * or no right to open one: then this program has the screen and is never switched). Switches to the console, and from
- * then on answers the kernel when consoles are switched. `graphics` hides the console's text, which some displays
- * would show over the picture. The guardian (guardian.h) restores the console if this process dies, and answers the
- * kernel while this process is stopped. Returns TIA_OK, or TIA_ERR_DEVICE with a line in `why` when another program
- * has the console. */
+/* Takes the console: the controlling terminal if it is a VT, else the VT in front. If the kernel has no VT, or this
+ * process may not open it, takes none; then the screen is never switched away. Switches to the console, and from then
+ * on answers the kernel when consoles are switched. `graphics` hides the console's text, which some displays would show
+ * over the picture. The guardian (guardian.h) restores the console if this process dies, and answers the kernel while
+ * this process is stopped. Returns TIA_OK, or TIA_ERR_DEVICE with a line in `why` when another program has the
+ * console. */
 int console_open(bool graphics, char why[PORT_WHY]);
 
 /* Restores what console_open changed. Safe when the console is not open. */
 void console_close(void);
 
-/* Returns "tty1, the controlling terminal", "tty1, the console in front" or "none: WHY": the console taken, or the one
- * that would be taken now. */
+/* Returns a description of the console that is taken, or that console_open would take: "tty1, the controlling
+ * terminal", "tty1, the console in front" or "none: WHY". */
 const char *console_name(char text[PORT_WHY]);
 /* Prints console_name() as a line of a display's list. */
 void console_list(port_line *line, void *arg);

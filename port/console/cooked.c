@@ -8,14 +8,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#define PATIENCE_MS 200 /* longest time that a terminal which accepts nothing delays the shell */
+#define PATIENCE_MS 200 /* time limit of each of two tries to write, since the shell waits meanwhile */
 
 int cooked_open(const char *path)
 {
     return open(path, O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
 }
 
-/* True if the node is still the terminal that was saved: names of pseudo-terminals are reused. */
+/* True if the open node is the terminal that was saved, not a later one: names of pseudo-terminals are reused. */
 static bool is_same_node(const struct saved *saved, int fd)
 {
     struct stat s;
@@ -32,8 +32,8 @@ static bool is_untouched(int fd, const struct termios *raw)
            now.c_cc[VMIN] == raw->c_cc[VMIN] && now.c_cc[VTIME] == raw->c_cc[VTIME];
 }
 
-/* True if another process group has the terminal; false if that cannot be determined, because the terminal is not the
- * controlling one. */
+/* True if another process group is in the foreground of the terminal; false if that cannot be determined, because the
+ * terminal is not the controlling one. */
 static bool is_behind(int fd, pid_t group)
 {
     pid_t front = tcgetpgrp(fd);
@@ -41,8 +41,8 @@ static bool is_behind(int fd, pid_t group)
     return front > 0 && front != group;
 }
 
-/* Restores the modes. If tia was stopped or could not be traced, a shell has the terminal back: modes that it may have
- * set stay. */
+/* Restores the modes, unless a shell has the terminal back and has changed them, as after a stop or where tia could not
+ * be traced. */
 static void restore_modes(const struct saved *saved, int fd, pid_t group)
 {
     if (is_behind(fd, group) && !is_untouched(fd, &saved->was.terminal.raw))
@@ -68,9 +68,9 @@ bool cooked_write(struct saved *saved, int timeout_ms)
     return true;
 }
 
-/* Writes the text; true when all of it is written. A terminal that does not accept it within PATIENCE_MS loses the
- * output that it has not read, such as a part of a frame, and gets the text once more: the text first ends any sequence
- * that was cut. */
+/* Writes the text; true when all of it is written. If the terminal does not accept the text within PATIENCE_MS, drops
+ * all pending output, such as a part of a frame, and tries the whole text once more. The text begins with the end of
+ * any sequence that was cut off. */
 static bool write_soon(struct saved *saved)
 {
     struct saved again = *saved;

@@ -24,14 +24,14 @@
 #include "traced.h"
 
 #define LINE 0        /* the socket's descriptor in this process */
-#define SETTLE_MS 100 /* time for the main thread of a stopped process to stop, in case a driver holds it */
+#define SETTLE_MS 100 /* time limit for the main thread to stop, too: a driver may delay it */
 
 static pid_t process, process_group; /* the guarded process and its group */
 static int process_end;              /* pidfd of the guarded process */
 
 /* ---- consoles and framebuffers ---- */
 
-/* Makes the VT the controlling terminal of a new session, led by a child that goes on as the guardian; false on
+/* Makes the VT the controlling terminal of a new session, led by a child, which continues as the guardian; false on
  * failure. When a session's leader dies, the session loses its terminal, and a user other than root may not change the
  * VT until it is the controlling terminal of a session again. Only a process that leads no group can start a session,
  * hence the child. */
@@ -48,12 +48,12 @@ static void restore_vt(const struct saved *saved, int fd)
 {
     struct vt_mode mode = saved->was.vt.mode;
 
-    /* Text mode is set before the switch, which does not redraw a console in graphics mode. The kernel draws the text
-     * only when the mode changes, so graphics mode is set first. */
+    /* Text mode must be set before the switch, since a switch does not redraw a console in graphics mode. The kernel
+     * draws the text only when the mode changes, so graphics mode is set first. */
     if (ioctl(fd, KDSETMODE, (long)KD_GRAPHICS) != 0 && errno == EPERM && claim_terminal(fd))
         (void)ioctl(fd, KDSETMODE, (long)KD_GRAPHICS);
     (void)ioctl(fd, KDSETMODE, (long)saved->was.vt.kd_mode);
-    /* A switch that waits for an answer is completed: VT_SETMODE would forget it, and chvt would wait for ever. */
+    /* Completes a switch that waits for an answer: VT_SETMODE would drop it, and chvt would wait for ever. */
     bool switched = ioctl(fd, VT_RELDISP, 1L) == 0;
     (void)ioctl(fd, VT_SETMODE, &mode);
     if (saved->was.vt.back_to != 0 && !switched)
@@ -83,7 +83,7 @@ static void restore_screens(void)
     }
 }
 
-/* ---- operations that may take long ---- */
+/* ---- operations that may take a while ---- */
 
 /* True if a key with a code below BTN_MISC is down; the codes above are buttons of mice and joysticks. */
 static bool is_any_key_down(int fd)
@@ -199,7 +199,7 @@ static bool is_main_stopped(void)
     ssize_t n = fd >= 0 ? read(fd, line, sizeof line - 1) : 0;
     (void)close(fd);
     line[n > 0 ? n : 0] = '\0';
-    const char *state = strrchr(line, ')'); /* ends the name; then follow a space and the state */
+    const char *state = strrchr(line, ')'); /* end of the name; a space and the state follow */
     return state && strlen(state) > 2 && (state[2] == 'T' || state[2] == 't');
 }
 
@@ -214,8 +214,8 @@ static void take_all_messages(void)
 }
 
 /* If `held`, restores terminals before the shell is notified of the stop, since the shell adopts the modes that it then
- * finds. Restores none if SIGCONT has come already; if SIGCONT comes meanwhile, the program has to check its terminal
- * once more. */
+ * finds. Restores none if SIGCONT has come already. If SIGCONT comes meanwhile, sends it again, so that the program
+ * checks its terminal once more. */
 static void on_stop(bool held)
 {
     stand_in_begin();
@@ -246,8 +246,8 @@ static void take_signals(int signals)
 
 /* ---- the process ---- */
 
-/* Protects the guardian while memory is short. The kernel never kills root's guardian, not even with its whole cgroup;
- * another user's gets the lowest score that the user may set. */
+/* Protects the guardian from the kernel's out-of-memory killer. A guardian that runs as root is never killed, not even
+ * with its whole cgroup; any other gets the lowest score that its user may set. */
 static void stay_alive(void)
 {
     int fd = open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC);
@@ -258,7 +258,7 @@ static void stay_alive(void)
 }
 
 /* Renames the process, so that `pkill tia` does not match it, and closes all files, so that no reader of a pipe waits
- * for it. The process stays in its session: a user other than root may set the mode of a VT only while that is the
+ * for it. The process stays in its session: a user other than root may set the mode of a VT only while the VT is the
  * controlling terminal. */
 static void go_away(int line)
 {
@@ -271,7 +271,7 @@ static void go_away(int line)
     if (syscall(SYS_close_range, 1u, ~0u, 0u) != 0)
         for (int fd = 1; fd < (limit > 0 && limit < 65536 ? limit : 65536); fd++)
             (void)close(fd);
-    /* These are descriptors of the guarded process; the guardian receives its own with messages. */
+    /* These numbers are descriptors of the guarded process; the guardian receives its own with messages. */
     for (int i = 0; i < KEPT_MOST; i++)
         kept[i].fd = -1;
 }
@@ -324,8 +324,9 @@ static void put_all_back(void)
     close_cards();
     cooked_at_the_end(process_group);
     traced_end();
-    /* Waits until the process is gone: by then the kernel has closed its files, and thereby restored DRM devices. 2 s
-     * at most, in case the process hangs in a driver; 0.2 s on kernels before 5.3, which have no pidfd_open. */
+    /* Waits until the process is gone: by then the kernel has closed its files, and thereby restored DRM devices. The
+     * limit is 2 s, in case the process hangs in a driver, and 0.2 s on kernels before 5.3, which have no
+     * pidfd_open. */
     if (kept_any(VT) || kept_any(FB))
         (void)poll(&end, 1, end.fd < 0 ? 200 : 2000);
     restore_screens();

@@ -38,7 +38,8 @@ int guardian_keep_fb(const char *path, const struct fb_var_screeninfo *var)
     return keeper_keep(&saved);
 }
 
-/* Returns an entry known by its descriptor: a process may have several keyboards, with long names. */
+/* Returns an entry that is identified by its descriptor, since a process may have several keyboards, with long
+ * names. */
 static struct saved numbered(enum kind kind, int fd)
 {
     struct saved saved = {.kind = kind, .fd = fd};
@@ -120,7 +121,7 @@ int guardian_keep_terminal(int fd, const struct termios *raw)
     return keeper_keep(&saved);
 }
 
-/* The entry has the modes from before the first change: the present ones may still be the raw ones. */
+/* Sends the stored modes, those before the first change, since the present modes may still be the raw ones. */
 void guardian_keep_again(int fd)
 {
     struct saved saved;

@@ -1,9 +1,9 @@
 /* guardian.h - a small process that restores the console if this process dies without restoring it.
  *
- * The first guardian_keep_... forks the guardian. It stores the state that each such call passes, and sleeps on a
- * socket that the kernel closes however this process dies, by SIGKILL and SIGSEGV too. Call guardian_keep_... before
- * changing something and guardian_forget_... after restoring it; when nothing is left to restore, the guardian ends. If
- * the guardian dies earlier, another one takes its place at once.
+ * The first call of a guardian_keep_... function forks the guardian. The guardian stores the state that each such call
+ * passes, and waits at a socket, which the kernel closes when this process dies, even by SIGKILL or SIGSEGV. Call
+ * guardian_keep_... before changing something and guardian_forget_... after restoring it; when nothing is left to
+ * restore, the guardian ends. If the guardian dies earlier, another one takes its place at once.
  *
  * Most devices are stored only by name. The guardian holds consoles and cards open, to release them on behalf of a
  * stopped process, and keyboards, whose grab has to outlast the process a little.
@@ -26,25 +26,25 @@ int guardian_keep_terminal(int fd, const struct termios *raw);
 int guardian_keep_fb(const char *path, const struct fb_var_screeninfo *var);
 /* Guards a grabbed keyboard: if this process dies, the grab lasts until no key is down. */
 int guardian_keep_keyboard(int fd);
-/* Guards a DRM device. While this process is stopped, another console can have it if the guardian runs as root. Drop
- * DRM master before guardian_forget_card: the guardian closes its descriptor only a moment later. */
+/* Guards a DRM device. While this process is stopped, another console can use the device if the guardian runs as root.
+ * Drop DRM master before guardian_forget_card: the guardian closes its descriptor only a moment later. */
 int guardian_keep_card(int fd);
-/* Stores a text of less than 96 bytes, to be written to the terminal `fd` at a stop or after the process's death, as
+/* Stores a text of fewer than 96 bytes, to be written to the terminal `fd` at a stop or after the process's death, as
  * soon as the terminal accepts it. Also returns -1 when the terminal has no name. */
 int guardian_keep_text(int fd, const char *text);
 
 /* Returns the number of stops at which the guardian restored terminals. Where the kernel permits tracing, the guardian
- * restores the terminals that a stopped process has in front before the parent is notified. Read the count before
- * guardian_keep_...; when it has changed, the terminal is as it was before. To change it again, call
- * guardian_keep_again and guardian_keep_text first, and then guardian_sync. */
+ * restores the terminals of a stopped process, if it is in their foreground, before its parent is notified of the stop.
+ * Read the count before guardian_keep_...: once the count has changed, the terminal has its former modes. To change the
+ * terminal again, first call guardian_keep_again and guardian_keep_text, then guardian_sync. */
 unsigned guardian_put_back(void);
 /* Sends the entry of the terminal `fd` again, with the modes from before the first change. */
 void guardian_keep_again(int fd);
 /* Waits until the guardian is ready for the next stop. */
 void guardian_sync(void);
 
-/* Each guardian_forget_... reports that a state was restored, with the arguments of guardian_keep_...; safe when it was
- * not stored. */
+/* Each guardian_forget_... reports that this process has restored a state. The arguments are those of
+ * guardian_keep_...; a state that was not stored is ignored. */
 
 void guardian_forget_vt(const char *path);
 void guardian_forget_terminal(int fd);

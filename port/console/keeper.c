@@ -23,17 +23,17 @@
 
 #define RETRY_MS 100               /* pause after a fork that failed */
 #define SYNC_MS 200                /* time limit for the answer of a guardian, which may be stopped */
-#define WATCHER_STACK (256 * 1024) /* stack of a thread that only waits and forks */
+#define WATCHER_STACK (256 * 1024) /* bytes; the threads only wait and fork */
 
-/* The guardian. The lock protects this struct and the table: both are also used by the watcher (guard.h), which
- * replaces a guardian that died. */
+/* The guardian, and the two threads that it traces (guard.h): the watcher, which replaces a guardian that died, and the
+ * held thread. The watcher also uses this struct and the table, so the lock protects both. */
 static struct {
     pthread_mutex_t lock;
     pthread_t watcher, held;
     sem_t traced;   /* the guardian has answered the watcher */
-    sem_t holding;  /* the held thread has stored its number in `holder` */
+    sem_t holding;  /* the held thread has stored its ID in `holder` */
     sem_t released; /* the held thread may end */
-    pid_t holder;   /* thread number of the held thread */
+    pid_t holder;   /* thread ID of the held thread */
     int line;       /* socket to the guardian; -1: there is no guardian */
     pid_t process;
     bool watched; /* a watcher exists */
@@ -58,7 +58,7 @@ static int send_message(const struct saved *saved)
     return sendmsg(guardian.line, &message, MSG_NOSIGNAL) == (ssize_t)sizeof *saved ? 0 : -1;
 }
 
-/* Sends the descriptors to a new guardian: it has the table from the fork, but has closed the descriptors in it. */
+/* Sends the descriptors to a new guardian, which has the table from the fork, but has closed the descriptors. */
 static void send_descriptors(void)
 {
     for (int i = 0; i < KEPT_MOST; i++)
@@ -68,8 +68,8 @@ static void send_descriptors(void)
 
 /* ---- the process ---- */
 
-/* Forks the guardian; returns 0, or -1. No signal to this process's group or session ends the guardian: it blocks all
- * signals from the start and, before this returns, is in a group of its own, since SIGKILL cannot be blocked. */
+/* Forks the guardian; returns 0, or -1. Signals to this process's group do not end the guardian: it blocks all signals
+ * from the start. Since SIGKILL cannot be blocked, this function also puts it into a group of its own. */
 static int start_process(void)
 {
     int ends[2];
@@ -97,8 +97,7 @@ static int start_process(void)
     return 0;
 }
 
-/* Closes the socket, at which the guardian ends if it has not ended already, and reaps it. SIGCONT is sent in case it
- * is stopped. */
+/* Ends the guardian by closing the socket, and reaps it. Sends SIGCONT in case the guardian is stopped. */
 static void reap_process(void)
 {
     if (guardian.line < 0)
@@ -117,8 +116,8 @@ static pid_t own_number(void)
     return (pid_t)syscall(SYS_gettid);
 }
 
-/* Requests that the guardian trace this thread and the held one. Where the kernel has Yama, this process must permit
- * the tracing. */
+/* Asks the guardian to trace the calling thread and the held thread. Where the kernel has Yama, this process must
+ * permit the tracing. */
 static void be_traced(void)
 {
     const struct saved saved = {
@@ -180,8 +179,8 @@ static void start_held(const pthread_attr_t *small)
             ;
 }
 
-/* Starts both threads with all signals blocked: signals are for the other threads, and a traced thread would stop at
- * each. */
+/* Starts both threads with all signals blocked: other threads handle the signals, and a traced thread would stop at
+ * each one. */
 static void start_threads(void)
 {
     pthread_attr_t small;

@@ -18,8 +18,8 @@ const char *node_error(int error, char text[PORT_WHY])
     return text;
 }
 
-/* Writes the remedy for a missing right to open the node: joining its group, if the group may read it, or running as
- * root. */
+/* Writes the remedy for missing permission to open the node: joining its group, if the group may read the node, else
+ * running as root. */
 static void fix(const char *path, char text[64])
 {
     char buffer[1024];

@@ -8,16 +8,16 @@
  * (join group 'video')". */
 int node_open(const char *path, int flags, char why[PORT_WHY]);
 
-/* Visits the existing ones of PREFIX0, PREFIX1, ... below PREFIX<limit>, until a visit returns true. Returns the number
- * of nodes visited. */
+/* Calls `visit` for each node that exists among PREFIX0, PREFIX1, ... below PREFIX<limit>, until a call returns true.
+ * Returns the number of calls. */
 int node_each(const char *prefix, int limit, bool (*visit)(void *arg, const char *path), void *arg);
 
 /* Returns strerror(error) in `text` with a lower-case first letter, as in tia's messages: "no such device". */
 const char *node_error(int error, char text[PORT_WHY]);
 
 #define NODE_HOLDER 48
-/* Returns, in `text`, another process that has the node open: "Xorg (pid 812)", or "another program" when it belongs to
- * another user and cannot be identified. */
+/* Writes the name of another process that has the node open to `text` and returns it: "Xorg (pid 812)", or "another
+ * program" if the process cannot be identified, since it belongs to another user. */
 const char *node_holder(const char *path, char text[NODE_HOLDER]);
 
 #endif

@@ -20,7 +20,7 @@ struct saved {
     bool forget;   /* in a message: remove the entry from the table */
     bool put_back; /* TERMINAL, TEXT: restored at a stop */
     char path[64];
-    struct timespec made; /* TERMINAL, TEXT: the node's ctime, which distinguishes a later terminal of the same name */
+    struct timespec made; /* TERMINAL, TEXT: the node's ctime, which a later terminal of the same name does not have */
     int fd;               /* VT, KEYBOARD, CARD: this process's descriptor of the device, else -1 */
     union {
         struct {
@@ -43,7 +43,7 @@ struct saved {
 #define KEPT_MOST 40
 extern struct saved kept[KEPT_MOST];
 
-/* Returns the table's entry for the same console, terminal or device, or NULL. */
+/* Returns the entry for the console, terminal or device of `like`, or NULL. */
 struct saved *kept_find(const struct saved *like);
 /* True if the table has an entry of this kind. */
 bool kept_any(enum kind kind);
@@ -55,11 +55,12 @@ bool kept_nothing(void);
 void kept_share(void);
 /* Returns the number of the guardian in charge. */
 unsigned kept_guardian(void);
-/* Puts the guardian after `before` in charge; false if another process has done so. */
+/* Makes this process the guardian in charge, the successor of number `before`; false if `before` has a successor
+ * already. */
 bool kept_take_over(unsigned before);
-/* Notes that the guardian in charge has completed its work. */
+/* Records that the guardian in charge has completed its work. */
 void kept_finish(void);
-/* True if that guardian has completed its work. */
+/* True if the guardian with this number has completed its work. */
 bool kept_is_finished(unsigned guardian);
 /* Counts a stop at which terminals were restored. */
 void kept_count_put_back(void);

@@ -11,7 +11,7 @@
 /* Time limit, after the first guardian's death, for the guarded process to die. */
 #define PATIENCE_MS 1000
 
-static struct saved *table; /* copy of the table that both guardians share */
+static struct saved *table; /* copy of the table, in memory that both guardians share */
 
 static void await_end(int first)
 {
@@ -42,8 +42,8 @@ static _Noreturn void stand_by(unsigned guardian, int first, int process, void (
     _exit(0);
 }
 
-/* The spare closes standard input, the guardian's end of the socket: the guarded process must read the end of the file
- * when the first guardian has died. */
+/* The spare closes standard input, the guardian's end of the socket: when the first guardian dies, the guarded process
+ * must see end-of-file. */
 void spare_start(int process, void (*put_back)(void))
 {
     void *page = mmap(NULL, sizeof kept, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);

@@ -6,9 +6,9 @@
 #include <sys/wait.h>
 
 static pid_t reporter, holder; /* 0: not traced */
-static bool listens;           /* the holder is in a stop of the process, whose end it will report */
+static bool listens;           /* the held thread takes part in a stop of the process, and will report its end */
 
-/* Reasons for which a thread stops. */
+/* The kinds of reports of a traced thread. */
 enum cause { NOTHING_NEW, STOP, CONTINUED, SIGNAL };
 
 static pid_t seize(pid_t thread)
@@ -46,7 +46,7 @@ static enum cause cause_of(pid_t thread, uintptr_t *number)
     return *number == SIGTRAP ? CONTINUED : STOP;
 }
 
-/* Lets a thread continue with a signal: SIGSTOP, which no thread can block, may come to any thread of a process. */
+/* Continues a thread and delivers a signal to it: SIGSTOP, which no thread can block, may arrive at any thread. */
 static void deliver(pid_t thread, uintptr_t number)
 {
     (void)ptrace(PTRACE_CONT, thread, NULL, (void *)number);
@@ -57,9 +57,9 @@ static void listen_too(void)
     listens = holder != 0 && ptrace(PTRACE_LISTEN, holder, NULL, NULL) == 0;
 }
 
-/* Handles the holder's reports. After PTRACE_LISTEN in its own stop, the holder reports the present state at once:
- * STOP, or CONTINUED if SIGCONT has come in between. After STOP it continues to listen; after CONTINUED it stays in its
- * stop, as in the beginning. */
+/* Handles the reports of the held thread. After PTRACE_LISTEN in a stop of its own, the thread reports the present
+ * state at once: STOP, or CONTINUED if SIGCONT has come in between. After STOP it listens again; after CONTINUED it
+ * stays in its own stop, as in the beginning. */
 static void follow_holder(void)
 {
     uintptr_t number;

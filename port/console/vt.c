@@ -70,7 +70,7 @@ void vt_find(struct vt *vt)
         none(vt, "/dev/tty0");
         return;
     }
-    /* /dev/tty0 is whichever console is in front; from here on this one is used */
+    /* /dev/tty0 is always the console in front, so the present one is opened by its number */
     number = in_front(fd);
     (void)close(fd);
     found(vt, -1, number, "the console in front");
@@ -86,7 +86,7 @@ void vt_close(struct vt *vt)
     vt->fd = -1;
 }
 
-/* Switches to the console and waits, 3 s at most: the program that has the console in front may not release it. Returns
+/* Switches to the console and waits, 3 s at most: the program on the console in front may refuse to release it. Returns
  * 0, or -1. */
 static int bring_in_front(struct vt *vt, int enter)
 {
@@ -148,8 +148,8 @@ static int lock(struct vt *vt)
     return read_modes(vt);
 }
 
-/* Sets graphics mode if `graphics`. A display that the kernel's text does not cover needs no graphics mode: text mode
- * stays, so that the console need not be restored, but is set anew after graphics mode, so that the kernel draws text
+/* Sets graphics mode; without `graphics`, returns to the former mode at once. A display that the kernel's text does not
+ * cover leaves the console in text mode, which need not be restored. The change of modes makes the kernel draw text
  * again where a process died with its guardian. */
 static int set_graphics(const struct vt *vt, bool graphics)
 {
@@ -208,7 +208,7 @@ void vt_give(struct vt *vt)
     /* The kernel draws the text when the mode changes. */
     (void)ioctl(vt->fd, KDSETMODE, (long)KD_GRAPHICS);
     (void)ioctl(vt->fd, KDSETMODE, (long)vt->kd_mode);
-    (void)vt_let_go(vt); /* VT_SETMODE would forget a switch that waits */
+    (void)vt_let_go(vt); /* VT_SETMODE would drop a switch that waits for an answer */
     (void)ioctl(vt->fd, VT_SETMODE, &mode);
     if (vt->back_to != 0 && vt_in_front(vt))
         (void)ioctl(vt->fd, VT_ACTIVATE, (long)vt->back_to);

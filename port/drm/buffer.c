@@ -7,7 +7,7 @@
 
 #include "card.h"
 
-/* Formats in the order of trial. DRM's format codes mean little-endian pixels. */
+/* Formats in the order of trial. DRM's format codes denote little-endian pixels. */
 static const struct {
     struct card_format format;
     bool always;

@@ -17,7 +17,7 @@ int card_failed(const struct card *card, const char *what, char why[PORT_WHY])
     return TIA_ERR_DEVICE;
 }
 
-/* Reads the connectors and encoders. Connectors come and go (DisplayPort hubs), so any of those listed may be gone by
+/* Reads the connectors and encoders. Connectors of DisplayPort hubs come and go, so a listed connector may be gone by
  * now. */
 static int read_parts(struct drm_parts *p, int fd)
 {
@@ -60,7 +60,7 @@ int card_open(struct card *card, const char *path, char why[PORT_WHY])
         (void)snprintf(why, PORT_WHY, "%s: its driver has no dumb buffers", path);
         status = TIA_ERR_UNSUPPORTED;
     } else {
-        /* Without this the kernel hides primary planes, and with them the formats. */
+        /* Without this capability the kernel hides primary planes, and with them the formats. */
         (void)drmSetClientCap(card->fd, DRM_CLIENT_CAP_UNIVERSAL_PLANES, 1);
         if (read_parts(&card->parts, card->fd) != 0)
             status = card_failed(card, "it drives no screens", why);

@@ -21,7 +21,7 @@ void card_close(struct card *card);
 /* Becomes the card's master, which may set modes. Returns TIA_OK, or TIA_ERR_DEVICE with the present master in
  * `why`. */
 int card_become_master(const struct card *card, char why[PORT_WHY]);
-/* Writes "PATH: WHAT: the reason of errno" and returns TIA_ERR_DEVICE. */
+/* Writes "PATH: WHAT: REASON" to `why`, where REASON is the text of errno. Returns TIA_ERR_DEVICE. */
 int card_failed(const struct card *card, const char *what, char why[PORT_WHY]);
 
 /* A pixel format that tia draws. */
@@ -30,11 +30,11 @@ struct card_format {
     const struct pixel_format *pixel;
 };
 
-/* Gives format n = 0, 1, ... to try on a CRTC, best first; false after the last. RGB565 and XRGB8888 are tried in any
- * case, since some drivers list too few formats; others only if the primary plane lists them. If `listed`, all formats
- * are ones that the plane lists. */
+/* Gives format n = 0, 1, ... to try on a CRTC, best first; false after the last. Without `listed`, RGB565 and XRGB8888
+ * are always among them, since some drivers list too few formats. All other formats are those that the primary plane
+ * lists. */
 bool card_format(const struct card *card, uint32_t crtc, int n, bool listed, struct card_format *format);
-/* Gives the format as card_format does, from the plane's formats. */
+/* Gives format n as card_format does, for a plane that lists `count` formats. */
 bool card_format_of(const uint32_t *plane, size_t count, int n, bool listed, struct card_format *format);
 
 /* A dumb buffer: the screen can show it, and the CPU writes to it. */

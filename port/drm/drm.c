@@ -21,7 +21,7 @@ struct drm {
     struct expander expander;
     char format[PIXEL_NAME];
     struct console_listener listener;
-    bool lost; /* another program took the screen meanwhile */
+    bool lost; /* the screen could not be taken back from another program */
 };
 
 /* ---- switching to another console and back ---- */
@@ -80,7 +80,7 @@ static bool open_card(struct drm *d, const char *path, char why[PORT_WHY])
     return false;
 }
 
-/* Tries a card; true if it works. wish.why gets the reason of the first card that failed. */
+/* Tries a card; true if it works. wish.why receives the reason for the first failure. */
 static bool try_card(void *arg, const char *path)
 {
     struct drm *d = arg;
@@ -157,7 +157,8 @@ static int drm_open(void *ctx, struct tia_mode *mode)
 
 /* ---- a frame ---- */
 
-/* Checks that the screen is still plugged in. Reads the kernel's last known state, since probing takes long. */
+/* Checks that the screen is still plugged in. Reads the last state that the kernel knows, since probing the connector
+ * takes a while. */
 static int check_connector(struct drm *d)
 {
     drmModeConnector *c = drmModeGetConnectorCurrent(d->card.fd, d->scanout.connector);

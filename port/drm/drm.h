@@ -1,6 +1,6 @@
-/* drm.h - a screen through the kernel's DRM: two dumb buffers and page flips. Needs no GPU and no library but
- * libdrm. Frames are drawn straight into the buffers if the driver accepts RGB565; otherwise they are drawn in
- * memory and expanded into the buffers. */
+/* drm.h - a screen through the kernel's DRM: two dumb buffers and page flips. Needs no GPU, and no library except
+ * libdrm. Frames are drawn straight into the buffers if the driver accepts RGB565; otherwise they are drawn in memory
+ * and expanded into the buffers. */
 #ifndef PORT_DRM_DRM_H
 #define PORT_DRM_DRM_H
 

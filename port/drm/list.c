@@ -10,7 +10,7 @@
 
 #define LINE 100
 
-/* Words to print on lines of at most LINE characters that begin with `start`. */
+/* Words to be printed on lines of at most LINE characters, each beginning with `start`. */
 struct words {
     port_line *line;
     void *arg;

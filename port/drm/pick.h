@@ -14,13 +14,13 @@ struct drm_parts {
 };
 
 #define PICK_NAME 32
-/* Writes the connector's name as the kernel does, "HDMI-A-1". */
+/* Writes the connector's name in the kernel's form, such as "HDMI-A-1". */
 const char *pick_name(const drmModeConnector *connector, char name[PICK_NAME]);
 /* Writes the mode's name, "1024x768@60". */
 const char *pick_mode_name(const drmModeModeInfo *mode, char name[PICK_NAME]);
 
-/* Returns a connector that is connected and has modes: the one called `wish`; if wish is NULL, one that is lit, or else
- * the first. NULL, with the reason in `why`, if there is none. */
+/* Returns a connector that is connected and has modes: the one called `wish`; if wish is NULL, the first that a CRTC
+ * drives now, or else the first of all. NULL, with the reason in `why`, if there is none. */
 const drmModeConnector *pick_connector(const struct drm_parts *parts, const char *wish, char why[PORT_WHY]);
 
 /* Returns mode n = 0, 1, ... of those to try, best first; NULL after the last. `wish` selects the modes: NULL for the

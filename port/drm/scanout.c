@@ -8,11 +8,11 @@
 
 #include "console/node.h"
 
-/* Time limit for a flip, much longer than one takes on a working screen: the slowest modes show 24 frames per
- * second. */
+/* Time limit for a page flip. On a working screen a flip takes one frame at most: 42 ms in the slowest modes, at 24
+ * frames per second. */
 #define FLIP_MS 1000
 
-/* ---- saving what the CRTC showed before ---- */
+/* ---- saving and restoring the CRTC's state ---- */
 
 static void remember(struct scanout *s)
 {
@@ -159,14 +159,14 @@ void scanout_settle(struct scanout *scanout)
 {
     while (scanout->pending > 0)
         if (!read_event(scanout, FLIP_MS)) {
-            /* The driver loses events: show frames by setting the mode instead, which waits by itself. */
+            /* The driver has lost an event. Show later frames by setting the mode, which waits by itself. */
             scanout->flips = false;
             scanout->pending = 0;
         }
 }
 
-/* Flips to a buffer. Returns 0, or -1 with errno. Retries on EBUSY: the driver is still busy with the frame before,
- * which may be another program's. */
+/* Flips to a buffer. Returns 0, or -1 with errno. Retries on EBUSY: the driver is still busy with the previous frame,
+ * perhaps that of another program. */
 static int flip(struct scanout *s, int buffer)
 {
     for (int ms = 0;; ms++) {

@@ -13,10 +13,10 @@ struct scanout {
     struct card_format format;
     struct card_buffer buffers[2];
     int shown;                                   /* index of the buffer on screen */
-    bool flips;                                  /* the driver flips pages and sends an event for each */
+    bool flips;                                  /* the driver flips pages and sends an event for each flip */
     unsigned pending;                            /* flips whose event has not come yet */
-    drmModeCrtc *old;                            /* the CRTC as found */
-    uint32_t old_connectors[SCANOUT_CONNECTORS]; /* connectors that the CRTC drove */
+    drmModeCrtc *old;                            /* the former state of the CRTC */
+    uint32_t old_connectors[SCANOUT_CONNECTORS]; /* connectors that the CRTC drove then */
     int old_count;
 };
 
@@ -32,7 +32,7 @@ int scanout_swap(struct scanout *scanout, char why[PORT_WHY]);
 int scanout_relight(struct scanout *scanout);
 /* Waits for pending flips. */
 void scanout_settle(struct scanout *scanout);
-/* Restores the CRTC as found, if this process is still the master, and frees the buffers. */
+/* Restores the former state of the CRTC, if this process is still the master, and frees the buffers. */
 void scanout_end(struct scanout *scanout);
 
 #endif

@@ -20,8 +20,8 @@
 #define KEYBOARDS 32
 #define DESCRIPTORS (KEYBOARDS + POINTERS + 1)
 
-/* Time limit, before close returns, for the release of a held key, usually the one that quits: a keyboard that repeats
- * by itself (PS/2) would type it into the shell. Nobody holds a key this long by accident. */
+/* Time limit for close to wait until all keys are up. A keyboard that repeats by itself (PS/2) would type a key that is
+ * still down, usually the one that quits, into the shell. Nobody holds a key this long by accident. */
 #define RELEASE_MS 1000
 
 struct evdev {
@@ -34,7 +34,7 @@ struct evdev {
     unsigned count;
     struct pointers pointers;
     char failure[PORT_WHY]; /* message for the first node that failed, or for the directory */
-    bool no_memory;         /* memory was too short to read the directory */
+    bool no_memory;         /* there was no memory for reading the directory */
 };
 
 /* ---- keyboards that come and go ---- */
@@ -47,8 +47,8 @@ static bool is_used(const struct evdev *evdev, const char *path)
     return false;
 }
 
-/* Opens a node as a keyboard or a pointer. udev creates a node before granting the right to open it, so changes of the
- * node's mode are watched, too. */
+/* Opens a node as a keyboard or a pointer. udev creates a node before it grants permission to open the node, so changes
+ * of the mode are watched, too. */
 static void try_node(struct evdev *evdev, const char *path)
 {
     struct keyboard *keyboard = &evdev->keyboards[evdev->count];
@@ -69,8 +69,8 @@ static void try_node(struct evdev *evdev, const char *path)
     }
 }
 
-/* Opens the directory; NULL on failure. A machine without the directory has no keyboard; any other failure is
- * reported. */
+/* Opens the directory; NULL on failure. Records the failure, unless the directory does not exist: such a machine has no
+ * keyboard. */
 static DIR *open_directory(struct evdev *evdev)
 {
     DIR *directory = opendir(DIRECTORY);
@@ -247,7 +247,8 @@ static bool report(const struct evdev *evdev, const struct key_change *change, u
     return true;
 }
 
-/* Gives an event that is still to be reported after an unplug, a switch or an overflow; false if there is none. */
+/* Gives an event that became due when a keyboard was unplugged, the console was switched or events were lost; false if
+ * there is none. */
 static bool settle(struct evdev *evdev, struct tia_event *event)
 {
     struct key_change change;
@@ -299,13 +300,13 @@ static int evdev_poll(void *ctx, struct tia_event *event)
     struct evdev *evdev = ctx;
     struct keyboard *keyboard;
 
-    /* console switches come first: keys typed elsewhere while this process was stopped are not for it */
+    /* console switches come first: keys that another program got while this process was stopped must be dropped */
     if (console_state() != CONSOLE_FREE && console_wait(NULL, 0, 0) < 0)
         return TIA_ERR_DEVICE;
     watch_nodes(evdev);
     while (!settle(evdev, event)) {
         if (console_state() == CONSOLE_AWAY) {
-            discard(evdev); /* no events are read: keys that come now are not for this process either */
+            discard(evdev); /* drops all events: another program has the console */
             return 0;
         }
         keyboard = oldest_event(evdev);

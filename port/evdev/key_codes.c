@@ -20,7 +20,7 @@ void key_set_remove(struct key_set *set, unsigned code)
         set->words[code / KEY_WORD_BITS] &= ~(1ul << code % KEY_WORD_BITS);
 }
 
-/* Returns the character of a letter or digit, by position on a US keyboard. The codes of a row follow one another. */
+/* Returns the letter or digit at a position of a US keyboard, or 0. The codes of a row of keys are consecutive. */
 static uint16_t character_at(unsigned code)
 {
     static const struct {
@@ -74,8 +74,8 @@ bool key_is_modifier(unsigned code)
     return false;
 }
 
-/* True for a key that types, on any PC keyboard, Asian ones too, and is no modifier. Between the ranges are locks,
- * media keys, buttons, and keys that only report an event (power, lid, rfkill). */
+/* True for a key that types on any PC keyboard, including Asian ones, except modifiers. The codes between the ranges
+ * belong to locks, media keys, buttons, and keys that only report an event (power, lid, rfkill). */
 static bool is_typing_key(unsigned code)
 {
     static const unsigned ranges[][2] = {

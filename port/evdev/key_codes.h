@@ -1,7 +1,8 @@
 /* key_codes.h - turns the kernel's key events into tia's. Uses no device and no clock.
  *
  * A keyboard sends presses, repeats and releases of codes, which are positions on the keyboard. Modifiers and locks are
- * not reported as keys; they only turn KEY_C into Ctrl-C and F1 into a console, and Shift is reported with a key.
+ * not reported as keys. Ctrl turns KEY_C into Ctrl-C, Ctrl-Alt turns F1 to F12 into console switches, and Shift is a
+ * flag of other keys' events.
  */
 #ifndef PORT_EVDEV_KEY_CODES_H
 #define PORT_EVDEV_KEY_CODES_H
@@ -23,7 +24,7 @@ bool key_set_has(const struct key_set *set, unsigned code);
 void key_set_add(struct key_set *set, unsigned code);
 void key_set_remove(struct key_set *set, unsigned code);
 
-/* Returns the key at this position (tia/port.h), or 0: a modifier, a lock, a button, a media key. */
+/* Returns the key at this position (tia/port.h), or 0 for a modifier, a lock, a button or a media key. */
 uint16_t key_at(unsigned code);
 
 /* True for Ctrl, Shift, Alt and Meta, left and right. */
@@ -32,7 +33,7 @@ bool key_is_modifier(unsigned code);
 /* Returns the number of the console that Ctrl-Alt and this key switch to, 1..12, or 0. */
 unsigned key_console(unsigned code);
 
-/* True if a device with these codes is for typing: it has a letter or the space bar. */
+/* True if a device with these codes is a keyboard for typing: it has a letter or the space bar. */
 bool key_set_types(const struct key_set *set);
 
 /* The keys of one keyboard. All zero at first. */
@@ -61,11 +62,12 @@ void key_state_modifiers(const struct key_state *state, struct key_modifiers *mo
 bool key_state_take(struct key_state *state, unsigned code, int value, struct key_modifiers modifiers,
                     struct key_change *change);
 
-/* Begins with the keys `down` pressed: neither their presses nor their releases are for this program. The releases of
- * all keys that were reported as pressed are then due. */
+/* Initialises the state with the keys `down`, whose presses and releases are not reported. The releases of all keys
+ * that were reported as pressed become due. */
 void key_state_begin(struct key_state *state, const struct key_set *down);
 
-/* Corrects the state after events were lost: the keys `down` are pressed now. Changes may be due. */
+/* Corrects the state after events were lost: the keys `down` are pressed now. The changes that were missed become
+ * due. */
 void key_state_lost(struct key_state *state, const struct key_set *down);
 
 /* Gives a change that is due after key_state_begin or key_state_lost, releases first; false if none is left. Call it

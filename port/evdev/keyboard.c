@@ -87,9 +87,9 @@ static bool is_meant(enum which which, unsigned code)
     return which == ALL || key_is_modifier(code) == (which == MODIFIERS);
 }
 
-/* Writes events for the selected keys of a set: one for each value from `first` to `last` (0 release, 1 press), in a
- * single call, so that a key is unlikely to move meanwhile. If the write fails, the device is unplugged, which the next
- * read detects. */
+/* Writes events for the selected keys of a set: for each key one event per value from `first` to `last` (0: release, 1:
+ * press). Writes all of them at once, so that a key is unlikely to change meanwhile. If the write fails, the device is
+ * unplugged, which the next read detects. */
 static void write_keys(const struct keyboard *keyboard, const struct key_set *set, enum which which, int first,
                        int last)
 {
@@ -113,8 +113,8 @@ static bool is_subset(const struct key_set *part, const struct key_set *whole)
     return true;
 }
 
-/* Begins with the keys that are down. EVIOCGKEY also removes all key events from the queue, including those written
- * here. */
+/* Empties the event buffer, and initialises the key state with the keys that are down. EVIOCGKEY also removes all key
+ * events from the kernel's queue, including those of write_keys. */
 static void begin(struct keyboard *keyboard)
 {
     struct key_set down;
@@ -152,8 +152,8 @@ void keyboard_grab(struct keyboard *keyboard)
     begin(keyboard);
 }
 
-/* Releases the grab and forwards the state of the modifiers to the console, so that Ctrl-Alt-F2, then F1, works with
- * Ctrl and Alt held. Other keys, such as F2, are not forwarded: the console would take them as typed. */
+/* Releases the grab and forwards the state of the modifiers to the console, so that Ctrl-Alt-F2 and then F1 works while
+ * Ctrl and Alt stay down. Other keys, such as F2, are not forwarded: the console would take them as typed. */
 void keyboard_release(struct keyboard *keyboard)
 {
     struct key_set down;
@@ -214,7 +214,7 @@ uint64_t keyboard_next_us(const struct keyboard *keyboard)
 }
 
 /* Handles SYN_DROPPED (Documentation/input/event-codes.rst): ignores events up to SYN_REPORT, then queries the state.
- * Later events still count: one that repeats the state changes nothing. */
+ * Later events are processed as usual: an event that agrees with the state changes nothing. */
 static void synchronise(struct keyboard *keyboard, const struct input_event *e)
 {
     struct key_set down;

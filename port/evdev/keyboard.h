@@ -1,9 +1,9 @@
 /* keyboard.h - one keyboard: an event device of the kernel.
  *
- * Grabbing a keyboard (EVIOCGRAB) hides it from the console, which never gets the releases of keys that are down at
- * that moment: there Alt would stay down, or Enter repeat. So all keys are released first, while the console still gets
- * the keyboard's events, and those that are really down are pressed again afterwards, both by writing events to the
- * device, which the kernel treats like the device's own.
+ * Grabbing a keyboard (EVIOCGRAB) hides it from the console. The console would miss the releases of keys that are down
+ * at that moment: Alt would stay down, or Enter repeat. So before the grab, releases of these keys are written to the
+ * device, while the console still gets its events; after the grab, presses of the same keys are written. The kernel
+ * treats written events like the device's own.
  */
 #ifndef PORT_EVDEV_KEYBOARD_H
 #define PORT_EVDEV_KEYBOARD_H
@@ -32,13 +32,13 @@ void keyboard_close(struct keyboard *keyboard);
 /* Grabs the keyboard: the console gets the releases of all keys, and this program begins with no key pressed
  * (key_state_begin). */
 void keyboard_grab(struct keyboard *keyboard);
-/* Ends the grab: the console begins with no key pressed but the modifiers that are down. */
+/* Ends the grab: the console then has no key pressed except the modifiers that are down. */
 void keyboard_release(struct keyboard *keyboard);
 
 /* True if a key that types or a modifier is down. */
 bool keyboard_is_pressed(const struct keyboard *keyboard);
 
-/* Reads the pending events. An unplugged keyboard has no key down. */
+/* Reads the pending events. If the keyboard was unplugged, all its keys count as up. */
 void keyboard_read(struct keyboard *keyboard);
 
 /* Returns the time of the next event in microseconds; UINT64_MAX: there is none. */

@@ -11,7 +11,7 @@
 
 #include "key_codes.h"
 
-/* ---- what events mean ---- */
+/* ---- meaning of events ---- */
 
 static int32_t limited(int64_t value, int32_t low, int32_t high)
 {
@@ -37,8 +37,8 @@ static void take_absolute(struct pointer *pointer, const struct input_event *inp
     }
 }
 
-/* Processes a button. A drag begins with a position, which the kernel does not repeat for a pointer that has not
- * moved. */
+/* Processes a button. For an absolute pointer, a change counts as a movement: a drag must begin with a position, which
+ * the kernel does not repeat for a pointer that has not moved. */
 static void take_button(struct pointer *pointer, bool drag)
 {
     pointer->moved = pointer->moved || (pointer->absolute && drag != pointer->drag);
@@ -111,7 +111,7 @@ static void get_range(struct pointer *pointer, int axis)
     pointer->at[axis] = info.value;
 }
 
-/* Prepares the device; false if it is no pointer: joysticks have axes, too, but not these buttons. */
+/* Prepares the device; false if it is not a pointer: joysticks have axes, too, but not these buttons. */
 static bool examine(struct pointer *pointer)
 {
     int fd = pointer->fd, clock = CLOCK_MONOTONIC;

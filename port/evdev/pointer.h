@@ -21,7 +21,7 @@ struct pointer {
     bool absolute;
     int32_t low[2], high[2]; /* absolute pointers: range in x and y */
     int32_t at[2];           /* position, or movement since the last report */
-    int32_t wheel;           /* steps that are not reported yet, positive away from the hand */
+    int32_t wheel;           /* steps that are not reported yet, positive away from the user */
     bool moved, drag;
     struct input_event events[POINTER_EVENTS];
     size_t next, count; /* unread part of the events: [next, count) */
@@ -42,7 +42,7 @@ struct pointers {
 /* Uses the node if it is a pointer, can be read and is not used yet. */
 void pointers_try(struct pointers *pointers, const char *path);
 
-/* Returns 1 and the next event, or 0 when there is none. Pointers that are unplugged are forgotten. */
+/* Returns 1 and the next event, or 0 when there is none. Removes pointers that were unplugged. */
 int pointers_poll(struct pointers *pointers, struct tia_event *event);
 void pointers_discard(struct pointers *pointers);
 void pointers_close(struct pointers *pointers);

@@ -25,7 +25,7 @@ struct fbdev {
     char format[PIXEL_NAME];
 };
 
-/* ---- the frame onto the screen ---- */
+/* ---- copying the frame to the screen ---- */
 
 static void copy(const struct fbdev *f, unsigned page)
 {
@@ -64,7 +64,7 @@ static void fbdev_close(void *ctx)
     canvas_free(&f->frame);
 }
 
-/* Tries a device; true if it works. f->why gets the reason of the first device that failed. */
+/* Tries a device; true if it works. f->why receives the reason for the first failure. */
 static bool probe(void *arg, const char *path)
 {
     struct fbdev *f = arg;

@@ -1,5 +1,5 @@
-/* fbdev.h - Linux framebuffer devices, /dev/fbN: a frame is drawn in memory, then copied to the screen; where the
- * driver can pan, to the page that is not shown. */
+/* fbdev.h - Linux framebuffer devices, /dev/fbN: a frame is drawn in memory, then copied to the screen. Where the
+ * driver can pan, the copy goes to the hidden page. */
 #ifndef PORT_FBDEV_FBDEV_H
 #define PORT_FBDEV_FBDEV_H
 

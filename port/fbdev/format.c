@@ -10,7 +10,7 @@ static struct pixel_channel channel(const struct fb_bitfield *f)
                                   (uint8_t)(f->length > 99 ? 99 : f->length)};
 }
 
-/* Returns the property that a struct pixel_format cannot express; NULL: none. */
+/* Returns a message about a property that a struct pixel_format cannot express; NULL: there is none. */
 static const char *odd(const struct fb_var_screeninfo *var, const struct fb_fix_screeninfo *fix)
 {
     if (fix->type != FB_TYPE_PACKED_PIXELS)

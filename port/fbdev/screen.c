@@ -119,8 +119,8 @@ static int map(struct fb_screen *s, char why[PORT_WHY])
     return TIA_OK;
 }
 
-/* Reads or sets the palette: direct colour maps each channel through a table, of which a text console sets only 16
- * entries. */
+/* Reads or sets the colour map, by `request`. With direct colour, each channel is looked up in this map, of which a
+ * text console sets only 16 entries. */
 static void palette(struct fb_screen *s, uint16_t *colours, unsigned long request)
 {
     struct fb_cmap map = {.red = colours, .green = colours + 256, .blue = colours + 512};
@@ -214,7 +214,8 @@ void fb_wait(struct fb_screen *screen)
         screen->vsync = false;
 }
 
-/* Restores the screen; if it is not `visible`, the position and the picture are another console's, and stay. */
+/* Restores the screen; if it is not `visible`, another console has the screen, and the panning position and the picture
+ * stay. */
 static void put_back(struct fb_screen *s, bool visible)
 {
     struct fb_var_screeninfo old = s->old, now;

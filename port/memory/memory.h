@@ -3,8 +3,8 @@
  *     struct port_memory m = {.width = 64, .height = 48, .surface = {pixels, 2, 128}};
  *     port_memory_display.open(&m, &mode);
  *
- * It needs no OS. Unlike a device, it answers every call that tia/port.h does not allow with TIA_ERR_ARGUMENT: a
- * program that runs here without an error uses other displays correctly.
+ * The display needs no OS. Unlike a device, it returns TIA_ERR_ARGUMENT for every call that tia/port.h does not allow:
+ * a program that runs without an error here uses other displays correctly.
  */
 #ifndef PORT_MEMORY_H
 #define PORT_MEMORY_H
@@ -22,7 +22,7 @@ struct memory_call {
 };
 
 struct port_memory {
-    /* Set by the caller, before open or (a resize) between two frames. */
+    /* Set by the caller before open, or between two frames to resize the display. */
     struct tia_surface surface; /* the picture; step and pitch as for any surface */
     uint16_t width, height;
     uint16_t tile_width, tile_height;

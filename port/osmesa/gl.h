@@ -7,7 +7,7 @@
 
 typedef void (*gl_proc)(void);
 
-/* GL functions that both libraries need: F(type, name, arguments). */
+/* GL functions that are called with either library: F(type, name, arguments). */
 #define GL_COMMON(F)                                                                                                   \
     F(void, Disable, (GLenum))                                                                                         \
     F(void, DrawPixels, (GLsizei, GLsizei, GLenum, GLenum, const void *))                                              \
@@ -20,7 +20,7 @@ typedef void (*gl_proc)(void);
     F(void, RasterPos2f, (GLfloat, GLfloat))                                                                           \
     F(void, Viewport, (GLint, GLint, GLsizei, GLsizei))
 
-/* Definition of F: a member of a table of functions. */
+/* A definition of F: declares the member of a table of functions. */
 #define GL_MEMBER(type, name, arguments) type(GLAPIENTRY *name) arguments;
 /* A row of the list from which gl_symbols and gl_load fill a table. */
 #define GL_ROW(table, prefix, name)                                                                                    \
@@ -48,8 +48,8 @@ struct gl_screen {
 
 struct gl_platform {
     const char *name;
-    /* Loads the library, creates a context of the screen's size and makes it current. After a failure `why`
-     * has the reason. close is safe then, too, and when called twice. */
+    /* Loads the library, creates a context of the screen's size and makes it current. After a failure `why` has the
+     * reason. `close` is safe after a failure, and when called twice. */
     int (*open)(struct gl_screen *screen);
     bool (*make_current)(struct gl_screen *screen);
     gl_proc (*proc)(struct gl_screen *screen, const char *name);

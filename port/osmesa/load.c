@@ -18,8 +18,8 @@ int gl_fail(struct gl_screen *screen, int status, const char *format, ...)
     return status;
 }
 
-/* A GL driver leaves threads, exit handlers and thread-local data behind, so unloading it would crash.
- * RTLD_NODELETE prevents that, and makes it unnecessary to keep the handle. */
+/* A GL driver leaves threads, exit handlers and thread-local data behind, so unloading it would crash. RTLD_NODELETE
+ * prevents unloading, so the handle need not be kept. */
 void *gl_library(struct gl_screen *screen, const char *file, const char *package)
 {
     void *library = dlopen(file, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
@@ -32,7 +32,7 @@ void *gl_library(struct gl_screen *screen, const char *file, const char *package
 }
 
 /* Copies the bytes of a pointer: ISO C has no conversion from data to function pointers, but POSIX guarantees the same
- * format. */
+ * representation. */
 bool gl_symbols(struct gl_screen *screen, void *library, void *table, const struct gl_row *rows, size_t count)
 {
     for (size_t i = 0; i < count; i++) {

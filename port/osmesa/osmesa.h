@@ -1,10 +1,10 @@
-/* osmesa.h - off-screen OpenGL as a display: for tests, where GL stands in for a screen.
+/* osmesa.h - off-screen OpenGL as a display, for tests.
  *
- * present() draws the frame through GL, from RGB565 to RGB565, so that every pixel arrives unchanged. Two
- * libraries can do it: OSMesa or, where that is missing (Mesa 25.1 dropped it), EGL on Mesa's surfaceless
- * platform. Both are loaded when the display is opened rather than linked. A linked OSMesa would load LLVM and
- * some 20 other libraries at every start of the program, clash with the gl* symbols of another GL, and keep the
- * program from starting where it is not installed.
+ * present() draws the frame through GL, from RGB565 to RGB565, so that every pixel arrives unchanged. Two libraries can
+ * draw it: OSMesa or, where that is missing (Mesa 25.1 dropped it), EGL on Mesa's surfaceless platform. They are not
+ * linked, but loaded when the display is opened. A linked OSMesa would load LLVM and some 20 other libraries at every
+ * start of the program, clash with the gl* symbols of another GL, and keep the program from starting where it is not
+ * installed.
  *
  * GL contexts belong to threads: call open, present, read and close on the same one.
  */
@@ -15,7 +15,7 @@
 
 extern const struct tia_display port_osmesa_display;
 
-/* Creates a display by wish->device: "osmesa", "egl" or, for the first that opens, NULL. The default size is
+/* Creates the display that wish->device names: "osmesa" or "egl"; NULL: the first that opens. The default size is
  * 640x480. */
 void *port_osmesa_create(const struct port_wish *wish);
 void port_osmesa_destroy(void *ctx);

@@ -9,7 +9,7 @@ struct canvas {
     uint16_t width, height;
 };
 
-/* Resizes the canvas and clears it to black. After TIA_ERR_MEMORY it is empty. */
+/* Resizes the canvas and clears it to black. After TIA_ERR_MEMORY the canvas is empty. */
 int canvas_resize(struct canvas *canvas, uint16_t width, uint16_t height);
 
 /* Gives the part of the canvas that `tile` covers. TIA_ERR_ARGUMENT when the tile is empty or not inside the canvas. */

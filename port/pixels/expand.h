@@ -1,7 +1,7 @@
 /* expand.h - converts RGB565 to the pixel format of a screen.
  *
- * A channel wider than RGB565's repeats its bits from the top (bit replication: black stays black, full intensity stays
- * full); a narrower one takes its upper bits.
+ * A channel wider than RGB565's is filled by bit replication, so that black stays black and full intensity stays full.
+ * A narrower channel gets the upper bits.
  */
 #ifndef PORT_COMMON_EXPAND_H
 #define PORT_COMMON_EXPAND_H
@@ -26,13 +26,13 @@ extern const struct pixel_format pixel_rgb565, pixel_bgr565, pixel_xrgb8888, pix
 unsigned pixel_bytes(const struct pixel_format *format);
 /* True if the format is tia_rgb565, bit for bit. */
 bool pixel_is_rgb565(const struct pixel_format *format);
-/* Returns NULL when tia supports the format, otherwise the reason: "green is 0 bits wide". */
+/* Returns NULL when tia supports the format, otherwise the reason: "channels overlap". */
 const char *pixel_fault(const struct pixel_format *format);
 #define PIXEL_NAME 48
 /* Returns the format's name, in `text`: "RGB565", "XBGR8888", or its channels, "32 bit r10@0 g10@10 b10@20". */
 const char *pixel_name(const struct pixel_format *format, char text[PIXEL_NAME]);
 
-/* Tables for a format: the expanded value of each value of each channel. */
+/* Tables for a format, which expand each value of each channel. */
 struct expander {
     struct pixel_format format;
     bool copy; /* the format is RGB565: pixels are copied */

@@ -11,7 +11,7 @@ enum {
     EXTENDED = 0xe0, PAUSE = 0xe1, RELEASE = 0xf0,
     SELF_TEST_PASSED = 0xaa,            /* sent after power-on */
     OVERRUN = 0x00, KEY_ERROR = 0xff,   /* codes were lost */
-    PAUSE_REST = 7                      /* bytes after the first of E1 14 77 E1 F0 14 F0 77 */
+    PAUSE_REST = 7                      /* bytes after E1 in E1 14 77 E1 F0 14 F0 77 */
 };
 /* clang-format on */
 

@@ -1,4 +1,4 @@
-/* best.c - the instruction sets of this library, and the choice among those of this processor. */
+/* best.c - the instruction sets that this library supports, and the choice of the best one for this processor. */
 #include <string.h>
 
 #include <tia/simd.h>
@@ -58,7 +58,7 @@ THERE(has_neon, (getauxval(AT_HWCAP) & 1 << 12) != 0) /* HWCAP_NEON */
 #define NEON &tia_simd_neon, has_neon
 #elif defined TIA_HAVE_NEON
 extern const struct tia_simd tia_simd_neon;
-THERE(has_neon, true) /* every AArch64 */
+THERE(has_neon, true) /* every AArch64 processor has NEON */
 #define NEON &tia_simd_neon, has_neon
 #else
 #define NEON NULL, NULL
@@ -84,7 +84,8 @@ const struct tia_simd *tia_simd_at(unsigned index)
     return NULL;
 }
 
-/* True under QEMU without KVM, which emulates vector units and floats, much slower than integers. */
+/* True under QEMU without KVM, which emulates vector and floating-point instructions far more slowly than integer
+ * ones. */
 static bool is_emulated(void)
 {
 #if defined __x86_64__ || defined __i386__
@@ -124,7 +125,7 @@ int tia_simd_named(const char *name, const struct tia_simd **simd)
         if (entries[i].simd && entries[i].there())
             found = entries[i].simd;
         if (strcmp(name, entries[i].name) == 0) {
-            /* no narrower set replaces one of another processor family */
+            /* neon and wasm, if they are not built in, have no narrower substitute */
             *simd = i < 4 || entries[i].simd ? found : NULL;
             return TIA_OK;
         }

@@ -32,17 +32,17 @@ struct tia_spi_panel {
     void *bus;
     const struct tia_clock *clock; /* clock for the pauses that the controller needs */
     void *clock_ctx;
-    uint16_t width, height; /* after applying `orientation` */
+    uint16_t width, height; /* size after applying `orientation` */
     uint16_t left, top;     /* position of the glass in the controller's memory */
     uint8_t orientation;    /* bits TIA_SPI_PANEL_... */
     bool inverted;          /* IPS glass: send 21h (INVON) */
-    const uint8_t *setup; /* vendor registers: for each the command, the number of its parameters, and these; or NULL */
-    size_t setup_size;    /* bytes of `setup` */
-    tia_rgb565 *strips;   /* two strips, one after the other */
-    size_t strips_size;   /* bytes; a strip has as many whole rows as fit in half of it */
+    const uint8_t *setup;   /* vendor registers, each as command, number of parameters, parameters; or NULL */
+    size_t setup_size;      /* bytes of `setup` */
+    tia_rgb565 *strips;     /* two strips, one after the other */
+    size_t strips_size;     /* bytes of `strips`; a strip consists of the whole rows that fit into half of them */
 
     /* Private to the port, except `why`. */
-    const char *why; /* the reason of the last failure, one line */
+    const char *why; /* reason for the last failure, one line */
     uint16_t rows;   /* rows of a strip */
     uint8_t strip;   /* index of the strip to draw next */
     bool awake, shown;

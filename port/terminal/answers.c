@@ -18,7 +18,8 @@
 
 enum { GROUND, ESCAPE, CSI, ATTRIBUTES, MESSAGE, MESSAGE_ESCAPE };
 
-/* Queries: a picture of one pixel, only to be checked; and the device's attributes. */
+/* Queries: for kitty's protocol, a picture of one pixel that the terminal only checks; for sixel, the device's
+ * attributes. */
 static const char ask_kitty[] = "\033_Gi=31,s=1,v=1,a=q,t=d,f=24;AAAA\033\\", ask_attributes[] = "\033[c";
 
 static void begin(struct answers *a, uint8_t state)
@@ -108,8 +109,8 @@ static void ask(int fd, const char *term, struct answers *answers)
         read_answers(fd, answers);
 }
 
-/* Queries in raw mode; keys typed meanwhile are stored for the keyboard. If the keyboard has set raw mode already, the
- * modes and the guardian's entry for them stay. */
+/* Queries the terminal in raw mode; keys typed meanwhile are stored for the keyboard input. If that input has set raw
+ * mode already, the modes and the guardian's entry for them stay. */
 static void ask_raw(int fd, const char *term, struct answers *answers)
 {
     struct termios before, raw;

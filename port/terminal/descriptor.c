@@ -27,8 +27,8 @@ bool descriptor_in_front(int fd)
     return front <= 0 || front == getpgrp();
 }
 
-/* Waits in tcsetattr, which stops a process in the background. The kernel restarts the call after SIGCONT, and so stops
- * the process again, unless a signal handler has run. */
+/* Waits inside tcsetattr, since the kernel stops a background process there. After SIGCONT the kernel restarts the
+ * call, and so stops the process again, unless a signal handler has run. */
 bool descriptor_await_front(int fd)
 {
     struct termios own;
@@ -45,7 +45,7 @@ bool descriptor_await_front(int fd)
     return descriptor_in_front(fd);
 }
 
-/* Drops the output; SIGTTOU would stop a process in the background here. */
+/* Blocks SIGTTOU, by which tcflush would stop a background process. */
 void descriptor_drop_output(int fd)
 {
     sigset_t stop, before;

@@ -1,8 +1,8 @@
 /* display.c - a terminal's window as a display.
  *
- * Frames are drawn into memory; present encodes what changed, in strips, and sends them. After 20 ms of encoding, or of
- * waiting for the terminal, the rest is left to go_on. The rest of a frame is sent before the next one, since the grid
- * counts it as shown.
+ * Frames are drawn into memory. present encodes the changes strip by strip, and sends the text. After 20 ms of encoding
+ * or of waiting for the terminal, the rest is left to go_on. The rest of a frame is sent before the next frame, since
+ * the grid counts it as shown.
  */
 #include <errno.h>
 #include <fcntl.h>
@@ -38,10 +38,10 @@ struct terminal {
     const char *device;
     char *why;
     unsigned max_width, max_height;
-    bool clear;    /* the next frame begins on an empty window */
+    bool clear;    /* the next frame clears the window first */
     bool fresh;    /* the canvas has a frame of which no row is encoded */
     bool encoding; /* a frame is encoded up to row `next` */
-    bool begun;    /* text has been added for that frame */
+    bool begun;    /* text has been added for the frame being encoded */
     unsigned next;
     unsigned columns, rows; /* size of the window */
     struct way way;         /* the user's choice */
@@ -83,7 +83,7 @@ static void read_window(const struct terminal *t, unsigned *columns, unsigned *r
     }
 }
 
-/* Returns the number of pixels side by side in a window of `columns` columns. */
+/* Returns the width in pixels of a window of `columns` columns. */
 static unsigned pixels_across(const struct terminal *t, unsigned columns)
 {
     return t->grid.spaces && columns > 1 ? columns / 2 : columns;
@@ -192,7 +192,7 @@ static void begin_frame(struct terminal *t)
     t->next = 0;
 }
 
-/* Encodes a strip; adds nothing where nothing changed. */
+/* Encodes a strip; adds no text if nothing has changed. */
 static void encode_strip(struct terminal *t)
 {
     struct strip strip = pictures_strip(t->pictures, &t->cell, t->next, t->canvas.width, t->canvas.height);
@@ -238,8 +238,8 @@ static int encode(struct terminal *t)
     return TIA_ERR_MEMORY;
 }
 
-/* True if the process has the window; false in the background. After a stop, the shell has had the window, so the last
- * frame is shown again. */
+/* True if the process has the window; false in the background. After a stop, the last frame is shown again, since the
+ * shell has used the window. */
 static bool has_window(struct terminal *t)
 {
     if (!output_is_lost(&t->output))
@@ -251,8 +251,8 @@ static bool has_window(struct terminal *t)
     return true;
 }
 
-/* Continues with a frame. A frame that is not encoded yet waits until the one before is sent. A frame that a stop has
- * cut is shown again once the viewer has polled the keys: the terminal may have hung up. */
+/* Continues to send a frame. A frame that is not encoded yet waits until the previous one is sent. A frame that was cut
+ * off by a stop is shown again only after the viewer has polled the keys, since the terminal may have hung up. */
 static int terminal_go_on(void *ctx)
 {
     struct terminal *t = ctx;

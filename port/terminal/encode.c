@@ -1,4 +1,4 @@
-/* encode.c - half blocks, in few bytes: only what changed. */
+/* encode.c - encodes the cells that have changed, in few bytes. */
 #include "encode.h"
 
 #include <stdio.h>
@@ -83,7 +83,7 @@ struct pen {
     uint32_t fore, back;  /* codes, or UNKNOWN */
 };
 
-/* Writes text; all functions below write into memory that grid_draw has allocated. */
+/* Appends bytes. This function and those below need room, which draw_row has reserved. */
 static void put(struct text *text, const char *bytes, size_t count)
 {
     memcpy(text->bytes + text->count, bytes, count);
@@ -169,7 +169,7 @@ static void put_cell(struct pen *pen, const struct grid *grid, unsigned column, 
     else
         put(pen->text, "\xe2\x96\x80", 3);
     pen->row = row;
-    pen->column = column + 1; /* terminals differ after the last column, but there no cell follows in the row */
+    pen->column = column + 1; /* terminals differ after the last column, but no cell of the row follows it */
 }
 
 static uint32_t code_of(const struct grid *grid, tia_rgb565 pixel)

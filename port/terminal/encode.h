@@ -9,7 +9,7 @@
 
 #include <tia/port.h>
 
-/* A text that grows. Once memory is short, it stays as it is, and `failed` is set. */
+/* A growable string. When memory is short, it stays unchanged, and `failed` becomes true. */
 struct text {
     char *bytes;
     size_t count, capacity;
@@ -24,7 +24,7 @@ void text_add(struct text *text, const char *string);
 #define FRAME_END "\033[?2026l"
 void text_free(struct text *text);
 
-/* Rows of a picture's pixels. */
+/* A strip: some pixel rows of a picture. */
 struct strip {
     unsigned first, rows;
 };
@@ -32,15 +32,15 @@ struct strip {
 /* The terminal's contents, cell by cell, as last written. */
 struct grid {
     unsigned columns, rows; /* size in cells: the picture's width and (height + 1)/2 or, with `spaces`, its height */
-    unsigned left, top;     /* the window's cell at the upper left corner */
+    unsigned left, top;     /* position of the grid in the window, columns and rows from 0 */
     bool direct;            /* 24-bit colours, else 256 */
-    bool spaces;            /* a cell is one pixel and two columns of the window, else half blocks */
+    bool spaces;            /* a cell is one pixel, drawn as two spaces; else two pixels, drawn as a half block */
     bool known;             /* the terminal shows `cells` */
-    uint32_t *cells;        /* the colours' codes: upper << 16 | lower */
+    uint32_t *cells;        /* codes of a cell's colours: upper << 16 | lower */
 };
 
-/* The longest text for one cell: a cursor movement (14 bytes at 5-digit coordinates), two 24-bit
- * colours (38) and the block (3). */
+/* The longest text for one cell: a cursor movement (14 bytes at 5-digit coordinates), two 24-bit colours (36) and the
+ * block (3). */
 #define GRID_CELL_BYTES 56
 
 /* Makes the grid for a width x height picture in the middle of a window of window_columns x window_rows; its contents
@@ -49,8 +49,9 @@ int grid_resize(struct grid *grid, unsigned width, unsigned height, unsigned win
 void grid_forget(struct grid *grid); /* Marks the contents as unknown: the window may show anything. */
 void grid_free(struct grid *grid);
 
-/* Adds the text that turns the grid into the picture, none if they are the same, and updates the grid. `pixels` has
- * `height` rows of the grid's width. If text->failed gets set, nothing is added and the grid is forgotten. */
+/* Adds the text that changes the terminal from the contents of the grid to the picture, and updates the grid. Adds
+ * nothing if the two agree. `pixels` has `height` rows of the grid's width. If text->failed becomes true, nothing is
+ * added, and the contents of the grid are unknown. */
 void grid_draw(struct grid *grid, const tia_rgb565 *pixels, unsigned height, struct text *text);
 
 #endif

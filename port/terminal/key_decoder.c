@@ -13,14 +13,14 @@ enum { GROUND, ESCAPE, CSI, SS3, STRING, STRING_ESCAPE, LINUX_FUNCTION };
 #define PASTE_BEGIN 200
 #define PASTE_END 201
 
-/* True if the byte is Ctrl and a letter: the letter's code less 0x60. Backspace, Tab, Enter and Line Feed have the
- * codes of Ctrl-H, I, M and J: they are keys of their own far more often. */
+/* True if the byte means Ctrl with a letter: it is the letter's code minus 0x60. Excludes Ctrl-H, I, M and J: their
+ * bytes come far more often from the keys Backspace, Tab, Enter and Line Feed. */
 static bool is_ctrl_letter(uint8_t byte)
 {
     return byte >= 1 && byte <= 26 && byte != '\b' && byte != '\t' && byte != '\n' && byte != '\r';
 }
 
-/* Returns the key of a sign, as on a US keyboard, with or without Shift. */
+/* Returns the key of a character that is no letter or digit, on a US keyboard, with or without Shift. */
 static uint16_t sign_key(uint8_t byte)
 {
     switch (byte) {
@@ -161,7 +161,8 @@ static uint16_t after_escape(struct decoder *d, uint8_t byte)
     }
 }
 
-/* Adds a digit to a parameter. Digits of the first one count only at the beginning, or after the mark <. */
+/* Adds a digit to a parameter. In the first parameter, digits count only at the beginning of the sequence, or after the
+ * mark <. */
 static void add_digit(struct decoder *d, uint8_t digit)
 {
     uint16_t *number = d->parameters == 0 ? &d->number : d->parameters < 3 ? &d->more[d->parameters - 1] : NULL;
@@ -197,7 +198,7 @@ static uint16_t after_csi(struct decoder *d, uint8_t byte)
 static uint16_t after_ss3(struct decoder *d, uint8_t byte)
 {
     if ((byte >= '0' && byte <= '9') || byte == ';')
-        return 0; /* modifiers, in an old form */
+        return 0; /* an old form of modifiers */
     if (byte < 0x40 || byte >= DEL)
         return after_ground(d, byte);
     d->state = GROUND;

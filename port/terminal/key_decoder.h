@@ -2,8 +2,8 @@
  *
  * Reports of the mouse are those of xterm's SGR mode (CSI < button ; column ; row M or m).
  *
- * Keys are positions, as with evdev: 'A', Ctrl-A and Alt-A are the key 'a'. What a terminal sends by itself (reports,
- * focus changes, a bracketed paste) is not a key.
+ * Keys are positions, as in evdev: 'A', Ctrl-A and Alt-A are all the key 'a'. Bytes that a terminal sends by itself
+ * (reports, focus changes, a bracketed paste) are not keys.
  */
 #ifndef PORT_TERMINAL_KEY_DECODER_H
 #define PORT_TERMINAL_KEY_DECODER_H
@@ -20,7 +20,7 @@ struct decoder {
     uint8_t private_mark; /* mark after CSI: '<' '=' '>' '?' or 0 */
     uint16_t number;      /* the CSI sequence's first parameter */
     uint16_t more[2];     /* second and third parameter; 0: not given */
-    uint8_t parameters;   /* number of parameters that have ended */
+    uint8_t parameters;   /* number of complete parameters, 3 at most */
     bool more_parameters;
     bool shift;           /* the last key was typed with Shift, as far as the terminal reports it */
     bool drag;            /* the mouse's left button was down in its last report */
@@ -31,7 +31,7 @@ struct decoder {
 /* Processes one byte; returns the key that it completes (tia/port.h), DECODED_POINTER or 0. */
 uint16_t decode_byte(struct decoder *decoder, uint8_t byte);
 
-/* True if a sequence has begun that may still turn out to be a lone Escape. */
+/* True if a sequence has begun and not ended: a pause may end it, see decode_silence. */
 bool decode_pending(const struct decoder *decoder);
 
 /* Ends a sequence after a pause without bytes; returns the key that the sequence then means, or 0. */

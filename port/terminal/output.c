@@ -11,9 +11,10 @@
 
 #define LAST_WRITE_MS 150 /* time that output_leave waits for a terminal that accepts nothing */
 
-/* Texts that enter the alternate screen, without cursor and automatic wrap, and leave it, even from the middle of a
- * sequence or of a picture's string: CAN ends those on some terminals and ST on the others; for kitty, the picture's
- * data end, too, without an answer. A terminal without an alternate screen is cleared. */
+/* Texts that enter the alternate screen, with neither cursor nor automatic wrap, and leave it. The text for leaving
+ * first ends a control sequence or a picture's string that was cut off: CAN does so on some terminals, ST on the
+ * others. For kitty it also ends the picture's data, without requesting an answer. A terminal without an alternate
+ * screen is cleared. */
 #define CUT "\030\033\\"
 #define LEAVE "\033[?2026l\033[0m\033[2J\033[H\033[?7h\033[?25h\033[?1049l"
 static const char enter_text[] = "\033[?1049h\033[?25l\033[?7l", leave_text[] = CUT LEAVE,
@@ -52,7 +53,7 @@ bool output_take(struct output *output)
 void output_enter(struct output *output)
 {
     terminal_signals_begin();
-    output->since.put_back = guardian_put_back() - 1; /* lost, if in the background */
+    output->since.put_back = guardian_put_back() - 1; /* if taking the window fails, the window counts as lost */
     (void)output_take(output);
     output->entered = true;
 }
@@ -86,7 +87,7 @@ int output_send(struct output *output, int timeout_ms)
 }
 
 /* Sends the last text. The rest of a frame, including the part that the kernel has buffered, is dropped: a slow
- * terminal would take long to show it. */
+ * terminal would need too much time to show it. */
 static void send_last(struct output *output)
 {
     uint64_t end = clock_now_us() + LAST_WRITE_MS * 1000;

@@ -1,11 +1,11 @@
 #include "picture_place.h"
 
-#define CELL 256 /* Parts into which a cell is divided: a picture need not end at a cell's border. */
+#define CELL 256 /* Parts per cell, since a picture may end inside a cell. */
 
 /* Position of the picture; a process has one controlling terminal. */
 static struct {
     unsigned left, top;     /* cells, from 0 */
-    uint32_t width, height; /* 1/CELL cells; 0: there is no picture */
+    uint32_t width, height; /* in units of 1/CELL cell; 0: there is no picture */
 } place;
 
 void place_of_picture(const struct cell *cell, unsigned width, unsigned height)

@@ -11,8 +11,8 @@ void port_terminal_destroy(void *ctx);
 void port_terminal_list(port_line *line, void *arg);
 
 /* The terminal of standard input or, if that is not a terminal, the controlling one; wish.device may name another. Keys
- * are reported as TIA_EVENT_TAP, with the time when they were read. With wish.pointer, its mouse, if it has one, is
- * reported as TIA_EVENT_POINT. */
+ * are reported as TIA_EVENT_TAP, with the time when they were read. With wish.pointer, the mouse is reported as
+ * TIA_EVENT_POINT, if the terminal supports one. */
 extern const struct tia_input port_tty_input;
 void *port_tty_create(const struct port_wish *wish);
 void port_tty_destroy(void *ctx);

@@ -21,7 +21,7 @@ static unsigned square(int difference)
     return (unsigned)(difference * difference);
 }
 
-/* Returns the nearest level of a channel: the sum of squares is least when each channel's square is. */
+/* Returns the nearest level of the cube for one channel: the sum of squared differences is least if each square is. */
 static unsigned nearest_level(uint8_t value)
 {
     unsigned best = 0;
@@ -32,8 +32,9 @@ static unsigned nearest_level(uint8_t value)
     return best;
 }
 
-/* Returns the nearest grey. Sum (c - g)^2 = 3 (g - mean)^2 + a part that does not depend on g: the grey 8 + 10 k
- * nearest to the mean is that nearest to (sum - 24)/30; adding 14 of 30 rounds a half down. */
+/* Returns the nearest grey. Over the channels c, the sum of (c - g)^2 is 3 (g - mean)^2 plus a term without g. So the
+ * nearest grey 8 + 10 k is the one nearest to the mean, sum/3: k is (sum - 24)/30, rounded to nearest. Adding 14 rounds
+ * a half down. */
 static unsigned nearest_grey(struct rgb8 c)
 {
     unsigned sum = (unsigned)c.r + c.g + c.b;

@@ -1,8 +1,8 @@
 /* tty.c - the terminal's keyboard as an input.
  *
  * The terminal is read byte by byte (termios without ICANON and ECHO), and Ctrl-C, Ctrl-Z and Ctrl-S are keys like any
- * other (without ISIG and IXON). VMIN is 1: with 0 a read of nothing looks like the end of a file, and a shell that
- * finds the terminal like that exits.
+ * other (without ISIG and IXON). VMIN is 1: with 0, a read without input looks like the end of a file, and a shell
+ * exits if it finds the terminal in that state.
  */
 #include <errno.h>
 #include <fcntl.h>
@@ -40,7 +40,7 @@ static const char mouse_on[] = "\033[?2004h\033[?1003h\033[?1006h", mouse_off[] 
 struct tty {
     const char *device;
     char *why;
-    const char *on, *off; /* text that is sent first and last */
+    const char *on, *off; /* texts to be sent on open and on close */
     int fd;               /* -1: closed */
     bool controlling;     /* `fd` is the controlling terminal, which the display may have queried */
     bool raw;             /* `before` holds the modes that close restores */
@@ -111,7 +111,7 @@ static bool send(const struct tty *tty, const char *text)
     return n == (ssize_t)strlen(text) || (n < 0 && errno != EAGAIN);
 }
 
-/* Restores the modes, unless a stop has: the terminal is then the shell's. */
+/* Restores the modes, unless the guardian restored them at a stop: then the shell has the terminal. */
 static void make_cooked(const struct tty *tty)
 {
     /* If the text cannot be sent now, the guardian sends it later. */
@@ -200,7 +200,7 @@ static uint16_t next_key(struct tty *tty)
     return key;
 }
 
-/* Takes the terminal again after a stop, when the shell has set its own modes. */
+/* Takes the terminal again after a stop, during which the shell has set its own modes. */
 static void after_stop(struct tty *tty)
 {
     if (!terminal_is_lost(&tty->since) || !descriptor_await_front(tty->fd))
@@ -213,7 +213,7 @@ static void after_stop(struct tty *tty)
     (void)send(tty, tty->on);
 }
 
-/* Sets the event; a pointer is in the middle of its cell. */
+/* Fills in the event; a pointer's position is the middle of its cell. */
 static void set_event(const struct tty *tty, uint16_t key, struct tia_event *event)
 {
     const struct decoder *d = &tty->decoder;

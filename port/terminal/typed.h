@@ -1,4 +1,4 @@
-/* typed.h - bytes that the controlling terminal sent during the display's queries, for its keyboard. */
+/* typed.h - stores bytes that the controlling terminal sends during the display's queries, for the keyboard input. */
 #ifndef PORT_TERMINAL_TYPED_H
 #define PORT_TERMINAL_TYPED_H
 
@@ -10,8 +10,8 @@
 
 /* Empties the buffer. */
 void typed_forget(void);
-/* Stores bytes, answers included: the decoder recognises that an answer is no key, and completes one that the end of
- * the wait has cut off when the keyboard is read. Bytes beyond TYPED_MOST are lost. */
+/* Stores bytes, including answers: the keyboard's decoder recognises that an answer is no key. If the end of the wait
+ * has cut an answer off, the decoder reads the rest from the keyboard. Bytes beyond TYPED_MOST are lost. */
 void typed_keep(const uint8_t *bytes, size_t count);
 
 bool typed_any(void);

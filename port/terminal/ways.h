@@ -17,7 +17,7 @@ struct way {
 /* True if `name` (NULL: not given) is one of WAYS_NAMES; it is then stored in `way`. */
 bool ways_find(const char *name, struct way *way);
 
-/* Returns the format to report in struct tia_mode; `direct`: characters have 24-bit colours. */
+/* Returns the name of the format for struct tia_mode; `direct`: characters have 24-bit colours. */
 const char *ways_format(enum pictures pictures, bool direct);
 
 #endif

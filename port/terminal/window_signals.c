@@ -106,8 +106,8 @@ bool terminal_has_other_signal(void)
     return sigisemptyset(&pending) == 0;
 }
 
-/* Writes, and jumps out of the write at a stop: without the jump, the kernel would repeat a write that the stop has
- * prevented. If the write had already sent bytes, their number is lost. */
+/* Writes; after a stop, the handler of SIGCONT jumps out of the write. Without the jump, the kernel would restart a
+ * write that the stop has interrupted. If the write had already sent bytes, their number is lost. */
 ssize_t terminal_write(int fd, const void *bytes, size_t count)
 {
     sigset_t before;

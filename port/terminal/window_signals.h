@@ -11,7 +11,7 @@ void terminal_signals_begin(void);
 /* Ends that period. */
 void terminal_signals_end(void);
 
-/* Counts at the time when a terminal was taken. */
+/* Counts of stops, stored when a terminal was taken, to detect later stops. */
 struct terminal_stops {
     int resumes;       /* number of SIGCONT signals */
     unsigned put_back; /* result of guardian_put_back */
@@ -20,11 +20,11 @@ struct terminal_stops {
 /* Returns the present counts; they include a pending SIGCONT, which then no longer ends a console_wait. */
 struct terminal_stops terminal_stops_now(void);
 
-/* True if the guardian has restored the terminal since: the shell has or had it. */
+/* True if the guardian has restored the terminal since these counts: the shell has or had it. */
 bool terminal_is_put_back(const struct terminal_stops *since);
 
-/* True if the guardian has restored the terminal since, or the process has continued after a stop: other programs may
- * have written on the screen and changed the terminal's modes. */
+/* True if, since these counts, the guardian has restored the terminal or the process has continued after a stop. Other
+ * programs may then have written on the screen and changed the terminal's modes. */
 bool terminal_is_lost(const struct terminal_stops *since);
 
 /* Leaves a SIGCONT pending: the next console_wait ends at once. */

@@ -11,7 +11,7 @@ struct host_event {
 
 HOST("now") double host_now(void); /* returns microseconds */
 HOST("look") int32_t host_look(void);
-HOST("rest") int32_t host_rest(int32_t timeout_ms); /* returns 1 where the browser cannot suspend */
+HOST("rest") int32_t host_rest(int32_t timeout_ms); /* returns 1 if the browser cannot suspend WebAssembly */
 HOST("take") int32_t host_take(struct host_event *event);
 HOST("show") void host_show(const tia_rgb565 *pixels, uint32_t width, uint32_t height, const struct web_frame *frame);
 HOST("lines") void host_lines(const struct web_line *lines, uint32_t count);
@@ -46,7 +46,7 @@ static int web_submit(void *ctx, struct tia_tile tile)
     return TIA_OK;
 }
 
-/* Does nothing: the script shows the picture once its data are complete. */
+/* Does nothing: web_show passes the picture to the script, with its data. */
 static int web_present(void *ctx)
 {
     (void)ctx;
@@ -68,7 +68,7 @@ static int web_open(void *ctx)
     return TIA_OK;
 }
 
-/* Gives the next event; host_look lets the script go on, so that the script can add one. */
+/* Gives the next event. If there is none, host_look lets the script run, which may add one. */
 static int web_poll(void *ctx, struct tia_event *event)
 {
     struct host_event got;

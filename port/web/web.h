@@ -1,9 +1,9 @@
-/* web.h - a page's canvas, keyboard and pointer, in a worker of its browser: display, input and clock on functions that
- * the worker's script provides (tools/web/page/worker.js).
+/* web.h - display, input and clock of a web page, in a worker of the browser, built on functions that the worker's
+ * script provides (tools/web/page/worker.js).
  *
- * Two of them, host_look and host_rest, let the script go on and return later, where the browser can suspend
- * WebAssembly (JavaScript Promise Integration). Where it cannot, host_rest reports that, and the input's wait returns
- * TIA_STOPPED: the viewer's loop ends, and its caller runs it again when there are events.
+ * If the browser can suspend WebAssembly (JavaScript Promise Integration), two of these functions, host_look and
+ * host_rest, let the script run before they return. If the browser cannot, host_rest reports that, and the input's wait
+ * returns TIA_STOPPED: the viewer's loop ends, and its caller runs it again when there are events.
  */
 #ifndef PORT_WEB_H
 #define PORT_WEB_H
@@ -17,18 +17,18 @@
 /* Data about a picture, in the layout that the script reads. */
 struct web_frame {
     uint32_t number, crc, block, done, samples, spp;
-    uint32_t differs[3];  /* pixels of an error map that differ by one level, by more, or by another path */
+    uint32_t differs[3];  /* error map: number of pixels that differ by one level, by more, by another path */
     uint32_t light_count; /* number of lights, including those that keys move */
     int32_t light, light_x,
-        light_y; /* the light that keys move, -1: none that has a position; x and y in 2^-16 of the picture */
+        light_y; /* the light that keys move, -1: no light with a position; x and y in 2^-16 of the picture */
     uint32_t draw_us, key_us, relit;
-    const void *state; /* state to pass to the next web_run */
+    const void *state; /* state from which another worker can continue */
     uint32_t state_size;
     uint32_t plays; /* not 0: the scene moves over time */
 };
 
 struct web_line {
-    float ends[2][2]; /* x and y, pixels */
+    float ends[2][2]; /* x and y of both ends, pixels */
     uint32_t colour;  /* RGB565 */
 };
 
@@ -42,16 +42,16 @@ extern const struct tia_display web_display; /* the display; its context is a st
 extern const struct tia_input web_input;     /* the input; its context is a struct web_screen */
 extern const struct tia_clock web_clock;     /* the clock; ignores its context */
 
-/* Shows the screen's pixels, with their frame's data. */
+/* Shows the screen's pixels, with the data of their frame. */
 void web_show(const struct web_screen *screen, const struct web_frame *frame);
 /* Draws lines over the pixels. */
 void web_draw_lines(const struct web_line *lines, unsigned count);
 
-/* True if an event is pending; the script goes on meanwhile. */
+/* True if an event is pending. Lets the script run first, if the browser can. */
 bool web_look(void);
 
-/* Returns the length in bytes of a file that the script has; -1 if it has not, after recording the name as missing.
- * `length` is that of `name`. */
+/* Returns the size in bytes of a file that the script has. If it does not have the file, returns -1 and records the
+ * name as missing. `length` is the length of `name`. */
 int32_t web_file_size(const char *name, uint32_t length);
 /* Copies the bytes of a file, as many as web_file_size returned. */
 void web_file_read(const char *name, uint32_t length, void *bytes);

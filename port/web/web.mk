@@ -1,11 +1,11 @@
 # web.mk - `make web`: a page with the viewer in WebAssembly, in $(BUILD)/web, for any static server; the Makefile
-# includes it. The core is freestanding; of wasi-libc the tools take memory, strings and functions of real numbers.
+# includes it. The core is freestanding; the tools use wasi-libc for memory, strings and functions of real numbers.
 
 WEB     := $(BUILD)/web
 WEB_O   := $(BUILD)/wasm
 WASM_CC ?= clang
 WASM_LD ?= wasm-ld
-# 128-bit products by halves: without an instruction for them clang calls a function, which takes 1.25 of the time.
+# No 128-bit integers: without an instruction for their products clang calls a function, which takes 1.25 times as long.
 WASM_CFLAGS ?= -O2 -mbulk-memory -DTIA_NO_INT128
 WASM_LIB := /usr/lib/wasm32-wasi
 WASM_BUILTINS = $(shell $(WASM_CC) --print-resource-dir 2>/dev/null)/lib/wasi/libclang_rt.builtins-wasm32.a
@@ -28,14 +28,14 @@ $(WEB_O)/tools/%.o: %.c
 	@mkdir -p $(@D)
 	$(call say,WASM,$<)$(WASM_TOOL) -c -o $@ $<
 
-# Vector units: that level alone.
+# The code for vector units, of all instruction sets only wasm.
 WASM_SIMD := $(filter-out $(foreach l,$(filter-out wasm,$(SIMD_NAMES)),src/simd/$(l).c src/simd/rays/$(l).c),$(call c_below,src/simd))
 $(WEB_O)/simd/%.o: %.c
 	@mkdir -p $(@D)
 	$(call say,WASM,$<)$(WASM_TOOL) -iquote src -fno-math-errno -ffp-contract=$(if $(filter src/simd/rays/%,$<),fast,off) -DTIA_HAVE_WASM \
 	    $(if $(filter %/wasm.c,$<),$(flags_wasm)) -c -o $@ $<
 
-# What a thread of a page needs of stack: paths and Whitted's rays keep theirs in arrays of fixed size.
+# Bytes of stack of a page's thread: paths and Whitted's rays have arrays of fixed size on it.
 WEB_STACK := 1048576
 $(WEB)/tia.wasm: $(call web_obj,q16,$(CORE_SRC)) $(call web_obj,f64,$(NUM_SRC)) $(call web_obj,watched,$(NUM_SRC)) $(call web_obj,simd,$(WASM_SIMD) port/simd/best.c) \
     $(call web_obj,tools,$(WEB_TOOLS))
@@ -52,7 +52,7 @@ $(WEB)/%: tools/web/page/%
 $(WEB)/scenes/%: scenes/%
 	@mkdir -p $(@D)
 	$(call say,COPY,$@)cp $< $@
-# Their names, and the checksums that tests/slow/web keeps.
+# The names of the scenes, and the checksums of tests/golden/web.crc.
 $(WEB)/gallery.json: tests/golden/web.crc $(wildcard scenes/*.tia) port/web/web.mk
 	@mkdir -p $(@D)
 	$(call say,LIST,$@){ printf '{"version": "%s",\n "scenes": [%s],\n "pinned": {\n' '$(VERSION)' \
@@ -61,7 +61,7 @@ $(WEB)/gallery.json: tests/golden/web.crc $(wildcard scenes/*.tia) port/web/web.
 
 WEB_MISSING = $(strip $(if $(call found,$(WASM_CC)),,clang) $(if $(call found,$(WASM_LD)),,lld) \
     $(if $(wildcard $(WASM_LIB)/libc.a),,wasi-libc) $(if $(wildcard $(WASM_BUILTINS)),,libclang-rt-14-dev-wasm32))
-# The page is there before the test of it. Compilers are asked only for these goals.
+# `check` builds the page before testing it. Only for these goals is the compiler run to find missing tools.
 .PHONY: web
 ifneq ($(filter web check,$(MAKECMDGOALS)),)
 check: $(if $(WEB_MISSING),,web)

@@ -3,8 +3,8 @@
 
 #include "edges.h"
 
-/* The room holds an index for each point; behind these, first the room to weld points, later the faces, the edges
- * across, and the room to join edges. */
+/* The working memory holds an index for each point, followed first by the memory of tia_weld, then by the faces, the
+ * edges across, and the memory of tia_edges_join. */
 size_t tia_shadow_mesh_room(const struct tia_mesh *mesh)
 {
     if (!mesh)

@@ -23,7 +23,7 @@ static void corner_of(const struct bounds_wide *box, unsigned i, int64_t corner[
         corner[k] = (i >> k & 1 ? box->max[k] : box->min[k]) * (INT64_C(1) << 16);
 }
 
-/* Returns (a + w)/(2 w) times `size` pixels, rounded down, in -size..2 size. w > 0. */
+/* Returns (a + w)/(2 w) times `size` pixels, rounded down, clamped to -size/2..3/2 size. w > 0. */
 static int64_t pixel_of(int64_t a, int64_t w, unsigned size)
 {
     a = a < -2 * w ? -2 * w : a > 2 * w ? 2 * w : a;
@@ -51,11 +51,11 @@ static void include(struct reach *r, const struct tia_raster_vertex *v, unsigned
 
 #define RANGE_MAX 20
 #define BITS 40
-#define LEAST_W (INT32_C(1) << 17) /* an error of 1/2 in coordinates then moves a pixel by 8192/2^17 at most */
+/* With an error of 1/2 in the coordinates, a position in the image is off by at most 8192/2^17 pixels. */
+#define LEAST_W (INT32_C(1) << 17)
 
-/* Gives the pixels that may show a box: those of the rectangle around its corners, and one more on every side for the
- * rounding of corners and rays and for all samples. False when part of the box is not in front of the eye, or is too
- * far aside. */
+/* Gives the rectangle of pixels around a box's corners. False when part of the box is not in front of the eye, or is
+ * too far aside. */
 static bool box_reach(const struct bounds_wide *box, const struct tia_eye *eye, unsigned width, unsigned height,
                       struct reach *r)
 {
@@ -76,6 +76,8 @@ static bool box_reach(const struct bounds_wide *box, const struct tia_eye *eye, 
     return true;
 }
 
+/* Finds the pixels that may show an object: those of the rectangle around its box, and one more on every side for the
+ * rounding of corners and rays and for all samples. */
 static void find(struct tia_curved_place *place, const struct tia_scene *scene, const struct tia_eye *eye,
                  unsigned width, unsigned height)
 {

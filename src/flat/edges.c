@@ -72,8 +72,8 @@ static void list(struct edges *edges, uint32_t face)
     }
 }
 
-/* Pairs the edges ids[from .. to - 1], which all join the same ends: edges towards the higher index with edges towards
- * the lower. False: an edge remains. */
+/* Pairs the edges ids[from .. to - 1], which all have the same ends: each edge towards the higher index with one
+ * towards the lower. False: an edge remains unpaired. */
 static bool pair(const struct edges *edges, uint32_t from, uint32_t to)
 {
     uint32_t up = from, down = from;

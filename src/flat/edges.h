@@ -23,18 +23,18 @@ static inline unsigned tia_face_sides(const struct tia_flat_face *face)
 
 /* Edge TIA_SIDES f + k runs from corner k of face f to the next corner. */
 
-/* Returns the number of bytes of room for tia_weld. */
+/* Returns the number of bytes of working memory for tia_weld. */
 size_t tia_weld_room(uint32_t points);
-/* Returns the number of bytes of room for tia_edges_join. */
+/* Returns the number of bytes of working memory for tia_edges_join. */
 size_t tia_edges_room(uint32_t faces);
 
-/* Unites points of equal coordinates: first[i] becomes the lowest index of a point at the position of point i. */
+/* Unites points with equal coordinates: first[i] becomes the lowest index of a point at point i's position. */
 void tia_weld(uint32_t *first, const struct tia_vec3 *points, uint32_t count, void *room);
 
-/* Sets across[e] to the edge that runs between the same points in the opposite direction, each edge being used once, to
- * TIA_NO_EDGE if there is none, or to e for an edge without length. Returns true if no edge has TIA_NO_EDGE, that is,
- * if the faces form closed surfaces. Corners at the same position must have the same index. `across` has TIA_SIDES *
- * count elements; a triangle's fourth is not written. Once cancelled, the result is undefined. */
+/* Pairs edges that run between the same points in opposite directions, each edge once, and sets across[e] to the
+ * partner of e: TIA_NO_EDGE if there is none, e for an edge without length. Returns true if no edge has TIA_NO_EDGE,
+ * that is, if the faces form closed surfaces. Corners at the same position must have the same index. `across` has
+ * TIA_SIDES * count elements; a triangle's fourth is not written. Once cancelled, the result is undefined. */
 bool tia_edges_join(uint32_t *across, const struct tia_flat_face *faces, uint32_t count, void *room,
                     struct cancel *cancel);
 

@@ -101,7 +101,7 @@ static void finely(struct tia_vec3 place, const struct tia_fine_place *fine, int
         out[i] = at[i] * INT64_C(65536) + digits[i];
 }
 
-/* Returns a over the window's width. */
+/* Returns a divided by the window's width. */
 static struct ratio over_width(int64_t a, const struct tia_window *w, unsigned width, unsigned height)
 {
     int64_t upward = (int64_t)w->top - w->bottom;
@@ -190,8 +190,8 @@ void tia_eye_init(struct tia_eye *eye, const struct tia_scene *scene, unsigned w
 
 /* ---- vertices ---- */
 
-/* Returns the row's value at p, which is relative to the eye and Q31.32: places + 32 fraction bits. The offset has 15
- * to 48 fewer, see shifted. */
+/* Returns the row's value at p, which is relative to the eye and Q31.32. The result has places + 32 fraction bits; the
+ * offset has 15 to 48 fewer, see shifted. */
 static wide at_point(const struct tia_eye_row *row, const int64_t p[3])
 {
     wide sum = wide_dot(row->m, p);
@@ -234,13 +234,13 @@ void tia_eye_point(const struct tia_eye *eye, const int64_t point[3], int fracti
 void tia_eye_direction(const struct tia_eye *eye, const int64_t direction[3], int bits,
                        struct tia_raster_vertex *vertex)
 {
-    const int64_t half[3] = {direction[0] / 2, direction[1] / 2, direction[2] / 2}; /* for wide_dot */
+    const int64_t half[3] = {direction[0] / 2, direction[1] / 2, direction[2] / 2}; /* halved to fit wide_dot */
     int64_t v[3];
     int places = INT16_MAX;
 
     for (int i = 0; i < 3; i++) {
         int size = wide_bits(wide_size(wide_dot(eye->row[i].m, half)));
-        int room = eye->row[i].places + 61 - size + bits - 1; /* 2^room times the coordinate has bits - 1 bits */
+        int room = eye->row[i].places + 61 - size + bits - 1; /* 2^room times the coordinate then has bits - 1 bits */
         places = size && room < places ? room : places;
     }
     for (int i = 0; i < 3; i++) {

@@ -7,7 +7,7 @@
 
 /* A row of the matrix: m[i] 2^-places for each axis i of the world, plus offset 2^-offset_places for points. */
 struct tia_eye_row {
-    int64_t m[3], offset; /* below 2^62 in size */
+    int64_t m[3], offset; /* below 2^62 in magnitude */
     int places, offset_places;
 };
 
@@ -18,12 +18,12 @@ struct tia_eye {
     struct tia_eye_row row[3];
 };
 
-/* Sets the eye for the camera of a scene that tia_scene_check accepts, with its fine digits; pixels' samples are left
- * to the rasteriser's grid. */
+/* Sets the eye for the camera of a scene that tia_scene_check accepts, with its fine digits. The positions of samples
+ * in a pixel are part of the rasteriser's grid instead. */
 void tia_eye_init(struct tia_eye *eye, const struct tia_scene *scene, unsigned width, unsigned height);
 
-/* Returns the smallest r for which the coordinates of a point's vertex are below 2^r in size, at least 0. Points are
- * Q31.32 and less than 2^17 from the eye in each coordinate. */
+/* Returns the smallest r, at least 0, for which the coordinates of a point's vertex are below 2^r in magnitude. Points
+ * are Q31.32 and less than 2^17 from the eye in each coordinate. */
 unsigned tia_eye_range(const struct tia_eye *eye, const int64_t point[3]);
 
 /* Gives the vertex of a point, whose tia_eye_range is at most TIA_RANGE_MAX; each coordinate is rounded once, to
@@ -31,8 +31,8 @@ unsigned tia_eye_range(const struct tia_eye *eye, const int64_t point[3]);
  */
 void tia_eye_point(const struct tia_eye *eye, const int64_t point[3], int fraction, struct tia_raster_vertex *vertex);
 
-/* Gives the vertex at infinity in a direction, Q1.62, of about the length 1. The vertex has the same direction; its
- * largest coordinate is just below 2^bits, bits in 8..40. */
+/* Gives the vertex at infinity in a direction, Q1.62, of length about 1. The vertex has the same direction; its largest
+ * coordinate is just below 2^bits, bits in 8..40. */
 void tia_eye_direction(const struct tia_eye *eye, const int64_t direction[3], int bits,
                        struct tia_raster_vertex *vertex);
 

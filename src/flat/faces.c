@@ -33,8 +33,8 @@ static struct counts count(const struct tia_scene *scene)
     return all;
 }
 
-/* Returns the bytes needed only while the edges across are found: the larger of the first points with tia_weld's room,
- * and tia_edges_join's room. */
+/* Returns the number of bytes of working memory, needed only until the edges across are found: the larger of the memory
+ * of tia_edges_join, and that of tia_weld with its result. */
 static uint64_t room_size(struct counts n)
 {
     uint64_t weld = n.most * sizeof(uint32_t) + tia_weld_room((uint32_t)n.most),

@@ -27,7 +27,7 @@ struct tia_flat_scene {
     struct tia_flat_face *faces;
     uint32_t *across; /* see tia_edges_join */
     struct tia_raster_vertex *points;
-    /* planes of all faces for the first sample's grid, followed by those for each further sample's */
+    /* planes of all faces for the grid of the first sample, followed by those for each further sample */
     struct tia_raster_plane *planes;
     uint32_t object_count, face_count, point_count;
 };
@@ -45,12 +45,12 @@ uint64_t tia_flat_face_count(const struct tia_scene *scene);
 unsigned tia_flat_samples(const struct tia_scene *scene);
 
 /* Returns the number of bytes for a scene whose shadows tia_scene_check accepts; SIZE_MAX when that number does not
- * fit, or the scene has more than 2^28 faces. */
+ * fit, and when the scene has more than 2^28 faces. */
 size_t tia_flat_size(const struct tia_scene *scene);
 
 /* Stores the scene's faces, projected to an image of width x height pixels, in `memory`, which is aligned for uint64_t;
- * vertices have the range of the scene's lights. Returns TIA_OK; TIA_ERR_RANGE when a corner or a light is too far away
- * for the rasteriser, see reach.h; or TIA_STOPPED when cancelled. */
+ * the vertices' range is that of tia_reach_with_lights for the scene's lights. Returns TIA_OK; TIA_ERR_RANGE when a
+ * corner or a light is too far away for the rasteriser, see reach.h; or TIA_STOPPED when cancelled. */
 int tia_flat_init(struct tia_flat_scene *flat, void *memory, size_t size, const struct tia_scene *scene, unsigned width,
                   unsigned height, struct cancel *cancel);
 

@@ -1,8 +1,8 @@
 /* facets.c - the points and faces of a divided shape.
  *
- * A sphere's point 0 is the lowest, 1 the highest; then come the rings, upwards. All other shapes have the centres of
- * their ends first, then the corners of each end that is not a point. The next corner of a ring lies to the right, seen
- * from outside with the axis upwards. */
+ * Point 0 of a sphere is the lowest, point 1 the highest; then come its rings, upwards. The points of all other shapes
+ * are the centres of their ends, then the corners of each end that is not a point. Seen from outside with the axis
+ * upwards, the next corner of a ring is to the right. */
 #include "facets.h"
 
 #include "eye.h"
@@ -104,8 +104,8 @@ static tia_q16 turn(uint32_t n, uint32_t around)
     return (tia_q16)(((uint64_t)n * (uint32_t)TIA_Q16(360) + around / 2) / around);
 }
 
-/* Gives the direction from a sphere's centre to point i: the poles are along y, and corners go round from z towards
- * x. */
+/* Gives the direction from a sphere's centre to point i: the poles are along y, and the corners of a ring run from z
+ * towards x. */
 static void sphere_direction(uint32_t i, uint32_t around, int64_t d[3])
 {
     uint32_t ring = (i - 2) / around + 1;
@@ -145,7 +145,8 @@ static struct tia_flat_face triangle(uint32_t a, uint32_t b, uint32_t c)
     return (struct tia_flat_face){{a, b, c, TIA_NO_CORNER}};
 }
 
-/* Returns the lower or, for `half`, the upper triangle of the quadrangle between corner k and the next of two rings. */
+/* Returns a triangle of the quadrilateral between corners k and k + 1 of two rings: the lower one or, if `half`, the
+ * upper one. */
 static struct tia_flat_face between(uint32_t low, uint32_t high, uint32_t k, uint32_t around, bool half)
 {
     uint32_t next = (k + 1) % around;

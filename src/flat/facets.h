@@ -11,7 +11,7 @@ struct tia_facet_shape {
     uint32_t around;
     bool capped;
     int64_t centre[2][3], radius[2]; /* Q31.32: of a sphere or disc in [0], of other shapes one for each end */
-    int64_t across[2][3];            /* axes across the shape's own, Q1.62; not set for a sphere */
+    int64_t across[2][3];            /* axes perpendicular to the shape's own, Q1.62; not set for a sphere */
 };
 
 /* Prepares an object that tia_facets_of divides. */
@@ -23,7 +23,7 @@ void tia_facet_point(const struct tia_facet_shape *shape, uint32_t i, int64_t po
 /* Returns face i; its corners are indices of points. */
 struct tia_flat_face tia_facet_face(const struct tia_facet_shape *shape, uint32_t i);
 
-/* Gives the numbers of faces of parts 0 and 1, see debug.h: of the shape's side, which come first, and of its base. */
+/* Gives the numbers of faces of parts 0 and 1, see debug.h: the shape's side, whose faces come first, and its base. */
 void tia_facet_parts(const struct tia_facet_shape *shape, uint32_t parts[2]);
 
 #endif

@@ -21,7 +21,7 @@ static unsigned mirrored(unsigned i)
     return out;
 }
 
-/* Returns numerator/n as Q.48, rounded to nearest; below 2^48 in size. */
+/* Returns numerator/n as Q.48, rounded to nearest; below 2^48 in magnitude. */
 static int64_t fraction(int numerator, unsigned n)
 {
     int64_t a = (int64_t)(numerator < 0 ? -numerator : numerator) * (INT64_C(2) << 48);
@@ -30,8 +30,8 @@ static int64_t fraction(int numerator, unsigned n)
     return numerator < 0 ? -q : q;
 }
 
-/* Moves `at` from the centre by s side[0] + t side[1], with s = (2i + 1 - n)/n and t = 2 v - 1, where v is the fraction
- * of i's bits in reverse order: see light.h. */
+/* Moves `at` from the centre by s side[0] + t side[1], with s = (2i + 1 - n)/n and t = 2 v - 1, v being the radical
+ * inverse of i: see light.h. */
 static void on_rectangle(const struct tia_light *light, unsigned i, int64_t at[3])
 {
     const tia_q16 a[3] = {light->side[0].x, light->side[0].y, light->side[0].z};
@@ -43,8 +43,8 @@ static void on_rectangle(const struct tia_light *light, unsigned i, int64_t at[3
         at[k] += wide_round(wide_sum(wide_product(a[k], s), wide_product(b[k], t)), 32);
 }
 
-/* Moves `at` from a disc's centre by the distance radius sqrt(u), u = (2i + 1)/(2n), in the direction at v of a full
- * turn, v as for a rectangle. */
+/* Moves `at` from a disc's centre by the distance radius sqrt(u), u = (2i + 1)/(2n), in the direction at the angle of v
+ * full turns, v as for a rectangle. */
 static void on_disc(const struct tia_light *light, unsigned i, int64_t at[3])
 {
     const int64_t given[3] = {light->direction.x, light->direction.y, light->direction.z};

@@ -1,15 +1,16 @@
 /* reach.c - the ranges of corners and lights.
  *
  * Let the width and height be at most 2^b pixels: half a pixel is then at least 2^-b of half the window. Let corners
- * have coordinates below R = 2^r, and the light a coordinate of 2^(d-1) or more, d being the range of both.
+ * have coordinates below R = 2^r, and let the light have a coordinate of 2^(d-1) or more, where d is the range of
+ * corners and light together.
  *
- * A light as a vertex of range d is rounded by at most 2^-(30 - d), as all corners then are: orthographic vertices have
- * 29 - d fraction bits.
+ * A light that is a vertex of range d is rounded by at most 2^-(30 - d), and so are all corners then, since
+ * orthographic vertices have 29 - d fraction bits.
  *
- * A light l as a direction from the eye: a point p casts its shadow at p + s (p - l), and s < 2R/(2^(d-1) - R) since
- * the shadow is less than 2R from the point along each axis. With the direction the shadow is at p - s l: s p away,
- * less than 2^(2r + 2 - d) if R is small beside 2^d. This is below half a pixel from d = 2r + 2 + b on, and no more
- * than the rounding from d = r + 16 on. */
+ * Now let a light l be replaced by the direction from the eye to it. A point p casts its shadow at p + s (p - l), and s
+ * < 2R/(2^(d-1) - R), since the shadow is less than 2R from the point along each axis. With the direction, the shadow
+ * is at p - s l. The difference is s p, which is less than 2^(2r + 2 - d) if R is small compared with 2^d. This is
+ * below half a pixel if d >= 2r + 2 + b, and no more than the rounding if d >= r + 16. */
 #include "reach.h"
 
 #include <tia/debug.h>
@@ -19,8 +20,8 @@
 
 #define POINT_BITS(flat) ((flat) ? 29 : 40) /* bits of a coordinate, see raster.h */
 
-/* Range in which lights may move while the vertices stay valid: vertices have at least 20 fraction bits then,
- * orthographic ones 9. */
+/* ROOM_RANGE is the range up to which lights may move while the vertices stay valid. Vertices then have at least 20
+ * fraction bits, or 9 in orthographic views, where lights may move at most to 2^NEAR_BITS times the faces' reach. */
 #define ROOM_RANGE 20
 #define NEAR_BITS 9
 
@@ -99,8 +100,8 @@ static unsigned image_bits(const struct tia_reach *reach)
     return 32 - (unsigned)tia_clz32((larger(reach->width, reach->height) - 1) | 1);
 }
 
-/* Returns the range of a light: the largest range of eight corners around a rectangle or disc; a point light's all
- * coincide. */
+/* Returns the range of a light: the largest range of eight corners around its rectangle or disc. For a point light all
+ * eight coincide. */
 static unsigned range_of_light(const struct tia_eye *eye, const struct tia_light *light)
 {
     const int64_t centre[3] = {light->centre.x, light->centre.y, light->centre.z};
@@ -187,7 +188,7 @@ static unsigned range_of_places(const struct tia_reach *reach, const struct tia_
     return most;
 }
 
-/* Returns the largest range of a light's point whose vertex fits the fraction bits for `range`. */
+/* Returns the largest range of a light's point that still fits a coordinate with the fraction bits for `range`. */
 static unsigned limit_of(const struct tia_reach *reach, unsigned range)
 {
     struct tia_raster_grid grid;
@@ -197,8 +198,9 @@ static unsigned limit_of(const struct tia_reach *reach, unsigned range)
     return status ? 0 : (unsigned)(POINT_BITS(is_flat(reach)) - grid.fraction);
 }
 
-/* Returns the range of the scene's lights, at all states of its keys, with room: each may move to four times its
- * distance, up to 2^ROOM_RANGE, or in orthographic views 2^NEAR_BITS times the reach of the faces. */
+/* Returns the range of the scene's lights in all states that keys set, with a margin: each light may move to four times
+ * its distance, but at most to 2^ROOM_RANGE, in orthographic views also at most to 2^NEAR_BITS times the reach of the
+ * faces. */
 static unsigned with_room(const struct tia_reach *reach, const struct tia_scene *scene)
 {
     unsigned room = is_flat(reach) ? smaller(reach->faces + NEAR_BITS, ROOM_RANGE) : ROOM_RANGE;

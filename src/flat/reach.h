@@ -1,7 +1,7 @@
 /* reach.h - the range of a scene's points and lights, which decides the fraction bits of their vertices.
  *
- * A light with a position is a vertex like any other if it is in range. The faces decide the fraction bits if all
- * lights are in their range; else the lights do. */
+ * A light with a position is a vertex like any other if it is in range. The faces determine the fraction bits if all
+ * lights are in the faces' range; otherwise the lights do. */
 #ifndef TIA_FLAT_REACH_H
 #define TIA_FLAT_REACH_H
 
@@ -36,9 +36,9 @@ unsigned tia_reach_of_lights(const struct tia_reach *reach);
 /* Returns the index of the first light beyond tia_reach_of_lights, or `count`. */
 uint32_t tia_reach_too_far(const struct tia_reach *reach, const struct tia_light *lights, uint32_t count);
 
-/* Returns the range for the scene's faces with these lights, none of which is too far. The range is the same for the
- * scene's own lights and for their states after keys, up to four times as far away, so that hits stay valid; it is
- * larger for lights farther away. */
+/* Returns the range for the scene's faces with these lights, none of which is too far. So that hits stay valid, the
+ * range is the same for the scene's own lights, for the lights that keys set, and for these at up to four times their
+ * distance; it is larger for lights farther away. */
 unsigned tia_reach_with_lights(const struct tia_reach *reach, const struct tia_scene *scene,
                                const struct tia_light *lights, uint32_t count);
 

@@ -111,8 +111,8 @@ void tia_flat_source_point(const struct tia_flat_source *s, uint32_t i, int64_t 
             s->divided ? tia_frame_place_finely(&s->frame, k, own) : tia_frame_place(&s->frame, k, point_of(s, i));
 }
 
-/* Four rounded corners need not lie in one plane, so a box has triangles. The directions of a plane's faces are exact
- * opposites. */
+/* A box has triangles, since four rounded corners need not lie in one plane. A plane has quadrilaterals: their
+ * directions are exact opposites. */
 struct tia_flat_face tia_flat_source_face(const struct tia_flat_source *s, uint32_t i)
 {
     static const struct tia_flat_face plane[TIA_PLANE_FACES] = {{{0, 1, 2, 3}}, {{0, 3, 4, 1}}};

@@ -21,12 +21,11 @@ struct tia_flat_source {
     struct frame frame;
 };
 
-/* True for an instance of a mesh without faces, as hidden shapes are (motion.h): neither flat nor curved. Empty objects
- * need no memory, so the memory for a scene with all its shapes suffices at all times. */
+/* True for an instance of a mesh without faces, such as a hidden shape, see motion.h. Such an object is neither flat
+ * nor curved. It needs no memory, so the memory for a scene with all its shapes suffices at all times. */
 bool tia_flat_is_empty(const struct tia_scene *scene, uint32_t object);
 
-/* True if an object is drawn as flat faces. Rays draw all grids, and curved objects unless the scene has them
- * tessellated. */
+/* True if an object is drawn as flat faces. Rays draw all grids, and curved objects unless the scene is tessellated. */
 bool tia_flat_takes(const struct tia_scene *scene, uint32_t object);
 
 /* Gives the numbers of points and faces of an object for which tia_flat_takes is true. */

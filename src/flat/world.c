@@ -1,5 +1,5 @@
 /* world.c - the inverse of the camera's matrix. With its rows r0, r1, r2, the inverse has the columns c0 = r1 x r2, c1
- * = r2 x r0, c2 = r0 x r1, each over r0.c0.
+ * = r2 x r0, c2 = r0 x r1, each divided by r0.c0.
  */
 #include "world.h"
 
@@ -50,8 +50,8 @@ static void invert(struct tia_world *world, const struct tia_eye *eye)
             world->m[i][k] = quotient(columns[k][i], det, exponents[k] + world->places);
 }
 
-/* Limit of a view's numbers, of which three are added: the first pixel's, and the steps from there to the last column
- * and row. Only views of 2^16 units and more reach the limit. */
+/* Limit of each of three numbers that are added: the first pixel's, and the steps from there to the last column and
+ * row. Only views of 2^16 units and more reach it. */
 #define VIEW_MOST (INT64_C(1) << 61)
 
 /* Returns row i of m d/w in Q.45; components of d are integers below 2^31. */
@@ -96,7 +96,7 @@ void tia_world_place(const struct tia_world *world, const struct tia_raster_vert
                               (unsigned)(world->places + world->flat->grid.fraction - TIA_WORLD_BITS));
 }
 
-/* Gives the direction of q in the world; its largest component has 60 bits. */
+/* Gives the direction of q in the world, Q1.62. It is normalised from components of at most 60 bits. */
 static void turn(const struct tia_world *world, const int64_t q[3], int64_t direction[3])
 {
     int64_t long_one[3];

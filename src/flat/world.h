@@ -28,7 +28,8 @@ void tia_world_direction(const struct tia_world *world, const struct tia_raster_
 void tia_world_from_to(const struct tia_world *world, const struct tia_raster_vertex *from,
                        const struct tia_raster_vertex *to, int64_t direction[3]);
 
-/* Gives the point that pixel (x, y) shows, TIA_WORLD_BITS fraction bits, at a distance from tia_raster_distance. */
+/* Gives the point that pixel (x, y) shows at a distance, as tia_raster_distance returns it. The point has
+ * TIA_WORLD_BITS fraction bits. */
 void tia_world_seen(const struct tia_world *world, int x, int y, int64_t distance, int64_t place[3]);
 
 #endif

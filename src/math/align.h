@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Rounds a size, of any integer type, up so that the next array is aligned for uint64_t. */
+/* Rounds a size of any integer type up to a multiple of 8, so that the next array is aligned for uint64_t. */
 #define ALIGN(size) (((size) + 7) / 8 * 8)
 
 /* A struct in which `number` has the alignment of uint64_t as its offset: 1 on an AVR, 4 on an i386, 8 elsewhere. */

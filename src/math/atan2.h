@@ -5,8 +5,8 @@
 #include "integer.h"
 
 /* Returns atan2(y, x)/(2 pi), in -1/2..1/2, Q1.62; 0 for (0, 0). |x|, |y| <= 2^62; if one of them is near 2^62, the
- * angle's error is below 2^-55. CORDIC: rotates the vector onto the x axis by angles with the tangents 1, 1/2, 1/4,
- * ... */
+ * angle's error is below 2^-55. Uses CORDIC: rotates the vector onto the x axis by angles with the tangents 1, 1/2,
+ * 1/4, ... */
 static inline int64_t tia_atan2(int64_t y, int64_t x)
 {
     int64_t angle = 0;

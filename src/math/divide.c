@@ -1,5 +1,5 @@
-/* divide.c - division of 64 bits, in a file of its own so that compilers do not compute quotient and remainder
- * together, for which 32-bit machines link a second long function. */
+/* divide.c - 64-bit division, in a file of its own. Otherwise compilers may compute quotient and remainder together,
+ * for which 32-bit machines link a second long function. */
 #include "divide.h"
 
 uint64_t tia_quotient(uint64_t a, uint64_t b)

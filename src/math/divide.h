@@ -1,4 +1,4 @@
-/* divide.h - quotients and remainders of 64 bits, with a single function for division. */
+/* divide.h - 64-bit quotients and remainders, with a single function for division. */
 #ifndef TIA_MATH_DIVIDE_H
 #define TIA_MATH_DIVIDE_H
 

@@ -1,8 +1,8 @@
 /* integer.h - integer kernels: shifts that round, reciprocal, square root and its inverse, wide products.
  *
- * The kernels have few branches or none, no state, and the same results, bit for bit, on every machine. They build on
- * products of 32 x 32 bits in 64 bits and on counting leading zeros, one instruction each on most machines. "ulp" is
- * the unit of the result's last bit.
+ * The kernels have few branches or none, no state, and the same results, bit for bit, on every machine. They are built
+ * from products of 32 x 32 bits in 64 bits and from the count of leading zeros, which take one instruction each on most
+ * machines. "ulp" is the unit of the result's last bit.
  *
  * The error bounds stated here are proved (tests/proofs, make prove), tested with every 32-bit argument (make
  * check-exhaustive), and sampled by every make check.
@@ -87,7 +87,7 @@ static inline int64_t tia_round_shift(int64_t x, unsigned s)
     return (x + half) >> s;
 }
 
-/* True on 32-bit machines, where a 64-bit addition needs a carry: tia_round_shift_words is then used for s >= 1. */
+/* True on 32-bit machines, where a 64-bit addition needs a carry. There tia_round_shift_words is used for s >= 1. */
 #define TIA_SHIFTS_WORDS (UINTPTR_MAX == UINT32_MAX)
 
 /* Returns the result of tia_round_shift, s >= 1, by adding the highest bit that is shifted out. */
@@ -147,8 +147,8 @@ static inline uint32_t tia_rsqrt(uint64_t n)
 
 /* Returns 2^63 / d, at most 2^32 - 1; the error is -1.02 to +0.25 ulp. d >= 2^31.
  *
- * One Newton step y (1 + e), e = 1 - d y, rounded down. Its own error is -e^2, a quarter of an ulp at d = 2^31.
- * Raising e by 2^-34 corrects that; more would take 2^63 / 2^31 to 2^32, which does not fit. */
+ * One Newton step y (1 + e), e = 1 - d y, rounded down. The relative error of the step is -e^2, a quarter of an ulp at
+ * d = 2^31. Raising e by 2^-34 corrects that; more would give 2^32 for d = 2^31, which does not fit. */
 static inline uint32_t tia_reciprocal(uint32_t d)
 {
     uint32_t y = tia_reciprocal_seed(d);
@@ -158,10 +158,10 @@ static inline uint32_t tia_reciprocal(uint32_t d)
 
 /* Returns the square root of n >= 2^62, rounded down, exact.
  *
- * r0 = n y with the seed y, then one Newton step with y for 1/r: r0 + (n - r0^2) y / 2. Its error is -3/2 e^2 r,
- * less than 0.1 in size, and 2^-12 either way from rounding. Subtracting 2^12 from the remainder (1/32 to 1/16 in
- * the root) makes sure that the result is never too large; so after rounding down it is the root or one less,
- * and one comparison settles which. */
+ * r0 = n y with the seed y, then one Newton step with y for 1/r: r0 + (n - r0^2) y / 2. The error of the method is -3/2
+ * e^2 r, less than 0.1 in size; rounding adds up to 2^-12 either way. Subtracting 2^12 from the remainder (1/32 to 1/16
+ * in the root) makes sure that the result is never too large. After rounding down it is the root or one less; one
+ * comparison decides which. */
 static inline uint32_t tia_sqrt_normalised(uint64_t n)
 {
     uint32_t a = (uint32_t)(n >> 32);
@@ -181,8 +181,8 @@ static inline uint32_t tia_sqrt64(uint64_t x)
     return tia_sqrt_normalised(x << s) >> (s >> 1);
 }
 
-/* Returns the square root of x, rounded down, exact: bit by bit, small and easy to prove, for uses where speed does not
- * matter. */
+/* Returns the square root of x, rounded down, exact. It is computed bit by bit, with code that is small and easy to
+ * prove, for uses where speed does not matter. */
 /*@ assigns \nothing;
     ensures \result * (integer)\result <= x < (\result + 1) * (integer)(\result + 1); */
 static inline uint32_t tia_sqrt32(uint32_t x)
@@ -261,8 +261,8 @@ static inline int tia_cmp_products(uint64_t a, uint64_t b, uint64_t c, uint64_t 
     struct tia_wide p = tia_wide_product(a, b), q = tia_wide_product(c, d);
     if (p.high != q.high)
         return p.high < q.high ? -1 : 1;
-    /* (p.low > q.low) - (p.low < q.low) would do, but gcc 12 for aarch64 miscompiles it to a signed comparison at -O3
-     */
+    /* (p.low > q.low) - (p.low < q.low) would be enough, but gcc 12 for aarch64 miscompiles it to a signed comparison
+     * at -O3 */
     if (p.low != q.low)
         return p.low < q.low ? -1 : 1;
     return 0;

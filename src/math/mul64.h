@@ -1,5 +1,5 @@
 /* mul64.h - products of 32 x 32 bits in 64 bits. For a processor whose multiplier gives only 32 bits, TIA_MUL64 can be
- * defined as the name of another version of this file. */
+ * defined as the name of a replacement of this file. */
 #ifndef TIA_MATH_MUL64_H
 #define TIA_MATH_MUL64_H
 

@@ -1,4 +1,4 @@
-/* normalise.c - directions of length 1. */
+/* normalise.c - scales vectors to length 1. */
 #include "integer.h"
 
 struct tia_dir3 tia_normalise(int32_t x, int32_t y, int32_t z)

@@ -4,10 +4,10 @@
  *
  *     y = n + log2 r - log2(1 + x).
  *
- * After eight terms of the series less than 2^-63 is omitted. y has 56 fraction bits: with the table's rounding its
- * error is below 2^-56, so is that of f y for f < 1, and the relative error of d^f is 0.7 times as large. 2^-v is
- * computed by a shift, a table's 2^(-i/64), and six terms of the series for the rest, below 1/64: the omitted terms are
- * below 2^-57. A dozen roundings of 2^-62 are negligible beside this. */
+ * The series has eight terms; the omitted ones are below 2^-63. y has 56 fraction bits. With the table's rounding, the
+ * error of y is below 2^-56, and so is that of f y for f < 1. The relative error of d^f is 0.7 times as large. 2^-v is
+ * computed by a shift, by 2^(-i/64) from a table, and by six terms of the series for the rest of v, which is below
+ * 1/64; the omitted terms are below 2^-57. A dozen roundings of 2^-62 are negligible beside this. */
 #include "power.h"
 
 #include "wide.h"

@@ -48,14 +48,15 @@ void tia_rotation_axes(struct tia_vec3 rotation, int64_t axes[3][3])
     }
 }
 
-/* Returns the angle of (x, y) in degrees, rounded to nearest: 360 times the turns, which are Q1.62. */
+/* Returns the angle of (x, y) in degrees, rounded to nearest: 360 times the angle in turns, Q1.62. */
 static tia_q16 degrees(int64_t y, int64_t x)
 {
     return (tia_q16)wide_round(wide_product(tia_atan2(y, x), 360), 46);
 }
 
 /* axes[0] is (cz cy, sz cy, -sy), and the z components of axes[1] and axes[2] are cy sx and cy cx. If cy is only a
- * rounding error, rotations about x and z have the same effect: with the angle 0 about z, axes[1] is (sy sx, cx, 0). */
+ * rounding error, rotations about x and about z have the same effect. The angle about z is then 0, and axes[1] is (sy
+ * sx, cx, 0). */
 void tia_rotation_angles(const int64_t axes[3][3], struct tia_vec3 *rotation)
 {
     int64_t horizontal =
@@ -65,7 +66,7 @@ void tia_rotation_angles(const int64_t axes[3][3], struct tia_vec3 *rotation)
     rotation->y = degrees(up, horizontal);
     rotation->z = 0;
     rotation->x = degrees(up < 0 ? -axes[1][0] : axes[1][0], axes[1][1]);
-    if (horizontal < INT64_C(1) << 38) /* 2^-24 radians, less than a unit of angles */
+    if (horizontal < INT64_C(1) << 38) /* 2^-24 radians, below the unit of angles */
         return;
     rotation->z = degrees(axes[0][1], axes[0][0]);
     rotation->x = degrees(axes[1][2], axes[2][2]);

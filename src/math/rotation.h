@@ -12,8 +12,8 @@ void tia_sincos(tia_q16 degrees, int64_t *sine, int64_t *cosine);
  * rotation.x degrees about x, then rotation.y about y, then rotation.z about z. Q2.62, each component within 2^-57. */
 void tia_rotation_axes(struct tia_vec3 rotation, int64_t axes[3][3]);
 
-/* Gives the angles of a rotation with these axes, rounded to nearest, in -180..180 degrees, about y in -90..90. If the
- * angle about y is +-90 degrees, the angle about z is 0. */
+/* Gives the angles of a rotation with these axes, rounded to nearest: about x and z in -180..180 degrees, about y in
+ * -90..90. If the angle about y is +-90 degrees, the angle about z is 0. */
 void tia_rotation_angles(const int64_t axes[3][3], struct tia_vec3 *rotation);
 
 #endif

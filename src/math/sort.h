@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-/* Sorts ids by keys[id], rising; ids with equal keys keep their order, so that consecutive sorts by several keys, the
+/* Sorts ids by keys[id], ascending. Ids with equal keys keep their order: so consecutive sorts by several keys, the
  * least important first, sort by all of them. `room` has space for `count` ids. */
 void tia_sort_ids(uint32_t *ids, uint32_t *room, uint32_t count, const uint32_t *keys);
 

@@ -4,8 +4,8 @@
 
 #include <tia/render.h>
 
-/* True if a tile has pixels, and all are in an area. The area may end beyond 65535, the largest unsigned int on 16-bit
- * machines. */
+/* True if a tile has pixels, and all of them are in an area. The sums have 32 bits, since the area may end beyond
+ * 65535, the largest unsigned int on 16-bit machines. */
 static inline bool tile_is_inside(struct tia_tile tile, struct tia_tile area)
 {
     return tile.width && tile.height && tile.x >= area.x && tile.y >= area.y &&

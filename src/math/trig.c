@@ -38,7 +38,7 @@ static uint64_t quotient(uint64_t a, uint64_t b)
 
 void tia_octant(uint32_t half_degrees, uint64_t *sine, uint64_t *cosine)
 {
-    /* radians: times pi / (360 * 2^16), with 86 fraction bits, then rounded down to 63 */
+    /* converts to radians: times pi / (360 * 2^16), with 86 fraction bits, then rounded down to 63 */
     struct tia_wide z86 = tia_wide_product(half_degrees, UINT64_C(0x8efa351294e9c8ae));
     uint64_t z = z86.high << 41 | z86.low >> 23;
     uint64_t z2 = product(z, z);
@@ -48,7 +48,8 @@ void tia_octant(uint32_t half_degrees, uint64_t *sine, uint64_t *cosine)
 
 uint64_t tia_cotangent(tia_q16 fov)
 {
-    /* `angle` is in tia_octant's unit, so fov itself is fov/2. Above 45 degrees cot x = tan(90 - x). */
+    /* In tia_octant's unit, half of fov's, the number fov stands for the angle fov/2. Above 45 degrees cot x = tan(90 -
+     * x). */
     const uint32_t right = 90 * TIA_Q16_ONE;
     uint32_t angle = (uint32_t)fov;
     uint64_t sine, cosine;

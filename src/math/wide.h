@@ -1,8 +1,8 @@
 /* wide.h - 128-bit sums of products of 64-bit integers, and their roots and quotients.
  *
  * Every curved mirror on a path multiplies the error of the ray. Therefore the ray renderer's coordinates have 64 bits,
- * and a sum of products is rounded once. Without 128-bit integers in the compiler, numbers are two halves, with the
- * same results to the bit.
+ * and a sum of products is rounded once. If the compiler has no 128-bit integers, numbers are pairs of 64-bit halves,
+ * with the same results to the bit.
  */
 #ifndef TIA_MATH_WIDE_H
 #define TIA_MATH_WIDE_H
@@ -80,7 +80,7 @@ static inline int64_t wide_mixed(int32_t a, uint32_t b)
     return (int64_t)(tia_mul_u32((uint32_t)a, b) - (a < 0 ? (uint64_t)b << 32 : 0));
 }
 
-/* Returns a b. Upper words are signed, lower words unsigned: all sums of their products fit 64 bits. */
+/* Returns a b. The upper 32-bit words are signed, the lower ones unsigned; all sums of their products fit 64 bits. */
 static inline wide wide_product(int64_t a, int64_t b)
 {
     uint32_t a0 = (uint32_t)a, b0 = (uint32_t)b;
@@ -140,8 +140,8 @@ static inline wide wide_of_halves(int64_t high, uint64_t low)
     return (wide){high, low};
 }
 
-/* Returns a b modulo 2^128, computed with unsigned halves: as such a negative b is 2^64 too large, which is
- * subtracted. */
+/* Returns a b modulo 2^128. Halves are multiplied as unsigned numbers, which makes a negative b 2^64 too large; 2^64
+ * a.low is subtracted for that. */
 static inline wide wide_times(wide a, int64_t b)
 {
     struct tia_wide p = tia_wide_product(a.low, (uint64_t)b);
@@ -151,8 +151,8 @@ static inline wide wide_times(wide a, int64_t b)
 }
 #endif
 
-/* Returns a / 2^s rounded to nearest, ties up; s in 1..126, the result below 2^63. The highest bit that is shifted out
- * is added. */
+/* Returns a / 2^s rounded to nearest, ties up, by adding the highest bit that is shifted out; s in 1..126, the result
+ * below 2^63. */
 static inline int64_t wide_round(wide a, unsigned s)
 {
     uint64_t half = s > 64 ? (uint64_t)wide_high(a) >> (s - 65) : wide_low(a) >> (s - 1);
@@ -220,7 +220,7 @@ static inline wide wide_dot(const int64_t a[3], const int64_t b[3])
     return wide_sum(wide_sum(wide_product(a[0], b[0]), wide_product(a[1], b[1])), wide_product(a[2], b[2]));
 }
 
-/* Returns the length of a >= 0 in bits. */
+/* Returns the number of bits of a >= 0. */
 static inline int wide_bits(wide a)
 {
     uint64_t high = (uint64_t)wide_high(a), low = wide_low(a);
@@ -240,8 +240,8 @@ static inline int64_t wide_sqrt_step(wide n, int64_t r, uint32_t y)
     return r + wide_down(wide_product(wide_down(wide_difference(n, wide_product(r, r)), 35), y), 60);
 }
 
-/* Returns the square root of 0 <= a < 2^126, rounded down, exact. Two Newton steps raise 29 correct bits to 57 and 63;
- * then the remainder corrects the last unit. */
+/* Returns the square root of 0 <= a < 2^126, rounded down, exact. Two Newton steps raise the number of correct bits
+ * from 29 to 57 and to 63; then the remainder corrects the last unit. */
 static inline int64_t wide_sqrt(wide a)
 {
     if (wide_bits(a) == 0)
@@ -263,7 +263,8 @@ static inline int64_t wide_sqrt(wide a)
 
 /* Returns 2^62/sqrt(top / 2^64), at most 2^63 - 1, with a relative error below 2^-59. top >= 2^62.
  *
- * y (1 + e/2 + 3/8 e^2) with e = 1 - n y^2 below 2^-28; the next term, 5/16 e^3, is small enough to omit. */
+ * The result is y (1 + e/2 + 3/8 e^2), where e = 1 - n y^2 is below 2^-28 and n is top / 2^64. The next term, 5/16 e^3,
+ * is small enough to omit. */
 static inline int64_t wide_rsqrt(uint64_t top)
 {
     uint32_t y = tia_rsqrt(top);
@@ -287,9 +288,9 @@ static inline int64_t wide_reciprocal(uint64_t b)
     return r >> 63 ? INT64_MAX : (int64_t)r;
 }
 
-/* A divisor b prepared for many quotients: |b| < 2^63. */
+/* A divisor b prepared for many quotients; |b| < 2^63. */
 struct wide_divisor {
-    int64_t reciprocal; /* reciprocal of |b| 2^zeros; 0 when b is 0 */
+    int64_t reciprocal; /* wide_reciprocal of |b| 2^zeros; 0 when b is 0 */
     int zeros;
     bool negative;
 };

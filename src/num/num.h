@@ -2,10 +2,10 @@
  *
  * README.md explains how one source serves four arithmetics.
  *
- * Block floating point: value = mantissa * 2^-exponent. Mantissas are stored per pixel; the exponent is an int among
- * the frame's constants, chosen so that the frame's largest value just fits. This uses nearly all bits of a 32-bit word
- * without the cost of floating point per pixel. In the floating builds the mantissa is the value itself and shifts do
- * nothing.
+ * Block floating point: value = mantissa * 2^-exponent. Mantissas are stored per pixel. Their common exponent is an int
+ * among the frame's constants, chosen so that the largest value in the frame just fits. This uses nearly all bits of a
+ * 32-bit word without the cost of floating point per pixel. In the floating builds the mantissa is the value itself and
+ * shifts do nothing.
  *
  *   num       signed mantissa, below 2^31             num_wide   exact product of two mantissas, a
  *   num_u     unsigned mantissa, below 2^32                      coordinate or a dot product
@@ -18,8 +18,8 @@
  *   num_mul, num_mul_u     the exact product of two mantissas
  *   num_bits(x)            the length of |x| in bits: |x| < 2^num_bits(x)
  *   num_shift(x, s)        x * 2^s; for s < 0 rounded to nearest, ties up
- *   num_down(x, s)         x * 2^-s for s in 0..63, rounded as by num_shift, but faster: for kernels
- *   num_top, num_top_u     the upper half of an accumulator, x * 2^-32 rounded down; start the
+ *   num_down(x, s)         x * 2^-s for s in 0..63, rounded like num_shift, but faster: for kernels
+ *   num_top, num_top_u     the upper half of an accumulator, x * 2^-32 rounded down; initialise the
  *                          accumulator with NUM_HALF to round to nearest
  *   num_sqrt(x)            the square root, rounded down
  *   num_quotient(a, b, s)  a/b * 2^(63 - s), rounded to nearest
@@ -78,7 +78,7 @@ static inline num_wide num_square30(struct num_vec v)
     return num_sum_of_squares30(v.x, v.y, v.z);
 }
 
-/* Returns a shift count clamped to num_down's range: larger counts give 0 as well. */
+/* Returns a shift count clamped to num_down's range. A larger count would give 0 as well. */
 static inline int num_count(int s)
 {
     return s < 63 ? s : 63;

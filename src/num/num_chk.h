@@ -1,5 +1,5 @@
-/* num_chk.h - q16 with range checks: each intermediate value out of range is reported, with the file and line of the
- * call. Numbers and pixels are the same as in q16.
+/* num_chk.h - q16 with range checks: reports each intermediate value out of range, with the file and line of the call.
+ * Numbers and pixels are the same as in q16.
  *
  * The program that links this build defines tia_chk_report. Sums and differences use C's operators; for them
  * the Makefile turns on the compiler's own overflow checks. */
@@ -13,7 +13,7 @@
 
 void tia_chk_report(const char *file, int line, const char *range);
 
-/* The call being checked: a variable for each source file and each thread. */
+/* The call being checked. Each source file has its own variable in each thread. */
 static _Thread_local struct num_site {
     const char *file;
     int line;

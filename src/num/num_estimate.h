@@ -2,12 +2,12 @@
  *
  *   num_ray_bias(bias)           rays' offset from a surface: 2^-26, or the scene's `bias` if the arithmetic needs it
  *   num_q24(x)                   x in 0..2^14, rounded to nearest, ties up, in units of 2^-24
- *   num_chance(p)                the chance of a probability: random 32-bit numbers are below the chance with this
- *                                probability; UINT32_MAX is certainty
- *   num_of_chance(c)             the probability of a chance
+ *   num_chance(p)                a probability as a 32-bit chance: a random 32-bit number is below it with the
+ *                                probability p; UINT32_MAX: always
+ *   num_of_chance(c)             the probability that a chance stands for
  *
- * Densities are not limited to a range: a struct num_density is a number >= 0, in integers block floating point, with
- * a relative error below 2^-58 per operation.
+ * Densities have no fixed range. A struct num_density is a number >= 0, in the integer builds a mantissa with an
+ * exponent of its own; an operation has a relative error below 2^-58.
  *
  *   num_density_of(x)            a length as a density
  *   num_density_of_unit(d)       a fraction as a density

@@ -2,7 +2,7 @@
 #ifndef TIA_NUM_NUM_ESTIMATE_REAL_H
 #define TIA_NUM_NUM_ESTIMATE_REAL_H
 
-/* Returns the rays' offset from a surface: the scene's for a float, which has no digits for 2^-26. */
+/* Returns the rays' offset from a surface: 2^-26, or `bias` in float, which is too coarse for 2^-26. */
 static inline num_length num_ray_bias(num_length bias)
 {
     return sizeof(num_real) == sizeof(float) ? bias : NUM_LENGTH_ONE / 67108864;

@@ -1,4 +1,4 @@
-/* num_f32.h - single precision, the usual choice, to compare its speed and error with fixed point. */
+/* num_f32.h - single precision, the usual choice, for comparing its speed and error with those of fixed point. */
 #ifndef TIA_NUM_NUM_F32_H
 #define TIA_NUM_NUM_F32_H
 

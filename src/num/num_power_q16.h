@@ -31,10 +31,10 @@ static inline num_unit num_power(num_unit d, tia_q16 e)
     return power;
 }
 
-/* Returns num_power as a length, to the bit, mostly without its roots. For e >= 1 the error of d^e by the roots is
- * below 2^-56: each root is rounded by 2^-62, a relative error of 2^-62/sqrt(d), and their product is multiplied by at
- * most d. tia_power_near is within 2^-55. If its result plus 2^-54 and minus 2^-54 round to the same length, that
- * length is num_power's. */
+/* Returns num_power as a length, to the bit, but mostly without computing roots. For e >= 1 the error of num_power is
+ * below 2^-56: each root is rounded by 2^-62, a relative error of 2^-62/sqrt(d), and the product of the roots is
+ * multiplied by at most d. The error of tia_power_near is below 2^-55. If its result plus 2^-54 and its result minus
+ * 2^-54 round to the same length, num_power rounds to this length as well. */
 static inline num_length num_power_length(num_unit d, tia_q16 e)
 {
     const num_unit off = (num_unit)1 << 8;

@@ -7,7 +7,7 @@
 #define NUM_PREFIX tia_
 #define NUM_CORE tia_core_q16
 #define NUM_ESTIMATOR tia_estimator_q16
-#define NUM_CHECK(condition) ((void)0) /* replaced by num_chk.h */
+#define NUM_CHECK(condition) ((void)0) /* num_chk.h defines it otherwise */
 #endif
 
 #include "names.h"
@@ -35,7 +35,7 @@ static inline num_wide num_pixel_coordinate(int32_t n, int exponent)
     return (num_wide)n * ((num_wide)1 << exponent);
 }
 
-/* Returns height * cotangent, with this exponent, 0..43; cotangent is Q8.56 and below 2^7. */
+/* Returns height * cotangent with the given exponent, 0..43; cotangent is Q8.56 and below 2^7. */
 static inline num_wide num_depth(uint32_t height, uint64_t cotangent, int exponent)
 {
     NUM_CHECK(exponent >= 0 && exponent <= 43);
@@ -81,7 +81,7 @@ static inline num_wide num_shift(num_wide x, int s)
 {
     NUM_CHECK(s <= -63 || (s < 0 ? num_bits(x) <= 63 : num_bits(x) + s <= 63));
     if (s >= 0)
-        return s == 0 ? x : (num_wide)((uint64_t)x << s); /* equal exponents are common */
+        return s == 0 ? x : (num_wide)((uint64_t)x << s); /* s = 0, between equal exponents, is common */
     return s < -63 ? 0 : tia_round_shift(x, (unsigned)-s);
 }
 
@@ -145,7 +145,7 @@ static inline struct num_normal num_normal(num_wide x)
     return n;
 }
 
-/* Returns 1/r for a radius with exponent 16, as 2^63 / (r normalised to 32 bits). */
+/* Returns the reciprocal of a radius with the exponent 16, as 2^63 / (r normalised to 32 bits). */
 static inline num_u num_inverse(num_wide r)
 {
     NUM_CHECK(r > 0 && r <= UINT32_MAX);
@@ -205,8 +205,8 @@ static inline num_u num_normal_top(struct num_normal n)
 }
 
 /* True if a^2 >= d k (1 + swell) for positive a, d and k, with d = near 2^(32 - 2 half) from a num_normal; swell has
- * the exponent 32, and `e` is twice a's exponent minus those of d and k. Not exact: factors are cut to 32 and 31 bits,
- * so the relative error of each side is below 2^-29. */
+ * the exponent 32, and `e` is twice a's exponent minus those of d and k. It is not exact: factors are cut to 31 or 32
+ * bits, so the relative error of each side is below 2^-28. */
 static inline bool num_covers(num_wide a, num_u near, int half, num_wide k, num_u swell, int e)
 {
     NUM_CHECK(a > 0 && k > 0 && half >= 0 && half <= 31);
@@ -230,8 +230,8 @@ static inline num_u num_lambert(num_u scaled, num_u inverse)
     return cosine < NUM_ONE ? (num_u)cosine : NUM_ONE;
 }
 
-/* Biases: shadow rays start bias = 2^-13 above the surface, and the sphere kernels need bias/r. With R = 2^16 r and
- * inverse = num_inverse(R) = 2^(31 + num_bits(R)) / R, bias/r is 2^(-28 - num_bits(R)) inverse. */
+/* Biases: shadow rays start at a distance bias = 2^-13 from the surface, and the sphere kernels need bias/r. With R =
+ * 2^16 r and inverse = num_inverse(R) = 2^(31 + num_bits(R)) / R, bias/r is 2^(-28 - num_bits(R)) inverse. */
 
 /* Returns bias/r with the exponent 32, from num_inverse of a radius of `bits` bits. */
 static inline num_u num_bias(num_u inverse, int bits)
@@ -240,7 +240,8 @@ static inline num_u num_bias(num_u inverse, int bits)
     return (num_u)num_shift(inverse, 4 - bits);
 }
 
-/* Returns facing * inverse * 2^-s, rounded to nearest: bias N.w from r N.w and the radius' num_inverse. */
+/* Returns facing * inverse * 2^-s, rounded to nearest: bias N.w, where facing is r N.w and inverse is num_inverse of
+ * the radius. */
 static inline num_wide num_bias_product(num_u facing, num_u inverse, int s)
 {
     NUM_CHECK(s >= 1);
@@ -248,7 +249,7 @@ static inline num_wide num_bias_product(num_u facing, num_u inverse, int s)
     return (num_wide)(((num_mul_u(facing, inverse) >> (s - 1)) + 1) >> 1);
 }
 
-/* Returns x bias/r with the exponent e, where x has the exponent 30 and the radius `bits` bits. */
+/* Returns x bias/r with the exponent e; x has the exponent 30, and the radius has `bits` bits. */
 static inline num_wide num_bias_of(num_wide x, num_u inverse, int bits, int e)
 {
     int x_bits = num_bits(x), s = 88 + bits - x_bits - e;

@@ -3,13 +3,13 @@
  *   num_length   a coordinate, a length or a colour: |x| < 2^18; Q18.45 in q16
  *   num_unit     a component of a direction, a cosine or a fraction: |d| < 2; Q1.62 in q16
  *
- * Fixed formats, unlike num.h's: a path bounces, so no exponent chosen per frame could serve it. Add, subtract,
+ * The formats are fixed, unlike num.h's, since no exponent chosen per frame suits a path that bounces. Add, subtract,
  * compare and multiply by small integers with the operators of C. For all else, call:
  *
  *   num_length_of(q), num_unit_of(q)   from Q16.16, from Q2.30; num_unit_of_q62(n): from Q1.62
  *   num_fine(n)                  n 2^-32, see struct tia_fine
- *   num_scene_bias(fine, bits)   rays' offset from a surface in a scene with these scale_bits: 2^-13, in larger units
- *                                2^-13 of the file's or 2^-26, the larger; `fine`: 2^-26, in a scene that has it
+ *   num_scene_bias(fine, bits)   rays' offset from a surface in a scene with these scale_bits: 2^-13, if bits >= 0;
+ *                                else 2^-13 of the file's unit, but at least 2^-26; 2^-26 in a scene with `fine`
  *   num_length_of_unit(d)        a fraction as a num_length
  *   num_times(a, d)              a d, where a is a num_length or a num_unit, rounded to nearest
  *   num_product(x, y)            x y, must be below 2^17; num_product_within(x, y): clamped to 2^17, x, y >= 0
@@ -19,7 +19,7 @@
  *   num_half_chord(r, p)         sqrt(r^2 - |p|^2), -1 if |p| > r
  *   num_within(r, p)             true if |p| <= r, exactly
  *   num_point_power(p, r, k)     (|p|^2 - r^2)/k, clamped to +-NUM_LENGTH_MAX; |p| and r below 2^18
- *   num_norm(p), num_unit_sqrt(d), num_root_up(d)   |p|, sqrt(d), and a coarse root not below sqrt(d)
+ *   num_norm(p), num_unit_sqrt(d), num_root_up(d)   |p|, sqrt(d), and an approximation of sqrt(d) from above
  *   num_div(x, d), num_ratio(x, y)   x/d, x/y as num_length, clamped to +-NUM_LENGTH_MAX
  *   num_fraction(x, y)           x/y as num_unit, between -1 and 1
  *   num_div_by(x, d), num_fraction_by(x, d)   the same for many x, with d = num_divisor_of(y)
@@ -31,9 +31,9 @@
  *   num_floor(x), num_integer(n)     the integer part, rounded down; an integer as num_length
  *   num_reciprocal(d)            1/d clamped to +-2^20, for num_slab(x, reciprocal), the distance x/d in a coarse
  *                                format that only box tests use
- *   num_slab_start(s)            such a distance as num_length, rounded down beyond its error
- *   num_slope(o, d)              a ray against planes across an axis, for the boxes of a hierarchy: the coarse distance
- *                                of one is num_walk_to(slope, plane), in a format of its own
+ *   num_slab_start(s)            a distance of num_slab as num_length, reduced by its error
+ *   num_slope(o, d)              a ray, for intersection with planes perpendicular to an axis, such as the sides of a
+ *                                hierarchy's boxes: num_walk_to(slope, plane) is the distance, in another coarse format
  *   num_divide(v, s, d)          the direction d and the length of (v.x/s[0], v.y/s[1], v.z/s[2]); num_scaled and
  *                                num_unscaled multiply and divide by the length, clamped to NUM_LENGTH_MAX
  *   num_levels(x, n, threshold)  floor(n x + threshold) of a colour in 0..1, see num_quantise
@@ -83,7 +83,7 @@ static inline struct num_point num_point_sub(struct num_point a, struct num_poin
     return (struct num_point){a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
-/* Returns 2^-bits, bits in 0..30: a unit of a scene with these scale_bits, in units of its file. */
+/* Returns 2^-bits, bits in 0..30: the unit of a scene with these scale_bits, in units of its file. */
 static inline num_unit num_scene_unit(int bits)
 {
     return num_unit_of_q62((int64_t)(UINT64_C(1) << (62 - bits)));
@@ -143,8 +143,8 @@ static inline bool num_normalise(struct num_point v, struct num_dir *d)
     return num_normalise3(v.x, v.y, v.z, &d->x, &d->y, &d->z);
 }
 
-/* Returns a direction of any length but 0, normalised. The direction is halved first, since num_normalise3's arguments
- * are lengths, of a smaller range. */
+/* Returns v, of any length but 0, normalised. Its components are halved first, since num_normalise3 takes lengths,
+ * whose range is smaller. */
 static inline struct num_dir num_dir_normalised(struct num_dir v)
 {
     struct num_dir d;

@@ -83,8 +83,9 @@ static inline num_length num_product_within(num_length a, num_length b)
     return wide_bits(product) > 62 + 45 ? NUM_LENGTH_MAX : wide_round(product, 45);
 }
 
-/* Returns the fraction of y = n x - n o, and gives its integer part in *cell. Both products are in units of 2^-(45 +
- * down): n x is below 2^94, n o below 2^62 before a shift of at most 53 bits; down is -8 or more. */
+/* Returns the fractional part of y = n x - n o, and gives its integer part in *cell. Both products are in units of
+ * 2^-(45 + down), where down is -8 or more. n x is below 2^94; n o is below 2^62, and is then shifted up by at most 53
+ * bits. */
 static inline num_length num_repeat(num_length x, int bits, const struct num_pattern *p, int32_t *cell)
 {
     int down = 16 + p->repeat_bits - bits;
@@ -226,8 +227,8 @@ static inline int64_t num_area_top(num_area a, int zeros)
     return zeros < 0 ? wide_down(a, (unsigned)-zeros) : (int64_t)wide_low(wide_up(a, (unsigned)zeros));
 }
 
-/* Divides each of three areas by their sum, which must not be 0. An area whose sign differs from the sum's counts as 0:
- * to within rounding, the point is then on the edge. */
+/* Divides each of three areas by their sum, which must not be 0. An area whose sign differs from that of the sum counts
+ * as 0, since the point is then on an edge, to within rounding. */
 static inline void num_barycentric(const num_area areas[3], num_unit parts[3])
 {
     wide sum = wide_sum(wide_sum(areas[0], areas[1]), areas[2]), none = wide_product(0, 0), a[3];
@@ -269,23 +270,23 @@ static inline num_length num_slab(num_length x, num_length reciprocal)
 
 #define NUM_SLAB_ERROR ((num_length)2) /* largest error of the difference of two such distances */
 
-/* Returns a length in num_slab's format. */
+/* Converts a length to num_slab's format. */
 static inline num_length num_slab_of(num_length t)
 {
     return t >> 22;
 }
 
-/* Returns a distance in num_slab's format as a num_length, reduced by its error, so never beyond the true distance; at
- * least 0. */
+/* Converts a distance from num_slab's format to a num_length, reduced by its error: at least 0, and never beyond the
+ * true distance. */
 static inline num_length num_slab_start(num_length slab)
 {
     return slab <= NUM_SLAB_ERROR ? 0 : (slab - NUM_SLAB_ERROR) * ((num_length)1 << 22);
 }
 
-/* Coarse distances from a ray to planes across an axis, for the traversal of a hierarchy: t = (plane - origin)/d with
- * 38 fraction bits. 1/|d| is at most 2^8 and rounded towards 0, with a relative error below 2^-22; so is |t|, within
- * one unit more. The product is of 32 x 32 bits. An origin beyond 2^16 would need more bits: from there no plane counts
- * as hit. */
+/* Coarse distances along a ray to planes perpendicular to an axis, for the traversal of a hierarchy: t = (plane -
+ * origin)/d with 38 fraction bits. 1/|d| is at most 2^8 and rounded towards 0, with a relative error below 2^-22. |t|
+ * has the same relative error, plus an error of up to one unit. The product is of 32 x 32 bits. An origin beyond 2^16
+ * would need more bits: from there the planes clip nothing. */
 typedef int64_t num_walk;
 
 struct num_slope {
@@ -315,13 +316,13 @@ static inline num_walk num_walk_to(const struct num_slope *s, tia_q16 plane)
     return tia_mul_s32(plane, s->inverse) - s->start;
 }
 
-/* Returns a length as an upper limit for distances of this format. */
+/* Returns a length as an upper limit in the format of num_walk. */
 static inline num_walk num_walk_limit(num_length t)
 {
     return (t >> 7) + 2;
 }
 
-/* Returns the greatest computed `near` for which near <= far may be true of the exact distances. */
+/* Returns the largest computed `near` with which near <= far may still be true of the exact distances. */
 static inline num_walk num_walk_slack(num_walk far)
 {
     return far + (far >> 21) + 4;
@@ -335,7 +336,7 @@ struct num_scale {
 
 /* Divides a vector: returns the length of (x/s[0], y/s[1], z/s[2]) and sets d to its direction, within 2^-57. |x|, |y|,
  * |z| <= 1, at least one of them 1/2 or more, s in 2^-10..2^10. A first pass with 51 fraction bits finds the size of
- * the quotients; the second one computes as many bits as fit. */
+ * the quotients; a second pass computes as many bits as fit. */
 static inline struct num_scale num_divide3(const num_unit v[3], const num_length s[3], num_unit d[3])
 {
     int64_t q[3], most = 0;

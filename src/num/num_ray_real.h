@@ -28,8 +28,8 @@ static inline num_length num_fine(int16_t digits)
     return (num_real)digits / (num_real)4294967296;
 }
 
-/* Returns the offset of rays from a surface; the same in all units for a float, which has no digits for a smaller
- * one. */
+/* Returns the offset of rays from a surface. In float, which is too coarse for a smaller offset, it is 2^-13 of the
+ * scene's or of the file's unit, the larger. */
 static inline num_length num_scene_bias(bool fine, int scale_bits)
 {
 #ifdef TIA_NUM_F32
@@ -95,7 +95,7 @@ static inline num_length num_repeat(num_length x, int bits, const struct num_pat
     num_real offset = (num_real)p->offset * num_two_to(-16 - p->offset_bits);
     num_real y = (x * num_two_to(bits) - offset) * ((num_real)p->repeat * num_two_to(-16 - p->repeat_bits));
 
-    if (y >= 1073741824 || y <= -1073741824) /* the remainder is exact: it has no more digits than y */
+    if (y >= 1073741824 || y <= -1073741824) /* the remainder is exact, as it has no more digits than y */
         y -= (num_real)num_floor(y / 2147483648) * 2147483648;
     int32_t floor = num_floor(y);
     *cell = floor & INT32_MAX;
@@ -190,8 +190,8 @@ static inline num_unit num_fraction_by(num_length x, num_divisor y)
 
 typedef num_real num_area;
 
-/* Returns the area in two statements, so that no compiler fuses them into a multiply-add: with both products rounded
- * alike, the sign is right or 0. */
+/* Returns the area. It is computed in two statements, so that no compiler fuses a product and the difference into a
+ * multiply-add. With both products rounded alike, the sign is right or 0. */
 static inline num_area num_cross2(num_length ax, num_length ay, num_length bx, num_length by)
 {
     num_real left = ax * by, right = ay * bx;
@@ -252,8 +252,8 @@ static inline num_length num_slab(num_length x, num_length reciprocal)
     return x * reciprocal;
 }
 
-/* Largest error of the difference of two distances: 2^-22 for double, 2^-4 for float, whose values near 2^16 are 2^-8
- * apart. */
+/* Largest error of the difference of two distances: 2^-22 for double; 2^-4 for float, whose values near 2^16 differ by
+ * 2^-8. */
 #define NUM_SLAB_ERROR ((num_real)1 / (sizeof(num_real) == sizeof(float) ? 16 : 4194304))
 
 static inline num_length num_slab_of(num_length t)

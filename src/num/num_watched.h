@@ -1,4 +1,4 @@
-/* num_watched.h - num_q16.h in the build whose rays can be observed, see struct tia_observer. */
+/* num_watched.h - num_q16.h for the build whose rays can be observed, see struct tia_observer. */
 #ifndef TIA_NUM_NUM_WATCHED_H
 #define TIA_NUM_NUM_WATCHED_H
 

@@ -150,7 +150,7 @@ static int add_polygon(struct filling *f, uint32_t base, const uint32_t *corner,
 }
 
 /* Adds a box. The four rounded corners of a side need not lie in one plane: the first three define the plane. A side's
- * thickness is the length of the edges normal to it: that in the box's own axes, times the scale. */
+ * thickness is the length of the edges perpendicular to it: their length in the box's own axes, times the scale. */
 static int add_box(struct filling *f, uint32_t base)
 {
     static const uint32_t sides[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
@@ -223,7 +223,8 @@ static int add_object(struct filling *f)
 
 /* ---- all objects ---- */
 
-/* Builds the tree; `boxes` has room for the boxes of the items, and is reordered together with them. */
+/* Builds the tree. `boxes` is working storage for the boxes of the items, which are reordered together with the
+ * items. */
 static void build_tree(struct tia_radio *radio, struct tia_bvh_node *nodes, uint32_t *items, struct tia_bounds *boxes)
 {
     struct cancel cancel = {.stop = NULL};

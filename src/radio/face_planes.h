@@ -7,7 +7,7 @@
 
 #include "math/wide.h"
 
-/* A wide number in memory that is aligned for 64 bits. */
+/* A 128-bit number that needs an alignment for 64 bits only. */
 struct radio_wide {
     int64_t high;
     uint64_t low;
@@ -27,7 +27,7 @@ struct radio_plane {
     struct tia_bounds bounds;    /* bounds of the plane's faces */
     bool endless;                /* one of the faces is infinite */
     bool sides[2];               /* true for a side that reflects; sides[0]: n.p > d, sides[1]: n.p < d */
-    uint8_t across[2];           /* axes that remain in the projection along the third axis, along which n is largest */
+    uint8_t across[2];           /* the two axes on which n is not largest: those of the projection */
 };
 
 enum radio_kind { RADIO_WHOLE, RADIO_DISC, RADIO_POLYGON };
@@ -60,15 +60,16 @@ static inline int64_t radio_axis(const struct tia_vec3 *v, int k)
     return k == 0 ? v->x : k == 1 ? v->y : v->z;
 }
 
-/* Gives the plane through three corners; *turned: the corners' own normal is -n. False: the corners are collinear, or,
- * with *too_wide, the normal has a component of 2^62 or more. */
+/* Computes the plane through three corners. Sets *turned if the normal that follows from the order of the corners is
+ * -n. Returns false if the corners are collinear or, with *too_wide set, if a component of the normal or of an edge is
+ * too large. */
 bool tia_radio_plane_by_corners(struct radio_plane *plane, const struct tia_vec3 corner[3], bool *turned,
                                 bool *too_wide);
-/* Gives the plane through a point with a normal; *turned: the normal is opposite to n. */
+/* Computes the plane through a point with a normal. Sets *turned if the normal is opposite to n. */
 void tia_radio_plane_by_normal(struct radio_plane *plane, struct tia_vec3 point, struct tia_dir3 normal, bool *turned);
 
 /* Removes duplicates from radio->planes, which has one plane for each face, and sets the fields that depend on a
- * plane's faces. `room` has space for 4 numbers per face. */
+ * plane's faces. `room` is working storage for 3 numbers per face. */
 void tia_radio_join_planes(struct tia_radio *radio, uint32_t *room);
 
 /* True if an object has flat faces, or is a disc. */

@@ -1,12 +1,12 @@
 /* find.c - the image method: from the receiver's images back to the path. */
 #include "search.h"
 
-/* Indices into the room's numbers. */
+/* Indices into room->exact.number. */
 enum { SCRATCH, FROM = 3, TO, BEFORE_FROM, BEFORE_TO, LEFT, RIGHT };
 
 /* Returns -1 if the line from the transmitter's image to the receiver's meets plane i after plane i - 1, 0 if at the
- * same point, else 1. The images' sides of plane i must be in the room. A plane is met at |from| / (|from| + |to|) of
- * the way between the images, whose weights are the same for both planes. */
+ * same point, else 1. The numbers FROM and TO must be the images' sides of plane i, see tia_radio_side. The line meets
+ * a plane at |from| / (|from| + |to|) of the way between the images; their weights are the same for both planes. */
 static int order_of(struct tia_radio_room *room, uint32_t order, uint32_t i)
 {
     const struct radio_plane *plane = &room->radio->planes[search_plane(room, order, i - 1)];
@@ -19,7 +19,7 @@ static int order_of(struct tia_radio_room *room, uint32_t order, uint32_t i)
     return tia_number_compare_sizes(&n[LEFT], &n[RIGHT]);
 }
 
-/* True if a face extends to a side of a plane, 1 or -1. */
+/* True if a part of a face is on the given side of a plane, 1 or -1; always true for discs and infinite planes. */
 static bool reaches_beyond(const struct tia_radio *radio, uint32_t number, const struct radio_plane *plane, int side)
 {
     const struct radio_face *face = &radio->faces[number];
@@ -33,8 +33,8 @@ static bool reaches_beyond(const struct tia_radio *radio, uint32_t number, const
     return face->kind != RADIO_POLYGON;
 }
 
-/* True if reflections i - 1 and i, at the same point on the line where their planes meet, may have this order. `side`
- * is the side of plane i from which the path comes. */
+/* True if reflections i - 1 and i, which are at the same point of the line where their planes meet, may have this
+ * order. `side` is the side of plane i from which the path comes. */
 static bool looks_back(const struct tia_radio_room *room, uint32_t order, uint32_t i, int side)
 {
     const struct tia_radio *radio = room->radio;
@@ -44,8 +44,8 @@ static bool looks_back(const struct tia_radio_room *room, uint32_t order, uint32
            reaches_beyond(radio, room->path.face[i - 1], &radio->planes[here], side);
 }
 
-/* True if reflection i is valid: the line from the transmitter's image to the receiver's goes through the plane, on a
- * face, after the reflection before. Then also mirrors the transmitter's image. */
+/* True if reflection i is valid: the line from the transmitter's image to the receiver's crosses the plane on a face,
+ * after reflection i - 1. If so, also mirrors the transmitter's image. */
 static bool reflects(struct tia_radio_room *room, uint32_t order, uint32_t i)
 {
     uint32_t number = search_plane(room, order, i);
@@ -75,7 +75,8 @@ static bool reflects(struct tia_radio_room *room, uint32_t order, uint32_t i)
 
 /* ---- reporting a path ---- */
 
-/* Gives the vector from sent[i] to got[order - i], times both weights and 2^-shift, in 62 bits; returns shift. */
+/* Writes the vector from sent[i] to got[order - i], times both weights and times 2^-shift, which makes it fit in 62
+ * bits. Returns shift. */
 static int vector_of(struct tia_radio_room *room, uint32_t order, uint32_t i, int64_t v[3])
 {
     const struct spot *a = &room->exact.sent[i], *b = &room->exact.got[order - i];
@@ -95,8 +96,8 @@ static int vector_of(struct tia_radio_room *room, uint32_t order, uint32_t i, in
     return most - 61;
 }
 
-/* Returns the path's length, which is that of the vector from the transmitter to the receiver's last image. Root and
- * weights have 62 bits; the relative error is 2^-59 in all. */
+/* Returns the path's length: the length of the vector from the transmitter to the receiver's last image. Root and
+ * weights have 62 bits; the total relative error is 2^-59. */
 static int64_t length_of(struct tia_radio_room *room, uint32_t order)
 {
     int64_t v[3];

@@ -10,8 +10,8 @@ static int side_of(const struct tia_radio *radio, uint32_t face, struct tia_vec3
     return radio->faces[face].turned ? -side : side;
 }
 
-/* True if the point is in the box of *face; moves *face behind the box's faces. These are consecutive: six, or fewer in
- * a box so thin that rounded corners are collinear. */
+/* True if the point is in the box to which face *face belongs. Advances *face past the box's faces, which are
+ * consecutive: six, or fewer in a box so thin that rounded corners are collinear. */
 static bool in_box(const struct tia_radio *radio, uint32_t *face, struct tia_vec3 point)
 {
     uint32_t object = radio->faces[*face].object;

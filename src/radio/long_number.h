@@ -4,16 +4,17 @@
  *
  *     corners and points of the scene                below 2^31 in size
  *     a normal's component                           below 2^62; n.n below 2^126, n.v below 2^95
- *     images, as points                              |p'| <= 2 |v| + |p| for v in the plane: after 8 reflections and
- *                                                    from 3 axes below 2^31 sqrt(3) 17 < 2^36
+ *     images, as points                              |p'| <= 2 |v| + |p| for any corner v of the plane: after 8
+ *                                                    reflections below 2^31 sqrt(3) 17 < 2^36
  *     the denominators of both images of a segment   together at most one factor for each reflection: below 2^1024
  *     a side, n.p - d w                              w times |n| < 2^64 times a distance < 2^37: w 2^101
  *     a product of two sides, at either end          2^(1024 + 202)
- *     a meeting point                                2^(1024 + 101) times 2^36; an edge's cross product: 2^34 times
- * that the square of a distance on a disc             2^(2 (1024 + 101 + 38) + 2) < 2^2330
+ *     a meeting point                                2^(1024 + 101) times 2^36
+ *     an edge's cross product                        2^34 times the size of a meeting point
+ *     the square of a distance on a disc             2^(2 (1024 + 101 + 38) + 2) < 2^2330
  *
- * So 40 words are enough. For planes at right angles to an axis, whose normals have the length 1, all numbers are below
- * 2^128.
+ * So 40 words are enough. If all planes are perpendicular to an axis, their normals have length 1, and all numbers are
+ * below 2^128.
  */
 #ifndef TIA_RADIO_LONG_NUMBER_H
 #define TIA_RADIO_LONG_NUMBER_H

@@ -1,4 +1,4 @@
-/* mirror_images.c - images of points in planes, and intersections of lines and planes: rational numbers. */
+/* mirror_images.c - images of points in planes, and intersections of lines and planes, in rational numbers. */
 #include "search.h"
 
 void tia_radio_spot(struct spot *out, struct tia_vec3 point)
@@ -66,7 +66,7 @@ bool tia_radio_round(const struct spot *at, struct tia_vec3 *point, struct numbe
 
 /* ---- faces ---- */
 
-/* Gives w times the distance of the point x/w from a corner along axis k: x - c w. */
+/* Computes w times the distance of the point x/w from a corner c along axis k: x - c w. */
 static void from_corner(struct number *out, const struct spot *at, const struct tia_vec3 *corner, int k,
                         struct number *room)
 {
@@ -131,9 +131,9 @@ static bool in_box(const struct tia_bounds *box, const struct tia_vec3 *p)
            p->z <= box->max.z;
 }
 
-/* A face's bounding box is tested first: rounding to nearest never moves a point out of it, as its corners are
- * integers. The sides of a rotated box are a little off their own plane, and so are their bounding boxes: for these the
- * exact test alone decides. */
+/* Tests a triangle's bounding box first: rounding to nearest never moves a point out of it, since its corners are
+ * integers. The sides of a rotated box are slightly off their plane, and so are their bounding boxes: for these only
+ * the exact test counts. */
 uint32_t tia_radio_face_at(struct tia_radio_room *room, const struct radio_plane *plane, const struct spot *at,
                            int side)
 {

@@ -1,16 +1,16 @@
-/* near.h - a quick test of a segment against a box, which may report a false hit, but never a false miss. */
+/* near.h - a quick conservative test of a segment against a box: false hits are possible, false misses are not. */
 #ifndef TIA_RADIO_NEAR_H
 #define TIA_RADIO_NEAR_H
 
 #include "face_planes.h"
 
 struct near {
-    int64_t low[3], high[3];    /* box around both ends, enlarged by 4 units, as the sides of rotated boxes are a little
-                                   off their planes */
+    int64_t low[3], high[3];    /* box around both ends, enlarged by 4 units, since the sides of rotated boxes are
+                                 * slightly off their planes */
     int64_t middle[3], half[3]; /* a + b and b - a, in units of 2^10 */
 };
 
-/* Prepares the segment from a to b, whose coordinates are below 2^35 in size. */
+/* Prepares the tests of the segment from a to b; their coordinates are below 2^35 in size. */
 static inline void near_begin(struct near *s, const int64_t a[3], const int64_t b[3])
 {
     for (int k = 0; k < 3; k++) {
@@ -27,7 +27,7 @@ static inline int64_t near_size(int64_t a)
 }
 
 /* True if the segment is near the box: no separating axis exists among the box's axes and their cross products with the
- * segment. In units of 2^10 numbers are below 2^28, and products below 2^58; all lengths are rounded up. */
+ * segment. In units of 2^10, numbers are below 2^28, and products below 2^58. All lengths are rounded up. */
 static inline bool near_box(const struct near *s, const struct tia_bounds *box)
 {
     int64_t c[3], e[3];

@@ -2,10 +2,10 @@
 #include "near.h"
 #include "search.h"
 
-/* Indices into the room's numbers. */
+/* Indices into room->exact.number. */
 enum { SCRATCH, START_FROM = 3, START_TO, END_FROM, END_TO, FROM, TO, LEFT, RIGHT };
 
-/* The segment after i reflections, on the line from `a` to `b`. */
+/* The segment after `number` reflections, on the line from `a` to `b`. */
 struct segment {
     struct tia_radio_room *room;
     uint32_t number, start, end; /* number of the segment; planes of its ends, or NO_PLANE */
@@ -13,8 +13,8 @@ struct segment {
     struct near near;
 };
 
-/* Returns the order of a line's intersections with two planes: the sign of |from_a| / |to_a| - |from_b| / |to_b|.
- * Arguments are indices into the room's numbers. */
+/* Returns the order of a line's intersections with two planes: the sign of |from_a| / |to_a| - |from_b| / |to_b|. The
+ * arguments are indices into room->exact.number. */
 static int order_of(struct tia_radio_room *room, int from_a, int to_a, int from_b, int to_b)
 {
     struct number *n = room->exact.number;
@@ -52,8 +52,8 @@ static bool is_same_wall(const struct tia_radio *radio, uint32_t a, uint32_t b)
     return f->solid && g->solid ? f->object == g->object : f->plane == g->plane && !f->solid && !g->solid;
 }
 
-/* Adds a wall; false when the link allows no more. A box's wall has the face where the path enters the box, at an edge
- * the one with the lower number. */
+/* Adds a wall. Returns false if the link allows no more. For a box, stores the face through which the path enters; at
+ * an edge, the face with the lower number. */
 static bool add_wall(const struct segment *s, uint32_t face)
 {
     struct tia_radio_path *path = &s->room->path;
@@ -71,8 +71,8 @@ static bool add_wall(const struct segment *s, uint32_t face)
     return true;
 }
 
-/* Tests a face, and adds a wall where the segment passes through it, except where the segment leaves a box: its entry
- * is counted. False: too many walls. */
+/* Adds a wall if the segment passes through the face. Faces through which it leaves a box are skipped: its entry is
+ * counted. Returns false if there are too many walls. */
 static bool test_face(const struct segment *s, uint32_t number)
 {
     const struct tia_radio *radio = s->room->radio;

@@ -1,4 +1,4 @@
-/* planes.c - planes with integer coefficients in a unique form, in which equal planes are recognised. */
+/* planes.c - planes with integer coefficients, in a unique form that shows which planes are equal. */
 #include "face_planes.h"
 
 #include "math/sort.h"
@@ -18,7 +18,7 @@ static uint64_t size_of(int64_t a)
     return a < 0 ? 0 - (uint64_t)a : (uint64_t)a;
 }
 
-/* Divides a vector by the greatest common divisor of its components; false: all are 0. */
+/* Divides a vector by the greatest common divisor of its components. Returns false if all are 0. */
 static bool reduce(int64_t v[3])
 {
     uint64_t g = divisor(divisor(size_of(v[0]), size_of(v[1])), size_of(v[2]));
@@ -41,7 +41,8 @@ static struct radio_wide halves(wide a)
     return (struct radio_wide){wide_high(a), wide_low(a)};
 }
 
-/* Sets the other fields of a plane with a reduced normal n, in the unique form; *turned: n was negated. */
+/* Brings a plane with a reduced normal n to the unique form, and sets the fields that depend on n and `point`. Sets
+ * *turned if n was negated. */
 static void complete(struct radio_plane *plane, const struct tia_vec3 *point, bool *turned)
 {
     int64_t *n = plane->n;

@@ -1,4 +1,4 @@
-/* ray_directions.c - directions all around: those of the corners of an icosahedron with divided faces. */
+/* ray_directions.c - directions that cover the sphere: the corners of an icosahedron with divided faces. */
 #include "search.h"
 
 #define CORNERS 12

@@ -33,8 +33,8 @@ static int tell(struct tia_radio_room *room, uint32_t order)
     return room->link->found(room->link->ctx, &room->found) ? TIA_OK : TIA_STOPPED;
 }
 
-/* Adds a plane to the sequence, in which the receiver's image number `depth` is mirrored; false: no path can use the
- * plane. */
+/* Adds a plane to the sequence, and mirrors the receiver's image number `depth` in it. Returns false if no path can use
+ * the plane. */
 static bool mirror(struct tia_radio_room *room, uint32_t depth, uint32_t number)
 {
     const struct radio_plane *plane = &room->radio->planes[number];
@@ -64,8 +64,8 @@ int tia_radio_try(const struct tia_radio *radio, struct tia_radio_room *room, co
     return tell(room, order);
 }
 
-/* True if a box, enlarged by `slack`, reaches to the side s of a plane, 1 or -1: its farthest corner in that direction
- * does. */
+/* True if a part of a box, enlarged by `slack`, is on side s of a plane, 1 or -1. Only the farthest corner in that
+ * direction needs to be tested. */
 static bool reaches(const struct radio_plane *plane, const struct tia_bounds *box, int64_t slack, int s)
 {
     int64_t at[3];
@@ -75,9 +75,9 @@ static bool reaches(const struct radio_plane *plane, const struct tia_bounds *bo
     return wide_sign(wide_difference(wide_dot(plane->n, at), radio_get(plane->d))) == s;
 }
 
-/* True if a wave reflected by faces of `before` can reach faces of `next`: faces of each reach to a reflecting side of
- * the other. The fourth corner of a rotated box's side is up to 2 units off the side's plane, so points of the side may
- * be that far outside their corners' box. */
+/* True if a wave reflected by faces of `before` can reach faces of `next`: each plane has faces that extend to a
+ * reflecting side of the other. The fourth corner of a rotated box's side is up to 2 units off the side's plane, so
+ * points of the side may be that far outside their corners' box. */
 static bool can_follow(const struct radio_plane *before, const struct radio_plane *next)
 {
     const struct radio_plane *pair[2] = {before, next};

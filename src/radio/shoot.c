@@ -1,5 +1,5 @@
-/* shoot.c - shooting and bouncing rays. Rays only find the sequences of planes that paths may use, so numbers are
- * rounded: positions to Q16.16, directions to Q2.62. */
+/* shoot.c - shooting and bouncing rays. Rays only find the sequences of planes that paths may use, so rounded numbers
+ * are enough: positions in Q16.16, directions in Q2.62. */
 #include "near.h"
 #include "search.h"
 
@@ -59,8 +59,8 @@ static bool on_disc(const struct tia_radio *radio, const struct radio_face *face
     return !wide_is_negative(wide_difference(wide_product(face->radius, face->radius), wide_dot(v, v)));
 }
 
-/* True if a ray meets a face, then gives the hit. The distance is n.(corner - at) / n.d, of Q.78 and Q.124, which are
- * rounded to Q.32 and Q.60; the quotient times 2^44 is Q.16. */
+/* True if a ray meets a face. If so, writes the hit. The distance is n.(corner - at) / n.d. The two products have 78
+ * and 124 fractional bits, and are rounded to 32 and 60; their quotient times 2^44 has 16. */
 static bool meets(const struct tia_radio *radio, const struct search_ray *ray, uint32_t number, struct hit *hit)
 {
     const struct radio_face *face = &radio->faces[number];
@@ -85,7 +85,7 @@ static bool meets(const struct tia_radio *radio, const struct search_ray *ray, u
                                        : true;
 }
 
-/* Tests a face; *nearest becomes the nearest hit, of equally near ones the hit with the lowest face number. */
+/* Tests a face, and updates the nearest hit. Of equally near hits, the one with the lowest face number counts. */
 static void meet_face(const struct tia_radio *radio, const struct search_ray *ray, uint32_t face, struct hit *nearest)
 {
     struct hit hit;
@@ -197,8 +197,8 @@ static bool is_in_range(const struct hit *hit)
     return hit->face != TIA_NO_INDEX;
 }
 
-/* Moves the ray on top of the stack to its next hit; there the reflected ray and the ray that passes through replace
- * it, as far as the link allows: the stack never has more rays than one for each reflection and wall. False:
+/* Moves the ray on top of the stack to its next hit. There the reflected ray and the ray that passes through replace
+ * it, if the link allows them. So the stack never has more than link->order + link->walls + 1 rays. Returns false if
  * stopped. */
 static bool follow(const struct shot *shot, struct search_ray *stack, uint32_t *count)
 {

@@ -5,8 +5,8 @@
 
 #define QUOTIENT_BITS 42 /* largest number of bits of a quotient, far beyond the range of values */
 
-/* The point at a pixel is a weighted sum of the corners; a corner's weight is det(D, q, q') of the other two. The value
- * is the weighted mean of the corners' values, without corners that are directions. */
+/* The point at a pixel is a weighted sum of the corners; a corner's weight is det(D, q, q'), with q and q' the other
+ * two corners. The value is the weighted mean of the values of the corners that are points. */
 bool tia_raster_corners_init(struct tia_raster_corners *corners, const struct tia_raster_grid *grid,
                              const struct tia_raster_vertex vertices[3])
 {
@@ -64,8 +64,8 @@ static int quotient_bits(wide over, int64_t under)
     return wide_bits(wide_size(over)) - (64 - (int)tia_clz64((uint64_t)under)) + 1;
 }
 
-/* Returns over/under, of at most QUOTIENT_BITS bits, with BLEND_BITS fraction bits; if below 2^31, within 1 + 2^-8
- * units. */
+/* Returns over/under, of at most QUOTIENT_BITS bits, with BLEND_BITS fraction bits; if below 2^31, its error is at most
+ * 1 + 2^-8 units. */
 static int64_t fine_quotient(wide over, int64_t under)
 {
     wide size = wide_size(over);
@@ -79,9 +79,9 @@ static int64_t fine_quotient(wide over, int64_t under)
     return wide_is_negative(over) ? -quotient : quotient;
 }
 
-/* Interpolates with the upper 60 bits of the weights, all cut at the same place: the error of each is less than 1,
- * where the largest has at least 2^59. So if their sum is at least 2^BLEND_LEAST, the quotient's error is small
- * (ranges.h; tests/proofs/raster_blend.g), and the exact sum is needed only close to a half. */
+/* Interpolates with the upper 60 bits of the weights, all cut at the same bit: each is off by less than 1, and the
+ * largest is at least 2^59. So if their sum is at least 2^BLEND_LEAST, the quotient's error is small (ranges.h;
+ * tests/proofs/raster_blend.g), and the exact sum is needed only close to a rounding boundary. */
 tia_q16 tia_raster_corners_blend(const struct tia_raster_corners *corners, int x, int y, const tia_q16 a[3])
 {
     wide weight[3], over = wide_product(0, 0), sum = over;

@@ -2,7 +2,7 @@
 
 #include "halves.h"
 
-/* Returns f / 2^cut, clamped to 64 bits, which is beyond the range where nearness is not clamped. */
+/* Returns f / 2^cut, clamped to 64 bits; where this clamps, nearness is clamped anyway. */
 static int64_t wide_cut(wide f, unsigned cut)
 {
     if (wide_bits(wide_size(f)) > (int)cut + 63)
@@ -52,7 +52,8 @@ static int64_t step_of(const struct polygon *p)
 
 #define LOW 8 /* largest height of a low box, in rows */
 
-/* True if nearness is not clamped anywhere in the box: nearness is linear, so its extremes are at corners. */
+/* True if nearness is clamped nowhere in the box, which is tested at the box's corners, as nearness is linear. False
+ * for low boxes, which are not tested. */
 static bool is_steady(const struct polygon *p)
 {
     const struct depth_scale *d = &p->depth;

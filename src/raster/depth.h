@@ -1,15 +1,17 @@
 /* depth.h - nearness, the filter of depths in 63 bits, and the exact order of depths.
  *
  * Nearness is f/det 2^scale, clamped to 0..2^62. In perspective only points in front of the eye are visible, where f >
- * 0. In orthographic views h has both signs: f/det 2^scale is within +-2^61, and 2^61 is added to it. So no later
- * result is larger than in perspective, and a step from one end of the range to the other is at most 2^62 again.
+ * 0. In orthographic views h has both signs: f/det 2^scale is within +-2^61, and 2^61 is added to it. So all later
+ * results are in the same range as in perspective, and a step from one end of the range to the other is again at most
+ * 2^62.
  *
  * f/2^cut loses less than one unit of nearness, as 2^cut <= det/2^scale. The reciprocal's relative error is below 1.13
- * 2^-60, that is 5 units at 2^62; with the bits that the shift drops, the error of nearness is below 7. A step's error
- * is below 2, and along a run the relative error of all steps together is again 5 units: over at most 8191 steps less
- * than DEPTH_ERROR in all (ranges.h; proved in tests/proofs/raster_depth.g). Two such values that differ by more than
- * DEPTH_UNSURE are in the same order as the exact ones. Clamping never moves two values apart, so the order of clamped
- * values that differ so much is certain as well; but steps are taken only where neither end of a run is clamped.
+ * 2^-60, that is 5 units at 2^62; with the bits that the shift drops, the error of nearness is below 7. The roundings
+ * of a step add up to less than 2, and the relative error of all steps of a run together adds 5 units again. Over at
+ * most 8191 steps the whole error is below DEPTH_ERROR (ranges.h; proved in tests/proofs/raster_depth.g). Two such
+ * values that differ by more than DEPTH_UNSURE are in the same order as the exact ones. Clamping never moves two values
+ * apart, so the order of clamped values that differ so much is certain as well. Steps, however, are taken only where
+ * neither end of a run is clamped.
  */
 #ifndef TIA_RASTER_DEPTH_H
 #define TIA_RASTER_DEPTH_H
@@ -21,7 +23,7 @@
 
 struct depth_run {
     uint64_t z, step; /* modulo 2^64, as the value after the last pixel may overflow */
-    bool steady;      /* z may be stepped */
+    bool steady;      /* z can be stepped along the run */
 };
 
 /* Gives the polygon's plane as targets store it. */

@@ -1,5 +1,5 @@
-/* forms.h - a linear function of the pixel, x i + y j + c, in 64 or 128 bits: FORM(name) is one or the other.
- * No guard: forms_narrow.h and forms_wide.h include it once each. */
+/* forms.h - a linear function of the pixel, x i + y j + c, in 64 or 128 bits: FORM(name) is the name for the width in
+ * use. No guard: forms_narrow.h and forms_wide.h each include this file once. */
 
 struct FORM(form) {
     FORM(number) x, y, c;

@@ -44,7 +44,7 @@ static inline wide narrow_long(int64_t a)
     return wide_product(a, 1);
 }
 
-/* Returns a.q, which may need more than 64 bits. Components are below 2^62 in size. */
+/* Returns a.q, which may need more than 64 bits. Components are below 2^62 in magnitude. */
 static inline wide narrow_determinant(const int64_t a[3], const int64_t q[3])
 {
     return wide_dot(a, q);

@@ -22,8 +22,9 @@ static int bits_of(uint64_t n)
 }
 
 /* Sets the position of sample s of n x n: in a pixel of 2 n^2 columns and rows, column 2 n i + 2 j + 1 and row 2 n j +
- * 2 n - 2 i - 1, where i = s mod n, j = s div n. Counted from the middle of the image, in -W n^2..W n^2, the column is
- * x/w times W n^2; D is x/w, y/w and 1 times n^2 W H/gcd(W, H), so that all components are integers. */
+ * 2 n - 2 i - 1, where i = s mod n, j = s div n. Counted from the middle of the image, the column is in -W n^2..W n^2;
+ * divided by W n^2 it is x/w, and likewise for rows. D is (x/w, y/w, 1) times n^2 W H/gcd(W, H), so that all components
+ * are integers. */
 static void place(struct tia_raster_grid *l, int32_t n, int32_t sample)
 {
     int32_t width = l->width, height = l->height, g = common_divisor(width, height), i = sample % n, j = sample / n;
@@ -62,7 +63,7 @@ static void choose_format(struct tia_raster_grid *l, int range)
 
     if (l->projection == TIA_ORTHOGRAPHIC) {
         l->fraction = FLAT_POINT - (range ? range : 1); /* w = 1 is a coordinate too */
-        l->scale = 61 - range - w;                      /* h w/2^fraction is 1/t: at most 2^61 for 2^range */
+        l->scale = 61 - range - w;                      /* 1/t = h w/2^fraction: 2^scale/t is at most 2^61 */
         return;
     }
     bool small = SMALL_BITS - range >= SMALL_FRACTION && reach(l) < 65536;

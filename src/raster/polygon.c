@@ -14,8 +14,8 @@ static inline int64_t size_of(int64_t a)
     return a < 0 ? -a : a;
 }
 
-/* Returns the largest absolute coordinate, or -1 when a coordinate is out of range. Directions, as differences of
- * points, have twice the range. */
+/* Returns the largest absolute coordinate, or -1 when a coordinate is out of range. Directions have twice the range, as
+ * they are differences of points. */
 static int64_t largest(const struct tia_raster_grid *l, const struct tia_raster_vertex *v, unsigned count)
 {
     bool flat = l->projection == TIA_ORTHOGRAPHIC;
@@ -73,7 +73,7 @@ int tia_polygon_init(struct polygon *p, const struct tia_raster_grid *grid, stru
     return status;
 }
 
-/* Each edge is moved outwards by a column and a row: its value falls by |x| + |y| at most. */
+/* Each edge is moved outwards by a column and a row: over these its value falls by at most |x| + |y|. */
 int tia_polygon_init_enlarged(struct polygon *p, const struct tia_raster_grid *grid, struct tia_tile area,
                               const struct tia_raster_vertex *corners, unsigned count)
 {

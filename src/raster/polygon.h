@@ -13,14 +13,14 @@ struct depth_scale {
     unsigned cut, shift;
     int64_t least, most; /* values of f / 2^cut beyond which nearness is clamped, to 0 and to 2^62 */
     int64_t zero;        /* nearness where f is 0: 0, or 2^61 in orthographic views */
-    int64_t step;        /* nearness step to the next pixel on the right, within 2 */
-    bool steady;         /* true: nearness is not clamped anywhere in the polygon's box; not tested for low boxes */
+    int64_t step;        /* step of nearness to the next pixel on the right; its error is below 2 */
+    bool steady;         /* nearness is clamped nowhere in the polygon's box; always false for low boxes */
 };
 
 #define POLYGON_EDGES (TIA_RASTER_CORNERS + 1) /* the edges between corners, and one of tia_polygon_cut_ahead */
 
-/* A pixel is covered if the values of all edges are >= 0; an edge's constant is less by 1 if the tie rule excludes 0.
- * At a pixel 1/t is plane/det. */
+/* A pixel is covered if the values of all edges are >= 0; the constant of an edge is reduced by 1 if the tie rule
+ * excludes pixels with the value 0. At a pixel 1/t is plane/det. */
 struct polygon {
     unsigned count;
     bool narrow, front;

@@ -6,8 +6,8 @@ struct reach {
 };
 
 /* Returns a/w times half the image's width or height, `size`, in 2^-16 pixel, clamped to just outside the image. w > 0.
- * `reciprocal` is 2^63/(w 2^zeros / 2^32) within 2^-31, so the quotient's error is below 2^-29, at most half a unit of
- * the result; then the result is rounded down: see tests/proofs/raster_rows.g. */
+ * `reciprocal` is 2^63/(w 2^zeros / 2^32), with a relative error below 1.04 2^-31. So the quotient's error is below
+ * 2^-29, at most half a unit of the result. The result is then rounded down, see tests/proofs/raster_rows.g. */
 static int32_t along(int64_t a, int64_t w, unsigned zeros, uint32_t reciprocal, int32_t size)
 {
     uint64_t n = a < 0 ? 0 - (uint64_t)a : (uint64_t)a, quotient;
@@ -40,8 +40,8 @@ static void narrow_to(int *low, int *high, int32_t from, int32_t to, int more)
     *high = end < *high ? end : *high;
 }
 
-/* True if all corners are beyond the same side of the image, or none is in front of the eye: so are all points between
- * the corners, and no pixel is covered. */
+/* True if all corners are beyond the same side of the image, or none is in front of the eye. The same then holds for
+ * all points between the corners, so no pixel is covered. */
 static bool is_outside(const struct tia_raster_vertex *v, unsigned count, const struct tia_raster_grid *l, int64_t more)
 {
     int64_t width = l->width, height = l->height, sides = 2 * more;

@@ -1,11 +1,11 @@
 /* polygon_rows.c - the pixels that a polygon covers, row by row.
  *
  * An edge x i + y j + c changes its sign in row j at -(y j + c)/x, a linear function of j. This position is stepped in
- * fixed point, and the edge itself is evaluated where the position is too close to a pixel. So the runs are exact, and
- * no row needs a division or more than 64 bits.
+ * fixed point; where it is too close to a pixel, the edge itself is evaluated. So the runs are exact, no row needs a
+ * division, and only such an evaluation may need more than 64 bits.
  *
- * ranges.h has bounds on the error, and tests/proofs/raster_rows.g their proof. Edges that are nearly horizontal, which
- * are rare, have too large a slope for this; their runs are found by bisection. */
+ * ranges.h has the error bounds, and tests/proofs/raster_rows.g proves them. The slope of nearly horizontal edges,
+ * which are rare, is too large for this; their runs are found by bisection. */
 #include "polygon_rows.h"
 
 #include "ranges.h"
@@ -22,7 +22,7 @@ struct walkers {
     unsigned lefts, rights, bisected, bisect[POLYGON_EDGES];
 };
 
-/* A number in block floating point; its size is top 2^(bits - 64), top >= 2^63, or 0. */
+/* A number in block floating point; its magnitude is top 2^(bits - 64), with top >= 2^63, or 0. */
 struct block {
     uint64_t top;
     int bits;
@@ -82,8 +82,8 @@ static void start(struct walkers *w, const struct polygon *p)
     }
 }
 
-/* True if the value and the exact one certainly have the same least integer above. Otherwise the exact value's is the
- * integer below the value or the one above. */
+/* True if the first pixel at or after the exact position is certainly the one after `at`. Otherwise it is that pixel or
+ * the one before. The exact position is 0 to 2 WALKER_ERROR units before `at`. */
 static inline bool is_sure(int64_t at)
 {
     return (at & ((INT64_C(1) << WALKER_BITS) - 1)) > INT32_C(2) * WALKER_ERROR;
@@ -111,8 +111,8 @@ static void clip_right(const struct walkers *w, const struct polygon *p, int y, 
     }
 }
 
-/* Steps the left edges. If the greatest value is certain, no other edge leads farther to the right: an uncertain value
- * leads to the integer above at most. */
+/* Clips the run at the left edges, then steps them. If the greatest position is certain, no other edge leads farther to
+ * the right: an uncertain one leads at most to the pixel after it. */
 static inline void step_left(struct walkers *w, const struct polygon *p, int y, int *x0, int x1)
 {
     int64_t most = INT64_MIN;
@@ -128,8 +128,8 @@ static inline void step_left(struct walkers *w, const struct polygon *p, int y, 
         w->left[i].at += w->left[i].step;
 }
 
-/* Steps the right edges. If the least value is certain, uncertain values are greater, so none leads farther to the
- * left. */
+/* Clips the run at the right edges, then steps them. If the least position is certain, uncertain ones are greater, so
+ * none leads farther to the left. */
 static inline void step_right(struct walkers *w, const struct polygon *p, int y, int x0, int *x1)
 {
     int64_t least = INT64_MAX;
@@ -145,7 +145,8 @@ static inline void step_right(struct walkers *w, const struct polygon *p, int y,
         w->right[i].at += w->right[i].step;
 }
 
-/* Reduces the run to the part on the inner side of the edge: all, none, its left or its right part. */
+/* Reduces the run to the part on the inner side of the edge: the whole run, nothing, its left part or its right
+ * part. */
 static void bisect(const struct polygon *p, unsigned edge, int y, int *x0, int *x1)
 {
     bool first = polygon_edge_covers(p, edge, *x0, y), last = polygon_edge_covers(p, edge, *x1 - 1, y);

@@ -12,7 +12,7 @@ struct job {
     struct raster_polygon shared; /* data that all runs share */
 };
 
-/* True if the test passes; `order` is -1, 0 or 1. A comparison's number, as in OpenGL, is a set of results: less 1,
+/* True if the test passes; `order` is -1, 0 or 1. The number of a comparison, as in OpenGL, is a set of bits: less 1,
  * equal 2, greater 4. */
 static inline bool passes(enum tia_compare test, int order)
 {
@@ -54,7 +54,7 @@ static inline int order_at(const struct job *job, int64_t z, int x, int y, size_
 
 static inline void put_depth(const struct job *job, int64_t z, size_t at)
 {
-    job->target->nearness[at] = z < 0 ? 0 : (uint64_t)z; /* a step's error may lead below 0, which is infinity */
+    job->target->nearness[at] = z < 0 ? 0 : (uint64_t)z; /* errors may lead below 0, that is, infinity */
     job->target->face[at] = job->face;
 }
 

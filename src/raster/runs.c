@@ -1,7 +1,7 @@
 #include "runs.h"
 
-/* True if the polygon is nearer, at a pixel where nearness does not decide: nearer than no face, but not than
- * itself. */
+/* True if the polygon is nearer at a pixel where nearness does not decide. It is nearer than an empty pixel, but not
+ * nearer than its own face. */
 static bool settle(const struct raster_polygon *p, size_t at)
 {
     uint32_t there = p->face[at];
@@ -18,7 +18,7 @@ static void nearest(const struct raster_polygon *p, size_t at, int pixels, uint6
         int64_t difference = (int64_t)(z - nearness[at]);
         if (difference < -DEPTH_UNSURE || (difference <= DEPTH_UNSURE && !settle(p, at)))
             continue;
-        nearness[at] = (int64_t)z < 0 ? 0 : z; /* a step's error may lead below 0, which is infinity */
+        nearness[at] = (int64_t)z < 0 ? 0 : z; /* errors may lead below 0, that is, infinity */
         faces[at] = own;
     }
 }
@@ -28,7 +28,7 @@ static inline bool is_unsure(int64_t difference)
     return (uint64_t)difference + DEPTH_UNSURE <= 2 * DEPTH_UNSURE;
 }
 
-/* Adds to the counts: the sign bit of the difference in nearness decides, inverted if nearer pixels count. */
+/* Adds to the counts where the sign bit of the difference in nearness, inverted if nearer pixels count, is set. */
 static void add(const struct raster_polygon *p, size_t at, int pixels, uint64_t z)
 {
     const uint64_t *nearness = p->nearness;

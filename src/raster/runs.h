@@ -1,5 +1,5 @@
-/* runs.h - runs of pixels in which nearness is stepped: the part of the rasteriser that vector units have versions of.
- * All is in integers, so every version gives the same bits as plain C. */
+/* runs.h - runs of pixels in which nearness is stepped: the part of the rasteriser of which vector units have versions
+ * of their own. All is in integers, so every version gives the same bits as plain C. */
 #ifndef TIA_RASTER_RUNS_H
 #define TIA_RASTER_RUNS_H
 
@@ -7,7 +7,7 @@
 
 /* Data that all runs of a polygon share. */
 struct raster_polygon {
-    uint64_t *nearness; /* the target's buffer, as are face and count */
+    uint64_t *nearness; /* buffer of the target, like face and count */
     uint32_t *face, *count;
     uint64_t step; /* step of the polygon's nearness to the next pixel */
     uint32_t own;  /* the polygon's face number */

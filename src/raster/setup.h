@@ -1,5 +1,5 @@
-/* setup.h - a polygon's edges and plane, in 64 or 128 bits as in forms.h. No guard: polygon.c includes it once for each
- * width.
+/* setup.h - a polygon's edges and plane, in 64 or 128 bits as in forms.h. No guard: polygon.c includes this file once
+ * for each width.
  */
 
 static void FORM(set_plane)(struct polygon *p, const struct tia_raster_grid *l, FORM(number) sides[3][3],
@@ -15,8 +15,8 @@ static void FORM(set_plane)(struct polygon *p, const struct tia_raster_grid *l, 
     p->of.FORM(forms).plane = FORM(form_of)(n, l);
 }
 
-/* Returns an edge with the tie rule, by which pixels are moved to the right, then down. An edge without length covers
- * all pixels. */
+/* Returns an edge with the tie rule: pixels are moved to the right, then down. An edge without length covers all
+ * pixels. */
 static struct FORM(form) FORM(edge_of)(const struct polygon *p, const struct tia_raster_grid *l, FORM(number) n[3])
 {
     if (!p->front)

@@ -6,8 +6,8 @@
 
 #define ALL_BUFFERS (TIA_BUFFER_DEPTH | TIA_BUFFER_STENCIL | TIA_BUFFER_COLOUR | TIA_BUFFER_SUM | TIA_BUFFER_COUNT)
 
-/* Returns the bytes of the planes. Buffers are in the order of their alignment: planes and nearness, of 8 bytes, come
- * first. */
+/* Returns the bytes of the planes. Buffers are ordered by alignment: planes and nearness, with elements of 8 bytes,
+ * come first. */
 static uint64_t planes_bytes(unsigned buffers, uint32_t faces)
 {
     return buffers & TIA_BUFFER_DEPTH ? (uint64_t)faces * sizeof(struct tia_raster_plane) : 0;

@@ -4,7 +4,7 @@
 
 #include <tia/raster.h>
 
-/* Returns the index of pixel (x, y) of the image in each buffer of one value a pixel. */
+/* Returns the index of pixel (x, y) of the image in buffers with one value per pixel. */
 static inline size_t target_index(const struct tia_raster_target *t, int x, int y)
 {
     return ((size_t)y - t->area.y) * (size_t)t->pitch + ((size_t)x - t->area.x);
@@ -22,7 +22,7 @@ static inline int target_bottom(const struct tia_raster_target *t)
     return (int)t->area.y + (int)t->area.height;
 }
 
-/* Makes *part a target for the pixels of `area` in the buffers of another target. Returns TIA_OK, or TIA_ERR_ARGUMENT
+/* Makes *part a target for the pixels of `area`, in the buffers of another target. Returns TIA_OK, or TIA_ERR_ARGUMENT
  * when the area is empty or not inside. Threads may draw at the same time into parts that share no pixel, if the planes
  * are already stored. */
 int tia_raster_part(struct tia_raster_target *part, const struct tia_raster_target *target, struct tia_tile area);

@@ -23,7 +23,7 @@ static void locate(struct tia_reader *reader, struct tia_fault *fault, struct ti
         tia_locate_nff(reader, fault);
 }
 
-/* Returns the rest of a string that begins with `start`; NULL: it does not. */
+/* Returns the rest of the string behind `start`, or NULL if it does not begin with `start`. */
 static const char *after(const char *string, const char *start)
 {
     while (*start && *string == *start)
@@ -31,8 +31,8 @@ static const char *after(const char *string, const char *start)
     return *start ? NULL : string;
 }
 
-/* Appends the rule. The smallest length, 2^-10 in the scene, and the largest distance are converted to the file's
- * unit. */
+/* Appends the violated rule. If its limit is the smallest length (2^-10 in the scene) or the largest distance, converts
+ * the limit to the file's unit. */
 static void say_rule(struct tia_read_error *error, const char *rule, int scale_bits)
 {
     static const char *const starts[] = {"must be at least 2^", "must be 0 or at least 2^"};

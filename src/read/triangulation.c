@@ -7,7 +7,8 @@ static int sign(int64_t x)
     return (x > 0) - (x < 0);
 }
 
-/* Returns |x| of a difference of two coordinates: below 2^32, so that a product of two fits 64 bits. */
+/* Returns |x|. x is a difference of two coordinates: |x| < 2^32, so that the product of two such values fits in 64
+ * bits. */
 static uint64_t size(int64_t x)
 {
     return (uint64_t)(x < 0 ? -x : x);
@@ -27,7 +28,7 @@ static int side(const struct polygon_corner *a, const struct polygon_corner *b, 
     return p == q ? 0 : p > q ? first : -first;
 }
 
-/* Adds a b to the sum in two's complement; |a|, |b| < 2^32. */
+/* Adds a b to a two's complement sum; |a|, |b| < 2^32. */
 static void add_product(struct tia_wide *sum, int64_t a, int64_t b)
 {
     uint64_t product = size(a) * size(b);
@@ -101,7 +102,7 @@ static void uncount(struct polygon *polygon, const struct polygon_corner *c)
     polygon->candidates -= c->ear != 0;
 }
 
-/* Computes the orientation of corner i from its present neighbours, and marks its `ear` as unknown. */
+/* Computes the orientation of corner i from its current neighbours, and marks its `ear` as unknown. */
 static void classify(struct polygon *polygon, uint32_t i)
 {
     struct polygon_corner *c = &polygon->corners[i];
@@ -133,9 +134,9 @@ static bool coincide(const struct polygon_corner *a, const struct polygon_corner
     return a->x == b->x && a->y == b->y;
 }
 
-/* True if q prevents cutting off the tip b of the convex triangle a, b, c: q lies inside or on an edge. Corners that
- * coincide with a or c do not count. They occur where a bridge leads to a hole and back, and the polygon cannot enter
- * the triangle from there without crossing an edge. */
+/* True if corner q lies inside the counterclockwise triangle a, b, c or on its edges, so that its tip b cannot be cut
+ * off. Corners that coincide with a or c do not count. They occur where a bridge leads to a hole and back, and the
+ * polygon cannot enter the triangle from there without crossing an edge. */
 static bool blocks(const struct polygon_corner *q, const struct polygon_corner *a, const struct polygon_corner *b,
                    const struct polygon_corner *c)
 {
@@ -155,7 +156,7 @@ static int32_t most(int32_t a, int32_t b, int32_t c)
 }
 
 /* True if corner i is an ear: it is convex and no other corner blocks it. Only corners that are not convex need to be
- * tested: when a convex corner is in the triangle, one that is not convex is in it as well. */
+ * tested: if a convex corner lies in the triangle, so does a corner that is not convex. */
 static bool is_ear(const struct polygon *polygon, uint32_t i)
 {
     const struct polygon_corner *corners = polygon->corners, *b = &corners[i], *a = &corners[b->prev],
@@ -173,7 +174,7 @@ static bool is_ear(const struct polygon *polygon, uint32_t i)
     return true;
 }
 
-/* Finds the next corner with that orientation; false: there is none. */
+/* Finds the next corner with the given orientation. Returns false if there is none. */
 static bool find_orientation(const struct polygon *polygon, int orientation, uint32_t *found)
 {
     uint32_t i = polygon->at;
@@ -186,9 +187,9 @@ static bool find_orientation(const struct polygon *polygon, int orientation, uin
     return false;
 }
 
-/* Finds an ear. A polygon without one is not simple; then a collinear corner, which covers no area, is taken, or a
- * convex one, or any. Cutting off an ear can change only its two neighbours, so all in all each corner is tested a
- * bounded number of times, and the total time is quadratic. */
+/* Finds an ear. A polygon without an ear is not simple; for it, returns a collinear corner, which covers no area, else
+ * a convex corner, else any corner. Cutting off an ear can change only its two neighbours. So the number of tests is
+ * linear in the number of corners, and the total time is quadratic. */
 static uint32_t find_ear(struct polygon *polygon)
 {
     uint32_t i = polygon->at;
@@ -223,8 +224,8 @@ bool tia_polygon_next(struct polygon *polygon, uint32_t triangle[3])
     next->prev = tip->prev;
     classify(polygon, tip->prev);
     classify(polygon, tip->next);
-    /* continue beyond the neighbour: cutting every other corner gives better shapes than a fan; but if this was no ear,
-     * only the neighbours can be ears now */
+    /* continue after the neighbour: cutting off every other corner gives better triangles than a fan; but if this
+     * corner was no ear, only its neighbours can be ears now */
     polygon->at = tip->ear ? next->next : tip->prev;
     return true;
 }

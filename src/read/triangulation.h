@@ -18,16 +18,16 @@ struct polygon_corner {
 struct polygon {
     struct polygon_corner *corners;
     uint32_t left, at; /* number of corners left; the corner at which the search for an ear continues */
-    uint32_t not_convex, flat, candidates; /* numbers of corners left with orientation < 1, orientation = 0, ear != 0 */
+    uint32_t not_convex, flat, candidates; /* numbers of corners left: orientation < 1; orientation = 0; ear != 0 */
 };
 
-/* Begins ear clipping into count - 2 triangles, each of three corners in the polygon's order. The triangles of a simple
- * polygon cover it exactly, and none is degenerate. Any other polygon (collinear corners, edges that touch or cross)
- * gives as many triangles in the same bounded time. count is 3..POLYGON_MAX. The polygon is projected to the coordinate
- * plane in which its area is largest, so its corners need not be coplanar. */
+/* Begins to triangulate a polygon by ear clipping: count - 2 triangles, whose corners are in the polygon's order. The
+ * triangles of a simple polygon cover it exactly, and none is degenerate. Any other polygon (collinear corners, edges
+ * that touch or cross) gives the same number of triangles in the same bounded time. count is 3..POLYGON_MAX. The
+ * polygon is projected to the coordinate plane in which its area is largest, so its corners need not be coplanar. */
 void tia_polygon_begin(struct polygon *polygon, struct polygon_corner *corners, uint32_t count);
 
-/* Gives the indices of the next triangle's corners; false when there are no more triangles. */
+/* Writes the indices of the next triangle's corners. Returns false if there are no more triangles. */
 bool tia_polygon_next(struct polygon *polygon, uint32_t triangle[3]);
 
 #endif

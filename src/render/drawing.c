@@ -10,14 +10,14 @@ const struct tia_drawing tia_drawing = {
     .render = tia_drawing_render,
 };
 
-/* Returns the functions of the view's core; NULL: the library's. A program's own struct tia_view begins with its core,
- * as the library's does. */
+/* Returns the functions of the view's core; NULL stands for the library's functions. A program's own struct tia_view
+ * begins with a pointer to its core, as the library's does. */
 static const struct tia_drawing *drawing_of(const struct tia_view *view)
 {
     return (*(const struct tia_core *const *)(const void *)view)->drawing;
 }
 
-/* Returns the view of the hits: the first member, also in a program's own struct tia_hits. */
+/* Returns the view of the hits, to which their first member points, also in a program's own struct tia_hits. */
 static const struct tia_view *view_of(const struct tia_hits *hits)
 {
     return *(const struct tia_view *const *)(const void *)hits;

@@ -45,11 +45,11 @@ bool tia_hits_have(const struct tia_hits *hits, const struct tia_view *view, str
            tile_bottom(tile) <= view->height;
 }
 
-/* Returns the object at a pixel, traced for this call: vector units store no hits. */
+/* Returns the object at a pixel, which is traced for this call, since vector units store no hits. */
 static uint32_t traced_object(const struct tia_view *view, unsigned x, unsigned y)
 {
     uint32_t object = TIA_NO_OBJECT;
-    uint64_t distance; /* room for a distance of any arithmetic */
+    uint64_t distance; /* large enough for a distance in any arithmetic */
     struct tia_tile tile = {(uint16_t)x, (uint16_t)y, 1, 1};
     struct tia_hits one = {.view = view, .area = tile, .object = &object, .buffer = &distance};
 

@@ -1,4 +1,4 @@
-/* q16.c - the public functions without a core as an argument: they use tia_core_q16. */
+/* q16.c - the public functions that take no core: they use tia_core_q16. */
 #include "renderer.h"
 
 size_t tia_view_size(const struct tia_scene *scene, uint32_t light_capacity)

@@ -1,7 +1,8 @@
 /* render.c - draws a tile, by the view's renderer or by vector units. */
 #include "renderer.h"
 
-/* Returns TIA_STOPPED or TIA_OK after work on a tile; if `traces`, marks the hits as traced unless stopped. */
+/* Returns the status after work on a tile, TIA_STOPPED or TIA_OK. Marks the hits as traced if `traces` is set, unless
+ * stopped. */
 static int ended(const struct tia_view *view, struct tia_hits *hits, bool traces)
 {
     if (view_stops(view))
@@ -15,15 +16,15 @@ int tia_drawing_trace(const struct tia_view *view, struct tia_hits *hits, struct
 {
     if (!tia_hits_have(hits, view, tile))
         return TIA_ERR_ARGUMENT;
-    if (!view->simd) /* vector units find the visible surfaces while they light */
+    if (!view->simd) /* vector units find the visible surfaces when they light */
         view->renderer->trace(view, hits, tile);
     return ended(view, hits, !view->simd);
 }
 
 static const struct tia_options plain = {0};
 
-/* True if options->colours is NULL, or the view can write it: not with vector units, a renderer of samples, or
- * dithering. */
+/* True if options->colours is NULL, or if the view can write these colours. It cannot with vector units, with a
+ * renderer of samples, or with dithering. */
 static bool has_colours(const struct tia_view *view, const struct tia_options *options)
 {
     return !options->colours || !(view->simd || view->renderer->sample || options->dither);

@@ -1,25 +1,25 @@
 /* renderer.h - a renderer, from scene to pixels, as a table of functions.
  *
- * A view uses the first renderer of its core that draws the scene, see choose.c. A renderer's prepared data are in the
- * view's memory, at view->prepared, and its data of each pixel in the hit buffer, at hits->buffer; only the renderer
- * depends on their layouts.
- */
+ * A view uses the first renderer of its core that draws the scene, see choose.c. Its prepared data are at
+ * view->prepared, in the view's memory; its data for each pixel are at hits->buffer, in the hits' memory. Only the
+ * renderer depends on their layouts. */
 #ifndef TIA_RENDER_RENDERER_H
 #define TIA_RENDER_RENDERER_H
 
 #include "num/num.h"
 #include "scene/cancel.h"
 
-#include <tia/debug.h> /* <tia/debug.h> comes after num.h, which may rename its functions */
+#include <tia/debug.h> /* after num.h, which may rename functions of <tia/debug.h> */
 
 #include "math/tile.h"
 
-/* The parts of an instruction set's code, one for each kind of renderer that has such code. SIMD_PARTS: no part. */
+/* The parts of an instruction set's code, one for each kind of renderer that has such code. Renderers without such code
+ * have the part SIMD_PARTS. */
 enum simd_part { SIMD_SPANS, SIMD_RAYS, SIMD_SAMPLES, SIMD_PARTS };
 
 struct renderer {
-    /* True if the renderer draws the scene; called only when no earlier renderer in the list draws it. NULL: always
-     * true. A view's new lights are tested in a scene without objects. */
+    /* True if the renderer draws the scene; called only if no earlier renderer in the list does. NULL: always true.
+     * Also called when a view's lights change, with a scene of the new lights and no objects. */
     bool (*draws)(const struct tia_scene *scene);
 
     /* Returns the size in bytes of the data at view->prepared; SIZE_MAX: too large. */
@@ -41,13 +41,13 @@ struct renderer {
                   const struct tia_surface *surface, const struct tia_options *options);
 
     bool by_pixel;       /* result of tia_draws_by_pixel */
-    enum simd_part part; /* the part of an instruction set's code that may draw in its place */
+    enum simd_part part; /* part of an instruction set's code that may draw in place of this renderer */
 
-    /* Returns TIA_OK, or an error if the view cannot hold these lights: TIA_ERR_MEMORY when the view's memory is too
-     * small, TIA_ERR_RANGE when a light is too far away. NULL: always TIA_OK. See tia_view_set_lights. */
+    /* Returns TIA_OK, or an error if the view cannot take these lights: TIA_ERR_MEMORY if the view's memory is too
+     * small, TIA_ERR_RANGE if a light is too far away. NULL: always TIA_OK. See tia_view_set_lights. */
     int (*refuses)(const struct tia_view *view, const struct tia_light *lights, uint32_t count);
 
-    /* Traces and lights a tile in one pass, where one pass saves work; NULL: `trace` and `light` are called instead. */
+    /* Traces and lights a tile in one pass, if that saves work; NULL: `trace` and `light` are called instead. */
     void (*render)(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile,
                    const struct tia_surface *surface, const struct tia_options *options);
 
@@ -81,9 +81,9 @@ struct simd_renderer {
                    const struct tia_gathered *gathered, void *room);
 };
 
-/* Entry points to the vector units. They call the functions of struct simd_renderer in a separate floating-point
- * environment, with `room` that no other thread uses, and restore the caller's environment. If there is no such
- * environment or room, plain C draws. */
+/* Entry points to the vector units. They set the floating-point environment, call the functions of struct simd_renderer
+ * with a `room` that no other thread uses, and restore the caller's environment. If the environment cannot be set, or
+ * no room is free, plain C draws. */
 struct simd_entries {
     /* Returns the size in bytes of the part's own memory and of `room` for `workers` workers. */
     size_t (*size)(const struct tia_simd *simd, const struct simd_renderer *part, const struct tia_scene *scene,
@@ -100,7 +100,7 @@ struct simd_entries {
 struct tia_simd {
     const char *name;
     const struct simd_entries *enter;
-    const struct span_kernels *plain;              /* plain kernels with the same bits: those of one arithmetic */
+    const struct span_kernels *plain;              /* plain C kernels with the same results, of one arithmetic */
     const struct simd_renderer *parts[SIMD_PARTS]; /* NULL: plain C draws instead */
     const struct simd_kernels *kernels;            /* kernels of the span renderer */
     const struct sure_kernels *sure;               /* kernels of the ray renderers */
@@ -111,7 +111,8 @@ struct tia_simd {
 struct tia_renderers {
     const struct renderer *const *list; /* in order of preference; ends with NULL */
     const struct span_kernels *plain;   /* plain C kernels of the core's arithmetic */
-    /* Checks all ranges of the scene, and that the renderers have code for all its parts; see tia_check_scene. */
+    /* Checks that all numbers of the scene are in range, and that the renderers have code for all its parts; see
+     * tia_check_scene. */
     int (*check)(const struct tia_scene *scene, struct tia_fault *fault, struct cancel *cancel);
 };
 
@@ -138,7 +139,7 @@ static inline const struct simd_renderer *simd_renderer_for(const struct tia_sim
     return simd && renderer->part < SIMD_PARTS ? simd->parts[renderer->part] : NULL;
 }
 
-/* Returns the debug output that the caller requests; members are NULL for output that is not wanted. */
+/* Returns the debug output that the caller requests; members for other output are NULL. */
 static inline struct tia_debug options_debug(const struct tia_options *options)
 {
     return options->debug ? *options->debug : (struct tia_debug){NULL, NULL, NULL};
@@ -161,7 +162,7 @@ struct tia_hits {
     struct tia_tile area;
     uint32_t *object; /* an object's index, or TIA_NO_OBJECT */
     void *buffer;     /* the renderer's data */
-    bool traced;      /* some of the area was traced, by any thread */
+    bool traced;      /* a part of the area was traced, by any thread */
 };
 
 /* Sets `traced`. Several threads may do so at once, all to the same value. */
@@ -174,7 +175,7 @@ static inline void hits_mark_traced(struct tia_hits *hits)
 #endif
 }
 
-/* True if a tile is inside the image and the hits, which are the view's. */
+/* True if the hits belong to the view, and the tile is inside both the image and the area of the hits. */
 bool tia_hits_have(const struct tia_hits *hits, const struct tia_view *view, struct tia_tile tile);
 
 static inline bool hits_are_traced(const struct tia_hits *hits)
@@ -186,13 +187,13 @@ static inline bool hits_are_traced(const struct tia_hits *hits)
 #endif
 }
 
-/* Returns the x to the right of a tile; tia_view_trace has checked that the tile is inside the image. */
+/* Returns the x just right of a tile, which is inside the image. */
 static inline int tile_right(struct tia_tile tile)
 {
     return (int)tile.x + (int)tile.width;
 }
 
-/* Returns the y below a tile. */
+/* Returns the y just below a tile. */
 static inline int tile_bottom(struct tia_tile tile)
 {
     return (int)tile.y + (int)tile.height;

@@ -8,7 +8,7 @@
 
 /* Data of a pixel that each pass changes. */
 struct light {
-    uint32_t rgb[3]; /* radiance over the albedo, Q16.16 */
+    uint32_t rgb[3]; /* radiance divided by the albedo, Q16.16 */
     uint32_t error;  /* standard error of the luminance of rgb, Q16.16 */
 };
 
@@ -24,13 +24,13 @@ struct colour {
 };
 
 /* Number of passes that stop at edges of the light. Later passes average the light that these passes have removed from
- * each pixel; it has a sign, and is stored with NONE_TAKEN added. */
+ * each pixel. Removed light may be negative, and is stored with NONE_TAKEN added. */
 #define EDGE_PASSES 3
 #define NONE_TAKEN (UINT32_C(1) << 31)
 
 struct tia_denoiser {
     unsigned width, height;
-    struct light *light[2];  /* light before and after a pass, in turn */
+    struct light *light[2];  /* light before and after a pass, alternately */
     struct colour *filtered; /* the light before the passes; after pass EDGE_PASSES - 1, the filtered light */
     struct feature *features;
 };

@@ -3,8 +3,9 @@
 
 #include "math/integer.h"
 
-/* Tolerances, the best of 500 settings on a Cornell box of 128x128 pixels with 4, 16 and 64 samples a pixel. ROOM
- * includes a fraction of the depth, for curved surfaces, and SPREAD 2^-12, for means without noise. */
+/* Tolerances: the best of 500 settings on a Cornell box of 128x128 pixels with 4, 16 and 64 samples per pixel. ROOM
+ * includes a fraction of the depth, since surfaces may be curved. SPREAD includes 2^-12, since means may have no
+ * noise. */
 #define SPREAD(error) (3 * (uint64_t)(error) + 16)
 #define ROOM(slope, pixels, depth) ((uint64_t)(slope) * (pixels) / 8 + (depth) / 512)
 #define ALBEDO_WEIGHT 4
@@ -34,7 +35,7 @@ static uint32_t apart(uint32_t a, uint32_t b)
     return a > b ? a - b : b - a;
 }
 
-/* Returns 2^-x within 0.2 %, x and the result in Q.16: a parabola between powers of two. */
+/* Returns 2^-x, within 0.2 %, by a parabola between powers of two. x and the result have 16 fractional bits. */
 static uint32_t fade(uint64_t x)
 {
     uint32_t f = (uint32_t)(x & 0xffff);
@@ -49,7 +50,7 @@ static uint64_t ratio(uint64_t a, uint64_t b)
     return b ? (a << 16) / b : a ? UINT32_MAX : 0;
 }
 
-/* Returns (N.N')^8, Q.16, for normals a and b. */
+/* Returns (a.b)^8, with 16 fractional bits, for two normals; 0 if a.b is negative. */
 static uint32_t alike(const int16_t a[3], const int16_t b[3])
 {
     int32_t dot = 0;
@@ -65,7 +66,8 @@ static uint32_t alike(const int16_t a[3], const int16_t b[3])
     return power;
 }
 
-/* Returns a neighbour's distance in depth from the middle pixel's plane, relative to the tolerance. */
+/* Returns the deviation of a neighbour's depth from the middle pixel's plane, relative to the tolerance, with 16
+ * fractional bits. */
 static uint64_t off_plane(const struct middle *m, uint32_t depth, int dx, int dy)
 {
     int64_t off = (int64_t)depth - (int64_t)m->feature.depth - (m->across * dx + m->down * dy);
@@ -100,7 +102,7 @@ static void add(struct total *total, const struct light *light, uint32_t weight,
     total->squares += we * we;
 }
 
-/* Returns the standard error of the mean of a pixel, over 3x3 pixels. */
+/* Returns the standard error of a pixel's mean, smoothed over 3x3 pixels. */
 static uint32_t error_around(const struct middle *m)
 {
     uint64_t sum = 0, weights = 0;
@@ -167,7 +169,7 @@ static struct light filtered(const struct middle *m)
     return result;
 }
 
-/* Stores the filtered light; *light becomes the part that the filter removed. */
+/* Stores the filtered light, and sets *light to the part that the filter removed. */
 static void take(struct tia_denoiser *d, size_t at, struct light *light)
 {
     for (int c = 0; c < 3; c++) {

@@ -1,4 +1,4 @@
-/* denoise_picture.c - converts sums of samples to light over albedo, and back. */
+/* denoise_picture.c - converts sums of samples to light, which is radiance divided by albedo, and back. */
 #include "denoise_data.h"
 
 #include <tia/debug.h>
@@ -8,7 +8,7 @@
 
 #define FLOOR 512                    /* least albedo: 2^-7, Q16.16 */
 #define MEAN_MAX (INT64_C(1) << 38)  /* largest mean of samples: 2^14, in units of 2^-24 */
-#define DEPTH_MAX (INT64_C(1) << 54) /* largest depth shown, times the number of samples in a sum */
+#define DEPTH_MAX (INT64_C(1) << 54) /* limit of a sum of depths: times 256, it is below 2^63 */
 
 size_t tia_denoise_size(unsigned width, unsigned height)
 {
@@ -54,8 +54,8 @@ static uint64_t mean(int64_t sum, uint32_t count)
     return ((uint64_t)sum + count / 2) / count;
 }
 
-/* Derivation: the variance of samples is n (mean of squares - square of the mean)/(n - 1), the variance of their mean
- * 1/n of that.
+/* Derivation: the variance of samples is n (mean of squares - square of the mean)/(n - 1). The variance of their mean
+ * is 1/n of the samples' variance.
  */
 uint32_t tia_standard_error(const struct tia_sum *sum, uint64_t squares, uint32_t count)
 {
@@ -64,7 +64,7 @@ uint32_t tia_standard_error(const struct tia_sum *sum, uint64_t squares, uint32_
     uint64_t all = (uint64_t)sum->rgb[0] + 2 * (uint64_t)sum->rgb[1] + (uint64_t)sum->rgb[2];
     uint64_t whole = all / ((uint64_t)count * 4), most = whole >> 32 ? UINT64_MAX : whole * whole >> 16;
 
-    if (whole >> 32) /* in units of squares of samples */
+    if (whole >> 32) /* whole * whole would overflow */
         most = (whole >> 8) * (whole >> 8);
     if (count == 1)
         return tia_sqrt64(most);
@@ -84,7 +84,8 @@ static void put_channel(struct light *light, struct feature *feature, int c, uin
     feature->albedo[c] = (uint32_t)divisor;
 }
 
-/* Stores the mean normal with length 1, or 0. Components are reduced below 2^30, so that squares do not overflow. */
+/* Stores the normalised mean of the normals, or 0. Components are reduced below 2^30, so that squares do not
+ * overflow. */
 static void put_normal(struct feature *feature, const int64_t sum[3])
 {
     int64_t n[3];
@@ -137,7 +138,7 @@ int tia_denoise_put(struct tia_denoiser *d, struct tia_tile tile, const struct t
     return TIA_OK;
 }
 
-/* Returns a channel of the filtered light, plus the mean of the light removed from the pixels around. */
+/* Returns a channel of the filtered light, plus the mean of the light that was removed from surrounding pixels. */
 static uint32_t light_of(const struct tia_denoiser *d, size_t at, int c)
 {
     int64_t light = (int64_t)d->filtered[at].rgb[c] + d->light[TIA_DENOISE_PASSES & 1][at].rgb[c] - NONE_TAKEN;

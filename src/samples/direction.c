@@ -22,8 +22,8 @@ static int64_t unit_of(uint32_t u)
     return ((int64_t)u << 30) + (INT64_C(1) << 29);
 }
 
-/* Gives sine and cosine of t 2^-64 turns, Q1.62. A table has the nearest of 256 angles; the rest d is below 2^-6.4, and
- * each series has four terms, the next one being below 2^-62. */
+/* Writes the sine and cosine of t 2^-64 turns, Q1.62. A table has the sines of 256 angles. The difference d from the
+ * nearest of these angles is below 2^-6.3. The series in d stop where the next term is below 2^-62. */
 static void turn(uint64_t t, int64_t *sine, int64_t *cosine)
 {
     uint64_t nearest = (t + (UINT64_C(1) << 55)) >> 56;
@@ -43,8 +43,9 @@ void tia_sample_turn(uint32_t u, int64_t *sine, int64_t *cosine)
     turn((uint64_t)u << 32 | UINT64_C(1) << 31, sine, cosine);
 }
 
-/* Maps u, as a and b in -1..1, to a point of the disc: the larger of the two in size is the radius, and the ratio of
- * the other to it is an angle of up to an eighth of a turn. Neither is ever 0. Returns the radius, with its sign. */
+/* Maps u, as a and b in -1..1, to a point of the disc: the one that is larger in size is the radius, and the ratio of
+ * the other one to it is an angle of up to an eighth of a turn. Neither is ever 0. Returns the radius, with its
+ * sign. */
 static int64_t concentric(const uint32_t u[2], int64_t place[2])
 {
     int64_t a = 2 * unit_of(u[0]) - ONE, b = 2 * unit_of(u[1]) - ONE, s, c;

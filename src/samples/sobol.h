@@ -1,10 +1,11 @@
 /* sobol.h - the random numbers of a pixel's samples: Owen-scrambled Sobol points, in 32-bit integers.
  *
  * A number is a function of the pixel, the sample and the dimension alone, so samples may be drawn in any order, on any
- * machine. Dimensions come in quads: four of one sample, taken together, are spread over the four-dimensional cube as
- * evenly as Sobol points are; different quads are independent. Each quad shuffles the samples' order and scrambles each
- * of its dimensions by Owen's method, as a hash of the bits above each bit (Laine and Karras, "Stratified sampling for
- * stochastic transparency", 2011; Burley, "Practical hash-based Owen scrambling", 2020; constants by Vegdahl).
+ * machine. Dimensions come in quads: the samples' points in a quad are spread over the four-dimensional cube as evenly
+ * as Sobol points; different quads are independent. Each quad shuffles the order of the samples, and scrambles each of
+ * its dimensions by Owen's method: a hash of the higher bits decides whether a bit is flipped (Laine and Karras,
+ * "Stratified sampling for stochastic transparency", 2011; Burley, "Practical hash-based Owen scrambling", 2020;
+ * constants by Vegdahl).
  *
  * The numbers are u in 0..2^32 - 1 and stand for (u + 1/2)/2^32. */
 #ifndef TIA_SAMPLES_SOBOL_H
@@ -22,7 +23,7 @@ extern const uint32_t tia_sobol_tables[2][8][16];
 #undef SOBOL_WORD
 #undef SOBOL_STEP
 
-/* Returns point `index` of dimension 2 or 3, its bits reversed. */
+/* Returns the bit-reversed point `index` of dimension 2 or 3. */
 static inline uint32_t sobol_table(uint32_t index, unsigned dimension)
 {
     uint32_t sum = 0;
@@ -32,7 +33,7 @@ static inline uint32_t sobol_table(uint32_t index, unsigned dimension)
     return sum;
 }
 
-/* Returns point `index` of dimension 0..3, its bits reversed. Dimension 0 is the radical inverse; the other dimensions
+/* Returns the bit-reversed point `index` of dimension 0..3. Dimension 0 is the radical inverse; the other dimensions
  * have the matrices of Joe and Kuo (2008). */
 static inline uint32_t sobol_reversed(uint32_t index, unsigned dimension)
 {
@@ -49,7 +50,7 @@ static inline struct sampler sampler_of(uint32_t seed, int x, int y, uint32_t in
     return (struct sampler){sobol_hash2(sobol_hash2(seed, (uint32_t)y), (uint32_t)x), index};
 }
 
-/* Gives the sample's numbers in dimensions `first` and `first` + 1 of a quad. */
+/* Writes the sample's numbers in dimensions `first` and `first` + 1 of a quad. */
 static inline void sampler_pair(const struct sampler *sampler, uint32_t quad, unsigned first, uint32_t u[2])
 {
     uint32_t hash = sobol_hash2(sampler->seed, quad);

@@ -1,4 +1,4 @@
-/* sobol_steps.h - template: steps of sobol.h, for one number or several side by side. Parameters: SOBOL_WORD, uint32_t
+/* sobol_steps.h - template: steps of sobol.h, for one number or a vector of numbers. Parameters: SOBOL_WORD, uint32_t
  * or a vector of them, and SOBOL_STEP(name), the functions' names. No include guard. */
 
 static inline SOBOL_WORD SOBOL_STEP(hash)(SOBOL_WORD x)
@@ -22,7 +22,7 @@ static inline SOBOL_WORD SOBOL_STEP(reverse)(SOBOL_WORD x)
     return (x >> 1 & UINT32_C(0x55555555)) | (x & UINT32_C(0x55555555)) << 1;
 }
 
-/* Returns a number whose bits are reversed, scrambled by Owen's method: no bit depends on a higher one. */
+/* Scrambles a bit-reversed number by Owen's method: no bit of the result depends on a higher bit of x. */
 static inline SOBOL_WORD SOBOL_STEP(scramble)(SOBOL_WORD x, SOBOL_WORD seed)
 {
     x ^= x * UINT32_C(0x3d20adea);

@@ -30,7 +30,8 @@ struct tia_exposure tia_exposure_of(tia_q16 exposure)
 
 #define MEAN_MOST (INT64_C(1) << 38) /* largest mean, 2^14, in units of 2^-24 */
 
-/* Returns the mean in units of 2^-32, rounded down, without overflow: for sums of 2^55 and more at most 2^46. */
+/* Returns the mean in units of 2^-32, rounded down. So that nothing overflows, the mean of a sum of 2^55 or more is
+ * limited to about 2^46 of these units. */
 static int64_t mean_of(int64_t sum, uint32_t count)
 {
     int64_t whole = sum / count;
@@ -40,7 +41,7 @@ static int64_t mean_of(int64_t sum, uint32_t count)
     return (whole < MEAN_MOST ? whole : MEAN_MOST) * 256 + sum % count * 256 / count;
 }
 
-/* Exposures by whole stops need no product. A value too large to be shifted is far above white. */
+/* Exposures by whole stops up to 0 need no product. A result of more than 32 bits is above white. */
 uint32_t tia_exposed(const struct tia_exposure *exposure, int64_t sum, uint32_t count)
 {
     if (!exposure || !count || sum <= 0)
@@ -67,7 +68,7 @@ static unsigned reached(const uint32_t *thresholds, unsigned bits, uint32_t valu
     return level;
 }
 
-/* Returns reached() for 8 bits, in one step or two, except near black. */
+/* Returns the same as reached() for 8 bits, in one or two steps except near black. */
 static unsigned reached8(uint32_t value)
 {
     unsigned level = tia_srgb8_from[value >> 24], end = tia_srgb8_from[(value >> 24) + 1];

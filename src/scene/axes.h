@@ -4,11 +4,11 @@
 
 #include <tia/camera.h>
 
-/* Gives c = a x b, all Q1.62. */
+/* Writes c = a x b; all are Q1.62. */
 void tia_axes_cross(const int64_t a[3], const int64_t b[3], int64_t c[3]);
 
-/* Gives the rows u, v and n, Q1.62, for a camera that tia_scene_check accepts. `back` is the vector from the reference
- * point to the eye, in any unit, its coordinates below 2^60 in size. */
+/* Writes the rows u, v and n, Q1.62, of a camera that tia_scene_check accepts. `back` is the vector from the reference
+ * point to the eye, in any unit; its coordinates are below 2^60 in size. */
 void tia_camera_axes(int64_t axes[3][3], const struct tia_camera *camera, const int64_t back[3]);
 
 #endif

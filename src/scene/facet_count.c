@@ -1,22 +1,23 @@
 /* facet_count.c - corners lie on the surface, so that the faces of a closed shape are inside it: each ray that meets a
  * face also meets the shape.
  *
- * The chord between two of n corners of a circle of radius r is at most r (1 - cos(pi/n)) < r pi^2/(2 n^2) away from
- * it. So n^2 >= 5 r/e is enough for an error of e: 5 - pi^2/2 = 0.07 leaves room for the rounding of angles to 2^-16
- * degree, n being at most 2^14. On a sphere a face spans such an arc both ways. With u the direction of the middle of
- * the arcs, each corner p has p.u >= r (1 - 2 (1 - cos(pi/n))), and so has each point between the corners: a sphere
- * needs n^2 >= 10 r/e. A transform lengthens radii and errors, by its largest scale at most. */
+ * The chord between neighbours among n corners of a circle of radius r is at most r (1 - cos(pi/n)) < r pi^2/(2 n^2)
+ * away from the circle. So n^2 >= 5 r/e is enough for an error of e. The surplus, 5 - pi^2/2 = 0.07, covers the
+ * rounding of angles to 2^-16 degree, since n is at most 2^14. On a sphere, a face spans such an arc in both
+ * directions. Let u be the direction of the arcs' middle: p.u >= r (1 - 2 (1 - cos(pi/n))) for each corner p, and so
+ * for each point between the corners. So a sphere needs n^2 >= 10 r/e. A transform enlarges radii and errors by at most
+ * its largest scale. */
 #include "facet_count.h"
 
 #include "math/integer.h"
 
 #define AROUND_MAX (1 << 14)
 #define AROUND_MIN 8
-#define RADIUS_MAX (INT64_C(1) << 49) /* largest radius in a scene that is not checked yet: Q31.32 */
+#define RADIUS_MAX (INT64_C(1) << 49) /* Q31.32; radii in an unchecked scene are clamped to this */
 
 struct round {
     int64_t radius; /* the largest radius */
-    bool ends[2];   /* the ends of a cylinder or cone; false: the end is a point */
+    bool ends[2];   /* for each end of a cylinder or cone: false if it is a point */
     bool capped;
 };
 
@@ -52,7 +53,7 @@ static int64_t largest_scale(const struct tia_scene *scene, const struct tia_sha
     return most > scale->z ? most : scale->z;
 }
 
-/* Returns the least multiple of 4 corners that suffices: n^2 >= factor radius/error. */
+/* Returns a sufficient number of corners, a multiple of 4: n^2 >= factor radius/error. */
 static uint32_t corners_of(int64_t radius, tia_q16 error, uint32_t factor)
 {
     uint64_t size = radius < 0 ? 0 : (uint64_t)(radius < RADIUS_MAX ? radius : RADIUS_MAX);
@@ -86,7 +87,7 @@ bool tia_facets_of(const struct tia_scene *scene, uint32_t object, struct tia_fa
         s.sphere.radius = scene->spheres[object].radius;
     if (scene->tessellated <= 0 || !round_of(&s, &r))
         return false;
-    int64_t radius = r.radius + (scene->fine ? 1 : 0); /* the scene's fine digits add a unit at most */
+    int64_t radius = r.radius + (scene->fine ? 1 : 0); /* fine digits add at most one unit */
     facets->around = corners_of(radius * largest_scale(scene, &s), scene->tessellated, s.kind == TIA_SPHERE ? 10 : 5);
     count(&s, &r, facets);
     if (facets->around > AROUND_MAX)

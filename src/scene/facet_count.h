@@ -10,8 +10,8 @@ struct tia_facets {
     uint64_t points, faces;
 };
 
-/* Gives the division of a sphere, disc, cylinder or cone; false for other objects, and in a scene that is not
- * tessellated. With too many corners, the number of faces is far above TIA_OBJECTS_MAX. */
+/* Computes the division of a sphere, disc, cylinder or cone. Returns false for other objects, and in a scene that is
+ * not tessellated. If too many corners are needed, `faces` is far above TIA_OBJECTS_MAX. */
 bool tia_facets_of(const struct tia_scene *scene, uint32_t object, struct tia_facets *facets);
 
 #endif

@@ -1,11 +1,12 @@
 /* hull.c - tight boxes around shapes.
  *
- * A shape's point p lies in the world at position + R S p, S being the scale. Along the world's axis k, R S p is w.p,
- * where w is a row of R S; so a shape's extent along k is its extent along w in its own axes: r |w| for a sphere, the
- * sum of |w_i c_i| over a corner c for a box, r |w x N| / |N| for a disc.
+ * A point p in the shape's own axes is at position + R S p in the world, where R is the rotation and S the scale. The
+ * coordinate of R S p along the world's axis k is w.p, where w is row k of R S. So a shape's extent along k is its
+ * extent along w in its own axes: r |w| for a sphere, the sum of |w_i c_i| for a box with the corners (+-c_0, +-c_1,
+ * +-c_2), r |w x N| / |N| for a disc.
  *
- * Rows are Q11.52, as scales are at most 2^10, and sums Q31.32. A length is rounded up to 2^-30 of itself; all other
- * roundings together stay far below the unit of 2^-16 that tia_bounds_with_margin adds.
+ * Rows are Q11.52, since scales are at most 2^10; sums are Q31.32. A length is rounded up by at most 2^-30 of itself.
+ * All other rounding errors together are far below 2^-16, the margin that tia_bounds_with_margin adds.
  */
 #include "hull.h"
 
@@ -46,7 +47,7 @@ static void include(struct hull *hull, int k, int64_t value, int64_t reach)
         hull->max[k] = value + reach;
 }
 
-/* The products, of Q.52 and Q.16, are rounded to Q.32. */
+/* Products of Q.52 and Q.16 are rounded to Q.32. */
 int64_t tia_frame_place(const struct frame *frame, int k, struct tia_vec3 p)
 {
     const int64_t *w = frame->rows[k];
@@ -73,7 +74,7 @@ static struct length measure(const int64_t v[3], bool up)
 
     if (!all)
         return (struct length){0, 0};
-    int shift = 33 - (int)tia_clz64(all); /* the sum then has 31 bits */
+    int shift = 33 - (int)tia_clz64(all); /* the largest component then has 31 bits */
     for (int i = 0; i < 3; i++) {
         uint64_t size = size_of(v[i]), rest = shift > 0 && up ? (UINT64_C(1) << shift) - 1 : 0;
         size = shift > 0 ? (size + rest) >> shift : size << -shift;
@@ -83,13 +84,13 @@ static struct length measure(const int64_t v[3], bool up)
     return (struct length){root + (up && root * root < square), shift};
 }
 
-/* Returns a/b, rounded up; mantissas of 32 bits over 31 or 32. */
+/* Returns a/b, rounded up. The mantissas have at most 32 bits; b's has at least 31. */
 static struct length ratio(struct length a, struct length b)
 {
     return (struct length){((a.mantissa << 31) + b.mantissa - 1) / b.mantissa, a.exponent - b.exponent - 31};
 }
 
-/* Returns radius times length, the mantissa times 2^exponent being Q.52: Q.32, rounded up. */
+/* Returns radius times length, rounded up, in units of 2^-32. The length is mantissa 2^exponent, in units of 2^-52. */
 static int64_t stretch(tia_q16 radius, struct length length)
 {
     struct tia_wide p = tia_wide_product((uint32_t)radius, length.mantissa);
@@ -98,7 +99,7 @@ static int64_t stretch(tia_q16 radius, struct length length)
     if (shift <= 0)
         return (int64_t)(p.low << -shift);
     if (shift >= 64)
-        return p.high | p.low ? 1 : 0; /* the low half of a number below 2^65 */
+        return p.high | p.low ? 1 : 0; /* at most 2 units of 2^-32; the margin covers one */
     bool exact = !(p.low & ((UINT64_C(1) << shift) - 1));
     return (int64_t)(p.high << (64 - shift) | p.low >> shift) + !exact;
 }
@@ -117,7 +118,7 @@ void tia_hull_add_sphere(struct hull *hull, struct tia_vec3 centre, tia_q16 radi
     }
 }
 
-/* Along each axis of the world, only the two outermost corners count. */
+/* Adds only the two outermost corners along each axis of the world. */
 void tia_hull_add_box(struct hull *hull, const struct tia_bounds *b)
 {
     if (b->max.x < b->min.x)
@@ -132,8 +133,8 @@ void tia_hull_add_box(struct hull *hull, const struct tia_bounds *b)
     }
 }
 
-/* The products of w x N, of 62 bits and 33, are cut by 34 bits: where the disc is normal to the axis they cancel, and
- * the significant bits stay. */
+/* The products in w x N, of 62-bit and 33-bit factors, lose their lowest 34 bits. If the disc is perpendicular to the
+ * axis, the products cancel; the remaining bits are then enough. */
 void tia_hull_add_disc(struct hull *hull, struct tia_vec3 centre, tia_q16 radius, const int64_t normal[3])
 {
     const struct length whole = measure(normal, false);
@@ -151,7 +152,8 @@ void tia_hull_add_disc(struct hull *hull, struct tia_vec3 centre, tia_q16 radius
     }
 }
 
-/* The axis is shifted up to 33 bits, so that tia_hull_add_disc loses little precision. */
+/* The axis is shifted left until its largest component has 33 bits, so that tia_hull_add_disc loses little
+ * precision. */
 void tia_hull_add_ends(struct hull *hull, struct tia_vec3 base, struct tia_vec3 top, tia_q16 base_radius,
                        tia_q16 top_radius)
 {

@@ -1,4 +1,4 @@
-/* hull.h - boxes that grow around the parts of a shape. */
+/* hull.h - bounding boxes of shapes, extended part by part. */
 #ifndef TIA_SCENE_HULL_H
 #define TIA_SCENE_HULL_H
 
@@ -6,12 +6,12 @@
 
 #include "cancel.h"
 
-/* A box in the world, Q47.16, as a transform may move objects out of the range of Q16.16. */
+/* A box in the world. Q47.16, since a transform may move objects out of the range of Q16.16. */
 struct bounds_wide {
     int64_t min[3], max[3];
 };
 
-/* An empty box, which grows. */
+/* An empty box, to be enlarged. */
 #define BOUNDS_NOTHING                                                                                                 \
     (struct tia_bounds)                                                                                                \
     {                                                                                                                  \
@@ -28,13 +28,13 @@ struct tia_bounds tia_bounds_of_face(const struct tia_mesh *mesh, uint32_t face)
 /* Returns the box of a mesh, exact, in its own axes; undefined once cancelled. */
 struct tia_bounds tia_bounds_of_mesh(const struct tia_mesh *mesh, struct cancel *cancel);
 
-/* The position of a shape, Q31.32, and the rows of R S, Q11.52: rotation and scale. */
+/* The rows of R S (rotation and scale), Q11.52, and the position of a shape, Q31.32. */
 struct frame {
     int64_t rows[3][3];
     int64_t position[3];
 };
 
-/* A growing box in the world, Q31.32, of a shape that is given in its own axes. */
+/* A box in the world, Q31.32, which grows around a shape that is given in its own axes. */
 struct hull {
     const struct frame *frame;
     int64_t min[3], max[3];
@@ -45,7 +45,7 @@ void tia_frame_prepare(struct frame *frame, const struct tia_transform *transfor
 
 /* Returns the coordinate along the world's axis k, Q31.32, of a point in the shape's axes. */
 int64_t tia_frame_place(const struct frame *frame, int k, struct tia_vec3 p);
-/* Returns the same for a point given in Q31.32. */
+/* Does the same for a point in Q31.32. */
 int64_t tia_frame_place_finely(const struct frame *frame, int k, const int64_t p[3]);
 
 void tia_hull_add_point(struct hull *hull, struct tia_vec3 p);

@@ -126,7 +126,7 @@ static void lensed(const struct light_grid *grid, int x, int y, int channel, str
     pixel->place = (tia_q16)((int64_t)(((phase >> 32) * 2 * line + (UINT64_C(1) << 31)) >> 32) - (int64_t)line);
 }
 
-/* Returns a b/c 2^-16, rounded to nearest; |a| < 2^62, b and c above 0. */
+/* Returns a b/c, with an error of up to half a unit plus 2^-59 of the result; |a| < 2^62, b and c above 0. */
 static int64_t scaled(int64_t a, tia_q16 b, tia_q16 c)
 {
     wide product = wide_product(a < 0 ? -a : a, b);
@@ -137,7 +137,8 @@ static int64_t scaled(int64_t a, tia_q16 b, tia_q16 c)
     return a < 0 ? -quotient : quotient;
 }
 
-/* Gives the pixel of a projector; q, p and q - p are Q31.32, relative to the middle of the observer line. */
+/* Writes the pixel of a projector. The projector's ray through the pixel, at q on the screen, meets the observer line
+ * at s. Both are positions along u, Q31.32, relative to the middle of the line. */
 static bool projected(const struct light_grid *grid, int x, int y, struct light_pixel *pixel)
 {
     const struct tia_projector *projector = &grid->field->projector;

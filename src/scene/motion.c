@@ -6,7 +6,7 @@
 #include "scene/fall/fall.h"
 #include "scene/track.h"
 
-/* Sets a light's direction, except to 0, through which interpolated values can pass. */
+/* Sets a light's direction. A value of 0, which an interpolation can pass through, changes nothing. */
 static void set_direction(struct tia_dir3 *direction, struct tia_vec3 to)
 {
     if (to.x | to.y | to.z)
@@ -37,7 +37,7 @@ static void set_colour(struct tia_material *material, enum tia_target target, st
     *colours[target - TIA_SETS_COLOUR] = (struct tia_rgb){channel(value.x), channel(value.y), channel(value.z)};
 }
 
-/* The arrays with moving elements, which are copied, in the order of their copies in memory. */
+/* Copies of the camera and of the arrays that have moving elements, in their order in memory. */
 struct moving {
     struct tia_camera camera;
     struct tia_light *lights;
@@ -133,7 +133,7 @@ static void apply(const struct tia_scene *scene, const struct tia_track *track, 
     }
 }
 
-/* Allocates a copy in the block; returns NULL for the size 0, when the array is not copied. */
+/* Allocates memory for a copy in the block. Returns NULL for the size 0: the array is not copied. */
 static void *part(char **memory, uint64_t size)
 {
     char *here = *memory;

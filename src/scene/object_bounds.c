@@ -3,8 +3,8 @@
 
 #include "scene/shapes/description.h"
 
-/* Returns the largest enlargement of a box by the scene's fine digits, in units of 2^-16: half a unit each for centre
- * and radius. */
+/* Returns the most by which the scene's fine digits enlarge a box, in units of 2^-16: half a unit each for centre and
+ * radius. */
 static int64_t fine_margin(const struct tia_scene *scene)
 {
     return scene->fine ? 1 : 0;

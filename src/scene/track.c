@@ -9,8 +9,8 @@ static int64_t fraction(int64_t a, int64_t b)
     return (int64_t)((n / d) << 31 | (n % d << 31) / d);
 }
 
-/* The weights of the distance between the ends and of the two tangents, Q2.62: the cubic Hermite polynomials 3u^2 -
- * 2u^3, u - 2u^2 + u^3 and u^3 - u^2, evaluated so that no intermediate exceeds 1. */
+/* Weights, Q2.62, of the difference of a segment's ends and of its two tangents: the cubic Hermite polynomials 3u^2 -
+ * 2u^3, u - 2u^2 + u^3 and u^3 - u^2. They are evaluated so that no intermediate result exceeds 1. */
 struct weights {
     int64_t end, first_slope, last_slope;
 };
@@ -21,9 +21,9 @@ static struct weights hermite(int64_t u)
     return (struct weights){u2 + 2 * (u2 - u3), (u - u2) - (u2 - u3), u3 - u2};
 }
 
-/* One coordinate of the four keyframes around a time: the segment's two ends, and the keyframes before and after. An
- * end's tangent is the difference of its neighbours, multiplied by the segment's share of the time between them,
- * first_share or last_share; 0 at the ends of the track. */
+/* One coordinate of the four keyframes around a time: the segment's two ends, and the keyframes before and after it.
+ * The tangent at an end is the difference of the neighbouring values, multiplied by first_share or last_share: the part
+ * of the time between these neighbours that the segment takes. At the ends of the track the tangent is 0. */
 struct segment {
     tia_q16 before, first, last, after;
     int64_t first_share, last_share;

@@ -5,7 +5,7 @@
 #include "scene/bvh/tree.h"
 
 #define BOX_BITS 26
-#define SEGMENT_BITS 28 /* longer ends are cut, so that products of two differences have less than 62 bits */
+#define SEGMENT_BITS 28 /* longer segments are cut, so that products of two differences have fewer than 62 bits */
 #define FAR_BITS 58
 #define MOVED 48 /* largest movement: 8 by rounding the point, 1/2 by each of at most 36 halvings at either end */
 
@@ -57,8 +57,8 @@ static int find_shift(const struct tia_flat_scene *flat, struct cancel *cancel)
     return bits > BOX_BITS ? bits - BOX_BITS : 0;
 }
 
-/* Returns a box shifted down, and enlarged by MOVED on every side: one unit allows for each number that is rounded
- * down, and one for the upper end. */
+/* Returns a box in units of 2^shift, enlarged by MOVED on every side. Three units more allow for rounding down MOVED,
+ * the box's upper corner and the segment's ends. */
 static struct tia_bounds enlarged(const int64_t low[3], const int64_t high[3], int shift)
 {
     int64_t more = (MOVED >> shift) + 3;
@@ -69,7 +69,7 @@ static struct tia_bounds enlarged(const int64_t low[3], const int64_t high[3], i
          (int32_t)((high[2] >> shift) + more)}};
 }
 
-/* Faces with a box fill the items from the front, unbounded ones from the back. */
+/* Bounded faces fill the items from the front, unbounded faces from the back. */
 int tia_casters_build(struct tia_casters *casters, void *memory, const struct tia_flat_scene *flat,
                       struct cancel *cancel)
 {
@@ -98,7 +98,7 @@ int tia_casters_build(struct tia_casters *casters, void *memory, const struct ti
 
 /* ---- the ends ---- */
 
-/* Gives a r 2^-places, rounded down, r below 2^63; false when the result is not below 2^FAR_BITS in size. */
+/* Gives a r 2^-places, rounded down; r is below 2^63. False when the result is not below 2^FAR_BITS in magnitude. */
 static bool scaled(int64_t a, int64_t r, int places, int64_t *out)
 {
     wide product = wide_product(a, r);
@@ -114,7 +114,7 @@ static bool scaled(int64_t a, int64_t r, int places, int64_t *out)
     return true;
 }
 
-/* Returns 1/a 2^*places; a > 0. */
+/* Returns 1/a, with *places fraction bits; a > 0. */
 static int64_t inverse(int64_t a, int *places)
 {
     unsigned zeros = tia_clz64((uint64_t)a);
@@ -157,8 +157,8 @@ static int bits_of(int64_t a)
     return a ? 64 - (int)tia_clz64((uint64_t)a) : 0;
 }
 
-/* Gives the segment's end at the light. For a directional light that is a point outside the root, in its direction from
- * the visible point: 2^beyond, more than four times as far as the root and the point. */
+/* Gives the segment's end at the light. For a directional light the end is a point outside the root, in the light's
+ * direction from the visible point: at least four times as far away as the root and the visible point. */
 static void find_light(const struct tia_flat_scene *flat, const struct tia_casters *casters,
                        const tia_flat_light *light, const int64_t from[3], int64_t p[3])
 {
@@ -183,8 +183,8 @@ static bool meet(const struct tia_bounds *box, int shift, const int64_t a[3], co
     return true;
 }
 
-/* Moves the end a, if far away, towards b, as long as the part that is cut off does not meet the root's box. False: no
- * part meets the box. */
+/* Moves the end a, if it is far away, towards b, by cutting off parts that do not meet the root's box. False: no part
+ * of the segment meets the box. */
 static bool cut(const struct tia_casters *casters, int64_t a[3], const int64_t b[3])
 {
     const struct tia_bounds *root = &casters->tree.nodes[0].bounds;

@@ -1,10 +1,10 @@
 /* casters.h - finds the faces that may stand between a pixel's visible point and a light: a hierarchy of boxes is
- * tested against the segment from the point to the light. It may find too many faces, never too few; the test of
- * occluder.h decides.
+ * tested against the segment from the point to the light. The test may find too many faces, never too few; occluder.h
+ * decides.
  *
- * Boxes have 27 bits, in units of 2^shift units of the vertices. The visible point is rounded, and a segment that
- * reaches far outside the root is cut by halving; both together move the segment's points by less than 48 units of the
- * vertices. Each box is enlarged by as much. */
+ * The boxes' coordinates have 27 bits; their unit is 2^shift units of the vertices. The visible point is rounded, and a
+ * segment that reaches far outside the root is cut by halving; together these move the segment's points by less than 48
+ * units of the vertices. Each box is enlarged by as much. */
 #ifndef TIA_SHADOW_CASTERS_H
 #define TIA_SHADOW_CASTERS_H
 
@@ -20,7 +20,7 @@ struct tia_casters {
     int shift;
 };
 
-/* Returns the number of bytes of memory for this number of faces. */
+/* Returns the number of bytes for a hierarchy of this number of faces. */
 uint64_t tia_casters_size(uint64_t faces);
 /* Builds the hierarchy in memory aligned for uint64_t; TIA_STOPPED when cancelled. */
 int tia_casters_build(struct tia_casters *casters, void *memory, const struct tia_flat_scene *flat,
@@ -34,7 +34,7 @@ struct tia_segment {
 enum tia_segment_kind {
     TIA_SEGMENT_MISSES, /* the segment is near no box */
     TIA_SEGMENT_INSIDE,
-    TIA_SEGMENT_FAR /* the visible point is so far away that any face may be near */
+    TIA_SEGMENT_FAR /* the visible point is too far away for this test: any face may hide the light */
 };
 
 /* Prepares the segment from a visible point to a light. */

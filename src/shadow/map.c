@@ -5,7 +5,7 @@
 #include "raster/target.h"
 
 #define BAND_TEXELS (UINT32_C(1) << 20) /* largest number of texels in memory while a map is drawn, band by band */
-#define ASKED_TEXELS 4096               /* number of texels that count as an item of work, see cancel.h */
+#define ASKED_TEXELS 4096               /* number of texels that count as one item of work, see cancel.h */
 
 unsigned tia_map_corners(const struct tia_map *map, const struct tia_map_view *view, const struct tia_flat_scene *flat,
                          uint32_t face, struct tia_raster_vertex corners[TIA_SIDES])
@@ -27,7 +27,7 @@ unsigned tia_map_corners(const struct tia_map *map, const struct tia_map_view *v
     return sides;
 }
 
-/* Returns the upper 62 bits of a > 0; *exponent receives that of the lowest of these bits. */
+/* Returns the upper 62 bits of a > 0; *exponent receives the exponent of the lowest of these bits. */
 static int64_t mantissa(wide a, int *exponent)
 {
     int bits = wide_bits(a);
@@ -48,8 +48,8 @@ static int64_t cut_by(wide a, int cut)
     return cut > 0 ? wide_down(a, (unsigned)cut) : (int64_t)wide_low(a);
 }
 
-/* The plane's point in the middle of a texel is t D, t = det/f, D.w = size; so the distance is det size/f, in units of
- * the vertices. For parallel rays the distance is -f/(det size). */
+/* At the middle of a texel the plane's point is t D, with t = det/f and D.w = size: its distance is det size/f, in
+ * units of the vertices. For parallel rays the distance is -f/(det size). */
 void tia_map_plane_init(struct tia_map_plane *plane, const struct tia_map *map, const struct tia_map_view *view,
                         const struct tia_raster_plane *given)
 {

@@ -4,7 +4,7 @@
 #include "raster/depth.h"
 #include "scene/axes.h"
 
-#define STEEP (INT64_C(50) << 16) /* the largest tangent */
+#define STEEP (INT64_C(50) << 16) /* largest tangent, Q.16 */
 
 void tia_map_look_init(struct tia_map_look *look, const struct tia_scene *scene)
 {
@@ -68,7 +68,8 @@ static void move(struct tia_map_point *point, const int64_t place[3], int64_t by
     tia_map_find(point->map, moved, &point->spot);
 }
 
-/* Sets the face's plane in the point's view. The face may cover no middle of a texel, or end just beside the view. */
+/* Sets the face's plane in the point's view. The polygon is enlarged, since the face may cover no texel's middle, or
+ * end just beside the view. */
 static void find_plane(struct tia_map_point *point)
 {
     const struct tia_map_view *view = point->spot.view;
@@ -123,8 +124,8 @@ int64_t tia_map_read(const struct tia_map_point *point, int64_t i, int64_t j)
     return (int64_t)texel(point, i, j) << point->map->coarse;
 }
 
-/* Returns the least distance at a texel that does not shadow the point. The plane is rounded as the map's faces are:
- * without slack, the face itself is exactly at the limit. */
+/* Returns the smallest distance at a texel that does not shadow the point. The plane is rounded as the map's faces are,
+ * so that without slack the face itself is exactly at the limit. */
 static int64_t limit_at(const struct tia_map_point *point, int64_t i, int64_t j)
 {
     const struct tia_map *map = point->map;

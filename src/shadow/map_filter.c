@@ -45,8 +45,8 @@ static unsigned square(const struct tia_map_point *p, int half)
     return part(lit, side * side);
 }
 
-/* Returns the share by 16 taps spread over a disc with a radius of 3 texels, Q.6, turned by a multiple of 45
- * degrees. */
+/* Returns the share by 16 taps in a disc with a radius of 3 texels, rotated by a multiple of 45 degrees. Both tables
+ * are Q.6. */
 static unsigned poisson(const struct tia_map_point *p, unsigned turn)
 {
     static const int16_t disc[16][2] = {{26, 31},    {-93, -3},  {-25, -94},  {88, -60},   {-63, 96},  {118, 44},
@@ -100,8 +100,8 @@ static unsigned disc(const struct tia_map_point *p, int64_t k)
     return part(lit, taps);
 }
 
-/* Returns the share by a filter as wide as the penumbra: seen from the point at the distance w, a light of radius R has
- * the size R/w, and its disc through a hole at the distance b the size R (w - b)/(b w). */
+/* Returns the share by a filter as wide as the penumbra. Blockers are sought within R of the point, R being the light's
+ * radius. With a blocker at the distance b, the penumbra at the point's distance w has the radius R (w - b)/b. */
 static unsigned pcss(const struct tia_map_point *p, int64_t radius)
 {
     int64_t widest = p->map->size / WIDEST, texels = wide_quotient(radius, p->spot.texel, 16); /* texels, Q.16 */

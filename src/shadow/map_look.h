@@ -1,4 +1,5 @@
-/* map_look.h - the share of a light that reaches a point by a shadow map: biases and filters, see tia/shadow.h. */
+/* map_look.h - the share of a light that reaches a point, found with a shadow map by biases and filters, see
+ * tia/shadow.h. */
 #ifndef TIA_SHADOW_MAP_LOOK_H
 #define TIA_SHADOW_MAP_LOOK_H
 
@@ -15,7 +16,8 @@ struct tia_map_look {
 
 void tia_map_look_init(struct tia_map_look *look, const struct tia_scene *scene);
 
-/* Returns the largest distance of a tap from the point's texel, in texels; not for TIA_FILTER_PCSS. */
+/* Returns the width of a view's border, in texels: more than the largest distance of a tap from the point's texel,
+ * except with TIA_FILTER_PCSS. */
 unsigned tia_map_border(enum tia_filter filter);
 
 /* A point of a lit face, and its position in the map. */
@@ -27,11 +29,11 @@ struct tia_map_point {
     const struct tia_map_view *of; /* view of `plane`, or NULL */
     struct tia_map_plane plane;    /* the face's plane; used for TIA_BIAS_PLANE only */
     struct tia_map_spot spot;
-    int64_t limit, slack; /* limit: least distance of a texel that does not shadow the point; with TIA_BIAS_PLANE the
+    int64_t limit, slack; /* limit: smallest distance of a texel that does not shadow the point; with TIA_BIAS_PLANE the
                              plane's distance less slack */
 };
 
-/* Begins a face, on which all points lie until the next call. */
+/* Sets the face on which all points lie until the next call. */
 void tia_map_face(struct tia_map_point *point, const tia_flat_light *light, uint32_t face);
 
 /* Sets the point's position, with TIA_WORLD_BITS fraction bits, and its limit. */

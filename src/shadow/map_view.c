@@ -53,7 +53,7 @@ static int64_t dot(const int64_t axis[3], const int64_t place[3])
 
 /* ---- from the scene's coordinates to a view's ---- */
 
-/* Returns a row of a view's matrix: axis times scale 2^-scale_places in the world, converted to apply to vertices. */
+/* Returns a row of a view's matrix for vertices; in the world's coordinates it is axis times scale 2^-scale_places. */
 static struct tia_eye_row row_of(const struct tia_world *world, const int64_t axis[3], int64_t scale, int scale_places)
 {
     int shift = 0, spread = 8 + world->flat->grid.fraction - 32; /* for a row applied to 256 times a coordinate, in
@@ -80,7 +80,7 @@ static int bits_of(unsigned size)
 
 static void make_rows(struct tia_map *map, const struct tia_world *world, struct tia_map_view *view)
 {
-    int zoom_places = DENSITY_BITS + bits_of(map->size) - 1; /* the factor 2/size of the density */
+    int zoom_places = DENSITY_BITS + bits_of(map->size) - 1; /* fraction bits of the density times 2/size */
     const int64_t back[3] = {-view->axes[2][0], -view->axes[2][1], -view->axes[2][2]};
 
     for (int k = 0; k < 2; k++)
@@ -137,7 +137,7 @@ static int make_lattice(struct tia_map *map, const struct tia_flat_scene *flat)
 
 /* ---- the extent of views ---- */
 
-/* Fits the view of parallel rays to all points: the origin is in the middle of that side of their box which faces the
+/* Fits the view of parallel rays to all points. The origin is in the middle of the side of their box that faces the
  * light. */
 static void fit(struct tia_map *map, const struct tia_world *world, int64_t texels)
 {

@@ -136,7 +136,7 @@ static int sure_side(const struct tia_occluder_plane *p, const struct tia_seen *
     return a - b > p->unsure ? 1 : a - b < -p->unsure ? -1 : 0;
 }
 
-/* Returns the exact sign of M.D - m s, with ties broken; 0: the two planes are equal. */
+/* Returns the exact sign of M.D - m s, with ties broken as in occluder.h; 0: the two planes are equal. */
 static int exact_side(const struct tia_occluder *o, unsigned k, const struct tia_seen *seen)
 {
     struct plane plane = plane_of(o, k);
@@ -159,7 +159,7 @@ static int side_of(const struct tia_occluder *o, unsigned k, const struct tia_se
     return side ? side : exact_side(o, k, seen);
 }
 
-/* Returns the side of the face's plane that the light is on. */
+/* Returns the side of the face's plane on which the light is: 1, -1, or 0 in the plane. */
 static int side_of_light(const struct plane *own, const tia_flat_light *light)
 {
     int64_t q[3];

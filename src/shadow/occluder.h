@@ -10,9 +10,9 @@
  * face in the visible face's own plane does not hide the light. The sides of shadow volumes lie in the same planes, and
  * their depths are compared by the same integers, so both techniques give the same shadows, and neither needs a bias.
  *
- * The products have up to 243 bits. A filter comes first: s has a relative error below 2^-58, m one of 2^-61, and M.D,
- * in units in which it is below 2^62, is less than 2^14 too small. shadow_ranges.h has the resulting error of M.D - m
- * s, and tests/proofs/shadow_occluder.g proves it. */
+ * The products have up to 243 bits. A filter decides most cases first: there s has a relative error below 2^-58 and m
+ * one below 2^-61; M.D, in a unit in which it is below 2^62, is less than 2^14 too small. shadow_ranges.h has the
+ * resulting error of M.D - m s, and tests/proofs/shadow_occluder.g proves it. */
 #ifndef TIA_SHADOW_OCCLUDER_H
 #define TIA_SHADOW_OCCLUDER_H
 
@@ -23,7 +23,7 @@ struct tia_seen_face {
     const struct tia_raster_plane *plane;
     uint32_t face;
     int64_t reciprocal; /* 1/d 2^(62 + bits) */
-    int bits;
+    int bits;           /* number of bits of d */
 };
 
 /* The visible point of pixel (x, y): s is nearness 2^exponent. */
@@ -59,8 +59,8 @@ void tia_seen_face_init(struct tia_seen_face *of, const struct tia_flat_scene *f
 /* Prepares a pixel that shows the face. */
 void tia_seen_init(struct tia_seen *seen, const struct tia_seen_face *of, int x, int y);
 
-/* Prepares an occluder, with pointers to `flat` and `light`; false when the light is in the face's plane, so that the
- * face hides no point. */
+/* Prepares an occluder, which keeps pointers to `flat` and `light`; false when the light is in the face's plane, so
+ * that the face hides no point. */
 bool tia_occluder_init(struct tia_occluder *occluder, const struct tia_flat_scene *flat, const tia_flat_light *light,
                        uint32_t face);
 

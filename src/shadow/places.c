@@ -10,7 +10,7 @@ void tia_place_of_vertex(const struct tia_places *p, const struct tia_raster_ver
         at[k] *= 1 << SEEN_BITS;
 }
 
-/* Gives a b 2^shift; false when the result has more than SEEN_FAR bits. */
+/* Gives a b 2^-shift, rounded; false when the result has more than SEEN_FAR bits. */
 static bool scaled(int64_t a, int64_t b, int shift, int64_t *out)
 {
     wide product = wide_product(a, b);

@@ -19,7 +19,7 @@ struct tia_shadow_view {
 /* The data of each pixel of a tile. */
 struct tia_shadow_tile {
     struct tia_raster_target target;
-    uint64_t *lit; /* a bit for each light sample of each pixel; rows are target.pitch pixels apart */
+    uint64_t *lit; /* for each pixel, a bit for each light sample; rows are target.pitch pixels apart */
     void *more;    /* each pixel's scratch memory or shares */
 };
 
@@ -36,16 +36,16 @@ struct tia_shadow_technique {
     /* updates view->own whenever the view's samples have changed; TIA_STOPPED when cancelled */
     int (*set_lights)(struct tia_shadow_view *view, struct cancel *cancel);
 
-    /* Sets the bit of a sample in each pixel where its light arrives. Before the call faces and depths must be drawn,
-     * and the bit clear everywhere. With shares, stores each pixel's share of the sample as well. Once cancelled, the
-     * bits are undefined. */
+    /* Sets the bit of a sample in each pixel where its light arrives. Before the call, faces and depths must be drawn,
+     * and the bit must be clear in all pixels. With shares, stores each pixel's share of the sample as well. Once
+     * cancelled, the bits are undefined. */
     void (*light)(const struct tia_shadow_view *view, struct tia_shadow_tile *tile, unsigned sample,
                   struct cancel *cancel);
 
     /* Returns the number of shares of a pixel, at least one for each sample; 0 where bits suffice. NULL: the technique
      * has no shares. */
     unsigned (*shares)(const struct tia_scene *scene);
-    /* True if an area light has only one sample, in its centre, whose share is that of the whole light. NULL: never. */
+    /* True if an area light has only one sample, at its centre, which represents the whole light. NULL: never. */
     bool (*is_whole)(const struct tia_scene *scene);
 
     /* True if own_size bytes also suffice for these lights in place of the scene's. NULL: always. */

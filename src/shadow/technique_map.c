@@ -6,7 +6,8 @@
 #include "raster/target.h"
 #include "scene/axes.h"
 
-/* The technique's data. The struct is followed by the maps, room to draw one map, and the distances. */
+/* The technique's data. The struct is followed by the maps, the working memory for drawing one map, and the
+ * distances. */
 struct maps {
     struct tia_map_look look;
     struct tia_world world;
@@ -40,7 +41,7 @@ static void add_light(struct demand *demand, const struct tia_scene *scene, cons
     demand->texels += (uint64_t)samples * tia_map_views(light) * look.size * look.size;
 }
 
-/* Returns the samples and texels needed for all lights, whichever keys are pressed. */
+/* Returns the numbers of samples and texels needed for all lights, whichever keys are pressed. */
 static struct demand demand_of(const struct tia_scene *scene)
 {
     struct demand demand = {0, 0};
@@ -99,7 +100,7 @@ static int prepare(struct tia_shadow_view *view, struct cancel *cancel)
     return TIA_OK;
 }
 
-/* Returns the radius of a disc with the light's area. */
+/* Returns the radius of a disc with the light's area, TIA_WORLD_BITS fraction bits; 0 for a light without area. */
 static int64_t radius_of(const struct tia_light *light)
 {
     const int64_t a[3] = {light->side[0].x, light->side[0].y, light->side[0].z};
@@ -111,10 +112,9 @@ static int64_t radius_of(const struct tia_light *light)
     if (!tia_light_has(light->kind, TIA_LIGHT_SIDES) || !wide_normalise(a, unit[0]) || !wide_normalise(b, unit[1]))
         return 0;
     tia_axes_cross(unit[0], unit[1], normal);
-    int64_t sine = wide_sqrt(wide_dot(normal, normal));                                              /* Q1.62 */
-    int64_t lengths = wide_sqrt(wide_product(wide_sqrt(wide_dot(a, a)), wide_sqrt(wide_dot(b, b)))); /* mean length of
-                                                                                                        the sides,
-                                                                                                        Q.16 */
+    int64_t sine = wide_sqrt(wide_dot(normal, normal)); /* Q1.62 */
+    /* the geometric mean of the half sides' lengths, Q.16 */
+    int64_t lengths = wide_sqrt(wide_product(wide_sqrt(wide_dot(a, a)), wide_sqrt(wide_dot(b, b))));
     int64_t root = wide_sqrt(wide_product(sine, INT64_C(1) << 62));
     return wide_round(wide_product(wide_round(wide_product(lengths, root), 62 - 12), ROOT), 62);
 }
@@ -152,7 +152,7 @@ static int set_lights(struct tia_shadow_view *view, struct cancel *cancel)
 
 struct lighting {
     const struct tia_shadow_view *view;
-    struct tia_world world; /* coordinates of the grid of the pixels' present sample */
+    struct tia_world world; /* converts coordinates of the grid of the pixels' current sample */
     struct tia_shadow_tile *tile;
     unsigned sample, shares;
     bool turned; /* the point's face is turned to the light */

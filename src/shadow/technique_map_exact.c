@@ -1,17 +1,22 @@
 /* technique_map_exact.c - the alias-free map (Aila and Laine 2004; Johnson, Lee, Burns and Mark 2005): its samples are
  * the visible points of a tile's pixels. Points are filed by their cell in the light's view; faces are drawn into that
  * view, enlarged by a cell, and each face is tested exactly (occluder.h) against all points in the cells that it
- * covers. So the result is that of exact rays, and the number of cells affects only the speed.
+ * covers. So the result is that of exact rays, and the number of cells affects only the speed. */
+
+/* Derivation that no face is missed. Let a face hide the light from a visible point P. The segment from P to the light
+ * meets the face. So as seen from the light, P lies in the face's image, or on its border if the tie rule moved the
+ * pixel. P is filed by a rounded position; the centre of its cell is less than a column and a row from P, by
+ * tests/proofs/shadow_map_exact.g with the numbers of shadow_ranges.h. (In larger cells, rounding is a smaller part of
+ * a cell.) A face is drawn with each edge moved outwards by a column and a row: if e(x, y) >= 0 at P, then e is at
+ * least
+ * -(|e.x| + |e.y|) at the cell's centre. So the cell is covered, and the face is tested against P.
  *
- * No face is missed. Let a face hide the light from a visible point P. The segment between them meets the face, so seen
- * from the light P lies in the face's image, or on its border where the tie rule moved the pixel. P is filed by a
- * rounded position; the centre of that cell is less than a column and a row from P (tests/proofs/shadow_map_exact.g,
- * with the numbers of shadow_ranges.h; the error is a smaller part of larger cells). A face is drawn with each edge
- * moved outwards by a column and a row: an edge e(x, y) >= 0 at P is at least -(|e.x| + |e.y|) at the centre. So that
- * cell is covered, and the face is tested against P. For a point light the image is exact; a P too near to the light is
- * tested against all faces. For a direction, corners are rounded, and P's image moves no farther than they do, as a
- * mean of them; thin faces are drawn as a box; and a P beyond all corners can be hidden by planes alone. Nor is a point
- * hidden wrongly: the test's integers are those of exact rays. */
+ * In the view of a point light, a face's image is exact. A point P too near to the light is tested against all faces.
+ * For a directional light, corners are rounded. The point where the segment meets the face is a mean of the corners, so
+ * its image moves no farther than theirs. Thin faces are drawn as boxes. A point P beyond all corners can be hidden
+ * only by planes.
+ *
+ * No point is hidden wrongly either: the test uses the integers of exact rays. */
 #include "math/wide.h"
 #include "occluder.h"
 #include "places.h"
@@ -22,7 +27,7 @@
 
 #define VIEWS 6 /* number of views of a point light; a directional one has one view */
 #define NONE UINT32_MAX
-#define ASIDE (UINT32_MAX - 1) /* not a cell: the point is already tested */
+#define ASIDE (UINT32_MAX - 1) /* not a cell: the point needs none, or is already tested */
 
 /* Links at a pixel's index: `head` is the first pixel in the cell with this index, `next` the pixel that follows this
  * one in its own cell. */
@@ -30,10 +35,10 @@ struct filed {
     uint32_t head, next;
 };
 
-/* The cells of one view, as far as the tile's points need them. */
+/* The cells of one view that contain the tile's points. */
 struct cells {
-    uint32_t count, base, x0, y0, x1, y1; /* cells x0 .. x1 - 1, y0 .. y1 - 1; base: index of the first */
-    unsigned shift; /* cells are 2^shift times as large as the smallest, of 2^-CELL_BITS of a view */
+    uint32_t count, base, x0, y0, x1, y1; /* number of points; index of the first cell; x0 <= x < x1, y0 <= y < y1 */
+    unsigned shift;                       /* a cell's side is 2^shift 2^-CELL_BITS of the view's */
 };
 
 struct exact {
@@ -112,7 +117,8 @@ static uint32_t cell(int64_t a)
     return (uint32_t)(i < 0 ? 0 : i < last ? i : last);
 }
 
-/* Returns the view and the smallest cell of a point; ASIDE when the point needs no cell, or its cell is uncertain. */
+/* Returns the view and the smallest cell of a point; ASIDE for a point beyond all corners or too near to the light,
+ * which is tested at once. */
 static uint32_t find(struct exact *e, uint32_t number, int64_t at[3])
 {
     const int64_t limit = (INT64_C(1) << ACROSS_BITS) + (INT64_C(1) << 20);
@@ -180,7 +186,7 @@ static void locate(struct exact *e, uint32_t number)
         include(&e->cells[VIEW_OF(*spot)], X_OF(*spot), Y_OF(*spot));
 }
 
-/* Chooses the sizes of cells, so that there are no more cells than pixels. */
+/* Chooses the sizes of cells so that no view has more cells than points. */
 static void choose_sizes(struct exact *e)
 {
     uint32_t base = 0;
@@ -272,7 +278,7 @@ static void test_around(struct exact *e, const struct tia_raster_vertex *v)
     test_box(e, x0 ? x0 - 1 : 0, y0 ? y0 - 1 : 0, x1 + 2, y1 + 2);
 }
 
-/* Converts a corner to a point light's view, exactly. */
+/* Converts a corner to a view of a point light, exactly. */
 static void seen_from_point(const struct exact *e, unsigned view, struct tia_raster_vertex *v)
 {
     const struct tia_flat_scene *flat = &e->view->flat;
@@ -287,7 +293,8 @@ static void seen_from_point(const struct exact *e, unsigned view, struct tia_ras
     *v = (struct tia_raster_vertex){d[(k + 1) % 3], d[(k + 2) % 3], view % 2 ? -d[k] : d[k], 0};
 }
 
-/* Converts corners to a direction's view, rounded. False: the face of a plane, whose image is unbounded. */
+/* Converts corners to the view of a directional light, rounded. False: the face belongs to a plane, whose image is
+ * unbounded. */
 static bool is_flattened(const struct exact *e, struct tia_raster_vertex *v, unsigned count)
 {
     for (unsigned i = 0; i < count; i++) {
@@ -301,7 +308,7 @@ static bool is_flattened(const struct exact *e, struct tia_raster_vertex *v, uns
     return true;
 }
 
-/* True if rounding may have changed the order of the corners. */
+/* True if rounding may have changed the orientation of the corners. */
 static bool is_thin(const struct tia_raster_vertex *v)
 {
     int64_t area = (v[1].x - v[0].x) * (v[2].y - v[0].y) - (v[1].y - v[0].y) * (v[2].x - v[0].x);
@@ -331,7 +338,8 @@ static void draw(struct exact *e, const struct tia_raster_grid *grid, uint32_t f
         tia_polygon_rows(&p, test_run, e);
 }
 
-/* Draws an object: if its silhouette suffices, only the faces turned to the light, as every hiding ray meets one. */
+/* Draws an object. If its silhouette suffices, only the faces turned to the light are drawn, as every blocked ray meets
+ * one. */
 static void draw_object(struct exact *e, const struct tia_raster_grid *grid, const struct tia_flat_object *object)
 {
     const struct tia_flat_scene *flat = &e->view->flat;

@@ -2,18 +2,18 @@
 #include "math/align.h"
 #include "shadow_rays.h"
 
-/* Ways to count a sample's volumes: behind the visible point, before it, or not at all: rays decide if both are
- * undecided. */
+/* Ways to count a sample's volumes: behind the visible point, or in front of it. If both are undecided, NOT: rays
+ * decide. */
 enum counts { BEHIND, BEFORE, NOT };
 
 struct counted {
     enum counts where;
-    uint32_t start; /* initial value of the count; light arrives where it ends with 0 */
+    uint32_t start; /* initial value of the count; light arrives where the final count is 0 */
 };
 
 struct volumes {
     struct counted sample[TIA_SHADOW_SAMPLES_MAX];
-    struct tia_casters casters; /* faces for rays, built once they are needed */
+    struct tia_casters casters; /* faces for rays, built when first needed */
     bool has_casters;
 };
 
@@ -60,7 +60,7 @@ static int set_lights(struct tia_shadow_view *view, struct cancel *cancel)
     return cancel->stopped ? TIA_STOPPED : TIA_OK;
 }
 
-/* Sets the sample's bit in the lit pixels: those in no volume whose face is turned to the light. */
+/* Sets the sample's bit in the lit pixels: their points are in no volume, and their faces are turned to the light. */
 static void keep_lit(const struct tia_shadow_view *view, struct tia_shadow_tile *tile, unsigned sample)
 {
     const struct tia_tile *area = &tile->target.area;

@@ -15,7 +15,7 @@ static int sign(wide a)
     return wide_is_negative(a) ? -1 : wide_bits(a) != 0;
 }
 
-/* Returns the sign of (a x b).c. Components are below 2^41 in size, so the product is below 2^126. */
+/* Returns the sign of (a x b).c. Components are below 2^41 in magnitude, so the product is below 2^126. */
 static int orientation(const int64_t a[3], const int64_t b[3], const int64_t c[3])
 {
     wide sum = wide_product(0, 0);
@@ -54,7 +54,7 @@ int tia_flat_side(const struct tia_flat_scene *flat, const struct tia_flat_face 
     return flat->eye.projection == TIA_ORTHOGRAPHIC ? turn : -turn;
 }
 
-/* The eye: only its fourth coordinate is not 0, whatever the projection. */
+/* The eye. In all projections, only its fourth coordinate is not 0. */
 static const struct tia_raster_vertex eye = {0, 0, 0, 1};
 
 int tia_flat_side_of_eye(const struct tia_flat_scene *flat, const struct tia_flat_face *face)
@@ -71,8 +71,8 @@ bool tia_flat_is_turned(const struct tia_flat_scene *flat, uint32_t face, const 
 
 /* ---- casters ---- */
 
-/* All visible points are in the half-space before the plane. In orthographic views rays start at the window, which the
- * plane may cross. */
+/* In perspective, all visible points are on the eye's side of the plane, or in it. In orthographic views rays start at
+ * the window, which the plane may cross. */
 bool tia_flat_hides_nothing(const struct tia_flat_scene *flat, const struct tia_flat_object *object,
                             const tia_flat_light *light)
 {
@@ -86,7 +86,7 @@ bool tia_flat_hides_nothing(const struct tia_flat_scene *flat, const struct tia_
 struct caster {
     const struct tia_flat_face *face;
     unsigned sides;
-    bool turned;          /* the corners run in the reverse of the face's order */
+    bool turned;          /* the caster's corners run in the reverse order of the face's */
     bool side[TIA_SIDES]; /* side k, from corner k to the next, is part of the silhouette */
 };
 
@@ -96,8 +96,8 @@ static bool is_between(const int64_t low[3], const int64_t at[3], const int64_t 
            at[2] <= high[2];
 }
 
-/* True if the eye is outside the object's box; in orthographic views, where the eye is at infinity, if the window is
- * outside. */
+/* True if the eye is outside the object's box; in orthographic views, where the eye is at infinity, if the box is in
+ * front of the window. */
 static bool is_seen_whole(const struct tia_flat_scene *flat, const struct tia_flat_object *object)
 {
     static const int64_t here[3] = {0, 0, 0};
@@ -116,7 +116,7 @@ bool tia_flat_has_silhouette(const struct tia_flat_scene *flat, const struct tia
            (tia_flat_is_direction(flat, light) || !is_between(object->low, at, object->high));
 }
 
-/* True if face f casts a shadow, then sets *c. Faces of closed objects cast one only when turned to the light. */
+/* Sets *c and returns true if face f casts a shadow. Faces of closed objects cast one only when turned to the light. */
 static bool casts(const struct tia_flat_scene *flat, const tia_flat_light *light, uint32_t f, bool closed,
                   struct caster *c)
 {
@@ -186,8 +186,8 @@ static int draw(const struct drawing *d, const struct tia_raster_vertex *corners
     return tia_raster_draw(d->target, &d->state, corners, count, face);
 }
 
-/* Draws the side of a volume at the cap's edge from a to b; the side has this edge from b to a. A vertex at infinity is
- * its own shadow. */
+/* Draws the side of a volume at the cap's edge from a to b; in the side, this edge runs from b to a. A vertex at
+ * infinity is its own shadow. */
 static int draw_side(const struct drawing *d, const struct tia_raster_vertex *a, const struct tia_raster_vertex *b)
 {
     struct tia_raster_vertex corners[4] = {*b, *a};
@@ -201,7 +201,7 @@ static int draw_side(const struct drawing *d, const struct tia_raster_vertex *a,
 }
 
 /* Draws the caps. A polygon's plane is that of its first three corners, and only a face's first corner is certain to be
- * a point, so the reverse order begins with that corner too. Orthographic rays never meet points at infinity. */
+ * a point. So the reverse order begins with that corner, too. Orthographic rays never meet points at infinity. */
 static int draw_caps(const struct drawing *d, const struct caster *c, uint32_t face)
 {
     struct tia_raster_vertex near[TIA_SIDES], far[TIA_SIDES];
@@ -261,7 +261,7 @@ int tia_shadow_faces(struct tia_raster_target *target, const struct tia_flat_sce
 }
 
 /* Counts behind the point, where the ray leaves volumes through back faces and enters others through front faces. In
- * orthographic views no ray reaches points at infinity. */
+ * orthographic views no ray reaches the far caps, which are at infinity. */
 int tia_shadow_zfail(struct tia_raster_target *target, const struct tia_flat_scene *flat, const tia_flat_light *light,
                      struct cancel *cancel)
 {
@@ -274,8 +274,8 @@ int tia_shadow_zfail(struct tia_raster_target *target, const struct tia_flat_sce
     return for_each_caster(flat, light, draw_volume, &d, cancel, 4 * work_of(target));
 }
 
-/* Counts before the point, with opposite signs. Far caps are never before the point, and a near cap is not before a
- * visible face, except behind the window of an orthographic view. */
+/* Counts in front of the point, with opposite signs. Far caps are never in front of the point. A near cap is in front
+ * of a visible face only behind the window of an orthographic view. */
 int tia_shadow_zpass(struct tia_raster_target *target, const struct tia_flat_scene *flat, const tia_flat_light *light,
                      struct cancel *cancel)
 {
@@ -293,15 +293,14 @@ int tia_shadow_zpass(struct tia_raster_target *target, const struct tia_flat_sce
 struct end_count {
     const struct tia_flat_scene *flat;
     const tia_flat_light *light;
-    int end; /* end of the rays: -1 is the eye, 1 the opposite point, where all rays of orthographic views end */
+    int end; /* end of the rays: -1 is the eye; 1 is the opposite point, where all rays of an orthographic view end */
     uint32_t count;
     bool unsure;
 };
 
 /* Returns the side of an edge on which the line from the eye to the light passes: the sign of det(a, b, light, eye). If
- * all four are at infinity this is 0, and the edge is one of a half plane: any side is correct that is the same for
- * both halves.
- */
+ * all four are at infinity, the determinant is 0, and the edge belongs to a half plane. Then any result is correct that
+ * is the same for both half planes. */
 static int passes(const struct end_count *e, const struct tia_raster_vertex *a, const struct tia_raster_vertex *b)
 {
     const int64_t p[3] = {a->x, a->y, a->w}, q[3] = {b->x, b->y, b->w};

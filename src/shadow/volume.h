@@ -26,10 +26,11 @@ bool tia_flat_is_turned(const struct tia_flat_scene *flat, uint32_t face, const 
 bool tia_flat_hides_nothing(const struct tia_flat_scene *flat, const struct tia_flat_object *object,
                             const tia_flat_light *light);
 
-/* True if the object's silhouette suffices. Of a closed surface with the light and the eye outside, only the faces
- * turned to the light need cast, and only their silhouette has sides: the segment from a visible point to the light
- * starts and ends outside, so it crosses as many faces turned to the light as others, even if the surface crosses
- * itself, and however it is oriented. Otherwise each face casts a volume of its own, which is correct for any faces. */
+/* True if the object's silhouette suffices. If the light and the eye are outside a closed surface, only the faces
+ * turned to the light need to cast volumes, with sides only at their silhouette. The reason: the segment from a visible
+ * point to the light starts and ends outside, so it crosses as many faces turned to the light as others, even if the
+ * surface crosses itself, and however it is oriented. Otherwise each face casts a volume of its own, which is correct
+ * for any faces. */
 bool tia_flat_has_silhouette(const struct tia_flat_scene *flat, const struct tia_flat_object *object,
                              const tia_flat_light *light);
 
@@ -48,8 +49,8 @@ bool tia_shadow_count_far(const struct tia_flat_scene *flat, const tia_flat_ligh
 int tia_shadow_faces(struct tia_raster_target *target, const struct tia_flat_scene *flat, struct cancel *cancel);
 
 /* After tia_shadow_faces, adds to each pixel's count the number of volumes that contain its point, less the number of
- * volumes that contain the point at infinity. No point is in more volumes than there are faces, so 32 bits never wrap;
- * a stencil buffer of 8 bits shows light where 256 volumes contain a point. */
+ * volumes that contain the point at infinity. No point is in more volumes than there are faces, so 32 bits never wrap.
+ * (A stencil buffer of 8 bits would show light where 256 volumes contain a point.) */
 int tia_shadow_zfail(struct tia_raster_target *target, const struct tia_flat_scene *flat, const tia_flat_light *light,
                      struct cancel *cancel);
 

@@ -1,21 +1,22 @@
-/* bound.h - rows of the tables of error bounds, and the macros that give code a bound by its name.
+/* bound.h - rows of the tables of error bounds, and the macros by which code takes a bound by its name.
  *
- * A row is `#define BOUND_NAME value`, a constant that code takes as BOUND(NAME), or `FORMULA(NAME);`, whose expression
- * stands in the code as BOUND_OF(NAME, expression) and whose derivation stands in the row; BOUND_OF_FLOATS() is the
- * same for floats of isa/isa.h. The comment above a row counts the roundings, or names the file of tests/proofs by
- * which Gappa proves the value. "3 of 8" is the part of the value that the derivation needs. tests/quick/bounds checks
- * this form.
+ * A row is either a constant, `#define BOUND_NAME value`, which code takes as BOUND(NAME), or `FORMULA(NAME);`. The
+ * expression of a formula is in the code: BOUND_OF(NAME, expression) or, for floats of isa/isa.h, BOUND_OF_FLOATS().
+ * The comment above a row is the derivation: it counts the roundings, or names the file of tests/proofs by which Gappa
+ * proves the value. "3 of 8" means that the derivation needs 3 of the value's 8 units. tests/quick/bounds checks this
+ * form.
  *
- * "Unseen" says that no test notices when the bound is left out (make check-bounds), and the reason. Small: the
- * other terms of the sum are far larger in all tests. Hidden: the quantity ends in a value, a sample's radiance or a
- * pixel's level, whose bound is far above its largest error. Choice: with another value more is left to the fixed-point
- * path, or less, and neither is wrong.
+ * "Unseen" marks a bound that can be left out without any test noticing it (make check-bounds), and gives the reason.
+ * Small: the other terms of the sum are far larger in all tests. Hidden: the quantity becomes part of a value, a
+ * sample's radiance or a pixel's level, whose bound is far above its largest error. Choice: another value leaves more
+ * or less to the fixed-point path, and is correct as well.
  *
  * A new bound needs a row with its derivation, BOUND() or BOUND_OF() in the code, and a test that notices when it is
  * left out.
  *
- * A build that defines BOUND_SCALES, the header of the tests that has bound_scale_of(), multiplies each bound by the
- * factor that this returns for its name; in any other build BOUND(NAME) is the value. */
+ * A test's build defines BOUND_SCALES as the name of a header that declares bound_scale_of(). Each bound is then
+ * multiplied by the factor that this function returns for the bound's name. In any other build BOUND(NAME) is the
+ * value. */
 #ifndef TIA_SIMD_BOUND_H
 #define TIA_SIMD_BOUND_H
 
@@ -23,7 +24,7 @@
 
 #ifdef BOUND_SCALES
 #include BOUND_SCALES
-/* Looks the factor's address up once for each use in the code. */
+/* Looks up the address of the factor once for each use in the code. */
 #define BOUND_SCALE(name)                                                                                              \
     (*__extension__({                                                                                                  \
         static const double *scale_of_##name;                                                                          \

@@ -1,11 +1,11 @@
-/* entry.c - entry of the library's functions into the SIMD kernels, and return from them. */
+/* entry.c - calls of the SIMD kernels by the library: scratch memory and floating-point environment of a call. */
 #include "environment.h"
 #include "simd.h"
 
 #define WORKERS_MAX 65536
 
-/* Rooms of calls that draw at the same time, one behind the other. A cache line before each room has the flag that the
- * room is in use. */
+/* The scratch memory (`room`) of calls that run at the same time, one room behind the other. In the cache line before
+ * each room is a flag that the room is in use. */
 struct simd_pool {
     char *first;
     size_t stride;
@@ -13,7 +13,7 @@ struct simd_pool {
     bool prepared; /* false: plain C draws everything */
 };
 
-/* Returns the pool, which lies before the part's own memory, behind the view. */
+/* Returns the pool, which lies just before view->simd_memory. */
 static struct simd_pool *pool_of(const struct tia_view *view)
 {
     return (struct simd_pool *)(void *)((char *)view->simd_memory - SIMD_ALIGN(sizeof(struct simd_pool)));
@@ -24,7 +24,8 @@ static size_t stride_of(const struct tia_simd *simd, const struct simd_renderer 
     return 64 + SIMD_ALIGN(part->room(simd));
 }
 
-/* Returns the bytes of a view's memory: the pool, and the part's own. The caller's memory need not be aligned to 64. */
+/* Returns the size in bytes of a view's memory: the rooms, the pool, and the part's own memory. 64 bytes are added,
+ * since the caller's memory need not be aligned to 64. */
 static size_t size(const struct tia_simd *simd, const struct simd_renderer *part, const struct tia_scene *scene,
                    uint32_t light_capacity, unsigned workers)
 {
@@ -39,7 +40,7 @@ static const struct simd_renderer *part_of(const struct tia_view *view)
 {
     const struct simd_renderer *part = simd_renderer_for(view->simd, view->renderer);
 
-    __asm__("" : "+r"(part)); /* hides the callee from the compiler, which then moves no computation across the call */
+    __asm__("" : "+r"(part)); /* hides the callee from the compiler, so that no computation is moved across the call */
     return part;
 }
 

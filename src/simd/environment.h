@@ -1,6 +1,6 @@
 /* environment.h - the floating-point environment that the error bounds assume: rounding to nearest, subnormal numbers
- * kept, no trap. A caller may have a different environment: fesetround, feenableexcept, -ffast-math in a library, a
- * compiler's option for the whole process. */
+ * not flushed to 0, no traps. A caller may have another environment: by fesetround or feenableexcept, by -ffast-math in
+ * a library, or by a compiler option for the whole program. */
 #ifndef TIA_SIMD_ENVIRONMENT_H
 #define TIA_SIMD_ENVIRONMENT_H
 
@@ -12,7 +12,7 @@ struct environment {
     uint64_t control, flags;
 };
 
-#if defined SIMD_ENVIRONMENT_FIXED /* defined for a test of the version after the #else */
+#if defined SIMD_ENVIRONMENT_FIXED /* a test defines this, for the code below #ifdef ENVIRONMENT_FIXED */
 #define ENVIRONMENT_FIXED
 #elif defined __SSE__
 static inline void environment_read(struct environment *e)
@@ -90,8 +90,9 @@ static inline void environment_write(const struct environment *e)
 
 #ifdef ENVIRONMENT_FIXED
 
-/* True if sums are rounded to nearest and subnormal numbers are kept: 1 + 2^-53 is halfway between 1 and the next
- * double, 1 + 3 2^-54 closer to that; floats as well, with half as many bits. */
+/* True if sums are rounded to nearest and subnormal numbers are not flushed to 0. In doubles, 1 + 2^-53 is halfway
+ * between 1 and the next double, and is rounded to 1; 1 + 3 2^-54 is rounded to the next double. Floats are tested
+ * alike, with 2^-24 and 3 2^-25. */
 static inline bool environment_is_default(void)
 {
     volatile double one = 1, half_d = 0x1p-53, more_d = 0x3p-54, least_d = 0x1p-1022;
@@ -131,7 +132,7 @@ static inline bool environment_take(struct environment *e)
     return true;
 }
 
-/* Restores the caller's environment and its flags, so that the kernels' computations raise none for the caller. */
+/* Restores the caller's environment and flags, so that the kernels raise no flags for the caller. */
 static inline void environment_leave(const struct environment *e)
 {
     environment_write(e);

@@ -1,5 +1,5 @@
-/* plain_tiles.c - tiles that SIMD kernels leave to plain C: those whose paths are hashed or whose light is reported,
- * and all tiles without memory or without a floating-point environment of their own. */
+/* plain_tiles.c - tiles that plain C draws in place of SIMD kernels: if hashes of paths or the lights that arrive are
+ * requested (struct tia_debug), or if a call gets no scratch memory or no floating-point environment. */
 #include "simd.h"
 
 #define PIECE 128 /* number of a row's pixels that are traced at once */

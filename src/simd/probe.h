@@ -1,4 +1,4 @@
-/* probe.h - preprocessed by the Makefile with the flags of each instruction set; yields "yes" where the compiler has
+/* probe.h - preprocessed by the Makefile with the flags of each instruction set; yields "yes" if the compiler supports
  * the set. */
 #if defined __FAST_MATH__ || (defined __FLT_EVAL_METHOD__ && __FLT_EVAL_METHOD__ != 0)
 no

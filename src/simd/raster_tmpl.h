@@ -6,8 +6,8 @@
 
 #include "raster/runs.h"
 
-/* Returns the undecided pixels in which the polygon is nearer. Empty pixels are farther, and a face is not nearer than
- * itself. */
+/* Returns those of the `unsure` pixels in which the polygon is nearer. It is nearer than an empty pixel, and not nearer
+ * than its own face. */
 static __attribute__((noinline)) unsigned settle(const struct raster_polygon *p, size_t at, unsigned unsure)
 {
     W there = w_part(p->face + at, k_of(unsure));
@@ -36,7 +36,7 @@ INLINE void put_nearest(const struct raster_polygon *p, size_t at, Q z, K nearer
 {
     if (!k_any(nearer))
         return;
-    q_store(p->nearness + at, nearer, q_clamp(z)); /* rounding may make z negative; 0 is infinity */
+    q_store(p->nearness + at, nearer, q_clamp(z)); /* rounding may make z negative; a nearness of 0 is infinitely far */
     w_store(p->face + at, nearer, w_set(p->own));
 }
 

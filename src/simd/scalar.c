@@ -1,4 +1,4 @@
-/* scalar.c - no vector instructions: plain C draws spans, rays are traced in double precision, one at a time. */
+/* scalar.c - no vector instructions: plain C draws spans; rays are traced in double precision, one at a time. */
 #include "simd.h"
 
 extern const struct tia_simd tia_simd_scalar;

@@ -1,4 +1,4 @@
-/* simd.h - the tables of an instruction set, and the functions that all of them share. */
+/* simd.h - the tables of an instruction set, and the functions that all instruction sets share. */
 #ifndef TIA_SIMD_SIMD_H
 #define TIA_SIMD_SIMD_H
 
@@ -6,20 +6,21 @@
 #include "render/renderer.h"
 #include "span/pair.h"
 
-/* True if spans draw the view with any lights; see struct simd_renderer. */
+/* True if the span kernels draw the view, with any lights; see struct simd_renderer. */
 bool tia_simd_draws(const struct tia_view *view);
 
 /* Draws a tile of spheres, see struct simd_renderer. */
 void tia_simd_light(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
                     const struct tia_options *options, void *room);
 
-/* Draws a tile by plain C, from hits of its own. */
+/* Traces and lights a tile by plain C. */
 void tia_simd_light_plain(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
                           const struct tia_options *options);
 
 #define SIMD_ALIGN(n) (((n) + 63) / 64 * 64) /* rounds up to whole cache lines */
 
-/* Returns the bytes of a call's room: first the structure of `own` bytes, then the kernels' memory. */
+/* Returns the size in bytes of the scratch memory `room` of a call: a structure of `own` bytes, then the kernels'
+ * memory. */
 static inline size_t simd_room(size_t own, size_t of_kernels)
 {
     return SIMD_ALIGN(own) + of_kernels;
@@ -34,7 +35,7 @@ extern const struct simd_renderer tia_simd_spans, tia_simd_rays, tia_simd_sample
 
 extern const struct simd_entries tia_simd_entries;
 
-/* Defines the tables of an instruction set; `runs`: its loops of the rasteriser, or NULL. */
+/* Defines the tables of an instruction set. `runs` are the inner loops of the rasteriser, or NULL. */
 #define SIMD(simd, runs)                                                                                               \
     extern const struct tia_simd tia_simd_##simd;                                                                      \
     extern const struct sure_kernels tia_sure_##simd;                                                                  \

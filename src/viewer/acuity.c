@@ -11,7 +11,7 @@
 #define RIGHT_ANGLE TIA_Q16(90)
 
 /* Angle of a pixel in the middle of the picture, degrees in Q8.24, times the distance in half pixels. A pixel is two
- * half pixels, and a small angle is its tangent: 2 * 180 / pi * 2^24. */
+ * half pixels, and a small angle nearly equals its tangent: 2 * 180 / pi * 2^24. */
 #define PIXEL_ANGLE UINT32_C(1922527338)
 
 /* Returns cos^2 of 0..90 degrees, Q16.16, as Q0.20, rounded to nearest. */
@@ -26,8 +26,9 @@ static uint32_t cosine_squared(uint32_t degrees)
     return (uint32_t)((high * high + (UINT64_C(1) << 41)) >> 42);
 }
 
-/* Returns the degrees, Q16.16, from which w0 + m e is at least `angle`, Q8.24: (angle - w0) / m, rounded up; 0 within
- * the fovea. angle < 2^36 and the quotient below 2^52 / m. */
+/* Returns the smallest e in degrees, Q16.16, for which w0 + m e is at least `angle`, Q8.24: (angle - w0) / m, rounded
+ * up, but at least TIA_FOVEA. Returns UINT64_MAX if there is none. angle < 2^36, so the quotient is below 2^52 / m +
+ * 1. */
 static uint64_t degrees_from(const struct tia_gaze *gaze, uint64_t angle)
 {
     uint64_t from = angle > gaze->w0 ? angle - gaze->w0 : 0;
@@ -58,7 +59,7 @@ bool tia_acuity_init(struct tia_acuity *acuity, const struct tia_gaze *gaze, uns
     if (!acuity || !gaze || width > TIA_SIZE_MAX || height > TIA_SIZE_MAX || gaze->view_angle < VIEW_LEAST ||
         gaze->view_angle > VIEW_MOST || gaze->x >= width || gaze->y >= height)
         return false;
-    /* `width` is half the width in half pixels; cot(angle / 2) is Q8.56 */
+    /* `width` is also half the width in half pixels; cot(angle / 2) is Q8.56 */
     uint64_t distance = (width * (tia_cotangent(gaze->view_angle) >> 24)) >> 32;
     acuity->width = width;
     acuity->height = height;
@@ -72,9 +73,9 @@ bool tia_acuity_init(struct tia_acuity *acuity, const struct tia_gaze *gaze, uns
     return acuity->levels > 0;
 }
 
-/* Returns the block size. e is the angle between the gaze G, of length 1, and the pixel's direction p, so cos e = G.p /
- * |p|, and e is at least the angle of a block size when (G.p)^2 <= cos^2 |p|^2. With |p| < 2^20.1 and G.p in units of
- * 2^-10, both sides are below 2^61. */
+/* Returns the block size. e is the angle between the gaze G, of length 1, and the pixel's direction p: cos e = G.p /
+ * |p|. It is at least the angle a from which a block size suffices if (G.p)^2 <= cos^2 a |p|^2. With |p| < 2^20.1 and
+ * G.p in units of 2^-10, both sides are below 2^61. */
 unsigned tia_acuity_block(const struct tia_acuity *acuity, unsigned x, unsigned y)
 {
     if (!acuity || x >= acuity->width || y >= acuity->height)

@@ -1,4 +1,4 @@
-/* acuity.h - the size of blocks, by how far they are from the gaze: see tia/gaze.h. */
+/* acuity.h - the size of blocks by their distance from the gaze, see tia/gaze.h. */
 #ifndef TIA_VIEWER_ACUITY_H
 #define TIA_VIEWER_ACUITY_H
 
@@ -15,8 +15,8 @@ struct tia_acuity {
     unsigned levels;                 /* number of these sizes that suffice anywhere */
 };
 
-/* Prepares the acuity for a picture of width x height pixels (1..8192 each). False when every pixel is to be drawn:
- * also when a size or view_angle is out of range. */
+/* Prepares the acuity for a picture of width x height pixels (1..8192 each). False when every pixel is to be drawn, and
+ * when a size or view_angle is out of range. */
 bool tia_acuity_init(struct tia_acuity *acuity, const struct tia_gaze *gaze, unsigned width, unsigned height);
 
 /* Returns the block size at a pixel: 1, 2, 4, 8 or 16; 1 outside the picture. */

@@ -1,4 +1,4 @@
-/* control.c - the effects of keys and pointers that do not concern lights. */
+/* control.c - the effects of keys and pointers that neither set nor move lights. */
 #include "loop.h"
 
 static bool is_pointer(const struct tia_event *event)
@@ -6,7 +6,7 @@ static bool is_pointer(const struct tia_event *event)
     return event->kind == TIA_EVENT_POINT || event->kind == TIA_EVENT_MOVE;
 }
 
-/* True for the loop's keys that do not concern lights. */
+/* True for the loop's own keys: TIA_KEY_TAB, and in a scene that plays TIA_KEY_SPACE. */
 static bool is_own(const struct loop *loop, uint16_t key)
 {
     return loop->viewer->hooks.control && (key == TIA_KEY_TAB || (key == TIA_KEY_SPACE && loop->plays));
@@ -41,10 +41,10 @@ static void set_camera(struct loop *loop, const struct tia_camera *camera)
     loop->view_ready = false;
     loop->changed = true;
     if (loop->core->view_size(loop->core, loop->base, loop->viewer->lights.capacity) != loop->view_size)
-        loop->view = NULL; /* another renderer draws the scene */
+        loop->view = NULL; /* the scene now has another renderer */
 }
 
-/* Moves the camera if its own values are valid. The scene's distance from it is checked when the view is prepared: see
+/* Moves the camera if its own fields are valid. Preparing the view checks the scene's distance from it, see
  * tia_viewer_go_back. */
 static void move_camera(struct loop *loop, const struct tia_camera *camera)
 {
@@ -159,8 +159,8 @@ static bool are_alike(const struct tia_event *a, const struct tia_event *b)
     return a->kind == b->kind && a->drag == b->drag;
 }
 
-/* Merges pointer events. A pointer reports every step, so the last of the waiting events is enough; a drag from one
- * position to another also needs the first, since it may be the drag's start. */
+/* Merges pointer events. A pointer reports every step, so the last of the queued events is enough. A drag from one
+ * position to another also needs the first, which may be the start of the drag. */
 bool tia_viewer_joins(struct loop *loop, const struct tia_event *event)
 {
     unsigned n = loop->queued, first = event->kind == TIA_EVENT_POINT && event->drag ? 2 : 1;

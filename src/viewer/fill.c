@@ -39,7 +39,8 @@ static tia_rgb565 colour_at(const struct loop *loop, unsigned x, unsigned y)
     return *viewer_canvas_at(loop, s.x, s.y);
 }
 
-/* Gets the colours at a block's corners; a corner beyond the picture's edge repeats the one before. */
+/* Gets the colours at a block's corners. For a corner beyond the picture's edge, the block's own column or row is
+ * used. */
 static void get_corners(const struct loop *loop, struct sample s, tia_rgb565 corners[4])
 {
     for (unsigned i = 0; i < 4; i++) {
@@ -48,8 +49,8 @@ static void get_corners(const struct loop *loop, struct sample s, tia_rgb565 cor
     }
 }
 
-/* Interpolates a channel bilinearly at (x, y) of a block, in levels of the display, rounded to nearest: the sum of the
- * weights is size^2, at most 256. */
+/* Interpolates a channel bilinearly at (x, y) of a block, in levels of RGB565, rounded to nearest. The weights add up
+ * to size^2, at most 256. */
 static unsigned mix(const tia_rgb565 corners[4], unsigned shift, unsigned mask, unsigned size, unsigned x, unsigned y)
 {
     unsigned a = (corners[0] >> shift & mask) * (size - x) + (corners[1] >> shift & mask) * x;
@@ -71,7 +72,7 @@ static tia_rgb565 nearest(const tia_rgb565 corners[4], unsigned size, unsigned x
     return corners[(2 * x > size) + 2 * (2 * y > size)];
 }
 
-/* Fills a row. Reads only drawn pixels and writes only the others: tiles may come in any order. */
+/* Fills a row. Reads only drawn pixels and writes only the others, so tiles may be filled in any order. */
 static void fill_row(const struct loop *loop, struct tia_tile tile, unsigned y)
 {
     struct sample last = {0, 0, 0};

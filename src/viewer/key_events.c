@@ -4,8 +4,8 @@
 #include "math/divide.h"
 #include "scene/check/scene_check.h"
 
-/* Returns the index of the light that a key sets or moves, or TIA_NO_LIGHT. *first receives the first light that the
- * key may move: the chosen one, else 0. */
+/* Returns the index of the light that a key sets or moves, or TIA_NO_LIGHT. *first receives the index of the first
+ * light that the key may move: that of the chosen light, else 0. */
 static uint32_t light_of(const struct loop *loop, uint16_t key, uint32_t *first)
 {
     const struct tia_viewer *v = loop->viewer;
@@ -135,7 +135,7 @@ void tia_viewer_take_quiet(struct loop *loop)
         loop->queue[i] = loop->queue[i + taken];
 }
 
-/* Drops steps when pictures come so slowly that a key is due more often than TIA_HOLD_STEPS times: the eye could not
+/* Drops repeats of a held key if pictures are so slow that more than TIA_HOLD_STEPS are due at once: the eye could not
  * follow, and the user would release the key too late. */
 static void drop_steps(struct held *held, uint64_t time)
 {
@@ -145,7 +145,7 @@ static void drop_steps(struct held *held, uint64_t time)
         held->due_us += (late - (TIA_HOLD_STEPS - 1)) * TIA_HOLD_STEP_US;
 }
 
-/* Presses held keys that are due again. */
+/* Repeats the held keys that are due. */
 int tia_viewer_repeat_held(struct loop *loop)
 {
     uint64_t time = viewer_now(loop);

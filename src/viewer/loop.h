@@ -9,15 +9,15 @@
 #include "scene/cancel.h"
 
 #define VIEWER_STRIP 16    /* rows of a tile when the display sets no limit */
-#define VIEWER_HELD_KEYS 6 /* number of keys that are followed at the same time */
+#define VIEWER_HELD_KEYS 6 /* largest number of held keys that repeat at the same time */
 
 #define VIEWER_PERIOD_US 16666 /* period of a display of 60 Hz */
-#define VIEWER_PASSES 5        /* number of passes: blocks of 16, 8, 4, 2, 1; later passes add samples */
+#define VIEWER_PASSES 5        /* number of passes of blocks, of 16, 8, 4, 2 and 1 pixels; later passes add samples */
 #define VIEWER_QUEUE 8         /* largest number of events queued while a frame is drawn; a full queue ends the frame */
 
 /* Statuses besides tia_status. */
 #define VIEWER_QUIT 10     /* a key ended the loop */
-#define VIEWER_OUTDATED 11 /* the frame was given up */
+#define VIEWER_OUTDATED 11 /* the frame was given up: it is out of date */
 
 /* A key that is held. */
 struct held {
@@ -28,7 +28,7 @@ struct held {
 
 struct loop;
 
-/* A check of a scene, with the result of tia_check_scene. */
+/* A function that checks a scene, with the result of tia_check_scene. */
 typedef int scene_check(const struct tia_scene *scene, struct tia_fault *fault, struct cancel *cancel);
 
 /* Functions that only tia_viewer_run needs. As they are called through this table, the linker drops them from a program
@@ -58,7 +58,7 @@ struct loop {
     const struct viewer_more *more; /* NULL: spheres alone */
     const struct tia_core *core;
     const struct tia_scene *base;  /* the viewer's scene, or its copy with another technique for shadows */
-    const struct tia_scene *scene; /* base, or *current when it has tracks */
+    const struct tia_scene *scene; /* base or, if the scene plays, *current */
     struct tia_viewer_state state;
     struct tia_camera good; /* camera of the last frame that was drawn */
 
@@ -69,15 +69,16 @@ struct loop {
     size_t view_size, hits_size, simd_size;
     void *hits_memory, *simd_memory;
     int8_t *status;       /* status of each tile */
-    uint8_t *passes;      /* number of passes done of each tile */
-    uint32_t *drawn;      /* number of pixels drawn of each tile */
+    uint8_t *passes;      /* number of passes done in each tile */
+    uint32_t *drawn;      /* number of pixels drawn in each tile */
     tia_rgb565 *canvas;   /* the picture so far, see refine.c; NULL: frames are drawn at once */
     struct tia_sum *sums; /* each pixel's samples so far; NULL: pixels get all their samples at once */
     unsigned tile_width, tile_height, columns;
     uint32_t tiles;
     bool view_ready; /* the view is up to date, except perhaps for its lights */
     bool whole;      /* there is memory for the whole frame's hits */
-    unsigned traced; /* number of passes whose hits are valid; VIEWER_PASSES: all are, relight instead of tracing */
+    unsigned traced; /* number of passes whose hits are valid; VIEWER_PASSES: all hits are, so the frame is lit without
+                        tracing */
 
     /* Animation. */
     struct tia_scene *current; /* the scene at `time`, followed by the arrays that it points to */
@@ -99,7 +100,7 @@ struct loop {
     unsigned queued;
     uint64_t lights_us;         /* time when the frame's lights were set */
     uint64_t begun_us, look_us; /* start of the frame; time of the next check for events */
-    bool outdated;              /* a key was pressed since all keys were handled, or while the view was prepared */
+    bool outdated;              /* an event with an effect came after events were last handled */
     bool answered;              /* a picture of this frame has been shown */
     bool gives_up, gave_up;     /* this frame is to be given up; the frame before was given up */
     bool ends;                  /* a key, `stop` or a failed input ends the loop */
@@ -108,14 +109,14 @@ struct loop {
     /* State of drawing coarse to fine. */
     bool refining;
     unsigned pass;         /* the pass being drawn */
-    uint32_t line;         /* share of the frame that is done, 2^-16, for the progress line; 0: no line */
+    uint32_t line;         /* share of the frame that is done, in units of 2^-16, for the progress line; 0: no line */
     uint64_t show_us;      /* time at which the picture of the unfinished pass is to be shown */
-    uint64_t shown_us;     /* time when this frame was last shown or, before that, begun */
+    uint64_t shown_us;     /* time when this frame was last shown; until then, when it was begun */
     uint64_t showing_us;   /* time spent showing this frame so far */
     uint64_t last_us;      /* time that the last frame took to draw; 0: unknown */
     uint64_t show_cost_us; /* time that the last picture took to show */
-    bool unfinished;       /* the last frame was drawn in motion, not as fine as possible */
-    bool complete;         /* the canvas is the whole last frame */
+    bool unfinished;       /* the last frame was drawn in motion, with fewer passes than a complete one */
+    bool complete;         /* the canvas holds all of the last frame */
 
     /* State of frames with a pace, see pace.c. */
     uint32_t cost_ns;                    /* measured cost of a pixel; 0: unknown */
@@ -129,8 +130,8 @@ struct loop {
     bool covered;  /* only the overlay on the picture is out of date */
     bool switched; /* a key has changed the technique since the last frame */
     bool pressed;  /* a key has changed the lights since the last frame */
-    bool showing;  /* the display has not shown all of the last frame */
-    bool keeps;    /* lights.kept of the viewer has the lights of the last picture, kept_count in number */
+    bool showing;  /* the display has not yet shown all of the last frame */
+    bool keeps;    /* the viewer's lights.kept holds the kept_count lights of the last picture */
     uint32_t kept_count;
 };
 
@@ -140,7 +141,7 @@ static inline uint64_t viewer_now(const struct loop *loop)
     return v->ports.clock ? v->ports.clock->now_us(v->ports.clock_ctx) : 0;
 }
 
-/* Returns the samples of a pixel if pixels get them one after the other; else 1. */
+/* Returns the number of samples per pixel if passes add them step by step; else 1. */
 static inline uint32_t viewer_spp(const struct loop *loop)
 {
     uint32_t spp = loop->base->integration.spp;
@@ -173,7 +174,7 @@ static inline void viewer_tell(struct loop *loop)
     *state = loop->state;
 }
 
-/* Runs the loop, see tia_viewer_run. `core`: the default for a viewer without one, or NULL. */
+/* Runs the loop, see tia_viewer_run. `core` is the default for a viewer that has no core, or NULL. */
 int tia_viewer_loop(struct tia_viewer *viewer, const struct tia_core *core, const struct viewer_more *more);
 
 /* Applies a key press as tia_viewer_press does, if `check` accepts the lights. */
@@ -195,10 +196,10 @@ bool tia_viewer_is_switch(const struct loop *loop, uint16_t key);
 int tia_viewer_take_key(struct loop *loop, const struct tia_event *event);
 /* Handles all waiting events; returns VIEWER_QUIT when one of them quits. */
 int tia_viewer_take_events(struct loop *loop);
-/* Handles, while a frame is drawn, the events that do not change the frame and came before all others. */
+/* Handles, while a frame is drawn, the events at the front of the queue that do not change the frame. */
 void tia_viewer_take_quiet(struct loop *loop);
 int tia_viewer_repeat_held(struct loop *loop);
-/* Returns the time of a held key's next repeat; 0: none is held. */
+/* Returns the earliest time at which a held key repeats; 0: no key is held. */
 uint64_t tia_viewer_repeat_us(const struct loop *loop);
 
 /* ---- control.c ---- */
@@ -208,11 +209,11 @@ enum tia_effect tia_viewer_effect_of(const struct loop *loop, const struct tia_e
 
 /* Returns the effect of an event in a viewer that is not for spheres alone. */
 enum tia_effect tia_viewer_effect(const struct loop *loop, const struct tia_event *event);
-/* Handles an event that does not concern lights; VIEWER_QUIT when it quits. */
+/* Handles an event that neither sets nor moves lights; VIEWER_QUIT when it ends the loop. */
 int tia_viewer_control(struct loop *loop, const struct tia_event *event);
-/* Restores the camera of the last frame that was drawn; false if that is the present one. */
+/* Restores the camera of the last frame that was drawn; false if the camera is the same. */
 bool tia_viewer_go_back(struct loop *loop);
-/* Merges a pointer's event with the last one that waits; false when they cannot be merged. */
+/* Merges a pointer's event with the last event of the queue; false when they cannot be merged. */
 bool tia_viewer_joins(struct loop *loop, const struct tia_event *event);
 
 /* ---- gaze.c ---- */
@@ -241,18 +242,18 @@ int tia_viewer_play(struct loop *loop);
 
 /* ---- watch.c ---- */
 
-/* Resets the state of watching before a frame. */
+/* Resets the state of watch.c before a frame. */
 void tia_viewer_watch_begin(struct loop *loop);
-/* Polls `stop` and the input while a frame is drawn, on any thread; TIA_STOPPED or VIEWER_OUTDATED when the frame is to
- * end. */
+/* Polls `stop` and the input while a frame is drawn, on any thread. Returns TIA_STOPPED or VIEWER_OUTDATED when drawing
+ * is to end, else TIA_OK. */
 int tia_viewer_watch(struct loop *loop);
-/* True if tia_viewer_watch ends the frame: a `stop` callback. */
+/* A `stop` callback: true if tia_viewer_watch ends the frame. */
 bool tia_viewer_stops(void *loop);
 
 /* ---- present.c ---- */
 
-/* Presents the frame and continues until all of it is shown. While that takes long, keys are polled, and may end it as
- * they would end drawing: the rest is then shown later. */
+/* Presents the frame and continues until all of it is shown. Meanwhile keys are polled, and may interrupt this as they
+ * interrupt drawing; the rest is then shown later. */
 int tia_viewer_present(struct loop *loop);
 /* Continues with the rest of a frame. */
 int tia_viewer_go_on(struct loop *loop);
@@ -269,13 +270,13 @@ int tia_viewer_prepare_view(struct loop *loop);
 /* Draws a frame at once, tile by tile. */
 int tia_viewer_draw_tiles(struct loop *loop);
 struct tia_tile tia_viewer_tile(const struct loop *loop, unsigned index);
-/* Runs a job that leaves its status in loop->status for each tile, on the workers if the display allows it. */
+/* Runs a job for each tile, on the workers if the display allows it. The job stores its status in loop->status. */
 int tia_viewer_run_tiles(struct loop *loop, void (*job)(void *loop, unsigned index));
 bool tia_viewer_same_mode(const struct tia_mode *a, const struct tia_mode *b);
 
 /* ---- pace.c ---- */
 
-/* Returns the period of the viewer's `pace`, or that of a display. */
+/* Returns the period of the viewer's `pace`; without a pace, VIEWER_PERIOD_US. */
 uint64_t tia_viewer_period_us(const struct loop *loop);
 /* True if anything in the picture moves. */
 bool tia_viewer_is_moving(const struct loop *loop);
@@ -283,12 +284,12 @@ bool tia_viewer_is_moving(const struct loop *loop);
 bool tia_viewer_has_time(const struct loop *loop);
 /* Records that the pass has drawn `pixels` in `us` microseconds. */
 void tia_viewer_learn(struct loop *loop, uint32_t pixels, uint64_t us);
-/* Returns the time that the whole frame would have taken. */
+/* Returns the time, in microseconds, that all passes of the frame would have taken. */
 uint64_t tia_viewer_whole_us(const struct loop *loop, const struct tia_frame *frame);
 
 /* ---- refine.c ---- */
 
-/* Returns the bytes for the canvas and, if `sums`, its sums of samples; 0: no canvas. */
+/* Returns the number of bytes for the canvas and, if `sums`, its sums of samples; 0: no canvas. */
 uint64_t tia_viewer_canvas_size(const struct loop *loop, bool sums);
 /* Sets the canvas and the sums up in `memory`, of the size that tia_viewer_canvas_size returned. */
 void tia_viewer_set_canvas(struct loop *loop, void *memory, uint64_t size);
@@ -299,15 +300,15 @@ int tia_viewer_draw_passes(struct loop *loop, struct tia_frame *frame);
 
 /* ---- refine_pass.c ---- */
 
-/* Returns the bytes for sums of samples; 0: no sums. */
+/* Returns the number of bytes for sums of samples; 0: no sums. */
 uint64_t tia_viewer_sums_size(const struct loop *loop);
-/* Returns the passes of a complete frame. */
+/* Returns the number of passes of a complete frame. */
 unsigned tia_viewer_passes(const struct loop *loop);
 /* Returns the size of a pass's blocks. */
 unsigned tia_viewer_block(unsigned pass);
 /* True if passes draw rows in place of blocks. */
 bool tia_viewer_by_rows(const struct loop *loop);
-/* Returns the samples that each pixel has after `passes` passes. */
+/* Returns the number of samples that each pixel has after `passes` passes. */
 uint32_t tia_viewer_samples(const struct loop *loop, unsigned passes);
 /* Returns the share of all samples that is drawn after `passes` passes, in units of 2^-16. */
 uint32_t tia_viewer_share(const struct loop *loop, unsigned passes);
@@ -316,11 +317,12 @@ int tia_viewer_refine_tile(struct loop *loop, struct tia_tile tile, uint32_t *dr
 
 /* Copies the canvas onto the display. */
 int tia_viewer_copy(struct loop *loop);
-/* Copies the canvas after the loop, if it has been shown and the display is still the same. */
+/* Copies an incomplete canvas onto the display after the loop, if it has been shown and the display is still the
+ * same. */
 void tia_viewer_copy_last(struct loop *loop);
 
 /* Returns the technique for shadows that follows the scene's, in the order of tia_shadows_name cyclically, among those
- * that the scene qualifies for; TIA_SHADOWS_TRACED after an invalid one. */
+ * that the scene qualifies for; TIA_SHADOWS_TRACED if the scene's is invalid. */
 enum tia_shadows tia_next_shadows(const struct tia_scene *scene);
 
 #endif

@@ -17,7 +17,7 @@ static int64_t drop30(int64_t a)
     return a < 0 ? -((half - a) / one) : (a + half) / one;
 }
 
-/* A displacement in units of 2^-16, each component below 2^31. */
+/* A displacement in units of 2^-16; each component is below 2^31 in magnitude. */
 struct way {
     int64_t x, y, z;
 };
@@ -27,7 +27,7 @@ static struct way from_to(struct tia_vec3 a, struct tia_vec3 b)
     return (struct way){(int64_t)b.x - a.x, (int64_t)b.y - a.y, (int64_t)b.z - a.z};
 }
 
-/* Returns the dot product; the length of `a` is at most 1, so no sum is above 2^62. */
+/* Returns the dot product. The length of `a` is at most 1, so no sum exceeds 2^62. */
 static int64_t dot(struct tia_dir3 a, struct way b)
 {
     return drop30(a.x * b.x + a.y * b.y + a.z * b.z);
@@ -68,8 +68,8 @@ static int64_t size_of(int64_t a)
     return a < 0 ? -a : a;
 }
 
-/* Returns the distance to an object ahead, Q16.16, or 0 when it is not ahead or has no bounds, like a plane. *off
- * receives the distance of the object's middle from the line of sight, |x| + |y|, divided by the result; Q16.16. */
+/* Returns the distance to an object ahead, Q16.16, or 0 when it is not ahead or, like a plane, has no bounds. *off
+ * receives |x| + |y|, the distance of the object's middle from the line of sight, divided by the result; Q16.16. */
 static int64_t ahead_of(const struct tia_camera *camera, const struct tia_scene *scene, uint32_t object, uint64_t *off)
 {
     struct tia_bounds b = tia_object_bounds(scene, object);
@@ -82,7 +82,7 @@ static int64_t ahead_of(const struct tia_camera *camera, const struct tia_scene 
     return z;
 }
 
-/* True if the camera has an up vector, and so can turn. */
+/* True if the camera has an up vector, so that it can turn. */
 static bool looks_about(const struct tia_camera *camera)
 {
     return camera->up.x || camera->up.y || camera->up.z;
@@ -125,7 +125,7 @@ static struct way rotate(struct way v, struct tia_dir3 k, tia_q16 degrees)
                         drop30(v.z * cosine + w.z * sine + drop30(k.z * along) * rest)};
 }
 
-/* True within 3 degrees of the pole: cos^2 > 1 - 1/365. */
+/* True if v is within 3 degrees of the up axis: cos^2 > 1 - 1/365. */
 static bool is_at_pole(struct way v, struct tia_dir3 up)
 {
     uint64_t square = (uint64_t)(v.x * v.x) + (uint64_t)(v.y * v.y) + (uint64_t)(v.z * v.z);

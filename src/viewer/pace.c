@@ -1,4 +1,4 @@
-/* pace.c - limits the detail of a moving picture's frame, so that it is shown in time. */
+/* pace.c - limits the detail of frames in motion, so that they are shown in time. */
 #include "loop.h"
 
 uint64_t tia_viewer_period_us(const struct loop *loop)
@@ -28,7 +28,7 @@ static uint64_t more_samples(const struct loop *loop)
 }
 
 /* Returns the expected number of pixels of the pass: that of the last frame or, if it is unknown, three for each pixel
- * drawn before, which are 4^-n of the picture, n passes before the last one of blocks. */
+ * drawn before. Before pass p, above 0, 4^-(VIEWER_PASSES - p) of the picture's pixels are drawn. */
 static uint64_t pass_pixels(const struct loop *loop)
 {
     uint64_t all = (uint64_t)loop->mode.width * loop->mode.height;
@@ -40,7 +40,8 @@ static uint64_t pass_pixels(const struct loop *loop)
     return (loop->pass ? 3 * all : all) >> 2 * (loop->pass ? VIEWER_PASSES - loop->pass : VIEWER_PASSES - 1);
 }
 
-/* Returns the frame's time; for an unfinished frame, the time that all its samples would take at the measured cost. */
+/* Returns the time that the frame took; for an unfinished frame, the time that all its samples would take at the
+ * measured cost, if that is longer. */
 uint64_t tia_viewer_whole_us(const struct loop *loop, const struct tia_frame *frame)
 {
     uint64_t pixels = (uint64_t)loop->mode.width * loop->mode.height,
@@ -49,8 +50,8 @@ uint64_t tia_viewer_whole_us(const struct loop *loop, const struct tia_frame *fr
     return !loop->unfinished || all < frame->draw_us ? frame->draw_us : all;
 }
 
-/* True if there is time for the pass, for showing the picture, as long as the last one took, and for an eighth of the
- * pass's time to spare: a missing pass is better than a late frame. */
+/* True if the period has time for the pass and an eighth more, and for showing the picture, which is assumed to take as
+ * long as the last time. The margin is there because a missing pass is better than a late frame. */
 bool tia_viewer_has_time(const struct loop *loop)
 {
     uint64_t period = tia_viewer_period_us(loop), spent = viewer_now(loop) - loop->begun_us + loop->show_cost_us;

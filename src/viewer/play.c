@@ -8,7 +8,7 @@
 
 #define SCENE_SIZE ALIGN(sizeof(struct tia_scene))
 
-/* Returns the time. n * TIA_Q16_ONE cannot overflow: n < 2^15 rate[0], and rate[0] < 2^20. */
+/* Returns the time of a frame. n * TIA_Q16_ONE cannot overflow: n < 2^15 rate[0], and rate[0] < 2^20. */
 tia_q16 tia_viewer_frame_time(tia_q16 start, uint32_t frame, const uint32_t rate[2])
 {
     if (!rate)
@@ -21,7 +21,7 @@ tia_q16 tia_viewer_frame_time(tia_q16 start, uint32_t frame, const uint32_t rate
     return time < INT32_MAX ? (tia_q16)time : INT32_MAX;
 }
 
-/* Returns the scene's time by the clock, which starts again after the last keyframe. */
+/* Returns the scene's time by the clock; it starts over after the last keyframe. */
 static tia_q16 clock_time(const struct loop *loop)
 {
     tia_q16 begin = loop->viewer->pacing.time;
@@ -45,7 +45,7 @@ static tia_q16 time_now(const struct loop *loop)
     return is_stepped(loop) ? tia_viewer_frame_time(v->pacing.time, loop->frame, v->pacing.rate) : clock_time(loop);
 }
 
-/* Updates the lights that no key holds from their tracks. */
+/* Updates from their tracks the lights that no key has set or moved. */
 static void follow(struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;
@@ -102,7 +102,8 @@ int tia_viewer_play_begin(struct loop *loop)
     return memory_is_usable(loop->current) ? update_scene(loop, loop->state.time) : TIA_ERR_MEMORY;
 }
 
-/* Updates the view. When only lights move, the view and the hierarchy stay valid: draw_frame sets the lights anyway. */
+/* Updates the view. When only lights move, the view and the hierarchy stay valid, since the lights are set before each
+ * frame anyway. */
 static int update_view(struct loop *loop, tia_q16 time)
 {
     bool anew = !loop->view_ready || !loop->only_lights;

@@ -1,4 +1,4 @@
-/* present.c - shows a frame, also on displays that take long. */
+/* present.c - shows a frame, also on slow displays. */
 #include "loop.h"
 
 static int await(struct loop *loop, int status)

@@ -40,7 +40,7 @@ static bool add(tia_q16 *coordinate, int step, int32_t unit)
     return true;
 }
 
-/* Moves a centre by a unit of the scene's file. False: the unit is too large for Q16.16, or the sum would leave it. */
+/* Moves a centre by a unit of the scene's file. False: the unit or the sum does not fit Q16.16. */
 static bool move_centre(struct tia_vec3 *centre, const struct move *move, int scale_bits)
 {
     if (scale_bits > 14)
@@ -49,8 +49,8 @@ static bool move_centre(struct tia_vec3 *centre, const struct move *move, int sc
     return add(&centre->x, move->x, unit) && add(&centre->y, move->y, unit) && add(&centre->z, move->z, unit);
 }
 
-/* Rotates a light: moves the point -direction, at the distance 1, from which the light shines, by 1/16: about 3.6
- * degrees. The sum's length stays below 1.1, so its components fit Q2.30. False when the direction does not change. */
+/* Rotates a light by about 3.6 degrees: moves the point -direction, from which the light shines at the distance 1, by
+ * 1/16. The sum's length stays below 1.1, so its components fit Q2.30. False when the direction does not change. */
 static bool rotate(struct tia_dir3 *direction, const struct move *move)
 {
     const int32_t step = TIA_Q30_ONE / 16;
@@ -99,7 +99,7 @@ bool tia_viewer_moves(const struct loop *loop, uint16_t key)
     return !find_binding(loop->scene, key) && find_move(key);
 }
 
-/* True for keys that set or move lights. With Shift they may have another function, if the viewer has a control. */
+/* True for keys that set or move lights. If the viewer has a control, keys that move lights do not do so with Shift. */
 bool tia_viewer_lights(const struct loop *loop, const struct tia_event *event)
 {
     return find_binding(loop->scene, event->key) ||

@@ -1,14 +1,15 @@
-/* refine.c - a frame that takes long, coarse to fine: every 16th pixel of every 16th row first, each as a block, then
- * the pixels in between, until there are no blocks left; in sampled pictures with one sample a pixel, then with twice
- * as many, until they have all. Each pixel or sample is drawn once, so the finished frame is the same as one drawn at
- * once. The rasteriser's frames are drawn in rows, see refine_pass.c. Blocks do not cross tiles, which may be drawn by
- * several threads.
+/* refine.c - draws a slow frame coarse to fine: first every 16th pixel of every 16th row, each as a block, then the
+ * pixels in between, until there are no blocks left. The pixels of sampled pictures have one sample at first; further
+ * passes double the number, up to that of the scene. Each pixel or sample is drawn once, so the finished frame is the
+ * same as one drawn at once. The rasteriser's frames are drawn in rows, see refine_pass.c. Blocks do not cross tiles,
+ * which may be drawn by several threads.
  *
  * The picture so far is in loop->canvas: a display does not keep earlier pictures. */
 #include "loop.h"
 #include "math/align.h"
 
-#define REFINE_US 250000      /* time between two pictures of a long pass; shorter moving frames are not refined */
+/* Time between two pictures of a long pass, or of a playing scene. Shorter frames in rows are not refined. */
+#define REFINE_US 250000
 #define WORTH_LINE_US 1000000 /* a shorter frame has no progress line */
 
 /* True if a user waits for frames. */
@@ -20,7 +21,7 @@ static bool is_watched(const struct loop *loop)
 
 /* ---- a pass ---- */
 
-/* Draws the pass in a tile. A tile that is not reached before the picture is due stays for the next round. */
+/* Draws the pass in a tile. A tile that is not reached before the picture is due remains for the next round. */
 static void pass_job(void *arg, unsigned index)
 {
     struct loop *loop = arg;
@@ -67,7 +68,7 @@ static uint32_t sum_drawn(const struct loop *loop)
     return sum;
 }
 
-/* Draws a line at the lower edge, whose length is the share of the frame that is done. */
+/* Draws the progress line at the picture's lower edge; its length is the share of the frame that is done. */
 static void draw_line(const struct loop *loop, struct tia_tile tile, const struct tia_surface *surface)
 {
     unsigned height = loop->mode.height, thick = height / 400 + 1, bottom = (unsigned)tile.y + tile.height;
@@ -154,7 +155,7 @@ static int show_so_far(struct loop *loop, struct tia_frame *frame)
 
 /* ---- the frame ---- */
 
-/* Returns the status of a pass: VIEWER_OUTDATED, too, if the frame is to be given up and a job has missed that, because
+/* Returns the status of a pass: VIEWER_OUTDATED, too, if the frame is to be given up and a job has not noticed, because
  * another job was polling at that moment. */
 static int drawn(const struct loop *loop, int status)
 {
@@ -184,7 +185,7 @@ static int draw_pass(struct loop *loop, struct tia_frame *frame)
     return status;
 }
 
-/* True if the rasteriser draws the frames, without a gaze or a pace: they are refined by rows, each of which is
+/* True if the rasteriser draws the frames, without a gaze or a pace. Such frames are refined by rows, each of which is
  * repeated in the rows below it. Frames of spans are not refined. */
 static bool is_rasterised(const struct loop *loop)
 {
@@ -196,8 +197,8 @@ static uint64_t pixels_size(const struct loop *loop)
     return ALIGN((uint64_t)loop->mode.width * loop->mode.height * sizeof(tia_rgb565));
 }
 
-/* Returns the size of the canvas. A canvas is for frames that a user waits for or that have a gaze, and that can be
- * drawn pixel by pixel or row by row. */
+/* Returns the size of the canvas. Only frames that can be drawn pixel by pixel or row by row have a canvas, if a user
+ * waits for them or a gaze is set. */
 uint64_t tia_viewer_canvas_size(const struct loop *loop, bool sums)
 {
     bool refines = (is_watched(loop) || loop->gazes) && loop->core->draws_by_pixel &&
@@ -214,8 +215,8 @@ void tia_viewer_set_canvas(struct loop *loop, void *memory, uint64_t size)
     loop->sums = size > pixels ? (struct tia_sum *)(void *)((char *)memory + pixels) : NULL;
 }
 
-/* True if the frame is refined. Frames in rows are refined only if they take long, since the rasteriser then processes
- * all faces twice. */
+/* True if the frame is refined. Frames in rows are refined only if they are slow, since refinement makes the rasteriser
+ * process all faces twice. */
 bool tia_viewer_refines(const struct loop *loop)
 {
     if (!loop->canvas || loop->gazes || !loop->last_us)
@@ -248,7 +249,7 @@ static void begin_passes(struct loop *loop)
 }
 
 /* Returns the minimum time between two intermediate pictures. A pass of blocks takes about four times as long as the
- * one before, but the second pass of rows about fifteen times: so rows are shown sooner. */
+ * one before, but the second pass of rows about fifteen times as long: so rows are shown sooner. */
 static uint64_t wait_us(const struct loop *loop)
 {
     uint64_t period = tia_viewer_period_us(loop);
@@ -256,8 +257,8 @@ static uint64_t wait_us(const struct loop *loop)
     return loop->plays && !loop->key_us ? REFINE_US : tia_viewer_by_rows(loop) ? period / 4 : period;
 }
 
-/* True if the picture so far is to be shown: after a pass, or with a pace also during one. The first picture with a
- * pace is as fine as time allows. */
+/* True if the picture so far is to be shown after a pass. With a pace, draw_in_time shows the first picture itself, as
+ * fine as time allows. */
 static bool is_due(const struct loop *loop)
 {
     if (!is_watched(loop) || loop->pass + 1 == tia_viewer_passes(loop))

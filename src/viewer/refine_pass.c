@@ -1,5 +1,5 @@
-/* refine_pass.c - a pass of refine.c in a tile: pixels in a grid, each as a block; more samples of each pixel; or whole
- * rows. */
+/* refine_pass.c - draws a pass of refine.c in a tile: pixels of a grid, each as a block; or more samples of each pixel;
+ * or whole rows. */
 #include "loop.h"
 
 #define FIRST_BLOCK (1u << (VIEWER_PASSES - 1))
@@ -109,7 +109,8 @@ static int draw_pixels(struct loop *loop, struct tia_tile pixels)
 
 /* ---- blocks ---- */
 
-/* Pixels from `x`, `y` of the image on, dx and dy apart, and the size of the blocks that they stand for. */
+/* A grid of pixels that begins at (x, y) of the image, with steps of dx and dy; `size` is that of the blocks that they
+ * represent. */
 struct pixel_grid {
     unsigned x, y, dx, dy, size;
 };
@@ -125,7 +126,7 @@ static void fill_block(struct loop *loop, struct tia_tile tile, struct pixel_gri
             *viewer_canvas_at(loop, column, row) = colour;
 }
 
-/* Returns the number of pixels from (x, y) on that are drawn together, neighbours in a row; 0: the pixels drawn already
+/* Returns the number of pixels of a row, beginning with `at`, that are drawn together; 0: the pixels already drawn
  * suffice for the eye there. */
 static unsigned run_at(const struct loop *loop, struct pixel_grid at, unsigned right)
 {
@@ -202,7 +203,8 @@ static void repeat_row(struct loop *loop, struct tia_tile row, unsigned bottom)
             *viewer_canvas_at(loop, row.x + x, y) = *viewer_canvas_at(loop, row.x + x, row.y);
 }
 
-/* Draws rows: first every 16th row, repeated below it, then all rows between two of these at once. */
+/* Draws rows: in the first pass every 16th row, repeated below it; in the second pass all rows between two of these at
+ * once. */
 static int draw_rows(struct loop *loop, struct tia_tile tile, uint32_t *drawn)
 {
     unsigned bottom = (unsigned)tile.y + tile.height, skipped = loop->pass ? 1 : 0;

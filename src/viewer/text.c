@@ -3,8 +3,8 @@
 
 #include "math/tile.h"
 
-/* Glyphs from ' ' to '~': eight rows of five dots, the top row in the highest bits, each row's left dot in its highest
- * bit. */
+/* Glyphs from ' ' to '~': eight rows of five dots in 40 bits, the top row in the highest bits, and the left dot of a
+ * row in the row's highest bit. */
 static const uint64_t font[95] = {
     0x0000000000, 0x2108400080, 0x5280000000, 0x52beafa940, 0x23e0e0f880, 0xce44444e60, 0x64a88ac9a0, 0x2100000000,
     0x1110841040, 0x4104211100, 0x012aea9000, 0x0109f21000, 0x0000001088, 0x0001f00000, 0x0000003180, 0x0844444200,

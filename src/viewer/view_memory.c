@@ -57,8 +57,8 @@ static bool get_memory(struct loop *loop, struct tia_tile hits, uint64_t canvas)
     return true;
 }
 
-/* Gets as much memory as possible: for the whole frame's hits, a canvas and sums of samples; without the sums; for the
- * hits alone; or for the hits of one tile of as many rows as fit. */
+/* Gets memory for as much as the caller allows. Tries in turn: the whole frame's hits, a canvas and sums of samples;
+ * the same without sums; the hits alone; the hits of one tile, of as many rows as fit. */
 static bool get_most_memory(struct loop *loop)
 {
     struct tia_tile frame = {0, 0, loop->mode.width, loop->mode.height};

@@ -55,7 +55,7 @@ static int show_frame(struct loop *loop, struct tia_frame *frame)
     if (v->hooks.frame_drawn)
         v->hooks.frame_drawn(v->hooks.ctx, frame);
     status = tia_viewer_present(loop);
-    if (status && status != VIEWER_OUTDATED) /* the rest of the frame is then shown before the next one */
+    if (status && status != VIEWER_OUTDATED) /* the rest of an outdated frame is shown before the next one */
         return status;
     loop->switched = false;
     loop->changed = loop->covered = false;
@@ -145,8 +145,9 @@ static int play(struct loop *loop)
     return loop->view_ready ? TIA_OK : tia_viewer_prepare_view(loop);
 }
 
-/* Prepares memory and view. If the scene passes the check but cannot be drawn, because something is too far away or
- * memory is short, the keys' changes of technique, lights or camera are undone: the state before them can be drawn. */
+/* Prepares memory and view. A scene that passes the check may still be impossible to draw, because an object or a light
+ * is too far away or memory is short. Then the changes that keys made to the technique, the lights or the camera are
+ * undone: the earlier state can be drawn. */
 static int prepare(struct loop *loop)
 {
     enum tia_shadows first = loop->base->shadows;
@@ -190,7 +191,7 @@ static int show(struct loop *loop)
     return loop->covered && loop->complete ? show_again(loop) : tia_viewer_go_on(loop);
 }
 
-/* Sleeps until there can be work; with work left, only delivers pending signals. */
+/* Waits until there may be work; if work is left, only delivers pending signals. */
 static int rest(struct loop *loop, bool hidden)
 {
     const struct tia_viewer *v = loop->viewer;

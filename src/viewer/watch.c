@@ -1,7 +1,7 @@
-/* watch.c - events that end a frame that is being drawn. A key that quits, or the viewer's `stop`, ends it at once, in
- * the middle of a ray's tree. A key that moves a light, pressed or held, makes the frame out of date: once a coarse
- * picture of the frame is shown, it ends at once; else, if it has taken long already, at the next tile. A full queue
- * ends it at the next tile, too, since more keys are waiting. */
+/* watch.c - events that end a frame that is being drawn. A key that quits, or the viewer's `stop`, ends the frame at
+ * once, even in the middle of a ray's tree. A key that moves a light, pressed or held, makes the frame out of date.
+ * Such a frame ends at once if a coarse picture of it has been shown; else at the next tile, if it has already taken
+ * long. A full queue ends the frame at the next tile, too, since more keys are waiting. */
 #include "loop.h"
 
 #define PATIENCE_US 250000 /* time after which a frame that is out of date is given up */
@@ -24,7 +24,7 @@ static void keep(struct loop *loop, const struct tia_event *event)
         loop->queue[loop->queued++] = *event;
 }
 
-/* Polls the input. Events for which there is no room stay with the input, so that no key is lost. */
+/* Polls the input. Events that the queue cannot hold stay in the input, so that no key is lost. */
 static void poll_input(struct loop *loop)
 {
     const struct tia_viewer *v = loop->viewer;
@@ -46,8 +46,8 @@ static bool is_held_due(const struct loop *loop, uint64_t now)
     return next && now >= next;
 }
 
-/* Returns the time after which a frame that is out of date is given up: 0 in a playing scene, unless the frame shows a
- * key press, if the next frame can be shown before it is complete. */
+/* Returns the time after which a frame that is out of date is given up: 0 in a playing scene whose frames can be shown
+ * before they are complete, unless this frame shows a key press. */
 static uint64_t patience_us(const struct loop *loop)
 {
     return loop->plays && loop->canvas && !loop->key_us ? 0 : PATIENCE_US;

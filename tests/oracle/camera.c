@@ -20,7 +20,8 @@ static struct frame frame_of(const struct tia_camera *camera, const struct tia_f
     return f;
 }
 
-/* Returns the point of the window at (x, y) of the image, and the window's distance; 0: orthographic. */
+/* Returns the point of the window at (x, y) of the image, in the camera's axes. Its z is the window's distance, or 0 if
+ * the camera is orthographic. */
 static struct oracle_vec window_point(const struct tia_camera *camera, double w, double h, double x, double y)
 {
     const struct tia_window *window = &camera->window;

@@ -1,8 +1,8 @@
 /* cornell.c - the Cornell box: Cornell University Program of Computer Graphics, "Cornell box data",
  * http://www.graphics.cornell.edu/online/box/data.html: camera, polygons, spectra.
  *
- * Colours are linear, from those spectra by the CIE 1931 observer with equal energy, with the primaries of sRGB. The
- * lamp emits on both sides, absorbs light that meets it, and is 0.05 below the ceiling. */
+ * Colours are linear, with the primaries of sRGB. They are computed from those spectra with the CIE 1931 observer and
+ * light of equal energy. The lamp emits on both sides, absorbs light that meets it, and is 0.05 below the ceiling. */
 #include "cornell.h"
 
 #include "vec.h"
@@ -57,7 +57,8 @@ static struct oracle_vec corner(const double p[3])
     return (struct oracle_vec){p[0], p[1], p[2]};
 }
 
-/* Updates `nearest` if the triangle is met before it: in the triangle's plane, on the same side of all three edges. */
+/* Updates `nearest` if the ray meets the triangle before it. A point of the triangle's plane is in the triangle if it
+ * is on the same side of all three edges. */
 static void meet_triangle(struct ray ray, const double a[3], const double b[3], const double c[3], int colour,
                           struct meeting *nearest)
 {
@@ -119,7 +120,8 @@ static double from_lamp(struct oracle_vec x, struct oracle_vec normal, uint64_t 
     return cosine * fabs(ray.direction.y) * (high[0] - low[0]) * (high[2] - low[2]) / (PI * distance * distance);
 }
 
-/* Returns a random direction with the density cos t/pi: the point above a random one of the unit disc. */
+/* Returns a random direction with the density cos t/pi: the point of the hemisphere above a random point of the unit
+ * disc. */
 static struct oracle_vec scattered(struct oracle_vec normal, uint64_t *state)
 {
     double a, b;
@@ -158,7 +160,8 @@ static struct colour radiance(struct ray ray, uint64_t *state)
     }
 }
 
-/* Returns a ray of the page's camera: the focal length 0.035, the picture 0.025 wide; x grows to the left. */
+/* Returns a ray of the camera on Cornell's page: its focal length is 0.035, the picture is 0.025 wide, and x grows to
+ * the left. */
 static struct ray camera_ray(double x, double y)
 {
     const double half = 0.0125 / 0.035;
@@ -167,7 +170,7 @@ static struct ray camera_ray(double x, double y)
     return (struct ray){{278, 273, -800}, unit(d)};
 }
 
-/* The samples of a pixel are in rows x rows squares, one in each. */
+/* The samples of a pixel lie in rows x rows squares, one in each. */
 void oracle_box(unsigned side, uint64_t seed, unsigned rows, double *rgb)
 {
     uint64_t state = seed * UINT64_C(0xd1342543de82ef95);

@@ -85,7 +85,8 @@ uint32_t oracle_faces(const struct tia_scene *scene, struct oracle_face *faces)
 
 /* ---- rays ---- */
 
-/* Gives the intersection of the ray's line with the face, as a multiple of the direction, which can have any length. */
+/* Computes the intersection of the ray's line with the face. *t is a multiple of the direction, which may have any
+ * length. Returns false if there is none. */
 static bool meets(const struct oracle_face *f, struct ray ray, double *t)
 {
     struct oracle_vec from = sub(ray.origin, f->at);
@@ -114,7 +115,7 @@ uint32_t oracle_face_seen(const struct oracle_face *faces, uint32_t count, struc
     return seen;
 }
 
-/* Returns the vector from the point to sample i of the light; for a directional light its reversed direction. */
+/* Returns the vector from the point to sample i of the light; for a directional light, its direction reversed. */
 static struct oracle_vec way_to(const struct tia_light *light, unsigned i, struct oracle_vec p)
 {
     struct oracle_vec source = position(light->centre);

@@ -1,6 +1,6 @@
-/* face_shadows.h - hard shadows of flat faces, in double precision and world coordinates: the intersection test of
- * Moeller and Trumbore (1997) with each face. The face on which a ray to a light starts is left out, so there is no
- * bias. */
+/* face_shadows.h - hard shadows of flat faces, in double precision and world coordinates: each face is tested by the
+ * method of Moeller and Trumbore (1997). The face on which a ray to a light starts is left out, so no bias is
+ * needed. */
 #ifndef TESTS_ORACLE_FACE_SHADOWS_H
 #define TESTS_ORACLE_FACE_SHADOWS_H
 
@@ -18,11 +18,11 @@ struct oracle_face {
  * NULL. */
 uint32_t oracle_faces(const struct tia_scene *scene, struct oracle_face *faces);
 
-/* Returns the face that a ray meets first, and gives t; ORACLE_NO_FACE and infinity if there is none. */
+/* Returns the first face that a ray meets, with its distance in *t; ORACLE_NO_FACE and infinity if there is none. */
 uint32_t oracle_face_seen(const struct oracle_face *faces, uint32_t count, struct ray ray, double *t);
 
-/* True if sample i of the light, with the pattern of pixel class 0, reaches the point of `face` at t along the ray
- * `eye`. */
+/* True if sample i of the light reaches the point of `face` at t along the ray `eye`. The samples have the pattern of
+ * pixel class 0. */
 bool oracle_face_lit(const struct oracle_face *faces, uint32_t count, uint32_t face, struct ray eye, double t,
                      const struct tia_light *light, unsigned i);
 

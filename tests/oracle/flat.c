@@ -12,7 +12,7 @@ static struct oracle_vec axis_vec(int axis, double sign)
     return (struct oracle_vec){axis == 0 ? sign : 0, axis == 1 ? sign : 0, axis == 2 ? sign : 0};
 }
 
-/* Returns the position of a point along a tangent of a face, 0..1 from the face's edge. */
+/* Returns the position of a point along a tangent of its face, 0..1 from edge to edge. */
 static double share(const double part[3], struct oracle_vec tangent)
 {
     double sum = 0;
@@ -24,7 +24,8 @@ static double share(const double part[3], struct oracle_vec tangent)
     return sum;
 }
 
-/* Gives the hit on the face of a box with the outward normal sign times the axis, if the ray meets that face. */
+/* Computes the hit on that face of a box whose outward normal is `sign` times the axis. Returns false if the ray does
+ * not meet the face. */
 static bool face_hit(struct ray ray, struct oracle_vec min, struct oracle_vec max, int axis, double sign,
                      struct hit *hit)
 {
@@ -149,7 +150,7 @@ static size_t cell_index(const struct tia_grid *grid, const int at[3])
     return ((size_t)at[2] * grid->size[1] + (size_t)at[1]) * grid->size[0] + (size_t)at[0];
 }
 
-/* Returns the contents of cell (x, y, z): 0 when empty or outside. */
+/* Returns the contents of cell (x, y, z); 0 if it is empty or outside. */
 static unsigned cell(const struct tia_grid *grid, const int at[3])
 {
     for (int i = 0; i < 3; i++)
@@ -158,8 +159,8 @@ static unsigned cell(const struct tia_grid *grid, const int at[3])
     return grid->cells[cell_index(grid, at)];
 }
 
-/* Gives the nearest hit on the faces of a filled cell: on the front of a face if the neighbour differs, on the back
- * only if the neighbour is empty. */
+/* Computes the nearest hit on the faces of a filled cell. A face is met on its front if the neighbouring cell differs,
+ * and on its back only if that cell is empty. */
 static bool cell_hit(struct ray ray, const struct tia_grid *grid, const int at[3], struct hit *hit)
 {
     struct oracle_vec corner = position(grid->corner);

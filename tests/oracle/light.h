@@ -15,18 +15,18 @@ struct beam {
 /* Returns the number of samples of a light; 1 for all but area lights. */
 unsigned light_samples(const struct tia_light *light);
 
-/* Gives sample i of a light that is not ambient, for the point p and a pixel of class 0..15; false if the sample is at
- * p. `unit` is the unit of attenuations. */
+/* Computes sample i of a light that is not ambient, for the point p and a pixel of class 0..15. Returns false if the
+ * sample is at p. `unit` is the unit of length of attenuations. */
 bool light_beam(const struct tia_light *light, double unit, struct oracle_vec p, unsigned pixel_class, unsigned i,
                 struct beam *beam);
 
 /* Returns the class of pixel (x, y), 0..15. */
 unsigned light_class(unsigned x, unsigned y);
 
-/* Gives point i of n in the unit square for pixels of a class. */
+/* Computes point i of n in the unit square, for pixels of a class. */
 void light_pattern(unsigned pixel_class, unsigned i, unsigned n, double *u, double *v);
 
-/* Intersects a ray with the surface of the light itself; *t is the parameter of the hit. */
+/* Intersects a ray with the surface of the light itself. *t is the parameter of the hit. */
 bool light_hit(const struct tia_light *light, struct ray ray, double *t);
 
 #endif

@@ -11,13 +11,13 @@ struct media {
     tia_q16 index[TIA_MEDIA_MAX];
 };
 
-/* Indices of refraction before and behind a boundary. */
+/* Indices of refraction in front of a boundary and behind it. */
 struct crossing {
     tia_q16 from, to;
 };
 
-/* Returns the boundary where a refracted ray meets the front or back of an object with this material; `media` become
- * the media behind the boundary. */
+/* Returns the indices at a boundary where a refracted ray meets the front or back of an object with this material.
+ * `media` is updated to the media behind the boundary. */
 struct crossing media_cross(const struct tia_scene *scene, struct media *media, uint32_t object, bool front,
                             const struct tia_material *material);
 

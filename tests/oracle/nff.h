@@ -1,4 +1,4 @@
-/* nff.h - pictures of .nff files from the numbers as written, in double precision.
+/* nff.h - draws .nff files in double precision, from the numbers as written.
  *
  * The oracle of oracle.h starts from a scene in memory, whose coordinates a reader has rounded: it cannot show the
  * error of that rounding. This one reads the text itself. Its rays start a trillionth of the scene's size off a
@@ -19,7 +19,7 @@ struct nff_material {
 struct nff_thing {
     enum nff_kind kind;
     unsigned material;
-    unsigned body; /* body that rays enter: a sphere or cone, or all polygons after one f */
+    unsigned body; /* body that rays enter: a sphere or cone, or all polygons after the same f */
     struct oracle_vec min, max;
     struct oracle_vec point[2]; /* centre, or base and top */
     double radius[2];
@@ -32,12 +32,12 @@ struct nff_thing {
 struct nff_light {
     struct oracle_vec at;
     double emission[3];
-    bool coloured; /* the file sets the background */
+    bool coloured; /* the file gives the light a colour */
 };
 
 struct nff_tree {
     struct oracle_vec min, max;
-    unsigned first, count; /* leaf: its objects; inner node: count is 0, and its subtrees are the next node and
+    unsigned first, count; /* leaf: its objects; inner node: count is 0, and its two subtrees are the next node and
                               tree[first] */
 };
 
@@ -53,17 +53,18 @@ struct nff {
     unsigned material_count, light_count, thing_count, tree_count, body_count;
 };
 
-/* Reads the text of a file; NULL if it is not valid. Free the result by nff_free. */
+/* Reads the text of a file. Returns NULL if it is not valid. Free the result by nff_free. */
 struct nff *nff_read(const char *text);
 void nff_free(struct nff *nff);
 
 /* Builds the tree of the objects, for nff_nearest. */
 void nff_plant(struct nff *nff);
 
-/* Returns the index of the nearest object on the ray, and gives the hit; thing_count and infinity if there is none. */
+/* Returns the index of the nearest object on the ray, and stores the hit; thing_count and an infinite t if there is
+ * none. */
 unsigned nff_nearest(const struct nff *nff, struct ray ray, struct hit *hit);
 
-/* Returns the part of white light that passes all objects on the ray up to t = 1. */
+/* Returns the fraction of white light that passes all objects on the ray up to t = 1. */
 double nff_transmission(const struct nff *nff, struct ray ray);
 
 /* Returns pixel (x, y) of a picture of that size. */

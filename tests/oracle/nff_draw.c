@@ -1,12 +1,12 @@
-/* nff_draw.c - Whitted's colours of an .nff file, by the formulas of tia/material.h. */
+/* nff_draw.c - computes Whitted's colours of an .nff file by the formulas of tia/material.h. */
 #include "nff.h"
 #include "oracle.h"
 
 #define OFF 1e-12
 #define FAINT (1.0 / 65536.0)
 
-/* History of a ray: its weight, the bends and straight layers so far, and the bodies that it has entered, with their
- * indices of refraction. */
+/* History of a ray: its weight; the numbers of bends and of straight layers so far; and the bodies that it has entered,
+ * with their indices of refraction. */
 struct journey {
     double weight;
     unsigned bounces, layers;
@@ -56,8 +56,8 @@ static double medium(const struct journey *j)
     return j->count ? j->index[j->count - 1] : 1;
 }
 
-/* Gives the indices of refraction in front of the surface and behind it, and updates the bodies of the journey, which
- * crosses the surface. */
+/* Computes the indices of refraction in front of the surface and behind it. The ray crosses the surface, so the bodies
+ * of its journey are updated. */
 static void cross_over(const struct nff *nff, const struct place *s, struct journey *j, double *from, double *to)
 {
     int at = -1;

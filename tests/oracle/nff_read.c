@@ -104,7 +104,7 @@ static struct nff_thing *new_thing(struct reading *r, enum nff_kind kind)
     return t;
 }
 
-/* Extends the object's box to hold a ball. */
+/* Extends the object's box to enclose a ball. */
 static void cover(struct nff_thing *t, struct oracle_vec p, double r)
 {
     t->min = (struct oracle_vec){fmin(t->min.x, p.x - r), fmin(t->min.y, p.y - r), fmin(t->min.z, p.z - r)};
@@ -123,7 +123,7 @@ static void read_round(struct reading *r, bool cone)
     t->body = new_body(r->nff, !cone);
 }
 
-/* Returns Newell's normal: the sum of the corners' cross products. */
+/* Returns Newell's normal: the sum of the cross products of a fan of triangles. */
 static struct oracle_vec normal_of(const struct oracle_vec *corner, unsigned count)
 {
     struct oracle_vec n = {0, 0, 0};
@@ -207,7 +207,8 @@ static bool has_edge(const struct nff *nff, unsigned body, struct oracle_vec a, 
     return false;
 }
 
-/* Finds the closed bodies: a body of transparent polygons is closed if each edge has one that runs back. */
+/* Finds the closed bodies: a body of transparent polygons is closed if each edge has a counterpart in the opposite
+ * direction. */
 static void find_closed(struct nff *nff)
 {
     for (unsigned i = 0; i < nff->thing_count; i++) {

@@ -1,4 +1,4 @@
-/* nff_tree.c - the nearest object, by a tree of boxes: the larger files have too many objects to test each. */
+/* nff_tree.c - finds the nearest object by a tree of boxes: the larger files have too many objects to test each. */
 #include "nff.h"
 
 #include <stdlib.h>
@@ -10,7 +10,7 @@ static double coordinate(struct oracle_vec v, int axis)
     return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 }
 
-static int sorted_by; /* the axis of the present order */
+static int sorted_by; /* axis by which the objects are being sorted */
 
 static int compare(const void *a, const void *b)
 {
@@ -60,7 +60,7 @@ void nff_plant(struct nff *nff)
         halve(nff, 0, nff->thing_count);
 }
 
-/* True if the ray is in the box anywhere in 0..limit; the interval is enlarged a little for rounding errors. */
+/* True if the ray meets the box anywhere in 0..limit. The interval is enlarged a little for rounding errors. */
 static bool meets(const struct nff_tree *tree, struct ray ray, double limit)
 {
     double from = 0, to = limit;
@@ -74,7 +74,8 @@ static bool meets(const struct nff_tree *tree, struct ray ray, double limit)
     return from <= to;
 }
 
-/* True if the point, in the polygon's plane, is inside: an odd number of edges crosses its line to the left. */
+/* True if a point of the polygon's plane is inside the polygon: an odd number of edges crosses the line from the point
+ * to the left. */
 static bool is_inside(const struct nff_thing *t, struct oracle_vec p)
 {
     double x = fabs(t->normal.x), y = fabs(t->normal.y), z = fabs(t->normal.z);

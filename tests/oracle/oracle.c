@@ -4,7 +4,7 @@
 
 static const struct oracle_variant as_tia = {.bias = ORACLE_BIAS};
 
-/* Returns a unit vector, rounded to the variant's bits. */
+/* Returns a unit vector, rounded to the variant's number of bits. */
 static struct oracle_vec rounded(struct oracle_variant variant, struct oracle_vec v)
 {
     double one = ldexp(1, (int)variant.direction_bits);
@@ -65,7 +65,7 @@ unsigned oracle_bayer(unsigned x, unsigned y)
     static const unsigned quadrant[2][2] = {{0, 2}, {3, 1}};
     unsigned value = 0;
 
-    /* from M(1) to M(8) the bits of x and y, the lowest first, choose the quadrant */
+    /* the bits of x and y, the lowest first, select a quadrant in each step from M(1) to M(8) */
     for (unsigned bit = 0; bit < 3; bit++)
         value += quadrant[y >> bit & 1][x >> bit & 1] << (4 - 2 * bit);
     return value;
@@ -77,7 +77,8 @@ static bool meets(struct oracle_variant variant, struct ray ray, const struct ti
         ray.origin, ray.direction, position(sphere->centre), q16(sphere->radius), t);
 }
 
-/* Returns the nearest sphere on the ray, the lower index on a tie; *t is the distance, infinite without a sphere. */
+/* Returns the nearest sphere on the ray; of equally near ones, that of the lowest index. *t is the distance, infinite
+ * without a sphere. */
 static uint32_t nearest_sphere(const struct tia_scene *scene, struct oracle_variant variant, struct ray ray, double *t)
 {
     uint32_t nearest = TIA_NO_OBJECT;
@@ -111,8 +112,8 @@ static uint32_t nearest_light(const struct tia_scene *scene, struct ray ray, dou
     return nearest;
 }
 
-/* Returns the part of white light that is transmitted along the ray up to `distance`; *passed is the sum of index + 1
- * of the spheres on the way. */
+/* Returns the fraction of white light that is transmitted along the ray up to `distance`. *passed is the sum of index +
+ * 1 over the spheres on the way. */
 static struct colour transmission(const struct tia_scene *scene, struct oracle_variant variant, struct ray ray,
                                   double distance, uint32_t *passed)
 {
@@ -131,7 +132,8 @@ static struct colour transmission(const struct tia_scene *scene, struct oracle_v
     return left;
 }
 
-/* Adds the light of one light at a surface's point p with the normal n; true if any arrives. *passed is as above. */
+/* Adds the light of one light at a surface's point p with the normal n. True if any light arrives. *passed is that of
+ * transmission(). */
 static bool add_light(const struct tia_scene *scene, struct oracle_variant variant, const struct tia_light *light,
                       struct oracle_vec p, struct oracle_vec n, struct colour surface, double sum[3], uint32_t *passed)
 {

@@ -12,13 +12,13 @@
 struct oracle_vec oracle_direction(const struct tia_camera *camera, unsigned width, unsigned height, double x,
                                    double y);
 
-/* Intersects a ray (unit direction) with a sphere by the ray's point nearest to the centre; true, and the distance in
- * *t, for a hit. A sphere whose centre is behind the origin is missed. */
+/* Intersects a ray (unit direction) with a sphere by the ray's point nearest to the centre. Returns true for a hit,
+ * with the distance in *t. A sphere whose centre is behind the origin is missed. */
 bool oracle_sphere_geometric(struct oracle_vec origin, struct oracle_vec direction, struct oracle_vec centre,
                              double radius, double *t);
 
-/* Intersects them by the smaller root not below 0 of |O + tD - C|^2 = r^2. The result differs only for a ray that
- * starts inside and leads away from the centre. */
+/* Intersects a ray with a sphere by the smaller root not below 0 of |O + tD - C|^2 = r^2. The result differs from
+ * oracle_sphere_geometric only for a ray that starts inside and leads away from the centre. */
 bool oracle_sphere_analytic(struct oracle_vec origin, struct oracle_vec direction, struct oracle_vec centre,
                             double radius, double *t);
 
@@ -36,7 +36,7 @@ tia_rgb565 oracle_pack(struct oracle_pixel *pixel, unsigned x, unsigned y, bool 
 struct oracle_pixel oracle_pixel(const struct tia_scene *scene, unsigned width, unsigned height, unsigned x, unsigned y,
                                  bool dither);
 
-/* The bias of the oracle, with which a variant that is 0 otherwise equals oracle_pixel. */
+/* The oracle's bias. A variant with this bias, and 0 in all other fields, gives the same pixels as oracle_pixel. */
 #define ORACLE_BIAS (1.0 / 8192.0)
 
 /* Details in which other programs differ, for scenes of spheres. */
@@ -54,8 +54,8 @@ struct oracle_pixel oracle_variant_pixel(const struct tia_scene *scene, struct o
 /* The oracle as one of the library's arithmetics; its lights cannot be replaced. */
 extern const struct tia_core oracle_core;
 
-/* True if the oracle finds a different object or different lights `reach` pixels beside the pixel's centre: there its
- * rounding errors, about 1e-12 of a pixel, decide. */
+/* True if the oracle finds a different object or different lights `reach` pixels beside the pixel's centre. There its
+ * rounding errors, about 1e-12 of a pixel, may decide the result. */
 bool oracle_undecided(const struct tia_scene *scene, unsigned width, unsigned height, unsigned x, unsigned y,
                       double reach);
 

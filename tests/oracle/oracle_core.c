@@ -1,5 +1,5 @@
-/* oracle_core.c - the oracle behind the library's table of functions, by which it draws all that the library's
- * arithmetics draw. A hit buffer stores all results of the oracle. */
+/* oracle_core.c - the oracle as a struct tia_core: it draws whatever the library's arithmetics draw. A hit buffer
+ * stores all results of the oracle. */
 #include "oracle.h"
 
 #include <tia/debug.h>

@@ -12,12 +12,12 @@ struct oracle_vec {
 struct oracle_pixel {
     tia_rgb565 colour;
     uint32_t object;    /* an object's index, the number of objects + the index of a light, or TIA_NO_OBJECT */
-    uint32_t sphere;    /* the object if lights were invisible */
+    uint32_t sphere;    /* the object that would be visible if lights were invisible */
     uint32_t path_hash; /* see tia_debug.path_hash */
     double linear[3];   /* r, g, b before clamping; for general rays the mean of the clamped samples */
     double depth;       /* distance from the eye; infinite for the background */
-    /* Distance of 31c + 0.5 or 63c + 0.5 of any channel from an integer: the largest error in units of one level that
-     * does not change the colour. */
+    /* Least distance of 31c + 0.5 or 63c + 0.5 from an integer, over all channels. Smaller errors, in levels, do not
+     * change the colour. */
     double margin;
 };
 

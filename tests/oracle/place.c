@@ -87,7 +87,7 @@ static bool local_hit(const struct tia_scene *scene, const struct tia_shape *s, 
     }
 }
 
-/* Returns the ray in the axes of a shape before its transform; t is the same. */
+/* Returns the ray in the axes of a shape before its transform; the parameter t of a point stays the same. */
 static struct ray local_ray(const struct tia_transform *t, struct ray ray)
 {
     struct oracle_vec scale = position(t->scale), from = sub(ray.origin, position(t->position));

@@ -49,7 +49,7 @@ static double height(const struct oracle_polygon *p, const double at[3])
     return dot(n, d);
 }
 
-/* Returns the distance of a point, in the polygon's plane, from the nearest edge; below 0 outside the polygon. */
+/* Returns the distance of a point in the polygon's plane from the nearest edge; it is negative outside the polygon. */
 static double depth(const struct oracle_polygon *p, const double at[3])
 {
     double n[3], least = INFINITY;
@@ -65,14 +65,14 @@ static double depth(const struct oracle_polygon *p, const double at[3])
     return least;
 }
 
-/* True if x may be above 0, with an error of up to `doubt`; clears *sure if |x| is not above `doubt`. */
+/* True if x, which has an error of up to `doubt`, may be above 0. Clears *sure if |x| is not above `doubt`. */
 static bool holds(const struct search *s, double x, bool *sure)
 {
     *sure &= fabs(x) > s->doubt;
     return x > -s->doubt;
 }
 
-/* True if a polygon is between two points that are not on it; clears *sure if that is in doubt. */
+/* True if a polygon is between two points that are not on it. Clears *sure if that is uncertain. */
 static bool blocks(const struct search *s, const struct oracle_polygon *p, const double a[3], const double b[3],
                    bool *sure)
 {
@@ -80,7 +80,7 @@ static bool blocks(const struct search *s, const struct oracle_polygon *p, const
 
     if (fabs(ha) < s->doubt || fabs(hb) < s->doubt) {
         double nearer = fmin(fabs(ha), fabs(hb)) == fabs(ha) ? depth(p, a) : depth(p, b);
-        *sure &= nearer < -s->doubt; /* an end is in the plane, and perhaps on the polygon */
+        *sure &= nearer < -s->doubt; /* an end point is in the plane, and perhaps on the polygon */
         return false;
     }
     if (ha * hb > 0)

@@ -143,7 +143,7 @@ int oracle_order(const struct oracle_image *image, const struct tia_raster_verte
     return order ? order : order_along(a, b, downwards);
 }
 
-/* Returns an integer rounded, with a relative error below 2^-63. */
+/* Converts an integer to long double, with a relative error below 2^-63. */
 static long double big_value(struct big a)
 {
     long double value = 0;
@@ -163,7 +163,7 @@ long double oracle_nearness(const struct oracle_image *image, const struct tia_r
     return big_value(height(v, d)) / big_value(big_of(det)) * w / d.w;
 }
 
-/* Compares as in OpenGL 4.6, tables 17.2 and 17.3 and section 17.3.5. */
+/* Compares as in OpenGL 4.6, tables 17.2 and 17.3, and section 17.3.5. */
 static bool compare(enum tia_compare test, long new, long old)
 {
     switch (test) {
@@ -219,7 +219,7 @@ static void write_stencil(uint8_t *pixel, const struct tia_stencil *s, enum tia_
             *pixel = (uint8_t)((*pixel & ~bit) | (now & bit));
 }
 
-/* Returns the sign of the polygon's depth minus that of `there`, the pixel's face. */
+/* Returns the sign of the depth of the polygon `face` minus that of the pixel's face, `there`. */
 static int depth_against(const struct oracle_raster *r, const struct tia_raster_state *state,
                          const struct tia_raster_vertex *v, uint32_t face, uint32_t there, int x, int y)
 {
@@ -270,7 +270,7 @@ void oracle_draw(struct oracle_raster *raster, const struct tia_raster_state *st
                 draw_pixel(raster, state, v, face, x, y);
 }
 
-/* Finds the largest n with 2 n - 1 <= 2 value, from the highest bit on. */
+/* Finds the largest n with 2 n - 1 <= 2 value, bit by bit from the highest. */
 int32_t oracle_blend(const struct oracle_image *image, const struct tia_raster_vertex v[3], int x, int y,
                      const int32_t a[3])
 {

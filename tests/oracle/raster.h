@@ -1,4 +1,4 @@
-/* raster.h - polygons pixel by pixel, from the definitions in <tia/raster.h> and OpenGL's specification. */
+/* raster.h - draws polygons pixel by pixel, from the definitions in <tia/raster.h> and OpenGL's specification. */
 #ifndef TESTS_ORACLE_RASTER_H
 #define TESTS_ORACLE_RASTER_H
 
@@ -28,7 +28,7 @@ bool oracle_covers(const struct oracle_image *image, const struct tia_raster_ver
 int oracle_order(const struct oracle_image *image, const struct tia_raster_vertex *a, const struct tia_raster_vertex *b,
                  int x, int y);
 
-/* Returns 1/t, where the plane's point at the pixel is t times a direction whose third coordinate is w. */
+/* Returns 1/t. The plane's point at the pixel is t times a direction whose third coordinate is w. */
 long double oracle_nearness(const struct oracle_image *image, const struct tia_raster_vertex *v, int x, int y, long w);
 
 void oracle_draw(struct oracle_raster *raster, const struct tia_raster_state *state, const struct tia_raster_vertex *v,

@@ -13,7 +13,8 @@ struct look {
     uint32_t rays; /* number of rays of the sample so far */
 };
 
-/* History of a ray: the product of its factors, the bends and straight layers so far, and the media that contain it. */
+/* History of a ray: the product of its factors; the numbers of bends and of straight layers so far; and the media that
+ * contain it. */
 struct way {
     struct colour weight;
     unsigned bounces, layers;
@@ -90,7 +91,7 @@ static double highlight(const struct surface *s, struct oracle_vec l)
     return cosine > 0 ? pow(cosine, q16(s->material->exponent)) : 0.0;
 }
 
-/* Adds the light of one beam to *sum; true if it arrives. */
+/* Adds the light of one beam to *sum. True if any light arrives. */
 static bool add_beam(const struct look *look, const struct tia_light *light, const struct beam *beam,
                      const struct surface *s, struct colour *sum)
 {
@@ -141,8 +142,8 @@ double oracle_fresnel(double cosine, double n1, double n2)
     return (rs * rs + rp * rp) / 2;
 }
 
-/* Gives the refracted direction by Snell's law, for the ratio n1/n2; false in total reflection, and if the interpolated
- * normal points away from the viewer. */
+/* Computes the refracted direction by Snell's law, for the ratio n1/n2. Returns false in total reflection, and if the
+ * interpolated normal points away from the viewer. */
 static bool refract(const struct surface *s, double ratio, struct oracle_vec *way)
 {
     double square = 1 - ratio * ratio * (1 - s->cosine * s->cosine);
@@ -165,7 +166,7 @@ static void add_ray(struct look *look, struct ray ray, struct colour factor, str
     add(sum, 1, product(factor, trace(look, ray, &way)));
 }
 
-/* Gives the refracted ray and its history; moves the fraction F of the refraction from kt to kr. */
+/* Computes the refracted ray and its history. Moves the fraction F of the refraction from kt to kr. */
 static void bend(const struct tia_scene *scene, const struct surface *s, struct way *way, struct ray *ray,
                  struct colour *kr, struct colour *kt)
 {

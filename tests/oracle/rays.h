@@ -1,6 +1,6 @@
 /* rays.h - Whitted's rays: the oracle for the scenes that the span renderer does not draw.
  *
- * Recursive: each ray is tested against each object, in the order of the formulas of tia/material.h. */
+ * It is recursive, and tests each ray against each object, in the order of the formulas of tia/material.h. */
 #ifndef TESTS_ORACLE_RAYS_H
 #define TESTS_ORACLE_RAYS_H
 
@@ -27,27 +27,27 @@ struct oracle_pixel oracle_rays_look(const struct tia_scene *scene, unsigned wid
 struct ray oracle_camera(const struct tia_camera *camera, const struct tia_fine *fine, unsigned width, unsigned height,
                          double x, double y);
 
-/* Gives the position of sample n relative to the upper left corner of a pixel with 1, 4 or 16 samples. */
+/* Computes the position of sample n relative to the upper left corner of a pixel with 1, 4 or 16 samples. */
 void oracle_sample(unsigned samples, unsigned n, double *x, double *y);
 
-/* The value of *cell for a blend of texels. */
+/* The value of *cell if several texels are blended. */
 #define ORACLE_BLENDED UINT32_MAX
 
-/* Returns the texture at the surface coordinates u, v, an opacity as a grey; *cell is the index of the texel, the
- * number of the checker's colour, or ORACLE_BLENDED. */
+/* Returns the texture's colour at the surface coordinates u, v; an opacity is a grey. *cell is the index of the texel,
+ * the number of the checker's colour, or ORACLE_BLENDED. */
 struct colour oracle_texture(const struct tia_texture *texture, double u, double v, uint32_t *cell);
 
 /* Returns the opacity of the material at a hit; *cell as from oracle_texture. */
 double oracle_opacity(const struct tia_scene *scene, const struct hit *hit, uint32_t *cell);
 
-/* Returns the part of white light that reaches the ray's origin from `distance` along it. */
+/* Returns the fraction of white light that reaches the ray's origin from `distance` along it. */
 struct colour oracle_transmission(const struct tia_scene *scene, struct ray ray, double distance);
 
 /* Returns the reflectance of unpolarised light at a boundary from index n1 to n2, for the cosine of the angle of
  * incidence; 1 in total reflection. */
 double oracle_fresnel(double cosine, double n1, double n2);
 
-/* Returns the colour along a ray of pixel (x, y); black when the ray is no longer traced. */
+/* Returns the colour along a ray of pixel (x, y); black if the ray is too faint or too deep to be traced. */
 struct colour oracle_ray(const struct tia_scene *scene, struct ray ray, unsigned x, unsigned y);
 
 #endif

@@ -54,7 +54,8 @@ struct side {
     double height, base_radius, slope;
 };
 
-/* Gives the real roots of a t^2 + 2 b t + c, the smaller first, without cancellation; returns their number, 0 or 2. */
+/* Computes the real roots of a t^2 + 2 b t + c, the smaller first, without cancellation. Returns their number, 0 or
+ * 2. */
 static int roots(double a, double b, double c, double t[2])
 {
     double discriminant = b * b - a * c;
@@ -72,7 +73,7 @@ static int roots(double a, double b, double c, double t[2])
     return 2;
 }
 
-/* Gives the hit at t if it lies on the side. */
+/* Computes the hit at t. Returns false if it is not on the side. */
 static bool on_side(const struct side *side, struct ray ray, double t, struct hit *hit)
 {
     struct oracle_vec p = sub(at(ray, t), side->base), u, v;
@@ -91,8 +92,8 @@ static bool on_side(const struct side *side, struct ray ray, double t, struct hi
     return true;
 }
 
-/* Intersects the side. The equation is relative to the ray's point nearest to the base, which keeps its numbers small.
- */
+/* Intersects the side. The equation is relative to the ray's point nearest to the base, which keeps the coefficients
+ * small. */
 static bool side_hit(const struct side *side, struct ray ray, struct hit *hit)
 {
     struct oracle_vec d = ray.direction;
@@ -110,7 +111,7 @@ static bool side_hit(const struct side *side, struct ray ray, struct hit *hit)
     return false;
 }
 
-/* Intersects a cap: a disc with an outward normal; none if the radius is 0. */
+/* Intersects a cap, a disc with an outward normal. There is none if the radius is 0. */
 static bool cap_hit(struct ray ray, struct oracle_vec centre, struct oracle_vec outwards, double radius,
                     struct hit *hit)
 {

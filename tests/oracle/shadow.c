@@ -9,7 +9,7 @@ double oracle_opacity(const struct tia_scene *scene, const struct hit *hit, uint
     return opacity == 0 ? 1 : oracle_texture(&scene->textures[opacity - 1], hit->u, hit->v, cell).channel[0];
 }
 
-/* Returns the part of the light that passes an object with opacity or cells, computed surface by surface. */
+/* Returns the fraction of the light that passes an object with opacity or cells, computed surface by surface. */
 static struct colour surfaces(const struct tia_scene *scene, uint32_t object, struct ray ray, double distance)
 {
     struct colour left = {{1, 1, 1}};

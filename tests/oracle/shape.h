@@ -15,8 +15,8 @@ struct hit {
     uint32_t material;
 };
 
-/* Intersections with one shape in its own axes. Each returns true and gives the nearest hit with t >= 0, if there is
- * one. */
+/* Intersections with one shape in its own axes. Each returns true and stores the nearest hit with t >= 0; or false if
+ * there is none. */
 bool shape_sphere(struct ray ray, struct oracle_vec centre, double radius, struct hit *hit);
 bool shape_plane(struct ray ray, struct oracle_vec point, struct oracle_vec normal, struct hit *hit);
 bool shape_disc(struct ray ray, struct oracle_vec centre, struct oracle_vec normal, double radius, struct hit *hit);
@@ -27,18 +27,18 @@ bool shape_triangle(struct ray ray, const struct oracle_vec corner[3], struct hi
 bool shape_mesh(struct ray ray, const struct tia_mesh *mesh, struct hit *hit);
 bool shape_grid(struct ray ray, const struct tia_grid *grid, struct hit *hit);
 
-/* Returns the number of groups of a mesh's faces that the ray meets before t. */
+/* Returns the number of groups of a mesh's faces that the ray meets before t. A group counts once. */
 unsigned shape_mesh_groups(struct ray ray, const struct tia_mesh *mesh, double t);
 
 /* Intersects a shape of the scene, placed by its transform, if it has one. */
 bool shape_hit(const struct tia_scene *scene, const struct tia_shape *shape, struct ray ray, struct hit *hit);
 
-/* Intersects object `index`, where spheres come before shapes. Points at a distance of 65536 or more from the origin
- * are not met. */
+/* Intersects object `index`; spheres come before shapes. Points at a distance of 65536 or more from the origin are not
+ * met. */
 bool object_hit(const struct tia_scene *scene, uint32_t index, struct ray ray, struct hit *hit);
 
 /* Returns the number of groups of object `index` that the ray meets before `distance`; 1 for an object without groups.
- * The ray meets the object. */
+ * The ray must meet the object. */
 unsigned groups_hit(const struct tia_scene *scene, uint32_t index, struct ray ray, double distance);
 
 /* Returns Rz Ry Rx (scale v) + position of a transform. */

@@ -36,7 +36,7 @@ static inline struct oracle_vec position(struct tia_vec3 v)
     return (struct oracle_vec){q16(v.x), q16(v.y), q16(v.z)};
 }
 
-/* Returns a position with its fine digits. */
+/* Converts a position with its fine digits. */
 static inline struct oracle_vec finely(struct tia_vec3 v, const struct tia_fine_place *fine)
 {
     struct oracle_vec p = position(v);
@@ -116,7 +116,7 @@ static inline struct oracle_vec unit(struct oracle_vec a)
     return divide(a, length(a));
 }
 
-/* Returns a public direction, normalised. */
+/* Converts a public direction to a unit vector. */
 static inline struct oracle_vec direction(struct tia_dir3 d)
 {
     return unit((struct oracle_vec){q30(d.x), q30(d.y), q30(d.z)});
@@ -127,8 +127,8 @@ static inline struct oracle_vec at(struct ray ray, double t)
     return along(ray.origin, t, ray.direction);
 }
 
-/* Gives the tangents of shape.h: U = normalise(y x N), V = N x U; where N is y: U = x, V = -z; where N is -y: U = x, V
- * = z. */
+/* Computes the tangents of shape.h: U = normalise(y x N), V = N x U. If N is y, U = x and V = -z; if N is -y, U = x and
+ * V = z. */
 static inline void tangents(struct oracle_vec n, struct oracle_vec *u, struct oracle_vec *v)
 {
     const struct oracle_vec x = {1, 0, 0}, y = {0, 1, 0};
@@ -137,7 +137,8 @@ static inline void tangents(struct oracle_vec n, struct oracle_vec *u, struct or
     *v = cross(n, *u);
 }
 
-/* Gives the axes of light.h: A = normalise(e x N), B = N x A, e the unit vector of N's coordinate nearest to 0. */
+/* Computes the axes of light.h: A = normalise(e x N), B = N x A. Here e is the unit vector of that coordinate of N
+ * which is nearest to 0. */
 static inline void axes(struct oracle_vec n, struct oracle_vec *a, struct oracle_vec *b)
 {
     double x = fabs(n.x), y = fabs(n.y), z = fabs(n.z);

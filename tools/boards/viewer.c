@@ -1,5 +1,5 @@
-/* viewer.c - tia's viewer as the only program of a board with a panel and a keyboard. Reports on the serial line.
- * Shows the built-in scene, or SCENE, the symbol of a linked scene that tia-compile wrote. */
+/* viewer.c - tia's viewer as the only program of a board with a panel and a keyboard. Reports on the serial line. Shows
+ * the built-in scene; or SCENE, the symbol of a linked scene that tia-compile has written. */
 #include "boards/panel_board.h"
 #include <tia/tia.h>
 

@@ -1,11 +1,10 @@
-/* calibration.c - reads visual.json, the calibration stored in a Looking Glass: each value under its name, as a number
- * or in an object's "value".
+/* calibration.c - reads visual.json, the calibration stored in a Looking Glass. A value is a number, or an object whose
+ * "value" is a number.
  *
- * HoloPlayCore's shader, as Looking Glass Factory has published it, needs the number of lenses in the picture's width,
- * and the phase gained over its height relative to that number:
+ * Looking Glass Factory's published shader HoloPlayCore uses two numbers: pitch', the number of lenses in the picture's
+ * width, and tilt, the phase gained over the picture's height divided by pitch':
  *
- *     pitch' = pitch screenW/DPI cos(atan(1/slope)),   tilt = +-screenH/(screenW slope),   - if flipImageX.
- * */
+ *     pitch' = pitch screenW/DPI cos(atan(1/slope)),   tilt = screenH/(screenW slope), negated if flipImageX */
 #include <math.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -67,7 +66,8 @@ static bool is_size(double n)
     return n >= 1 && n <= TIA_SIZE_MAX && n == floor(n);
 }
 
-/* Computes the lens, one operation a line, so that no compiler fuses two: all machines get the same numbers. */
+/* Computes the lens, one operation per statement so that no compiler fuses two: the result is the same on all
+ * machines. */
 static bool set_lens(struct tia_lenticular *lens, const struct values *v)
 {
     double square = v->slope * v->slope;

@@ -22,9 +22,8 @@ enum {
 
 /* ---- values ---- */
 
-/* Returns the index of `value` among the words of "a|b|C", where a word in capitals stands for any; -1 if it is not one
- * of them.
- */
+/* Returns the index of `value` among the words of "a|b|C", where a word in capitals stands for any value; -1 if it is
+ * not one of them. */
 static int word_of(const char *words, const char *value)
 {
     size_t length = strlen(value);
@@ -76,8 +75,8 @@ static bool parse_decimal(const struct option_row *row, const char *value, uint6
     return fine && *number >= row->min && *number <= row->max;
 }
 
-/* Reads the one or two numbers of a value; texts and parsed values have no numbers. `word` is its index among the
- * words. */
+/* Reads the one or two numbers of a value; texts and parsed values have none. `word` is the value's index among the
+ * row's words. */
 static bool parse_numbers(const struct option_row *row, const char *value, int word, uint64_t numbers[2])
 {
     switch (row->kind) {
@@ -96,7 +95,7 @@ static bool parse_numbers(const struct option_row *row, const char *value, int w
     }
 }
 
-/* Stores a value. Returns NULL, or the mistake as `parse` does. */
+/* Stores a value. Returns NULL, or a message like that of `parse`. */
 static const char *set(const struct option_row *row, char *options, char *value)
 {
     uint64_t numbers[2];

@@ -6,18 +6,18 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* The kinds of an option's value, each with the type of the member that receives it. Where the argument is a list of
- * words, "srgb|linear", only these are accepted, in upper or lower case, unless one begins with a capital, "NAME|help",
- * or the row has a parser that accepts more. */
+/* The kinds of an option's value, each with the type of the member that receives it. If the argument is a list of
+ * words, as "srgb|linear", only these are accepted, in upper or lower case. There are two exceptions: a word that
+ * begins with a capital, as in "NAME|help", stands for any value; and the row may have a parser that accepts more. */
 enum option_kind {
-    OPTION_FLAG,    /* no value: min, or true where that is 0 */
+    OPTION_FLAG,    /* no value: stores min, or true if min is 0 */
     OPTION_TEXT,    /* any text: const char * */
     OPTION_NUMBER,  /* min to max: an unsigned number */
     OPTION_DECIMAL, /* "1.25", times 2^(16 + bits), min to max: tia_q16 or uint32_t */
     OPTION_CHOICE,  /* the argument's words: min for the first one, and so on */
     OPTION_SIZE,    /* "640x480", each 1 to max: two unsigned numbers */
     OPTION_PIXEL,   /* "3,4", each up to max: two unsigned numbers */
-    OPTION_RANGE,   /* "0-99", up to max, not falling: two unsigned numbers */
+    OPTION_RANGE,   /* "0-99", up to max, the first not above the last: two unsigned numbers */
     OPTION_PARSED,  /* any value that `parse` accepts */
     OPTION_HELP,
     OPTION_VERSION
@@ -38,7 +38,8 @@ struct option_row {
 
     uint64_t min, max;
     int bits;
-    /* stores a value, which it may change; returns NULL, or a message, "" for the one made from `rule` */
+    /* stores a value, whose text it may change; returns NULL, or a message; "" stands for the message made from
+     * `rule` */
     const char *(*parse)(void *member, char *value);
     const char *rule; /* the allowed values, for messages: "not a rate (...)"; NULL: made from the row */
 };

@@ -12,14 +12,16 @@ struct lenticular {
 
 /* Parses --lenticular "pitch=50.2,slope=-7.1,center=0.3,subpixels=bgr,flip,invert": fields in any order, of which only
  * pitch is needed. `pitch` is the number of lenses in the picture's width; `slope` the number of rows per column along
- * a lens, which is upright if no slope is given. TIA_OK; TIA_ERR_RANGE or TIA_ERR_MEMORY, with a reason that names the
- * option. */
+ * a lens. A lens without a slope is upright. Returns TIA_OK; or TIA_ERR_RANGE or TIA_ERR_MEMORY, with a reason that
+ * names the option. */
 int lenticular_parse(struct lenticular *panel, const char *text);
 
-/* Sets a lens from numbers; false: one of them is not a number or is beyond TIA_PITCH_MAX. `rise` is pitch/slope. */
+/* Sets a lens from numbers; `rise` is pitch/slope. Returns false if a number is not finite or is beyond TIA_PITCH_MAX,
+ * or if the pitch is 0. */
 bool lenticular_set(struct tia_lenticular *lens, double pitch, double rise, double centre);
 
-/* Reads visual.json. TIA_OK; TIA_ERR_RANGE, or TIA_ERR_DEVICE if the file cannot be read, with the reason. */
+/* Reads visual.json. Returns TIA_OK; or TIA_ERR_RANGE, or TIA_ERR_DEVICE if the file cannot be read, with the
+ * reason. */
 int calibration_read(struct lenticular *panel, const char *path);
 
 #endif

@@ -5,19 +5,20 @@
 #include <tia/scene.h>
 
 struct lights {
-    struct tia_light *array, *kept; /* array and room of the same size, see viewer.h */
+    struct tia_light *array, *kept; /* the lights, and memory of the same size: see struct tia_viewer_lights */
     bool *detached;                 /* marks lights that a key has set or moved: they no longer follow their tracks */
     uint32_t count, capacity;
 };
 
-/* Copies the lights, with room for those that the scene's keys can add. False: no memory. */
+/* Copies the lights, and allocates memory for those that the scene's keys can add. Returns false if there is no
+ * memory. */
 bool lights_copy(struct lights *lights, const struct tia_scene *scene);
 void lights_free(struct lights *lights);
 
 /* Applies `count` key presses to the lights. */
 void lights_press(struct lights *lights, const struct tia_scene *scene, const uint16_t *keys, size_t count);
 
-/* Sets the lights that no key has set or moved to those of the scene. */
+/* Sets all lights to those of the scene, except the lights that a key has set or moved. */
 void lights_follow(struct lights *lights, const struct tia_scene *scene);
 
 #endif

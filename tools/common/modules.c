@@ -14,8 +14,10 @@ static bool set_length(const char *field, const char *name, int scale_bits, tia_
            parse_scaled(field + size + 1, scale_bits, length) && *length > 0;
 }
 
-/* Returns the default spacing. The ray from an end of the line to an edge q of the screen comes from q + (q - s) d/D,
- * which is at most w/2 + (w/2 + |s|) d/D from the middle; s is the position of the line's farther end. Rounded up. */
+/* Returns the default spacing, rounded up. A ray to the end s of the observer line through an edge q of the screen
+ * comes from q + (q - s) d/D on the modules' row, which is at most w/2 + (w/2 + |s|) d/D from the middle. Here w is the
+ * screen's width, d the modules' distance, D the line's distance, and s the end of the line that is farther from the
+ * middle. */
 static int64_t default_spacing(const struct tia_camera *camera, const struct modules *modules)
 {
     int64_t screen = (int64_t)camera->window.right - camera->window.left;

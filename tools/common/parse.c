@@ -57,8 +57,8 @@ bool parse_mode(const char *text)
 
 enum { FRACTION_DIGITS = 40 };
 
-/* Returns 0.DIGITS with `places` bits, at most 32, rounded to nearest, ties up. Exact: doubles the decimal digits once
- * per bit. */
+/* Returns 0.DIGITS with `places` bits, at most 32, rounded to nearest, ties up. The result is exact: the decimal digits
+ * are doubled once for each bit. */
 static uint64_t fraction(const char *text, size_t count, unsigned places)
 {
     unsigned char digits[FRACTION_DIGITS];

@@ -1,4 +1,4 @@
-/* pressed_keys.h - the keys of an option, pressed before the first frame. */
+/* pressed_keys.h - parses the keys of an option, which are pressed before the first frame. */
 #ifndef TOOLS_COMMON_PRESSED_KEYS_H
 #define TOOLS_COMMON_PRESSED_KEYS_H
 

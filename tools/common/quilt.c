@@ -9,8 +9,8 @@
 
 enum { VIEW_HEIGHT = 480, ASPECT_MAX = 100000 };
 
-/* Returns the number of thousandths in a text as "1.777", rounded down; the dot of an extension may follow. 0: it is
- * not a number. */
+/* Returns the thousandths in a number like "1.777", rounded down; the dot of a file's extension may follow it. Returns
+ * 0 if the text is not a number. */
 static uint32_t thousandths(const char *text)
 {
     const char *rest;
@@ -24,7 +24,7 @@ static uint32_t thousandths(const char *text)
     return *rest == '.' || *rest == '\0' ? whole * 1000 + part : 0;
 }
 
-/* Returns the last "_qs" in the file's name; NULL: there is none. */
+/* Returns the last "_qs" in the file's name; NULL if there is none. */
 static const char *find_mark(const char *path)
 {
     const char *slash = strrchr(path, '/'), *mark = NULL;

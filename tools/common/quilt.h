@@ -1,4 +1,5 @@
-/* quilt.h - quilts by their names: NAME_qs8x6a0.75.png has 8 columns, 6 rows, and views of the aspect ratio 0.75. */
+/* quilt.h - reads the names of quilts: NAME_qs8x6a0.75.png has 8 columns, 6 rows, and views of the aspect ratio
+ * 0.75. */
 #ifndef TOOLS_QUILT_H
 #define TOOLS_QUILT_H
 
@@ -8,7 +9,7 @@
  * down. */
 bool quilt_named(const char *path, struct tia_quilt *quilt, uint32_t *aspect);
 
-/* Gives the default size of a quilt, pixels: views are 480 high, or less if the quilt would be too large. */
+/* Stores the default size of a quilt in pixels: views are 480 high, or less if the quilt would be too large. */
 void quilt_size(const struct tia_quilt *quilt, uint32_t aspect, uint16_t *width, uint16_t *height);
 
 #endif

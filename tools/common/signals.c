@@ -16,7 +16,7 @@ static struct signals_cleanup *cleanups;
 static volatile sig_atomic_t noted;
 static bool notes;
 
-/* ---- at once ---- */
+/* ---- signals that end the program at once ---- */
 
 static void end(int number)
 {
@@ -27,8 +27,8 @@ static void end(int number)
     (void)raise(number); /* takes effect when the handler returns: until then the signal is blocked */
 }
 
-/* Installs a handler. While a signal is handled, the others are blocked. Without SA_RESTART, so that a noted signal
- * ends an input's wait. */
+/* Installs a handler. While a signal is handled, the others are blocked. SA_RESTART is not set, so that a noted signal
+ * interrupts the wait for input. */
 static void handle(void (*handler)(int number))
 {
     struct sigaction action = {.sa_handler = handler, .sa_mask = set};
@@ -80,7 +80,7 @@ void signals_remove(struct signals_cleanup *cleanup)
     signals_allow();
 }
 
-/* ---- noted ---- */
+/* ---- signals that are only noted ---- */
 
 static void note(int number)
 {
@@ -109,7 +109,7 @@ bool signals_asked(void *unused)
 void signals_release(void)
 {
     if (notes) {
-        (void)pthread_sigmask(SIG_SETMASK, &mask_of_all, NULL); /* pending ones are noted now */
+        (void)pthread_sigmask(SIG_SETMASK, &mask_of_all, NULL); /* pending signals are noted here */
         handle(end);
     }
     notes = false;

@@ -14,8 +14,8 @@ bool steer_points(const struct tia_event *event); /* true if the event comes fro
 bool steer_is_arrow(uint16_t key);                /* arrow keys, page up and page down */
 bool steer_takes(const struct tia_event *event);  /* true for a key that moves the camera */
 
-/* Moves the camera by an event of a pointer or of a key that moves it: TIA_EFFECT_CAMERA, or TIA_EFFECT_NONE when it
- * moves nothing. A camera without a reference point gets one from the scene. */
+/* Moves the camera by an event of a pointer or of a key that moves it. Returns TIA_EFFECT_CAMERA, or TIA_EFFECT_NONE if
+ * the pointer's event does not move the camera. A camera without a reference point gets one from the scene. */
 enum tia_effect steer(struct steer *steer, const struct tia_scene *scene, const struct tia_event *event,
                       struct tia_camera *camera);
 

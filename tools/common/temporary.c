@@ -11,7 +11,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-/* Limits of runs with the same output at a time, and of symbolic links to follow (as in Linux). */
+/* Largest numbers of simultaneous runs with the same output, and of symbolic links to follow (as in Linux). */
 enum { NAMES = 64, LINKS_MOST = 40 };
 
 /* ---- names ---- */
@@ -49,8 +49,8 @@ static uint32_t hash(const char *text)
     return sum;
 }
 
-/* Returns a name beside `path`. It is short, because the file system may not accept a name longer than that of `path`.
- */
+/* Returns a name in the directory of `path`. It is short, since the file system may not accept a name longer than that
+ * of `path`. */
 static char *name_beside(const char *path, unsigned number)
 {
     int directory = directory_length(path);
@@ -64,7 +64,7 @@ static char *name_beside(const char *path, unsigned number)
 
 /* ---- locks ---- */
 
-/* True if `name` is still the name of this file, and the user owns it. */
+/* True if `name` is still the name of the open file, and the user owns it. */
 static bool has_name(int fd, const char *name)
 {
     struct stat file, named;
@@ -72,8 +72,8 @@ static bool has_name(int fd, const char *name)
            file.st_ino == named.st_ino && (file.st_uid == geteuid() || geteuid() == 0);
 }
 
-/* Removes the file unless another process is writing it. Checks its name again under the lock: another process may have
- * removed it and created a new one before. */
+/* Removes the file unless another process is writing it. The name is checked again under the lock: another process may
+ * have removed the file and created a new one before the lock was taken. */
 static void remove_left(const char *name)
 {
     int fd = open(name, O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
@@ -84,9 +84,9 @@ static void remove_left(const char *name)
     (void)close(fd);
 }
 
-/* Creates and locks a file; -1 and errno on failure. Before the lock is taken, another run may remove the file as a
- * leftover: then errno is EEXIST, and the caller tries the next name. On file systems without locks, leftovers are not
- * removed. */
+/* Creates and locks a file. Returns -1 and errno on failure. Before the lock is taken, another run may remove the file
+ * as a leftover: then errno is EEXIST, and the caller tries the next name. On file systems without locks, leftovers are
+ * not removed. */
 static int create_locked(const char *name, mode_t mode)
 {
     int fd = open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOCTTY, mode);

@@ -1,7 +1,7 @@
-/* temporary.h - an unfinished file in the directory of the file that it will become, removed however the program ends.
+/* temporary.h - an unfinished file in the directory of the final one, removed however the program ends.
  *
- * Its name is .tia-HASH-N, with a hash of the final name, so that the next run with the same output finds what a killed
- * run has left, and removes it. A run holds a lock on its file, so that others do not remove it.
+ * Its name is .tia-HASH-N, with a hash of the final name, so that the next run with the same output finds and removes
+ * the file that a killed run has left. A run holds a lock on its file, so that others do not remove it.
  */
 #ifndef TOOLS_TEMPORARY_H
 #define TOOLS_TEMPORARY_H
@@ -15,13 +15,13 @@ struct temporary {
     struct signals_cleanup cleanup;
 };
 
-/* Returns the path of the file that `name` refers to: follows symbolic links, even to a file that does not exist.
- * free() it. NULL and errno on failure. */
+/* Returns the path of the file that `name` refers to, to be freed by free(). Follows symbolic links, even to a file
+ * that does not exist. Returns NULL and errno on failure. */
 char *temporary_target(const char *name);
 
-/* Creates a file in the directory of `path`, and removes those that killed runs have left for it. If `before` is not
- * NULL, it is the file that will be replaced: the new one gets its mode and, where that is allowed, its owner. Returns
- * a descriptor, or -1 and errno. */
+/* Creates a file in the directory of `path`, and removes those that killed runs have left for the same output.
+ * `before`, if not NULL, is the file that will be replaced: the new one gets its mode and, if permitted, its owner.
+ * Returns a descriptor, or -1 and errno. */
 int temporary_create(struct temporary *temporary, const char *path, const struct stat *before);
 
 /* Gives the file its final name. Returns 0; or -1 and errno, and the file must still be removed. */

@@ -1,4 +1,4 @@
-/* text_file.h - formatted text into a file that appears complete or not at all. */
+/* text_file.h - writes formatted text to a file that appears complete or not at all. */
 #ifndef TOOLS_COMMON_TEXT_FILE_H
 #define TOOLS_COMMON_TEXT_FILE_H
 
@@ -19,8 +19,8 @@ int text_open(struct text *text, const char *name, char *why);
 #define TEXT_MOST 1024
 __attribute__((format(printf, 2, 3))) void text_print(struct text *text, const char *format, ...);
 
-/* Prints a word of a paragraph: separated by a space, or by a new line if it would not fit. No space before a leading
- * comma. */
+/* Prints a word of a paragraph. It is separated by a space, or by a new line if it would not fit. A leading comma
+ * directly follows the previous word. */
 __attribute__((format(printf, 2, 3))) void text_word(struct text *text, const char *format, ...);
 
 int text_close(struct text *text);

@@ -17,22 +17,24 @@
 #define STACK_BYTES (512u * 1024u)
 #endif
 
-/* Time that a thread spins for the next round, or for the end of the current one, before it sleeps: waking a thread
- * takes about 50 microseconds, a tenth of a frame of 1920x1080. After spinning without success a thread sleeps at once
- * the next SLEEP_TIMES times, so that frames at a display's pace, or threads that share a processor, cost no time. */
+/* Time that a thread spins while it waits for the next round, or for the end of the current one, before it sleeps:
+ * waking a thread takes about 50 microseconds, a tenth of a frame of 1920x1080. After spinning in vain, a thread sleeps
+ * at once the next SLEEP_TIMES times. So hardly any CPU time is wasted if frames come at a display's pace, or if
+ * threads share a processor. */
 #define SPIN_US 100u
 #define SLEEP_TIMES 8u
 
-/* A pool. `round` and `busy` change without the lock. A thread that must be woken is counted in `asleep` or `waits`
- * before it checks for the last time; the thread that changes the condition checks these afterwards. All of these
- * accesses are in one total order, so at least one of the two threads reads the value that the other has written. */
+/* A pool. `round` and `busy` change without the lock. A thread that must be woken is counted in `asleep`, or sets
+ * `waits`, before it checks its condition for the last time; the thread that changes the condition reads `asleep` or
+ * `waits` afterwards. All of these accesses are in one total order, so at least one of the two threads reads the value
+ * that the other has written. */
 struct threads {
     pthread_mutex_t lock; /* protects waiting for `begin` and `end` */
     pthread_cond_t begin, end;
     pthread_mutex_t door; /* lock for enter and leave */
     unsigned started;     /* number of threads besides the caller */
     bool spins;           /* each thread has a processor */
-    atomic_uint round;    /* counts the calls of run that need other threads, and the call that ends them */
+    atomic_uint round;    /* counts the calls of threads_run that need other threads, and that of threads_destroy */
     atomic_uint busy;     /* number of threads that may still run jobs of this round */
     atomic_uint asleep;   /* number of threads that wait for `begin` */
     atomic_bool waits;    /* the caller waits for `end` */
@@ -40,7 +42,7 @@ struct threads {
     void (*job)(void *arg, unsigned index);
     void *arg;
     unsigned count;
-    unsigned sleeps;  /* `sleeps` of the caller, see spin */
+    unsigned sleeps;  /* the caller's argument `sleeps` of spin */
     atomic_uint next; /* the next job to run */
     struct tia_workers workers;
     pthread_t thread[];
@@ -78,7 +80,7 @@ static bool has_ended(struct threads *pool, unsigned seen)
     return atomic_load(&pool->busy) == 0;
 }
 
-/* Lets another thread of the same core run, and saves power. */
+/* Lets the core's other hardware thread run, and saves power. */
 static void pause_briefly(void)
 {
 #if defined __x86_64__ || defined __i386__
@@ -88,8 +90,8 @@ static void pause_briefly(void)
 #endif
 }
 
-/* Spins; true if `done` became true within SPIN_US. `*sleeps`, one for each thread, is the number of times that the
- * thread will sleep without spinning. */
+/* Spins for at most SPIN_US; returns true if `done` became true. `*sleeps`, one for each thread, is the number of times
+ * that the thread will sleep without spinning. */
 static bool spin(struct threads *pool, bool (*done)(struct threads *pool, unsigned seen), unsigned seen,
                  unsigned *sleeps)
 {

@@ -11,8 +11,8 @@ struct threads;
 /* Returns the number of processors that this process may use, 1..THREADS_MAX. */
 unsigned threads_processors(void);
 
-/* Creates a pool of `count` threads: the caller of run and count - 1 others, which block signals. If the system permits
- * fewer threads, the pool has fewer. NULL: no memory. */
+/* Creates a pool of `count` threads: the caller of run and count - 1 others, which block signals. The pool has fewer if
+ * the system permits no more. Returns NULL if there is no memory. */
 struct threads *threads_create(unsigned count);
 
 /* Returns the number of threads, including the caller of run. */

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Writes the library as two files: tia.h, all public headers, and tia.c, all of the core in integers, which compile as
-C11 and as C++20 and need nothing else.
+"""Writes the library as two files that compile as C11 and as C++20: tia.h has all public headers, tia.c the whole core in
+integer arithmetic. They need no other file.
 
 amalgamation.py FOLDER SOURCE...
 
-SOURCE are the core's files, as `make` compiles them. A header stands where it is included first; of num.h's arithmetics
-only integers are there. Names that several files use for something of their own get the file's name behind them.
-What C++ has in other words than C becomes a macro, TIA_CXX_..., which is nothing but the C in C.
+SOURCE are the core's files, as `make` compiles them. A header's text stands where it is first included. Of num.h's
+arithmetics only the integers are included. If several files define the same name for themselves, each gets its file's name
+as a suffix. Constructs that C++ spells differently become macros, TIA_CXX_..., which expand to the original text in C.
 """
 import os
 import re
@@ -15,10 +15,10 @@ from collections import Counter
 
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
 INCLUDE = re.compile(r'#\s*include\s+(?:"([^"]+)"|<([^>]+)>|(\w+))')
-# What is not part of this build: other arithmetics.
+# Macros of other builds: other arithmetics, and the tests' instrumented ones.
 ABSENT = re.compile(r"TIA_NUM_F64|TIA_NUM_F32|TIA_NUM_CHK|TIA_WATCHED|BOUND_SCALES")
 TOKEN = re.compile(r'/\*.*?\*/|"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])*\'|[A-Za-z_]\w*|\.?\d[\w.]*|->|[^\w\s]|\s+', re.S)
-# Of C++: in C they are names.
+# Keywords of C++ that are names in C.
 KEYWORDS = {"class", "this", "new", "delete", "template", "operator", "private", "public", "typename", "namespace", "try", "catch",
             "throw", "using", "virtual", "friend", "and", "or", "not", "xor", "explicit", "mutable", "export"}
 TAG = "struct "
@@ -91,11 +91,12 @@ def read(path):
         return file.read()
 
 
-# ---- which lines there are ----
+# ---- conditions and includes ----
 
 def chosen(text):
-    """Without the branches of conditions on other arithmetics or builds of the tests alone, and without those lines."""
-    kept, inside = [], []  # of each open condition: None when it stays, else whether its branch is the one that is built
+    """Returns the text of this build: lines that test the macros in ABSENT are removed, and so are the branches that are not
+    built."""
+    kept, inside = [], []  # inside: for each open condition None if it stays, else whether its present branch is built
     for line in text.split("\n"):
         word = re.match(r"\s*#\s*(if|ifdef|ifndef|elif|else|endif)\b(.*)", line)
         if word and word[1].startswith("if"):
@@ -118,7 +119,7 @@ def chosen(text):
 
 
 def found(name, beside):
-    """The file that #include "name" means, below ROOT."""
+    """Returns the path, relative to ROOT, of the file that #include "name" in the file `beside` refers to."""
     for folder in (os.path.dirname(beside), "src"):
         path = os.path.normpath(os.path.join(folder, name))
         if os.path.exists(os.path.join(ROOT, path)):
@@ -127,13 +128,14 @@ def found(name, beside):
 
 
 class Library:
-    """The text of tia.c or of tia.h, part by part: (file, lines)."""
+    """The text of tia.c or of tia.h as a list of parts: (file, lines)."""
 
     def __init__(self):
         self.seen, self.system, self.parts = set(), set(), []
 
     def add(self, path, within=None):
-        """A header without a guard is part of the file that includes it."""
+        """Adds a file, unless it has been added already. A header without a guard is a part of the file `within` that includes
+        it."""
         text = chosen(read(path))
         if re.search(r"^#ifndef \w+_H$", text, re.M) or not within:
             within = path
@@ -166,7 +168,7 @@ class Library:
             self.put(within, [include[0]])
 
     def add_public(self, name):
-        """tia.c has them by tia.h."""
+        """Does nothing: tia.c includes the public headers by tia.h."""
 
     def put(self, path, lines):
         if any(line.strip() for line in lines):
@@ -185,8 +187,8 @@ def tokens(text):
 
 
 def own_names(text):
-    """What a file makes at its left margin: static functions and objects, enumerations' constants, and with TAG in front of
-    their names structures and enumerations."""
+    """Returns the names that a file defines at file scope: static functions and objects, types, constants of enumerations; and
+    the tags of structures, unions and enumerations, with TAG in front."""
     code = re.sub(r"/\*.*?\*/", "", text, flags=re.S)
     code = re.sub(r"^#.*(?:\\\n.*)*", "", code, flags=re.M)
     names = set(re.findall(r"^static [^;={(]*?\b(\w+)(?:\[[^;=]*)?\s*[(;=]", code, re.M))
@@ -199,7 +201,7 @@ def own_names(text):
 
 
 def members(text):
-    """The places of members' names, where structures are described."""
+    """Returns the offsets of members' names in the definitions of structures and unions."""
     places = set()
     for body in re.finditer(r"\b(?:struct|union)(?: \w+)? (?=\{)", text):
         start, end = body.end(), closing(text, body.end())
@@ -209,7 +211,8 @@ def members(text):
 
 
 def renamed(text, names):
-    """Each of the names with what is behind it there, but for members: behind . or ->, or where they are described."""
+    """Appends to each of the names its suffix, names[name]. Names of members stay: those behind . or ->, and in definitions of
+    structures."""
     before, out, at, spared = "", [], 0, members(text)
     for token in tokens(text):
         key = TAG + token if before in ("struct", "union", "enum") else token
@@ -222,7 +225,7 @@ def renamed(text, names):
 
 
 def suffix_of(path, paths):
-    """The file's name, with its folder's where another has the same."""
+    """Returns a suffix made from the file's name; and from its folder's name, if several files have the same name."""
     stem = os.path.basename(path)[:-2]
     same = [p for p in paths if os.path.basename(p)[:-2] == stem]
     folder = os.path.basename(os.path.dirname(path))
@@ -230,7 +233,7 @@ def suffix_of(path, paths):
 
 
 def included(path, whole, known):
-    """The files whose text it sees, itself among them."""
+    """Returns the file and all files that it includes, directly or not."""
     if path not in known:
         known[path] = {path}
         for include in filter(None, map(INCLUDE.match, whole.get(path, "").split("\n"))):
@@ -240,8 +243,8 @@ def included(path, whole, known):
 
 
 def distinct(parts):
-    """The parts, with a file's name behind what this file makes for itself, or for those that include it, when
-    another makes something of the same name."""
+    """Returns the parts with distinct names. A name that several files define gets its file's suffix, in the file itself and in
+    those that include it."""
     whole = {}
     for path, text in parts:
         whole[path] = whole.get(path, "") + text
@@ -257,10 +260,10 @@ def distinct(parts):
         yield path, renamed(text, clash) if clash else text
 
 
-# ---- what C++ says otherwise ----
+# ---- constructs that differ in C++ ----
 
 def closing(text, start):
-    """The index behind the bracket that closes the one at start."""
+    """Returns the index behind the bracket that closes the one at `start`."""
     depth = 0
     for match in TOKEN.finditer(text, start):
         depth += (match[0] in "([{") - (match[0] in ")]}")
@@ -270,7 +273,7 @@ def closing(text, start):
 
 
 def literals(text):
-    """Values of structures that are written in place, and their addresses."""
+    """Converts compound literals, their addresses, and designators of array elements to macros."""
     while match := re.search(r"&\((?:const )?struct (\w+)\)(?=\{)", text):
         end = closing(text, match.end())
         text = f"{text[:match.start()]}TIA_CXX_AT({match[1]}, {text[match.end():end]}){text[end:]}"
@@ -279,14 +282,15 @@ def literals(text):
 
 
 def void_names(text):
-    """Functions and members that are pointers to void, and parameters."""
+    """Returns the names of functions and members of type void *, and the names of parameters of that type."""
     text = re.sub(r"/\*.*?\*/", "", text, flags=re.S)
     lasting = set(re.findall(r"^(?:static )?(?:inline )?(?:const )?void \*(\w+)\(|^ +(?:const )?void \*(\w+);|\bvoid \*\(\*(\w+)\)", text, re.M))
     return {name for names in lasting for name in names if name}, set(re.findall(r"\bvoid \*(?:const |restrict )?(\w+)(?=[,)])", text))
 
 
 def from_void(text, names):
-    """What is assigned, returned or passed on that is a pointer to void."""
+    """Puts TIA_CXX_FROM around each value of type void * that is assigned, returned or passed on: C++ does not convert it
+    implicitly."""
     chain = r"(?:[A-Za-z_]\w*(?:->|\.))*([A-Za-z_]\w*)"
     begin = rf"(?<![=!<>]) = \{{?|\breturn |(?<=\w)\(|, |\? "
     out, at = [], 0

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Writes the figures of README.md and docs/ that are counted, not timed, as they are today; `make docs` calls it.
+"""Updates the figures in README.md and docs/ that are counted, not timed; `make docs` calls it.
 
     counted.py [--check] [--only NAME] [--root FOLDER] [BUILD]
 
-`<!-- counted: NAME -->` stands in front of a table, a block or a paragraph with such figures. --check rewrites nothing
-and names each figure that is another one today: "ok NAME", "FAIL NAME: WHY" or "skip NAME: WHY" a line. It leaves out
-what takes minutes. Compilers give other instructions by version, so figures are of Debian 12's; with another one, or
-without one, a name is left as it is."""
+`<!-- counted: NAME -->` stands in front of a table, a block or a paragraph with such figures. --check changes no file. It
+prints a line for each name: "ok NAME", "FAIL NAME: WHY" if a figure is out of date, or "skip NAME: WHY"; and it leaves out
+counts that take minutes. Numbers of instructions depend on the compiler's version. The figures are those of Debian 12's
+compilers; without these, a name is skipped."""
 import argparse
 import functools
 import glob
@@ -31,11 +31,11 @@ DATABASES = sorted(os.path.relpath(path, ROOT) for path in glob.glob(os.path.joi
 
 
 class Missing(Exception):
-    """Why a figure cannot be counted here."""
+    """Raised if a figure cannot be counted here; the text is the reason."""
 
 
 class Wrong(Exception):
-    """A page without the place for a figure."""
+    """Raised if a page has no place for a figure."""
 
 
 def run(*command):
@@ -61,7 +61,7 @@ def boards(*names):
 
 
 def plain_build():
-    """Floats depend on the compiler and its flags."""
+    """Raises Missing unless the build is one by gcc -O2 on x86-64: floats depend on the compiler and its flags."""
     with open(os.path.join(ROOT, BUILD, "made-with/core"), encoding="utf-8") as file:
         made = file.read().split()
     if made[-1] != "-O2" or os.uname().machine != "x86_64":
@@ -71,21 +71,21 @@ def plain_build():
     version_is_right(made[1], "gcc")
 
 
-# ---- what is counted: a function makes of what stands there, as lines, what should ----
+# ---- figures: each function takes the lines on a page, and returns them with today's figures ----
 
 def cells(line):
     return [cell.strip() for cell in line.strip().strip("|").split("|")]
 
 
 def table(row):
-    """A table whose rows `row` makes anew, from their cells."""
+    """Returns a function that updates a table: `row` maps a row's old cells to the new ones."""
     def made(lines):
         return lines[:2] + ["|" + "".join(f" {cell} |" if cell != "" else " |" for cell in row(cells(line))) for line in lines[2:]]
     return made
 
 
 def by_first_cell(rows):
-    """A row's cells after the first; None keeps what is there."""
+    """Returns a function that updates a table: `rows` has the cells after a row's first one; None keeps a cell."""
     def row(old):
         if old[0] not in rows:
             raise Wrong(f"nothing is counted for the row {old[0]!r}")
@@ -95,7 +95,7 @@ def by_first_cell(rows):
 
 
 def words(figures):
-    """A paragraph: the numbers where a sentence of `figures` has braces."""
+    """Returns a function that updates a paragraph: `figures` maps sentences to the numbers that belong in their braces."""
     def made(lines):
         text, found = "\n".join(lines), 0
         for sentence, numbers in figures.items():
@@ -125,7 +125,7 @@ def compared(what):
 
 
 def differing(what):
-    """Pixels in all, and those that differ in integers and in floats."""
+    """Returns the number of pixels, and the numbers of pixels that differ in integers and in floats."""
     q16, f32 = [line.split() for line in compared(what).split("\n\n")[0].splitlines()[-2:]]
     at, base = q16.index("q16"), f32.index("f32")
     return int(q16[at + 1]), int(q16[at + 1]) - int(q16[at + 2]), int(f32[base + 1]) - int(f32[base + 2])
@@ -150,7 +150,7 @@ def sizes(_):
 
 @functools.lru_cache(None)
 def counts():
-    """By processor and arithmetic: instructions of a full and of a relit frame, and the AVR's cycles."""
+    """Returns by processor and arithmetic: instructions of a full and of a relit frame, and the AVR's cycles."""
     boards(*(board for board, _ in count.BOARDS))
     made = {}
     for board, processor in count.BOARDS:
@@ -193,7 +193,7 @@ def light(_):
 
 @functools.lru_cache(None)
 def rays():
-    """By scene of the databases: rays, and instructions on a Cortex-M3."""
+    """Returns by scene of the Standard Procedural Databases: number of rays, and instructions on a Cortex-M3."""
     boards("mps2-an385")
     made = {}
     for line in tool("boards/observed", *DATABASES).splitlines():
@@ -215,7 +215,7 @@ SCENES = tuple(f"scenes/{name}.tia" for name in ("porch", "shadow-volume", "shad
 
 
 def techniques(_):
-    """A row has the techniques whose pictures are the same, and the memory of each."""
+    """Updates the table of techniques. A row lists techniques that draw the same picture, and the memory of each."""
     seen, by_technique, scene = {}, {}, None
     for line in tool("tia-compare", "--shadows", "-s", "400x300", *SCENES).splitlines():
         if match := re.match(r"(\S+\.tia), 400x300, (\d+) pixels see", line):
@@ -237,7 +237,7 @@ def techniques(_):
 
 
 def loaded(path):
-    """A script as a module."""
+    """Returns a script, loaded as a module."""
     loader = importlib.machinery.SourceFileLoader("script", os.path.join(ROOT, path))
     module = importlib.util.module_from_spec(importlib.util.spec_from_loader("script", loader))
     loader.exec_module(module)
@@ -248,7 +248,7 @@ KINDS = ("thesis", "random", "rays holes", "ao path room lamps", "play", "curved
 
 
 def frames_of_levels(arch, plain):
-    """Their builds are those of a processor with AVX-512; on another they are not counted."""
+    """Returns the numbers of SIMD builds; nothing on a processor without AVX-512, which has fewer of them."""
     with open("/proc/cpuinfo", encoding="utf-8") as file:
         if "avx512vl" not in file.read().split():
             return {}
@@ -258,7 +258,7 @@ def frames_of_levels(arch, plain):
 
 
 def frames(_):
-    """Pinned frames by kind, and the builds that draw them."""
+    """Counts the pinned frames by kind, and the builds that draw them."""
     with open(os.path.join(ROOT, "tests/golden/frames.crc"), encoding="utf-8") as file:
         kinds = [re.match("[a-z]+", line)[0] for line in file if not line.startswith("#")]
     if set(kinds) != set(" ".join(KINDS).split()):
@@ -283,7 +283,7 @@ def mutants(_):
                   "shrinks each of {} bounds to a fourth": (sum("fourth" in name for name in names),)})
 
 
-# Their order is that of the work; those of COMPARED with "everything" take minutes.
+# In the order in which they are counted. The names in SLOW take minutes.
 NAMES = {"frames": frames, "mutants": mutants, "size": sizes, "count": instructions, "cycles": cycles,
          "shadows": shadows, "light": light, "rays": ray_by_ray, "techniques": techniques,
          "compare": compare, **{f"compare-{what}": lambda _, what=what: block(compared(what)) for what in COMPARED if what != "default"}}
@@ -305,14 +305,14 @@ def pages(root):
 
 
 def stale(page, old, new):
-    """What says something else today, a line of the page each."""
+    """Yields a message for each line of the page that is out of date."""
     for before, after in itertools.zip_longest(old, new, fillvalue=""):
         if before != after:
             yield f"{page} says {' '.join(before.split())!r}, is {' '.join(after.split())!r}"
 
 
 def rewrite(texts, name, full):
-    """Changes the texts, and returns what was stale."""
+    """Updates the texts in place. Returns the messages on what was out of date."""
     make, found, wrong = NAMES[name](full), 0, []
     for page in list(texts):
         for match in reversed([match for match in MARK.finditer(texts[page]) if match[1] == name]):
@@ -334,7 +334,7 @@ def store(root, before, texts):
 
 
 def report(root, name, checks):
-    """Checks or rewrites what has this name: the line that says so."""
+    """Checks or rewrites the figures of a name. Returns the line to print."""
     before = pages(root)
     texts = dict(before)
     try:

@@ -11,7 +11,7 @@ def write(folder, name, lines):
 
 
 def crate(folder):
-    """A cube of six quads, each with the whole texture: texture coordinates and negative indices."""
+    """Writes a cube of six quads, each with the whole texture. It uses texture coordinates and negative indices."""
     write(folder, "crate.mtl", ["# wood, from crate.ppm", "newmtl wood", "Kd 1 1 1", "Ks 0.2 0.2 0.2", "Ns 20", "illum 2",
                                 "map_Kd crate.ppm", "", "newmtl floor", "Kd 0.55 0.6 0.65", "illum 1"])
     lines = ["# A crate on a floor.", "mtllib crate.mtl", "o crate"]
@@ -32,7 +32,7 @@ def crate(folder):
 
 
 def icosphere(steps):
-    """Vertices on the unit sphere and triangles between them, counterclockwise from outside."""
+    """Returns vertices on the unit sphere and triangles between them, counterclockwise as seen from outside."""
     golden = (1 + math.sqrt(5)) / 2
     corners = [(-1, golden, 0), (1, golden, 0), (-1, -golden, 0), (1, -golden, 0), (0, -1, golden), (0, 1, golden),
                (0, -1, -golden), (0, 1, -golden), (golden, 0, -1), (golden, 0, 1), (-golden, 0, -1), (-golden, 0, 1)]
@@ -60,7 +60,7 @@ def icosphere(steps):
 
 
 def ball(folder):
-    """A ball of triangles with the normals of a sphere."""
+    """Writes a ball of triangles with the normals of a sphere."""
     points, faces = icosphere(2)
     lines = ["# A smooth ball of 320 triangles."]
     lines += ["v " + " ".join(f"{2 * x:.6f}" for x in p) for p in points]
@@ -70,7 +70,7 @@ def ball(folder):
 
 
 def star(folder):
-    """A star of glass: two concave polygons of ten corners and the quads between them."""
+    """Writes a star of glass: two concave polygons of ten corners and the quads between them."""
     write(folder, "star.mtl", ["newmtl glass", "Kd 0.1 0.4 0.9", "Ks 0.3 0.3 0.3", "Ns 100", "Tf 0.9 1 1", "d 0.25", "Ni 1.5",
                                "illum 7"])
     lines = ["# A star of glass.", "mtllib star.mtl", "usemtl glass"]

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes what is made from the commands' tables of options, by way of their --help: what bash, zsh and fish complete,
+"""Generates files from the commands' tables of options, as printed by --help: the completions of bash, zsh and fish in
 package/complete/, and the headings of the options in man/.
 
 options.py BUILD [FOLDER]: BUILD has the commands; FOLDER gets package/complete/ and man/, by default the source tree.
@@ -17,7 +17,7 @@ ROW = re.compile(r"^  (?:-(?P<letter>\w),|   ) --(?P<name>[\w-]+)(?: (?P<argumen
 
 
 class Option:
-    """A row: its letter or None, its name, its argument or None, its text, and the words that a value may be."""
+    """A row of --help: its letter or None, its name, its argument or None, its text, and the words that its value may be."""
 
     def __init__(self, letter, name, argument, text):
         self.letter, self.name, self.argument, self.text = letter, name, argument, text
@@ -29,13 +29,13 @@ class Option:
 
 
 def words(argument):
-    """Those of "a|b=X|C": a and b=."""
+    """Returns the words of an argument that are not placeholders: a and b= for "a|b=X|C"."""
     found = [re.sub("=[A-Z]+$", "=", word) for word in re.sub(r"\[.*?\]", "", argument).split("|")]
     return [word for word in found if not re.search("[A-Z]", word)]
 
 
 def options(text):
-    """The rows of what --help says; a line that is indented more than a row goes on with the text."""
+    """Returns the options in the text of --help. A line that is indented more than a row continues the row's text."""
     found = []
     for line in text.splitlines():
         match = ROW.match(line)
@@ -49,7 +49,7 @@ def options(text):
 # ---- manuals ----
 
 def mdoc(argument):
-    """The argument in mdoc: capitals are values, brackets are what may be left out."""
+    """Converts an argument to mdoc: capitals are values, brackets enclose optional parts."""
     out, joined = [], False
     for token in re.findall(r"[A-Z][A-Z0-9]*|[|\[\]]|[^A-Z|\[\]]+", argument):
         if joined and token not in "|]":
@@ -72,7 +72,7 @@ def man_heading(option):
 
 
 def manual(name, text, found):
-    """The page with the headings of the options, which must be there, in the table's order."""
+    """Returns the page with new headings of its options. It must have all of them, in the table's order."""
     lines, names = text.split("\n"), []
     is_mdoc = text.startswith(".Dd")
     for number, line in enumerate(lines):

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Writes the reference of the library, man pages of section 3, from what include/tia/*.h say: a page for each header,
-and for each function and object that libtia.map lists one that leads to its header's.
+"""Writes the library's manual pages of section 3 from include/tia/*.h: a page for each header; and for each function and object
+in libtia.map a page that refers to its header's page.
 
 reference.py FOLDER
 """
@@ -11,7 +11,7 @@ import sys
 
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
 COMMENT = re.compile(r"/\*.*?\*/", re.S)
-# What a header does not say to who reads it: its guard, what it includes, what C++ alone sees.
+# Parts of a header that its page leaves out: the guard, includes, and lines for C++ only.
 FRAME = re.compile(r"^#ifdef __cplusplus\n.*?^#endif\n|^#ifndef TIA_\w+_H\n#define TIA_\w+_H\n|^#include [^\n]*\n|^#endif\n*\Z",
                    re.S | re.M)
 FUNCTION = re.compile(r"^(?P<type>[a-z][\w ]*?[ *]+)(?P<name>tia_\w+)\((?P<arguments>[^;]*)\);$")
@@ -22,7 +22,7 @@ HEADING = re.compile(r"^---- (.*) ----$")
 
 
 class Item:
-    """A comment and what it stands above; either may be empty."""
+    """A comment and the code below it; either may be empty."""
 
     def __init__(self, comment, code, heading):
         self.comment, self.code, self.heading = comment, code, heading
@@ -37,13 +37,14 @@ def page_of(header):
 # ---- reading a header ----
 
 def stripped(comment):
-    """The lines of a comment, without its frame; what is indented there stays so."""
+    """Returns the lines of a comment without its delimiters. Indentation within the comment is kept."""
     lines = comment.removeprefix("/*").removesuffix("*/").split("\n")
     return [lines[0].strip()] + [re.sub(r"^ \* ?", "", line).rstrip() for line in lines[1:]]
 
 
 def blocks(text):
-    """Its parts, as written: comments at the left margin, code up to an empty line or such a comment, empty lines."""
+    """Splits a header, without changing the text, into comments at the left margin, code up to an empty line or such a comment,
+    and empty lines."""
     while text:
         block = re.match(r"/\*.*?\*/\n?|\n+", text, re.S)
         end = block.end() if block else end_of_code(text)
@@ -52,7 +53,7 @@ def blocks(text):
 
 
 def end_of_code(text):
-    """Where, outside braces and comments, a line is empty or begins a comment."""
+    """Returns the offset of the first line, outside braces and comments, that is empty or begins a comment."""
     depth = 0
     for line in re.finditer(r"(?:/\*.*?\*/|[^\n])*\n?", text, re.S):
         if depth == 0 and line.start() > 0 and re.match(r"\n|/\*|\Z", text[line.start():]):
@@ -63,7 +64,7 @@ def end_of_code(text):
 
 
 def items(text):
-    """The header's parts in their order. An empty line parts a comment from what follows."""
+    """Yields the header's items in order. An empty line separates a comment from the code below it."""
     comment, heading = [], None
     for block in [*blocks(text), ""]:
         if block.startswith("/*"):
@@ -77,7 +78,7 @@ def items(text):
 
 
 def statements(code):
-    """What the code declares outside braces, each on one line."""
+    """Yields the declarations outside braces, each as one line."""
     code = COMMENT.sub("", MACRO.sub("", code))
     for statement in re.findall(r"[^;{}]*(?:\{(?:[^{}]|\{[^{}]*\})*\})?[^;{}]*;", code):
         yield re.sub(r"\s+", " ", statement).strip()
@@ -91,7 +92,7 @@ def declarations(code):
 
 
 def arguments(found):
-    """A function's, each as it is written; a comma within brackets parts none."""
+    """Returns a function's arguments as written. A comma within brackets does not separate arguments."""
     return [a.strip() for a in re.split(r",(?![^()]*\))", found["arguments"])]
 
 
@@ -110,7 +111,7 @@ def quoted(text):
 
 
 def line_of(text):
-    """A line that is no request, whatever it begins with."""
+    """Returns a line of text that roff does not take for a request."""
     return ("\\&" if text[:1] in (".", "'") else "") + text
 
 
@@ -119,18 +120,18 @@ def literal(lines, *more):
 
 
 def code_lines(code):
-    """As it is written, but for the room before the backslashes of macros."""
+    """Returns the lines of the code, with a single space before the backslashes of macros."""
     return re.sub(r" +\\\n", " \\\\\n", code).split("\n")
 
 
 def prose(text):
-    """A line of a paragraph: names in backquotes are set apart, and not hyphenated."""
+    """Formats a line of a paragraph: names in backquotes are in italics, and not hyphenated."""
     parts = re.split(r"`(\w+)`", text)
     return line_of("".join(f"\\fI\\%{escaped(p)}\\fR" if i % 2 else escaped(p) for i, p in enumerate(parts)))
 
 
 def kind_of(line, before):
-    """"text", "item" of a list, "table", kept as it is, or "" between paragraphs."""
+    """Returns the kind of a line: "text", "item" of a list, "table", which is kept as it is, or "" between paragraphs."""
     if not line:
         return ""
     if re.match(r" +- ", line):
@@ -141,7 +142,7 @@ def kind_of(line, before):
 
 
 def paragraphs(lines):
-    """(kind, lines) of each run of one kind."""
+    """Yields (kind, lines) for each run of lines of one kind."""
     before, run = "", []
     for line in [*lines, ""]:
         kind = kind_of(line, before)
@@ -162,7 +163,7 @@ def bullets(lines):
 
 
 def text_of(comment):
-    """A comment as paragraphs, lists and tables; the first paragraph has no space before it."""
+    """Formats a comment as paragraphs, lists and tables; the first paragraph has no space before it."""
     out = []
     for kind, lines in paragraphs(comment):
         if kind == "table":
@@ -176,7 +177,7 @@ def text_of(comment):
 
 
 def headings(found):
-    """Each item, and the heading before it, if it has another one than the last."""
+    """Yields each item with its heading, or None if the previous item had the same."""
     last = None
     for item in found:
         yield item, item.heading if item.heading != last else None
@@ -200,12 +201,13 @@ def tag(found):
 
 
 def beside(code):
-    """The comments at the end of lines that declare objects."""
+    """Returns the comments behind declarations of objects, by the objects' names."""
     return dict(re.findall(r"^extern [^;]*?(tia_\w+); *(/\*.*?\*/)$", code, re.M))
 
 
 def described_function(item):
-    """Its declarations follow each other, what is said of them stands below the last, or below each if beside it."""
+    """Formats an item's declarations one after the other. Its comment follows the last of them; the comment behind a
+    declaration follows that one."""
     out, said = [], beside(item.code)
     for found in item.declared:
         out.append(tag(found))
@@ -238,7 +240,7 @@ def synopsis(header, found):
 
 
 def see_also(header, includes):
-    """What it includes and what includes it; tia.h's: all."""
+    """Returns the section SEE ALSO: the headers that this one includes or that include it; all headers for tia.h."""
     name = page_of(header)
     pages = {page_of(h) for h in includes} if name == "tia" else \
         {page_of(h) for h, text in includes.items() if f"<tia/{os.path.basename(header)}>" in text} | \
@@ -248,7 +250,7 @@ def see_also(header, includes):
 
 
 def page(header, texts, version, date):
-    """(the page, the names that it describes)"""
+    """Returns the page, and the names that it describes."""
     text = texts[header]
     intro = stripped(COMMENT.match(text)[0])
     name, title = re.match(r"(\w+\.h) - (.*)", intro[0]).groups()
@@ -258,7 +260,7 @@ def page(header, texts, version, date):
     parts = sections(items(FRAME.sub("", text[COMMENT.match(text).end():]).lstrip("\n")))
     declared = [d for item in parts[1] for d in item.declared]
     names = list(dict.fromkeys([page_of(header), *(d["name"] for d in declared)]))
-    # What is longer than the name's line begins the description.
+    # A title with more than the short description also begins the section DESCRIPTION.
     whole = [first[:1].upper() + first[1:]] if first.rstrip(".") != short else []
     description = text_of([*whole, *intro[end if whole else end + 1:]])
     out = ["." + "\\\" Written by tools/generate/reference.py from include/tia/" + name, f".Dd {date}",
@@ -270,7 +272,7 @@ def page(header, texts, version, date):
 
 
 def sections(found):
-    """Types, functions. A comment that stands alone belongs to what is before it."""
+    """Divides the items into types and functions. A comment that stands alone belongs to the item before it."""
     parts, last = ([], []), 0
     for item in found:
         last = (1 if item.declared else 0) if item.code else last
@@ -298,7 +300,7 @@ def main(folder):
         text, names = page(header, texts, version, date)
         write(folder, names[0], text)
         where.update({name: names[0] for name in names})
-    radio = sorted(name for name in where if name.startswith("tia_radio_"))      # of a static library of its own
+    radio = sorted(name for name in where if name.startswith("tia_radio_"))      # belongs to a static library of its own
     for name in re.findall(r"^ +(tia_\w+);", read("libtia.map"), re.M) + radio:
         if name not in where:
             sys.exit(f"reference.py: libtia.map lists {name}, which no header declares")

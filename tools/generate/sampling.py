@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""sampling.py - prints src/samples/tables.c: Sobol points for each four bits."""
+"""sampling.py - prints src/samples/tables.c: tables of Sobol points, each for four bits of the index."""
 
 # Joe and Kuo, new-joe-kuo-6.21201, the third and fourth dimension: degree, coefficients, first direction numbers.
 KUO = ((2, 1, (1, 3)), (3, 1, (1, 3, 1)))
 
 
 def directions(degree, coefficients, first):
-    """The 32 direction numbers of a dimension, the highest bit first."""
+    """Returns the 32 direction numbers of a dimension, the highest bit first."""
     v = [m << (31 - b) for b, m in enumerate(first)]
     for b in range(degree, 32):
         word = v[b - degree] ^ (v[b - degree] >> degree)
@@ -22,7 +22,8 @@ def reverse(word):
 
 
 def sums(v):
-    """For each four bits of the index the sum of their direction numbers, its bits reversed."""
+    """Returns, for each four bits of the index and each value of them, the exclusive or of their direction numbers,
+    bit-reversed."""
     table = []
     for nibble in range(8):
         row = []

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the scenes of the gallery that nobody would type: flake.tia, castle.tia, vase.tia with vase.ppm.
+"""Writes the gallery's scenes that are too long to type: flake.tia, castle.tia, and vase.tia with vase.ppm.
 
 scenes.py FOLDER
 """
@@ -9,7 +9,7 @@ import sys
 
 
 def number(value):
-    """At most four decimals, none that say nothing."""
+    """Formats a number with at most four decimals, without trailing zeros."""
     text = f"{value:.4f}".rstrip("0").rstrip(".")
     return "0" if text in ("-0", "") else text
 
@@ -54,7 +54,7 @@ def cross(a, b):
 
 
 def buds(axis):
-    """Where nine balls sit around `axis`: six at its equator, three nearer its pole."""
+    """Yields the directions of nine balls around `axis`: six at its equator, three nearer its pole."""
     a = unit(cross((0.36, 0.48, 0.8), axis))
     b = cross(axis, a)
     for count, lift, turn in ((6, math.radians(90), 0), (3, math.radians(35), math.radians(30))):
@@ -116,11 +116,11 @@ grid island size {size_words} corner {corner} cell 1
 """
 GRASS, SAND, EARTH, STONE, DARK, ROOF, WOOD, LEAVES, LIT, FLAG = range(1, 11)
 SIDE, HIGH = 48, 26
-YARD = 6                        # the height of the castle's yard
+YARD = 6                        # height of the castle's yard
 
 
 def shore(x, z):
-    """The ground's height: an island, higher towards the back."""
+    """Returns the ground's height: an island, higher towards the back."""
     u, v = (x - 23.5) / 23.5, (z - 23.5) / 23.5
     wave = 0.10 * math.sin(3.1 * u + 1) + 0.09 * math.sin(4.3 * v + 2.2 * u) + 0.05 * math.cos(9 * u - 7 * v)
     return 8.2 * (1 - (u * u + v * v) ** 1.3 + wave * 1.6)
@@ -164,7 +164,7 @@ def walls(cells):
             cells.fill([x], range(3, YARD + 5), [z], STONE if (a // 3) % 4 else DARK)
             if a % 2 == 0:
                 cells.put(x, YARD + 5, z, STONE)
-    # The gate in the front wall, its way down to the shore.
+    # The gate in the front wall, and its way down to the shore.
     cells.fill(range(22, 26), range(YARD, YARD + 4), [high], 0)
     cells.fill([22, 25], [YARD + 3], [high], WOOD)
     for step, z in enumerate(range(high + 1, 46)):
@@ -276,14 +276,14 @@ sphere radius 0.40 at 2.75 0.45 1.15 rotate 0 110 -10 scale 1.25 1 1 material le
 sphere radius 0.40 at -1.9 0.40 1.9 rotate 0 65 0 scale 1.3 1 1 material lemon
 
 """
-# Radius and height along the vase's outside, from its foot to its lip.
+# Radius and height along the outside of the vase, from its foot to its lip.
 PROFILE = ((0.62, 0.0), (0.70, 0.05), (0.66, 0.16), (0.72, 0.30), (0.98, 0.62), (1.20, 1.02), (1.30, 1.45), (1.24, 1.90),
            (1.02, 2.32), (0.74, 2.65), (0.54, 2.92), (0.47, 3.16), (0.50, 3.36), (0.62, 3.50), (0.70, 3.55))
 AROUND, ALONG = 40, 2            # corners around; pieces between two points of the profile
 
 
 def curve(t):
-    """Catmull-Rom through the profile, and its tangent."""
+    """Returns the point at t on a Catmull-Rom spline through the profile, and the tangent there."""
     i = min(int(t), len(PROFILE) - 2)
     f = t - i
     p = [PROFILE[min(max(i + k, 0), len(PROFILE) - 1)] for k in (-1, 0, 1, 2)]
@@ -323,13 +323,13 @@ WHITE, BLUE, PALE = (238, 240, 242), (24, 52, 140), (120, 150, 208)
 
 
 def petal(u, v, leaves, size):
-    """Inside a flower around the middle: negative; outside positive."""
+    """Returns a negative number inside a flower around the origin, a positive one outside."""
     r, a = math.hypot(u, v), math.atan2(v, u)
     return r - size * (0.62 + 0.38 * math.cos(leaves * a))
 
 
 def paint(u, v):
-    """The picture's colour at u, v in 0..1, v from the lip down."""
+    """Returns the picture's colour at u, v in 0..1, with v downwards from the lip."""
     x = (u - 0.5) * 2.4          # about as wide as high on the belly
     for band, width in ((0.035, 0.012), (0.065, 0.005), (0.245, 0.006), (0.27, 0.012), (0.80, 0.012), (0.825, 0.005), (0.965, 0.02)):
         if abs(v - band) < width:

@@ -1,17 +1,17 @@
 #!/usr/bin/env python3
 """tables.py - prints src/math/integer.c: the seed tables of the number kernels; with "power", src/math/power_tables.c.
 
-Each entry packs a straight line over one interval of the argument, its value at the left end
-and its slope: one multiplication gives a seed good to 17 bits, one Newton step makes them 32.
-An entry is  (c0 - 1) 2^20 << 12 | c1,  with c1 the fall over the whole interval in units of
-2^-18:  seed(f) = c0 - c1 f 2^-18,  f in [0, 1) the place inside the interval.
+Each entry packs a straight line over one interval of the argument: its value at the left end and its slope. One
+multiplication gives a seed that is accurate to 17 bits; one Newton step makes that 32. An entry is (c0 - 1) 2^20 << 12 | c1,
+where c1 is the line's fall over the whole interval in units of 2^-18:  seed(f) = c0 - c1 f 2^-18, for the position f in [0,
+1) within the interval.
 
     tia_rsqrt_lines[i]       1/sqrt(a), a in [(128+i)/512, (129+i)/512)
     tia_reciprocal_lines[i]  1/d,       d in [(128+i)/256, (129+i)/256)
 
-The line is the one whose largest relative error over the interval is smallest, among those with
-the wanted number of bits: its slope is the chord's (or a unit beside it), its height such that
-the error at the ends is minus the error at the interior extremum.
+Of the lines with these numbers of bits, the one whose maximal relative error is smallest is chosen. Its slope is that of the
+chord, rounded down or up. Its height makes the errors at the ends and at the interior extremum equal in size and opposite in
+sign.
 """
 import math
 import sys
@@ -20,7 +20,7 @@ IN_FLASH = ("tia_turns", "tia_sines")   # see src/math/integer.h
 
 
 def line(f, lo, hi, extremum):
-    """The best (largest relative error, c0, c1), in units of 2^-20 and 2^-18, for f on [lo, hi]."""
+    """Returns the best line for f on [lo, hi] as (largest relative error, c0, c1), in units of 2^-20 for c0 and 2^-18 for c1."""
     unit0, unit1 = 2.0 ** -20, 2.0 ** -18
     chord = (f(lo) - f(hi)) / unit1
     best = None
@@ -49,7 +49,7 @@ def table(count, first, scale, f, extremum):
 
 
 def tangent_rsqrt(lo, hi):
-    """Where the chord of 1/sqrt is parallel to the curve: a^(-3/2) / 2 = slope."""
+    """Returns the point where the curve 1/sqrt is parallel to its chord: a^(-3/2) / 2 = slope."""
     slope = (lo ** -0.5 - hi ** -0.5) / (hi - lo)
     return (2 * slope) ** (-2 / 3)
 
@@ -62,7 +62,7 @@ def show(name, words):
 
 
 def leading_zeros():
-    """For tia_clz32_table: 2^n - 1 has 32 - n leading zeros."""
+    """Returns tia_clz_places; 2^n - 1 has 32 - n leading zeros."""
     places = [None] * 32
     for n in range(1, 33):
         places[(((1 << n) - 1) * 0x07c4acdd & 0xffffffff) >> 27] = 32 - n
@@ -71,7 +71,7 @@ def leading_zeros():
 
 
 def arctangent(n, bits):
-    """atan(1/n) 2^bits, by its series, rounded down in every term."""
+    """Returns atan(1/n) 2^bits by its series, with every term rounded down."""
     term = (1 << bits) // n
     total, k = 0, 0
     while term:
@@ -82,14 +82,14 @@ def arctangent(n, bits):
 
 
 def turns(count, bits=200):
-    """atan(2^-i)/(2 pi), Q1.62; pi by Machin's formula."""
+    """Returns atan(2^-i)/(2 pi), Q1.62, with pi by Machin's formula."""
     pi = 4 * (4 * arctangent(5, bits) - arctangent(239, bits))
     angles = [pi // 4] + [arctangent(1 << i, bits) for i in range(1, count)]
     return [((a << 63) // (2 * pi) + 1) >> 1 for a in angles]
 
 
 def sines(count, bits=200):
-    """sin(pi/2 i/count), i = 0..count, Q1.62, by the series."""
+    """Returns sin(pi/2 i/count), i = 0..count, Q1.62, by its series."""
     pi = 4 * (4 * arctangent(5, bits) - arctangent(239, bits))
     table = []
     for i in range(count + 1):
@@ -113,7 +113,7 @@ def show_longs(name, words):
 
 
 def ln2(bits):
-    """ln 2 by 2 atanh(1/3)."""
+    """Returns ln 2 2^bits, as 2 atanh(1/3)."""
     term, total, k = (1 << bits) // 3, 0, 0
     while term:
         total += term // (2 * k + 1)
@@ -123,7 +123,7 @@ def ln2(bits):
 
 
 def logarithm(a, b, bits):
-    """log2(a/b) 2^bits for 1 <= a/b <= 2, by 2 atanh((a - b)/(a + b))."""
+    """Returns log2(a/b) 2^bits for 1 <= a/b <= 2, by 2 atanh((a - b)/(a + b))."""
     term, total, k = ((a - b) << bits) // (a + b), 0, 0
     while term:
         total += term // (2 * k + 1)
@@ -133,12 +133,12 @@ def logarithm(a, b, bits):
 
 
 def rounded(x, bits, to):
-    """x 2^-bits in Q.to."""
+    """Returns x 2^-bits as a number with `to` fractional bits, rounded."""
     return ((x >> (bits - to - 1)) + 1) >> 1
 
 
 def exponential(n, d, bits):
-    """2^(-n/d) 2^bits, by the series."""
+    """Returns 2^(-n/d) 2^bits, by its series."""
     x = ln2(bits) * n // d
     term, total, k = 1 << bits, 0, 0
     while term and term != -1:
@@ -149,8 +149,8 @@ def exponential(n, d, bits):
 
 
 def power(bits=200):
-    """Reciprocals near those of the middles of 64 parts of [1/2, 1), their logarithms, 2^(-i/64), and the series of
-    log2(1 + x) and 2^-x."""
+    """Prints power_tables.c: for 64 parts of [1/2, 1) a reciprocal near that of the part's middle, and its logarithm;
+    2^(-i/64); and the coefficients of the series of log2(1 + x) and 2^-x."""
     near = [(2 * 512 * 256 + 129 + 2 * i) // (2 * (129 + 2 * i)) for i in range(64)]
     series, factor = [], 1 << bits
     for n in range(1, 7):

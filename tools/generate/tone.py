@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""tone.py - prints src/samples/thresholds.c: where the transfer function of sRGB, IEC 61966-2-1, goes to the next level.
+"""tone.py - prints src/samples/thresholds.c: the linear values from which sRGB's transfer function (IEC 61966-2-1) gives the
+next level.
 
-A level k of n is shown from the least linear value whose code is (k - 1/2)/n or more.
+Level k of n begins at the least linear value whose code is (k - 1/2)/n or more.
 """
 from decimal import Decimal, ROUND_CEILING, getcontext
 
@@ -9,7 +10,7 @@ getcontext().prec = 60
 
 
 def linear(code):
-    """The inverse of the transfer function."""
+    """Returns the linear value of a code, by the inverse of the transfer function."""
     if code <= Decimal("0.04045"):
         return code / Decimal("12.92")
     return (((code + Decimal("0.055")) / Decimal("1.055")).ln() * Decimal("2.4")).exp()

@@ -2,7 +2,7 @@
 
 #include <stdlib.h>
 
-#define REACH 2  /* half the width of a square: a single pixel of a large picture would be invisible */
+#define REACH 2  /* half the width of a square, since a single pixel of a large picture would be invisible */
 #define GUTTER 4 /* white columns between two panels */
 
 const tia_rgb565 heatmap_verdicts[] = {[ONE_LEVEL] = 0xffe0, [MORE] = 0xf800, [FLIP] = 0x07ff};

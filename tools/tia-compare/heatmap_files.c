@@ -5,7 +5,7 @@
 #include <string.h>
 #include <sys/resource.h>
 
-/* Raises the limit of open files as far as the system allows: each unfinished picture is one. */
+/* Raises the limit of open files as far as the system allows, since each unfinished picture is an open file. */
 static void allow_files(void)
 {
     struct rlimit limit;

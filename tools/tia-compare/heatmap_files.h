@@ -14,13 +14,13 @@ struct pictures {
     char why[PORT_WHY]; /* reason of a failure */
 };
 
-/* Begins a run of `most` frames. False: no memory; pictures_end is safe in either case. */
+/* Begins a run of `most` frames. Returns false if there is no memory; pictures_end is safe in either case. */
 bool pictures_begin(struct pictures *pictures, const char *name, unsigned most);
 
-/* Draws the next heatmap; pictures_publish gives it its name. A negative tia_status on failure. */
+/* Draws the next heatmap; pictures_publish gives it its name. Returns a negative tia_status on failure. */
 int pictures_add(struct pictures *pictures, const struct heatmap *map);
 
-/* Gives all heatmaps their names. A negative tia_status on failure. */
+/* Gives all heatmaps their names. Returns a negative tia_status on failure. */
 int pictures_publish(struct pictures *pictures);
 
 /* Removes pictures that were not published. */

@@ -19,8 +19,8 @@ struct options {
     unsigned threads;
     bool json, summary;
     const char *heatmap;
-    double require_identical;      /* least percentage of identical pixels; negative: not given */
-    int64_t max_flips, max_levels; /* limits; negative: not given */
+    double require_identical;      /* least percentage of identical pixels that is accepted; negative: not given */
+    int64_t max_flips, max_levels; /* largest accepted values; negative: not given */
     bool shadows;                  /* compare techniques for shadows instead of arithmetics */
     unsigned light, best_of;       /* with `shadows`: number of the light to compare, 0 for all lights */
     const char *technique;         /* the only technique to compare; NULL: all */

@@ -26,7 +26,7 @@ struct comparison {
     struct pictures pictures;
     const char *name; /* name of the scene */
     struct technique_job job;
-    uint64_t mask; /* set of the light samples that are compared */
+    uint64_t mask; /* bits of the light samples that are compared, as in struct tia_debug */
     struct technique_frame reference;
     struct shadows_row rows[TECHNIQUES];
     unsigned count; /* number of rows; the first one is the reference's */
@@ -53,7 +53,7 @@ static bool qualifies(const struct tia_scene *scene, unsigned technique, struct 
     return !tia_scene_check(&tried, fault);
 }
 
-/* Returns exact rays if the scene qualifies for them, else traced rays. */
+/* Returns the technique of the reference: exact rays if the scene qualifies for them, else traced rays. */
 static unsigned reference_of(const struct tia_scene *scene)
 {
     struct tia_fault fault;
@@ -130,7 +130,7 @@ static enum shadow_verdict judge(const struct comparison *c, const struct techni
     return lit ? WRONGLY_LIT : dark ? WRONGLY_DARK : RIGHT;
 }
 
-/* Adds the row of a frame, and a panel unless it is the reference's. */
+/* Adds the row of a frame. Adds its panel to the heatmap, unless the frame is the reference. */
 static void add_frame(struct comparison *c, const struct technique_frame *frame, struct shadows_row *row)
 {
     bool is_reference = frame == &c->reference;
@@ -181,7 +181,7 @@ static int draw_others(struct comparison *c, unsigned reference)
 
 /* ---- a scene ---- */
 
-/* Returns for each mesh whether it is closed, to be freed by free(); NULL: no memory. */
+/* Returns an array with true for each mesh that is closed, to be freed by free(); NULL if there is no memory. */
 static bool *check_meshes(const struct tia_scene *scene)
 {
     bool *is_closed = calloc((size_t)scene->mesh_count + 1, sizeof *is_closed);

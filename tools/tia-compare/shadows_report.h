@@ -7,12 +7,12 @@
 
 #include <tia/scene.h>
 
-/* The result of a technique in a scene. The counts are of pixels; light is not compared where the visible object
- * differs from the reference's. */
+/* The result of a technique in a scene. The counts are numbers of pixels; light is not compared where the visible
+ * object differs from the reference's. */
 struct shadows_row {
     const char *name;
-    bool fits;              /* false: `fault` has the reason, and the members after it are not set */
-    struct tia_fault fault; /* the scene's fault; without a field: a point is too far away */
+    bool fits;              /* false: `fault` has the reason, and the members below it are not set */
+    struct tia_fault fault; /* the scene's fault; if its `field` is NULL, a point is too far away */
     uint64_t objects, dark, lit, colours;
     uint64_t wall_us, cpu_us, bytes;
 };

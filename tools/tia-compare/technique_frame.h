@@ -30,9 +30,9 @@ struct technique_frame {
     int *status; /* status of each job of rows */
 };
 
-/* Draws a frame; wall_us and cpu_us are the least times of all rounds, from new lights to the pixels, and `bytes` is
- * the memory of the view and the hits of the whole picture. A negative tia_status on failure; call technique_free in
- * either case. */
+/* Draws a frame. wall_us and cpu_us are the least times of all rounds, from setting the lights to the finished pixels;
+ * `bytes` is the memory of the view and of the whole picture's hits. Returns a negative tia_status on failure; call
+ * technique_free in either case. */
 int technique_draw(struct technique_frame *frame, const struct technique_job *job, enum tia_shadows technique);
 void technique_free(struct technique_frame *frame);
 

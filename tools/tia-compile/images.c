@@ -6,7 +6,8 @@ static void write_bytes(struct unit *unit, const uint8_t *bytes, size_t count)
         text_word(&unit->text, "%d,", bytes[i]);
 }
 
-/* Returns the first texture with the same texels as texture `index`: textures of one picture share texels. */
+/* Returns the first texture with the same texels as texture `index`: textures of the same picture share their
+ * texels. */
 static uint32_t first_with_texels(const struct tia_scene *scene, uint32_t index)
 {
     const struct tia_texture *t = scene->textures;

@@ -14,11 +14,12 @@
 
 #define ALIGN(size) (((size) + 7) / 8 * 8)
 
-/* Kinds of machines, by the sizes of pointers and enumerations; on all of them 64-bit numbers are at multiples of 8. */
+/* Kinds of machines, by the sizes of pointers and enumerations. All of them align 64-bit numbers to 8 bytes. */
 enum { WIDE, NARROW, SHORT, KINDS };
 
-/* Sizes on a kind of machine: the library's sizes here, less those of its structures that differ there, plus their
- * sizes there. The list is complete: tests/slow/memory compares with the library on machines of each kind. */
+/* Sizes of those structures of the library that differ between kinds of machines. To convert a size of this machine,
+ * these sizes are subtracted and those of the other kind are added. The list is complete: tests/slow/memory compares
+ * the results with the library on machines of each kind. */
 struct layout {
     unsigned view, hits, scene, bvh, block; /* block: a plane or a box that balls bounce off */
     unsigned spans;                         /* for scenes drawn by row: size of the view's part */
@@ -88,7 +89,7 @@ static uint64_t technique_part(const struct layout *l, const struct tia_scene *s
     }
 }
 
-/* Returns the part of a view's size that differs between kinds of machines. */
+/* Returns that part of a view's size which differs between kinds of machines. */
 static uint64_t view_part(const struct layout *l, const struct scene_memory *m)
 {
     enum tia_integrator integrator = m->scene->integration.integrator;
@@ -114,7 +115,7 @@ static uint64_t hits_size(const struct tia_scene *scene, struct tia_tile tile, i
     return tia_hits_size(scene, tile) - ALIGN(layouts[kind_here()].hits) + ALIGN(layouts[kind].hits);
 }
 
-/* Returns the part of the size of the moving arrays' copy that differs between kinds of machines. */
+/* Returns that part of the size of the moving arrays' copy which differs between kinds of machines. */
 static uint64_t copy_part(const struct layout *l, const struct tia_scene *scene)
 {
     uint64_t part = ALIGN(l->scene);
@@ -126,7 +127,7 @@ static uint64_t copy_part(const struct layout *l, const struct tia_scene *scene)
 }
 
 /* Returns the size of the viewer's first request: a view, whole frames of hits, a canvas to refine pictures on, and a
- * copy of the moving arrays. The rows of a tile are those for a display that sets no limit. */
+ * copy of the moving arrays. A tile has the number of rows that it has for a display without a limit. */
 static uint64_t viewer_size(const struct scene_memory *m, struct tia_tile frame, int kind)
 {
     enum { ROWS = 16 };

@@ -20,7 +20,7 @@ static void write_field(struct unit *unit, const struct tia_shape *s, const stru
     }
 }
 
-/* Writes a triangle with its corners by order, not by name: scenes have many triangles, and this is shorter. */
+/* Writes a triangle without the names of members, which is shorter: scenes have many triangles. */
 static void write_triangle(struct unit *unit, const struct tia_triangle *t)
 {
     const struct tia_vec3 *c = t->corner;

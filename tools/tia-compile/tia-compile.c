@@ -60,7 +60,7 @@ static const struct command command = {
     "\n",
     rows, CONVERT_NOTES};
 
-/* Number of objects up to which a hierarchy would be a single box around them all, a waste of flash. */
+/* Largest number of objects without a hierarchy: it would be a single box around them all, a waste of flash. */
 #define FEW 4
 
 static struct tia_scene compiled_scene(const struct tia_scene *scene)

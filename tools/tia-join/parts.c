@@ -82,7 +82,8 @@ static int check_same(struct parts *parts, const struct part *part)
     return 0;
 }
 
-/* Reads the first line of the part at an offset of the file. Returns the offset of the part's end; 0 on failure. */
+/* Reads the first line of the part that begins at offset `at` of the file. Returns the offset of the part's end; 0 on
+ * failure. */
 static uint64_t read_header(struct parts *parts, struct part *part, int fd, uint64_t at, uint64_t length)
 {
     char text[IMAGE_PART_HEADER];
@@ -228,7 +229,7 @@ static bool learn_colours(struct parts *parts)
     return parts->colours;
 }
 
-/* Finds the pixel with the given Y, U, V by binary search. False: no pixel has it. */
+/* Finds the pixel with the given Y, U, V by binary search. Returns false if no pixel has it. */
 static bool find_pixel(const uint64_t *colours, uint32_t colour, tia_rgb565 *pixel)
 {
     const uint64_t *at = colours;
@@ -266,7 +267,7 @@ static int read_pixels(struct parts *parts, const struct part *part, int fd, uin
     return result;
 }
 
-/* Compares the checksum of a part's rows of a frame with the one read, `found`. */
+/* Compares the checksum of a part's rows of a frame with `found`, the checksum in the file. */
 static int check_sum(struct parts *parts, const struct part *part, uint32_t frame, const tia_rgb565 *rows,
                      const unsigned char *found)
 {

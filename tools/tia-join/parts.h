@@ -16,11 +16,12 @@ struct part {
 struct parts {
     struct part *array;
     unsigned count, capacity;
-    uint64_t *colours;   /* for .y4m: each pixel value below its Y, U and V, sorted by these; NULL: not built yet */
+    uint64_t *colours;   /* for .y4m: for each pixel value its Y, U and V, and the pixel in the lowest 16 bits; sorted.
+                            NULL: not built yet */
     char why[PARTS_WHY]; /* reason of a failure, one line */
 };
 
-/* Reads the parts' headers, also those of several parts in one .tiapart, and checks that they make one film, without
+/* Reads the parts' headers, also those of several parts in one .tiapart. Checks that the parts make one film, without
  * gaps or overlaps. Returns 0, or -1 if they do not. */
 int parts_open(struct parts *parts, char *const *paths, unsigned count);
 void parts_close(struct parts *parts);

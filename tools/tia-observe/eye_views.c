@@ -7,7 +7,7 @@ static struct eye between(const struct eye *a, const struct eye *b, double part)
     return (struct eye){a->x + (b->x - a->x) * part, a->y + (b->y - a->y) * part, a->z + (b->z - a->z) * part};
 }
 
-/* An eye in a frame, and the pictures shown to it. */
+/* An eye in a frame of the film, and the pictures that it sees. */
 struct sight {
     struct eye at;
     int *column; /* view or module of each column, the same in all rows */

@@ -10,7 +10,7 @@
 struct observation {
     struct display display;
     struct pictures pictures;
-    bool lenses; /* the only picture is that of a panel */
+    bool lenses; /* the only picture is that of a panel with lenses */
     struct panel panel;
     struct eye eye, to; /* position of the eye, or of the middle between two; its position in the film's last frame */
     double apart;       /* distance between two eyes; 0: one eye */
@@ -18,7 +18,7 @@ struct observation {
     unsigned width, height; /* size of one eye's picture */
 };
 
-/* Draws all frames of the series. A negative status on failure, with the reason in series->why. */
+/* Draws all frames of the series. Returns a negative status on failure, with the reason in series->why. */
 int observe(const struct observation *observation, struct series *series);
 
 #endif

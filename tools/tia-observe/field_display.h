@@ -8,7 +8,7 @@
 
 #include "common/modules.h"
 
-/* A position in front of the screen, from its middle, in the scene's unit: to the right, up, towards the observers. */
+/* A position relative to the screen's middle, in the scene's unit: x to the right, y up, z towards the observers. */
 struct eye {
     double x, y, z;
 };
@@ -26,15 +26,17 @@ struct display {
 void display_init(struct display *display, const struct tia_scene *scene, unsigned views,
                   const struct modules *modules);
 
-/* Returns the position where the ray from the eye through a point of the screen, a part of its width from the left,
- * crosses the observer line's plane: 0 at the line's left end, 1 at its right end, less or more beyond them. */
+/* Returns the position at which the ray from the eye through a point of the screen crosses the observer line's plane: 0
+ * at the line's left end, 1 at its right end, less or more beyond them. `point` is a fraction of the screen's width,
+ * from the left. */
 double display_part(const struct display *display, const struct eye *eye, double point);
 
-/* Returns the picture that column `column` of `columns` shows to an eye; -1: the column is black. For views, it is the
- * picture whose eye is nearest to the point where the ray from the eye through the column's middle crosses the observer
- * line's plane; for modules, that of the module nearest to the ray's origin behind the screen; halfway between two, the
- * right one. If that module's light misses the line but the eye's ray does not, it is the picture of the adjacent
- * module, whose light reaches the line. The eye's height makes no difference: there is horizontal parallax only. */
+/* Returns the picture that column `column` of `columns` shows to an eye; -1 if the column is black. The ray from the
+ * eye through the column's middle decides. For views, it is the picture of the view nearest to the point where the ray
+ * crosses the observer line's plane. For modules, it is the picture of the module nearest to the ray's origin behind
+ * the screen. Halfway between two, it is the one further to the right. If the light of that module misses the line but
+ * the eye's ray does not, it is the picture of the adjacent module, whose light reaches the line. The eye's height
+ * makes no difference: there is horizontal parallax only. */
 int display_picture(const struct display *display, const struct eye *eye, unsigned column, unsigned columns);
 
 #endif

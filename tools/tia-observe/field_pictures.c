@@ -92,7 +92,7 @@ void pictures_free(struct pictures *pictures)
     free(pictures->files);
 }
 
-/* Converts 0..255 to 0..most, to nearest. */
+/* Converts 0..255 to 0..most, rounded to nearest. */
 static unsigned level(unsigned char c, unsigned most)
 {
     return (c * most * 2 + 255) / 510;

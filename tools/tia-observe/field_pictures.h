@@ -15,12 +15,12 @@ struct pictures {
     char why[400];
 };
 
-/* Loads `path`, the name of a quilt, for which `count` is 0, or one with a pattern for `count` pictures. TIA_OK;
- * TIA_ERR_DEVICE, TIA_ERR_MEMORY or TIA_ERR_RANGE with the reason in pictures->why. pictures_free is safe
- * afterwards. */
+/* Loads the pictures. `path` is the name of a quilt, with `count` 0; or a name with a pattern for `count` pictures.
+ * Returns TIA_OK; or TIA_ERR_DEVICE, TIA_ERR_MEMORY or TIA_ERR_RANGE with the reason in pictures->why. pictures_free is
+ * safe afterwards. */
 int pictures_load(struct pictures *pictures, const char *path, unsigned count);
 
-/* Loads a single picture, a panel's, in the same way. */
+/* Loads the single picture of a panel in the same way. */
 int pictures_load_one(struct pictures *pictures, const char *path);
 void pictures_free(struct pictures *pictures);
 

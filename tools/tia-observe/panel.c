@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-/* Slack of comparisons as in field_display.c: ties are ties on every machine. */
+/* Slack of comparisons, as in field_display.c: equal numbers compare as equal on every machine. */
 #define SLACK 0x1p-24
 
 void panel_init(struct panel *panel, const struct tia_lenticular *lens, unsigned width, unsigned height)
@@ -40,9 +40,9 @@ static double apart(const struct row *row, double i)
 }
 
 /* Returns the subpixel in first..last whose phase is nearest to the eye's; of equally near ones the first. The phases
- * equal the eye's at positions a lens apart, and first..last is at most a lens long, so the result is beside the one of
- * these positions that is nearest to the middle. If this position is outside first..last, the next one is outside, too,
- * and farther from the other end. */
+ * equal the eye's at positions a lens apart, and first..last is at most a lens long. So the result is next to that one
+ * of these positions which is nearest to the middle. If this position is outside first..last, the next one is outside,
+ * too, and farther from the other end. */
 static double nearest_of(const struct row *row, double first, double last)
 {
     double middle = (first + last) / 2;

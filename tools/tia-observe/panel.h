@@ -6,7 +6,7 @@
 #include <tia/lightfield.h>
 
 struct panel {
-    double pitch, rise, centre; /* lenses, see struct tia_lenticular */
+    double pitch, rise, centre; /* numbers as in struct tia_lenticular */
     enum tia_subpixels subpixels;
     bool flipped, inverted;
     unsigned width, height; /* size of the panel's picture */
@@ -14,11 +14,12 @@ struct panel {
 
 void panel_init(struct panel *panel, const struct tia_lenticular *lens, unsigned width, unsigned height);
 
-/* Returns the column of the panel's picture that an eye sees at a point of the screen in channel 0..2: red, green or
- * blue. Of the subpixels of that colour in the row, counted from above, whose middles are within half a lens of the
- * point, it is the one whose phase is nearest to the eye's; of equally near ones, the left one of the shown picture.
- * -1: no subpixel is within half a lens, and the point is black. Phases are compared modulo 1: the views repeat beyond
- * the line's ends. `point` is a part of the screen's width, `phase` one of the observer line, both from the left. */
+/* Returns the column of the panel's picture that an eye sees at a point of the screen, in channel 0..2: red, green or
+ * blue. Rows are counted from above. Candidates are the subpixels of that colour in the row whose middles are within
+ * half a lens of the point; without any, the point is black, and the result is -1. Of the candidates, it is the one
+ * whose phase is nearest to the eye's; of equally near ones, the left one of the shown picture. Phases are compared
+ * modulo 1: the views repeat beyond the line's ends. `point` is a fraction of the screen's width, `phase` a fraction of
+ * the observer line, both from the left. */
 int panel_column(const struct panel *panel, unsigned row, unsigned channel, double point, double phase);
 
 #endif

@@ -13,8 +13,8 @@ static unsigned side_of(const struct tia_light *l)
     return (unsigned)ceil(sqrt(samples));
 }
 
-/* Chooses D and p of POV-Ray's attenuation 2/(1 + (d/D)^p), and returns the factor for the light's colour, so that it
- * equals 1/(constant + term d^p). */
+/* Chooses D and p of POV-Ray's attenuation 2/(1 + (d/D)^p). Returns the factor for the light's colour that makes the
+ * attenuation equal to 1/(constant + term d^p). */
 static double fade(const struct tia_light *l, double *distance, int *power)
 {
     double constant = pov_q16(l->constant), term = pov_q16(l->quadratic != 0 ? l->quadratic : l->linear);
@@ -24,7 +24,7 @@ static double fade(const struct tia_light *l, double *distance, int *power)
     *distance = 0;
     if (term == 0)
         return constant != 0 ? 1 / constant : 1;
-    /* without a constant term D would be 0, so it is very small */
+    /* without a constant term D would have to be 0: a very small D is used */
     *distance = constant != 0 ? pow(constant / term, 1.0 / *power) : 0.001;
     return constant != 0 ? 1 / (2 * constant) : 1 / (2 * term * pow(*distance, *power));
 }
@@ -39,8 +39,8 @@ static void write_fade(struct pov *pov, uint32_t index, double distance, int pow
         pov_note(pov, "light %u: its attenuation has no linear term here besides the quadratic one", index);
 }
 
-/* Writes an area light. POV-Ray's samples reach the edges; shrinking the light by one sample's width puts them at the
- * centres of cells. */
+/* Writes an area light. POV-Ray's outermost samples lie on the light's edges; shrinking the light by the width of one
+ * cell puts all samples at the centres of cells. */
 static void area(struct pov *pov, struct point a, struct point b, unsigned n, const char *form)
 {
     double f = 2.0 * (n - 1) / n;

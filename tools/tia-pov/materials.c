@@ -3,8 +3,8 @@
 #include <math.h>
 #include <stdio.h>
 
-/* Returns the transmission. POV-Ray has one colour for both diffuse reflection and transmission; tia has two.
- * Transmission alone can be a filter of its colour; together with diffuse reflection it must be grey. */
+/* Returns the transmission. POV-Ray has one colour for diffuse reflection and for transmission; tia has two.
+ * Transmission alone can have a colour; together with diffuse reflection it must be grey. */
 static double transmit_of(const struct tia_material *m)
 {
     return pov_black(m->colour) ? 0 : pov_mean(pov_rgb(m->refraction));
@@ -25,8 +25,8 @@ static bool lacks(double part, double whole)
     return part > 0 && whole <= 0;
 }
 
-/* Writes the emission. POV-Ray multiplies it by the pigment and by the part that is not transmitted, so it is divided
- * by both here. */
+/* Writes the emission, divided by the pigment and by the part that is not transmitted: POV-Ray multiplies it by
+ * both. */
 static void write_emission(struct pov *pov, const struct tia_material *m)
 {
     struct point e = pov_rgb(m->emission), c = pov_rgb(m->colour);
@@ -160,8 +160,9 @@ void pov_material(struct pov *pov, uint32_t material, const struct tia_shape *sh
     text_word(&pov->text, "interior { Interior_%u }", material);
 }
 
-/* True if the shadow needs an object of its own. POV-Ray filters shadow rays by the pigment, at each surface; tia by a
- * separate colour, once per object. The results are equal if the object transmits nothing or everything. */
+/* True if the shadow needs an object of its own. POV-Ray filters shadow rays by the pigment, at each surface; tia
+ * filters them by a separate colour, once per object. The results are equal if the object transmits nothing or
+ * everything. */
 bool pov_has_shadow(const struct pov *pov, uint32_t material)
 {
     const struct tia_material *m = &pov->scene->materials[material];

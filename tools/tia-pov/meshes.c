@@ -39,8 +39,8 @@ static bool has_normals(const struct tia_face *f)
     return f->corner[0].normal != TIA_NO_INDEX;
 }
 
-/* Counts the faces without normals. POV-Ray needs normals for all faces or for none, so the normals of these faces
- * follow those of the mesh. */
+/* Counts the faces without normals. POV-Ray needs normals for all faces or for none, so normals for these faces are
+ * appended to those of the mesh. */
 static uint32_t count_flat(const struct tia_mesh *m)
 {
     uint32_t flat = 0;
@@ -82,7 +82,8 @@ static void write_normal_indices(struct pov *pov, const struct tia_mesh *m)
     end_list(pov);
 }
 
-/* Writes the coordinates. Faces without coordinates get those of a triangle: the last three, (0, 0), (1, 0), (0, 1). */
+/* Writes the texture coordinates. Those of a triangle are appended, (0, 0), (1, 0), (0, 1), for faces without
+ * coordinates. */
 static void write_uvs(struct pov *pov, const struct tia_mesh *m)
 {
     begin_list(pov, "uv_vectors", m->uv_count + 3);
@@ -149,8 +150,9 @@ void pov_triangle(struct pov *pov, const struct tia_triangle *t)
     pov_mesh(pov, &mesh);
 }
 
-/* The corners of each face with the coordinates (0, 0), (1, 0), (1, 1), (0, 1): for x, y and z, 0 for the box's
- * minimum, 1 for its maximum. */
+/* The corners of each face, in the order of their texture coordinates (0, 0), (1, 0), (1, 1), (0, 1). A corner has
+ * three numbers, for x, y and z: 0 for the box's minimum, 1 for its maximum. The directions of u and v on both faces
+ * stand behind each row. */
 static const uint8_t box_corners[6][4][3] = {
     {{0, 0, 0}, {0, 0, 1}, {0, 1, 1}, {0, 1, 0}}, {{1, 0, 1}, {1, 0, 0}, {1, 1, 0}, {1, 1, 1}}, /* z, y; -z, y */
     {{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}}, {{0, 1, 1}, {1, 1, 1}, {1, 1, 0}, {0, 1, 0}}, /* x, z; x, -z */

@@ -11,7 +11,7 @@ static void write_transform(struct pov *pov, uint32_t transform)
     pov_triple(pov, "translate", pov_place(pov, t->position));
 }
 
-/* Writes a part of a shape; leaves the block open, for a transform. */
+/* Writes a part of a shape. The block stays open, for a transform. */
 static void write_part(struct pov *pov, const struct tia_shape *s, bool unseen)
 {
     pov_geometry(pov, s);
@@ -42,7 +42,8 @@ static void write_object(struct pov *pov, const struct tia_shape *s)
     }
 }
 
-/* Returns the number of equal cells along x that can be one box; 1 with a texture, since it repeats per cell. */
+/* Returns the number of equal cells along x that can be one box; 1 with a texture, since a texture repeats in each
+ * cell. */
 static uint32_t run_length(const struct pov *pov, const uint8_t *cells, uint32_t count, uint32_t material)
 {
     uint32_t n = 1;
@@ -104,7 +105,7 @@ static void note_grid(struct pov *pov, uint32_t index, const struct tia_shape *s
     }
 }
 
-/* Notes a difference: in tia the object filters a shadow ray once, in POV-Ray at each face or part. */
+/* Notes a difference: tia's object filters a shadow ray once, POV-Ray's once at each face or part. */
 static void note_shadow(struct pov *pov, uint32_t index, const struct tia_shape *s)
 {
     struct tia_shape parts[3];

@@ -10,7 +10,7 @@ static struct point ambient(const struct tia_scene *scene)
     return sum;
 }
 
-/* Writes the settings. POV-Ray counts the camera ray as a level, too. adc_bailout 0 keeps it from ending faint rays
+/* Writes the settings. POV-Ray's level counts the camera ray, too. With adc_bailout 0, it does not end faint rays
  * early. */
 static void write_settings(struct pov *pov)
 {

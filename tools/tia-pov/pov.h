@@ -1,7 +1,7 @@
 /* pov.h - writes a scene in the language of POV-Ray 3.7.
  *
  * All coordinates are those of the scene's file. POV-Ray is left-handed by default, but its camera defines its own
- * axes; with tia's u as `right`, its pictures are the same as tia's. The numbers of rotations keep their meaning.
+ * axes: with tia's u as `right`, its pictures are the same as tia's. The angles of rotations are the same, too.
  */
 #ifndef TIA_POV_POV_H
 #define TIA_POV_POV_H
@@ -12,7 +12,7 @@
 
 struct pov {
     struct text text;
-    const char *path; /* path of the output; "-": standard output, beside which no pictures can be written */
+    const char *path; /* path of the output; "-": standard output, without picture files */
     char *why;        /* receives the reason of a failure, [PORT_WHY] */
     const struct tia_scene *scene;
     char note[200]; /* the last note, which is not repeated */
@@ -31,8 +31,8 @@ void pov_lights(struct pov *pov);
 void pov_materials(struct pov *pov);
 void pov_shapes(struct pov *pov);
 
-/* Writes the material for an object; its texture depends on the shape. `shape` is NULL for a cell of a grid, which is
- * written as a mesh. */
+/* Writes the material for an object; its texture depends on the shape. `shape` is NULL for a cell of a grid, since
+ * cells are written as meshes. */
 void pov_material(struct pov *pov, uint32_t material, const struct tia_shape *shape);
 /* True if the correct shadow needs a separate, invisible object. */
 bool pov_has_shadow(const struct pov *pov, uint32_t material);
@@ -43,21 +43,22 @@ void pov_shadow_material(struct pov *pov, uint32_t material, const struct tia_sh
 bool pov_textured(const struct pov *pov, uint32_t material);
 /* True if a material's colour has a texture. */
 bool pov_coloured(const struct pov *pov, uint32_t material);
-/* Writes the pigment in tia's u, v, with the given `transmit`; false if POV-Ray cannot express it. */
+/* Writes the pigment as a function of tia's u, v, with the given `transmit`. Returns false if POV-Ray cannot express
+ * it. */
 bool pov_texture(struct pov *pov, uint32_t material, double transmit);
 /* True if a material has an opacity that can be written. */
 bool pov_has_opacity(const struct pov *pov, uint32_t material);
-/* Declares the opacity as a pigment, white where it is 1. */
+/* Declares the opacity as a pigment that is white where the opacity is 1. */
 void pov_write_opacity(struct pov *pov, uint32_t material);
-/* True if the texture closes around a sphere: it repeats a whole number of times; a checker, an even number. */
+/* True if the texture has no seam around a sphere: it repeats a whole number of times; a checker, an even number. */
 bool pov_closes(const struct pov *pov, uint32_t material);
-/* True if POV-Ray evaluates a shape's pigment at the point itself; else in the coordinates of its own uv_mapping, which
+/* True if POV-Ray evaluates a shape's pigment at the point itself; false if at its own uv_mapping's coordinates, which
  * not all shapes have. */
 bool pov_plain(const struct tia_shape *shape);
-/* Writes the mapping from u, v to the coordinates that pov_plain distinguishes. */
+/* Writes the mapping from u, v to the coordinates at which POV-Ray evaluates the pigment, see pov_plain. */
 void pov_mapping(struct pov *pov, uint32_t material, const struct tia_shape *shape);
 
-/* Gives the side and the caps of a textured cylinder or cone with caps as separate shapes, since their texture
+/* Stores the side and the caps of a textured cylinder or cone with caps as separate shapes, since their texture
  * coordinates differ. Returns their number; 0 for other shapes. */
 unsigned pov_parts(const struct pov *pov, const struct tia_shape *shape, struct tia_shape parts[3]);
 
@@ -83,7 +84,7 @@ struct point pov_vec3(struct tia_vec3 v);
 double pov_length(const struct pov *pov, tia_q16 length);
 /* Converts a point to the unit of the scene's file. */
 struct point pov_place(const struct pov *pov, struct tia_vec3 v);
-struct point pov_dir3(struct tia_dir3 d); /* gives a normalised direction */
+struct point pov_dir3(struct tia_dir3 d); /* returns a normalised direction */
 struct point pov_rgb(struct tia_rgb c);
 struct point pov_scaled(struct point a, double f);
 struct point pov_sum(struct point a, struct point b);
@@ -91,7 +92,7 @@ struct point pov_cross(struct point a, struct point b);
 struct point pov_unit(struct point a);
 double pov_mean(struct point a);
 bool pov_black(struct tia_rgb c);
-/* Gives the axes A and B that tia/light.h defines for a unit normal. */
+/* Computes the axes A and B that tia/light.h defines for a unit normal. */
 void pov_axes(struct point normal, struct point *a, struct point *b);
 
 /* Writes "NAME <x, y, z>" as a word; NAME may be "". */

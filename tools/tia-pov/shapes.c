@@ -87,15 +87,15 @@ bool pov_plain(const struct tia_shape *s)
     return s && (s->kind == TIA_PLANE || s->kind == TIA_DISC || s->kind == TIA_CYLINDER || s->kind == TIA_CONE);
 }
 
-/* Gives tia/shape.h's tangents of a unit normal. */
+/* Computes the tangents of a unit normal, as in tia/shape.h. */
 static void tangents(struct point n, struct point *u, struct point *v)
 {
     *u = n.x == 0 && n.z == 0 ? (struct point){1, 0, 0} : pov_unit((struct point){n.z, 0, -n.x});
     *v = pov_cross(n, *u);
 }
 
-/* Maps the unit square of the pattern to a square with a given side, with its corner or (`around`) its centre at the
- * origin. */
+/* Maps the unit square of the pattern to a square with the given side in the plane with the given normal. Its corner is
+ * at `origin`; with `around`, its centre. */
 static void write_frame(struct pov *pov, struct point normal, struct point origin, double side, bool around)
 {
     struct point a, b;
@@ -108,8 +108,8 @@ static void write_frame(struct pov *pov, struct point normal, struct point origi
               origin.z);
 }
 
-/* Wraps the unit square of the pattern around an axis. POV-Ray's cylindrical warp goes from x to z around y. It sets z
- * to the distance from y; as checkers are cubes, z is scaled so that the pattern does not depend on it. */
+/* Wraps the unit square of the pattern around an axis. POV-Ray's cylindrical warp runs around y from x to z. It sets z
+ * to the distance from the y axis. Checkers are cubes, so z is scaled to make the pattern independent of it. */
 static void write_around(struct pov *pov, struct tia_vec3 base, struct tia_vec3 top)
 {
     struct point from = pov_place(pov, base), axis = pov_sum(pov_place(pov, top), pov_scaled(from, -1)), a, b;

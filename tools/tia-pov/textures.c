@@ -32,7 +32,7 @@ static const struct tia_texture *opacity_of(const struct pov *pov, uint32_t mate
     return &pov->scene->textures[pov->scene->materials[material].opacity - 1];
 }
 
-/* Writes the position of the unit square of a texture's pattern in u, v. */
+/* Writes the scale and the translation that place the unit square of a texture's pattern in (u, v). */
 static void write_place(struct pov *pov, const struct tia_texture *t)
 {
     const double once = ldexp(1, t->repeat_bits), offset = ldexp(1, -t->offset_bits);
@@ -42,7 +42,8 @@ static void write_place(struct pov *pov, const struct tia_texture *t)
         pov_triple(pov, "translate", (struct point){pov_q16(t->offset[0]) * offset, pov_q16(t->offset[1]) * offset, 0});
 }
 
-/* Writes the picture for a material: the texels times its colour, 16 bits per channel; for an opacity, one channel. */
+/* Writes the picture for a material, 16 bits per channel: the texels times the material's colour; for an opacity, one
+ * channel. */
 static int write_texels(struct text *text, const struct tia_texture *t, struct point colour)
 {
     const double factor[3] = {colour.x * 257, colour.y * 257, colour.z * 257};
@@ -70,7 +71,7 @@ static char *picture_path(const struct pov *pov, uint32_t material, const char *
     return path;
 }
 
-/* Writes a string literal of POV-Ray, with backslashes before backslashes and quotes. */
+/* Writes a string literal of POV-Ray, with a backslash before each backslash and quote. */
 static void write_string(struct text *text, const char *string)
 {
     text_print(text, "\"");
@@ -79,7 +80,7 @@ static void write_string(struct text *text, const char *string)
     text_print(text, "\"");
 }
 
-/* Writes a picture beside the scene, and its name in the scene. */
+/* Writes a picture file beside the scene's file, and its name into the scene. */
 static void write_picture(struct pov *pov, uint32_t material, const struct tia_texture *t, struct point colour)
 {
     const char *ending = t->kind == TIA_OPACITY ? "pgm" : "ppm";
@@ -115,7 +116,7 @@ static void write_checker(struct pov *pov, uint32_t material, double transmit)
         pov_triple(pov, i == 0 ? "checker rgb" : ", rgb", cell);
         text_word(&pov->text, "transmit %.10g", transmit);
     }
-    /* POV-Ray's checkers are cubes: the surface must be in the middle of a layer */
+    /* POV-Ray's checkers are cubes: the surface must be in the middle of a layer of cubes */
     text_word(&pov->text, "translate <0, 0, -0.5>");
 }
 

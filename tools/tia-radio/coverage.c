@@ -33,7 +33,7 @@ struct map {
 
 /* ---- axes ---- */
 
-/* Chooses the axes. The plane is seen along the normal's axis from its positive side; seen from above, north, -z, is
+/* Chooses the axes. The plane is seen from the positive side of its normal's axis. In a view from above, north, -z, is
  * up. */
 static void choose_axes(struct map *map)
 {

@@ -17,7 +17,7 @@ struct link_report {
 /* Prints a table. The caller handles failures of standard output. */
 void report_table(const struct link_report *report);
 
-/* Prints an element of an array; `first`: it is the first element. */
+/* Prints the link as an element of a JSON array, with a comma in front unless it is the first one. */
 void report_json(const struct link_report *report, bool first);
 void report_json_begin(const struct options *options, const struct world *world);
 void report_json_end(void);

@@ -61,8 +61,8 @@ bool links_try(const struct search *search, struct tia_radio_room *room, const s
 
 /* ---- rays ---- */
 
-/* A ray's result. Of equal results, that of the lowest ray number is used, so that the result does not depend on
- * threads. */
+/* A ray's result. Of results with equal sequences and paths, the one of the lowest ray number is used, so that it does
+ * not depend on the threads. */
 struct find {
     struct sequence sequence;
     struct tia_radio_path path;
@@ -99,7 +99,7 @@ static int compare_sequences(const struct sequence *a, const struct sequence *b)
     return 0;
 }
 
-/* Orders finds: equal sequences are adjacent; of these, first those with the fewest walls, then the nearest. */
+/* Orders finds: equal sequences are adjacent. Of these, those with the fewest walls come first, then the nearest. */
 static int compare_finds(const void *left, const void *right)
 {
     const struct find *a = left, *b = right;
@@ -171,7 +171,7 @@ static void shoot_chunk(void *arg, unsigned index)
     free(room);
 }
 
-/* Shoots all rays in parallel. *all receives each sequence once; false: no memory. */
+/* Shoots all rays in parallel. *all receives each sequence once. Returns false if there is no memory. */
 static bool shoot(const struct search *search, struct tia_vec3 from, struct tia_vec3 to, bool everywhere,
                   struct finds *all)
 {

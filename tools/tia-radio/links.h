@@ -16,7 +16,7 @@ const char *method_name(enum method method);
 struct path_list {
     struct tia_radio_path *paths;
     unsigned count, room;
-    bool exhausted; /* memory for more paths was short */
+    bool exhausted; /* there was no memory for more paths */
 };
 
 struct search {
@@ -26,13 +26,13 @@ struct search {
     uint32_t order, walls, density;
 };
 
-/* Finds the paths, ordered by length, then reflections, then faces. METHOD_IMAGE and METHOD_HYBRID find the same ones.
- * False: no memory. The caller frees the list's paths. */
+/* Finds the paths, ordered by length, then reflections, then faces. METHOD_IMAGE and METHOD_HYBRID find the same paths.
+ * Returns false if there is no memory. The caller frees the list's paths. */
 bool links_find(const struct search *search, struct tia_vec3 from, struct tia_vec3 to, struct path_list *list);
 
 /* ---- many receivers ---- */
 
-/* Sequences of planes that rays from a transmitter meet, each once. */
+/* The distinct sequences of planes that rays from a transmitter meet. */
 struct sequences {
     struct sequence {
         uint32_t order, plane[TIA_RADIO_ORDER_MAX];
@@ -41,11 +41,11 @@ struct sequences {
     bool exhausted;
 };
 
-/* Shoots the rays; false: no memory. `array` must be freed. */
+/* Shoots the rays. Returns false if there is no memory. `array` must be freed. */
 bool sequences_shoot(const struct search *search, struct tia_vec3 from, struct sequences *sequences);
 
-/* Finds the link's paths by the given sequences, or by all if `sequences` is NULL: on one thread, in any order. False:
- * no memory. */
+/* Finds the link's paths along the given sequences, or along all sequences if `sequences` is NULL. Runs on one thread;
+ * the paths are in no particular order. Returns false if there is no memory. */
 bool links_try(const struct search *search, struct tia_radio_room *room, const struct sequences *sequences,
                struct tia_vec3 from, struct tia_vec3 to, struct path_list *list);
 

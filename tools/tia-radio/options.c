@@ -12,9 +12,9 @@
 #include "refuse.h"
 #include "wall_materials.h"
 
-/* ---- values: each function returns NULL, or the mistake as in common/command_line.h ---- */
+/* ---- values: each function returns NULL, or a message as in common/command_line.h ---- */
 
-#define NEAR (2147483647.0 / 65536) /* limit of places */
+#define NEAR (2147483647.0 / 65536) /* limit of coordinates, in metres */
 #define NEAR_AREA 32767.0
 
 static const char *add_place(void *member, char *text)

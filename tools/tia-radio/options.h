@@ -22,7 +22,7 @@ struct namings {
 
 struct places {
     double metres[PLACES_MOST][3];
-    struct tia_vec3 array[PLACES_MOST]; /* in the scene's unit, once that is known */
+    struct tia_vec3 array[PLACES_MOST]; /* the same in the scene's unit; set by site_place */
     unsigned count;
 };
 
@@ -43,7 +43,7 @@ struct options {
     bool lists, json, best_server, horizontal;
     int up; /* number of the vertical axis */
     struct plane map;
-    double area[4];  /* area of the map, metres; then in the scene's unit */
+    double area[4];  /* area of the map: in metres, after site_place in the scene's unit */
     double range[2]; /* range of the map's colours, dB */
     bool has_area, has_size;
     uint16_t width, height;

@@ -109,7 +109,7 @@ int picture_write(const struct options *o, const tia_rgb565 *pixels, unsigned fi
     return image_finish(image) ? refuse(FAILED, "%s", why) : FINE;
 }
 
-/* Draws without vector units: a picture of paths takes a second at most. */
+/* Draws without SIMD kernels: a picture of paths takes a second at most. */
 int picture_draw(const struct options *o, const struct site *site, struct threads *pool, const struct path_list *paths,
                  struct tia_vec3 (*ends)[2])
 {

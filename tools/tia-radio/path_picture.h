@@ -9,8 +9,8 @@
 int picture_draw(const struct options *options, const struct site *site, struct threads *pool,
                  const struct path_list *paths, struct tia_vec3 (*ends)[2]);
 
-/* Writes a whole picture, or a part of one with `crc` in its header: `rows` rows from `first_row` on. Returns as
- * picture_draw. */
+/* Writes `rows` rows of the picture, beginning with `first_row`: the whole picture, or a part of it with `crc` in its
+ * header. Returns as picture_draw. */
 int picture_write(const struct options *options, const tia_rgb565 *pixels, unsigned first_row, unsigned rows,
                   uint32_t crc);
 

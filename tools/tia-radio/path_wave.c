@@ -31,8 +31,8 @@ struct coefficients fresnel(double complex eta, double cosine)
 }
 
 /* Returns the coefficients by P.2040-3, 2.2.2.2: T = (1 - R^2) exp(-j q) / (1 - R^2 exp(-2 j q)), q = 2 pi d / lambda
- * sqrt(eta - sin^2). The path's length includes the way through the wall, so its phase there, 2 pi d / lambda cos, is
- * subtracted. */
+ * sqrt(eta - sin^2). The path's length includes the way through the wall. The phase of that way in air, 2 pi d cos /
+ * lambda, is therefore subtracted. */
 struct coefficients slab(double complex eta, double thickness, double cosine, double frequency)
 {
     double way = 2 * PI * thickness * frequency / LIGHT_SPEED;
@@ -76,7 +76,8 @@ static double complex along(const double complex e[3], const double v[3])
     return e[0] * v[0] + e[1] * v[1] + e[2] * v[2];
 }
 
-/* Gives the vertical direction across d; where d is vertical itself, the x axis across d. */
+/* Computes the unit vector perpendicular to d that is closest to vertical; if d itself is vertical, the one closest to
+ * the x axis. */
 static void vertical_of(int up, const double d[3], double v[3])
 {
     for (int tries = 0; tries < 2; tries++) {
@@ -101,8 +102,9 @@ static void polarisation_of(const struct world *world, int polarisation, const d
 
 /* ---- along a path ---- */
 
-/* Multiplies the component of E across the plane of incidence by c.te, and the component in the plane by c.tm. The
- * latter is along d x across, for d before and after. If d is along the normal, any plane is a plane of incidence. */
+/* Multiplies the component of E perpendicular to the plane of incidence by c.te, and the component in that plane by
+ * c.tm. In the plane, E is along d x te, where d is the direction before or after the surface. If d is along the
+ * normal, any plane through d is a plane of incidence. */
 static void apply(struct coefficients c, const double n[3], const double before[3], const double after[3],
                   double complex e[3])
 {
@@ -130,7 +132,7 @@ static double thickness_of(const struct world *world, const struct medium *mediu
                                  : THICKNESS_DEFAULT;
 }
 
-/* Gives the coefficients of the path's faces and walls. */
+/* Computes the coefficients at the path's faces and through its walls. */
 static void meet(const struct world *world, const struct tia_radio_path *path, struct field *field)
 {
     for (uint32_t i = 0; i < path->order; i++) {
@@ -151,9 +153,9 @@ static void meet(const struct world *world, const struct tia_radio_path *path, s
     }
 }
 
-/* Returns the gain of a polarisation along the path, without the loss of free space. The walls that a segment passes
- * through are applied in the order in which they were found: for parallel walls, or for a wave in a plane across all of
- * them, the order matters only for rounding. */
+/* Returns the gain of a polarisation along the path, excluding free-space loss. The walls that a segment passes through
+ * are applied in the order in which they were found. If the walls are parallel, or if the wave runs in a plane
+ * perpendicular to all of them, the order affects only rounding. */
 static double complex carry(const struct world *world, const struct tia_radio_path *path, const struct field *field,
                             int polarisation)
 {
@@ -190,8 +192,8 @@ static void angles_of(int up, const double d[3], double s, double angles[2])
     angles[1] = atan2(v[up], hypot(v[0], left)) * 180 / PI;
 }
 
-/* Returns the fractional part of the length in waves; the length has `bits` bits behind the point. 10 km at 28 GHz are
- * 10^6 waves, and in a product of doubles their phase would have an error of 10^-9. So the length, the wave number and
+/* Returns the fractional part of a length in wavelengths; `length` has `bits` fractional bits. 10 km at 28 GHz are 10^6
+ * wavelengths, whose phase would have an error of 10^-9 as a product of doubles. So the length, the wave number and
  * their product are sums of two doubles each. */
 static double part_of_wave(int64_t length, int bits, double frequency)
 {

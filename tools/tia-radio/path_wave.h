@@ -18,7 +18,8 @@ struct world {
     int scale_bits;             /* scale_bits of the scene */
 };
 
-/* Coefficients of a surface: for the field perpendicular to the plane of incidence (TE), and in it (TM). */
+/* Coefficients of a surface for the field perpendicular to the plane of incidence (TE), and for the field in that plane
+ * (TM). */
 struct coefficients {
     double complex te, tm;
 };
@@ -27,8 +28,8 @@ struct coefficients {
  * of incidence. */
 struct coefficients fresnel(double complex eta, double cosine);
 
-/* Returns the transmission coefficients of a slab, `thickness` in metres, `frequency` in hertz, relative to air in its
- * place. */
+/* Returns the transmission coefficients of a slab, relative to the same thickness of air; `thickness` in metres,
+ * `frequency` in hertz. */
 struct coefficients slab(double complex eta, double thickness, double cosine, double frequency);
 
 struct field {
@@ -36,8 +37,8 @@ struct field {
     struct coefficients reflection[TIA_RADIO_ORDER_MAX];   /* coefficients at each face */
     struct coefficients transmission[TIA_RADIO_WALLS_MAX]; /* coefficients through each wall */
     double complex gain[POLARISATIONS];                    /* gain between isotropic antennas of each polarisation */
-    /* azimuth and elevation, degrees, of the direction in which the wave leaves the transmitter, and of that from which
-     * it comes to the receiver */
+    /* azimuth and elevation, in degrees, of the direction in which the wave leaves the transmitter, and of the
+     * direction from which it reaches the receiver */
     double departure[2], arrival[2];
 };
 
@@ -52,7 +53,8 @@ void field_of(const struct world *world, const struct tia_radio_path *path, stru
 struct summary {
     double coherent[POLARISATIONS], incoherent[POLARISATIONS]; /* sums of gains in power */
     double delay_spread[POLARISATIONS];                        /* seconds, root mean square */
-    double rician[POLARISATIONS]; /* power of the line of sight over that of the other paths; 0: no line of sight */
+    double rician[POLARISATIONS]; /* power of the line of sight divided by that of the other paths; 0: no line of
+                                     sight */
 };
 
 void summarise(const struct field *fields, const struct tia_radio_path *paths, unsigned count, struct summary *summary);

@@ -33,7 +33,8 @@ static const char *name_of(const struct site *site, uint32_t material)
 
 /* ---- materials ---- */
 
-/* Returns the last naming for the material; a naming with its name takes precedence over one for all materials. */
+/* Returns the last naming for the material. A naming with the material's name takes precedence over one for all
+ * materials. */
 static const struct naming *naming_of(const struct options *o, const char *name)
 {
     const struct naming *found = NULL;
@@ -81,7 +82,7 @@ static bool is_named(const struct site *site, const char *name)
     return false;
 }
 
-/* Sets the media of the materials that faces have. */
+/* Sets the media of those materials that faces have. */
 static int set_media(struct site *site, const struct options *o)
 {
     struct tia_radio_counts counts = tia_radio_count(site->radio);
@@ -127,8 +128,7 @@ static int find_faces(struct site *site, const struct options *o)
     return FINE;
 }
 
-/* Returns the largest distance from 0 of a transmitter, a receiver or a map along an axis, in units of 2^-16 m, rounded
- * up. */
+/* Returns the largest absolute coordinate of a transmitter, a receiver or the map, in units of 2^-16 m, rounded up. */
 static tia_q16 reach_of(const struct options *o)
 {
     double most = fabs(o->map.at);

@@ -1,4 +1,4 @@
-/* site.h - a scene for waves: its faces and the properties of its materials. */
+/* site.h - a scene for radio waves: its faces and the electrical properties of its materials. */
 #ifndef TOOLS_RADIO_SITE_H
 #define TOOLS_RADIO_SITE_H
 
@@ -8,7 +8,7 @@
 
 struct site {
     struct scene_file file;
-    char (*names)[TIA_NAME_MAX + 1]; /* names of the materials, "" where there is none */
+    char (*names)[TIA_NAME_MAX + 1]; /* names of the materials; "" for a material without a name */
     uint32_t name_count;
     struct medium *media;
     void *memory;
@@ -16,7 +16,7 @@ struct site {
     struct world world;
 };
 
-/* Opens a site. FINE, or the exit status after printing the reason. */
+/* Opens a site. Returns FINE, or the exit status after printing the reason. */
 int site_open(struct site *site, const struct options *options);
 
 /* Converts the options' positions from metres to the scene's unit. */

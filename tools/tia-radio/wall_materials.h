@@ -25,11 +25,11 @@ struct itu_row {
 };
 extern const struct itu_row itu_rows[];
 
-/* True if a material has that name. Blanks, '-' and '_' are the same, and a leading "itu" is ignored. */
+/* True if the table has a material of that name. Blanks, '-' and '_' are equivalent, and a leading "itu" is ignored. */
 bool itu_has(const char *name);
 
-/* Gives the named material's values; false: the frequency, in hertz, is out of its range, which is *low to *high in
- * GHz. */
+/* Computes the named material's values. Returns false if the frequency, in hertz, is outside the material's range,
+ * which is *low to *high in GHz. */
 bool itu_medium(const char *name, double frequency, struct medium *medium, double *low, double *high);
 
 #endif

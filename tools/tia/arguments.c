@@ -13,7 +13,7 @@
 #include "lightfield_setup.h"
 #include "options_check.h"
 
-/* Chooses the widest instruction set that exists and that the environment does not mask. */
+/* Chooses the widest instruction set that the processor has and TIA_SIMD allows. */
 static int choose_simd(struct options *options)
 {
     const char *most = getenv("TIA_SIMD");
@@ -37,7 +37,7 @@ int arguments_parse(struct options *options, int argc, char **argv)
     int status = command_parse(&tia_command, options, &argc, &argv);
     if (status != COMMAND_RUN)
         return status;
-    options->scene_path = argv[0]; /* NULL after the last argument */
+    options->scene_path = argv[0]; /* NULL if no scene is given */
     options->scene_paths = argv;
     options->scene_count = (uint32_t)argc;
     options->format_of_scenes = options->scene_format;

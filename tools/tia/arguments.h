@@ -1,4 +1,4 @@
-/* arguments.h - from the command line to options. */
+/* arguments.h - parses the command line, and loads the scene. */
 #ifndef TOOLS_TIA_ARGUMENTS_H
 #define TOOLS_TIA_ARGUMENTS_H
 
@@ -8,8 +8,8 @@
  * after an error message. */
 int arguments_parse(struct options *options, int argc, char **argv);
 
-/* Reads the scene and its keys, after arguments_parse, if there is something to draw. Returns EXIT_FINE, or EXIT_USAGE
- * or EXIT_RUNNING after an error message. */
+/* Reads the scene and its keys; called after arguments_parse if something is to be drawn. Returns EXIT_FINE, or
+ * EXIT_USAGE or EXIT_RUNNING after an error message. */
 int arguments_load(struct options *options);
 
 /* Chooses the core and the scene for options->views, once the scene is loaded. */

@@ -106,8 +106,8 @@ static void develop_row(void *arg, unsigned row)
     estimation_develop(b->e, b->y, row, from.sums);
 }
 
-/* Gathers all rows before any is written: the denoiser needs them, and the file of --resume grows from the top, in
- * whichever order the picture is written. */
+/* Gathers all rows before the first is written: the denoiser needs all, and the file of --resume grows from the top
+ * even if the picture is written bottom-up. */
 static int gather_all(struct bands *b)
 {
     bool denoise = b->e->options->denoise;
@@ -165,7 +165,7 @@ int bands_draw(struct estimation *e)
     struct bands b = {.e = e};
     int status = get_memory(&b);
 
-    if (!status && rounds_possible(e)) /* only memory for rounds is missing */
+    if (!status && rounds_possible(e)) /* rounds_draw lacked memory */
         note("no memory for %zu bytes: drawn row by row, a signal keeps nothing (see --resume)", rounds_size(e));
     if (!status && e->options->resume)
         status = resume_open(&b.resume, e->options->resume, &e->sums, e->why);

@@ -1,8 +1,8 @@
 #include "crc_join.h"
 
 /* A CRC is a polynomial over GF(2) modulo P, with the highest power in bit 0. Appending n bytes multiplies the
- * polynomial of the data by x^(8n), so the CRC of the whole is first x^(8n) + second mod P. (The initial values
- * and final inversions cancel.) */
+ * polynomial of the data by x^(8n), so the CRC of the whole is (first * x^(8n) + second) mod P. (The initial values and
+ * final inversions cancel.) */
 #define POLYNOMIAL 0xedb88320u
 #define ONE 0x80000000u
 

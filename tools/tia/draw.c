@@ -96,7 +96,7 @@ static int print_stats(const struct drawing *drawing)
     stats.width = drawing->picture.rotation.width;
     stats.height = drawing->picture.rotation.height;
     stats.scale_bits = drawing->options->scene.scale_bits;
-    stats.simd = view ? tia_view_simd(view) : "plain"; /* all rows were in the file already */
+    stats.simd = view ? tia_view_simd(view) : "plain"; /* no view: all rows were in the file of --resume */
     stats.threads = threads_count(drawing->picture.pool);
     return stats_print(&stats) == 0 ? EXIT_FINE : EXIT_RUNNING;
 }

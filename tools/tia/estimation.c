@@ -5,8 +5,9 @@
 #include "common/image/image.h"
 #include "common/sink.h"
 
-/* Most pixels of a band, and least number of bands: a pixel of a band takes two sums and 4 bytes, so that a quarter of
- * the picture takes less than 16 bytes for each pixel of the picture. */
+/* Most pixels of a band, and least number of bands. A pixel of a band takes two sums and 4 bytes, that is, 52 bytes,
+ * apart from the denoiser's guides. So a band, a quarter of the picture, takes less than 16 bytes for each pixel of the
+ * picture. */
 enum { BAND_PIXELS = 1 << 16, BANDS_MIN = 4 };
 
 unsigned estimation_band_rows(const struct estimation *e)

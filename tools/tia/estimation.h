@@ -18,8 +18,8 @@ struct estimation {
     struct image_film film;
     struct film_scene film_scene;
     const struct tia_estimator *estimator;
-    struct sums sums;    /* description of the file; `count` is the number requested until all samples are drawn */
-    struct image *image; /* a picture as output; NULL: the output is `sink` */
+    struct sums sums;    /* description of the samples; until all are drawn, `count` is the requested number */
+    struct image *image; /* the output if it is a picture; NULL: it is `sink` */
     struct sink *sink;
     struct threads *pool;
     unsigned char *bytes; /* rows of a band in the file's format */
@@ -45,19 +45,20 @@ void estimation_develop(struct estimation *e, unsigned y, unsigned row, const st
 /* Writes the first `rows` rows of e->bytes. */
 int estimation_write(struct estimation *e, unsigned rows);
 
-/* Draws all samples of one band after the other, for pictures of any size; --resume can store the finished rows.
- * Including the output rows, a band takes at most 16 bytes for each pixel of a picture of 8 rows or more. */
+/* Draws one band after the other, each with all its samples. The picture may have any size, and --resume can store the
+ * finished rows. Including the output rows, but without the denoiser's guides, a band takes at most 16 bytes for each
+ * pixel of a picture of 8 rows or more. */
 int bands_draw(struct estimation *e);
 
-/* True if rounds_draw can draw the picture, if there is memory: without --resume, up to 2^24 pixels. */
+/* True if rounds_draw can draw the picture, given enough memory: without --resume, and up to 2^24 pixels. */
 bool rounds_possible(const struct estimation *e);
-/* Draws the whole picture in rounds of one or more samples of each pixel. It can end after any round; e->sums.count
- * then is the number of samples drawn. TIA_STOPPED: no round was completed. */
+/* Draws the whole picture in rounds of one or more samples of each pixel. The drawing can end after any round;
+ * e->sums.count then is the number of samples drawn. TIA_STOPPED: no round was completed. */
 int rounds_draw(struct estimation *e);
 
 /* Status of rounds_draw when memory is short; the output is not open then. */
 enum { ROUNDS_NO_MEMORY = 1 };
-/* Returns the number of bytes that rounds_draw needs for the samples of all pixels, twice. */
+/* Returns the bytes that rounds_draw needs for two copies of the samples of all pixels. */
 size_t rounds_size(const struct estimation *e);
 
 /* A denoiser of the whole picture; all zero: none. */

@@ -20,18 +20,18 @@ int fail_output(void);
 /* Sends later messages to text[size], where each replaces the one before; text NULL: to standard error, the default. */
 void fail_into(char *text, size_t size);
 
-/* Returns a tia_status in words, for failures without a reason of their own. */
+/* Returns a message for a tia_status, for failures that have no other reason. */
 const char *fail_reason(int status);
 
-/* A view that failed: a scene, and the lights and the size with which it was to be drawn. */
+/* A view that could not be created: its scene, its lights and its size. */
 struct fail_view {
     const struct tia_scene *scene;
     const struct tia_light *lights;
     uint32_t light_count;
     unsigned width, height;
 };
-/* Writes the reason of a failure to why[size]: after TIA_ERR_RANGE, the object or light too far away for the scene's
- * technique for shadows. */
+/* Writes the reason for a failure to why[size]: after TIA_ERR_RANGE, the object or light that is too far away for the
+ * scene's shadow technique. */
 void fail_view_reason(char *why, size_t size, int status, const struct fail_view *view);
 
 /* Prints a message as `fail` does, for a message that is not an error. */

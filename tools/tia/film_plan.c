@@ -21,7 +21,8 @@ struct rotation film_rotation(const struct options *options)
                              options->height ? options->height : DEFAULT_HEIGHT};
 }
 
-/* Returns the number of frames that begin before the last keyframe; 1 if nothing moves. */
+/* Returns the number of views, of modules, or of frames, as the options say; without them, the number of frames that
+ * begin before the last keyframe, or 1. */
 static uint32_t count_frames(const struct options *options)
 {
     int64_t left = (int64_t)tia_scene_duration(&options->scene) - options->time;
@@ -46,7 +47,7 @@ static int identify_field(char *text, size_t size, const struct light_options *l
                     (int)light->spacing);
 }
 
-/* Returns a CRC of all data, besides the size, on which the pixels depend: the same in all parts of a film. */
+/* Returns a CRC of all data on which the pixels depend, except the size. The CRC is the same in all parts of a film. */
 static uint32_t identify(const struct options *options)
 {
     const struct tia_integration *how = &options->scene.integration;

@@ -5,7 +5,8 @@
 #include "options.h"
 #include "rotate.h"
 
-/* Returns the time of frame `frame`; frame 0 is at --time. Rounded to the nearest 2^-16 s; errors do not add up. */
+/* Returns the time of frame `frame`; frame 0 is at --time. The time is rounded to the nearest 2^-16 s; the errors do
+ * not accumulate. */
 tia_q16 film_time(const struct options *options, uint32_t frame);
 
 /* Returns the size of the picture, and its rotation in the file. */

@@ -8,7 +8,7 @@
 #include "film_plan.h"
 #include "ports.h"
 
-/* Allocates at least `size` bytes in *memory; its contents may be lost. */
+/* Makes *memory at least `size` bytes large; its contents may be lost. */
 static bool get_memory(void **memory, size_t *bytes, size_t size)
 {
     if (!*memory || *bytes < size) {
@@ -31,7 +31,7 @@ static int check(struct film_scene *film, tia_q16 time)
     return status;
 }
 
-/* Sets film->scene to the scene at the time of a frame; without a hierarchy. */
+/* Sets film->scene to the scene at the time of a frame. Does not update the hierarchy. */
 static int set_time(struct film_scene *film, uint32_t frame)
 {
     const struct tia_scene *scene = &film->options->scene;
@@ -102,8 +102,8 @@ int film_scene_begin(struct film_scene *film, const struct options *options, cha
     return status;
 }
 
-/* Sets the camera of `scene` to that of view `picture`, or its light field to *field, with the projector of module
- * `picture`. */
+/* With --views, sets the camera of `scene` to that of view number `picture`. With --modules, sets the light field of
+ * `scene` to *field, with the projector of module number `picture`. */
 static void set_picture(struct tia_scene *scene, struct tia_light_field *field, const struct options *options,
                         uint32_t picture)
 {

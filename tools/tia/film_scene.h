@@ -9,11 +9,11 @@ struct film_scene {
     const struct options *options;
     const struct tia_scene *scene; /* the scene at the time of the frame */
     struct tia_view *view;
-    char *why;          /* receives the reason of a failure, [PORT_WHY] */
-    struct tia_job job; /* job of the film's calls; views share its `stop` */
+    char *why;          /* receives the reason for a failure, [PORT_WHY] */
+    struct tia_job job; /* job of long calls; its `stop` also stops drawing */
 
     /* Private. */
-    struct tia_scene moved, pictured; /* the scene at the time of the frame; that scene for a view or module */
+    struct tia_scene moved, pictured; /* the scene at the time of the frame; the same for one view or module */
     struct tia_light_field field;     /* light field for a module */
     void *arrays, *bvh_memory, *view_memory, *simd_memory;
     size_t arrays_bytes, bvh_bytes, view_bytes, simd_bytes;

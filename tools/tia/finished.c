@@ -13,7 +13,7 @@ struct finished_rows {
     uint32_t frame;
     unsigned first, count;
     uint64_t at;  /* offset of the pixels in the file */
-    bool checked; /* their checksum is correct */
+    bool checked; /* their checksum was verified */
 };
 
 static size_t row_bytes(const struct finished *f)
@@ -57,7 +57,7 @@ static const char *differs(const struct image_film *a, const struct image_film *
     return NULL;
 }
 
-/* True if the text is the beginning of a part's line, as a killed run may leave it. */
+/* True if the text is the beginning of a part's first line, as a killed run may leave it. */
 static bool is_torn(const char *text, size_t length)
 {
     static const char magic[] = "TIAPART2 ";
@@ -66,7 +66,7 @@ static bool is_torn(const char *text, size_t length)
     return length < IMAGE_PART_HEADER && !memchr(text, '\n', length) && !memcmp(text, magic, most);
 }
 
-/* Adds the part at an offset. *next receives the end of the part, or the offset itself if the part is incomplete. */
+/* Adds the part at offset `at` of the file. *next receives the end of the part, or `at` if the part is incomplete. */
 static int read_part(struct finished *f, uint64_t at, uint64_t size, uint64_t *next)
 {
     char text[IMAGE_PART_HEADER];
@@ -131,11 +131,11 @@ void finished_close(struct finished *f)
 
 /* ---- rows ---- */
 
-/* Returns the frame of a part that contains the row; NULL: none. */
+/* Returns the rows of a part that include row `y` of the frame; NULL: none. */
 static struct finished_rows *find(const struct finished *f, uint32_t frame, unsigned y)
 {
     const struct finished_rows wanted = {.frame = frame, .first = y};
-    size_t low = 0, high = f->count; /* elements before `low` begin at row y of the frame, or before it */
+    size_t low = 0, high = f->count; /* elements before `low` begin at row y of the frame or earlier */
 
     while (low < high) {
         size_t middle = low + (high - low) / 2;
@@ -175,7 +175,7 @@ static int read_pixels(const struct finished *f, const struct finished_rows *row
     return TIA_OK;
 }
 
-/* Checks the checksum of a frame's rows and marks them as checked; `line` has room for a row. */
+/* Verifies the checksum of a frame's rows and marks them as checked; `line` has room for one row. */
 static int check_sum(const struct finished *f, struct finished_rows *rows, tia_rgb565 *line)
 {
     const struct image_film part = {.first_row = rows->first, .rows = rows->count, .crc = f->film.crc};

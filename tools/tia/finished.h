@@ -1,6 +1,6 @@
 /* finished.h - finished rows in RGB565 in a file that grows while a picture or film is drawn, so that an interrupted
- * run loses little. The file is a sequence of parts, each with its own line and checksum, see common/image/part.h: when
- * it is complete, tia-join reads it like any other part. */
+ * run loses little. The file is a sequence of parts, each with its own first line and checksum, see
+ * common/image/part.h. When the file is complete, tia-join reads it like any other part. */
 #ifndef TOOLS_TIA_FINISHED_H
 #define TOOLS_TIA_FINISHED_H
 

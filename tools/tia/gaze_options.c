@@ -6,7 +6,7 @@
 /* The viewing angle of a monitor of 24 inches, 53 cm wide, from 57 cm away. */
 #define VIEW_ANGLE TIA_Q16(50)
 
-/* Returns the first option that needs a gaze; NULL: none is given. */
+/* Returns the first given option that needs a gaze; NULL: none is given. */
 static const char *option_of(const struct options *options)
 {
     return options->gaze.view_angle ? "view-angle"
@@ -16,7 +16,7 @@ static const char *option_of(const struct options *options)
                                     : NULL;
 }
 
-/* Checks the options for a file, which with a gaze is one RGB565 picture, drawn at once as on a display. */
+/* Checks the options for a file. With a gaze, it is a single RGB565 picture, drawn at once as on a display. */
 static int check_file(const struct options *options)
 {
     bool film = image_format_films(options->format) || options->format == IMAGE_PFM ||

@@ -50,7 +50,7 @@ static int check_parts(const struct options *options)
     return EXIT_FINE;
 }
 
-/* Returns the first option given that needs the samples of the whole picture. */
+/* Returns the first given option that needs the samples of the whole picture; NULL: none is given. */
 static const char *rounds_option(const struct options *options)
 {
     return options->denoise      ? "denoise"
@@ -93,8 +93,8 @@ static int check_rounds(struct options *options)
     return options->time_limit || options->error ? check_limits(options) : EXIT_FINE;
 }
 
-/* Chooses the bits of a channel. By default pictures of samples have 8 where the format can, and 5 or 6 if an option
- * needs RGB565. */
+/* Chooses the bits of a channel. By default, pictures of samples have 8 bits where the format has them, but RGB565 if
+ * an option needs that. */
 static int choose_depth(struct options *options)
 {
     bool sampled = is_sampled(options);
@@ -106,7 +106,7 @@ static int choose_depth(struct options *options)
     if (options->depth_bits && !sampled && (options->resume || options->views.view || options->views.draws_rays))
         return fail(EXIT_USAGE, "--colour: --resume, --view and --draw-rays take 565 of whitted");
     if (options->depth_bits && !sampled)
-        options->simd = NULL; /* vector units have only RGB565 */
+        options->simd = NULL; /* vector units draw only RGB565 */
     if (options->colour_given && options->depth_bits && plain)
         return fail(EXIT_USAGE, "--colour: films, --checksum, --dither, --rotate, --views and --modules take 565");
     if (options->format == IMAGE_PFM) {

@@ -20,7 +20,7 @@ struct letterbox {
     unsigned degrees;       /* rotation of the picture, clockwise */
     bool checksum;
     bool keeps; /* the picture is needed after it is shown */
-    char *why;  /* receives the reason of a failure, [PORT_WHY], see port/ports.h */
+    char *why;  /* receives the reason for a failure, [PORT_WHY], see port/device.h */
 
     char label[1200]; /* see label.h; empty: no label. May change from frame to frame */
 

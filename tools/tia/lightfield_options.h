@@ -11,9 +11,9 @@ struct light_options {
 
     struct tia_light_field field;
     bool has_field;
-    uint32_t pictures;      /* number of pictures, one of each view or module; 0: a single one */
+    uint32_t pictures;      /* number of pictures, one per view or module; 0: a single picture */
     tia_q16 spacing;        /* spacing of modules */
-    uint16_t width, height; /* size of the panel of a calibration */
+    uint16_t width, height; /* panel size of the calibration */
 };
 
 #endif

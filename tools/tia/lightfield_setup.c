@@ -36,7 +36,7 @@ static int read_lens(struct light_options *light)
     return take_lens(light, &panel, calibration_read(&panel, light->calibration));
 }
 
-/* Returns the first option given for a light field; NULL: none. */
+/* Returns the first given option for a light field; NULL: none is given. */
 static const char *option_of(const struct light_options *light)
 {
     return light->modules       ? "modules"

@@ -1,5 +1,5 @@
-/* lightfield_setup.h - pictures for light-field displays, from the command line: the views, modules or panel for which
- * a scene with an observer line is drawn, see tia/lightfield_setup.h. */
+/* lightfield_setup.h - the options for light-field displays: the views, modules or panel for which a scene with an
+ * observer line is drawn, see tia/lightfield.h. */
 #ifndef TOOLS_TIA_LIGHTFIELD_SETUP_H
 #define TOOLS_TIA_LIGHTFIELD_SETUP_H
 
@@ -9,10 +9,10 @@
 /* Checks the options without the scene. Returns EXIT_FINE, or the exit status after an error message. */
 int light_check(struct options *options);
 
-/* Applies the options to the scene, whose light field they set. Returns as light_check. */
+/* Applies the options to the scene: sets its light field. Returns as light_check does. */
 int light_load(struct options *options);
 
-/* Points the scene to the light field in `options`; to be called after `options` was copied. */
+/* Makes the scene point to the light field in `options`; call it after copying `options`. */
 void light_attach(struct options *options);
 
 #endif

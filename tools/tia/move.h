@@ -15,16 +15,16 @@ struct moves {
     /* Set by the caller; all else zero. */
     const struct options *options;
     const struct letterbox *letterbox;     /* a letterbox with `keeps` set */
-    const struct tia_viewer_state *viewer; /* changes by keys */
+    const struct tia_viewer_state *viewer; /* the changes that keys have made */
 
     /* For the caller to read. */
-    enum move_to to;        /* the user's choice after the loop */
+    enum move_to to;        /* the user's choice, to be read after the loop */
     bool help;              /* help is shown */
     char message[PORT_WHY]; /* message of the last key, if any */
     uint64_t until_us;      /* time when the message ends */
 
     /* Private. */
-    bool saves;     /* a key has requested to save the picture when it is complete */
+    bool saves;     /* a key has requested that the picture be saved when it is complete */
     unsigned saved; /* last number used by save_numbered */
     struct steer steer;
 };
@@ -34,11 +34,11 @@ enum tia_effect moves_weigh(const struct moves *moves, const struct tia_event *e
 /* Applies an event; may move the camera. Returns its effect. */
 enum tia_effect moves_act(struct moves *moves, const struct tia_event *event, struct tia_camera *camera);
 
-/* Saves the picture if that is due; call it after each frame. Coarse frames are not complete. */
+/* Saves the picture if a key has requested that and the frame is complete, not coarse; call it after each frame. */
 void moves_shown(struct moves *moves, const struct tia_frame *frame);
 
-/* Saves, after the loop, a picture that was to be saved when complete, as far as it is drawn. False: there was none;
- * else `text` receives the result. */
+/* Saves a picture that was to be saved when complete, as far as it is drawn; call it after the loop. False: none was to
+ * be saved; else `text` receives the result. */
 bool moves_finish(struct moves *moves, char text[PORT_WHY]);
 
 /* Shows a line for a few seconds. */

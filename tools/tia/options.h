@@ -30,9 +30,9 @@ struct options {
     uint32_t scene_count, scene_index;
     int format_of_scenes;         /* format given for all scenes, or SCENE_UNKNOWN */
     struct scene_file file;       /* the scene's file, if there is a path */
-    struct tia_scene scene;       /* the scene to draw, with --samples and --depth applied */
-    struct tia_scene plain_scene; /* the scene as it is without false colours */
-    uint32_t samples;             /* rays for each pixel; 0: the scene's */
+    struct tia_scene scene;       /* the scene to draw, with the options applied */
+    struct tia_scene plain_scene; /* the same without false colours */
+    uint32_t samples;             /* rays per pixel; 0: the scene's */
     uint32_t depth;               /* depth of rays; 0: the scene's */
     uint32_t shadows;             /* 0: the scene's; n: technique n - 1 */
     struct tia_shadow_map map;    /* members that are not 0 override the scene's */
@@ -46,13 +46,13 @@ struct options {
     tia_q16 time_limit, error; /* 0: not given */
     const char *exposure;      /* NULL: not given */
     uint32_t colour;           /* 0: RGB565; n: 8 n bits a channel */
-    unsigned depth_bits;       /* bits of a picture's channel, see struct image_film */
+    unsigned depth_bits;       /* bits per channel of a picture, see struct image_film */
     bool colour_given;
     const char *tessellated;                  /* NULL: not given */
     const struct tia_core *core, *plain_core; /* the core that draws; the core that draws without false colours */
     struct views views;                       /* false colours and drawn rays */
     struct light_options light;
-    struct tia_gaze gaze; /* angle 0: the default */
+    struct tia_gaze gaze; /* view_angle 0: the default */
     bool gazes;
     bool w0_given, m_given;
     const struct tia_simd *simd; /* vector units; NULL: plain C */

@@ -66,7 +66,7 @@ static int check_output(struct options *options)
     return EXIT_FINE;
 }
 
-/* Checks --fps, which is the pace of motion on a display without --frames. */
+/* Checks --fps, which is the target frame rate on a display if --frames is not given. */
 static int check_pace(const struct options *options)
 {
     bool paces = options->rate_given && !options->output && options->frames == 0;
@@ -77,7 +77,8 @@ static int check_pace(const struct options *options)
     return EXIT_FINE;
 }
 
-/* Checks --part...: parts of films and pictures can only be files. */
+/* Checks the options for parts of films and pictures, which can only be files, and others that need a file or a
+ * display. */
 static int check_parts(const struct options *options)
 {
     const char *output = options->output;
@@ -103,7 +104,7 @@ static bool is_help(const char *value)
     return value && strcmp(value, "help") == 0;
 }
 
-/* Checks options for DRM: only DRM has connectors and modes. */
+/* Checks --connector and --mode: only DRM has connectors and modes. */
 static int check_drm(struct options *options)
 {
     if (!options->connector && !options->mode)

@@ -1,4 +1,4 @@
-/* options_check.h - checks that valid options are consistent. */
+/* options_check.h - checks that options, each valid by itself, go together. */
 #ifndef TOOLS_TIA_OPTIONS_CHECK_H
 #define TOOLS_TIA_OPTIONS_CHECK_H
 

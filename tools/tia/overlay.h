@@ -10,13 +10,13 @@
 
 struct overlay {
     const struct options *options;
-    bool labelled;       /* a key has changed the technique for shadows */
+    bool labelled;       /* a key has changed the shadow technique */
     uint64_t shown_us;   /* time when a frame was last completed */
     uint64_t between_us; /* time between the last two completed frames; 0: unknown */
-    uint64_t key_us;     /* latency of the last frame after a key */
+    uint64_t key_us;     /* latency of the last frame that shows the effect of a key; 0: unknown */
     unsigned width, height, threads;
     const struct moves *moves;             /* NULL, or the source of the keys' messages */
-    const struct tia_viewer_state *viewer; /* changes by keys */
+    const struct tia_viewer_state *viewer; /* the changes that keys have made */
     bool hints;                            /* show the keys that add a light if the scene has none */
 };
 

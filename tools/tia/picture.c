@@ -6,11 +6,11 @@
 #include "crc_join.h"
 #include "film_plan.h"
 
-/* Sizes. A band has so many pixels that threads seldom wait for the last job, and so few that its hits, some tens of
- * bytes a pixel, take little memory. A job is whole rows, since the core works by rows. */
+/* Sizes. A band is so large that threads seldom wait for the last job, and so small that its hits, some tens of bytes
+ * per pixel, take little memory. A job consists of whole rows, since the core draws row by row. */
 enum { BAND_PIXELS = 1 << 19, JOB_PIXELS = 1 << 13 };
 
-/* Sizes with --resume, where a signal loses at most a band: a small part of the picture, or one that is drawn soon. */
+/* Sizes with --resume. A signal loses at most one band, so a band is a small part of the picture, or quickly drawn. */
 enum { KEPT_PIXELS = 1 << 14, KEPT_BANDS = 64, KEPT_JOBS = 16 };
 
 static struct tia_tile tile_of(const struct picture *picture, const struct picture_band *band)
@@ -22,7 +22,7 @@ static struct tia_tile tile_of(const struct picture *picture, const struct pictu
 
 /* ---- jobs ---- */
 
-/* Converts colours to the file's format, in the same memory: neighbouring values of 8 bits are 257 of 65535 apart. */
+/* Converts colours of 16 bits to the file's format, in place. Values of 8 bits are 65535/255 = 257 apart. */
 static const unsigned char *colour_bytes(uint16_t *colours, size_t count, unsigned depth)
 {
     unsigned char *bytes = (unsigned char *)colours;

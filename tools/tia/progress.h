@@ -12,7 +12,7 @@
 #define PROGRESS_TEXT 80
 
 struct progress {
-    bool terminal, asked; /* asked: show progress also without a terminal, in lines */
+    bool terminal, asked; /* asked: show the time left, and lines without a terminal */
     uint64_t begun_us;
     uint64_t frame_pixels;
     uint32_t frames;

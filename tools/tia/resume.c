@@ -8,7 +8,7 @@ static uint64_t place_of(const struct resume *r, unsigned y)
     return r->header + (uint64_t)y * sums_row_bytes(&r->sums);
 }
 
-/* Reads the header of an old file, or begins a new one. An incomplete last row is ignored, to be drawn again. */
+/* Reads the header of an old file, or begins a new one. An incomplete last row is ignored, and drawn again. */
 static int read_header(struct resume *r, uint64_t size)
 {
     char text[SUMS_HEADER], wanted[SUMS_HEADER];

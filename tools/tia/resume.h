@@ -1,5 +1,5 @@
 /* resume.h - a file of finished rows of samples that grows while a picture is drawn, so that an interrupted run loses
- * little: see common/image/sums.h. finished.h has the same for RGB565. */
+ * little: see common/image/sums.h. finished.h does the same for pictures in RGB565. */
 #ifndef TOOLS_TIA_RESUME_H
 #define TOOLS_TIA_RESUME_H
 

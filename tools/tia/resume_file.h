@@ -8,7 +8,7 @@
 
 struct kept {
     const char *path; /* path of the file; NULL: no file */
-    char *why;        /* receives the reason of any failure, [PORT_WHY] */
+    char *why;        /* receives the reason for any failure, [PORT_WHY] */
     int fd;
 };
 

@@ -1,4 +1,4 @@
-/* rotate.h - moves the pixels of a picture that is rotated clockwise. */
+/* rotate.h - positions of pixels in a picture that is rotated clockwise. */
 #ifndef TOOLS_TIA_ROTATE_H
 #define TOOLS_TIA_ROTATE_H
 
@@ -21,8 +21,8 @@ struct rotation rotation_inverse(const struct rotation *rotation);
 /* Returns the rectangle of the rotated picture that shows `tile` of the original. */
 struct tia_tile rotation_tile(const struct rotation *rotation, struct tia_tile tile);
 
-/* Returns a surface on which the original picture can be drawn, so that it appears rotated in `surface`: the plain
- * memory of a rotated tile of width x height pixels. */
+/* Returns a surface for drawing a tile of the original picture, so that it appears rotated in `surface`, the memory of
+ * the rotated tile of width x height pixels. */
 struct tia_surface rotation_surface(const struct rotation *rotation, const struct tia_surface *surface, unsigned width,
                                     unsigned height);
 

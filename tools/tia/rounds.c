@@ -1,4 +1,5 @@
-/* rounds.c - draws a picture of samples, one sample of each pixel at a time, so that it can end after any of them. */
+/* rounds.c - draws a picture in rounds, one or a few samples of each pixel at a time, so that it can end after any
+ * round. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,10 +12,10 @@
 #include "fail.h"
 #include "pixels/pages.h"
 
-/* Sizes and times. The samples of a picture up to PIXELS_MAX are in memory twice: of the complete rounds, and including
- * the next round. A round of a small picture is several samples, so that threads have enough work. Fewer than
- * SPREAD_MIN samples give no estimate of their spread. After a signal the picture must be complete within 0.2 s:
- * SMALL_PIXELS are denoised in 0.13 s. */
+/* Sizes and times. The samples of a picture of up to PIXELS_MAX pixels are in memory twice: those of the complete
+ * rounds, and those including the round being drawn. A round of a small picture has several samples per pixel, so that
+ * threads have enough work. Fewer than SPREAD_MIN samples give no estimate of their spread. After a signal the picture
+ * must be complete within 0.2 s: denoising SMALL_PIXELS pixels takes 0.13 s. */
 enum { PIXELS_MAX = 1 << 24, ROUND_PIXELS = 1 << 12, SPREAD_MIN = 8, TOLD_US = 500000, SMALL_PIXELS = 98304 };
 
 struct gathered {
@@ -50,7 +51,7 @@ static bool watched(const struct estimation *e)
     return e->progress.terminal || e->progress.asked;
 }
 
-/* True if squares are needed: for the denoiser, or for the error as a limit or in the display. */
+/* True if sums of squares are needed: for the denoiser, or to estimate the error as a limit or for a message. */
 static bool has_squares(const struct estimation *e)
 {
     return e->sums.guided || e->options->error || e->options->time_limit || watched(e);
@@ -61,7 +62,7 @@ static size_t pixels_of(const struct estimation *e)
     return (size_t)e->film.width * e->film.height;
 }
 
-/* Returns the size of one of the two arrays of samples. */
+/* Returns the size of one of the two copies of the samples. */
 static size_t gathered_size(const struct estimation *e)
 {
     size_t guide = e->sums.guided ? sizeof(struct tia_guide) : 0, square = has_squares(e) ? sizeof(uint64_t) : 0;
@@ -87,7 +88,7 @@ static bool get_memory(struct gathered *g, const struct rounds *r)
     return g->memory;
 }
 
-/* True if a signal has come and optional steps must be left out, so that the picture ends in time. */
+/* True if a signal has come and optional steps must be left out, so that the picture is complete in time. */
 static bool hurries(const struct rounds *r)
 {
     return r->pixels > SMALL_PIXELS && signals_asked(NULL);
@@ -108,8 +109,8 @@ static void estimate_row(void *arg, unsigned y)
     }
 }
 
-/* Returns the mean of the pixels' standard errors over the mean of their luminance; -1: there is no time to compute
- * it. */
+/* Returns the mean of the pixels' standard errors divided by the mean of their luminance; -1: there is no time to
+ * compute it. */
 static double estimated_error(struct rounds *r)
 {
     struct row_error all = {0, 0};
@@ -210,7 +211,7 @@ static void tell(struct rounds *r, uint64_t now)
     progress_say(&r->e->progress, text);
 }
 
-/* Estimates the error only if it is a limit or is displayed, since estimating takes a while. */
+/* Shows the state of the drawing. Estimates the error only if it is a limit or is shown, since that takes a while. */
 static void look(struct rounds *r)
 {
     bool tells = watched(r->e);
@@ -234,7 +235,7 @@ static bool is_good(const struct rounds *r)
     return options->error && r->error >= 0 && r->error * 65536 <= options->error;
 }
 
-/* Draws rounds; TIA_STOPPED: not a single round is complete. */
+/* Draws rounds; TIA_STOPPED: no round is complete. */
 static int draw(struct rounds *r)
 {
     uint32_t count = r->e->sums.count;

@@ -13,9 +13,9 @@
 
 enum { LOOK_US = 5000 };
 
-/* True if the drawing must stop. All threads poll after every few rays; every LOOK_US one of them checks for signals.
- * The time of the last check has 32 bits, since some processors lack 64-bit atomics; when it overflows, the next check
- * is still at most LOOK_US away. */
+/* True if the drawing must stop. All threads call this after every few rays; once in LOOK_US microseconds, one of them
+ * checks for the time limit and signals. The time of the last check has 32 bits, since some processors lack 64-bit
+ * atomics; after an overflow the next check is still at most LOOK_US away. */
 static bool stops(void *ctx)
 {
     struct estimation *e = ctx;

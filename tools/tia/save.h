@@ -10,9 +10,9 @@
  * [PORT_WHY]. */
 int save_picture(const struct letterbox *letterbox, const char *path, enum image_format format, char *why);
 
-/* Writes the picture to the first of tia-0001.png, tia-0002.png, ... after *number that does not exist; .ppm without
- * libpng. `text` receives "saved NAME" or, with a negative status, the reason; *number receives the number in the name,
- * and is 0 at first. */
+/* Writes the picture to a new file, tia-NNNN.png (.ppm without libpng), where NNNN is the first unused number above
+ * *number. `text` receives "saved NAME" or, with a negative status, the reason; *number, at first 0, receives the
+ * number in the name. */
 int save_numbered(const struct letterbox *letterbox, unsigned *number, char text[PORT_WHY]);
 
 #endif

@@ -5,7 +5,7 @@
 #include "lightfield_setup.h"
 #include "options_check.h"
 
-/* Loads the scene without --keys, which are for the first scene. */
+/* Loads the scene without --keys, which apply only to the first scene. */
 bool scenes_go(struct options *options, int step, char *why)
 {
     struct options next = *options;

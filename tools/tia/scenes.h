@@ -1,15 +1,15 @@
-/* scenes.h - the scenes of the command line, one after the other. */
+/* scenes.h - switches between the scenes of the command line, and between views. */
 #ifndef TOOLS_TIA_SCENES_H
 #define TOOLS_TIA_SCENES_H
 
 #include "device.h"
 #include "options.h"
 
-/* Loads the scene that is `step` further, cyclically, and closes the current one. False: the new scene cannot be
- * loaded, for the reason in `why`, [PORT_WHY]; the current scene stays open. */
+/* Loads the scene `step` places after the current one, cyclically, and closes the current one. False: the new scene
+ * cannot be loaded, for the reason in `why`, [PORT_WHY]; the current scene stays open. */
 bool scenes_go(struct options *options, int step, char *why);
 
-/* Shows the next view of the scene, see view_kind.h. */
+/* Selects the next view of the scene, see common/views/view_kind.h. */
 void scenes_next_view(struct options *options);
 
 #endif

@@ -97,7 +97,7 @@ void session_close(struct session *session)
 
 /* ---- callbacks of the viewer ---- */
 
-/* Allocates memory; not by realloc, as the old contents are not needed. */
+/* Returns memory for the viewer. Does not use realloc, since the old contents are not needed. */
 static void *get_memory(void *ctx, size_t size)
 {
     struct session *session = ctx;
@@ -184,7 +184,7 @@ static enum tia_effect act(void *ctx, const struct tia_event *event, struct tia_
 
 static const struct tia_control control = {weigh, act};
 
-/* True if --fps is a pace, not a film's rate. */
+/* True if --fps is a target frame rate, not the rate of a film. */
 static bool viewer_paces(const struct options *options)
 {
     return options->rate_given && options->frames == 0;

@@ -16,7 +16,7 @@
 
 struct session {
     struct options *options;
-    char why[PORT_WHY];                 /* reason of the last failure */
+    char why[PORT_WHY];                 /* reason for the last failure */
     char last[PORT_WHY];                /* message to print after the display is closed; empty: none */
     const struct port_display *display; /* NULL: not open */
     const struct port_input *input;
@@ -25,9 +25,9 @@ struct session {
     struct tia_mode mode;
     struct threads *pool;
     struct lights lights;
-    struct tia_scene variant; /* the scene, with the technique for shadows that a key has chosen */
+    struct tia_scene variant; /* copy of the scene with the shadow technique that a key has chosen */
     struct overlay overlay;
-    struct tia_viewer_state viewer; /* changes by keys */
+    struct tia_viewer_state viewer; /* the changes that keys have made */
     struct pointed pointed;
     struct moves moves;
     bool is_moved;       /* keys and the mouse move the eye: in all scenes but the built-in one */
@@ -46,9 +46,9 @@ struct session *session_create(struct options *options);
 
 /* Opens the input. Returns the exit status; if it is not 0, session->why has the reason. */
 int session_open_input(struct session *session, const struct port_input *port);
-/* Opens the display. Returns as session_open_input. */
+/* Opens the display. Returns as session_open_input does. */
 int session_open_display(struct session *session, const struct port_display *port);
-/* Runs the viewer. Returns as session_open_input. */
+/* Runs the viewer. Returns as session_open_input does. */
 int session_run(struct session *session);
 
 /* Closes the display, then the input. */

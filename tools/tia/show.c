@@ -170,7 +170,7 @@ static void print_line(void *arg, const char *text)
     (void)printf("  %s\n", text);
 }
 
-/* Prints whether the console display's input can be opened, without which the display cannot be used. */
+/* Prints whether an input can be opened; a display that takes over the console needs it. */
 static void print_input(const char *name)
 {
     const struct port_input *port = find_input(name);

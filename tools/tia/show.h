@@ -7,10 +7,11 @@
 /* Shows the scene. Returns the exit status, after an error message if it is not 0. */
 int show(struct options *options);
 
-/* Draws one picture with a gaze into options->output. Returns as `show`. */
+/* Draws one picture with a gaze into options->output. Returns as `show` does. */
 int show_into_file(struct options *options);
 
-/* Lists every display found or, for --connector help and --mode help, those of the port `only`. Returns as `show`. */
+/* Lists every display found or, for --connector help and --mode help, those of the port `only`. Returns as `show`
+ * does. */
 int show_list(const char *only);
 
 #endif

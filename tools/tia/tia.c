@@ -13,8 +13,8 @@
 #include "sample_picture.h"
 #include "show.h"
 
-/* Opens the standard descriptors that are closed when the program starts: a file opened later would get the number of
- * one, and messages would go into the picture. */
+/* Opens the standard descriptors that are closed when the program starts: a file opened later would get one of their
+ * numbers, and messages would go into the picture. */
 static void fill_descriptors(void)
 {
     for (int fd = STDIN_FILENO; fd <= STDERR_FILENO; fd++)

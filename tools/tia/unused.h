@@ -10,7 +10,7 @@ struct unused {
 };
 
 /* Creates the first of tia.png, tia-1.png, ... (or with another extension) that does not exist, as an empty file, so
- * that no other run uses its name. False, with errno: none could be created. */
+ * that no other run uses its name. False, with errno, if none could be created. */
 bool unused_create(struct unused *unused, const char *extension);
 
 /* Removes the file if it is still empty. */

@@ -1,4 +1,4 @@
-/* idle_samples.c - draws a picture of samples while idle, and shows it as it becomes better. */
+/* idle_samples.c - draws samples while the page is idle, and shows the picture as it improves. */
 #include <stdlib.h>
 #include <tia/tone.h>
 
@@ -9,7 +9,7 @@ enum { SHOW_US = 150000 }; /* time between two intermediate pictures */
 static struct {
     struct tia_sum *sums;
     size_t room;        /* size of the sums */
-    uint32_t done, row; /* number of complete samples of all pixels; number of rows that have one more */
+    uint32_t done, row; /* number of samples that all pixels have; number of rows that have one more */
     uint64_t shown_us;  /* time when a picture was last shown */
 } now;
 

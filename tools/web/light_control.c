@@ -1,4 +1,4 @@
-/* light_control.c - the light that keys and the pointer move. */
+/* light_control.c - the light that keys and the pointer can move. */
 #include "page.h"
 
 #include "common/views/projected.h"
@@ -36,7 +36,7 @@ void light_tell(struct web_frame *frame)
     frame->light_y = part_of(ends[0][1] + 0.5, session.screen.height);
 }
 
-/* Drags the light. The last binding is the pointer's: a light that it moves counts as set by a key. */
+/* Drags the light. The last binding is the pointer's, so that a light that it moves counts as set by a key. */
 bool light_drag(int32_t right, int32_t down)
 {
     unsigned width = session.screen.width, height = session.screen.height;

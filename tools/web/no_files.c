@@ -1,5 +1,5 @@
-/* no_files.c - stubs for the system calls that wasi-libc needs to write to a stream. No code here writes to one, except
- * if a long double were printed: so the module imports nothing but the names of port/web/web.c. */
+/* no_files.c - stubs for the system calls that wasi-libc needs to write to a stream. Only printing a long double would
+ * call them, and the module never does. With the stubs it imports nothing but the functions of port/web/web.c. */
 #include <stdint.h>
 
 enum { BAD_DESCRIPTOR = 8 }; /* __WASI_ERRNO_BADF */

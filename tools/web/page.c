@@ -1,4 +1,4 @@
-/* page.c - the functions that the worker's script calls: load a scene, choose, run. */
+/* page.c - the functions that the worker's script calls: to load a scene, to apply settings, to run the viewer. */
 #include "page.h"
 
 #include <stdio.h>
@@ -77,7 +77,8 @@ static void *get_memory(void *ctx, size_t size)
 
 /* ---- settings ---- */
 
-/* Copies the scene's keys, and adds one for the pointer, with any valid light as its state. False: no memory. */
+/* Copies the scene's keys, and adds one for the pointer, with any valid light as its state. Returns false if there is
+ * no memory. */
 static bool copy_bindings(struct tia_scene *scene)
 {
     uint32_t count = scene->binding_count;
@@ -158,8 +159,8 @@ static bool begin(bool goes_on)
 
 /* ---- exported functions ---- */
 
-/* Reads the scene `name` and the files that it refers to. Returns 0; or 1 with the reason in web_why, and the old scene
- * stays. */
+/* Reads the scene `name` and the files that it refers to. Returns 0; or 1 with the reason in web_why, and keeps the old
+ * scene. */
 EXPORT("web_load") int web_load(const char *name);
 int web_load(const char *name)
 {
@@ -192,8 +193,8 @@ void web_set(unsigned width, unsigned height, int arithmetic, int view, int rays
                                          .samples = samples};
 }
 
-/* Runs the viewer. Returns 0 after an event that ends it; 1 if there is nothing to do and this browser cannot wait; 2
- * on failure, with the reason in web_why. */
+/* Runs the viewer. Returns 0 after an event that ends it; 1 if there is nothing to do and the browser cannot suspend
+ * the module; 2 on failure, with the reason in web_why. */
 EXPORT("web_run") int web_run(int goes_on);
 int web_run(int goes_on)
 {
@@ -229,8 +230,8 @@ int web_run(int goes_on)
     return 2;
 }
 
-/* Returns memory for another worker's state of the same scene, which web_take_kept then uses; NULL: the state is of
- * another scene, or no memory. */
+/* Returns memory for the state of another worker with the same scene, which web_take_kept then uses. Returns NULL if
+ * the state is one of another scene, or if there is no memory. */
 EXPORT("web_kept") void *web_kept(unsigned size);
 void *web_kept(unsigned size)
 {

@@ -25,9 +25,9 @@ struct session {
     struct web_screen screen;
     struct scene_file file;
     bool loaded;
-    struct tia_scene scene, variant; /* the scene with the settings applied; the viewer's copy */
+    struct tia_scene scene, variant; /* the scene with the settings applied; the copy for the viewer */
     struct lights lights;
-    struct tia_binding *bindings; /* the scene's bindings, and one by which the pointer sets a light */
+    struct tia_binding *bindings; /* the scene's bindings, and one for the pointer, which sets a light */
     struct tia_viewer_state state;
     struct steer steer;
     uint32_t spp; /* samples of a pixel to draw one by one; 0: Whitted's integrator, or not drawn one by one */
@@ -47,16 +47,16 @@ extern struct session session;
 
 /* The core for the settings, which records its view. page_core.c */
 struct seat {
-    struct tia_view *view; /* view of the last frame; NULL: none yet */
+    struct tia_view *view; /* view of the last frame; NULL before the first frame */
     const struct tia_core *base;
 };
 extern struct seat seat;
 const struct tia_core *seat_core(void);
 
-/* A core that shows the pixels where fixed point and doubles differ: by a level of a channel, by more, or because a ray
- * took another path. difference.c */
+/* A core that shows the pixels where fixed point and doubles differ: a channel by one level, a channel by more, or the
+ * path of a ray. difference.c */
 extern const struct tia_core difference_core;
-/* Numbers of these pixels, in that order. */
+/* Numbers of these three kinds of pixels. */
 extern uint32_t difference_counts[3];
 /* Enlarges the pixels that differ, if they are few. */
 void difference_spread(tia_rgb565 *pixels, unsigned width, unsigned height);
@@ -65,8 +65,8 @@ void difference_spread(tia_rgb565 *pixels, unsigned width, unsigned height);
 void samples_reset(void);
 /* True if there are samples to draw. */
 bool samples_left(void);
-/* Draws one more sample of each pixel of a row of the seat's view; shows the picture from time to time. TIA_STOPPED, or
- * a negative status on failure. */
+/* Draws one more sample of each pixel of a row of the seat's view, and shows the picture from time to time. Returns
+ * TIA_STOPPED, or a negative status on failure. */
 int samples_go_on(void);
 
 /* Control and input of the session. page_control.c */
@@ -77,8 +77,8 @@ extern const struct tia_input session_input; /* input; its context is that of we
 uint32_t light_chosen(void);
 /* Stores the chosen light and its position in the picture to `frame`. */
 void light_tell(struct web_frame *frame);
-/* Moves the chosen light by `right` and `down`, in 2^-16 of the picture's width and height. False: there is no light
- * that can be moved, or its new position is not valid. */
+/* Moves the chosen light by `right` and `down`, in 2^-16 of the picture's width and height. Returns false if there is
+ * no light that can be moved, or if its new position is not valid. */
 bool light_drag(int32_t right, int32_t down);
 
 /* Shows the picture, with its checksum when it is complete. */

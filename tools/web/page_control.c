@@ -1,4 +1,5 @@
-/* page_control.c - control by keys and the pointer, except for lights, and the input that they come from. */
+/* page_control.c - control of the session by keys and the pointer, except for lights (light_control.c), and its
+ * input. */
 #include "page.h"
 
 /* ---- control ---- */

@@ -1,4 +1,4 @@
-/* page_core.c - the core for the settings, which records its view: samples and single rays are drawn with it later. */
+/* page_core.c - the core for the settings. It records its view, with which samples and single rays are drawn later. */
 #include "page.h"
 
 #include <tia/debug.h>

@@ -129,7 +129,7 @@ static void egl_read(struct gl_screen *screen)
 }
 
 /* Destroys the context, which frees its frame buffer object. The display is not terminated: it belongs to the whole
- * program, without reference counting, so terminating it would destroy the contexts of others. */
+ * program, without reference counting, so terminating it would destroy other users' contexts. */
 static void egl_close(struct gl_screen *screen)
 {
     struct egl *egl = screen->state;

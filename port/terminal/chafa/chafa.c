@@ -7,7 +7,7 @@
 #include "terminal/chafa/chafa_pixels.h"
 #include "terminal/pictures.h"
 
-/* Removes earlier pictures: those of kitty's protocol lie on top of each other. */
+/* Removes earlier pictures, which kitty's protocol would keep below the new one. */
 static const char remove_before[] = "\033_Ga=d,q=2\033\\";
 
 static unsigned cells(unsigned size, unsigned cell)
@@ -30,7 +30,7 @@ static ChafaCanvas *canvas_for(enum pictures pictures, unsigned width, unsigned 
     return canvas;
 }
 
-/* Prints with the sequences of all terminals: this one's support is known from its answers. */
+/* Prints the canvas with the control sequences of any terminal: the answers have shown that this one supports them. */
 static GString *print(ChafaCanvas *canvas)
 {
     ChafaTermInfo *info = chafa_term_info_new(), *all = chafa_term_db_get_fallback_info(chafa_term_db_get_default());
@@ -43,7 +43,7 @@ static GString *print(ChafaCanvas *canvas)
 }
 
 /* Repairs base64: libchafa 1.12 does not shift the last bits of a part whose length is not a multiple of three. Each
- * such part ends with an opaque 255, which must be "8=" or "w==", and not "P=" or "D==". */
+ * such part ends with an alpha of 255, which must be encoded as "8=" or "w==", not as "P=" or "D==". */
 static void mend_base64(char *text)
 {
     for (char *end = strchr(text, '='); end; end = strchr(end + 1, '=')) {

@@ -6,8 +6,8 @@
 
 #include <tia/port.h>
 
-/* Returns each pixel `times` times as red, green, blue and 255: libchafa 1.12 needs rows of a multiple of four bytes.
- * The caller frees the memory; NULL: memory is short. */
+/* Expands each pixel to `times` equal RGBA pixels with an alpha of 255: libchafa 1.12 needs rows of a multiple of four
+ * bytes. The caller frees the memory; NULL: memory is short. */
 uint8_t *expand(const tia_rgb565 *pixels, size_t count, unsigned times);
 
 #endif

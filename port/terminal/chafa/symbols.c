@@ -9,7 +9,7 @@
 #include "terminal/chafa/chafa_pixels.h"
 #include "terminal/terminal_colour.h"
 
-#define POINTS 8 /* points of a character, across */
+#define POINTS 8 /* points across a character */
 #define UNKNOWN UINT32_MAX
 #define BRAILLE_BLANK 0x2800
 
@@ -53,7 +53,7 @@ static ChafaSymbolMap *map_new(void)
     chafa_symbol_map_add_by_tags(map, CHAFA_SYMBOL_TAG_SPACE | CHAFA_SYMBOL_TAG_BLOCK | CHAFA_SYMBOL_TAG_BORDER |
                                           CHAFA_SYMBOL_TAG_BRAILLE);
     chafa_symbol_map_remove_by_tags(map, CHAFA_SYMBOL_TAG_WIDE);
-    chafa_symbol_map_remove_by_range(map, BRAILLE_BLANK, BRAILLE_BLANK); /* the space is in every font */
+    chafa_symbol_map_remove_by_range(map, BRAILLE_BLANK, BRAILLE_BLANK); /* a space, equally blank, is in every font */
     return map;
 }
 
@@ -133,7 +133,7 @@ static void put_symbol(struct pen *pen, const struct symbol *s, bool direct, str
     text_add(text, character);
 }
 
-/* Writes the characters that changed; the canvas has the rows from `top` on. */
+/* Writes the characters that have changed; row 0 of the canvas is row `top` of the window. */
 static void put_changed(struct symbols *symbols, ChafaCanvas *canvas, unsigned top, unsigned rows, bool direct,
                         struct text *text)
 {
@@ -147,7 +147,7 @@ static void put_changed(struct symbols *symbols, ChafaCanvas *canvas, unsigned t
             continue;
         move(&pen, column, top + row, text);
         put_symbol(&pen, &s, direct, text);
-        pen.column = column + 1; /* terminals differ after the last column, but there the next row begins */
+        pen.column = column + 1; /* terminals differ after the last column, but then a new row begins */
         pen.row = top + row;
         *known = s;
     }

@@ -27,8 +27,8 @@ enum pictures pictures_find(int fd, struct cell *cell)
     return found;
 }
 
-/* Returns the reason why a multiplexer cannot show these pictures, or NULL. A multiplexer silently drops what it cannot
- * show, but reports sixel in its answer. */
+/* Returns the reason why a multiplexer cannot show these pictures, or NULL. A multiplexer silently drops pictures that
+ * it cannot show, but its answer reports sixel. */
 static const char *multiplexer_needs(int fd, enum pictures pictures)
 {
     const char *term = getenv("TERM");
@@ -55,9 +55,9 @@ static unsigned whole_cells(unsigned count, unsigned cell, unsigned most)
     return count * cell <= most ? count * cell : most > cell ? most / cell * cell : cell;
 }
 
-/* Most pixels of a strip of sixel or kitty's pictures, which take libchafa some 30 to 50 ns a pixel. */
+/* Most pixels of a strip for sixel or kitty's protocol. libchafa takes some 30 to 50 ns per pixel. */
 #define STRIP_PIXELS (1u << 19)
-/* Most pixels of a strip of symbols, which take 100 ns a pixel. */
+/* Most pixels of a strip of symbols. libchafa takes 100 ns per pixel. */
 #define SYMBOLS_PIXELS (1u << 18)
 
 /* Returns the least common multiple of a and b. */

@@ -2,8 +2,8 @@
  *
  * With a = a1 2^16 + a0 and b = b1 2^16 + b0 the product is a1 b1 2^32 + (a1 b0 + a0 b1) 2^16 + a0 b0: four products of
  * halves, each exact in 32 bits. Signed factors have signed upper halves, so the cross products are signed as well (at
- * least -2^31) and are shifted down with their sign. This takes 17 instructions; compilers call a product of 64 x 64
- * bits instead, some 40 instructions.
+ * least -2^31) and are shifted down with their sign. This takes 17 instructions. Compilers would call a function for 64
+ * x 64 bits instead, of some 40 instructions.
  */
 #ifndef TIA_MATH_MUL64_H
 #define TIA_MATH_MUL64_H

@@ -19,7 +19,7 @@
  *     p pp                    polygons and patches with normals, convex or not; all those after one f make one
  *                             mesh; with T > 0 each is a group, so that it filters shadow rays by itself
  *
- * "Normally, objects have one side": here they always have two, as they have in the databases when T > 0.
+ * "Normally, objects have one side": here they always have two, as objects with T > 0 have in the databases.
  */
 #include "nff.h"
 #include "math/integer.h"
@@ -88,7 +88,7 @@ static int read_b(struct nff *n)
     return tia_text_rgb(&n->text, &n->scene->background, false);
 }
 
-/* Returns 1/sqrt(count) as Q2.30, to nearest: the square root of 2^62/count has one bit more than that. */
+/* Returns 1/sqrt(count) as Q2.30, rounded to nearest: the square root of 2^62/count has one more fractional bit. */
 static tia_q30 intensity(uint32_t count)
 {
     return (tia_q30)((tia_sqrt64((UINT64_C(1) << 62) / count) + 1) >> 1);
@@ -116,7 +116,7 @@ static int read_f(struct nff *n)
     struct tia_material m = {.index = TIA_Q16_ONE};
     tia_q30 kd = 0, ks = 0, transmittance = 0;
     tia_q16 exponent = 0;
-    int status = tia_text_rgb(t, &m.colour, true); /* the product with Kd is at most 1 */
+    int status = tia_text_rgb(t, &m.colour, true); /* only the product with Kd must be at most 1 */
 
     status = status ? status : tia_text_bright(t, &kd);
     status = status ? status : tia_text_unit(t, &ks);
@@ -175,7 +175,7 @@ static bool is_same(const char *a, const char *b)
     return *a == *b;
 }
 
-/* True if the statement just read made the object with the fault. */
+/* True if the statement just read created the object with the fault. */
 static bool is_found(const struct nff *n)
 {
     const struct {
@@ -197,7 +197,8 @@ static bool is_found(const struct nff *n)
     return false;
 }
 
-/* Reads the file once. When searching for a fault, sets the error's place to the statement that made the object. */
+/* Reads the file once. When searching for a fault, stops at the statement that created the object, and sets the error's
+ * place to it. */
 static int read_all(struct nff *n, const struct tia_reader *reader, struct tia_read_error *error)
 {
     struct tia_word word;
@@ -279,7 +280,7 @@ static int check_view(struct nff *n)
     return TIA_OK;
 }
 
-/* Runs the last pass. */
+/* Reads the text again, with lengths times 2^bits, and stores the objects. */
 static int fill(struct nff *n, struct tia_reader *reader, int bits)
 {
     struct tia_array *const arrays[] = {&n->materials, &n->lights,       &n->spheres,    &n->shapes,
@@ -323,7 +324,7 @@ int tia_read_nff(struct tia_reader *reader, struct tia_scene *scene, struct tia_
     return status;
 }
 
-/* The file's name of a scene's field, "" for the whole line, and the index of its word in the line. */
+/* The file's name for a field of the scene, "" for the whole line, and the index of the field's word in the line. */
 static const struct nff_field {
     const char *thing, *field, *name;
     unsigned word;

@@ -13,10 +13,10 @@ struct nff {
     struct tia_scene *scene;
     struct tia_lengths lengths;
     struct tia_array materials, lights, spheres, shapes, meshes, vertices, normals, faces, groups;
-    struct tia_array fine_spheres, fine_shapes; /* more digits of the spheres' and shapes' numbers */
+    struct tia_array fine_spheres, fine_shapes; /* further digits of the coordinates and radii */
     struct tia_fine fine;
     struct tia_mesh mesh; /* the mesh of the last f; open while it has vertices */
-    bool transmits;       /* the last f is transparent: each of its polygons filters light by itself */
+    bool transmits;       /* the last f is transparent: each of its polygons filters light separately */
     uint32_t polygons;
     struct polygon_corner *corners;
     uint32_t most_corners;
@@ -25,8 +25,8 @@ struct nff {
     const char *statement; /* the statement read last */
     struct tia_text rest;  /* the rest of its line */
 
-    const struct tia_fault *fault; /* NULL, or the fault whose object's place is searched */
-    const char *line;              /* NULL, or the first word of the view's line that has the fault */
+    const struct tia_fault *fault; /* NULL, or the fault whose object is sought */
+    const char *line;              /* NULL, or the first word of the view line with the fault */
 };
 
 /* Reads a sphere. */

@@ -12,7 +12,7 @@ static uint32_t material(struct nff *n)
     return n->materials.count - 1;
 }
 
-/* Reads a radius; drops the sign, which marks an inside. */
+/* Reads a radius and drops its sign: a negative radius would show the inside only. */
 static int read_radius(struct tia_text *t, tia_q16 *out, int16_t *digits)
 {
     int status = tia_text_fine_length(t, out, digits);

@@ -1,10 +1,10 @@
-/* face.c - faces, gathered by their materials into meshes. */
+/* face.c - faces, gathered into one mesh per material. */
 #include "obj.h"
 
 enum part { PART_VERTEX, PART_UV, PART_NORMAL, PARTS };
 
-/* Reads the integer at *p, perhaps negative, and advances *p; 0: there is none. Digits after an integer of 2^32 - 1 or
- * more are ignored. */
+/* Reads the integer at *p, which may be negative, and advances *p. Returns 0 if there is none. Once the value is 2^32 -
+ * 1 or more, further digits are ignored. */
 static int64_t take_index(const char **p, const char *end)
 {
     int64_t index = 0;
@@ -15,8 +15,8 @@ static int64_t take_index(const char **p, const char *end)
     return negative ? -index : index;
 }
 
-/* Splits V, V/VT, V//VN or V/VT/VN, of which VN may be empty (V//, V/VT/) as some programs write it; a missing part is
- * 0. False: none of these forms. */
+/* Splits a corner V, V/VT, V//VN or V/VT/VN. VN may be empty (V//, V/VT/), as some programs write it. Missing parts get
+ * the index 0. Returns false for any other form. */
 static bool split(const struct tia_word *word, int64_t index[PARTS])
 {
     const char *p = word->at, *end = word->at + word->length;
@@ -56,10 +56,10 @@ static int unknown(struct obj *o, const struct tia_word *word, enum part part, u
 /* A face whose corners are being read. */
 struct obj_face {
     uint32_t count;
-    bool has[PARTS]; /* parts that each corner so far has; without PART_VERTEX the face is skipped */
+    bool has[PARTS]; /* parts that all corners so far have; without PART_VERTEX the face is skipped */
 };
 
-/* Reads one corner; its indices count from 0. */
+/* Reads one corner; the indices in *corner count from 0. */
 static int read_corner(struct obj *o, struct obj_face *face, struct tia_corner *corner, const struct tia_word *word)
 {
     const uint32_t counts[PARTS] = {o->vertices.count, o->uvs.count, o->normals.count};
@@ -135,7 +135,7 @@ static void add_faces(struct obj *o, uint32_t count)
     }
 }
 
-/* True if the normals of all corners have a direction: see read_vn. */
+/* True if no corner's normal is (0, 0, 0): see read_vn. */
 static bool are_normals(const struct obj *o, uint32_t count)
 {
     const struct tia_dir3 *normals = (const struct tia_dir3 *)(void *)o->normals.items;
@@ -218,7 +218,7 @@ static const void *item(const struct tia_array *array, uint32_t index)
     return array->items + index * array->item;
 }
 
-/* Makes the mesh of a group: its arrays are cut to the range from the first to the last element that it uses. */
+/* Makes the mesh of a group. Each of its arrays is the range from the first to the last element that the group uses. */
 static struct tia_mesh make_mesh(const struct obj *o, const struct obj_group *g)
 {
     uint32_t first = g->next_face - g->face_count;
@@ -245,8 +245,8 @@ static struct tia_mesh make_mesh(const struct obj *o, const struct obj_group *g)
     return mesh;
 }
 
-/* Limit of the sum of all meshes' normals. When many materials are used all over the file, every mesh spans nearly all
- * normals, and a loop over all meshes takes time quadratic in the size of the file. */
+/* Limit of the total number of normals of all meshes. If many materials are used all over the file, every mesh spans
+ * nearly all normals, and a loop over all meshes takes time quadratic in the size of the file. */
 #define SEEN_MAX (UINT64_C(1) << 30)
 
 /* Gives a direction to normals of (0, 0, 0): no face uses them any more, but a mesh must not contain them. */
@@ -262,7 +262,7 @@ static void fix_normals(struct obj *o)
 int tia_obj_make_meshes(struct obj *o, struct tia_mesh *meshes, struct tia_shape *shapes)
 {
     uint32_t count = 0;
-    uint64_t seen = 0; /* number of normals that were checked */
+    uint64_t seen = 0; /* total number of normals of all meshes */
 
     fix_normals(o);
     for (uint32_t i = 0; i < o->scene->material_count; i++) {

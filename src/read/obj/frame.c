@@ -1,11 +1,10 @@
-/* frame.c - a unit, a camera and lights for a model, which has none.
+/* frame.c - a unit of length, a camera and lights for a model: an .obj file has none.
  *
- * The scene has the model's own coordinates if they are within 4096 and the model is at least 1 long, high or deep:
- * then all of it is nearer than 32768 to the camera, which is at most 3.93 radii from any point, and a coordinate's
- * last bit is at most 2^-16 of the model's size. Any other model is moved so that the middle of its bounds is 0, and
- * scaled by a power of two so that it reaches 8 to 16 from there: as nothing in an .obj but the model has a size, the
- * picture is the same. Only models smaller than 2^-15 are refused: 28 bits behind the point are not enough for their
- * shape.
+ * A model keeps its coordinates if they are within 4096 and its largest extent is at least 1. Its points are then
+ * nearer than 32768 to the camera, which is at most 3.93 radii from each of them, and the last bit of a coordinate is
+ * at most 2^-16 of the model's size. Any other model is moved, so that the middle of its bounds is the origin, and
+ * scaled by a power of two, so that it extends 8 to 16 from there. The picture stays the same, since nothing else in an
+ * .obj file has a size. Only models smaller than 2^-15 are refused: 28 fractional bits are too few for their shape.
  */
 #include "math/integer.h"
 #include "obj.h"
@@ -16,7 +15,7 @@
 #define SMALL (INT64_C(1) << (COORDINATE_BITS - 1))
 #define TINY (INT64_C(1) << (COORDINATE_BITS - 16))
 
-/* Reads the next number with 28 bits behind the point, rounded down. */
+/* Reads the next number with 28 fractional bits, rounded down. */
 static int read_coordinate(struct tia_text *t, int64_t *out)
 {
     int64_t wide;
@@ -36,7 +35,7 @@ static void count_vertex(struct obj *o, const int64_t v[3])
     }
 }
 
-/* Converts a vertex's coordinate to the scene: |v - origin| < 2^61, and after the shift below 2^21. */
+/* Converts a vertex's coordinate to the scene's. |v - origin| is below 2^61; shifted, it is below 2^21. */
 static tia_q16 move(const struct obj *o, int64_t v, int axis)
 {
     int64_t from = v - o->origin[axis];
@@ -93,7 +92,7 @@ int tia_obj_fit(struct obj *o)
     if (half < TINY)
         return refuse(o, "the model is too small, expected an extent of more than 1/32768");
     o->moved = half < SMALL || farthest > FAR_AWAY;
-    /* `half` has 64 - clz bits, of which 20 are to stay: 8..16 in Q16.16. */
+    /* `half` has 64 - clz bits, of which 20 are kept: 8..16 in Q16.16. */
     o->shift = 44 - (int)tia_clz64((uint64_t)half);
     return TIA_OK;
 }
@@ -125,8 +124,8 @@ static struct tia_vec3 middle(const struct bounds *b)
                              (tia_q16)((b->min[2] + b->max[2]) >> 1)};
 }
 
-/* Returns the square of the distance from c to the farthest vertex of a face. Coordinates are within 4096: the sum of
- * squares stays below 2^61. */
+/* Returns the square of the distance from c to the farthest vertex of a face. Coordinates are within 4096, so the sum
+ * of squares is below 2^61. */
 static uint64_t farthest(const struct tia_scene *scene, struct tia_vec3 c)
 {
     uint64_t most = 0;
@@ -142,7 +141,7 @@ static uint64_t farthest(const struct tia_scene *scene, struct tia_vec3 c)
 }
 
 /* Components of the direction to the camera: 35 degrees to the right of +z and 25 degrees above the horizon. */
-#define TOWARDS_X INT32_C(558170729) /* 0.519837; TIA_Q30 would need a double of 64 bits for all its bits */
+#define TOWARDS_X INT32_C(558170729) /* 0.519837; TIA_Q30(0.519837) would lose bits where double has only 32 */
 #define TOWARDS_Y INT32_C(453782622) /* 0.422618 */
 #define TOWARDS_Z INT32_C(797149151) /* 0.742403 */
 /* The camera's distance in radii, 1/sin 20 degrees: the sphere around the model touches the edges of a field of view of
@@ -176,7 +175,7 @@ int tia_obj_frame(struct obj *o, struct tia_light *lights)
         return refuse(o, "all faces lie in one point, expected a model");
     scene->camera = look_at(c, radius);
     scene->background = tia_grey(TIA_Q30(0.8));
-    /* the sun stands to the camera's left, and higher; the sky fills its shadows */
+    /* the sun is to the left of the camera and above it; the sky brightens the shadows */
     lights[0] = (struct tia_light){.emission = tia_grey(TIA_Q30(0.75)),
                                    .kind = TIA_DIRECTIONAL_LIGHT,
                                    .direction = {TIA_Q30(0.36), TIA_Q30(-0.8), TIA_Q30(-0.48)}};

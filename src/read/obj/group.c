@@ -1,8 +1,8 @@
-/* group.c - o and g lines: all faces after lines with the same names, wherever these are, filter a shadow ray only
- * once. */
+/* group.c - o and g lines. The faces that follow lines of the same name, anywhere in the file, form a group, which
+ * filters a shadow ray only once. */
 #include "obj.h"
 
-/* Reads the rest of the line, of any length, even empty. */
+/* Reads the rest of the line, which may be long or empty. */
 static void take_name(struct tia_text *t, struct tia_word *name)
 {
     struct tia_word word;

@@ -71,7 +71,8 @@ static int fetch(struct obj *o, const struct tia_word *word, const char **why)
     return TIA_OK;
 }
 
-/* Fetches the library named by the rest of the line, a name with blanks though not in quotes, if there is such a file.
+/* Fetches the library whose name is the rest of the line: some names have blanks and are not in quotes. Returns false
+ * if there is no such file.
  */
 static bool fetch_line(struct obj *o, struct tia_text line)
 {
@@ -99,7 +100,7 @@ static int add_library(struct obj *o, const struct tia_word *word, const struct 
     return o->library_count > count ? tia_mtl_read(o, &o->libraries[count]) : TIA_OK;
 }
 
-/* Fetches and counts libraries, each where it is first named. */
+/* In the first pass, fetches and reads the libraries that are named here for the first time. */
 int tia_obj_mtllib(struct obj *o)
 {
     struct tia_text line = o->text;

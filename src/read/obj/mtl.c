@@ -1,19 +1,19 @@
 /* mtl.c - Wavefront's material libraries, .mtl, and the meaning of their statements:
  *
- *     Kd Ke           diffuse and emission; Ke above 1 is 1, which is as white. Kd is 0.8 by default
- *     Ks Ns           highlight and its exponent, with illum 2 and above; with illum 3 and above Ks is the mirror too
- *     d, Tr           opacity, or 1 - opacity; where both are there, d. Kd is multiplied by it; refraction and
+ *     Kd Ke           diffuse and emission; Ke is clamped to 1. Kd is 0.8 by default
+ *     Ks Ns           highlight and its exponent, with illum 2 and above; with illum 3 to 9 Ks is the mirror too
+ *     d, Tr           opacity, and 1 - opacity; d takes precedence. Kd is multiplied by the opacity; refraction and
  *                     the transmission of shadow rays are (1 - opacity) Tf
  *                     An opacity of 0 counts as 1, with a warning, if illum and Tf leave nothing visible: some programs
  *                     write Tr 1 for opaque materials
- *     Tf              1 by default; with illum 4, 6, 7, 9 and neither d nor Tr the opacity is 0
- *     Ni              index of refraction with illum 4, 6, 7, 9; else light goes straight through
- *     illum           2 by default; 0 is 1; Fresnel's equations with 5 and 7
+ *     Tf              1 by default; with illum 4, 6, 7, 9 a Tf without d and Tr sets the opacity to 0
+ *     Ni              index of refraction with illum 4, 6, 7, 9; otherwise light is not bent
+ *     illum           2 by default; 0 means 1; Fresnel's equations apply with 5 and 7
  *     map_Kd          an image, bilinear
- *     map_d           the material's opacity texture, see mtl_map.c. Where it is 0 there is no surface, not even a
- *                     filter of Tf: the format defines that dissolving has no colour
+ *     map_d           the material's opacity texture, see mtl_map.c. Where it is 0 there is no surface, and Tf
+ *                     filters nothing: the format defines that dissolving has no colour
  *
- * Ka, the other maps and newer programs' extensions are skipped silently. A mistake is a warning, see obj.c.
+ * Ka, the other maps and newer programs' extensions are skipped silently. A mistake causes a warning, see obj.c.
  */
 #include "mtl.h"
 #include "read/surface.h"
@@ -29,7 +29,7 @@ static bool is_one_of(int64_t illum, unsigned set)
 #define BENDS (1u << 4 | 1u << 6 | 1u << 7 | 1u << 9)
 #define FRESNEL (1u << 5 | 1u << 7)
 
-/* Makes a material opaque that would be invisible: without opacity, refraction or filter. */
+/* Makes a material opaque if its opacity of 0 would make it invisible: it neither bends nor filters light. */
 static int keep_visible(struct mtl *m)
 {
     const tia_q30 one = TIA_Q30_ONE;
@@ -81,7 +81,7 @@ void tia_mtl_add_default(struct obj *o)
     struct mtl m = {.obj = o};
 
     open_material(&m);
-    (void)close_material(&m); /* the material is opaque */
+    (void)close_material(&m); /* no error: the material is opaque */
 }
 
 /* ---- statements ---- */
@@ -131,7 +131,7 @@ static int read_unit(struct mtl *m, tia_q30 *out, bool may_be_more)
     return tia_text_q30(&m->text, out);
 }
 
-/* Reads a colour; a single number is a grey. After a mistake the colour stays as it was. */
+/* Reads a colour; a single number is a grey. If a number cannot be read, the colour does not change. */
 static int read_colour(struct mtl *m, struct tia_rgb *out, bool may_be_more)
 {
     struct tia_rgb colour;
@@ -277,7 +277,7 @@ static const char *const skipped[] = {
     "map_Ns", "map_Tr",  "map_opacity", "map_bump", "map_Bump", "map_refl", "map_Pr",    "map_Pm",  "map_Ps",
     "map_Ni", "map_aat", "Kt",          "Tm",       "map_Disp", "map_disp", "map_norm",  "map_Norm"};
 
-/* Skips the rest of the line, after an error. */
+/* Skips the rest of a line with a mistake, and warns. */
 static int skip_mistake(struct mtl *m)
 {
     tia_obj_skip(&m->text);

@@ -1,4 +1,4 @@
-/* mtl.h - a material while its statements are read; see mtl.c. */
+/* mtl.h - a material whose statements are being read; see mtl.c. */
 #ifndef TIA_READ_OBJ_MTL_H
 #define TIA_READ_OBJ_MTL_H
 
@@ -14,8 +14,8 @@ struct mtl {
     tia_q16 exponent, index;
     int64_t illum;
     uint32_t texture, opacity_texture;
-    struct tia_text opacity_text; /* the rest of the line of d or Tr, and its number */
-    struct tia_word opacity_word;
+    struct tia_text opacity_text; /* the text from the number of d or Tr on */
+    struct tia_word opacity_word; /* that number */
 };
 
 /* mtl_map.c */

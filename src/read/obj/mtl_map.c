@@ -1,9 +1,9 @@
 /* mtl_map.c - the images of a material, with options before the file's name:
  *
- *     -s U V [W]          texture coordinates are multiplied by this,
- *     -o U V [W]          and then this is added, as all programs do it
- *     -imfchan r|g|b|m|l  of map_d: the channel that is the opacity, m being alpha. By default, which the format leaves
- *                         open, alpha or, where there is none, luminance
+ *     -s U V [W]          scale, by which texture coordinates are multiplied
+ *     -o U V [W]          offset, which is then added, as in all programs
+ *     -imfchan r|g|b|m|l  of map_d: the channel that holds the opacity; m is alpha. The format defines no default. Here
+ *                         it is alpha or, in an image without alpha, luminance
  *
  * Other options cause a warning if they would change the picture: images repeat, and their values are not modified. */
 #include "mtl.h"
@@ -35,7 +35,7 @@ static int read_numbers(struct mtl *m, tia_q16 numbers[3], bool scales)
     return TIA_OK;
 }
 
-/* Reads an option with numbers; *found is false for another option. */
+/* Reads the numbers of an option; *found is false if it is an option without numbers. */
 static int read_numeric(struct mtl *m, const struct tia_word *option, struct map *map, bool *found)
 {
     static const struct {
@@ -75,7 +75,7 @@ static int read_channel(struct mtl *m, const struct tia_word *option, const stru
     return not_supported(m, option);
 }
 
-/* Reads the rest of an option: numbers or a word; an unknown option counts as one with a word. */
+/* Reads the rest of an option: numbers or a word. An unknown option is assumed to have a word. */
 static int read_option(struct mtl *m, const struct tia_word *option, struct map *map)
 {
     static const char *const standard[][2] = {{"-clamp", "off"}, {"-cc", "off"}, {"-blendu", "on"}, {"-blendv", "on"}};
@@ -107,7 +107,7 @@ static int read_map(struct mtl *m, struct map *map)
     return status ? status : tia_obj_name(&m->text, &map->name, "an image's file name");
 }
 
-/* Fetches the image, once however often it is named. */
+/* Returns the image in *texture. An image that is named several times is fetched only once. */
 static int fetch_image(struct obj *o, const struct tia_name *name, struct tia_texture *texture, const char **why)
 {
     struct tia_reader *reader = o->reader;
@@ -131,8 +131,8 @@ static int fetch_image(struct obj *o, const struct tia_name *name, struct tia_te
     return status;
 }
 
-/* Returns the position on the surface for an offset that is added to coordinates after the scale. Images repeat, so
- * only the offset's fraction counts. */
+/* Converts an offset that is added to the scaled coordinates to a texture's offset, which is a position on the surface.
+ * Images repeat, so only the fraction of `added` counts. */
 static tia_q16 offset_of(tia_q16 added, tia_q16 scale)
 {
     int64_t fraction = (int64_t)(added & (TIA_Q16_ONE - 1)) * TIA_Q16_ONE;
@@ -140,8 +140,8 @@ static tia_q16 offset_of(tia_q16 added, tia_q16 scale)
     return (tia_q16) - ((fraction + scale / 2) / scale);
 }
 
-/* Adds a texture; *number receives its number, from 1. It is counted before its image is read: if that fails, the
- * texture stays unused, and *number does not change. */
+/* Adds a texture and sets *number to its number, from 1. The earlier passes have counted the texture. So if its image
+ * cannot be read, an unused texture is added, and *number does not change. */
 static int add_texture(struct mtl *m, const struct map *map, unsigned kind, uint32_t *number)
 {
     static const struct tia_texture unused = {.kind = TIA_CHECKER, .repeat = {TIA_Q16_ONE, TIA_Q16_ONE}};
@@ -176,8 +176,8 @@ int tia_mtl_map_kd(struct mtl *m)
     return status ? status : add_texture(m, &map, OBJ_IMAGE, &m->texture);
 }
 
-/* True if the opacity is 1 everywhere, and so needs no texture: files often name such an image only for its colours,
- * and it costs time. */
+/* True if the opacity is 1 everywhere: a texture would only cost time. Many files name an image without transparency
+ * for map_d, too. */
 static bool is_opaque(const struct tia_texture *t)
 {
     size_t count = (size_t)t->width * t->height, i = 0;

@@ -1,9 +1,9 @@
 /* obj.c - Wavefront's .obj: polygons with materials, normals and texture coordinates.
  *
- *     v x y z          a weight or a colour behind it is skipped
+ *     v x y z          a weight or a colour after z is skipped
  *     vt u [v [w]]     v points up, as the scene's does
  *     vn x y z         of any length
- *     f                V, V/VT, V//VN or V/VT/VN, counted from 1 or, backwards, from -1; 3 to POLYGON_MAX corners
+ *     f                3 to POLYGON_MAX corners V, V/VT, V//VN or V/VT/VN; indices from 1, or backwards from -1
  *     usemtl mtllib    see material.c and mtl.c; before the first usemtl faces are grey
  *
  *     o g              see group.c
@@ -11,15 +11,15 @@
  * The faces of one material, wherever they are, make one mesh. Smoothing groups, points and lines are skipped.
  * The format has no camera, light or unit: see frame.c.
  *
- * Many programs write files full of small mistakes, and other programs draw them all the same. So most mistakes are
- * warnings, one for each kind; with reader->strict they are errors. Mistakes in vertices are always errors: without
- * them the model's shape is unknown.
- * */
+ * Many programs write files full of small mistakes, and other programs draw them nevertheless. So most mistakes cause
+ * warnings, one for each kind of mistake; with reader->strict they are errors. Mistakes in vertices are always errors:
+ * without them the model's shape is unknown.
+ */
 #include "obj.h"
 
 /* ---- texture coordinates and normals ---- */
 
-/* Reads a texture coordinate. One out of range, which is far beyond any use, is clamped. */
+/* Reads a texture coordinate. A coordinate out of range is clamped: useful ones are far smaller. */
 static int read_texture_coordinate(struct obj *o, tia_q16 *out)
 {
     struct tia_word word;
@@ -50,7 +50,8 @@ static int read_uv(struct obj *o)
     return status;
 }
 
-/* Reads a normal. One without a direction is (0, 0, 0) until the faces that use it are known. */
+/* Reads a normal. A normal without a direction becomes (0, 0, 0); faces that use it are drawn flat, see
+ * strip_corners. */
 static int read_vn(struct obj *o)
 {
     struct tia_dir3 normal = {0, 0, 0};
@@ -78,7 +79,7 @@ static const struct {
 static const char *const skipped[] = {"s",        "l",          "p",         "mg",     "lod",    "bevel", "c_interp",
                                       "d_interp", "shadow_obj", "trace_obj", "usemap", "maplib", "vp"};
 
-/* Skips the rest of the line, after an error. */
+/* Skips the rest of a line with a mistake, and warns. */
 static int skip_mistake(struct obj *o)
 {
     tia_obj_skip(&o->text);
@@ -139,7 +140,7 @@ static uint32_t least(uint32_t a, uint32_t b)
     return a < b ? a : b;
 }
 
-/* Memory besides the arrays. */
+/* Memory besides the struct tia_arrays. */
 struct places {
     struct tia_mesh *meshes;
     struct tia_shape *shapes;
@@ -171,7 +172,7 @@ static struct places place(struct obj *o, struct tia_arena *arena)
     return p;
 }
 
-/* Sorts the names that a pass without errors has collected. */
+/* Sorts the names. A pass without errors has filled the array to its capacity. */
 static void sort(struct tia_array *names)
 {
     if (names->capacity)

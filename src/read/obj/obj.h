@@ -8,14 +8,14 @@
 
 #define OBJ_LIBRARIES 16 /* material libraries in one scene */
 
-/* The text is read three times, and the libraries with it. The first pass stores nothing. */
+/* The passes over the text and its libraries. The first pass stores nothing. */
 enum obj_pass {
     OBJ_COUNT,
-    OBJ_MEASURE, /* libraries: names; the text: number of faces of each material */
+    OBJ_MEASURE, /* stores the names of materials and images; counts the faces of each material */
     OBJ_FILL
 };
 
-/* Kinds of names; from OBJ_OPACITY on, one for each enum tia_channel. */
+/* Kinds of names. OBJ_OPACITY + c are images whose channel c, an enum tia_channel, is an opacity. */
 enum obj_name { OBJ_MATERIAL, OBJ_IMAGE, OBJ_OBJECT, OBJ_GROUP, OBJ_OPACITY };
 
 struct obj_library {
@@ -41,17 +41,18 @@ struct obj {
     struct tia_array materials, textures, names, vertices, normals, uvs;
     struct tia_face *faces;
     uint32_t face_count, material_uses, most_corners;
-    struct polygon_corner *polygon; /* room for the largest polygon */
+    struct polygon_corner *polygon; /* working storage for the largest polygon */
     struct tia_corner *corners;
 
     struct tia_array group_lines; /* names of o and g lines */
-    uint32_t *face_groups;        /* group of each face, if there are such lines */
+    uint32_t *face_groups;        /* group of each face; NULL without such lines */
     uint32_t face_group;          /* group of the next face */
 
     struct obj_group *groups; /* one for each material */
     uint32_t group;           /* material of the next face */
 
-    /* Bounds of all vertices, Q.28, while they are counted; then their conversion to the scene's coordinates. */
+    /* min, max: bounds of all vertices, with 28 fractional bits. origin, shift and moved: the conversion to the scene's
+     * coordinates, see tia_obj_fit. */
     int64_t min[3], max[3], origin[3];
     int shift;
     bool moved;
@@ -93,7 +94,7 @@ int tia_obj_frame(struct obj *o, struct tia_light *lights);
 #define OBJ_LIGHTS 2
 
 /* ---- mtl.c ---- */
-/* Adds the first material, that of faces without one. */
+/* Adds the first material, which faces without a material get. */
 void tia_mtl_add_default(struct obj *o);
 int tia_mtl_read(struct obj *o, const struct obj_library *library);
 

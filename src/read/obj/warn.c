@@ -1,7 +1,7 @@
 /* warn.c - tolerated mistakes. */
 #include "obj.h"
 
-/* The remedy for each kind of mistake, and the pass that reports it: each is counted once. */
+/* The remedy for each kind of mistake, and the only pass that reports it, so that each mistake is counted once. */
 static const struct {
     const char *remedy;
     enum obj_pass pass;

@@ -1,7 +1,7 @@
 /* error.c - error messages. */
 #include "text_lines.h"
 
-#define SHOWN 40 /* largest number of a word's bytes in a message */
+#define SHOWN 40 /* a message shows at most this many bytes of a word */
 
 static void add(struct tia_read_error *error, const char *bytes, size_t count)
 {

@@ -38,11 +38,12 @@ int tia_emission(struct tia_text *t, struct tia_emission *out, int64_t most)
     return TIA_OK;
 }
 
-#define FADING_MORE 5                                   /* extra bits, to test if Q16.16 holds a number exactly */
-#define FADING_LEAST (INT64_C(1) << (10 + FADING_MORE)) /* 2^-6: rounded by 2^-11 of itself at most */
+#define FADING_MORE 5                                   /* extra bits; 0 if Q16.16 holds a number exactly */
+#define FADING_LEAST (INT64_C(1) << (10 + FADING_MORE)) /* 2^-6: the relative rounding error is at most 2^-11 */
 #define FADING_MOST (INT64_C(32767) << (16 + FADING_MORE))
 
-/* Reads the linear and the quadratic number in a unit of 2^unit times the file's, with FADING_MORE more bits. */
+/* Reads the linear and the quadratic number for a unit of length of 2^unit units of the file, with FADING_MORE extra
+ * bits. */
 static int read_fading(struct tia_text *t, int unit, int64_t out[2])
 {
     int status = tia_text_long(t, &out[0], (unsigned)(16 + FADING_MORE + unit));
@@ -50,7 +51,7 @@ static int read_fading(struct tia_text *t, int unit, int64_t out[2])
     return status ? status : tia_text_long(t, &out[1], (unsigned)(16 + FADING_MORE + 2 * unit));
 }
 
-/* True if Q16.16 holds the numbers exactly or with enough digits. */
+/* True if Q16.16 holds each number exactly or with enough bits. */
 static bool keeps_digits(const int64_t numbers[2])
 {
     bool keeps = true;
@@ -67,7 +68,7 @@ static bool fits(const int64_t numbers[2])
            numbers[1] >= -FADING_MOST;
 }
 
-#define FADING_UNITS 16 /* the largest unit: tia_decimal gives at most 53 bits */
+#define FADING_UNITS 16 /* log2 of the largest unit: tia_decimal has at most 53 fractional bits */
 
 int tia_fading(struct tia_text *t, struct tia_fading *out)
 {
@@ -189,7 +190,7 @@ static int refuse(struct tia_text *t, const struct tia_word *word, const char *w
     return TIA_ERR_RANGE;
 }
 
-/* Returns the index of the field called `word`; `count` if there is none. */
+/* Returns the index of the field called `word`, or `count` if there is none. */
 static unsigned find(const struct tia_word *word, const struct tia_field *fields, unsigned count)
 {
     unsigned i = 0;

@@ -11,12 +11,12 @@ enum tia_field_kind {
     TIA_NUMBERS,    /* `count` tia_q16 */
     TIA_LENGTHS,    /* `count` tia_q16 in the scene's unit of length, see length.h */
     TIA_VECTOR,     /* a tia_vec3 whose length does not matter */
-    TIA_SPREAD,     /* `count` tia_q16; a single number sets them all */
-    TIA_LONGS,      /* `count` int64_t below 2^63 with 32 bits behind the point; with `max` 1 as TIA_SPREAD */
+    TIA_SPREAD,     /* `count` tia_q16; a single number sets all of them */
+    TIA_LONGS,      /* `count` int64_t, Q31.32; if `max` is 1, a single number sets all of them */
     TIA_COLOUR,     /* a tia_rgb: three numbers in 0..1, or one for a grey */
     TIA_EMISSION,   /* a struct tia_emission: below 16384 */
     TIA_FADING,     /* a struct tia_fading: three numbers */
-    TIA_DIRECTION,  /* a tia_dir3; any vector but 0, which is normalised */
+    TIA_DIRECTION,  /* a tia_dir3: any vector but 0, normalised */
     TIA_WHOLE,      /* `count` uint16_t in 1..max */
     TIA_FLAG,       /* no value; sets a bool to true */
     TIA_NAME_FIELD, /* a tia_word: the name of a material, texture, ... */
@@ -26,31 +26,31 @@ enum tia_field_kind {
 struct tia_field {
     const char *word;
     uint8_t kind, count;
-    uint16_t max;    /* TIA_WHOLE: largest value; TIA_EMISSION: 1 if `rgb` must be at most 1; TIA_LONGS: 1 if a single
-                        number sets them all */
-    uint16_t offset; /* offset in the struct that the fields fill */
+    uint16_t max;    /* TIA_WHOLE: largest value; TIA_EMISSION: 1 if `rgb` must be at most 1; TIA_LONGS: see there */
+    uint16_t offset; /* byte offset in the struct that the fields fill */
     bool needed;     /* a line without the field is an error */
 };
 
-/* Fills `out` from the rest of the line. Sets bit n of *given (which may be NULL) if the line has fields[n]. `what`
+/* Fills `out` from the rest of the line. If `given` is not NULL, sets bit n of *given if the line has fields[n]. `what`
  * names the statement in errors: "a sphere". */
 int tia_fields(struct tia_text *t, const char *what, const struct tia_field *fields, unsigned count, void *out,
                uint32_t *given);
 
-/* A colour, rgb times 2^bits with the fewest bits for which each channel is below 2, or with TIA_EMISSION's `max` at
- * most 1. */
+/* The colour rgb times 2^bits. `bits` is as small as possible: each channel of rgb must be below 2 or, if the field's
+ * `max` is 1, at most 1. */
 struct tia_emission {
     struct tia_rgb rgb;
     uint8_t bits;
 };
 
-/* A light's attenuation, as in struct tia_light: in a unit of length in which the numbers keep their digits. */
+/* A light's attenuation, as in struct tia_light. The reader chooses the unit of length, 2^unit_bits units of the file,
+ * so that `linear` and `quadratic` lose little precision in Q16.16. */
 struct tia_fading {
     tia_q16 constant, linear, quadratic;
     int8_t unit_bits;
 };
 
-/* A form of a statement that has several, named by the word after the statement: "camera frustum ...". */
+/* One of several forms of a statement. The word after the statement names the form: "camera frustum ...". */
 struct tia_form {
     const char *word, *what; /* `what`: the name in errors, as for tia_fields */
     unsigned kind;           /* value for the caller */
@@ -58,16 +58,17 @@ struct tia_form {
     unsigned count;
 };
 
-/* Returns the form that the next word names; if it names none, the first one, and the word stays unread. */
+/* Returns the form that the next word names, and skips the word. If it names no form, returns the first one, and the
+ * word stays unread. */
 const struct tia_form *tia_form(struct tia_text *t, const struct tia_form *forms, unsigned count);
 
-/* Reads an emission; `most`, Q2.30, is the largest channel of out->rgb. */
+/* Reads an emission; `most` is the upper limit of out->rgb's channels, Q2.30. */
 int tia_emission(struct tia_text *t, struct tia_emission *out, int64_t most);
 /* Reads the three numbers of an attenuation. */
 int tia_fading(struct tia_text *t, struct tia_fading *out);
 /* Reads a colour: three numbers in 0..1, or one for a grey. */
 int tia_colour(struct tia_text *t, struct tia_rgb *out);
-/* Reads `count` numbers, or a single one for all of them. */
+/* Reads `count` numbers, or a single number that sets all of them. */
 int tia_spread(struct tia_text *t, tia_q16 *out, unsigned count);
 
 #define TIA_COUNT_OF(array) ((unsigned)(sizeof(array) / sizeof *(array)))

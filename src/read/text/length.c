@@ -84,8 +84,8 @@ static int64_t farthest(const struct tia_lengths *l)
     return (int64_t)(tia_sqrt64(square) + 1) << coarse;
 }
 
-/* Bound on the distance's rounding error by Q16.16: half a unit from each number, once in the unit of the first pass
- * and once in the scene's. */
+/* Bound on the distance's error, in units of the last bit. Q16.16 rounds each number by up to half of that, once in the
+ * unit of the first pass and once in that of the scene. */
 #define ROUNDED 5
 
 int tia_lengths_room(const struct tia_lengths *l)
@@ -107,7 +107,7 @@ static int measure(struct tia_text *t, tia_q16 *out)
     struct tia_text before = *t;
     int64_t length = 0, exact;
     int status = tia_text_long(t, &length, (unsigned)(16 + l->scale_bits));
-    int64_t size = length < 0 ? -(length + 1) : length; /* the size is INT32_MAX at both ends of the range */
+    int64_t size = length < 0 ? -(length + 1) : length; /* INT32_MAX at both ends of the range of Q16.16 */
 
     l->longest = size > l->longest ? size : l->longest;
     *out = (tia_q16)(length < INT32_MIN ? INT32_MIN : length > INT32_MAX ? INT32_MAX : length);
@@ -143,7 +143,7 @@ int tia_text_vector(struct tia_text *t, struct tia_vec3 *out)
     }
     if (status || !((v[0] | v[1] | v[2]) & 0xffff))
         return status;
-    /* the size has 64 - clz bits, of which 30 are kept: then rounding up does not overflow */
+    /* the largest component has 64 - clz bits, of which 30 are kept: rounding up then does not overflow */
     int shift = 34 - (int)tia_clz64(all);
     for (int i = 0; i < 3; i++)
         *to[i] = (tia_q16)(shift > 0 ? tia_round_shift(v[i], (unsigned)shift) : v[i] * (INT64_C(1) << -shift));

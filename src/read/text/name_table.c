@@ -1,4 +1,4 @@
-/* name_table.c - heap sort, since it needs no memory and no recursion, and binary search. */
+/* name_table.c - heap sort, which needs no memory and no recursion, and binary search. */
 #include "name_table.h"
 
 static int compare_words(const struct tia_word *a, const struct tia_word *b)
@@ -18,7 +18,7 @@ static int compare(const struct tia_name *a, const struct tia_name *b)
     return compare_words(&a->word, &b->word);
 }
 
-/* True if a comes first, by name; equal names by their place in the text. */
+/* True if a comes before b. Equal names are ordered by their place in the text. */
 static bool is_before(const struct tia_name *a, const struct tia_name *b)
 {
     int order = compare(a, b);
@@ -30,7 +30,7 @@ static bool is_before(const struct tia_name *a, const struct tia_name *b)
     return a->word.column < b->word.column;
 }
 
-/* Restores the heap, largest name on top, by moving names[i] down. */
+/* Restores the heap, whose top is the largest name, by moving names[i] down. */
 static void sink(struct tia_name *names, uint32_t i, uint32_t count)
 {
     struct tia_name name = names[i];

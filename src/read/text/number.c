@@ -1,8 +1,8 @@
 /* number.c - converts decimal numbers to fixed point, without floating point.
  *
- * The result is correctly rounded, ties away from zero, however many digits there are: floor(x 2^bits + 1/2) for the
- * magnitude x, which follows from floor(y), y = x 2^(bits + 1). Only the first bits + 1 digits of x's fraction decide
- * if y reaches an integer k, since k / 2^(bits + 1) has no more digits. So all further digits can be skipped.
+ * The result is correctly rounded, ties away from zero, for any number of digits. For the magnitude x it is floor(x
+ * 2^bits + 1/2), which follows from floor(y), y = x 2^(bits + 1). The comparison of y with an integer k depends only on
+ * the first bits + 1 decimals of x, since k / 2^(bits + 1) has no more decimals. So all further digits are skipped.
  */
 #include "constants.h"
 
@@ -11,7 +11,8 @@
 #define STEP 32 /* largest number of bits by which the limbs are multiplied at once */
 #define WHOLE_MAX (UINT64_C(1) << 32)
 
-/* A number's digits: "12.5e3" has the digits 125, and its point after 2 + 3 digits. */
+/* The digits of a number, and the position of its point: "12.5e3" has the digits 125, and the point after 2 + 3
+ * digits. */
 struct digits {
     const char *at, *end; /* the numeral's characters, with the point */
     int64_t point;
@@ -36,8 +37,8 @@ static const char *skip_sign(const char *p, const char *end, bool *negative)
     return p < end && (*p == '-' || *p == '+') ? p + 1 : p;
 }
 
-/* Parses the exponent in p..end, clamped to 2^33 in size: no text is as long, so larger exponents have the same result.
- * False if there is none. */
+/* Parses the exponent in p..end. Its size is clamped to 2^33: no text has as many digits, so larger exponents have the
+ * same result. Returns false if there is no exponent. */
 static bool parse_exponent(const char *p, const char *end, int64_t *exponent)
 {
     const int64_t limit = INT64_C(1) << 33;
@@ -69,7 +70,7 @@ static bool parse_digits(struct digits *d, const struct tia_word *word)
     return true;
 }
 
-/* Returns the next digit; 0 after the last one. */
+/* Returns the next digit, or 0 after the last one. */
 static uint32_t next_digit(const char **p, const char *end)
 {
     if (*p < end && **p == '.')
@@ -87,9 +88,9 @@ static uint64_t parse_whole(const char **p, const struct digits *d)
     return whole < WHOLE_MAX ? whole : WHOLE_MAX;
 }
 
-/* Returns the fraction times 2^bits, rounded down; bits in 1..54. Multiplies limbs of nine digits from the last to the
- * first, by at most 2^32: a product plus the carry is below LIMB 2^32 < 2^62; carries are below 2^32. The limbs then
- * hold the fraction of the product. */
+/* Returns the fraction times 2^bits, rounded down; bits is in 1..54. Each step multiplies the limbs, nine digits each,
+ * from the last to the first by at most 2^32. Carries are below 2^32, and a product plus a carry is below LIMB 2^32 <
+ * 2^62. The limbs then hold the fraction of the product. */
 static uint64_t parse_fraction(const char *p, const struct digits *d, unsigned bits)
 {
     uint32_t limbs[LIMBS] = {0};
@@ -219,7 +220,7 @@ int tia_text_q32(struct tia_text *t, int64_t *out)
     return read_number(t, out, 32, -INT64_MAX, INT64_MAX, "a number below 2147483648");
 }
 
-/* True if the number has no point and no exponent, so that "1e3" is an error. */
+/* True if the word is an integer without point and exponent: "1e3" is an error. */
 static bool is_whole(const struct tia_word *word)
 {
     const char *end = word->at + word->length;

@@ -1,7 +1,7 @@
 /* text_lines.c - splits text into lines and words. */
 #include "text_lines.h"
 
-/* byte order mark of UTF-8, with which many editors begin a text */
+/* the UTF-8 byte order mark, which many editors write at the start of a text */
 static const char byte_order_mark[] = "\xef\xbb\xbf";
 #define MARK_LENGTH (sizeof byte_order_mark - 1)
 
@@ -16,7 +16,7 @@ static bool is_marked(const char *bytes, size_t length)
 
 bool tia_text_is_too_long(size_t length)
 {
-    uint64_t bytes = length; /* always false where a size has fewer bits */
+    uint64_t bytes = length; /* always false if size_t has fewer than 32 bits */
     return bytes >= UINT32_MAX;
 }
 
@@ -36,7 +36,7 @@ static void new_line(struct tia_text *t)
     t->line_start = t->next;
 }
 
-/* Returns the length of the line end at p, LF or CRLF; 0 if there is none. */
+/* Returns the length of the line end at p, LF or CRLF, or 0 if there is none. */
 static unsigned line_end(const char *p, const char *end)
 {
     if (p < end && *p == '\n')
@@ -44,7 +44,7 @@ static unsigned line_end(const char *p, const char *end)
     return end - p >= 2 && p[0] == '\r' && p[1] == '\n' ? 2 : 0;
 }
 
-/* Returns the length of a backslash and line end at p; 0 if there is none. */
+/* Returns the length of a backslash and line end at p, or 0 if there is none. */
 static unsigned join(const char *p, const char *end)
 {
     unsigned length = p < end && *p == '\\' ? line_end(p + 1, end) : 0;

@@ -1,10 +1,10 @@
 /* text_lines.h - reads lines of words and numbers from untrusted bytes.
  *
- * Blanks separate words, LF or CRLF separates lines. A # where a word could begin starts a comment. A backslash
- * at the very end of a line joins the next line to it. The text needs no final newline or 0; nothing beyond its
- * end is read.
+ * Blanks separate words, LF or CRLF separates lines. A # at the beginning of a word starts a comment. A backslash at
+ * the very end of a line joins the next line to it. The text needs no final newline or 0; nothing beyond its end is
+ * read.
  *
- * Functions that can fail return TIA_OK, or TIA_ERR_RANGE and set the error. A reader looks like this:
+ * Functions that can fail return TIA_OK, or set the error and return TIA_ERR_RANGE. A reader looks like this:
  *
  *     while (tia_text_line(t)) {
  *         tia_text_word(t, &word);            never fails here: the line is not blank
@@ -21,7 +21,7 @@
 
 #include <tia/read.h>
 
-/* Part of the text; empty, at the end of the line, if the line has no more words. */
+/* A part of the text. An empty word at the end of the line means that the line has no more words. */
 struct tia_word {
     const char *at;
     uint32_t length, line, column;
@@ -34,12 +34,12 @@ struct tia_text {
     struct tia_read_error *error;
     struct tia_lengths *lengths; /* units and bounds of lengths, see length.h; NULL: none */
 
-    /* Names for numbers, see constants.h; NULL: none. A name's numbers replace it: those still to be read come before
-     * the next word of the line, with the name's place. */
+    /* Names for numbers, see constants.h; NULL: none. The numbers of a name replace it: they are read before the next
+     * word of the line, and errors give the place of the name. */
     const struct tia_constants *constants;
     const char *numbers, *numbers_end; /* numbers of the name that are still to be read; NULL: none */
     struct tia_word use;               /* the name, where it is used */
-    bool negated;                      /* the last word is one of those numbers, and the name had a minus */
+    bool negated;                      /* the last word is such a number, and the name had a minus */
 };
 
 /* True if lines, columns and indices would need more than 32 bits. */
@@ -48,12 +48,12 @@ bool tia_text_is_too_long(size_t length);
 /* Begins a text; skips a byte order mark at the start. */
 struct tia_text tia_text_begin(const char *bytes, size_t length, const char *file, struct tia_read_error *error);
 
-/* Skips to the next word on this line or a later one; false at the end of the text. */
+/* Skips to the next word on this line or a later one. Returns false at the end of the text. */
 bool tia_text_line(struct tia_text *t);
 
-/* Reads the next word of the line; false, and an empty word, at the end of the line. */
+/* Reads the next word of the line. At the end of the line the word is empty, and the function returns false. */
 bool tia_text_word(struct tia_text *t, struct tia_word *word);
-/* Gives the next word of the line without consuming it. */
+/* Reads the next word of the line without consuming it. */
 bool tia_text_peek(const struct tia_text *t, struct tia_word *word);
 
 /* Skips the rest of the line. */
@@ -62,26 +62,28 @@ void tia_text_skip(struct tia_text *t);
 /* Fails if the line has another word. */
 int tia_text_end(struct tia_text *t);
 
-/* Reads a name: 1..TIA_NAME_MAX bytes without control characters. `expected` is for the error: "a material's name". */
+/* Reads a name: 1..TIA_NAME_MAX bytes without control characters. `expected` describes the name in an error: "a
+ * material's name". */
 int tia_text_name(struct tia_text *t, struct tia_word *name, const char *expected);
-/* Reads a file's name likewise. It may be in double quotes, and then contain blanks. */
+/* Reads a file's name likewise. A name in double quotes may contain blanks. */
 int tia_text_file(struct tia_text *t, struct tia_word *name, const char *expected);
 
 bool tia_word_is(const struct tia_word *word, const char *string);
 
-/* Sets the error's place to word number `skip`, from 0, of the rest of a line or, if `word` is not NULL, to the first
- * word from that one on that equals it. False: the line has no such word, and the place stays as it is. */
+/* Sets the error's place to word number `skip`, from 0, of the rest of a line. If `word` is not NULL, sets it to the
+ * first word that equals `word`, starting at that number. Returns false, and leaves the place unchanged, if there is no
+ * such word. */
 bool tia_text_locate(struct tia_text rest, unsigned skip, const char *word, struct tia_read_error *error);
 
 /* Copies a name as a 0-terminated string. */
 void tia_word_copy(char out[TIA_NAME_MAX + 1], const struct tia_word *word);
 
-/* ---- numbers: [+-] digits with or without a point and an exponent (1e-3), however many digits ---- */
+/* ---- numbers: [+-], any number of digits with or without a point, and perhaps an exponent (1e-3) ---- */
 
 enum tia_decimal { TIA_DECIMAL_FINE, TIA_DECIMAL_NONE, TIA_DECIMAL_RANGE };
 
-/* Converts a word to a number, times 2^bits, rounded to nearest, ties away from zero; bits in 0..53, the result below
- * 2^63. */
+/* Converts a word to a number times 2^bits, rounded to nearest, ties away from zero; bits is in 0..53. The result must
+ * be below 2^63 in size. */
 enum tia_decimal tia_decimal(int64_t *out, const struct tia_word *word, unsigned bits);
 
 /* True if the next word of the line is a number, or a name that stands for numbers. */
@@ -93,7 +95,7 @@ int tia_text_q16(struct tia_text *t, tia_q16 *out);
 int tia_text_scaled(struct tia_text *t, tia_q16 *out, int bits);
 /* Reads a number times 2^bits, bits in -16..16, as Q31.32; the product is in the range of Q16.16. */
 int tia_text_fine(struct tia_text *t, int64_t *out, int bits);
-/* Reads a number below 2^31 in size, with `bits` bits behind the point, 0..53; *out is below 2^63 in size. */
+/* Reads a number with `bits` fractional bits, 0..53. The number must be below 2^31 in size, and *out below 2^63. */
 int tia_text_long(struct tia_text *t, int64_t *out, unsigned bits);
 /* Reads a number as Q2.30. */
 int tia_text_q30(struct tia_text *t, tia_q30 *out);
@@ -104,7 +106,7 @@ int tia_text_q32(struct tia_text *t, int64_t *out);
 int tia_text_unit(struct tia_text *t, tia_q30 *out);
 /* Reads a channel of a light's colour: 0 to below 2. */
 int tia_text_bright(struct tia_text *t, tia_q30 *out);
-/* Reads a channel of an emission, with 30 bits behind the point: 0 to below 16384. */
+/* Reads a channel of an emission, with 30 fractional bits: 0 to below 16384. */
 int tia_text_radiance(struct tia_text *t, int64_t *out);
 /* Reads an integer in min..max. */
 int tia_text_integer(struct tia_text *t, int64_t *out, int64_t min, int64_t max);
@@ -116,7 +118,7 @@ int tia_text_rgb(struct tia_text *t, struct tia_rgb *out, bool bright);
 /* Reads a direction, of any length but 0, and normalises it, within 2 ulp. */
 int tia_text_dir3(struct tia_text *t, struct tia_dir3 *out);
 
-/* Normalises v, each component at most 2^62 in size; false when v is 0. */
+/* Normalises v, whose components are at most 2^62 in size. Returns false if v is 0. */
 bool tia_dir3_of(struct tia_dir3 *out, const int64_t v[3]);
 
 /* ---- errors ---- */
@@ -125,7 +127,7 @@ bool tia_dir3_of(struct tia_dir3 *out, const int64_t v[3]);
  * TIA_ERR_RANGE. */
 int tia_text_error(struct tia_text *t, const struct tia_word *word, const char *what, const char *expected);
 
-/* Sets only the place, and returns TIA_ERR_RANGE; tia_say appends the text. */
+/* Sets the error's place, empties its text for tia_say, and returns TIA_ERR_RANGE. */
 int tia_text_error_at(struct tia_text *t, const struct tia_word *word);
 /* Appends a string to the error's text, as far as it fits. */
 void tia_say(struct tia_read_error *error, const char *string);

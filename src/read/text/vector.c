@@ -41,8 +41,9 @@ static uint64_t magnitude(int64_t x)
     return x < 0 ? 0 - (uint64_t)x : (uint64_t)x;
 }
 
-/* Normalises a vector. Its components are shifted so that the largest is in 2^30..2^31. Then the sum of squares is
- * below 2^64, its root at least 2^30, and the rounding of both below 2^-30 of it. */
+/* Normalises a vector. Its components are shifted so that the largest is in 2^30..2^31. The sum of squares is then
+ * below 2^64, and its root at least 2^30. So the truncation of the components and of the root changes each by less than
+ * 2^-30 of the root. */
 bool tia_dir3_of(struct tia_dir3 *out, const int64_t v[3])
 {
     tia_q30 unit[3];

@@ -39,7 +39,8 @@ static const struct tia_field gravity_fields[] = {
     {.word = "until", .kind = TIA_NUMBERS, .count = 1, .offset = offsetof(struct tia_falling, end)},
 };
 
-/* Converts a speed to the scene's unit. In scenes with gravity, the unit is the file's or larger. */
+/* Converts a velocity or acceleration to the scene's unit, which is not smaller than the file's in scenes with falling
+ * balls. */
 static void rescale(const struct tia_parse *job, struct tia_vec3 *v)
 {
     int bits = job->reach.lengths.scale_bits;
@@ -67,7 +68,7 @@ static const struct tia_field fall_fields[] = {
     {.word = "mass", .kind = TIA_NUMBERS, .count = 1, .offset = offsetof(struct tia_fall, mass)},
 };
 
-/* Adds a falling ball. Until names are resolved, its shape is the index of its name. */
+/* Adds a falling ball. Until tia_events_resolve, its `shape` is the index of its name. */
 int tia_line_fall(struct tia_parse *job)
 {
     struct tia_fall fall = {.restitution = TIA_Q16_ONE, .mass = TIA_Q16_ONE};
@@ -108,7 +109,7 @@ void tia_events_end(struct tia_parse *job)
         (void)tia_parse_add(job, TIA_OF_FALLING, &job->falling);
 }
 
-/* Returns the shape that has the transform. */
+/* Returns the index of the shape that has the transform. */
 static uint32_t shape_of(const struct tia_parse *job, uint32_t transform)
 {
     const struct tia_shape *shapes = tia_parse_at(job, TIA_OF_SHAPES, 0);

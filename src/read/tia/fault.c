@@ -1,6 +1,6 @@
 /* fault.c - finds the line and the word of a .tia file that tia_scene_check refuses.
  *
- * The text is read once more until the object at fault has been made: its statement is the last one read.
+ * The text is read again up to the statement that creates the faulty object.
  */
 #include "parse_state.h"
 #include "read/readers.h"
@@ -14,7 +14,7 @@ static struct tia_word word_of(const char *string)
     return word;
 }
 
-/* Sets the object that the job searches. */
+/* Sets the object or the statement that the job searches for. */
 static void seek(struct tia_parse *job, const struct tia_fault *fault)
 {
     static const struct {
@@ -33,15 +33,16 @@ static void seek(struct tia_parse *job, const struct tia_fault *fault)
     for (unsigned i = 0; i < TIA_COUNT_OF(things); i++)
         if (tia_word_is(&thing, things[i].thing))
             job->sought = things[i].array;
-    /* the scene's fields, and the camera's samples, are statements of the same names */
+    /* in a file, most fields of the scene, and the camera's `samples`, are statements of their own, named like the
+     * field */
     if (tia_word_is(&thing, "camera") && !tia_word_is(&field, "samples"))
         job->sought_statement = fault->thing;
     else if (job->sought == TIA_ARRAYS)
         job->sought_statement = fault->field;
 }
 
-/* Returns the file's word for a field of the scene, which may differ from the field's name; "": the line as a whole is
- * at fault. */
+/* Returns the file's word for a field of the scene, which may differ from the field's name, or "" if the line as a
+ * whole is at fault. */
 static const char *keyword(const struct tia_fault *fault)
 {
     static const struct {
@@ -74,7 +75,7 @@ static const char *keyword(const struct tia_fault *fault)
     return fault->field;
 }
 
-/* True if a name follows the statement's word: it may look like a keyword. */
+/* True if a name follows the statement's word. Such a name may look like a keyword. */
 static bool is_named(const char *statement)
 {
     static const char *const named[] = {"material", "texture", "mesh", "grid", "instance", "animate", "fall"};
@@ -86,8 +87,8 @@ static bool is_named(const char *statement)
     return false;
 }
 
-/* Finds the fault's place by reading the text again, in the scene's memory: the refused scene is not needed any
- * more. */
+/* Finds the fault's place by reading the text again. The arrays overwrite the refused scene in the arena: it is not
+ * needed any more. */
 void tia_locate_tia(struct tia_reader *reader, struct tia_fault *fault, struct tia_arena *arena)
 {
     struct tia_scene scene;

@@ -1,21 +1,22 @@
 /* groups.c - transforms within transforms.
  *
- * A shape is scaled, rotated and moved: p + R S x. With the transforms o of a group and i of an element of it that is
+ * A shape is scaled, rotated and moved: p + R S x. An element with transform i, in a group with transform o, is placed
+ * by
  *
  *     p_o + R_o S_o (p_i + R_i S_i x) = (p_o + R_o S_o p_i) + (R_o R_i) (S S_i) x   if S_o R_i = R_i S.
  *
  * Such a diagonal S exists if every inner axis, a column of R_i, mixes only outer axes of equal scale: if S_o is
- * uniform, if R_i turns by right angles, if it turns about an axis across which the scale is the same. All others
- * would shear the shape, which no tia_transform can express, and are refused.
+ * uniform, if R_i turns by right angles, or if R_i turns about an axis and the other two axes have the same scale. All
+ * other transforms would shear the shape, which no tia_transform can express; they are refused.
  *
- * Composition is in Q1.62 and Q31.32; a shape's transform is rounded once, at the end. Its angles then have an
- * error of 2^-17 degrees each, except where only one of the composed rotations is not 0: they stay as written. */
+ * Composition is in Q1.62 and Q31.32; a shape's transform is rounded once, at the end. Each of its angles then has an
+ * error of 2^-17 degrees. If only one of the composed rotations is not 0, its angles stay as written. */
 #include "math/rotation.h"
 #include "math/wide.h"
 #include "parse_state.h"
 
 #define ONE_Q62 (INT64_C(1) << 62)
-#define NOTHING (INT64_C(1) << 20)         /* 2^-42: a smaller component of an axis is 0 but for rounding */
+#define NOTHING (INT64_C(1) << 20)         /* 2^-42: a smaller component of an axis is 0, apart from rounding */
 #define FARTHEST (INT64_C(1) << (18 + 32)) /* limit of a position, Q31.32 */
 #define LEAST_SCALE ((int64_t)TIA_SCALE_MIN << 16)
 #define MOST_SCALE ((int64_t)TIA_SCALE_MAX << 16)
@@ -37,7 +38,7 @@ static struct tia_place place_of(const struct tia_transform *t)
     return place;
 }
 
-/* Gives S: for each inner axis the scale of the outer axes that it mixes; false if they differ. */
+/* Writes S: for each inner axis, the scale of the outer axes that it mixes. Returns false if their scales differ. */
 static bool scale_along(const struct tia_place *outer, const struct tia_place *inner, int64_t scale[3])
 {
     for (int i = 0; i < 3; i++) {
@@ -53,7 +54,7 @@ static bool scale_along(const struct tia_place *outer, const struct tia_place *i
     return true;
 }
 
-/* Gives R_o v, in v's format. */
+/* Writes R_o v, in v's format. */
 static void turn(const struct tia_place *outer, const int64_t v[3], int64_t out[3])
 {
     for (int k = 0; k < 3; k++) {
@@ -117,7 +118,7 @@ static int compose(struct tia_parse *job, struct tia_place *place)
     return TIA_OK;
 }
 
-/* Rounds Q31.32 to nearest, saturated; false if it does not fit. */
+/* Rounds Q31.32 to Q16.16, to nearest, saturated. Returns false if a component does not fit. */
 static bool rounded(const int64_t from[3], struct tia_vec3 *to)
 {
     tia_q16 *const out[3] = {&to->x, &to->y, &to->z};

@@ -1,12 +1,13 @@
 /* include.c - scenes in several files.
  *
- * The caller loads a file by its path from the scene's folder; names inside it are relative to its own folder: leg.tia
- * in models/chair.tia is models/leg.tia. The stack holds only the words that name the files: a path follows from them.
+ * The caller loads a file by its path relative to the scene's folder. A name in a file is relative to that file's
+ * folder: leg.tia in models/chair.tia means models/leg.tia. The stack of open files stores only the words that name
+ * them: paths are computed from these words.
  */
 #include "parse_state.h"
 
-/* Replaces `path`, a file's path, by that of `name`, which is relative to the file's folder; false: the new path is too
- * long. */
+/* Replaces a file's path by the path of `name`, which is relative to the file's folder. Returns false if the new path
+ * is too long. */
 static bool follow(char path[TIA_NAME_MAX + 1], const struct tia_word *name)
 {
     size_t folder = 0;
@@ -21,7 +22,7 @@ static bool follow(char path[TIA_NAME_MAX + 1], const struct tia_word *name)
     return true;
 }
 
-/* Gives the path of the file at a depth; "" at depth 0, the scene itself. */
+/* Writes the path of the file at a depth: "" at depth 0, the scene itself. */
 static void path_at(const struct tia_includes *includes, unsigned depth, char path[TIA_NAME_MAX + 1])
 {
     path[0] = 0;

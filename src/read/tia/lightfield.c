@@ -1,5 +1,5 @@
-/* lightfield.c - the statement camera lightfield: a display's screen and its observer line, as a frustum whose eye is
- * the line's middle.
+/* lightfield.c - the statement `camera lightfield`: a display's screen and observer line become a frustum, whose eye is
+ * the middle of the line.
  *
  * With the screen's axes n = normal, u = up x n and v = n x u, the eye is centre + distance n + above v + (from + to)/2
  * u.
@@ -27,7 +27,7 @@ static const struct tia_field fields[] = {
 #define UP_GIVEN 2u
 #define NORMAL_GIVEN 4u
 
-/* Returns the fault of the numbers and, in *expected, its remedy; NULL: there is none. */
+/* Returns the fault of the display's numbers, or NULL. Sets *expected to the remedy. */
 static const char *refused(const struct display *d, const char **expected)
 {
     *expected = d->width <= 0 || d->height <= 0 ? "a width and a height above 0"

@@ -16,7 +16,7 @@ struct light_line {
     {                                                                                                                  \
         .word = field, .kind = type, .count = n, .offset = offsetof(struct light_line, light.part), .needed = need     \
     }
-/* The number of fields that only lights have. They come first, so that the fields of keys can start after them. */
+/* The number of fields that only lights have. They come first, so that keys can skip them. */
 #define OWN 3
 #define NAME                                                                                                           \
     {.word = "name", .kind = TIA_NAME_FIELD, .offset = offsetof(struct light_line, name)},                             \

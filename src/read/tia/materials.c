@@ -90,13 +90,13 @@ int tia_line_material(struct tia_parse *job)
     return status;
 }
 
-/* A texture's line; numbers have 32 bits behind the point. */
+/* A texture's line; numbers are Q31.32. */
 struct texture_line {
     struct tia_texture texture;
     int64_t repeat[2], scale[2], offset[2];
 };
 
-/* Indices of the fields of every texture, which come first. */
+/* Indices of fields that every texture has; they come first. */
 enum { REPEAT_FIELD, SCALE_FIELD };
 #define LYING                                                                                                          \
     {.word = "repeat", .kind = TIA_LONGS, .count = 2, .max = 1, .offset = offsetof(struct texture_line, repeat)},      \
@@ -124,15 +124,15 @@ static uint64_t inverse(uint64_t x)
     return quotient + (rest >= x - x / 2);
 }
 
-#define NUMBERS_MOST ((INT64_C(1) << 55) - (INT64_C(1) << 23)) /* INT32_MAX, rounded, with TIA_TEXTURE_BITS_MIN */
+#define NUMBERS_MOST ((INT64_C(1) << 55) - (INT64_C(1) << 23)) /* Q31.32: the limit with TIA_TEXTURE_BITS_MIN */
 
 static bool is_exact(const int64_t numbers[2])
 {
     return !((numbers[0] | numbers[1]) & 0xffff);
 }
 
-/* Sets both numbers in Q16.16 times 2^-bits: 0 bits if they fit exactly, else as many as fit. False: the numbers are
- * too large even for the fewest. */
+/* Converts both numbers to Q16.16 times 2^-bits. `bits` is 0 if that is exact, otherwise as large as possible. Returns
+ * false if the numbers are too large even for the smallest `bits`. */
 static bool set_numbers(const int64_t numbers[2], tia_q16 out[2], int8_t *bits)
 {
     int64_t a = numbers[0] < 0 ? -numbers[0] : numbers[0], b = numbers[1] < 0 ? -numbers[1] : numbers[1];
@@ -149,8 +149,8 @@ static bool set_numbers(const int64_t numbers[2], tia_q16 out[2], int8_t *bits)
     return true;
 }
 
-/* Range of repeats: from 1/1024 in a unit of length that is 1024 times as small to 1024 in one that is 1024 times as
- * large. */
+/* Range of repeats, Q31.32: 2^-20 to 2^20. A repeat of 1/1024 to 1024 stays in this range if the unit of length becomes
+ * up to 1024 times smaller or larger. */
 #define REPEAT_LEAST (INT64_C(1) << 12)
 #define REPEAT_MOST (INT64_C(1) << 52)
 
@@ -177,7 +177,7 @@ static int set_pattern(struct tia_text *t, struct texture_line *line, uint32_t g
     return TIA_OK;
 }
 
-/* Loads an image, only once, in the last pass, when the rest of the text is known to be valid. */
+/* Loads an image, only once. Waits for the last pass, since the earlier passes find most errors. */
 static int fetch_image(struct tia_parse *job, const struct tia_word *file, struct tia_texture *texture)
 {
     struct tia_reader *reader = job->reader;

@@ -35,7 +35,7 @@ static const struct property *find_property(enum moving of, const struct tia_wor
     return NULL;
 }
 
-/* Reads the name of the moving object. In the first passes it may be that of a light or of a shape. */
+/* Reads the name of the animated object. Before the last pass, names of lights and of shapes are not distinguished. */
 static int read_target(struct tia_parse *job, enum moving *of, struct tia_track *track)
 {
     struct tia_word word, property;
@@ -77,7 +77,7 @@ static int take_property(struct tia_parse *job, struct tia_track *track)
     return TIA_OK;
 }
 
-/* Reads a number, the time, which must be later than `before`, and a colon. */
+/* Reads a time, which must be later than `before`, and a colon. */
 static int read_time(struct tia_text *t, tia_q16 before, tia_q16 *time)
 {
     struct tia_word word, number;

@@ -38,7 +38,7 @@ int tia_parse_define(struct tia_parse *job, enum tia_kind_of_name kind, uint32_t
     return status;
 }
 
-/* Finds a name in an array of names, which is sorted by now. */
+/* Finds a name in an array of names, which is sorted before the last pass. */
 static struct tia_name *find(const struct tia_parse *job, enum tia_parse_array array, enum tia_kind_of_name kind,
                              const struct tia_word *name)
 {

@@ -1,8 +1,8 @@
 /* parse_state.h - the state of the .tia reader, shared by its statements.
  *
- * It makes three passes over the text. The first one only counts. A named sphere is counted both as a sphere
- * and as a shape, since an animate statement, which makes it a shape, may follow later. The second pass collects
- * names, so that they can be used before the line that defines them. The last one fills the arrays.
+ * The reader makes three passes over the text. The first one only counts. It counts a named sphere both as a sphere and
+ * as a shape, since a later animate statement may make it a shape. The second pass collects names, so that they can be
+ * used before the lines that define them. The last pass fills the arrays.
  */
 #ifndef TIA_READ_TIA_PARSE_STATE_H
 #define TIA_READ_TIA_PARSE_STATE_H
@@ -12,12 +12,12 @@
 #include "read/text/name_table.h"
 #include "scene_reach.h"
 
-/* Kinds of names, and the index that each has. */
+/* Kinds of names, and the index that is stored with a name. */
 enum tia_kind_of_name {
     TIA_NAMED_MATERIAL, /* the material's index */
     TIA_NAMED_TEXTURE,  /* the texture's index */
-    TIA_NAMED_SOLID,    /* twice a mesh's index, or twice a grid's index plus 1 */
-    TIA_NAMED_MOVER     /* twice a transform's index, or twice a light's index plus 1 */
+    TIA_NAMED_SOLID,    /* 2 i for mesh i, 2 i + 1 for grid i */
+    TIA_NAMED_MOVER     /* 2 i for transform i, 2 i + 1 for light i */
 };
 
 enum tia_parse_array {
@@ -40,14 +40,14 @@ enum tia_parse_array {
     TIA_OF_FALLS,
     TIA_OF_FALLING,
     TIA_OF_NAMES,    /* all defined names */
-    TIA_OF_ANIMATED, /* the names in animate statements */
+    TIA_OF_ANIMATED, /* the names in animate and fall statements */
     TIA_ARRAYS
 };
 
 enum tia_pass { TIA_COUNTING, TIA_NAMING, TIA_FILLING };
 
-#define TIA_INCLUDE_DEPTH 8 /* largest number of files within each other */
-#define TIA_INCLUDES_MAX 64 /* largest number of files: eight that each include the next twice would be 256 */
+#define TIA_INCLUDE_DEPTH 8 /* largest depth of nested files */
+#define TIA_INCLUDES_MAX 64 /* largest number of includes: 8 nested files, each including the next twice, make 256 */
 #define TIA_GROUP_DEPTH 8
 
 /* The stack of included files. */
@@ -59,12 +59,12 @@ struct tia_includes {
     struct tia_word names[TIA_INCLUDE_DEPTH]; /* names of the included files, as written; the innermost last */
     unsigned depth, count;
     struct tia_text next;        /* file of an include statement just read; next.next is NULL if there is none */
-    char file[TIA_NAME_MAX + 1]; /* path of the innermost file, from the scene's folder */
+    char file[TIA_NAME_MAX + 1]; /* path of the innermost file, relative to the scene's folder */
 };
 
 /* A transform of higher precision than tia_transform: see groups.c. */
 struct tia_place {
-    int64_t axes[3][3];            /* as from tia_rotation_axes */
+    int64_t axes[3][3];            /* in the format of tia_rotation_axes */
     int64_t scale[3], position[3]; /* Q31.32 */
     struct tia_vec3 rotation;      /* the angles as written, if `as_written` */
     bool as_written;
@@ -82,16 +82,16 @@ struct tia_parse {
     struct tia_scene *scene;
     enum tia_pass pass;
     struct tia_array arrays[TIA_ARRAYS];
-    struct tia_falling falling; /* gravity, and its end */
+    struct tia_falling falling; /* gravity, and the time of its end */
     bool hides;                 /* a shape may be hidden: the scene needs a mesh without faces */
-    int bits, most, room;       /* the scale_bits, and their limits, see next_unit; set before the last pass */
+    int bits, most, room;       /* scale_bits of the last pass, and two limits: see next_unit */
     uint32_t images;            /* number of textures whose images have been loaded */
     uint32_t once;              /* bit n: statement n, which may occur only once, has occurred */
 
     const char *statement; /* the statement read last */
     struct tia_text rest;  /* the rest of its line */
 
-    /* Set when reading again to find the line of an object: item sought_index of an array, or a statement. */
+    /* Set when the text is read again to find a line: that of a statement, or of the item sought_index of an array. */
     bool seeking;
     enum tia_pass seeking_in;
     unsigned sought; /* enum tia_parse_array; TIA_ARRAYS: none */
@@ -99,14 +99,14 @@ struct tia_parse {
     const char *sought_statement; /* NULL: none */
 };
 
-/* Runs all passes; only the first one if the memory does not suffice. tia.c */
+/* Runs all passes, but only the first one if the memory is too small. Defined in tia.c. */
 int tia_parse_read(struct tia_parse *job, struct tia_arena *arena);
 
 /* Adds an item to an array; returns its index. */
 uint32_t tia_parse_add(struct tia_parse *job, enum tia_parse_array array, const void *item);
 uint32_t tia_parse_count(const struct tia_parse *job, enum tia_parse_array array);
 
-/* Returns the address of item `index` of an array, filled or not; NULL before the last pass. */
+/* Returns the address of item `index` of an array, filled or not; NULL in the first pass. */
 const void *tia_parse_at(const struct tia_parse *job, enum tia_parse_array array, uint32_t index);
 
 /* Defines the name that is the next word. */
@@ -114,18 +114,20 @@ int tia_parse_define(struct tia_parse *job, enum tia_kind_of_name kind, uint32_t
 /* Defines the given name. */
 void tia_parse_name(struct tia_parse *job, enum tia_kind_of_name kind, const struct tia_word *name, uint32_t index);
 
-/* Looks up a name's index, 0 before the last pass. `expected` is for the error: "the name of a material". */
+/* Looks up a name's index, 0 before the last pass. `expected` describes the name in an error: "the name of a
+ * material". */
 int tia_parse_find(struct tia_parse *job, enum tia_kind_of_name kind, const struct tia_word *name, const char *expected,
                    uint32_t *index);
 
-/* Notes that a name is animated. */
+/* Records that a name is animated. */
 void tia_parse_animate(struct tia_parse *job, const struct tia_word *name);
 /* True if a name is animated. */
 bool tia_parse_moves(const struct tia_parse *job, const struct tia_word *name);
-/* Finds the light or transform of that name, in the last pass; NULL: none. */
+/* Finds the entry of a light's or a transform's name. Returns NULL if there is none, and before the last pass. */
 struct tia_name *tia_parse_mover(const struct tia_parse *job, const struct tia_word *name);
 
-/* Adds a track of a shape's or light's visibility, unless both times are NULL, which means not given. */
+/* Adds a track of a shape's or light's visibility. A time that was not given is NULL; if both are NULL, adds
+ * nothing. */
 int tia_parse_show(struct tia_parse *job, enum tia_target target, uint32_t index, const tia_q16 *appears,
                    const tia_q16 *vanishes);
 
@@ -141,21 +143,21 @@ void tia_events_resolve(struct tia_parse *job);
 /* Composes a shape's transform with those of the groups around it. `name`: the shape's name, or NULL. */
 int tia_group_place(struct tia_parse *job, struct tia_transform *transform, const struct tia_word *name);
 
-/* Gives the path, from the scene's folder, of a file named in the file being read. */
+/* Writes the path, relative to the scene's folder, of a file that is named in the file being read. */
 int tia_include_path(struct tia_parse *job, const struct tia_word *name, char path[TIA_NAME_MAX + 1]);
 
-/* Reports that a file could not be loaded, for the reason that the callback gave. */
+/* Reports that a file could not be loaded; `why` is the callback's reason. */
 int tia_parse_missing(struct tia_parse *job, const struct tia_word *file, const char *why, const char *expected);
 
 /* Switches to the file of the last include statement. */
 void tia_include_begin(struct tia_parse *job);
-/* Switches back at the end of a file; an error if one of its groups is open. */
+/* Switches back at the end of a file. Fails if one of its groups is still open. */
 int tia_include_end(struct tia_parse *job);
 
 /* ---- statements: each function reads the rest of the line, and the block if there is one ---- */
 
 int tia_line_camera(struct tia_parse *job);
-int tia_light_field_line(struct tia_parse *job); /* the statement camera lightfield */
+int tia_light_field_line(struct tia_parse *job); /* the statement `camera lightfield` */
 int tia_line_samples(struct tia_parse *job);
 int tia_line_background(struct tia_parse *job);
 int tia_line_depth(struct tia_parse *job);

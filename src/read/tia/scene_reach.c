@@ -3,13 +3,13 @@
 #include "math/integer.h"
 #include "scene/shapes/description.h"
 
-/* Largest height of an eye above a plane that leaves the unit as fine as it is. An eye 1 above an infinite plane would
- * have its horizon 2^-16 too low, since hits end at a distance of 65536; an eye 8 above it 2^-13, which is less than a
- * quarter of a pixel. So the unit of length is no smaller than this allows. */
+/* Largest height of an eye above an infinite plane; a scene with a higher eye gets a larger unit of length. Hits end at
+ * a distance of 65536. So the horizon of an eye 1 above the plane is 2^-16 too low, and that of an eye 8 above it
+ * 2^-13, which is less than a quarter of a pixel. */
 #define HEIGHT_MOST TIA_Q16(8)
-/* Largest half width, in heights, of a window whose width follows the picture's. */
+/* Largest half width of a window whose width depends on the picture, in window heights. */
 #define WINDOW_GROWS 32
-#define OWN_MOST (INT64_C(1) << 33) /* a length beyond any scene, which times the largest scale still fits 64 bits */
+#define OWN_MOST (INT64_C(1) << 33) /* a length beyond any scene; times the largest scale, it fits in 64 bits */
 
 static int64_t larger(int64_t a, int64_t b)
 {
@@ -23,8 +23,8 @@ static int64_t size_of(struct tia_vec3 v)
     return larger(x, larger(y, z));
 }
 
-/* Returns a bound of the distance from 0 to a point whose largest coordinate is `size`: sqrt(3) times as much, rounded
- * up. */
+/* Returns an upper bound of the distance from 0 to a point whose coordinates are at most `size`: sqrt(3) `size`,
+ * rounded up. */
 static int64_t distance(int64_t size)
 {
     return size * 7 / 4 + 2;
@@ -118,8 +118,8 @@ void tia_reach_light(struct tia_reach *r, const struct tia_light *light)
     enlarge_own(r, distance(radius));
 }
 
-/* Returns the maximum corner of a box around all eyes of an observer line of half length `line`, which may have any
- * direction; for -line the minimum corner. */
+/* Returns the maximum corner of a box around an observer line or, for -line, the minimum corner. The line has the
+ * middle `eye`, the half length `line`, and any direction. */
 static struct tia_vec3 beside(struct tia_vec3 eye, tia_q16 line)
 {
     int64_t at[3] = {(int64_t)eye.x + line, (int64_t)eye.y + line, (int64_t)eye.z + line};
@@ -144,8 +144,8 @@ void tia_reach_camera(struct tia_reach *r, const struct tia_camera *camera)
         lengthen(r, ((int64_t)w->top - w->bottom) * WINDOW_GROWS);
 }
 
-/* Returns the span of a track. A smooth curve leaves the box around its keyframes by at most 8/27 of the box: each of
- * its two tangents is no longer, and has at most the weight 4/27. */
+/* Returns bounds of a track's values. A smooth curve leaves the box around its keyframes by at most 8/27 of the box's
+ * size: neither of its two tangents is longer than the box, and each has a weight of at most 4/27. */
 static struct tia_span path(const struct tia_track *track, struct tia_span values)
 {
     for (int i = 0; i < 3 && track->smooth; i++) {
@@ -203,7 +203,8 @@ void tia_reach_plane(struct tia_reach *r, const struct tia_plane *plane)
     }
 }
 
-/* Adds a box around all instances to the bounds, and half its diagonal over the least scale, see tia_transform. */
+/* Extends the bounds by a box around all placed objects. Half the diagonal of an object's box, over the smallest scale,
+ * must fit as well: see tia_transform. */
 static void add_placed(struct tia_reach *r)
 {
     int64_t largest = r->scale_largest < TIA_SCALE_MAX ? r->scale_largest : TIA_SCALE_MAX;

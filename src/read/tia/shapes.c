@@ -10,8 +10,7 @@ struct shape_line {
     struct tia_shape shape;
 };
 
-/* Indices of the fields that all shapes with a position have, which come first; infinite shapes have only those before
- * the name. */
+/* Indices of the common fields, which come first. Infinite shapes have only those before the name. */
 enum { MATERIAL_FIELD, APPEARS_FIELD, VANISHES_FIELD, NAME_FIELD, AT_FIELD, ROTATE_FIELD, SCALE_FIELD, COMMON_FIELDS };
 #define OFFSET(member) .offset = offsetof(struct shape_line, member)
 static const struct tia_field common_fields[COMMON_FIELDS] = {
@@ -71,8 +70,8 @@ static unsigned fields_of(const struct shape_description *description,
     return count;
 }
 
-/* Adds the transform of a shape that needs one. A named shape needs one if it moves, and as long as its motion is
- * unknown. */
+/* Adds the shape's transform if it needs one. A named shape needs a transform if it is animated; before the last pass
+ * this is unknown, and every named shape gets one. */
 static void add_transform(struct tia_parse *job, struct shape_line *line, uint32_t given)
 {
     bool filling = job->pass == TIA_FILLING, moves = tia_parse_moves(job, &line->name);
@@ -88,14 +87,14 @@ static void add_transform(struct tia_parse *job, struct shape_line *line, uint32
     }
 }
 
-/* Adds a sphere that does not move and is always visible, to the scene's spheres. */
+/* Adds a sphere that does not move and is always visible to the scene's spheres. */
 static void add_sphere(struct tia_parse *job, const struct tia_shape *shape)
 {
     struct tia_sphere sphere = {shape->sphere.centre, shape->sphere.radius, shape->material};
     (void)tia_parse_add(job, TIA_OF_SPHERES, &sphere);
 }
 
-/* Extends the scene's bounds by the line. */
+/* Extends the scene's bounds by the shape. */
 static void note_reach(struct tia_parse *job, const struct shape_line *line, uint32_t given)
 {
     if (job->pass == TIA_COUNTING)
@@ -121,7 +120,7 @@ static int add_shape(struct tia_parse *job, struct shape_line *line, uint32_t gi
                           given & 1u << VANISHES_FIELD ? &line->vanishes : NULL);
 }
 
-/* Reads the fields of a shape whose kind and, for an instance, mesh or grid are set. */
+/* Reads the fields of a shape. Its kind is set, and so is the mesh or grid of an instance. */
 static int read_fields(struct tia_parse *job, struct shape_line *line)
 {
     const struct shape_description *description = tia_shape_description(line->shape.kind);

@@ -1,7 +1,7 @@
 /* solids.c - meshes and grids: blocks of lines, from their statement to the line "end". */
 #include "parse_state.h"
 
-/* Reads the first word of a block's next line; an error at the text's end. */
+/* Reads the first word of a block's next line. Fails at the end of the text. */
 static int take_line(struct tia_text *t, struct tia_word *word, const char *expected)
 {
     if (tia_text_line(t)) {
@@ -56,7 +56,7 @@ static int read_uv(struct mesh_block *block)
     return status;
 }
 
-/* Reads a number from 1 to `count` at the front of `rest` and removes it; *index receives the number minus 1. */
+/* Removes a number from 1 to `count` from the front of `rest`, and sets *index to the number minus 1. */
 static int take_index(struct tia_text *t, struct tia_word *rest, uint32_t count, const char *thing, uint32_t *index)
 {
     struct tia_word number = *rest;
@@ -121,7 +121,7 @@ static bool are_alike(const struct tia_corner *a, const struct tia_corner *b)
            (a->normal == TIA_NO_INDEX) == (b->normal == TIA_NO_INDEX);
 }
 
-/* Reads a polygon as the triangles from its first corner. */
+/* Reads a polygon, and adds it as a fan of triangles around its first corner. */
 static int read_face(struct mesh_block *block)
 {
     struct tia_text *t = &block->job->text;
@@ -223,7 +223,7 @@ static int read_row(struct tia_parse *job, unsigned cells)
     return tia_text_end(&job->text);
 }
 
-/* Reads the rows, one for each y and z, and the end. */
+/* Reads the rows of a grid, one for each y and z, and the line "end". */
 static int read_rows(struct tia_parse *job, const struct tia_grid *grid)
 {
     struct tia_word word;

@@ -3,11 +3,11 @@
 #include "read/readers.h"
 #include "scene/shapes/description.h"
 
-/* Statements except those of shapes, whose words are in their descriptions. */
+/* All statements but those of shapes: a shape's word is in its description. */
 static const struct statement {
     const char *word;
     int (*read)(struct tia_parse *job);
-    bool once, outside; /* at most one in a scene; not inside groups, which do not transform the object */
+    bool once, outside; /* at most one in a scene; not allowed in groups, which would not move it */
 } statements[] = {
     {"instance", tia_line_instance, false, false},
     {"mesh", tia_line_mesh, false, false},
@@ -91,7 +91,7 @@ static int read_statement(struct tia_parse *job, const struct tia_word *word)
     return status ? status : tia_text_end(&job->text);
 }
 
-/* True if the statement just read is the one that is searched for. */
+/* True if the statement just read is the sought one. */
 static bool is_sought(const struct tia_parse *job, const struct tia_word *word)
 {
     if (job->sought_statement)
@@ -122,7 +122,8 @@ static void begin_pass(struct tia_parse *job, enum tia_pass pass)
     job->text.lengths = &job->reach.lengths;
 }
 
-/* Goes to the next line, of this file or of one that includes it; false at the end of the scene. */
+/* Goes to the next line of this file or, at its end, of the file that includes it. Returns false at the end of the
+ * scene. */
 static bool next_line(struct tia_parse *job, int *status)
 {
     while (!tia_text_line(&job->text)) {
@@ -156,7 +157,8 @@ static int read_pass(struct tia_parse *job, enum tia_pass pass)
     return status;
 }
 
-/* Refuses a name defined twice. Reads up to the name again, so that job->text is the file that has it. */
+/* Refuses a name that is defined twice. Reads the text again up to the second definition, so that the error names its
+ * file. */
 static int refuse_twice(struct tia_parse *job, const struct tia_name *twice)
 {
     struct tia_word word = twice->word;
@@ -181,7 +183,7 @@ static int sort_names(struct tia_parse *job)
     return twice ? refuse_twice(job, twice) : TIA_OK;
 }
 
-/* Sets the reference point. A camera without one, but with a track for it, looks at the track's first value. */
+/* Sets the reference point of a camera without one: the first value of its track. */
 static void look_at(struct tia_camera *camera, struct tia_vec3 reference)
 {
     if (camera->up.x || camera->up.y || camera->up.z)
@@ -190,8 +192,8 @@ static void look_at(struct tia_camera *camera, struct tia_vec3 reference)
     camera->reference = reference;
 }
 
-/* Replaces the name's index, in the tracks of shapes and lights, by that of the transform or light; sets the reference
- * point of a camera that only a track defines. */
+/* In the tracks of shapes and lights, replaces the index of the name by that of the transform or light. Sets the
+ * camera's reference point if only a track defines it. */
 static void resolve_tracks(struct tia_parse *job)
 {
     struct tia_track *tracks = (struct tia_track *)(void *)job->arrays[TIA_OF_TRACKS].items;
@@ -261,8 +263,8 @@ static void size_arrays(struct tia_parse *job)
         job->arrays[i] = (struct tia_array){.item = sizes[i]};
 }
 
-/* Chooses the unit of length. If all lengths fit in the file's unit, that is tried first, even if the estimated bounds
- * are too large for it. */
+/* Chooses the unit of length. If all lengths fit in the file's unit, that unit is tried first, even if the estimated
+ * bounds are too large for it. */
 static void choose_unit(struct tia_parse *job)
 {
     bool fits = job->reach.lengths.scale_bits == 0;
@@ -272,7 +274,6 @@ static void choose_unit(struct tia_parse *job)
     job->bits = tia_reach_bits(&job->reach, job->most);
 }
 
-/* Runs all passes; only the first one if the memory does not suffice. */
 int tia_parse_read(struct tia_parse *job, struct tia_arena *arena)
 {
     int bits = 0, status;
@@ -303,9 +304,9 @@ static void finish(struct tia_parse *job)
     set_arrays(job);
 }
 
-/* Chooses the unit to try when a scene is refused: a smaller one where the unit is large for the horizon's sake, as
- * some length may have become too small; and where the scene does not fit, the one in which it certainly does. False:
- * there is none. */
+/* Chooses the next unit to try after a scene was refused. If the unit is large because of the horizon, see
+ * tia_reach_bits, a length may be too small in it: a smaller unit is next. Otherwise the scene may not fit: the unit in
+ * which it certainly fits is next. Returns false if no unit is left. */
 static bool next_unit(struct tia_parse *job)
 {
     if (job->bits < job->most) {

@@ -92,7 +92,7 @@ int tia_line_depth(struct tia_parse *job)
     return status;
 }
 
-/* Reads a name; *number receives the number, from `first` on, for which `name_of` returns it. */
+/* Reads a name, and sets *number to the number, not below `first`, for which `name_of` returns that name. */
 static int named(struct tia_text *t, const char *(*name_of)(unsigned), unsigned first, const char *what,
                  const char *expected, unsigned *number)
 {
@@ -119,7 +119,7 @@ static int map_size(struct tia_text *t, struct tia_shadow_map *map)
     return status;
 }
 
-/* Reads an amount with digits below Q16.16: in a file with a large unit, a length has few digits in Q16.16. */
+/* Reads an amount with more digits than Q16.16 has: in a file with a large unit, a length has few digits there. */
 static int amount_digits(struct tia_text *t, struct tia_shadow_map *map)
 {
     int64_t amount;
@@ -165,10 +165,10 @@ static int map_filter(struct tia_text *t, struct tia_shadow_map *map)
     return status;
 }
 
-/* Reads a field of shadows; `seen` has a bit for each field that was read. */
+/* Reads a field of the statement `shadows`; `seen` has a bit for each field that was read. */
 static int shadow_field(struct tia_text *t, const struct tia_word *word, struct tia_scene *scene, unsigned *seen)
 {
-    static const char *const fields[] = {"tessellated", "size", "bias", "filter"}; /* fields, those of maps last */
+    static const char *const fields[] = {"tessellated", "size", "bias", "filter"}; /* the fields of maps last */
     bool map = scene->shadows == TIA_SHADOWS_MAP;
     unsigned i = 0, count = map ? TIA_COUNT_OF(fields) : 1;
 

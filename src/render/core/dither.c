@@ -1,7 +1,7 @@
 #include "dither.h"
 
-/* Returns the entry of Bayer's matrix M(8), where M(2n) = [4 M(n), 4 M(n) + 2; 4 M(n) + 3, 4 M(n) + 1]: each bit of x
- * and y adds two bits to the entry, the lowest bits of x and y its highest two. */
+/* Returns the entry of Bayer's matrix M(8), where M(2n) = [4 M(n), 4 M(n) + 2; 4 M(n) + 3, 4 M(n) + 1]: bit i of x and
+ * bit i of y determine two bits of the entry; bits 0 determine its highest two. */
 static unsigned bayer(unsigned x, unsigned y)
 {
     unsigned entry = 0;

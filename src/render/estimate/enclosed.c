@@ -26,8 +26,8 @@ static bool is_opaque(const struct ray_view *view, const struct hit *hit)
     return !m->opacity && !m->refraction.r && !m->refraction.g && !m->refraction.b;
 }
 
-/* Returns the opaque object that the rays in all 14 directions from the point hit, each at a distance of `least` or
- * more; TIA_NO_OBJECT: no such object. */
+/* Returns the opaque object that rays from the point hit in all 14 directions, at distances of `least` or more;
+ * TIA_NO_OBJECT if there is no such object. */
 static uint32_t around(const struct ray_view *view, struct num_point point, num_length least)
 {
     uint32_t object = TIA_NO_OBJECT;
@@ -43,7 +43,7 @@ static uint32_t around(const struct ray_view *view, struct num_point point, num_
     return object;
 }
 
-/* True if the light's edge is inside the object, tested at a rectangle's corners or at four points of a disc's edge. */
+/* True if the light's edge is inside the object. Tests a rectangle's corners, or four points of a disc's edge. */
 static bool edge_is_inside(const struct ray_view *view, const struct ray_light *light, uint32_t object)
 {
     for (int i = 0; i < 4; i++) {

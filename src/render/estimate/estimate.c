@@ -78,7 +78,7 @@ static void sample_of(struct estimate *e, const struct light_pixel *at, uint32_t
     radiance(e, &ray, rgb);
 }
 
-/* Adds sample number `index` of a pixel to the sum, and gives it in `rounded`, both in units of 2^-24. If there are
+/* Adds sample number `index` of a pixel to the sum, and writes it to `rounded`, both in units of 2^-24. If there are
  * three channels, each has a separate ray. */
 static void add_sample(struct estimate *e, int x, int y, uint32_t index, estimate_radiance *radiance,
                        struct tia_sum *sum, int64_t rounded[3])
@@ -133,7 +133,7 @@ void estimate_sample_tile(const struct tia_view *view, struct tia_tile tile, uin
                         (size_t)y * gathered->pitch + (size_t)x, radiance);
 }
 
-/* Conversion of the sums of a row to pixels. */
+/* Parameters of the conversion of a row's sums to pixels. */
 struct packing {
     enum tia_tone tone;
     struct tia_exposure exposure;
@@ -142,7 +142,7 @@ struct packing {
     num_u threshold[8];
 };
 
-/* Returns a sum's display level, 0..2^bits - 1; dithering starts from its level of 8 bits. */
+/* Returns a sum's display level, 0..2^bits - 1. If dithered, it is computed from the 8-bit level. */
 static unsigned level(const struct packing *p, int64_t sum, unsigned bits, int x)
 {
     uint32_t value = tia_exposed(&p->exposure, sum, p->spp);

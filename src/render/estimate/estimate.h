@@ -11,10 +11,10 @@ struct estimate {
     const struct ray_view *view;
     num_length bias; /* offset of rays from surfaces */
     struct sampler sampler;
-    uint32_t layers;         /* number of surfaces passed by the chance of an opacity */
+    uint32_t layers;         /* number of random choices made for opacity textures */
     uint32_t hash;           /* hash of the hits of all rays of the pixel's samples */
     uint32_t blocker;        /* object that blocked the last shadow ray, or TIA_NO_OBJECT */
-    struct tia_guide *guide; /* the pixel's guide; NULL: not wanted, or the sample has filled it in */
+    struct tia_guide *guide; /* the pixel's guide; NULL: not requested, or already filled in by the sample */
     unsigned rays;           /* number of rays since the last call of `stop` */
     bool stopped;
 };
@@ -36,23 +36,23 @@ void estimate_light_tile(const struct tia_view *view, struct tia_tile tile, cons
 void estimate_show(const struct tia_view *view, struct tia_tile row, const struct tia_sum *sums, uint32_t count,
                    const struct tia_surface *surface, bool dither);
 
-/* Counts a ray; true once `stop` has returned true. */
+/* Counts a ray. Returns true once `stop` has returned true. */
 bool estimate_stops(struct estimate *e);
 
-/* Finds the nearest surface that the ray does not pass by the chance of an opacity texture, and moves the ray's origin
- * behind each surface passed. False: no surface, but perhaps a light of the kinds `lights`, see
- * ray_intersect_lights_of; or stopped. */
+/* Finds the surface at which the ray ends. At a surface with an opacity texture, the ray passes at random, and its
+ * origin moves behind the surface. Returns false if no surface is met, but perhaps a light of the kinds `lights`, see
+ * ray_intersect_lights_of; or if stopped. */
 bool estimate_meet(struct estimate *e, struct ray *ray, unsigned lights, struct hit *hit, struct shading *s);
 
-/* Adds the sample's first visible surface to e->guide, and sets e->guide to NULL; does nothing if it is NULL. `normal`
- * NULL: no surface, and `depth` is unused. */
+/* Adds the sample's first visible surface to e->guide, and sets e->guide to NULL; does nothing if it is NULL. If there
+ * is no surface, `normal` is NULL, and `depth` is unused. */
 void estimate_guide(struct estimate *e, const num_length albedo[3], const struct num_dir *normal, num_length depth);
 
 /* Implements `enclosing`, see struct tia_estimator. */
 uint32_t estimate_enclosing(const struct tia_view *view, uint32_t light);
 
-/* Adds the square of a sample's luminance, at most 2^14, to *squares, in units of 2^-32; rgb is in units of 2^-24. The
- * sum saturates, and so does not depend on the order of the samples. */
+/* Adds the square of a sample's luminance, which is at most 2^14, to *squares, which is in units of 2^-32; rgb is in
+ * units of 2^-24. The sum saturates, so that it does not depend on the order of the samples. */
 static inline void estimate_add_square(const int64_t rgb[3], uint64_t *squares)
 {
     uint64_t luminance = (uint64_t)(rgb[0] + 2 * rgb[1] + rgb[2]) / 4;

@@ -2,7 +2,7 @@
  *
  * A ray from outside enters the box where it enters the last of the slabs that it starts outside of, unless it has left
  * another slab before; a ray from inside leaves the box where it leaves the first slab. The planes ahead are found by
- * comparing coordinates, which are exact. */
+ * exact comparisons of coordinates. */
 #include "box.h"
 
 struct box_axis box_axis(num_length min, num_length max, num_length origin, num_unit direction)
@@ -17,8 +17,8 @@ static uint32_t entered(const struct box_axis *axes, int i)
     return 2 * (uint32_t)i + axes[i].backward;
 }
 
-/* Returns the axis of the last slab that the ray enters, at *t; -1 when it starts within all slabs. A slab parallel to
- * the ray is not entered. */
+/* Returns the axis of the last slab that the ray enters, at *t; -1 if the ray starts within all slabs. A slab parallel
+ * to the ray is not entered. */
 static int enter(const struct box_axis axes[3], num_length *t)
 {
     int last = -1;
@@ -96,9 +96,9 @@ void box_uv(const struct prepared_box *box, struct num_point point, uint32_t fac
 {
     struct num_point v = num_point_sub(point, box->min), size = num_point_sub(box->max, box->min);
 
-    if (face == 1 || face == 3) /* U at +x and V at +y are -z */
+    if (face == 1 || face == 3) /* U on face +x and V on face +y point along -z */
         v.z = size.z - v.z;
-    if (face == 4) /* U at -z is -x */
+    if (face == 4) /* U on face -z points along -x */
         v.x = size.x - v.x;
     uv[0] = face / 2 == 0 ? num_ratio(v.z, size.z) : num_ratio(v.x, size.x);
     uv[1] = face / 2 == 1 ? num_ratio(v.z, size.z) : num_ratio(v.y, size.y);

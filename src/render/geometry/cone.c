@@ -1,4 +1,4 @@
-/* cone.c - the kind of cones and truncated cones, see round.c. */
+/* cone.c - cones and truncated cones, see round.c. */
 #include "round.h"
 
 static void prepare(struct shape *shape, const struct tia_scene *scene, const struct tia_shape *given)

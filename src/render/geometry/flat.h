@@ -6,7 +6,7 @@
 
 void flat_prepare(struct prepared_plane *plane, struct tia_vec3 point, struct tia_dir3 normal);
 
-/* Intersects a ray with the infinite plane; false: not at 0 <= t <= limit. */
+/* Intersects a ray with the infinite plane; false if no intersection has 0 <= t <= limit. */
 bool flat_intersect(const struct prepared_plane *plane, const struct ray *ray, num_length limit, num_length *t);
 
 /* Implements `surface` of struct shape_kind: the normal is the plane's. */

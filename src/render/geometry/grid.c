@@ -1,8 +1,8 @@
 /* grid.c - grids of cubes, traversed cell by cell after Amanatides and Woo, "A fast voxel traversal algorithm" (1987).
  *
- * Cells are counted in integers, and the t of a plane between two cells comes from the plane's coordinate, not from the
- * t of the previous plane: so the steps of the walk are the planes that the ray meets, sorted by t, and rounding cannot
- * make the walk skip or repeat a cell. The walk has at most as many steps as there are planes. An intersection's
+ * Cells are counted in integers. The t of a plane between two cells is computed from the plane's coordinate, not from
+ * the t of the previous plane. So the steps of the walk are the planes that the ray meets, sorted by t, and rounding
+ * cannot make the walk skip or repeat a cell. The walk has at most as many steps as there are planes. An intersection's
  * element is 6 times the cell plus the face, numbered as in box.h. */
 #include "box.h"
 
@@ -19,7 +19,7 @@ static int step_of(const struct walker *w, int axis)
     return w->direction[axis] < 0 ? -1 : 1;
 }
 
-/* Returns the t of the plane below cell `at` of an axis. */
+/* Returns the t of the plane at the lower side of cell `at` of an axis. */
 static num_length plane_at(const struct walker *w, int axis, int32_t at)
 {
     return num_div(w->corner[axis] + w->edge * (num_length)at - w->origin[axis], w->direction[axis]);
@@ -74,8 +74,8 @@ static void start(struct walker *w, const struct prepared_grid *grid, const stru
         find_cell(w, axis, t);
 }
 
-/* Walks from cell to cell until the next cell, or the space outside, differs in material from the first; false: not
- * within `limit`, or the grid ends in empty cells. */
+/* Walks from cell to cell until the material of the next cell, or of the empty space outside, differs from that of the
+ * first. False if the walk goes beyond `limit`, or leaves the grid from empty cells. */
 static bool go(struct walker *w, num_length limit, struct intersection *intersection)
 {
     uint32_t cell = cell_index(w);

@@ -35,7 +35,8 @@ struct num_point instance_point(const struct instance *p, struct num_point point
                               num_ratio(num_point_dot(v, p->axes[2]), p->scale[2])};
 }
 
-/* Returns the t at which the ray, whose direction is d along the axes, reaches the box; above NUM_LENGTH_MAX: never. */
+/* Returns the t at which the ray reaches the box; above NUM_LENGTH_MAX if it misses the box. d is the direction along
+ * the instance's axes. */
 static num_length start_of(const struct instance *p, const struct ray *ray, struct num_dir d)
 {
     const num_unit along[3] = {d.x, d.y, d.z};
@@ -67,8 +68,9 @@ num_length instance_distance(const struct instance_ray *placed, num_length t)
     return t < placed->start ? -1 : num_scaled(t - placed->start, placed->scale);
 }
 
-/* Returns the limit with a margin. Converting t to the shape's axes and back has an error of 2^-57 t and some units of
- * 2^-45, and a unit in the world is k <= 2^10 units in the shape's axes. The margin is k m + m, m = 2^-40 (t + 1). */
+/* Returns the limit in the shape's axes, with a margin. Converting t to these axes and back has an error of 2^-57 t and
+ * some units of 2^-45, and a unit in the world is k <= 2^10 units in the shape's axes. The margin is k m + m, where m =
+ * 2^-40 (t + 1). */
 num_length instance_limit(const struct instance_ray *placed, num_length t)
 {
     num_length more = t / (num_length)(INT64_C(1) << 40) + NUM_LENGTH_BIAS / (num_length)(INT32_C(1) << 27);

@@ -1,12 +1,11 @@
 /* instance.h - shapes that are scaled, rotated and moved.
  *
- * With the scale s, the axes a (where the shape's x, y and z point) and the position p, a world point P is
- * ((P - p).a_i) / s_i in the shape's axes, and a direction D is (D.a_i) / s_i, whose length is k: a distance t in the
- * world is k t in the shape's axes.
+ * An instance has a scale s, axes a, which are the directions of the shape's x, y and z in the world, and a position p.
+ * In the shape's axes, a world point P is ((P - p).a_i) / s_i, and a direction D is (D.a_i) / s_i. Let k be the length
+ * of the latter: a distance t in the world is k t in the shape's axes.
  *
  * A ray is first moved forward to the box around the shape. So no number in the shape's axes is larger than the shape,
- * however small the scale, and a ray that misses the box misses the shape.
- */
+ * however small the scale, and a ray that misses the box misses the shape. */
 #ifndef TIA_RENDER_GEOMETRY_INSTANCE_H
 #define TIA_RENDER_GEOMETRY_INSTANCE_H
 
@@ -33,14 +32,14 @@ struct instance_ray {
 
 void instance_transform_ray(const struct instance *instance, const struct ray *ray, struct instance_ray *placed);
 
-/* Converts a distance in the world to one along the local ray: below 0 when it ends before the local origin or the ray
- * misses the box. */
+/* Converts a distance in the world to one along the local ray. The result is below 0 if the distance ends before the
+ * local origin, or if the ray misses the box. */
 num_length instance_distance(const struct instance_ray *placed, num_length t);
 /* Converts a distance along the local ray to one in the world. */
 num_length instance_distance_back(const struct instance_ray *placed, num_length t);
 
-/* Returns instance_distance of t plus a margin for its rounding: an intersection within t in the world is within this
- * limit. */
+/* Returns instance_distance(t) plus a margin for its rounding, so that an intersection within t in the world is within
+ * this limit. */
 num_length instance_limit(const struct instance_ray *placed, num_length t);
 
 /* Converts a world point on the shape to the shape's axes. */

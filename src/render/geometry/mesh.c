@@ -4,13 +4,14 @@
 
 #define GROUPS 16
 
-/* The lowest group numbers from `from` on, in rising order; `more`: there are higher ones. */
+/* Numbers of groups that a ray meets, in ascending order: the lowest ones that are `from` or higher. `more`: there are
+ * further ones. */
 struct groups {
     uint32_t group[GROUPS], count, from;
     bool more;
 };
 
-/* A search among faces: nearest.t is the limit at first, and then the nearest intersection so far. */
+/* A search among faces. nearest.t is at first the limit, then the t of the nearest intersection so far. */
 struct search {
     const struct tia_mesh *mesh;
     const struct ray *given;
@@ -65,7 +66,7 @@ static void try_face(struct search *s, uint32_t face)
     s->found = true;
 }
 
-/* Tests `count` faces, items[i] or, if `items` is NULL, i, for i from `first` on. */
+/* Tests `count` faces, from i = `first` on: items[i] or, if `items` is NULL, face i. */
 static void try_faces(struct search *s, const uint32_t *items, uint32_t first, uint32_t count)
 {
     for (uint32_t i = first; i - first < count && !(s->any && s->found); i++)
@@ -142,8 +143,8 @@ static uint64_t edge_number(const struct tia_vec3 *a, const struct tia_vec3 *b)
     return n;
 }
 
-/* True if the mesh is closed. If every edge has an opposite one, the sum of the hashes is 0; otherwise it is 0 with a
- * probability of 2^-64. */
+/* True if the mesh is closed. If every edge has an opposite one, the hashes of edges minus those of their opposites add
+ * up to 0; otherwise the sum is 0 with a probability of 2^-64. */
 bool mesh_is_closed(const struct tia_mesh *mesh, struct cancel *cancel)
 {
     uint64_t sum = 0;
@@ -158,8 +159,8 @@ bool mesh_is_closed(const struct tia_mesh *mesh, struct cancel *cancel)
     return sum == 0;
 }
 
-/* Returns the mean of the vertices' normals, weighted by the barycentric coordinates; `flat`, the face's own normal,
- * where they cancel. */
+/* Returns the mean of the vertices' normals, weighted by the barycentric coordinates. If they cancel, returns `flat`,
+ * the face's own normal. */
 static struct num_dir smooth_normal(const struct tia_mesh *mesh, const struct tia_corner corner[3],
                                     const num_unit parts[3], struct num_dir flat)
 {

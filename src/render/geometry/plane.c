@@ -1,4 +1,4 @@
-/* plane.c - the kind of infinite planes, which end at the largest coordinates. */
+/* plane.c - planes, which extend up to the largest coordinates. */
 #include "flat.h"
 
 static bool is_near(num_length x)

@@ -1,38 +1,38 @@
 /* round.c - cylinders and cones.
  *
- * With z the height of a point along the axis above one of its ends, the anchor, r the radius there, rho
- * the point's distance from the axis, and the side at the angle whose cosine and sine are c = length/l,
- * s = (top radius - base radius)/l, l being the side's length, the inside of the side is where
+ * Let z be the height of a point along the axis above the anchor, which is one of the axis's ends; r the radius there;
+ * and rho the point's distance from the axis. The slope of the side has the cosine c = length/l and the sine s = (top
+ * radius - base radius)/l, l being the side's length. The point is inside the side where
  *
  *     rho c <= g,   g = r c + z s                                                                    (1)
  *
- * and rho c - g is the distance from the side, so all terms have the magnitude of lengths. A cylinder
- * has c = 1, s = 0.
+ * rho c - g is the distance from the side, so all terms have the magnitude of lengths. A cylinder has c = 1, s = 0.
  *
  * The ray's origin is first moved along the ray to the point nearest to the anchor. If this point is farther from the
  * anchor than any point of the shape, the ray misses; so no number below is much larger than the shape. The anchor is
  * the thinner end because g, by which errors are divided, is smallest there. Let q be the length of the direction's
- * part across the axis, d that of its part along the axis, m the distance along the former part at which the ray is
- * nearest to the axis, and w the ray's distance from the axis there: rho^2 = w^2 + (t q - m)^2. With
+ * part across the axis, and d that of its part along the axis. Let m be the distance along the former part at which the
+ * ray is nearest to the axis, and w the ray's distance from the axis there: rho^2 = w^2 + (t q - m)^2. With
  *
  *     P = w c,   M = m c,   G = g at t = 0,   (sigma, gamma) n = (q c, d s), sigma^2 + gamma^2 = 1,
  *
- * and t n for t, (1) squared is
+ * and with t in place of t n, the square of (1) is
  *
  *     P^2 + (sigma t - M)^2 <= (G + gamma t)^2.
  *
- * The roots of  ab t^2 - 2 H t + C,  ab = sigma^2 - gamma^2,  H = M sigma + G gamma,  C = M^2 + P^2 - G^2
- * are K/ab and C/K for K = H +- D, the sign being that of H: nothing cancels, and a ray parallel to the
- * side (ab = 0) has the second one alone. The discriminant is
+ * The roots of  ab t^2 - 2 H t + C,  ab = sigma^2 - gamma^2,  H = M sigma + G gamma,  C = M^2 + P^2 - G^2 are K/ab and
+ * C/K for K = H +- D, with the sign of H. So nothing cancels. A ray parallel to the side (ab = 0) has the second root
+ * alone. The discriminant is
  *
- *     D^2 = H^2 - ab C = E^2 - ab P^2,   E = G sigma + M gamma:
+ *     D^2 = H^2 - ab C = E^2 - ab P^2,   E = G sigma + M gamma.
  *
- * E is sigma g where the ray is nearest to the axis; again a perpendicular form.
+ * E is sigma g at the ray's point nearest to the axis. This form is perpendicular too, and does not cancel.
  *
- * The square loses the sign of g: (1) has no points with g < 0, but the other half of the double cone has. A ray that
- * is flatter than the side (ab >= 0) is inside between its roots, with g of the same sign all the way, that of E. A
- * steeper ray (ab < 0) is inside one half before the first root and inside the other half after the second. The half
- * with g > 0 is after the second root when g grows along the ray, gamma > 0, and before the first root otherwise. */
+ * Squaring loses the sign of g. No point with g < 0 satisfies (1), but the other half of the double cone satisfies its
+ * square. A ray that is flatter than the side (ab >= 0) is inside between its roots; g has the same sign all the way,
+ * that of E. A steeper ray (ab < 0) is inside one half before the first root, and inside the other half after the
+ * second. The half with g > 0 is after the second root if g grows along the ray, gamma > 0, and before the first root
+ * otherwise. */
 #include "round.h"
 
 /* An interval of t; empty when far < near. */
@@ -52,8 +52,9 @@ struct beam {
 };
 
 /* True if the ray's line passes the axis farther away than any point of the shape: |P x Q| > r |Q|, where P is a point
- * of the line and Q its direction, both projected along the axis. This holds for most rays near a slender shape, and
- * needs no normalisation. Rounding moves a side by less than 2^-40; `thickness` has a margin of 2^-13. */
+ * of the line and Q its direction, both projected along the axis. This is true for most rays near a slender shape, and
+ * needs no normalisation. Rounding changes each side of the inequality by less than 2^-40; `thickness` has a margin of
+ * 2^-13. */
 static bool passes_by(const struct prepared_cone *cone, struct num_point o, const num_unit d[2])
 {
     num_length p[2] = {num_point_dot(o, cone->across[0]), num_point_dot(o, cone->across[1])};
@@ -64,7 +65,7 @@ static bool passes_by(const struct prepared_cone *cone, struct num_point o, cons
     return aside > most || aside < -most;
 }
 
-/* Gives the ray relative to the axis; false when it misses all points of the shape. */
+/* Gives the ray relative to the axis; false if the ray certainly misses the shape. */
 static bool beam_of(const struct prepared_cone *cone, const struct ray *ray, num_length limit, struct beam *b)
 {
     const struct num_dir *a = cone->across;
@@ -115,7 +116,7 @@ static struct span solve(const struct quadratic *u)
     return u->gamma > 0 ? (struct span){roots.far, NUM_LENGTH_MAX} : (struct span){-NUM_LENGTH_MAX, roots.near};
 }
 
-/* Returns the interval of t inside the side, extended infinitely both ways. */
+/* Returns the interval of t inside the side, the side being extended infinitely in both directions. */
 static struct span side_span(const struct prepared_cone *cone, const struct beam *b)
 {
     num_unit c = cone->slope_cosine, s = cone->slope_sine;
@@ -143,7 +144,7 @@ static struct span height_span(const struct prepared_cone *cone, const struct be
     return b->rise > 0 ? (struct span){to_base, to_top} : (struct span){to_top, to_base};
 }
 
-/* Gives the intersection at t from the moved origin; false: t is beyond the shape's reach, or the intersection not
+/* Gives the intersection at t from the moved origin. False if t is beyond the shape's reach, or the intersection is not
  * within 0..limit. */
 static bool take(const struct prepared_cone *cone, const struct beam *b, num_length t, num_length limit,
                  uint32_t element, struct intersection *intersection)
@@ -177,7 +178,7 @@ bool round_intersect(const struct shape *shape, const struct ray *ray, num_lengt
            (leaves && take(cone, &b, side.far, limit, ROUND_SIDE, intersection));
 }
 
-/* Gives the unit vector from the axis to the point v, along cone->across. */
+/* Gives the unit vector from the axis towards the point v, as its components along cone->across. */
 static void aside(const struct prepared_cone *cone, struct num_point v, num_unit out[2])
 {
     num_unit none;
@@ -209,8 +210,8 @@ void round_surface(const struct shape *shape, struct num_point point, uint32_t e
     surface->smooth = surface->normal;
 }
 
-/* Gives a cap's surface coordinates, as those of a disc, at v, relative to the base's centre. The normal of the base is
- * the negated axis, which negates U or, when the axis is along y, V. */
+/* Gives the surface coordinates of a cap, which are those of a disc, at the point v relative to the base's centre. The
+ * normal of the base is the negated axis. This negates U or, if the axis is along y, V. */
 static void cap_uv(const struct prepared_cone *cone, struct num_point v, bool is_base, num_length uv[2])
 {
     num_length radius = is_base ? cone->base_radius : cone->top_radius;
@@ -239,8 +240,8 @@ void round_uv(const struct shape *shape, struct num_point point, uint32_t elemen
     uv[1] = num_ratio(num_point_dot(v, cone->axis), cone->length);
 }
 
-/* Sets the anchor. Lengths are rounded down; 2^-13 is added to reach and thickness, so that no point of the shape is
- * missed. */
+/* Sets the anchor, reach and thickness. Lengths are rounded down; 2^-13 is added to reach and thickness, so that no
+ * point of the shape is missed. */
 static void set_anchor(struct prepared_cone *cone, struct num_point top)
 {
     bool at_top = cone->top_radius < cone->base_radius;

@@ -62,8 +62,8 @@ struct intersection {
 
 /* The surface at an intersection, for shading. */
 struct surface {
-    struct num_dir normal; /* the geometric one, length 1, outwards as in tia/shape.h */
-    struct num_dir smooth; /* the shading normal: interpolated on a smooth mesh, elsewhere the geometric one */
+    struct num_dir normal; /* geometric normal of length 1, outward as in tia/shape.h */
+    struct num_dir smooth; /* shading normal: interpolated on a smooth mesh, elsewhere equal to `normal` */
 };
 
 struct shape;
@@ -71,12 +71,13 @@ struct shape;
 /* The functions of a kind. `ray` and `point` are in the shape's axes. Only intersections with 0 <= t <= limit count;
  * `limit` is at most NUM_LENGTH_MAX. */
 struct shape_kind {
-    /* Sets the shape's constants; tia_scene_check accepts `given`. */
+    /* Sets the shape's constants. `given` is from a scene that tia_scene_check accepts. */
     void (*prepare)(struct shape *shape, const struct tia_scene *scene, const struct tia_shape *given);
     /* Finds the nearest intersection; of several at the same t, the one with the lowest element. False: none. */
     bool (*intersect)(const struct shape *shape, const struct ray *ray, num_length limit,
                       struct intersection *intersection);
-    /* True if there is any intersection; not slower than `intersect`. shape_occludes serves if no test is faster. */
+    /* True if there is any intersection; must not be slower than `intersect`. Without a faster test, this is
+     * shape_occludes. */
     bool (*occluded)(const struct shape *shape, const struct ray *ray, num_length limit);
     /* Gives the normals at a point. */
     void (*surface)(const struct shape *shape, struct num_point point, uint32_t element, struct surface *surface);
@@ -178,7 +179,8 @@ static inline bool shape_is_upright(struct num_dir normal)
     return normal.x == 0 && normal.z == 0;
 }
 
-/* Intersects a ray with one of the scene's spheres, which are not prepared; false: not at 0 <= t <= limit. */
+/* Intersects a ray with one of the scene's spheres, which are not prepared. False if no intersection has 0 <= t <=
+ * limit. */
 bool sphere_intersect(struct num_point centre, num_length radius, const struct ray *ray, num_length limit,
                       num_length *t);
 /* Gives the normals at a point of a sphere. */

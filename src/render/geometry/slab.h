@@ -10,9 +10,9 @@ struct slab {
     bool parallel;
 };
 
-/* Returns a slab. num_reciprocal clamps the slope of a ray nearly parallel to the planes. So the computed entry is
- * early, which is safe, but the exit is also early, which is not: slab_clip ignores the exit unless the planes are
- * behind the ray. */
+/* Prepares a ray for slab_clip. num_reciprocal clamps the reciprocal for a ray nearly parallel to the planes. So the
+ * computed entry is early, which is safe, but the computed exit is early too, which is not: slab_clip ignores the exit
+ * unless the planes are behind the ray. */
 static inline struct slab slab_of(num_length origin, num_unit direction)
 {
     bool parallel = direction < NUM_UNIT_PARALLEL && direction > -NUM_UNIT_PARALLEL;

@@ -2,7 +2,7 @@
  *
  *     tca = L.D,   d^2 = |L - tca D|^2,   thc = sqrt(r^2 - d^2),   t = tca -+ thc
  *
- * the nearer unless it lies behind the origin. The perpendicular L - tca D does not cancel. */
+ * The smaller t counts unless it is negative, then the larger one. The perpendicular L - tca D does not cancel. */
 #include "shape.h"
 
 bool sphere_intersect(struct num_point centre, num_length radius, const struct ray *ray, num_length limit,

@@ -1,5 +1,4 @@
-/* triangle.c - watertight triangles, after Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection",
- * JCGT 2013.
+/* triangle.c - watertight triangles, after Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", JCGT 2013.
  *
  * Relative to the ray's origin, and with the axes turned so that the largest component of D is the last, a corner (x,
  * y, z) is projected along the ray:
@@ -13,13 +12,14 @@
  * do not differ in sign; 0 counts as either sign. Divided by their sum, the areas are the barycentric coordinates, and
  * t is the mean of the corners' z, weighted by these coordinates, divided by Dz.
  *
- * Watertight: x' and y' are rounded, but they depend on the corner and the ray alone, so all triangles at a corner use
- * the same values, and an error of b' moves all of them. In that slightly moved mesh the decision is exact in q16: 128
- * bits hold the area. In floating point each of the two products is rounded; rounding keeps their order, so the sign is
- * right or 0, and 0 excludes no triangle. An edge in the opposite direction has exactly the negated area.
+ * The test is watertight. x' and y' are rounded, but they depend on the corner and the ray alone, so all triangles at a
+ * corner use the same values, and an error of b' moves the corner in all of them. In that slightly moved mesh the
+ * decision is exact in q16: 128 bits hold the area. In floating point, each of the two products is rounded. Rounding
+ * keeps their order, so the sign is right or 0, and an area of 0 excludes no triangle. An edge in the opposite
+ * direction has exactly the negated area.
  *
- * Error of t: x' is within 2^-46 plus the error of a slope, 2^-59 |z|. A corner displaced by e displaces the
- * intersection from the plane by e at most, wherever the corners are: no large numbers are subtracted. Areas: two
+ * Error of t: x' is off by 2^-46, and by 2^-59 |z| for the slope. A corner displaced by e displaces the intersection
+ * from the plane by e at most, wherever the corners are, since no large numbers are subtracted. Range of the areas: two
  * corners differ by less than 2^16 in each coordinate, and so by less than 2^17 in x'; the sum of the areas stays below
  * 2^34, or 2^124 units of num_area. */
 #include "triangle.h"
@@ -77,7 +77,7 @@ static void corners_along(const struct triangle_ray *ray, const struct triangle_
 }
 
 /* Gives the coordinates of the projected corners along the axis `step` places after the main axis. Not inlined, so that
- * the temporaries of its products are off a small processor's stack in deeper calls. */
+ * the temporaries of its products take no stack of a small processor during deeper calls. */
 __attribute__((noinline)) static void seen(const struct triangle_ray *ray, const struct triangle_corners *corners,
                                            int step, const num_length ahead[3], num_length v[3])
 {
@@ -86,7 +86,8 @@ __attribute__((noinline)) static void seen(const struct triangle_ray *ray, const
         v[i] -= num_times(ahead[i], ray->slope[step - 1]);
 }
 
-/* True if all projected corners are strictly on one side of the ray: then some areas differ in sign, or all are 0. */
+/* True if all projected corners are strictly on one side of the ray. In this case some areas differ in sign, or all are
+ * 0. */
 static bool is_beside(const num_length v[3])
 {
     return (v[0] > 0 && v[1] > 0 && v[2] > 0) || (v[0] < 0 && v[1] < 0 && v[2] < 0);
@@ -100,8 +101,8 @@ static num_area span_area(const num_length x[3], const num_length y[3], int i)
     return num_cross2(x[a], y[a], x[b], y[b]);
 }
 
-/* True if the ray passes the triangle: no two areas differ in sign, and not all are 0. The third area is computed only
- * if the first two do not differ in sign. */
+/* True if the ray passes through the triangle: no two areas differ in sign, and not all are 0. The third area is
+ * computed only if the first two do not differ in sign. */
 static bool is_inside(const num_length x[3], const num_length y[3], num_area areas[3])
 {
     areas[0] = span_area(x, y, 0);
@@ -128,7 +129,7 @@ static struct edges edges_of(const struct triangle_corners *corners)
                           {(int64_t)c.x - a.x, (int64_t)c.y - a.y, (int64_t)c.z - a.z}};
 }
 
-/* Returns the component along the axis before j of the edges' cross product, exact: up to 67 bits. */
+/* Returns the component of the edges' cross product along the axis before axis j. It is exact, with up to 67 bits. */
 static wide edge_product(const struct edges *e, int j)
 {
     int k = j < 2 ? j + 1 : 0;
@@ -167,7 +168,7 @@ bool triangle_intersect(const struct triangle_ray *ray, const struct triangle_co
     return *t >= 0 && *t <= limit && *t < NUM_LENGTH_MAX && has_area(corners);
 }
 
-/* Gives the normal, exact in integers but for the last rounding. */
+/* Gives the normal. Only the last step rounds; all others are exact. */
 bool triangle_normal(const struct triangle_corners *corners, struct num_dir *normal)
 {
     struct edges edges = edges_of(corners);

@@ -6,10 +6,10 @@
 
 /* A ray prepared for triangles: `main` is the axis of its direction's largest component, 0, 1 or 2. */
 struct triangle_ray {
-    num_length origin[3]; /* coordinates along the main axis and the two that follow */
+    num_length origin[3]; /* origin along the main axis and the two axes after it */
     int main;
     num_divisor along; /* the direction's component along the main axis */
-    num_unit slope[2]; /* the components along the next two axes, divided by `along` */
+    num_unit slope[2]; /* the direction's components along the next two axes, divided by `along` */
 };
 
 /* A copy of a triangle's corners. */
@@ -19,12 +19,12 @@ struct triangle_corners {
 
 void triangle_ray_prepare(struct triangle_ray *start, const struct ray *ray);
 
-/* Gives the t of the intersection; false: not at 0 <= t <= limit. A ray through an edge or corner that triangles share
- * meets at least one of them. A degenerate triangle, with its corners on one line, is never met. */
+/* Gives the t of the intersection; false if there is none with 0 <= t <= limit. A ray through an edge or corner that
+ * triangles share meets at least one of them. A degenerate triangle, whose corners are on one line, is never met. */
 bool triangle_intersect(const struct triangle_ray *ray, const struct triangle_corners *corners, num_length limit,
                         num_length *t);
 
-/* Gives (B - A) x (C - A), normalised; false, and a normal of 0, when the corners are on one line. */
+/* Gives (B - A) x (C - A), normalised. If the corners are on one line, returns false, and the normal is 0. */
 bool triangle_normal(const struct triangle_corners *corners, struct num_dir *normal);
 
 /* Gives the barycentric coordinates of a point on a triangle with the normal `normal`; none is below 0 by more than a

@@ -1,8 +1,7 @@
 #include "walk.h"
 
-/* Clips near..far to the part between two planes. A ray nearly parallel to the planes is assumed to approach them
- * faster than it does. So the computed entry is early, which is safe, but the exit is also early: where the planes are
- * ahead, the exit is ignored. */
+/* Clips near..far to the part between two planes. For a ray nearly parallel to the planes, num_slope clamps 1/d. So the
+ * computed entry is early, which is safe, but the computed exit is early too: it is ignored if the planes are ahead. */
 static inline void clip(const struct num_slope *s, tia_q16 min, tia_q16 max, num_walk *near, num_walk *far)
 {
     num_walk enter = num_walk_to(s, s->backward ? max : min), leave = num_walk_to(s, s->backward ? min : max);
@@ -12,7 +11,7 @@ static inline void clip(const struct num_slope *s, tia_q16 min, tia_q16 max, num
         *far = leave;
 }
 
-/* True if the ray may meet the box before `limit`; gives the t of entry. */
+/* True if the ray may meet the box before `limit`; *near receives the t of entry. */
 static bool enters(const struct walk *w, const struct tia_bounds *b, num_walk limit, num_walk *near)
 {
     num_walk far = limit;

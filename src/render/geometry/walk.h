@@ -1,10 +1,10 @@
-/* walk.h - traverses a bounding volume hierarchy without recursion: the leaves that a ray may meet, nearer ones first.
+/* walk.h - traversal of a bounding volume hierarchy, without recursion: the leaves that a ray may meet, nearer ones
+ * first.
  *
  * A box is skipped only when the ray certainly misses it: boxes are a unit of 2^-16 larger than their contents, and
  * distances are compared with a margin for their error, see num_slope. Pixels do not depend on which leaves are tested,
- * so the test need not be exact: a box that the ray misses by less than 2^-20 of its distance may count as entered, and
- * slopes below 2^-8 across an axis exclude few boxes.
- */
+ * so the test need not be exact. A box that the ray misses by less than 2^-20 of its distance may count as entered. A
+ * ray whose direction has a component below 2^-8 enters more boxes than it meets. */
 #ifndef TIA_RENDER_GEOMETRY_WALK_H
 #define TIA_RENDER_GEOMETRY_WALK_H
 
@@ -24,11 +24,12 @@ void walk_start(struct walk *walk, const struct tia_bvh_tree *tree, const struct
 /* Returns the next leaf that the ray enters at 0 <= t <= limit, or NULL. */
 const struct tia_bvh_node *walk_leaf(struct walk *walk, num_length limit);
 
-/* The objects of a scene that a ray may meet: those without bounds, then each leaf's; without a hierarchy, all. */
+/* The objects of a scene that a ray may meet: first those without bounds, then those of each leaf that it enters.
+ * Without a hierarchy, all objects. */
 struct candidates {
     const struct tia_scene *scene;
     const struct ray *ray;
-    const uint32_t *items; /* NULL: the indices themselves */
+    const uint32_t *items; /* NULL: the candidates are the numbers next..end - 1 themselves */
     uint32_t next, end;
     bool walking;
     struct walk walk;

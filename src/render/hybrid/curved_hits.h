@@ -5,10 +5,11 @@
 #include "flat/curved_places.h"
 #include "render/trace/trace.h"
 
-/* Replaces the ray's hit by the nearest curved object if it is nearer, or as near with a lower index. */
+/* Replaces the ray's hit by that of the nearest curved object, if the object is nearer, or as near and of a lower
+ * index. */
 void curved_intersect(const struct ray_view *view, const struct ray *ray, struct hit *hit);
 
-/* True if the ray meets no curved object at 0 <= t <= limit; curved objects are opaque here. `blocker` as in
+/* True if the ray meets no curved object at 0 <= t <= limit; curved objects are opaque here. `blocker` is as in
  * ray_transmittance. */
 bool curved_passes(const struct ray_view *view, const struct ray *ray, num_length limit, uint32_t *blocker);
 

@@ -10,7 +10,7 @@
 #define MOST_BITS 38
 #define UNCERTAIN_SHIFT 14 /* the error bound of N.w/|w| is 2^-14 */
 #define NEAREST (INT64_C(1) << 20)
-#define NEARNESS_LEAST (UINT64_C(1) << 47) /* nearness errs by up to 2^15, and is clamped to 2^62 */
+#define NEARNESS_LEAST (UINT64_C(1) << 47) /* nearness has an error of up to 2^15, and is clamped to 2^62 */
 #define NEARNESS_MOST ((UINT64_C(1) << 62) - 65536)
 
 static int64_t size_of(int64_t a)
@@ -67,7 +67,7 @@ static void aim_spot(const struct tia_light *light, struct diffuse_light *l)
     l->outer = (cosine >> 32) - uncertain;
 }
 
-/* Adds a light; false if it is visible, attenuated, too far away or has an area: such lights need rays. */
+/* Adds a light. Returns false if it is visible, attenuated, too far away or has an area: such lights need rays. */
 static bool add_light(struct diffuse *m, const struct tia_light *light, unsigned bit)
 {
     struct diffuse_light *l = &m->lights[m->light_count++];
@@ -89,7 +89,7 @@ static bool add_light(struct diffuse *m, const struct tia_light *light, unsigned
            !light->quadratic && place_light(m, light, l->at);
 }
 
-/* Chooses the unit of positions, 2^-bits: positions are up to 2^(range + 10), and hits up to 2^16. */
+/* Chooses the unit of positions, 2^-bits. Positions are up to 2^(range + 10), and coordinates of P below 2^15. */
 static void choose_unit(struct diffuse *m)
 {
     int range = m->flat->bits - m->flat->grid.fraction, most;
@@ -99,7 +99,7 @@ static void choose_unit(struct diffuse *m)
     m->most = INT64_C(1) << (most < MOST_BITS ? most : MOST_BITS);
 }
 
-/* True if the arithmetic is precise enough: with a mantissa of 24 bits its errors exceed the bounds. */
+/* True if this build's arithmetic is precise enough: with a mantissa of 24 bits, errors exceed the bounds. */
 static bool is_fine(void)
 {
     return num_length_of_q45(INT32_C(1) << 15) + NUM_LENGTH_ONE > NUM_LENGTH_ONE;
@@ -180,7 +180,7 @@ static void begin_row(struct diffuse *m, int y)
     m->row_y = y;
 }
 
-/* Returns D, from nearness = w 2^scale/(D 2^fraction); 0: too far. */
+/* Returns D, from nearness = w 2^scale/(D 2^fraction), or 0 if it is too far. */
 static int64_t distance_of(const struct diffuse *m, uint64_t nearness)
 {
     const struct tia_raster_grid *l = &m->flat->grid;
@@ -212,7 +212,7 @@ static int64_t dot(const int64_t n[3], const int64_t v[3])
     return n[0] * v[0] + n[1] * v[1] + n[2] * v[2];
 }
 
-/* Turns the face's normal to the eye; false when the eye may be in the face's plane. */
+/* Turns the face's normal to the eye. Returns false if the eye may be in the face's plane. */
 static bool turn(struct diffuse *m, const int64_t at[3])
 {
     int64_t side = dot(m->face.normal, at);
@@ -226,7 +226,7 @@ static bool turn(struct diffuse *m, const int64_t at[3])
 
 /* ---- colours ---- */
 
-/* Returns max(0, N.w/|w|), Q.30; below 0: uncertain. */
+/* Returns max(0, N.w/|w|), Q.30, or a negative number if it is uncertain. */
 static int64_t cosine_of(const int64_t normal[3], const int64_t w[3], int64_t distance)
 {
     int64_t most = largest(w), facing = dot(normal, w);

@@ -1,11 +1,12 @@
-/* diffuse.h - colours of flat faces without gloss, many times as fast as by a ray for each pixel, with the same bits. A
- * colour is computed to 20 bits with an error bound, and used where the whole interval rounds to one level of the
- * display. whitted_light_tile draws the other pixels.
+/* diffuse.h - colours of flat faces without gloss, many times faster than with a ray for each pixel, and bit for bit
+ * the same. A colour is computed to 20 bits, with an error bound. It is used if the whole interval rounds to one level
+ * of the display. whitted_light_tile draws the other pixels.
  *
- * The visible point of a pixel is at P = D r from the eye, r linear in x and y; a light at L gives max(0, N.w/|w|), w =
- * L - P. Positions are in units of 2^-bits, at most 2^38 of them. With errors of r up to 2^-25, of D up to 2^-29 D + 1,
- * and of N up to 2^-20, the error of P is up to 2^-23.8 D + 4. Where |w| is at least D/64 and 2^20, the error of
- * N.w/|w| is below 2^-16, and in whitted_light_tile below 2^-30. The bound is four times 2^-16. */
+ * The visible point of a pixel is at P = D r from the eye; r is linear in x and y. A light at L gives max(0, N.w/|w|),
+ * where w = L - P. Positions are in units of 2^-bits, and below 2^38. Coordinates of r are below 4. Errors are up to
+ * 2^-24 in a coordinate of r, 2^-20 in a coordinate of N, and 2^-29 D + 1 in D. So the error of P is up to 2^-23 D + 9.
+ * If |w| is at least D/64 and 2^20, the error of N.w/|w| is below 2^-15.6, and in whitted_light_tile below 2^-30. The
+ * bound is 2^-14, three times the sum of both. */
 #ifndef TIA_RENDER_HYBRID_DIFFUSE_H
 #define TIA_RENDER_HYBRID_DIFFUSE_H
 
@@ -21,7 +22,8 @@ struct diffuse_light {
     int64_t at[3];            /* position relative to the eye; of a directional light: the direction to it, Q.30 */
     int32_t emission[3];      /* Q2.30 */
     int64_t back[3];          /* spot light: the opposite of its direction, Q.20 */
-    int64_t inner, outer;     /* spot light: cosines, Q.30, beyond which its light is certainly full or 0 */
+    int64_t inner, outer;     /* spot light: cosines, Q.30: above `inner` its light is certainly full, below `outer`
+                               * certainly 0 */
 };
 
 /* A face, with the normal turned to the eye. */
@@ -37,7 +39,7 @@ struct diffuse {
     const struct tia_flat_scene *flat;
     struct tia_world world;
     int bits;
-    int64_t most; /* largest coordinate of P */
+    int64_t most; /* coordinates of P are smaller than this */
     int64_t row[3], right[3];
     int64_t row_y;
     unsigned light_count;
@@ -53,11 +55,12 @@ struct diffuse_pixel {
     const tia_share *shares; /* NULL: all light arrives */
 };
 
-/* Prepares a view; false when no pixel of the view can be drawn in this way. `first_bit` as in struct first_hits. */
+/* Prepares a view. Returns false if no pixel of the view can be drawn in this way. `first_bit` is as in struct
+ * first_hits. */
 bool diffuse_init(struct diffuse *m, const struct tia_view *view, const struct tia_shadow_view *shadow,
                   const uint8_t *first_bit);
 
-/* Gives a pixel's colour; false when it is uncertain, or the face does not fit. */
+/* Computes a pixel's colour. Returns false if it is uncertain, or if the face does not fit. */
 bool diffuse_pixel(struct diffuse *m, const struct diffuse_pixel *p, num_u threshold, tia_rgb565 *out);
 
 #endif

@@ -26,7 +26,7 @@ static size_t prepared_size(const struct tia_scene *scene, uint32_t light_capaci
     return rays < SIZE_MAX / 2 && flat < SIZE_MAX / 2 && size < SIZE_MAX / 2 ? (size_t)size : SIZE_MAX;
 }
 
-/* Returns the number of lights' shares that the technique stores for each sample of a pixel. */
+/* Returns the number of shares of lights that the technique stores for each sample of a pixel. */
 static unsigned shares_of(const struct tia_scene *scene)
 {
     const struct tia_shadow_technique *technique = tia_shadow_technique(scene->shadows);
@@ -41,7 +41,8 @@ static bool is_whole(const struct tia_scene *scene)
     return technique->is_whole && technique->is_whole(scene);
 }
 
-/* Returns the bytes of the technique for each sample of a pixel: shares of lights, or scratch memory. */
+/* Returns the number of bytes that the technique stores for each sample of a pixel: shares of lights, or scratch
+ * memory. */
 static unsigned more_bytes(const struct tia_scene *scene)
 {
     const struct tia_shadow_technique *technique = tia_shadow_technique(scene->shadows);

@@ -19,9 +19,9 @@ static const tia_share *shares_at(const struct rasterised *r, const struct raste
     return r->raster->shares ? (const tia_share *)(const void *)b->more + r->raster->shares * at : NULL;
 }
 
-/* Moves the hit to the true surface. Faces that stand for a curved surface decide visibility and shadow only; the
- * colour is that of the curved surface, behind or before the face. If the ray misses this surface, as an open shape
- * allows, the hit stays on the face. */
+/* Moves the hit to the true surface. Faces of a tessellated surface only decide visibility and shadow; the colour is
+ * that of the curved surface, behind or in front of the face. If the ray misses that surface, which is possible if the
+ * shape is open, the hit stays on the face. */
 static void show_surface(const struct rasterised *r, uint32_t face, const struct ray *ray, struct hit *hit)
 {
     struct hit met;

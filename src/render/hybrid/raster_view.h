@@ -42,9 +42,9 @@ uint64_t raster_sample_size(unsigned more_bytes, uint64_t pixels);
 
 struct raster_buffers raster_buffers(const struct raster_view *raster, const struct tia_hits *hits, unsigned sample);
 
-/* The number of bits of an object's number, at most TIA_OBJECTS_MAX; all are 1 for TIA_NO_OBJECT. In the first sample's
- * buffer the bits above store the range of the vertices when the pixel was traced: if the view has another range now,
- * the data of all samples of the pixel are outdated. */
+/* The number of bits of an object's index, which is at most TIA_OBJECTS_MAX; for TIA_NO_OBJECT all bits are 1. In the
+ * first sample's buffer, the bits above store the range of the vertices at the time when the pixel was traced. If the
+ * view has another range now, the data of all samples of the pixel are outdated. */
 #define RASTER_OBJECT_BITS 25
 #define RASTER_OBJECT ((UINT32_C(1) << RASTER_OBJECT_BITS) - 1)
 
@@ -54,18 +54,18 @@ static inline uint32_t raster_object(uint32_t kept)
     return (kept & RASTER_OBJECT) == RASTER_OBJECT ? TIA_NO_OBJECT : kept & RASTER_OBJECT;
 }
 
-/* Implements tia_view_trace. raster_trace.c */
+/* Implements tia_view_trace. Defined in raster_trace.c. */
 void raster_trace_tile(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile);
 
-/* Gives the part of a sample's buffers for a tile, as the rasteriser's target. */
+/* Sets `open` to the part of a sample's buffers that a tile covers, as the rasteriser's target. */
 void raster_open_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile, unsigned sample,
                       const struct raster_buffers *b, struct tia_shadow_tile *open);
 
-/* Gives the hit of a pixel's ray on a face; TIA_NO_FACE: no hit. */
+/* Computes the hit of a pixel's ray on a face; TIA_NO_FACE means no hit. */
 void raster_find_face(const struct ray_view *rays, const struct tia_flat_scene *flat, uint32_t face, int x, int y,
                       const struct ray *ray, struct hit *hit);
 
-/* Implements tia_view_light. raster_light.c */
+/* Implements tia_view_light. Defined in raster_light.c. */
 void raster_light_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                        const struct tia_surface *surface, const struct tia_options *options);
 

@@ -78,7 +78,7 @@ static struct num_point place_at_centre(const struct ray_light *l, const uint32_
 struct emitter_light {
     enum emitter_kind kind;
     struct num_density (*area)(const struct ray_light *l);                     /* area of an EMITTER_PLANE, else 0 */
-    struct num_point (*place)(const struct ray_light *l, const uint32_t u[2]); /* random place on an EMITTER_PLANE */
+    struct num_point (*place)(const struct ray_light *l, const uint32_t u[2]); /* random point on an EMITTER_PLANE */
 };
 
 /* A row for each kind of TIA_LIGHTS. */
@@ -168,7 +168,7 @@ static bool shines(const struct tia_light *l)
     return tia_light_has(l->kind, TIA_LIGHT_SIDES) ? l->side[0].x || l->side[0].y || l->side[0].z : l->radius > 0;
 }
 
-/* Returns the density of a count in 0..2^25. */
+/* Converts a count, 0..2^25, to a struct num_density. */
 static struct num_density count_density(uint32_t count)
 {
     return num_density_product(num_density_of(num_length_of_q45((int64_t)count << 32)),
@@ -189,8 +189,8 @@ void emitters_set(struct emitters *emitters, const struct ray_view *view)
     emitters->one_of = num_density_quotient(num_density_of(NUM_LENGTH_ONE), count_density(emitters->count));
 }
 
-/* Returns 1 - cos of the half angle of the cone that a sphere fills, seen from a distance to its centre; 0 inside the
- * sphere. With the sine s of the half angle it is s^2/(1 + cos). */
+/* Returns 1 - cos a = sin^2 a/(1 + cos a), or 0 inside the sphere; a is half the angle that the sphere subtends at a
+ * distance from its centre. */
 static num_unit cone_of(const struct emitter *e, num_length distance)
 {
     if (distance <= e->radius)
@@ -213,7 +213,7 @@ struct num_density emitter_density(const struct emitter *e, struct num_point fro
                                 num_density_product(e->area, num_density_of_unit(cosine < 0 ? -cosine : cosine)));
 }
 
-/* Returns a direction in the cone: 1 - cos = open u = h, and sin = sqrt(2 h - h^2). */
+/* Returns a direction in the cone. Its angle b to the axis has 1 - cos b = open u = h, and sin b = sqrt(2 h - h^2). */
 static struct num_dir within_cone(struct num_dir axis, num_unit open, const uint32_t u[2])
 {
     num_unit h = num_times(open, num_unit_of_u32(u[0])), r = num_unit_sqrt(2 * num_times(h, NUM_UNIT_ONE - h / 2));

@@ -38,8 +38,8 @@ uint64_t emitters_size(const struct tia_scene *scene, uint32_t light_capacity);
 int emitters_prepare(struct emitters *emitters, const struct ray_view *view, void *memory, uint32_t light_capacity);
 void emitters_set(struct emitters *emitters, const struct ray_view *view);
 
-/* Samples an emitter from the point `from`, whose normal is `facing`; false: the sample gives no light. The shadow ray
- * ends `bias` in front of the emitter's surface. */
+/* Samples an emitter from the point `from`, whose normal is `facing`. Returns false if the sample gives no light. The
+ * shadow ray ends `bias` in front of the emitter's surface. */
 bool emitter_sample(const struct emitter *emitter, struct num_point from, struct num_dir facing, num_length bias,
                     const uint32_t u[2], struct emitter_sample *sample);
 
@@ -48,12 +48,12 @@ bool emitter_sample(const struct emitter *emitter, struct num_point from, struct
 struct num_density emitter_density(const struct emitter *emitter, struct num_point from, struct num_dir to,
                                    num_length distance);
 
-/* Makes the emitter of a light with a surface. */
+/* Initialises the emitter of a light with a surface. */
 void emitter_of_light(const struct ray_light *light, const struct tia_light *given, struct emitter *emitter);
-/* Makes the emitter of one of the scene's spheres. */
+/* Initialises the emitter of one of the scene's spheres. */
 void emitter_of_sphere(const struct tia_scene *scene, uint32_t sphere, struct emitter *emitter);
 
-/* Gives the emission times 2^bits. */
+/* Computes the emission times 2^bits. */
 void emitter_radiance(const struct tia_rgb *emission, uint8_t bits, num_length radiance[3]);
 
 #endif

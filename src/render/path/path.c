@@ -1,4 +1,4 @@
-/* path.c - the radiance along a ray, one path a sample; see tia/integrator.h. */
+/* path.c - the radiance along a ray, one path per sample; see tia/integrator.h. */
 #include "path.h"
 
 #include "guide.h"
@@ -12,7 +12,7 @@ struct walk {
     struct ray ray;
     struct num_point from;      /* position of the last scattering */
     struct num_density density; /* density of the direction at the last scattering */
-    bool specular;              /* scattered in a single direction, or from the eye: no light was sampled there */
+    bool specular;              /* the last scattering had a single direction, or was at the eye: it sampled no light */
     num_length throughput[3], sum[3];
     num_length depth; /* length of the path to the last scattering, while only mirrors and glass were met */
     struct media media;
@@ -70,13 +70,13 @@ static void add_light(struct walk *w, const struct hit *hit, const struct emitte
     add(w, emitter->radiance, is_surface ? weight_of(w, emitter, hit->t) : NUM_UNIT_ONE);
 }
 
-/* Returns the length of the path from the eye to the point `at`, by mirrors and glass. */
+/* Returns the length of the path from the eye to the point `at`, via mirrors and glass. */
 static num_length depth_at(const struct walk *w, struct num_point at)
 {
     return num_sum_within(w->depth, num_norm(num_point_sub(at, w->from)));
 }
 
-/* Adds the visible light, or the background, where the ray meets no surface. */
+/* Adds the light that the ray meets, or the background, if the ray meets no surface. */
 static void add_beyond(struct walk *w, const struct hit *hit)
 {
     const struct num_dir back = num_dir_negated(w->ray.direction);
@@ -115,8 +115,8 @@ static void add_glow(struct walk *w, const struct hit *hit, const struct shading
         add(w, facing, s->facing);
 }
 
-/* True if the light at the end of the shadow ray is visible; multiplies the sample's radiance by the part that
- * opacities let through. */
+/* True if the light at the end of the shadow ray is visible. Multiplies the sample's radiance by the part that opacity
+ * textures let pass. */
 static bool is_seen(struct walk *w, const struct ray *shadow, struct emitter_sample *sample)
 {
     struct hit light = {sample->distance, TIA_NO_OBJECT, 0, TIA_NO_OBJECT};
@@ -182,7 +182,8 @@ static void go_on(struct walk *w, struct num_point origin, struct num_dir to, bo
     w->bounce++;
 }
 
-/* Passes through glass, or reflects from it by Fresnel's equations; false: past too many layers. */
+/* Passes through glass, or reflects from it by Fresnel's equations. Returns false after too many undeflected
+ * passages. */
 static bool go_through(struct walk *w, const struct scatter *scatter, uint32_t number)
 {
     const struct shading *s = scatter->surface;
@@ -208,7 +209,7 @@ static bool go_through(struct walk *w, const struct scatter *scatter, uint32_t n
     return true;
 }
 
-/* Continues the path from a surface; false: it ends there. */
+/* Continues the path from a surface. Returns false if it ends there. */
 static bool bounce(struct walk *w, const struct scatter *scatter, const uint32_t numbers[4])
 {
     const struct shading *s = scatter->surface;
@@ -234,7 +235,7 @@ static bool bounce(struct walk *w, const struct scatter *scatter, const uint32_t
     return true;
 }
 
-/* Plays Russian roulette: false ends the path. */
+/* Plays Russian roulette. Returns false if the path ends. */
 static bool survives(struct walk *w, uint32_t number)
 {
     num_length most = w->throughput[0];
@@ -251,7 +252,7 @@ static bool survives(struct walk *w, uint32_t number)
     return goes_on;
 }
 
-/* Follows one ray, and adds the light at its end; false: the path ends there. */
+/* Follows one ray, and adds the light at its end. Returns false if the path ends there. */
 static bool step(struct walk *w)
 {
     uint32_t given = w->e->view->scene->integration.bounces, numbers[4];

@@ -1,11 +1,11 @@
-/* path.h - the path integrator's prepared data, for SIMD kernels that draw in its place. */
+/* path.h - the path integrator's prepared data, for the SIMD kernels that replace it. */
 #ifndef TIA_RENDER_PATH_PATH_H
 #define TIA_RENDER_PATH_PATH_H
 
 #include "emitters.h"
 #include "render/estimate/estimate.h"
 
-/* Prepared data behind the struct ray_view. */
+/* Prepared data, stored behind the struct ray_view. */
 struct path_view {
     struct emitters emitters;
 };
@@ -18,7 +18,7 @@ void path_radiance(struct estimate *e, const struct ray *first, num_length rgb[3
 /* First bounce after which paths may end by roulette; bounces count from 0. */
 #define PATH_ROULETTE 3
 
-/* Sets of kinds of lights, a bit for each kind, and the terms that they consist of. */
+/* Sets of kinds of lights, with a bit for each kind. The first two macros are their terms. */
 #define PATH_SURFACE(KIND, name, what, traits)                                                                         \
     | (TIA_LIGHT_AREA & (traits) && TIA_LIGHT_PATHS & (traits) ? 1u << KIND : 0)
 #define PATH_SEEN_KIND(KIND, name, what, traits) | (TIA_LIGHT_SURFACE & (traits) ? 1u << KIND : 0)

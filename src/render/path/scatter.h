@@ -1,7 +1,8 @@
 /* scatter.h - sampling of reflected directions: Lambert's law, Phong's lobe, mirror and glass.
  *
- * A random number chooses one of these, with a probability in proportion to its largest channel. Reflectances and
- * densities are per solid angle, times pi: those of Lambert's law are colour cos and cos. */
+ * A random number chooses one of these lobes, with a probability proportional to the lobe's largest channel.
+ * Reflectances and densities are per solid angle, times pi: for Lambert's law, the reflectance is colour cos, and the
+ * density cos. */
 #ifndef TIA_RENDER_PATH_SCATTER_H
 #define TIA_RENDER_PATH_SCATTER_H
 
@@ -21,8 +22,9 @@ struct scatter {
 
 void scatter_prepare(struct scatter *scatter, const struct shading *surface);
 
-/* Evaluates light from the direction `to`, whose cosine to the normal is positive. `reflected` receives the reflectance
- * of the diffuse and the glossy lobe, times the cosine; `density`, that with which scatter_sample would choose `to`. */
+/* Evaluates light from the direction `to`, whose cosine to the normal is positive. Sets `reflected` to the reflectance
+ * of the diffuse and the glossy lobe, times the cosine, and *density to the density with which scatter_sample would
+ * choose `to`. */
 void scatter_evaluate(const struct scatter *scatter, struct num_dir to, num_unit cosine, num_length reflected[3],
                       struct num_density *density);
 
@@ -31,8 +33,9 @@ enum lobe scatter_choose(const struct scatter *scatter, uint32_t number);
 /* Returns the probability with which scatter_choose returns `lobe`: LOBE_MIRROR or LOBE_GLASS. */
 num_unit scatter_chance(const struct scatter *scatter, enum lobe lobe);
 
-/* Samples a direction of the diffuse or the glossy lobe, with the density cos t/pi or (n + 1)/(2 pi) cos^n t, and gives
- * the factor of the throughput; false: the direction is below the surface. `density` is that of scatter_evaluate. */
+/* Samples a direction of the diffuse or the glossy lobe, with the density cos t/pi or (n + 1)/(2 pi) cos^n t. Sets
+ * `factor` to the factor of the throughput, and *density as scatter_evaluate does. Returns false if the direction is
+ * below the surface. */
 bool scatter_sample(const struct scatter *scatter, enum lobe lobe, const uint32_t u[2], struct num_dir *to,
                     num_length factor[3], struct num_density *density);
 

@@ -34,8 +34,8 @@ static int peak(const struct cone_row *s)
     return low;
 }
 
-/* Returns the last pixel inside the cone from `in`, which is inside, to the line's end; `step`, +1 or -1, is the
- * direction, and `guess` only saves time. */
+/* Returns the last pixel inside the cone on the way from `in`, a pixel inside, to the end of the line in the direction
+ * `step`, +1 or -1. `guess` affects only the speed. */
 static int boundary(const struct cone_row *s, int in, int step, int guess)
 {
     int out = step > 0 ? s->count : -1;
@@ -65,7 +65,7 @@ static int boundary(const struct cone_row *s, int in, int step, int guess)
     return in;
 }
 
-/* Returns a pixel inside the cone, or -1; `guess` only saves time. */
+/* Returns a pixel inside the cone, or -1 if there is none; `guess` affects only the speed. */
 static int any_inside(const struct cone_row *s, struct span guess)
 {
     int middle = guess.first + (guess.end - guess.first) / 2;

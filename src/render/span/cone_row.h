@@ -4,10 +4,9 @@
  *
  *     L.v >= 0   and   (L.v)^2 >= c v.v,   c = L.L - r^2.
  *
- * Along a line of pixels v = (X, ...), X = 2i + 1 - n for pixel i of n, the product is linear and
- * the square quadratic: L.v = slope X + base and v.v = X^2 + square. A cone is convex, so its
- * pixels on the line form one span. Exact comparisons find both ends: in a few steps from a good
- * guess, otherwise by bisection.
+ * Along a line of pixels v = (X, ...), X = 2i + 1 - n for pixel i of n, the product is linear and the square quadratic:
+ * L.v = slope X + base and v.v = X^2 + square. A cone is convex, so its pixels on the line form one span. Exact
+ * comparisons find both ends. From a good guess this takes a few steps, otherwise a bisection.
  */
 #ifndef TIA_RENDER_SPAN_CONE_ROW_H
 #define TIA_RENDER_SPAN_CONE_ROW_H
@@ -22,7 +21,7 @@ struct cone_row {
     int count;            /* pixels on the line */
 };
 
-/* Pixels first..end-1; none when first == end. */
+/* Pixels first..end-1; none when first >= end. */
 struct span {
     int first, end;
 };
@@ -33,8 +32,8 @@ static inline struct span span_within(struct span span, int first, int end)
     return r;
 }
 
-/* Returns the span of pixels inside the cone. `guess`, for example the span of the row above, only saves time and does
- * not affect the result. */
+/* Returns the span of pixels inside the cone. `guess`, for example the span of the row above, affects only the
+ * speed. */
 struct span cone_row_span(const struct cone_row *cone_row, struct span guess);
 
 #endif

@@ -1,4 +1,4 @@
-/* kernels.h - the hot loops: passes over a span of pixels in one row, at most CHUNK of them.
+/* kernels.h - the innermost loops: each processes a span of at most CHUNK pixels of one row.
  *
  * A kernel's arguments are constants, prepared once per span, and arrays with one entry per pixel. Kernels are called
  * through a table; a table for vector units must give the same bits.
@@ -10,7 +10,7 @@
 
 #define CHUNK 64 /* largest number of pixels in a call of a kernel */
 
-/* A span of pixels of one sphere, for the kernels that compute t. */
+/* A span of pixels that see one sphere, for the kernels that compute t. */
 struct sphere_line {
     num_wide b, b_step;       /* accumulator of L.v */
     struct row_square square; /* accumulator of v.v */
@@ -23,15 +23,15 @@ struct sphere_line {
  *     r N.(Q - P) = c - L.Q + t G.v            since |P|^2 = 2 L.P - c
  *     |Q - P|^2   = Q.Q - 2 t Q.v + t^2 v.v
  *
- * |Q - P|^2 does not use the sphere's equation: on a large sphere t's last bit would change it,
- * while here that bit only moves P along the ray. */
+ * The form of |Q - P|^2 does not use the sphere's equation. With that equation, on a large sphere, the last bit of t
+ * would change the result; here that bit only moves P along the ray. */
 struct light_line {
     num_wide g, g_step;       /* accumulator of G.v */
     num_wide q, q_step;       /* accumulator of Q.v */
     struct row_square square; /* accumulator of v.v */
     num_wide facing;          /* c - L.Q, with the exponent of t G.v */
     num_wide distance;        /* Q.Q, with the exponent of t Q.v, e_d */
-    int reach_down;           /* t v.v / 2^reach_down is a mantissa whose product with t has e_p */
+    int reach_down;           /* t v.v / 2^reach_down is a mantissa; its product with t has the exponent e_p */
     int distance_down;        /* e_p - e_d */
     int scale;                /* facing * 2^(scale + half) is a mantissa */
     int count;
@@ -58,16 +58,16 @@ struct lit {
  *     A'.w         = A.w - bias N.w
  *     |A'|^2 - R^2 = (|A|^2 - R^2)(1 + bias/r) - (|L - C|^2 - r^2 - R^2) bias/r + bias^2,
  *
- * the latter with 2 r N.A = |L - C|^2 - r^2 - |A|^2. The ray goes towards the sphere when A'.w > 0,
- * meets it when (A'.w)^2 >= |w|^2 (|A'|^2 - R^2), and before the light when |w|^2 > A'.w. A ray
- * that starts inside the sphere meets it unless the light is inside too. */
+ * the latter with 2 r N.A = |L - C|^2 - r^2 - |A|^2. The ray goes towards the sphere when A'.w > 0, meets it when
+ * (A'.w)^2 >= |w|^2 (|A'|^2 - R^2), and does so before the light when |w|^2 > A'.w. A ray that starts inside the sphere
+ * meets it unless the light is inside too. */
 struct shadow_line {
     num_wide a, a_step;            /* accumulator of (C + Q).v */
     num_wide c, c_step;            /* accumulator of C.v */
     num_wide toward;               /* C.Q, with the exponent e_a of A.w */
     num_wide power;                /* C.C - R^2 and the bias's terms, with the exponent e_k */
     int a_down, power_down;        /* a_down: e_p - e_a; power_down: e_p - e_k; e_p is the exponent of |P|^2 */
-    int square_down, product_down; /* differences of e_d and of e_a to the smaller of the two */
+    int square_down, product_down; /* e_d and e_a, each minus the smaller of the two */
     num_u inverse;                 /* num_inverse(r) */
     int bias_shift;                /* num_bias_product's shift minus `half` */
     num_u swell;                   /* bias/r */
@@ -88,7 +88,7 @@ struct span_kernels {
     /* Sets facing to 0 where the sphere blocks the light. */
     void (*shadow)(const struct shadow_line *line, const num_u *t, struct lit *lit);
 
-    /* Computes lambert = max(0, N.Ldir), NUM_ONE is 1; `inverse` is num_inverse of the lit sphere's radius. */
+    /* Computes lambert = max(0, N.w/|w|), where NUM_ONE is 1; `inverse` is num_inverse of the lit sphere's radius. */
     void (*lambert)(const struct lit *lit, num_u inverse, int count, num_u *lambert);
 
     /* Adds light: sum = min(1, sum + lambert * colour). */

@@ -3,8 +3,9 @@
 #include "math/integer.h"
 #include "math/trig.h"
 
-/* Prepares the rays. The exponent of pixel coordinates makes |v| < 2^30 in every pixel, and beyond the last pixel as
- * far as a struct row_square is stepped: the step there, 4 X + 4 with X <= width + 1, is below (width + 3)^2. */
+/* Prepares the rays. The exponent of pixel coordinates keeps |v| below 2^30 in every pixel, and also at the position
+ * after the last pixel, to which a struct row_square is advanced. The step there, 4 X + 4 with X <= width + 1, is below
+ * (width + 3)^2. */
 void primary_prepare(struct primary_rays *primary, unsigned width, unsigned height, tia_q16 fov)
 {
     uint64_t cotangent = tia_cotangent(fov);
@@ -26,7 +27,7 @@ void primary_prepare(struct primary_rays *primary, unsigned width, unsigned heig
 num_wide primary_reach(const struct primary_rays *primary, struct num_vec a)
 {
     num_wide reach = num_abs(a.x) * primary->x_reach + num_abs(a.y) * primary->y_reach + num_abs(a.z) * primary->depth;
-    return reach + num_shift(reach, -20); /* room for NUM_HALF */
+    return reach + num_shift(reach, -20); /* headroom for NUM_HALF */
 }
 
 num_wide primary_y(const struct primary_rays *primary, int y)
@@ -42,8 +43,8 @@ struct row_form primary_form(const struct primary_rays *primary, struct num_vec 
     struct row_form form = {num_shift(start, shift) + NUM_HALF,
                             num_shift(a.x * num_pixel_coordinate(2, primary->exponent), shift)};
 
-    /* from the row's middle no product is larger than the form itself, and although the shift rounds, a pixel's value
-     * does not depend on the start of the span */
+    /* With x - middle as its factor, the product is never larger than the form itself. Although the shift rounds, a
+     * pixel's value does not depend on the start of the span. */
     form.start += (num_wide)(x - middle) * form.step;
     return form;
 }

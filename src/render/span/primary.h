@@ -18,17 +18,18 @@ struct primary_rays {
 
 void primary_prepare(struct primary_rays *primary, unsigned width, unsigned height, tia_q16 fov);
 
-/* A product a.v along a row as an accumulator: start at the first pixel, then add step. */
+/* An accumulator of a.v along a row: `start` is its value at the first pixel; `step` is added for each next one. */
 struct row_form {
     num_wide start, step;
 };
 
-/* v.v along a row: start at pixel x, then add step, then add twice to step. */
+/* An accumulator of v.v along a row: `start` is its value at the first pixel. For each next pixel, `step` is added to
+ * it, and then `twice` to `step`. */
 struct row_square {
     num_wide start, step, twice;
 };
 
-/* Returns the largest |a.v| of all pixels of the image: that of a corner. */
+/* Returns an upper limit of |a.v| for all pixels of the image: the value at a corner, with some headroom. */
 num_wide primary_reach(const struct primary_rays *primary, struct num_vec a);
 
 /* Returns a.v * 2^shift from pixel (x, y) on, for num_top. */

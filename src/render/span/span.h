@@ -18,12 +18,12 @@ struct span_coherence {
 /* The prepared view. All positions are relative to the eye: the point at a pixel is P = t v. */
 struct span_view {
     const struct span_kernels *kernels;
-    const struct span_coherence *coherence; /* NULL: no sphere is wide */
+    const struct span_coherence *coherence; /* NULL: no coherence; no sphere is wide */
     struct span_sphere *spheres;            /* the scene's spheres, then the lights' */
     struct primary_rays primary;
     bool tinted;       /* some material transmits shadow rays */
-    bool grey_shadows; /* transmission of all materials is grey */
-    bool grey;         /* colours of all lights are grey, too */
+    bool grey_shadows; /* the transmissions of all materials are grey */
+    bool grey;         /* grey_shadows, and the colours of all lights are grey */
 };
 
 static inline const struct span_view *span_view_of(const struct tia_view *view)
@@ -31,8 +31,8 @@ static inline const struct span_view *span_view_of(const struct tia_view *view)
     return view->prepared;
 }
 
-/* Returns the hit buffer: each pixel's distance along v, with the exponent of the object's sphere; undefined at pixels
- * without an object or of a wide sphere. */
+/* Returns the hit buffer: each pixel's distance along v, with the exponent of the object's sphere. It is undefined at
+ * pixels that show no object, or a wide sphere. */
 static inline num_u *span_distances_of(const struct tia_hits *hits)
 {
     return hits->buffer;
@@ -48,10 +48,11 @@ static inline void span_fill(tia_rgb565 *pixels, int count, tia_rgb565 pixel)
         pixels[i] = pixel;
 }
 
-/* Computes t of the pixels x .. x + count - 1 (count <= CHUNK) of row y, all of sphere `n`. */
+/* Computes t of the pixels x .. x + count - 1 (count <= CHUNK) of row y, which all show sphere `n`. */
 void span_distances(const struct span_view *spans, uint32_t n, int y, int x, int count, num_u *t);
 
-/* Replaces best[i] and object[i] by t[i] and n where sphere `n`, at the distance t[i], is nearer; not in a tie. */
+/* Replaces best[i] and object[i] by t[i] and n where sphere `n`, at the distance t[i], is nearer than object[i]; a tie
+ * changes nothing. */
 void span_keep_nearer(const struct span_view *spans, uint32_t n, const num_u *t, int count, num_u *best,
                       uint32_t *object);
 

@@ -1,8 +1,8 @@
 #include "span_light.h"
 
-/* Returns the exponent e_p of |P|^2 = t^2 v.v. |P|^2 is at most c, on the tangent, or (2r)^2 from inside. e_p keeps
- * |P|^2 below 2^60, and makes t v.v = |P| |v|, where |v| < 2^(30 - f), a mantissa below 2^31 with the exponent e_p -
- * e_t. */
+/* Returns the exponent e_p of |P|^2 = t^2 v.v, which is at most c (at the tangent), or (2r)^2 from inside. e_p keeps
+ * |P|^2 below 2^60. It also keeps t v.v = |P| |v|, a mantissa with the exponent e_p - e_t, below 2^31, as |v| < 2^(30 -
+ * f). */
 static int reach_exponent(const struct primary_rays *primary, const struct span_sphere *sphere)
 {
     int bits = sphere->c < 0 ? num_bits(sphere->radius * sphere->radius) + 2 : num_bits(sphere->c);
@@ -12,7 +12,7 @@ static int reach_exponent(const struct primary_rays *primary, const struct span_
 }
 
 /* Returns the exponent e_d of |Q - P|^2 = Q.Q - 2 t Q.v + |P|^2: each term stays below 2^61, t Q.v as a product of t
- * (31 bits) and Q.v (29 bits). e_d is even, for the root. */
+ * (31 bits) and Q.v (29 bits). e_d is even, for the square root. */
 static int distance_exponent(const struct primary_rays *primary, const struct span_sphere *sphere, struct num_vec light,
                              int e_p)
 {
@@ -22,9 +22,10 @@ static int distance_exponent(const struct primary_rays *primary, const struct sp
     return (e < e_p ? e : e_p) & ~1;
 }
 
-/* Prepares the line. The exponent e_s keeps t G.v, a product of t (31 bits) and G.v (30 bits), below 2^61, and also the
- * constant added to it. r N.w/|w| is at most r, so r N.w 2^(e_s + half) times 2^(15 - bits - e_s + e_d/2) is at most
- * |w| 2^(e_d/2 + half - 1) < 2^31, with 16 of the radius's bits behind the point. */
+/* Prepares the line. The exponent e_s of r N.w keeps its two terms below 2^61: t G.v, a product of t (31 bits) and G.v
+ * (30 bits), and the constant. line->scale is 15 - bits - e_s + e_d/2, where bits is the number of bits of the radius,
+ * 16 of them fractional. So r < 2^(bits - 16), and r N.w <= r |w|: the mantissa r N.w 2^(e_s + scale + half) is at most
+ * |w| 2^(e_d/2 + half - 1), below 2^31. */
 void light_line_prepare(const struct primary_rays *primary, struct light_source *source, int x, int y,
                         struct light_line *line)
 {

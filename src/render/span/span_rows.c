@@ -4,16 +4,16 @@
 #include "span.h"
 #include "span_shade.h"
 
-/* Marks functions that are not inlined, which keeps their arrays off the stack during deeper calls. */
+/* Marks functions that must not be inlined, so that their arrays do not stay on the stack during other calls. */
 #if defined(__GNUC__)
 #define NOINLINE __attribute__((noinline))
 #else
 #define NOINLINE
 #endif
 
-#define PIECE 1024 /* most pixels of a row drawn at once; CHUNK if lights are visible or pixels copied */
+#define PIECE 1024 /* most pixels of a row drawn at once; CHUNK if lights may be visible or pixels are copied */
 
-/* Pixels of a row on their way to the display. */
+/* Consecutive pixels of a row that are being drawn. */
 struct chunk {
     const struct tia_view *view;
     const struct span_view *spans;
@@ -94,7 +94,7 @@ static int span_end(const uint32_t *object, int first, int count)
     return end;
 }
 
-/* Gives the distances of pixels first..end-1, which have one object. */
+/* Gives the distances of pixels first..end-1, which show one object. */
 static void distances_of(const struct chunk *chunk, int first, int end, num_u *t)
 {
     uint32_t object = chunk->object[first];
@@ -106,8 +106,8 @@ static void distances_of(const struct chunk *chunk, int first, int end, num_u *t
             t[i - first] = chunk->t[i];
 }
 
-/* Adds the visible lights to the chunk's objects. Hits do not include lights, as lights can move: so `object` becomes a
- * copy of the chunk's objects, with each light where it is the nearest. */
+/* Adds the visible lights to the chunk's objects. Hits do not include lights, as lights can move. So `object` receives
+ * a copy of the chunk's objects, replaced by lights where these are nearer. */
 static NOINLINE void see_lights(struct chunk *chunk, uint32_t object[CHUNK])
 {
     const struct tia_view *view = chunk->view;
@@ -134,7 +134,7 @@ static void light_span(struct chunk *chunk, int first, int count, uint32_t n, co
         chunk->path_hash[i] = UINT32_C(0xffff0000) | (n & 0xffff);
 }
 
-/* Shades a span pixel by pixel, and first computes the distances if the sphere is wide. */
+/* Shades a span pixel by pixel. If the sphere is wide, computes the distances first. */
 static NOINLINE void shade_pixels(const struct chunk *chunk, uint32_t object, int first, int end,
                                   const num_u threshold[8])
 {

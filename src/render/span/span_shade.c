@@ -16,7 +16,7 @@ struct shading {
 /* The part of a light that half-transparent spheres transmit to each pixel of a span. */
 struct tint {
     num_u left[3][CHUNK];
-    uint16_t passed[CHUNK]; /* sum of index + 1 of the spheres on the way */
+    uint16_t passed[CHUNK]; /* sum of (index + 1) of the spheres on the way */
 };
 
 /* Where `sphere` has just darkened `lit`, multiplies the tint by `through`, the sphere's transmission, and restores
@@ -36,7 +36,7 @@ static void tint_light(const struct tia_rgb *through, uint32_t sphere, const num
     }
 }
 
-/* Adds the light to the path hash of each pixel where it arrives, see tia/debug.h. */
+/* Adds light l to the path hash of each pixel that it reaches, see tia/debug.h. */
 static void note_reached(const struct lit *lit, const struct tint *tint, uint32_t l, int count, uint32_t *path_hash)
 {
     for (int i = 0; i < count; i++)
@@ -93,7 +93,7 @@ static void shade_from_light(struct shading *s, uint32_t l, struct tint *tint)
                                   .light = num_vec_between(view->scene->camera.eye, view->lights[l].centre)};
     struct light_line line;
     struct lit lit;
-    num_u *lambert = lit.facing; /* in the same memory, as stack is scarce */
+    num_u *lambert = lit.facing; /* shares memory with `facing`, as the stack may be small */
 
     light_line_prepare(&s->spans->primary, &source, span->x, span->y, &line);
     line.count = span->count;
@@ -141,7 +141,7 @@ void shade_span(const struct tia_view *view, const struct shaded_span *span, con
         s.sum[2][i] = num_colour(s.material->emission.b);
     }
     for (uint32_t l = 0; l < view->light_count; l++) {
-        if ((l & 63) == 63 && view_stops(view)) /* many lights in one row may take long */
+        if ((l & 63) == 63 && view_stops(view)) /* a row with many lights may take a while */
             break;
         if (s.spans->tinted)
             shade_from_tinted_light(&s, l);

@@ -1,12 +1,12 @@
 #include "span_shadow.h"
 
-/* Returns the smaller of `e` and the exponent that keeps a number of `bits` bits, exponent 32, below 2^60. */
+/* Returns `e`, lowered if needed to keep a number below 2^60; the number has `bits` bits with the exponent 32. */
 static int limit(int e, int bits)
 {
     return e < 92 - bits ? e : 92 - bits;
 }
 
-/* Returns the smaller of `e` and the exponent that keeps t a.v, a product of t (31 bits) and a.v, below 2^60. */
+/* Returns `e`, lowered if needed to keep t a.v, a product of t (31 bits) and a.v, below 2^60. */
 static int limit_product(int e, const struct primary_rays *primary, const struct span_sphere *sphere, struct num_vec a)
 {
     int most = sphere->t_exponent + primary->exponent - 16 + 61 - num_bits(primary_reach(primary, a));
@@ -20,9 +20,9 @@ static struct row_form product_form(const struct primary_rays *primary, const st
     return primary_form(primary, a, x, y, e - sphere->t_exponent - primary->exponent + 16);
 }
 
-/* Prepares A.w = C.Q - t (C + Q).v + |P|^2; each term stays below 2^60. Returns e_a, at most 57: then bias N.w, below
- * 8, stays below 2^60 too, and as |w| 2^(e_d/2 + half) is at least 2^31 and |w| below 2^16, num_bias_product's shift is
- * positive. */
+/* Prepares A.w = C.Q - t (C + Q).v + |P|^2; each term stays below 2^60. Returns e_a, at most 57. So bias N.w, which is
+ * below 8, stays below 2^60, too. The shift of num_bias_product is positive, as |w| 2^(e_d/2 + half) is at least 2^31
+ * and |w| below 2^16. */
 static int prepare_product(const struct primary_rays *primary, const struct light_source *source,
                            const struct span_sphere *caster, int x, int y, struct shadow_line *line)
 {
@@ -76,7 +76,7 @@ static struct num_vec quarter(struct num_vec a)
  *
  *     A.w = (D - r N).(G - r N) <= D.G + r |D + G| + r^2 <= 0.
  *
- * In quarters the products fit; the sums of sizes of D and G make up for their rounding. */
+ * With vectors divided by 4 the products fit; the sums of the sizes of their components make up for rounding. */
 static bool is_behind(const struct light_source *source, const struct span_sphere *caster)
 {
     struct num_vec d = quarter(num_vec_sub(caster->centre, source->sphere->centre));

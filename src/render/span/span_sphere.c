@@ -1,9 +1,10 @@
 #include "span_sphere.h"
 
-/* Prepares the discriminant's exponents. An accumulator for b is L.v * 2^b_shift, below 2^63, and its upper half the
- * mantissa: its exponent is e_b = 16 + f + b_shift - 32; for v.v it is e_v = 2f + square_shift - 32. For b^2 - c v.v
- * both products need the same exponent, so c has the exponent 2 e_b - e_v = 2 b_shift - square_shift. Both must stay
- * below 2^31. From inside -c v.v is added: then one bit less keeps the sum b + sqrt(...) below 2^32. */
+/* Prepares the exponents of the discriminant b^2 - c v.v. The accumulator of b is L.v * 2^b_shift, below 2^63. The
+ * mantissa of b is its upper half, with the exponent e_b = 16 + f + b_shift - 32; that of v.v has e_v = 2f +
+ * square_shift - 32. Both products need the same exponent, so c has the exponent 2 e_b - e_v = 2 b_shift -
+ * square_shift. The mantissas of b and c must stay below 2^31. From inside, -c v.v is positive: one bit less keeps the
+ * sum b + sqrt(...) below 2^32. */
 static void prepare_discriminant(const struct primary_rays *primary, struct span_sphere *sphere)
 {
     num_wide b_reach = primary_reach(primary, sphere->centre);
@@ -14,9 +15,9 @@ static void prepare_discriminant(const struct primary_rays *primary, struct span
     sphere->c_disc = num_scale(num_abs(sphere->c), 2 * sphere->b_shift - primary->square_shift - 32);
 }
 
-/* Prepares the exponent of t. t^2 <= c / v.v from outside (the tangent), t^2 <= (2r)^2 / v.v from inside; v.v is at
- * least depth^2. The exponent of t makes t^2 < 2^61. num_quotient(a, b, s) is a/b * 2^(63 - s), with the exponents e of
- * a and b: e_t = e_a - e_b + 63 - s. */
+/* Prepares the exponent e_t of t, which keeps t^2 below 2^61. t^2 <= c / v.v from outside (the tangent), t^2 <= (2r)^2
+ * / v.v from inside; v.v is at least depth^2. num_quotient(a, b, s) is a/b * 2^(63 - s), so e_t = e_a - e_b + 63 -
+ * s. */
 static void prepare_distance(const struct primary_rays *primary, struct span_sphere *sphere)
 {
     int b_exponent = sphere->b_shift + primary->exponent - 16;
@@ -36,7 +37,8 @@ static void prepare_distance(const struct primary_rays *primary, struct span_sph
     }
 }
 
-/* Returns the rows that may show the sphere, as a line of pixels, one for each row (X is -Y). */
+/* Returns the rows that may show the sphere. They are treated as a line of pixels, one pixel for each row, with X =
+ * -Y. */
 static struct span rows_that_see(const struct primary_rays *primary, const struct span_sphere *sphere)
 {
     struct span none = {0, 0}, all = {0, primary->height};

@@ -35,11 +35,11 @@ struct span_sphere {
 void span_sphere_prepare(const struct primary_rays *primary, struct span_sphere *sphere, struct num_vec centre,
                          tia_q16 radius);
 
-/* Returns the pixels of row y that show the sphere; `guess` is for speed only. */
+/* Returns the pixels of row y that show the sphere; `guess` affects only the speed. */
 struct span span_sphere_row(const struct primary_rays *primary, const struct span_sphere *sphere, int y,
                             struct span guess);
 
-/* Gives the constants of the kernel that computes t, all except count, for the pixels from (x, y) on. */
+/* Gives all of `line` except count, for the pixels from (x, y) on. */
 void span_sphere_line(const struct primary_rays *primary, const struct span_sphere *sphere, int y, int x,
                       struct sphere_line *line);
 

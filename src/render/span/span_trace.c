@@ -1,5 +1,5 @@
-/* span_trace.c - finds the visible sphere of each pixel of a tile: each sphere's pixels are one span per row, found
- * exactly; where spans overlap, the nearer wins, and a tie goes to the lower index. */
+/* span_trace.c - finds the visible sphere of each pixel of a tile. Each sphere's pixels are one span per row, which is
+ * found exactly. Where spans overlap, the nearer sphere is visible; in a tie, the one with the lower index. */
 #include "span.h"
 
 static void clear(struct tia_hits *hits, struct tia_tile tile)
@@ -12,7 +12,7 @@ static void clear(struct tia_hits *hits, struct tia_tile tile)
 }
 
 #define WORTH 16   /* least number of pixels for which all_nearer pays */
-#define T_SHIFT 39 /* largest t_shift for which S = b + sqrt(D), see span_sphere.c, has 24 bits */
+#define T_SHIFT 39 /* largest t_shift for which S = b + sqrt(D), see span_sphere.c, is certainly above 2^24 */
 
 static num_u apart(num_u a, num_u b)
 {
@@ -21,11 +21,13 @@ static num_u apart(num_u a, num_u b)
 
 /* True if sphere `n`, whose distances are t, is certainly nearer than sphere `other` at all pixels.
  *
- * In every plane through the eye the visible half of a sphere is convex, so t is convex along the row and largest at an
- * end, and S = c/t is concave: between three samples that differ by up to 1/8 it is at most 1.17 times the middle
- * one's, as it stays below the lines through the others. With 24 bits of S, which is off by 2^16.2 + 2 in its last bit
- * (by the root of 1.3 2^32 where D is nearly 0, see coherence_bounds.c), each t is accurate to 2^-7: so all t of sphere
- * `other` are above .84 of its middle sample, and all t of sphere `n` below 1.02 of the larger end's. */
+ * In every plane through the eye the visible half of a sphere is convex. So along the row t is convex and largest at an
+ * end, and S = c/t is concave. If three samples of t differ by up to 1/8, S between them is at most 1.17 times the
+ * middle sample's, as a concave function stays below the extended line through two of its points.
+ *
+ * The computed S is above 2^24 and off by at most 2^16.2 + 2, where 2^16.2 is the root of 1.3 2^32, the error of D (see
+ * COHERENCE_ROOT in coherence_proved.h). So each t is accurate to 2^-7. All t of sphere `other` are above .84 of its
+ * middle sample, and all t of sphere `n` below 1.02 of the larger of its two ends. */
 static bool all_nearer(const struct span_view *spans, uint32_t n, uint32_t other, int y, struct span span,
                        const num_u *t)
 {
@@ -42,7 +44,7 @@ static bool all_nearer(const struct span_view *spans, uint32_t n, uint32_t other
            num_nearer(most, spans->spheres[n].t_exponent, behind[1] - behind[1] / 4, spans->spheres[other].t_exponent);
 }
 
-/* Traces sphere `n` in up to CHUNK pixels, which all show the same object so far, or none. */
+/* Traces sphere `n` in up to CHUNK pixels, all of which show the same object so far, or none. */
 static void trace_chunk(const struct span_view *spans, uint32_t n, int y, struct span span, num_u *distance,
                         uint32_t *object)
 {

@@ -1,7 +1,7 @@
 #include "trace.h"
 
-/* Gives two unit vectors at right angles to n and to each other, for every n, without a root: Duff et al., "Building an
- * orthonormal basis, revisited" (2017). */
+/* Computes two unit vectors perpendicular to n and to each other, for any n, without a square root: Duff et al.,
+ * "Building an orthonormal basis, revisited" (2017). */
 static void basis(struct num_dir n, struct num_dir *t, struct num_dir *b)
 {
     bool down = n.z < 0;

@@ -20,7 +20,7 @@ static tia_q16 index_in(const struct tia_scene *scene, const struct media *media
     return material_of(scene, last & OBJECT)[last / MATERIAL_STEP].index;
 }
 
-/* Removes the latest entry of an object; false: there is none. */
+/* Removes the latest entry of an object. Returns false if there is none. */
 static bool leave(struct media *media, uint32_t object)
 {
     uint32_t i = media->count;

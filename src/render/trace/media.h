@@ -4,8 +4,9 @@
 
 #include "trace.h"
 
-/* The entered objects in the order of entry. Each object is packed into a word, as many rays are pending on a small
- * stack: the object's index, below TIA_OBJECTS_MAX, and in the bits above it the index of a grid's material. */
+/* The entered objects in the order of entry. Each object is packed into a word, since many rays are pending on a small
+ * stack. The word is the object's index, below TIA_OBJECTS_MAX, with the index of a grid's material in the bits above
+ * it. */
 struct media {
     uint32_t entered[TIA_MEDIA_MAX], count;
 };
@@ -16,7 +17,7 @@ struct boundary {
 };
 
 /* Returns the boundary where a ray meets the front or, if `back`, the back of `object`, which has the material
- * `material` there. *media become the media behind the boundary. */
+ * `material` there. Sets *media to the media behind the boundary. */
 struct boundary media_cross(const struct ray_view *view, struct media *media, uint32_t object,
                             const struct tia_material *material, bool back);
 

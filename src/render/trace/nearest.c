@@ -1,5 +1,5 @@
-/* nearest.c - the nearest hit of a ray. A hierarchy gives the same hit as a test of all objects: of several at the same
- * distance, the one with the lowest index. */
+/* nearest.c - the nearest hit of a ray. The hit does not depend on the hierarchy: of several objects at the same
+ * distance, the one with the lowest index is hit. */
 #include "render/geometry/walk.h"
 #include "trace.h"
 

@@ -26,8 +26,8 @@ static void look(struct ray_camera *c, const struct tia_camera *given, const str
     c->v = num_dir_cross(c->n, c->u);
 }
 
-/* Sets the window at the distance `depth`. In perspective its units are the pixel coordinates of span/primary.h divided
- * by 128: height cot(fov/2) is below 2^20, and tia_cotangent's result is Q8.56. */
+/* Sets the window and its distance, `depth`. In perspective, they are in the pixel coordinates of span/primary.h,
+ * divided by 128: height cot(fov/2) is below 2^20, and tia_cotangent's result is Q8.56. */
 static void open_window(struct ray_camera *c, const struct tia_camera *given)
 {
     const struct tia_window *w = &given->window;
@@ -95,7 +95,8 @@ bool ray_camera_pixel(const struct ray_camera *c, int x, int y, int channel, str
     return !c->grid.field || tia_light_grid_pixel(&c->grid, x, y, channel, pixel);
 }
 
-/* Gives the ray from the eye at `place` through the point at these fractions of the image's width and height. */
+/* Writes the ray from the eye at `place` through a point of the image; `right` and `down` are fractions of the image's
+ * width and height. */
 static void through(const struct ray_camera *c, tia_q16 place, num_unit right, num_unit down, struct ray *ray)
 {
     num_length left = place ? num_length_of(c->window.left - place) : c->left;
@@ -111,8 +112,8 @@ static void through(const struct ray_camera *c, tia_q16 place, num_unit right, n
         (void)num_normalise(num_point_add(aside, c->ahead), &ray->direction);
 }
 
-/* Gives the ray of a sample; the sample's position is, in units of 1/(2 n^2) of a pixel: (n i + j + 1/2)/n^2 and (n j +
- * n - i - 1/2)/n^2. */
+/* The sample's position in the pixel is (n i + j + 1/2)/n^2 to the right and (n j + n - i - 1/2)/n^2 down, computed in
+ * units of 1/(2 n^2). */
 void ray_camera_ray(const struct ray_camera *c, const struct light_pixel *pixel, int sample, struct ray *ray)
 {
     int32_t n = c->side, i = sample % n, j = sample / n;

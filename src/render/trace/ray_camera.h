@@ -9,9 +9,9 @@ struct ray_camera {
     struct num_point eye;
     struct num_dir u, v, n;
     enum tia_projection projection;
-    int width, height, side; /* size of the image, see ray_camera_pixel; side^2 samples a pixel */
-    int channels;            /* 3 where red, green and blue have rays of their own, else 1 */
-    struct light_grid grid;  /* the light field's map; without a light field, the image itself */
+    int width, height, side; /* size of the image, see ray_camera_pixel; side^2 samples per pixel */
+    int channels;            /* 3 if red, green and blue have rays of their own, else 1 */
+    struct light_grid grid;  /* the light field's map; grid.field is NULL without a light field */
     struct tia_window window;
     num_length depth;                        /* distance of the image plane from the eye */
     num_length left, bottom, across, upward; /* lower left corner and size of the window */
@@ -21,10 +21,10 @@ struct ray_camera {
 
 void ray_camera_prepare(struct ray_camera *camera, const struct tia_scene *scene, int width, int height);
 
-/* Gives the pixel that a channel of pixel (x, y) of the picture shows: in a light field, a pixel of an image from an
- * eye of its own; else the pixel itself, with the camera's own eye. False: the channel shows no pixel, and is black.
- * All that depends on a pixel's position, such as samples, uses its position in the image, so that the images of a
- * light field have the bits of ordinary pictures. */
+/* Writes the pixel that a channel of pixel (x, y) of the picture shows. In a light field, that is a pixel of an image
+ * with an eye of its own; otherwise, the pixel itself, with the camera's eye. Returns false if the channel shows no
+ * pixel and is black. Samples and all else that depends on a pixel's position use its position in the image, so that
+ * the images of a light field are bit for bit ordinary pictures. */
 bool ray_camera_pixel(const struct ray_camera *camera, int x, int y, int channel, struct light_pixel *pixel);
 
 static inline struct light_pixel ray_pixel_at(int x, int y)
@@ -32,10 +32,10 @@ static inline struct light_pixel ray_pixel_at(int x, int y)
     return (struct light_pixel){x, y, 0};
 }
 
-/* Gives the ray of sample number `sample` of the pixel. */
+/* Writes the ray of sample number `sample` of the pixel. */
 void ray_camera_ray(const struct ray_camera *camera, const struct light_pixel *pixel, int sample, struct ray *ray);
 
-/* Gives the ray through the point (u + 1/2)/2^32 of the pixel, from its upper left corner. */
+/* Writes the ray through the point (u + 1/2)/2^32 of the pixel, measured from its upper left corner. */
 void ray_camera_ray_within(const struct ray_camera *camera, const struct light_pixel *pixel, const uint32_t u[2],
                            struct ray *ray);
 

@@ -76,8 +76,8 @@ unsigned ray_pixel_class(int x, int y)
     return bayer[y & 3][x & 3];
 }
 
-/* Gives the place of sample i of n: u = frac((i + 1/2)/n + class/16), computed in integers so that the fraction of a
- * whole number is exactly 0, and v in units of 1/256. */
+/* Computes the coordinates of sample i of n. u = frac((i + 1/2)/n + class/16), computed in integers, so that the
+ * fraction of a whole number is exactly 0. v is in units of 1/256. */
 static void pattern(const struct ray_light *l, unsigned class, unsigned i, num_unit *u, unsigned *v)
 {
     unsigned n = l->samples;
@@ -119,8 +119,8 @@ static struct num_point on_rectangle(const struct ray_aim *aim, num_unit u, unsi
                                      NUM_UNIT_ONE / 128 * (num_unit)((int)v - 128));
 }
 
-/* Gives the distance and the point, relative to the centre, where a ray meets the plane of a rectangle or disc; false:
- * not at 0 <= t < limit. */
+/* Computes where a ray meets the plane of a rectangle or disc: the distance, and the point relative to the centre.
+ * Returns false if they do not meet at 0 <= t < limit. */
 static bool meets_plane(const struct ray_light *l, const struct ray *ray, num_length limit, num_length *t,
                         struct num_point *from_centre)
 {
@@ -276,8 +276,8 @@ void ray_light_aim(struct ray_aim *aim, const struct ray_light *l, struct num_po
     }
 }
 
-/* Returns 1/(constant + linear d + quadratic d^2), 0 when the sum is 2^17 or more; d is in the units of the
- * attenuation. */
+/* Returns 1/(constant + linear d + quadratic d^2), or 0 if the sum is 2^17 or more; d is in the attenuation's unit of
+ * length. */
 static num_length attenuation(const struct ray_light *l, num_length d)
 {
     num_length slope = l->linear + num_product_within(l->quadratic, d);
@@ -286,7 +286,7 @@ static num_length attenuation(const struct ray_light *l, num_length d)
     return sum < NUM_LENGTH_MAX ? num_ratio(NUM_LENGTH_ONE, sum) : 0;
 }
 
-/* Returns the fraction of a spot light that reaches a point from which it is seen in the direction `to`. */
+/* Returns a spot light's falloff, 0..1, at a point from which the light is in the direction `to`. */
 static num_length spot(const struct ray_light *l, struct num_dir to)
 {
     num_unit c = -num_dir_dot(to, l->direction);
@@ -296,8 +296,8 @@ static num_length spot(const struct ray_light *l, struct num_dir to)
     return c <= l->outer ? 0 : num_length_of_unit(num_fraction(c - l->outer, l->inner - l->outer));
 }
 
-/* True if N.L, computed from the direction L of `way`, is certainly below 0. The direction's rounding, 2^-57, moves the
- * product along `way` by less than 2^-37. */
+/* True if N.L is certainly below 0, L being the rounded direction of `way`. The rounding, 2^-57, changes the product of
+ * N and `way` by less than 2^-37. */
 static bool is_behind(const struct ray_aim *aim, struct num_point way)
 {
     return num_point_dot(way, aim->normal) < -NUM_LENGTH_ONE / 1073741824;

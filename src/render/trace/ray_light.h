@@ -15,10 +15,10 @@ struct ray_light {
     num_unit inner, outer;    /* cosines of a spot light's angles */
     struct num_dir axes[2];   /* axes of a disc */
     struct num_point side[2]; /* half sides of a rectangle */
-    struct num_dir across[2]; /* vectors in the plane of `side`, each at right angles to the other side */
+    struct num_dir across[2]; /* vectors in the plane of `side`, each perpendicular to the other side */
     num_length constant, linear, quadratic;
     num_unit unit; /* the scene's unit of length, in units of the attenuation */
-    bool fades;    /* the light has an attenuation; false for lights without a place */
+    bool fades;    /* the light has an attenuation; false for lights without a position */
 };
 
 /* True if the samples lie on a disc that is turned to each lit point. */
@@ -41,19 +41,19 @@ struct ray_aim {
     const struct ray_light *light;
     struct num_point point;
     struct num_dir normal;  /* normal at the point; light from behind does not count */
-    struct num_dir axes[2]; /* axes of the disc that has the samples */
+    struct num_dir axes[2]; /* axes of the disc on which the samples lie */
     unsigned class;
 };
 
 void ray_light_aim(struct ray_aim *aim, const struct ray_light *light, struct num_point point, struct num_dir normal,
                    unsigned class);
 
-/* Gives sample i < light->samples; not for ambient lights. False if the sample gives no light, and perhaps if its light
- * comes from behind the surface. */
+/* Computes sample i, below light->samples, of a light that is not ambient. Returns false if the sample gives no light.
+ * May also return false if the light comes from behind the surface. */
 bool ray_light_sample(const struct ray_aim *aim, unsigned i, struct ray_sample *sample);
 
-/* Gives the shadow ray from a point to the sample, and its length, NUM_LENGTH_MAX for a directional light; false: the
- * point and the sample coincide. */
+/* Computes the shadow ray from a point to the sample, and its length: NUM_LENGTH_MAX for a directional light. Returns
+ * false if the point and the sample coincide. */
 bool ray_light_shadow(const struct ray_light *light, const struct ray_sample *sample, struct num_point from,
                       struct ray *shadow, num_length *distance);
 
@@ -63,7 +63,7 @@ struct num_point ray_light_rectangle_point(const struct ray_light *light, num_un
 /* True if the light has a surface that rays can meet. */
 bool ray_light_is_seen(const struct ray_light *light);
 
-/* Intersects a ray with the light's surface; false: not at 0 <= t < limit. */
+/* Intersects a ray with the light's surface. Returns false if they do not meet at 0 <= t < limit. */
 bool ray_light_intersect(const struct ray_light *light, const struct ray *ray, num_length limit, num_length *t);
 
 /* Returns the class of pixel (x, y), 0..15, which shifts the pattern of samples. */

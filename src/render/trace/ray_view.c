@@ -1,4 +1,4 @@
-/* ray_view.c - a scene for general rays: the camera, the lights, shapes and their instances. */
+/* ray_view.c - prepares a scene for general rays: the camera, the lights, shapes and their instances. */
 #include "math/align.h"
 #include "scene/colour.h"
 #include "scene/object_bounds.h"
@@ -68,7 +68,7 @@ static enum inside inside_of(struct preparation *p, const struct tia_shape *give
     }
 }
 
-/* True if one of `count` materials from number `first` on has an opacity texture. */
+/* True if one of `count` materials, beginning with number `first`, has an opacity texture. */
 static bool have_opacity(const struct tia_scene *scene, uint32_t first, uint32_t count)
 {
     bool found = false;
@@ -78,7 +78,7 @@ static bool have_opacity(const struct tia_scene *scene, uint32_t first, uint32_t
     return found;
 }
 
-/* Prepares a shape's instance; false: it has no transform. */
+/* Prepares a shape's instance. Returns false if the shape has no transform. */
 static bool place(struct preparation *p, const struct tia_shape *given, struct instance *instance)
 {
     struct bounds_wide box;

@@ -70,14 +70,14 @@ struct num_dir shading_mirrored(const struct shading *s)
  *     n2/n1 T = -V + (c - sqrt((n2/n1)^2 - s^2)) N,   in quarters  -V/4 + (c/4 - root) N,
  *     root = sqrt(q^2 - s^2/16)
  *
- * and all light is reflected where there is no root, or where an interpolated normal is turned away: there Rs = Rp = 1,
- * which in integers would be a little less. Returns F, the reflectance by Fresnel's equations: with n2/n1 cos T =
- * 4 root,
+ * All light is reflected if there is no root, or if an interpolated normal is turned away from the viewer. Then Rs and
+ * Rp are 1; integers would give slightly less. Returns F, the reflectance by Fresnel's equations: with n2/n1 cos T = 4
+ * root,
  *
  *     Rs = (c - n2/n1 cos T)/(c + ...)          = (c/4 - root)/(c/4 + root)
  *     Rp = (n2/n1 c - cos T)/(n2/n1 c + cos T)  = (q^2 c - root/4)/(q^2 c + root/4).
  *
- * q must be at most 1: where n2 > 4 n1, all values are in sixteenths, as n2 < 16 n1. */
+ * q must be at most 1. So if n2 > 4 n1, all values are in sixteenths: n2 is at most 16 n1. */
 num_unit shading_refract(const struct shading *s, struct boundary between, struct num_dir *refracted)
 {
     const num_length parts = between.to <= 4 * between.from ? 4 : 16;

@@ -15,8 +15,8 @@ struct shading {
     bool back;                        /* the ray hits the back of the surface, where it leaves the object */
     num_length colour[3];             /* the diffuse colour, with the texture */
     num_length opacity;
-    uint32_t texels[2]; /* indices of the values in the colour's and in the opacity's texture, see ray_texture */
-    bool textured[2];   /* texels[i] is part of a path's hash */
+    uint32_t texels[2]; /* results of ray_texture for the colour and the opacity */
+    bool textured[2];   /* texels[i] is to be included in a path's hash */
 };
 
 /* Prepares the shading of a ray's hit; spawned rays start `bias` off the surface. */
@@ -26,8 +26,8 @@ void shading_prepare(const struct ray_view *view, num_length bias, const struct 
 /* Returns the direction of the mirrored ray. */
 struct num_dir shading_mirrored(const struct shading *s);
 
-/* Gives the direction of the refracted ray. Returns the reflectance by Fresnel's equations: 1 in total reflection,
- * where *refracted is not set. */
+/* Computes the direction of the refracted ray. Returns the reflectance by Fresnel's equations. In total reflection,
+ * returns 1 and does not set *refracted. */
 num_unit shading_refract(const struct shading *s, struct boundary between, struct num_dir *refracted);
 
 #endif

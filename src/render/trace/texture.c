@@ -15,7 +15,8 @@ static unsigned channels_of(const struct tia_texture *t)
     return t->kind == TIA_OPACITY ? 1 : 3;
 }
 
-/* Returns texel (x, y) from the lower left, at most one beyond the image's edges; rows are stored from the top. */
+/* Returns texel (x, y), counted from the lower left; rows are stored from the top. Images repeat; x and y are at most
+ * one beyond the edges. */
 static const uint8_t *texel(const struct tia_texture *t, int32_t x, int32_t y)
 {
     x = x < 0 ? x + t->width : x >= t->width ? x - t->width : x;

@@ -1,4 +1,4 @@
-/* trace.h - a scene prepared for general rays, behind view->prepared. */
+/* trace.h - a scene prepared for general rays: the data at view->prepared. */
 #ifndef TIA_RENDER_TRACE_TRACE_H
 #define TIA_RENDER_TRACE_TRACE_H
 
@@ -34,7 +34,7 @@ void ray_trace_tile(const struct tia_view *view, struct tia_hits *hits, struct t
 /* A ray's first hit. */
 struct hit {
     num_length t;
-    uint32_t object;  /* index of the object; TIA_NO_OBJECT: none, perhaps a light */
+    uint32_t object;  /* index of the object; TIA_NO_OBJECT: a light or nothing */
     uint32_t element; /* part of a shape, see shape.h */
     uint32_t light;   /* index of the light met instead of an object, or TIA_NO_OBJECT */
 };
@@ -42,7 +42,7 @@ struct hit {
 /* Finds the nearest object; of several at the same distance, the one with the lowest index. */
 void ray_intersect(const struct ray_view *view, const struct ray *ray, struct hit *hit);
 
-/* Gives the hit on `object`, known to be the nearest; TIA_NO_OBJECT: no hit. */
+/* Computes the hit on `object`, which is known to be the nearest. TIA_NO_OBJECT means no hit. */
 void ray_intersect_object(const struct ray_view *view, const struct ray *ray, uint32_t object, struct hit *hit);
 
 /* Replaces the hit by the nearest light with a surface, if the light is nearer than the hit. */
@@ -56,17 +56,18 @@ struct num_point ray_sphere_centre(const struct tia_scene *scene, uint32_t spher
 /* Returns the radius of one of the scene's spheres. */
 num_length ray_sphere_radius(const struct tia_scene *scene, uint32_t sphere);
 
-/* Gives the part of the light that the objects between the ray's origin and t = limit transmit; false: none. *blocker
- * is the object to test first, or TIA_NO_OBJECT; it receives the object that transmits nothing, if any, which often
- * blocks the next shadow ray to the same light, too. */
+/* Computes the part of the light that the objects between the ray's origin and t = limit transmit. Returns false if
+ * they transmit nothing. *blocker is the object to test first, or TIA_NO_OBJECT. An object that transmits nothing is
+ * stored in *blocker, since it often blocks the next shadow ray to the same light, too. */
 bool ray_transmittance(const struct ray_view *view, const struct ray *ray, num_length limit, uint32_t *blocker,
                        num_length through[3]);
 
-/* Gives the transmitted part as ray_transmittance does, except that light passes objects only by opacity textures. */
+/* Computes the transmitted part as ray_transmittance does, but light passes objects only where an opacity texture lets
+ * it. */
 bool ray_visibility(const struct ray_view *view, const struct ray *ray, num_length limit, uint32_t *blocker,
                     num_length *through);
 
-/* Converts a direction relative to the z axis to the same one relative to `axis`. */
+/* Converts a direction relative to the z axis to the corresponding direction relative to `axis`. */
 struct num_dir ray_around(struct num_dir axis, struct num_dir local);
 
 /* The start of rays on a surface, with the geometric and the shading normal. */
@@ -75,31 +76,33 @@ struct ray_place {
     struct num_dir geometric, normal;
 };
 
-/* Returns the result of one ray of ambient occlusion, see tia/integrator.h: the part of the ray that objects let pass
- * up to `distance`, 1 or 0 without opacities. `u` are two random numbers; `blocker` as in ray_transmittance. */
+/* Returns the result of one ray of ambient occlusion, see tia/integrator.h: the part of its light that objects within
+ * `distance` let pass, 0 or 1 without opacity textures. `u` are two random numbers; `blocker` is as in
+ * ray_transmittance. */
 num_length ray_openness(const struct ray_view *view, const struct ray_place *place, const uint32_t u[2],
                         num_length distance, uint32_t *blocker);
 
-/* True if the ray meets object `object` at 0 <= t <= limit; `element`, unless NULL, receives the nearest element. */
+/* True if the ray meets object `object` at 0 <= t <= limit. Unless `element` is NULL, sets *element to the nearest
+ * element. */
 bool ray_occluded_by(const struct ray_view *view, const struct ray *ray, uint32_t object, num_length limit,
                      uint32_t *element);
 
-/* Returns the number of groups of faces that the ray meets at 0 <= t <= limit, for an object that is a mesh with
- * groups; else 1. */
+/* For a mesh with groups of faces, returns the number of groups that the ray meets at 0 <= t <= limit; for any other
+ * object, 1. */
 uint32_t ray_groups_met(const struct ray_view *view, const struct ray *ray, uint32_t object, num_length limit);
 
-/* True if the object may have an opacity texture; false: it certainly has none, in any of a grid's cells. */
+/* True if the object or, for a grid, any of its cells may have an opacity texture. */
 bool ray_is_layered(const struct ray_view *view, uint32_t object);
 
-/* Gives the hit on the object; false: none at 0 <= t <= limit. */
+/* Computes the hit on the object. Returns false if there is none at 0 <= t <= limit. */
 bool ray_meets(const struct ray_view *view, const struct ray *ray, uint32_t object, num_length limit, struct hit *hit);
 
 /* Returns the part of an object that a refracted ray may enter. */
 enum inside ray_inside(const struct ray_view *view, uint32_t object);
 
-/* Gives the surface of a hit object in the world's axes. */
+/* Computes the surface at the hit, in the world's axes. */
 void ray_surface(const struct ray_view *view, const struct hit *hit, struct num_point point, struct surface *surface);
-/* Gives the hit's surface coordinates, for textures; returns the `bits` of ray_texture. */
+/* Computes the hit's surface coordinates, for textures. Returns the `bits` for ray_texture. */
 int ray_uv(const struct ray_view *view, const struct hit *hit, struct num_point point, num_length uv[2]);
 /* Returns the material of an object's element. */
 uint32_t ray_material(const struct ray_view *view, uint32_t object, uint32_t element);

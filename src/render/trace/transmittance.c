@@ -1,8 +1,8 @@
 /* transmittance.c - the objects between a point and a light.
  *
  * An object that transmits nothing ends the search. Other objects multiply the light by their transmission. Products
- * are rounded, so the factors are always applied in the order of the objects' indices, not in that in which objects are
- * found: one search finds the few lowest indices, and if there are more, another search finds the next. */
+ * are rounded, so the factors are always applied in the order of the objects' indices, whatever the order in which the
+ * objects are found. A search finds the KEPT lowest indices; if there are more, another search finds the next ones. */
 #include "render/geometry/walk.h"
 #include "scene/colour.h"
 #include "texture.h"
@@ -10,7 +10,7 @@
 
 #define KEPT 16
 
-/* An object that transmits light: it multiplies the light by `through`, as many times as `times`. */
+/* An object that transmits light: it multiplies the light by `through`, `times` times. */
 struct filter {
     uint32_t object, times;
     num_length through[3];
@@ -23,7 +23,7 @@ struct filters {
     uint32_t blocker;     /* object that transmits nothing, or TIA_NO_OBJECT */
     uint32_t missed;      /* an object that the ray certainly misses, or TIA_NO_OBJECT */
     bool more;
-    bool opaque; /* objects transmit nothing except by an opacity texture */
+    bool opaque; /* objects transmit light only where an opacity texture lets it pass */
 };
 
 static void keep(struct filters *filters, const struct filter *filter)
@@ -49,7 +49,7 @@ static bool is_grid(const struct ray_view *view, uint32_t object)
     return object >= spheres && view->scene->shapes[object - spheres].kind == TIA_GRID;
 }
 
-/* A shadow ray crossing an object with an opacity texture. */
+/* A shadow ray that crosses an object with an opacity texture. */
 struct crossing {
     struct ray ray;
     num_length limit;
@@ -95,7 +95,7 @@ static bool is_black(const num_length rgb[3])
 
 #define PATIENCE 16 /* number of surfaces between two calls of `stop` */
 
-/* Filters the light by an object with an opacity texture; false when the object transmits nothing. */
+/* Filters the light by an object with an opacity texture. Returns false if the object transmits nothing. */
 static bool layers_transmit(const struct ray_view *view, const struct ray *ray, uint32_t object, num_length limit,
                             struct filters *filters)
 {
@@ -117,7 +117,7 @@ static bool layers_transmit(const struct ray_view *view, const struct ray *ray, 
     return true;
 }
 
-/* Filters the light by an object; false when the object transmits nothing. */
+/* Filters the light by an object. Returns false if the object transmits nothing. */
 static bool object_transmits(const struct ray_view *view, const struct ray *ray, uint32_t object, num_length limit,
                              struct filters *filters)
 {

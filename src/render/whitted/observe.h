@@ -24,7 +24,7 @@ static inline void observe_begin(struct path *path, const struct tia_options *op
 #endif
 }
 
-/* Sets the observer's counter as the ray's counter of tests. */
+/* Makes the ray count its tests in the observer's counter. */
 static inline void observe_count(const struct path *path, struct ray *ray)
 {
 #ifdef TIA_WATCHED

@@ -1,11 +1,11 @@
-/* pixels.c - a tile's pixels, ray by ray: the renderer of any scene. */
+/* pixels.c - draws the pixels of a tile, ray by ray; this renderer draws any scene. */
 #include "observe.h"
 #include "render/core/dither.h"
 #include "samples/sobol.h"
 #include "whitted.h"
 
-/* Finds the hit of a ray from the eye. `sample` is 0 only for the first sample of the first channel; its object is
- * *object, or is stored there if path->traces. */
+/* Finds the hit of a ray from the eye. `sample` is 0 only for the first sample of the first channel. That sample's
+ * object is read from *object or, if path->traces, stored there. */
 static void find_first(struct path *path, int x, int y, int sample, uint32_t *object, const struct ray *ray,
                        struct hit *hit)
 {
@@ -22,7 +22,7 @@ static void find_first(struct path *path, int x, int y, int sample, uint32_t *ob
     *object = sample == 0 ? hit->object : *object;
 }
 
-/* Computes the mean of a channel's samples of a pixel, each clamped. `object` as in find_first. */
+/* Adds to `mean` the mean of a pixel's samples for a channel; each sample is clamped. `object` is as in find_first. */
 static void add_channel(struct path *path, const struct light_pixel *at, int channel, uint32_t *object,
                         num_length mean[3])
 {
@@ -66,7 +66,7 @@ static void pixel(struct path *path, int x, int y, uint32_t *object, num_length 
     }
 }
 
-/* Quantises a pixel, from all 45 fraction bits at once: a value rounded twice could get the wrong one of two levels. */
+/* Quantises a pixel. All 45 fractional bits are rounded at once: rounding twice could give the wrong level. */
 static tia_rgb565 pack(const num_length mean[3], num_u threshold)
 {
     unsigned r = num_levels(mean[0], 31, threshold), g = num_levels(mean[1], 63, threshold),
@@ -88,11 +88,11 @@ struct job {
     struct tia_tile tile;
     const struct tia_surface *surface;
     const struct tia_options *options;
-    const struct first_hits *first; /* hits found without rays; NULL: by rays */
+    const struct first_hits *first; /* hits found without rays; NULL: rays find all hits */
     bool traces;                    /* the hits are found here, and stored */
 };
 
-/* Draws a row; false: the row was stopped. */
+/* Draws a row. Returns false if the row was stopped. */
 static bool row(const struct job *job, int y)
 {
     const struct tia_options *options = job->options;

@@ -7,8 +7,8 @@
 #define PATH_BLOCKERS 8
 #define PATH_REACHED 64
 
-/* The samples of lights that reach a point. Bit n of `bits` is set if light of sample n arrives; shares[n] is the part
- * that arrives, in units of 2^-15. `shares` NULL: all of it arrives. */
+/* The samples of lights that reach a point. Bit n of `bits` is set if light of sample n arrives. shares[n] is the part
+ * that arrives, in units of 2^-15; if `shares` is NULL, all of it arrives. */
 struct arrivals {
     uint64_t bits;
     const uint16_t *shares;
@@ -16,14 +16,15 @@ struct arrivals {
 
 /* Primary hits that are found without rays. */
 struct first_hits {
-    /* Finds the hit of a sample's ray through pixel (x, y), and in `lit` the light that arrives at the hit; false: the
-     * light is unknown. Sample i of light n has the number first_bit[n] + i in `lit`, or first_bit[n] if `whole`. */
+    /* Finds the hit of a sample's ray through pixel (x, y), and sets *lit to the light that arrives at the hit. Returns
+     * false if the light is unknown. Sample i of light n has the number first_bit[n] + i in *lit, or first_bit[n] if
+     * `whole`. */
     bool (*find)(const struct first_hits *hits, int x, int y, int sample, const struct ray *ray, struct hit *hit,
                  struct arrivals *lit);
     const uint8_t *first_bit;
     bool whole;
     /* True if light that arrives according to `lit` also passes the objects that `lit` ignores, at 0 <= t <= distance
-     * along the shadow ray. `blocker` as in ray_transmittance. NULL: no objects are ignored. */
+     * along the shadow ray. `blocker` is as in ray_transmittance. `passes` is NULL if no objects are ignored. */
     bool (*passes)(const struct first_hits *hits, const struct ray *shadow, num_length distance, uint32_t *blocker);
 };
 
@@ -37,7 +38,7 @@ struct path {
     uint32_t seed;         /* seed of a pixel's sample, for rays of ambient lights */
     unsigned class;        /* class of the pixel, see ray_light.h */
     uint64_t reached;      /* bits for tia_debug.lit */
-    unsigned next_reached; /* next sample's number in `reached`; PATH_REACHED: the next sample has none */
+    unsigned next_reached; /* number in `reached` of the next sample of a light; PATH_REACHED: none */
 #ifdef TIA_WATCHED
     struct tia_observer *observer; /* NULL: none */
 #endif
@@ -50,7 +51,7 @@ struct path {
 
 #define PATH_PATIENCE 16 /* number of rays between two calls of `stop`, which may read a clock or a keyboard */
 
-/* Counts a ray; true once `stop` has returned true: the colour is then unused. */
+/* Counts a ray. Returns true once `stop` has returned true; the colour is then unused. */
 static inline bool path_stops(struct path *path)
 {
     if (!path->stopped && ++path->rays >= PATH_PATIENCE) {

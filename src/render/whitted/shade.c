@@ -30,7 +30,7 @@ static num_length highlight(const struct shading *s, struct num_dir to, num_unit
     return num_power_length(half < NUM_UNIT_ONE / 2 ? 2 * half : NUM_UNIT_ONE, s->material->exponent);
 }
 
-/* Gives the part of the light from `to` that the material reflects towards the viewer. */
+/* Computes the part of the light from `to` that the material reflects towards the viewer. */
 static void reflectance(const struct shading *s, struct num_dir to, num_unit lambert, num_length rgb[3])
 {
     const struct tia_rgb *specular = &s->material->specular;
@@ -46,7 +46,8 @@ static void reflectance(const struct shading *s, struct num_dir to, num_unit lam
         rgb[c] += num_product(glossy[c], shine);
 }
 
-/* Gives the part of a sample's light that reaches the point; false: none. `bit` is the sample's number in path->lit. */
+/* Computes the part of a sample's light that reaches the point. Returns false if none does. `bit` is the sample's
+ * number in path->lit. */
 static bool arrives(const struct path *path, const struct shading *s, const struct ray_light *light,
                     const struct ray_sample *sample, unsigned bit, uint32_t *blocker, num_length through[3])
 {
@@ -70,14 +71,15 @@ static bool is_white(const num_length rgb[3])
     return rgb[0] == NUM_LENGTH_ONE && rgb[1] == NUM_LENGTH_ONE && rgb[2] == NUM_LENGTH_ONE;
 }
 
-/* Multiplies a colour by a factor; products by 1, which are frequent and exact, are left out. */
+/* Multiplies a colour by a factor. A white factor, which is frequent, changes nothing and is skipped. */
 static void multiply(num_length rgb[3], const num_length factor[3])
 {
     for (int c = 0; c < 3 && !is_white(factor); c++)
         rgb[c] = num_product(rgb[c], factor[c]);
 }
 
-/* Adds the light of sample i, not yet multiplied by the emission, to the mean of the samples; false: none arrives. */
+/* Adds the light of sample i, not yet multiplied by the emission, to the mean of the samples. Returns false if none
+ * arrives. */
 static bool add_sample(struct path *path, const struct shading *s, const struct ray_aim *aim, unsigned i, unsigned bit,
                        uint32_t *blocker, num_length mean[3])
 {
@@ -109,7 +111,8 @@ static void note_reached(struct path *path, bool reached)
         path->reached |= (uint64_t)reached << path->next_reached++;
 }
 
-/* Returns the part of an ambient light that reaches the point: all, or the mean openness of rays up to its radius. */
+/* Returns the part of an ambient light that reaches the point: all of it or, if the light has a radius, the mean
+ * openness of rays of that length. */
 static num_length ambient_part(struct path *path, const struct shading *s, const struct ray_light *light, uint32_t n)
 {
     const struct ray_place place = {s->outside, s->geometric, s->normal};
@@ -197,7 +200,7 @@ static num_unit pass(const struct ray_view *view, const struct shading *s, struc
     return m->fresnel || fresnel == NUM_UNIT_ONE ? fresnel : 0;
 }
 
-/* Sets the ray past the surface, and multiplies the factors of the other rays by the opacity. */
+/* Sets the undeflected ray behind the surface, and multiplies the factors of the other rays by the opacity. */
 static void let_past(const struct ray_view *view, const struct shading *s, struct bounces *b)
 {
     num_length *passes = b->straight ? b->refracts : b->passes;

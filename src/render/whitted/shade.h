@@ -8,16 +8,17 @@
 /* Prepares the shading of a ray's hit, and adds the hit to the path's hash. */
 void shade_prepare(struct path *path, const struct ray *ray, const struct hit *hit, struct shading *s);
 
-/* Adds throughput times opacity times the surface's own light along V: emission, facing ratio and lights. */
+/* Adds to `colour` the light that the surface itself sends along V (emission, facing ratio and light reflected from
+ * lights), times its opacity and the throughput. */
 void shade_light(struct path *path, const struct shading *s, const num_length throughput[3], num_length colour[3]);
 
-/* The reflected and the refracted ray with their kr and kt, and the ray past an opacity; a ray whose throughput is
- * black is not set. */
+/* The reflected and the refracted ray with their kr and kt, and the undeflected ray behind a surface whose opacity is
+ * below 1. A ray whose factors are all 0 is not set. */
 struct bounces {
     struct ray reflected, refracted, past;
     num_length reflects[3], refracts[3], passes[3];
-    struct media media; /* media of the refracted ray and of the ray past an opacity */
-    bool straight;      /* the refracted ray is undeflected: it is the ray past an opacity as well */
+    struct media media; /* media of `refracted` and of `past` */
+    bool straight;      /* the refracted ray is undeflected, and stands for `past` as well */
 };
 
 /* Sets the bounces; `media` are those of the incoming ray. */

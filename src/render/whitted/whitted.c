@@ -3,7 +3,7 @@
 #include "observe.h"
 #include "shade.h"
 
-/* A ray yet to be traced: its throughput, the bounces and the straight layers before it, and its media. */
+/* A pending ray: its throughput, the numbers of bounces and of undeflected passages before it, and its media. */
 struct bounce {
     struct ray ray;
     num_length throughput[3];
@@ -12,9 +12,9 @@ struct bounce {
     enum tia_ray kind;
 };
 
-/* The pending rays. They are followed depth-first: the reflected ray, then the refracted ray, then the ray past an
- * opacity. So at most two rays are pending for each bounce before the current one, and straight layers, which come
- * last, do not make the stack deeper. */
+/* The pending rays. They are followed depth-first: the reflected ray, then the refracted ray, then the undeflected ray
+ * behind a surface whose opacity is below 1. So at most two rays are pending for each bounce before the current one.
+ * Undeflected rays come last, so they do not make the stack deeper. */
 struct stack {
     struct bounce bounces[2 * TIA_DEPTH_MAX + 1];
     int count;

@@ -3,7 +3,7 @@
  *     struct tia_bvh
  *     struct tia_bvh_tree of each mesh
  *     for each mesh: items, nodes
- *     for the objects: items, planes, nodes
+ *     for the objects: items, unbounded objects, nodes
  *     at the end of the block, only while building: the boxes of one tree's items
  */
 #include "objects.h"
@@ -11,8 +11,8 @@
 #include "math/align.h"
 #include "scene/object_bounds.h"
 
-/* Costs of testing an object, in visits to two boxes: a sphere takes about twice as many instructions as a visit, a
- * triangle three times, a cylinder or cone five times, on average over all tests, most of which miss early. */
+/* Costs of testing an object; visiting two boxes costs 1. On average over all tests, most of which miss early, a sphere
+ * takes about twice as many instructions as a visit, a triangle three times, a cylinder or cone five times. */
 enum { SPHERE_COST = 2, FACE_COST = 3, ROUND_COST = 5 };
 
 /* Returns the largest number of boxes needed at the same time. */
@@ -40,8 +40,8 @@ size_t tia_bvh_size(const struct tia_scene *scene)
     return size > SIZE_MAX / 2 ? SIZE_MAX : (size_t)size;
 }
 
-/* Builds the tree of `count` items, each of which costs `cost` visits to test. Occupies no more than the nodes used, of
- * TREE_NODES(count) at most. */
+/* Builds the tree of `count` items; testing an item costs as much as `cost` visits. Allocates only the nodes used, at
+ * most TREE_NODES(count). */
 static struct tia_bvh_tree build(struct bvh_space *space, uint32_t *items, uint32_t count, uint32_t cost)
 {
     struct tia_bvh_node *nodes = (struct tia_bvh_node *)(void *)space->front;
@@ -66,7 +66,7 @@ static struct tia_bvh_tree build_mesh(struct bvh_space *space, const struct tia_
     return build(space, items, mesh->face_count, FACE_COST);
 }
 
-/* Returns a mesh's own box, from the root's: without the margin that tia_bounds_with_margin added. */
+/* Returns a mesh's own box: the root's box without the margin that tia_bounds_with_margin added. */
 static struct tia_bounds without_margin(const struct tia_bounds *b)
 {
 #define LESS(x) ((x) > INT32_MIN ? (x) + 1 : (x))
@@ -94,7 +94,7 @@ bool tia_bvh_object_box(struct tia_bounds *box, const struct tia_scene *scene, u
     return tia_bounds_in_world(scene, object, &own, &wide) && tia_bounds_with_margin(&wide, box);
 }
 
-/* Returns the mean cost of the objects with a box. */
+/* Returns the mean cost of testing an item, at least 1. */
 static uint32_t object_cost(const struct tia_scene *scene, const uint32_t *items, uint32_t count, struct cancel *cancel)
 {
     uint64_t sum = 0;

@@ -10,7 +10,7 @@ struct bvh_space {
     unsigned char *front;
     struct tia_bounds *boxes; /* boxes of the items of one tree, while it is built */
     struct cancel cancel;
-    /* builds a tree of `count` items, the same as tia_bvh_build_range's; NULL: tia_bvh_build_range */
+    /* builds the same tree of `count` items as tia_bvh_build_range; NULL: tia_bvh_build_range builds it */
     uint32_t (*build)(struct bvh_space *space, struct tia_bvh_node *nodes, const struct bvh_items *all, uint32_t count);
     const struct tia_workers *workers; /* workers for `build` */
 };
@@ -32,19 +32,19 @@ static inline void *bvh_allocate(struct bvh_space *space, uint64_t size)
     return place;
 }
 
-/* Gives the box of an object; false when the object has none, or the box does not fit Q16.16. */
+/* Writes the box of an object. Returns false if the object has none, or the box does not fit in Q16.16. */
 bool tia_bvh_object_box(struct tia_bounds *box, const struct tia_scene *scene, uint32_t object,
                         const struct tia_bvh_tree *meshes);
 
 /* Builds bvh->objects; the meshes' trees must be built already. */
 void tia_bvh_build_objects(struct bvh_space *space, struct tia_bvh *bvh, const struct tia_scene *scene);
 
-/* Builds a large tree with space->workers; a value for space->build. */
+/* Builds a tree with space->workers if it is large. A value for space->build. */
 uint32_t tia_bvh_build_together(struct bvh_space *space, struct tia_bvh_node *nodes, const struct bvh_items *all,
                                 uint32_t count);
 
-/* Builds all hierarchies of a scene at space->front, as tia_bvh_build does, with the space's builder. *used receives
- * the number of bytes. */
+/* Builds all hierarchies of a scene at space->front, as tia_bvh_build does, with the space's builder. Sets *used to the
+ * number of bytes. */
 int tia_bvh_build_in(const struct tia_bvh **bvh, struct bvh_space *space, size_t size, size_t *used,
                      const struct tia_scene *scene);
 

@@ -1,19 +1,19 @@
 /* parallel.c - a tree built by several threads.
  *
- * One thread repeatedly splits the largest part of the items, until there are enough parts; the passes over all items
- * of a part are divided among the threads. Then one thread builds each part's tree, in nodes reserved for the part: a
- * tree of n items has at most 2n - 1 nodes, so the first node of each part is known beforehand. Finally the trees are
- * moved together. The nodes are the same as tia_bvh_build_range's, bit for bit, whatever the number of threads.
+ * One thread repeatedly splits the largest part of the items, until there are enough parts; the passes over a part's
+ * items are divided among the threads. Then each part's tree is built by one thread, in nodes reserved for the part: a
+ * tree of n items has at most 2n - 1 nodes, so the first node of each part is known in advance. Finally the gaps
+ * between the trees are closed. For any number of threads, the nodes are bit for bit those of tia_bvh_build_range.
  */
 #include "objects.h"
 #include "split.h"
 
 #define PARTS 64      /* number of parts, enough that threads seldom wait for the last one */
-#define CHUNKS 32     /* number of chunks of a part's items, which are processed in parallel */
-#define LEAST 16384   /* least number of items for which waking the threads pays */
-#define SMALLEST 2048 /* least number of items of a part that is split further */
+#define CHUNKS 32     /* a part's items are processed in this many chunks in parallel */
+#define LEAST 16384   /* a tree of fewer items does not repay waking the threads */
+#define SMALLEST 2048 /* a part of at most this many items is not split further */
 
-/* Totals of a chunk of a part's items. Chunks are stored in the memory of the nodes, none of which is in use yet:
+/* The totals of one chunk of a part's items. Chunks are stored in the memory of the nodes, none of which is in use yet:
  * CHUNKS * sizeof(struct chunk) < LEAST * sizeof(struct tia_bvh_node). */
 struct chunk {
     struct tia_bvh_extent extent;
@@ -34,9 +34,9 @@ struct crew {
     struct bvh_space *space;
     struct bvh_items all;
     struct tia_bvh_node *nodes;
-    struct part parts[2 * PARTS - 1]; /* each part before its children, the first child's before the second's */
+    struct part parts[2 * PARTS - 1]; /* depth first: each part is followed by its first child */
     unsigned count;
-    /* items of the part whose chunks are processed */
+    /* the part whose chunks are being processed */
     struct tia_bvh_split_items items;
     struct tia_bvh_binning binning[3];
     struct chunk *chunks;
@@ -44,8 +44,8 @@ struct crew {
 
 /* ---- jobs of the threads ---- */
 
-/* Returns the result of the caller's `stop`, which only one thread at a time calls: false if another thread is calling
- * it now. */
+/* Returns the result of the caller's `stop`. Only one thread at a time may call it: returns false while another thread
+ * does. */
 static bool poll_stop(void *ctx)
 {
     const struct bvh_space *space = ctx;
@@ -117,7 +117,7 @@ static void run(struct crew *crew, void (*job)(void *arg, unsigned index), unsig
     crew->space->workers->run(crew->space->workers->ctx, job, crew, count);
 }
 
-/* Runs the job for all chunks, in any order; false if stopped. */
+/* Runs the job for all chunks, in any order. Returns false if stopped. */
 static bool run_chunks(struct crew *crew, void (*job)(void *arg, unsigned index))
 {
     bool stopped = false;
@@ -189,8 +189,8 @@ static void divide_all(struct crew *crew)
 
 /* ---- moving the trees together ---- */
 
-/* Moves a tree's nodes forward to index `to`. Inner nodes have the index of their children relative to the root until
- * then. */
+/* Moves a tree's nodes down to index `to`. Before the move, the index in an inner node is relative to the tree's
+ * root. */
 static void move_tree(struct crew *crew, const struct part *part, uint32_t to)
 {
     for (uint32_t i = 0; i < part->nodes; i++) {
@@ -200,8 +200,8 @@ static void move_tree(struct crew *crew, const struct part *part, uint32_t to)
     }
 }
 
-/* Moves all trees together, in depth-first order: behind a tree comes the second child of the last node whose second
- * child is still missing. Returns the number of nodes. */
+/* Closes the gaps between the trees; the nodes are in depth-first order. A tree is followed by the second child of the
+ * last node whose second child is still missing. Returns the number of nodes. */
 static uint32_t move_together(struct crew *crew)
 {
     uint32_t waiting[TIA_BVH_DEPTH_MAX + 1], to = 0;

@@ -1,9 +1,9 @@
 /* refit.c - the hierarchy of a scene whose objects have moved.
  *
- * The tree of the scene at rest stays, except for the boxes of the objects that moved and the boxes around them. Its
- * quality may decline over time: where boxes of the same depth overlap, rays visit more of them. The number of nodes
- * that a ray visits is in proportion to the boxes' areas (split.c), so when the sum of the areas has grown by half, the
- * tree of the objects is rebuilt from their boxes alone. The trees of the meshes always stay.
+ * The tree of the scene at rest is kept; only the boxes of objects that moved, and the boxes around them, change. The
+ * tree's quality may decline over time: if boxes of the same depth overlap, rays visit more of them. The number of
+ * nodes that a ray visits is proportional to the boxes' areas (split.c). So when the sum of the areas has grown by
+ * half, the tree of the objects is rebuilt. The trees of the meshes never change.
  */
 #include "objects.h"
 
@@ -32,7 +32,7 @@ static bool same(const void *a, const void *b, size_t size)
     return a == b || i == size;
 }
 
-/* State while the tree is refitted. */
+/* The state of a refit. */
 struct following {
     const struct tia_scene *scene, *standing;
     struct tia_bvh_node *nodes;
@@ -69,8 +69,8 @@ static void follow_leaf(struct following *f, struct tia_bvh_node *leaf)
         leaf->bounds = bounds;
 }
 
-/* Refits all nodes from the last one to the first: children come after their parents, so both children are refitted
- * before.
+/* Refits all nodes from the last one to the first: children come after their parents, so both children of a node are
+ * refitted before the node.
  */
 static void follow(struct following *f, struct cancel *cancel)
 {

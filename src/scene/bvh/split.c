@@ -1,12 +1,12 @@
 /* split.c - the surface area heuristic, binned.
  *
- * A ray that hits a box hits a box inside it with a probability of the ratio of their surface areas. When
- * visiting two children costs 1 and testing an item c, a split of n items is worth it if
+ * A ray that hits a box also hits a box inside it with a probability equal to the ratio of their surface areas. If
+ * visiting two children costs 1, and testing an item costs c, splitting n items pays if
  *
  *     1/c + n_left area_left/area + n_right area_right/area < n.
  *
- * On each axis the items' centres are sorted into BINS bins of equal width, and only the planes between bins
- * are tried: nearly as good as trying all, in linear time.
+ * On each axis the items' centres are sorted into SPLIT_BINS bins of equal width, and only the planes between bins are
+ * tried. That is nearly as good as trying all planes, and takes linear time.
  */
 #include "split.h"
 
@@ -97,8 +97,8 @@ void tia_bvh_measure(struct tia_bvh_extent *extent, const struct tia_bvh_split_i
     *extent = all;
 }
 
-/* Returns the binning of the range least..most. Its length, below 2^34, is reduced to 28 bits; division by that + 1
- * puts its end into the last bin. */
+/* Returns the binning of the range least..most. The range's length, below 2^34, is reduced to 28 bits; dividing by the
+ * reduced length + 1 puts the range's end into the last bin. */
 static struct tia_bvh_binning binning_of(int64_t least, int64_t most)
 {
     if (most <= least)
@@ -156,8 +156,8 @@ void tia_bvh_join_bins(struct tia_bvh_bins *to, const struct tia_bvh_bins *more)
                 add_to_bin(to, axis, i, &more->axes[axis][i].bounds, more->axes[axis][i].count);
 }
 
-/* Sets *best to the best plane of one axis if that plane is better. Planes behind empty bins are not tried: each
- * divides the items as the plane before it does. */
+/* Sets *best to the best plane of one axis if that plane is better than *best. Planes behind empty bins are not tried:
+ * each of them divides the items as the plane before it does. */
 static void choose_split(struct split *best, uint32_t items, const struct tia_bvh_bins *all, int axis, unsigned shift)
 {
     const struct tia_bvh_bin *bins = all->axes[axis];

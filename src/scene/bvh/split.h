@@ -46,19 +46,19 @@ struct tia_bvh_bins {
     struct tia_bvh_bin axes[3][SPLIT_BINS];
 };
 
-/* Partitions the items and returns n: the first n items become the first child, the rest the second; 0: a leaf is
- * cheaper. No child has more than `most` items; `most` must be at least half of all. *bounds receives the bounds of all
- * items. */
+/* Partitions the items, and returns n: the first n items form the first child, the others the second. Returns 0 if a
+ * leaf is cheaper. Neither child gets more than `most` items, which must be at least half of all. Sets *bounds to the
+ * bounds of all items. */
 uint32_t tia_bvh_split_items(const struct tia_bvh_split_items *items, struct tia_bounds *bounds, uint32_t most);
 
 /* ---- the steps of tia_bvh_split_items ---- */
 
-/* Gives the extent of some of a node's items. */
+/* Computes the extent of some of a node's items. */
 void tia_bvh_measure(struct tia_bvh_extent *extent, const struct tia_bvh_split_items *items);
 /* Adds the extent of further items; the result does not depend on how the items are divided. */
 void tia_bvh_join_extents(struct tia_bvh_extent *to, const struct tia_bvh_extent *more);
 
-/* Gives the binning of each axis; false when there is no axis to split along. */
+/* Computes the binning of each axis. Returns false if there is no axis to split along. */
 bool tia_bvh_choose_bins(struct tia_bvh_binning binning[3], const struct tia_bvh_extent *extent);
 
 /* Fills the bins with some of a node's items. */
@@ -67,7 +67,7 @@ void tia_bvh_fill_bins(struct tia_bvh_bins *bins, const struct tia_bvh_split_ite
 /* Adds the bins of further items; the result does not depend on how the items are divided. */
 void tia_bvh_join_bins(struct tia_bvh_bins *to, const struct tia_bvh_bins *more);
 
-/* Splits at the best plane, or into halves, with the result of tia_bvh_split_items. `bins` is NULL when there is no
+/* Splits at the best plane, or into halves. Returns the same as tia_bvh_split_items. `bins` is NULL when there is no
  * axis to split along. */
 uint32_t tia_bvh_split_at_best(const struct tia_bvh_split_items *items, const struct tia_bounds *bounds,
                                const struct tia_bvh_bins *bins, const struct tia_bvh_binning binning[3], uint32_t most);

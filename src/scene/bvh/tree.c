@@ -3,10 +3,10 @@
 /* A node still to be built; a stack of these replaces recursion. */
 struct task {
     struct bvh_range range;
-    uint32_t parent; /* node whose second child this is; for other nodes their own index */
+    uint32_t parent; /* node whose second child this is; otherwise this node's own index */
 };
 
-/* Sorts items by insertion, at most SPLIT_ITEMS_MOST. */
+/* Sorts at most SPLIT_ITEMS_MOST items by insertion. */
 static void sort(uint32_t *items, uint32_t count)
 {
     for (uint32_t i = 1; i < count; i++) {

@@ -31,15 +31,16 @@ static inline struct tia_bvh_split_items bvh_items_of(const struct bvh_items *al
                                         cancel};
 }
 
-/* Returns the largest number of items at `depth` from which halving reaches single items by TIA_BVH_DEPTH_MAX. */
+/* Returns the largest number of items that a node at `depth` may have, so that halving reaches single items at
+ * TIA_BVH_DEPTH_MAX. */
 static inline uint32_t bvh_most_items(uint32_t depth)
 {
     uint32_t left = TIA_BVH_DEPTH_MAX - depth;
     return UINT32_C(1) << (left < 31 ? left : 31);
 }
 
-/* Fills `nodes`, which has room for TREE_NODES(range.count), with the tree below a node, which is the first; returns
- * the number of nodes. The tree is incomplete if cancelled. */
+/* Writes the tree of the range to `nodes`, which must hold TREE_NODES(range.count) nodes; the root comes first. Returns
+ * the number of nodes. If cancelled, the tree is incomplete. */
 uint32_t tia_bvh_build_range(struct tia_bvh_node *nodes, const struct bvh_items *all, struct bvh_range range,
                              struct cancel *cancel);
 

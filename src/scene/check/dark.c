@@ -1,12 +1,12 @@
-/* dark.c - warns of scenes whose lights or materials are all too dark to be visible, as when colours in Q2.30 were
- * written as lengths in Q16.16. Such a colour is 2^14 times too small, so below 2^-13, since colours are below 2. */
+/* dark.c - warns of scenes whose lights or materials are all too dark to be visible. The likely mistake is a colour
+ * written as Q16.16 instead of Q2.30: it is 2^14 times too small and, since colours are below 2, below 2^-13. */
 #include <tia/motion.h>
 
 #include "scene_check.h"
 
 /* The brightest of several colours, and the index of its light or material. */
 struct brightest {
-    uint64_t channel; /* largest channel: Q2.30, times 2^bits of the emission */
+    uint64_t channel; /* largest channel, Q2.30, times 2^bits of emission and exposure */
     uint32_t index;
 };
 
@@ -19,7 +19,8 @@ static void add(struct brightest *b, uint32_t index, const struct tia_rgb *colou
         *b = (struct brightest){channel, index};
 }
 
-/* Returns the stops by which the exposure brightens the picture, rounded up; 0 for an integrator without exposure. */
+/* Returns the number of stops by which the exposure brightens the picture, rounded up; 0 if the integrator ignores the
+ * exposure. */
 static unsigned exposure_bits(const struct tia_integration *i)
 {
     return i->integrator == TIA_WHITTED || i->exposure <= 0 ? 0 : (unsigned)(((uint32_t)i->exposure + 65535) >> 16);

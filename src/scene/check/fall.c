@@ -1,4 +1,4 @@
-/* fall.c - balls that fall. */
+/* fall.c - checks of falling balls. */
 #include <tia/motion.h>
 
 #include "scene_check.h"
@@ -31,7 +31,7 @@ int tia_check_falling(const struct check *check)
     return TIA_OK;
 }
 
-/* True if only this shape has transform number `transform`, from 1, and no track moves it. */
+/* True if no other shape has the shape's transform, and no track moves it. */
 static bool is_own(const struct check *check, uint32_t shape)
 {
     const struct tia_scene *scene = check->scene;

@@ -22,7 +22,7 @@ static int check_lens(const struct check *check, const struct tia_lenticular *le
     return TIA_OK;
 }
 
-/* Checks the light field; widths and distances must not be 0, as later steps divide by them. */
+/* Checks the light field; widths and distances must not be 0, since later steps divide by them. */
 static int check_field(const struct check *check, const struct tia_light_field *field)
 {
     const struct tia_window *w = &check->scene->camera.window;

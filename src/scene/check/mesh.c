@@ -2,7 +2,7 @@
 #include "scene/object_bounds.h"
 #include "scene_check.h"
 
-/* True if every corner has an index, or none has. */
+/* True if every corner has a valid index, or none has one. */
 static bool are_indices(uint32_t a, uint32_t b, uint32_t c, uint32_t count)
 {
     bool none = a == TIA_NO_INDEX && b == TIA_NO_INDEX && c == TIA_NO_INDEX;
@@ -57,13 +57,13 @@ int tia_check_grid(const struct check *check)
     return TIA_OK;
 }
 
-/* Properties of a mesh or grid that the shapes' checks need, found once for all shapes. */
+/* Properties of a mesh or grid that the checks of shapes need, computed once for all shapes. */
 struct part {
     struct tia_bounds box; /* box of a mesh */
-    uint32_t materials;    /* number of consecutive materials of a grid; the shape's own is the first */
+    uint32_t materials;    /* number of consecutive materials that a grid needs; the first is the shape's own */
 };
 
-/* Number of parts in one pass over the shapes: they fit the stack, and one pass usually suffices. */
+/* Number of parts per pass over the shapes: they fit on the stack, and one pass is usually enough. */
 #define PARTS 16
 
 static struct part mesh_part(const struct check *check, uint32_t i)
@@ -95,7 +95,7 @@ static int check_use(const struct check *check, const struct part *part)
     return tia_check_placed(check, s, &box);
 }
 
-/* Checks the shapes that use one of the `count` parts from `first` on. */
+/* Checks the shapes that use one of `count` parts; the first of these is part number `first`. */
 static int check_shapes(struct check *check, enum tia_shape_kind kind, uint32_t first, uint32_t count,
                         const struct part *parts)
 {
@@ -126,7 +126,7 @@ static int check_parts(struct check *check, enum tia_shape_kind kind, uint32_t c
             parts[i] = kind == TIA_MESH ? mesh_part(check, first + i) : grid_part(check, first + i);
         status = check_shapes(check, kind, first, n, parts);
         if (count - first <= PARTS)
-            break; /* a part before `first`: the difference has wrapped around */
+            break; /* first + PARTS could overflow */
     }
     return status;
 }

@@ -3,7 +3,7 @@
 
 #include "scene_check.h"
 
-/* Enlarges *eyes to hold all positions of the eye. Tracks are not checked yet: their keys may be NULL. */
+/* Enlarges *eyes to cover all positions of the eye. Tracks are not checked yet: their keys may be NULL. */
 static void find_eyes(const struct tia_scene *scene, struct tia_bounds *eyes)
 {
     for (uint32_t i = 0; i < scene->track_count; i++) {

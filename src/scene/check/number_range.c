@@ -31,7 +31,7 @@ static uint64_t square(int64_t x)
     return (uint64_t)(x * x);
 }
 
-/* True if the squared length, Q2.30 squared, is in 2^-2..9/4. */
+/* True if the squared length is in 1/4..9/4, exactly; length2 has 60 fractional bits. */
 bool tia_check_is_direction(const struct tia_dir3 *d)
 {
     uint64_t length2 = square(d->x) + square(d->y) + square(d->z);
@@ -55,8 +55,8 @@ bool tia_check_is_on_line(const int64_t a[3], const int64_t b[3])
     return are_same(a[0], b[1], a[1], b[0]) && are_same(a[1], b[2], a[2], b[1]) && are_same(a[2], b[0], a[0], b[2]);
 }
 
-/* True if every position of the eye is nearer than `reach` to all of a box, exactly: d2 < reach^2 for the largest
- * squared distance d2 to a corner. */
+/* True if all points of a box are nearer than `reach` to every position of the eye. The test is exact: d2 < reach^2 for
+ * the largest squared distance d2 to a corner. */
 static bool is_nearer(const struct check *check, const struct bounds_wide *box, int64_t reach)
 {
     const struct tia_vec3 *first = &check->eyes.min, *last = &check->eyes.max;
@@ -83,7 +83,7 @@ bool tia_check_is_near(const struct check *check, struct tia_vec3 c, tia_q16 rad
     return is_nearer(check, &point, (INT64_C(1) << 31) - radius);
 }
 
-/* The squares are needed, and fit, only where all coordinates are close. */
+/* Squares are computed only if all differences are small, so that they fit. */
 bool tia_check_are_apart(struct tia_vec3 a, struct tia_vec3 b)
 {
     int64_t d[3] = {(int64_t)a.x - b.x, (int64_t)a.y - b.y, (int64_t)a.z - b.z}, d2 = 0;

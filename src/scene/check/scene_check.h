@@ -1,4 +1,5 @@
-/* scene_check.h - the parts of tia_scene_check. Functions return TIA_OK, or TIA_ERR_RANGE and fill in the fault. */
+/* scene_check.h - the parts of tia_scene_check. Functions return TIA_OK, or fill in the fault and return
+ * TIA_ERR_RANGE. */
 #ifndef TIA_SCENE_CHECK_SCENE_CHECK_H
 #define TIA_SCENE_CHECK_SCENE_CHECK_H
 
@@ -9,7 +10,7 @@ struct check;
 
 /* Rules for parts of scenes other than spheres. */
 struct check_more {
-    /* enlarges the box around the camera's eye to every position that the eye may have */
+    /* enlarges the box around the camera's eye to cover every position that the eye may have */
     void (*eyes)(const struct tia_scene *scene, struct tia_bounds *eyes);
     int (*falling)(const struct check *check);
     bool (*has_texture)(const struct check *check, uint32_t number, bool opacity);
@@ -29,13 +30,13 @@ struct check {
 
 /* Checks a scene as tia_scene_check does. */
 int tia_check_scene(const struct tia_scene *scene, struct tia_fault *fault, struct cancel *cancel);
-/* Checks a scene that may have no objects but spheres. */
+/* Checks a scene, in which objects other than spheres are not allowed. */
 int tia_check_spheres(const struct tia_scene *scene, struct tia_fault *fault, struct cancel *cancel);
-/* Checks a scene by the rules `more`; NULL as for tia_check_spheres. */
+/* Checks a scene by the rules `more` or, if it is NULL, by those of tia_check_spheres. */
 int tia_check_by(const struct check_more *more, const struct tia_scene *scene, struct tia_fault *fault,
                  struct cancel *cancel);
 
-/* Warns of an accepted scene: *fault receives a warning; without one, all its pointers are NULL. */
+/* Sets *fault to a warning about an accepted scene; if there is none, all pointers in *fault are NULL. */
 void tia_check_warn(const struct tia_scene *scene, struct tia_fault *fault);
 
 #define CHECK_FAR "every point must be nearer to the eye than 32768"
@@ -43,17 +44,17 @@ void tia_check_warn(const struct tia_scene *scene, struct tia_fault *fault);
 #define CHECK_RADIUS "must be at least 2^-10"
 #define CHECK_LENGTH "its length must be in 0.5..1.5"
 
-/* Returns a fault from a function with the parameter `check` unless the condition holds. */
+/* Returns a fault from the enclosing function, which has a parameter `check`, unless the condition holds. */
 #define REQUIRE(condition, field, rule)                                                                                \
     do {                                                                                                               \
         if (!(condition))                                                                                              \
             return tia_check_refuse(check, field, rule);                                                               \
     } while (0)
 
-/* Calls `one` for each of `count` elements, check->index being the element's number, until one has a fault. */
+/* Calls `one` for each of `count` elements until one has a fault; check->index is the element's number. */
 int tia_check_each(struct check *check, const char *thing, uint32_t count, int (*one)(const struct check *check));
 
-/* Fills in the fault of the present element; returns TIA_ERR_RANGE. */
+/* Fills in the fault of the current element; returns TIA_ERR_RANGE. */
 int tia_check_refuse(const struct check *check, const char *field, const char *rule);
 
 /* True if all components are in 0..1. */
@@ -70,14 +71,14 @@ bool tia_check_is_on_line(const int64_t a[3], const int64_t b[3]);
 /* True if two points are at least 2^-10 apart. */
 bool tia_check_are_apart(struct tia_vec3 a, struct tia_vec3 b);
 
-/* True if all points of a ball are near every position of the eye. */
+/* True if all points of a ball are near every position of the eye: nearer than 32768. */
 bool tia_check_is_near(const struct check *check, struct tia_vec3 centre, tia_q16 radius);
 /* True if all points of a box are near every position of the eye. */
 bool tia_check_is_box_near(const struct check *check, const struct bounds_wide *box);
 
 int tia_check_camera(const struct check *check);
 
-/* True if a material may have texture `number`, from 1, as its opacity or its colour. */
+/* True if a material may have texture `number`, from 1, as its opacity or, unless `opacity`, as its colour. */
 bool tia_check_has_texture(const struct check *check, uint32_t number, bool opacity);
 
 /* ---- checks of element number check->index of a kind ---- */
@@ -103,16 +104,16 @@ int tia_check_light(const struct check *check, const struct tia_light *light);
 /* True if all points of the light are near every position of the eye. */
 bool tia_check_is_light_near(const struct check *check, const struct tia_light *light);
 
-/* Checks that the box of a shape with a transform is near every position of the eye, and not too flat. */
+/* Checks that the box of a shape is near every position of the eye and, if the shape has a transform, not too flat. */
 int tia_check_placed(const struct check *check, const struct tia_shape *shape, const struct bounds_wide *box);
 
-/* Checks the shapes that use meshes and grids; and the scene's unit, which only the ray renderer supports. */
+/* Checks the shapes that use meshes and grids, the scene's unit of length, and its fine digits. */
 int tia_check_uses(struct check *check);
 
 /* Checks the observer line and the light field. */
 int tia_check_light_field(struct check *check);
 
-/* Enlarges the box around all positions of the eye to hold the observer line at each. */
+/* Enlarges the box around all positions of the eye to cover the observer line at each of them. */
 void tia_check_eyes(const struct tia_camera *camera, struct tia_bounds *eyes);
 
 /* Checks the renderer's settings. */

@@ -4,7 +4,7 @@
 #include "scene/colour.h"
 #include "scene/facet_count.h"
 
-/* True if shadows are soft: area lights may then be of any kind, and have one sample. */
+/* True if shadows are soft: lights may then be of any kind, and an area light counts as one sample. */
 static bool is_soft(const struct tia_scene *scene)
 {
     return scene->shadows == TIA_SHADOWS_MAP && scene->shadow_map.filter == TIA_FILTER_PCSS;

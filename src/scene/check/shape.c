@@ -17,8 +17,8 @@ static int64_t least_scale(const struct tia_transform *t)
     return least < t->scale.z ? least : t->scale.z;
 }
 
-/* True if a transformed box is not too flat: half its diagonal, with the margin of tia_object_bounds, over the least
- * scale is below 32768. A box near the eye always passes with scales of 1 and more. */
+/* True if a transformed box is not too flat: half its diagonal, with the margin of tia_object_bounds, over the smallest
+ * scale is below 32768. If no scale is below 1, a box near the eye always passes. */
 static bool is_round_enough(const struct tia_transform *t, const struct bounds_wide *box)
 {
     int64_t scale = least_scale(t), limit = (scale < TIA_Q16_ONE ? scale : TIA_Q16_ONE) << 15, square = 0;
@@ -51,7 +51,7 @@ int tia_check_shape(const struct check *check)
     REQUIRE(description, "kind", "must be a kind of shape");
     int status = description->check(check, s);
     if (status || !description->add_bounds || s->kind == TIA_MESH || s->kind == TIA_GRID)
-        return status; /* indices of meshes and grids are checked later, see tia_check_uses */
+        return status; /* the boxes of meshes and grids are checked later, see tia_check_uses */
     if (s->kind == TIA_SPHERE && !s->transform) {
         REQUIRE(tia_check_is_near(check, s->sphere.centre, s->sphere.radius), "centre", CHECK_FAR);
         return TIA_OK;

@@ -5,7 +5,7 @@
 
 #define VALUE(condition, rule) REQUIRE(condition, "value", rule)
 
-/* Checks a key's value. Positions of the eye are not checked here: all other positions are checked against
+/* Checks a keyframe's value. Positions of the eye are not checked here: all other positions are checked against
  * check->eyes. */
 static int check_value(const struct check *check, const struct tia_track *track, struct tia_vec3 value)
 {
@@ -48,7 +48,7 @@ static int check_value(const struct check *check, const struct tia_track *track,
     return TIA_OK;
 }
 
-/* Checks further rules of the track's target. */
+/* Checks the rules for the target of a track of visibility or colour. */
 static int check_target(const struct check *check, const struct tia_track *track)
 {
     bool needs_mesh = track->target == TIA_SHOWS_SHAPE || track->target >= TIA_SETS_SPECULAR;
@@ -66,7 +66,7 @@ static int check_target(const struct check *check, const struct tia_track *track
     return TIA_OK;
 }
 
-/* Returns the number of objects that may be the target. */
+/* Returns the number of objects of the kind that the target belongs to. */
 static uint32_t targets(const struct tia_scene *scene, enum tia_target target)
 {
     if (target == TIA_MOVES_LIGHT || target == TIA_ROTATES_LIGHT || target == TIA_SHOWS_LIGHT)

@@ -40,7 +40,7 @@ static int64_t reach(const struct fall_ball *ball)
     return most;
 }
 
-/* Gives the vector from the box's closest point to a point, along the box's axes; `offset` is the point's position
+/* Writes the vector, along the box's axes, from the box's closest point to a point; `offset` is the point's position
  * relative to the box's origin. */
 static void from_box(const struct fall_block *block, const int64_t offset[3], int64_t out[3])
 {
@@ -72,7 +72,7 @@ static bool overlaps(const struct falling *f, const struct fall_ball *ball, uint
     return is_shorter(rest, ball->radius);
 }
 
-/* Gives the vector from a centre inside the box to the nearest face, along the box's axes. */
+/* Writes the direction, along the box's axes, from a centre inside the box to the nearest face. */
 static void nearest_face(const struct fall_block *block, const int64_t offset[3], int64_t out[3])
 {
     int64_t least = INT64_MAX;
@@ -89,7 +89,7 @@ static void nearest_face(const struct fall_block *block, const int64_t offset[3]
     }
 }
 
-/* Gives a quarter of the vector from the box's closest point to the ball's centre, in world axes: the sums then fit 64
+/* Writes the normal of a contact with a box, in the world's axes. The sums are divided by 4, so that they fit in 64
  * bits. */
 static void out_of_box(const struct fall_block *block, const int64_t offset[3], int64_t normal[3])
 {
@@ -106,7 +106,7 @@ static void out_of_box(const struct fall_block *block, const int64_t offset[3], 
     (void)wide_normalise(rest, normal);
 }
 
-/* Balls whose centres coincide part along the y axis. */
+/* If the centres of two balls coincide, the normal is the y axis. */
 void tia_fall_normal(const struct falling *f, const struct fall_ball *ball, uint32_t other, uint32_t time,
                      int64_t normal[3])
 {

@@ -17,11 +17,12 @@
 struct fall_ball {
     const struct tia_track *shown; /* visibility over time; NULL: always shown */
     int64_t start[3], radius;
-    int64_t place[3], velocity[3], pull[3]; /* state at the time `at`; pull: gravity less the support of other bodies */
+    int64_t place[3], velocity[3], pull[3]; /* state at the time `at`; pull: gravity minus the support of other
+                                             * bodies */
     uint32_t at;
-    uint32_t next, partner; /* time of the next contact; the other body: a ball, or ball_count plus a block */
+    uint32_t next, partner; /* next contact: its time, and the number of the other body */
     uint32_t met;           /* number of contacts so far in this tick */
-    bool there, lost;       /* there: takes part in the simulation, as it is shown and not lost */
+    bool there, lost;       /* there: shown and not lost, and so part of the simulation */
     bool held;              /* rests on a body in this tick */
     bool stopped;           /* stands still: too many contacts in this tick */
 };
@@ -43,21 +44,21 @@ struct falling {
     struct fall_ball *balls;
     struct fall_block *blocks;
     uint32_t ball_count, block_count;
-    uint32_t now; /* present time in the tick */
+    uint32_t now; /* current time in the tick */
     struct cancel *cancel;
 };
 
 int64_t tia_fall_place(const struct fall_ball *ball, int axis, uint32_t time);
 int64_t tia_fall_velocity(const struct fall_ball *ball, int axis, uint32_t time);
 
-/* True if at `time` the ball overlaps body `other`, the number of a ball, or ball_count plus that of a block, and moves
- * deeper into it. */
+/* True if at `time` the ball overlaps body `other` and moves deeper into it. `other` is the number of a ball, or
+ * ball_count plus the number of a block. */
 bool tia_fall_touches(const struct falling *f, const struct fall_ball *ball, uint32_t other, uint32_t time);
 
 /* True if the ball may touch body `other` in this tick, unless another contact comes first. */
 bool tia_fall_is_near(const struct falling *f, const struct fall_ball *ball, uint32_t other);
 
-/* Gives the normal of the contact at `time`: the direction from body `other` to the ball, Q1.62. */
+/* Writes the normal of the contact at `time`: the direction from body `other` to the ball, Q1.62. */
 void tia_fall_normal(const struct falling *f, const struct fall_ball *ball, uint32_t other, uint32_t time,
                      int64_t normal[3]);
 

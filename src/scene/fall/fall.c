@@ -10,7 +10,7 @@
 #include "scene/object_bounds.h"
 #include "tick.h"
 
-#define MOST_Q32 (INT64_C(1) << 50) /* a length beyond any accepted scene; 256 times as much still fits 64 bits */
+#define MOST_Q32 (INT64_C(1) << 50) /* a length beyond any accepted scene; times 256, it fits in 64 bits */
 
 /* Converts Q31.32, such as a product of two Q16.16, to Q23.40, clamped. */
 static int64_t fine(int64_t q32)

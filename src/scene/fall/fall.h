@@ -9,7 +9,7 @@ struct cancel;
 /* Returns the number of bytes of memory that tia_fall_at needs; the scene's `falling` must not be NULL. */
 uint64_t tia_fall_size(const struct tia_scene *scene);
 
-/* Sets the positions of the balls' transforms at `time`, and hides the balls that are lost. The arrays have the scene's
+/* Sets the positions of the balls' transforms at `time`, and hides the balls that are lost. The arrays hold the scene's
  * elements at that time. Once cancelled, the positions are undefined. */
 void tia_fall_at(const struct tia_scene *scene, void *memory, tia_q16 time, struct tia_transform *transforms,
                  struct tia_shape *shapes, struct cancel *cancel);

@@ -1,6 +1,6 @@
-/* tick.c - the contacts of a tick, in the order of time. Each ball stores its next contact, which follows from the
- * present motion of all bodies; so after a contact the next ones are searched again for both balls and for all balls
- * that were to meet one of them.
+/* tick.c - the contacts of a tick, in chronological order. Each ball stores its next contact, which depends on the
+ * current motion of all bodies. So a contact makes new searches necessary: for both balls, and for all balls whose next
+ * contact is with one of them.
  */
 #include "tick.h"
 
@@ -8,10 +8,10 @@
 #include "scene/cancel.h"
 #include "scene/track.h"
 
-/* Limit of a ball's contacts in a tick, after which it stands still: balls that touch many others could go on
+/* Limit of a ball's contacts in a tick, after which the ball stands still: balls that touch many others could collide
  * forever. */
 #define CONTACTS_MAX 32
-#define PARTS_MAX 64 /* largest number of parts of a tick that are searched one by one */
+#define PARTS_MAX 64 /* largest number of parts into which a tick is divided for a search */
 
 static int64_t speed_of(const struct fall_ball *ball)
 {
@@ -24,8 +24,9 @@ static int64_t speed_of(const struct fall_ball *ball)
     return most;
 }
 
-/* Returns the number of parts of a tick, so that in each the ball moves, relative to its partner, at most a quarter of
- * its radius and does not pass through: in a tick it moves v 2^-8. */
+/* Returns the number of parts into which a tick is divided, at most PARTS_MAX. In each part the ball should move,
+ * relative to its partner, by at most a quarter of the smaller radius, so that it does not pass through. In a tick it
+ * moves v 2^-8. */
 static uint32_t parts(const struct fall_ball *ball, const struct fall_ball *partner)
 {
     int64_t way = speed_of(ball) + (partner ? speed_of(partner) : 0), size = ball->radius;
@@ -38,7 +39,7 @@ static uint32_t parts(const struct fall_ball *ball, const struct fall_ball *part
     return count;
 }
 
-/* Returns the last unit of time before contact, between `apart` and a time at which the bodies touch. */
+/* Returns the last time before the contact. The bodies do not touch at the time `apart`, but at the time `touching`. */
 static uint32_t last_apart(const struct falling *f, const struct fall_ball *ball, uint32_t other, uint32_t apart,
                            uint32_t touching)
 {
@@ -72,7 +73,7 @@ static bool is_there(const struct falling *f, uint32_t other)
     return other < f->ball_count ? f->balls[other].there : f->blocks[other - f->ball_count].there;
 }
 
-/* Finds the ball's next contact; of several at the same time, the one with the lowest number. */
+/* Finds the ball's next contact; of several at the same time, the one with the body of the lowest number. */
 static void look(const struct falling *f, uint32_t index)
 {
     struct fall_ball *ball = &f->balls[index];
@@ -121,8 +122,8 @@ static void push(int64_t vector[3], const int64_t normal[3], int64_t by, int64_t
         vector[i] += wide_round(wide_product(normal[i], amount), 62);
 }
 
-/* Returns the speed along the normal at which the first body moves away from the second; NULL: the second stands
- * still. */
+/* Returns the speed along the normal at which the first body moves away from the second. `second` is NULL if that body
+ * stands still. */
 static int64_t parting(const int64_t first[3], const int64_t *second, const int64_t normal[3])
 {
     int64_t between[3];
@@ -139,7 +140,7 @@ static tia_q16 restitution(const struct falling *f, const struct fall_ball *ball
     return own < others ? own : others;
 }
 
-/* Removes the acceleration of two bodies towards each other, from those of the two that do not rest yet. */
+/* Removes the acceleration of two bodies towards each other. Changes only bodies that do not rest yet. */
 static void hold(const struct falling *f, struct fall_ball *ball, struct fall_ball *partner, const int64_t normal[3],
                  int64_t pull)
 {
@@ -157,8 +158,8 @@ static void hold(const struct falling *f, struct fall_ball *ball, struct fall_ba
         push(partner->pull, normal, pull, share(f, partner, ball));
 }
 
-/* Bounces the ball off its partner. As velocities are in units of 2^-32 and pulls of 2^-24, a pull changes the velocity
- * in 2/256 s by twice its number. */
+/* Bounces the ball off its partner. A pull p, in units of 2^-24, changes a velocity, in units of 2^-32, by 2 p in 2/256
+ * s. */
 static void collide(struct falling *f, struct fall_ball *ball, struct fall_ball *partner, const int64_t normal[3])
 {
     int64_t speed = parting(ball->velocity, partner ? partner->velocity : NULL, normal);
@@ -183,8 +184,8 @@ static void count_contact(struct fall_ball *ball)
         ball->velocity[i] = ball->pull[i] = 0;
 }
 
-/* Searches again for the next contacts of the ball and of the balls that were to meet it; of all balls if this one
- * stands still from now on. */
+/* Searches again for the next contacts of the ball and of the balls whose next contact is with it or, if the ball has
+ * stopped, of all balls. */
 static void look_again(const struct falling *f, uint32_t index)
 {
     for (uint32_t i = 0; i < f->ball_count; i++)

@@ -4,8 +4,8 @@
 
 #include "contact.h"
 
-/* Handles all contacts of tick number `tick` up to the time `end` in the tick, then gives all balls their state at that
- * time, the same to the bit as on the way to a later time. */
+/* Handles all contacts of tick number `tick` up to the time `end` in the tick, then advances all balls to that time. A
+ * simulation to a later time passes through bit for bit the same state. */
 void tia_fall_tick(struct falling *f, uint32_t tick, uint32_t end);
 
 #endif

@@ -50,7 +50,7 @@ static inline F f_inverse(F x)
 #define f_add_root(a, x) f_add(a, _mm256_sqrt_ps(x))
 #define f_over_root(a, x) f_mul(a, f_rsqrt(x))
 
-/* Packs pixels; r, g, b are integers below 2^16, exact. */
+/* Packs N pixels of integer levels. A packed pixel is below 2^16, so all sums are exact. */
 static inline void i_pack(F r, F g, F b, uint16_t *out)
 {
     __m256i v = _mm256_cvtps_epi32(f_fma(r, f_set(2048), f_fma(g, f_set(32), b)));
@@ -63,7 +63,7 @@ static inline void i_pack(F r, F g, F b, uint16_t *out)
 #define QN 4
 typedef __m256i Q;
 typedef __m128i W;
-typedef __m256i K; /* a set: all bits of its pixels are set */
+typedef __m256i K; /* a set of pixels: all bits of its members are set */
 #define q_set(a) _mm256_set1_epi64x(a)
 #define q_add(a, b) _mm256_add_epi64(a, b)
 #define q_sub(a, b) _mm256_sub_epi64(a, b)

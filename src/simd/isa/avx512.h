@@ -52,7 +52,7 @@ static inline F f_inverse(F x)
 #define f_add_root(a, x) f_add(a, _mm512_sqrt_ps(x))
 #define f_over_root(a, x) f_mul(a, f_rsqrt(x))
 
-/* Packs pixels; r, g, b are integers below 2^16, exact. */
+/* Packs N pixels of integer levels. A packed pixel is below 2^16, so all sums are exact. */
 static inline void i_pack(F r, F g, F b, uint16_t *out)
 {
     __m512i v = _mm512_cvtps_epi32(f_fma(r, f_set(2048), f_fma(g, f_set(32), b)));
@@ -60,7 +60,7 @@ static inline void i_pack(F r, F g, F b, uint16_t *out)
     _mm256_storeu_si256((void *)out, _mm512_cvtepi32_epi16(v));
 }
 
-/* Stores the places of undecided pixels side by side, without a branch for each. */
+/* Appends the places of undecided pixels to the list, without a branch for each. Returns the new length. */
 #define NOTE_OPEN
 static inline int note_open(M sure, int at, int count, uint16_t *list, int n)
 {

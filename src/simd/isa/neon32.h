@@ -1,7 +1,8 @@
-/* neon32.h - 4 floats: NEON of ARMv7, which has neither roots nor quotients, and replaces numbers below 2^-126 by 0.
+/* neon32.h - 4 floats: NEON of ARMv7, which has neither roots nor quotients, and flushes numbers below 2^-126 to 0.
  *
- * So a root is computed as x/sqrt(x), within SIMD_ROOT, 12 units (span/proved.h). Numbers below 2^-126 do not matter: a
- * bound that became 0 leaves a pixel undecided, since every comparison needs more than the bound. */
+ * So sqrt(x) is computed as x times 1/sqrt(x), whose error is SIMD_ROOT (span/proved.h). The flushing is harmless.
+ * Where a bound becomes 0, the quantity compared with it is either 0, which leaves the pixel undecided, or at least
+ * 2^-126, which is more than the bound. */
 #ifndef TIA_SIMD_ISA_NEON32_H
 #define TIA_SIMD_ISA_NEON32_H
 

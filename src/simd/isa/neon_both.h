@@ -27,7 +27,7 @@ static inline F f_iota(void)
     return vld1q_f32(iota);
 }
 
-/* Returns 1/sqrt(x): the estimate has 8 bits, and a step doubles them. */
+/* Returns 1/sqrt(x). The estimate has 8 bits, which each of two Newton steps doubles. */
 static inline F f_rsqrt(F x)
 {
     F y = vrsqrteq_f32(x);
@@ -44,7 +44,7 @@ static inline F f_inverse(F x)
     return vmulq_f32(y, vrecpsq_f32(x, y));
 }
 
-/* Packs pixels; r, g, b are integers below 2^16, exact. */
+/* Packs N pixels of integer levels. A packed pixel is below 2^16, so all sums are exact. */
 static inline void i_pack(F r, F g, F b, uint16_t *out)
 {
     vst1_u16(out, vmovn_u32(vcvtq_u32_f32(f_fma(r, f_set(2048), f_fma(g, f_set(32), b)))));

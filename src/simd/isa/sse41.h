@@ -50,7 +50,7 @@ static inline F f_inverse(F x)
 #define f_add_root(a, x) f_add(a, _mm_sqrt_ps(x))
 #define f_over_root(a, x) _mm_div_ps(a, _mm_sqrt_ps(x))
 
-/* Packs pixels; r, g, b are integers below 2^16, exact. */
+/* Packs N pixels of integer levels. A packed pixel is below 2^16, so all sums are exact. */
 static inline void i_pack(F r, F g, F b, uint16_t *out)
 {
     __m128i v = _mm_cvtps_epi32(f_fma(r, f_set(2048), f_fma(g, f_set(32), b)));

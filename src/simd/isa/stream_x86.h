@@ -1,5 +1,5 @@
-/* stream_x86.h - stores of pixels past the caches, for SSE4.1, AVX2 and AVX-512. They have 16 bytes, as the processor
- * combines them into whole cache lines. */
+/* stream_x86.h - stores of pixels past the caches, for SSE4.1, AVX2 and AVX-512. Stores of 16 bytes suffice, as the
+ * processor combines them into whole cache lines. */
 #ifndef TIA_SIMD_ISA_STREAM_X86_H
 #define TIA_SIMD_ISA_STREAM_X86_H
 
@@ -21,7 +21,7 @@ static void stream_pixels(uint16_t *out, const uint16_t *from, int count)
         *out = *from;
 }
 
-/* Orders the streamed pixels before later stores: without it they may become visible after those. */
+/* Orders the streamed pixels before later stores; otherwise they may become visible after these. */
 static void settle_pixels(void)
 {
     _mm_sfence();

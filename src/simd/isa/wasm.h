@@ -1,5 +1,5 @@
-/* wasm.h - fixed-width SIMD of WebAssembly: 4 floats, 2 doubles. It has no estimates:
- * roots and quotients are rounded correctly. */
+/* wasm.h - fixed-width SIMD of WebAssembly: 4 floats, 2 doubles. It has no estimates; roots and quotients are correctly
+ * rounded. */
 #ifndef TIA_SIMD_ISA_WASM_H
 #define TIA_SIMD_ISA_WASM_H
 
@@ -38,7 +38,7 @@ typedef v128_t M;
 #define f_add_root(a, x) f_add(a, wasm_f32x4_sqrt(x))
 #define f_over_root(a, x) wasm_f32x4_div(a, wasm_f32x4_sqrt(x))
 
-/* Packs pixels; r, g, b are integers below 2^16, exact. */
+/* Packs N pixels of integer levels. A packed pixel is below 2^16, so all sums are exact. */
 static inline void i_pack(F r, F g, F b, uint16_t *out)
 {
     v128_t v = wasm_u32x4_trunc_sat_f32x4(f_fma(r, f_set(2048), f_fma(g, f_set(32), b)));

@@ -1,4 +1,4 @@
-/* avx2.c - rays with AVX2 and FMA: 4 doubles. */
+/* avx2.c - rays with AVX2 and FMA: vectors of 4 doubles. */
 #include "simd/isa/avx2.h"
 
 #include "lanes.h"

@@ -1,4 +1,4 @@
-/* avx512.c - rays with AVX-512 F, BW, DQ and VL: 8 doubles. */
+/* avx512.c - rays with AVX-512 F, BW, DQ and VL: vectors of 8 doubles. */
 #include "simd/isa/avx512.h"
 
 #include "lanes.h"

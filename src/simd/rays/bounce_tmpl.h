@@ -6,7 +6,7 @@
 
 #include "paths_tmpl.h"
 
-/* Refraction of rays at a boundary. */
+/* Refraction at a boundary: the direction and the reflectance, with their errors. */
 struct refraction {
     struct v3 to;
     vd eto, fresnel, efresnel;
@@ -14,8 +14,8 @@ struct refraction {
     struct media media[LANES];
 };
 
-/* Finds the boundaries by the fixed-point code: the objects that a ray is inside of are certain. q = n2/(parts n1), see
- * refract() of shade.c. */
+/* Finds the boundaries with the fixed-point code: this is exact, since the media of a certain ray are certain. Sets
+ * *per_part to 1/parts and *q to n2/(parts n1), see shading_refract(). */
 static void find_boundaries(const struct sure_scene *s, const struct shade *h, unsigned glass, const struct rays *r,
                             struct refraction *f, vd *q, vd *per_part)
 {
@@ -38,11 +38,12 @@ static void find_boundaries(const struct sure_scene *s, const struct shade *h, u
     *per_part = vload(part);
 }
 
-/* Returns a reflectance of Fresnel's equations: with a' and b' within e together, (a - b)/(a + b) and (a' - b')/(a' +
- * b') differ by
+/* Returns (a - b)/(a + b), a reflectance of Fresnel's equations. Where |a' - a| + |b' - b| <= e, it differs from (a' -
+ * b')/(a' + b') by
  *
- *     2 |b (a' - a) - a (b' - b)|/((a + b) (a' + b')) <= 2 e/(a' + b'),   and a' + b' >= 15/16 (a + b) for e < (a +
- * b)/16. */
+ *     2 |b (a' - a) - a (b' - b)|/((a + b) (a' + b')) <= 2 e/(a' + b').
+ *
+ * As e < (a + b)/16, a' + b' >= 15/16 (a + b). */
 LANE_OP vd reflectance_of(vd a, vd b, vd e, vm *fine, vd *er)
 {
     vd sum = a + b;
@@ -54,8 +55,8 @@ LANE_OP vd reflectance_of(vd a, vd b, vd e, vm *fine, vd *er)
     return (a - b) / sum;
 }
 
-/* Refracts by Snell's law and Fresnel's equations as in refract of shade.c. The cosine c is within ec, so c^2 under the
- * root is within (2 |c| + ec) ec. */
+/* Refracts by Snell's law and Fresnel's equations, like shading_refract(). The cosine c has the error ec, so c^2 under
+ * the root has the error (2 |c| + ec) ec. */
 static void refract(const struct shade *h, vm glass, vd q, vd part, struct refraction *f)
 {
     vd c = h->facing, ec = h->efacing, square = q * q, inside = square - (1 - c * c) * (part * part), er, es, ep;
@@ -92,7 +93,7 @@ LANE_OP void keep_paths(struct rays *next, const struct rays *r, const struct me
     }
 }
 
-/* Returns the lanes whose paths may have one more bounce; for rays that go straight on, one more layer. */
+/* Returns the lanes whose paths may bounce once more. */
 LANE_OP unsigned may_bounce(const struct sure_scene *s, const struct rays *r)
 {
     unsigned on = 0;
@@ -102,6 +103,7 @@ LANE_OP unsigned may_bounce(const struct sure_scene *s, const struct rays *r)
     return on;
 }
 
+/* Returns the lanes whose paths may pass straight through one more layer. */
 LANE_OP unsigned may_pass(const struct rays *r)
 {
     unsigned on = 0;
@@ -111,8 +113,7 @@ LANE_OP unsigned may_pass(const struct rays *r)
     return on;
 }
 
-/* Returns the origin of rays that start `height` off a surface in any direction: certainly leaving it, certainly
- * returning to it, or undecided. */
+/* Classifies rays that start `height` off a surface: certainly leaving it, certainly returning to it, or undecided. */
 LANE_OP struct origin leaving_or_not(const struct shade *h, struct v3 d, vd ed, double sign, double height)
 {
     struct origin from = leaving(h, d, ed, sign, 0);
@@ -123,8 +124,8 @@ LANE_OP struct origin leaving_or_not(const struct shade *h, struct v3 d, vd ed, 
     return from;
 }
 
-/* Queues refracted rays: a bent ray starts behind the surface, one that goes straight on starts behind the point, along
- * itself. */
+/* Queues refracted rays. A bent ray starts behind the surface, at the distance `bias` along the normal; a straight one
+ * starts behind the point, at this distance along the ray. */
 static void push_refracted(struct work *w, const struct shade *h, unsigned lanes, const struct rays *r,
                            const struct refraction *f)
 {
@@ -154,9 +155,7 @@ static void push_refracted(struct work *w, const struct shade *h, unsigned lanes
         next.p.ed = r->p.ed;
         next.p.from =
             leaving(h, next.p.d, next.p.ed, -1,
-                    s->bias < BOUND(LEAVING_BIAS) ? BOUND(LEAVING_STEEP) : BOUND(LEAVING_FLAT)); /* thresholds of
-                                                                                                    LEAVING_BIAS: see
-                                                                                                    struct origin */
+                    s->bias < BOUND(LEAVING_BIAS) ? BOUND(LEAVING_STEEP) : BOUND(LEAVING_FLAT)); /* see struct origin */
         push(w, straight, &next, true, true);
     }
 }
@@ -183,7 +182,8 @@ static void push_reflected(struct work *w, const struct shade *h, unsigned lanes
     push(w, lanes, &next, false, false);
 }
 
-/* Queues the spawned rays of a packet. Its large frame lies beside those of walks and shadows, not below them. */
+/* Queues the rays that a packet spawns. Not inlined, so that its large stack frame does not add to those of hierarchy
+ * walks and shadow rays. */
 static __attribute__((noinline)) void bounce(struct work *w, const struct shade *h, unsigned lanes,
                                              const struct rays *r)
 {

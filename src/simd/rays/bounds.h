@@ -1,11 +1,12 @@
-/* bounds.h - every error bound of the rays by name, with its derivation; the tables are in bounds/, one a subject, and
- * simd/bound.h explains their rows.
+/* bounds.h - the error bounds of the rays, each with a name and a derivation. Each table in bounds/ has one subject;
+ * simd/bound.h explains the rows.
  *
- * u is 2^-53, the largest relative rounding of a double, and U is 2^-45, a unit of the fixed-point lengths; v is 2^-62,
- * a unit of the fixed-point cosines. |x| is a length, |x|1 the sum of a vector's components' sizes, which is larger.
- * Fixed-point sums are exact, products rounded by half a unit, quotients by half a unit and 2^-59 of themselves, square
- * roots cut to a unit; a vector is normalised within 2^-58 (math/wide.h). In the tables "there" is the fixed-point code
- * and "by doubles" the code of these templates. */
+ * u is 2^-53, the largest relative rounding error of a double; U is 2^-45, the unit of fixed-point lengths; fixed-point
+ * cosines have the unit 2^-62. |x| is the length of a vector; |x|1 is the sum of the absolute values of its
+ * components, which is at least |x|. Fixed-point sums are exact. Products are rounded by at most half a unit, quotients
+ * by half a unit and 2^-59 of their value; square roots are truncated to a unit. Normalised vectors are within 2^-58
+ * (math/wide.h). In the tables, "in fixed point" means the fixed-point code, and "in doubles" the code of these
+ * templates. A prime marks a fixed-point value. */
 #ifndef TIA_SIMD_RAYS_BOUNDS_H
 #define TIA_SIMD_RAYS_BOUNDS_H
 

@@ -1,19 +1,19 @@
-/* box_tmpl.h - boxes by their slabs, as geometry/box.c.
+/* box_tmpl.h - intersection of rays with boxes by slabs, as in geometry/box.c.
  *
  * Parameters: the doubles of isa/isa.h. Defines: meet_box().
  *
- * A plane across an axis is met at t = (plane - o)/d: within (eo + 4 u (|plane| + |o|) + 2 U + |t| (ed + 4 u)) over |d|
- * less ed, and U. Along an axis in which the ray hardly moves these times are undecided; where the ray certainly stays
- * between the two planes, or certainly outside them, as far as the box reaches, the slab decides all the same. */
+ * A plane across an axis is met at t = (plane - o)/d, with the error (eo + 4 u (|plane| + |o|) + 2 U + |t| (ed + 4
+ * u))/(|d| - ed) + U. Along an axis in which the ray hardly moves, these times are undecided. Even then, the slab is
+ * decided if the ray is certainly between the two planes, or certainly outside them, up to the far end of the box. */
 #ifndef TIA_SIMD_RAYS_BOX_TMPL_H
 #define TIA_SIMD_RAYS_BOX_TMPL_H
 
 #include "hit_report_tmpl.h"
 
-/* A slab: the times at which the ray enters and leaves it; `fine` lanes are certain. */
+/* The times at which a ray enters and leaves a slab, with their errors; valid in the lanes of `fine`. */
 struct slab_times {
     vd in, out, ein, eout;
-    vm fine, apart; /* certainly never between the planes */
+    vm fine, apart; /* apart: the ray is certainly never between the planes */
     vm back;
 };
 
@@ -41,7 +41,8 @@ LANE_OP struct slab_times slab_times_of(const struct packet *p, vd o, vd d, vd i
     return s;
 }
 
-/* The slab that is entered last, or left first: the one whose time is certainly the largest. */
+/* The slab with the largest time: the one entered last or, with negated times, the one left first. `sure`: this time is
+ * certainly the largest. */
 struct slab_last {
     vd t, e, axis;
     vm sure;
@@ -62,7 +63,7 @@ LANE_OP struct slab_last slab_last_of(const vd t[3], const vd e[3])
     return last;
 }
 
-/* Returns 1 in the lanes where the ray comes from the maximum along the axis. */
+/* Returns 1 in lanes whose ray moves from the maximum to the minimum along `axis`, else 0. */
 LANE_OP vd comes_back(const struct slab_times s[3], vd axis)
 {
     vm back = mor(
@@ -87,7 +88,7 @@ LANE_OP void meet_box(struct query *q, const double min[3], const double max[3])
         s[i] = slab_times_of(p, o[i], d[i], inv[i], min[i], max[i], reach);
         in[i] = s[i].in;
         ein[i] = s[i].ein;
-        out[i] = -s[i].out; /* negated, so that the slab left first has the largest */
+        out[i] = -s[i].out; /* negated, so that the slab left first has the largest time */
         eout[i] = s[i].eout;
         fine = mand(fine, s[i].fine);
         miss = mor(miss, s[i].apart);

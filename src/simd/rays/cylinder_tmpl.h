@@ -1,60 +1,70 @@
-/* cylinder_tmpl.h - cylinders.
+/* cylinder_tmpl.h - intersection of rays with cylinders.
  *
  * Parameters: the doubles of isa/isa.h. Defines: comes_near(), meet_cylinder().
  *
- * In the axes of a cylinder, from its base, a ray is p + t y across and h + t d along. With f = |y| it meets the side,
- * |p + t y| = r, at
+ * In the axes of a cylinder, relative to its base, a ray is p + t y across the axis and h + t d along it. Let f = |y|.
+ * The ray meets the side, |p + t y| = r, at
  *
  *     t = (-p.y -+ D)/f^2,   D = sqrt(r^2 f^2 - (p x y)^2).
  *
- * At t the fixed-point ray is within lambda(t) = eo + t ed of the certified ray. So are their lines across the axis; y'
- * is the fixed-point y, f' its length: f' <= f + ed. Let X be the point where the certified ray meets the side at t,
- * and X + a the fixed-point ray's point at t, |a| <= lambda. The part of a along the fixed-point ray moves a point
- * along the ray alone; let b be the rest, and X + b + s D' the point where the fixed-point ray meets the side. Across
- * the axis, X + b being off the circle by eta = 2 r lambda + lambda^2 squared at most,
+ * At t the fixed-point ray is within lambda(t) = eo + |t| ed of the certified ray, in space and so also across the
+ * axis. Let E be the direction of the fixed-point ray, y' its part across the axis, and f' = |y'| <= f + ed. Let X be
+ * the point where the certified ray meets the side at t, and X + a the point of the fixed-point ray at t, |a| <=
+ * lambda. Split a into a part along E, which only moves the point along the fixed-point ray, and the rest b, at right
+ * angles to E. The fixed-point ray meets the side at some point X + b + s E. Let eta' be the squared distance of X + b
+ * from the axis, less r^2. Then
  *
- *     s = -eta'/(G + sqrt(G^2 - f'^2 eta')),   |eta'| <= |b| (2 sqrt(r^2 - g^2) + lambda) <= eta,
- *     G = (X + b).y',   |G| >= g = D - r ed - lambda,
+ *     s = -eta'/(G + sqrt(G^2 - f'^2 eta')),   G = (X + b).y',   |G| >= g = D - r ed - lambda,
+ *     |eta'| <= |b| (2 sqrt(r^2 - g^2) + lambda) <= eta = 2 r lambda + lambda^2.
  *
- * as |X.y| = D, and as b is at right angles to D', so that its part along the normal X/r is at most |b| sqrt(1 -
- * (g/r)^2). Let T = sqrt(g^2 - f'^2 eta). If g > 0 and T > 0 the fixed-point ray certainly meets the side, and s^2 <=
- * b^2 (r^2 - g^2 + eta/2)/T^2: the hit moves by
+ * The bound of G holds as |X.y| = D. In the bound of eta', the part of b along the normal X/r is at most |b| sqrt(1 -
+ * (g/r)^2), as b is at right angles to E. Let T = sqrt(g^2 - f'^2 eta). If g > 0 and T > 0, the fixed-point ray
+ * certainly meets the side, and s^2 <= b^2 (r^2 - g^2 + eta/2)/T^2. So the hit moves by
  *
- *     sqrt(b^2 + s^2) <= lambda sqrt(r^2 - f'^2 eta + eta/2)/T <= lambda (r + lambda)/T,
+ *     sqrt(b^2 + s^2) <= lambda sqrt(r^2 - f'^2 eta + eta/2)/T <= lambda (r + lambda)/T.
  *
- * and t, to which the part of a along the ray adds, by no more, as (|b|, |a - b|) is no longer than lambda.
+ * t moves by at most |s| + |a - b|. By the Cauchy-Schwarz inequality this is within the same bound, as b^2 + |a - b|^2
+ * <= lambda^2.
  *
- * Across the axis the hit moves less. Along y' the line is w = r sin v off the axis where it is v round it, X in the
- * fixed-point direction, and then off by lambda at most, so that the arc is at most r lambda over the least r cos v on
- * its way; which is |X.y'|/f' >= g/f' before and sqrt(G^2 - f'^2 eta')/f' >= T/f' behind: r lambda f'/T. That is f'
- * times the bound above, and the normal is off by that over r.
+ * Across the axis the hit moves less. A line in the direction y' whose distance from the axis is w = r sin v meets the
+ * circle at the angle v to y'. The line through X in this direction and the fixed-point line differ in w by at most
+ * lambda, so the arc between their hits is at most r lambda over the least r cos v on it. At X, r cos v is |X.y'|/f' >=
+ * g/f'; at the fixed-point hit it is sqrt(G^2 - f'^2 eta')/f' >= T/f'. So the arc is at most r lambda f'/T, which is
+ * within f' times the bound above, and the error of the normal is the arc over r.
  *
- * The hit of a plane across the axis moves by lambda/(|d| - ed), along the ray as in space, by the same triangle.
+ * The hit of a plane across the axis moves by at most lambda/(|d| - ed), in space and along the ray, by the same split
+ * of a.
  *
- * The roundings of either side are counted as a move of the ray, which is no less. In doubles, with l = |x| + |y| + |z|
- * of the origin from the base, each of its coordinates in the axes is off by 5 u l (the difference, the axis, a
- * product, two sums), p x y and p.y by 2 u l f more: together below 16 u l. Those of the direction are off by 4 u, and
- * 5 u are for f^2, 1/f^2, and t: 16 u. D^2 is off by 4 u r^2 f^2 and D by u r f, as if r were by 3 u r. The fixed-point
- * origin, moved along the ray, is half a unit off in each of its coordinates, p again in each of two, the distance from
- * the axis by one: 2.6 units. Along the ray, across the axis, the place nearest to it is off by a unit and the root by
- * one and a half. That is 5.25 units in all; t and the point are then rounded by 2 units together, heights by 3. All
- * else is within 2^-55 of the reach, of which 8 u are added.
+ * The roundings of both codes are counted as a displacement of the ray, whose effect is at least as large. In doubles,
+ * let l = |x| + |y| + |z| of the origin relative to the base. Each coordinate in the cylinder's axes is off by 5 u l (a
+ * difference, the axis, a product, two sums), and p x y and p.y by another 2 u l f: together below 16 u l. The
+ * coordinates of the direction are off by 4 u, and f^2, 1/f^2 and t add 5 u: together below 16 u. D^2 is off by 4 u r^2
+ * f^2 and D by u r f, as if r were off by 3 u r. In fixed point, the origin, moved along the ray, is off by half a unit
+ * in each coordinate, p by another half in each of its two, and the distance from the axis by one: 2.6 units. Along the
+ * ray across the axis, the point nearest to the axis is off by a unit, and the root by one and a half. Together these
+ * are 5.1 units; lambda includes 5.25. The later roundings of t and the point, 2 units together, and of heights, 3
+ * units, are added separately. All other roundings are below 2^-55 of the reach; 8 u of it are added for them.
  *
- * No test notices when the following parts are left out. l in lambda: |O| is at most |t| and twice the reach, so that
- * the others, 16 u |t| and 8 u of the reach, leave 4 u |O| without it; doubles were never seen to be off by 1 u |O|.
- * The difference of D and g: lambda is that of the farther end, which is half a chord away at least, D/f^2, so that f^2
- * eta is 2 r D ed or more, as much as r ed takes off g^2 but for r^2 ed^2; and the part of b along y' leaves the line
- * across the axis where it is. `slanted`: along the axis 1/f^2 would be infinite and t not a number, so that every lane
- * is undecided anyway. */
+ * No test fails if one of the following parts is left out.
+ *
+ * l in lambda: |O| is at most |t| and twice the reach, so that 16 u |t| and 8 u of the reach still include 4 u |O|. In
+ * tests, doubles are off by less than u |O|.
+ *
+ * r ed and lambda in g: lambda is that of the farther end, at a distance of at least half a chord, D/f^2. So f^2 eta is
+ * at least 2 r D ed, as much as r ed takes off g^2 but for r^2 ed^2. The part of b along y' does not move the line
+ * across the axis.
+ *
+ * `slanted`: for a ray along the axis 1/f^2 would be infinite and t NaN, so that the lane is undecided anyway. */
 #ifndef TIA_SIMD_RAYS_CYLINDER_TMPL_H
 #define TIA_SIMD_RAYS_CYLINDER_TMPL_H
 
 #include "hit_report_tmpl.h"
 #include "render/geometry/round.h"
 
-/* True if any lane's line passes the axis so close that it may meet the side; most packets that miss it are decided
- * here. (D x A).O is the distance from the axis times f = |D x A|. Both are off by less than 32 u of the way to the
- * shape, and pad is 2^-21 of that at least. */
+/* True if any lane's line passes the axis so closely that it may meet the side; most packets that miss it are rejected
+ * here. With O relative to the base, and D and A the directions of ray and axis, |(D x A).O| is the line's distance
+ * from the axis times f = |D x A|. Both are computed within 32 u of the distance to the shape, and pad is at least
+ * 2^-21 of that distance. */
 LANE_OP bool comes_near(const struct query *q, const struct sure_round *k)
 {
     const struct packet *p = q->p;
@@ -67,8 +77,8 @@ LANE_OP bool comes_near(const struct query *q, const struct sure_round *k)
     return any(mand(q->active, mnot(passes)));
 }
 
-/* The part of a ray, within the shape's box, that may be inside the side, from `from` to `to`; only this part can have
- * hits. */
+/* The interval of a ray, near the shape, in which it may be inside the infinite cylinder: `from` to `to`. Hits are
+ * possible only there. */
 struct tube {
     const struct sure_round *k;
     vd square, towards, discriminant; /* f^2, -p.y, D^2 */
@@ -76,7 +86,7 @@ struct tube {
     vd off, turn; /* lambda(t) = off + |t| turn */
     vd over;      /* 1/f^2 */
     vd from, to;
-    vm slanted; /* the ray is not along the axis, so that f^2 is a divisor */
+    vm slanted; /* the ray is not along the axis, so that f^2 can be a divisor */
     vm miss;
 };
 
@@ -90,8 +100,9 @@ LANE_OP vd eta_of(vd radius, vd lambda)
     return BOUND_OF(TUBE_ETA, (2 * radius + lambda) * lambda * BOUND(TUBE_BOUND));
 }
 
-/* Finds the part inside the side; false: all lanes miss. The fixed-point ray is inside the side only where the
- * certified one is within r + lambda of the axis: f^2 (t + p.y/f^2)^2 <= (r + lambda)^2 - (p x y)^2/f^2. */
+/* Finds the interval in which rays may be inside the side; false: all lanes miss. The fixed-point ray is inside the
+ * side only where the certified one is within r + lambda of the axis: f^2 (t + p.y/f^2)^2 <= (r + lambda)^2 - (p x
+ * y)^2/f^2. */
 LANE_OP bool tube_of(const struct query *q, const struct sure_round *k, struct tube *b)
 {
     const struct packet *p = q->p;
@@ -128,10 +139,11 @@ LANE_OP bool tube_of(const struct query *q, const struct sure_round *k, struct t
     return any(mand(q->active, mnot(b->miss)));
 }
 
-/* An end of the part inside the side: its height, and its position relative to the shape's ends. */
+/* An end of the interval in which the ray is inside the side: t and its error, and the position relative to base and
+ * top. */
 struct tube_end {
     vd t, e, element;
-    vm low, above, high, below; /* certain comparisons: low and above with the base, high and below with the top */
+    vm low, above, high, below; /* certainly: below the base, above the base, above the top, below the top */
     vm hit, none;
 };
 
@@ -151,8 +163,8 @@ LANE_OP struct tube_end side_end(const struct tube *b, vd t, vd stretch)
     return end;
 }
 
-/* Moves an end to a cap: with caps, a ray outside the length at this end enters or leaves by them if it is inside at
- * the other end. */
+/* Moves an end to a cap. A ray that is beyond the plane of a cap at this end, and on its inner side at the other,
+ * enters or leaves the capped shape through that cap. */
 LANE_OP void cap_end(const struct tube *b, struct tube_end *end, const struct tube_end *other)
 {
     vd slope = vabs(b->rise) - b->turn, size = vsel(vlt(vset(0), slope), slope, vset(1));
@@ -169,8 +181,8 @@ LANE_OP void cap_end(const struct tube *b, struct tube_end *end, const struct tu
     end->none = mor(end->none, mand(end->hit, vlt(end->t, -end->e)));
 }
 
-/* Reports the hit. From inside, the first end lies behind. Where it is undecided if the second end is at a cap, a cap
- * may be met before it. */
+/* Reports the hit. Where the ray starts inside, its first end lies behind the origin. Where the second end is undecided
+ * and the shape is capped, a cap may be met before that end. */
 LANE_OP void tube_report(struct query *q, const struct tube *b, const struct tube_end ends[2], vm known)
 {
     const struct tube_end *in = &ends[0], *out = &ends[1];

@@ -13,7 +13,7 @@ struct child {
     int place; /* place of the child in its node, 0 or 1 */
 };
 
-/* A queued child, and the bits of its lanes. */
+/* A queued child, and the lanes that enter it, as in struct search. */
 struct pending {
     vp near;
     unsigned lanes;
@@ -26,7 +26,7 @@ struct node_ref {
     const vp *near;
 };
 
-/* Search state of a packet; two bits per lane, one per float of a `vp`. */
+/* Search state of a packet. Lanes have two bits each, one for each float of a `vp`. */
 struct search {
     vd farthest;
     vp limit;
@@ -42,7 +42,7 @@ LANE_OP unsigned twice(unsigned lanes)
     return ((lanes | lanes << 1) & EVEN) * 3;
 }
 
-/* Returns every second bit, from the lowest one on. */
+/* Returns the even bits, packed. */
 LANE_OP unsigned half(unsigned bits)
 {
     bits &= EVEN;
@@ -58,23 +58,23 @@ LANE_OP void search_begin(struct search *w, const struct query *q)
     w->active = twice(mbits(q->active));
 }
 
-/* Updates the search after a leaf: boxes farther than the new limit are excluded. Mostly the limit is unchanged, so a
- * branch costs less than a dependency of the next node on the limit. */
+/* Updates the search after a leaf, so that boxes beyond the new limit are skipped. The limit rarely changes: a
+ * predicted branch is cheaper than making the next node depend on it. */
 LANE_OP void search_update(struct search *w, const struct query *q)
 {
     if (twice(mbits(q->active)) != w->active || any(vlt(q->limit, w->farthest)))
         search_begin(w, q);
 }
 
-/* Sets the child at `place`, which is a constant in each branch of the caller: a predicted branch is cheaper than a
- * load whose address must be computed. */
+/* Sets *to to the child at `place`, which is a constant in each branch of the caller: a predicted branch is cheaper
+ * than a load from a computed address. */
 LANE_OP void child_of(struct child *to, const struct sure_node *n, int place)
 {
     *to = (struct child){n->index[place], n->count[place], place};
 }
 
-/* Visits the child that more lanes enter first and queues the other at `other` if it is entered. Returns -1 if neither
- * is entered, else the number queued. */
+/* Goes on to the child that more lanes enter first, and stores the other in *other if any lane enters it. Returns the
+ * number of children stored, or -1 if no lane enters either child. */
 LANE_OP int descend(struct node_ref *v, const struct search *w, vp *near, struct pending *other,
                     const struct sure_tree *tree, const struct query *q)
 {
@@ -88,7 +88,7 @@ LANE_OP int descend(struct node_ref *v, const struct search *w, vp *near, struct
         return -1;
     *near = in;
     if (first && second) {
-        unsigned closer = vp_le(in, vp_swap(in)); /* for each pair of lanes, the child that is nearer */
+        unsigned closer = vp_le(in, vp_swap(in)); /* two bits per lane: child 0 or 1 is no farther than the other */
         turn = LANES == 1 ? !(closer & 1)
                           : __builtin_popcount(second & (~first | closer >> 1)) >
                                 __builtin_popcount(first & (~second | closer));
@@ -107,7 +107,8 @@ LANE_OP int descend(struct node_ref *v, const struct search *w, vp *near, struct
     return first && second;
 }
 
-/* Takes the next queued child within the limit; returns the number queued behind it, or -1 when there is none. */
+/* Takes the next queued child within the limit. Returns the number of children still queued, or -1 if there was none
+ * within it. */
 LANE_OP int resume(struct node_ref *v, const struct search *w, const struct pending *stack, int depth)
 {
     while (depth > 0 && w->active) {
@@ -120,9 +121,9 @@ LANE_OP int resume(struct node_ref *v, const struct search *w, const struct pend
     return -1;
 }
 
-/* Defines the walk of a hierarchy. `leaf` is called at each leaf; `waits` is the member of struct room with the queued
- * children, to which only the walk itself points. A mesh's walk is called from within the scene's, so each is an
- * instance. */
+/* Defines a function that walks a hierarchy and calls `leaf` at each leaf. `waits` is the member of struct room that
+ * holds the queued children; no other pointer refers to it. Walks of meshes run within that of the scene, so each kind
+ * of walk is a function with a queue of its own. */
 #define WALK(name, leaf, waits)                                                                                        \
     static __attribute__((noinline)) void name(const struct sure_scene *s, const struct sure_tree *tree,               \
                                                struct query *q)                                                        \

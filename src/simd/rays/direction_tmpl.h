@@ -1,5 +1,5 @@
-/* direction_tmpl.h - random directions in doubles, see samples/direction.c: within 2^-50 of the fixed-point ones, which
- * are within 2^-59 of the same formulas.
+/* direction_tmpl.h - random directions in doubles, by the formulas of samples/direction.c. Each coordinate is within
+ * 2^-50 of the fixed-point one, which is within 2^-59 of the exact value.
  *
  * Parameters: the doubles of isa/isa.h. Defines: turn_place(), disc_place(), cosine_direction(), around(). */
 #ifndef TIA_SIMD_RAYS_DIRECTION_TMPL_H
@@ -8,9 +8,9 @@
 #include "random_tmpl.h"
 #include "samples/direction.h"
 
-/* Gives sine and cosine of x eighths of a turn, |x| <= 1, by series of the angle a to a^17 and a^16. The remaining
- * terms are below a^19/19! < 1e-19 and a^18/18! < 2e-18; roundings are below 2^-51, most of it the angle's and the last
- * sums'. */
+/* Gives the sine and cosine of x eighths of a turn, |x| <= 1, by power series of the angle a up to a^17 and a^16. The
+ * remainders are below a^19/19! < 1e-19 and a^18/18! < 2.1e-18. Roundings are below 2^-51; most of this comes from the
+ * angle and the last sums. */
 LANE_OP void sine_cosine(vd x, vd *s, vd *c)
 {
     vd a = x * 0.78539816339744831, q = a * a, u = vset(1.0 / 355687428096000.0), v = vset(1.0 / 20922789888000.0);
@@ -33,10 +33,11 @@ LANE_OP void sine_cosine(vd x, vd *s, vd *c)
     *c = 1 + v * q;
 }
 
-/* Gives cosine and sine of (u + 1/2)/2^32 turns, from the nearest quarter turn q, 0..4; 4 stands for 0. */
+/* Gives the cosine and sine of (u + 1/2)/2^32 turns, by the difference from the nearest quarter turn q, 0..4; 4 is the
+ * same as 0. */
 LANE_OP void turn_place(vu u, vd *x, vd *y)
 {
-    const double shift = 6755399441055744.0; /* 1.5 2^52: rounds numbers added to it */
+    const double shift = 6755399441055744.0; /* 1.5 2^52: adding it rounds a number to an integer */
     vd quarters = 4 * vu_unit(u), q = (quarters + shift) - shift, s, c;
 
     sine_cosine(2 * (quarters - q), &s, &c);
@@ -47,8 +48,8 @@ LANE_OP void turn_place(vu u, vd *x, vd *y)
     *y = vsel(mand(past_half, vlt(q, vset(3.5))), -across, across);
 }
 
-/* Gives a place on the disc by the concentric map. Both a and b are exact, and so is their order; the share is rounded,
- * which turns the place by a quarter of pi 2^-53. */
+/* Gives a point of the unit disc by the concentric map, and returns its signed radius. The numbers a and b are exact,
+ * and so is the comparison of their sizes. Rounding other/radius turns the point by at most pi/4 2^-53. */
 LANE_OP vd disc_place(vu u0, vu u1, vd *x, vd *y)
 {
     vd a = 2 * vu_unit(u0) - 1, b = 2 * vu_unit(u1) - 1, s, c;
@@ -61,7 +62,8 @@ LANE_OP vd disc_place(vu u0, vu u1, vd *x, vd *y)
     return radius;
 }
 
-/* Gives a direction with the density of a cosine. The cosine's root loses nothing: 1 - r and 1 + r are exact. */
+/* Returns a direction around z with a density proportional to its cosine. The root is accurate, as 1 - r and 1 + r are
+ * exact. */
 LANE_OP struct v3 cosine_direction(vu u0, vu u1)
 {
     struct v3 d;
@@ -71,11 +73,12 @@ LANE_OP struct v3 cosine_direction(vu u0, vu u1)
     return d;
 }
 
-/* Turns a direction around z to another axis, as trace/around.c; the axis is within e, the result within *ed. With k =
- * 1/(1 + |z|) and x^2 + y^2 <= 1 - z^2, (x^2 + y^2) k <= 1: x^2 k changes by (2 |x| k + x^2 k^2) e <= 3 e, x y k by 2
- * e, so either tangent by sqrt(9 + 4 + 1) e, and the sum by sqrt(14 + 14 + 1) e < 6 e. Roundings are below 2^-50 a
- * coordinate. The tangents jump where z changes its sign; in `exact` lanes z has the sign of the fixed-point one all
- * the same. */
+/* Rotates a direction from around z to around n, as in trace/around.c. n has the error e and `local` the error elocal;
+ * *ed receives that of the result. Let n = (x, y, z) and k = 1/(1 + |z|). As x^2 + y^2 <= 1 - z^2, (x^2 + y^2) k <= 1.
+ * So x^2 k changes by at most (2 |x| k + x^2 k^2) e <= 3 e and x y k by 2 e, either tangent by sqrt(9 + 4 + 1) e, and
+ * the sum by sqrt(14 + 14 + 1) e < 6 e. Roundings are below 2^-50 in each coordinate. The tangents jump where z changes
+ * its sign, so that lanes with |z| <= e are undecided, except `exact` lanes, in which z has the sign of the fixed-point
+ * one. */
 LANE_OP struct v3 around(struct v3 n, vd e, vm exact, struct v3 local, vd elocal, vd *ed, vm *unsure)
 {
     vm down = vlt(n.z, vset(0)), upright = mnot(down);

@@ -1,9 +1,9 @@
-/* emitters_tmpl.h - places on emitters, and the densities with which they are chosen: render/path/emitters.c in
- * doubles.
+/* emitters_tmpl.h - samples of points on emitters, and their densities: render/path/emitters.c in doubles.
  *
  * Parameters: the doubles of isa/isa.h. Defines: see_emitter(), plane_density(), ball_density(), struct emitter_view.
  *
- * Densities are over solid angles, times pi; errors of quotients are kept relative, as in the fixed-point code. */
+ * Densities are per solid angle, times pi. The errors of quotients are derived as relative ones, since fixed-point
+ * densities have a mantissa and an exponent. */
 #ifndef TIA_SIMD_RAYS_EMITTERS_TMPL_H
 #define TIA_SIMD_RAYS_EMITTERS_TMPL_H
 
@@ -12,18 +12,18 @@
 #include "interval_tmpl.h"
 #include "light_tmpl.h"
 
-/* An emitter's sample as seen from points. */
+/* A sample of an emitter, as seen from each lane's point. */
 struct emitter_view {
     struct v3 to;
     vd eto, distance, edistance;
-    struct ve density; /* density of a surface's sample */
+    struct ve density; /* 0 for an emitter without surface */
     vd factor, efactor;
-    vm some, unsure; /* some: the emitter may light the point; unsure: undecided */
+    vm some, unsure; /* some: the sample faces the point; unsure: the lane is undecided */
 };
 
-/* Returns the density pi d^2/(A c), of which each part has a relative bound: x = ed/d and y = ecosine/|c| are 1/8 at
- * most, and (1 + x)^2/(1
- * - y) - 1 <= (2.125 x + y)/(1 - y) <= 2.43 x + 1.15 y. */
+/* Returns the density pi d^2/(A c), A being the area and c the cosine at the emitter. The relative errors x = ed/d and
+ * y = ecosine/|c| are below 1/8, so that of the density is at most (1 + x)^2/(1 - y) - 1 <= (2.125 x + y)/(1 - y) <=
+ * 2.43 x + 1.15 y. */
 LANE_OP struct ve plane_density(const struct sure_shine *shine, vd d, vd ed, vd cosine, vd ecosine, vm *fine)
 {
     vd size = vabs(cosine);
@@ -38,11 +38,11 @@ LANE_OP struct ve plane_density(const struct sure_shine *shine, vd d, vd ed, vd 
                                         BOUND(PLANE_DENSITY_COSINE) * ecosine / size + BOUND(PLANE_DENSITY_ROUNDING))));
 }
 
-/* Returns 1 - cos of the cone in which a sphere of radius r is seen, s^2/(1 + sqrt(1 - s^2)), with the relative error
- * `part`. s^2 is within p = 2.25 ed/d and roundings, of which those of the fixed-point code are 2^-61 in all: 1/(1 -
- * x)^2 - 1 <= 2.1 x for x = ed/d <= 1/32. The root is off by s^2 p/root at most, 1 + root is more than 1: together that
- * is `part` and, as the quotient of the two, 1.15 times as much while part <= 1/8. Beyond that every lane is
- * undecided. */
+/* Returns 1 - cos of the half angle of the cone that a sphere of radius r fills, with the relative error *part. With
+ * the sine s = r/d it is s^2/(1 + sqrt(1 - s^2)). The relative error p of s^2 is 2.25 ed/d and roundings, as 1/(1 -
+ * x)^2 - 1 <= 2.1 x for x = ed/d <= 1/32; the roundings of the fixed-point code are 2^-60 in all. The root is off by at
+ * most s^2 p/root, and 1 + root is more than 1. The sum of both errors, times 1.15 for the quotient, is *part, provided
+ * that this is at most 1/8; all other lanes are undecided. */
 LANE_OP vd cone_open(vd d, vd ed, double r, vd *part, vm *fine)
 {
     vd away = vsel(vlt(vset(0), d), d, vset(1)), sine = vset(r) / away, square = sine * sine, rest = 1 - square;
@@ -58,7 +58,7 @@ LANE_OP vd cone_open(vd d, vd ed, double r, vd *part, vm *fine)
     return square / (1 + root);
 }
 
-/* Returns the density of a sphere's places; 0 for a point inside. */
+/* Returns the density of a sphere's visible points; 0 if the sphere contains `from`. */
 LANE_OP struct ve ball_density(const double at[3], double radius, struct v3 from, vd efrom, vm *fine)
 {
     struct v3 way = v3_sub(v3_set(at), from);
@@ -73,7 +73,8 @@ LANE_OP struct ve ball_density(const double at[3], double radius, struct v3 from
     return ve_of(vsel(inside, vset(0), v), vsel(inside, vset(0), v * BOUND(BALL_DENSITY) * part));
 }
 
-/* Sets the view of a place with a normal that is turned to the point; `way` leads to the shadow ray's end. */
+/* Sets the view of a point on an emitter. `normal` points to the side of the viewing point, from which `way` leads to
+ * the end of the shadow ray. */
 LANE_OP void see_place(struct emitter_view *a, struct v3 way, vd e, struct v3 normal, vd enormal, vd *cosine,
                        vd *ecosine)
 {
@@ -88,7 +89,7 @@ LANE_OP void see_place(struct emitter_view *a, struct v3 way, vd e, struct v3 no
     a->efactor = vset(0);
 }
 
-/* Sets the view of a rectangle or a disc. */
+/* Sets the view of a sample on a rectangle or a disc. */
 static void see_plane(const struct sure_scene *s, const struct sure_light *l, const struct sure_shine *shine,
                       struct v3 from, vd efrom, const vu u[2], struct emitter_view *a)
 {
@@ -120,8 +121,8 @@ static void see_plane(const struct sure_scene *s, const struct sure_light *l, co
     a->unsure = mor(a->unsure, mand(a->some, mnot(fine)));
 }
 
-/* Returns the place where a ray within the cone meets the ball, t - thc, as in sphere_tmpl.h, whose bounds these are.
- * The few rays that pass beside it by rounding are undecided. */
+/* Returns the point where a ray within the cone enters the ball, at t = tca - thc, with the bounds of sphere_tmpl.h.
+ * The few rays that miss the ball by rounding are undecided. */
 LANE_OP struct v3 ball_place(struct v3 way, struct v3 from, vd efrom, struct v3 d, vd ed, double radius, vd *ep,
                              vm *fine)
 {

@@ -1,4 +1,4 @@
-/* ends_tmpl.h - light added to paths at their ends and on their way: the background, lights that are met, emission.
+/* ends_tmpl.h - light that paths collect at their ends and on their way: background, visible lights, and emission.
  *
  * Parameters: the doubles of isa/isa.h. Defines: add_part(), add_far_ends(), add_glow(). */
 #ifndef TIA_SIMD_RAYS_ENDS_TMPL_H
@@ -6,8 +6,8 @@
 
 #include "path_state_tmpl.h"
 
-/* Adds radiance times throughput. Products are rounded by half a unit each, sums are exact; the fixed-point code clips
- * products of 2^17 and more, so these are undecided. */
+/* Adds radiance times throughput. In fixed point, products are rounded by half a unit each, sums are exact, and
+ * products of 2^17 and more are clipped. Lanes with products that may reach 2^16 are undecided. */
 static void add_part(struct path_state *f, unsigned lanes, const struct paths *p, const vd rgb[3], vd e)
 {
     vd most = most3(rgb), thick = most3(p->r.weight) + p->r.ew;
@@ -27,8 +27,8 @@ static void add_part(struct path_state *f, unsigned lanes, const struct paths *p
     }
 }
 
-/* Returns the balance heuristic's weight q/(q + p/n) of an emitter that a path has met and could also have sampled, one
- * of n. */
+/* Returns the balance heuristic's weight q/(q + p/n) of an emitter that a path has met. q is the density of the path's
+ * direction, and p that of sampling this emitter, one of n. */
 LANE_OP struct ve weight_of(const struct sure_paths *paths, const struct paths *p, struct ve chosen, vm *fine)
 {
     struct ve q = p->density, sum = {q.v + chosen.v * paths->one_of, q.e + chosen.e * paths->one_of};
@@ -40,8 +40,8 @@ LANE_OP struct ve weight_of(const struct sure_paths *paths, const struct paths *
     return ve_of(vsel(specular, vset(1), v), vsel(specular, vset(0), e));
 }
 
-/* Adds weighted radiance. The fixed-point code multiplies by the weight last: before that, products of 2^17 and more
- * are clipped. */
+/* Adds radiance times a weight. The fixed-point code multiplies by the weight last, after it has clipped products of
+ * 2^17 and more. */
 LANE_OP void add_weighted(struct path_state *f, unsigned lanes, const struct paths *p, const vd rgb[3],
                           struct ve weight, vm fine)
 {
@@ -55,7 +55,7 @@ LANE_OP void add_weighted(struct path_state *f, unsigned lanes, const struct pat
              BOUND_OF(WEIGHTED, most * (weight.e + BOUND(WEIGHTED_ROUNDING))) + BOUND(WEIGHTED_UNITS));
 }
 
-/* Adds light number n in the lanes whose paths meet it. */
+/* Adds the radiance of light number n in the lanes whose paths meet it. */
 static void add_seen_light(struct path_state *f, unsigned lanes, uint32_t n, const struct paths *p,
                            const struct query *q)
 {
@@ -80,7 +80,7 @@ static void add_seen_light(struct path_state *f, unsigned lanes, uint32_t n, con
     add_weighted(f, lanes, p, rgb, weight, fine);
 }
 
-/* Adds the background, or a light, to paths that end at no object. */
+/* Adds the background, or the light that is met, to paths that end at no object. Returns the other lanes. */
 static unsigned add_far_ends(struct path_state *f, unsigned lanes, const struct paths *p, const struct query *q)
 {
     const struct sure_scene *s = f->gather->scene;
@@ -103,7 +103,7 @@ static unsigned add_far_ends(struct path_state *f, unsigned lanes, const struct 
     return lanes;
 }
 
-/* Adds the emission of surfaces, weighted for emitting spheres of the scene, which are sampled as well. */
+/* Adds the emission of surfaces. For the scene's spheres it is weighted, since these are sampled as emitters too. */
 static void add_glow(struct path_state *f, unsigned lanes, const struct paths *p, const struct shade *h,
                      const struct lobes *l)
 {

@@ -1,4 +1,4 @@
-/* flat_tmpl.h - planes, discs, and the planes of lights.
+/* flat_tmpl.h - intersection of rays with planes, discs, and flat lights.
  *
  * Parameters: the doubles of isa/isa.h. Defines: meet_plane(), meet_disc(), meet_flat_light(), flat_meet(),
  * flat_report(), starts_on(), struct flat. */
@@ -7,9 +7,9 @@
 
 #include "hit_report_tmpl.h"
 
-/* Intersection with a plane: t = (P - O).N / (D.N). The quotient's parts are within eo + (|P - O|) 16 u + 2 U and ed +
- * 16 u, so t is within (the former + |t| times the latter) over |D.N| less its bound. Rays nearly parallel to the plane
- * are undecided, `steep` is false. */
+/* Intersection with a plane: t = (P - O).N/(D.N). The numerator has the error eh = eo + 16 u |P - O|1 + 2 U and the
+ * denominator es = ed + 16 u, so t has the error (eh + |t| es)/(|D.N| - es) and the quotient's rounding. `steep` is
+ * false in lanes whose rays are nearly parallel to the plane, which are undecided. */
 struct flat {
     vm steep;
     vd t, e;
@@ -28,14 +28,15 @@ LANE_OP struct flat flat_meet(const struct packet *p, struct v3 n, struct v3 way
     return f;
 }
 
-/* Returns the lanes whose rays start on the object's plane, or on this face. */
+/* Returns the lanes whose rays start on the tested plane or face and move away from it. */
 LANE_OP vm starts_on(const struct query *q, vd element)
 {
     return mand(starts_here(q), from_element(q, element));
 }
 
-/* Reports hits; `inside` and `outside` are the lanes certainly in and certainly outside the plane's area. Along the
- * plane the point slides no farther than t is off, and off the plane it is by no more than the fixed-point rounding. */
+/* Reports hits. `inside` and `outside` are the lanes whose point is certainly inside or certainly outside the shape's
+ * area. Within the plane the point is off by no more than t, and from the plane by no more than the fixed-point
+ * rounding. */
 LANE_OP void flat_report(struct query *q, const struct flat *f, vm inside, vm outside, vd ep, vd element)
 {
     vm own = starts_on(q, element);
@@ -51,8 +52,8 @@ LANE_OP void flat_report(struct query *q, const struct flat *f, vm inside, vm ou
                                       .element = element});
 }
 
-/* Returns the lanes whose plane is certainly behind: N.(P - O) and D.N have different signs. Another 2 U on the bound
- * of the former cover a fixed-point quotient that is rounded to 0. */
+/* Returns the lanes whose plane is certainly behind the origin: N.(P - O) and D.N have opposite signs. The error of
+ * N.(P - O) is larger by another 2 U here, for fixed-point quotients that are rounded to 0. */
 LANE_OP vm flat_behind(const struct packet *p, struct v3 n, struct v3 way, vd round)
 {
     vd slope = v3_dot(p->d, n), turn = BOUND_OF(PLANE_SLOPE, p->ed + BOUND(PLANE_WAY)), height = v3_dot(way, n);
@@ -61,7 +62,7 @@ LANE_OP vm flat_behind(const struct packet *p, struct v3 n, struct v3 way, vd ro
     return mor(mand(vlt(eheight, height), vlt(slope, -turn)), mand(vlt(height, -eheight), vlt(turn, slope)));
 }
 
-/* Intersects planes, which end where a coordinate is 2^16. */
+/* Intersects a plane, which ends where the size of a coordinate reaches 2^16. */
 LANE_OP void meet_plane(struct query *q, const struct sure_object *o)
 {
     struct v3 way = v3_sub(v3_set(o->at), q->p->o);
@@ -80,7 +81,7 @@ LANE_OP void meet_plane(struct query *q, const struct sure_object *o)
     flat_report(q, &f, near, beyond, BOUND_OF(PLANE_POINT, f.e + BOUND(POINT_UNIT)), vset(0));
 }
 
-/* Decides which points are within the radius of the centre: |O + t D - C| is within ep. */
+/* Decides which points are within `radius` of the disc's centre C, and reports them; O + t D - C has the error e. */
 LANE_OP void round_flat(struct query *q, const struct flat *f, struct v3 way, double radius, vd element)
 {
     const struct packet *p = q->p;
@@ -104,7 +105,7 @@ LANE_OP void meet_disc(struct query *q, const struct sure_object *o)
     round_flat(q, &f, way, o->radius, vset(0));
 }
 
-/* Intersects a rectangle light: |p.across| against its half side. */
+/* Intersects a rectangle light: compares the point's components along `across` with those of the half sides. */
 LANE_OP void meet_rectangle(struct query *q, const struct sure_light *l, const struct flat *f, struct v3 way)
 {
     const struct packet *p = q->p;

@@ -1,4 +1,4 @@
-/* gather.c - the data of a scene that paths need, in double precision, from the fixed-point data. */
+/* gather.c - the data of lights, emitters and materials for paths, converted from fixed point to doubles. */
 #include "gather.h"
 #include "render/path/path.h"
 #include "render/path/scatter.h"
@@ -13,7 +13,8 @@ struct places {
     struct sure_lobes *lobes;
 };
 
-/* Divides the memory behind a struct sure_scene. Returns the bytes used; `start` NULL: only measures them. */
+/* Divides the memory at `start`, behind a struct sure_scene, into arrays. Returns the number of bytes used; if `start`
+ * is NULL, only computes that. */
 static uint64_t divide(char *start, const struct tia_scene *scene, uint32_t light_capacity, struct places *p)
 {
     bool paths = scene->integration.integrator == TIA_PATHS;
@@ -51,7 +52,8 @@ static void find_places(const struct tia_view *view, struct places *p)
     (void)divide((char *)tia_sure_scene(view) + before, view->scene, view->light_capacity, p);
 }
 
-/* Sets the chances that scatter.c computes from a material's own colours, for any direction of its surface. */
+/* Sets the chances that scatter.c computes from a material's own colours. They are the same for every direction of the
+ * surface. */
 static void set_lobes(struct sure_lobes *to, const struct tia_material *m)
 {
     struct shading s = {
@@ -95,7 +97,7 @@ void tia_gather_prepare(struct tia_view *view)
         set_lobes(&p.lobes[i], &scene->materials[i]);
 }
 
-/* Gives a density as a double; false beyond 2^+-500. */
+/* Converts a density to a double; false if it is 0 or its exponent is beyond +-500. */
 static bool number_of(struct num_density d, double *x)
 {
     *x = (double)d.mantissa;
@@ -108,9 +110,10 @@ static bool number_of(struct num_density d, double *x)
     return true;
 }
 
-/* True if the places of a light lie in its plane within 2^-30. Where the sides are nearly parallel, the roundings of
- * their directions turn the normal, and long sides leave the plane by more than the 2^-26 by which shadow rays end
- * before it: those would meet it, see find_hidden(). A sixteenth of those 2^-26 leaves room for roundings. */
+/* True if the points of a light are within 2^-30 of its plane. Where the sides are nearly parallel, the rounding of
+ * their directions turns the normal, and long sides leave the plane by more than 2^-26. Shadow rays end 2^-26 in front
+ * of the plane and would meet such a light, see find_hidden(). The limit is a sixteenth of that distance, to allow for
+ * roundings. */
 static bool is_flat(const struct ray_light *l)
 {
     num_length off = 0;

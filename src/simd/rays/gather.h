@@ -1,26 +1,26 @@
-/* gather.h - whole samples of pixels in double precision: ambient occlusion and light along paths.
+/* gather.h - samples of pixels in double precision: ambient occlusion, and light along paths.
  *
- * The rules of sure.h for pixels hold for samples here. A sample's radiance is finally rounded to 2^-24; where that, a
- * hit, a shadow, a lobe or a chance of roulette is not the same all over the bounds, the sample is undecided and drawn
- * by the fixed-point path from its camera ray on. */
+ * The rules of sure.h apply to each sample. A sample's radiance is rounded to 2^-24 in the end. If this result, or a
+ * hit, a shadow, a lobe or a decision of roulette, is not the same everywhere within the bounds, the sample is
+ * undecided. The fixed-point path then computes it from its camera ray on. */
 #ifndef TIA_SIMD_RAYS_GATHER_H
 #define TIA_SIMD_RAYS_GATHER_H
 
 #include "sure.h"
 
-/* An emitter's constants for paths. */
+/* The constants of an emitter for paths. */
 struct sure_shine {
     double radiance[3];
-    double area; /* area of a plane, times the constant of the distribution, see emitters_tmpl.h */
-    bool known;  /* false: its light is undecided */
+    double area; /* area of a rectangle or disc, else 1 */
+    bool known;  /* false: lanes that receive its light are undecided */
 };
 
-/* A material's lobes, see scatter_tmpl.h: chances cut as in the fixed-point code. */
+/* The lobes of a material, see scatter_tmpl.h, with chances cut to 32 bits as in the fixed-point code. */
 struct sure_lobes {
     uint32_t below[3];
-    double chance[4]; /* of mirror, glass, glossy and diffuse lobe */
+    double chance[4]; /* chances of the mirror, glass, glossy and diffuse lobe */
     double glow;      /* factor of the material's emission */
-    bool known;       /* the lobes are the same all over the surface */
+    bool known;       /* the chances are the same everywhere on the surface */
     bool black, rough;
 };
 
@@ -30,18 +30,17 @@ struct sure_emitter {
 };
 
 struct sure_paths {
-    struct sure_shine *lights;     /* all lights of the view */
-    struct sure_emitter *emitters; /* the emitters that are sampled */
-    struct sure_shine *spheres;    /* emitters that are spheres of the scene, in the emitters' order */
-    struct sure_lobes *lobes;      /* all materials */
+    struct sure_shine *lights;     /* one for each light of the view */
+    struct sure_emitter *emitters; /* emitters that are sampled */
+    struct sure_shine *spheres; /* one for each emitter that is a sphere of the scene, in the order of the emitters */
+    struct sure_lobes *lobes;   /* one for each material */
     uint32_t emitter_count, bounces;
-    double one_of, reach; /* one_of: 1/number of emitters; reach: the largest distance at which objects count for
-                             occlusion */
+    double one_of, reach; /* one_of: 1/emitter_count; reach: largest distance of occluding objects */
 };
 
-#define SURE_GATHERED 192 /* number of samples, 40 KB with their rays */
+#define SURE_GATHERED 192 /* largest number of samples; they and their rays take 40 KB */
 
-/* Samples of a block's pixels. */
+/* The samples of a block's pixels. */
 struct sure_gather {
     const struct sure_scene *scene;
     struct cancel cancel;
@@ -52,13 +51,13 @@ struct sure_gather {
     bool unsure[SURE_GATHERED];
 };
 
-/* Returns the bytes for a scene and the data of paths. */
+/* Returns the size in bytes of the scene in doubles and the data of paths. */
 size_t tia_gather_size(const struct tia_scene *scene, uint32_t light_capacity);
 
-/* Sets the scene and the data of paths, without lights. */
+/* Sets the scene and the data of paths, except lights. */
 void tia_gather_prepare(struct tia_view *view);
 
-/* Sets the lights, whenever they change. */
+/* Sets the lights; called whenever they change. */
 void tia_gather_set_lights(struct tia_view *view);
 
 #endif

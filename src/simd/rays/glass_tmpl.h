@@ -28,8 +28,8 @@ LANE_OP void divide_by(struct paths *p, vd chance, vm lanes)
               vsel(lanes, BOUND(THROUGHPUT_UNIT) + most3(p->r.weight) * BOUND(THROUGHPUT_ROUNDING), vset(0));
 }
 
-/* Returns the lanes whose fixed-point throughputs are certainly unclipped: those of 2^17 and more are clipped, and stay
- * too small after that, however little the path adds in the end. */
+/* Returns the lanes whose fixed-point throughput is certainly not clipped, and marks the others as undecided.
+ * Throughputs of 2^17 and more are clipped and stay too small from then on, even if the path adds only little light. */
 LANE_OP unsigned uncut(struct path_state *f, unsigned lanes, const struct paths *next, const uint32_t slot[LANES])
 {
     return sure_of(f, lanes, mnot(vlt(most3(next->r.weight) + next->r.ew, vset(65536))), slot);
@@ -43,9 +43,9 @@ LANE_OP void keep_media(struct path_state *f, unsigned lanes, const struct paths
     }
 }
 
-/* Continues the rays of these lanes, one bounce on. `media`: new media of each lane; NULL: they stay unchanged. A path
- * without throughput ends; where the fixed-point throughput is 0 and the certified one slightly above, the path goes on
- * and adds no more than its bound. */
+/* Queues the next rays of these lanes, with one bounce more. `media` holds the new media of each lane; NULL: unchanged.
+ * A path without throughput ends. Where only the fixed-point throughput is 0, the path continues, and adds no more than
+ * its error bound. */
 LANE_OP void go_on(struct path_state *f, unsigned lanes, const struct paths *p, struct paths *next,
                    const struct media *media)
 {
@@ -60,8 +60,8 @@ LANE_OP void go_on(struct path_state *f, unsigned lanes, const struct paths *p, 
     path_push(f, next, lanes);
 }
 
-/* Returns the lanes that reflect, by Fresnel's equations; *unsure receives the lanes whose chance, cut to 32 bits, may
- * lie on either side of the random number. */
+/* Returns the lanes that reflect, by Fresnel's equations and the random numbers `given`. *unsure receives the lanes
+ * whose chance of reflection, cut to 32 bits, may lie on either side of the random number. */
 static unsigned reflected_by(const struct refraction *r, const struct shade *h, unsigned lanes, vu given,
                              unsigned *unsure)
 {
@@ -86,7 +86,8 @@ static unsigned reflected_by(const struct refraction *r, const struct shade *h, 
     return reflected;
 }
 
-/* Passes glass of equal indices on both sides: only the layers count. */
+/* Passes straight through a boundary with equal indices of refraction on both sides; this adds a layer, not a bounce.
+ */
 static void pass_straight(struct path_state *f, unsigned lanes, const struct paths *p, struct paths *next,
                           const struct shade *h, const struct media media[LANES])
 {
@@ -111,7 +112,7 @@ static void pass_straight(struct path_state *f, unsigned lanes, const struct pat
     path_push(f, next, passes & mbits(vlt(vset(0), most3(next->r.weight))));
 }
 
-/* Chooses reflection or refraction, see go_through() of path.c. */
+/* Reflects or refracts paths at random, like go_through() of path.c. */
 static __attribute__((noinline)) void enter_glass(struct path_state *f, unsigned lanes, const struct paths *p,
                                                   const struct shade *h, const struct lobes *l, vu number)
 {

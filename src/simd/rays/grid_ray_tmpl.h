@@ -1,17 +1,17 @@
-/* grid_ray_tmpl.h - a grid by one ray, cell by cell, as geometry/grid.c.
+/* grid_ray_tmpl.h - traversal of a grid by a single ray, cell by cell, as in geometry/grid.c.
  *
  * Parameters: the doubles of isa/isa.h. Defines: start_walk(), finish_walk(), set_axis(), cell_at(), struct cell_walk.
  *
- * As in geometry/grid.c the t of a plane between cells comes from the plane's own coordinate; it is within (eo + its
- * roundings + |t| (ed + 4 u)) over |d| less ed. Where a ray passes so close to an edge that the order of two steps is
- * undecided, all cells that it may come through are examined: when they have the content of the one it comes from, both
- * steps are taken; otherwise there may be a hit. */
+ * As in geometry/grid.c, the t of a plane between cells is computed from the plane's own coordinate. Its error is (eo +
+ * the plane's roundings + |t| (ed + 4 u))/(|d| - ed), and the quotient's unit. Where a ray passes an edge so closely
+ * that the order of two steps is undecided, all cells that it may pass through are examined. If they all have the
+ * content of the current cell, both steps are taken; otherwise there may be a hit. */
 #ifndef TIA_SIMD_RAYS_GRID_RAY_TMPL_H
 #define TIA_SIMD_RAYS_GRID_RAY_TMPL_H
 
 #include "hit_report_tmpl.h"
 
-/* A ray in a grid. */
+/* The walk of a ray through a grid. */
 struct cell_walk {
     const struct sure_grid *grid;
     double o[3], d[3], eo, ed, limit;
@@ -30,7 +30,7 @@ LANE_OP int cells_along(const struct cell_walk *w, int axis)
     return w->grid->from->size[axis];
 }
 
-/* Sets the constants of the times of planes across an axis; false where the ray hardly moves along it. */
+/* Sets the constants of plane_time() for an axis; false if the ray hardly moves along it. */
 LANE_OP bool set_axis(struct cell_walk *w, int axis)
 {
     double size = __builtin_fabs(w->d[axis]), far = w->grid->edge * cells_along(w, axis);
@@ -63,7 +63,7 @@ LANE_OP unsigned cell_at(const struct cell_walk *w, const int at[3])
     return g->cells[((size_t)at[2] * g->size[1] + (size_t)at[1]) * g->size[0] + (size_t)at[0]];
 }
 
-/* Returns the content of a cell; empty outside the grid. */
+/* Returns the content of a cell; outside the grid it is 0, empty. */
 LANE_OP unsigned content_at(const struct cell_walk *w, const int at[3])
 {
     for (int i = 0; i < 3; i++)
@@ -98,8 +98,9 @@ static bool hit_cell(struct cell_walk *w, double t, double e, double element)
     return false;
 }
 
-/* Sets the cell of a place that is known within e, along one axis. Returns false if the place may be in either of two
- * cells, of which the one that the ray comes from is set, or is outside the grid. */
+/* Sets the cell of a point along one axis, where `place` is the point's coordinate and e its error. If the point may be
+ * in either of two cells, sets the one that the ray comes from. Returns false in that case, and if the point may be
+ * outside the grid. */
 static bool find_cell(struct cell_walk *w, int axis, double place, double e)
 {
     double x = (place - w->grid->corner[axis]) / w->grid->edge,
@@ -111,8 +112,9 @@ static bool find_cell(struct cell_walk *w, int axis, double place, double e)
     return low == high && low >= 0 && high <= last;
 }
 
-/* Finds the time *in, within *ein, at which the ray enters the grid's box, and the axis of the slab that it enters
- * last; -1: the ray starts inside. Returns false if the ray misses or may miss. */
+/* Finds the time *in, with the error *ein, at which the ray enters the grid's box. *axis receives the axis of the slab
+ * that it enters last; -1 if it starts inside. Returns false if the ray certainly misses, and also, with w->may set, if
+ * it may miss. */
 static bool enter_grid(struct cell_walk *w, int *axis, double *in, double *ein)
 {
     double out = INFINITE, eout = 0, reach = 0;
@@ -156,7 +158,7 @@ static bool enter_grid(struct cell_walk *w, int *axis, double *in, double *ein)
     return true;
 }
 
-/* Finds the first cell; returns false if there is nothing to walk, with the result in w. */
+/* Finds the first cell. Returns false if the walk ends before it starts, with the result in *w. */
 static bool start_walk(struct cell_walk *w)
 {
     double t, e;
@@ -176,7 +178,8 @@ static bool start_walk(struct cell_walk *w)
             clear = find_cell(w, i, place, off) && clear;
     }
     if (!clear) {
-        /* all 27 cells around must be empty: the first step is then taken from the cell before */
+        /* the first cell is undecided: unless all 27 cells around are empty, there may be a hit; the walk starts in the
+         * cell that the ray comes from */
         for (int k = 0; k < 27; k++) {
             const int near[3] = {w->at[0] + k % 3 - 1, w->at[1] + k / 3 % 3 - 1, w->at[2] + k / 9 - 1};
             if (content_at(w, near))
@@ -189,7 +192,8 @@ static bool start_walk(struct cell_walk *w)
     return true;
 }
 
-/* True if each cell on the way, in all orders of the axes in `open`, has the content of this one. */
+/* True if all cells that the ray may pass through by steps along the axes in `open`, in any order, have the content
+ * `here`. */
 static bool all_alike(const struct cell_walk *w, unsigned open, unsigned here)
 {
     for (unsigned set = open; set; set = (set - 1) & open) {
@@ -210,7 +214,8 @@ LANE_OP void find_next(struct cell_walk *w, int axis)
         w->next[axis] = plane_time(w, axis, w->at[axis] + (w->step[axis] > 0), &w->enext[axis]);
 }
 
-/* Steps along the axes in `open`, whose cells are all alike; false: out of the grid. */
+/* Takes the steps along all axes in `open` if the cells that they may pass through are alike; otherwise there may be a
+ * hit. Returns false if the walk is over. */
 static bool step_through(struct cell_walk *w, unsigned open, double low)
 {
     bool inside = true;
@@ -225,7 +230,7 @@ static bool step_through(struct cell_walk *w, unsigned open, double low)
     return inside;
 }
 
-/* Takes one step; false: the walk is over. */
+/* Takes one step. Returns false if the walk is over. */
 LANE_OP bool step_cell(struct cell_walk *w)
 {
     const double *t = w->next, *e = w->enext;
@@ -254,7 +259,7 @@ LANE_OP bool step_cell(struct cell_walk *w)
     return inside;
 }
 
-/* Walks the rest of the path. */
+/* Walks from the current cell to the end. */
 static void finish_walk(struct cell_walk *w)
 {
     for (int i = 0; i < 3; i++)

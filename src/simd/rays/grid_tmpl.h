@@ -1,13 +1,13 @@
-/* grid_tmpl.h - grids, all rays of a packet at once.
+/* grid_tmpl.h - traversal of grids by all rays of a packet at once.
  *
  * Parameters: the doubles of isa/isa.h. Defines: meet_grid(), struct grid_walk.
  *
- * A plane's time is A + plane B here, with A = (corner - o)/d and B = edge/d: 3 u (|corner| + |o|) and 3 u times the
- * grid's size over |d|, and u |t|, which is less than grid_ray_tmpl.h allows for a plane's time, 4 u of each. So `base`
- * and `slope` are the same as there. `off` is that bound as far as the ray is in the grid.
+ * The time of plane number n is A + n B, with A = (corner - o)/d and B = edge/d. Its roundings are 3 u (|corner| +
+ * |o|)/|d| for A, 3 u of the grid's size over |d| for n B, and u |t| for the sum. grid_ray_tmpl.h allows 4 u of each,
+ * so that `base` and `slope` are the same as there. `off` is the largest such error while the ray is in the grid.
  *
- * A ray leaves the packet where it hardly moves along an axis, where it enters too close to an edge, and at two planes
- * too close to order. grid_ray_tmpl.h continues it from there. */
+ * A ray leaves the packet if it hardly moves along an axis, if it enters too close to an edge, or if the order of two
+ * planes is undecided. grid_ray_tmpl.h continues its walk from there. */
 #ifndef TIA_SIMD_RAYS_GRID_TMPL_H
 #define TIA_SIMD_RAYS_GRID_TMPL_H
 
@@ -15,9 +15,9 @@
 
 struct grid_axis {
     vd a, b, base, slope;
-    vd step, last, stride, end; /* time between planes; time of the last plane; distance of cells in memory along the
-                                   ray; number of the last plane */
-    vd cell, plane;             /* the first cell, and the next plane */
+    vd step, last, stride, end; /* step: 1 or -1; last: number of the last cell; stride: distance in memory to the next
+                                   cell along the ray; end: number of the plane at which the ray leaves */
+    vd cell, plane;             /* numbers of the first cell and of the next plane */
     vm back;
 };
 
@@ -25,11 +25,10 @@ struct grid_walk {
     const struct sure_grid *grid;
     struct grid_axis axis[3];
     vd index;                   /* index of the cell in memory */
-    vd off;                     /* bound of the planes' times, along any axis */
+    vd off;                     /* largest error of a plane's time, along any axis */
     uint64_t here;              /* content of the cell, a byte for each lane */
-    uint64_t live;              /* all bits of the bytes of walking lanes */
-    vm walking, alone, started; /* alone: lanes for grid_ray_tmpl.h, which start from their cell if they are
-                                   `started` */
+    uint64_t live;              /* 255 in the bytes of walking lanes */
+    vm walking, alone, started; /* alone: continued by grid_ray_tmpl.h, from the current cell if they are `started` */
     /* result: certain hits, possible hits */
     vm sure, may;
     vd t, e, element;
@@ -40,7 +39,7 @@ LANE_OP vd of_axis(vm first, vm second, vd a, vd b, vd c)
     return vsel(first, a, vsel(second, b, c));
 }
 
-/* Sets an axis as set_axis() of grid_ray_tmpl.h. */
+/* Sets an axis, like set_axis() of grid_ray_tmpl.h. Returns the lanes whose rays move along it. */
 LANE_OP vm set_grid_axis(struct grid_axis *x, const struct packet *p, const struct sure_grid *grid, int i,
                          double stride)
 {
@@ -62,7 +61,8 @@ LANE_OP vm set_grid_axis(struct grid_axis *x, const struct packet *p, const stru
     return moves;
 }
 
-/* Finds the cell of a place along an axis, where the place is known within e, see find_cell(). */
+/* Finds the cell of a point along an axis; `place` is the coordinate, with the error e. Returns the lanes in which the
+ * cell is certain. */
 LANE_OP vm grid_cell(struct grid_axis *x, const struct sure_grid *grid, int i, vd place, vd e)
 {
     vd at = (place - vset(grid->corner[i])) * (1 / grid->edge),
@@ -73,13 +73,14 @@ LANE_OP vm grid_cell(struct grid_axis *x, const struct sure_grid *grid, int i, v
     return mand(mand(vle(low, high), vle(high, low)), mand(vle(vset(0), low), vle(high, x->last)));
 }
 
-/* Entry of rays into the grid's box and exit from it, see enter_grid(). */
+/* The entry of rays into the grid's box, see enter_grid(). */
 struct grid_entry {
     vd in, ein;
-    vm inside, first, second; /* the axis along which rays enter, in lanes outside */
+    vm inside, first, second; /* first, second: a ray from outside enters along axis 0, or along axis 1 */
 };
 
-/* Returns the lanes that certainly enter the box. */
+/* Returns the lanes whose rays certainly enter the box, or certainly start in it. Lanes that may enter it become
+ * `alone`. */
 LANE_OP vm enter_grids(struct grid_walk *g, vm lanes, vd limit, struct grid_entry *to)
 {
     vd out = vset(INFINITE), eout = vset(0), in[3];
@@ -109,7 +110,7 @@ LANE_OP vm enter_grids(struct grid_walk *g, vm lanes, vd limit, struct grid_entr
     return mand(lanes, clear);
 }
 
-/* Returns the contents of cells, a byte for each lane. */
+/* Returns the contents of the lanes' cells, a byte for each lane. */
 LANE_OP uint64_t grid_contents(const struct grid_walk *g, vd index)
 {
     const uint8_t *cells = g->grid->from->cells;
@@ -142,7 +143,8 @@ LANE_OP unsigned lanes_of_bytes(uint64_t bytes)
     return lanes;
 }
 
-/* Reports rays that pass a plane at t into other content; a hit nearer than its bound may be behind the origin. */
+/* Records the hits of rays that pass a plane at t into different content. A hit at t <= e may be behind the origin, so
+ * it is only a possible one. */
 LANE_OP void grid_hit(struct grid_walk *g, vm lanes, vd t, vd e, vd element)
 {
     vm ahead = mand(lanes, vlt(e, t)), near = mand(lanes, mnot(vlt(e, t)));
@@ -154,7 +156,7 @@ LANE_OP void grid_hit(struct grid_walk *g, vm lanes, vd t, vd e, vd element)
     g->element = vsel(lanes, element, g->element);
 }
 
-/* Finds the first cells, and the hits where rays enter. */
+/* Finds the first cells, and the hits of rays that enter the grid in a filled one. */
 LANE_OP void start_grids(struct grid_walk *g, const struct packet *p, vm lanes, const struct grid_entry *entry)
 {
     const vd o[3] = {p->o.x, p->o.y, p->o.z}, d[3] = {p->d.x, p->d.y, p->d.z};
@@ -187,15 +189,15 @@ LANE_OP void start_grids(struct grid_walk *g, const struct packet *p, vm lanes, 
     g->live = bytes_of_lanes(mbits(g->walking));
 }
 
-/* A step of each ray, to the next plane and the cell behind it. */
+/* A step of each ray: to the next plane, and to the cell behind it. */
 struct grid_step {
-    vm first, second; /* the axis of the step */
-    vd at, from, to;  /* time of the step; indices of the cells in memory */
+    vm first, second; /* the step is along axis 0, or along axis 1 */
+    vd at, from, to;  /* time of the step; indices in memory of the cells before and behind the plane */
     vm open, over, out;
-    uint64_t differs; /* a byte for each lane: bits of the next content that are not in this cell's */
+    uint64_t differs; /* a byte for each lane: the bits in which the contents of the two cells differ */
 };
 
-/* Ends the walks that meet other content or leave the grid. */
+/* Ends the walks that meet different content, leave the grid, pass the limit, or continue in grid_ray_tmpl.h. */
 static __attribute__((noinline)) void end_grids(struct grid_walk *g, const struct grid_step *s)
 {
     struct grid_axis *x = g->axis;
@@ -213,15 +215,15 @@ static __attribute__((noinline)) void end_grids(struct grid_walk *g, const struc
            vabs(s->at) * of_axis(s->first, s->second, x[0].slope, x[1].slope, x[2].slope);
     vm back = mor(mor(mand(s->first, x[0].back), mand(s->second, x[1].back)),
                   mand(mnot(mor(s->first, s->second)), x[2].back));
-    unsigned far = (into & mbits(back)) | (~into & ~mbits(back)); /* the cell's face across the axis, of the two */
+    unsigned far = (into & mbits(back)) | (~into & ~mbits(back)); /* hits on a cell's face at the axis's maximum */
     vd side = of_axis(s->first, s->second, vset(0), vset(2), vset(4)) +
               vsel(mof(far & ((1u << LANES) - 1)), vset(1), vset(0));
     grid_hit(g, mof(hit), s->at, e, 6 * vsel(mof(into), s->to, s->from) + side);
 }
 
-/* Takes a step: m is the time of the next plane, `after` that of the plane after it. Planes whose times are no more
- * than 2 `off` apart have no certain order. The contents of cells do not affect the way, so they are compared
- * afterwards, and only then do some walks end. */
+/* Takes a step. m is the time of the next plane, and `after` that of the plane after it; if they are no more than 2
+ * `off` apart, their order is undecided. A ray's way through the grid does not depend on the contents of cells: so all
+ * rays step first, and end_grids() then ends the walks of those that have met different content. */
 LANE_OP void step_grids(struct grid_walk *g, vd limit)
 {
     struct grid_axis *x = g->axis;
@@ -252,7 +254,7 @@ LANE_OP void step_grids(struct grid_walk *g, vd limit)
         end_grids(g, &s);
 }
 
-/* Walks a single lane to its end. */
+/* Continues the walk of a single lane to its end. */
 static void walk_alone(struct grid_walk *g, const struct query *q, int k)
 {
     const struct packet *p = q->p;

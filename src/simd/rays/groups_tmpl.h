@@ -1,4 +1,5 @@
-/* groups_tmpl.h - groups of a mesh's faces that shadow rays meet: each filters light once.
+/* groups_tmpl.h - the groups of a mesh's faces that shadow rays pass through. Each group filters a ray's light only
+ * once.
  *
  * Parameters: the doubles of isa/isa.h. Defines: note_group(), filter_groups(). */
 #ifndef TIA_SIMD_RAYS_GROUPS_TMPL_H
@@ -6,8 +7,8 @@
 
 #include "query_tmpl.h"
 
-/* Adds a group to the list: one that is certainly met is not tested again, one that may be met leaves the ray
- * undecided. */
+/* Adds a group to the lists of rays. `sure` lanes certainly meet one of its faces; `open` lanes may, and stay undecided
+ * unless they certainly meet another one. */
 LANE_OP void note_group(struct group_list *g, uint32_t group, unsigned sure, unsigned open)
 {
     for (int k = 0; (sure | open) >> k; k++) {
@@ -29,7 +30,7 @@ LANE_OP void note_group(struct group_list *g, uint32_t group, unsigned sure, uns
     }
 }
 
-/* Filters light by each group, and marks the undecided rays. */
+/* Filters each ray's light by the groups in its list, and marks undecided rays. */
 static void filter_groups(struct query *q, const struct group_list *g, const double transmission[3])
 {
     double through[3][LANES], more[LANES];

@@ -26,7 +26,8 @@ LANE_OP void report_any_hit(struct query *q, const struct hit_report *r)
     q->blocker = any(before) ? q->index : q->blocker;
 }
 
-/* Adds a hit to the query. In the fixed-point code there are no hits beyond 2^17: possible hits there are undecided. */
+/* Adds a hit to the query. The fixed-point code has no hits beyond 2^17, so that a hit that may be farther is only a
+ * possible one. */
 LANE_OP void report_hit(struct query *q, struct hit_report r)
 {
     vm far = mand(r.sure, mnot(vlt(r.t + r.e, vset(131072))));

@@ -1,19 +1,21 @@
-/* instance_tmpl.h - rays in the axes of an instance, and their hits back in the world: geometry/instance.c.
+/* instance_tmpl.h - rays transformed to the axes of an instance, and their hits transformed to the world:
+ * geometry/instance.c in doubles.
  *
  * Parameters: the doubles of isa/isa.h. Defines: place_rays(), placed_query(), report_placed(), struct placed.
  *
- * With v = O - p, its parts along the axes are off by eo, the roundings of v and two units; over the least scale that
- * is the bound on the origin there. The fixed-point code first moves the ray to the box, by `start`, and turns it by
- * 2^-57 there: v's bound covers that for the box's distance. The direction (D.a_i)/s_i is off by (ed + 2^-50) over the
- * least scale, before it is normalised; and so is its length k. A distance t there is t/k in the world:
+ * The vector v = O - p has, along the axes, the error eo, its roundings and less than two units. Divided by the least
+ * scale, this is the error of the origin in the instance's axes. The fixed-point code first moves the ray's origin to
+ * the box, by `start`. This turns the ray by up to 2^-57, which displaces v by 2^-57 of the box's distance; the
+ * roundings of v include that. The direction (D.a_i)/s_i, before it is normalised, and its length k have the error (ed
+ * + 2^-49) over the least scale. A distance t in the instance's axes is t/k in the world, with the error
  *
- *     |t/k - t'/k'| <= |t - t'|/k + t' |1/k - 1/k'| <= e/k + (t + e) ek/(k (k - ek)),
+ *     |t/k - t'/k'| <= |t - t'|/k + t' |1/k - 1/k'| <= e/k + (t + e) ek/(k (k - ek)).
  *
- * which for ek < k/16 is within e/k + 1.07 (t + e) ek/k^2.
+ * For ek < k/16 this is at most e/k + 1.07 (t + e) ek/k^2.
  *
- * A ray that starts b below the tangent plane in the world starts below it in the instance's axes too, but not along
- * the normal: a stretched sphere or cylinder may be so thin at this place that the ray starts outside and enters the
- * shape again. Only a box, whose normals keep their directions, is certainly left by such rays or not met. */
+ * A ray that starts b below the tangent plane in the world also starts below it in the instance's axes, but not along
+ * the normal: a stretched sphere or cylinder may be so thin at this point that the ray starts outside and enters the
+ * shape again. Only for a box, whose normals keep their directions, do such rays certainly leave it or miss it. */
 #ifndef TIA_SIMD_RAYS_INSTANCE_TMPL_H
 #define TIA_SIMD_RAYS_INSTANCE_TMPL_H
 
@@ -44,12 +46,11 @@ static void place_rays(const struct sure_instance *i, const struct packet *p, bo
     to->p.from = p->from;
     if (!box && i->least < i->most)
         to->p.from.object = vsel(vlt(vset(0.5), p->from.side), vset(-1), p->from.object);
-    to->p.from.object = vsel(vlt(p->from.side, vset(0)), vset(-1), to->p.from.object); /* heights are different in the
-                                                                                          instance's axes */
+    to->p.from.object = vsel(vlt(p->from.side, vset(0)), vset(-1), to->p.from.object); /* b differs in these axes */
     to->fine = mand(packet_start(i->centre, i->extent, &to->p, active), vlt(BOUND(INSTANCE_KNOWN) * to->ek, to->k));
 }
 
-/* Sets the query in the instance's axes: always one for the nearest hit. */
+/* Sets the query in the instance's axes, which is always one for the nearest hit. */
 LANE_OP void placed_query(const struct query *q, const struct placed *placed, struct query *inner)
 {
     *inner = *q;
@@ -64,8 +65,8 @@ LANE_OP void placed_query(const struct query *q, const struct placed *placed, st
     inner->id = inner->element = vset(-1);
 }
 
-/* Reports hits in the world. The point is off by `most` times its bound in the instance's axes, and by no more than the
- * ray and the distance along it. */
+/* Reports hits in the world. The error of the point is at most `most` times that in the instance's axes, and at most
+ * the sum of the errors of the ray and of the distance along it; the smaller bound is used. */
 static void report_placed(struct query *q, const struct placed *placed, const struct query *inner, double most)
 {
     const struct packet *p = q->p;

@@ -1,10 +1,10 @@
-/* interval_tmpl.h - numbers with their bounds, for steps whose derivation by hand would be long.
+/* interval_tmpl.h - interval arithmetic: numbers with error bounds, for steps whose derivation by hand would be long.
  *
  * Parameters: the doubles of isa/isa.h. Defines: struct ve, ve_of(), ve_set(), ve_neg(), ve_add(), ve_sub(), ve_mul(),
  * ve_div(), ve_sqrt(), ve_less(), ve_sel().
  *
- * Each operation adds the roundings of either side, doubles or fixed point. Safe by construction, but looser than a
- * derivation. */
+ * Each operation adds the roundings of both codes, by doubles and in fixed point. These bounds are safe by
+ * construction, but looser than derived ones. */
 #ifndef TIA_SIMD_RAYS_INTERVAL_TMPL_H
 #define TIA_SIMD_RAYS_INTERVAL_TMPL_H
 
@@ -49,7 +49,7 @@ LANE_OP struct ve ve_mul(struct ve a, struct ve b)
                               vabs(v) * BOUND(PRODUCT) + BOUND(PRODUCT_UNIT)};
 }
 
-/* Divides; *fine is cleared where b may be 0. */
+/* Returns a/b. Clears *fine in lanes whose b may be 0. */
 LANE_OP struct ve ve_div(struct ve a, struct ve b, vm *fine)
 {
     vd size = vabs(b.v);
@@ -61,7 +61,8 @@ LANE_OP struct ve ve_div(struct ve a, struct ve b, vm *fine)
                               vabs(v) * BOUND(QUOTIENT) + BOUND(QUOTIENT_UNIT)};
 }
 
-/* Takes the square root; *fine is cleared where a may be negative: |sqrt a - sqrt b| <= |a - b|/sqrt a. */
+/* Returns the square root of a. Clears *fine in lanes whose a may be negative. The error follows from |sqrt a - sqrt b|
+ * <= |a - b|/sqrt a. */
 LANE_OP struct ve ve_sqrt(struct ve a, vm *fine)
 {
     vm good = vlt(a.e, a.v);

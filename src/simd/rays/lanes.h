@@ -1,4 +1,4 @@
-/* lanes.h - the table of one instruction set's ray kernels, made by the templates. */
+/* lanes.h - SURE(), which defines the table of an instruction set's ray kernels. */
 #ifndef TIA_SIMD_RAYS_LANES_H
 #define TIA_SIMD_RAYS_LANES_H
 

@@ -8,15 +8,16 @@
 #include "power_tmpl.h"
 #include "spread_tmpl.h"
 
-/* A light as seen from points, see struct ray_aim: the axes of a disc that faces each point. */
+/* The axes along which a light's samples lie, as seen from each lane's point; see struct ray_aim. For a sphere they are
+ * those of a disc that faces the point. */
 struct aim {
     struct v3 axes[2];
     vd e;
     vm unsure;
 };
 
-/* Sets the axes of shape_axes() for the direction from a sphere light's centre; the index of its smallest coordinate
- * must be certain. */
+/* Sets the axes, as shape_axes() does, for the direction from a sphere light's centre to the point. They depend on
+ * which of its coordinates is the smallest, which must be certain. */
 static void aim_at_sphere(const struct sure_light *l, const struct shade *h, struct aim *a)
 {
     vd e;
@@ -44,13 +45,14 @@ static void aim_at(const struct sure_light *l, const struct shade *h, struct aim
         aim_at_sphere(l, h, a);
 }
 
-/* The part of a light that arrives: its attenuation, and the falloff of a spot light. */
+/* The factor of the light that arrives: the attenuation, and the falloff of a spot light. */
 struct falloff {
     vd factor, e;
     vm unsure;
 };
 
-/* Sets (c - outer)/(inner - outer), from 0 to 1; a cone whose angles are equal has a sharp edge instead. */
+/* Sets the factor (c - outer)/(inner - outer), clamped to 0..1. If the angles of the cone are nearly equal, its edge is
+ * sharp instead. */
 static void spot_falloff(const struct sure_light *l, struct v3 to, vd eto, struct falloff *f)
 {
     vd c = -v3_dot(to, v3_set(l->normal)), e = BOUND_OF(SPOT_COSINE, eto + BOUND(COSINE)),
@@ -65,8 +67,8 @@ static void spot_falloff(const struct sure_light *l, struct v3 to, vd eto, struc
     f->e = BOUND_OF(SPOT, BOUND(SPOT_WIDTH) * e / width) + BOUND(SPOT_UNITS);
 }
 
-/* Sets the attenuation 1/(constant + linear d + quadratic d^2). It is 0 where the sum is 2^17 or more; from 2^16 on it
- * is less than 2^-16. */
+/* Multiplies the factor by the attenuation 1/(constant + linear d + quadratic d^2). The fixed-point attenuation is 0
+ * where the sum is 2^17 or more. Where the sum is above 2^16, the error includes 2^-16, the largest value there. */
 static void attenuate(const struct sure_light *l, vd distance, vd edistance, struct falloff *f)
 {
     vd d = distance * vset(l->unit),
@@ -85,7 +87,7 @@ static void attenuate(const struct sure_light *l, vd distance, vd edistance, str
     f->factor = f->factor * factor;
 }
 
-/* A light sample: offset from P, unit direction, and their error bounds. */
+/* A light's sample: vector and unit direction from P, and their errors. */
 struct sample {
     struct v3 way, to;
     vd ew, eto;
@@ -104,15 +106,15 @@ static void find_falloff(const struct sure_light *l, struct sample *s)
     }
 }
 
-/* A light's sample for each lane, and the class of the lane's pixel. `run`: the lanes have successive samples of one
- * pixel. */
+/* The samples of a light that the lanes evaluate, and the classes of their pixels. `run`: lane k has sample `sample` +
+ * k, all for one pixel; otherwise all lanes have `sample`. */
 struct picked {
     unsigned sample;
     bool run;
     uint8_t class[LANES];
 };
 
-/* Finds the samples' places along the light's axes. */
+/* Finds the coordinates of the samples along the light's axes. */
 LANE_OP void find_places(const struct sure_light *l, const struct picked *pick, vd *x, vd *y)
 {
     double other[LANES][2];
@@ -153,8 +155,8 @@ static __attribute__((noinline)) void sample_of(const struct sure_light *l, cons
     s->to = v3_unit(s->way, s->ew, &s->eto);
 }
 
-/* Aims the shadow ray, from outside the surface to the sample. The way differs from the sample's by b G, which is
- * within b eg and the roundings for any P. */
+/* Aims the shadow ray, from outside the surface to the sample. Its vector is that of the sample, less b G, so its error
+ * is that of the sample's vector, b eg, and roundings. */
 static void aim_shadow(const struct sure_scene *scene, const struct sure_light *l, const struct shade *h,
                        const struct sample *s, struct shadow *shadow)
 {
@@ -177,7 +179,7 @@ static void aim_shadow(const struct sure_scene *scene, const struct sure_light *
     shadow->p.from = leaving(h, shadow->p.d, shadow->p.ed, 1, 0);
 }
 
-/* Computes the reflected light and its bound. */
+/* Computes the reflected light and its error. */
 static void reflect_light(const struct shade *h, const struct sample *s, vd lambert, vd elambert, vm lit, vd rgb[3],
                           vd *e)
 {
@@ -201,7 +203,7 @@ static void reflect_light(const struct shade *h, const struct sample *s, vd lamb
 
 struct light_room;
 
-/* The sum of the light at the points; `cancel` counts the work. */
+/* Sums of the light that the points reflect, and their errors; `cancel` counts the work. */
 struct lit {
     struct cancel *cancel;
     struct light_room *room;
@@ -209,7 +211,8 @@ struct lit {
     vm unsure;
 };
 
-/* A call's memory for lights, beside the walks of their shadow rays; `one` and `there` belong to a single point. */
+/* A call's memory for lighting, including that of shadow rays' walks; `there`, `point` and `one` belong to a single
+ * point. */
 struct light_room {
     struct room room;
     struct aim aim, there;
@@ -252,7 +255,7 @@ static __attribute__((noinline)) void add_sample(const struct sure_scene *scene,
     sum->eown = sum->eown + vsel(lit, (e + BOUND(SAMPLE_SUM)) * (l->brightest * part) + BOUND(SAMPLE_SUM), vset(0));
 }
 
-/* Adds the light's samples one after another, each at all points. */
+/* Adds the light's samples one after another, each for all points at once. */
 static void add_samples(const struct sure_scene *s, const struct sure_light *l, const struct aim *aim,
                         const struct shade *h, vm lanes, const uint8_t class[LANES], uint32_t *blocker, struct lit *sum)
 {
@@ -268,8 +271,8 @@ static void add_samples(const struct sure_scene *s, const struct sure_light *l, 
     }
 }
 
-/* Adds all samples of the light for one point. Rays from one point to a light traverse the hierarchy alike, however far
- * apart the packet's points are. */
+/* Adds all samples of the light for one point. Rays from one point to a light take similar paths through the hierarchy,
+ * even if the packet's points are far apart. */
 static void add_point(const struct sure_scene *s, const struct sure_light *l, const struct aim *aim,
                       const struct shade *h, uint8_t class, uint32_t *blocker, struct lit *sum)
 {
@@ -311,8 +314,8 @@ static void add_points(const struct sure_scene *s, const struct sure_light *l, c
     }
 }
 
-/* True if points are lit one by one. Points close together share each sample's packet. Distant points have packets of
- * their own, and so do few points with many samples, which need fewer packets that way. */
+/* True if the points are lit one by one. Points close together share a packet for each sample. Points far apart have
+ * packets of their own; so do few points with many samples, as that takes fewer packets. */
 LANE_OP bool each_by_itself(const struct sure_light *l, unsigned lanes, bool apart)
 {
     unsigned n = l->from->samples, packets = (n + LANES - 1) / LANES * (unsigned)__builtin_popcount(lanes);
@@ -328,7 +331,7 @@ static void add_light(const struct sure_scene *s, uint32_t n, const struct shade
     struct aim *aim = &sum->room->aim;
 
     if (tia_light_has(l->from->kind, TIA_LIGHT_EVERYWHERE)) {
-        if (l->radius > 0) /* the light's openness is undecided, see `occluded` in struct sure_scene */
+        if (l->radius > 0) /* the occlusion is undecided, see `occluded` in struct sure_scene */
             sum->unsure = mor(sum->unsure, lanes);
         for (int c = 0; c < 3; c++)
             sum->own[c] = sum->own[c] + h->colour[c] * l->emission[c];

@@ -1,4 +1,4 @@
-/* lights.c - lights in double precision, and the largest brightness of a ray. */
+/* lights.c - lights in double precision, and the upper limit of rays' colours. */
 #include "bounds.h"
 #include "math/trig.h"
 
@@ -64,7 +64,8 @@ void tia_sure_place(const struct sure_light *l, unsigned i, unsigned class, doub
     at[1] = r * sine(v);
 }
 
-/* Sets the places of a light's samples; those behind the last sample are 0, as unused lanes are read all the same. */
+/* Sets the positions of a light's samples along its axes. Those behind the last sample are 0, since they are read for
+ * unused lanes. */
 static void set_places(struct sure_light *l, double (*places)[2][SURE_PLACES])
 {
     l->place = NULL;
@@ -81,7 +82,8 @@ static void set_places(struct sure_light *l, double (*places)[2][SURE_PLACES])
     l->place = places;
 }
 
-/* Upper limits of a surface's emission, and of the part of other light that it reflects or transmits. */
+/* Upper limits over all surfaces: `own`, of emitted light and of the light reflected from lights; `back`, of the part
+ * of a reflected or refracted ray's light that a surface passes on. */
 struct brightness {
     double own, back;
     bool refracts;
@@ -111,9 +113,10 @@ static struct brightness brightness_of(const struct sure_scene *s)
     return most;
 }
 
-/* Sets the limit of rays' colours. A ray's colour is at most the sum of own back^n over its generations: one for each
- * bounce and, where something refracts or transmits, up to TIA_LAYERS_MAX more. Each bounce so far leaves one less.
- * Attenuation may make lights brighter: then there is no limit. */
+/* Sets the upper limits of rays' colours, for each number of bounces. A ray's colour is at most the sum of own back^n
+ * over the ray's generations n: one for each bounce that is left and, where a material refracts or transmits, up to
+ * TIA_LAYERS_MAX more. There is no limit if attenuation may make a light brighter, or if `back` is above 1 where
+ * materials refract. */
 static void set_brightest(struct sure_scene *s)
 {
     struct brightness most = brightness_of(s);

@@ -1,4 +1,4 @@
-/* look_tmpl.h - one emitter for each path: the light it sends to the path's surface.
+/* look_tmpl.h - sampling of one emitter for each path, and the light that it sends to the path's surface.
  *
  * Parameters: the doubles of isa/isa.h. Defines: look_for_lights(). */
 #ifndef TIA_SIMD_RAYS_LOOK_TMPL_H
@@ -19,7 +19,8 @@ LANE_OP void merge_sights(vm m, const struct emitter_view *one, struct emitter_v
     a->unsure = mor(mand(m, one->unsure), mand(mnot(m), a->unsure));
 }
 
-/* Evaluates every emitter that lanes have chosen, once. *surface receives the lanes whose emitter has a surface. */
+/* Samples each emitter that lanes have chosen, once for all of them, into f->sight. *surface receives the lanes whose
+ * emitter has a surface. */
 static void find_sights(struct path_state *f, unsigned lanes, const uint32_t which[LANES], const struct shade *h,
                         const vu u[2], vd radiance[3], unsigned *surface)
 {
@@ -45,7 +46,8 @@ static void find_sights(struct path_state *f, unsigned lanes, const uint32_t whi
     }
 }
 
-/* Adds reflectance times radiance over the sum of the densities with which this place could have been chosen. */
+/* Adds reflectance times radiance, divided by the sum of the densities with which the path could have chosen the
+ * sampled point. */
 static void add_sights(struct path_state *f, unsigned lanes, const struct paths *p, const struct response *r,
                        const struct emitter_view *a, const vd radiance[3], unsigned surface)
 {
@@ -70,7 +72,7 @@ static void add_sights(struct path_state *f, unsigned lanes, const struct paths 
     add_part(f, lanes, p, part, e);
 }
 
-/* Chooses each lane's emitter, and the numbers of a place on it. */
+/* Chooses each lane's emitter, and the random numbers of a point on it. */
 LANE_OP void choose_emitters(const struct path_state *f, const struct paths *p, uint32_t which[LANES], vu u[2])
 {
     uint64_t count = f->gather->scene->paths->emitter_count;
@@ -83,7 +85,7 @@ LANE_OP void choose_emitters(const struct path_state *f, const struct paths *p, 
     u[1] = quads_number(&quads, 1);
 }
 
-/* Adds the light of one emitter at the surface. Returns the certain lanes. */
+/* Adds the light that each path's surface reflects from its emitter. Returns the lanes that are still certain. */
 static unsigned look_for_lights(struct path_state *f, unsigned lanes, const struct paths *p, const struct shade *h,
                                 const struct lobes *l)
 {

@@ -1,4 +1,4 @@
-/* neon32.c - rays with 32-bit ARM: its NEON has no doubles, its floating-point unit has. */
+/* neon32.c - rays on 32-bit ARM, one at a time: its NEON has no doubles, its floating-point unit has. */
 #include "simd/isa/neon32.h"
 
 #include "lanes.h"

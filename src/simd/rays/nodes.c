@@ -1,9 +1,9 @@
-/* nodes.c - a hierarchy whose nodes hold the boxes of their two children instead of their own. */
+/* nodes.c - conversion of a hierarchy to nodes that hold the boxes of their two children instead of their own. */
 #include <tia/bvh.h>
 
 #include "sure.h"
 
-/* Returns x in units of 1, as the nearest float that is no less (`up`) or no more. */
+/* Returns x in units of 1 as a float, rounded up if `up` is set, else down. */
 static float outward(tia_q16 x, bool up)
 {
     float f = (float)x;
@@ -12,14 +12,14 @@ static float outward(tia_q16 x, bool up)
 
     if (up ? (double)f < exact : (double)f > exact) {
         __builtin_memcpy(&bits, &f, sizeof bits);
-        bits += (f > 0) == up ? 1 : -1; /* away from 0, or towards it; subnormal numbers do not occur */
+        bits += (f > 0) == up ? 1 : -1; /* the next float, away from 0 or towards 0; subnormal numbers do not occur */
         __builtin_memcpy(&f, &bits, sizeof f);
     }
     return f * (float)SURE_Q16;
 }
 
-/* Returns the number of items below a node if it is no more than `most`, else 0; *first receives the index of the first
- * of them, which are consecutive. */
+/* Returns the number of items below a node, or 0 if there are more than `most`. These items are consecutive; *first
+ * receives the index of the first one. */
 static uint32_t items_below(const struct tia_bvh_node *n, uint32_t most, uint32_t *first)
 {
     uint32_t count = 0;
@@ -46,7 +46,7 @@ static void set_child(struct sure_node *to, int i, const struct tia_bvh_node *fr
     to->count[i] = count ? count : SURE_INNER;
 }
 
-/* Sets the node above a root that is a leaf. */
+/* Sets the only node of a hierarchy whose root is a leaf. Returns 1, the number of nodes. */
 static uint32_t set_single(struct sure_node *to, const struct tia_bvh_node *from)
 {
     set_child(to, 0, from, 0, 0);
@@ -56,12 +56,13 @@ static uint32_t set_single(struct sure_node *to, const struct tia_bvh_node *from
     return 1;
 }
 
-/* A node whose second child has no number yet. */
+/* A node whose index[1] is still to be set. `second` is the index of its second child in the given hierarchy. */
 struct pending {
     uint32_t node, second;
 };
 
-/* Returns the next node to make, at or after i: nodes below a leaf are left out. `end`: there is none. */
+/* Returns the index of the next given node to convert, at or after i; `end` if there is none. Nodes below children that
+ * became leaves are skipped. If the node is a second child, index[1] of its parent is set. */
 static uint32_t next_node(uint32_t i, struct sure_node *to, uint32_t made, const struct pending *stack, int *depth,
                           uint32_t end)
 {
@@ -76,8 +77,8 @@ static uint32_t next_node(uint32_t i, struct sure_node *to, uint32_t made, const
     return i;
 }
 
-/* Makes the nodes. Inner nodes keep their order: a first child comes next, and a second one after all nodes below the
- * first. Returns the number of nodes. */
+/* Makes the nodes; returns their number. Inner nodes keep their order: a node comes first, then those below its first
+ * child, then those below its second. */
 uint32_t tia_sure_set_nodes(struct sure_node *to, const struct tia_bvh_tree *from, uint32_t few)
 {
     struct pending stack[TIA_BVH_DEPTH_MAX + 1];

@@ -1,4 +1,4 @@
-/* objects.c - spheres and shapes in double precision. */
+/* objects.c - conversion of spheres and shapes to double precision. */
 #include "scene/colour.h"
 #include "sure.h"
 
@@ -78,8 +78,8 @@ static void set_kind(const struct sure_scene *s, struct sure_object *o, const st
     }
 }
 
-/* Sets the cells of a grid, which is opaque when all materials of its cells are; otherwise its transmission is left to
- * the fixed-point path. */
+/* Decides whether a grid is opaque: all materials that its cells may have must be opaque. The transmission of any other
+ * grid is undecided. */
 static void set_cells(struct sure_object *o, const struct tia_scene *scene)
 {
     for (uint32_t m = o->material; m < scene->material_count && m - o->material < UINT8_MAX; m++)
@@ -87,7 +87,8 @@ static void set_cells(struct sure_object *o, const struct tia_scene *scene)
     o->unclear = !o->opaque;
 }
 
-/* Sets an object's filter. Objects with layers of opacity filter light more than once, as meshes of groups do. */
+/* Sets an object's transmission. Objects with an opacity and meshes with groups may filter a ray more than once: the
+ * transmission of the former is undecided, and the latter are `grouped`. */
 static void set_filter(struct sure_object *o, const struct tia_scene *scene, bool layered, bool grouped)
 {
     const struct tia_material *m = &scene->materials[o->material];

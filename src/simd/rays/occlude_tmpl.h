@@ -6,7 +6,8 @@
 
 #include "path_state_tmpl.h"
 
-/* Adds the samples of a packet. A sample is occluded or not, so that the result consists of decisions alone. */
+/* Sets the samples of a packet: 0 where occluded, else 1. These values are exact, so that only the decisions can be
+ * uncertain. */
 static void occlude_packet(struct path_state *f, struct paths *p, unsigned lanes, const struct quads *first)
 {
     const struct sure_scene *s = f->gather->scene;

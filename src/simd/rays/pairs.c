@@ -11,9 +11,9 @@ static double length(const double p[3])
     return __builtin_sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
 }
 
-/* Returns c of pairs_tmpl.h. The lengths of P and N enlarge it, compared with those of E alone, by sqrt 3 and sqrt 12
- * at most, as |P| <= R |E| and |N| <= 2 R |E|. No test notices when they are left out, as floats have not been found
- * off by more than 4 of their 25 units. */
+/* Returns c of pairs_tmpl.h: the largest of |N|/R, |P|/R and the components of E. As |P| <= R |E| and |N| <= 2 R |E|, P
+ * and N enlarge c by factors of sqrt 3 and sqrt 12 at most. No test notices when they are left out, as the largest
+ * error found in floats is 4 of the 25 units. */
 static double size_of(const struct sure_edges *e, const double whole[3], double extent)
 {
     double most = length(whole) / extent;

@@ -3,32 +3,34 @@
  * Parameters: the doubles and pairs of floats of isa/isa.h. Defines: lines_of(), pair_passes(), struct lines, struct
  * passes.
  *
- * As in triangle_tmpl.h, an edge's area is w = D.P + M.E with P = A x B, E = B - A and M = O x D, from the mesh's
- * centre; |M| is the line's distance from that centre, wherever O lies on the line. In floats, v = 2^-24:
+ * As in triangle_tmpl.h, the area of an edge from A to B is w = D.P + M.E, where P = A x B, E = B - A and M = O x D are
+ * relative to the mesh's centre. |M| is the distance of the line from that centre, wherever O lies on the line. In
+ * floats, with v = 2^-24:
  *
- * Each term has two conversions from doubles, a product, and up to five sums: 8 v of the term. |D| is 1, so those of
- * D.P add up to |P|, those of M.E to |M| |E|, the one as |x| + |y| + |z|, the other the most of |x|, |y| and |z|. With
- * c no less than that of E, and than |P|/R, R being the mesh's extent, they are (R + |M|) c in all, which |w| is at
- * most: w is off by 8 v of that.
+ * Each term has two conversions from doubles, a product, and up to five sums: it is off by 8 v of itself. As |D| is 1,
+ * the sizes of the terms of D.P add up to |P| at most. Those of M.E add up to |M| |E| at most, |M| being taken as |x| +
+ * |y| + |z|, and |E| as the largest of |x|, |y| and |z|. Let R be the mesh's extent, and let c be at least |E| and
+ * |P|/R. Then all terms add up to (R + |M|) c at most. This is also a limit of |w|, and w is off by 8 v of it.
  *
- * The third edge follows from the sum: the E of a face add up to 0, the P to N, which is the same from anywhere. So w2
- * = D.N - w0 - w1. Where c is no less than |N|/R either, D.N is off by 5 v R c: its terms have two sums. With 8 v of w0
- * and of w1, and two differences, of w1 + w2 and of w2, these are 24 v of (R + |M|) c; the second orders and the
- * rounding of N in doubles are less than another v.
+ * The third area follows from the sum. The E of a face add up to 0, and the P to a vector N that does not depend on the
+ * centre. So w2 = D.N - w0 - w1. Let c be at least |N|/R too. Then D.N is off by 5 v R c, as its terms have two sums
+ * only. w0 and w1 are off by 8 v each. The differences are rounded by v of w1 + w2 and by v of w2, which is 3 v.
+ * Together this is 24 v of (R + |M|) c. Terms of second order and the rounding of N in doubles are less than another v.
  *
- * To this is added the bound of the doubles against the fixed-point path, l.e + l.each times the face's extent, which
- * is 3 c at most: off + by c. Rounding that in floats takes less than 8 v of it. Products below 2^-126 may become 0;
- * that is less than the part of R in l.e, 2^-17 or more, as boxes are larger than their contents.
+ * The bound of doubles on the fixed-point area, l.e plus l.each times the face's extent, is added. The extent is 3 c at
+ * most, so the whole bound is off + by c. Its roundings in floats are less than 8 v of it. Products below 2^-126 may
+ * become 0; they are far smaller than l.e, which is at least 2^-42 R. R is 2^-17 or more, as boxes are larger than
+ * their contents.
  *
- * Where floats leave undecided whether a line meets a face, doubles decide: for one in 100 of
- * the faces that are met in a mesh of 3000 faces, for one in 40 in a mesh of 300000. */
+ * Where floats cannot decide whether a line meets a face, doubles do: for one in 100 of the faces that are met in a
+ * mesh of 3000 faces, for one in 40 in a mesh of 300000. */
 #ifndef TIA_SIMD_RAYS_PAIRS_TMPL_H
 #define TIA_SIMD_RAYS_PAIRS_TMPL_H
 
 #include "slabs_tmpl.h"
 #include "triangle_tmpl.h"
 
-/* Lines in the form for the test of pairs, two floats a lane: D, M and the bound of an area. */
+/* Lines prepared for the test of pairs, with two floats per lane: D, M and the bound of an area, off + by c. */
 struct lines {
     struct line line;
     vp way[3], moment[3], off, by;
@@ -67,7 +69,8 @@ LANE_OP vp pair_edge(const struct lines *l, const float e[2][3][2])
            l->moment[2] * vp_load(e[1][2]);
 }
 
-/* Tests lines against a pair. The bound is larger than the error of any area, so a sum of 0 decides nothing wrongly. */
+/* Tests lines against a pair. The bound is strictly larger than the error of an area, so that an area equal to the
+ * bound is decided correctly. */
 LANE_OP struct passes pair_passes(const struct lines *l, const struct sure_pair *f)
 {
     vp a = pair_edge(l, f->edge[0]), b = pair_edge(l, f->edge[1]), c = pair_dot(l->way, f->whole) - a - b;

@@ -12,7 +12,7 @@
 
 #define PATH_COLUMNS 17
 
-/* A queued ray; its media stay here while it is traced. */
+/* A queued ray. Its media stay here even while it is traced. */
 struct queued_path {
     double number[PATH_COLUMNS];
     uint32_t bounce, layers;
@@ -24,7 +24,8 @@ struct queued_path {
  * planes. */
 #define OCTANTS 8
 
-/* Paths of a packet, each with the density with which it was scattered along its ray. rays.depth are bounces. */
+/* Paths of a packet: their rays, and the density with which each path was scattered in the direction of its ray.
+ * r.depth counts bounces. */
 struct paths {
     struct rays r;
     struct ve density;
@@ -32,7 +33,7 @@ struct paths {
 };
 
 struct path_state {
-    struct room room; /* this member and those after it are one packet's, too large for a stack */
+    struct room room; /* `room` to `paths` belong to one packet; they are too large for a stack */
     struct query query;
     struct shade shade;
     struct lobes lobes;
@@ -42,7 +43,7 @@ struct path_state {
     struct paths paths;
     struct sure_gather *gather;
     uint32_t blocker;
-    uint32_t seed[SURE_GATHERED]; /* of each sample's pixel */
+    uint32_t seed[SURE_GATHERED]; /* seed of each sample's pixel */
     struct queued_path ray[SURE_GATHERED];
     uint16_t waits[OCTANTS][SURE_GATHERED];
     int count[OCTANTS];
@@ -66,7 +67,7 @@ LANE_OP void mark_unsure(struct path_state *f, unsigned lanes, const uint32_t sl
             f->gather->unsure[slot[k]] = true;
 }
 
-/* Marks the samples of unsure lanes; returns the certain lanes. */
+/* Marks the samples of `unsure` lanes as undecided; returns the other lanes. */
 LANE_OP unsigned sure_of(struct path_state *f, unsigned lanes, vm unsure, const uint32_t slot[LANES])
 {
     unsigned gone = lanes & mbits(unsure);
@@ -106,7 +107,7 @@ static int fullest(const struct path_state *f)
     return most;
 }
 
-/* Takes up to LANES queued rays, those of one octant first; returns their lane mask. */
+/* Takes up to LANES queued rays, those of the fullest octant first; returns their lane mask. */
 static unsigned path_pop(struct path_state *f, struct paths *p)
 {
     static const double none[PATH_COLUMNS];
@@ -142,8 +143,8 @@ LANE_OP struct quads quads_of_paths(const struct path_state *f, const uint32_t s
 #undef INDEX
 }
 
-/* Returns the quads of a bounce: 0 for a place on a light and the next direction, 1 for choices. Quads that no lane
- * needs are not computed. */
+/* Returns a quad of each lane's bounce. `which` is 0 for a point on a light and the next direction, 1 for choices, see
+ * PATH_QUAD. */
 LANE_OP struct quads path_quads(const struct path_state *f, const struct paths *p, uint32_t which)
 {
     uint32_t quad[LANES];
@@ -160,8 +161,8 @@ LANE_OP vu path_choice(const struct path_state *f, const struct paths *p, unsign
     return quads_number(&quads, dimension);
 }
 
-/* Computes first rays by the fixed-point code: their window is small, and its unit is 2^-45 too, so that a bound on its
- * rounding would be the largest of all. */
+/* Computes camera rays by the fixed-point code. The camera's window is small but has units of 2^-45 too, so that a
+ * bound on its rounding would exceed all other bounds. */
 static void first_paths(const struct path_state *f, struct paths *p, const struct quads *first)
 {
     const struct sure_gather *g = f->gather;
@@ -190,7 +191,7 @@ static void first_paths(const struct path_state *f, struct paths *p, const struc
     p->r.p.from = (struct origin){vset(-1), vset(0), vset(0)};
 }
 
-/* Starts up to LANES samples beginning with `from`; returns their lane mask. *first: their first quads. */
+/* Starts up to LANES samples beginning with `from`; returns their lane mask. *first receives their first quads. */
 static unsigned path_start(struct path_state *f, int from, struct paths *p, struct quads *first)
 {
     const struct sure_gather *g = f->gather;
@@ -227,8 +228,8 @@ static void path_open(struct path_state *f, struct sure_gather *g)
         f->count[i] = 0;
 }
 
-/* Finds the nearest hit of each ray: objects, and with `lights` set the lights of kinds that paths meet; point lights
- * only in `specular` lanes. */
+/* Finds the nearest hit of each ray with an object and, if `lights` is set, with a light that paths can meet. Point
+ * lights are met only in `specular` lanes. */
 static void find_first(const struct sure_scene *s, struct room *room, struct query *q, struct packet *p, unsigned lanes,
                        bool lights, unsigned specular)
 {
@@ -263,10 +264,14 @@ LANE_OP void meet_other_light(const struct sure_scene *s, uint32_t n, const uint
     q->active = mor(q->active, mine);
 }
 
-/* Decides whether a ray is occluded before its end: by objects, transparent ones too, and by lights with a surface.
- * `ends` NULL: by no lights; otherwise by all but the light that each ray ends at, 2^-26 before it along its normal.
- * That light does not occlude: the fixed-point ray ends 2^-26 off its plane, or its sphere, which rounds by 2^-42, or
- * 2^-43 of its radius, from any start; while the bound on the place here is as large as that on the start. */
+/* Decides which rays are occluded before their ends. Objects occlude, even transparent ones. So do lights with a
+ * surface, unless `ends` is NULL.
+ *
+ * ends[k] is the number of the light at which the ray of lane k ends, 2^-26 before the light's surface along the
+ * normal. That light is not tested. In fixed point it never occludes: the ray ends 2^-26 off the light's plane or
+ * sphere, and roundings move the intersection by no more than 2^-42, or 2^-43 of the sphere's radius, wherever the ray
+ * starts. In doubles a test would be undecided, since the bound of the intersection is as large as that of the ray's
+ * origin. */
 static void find_hidden(const struct sure_scene *s, struct room *room, struct shadow *shadow, unsigned lanes,
                         const uint32_t *ends, uint32_t *blocker)
 {

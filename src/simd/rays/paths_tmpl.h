@@ -1,4 +1,4 @@
-/* paths_tmpl.h - the rays of a block: queued rays and hits, and the light they bring.
+/* paths_tmpl.h - the rays of a block: queues of rays and hits, and sums of the light that they add.
  *
  * Parameters: the doubles of isa/isa.h, the hooks of sure_check.h. Defines: push(), pop(), push_hits(), pop_hits(),
  * add_colour(), give_up(), struct rays, struct work, QUEUE_FULL, BLOCKERS. */
@@ -23,7 +23,7 @@ struct queued {
 #define QUEUE_FULL 24 /* above this number, queued rays are traced before further camera rays are started */
 #define BLOCKERS 16
 
-/* Rays of a packet: their throughput is within ew. */
+/* Rays of a packet. `weight` is their throughput, within ew. */
 struct rays {
     struct packet p;
     vd weight[3], ew;
@@ -31,15 +31,15 @@ struct rays {
     struct media media[LANES];
 };
 
-/* Rays and hits of a block. Hits are queued until they fill a packet: many rays of a packet meet nothing, and their
- * lanes would stay empty while the surfaces, lights and shadows of the others are computed. */
+/* Rays and hits of a block. Hits are queued until they fill a packet: many rays of a packet hit nothing, and their
+ * lanes would be idle while the hits of the other rays are shaded. */
 struct work {
     struct sure_block *block;
     uint32_t blocker[BLOCKERS];
     uint8_t class[SURE_SLOTS];
     uint16_t order[SURE_SLOTS];  /* order of the slots in packets */
-    double place[2][SURE_SLOTS]; /* positions of samples in the picture, in units of a pixel/(2 side^2) */
-    double rays[SURE_SLOTS];     /* largest number of rays so far, once paths may have layers */
+    double place[2][SURE_SLOTS]; /* positions of samples in the image, in units of 1/(2 side^2) pixel */
+    double rays[SURE_SLOTS];     /* upper limit of the number of each sample's rays so far */
     struct queued queue[QUEUE_SIZE], hits[2 * LANES];
     int count, hit_count;
     struct rays packet; /* this member and those after it are one packet's, too large for a stack */
@@ -57,7 +57,7 @@ LANE_OP vd *ray_column(struct rays *r, int i)
     return column[i];
 }
 
-/* Returns column i of a queued hit: the part of ray and query that a surface needs. */
+/* Returns column i of a queued hit. The columns are the numbers of a ray and its query that shading needs. */
 LANE_OP vd *hit_column(struct rays *r, struct query *q, int i)
 {
     vd *const column[COLUMNS] = {&r->p.o.x, &r->p.o.y,     &r->p.o.z,     &r->p.d.x,     &r->p.d.y,
@@ -77,8 +77,8 @@ LANE_OP void enqueue(struct queued *to, double number[COLUMNS][LANES], const str
     to->media = r->media[k];
 }
 
-/* Takes up to LANES items off the end of a queue, one for each lane: row[k] points to the numbers of lane k, all other
- * data are in r. Returns their number. */
+/* Takes up to LANES items off the end of a queue, one for each lane; returns their number. row[k] receives the address
+ * of the numbers of lane k; r receives all other data. */
 LANE_OP int dequeue(const struct queued *queue, int *count, struct rays *r, const double *row[LANES])
 {
     static const struct queued none;
@@ -116,8 +116,8 @@ LANE_OP void mark(struct work *w, uint32_t slot)
     w->block->unsure[slot] = true;
 }
 
-/* Counts rays of a sample. The fixed-point path stops after TIA_RAYS_MAX of them, which only paths with layers can
- * reach. */
+/* Adds to the number of a sample's rays. The fixed-point path ends a sample after TIA_RAYS_MAX rays, so a sample with
+ * more than half as many is undecided. Only paths with layers have so many rays. */
 LANE_OP void count_rays(struct work *w, uint32_t slot, double rays)
 {
     w->rays[slot] += rays;
@@ -125,10 +125,10 @@ LANE_OP void count_rays(struct work *w, uint32_t slot, double rays)
         mark(w, slot);
 }
 
-/* Drops undecided rays. No ray has a colour below 0 or above `brightest`: where throughput times that is small, half of
- * it is added and as much is added to the bound, which mostly leaves the pixel's levels as they are; otherwise the
- * sample is undecided. The throughputs of a generation add up to no more than that of the first ray, and each is 2^-16
- * or more. */
+/* Drops undecided rays. A ray's colour is between 0 and `brightest`. Where the throughput times `brightest` is small,
+ * half of this product is added to the sample's colour and to its bound; the pixel's levels mostly stay decided.
+ * Otherwise the sample is undecided. The throughputs of a generation of rays add up to that of the first ray at most,
+ * and each is 2^-16 or more, which limits the number of rays. */
 static void give_up(struct work *w, unsigned lanes, const struct rays *r, vd factor)
 {
     const struct sure_scene *s = w->block->scene;
@@ -160,7 +160,7 @@ static void push(struct work *w, unsigned lanes, struct rays *next, bool refract
     unsigned yes = lanes & mbits(vlt(least + margin, top)), no = mbits(vlt(top, least - margin));
     double number[COLUMNS][LANES];
 
-    (void)refracted; /* only the check uses it */
+    (void)refracted; /* used by check_push() only */
     give_up(w, lanes & ~(yes | no), next, vset(1));
     for (int i = 0; i < COLUMNS; i++)
         vstore(number[i], *ray_column(next, i));
@@ -179,7 +179,7 @@ static void push(struct work *w, unsigned lanes, struct rays *next, bool refract
     }
 }
 
-/* Takes queued rays; those of samples that are undecided by now are dropped. */
+/* Takes up to LANES queued rays; returns their lanes, without those whose samples have become undecided. */
 static unsigned pop(struct work *w, struct rays *r)
 {
     const double *row[LANES];

@@ -11,9 +11,9 @@ LANE_OP vd clamped(vd c)
     return vmin(vmax(c, vset(0)), vset(1));
 }
 
-/* Returns a colour's level: floor(c n + threshold), see num_levels(). *one stays set where all of mean +- error has
- * that level. 2^-40 covers the sums here and the fixed-point division by the samples: once in the error, where levels *
- * 2^-40 suffices, and once more for the product here, which no test notices. */
+/* Returns a colour's level: floor(c n + threshold), see num_levels(). *one is cleared where mean +- error includes
+ * several levels. PIXEL_LEVEL covers the roundings of this function, which no test notices. Those of the mean are part
+ * of `error`. */
 LANE_OP vd level_of(vd mean, vd error, double levels, vd threshold, vm *one)
 {
     vd low = vfloor(vmax(clamped(mean - error) * vset(levels) + threshold - BOUND(PIXEL_LEVEL), vset(0)));
@@ -23,7 +23,7 @@ LANE_OP vd level_of(vd mean, vd error, double levels, vd threshold, vm *one)
     return low;
 }
 
-/* Packs pixels from `first` on, those of a row. */
+/* Packs LANES pixels of a row, beginning with pixel `first` of the block. */
 LANE_OP void pack_pixels(struct sure_block *b, const vd mean[3], vd error, vd threshold, int first)
 {
     vd sum = BOUND_OF(PIXEL_ERROR, error) + BOUND(PIXEL_MEAN);

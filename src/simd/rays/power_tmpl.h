@@ -2,21 +2,22 @@
  *
  * Parameters: the doubles of isa/isa.h. Defines: power().
  *
- * The logarithm of m in sqrt(1/2)..sqrt(2) is 2 atanh z, z = (m - 1)/(m + 1): |z| <= 0.1716, so the series to z^15 is
- * off by 2 z^17/17 < 1.2e-14, and log2 by 2e-14 with its roundings. The exponential of a fraction in -1/2..1/2 times ln
- * 2 to the power 11: off by 0.3466^12/12! < 7e-15.
+ * The logarithm of m in sqrt(1/2)..sqrt(2) is 2 atanh z, with z = (m - 1)/(m + 1) and |z| <= 0.1716. Its series up to
+ * z^15 is off by 2 z^17/17 < 1.2e-14, and log2, roundings included, by 2e-14. The exponential function is applied to ln
+ * 2 times a fraction in -1/2..1/2. Its series up to the power 11 is off by 0.3466^12/12! < 7e-15.
  *
- * The logarithm's error is relative: the end of the series is z^16/17 < 3.4e-14 of the logarithm, roundings add 1e-15.
- * So y = e log2 x is off by 3.5e-14 |y|, and 2^y by 3.5e-14 ln 2 |y| 2^y < 1.3e-14, |y| 2^y being 0.531 at most, for
- * any e. With the exponential's 7e-15 and its roundings that is 2.1e-14; the fixed-point result is rounded to 2^-46,
- * and e squarings by 2^-62 before: 1.7e-14. Together they are below 2^-44. Below 2^-64 the result is 0: with |y| <
- * 64, 1.5 2^52 added to y rounds it. */
+ * The logarithm's error is relative: the rest of the series is z^16/17 < 3.4e-14 of the logarithm, and roundings add
+ * 1e-15. So y = e log2 x is off by 3.5e-14 |y|, and 2^y by 3.5e-14 ln 2 |y| 2^y < 1.3e-14 for any e, as |y| 2^y is
+ * 0.531 at most. With the exponential's 7e-15 and its roundings this is 2.1e-14. The fixed-point result is rounded to
+ * 2^-46, after e squarings rounded to 2^-62: 1.7e-14. Together the errors are below 2^-44.
+ *
+ * Results below 2^-64 are replaced by 0. So |y| is at most 64, and adding 1.5 2^52 rounds y to an integer. */
 #ifndef TIA_SIMD_RAYS_POWER_TMPL_H
 #define TIA_SIMD_RAYS_POWER_TMPL_H
 
 #include "vector_tmpl.h"
 
-/* Rounds x to an integer when added to it; the sum's lowest bits hold the integer. */
+/* The sum x + SHIFT is x rounded to an integer, which the sum's lowest bits hold. */
 #define SHIFT 6755399441055744.0 /* 1.5 2^52 */
 
 LANE_OP vd log2_of(vd x)

@@ -8,43 +8,48 @@
 
 #include "vector_tmpl.h"
 
-/* Rays for the box test, see slabs_tmpl.h, in floats: 1/d and (o +- pad)/d. Each lane has two floats side by side, one
- * for each of two boxes. */
+/* Rays prepared for the box test of slabs_tmpl.h, in floats: 1/d and (o +- pad)/d. Each lane has two floats side by
+ * side, one for each of two boxes. */
 struct slabs {
     vp inv[3];
-    vp in[3], out[3]; /* (o +- pad)/d of the nearer planes and of the farther ones, or of the minima and the maxima */
-    bool uniform;     /* all lanes have the same nearer planes; else rows are minima and maxima */
-    int near[3];      /* rows of the nearer planes in a box, which begin at 0 or 3 */
+    vp in[3], out[3]; /* (o +- pad)/d for the nearer and the farther planes, or for the minima and the maxima */
+    bool uniform;     /* all lanes have the same nearer planes; else `in` and `out` are for minima and maxima */
+    int near[3];      /* first row of the nearer planes in a box: 0 for the minima, 3 for the maxima */
 };
 
-/* Starts of rays on an object's surface: b off it and certainly moving away from it; object -1: elsewhere.
+/* Origins of rays that start on the surface of `object`, at a height b off it, and certainly move away from it.
+ * `object` is -1 for any other origin.
  *
- * The fixed-point point may be eo from the certified one, but it lies on its own surface: its roundings put it off that
- * by no more than some 2^-30 (a face is 2^-48 of its distance off the plane of its corners, a sphere's point 2^-43 of
- * its own; a unit of a placed shape's axes is 2^-35 at most, as scales are 2^10 at most), and b is 2^-26 at least: rays
- * of samples and of scenes with fine digits start that far off, others 2^-13 or, in larger units, less. A ray that goes
- * on straight starts b behind the point along itself; it must move away by 2^-2 of its length, or where b is 2^-20 or
- * more by 2^-6, which leaves 2^-28 and 2^-26. So the fixed-point ray does not meet the same plane or face, nor, from
- * outside, the same convex solid; from inside it meets that where it leaves. Without this, every ray would be undecided
- * once eo is b.
+ * The fixed-point point may be eo away from the certified one, but it lies on the same surface: roundings put it off by
+ * no more than about 2^-30. (A face's point is off the plane of the corners by 2^-48 of its distance, a sphere's point
+ * off the sphere by 2^-43 of its distance. A unit in an instance's axes is 2^-35 at most, as scales are 2^10 at most.)
+ * b is at least 2^-26: samples and scenes with fine digits use this height, others 2^-13 or, in larger units, less.
  *
- * Where a normal is interpolated a mirrored ray may go into its face: the height that it comes from has a far smaller
- * bound than its start, see return_to_face(). */
+ * A ray that goes straight on starts b behind the point, along itself. The cosine to the normal must then be at least
+ * 2^-2, or 2^-6 where b is 2^-20 or more. This leaves heights of 2^-28 and 2^-26.
+ *
+ * So the fixed-point ray does not meet the same plane or face again, nor, from outside, the same convex solid. From
+ * inside, it meets the solid where it leaves. Without this rule, every ray would be undecided as soon as eo is as large
+ * as b.
+ *
+ * Where the normal is interpolated, a mirrored ray may go back into its face. The bound of its height over the face is
+ * then far smaller than that of its origin, see return_to_face(). */
 struct origin {
     vd object, element;
-    vd side; /* 1 inside a solid, 0 outside, -b where the ray certainly returns to the face */
+    vd side; /* 1: inside a solid; 0: outside; -b: the ray certainly returns to its face from height b */
 };
 
 /* Rays: the fixed-point origin is within eo of o, the direction within ed of d. */
 struct packet {
     struct v3 o, d;
-    vd eo, ed, pad; /* pad: bound of their distance anywhere in the scene, see slabs_tmpl.h */
+    vd eo, ed, pad; /* pad: bound of the distance between certified and fixed-point ray anywhere in the scene */
     struct origin from;
     struct v3 inv; /* 1/d */
     struct slabs slabs;
 };
 
-/* Rays as lines: their moments O x D about a centre, and the bound of an edge's side, see triangle_tmpl.h. */
+/* Rays as lines: their moments O x D about a centre. An edge's area is within e + each times the face's extent, see
+ * triangle_tmpl.h. */
 struct line {
     struct v3 moment;
     const double *centre;
@@ -59,31 +64,31 @@ struct group_list {
     uint32_t group[LANES][GROUPS];
     bool sure[LANES][GROUPS];
     int count[LANES];
-    unsigned full; /* lanes with more than GROUPS */
+    unsigned full; /* lanes that meet more than GROUPS groups */
 };
 
 struct lines;
 struct room;
 
-/* Search for the nearest hit: t and e are those of the best hit, `low` is the least t - e of all other hits and
- * possible hits. The best hit is certain if t + e < low in the end; hits behind it may be undecided. Equal distances
- * are never certain: in fixed point the lower index wins.
+/* Search for the nearest hit. t and e are those of the nearest certain hit; `low` is the least distance that any other
+ * certain or possible hit may have. The nearest hit is decided if t + e < low at the end; hits behind it may stay
+ * undecided. Equal distances are never decided; in fixed point, the lower index then wins.
  *
  * Search for any hit: `blocked` lanes are certainly occluded, `maybe` lanes undecided. */
 struct query {
     const struct packet *p;
     struct room *room;         /* the call's memory, see walk_tmpl.h */
-    const struct lines *lines; /* relative to the centre of a mesh */
+    const struct lines *lines; /* lines relative to the centre of the mesh that is tested */
     vm active;
-    vd limit; /* hits certainly farther do not count */
+    vd limit; /* hits that are certainly farther do not count */
     bool any;
-    bool solid; /* any hit: every object occludes, except perhaps those with an opacity */
+    bool solid; /* search for any hit: all objects occlude, transparent ones too; an opacity is undecided */
     double object;
     bool opaque;
     vd t, e, ep, low; /* ep: bound of the point */
     vd id, element;
     vd distance, edistance;
-    vm blocked, maybe, met, may_meet; /* met, may_meet: hits of a single object that filters light */
+    vm blocked, maybe, met, may_meet; /* met, may_meet: lanes that hit the current object, which filters light */
     vd through[3], ethrough;
     uint32_t index, blocker;
     struct group_list *groups; /* NULL, or receives `group` of each hit */

@@ -51,7 +51,7 @@ LANE_OP vu vu_table(vu index, unsigned dimension)
 #endif
 }
 
-/* The quads of the lanes: scrambling seeds, and indices of the samples in the sequence. */
+/* A quad of each lane's sample: a seed for scrambling, and the sample's index in the shuffled sequence. */
 struct quads {
     vu hash, at;
 };

@@ -1,4 +1,4 @@
-/* round_tmpl.h - cones: geometry/round.c in numbers with bounds.
+/* round_tmpl.h - cones: the steps of geometry/round.c, in numbers with bounds.
  *
  * Parameters: the doubles of isa/isa.h. Defines: meet_round(), discriminant(), struct reach, struct quadratic. */
 #ifndef TIA_SIMD_RAYS_ROUND_TMPL_H
@@ -10,8 +10,8 @@
 
 #define MOST 131072.0 /* NUM_LENGTH_MAX */
 
-/* The ray in a cone's axes, struct beam of geometry/round.c, and the decisions so far: in `fine` lanes each decision is
- * certain, `miss` lanes certainly miss. */
+/* The ray in a cone's axes, as struct beam of geometry/round.c, and the decisions so far. In `fine` lanes all of them
+ * are certain; `miss` lanes certainly miss the cone. */
 struct beam {
     const struct sure_round *k;
     vm fine, miss;
@@ -20,7 +20,8 @@ struct beam {
     struct ve d0, d1, height, rise, pace, nearest, passing;
 };
 
-/* Computes the point nearest to the anchor, and makes two quick tests. False: all lanes miss. */
+/* Computes the point of the ray that is nearest to the anchor, and makes two quick tests: against a sphere around the
+ * anchor, and against a cylinder around the axis. False: all lanes miss. */
 LANE_OP bool beam_start(struct query *q, const struct sure_round *k, struct beam *b)
 {
     const struct packet *p = q->p;
@@ -41,7 +42,7 @@ LANE_OP bool beam_start(struct query *q, const struct sure_round *k, struct beam
     b->miss = mor(b->miss, vlt(q->limit, b->start - reach - b->estart));
     if (!any(mand(q->active, mnot(b->miss))))
         return false;
-    /* as passes_by() of geometry/round.c does; |Q|, whose square is flat, is at most 1 */
+    /* the test of passes_by() in geometry/round.c; |Q|, whose square is `flat`, is at most 1 */
     struct v3 a0 = v3_set(k->across[0]), a1 = v3_set(k->across[1]);
     vd y0 = v3_dot(p->d, a0), y1 = v3_dot(p->d, a1), flat = y0 * y0 + y1 * y1;
     vd aside = vabs(v3_dot(b->near, a0) * y1 - v3_dot(b->near, a1) * y0) - b->l1 * BOUND(CONE_ASIDE);
@@ -78,7 +79,7 @@ struct reach {
     struct ve in, out;
 };
 
-/* The quadratic, as struct quadratic of geometry/round.c, and the length that its roots are divided by. */
+/* The quadratic, as struct quadratic of geometry/round.c, and the length by which its roots are divided. */
 struct quadratic {
     struct ve g, m, w, n0, n1, ab, length;
     vm flatter, steeper;
@@ -107,7 +108,7 @@ LANE_OP struct quadratic quadratic_of(struct beam *b)
     return u;
 }
 
-/* Returns D of the roots, and decides whether there are any. */
+/* Returns D of the roots; lanes that certainly have no roots become misses. */
 LANE_OP struct ve discriminant(struct beam *b, const struct quadratic *u, struct ve e)
 {
     struct ve root = ve_sqrt(ve_of(vabs(u->ab.v), u->ab.e), &b->fine), wr = ve_mul(u->w, root);
@@ -153,12 +154,12 @@ LANE_OP struct reach height_reach(struct beam *b, vm rises)
     return (struct reach){ve_sel(rises, to_base, to_top), ve_sel(rises, to_top, to_base)};
 }
 
-/* Reports an end of the part inside both side and length: an end counts when it is ahead, and without caps when it is
- * the side's.
+/* Reports an end of the interval inside both the side and the heights: the first end that lies ahead. Without caps,
+ * only ends at the side count.
  *
- * From inside a cylinder the first end lies behind, see cylinder_tmpl.h. Of a cone this is
- * not true: close to its sharp edge b may lead out of it again, and from there a ray may enter it although it moves
- * away from the surface that it started on. */
+ * For a ray that starts inside a cylinder, the first end lies behind the origin, see cylinder_tmpl.h. This does not
+ * hold for a cone. Near its sharp edge, the offset b may put the origin outside again, and the ray may enter the cone
+ * from there, although it moves away from the surface on which it started. */
 LANE_OP void beam_report(struct query *q, struct beam *b, const struct reach *side, const struct reach *height,
                          vm rises)
 {

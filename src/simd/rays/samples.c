@@ -1,4 +1,4 @@
-/* samples.c - pixels of samples: blocks of them go to the SIMD kernels, undecided ones to the fixed-point path. */
+/* samples.c - sampled pixels: blocks of samples go to the SIMD kernels, undecided samples to the fixed-point path. */
 #include "bounds.h"
 #include "gather.h"
 #include "render/path/path.h"
@@ -17,7 +17,7 @@ static size_t room(const struct tia_simd *simd)
     return simd_room(sizeof(struct drawing), simd->sure->gather_memory);
 }
 
-/* Rounds a colour to units of 2^-24, see num_q24; false where the bound leaves several. */
+/* Rounds a colour to units of 2^-24, see num_q24. False if the bound e allows several results. */
 static bool rounded(double c, double e, int64_t *q24)
 {
     double low = c - e, high = c + e;
@@ -56,7 +56,7 @@ static void finish_sample(struct drawing *d, int i)
         sure = rounded(b->colour[i][c], e, &rgb[c]);
     d->all++;
     if (!sure) {
-        if (cancelled(&d->block.cancel, CANCEL_INTERVAL)) /* a sample may take long */
+        if (cancelled(&d->block.cancel, CANCEL_INTERVAL)) /* a fixed-point sample may take a while */
             return;
         d->unsure++;
         sample_exactly(d, b->x[i], b->y[i], b->index[i], b->index[i] + 1);
@@ -84,7 +84,7 @@ static void finish_block(struct drawing *d)
     b->count = 0;
 }
 
-/* True if doubles still save time: not where most samples are undecided. */
+/* True unless more than half of the samples so far were undecided: doubles then waste time. */
 static bool pays(const struct drawing *d)
 {
     return d->unsure * 2 <= d->all;
@@ -107,7 +107,8 @@ static void add_pixel(struct drawing *d, int x, int y, uint32_t first, uint32_t 
     }
 }
 
-/* Draws samples. Guides, the first hits of samples, are drawn by the fixed-point path. */
+/* Adds samples. Guides are data of the samples' first hits: if they are requested, the fixed-point path adds all
+ * samples. */
 static void sample(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end,
                    const struct tia_gathered *gathered, void *memory)
 {
@@ -156,8 +157,8 @@ static void light(const struct tia_view *view, struct tia_tile tile, const struc
         }
 }
 
-/* True if the SIMD kernels draw the view. The fixed-point path draws scenes without one of the strategies, and light
- * fields, whose neighbouring pixels have different eyes. */
+/* True if the SIMD kernels draw the view. The fixed-point path draws scenes without a hierarchy, scenes in which a
+ * sampling strategy is turned off, and light fields, whose neighbouring pixels have different eyes. */
 static bool draws(const struct tia_view *view)
 {
     return view->scene->bvh && !view->scene->integration.without && !view->scene->field;

@@ -3,7 +3,7 @@
  * Parameters: the doubles of isa/isa.h. Defines: lobes_of(), lobes_mirror(), respond(), phong_direction(), struct
  * lobes, struct response.
  *
- * Chances are those of the fixed-point code, material by material. */
+ * The chances of a material's lobes are equal to those of the fixed-point code, or undecided. */
 #ifndef TIA_SIMD_RAYS_SCATTER_TMPL_H
 #define TIA_SIMD_RAYS_SCATTER_TMPL_H
 
@@ -12,17 +12,16 @@
 enum { CHANCE_MIRROR, CHANCE_GLASS, CHANCE_GLOSSY, CHANCE_DIFFUSE };
 
 struct lobes {
-    const struct sure_lobes *of[LANES]; /* lobes of each lane's material; lanes without one have that of another lane */
-    struct sure_lobes mine[LANES];      /* lobes of textured materials with several lobes, whose chances depend on the
-                                           texel */
+    const struct sure_lobes *of[LANES]; /* lobes of each lane's material; unused lanes have those of another lane */
+    struct sure_lobes mine[LANES];      /* lobes of lanes with textured materials, whose chances depend on the texel */
     vd chance[4];
     unsigned glossy; /* lanes with a glossy lobe */
     struct v3 mirrored;
     vd emirrored;
 };
 
-/* Cuts the chances of a material with parts `part`, the last one within e, to 32 bits as the fixed-point code does;
- * `known` is false where the bound leaves several. */
+/* Computes the chances of a material's lobes from their parts `part`, the last one within e, and cuts them to 32 bits
+ * as the fixed-point code does. `known` is false if e allows several results. */
 static void cut_chances(const double part[4], double e, struct sure_lobes *to)
 {
     double sum = part[0] + part[1] + part[2] + part[3], before = 0;
@@ -82,14 +81,13 @@ LANE_OP void lobes_of(const struct sure_paths *paths, const struct shade *h, uns
         l->chance[i] = vgather(chance, i);
 }
 
-/* Sets the mirrored directions. If the normals of two mirrors differ by dn, their mirrored directions differ by 2
- * dn. */
+/* Sets the mirrored directions and their bounds. */
 LANE_OP void lobes_mirror(const struct shade *h, struct lobes *l)
 {
     l->mirrored = mirrored_at(h, &l->emirrored);
 }
 
-/* The reflected part of light times the cosine, and the density of its direction. */
+/* The reflected part of light from a direction, times the cosine, within e; and the density of this direction. */
 struct response {
     vd rgb[3], e;
     struct ve density;
@@ -114,7 +112,7 @@ static void add_glossy(const struct shade *h, const struct lobes *l, struct v3 t
     r->density.e = r->density.e + vsel(m, BOUND_OF(LOBE_DENSITY, part * ep) + BOUND(LOBE_DENSITY_UNITS), vset(0));
 }
 
-/* Evaluates light from `to`, at the cosine to the normal. */
+/* Evaluates the response to light from the direction `to`. `cosine` is its cosine to the normal. */
 LANE_OP void respond(const struct shade *h, const struct lobes *l, struct v3 to, vd eto, vd cosine, vd ecosine,
                      struct response *r)
 {
@@ -127,7 +125,7 @@ LANE_OP void respond(const struct shade *h, const struct lobes *l, struct v3 to,
         add_glossy(h, l, to, eto, cosine, ecosine, r);
 }
 
-/* Returns a direction of Phong's lobe around z, by the fixed-point code: a bound in doubles would be wide. */
+/* Returns directions of Phong's lobe around z, computed by the fixed-point code: a bound of doubles would be wide. */
 static struct v3 phong_direction(const struct shade *h, const vu u[2], unsigned lanes)
 {
     double d[3][LANES] = {{0}};

@@ -3,24 +3,25 @@
  * Parameters: the doubles and pairs of floats of isa/isa.h. Defines: packet_start(), enter_two(), lanes_of(), up().
  *
  * The certified and the fixed-point ray are at most `pad` apart everywhere in the scene. So if the fixed-point ray
- * enters a box, the certified ray enters the box enlarged by pad; (o +- pad)/d in place of o/d enlarges it. |d| is at
- * least 2^-60: a turn of the ray by this moves it by 2^-43, far less than pad's last term.
+ * enters a box, the certified ray enters the box enlarged by pad. (o +- pad)/d in place of o/d is such an enlargement.
+ * Components of d below 2^-60 are replaced by 2^-60. This turns the ray and moves it by up to 2^-43, far less than the
+ * last term of pad.
  *
- * In floats b inv - c is off by as much as v = 2^-24 for each of: inv and the product, of |b inv|; c, of |c|; the
- * difference, of itself. As a distance of the plane that is v (2 |b| + |c/inv| + |b - c/inv|) <= v (3 |b| + 2 |o|) and
- * second orders. With |b - o| at most `reach`, |b| <= |o| + reach, so it is below 8 v (|o| + reach): 2^-21 of that is
- * in pad, and covers the roundings of the doubles. Boxes are rounded outward, and limits up. So the entry into a box in
- * floats is never behind that of the fixed-point ray.
+ * For a plane at b, floats compute b inv - c. The errors, with v = 2^-24, are v |b inv| each for inv and for the
+ * product, v |c| for c, and v of the difference. As a distance of the plane this is v (2 |b| + |c/inv| + |b - c/inv|)
+ * <= v (3 |b| + 2 |o|), and terms of second order. As |b - o| is at most `reach`, |b| <= |o| + reach. So the error is
+ * below 8 v (|o| + reach). The last term of pad, 2^-21 (|o| + reach), covers this and the roundings of doubles. Boxes
+ * are rounded outward and limits up. So the computed entry into a box is never behind that of the fixed-point ray.
  *
- * The fixed-point roundings of an intersection need no room here: boxes are larger than their contents by 2^-16
- * (tia_bounds_with_margin), and no shape is met 2^-30 beside itself. */
+ * Fixed-point roundings of intersections need no margin here: boxes are larger than their contents by 2^-16
+ * (tia_bounds_with_margin), and roundings move no intersection as far as 2^-30 out of a shape. */
 #ifndef TIA_SIMD_RAYS_SLABS_TMPL_H
 #define TIA_SIMD_RAYS_SLABS_TMPL_H
 
 #include "query_tmpl.h"
 
-/* Prepares a packet for the boxes of a scene, or of a mesh: around a centre, the sum of the half axes being `extent`.
- * False in lanes whose rays are too far off for a margin around them. */
+/* Prepares a packet for the boxes of a scene or an instance, which lie within one box around `centre`; `extent` is the
+ * sum of its half axes. False in lanes whose error is too large for a margin around the ray. */
 LANE_OP vm packet_start(const double centre[3], double extent, struct packet *p, vm active)
 {
     vd tiny = vset(BOUND(SLABS_TINY)), zero = vset(0);
@@ -50,13 +51,15 @@ LANE_OP vm packet_start(const double centre[3], double extent, struct packet *p,
     return vlt(off, vset((extent + BOUND(SLABS_LEAST)) * BOUND(SLABS_WIDE)));
 }
 
-/* Returns a limit rounded up, so that a box beyond it is beyond it in floats too. */
+/* Returns a limit with a margin for its conversion to a float, so that a box within the limit is within it in floats
+ * too. */
 LANE_OP vd up(vd limit)
 {
     return limit + vabs(limit) * BOUND(SLABS_LIMIT);
 }
 
-/* Returns the lanes that may enter a node's children before their limits, and the distances there. */
+/* Returns the lanes that may enter a node's children before their limits, two bits per lane. *near receives the
+ * distances of the entries. */
 LANE_OP unsigned enter_two(const struct slabs *s, const struct sure_node *n, vp limit, vp *near)
 {
 #define PLANE(i) vp_load(n->box[i])
@@ -80,7 +83,7 @@ LANE_OP unsigned enter_two(const struct slabs *s, const struct sure_node *n, vp 
 #undef PLANE
 }
 
-/* Returns each second float of the pairs, from `place` on. */
+/* Returns one float of each pair: the first if `place` is 0, the second if it is 1. */
 LANE_OP vd lanes_of(vp pairs, int place)
 {
     float of[2 * LANES];

@@ -2,16 +2,19 @@
  *
  * Parameters: the doubles of isa/isa.h. Defines: meet_sphere().
  *
- * Across the ray P moves by lambda = eo + |tca| ed + U + 16 u |L|, along it only in second order, since P is at right
- * angles to D: `all` = eo + 2 |L| ed + 2 U + 16 u |L|, squared. So s = r^2 - |P|^2 is within
+ * P is off by lambda = eo + |tca| ed + U + 16 u |L| across the ray, and by `all` = eo + 2 |L| ed + 2 U + 16 u |L| in
+ * any direction. As P is at right angles to D, an error along the ray counts only in second order, as all^2. So s = r^2
+ * - |P|^2 is within
  *
  *     es = 2 |P| lambda + all^2 + 32 u r^2.
  *
- * s < -es is certainly a miss; otherwise |P| is at most r, except in lanes that are undecided anyway. thc is within
- * es/sqrt(s) + U + 4 u r, as |sqrt a - sqrt b| <= |a - b|/sqrt a; t is within eo + |P| ed, the bound of thc and the
- * roundings of tca. The point relative to C is -(P + thc D): across the ray it is within lambda + thc ed, along it
- * within |P| ed and the bound of thc; ep is their hypotenuse and 2 U. With the two parts apart a bounce multiplies
- * bounds by lambda/(r cos) + ed; with a single bound, by 20 times as much. */
+ * If s < -es, the ray certainly misses. Otherwise |P| is at most r, except in lanes that are undecided anyway. thc is
+ * within es/sqrt(s) + U + 4 u r, as |sqrt a - sqrt b| <= |a - b|/sqrt a. t is within the sum of eo, |P| ed, the bound
+ * of thc and the roundings of tca. The point relative to C is -(P + thc D). It is within lambda + thc ed across the
+ * ray, and within |P| ed and the bound of thc along the ray. ep is the hypotenuse of both, and 2 U.
+ *
+ * As these two bounds are separate, a direction is within lambda/(r cos) + ed after a bounce; with a single bound, this
+ * would be 20 times as large. */
 #ifndef TIA_SIMD_RAYS_SPHERE_TMPL_H
 #define TIA_SIMD_RAYS_SPHERE_TMPL_H
 
@@ -42,7 +45,7 @@ LANE_OP void meet_sphere(struct query *q, const double at[3], double radius)
     vd t0 = tca - thc, t1 = tca + thc;
     vm ahead = mand(vlt(e, t0), mnot(own)), within = mand(mor(own, vlt(t0, -e)), vlt(e, t1)), behind = vlt(t1, -e);
     vm sure = mand(hit, mor(ahead, within));
-    /* thc of undecided lanes is at most sqrt(s + es) <= sqrt(2) thc */
+    /* the fixed-point thc of undecided lanes is at most sqrt(s + es) <= sqrt(2) thc */
     vd reach = 2 * thc + e;
     vm passed = vlt(tca + reach, vset(0));
     vm may = mor(mand(hit, mnot(mor(sure, behind))), mand(unclear, mnot(passed)));

@@ -1,4 +1,4 @@
-/* spread_tmpl.h - one lane's point in all lanes, and sums over the lanes back in that lane.
+/* spread_tmpl.h - one lane's point broadcast to all lanes, and sums over all lanes added to that lane.
  *
  * Parameters: the doubles of isa/isa.h. Defines: vspread(), v3_spread(), spread_shade(), on_several(), gain_lane(). */
 #ifndef TIA_SIMD_RAYS_SPREAD_TMPL_H
@@ -24,7 +24,7 @@ LANE_OP vm mspread(vm m, int k)
     return mof(mbits(m) >> k & 1 ? (1u << LANES) - 1 : 0);
 }
 
-/* Broadcasts the part of a point that its lighting needs. */
+/* Broadcasts the members that the lighting of a point needs. */
 static void spread_shade(const struct shade *h, int k, struct shade *to)
 {
     to->point = v3_spread(&h->point, k);

@@ -3,15 +3,16 @@
  *
  * A pixel is first traced in doubles. Every quantity x carries a bound e on its distance from the fixed-point quantity,
  * whose roundings are included: |x_double - x_fixed| <= e. Each decision - hit or miss, the nearer of two, lit or not,
- * this level of a colour or the next - is taken only when it is the same all over x +- e. A sample with an undecided
- * decision is traced by the fixed-point code from its camera ray on. So the fixed-point path decides wherever doubles
- * might differ; a bound that is too small is the only way to a wrong bit, one that is too large only takes time.
+ * this level of a colour or the next - is made only where it is the same for all of x +- e. A sample with an undecided
+ * decision is traced by the fixed-point code from its camera ray on. So the fixed-point code decides wherever doubles
+ * might differ from it. A bound that is too small is the only way to a wrong bit, one that is too large only takes
+ * time.
  *
  * The result does not depend on lanes, their order, or fused products and sums: the bounds hold for any of them.
  * Instruction sets need not agree on which samples are certain.
  *
- * Here: the scene in doubles. Its constants are computed by the fixed-point functions and then converted, so each is
- * within 2^-53 of its size. */
+ * This file has the scene in doubles. Its constants are computed by the fixed-point functions and then converted, so
+ * each is off by 2^-53 of itself at most. */
 #ifndef TIA_SIMD_RAYS_SURE_H
 #define TIA_SIMD_RAYS_SURE_H
 
@@ -19,10 +20,10 @@
 
 #define SURE_INNER UINT32_MAX
 
-/* A node: two children side by side. A child's box is that of the hierarchy, in floats rounded outward. If `count` is
- * SURE_INNER the child is node `index`, else a leaf: items[index] .. items[index + count - 1]; of a mesh, pairs from
- * pairs[index] on. A root that is a leaf is the only child of a node, whose other child has no items and a box at
- * SURE_NOWHERE. */
+/* A node: its two children side by side. A child's box is that of the given hierarchy, in floats rounded outward. If
+ * `count` is SURE_INNER, the child is node `index`. Otherwise it is a leaf: items[index] .. items[index + count - 1]
+ * or, in a mesh, as many pairs from pairs[index] on. If the root is a leaf, it is the first child of the only node; the
+ * second child then has no items, and its box is at SURE_NOWHERE. */
 struct sure_node {
     float box[6][2]; /* minimum x, y, z, maximum x, y, z */
     uint32_t index[2], count[2];
@@ -32,27 +33,27 @@ struct sure_node {
 
 struct sure_face {
     double at[3][3], normal[3], smooth[3][3];
-    double extent; /* of all edges: the largest |x| + |y| + |z| */
-    double bend;   /* the largest distance between the smooth normals */
+    double extent; /* of the two edges at the first corner: the larger |x| + |y| + |z| */
+    double bend;   /* |x| + |y| + |z| of the other smooth normals' differences from the first, added */
     bool any, smoothed;
 };
 
-/* The edges of a face, each from A to B as seen from a centre: A x B and B - A. */
+/* The edges of a face, relative to a centre: A x B and B - A for an edge from A to B. */
 struct sure_edges {
     double edge[3][2][3];
 };
 
-/* Two faces side by side, in floats: of their first two edges as above, and the sum of all three A x B. `size` is c of
- * pairs_tmpl.h. If a leaf has an odd number of faces, the last one is in both places of its pair, the second time with
- * SURE_NONE. */
+/* Two faces side by side, in floats: their first two edges as in struct sure_edges, and the sum of all three A x B.
+ * `size` is c of pairs_tmpl.h. If a leaf has an odd number of faces, its last face takes both places of the last pair,
+ * and the second place has the `size` SURE_NONE. */
 struct sure_pair {
     float edge[2][2][3][2], whole[3][2], size[2];
     uint32_t face[2];
 };
 
-#define SURE_NONE -1e30f /* a value for which a line is always outside */
+#define SURE_NONE -1e30f /* size of a face that no line meets */
 #define SURE_LEAF 16     /* number of faces that are tested at once; a mesh of no more has no hierarchy */
-#define SURE_FEW 8       /* most items of a mesh below a node that becomes a leaf: pairs take less time than nodes */
+#define SURE_FEW 8       /* most items below a mesh's node that is made a leaf: pairs take less time than nodes */
 
 struct sure_tree {
     const struct sure_node *nodes;
@@ -61,10 +62,10 @@ struct sure_tree {
     const struct sure_pair *pairs; /* pairs of the faces, the items of a mesh's leaves */
     const uint32_t *groups;        /* groups of the faces, or NULL */
     uint32_t node_count;
-    double centre[3], extent; /* box of a mesh: its centre, and the sum of its half axes */
+    double centre[3], extent; /* of the box around all items: its centre, and the sum of its half axes */
 };
 
-/* Kinds of shapes; SURE_UNKNOWN: may be hit anywhere in its box. */
+/* Kinds of shapes. A shape of kind SURE_UNKNOWN may be hit anywhere in its box. */
 enum sure_kind {
     SURE_UNKNOWN,
     SURE_SPHERE,
@@ -85,10 +86,9 @@ struct sure_round {
 };
 
 struct sure_instance {
-    double position[3], axes[3][3], scale[3], inverse[3], least, most; /* least, most: of the scales */
-    double size;                                                       /* extent of the box in the world */
-    double centre[3], extent;                                          /* centre and extent of the shape in its own
-                                                                          axes */
+    double position[3], axes[3][3], scale[3], inverse[3], least, most; /* least, most: of `scale` */
+    double size;                                                       /* |min| + |max| of the box, summed over axes */
+    double centre[3], extent;                                          /* of the box in the shape's own axes */
 };
 
 struct sure_grid {
@@ -102,7 +102,7 @@ struct sure_object {
     bool opaque;                                       /* the object transmits no light */
     bool unclear;                                      /* its transmission is undecided */
     bool layered;                                      /* the object has an opacity */
-    bool grouped;                                      /* the object filters light once for each group of faces */
+    bool grouped;                                      /* shadow rays are filtered once for each group of faces */
     double at[3], radius, normal[3], axes[2][3], unit; /* a box has its corners in `at` and `normal` */
     const struct tia_mesh *faces;                      /* a mesh's faces */
     double transmission[3];
@@ -143,7 +143,7 @@ struct sure_light {
     double normal[3], across[2][3], reach[2];
     double brightest;
     double inner, outer;                      /* cosines of a spot light */
-    double constant, linear, quadratic, unit; /* attenuation of a light that has it */
+    double constant, linear, quadratic, unit; /* attenuation, if the light has it */
     bool seen;
     double (*place)[2][SURE_PLACES]; /* places of samples along the axes, for each class of pixel; NULL: there are too
                                         many */
@@ -167,24 +167,23 @@ struct sure_scene {
     uint32_t unbounded_count, light_count, depth;
     bool fixed_only; /* a light's kind lacks TIA_LIGHT_SIMD: the fixed-point path draws the whole scene */
     bool occluded;   /* objects occlude an ambient light: the fixed-point path draws the whole scene */
-    double brightest[TIA_DEPTH_MAX + 1]; /* largest colour of a ray, by its number of bounces */
-    double generations;       /* largest number of rays, each with no more light than the one before; 0: unlimited */
-    double centre[3], extent; /* box of all bounded objects and lights: its centre, and the sum of its half axes */
+    double brightest[TIA_DEPTH_MAX + 1]; /* largest colour component of a ray, by its number of bounces */
+    double generations; /* limit of the generations of rays, each with no more light than the one before; 0: none */
+    double centre[3], extent; /* box of all bounded objects: its centre, and the sum of its half axes */
     double background[3], bias;
     const struct sure_paths *paths; /* NULL unless the view has samples */
     struct sure_camera camera;
 };
 
-#define SURE_SIDE 16 /* width and height of a block, in pixels of one sample each */
+#define SURE_SIDE 16 /* width and height of a block whose pixels have one sample each */
 #define SURE_SLOTS (SURE_SIDE * SURE_SIDE)
-#define SURE_ENDS (SURE_SLOTS + 8) /* number of elements, since whole packets may extend beyond the last slot */
+#define SURE_ENDS (SURE_SLOTS + 8) /* elements of arrays of slots: whole packets may extend beyond the last slot */
 
-/* The work of a packet in items of cancel.h, besides its hits: so that 32 packets with few hits come between two calls
- * of `stop`. */
+/* The work of a packet besides its hits, in items of cancel.h. So `stop` is polled at least once in 32 packets. */
 #define SURE_PACKET (CANCEL_INTERVAL / 32)
 
-/* A block of pixels from (x, y) on; slot i is sample i % n of pixel i / n, where the pixels of a row are
- * consecutive. */
+/* A block of pixels, the first of which is (x, y). With n samples per pixel, slot i is sample i % n of pixel i / n;
+ * pixels are numbered row by row. */
 struct sure_block {
     const struct sure_scene *scene;
     struct cancel cancel;
@@ -192,7 +191,7 @@ struct sure_block {
     double colour[3][SURE_ENDS], error[SURE_ENDS];
     bool unsure[SURE_SLOTS];
     double threshold[SURE_SIDE][16]; /* thresholds of each row's pixels by x mod 8, stored twice */
-    tia_rgb565 pixels[SURE_ENDS];    /* pixels of undecided samples are not set */
+    tia_rgb565 pixels[SURE_ENDS];    /* undefined where `open` is set */
     bool open[SURE_ENDS];
 };
 
@@ -211,7 +210,7 @@ struct sure_kernels {
 #define SURE_UNIT P2M(45)                           /* unit of fixed-point coordinates */
 #define SURE_EPS P2M(53)                            /* half a unit in the last place of 1.0 */
 
-/* Units of Q16.16 and similar formats, and of 32 random bits: products with them are exact. */
+/* Units of Q16.16 and similar formats, and of 32 random bits. Products of integers with these are exact. */
 #define SURE_Q16 P2M(16)
 #define SURE_Q30 P2M(30)
 #define SURE_Q32 P2M(32)
@@ -222,7 +221,7 @@ static inline double sure_length(num_length x)
     return (double)x * SURE_UNIT;
 }
 
-/* Returns 2^bits, -28..31. */
+/* Returns 2^bits for bits in -28..31. */
 static inline double sure_two_to(int bits)
 {
     return bits < 0 ? 1 / (double)(INT64_C(1) << -bits) : (double)(INT64_C(1) << bits);
@@ -261,8 +260,8 @@ static inline double sure_most3(const double c[3])
     return most > c[2] ? most : c[2];
 }
 
-/* Returns a face's edges. Corners are integers in units of 2^-16 and a centre halves of them, so that only the products
- * of A x B are rounded. */
+/* Returns a face's edges. Corners are multiples of 2^-16 and the centre is a multiple of 2^-17, so that only A x B is
+ * rounded. */
 static inline struct sure_edges sure_edges_of(const struct sure_face *f, const double centre[3])
 {
     struct sure_edges e;
@@ -280,7 +279,7 @@ static inline struct sure_edges sure_edges_of(const struct sure_face *f, const d
     return e;
 }
 
-/* Returns the bytes for a scene. */
+/* Returns the size of a scene in bytes. */
 size_t tia_sure_size(const struct tia_scene *scene, uint32_t light_capacity);
 
 /* Returns the view's scene, in the view's memory. */
@@ -289,10 +288,10 @@ struct sure_scene *tia_sure_scene(const struct tia_view *view);
 /* Sets the scene, without its lights. */
 void tia_sure_prepare(struct tia_view *view);
 
-/* Sets the scene's lights, whenever they change. */
+/* Sets the scene's lights; called whenever they change. */
 void tia_sure_set_lights(struct tia_view *view);
 
-/* Arrays for the objects' data, with an element for each shape. */
+/* Arrays for the objects' data, with an element for each shape; in `objects` the spheres come first. */
 struct sure_places {
     struct sure_object *objects;
     struct sure_round *rounds;
@@ -301,26 +300,26 @@ struct sure_places {
     struct sure_instance *instances;
 };
 
-/* Number of nodes for a hierarchy of `count` nodes with boxes of their own. */
+/* Largest number of nodes made from a given hierarchy of `count` nodes. */
 #define SURE_NODES(count) (((count) + 1) / 2)
 
-/* Makes the nodes, with leaves of at most `few` items; returns their number. */
+/* Makes the nodes; returns their number. A given node with at most `few` items below it becomes a leaf. */
 uint32_t tia_sure_set_nodes(struct sure_node *to, const struct tia_bvh_tree *from, uint32_t few);
 
-/* Largest number of pairs of a mesh: of its nodes one more than half are leaves, each with half a pair empty at most.
- */
+/* Largest number of pairs of a mesh: (nodes + 1)/2 nodes are leaves, each of which leaves half a pair empty at most. */
 #define SURE_PAIRS(items, nodes) (((items) + ((nodes) + 1) / 2) / 2)
 
-/* Makes the pairs, and makes them the items of the leaves; returns their number. */
+/* Makes the pairs, and replaces the items of the leaves by them; returns their number. */
 uint32_t tia_sure_set_pairs(struct sure_pair *to, struct sure_node *nodes, const struct sure_tree *tree);
 
 void tia_sure_set_objects(struct sure_scene *scene, const struct sure_places *places);
 void tia_sure_set_face(struct sure_face *to, const struct tia_vec3 corner[3]);
 
-/* Gives the place of sample i of an area light along its axes, in a pixel of class `class`: see trace/ray_light.c. */
+/* Gives the coordinates of sample i of an area light along the light's axes, for pixels of class `class`, see
+ * trace/ray_light.c. */
 void tia_sure_place(const struct sure_light *light, unsigned i, unsigned class, double at[2]);
 
-/* Gives the colour of sample i of a pixel by the fixed-point path, not clamped. */
+/* Computes the colour of sample i of a pixel by the fixed-point path; it is not clamped. */
 void tia_sure_sample(const struct ray_view *view, int x, int y, int i, num_length colour[3]);
 
 #endif

@@ -1,4 +1,4 @@
-/* sure_scene.c - the scene in double precision, from the fixed-point one. */
+/* sure_scene.c - conversion of the fixed-point scene to double precision. */
 #include <tia/motion.h>
 
 #include "render/geometry/triangle.h"
@@ -8,7 +8,7 @@
 
 #define ALIGN64(n) (((n) + 63) / 64 * 64)
 
-/* Arrays in the caller's memory; `start` NULL: it is only measured. */
+/* Allocator of arrays in the caller's memory. If `start` is NULL, it only adds up their sizes. */
 struct room {
     char *start;
     uint64_t used;
@@ -26,7 +26,7 @@ struct places {
     struct sure_scene *scene;
     struct sure_node *nodes;
     struct sure_tree *meshes;
-    struct sure_face *faces; /* faces of meshes, one mesh after the other, then one for each shape */
+    struct sure_face *faces; /* the faces of all meshes, mesh by mesh, then one for each shape */
     struct sure_pair *pairs; /* pairs of meshes */
     struct sure_places of;
     struct sure_material *materials;
@@ -34,7 +34,7 @@ struct places {
     double (*places)[16][2][SURE_PLACES];
 };
 
-/* Divides the memory. Where objects move, it suffices for the hierarchy of any time. */
+/* Divides the memory; returns the bytes used. If objects move, they suffice for the hierarchy at any time. */
 static uint64_t divide(struct room *room, const struct tia_scene *scene, uint32_t light_capacity, struct places *p)
 {
     uint64_t objects = (uint64_t)scene->sphere_count + scene->shape_count, faces = scene->shape_count, pairs = 0;
@@ -96,7 +96,8 @@ static struct sure_tree tree_of(const struct tia_bvh_tree *tree, struct sure_nod
     return t;
 }
 
-/* Returns a mesh's tree. A mesh of few faces is one leaf: testing all of them takes less time than a hierarchy. */
+/* Returns a mesh's tree. A mesh of few faces is one leaf: testing all of them takes less time than traversing a
+ * hierarchy. */
 static struct sure_tree mesh_tree_of(const struct tia_bvh_tree *tree, struct sure_node **nodes)
 {
     struct tia_bvh_tree whole = *tree;

@@ -1,9 +1,10 @@
-/* sure_tile.c - a tile, block by block: certain pixels become RGB565, undecided samples go to the fixed-point path. */
+/* sure_tile.c - draws a tile block by block: certain pixels become RGB565, undecided samples go to the fixed-point
+ * path. */
 #include "bounds.h"
 #include "render/core/dither.h"
 #include "simd/simd.h"
 
-#define STRIP 16384 /* number of pixels: as many rows as fit, so that they are written in order */
+#define STRIP 16384 /* number of pixels of a strip: as many whole rows as fit are written to the surface at once */
 
 _Static_assert(STRIP >= TIA_SIZE_MAX, "a row fits");
 
@@ -19,8 +20,8 @@ static size_t room(const struct tia_simd *simd)
     return simd_room(sizeof(struct drawing), simd->sure->block_memory);
 }
 
-/* Replaces undecided samples by fixed-point ones, each of which may take long; their error is then only that of the
- * conversion. */
+/* Replaces undecided samples by fixed-point ones, each of which may take a while. The error of these is only that of
+ * the conversion. */
 static void replace_samples(struct sure_block *b)
 {
     num_length colour[3];
@@ -36,7 +37,7 @@ static void replace_samples(struct sure_block *b)
     }
 }
 
-/* Returns a pixel whose samples are all fixed-point ones. */
+/* Computes all samples of a pixel by the fixed-point path; returns the pixel. */
 static tia_rgb565 exact_pixel(struct sure_block *b, int x, int y, num_u threshold)
 {
     num_length mean[3] = {0, 0, 0}, colour[3];
@@ -114,8 +115,8 @@ static void light(const struct tia_view *view, struct tia_tile tile, const struc
     }
 }
 
-/* True if the SIMD kernels draw the view. Without a hierarchy there are no boxes; neighbouring pixels of a light field
- * have different eyes. */
+/* True if the SIMD kernels draw the view. They need the boxes of a hierarchy, and draw no light fields, whose
+ * neighbouring pixels have different eyes. */
 static bool draws(const struct tia_view *view)
 {
     return view->scene->bvh && !view->scene->field;

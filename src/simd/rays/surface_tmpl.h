@@ -11,20 +11,20 @@
 struct shade {
     struct v3 point, local, outside, geometric, normal, viewer;
     vd ep, elocal, eoutside, eg, en, ev, facing, efacing;
-    vd across; /* length of the part of the ray that may lie in the plane where the normal is off */
+    vd across; /* length of the direction's part in the plane in which the normal is off; at most 1 */
     vd colour[3], specular[3], mirror[3], refraction[3], emission[3], flat[3], exponent, ecolour;
     vm glossy, refracts, fresnel, back;
     vm unsure;
     vm exact; /* the normal's coordinates have the sign of the fixed-point ones, or are 0 where those are */
-    const struct sure_object *object[LANES]; /* NULL in other lanes */
+    const struct sure_object *object[LANES]; /* NULL in unused lanes */
     vd id, part;                             /* index and element of the query */
     uint32_t index[LANES], element[LANES], material[LANES];
-    const double *instance[LANES]; /* fields of struct sure_instance */
+    const double *instance[LANES]; /* each points to a struct sure_instance */
 };
 
 #define INSTANCE_AT(field) (int)(offsetof(struct sure_instance, field) / sizeof(double))
 
-/* Returns the address of a material's column i. */
+/* Returns the address of column i of the lanes' materials. */
 LANE_OP vd *shade_column(struct shade *h, int i)
 {
     vd *const group[] = {h->colour, h->specular, h->mirror, h->refraction, h->emission, h->flat};
@@ -55,7 +55,7 @@ LANE_OP void find_objects(const struct sure_scene *s, const struct query *q, uns
     }
 }
 
-/* Sets the columns of one material in its lanes; `groups`: those that any lane needs. */
+/* Sets a material's columns in the lanes that have it; `groups` are the groups of columns that any lane needs. */
 LANE_OP void set_columns(struct shade *h, const struct sure_material *m, uint32_t groups, vm lanes)
 {
     for (int i = 0; i < SURE_COLUMNS; i++)
@@ -63,7 +63,7 @@ LANE_OP void set_columns(struct shade *h, const struct sure_material *m, uint32_
             *shade_column(h, i) = vsel(lanes, vset(m->column[i]), *shade_column(h, i));
 }
 
-/* Returns the lanes whose materials have a texture. */
+/* Sets the materials; returns the lanes whose material has a texture. */
 static unsigned find_materials(const struct sure_scene *s, unsigned lanes, struct shade *h)
 {
     unsigned glossy = 0, refracts = 0, fresnel = 0, unknown = 0, textured = 0, same;
@@ -123,7 +123,7 @@ static void find_textures(const struct sure_scene *s, unsigned textured, struct 
         add_texture(s, h, __builtin_ctz(textured));
 }
 
-/* Computes the points in the axes of their objects; only those of instances differ from the world's. */
+/* Converts the points to the axes of their objects; returns the lanes on instances, whose axes are not the world's. */
 static unsigned find_local(struct shade *h)
 {
     static const struct sure_instance none = {
@@ -180,7 +180,7 @@ static void place_normals(struct shade *h, unsigned placed)
     h->exact = mand(h->exact, mnot(mof(placed)));
 }
 
-/* Sets normals of spheres: the direction from the centre. */
+/* Sets the normals of spheres, which point away from the centre. */
 static void round_normals(struct shade *h, unsigned lanes)
 {
     static const double zero[3];
@@ -202,11 +202,11 @@ static void round_normals(struct shade *h, unsigned lanes)
 
 #define ROUND_AT(field) (int)(offsetof(struct sure_round, field) / sizeof(double))
 
-/* Sets normals of the sides of cylinders and cones: the direction from the axis, turned by the slope. Its parts are at
- * right angles and of lengths cosine and sine, so the sum is of length 1 within the roundings. Where a ray has the part
- * f across the axis, a cylinder's point moves across by f ep at most, see cylinder_tmpl.h: the fixed-point f' is below
- * f + ed. That bound has 4 u t to spare; the other roundings of doubles are 2 u of the point and 4 u of its way from
- * the base. The normal is off across the axis, but for 2^-48. */
+/* Sets the normals of the sides of cylinders and cones: the direction away from the axis, tilted by the slope. Their
+ * parts across and along the axis have the lengths cosine and sine, so their length is 1 but for roundings. A
+ * cylinder's point is off by f' ep at most across the axis (cylinder_tmpl.h), where f' <= f + ed is the length of the
+ * fixed-point direction's part across it. That bound has 4 u t to spare; doubles also round by 2 u of the point and 4 u
+ * of its way from the base. The normal is off across the axis only, but for 2^-48. */
 static void side_normals(struct shade *h, unsigned lanes)
 {
     static const struct sure_round none;
@@ -238,7 +238,7 @@ static void side_normals(struct shade *h, unsigned lanes)
     h->eg = vsel(mof(side), e + BOUND(SIDE_ROUNDING), h->eg);
 }
 
-/* Sets smooth normals: those of the corners by their opposite areas, in the projection along the face's main axis. */
+/* Sets smooth normals: the corners' normals, weighted by the opposite areas as seen along the face's main axis. */
 static void smooth_normals(struct shade *h, const struct sure_face *const face[LANES], unsigned smooth)
 {
     static const struct sure_face none;
@@ -282,7 +282,7 @@ _Static_assert(offsetof(struct sure_face, smooth) == 12 * sizeof(double) &&
                    offsetof(struct sure_face, bend) == 22 * sizeof(double),
                "columns of a face");
 
-/* Returns the normal of an element that has only one: of planes, caps, boxes and faces. *turned: negate it. */
+/* Returns the normal of a plane, cap, box or face. *turned is set if it must be negated. */
 static const double *flat_normal(const struct shade *h, int k, const struct sure_face **face, bool *turned)
 {
     static const double axes[6][3] = {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}};
@@ -336,7 +336,7 @@ static void find_normals(struct shade *h, unsigned lanes)
         smooth_normals(h, face, smooth);
 }
 
-/* Turns the normals to the viewer. */
+/* Turns the normals towards the viewer. */
 LANE_OP void turn(struct shade *h)
 {
     vd side = v3_dot(h->geometric, h->viewer), bound = BOUND_OF(SIDE, h->eg + h->ev + BOUND(COSINE));
@@ -349,15 +349,15 @@ LANE_OP void turn(struct shade *h)
     h->efacing = BOUND_OF(FACING, h->en + h->ev + BOUND(COSINE));
 }
 
-/* Returns mirrored rays: two mirrors whose normals differ by dn, no less than the sine of their angle, turn the part of
- * D in the plane of the normals by twice that angle, so that (R' - R) D is 2 dn |that part| long. */
+/* Returns the mirrored directions. If two mirrors' normals differ by dn, their angle has a sine of dn at most. The part
+ * of D in the plane of the normals is mirrored to directions twice that angle apart: 2 dn |that part| at most. */
 LANE_OP struct v3 mirrored_at(const struct shade *h, vd *ed)
 {
     return v3_unit(v3_sub(v3_scale(h->normal, 2 * h->facing), h->viewer),
                    BOUND_OF(MIRRORED, 2 * h->across * h->en + h->ev) + BOUND(MIRRORED_ROUNDING), ed);
 }
 
-/* Returns the start of rays off the surface: P + b G, or P - b G. */
+/* Returns the origin of rays off the surface, P + bias G. */
 LANE_OP struct v3 off_surface(const struct sure_scene *s, const struct shade *h, double bias, vd *eo)
 {
     struct v3 o = v3_along(h->point, h->geometric, vset(bias));
@@ -367,7 +367,7 @@ LANE_OP struct v3 off_surface(const struct sure_scene *s, const struct shade *h,
     return o;
 }
 
-/* Returns the origin of rays in direction d, `sign` G off the surface: certainly moving away, or undecided. */
+/* Classifies rays from the side `sign` G of the surface, in direction d: certainly leaving it, or undecided. */
 LANE_OP struct origin leaving(const struct shade *h, struct v3 d, vd ed, double sign, double least)
 {
     vm away = vlt(BOUND_OF(LEAVING, h->eg + ed + vset(BOUND(COSINE) + least)), v3_dot(h->geometric, d) * sign);
@@ -376,7 +376,7 @@ LANE_OP struct origin leaving(const struct shade *h, struct v3 d, vd ed, double 
     return (struct origin){vsel(away, h->id, vset(-1)), h->part, vsel(inside, vset(1), vset(0))};
 }
 
-/* Computes the points that the rays of these lanes hit. */
+/* Computes the surfaces at the points that the rays of these lanes hit. */
 static void find_surfaces(const struct sure_scene *s, const struct packet *p, const struct query *q, unsigned lanes,
                           struct shade *h)
 {

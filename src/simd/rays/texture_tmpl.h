@@ -78,7 +78,9 @@ static void grid_coordinates(const struct texture_point *p, struct coordinates *
     box_coordinates(p, min, size, p->element % 6, c);
 }
 
-/* Sets barycentric coordinates, as smooth_normals() does, where they are within 3 ew as well; then the mesh's own. */
+/* Sets the barycentric coordinates, as smooth_normals() does. Their bound is three times that of a part, as the
+ * fixed-point code may clamp some to 0. If the mesh has coordinates of its own, these are interpolated. False: the face
+ * is too small. */
 static bool face_coordinates(const struct texture_point *p, struct coordinates *c)
 {
     const struct sure_object *o = p->object;
@@ -123,8 +125,8 @@ static bool face_coordinates(const struct texture_point *p, struct coordinates *
     return true;
 }
 
-/* Computes atan2(y, x)/(2 pi) by the fixed-point function, of a vector of length 1 or less within e: the angle is
- * within e over its length. False where that is too much, and near the jump at 1/2. */
+/* Computes atan2(y, x)/(2 pi) by the fixed-point function. The vector (x, y) has a length of 1 or less and is within e,
+ * so its angle is within e over its length. False if this is too large, and near the jump at 1/2. */
 static bool angle_of(double y, double x, double e, double *angle, double *bound)
 {
     double size = __builtin_sqrt(x * x + y * y), full = (double)(INT64_C(1) << 62);
@@ -212,7 +214,7 @@ static bool coordinates_of(const struct texture_point *p, struct coordinates *c)
     }
 }
 
-/* Finds the largest integer not above x, which is within e and at most 2^30; false: it may be either of two. */
+/* Gives the floor of x, which is within e. False if there are two candidates, or if |x| + e is 2^30 or more. */
 static bool floor_of(double x, double e, int64_t *n)
 {
     double low = __builtin_floor(x - e), high = __builtin_floor(x + e);
@@ -230,8 +232,7 @@ static const uint8_t *texel_at(const struct tia_texture *t, int64_t x, int64_t y
     return t->texels + 3 * ((size_t)(t->height - 1 - y) * t->width + (size_t)x);
 }
 
-/* Interpolates texels bilinearly: the result is continuous everywhere, and its slope is at most from 0 to 1 within a
- * texel. */
+/* Interpolates texels bilinearly. The result is continuous, and changes by 1 per texel at most. */
 static void blend_texels(const struct tia_texture *t, const double place[2], double rgb[3])
 {
     double x = __builtin_floor(place[0]), y = __builtin_floor(place[1]), right = place[0] - x, up = place[1] - y;

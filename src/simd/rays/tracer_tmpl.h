@@ -67,7 +67,7 @@ static void add_own(struct work *w, unsigned *lanes, const struct shade *h, cons
                    BOUND(COLOUR_UNITS));
 }
 
-/* Adds the light at the ends of rays, and spawns the rays that go on from there. */
+/* Adds the light of the surfaces that rays hit, and spawns the rays that continue from there. */
 static void shade(struct work *w, struct rays *r, const struct query *q, unsigned lanes)
 {
     struct shade *h = &w->shade;
@@ -84,7 +84,7 @@ static void shade(struct work *w, struct rays *r, const struct query *q, unsigne
 
 static void shade_hits(struct work *w, struct rays *r)
 {
-    unsigned lanes = pop_hits(w, r, &w->query); /* only the columns that a surface needs */
+    unsigned lanes = pop_hits(w, r, &w->query); /* sets only the columns of hit_column() */
 
     if (lanes)
         shade(w, r, &w->query, lanes);
@@ -110,8 +110,7 @@ static void follow(struct work *w, struct rays *r, unsigned lanes)
         shade_hits(w, r);
 }
 
-/* Sets rays through the positions x, y of the image, both in 0..1. Each product with an axis is rounded by half a unit,
- * and so are the window and the depth. */
+/* Sets rays through the points (x, y) of the image, both coordinates in 0..1. */
 static void camera_rays(const struct sure_camera *c, vd x, vd y, struct packet *p)
 {
     vd h = vset(c->left) + vset(c->across) * x, v = vset(c->top) - vset(c->upward) * y;
@@ -136,7 +135,7 @@ static void camera_rays(const struct sure_camera *c, vd x, vd y, struct packet *
         &p->ed);
 }
 
-/* Returns the place of a pixel in the order of packets: a packet has 4 x 2 neighbours, or 2 x 2. */
+/* Returns the place of a pixel in the order of packets: 8 lanes take 4 x 2 neighbouring pixels, 4 lanes 2 x 2. */
 LANE_OP int place_in_packets(const struct sure_block *b, int x, int y)
 {
     const int across = LANES < 4 ? 1 : LANES / 2;
@@ -173,7 +172,7 @@ static void place_pixels(struct work *w, const struct sure_block *b)
         }
 }
 
-/* Opens a block whose samples have no colour yet. */
+/* Begins a block: sets the colours of all samples to 0. */
 static void work_open(struct work *w, struct sure_block *b)
 {
     w->block = b;
@@ -210,7 +209,7 @@ static unsigned first_rays(const struct work *w, int from, int count, struct ray
     return lanes;
 }
 
-/* Continues with hits or rays, whichever queue is longer. */
+/* Shades a packet of hits or traces a packet of rays, whichever queue is longer. */
 static void go_on_with(struct work *w, struct rays *r)
 {
     unsigned lanes;

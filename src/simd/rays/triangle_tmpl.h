@@ -2,26 +2,30 @@
  *
  * Parameters: the doubles of isa/isa.h. Defines: meet_face(), meet_plane_of(), face_sides(), line_of(), struct sides.
  *
- * With a, b from the origin to two corners, D.(a x b) has the sign of the fixed-point area, sheared along the ray,
- * times that of D's main component. It is D.(a x (b - a)): an origin that is off by eo moves a, not the edge, so it
- * changes by |b - a| eo; a direction that is off by ed changes it by ed |a| |b - a|. Edges are no longer than twice the
- * extent; corners no farther than `far`, the origin's |x| + |y| + |z| from a centre and the most of a corner's, R.
+ * Let a and b lead from the origin to two corners. D.(a x b) has the sign of the fixed-point area, whose corners are
+ * projected along the ray, times that of D's main component. It equals D.(a x (b - a)). An origin that is off by eo
+ * moves a, not the edge, and changes the area by |b - a| eo. A direction that is off by ed changes the area by ed |a|
+ * |b - a|. Edges are no longer than twice the face's extent. Corners are no farther than `far`: the origin's |x| + |y|
+ * + |z| from a centre, plus R, the largest distance of a corner from it.
  *
- * Of A, B and O from that centre it is D.(A x B) + (O x D).(B - A), of which A x B and B - A are the face's and O x D
- * the ray's. Roundings: the sizes of the former's terms add up to R^2 at most, those of the latter's to |O| 2 R, in all
- * far^2. A term of the former is rounded by its product and difference, then by the product with D and five sums; one
- * of the latter by the centre's difference, then as often: nine times. The fixed-point corners are aside by 2^-46 +
- * 2^-59 z, in coordinates below 2 far, so their areas by 8 far (2^-46 + 2^-59 far): far 2^-42, and far less than the
- * doubles' own part. Inside: all three are certainly of one sign.
+ * With A, B and O relative to that centre, the area equals D.(A x B) + (O x D).(B - A). A x B and B - A depend on the
+ * face only, O x D on the ray only. The sizes of the first product's terms add up to R^2 at most, those of the second's
+ * to |O| 2 R, together far^2. A term of the first is rounded by the product and the difference of A x B, the product
+ * with D, and five sums. A term of the second is rounded by the difference of O and the centre, and then as often: nine
+ * times in all.
  *
- * t comes from the plane here, from a weighted mean of the corners there: that is off the plane by no more than its
- * corners are (geometry/triangle.c), l 2^-48. */
+ * The fixed-point corners are displaced by 2^-46 + 2^-59 z, in coordinates below 2 far, so their areas are off by 8 far
+ * (2^-46 + 2^-59 far). The first part is covered by far 2^-42; the second is far less than the roundings of doubles. A
+ * line is inside a face where all three areas certainly have one sign.
+ *
+ * Here t comes from the plane, in fixed point from a weighted mean of the corners. That mean is no farther off the
+ * plane than its corners are (geometry/triangle.c), l 2^-48. */
 #ifndef TIA_SIMD_RAYS_TRIANGLE_TMPL_H
 #define TIA_SIMD_RAYS_TRIANGLE_TMPL_H
 
 #include "flat_tmpl.h"
 
-/* The sides of a face's edges: the side on which each line passes. */
+/* The lines that certainly pass inside all edges of a face, and those that certainly pass outside of one. */
 struct sides {
     vm inside, outside;
 };
@@ -56,10 +60,10 @@ LANE_OP vm returns_to(const struct query *q, vd element)
     return mand(mand(from_object(q), from_element(q, element)), vlt(q->p->from.side, vset(0)));
 }
 
-/* Reports the hits of rays that return to their face. They start at a height b that does not depend on the place on the
- * face, so that t is b/|D.N|, and eo is no part of its bound. Error of the fixed-point height: corners were aside by
- * 2^-46 + 2^-59 z, in two coordinates, z below 2^17, which is 2^-41.4 of the plane; t by some units, eight with the
- * point's roundings, 2^-42; and b G by one: less than 2^-40. */
+/* Sets the distances of rays that return to their own face. They start at a height b over it, wherever on the face, so
+ * that t is b/|D.N|, and its bound does not include eo. The fixed-point height is off by less than 2^-40: corners were
+ * displaced by 2^-46 + 2^-59 z in two coordinates, z below 2^17, which moves the plane by 2^-41.4; the roundings of t
+ * and of the point are eight units, 2^-42, that of b G is one. */
 LANE_OP void return_to_face(const struct query *q, struct v3 n, vd round, vd more, struct flat *f, vd *ep, vm back)
 {
     vd size = vsel(f->steep, vabs(v3_dot(q->p->d, n)), vset(1)),

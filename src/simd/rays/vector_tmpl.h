@@ -1,4 +1,4 @@
-/* vector_tmpl.h - vectors with a component per lane.
+/* vector_tmpl.h - 3D vectors whose components have one number per lane.
  *
  * Parameters: the doubles of isa/isa.h. Defines: struct v3 and its operations v3_*(), v3_unit(), vgather(), vfloor(),
  * vload(), vstore(), lane_of(), any(), mnone(), as_integers(), as_doubles(), most3(), EACH_LANE(), INFINITE. */
@@ -29,8 +29,8 @@ LANE_OP vd as_doubles(vi i)
     return a;
 }
 
-/* Returns the largest integer not above x, |x| < 2^51: x is rounded to nearest by adding 1.5 2^52, less 1 if that is
- * above x. */
+/* Returns the floor of x, |x| < 2^51: adding 1.5 2^52 rounds x to nearest, and 1 is subtracted if the result is above
+ * x. */
 LANE_OP vd vfloor(vd x)
 {
     vd nearest = (x + vset(6755399441055744.0)) - vset(6755399441055744.0);
@@ -109,7 +109,7 @@ LANE_OP struct v3 v3_cross(struct v3 a, struct v3 b)
     return (struct v3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/* Returns |x| + |y| + |z|, which is at least the length and measures roundings. */
+/* Returns |x| + |y| + |z|, which is at least the length; roundings are measured as parts of it. */
 LANE_OP vd v3_sum(struct v3 a)
 {
     return vabs(a.x) + vabs(a.y) + vabs(a.z);
@@ -125,13 +125,14 @@ LANE_OP vd most3(const vd c[3])
     return vmax(vmax(c[0], c[1]), c[2]);
 }
 
-/* Returns v/|v|, where the fixed-point v is within e, and in *ed the bound on its distance from the fixed-point one:
- * the angle between them is at most that whose sine is x = e/|v|, and the chord of it is
+/* Returns v/|v|. The fixed-point v is within e, and *ed receives the bound on the distance between this v/|v| and the
+ * fixed-point one. The sine of the angle between them is at most x = e/|v|, so their distance, the chord of the angle,
+ * is at most
  *
- *     x sqrt(2/(1 + sqrt(1 - x^2))) <= (1 + 2^-10) x   for x < 1/16,
+ *     x sqrt(2/(1 + sqrt(1 - x^2))) <= (1 + 2^-10) x   for x < 1/16.
  *
- * and 2^-50 for the roundings of both: 5 u here, and num_normalise is within 2^-58. For larger x *ed is 4, and every
- * lane undecided, as two unit vectors are never farther apart. */
+ * The roundings of both add 2^-50: 5 u here, and 2^-58 by num_normalise. For larger x, *ed is 4, which leaves the lane
+ * undecided, as unit vectors are no farther apart than 2. */
 LANE_OP struct v3 v3_unit(struct v3 v, vd e, vd *ed)
 {
     vd inverse = 1 / vmax(vsqrt(v3_dot(v, v)), vset(1e-30)), relative = e * inverse;
@@ -140,8 +141,8 @@ LANE_OP struct v3 v3_unit(struct v3 v, vd e, vd *ed)
     return v3_scale(v, inverse);
 }
 
-/* Initialises a vector with of(0), of(1), ..., one for each lane. Such a vector goes through registers; stored one by
- * one and loaded as a whole, it would have to wait for all the stores. */
+/* Initialises a vector with of(0), of(1), ..., one for each lane. The numbers go through registers: a load of a vector
+ * whose elements have just been stored one by one would wait for all these stores. */
 #if LANES == 1
 #define EACH_LANE(of) of(0)
 #elif LANES == 2

@@ -1,8 +1,8 @@
-/* walk_paths_tmpl.h - samples in packets: light along random paths, bounce by bounce.
+/* walk_paths_tmpl.h - path tracing in packets, bounce by bounce.
  *
  * Parameters: the doubles of isa/isa.h. Defines: walk_paths(), for the table of lanes.h.
  *
- * Each step is that of render/path/path.c; bounds are carried from one to the next. */
+ * Each step is that of render/path/path.c, and passes its bounds to the next step. */
 #ifndef TIA_SIMD_RAYS_WALK_PATHS_TMPL_H
 #define TIA_SIMD_RAYS_WALK_PATHS_TMPL_H
 
@@ -10,8 +10,9 @@
 #include "look_tmpl.h"
 #include "occlude_tmpl.h"
 
-/* Returns the lanes that survive Russian roulette, see path.c: the chance is the largest throughput m, cut to 32 bits,
- * and must be the same all over m +- ew where the path survives. */
+/* Returns the lanes that survive Russian roulette, see path.c. The chance is the largest component m of the throughput,
+ * cut to 32 bits. The throughputs of survivors are divided by it, so it must be the same for all of m +- ew, else the
+ * sample is undecided. */
 static unsigned survivors(struct path_state *f, unsigned lanes, struct paths *p)
 {
     const vd all = vset(4294967296.0), largest_chance = vset(UINT32_MAX);
@@ -33,7 +34,8 @@ static unsigned survivors(struct path_state *f, unsigned lanes, struct paths *p)
     return lanes;
 }
 
-/* Gives the random numbers of directions: those of the first quad at the first bounce, which may come after layers. */
+/* Gives the random numbers of the next directions. At the first bounce, even after layers, they are those of the first
+ * quad. */
 LANE_OP void direction_numbers(const struct path_state *f, const struct paths *p, vu u[2])
 {
     uint32_t quad[LANES];
@@ -45,7 +47,7 @@ LANE_OP void direction_numbers(const struct path_state *f, const struct paths *p
     u[1] = quads_number(&quads, 3);
 }
 
-/* Continues paths by Lambert's law or Phong's lobe. */
+/* Continues paths by Lambert's law or, in `shiny` lanes, by Phong's lobe. */
 static __attribute__((noinline)) void scatter_paths(struct path_state *f, unsigned lanes, unsigned shiny,
                                                     const struct paths *p, const struct shade *h, const struct lobes *l)
 {
@@ -111,7 +113,7 @@ static __attribute__((noinline)) void reflect_paths(struct path_state *f, unsign
     go_on(f, lanes, p, &next, NULL);
 }
 
-/* Chooses one lobe of the surface for each path. */
+/* Chooses one lobe of the surface for each path, and continues the path by it. */
 static void bounce_paths(struct path_state *f, unsigned lanes, const struct paths *p, const struct shade *h,
                          struct lobes *l)
 {
@@ -146,7 +148,7 @@ static void bounce_paths(struct path_state *f, unsigned lanes, const struct path
         enter_glass(f, glass, p, h, l, path_choice(f, p, 3));
 }
 
-/* Returns the lanes whose paths continue; those with undecided lobes are dropped. */
+/* Returns the lanes whose paths continue; samples whose lobes are undecided become undecided. */
 static unsigned going_on(struct path_state *f, unsigned lanes, const struct paths *p, const struct lobes *l)
 {
     unsigned black = 0, unknown = 0;

@@ -1,5 +1,5 @@
-/* walk_tmpl.h - packets through the hierarchy: the nearest hit of each ray, and the occlusion between a point and a
- * light.
+/* walk_tmpl.h - traversal of the hierarchy by packets: the nearest hit of each ray, and the occlusion between a point
+ * and a light.
  *
  * Parameters: the doubles and pairs of floats of isa/isa.h, the hooks of sure_check.h. Defines: find_nearest(),
  * begin_nearest(), end_nearest(), find_shadow(), meet_one(), meet_unbounded(), meet_light(), struct shadow, struct
@@ -21,7 +21,7 @@
 #include "sure_check.h"
 #include "triangle_tmpl.h"
 
-/* Shadow rays, and the part of their transmission that is decided. */
+/* Shadow rays and their results: the lanes that are blocked or undecided, and the transmission of the other lanes. */
 struct shadow {
     struct packet p;
     vd distance, edistance;
@@ -30,7 +30,8 @@ struct shadow {
     uint32_t work;
 };
 
-/* Memory of walks, which lies in the call's memory, since a thread's stack may be too small for it. */
+/* Working storage of hierarchy walks. It is part of the memory passed to the call, since a thread's stack may be too
+ * small. */
 struct room {
     struct pending objects[TIA_BVH_DEPTH_MAX + 1], faces[TIA_BVH_DEPTH_MAX + 1];
     struct placed placed;
@@ -41,8 +42,8 @@ struct room {
     struct group_list groups;
 };
 
-/* Intersects one of a pair's faces. Bit 2 k is lane k, in `maybe` if it may hit the face, in `inside` if it certainly
- * does so inside the edges. */
+/* Intersects one face of a pair. Bit 2 k stands for lane k: it is set in `maybe` if the line may pass inside the face's
+ * edges, and in `inside` if it certainly does. */
 LANE_OP void meet_one_of(const struct sure_tree *tree, uint32_t face, unsigned maybe, unsigned inside, struct query *q)
 {
     const struct sure_face *f = &tree->faces[face];
@@ -56,8 +57,8 @@ LANE_OP void meet_one_of(const struct sure_tree *tree, uint32_t face, unsigned m
     meet_plane_of(q, f, face, sides);
 }
 
-/* Intersects some of a leaf's faces: first finds those that any line may hit, without a branch for each, then
- * intersects them. */
+/* Intersects some of a leaf's faces. First finds the faces that any line may meet, without a branch for each, and then
+ * intersects these. */
 LANE_OP void meet_some(const struct sure_tree *tree, const struct sure_pair *pairs, uint32_t count, struct query *q)
 {
     unsigned inside[SURE_LEAF / 2], maybe[SURE_LEAF / 2], met = 0, active = twice(mbits(q->active));
@@ -89,7 +90,7 @@ LANE_OP void meet_faces(const struct sure_scene *s, const struct sure_tree *tree
 
 WALK(walk_faces, meet_faces, faces)
 
-/* Reports a possible hit of an undecided shape, from its box on. */
+/* Reports a possible hit of a shape of unknown kind, no nearer than its box. */
 LANE_OP void meet_unknown(struct query *q, vd near)
 {
     report_hit(q, (struct hit_report){.sure = mnone(),
@@ -108,7 +109,7 @@ LANE_OP void meet_mesh(const struct sure_scene *s, const struct sure_object *o, 
     walk_faces(s, o->mesh, q);
 }
 
-/* Intersects a shape; `scale`: the factor from distances along its box to those in the object's axes. */
+/* Intersects a shape. `scale` is the factor from distances in the world to those in the object's axes. */
 LANE_OP void meet_shape(const struct sure_scene *s, const struct sure_object *o, struct query *q,
                         const struct node_ref *at, vd scale)
 {
@@ -160,7 +161,7 @@ static __attribute__((noinline)) void meet_placed(const struct sure_scene *s, co
     report_placed(q, placed, inner, o->placed->most);
 }
 
-/* Filters light by an object, once for each ray; both doubles and fixed-point code round each product. */
+/* Filters light by an object, once for each ray. The products are rounded here and in fixed point. */
 LANE_OP void filter(struct query *q, const struct sure_object *o)
 {
     vm unclear = mand(q->may_meet, mnot(q->met));
@@ -173,7 +174,7 @@ LANE_OP void filter(struct query *q, const struct sure_object *o)
         q->through[c] = vsel(q->met, q->through[c] * vset(o->transmission[c]), q->through[c]);
 }
 
-/* Filters light by a mesh of groups that transmits some of it. */
+/* Filters light by a mesh that transmits some of it, once for each group that a ray meets. */
 static __attribute__((noinline)) void meet_grouped(const struct sure_scene *s, const struct sure_object *o,
                                                    struct query *q)
 {
@@ -217,7 +218,7 @@ LANE_OP void meet_objects(const struct sure_scene *s, const struct sure_tree *tr
 
 WALK(walk_objects, meet_objects, objects)
 
-/* Intersects an object without a box, or one that is tested before its box. */
+/* Intersects an object whose box, if it has one, was not tested. */
 LANE_OP void meet_at_once(const struct sure_scene *s, uint32_t object, struct query *q)
 {
     static const vp zero;
@@ -237,7 +238,7 @@ static __attribute__((noinline)) void meet_one(const struct sure_scene *s, uint3
     meet_at_once(s, object, q);
 }
 
-/* Light n has the number LIGHT_ID + n among objects. */
+/* Light n has the object number LIGHT_ID + n. */
 #define LIGHT_ID 4294967296.0
 
 LANE_OP void meet_light(const struct sure_light *l, struct query *q)
@@ -258,7 +259,7 @@ static __attribute__((noinline)) void meet_lights(const struct sure_scene *s, st
     }
 }
 
-/* Finds the nearest object, before lights are tested. Returns the lanes of rays that are too far off, for
+/* Finds the nearest object, before lights are tested. Returns the lanes whose error is too large for the box test, for
  * end_nearest(). */
 LANE_OP vm begin_nearest(const struct sure_scene *s, struct room *room, struct query *q, struct packet *p, vm active)
 {
@@ -294,12 +295,13 @@ static void find_nearest(const struct sure_scene *s, struct room *room, struct q
     end_nearest(q, wild);
 }
 
-/* Traces shadow rays. *blocker is tested first, and becomes the object that blocked a ray. */
+/* Traces shadow rays. *blocker, unless it is TIA_NO_OBJECT, is tested first; it receives the last object that blocked a
+ * ray. */
 static void find_shadow(const struct sure_scene *s, struct room *room, struct shadow *shadow, vm active,
                         uint32_t *blocker)
 {
     vm fine = packet_start(s->centre, s->extent, &shadow->p, active);
-    struct query *q = &room->any; /* set field by field, since it is large, and fields of the nearest hit are unused */
+    struct query *q = &room->any; /* large, so it is set field by field; fields of the nearest hit stay unused */
 
     check_shadow(mbits(active));
     q->p = &shadow->p;

@@ -1,6 +1,6 @@
-/* bound_cache.c - cached bounds. Bounds change little from row to row, and they hold for all runs whose limits are no
- * worse than those that they are derived from (row.c and bounds.c use nothing else). So they are derived from limits
- * that are worse than a run's own by a tenth, and reused while these suffice. */
+/* bound_cache.c - cached bounds. row.c and bounds.c derive bounds from a run's limits alone, so the bounds hold for
+ * every run whose limits are no larger. As limits change little from row to row, bounds are derived from limits that
+ * are a tenth larger than the run's own, and reused until a run exceeds one of these limits. */
 #include "bound_cache.h"
 
 #include <math.h>
@@ -17,7 +17,8 @@ static double size_of(const double form[2], const struct simd_place *place)
     return fabs(form[0]) + fabs(form[1]) * place->reach;
 }
 
-/* Gives a run's limits in the order of the enumeration, then the sizes of its forms; returns the number of all. */
+/* Gives a run's limits in the order of the enumeration, then the sizes of its forms. Returns the number of limits,
+ * sizes included. */
 static int limits_of(const struct simd_fine *fine, double limit[FORMS_MOST])
 {
     const struct simd_place *place = &fine->place;
@@ -42,7 +43,7 @@ static int limits_of(const struct simd_fine *fine, double limit[FORMS_MOST])
     return n;
 }
 
-/* Sets the values that depend on limits. */
+/* Replaces values of the place and of the sphere by the limits. */
 static void take_limits(const double limit[], struct simd_place *place, struct simd_seen *seen)
 {
     seen->b_most = limit[B_MOST];
@@ -54,8 +55,8 @@ static void take_limits(const double limit[], struct simd_place *place, struct s
     place->v_most = limit[V_MOST];
 }
 
-/* Bounds one light; `limit` has the sizes of its forms. Returns the place of the next light's sizes, or NULL if the
- * bounds are too large. */
+/* Bounds one light; `limit` points to the sizes of its forms. Returns a pointer to the sizes of the next light's forms,
+ * or NULL if the bounds are too large. */
 static const double *light_bounds(struct simd_fine *fine, struct simd_fine_light *light, const struct simd_place *place,
                                   double unit, const double *limit)
 {
@@ -142,8 +143,8 @@ static void take_cached(const struct simd_bound_cache *cache, struct simd_fine *
     }
 }
 
-/* Gives the bounds. If they are too large for the widened limits, those of the run's own limits are given, and not
- * cached. */
+/* Gives the bounds for the widened limits or, if these bounds are too large, for the run's own limits. The latter are
+ * not cached. */
 bool tia_simd_fine_bounds(struct simd_fine *fine, double unit, double cut, struct simd_bound_cache *cache)
 {
     double limit[FORMS_MOST];

@@ -4,7 +4,8 @@
 
 #include "prepare.h"
 
-/* The limits that bounds depend on from row to row; larger is worse. */
+/* The bounds of a run with more limits than this are not cached. A limit is a value that bounds depend on, negated
+ * where a smaller value is worse. */
 #define SIMD_LIMITS 16
 
 struct simd_bound_cache {
@@ -18,12 +19,12 @@ struct simd_bound_cache {
     struct simd_cast_bounds cast[SIMD_LIMITS / 2];
 };
 
-/* Gives the bounds for arithmetic with roundings of `unit`; false when they are too large. `cache` may be NULL;
- * otherwise it serves this arithmetic alone, and the bounds may be those of an earlier run with limits that are no
- * better. */
+/* Gives the bounds for an arithmetic with the rounding unit `unit`; false when they are too large. `cache` may be NULL.
+ * A cache serves one arithmetic only, and gives the bounds of an earlier run if none of that run's limits is
+ * smaller. */
 bool tia_simd_fine_bounds(struct simd_fine *fine, double unit, double cut, struct simd_bound_cache *cache);
 
-/* Number of pairs of caches: for both halves of the picture and some spheres. */
+/* Number of cache lines: one for each half of the picture, for four spheres. */
 #define SIMD_CACHE_LINES 8
 
 struct simd_cache_line {

@@ -1,14 +1,16 @@
-/* bound_table.h - every error bound of the spans by name, with its derivation; the tables are in bounds/, one a
+/* bound_table.h - every error bound of the spans by name, with its derivation; the tables are in bounds/, one for each
  * subject, and simd/bound.h explains their rows.
  *
- * In the tables "there" is the integer code: see render/span/kernels.h for its forms, and run.h for those of the
- * kernels. u is the unit of an arithmetic, its largest relative rounding: 2^-24 for the kernels' floats, 2^-48 for
- * exact.c. e_s and e_t are the relative bounds of 1/t, by the kernels and there; e_w and e_c those of |w|^2, relative,
- * and of the cosine r N.w/(r |w|), absolute. T is the mantissa of t, below 2^31.
+ * render/span/kernels.h has the integer code's forms, run.h those of the kernels. u is the rounding unit of an
+ * arithmetic, its largest relative rounding: 2^-24 for the kernels' floats, 2^-48 for the doubles of exact.c. X is the
+ * largest |x| of a run. e_s and e_t bound the relative errors of 1/t in the kernels and of t in the integer code. e_w
+ * bounds the relative error of |w|^2, e_c the absolute error of the cosine r N.w/(r |w|). T is the mantissa of t in the
+ * integer code, below 2^31.
  *
- * There an accumulator's upper half is rounded to nearest, apart from the halves of 2^-32 that 64 steps and the way
- * from the picture's middle add: 2^-18 of its last bit. Shifts are rounded to nearest, products of mantissas are exact,
- * roots are rounded down; a reciprocal is within 1.02 2^-31 of itself, an inverse root within 2^-30. */
+ * The integer code rounds the upper half of an accumulator to nearest. Each step of the accumulator adds a rounding of
+ * 2^-33 of the upper half's last bit; over 64 steps, and from the picture's middle, these add up to at most 2^-18 of
+ * that bit. Shifts are rounded to nearest, products of mantissas are exact, roots are rounded down. A reciprocal has a
+ * relative error of at most 1.02 2^-31, an inverse root of 2^-30. */
 #ifndef TIA_SIMD_SPAN_BOUND_TABLE_H
 #define TIA_SIMD_SPAN_BOUND_TABLE_H
 

@@ -1,5 +1,5 @@
-/* bounds.c - a light's and a caster's bounds, which bounds/levels.h and bounds/shadows.h derive. u is the arithmetic's
- * unit, es and et the relative bounds of 1/t from row.c. */
+/* bounds.c - the bounds of lights and casters, derived in bounds/levels.h and bounds/shadows.h. u is the rounding unit
+ * of the arithmetic; es and et are the relative bounds of 1/t from row.c. */
 #include "bounds.h"
 
 #include <math.h>
@@ -19,7 +19,7 @@ static double reach_bound(const struct primary_rays *primary, const struct simd_
                         BOUND(SPAN_REACH_SQUARE) * t * t * simd_power(32 - primary->square_shift) / (d * d));
 }
 
-/* Returns the kernels' bound of a s^2 + h s + v.v, divided by s^2; `h_size` is the size of h. */
+/* Returns the bound of the kernels' error in a s^2 + h s + v.v, divided by s^2; `h_size` is the size of h. */
 static double quadratic_bound(double a, double h_size, const struct simd_place *place, const struct simd_depth *depth,
                               double u)
 {

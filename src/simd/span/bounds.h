@@ -1,4 +1,4 @@
-/* bounds.h - bounds on the distance of a run's computed values from those of the integer code. */
+/* bounds.h - bounds on the differences between a run's computed values and those of the integer code. */
 #ifndef TIA_SIMD_SPAN_BOUNDS_H
 #define TIA_SIMD_SPAN_BOUNDS_H
 
@@ -6,8 +6,8 @@
 #include "pair.h"
 #include "row.h"
 
-/* Units of the kernels' floats and of the doubles of exact.c, and the shares of D's size below which a pixel is
- * undecided. */
+/* SIMD_FLOAT and SIMD_DOUBLE are the rounding unit u of the kernels' floats and of exact.c's doubles. A pixel is
+ * undecided where D is below the cut's share of D's size. */
 #define SIMD_FLOAT BOUND(SPAN_FLOAT_UNIT)
 #define SIMD_FLOAT_CUT BOUND(SPAN_FLOAT_CUT)
 #define SIMD_DOUBLE BOUND(SPAN_DOUBLE_UNIT)
@@ -15,21 +15,23 @@
 
 struct simd_bounds {
     double distance; /* lower limit of |w| */
-    double square;   /* relative bound of |w|^2 */
-    double lambert;  /* absolute bound of the cosine; SIMD_NEVER if it cannot be bounded */
+    double square;   /* bound of the relative error of |w|^2 */
+    double lambert;  /* bound of the absolute error of the cosine; SIMD_NEVER: none is known */
 };
 
-/* Bounds a light's |w|^2 and cosine. `g_size` and `q_size` are the sizes |a0| + |a1| X of the linear forms G.v and -2
- * Q.v. */
+/* Bounds the errors of a light's |w|^2 and cosine. `g_size` and `q_size` are the sizes |a0| + |a1| X of the linear
+ * forms G.v and -2 Q.v. */
 void tia_simd_bound_light(const struct primary_rays *primary, const struct simd_lamp *lamp,
                           const struct simd_place *place, const struct simd_depth *depth, double unit, double g_size,
                           double q_size, struct simd_bounds *bounds);
 
-/* Returns the largest distance from a level, in levels, at which a channel of 0..levels certainly rounds to it: a half
- * less the channel's error `off`, where 1 is white, and roundings of `unit`. */
+/* Returns the largest distance from a level at which a channel certainly rounds to this level: 1/2, less the channel's
+ * error and the roundings. The result is in levels; the channel has the values 0..levels, and an error of `off` times
+ * white. */
 double tia_simd_bound_level(double levels, double off, double unit);
 
-/* Bounds of a caster: of A'.w and k, absolute; of |w|^2 together with the comparison's own error, relative. */
+/* Bounds of errors for a caster: a and k bound the absolute errors of A'.w and k; w bounds the relative error of |w|^2,
+ * including that of the comparison. */
 struct simd_cast_bounds {
     double a, k, w;
 };

@@ -12,19 +12,20 @@
 #define HALF_CELL (SIMD_CELL / 2)
 
 struct cells {
-    int start; /* number of the run's pixels before the cells */
+    int start; /* number of pixels of the run before the first cell */
     float x0;
     float per_s[SAMPLES], turn[SAMPLES], d[SAMPLES];                /* at samples: 1/S, |S'|, D */
     float lambert[SIMD_LIGHTS][SAMPLES], far[SIMD_LIGHTS][SAMPLES]; /* cosines, not clamped; |w| */
-    float middle[SIMD_LIGHTS][SAMPLES]; /* of each cell, as all members below: the cosine in its middle */
-    float turn_of[SIMD_LIGHTS][SAMPLES], bend_of[SIMD_LIGHTS][SAMPLES]; /* of u and |u| in add_range() */
+    float middle[SIMD_LIGHTS][SAMPLES]; /* per cell, like all members below: the cosine in its middle */
+    float turn_of[SIMD_LIGHTS][SAMPLES], bend_of[SIMD_LIGHTS][SAMPLES]; /* factors of u and |u| in add_range() */
     float weight[SIMD_LIGHTS][3][SAMPLES]; /* the light's colour times the transmission of casters */
     float near31[SAMPLES], near63[SAMPLES];
-    uint16_t pixel[SAMPLES]; /* the colour of a flat cell */
+    uint16_t pixel[SAMPLES]; /* colours of flat cells */
     uint64_t good, flat;
 };
 
-/* Computes samples. The bounds of the two parts of S' = b1 + D'/(2 sqrt(D)), that of D' in d_off, are added to |S'|. */
+/* Computes samples. |S'|, with S' = b1 + D'/(2 sqrt(D)), is enlarged by the bounds of its two terms: b_off for b1;
+ * d_off/sqrt(D), and SPAN_CELL_TURN of its size, for the other. */
 INLINE void take_samples(const struct simd_run *r, const struct body *k, int count, int lights, struct cells *cells)
 {
     for (int i = 0; i < count; i += N) {
@@ -76,7 +77,8 @@ INLINE struct motion motion_over(const struct simd_run *r, const struct cells *c
         BOUND_OF_FLOATS(SPAN_CELL_SECOND, f_mul(t, f_fma(v, f_fma(twice, a, b), f_mul(step, twice))))};
 }
 
-/* Decides whether a caster shadows nothing of a cell, or all of it, as P moves by up to p along the cell's half. */
+/* Decides if a caster shadows none (`lit`) or all (`dark`) of a cell, from the sample in the middle. P is at most p
+ * away from this sample. */
 INLINE struct verdict judge_cell(const struct simd_cast *c, F x, const struct value *o, F square, F p, F per_d, F far,
                                  float per_c2)
 {
@@ -91,19 +93,19 @@ INLINE struct verdict judge_cell(const struct simd_cast *c, F x, const struct va
     return judge(c, &t, square, f_mul(near, unit), f_fma(aside, unit, f_set(c->ea)));
 }
 
-/* Sums over the lights of cells: the errors of interpolation in `lost`, and the ranges of the channels. */
+/* Per cell, sums over all lights: the interpolation errors in `lost`, and the ranges of the channels. */
 struct gained {
     F lost, low[3], high[3];
 };
 
-/* Adds the range of light l, and stores the two lines between its samples, which meet in the middle: m + u (e - s)/2 +
- * |u| ((s - m) + (e - m))/2, u from -1 to 1. A sum with NaN in it is NaN. */
+/* Adds the range of light l, and stores the two lines between its samples s, m and e, which meet in the middle: m + u
+ * (e - s)/2 + |u| ((s - m) + (e - m))/2, u from -1 to 1. If a sample is NaN, the range is NaN. */
 INLINE void add_range(struct cells *cells, int l, int i, F middle, const F tint[3], const struct simd_light *q,
                       int channels, struct gained *g)
 {
     const F one = f_set(1), zero = f_set(0), step = f_set(.5f / HALF_CELL);
     F start = f_load(cells->lambert[l] + i), end = f_load(cells->lambert[l] + i + 1);
-    F nothing = f_mul(zero, f_add(f_add(start, end), middle)); /* or NaN */
+    F nothing = f_mul(zero, f_add(f_add(start, end), middle)); /* NaN if a sample is NaN */
     F low = f_max(zero, f_add(f_min(f_min(start, end), middle), nothing));
     F high = f_max(zero, f_add(f_max(f_max(start, end), middle), nothing));
 
@@ -118,8 +120,8 @@ INLINE void add_range(struct cells *cells, int l, int i, F middle, const F tint[
     }
 }
 
-/* Adds light l to cells and to `gained`; returns the cells that its lines may draw: the light is not too near, and no
- * shadow's edge crosses them. */
+/* Adds light l to the cells and to `gained`. Returns the cells that may be interpolated: the light is not too near, and
+ * no shadow's edge crosses them. */
 INLINE M light_cells(const struct simd_run *r, int l, F x, const struct value *o, const struct motion *p,
                      struct cells *cells, int i, struct gained *gained, int channels, int casts)
 {
@@ -148,8 +150,8 @@ INLINE M light_cells(const struct simd_run *r, int l, F x, const struct value *o
     return good;
 }
 
-/* Returns the flat cells, whose pixels all have one colour, as both ends of the cell's range round to it; sets their
- * pixels. */
+/* Returns the flat cells, and stores their colours. All pixels of a flat cell have one colour, to which both ends of
+ * the cell's range round. */
 INLINE M flat_cells(const struct simd_run *r, const struct gained *g, F near31, F near63, bool grey,
                     struct cells *cells, int i)
 {
@@ -205,7 +207,7 @@ INLINE void draw_flat(const struct cells *cells, uint16_t *out)
     }
 }
 
-/* Draws one cell from its samples. */
+/* Draws one cell by interpolation. Returns the list's new length, which was `n`. */
 INLINE int draw_cell(const struct simd_run *r, const struct cells *cells, int cell, bool grey, int lights,
                      const F half[2], uint16_t *out, uint16_t *list, int n)
 {

@@ -1,4 +1,4 @@
-/* exact.c - the kernels' sums again with 53 bits: little more than the rounding of the integer code then leaves a pixel
+/* exact.c - computes the kernels' sums with 53 bits. Then almost only the integer code's own roundings leave pixels
  * undecided. */
 #include "exact.h"
 
@@ -19,7 +19,7 @@ void tia_simd_plain(const struct tia_view *view, uint32_t sphere, int x, int y, 
     }
 }
 
-/* The values of a pixel. */
+/* Values at a pixel. */
 struct pixel {
     double x, s, vv; /* s = 1/t */
 };
@@ -31,7 +31,7 @@ static double form(const double c[3], const struct pixel *p)
     return (c[0] * p->s + c[1] + c[2] * p->x) * p->s + p->vv;
 }
 
-/* Decides a shadow as judge() in kernel_tmpl.h, for one pixel. */
+/* Decides a shadow at one pixel, like judge() in kernel_tmpl.h. */
 static enum shadow shadow_at(const struct simd_fine_cast *cast, double swell, const struct pixel *p, double w)
 {
     const struct simd_cast_bounds *b = &cast->bounds;
@@ -51,7 +51,7 @@ static double at_most_1(double a)
     return a > 1 ? 1 : a;
 }
 
-/* Adds a light to the colour; false when it is undecided. */
+/* Adds a light to the colour; false when a shadow is undecided. */
 static bool add_light(const struct simd_fine_light *light, const struct pixel *p, double sum[3])
 {
     const struct simd_lamp *lamp = light->lamp;
@@ -74,7 +74,7 @@ static bool add_light(const struct simd_fine_light *light, const struct pixel *p
     return true;
 }
 
-/* Gives a channel's level; false when the value is too near the boundary to another level. */
+/* Gives a channel's level; false when the channel is too near the boundary between two levels. */
 static bool quantise(double channel, double levels, double half, double near, unsigned *level)
 {
     double y = channel * levels + half;

@@ -1,4 +1,4 @@
-/* exact.h - the pixels that the kernels leave undecided. */
+/* exact.h - draws the pixels that the kernels leave undecided. */
 #ifndef TIA_SIMD_SPAN_EXACT_H
 #define TIA_SIMD_SPAN_EXACT_H
 
@@ -8,8 +8,8 @@
 void tia_simd_plain(const struct tia_view *view, uint32_t sphere, int x, int y, int count, const num_u threshold[8],
                     tia_rgb565 *out);
 
-/* Draws the listed pixels, counted from the run's first: in double precision, and undecided ones by the integer code.
- * `out` is the run's first pixel; `cache` is for the bounds in double precision. */
+/* Draws the listed pixels in double precision, and by the integer code where they are still undecided. The list has
+ * indices from the run's first pixel, to which `out` points. `cache` has the bounds for double precision. */
 void tia_simd_decide(struct simd_fine *fine, struct simd_bound_cache *cache, const uint16_t *list, int count,
                      const num_u threshold[8], tia_rgb565 *out);
 

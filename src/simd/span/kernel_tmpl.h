@@ -7,7 +7,7 @@
  * colour is filled. Pixels of interpolated cells that are too near a boundary between two levels, and the pixels of all
  * other cells, are computed one by one; undecided pixels are appended to `list`.
  *
- * For the compiler `out` might alias the constants, so these are broadcast into locals first. */
+ * The constants are broadcast into locals first, since for the compiler they may be aliased by `out`. */
 #ifndef TIA_SIMD_SPAN_KERNEL_TMPL_H
 #define TIA_SIMD_SPAN_KERNEL_TMPL_H
 
@@ -20,7 +20,7 @@ struct body {
     F b0, b1, d0, d1, d2, cut, v0, v1, v2;
 };
 
-/* The values of a pixel, or a sample. */
+/* Values at a pixel or a sample: D, S and v.v; `good` where D is not below the cut. */
 struct value {
     F d, s, vv;
     M good;
@@ -60,7 +60,7 @@ INLINE F lambert_of(const struct simd_light *q, F x, const struct value *o, F sq
     return f_over_root(f_mul(facing, f_set(q->per_r)), square);
 }
 
-/* The forms A'.w s^2 and k s^2. */
+/* The forms A'.w s^2 and k s^2, and S^2. */
 struct toward {
     F a, k, s2;
 };
@@ -78,7 +78,7 @@ struct verdict {
     M lit, dark;
 };
 
-/* Decides a shadow; `near` and `aside` widen the margins of k and A'.w, both for s^2 in units of S^2. */
+/* Decides a shadow. `near` and `aside`, for s^2 in units of S^2, are added to the margins of k and of A'.w. */
 INLINE struct verdict judge(const struct simd_cast *c, const struct toward *t, F w, F near, F aside)
 {
     F a2 = f_mul(t->a, t->a), zero = f_set(0), size = f_abs(t->a);
@@ -171,7 +171,7 @@ INLINE int note_open(M sure, int at, int count, uint16_t *list, int n)
 }
 #endif
 
-/* Draws pixels first..end-1; returns the number listed. */
+/* Draws pixels first..end-1. Returns the list's new length, which was `n`. */
 INLINE int draw_pixels(const struct simd_run *r, const struct body *k, int first, int end, bool grey, int lights,
                        int casts, uint16_t *out, uint16_t *list, int n)
 {
@@ -192,7 +192,8 @@ INLINE int draw_pixels(const struct simd_run *r, const struct body *k, int first
     return n;
 }
 
-/* Draws the listed pixels, anywhere in the run; the undecided ones stay in the list. Returns their number. */
+/* Draws the listed pixels, which may be anywhere in the run. Keeps undecided pixels in the list, and returns their
+ * number. */
 INLINE int draw_listed(const struct simd_run *r, const struct body *k, bool grey, int lights, int casts, uint16_t *out,
                        uint16_t *list, int count)
 {
@@ -243,7 +244,7 @@ INLINE int draw_block(const struct simd_run *r, const struct body *k, int start,
     for (uint64_t left = cells->good & ~cells->flat; left; left &= left - 1)
         n = draw_cell(r, cells, __builtin_ctzll(left), grey, lights, half, out + start, list, n);
     n = open + draw_listed(r, k, grey, lights, casts, out, list + open, n - open);
-    for (int cell = 0; cell <= count;) { /* the last turn is for the rest, which has no cell */
+    for (int cell = 0; cell <= count;) { /* the last iteration draws the rest, which has no cell */
         int first = __builtin_ctzll(~cells->good >> cell << cell);
         uint64_t next = cells->good >> first << first;
         cell = next ? __builtin_ctzll(next) : count + 1;
@@ -266,7 +267,7 @@ INLINE int draw_run(const struct simd_run *r, uint16_t *out, uint16_t *list, str
     return n;
 }
 
-/* The usual runs, grey with one light and at most one sphere in its way, have code of their own. */
+/* Grey runs with one light and at most one caster are the most frequent, and have specialised code. */
 static int shade(const struct simd_run *r, uint16_t *out, uint16_t *list, void *cells)
 {
     if (r->grey && r->lights == 1 && r->light[0].casts <= 1)
@@ -307,7 +308,7 @@ static void fill(uint16_t *out, int count, uint16_t pixel)
         out[i] = pixel;
 }
 
-#ifndef STREAM /* an instruction set may have it */
+#ifndef STREAM /* an instruction set may define it */
 #define STREAM NULL, NULL
 #endif
 

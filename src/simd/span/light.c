@@ -1,10 +1,11 @@
-/* light.c - a tile by vector units: rows, runs of one object, and the method for each. */
+/* light.c - draws a tile by vector units: divides it into rows, and rows into runs of one object, and chooses a method
+ * for each run. */
 #include "exact.h"
 #include "render/span/span_shade.h"
 #include "seen.h"
 #include "simd/simd.h"
 
-/* True if spans draw the view. Scenes with the eye in a sphere are left to plain C. */
+/* True if the span kernels draw the view. Views with the eye inside a sphere are left to plain C. */
 bool tia_simd_draws(const struct tia_view *view)
 {
     const struct span_view *spans = span_view_of(view);
@@ -24,12 +25,12 @@ struct flat {
     bool known, dithered; /* dithered: the pixels are valid for one span only */
 };
 
-/* A picture of more pixels than this, 8 MB, is drawn into a buffer of one row, which is then streamed past the caches:
- * stores into the picture itself would first read each cache line. This takes four fifths of the time at 3840x2160, the
- * same time at 2560x1440, and more for smaller pictures. */
+/* A picture with more pixels than this (8 MB) is drawn into a buffer of one row, which is then streamed past the
+ * caches. Ordinary stores into the picture would first read each cache line. Streaming takes four fifths of the time at
+ * 3840x2160, the same time at 2560x1440, and more for smaller pictures. */
 #define STREAMED (4u << 20)
 
-/* Data that rows hand on to the next, and data of a row that may be too large for a thread's stack. */
+/* Data that one row leaves for the next, and data of a row that may be too large for a thread's stack. */
 struct carried {
     bool streams;
     struct span guess[SIMD_GUESSES];
@@ -105,7 +106,7 @@ static void light_part(const struct tia_view *view, const struct simd_row *row, 
 static void light_span(const struct tia_view *view, const struct simd_row *row, const struct simd_span *span,
                        struct carried *carried, tia_rgb565 *out)
 {
-    if (span->object >= view->scene->sphere_count) { /* as TIA_NO_OBJECT is */
+    if (span->object >= view->scene->sphere_count) { /* a light or TIA_NO_OBJECT */
         light_flat(view, span, carried, out);
         return;
     }

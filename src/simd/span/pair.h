@@ -1,4 +1,4 @@
-/* pair.h - a light over a sphere, with the spheres between them: the constants of all rows of a frame. */
+/* pair.h - a light and a sphere, with the spheres that may be between them: constants for all rows of a frame. */
 #ifndef TIA_SIMD_SPAN_PAIR_H
 #define TIA_SIMD_SPAN_PAIR_H
 
@@ -7,7 +7,8 @@
 #include "render/span/span_shadow.h"
 #include "run.h"
 
-/* The constants of run.h in double precision, and with their bounds those of the integer code, see bounds.h. */
+/* A caster's constants: those of run.h in double precision, and those from which bounds.c bounds the integer code's
+ * errors. */
 struct simd_caster {
     uint32_t sphere;
     struct num_vec sum;   /* C + Q */

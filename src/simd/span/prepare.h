@@ -1,4 +1,4 @@
-/* prepare.h - a run's constants, from those of the frame and of the row. */
+/* prepare.h - computes a run's constants from those of the frame and of the row. */
 #ifndef TIA_SIMD_SPAN_PREPARE_H
 #define TIA_SIMD_SPAN_PREPARE_H
 
@@ -28,11 +28,11 @@ struct simd_fine {
     struct simd_seen seen;
     struct simd_depth depth;
     double emission[3];
-    double near31, near63; /* half a level less the bound */
+    double near31, near63; /* half a level less the error bound, for 31 and 63 levels */
     struct simd_fine_light light[SIMD_LIGHTS];
 };
 
-/* Gives the forms of pixels first..end-1, without bounds; false when they are left to plain C. */
+/* Gives the forms of pixels first..end-1, without bounds; false when these pixels are left to plain C. */
 bool tia_simd_fine(const struct tia_view *view, const struct simd_row *row, uint32_t sphere, int first, int end,
                    struct simd_fine *fine);
 
@@ -44,7 +44,7 @@ static inline const struct span_sphere *simd_sphere_of(const struct simd_fine *f
 /* Thresholds of a row's dithering. */
 struct simd_dither {
     num_u threshold[8];
-    float half[SIMD_MORE]; /* the same less 1/2, for the kernels */
+    float half[SIMD_MORE]; /* the thresholds less 1/2, repeated, for the kernels */
 };
 
 void tia_simd_dither(bool on, int y, struct simd_dither *dither);

@@ -68,7 +68,7 @@ static double difference(num_wide a, num_wide b, num_wide c, num_wide d)
 #if TIA_INT128
     __extension__ typedef __int128 wide;
     wide r = (wide)a * b - (wide)c * d;
-    int64_t low = (int64_t)r; /* with a sign: then the halves cost an instruction each, not a call */
+    int64_t low = (int64_t)r; /* signed: so each half is converted by an instruction, not a call */
 
     return (double)((int64_t)(r >> 64) + (low < 0)) * 0x1p64 + (double)low;
 #else
@@ -120,8 +120,8 @@ bool tia_simd_see(const struct primary_rays *primary, const struct simd_row *row
     return seen->b_least > 0 && seen->size > 0;
 }
 
-/* Last bits of b and t in the integer code, see render/span/span_sphere.c and kernels.c, and the bound of D in it. b
- * and v.v are upper halves of accumulators, with the last bits ub and uv; c has uc. */
+/* The last bits of b and t in the integer code (render/span/span_sphere.c, kernels.c), and the bound of its error of D.
+ * b and v.v are upper halves of accumulators. The last bits of b, v.v and c are ub, uv and uc. */
 struct last_bits {
     double ub, ut, dd;
 };
@@ -141,7 +141,8 @@ static struct last_bits last_bits_of(const struct primary_rays *primary, const s
                                   (2 * b * ub + ub * ub + seen->c * uv + place->square_most * uc + uv * uc)};
 }
 
-/* Bounds S = b + sqrt(D) in an arithmetic whose roundings are at most `unit`, relative; and t in the integer code. */
+/* Bounds the relative errors of S = b + sqrt(D), in an arithmetic with the rounding unit `unit`, and of t in the
+ * integer code. */
 static void bound_depth(const struct last_bits *u, const struct simd_seen *seen, double unit, struct simd_depth *depth)
 {
     double b = seen->b_most, b_off = BOUND(SPAN_LINEAR) * b;
@@ -153,8 +154,8 @@ static void bound_depth(const struct last_bits *u, const struct simd_seen *seen,
     depth->mantissa_most = depth->t_most / u->ut + 1;
 }
 
-/* Finds the range of t = c/(b + sqrt(D)). The root is at least 0 and at most that of D's size, rounded down, so the
- * range holds for any D. */
+/* Finds a range of t = c/(b + sqrt(D)). The integer code's root is at least 0 and, being rounded down, at most the root
+ * of D's size and error: so the range holds for any D. */
 void tia_simd_between(const struct primary_rays *primary, const struct simd_row *row, const struct simd_place *place,
                       const struct span_sphere *sphere, const struct simd_seen *seen, double t[2])
 {

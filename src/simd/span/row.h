@@ -1,4 +1,5 @@
-/* row.h - a run's place in its row, and the sphere that its pixels see: exact coefficients, in double precision. */
+/* row.h - a run's place in its row, and the sphere that its pixels see: coefficients of the exact forms, in double
+ * precision. */
 #ifndef TIA_SIMD_SPAN_ROW_H
 #define TIA_SIMD_SPAN_ROW_H
 
@@ -20,36 +21,36 @@ struct simd_place {
     int middle;
     double low, high, reach;            /* range of x, and the largest |x| */
     double v0, v1, v2;                  /* v.v = v0 + v1 x + v2 x^2, at depth 1 */
-    double square_most, v_most, v_step; /* v.v and |v| at most; |v'| */
+    double square_most, v_most, v_step; /* upper limits of v.v and |v|; |v'| */
     double square_least;
 };
 
 void tia_simd_place(const struct primary_rays *primary, const struct simd_row *row, int first, int end,
                     struct simd_place *place);
 
-/* Gives a form a.v = c[0] + c[1] x. */
+/* Gives the coefficients of a.v = c[0] + c[1] x. */
 void tia_simd_form(const struct primary_rays *primary, const struct simd_row *row, const struct simd_place *place,
                    struct num_vec a, double c[2]);
 
-/* A sphere seen from outside, over a place. */
+/* A sphere seen from outside by the pixels of a place: b = b[0] + b[1] x, D = d[0] + d[1] x + d[2] x^2, and c. */
 struct simd_seen {
     double b[2], d[3], c;
     double size;            /* |d0| + |d1| X + |d2| X^2 */
-    double b_least, b_most; /* of b */
-    double least;           /* of D; it may be negative */
+    double b_least, b_most; /* range of b */
+    double least;           /* least D, which may be negative */
 };
 
-/* Gives a sphere's coefficients over a place; false when a run is impossible: the eye is inside, or b is not
- * positive. */
+/* Gives a sphere's coefficients over a place; false when no run can be drawn: the eye is inside the sphere, or b is not
+ * positive everywhere. */
 bool tia_simd_see(const struct primary_rays *primary, const struct simd_row *row, const struct simd_place *place,
                   const struct span_sphere *sphere, struct simd_seen *seen);
 
-/* Gives the range of the distances t at which the integer code hits the sphere in any pixel of the place, at its
- * outline too. */
+/* Gives a range that contains the integer code's distances t of the sphere at all pixels of the place, even at the
+ * sphere's outline. */
 void tia_simd_between(const struct primary_rays *primary, const struct simd_row *row, const struct simd_place *place,
                       const struct span_sphere *sphere, const struct simd_seen *seen, double t[2]);
 
-/* Depths and their bounds for a cut: pixels with a smaller D are left undecided. */
+/* Depths and their bounds for a cut: pixels whose D is below the cut are left undecided. */
 struct simd_depth {
     double cut, floor; /* lower limits of D and of sqrt(D) */
     double sum_least;  /* lower limit of S */
@@ -59,7 +60,7 @@ struct simd_depth {
     double mantissa_most;   /* largest mantissa of t in the integer code */
 };
 
-/* Gives depths; `unit` is half an ulp of the arithmetic, `cut` a fraction of the size. */
+/* Gives depths; `unit` is the rounding unit u of the arithmetic, `cut` a share of D's size. */
 void tia_simd_depth(const struct primary_rays *primary, const struct simd_row *row, const struct simd_place *place,
                     const struct span_sphere *sphere, const struct simd_seen *seen, double unit, double cut,
                     struct simd_depth *depth);

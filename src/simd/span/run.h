@@ -13,10 +13,10 @@
  *     k      s^2 = (C.C - R^2 - apart bias/(r + bias)) s^2 - 2 C.v s + v.v
  *
  * and a sphere C, R stands between P and the light where A'.w > 0, A'.w < |w|^2 and (A'.w)^2 > |w|^2 k (1 + B), which
- * is the reasoning of render/span/kernels.h. The coefficients here take S for s.
+ * is derived in render/span/kernels.h. The structs here have the coefficients of forms in S = c s.
  *
- * Every value comes with a bound of its distance from the integer code's value, see bounds.h. The places of
- * undecided pixels in the run are put on a list. */
+ * Every value has a bound on its difference from the integer code's value, see bounds.h. Undecided pixels are listed by
+ * their index in the run. */
 #ifndef TIA_SIMD_SPAN_RUN_H
 #define TIA_SIMD_SPAN_RUN_H
 
@@ -28,22 +28,22 @@
 #define SIMD_CASTS 12
 #define SIMD_RUN 2048   /* largest number of pixels in a run */
 #define SIMD_BLOCK 1024 /* largest number of pixels that a kernel draws at once */
-#define SIMD_MORE 32    /* entries behind a list or thresholds that kernels may read and write */
-#define SIMD_CELL 16    /* pixels from one sample to the next */
+#define SIMD_MORE 32    /* entries beyond a list, or beyond thresholds, that kernels may access */
+#define SIMD_CELL 16    /* pixels of a cell */
 
 /* A sphere that may occlude the light of a run. */
 struct simd_cast {
     float aq, h0, h1;  /* A'.w s^2 = aq S^2 + (h0 + h1 x) S + v.v */
     float p0, c0, c1;  /* k s^2 in the same way */
     float swell;       /* 1 + B */
-    float ea, ek, ew;  /* bounds: of A'.w and k, for s^2 in units of S^2; relative, of |w|^2 */
+    float ea, ek, ew;  /* error bounds: of A'.w and k, for s^2 in units of S^2; of |w|^2, relative */
     float through[3];  /* the sphere's transmission */
     int clear;         /* true if `through` is not black */
     float radius;      /* R */
-    float turn, shift; /* largest move of the shadow ray from C per unit of P: turn/|w| + shift */
-    float size;        /* |A'|, at most */
+    float turn, shift; /* turn/|w| + shift: largest change of the shadow ray's distance from C, per unit that P moves */
+    float size;        /* upper limit of |A'| */
     float fuzz_a;      /* 2 size times A'.w's bound, to be divided by |w| */
-    float fuzz_k;      /* k's bound and size^2 times |w|^2's */
+    float fuzz_k;      /* k's bound plus size^2 times |w|^2's */
 };
 
 struct simd_light {
@@ -52,7 +52,7 @@ struct simd_light {
     float per_r;       /* 1/r */
     float colour[3];   /* the product of both colours */
     float colour_most; /* the largest component of `colour` */
-    float faint;       /* lambert's bound */
+    float faint;       /* bound of lambert's error */
     int casts;
     struct simd_cast cast[SIMD_CASTS];
 };
@@ -63,19 +63,19 @@ struct simd_run {
     int lights;
     float x0;                      /* x of the first pixel */
     float b0, b1, d0, d1, d2, cut; /* pixels whose D is below cut are undecided */
-    float c;                       /* of the sphere: t = c/S */
+    float c;                       /* c of the sphere: t = c/S */
     float v0, v1, v2;
-    float v_step, v_most; /* |v'|, and |v| at most */
+    float v_step, v_most; /* upper limits of |v'| and |v| */
     float bend;           /* |4 d0 d2 - d1^2|/4, so that S'' = -bend/D^1.5 */
-    float d_sag;          /* largest distance of D below the smaller of two samples' */
-    float b_off, d_off;   /* |S'| is off by less than b_off + d_off/sqrt(D) and 2^-CELL_TURN of D'/(2 sqrt(D)) */
+    float d_sag;          /* largest amount by which D is below both neighbouring samples */
+    float b_off, d_off;   /* error of |S'|: b_off + d_off/sqrt(D), plus 2^-CELL_TURN of D'/(2 sqrt(D)) */
     float emission[3];
-    float near31, near63;   /* half a level less the bound */
-    const float *threshold; /* less 1/2, from the run's first pixel on, with period 8 */
+    float near31, near63;   /* half a level less the error bound */
+    const float *threshold; /* less 1/2, from the run's first pixel on; repeats after 8 */
     struct simd_light light[SIMD_LIGHTS];
 };
 
-/* One of two spheres that the same pixels see. */
+/* One of two spheres that cover the same pixels. */
 struct simd_body {
     float b0, b1, d0, d1, d2, cut, per_c;
 };
@@ -84,13 +84,13 @@ struct simd_pair {
     int count; /* at most 64 */
     float x0;
     struct simd_body body[2];
-    float bound[2]; /* relative bounds of 1/t */
+    float bound[2]; /* bounds of the relative errors of 1/t */
 };
 
 struct simd_kernels {
-    /* Draws the pixels that can be decided; lists the undecided ones, whose pixels in `out` it may overwrite, and
-     * returns their number. The list has room for SIMD_MORE entries besides all pixels. `cells` points to memory of the
-     * size in the member of that name. */
+    /* Draws the pixels that can be decided. Lists the undecided ones, whose places in `out` it may overwrite, and
+     * returns their number. The list has room for all pixels and SIMD_MORE entries. `cells` points to working storage,
+     * whose size is in the member `cells`. */
     int (*shade)(const struct simd_run *run, uint16_t *out, uint16_t *list, void *cells);
     size_t cells;
 
@@ -102,7 +102,7 @@ struct simd_kernels {
     /* Copies pixels past the caches, for pictures that do not fit into them. NULL without such an instruction. */
     void (*stream)(uint16_t *out, const uint16_t *from, int count);
 
-    /* Orders streamed pixels before all later stores. NULL if `stream` is NULL. */
+    /* Makes streamed pixels visible before all later stores. NULL if `stream` is NULL. */
     void (*settle)(void);
 };
 

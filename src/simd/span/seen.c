@@ -21,7 +21,7 @@ static void push(struct simd_line *line, int first, int end, uint32_t object)
         spans[line->count++] = (struct simd_span){(uint16_t)first, (uint16_t)end, object};
 }
 
-/* Two spheres over the same pixels: n, and m, which the line contains already. */
+/* Two spheres that cover the same pixels: n, and m, which is already in the line. */
 struct contest {
     const struct tia_view *view;
     const struct simd_row *row;
@@ -31,7 +31,7 @@ struct contest {
     struct simd_depth depth[2];
 };
 
-/* Returns the integer code's verdict: in a tie m stays. */
+/* True if n is nearer than m at pixel x by the integer code; in a tie m stays. */
 static bool wins_exactly(const struct contest *c, int x)
 {
     const struct span_view *spans = span_view_of(c->view);
@@ -50,14 +50,14 @@ static struct simd_body body_of(const struct simd_seen *seen, const struct simd_
                               (float)d[2], (float)depth->cut, (float)(1 / seen->c)};
 }
 
-/* Returns the relative bound of 1/t for a comparison. */
+/* Returns the bound of the relative error of a sphere's 1/t, for a comparison. */
 static float bound_of(const struct simd_depth *depth)
 {
     return (float)BOUND_OF(SPAN_NEARER,
                            (depth->es + depth->et) * (1 + BOUND(SPAN_NEARER_SECOND)) + BOUND(SPAN_NEARER_ROUNDING));
 }
 
-/* Decides pixels first..end-1, at most 64, one by one. */
+/* Decides each of the pixels first..end-1, at most 64. */
 static void settle(const struct contest *c, int first, int end, struct simd_line *line)
 {
     struct simd_pair pair = {.count = end - first, .x0 = (float)(first - c->place.middle)};
@@ -74,7 +74,7 @@ static void settle(const struct contest *c, int first, int end, struct simd_line
     }
 }
 
-/* Prepares a part; false when the eye is inside one of the spheres, or b is not positive. */
+/* Prepares the part first..end-1; false when the eye is inside one of the spheres, or b is not positive. */
 static bool look(struct contest *c, int first, int end)
 {
     const struct span_view *spans = span_view_of(c->view);
@@ -86,7 +86,7 @@ static bool look(struct contest *c, int first, int end)
 
 enum winner { NOBODY_KNOWS, N_WINS, M_WINS };
 
-/* Compares the ranges of the spheres' distances over the whole part, which mostly suffices. */
+/* Compares the ranges of the spheres' distances over the whole part, which is usually enough. */
 static enum winner before(const struct contest *c)
 {
     const struct span_view *spans = span_view_of(c->view);
@@ -108,7 +108,8 @@ static bool deepen(struct contest *c)
     return c->depth[0].es + c->depth[0].et < BOUND(SPAN_KNOWN) && c->depth[1].es + c->depth[1].et < BOUND(SPAN_KNOWN);
 }
 
-/* Bisects until a part is decided as a whole or is short. */
+/* Decides pixels first..end-1 in parts. A part is halved until it can be decided as a whole or has at most 64
+ * pixels. */
 static void contend(struct contest *c, int first, int end, struct simd_line *line)
 {
     int part = end - first;
@@ -132,7 +133,7 @@ static void contend(struct contest *c, int first, int end, struct simd_line *lin
     }
 }
 
-/* Puts object n, seen in `span`, among the runs of the line. */
+/* Merges object n, which covers `span`, into the runs of the line. */
 static void merge(const struct tia_view *view, const struct simd_row *row, uint32_t n, struct span span,
                   struct simd_line *line)
 {

@@ -36,8 +36,8 @@ static tia_q16 sight(const struct tia_camera *camera, tia_q16 distance)
     return (tia_q16)((int64_t)distance * (camera->fov >> 16) / 115);
 }
 
-/* Places a ball in view. Half of the balls lie on the ground, whose top is y = 0, at least as far away as the nearest
- * visible ground. */
+/* Places a ball in view. Half of the balls lie on the ground, at least as far away as the nearest visible point of the
+ * ground, whose top is at y = 0. */
 static void place_ball(uint64_t *state, const struct tia_camera *camera, struct tia_sphere *ball)
 {
     tia_q16 r = ball->radius, distance = dice_between(state, r + TIA_Q16_ONE, r + TIA_Q16(50));

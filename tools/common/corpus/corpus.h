@@ -22,7 +22,8 @@ struct corpus_scene {
  * tia_scene_check accepts all of them. */
 void corpus_random(struct corpus_scene *out, uint64_t seed, unsigned index);
 
-/* Makes tia_thesis_scene after pressing `keys`, for a width x height image. TIA_ERR_ARGUMENT if a key quits. */
+/* Makes tia_thesis_scene as it is after the keys `keys`, for a width x height image. Returns TIA_ERR_ARGUMENT if a key
+ * quits. */
 int corpus_thesis(struct corpus_scene *out, const char *keys, unsigned width, unsigned height);
 
 #endif

@@ -18,8 +18,8 @@ static bool is_flat(enum tia_shape_kind kind)
     return kind == TIA_PLANE || kind == TIA_BOX || kind == TIA_TRIANGLE || kind == TIA_MESH;
 }
 
-/* Replaces shapes that are not flat by boxes and removes the spheres; if there are no shapes, makes a box of the first
- * sphere. */
+/* Replaces shapes that are not flat by boxes and removes the spheres; if no shape is left, adds a box in place of the
+ * first sphere. */
 static void flatten_shapes(struct corpus_rays *out)
 {
     struct tia_scene *s = &out->scene;
@@ -48,7 +48,7 @@ static void flatten_light(struct tia_light *light)
         light->samples = SAMPLES;
 }
 
-/* Makes all materials opaque, and all sample points of a light the same for each pixel. */
+/* Makes all materials opaque, and makes each light use the same sample points in all pixels. */
 static void simplify(struct corpus_rays *out)
 {
     out->scene.camera.samples = 1;

@@ -50,7 +50,7 @@ struct tia_vec3 parts_moved(struct tia_vec3 p, struct tia_vec3 v, int32_t sign)
     return (struct tia_vec3){p.x + sign * v.x, p.y + sign * v.y, p.z + sign * v.z};
 }
 
-/* Returns v divided by |x| + |y| + |z|. */
+/* Returns v divided by about |x| + |y| + |z|. */
 static struct tia_dir3 direction_of(struct tia_vec3 v)
 {
     int64_t sum = (int64_t)abs(v.x) + abs(v.y) + abs(v.z) + 1;
@@ -240,7 +240,7 @@ void parts_random_grid(uint64_t *state, struct corpus_rays *out)
     out->cells[0] = 1;
 }
 
-/* Makes glass whose index of refraction other materials may share. */
+/* Makes glass. Its index of refraction is often one that other materials have as well. */
 static void random_medium(uint64_t *state, struct tia_material *m)
 {
     static const tia_q16 indices[] = {TIA_Q16(1), TIA_Q16(1), TIA_Q16(1.33), TIA_Q16(1.5), TIA_Q16(1.5), TIA_Q16(1.5)};
@@ -273,7 +273,7 @@ static void random_vessel(uint64_t *state, struct corpus_rays *out, struct tia_s
                                                 parts_moved(centre, (struct tia_vec3){0, size, 0}, 1), size, true};
     } else if (shape->kind == TIA_DISC) {
         shape->disc = (struct tia_disc){centre, parts_random_direction(state), size};
-    } else { /* the ball, or the grid, whose other cells have the materials that follow */
+    } else { /* the ball, or the grid, whose other cells have the materials with the next numbers */
         *t = (struct tia_transform){centre, {0, dice_between(state, 0, TIA_Q16(90)), 0}, {size, size, size}};
         shape->transform = ++out->scene.transform_count;
     }

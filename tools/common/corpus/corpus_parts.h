@@ -42,7 +42,7 @@ struct tia_dir3 parts_random_direction(uint64_t *state);
 
 void parts_random_material(uint64_t *state, struct tia_material *material);
 void parts_random_light(uint64_t *state, struct tia_light *light);
-/* Gives every second material an opacity. */
+/* Gives on average half of the materials an opacity texture. */
 void parts_random_opacities(uint64_t *state, struct corpus_rays *out);
 
 void parts_random_textures(uint64_t *state, struct corpus_rays *out);
@@ -51,7 +51,7 @@ void parts_random_textures(uint64_t *state, struct corpus_rays *out);
 void parts_random_meshes(uint64_t *state, struct corpus_rays *out);
 void parts_random_grid(uint64_t *state, struct corpus_rays *out);
 
-/* Adds shapes nested in each other, with the materials from `material` on, and groups for the faces of the meshes. */
+/* Adds shapes nested in each other, with the materials from number `material` on, and groups of the meshes' faces. */
 void parts_random_nest(uint64_t *state, struct corpus_rays *out, uint32_t material);
 
 #endif

@@ -7,7 +7,7 @@
 
 #define ZERO TIA_VEC3(0, 0, 0)
 
-/* The objects' bounds; the eye is at least 4 from their axis. */
+/* Bounds of the objects' centres. The eye is at least 8 away from their vertical axis. */
 #define LOW ((struct tia_vec3)TIA_VEC3(-3.5, 0.2, -3.5))
 #define HIGH ((struct tia_vec3)TIA_VEC3(3.5, 3.5, 3.5))
 
@@ -38,7 +38,7 @@ static void random_window(uint64_t *state, struct tia_camera *camera)
     }
 }
 
-/* Chooses a camera that looks along -z, or from any side at a point near the middle. */
+/* Chooses a camera that looks along -z, or from any side at a point near the middle of the scene. */
 static void random_camera(uint64_t *state, struct tia_camera *camera)
 {
     static const uint8_t samples[] = {0, 1, 0, 1, 0, 1, 0, 4, 4, 16};
@@ -145,7 +145,7 @@ static uint32_t random_transform(uint64_t *state, struct corpus_rays *out, struc
     return ++out->scene.transform_count;
 }
 
-/* Makes an object: one in ten is a plain sphere, the others are shapes; no planes. */
+/* Makes an object: with probability 1/10 a sphere of the scene's `spheres`, otherwise a shape, but no plane. */
 static void random_object(uint64_t *state, struct corpus_rays *out, uint32_t material)
 {
     static const enum tia_shape_kind kinds[] = {TIA_SPHERE,   TIA_DISC, TIA_CYLINDER, TIA_CONE, TIA_BOX,

@@ -11,7 +11,7 @@
  * accepts all of them. */
 void corpus_random_rays(struct corpus_rays *out, uint64_t seed, unsigned index);
 
-/* Gives materials of such a scene opacity textures, half of them on average: holes, and half transparent texels. */
+/* Gives on average half of the materials of such a scene an opacity texture, with holes and half-transparent texels. */
 void corpus_add_opacity(struct corpus_rays *out, uint64_t seed);
 
 #endif

@@ -14,11 +14,12 @@ struct tally {
     uint64_t pixels, identical;
     uint64_t one;     /* the worst channel differs by one level */
     uint64_t more;    /* the worst channel differs by more than one level */
-    uint64_t flips;   /* pixels where a different object is hit or different lights arrive, whatever the colour */
+    uint64_t flips;   /* pixels where another object is hit, or other lights are visible from the hit, whatever the
+                         colour */
     uint64_t stray;   /* pixels that differ by more than one level on the same path */
     uint64_t largest; /* largest difference of a channel, in levels */
     uint64_t astray;  /* largest difference of a channel in pixels without a flip, in levels */
-    uint64_t squares; /* sum of the squared differences of all channels, full intensity being 31 x 63 */
+    uint64_t squares; /* sum of the squared differences of all channels, in units in which full intensity is 31 x 63 */
 };
 
 void tally_add(struct tally *sum, const struct tally *part);
@@ -45,7 +46,7 @@ struct measure {
     const struct tia_workers *workers;
     tia_rgb565 *picture; /* NULL, or receives the width x height pixels of the reference's picture */
 
-    /* NULL, or called for each pixel that is not SAME, on any thread, also on several at once. */
+    /* NULL, or called for each pixel that is not SAME, possibly on several threads at once. */
     void (*differs)(void *arg, unsigned core, enum verdict verdict, const struct measure_pixel *want,
                     const struct measure_pixel *got);
     void *arg;

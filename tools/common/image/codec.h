@@ -48,8 +48,8 @@ size_t image_put565(unsigned char *line, const tia_rgb565 *pixels, size_t count)
  * 255. */
 void image_expand(unsigned char *rgb, const tia_rgb565 *pixels, size_t count);
 
-/* Adds the next row to image->sum, for formats whose frames have checksums; true: it was the frame's last row. part.c
- */
+/* Adds the next row to image->sum, in formats whose frames have checksums. Returns true if it was the frame's last
+ * row. */
 bool image_part_add(struct image *image, const tia_rgb565 *pixels);
 
 #endif

@@ -133,8 +133,8 @@ static unsigned char value_at(const struct image_texels *texels, size_t i, enum 
     }
 }
 
-/* Reduces the picture to one channel in place: one byte replaces three, so a byte written lies before those still to be
- * read. */
+/* Reduces the picture to one channel in place: the byte of a texel lies at or before the texel's own colours, so no
+ * colour is overwritten before it is read. */
 void image_channel(struct image_texels *texels, enum tia_channel channel)
 {
     size_t count = (size_t)texels->width * texels->height;

@@ -34,8 +34,8 @@ int image_decode_png(struct image_texels *texels, const void *bytes, size_t leng
     *why = "a damaged PNG file";
     if (png_image_begin_read_from_memory(&image, bytes, length) == 0)
         return TIA_ERR_RANGE;
-    image.flags |= PNG_IMAGE_FLAG_16BIT_sRGB; /* as for 8-bit files: values are used as they are, without a conversion
-                                                 of gamma */
+    image.flags |= PNG_IMAGE_FLAG_16BIT_sRGB; /* as for 8-bit files: values are used unchanged, without a conversion of
+                                                 gamma */
     int status = image_room(texels, image.width, image.height, side, most, why);
     bool has_alpha = (image.format & PNG_FORMAT_FLAG_ALPHA) != 0;
     if (!status && !(has_alpha ? read_rgba(&image, texels) : read_rgb(&image, texels))) {

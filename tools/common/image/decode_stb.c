@@ -32,8 +32,8 @@ static int refuse(const char **why, const char *what)
 }
 
 /* Number of zeros behind a file. stb_image reads zeros beyond the end of a file, without an error. To detect that,
- * SPARE zeros are stored after the file; the position after decoding shows if some of them were read. Only internal
- * functions give the position. */
+ * SPARE zeros are stored after the file; the position after decoding shows if some of them were read. Only stb_image's
+ * internal functions give the position. */
 #define SPARE 16
 
 static unsigned char *load_padded(const struct image_texels *texels, int channels, const unsigned char *padded,
@@ -51,8 +51,8 @@ static unsigned char *load_padded(const struct image_texels *texels, int channel
     return all;
 }
 
-/* Loads a picture with `channels` bytes for each texel, to be freed by free(). NULL: the picture is damaged, or its
- * size is not that of its header. */
+/* Loads a picture with `channels` bytes for each texel, to be freed by free(). Returns NULL if the picture is damaged,
+ * or if its size is not that of its header. */
 static unsigned char *load(const struct image_texels *texels, int channels, const unsigned char *bytes, size_t length)
 {
     unsigned char *padded = calloc(1, length + SPARE);
@@ -90,8 +90,8 @@ static bool are_tables(const unsigned char *at, const unsigned char *end, int64_
 }
 
 /* True if stb_image can read the file safely: version 2.27 writes beyond its array for a Huffman table with more than
- * 256 codes, which no valid JPEG has. Searches for one wherever a segment with tables might begin, since stb_image may
- * find segments where others do not. */
+ * 256 codes, which no valid JPEG has. Searches for such a table wherever a segment with tables might begin, since
+ * stb_image may find segments that other decoders do not. */
 static bool is_safe(const unsigned char *bytes, size_t length)
 {
     const unsigned char *end = bytes + length;

@@ -1,8 +1,8 @@
 /* image.h - writes a picture or film file, a band of rows at a time; the file appears complete or not at all.
  *
  * A regular file gets its name only when image_finish succeeds; until then it is a temporary file in the same
- * directory. A device, a pipe or standard output ("-") is written directly. Needs memory for one row and a buffer,
- * whatever the picture's size; for a .y4m, for a frame.
+ * directory. A device, a pipe or standard output ("-") is written directly. Memory is needed for a buffer and one row,
+ * or one frame of a .y4m, whatever the picture's size.
  */
 #ifndef TOOLS_IMAGE_H
 #define TOOLS_IMAGE_H
@@ -30,7 +30,7 @@ struct image *image_create(const char *path, enum image_format format, unsigned 
 /* Starts a file with the given frames and rows of a film, frame by frame. Returns as image_create. */
 struct image *image_create_film(const char *path, enum image_format format, const struct image_film *film, char *why);
 
-/* True if the format stores the bottom row first; then write the last band first. */
+/* True if the format stores the bottom row first. The last band must then be written first. */
 bool image_bottom_up(const struct image *image);
 
 /* Writes the next `count` full rows, top row first, without gaps in `pixels`. Errors are stored; checking image_finish
@@ -40,11 +40,11 @@ int image_band(struct image *image, const tia_rgb565 *pixels, unsigned count);
 /* True if a file of `format` can have `depth` bits a channel, see struct image_film. */
 bool image_format_has(enum image_format format, unsigned depth);
 
-/* Writes rows of a picture with a `depth` of 8, 16 or 32 bits: width x 3 numbers each; those of 16 bits begin with the
- * highest byte, those of 32 with the lowest. */
+/* Writes rows of a picture with a `depth` of 8, 16 or 32 bits: width x 3 numbers each. Numbers of 16 bits are
+ * big-endian, those of 32 bits little-endian. */
 int image_rows(struct image *image, const unsigned char *bytes, unsigned count);
 
-/* Spends as little time as possible on compression from the next row on. */
+/* Minimises the time spent on compression from the next row on. */
 void image_hurry(struct image *image);
 
 /* Completes the picture and frees `image`. After a failure no file is left, and `why` has the reason. */

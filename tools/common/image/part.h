@@ -1,16 +1,16 @@
 /* part.h - reads parts of a film, .tiapart and .y4m.
  *
- * A .tiapart has a line that describes it, and then its pixels. It may have only some rows of each frame.
+ * A .tiapart begins with a line that describes it; its pixels follow. It may contain only some rows of each frame.
  *
  *     TIAPART2 W640 H480 R0+120 N0+50/100 F25:1 S89abcdef
  *
  * means rows 0 to 119 of frames 0 to 49 of a film of 100 frames, 640x480 each, 25 per second; S is image_film's crc.
- * The pixels follow as RGB565, little-endian, row by row, frame by frame, with a checksum after each frame, four bytes,
- * little-endian. A .y4m has the same description after XTIA= in its first line, and the checksum after XTIA= in each
- * frame's. Its pixels can be read back too, since all 65536 colours differ in Y, U or V.
+ * The pixels are RGB565, little-endian, row by row, frame by frame. A checksum follows each frame, four bytes,
+ * little-endian. A .y4m has the same description after XTIA= in its first line, and a frame's checksum after XTIA= in
+ * the frame's own line. Its pixels can be converted back, since all 65536 colours differ in Y, U or V.
  *
- * The checksum is the CRC-32 of four 32-bit numbers, little-endian, and the frame's pixels: the frame's number in the
- * film, the first row, the number of rows, and S. So pixels in the wrong place are detected, too.
+ * The checksum is the CRC-32 of four 32-bit numbers, little-endian, and of the frame's pixels. The numbers are the
+ * frame's number in the film, the first row, the number of rows, and S, so that pixels in the wrong place are detected.
  */
 #ifndef TOOLS_IMAGE_PART_H
 #define TOOLS_IMAGE_PART_H
@@ -34,7 +34,7 @@ size_t image_y4m_parse(struct image_film *film, const char *text, size_t length)
 #define IMAGE_PART_SUM 4   /* bytes after each frame of a .tiapart */
 #define IMAGE_Y4M_FRAME 20 /* bytes before each frame of a .y4m: "FRAME XTIA=89abcdef\n" */
 
-/* Returns the start of a frame's checksum, to which tia_crc32 adds the pixels. */
+/* Returns the initial value of a frame's checksum, which tia_crc32 continues with the pixels. */
 uint32_t image_part_begin_sum(const struct image_film *film, uint32_t frame);
 
 void image_part_put_sum(unsigned char bytes[IMAGE_PART_SUM], uint32_t sum);

@@ -1,5 +1,6 @@
-/* png.c - PNG by libpng: RGB of 8 bits, with an sBIT chunk where 5, 6 and 5 are significant, or of 16; a chunk sRGB, or
- * a chunk gAMA of 1 for linear light, if the picture's transfer function is specified. */
+/* png.c - writes PNG by libpng: RGB with 8 bits per channel, or with 16. An sBIT chunk marks RGB565 pictures, in which
+ * 5, 6 and 5 bits are significant. A specified transfer function is stored as a chunk sRGB, or as a chunk gAMA of 1 for
+ * linear light. */
 #ifdef TIA_HAVE_PNG
 
 #include <png.h>
@@ -91,7 +92,7 @@ static int row(struct image *image, const tia_rgb565 *pixels)
     return bytes(image, image->line);
 }
 
-/* Switches to storing without compression, so that the only work left is the rows' checksums. */
+/* Switches to storing without compression, so that only the rows' checksums still take time. */
 static void hurry(struct image *image)
 {
     struct png_state *state = image->state;

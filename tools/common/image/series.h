@@ -19,12 +19,12 @@ struct series {
 /* True if a file name has a pattern for the frame's number, %d or %03d. */
 bool series_is_pattern(const char *name);
 
-/* Returns the name with the number in place of the pattern; free() it. NULL: no memory. */
+/* Returns the name with the number in place of the pattern, to be freed by free(); NULL if there is no memory. */
 char *series_path(const char *name, uint32_t frame);
 
-/* Begins a frame; its bands go to series->image. A negative status on failure, with the reason in `why`. */
+/* Begins a frame; its bands go to series->image. Returns a negative status on failure, with the reason in `why`. */
 int series_begin(struct series *series, uint32_t frame);
-/* Ends a frame. A negative status on failure, with the reason in `why`. */
+/* Ends a frame. Returns a negative status on failure, with the reason in `why`. */
 int series_end(struct series *series);
 
 /* Completes the film. After a failure only the pictures of finished frames are left. */

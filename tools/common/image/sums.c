@@ -107,7 +107,7 @@ void sums_put_row(unsigned char *bytes, const struct sums *s, unsigned y, const 
     sums_put_gathered(bytes, s, y, &(struct tia_gathered){.sums = sums});
 }
 
-/* Adds a row's sums; true if all are in their range. */
+/* Adds a row's sums. Returns true if all are in their range. */
 static bool add_sums(struct tia_sum *row, const struct sums *s, const unsigned char *at)
 {
     const uint64_t most = (uint64_t)s->count << 38; /* samples of up to 2^14 in units of 2^-24 */
@@ -132,8 +132,8 @@ bool sums_add_row(struct tia_sum *row, const struct sums *s, unsigned y, const u
     return add_sums(row, s, bytes) && checks(s, y, bytes);
 }
 
-/* Reads a guide; false: a mean is out of range. The coordinates of normals are in -1..1 and those of albedos in
- * 0..2^14, in units of 2^-24; the depth is not negative. */
+/* Reads a guide. Returns false if a mean is out of range. The coordinates of normals are in -1..1 and those of albedos
+ * in 0..2^14, in units of 2^-24; the depth is not negative. */
 static bool get_guide(struct tia_guide *guide, uint32_t count, const unsigned char *at)
 {
     const int64_t one = (int64_t)count << 24, most = (int64_t)count << 38;
@@ -164,7 +164,8 @@ bool sums_get_gathered(const struct tia_gathered *row, const struct sums *s, uns
     return sound;
 }
 
-/* Stores the mean as a float, which has 24 bits and needs no exposure. Returns the position behind it. */
+/* Stores the mean as a float. It needs no exposure, since a float has 24 significant bits at any brightness. Returns
+ * the position behind it. */
 static unsigned char *put_float(unsigned char *at, int64_t sum, uint32_t count)
 {
     float value = (float)((double)sum / (16777216.0 * count));

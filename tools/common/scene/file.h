@@ -10,7 +10,7 @@
 
 struct scene_part; /* a file that the scene refers to */
 
-/* Settings for reading a scene other than for a picture. */
+/* Optional settings for reading a scene. */
 struct scene_wish {
     tia_q16 reach;    /* see tia/read.h */
     unsigned threads; /* number of threads that build the hierarchy of a large scene; 0 means 1 */

@@ -11,9 +11,9 @@
 #include "scene_part.h"
 #include "whole_file.h"
 
-/* Least size of the memory for the first attempt, bytes; tia_read then returns the size that it needs. */
+/* Size of the memory for the first attempt, in bytes; after it, tia_read returns the size that it needs. */
 #define MEMORY_FIRST ((size_t)1 << 16)
-/* Largest size of the memory, bytes: a byte of the file takes some tens of bytes at most. */
+/* Largest size of the memory, in bytes. The memory takes at most some tens of bytes per byte of the file. */
 #define MEMORY_MOST ((size_t)1 << (sizeof(size_t) > 4 ? 34 : 30))
 
 static const char *const names[] = {[TIA_FORMAT_TIA] = "tia", [TIA_FORMAT_NFF] = "nff", [TIA_FORMAT_OBJ] = "obj"};
@@ -111,7 +111,7 @@ static void name_material(void *ctx, uint32_t index, const char *name)
         wish->material(wish->ctx, index, name);
 }
 
-/* Reads the scene with as much memory as the reader needs, which is known after the first attempt. */
+/* Reads the scene. If memory is too small, tia_read returns the size that it needs for the next attempt. */
 static int read_scene(struct scene_file *file, const struct whole *text, int format, bool strict)
 {
     struct tia_reader reader = {.format = (enum tia_format)format,
@@ -138,10 +138,11 @@ static int read_scene(struct scene_file *file, const struct whole *text, int for
     return status == TIA_ERR_MEMORY ? exhausted(file) : status ? set_error(file, &reader.error) : TIA_OK;
 }
 
-/* Size in bytes of a hierarchy whose construction takes as long as the start of threads. */
+/* Size in bytes from which a hierarchy is built by several threads: building it takes as long as starting the
+ * threads. */
 #define BOXES_FOR_THREADS ((size_t)1 << 20)
 
-/* Builds the hierarchy; without memory for threads, on one thread. */
+/* Builds the hierarchy, on one thread if there is no memory for a pool. */
 static int build_boxes(struct scene_file *file, unsigned threads)
 {
     struct tia_scene *scene = &file->scene;

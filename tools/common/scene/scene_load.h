@@ -10,16 +10,16 @@
 int scene_format_of(const char *path);
 
 /* Reads the scene `path` ("-": standard input) of `format` (enum tia_format). Files that it refers to are relative to
- * its directory. TIA_ERR_MEMORY; TIA_ERR_DEVICE when a file cannot be read; TIA_ERR_RANGE when it is not a valid scene.
- * After an error file->why has the reason, and nothing needs to be closed. `path` must outlive the file. With `strict`
- * warnings are errors. */
+ * its directory. Returns TIA_OK; TIA_ERR_MEMORY; TIA_ERR_DEVICE if a file cannot be read; TIA_ERR_RANGE if it is not a
+ * valid scene. After an error file->why has the reason, and nothing needs to be closed. `path` must outlive the file.
+ * With `strict`, warnings are errors. */
 int scene_open(struct scene_file *file, const char *path, int format, bool strict);
 
-/* Reads the scene as scene_open does, by the settings of `wish`, which must outlive the call. */
+/* Reads the scene as scene_open does, with the settings `wish`, which must outlive the call. */
 int scene_open_for(struct scene_file *file, const char *path, int format, bool strict, const struct scene_wish *wish);
 
 /* Gets the next warning about the opened scene, "FILE:LINE: WHAT (N more)". *at is the state of the loop over the
- * warnings, 0 at first. False: there are no more. */
+ * warnings, 0 at first. Returns false if there are no more. */
 bool scene_warning(const struct scene_file *file, unsigned *at, char line[SCENE_WHY]);
 void scene_close(struct scene_file *file);
 

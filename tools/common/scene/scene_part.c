@@ -8,7 +8,7 @@
 #include "common/image/decode.h"
 #include "whole_file.h"
 
-/* Kinds of parts; from PART_OPACITY on there is one for each enum tia_channel. */
+/* Kinds of parts. The last one stands for several: PART_OPACITY + c for each enum tia_channel c. */
 enum { PART_LIBRARY, PART_IMAGE, PART_OPACITY };
 
 struct scene_part {
@@ -85,7 +85,7 @@ static int load(struct scene_file *file, struct scene_part *part, const char **w
     return status;
 }
 
-/* Gives the file called `name` in *found, and loads it when it is first needed. */
+/* Stores the part called `name` in *found. Its file is loaded on first use. */
 static int fetch(struct scene_file *file, const char *name, unsigned kind, struct scene_part **found, const char **why)
 {
     struct scene_part *part = *found = find(file, name, kind);

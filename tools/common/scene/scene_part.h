@@ -12,7 +12,7 @@ int part_image(void *ctx, const char *name, struct tia_texture *texture, const c
 /* Implements `opacity`. */
 int part_opacity(void *ctx, const char *name, enum tia_channel channel, struct tia_texture *texture, const char **why);
 
-/* Returns the path of the file that the scene calls `name`; free() it. NULL: no memory. */
+/* Returns the path of the file that the scene calls `name`, to be freed by free(); NULL if there is no memory. */
 char *part_path(const struct scene_file *file, const char *name);
 
 void part_free_all(struct scene_file *file);

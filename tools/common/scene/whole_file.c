@@ -79,7 +79,7 @@ static int check(const struct stat *status, size_t most, const char **why)
 }
 
 /* Reads the file. Its type is checked before opening, since opening alone may block (a FIFO) or have effects (a
- * device), and after it, since the name may refer to another file by then. */
+ * device), and again afterwards, since the name may refer to another file by then. */
 int whole_read(struct whole *whole, const char *path, size_t most, const char **why)
 {
     struct stat status;

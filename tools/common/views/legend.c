@@ -6,7 +6,7 @@
 #include "common/views/palette.h"
 #include "false_colour.h"
 
-/* A line of the legend, in the colour that it names; the lines are listed from top to bottom. */
+/* A line of the legend, drawn in the colour that it explains. Lines are listed from top to bottom. */
 struct legend_line {
     char text[32];
     tia_rgb565 colour;

@@ -17,7 +17,8 @@ struct legend {
 /* Draws the part of the legend that is in the tile. */
 void legend_draw(const struct legend *legend, struct tia_tile tile, const struct tia_surface *surface);
 
-/* Returns the colour of a kind of ray; TIA_RAY_SHADOW + 1: of a shadow ray that does not arrive; + 2: of a normal. */
+/* Returns the colour of a kind of ray; TIA_RAY_SHADOW + 1 is a shadow ray that does not reach its light, TIA_RAY_SHADOW
+ * + 2 a normal. */
 tia_rgb565 legend_ray(unsigned kind);
 
 #endif

@@ -10,7 +10,8 @@ static void put(struct tia_tile tile, const struct tia_surface *surface, double 
     *(tia_rgb565 *)(void *)(row + (ptrdiff_t)((int)x - tile.x) * surface->step) = colour;
 }
 
-/* Clips the parameters of a line to those within low..high, with half a pixel to spare; false: there are none. */
+/* Clips the parameters first..last of a line to the coordinates low..high, with a margin of a pixel. Returns false if
+ * none are left. */
 static bool cut(double from, double to, double low, double high, double *first, double *last)
 {
     double way = to - from;
@@ -23,7 +24,7 @@ static bool cut(double from, double to, double low, double high, double *first, 
     return *first <= *last;
 }
 
-/* Draws a line. Each step is a pixel, counted from the line's beginning, so that all tiles draw the same one. */
+/* Draws a line. Each step is a pixel, counted from the line's beginning, so that all tiles draw the same pixels. */
 void line_draw(const struct line *line, struct tia_tile tile, const struct tia_surface *surface)
 {
     double x = line->ends[0][0], y = line->ends[0][1], wide = line->ends[1][0] - x, high = line->ends[1][1] - y;

@@ -24,7 +24,7 @@ tia_rgb565 palette_heat(double t)
     return palette_rgb(rgb[0], rgb[1], rgb[2]);
 }
 
-/* Returns a colour; successive hues are a golden section of the circle apart. */
+/* Returns a colour. The hues of successive numbers are a golden section of the colour circle apart. */
 tia_rgb565 palette_number(uint32_t n)
 {
     double hue = fmod((double)n * 0.6180339887498949, 1) * 6, rgb[3];

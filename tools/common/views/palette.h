@@ -5,7 +5,7 @@
 #include <stdint.h>
 #include <tia/vec.h>
 
-/* Returns a colour from black over blue, red and yellow to white; t in 0..1. */
+/* Returns a colour on a scale from black over blue, red and yellow to white, for t in 0..1. */
 tia_rgb565 palette_heat(double t);
 
 /* Returns the colour of number n, chosen so that successive numbers differ most. */

@@ -101,7 +101,7 @@ bool projected_segment(const struct tia_camera *camera, unsigned width, unsigned
     return true;
 }
 
-/* Returns the size of a pixel at the point p. */
+/* Returns the width of a pixel at the point p. */
 static double length_of_pixel(const struct tia_camera *camera, unsigned width, unsigned height, const double p[3])
 {
     double at[2], next[2], beside[3] = {p[0] + 1, p[1], p[2]};

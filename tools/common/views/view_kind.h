@@ -8,7 +8,7 @@ enum view {
     VIEW_NORMAL, /* shading normal at the visible point */
     VIEW_OBJECT, /* number of the visible object */
     VIEW_COST,   /* number of boxes, objects and faces that the pixel's rays are tested against */
-    VIEW_LIGHT,  /* lights that arrive at the visible point */
+    VIEW_LIGHT,  /* lights that reach the visible point */
     VIEW_PATH,   /* number of the pixel's rays */
     VIEW_COUNT
 };

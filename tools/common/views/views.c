@@ -10,7 +10,7 @@
 
 enum { RAYS_DRAWN = 256 };
 
-/* State of the views. Set when a view is prepared and when its lights are set, before threads draw. */
+/* State of the views. Set when a view is prepared and when its lights are set, before the threads draw. */
 static struct {
     struct views views;
     const struct tia_core *watched;
@@ -44,7 +44,7 @@ static void add_line(struct tia_vec3 from, struct tia_vec3 to, tia_rgb565 colour
 static void add_ray(void *ctx, const struct tia_traced *traced)
 {
     unsigned kind = (unsigned)traced->ray;
-    double part = now.legend.scale / 10; /* length of a normal that is drawn */
+    double part = now.legend.scale / 10; /* length of a drawn normal */
     struct tia_vec3 tip = {(tia_q16)fmin(traced->to.x + part * traced->normal.x, INT32_MAX),
                            (tia_q16)fmin(traced->to.y + part * traced->normal.y, INT32_MAX),
                            (tia_q16)fmin(traced->to.z + part * traced->normal.z, INT32_MAX)};
@@ -82,7 +82,7 @@ static int collect_rays(const struct tia_view *view, unsigned x, unsigned y)
 
 /* ---- the core ---- */
 
-/* Returns the distance at half of the palette: that of the camera's reference point; 10 if it has none. */
+/* Returns the distance that gets the middle of the palette: that of the camera's reference point; 10 if it has none. */
 static double scale_of(const struct tia_scene *scene)
 {
     const struct tia_camera *c = &scene->camera;
@@ -185,8 +185,8 @@ int views_point(const struct tia_view *view, unsigned x, unsigned y, const struc
     return status;
 }
 
-/* Makes rays draw the scene. Spans do not support a reference point, so the camera gets one along -z, where it looks
- * anyway. */
+/* Changes the scene so that rays draw it. Spans do not support a reference point, so the camera gets one along -z, the
+ * direction in which it looks. */
 void views_need_rays(struct tia_scene *scene)
 {
     struct tia_camera *c = &scene->camera;

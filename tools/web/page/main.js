@@ -1,4 +1,4 @@
-// main.js - the page: what is chosen, typed and pointed at goes to the worker, pictures and errors come back.
+// main.js - the page: sends the user's choices, keys and pointer movements to the worker, and shows the pictures and errors that come back.
 'use strict';
 
 const $ = id => document.getElementById(id);
@@ -10,10 +10,10 @@ const RAYS = [['#fff', 'primary'], ['#ff0', 'reflected'], ['#0ff', 'refracted'],
 const ERRORS = [['#ffff00', 'one level apart'], ['#ff0000', 'more'], ['#00ffff', 'another path']];
 const picture = $('picture'), canvas = $('canvas'), context = canvas.getContext('2d', {willReadFrequently: true});
 const query = new URLSearchParams(location.search);
-const texts = new Map(); // of scenes, as they were fetched
+const texts = new Map(); // texts of scenes by name, as they were fetched
 let gallery, module, worker, suspends = query.get('suspend') !== 'no', ready = false, idle = true;
 let scene = null, pose = '-', frame = null, kept = null, held = new Map(), drag = null;
-let early = []; // keys that are typed before there is a scene
+let early = []; // keys that were pressed before there was a scene
 
 // ---- the worker ----
 
@@ -41,7 +41,7 @@ function ask(job) {
 
 const load = () => ({load: {name: scene, text: $('text').value}});
 
-// Where the browser cannot suspend WebAssembly, a worker that draws hears nothing: another one takes over.
+// If the browser cannot suspend WebAssembly, a worker that draws receives no messages, so another worker replaces it.
 function send(events) {
   if (!suspends && !idle && ready) {
     worker.terminate();
@@ -88,7 +88,7 @@ function say(text) {
 const ms = us => us < 9950 ? (us / 1000).toFixed(1) + ' ms' : us < 1e6 ? Math.round(us / 1000) + ' ms' : (us / 1e6).toFixed(1) + ' s';
 const hex = crc => crc.toString(16).padStart(8, '0');
 
-// The checksum that is known of this picture, if it is one of those.
+// Returns the known checksum of this picture; undefined if there is none.
 function pinned() {
   const s = settings(), edited = texts.get(scene) !== $('text').value;
   if (edited || pose === null || (frame && frame.plays) || s.arithmetic || s.view || s.rays || s.integrator !== -1 || s.samples) return undefined;
@@ -182,7 +182,7 @@ function updateNote() {
 
 const code = key => KEYS[key] || (key.length === 1 && key >= ' ' && key <= '~' ? key.toLowerCase().charCodeAt(0) : 0);
 
-// Which key has put the only light, or null when the picture is no longer one that is known.
+// Sets `pose` to the key that has set the only light, or to null if the picture's checksum is no longer known.
 function follow(key) {
   const own = bindings().includes(key);
   if (pose !== null && own && (!frame || frame.lights <= 1)) pose = key;
@@ -289,7 +289,7 @@ function followScroll() {
   mark.style.transform = `translateY(${-$('text').scrollTop}px)`;
 }
 
-// FILE:LINE:COLUMN: WHAT; of another file there is no line here.
+// Shows an error, FILE:LINE:COLUMN: WHAT. Its line is marked only if FILE is the scene itself.
 function showError(error) {
   const found = error && error.match(/^([^:]*):(?:(\d+):)?(?:(\d+):)? (.*)$/s), own = found && found[1] === scene;
   const line = own && found[2] ? +found[2] : 0, mark = $('mark');
@@ -359,7 +359,7 @@ function listen() {
     press(button.dataset.key, false, performance.timeOrigin + event.timeStamp, false);
     button.onpointerup = button.onpointercancel = button.onpointerleave = () => release(button.dataset.key);
   });
-  // By the keyboard: a button is typed, not held.
+  // A button that is clicked from the keyboard types its key, but cannot hold it.
   document.querySelector('.keys').addEventListener('click', event => {
     const button = event.target.closest('[data-key]');
     if (!button || event.detail) return;

@@ -1,4 +1,4 @@
-// worker.js - runs the viewer. What it wants of a page (port/web/web.h) is here: a queue of events, files, pictures.
+// worker.js - runs the viewer. Provides the functions that the module imports (port/web/web.h): a queue of events, files, pictures.
 'use strict';
 
 const ESCAPE = 27, POINT = 3, DRAGGED = 0x200; // as in tia/port.h and port/web/web.h
@@ -7,7 +7,7 @@ const decoder = new TextDecoder(), encoder = new TextEncoder();
 let wasm, run, suspends, job = null, busy = false, loaded = false, settings;
 let queue = [], wake = null;
 
-// ---- the module's memory, which moves when it grows ----
+// ---- the module's memory, whose buffer changes when it grows ----
 
 const bytes = (at, length) => new Uint8Array(wasm.memory.buffer, at, length);
 const string = (at, length) => decoder.decode(bytes(at, length).slice());
@@ -18,7 +18,7 @@ const cString = at => string(at, new Uint8Array(wasm.memory.buffer, at).indexOf(
 const turns = [], channel = new MessageChannel();
 channel.port1.onmessage = () => turns.shift()();
 
-// Messages that wait are handled before this returns. A timer would be held up by 4 ms.
+// Resolves after all pending messages. A timer would be delayed by at least 4 ms.
 const turn = () => new Promise(resolve => { turns.push(resolve); channel.port2.postMessage(0); });
 
 async function look() {
@@ -48,7 +48,7 @@ function take(at) {
   if (!event) return 0;
   const view = new DataView(wasm.memory.buffer, at);
   ['kind', 'key', 'shift', 'drag', 'x', 'y'].forEach((name, i) => view.setInt32(4 * i, event[name] | 0, true));
-  // A key may be older than this worker: then how old is not told.
+  // An event from before this worker's start gets the time 0, unknown.
   view.setFloat64(24, event.time ? Math.max(event.time - performance.timeOrigin, 0) * 1000 : 0, true);
   return 1;
 }
@@ -90,7 +90,7 @@ function fileSize(at, length) {
   return file ? file.length : -1;
 }
 
-// Files that a scene names are this page's own: nothing is asked of another place.
+// Fetches a file that a scene names. Only files below the page's own scenes/ are allowed.
 async function fetchFile(name) {
   if (!/^[\w.-]+(\/[\w.-]+)*$/.test(name) || name.includes('..')) return null;
   const answer = await fetch('scenes/' + name).catch(() => null);
@@ -109,7 +109,7 @@ async function load({name, text}) {
   }
 }
 
-// ---- one thing after the other ----
+// ---- jobs, one after the other ----
 
 function takeKept(kept) {
   const at = kept && wasm.web_kept(kept.length);

@@ -6,7 +6,7 @@
 #include "scene/colour.h"
 
 #define SHORT 12 /* pixels of shorter runs are drawn one by one */
-#define LEAF 8   /* runs up to this length are not divided but computed pixel by pixel at a shadow's edge */
+#define LEAF 8   /* at a shadow's edge, runs up to this length are computed pixel by pixel instead of divided */
 #define DEPTH 12 /* largest number of pending samples */
 
 /* Returns 1 if |Q - P|^2 certainly grows somewhere between two samples, -1 if it falls, 0 if neither is certain. */
@@ -19,13 +19,17 @@ static int8_t rise(const struct coherence_run *run, num_wide from, num_wide to)
 
 /* ---- shadows between two samples ---- */
 
-/* As P moves by up to `path` from the nearer sample, w/|w| turns by up to path/d; so does the shadow ray around Q, and
- * its distance h from C changes by up to m = |C - Q| path/d + 2 bias, since it starts off P by the bias. With errors of
- * h^2 up to e in both pixels, h stays above R when at the samples h^2 - R^2 > 2 m (R + m) + 3 e, as
+/* Returns COHERENCE_DARK if caster j shadows all pixels between two samples, COHERENCE_LIT if it shadows none, or
+ * COHERENCE_OPEN.
+ *
+ * As P moves by up to `path` from the nearer sample, the shadow ray turns around Q by up to path/d. Its distance h from
+ * C changes by up to m = |C - Q| path/d + 2 bias, since the ray starts at a distance `bias` from P. With h^2 off by up
+ * to e at a sample and at a pixel, h stays above R where h^2 - R^2 > 2 m (R + m) + 3 e at the samples, as
  *
  *     (sqrt(R^2 + e) + m)^2 <= R^2 + e + 2 R m + m^2 + 2 m sqrt(e) <= R^2 + 2 e + 2 R m + 2 m^2,
  *
- * and below R when h^2 - R^2 is below minus the sum. |w| - A'.w/|w| = (C - Q).(P - Q)/|w| changes by m, |w| by path. */
+ * and below R where h^2 - R^2 is below minus this sum. |w| - A'.w/|w| = (C - Q).(P - Q)/|w| changes by up to m, and |w|
+ * by up to `path`. */
 static int shadow_between(const struct coherence_run *run, const struct coherence_caster *cast, int j,
                           const struct coherence_sample *a, const struct coherence_sample *b, num_wide path)
 {
@@ -153,7 +157,8 @@ static num_u slack_between(const struct coherence_run *run, const struct coheren
     return slack < (num_wide)NUM_ONE ? (num_u)slack : NUM_ONE;
 }
 
-/* Draws the pixels from sample a to sample b, both included; false when they must be divided. */
+/* Draws the pixels from sample a to sample b, both included; false when the pixels between the samples must be
+ * divided. */
 static bool draw_between(const struct drawing *d, const struct coherence_sample *a, struct coherence_sample *b)
 {
     if (b->shadow == COHERENCE_OPEN && monotone(a, b)) {
@@ -195,8 +200,8 @@ static int guess(const struct colouring *c, const struct coherence_sample *a, co
     return low > a->x ? low : low + 1;
 }
 
-/* Divides the run between two samples by a third, s: in the middle, or, for a lit run that halving could still divide
- * completely with `room` more samples, where the colour may change. */
+/* Divides the run between two samples by a third, s, in the middle. A lit run so short that `room` more samples are
+ * enough to halve it completely is divided where the colour probably changes. */
 static void divide(const struct drawing *d, const struct coherence_sample *a, struct coherence_sample *b, int room,
                    struct coherence_sample *s)
 {
@@ -208,7 +213,7 @@ static void divide(const struct drawing *d, const struct coherence_sample *a, st
     coherence_sample_at(d->run, x, b->shadow == COHERENCE_OPEN && d->run->caster_count > 0, s);
     s->pixel = colour_of(&d->colouring, s->lambert);
     s->shadow = b->shadow;
-    s->slack = b->slack; /* |Q - P|^2 is no less here than at the smaller of a and b */
+    s->slack = b->slack; /* |Q - P|^2 is not below the smaller of its values at a and b */
     s->behind = rise(d->run, s->square, b->square);
     if (s->behind == 0 || monotone(a, b))
         s->behind = b->behind;
@@ -228,7 +233,7 @@ static void end_sample(const struct drawing *d, int x, struct coherence_sample *
 static void draw_run(const struct drawing *d, int first, int last)
 {
     struct coherence_run *run = d->run;
-    /* Pending samples, the nearest last; then unused ones. */
+    /* `right` has the pending samples, the nearest last; then unused ones. */
     struct coherence_sample sample[DEPTH + 1], *left = &sample[0], *right[DEPTH];
     int depth = 1;
 

@@ -1,4 +1,4 @@
-/* coherence_bounds.c - bounds on the errors of a run's integers, which coherence_proved.h derives. */
+/* coherence_bounds.c - bounds on the fixed-point errors of a run, derived in coherence_proved.h. */
 #include "coherence_proved.h"
 #include "coherence_run.h"
 
@@ -129,7 +129,7 @@ bool coherence_bound(struct coherence_run *run, int first, int last)
     return coherence_power(b->t + 32) <= coherence_power(COHERENCE_KNOWN);
 }
 
-/* Lower bounds of |Q - P| and |Q - P|^2, as logarithms. */
+/* Lower limits of |Q - P| and |Q - P|^2, as binary logarithms. */
 struct distance {
     int once, twice;
 };
@@ -155,8 +155,8 @@ num_wide coherence_lambert_slack(const struct coherence_run *run, num_wide squar
                            larger3(b->facing - b->radius - d.once, relative - 1, COHERENCE_BELOW(COHERENCE_KERNELS)));
 }
 
-/* Returns an upper bound of the path: half the arc between the samples' points. The chord of the arc is |t2 v2 - t1 v1|
- * <= |t2 - t1| |v1| + t2 |v2 - v1|. */
+/* Returns an upper limit of the path: half of the arc between the samples' points. The chord of the arc is |t2 v2 - t1
+ * v1| <= |t2 - t1| |v1| + t2 |v2 - v1|. */
 num_wide coherence_path(const struct coherence_run *run, const struct coherence_sample *a,
                         const struct coherence_sample *b)
 {
@@ -180,7 +180,7 @@ static num_wide side(const struct coherence_run *run, const struct coherence_sam
         (num_wide)s->t * num_pixel_coordinate(2 * s->x + 1 - run->primary->width, run->primary->exponent), shift);
 }
 
-/* Sets the chord: the points' distance along x alone, minus its error bound. */
+/* Sets the chord to the distance of the two points along x alone, less the error bound of this distance. */
 void coherence_measure(struct coherence_run *run, const struct coherence_sample *a, const struct coherence_sample *b)
 {
     num_wide off = coherence_power(run->bounds.t + run->bounds.point + run->exponent + COHERENCE_BITS(COHERENCE_ENDS)) +
@@ -189,7 +189,7 @@ void coherence_measure(struct coherence_run *run, const struct coherence_sample 
     run->chord = side(run, b) - side(run, a) - off;
 }
 
-/* Sets a caster's bounds, without the error of t, which is part of the path. The bias is 2^-13. */
+/* Sets a caster's bounds, without the error of t, which coherence_path() includes. The bias is 2^-13. */
 void coherence_bound_caster(const struct coherence_run *run, const struct span_sphere *caster,
                             struct coherence_caster *cast)
 {

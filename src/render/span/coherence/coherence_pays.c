@@ -2,8 +2,9 @@
 
 #define WIDE 1024 /* pixels */
 
-/* True if the sphere is seen from outside, so that D = (L.v)^2 - c v.v is concave along rows, and its radius, in front
- * of the eye, is wider than WIDE pixels: r depth > WIDE sqrt(c). */
+/* True if three conditions hold. The sphere is seen from outside: c > 0. D = (L.v)^2 - c v.v is concave along rows: c >
+ * L.x^2. The sphere's radius covers more than WIDE pixels, each 2 units of pixel coordinates wide: r depth > 2 WIDE
+ * sqrt(c). */
 bool coherence_pays(const struct primary_rays *primary, const struct span_sphere *sphere)
 {
     num_wide depth = num_shift(primary->depth * primary->depth, -2 * primary->exponent); /* exponent 0 */

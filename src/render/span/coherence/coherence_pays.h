@@ -4,7 +4,7 @@
 
 #include "render/span/span_sphere.h"
 
-/* True if a sphere is seen from outside and so large that many pixels have one colour. */
+/* True if a sphere is seen from outside and so large in the image that many of its pixels have one colour. */
 bool coherence_pays(const struct primary_rays *primary, const struct span_sphere *sphere);
 
 #endif

@@ -6,7 +6,7 @@
 
 #define COHERENCE_CASTERS 2
 
-/* Error bounds are powers of two: an `int` here is the logarithm of one, in the scene's unit. */
+/* Error bounds are powers of two. An `int` here is the binary logarithm of a bound, in the scene's unit. */
 struct coherence_bounds {
     int t;        /* relative error of t */
     int mantissa; /* largest mantissa of t */
@@ -14,12 +14,12 @@ struct coherence_bounds {
     int reach;    /* error of |P|^2 as computed */
     int square;   /* error of |Q - P|^2, without the error of t */
     int facing;   /* error of r N.(Q - P) */
-    int radius;   /* smallest r */
-    /* Bound on the difference of two values of |Q - P|^2 caused by their errors, with the exponent of |Q - P|^2. */
+    int radius;   /* lower limit of r */
+    /* Bound on the error of a difference of two values of |Q - P|^2, with the exponent of |Q - P|^2. */
     num_wide square_slack;
 };
 
-/* A sphere C, R in front of the light. Lengths have the run's exponent. */
+/* A sphere C, R that may occlude the light. Lengths have the run's exponent. */
 struct coherence_caster {
     struct shadow_line line;
     num_wide a, c;         /* forms of `line` at the image's middle */
@@ -41,7 +41,7 @@ struct coherence_run {
     num_wide row_square; /* Y^2 + depth^2 */
     int exponent;        /* exponent of lengths: no length that matters reaches 2^30 */
     num_wide v_most;     /* largest |v| */
-    num_wide chord;      /* no longer than the diameter of the circle of the run's points */
+    num_wide chord;      /* lower limit of the diameter of the circle on which the run's points lie */
     num_wide bias;       /* upper bound of twice the shadow rays' bias */
     struct coherence_bounds bounds;
     int caster_count;
@@ -50,49 +50,51 @@ struct coherence_run {
 
 enum { COHERENCE_LIT, COHERENCE_DARK, COHERENCE_OPEN };
 
-/* The data computed for a pixel: compact, as several are pending at once. */
+/* The data computed for a pixel. It is compact, as several samples are pending at once. */
 struct coherence_sample {
     num_wide square;                   /* |Q - P|^2 */
     num_wide clear[COHERENCE_CASTERS]; /* clearance of the shadow ray: h^2 - R^2, with twice the run's exponent */
     num foot[COHERENCE_CASTERS];       /* A'.w/|w|, see kernels.h, with the run's exponent */
     num far;                           /* |w|, w = Q - P */
     num_u t, lambert;                  /* lambert without shadows */
-    num_u slack;                       /* error bound of lambert back to the sample to the left; 0: not computed yet */
+    num_u slack;                       /* error bound of lambert from here to the sample to the left; 0: not yet set */
     int x;
     tia_rgb565 pixel;      /* colour for this lambert */
     bool faces;            /* turned to the light; clear, foot and far are undefined otherwise */
-    uint8_t shadow;        /* of all pixels back to the sample to the left: COHERENCE_LIT, .._DARK or .._OPEN */
+    uint8_t shadow;        /* shadow of all pixels back to the sample to the left: COHERENCE_LIT, .._DARK or .._OPEN */
     int8_t before, behind; /* |Q - P|^2 to the left and right: 1 grows somewhere, -1 falls, 0 unknown */
 };
 
-/* num_shift, num_bits and num_bound out of line: they are called from many places, and flash is scarce. */
+/* num_shift, num_bits and num_bound, not inlined, as they are called in many places and flash is scarce. */
 num_wide coherence_shift(num_wide x, int s);
 int coherence_bits(num_wide x);
 num_wide coherence_power(int bits);
 
-/* Moves the lines, without those of casters, to pixel x. */
+/* Moves the lines, except those of casters, to pixel x. */
 void coherence_go(struct coherence_run *run, int x);
 
 /* Returns |Q - P|^2 at pixel x. */
 num_wide coherence_square_at(struct coherence_run *run, int x);
-/* Computes a sample but for slack, shadow, pixel, before and behind; `shadows`: with the data for shadows. */
+/* Computes all of a sample except slack, shadow, pixel, before and behind; computes clear, foot and far only if
+ * `shadows` is true. */
 void coherence_sample_at(struct coherence_run *run, int x, bool shadows, struct coherence_sample *s);
 /* Returns lambert at pixel x, 0 in the shadow of a caster. */
 num_u coherence_lambert_at(struct coherence_run *run, int x);
 
-/* Sets the bounds of pixels first..last; false when t is not accurate to 2^-12. Uses the fields before v_most, except
+/* Sets the bounds of pixels first..last; false when t is not accurate to 2^-12. Reads the members before v_most, except
  * `exponent`. */
 bool coherence_bound(struct coherence_run *run, int first, int last);
 
-/* Sets the bounds of one caster, for a run with bounds and an exponent. */
+/* Sets the bounds of one caster of a run, whose bounds and exponent must be set. */
 void coherence_bound_caster(const struct coherence_run *run, const struct span_sphere *caster,
                             struct coherence_caster *cast);
 
-/* Returns the largest difference of lambert between pixels where |Q - P|^2 is at least `square`; 1 and more: no bound.
- */
+/* Returns a bound on the error of the difference of two values of lambert, at pixels where |Q - P|^2 is at least
+ * `square`; 1 or more: none is known. */
 num_wide coherence_lambert_slack(const struct coherence_run *run, num_wide square);
 
-/* Error bounds: `length` of |w| and A'.w/|w|, with the run's exponent; `power` of |A'|^2 - R^2, with twice that. */
+/* Error bounds: `length` of |w| and A'.w/|w|, with the run's exponent; `power` of |A'|^2 - R^2, with twice this
+ * exponent. */
 struct coherence_slack {
     num_wide length, power;
 };
@@ -104,7 +106,7 @@ struct coherence_slack coherence_shadow_slack(const struct coherence_run *run, c
 /* Sets the run's chord, from the samples at its ends. */
 void coherence_measure(struct coherence_run *run, const struct coherence_sample *a, const struct coherence_sample *b);
 
-/* Returns the largest distance of a point P between the two samples from the nearer of their points. */
+/* Returns an upper limit of the distance from any point P between two samples to the nearer sample's point. */
 num_wide coherence_path(const struct coherence_run *run, const struct coherence_sample *a,
                         const struct coherence_sample *b);
 

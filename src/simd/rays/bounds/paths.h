@@ -1,363 +1,380 @@
 /* paths.h - bounds of samples of light along paths: emitters_tmpl.h, scatter_tmpl.h, look_tmpl.h, ends_tmpl.h,
- * glass_tmpl.h, walk_paths_tmpl.h. */
+ * glass_tmpl.h, walk_paths_tmpl.h. P is the lit point, N a surface's normal, R the mirrored direction, L that to the
+ * light, and b the distance from the surface at which new rays start. */
 #ifndef TIA_SIMD_RAYS_BOUNDS_PATHS_H
 #define TIA_SIMD_RAYS_BOUNDS_PATHS_H
 
 /* ---- densities of places on emitters, see emitters_tmpl.h ---- */
 
-/* The factor of x = ed/d in the relative error of a plane's density: that is (2.125 x + y)/(1 - y) for x, y =
- * ecosine/|c| <= 1/8: 2.43 x + 1.15 y; the rest is for the bound's own roundings. Unseen: hidden. */
+/* The factor of x = ed/d in the relative error of a plane's density. With y = ecosine/|c|, both at most 1/8, this error
+ * is (2.125 x + y)/(1 - y) <= 2.43 x + 1.15 y. The rest covers the roundings of the bound itself. Unseen: hidden. */
 #define BOUND_PLANE_DENSITY_DISTANCE 2.5
 
 /* The factor of y = ecosine/|c| in the relative error of a plane's density, derived with PLANE_DENSITY_DISTANCE.
  * Unseen: hidden. */
 #define BOUND_PLANE_DENSITY_COSINE 1.25
 
-/* The least d and |c| of a density, in their errors. Chosen together with PLANE_DENSITY_DISTANCE. Unseen: choice. */
+/* The least d and |c| by which a density is computed, in multiples of their errors. Chosen together with
+ * PLANE_DENSITY_DISTANCE. Unseen: choice. */
 #define BOUND_PLANE_DENSITY_KNOWN 8
 
-/* The rounding of a plane's density, pi d^2/(A c). By doubles: pi and A, two quotients, two products: 6 u; there: four
- * products and quotients of 2^-61 and 2^-59. 6.1 of 32 u. Unseen: small. */
+/* The relative rounding of a plane's density pi d^2/(A c). In doubles: pi, A, two quotients and two products, 6 u. In
+ * fixed point: four products and quotients, within 2^-61 and 2^-59. Needed: 6.1 of 32 u. Unseen: small. */
 #define BOUND_PLANE_DENSITY_ROUNDING P2M(48)
 
-/* The error of a plane's density: the density times the relative errors of d^2 and c and PLANE_DENSITY_ROUNDING, see
- * plane_density(). Unseen: hidden. */
+/* The error of a plane's density: the density, times the sum of the relative errors of d^2 and c and
+ * PLANE_DENSITY_ROUNDING, see plane_density(). Unseen: hidden. */
 FORMULA(PLANE_DENSITY);
 
-/* The factor of x = ed/d in the relative error of s^2, s = r/d: 1/(1 - x)^2 - 1 <= 2.1 x for x <= 1/32; the rest is for
- * the bound's own roundings. Unseen: hidden. */
+/* The factor of x = ed/d in the relative error of s^2, s = r/d: 1/(1 - x)^2 - 1 <= 2.1 x for x <= 1/32. The rest covers
+ * the roundings of the bound itself. Unseen: hidden. */
 #define BOUND_CONE_SINE 2.25
 
-/* The least d by which s^2 is computed, in its errors. Chosen together with CONE_SINE. Unseen: choice. */
+/* The least d by which s^2 is computed, in multiples of its error. Chosen together with CONE_SINE. Unseen: choice. */
 #define BOUND_CONE_SINE_KNOWN 32
 
-/* The rounding of s^2 = (r/d)^2, as a part of it. By doubles: r, a root of 2 u, a quotient, a product: 2 (1 + 2.5 + 1)
- * + 1 = 10 u; there: 2^-58. 10 of 16 u. Unseen: small. */
+/* The relative rounding of s^2 = (r/d)^2. In doubles: u for r, 2.5 u for d, which is a root, and u for the quotient,
+ * all doubled by the square, and u for the square: 10 u. In fixed point: 2^-58. Needed: 10.1 of 16 u. Unseen: small. */
 #define BOUND_CONE_SINE_ROUNDING P2M(49)
 
-/* The rounding of s^2 there: halves of v in the sine and its square, and a unit when the square is halved: 3.5 of 4 v.
- * Unseen: small. */
+/* The rounding of s^2 in fixed point: half of 2^-62 each for the sine and its square, and 2^-62 for the division of the
+ * square by 2. Needed: 3.5 of 4 units of 2^-62. Unseen: small. */
 #define BOUND_CONE_SINE_UNITS P2M(60)
 
-/* The least 1 - s^2 of a cone, 2^-16, so that the root is no less than 2^-8. A choice. Unseen: choice. */
+/* The least 1 - s^2 of a cone, so that its root is at least 2^-8. A choice. Unseen: choice. */
 #define BOUND_CONE_WIDE P2M(16)
 
-/* The least s^2 of a cone, 2^-30, so that v is 2^-32 of it. Chosen together with CONE_WIDE. Unseen: choice. */
+/* The least s^2 of a cone, so that 2^-62 is at most 2^-32 of it. Chosen together with CONE_WIDE. Unseen: choice. */
 #define BOUND_CONE_NARROW P2M(30)
 
-/* The factor of the relative errors of s^2 and 1 + root in that of their quotient: both are off by less than an eighth
- * together, so 8/7; see cone_open(). Unseen: hidden. */
+/* The factor of the relative errors of s^2 and 1 + root in that of their quotient: 8/7, as the errors are together less
+ * than 1/8, see cone_open(). Unseen: hidden. */
 #define BOUND_CONE_QUOTIENT 1.15
 
-/* The rounding of 1 + root and the quotient. By doubles: 3 of 32 u; there: 2^-59, and half of v in the root, which is
- * 2^-8 or more. Unseen: small. */
+/* The relative rounding of 1 + root and the quotient. In doubles: 3 of 32 u. In fixed point: 2^-59, and half of 2^-62
+ * in the root, which is at least 2^-8. Unseen: small. */
 #define BOUND_CONE_QUOTIENT_ROUNDING P2M(48)
 
-/* The error of s^2, as a part of it: CONE_SINE times ed/d, and CONE_SINE_ROUNDING. Unseen: hidden. */
+/* The relative error of s^2: CONE_SINE times ed/d, and CONE_SINE_ROUNDING. Unseen: hidden. */
 FORMULA(CONE_SINE_PART);
 
-/* The error of s^2/(1 + root), as a part of it: CONE_QUOTIENT times p, the relative error of s^2, and that of the root,
- * s^2 p/root. Unseen: hidden. */
+/* The relative error of s^2/(1 + root): CONE_QUOTIENT times the sum of p, the relative error of s^2, and s^2 p/root,
+ * the error of the root. Unseen: hidden. */
 FORMULA(CONE_PART);
 
-/* The factor of `part`, the relative error of x, in that of 1/(2 x), a ball's density: x is within an eighth of itself,
- * so 8/7; the rest is for 2 u by doubles and 2^-59 there, as `part` is 2^-48 or more. Unseen: hidden. */
+/* The factor of `part`, the relative error of x, in that of 1/(2 x), a ball's density: 8/7, as `part` is below 1/8. The
+ * rest covers 2 u in doubles and 2^-59 in fixed point, as `part` is at least 2^-48. Unseen: hidden. */
 #define BOUND_BALL_DENSITY 1.25
 
-/* The rounding of a ball's distance |C - P| by doubles: a difference of 2 u, of both, and a root of 2 u: 5 of 8 u.
- * Unseen: small. */
+/* The rounding of a ball's distance |C - P| in doubles, relative to |C - P|1 and |P|1: 2 u for the difference and 2.5 u
+ * for a root. Needed: 5 of 8 u. Unseen: small. */
 #define BOUND_BALL_DISTANCE_ROUNDING P2M(50)
 
-/* The error of a ball's distance |C - P|: that of the point P, BALL_DISTANCE_ROUNDING, and a unit there, to which the
- * norm is cut. Unseen: hidden. */
+/* The error of a ball's distance |C - P|: the error of P, BALL_DISTANCE_ROUNDING, and a unit in fixed point, to which
+ * the norm is truncated. Unseen: hidden. */
 FORMULA(BALL_DISTANCE);
 
-/* The rounding of |way| by doubles: a root of a sum of squares, 2.5 of 8 u. Unseen: small. */
+/* The relative rounding of |way| in doubles: the root of a sum of squares. Needed: 2.5 of 8 u. Unseen: small. */
 #define BOUND_SEEN_DISTANCE_ROUNDING P2M(50)
 
-/* The error of |way|: that of the way, SEEN_DISTANCE_ROUNDING, and a unit there, to which it is cut. Unseen: hidden. */
+/* The error of |way|: the error of the vector `way`, SEEN_DISTANCE_ROUNDING, and a unit in fixed point, to which the
+ * norm is truncated. Unseen: hidden. */
 FORMULA(SEEN_DISTANCE);
 
-/* The error of the cosine of the direction and the emitter's normal: those of both, as FACING, and COSINE. Unseen:
- * hidden. */
+/* The error of the cosine between the direction and the emitter's normal: the errors of both, as in FACING, and COSINE.
+ * Unseen: hidden. */
 FORMULA(SEEN_COSINE);
 
-/* The rounding of a place on a rectangle or disc by doubles: 2 u - 1 is exact, a disc's is within 2^-50 in both
- * coordinates, 11.3 u of the radius; a product and the axis 2 u of the parts across and along, two sums 2 u of the
- * place. 11.3 of 16 u. Unseen: small. */
+/* The rounding of a place on a rectangle or disc in doubles. Relative to the radius: a disc's coordinates are within
+ * 2^-50 each, 11.3 u together; a rectangle's are exact. Relative to the parts across and along: 3 u for two products
+ * and the axis. Relative to the place: 2 u for two sums. Needed: 11.3 of 16 u. Unseen: small. */
 #define BOUND_EMITTER_PLACE_ROUNDING P2M(49)
 
-/* The rounding of a place on a rectangle or disc there: half a unit each of a disc's two products, .71 U, and .87 U of
- * each of two points along axes: 2.45 of 6. Unseen: small. */
+/* The rounding of a place on a rectangle or disc in fixed point: half a unit each for a disc's two products, .71 U, and
+ * .87 U for each of two points along axes. Needed: 2.45 of 6 U. Unseen: small. */
 #define BOUND_EMITTER_PLACE_UNITS (6 * SURE_UNIT)
 
 /* The error of a place on a rectangle or disc: EMITTER_PLACE_ROUNDING and EMITTER_PLACE_UNITS. Unseen: hidden. */
 FORMULA(EMITTER_PLACE);
 
-/* The rounding, by doubles, of the point's height over an emitter's plane: differences u of both, a dot product 4 u: 5
- * of 8 u. And of the way to the place and b N: 3 u. Unseen: small. */
+/* The rounding in doubles of the point's height over an emitter's plane: u for the difference and 4 u for a dot
+ * product. Needed: 5 of 8 u. The vector to the place plus b N needs 3 u. Unseen: small. */
 #define BOUND_EMITTER_SIDE_ROUNDING P2M(50)
 
-/* The rounding, there, of the point's height over an emitter's plane: the dot product's half unit; of the way, the
- * place off the plane .87 U: .87 of 2. Unseen: small. */
+/* The rounding in fixed point of the point's height over an emitter's plane, half a unit of the dot product, and of the
+ * vector to the point off the plane, .87 U. Needed: .87 of 2 U. Unseen: small. */
 #define BOUND_EMITTER_SIDE_UNITS (2 * SURE_UNIT)
 
-/* The error of the point's height over an emitter's plane, and of the way to the place: those of point and place,
- * EMITTER_SIDE_ROUNDING and EMITTER_SIDE_UNITS. Unseen: hidden. */
+/* The error of the point's height over an emitter's plane, and of the vector to the place: the errors of the point and
+ * the place, EMITTER_SIDE_ROUNDING and EMITTER_SIDE_UNITS. Unseen: hidden. */
 FORMULA(EMITTER_SIDE);
 
-/* The rounding of the way to a ball's centre, C - P, by doubles: 2 of 4 u of both. It stands for the error of the
- * origin in sphere_tmpl.h, whose L is exact there. Unseen: small. */
+/* The rounding of the vector C - P to a ball's centre in doubles, relative to |C - P|1 and |P|1: u for the conversion
+ * of C and u for the difference. In fixed point it is exact. ball_place() adds it to the error of the origin in the
+ * formulas of sphere_tmpl.h. Needed: 2 of 4 u. Unseen: small. */
 #define BOUND_BALL_WAY_ROUNDING P2M(51)
 
-/* The error of a place on a ball, t along a direction: as SPHERE_POINT, but the parts across and along are added, and
- * BALL_PLACE_UNITS and BALL_PLACE_ROUNDING. Unseen: hidden. */
+/* The error of a place on a ball, at t along a direction: as SPHERE_POINT, but the parts across and along are added,
+ * with BALL_PLACE_UNITS and BALL_PLACE_ROUNDING. Unseen: hidden. */
 FORMULA(BALL_PLACE);
 
-/* The rounding of a place on a ball there: the point .87 U, and t's 1.5 U, which SPHERE_HALF_CHORD and
- * SPHERE_ALONG_UNIT have: 2.4 of 4. Unseen: small. */
+/* The rounding of a place on a ball in fixed point: .87 U of the point, and 1.5 U of t, of which SPHERE_ROOT_UNIT has
+ * 1. Needed: 2.4 of 4 U. Unseen: small. */
 #define BOUND_BALL_PLACE_UNITS (4 * SURE_UNIT)
 
-/* The rounding of a place on a ball, O + t D, by doubles: 3.5 u of both as SURFACE_POINT. 3.5 of 8 u. Unseen: small. */
+/* The rounding of a place on a ball, O + t D, in doubles: 3.5 u, as in SURFACE_POINT. Needed: 3.5 of 8 u. Unseen:
+ * small. */
 #define BOUND_BALL_PLACE_ROUNDING P2M(50)
 
-/* The error of the way to a ball's centre, C - P: that of the point P, BALL_WAY_ROUNDING, and a unit. Unseen: hidden.
- */
+/* The error of the vector C - P to a ball's centre: the error of P, BALL_WAY_ROUNDING, and a unit. Unseen: hidden. */
 FORMULA(BALL_WAY);
 
-/* The rounding of the height h = open u, as a part of it. By doubles: a product, 1 of 8 u; there: half of v, 1 of 8.
- * The relative error of `open` is BALL_HEIGHT's. Unseen: small. */
+/* The relative rounding in doubles of the height h, the product of `open` and a random number. BALL_HEIGHT_UNITS has
+ * the rounding in fixed point, BALL_HEIGHT the error of `open`. Needed: 1 of 8 u. Unseen: small. */
 #define BOUND_BALL_HEIGHT_ROUNDING P2M(50)
 
-/* The rounding of h there: the halves of v of h and of h (1 - h/2), and the root's cut: 2 of 4 v. Unseen: small. */
+/* The rounding of h in fixed point: halves of 2^-62 for h and for h (1 - h/2), and 2^-62 for the root, which is
+ * truncated. Needed: 2 of 4 units of 2^-62. Unseen: small. */
 #define BOUND_BALL_HEIGHT_UNITS P2M(60)
 
-/* The error of the height h: h times `part`, the relative error of `open`, and BALL_HEIGHT_ROUNDING; and
+/* The error of the height h: h times the sum of `part`, the relative error of `open`, and BALL_HEIGHT_ROUNDING; and
  * BALL_HEIGHT_UNITS. Unseen: hidden. */
 FORMULA(BALL_HEIGHT);
 
-/* The factor of eh/r in the error of r = sqrt(2 h - h^2): |a - b|/(sqrt a + sqrt b) with |a - b| <= 2 eh, and sqrt b >=
- * .93 sqrt a while h is within an eighth: 1.04. Smaller h are off by v/2 of BALL_HEIGHT_UNITS' 4 v, an eighth, so that
- * 1.04 holds of them too. Unseen: hidden. */
+/* The factor of eh/r in the error of r = sqrt(2 h - h^2): |a - b|/(sqrt a + sqrt b), where |a - b| <= 2 eh, and sqrt b
+ * >= .93 sqrt a if the relative error of h is below 1/8, so 1.04. A smaller h is off by 2^-63, only an eighth of
+ * BALL_HEIGHT_UNITS, so that 1.04 holds for it too. Unseen: hidden. */
 #define BOUND_BALL_RADIUS_ROOT 1.125
 
-/* The rounding of r = sqrt(h (2 - h)) by doubles: a difference, a product and a root: 2 of 16 u. There it is cut to v,
- * which BALL_HEIGHT_UNITS has. Unseen: small. */
+/* The relative rounding of r = sqrt(h (2 - h)) in doubles: a difference, a product and a root. In fixed point r is
+ * truncated to 2^-62, which BALL_HEIGHT_UNITS covers. Needed: 2 of 16 u. Unseen: small. */
 #define BOUND_BALL_RADIUS_ROUNDING P2M(49)
 
 /* The error of r: BALL_RADIUS_ROOT times eh/r, and BALL_RADIUS_ROUNDING. Unseen: hidden. */
 FORMULA(BALL_RADIUS);
 
-/* The error of the direction in the cone around z: those of r and h, and LOCAL of the turn that r multiplies. Unseen:
- * hidden. */
+/* The error of the direction in the cone around z: the errors of r and h, and LOCAL for the cosine and the sine that r
+ * multiplies. Unseen: hidden. */
 FORMULA(BALL_LOCAL);
 
-/* The rounding of the way from a ball's centre to the place: 2 u of both, of which the place's own are in its bound. 2
- * of 4 u. Unseen: small. */
+/* The rounding of the vector from a ball's centre to the place: u for the conversion of the centre and u for the
+ * difference. The roundings of the place are in its own bound. Needed: 2 of 4 u. Unseen: small. */
 #define BOUND_BALL_NORMAL_ROUNDING P2M(51)
 
-/* The error of the way from a ball's centre to the place, which v3_unit() divides by the radius for the normal: that of
- * the place, and BALL_NORMAL_ROUNDING. Unseen: hidden. */
+/* The error of the vector from a ball's centre to the place: the error of the place, and BALL_NORMAL_ROUNDING.
+ * v3_unit() divides it by the radius for the normal. Unseen: hidden. */
 FORMULA(BALL_NORMAL);
 
-/* The rounding of the way to where the shadow ray ends, by doubles: a product, a sum and a difference: 3 of 8 u of
- * both. Unseen: small. */
+/* The rounding of the vector to the shadow ray's end in doubles, relative to the vector and the place: a product, a sum
+ * and a difference. Needed: 3 of 8 u. Unseen: small. */
 #define BOUND_BALL_END_ROUNDING P2M(50)
 
-/* The error of the way to where the shadow ray ends: those of the place and the point, and b times that of the normal;
+/* The error of the vector to the shadow ray's end: the errors of the place and the point, b times that of the normal,
  * POINT_UNITS and BALL_END_ROUNDING. Unseen: hidden. */
 FORMULA(BALL_END);
 
-/* The error of the way to a point light, L - P: that of the point, and POINT_ROUNDING of both; there it is exact.
- * Unseen: hidden. */
+/* The error of the vector C - P to a point light at C: the error of P, and POINT_ROUNDING. In fixed point the
+ * difference is exact. Unseen: hidden. */
 FORMULA(POINT_WAY);
 
 /* ---- lobes, see scatter_tmpl.h ---- */
 
-/* The factor of e/s in the relative error of a chance a/s, s being off by e: that is (a/s) (e/s) s/(s - e), and s > 16
- * e: 16/15; the rest is for the bound's own roundings. Unseen: hidden. */
+/* The factor of e/s in the relative error of a chance a/s, e being the error of s: s/(s - e), so 16/15, as s > 16 e.
+ * The rest covers the roundings of the bound itself. Unseen: hidden. */
 #define BOUND_CHANCE_QUOTIENT 1.125
 
-/* The least diffuse part with which chances are known, in its errors e. Chosen together with CHANCE_QUOTIENT. Unseen:
- * choice. */
+/* The least diffuse part with which chances are decided, in multiples of its error e. Chosen together with
+ * CHANCE_QUOTIENT. Unseen: choice. */
 #define BOUND_CHANCE_KNOWN 16
 
-/* The rounding of a chance a/s. By doubles: three sums and a quotient: 4 of 8 u; there: 2^-59. Unseen: small. */
+/* The relative rounding of a chance a/s. In doubles: three sums and a quotient, 4 u. In fixed point: 2^-59. Needed: 4.1
+ * of 8 u. Unseen: small. */
 #define BOUND_CHANCE_ROUNDING P2M(50)
 
-/* The error of a textured colour's largest channel there, besides the texel's: half a unit. 1 of 2. Unseen: small. */
+/* The rounding of a textured colour's largest channel in fixed point, beside the error of the texel: half a unit.
+ * Needed: .5 of 1 U. Unseen: small. */
 #define BOUND_CHANCE_UNIT SURE_UNIT
 
-/* The error of a chance, a share of the sum: the share times CHANCE_QUOTIENT e/s, as the sum s is off by e and its
- * terms before are exact, and CHANCE_ROUNDING. Unseen: hidden. */
+/* The error of a chance, a share of the sum s: the share, times CHANCE_QUOTIENT e/s and CHANCE_ROUNDING. Only the last
+ * term of s, the colour, has an error, e. Unseen: hidden. */
 FORMULA(CHANCE);
 
-/* The error of R.L: those of both directions, as FACING, and COSINE. Unseen: hidden. */
+/* The error of R.L: the errors of both directions, as in FACING, and COSINE. Unseen: hidden. */
 FORMULA(LOBE_COSINE);
 
-/* The error of p = x^n, x = R.L: n times LOBE_COSINE; POWER is added. Unseen: hidden. */
+/* The error of p = x^n, x = R.L: n times LOBE_COSINE; POWER is added for the roundings. Unseen: hidden. */
 FORMULA(LOBE_POWER);
 
-/* The error of (n + 2)/2 p c specular: that of p times the cosine c, and that of c times the height (n + 2)/2 p. By
- * doubles: 4 u of a height of 5001 at most, of which POWER has 170 u to spare. Unseen: hidden. */
+/* The error of (n + 2)/2 p c specular: the error of p times the cosine c, and the error of c times the height (n + 2)/2
+ * p. Its roundings in doubles, 4 u of a height of at most 5001, are covered by POWER, which has 170 u more than needed.
+ * Unseen: hidden. */
 FORMULA(LOBE_REFLECTED);
 
-/* The rounding of a glossy lobe's light there: the height's half unit, by specular, and its product with specular and
- * with the cosine, half of one each: (1 + most/2) of 3 (1 + most). Unseen: small. */
+/* The rounding of a glossy lobe's light in fixed point: half a unit of the height, times specular, and half a unit each
+ * for the products with specular and with the cosine. Needed: 1 + most/2 of 3 (1 + most) U. Unseen: small. */
 #define BOUND_LOBE_UNITS (3 * SURE_UNIT)
 
-/* The error of the density of a glossy lobe: that of p times (n + 1)/2, times the lobe's chance. Unseen: hidden. */
+/* The error of the density of a glossy lobe: the error of p times (n + 1)/2 and the lobe's chance. Unseen: hidden. */
 FORMULA(LOBE_DENSITY);
 
-/* The rounding of the density of a glossy lobe there: the height's half unit: 1 of 4. Derived with LOBE_DENSITY.
- * Unseen: small. */
+/* The rounding of the density of a glossy lobe in fixed point: half a unit of the height. Derived with LOBE_DENSITY.
+ * Needed: .5 of 2 U. Unseen: small. */
 #define BOUND_LOBE_DENSITY_UNITS (2 * SURE_UNIT)
 
-/* The error of the colour times the cosine: that of either times the other, both 1 at most. Unseen: hidden. */
+/* The error of the colour times the cosine: the error of either, times the other, which is at most 1. Unseen: hidden.
+ */
 FORMULA(DIFFUSE_REFLECTED);
 
-/* The rounding of the colour times the cosine there: half a unit: 1 of 4. Derived with DIFFUSE_REFLECTED. Unseen:
- * small. */
+/* The rounding of the colour times the cosine in fixed point: half a unit. Derived with DIFFUSE_REFLECTED. Needed: .5
+ * of 2 U. Unseen: small. */
 #define BOUND_DIFFUSE_UNITS (2 * SURE_UNIT)
 
-/* The rounding of the density of a diffuse lobe, its chance times the cosine. By doubles: a product, u; there: 2^-61. 1
- * of 4 u. Unseen: small. */
+/* The rounding of the density of a diffuse lobe, its chance times the cosine. In doubles: u for the product. In fixed
+ * point: 2^-61. Needed: 1.1 of 4 u. Unseen: small. */
 #define BOUND_DIFFUSE_DENSITY_ROUNDING P2M(51)
 
-/* The error of the density of a diffuse lobe: that of the cosine, as the chance is 1 at most. Unseen: hidden. */
+/* The error of the density of a diffuse lobe: the error of the cosine, as the chance is at most 1. Unseen: hidden. */
 FORMULA(DIFFUSE_DENSITY);
 
-/* ---- light that is looked for, see look_tmpl.h and walk_paths_tmpl.h ---- */
+/* ---- sampled emitters and throughputs, see look_tmpl.h and walk_paths_tmpl.h ---- */
 
-/* The factor of ex + x/q eq, over q, in the error of a quotient x/q: x/q - x'/q' <= (ex + x/q eq)/(q - eq), and q > 16
- * eq: 16/15; the rest is for the bound's own roundings. */
+/* The factor of (ex + x/q eq)/q in the error of a quotient x/q: x/q - x'/q' <= (ex + x/q eq)/(q - eq), and q > 16 eq,
+ * so 16/15. The rest covers the roundings of the bound itself. */
 #define BOUND_SHARE_QUOTIENT 1.125
 
-/* The least density that is divided by, in its errors. Chosen together with SHARE_QUOTIENT. Unseen: choice. */
+/* The least density that is used as a divisor, in multiples of its error. Chosen together with SHARE_QUOTIENT. Unseen:
+ * choice. */
 #define BOUND_SHARE_KNOWN 16
 
-/* The least density that is decided: fixed-point ones end at 2^-126. A choice, and so is 10^15, the most. Unseen:
- * choice. */
+/* The least density that is decided; the range of fixed-point densities ends at 2^-126. A choice, as is the largest
+ * density, 10^15. Unseen: choice. */
 #define BOUND_SHARE_LEAST P2M(40)
 
-/* The rounding of reflectance over density, as a part of it. By doubles: the density's two products and sum 3 u, an
- * inverse and a product 2 u: 5 of 8 u; there: 2^-59. Unseen: small. */
+/* The relative rounding of reflectance over density. In doubles: 3 u for the density, two products and a sum, and 2 u
+ * for an inverse and a product. In fixed point: 2^-59. Needed: 5.1 of 8 u. Unseen: small. */
 #define BOUND_SHARE_ROUNDING P2M(50)
 
-/* The rounding of reflectance over density there: half a unit: 1 of 2. Unseen: small. */
+/* The rounding of reflectance over density in fixed point: half a unit. Needed: .5 of 1 U. Unseen: small. */
 #define BOUND_SHARE_UNIT SURE_UNIT
 
-/* The error of reflectance over density: those of both, see SHARE_QUOTIENT. */
+/* The error of reflectance x over density q: SHARE_QUOTIENT times ex + x/q eq, over q. */
 FORMULA(SHARE);
 
-/* The error of the radiance times the falloff's factor: that of the factor, times the radiance. Unseen: hidden. */
+/* The error of the radiance times the falloff's factor: the error of the factor, times the radiance. Unseen: hidden. */
 FORMULA(SEEN_LIGHT);
 
-/* The rounding of the radiance times the falloff's factor there: half a unit, 1 of 2. Derived with SEEN_LIGHT. Unseen:
- * small. */
+/* The rounding of the radiance times the falloff's factor in fixed point: half a unit. Derived with SEEN_LIGHT. Needed:
+ * .5 of 1 U. Unseen: small. */
 #define BOUND_SEEN_LIGHT_UNIT SURE_UNIT
 
-/* The error of SHARE's quotient times SEEN_LIGHT's light: that of either times the other. */
+/* The error of SHARE's quotient times SEEN_LIGHT's light: the error of either, times the other. */
 FORMULA(SEEN_PART);
 
-/* The rounding of SHARE's quotient times SEEN_LIGHT's light there: half a unit: 1 of 4. Unseen: small. */
+/* The rounding of SHARE's quotient times SEEN_LIGHT's light in fixed point: half a unit. Needed: .5 of 2 U. Unseen:
+ * small. */
 #define BOUND_SEEN_PART_UNITS (2 * SURE_UNIT)
 
-/* The rounding of SHARE's quotient times SEEN_LIGHT's light by doubles: three products, 3 of 8 u. Derived with
- * SEEN_PART_UNITS. Unseen: small. */
+/* The relative rounding of SHARE's quotient times SEEN_LIGHT's light in doubles: three products. Derived with
+ * SEEN_PART_UNITS. Needed: 3 of 8 u. Unseen: small. */
 #define BOUND_SEEN_PART_ROUNDING P2M(50)
 
-/* The error of a throughput after scattering: that of the throughput before times the factor, and that of the factor
- * times the throughput. */
+/* The error of a throughput after scattering: the error of the throughput before times the factor, and the error of the
+ * factor times the throughput. */
 FORMULA(SCATTERED_WEIGHT);
 
-/* The rounding of a throughput's product or quotient there: half a unit; 1 of 2. Unseen: small. */
+/* The rounding of a throughput's product or quotient in fixed point: half a unit. Needed: .5 of 1 U. Unseen: small. */
 #define BOUND_THROUGHPUT_UNIT SURE_UNIT
 
-/* The rounding of a throughput's product or quotient, as a part of it. By doubles: u, or 2 u by an inverse; there:
- * 2^-59. 2.1 of 4 u. Unseen: small. */
+/* The relative rounding of a throughput's product or quotient. In doubles: u, or 2 u by an inverse. In fixed point:
+ * 2^-59. Needed: 2.1 of 4 u. Unseen: small. */
 #define BOUND_THROUGHPUT_ROUNDING P2M(51)
 
-/* The error of a throughput times a material's constants: that of the throughput, times the largest of them. Unseen:
- * hidden. */
+/* The error of a throughput times a material's constants: the error of the throughput, times the largest of them.
+ * Unseen: hidden. */
 FORMULA(MULTIPLIED_WEIGHT);
 
-/* The error of a throughput over an exact chance: that of the throughput, over the chance. Unseen: hidden. */
+/* The error of a throughput divided by an exact chance: the error of the throughput, divided by the chance. Unseen:
+ * hidden. */
 FORMULA(DIVIDED_WEIGHT);
 
-/* The error of a chance to survive there, which is the throughput, within 2^-59 of itself, before it is cut to 32 bits.
- * 2^-14 of 1. Unseen: small. */
+/* The rounding of the chance to survive in fixed point: the throughput within 2^-59, before it is truncated to 32 bits.
+ * Needed: 2^-14 of 1 U. Unseen: small. */
 #define BOUND_SURVIVAL_UNIT SURE_UNIT
 
-/* The error of a chance to survive: that of the throughput, and SURVIVAL_UNIT. Unseen: hidden. */
+/* The error of the chance to survive: the error of the throughput, and SURVIVAL_UNIT. Unseen: hidden. */
 FORMULA(SURVIVAL);
 
-/* The rounding of Fresnel's part in units of 2^-32, to which it is cut there: 1 of 2. Unseen: hidden. */
+/* The rounding of Fresnel's part in units of 2^-32, to which it is truncated in fixed point. Needed: 1 of 2 units.
+ * Unseen: hidden. */
 #define BOUND_REFLECTED_CHANCE 2
 
 /* ---- light added to paths, see ends_tmpl.h ---- */
 
-/* The error of the radiance, times the most that the throughput may be. */
+/* The error of the radiance, times the largest value of the throughput within its error. */
 FORMULA(ADDED);
 
 /* The error of the throughput, times the radiance. */
 FORMULA(ADDED_THROUGHPUT);
 
-/* The rounding of the radiance times the throughput there: two products, half a unit each: 1 of 2. Unseen: small. */
+/* The rounding of the radiance times the throughput in fixed point: half a unit each for two products. Needed: 1 of 2
+ * U. Unseen: small. */
 #define BOUND_ADDED_UNITS (2 * SURE_UNIT)
 
-/* The rounding of the radiance times the throughput by doubles: 1 of 4 u. Derived with ADDED_UNITS. Unseen: small. */
+/* The relative rounding of the radiance times the throughput in doubles. Derived with ADDED_UNITS. Needed: 1 of 4 u.
+ * Unseen: small. */
 #define BOUND_ADDED_ROUNDING P2M(51)
 
-/* The factor of eq + q/s es, over s, in the error of a weight q/s: q/s - q'/s' <= (eq + q/s es)/(s - es), s > 4 es:
- * 4/3; the rest is for the bound's own roundings. Unseen: hidden. */
+/* The factor of (eq + q/s es)/s in the error of a weight q/s: q/s - q'/s' <= (eq + q/s es)/(s - es), and s > 4 es, so
+ * 4/3. The rest covers the roundings of the bound itself. Unseen: hidden. */
 #define BOUND_BALANCE_QUOTIENT 1.5
 
-/* The least sum s of a weight q/s, in its errors es. Chosen together with BALANCE_QUOTIENT. Unseen: choice. */
+/* The least sum s of a weight q/s, in multiples of its error es. Chosen together with BALANCE_QUOTIENT. Unseen: choice.
+ */
 #define BOUND_BALANCE_KNOWN 4
 
-/* The rounding of a weight q/s. By doubles: a sum of two products and a quotient: 4 of 8 u; there: 2^-59; and a weight
- * within 2^-62 of 1 is 1 there. Unseen: small. */
+/* The rounding of a weight q/s. In doubles: u each for 1/n, a product, a sum and a quotient. In fixed point: 2^-59, and
+ * a weight within 2^-62 of 1 is 1. Needed: 4.1 of 8 u. Unseen: small. */
 #define BOUND_BALANCE_ROUNDING P2M(50)
 
 /* The error of the balance heuristic's weight q/s: BALANCE_QUOTIENT times eq + q/s es, over s. Unseen: hidden. */
 FORMULA(BALANCE);
 
-/* The rounding of the radiance times the weight, by doubles: 1 of 2 u. Unseen: small. */
+/* The relative rounding of the radiance times the weight in doubles. Needed: 1 of 2 u. Unseen: small. */
 #define BOUND_WEIGHTED_ROUNDING P2M(52)
 
-/* The rounding of the radiance times the weight there: two units, of which ADDED_UNITS has both: 0 of 2. Unseen: small.
- */
+/* The rounding of the radiance times the weight in fixed point, which ADDED_UNITS covers. Needed: 0 of 2 U. Unseen:
+ * small. */
 #define BOUND_WEIGHTED_UNITS (2 * SURE_UNIT)
 
-/* The error of the radiance times the weight: the radiance times the error of the weight and WEIGHTED_ROUNDING. Unseen:
- * hidden. */
+/* The error of the radiance times the weight: the radiance, times the error of the weight and WEIGHTED_ROUNDING.
+ * Unseen: hidden. */
 FORMULA(WEIGHTED);
 
-/* The rounding of the radiance times the throughput there, before the weight: half a unit, as products of 2^17 and more
- * are cut. 1 of 2. Unseen: hidden. */
+/* The rounding in fixed point of the radiance times the throughput, before the weight, where it is compared with the
+ * limit 2^17 of such products: half a unit. Needed: .5 of 1 U. Unseen: hidden. */
 #define BOUND_WEIGHTED_CUT SURE_UNIT
 
-/* The rounding of the distance to a light that is met, there: |t D| is the norm of a difference of points, .87 U, cut
- * to a unit, and 2^-57 of t: 1.87 of 4. Unseen: small. */
+/* The rounding of the distance to a light that is met, in fixed point. |t D| is the norm of a difference of points, .87
+ * U, truncated to a unit. Needed: 1.87 of 4 U. Unseen: small. */
 #define BOUND_MET_UNITS (4 * SURE_UNIT)
 
-/* The rounding of the distance to a light that is met, as a part of t. By doubles: none; there: 2^-57. .06 of 16 u.
- * Unseen: small. */
+/* The rounding of the distance to a light that is met, relative to t. In doubles: none. In fixed point: 2^-57, as D is
+ * not exactly 1 long. Needed: .07 of 16 u. Unseen: small. */
 #define BOUND_MET_ROUNDING P2M(49)
 
-/* The error of the distance to a light that is met: that of t, MET_UNITS and MET_ROUNDING; and eo, which is not needed,
- * as the points are on the same ray. Unseen: hidden. */
+/* The error of the distance to a light that is met: the error of t, MET_UNITS and MET_ROUNDING. It also includes eo,
+ * which is not needed, as both points are on the same ray. Unseen: hidden. */
 FORMULA(MET_DISTANCE);
 
-/* The error of the cosine to a light that is met: that of the direction, and COSINE. Unseen: hidden. */
+/* The error of the cosine between the direction and the normal of a light that is met: the error of the direction, and
+ * COSINE. Unseen: hidden. */
 FORMULA(MET_COSINE);
 
-/* The error of facing light: the largest component of that light, times the error of the cosine to the viewer. Unseen:
- * hidden. */
+/* The error of facing light: its largest component, times the error of the cosine to the viewer. Unseen: hidden. */
 FORMULA(FACING_LIGHT);
 
-/* The rounding of facing light there: half a unit: 1 of 4. Derived with FACING_LIGHT. Unseen: small. */
+/* The rounding of facing light in fixed point: half a unit. Derived with FACING_LIGHT. Needed: .5 of 2 U. Unseen:
+ * small. */
 #define BOUND_FACING_UNITS (2 * SURE_UNIT)
 
 #endif

@@ -1,51 +1,55 @@
-/* pictures.h - bounds of camera rays, throughputs, colours and pixels: tracer_tmpl.h, paths.h, pixels_tmpl.h,
- * path_state_tmpl.h. */
+/* pictures.h - bounds of camera rays, throughputs, colours and pixels: tracer_tmpl.h, paths_tmpl.h, pixels_tmpl.h,
+ * path_state_tmpl.h, lights.c, samples.c, sure_tile.c. */
 #ifndef TIA_SIMD_RAYS_BOUNDS_PICTURES_H
 #define TIA_SIMD_RAYS_BOUNDS_PICTURES_H
 
-/* The rounding of a place in the image by doubles: 4 u of h, v and the window, whose four numbers and x are converted
- * or divided, for a product and a sum; 3 u for the axes, converted, a product and a sum. 7 of 64 u. Unseen: small. */
+/* The rounding in doubles of a position in the image, relative to |h|, |v| and the window: 4 u for h and v, by
+ * conversions of the window's numbers, the quotient x, a product and a sum; 3 u for the axes, a conversion, a product
+ * and a sum. Needed: 7 of 64 u. Unseen: small. */
 #define BOUND_CAMERA_PARALLEL P2M(47)
 
-/* The rounding of a place in the image there: half a unit each of h and v, .71 U, and .87 U of each of two points along
- * axes: 2.45 of 8. Unseen: small. */
+/* The rounding of a position in the image in fixed point: half a unit each for h and v, .71 U, and .87 U for each of
+ * two points along axes. Needed: 2.45 of 8 U. Unseen: small. */
 #define BOUND_CAMERA_PARALLEL_UNITS (8 * SURE_UNIT)
 
 /* The error of the origin of a parallel ray: CAMERA_PARALLEL, CAMERA_PARALLEL_UNITS, and POINT_ROUNDING of the sum with
  * the eye. */
 FORMULA(CAMERA_PARALLEL_ORIGIN);
 
-/* The error of the eye, whose coordinates are multiples of 2^-32 below 2^17, and converted exactly. 0 of 8 u. */
+/* The error of the eye: none, as its coordinates are multiples of 2^-32 below 2^17 and converted exactly. Needed: 0 of
+ * 8 u. */
 #define BOUND_CAMERA_EYE P2M(50)
 
-/* The rounding of the way to a place in the image by doubles: as CAMERA_PARALLEL, 7 u; and 4 u of the depth by the
- * normal: converted both, a product and a difference. 7 of 16 u. Unseen: small. */
+/* The rounding in doubles of the vector to a position in the image: 7 u, as CAMERA_PARALLEL; and 4 u of the depth times
+ * the normal, by two conversions, a product and a difference. Needed: 7 of 16 u. Unseen: small. */
 #define BOUND_CAMERA_WAY P2M(49)
 
-/* The rounding of the way to a place in the image there: 2.45 U as CAMERA_PARALLEL_UNITS has, and .87 U of the depth's
- * point: 3.3 of 4. */
+/* The rounding of the vector to a position in the image in fixed point: 2.45 U, as CAMERA_PARALLEL_UNITS, and .87 U for
+ * the point at the depth. Needed: 3.3 of 4 U. */
 #define BOUND_CAMERA_WAY_UNITS (4 * SURE_UNIT)
 
-/* The error of the way to a place in the image: CAMERA_WAY of its parts, and CAMERA_WAY_UNITS. */
+/* The error of the vector to a position in the image: CAMERA_WAY times the sizes of its parts, and CAMERA_WAY_UNITS. */
 FORMULA(CAMERA_DIRECTION);
 
-/* The error of a fixed-point origin that is converted: u of each coordinate. 1 of 1. Unseen: small. */
+/* The error of a fixed-point origin that is converted to doubles: u of each coordinate. Needed: 1 of 1 u. Unseen:
+ * small. */
 #define BOUND_FIRST_ORIGIN P2M(53)
 
-/* The error of a fixed-point direction that is converted: u of its length. 1 of 2. Unseen: small. */
+/* The error of a fixed-point direction that is converted to doubles: u of its length. Needed: 1 of 2 u. Unseen: small.
+ */
 #define BOUND_FIRST_DIRECTION P2M(52)
 
-/* ---- throughputs and colours, see tracer_tmpl.h and paths.h ---- */
+/* ---- throughputs and colours, see tracer_tmpl.h and paths_tmpl.h ---- */
 
-/* The rounding of a sample's sum. There: half a unit each of a colour, of its product with the throughput and of the
- * sum: 1 of 8; by doubles: 2 u of the sum. */
+/* The rounding of a term of a sample's sum. In fixed point: half a unit each for a colour and for its product with the
+ * throughput, while the sum is exact. In doubles: 2 u of the sum. Needed: 1 of 8 U. */
 #define BOUND_COLOUR_UNITS P2M(42)
 
-/* The error of the background or a light, times the throughput: the colour is exact, so that it is the error of the
- * throughput, times the colour. */
+/* The error of the background or a light, times the throughput: the error of the throughput, times the colour, which is
+ * exact. */
 FORMULA(COLOUR_FAR);
 
-/* The error of emission and direct light, times the most that the throughput may be. */
+/* The error of emission and direct light, times the largest value of the throughput within its error. */
 FORMULA(COLOUR_OWN);
 
 /* The error of the throughput, times the emission and direct light. */
@@ -54,46 +58,50 @@ FORMULA(COLOUR_WEIGHT);
 /* The error of the cosine to the viewer, times the largest component of facing light. */
 FORMULA(COLOUR_FACING);
 
-/* The error of a ray that is given up and may add `most`: half of that, as it adds half, give or take as much. */
+/* The error of a ray that is given up and would have added between 0 and `most`: half of `most`, as half of `most` is
+ * added. */
 FORMULA(COLOUR_GIVEN_UP);
 
-/* The most that a ray may add when it is given up. A choice: most levels of a pixel stay as they are. */
+/* The most that a given-up ray may add to a channel. A choice: most levels of a pixel are still certain with such an
+ * error. */
 #define BOUND_GIVEN_UP P2M(8)
 
-/* The throughput below which rays are not followed there, 2^-16; this is that limit, not an error. */
+/* The throughput below which the fixed-point code does not follow rays, 2^-16: that limit itself, not an error. */
 #define BOUND_FAINT P2M(16)
 
-/* The rounding of the throughput's product there: half a unit; 1 of 64. */
+/* The rounding of the throughput's product in fixed point: half a unit. Needed: .5 of 32 U. */
 #define BOUND_FAINT_UNITS P2M(40)
 
-/* The error of the throughput that is compared with FAINT: its own, and FAINT_UNITS. */
+/* The error of the throughput that is compared with FAINT: the error of the throughput, and FAINT_UNITS. */
 FORMULA(FAINT_MARGIN);
 
-/* The factor of the most that a ray may bring: 17 + 256 sums of products, u each, are 2^-44 of it; the rest keeps it
- * above what bounds add. */
+/* The factor for the roundings of the largest colour of a ray: u for each of 17 + 256 sums of products, together 2^-44.
+ * The rest keeps the result above any colour plus its error. */
 #define BOUND_BRIGHTEST 1.0625
 
-/* The errors of the 17 + 256 fixed-point sums: half a unit each, 2^-38. 1 of 256. Unseen: small. */
+/* The errors of the 17 + 256 fixed-point sums: half a unit each, 2^-38 together. Needed: 2^-38 of 2^-30. Unseen: small.
+ */
 #define BOUND_BRIGHTEST_UNITS P2M(30)
 
-/* The rounding of a path's light, as a part of it: 1024 bounces with three additions each, of doubles, are off by 3072
- * u of the sum. 3 of 4. Unseen: small. */
+/* The relative rounding of a path's light: 1024 bounces with three additions of doubles each. Needed: 3072 of 4096 u.
+ * Unseen: small. */
 #define BOUND_SUMMED P2M(41)
 
 /* ---- pixels, see pixels_tmpl.h ---- */
 
-/* The rounding of a sample that is drawn there and converted: u of 1 at most. 1 of 8 u. Unseen: small. */
+/* The rounding of a sample that the fixed-point code draws, and that is converted to a double: u of at most 1. Needed:
+ * 1 of 8 u. Unseen: small. */
 #define BOUND_EXACT_SAMPLE P2M(50)
 
-/* The rounding of a pixel's mean. There: a sum of quotients by the samples, cut to a unit each, 16 U at most; by
- * doubles: 17 u. 1 of 2. */
+/* The rounding of a pixel's mean. In doubles: 17 u. In fixed point: a sum of at most 16 quotients by the number of
+ * samples, each truncated to a unit. Needed: 16.1 of 32 U. */
 #define BOUND_PIXEL_MEAN P2M(40)
 
-/* The rounding of a level before it is cut, mean n + threshold, by doubles: two roundings of 63 at most, 2^-46. 1 of
- * 64. Unseen: small. */
+/* The rounding of a level before it is truncated, mean n + threshold, in doubles: two roundings of at most 63, 2^-46.
+ * Needed: .5 of 32 U. Unseen: small. */
 #define BOUND_PIXEL_LEVEL P2M(40)
 
-/* The error of the samples' mean; PIXEL_MEAN is added. */
+/* The error of the samples' mean; PIXEL_MEAN is added for its roundings. */
 FORMULA(PIXEL_ERROR);
 
 #endif

@@ -1,53 +1,55 @@
 /* vectors.h - bounds of vectors and of numbers with bounds: vector_tmpl.h, interval_tmpl.h, direction_tmpl.h,
- * power_tmpl.h. */
+ * power_tmpl.h. A prime marks a fixed-point value. */
 #ifndef TIA_SIMD_RAYS_BOUNDS_VECTORS_H
 #define TIA_SIMD_RAYS_BOUNDS_VECTORS_H
 
-/* The largest distance of two unit vectors whose angle has the sine x < 1/16, over x. Proved: rays_forms.g (turned). */
+/* The largest distance between two unit vectors, divided by the sine x < 1/16 of their angle. Proved: rays_forms.g
+ * (turned). */
 #define BOUND_UNIT_CHORD (1 + P2M(10))
 
-/* The roundings of v/|v| by a double and by num_normalise. Proved by doubles: rays_forms.g (unit), 5 u; there: 2^-58.
- * Unseen: small. */
+/* The rounding of v/|v|. In doubles: 5 u, proved: rays_forms.g (unit), and u more where v is a difference. In fixed
+ * point: 2^-58. Needed: 6.1 of 8 u. Unseen: small. */
 #define BOUND_UNIT_ROUNDING (SURE_NORMAL * SURE_EPS)
 
-/* The rounding of a dot product of two unit vectors. By doubles: 4 u of the sum of the products' sizes, which is 1 at
- * most, for the conversion of one vector's components, a product and two sums; u for the other vector's conversion.
- * There: half of v, and lengths that are 2^-57 off 1. 6 u of 16. */
+/* The rounding of the dot product of two unit vectors. In doubles: u each for the conversions of both vectors, a
+ * product and two sums, relative to the sum of the products' sizes, which is 1 at most. In fixed point: half of 2^-62,
+ * and lengths that differ from 1 by 2^-57. Needed: 5.1 of 16 u. */
 #define BOUND_COSINE P2M(49)
 
-/* The error of a fixed-point direction that is converted: u of each component, so u of its length, which is 1. 1 of 4
- * u; where its axis is turned by a fixed-point rotation of another kind, that is the same number there. */
+/* The error of a fixed-point direction that is converted to doubles: u of each component, so u of its length, which is
+ * 1. Needed: 1 of 4 u. */
 #define BOUND_CONVERTED P2M(51)
 
-/* The rounding of a given number that is converted, as a part of it: half a unit in the last place. Unseen: small. */
+/* The relative rounding of a constant that is converted to a double: u. Unseen: small. */
 #define BOUND_GIVEN SURE_EPS
 
-/* The rounding of a + b or a - b: u of the sum, which is exact there. 1 of 2 u. Unseen: small. */
+/* The rounding of a + b or a - b. In doubles: u of the sum. In fixed point: none. Needed: 1 of 2 u. Unseen: small. */
 #define BOUND_SUM (2 * SURE_EPS)
 
-/* The rounding of a b by doubles: u of the product. 1 of 2 u. Unseen: small. */
+/* The rounding of a b in doubles: u of the product. Needed: 1 of 2 u. Unseen: small. */
 #define BOUND_PRODUCT (2 * SURE_EPS)
 
-/* The rounding of a b there: half a unit, of lengths; cosines have finer ones. 1 of 2. Unseen: small. */
+/* The rounding of a b in fixed point: half a unit of a length; the unit of a cosine is smaller. Needed: .5 of 1 U.
+ * Unseen: small. */
 #define BOUND_PRODUCT_UNIT SURE_UNIT
 
-/* The rounding of a/b, as a part of the quotient. By doubles: u; there: 2^-59. 1.1 of 8 u. Unseen: small. */
+/* The relative rounding of a/b. In doubles: u. In fixed point: 2^-59. Needed: 1.1 of 8 u. Unseen: small. */
 #define BOUND_QUOTIENT P2M(50)
 
-/* The least divisor that is divided by, in its errors: it is known to half of itself, so that it is not 0. A choice:
- * the quotient's bound holds of any. Unseen: choice. */
+/* The least size of a divisor, in multiples of its error: the fixed-point divisor is then at least half as large, and
+ * not 0. A choice, as INTERVAL_QUOTIENT holds for any multiple above 1. Unseen: choice. */
 #define BOUND_DIVISOR_KNOWN 2
 
-/* The rounding of a/b there: half a unit. 1 of 2. Unseen: small. */
+/* The rounding of a/b in fixed point: half a unit. Needed: .5 of 1 U. Unseen: small. */
 #define BOUND_QUOTIENT_UNIT SURE_UNIT
 
-/* The rounding of sqrt(a) by doubles: u of the root. 1 of 4 u. Unseen: small. */
+/* The rounding of sqrt(a) in doubles: u of the root. Needed: 1 of 4 u. Unseen: small. */
 #define BOUND_ROOT (4 * SURE_EPS)
 
-/* The rounding of sqrt(a) there, which is cut to a unit. Unseen: small. */
+/* The rounding of sqrt(a) in fixed point, where it is truncated to a unit. Needed: 1 of 1 U. Unseen: small. */
 #define BOUND_ROOT_UNIT SURE_UNIT
 
-/* The error of a + b, (a + b) - (a' + b'): that of each of the terms. */
+/* The error of a + b, (a + b) - (a' + b'): the errors of both terms. */
 FORMULA(INTERVAL_SUM);
 
 /* The error of a b: a b - a' b' = a (b - b') + b (a - a') - (a - a') (b - b'). */
@@ -59,22 +61,26 @@ FORMULA(INTERVAL_QUOTIENT);
 /* The error of sqrt a: sqrt a - sqrt a' = (a - a')/(sqrt a + sqrt a') <= e/sqrt a. */
 FORMULA(INTERVAL_ROOT);
 
-/* The error of a random direction around z, each coordinate within 2^-50 of the exact one, as direction_tmpl.h derives:
- * sine and cosine are off by 2^-51, the share of an eighth of a turn turns them by pi/4 2^-53, and the product with the
- * radius adds u; fixed-point directions are within 2^-59. The length of three such errors is sqrt 3 2^-50 < 2^-49.
- * Unseen: small. */
+/* The error of a random direction around z, see direction_tmpl.h. In doubles each coordinate is within 2^-50: sine and
+ * cosine are off by 2^-51, the rounding of their angle, at most pi/4, adds pi/4 u, and the product with the radius adds
+ * u. Fixed-point directions are within 2^-59. Three coordinates are off by sqrt 3 2^-50 < 2^-49 together. Unseen:
+ * small. */
 #define BOUND_LOCAL P2M(49)
 
-/* The error of x^e by polynomials, see power_tmpl.h: by doubles 2.1e-14, there 1.7e-14, of 5.7e-14. */
+/* The error of x^e, see power_tmpl.h: 2.1e-14 in doubles, by polynomials, and 1.7e-14 in fixed point. Needed: 3.8e-14
+ * of 5.7e-14. */
 #define BOUND_POWER P2M(44)
 
-/* The error of a direction around an axis that is within e: sqrt(14 + 14 + 1) e < 6 e, see around(); and that of the
- * direction around z, as turning keeps lengths. Its roundings are AROUND_ROUNDING. Unseen: small. */
+/* The error of a direction around an axis with the error e: sqrt(14 + 14 + 1) e < 6 e, see around(), and the error of
+ * the direction around z, since a rotation preserves lengths. AROUND_ROUNDING is added for the roundings. Unseen:
+ * small. */
 FORMULA(AROUND);
 
-/* The rounding of a direction around an axis. By doubles: k = 1/(1 + |z|) is off by 2 u of itself, x^2 k and x y k by 4
- * u, 1 - x^2 k by 5 u; the sums of three products of these with numbers of 1 at most by 3 u more of sqrt 3: below 8 u a
- * coordinate, sqrt 3 of that together. There: seven halves of v. 14 u of 16. Unseen: small. */
+/* The rounding of a direction around an axis. In doubles: k = 1/(1 + |z|) has a relative error of 2 u. So x^2 k <= 1
+ * and 1 - x^2 k are off by 4 u, and x y k <= 1/2 is off by 2 u. A coordinate is a sum of three products whose sizes add
+ * up to 1 at most, so its own roundings are 3 u. The errors of the factors add sqrt(16 + 4) u: less than 8 u in each
+ * coordinate, sqrt 3 of that for the direction. In fixed point: halves of 2^-62 and 2^-59 of a quotient. Needed: 14 of
+ * 16 u. Unseen: small. */
 #define BOUND_AROUND_ROUNDING P2M(49)
 
 #endif

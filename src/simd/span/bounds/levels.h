@@ -1,138 +1,143 @@
-/* levels.h - bounds of lights, colours and levels: bounds.c, bound_cache.c. */
+/* levels.h - bounds for lights, colours and levels, which bounds.c and bound_cache.c use. */
 #ifndef TIA_SIMD_SPAN_BOUNDS_LEVELS_H
 #define TIA_SIMD_SPAN_BOUNDS_LEVELS_H
 
 /* ---- |w|^2 = |Q - P|^2 ---- */
 
-/* The rounding of ||G| - r|, the light's distance from the sphere: lengths of 5 roundings of a double, and a
- * difference. 6 of 32. Unseen: small. */
+/* The rounding of ||G| - r|, the light's distance from the sphere, as a share of |G| + r: 5 roundings of a double for a
+ * length, and one for the difference. 6 of 32. Unseen: small. */
 #define BOUND_SPAN_GAP 0x1p-48
 
-/* The relative rounding of the least |w|, from ranges: |w| >= ||G| - r|, |P| - |Q| and |Q| - |P|. The ranges include
- * SPAN_RANGE already: a few of 2^23 u. Unseen: small. */
+/* The relative rounding of the lower limit of |w|, the largest of ||G| - r|, |P| - |Q| and |Q| - |P|. The range of |P|
+ * includes SPAN_RANGE already: a few of 2^23 roundings of a double. Unseen: small. */
 #define BOUND_SPAN_DISTANCE 0x1p-30
 
-/* The rounding of a term of a s^2 + h s + v.v, of the term's size, but for the error of s. Proved: simd_forms.g (term2,
- * term1, term0), 7 of 8 u. */
+/* The rounding of each term of a s^2 + h s + v.v, relative to the term's size, without the error of s. Proved:
+ * simd_forms.g (term2, term1, term0), 7 of 8 u. */
 #define BOUND_SPAN_TERM SIMD_TERM
 
-/* The error of a quadratic a s^2 + h s + v.v by the kernels, over s^2: a s^2 moves by twice e_s, h s by e_s; and each
- * term has SPAN_TERM. */
+/* The kernels' error in a quadratic a s^2 + h s + v.v, divided by s^2: 2 e_s of the first term, e_s of the second, and
+ * SPAN_TERM of each term. */
 FORMULA(SPAN_FORM);
 
-/* The second order of SPAN_FORM: e_s^2 of 2 e_s, e_s being below .01: .005 of .01. Unseen: small. */
+/* The second-order error in SPAN_FORM: e_s^2 against 2 e_s, where e_s is below .01. .005 of .01. Unseen: small. */
 #define BOUND_SPAN_FORM_SECOND .01
 
-/* The rounding of reach = t v.v there, times T, the mantissa of t, as |P|^2 is t reach: half of the last bit of reach.
- * T may be e_t above its largest: .505 of .52. */
+/* The rounding of reach = t v.v in the integer code, half of its last bit. |P|^2 is t reach, so the rounding counts T
+ * times; T may exceed its exact maximum by e_t. .505 of .52. */
 #define BOUND_SPAN_REACH_T .52
 
-/* The rounding of v.v in |P|^2 there, times t^2, which e_t moves as well: half of v.v's last bit and 2^-18 of it: .51
- * of .51. */
+/* The rounding of v.v in the integer code, half of its last bit and 2^-18 of that bit. |P|^2 is t^2 v.v, so the
+ * rounding counts t^2 times; t may exceed its exact maximum by e_t. .51 of .51. */
 #define BOUND_SPAN_REACH_SQUARE .51
 
-/* The error of |P|^2 there but for t's own: t times that of reach, SPAN_REACH_T and SPAN_REACH_SQUARE. */
+/* The error of |P|^2 in the integer code, without the error of t: t times the error of reach, SPAN_REACH_T and
+ * SPAN_REACH_SQUARE. */
 FORMULA(SPAN_REACH);
 
-/* The second order of a form's move by t's own error. In first order the form moves by its derivative, t d/dt of |w|^2
- * being 2 |Q| |P| + 2 |P|^2 at most; the second is e_t/2 of that, .005 of .02. Unseen: small. */
+/* The second-order change of a form by the error of t. The first-order change is e_t times t d/dt of the form, which
+ * for |w|^2 is at most 2 |Q| |P| + 2 |P|^2. The second-order change is at most e_t/2 of the first: .005 of .02. Unseen:
+ * small. */
 #define BOUND_SPAN_MOVED .02
 
-/* The roundings of Q.Q and of the shift of |P|^2 there: half a bit each; SPAN_SQUARE_T, which is multiplied by T, is
- * far larger. 1 of 1. Unseen: small. */
+/* The integer code's roundings of Q.Q and of the shifted |P|^2, half a bit each. 1 of 1. Unseen: small. */
 #define BOUND_SPAN_SQUARE_UNITS 1
 
-/* The rounding of 2 t Q.v there: Q.v is off by half a bit and 2^-18 of it, times 2 T, which may be e_t above its
- * largest: 1.01 of 1.02. */
+/* The integer code's rounding of 2 t Q.v: half a bit of Q.v and 2^-18 of it, times 2 T. T may exceed its exact maximum
+ * by e_t: 1.01 of 1.02. */
 #define BOUND_SPAN_SQUARE_T 1.02
 
-/* e_w, the relative error of |w|^2: its bounds by the kernels and there, over the least |w|^2. */
+/* e_w, the relative error of |w|^2: the bounds of the kernels' and of the integer code's error, over the least
+ * |w|^2. */
 FORMULA(SPAN_SQUARE);
 
 /* ---- the cosine r N.w/(r |w|) ---- */
 
-/* The rounding of K s in K s + G.v. Proved: simd_forms.g (facing), 3 of 6 u. */
+/* The relative rounding of K s in K s + G.v. Proved: simd_forms.g (facing), 3 of 6 u. */
 #define BOUND_SPAN_FACING SIMD_FACING
 
-/* The rounding of G.v in K s + G.v. Proved: simd_forms.g (turn), 5 of 7 u. */
+/* The rounding of G.v in K s + G.v, relative to |g0| + |g1| X. Proved: simd_forms.g (turn), 5 of 7 u. */
 #define BOUND_SPAN_TURN SIMD_TURN
 
-/* The second order of K s in e_s, which is none, as K s is linear in s: 0 of .01. Unseen: small. */
+/* The second-order error of K s in e_s. There is none, as K s is linear in s: 0 of .01. Unseen: small. */
 #define BOUND_SPAN_FACING_SECOND .01
 
-/* The rounding of r N.w's constant there: half a bit. .5 of .5. Unseen: small. */
+/* The integer code's rounding of the constant in r N.w, half a bit. .5 of .5. Unseen: small. */
 #define BOUND_SPAN_FACING_UNITS .5
 
-/* The rounding of t G.v there: half a bit of G.v and 2^-18 of it, times T, which may be e_t above its largest: .505 of
- * .51. */
+/* The integer code's rounding of t G.v: half a bit of G.v and 2^-18 of it, times T. T may exceed its exact maximum by
+ * e_t: .505 of .51. */
 #define BOUND_SPAN_FACING_T .51
 
-/* The error of r N.w: the kernels' bound; there, the error of t and the roundings. */
+/* The error of r N.w: the bound of the kernels' error, and the integer code's error of t and roundings. */
 FORMULA(SPAN_FACING_OFF);
 
 /* The rounding of r N.w/(r |w|): 1/r, 1/sqrt and two products. Proved: simd_forms.g (lambert), 15 of 24 u. */
 #define BOUND_SPAN_LAMBERT SIMD_LAMBERT
 
-/* The second order of r N.w's error over r |w|, which is none: |w| is the exact one, and the error of 1/|w| is in
- * SPAN_COSINE_SQUARE. 0 of .01. Unseen: small. */
+/* The second-order error in r N.w's error over r |w|. There is none, as |w| is exact here and SPAN_COSINE_SQUARE has
+ * the error of 1/|w|: 0 of .01. Unseen: small. */
 #define BOUND_SPAN_COSINE_FACING .01
 
-/* The error of the cosine by that of 1/|w|, in e_w: 1/|w| is off by 1 - sqrt(1 - e_w) at most, .5051 e_w where e_w is
- * below .04, of the cosine as computed, which is at most 1.01: .511 of .53. */
+/* The error of the cosine that the error of 1/|w| causes, in units of e_w. 1/|w| is off by at most 1 - sqrt(1 - e_w) of
+ * its computed value, or .5051 e_w where e_w is below .04. The computed cosine is at most 1.01: .511 of .53. */
 #define BOUND_SPAN_COSINE_SQUARE .53
 
-/* The roundings of the cosine there: the shift of r N.w (2^-30), the inverse root (2^-30) and its product (2^-30), 1/r
- * (2^-31) and the cosine (2^-31). Proved: simd_integer.g (cosine), 4 of 16. */
+/* The integer code's roundings of the cosine: the shift of r N.w (2^-30), the inverse root (2^-30) and its product
+ * (2^-30), 1/r (2^-31) and the cosine (2^-31). Proved: simd_integer.g (cosine), 4 of 16. */
 #define BOUND_SPAN_COSINE_UNITS 0x1p-26
 
-/* e_c, the error of the cosine: that of r N.w over r |w|, that of 1/|w|, and the roundings by the kernels and there. */
+/* e_c, the error of the cosine: the error of r N.w over r |w|, the error of 1/|w|, and the roundings of the kernels and
+ * of the integer code. */
 FORMULA(SPAN_COSINE);
 
-/* The largest e_w with which a cosine is bounded: SPAN_COSINE_SQUARE is derived for it. Unseen: choice. */
+/* The limit of e_w below which a cosine is bounded, as SPAN_COSINE_SQUARE assumes. Unseen: choice. */
 #define BOUND_SPAN_SQUARE_KNOWN .04
 
-/* The largest e_c with which a run is drawn, so that e_w is below .019: SPAN_CELL_FAR and the verdicts of shadows are
- * derived for it. Unseen: choice. */
+/* The limit of e_c below which a run is drawn. Then e_w is below .019, as SPAN_CELL_FAR and the bounds of shadow
+ * verdicts assume. Unseen: choice. */
 #define BOUND_SPAN_COSINE_KNOWN .01
 
 /* ---- colours and levels ---- */
 
-/* The rounding of a light's part of a colour: lambert times tint and colour, and the sum; as much for each caster.
- * Proved: simd_forms.g (colour, colour_sum, caster), 4 of 6 u. */
+/* The rounding of a light's contribution to a colour: lambert times tint and colour, and the sum. Each caster adds as
+ * much. Proved: simd_forms.g (colour, colour_sum, caster), 4 of 6 u. */
 #define BOUND_SPAN_COLOUR SIMD_COLOUR
 
-/* The rounding of a light's part of a colour there: the product of two colours and its product with lambert, half of
- * 2^-30 each; as much for each caster. 1 of 1. */
+/* The integer code's rounding of a light's contribution to a colour: the product of two colours and its product with
+ * lambert, half of 2^-30 each. Each caster adds as much. 1 of 1. */
 #define BOUND_SPAN_COLOUR_UNITS 0x1p-30
 
-/* The rounding of two lines between three samples, of 1.01. Proved: simd_forms.g (line), 11 of 15 u. */
+/* The rounding of a cosine interpolated by two lines between three samples, which are at most 1.01. Proved:
+ * simd_forms.g (line), 11 of 15 u. */
 #define BOUND_SPAN_LINE SIMD_LINE
 
-/* The error of a light's part of a colour: the light's colour times the bounds of the cosine and of lines, and
- * SPAN_COLOUR and SPAN_COLOUR_UNITS. Minima, maxima and clamps only bring values nearer. */
+/* The error of a light's contribution to a colour: the light's colour times the bounds of the cosine and of the
+ * interpolation, plus SPAN_COLOUR and SPAN_COLOUR_UNITS. Minima, maxima and clamps never enlarge an error. */
 FORMULA(SPAN_COLOURS);
 
-/* The error of the levels of a colour, 31 or 63 of them: as many times the colour's error, and SPAN_LEVEL_ROUNDING. */
+/* The error of a channel in levels, for 31 or 63 levels: the colour's error times their number, plus
+ * SPAN_LEVEL_ROUNDING. */
 FORMULA(SPAN_LEVELS);
 
-/* The rounding of a level, of 63 or 64 at most: the emission as a float, the product with the levels and the sum with
- * the threshold: 3 of 6 u. */
+/* The rounding of a channel in levels, as a share of their number: the emission as a float, the product with the number
+ * of levels, and the sum with the threshold, at most 64. 3 of 6 u. */
 #define BOUND_SPAN_LEVEL_ROUNDING 6
 
-/* The rounding of the bound itself: it is computed in doubles, and cells subtract theirs in floats, 3 u of .5 at most:
- * 2^-22 of .01. Unseen: small. */
+/* The rounding of the bound itself. It is computed in doubles, and cells subtract their interpolation error in floats,
+ * with 3 u of at most .5. The bound is at least 31 times 6 u: .008 of .01. Unseen: small. */
 #define BOUND_SPAN_LEVEL_SECOND .01
 
-/* The rounding of the comparison with half a level: the threshold less 1/2, the bound and the distance from a level as
- * floats, each of 1/2 at most: 2 of 6 u. Unseen: small. */
+/* The rounding of the comparison of a channel's distance from a level with the bound: the threshold less 1/2, the bound
+ * and the distance are floats of at most 1/2. 2 of 6 u. Unseen: small. */
 #define BOUND_SPAN_LEVEL_NEAR 6
 
-/* The least value of half a level less its bounds. A choice: with less nearly all of a run would be undecided. Unseen:
- * choice. */
+/* The limit of half a level less its bounds above which a run is drawn. A choice: below it nearly all pixels of the run
+ * would be undecided. Unseen: choice. */
 #define BOUND_SPAN_LEVEL_LEAST .1
 
-/* The share by which the limits of cached bounds are worse than those of their run. A choice: for a single run 0 is as
- * good. Unseen: choice. */
+/* The share by which the limits of cached bounds exceed those of their run. A choice: for a single run 0 is as good.
+ * Unseen: choice. */
 #define BOUND_SPAN_KEPT .1
 
 #endif
