@@ -56,7 +56,7 @@
 /* The relative error of tia_raster_distance, apart from half a unit, is below 2^-DISTANCE_BITS. */
 #define DISTANCE_BITS 58
 
-_Static_assert(DISTANCE_BITS == 58, "as <tia/distance.h> says");
+_Static_assert(DISTANCE_BITS == 58, "as distance.h says");
 _Static_assert(RASTER_DET < 127 && RASTER_PLANE < 127 && FLAT_PLANE < 127 && FLAT_DET < 127, "these fit 128 bits");
 _Static_assert(RASTER_ORDER < 255 && FLAT_ORDER < 255, "these fit 256 bits");
 _Static_assert(NARROW_SQUARE + 2 <= 63, "and these 64");
