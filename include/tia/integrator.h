@@ -119,7 +119,8 @@ struct tia_estimator {
                   const struct tia_gathered *gathered);
 
     /* Returns the opaque object that encloses light number `light` of the view, but not the eye, so that the light
-     * reaches nothing else; TIA_NO_OBJECT: none, no such light, or a scene without samples. The test consists of 14
+     * reaches nothing else; TIA_NO_OBJECT: none, no such light, a scene without samples, or a view of
+     * another core. The test consists of 14
      * rays from the light.
      */
     uint32_t (*enclosing)(const struct tia_view *view, uint32_t light);

@@ -138,8 +138,8 @@ struct tia_shape_field {
     bool needed;        /* required in scene files; otherwise the default is 0 */
 };
 
-/* Returns the fields of a kind; NULL for a number that is not a kind. Meshes and grids, which are indices, have none.
- */
+/* Returns the fields of a kind; NULL for a number that is not a kind. The list is empty for meshes and
+ * grids: such a shape is only an index. */
 const struct tia_shape_field *tia_shape_fields(enum tia_shape_kind kind);
 
 /* A transform scales a shape along its own axes, then rotates it, then translates it. Planes must not have a transform.

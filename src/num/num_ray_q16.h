@@ -285,8 +285,8 @@ static inline num_length num_slab_start(num_length slab)
 
 /* Coarse distances along a ray to planes perpendicular to an axis, for the traversal of a hierarchy: t = (plane -
  * origin)/d with 38 fraction bits. 1/|d| is at most 2^8 and rounded towards 0, with a relative error below 2^-22. |t|
- * has the same relative error, plus an error of up to one unit. The product is of 32 x 32 bits. An origin beyond 2^16
- * would need more bits: from there the planes clip nothing. */
+ * has the same relative error, plus an error of up to one unit. plane/d is a product of 32 x 32 bits, of the plane and
+ * the inverse. Origins beyond 2^16 would need more bits: for them the planes clip nothing. */
 typedef int64_t num_walk;
 
 struct num_slope {

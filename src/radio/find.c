@@ -97,7 +97,7 @@ static int vector_of(struct tia_radio_room *room, uint32_t order, uint32_t i, in
 }
 
 /* Returns the path's length: the length of the vector from the transmitter to the receiver's last image. Root and
- * weights have 62 bits; the total relative error is 2^-59. */
+ * weights have 61 or 62 bits; the total relative error is below 2^-57. */
 static int64_t length_of(struct tia_radio_room *room, uint32_t order)
 {
     int64_t v[3];

@@ -21,7 +21,8 @@ static bool is_watched(const struct loop *loop)
 
 /* ---- a pass ---- */
 
-/* Draws the pass in a tile. A tile that is not reached before the picture is due remains for the next round. */
+/* Draws the current pass's part of a tile. A tile that is not reached before the picture is due remains for the next
+ * round. */
 static void pass_job(void *arg, unsigned index)
 {
     struct loop *loop = arg;

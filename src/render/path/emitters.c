@@ -147,11 +147,10 @@ uint64_t emitters_size(const struct tia_scene *scene, uint32_t light_capacity)
 }
 
 /* Sets the memory for the emitters, which emitters_set fills in, and counts the emitting spheres. */
-int emitters_prepare(struct emitters *emitters, const struct ray_view *view, void *memory, uint32_t light_capacity)
+int emitters_prepare(struct emitters *emitters, const struct ray_view *view, void *memory)
 {
     struct cancel cancel = view_cancel(view->view);
 
-    (void)light_capacity;
     emitters->first = memory;
     emitters->count = 0;
     emitters->spheres = count_spheres(view->scene, &cancel);

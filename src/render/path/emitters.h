@@ -20,9 +20,8 @@ struct emitter {
 
 struct emitters {
     struct emitter *first;
-    uint32_t count, spheres;     /* numbers of all emitters, and of emitting spheres, which are the last ones */
-    struct num_density one_of;   /* 1/count */
-    struct num_density by_light; /* probability of choosing one of the lights */
+    uint32_t count, spheres;   /* numbers of all emitters, and of emitting spheres, which are the last ones */
+    struct num_density one_of; /* 1/count */
 };
 
 /* A sample of an emitter, seen from a point. */
@@ -35,7 +34,7 @@ struct emitter_sample {
 
 /* Returns the size in bytes of the emitters of `light_capacity` lights and of the scene's spheres. */
 uint64_t emitters_size(const struct tia_scene *scene, uint32_t light_capacity);
-int emitters_prepare(struct emitters *emitters, const struct ray_view *view, void *memory, uint32_t light_capacity);
+int emitters_prepare(struct emitters *emitters, const struct ray_view *view, void *memory);
 void emitters_set(struct emitters *emitters, const struct ray_view *view);
 
 /* Samples an emitter from the point `from`, whose normal is `facing`. Returns false if the sample gives no light. The

@@ -314,7 +314,7 @@ static int prepare(struct tia_view *view)
 
     if (status)
         return status;
-    return emitters_prepare(&path->emitters, view->prepared, (char *)path + ALIGN(sizeof *path), view->light_capacity);
+    return emitters_prepare(&path->emitters, view->prepared, (char *)path + ALIGN(sizeof *path));
 }
 
 static int set_lights(struct tia_view *view)

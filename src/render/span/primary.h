@@ -13,7 +13,7 @@ struct primary_rays {
     int exponent;              /* the exponent f of pixel coordinates */
     num_wide x_reach, y_reach; /* above every |X| and |Y| of the image */
     num_wide depth;            /* height/tan(fov/2) */
-    int square_shift;          /* 2^square_shift: factor with which v.v fills an accumulator */
+    int square_shift;          /* v.v times 2^square_shift uses all bits of an accumulator */
 };
 
 void primary_prepare(struct primary_rays *primary, unsigned width, unsigned height, tia_q16 fov);

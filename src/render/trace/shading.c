@@ -71,8 +71,8 @@ struct num_dir shading_mirrored(const struct shading *s)
  *     root = sqrt(q^2 - s^2/16)
  *
  * All light is reflected if there is no root, or if an interpolated normal is turned away from the viewer. Then Rs and
- * Rp are 1; integers would give slightly less. Returns F, the reflectance by Fresnel's equations: with n2/n1 cos T = 4
- * root,
+ * Rp are exactly 1, while their formulas in fixed point could give slightly less. Returns F, the reflectance by
+ * Fresnel's equations: with n2/n1 cos T = 4 root,
  *
  *     Rs = (c - n2/n1 cos T)/(c + ...)          = (c/4 - root)/(c/4 + root)
  *     Rp = (n2/n1 c - cos T)/(n2/n1 c + cos T)  = (q^2 c - root/4)/(q^2 c + root/4).

@@ -43,9 +43,4 @@ void tia_bvh_build_objects(struct bvh_space *space, struct tia_bvh *bvh, const s
 uint32_t tia_bvh_build_together(struct bvh_space *space, struct tia_bvh_node *nodes, const struct bvh_items *all,
                                 uint32_t count);
 
-/* Builds all hierarchies of a scene at space->front, as tia_bvh_build does, with the space's builder. Sets *used to the
- * number of bytes. */
-int tia_bvh_build_in(const struct tia_bvh **bvh, struct bvh_space *space, size_t size, size_t *used,
-                     const struct tia_scene *scene);
-
 #endif

@@ -15,8 +15,8 @@
  * times in all.
  *
  * The fixed-point corners are displaced by 2^-46 + 2^-59 z, in coordinates below 2 far, so their areas are off by 8 far
- * (2^-46 + 2^-59 far). The first part is covered by far 2^-42; the second is far less than the roundings of doubles. A
- * line is inside a face where all three areas certainly have one sign.
+ * (2^-46 + 2^-58 far). TRIANGLE_CORNERS, 2^-42 far, covers the first part; the second is much less than the roundings
+ * of doubles, and TRIANGLE_AREA covers it. A line is inside a face where all three areas certainly have one sign.
  *
  * Here t comes from the plane, in fixed point from a weighted mean of the corners. That mean is no farther off the
  * plane than its corners are (geometry/triangle.c), l 2^-48. */

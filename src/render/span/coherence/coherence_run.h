@@ -85,7 +85,8 @@ num_u coherence_lambert_at(struct coherence_run *run, int x);
  * `exponent`. */
 bool coherence_bound(struct coherence_run *run, int first, int last);
 
-/* Sets the bounds of one caster of a run, whose bounds and exponent must be set. */
+/* Sets the bounds of one caster of a run. The run's source, sphere, bounds and exponent, and cast->line, must be set.
+ */
 void coherence_bound_caster(const struct coherence_run *run, const struct span_sphere *caster,
                             struct coherence_caster *cast);
 

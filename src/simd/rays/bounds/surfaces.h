@@ -211,7 +211,7 @@ FORMULA(UV_MESH);
 #define BOUND_ANGLE_TURN 0.1875
 
 /* The rounding of an angle, divided by 2 pi. tia_atan2's 60 steps truncate a vector of 3/4 of the length s by 2^-62
- * each. That is 2^-55.7/(2 pi s), in doubles and again in fixed point; The rest of ANGLE_TURN, times e/s, covers both,
+ * each. That is 2^-55.7/(2 pi s), in doubles and again in fixed point; the rest of ANGLE_TURN, times e/s, covers both,
  * as e is at least 2^-50. Apart from that the result is within 2^-55, and in doubles the components of the vector are
  * within u. Needed: 1.3 of 8 u. Unseen: small. */
 #define BOUND_ANGLE_ROUNDING P2M(50)
