@@ -57,8 +57,8 @@ $(call bare_rule,$(1),f64/,-DTIA_NUM_F64)
 $(BUILD)/boards/$(1)/%.o: %.S
 	$$(call board_compile,$(1),AS)
 endef
-# Optimisation. On mps2-an385 the flash suffices for -O3 of SPANS_O3. On rv32 only the fixed-point code that draws spheres fits at
-# -O2; the rest of that code is optimised for size.
+# Optimisation. On mps2-an385 the flash suffices for -O3 of SPANS_O3. On rv32 only the code that draws spheres fits at -O2; the
+# rest is optimised for size.
 SPANS_O3 := $(addprefix src/render/span/,coherence/coherence kernels)
 rv32_O2 := src/math/integer $(SPANS_O3) $(addprefix src/render/span/span_,rows shade sphere trace)
 $(SPANS_O3:%=$(BUILD)/boards/mps2-an385/%.o): BOARD += -O3

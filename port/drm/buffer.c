@@ -7,8 +7,8 @@
 
 #include "card.h"
 
-/* Formats, in the order in which they are tried. `always`: even if the plane does not list the format, unless
- * `listed` is asked for. DRM's format codes denote little-endian pixels. */
+/* Formats, in the order in which they are tried. A format with `always` is also tried on planes that do not list it.
+ * DRM's format codes denote little-endian pixels. */
 static const struct {
     struct card_format format;
     bool always;

@@ -135,8 +135,8 @@ static bool coincide(const struct polygon_corner *a, const struct polygon_corner
 }
 
 /* True if corner q lies inside the counterclockwise triangle a, b, c or on its edges, so that its tip b cannot be cut
- * off. Corners that coincide with a or c do not count. They occur where a bridge leads to a hole and back, and the
- * polygon cannot enter the triangle from there without crossing an edge. */
+ * off. Corners that coincide with a or c do not count: where a bridge leads to a hole and back, a corner occurs twice,
+ * and no edge from a or c enters the triangle without crossing another edge. */
 static bool blocks(const struct polygon_corner *q, const struct polygon_corner *a, const struct polygon_corner *b,
                    const struct polygon_corner *c)
 {

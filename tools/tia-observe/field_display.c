@@ -36,10 +36,9 @@ static double crossing(const struct display *d, const struct eye *eye, double q)
     return q + (eye->x - q) / eye->z * d->distance;
 }
 
-/* True if the ray from the eye through q crosses the observer line. The scene's lengths are rounded to units. This
- * moves an end of the line by up to half a unit, and the screen's middle by another half if its width is odd. It also
- * changes the line's distance by half a unit, which moves the crossing by the ray's slope times that. The ray of an eye
- * at a nominal end can therefore cross the line's plane that far beyond the end. */
+/* True if the ray from the eye through q crosses the observer line. The scene's lengths are rounded to units. So an end
+ * of the line is off by up to half a unit, the screen's middle by another half if its width is odd, and the line's
+ * distance by half a unit, which shifts the crossing by half of the ray's slope. The test allows for the sum. */
 static bool on_line(const struct display *d, const struct eye *eye, double q)
 {
     double at = crossing(d, eye, q), slack = d->unit * (1 + fabs((eye->x - q) / eye->z) / 2 + SLACK);
@@ -55,7 +54,7 @@ double display_part(const struct display *display, const struct eye *eye, double
 }
 
 /* Returns -1 or 1 if the light of a module through the screen at q misses the line to its left or right, else 0. The
- * renderer rounds the crossing with the line to units, so a point up to a quarter of a unit beyond an end is lit. */
+ * renderer rounds the crossing to units, and still hits the line up to a quarter of a unit beyond an end. */
 static int misses(const struct display *d, double module, double q)
 {
     /* position as in modules_place */
