@@ -15,8 +15,8 @@
 /* Sizes and times. The samples of a picture of up to PIXELS_MAX pixels are in memory twice: those of the complete
  * rounds, and those including the round being drawn. A round of a small picture has several samples per pixel, so that
  * threads have enough work. Fewer than SPREAD_MIN samples give no estimate of their spread. After a signal the picture
- * must be complete within 0.2 s: denoising SMALL_PIXELS pixels takes 0.13 s. */
-enum { PIXELS_MAX = 1 << 24, ROUND_PIXELS = 1 << 12, SPREAD_MIN = 8, TOLD_US = 500000, SMALL_PIXELS = 98304 };
+ * must be complete within 0.2 s, on a slow processor too: denoising SMALL_PIXELS pixels takes up to 0.1 s. */
+enum { PIXELS_MAX = 1 << 24, ROUND_PIXELS = 1 << 12, SPREAD_MIN = 8, TOLD_US = 500000, SMALL_PIXELS = 1 << 15 };
 
 struct gathered {
     struct tia_gathered all;
