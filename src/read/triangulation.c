@@ -135,8 +135,9 @@ static bool coincide(const struct polygon_corner *a, const struct polygon_corner
 }
 
 /* True if corner q lies inside the counterclockwise triangle a, b, c or on its edges, so that its tip b cannot be cut
- * off. Corners that coincide with a or c do not count: where a bridge leads to a hole and back, a corner occurs twice,
- * and no edge from a or c enters the triangle without crossing another edge. */
+ * off. Corners at the same point as a or c do not count; there are some where a bridge leads to a hole and back. An
+ * edge from such a corner into the triangle cannot cross the edges a b and b c, so it ends at a corner inside, which
+ * counts. */
 static bool blocks(const struct polygon_corner *q, const struct polygon_corner *a, const struct polygon_corner *b,
                    const struct polygon_corner *c)
 {

@@ -38,7 +38,8 @@ static double crossing(const struct display *d, const struct eye *eye, double q)
 
 /* True if the ray from the eye through q crosses the observer line. The scene's lengths are rounded to units. So an end
  * of the line is off by up to half a unit, the screen's middle by another half if its width is odd, and the line's
- * distance by half a unit, which shifts the crossing by half of the ray's slope. The test allows for the sum. */
+ * distance by half a unit, which moves the crossing by half a unit times the ray's slope. `slack` is the sum of these.
+ */
 static bool on_line(const struct display *d, const struct eye *eye, double q)
 {
     double at = crossing(d, eye, q), slack = d->unit * (1 + fabs((eye->x - q) / eye->z) / 2 + SLACK);
@@ -54,7 +55,7 @@ double display_part(const struct display *display, const struct eye *eye, double
 }
 
 /* Returns -1 or 1 if the light of a module through the screen at q misses the line to its left or right, else 0. The
- * renderer rounds the crossing to units, and still hits the line up to a quarter of a unit beyond an end. */
+ * renderer rounds the crossing to units, so points up to a quarter of a unit beyond an end count as on the line. */
 static int misses(const struct display *d, double module, double q)
 {
     /* position as in modules_place */
