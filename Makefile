@@ -4,7 +4,7 @@
 #   make CC=clang, make CFLAGS='-O3 -march=native', make BUILD=dir
 #   make CROSS=aarch64-linux-gnu-    for another Linux
 #   make CROSS=arm-none-eabi- CFLAGS='-O2 -mthumb -mcpu=cortex-m3'    the library, for no operating system
-#   make F64=no          leaves the double-precision reference out (targets without an FPU)
+#   make F64=no          leaves the floating-point references out (targets without an FPU); F128=no: that of 113 bits
 #   make DRM=no PNG=no STB=no OSMESA=no EGL=no CHAFA=no JSON=no   leaves a part out though its library is there
 
 BUILD   ?= build
@@ -59,6 +59,11 @@ include deps.mk
 
 # ---- optional libraries: found by pkg-config, else their parts are left out and named ----
 F64 ?= $(if $(BARE),no,yes)
+# The preprocessor tells whether the compiler has a type of 113 bits.
+ifeq ($(origin F128),undefined)
+F128 := $(if $(filter no,$(F64)),no,$(or $(shell $(CC) -std=c11 $(CFLAGS) -E -P src/num/probe.h 2>/dev/null | grep '^yes$$'),no))
+LACKS_F128 := $(and $(filter yes,$(F64)),$(filter no,$(F128)))
+endif
 unless_no = $(if $(filter no,$($(1))),,$(2))
 WANTED := $(if $(BARE),,$(sort $(call unless_no,DRM,libdrm) $(call unless_no,PNG,libpng) \
                                $(call unless_no,STB,stb) $(call unless_no,CHAFA,chafa) \
@@ -124,6 +129,9 @@ endif
 ifeq ($(F64),yes)
 HOSTED += -DTIA_HAVE_F64
 endif
+ifeq ($(F64) $(F128),yes yes)
+HOSTED += -DTIA_HAVE_F128
+endif
 
 # `make run` alone makes what its picture needs: the parts of build/tia below are then linked where they are there.
 LEAN := $(if $(GOALS),$(if $(filter-out run,$(GOALS)),,yes))
@@ -152,7 +160,8 @@ LIBTIA := $(BUILD)/libtia.a
 LIBRADIO := $(BUILD)/libtia-radio.a
 LIBDEVICES := $(BUILD)/libtia-ports.a
 LIBSHARED := $(BUILD)/libtia.so.0
-LIBF64 := $(if $(filter yes,$(F64)),$(BUILD)/libtia-f64.a $(BUILD)/libtia-f32.a)
+LIBF128 := $(if $(filter yes,$(F128)),$(BUILD)/libtia-f128.a)
+LIBF64 := $(if $(filter yes,$(F64)),$(BUILD)/libtia-f64.a $(BUILD)/libtia-f32.a $(LIBF128))
 LIBSIMD := $(BUILD)/libtia-simd.a
 LIBWATCHED := $(BUILD)/libtia-watched.a
 TIA_F64 := $(call unless_lean,$(LIBF64))
@@ -164,6 +173,7 @@ PROGRAMS := $(if $(BARE),,tia tia-compare tia-join tia-compile tia-pov tia-obser
 .PHONY: all run check check-quick test bench deps install uninstall size lint clean help tests FORCE
 all: $(LIBTIA) $(LIBRADIO) $(LIBDEVICES) $(if $(BARE),,$(LIBSIMD)) $(LIBF64) $(PROGRAMS:%=$(BUILD)/%)
 	@$(call name_missing,$(MISSING))
+	@$(if $(LACKS_F128),echo "note: $(CC) has no type of 113 bits: built without the f128 reference",:)
 
 name_missing = for m in $(1); do echo "note: $$m (make deps installs it)"; done
 ifneq ($(BARE),)
@@ -176,7 +186,7 @@ endif
 COMPILER := $(realpath $(call found,$(firstword $(CC)))) $(CC)
 made_with_core := $(COMPILER) $(CORE) $(CFLAGS)
 made_with_host := $(COMPILER) $(HOSTED) $(CFLAGS)
-made_with_parts := $(HAVE_SIMD) $(if $(TIA_F64),-DTIA_LINKED_F64) $(if $(TIA_WATCHED),-DTIA_LINKED_WATCHED)
+made_with_parts := $(HAVE_SIMD) $(if $(TIA_F64),-DTIA_LINKED_F64) $(if $(filter %-f128.a,$(TIA_F64)),-DTIA_LINKED_F128) $(if $(TIA_WATCHED),-DTIA_LINKED_WATCHED)
 made_with_simd := $(COMPILER) $(CORE) $(foreach l,$(SIMD_NAMES),$(flags_$(l))) $(CFLAGS)
 made_with_link := $(COMPILER) $(CFLAGS) $(LDFLAGS) $(LIBS)
 same = $(and $(findstring x$(1)x,x$(2)x),$(findstring x$(2)x,x$(1)x))
@@ -201,6 +211,8 @@ $(BUILD)/watched/%.o: %.c $(BUILD)/made-with/core
 	$(call compile,CC obs,$(CORE) -DTIA_WATCHED)
 $(BUILD)/f32/%.o: %.c $(BUILD)/made-with/core
 	$(call compile,CC f32,$(CORE) -DTIA_NUM_F32 -fno-math-errno)
+$(BUILD)/f128/%.o: %.c $(BUILD)/made-with/core
+	$(call compile,CC f128,$(CORE) -DTIA_NUM_F128 -fno-math-errno)
 # Of a file of src/simd/.
 simd_flags = $(filter-out -ffreestanding,$(CORE)) $(flags_$(notdir $(1))) -fno-math-errno -ffp-contract=$(if $(filter rays/%,$(1)),fast,off)
 $(BUILD)/simd/src/simd/%.o: src/simd/%.c $(BUILD)/made-with/simd
@@ -226,6 +238,7 @@ $(LIBTIA): $(call obj,q16,$(CORE_SRC))
 $(LIBRADIO): $(call obj,q16,$(RADIO_SRC))
 $(BUILD)/libtia-f64.a: $(call obj,f64,$(NUM_SRC))
 $(BUILD)/libtia-f32.a: $(call obj,f32,$(NUM_SRC))
+$(BUILD)/libtia-f128.a: $(call obj,f128,$(NUM_SRC))
 $(LIBWATCHED): $(call obj,watched,$(NUM_SRC))
 $(BUILD)/libtia-chk.a: $(call obj,chk,$(NUM_SRC))
 # The code common to all instruction sets is built even for a processor without vector units: tests call it.
@@ -248,6 +261,7 @@ $(foreach p,$(PROGRAMS),$(eval $(call program,$(p))))
 $(if $(GL),$(BUILD)/tests/test_gl_picture: $(BUILD)/tests/gl/gl_scene.o)
 $(if $(GL),$(BUILD)/tests/test_gl_raster $(BUILD)/tests/test_gl_shadows: $(call obj,host,bench/gl/gl_raster.c))
 $(if $(filter yes,$(OSMESA)),$(BUILD)/tests/test_gl_shadows: LDFLAGS += -Xlinker --wrap=tia_raster_draw)
+$(if $(filter %-f128.a,$(LIBF64)),$(BUILD)/tests/test_mirrors: $(patsubst %,$(BUILD)/tests/mirrors/chain_%.o,q16 f32 f64 f128))
 CHK_TESTS := $(addprefix $(BUILD)/tests/,test_ranges test_ray_ranges test_limits test_shapes_chk)
 $(CHK_TESTS): $(BUILD)/libtia-chk.a
 $(BUILD)/host/tools/tia/arithmetic.o: $(BUILD)/made-with/parts
@@ -274,7 +288,7 @@ $(BUILD)/tests/test_compiled: $(COMPILED:%=$(BUILD)/scenes/%.o)
 .SECONDARY: $(COMPILED:%=$(BUILD)/scenes/%.c)
 
 # ---- longer proofs ----
-.PHONY: check-exhaustive prove check-accuracy check-arch check-matrix check-simd check-denoise check-threads check-rays-billion check-mutants check-bounds fuzz
+.PHONY: check-exhaustive prove check-accuracy check-exact check-arch check-matrix check-simd check-denoise check-threads check-rays-billion check-mutants check-bounds fuzz
 $(BUILD)/tests/exhaustive: $(BUILD)/tests/exhaustive.o $(LIBTIA) $(BUILD)/made-with/link
 	$(link)
 check-exhaustive: $(BUILD)/tests/exhaustive
@@ -283,6 +297,8 @@ prove:
 	@$(alone) tests/slow/prove
 check-accuracy: all tests
 	@ACCURACY_SCENES=100 $(run_tests) tests/slow/accuracy
+check-exact: $(BUILD)/tia-compare
+	@EXACT_FULL=yes $(run_tests) tests/slow/exact
 check-arch:
 	@ARCH_FULL=yes $(run_tests) tests/slow/arch
 check-matrix: all
@@ -300,7 +316,7 @@ check-mutants:
 	@$(alone) tests/mutate
 # The vector units' kernels once more, with their bounds scaled by the environment.
 SCALED_TESTS := ray_steps ray_spawned ray_ends ray_tubes ray_pixels ray_edges ray_pairs ray_bounds simd_samples \
-    simd_bounds simd_steps simd_integers simd_cells span_coherence
+    simd_bounds simd_steps simd_pixels simd_cells span_coherence span_error
 check-bounds:
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)/scaled CFLAGS='$(CFLAGS) -DBOUND_SCALES=\"../tests/bound_scales.h\"' \
 	    $(SCALED_TESTS:%=$(BUILD)/scaled/tests/test_%)
@@ -395,7 +411,7 @@ help:
 	@echo "check-quick        the tests that take seconds; check: all of them"
 	@echo "test T=NAME C=CASE one test, or one case of it: make test T=ray_bounds C=scene_files"
 	@echo "check-boards prove                             parts of check"
-	@echo "check-accuracy check-arch check-matrix check-simd check-denoise check-threads check-vm fuzz   parts of check, for longer"
+	@echo "check-accuracy check-exact check-arch check-matrix check-simd check-denoise check-threads check-vm fuzz   parts of check, for longer"
 	@echo "check-rays-billion   10^9 rays by vector units against plain C, or RAYS=N"
 	@echo "check-exhaustive check-mutants check-bounds    longer than check"
 	@echo "bench count size   time, instructions a pixel on boards, flash, RAM and stack"

@@ -5,13 +5,18 @@ import re
 from sources import read
 
 RAYS, SPANS, COHERENCE = "src/simd/rays/", "src/simd/span/", "src/render/span/coherence/"
-TABLES = [*sorted(glob.glob(RAYS + "bounds/*.h") + glob.glob(SPANS + "bounds/*.h")), COHERENCE + "coherence_proved.h"]
-ROW = re.compile(r"^(?:#define BOUND_(\w+) |FORMULA\((\w+)\);|#define (COHERENCE_(?!BITS|BELOW|WIDE)\w+)[ (])")
+INTEGERS = "src/render/span/"
+TABLES = [*sorted(glob.glob(RAYS + "bounds/*.h") + glob.glob(SPANS + "bounds/*.h")), INTEGERS + "span_proved.h",
+          COHERENCE + "coherence_proved.h"]
+ROW = re.compile(r"^(?:#define BOUND_(\w+) |FORMULA\((\w+)\);"
+                 r"|#define (COHERENCE_(?!BITS|BELOW|WIDE)\w+|SPAN_ERROR_\w+)[ (])")
 
 
 def table_of(path):
-    """A table's short name: rays/lights, span/cells, coherence."""
-    return "coherence" if path.startswith(COHERENCE) else re.sub(r"src/simd/(\w+)/bounds/(\w+)\.h", r"\1/\2", path)
+    """A table's short name: rays/lights, span/cells, integers, coherence."""
+    if path.startswith(INTEGERS):
+        return "coherence" if path.startswith(COHERENCE) else "integers"
+    return re.sub(r"src/simd/(\w+)/bounds/(\w+)\.h", r"\1/\2", path)
 
 
 def rows():

@@ -1,6 +1,7 @@
-/* bound_scales.h - the bounds of src/simd and of coherence by name, each with a factor. src/simd/bound.h and
- * coherence_proved.h include this file if BOUND_SCALES is defined. tests/bounds scales one bound of a whole program by
- * TIA_BOUND=NAME and TIA_BOUND_SCALE=x in the environment; test_ray_bounds --uses does so within the program. */
+/* bound_scales.h - the bounds of src/simd and src/render/span by name, each with a factor. src/simd/bound.h,
+ * span_proved.h and coherence_proved.h include this file if BOUND_SCALES is defined. tests/bounds scales one bound of a
+ * whole program by TIA_BOUND=NAME and TIA_BOUND_SCALE=x in the environment; test_ray_bounds --uses does so within the
+ * program. */
 #ifndef TIA_TESTS_BOUND_SCALES_H
 #define TIA_TESTS_BOUND_SCALES_H
 
@@ -48,6 +49,15 @@ static inline int bound_bits_of(const char *name)
     double scale = *bound_scale_of(name);
 
     return scale > 0 ? (int)ceil(log2(scale)) : -64;
+}
+
+/* Returns what to add to a bound that is a binary logarithm in 256ths: the logarithm of its factor, rounded up; -64
+ * bits for the factor 0. */
+static inline int bound_log_of(const char *name)
+{
+    double scale = *bound_scale_of(name);
+
+    return scale > 0 ? (int)ceil(256 * log2(scale)) : -64 * 256;
 }
 
 /* Scales a bound that is an integer or, in the floating-point builds, a real number. */

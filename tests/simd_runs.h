@@ -17,7 +17,9 @@ static inline void simd_runs_row(const struct tia_view *view, const struct simd_
 {
     static struct simd_fine fine;
     const struct span_view *spans = span_view_of(view);
-    struct span span = span_sphere_row(&spans->primary, &spans->spheres[sphere], row->y, (struct span){0, 0});
+    struct exact_picture picture = span_picture_of(view);
+    struct span span =
+        span_sphere_row(&picture, &spans->primary, &spans->spheres[sphere], sphere, row->y, (struct span){0, 0});
 
     if (span.end - span.first > SIMD_RUN)
         span.end = span.first + SIMD_RUN;
@@ -38,7 +40,7 @@ static inline void simd_runs_scene(const struct tia_scene *scene, unsigned width
         for (uint32_t n = 0; n < scene->sphere_count; n++)
             for (int y = 0; y < (int)height; y += 3) {
                 struct simd_row row;
-                tia_simd_row(&spans->primary, y, &row);
+                tia_simd_row(spans, y, &row);
                 if (y >= spans->spheres[n].rows.first && y < spans->spheres[n].rows.end)
                     simd_runs_row(view, &row, n, try);
             }

@@ -15,13 +15,13 @@ static int64_t any(int64_t most)
     return random_bits() & 1 ? (int64_t)size : -(int64_t)size;
 }
 
-/* True if L.v >= 0 and (L.v)^2 >= c v.v at pixel i, where |L.v| < 2^63 and c v.v < 2^126. */
+/* True if c < 0, or L.v >= 0 and (L.v)^2 >= c v.v at pixel i, where |L.v| < 2^63 and c v.v < 2^126. */
 static bool is_inside(const struct cone_row *s, int i)
 {
     wide128 x = (wide128)(2 * i + 1 - s->count) * ((wide128)1 << s->exponent);
     wide128 b = s->slope * x + s->base, square = x * x + s->square;
 
-    return b >= 0 && b * b >= s->c * square;
+    return s->c < 0 || (b >= 0 && b * b >= s->c * square);
 }
 
 static int widths, empties, partials; /* kinds of the cases */
@@ -62,7 +62,7 @@ static void check_slice(const struct cone_row *s)
 static void tia_check_sphere(int count, int64_t lx, int64_t ly, int64_t lz, int64_t r, int64_t row, int64_t depth)
 {
     int bits = 64 - __builtin_clzll((uint64_t)(count * (int64_t)count + row * row + depth * depth));
-    struct cone_row s = {.count = count, .exponent = 30 - (bits + 1) / 2};
+    struct cone_row s = {.count = count, .exponent = 30 - (bits + 1) / 2, .doubt = -1};
     int64_t unit = INT64_C(1) << s.exponent, y = row * unit, z = depth * unit;
 
     s.slope = lx;
@@ -127,7 +127,7 @@ TEST(the_longest_line)
  * -4) it is 20^2 >= 16 (X^2 + 16), that is X^2 <= 9: X = -3..3, of the odd numbers. */
 TEST(tangents)
 {
-    struct cone_row s = {.slope = 0, .base = 20, .square = 16, .c = 16, .exponent = 0, .count = 10};
+    struct cone_row s = {.slope = 0, .base = 20, .square = 16, .c = 16, .exponent = 0, .count = 10, .doubt = -1};
     struct span span = cone_row_span(&s, (struct span){0, 0});
 
     CHECK(span.first == 3 && span.end == 7);
@@ -143,20 +143,47 @@ TEST(tangents)
     CHECK(span.first == 4 && span.end == 5);
 }
 
-/* c < 0: from inside a sphere the half space L.v >= 0 is visible. */
+/* c < 0: from inside, a sphere is visible in all directions. */
 TEST(from_inside)
 {
-    struct cone_row s = {.slope = 1, .base = 2, .square = 1, .c = -1, .exponent = 0, .count = 10};
+    struct cone_row s = {.slope = 1, .base = 2, .square = 1, .c = -1, .exponent = 0, .count = 10, .doubt = -1};
 
-    check_slice(&s); /* X >= -2 */
-    CHECK_EQ(cone_row_span(&s, (struct span){0, 0}).first, 4);
+    check_slice(&s);
+    CHECK_EQ(cone_row_span(&s, (struct span){0, 0}).first, 0);
     CHECK_EQ(cone_row_span(&s, (struct span){0, 0}).end, 10);
-    s.slope = -1;
-    CHECK_EQ(cone_row_span(&s, (struct span){0, 0}).end, 6);
     for (int i = 0; i < 20000; i++) {
         int64_t r = 64 + (int64_t)(random_bits() % FAR);
         tia_check_sphere(1 + (int)(random_bits() % 40), any(r / 2), any(r / 2), any(r / 2), r, any(100),
                          1 + (int64_t)(random_bits() % 999));
+    }
+}
+
+/* Pixels in doubt count as inside, as no picture is given to decide them: the span has each pixel that is inside, and
+ * begins no earlier than with b^2 - c v.v larger by the doubt. */
+TEST(doubts)
+{
+    for (int i = 0; i < 3000; i++) {
+        int64_t depth = 1 + (int64_t)(random_bits() % 9000), lz = 10 + (int64_t)(random_bits() % (FAR / 8));
+        int64_t lx = lz * (int64_t)(random_bits() % 40) / depth, r = 64 + (int64_t)((uint64_t)lz >> random_bits() % 14);
+        struct cone_row s = {.count = 64, .exponent = 12, .doubt = -1};
+        s.slope = lx;
+        s.base = lz * depth * 4096;
+        s.square = depth * 4096 * (depth * 4096);
+        s.c = lx * lx + lz * lz - r * r;
+        if (s.c < 0)
+            continue;
+        struct span sure = cone_row_span(&s, (struct span){0, 0});
+        s.doubt = (num_wide)(random_bits() % 1000);
+        struct span span = cone_row_span(&s, (struct span){0, 0});
+        if (sure.first < sure.end)
+            CHECK(span.first <= sure.first && span.end >= sure.end);
+        if (span.first < span.end && span.first > 0) {
+            wide128 x = (wide128)(2 * (span.first - 1) + 1 - s.count) * 4096, b = s.slope * x + s.base;
+            CHECK(b < 0 || b * b - s.c * (x * x + s.square) < 0);
+            x += 2 * 4096;
+            b = s.slope * x + s.base;
+            CHECK(b * b - s.c * (x * x + s.square) >= -((wide128)(s.doubt + 2) << 64));
+        }
     }
 }
 
@@ -167,6 +194,7 @@ int main(void)
     RUN(the_longest_line);
     RUN(tangents);
     RUN(from_inside);
+    RUN(doubts);
     return check_status();
 }
 

@@ -4,7 +4,7 @@
 
 #include "check.h"
 
-enum { W = 640, H = 480, LIGHTS = 1 };
+enum { W = 160, H = 120, LIGHTS = 1 };
 
 static const struct tia_tile frame = {0, 0, W, H}, corner = {0, 0, 1, 1};
 
@@ -15,36 +15,56 @@ struct drawn {
     tia_rgb565 pixels[W * H];
 };
 
-/* Draws the thesis scene, lit as by key w; the core is used only to make the view. */
-static void draw(struct drawn *d, const struct tia_core *core)
-{
-    const struct tia_scene *scene = &tia_thesis_scene;
-    const struct tia_surface surface = {d->pixels, 2, 2 * W};
-    const struct tia_binding *key = scene->bindings;
+/* A ball of the smallest radius far above a ground, with a light on its side: the shadow rays from the ground touch the
+ * ball, so that its shadow is noise in double precision. */
+static const struct tia_material lamp_materials[] = {{.colour = TIA_RGB(1, 1, 1)}};
+static const struct tia_sphere lamp_spheres[] = {{TIA_VEC3(0, -1002, -30), TIA_Q16(1000), 0},
+                                                 {{64, TIA_Q16(12000), TIA_Q16(-21)}, 64, 0}};
+static const struct tia_light lamp_light = {{0, TIA_Q16(12000), TIA_Q16(-21)}, 0, TIA_RGB(1, 1, 1)};
+static const struct tia_scene lamp = {.camera = {.fov = TIA_Q16(40)},
+                                      .materials = lamp_materials,
+                                      .spheres = lamp_spheres,
+                                      .lights = &lamp_light,
+                                      .material_count = 1,
+                                      .sphere_count = 2,
+                                      .light_count = 1};
 
-    while (key->key != 'w')
-        key++;
+/* Draws a scene, lit by one light. The core is used only to make the view. */
+static void draw_lit(struct drawn *d, const struct tia_core *core, const struct tia_scene *scene,
+                     const struct tia_light *state)
+{
+    const struct tia_surface surface = {d->pixels, 2, 2 * W};
+
     CHECK(core->view_size(core, scene, LIGHTS) <= sizeof d->view_memory);
     CHECK(core->hits_size(core, scene, frame) <= sizeof d->hits_memory);
     CHECK_EQ(core->view_init(core, &d->view, d->view_memory, sizeof d->view_memory, scene, LIGHTS, W, H, NULL), TIA_OK);
-    CHECK_EQ(tia_view_set_lights(d->view, &key->state, 1), TIA_OK);
+    CHECK_EQ(tia_view_set_lights(d->view, state, 1), TIA_OK);
     CHECK_EQ(tia_hits_init(&d->hits, d->hits_memory, sizeof d->hits_memory, d->view, frame), TIA_OK);
     CHECK_EQ(tia_view_draw(d->view, d->hits, frame, &surface, NULL), TIA_OK);
+}
+
+/* Draws the thesis scene, lit as by key w. */
+static void draw(struct drawn *d, const struct tia_core *core)
+{
+    const struct tia_binding *key = tia_thesis_scene.bindings;
+
+    while (key->key != 'w')
+        key++;
+    draw_lit(d, core, &tia_thesis_scene, &key->state);
 }
 
 #ifdef TIA_HAVE_F64
 static struct drawn q16, f64;
 
-/* Two pixels of this picture differ from the oracle's in the fixed-point path, none in doubles, as in test_thesis. */
 TEST(a_view_is_drawn_in_its_arithmetic)
 {
     unsigned other = 0;
 
-    draw(&q16, &tia_core_q16);
-    draw(&f64, &tia_core_f64);
+    draw_lit(&q16, &tia_core_q16, &lamp, &lamp_light);
+    draw_lit(&f64, &tia_core_f64, &lamp, &lamp_light);
     for (unsigned i = 0; i < W * H; i++)
         other += q16.pixels[i] != f64.pixels[i];
-    CHECK_EQ(other, 2);
+    CHECK_MSG(other > 100, "%u pixels differ", other);
 }
 
 TEST(hits_are_of_one_view)

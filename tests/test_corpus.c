@@ -1,6 +1,8 @@
 /* The random scenes: the properties that their header states, and the same scenes on every machine. */
 #include "check.h"
 #include "common/corpus/corpus.h"
+#include "common/corpus/corpus_hard.h"
+#include "common/corpus/corpus_ties.h"
 
 #define SCENES 2000
 
@@ -29,11 +31,13 @@ TEST(values_are_in_their_ranges)
 
 TEST(every_scene_is_accepted)
 {
+    static void (*const series[])(struct corpus_scene *, uint64_t, unsigned) = {corpus_random, corpus_ties,
+                                                                                corpus_hard};
     struct corpus_scene c;
     struct tia_fault fault = {0};
 
-    for (unsigned i = 0; i < SCENES; i++) {
-        corpus_random(&c, i, i);
+    for (unsigned i = 0; i < 3 * SCENES; i++) {
+        series[i % 3](&c, i, i / 3);
         CHECK_MSG(!tia_scene_check(&c.scene, &fault), "scene %u: %s %u: %s: %s", i, fault.thing, fault.index,
                   fault.field, fault.rule);
     }
@@ -46,6 +50,22 @@ static bool meet(const struct tia_sphere *a, const struct tia_sphere *b)
     int64_t z = (int64_t)a->centre.z - b->centre.z, reach = (int64_t)a->radius + b->radius;
 
     return x * x + y * y + z * z <= reach * reach;
+}
+
+TEST(ties_and_hard_scenes_have_the_sizes_of_their_header)
+{
+    struct corpus_scene c;
+
+    for (unsigned i = 0; i < SCENES; i++) {
+        corpus_ties(&c, 3, i);
+        within(c.width, 30, 63, "width", i);
+        within(c.height, 28, 53, "height", i);
+        corpus_hard(&c, 3, i);
+        within(c.width, 30, 320, "width", i);
+        within(c.height, 28, 240, "height", i);
+        within(c.scene.sphere_count, 1, CORPUS_BALLS, "sphere count", i);
+        within(c.scene.light_count, 0, CORPUS_LIGHTS, "light count", i);
+    }
 }
 
 TEST(scenes_have_variety)
@@ -90,17 +110,24 @@ static uint32_t hash_scene(uint32_t h, const struct corpus_scene *c)
     return h;
 }
 
-/* The hash of these scenes when the accuracy tables were made. */
-TEST(scenes_are_the_same_everywhere)
+static uint32_t hash_series(void (*make)(struct corpus_scene *out, uint64_t seed, unsigned index))
 {
     struct corpus_scene c;
     uint32_t h = 2166136261u;
 
     for (unsigned i = 0; i < 100; i++) {
-        corpus_random(&c, 1, i);
+        make(&c, 1, i);
         h = hash_scene(h, &c);
     }
-    CHECK_MSG(h == 0xae83ad27, "0x%08x", (unsigned)h);
+    return h;
+}
+
+/* The hashes of these scenes when the accuracy tables were made. */
+TEST(scenes_are_the_same_everywhere)
+{
+    CHECK_EQ(hash_series(corpus_random), 0xae83ad27);
+    CHECK_EQ(hash_series(corpus_ties), 860946059);
+    CHECK_EQ(hash_series(corpus_hard), 2242033418);
 }
 
 TEST(keys_place_and_move_the_light)
@@ -119,6 +146,7 @@ int main(void)
 {
     RUN(values_are_in_their_ranges);
     RUN(every_scene_is_accepted);
+    RUN(ties_and_hard_scenes_have_the_sizes_of_their_header);
     RUN(scenes_have_variety);
     RUN(scenes_are_the_same_everywhere);
     RUN(keys_place_and_move_the_light);

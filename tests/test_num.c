@@ -120,11 +120,60 @@ TEST(a_cone_has_its_edge)
 {
     for (int i = 0; i < ROUNDS; i++) {
         num_wide m = (num_wide)random_short(30) + 2, n = (num_wide)random_short(30) + 2;
-        CHECK(num_inside_cone(m * n, m * m, n * n));
-        CHECK(!num_inside_cone(m * n - 1, m * m, n * n));
-        CHECK(!num_inside_cone(m * n, m * m + 1, n * n));
-        CHECK(!num_inside_cone(-m * n, m * m, n * n));
-        CHECK(num_inside_cone(0, -m, n) && !num_inside_cone(-1, -m, n));
+        CHECK_EQ(num_cone(m * n, m * m, n * n, -1), 1);
+        CHECK_EQ(num_cone(m * n - 1, m * m, n * n, -1), -1);
+        CHECK_EQ(num_cone(m * n, m * m + 1, n * n, -1), -1);
+        CHECK_EQ(num_cone(-m * n, m * m, n * n, -1), -1);
+        CHECK_EQ(num_cone(-m * n, -m, n, -1), 1); /* from inside */
+        CHECK_EQ(num_cone(m * n, m * m, n * n, 0), 0);
+    }
+}
+
+/* A verdict is right even if b^2 - c q is off by doubt 2^64, and there is one wherever |b^2 - c q| exceeds (doubt + 2)
+ * 2^64. */
+TEST(a_cone_in_doubt)
+{
+    int open = 0;
+
+    for (int i = 0; i < ROUNDS; i++) {
+        num_wide c = (num_wide)random_short(22) << 40, q = (num_wide)random_short(62) + 1,
+                 doubt = (num_wide)random_short(40);
+        c += (num_wide)(random_bits() >> 24);
+        num_wide b = (num_wide)sqrtl((long double)c * (long double)q);
+        b = (num_wide)((long double)b * (1 + ldexpl((long double)random_short(20) - (1 << 19), -40)));
+        b = random_bits() & 7 ? b : -b;
+        wide128 apart = (wide128)b * b - (wide128)c * q, most = (wide128)doubt << 64;
+        int verdict = num_cone(b, c, q, doubt);
+        open += !verdict;
+        if (verdict)
+            CHECK(verdict > 0 ? b >= 0 && apart > most : b < 0 || apart < -most);
+        else
+            CHECK(apart <= most + ((wide128)2 << 64) && apart >= -most - ((wide128)2 << 64));
+    }
+    CHECK_MSG(open > ROUNDS / 50 && open < ROUNDS - ROUNDS / 50, "%d are open", open);
+}
+
+/* Binary logarithms in 256ths and their powers of two. These may be too large by 2^.0861 and 2 units, logarithms too
+ * small by 24. */
+TEST(logarithms)
+{
+    CHECK_EQ(num_bound_of_log(0), 2);
+    CHECK_EQ(num_bound_of_log(-1), 1);
+    CHECK_EQ(num_bound_of_log(62 * 256), INT64_C(1) << 62);
+    CHECK_EQ(num_bound_of_log(99 * 256), INT64_C(1) << 62);
+    CHECK_EQ(num_log(1), 0);
+    CHECK_EQ(num_log(INT64_C(1) << 62), 62 * 256);
+    CHECK(num_log(0) < -40 * 256);
+    for (int log = 0; log < 62 * 256; log++) {
+        long double exact = exp2l(log / 256.0L), bound = (long double)num_bound_of_log(log);
+        CHECK_MSG(bound >= exact && bound <= exact * 1.0615L + 2, "log %d: %Lg, not %Lg", log, bound, exact);
+    }
+    for (int i = 0; i < ROUNDS; i++) {
+        num_wide x = (num_wide)random_short(63) | 1;
+        long double exact = 256 * log2l((long double)x), log = num_log(x);
+        CHECK_MSG(log <= exact && log + 24 >= exact, "%jd: %Lg, not %Lg", (intmax_t)x, log, exact);
+        num_wide y = (num_wide)random_short(63);
+        CHECK_EQ(num_high(x, y), (num_wide)((wide128)x * y >> 64));
     }
 }
 
@@ -152,21 +201,52 @@ TEST(the_nearer_of_two_scales)
     CHECK(!num_nearer(2, 1, 1, 0) && !num_nearer(1, 0, 2, 1)); /* equal */
 }
 
-/* num_covers compares a^2 with d k (1 + swell); it is correct where they differ by 2^-26 of themselves. */
+/* Distances with doubts are ordered only where all numbers within the doubts have that order. */
+TEST(the_nearer_in_doubt)
+{
+    for (int i = 0; i < ROUNDS; i++) {
+        num_u t = (num_u)random_short(31), u = (num_u)random_short(31), d = (num_u)random_short(30);
+        num_u c = (num_u)random_short(30);
+        int e = (int)(random_bits() % 60), f = e + (int)(random_bits() % 61) - 30;
+        long double apart = ldexpl(t, -e) - ldexpl(u, -f), doubt = ldexpl(d, -e) + ldexpl(c, -f);
+        int order = num_order(t, e, d, u, f, c), wanted = apart < -doubt ? -1 : apart > doubt;
+        CHECK_EQ(order, wanted);
+        long double margin = (ldexpl(t, -e) + ldexpl(u, -f)) / 128;
+        int rough = num_rough_order(t, e, u, f);
+        CHECK(rough == 0 ? fabsl(apart) <= margin : (rough < 0) == (apart < 0));
+        CHECK(rough != 0 || fabsl(apart) <= margin);
+        CHECK(rough == 0 || fabsl(apart) > margin - ldexpl(1, -(e < f ? e : f)));
+        int shift = (int)(random_bits() % 32);
+        long double least = floorl(ldexpl((long double)t * t, -32 - shift));
+        CHECK(num_distance_doubt(t, shift, 7) >= least + 7 &&
+              num_distance_doubt(t, shift, 7) <= least + 8 + t / 67108864.0);
+    }
+}
+
+/* num_cover_order compares a^2 with d k swell. */
 TEST(what_covers)
 {
     for (int i = 0; i < ROUNDS; i++) {
         num_wide d = (num_wide)random_short(60) + (1 << 20), k = (num_wide)random_short(60) + (1 << 20);
-        num_u swell = (num_u)random_short(20);
+        num_u swell =
+            (UINT32_C(1) << 31) + ((random_bits() & 1) ? (num_u)random_short(28) : 0 - (num_u)random_short(28));
         struct num_normal n = num_normal(d);
-        long double root = sqrtl((long double)d * (long double)k * (1 + ldexpl(swell, -32)));
-        int e = 2 * (int)(random_bits() % 3);
+        long double root = sqrtl((long double)d * (long double)k * ldexpl(swell, -31));
+        int e = 2 * (int)(random_bits() % 3), margin = 5 + (int)(random_bits() % 22);
+        long double near = ldexpl(1, -margin), off = .51L * near + 0x1p-28L;
         root = ldexpl(root, e / 2);
-        if (root < (1 << 30) || root > 4e18L)
+        if (root < INT64_C(1) << 34 || root > 2e18L)
             continue;
-        num_wide above = (num_wide)(root * (1 + 0x1p-27L)), below = (num_wide)(root * (1 - 0x1p-27L));
-        CHECK_MSG(num_covers(above, num_normal_top(n), n.half, k, swell, e), "%jd above", (intmax_t)above);
-        CHECK_MSG(!num_covers(below, num_normal_top(n), n.half, k, swell, e), "%jd below", (intmax_t)below);
+        num_wide above = (num_wide)(root * (1 + off * (1 + near))), below = (num_wide)(root * (1 - off));
+#define ORDER(a) num_cover_order(a, num_normal_top(n), n.half, k, swell, e, margin)
+        CHECK_MSG(ORDER(above) == 1, "%jd above", (intmax_t)above);
+        CHECK_MSG(ORDER(below) == -1, "%jd below", (intmax_t)below);
+        CHECK_EQ(ORDER(above * 2), 1);
+        CHECK_EQ(ORDER(below / 2), -1);
+        if (margin <= 24) {
+            CHECK_EQ(ORDER((num_wide)(root * (1 + .47L * near))), 0);
+            CHECK_EQ(ORDER((num_wide)(root * (1 - .47L * near / (1 + near)))), 0);
+        }
     }
 }
 
@@ -177,12 +257,54 @@ TEST(the_bias)
         num_wide r = (num_wide)random_short(31) + 64;
         num_u inverse = num_inverse(r);
         int bits = num_bits(r);
-        CHECK(fabs(num_bias(inverse, bits) - ldexp(8.0 / (double)r, 32)) <= 1);
+        CHECK(fabs(num_swell(inverse, bits, false) - ldexp(1 + 8.0 / (double)r, 31)) <= 1);
+        CHECK(fabs(num_swell(inverse, bits, true) - ldexp(1 - 8.0 / (double)r, 31)) <= 1);
         num_wide x = (num_wide)random_short(50);
         x = random_bits() & 1 ? -x : x;
         double exact = (double)x * 8.0 / (double)r; /* exponent 30 */
         CHECK_MSG(fabs((double)num_bias_of(x, inverse, bits, 30) - exact) <= 0.51 + fabs(exact) * 0x1p-28,
                   "%jd over %jd", (intmax_t)x, (intmax_t)r);
+    }
+}
+
+/* A channel is near a level, with any threshold, where its doubt reaches the boundary to another level. */
+TEST(channels_near_levels)
+{
+    for (int i = 0; i < ROUNDS; i++) {
+        unsigned most = random_bits() & 1 ? 31 : 63;
+        num_u c = (num_u)(random_bits() % (NUM_ONE + 1)), threshold = num_threshold((unsigned)(random_bits() % 64));
+        num_u doubt = random_bits() & 1 ? (num_u)random_short(20) + 1 : 0, margin = num_level_doubt(doubt, most);
+        num_u from = num_level_threshold(threshold, margin), level = num_level(c, most, from);
+        num_u low = c > doubt ? c - doubt : 0, high = c + doubt < NUM_ONE ? c + doubt : NUM_ONE;
+        bool differ = num_quantise(low, most, threshold) != num_quantise(high, most, threshold);
+        CHECK(!differ || num_is_near_level(level, margin));
+        CHECK(num_is_near_level(level, margin) || num_floor_level(level) == num_quantise(c, most, threshold));
+        CHECK_EQ(num_further_level(num_level(c, 31, from), c, 32, from), num_level(c, 63, from));
+    }
+}
+
+/* The doubt of a light's contribution: `product` times the error of the cosine, and some units. */
+TEST(doubts_of_lights)
+{
+    for (int i = 0; i < ROUNDS; i++) {
+        num_u product = (num_u)(random_bits() % ((UINT64_C(1) << 31) + 1));
+        int log = -9 * 256 - (int)(random_bits() % 5000);
+        uint32_t tints = (uint32_t)(random_bits() % 9);
+        long double exact = product * exp2l(log / 256.0L) + 1 + tints / 2.0L;
+        CHECK((long double)num_light_doubt(product, log, tints) >= exact);
+        CHECK((long double)num_light_doubt(product, log, tints) <= exact * 1.0615L + 4);
+    }
+}
+
+TEST(what_is_within)
+{
+    CHECK(num_is_within(3, -4, 12, 13) && !num_is_within(3, -4, 12, 12) && num_is_within(0, 0, 0, 0));
+    for (int i = 0; i < ROUNDS; i++) {
+        num_wide x = (num_wide)random_short(31), y = -(num_wide)random_short(31), z = (num_wide)random_short(31);
+        wide128 square = (wide128)x * x + (wide128)y * y + (wide128)z * z;
+        num_wide r = (num_wide)sqrtl((long double)square) + (num_wide)(random_bits() % 3) - 1;
+        r = r < 0 ? 0 : r > INT32_MAX ? INT32_MAX : r;
+        CHECK_EQ(num_is_within(x, y, z, r), square <= (wide128)r * r);
     }
 }
 
@@ -203,10 +325,16 @@ int main(void)
     RUN(quotients);
     RUN(normals);
     RUN(a_cone_has_its_edge);
+    RUN(a_cone_in_doubt);
+    RUN(logarithms);
     RUN(products_are_compared_exactly);
     RUN(the_nearer_of_two_scales);
+    RUN(the_nearer_in_doubt);
     RUN(what_covers);
     RUN(the_bias);
+    RUN(channels_near_levels);
+    RUN(doubts_of_lights);
+    RUN(what_is_within);
     RUN(sums_of_squares);
     return check_status();
 }

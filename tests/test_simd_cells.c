@@ -5,7 +5,6 @@
 
 #include "float_modes.h"
 #include "simd/span/proved.h"
-#include "simd_integers.h"
 #include "simd_runs.h"
 #include "simd_used.h"
 #include "vector_floats.h"
@@ -56,23 +55,23 @@ static bool is_dark(const struct simd_fine_light *light, real x, const struct tr
     const struct simd_fine_cast *cast = &light->cast[0];
     real w = form(light->lamp->qq, light->q, x, o), a = form(cast->a[0], cast->a + 1, x, o);
 
-    return a > 0 && a < w && a * a > w * form(cast->k[0], cast->k + 1, x, o) * (1 + light->lamp->swell);
+    return a > 0 && (a < w || light->lamp->cast[0].encloses) &&
+           a * a > w * form(cast->k[0], cast->k + 1, x, o) * (1 + light->lamp->swell);
 }
 
 /* ---- colour levels ---- */
 
-/* Checks a channel of a pixel. y, the channel times `levels` before it is rounded, is within 1/2 - `near` of the
- * fixed-point result for the fixed-point cosine `whole`, and of the result for `cosine`, the kernel's, +- `bound`. */
-static void try_level(int which, real y, real levels, real near, const tia_q30 part[3], num_u whole, real cosine,
+/* Checks a channel of a pixel. y, the channel times `levels` before it is rounded, is within 1/2 - `near` of the exact
+ * result for the exact cosine `whole`, and of the result for the kernel's `cosine` +- `bound`. */
+static void try_level(int which, real y, real levels, real near, const tia_q30 part[3], real whole, real cosine,
                       real bound)
 {
-    num_u product = num_colour_product(num_colour(part[1]), num_colour(part[2]));
-    num_u channel = num_clamp(num_colour(part[0]) + num_colour_product(whole, product));
+    real product = (real)part[1] * (real)part[2] * 0x1p-30L;
 
-    CHECK(fabsl(y - levels * (real)channel * 0x1p-30L) <= .5L - near);
+    CHECK(fabsl(y - levels * fminl(((real)part[0] + fmaxl(whole, 0) * product) * 0x1p-30L, 1)) <= .5L - near);
     for (int sign = -1; sign <= 1; sign += 2) {
         real off = fminl(fmaxl(cosine + (real)sign * bound, 0), 1);
-        off = fminl(((real)part[0] + off * (real)product) * 0x1p-30L, 1);
+        off = fminl(((real)part[0] + off * product) * 0x1p-30L, 1);
         use(&bounds[which], fmaxl(y - levels * off, 0), .5L - near);
     }
 }
@@ -93,12 +92,11 @@ static void try_levels(const struct simd_fine *f, const struct simd_run *r, cons
     F y31 = f_fma(sum[0], f_set(31), half), y63 = f_fma(sum[1], f_set(63), half);
 
     for (int i = 0; i < N && first + i < r->count; i++) {
-        struct simd_integers at = simd_integers_at(f, f->first + first + i);
-        num_u whole = at.lit ? at.cosine : 0;
         if (!(m_bits(good) >> i & 1))
             continue;
         real at_x = x[i], s = o.s[i] / (real)f->seen.c;
         struct truth exact = truth_at(f, at_x);
+        real whole = lambert(&f->light[0], at_x, &exact);
         use(&bounds[SQUARE], fabsl(square[i] / (s * s) / form(f->light[0].lamp->qq, f->light[0].q, at_x, &exact) - 1),
             f->light[0].bounds.square);
         try_level(LEVELS_31, (real)y31[i] - half[i], 31, r->near31, red, whole, cosine[i], f->light[0].bounds.lambert);
@@ -189,12 +187,13 @@ static void try_run(const struct simd_fine *run)
     int size = run->end - run->first, count = ((size < SIMD_BLOCK ? size : SIMD_BLOCK) - 1) / SIMD_CELL;
 
     fine = *run;
-    if (!tia_simd_fine_bounds(&fine, SIMD_FLOAT, SIMD_FLOAT_CUT, NULL))
+    if (!tia_simd_fine_bounds(&fine, NULL))
         return;
     tia_simd_dither(false, fine.row->y, &dither);
     tia_simd_run(&fine, &dither, &r);
     const struct body k = body_of(&r);
-    for (int i = 0; r.lights == 1 && r.light[0].casts == 0 && i < r.count; i += 5 * N)
+    bool free = r.lights == 1 && r.light[0].casts == 0 && fine.light[0].lamp->shades == 0;
+    for (int i = 0; free && i < r.count; i += 5 * N)
         try_levels(&fine, &r, &k, i);
     if (count < 1)
         return;
@@ -215,8 +214,8 @@ static void thesis(simd_runs_try *try)
     }
 }
 
-/* Runs scenes with a ball whose centre is on the ground and a light at its side: on the ground inside the ball, a
- * shadow begins not at the ball's outline but at the plane across the direction of the light. */
+/* Runs scenes with a ball whose centre is on the ground and a light at its side, or in it: on the ground inside the
+ * ball, a shadow begins not at the ball's outline but at the plane across the direction of the light. */
 static void sunk(simd_runs_try *try)
 {
     struct corpus_scene s;
@@ -236,6 +235,11 @@ static void sunk(simd_runs_try *try)
         s.lights[0].centre.x += (i & 1 ? 1 : -1) * TIA_Q16(30);
         s.lights[0].centre.y += TIA_Q16(6) + i * TIA_Q16_ONE;
         s.lights[0].centre.z += (i % 3 - 1) * TIA_Q16(9);
+        if (i > 9) { /* in the ball */
+            s.lights[0].centre = ball->centre;
+            s.lights[0].centre.x += (i - 10) * TIA_Q16(3);
+            s.lights[0].centre.y += TIA_Q16(1);
+        }
         simd_runs_scene(&s.scene, 640, 480, try);
     }
 }
@@ -278,23 +282,20 @@ static void no_less(const struct simd_fine *kept, const struct simd_fine *alone)
 static void try_kept(const struct simd_fine *run)
 {
     static struct simd_fine kept, alone;
-    static struct simd_cache_line line;
+    static struct simd_bound_cache cache;
     static const struct tia_scene *scene;
 
     if (scene != run->view->scene || run->row->y < 3)
-        line.single.known = line.fine.known = false;
+        cache.known = false;
     scene = run->view->scene;
-    for (int i = 0; i < 2; i++) {
-        kept = alone = *run;
-        double unit = i ? SIMD_DOUBLE : SIMD_FLOAT, cut = i ? SIMD_DOUBLE_CUT : SIMD_FLOAT_CUT;
-        bool good = tia_simd_fine_bounds(&alone, unit, cut, NULL);
-        CHECK(tia_simd_fine_bounds(&kept, unit, cut, i ? &line.fine : &line.single) == good || !good);
-        if (!good)
-            continue;
-        no_less(&kept, &alone);
-        own++;
-        kept_ones += kept.depth.es > alone.depth.es;
-    }
+    kept = alone = *run;
+    bool good = tia_simd_fine_bounds(&alone, NULL);
+    CHECK(tia_simd_fine_bounds(&kept, &cache) == good || !good);
+    if (!good)
+        return;
+    no_less(&kept, &alone);
+    own++;
+    kept_ones += kept.depth.es > alone.depth.es;
 }
 
 TEST(kept_bounds)

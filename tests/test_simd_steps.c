@@ -51,7 +51,7 @@ static void try_slope(double x)
 /* Tries D near its cut, S and sqrt(D). */
 static void try_sum(double x)
 {
-    double d2 = any(6), d1 = any(6), size, least = ldexp(1, -8), b = fabs(any(3)) + 1;
+    double d2 = any(6), d1 = any(6), size, least = BOUND_SPAN_FLOAT_CUT, b = fabs(any(3)) + 1;
     double d0 = -(d1 * x + d2 * x * x);
     size = fabs(d0) + fabs(d1 * x) + fabs(d2 * x * x);
     d0 += size * least * (1 + fabs(random_double()));
@@ -176,6 +176,28 @@ TEST(levels_of_the_kernels)
     CHECK(sure > count / 4);
 }
 
+/* A shadow ray that nearly touches a sphere: if the kernel decides whether it is blocked, the decision is exact. The
+ * forms have no errors but the kernel's own roundings. */
+TEST(verdicts_of_the_kernels)
+{
+    unsigned count = check_count(2000000), sure = 0;
+    double ew = BOUND_OF(SPAN_COVERED, BOUND(SPAN_DELTA) * (double)U); /* e_w is 0 */
+
+    for (unsigned i = 0; i < count; i++) {
+        float a = (float)ldexp(1 + fabs(random_double()), -2), w = 1 + (float)fabs(random_double());
+        struct simd_cast cast = {.swell = 1 + (float)fabs(random_double()) / 8, .ends = 1};
+        float k = a * a / (w * cast.swell) * (float)(1 + ldexp(random_double(), -20));
+        cast.ew = (float)(ew * (1 + BOUND(SPAN_VERDICT_W)));
+        struct toward t = {f_set(a), f_set(k), f_set(1)};
+        struct verdict v = judge(&cast, &t, f_set(w), f_set(0), f_set(0));
+        real left = (real)a * a, right = (real)w * k * cast.swell;
+        bool lit = m_bits(v.lit) & 1, dark = m_bits(v.dark) & 1;
+        sure += lit || dark;
+        CHECK_MSG(!(lit && left > right) && !(dark && left < right), "%g, %g, %g", (double)a, (double)w, (double)k);
+    }
+    CHECK(sure > count / 4);
+}
+
 /* Two spheres at nearly the same distance: if the kernel decides which is nearer, the decision is exact. Their 1/t have
  * no errors but the kernel's own roundings. */
 TEST(distances_of_the_kernels)
@@ -204,6 +226,7 @@ int main(void)
 #if FLT_EVAL_METHOD == 0
     RUN(sums_of_the_kernels);
     RUN(levels_of_the_kernels);
+    RUN(verdicts_of_the_kernels);
     RUN(distances_of_the_kernels);
 #endif
     return check_status();

@@ -1,5 +1,5 @@
-/* debug.h - for tests and comparison: paths of light, other arithmetics, checksums, and reasons for refusals. It is not
- * included by tia.h, and may change in any version.
+/* debug.h - for tests and comparison: paths of light, other arithmetics, checksums, exact pixels, and reasons
+ * for refusals. It is not included by tia.h, and may change in any version.
  */
 #ifndef TIA_DEBUG_H
 #define TIA_DEBUG_H
@@ -72,8 +72,10 @@ struct tia_debug {
 
 extern const struct tia_core tia_core_watched; /* integers, with an observer of rays: libtia-watched.a */
 extern const struct tia_core tia_core_f32;     /* float: libtia-f32.a */
+extern const struct tia_core tia_core_f128;    /* 113 bits: libtia-f128.a, where the compiler has such a type */
 extern const struct tia_core tia_core_chk;     /* integers, with reports of values out of range: libtia-chk.a */
 extern const struct tia_estimator tia_estimator_f32;
+extern const struct tia_estimator tia_estimator_f128;
 extern const struct tia_estimator tia_estimator_chk;
 
 /* ---- pictures ---- */
@@ -99,6 +101,22 @@ struct tia_sum tia_guide_shown(enum tia_shown_guide shown, const struct tia_gath
  * the spread of its samples; for one sample the error is that sample's luminance, for none 0. Sobol points are more
  * even than random ones, so the estimate tends to be too large. */
 uint32_t tia_standard_error(const struct tia_sum *sum, uint64_t squares, uint32_t count);
+
+/* ---- exact pictures ---- */
+
+/* An exact pixel, as docs/definition.md defines it, and the precision that decided it. */
+struct tia_exact {
+    tia_rgb565 colour;
+    uint16_t bits; /* precision that decided the pixel: 64, 128, 256 or 512 bits */
+    bool tie;      /* the sides of a comparison are equal, or count as equal with 512 bits */
+};
+
+/* Computes `count` exact pixels of a view: every `step`th pixel of its picture, from number `first` on. Pixels are
+ * numbered row by row from the upper left. This takes some microseconds a pixel, or milliseconds for a tie. Returns
+ * TIA_ERR_UNSUPPORTED unless the span renderer draws the view, in any arithmetic; TIA_ERR_ARGUMENT when a pixel is
+ * outside the picture or `step` is 0; TIA_STOPPED. */
+int tia_view_exact(const struct tia_view *view, uint32_t first, uint32_t step, uint32_t count, bool dither,
+                   struct tia_exact *pixels);
 
 /* ---- shadows and motion ---- */
 

@@ -17,10 +17,10 @@
  * N is the shading normal: interpolated on a mesh that has normals, elsewhere the geometric normal G. Where the ray
  * hits the back of the surface both are negated. Shadow rays and reflected rays start at P + b G, and refracted rays at
  * P - b G, so that rounding cannot make them hit the surface that they leave; b is 2^-13, or 2^-26 in scenes that have
- * `fine`. A shadow ray ends exactly at the light's sample. A light contributes nothing where G.L <= 0 or N.L <= 0.
- * Where an interpolated normal has N.V <= 0, F = 1. T is the product of `transmission` over the objects that the shadow
- * ray hits before the light. Each object counts once, however often the ray hits it: a grid counts by the first cell
- * hit, and a mesh that has groups once for each group hit.
+ * `fine`. A shadow ray ends exactly at the light's sample, but in the span renderer b G beside it. A light contributes
+ * nothing where G.L <= 0 or N.L <= 0. Where an interpolated normal has N.V <= 0, F = 1. T is the product of
+ * `transmission` over the objects that the shadow ray hits before the light. Each object counts once, however often the
+ * ray hits it: a grid counts by the first cell hit, and a mesh that has groups once for each group hit.
  *
  * An opacity texture makes parts of a surface invisible. Where its value at P is o, the colour is o times the one above
  * plus 1 - o times the colour seen behind the surface, along a ray that goes straight on from P - b V. Where the

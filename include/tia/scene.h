@@ -8,9 +8,9 @@
  *
  * The scene alone decides which renderer draws it. The span renderer is the fast one, for scenes of at most
  * TIA_SPAN_SPHERES spheres and no other shapes or meshes, whose materials have only colour, transmission and emission,
- * with point lights without attenuation and a camera that looks along -z with one sample per pixel. The ray renderer
- * draws all other scenes that have neither another integrator, see integrator.h, nor another technique for shadows, see
- * shadow.h.
+ * with point lights without attenuation and a camera that looks along -z with one sample per pixel. Its pixels are the
+ * correctly rounded values of the formulas in docs/definition.md. The ray renderer draws all other scenes that have
+ * neither another integrator, see integrator.h, nor another technique for shadows, see shadow.h.
  *
  * A scene's unit of length may be smaller than that of the file it was read from, so that small lengths are stored
  * precisely, or larger, so that large ones fit: a length of 1 in the file is 2^scale_bits here. Three quantities stay

@@ -36,7 +36,7 @@ _tia() {
         --frame-range) COMPREPLY=(); return ;;
         --tile-rows) COMPREPLY=(); return ;;
         -j|--threads) COMPREPLY=(); return ;;
-        --arithmetic) mapfile -t COMPREPLY < <(compgen -W 'q16 f32 f64' -- "$cur"); return ;;
+        --arithmetic) mapfile -t COMPREPLY < <(compgen -W 'q16 f32 f64 f128' -- "$cur"); return ;;
         --rotate) mapfile -t COMPREPLY < <(compgen -W '0 90 180 270' -- "$cur"); return ;;
         --connector) mapfile -t COMPREPLY < <(compgen -W 'help' -- "$cur"); return ;;
         --mode) mapfile -t COMPREPLY < <(compgen -W 'preferred help' -- "$cur"); return ;;
@@ -59,18 +59,22 @@ _tia() {
         -k|--keys) COMPREPLY=(); return ;;
         --random) COMPREPLY=(); return ;;
         --rays-random) COMPREPLY=(); return ;;
+        --ties) COMPREPLY=(); return ;;
+        --hard) COMPREPLY=(); return ;;
         --seed) COMPREPLY=(); return ;;
         -s|--size) COMPREPLY=(); return ;;
         -j|--threads) COMPREPLY=(); return ;;
+        --arithmetic) mapfile -t COMPREPLY < <(compgen -W 'f64 f128' -- "$cur"); return ;;
         --heatmap) compopt -o default; COMPREPLY=(); return ;;
         --require-identical) COMPREPLY=(); return ;;
         --max-flips) COMPREPLY=(); return ;;
         --max-levels) COMPREPLY=(); return ;;
+        --every) COMPREPLY=(); return ;;
         --technique) mapfile -t COMPREPLY < <(compgen -W 'traced rays zpass zfail map map-exact zpass-plain' -- "$cur"); return ;;
         --light) COMPREPLY=(); return ;;
         --best-of) COMPREPLY=(); return ;;
         esac
-        words='--keys --random --rays-random --seed --thesis --size --threads --json --summary --heatmap --require-identical --max-flips --max-levels --shadows --technique --light --best-of --help --version' ends='tia nff obj' ;;
+        words='--keys --random --rays-random --ties --hard --seed --thesis --size --dither --threads --arithmetic --json --summary --heatmap --require-identical --max-flips --max-levels --exact --every --shadows --technique --light --best-of --help --version' ends='tia nff obj' ;;
     tia-compile)
         case $prev in
         -o|--output) compopt -o default; COMPREPLY=(); return ;;

@@ -9,7 +9,7 @@ versatilepb_CC := $(ARM_BARE)gcc -marm -mcpu=arm926ej-s -mfloat-abi=soft
 vexpress-a9_CC := $(ARM_BARE)gcc -marm -mcpu=cortex-a9 -mfloat-abi=soft -mno-unaligned-access
 mps2-an385_CC  := $(ARM_BARE)gcc -mthumb -mcpu=cortex-m3
 microbit_CC    := $(ARM_BARE)gcc -mthumb -mcpu=cortex-m0 -DTIA_NO_CLZ -DTIA_MUL64='"math/arm/mul64.h"'
-rv32_CC        := $(RISCV_BARE)gcc -march=rv32im -mabi=ilp32 -DTIA_NO_CLZ
+rv32_CC        := $(RISCV_BARE)gcc -march=rv32imac -mabi=ilp32 -DTIA_NO_CLZ
 atmega1284p_CC := $(AVR_BARE)gcc -mmcu=atmega1284p
 BOARD := $(COMMON) -ffreestanding -iquote src -Iport -O2 -g -ffunction-sections -fdata-sections
 BOARD_LD := -static -Wl,--gc-sections,--fatal-warnings
@@ -57,14 +57,25 @@ $(call bare_rule,$(1),f64/,-DTIA_NUM_F64)
 $(BUILD)/boards/$(1)/%.o: %.S
 	$$(call board_compile,$(1),AS)
 endef
-# Optimisation. On mps2-an385 the flash suffices for -O3 of SPANS_O3. On rv32 only the code that draws spheres fits at -O2; the
-# rest is optimised for size.
-SPANS_O3 := $(addprefix src/render/span/,coherence/coherence kernels)
-rv32_O2 := src/math/integer $(SPANS_O3) $(addprefix src/render/span/span_,rows shade sphere trace)
-$(SPANS_O3:%=$(BUILD)/boards/mps2-an385/%.o): BOARD += -O3
-$(BUILD)/boards/rv32/%.o: BOARD += -Os -msave-restore
-$(rv32_O2:%=$(BUILD)/boards/rv32/%.o): BOARD += -O2
-$(BUILD)/boards/rv32/f%.o: BOARD += -O2 -mno-save-restore
+# Optimisation. Flash is scarce on small boards: of the code that draws spheres only what runs for each pixel is optimised for
+# speed. The rest of the list is for rays and shadows, which scenes of spheres do not link.
+HOT := src/math/integer $(addprefix src/render/span/,coherence/coherence cone_row kernels span_rows span_shift span_trace)
+HOT += $(basename $(filter src/flat/% src/raster/% src/samples/% src/shadow/% src/math/normalise.c src/math/power.c \
+	$(addprefix src/render/,ao/% estimate/% geometry/% hybrid/% path/% trace/% whitted/%),$(CORE_SRC)))
+mps2-an385_SMALL := -fno-schedule-insns2 -fno-ssa-phiopt -fno-move-loop-invariants -fno-tree-coalesce-vars
+mps2-an385_FAST := -fschedule-insns2 -fssa-phiopt -fmove-loop-invariants -ftree-coalesce-vars
+rv32_HOT := src/render/span/primary
+rv32_SMALL := -msave-restore
+rv32_FAST := -mno-save-restore
+atmega1284p_SMALL := -mcall-prologues -fno-inline
+atmega1284p_FAST := -mno-call-prologues -finline
+define optimised
+$(BUILD)/boards/$(1)/%.o: BOARD += -Os -DTIA_BALL_WORDS=8 $($(1)_SMALL)
+$(patsubst %,$(BUILD)/boards/$(1)/%.o,$(HOT) $($(1)_HOT)): BOARD += -O2 $($(1)_FAST)
+$(BUILD)/boards/$(1)/f%.o: BOARD += -O2 $($(1)_FAST)
+endef
+$(foreach b,$(SMALL_BOARDS),$(eval $(call optimised,$(b))))
+$(BUILD)/boards/mps2-an385/src/render/span/coherence/coherence.o: BOARD += -O3
 # The program whose instructions are counted: arithmetic $(2), strips of $(3) rows; $(4) is 1 to store a whole frame's hits.
 define counted
 $(BUILD)/boards/$(1)/count-$(2).o: tests/boards/count.c
@@ -140,7 +151,7 @@ COUNT_FILES := $(COUNTED) $(BOARDS_SHADOWS:%=$(BUILD)/boards/%/shadows.elf) $(BU
                $(RAYED:%=$(BUILD)/boards/mps2-an385/rays-%.elf) $(BUILD)/boards/observed
 
 .PHONY: boards check-boards size-boards count count-rays
-boards: $(addsuffix .c,$(SPANS_O3) $(rv32_O2)) # fails if a file of these lists was moved: it would lose its flags
+boards: $(addsuffix .c,$(HOT)) # fails if a file of these lists was moved: it would lose its flags
 boards: $(IMAGES) $(BOARDS_SMALL:%=$(BUILD)/boards/%/count-q16.elf) $(BUILD)/boards/insn.so $(SIMAVR) $(addprefix $(BUILD)/boards/,example shadows light) \
         $(if $(filter mps2-an385,$(BOARDS)),$(addprefix $(BUILD)/boards/mps2-an385/,example.elf light.elf) $(BUILD)/boards/microbit/mul64.elf)
 check: boards $(COUNT_FILES)

@@ -110,6 +110,21 @@ static inline uint32_t tia_round_shift_low(uint64_t x, unsigned s)
     return (low >> s) + (high << (32 - s)) + (low >> (s - 1) & 1);
 }
 
+/* Returns x * 2^s; s <= 31. */
+static inline uint64_t tia_shift_up(uint64_t x, unsigned s)
+{
+    uint32_t low = (uint32_t)x, high = (uint32_t)(x >> 32);
+    if (!TIA_SHIFTS_WORDS)
+        return x << s;
+    return (uint64_t)(high << s | low >> 1 >> (31 - s)) << 32 | (uint32_t)(low << s);
+}
+
+/* Returns x * 2^s, s being the count of x's leading zero bits or one less. */
+static inline uint64_t tia_shift_to_top(uint64_t x, unsigned s)
+{
+    return s < 32 ? tia_shift_up(x, s) : x << s;
+}
+
 /* Returns the value of a table entry's line at f / 2^16: Q1.31 in [2^31, 2^32). */
 static inline uint32_t tia_seed(uint32_t line, uint32_t f)
 {
@@ -169,7 +184,8 @@ static inline uint32_t tia_sqrt_normalised(uint64_t n)
     uint32_t half = (uint32_t)(tia_mul_u32(a, y) >> 32); /* half of r0, which may need 33 bits */
     int32_t rest = (int32_t)((int64_t)(n - (tia_mul_u32(half, half) << 2)) >> 16) - (1 << 12);
     uint32_t r = (half << 1) + (uint32_t)(tia_mul_s32(rest, (int32_t)(y >> 1)) >> 47);
-    return r + (n - tia_mul_u32(r, r) > 2 * (uint64_t)r);
+    uint32_t more = r + 1; /* 0: 2^32, whose square less 1 is not below n */
+    return tia_mul_u32(more, more) - 1 < n ? more : r;
 }
 
 /* Returns the square root of x, rounded down, exact. */
@@ -178,7 +194,7 @@ static inline uint32_t tia_sqrt64(uint64_t x)
     if (!x)
         return 0;
     unsigned s = tia_clz64(x) & ~1u;
-    return tia_sqrt_normalised(x << s) >> (s >> 1);
+    return tia_sqrt_normalised(tia_shift_to_top(x, s)) >> (s >> 1);
 }
 
 /* Returns the square root of x, rounded down, exact. It is computed bit by bit, with code that is small and easy to

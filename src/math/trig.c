@@ -19,7 +19,7 @@ static uint64_t series(uint64_t z2, unsigned last)
 {
     uint64_t sum = ONE;
     for (unsigned n = last; n >= 2; n -= 2)
-        sum = ONE - product(z2, sum) / (n * (n - 1));
+        sum = ONE - tia_quotient(product(z2, sum), n * (n - 1));
     return sum;
 }
 

@@ -1,6 +1,6 @@
 /* num.h - the numbers of the span renderer, in the arithmetic that this build is compiled for.
  *
- * README.md explains how one source serves four arithmetics.
+ * README.md explains how one source serves several arithmetics.
  *
  * Block floating point: value = mantissa * 2^-exponent. Mantissas are stored per pixel. Their common exponent is an int
  * among the frame's constants, chosen so that the largest value in the frame just fits. This uses nearly all bits of a
@@ -18,6 +18,7 @@
  *   num_mul, num_mul_u     the exact product of two mantissas
  *   num_bits(x)            the length of |x| in bits: |x| < 2^num_bits(x)
  *   num_shift(x, s)        x * 2^s; for s < 0 rounded to nearest, ties up
+ *   num_up(x, s)           x * 2^s for s in 0..31, faster
  *   num_down(x, s)         x * 2^-s for s in 0..63, rounded like num_shift, but faster: for kernels
  *   num_top, num_top_u     the upper half of an accumulator, x * 2^-32 rounded down; initialise the
  *                          accumulator with NUM_HALF to round to nearest
@@ -33,6 +34,8 @@
 #include "num_f64.h"
 #elif defined TIA_NUM_F32
 #include "num_f32.h"
+#elif defined TIA_NUM_F128
+#include "num_f128.h"
 #elif defined TIA_NUM_CHK
 #include "num_chk.h"
 #elif defined TIA_WATCHED
@@ -97,6 +100,11 @@ static inline num_u num_clamp(num_u colour)
 static inline int num_larger(int a, int b)
 {
     return a < b ? b : a;
+}
+
+static inline int num_limited(int a, int least, int most)
+{
+    return a < least ? least : a < most ? a : most;
 }
 
 static inline num_wide num_max(num_wide a, num_wide b)

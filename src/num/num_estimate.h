@@ -20,7 +20,7 @@
 
 #include "num_ray.h"
 
-#if defined TIA_NUM_F64 || defined TIA_NUM_F32
+#if defined TIA_NUM_F64 || defined TIA_NUM_F32 || defined TIA_NUM_F128
 #include "num_estimate_real.h"
 #else
 #include "num_estimate_q16.h"

@@ -10,14 +10,14 @@ static inline num_length num_ray_bias(num_length bias)
 
 static inline int64_t num_q24(num_length x)
 {
-    double scaled = (double)x * 16777216 + 0.5;
+    num_double scaled = (num_double)x * 16777216 + 0.5;
 
     return (int64_t)scaled;
 }
 
 static inline uint32_t num_chance(num_unit p)
 {
-    double scaled = (double)p * 4294967296.0;
+    num_double scaled = (num_double)p * 4294967296.0;
 
     return scaled >= 4294967295.0 ? UINT32_MAX : scaled <= 0 ? 0 : (uint32_t)scaled;
 }
@@ -28,17 +28,17 @@ static inline num_unit num_of_chance(uint32_t chance)
 }
 
 struct num_density {
-    double value;
+    num_double value;
 };
 
 static inline struct num_density num_density_of(num_length x)
 {
-    return (struct num_density){(double)x};
+    return (struct num_density){(num_double)x};
 }
 
 static inline struct num_density num_density_of_unit(num_unit d)
 {
-    return (struct num_density){(double)d};
+    return (struct num_density){(num_double)d};
 }
 
 static inline struct num_density num_density_product(struct num_density a, struct num_density b)
@@ -58,12 +58,12 @@ static inline struct num_density num_density_sum(struct num_density a, struct nu
 
 static inline num_length num_density_over(num_length x, struct num_density p)
 {
-    return p.value > 0 ? num_bounded((num_length)((double)x / p.value), NUM_LENGTH_MAX) : 0;
+    return p.value > 0 ? num_bounded((num_length)((num_double)x / p.value), NUM_LENGTH_MAX) : 0;
 }
 
 static inline num_unit num_density_share(struct num_density p, struct num_density q)
 {
-    double sum = p.value + q.value;
+    num_double sum = p.value + q.value;
 
     return sum > 0 ? (num_unit)(p.value / sum) : 0;
 }

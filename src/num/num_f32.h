@@ -3,11 +3,13 @@
 #define TIA_NUM_NUM_F32_H
 
 typedef float num_real;
+typedef double num_double;
 
 #define NUM_NAME "f32"
 #define NUM_PREFIX tia_f32_
 #define NUM_CORE tia_core_f32
 #define NUM_ESTIMATOR tia_estimator_f32
+#define NUM_TWO_PI 6.283185307179586476925286766559F
 #define num_root(x) __builtin_sqrtf(x)
 #define num_angle(y, x) __builtin_atan2f(y, x)
 

@@ -29,10 +29,11 @@ static inline num_wide num_coordinate(tia_q16 q)
     return q;
 }
 
+/* Returns n 2^exponent, which is below 2^31. */
 static inline num_wide num_pixel_coordinate(int32_t n, int exponent)
 {
-    NUM_CHECK(exponent >= 0 && exponent <= 30);
-    return (num_wide)n * ((num_wide)1 << exponent);
+    NUM_CHECK(exponent >= 0 && exponent <= 30 && (n < 0 ? -(num_wide)n : n) >> (31 - exponent) == 0);
+    return (int32_t)((uint32_t)n << exponent);
 }
 
 /* Returns height * cotangent with the given exponent, 0..43; cotangent is Q8.56 and below 2^7. */
@@ -80,9 +81,20 @@ static inline int num_bits(num_wide x)
 static inline num_wide num_shift(num_wide x, int s)
 {
     NUM_CHECK(s <= -63 || (s < 0 ? num_bits(x) <= 63 : num_bits(x) + s <= 63));
+    if (s >= 0 && TIA_SHIFTS_WORDS)
+        return (num_wide)(s < 32 ? tia_shift_up((uint64_t)x, (unsigned)s) : (uint64_t)x << s);
     if (s >= 0)
         return s == 0 ? x : (num_wide)((uint64_t)x << s); /* s = 0, between equal exponents, is common */
-    return s < -63 ? 0 : tia_round_shift(x, (unsigned)-s);
+    if (s < -63)
+        return 0;
+    return TIA_SHIFTS_WORDS ? tia_round_shift_words(x, (unsigned)-s) : tia_round_shift(x, (unsigned)-s);
+}
+
+/* Returns x * 2^s; s in 0..31. */
+static inline num_wide num_up(num_wide x, int s)
+{
+    NUM_CHECK(s >= 0 && s <= 31 && num_bits(x) + s <= 63);
+    return (num_wide)tia_shift_up((uint64_t)x, (unsigned)s);
 }
 
 /* Returns x * 2^-s, rounded to nearest, ties up; s in 0..63. */
@@ -125,6 +137,8 @@ static inline num_u num_quotient(num_u a, num_u b, int s)
     int shift = s - (int)z;
     num_uwide product = num_mul_u(a, tia_reciprocal(b << z));
     NUM_CHECK(a == 0 || (shift >= 1 && (shift > 63 || product >> shift <= INT32_MAX)));
+    if (TIA_SHIFTS_WORDS && shift > 32) /* almost always, as the result is below 2^32 */
+        return (((num_u)(product >> 32) >> (shift < 63 ? shift - 33 : 30)) + 1) >> 1;
     shift = shift < 1 ? 1 : shift > 63 ? 63 : shift;
     return (num_u)(((product >> (shift - 1)) + 1) >> 1);
 }
@@ -140,7 +154,7 @@ static inline struct num_normal num_normal(num_wide x)
 {
     NUM_CHECK(x > 0);
     unsigned z = tia_clz64((uint64_t)x) & ~1u;
-    struct num_normal n = {(uint64_t)x << z, 0, (int)(z / 2)};
+    struct num_normal n = {tia_shift_to_top((uint64_t)x, z), 0, (int)(z / 2)};
     n.inverse = tia_rsqrt(n.mantissa);
     return n;
 }
@@ -150,13 +164,6 @@ static inline num_u num_inverse(num_wide r)
 {
     NUM_CHECK(r > 0 && r <= UINT32_MAX);
     return tia_reciprocal((uint32_t)r << tia_clz32((uint32_t)r));
-}
-
-/* True if b >= 0 and b^2 >= c q, exactly; q > 0. */
-static inline bool num_inside_cone(num_wide b, num_wide c, num_wide q)
-{
-    NUM_CHECK(q > 0);
-    return b >= 0 && (c <= 0 || tia_cmp_products((uint64_t)b, (uint64_t)b, (uint64_t)c, (uint64_t)q) >= 0);
 }
 
 static inline num_wide num_bound(int bits)
@@ -204,40 +211,23 @@ static inline num_u num_normal_top(struct num_normal n)
     return (num_u)(n.mantissa >> 32);
 }
 
-/* True if a^2 >= d k (1 + swell) for positive a, d and k, with d = near 2^(32 - 2 half) from a num_normal; swell has
- * the exponent 32, and `e` is twice a's exponent minus those of d and k. It is not exact: factors are cut to 31 or 32
- * bits, so the relative error of each side is below 2^-28. */
-static inline bool num_covers(num_wide a, num_u near, int half, num_wide k, num_u swell, int e)
-{
-    NUM_CHECK(a > 0 && k > 0 && half >= 0 && half <= 31);
-    int a_zeros = (int)tia_clz64((uint64_t)a), k_zeros = (int)tia_clz64((uint64_t)k);
-    int shift = 1 - 2 * half - k_zeros + 2 * a_zeros + e;
-
-    if (shift > 3) /* left < 2^64, right >= 2^60 */
-        return false;
-    num_u top = (num_u)((uint64_t)a << a_zeros >> 32), power = (num_u)((uint64_t)k << k_zeros >> 33);
-    num_uwide left = num_mul_u(top, top), right = num_mul_u(near, power + num_mul_top(power, swell));
-
-    if (shift < 0)
-        return left >= (shift < -63 ? 0 : right >> -shift);
-    return left >> shift >= right;
-}
-
 /* Returns a cosine, at most 1, from r N.w/|w| in the scale of span/span_light.c and the inverse of the radius r. */
 static inline num_u num_lambert(num_u scaled, num_u inverse)
 {
-    num_uwide cosine = (num_mul_u(scaled, inverse) + ((num_uwide)1 << 30)) >> 31;
-    return cosine < NUM_ONE ? (num_u)cosine : NUM_ONE;
+    num_uwide cosine = num_mul_u(scaled, inverse) + ((num_uwide)1 << 30); /* with the exponent 61 */
+    return cosine >> 61 ? NUM_ONE : (num_u)(cosine >> 31);
 }
 
 /* Biases: shadow rays start at a distance bias = 2^-13 from the surface, and the sphere kernels need bias/r. With R =
  * 2^16 r and inverse = num_inverse(R) = 2^(31 + num_bits(R)) / R, bias/r is 2^(-28 - num_bits(R)) inverse. */
 
-/* Returns bias/r with the exponent 32, from num_inverse of a radius of `bits` bits. */
-static inline num_u num_bias(num_u inverse, int bits)
+/* Returns 1 + bias/r, or 1 - bias/r from inside, with the exponent 31, from num_inverse of a radius of `bits` bits. */
+static inline num_u num_swell(num_u inverse, int bits, bool inside)
 {
-    NUM_CHECK(num_bits(num_shift(inverse, 4 - bits)) <= 32);
-    return (num_u)num_shift(inverse, 4 - bits);
+    NUM_CHECK(num_bits(num_shift(inverse, 3 - bits)) <= 29);
+    num_u bias = (num_u)num_shift(inverse, 3 - bits), one = (num_u)1 << 31;
+
+    return inside ? one - bias : one + bias;
 }
 
 /* Returns facing * inverse * 2^-s, rounded to nearest: bias N.w, where facing is r N.w and inverse is num_inverse of
@@ -291,5 +281,19 @@ static inline num_wide num_sum_of_squares30(num_wide a, num_wide b, num_wide c)
     NUM_CHECK(x >> 32 == 0 && y >> 32 == 0 && z >> 32 == 0);
     return (num_wide)((x * x + y * y + z * z) >> 2);
 }
+
+/* True if (x, y, z) is at most r long, exactly: by quarters of the squares, and where these are equal by the difference
+ * itself, which is small. */
+static inline bool num_is_within(num_wide x, num_wide y, num_wide z, num_wide r)
+{
+    num_wide quarter = num_sum_of_squares30(x, y, z), limit = (num_wide)((num_uwide)r * (num_uwide)r >> 2);
+    num_uwide ux = (num_uwide)x, uy = (num_uwide)y, uz = (num_uwide)z;
+
+    if (quarter != limit)
+        return quarter < limit;
+    return (num_wide)(ux * ux + uy * uy + uz * uz - (num_uwide)r * (num_uwide)r) <= 0;
+}
+
+#include "num_certain_q16.h"
 
 #endif

@@ -49,7 +49,7 @@ struct num_pattern {
     int repeat_bits, offset_bits;
 };
 
-#if defined TIA_NUM_F64 || defined TIA_NUM_F32
+#if defined TIA_NUM_F64 || defined TIA_NUM_F32 || defined TIA_NUM_F128
 #include "num_ray_real.h"
 #else
 #include "num_ray_q16.h"

@@ -319,7 +319,7 @@ static inline num_length num_unscaled(num_length t, struct num_scale k)
 
 static inline num_unit num_atan2(num_unit y, num_unit x)
 {
-    return num_angle(y, x) / (num_real)6.283185307179586476925286766559;
+    return num_angle(y, x) / NUM_TWO_PI;
 }
 
 static inline unsigned num_levels(num_length c, unsigned levels, num_u threshold)

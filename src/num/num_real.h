@@ -1,5 +1,6 @@
-/* num_real.h - num.h's operations in the floating-point type `num_real`, for num_f64.h and num_f32.h. A mantissa
- * is the value itself here; exponents are ignored, and shifts do nothing. */
+/* num_real.h - num.h's operations in the floating-point type `num_real`, for num_f64.h, num_f32.h and num_f128.h. A
+ * mantissa is the value itself here; exponents are ignored, and shifts do nothing. `num_double` is num_real, or double
+ * where that is finer. */
 #ifndef TIA_NUM_NUM_REAL_H
 #define TIA_NUM_NUM_REAL_H
 
@@ -68,6 +69,12 @@ static inline num_wide num_shift(num_wide x, int s)
     return x;
 }
 
+static inline num_wide num_up(num_wide x, int s)
+{
+    (void)s;
+    return x;
+}
+
 static inline num_wide num_down(num_wide x, int s)
 {
     (void)s;
@@ -117,21 +124,9 @@ static inline num_u num_normal_top(struct num_normal n)
     return n.mantissa;
 }
 
-static inline bool num_covers(num_wide a, num_u near, int half, num_wide k, num_u swell, int e)
-{
-    (void)half;
-    (void)e;
-    return a * a >= near * k * (1 + swell);
-}
-
 static inline num_u num_inverse(num_wide r)
 {
     return 1 / r;
-}
-
-static inline bool num_inside_cone(num_wide b, num_wide c, num_wide q)
-{
-    return b >= 0 && b * b >= c * q;
 }
 
 static inline num_wide num_bound(int bits)
@@ -172,10 +167,10 @@ static inline num_u num_lambert(num_u scaled, num_u inverse)
     return scaled * inverse;
 }
 
-static inline num_u num_bias(num_u inverse, int bits)
+static inline num_u num_swell(num_u inverse, int bits, bool inside)
 {
     (void)bits;
-    return inverse * NUM_BIAS;
+    return inside ? 1 - inverse * NUM_BIAS : 1 + inverse * NUM_BIAS;
 }
 
 static inline num_wide num_bias_product(num_u facing, num_u inverse, int s)
@@ -207,5 +202,12 @@ static inline bool num_nearer(num_u t, int e, num_u u, int f)
     (void)f;
     return t < u;
 }
+
+static inline bool num_is_within(num_wide x, num_wide y, num_wide z, num_wide r)
+{
+    return x * x + y * y + z * z <= r * r;
+}
+
+#include "num_certain_real.h"
 
 #endif

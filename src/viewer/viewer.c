@@ -1,6 +1,7 @@
 /* viewer.c - the interactive loop: handle keys, advance time, draw tiles, present. Independent of the operating system.
  */
 #include "loop.h"
+#include "math/divide.h"
 #include "scene/check/scene_check.h"
 
 #define RATE_MAX 1000000 /* maximum of both numbers of a rate and a pace */
@@ -15,7 +16,7 @@ static int idle_ms(const struct loop *loop)
         next = loop->due_us;
     if (!next)
         return -1;
-    uint64_t ms = next > time ? (next - time + 999) / 1000 : 0;
+    uint64_t ms = next > time ? tia_quotient(next - time + 999, 1000) : 0;
     return ms < INT16_MAX ? (int)ms : INT16_MAX; /* early wake-ups do no harm */
 }
 

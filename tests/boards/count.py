@@ -20,7 +20,7 @@ import qemu
 PIXELS = 320 * 240
 SHADOW_PIXELS = 160 * 120
 RAY_PIXELS = 64 * 48
-BOARDS = (('mps2-an385', 'Cortex-M3'), ('microbit', 'Cortex-M0'), ('rv32', 'rv32im'), ('atmega1284p', 'ATmega1284P'))
+BOARDS = (('mps2-an385', 'Cortex-M3'), ('microbit', 'Cortex-M0'), ('rv32', 'rv32imac'), ('atmega1284p', 'ATmega1284P'))
 ARITHMETICS = (('q16', 'q16'), ('f32', 'float'), ('f64', 'double'))
 
 

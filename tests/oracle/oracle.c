@@ -77,6 +77,33 @@ static bool meets(struct oracle_variant variant, struct ray ray, const struct ti
         ray.origin, ray.direction, position(sphere->centre), q16(sphere->radius), t);
 }
 
+/* True if b is in the ball around a or, with `on`, on it. The result is exact. */
+static bool is_in(struct tia_vec3 a, tia_q16 radius, struct tia_vec3 b, bool on)
+{
+    int64_t x = (int64_t)a.x - b.x, y = (int64_t)a.y - b.y, z = (int64_t)a.z - b.z;
+
+    uint64_t square = (uint64_t)(x * x) + (uint64_t)(y * y) + (uint64_t)(z * z),
+             most = (uint64_t)radius * (uint64_t)radius;
+
+    return square < most || (on && square == most);
+}
+
+/* True if the eye is in the ball, but not on it. */
+static bool is_around_eye(const struct tia_scene *scene, struct tia_vec3 centre, tia_q16 radius)
+{
+    return is_in(centre, radius, scene->camera.eye, false);
+}
+
+/* Returns the distance at which a ray leaves a sphere around its origin: the larger root. */
+static double leaves(struct ray ray, struct oracle_vec centre, double radius)
+{
+    struct oracle_vec l = sub(centre, ray.origin);
+    double tca = dot(l, ray.direction);
+    struct oracle_vec perpendicular = along(l, -tca, ray.direction);
+
+    return tca + sqrt(radius * radius - dot(perpendicular, perpendicular));
+}
+
 /* Returns the nearest sphere on the ray; of equally near ones, that of the lowest index. *t is the distance, infinite
  * without a sphere. */
 static uint32_t nearest_sphere(const struct tia_scene *scene, struct oracle_variant variant, struct ray ray, double *t)
@@ -86,7 +113,11 @@ static uint32_t nearest_sphere(const struct tia_scene *scene, struct oracle_vari
 
     *t = INFINITY;
     for (uint32_t i = 0; i < scene->sphere_count; i++) {
-        if (meets(variant, ray, &scene->spheres[i], &d) && d < *t) {
+        const struct tia_sphere *s = &scene->spheres[i];
+        bool around = is_around_eye(scene, s->centre, s->radius);
+        if (around)
+            d = leaves(ray, position(s->centre), q16(s->radius));
+        if ((around || meets(variant, ray, s, &d)) && d < *t) {
             *t = d;
             nearest = i;
         }
@@ -103,8 +134,12 @@ static uint32_t nearest_light(const struct tia_scene *scene, struct ray ray, dou
 
     for (uint32_t i = 0; i < scene->light_count; i++) {
         const struct tia_light *l = &scene->lights[i];
+        struct oracle_vec centre = position(l->centre);
+        bool around = is_around_eye(scene, l->centre, l->radius);
+        if (around)
+            d = leaves(ray, centre, q16(l->radius));
         if (l->radius > 0 &&
-            oracle_sphere_geometric(ray.origin, ray.direction, position(l->centre), q16(l->radius), &d) && d < *t) {
+            (around || oracle_sphere_geometric(ray.origin, ray.direction, centre, q16(l->radius), &d)) && d < *t) {
             *t = d;
             nearest = i;
         }
@@ -112,10 +147,10 @@ static uint32_t nearest_light(const struct tia_scene *scene, struct ray ray, dou
     return nearest;
 }
 
-/* Returns the fraction of white light that is transmitted along the ray up to `distance`. *passed is the sum of index +
- * 1 over the spheres on the way. */
+/* Returns the fraction of white light that is transmitted along the ray to a light at `distance`. A ball around the eye
+ * filters all lights outside of it. *passed is the sum of index + 1 over the spheres on the way. */
 static struct colour transmission(const struct tia_scene *scene, struct oracle_variant variant, struct ray ray,
-                                  double distance, uint32_t *passed)
+                                  const struct tia_light *light, double distance, uint32_t *passed)
 {
     struct colour left = {{1.0, 1.0, 1.0}};
     double d;
@@ -123,7 +158,10 @@ static struct colour transmission(const struct tia_scene *scene, struct oracle_v
     *passed = 0;
     for (uint32_t i = 0; i < scene->sphere_count; i++) {
         const struct tia_sphere *s = &scene->spheres[i];
-        if (meets(variant, ray, s, &d) && (d < distance || variant.beyond_light)) {
+        bool blocks = is_around_eye(scene, s->centre, s->radius)
+                          ? !is_in(s->centre, s->radius, light->centre, true)
+                          : meets(variant, ray, s, &d) && (d < distance || variant.beyond_light);
+        if (blocks) {
             const struct tia_material *material = &scene->materials[s->material];
             *passed += i + 1;
             left = product(left, rgb(variant.colour_passes ? material->colour : material->transmission));
@@ -144,7 +182,8 @@ static bool add_light(const struct tia_scene *scene, struct oracle_variant varia
 
     if (!(cosine > 0))
         return false;
-    struct colour left = transmission(scene, variant, (struct ray){along(p, variant.bias, n), ldir}, distance, passed);
+    struct colour left =
+        transmission(scene, variant, (struct ray){along(p, variant.bias, n), ldir}, light, distance, passed);
     struct colour emission = rgb(light->emission);
     for (int c = 0; c < 3; c++)
         sum[c] += surface.channel[c] * left.channel[c] * cosine * emission.channel[c];
@@ -157,7 +196,8 @@ static void shade(const struct tia_scene *scene, struct oracle_variant variant, 
     const struct tia_sphere *s = &scene->spheres[pixel->object];
     const struct tia_material *material = &scene->materials[s->material];
     struct oracle_vec p = along(ray.origin, pixel->depth, ray.direction);
-    struct oracle_vec n = rounded(variant, divide(sub(p, position(s->centre)), q16(s->radius)));
+    double out = is_around_eye(scene, s->centre, s->radius) ? -1 : 1;
+    struct oracle_vec n = rounded(variant, divide(sub(p, position(s->centre)), out * q16(s->radius)));
     struct colour emission = rgb(material->emission);
 
     for (uint32_t i = 0; i < scene->light_count; i++) {

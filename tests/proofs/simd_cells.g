@@ -2,7 +2,7 @@
 #
 # D', halved, of which x may be a pixel, or an eighth of 8 pixels, outside of the run: a coefficient, a product and a sum.
 slope = ((1 + e0) * (1 + e1) * (1 + e2) - 1) * 0.5 * 1.125;
-# D'/(2 sqrt(D)) plus b1: D is off by 8 units of its size, which is at most 2^8 D / .98; h is half of that, relative, with
+# D'/(2 sqrt(D)) plus b1: D is off by 8 units of its size, which is at most 2^11 D / .98; h is half of that, relative, with
 # its second order. Two roundings; the part that is added to |S'| for it is rounded as well.
 part = ((1 + h) * (1 + root) * (1 + e0) * (1 + e1) - 1) / 0.875;
 first = ((1 + e0) * (1 + e1) - 1) / 0.875;
@@ -26,7 +26,7 @@ over = pull - CELL_BEND * CELL_BEND * 0.000001;
 
 { e0 in [-1b-24,1b-24] /\ e1 in [-1b-24,1b-24] /\ e2 in [-1b-24,1b-24] /\ e3 in [-1b-24,1b-24]
   /\ e4 in [-1b-24,1b-24] /\ e5 in [-1b-24,1b-24] /\ e6 in [-1b-24,1b-24] /\ e7 in [-1b-24,1b-24]
-  /\ e8 in [-1b-24,1b-24] /\ e9 in [-1b-24,1b-24] /\ h in [-5b-16,5b-16] /\ w in [-0.0096,0.0096] /\ t in [0.99,1.0102]
+  /\ e8 in [-1b-24,1b-24] /\ e9 in [-1b-24,1b-24] /\ h in [-9b-14,9b-14] /\ w in [-0.0096,0.0096] /\ t in [0.99,1.0102]
   /\ root in [-SIMD_ROOTb-24,SIMD_ROOTb-24] /\ inverse in [-SIMD_INVERSEb-24,SIMD_INVERSEb-24] /\ a2 in [0,1]
   -> slope in [-CELL_SLOPEb-24,CELL_SLOPEb-24] /\ part in [-1b-CELL_TURN,1b-CELL_TURN] /\ first in [-1b-CELL_TURN,1b-CELL_TURN]
   /\ spare >= 0.875 /\ motion >= 1 /\ bend >= 1 /\ nearest <= 1 /\ farthest >= 1 /\ clear >= 1 /\ off >= 1

@@ -16,7 +16,7 @@ from collections import Counter
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
 INCLUDE = re.compile(r'#\s*include\s+(?:"([^"]+)"|<([^>]+)>|(\w+))')
 # Macros of other builds: other arithmetics, and the tests' instrumented ones.
-ABSENT = re.compile(r"TIA_NUM_F64|TIA_NUM_F32|TIA_NUM_CHK|TIA_WATCHED|BOUND_SCALES")
+ABSENT = re.compile(r"TIA_NUM_F64|TIA_NUM_F32|TIA_NUM_F128|TIA_NUM_CHK|TIA_WATCHED|BOUND_SCALES")
 TOKEN = re.compile(r'/\*.*?\*/|"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])*\'|[A-Za-z_]\w*|\.?\d[\w.]*|->|[^\w\s]|\s+', re.S)
 # Keywords of C++ that are names in C.
 KEYWORDS = {"class", "this", "new", "delete", "template", "operator", "private", "public", "typename", "namespace", "try", "catch",

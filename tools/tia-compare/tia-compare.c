@@ -1,15 +1,18 @@
-/* tia-compare - compares fixed point with double precision, pixel by pixel, over a set of scenes. */
+/* tia-compare - compares fixed point with floating point, pixel by pixel, over a set of scenes. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <tia/debug.h>
 
 #include "common/corpus/corpus.h"
+#include "common/corpus/corpus_hard.h"
 #include "common/corpus/corpus_rays.h"
+#include "common/corpus/corpus_ties.h"
 #include "common/message.h"
 #include "common/scene/scene_load.h"
 #include "common/signals.h"
 #include "common/thread_pool.h"
+#include "exact_compare.h"
 #include "heatmap.h"
 #include "heatmap_files.h"
 #include "options.h"
@@ -23,6 +26,7 @@ struct run {
     struct measure what;
     struct report report;
     struct pictures pictures;
+    struct exact_run exact;
 };
 
 static int failed(const char *what, const char *why)
@@ -38,7 +42,28 @@ static int report(const struct run *run, int status)
     return message("tia-compare", 1, "%s", run->pictures.why);
 }
 
-static int run_frame(struct run *run, const char *name, const struct tia_scene *scene, unsigned width, unsigned height)
+/* Chooses the reference, and the cores to compare with it. Returns 0, or an exit status after printing the reason. */
+static int choose_cores(struct measure *what, const char *reference)
+{
+    if (strcmp(reference, tia_core_f64.name) == 0) {
+        what->reference = &tia_core_f64;
+        what->cores[what->core_count++] = &tia_core_q16;
+        what->cores[what->core_count++] = &tia_core_f32;
+        return 0;
+    }
+#ifdef TIA_HAVE_F128
+    what->reference = &tia_core_f128;
+    what->cores[what->core_count++] = &tia_core_q16;
+    what->cores[what->core_count++] = &tia_core_f64;
+    what->cores[what->core_count++] = &tia_core_f32;
+    return 0;
+#else
+    return message_why("tia-compare", 2, "--arithmetic", "this build has no numbers of 113 bits");
+#endif
+}
+
+static int measure_frame(struct run *run, const char *name, const struct tia_scene *scene, unsigned width,
+                         unsigned height)
 {
     struct measure what = run->what;
     struct tally tallies[MEASURE_CORES];
@@ -46,8 +71,8 @@ static int run_frame(struct run *run, const char *name, const struct tia_scene *
     int status = TIA_OK, result = 0;
 
     what.scene = scene;
-    what.width = run->options.width > 0 ? run->options.width : width;
-    what.height = run->options.width > 0 ? run->options.height : height;
+    what.width = width;
+    what.height = height;
     if (run->options.heatmap) {
         status =
             heatmap_alloc(&map, what.width, what.height, what.core_count, heatmap_verdicts) ? TIA_OK : TIA_ERR_MEMORY;
@@ -67,6 +92,16 @@ static int run_frame(struct run *run, const char *name, const struct tia_scene *
     return result;
 }
 
+static int run_frame(struct run *run, const char *name, const struct tia_scene *scene, unsigned width, unsigned height)
+{
+    const struct options *o = &run->options;
+
+    width = o->width > 0 ? o->width : width;
+    height = o->width > 0 ? o->height : height;
+    return o->exact ? exact_frame(&run->exact, name, scene, width, height)
+                    : measure_frame(run, name, scene, width, height);
+}
+
 static int run_thesis(struct run *run, const char *keys)
 {
     struct corpus_scene c;
@@ -78,14 +113,20 @@ static int run_thesis(struct run *run, const char *keys)
     return run_frame(run, name, &c.scene, c.width, c.height);
 }
 
-static int run_random(struct run *run, unsigned i)
+/* Compares `count` random scenes of a kind. */
+static int run_random(struct run *run, const char *kind,
+                      void (*make)(struct corpus_scene *out, uint64_t seed, unsigned index), unsigned count)
 {
     struct corpus_scene c;
     char name[24];
+    int result = 0;
 
-    corpus_random(&c, run->options.seed, i);
-    (void)snprintf(name, sizeof name, "random %u", i);
-    return run_frame(run, name, &c.scene, c.width, c.height);
+    for (unsigned i = 0; i < count && result == 0; i++) {
+        make(&c, run->options.seed, i);
+        (void)snprintf(name, sizeof name, "%s %u", kind, i);
+        result = run_frame(run, name, &c.scene, c.width, c.height);
+    }
+    return result;
 }
 
 static int run_rays_random(struct run *run, unsigned i)
@@ -119,15 +160,19 @@ static int run_frames(struct run *run)
     static const char *const all_keys[] = {"", "a", "d", "s", "w"};
     const struct options *o = &run->options;
     unsigned thesis = !o->thesis ? 0 : o->keys ? 1 : 5;
-    unsigned count = thesis + o->random + o->rays_random + (unsigned)o->scene_count;
+    unsigned count = thesis + o->random + o->ties + o->hard + o->rays_random + (unsigned)o->scene_count;
     int result = 0;
 
     if (o->heatmap && !pictures_begin(&run->pictures, o->heatmap, count))
         result = report(run, TIA_ERR_MEMORY);
     for (unsigned i = 0; i < thesis && result == 0; i++)
         result = run_thesis(run, o->keys ? o->keys : all_keys[i]);
-    for (unsigned i = 0; i < o->random && result == 0; i++)
-        result = run_random(run, i);
+    if (result == 0)
+        result = run_random(run, "random", corpus_random, o->random);
+    if (result == 0)
+        result = run_random(run, "ties", corpus_ties, o->ties);
+    if (result == 0)
+        result = run_random(run, "hard", corpus_hard, o->hard);
     for (unsigned i = 0; i < o->rays_random && result == 0; i++)
         result = run_rays_random(run, i);
     for (int i = 0; i < o->scene_count && result == 0; i++)
@@ -157,6 +202,14 @@ static int check_bounds(const struct run *run)
     return result;
 }
 
+static int compare_exactly(struct run *run, const struct tia_workers *workers)
+{
+    exact_begin(&run->exact, &run->options, workers);
+    int result = run_frames(run);
+
+    return result ? result : exact_end(&run->exact);
+}
+
 static int compare_arithmetics(struct run *run)
 {
     report_begin(&run->report);
@@ -175,16 +228,19 @@ int main(int argc, char **argv)
 
     if (result != COMMAND_RUN)
         return result;
+    result = choose_cores(&run.what, run.options.arithmetic);
+    if (result != 0)
+        return result;
     signals_prepare();
     struct threads *pool = threads_create(run.options.threads);
     if (!pool)
         return failed("threads", "out of memory");
-    run.what = (struct measure){.reference = &tia_core_f64,
-                                .cores = {&tia_core_q16, &tia_core_f32},
-                                .core_count = MEASURE_CORES,
-                                .workers = threads_workers(pool)};
+    run.what.dither = run.options.dither;
+    run.what.workers = threads_workers(pool);
     run.report = (struct report){.json = run.options.json, .summary = run.options.summary, .what = &run.what};
-    result = run.options.shadows ? shadows_compare(&run.options, pool) : compare_arithmetics(&run);
+    result = run.options.exact     ? compare_exactly(&run, threads_workers(pool))
+             : run.options.shadows ? shadows_compare(&run.options, pool)
+                                   : compare_arithmetics(&run);
     threads_destroy(pool);
     if (fflush(stdout) != 0 || ferror(stdout))
         result = failed("standard output", "cannot be written");

@@ -10,6 +10,9 @@ static const struct tia_core *const cores[] = {
     &tia_core_f64,
     &tia_core_f32,
 #endif
+#ifdef TIA_LINKED_F128
+    &tia_core_f128,
+#endif
 };
 
 const struct tia_estimator *arithmetic_estimator(const struct tia_core *core)
@@ -19,6 +22,10 @@ const struct tia_estimator *arithmetic_estimator(const struct tia_core *core)
         return &tia_estimator_f64;
     if (core == &tia_core_f32)
         return &tia_estimator_f32;
+#endif
+#ifdef TIA_LINKED_F128
+    if (core == &tia_core_f128)
+        return &tia_estimator_f128;
 #endif
     return core == &tia_core_q16 ? &tia_estimator_q16 : NULL;
 }
@@ -33,8 +40,14 @@ const struct tia_core *arithmetic_called(const char *name)
 
 const char *arithmetic_missing(const char *name)
 {
-    if (strcmp(name, "f64") != 0 && strcmp(name, "f32") != 0)
-        return "not q16, f32 or f64";
+    bool finest = strcmp(name, "f128") == 0;
+
+    if (!finest && strcmp(name, "f64") != 0 && strcmp(name, "f32") != 0)
+        return "not q16, f32, f64 or f128";
+#if defined TIA_HAVE_F64 && !defined TIA_HAVE_F128
+    if (finest)
+        return "this build has no numbers of 113 bits";
+#endif
 #ifdef TIA_HAVE_F64
     return "not built in (make builds it)";
 #else

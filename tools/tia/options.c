@@ -140,7 +140,7 @@ static const struct option_row rows[] = {
     {"tile-rows", 0, OPTION_RANGE, "FIRST-LAST", "draw only these rows of each picture, into a part",
      PAIR(first_row, last_row), GIVEN(tile_rows), .max = UINT32_MAX - 1},
     {"threads", 'j', OPTION_NUMBER, "N", "#; default: all processors", TO(threads), .min = 1, .max = THREADS_MAX},
-    {"arithmetic", 0, OPTION_PARSED, "q16|f32|f64", "fixed point (q16, the default) or floating point",
+    {"arithmetic", 0, OPTION_PARSED, "q16|f32|f64|f128", "fixed point (q16, the default) or floating point",
      PARSED(core, set_arithmetic)},
     {"dither", 0, OPTION_FLAG, NULL, "ordered dithering, to hide the banding of RGB565", TO(dither)},
     {"rotate", 0, OPTION_NUMBER, "0|90|180|270", "degrees clockwise", TO(rotate), .max = 270},

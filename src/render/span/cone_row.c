@@ -8,7 +8,9 @@ static num_wide coordinate_at(const struct cone_row *s, int i)
 static bool inside(const struct cone_row *s, int i)
 {
     num_wide x = coordinate_at(s, i);
-    return num_inside_cone(s->slope * x + s->base, s->c, x * x + s->square);
+    int inside = num_cone(s->slope * x + s->base, s->c, x * x + s->square, s->doubt);
+
+    return inside ? inside > 0 : !s->picture || tia_exact_meets(s->picture, i, s->y, s->object, NULL);
 }
 
 /* True if L.v/|v| still grows at pixel i: its derivative has the sign of slope square - base X. */

@@ -11,6 +11,7 @@
 #ifndef TIA_RENDER_SPAN_CONE_ROW_H
 #define TIA_RENDER_SPAN_CONE_ROW_H
 
+#include "exact/pixel.h"
 #include "num/num.h"
 
 struct cone_row {
@@ -19,6 +20,13 @@ struct cone_row {
     num_wide c;           /* exponent 32 */
     int exponent;         /* the exponent f of pixel coordinates */
     int count;            /* pixels on the line */
+    num_wide doubt;       /* num_cone()'s: base and square contain K, which is rounded */
+
+    /* Pixels of the image's row y that are in doubt are decided for this ball of the picture; NULL: they count as
+     * inside. */
+    const struct exact_picture *picture;
+    uint32_t object;
+    int y;
 };
 
 /* Pixels first..end-1; none when first >= end. */

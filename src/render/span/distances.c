@@ -14,14 +14,42 @@ void span_distances(const struct span_view *spans, uint32_t n, int y, int x, int
         spans->kernels->sphere(&line, t);
 }
 
-void span_keep_nearer(const struct span_view *spans, uint32_t n, const num_u *t, int count, num_u *best,
+#if defined(__GNUC__)
+#define NOINLINE __attribute__((noinline))
+#else
+#define NOINLINE
+#endif
+
+/* True if sphere n, at the distance t, is nearer than sphere `other` at u, where these are almost equal. */
+static NOINLINE bool is_nearer(const struct tia_view *view, uint32_t n, num_u t, uint32_t other, num_u u, int y, int x)
+{
+    const struct span_sphere *a = &span_view_of(view)->spheres[n], *b = &span_view_of(view)->spheres[other];
+    int order = num_order(t, a->t_exponent, num_distance_doubt(t, a->doubt_shift, a->doubt), u, b->t_exponent,
+                          num_distance_doubt(u, b->doubt_shift, b->doubt));
+
+    if (order)
+        return order < 0;
+    struct exact_picture picture = span_picture_of(view);
+    return tia_exact_nearer(&picture, x, y, n, other, NULL);
+}
+
+void span_keep_nearer(const struct tia_view *view, uint32_t n, int y, int x, const num_u *t, int count, num_u *best,
                       uint32_t *object)
 {
-    const struct span_sphere *spheres = spans->spheres;
+    const struct span_sphere *spheres = span_view_of(view)->spheres, *own = &spheres[n], *other = own;
+    uint32_t last = TIA_NO_OBJECT;
 
     for (int i = 0; i < count; i++) {
-        if (object[i] == TIA_NO_OBJECT ||
-            num_nearer(t[i], spheres[n].t_exponent, best[i], spheres[object[i]].t_exponent)) {
+        int order = -1;
+        if (object[i] != last) {
+            last = object[i];
+            other = last == TIA_NO_OBJECT ? own : &spheres[last];
+        }
+        if (last != TIA_NO_OBJECT) {
+            bool rough = span_is_accurate(own, t[i]) && span_is_accurate(other, best[i]);
+            order = rough ? num_rough_order(t[i], own->t_exponent, best[i], other->t_exponent) : 0;
+        }
+        if (order < 0 || (order == 0 && is_nearer(view, n, t[i], last, best[i], y, x + i))) {
             best[i] = t[i];
             object[i] = n;
         }

@@ -15,12 +15,12 @@ struct sphere_line {
     num_wide b, b_step;       /* accumulator of L.v */
     struct row_square square; /* accumulator of v.v */
     num_u c_disc, c_top;
-    int t_shift, count;
+    int t_shift, behind_shift, count;
 };
 
 /* A light Q over a sphere L, seen along a row. With G = Q - L, c = L.L - r^2 and P = t v:
  *
- *     r N.(Q - P) = c - L.Q + t G.v            since |P|^2 = 2 L.P - c
+ *     r N.(Q - P) = c - L.Q + t G.v            since |P|^2 = 2 L.P - c; from inside N and so all is negative
  *     |Q - P|^2   = Q.Q - 2 t Q.v + t^2 v.v
  *
  * The form of |Q - P|^2 does not use the sphere's equation. With that equation, on a large sphere, the last bit of t
@@ -34,6 +34,7 @@ struct light_line {
     int reach_down;           /* t v.v / 2^reach_down is a mantissa; its product with t has the exponent e_p */
     int distance_down;        /* e_p - e_d */
     int scale;                /* facing * 2^(scale + half) is a mantissa */
+    num_wide facing_doubt;    /* the bound of r N.(Q - P)'s error */
     int count;
 };
 
@@ -45,6 +46,8 @@ struct lit {
     num_u near[CHUNK];      /* |Q - P|^2 as a mantissa, times 4^half */
     num_u inverse[CHUNK];   /* 1/|Q - P|, times 2^-half */
     uint8_t half[CHUNK];
+    uint8_t most_half; /* the largest half of all pixels that face the light */
+    uint64_t open;     /* bit i is set if pixel i is in doubt: whether it faces the light, or a sphere blocks it */
 };
 
 /* A sphere, centre C and radius R, that may stand between a light Q and the points P of a span of
@@ -58,9 +61,9 @@ struct lit {
  *     A'.w         = A.w - bias N.w
  *     |A'|^2 - R^2 = (|A|^2 - R^2)(1 + bias/r) - (|L - C|^2 - r^2 - R^2) bias/r + bias^2,
  *
- * the latter with 2 r N.A = |L - C|^2 - r^2 - |A|^2. The ray goes towards the sphere when A'.w > 0, meets it when
- * (A'.w)^2 >= |w|^2 (|A'|^2 - R^2), and does so before the light when |w|^2 > A'.w. A ray that starts inside the sphere
- * meets it unless the light is inside too. */
+ * the latter with 2 r N.A = |L - C|^2 - r^2 - |A|^2; from inside N is the opposite, and so is the sign of bias/r. The
+ * ray goes towards the sphere when A'.w > 0, meets it when (A'.w)^2 >= |w|^2 (|A'|^2 - R^2), and before the light,
+ * unless that is inside, when |w|^2 > A'.w. */
 struct shadow_line {
     num_wide a, a_step;            /* accumulator of (C + Q).v */
     num_wide c, c_step;            /* accumulator of C.v */
@@ -70,22 +73,27 @@ struct shadow_line {
     int square_down, product_down; /* e_d and e_a, each minus the smaller of the two */
     num_u inverse;                 /* num_inverse(r) */
     int bias_shift;                /* num_bias_product's shift minus `half` */
-    num_u swell;                   /* bias/r */
+    num_u swell;                   /* 1 + bias/r, or 1 - bias/r from inside */
     int exponent;                  /* 2 e_a - e_d - e_k */
     bool enclosed;                 /* the light is inside the sphere */
+
+    /* Bounds of errors: of A'.w, of (|A'|^2 - R^2)/(1 + bias/r), and of |w|^2 - A'.w as compared. */
+    num_wide a_doubt, k_doubt, beyond_doubt;
+    num_wide a_clear, k_clear; /* above these num_cover_order's margin of 14 includes all errors */
+    int margin;                /* that of |w|^2 is 2^-margin of itself */
     int count;
 };
 
 struct span_kernels {
     /* Computes t from outside the sphere: c / (b + sqrt(b^2 - c v.v)). */
     void (*sphere)(const struct sphere_line *line, num_u *t);
-    /* Computes t from inside the sphere: (b + sqrt(b^2 + |c| v.v)) / v.v. */
+    /* Computes t from inside the sphere: (b + sqrt(b^2 + |c| v.v)) / v.v, or |c| / (|b| + sqrt(b^2 + |c| v.v)). */
     void (*sphere_inside)(const struct sphere_line *line, num_u *t);
 
     /* Fills `lit`; false when no pixel faces the light. */
     bool (*light)(const struct light_line *line, const num_u *t, struct lit *lit);
 
-    /* Sets facing to 0 where the sphere blocks the light. */
+    /* Sets facing to 0 where the sphere blocks the light; where that is in doubt, sets the pixel's bit in `open`. */
     void (*shadow)(const struct shadow_line *line, const num_u *t, struct lit *lit);
 
     /* Computes lambert = max(0, N.w/|w|), where NUM_ONE is 1; `inverse` is num_inverse of the lit sphere's radius. */
@@ -94,9 +102,10 @@ struct span_kernels {
     /* Adds light: sum = min(1, sum + lambert * colour). */
     void (*add)(num_u *sum, const num_u *lambert, num_u colour, int count);
 
-    /* Converts clamped linear colours to RGB565; `threshold` has the 8 rounding offsets of the row, by x & 7. */
-    void (*pack)(const num_u *red, const num_u *green, const num_u *blue, const num_u *threshold, int x, int count,
-                 tia_rgb565 *out);
+    /* Converts clamped linear colours to RGB565; `threshold` has the 8 rounding offsets of the row, by x & 7. Returns
+     * the set of those whose level another channel within `doubt` of it may not have. */
+    uint64_t (*pack)(const num_u *const rgb[3], const num_u doubt[3], const num_u *threshold, int x, int count,
+                     tia_rgb565 *out);
 };
 
 /* Returns |P|^2, from the accumulator of v.v. */
@@ -128,6 +137,14 @@ static inline num_wide shadow_bias(const struct shadow_line *line, num_u facing,
 static inline num_wide shadow_power(const struct shadow_line *line, num_wide turn, num_wide reach)
 {
     return line->power - 2 * turn + num_down(reach, line->power_down);
+}
+
+/* Returns the pixel of an exact colour. */
+static inline tia_rgb565 span_pixel(const num_u rgb[3], num_u threshold)
+{
+    return (tia_rgb565)(num_quantise(num_clamp(rgb[0]), 31, threshold) << 11 |
+                        num_quantise(num_clamp(rgb[1]), 63, threshold) << 5 |
+                        num_quantise(num_clamp(rgb[2]), 31, threshold));
 }
 
 extern const struct span_kernels span_kernels_plain;

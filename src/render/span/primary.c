@@ -1,5 +1,7 @@
 #include "primary.h"
 
+#include "span_shift.h"
+
 #include "math/integer.h"
 #include "math/trig.h"
 
@@ -16,18 +18,20 @@ void primary_prepare(struct primary_rays *primary, unsigned width, unsigned heig
     primary->width = (int)width;
     primary->height = (int)height;
     primary->exponent = 30 - (bits + 1) / 2;
-    primary->depth = num_depth(height, cotangent, primary->exponent);
+    primary->exact = fov == TIA_Q16(90);
+    primary->depth = primary->exact ? num_pixel_coordinate((int32_t)height, primary->exponent)
+                                    : num_depth(height, cotangent, primary->exponent);
     primary->x_reach = num_pixel_coordinate((int32_t)w, primary->exponent);
     primary->y_reach = num_pixel_coordinate((int32_t)h, primary->exponent);
     num_wide most =
         primary->x_reach * primary->x_reach + primary->y_reach * primary->y_reach + primary->depth * primary->depth;
-    primary->square_shift = 63 - num_bits(most + num_shift(most, -20));
+    primary->square_shift = 63 - num_bits(most + span_shift(most, -20));
 }
 
 num_wide primary_reach(const struct primary_rays *primary, struct num_vec a)
 {
     num_wide reach = num_abs(a.x) * primary->x_reach + num_abs(a.y) * primary->y_reach + num_abs(a.z) * primary->depth;
-    return reach + num_shift(reach, -20); /* headroom for NUM_HALF */
+    return reach + span_shift(reach, -20); /* headroom for NUM_HALF */
 }
 
 num_wide primary_y(const struct primary_rays *primary, int y)
@@ -40,8 +44,8 @@ struct row_form primary_form(const struct primary_rays *primary, struct num_vec 
     int middle = primary->width / 2;
     num_wide middle_x = num_pixel_coordinate(2 * middle + 1 - primary->width, primary->exponent);
     num_wide start = a.x * middle_x + a.y * primary_y(primary, y) - a.z * primary->depth;
-    struct row_form form = {num_shift(start, shift) + NUM_HALF,
-                            num_shift(a.x * num_pixel_coordinate(2, primary->exponent), shift)};
+    struct row_form form = {span_shift(start, shift) + NUM_HALF,
+                            span_shift(a.x * num_pixel_coordinate(2, primary->exponent), shift)};
 
     /* With x - middle as its factor, the product is never larger than the form itself. Although the shift rounds, a
      * pixel's value does not depend on the start of the span. */
@@ -55,8 +59,8 @@ struct row_square primary_square(const struct primary_rays *primary, int x, int 
     num_wide first = num_pixel_coordinate(2 * x + 1 - primary->width, primary->exponent), row = primary_y(primary, y);
     num_wide step = num_pixel_coordinate(2, primary->exponent);
     num_wide square = first * first + row * row + primary->depth * primary->depth;
-    struct row_square s = {num_shift(square, shift) + NUM_HALF, num_shift(step * (2 * first + step), shift),
-                           num_shift(2 * step * step, shift)};
+    struct row_square s = {num_up(square, shift) + NUM_HALF, num_up(step * (2 * first + step), shift),
+                           num_up(2 * step * step, shift)};
 
     return s;
 }

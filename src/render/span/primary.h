@@ -12,7 +12,8 @@ struct primary_rays {
     int width, height;
     int exponent;              /* the exponent f of pixel coordinates */
     num_wide x_reach, y_reach; /* above every |X| and |Y| of the image */
-    num_wide depth;            /* height/tan(fov/2) */
+    num_wide depth;            /* K = height/tan(fov/2) */
+    bool exact;                /* K is not rounded */
     int square_shift;          /* v.v times 2^square_shift uses all bits of an accumulator */
 };
 

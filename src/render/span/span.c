@@ -59,6 +59,7 @@ int span_prepare(struct tia_view *view, const struct span_coherence *coherence)
     spans->tinted = false;
     spans->grey_shadows = true;
     primary_prepare(&spans->primary, (unsigned)view->width, (unsigned)view->height, scene->camera.fov);
+    tia_exact_depth(&spans->depth, (uint32_t)view->height, scene->camera.fov);
     for (uint32_t i = 0; i < scene->sphere_count; i++) {
         const struct tia_sphere *s = &scene->spheres[i];
         const struct tia_rgb *through = &scene->materials[s->material].transmission;

@@ -2,6 +2,7 @@
 #ifndef TIA_RENDER_SPAN_SPAN_H
 #define TIA_RENDER_SPAN_SPAN_H
 
+#include "exact/pixel.h"
 #include "kernels.h"
 #include "render/renderer.h"
 #include "span_sphere.h"
@@ -21,14 +22,22 @@ struct span_view {
     const struct span_coherence *coherence; /* NULL: no coherence; no sphere is wide */
     struct span_sphere *spheres;            /* the scene's spheres, then the lights' */
     struct primary_rays primary;
-    bool tinted;       /* some material transmits shadow rays */
-    bool grey_shadows; /* the transmissions of all materials are grey */
-    bool grey;         /* grey_shadows, and the colours of all lights are grey */
+    struct exact_depth depth; /* K to 64 bits */
+    bool tinted;              /* some material transmits shadow rays */
+    bool grey_shadows;        /* the transmissions of all materials are grey */
+    bool grey;                /* grey_shadows, and the colours of all lights are grey */
 };
 
 static inline const struct span_view *span_view_of(const struct tia_view *view)
 {
     return view->prepared;
+}
+
+/* Returns the picture as src/exact computes it. */
+static inline struct exact_picture span_picture_of(const struct tia_view *view)
+{
+    return (struct exact_picture){view->scene,      view->lights,      view->light_count,
+                                  (int)view->width, (int)view->height, span_view_of(view)->depth};
 }
 
 /* Returns the hit buffer: each pixel's distance along v, with the exponent of the object's sphere. It is undefined at
@@ -51,9 +60,12 @@ static inline void span_fill(tia_rgb565 *pixels, int count, tia_rgb565 pixel)
 /* Computes t of the pixels x .. x + count - 1 (count <= CHUNK) of row y, which all show sphere `n`. */
 void span_distances(const struct span_view *spans, uint32_t n, int y, int x, int count, num_u *t);
 
+/* Returns how many of up to `count` objects in front are the same, at least 1. */
+int span_same(const uint32_t *object, int count);
+
 /* Replaces best[i] and object[i] by t[i] and n where sphere `n`, at the distance t[i], is nearer than object[i]; a tie
  * changes nothing. */
-void span_keep_nearer(const struct span_view *spans, uint32_t n, const num_u *t, int count, num_u *best,
+void span_keep_nearer(const struct tia_view *view, uint32_t n, int y, int x, const num_u *t, int count, num_u *best,
                       uint32_t *object);
 
 /* ---- functions of struct renderer ---- */

@@ -14,10 +14,10 @@ static int reach_exponent(const struct primary_rays *primary, const struct span_
 /* Returns the exponent e_d of |Q - P|^2 = Q.Q - 2 t Q.v + |P|^2: each term stays below 2^61, t Q.v as a product of t
  * (31 bits) and Q.v (29 bits). e_d is even, for the square root. */
 static int distance_exponent(const struct primary_rays *primary, const struct span_sphere *sphere, struct num_vec light,
-                             int e_p)
+                             num_wide square, int e_p)
 {
     int by_product = sphere->t_exponent + primary->exponent - 16 + 61 - num_bits(primary_reach(primary, light));
-    int by_light = 92 - num_bits(num_dot(light, light)), e = by_light < by_product ? by_light : by_product;
+    int by_light = 92 - num_bits(square), e = by_light < by_product ? by_light : by_product;
 
     return (e < e_p ? e : e_p) & ~1;
 }
@@ -30,15 +30,17 @@ void light_line_prepare(const struct primary_rays *primary, struct light_source 
                         struct light_line *line)
 {
     const struct span_sphere *sphere = source->sphere;
-    struct num_vec g = num_vec_sub(source->light, sphere->centre);
-    num_wide facing = sphere->c - num_dot(sphere->centre, source->light),
-             square = num_dot(source->light, source->light);
+    bool inside = sphere->c < 0;
+    struct num_vec g = inside ? num_vec_sub(sphere->centre, source->light) : num_vec_sub(source->light, sphere->centre);
+    num_wide facing = sphere->c - span_dot(&sphere->centre, &source->light),
+             square = span_dot(&source->light, &source->light);
     int to_top = sphere->t_exponent + primary->exponent - 16, limit = 93 - num_bits(facing);
     int e_s = to_top + 62 - num_bits(primary_reach(primary, g));
 
+    facing = inside ? -facing : facing;
     e_s = e_s < limit ? e_s : limit;
     source->reach_exponent = reach_exponent(primary, sphere);
-    source->exponent = distance_exponent(primary, sphere, source->light, source->reach_exponent);
+    source->exponent = distance_exponent(primary, sphere, source->light, square, source->reach_exponent);
     struct row_form form = primary_form(primary, g, x, y, e_s - to_top);
     line->g = form.start;
     line->g_step = form.step;
@@ -46,10 +48,11 @@ void light_line_prepare(const struct primary_rays *primary, struct light_source 
     line->q = form.start;
     line->q_step = form.step;
     line->square = primary_square(primary, x, y);
-    line->facing = num_shift(facing, e_s - 32);
-    line->distance = num_shift(square, source->exponent - 32);
+    line->facing = span_shift(facing, e_s - 32);
+    line->distance = span_shift(square, source->exponent - 32);
     line->distance_down = num_count(source->reach_exponent - source->exponent);
     line->reach_down =
         num_count(2 * sphere->t_exponent + 2 * primary->exponent + primary->square_shift - 32 - source->reach_exponent);
+    line->facing_doubt = 0;
     line->scale = 15 - sphere->radius_bits - e_s + (source->exponent >> 1);
 }

@@ -29,22 +29,18 @@ struct chunk {
 /* Draws a span of the background or of a light: one colour, except for dithering, which repeats after 8 pixels. */
 static void flat_span(struct chunk *chunk, int first, int count, const struct tia_rgb *colour, const num_u threshold[8])
 {
+    const num_u rgb[3] = {num_clamp(num_colour(colour->r)), num_clamp(num_colour(colour->g)),
+                          num_clamp(num_colour(colour->b))};
+    const num_u *const colours[3] = {&rgb[0], &rgb[1], &rgb[2]};
     bool dithered = threshold[0] != threshold[1];
-    int period = dithered ? 8 : 1;
-    num_u rgb[3][8];
     tia_rgb565 pixels[8];
 
-    for (int i = 0; i < period; i++) {
-        rgb[0][i] = num_clamp(num_colour(colour->r));
-        rgb[1][i] = num_clamp(num_colour(colour->g));
-        rgb[2][i] = num_clamp(num_colour(colour->b));
-    }
-    chunk->spans->kernels->pack(rgb[0], rgb[1], rgb[2], threshold, chunk->x + first, period, pixels);
+    for (int i = 0; i < (dithered ? 8 : 1); i++)
+        pixels[i] = span_pixel(rgb, threshold[(chunk->x + first + i) & 7]);
     if (!dithered)
         span_fill(chunk->pixels + first, count, pixels[0]);
     for (int i = 0; dithered && i < count; i++)
         chunk->pixels[first + i] = pixels[i & 7];
-    const num_u *const colours[3] = {rgb[0], rgb[1], rgb[2]};
     span_put_colours(colours, 0, count, chunk->colours ? chunk->colours + 3 * first : NULL);
 }
 
@@ -53,14 +49,15 @@ static void see_light(const struct chunk *chunk, uint32_t n, num_u *nearest, uin
 {
     const struct span_view *spans = chunk->spans;
     struct span span = {chunk->x, chunk->x + chunk->count};
+    struct exact_picture picture = span_picture_of(chunk->view);
     num_u t[CHUNK];
 
-    span = span_within(span_sphere_row(&spans->primary, &spans->spheres[n], chunk->y, span), chunk->x,
+    span = span_within(span_sphere_row(&picture, &spans->primary, &spans->spheres[n], n, chunk->y, span), chunk->x,
                        chunk->x + chunk->count);
     if (span.first >= span.end)
         return;
     span_distances(spans, n, chunk->y, span.first, span.end - span.first, t);
-    span_keep_nearer(spans, n, t, span.end - span.first, nearest + (span.first - chunk->x),
+    span_keep_nearer(chunk->view, n, chunk->y, span.first, t, span.end - span.first, nearest + (span.first - chunk->x),
                      object + (span.first - chunk->x));
 }
 
@@ -79,19 +76,6 @@ static bool row_sees_lights(const struct chunk *chunk)
         if (row_sees(chunk, n))
             return true;
     return false;
-}
-
-static int span_end(const uint32_t *object, int first, int count)
-{
-    uint32_t seen = object[first];
-    int end = first + 1;
-
-    while (end + 4 <= count && object[end] == seen && object[end + 1] == seen && object[end + 2] == seen &&
-           object[end + 3] == seen)
-        end += 4;
-    while (end < count && object[end] == seen)
-        end++;
-    return end;
 }
 
 /* Gives the distances of pixels first..end-1, which show one object. */
@@ -115,7 +99,7 @@ static NOINLINE void see_lights(struct chunk *chunk, uint32_t object[CHUNK])
     int end;
 
     for (int first = 0; first < chunk->count; first = end) {
-        end = span_end(chunk->object, first, chunk->count);
+        end = first + span_same(chunk->object + first, chunk->count - first);
         distances_of(chunk, first, end, nearest + first);
         for (int i = first; i < end; i++)
             object[i] = chunk->object[first];
@@ -171,7 +155,7 @@ static void light_chunk(struct chunk *chunk, const num_u threshold[8])
 
     for (int first = 0; first < chunk->count; first = end) {
         uint32_t object = chunk->object[first];
-        end = span_end(chunk->object, first, chunk->count);
+        end = first + span_same(chunk->object + first, chunk->count - first);
         if (object == TIA_NO_OBJECT)
             flat_span(chunk, first, end - first, &view->scene->background, threshold);
         else if (object >= view->scene->sphere_count)

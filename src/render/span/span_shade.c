@@ -1,7 +1,14 @@
 #include "span_shade.h"
 
 #include "scene/colour.h"
-#include "span_shadow.h"
+#include "span_error.h"
+
+/* Marks functions that are not inlined, which keeps their arrays off the stack during other calls. */
+#if defined(__GNUC__)
+#define NOINLINE __attribute__((noinline))
+#else
+#define NOINLINE
+#endif
 
 /* A span being shaded. */
 struct shading {
@@ -11,7 +18,22 @@ struct shading {
     const struct tia_material *material;
     bool grey; /* red serves as all three channels */
     num_u sum[3][CHUNK];
+    num_u doubt[3];            /* bounds of the sums' errors */
+    uint64_t open;             /* pixels whose sums have no bound, or whose lights or shadows are in doubt */
+    bool given_up;             /* all pixels are open, and no other output needs them */
+    struct span_depth ends[2]; /* of the first and the last pixel */
+    struct span_error error;   /* of the light being added */
+    bool bounded;              /* the light's error has a bound */
 };
+
+#define SPAN_LAMBERT_MOST (-9 * 256) /* the largest error of a cosine with which pixels are decided */
+
+/* Leaves all pixels open. */
+static NOINLINE void give_up(struct shading *s)
+{
+    s->open = UINT64_MAX;
+    s->given_up = !s->span->path_hash && !s->span->colours;
+}
 
 /* The part of a light that half-transparent spheres transmit to each pixel of a span. */
 struct tint {
@@ -47,29 +69,60 @@ static void note_reached(const struct lit *lit, const struct tint *tint, uint32_
         }
 }
 
-static void cast_shadows(const struct shading *s, const struct light_source *source, struct lit *lit, struct tint *tint)
+/* Lets sphere j, around the eye, block the light: of all pixels, unless the light is inside too. */
+static bool blocks_all(const struct light_source *source, const struct span_sphere *caster)
+{
+    struct num_vec d = num_vec_sub(caster->centre, source->light);
+
+    return !num_is_within(d.x, d.y, d.z, caster->radius);
+}
+
+static void darken(struct lit *lit, int count)
+{
+    for (int i = 0; i < count; i++)
+        lit->facing[i] = 0;
+}
+
+/* Sets facing to 0 where sphere j blocks the light; false if it blocks it nowhere. */
+static bool cast_shadow(struct shading *s, const struct light_source *source, uint32_t j, struct lit *lit)
+{
+    const struct shaded_span *span = s->span;
+    const struct span_sphere *caster = &s->spans->spheres[j];
+    struct shadow_line line;
+
+    if (caster->c < 0) {
+        bool all = blocks_all(source, caster);
+        darken(lit, all ? span->count : 0);
+        return all;
+    }
+    if (j == span->object || !shadow_line_prepare(&s->spans->primary, source, caster, span->x, span->y, &line))
+        return false;
+    line.count = span->count;
+    if (s->bounded && !span_error_shadow(source, caster, &s->error, &line))
+        give_up(s);
+    s->spans->kernels->shadow(&line, span->t, lit);
+    return true;
+}
+
+static NOINLINE void cast_shadows(struct shading *s, const struct light_source *source, struct lit *lit,
+                                  struct tint *tint)
 {
     const struct shaded_span *span = s->span;
     const struct tia_scene *scene = s->view->scene;
 
-    for (uint32_t j = 0; j < scene->sphere_count; j++) {
+    for (uint32_t j = 0; j < scene->sphere_count && !s->given_up; j++) {
         const struct tia_rgb *through = &scene->materials[scene->spheres[j].material].transmission;
-        struct shadow_line line;
         num_u before[CHUNK];
 
-        if (j == span->object ||
-            !shadow_line_prepare(&s->spans->primary, source, &s->spans->spheres[j], span->x, span->y, &line))
-            continue;
-        line.count = span->count;
         for (int i = 0; !colour_is_black(through) && i < span->count; i++)
             before[i] = lit->facing[i];
-        s->spans->kernels->shadow(&line, span->t, lit);
-        if (!colour_is_black(through))
+        if (cast_shadow(s, source, j, lit) && !colour_is_black(through))
             tint_light(through, j, before, lit, span->count, tint);
     }
 }
 
-static void add_light(struct shading *s, const struct tia_light *light, const num_u *lambert, struct tint *tint)
+static NOINLINE void add_light(struct shading *s, const struct tia_light *light, const num_u *lambert,
+                               struct tint *tint)
 {
     const struct tia_rgb *colour = &s->material->colour, *emission = &light->emission;
     num_u product[3] = {num_colour_product(num_colour(colour->r), num_colour(emission->r)),
@@ -78,10 +131,31 @@ static void add_light(struct shading *s, const struct tia_light *light, const nu
 
     for (int c = 0; c < (s->grey ? 1 : 3); c++) {
         num_u tinted[CHUNK];
+        if (s->bounded)
+            s->doubt[c] += num_light_doubt(product[c], s->error.lambert, tint ? s->view->scene->sphere_count : 0);
         for (int i = 0; tint && i < s->span->count; i++)
             tinted[i] = num_colour_product(lambert[i], tint->left[c][i]);
         s->spans->kernels->add(s->sum[c], tint ? tinted : lambert, product[c], s->span->count);
     }
+}
+
+/* Bounds the errors of a light's line, if possible; otherwise all pixels are open. */
+static void bound_light(struct shading *s, const struct light_source *source, struct light_line *line)
+{
+    span_error_of(&s->spans->primary, source, line, s->ends, num_bound(30), &s->error);
+    line->facing_doubt = span_error_facing(source, line, &s->error);
+    s->bounded = s->error.t < 0;
+    if (!s->bounded)
+        give_up(s);
+}
+
+/* Bounds the cosine's error, if possible; otherwise all pixels are open. */
+static void bound_lambert(struct shading *s, const struct light_source *source, int most_half)
+{
+    span_error_lambert(source, num_least_normal(most_half), &s->error);
+    s->bounded = s->bounded && s->error.lambert <= SPAN_LAMBERT_MOST;
+    if (!s->bounded)
+        give_up(s);
 }
 
 /* Adds the light that arrives from one light, tinted by half-transparent spheres unless `tint` is NULL. */
@@ -89,24 +163,35 @@ static void shade_from_light(struct shading *s, uint32_t l, struct tint *tint)
 {
     const struct shaded_span *span = s->span;
     const struct tia_view *view = s->view;
-    struct light_source source = {.sphere = &s->spans->spheres[span->object],
-                                  .light = num_vec_between(view->scene->camera.eye, view->lights[l].centre)};
+    struct light_source source;
     struct light_line line;
     struct lit lit;
-    num_u *lambert = lit.facing; /* shares memory with `facing`, as the stack may be small */
+    num_u *lambert = lit.facing; /* in the same memory, as stack is scarce */
 
+    source.sphere = &s->spans->spheres[span->object];
+    source.light = num_vec_between(view->scene->camera.eye, view->lights[l].centre);
     light_line_prepare(&s->spans->primary, &source, span->x, span->y, &line);
     line.count = span->count;
-    if (!s->spans->kernels->light(&line, span->t, &lit))
+    s->bounded = false;
+    if (NUM_CERTIFIED)
+        bound_light(s, &source, &line);
+    if (s->given_up)
         return;
+    bool any = s->spans->kernels->light(&line, span->t, &lit);
+    s->open |= lit.open;
+    if (!any)
+        return;
+    if (NUM_CERTIFIED)
+        bound_lambert(s, &source, lit.most_half);
     cast_shadows(s, &source, &lit, tint);
+    s->open |= lit.open;
     if (span->path_hash && l < 16)
         note_reached(&lit, tint, l, span->count, span->path_hash);
     s->spans->kernels->lambert(&lit, source.sphere->inverse, span->count, lambert);
     add_light(s, &view->lights[l], lambert, tint);
 }
 
-static void shade_from_tinted_light(struct shading *s, uint32_t l)
+static NOINLINE void shade_from_tinted_light(struct shading *s, uint32_t l)
 {
     struct tint tint;
 
@@ -124,8 +209,72 @@ void span_put_colours(const num_u *const rgb[3], int step, int count, uint16_t *
             *colours++ = (uint16_t)num_quantise(rgb[c][i * step], 65535, NUM_ROUND);
 }
 
-void shade_span(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[8],
-                tia_rgb565 *pixels)
+/* Decides the pixels of a set whose channels are near a level, one by one: a channel is at least the emission, which is
+ * exact, and often is exactly a level. Returns those that remain. */
+static uint64_t decide_levels(const struct shading *s, uint64_t near, const num_u threshold[8], tia_rgb565 *pixels)
+{
+    const struct tia_rgb *emission = &s->material->emission;
+    const num_u least[3] = {num_colour(emission->r), num_colour(emission->g), num_colour(emission->b)};
+
+    for (int i = 0; near >> i; i++) {
+        num_u low[3], high[3], half = threshold[(s->span->x + i) & 7];
+        for (int c = 0; (near >> i & 1) && c < 3; c++) {
+            num_u sum = s->sum[s->grey ? 0 : c][i], doubt = s->doubt[s->grey ? 0 : c];
+            low[c] = sum > least[c] + doubt ? sum - doubt : least[c];
+            high[c] = num_clamp(sum + doubt);
+        }
+        if ((near >> i & 1) && span_pixel(low, half) == span_pixel(high, half)) {
+            pixels[i] = span_pixel(low, half);
+            near &= ~(UINT64_C(1) << i);
+        }
+        if (i == 63)
+            break;
+    }
+    return near;
+}
+
+/* Gives the depths of the first and the last pixel. True if D = b^2 - c v.v, which is convex unless c > L.x^2, falls at
+ * the first and rises at the last. */
+static bool find_ends(const struct shading *s, struct span_depth ends[2])
+{
+    const struct shaded_span *span = s->span;
+    const struct primary_rays *primary = &s->spans->primary;
+    const struct span_sphere *sphere = &s->spans->spheres[span->object];
+    num_wide y = primary_y(primary, span->y), z = primary->depth, row = y * y + z * z;
+    num_wide base = sphere->centre.y * y - sphere->centre.z * z;
+    bool inside = sphere->c < 0; /* then the bounds are for all of the image */
+    bool convex = sphere->c > 0 && sphere->c <= sphere->centre.x * sphere->centre.x, rises[2] = {true, false};
+
+    for (int i = 0; i < 2; i++) {
+        int at = i ? span->count - 1 : 0;
+        num_wide x = num_pixel_coordinate(2 * (span->x + at) + 1 - primary->width, primary->exponent);
+        num_wide b = num_max(sphere->centre.x * x + base, 0), square = inside ? z * z : x * x + row;
+        if (convex)
+            rises[i] = num_product_above(sphere->centre.x, b, sphere->c, x);
+        ends[i] =
+            span_depth_of(sphere, inside ? 0 : num_top_u(span_shift(b, sphere->b_shift) + NUM_HALF),
+                          num_top_u(num_up(square, primary->square_shift) + (inside ? 0 : NUM_HALF)), span->t[at]);
+    }
+    return !rises[0] && rises[1];
+}
+
+/* Sets the sums to the emission, in eights of pixels, as pack() reads them. */
+static void begin_sums(struct shading *s)
+{
+    const struct tia_rgb *emission = &s->material->emission;
+    const num_u colour[3] = {num_colour(emission->r), num_colour(emission->g), num_colour(emission->b)};
+
+    int count = (s->span->count + 7) & ~7;
+
+    for (int c = 0; c < (s->grey ? 1 : 3); c++)
+        for (int i = 0; i < count; i += 4)
+            s->sum[c][i] = s->sum[c][i + 1] = s->sum[c][i + 2] = s->sum[c][i + 3] = colour[c];
+}
+
+/* Shades a span, and returns the set of its pixels that are in doubt. Shortens it where D would be least in its
+ * middle. */
+static NOINLINE uint64_t shade(const struct tia_view *view, struct shaded_span *span, const num_u threshold[8],
+                               tia_rgb565 *pixels)
 {
     const struct tia_scene *scene = view->scene;
     struct shading s; /* not zeroed, since the sums are large */
@@ -135,13 +284,14 @@ void shade_span(const struct tia_view *view, const struct shaded_span *span, con
     s.spans = view->prepared;
     s.material = &scene->materials[scene->spheres[span->object].material];
     s.grey = s.spans->grey && colour_is_grey(&s.material->colour) && colour_is_grey(&s.material->emission);
-    for (int i = 0; i < span->count; i++) {
-        s.sum[0][i] = num_colour(s.material->emission.r);
-        s.sum[1][i] = num_colour(s.material->emission.g);
-        s.sum[2][i] = num_colour(s.material->emission.b);
-    }
-    for (uint32_t l = 0; l < view->light_count; l++) {
-        if ((l & 63) == 63 && view_stops(view)) /* a row with many lights may take a while */
+    s.open = 0;
+    s.given_up = false;
+    s.doubt[0] = s.doubt[1] = s.doubt[2] = 0;
+    while (NUM_CERTIFIED && find_ends(&s, s.ends))
+        span->count = (span->count + 1) / 2;
+    begin_sums(&s);
+    for (uint32_t l = 0; l < view->light_count && !s.given_up; l++) {
+        if ((l & 63) == 63 && view_stops(view)) /* many lights in one row may take long */
             break;
         if (s.spans->tinted)
             shade_from_tinted_light(&s, l);
@@ -149,6 +299,55 @@ void shade_span(const struct tia_view *view, const struct shaded_span *span, con
             shade_from_light(&s, l, NULL);
     }
     const num_u *const rgb[3] = {s.sum[0], s.sum[s.grey ? 0 : 1], s.sum[s.grey ? 0 : 2]};
-    s.spans->kernels->pack(rgb[0], rgb[1], rgb[2], threshold, span->x, span->count, pixels);
+    num_u doubt[3] = {s.doubt[0], s.doubt[s.grey ? 0 : 1], s.doubt[s.grey ? 0 : 2]};
+    for (int c = 0; NUM_CERTIFIED && c < 3; c++)
+        if (doubt[c] > NUM_DOUBT_MOST) {
+            give_up(&s);
+            doubt[c] = 0;
+        }
+    uint64_t near = s.spans->kernels->pack(rgb, doubt, threshold, span->x, span->count, pixels) & ~s.open;
+    if (NUM_CERTIFIED && near)
+        s.open |= decide_levels(&s, near, threshold, pixels);
     span_put_colours(rgb, 1, span->count, span->colours);
+    return s.open;
+}
+
+/* Decides one pixel, which is in doubt as a part of a longer span. */
+static void settle(const struct tia_view *view, const struct shaded_span *span, int i, const num_u threshold[8],
+                   tia_rgb565 *pixel)
+{
+    struct shaded_span one = {span->object,
+                              span->x + i,
+                              span->y,
+                              1,
+                              span->t + i,
+                              span->path_hash ? span->path_hash + i : NULL,
+                              span->colours ? span->colours + 3 * i : NULL};
+
+    if (one.path_hash)
+        *one.path_hash = 0;
+    if (span->count > 1 && !shade(view, &one, threshold, pixel))
+        return;
+    struct exact_picture picture = span_picture_of(view);
+    if (one.path_hash || one.colours)
+        tia_exact_trace(&picture, one.x, one.y, one.object, one.colours, one.path_hash);
+    *pixel = tia_exact_shade(&picture, one.x, one.y, one.object, (tia_q30)threshold[one.x & 7], NULL);
+}
+
+void shade_span(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[8],
+                tia_rgb565 *pixels)
+{
+    struct shaded_span part = *span;
+
+    for (int first = 0; first < span->count; first += part.count) {
+        part.x = span->x + first;
+        part.t = span->t + first;
+        part.path_hash = span->path_hash ? span->path_hash + first : NULL;
+        part.colours = span->colours ? span->colours + 3 * first : NULL;
+        part.count = span->count - first;
+        uint64_t open = shade(view, &part, threshold, pixels + first);
+        for (int i = 0; NUM_CERTIFIED && open && i < part.count; i++)
+            if (open >> i & 1)
+                settle(view, &part, i, threshold, pixels + first + i);
+    }
 }

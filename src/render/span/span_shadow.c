@@ -27,7 +27,7 @@ static int prepare_product(const struct primary_rays *primary, const struct ligh
                            const struct span_sphere *caster, int x, int y, struct shadow_line *line)
 {
     struct num_vec sum = num_vec_add(caster->centre, source->light);
-    num_wide toward = num_dot(caster->centre, source->light);
+    num_wide toward = span_dot(&caster->centre, &source->light);
     int e = limit_product(limit(source->reach_exponent, num_bits(toward)), primary, source->sphere, sum);
 
     e = e < 57 ? e : 57;
@@ -35,27 +35,28 @@ static int prepare_product(const struct primary_rays *primary, const struct ligh
 
     line->a = form.start;
     line->a_step = form.step;
-    line->toward = num_shift(toward, e - 32);
+    line->toward = span_shift(toward, e - 32);
     line->a_down = num_count(source->reach_exponent - e);
     return e;
 }
 
 /* Prepares (|A'|^2 - R^2) / (1 + bias/r) = |A|^2 - R^2 - (|L - C|^2 - r^2 - R^2 - bias r) bias/(r + bias); each term
- * stays below 2^60, twice t C.v below 2^61. Returns e_k. */
+ * stays below 2^60, twice t C.v below 2^61. From inside the bias is negative. Returns e_k. */
 static int prepare_power(const struct primary_rays *primary, const struct light_source *source,
                          const struct span_sphere *caster, int x, int y, struct shadow_line *line)
 {
     const struct span_sphere *sphere = source->sphere;
-    num_wide r = sphere->radius, biased = r + NUM_BIAS;
-    num_wide apart = num_square30(num_vec_sub(sphere->centre, caster->centre)) -
-                     num_shift(r * biased + caster->radius * caster->radius, -2);
+    num_wide r = sphere->radius, biased = sphere->c < 0 ? r - NUM_BIAS : r + NUM_BIAS;
+    struct num_vec between = num_vec_sub(sphere->centre, caster->centre);
+    num_wide apart = span_square30(&between) - span_shift(r * biased + caster->radius * caster->radius, -2);
     int e = limit(limit(source->reach_exponent, num_bits(caster->c)), num_bits(apart) + 2);
 
     e = limit_product(e, primary, sphere, caster->centre);
     struct row_form form = product_form(primary, sphere, caster->centre, x, y, e);
     line->c = form.start;
     line->c_step = form.step;
-    line->power = num_shift(caster->c, e - 32) - num_bias_of(apart, num_inverse(biased), num_bits(biased), e);
+    num_wide bias = num_bias_of(apart, num_inverse(biased), num_bits(biased), e);
+    line->power = span_shift(caster->c, e - 32) + (sphere->c < 0 ? bias : -bias);
     line->power_down = num_count(source->reach_exponent - e);
     return e;
 }
@@ -67,7 +68,7 @@ static num_wide sum_of_sizes(struct num_vec a)
 
 static struct num_vec quarter(struct num_vec a)
 {
-    struct num_vec q = {num_shift(a.x, -2), num_shift(a.y, -2), num_shift(a.z, -2)};
+    struct num_vec q = {span_shift(a.x, -2), span_shift(a.y, -2), span_shift(a.z, -2)};
     return q;
 }
 
@@ -81,9 +82,9 @@ static bool is_behind(const struct light_source *source, const struct span_spher
 {
     struct num_vec d = quarter(num_vec_sub(caster->centre, source->sphere->centre));
     struct num_vec g = quarter(num_vec_sub(source->light, source->sphere->centre));
-    num_wide r = num_shift(source->sphere->radius, -2) + 1;
+    num_wide r = span_shift(source->sphere->radius, -2) + 1;
 
-    return num_dot(d, g) + r * (sum_of_sizes(num_vec_add(d, g)) + r) + sum_of_sizes(d) + sum_of_sizes(g) <= 0;
+    return span_dot(&d, &g) + r * (sum_of_sizes(num_vec_add(d, g)) + r) + sum_of_sizes(d) + sum_of_sizes(g) <= 0;
 }
 
 bool shadow_line_prepare(const struct primary_rays *primary, const struct light_source *source,
@@ -92,7 +93,7 @@ bool shadow_line_prepare(const struct primary_rays *primary, const struct light_
     if (is_behind(source, caster))
         return false;
     const struct span_sphere *sphere = source->sphere;
-    num_wide from_light = num_square30(num_vec_sub(caster->centre, source->light));
+    struct num_vec from_light = num_vec_sub(caster->centre, source->light);
     int e_a = prepare_product(primary, source, caster, x, y, line);
     int e_k = prepare_power(primary, source, caster, x, y, line);
 
@@ -101,8 +102,11 @@ bool shadow_line_prepare(const struct primary_rays *primary, const struct light_
     line->bias_shift = 43 + (source->exponent >> 1) - e_a;
     line->square_down = e_a < source->exponent ? num_count(source->exponent - e_a) : 0;
     line->product_down = e_a < source->exponent ? 0 : num_count(e_a - source->exponent);
-    line->swell = num_bias(sphere->inverse, sphere->radius_bits);
+    line->swell = num_swell(sphere->inverse, sphere->radius_bits, sphere->c < 0);
     line->exponent = 2 * e_a - source->exponent - e_k;
-    line->enclosed = from_light <= num_shift(caster->radius * caster->radius, -2);
+    line->enclosed = num_is_within(from_light.x, from_light.y, from_light.z, caster->radius);
+    line->a_doubt = line->k_doubt = line->beyond_doubt = 0;
+    line->a_clear = line->k_clear = 0;
+    line->margin = 0;
     return true;
 }

@@ -1,5 +1,7 @@
 #include "span_sphere.h"
 
+#include <stddef.h>
+
 /* Prepares the exponents of the discriminant b^2 - c v.v. The accumulator of b is L.v * 2^b_shift, below 2^63. The
  * mantissa of b is its upper half, with the exponent e_b = 16 + f + b_shift - 32; that of v.v has e_v = 2f +
  * square_shift - 32. Both products need the same exponent, so c has the exponent 2 e_b - e_v = 2 b_shift -
@@ -24,17 +26,46 @@ static void prepare_distance(const struct primary_rays *primary, struct span_sph
     int v_exponent = primary->square_shift + 2 * primary->exponent - 32;
     int depth_bits = num_bits(primary->depth * primary->depth) - 1 - 2 * primary->exponent;
 
-    if (sphere->c < 0) {
-        int reach_bits = num_bits(sphere->radius * sphere->radius) + 2 - 32;
-        sphere->t_exponent = (61 - reach_bits + depth_bits) >> 1;
-        sphere->t_shift = b_exponent - v_exponent + 63 - sphere->t_exponent;
-    } else {
-        int c_bits = num_bits(sphere->c);
-        c_bits += num_bits(num_shift(sphere->c, 32 - c_bits)) > 32; /* all ones: rounded up to 2^32 */
-        sphere->c_top = num_scale(sphere->c, 32 - c_bits);
-        sphere->t_exponent = (61 - (c_bits - 32) + depth_bits) >> 1;
-        sphere->t_shift = 64 - c_bits - b_exponent + 63 - sphere->t_exponent;
-    }
+    int c_bits = num_bits(sphere->c);
+
+    c_bits += num_bits(span_shift(num_abs(sphere->c), 32 - c_bits)) > 32; /* all ones: rounded up to 2^32 */
+    sphere->c_top = num_scale(num_abs(sphere->c), 32 - c_bits);
+    int reach_bits = sphere->c < 0 ? num_bits(sphere->radius * sphere->radius) + 2 : c_bits;
+    sphere->t_exponent = (61 - (reach_bits - 32) + depth_bits) >> 1;
+    int by_c = 64 - c_bits - b_exponent + 63 - sphere->t_exponent;
+    int by_square = b_exponent - v_exponent + 63 - sphere->t_exponent;
+    sphere->t_shift = sphere->c < 0 ? by_square : by_c;
+    sphere->behind_shift = by_c;
+}
+
+/* Prepares the doubts. K is off by .51 of its last bit, so b by that of L.z, v.v by 1.02 K, and D = b^2 - c v.v by less
+ * than 1.1 (|b L.z| + |c| K), |b| being below its reach.
+ *
+ * In b's last bits D is off by 1.3 2^32 by rounding (COHERENCE_ROOT), and by K, of which 2^-bits of K is the relative
+ * error: where D is small, b^2 is c v.v, and L without its part along v is at most r long, so that D is off by
+ * 2.04 2^-bits (b K r + D). So S is off by at most the root of that sum, and t by as much of itself as S.
+ *
+ * Where S is at least 2^24, that is 2^16.2 and 2 by rounding, and by K the root of 1.02 b r, b at most S and r below
+ * 2^6 of b's last bits: together less than 2^-7.2 of S. As S is at least 2^(94 - t_shift)/t, so much is t off up to
+ * 2^(70 - t_shift). */
+static void prepare_doubts(const struct primary_rays *primary, struct span_sphere *sphere)
+{
+    num_wide b_reach = primary_reach(primary, sphere->centre), depth = primary->depth;
+    bool accurate = sphere->c >= 0 && num_bits(sphere->radius) + sphere->b_shift - 32 <= 6;
+    sphere->depth_bits = primary->exact ? 62 : num_bits(depth);
+    sphere->turn = num_bits(depth * sphere->radius) + sphere->b_shift - 32 - sphere->depth_bits;
+    int root = (35 + num_larger(sphere->turn, 0)) >> 1, shift = 61 - root - sphere->t_shift;
+    int square_bits = num_bits(depth * depth) + primary->square_shift - 32;
+    int inside = root + 64 - sphere->t_shift - square_bits;
+
+    sphere->cone_doubt =
+        primary->exact ? -1 : num_high(b_reach, num_abs(sphere->centre.z)) + num_high(num_abs(sphere->c), depth) + 3;
+    sphere->doubt_shift = sphere->c < 0 || shift < 0 ? 31 : num_limited(shift, 0, 31);
+    sphere->accurate = (num_u)num_bound(accurate ? num_limited(70 - sphere->t_shift, 0, 31) : 0);
+    if (sphere->c < 0 ? inside > 30 : shift < 0)
+        sphere->doubt = (num_u)num_bound(29) * 3;
+    else
+        sphere->doubt = (num_u)num_bound(sphere->c < 0 ? inside : 0);
 }
 
 /* Returns the rows that may show the sphere. They are treated as a line of pixels, one pixel for each row, with X =
@@ -47,7 +78,11 @@ static struct span rows_that_see(const struct primary_rays *primary, const struc
                          primary->depth * primary->depth,
                          sphere->c - sphere->centre.x * sphere->centre.x,
                          primary->exponent,
-                         primary->height};
+                         primary->height,
+                         sphere->cone_doubt,
+                         NULL,
+                         0,
+                         0};
 
     /* along row y the largest (L.v)^2 / v.v is L.x^2 + (L.y Y - L.z depth)^2 / (Y^2 + depth^2): the square of L's
      * projection on the plane of the row */
@@ -61,7 +96,7 @@ void span_sphere_prepare(const struct primary_rays *primary, struct span_sphere 
 
     sphere->centre = centre;
     sphere->radius = num_coordinate(radius);
-    sphere->c = num_dot(sphere->centre, sphere->centre) - sphere->radius * sphere->radius;
+    sphere->c = span_dot(&sphere->centre, &sphere->centre) - sphere->radius * sphere->radius;
     sphere->rows = none;
     sphere->wide = false;
     if (radius == 0)
@@ -70,11 +105,12 @@ void span_sphere_prepare(const struct primary_rays *primary, struct span_sphere 
     sphere->inverse = num_inverse(sphere->radius);
     prepare_discriminant(primary, sphere);
     prepare_distance(primary, sphere);
+    prepare_doubts(primary, sphere);
     sphere->rows = rows_that_see(primary, sphere);
 }
 
-struct span span_sphere_row(const struct primary_rays *primary, const struct span_sphere *sphere, int y,
-                            struct span guess)
+struct span span_sphere_row(const struct exact_picture *picture, const struct primary_rays *primary,
+                            const struct span_sphere *sphere, uint32_t object, int y, struct span guess)
 {
     num_wide row = primary_y(primary, y);
     struct cone_row s = {sphere->centre.x,
@@ -82,7 +118,11 @@ struct span span_sphere_row(const struct primary_rays *primary, const struct spa
                          row * row + primary->depth * primary->depth,
                          sphere->c,
                          primary->exponent,
-                         primary->width};
+                         primary->width,
+                         sphere->cone_doubt,
+                         picture,
+                         object,
+                         y};
 
     return cone_row_span(&s, guess);
 }
@@ -98,4 +138,5 @@ void span_sphere_line(const struct primary_rays *primary, const struct span_sphe
     line->c_disc = sphere->c_disc;
     line->c_top = sphere->c_top;
     line->t_shift = sphere->t_shift;
+    line->behind_shift = sphere->behind_shift;
 }

@@ -4,8 +4,8 @@
  *
  *     t = (b -+ sqrt(b^2 - c v.v)) / v.v.
  *
- * Seen from outside the nearer root is c / (b + sqrt(b^2 - c v.v)), where nothing cancels; from
- * inside it is the farther one, (b + sqrt(b^2 - c v.v)) / v.v.
+ * Seen from outside the nearer root is c / (b + sqrt(b^2 - c v.v)), where nothing cancels; from inside it is the
+ * farther one, (b + sqrt(b^2 - c v.v)) / v.v, or |c| / (|b| + sqrt(b^2 - c v.v)) where b < 0.
  */
 #ifndef TIA_RENDER_SPAN_SPAN_SPHERE_H
 #define TIA_RENDER_SPAN_SPAN_SPHERE_H
@@ -13,6 +13,7 @@
 #include "cone_row.h"
 #include "kernels.h"
 #include "primary.h"
+#include "span_shift.h"
 
 /* A sphere of the scene, or of a visible light. */
 struct span_sphere {
@@ -26,18 +27,34 @@ struct span_sphere {
     int b_shift;         /* L.v * 2^b_shift fills an accumulator */
     num_u c_disc, c_top; /* c for the discriminant and for the quotient */
     int t_shift;         /* num_quotient's shift */
+    int behind_shift;    /* from inside, where b < 0 */
     int t_exponent;      /* exponent of t */
-    struct span rows;    /* rows that may show the sphere; empty: no pixel does */
-    bool wide;           /* hits do not store its distances, see coherence.h */
+    num_wide cone_doubt; /* of b^2 - c v.v, for num_cone() */
+    int depth_bits;      /* K is off by less than 2^-depth_bits of itself */
+    int turn;            /* K r in last bits of b is below 2^(turn + depth_bits) */
+    int doubt_shift;     /* of t, for num_distance_doubt() */
+    num_u doubt;
+    num_u accurate;   /* t from SPAN_SHORT to here is accurate to 2^-7.2 */
+    struct span rows; /* rows that may show the sphere; empty: no pixel does */
+    bool wide;        /* hits do not store its distances, see coherence.h */
 };
+
+#define SPAN_SHORT 1024
+
+/* True if the distance t is accurate to 2^-7. */
+static inline bool span_is_accurate(const struct span_sphere *sphere, num_u t)
+{
+    return t >= SPAN_SHORT && t <= sphere->accurate;
+}
 
 /* Prepares a sphere; one of radius 0 has no pixels. */
 void span_sphere_prepare(const struct primary_rays *primary, struct span_sphere *sphere, struct num_vec centre,
                          tia_q16 radius);
 
-/* Returns the pixels of row y that show the sphere; `guess` affects only the speed. */
-struct span span_sphere_row(const struct primary_rays *primary, const struct span_sphere *sphere, int y,
-                            struct span guess);
+/* Returns the pixels of row y that show ball `object` of the picture, which is `sphere`; `guess` affects only the
+ * speed. */
+struct span span_sphere_row(const struct exact_picture *picture, const struct primary_rays *primary,
+                            const struct span_sphere *sphere, uint32_t object, int y, struct span guess);
 
 /* Gives all of `line` except count, for the pixels from (x, y) on. */
 void span_sphere_line(const struct primary_rays *primary, const struct span_sphere *sphere, int y, int x,

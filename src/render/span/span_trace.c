@@ -2,17 +2,37 @@
  * found exactly. Where spans overlap, the nearer sphere is visible; in a tie, the one with the lower index. */
 #include "span.h"
 
-static void clear(struct tia_hits *hits, struct tia_tile tile)
+int span_same(const uint32_t *object, int count)
 {
-    for (unsigned y = tile.y; y < (unsigned)tile.y + tile.height; y++) {
-        uint32_t *object = hits->object + hits_index(hits, tile.x, y);
-        for (unsigned i = 0; i < tile.width; i++)
-            object[i] = TIA_NO_OBJECT;
-    }
+    uint32_t seen = object[0];
+    int end = 1;
+
+    while (end + 8 <= count && object[end] == seen && object[end + 1] == seen && object[end + 2] == seen &&
+           object[end + 3] == seen && object[end + 4] == seen && object[end + 5] == seen && object[end + 6] == seen &&
+           object[end + 7] == seen)
+        end += 8;
+    while (end < count && object[end] == seen)
+        end++;
+    return end;
 }
 
-#define WORTH 16   /* least number of pixels for which all_nearer pays */
-#define T_SHIFT 39 /* largest t_shift for which S = b + sqrt(D), see span_sphere.c, is certainly above 2^24 */
+static void fill(uint32_t *object, int count, uint32_t n)
+{
+    int i = 0;
+
+    for (; i + 4 <= count; i += 4)
+        object[i] = object[i + 1] = object[i + 2] = object[i + 3] = n;
+    for (; i < count; i++)
+        object[i] = n;
+}
+
+static void clear(struct tia_hits *hits, struct tia_tile tile)
+{
+    for (unsigned y = tile.y; y < (unsigned)tile.y + tile.height; y++)
+        fill(hits->object + hits_index(hits, tile.x, y), (int)tile.width, TIA_NO_OBJECT);
+}
+
+#define WORTH 16 /* least number of pixels for which all_nearer pays */
 
 static num_u apart(num_u a, num_u b)
 {
@@ -25,9 +45,9 @@ static num_u apart(num_u a, num_u b)
  * end, and S = c/t is concave. If three samples of t differ by up to 1/8, S between them is at most 1.17 times the
  * middle sample's, as a concave function stays below the extended line through two of its points.
  *
- * The computed S is above 2^24 and off by at most 2^16.2 + 2, where 2^16.2 is the root of 1.3 2^32, the error of D (see
- * COHERENCE_ROOT in coherence_proved.h). So each t is accurate to 2^-7. All t of sphere `other` are above .84 of its
- * middle sample, and all t of sphere `n` below 1.02 of the larger of its two ends. */
+ * The error of t, as a part of it, grows with t: with 2^-7.2 at the samples it is at most 2^-7 everywhere. All t of
+ * sphere `other` are above .84 of its middle sample, and all t of sphere `n` below 1.02 of the larger of its two ends.
+ */
 static bool all_nearer(const struct span_view *spans, uint32_t n, uint32_t other, int y, struct span span,
                        const num_u *t)
 {
@@ -35,63 +55,63 @@ static bool all_nearer(const struct span_view *spans, uint32_t n, uint32_t other
     num_u most = t[0] < t[count - 1] ? t[count - 1] : t[0], behind[3];
     const int at[3] = {span.first, span.first + (count - 1) / 2, span.end - 1};
 
-    if (count < WORTH || spans->spheres[n].t_shift > T_SHIFT || spans->spheres[other].t_shift > T_SHIFT ||
-        !(spans->spheres[n].c > 0))
+    if (count < WORTH || !(spans->spheres[n].c > 0) || !span_is_accurate(&spans->spheres[n], most))
         return false;
     for (int i = 0; i < 3; i++)
         span_distances(spans, other, y, at[i], 1, &behind[i]);
-    return apart(behind[0], behind[1]) <= behind[0] / 8 && apart(behind[2], behind[1]) <= behind[2] / 8 &&
+    return span_is_accurate(&spans->spheres[other], behind[0]) && span_is_accurate(&spans->spheres[other], behind[1]) &&
+           span_is_accurate(&spans->spheres[other], behind[2]) && apart(behind[0], behind[1]) <= behind[0] / 8 &&
+           apart(behind[2], behind[1]) <= behind[2] / 8 &&
            num_nearer(most, spans->spheres[n].t_exponent, behind[1] - behind[1] / 4, spans->spheres[other].t_exponent);
 }
 
 /* Traces sphere `n` in up to CHUNK pixels, all of which show the same object so far, or none. */
-static void trace_chunk(const struct span_view *spans, uint32_t n, int y, struct span span, num_u *distance,
+static void trace_chunk(const struct tia_view *view, uint32_t n, int y, struct span span, num_u *distance,
                         uint32_t *object)
 {
+    const struct span_view *spans = view->prepared;
     int count = span.end - span.first;
     num_u t[CHUNK];
 
     if (object[0] == TIA_NO_OBJECT) {
-        for (int i = 0; i < count; i++)
-            object[i] = n;
+        fill(object, count, n);
         if (!spans->spheres[n].wide)
             span_distances(spans, n, y, span.first, count, distance);
         return;
     }
     span_distances(spans, n, y, span.first, count, t);
     if (spans->spheres[object[0]].wide && all_nearer(spans, n, object[0], y, span, t)) {
-        for (int i = 0; i < count; i++) {
+        fill(object, count, n);
+        for (int i = 0; i < count; i++)
             distance[i] = t[i];
-            object[i] = n;
-        }
         return;
     }
     if (spans->spheres[object[0]].wide)
         span_distances(spans, object[0], y, span.first, count, distance);
-    span_keep_nearer(spans, n, t, count, distance, object);
+    span_keep_nearer(view, n, y, span.first, t, count, distance, object);
 }
 
-static void trace_span(const struct span_view *spans, struct tia_hits *hits, uint32_t n, int y, struct span span)
+static void trace_span(const struct tia_view *view, struct tia_hits *hits, uint32_t n, int y, struct span span)
 {
     for (struct span part = span; part.first < span.end; part.first = part.end) {
         size_t at = hits_index(hits, (unsigned)part.first, (unsigned)y);
         uint32_t *object = hits->object + at;
-        int limit = span.end - part.first < CHUNK ? span.end - part.first : CHUNK, count = 1;
-        while (count < limit && object[count] == object[0])
-            count++;
-        part.end = part.first + count;
-        trace_chunk(spans, n, y, part, span_distances_of(hits) + at, object);
+        int limit = span.end - part.first < CHUNK ? span.end - part.first : CHUNK;
+        part.end = part.first + span_same(object, limit);
+        trace_chunk(view, n, y, part, span_distances_of(hits) + at, object);
     }
 }
 
-static void trace_sphere(const struct span_view *spans, struct tia_hits *hits, uint32_t n, struct tia_tile tile)
+static void trace_sphere(const struct tia_view *view, struct tia_hits *hits, uint32_t n, struct tia_tile tile)
 {
+    const struct span_view *spans = view->prepared;
+    struct exact_picture picture = span_picture_of(view);
     const struct span_sphere *sphere = &spans->spheres[n];
     struct span rows = span_within(sphere->rows, (int)tile.y, tile_bottom(tile)), span = {0, 0};
 
     for (int y = rows.first; y < rows.end; y++) {
-        span = span_sphere_row(&spans->primary, sphere, y, span);
-        trace_span(spans, hits, n, y, span_within(span, (int)tile.x, tile_right(tile)));
+        span = span_sphere_row(&picture, &spans->primary, sphere, n, y, span);
+        trace_span(view, hits, n, y, span_within(span, (int)tile.x, tile_right(tile)));
     }
 }
 
@@ -99,5 +119,5 @@ void span_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_t
 {
     clear(hits, tile);
     for (uint32_t n = 0; n < view->scene->sphere_count && !view_stops(view); n++)
-        trace_sphere(view->prepared, hits, n, tile);
+        trace_sphere(view, hits, n, tile);
 }

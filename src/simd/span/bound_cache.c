@@ -58,49 +58,47 @@ static void take_limits(const double limit[], struct simd_place *place, struct s
 /* Bounds one light; `limit` points to the sizes of its forms. Returns a pointer to the sizes of the next light's forms,
  * or NULL if the bounds are too large. */
 static const double *light_bounds(struct simd_fine *fine, struct simd_fine_light *light, const struct simd_place *place,
-                                  double unit, const double *limit)
+                                  const double *limit)
 {
-    const struct primary_rays *primary = &span_view_of(fine->view)->primary;
     const struct simd_lamp *lamp = light->lamp;
 
-    tia_simd_bound_light(primary, lamp, place, &fine->depth, unit, limit[0], limit[1], &light->bounds);
+    tia_simd_bound_light(lamp, place, &fine->depth, SIMD_FLOAT, limit[0], limit[1], &light->bounds);
     if (!(light->bounds.lambert < BOUND(SPAN_COSINE_KNOWN)))
         return NULL;
     limit += 2;
     for (int j = 0; j < lamp->casts; j++, limit += 2) {
         struct simd_fine_cast *cast = &light->cast[j];
-        tia_simd_bound_cast(primary, lamp, &lamp->cast[j], place, &fine->depth, &light->bounds, unit, limit[0],
-                            limit[1], &cast->bounds);
+        tia_simd_bound_cast(lamp, &lamp->cast[j], place, &fine->depth, &light->bounds, SIMD_FLOAT, limit[0], limit[1],
+                            &cast->bounds);
     }
     return limit;
 }
 
-static bool derive(struct simd_fine *fine, double unit, double cut, const double *limit)
+static bool derive(struct simd_fine *fine, const double *limit)
 {
-    const struct primary_rays *primary = &span_view_of(fine->view)->primary;
-    double off[3] = {0, 0, 0}, step = BOUND(SPAN_COLOUR) * unit + BOUND(SPAN_COLOUR_UNITS);
+    double off[3] = {0, 0, 0}, step = BOUND(SPAN_COLOUR) * SIMD_FLOAT;
     struct simd_place place = fine->place;
     struct simd_seen seen = fine->seen;
 
     take_limits(limit, &place, &seen);
-    tia_simd_depth(primary, fine->row, &place, simd_sphere_of(fine), &seen, unit, cut, &fine->depth);
+    tia_simd_depth(fine->row, &place, simd_sphere_of(fine), &seen, SIMD_FLOAT, SIMD_FLOAT_CUT, &fine->depth);
     if (!(seen.b_least > 0 && fine->depth.es + fine->depth.et < BOUND(SPAN_KNOWN)))
         return false;
     limit += FORMS;
     for (uint32_t l = 0; l < fine->view->light_count; l++) {
         struct simd_fine_light *light = &fine->light[l];
-        limit = light_bounds(fine, light, &place, unit, limit);
+        limit = light_bounds(fine, light, &place, limit);
         if (!limit)
             return false;
         for (int c = 0; c < 3; c++)
-            off[c] +=
-                BOUND_OF(SPAN_COLOURS, light->lamp->colour[c] * (light->bounds.lambert + BOUND(SPAN_LINE) * unit) +
-                                           step * (1 + light->lamp->casts));
+            off[c] += BOUND_OF(SPAN_COLOURS,
+                               light->lamp->colour[c] * (light->bounds.lambert + BOUND(SPAN_LINE) * SIMD_FLOAT) +
+                                   step * (1 + light->lamp->casts));
     }
     double side = off[0] > off[2] ? off[0] : off[2], green = fine->grey ? off[0] : off[1];
 
-    fine->near31 = tia_simd_bound_level(31, side, unit);
-    fine->near63 = tia_simd_bound_level(63, green, unit);
+    fine->near31 = tia_simd_bound_level(31, side, SIMD_FLOAT);
+    fine->near63 = tia_simd_bound_level(63, green, SIMD_FLOAT);
     return fine->near31 > BOUND(SPAN_LEVEL_LEAST) && fine->near63 > BOUND(SPAN_LEVEL_LEAST);
 }
 
@@ -145,13 +143,13 @@ static void take_cached(const struct simd_bound_cache *cache, struct simd_fine *
 
 /* Gives the bounds for the widened limits or, if these bounds are too large, for the run's own limits. The latter are
  * not cached. */
-bool tia_simd_fine_bounds(struct simd_fine *fine, double unit, double cut, struct simd_bound_cache *cache)
+bool tia_simd_fine_bounds(struct simd_fine *fine, struct simd_bound_cache *cache)
 {
     double limit[FORMS_MOST];
     int limits = limits_of(fine, limit);
 
     if (!cache || limits > SIMD_LIMITS)
-        return derive(fine, unit, cut, limit);
+        return derive(fine, limit);
     if (suffices(cache, fine->sphere, limit, limits)) {
         take_cached(cache, fine);
         return true;
@@ -160,9 +158,9 @@ bool tia_simd_fine_bounds(struct simd_fine *fine, double unit, double cut, struc
     cache->limits = limits;
     for (int i = 0; i < limits; i++)
         cache->limit[i] = limit[i] > 0 ? limit[i] * WIDER : limit[i] / WIDER;
-    cache->known = derive(fine, unit, cut, cache->limit);
+    cache->known = derive(fine, cache->limit);
     if (!cache->known)
-        return derive(fine, unit, cut, limit);
+        return derive(fine, limit);
     keep(fine, cache);
     return true;
 }

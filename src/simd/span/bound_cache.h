@@ -19,23 +19,18 @@ struct simd_bound_cache {
     struct simd_cast_bounds cast[SIMD_LIMITS / 2];
 };
 
-/* Gives the bounds for an arithmetic with the rounding unit `unit`; false when they are too large. `cache` may be NULL.
- * A cache serves one arithmetic only, and gives the bounds of an earlier run if none of that run's limits is
- * smaller. */
-bool tia_simd_fine_bounds(struct simd_fine *fine, double unit, double cut, struct simd_bound_cache *cache);
+/* Gives the bounds for floats; false when they are too large. `cache` may be NULL. It gives the bounds of an earlier
+ * run if none of that run's widened limits is smaller. */
+bool tia_simd_fine_bounds(struct simd_fine *fine, struct simd_bound_cache *cache);
 
-/* Number of cache lines: one for each half of the picture, for four spheres. */
-#define SIMD_CACHE_LINES 8
+/* Number of caches: one for each half of the picture, for four spheres. */
+#define SIMD_CACHES 8
 
-struct simd_cache_line {
-    struct simd_bound_cache single, fine;
-};
-
-static inline struct simd_cache_line *simd_cache_line_of(struct simd_cache_line *lines, const struct simd_fine *fine)
+static inline struct simd_bound_cache *simd_cache_of(struct simd_bound_cache *caches, const struct simd_fine *fine)
 {
     unsigned right = fine->place.middle > fine->view->width / 2;
 
-    return &lines[(2 * fine->sphere + right) % SIMD_CACHE_LINES];
+    return &caches[(2 * fine->sphere + right) % SIMD_CACHES];
 }
 
 #endif

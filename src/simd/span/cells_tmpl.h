@@ -93,9 +93,11 @@ INLINE struct verdict judge_cell(const struct simd_cast *c, F x, const struct va
     return judge(c, &t, square, f_mul(near, unit), f_fma(aside, unit, f_set(c->ea)));
 }
 
-/* Per cell, sums over all lights: the interpolation errors in `lost`, and the ranges of the channels. */
+/* Per cell, sums over all lights: the interpolation errors in `lost`, and the ranges of the channels. `unlit`, for a
+ * run that is `tied`, has the cells that no light reaches. */
 struct gained {
     F lost, low[3], high[3];
+    M unlit;
 };
 
 /* Adds the range of light l, and stores the two lines between its samples s, m and e, which meet in the middle: m + u
@@ -120,6 +122,16 @@ INLINE void add_range(struct cells *cells, int l, int i, F middle, const F tint[
     }
 }
 
+/* Returns the cells where the light's colour is black. */
+INLINE M no_weight(const struct cells *cells, int l, int i, int channels)
+{
+    F most = f_load(cells->weight[l][0] + i);
+
+    for (int c = 1; c < channels; c++)
+        most = f_max(most, f_load(cells->weight[l][c] + i));
+    return f_ge(f_set(0), most);
+}
+
 /* Adds light l to the cells and to `gained`. Returns the cells that may be interpolated: the light is not too near, and
  * no shadow's edge crosses them. */
 INLINE M light_cells(const struct simd_run *r, int l, F x, const struct value *o, const struct motion *p,
@@ -135,11 +147,11 @@ INLINE M light_cells(const struct simd_run *r, int l, F x, const struct value *o
                                                   f_set(HALF_CELL * HALF_CELL / 8 * (float)BOUND(SPAN_CELL_OFF))));
     F tint[3] = {f_set(1), f_set(1), f_set(1)};
     M good = f_gt(d, f_mul(f_set((float)BOUND(SPAN_CELL_NEAR)), half));
+    M away = f_gt(zero, f_add(f_add(larger_end(cells->lambert[l] + i), off), f_set(q->faint)));
 
     gained->lost = f_fma(BOUND_OF_FLOATS(SPAN_CELL_LOST, off), f_set(q->colour_most), gained->lost);
     if (casts) {
         F far = f_fma(larger_end(cells->far[l] + i), f_set(1 + (float)BOUND(SPAN_CELL_FAR)), half);
-        M away = f_gt(zero, f_add(f_add(larger_end(cells->lambert[l] + i), off), f_set(q->faint)));
         for (int j = 0; j < casts && m_any(m_not(away)); j++) {
             struct verdict v = judge_cell(&q->cast[j], x, o, square, half, per_d, far, 1 / (r->c * r->c));
             good = m_and(good, m_or(away, m_or(v.lit, v.dark)));
@@ -147,6 +159,8 @@ INLINE M light_cells(const struct simd_run *r, int l, F x, const struct value *o
         }
     }
     add_range(cells, l, i, lambert_of(q, x, o, square), tint, q, channels, gained);
+    if (r->tied)
+        gained->unlit = m_and(gained->unlit, m_or(away, no_weight(cells, l, i, channels)));
     return good;
 }
 
@@ -166,6 +180,14 @@ INLINE M flat_cells(const struct simd_run *r, const struct gained *g, F near31, 
     return same;
 }
 
+/* Makes cells from i on flat, with the pixel of no light: those whose bit is set. */
+INLINE void set_unlit(const struct simd_run *r, unsigned bits, struct cells *cells, int i)
+{
+    cells->flat |= (uint64_t)bits << i;
+    for (; bits; bits &= bits - 1)
+        cells->pixel[i + __builtin_ctz(bits)] = r->unlit;
+}
+
 INLINE void judge_cells(const struct simd_run *r, const struct body *k, int count, bool grey, int lights, int casts,
                         struct cells *cells)
 {
@@ -179,6 +201,7 @@ INLINE void judge_cells(const struct simd_run *r, const struct body *k, int coun
         M good;
         struct motion p = motion_over(r, cells, i, &good);
         gained.lost = f_set(0);
+        gained.unlit = good;
         for (int c = 0; c < (grey ? 1 : 3); c++)
             gained.low[c] = gained.high[c] = f_set(r->emission[c]);
         for (int l = 0; l < lights; l++)
@@ -192,6 +215,8 @@ INLINE void judge_cells(const struct simd_run *r, const struct body *k, int coun
         cells->good |= (uint64_t)m_bits(good) << i;
         if (plain)
             cells->flat |= (uint64_t)m_bits(m_and(good, flat_cells(r, &gained, near31, near63, grey, cells, i))) << i;
+        if (plain && r->tied)
+            set_unlit(r, m_bits(m_and(good, gained.unlit)), cells, i);
     }
     cells->good &= ((uint64_t)1 << count) - 1;
     cells->flat &= cells->good;

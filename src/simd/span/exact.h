@@ -1,16 +1,23 @@
-/* exact.h - draws the pixels that the kernels leave undecided. */
+/* exact.h - draws single pixels: those that the kernels leave undecided, and those of runs that the kernels do not
+ * draw. */
 #ifndef TIA_SIMD_SPAN_EXACT_H
 #define TIA_SIMD_SPAN_EXACT_H
 
-#include "bound_cache.h"
+#include "pair.h"
+#include "row.h"
 
-/* Draws pixels x .. x + count - 1 of row y, which all see the sphere, by the integer code. */
-void tia_simd_plain(const struct tia_view *view, uint32_t sphere, int x, int y, int count, const num_u threshold[8],
-                    tia_rgb565 *out);
+/* Pixels of a row, from x = `first` on, that all see one sphere. `out` points to the first. */
+struct simd_pixels {
+    const struct tia_view *view;
+    const struct simd_row *row;
+    uint32_t sphere;
+    int first;
+    const num_u *threshold;
+    tia_rgb565 *out;
+};
 
-/* Draws the listed pixels in double precision, and by the integer code where they are still undecided. The list has
- * indices from the run's first pixel, to which `out` points. `cache` has the bounds for double precision. */
-void tia_simd_decide(struct simd_fine *fine, struct simd_bound_cache *cache, const uint16_t *list, int count,
-                     const num_u threshold[8], tia_rgb565 *out);
+/* Draws the `count` pixels whose indices from the first are in `list`, or the first `count` pixels if `list` is NULL:
+ * in double precision and, where that leaves one undecided, with balls (exact/pixel.h). */
+void tia_simd_decide(const struct simd_pixels *pixels, const uint16_t *list, int count);
 
 #endif

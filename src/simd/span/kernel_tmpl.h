@@ -88,7 +88,7 @@ INLINE struct verdict judge(const struct simd_cast *c, const struct toward *t, F
                             f_fma(f_mul(w, f_mul(t->s2, f_set(c->swell * (float)(1 + BOUND(SPAN_RUN_SWELL))))),
                                   f_add(f_set(c->ek), near), bound));
     F delta = f_fnma(f_mul(w, t->k), f_set(c->swell), a2), low = f_sub(zero, bound);
-    F ew = f_mul(w, f_set(c->ew)), off = f_fma(t->s2, aside, ea), past = f_sub(t->a, w);
+    F ew = f_mul(w, f_set(c->ew)), off = f_fma(t->s2, aside, ea), past = f_fnma(w, f_set(c->ends), t->a);
     F clear = BOUND_OF_FLOATS(SPAN_BEHIND, off), beyond = BOUND_OF_FLOATS(SPAN_BEYOND, f_add(off, ew));
     struct verdict v = {m_or(m_or(f_gt(low, delta), f_gt(f_sub(zero, clear), t->a)), f_gt(past, beyond)),
                         m_and(m_and(f_gt(delta, bound), f_gt(t->a, clear)), f_gt(f_sub(zero, beyond), past))};

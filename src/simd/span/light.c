@@ -1,7 +1,7 @@
 /* light.c - draws a tile by vector units: divides it into rows, and rows into runs of one object, and chooses a method
  * for each run. */
+#include "bound_cache.h"
 #include "exact.h"
-#include "render/span/span_shade.h"
 #include "seen.h"
 #include "simd/simd.h"
 
@@ -41,19 +41,15 @@ struct carried {
     uint16_t list[SIMD_RUN + SIMD_MORE];
     struct flat flat;
     struct simd_dither dither;
-    struct simd_cache_line lines[SIMD_CACHE_LINES];
+    struct simd_bound_cache caches[SIMD_CACHES];
 };
 
-static void find_flat(const struct span_view *spans, const struct tia_rgb *colour, int first, const num_u threshold[8],
-                      struct flat *flat)
+static void find_flat(const struct tia_rgb *colour, int first, const num_u threshold[8], struct flat *flat)
 {
-    const tia_q30 channel[3] = {colour->r, colour->g, colour->b};
-    num_u rgb[3][8];
+    const num_u rgb[3] = {num_colour(colour->r), num_colour(colour->g), num_colour(colour->b)};
 
-    for (int c = 0; c < 3; c++)
-        for (int i = 0; i < 8; i++)
-            rgb[c][i] = num_clamp(num_colour(channel[c]));
-    spans->kernels->pack(rgb[0], rgb[1], rgb[2], threshold, first, 8, flat->pixels);
+    for (int i = 0; i < 8; i++)
+        flat->pixels[i] = span_pixel(rgb, threshold[(first + i) & 7]);
 }
 
 static void light_flat(const struct tia_view *view, const struct simd_span *span, struct carried *carried,
@@ -66,8 +62,7 @@ static void light_flat(const struct tia_view *view, const struct simd_span *span
     int count = span->end - span->first;
 
     if (!flat->known || flat->dithered || flat->object != span->object) {
-        find_flat(span_view_of(view),
-                  light ? &view->lights[span->object - scene->sphere_count].emission : &scene->background, span->first,
+        find_flat(light ? &view->lights[span->object - scene->sphere_count].emission : &scene->background, span->first,
                   threshold, flat);
         flat->known = true;
         flat->dithered = threshold[0] != threshold[1];
@@ -88,19 +83,18 @@ static size_t room(const struct tia_simd *simd)
 static void light_part(const struct tia_view *view, const struct simd_row *row, uint32_t sphere, int first, int end,
                        struct carried *carried, tia_rgb565 *out)
 {
-    const num_u *threshold = carried->dither.threshold;
+    const struct simd_pixels pixels = {view, row, sphere, first, carried->dither.threshold, out};
     struct simd_fine *fine = &carried->fine;
 
-    bool good = tia_simd_fine(view, row, sphere, first, end, fine);
-    struct simd_cache_line *line = good ? simd_cache_line_of(carried->lines, fine) : NULL;
-    if (!good || !tia_simd_fine_bounds(fine, SIMD_FLOAT, SIMD_FLOAT_CUT, &line->single)) {
-        tia_simd_plain(view, sphere, first, row->y, end - first, threshold, out);
+    if (!tia_simd_fine(view, row, sphere, first, end, fine) ||
+        !tia_simd_fine_bounds(fine, simd_cache_of(carried->caches, fine))) {
+        tia_simd_decide(&pixels, NULL, end - first);
         return;
     }
     tia_simd_run(fine, &carried->dither, &carried->run);
     int count =
         view->simd->kernels->shade(&carried->run, out, carried->list, simd_kernels_room(carried, sizeof *carried));
-    tia_simd_decide(fine, &line->fine, carried->list, count, threshold, out);
+    tia_simd_decide(&pixels, carried->list, count);
 }
 
 static void light_span(const struct tia_view *view, const struct simd_row *row, const struct simd_span *span,
@@ -146,18 +140,19 @@ static void light_strip(const struct tia_view *view, struct tia_tile tile, const
                         bool dither, bool streams, struct carried *carried)
 {
     const struct span_view *spans = span_view_of(view);
+    struct simd_row row;
 
+    tia_simd_row(spans, (int)tile.y, &row);
     carried->streams = streams;
     carried->flat.known = false;
     for (int i = 0; i < SIMD_GUESSES; i++)
         carried->guess[i] = (struct span){0, 0};
-    for (int i = 0; i < SIMD_CACHE_LINES; i++)
-        carried->lines[i].single.known = carried->lines[i].fine.known = false;
+    for (int i = 0; i < SIMD_CACHES; i++)
+        carried->caches[i].known = false;
     for (int y = (int)tile.y; y < tile_bottom(tile) && !(y % ROWS == 0 && view_stops(view)); y++) {
-        struct simd_row row;
         if (dither || y == (int)tile.y)
             tia_simd_dither(dither, y, &carried->dither);
-        tia_simd_row(&spans->primary, y, &row);
+        simd_row_to(&spans->primary, y, &row);
         tia_simd_find(view, &row, tile, carried->guess, &carried->line);
         light_row(view, &row, tile, surface, carried);
     }

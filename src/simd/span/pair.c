@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "bound_table.h"
+#include "math/wide.h"
 #include "row.h"
 #include "scene/colour.h"
 
@@ -27,84 +28,135 @@ static void channels(const struct tia_rgb *colour, double out[3])
     out[2] = (double)colour->b * 0x1p-30;
 }
 
-static void cast_power(const struct span_sphere *sphere, const struct span_sphere *caster, struct simd_caster *cast)
+static double dot(struct num_vec a, struct num_vec b)
 {
-    double r = (double)sphere->radius * 0x1p-16, radius = (double)caster->radius * 0x1p-16;
-    double away = length(num_vec_sub(sphere->centre, caster->centre)), share = SIMD_BIAS / (r + SIMD_BIAS);
-    double apart = away * away - r * r - radius * radius - SIMD_BIAS * r;
-
-    cast->p0 = (double)caster->c * 0x1p-32 - apart * share;
-    cast->fixed = (BOUND(SPAN_SWELL) * (away * away + r * r + radius * radius) + BOUND(SPAN_SWELL_UNITS)) * share;
+    return ((double)a.x * (double)b.x + (double)a.y * (double)b.y + (double)a.z * (double)b.z) * 0x1p-32;
 }
 
-static void add_cast(const struct tia_view *view, const struct light_source *source, uint32_t j, struct simd_lamp *lamp)
+/* Sets k's constant and the bound of its rounding. */
+static void cast_power(const struct span_sphere *sphere, const struct span_sphere *caster, struct simd_caster *cast)
 {
-    const struct span_view *spans = view->prepared;
-    const struct span_sphere *caster = &spans->spheres[j];
-    const struct tia_rgb *through = &view->scene->materials[view->scene->spheres[j].material].transmission;
-    struct shadow_line line;
+    struct num_vec between = num_vec_sub(sphere->centre, caster->centre);
+    double r = (double)sphere->radius * 0x1p-16, radius = (double)caster->radius * 0x1p-16;
+    double away = dot(between, between), share = SIMD_BIAS / (r + SIMD_BIAS), c = (double)caster->c * 0x1p-32;
 
-    if (lamp->plain || !shadow_line_prepare(&spans->primary, source, caster, 0, 0, &line))
+    cast->p0 = c - (away - r * r - radius * radius - SIMD_BIAS * r) * share;
+    cast->fixed = BOUND_OF(SPAN_POWER_PARTS,
+                           BOUND(SPAN_PARTS) * (fabs(c) + (away + r * (r + SIMD_BIAS) + radius * radius) * share));
+}
+
+/* True if the caster is behind all points of the sphere L as seen from the light, so that it shadows nothing. With D =
+ * C
+ * - L, G = Q - L and P = L + r N,
+ *
+ *     A.w = (D - r N).(G - r N) <= D.G + r |D + G| + r^2 <= 0,
+ *
+ * and A'.w is less than A.w where N.w > 0. */
+static bool is_behind(const struct span_sphere *sphere, const struct simd_lamp *lamp, const struct span_sphere *caster)
+{
+    struct num_vec d = num_vec_sub(caster->centre, sphere->centre);
+    double r = (double)sphere->radius * 0x1p-16, above = r * (length(num_vec_add(d, lamp->g)) + r),
+           below = dot(d, lamp->g);
+
+    return below + above < -BOUND_OF(SPAN_BACK, BOUND(SPAN_PARTS) * (length(d) * lamp->reach + above));
+}
+
+bool tia_simd_encloses(const struct span_sphere *caster, struct num_vec light)
+{
+    struct num_vec d = num_vec_sub(caster->centre, light);
+    int64_t from[3] = {d.x, d.y, d.z};
+
+    return wide_sign(wide_difference(wide_dot(from, from), wide_product(caster->radius, caster->radius))) <= 0;
+}
+
+/* True if the caster is between the light and all points of the sphere L: each shadow ray ends in the caster, as |C -
+ * Q| + bias < R, and begins outside of it, as |C - L| > R + r + bias. */
+static bool is_shade(const struct span_sphere *sphere, const struct simd_lamp *lamp, const struct span_sphere *caster)
+{
+    double r = (double)sphere->radius * 0x1p-16, radius = (double)caster->radius * 0x1p-16;
+    double in = length(num_vec_sub(caster->centre, lamp->light)) + SIMD_BIAS;
+    double out = length(num_vec_sub(caster->centre, sphere->centre)) - SIMD_BIAS;
+    double off = BOUND_OF(SPAN_SHADE, BOUND(SPAN_PARTS) * (out + radius + r));
+
+    return in < radius - off && out > radius + r + off;
+}
+
+static void add_cast(const struct tia_view *view, const struct span_sphere *sphere, uint32_t j, struct simd_lamp *lamp)
+{
+    const struct span_sphere *caster = &span_view_of(view)->spheres[j];
+    const struct tia_rgb *through = &view->scene->materials[view->scene->spheres[j].material].transmission;
+
+    if (lamp->plain || is_behind(sphere, lamp, caster))
         return;
-    lamp->plain = lamp->casts == SIMD_CASTS || line.enclosed;
+    if (is_shade(sphere, lamp, caster)) {
+        double left[3];
+        channels(through, left);
+        for (int c = 0; c < 3; c++)
+            lamp->colour[c] *= left[c];
+        lamp->shades++;
+        return;
+    }
+    lamp->plain = lamp->casts == SIMD_CASTS;
     if (lamp->plain)
         return;
     struct simd_caster *cast = &lamp->cast[lamp->casts++];
-    int e_a = 43 + (source->exponent >> 1) - line.bias_shift, e_k = 2 * e_a - source->exponent - line.exponent;
 
     cast->sphere = j;
-    cast->sum = num_vec_add(caster->centre, source->light);
+    cast->sum = num_vec_add(caster->centre, lamp->light);
     cast->size = length(caster->centre);
-    cast->aq = (double)num_dot(caster->centre, source->light) * 0x1p-32 - lamp->swell * lamp->k;
-    cast->ua = simd_power(-e_a);
-    cast->uk = simd_power(-e_k);
+    cast->aq = (double)num_dot(caster->centre, lamp->light) * 0x1p-32 - lamp->swell * lamp->k;
     cast->radius = (double)caster->radius * 0x1p-16;
-    cast->apart = length(num_vec_sub(caster->centre, source->light));
-    cast_power(source->sphere, caster, cast);
+    cast->apart = length(num_vec_sub(caster->centre, lamp->light));
+    cast_power(sphere, caster, cast);
     cast->clear = !colour_is_black(through);
+    cast->encloses = tia_simd_encloses(caster, lamp->light);
     channels(through, cast->through);
 }
 
-static void light_constants(const struct span_sphere *sphere, const struct light_source *source, int scale,
-                            struct simd_lamp *lamp)
+static void light_constants(const struct span_sphere *sphere, struct num_vec light, struct simd_lamp *lamp)
 {
     double r = (double)sphere->radius * 0x1p-16;
 
-    lamp->light = source->light;
-    lamp->g = num_vec_sub(source->light, sphere->centre);
-    lamp->k = (double)(sphere->c - num_dot(sphere->centre, source->light)) * 0x1p-32;
-    lamp->qq = (double)num_dot(source->light, source->light) * 0x1p-32;
+    lamp->light = light;
+    lamp->g = num_vec_sub(light, sphere->centre);
+    lamp->k = (double)(sphere->c - num_dot(sphere->centre, light)) * 0x1p-32;
+    lamp->qq = (double)num_dot(light, light) * 0x1p-32;
     lamp->size = sqrt(lamp->qq);
-    lamp->gap = fabs(length(lamp->g) - r) - (length(lamp->g) + r) * BOUND(SPAN_GAP);
+    lamp->reach = length(lamp->g);
+    lamp->gap = fabs(lamp->reach - r) - (lamp->reach + r) * BOUND(SPAN_GAP);
     lamp->per_r = 1 / r;
     lamp->swell = SIMD_BIAS / r;
-    lamp->ud = simd_power(-source->exponent);
-    lamp->up = simd_power(-source->reach_exponent);
-    lamp->us = simd_power(-(15 - sphere->radius_bits - scale + (source->exponent >> 1)));
+}
+
+/* True if no light arrives. Products too small for doubles are 0; their light changes no pixel. */
+static bool is_out(const struct simd_lamp *lamp)
+{
+    return lamp->colour[0] == 0 && lamp->colour[1] == 0 && lamp->colour[2] == 0;
 }
 
 static void prepare_lamp(const struct tia_view *view, uint32_t n, uint32_t l, struct simd_lamp *lamp)
 {
-    const struct span_view *spans = view->prepared;
-    const struct span_sphere *sphere = &spans->spheres[n];
-    struct light_source source = {.sphere = sphere,
-                                  .light = num_vec_between(view->scene->camera.eye, view->lights[l].centre)};
-    struct light_line line;
-    double emission[3];
+    const struct span_sphere *sphere = &span_view_of(view)->spheres[n];
+    double emission[3], colour[3];
 
-    lamp->casts = 0;
+    lamp->casts = lamp->shades = 0;
     lamp->plain = sphere->radius == 0 || sphere->c <= 0;
     if (lamp->plain)
         return;
-    light_line_prepare(&spans->primary, &source, 0, 0, &line);
-    light_constants(sphere, &source, line.scale, lamp);
-    channels(&view->scene->materials[view->scene->spheres[n].material].colour, lamp->colour);
+    light_constants(sphere, num_vec_between(view->scene->camera.eye, view->lights[l].centre), lamp);
+    channels(&view->scene->materials[view->scene->spheres[n].material].colour, colour);
     channels(&view->lights[l].emission, emission);
     for (int c = 0; c < 3; c++)
-        lamp->colour[c] *= emission[c];
-    for (uint32_t j = 0; j < view->scene->sphere_count; j++)
+        lamp->colour[c] = colour[c] *= emission[c];
+    for (uint32_t j = 0; j < view->scene->sphere_count && !is_out(lamp); j++)
         if (j != n)
-            add_cast(view, &source, j, lamp);
+            add_cast(view, sphere, j, lamp);
+    if (is_out(lamp)) {
+        lamp->casts = 0;
+        lamp->plain = false;
+    }
+    for (int c = 0; lamp->plain && c < 3; c++)
+        lamp->colour[c] = colour[c];
 }
 
 void tia_simd_prepare(struct tia_view *view)

@@ -3,32 +3,28 @@
 #define TIA_SIMD_SPAN_PAIR_H
 
 #include "render/span/span.h"
-#include "render/span/span_light.h"
-#include "render/span/span_shadow.h"
 #include "run.h"
 
-/* A caster's constants: those of run.h in double precision, and those from which bounds.c bounds the integer code's
- * errors. */
+/* A caster's constants: those of run.h in double precision. */
 struct simd_caster {
     uint32_t sphere;
     struct num_vec sum;   /* C + Q */
     double aq, p0, size;  /* C.Q - B K; k's constant; |C| */
-    double ua, uk;        /* the last bits of A.w and k */
-    double fixed;         /* bound of the part of k that the bias adds */
+    double fixed;         /* bound of the error of k's constant */
     double radius, apart; /* R; |C - Q| */
     double through[3];
-    bool clear;
+    bool clear, encloses; /* it transmits some light; the light is in it or on it */
 };
 
+/* A light's constants for one sphere. */
 struct simd_lamp {
-    bool plain;              /* the runs of this sphere are left to plain C */
+    bool plain;              /* the sphere's pixels are drawn one by one, from all casters: `cast` is not used */
     struct num_vec light, g; /* Q, Q - L */
     double k, qq, size;      /* K, Q.Q, |Q| */
-    double gap;              /* lower limit of ||G| - r|, the light's distance from the sphere */
+    double reach, gap;       /* |G|; lower limit of ||G| - r|, the light's distance from the sphere */
     double per_r, swell;     /* 1/r; B = bias/r */
-    double ud, up, us;       /* the last bits of |w|^2, |P|^2 and r N.w */
-    double colour[3];
-    int casts;
+    double colour[3];        /* the product of both colours and, unless `plain`, of the shades' transmissions */
+    int casts, shades;       /* shades: spheres around the light that block it at all points */
     struct simd_caster cast[SIMD_CASTS];
 };
 
@@ -37,6 +33,9 @@ size_t tia_simd_pairs_size(const struct tia_scene *scene, uint32_t light_capacit
 
 /* Fills view->simd_memory for the view's lights. */
 void tia_simd_prepare(struct tia_view *view);
+
+/* True if the light is in the caster or on it. */
+bool tia_simd_encloses(const struct span_sphere *caster, struct num_vec light);
 
 static inline const struct simd_lamp *simd_lamp_of(const struct tia_view *view, uint32_t sphere, uint32_t light)
 {

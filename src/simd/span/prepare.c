@@ -76,6 +76,9 @@ static void scaled(const double from[3], double per_c, float *square, float *sta
     *step = (float)(from[2] * per_c);
 }
 
+/* A factor with which |w|^2 is above every A'.w: |A'| is below 2^18, and |w| is above 2^-40 where |w|^2 is known. */
+#define ENDLESS 1e20f
+
 static void run_cast(const struct simd_fine *fine, const struct simd_fine_light *light, int j, struct simd_cast *cast)
 {
     const struct simd_lamp *lamp = light->lamp;
@@ -88,6 +91,7 @@ static void run_cast(const struct simd_fine *fine, const struct simd_fine_light 
     scaled(fine_cast->a, per_c, &cast->aq, &cast->h0, &cast->h1);
     scaled(fine_cast->k, per_c, &cast->p0, &cast->c0, &cast->c1);
     cast->swell = (float)(1 + lamp->swell);
+    cast->ends = from->encloses ? ENDLESS : 1;
     cast->ea = (float)(b->a * per_c * per_c * (1 + BOUND(SPAN_VERDICT_A)));
     cast->ek = (float)(b->k * per_c * per_c * (1 + BOUND(SPAN_RUN_K)));
     cast->ew = (float)(b->w * (1 + BOUND(SPAN_VERDICT_W)));
@@ -130,6 +134,33 @@ void tia_simd_dither(bool on, int y, struct simd_dither *dither)
         dither->half[i] = (float)((double)dither->threshold[i & 7] * 0x1p-30 - .5);
 }
 
+/* True if a channel without light is on a boundary between two levels, or too near one for floats. */
+static bool is_tied(double emission, double levels, double threshold, double near)
+{
+    double y = emission * levels + threshold, rest = y - (int)y;
+
+    return fabs(rest - .5) > near;
+}
+
+/* Sets the pixel without light, exactly, if one of its channels is tied. */
+static void run_unlit(const struct simd_fine *fine, const struct simd_dither *dither, struct simd_run *run)
+{
+    const struct tia_scene *scene = fine->view->scene;
+    const struct tia_rgb *own = &scene->materials[scene->spheres[fine->sphere].material].emission;
+    num_u t = dither->threshold[0];
+    double threshold = (double)t * 0x1p-30;
+
+    run->tied = is_tied(fine->emission[0], 31, threshold, fine->near31) ||
+                is_tied(fine->emission[1], 63, threshold, fine->near63) ||
+                (!fine->grey && is_tied(fine->emission[2], 31, threshold, fine->near31));
+    if (!run->tied)
+        return;
+    unsigned r = num_quantise(num_clamp(num_colour(own->r)), 31, t),
+             g = num_quantise(num_clamp(num_colour(own->g)), 63, t),
+             b = num_quantise(num_clamp(num_colour(own->b)), 31, t);
+    run->unlit = (uint16_t)(r << 11 | g << 5 | b);
+}
+
 void tia_simd_run(const struct simd_fine *fine, const struct simd_dither *dither, struct simd_run *run)
 {
     const struct simd_seen *seen = &fine->seen;
@@ -163,6 +194,7 @@ void tia_simd_run(const struct simd_fine *fine, const struct simd_dither *dither
     run->near31 = (float)fine->near31;
     run->near63 = (float)fine->near63;
     run->threshold = dither->half + (fine->first & 7);
+    run_unlit(fine, dither, run);
     for (int l = 0; l < run->lights; l++)
         run_light(fine, &fine->light[l], &run->light[l]);
 }

@@ -32,7 +32,7 @@ struct simd_fine {
     struct simd_fine_light light[SIMD_LIGHTS];
 };
 
-/* Gives the forms of pixels first..end-1, without bounds; false when these pixels are left to plain C. */
+/* Gives the forms of pixels first..end-1, without bounds; false when these pixels are drawn one by one. */
 bool tia_simd_fine(const struct tia_view *view, const struct simd_row *row, uint32_t sphere, int first, int end,
                    struct simd_fine *fine);
 

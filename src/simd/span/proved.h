@@ -1,5 +1,6 @@
-/* proved.h - the numbers that tests/proofs/simd_*.g read and prove: bounds of the roundings in kernel_tmpl.h and
- * exact.c, in units u of half an ulp, and the factors in cells_tmpl.h that cover roundings. */
+/* proved.h - the numbers that tests/proofs/simd_*.g read and prove: bounds of the roundings in kernel_tmpl.h, in units
+ * u of half an ulp, the factors in cells_tmpl.h that cover roundings, and bounds of the roundings in exact.c and
+ * distance.h. */
 #ifndef TIA_SIMD_SPAN_PROVED_H
 #define TIA_SIMD_SPAN_PROVED_H
 
@@ -16,8 +17,16 @@
 #define SIMD_LINE 15     /* rounding of two lines between three samples */
 #define SIMD_DELTA 10    /* relative rounding of (A'.w)^2 and of |w|^2 k (1 + B), each */
 
-/* The factors of cells_tmpl.h. CELL_TURN assumes that D is at least 2^-8 of its size. */
-#define CELL_TURN 13     /* error of S': 2^-13 of each of its two terms */
+/* The roundings of single pixels in exact.c and distance.h, in units u of doubles, 2^-53: simd_pixels.g. */
+#define PIXEL_DISTANCE 10 /* relative rounding of t */
+#define PIXEL_POINT 3     /* relative rounding of P */
+#define PIXEL_SQUARE 8    /* relative rounding of |w|^2, and of its product with h */
+#define PIXEL_COSINE 11   /* rounding of the cosine */
+#define PIXEL_TOWARD 6    /* rounding of A.w, relative to |A| |w| */
+#define PIXEL_POWER 6     /* rounding of h, relative to the sizes of its terms */
+
+/* The factors of cells_tmpl.h. CELL_TURN assumes that D is at least 2^-11 of its size. */
+#define CELL_TURN 10     /* error of S': 2^-10 of each of its two terms */
 #define CELL_SLOPE 2     /* rounding of (2 d2 x + d1)/2, in u, relative to |d1| + 2 |d2| X */
 #define CELL_MOTION 1001 /* factor for the roundings of |P'| and |P''|, in 1/1000, without the error of S */
 #define CELL_FAR 30      /* relative error of |w|, in 1/1000, where that of S is below .01, that of |w|^2 below .019 */

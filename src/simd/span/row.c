@@ -4,18 +4,21 @@
 
 #include "bound_table.h"
 
-void tia_simd_row(const struct primary_rays *primary, int y, struct simd_row *row)
+void tia_simd_row(const struct span_view *spans, int y, struct simd_row *row)
 {
-    row->y = y;
-    row->y_coordinate = primary_y(primary, y);
-    row->square = row->y_coordinate * row->y_coordinate + primary->depth * primary->depth;
-    row->per_depth = 1 / (double)primary->depth;
-    row->per_depth2 = row->per_depth * row->per_depth;
-}
+    const struct primary_rays *primary = &spans->primary;
+    const struct exact_depth *k = &spans->depth;
+    uint64_t whole = (uint64_t)k->m[1] << 32 | k->m[0];
+    int more = -(k->e + primary->exponent); /* bits of K below the last bit of K0, 32 to 63 */
+    double k0 = (double)primary->depth;
 
-static num_wide coordinate(const struct primary_rays *primary, int x)
-{
-    return num_pixel_coordinate(2 * x + 1 - primary->width, primary->exponent);
+    simd_row_to(primary, y, row);
+    row->lacks = (double)(int64_t)(whole - ((uint64_t)primary->depth << more)) * simd_power(-more);
+    row->lacks2 = row->lacks * (2 * k0 + row->lacks);
+    row->depth = k0 + row->lacks;
+    row->turn = BOUND_OF(SPAN_AXIS, BOUND(SPAN_AXIS_K) + BOUND(SPAN_AXIS_ADDED) * fabs(row->lacks) / k0);
+    row->per_depth = 1 / row->depth;
+    row->per_depth2 = row->per_depth * row->per_depth;
 }
 
 static double larger(double a, double b)
@@ -41,14 +44,14 @@ void tia_simd_place(const struct primary_rays *primary, const struct simd_row *r
     place->low = first - place->middle;
     place->high = end - 1 - place->middle;
     place->reach = larger(-place->low, place->high);
-    num_wide x = coordinate(primary, place->middle);
-    place->v0 = (double)(x * x + row->square) * row->per_depth2;
+    num_wide x = simd_across(primary, place->middle);
+    place->v0 = ((double)(x * x + row->square) + row->lacks2) * row->per_depth2;
     place->v1 = (double)(2 * x * step) * row->per_depth2;
     place->v2 = (double)(step * step) * row->per_depth2;
     place->square_most = larger(quadratic(place->v0, place->v1, place->v2, place->low),
                                 quadratic(place->v0, place->v1, place->v2, place->high)) *
                          ABOVE;
-    place->square_least = (double)row->square * row->per_depth2 * BELOW;
+    place->square_least = ((double)row->square + row->lacks2) * row->per_depth2 * BELOW;
     place->v_most = sqrt(place->square_most) * ABOVE;
     place->v_step = (double)step * row->per_depth * ABOVE;
 }
@@ -56,36 +59,11 @@ void tia_simd_place(const struct primary_rays *primary, const struct simd_row *r
 void tia_simd_form(const struct primary_rays *primary, const struct simd_row *row, const struct simd_place *place,
                    struct num_vec a, double c[2])
 {
-    num_wide x = coordinate(primary, place->middle), step = num_pixel_coordinate(2, primary->exponent);
+    num_wide x = simd_across(primary, place->middle), step = num_pixel_coordinate(2, primary->exponent);
+    double scale = row->per_depth * 0x1p-16;
 
-    c[0] = (double)(a.x * x + a.y * row->y_coordinate - a.z * primary->depth) * row->per_depth * 0x1p-16;
-    c[1] = (double)(a.x * step) * row->per_depth * 0x1p-16;
-}
-
-/* Returns a b - c d, rounded two or three times: all cancellation happens in integers. */
-static double difference(num_wide a, num_wide b, num_wide c, num_wide d)
-{
-#if TIA_INT128
-    __extension__ typedef __int128 wide;
-    wide r = (wide)a * b - (wide)c * d;
-    int64_t low = (int64_t)r; /* signed: so each half is converted by an instruction, not a call */
-
-    return (double)((int64_t)(r >> 64) + (low < 0)) * 0x1p64 + (double)low;
-#else
-    struct tia_wide p = tia_wide_product((uint64_t)num_abs(a), (uint64_t)num_abs(b));
-    struct tia_wide q = tia_wide_product((uint64_t)num_abs(c), (uint64_t)num_abs(d));
-    struct tia_wide r;
-
-    if ((a < 0) != (b < 0))
-        p = (struct tia_wide){~p.high + !p.low, 0 - p.low};
-    if ((c < 0) == (d < 0))
-        q = (struct tia_wide){~q.high + !q.low, 0 - q.low};
-    r.low = p.low + q.low;
-    r.high = p.high + q.high + (r.low < p.low);
-    if ((int64_t)r.high < 0)
-        return -((double)(~r.high + !r.low) * 0x1p64 + (double)(0 - r.low));
-    return (double)r.high * 0x1p64 + (double)r.low;
-#endif
+    c[0] = ((double)simd_product(primary, row, a, x) - (double)a.z * row->lacks) * scale;
+    c[1] = (double)(a.x * step) * scale;
 }
 
 static double least_of(const double d[3], const struct simd_place *at)
@@ -99,19 +77,19 @@ static double least_of(const double d[3], const struct simd_place *at)
 bool tia_simd_see(const struct primary_rays *primary, const struct simd_row *row, const struct simd_place *place,
                   const struct span_sphere *sphere, struct simd_seen *seen)
 {
-    num_wide x = coordinate(primary, place->middle), step = num_pixel_coordinate(2, primary->exponent);
+    num_wide x = simd_across(primary, place->middle), step = num_pixel_coordinate(2, primary->exponent);
     struct num_vec l = sphere->centre;
-    num_wide b = l.x * x + l.y * row->y_coordinate - l.z * primary->depth, b_step = l.x * step, c = sphere->c;
-    double scale = row->per_depth2 * 0x1p-32;
+    num_wide b = simd_product(primary, row, l, x), b_step = l.x * step, c = sphere->c;
+    double scale = row->per_depth2 * 0x1p-32, z_lacks = (double)l.z * row->lacks;
 
     if (c <= 0)
         return false;
     seen->c = (double)c * 0x1p-32;
-    seen->b[0] = (double)b * row->per_depth * 0x1p-16;
+    seen->b[0] = ((double)b - z_lacks) * row->per_depth * 0x1p-16;
     seen->b[1] = (double)b_step * row->per_depth * 0x1p-16;
-    seen->d[0] = difference(b, b, c, x * x + row->square) * scale;
-    seen->d[1] = 2 * difference(b, b_step, c, x * step) * scale;
-    seen->d[2] = difference(b_step, b_step, c, step * step) * scale;
+    seen->d[0] = simd_discriminant(primary, row, sphere, b, x) * scale;
+    seen->d[1] = 2 * (simd_difference(b, b_step, c, x * step) - z_lacks * (double)b_step) * scale;
+    seen->d[2] = simd_difference(b_step, b_step, c, step * step) * scale;
     seen->size = fabs(seen->d[0]) + (fabs(seen->d[1]) + fabs(seen->d[2]) * place->reach) * place->reach;
     seen->least = least_of(seen->d, place) - seen->size * BOUND(SPAN_RANGE);
     double left = seen->b[0] + place->low * seen->b[1], right = seen->b[0] + place->high * seen->b[1];
@@ -120,56 +98,50 @@ bool tia_simd_see(const struct primary_rays *primary, const struct simd_row *row
     return seen->b_least > 0 && seen->size > 0;
 }
 
-/* The last bits of b and t in the integer code (render/span/span_sphere.c, kernels.c), and the bound of its error of D.
- * b and v.v are upper halves of accumulators. The last bits of b, v.v and c are ub, uv and uc. */
-struct last_bits {
-    double ub, ut, dd;
+/* ---- bounds ---- */
+
+/* Bounds of the errors of b and D that the error of K causes: at depth 1, v's component along the axis is off by
+ * `turn`. */
+struct turned {
+    double b, d;
 };
 
-static struct last_bits last_bits_of(const struct primary_rays *primary, const struct simd_row *row,
-                                     const struct simd_place *place, const struct span_sphere *sphere,
-                                     const struct simd_seen *seen)
+static struct turned turned_by(const struct simd_row *row, const struct span_sphere *sphere,
+                               const struct simd_seen *seen)
 {
-    int f = primary->exponent;
-    double pixel = row->per_depth * simd_power(f); /* a pixel coordinate's unit, at depth 1 */
-    double ub = pixel * simd_power(16 - f - sphere->b_shift);
-    double uv = pixel * pixel * simd_power(32 - 2 * f - primary->square_shift);
-    double uc = simd_power(primary->square_shift - 2 * sphere->b_shift), b = seen->b_most;
+    double z = fabs((double)sphere->centre.z) * 0x1p-16, turn = row->turn;
 
-    return (struct last_bits){ub, simd_power(-sphere->t_exponent) / pixel,
-                              BOUND(SPAN_D_UNITS) *
-                                  (2 * b * ub + ub * ub + seen->c * uv + place->square_most * uc + uv * uc)};
+    return (struct turned){BOUND_OF(SPAN_AXIS_B, z * turn),
+                           BOUND_OF(SPAN_AXIS_D, 2 * turn * (seen->b_most * z + seen->c))};
 }
 
-/* Bounds the relative errors of S = b + sqrt(D), in an arithmetic with the rounding unit `unit`, and of t in the
- * integer code. */
-static void bound_depth(const struct last_bits *u, const struct simd_seen *seen, double unit, struct simd_depth *depth)
+/* Bounds the relative errors of S = b + sqrt(D), in an arithmetic with the rounding unit `unit`, and of P by the error
+ * of K. */
+static void bound_depth(const struct simd_row *row, const struct turned *off, const struct simd_seen *seen, double unit,
+                        struct simd_depth *depth)
 {
     double b = seen->b_most, b_off = BOUND(SPAN_LINEAR) * b;
-    double off = b_off + BOUND_OF(SPAN_ROOT, BOUND(SPAN_QUADRATIC) * seen->size / (2 * depth->floor));
+    double rounded = b_off + BOUND_OF(SPAN_ROOT, BOUND(SPAN_QUADRATIC) * seen->size / (2 * depth->floor));
 
-    depth->es = BOUND_OF(SPAN_KERNELS_T, unit * (off / depth->sum_least + BOUND(SPAN_SUM)));
-    depth->et = BOUND_OF(SPAN_INTEGER_T, (BOUND(SPAN_SUM_UNITS) * u->ub + u->dd / depth->floor) / depth->sum_least +
-                                             BOUND(SPAN_QUOTIENT) + BOUND(SPAN_T_UNIT) * u->ut / depth->t_least);
-    depth->mantissa_most = depth->t_most / u->ut + 1;
+    depth->es = BOUND_OF(SPAN_KERNELS_T, unit * (rounded / depth->sum_least + BOUND(SPAN_SUM)));
+    depth->et = BOUND_OF(SPAN_AXIS_P, ((off->b + off->d / depth->floor) / depth->sum_least + row->turn) *
+                                          (1 + BOUND(SPAN_AXIS_SECOND)));
 }
 
-/* Finds a range of t = c/(b + sqrt(D)). The integer code's root is at least 0 and, being rounded down, at most the root
- * of D's size and error: so the range holds for any D. */
-void tia_simd_between(const struct primary_rays *primary, const struct simd_row *row, const struct simd_place *place,
-                      const struct span_sphere *sphere, const struct simd_seen *seen, double t[2])
+/* Finds a range of t = c/(b + sqrt(D)). The root is at least 0 and at most that of D's size, so the range holds for any
+ * D. */
+void tia_simd_between(const struct simd_row *row, const struct span_sphere *sphere, const struct simd_seen *seen,
+                      double t[2])
 {
-    struct last_bits u = last_bits_of(primary, row, place, sphere, seen);
-    double ub = BOUND_OF(SPAN_BETWEEN_B, u.ub), ut = BOUND_OF(SPAN_BETWEEN_UNIT, u.ut);
-    double least = seen->b_least - ub, most = seen->b_most + ub + sqrt(seen->size + u.dd) * ABOVE;
+    struct turned off = turned_by(row, sphere, seen);
+    double least = seen->b_least - off.b, most = seen->b_most + off.b + sqrt(seen->size + off.d) * ABOVE;
 
-    t[0] = seen->c / most * (1 - BOUND(SPAN_BETWEEN_QUOTIENT)) - ut;
-    t[1] = least > 0 ? seen->c / least * (1 + BOUND(SPAN_BETWEEN_QUOTIENT)) + ut : SIMD_NEVER;
+    t[0] = seen->c / most * BELOW;
+    t[1] = least > 0 ? seen->c / least * ABOVE : SIMD_NEVER;
 }
 
-void tia_simd_depth(const struct primary_rays *primary, const struct simd_row *row, const struct simd_place *place,
-                    const struct span_sphere *sphere, const struct simd_seen *seen, double unit, double cut,
-                    struct simd_depth *depth)
+void tia_simd_depth(const struct simd_row *row, const struct simd_place *place, const struct span_sphere *sphere,
+                    const struct simd_seen *seen, double unit, double cut, struct simd_depth *depth)
 {
     bool all = seen->least > seen->size * cut * (1 + BOUND(SPAN_CUT_CLEAR));
 
@@ -181,6 +153,6 @@ void tia_simd_depth(const struct primary_rays *primary, const struct simd_row *r
     double tangent = sqrt(seen->c) * ABOVE, far = place->v_most * depth->t_most; /* |P| <= sqrt(c) */
     depth->p_most = far < tangent ? far : tangent;
     depth->p_least = sqrt(place->square_least) * depth->t_least * BELOW;
-    struct last_bits bits = last_bits_of(primary, row, place, sphere, seen);
-    bound_depth(&bits, seen, unit, depth);
+    struct turned off = turned_by(row, sphere, seen);
+    bound_depth(row, &off, seen, unit, depth);
 }

@@ -3,18 +3,21 @@
 #ifndef TIA_SIMD_SPAN_ROW_H
 #define TIA_SIMD_SPAN_ROW_H
 
-#include "render/span/span.h"
+#include "sums.h"
 
 #define SIMD_NEVER 1e30   /* the bound of a value that cannot be bounded */
-#define SIMD_BIAS 0x1p-13 /* NUM_BIAS */
+#define SIMD_BIAS 0x1p-13 /* distance from a sphere at which shadow rays start */
 
-struct simd_row {
-    int y;
-    double per_depth, per_depth2;  /* 1/depth, in units of pixel coordinates */
-    num_wide y_coordinate, square; /* Y, and Y^2 + depth^2 */
-};
+/* Sets row y, and what all rows of a picture have in common. */
+void tia_simd_row(const struct span_view *spans, int y, struct simd_row *row);
 
-void tia_simd_row(const struct primary_rays *primary, int y, struct simd_row *row);
+/* Moves a row to row y of the same picture. */
+static inline void simd_row_to(const struct primary_rays *primary, int y, struct simd_row *row)
+{
+    row->y = y;
+    row->y_coordinate = primary_y(primary, y);
+    row->square = row->y_coordinate * row->y_coordinate + primary->depth * primary->depth;
+}
 
 /* The pixels first..end-1; x is counted from `middle`. */
 struct simd_place {
@@ -45,25 +48,22 @@ struct simd_seen {
 bool tia_simd_see(const struct primary_rays *primary, const struct simd_row *row, const struct simd_place *place,
                   const struct span_sphere *sphere, struct simd_seen *seen);
 
-/* Gives a range that contains the integer code's distances t of the sphere at all pixels of the place, even at the
- * sphere's outline. */
-void tia_simd_between(const struct primary_rays *primary, const struct simd_row *row, const struct simd_place *place,
-                      const struct span_sphere *sphere, const struct simd_seen *seen, double t[2]);
+/* Gives a range that contains the sphere's distances t at all pixels of the place, even at the sphere's outline. */
+void tia_simd_between(const struct simd_row *row, const struct span_sphere *sphere, const struct simd_seen *seen,
+                      double t[2]);
 
 /* Depths and their bounds for a cut: pixels whose D is below the cut are left undecided. */
 struct simd_depth {
     double cut, floor; /* lower limits of D and of sqrt(D) */
     double sum_least;  /* lower limit of S */
-    double es, et;     /* relative bounds of 1/t: the kernels', and the integer code's */
+    double es, et;     /* bounds of the relative errors of 1/t in the kernels, and of P by the error of K */
     double t_least, t_most;
     double p_least, p_most; /* range of |P| */
-    double mantissa_most;   /* largest mantissa of t in the integer code */
 };
 
 /* Gives depths; `unit` is the rounding unit u of the arithmetic, `cut` a share of D's size. */
-void tia_simd_depth(const struct primary_rays *primary, const struct simd_row *row, const struct simd_place *place,
-                    const struct span_sphere *sphere, const struct simd_seen *seen, double unit, double cut,
-                    struct simd_depth *depth);
+void tia_simd_depth(const struct simd_row *row, const struct simd_place *place, const struct span_sphere *sphere,
+                    const struct simd_seen *seen, double unit, double cut, struct simd_depth *depth);
 
 /* Returns 2^e, |e| < 1000. */
 static inline double simd_power(int e)

@@ -12,11 +12,16 @@
  *     A'.w   s^2 = (C.Q - B K) s^2 - ((C + Q).v + B G.v) s + v.v      with B = bias/r
  *     k      s^2 = (C.C - R^2 - apart bias/(r + bias)) s^2 - 2 C.v s + v.v
  *
- * and a sphere C, R stands between P and the light where A'.w > 0, A'.w < |w|^2 and (A'.w)^2 > |w|^2 k (1 + B), which
- * is derived in render/span/kernels.h. The structs here have the coefficients of forms in S = c s.
+ * with apart = |L - C|^2 - r^2 - R^2 - bias r. A sphere C, R stands between P and the light where A'.w > 0, (A'.w)^2 >=
+ * |w|^2 k (1 + B) and, unless the light is in the sphere, A'.w < |w|^2. This is the rule of docs/definition.md, which
+ * has A for A' = C - P - bias N, as
  *
- * Every value has a bound on its difference from the integer code's value, see bounds.h. Undecided pixels are listed by
- * their index in the run. */
+ *     |A'|^2 - R^2 = k (1 + B)               since 2 r N.(C - P) = |L - C|^2 - r^2 - |C - P|^2
+ *
+ * The structs here have the coefficients of forms in S = c s.
+ *
+ * Every value has a bound on its difference from the exact value, see bounds.h. Undecided pixels are listed by their
+ * index in the run. */
 #ifndef TIA_SIMD_SPAN_RUN_H
 #define TIA_SIMD_SPAN_RUN_H
 
@@ -36,6 +41,7 @@ struct simd_cast {
     float aq, h0, h1;  /* A'.w s^2 = aq S^2 + (h0 + h1 x) S + v.v */
     float p0, c0, c1;  /* k s^2 in the same way */
     float swell;       /* 1 + B */
+    float ends;        /* the shadow ray's length in units of |w|: 1, or far more where the light is in the sphere */
     float ea, ek, ew;  /* error bounds: of A'.w and k, for s^2 in units of S^2; of |w|^2, relative */
     float through[3];  /* the sphere's transmission */
     int clear;         /* true if `through` is not black */
@@ -50,7 +56,7 @@ struct simd_light {
     float k, g0, g1;   /* r N.w s = k S + g0 + g1 x */
     float qq, q0, q1;  /* |w|^2 s^2 */
     float per_r;       /* 1/r */
-    float colour[3];   /* the product of both colours */
+    float colour[3];   /* the product of both colours and of the shades' transmissions, see pair.h */
     float colour_most; /* the largest component of `colour` */
     float faint;       /* bound of lambert's error */
     int casts;
@@ -71,6 +77,8 @@ struct simd_run {
     float b_off, d_off;   /* error of |S'|: b_off + d_off/sqrt(D), plus 2^-CELL_TURN of D'/(2 sqrt(D)) */
     float emission[3];
     float near31, near63;   /* half a level less the error bound */
+    bool tied;              /* a channel without light is too near a boundary between two levels for floats */
+    uint16_t unlit;         /* if `tied`, the exact pixel without light, for the first threshold */
     const float *threshold; /* less 1/2, from the run's first pixel on; repeats after 8 */
     struct simd_light light[SIMD_LIGHTS];
 };

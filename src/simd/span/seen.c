@@ -1,6 +1,9 @@
 #include "seen.h"
 
+#include <math.h>
+
 #include "bounds.h"
+#include "distance.h"
 #include "simd/simd.h"
 
 static struct span none_seen(void)
@@ -31,15 +34,20 @@ struct contest {
     struct simd_depth depth[2];
 };
 
-/* True if n is nearer than m at pixel x by the integer code; in a tie m stays. */
-static bool wins_exactly(const struct contest *c, int x)
+/* True if n is nearer than m at pixel x, which both cover; in a tie m stays. */
+static bool wins(const struct contest *c, int x)
 {
     const struct span_view *spans = span_view_of(c->view);
-    num_u t, u;
+    struct simd_distance n, m;
 
-    span_distances(spans, c->n, c->row->y, x, 1, &t);
-    span_distances(spans, c->m, c->row->y, x, 1, &u);
-    return num_nearer(t, spans->spheres[c->n].t_exponent, u, spans->spheres[c->m].t_exponent);
+    if (simd_distance_at(&spans->primary, c->row, x, &spans->spheres[c->n], &n) &&
+        simd_distance_at(&spans->primary, c->row, x, &spans->spheres[c->m], &m)) {
+        double off = BOUND_OF(SPAN_WINS, (n.t * n.off + m.t * m.off) * (1 + BOUND(SPAN_WINS_SECOND)));
+        if (fabs(n.t - m.t) > off)
+            return n.t < m.t;
+    }
+    struct exact_picture picture = span_picture_of(c->view);
+    return tia_exact_nearer(&picture, x, c->row->y, c->n, c->m, NULL);
 }
 
 static struct simd_body body_of(const struct simd_seen *seen, const struct simd_depth *depth)
@@ -69,7 +77,7 @@ static void settle(const struct contest *c, int first, int end, struct simd_line
     }
     c->view->simd->kernels->nearer(&pair, &win, &open);
     for (int i = 0; i < end - first; i++) {
-        bool nearer = open >> i & 1 ? wins_exactly(c, first + i) : win >> i & 1;
+        bool nearer = open >> i & 1 ? wins(c, first + i) : win >> i & 1;
         push(line, first + i, first + i + 1, nearer ? c->n : c->m);
     }
 }
@@ -89,11 +97,11 @@ enum winner { NOBODY_KNOWS, N_WINS, M_WINS };
 /* Compares the ranges of the spheres' distances over the whole part, which is usually enough. */
 static enum winner before(const struct contest *c)
 {
-    const struct span_view *spans = span_view_of(c->view);
+    const struct span_sphere *spheres = span_view_of(c->view)->spheres;
     double n[2], m[2];
 
-    tia_simd_between(&spans->primary, c->row, &c->place, &spans->spheres[c->n], &c->seen[0], n);
-    tia_simd_between(&spans->primary, c->row, &c->place, &spans->spheres[c->m], &c->seen[1], m);
+    tia_simd_between(c->row, &spheres[c->n], &c->seen[0], n);
+    tia_simd_between(c->row, &spheres[c->m], &c->seen[1], m);
     return n[1] < m[0] ? N_WINS : m[1] < n[0] ? M_WINS : NOBODY_KNOWS;
 }
 
@@ -103,8 +111,8 @@ static bool deepen(struct contest *c)
     const uint32_t sphere[2] = {c->n, c->m};
 
     for (int i = 0; i < 2; i++)
-        tia_simd_depth(&spans->primary, c->row, &c->place, &spans->spheres[sphere[i]], &c->seen[i], SIMD_FLOAT,
-                       SIMD_FLOAT_CUT, &c->depth[i]);
+        tia_simd_depth(c->row, &c->place, &spans->spheres[sphere[i]], &c->seen[i], SIMD_FLOAT, SIMD_FLOAT_CUT,
+                       &c->depth[i]);
     return c->depth[0].es + c->depth[0].et < BOUND(SPAN_KNOWN) && c->depth[1].es + c->depth[1].et < BOUND(SPAN_KNOWN);
 }
 
@@ -129,7 +137,7 @@ static void contend(struct contest *c, int first, int end, struct simd_line *lin
             settle(c, at, at + part, line);
         else
             for (int x = at; x < at + part; x++)
-                push(line, x, x + 1, wins_exactly(c, x) ? c->n : c->m);
+                push(line, x, x + 1, wins(c, x) ? c->n : c->m);
     }
 }
 
@@ -163,6 +171,7 @@ void tia_simd_find(const struct tia_view *view, const struct simd_row *row, stru
                    struct simd_line *line)
 {
     const struct span_view *spans = span_view_of(view);
+    const struct exact_picture picture = span_picture_of(view);
     uint32_t objects = view->scene->sphere_count + view->light_count;
 
     line->which = 0;
@@ -173,7 +182,7 @@ void tia_simd_find(const struct tia_view *view, const struct simd_row *row, stru
         struct span *last = &guess[n < SIMD_GUESSES ? n : SIMD_GUESSES - 1];
         if (row->y < sphere->rows.first || row->y >= sphere->rows.end)
             continue;
-        *last = span_sphere_row(&spans->primary, sphere, row->y, n < SIMD_GUESSES ? *last : none_seen());
+        *last = span_sphere_row(&picture, &spans->primary, sphere, n, row->y, n < SIMD_GUESSES ? *last : none_seen());
         struct span span = span_within(*last, (int)tile.x, tile_right(tile));
         if (span.first < span.end)
             merge(view, row, n, span, line);

@@ -4,7 +4,7 @@
 
 #include <tia/port.h>
 
-#define MEASURE_CORES 2
+#define MEASURE_CORES 3
 
 /* The result of comparing a pixel with the reference, from best to worst. */
 enum verdict { SAME, ONE_LEVEL, MORE, FLIP };

@@ -1,9 +1,9 @@
 #include "coherence.h"
 
+#include "coherence_colour.h"
 #include "coherence_proved.h"
 #include "coherence_run.h"
 #include "render/span/span_shadow.h"
-#include "scene/colour.h"
 
 #define SHORT 12 /* pixels of shorter runs are drawn one by one */
 #define LEAF 8   /* at a shadow's edge, runs up to this length are computed pixel by pixel instead of divided */
@@ -14,7 +14,7 @@ static int8_t rise(const struct coherence_run *run, num_wide from, num_wide to)
 {
     num_wide more = to - from;
 
-    return more > run->bounds.square_slack ? 1 : more < -run->bounds.square_slack ? -1 : 0;
+    return more > run->square_slack ? 1 : more < -run->square_slack ? -1 : 0;
 }
 
 /* ---- shadows between two samples ---- */
@@ -38,12 +38,11 @@ static int shadow_between(const struct coherence_run *run, const struct coherenc
     if (2 * path >= d)
         return COHERENCE_OPEN;
     num_u turn = num_quotient((num_u)path, (num_u)d, 39); /* 24 bits */
-    turn += COHERENCE_WIDE(COHERENCE_TURNING, turn / COHERENCE_TURNING + (num_u)coherence_power(0));
+    turn += COHERENCE_WIDE(COHERENCE_TURNING, turn / COHERENCE_TURNING + (num_u)num_bound(0));
     struct coherence_slack slack = coherence_shadow_slack(run, cast, square, (num_wide)b->slack);
-    if (slack.length > coherence_power(COHERENCE_LENGTH_MOST) || slack.power > coherence_power(COHERENCE_POWER_MOST))
+    if (slack.length > num_bound(COHERENCE_LENGTH_MOST) || slack.power > num_bound(COHERENCE_POWER_MOST))
         return COHERENCE_OPEN;
-    num_wide m =
-        num_down(cast->away * (num_wide)turn, 24) + run->bias + coherence_power(COHERENCE_BITS(COHERENCE_SLIDE));
+    num_wide m = num_down(cast->away * (num_wide)turn, 24) + run->bias + num_bound(COHERENCE_BITS(COHERENCE_SLIDE));
     num_wide foot = num_max(num_abs((num_wide)a->foot[j]), num_abs((num_wide)b->foot[j])) + m + path + slack.length;
     num_wide margin = 2 * m * (cast->radius + m) +
                       COHERENCE_WIDE(COHERENCE_ERRORS, COHERENCE_ERRORS * (2 * foot * slack.length + slack.power));
@@ -76,59 +75,42 @@ static int shadows_between(const struct coherence_run *run, const struct coheren
     return all;
 }
 
-/* ---- colours ---- */
-
-struct colouring {
-    num_u emission[3], product[3];
-    bool grey;
-    num_u threshold;
-};
-
-static void colouring_prepare(const struct tia_view *view, const struct tia_material *material, num_u threshold,
-                              struct colouring *c)
-{
-    const struct span_view *spans = span_view_of(view);
-    const struct tia_rgb *colour = &material->colour, *light = &view->lights[0].emission;
-
-    c->grey = spans->grey && colour_is_grey(colour) && colour_is_grey(&material->emission);
-    c->emission[0] = num_colour(material->emission.r);
-    c->emission[1] = num_colour(material->emission.g);
-    c->emission[2] = num_colour(material->emission.b);
-    c->product[0] = num_colour_product(num_colour(colour->r), num_colour(light->r));
-    c->product[1] = num_colour_product(num_colour(colour->g), num_colour(light->g));
-    c->product[2] = num_colour_product(num_colour(colour->b), num_colour(light->b));
-    c->threshold = threshold;
-}
-
-static inline num_u channel_of(const struct colouring *c, int i, num_u lambert)
-{
-    return num_clamp(c->emission[i] + num_colour_product(lambert, c->product[i]));
-}
-
-/* Returns the pixel for a value of lambert. */
-static tia_rgb565 colour_of(const struct colouring *c, num_u lambert)
-{
-    num_u half = c->threshold, red = channel_of(c, 0, lambert);
-    num_u green = c->grey ? red : channel_of(c, 1, lambert);
-    unsigned r = num_quantise(red, 31, half), g = num_quantise(green, 63, half);
-    unsigned b = c->grey ? r : num_quantise(channel_of(c, 2, lambert), 31, half);
-
-    return (tia_rgb565)(r << 11 | g << 5 | b);
-}
-
 /* ---- a run ---- */
 
 /* A run being drawn into the pixels from `first` on. */
 struct drawing {
     struct coherence_run *run;
+    const struct tia_view *view;
     struct colouring colouring;
+    uint32_t object;
     int first;
+    const num_u *threshold;
     tia_rgb565 *pixels;
 };
 
 static void put(const struct drawing *d, int x, tia_rgb565 pixel)
 {
     d->pixels[x - d->first] = pixel;
+}
+
+/* Draws a pixel by itself. */
+static void settle(const struct drawing *d, int x)
+{
+    num_u t;
+    struct shaded_span one = {d->object, x, d->run->y, 1, &t, NULL, NULL};
+
+    coherence_go(d->run, x);
+    d->run->kernels->sphere(&d->run->body, &t);
+    shade_span(d->view, &one, d->threshold, d->pixels + (x - d->first));
+}
+
+/* Draws a pixel whose lambert is off by up to `slack`. */
+static void put_lambert(const struct drawing *d, int x, num_u lambert, num_u slack)
+{
+    if (NUM_CERTIFIED && !is_one_colour(&d->colouring, lambert, lambert, slack))
+        settle(d, x);
+    else
+        put(d, x, colour_of(&d->colouring, lambert, 0));
 }
 
 static num_u smaller(num_u a, num_u b)
@@ -138,10 +120,9 @@ static num_u smaller(num_u a, num_u b)
 
 static bool same_between(const struct drawing *d, const struct coherence_sample *a, const struct coherence_sample *b)
 {
-    num_u low = smaller(a->lambert, b->lambert), high = a->lambert + b->lambert - low;
+    num_u low = smaller(a->lambert, b->lambert);
 
-    return colour_of(&d->colouring, (num_u)num_max((num_wide)low - (num_wide)b->slack, 0)) ==
-           colour_of(&d->colouring, num_clamp((num_u)((num_wide)high + (num_wide)b->slack)));
+    return is_one_colour(&d->colouring, low, a->lambert + b->lambert - low, b->slack);
 }
 
 static bool monotone(const struct coherence_sample *a, const struct coherence_sample *b)
@@ -157,6 +138,38 @@ static num_u slack_between(const struct coherence_run *run, const struct coheren
     return slack < (num_wide)NUM_ONE ? (num_u)slack : NUM_ONE;
 }
 
+/* Bounds the errors of pixels between two samples, where |Q - P|^2 is at least `square`, and the doubts of all casters;
+ * false if that is not possible. */
+static bool bound_leaf(struct coherence_run *run, num_wide square, struct span_error *error)
+{
+    bool known;
+
+    *error = run->error;
+    span_error_lambert(&run->source, square, error);
+    known = error->lambert < 0;
+    for (int j = 0; known && j < run->caster_count; j++)
+        known = span_error_shadow(&run->source, run->caster[j].sphere, error, &run->caster[j].line);
+    run->light.facing_doubt = span_error_facing(&run->source, &run->light, error);
+    return known;
+}
+
+/* Draws the pixels from sample a to sample b, both included, one by one. */
+static void draw_leaf(const struct drawing *d, const struct coherence_sample *a, const struct coherence_sample *b)
+{
+    struct span_error error;
+    bool known = !NUM_CERTIFIED || bound_leaf(d->run, a->square < b->square ? a->square : b->square, &error);
+
+    for (int x = a->x; x <= b->x; x++) {
+        bool open = !known;
+        num_u lambert = known ? coherence_lambert_at(d->run, x, &open) : 0;
+        if (open)
+            settle(d, x);
+        else
+            put_lambert(d, x, lambert, NUM_CERTIFIED ? (num_u)span_error_number(30 * 256 + error.lambert) : 0);
+    }
+    d->run->light.facing_doubt = 0;
+}
+
 /* Draws the pixels from sample a to sample b, both included; false when the pixels between the samples must be
  * divided. */
 static bool draw_between(const struct drawing *d, const struct coherence_sample *a, struct coherence_sample *b)
@@ -168,15 +181,16 @@ static bool draw_between(const struct drawing *d, const struct coherence_sample 
             b->shadow = (uint8_t)shadows_between(d->run, a, b);
     }
     if (b->shadow == COHERENCE_LIT && b->x - a->x <= 1) {
-        put(d, a->x, a->pixel);
-        put(d, b->x, b->pixel);
+        if (a->x == d->first) /* otherwise drawn together with the pixel in front of it */
+            put_lambert(d, a->x, a->lambert, b->slack);
+        if (b->x > a->x)
+            put_lambert(d, b->x, b->lambert, b->slack);
     } else if (b->shadow == COHERENCE_DARK ||
                (b->shadow == COHERENCE_LIT && a->pixel == b->pixel && same_between(d, a, b))) {
-        tia_rgb565 pixel = b->shadow == COHERENCE_DARK ? colour_of(&d->colouring, 0) : a->pixel;
+        tia_rgb565 pixel = b->shadow == COHERENCE_DARK ? colour_of(&d->colouring, 0, 0) : a->pixel;
         span_fill(d->pixels + (a->x - d->first), b->x + 1 - a->x, pixel);
     } else if (b->shadow == COHERENCE_OPEN && b->x - a->x <= LEAF) {
-        for (int x = a->x; x <= b->x; x++)
-            put(d, x, colour_of(&d->colouring, coherence_lambert_at(d->run, x)));
+        draw_leaf(d, a, b);
     } else {
         return false;
     }
@@ -192,7 +206,7 @@ static int guess(const struct colouring *c, const struct coherence_sample *a, co
 
     while (high - low > 1) {
         int x = low + (high - low) / 2;
-        if (colour_of(c, (num_u)(start + (num)(x - a->x) * step)) == a->pixel)
+        if (colour_of(c, (num_u)(start + (num)(x - a->x) * step), 0) == a->pixel)
             low = x;
         else
             high = x;
@@ -211,7 +225,7 @@ static void divide(const struct drawing *d, const struct coherence_sample *a, st
     int x = guessed ? guess(&d->colouring, a, b) : a->x + (b->x - a->x) / 2;
 
     coherence_sample_at(d->run, x, b->shadow == COHERENCE_OPEN && d->run->caster_count > 0, s);
-    s->pixel = colour_of(&d->colouring, s->lambert);
+    s->pixel = colour_of(&d->colouring, s->lambert, 0);
     s->shadow = b->shadow;
     s->slack = b->slack; /* |Q - P|^2 is not below the smaller of its values at a and b */
     s->behind = rise(d->run, s->square, b->square);
@@ -222,7 +236,7 @@ static void divide(const struct drawing *d, const struct coherence_sample *a, st
 static void end_sample(const struct drawing *d, int x, struct coherence_sample *s)
 {
     coherence_sample_at(d->run, x, d->run->caster_count > 0, s);
-    s->pixel = colour_of(&d->colouring, s->lambert);
+    s->pixel = colour_of(&d->colouring, s->lambert, 0);
     s->before = s->behind = 0;
     s->slack = 0;
     s->shadow = COHERENCE_OPEN;
@@ -270,7 +284,7 @@ static int length_exponent(const struct coherence_run *run, const struct span_vi
         most = num_max(most, size);
     }
     most += num_abs(run->source.light.x) + num_abs(run->source.light.y) + num_abs(run->source.light.z);
-    int exponent = 46 - coherence_bits(most + coherence_power(16 + run->bounds.point));
+    int exponent = 46 - span_bits(most + span_power(16 + ((run->error.point + 255) >> 8)));
     return exponent < 40 ? exponent : 40; /* the bias is then below 2^29 */
 }
 
@@ -284,18 +298,21 @@ static bool prepare_casters(struct coherence_run *run, const struct tia_view *vi
     for (uint32_t j = 0; j < view->scene->sphere_count; j++) {
         /* One caster too many overwrites the first, and the run is then not drawn here. */
         struct coherence_caster *cast = &run->caster[run->caster_count % COHERENCE_CASTERS];
+        if (spans->spheres[j].c < 0)
+            return false;
         if (j == object ||
             !shadow_line_prepare(run->primary, &run->source, &spans->spheres[j], run->middle, run->y, &cast->line))
             continue;
         if (cast->line.enclosed || run->caster_count == COHERENCE_CASTERS)
             return false;
         casters[run->caster_count++] = j;
+        cast->sphere = &spans->spheres[j];
         cast->line.count = 1;
         cast->a = cast->line.a;
         cast->c = cast->line.c;
     }
     run->exponent = length_exponent(run, spans, casters);
-    run->bias = coherence_shift(2 * NUM_BIAS, run->exponent - 16) + coherence_power(COHERENCE_BITS(COHERENCE_BIAS));
+    run->bias = span_shift(2 * NUM_BIAS, run->exponent - 16) + num_bound(COHERENCE_BITS(COHERENCE_BIAS));
     for (int j = 0; j < run->caster_count; j++)
         coherence_bound_caster(run, &spans->spheres[casters[j]], &run->caster[j]);
     return true;
@@ -336,6 +353,9 @@ bool coherence_shade(const struct tia_view *view, const struct shaded_span *span
         !prepare_run(&run, view, span, span->x - 1, last + 1))
         return false;
     d.run = &run;
+    d.view = view;
+    d.object = span->object;
+    d.threshold = threshold;
     d.first = span->x;
     d.pixels = pixels;
     colouring_prepare(view, &scene->materials[scene->spheres[span->object].material], threshold[0], &d.colouring);

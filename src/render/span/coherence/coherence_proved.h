@@ -32,31 +32,6 @@
 
 /* ---- t ---- */
 
-/* The relative error of S = b + sqrt(D): 2^(this - B - n) for a root of B bits and an S of n bits. The mantissas of b,
- * v.v and c are below 2^31, 2^31 and 2^32. So D, in units of b's last bit squared, is off by .51 (2^32 + 2^32 + 2^31 +
- * 2) < 1.3 2^32; sqrt(D) is off by this over sqrt(D), and by one bit for rounding down. D and S are concave along the
- * run, so each is least at an end, where it was computed. A computed root of 2^19 or more is within 1/32 of the exact
- * one. So S is off by less than 1.4 2^(33 - B) + 1.51, and S is more than .98 2^(n - 1). Proved: coherence.g (sum), .55
- * of 1. */
-#define COHERENCE_ROOT 36
-
-/* The relative errors of the reciprocal of S and of c, 2^-this. Proved: coherence.g (inverse), 1 of 4. The error that
- * COHERENCE_ROOT bounds is at least as large. Unseen: small. */
-#define COHERENCE_INVERSE 28
-
-/* The relative rounding of T: 2^(this - bits), where T has at least `bits` bits at both ends of the run. The rounding
- * is 1/2, and T is at least half of its value at an end, so at least 2^(bits - 2): S is at most 2 b, and b is largest
- * at an end. 1 of 1. */
-#define COHERENCE_ROUNDED 1
-
-/* The relative error of t: the sum of the errors of COHERENCE_ROOT, COHERENCE_ROUNDED and COHERENCE_INVERSE. Proved:
- * coherence.g (t), 1.8 of 2. */
-#define COHERENCE_DEPTH 1
-
-/* The smallest number of bits of a root with which a run is drawn, as COHERENCE_ROOT assumes. With a larger number,
- * fewer runs are drawn. Unseen: choice. */
-#define COHERENCE_SMALLEST 20
-
 /* The largest relative error of t, 2^(this - 32), with which a run is drawn. With a smaller one, fewer runs are drawn.
  * Unseen: choice. */
 #define COHERENCE_KNOWN 20
@@ -66,45 +41,16 @@
 
 /* ---- light ---- */
 
-/* The error of |P|^2 = t reach: T/2 for the rounding of reach = t v.v, and .51 T^2 last bits of v.v. Proved:
- * coherence.g (reach), 1.01 of 2. */
-#define COHERENCE_REACH 1
-
-/* The error of |Q - P|^2 without that of t: .51 T twice for t Q.v, half a bit each for the constant and a shift, and
- * the error of |P|^2. Proved: coherence.g (square), 1.3 of 2. */
-#define COHERENCE_SQUARE 1
-
-/* The error of |Q - P|^2 that the error of t causes: 2.1 |Q - P| |P| times t's relative error. Proved: coherence.g
- * (moved), 2.1 of 4. */
+/* The error of |Q - P|^2 that the error of t causes: 2.1 |Q - P| |P| times t's relative error. 2.1 of 4. */
 #define COHERENCE_MOVES 2
 
 /* The error of the difference of two values of |Q - P|^2, each off by COHERENCE_MOVES and COHERENCE_SQUARE. Proved:
  * coherence.g (turn), 3.1 of 4. */
 #define COHERENCE_TURN 2
 
-/* The error of r N.(Q - P): .51 T for t G.v, half a bit for the constant, and |G| |P| times t's relative error. Proved:
- * coherence.g (facing), 1.6 of 2. */
-#define COHERENCE_FACING 1
-
 /* The lower limit of |Q - P|^2, 2^(bits - this), where its computed value has `bits` bits. The computed value is at
  * least 2^(bits - 1), and accurate to 1/32. 1.03 of 2. */
 #define COHERENCE_DISTANCE 2
-
-/* The relative error of |Q - P|^2: COHERENCE_SQUARE and COHERENCE_MOVES. Proved: coherence.g (relative), 1.6 of 2.
- * Unseen: small. */
-#define COHERENCE_RELATIVE 1
-
-/* The largest relative error of |Q - P|^2, 2^(this - 25) = 1/32, with which coherence draws pixels, as the next bounds
- * assume. With a smaller one, it draws fewer. Unseen: choice. */
-#define COHERENCE_CLOSE 20
-
-/* The roundings of the products for a cosine, 2^-this. They add up to 2^-27.9. Proved: simd_integer.g (cosine), 1 of
- * 4. */
-#define COHERENCE_KERNELS 26
-
-/* The error of the difference of two cosines: for each the error of r N.w over r d, half of |w|^2's relative error, and
- * COHERENCE_KERNELS. Proved: coherence.g (lambert), 6.2 of 8. */
-#define COHERENCE_LAMBERT 3
 
 /* Shadows between two samples are searched only where the error of lambert is below 1/this (not a logarithm). A choice:
  * with larger errors almost nothing is decided. Unseen: choice. */
@@ -126,7 +72,7 @@
 /* An upper limit of half of an arc, like COHERENCE_ARC, where the chord is at most a quarter of the circle's diameter:
  * half of the chord and 1.1 % of that. Proved: coherence.g (short), .506 of .515; the quotients are rounded down, 1 of
  * 2. */
-#define COHERENCE_SHORT(chord) ((chord) / 2 + (chord) / 64 + coherence_power(1))
+#define COHERENCE_SHORT(chord) ((chord) / 2 + (chord) / 64 + num_bound(1))
 
 /* The error of a run's chord, the distance of its end points along x alone, that the errors of t cause: 2^bounds.t |P|
  * at each end. 2 of 4. Unseen: small. */

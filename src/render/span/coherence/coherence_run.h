@@ -2,25 +2,13 @@
 #ifndef TIA_RENDER_SPAN_COHERENCE_COHERENCE_RUN_H
 #define TIA_RENDER_SPAN_COHERENCE_COHERENCE_RUN_H
 
-#include "render/span/span_light.h"
+#include "render/span/span_error.h"
 
 #define COHERENCE_CASTERS 2
 
-/* Error bounds are powers of two. An `int` here is the binary logarithm of a bound, in the scene's unit. */
-struct coherence_bounds {
-    int t;        /* relative error of t */
-    int mantissa; /* largest mantissa of t */
-    int point;    /* largest |P| */
-    int reach;    /* error of |P|^2 as computed */
-    int square;   /* error of |Q - P|^2, without the error of t */
-    int facing;   /* error of r N.(Q - P) */
-    int radius;   /* lower limit of r */
-    /* Bound on the error of a difference of two values of |Q - P|^2, with the exponent of |Q - P|^2. */
-    num_wide square_slack;
-};
-
 /* A sphere C, R that may occlude the light. Lengths have the run's exponent. */
 struct coherence_caster {
+    const struct span_sphere *sphere;
     struct shadow_line line;
     num_wide a, c;         /* forms of `line` at the image's middle */
     num_wide radius, away; /* upper bounds of R and |C - Q| */
@@ -38,12 +26,13 @@ struct coherence_run {
     struct light_line light;
     num_wide b, g, q; /* forms of body and light at the image's middle */
     int y, middle;
-    num_wide row_square; /* Y^2 + depth^2 */
-    int exponent;        /* exponent of lengths: no length that matters reaches 2^30 */
-    num_wide v_most;     /* largest |v| */
-    num_wide chord;      /* lower limit of the diameter of the circle on which the run's points lie */
-    num_wide bias;       /* upper bound of twice the shadow rays' bias */
-    struct coherence_bounds bounds;
+    num_wide row_square;     /* Y^2 + depth^2 */
+    int exponent;            /* exponent of lengths: no length that matters reaches 2^30 */
+    num_wide v_most;         /* largest |v| */
+    num_wide chord;          /* lower limit of the diameter of the circle on which the run's points lie */
+    num_wide bias;           /* upper bound of twice the shadow rays' bias */
+    struct span_error error; /* but for lambert */
+    num_wide square_slack;   /* bound on the error of a difference of two |Q - P|^2, with the exponent of |Q - P|^2 */
     int caster_count;
     struct coherence_caster caster[COHERENCE_CASTERS];
 };
@@ -65,11 +54,6 @@ struct coherence_sample {
     int8_t before, behind; /* |Q - P|^2 to the left and right: 1 grows somewhere, -1 falls, 0 unknown */
 };
 
-/* num_shift, num_bits and num_bound, not inlined, as they are called in many places and flash is scarce. */
-num_wide coherence_shift(num_wide x, int s);
-int coherence_bits(num_wide x);
-num_wide coherence_power(int bits);
-
 /* Moves the lines, except those of casters, to pixel x. */
 void coherence_go(struct coherence_run *run, int x);
 
@@ -79,7 +63,7 @@ num_wide coherence_square_at(struct coherence_run *run, int x);
  * `shadows` is true. */
 void coherence_sample_at(struct coherence_run *run, int x, bool shadows, struct coherence_sample *s);
 /* Returns lambert at pixel x, 0 in the shadow of a caster. */
-num_u coherence_lambert_at(struct coherence_run *run, int x);
+num_u coherence_lambert_at(struct coherence_run *run, int x, bool *open);
 
 /* Sets the bounds of pixels first..last; false when t is not accurate to 2^-12. Reads the members before v_most, except
  * `exponent`. */

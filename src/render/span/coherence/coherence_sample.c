@@ -14,14 +14,14 @@ static void sample_caster(const struct coherence_run *run, const struct lit *lit
     num_u foot = num_mul_top(num_scale_within(num_abs(toward), cast->scale + lit->half[0]), lit->inverse[0]);
 
     s->foot[j] = toward < 0 ? -num_signed(foot) : num_signed(foot);
-    s->clear[j] = coherence_shift(power, 2 * run->exponent - cast->power_exponent) - (num_wide)num_mul_u(foot, foot);
+    s->clear[j] = span_shift(power, 2 * run->exponent - cast->power_exponent) - (num_wide)num_mul_u(foot, foot);
 }
 
 static void sample_casters(const struct coherence_run *run, const struct lit *lit, struct coherence_sample *s)
 {
     int far_shift = run->exponent - (run->source.exponent >> 1) + 1;
 
-    s->far = (num)coherence_shift((num_wide)num_mul_top(lit->near[0], lit->inverse[0]), far_shift - lit->half[0]);
+    s->far = (num)span_shift((num_wide)num_mul_top(lit->near[0], lit->inverse[0]), far_shift - lit->half[0]);
     for (int j = 0; j < run->caster_count; j++)
         sample_caster(run, lit, s, j);
 }
@@ -61,7 +61,7 @@ void coherence_sample_at(struct coherence_run *run, int x, bool shadows, struct 
     }
 }
 
-num_u coherence_lambert_at(struct coherence_run *run, int x)
+num_u coherence_lambert_at(struct coherence_run *run, int x, bool *open)
 {
     num_wide ahead = (num_wide)(x - run->middle);
     num_u t, lambert = 0;
@@ -69,14 +69,15 @@ num_u coherence_lambert_at(struct coherence_run *run, int x)
 
     coherence_go(run, x);
     run->kernels->sphere(&run->body, &t);
-    if (!run->kernels->light(&run->light, &t, &lit))
-        return 0;
-    for (int j = 0; j < run->caster_count; j++) {
-        struct shadow_line *line = &run->caster[j].line;
-        line->a = run->caster[j].a + ahead * line->a_step;
-        line->c = run->caster[j].c + ahead * line->c_step;
-        run->kernels->shadow(line, &t, &lit);
+    if (run->kernels->light(&run->light, &t, &lit)) {
+        for (int j = 0; j < run->caster_count; j++) {
+            struct shadow_line *line = &run->caster[j].line;
+            line->a = run->caster[j].a + ahead * line->a_step;
+            line->c = run->caster[j].c + ahead * line->c_step;
+            run->kernels->shadow(line, &t, &lit);
+        }
+        run->kernels->lambert(&lit, run->sphere->inverse, 1, &lambert);
     }
-    run->kernels->lambert(&lit, run->sphere->inverse, 1, &lambert);
+    *open = lit.open != 0;
     return lambert;
 }

@@ -5,7 +5,7 @@
 /* ---- samples ---- */
 
 /* The relative error of each of the two terms of S' = b1 + D'/(2 sqrt(D)), which may cancel. D is at least
- * SPAN_FLOAT_CUT, 2^-8, of its size. Proved: simd_cells.g (part, first), .7 of 1. */
+ * SPAN_FLOAT_CUT, 2^-11, of its size. Proved: simd_cells.g (part, first), .7 of 1. */
 #define BOUND_SPAN_CELL_TURN (1. / (1 << CELL_TURN))
 
 /* The rounding of D'/2 = (2 d2 x + d1)/2, relative to |d1| + 2 |d2| X. x may lie outside of the run. Proved:

@@ -7,17 +7,12 @@
 /* The rounding unit u of the kernels' floats: half an ulp of 1. */
 #define BOUND_SPAN_FLOAT_UNIT 0x1p-24
 
-/* The rounding unit u of exact.c. An operation of doubles rounds by 2^-53. A coefficient has up to 6 such roundings:
- * conversions, 1/depth, its square, and products with these. The other rows count a coefficient as one rounding u,
- * which must therefore cover 6: 6 of 32. */
-#define BOUND_SPAN_DOUBLE_UNIT 0x1p-48
+/* The rounding unit u of doubles: half an ulp of 1. */
+#define BOUND_SPAN_DOUBLE_UNIT 0x1p-53
 
 /* The share of D's size below which a pixel is undecided in floats. A choice: the bound of S grows with 1/sqrt(D), and
  * SPAN_CELL_TURN is proved for this share. Unseen: choice. */
-#define BOUND_SPAN_FLOAT_CUT 0x1p-8
-
-/* The share of D's size below which a pixel is undecided in doubles, chosen like SPAN_FLOAT_CUT. Unseen: choice. */
-#define BOUND_SPAN_DOUBLE_CUT 0x1p-16
+#define BOUND_SPAN_FLOAT_CUT 0x1p-11
 
 /* The share of the cut by which the least D of a run must exceed the cut for the run to be drawn without a cut. A
  * choice: the floor that a cut gives is as good. Unseen: choice. */
@@ -39,8 +34,8 @@
 /* The error of sqrt(D): the error of D over the sum of the exact and the computed root, each at least the floor. */
 FORMULA(SPAN_ROOT);
 
-/* The share of the cut by which the exact D may be below the cut where the computed D is not: 8 u of D's size, which
- * for floats is 2^-13 of the cut. 1 of 160. Unseen: small. */
+/* The share of the cut by which the exact D may be below the cut where the computed D is not: 8 u of D's size, which is
+ * 2^-10 of the cut. 1 of 20. Unseen: small. */
 #define BOUND_SPAN_FLOOR .02
 
 /* The relative rounding of S = b + sqrt(D), without the errors of b and D: that of the root, which is computed from an
@@ -50,42 +45,42 @@ FORMULA(SPAN_ROOT);
 /* e_s, the relative error of 1/t in the kernels: the bounds of b and sqrt(D) over the least S, plus SPAN_SUM. */
 FORMULA(SPAN_KERNELS_T);
 
-/* ---- t in the integer code ---- */
+/* ---- K ---- */
 
-/* The integer code's rounding of D = b^2 - c v.v, in last bits of b, v.v and c_disc. b and v.v are upper halves of
- * accumulators. Each of the three is off by at most half of its last bit and 2^-18 of it: .5 of .51. */
-#define BOUND_SPAN_D_UNITS .51
+/* The relative error of K in 64 bits: a unit of the last bit, 2^-63, and the radius of the ball that K is taken from. 1
+ * of 2. Unseen: small. */
+#define BOUND_SPAN_AXIS_K 0x1p-62
 
-/* The integer code's rounding of S = b + sqrt(D), in last bits of b: half a bit for b, as in SPAN_D_UNITS, and one bit
- * for the root, which is rounded down. 1.5 of 1.51. */
-#define BOUND_SPAN_SUM_UNITS 1.51
+/* The roundings of K - K0 and of what it adds to b, D and v.v, relative to K - K0: products of up to four factors and
+ * sums, in doubles. 6 of 8 u. Unseen: small. */
+#define BOUND_SPAN_AXIS_ADDED 0x1p-50
 
-/* The relative errors, in the integer code, of the reciprocal of S and of c, which is rounded to 32 bits. Proved:
- * simd_integer.g (quotient), 3 of 8. */
-#define BOUND_SPAN_QUOTIENT 0x1p-29
+/* The relative error of K: SPAN_AXIS_K and SPAN_AXIS_ADDED. With v scaled to depth 1, the component of v along the axis
+ * is off by as much, and the others are exact. Unseen: small. */
+FORMULA(SPAN_AXIS);
 
-/* The integer code's rounding of t, in last bits of t. t is rounded to nearest: .5 of .51. */
-#define BOUND_SPAN_T_UNIT .51
+/* The error of b = L.v that the error of K causes: |L.z| times SPAN_AXIS. Unseen: small. */
+FORMULA(SPAN_AXIS_B);
 
-/* e_t, the relative error of t in the integer code: SPAN_SUM_UNITS and D's bound over the floor, both over the least S;
- * SPAN_QUOTIENT; and SPAN_T_UNIT over the least t. The root of the exact D is at least the floor. */
-FORMULA(SPAN_INTEGER_T);
+/* The error of D = b^2 - c v.v that the error of K causes: 2 b times that of b, and c times that of v.v, which is twice
+ * that of v's component along the axis. Unseen: small. */
+FORMULA(SPAN_AXIS_D);
 
-/* The limit of e_s + e_t below which a run is drawn. The rows for second-order errors rely on it, and the cells' bounds
- * are proved with 1/S within .01. A smaller limit leaves more runs to plain C. Unseen: choice. */
+/* e_t, the error of P that the error of K causes, as a share of |P|. Along v, t is off by the errors of b and sqrt(D)
+ * over S = b + sqrt(D). The error of sqrt(D) is that of D over the sum of the exact and the computed root, of which the
+ * computed one is at least the floor. Across v, P is off by the error of v, whose length is at least 1. Unseen:
+ * small. */
+FORMULA(SPAN_AXIS_P);
+
+/* The second-order errors of b^2, v.v and 1/S, as e_t is below .01: .01 of .02. Unseen: small. */
+#define BOUND_SPAN_AXIS_SECOND .02
+
+/* The limit of e_s + e_t below which a run is drawn, and of the relative error of t below which a single pixel is. The
+ * rows for second-order errors rely on it, and the cells' bounds are proved with 1/S within .01. A smaller limit leaves
+ * more runs to single pixels. Unseen: choice. */
 #define BOUND_SPAN_KNOWN .01
 
 /* ---- the nearer of two ---- */
-
-/* The integer code's error of b, for the least and the largest S of a whole part of a row. It is .51 of b's last bit;
- * tia_simd_between() bounds the root by itself. 1 of 2. Unseen: small. */
-FORMULA(SPAN_BETWEEN_B);
-
-/* The integer code's relative errors of the reciprocal and of c, as in SPAN_QUOTIENT: 3 of 16. Unseen: small. */
-#define BOUND_SPAN_BETWEEN_QUOTIENT 0x1p-28
-
-/* The integer code's rounding of t, to nearest. 1 of 2. */
-FORMULA(SPAN_BETWEEN_UNIT);
 
 /* The relative error of a sphere's 1/t at a pixel where two spheres are compared: the sphere's e_s and e_t, and
  * SPAN_NEARER_ROUNDING. */
@@ -97,5 +92,12 @@ FORMULA(SPAN_NEARER);
 
 /* The rounding of the comparison: 1/c as a float, its product with S, and the difference: 3 of 4 u. */
 #define BOUND_SPAN_NEARER_ROUNDING (4 * BOUND_SPAN_FLOAT_UNIT)
+
+/* The error of the difference of two distances in doubles: the sum of their errors. */
+FORMULA(SPAN_WINS);
+
+/* The second-order error in SPAN_WINS, whose errors are relative to the exact distances but multiply the computed ones,
+ * and the rounding of the difference: .01 of .02. Unseen: small. */
+#define BOUND_SPAN_WINS_SECOND .02
 
 #endif

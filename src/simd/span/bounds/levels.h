@@ -23,31 +23,12 @@ FORMULA(SPAN_FORM);
 /* The second-order error in SPAN_FORM: e_s^2 against 2 e_s, where e_s is below .01. .005 of .01. Unseen: small. */
 #define BOUND_SPAN_FORM_SECOND .01
 
-/* The rounding of reach = t v.v in the integer code, half of its last bit. |P|^2 is t reach, so the rounding counts T
- * times; T may exceed its exact maximum by e_t. .505 of .52. */
-#define BOUND_SPAN_REACH_T .52
-
-/* The rounding of v.v in the integer code, half of its last bit and 2^-18 of that bit. |P|^2 is t^2 v.v, so the
- * rounding counts t^2 times; t may exceed its exact maximum by e_t. .51 of .51. */
-#define BOUND_SPAN_REACH_SQUARE .51
-
-/* The error of |P|^2 in the integer code, without the error of t: t times the error of reach, SPAN_REACH_T and
- * SPAN_REACH_SQUARE. */
-FORMULA(SPAN_REACH);
-
-/* The second-order change of a form by the error of t. The first-order change is e_t times t d/dt of the form, which
- * for |w|^2 is at most 2 |Q| |P| + 2 |P|^2. The second-order change is at most e_t/2 of the first: .005 of .02. Unseen:
- * small. */
+/* The second-order change of a form by the error of P. The first-order change is at most that error times the
+ * derivative of the form, which for |w|^2 is at most 2 |Q| + 2 |P|. The second-order change is at most e_t/2 of the
+ * first: .005 of .02. Unseen: small. */
 #define BOUND_SPAN_MOVED .02
 
-/* The integer code's roundings of Q.Q and of the shifted |P|^2, half a bit each. 1 of 1. Unseen: small. */
-#define BOUND_SPAN_SQUARE_UNITS 1
-
-/* The integer code's rounding of 2 t Q.v: half a bit of Q.v and 2^-18 of it, times 2 T. T may exceed its exact maximum
- * by e_t: 1.01 of 1.02. */
-#define BOUND_SPAN_SQUARE_T 1.02
-
-/* e_w, the relative error of |w|^2: the bounds of the kernels' and of the integer code's error, over the least
+/* e_w, the relative error of |w|^2: the kernels' error, and the change by the error of P, e_t |P|, over the least
  * |w|^2. */
 FORMULA(SPAN_SQUARE);
 
@@ -62,14 +43,7 @@ FORMULA(SPAN_SQUARE);
 /* The second-order error of K s in e_s. There is none, as K s is linear in s: 0 of .01. Unseen: small. */
 #define BOUND_SPAN_FACING_SECOND .01
 
-/* The integer code's rounding of the constant in r N.w, half a bit. .5 of .5. Unseen: small. */
-#define BOUND_SPAN_FACING_UNITS .5
-
-/* The integer code's rounding of t G.v: half a bit of G.v and 2^-18 of it, times T. T may exceed its exact maximum by
- * e_t: .505 of .51. */
-#define BOUND_SPAN_FACING_T .51
-
-/* The error of r N.w: the bound of the kernels' error, and the integer code's error of t and roundings. */
+/* The error of r N.w = K + G.P: the kernels' error, and |G| times the error of P. */
 FORMULA(SPAN_FACING_OFF);
 
 /* The rounding of r N.w/(r |w|): 1/r, 1/sqrt and two products. Proved: simd_forms.g (lambert), 15 of 24 u. */
@@ -83,12 +57,7 @@ FORMULA(SPAN_FACING_OFF);
  * its computed value, or .5051 e_w where e_w is below .04. The computed cosine is at most 1.01: .511 of .53. */
 #define BOUND_SPAN_COSINE_SQUARE .53
 
-/* The integer code's roundings of the cosine: the shift of r N.w (2^-30), the inverse root (2^-30) and its product
- * (2^-30), 1/r (2^-31) and the cosine (2^-31). Proved: simd_integer.g (cosine), 4 of 16. */
-#define BOUND_SPAN_COSINE_UNITS 0x1p-26
-
-/* e_c, the error of the cosine: the error of r N.w over r |w|, the error of 1/|w|, and the roundings of the kernels and
- * of the integer code. */
+/* e_c, the error of the cosine: the error of r N.w over r |w|, the error of 1/|w|, and SPAN_LAMBERT. */
 FORMULA(SPAN_COSINE);
 
 /* The limit of e_w below which a cosine is bounded, as SPAN_COSINE_SQUARE assumes. Unseen: choice. */
@@ -104,16 +73,12 @@ FORMULA(SPAN_COSINE);
  * much. Proved: simd_forms.g (colour, colour_sum, caster), 4 of 6 u. */
 #define BOUND_SPAN_COLOUR SIMD_COLOUR
 
-/* The integer code's rounding of a light's contribution to a colour: the product of two colours and its product with
- * lambert, half of 2^-30 each. Each caster adds as much. 1 of 1. */
-#define BOUND_SPAN_COLOUR_UNITS 0x1p-30
-
 /* The rounding of a cosine interpolated by two lines between three samples, which are at most 1.01. Proved:
  * simd_forms.g (line), 11 of 15 u. */
 #define BOUND_SPAN_LINE SIMD_LINE
 
 /* The error of a light's contribution to a colour: the light's colour times the bounds of the cosine and of the
- * interpolation, plus SPAN_COLOUR and SPAN_COLOUR_UNITS. Minima, maxima and clamps never enlarge an error. */
+ * interpolation, plus SPAN_COLOUR. Minima, maxima and clamps never enlarge an error. */
 FORMULA(SPAN_COLOURS);
 
 /* The error of a channel in levels, for 31 or 63 levels: the colour's error times their number, plus

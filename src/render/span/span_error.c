@@ -1,0 +1,189 @@
+/* span_error.c - the bounds that span_proved.h derives. */
+#include "span_error.h"
+
+#include "math/integer.h"
+#include "span_proved.h"
+
+#if defined(__GNUC__)
+#define OUT_OF_LINE __attribute__((noinline))
+#else
+#define OUT_OF_LINE
+#endif
+
+num_wide span_error_number(int log)
+{
+    return num_bound_of_log(log);
+}
+
+/* ---- logarithms ---- */
+
+#define ONE 256
+
+static OUT_OF_LINE int log_down(num_wide x)
+{
+    return num_log(x);
+}
+
+/* log2(1 + f) - f is at most .0861. */
+static OUT_OF_LINE int log_up(num_wide x)
+{
+    return num_log(x) + 24;
+}
+
+/* log2(1 + 2^-n) for n = 0..9, rounded up, less 1. */
+static const TIA_FLASH uint8_t sums[10] = {255, 149, 82, 43, 22, 11, 5, 2, 1, 0};
+
+/* Returns an upper limit of the logarithm of a sum. */
+static OUT_OF_LINE int sum_of(int a, int b)
+{
+    int larger = a > b ? a : b, apart = (larger - (a > b ? b : a)) >> 8;
+
+    return larger + sums[apart < 9 ? apart : 9] + 1;
+}
+
+/* Returns the logarithm of the length of a, whose exponent is 16, rounded up. */
+static int log_length(struct num_vec a)
+{
+    return (log_up(span_square30(&a) + 1) + 2 * ONE + 1) / 2 - 16 * ONE;
+}
+
+/* ---- t ---- */
+
+struct span_depth span_depth_of(const struct span_sphere *sphere, num_u top, num_u square, num_u t)
+{
+    struct span_depth d = {0, top, t};
+
+    d.root = num_sqrt(sphere->c < 0 ? num_mul_u(sphere->c_disc, square)
+                                    : num_excess(num_mul_u(top, top), num_mul_u(sphere->c_disc, square)));
+    d.sum += d.root;
+    return d;
+}
+
+static num_wide lesser(num_u a, num_u b)
+{
+    return (num_wide)(a < b ? a : b);
+}
+
+/* Returns a lower limit of S over the run: b is linear, and sqrt(D) least at an end. */
+static num_wide least_sum(const struct span_depth *a, const struct span_depth *b)
+{
+    return lesser(a->sum - a->root, b->sum - b->root) + lesser(a->root, b->root);
+}
+
+/* Returns the bound of t from outside. */
+static int bound_t(const struct primary_rays *primary, const struct span_sphere *sphere, const struct span_depth *a,
+                   const struct span_depth *b)
+{
+    int root = log_down(lesser(a->root, b->root)), sum = log_down(least_sum(a, b));
+    int b_bit = (sphere->b_shift - 32) * ONE, t = SPAN_LOG(SPAN_ERROR_ROOT) - root - sum;
+
+    t = sum_of(t, SPAN_LOG(SPAN_ERROR_SUM) - sum);
+    t = sum_of(t, SPAN_LOG(SPAN_ERROR_ROUNDED) - log_down(lesser(a->t, b->t)));
+    t = sum_of(t, SPAN_LOG(SPAN_ERROR_INVERSE));
+    if (primary->exact)
+        return t;
+    t = sum_of(t, SPAN_LOG(SPAN_ERROR_TURNED_ROOT) + log_up(sphere->radius) + b_bit - root);
+    t = sum_of(t, SPAN_LOG(SPAN_ERROR_TURNED_SUM) + log_up(num_abs(sphere->centre.z)) + b_bit - sum);
+    return sum_of(t, SPAN_LOG(SPAN_ERROR_TURNED) - log_down(primary->depth));
+}
+
+/* Returns the bound of t from inside, as a part of 2^31: D is at least |c| K^2, whose root this is. */
+static int bound_t_inside(const struct primary_rays *primary, const struct span_sphere *sphere, num_u least_root)
+{
+    int root = log_down((num_wide)least_root), b_bit = (sphere->b_shift - 32) * ONE;
+    int square = log_down(primary->depth * primary->depth) + (primary->square_shift - 32) * ONE;
+    int quotient = square + sphere->t_shift * ONE, t = SPAN_LOG(SPAN_ERROR_INSIDE_ROOT) - root - quotient;
+
+    t = sum_of(t, SPAN_LOG(SPAN_ERROR_INSIDE_TURNED) + log_up(sphere->radius) + b_bit - root - quotient);
+    t = sum_of(t, SPAN_LOG(SPAN_ERROR_INSIDE_SUM) + log_up(num_abs(sphere->centre.z)) + b_bit - quotient);
+    t = sum_of(t, SPAN_LOG(SPAN_ERROR_INSIDE_UNITS) - quotient);
+    t = sum_of(t, SPAN_LOG(SPAN_ERROR_INSIDE_SQUARE) - square);
+    t = sum_of(t, SPAN_LOG(SPAN_ERROR_TURNED) - log_down(primary->depth));
+    return sum_of(t, SPAN_LOG(SPAN_ERROR_INVERSE));
+}
+
+void span_error_of(const struct primary_rays *primary, const struct light_source *source, const struct light_line *line,
+                   const struct span_depth ends[2], num_wide v_most, struct span_error *error)
+{
+    const struct span_sphere *sphere = source->sphere;
+    struct num_vec g = num_vec_sub(source->light, sphere->centre);
+    int v = log_up(v_most) - (sphere->t_exponent + primary->exponent) * ONE;
+
+    error->t = error->lambert = 0;
+    if (span_bits(lesser(ends[0].root, ends[1].root)) < SPAN_ERROR_ROOT_BITS)
+        return;
+    if (sphere->c < 0) {
+        error->t = bound_t_inside(primary, sphere, ends[0].root);
+        error->mantissa = 31 * ONE;
+        error->point = error->mantissa + v;
+    } else {
+        int tangent = (log_up(sphere->c) - 32 * ONE) / 2 + 1;
+        error->t = bound_t(primary, sphere, &ends[0], &ends[1]);
+        error->mantissa = log_up((num_wide)ends[0].t) + log_up((num_wide)ends[0].sum) -
+                          log_down(least_sum(&ends[0], &ends[1])) + SPAN_LOG(SPAN_ERROR_MANTISSA);
+        error->point = error->mantissa + v < tangent ? error->mantissa + v : tangent;
+    }
+    error->radius = log_down(sphere->radius) - 16 * ONE;
+    error->reach = sum_of(SPAN_LOG(SPAN_ERROR_REACH) + error->mantissa,
+                          SPAN_LOG(SPAN_ERROR_REACH_SQUARE) + 2 * error->mantissa - line->reach_down * ONE) -
+                   source->reach_exponent * ONE;
+    error->square = sum_of(SPAN_LOG(SPAN_ERROR_SQUARE) + error->mantissa - source->exponent * ONE, error->reach);
+    int facing_exponent = 15 - sphere->radius_bits + (source->exponent >> 1) - line->scale;
+    error->facing = sum_of(SPAN_LOG(SPAN_ERROR_FACING) + error->mantissa - facing_exponent * ONE,
+                           log_length(g) + error->point + error->t);
+}
+
+num_wide span_error_facing(const struct light_source *source, const struct light_line *line,
+                           const struct span_error *error)
+{
+    int exponent = 15 - source->sphere->radius_bits + (source->exponent >> 1) - line->scale;
+
+    return num_bound_of_log(error->facing + exponent * ONE);
+}
+
+/* ---- light and shadows ---- */
+
+void span_error_lambert(const struct light_source *source, num_wide square, struct span_error *error)
+{
+    int twice = log_down(square) - source->exponent * ONE - SPAN_LOG(SPAN_ERROR_DISTANCE);
+    int once = twice >= 0 ? twice / 2 : (twice - 1) / 2;
+
+    error->lambert = 0;
+    if (error->t >= 0)
+        return;
+    error->relative = sum_of(error->square - twice, SPAN_LOG(SPAN_ERROR_MOVED) + error->point + error->t - once);
+    if (error->relative > SPAN_LOG(SPAN_ERROR_CLOSE))
+        return;
+    int cosine = sum_of(error->facing - error->radius - once, error->relative - ONE);
+    error->lambert = sum_of(SPAN_LOG(SPAN_ERROR_COSINE) + cosine, SPAN_LOG(SPAN_ERROR_KERNELS));
+}
+
+bool span_error_shadow(const struct light_source *source, const struct span_sphere *caster,
+                       const struct span_error *error, struct shadow_line *line)
+{
+    int e_d = source->exponent, e_a = 43 + (e_d >> 1) - line->bias_shift, e_k = 2 * e_a - e_d - line->exponent;
+    int w = sum_of(log_length(source->light), error->point), size = sum_of(log_length(caster->centre), error->point);
+    int moved = error->point + error->t;
+    int radii = sum_of(log_up(caster->radius), log_up(source->sphere->radius)) - 16 * ONE;
+    int apart = 2 * sum_of(sum_of(log_length(source->sphere->centre), size), radii);
+    int toward = sum_of(SPAN_LOG(SPAN_ERROR_TOWARD) + error->mantissa - e_a * ONE, error->reach);
+    int power = sum_of(SPAN_LOG(SPAN_ERROR_POWER) + error->mantissa - e_k * ONE, error->reach);
+
+    toward = sum_of(toward, SPAN_LOG(SPAN_ERROR_TOWARD_MOVED) + sum_of(size, w) + moved);
+    toward = sum_of(toward, SPAN_LOG(SPAN_ERROR_BIAS) + w + error->lambert);
+    power = sum_of(power, SPAN_LOG(SPAN_ERROR_POWER_MOVED) + size + moved);
+    power = sum_of(power, SPAN_LOG(SPAN_ERROR_APART) + apart - error->radius);
+    power = sum_of(power, SPAN_LOG(SPAN_ERROR_APART_UNITS));
+    int beyond = sum_of(sum_of(toward, error->square), SPAN_LOG(SPAN_ERROR_MOVED) + w + moved);
+    beyond += (e_a < e_d ? e_a : e_d) * ONE;
+    toward += e_a * ONE;
+    power += e_k * ONE;
+    line->a_doubt = num_bound_of_log(toward);
+    line->k_doubt = num_bound_of_log(power);
+    line->beyond_doubt = num_bound_of_log(beyond);
+    bool rough = error->relative <= SPAN_LOG(SPAN_ERROR_COVER);
+    line->a_clear = rough ? NUM_CLEAR * line->a_doubt : num_bound(62);
+    line->k_clear = rough ? NUM_CLEAR * line->k_doubt : num_bound(62);
+    line->margin = num_limited(-error->relative / ONE, 0, 26);
+    return toward <= SPAN_ERROR_DOUBT_MOST && power <= SPAN_ERROR_DOUBT_MOST && beyond <= SPAN_ERROR_DOUBT_MOST;
+}
