@@ -10,7 +10,7 @@ DEPS_CHECK := make python3 clang clang-format libclang-rt-14-dev universal-ctags
         libc6-dev-s390x-cross libc6-dev-powerpc-cross lib32gcc-12-dev libc6-dev-i386 qemu-user-static \
         gcc-arm-none-eabi gcc-riscv64-unknown-elf qemu-system-arm qemu-system-misc frama-c-base why3 z3 cvc4 gappa \
         qemu-system-x86 seabios busybox-static xz-utils linux-headers-amd64 povray tmux screen zsh fish g++ cmake \
-        wasi-libc libclang-rt-14-dev-wasm32 lld nodejs chromium fonts-dejavu-core \
+        wasi-libc libclang-rt-14-dev-wasm32 lld clang-16 nodejs chromium fonts-dejavu-core \
         parallel openssh-server openssh-client slurm-wlm slurm-client slurmctld slurmd munge \
         debhelper dpkg-dev lintian mmdebstrap libgl-dev \
         arduino-builder arduino-ctags arduino-core-avr picolibc-arm-none-eabi \

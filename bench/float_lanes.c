@@ -78,6 +78,9 @@ bool float_lanes_render(const struct tia_scene *scene, const char *simd, int wid
 #if defined TIA_HAVE_NEON || defined TIA_HAVE_NEON32
         {"neon", float_lanes_neon},
 #endif
+#ifdef TIA_HAVE_RVV
+        {"rvv", float_lanes_rvv},
+#endif
         {"", NULL},
     };
     struct lanes_world w;

@@ -22,5 +22,6 @@ void FLOAT_LANES(sse41);
 void FLOAT_LANES(avx2);
 void FLOAT_LANES(avx512);
 void FLOAT_LANES(neon);
+void FLOAT_LANES(rvv);
 
 #endif

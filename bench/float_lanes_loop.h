@@ -66,8 +66,12 @@ INLINE struct seen look(const struct lanes_world *w, V d)
         hit = m_and(hit, f_gt(s.t, t));
         s.t = f_sel(hit, t, s.t);
         s.any = m_or(s.any, hit);
-        s.second = i == 1 ? m_or(s.second, hit) : m_and(s.second, m_not(hit));
-        s.light = i == 2 ? hit : m_and(s.light, m_not(hit));
+        s.second = m_and(s.second, m_not(hit));
+        s.light = m_and(s.light, m_not(hit));
+        if (i == 1)
+            s.second = m_or(s.second, hit);
+        if (i == 2)
+            s.light = hit;
     }
     return s;
 }

@@ -109,7 +109,7 @@ static void pin(const cpu_set_t *all)
 void bench_simd(void)
 {
     static const uint16_t sizes[3][2] = {{640, 480}, {1920, 1080}, {3840, 2160}};
-    static const char *const names[] = {"sse41", "avx2", "avx512", "neon", "wasm"};
+    static const char *const names[] = {"sse41", "avx2", "avx512", "neon", "rvv", "wasm"};
 
     cpu_set_t all;
     bool pinned = sched_getaffinity(0, sizeof all, &all) == 0;

@@ -28,6 +28,8 @@ static void enter_mode(void)
 
 static void leave_mode(void)
 {
+    const int rounding = fegetround();
+
 #ifndef ENVIRONMENT_FIXED
     environment_read(&after);
     environment_write(&(struct environment){ENVIRONMENT_DEFAULT, 0});
@@ -35,7 +37,7 @@ static void leave_mode(void)
               simd->name, mode->name, (uintmax_t)before.control, (uintmax_t)after.control, (uintmax_t)before.flags,
               (uintmax_t)after.flags);
 #endif
-    CHECK_EQ(fegetround(), mode->rounding);
+    CHECK_EQ(rounding, mode->rounding);
     (void)fesetround(FE_TONEAREST);
 }
 

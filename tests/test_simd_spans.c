@@ -278,7 +278,7 @@ TEST(names_of_levels)
 
 int main(int argc, char **argv)
 {
-    static const char *const names[] = {"sse41", "avx2", "avx512", "neon", "wasm"};
+    static const char *const names[] = {"sse41", "avx2", "avx512", "neon", "rvv", "wasm"};
 
     if (argc > 1 && !check_is_word(argv[1])) {
         edge_scenes = (unsigned)check_number(argc, argv, 1, 0);

@@ -21,7 +21,8 @@
  * flags. On a processor whose register the library does not know, plain C draws if the caller has set another
  * environment. A view's `stop` is called in the kernels' environment.
  *
- * A call takes at most 16 KiB of its thread's stack; all other data is in the memory above. */
+ * A call takes at most 16 KiB of its thread's stack; all other data is in the memory above. "rvv" takes up to 5 KiB
+ * more for each 128 bits that a vector register has beyond the first 128, since whole registers are stored. */
 #ifndef TIA_SIMD_H
 #define TIA_SIMD_H
 
@@ -36,8 +37,8 @@ extern "C" {
 const struct tia_simd *tia_simd_best(void);
 
 /* Sets *simd to the widest instruction set that is at most as wide as the one called `name`: "plain" (which gives
- * NULL), "scalar", "sse41", "avx2", "avx512", "neon" or "wasm". TIA_ERR_ARGUMENT when no instruction set has that name,
- * on any processor. */
+ * NULL), "scalar", "sse41", "avx2", "avx512", "neon", "rvv" or "wasm". TIA_ERR_ARGUMENT when no instruction set has
+ * that name, on any processor. */
 int tia_simd_named(const char *name, const struct tia_simd **simd);
 
 /* Returns number `index` of the instruction sets that both this library and this processor have, narrowest first; NULL

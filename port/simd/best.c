@@ -3,7 +3,7 @@
 
 #include <tia/simd.h>
 
-#if defined __arm__ && defined TIA_HAVE_NEON32
+#if (defined __arm__ && defined TIA_HAVE_NEON32) || defined TIA_HAVE_RVV
 #include <sys/auxv.h>
 #endif
 #if defined __x86_64__ || defined __i386__
@@ -63,6 +63,24 @@ THERE(has_neon, true) /* every AArch64 processor has NEON */
 #else
 #define NEON NULL, NULL
 #endif
+#ifdef TIA_HAVE_RVV
+extern const struct tia_simd tia_simd_rvv;
+
+/* Kernels of processors with V of version 0.7 report it with the same bit. `vsetvli t0, zero, e32, m1, ta, ma` returns
+ * the number of elements of a vector, and 0 by that version, which has neither ta nor ma. */
+static bool has_rvv(void)
+{
+    unsigned long elements;
+
+    if (!(getauxval(AT_HWCAP) & 1 << ('v' - 'a')))
+        return false;
+    __asm__ volatile(".4byte 0x0d0072d7\n\tmv %0, t0" : "=r"(elements) : : "t0");
+    return elements >= 4;
+}
+#define RVV &tia_simd_rvv, has_rvv
+#else
+#define RVV NULL, NULL
+#endif
 #ifdef TIA_HAVE_WASM
 extern const struct tia_simd tia_simd_wasm;
 THERE(has_wasm, true) /* a module with these instructions does not start without them */
@@ -72,8 +90,8 @@ THERE(has_wasm, true) /* a module with these instructions does not start without
 #endif
 
 /* Instruction sets from the narrowest to the widest; those of one processor family are adjacent. */
-static const struct entry entries[] = {{"scalar", SCALAR}, {"sse41", SSE41}, {"avx2", AVX2},
-                                       {"avx512", AVX512}, {"neon", NEON},   {"wasm", WASM}};
+static const struct entry entries[] = {{"scalar", SCALAR}, {"sse41", SSE41}, {"avx2", AVX2}, {"avx512", AVX512},
+                                       {"neon", NEON},     {"rvv", RVV},     {"wasm", WASM}};
 #define ENTRIES (sizeof entries / sizeof *entries)
 
 const struct tia_simd *tia_simd_at(unsigned index)
@@ -125,7 +143,7 @@ int tia_simd_named(const char *name, const struct tia_simd **simd)
         if (entries[i].simd && entries[i].there())
             found = entries[i].simd;
         if (strcmp(name, entries[i].name) == 0) {
-            /* neon and wasm, if they are not built in, have no narrower substitute */
+            /* neon, rvv and wasm, if they are not built in, have no narrower substitute */
             *simd = i < 4 || entries[i].simd ? found : NULL;
             return TIA_OK;
         }

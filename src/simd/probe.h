@@ -8,6 +8,8 @@ no
      defined __AVX512VL__) ||                                                                                          \
     (defined ASK_neon && defined __ARM_NEON && defined __aarch64__ && !defined __ARM_BIG_ENDIAN) ||                    \
     (defined ASK_neon32 && defined __ARM_NEON && defined __arm__ && !defined __ARM_BIG_ENDIAN) ||                      \
+    (defined ASK_rvv && defined __riscv_v && defined __riscv_float_abi_double && __riscv_xlen == 64 &&                 \
+     defined __clang__ && __clang_major__ >= 16) ||                                                                    \
     (defined ASK_wasm && defined __wasm_simd128__)
 yes
 #endif

@@ -5,13 +5,14 @@
 # -ffast-math nor a coprocessor that computes wider.
 SIMD_SRC := $(filter src/simd/%,$(CORE_SRC))
 CORE_SRC  := $(filter-out src/simd/%,$(CORE_SRC))
-SIMD_NAMES := scalar sse41 avx2 avx512 neon neon32 wasm
+SIMD_NAMES := scalar sse41 avx2 avx512 neon neon32 rvv wasm
 flags_scalar :=
 flags_sse41  := -msse4.1
 flags_avx2   := -mavx2 -mfma
 flags_avx512 := -mavx512f -mavx512bw -mavx512dq -mavx512vl
 flags_neon   :=
 flags_neon32 := -mfpu=neon
+flags_rvv    := -march=rv64gcv
 flags_wasm   := -msimd128
 SIMD ?= $(if $(BARE),no,yes)
 # tools/generate would be too late: the compiler is tried with a line for each instruction set.

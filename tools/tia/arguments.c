@@ -20,7 +20,7 @@ static int choose_simd(struct options *options)
 
     options->simd = tia_simd_best();
     if (most && tia_simd_named(most, &options->simd))
-        return fail(EXIT_USAGE, "TIA_SIMD '%.200s': not plain, scalar, sse41, avx2, avx512, neon or wasm", most);
+        return fail(EXIT_USAGE, "TIA_SIMD '%.200s': not plain, scalar, sse41, avx2, avx512, neon, rvv or wasm", most);
     return EXIT_FINE;
 }
 

@@ -22,7 +22,7 @@ struct frame {
 /* Returns the name of an instruction set. */
 static const char *name_of(const struct tia_simd *simd)
 {
-    static const char *const names[] = {"scalar", "sse41", "avx2", "avx512", "neon", "wasm"};
+    static const char *const names[] = {"scalar", "sse41", "avx2", "avx512", "neon", "rvv", "wasm"};
     const struct tia_simd *named;
 
     for (unsigned i = 0; i < sizeof names / sizeof names[0]; i++)

@@ -1,0 +1,10 @@
+/* rvv.c - rays with V of RISC-V: 4 doubles. */
+#include "simd/isa/rvv.h"
+
+#include "lanes.h"
+
+#include "pixels_tmpl.h"
+#include "tracer_tmpl.h"
+#include "walk_paths_tmpl.h"
+
+SURE(rvv);
