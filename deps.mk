@@ -3,11 +3,17 @@
 # as `make deps check`: everything. With -n nothing is installed, and what would be is listed.
 DEPS_BUILD := gcc libc6-dev pkg-config libdrm-dev libpng-dev
 DEPS_ALL := libstb-dev libchafa-dev libjansson-dev libglib2.0-dev libosmesa6-dev libegl-dev libgl1-mesa-dri
-DEPS_CHECK := make python3 clang clang-format libclang-rt-14-dev universal-ctags file binutils man-db \
-        gcc-i686-linux-gnu gcc-arm-linux-gnueabi gcc-arm-linux-gnueabihf gcc-aarch64-linux-gnu \
-        gcc-riscv64-linux-gnu gcc-s390x-linux-gnu gcc-powerpc-linux-gnu libc6-dev-i386-cross \
+# What tests/slow/arch builds with, and what only all of its builds want.
+DEPS_ARCH := gcc-i686-linux-gnu gcc-arm-linux-gnueabi gcc-arm-linux-gnueabihf gcc-aarch64-linux-gnu \
+        gcc-riscv64-linux-gnu gcc-s390x-linux-gnu libc6-dev-i386-cross \
         libc6-dev-armel-cross libc6-dev-armhf-cross libc6-dev-arm64-cross libc6-dev-riscv64-cross \
-        libc6-dev-s390x-cross libc6-dev-powerpc-cross lib32gcc-12-dev libc6-dev-i386 qemu-user-static \
+        libc6-dev-s390x-cross lib32gcc-12-dev libc6-dev-i386 qemu-user-static \
+        gcc-m68k-linux-gnu libc6-dev-m68k-cross gcc-mips64el-linux-gnuabi64 libc6-dev-mips64el-cross tcc
+DEPS_ARCH_FULL := gcc-powerpc-linux-gnu libc6-dev-powerpc-cross gcc-powerpc64le-linux-gnu libc6-dev-ppc64el-cross \
+        gcc-mips-linux-gnu libc6-dev-mips-cross gcc-sparc64-linux-gnu libc6-dev-sparc64-cross \
+        gcc-hppa-linux-gnu libc6-dev-hppa-cross gcc-alpha-linux-gnu libc6.1-dev-alpha-cross
+DEPS_CHECK := make python3 clang clang-format libclang-rt-14-dev universal-ctags file binutils man-db \
+        $(DEPS_ARCH) \
         gcc-arm-none-eabi gcc-riscv64-unknown-elf qemu-system-arm qemu-system-misc frama-c-base why3 z3 cvc4 gappa \
         qemu-system-x86 seabios busybox-static xz-utils linux-headers-amd64 povray tmux screen zsh fish g++ cmake \
         wasi-libc libclang-rt-14-dev-wasm32 lld clang-16 nodejs chromium fonts-dejavu-core \
@@ -26,6 +32,8 @@ deps_of_deb := debhelper dpkg-dev
 deps_of_boards := gcc-arm-none-eabi gcc-riscv64-unknown-elf gcc-avr avr-libc python3
 deps_of_counted := $(deps_of_all) $(deps_of_boards) qemu-system-arm qemu-system-misc libsimavr-dev libelf-dev
 deps_of_prove := gappa frama-c-base why3 z3 cvc4 python3
+deps_of_check-arch := gcc libc6-dev python3 clang libclang-rt-14-dev libclang-rt-14-dev-wasm32 wasi-libc lld nodejs \
+        $(DEPS_ARCH) $(DEPS_ARCH_FULL)
 deps_of_lint := clang-format
 deps_of_man3 := python3
 deps_of_amalgamation := python3
