@@ -152,7 +152,7 @@ static void add_light(struct pixel *p, uint32_t object, uint32_t l)
 
 /* Returns floor(levels min(1, channel) + threshold). Where it is open whether the channel is above 1, it is so near to
  * 1 that both give the last level, as the threshold is from 1/128 to 127/128. */
-static unsigned quantise(struct pixel *p, const struct ball *channel, int levels, tia_q30 threshold)
+static unsigned quantise(struct pixel *p, const struct ball *channel, int32_t levels, tia_q30 threshold)
 {
     struct ball y, q;
 

@@ -83,9 +83,9 @@ static inline int num_cover_order(num_wide a, num_u near, int half, num_wide k, 
     return left > right ? 1 : -1;
 }
 
-/* How many times a number exceeds its error's bound where num_cover_order's margin of 14 includes the error: that of a,
- * whose square counts, 2 2^-16, of k 2^-16, and of d up to 2^-17: together less than 2^-14. */
-#define NUM_CLEAR 65536
+/* The logarithm of how many times a number exceeds its error's bound where num_cover_order's margin of 14 includes the
+ * error: that of a, whose square counts, 2 2^-16, of k 2^-16, and of d up to 2^-17: together less than 2^-14. */
+#define NUM_CLEAR (16 * 256)
 
 /* The largest bound of a channel's error with which its level is decided. */
 #define NUM_DOUBT_MOST ((num_u)1 << 22)

@@ -6,7 +6,7 @@
 
 static struct tia_exact exact_at(const struct exact_picture *picture, uint32_t number, bool dither)
 {
-    unsigned x = number % (unsigned)picture->width, y = number / (unsigned)picture->width;
+    uint32_t x = number % (uint32_t)picture->width, y = number / (uint32_t)picture->width;
     struct exact_cost cost = {0, false};
     num_u threshold[8];
     struct tia_exact pixel;

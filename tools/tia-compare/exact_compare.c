@@ -11,8 +11,10 @@ void exact_begin(struct exact_run *run, const struct options *options, const str
     *run = (struct exact_run){.what = {.dither = options->dither, .step = options->every, .workers = workers},
                               .report = {.json = options->json, .summary = options->summary}};
     exact_drawers(&run->what);
+#ifdef TIA_HAVE_F64
     exact_add(&run->what, &tia_core_f64);
     exact_add(&run->what, &tia_core_f32);
+#endif
     run->report.what = &run->what;
     exact_report_begin(&run->report);
 }

@@ -182,8 +182,8 @@ bool span_error_shadow(const struct light_source *source, const struct span_sphe
     line->k_doubt = num_bound_of_log(power);
     line->beyond_doubt = num_bound_of_log(beyond);
     bool rough = error->relative <= SPAN_LOG(SPAN_ERROR_COVER);
-    line->a_clear = rough ? NUM_CLEAR * line->a_doubt : num_bound(62);
-    line->k_clear = rough ? NUM_CLEAR * line->k_doubt : num_bound(62);
+    line->a_clear = rough ? num_bound_of_log(toward + NUM_CLEAR) : num_bound(62);
+    line->k_clear = rough ? num_bound_of_log(power + NUM_CLEAR) : num_bound(62);
     line->margin = num_limited(-error->relative / ONE, 0, 26);
     return toward <= SPAN_ERROR_DOUBT_MOST && power <= SPAN_ERROR_DOUBT_MOST && beyond <= SPAN_ERROR_DOUBT_MOST;
 }
