@@ -111,8 +111,8 @@ struct tia_exact {
     bool tie;      /* the sides of a comparison are equal, or count as equal with 512 bits */
 };
 
-/* Computes `count` exact pixels of a view: every `step`th pixel of its picture, from number `first` on. Pixels are
- * numbered row by row from the upper left. This takes some microseconds a pixel, or milliseconds for a tie. Returns
+/* Computes `count` exact pixels of a view: those with the numbers first, first + step, first + 2 step and so on. Pixels
+ * are numbered row by row from the upper left. This takes some microseconds a pixel, or milliseconds for a tie. Returns
  * TIA_ERR_UNSUPPORTED unless the span renderer draws the view, in any arithmetic; TIA_ERR_ARGUMENT when a pixel is
  * outside the picture or `step` is 0; TIA_STOPPED. */
 int tia_view_exact(const struct tia_view *view, uint32_t first, uint32_t step, uint32_t count, bool dither,
