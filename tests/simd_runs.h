@@ -17,9 +17,7 @@ static inline void simd_runs_row(const struct tia_view *view, const struct simd_
 {
     static struct simd_fine fine;
     const struct span_view *spans = span_view_of(view);
-    struct exact_picture picture = span_picture_of(view);
-    struct span span =
-        span_sphere_row(&picture, &spans->primary, &spans->spheres[sphere], sphere, row->y, (struct span){0, 0});
+    struct span span = span_sphere_row(view, sphere, row->y, (struct span){0, 0});
 
     if (span.end - span.first > SIMD_RUN)
         span.end = span.first + SIMD_RUN;

@@ -181,7 +181,7 @@ static void draw_singly(const struct tia_view *view, const struct shaded_span *s
         shade_span(view, &part, threshold, want + i);
     }
     for (int i = span->x % EVERY; i < span->count; i += EVERY)
-        want[i] = tia_exact_shade(&picture, span->x + i, span->y, span->object, (tia_q30)threshold[0], NULL);
+        want[i] = tia_exact_shade(&picture, span->x + i, span->y, span->object, (tia_q30)threshold[0], NULL, NULL);
 }
 
 static void try_pixels(const struct tia_view *view, const struct shaded_span *span)
@@ -209,9 +209,7 @@ static void try_pixels(const struct tia_view *view, const struct shaded_span *sp
 static void try_row(const struct tia_view *view, uint32_t sphere, int y, uint64_t *state)
 {
     const struct span_view *spans = span_view_of(view);
-    struct exact_picture picture = span_picture_of(view);
-    struct span all =
-        span_sphere_row(&picture, &spans->primary, &spans->spheres[sphere], sphere, y, (struct span){0, 0});
+    struct span all = span_sphere_row(view, sphere, y, (struct span){0, 0});
     int width = all.end - all.first;
 
     for (int i = 0; i < 3 && width > 0; i++) {

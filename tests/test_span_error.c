@@ -323,9 +323,7 @@ static void try_span(const struct tia_view *view, const struct shaded_span *span
 static void try_row(const struct tia_view *view, uint32_t object, int y, int most)
 {
     const struct span_view *spans = span_view_of(view);
-    struct exact_picture picture = span_picture_of(view);
-    struct span all =
-        span_sphere_row(&picture, &spans->primary, &spans->spheres[object], object, y, (struct span){0, 0});
+    struct span all = span_sphere_row(view, object, y, (struct span){0, 0});
     num_u t[CHUNK];
 
     if (all.first >= all.end)

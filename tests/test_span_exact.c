@@ -269,7 +269,7 @@ TEST(paths_and_colours)
         uint16_t exact[3];
         if (object == TIA_NO_OBJECT)
             continue;
-        tia_exact_trace(&picture, i % 160, i / 160, object, exact, &path);
+        tia_exact_shade(&picture, i % 160, i / 160, object, TIA_Q30_ONE / 2, exact, &path);
         CHECK_MSG(paths[i] == path, "(%d, %d): path %" PRIx32 ", not %" PRIx32, i % 160, i / 160, paths[i], path);
         for (int c = 0; c < 3; c++)
             CHECK_MSG(abs(colours[3 * i + c] - exact[c]) <= 1, "(%d, %d): %d, not %d", i % 160, i / 160,

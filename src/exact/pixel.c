@@ -32,7 +32,7 @@ static void set_point(struct pixel *p, const struct body *body, const struct bal
 
 /* The ray from the visible point to a light. */
 struct way {
-    int64_t light[3];         /* Q */
+    struct body light;        /* Q */
     struct ball m[3], square; /* m, M */
     struct ball reach;        /* r M */
     uint32_t passed;          /* sum of (j + 1) over the balls j that filter the light */
@@ -49,7 +49,7 @@ static bool blocks(struct pixel *p, const struct body *caster, bool own, const s
     if (own && !inside)
         return false;
     for (int i = 0; i < 3; i++)
-        d[i] = caster->centre[i] - way->light[i];
+        d[i] = caster->centre[i] - way->light.centre[i];
     bool enclosed = reach(p, d, caster->radius, &h) != BALL_ABOVE;
     if (inside)
         return !enclosed;
@@ -125,8 +125,8 @@ static void add_light(struct pixel *p, uint32_t object, uint32_t l)
     struct ball lambert, product[3], length;
     int n = p->n;
 
-    relative(p->picture, light->centre, way.light);
-    scaled(p, way.m, way.light, &p->square);
+    way.light = body_of(p->picture, scene->sphere_count + l);
+    scaled(p, way.m, way.light.centre, &p->square);
     each(tia_ball_sub, p, way.m, way.m, p->point, 1);
     dot(p, &lambert, p->normal, way.m);
     way.passed = 0;
@@ -272,28 +272,19 @@ tia_rgb565 tia_exact_pixel(const struct exact_picture *picture, int x, int y, ti
 }
 
 tia_rgb565 tia_exact_shade(const struct exact_picture *picture, int x, int y, uint32_t object, tia_q30 threshold,
-                           struct exact_cost *cost)
+                           uint16_t *colours, uint32_t *path_hash)
 {
     struct pixel p;
     tia_rgb565 pixel = 0;
 
-    for (p.n = 0, p.traces = false; go_on(&p, picture, x, y, cost);)
-        pixel = shade(&p, object, threshold);
-    return pixel;
-}
-
-void tia_exact_trace(const struct exact_picture *picture, int x, int y, uint32_t object, uint16_t *colours,
-                     uint32_t *path_hash)
-{
-    struct pixel p;
-
     for (p.n = 0, p.traces = path_hash != NULL; go_on(&p, picture, x, y, NULL);) {
-        (void)shade(&p, object, HALF);
+        pixel = shade(&p, object, threshold);
         for (int c = 0; colours && !p.open && c < 3; c++)
             colours[c] = (uint16_t)quantise(&p, &p.sum[c], 65535, HALF);
         if (path_hash)
             *path_hash = p.path_hash;
     }
+    return pixel;
 }
 
 bool tia_exact_meets(const struct exact_picture *picture, int x, int y, uint32_t object, struct exact_cost *cost)

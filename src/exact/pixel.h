@@ -16,13 +16,10 @@ struct exact_cost {
 tia_rgb565 tia_exact_pixel(const struct exact_picture *picture, int x, int y, tia_q30 threshold,
                            struct exact_cost *cost);
 
-/* Returns pixel (x, y), where sphere `object` of the scene is visible. */
+/* Returns pixel (x, y), where sphere `object` of the scene is visible. Also gives its 16-bit colours (tia/render.h) and
+ * its path hash (tia/debug.h), unless these are NULL. */
 tia_rgb565 tia_exact_shade(const struct exact_picture *picture, int x, int y, uint32_t object, tia_q30 threshold,
-                           struct exact_cost *cost);
-
-/* Gives the 16-bit colours (tia/render.h) and the path hash (tia/debug.h) of such a pixel; either may be NULL. */
-void tia_exact_trace(const struct exact_picture *picture, int x, int y, uint32_t object, uint16_t *colours,
-                     uint32_t *path_hash);
+                           uint16_t *colours, uint32_t *path_hash);
 
 /* True if the ray of pixel (x, y) meets ball `object`: a sphere of the scene or, counted after these, a light. */
 bool tia_exact_meets(const struct exact_picture *picture, int x, int y, uint32_t object, struct exact_cost *cost);

@@ -31,7 +31,7 @@ struct pixel {
     bool inside;              /* the eye is in the body of the last call of meet() */
     bool traces;              /* path_hash is needed, in which black lights count as well */
     uint32_t path_hash;       /* see tia/debug.h */
-    int64_t x, y;             /* X, Y */
+    int x, y;                 /* X, Y */
     struct ball v[3], square; /* v, V */
     struct ball point[3];     /* V P */
     struct ball normal[3];    /* n */
@@ -142,13 +142,11 @@ static void look(struct pixel *p, const struct exact_picture *picture, int x, in
 {
     const struct exact_depth *depth = &picture->depth;
     struct ball *k = &p->v[2];
-    int64_t v[3] = {2 * (int64_t)x + 1 - picture->width, picture->height - 2 * (int64_t)y - 1, 1};
+    int64_t v[3] = {p->x = 2 * x + 1 - picture->width, p->y = picture->height - 2 * y - 1, 1};
 
     p->picture = picture;
     p->open = p->tie = false;
     p->path_hash = 0;
-    p->x = v[0];
-    p->y = v[1];
     set_each(p, p->v, v, 0);
     if ((p->x || p->y) && p->n == 2) {
         k->m[0] = depth->m[0];

@@ -11,6 +11,9 @@ struct tia_dir3 tia_normalise(int32_t x, int32_t y, int32_t z)
     int64_t scale = tia_rsqrt(n << s);
     /* 1/sqrt(n) = scale 2^(s/2 - 63); the result has 30 fractional bits */
     unsigned shift = 33 - (s >> 1);
-    return (struct tia_dir3){(tia_q30)tia_round_shift(x * scale, shift), (tia_q30)tia_round_shift(y * scale, shift),
-                             (tia_q30)tia_round_shift(z * scale, shift)};
+    int32_t v[3] = {x, y, z};
+
+    for (int i = 0; i < 3; i++)
+        v[i] = (tia_q30)tia_round_shift(v[i] * scale, shift);
+    return (struct tia_dir3){v[0], v[1], v[2]};
 }

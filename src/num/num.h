@@ -16,6 +16,7 @@
  *   num_pixel_coordinate(n, f)      the integer n as num_wide, exponent f
  *   num_signed(t)          an unsigned mantissa as a signed one
  *   num_mul, num_mul_u     the exact product of two mantissas
+ *   num_square(x)          x^2 of a pixel coordinate or of a radius, |x| < 2^31
  *   num_bits(x)            the length of |x| in bits: |x| < 2^num_bits(x)
  *   num_shift(x, s)        x * 2^s; for s < 0 rounded to nearest, ties up
  *   num_up(x, s)           x * 2^s for s in 0..31, faster

@@ -155,15 +155,6 @@ static inline int num_order(num_u t, int e, num_u t_doubt, num_u u, int f, num_u
     return apart < -doubt ? -1 : apart > doubt ? 1 : 0;
 }
 
-/* Returns -1 if t < u, 1 if not, and 0 if they differ by less than 2^-7 of their sum; exponents as above. */
-static inline int num_rough_order(num_u t, int e, num_u u, int f)
-{
-    int d = f - e, up = d > 0 ? (d < 31 ? d : 31) : 0, down = d < 0 ? (d > -31 ? -d : 31) : 0;
-    num_wide a = (num_wide)((num_uwide)t << up), b = (num_wide)((num_uwide)u << down), margin = (a + b) >> 7;
-
-    return a - b < -margin ? -1 : a - b > margin;
-}
-
 /* Returns the doubt of a distance t: t^2 2^-(32 + shift), 2^-26 of t and `more`. */
 static inline num_u num_distance_doubt(num_u t, int shift, num_u more)
 {

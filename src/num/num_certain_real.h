@@ -53,11 +53,6 @@ static inline int num_order(num_u t, int e, num_u t_doubt, num_u u, int f, num_u
     return num_nearer(t, e, u, f) ? -1 : 1;
 }
 
-static inline int num_rough_order(num_u t, int e, num_u u, int f)
-{
-    return num_nearer(t, e, u, f) ? -1 : 1;
-}
-
 static inline num_u num_distance_doubt(num_u t, int shift, num_u more)
 {
     (void)t;

@@ -51,6 +51,7 @@ static inline void num_at(const char *file, int line)
 #define num_bias_of(x, i, b, e) (NUM_AT, num_bias_of(x, i, b, e))
 #define num_light_doubt(p, l, t) (NUM_AT, num_light_doubt(p, l, t))
 #define num_quantise(c, l, t) (NUM_AT, num_quantise(c, l, t))
+#define num_square(x) (NUM_AT, num_square(x))
 #define num_sum_of_squares30(x, y, z) (NUM_AT, num_sum_of_squares30(x, y, z))
 
 #endif

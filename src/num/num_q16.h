@@ -78,6 +78,12 @@ static inline int num_bits(num_wide x)
     return magnitude ? 64 - (int)tia_clz64(magnitude) : 0;
 }
 
+static inline num_wide num_square(num_wide x)
+{
+    NUM_CHECK(num_bits(x) <= 31);
+    return num_mul((num)x, (num)x);
+}
+
 static inline num_wide num_shift(num_wide x, int s)
 {
     NUM_CHECK(s <= -63 || (s < 0 ? num_bits(x) <= 63 : num_bits(x) + s <= 63));
@@ -177,9 +183,8 @@ static inline bool num_product_above(num_wide a, num_wide b, num_wide c, num_wid
     NUM_CHECK(b >= 0 && c > 0);
     if (a > 0 ? d < 0 : d >= 0)
         return a > 0;
-    if (a > 0)
-        return tia_cmp_products((uint64_t)a, (uint64_t)b, (uint64_t)c, (uint64_t)d) > 0;
-    return tia_cmp_products((uint64_t)-a, (uint64_t)b, (uint64_t)c, (uint64_t)-d) < 0;
+    int order = tia_cmp_products((uint64_t)(a > 0 ? a : -a), (uint64_t)b, (uint64_t)c, (uint64_t)(d < 0 ? -d : d));
+    return a > 0 ? order > 0 : order < 0;
 }
 
 /* Returns x * 2^s, x >= 0, as a mantissa; the result must fit. */
@@ -282,16 +287,21 @@ static inline num_wide num_sum_of_squares30(num_wide a, num_wide b, num_wide c)
     return (num_wide)((x * x + y * y + z * z) >> 2);
 }
 
-/* True if (x, y, z) is at most r long, exactly: by quarters of the squares, and where these are equal by the difference
- * itself, which is small. */
+/* True if (x, y, z) is at most r long, exactly. Sizes are below 2^32. */
 static inline bool num_is_within(num_wide x, num_wide y, num_wide z, num_wide r)
 {
-    num_wide quarter = num_sum_of_squares30(x, y, z), limit = (num_wide)((num_uwide)r * (num_uwide)r >> 2);
-    num_uwide ux = (num_uwide)x, uy = (num_uwide)y, uz = (num_uwide)z;
+    const num_wide sides[3] = {x, y, z};
+    num_uwide left = num_mul_u((num_u)r, (num_u)r);
 
-    if (quarter != limit)
-        return quarter < limit;
-    return (num_wide)(ux * ux + uy * uy + uz * uz - (num_uwide)r * (num_uwide)r) <= 0;
+    for (int i = 0; i < 3; i++) {
+        num_u size = (num_u)(sides[i] < 0 ? -sides[i] : sides[i]);
+        num_uwide square = num_mul_u(size, size);
+        NUM_CHECK((sides[i] < 0 ? -sides[i] : sides[i]) >> 32 == 0);
+        if (square > left)
+            return false;
+        left -= square;
+    }
+    return true;
 }
 
 #include "num_certain_q16.h"

@@ -52,6 +52,11 @@ static inline num_wide num_mul(num a, num b)
     return a * b;
 }
 
+static inline num_wide num_square(num_wide x)
+{
+    return x * x;
+}
+
 static inline num_uwide num_mul_u(num_u a, num_u b)
 {
     return a * b;

@@ -1,5 +1,7 @@
 #include "cone_row.h"
 
+#include "span_shift.h"
+
 static num_wide coordinate_at(const struct cone_row *s, int i)
 {
     return num_pixel_coordinate(2 * i + 1 - s->count, s->exponent);
@@ -8,15 +10,15 @@ static num_wide coordinate_at(const struct cone_row *s, int i)
 static bool inside(const struct cone_row *s, int i)
 {
     num_wide x = coordinate_at(s, i);
-    int inside = num_cone(s->slope * x + s->base, s->c, x * x + s->square, s->doubt);
+    int inside = num_cone(s->slope * x + s->base, s->c, num_square(x) + s->square, s->doubt);
 
-    return inside ? inside > 0 : !s->picture || tia_exact_meets(s->picture, i, s->y, s->object, NULL);
+    return inside ? inside > 0 : !s->shows || s->shows(s->view, i, s->y, s->object);
 }
 
 /* True if L.v/|v| still grows at pixel i: its derivative has the sign of slope square - base X. */
 static bool rising(const struct cone_row *s, int i)
 {
-    return num_product_above(s->slope, s->square, s->base, coordinate_at(s, i));
+    return span_product_above(s->slope, s->square, s->base, coordinate_at(s, i));
 }
 
 /* Returns the pixel where L.v/|v| is largest, or its left neighbour. */

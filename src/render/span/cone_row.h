@@ -11,8 +11,9 @@
 #ifndef TIA_RENDER_SPAN_CONE_ROW_H
 #define TIA_RENDER_SPAN_CONE_ROW_H
 
-#include "exact/pixel.h"
 #include "num/num.h"
+
+struct tia_view;
 
 struct cone_row {
     num_wide slope, base; /* slope: exponent 16; base: exponent 16 + f */
@@ -22,9 +23,10 @@ struct cone_row {
     int count;            /* pixels on the line */
     num_wide doubt;       /* num_cone()'s: base and square contain K, which is rounded */
 
-    /* Pixels of the image's row y that are in doubt are decided for this ball of the picture; NULL: they count as
+    /* Returns true if pixel (x, y) of the view shows the ball `object`. It decides pixels in doubt; NULL: they count as
      * inside. */
-    const struct exact_picture *picture;
+    bool (*shows)(const struct tia_view *view, int x, int y, uint32_t object);
+    const struct tia_view *view;
     uint32_t object;
     int y;
 };

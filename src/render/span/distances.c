@@ -1,5 +1,33 @@
-/* distances.c - the distances of a row's pixels to a sphere, and the nearer of two. */
+/* distances.c - the pixels of a row that show a sphere, their distances, and the nearer of two. */
+#include "math/noinline.h"
 #include "span.h"
+
+static bool shows(const struct tia_view *view, int x, int y, uint32_t object)
+{
+    struct exact_picture picture = span_picture_of(view);
+
+    return tia_exact_meets(&picture, x, y, object, NULL);
+}
+
+struct span span_sphere_row(const struct tia_view *view, uint32_t object, int y, struct span guess)
+{
+    const struct primary_rays *primary = &span_view_of(view)->primary;
+    const struct span_sphere *sphere = &span_view_of(view)->spheres[object];
+    num_wide row = primary_y(primary, y);
+    struct cone_row s = {sphere->centre.x,
+                         sphere->centre.y * row - sphere->centre.z * primary->depth,
+                         num_square(row) + num_square(primary->depth),
+                         sphere->c,
+                         primary->exponent,
+                         primary->width,
+                         sphere->cone_doubt,
+                         shows,
+                         view,
+                         object,
+                         y};
+
+    return cone_row_span(&s, guess);
+}
 
 void span_distances(const struct span_view *spans, uint32_t n, int y, int x, int count, num_u *t)
 {
@@ -14,18 +42,20 @@ void span_distances(const struct span_view *spans, uint32_t n, int y, int x, int
         spans->kernels->sphere(&line, t);
 }
 
-#if defined(__GNUC__)
-#define NOINLINE __attribute__((noinline))
-#else
-#define NOINLINE
-#endif
+/* Returns -1 if the distance t of sphere a is smaller than u of sphere b, 1 if not, and 0 if these, off by less than
+ * their doubts, leave it open. */
+static NOINLINE int order_of(const struct span_sphere *a, num_u t, num_u t_doubt, const struct span_sphere *b, num_u u,
+                             num_u u_doubt)
+{
+    return num_order(t, a->t_exponent, t_doubt, u, b->t_exponent, u_doubt);
+}
 
 /* True if sphere n, at the distance t, is nearer than sphere `other` at u, where these are almost equal. */
 static NOINLINE bool is_nearer(const struct tia_view *view, uint32_t n, num_u t, uint32_t other, num_u u, int y, int x)
 {
     const struct span_sphere *a = &span_view_of(view)->spheres[n], *b = &span_view_of(view)->spheres[other];
-    int order = num_order(t, a->t_exponent, num_distance_doubt(t, a->doubt_shift, a->doubt), u, b->t_exponent,
-                          num_distance_doubt(u, b->doubt_shift, b->doubt));
+    int order = order_of(a, t, num_distance_doubt(t, a->doubt_shift, a->doubt), b, u,
+                         num_distance_doubt(u, b->doubt_shift, b->doubt));
 
     if (order)
         return order < 0;
@@ -47,7 +77,7 @@ void span_keep_nearer(const struct tia_view *view, uint32_t n, int y, int x, con
         }
         if (last != TIA_NO_OBJECT) {
             bool rough = span_is_accurate(own, t[i]) && span_is_accurate(other, best[i]);
-            order = rough ? num_rough_order(t[i], own->t_exponent, best[i], other->t_exponent) : 0;
+            order = rough ? order_of(own, t[i], t[i] / 128 + 1, other, best[i], best[i] / 128 + 1) : 0;
         }
         if (order < 0 || (order == 0 && is_nearer(view, n, t[i], last, best[i], y, x + i))) {
             best[i] = t[i];

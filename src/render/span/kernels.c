@@ -1,12 +1,7 @@
 #include "kernels.h"
 
 #include "math/integer.h"
-
-#if defined(__GNUC__)
-#define NOINLINE __attribute__((noinline))
-#else
-#define NOINLINE
-#endif
+#include "math/noinline.h"
 
 static void sphere(const struct sphere_line *line, num_u *t)
 {
@@ -277,19 +272,20 @@ static NOINLINE uint64_t find_near(const num_u *const rgb[3], num_u margin, cons
     return open;
 }
 
-static num_u greatest(num_u a, num_u b)
+static uint64_t pack(const num_u *const rgb[3], num_u doubt, const num_u *threshold, int x, int count, tia_rgb565 *out)
 {
-    return a > b ? a : b;
-}
-
-static uint64_t pack(const num_u *const rgb[3], const num_u doubt[3], const num_u *threshold, int x, int count,
-                     tia_rgb565 *out)
-{
-    num_u margin = greatest(num_level_doubt(greatest(doubt[0], doubt[2]), 31), num_level_doubt(doubt[1], 63));
+    num_u margin = num_level_doubt(doubt, 63);
 
     if (UINTPTR_MAX > UINT32_MAX)
         return pack_eights(rgb, margin, threshold, x, count, out);
     return pack_singly(rgb, margin, threshold, x, count, out) ? find_near(rgb, margin, threshold, x, count) : 0;
+}
+
+tia_rgb565 span_pixel(const num_u rgb[3], num_u threshold)
+{
+    return (tia_rgb565)(num_quantise(num_clamp(rgb[0]), 31, threshold) << 11 |
+                        num_quantise(num_clamp(rgb[1]), 63, threshold) << 5 |
+                        num_quantise(num_clamp(rgb[2]), 31, threshold));
 }
 
 const struct span_kernels span_kernels_plain = {sphere, sphere_inside, light, shadow, lambert, add, pack};

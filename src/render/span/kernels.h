@@ -104,8 +104,7 @@ struct span_kernels {
 
     /* Converts clamped linear colours to RGB565; `threshold` has the 8 rounding offsets of the row, by x & 7. Returns
      * the set of those whose level another channel within `doubt` of it may not have. */
-    uint64_t (*pack)(const num_u *const rgb[3], const num_u doubt[3], const num_u *threshold, int x, int count,
-                     tia_rgb565 *out);
+    uint64_t (*pack)(const num_u *const rgb[3], num_u doubt, const num_u *threshold, int x, int count, tia_rgb565 *out);
 };
 
 /* Returns |P|^2, from the accumulator of v.v. */
@@ -140,12 +139,7 @@ static inline num_wide shadow_power(const struct shadow_line *line, num_wide tur
 }
 
 /* Returns the pixel of an exact colour. */
-static inline tia_rgb565 span_pixel(const num_u rgb[3], num_u threshold)
-{
-    return (tia_rgb565)(num_quantise(num_clamp(rgb[0]), 31, threshold) << 11 |
-                        num_quantise(num_clamp(rgb[1]), 63, threshold) << 5 |
-                        num_quantise(num_clamp(rgb[2]), 31, threshold));
-}
+tia_rgb565 span_pixel(const num_u rgb[3], num_u threshold);
 
 extern const struct span_kernels span_kernels_plain;
 

@@ -23,14 +23,14 @@ void primary_prepare(struct primary_rays *primary, unsigned width, unsigned heig
                                     : num_depth(height, cotangent, primary->exponent);
     primary->x_reach = num_pixel_coordinate((int32_t)w, primary->exponent);
     primary->y_reach = num_pixel_coordinate((int32_t)h, primary->exponent);
-    num_wide most =
-        primary->x_reach * primary->x_reach + primary->y_reach * primary->y_reach + primary->depth * primary->depth;
+    num_wide most = num_square(primary->x_reach) + num_square(primary->y_reach) + num_square(primary->depth);
     primary->square_shift = 63 - num_bits(most + span_shift(most, -20));
 }
 
-num_wide primary_reach(const struct primary_rays *primary, struct num_vec a)
+num_wide primary_reach(const struct primary_rays *primary, const struct num_vec *a)
 {
-    num_wide reach = num_abs(a.x) * primary->x_reach + num_abs(a.y) * primary->y_reach + num_abs(a.z) * primary->depth;
+    num_wide reach =
+        num_abs(a->x) * primary->x_reach + num_abs(a->y) * primary->y_reach + num_abs(a->z) * primary->depth;
     return reach + span_shift(reach, -20); /* headroom for NUM_HALF */
 }
 
@@ -39,13 +39,13 @@ num_wide primary_y(const struct primary_rays *primary, int y)
     return num_pixel_coordinate(primary->height - 2 * y - 1, primary->exponent);
 }
 
-struct row_form primary_form(const struct primary_rays *primary, struct num_vec a, int x, int y, int shift)
+struct row_form primary_form(const struct primary_rays *primary, const struct num_vec *a, int x, int y, int shift)
 {
     int middle = primary->width / 2;
     num_wide middle_x = num_pixel_coordinate(2 * middle + 1 - primary->width, primary->exponent);
-    num_wide start = a.x * middle_x + a.y * primary_y(primary, y) - a.z * primary->depth;
+    num_wide start = a->x * middle_x + a->y * primary_y(primary, y) - a->z * primary->depth;
     struct row_form form = {span_shift(start, shift) + NUM_HALF,
-                            span_shift(a.x * num_pixel_coordinate(2, primary->exponent), shift)};
+                            span_shift(a->x * num_pixel_coordinate(2, primary->exponent), shift)};
 
     /* With x - middle as its factor, the product is never larger than the form itself. Although the shift rounds, a
      * pixel's value does not depend on the start of the span. */
@@ -58,9 +58,9 @@ struct row_square primary_square(const struct primary_rays *primary, int x, int 
     int shift = primary->square_shift;
     num_wide first = num_pixel_coordinate(2 * x + 1 - primary->width, primary->exponent), row = primary_y(primary, y);
     num_wide step = num_pixel_coordinate(2, primary->exponent);
-    num_wide square = first * first + row * row + primary->depth * primary->depth;
+    num_wide square = num_square(first) + num_square(row) + num_square(primary->depth);
     struct row_square s = {num_up(square, shift) + NUM_HALF, num_up(step * (2 * first + step), shift),
-                           num_up(2 * step * step, shift)};
+                           num_up(2 * num_square(step), shift)};
 
     return s;
 }

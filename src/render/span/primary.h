@@ -31,10 +31,10 @@ struct row_square {
 };
 
 /* Returns an upper limit of |a.v| for all pixels of the image: the value at a corner, with some headroom. */
-num_wide primary_reach(const struct primary_rays *primary, struct num_vec a);
+num_wide primary_reach(const struct primary_rays *primary, const struct num_vec *a);
 
 /* Returns a.v * 2^shift from pixel (x, y) on, for num_top. */
-struct row_form primary_form(const struct primary_rays *primary, struct num_vec a, int x, int y, int shift);
+struct row_form primary_form(const struct primary_rays *primary, const struct num_vec *a, int x, int y, int shift);
 
 /* Returns v.v * 2^square_shift from pixel (x, y) on. */
 struct row_square primary_square(const struct primary_rays *primary, int x, int y);

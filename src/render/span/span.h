@@ -8,12 +8,14 @@
 #include "span_sphere.h"
 
 struct shaded_span;
+struct span_view;
 
 /* Functions that decide many pixels at once, see coherence.h and coherence_pays.h. */
 struct span_coherence {
     bool (*pays)(const struct primary_rays *primary, const struct span_sphere *sphere);
     bool (*shade)(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[8],
                   tia_rgb565 *pixels);
+    bool (*nearer)(const struct span_view *spans, uint32_t n, uint32_t other, int y, struct span span, const num_u *t);
 };
 
 /* The prepared view. All positions are relative to the eye: the point at a pixel is P = t v. */
@@ -56,6 +58,10 @@ static inline void span_fill(tia_rgb565 *pixels, int count, tia_rgb565 pixel)
     for (; i < count; i++)
         pixels[i] = pixel;
 }
+
+/* Returns the pixels of row y that show ball `object`: a sphere of the scene or, counted after these, a light. `guess`
+ * affects only the speed. */
+struct span span_sphere_row(const struct tia_view *view, uint32_t object, int y, struct span guess);
 
 /* Computes t of the pixels x .. x + count - 1 (count <= CHUNK) of row y, which all show sphere `n`. */
 void span_distances(const struct span_view *spans, uint32_t n, int y, int x, int count, num_u *t);

@@ -2,13 +2,8 @@
 #include "span_error.h"
 
 #include "math/integer.h"
+#include "math/noinline.h"
 #include "span_proved.h"
-
-#if defined(__GNUC__)
-#define OUT_OF_LINE __attribute__((noinline))
-#else
-#define OUT_OF_LINE
-#endif
 
 num_wide span_error_number(int log)
 {
@@ -19,13 +14,13 @@ num_wide span_error_number(int log)
 
 #define ONE 256
 
-static OUT_OF_LINE int log_down(num_wide x)
+static NOINLINE int log_down(num_wide x)
 {
     return num_log(x);
 }
 
 /* log2(1 + f) - f is at most .0861. */
-static OUT_OF_LINE int log_up(num_wide x)
+static NOINLINE int log_up(num_wide x)
 {
     return num_log(x) + 24;
 }
@@ -34,7 +29,7 @@ static OUT_OF_LINE int log_up(num_wide x)
 static const TIA_FLASH uint8_t sums[10] = {255, 149, 82, 43, 22, 11, 5, 2, 1, 0};
 
 /* Returns an upper limit of the logarithm of a sum. */
-static OUT_OF_LINE int sum_of(int a, int b)
+static NOINLINE int sum_of(int a, int b)
 {
     int larger = a > b ? a : b, apart = (larger - (a > b ? b : a)) >> 8;
 
@@ -91,7 +86,7 @@ static int bound_t(const struct primary_rays *primary, const struct span_sphere 
 static int bound_t_inside(const struct primary_rays *primary, const struct span_sphere *sphere, num_u least_root)
 {
     int root = log_down((num_wide)least_root), b_bit = (sphere->b_shift - 32) * ONE;
-    int square = log_down(primary->depth * primary->depth) + (primary->square_shift - 32) * ONE;
+    int square = log_down(num_square(primary->depth)) + (primary->square_shift - 32) * ONE;
     int quotient = square + sphere->t_shift * ONE, t = SPAN_LOG(SPAN_ERROR_INSIDE_ROOT) - root - quotient;
 
     t = sum_of(t, SPAN_LOG(SPAN_ERROR_INSIDE_TURNED) + log_up(sphere->radius) + b_bit - root - quotient);
@@ -106,7 +101,7 @@ void span_error_of(const struct primary_rays *primary, const struct light_source
                    const struct span_depth ends[2], num_wide v_most, struct span_error *error)
 {
     const struct span_sphere *sphere = source->sphere;
-    struct num_vec g = num_vec_sub(source->light, sphere->centre);
+    struct num_vec g = span_difference(&source->light, &sphere->centre);
     int v = log_up(v_most) - (sphere->t_exponent + primary->exponent) * ONE;
 
     error->t = error->lambert = 0;

@@ -5,7 +5,7 @@
  * f). */
 static int reach_exponent(const struct primary_rays *primary, const struct span_sphere *sphere)
 {
-    int bits = sphere->c < 0 ? num_bits(sphere->radius * sphere->radius) + 2 : num_bits(sphere->c);
+    int bits = sphere->c < 0 ? span_bits(num_square(sphere->radius)) + 2 : span_bits(sphere->c);
     int by_mantissa = sphere->t_exponent + 31 - ((bits - 31) >> 1) - 30 + primary->exponent;
 
     return 92 - bits < by_mantissa ? 92 - bits : by_mantissa;
@@ -13,11 +13,11 @@ static int reach_exponent(const struct primary_rays *primary, const struct span_
 
 /* Returns the exponent e_d of |Q - P|^2 = Q.Q - 2 t Q.v + |P|^2: each term stays below 2^61, t Q.v as a product of t
  * (31 bits) and Q.v (29 bits). e_d is even, for the square root. */
-static int distance_exponent(const struct primary_rays *primary, const struct span_sphere *sphere, struct num_vec light,
-                             num_wide square, int e_p)
+static int distance_exponent(const struct primary_rays *primary, const struct span_sphere *sphere,
+                             const struct num_vec *light, num_wide square, int e_p)
 {
-    int by_product = sphere->t_exponent + primary->exponent - 16 + 61 - num_bits(primary_reach(primary, light));
-    int by_light = 92 - num_bits(square), e = by_light < by_product ? by_light : by_product;
+    int by_product = sphere->t_exponent + primary->exponent - 16 + 61 - span_bits(primary_reach(primary, light));
+    int by_light = 92 - span_bits(square), e = by_light < by_product ? by_light : by_product;
 
     return (e < e_p ? e : e_p) & ~1;
 }
@@ -31,20 +31,21 @@ void light_line_prepare(const struct primary_rays *primary, struct light_source 
 {
     const struct span_sphere *sphere = source->sphere;
     bool inside = sphere->c < 0;
-    struct num_vec g = inside ? num_vec_sub(sphere->centre, source->light) : num_vec_sub(source->light, sphere->centre);
+    struct num_vec g =
+        inside ? span_difference(&sphere->centre, &source->light) : span_difference(&source->light, &sphere->centre);
     num_wide facing = sphere->c - span_dot(&sphere->centre, &source->light),
              square = span_dot(&source->light, &source->light);
-    int to_top = sphere->t_exponent + primary->exponent - 16, limit = 93 - num_bits(facing);
-    int e_s = to_top + 62 - num_bits(primary_reach(primary, g));
+    int to_top = sphere->t_exponent + primary->exponent - 16, limit = 93 - span_bits(facing);
+    int e_s = to_top + 62 - span_bits(primary_reach(primary, &g));
 
     facing = inside ? -facing : facing;
     e_s = e_s < limit ? e_s : limit;
     source->reach_exponent = reach_exponent(primary, sphere);
-    source->exponent = distance_exponent(primary, sphere, source->light, square, source->reach_exponent);
-    struct row_form form = primary_form(primary, g, x, y, e_s - to_top);
+    source->exponent = distance_exponent(primary, sphere, &source->light, square, source->reach_exponent);
+    struct row_form form = primary_form(primary, &g, x, y, e_s - to_top);
     line->g = form.start;
     line->g_step = form.step;
-    form = primary_form(primary, source->light, x, y, source->exponent - to_top);
+    form = primary_form(primary, &source->light, x, y, source->exponent - to_top);
     line->q = form.start;
     line->q_step = form.step;
     line->square = primary_square(primary, x, y);

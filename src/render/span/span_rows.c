@@ -1,15 +1,9 @@
 /* span_rows.c - from hits to pixels: a row is divided into pieces, and a piece into spans of one object. */
 #include "coherence/coherence.h"
+#include "math/noinline.h"
 #include "render/core/dither.h"
 #include "span.h"
 #include "span_shade.h"
-
-/* Marks functions that must not be inlined, so that their arrays do not stay on the stack during other calls. */
-#if defined(__GNUC__)
-#define NOINLINE __attribute__((noinline))
-#else
-#define NOINLINE
-#endif
 
 #define PIECE 1024 /* most pixels of a row drawn at once; CHUNK if lights may be visible or pixels are copied */
 
@@ -49,11 +43,9 @@ static void see_light(const struct chunk *chunk, uint32_t n, num_u *nearest, uin
 {
     const struct span_view *spans = chunk->spans;
     struct span span = {chunk->x, chunk->x + chunk->count};
-    struct exact_picture picture = span_picture_of(chunk->view);
     num_u t[CHUNK];
 
-    span = span_within(span_sphere_row(&picture, &spans->primary, &spans->spheres[n], n, chunk->y, span), chunk->x,
-                       chunk->x + chunk->count);
+    span = span_within(span_sphere_row(chunk->view, n, chunk->y, span), chunk->x, chunk->x + chunk->count);
     if (span.first >= span.end)
         return;
     span_distances(spans, n, chunk->y, span.first, span.end - span.first, t);

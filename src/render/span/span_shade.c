@@ -1,14 +1,8 @@
 #include "span_shade.h"
 
+#include "math/noinline.h"
 #include "scene/colour.h"
 #include "span_error.h"
-
-/* Marks functions that are not inlined, which keeps their arrays off the stack during other calls. */
-#if defined(__GNUC__)
-#define NOINLINE __attribute__((noinline))
-#else
-#define NOINLINE
-#endif
 
 /* A span being shaded. */
 struct shading {
@@ -18,7 +12,7 @@ struct shading {
     const struct tia_material *material;
     bool grey; /* red serves as all three channels */
     num_u sum[3][CHUNK];
-    num_u doubt[3];            /* bounds of the sums' errors */
+    num_u doubt;               /* bound of the sums' errors */
     uint64_t open;             /* pixels whose sums have no bound, or whose lights or shadows are in doubt */
     bool given_up;             /* all pixels are open, and no other output needs them */
     struct span_depth ends[2]; /* of the first and the last pixel */
@@ -46,14 +40,18 @@ struct tint {
 static void tint_light(const struct tia_rgb *through, uint32_t sphere, const num_u *before, struct lit *lit, int count,
                        struct tint *tint)
 {
+    const num_u colour[3] = {num_colour(through->r), num_colour(through->g), num_colour(through->b)};
+
     for (int i = 0; i < count; i++) {
+        bool lit_still = false;
         if (before[i] == lit->facing[i])
             continue;
-        tint->left[0][i] = num_colour_product(tint->left[0][i], num_colour(through->r));
-        tint->left[1][i] = num_colour_product(tint->left[1][i], num_colour(through->g));
-        tint->left[2][i] = num_colour_product(tint->left[2][i], num_colour(through->b));
+        for (int c = 0; c < 3; c++) {
+            tint->left[c][i] = num_colour_product(tint->left[c][i], colour[c]);
+            lit_still = lit_still || tint->left[c][i] > 0;
+        }
         tint->passed[i] = (uint16_t)((tint->passed[i] + sphere + 1) & 0xffff);
-        if (tint->left[0][i] > 0 || tint->left[1][i] > 0 || tint->left[2][i] > 0)
+        if (lit_still)
             lit->facing[i] = before[i];
     }
 }
@@ -72,9 +70,9 @@ static void note_reached(const struct lit *lit, const struct tint *tint, uint32_
 /* Lets sphere j, around the eye, block the light: of all pixels, unless the light is inside too. */
 static bool blocks_all(const struct light_source *source, const struct span_sphere *caster)
 {
-    struct num_vec d = num_vec_sub(caster->centre, source->light);
+    struct num_vec d = span_difference(&caster->centre, &source->light);
 
-    return !num_is_within(d.x, d.y, d.z, caster->radius);
+    return !span_is_within(&d, caster->radius);
 }
 
 static void darken(struct lit *lit, int count)
@@ -121,6 +119,13 @@ static NOINLINE void cast_shadows(struct shading *s, const struct light_source *
     }
 }
 
+static num_u greatest(const num_u x[3])
+{
+    num_u larger = x[0] > x[1] ? x[0] : x[1];
+
+    return larger > x[2] ? larger : x[2];
+}
+
 static NOINLINE void add_light(struct shading *s, const struct tia_light *light, const num_u *lambert,
                                struct tint *tint)
 {
@@ -129,10 +134,10 @@ static NOINLINE void add_light(struct shading *s, const struct tia_light *light,
                         num_colour_product(num_colour(colour->g), num_colour(emission->g)),
                         num_colour_product(num_colour(colour->b), num_colour(emission->b))};
 
+    if (s->bounded)
+        s->doubt += num_light_doubt(greatest(product), s->error.lambert, tint ? s->view->scene->sphere_count : 0);
     for (int c = 0; c < (s->grey ? 1 : 3); c++) {
         num_u tinted[CHUNK];
-        if (s->bounded)
-            s->doubt[c] += num_light_doubt(product[c], s->error.lambert, tint ? s->view->scene->sphere_count : 0);
         for (int i = 0; tint && i < s->span->count; i++)
             tinted[i] = num_colour_product(lambert[i], tint->left[c][i]);
         s->spans->kernels->add(s->sum[c], tint ? tinted : lambert, product[c], s->span->count);
@@ -216,19 +221,19 @@ static uint64_t decide_levels(const struct shading *s, uint64_t near, const num_
     const struct tia_rgb *emission = &s->material->emission;
     const num_u least[3] = {num_colour(emission->r), num_colour(emission->g), num_colour(emission->b)};
 
-    for (int i = 0; near >> i; i++) {
+    for (int i = 0; i < s->span->count; i++) {
         num_u low[3], high[3], half = threshold[(s->span->x + i) & 7];
-        for (int c = 0; (near >> i & 1) && c < 3; c++) {
-            num_u sum = s->sum[s->grey ? 0 : c][i], doubt = s->doubt[s->grey ? 0 : c];
-            low[c] = sum > least[c] + doubt ? sum - doubt : least[c];
-            high[c] = num_clamp(sum + doubt);
+        uint64_t bit = UINT64_C(1) << i;
+        if (!(near & bit))
+            continue;
+        for (int c = 0; c < 3; c++) {
+            num_u sum = s->sum[s->grey ? 0 : c][i];
+            low[c] = sum > least[c] + s->doubt ? sum - s->doubt : least[c];
+            high[c] = sum + s->doubt;
         }
-        if ((near >> i & 1) && span_pixel(low, half) == span_pixel(high, half)) {
-            pixels[i] = span_pixel(low, half);
-            near &= ~(UINT64_C(1) << i);
-        }
-        if (i == 63)
-            break;
+        pixels[i] = span_pixel(low, half);
+        if (pixels[i] == span_pixel(high, half))
+            near &= ~bit;
     }
     return near;
 }
@@ -240,7 +245,7 @@ static bool find_ends(const struct shading *s, struct span_depth ends[2])
     const struct shaded_span *span = s->span;
     const struct primary_rays *primary = &s->spans->primary;
     const struct span_sphere *sphere = &s->spans->spheres[span->object];
-    num_wide y = primary_y(primary, span->y), z = primary->depth, row = y * y + z * z;
+    num_wide y = primary_y(primary, span->y), z = primary->depth, row = num_square(y) + num_square(z);
     num_wide base = sphere->centre.y * y - sphere->centre.z * z;
     bool inside = sphere->c < 0; /* then the bounds are for all of the image */
     bool convex = sphere->c > 0 && sphere->c <= sphere->centre.x * sphere->centre.x, rises[2] = {true, false};
@@ -248,9 +253,9 @@ static bool find_ends(const struct shading *s, struct span_depth ends[2])
     for (int i = 0; i < 2; i++) {
         int at = i ? span->count - 1 : 0;
         num_wide x = num_pixel_coordinate(2 * (span->x + at) + 1 - primary->width, primary->exponent);
-        num_wide b = num_max(sphere->centre.x * x + base, 0), square = inside ? z * z : x * x + row;
+        num_wide b = num_max(sphere->centre.x * x + base, 0), square = inside ? num_square(z) : num_square(x) + row;
         if (convex)
-            rises[i] = num_product_above(sphere->centre.x, b, sphere->c, x);
+            rises[i] = span_product_above(sphere->centre.x, b, sphere->c, x);
         ends[i] =
             span_depth_of(sphere, inside ? 0 : num_top_u(span_shift(b, sphere->b_shift) + NUM_HALF),
                           num_top_u(num_up(square, primary->square_shift) + (inside ? 0 : NUM_HALF)), span->t[at]);
@@ -286,7 +291,7 @@ static NOINLINE uint64_t shade(const struct tia_view *view, struct shaded_span *
     s.grey = s.spans->grey && colour_is_grey(&s.material->colour) && colour_is_grey(&s.material->emission);
     s.open = 0;
     s.given_up = false;
-    s.doubt[0] = s.doubt[1] = s.doubt[2] = 0;
+    s.doubt = 0;
     while (NUM_CERTIFIED && find_ends(&s, s.ends))
         span->count = (span->count + 1) / 2;
     begin_sums(&s);
@@ -299,13 +304,11 @@ static NOINLINE uint64_t shade(const struct tia_view *view, struct shaded_span *
             shade_from_light(&s, l, NULL);
     }
     const num_u *const rgb[3] = {s.sum[0], s.sum[s.grey ? 0 : 1], s.sum[s.grey ? 0 : 2]};
-    num_u doubt[3] = {s.doubt[0], s.doubt[s.grey ? 0 : 1], s.doubt[s.grey ? 0 : 2]};
-    for (int c = 0; NUM_CERTIFIED && c < 3; c++)
-        if (doubt[c] > NUM_DOUBT_MOST) {
-            give_up(&s);
-            doubt[c] = 0;
-        }
-    uint64_t near = s.spans->kernels->pack(rgb, doubt, threshold, span->x, span->count, pixels) & ~s.open;
+    if (NUM_CERTIFIED && s.doubt > NUM_DOUBT_MOST) {
+        give_up(&s);
+        s.doubt = 0;
+    }
+    uint64_t near = s.spans->kernels->pack(rgb, s.doubt, threshold, span->x, span->count, pixels) & ~s.open;
     if (NUM_CERTIFIED && near)
         s.open |= decide_levels(&s, near, threshold, pixels);
     span_put_colours(rgb, 1, span->count, span->colours);
@@ -329,9 +332,8 @@ static void settle(const struct tia_view *view, const struct shaded_span *span, 
     if (span->count > 1 && !shade(view, &one, threshold, pixel))
         return;
     struct exact_picture picture = span_picture_of(view);
-    if (one.path_hash || one.colours)
-        tia_exact_trace(&picture, one.x, one.y, one.object, one.colours, one.path_hash);
-    *pixel = tia_exact_shade(&picture, one.x, one.y, one.object, (tia_q30)threshold[one.x & 7], NULL);
+    *pixel =
+        tia_exact_shade(&picture, one.x, one.y, one.object, (tia_q30)threshold[one.x & 7], one.colours, one.path_hash);
 }
 
 void shade_span(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[8],

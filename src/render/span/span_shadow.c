@@ -1,23 +1,23 @@
 #include "span_shadow.h"
 
+#include "math/noinline.h"
+
 /* Returns `e`, lowered if needed to keep a number below 2^60; the number has `bits` bits with the exponent 32. */
 static int limit(int e, int bits)
 {
     return e < 92 - bits ? e : 92 - bits;
 }
 
-/* Returns `e`, lowered if needed to keep t a.v, a product of t (31 bits) and a.v, below 2^60. */
-static int limit_product(int e, const struct primary_rays *primary, const struct span_sphere *sphere, struct num_vec a)
+/* Sets `form` to a.v from pixel (x, y) on, such that its product with t, of 31 bits, has the exponent e, lowered if
+ * needed to keep the product below 2^60. Returns that exponent. */
+static NOINLINE int prepare_form(const struct primary_rays *primary, const struct span_sphere *sphere,
+                                 const struct num_vec *a, int x, int y, int e, struct row_form *form)
 {
-    int most = sphere->t_exponent + primary->exponent - 16 + 61 - num_bits(primary_reach(primary, a));
-    return e < most ? e : most;
-}
+    int to_top = sphere->t_exponent + primary->exponent - 16, most = to_top + 61 - span_bits(primary_reach(primary, a));
 
-/* Returns a.v from pixel (x, y) on, such that its product with t has the exponent e. */
-static struct row_form product_form(const struct primary_rays *primary, const struct span_sphere *sphere,
-                                    struct num_vec a, int x, int y, int e)
-{
-    return primary_form(primary, a, x, y, e - sphere->t_exponent - primary->exponent + 16);
+    e = e < most ? e : most;
+    *form = primary_form(primary, a, x, y, e - to_top);
+    return e;
 }
 
 /* Prepares A.w = C.Q - t (C + Q).v + |P|^2; each term stays below 2^60. Returns e_a, at most 57. So bias N.w, which is
@@ -26,12 +26,12 @@ static struct row_form product_form(const struct primary_rays *primary, const st
 static int prepare_product(const struct primary_rays *primary, const struct light_source *source,
                            const struct span_sphere *caster, int x, int y, struct shadow_line *line)
 {
-    struct num_vec sum = num_vec_add(caster->centre, source->light);
+    struct num_vec sum = span_sum(&caster->centre, &source->light);
     num_wide toward = span_dot(&caster->centre, &source->light);
-    int e = limit_product(limit(source->reach_exponent, num_bits(toward)), primary, source->sphere, sum);
+    struct row_form form;
+    int e = limit(source->reach_exponent, span_bits(toward));
 
-    e = e < 57 ? e : 57;
-    struct row_form form = product_form(primary, source->sphere, sum, x, y, e);
+    e = prepare_form(primary, source->sphere, &sum, x, y, e < 57 ? e : 57, &form);
 
     line->a = form.start;
     line->a_step = form.step;
@@ -47,28 +47,30 @@ static int prepare_power(const struct primary_rays *primary, const struct light_
 {
     const struct span_sphere *sphere = source->sphere;
     num_wide r = sphere->radius, biased = sphere->c < 0 ? r - NUM_BIAS : r + NUM_BIAS;
-    struct num_vec between = num_vec_sub(sphere->centre, caster->centre);
-    num_wide apart = span_square30(&between) - span_shift(r * biased + caster->radius * caster->radius, -2);
-    int e = limit(limit(source->reach_exponent, num_bits(caster->c)), num_bits(apart) + 2);
+    struct num_vec between = span_difference(&sphere->centre, &caster->centre);
+    num_wide apart = span_square30(&between) - span_shift(r * biased + num_square(caster->radius), -2);
+    int e = limit(limit(source->reach_exponent, span_bits(caster->c)), span_bits(apart) + 2);
 
-    e = limit_product(e, primary, sphere, caster->centre);
-    struct row_form form = product_form(primary, sphere, caster->centre, x, y, e);
+    struct row_form form;
+
+    e = prepare_form(primary, sphere, &caster->centre, x, y, e, &form);
     line->c = form.start;
     line->c_step = form.step;
-    num_wide bias = num_bias_of(apart, num_inverse(biased), num_bits(biased), e);
+    num_wide bias = span_bias_of(apart, num_inverse(biased), span_bits(biased), e);
     line->power = span_shift(caster->c, e - 32) + (sphere->c < 0 ? bias : -bias);
     line->power_down = num_count(source->reach_exponent - e);
     return e;
 }
 
-static num_wide sum_of_sizes(struct num_vec a)
+static NOINLINE num_wide sum_of_sizes(const struct num_vec *a)
 {
-    return num_abs(a.x) + num_abs(a.y) + num_abs(a.z);
+    return num_abs(a->x) + num_abs(a->y) + num_abs(a->z);
 }
 
-static struct num_vec quarter(struct num_vec a)
+/* Returns (b - a)/4. */
+static NOINLINE struct num_vec quarter_between(const struct num_vec *a, const struct num_vec *b)
 {
-    struct num_vec q = {span_shift(a.x, -2), span_shift(a.y, -2), span_shift(a.z, -2)};
+    struct num_vec d = span_difference(b, a), q = {span_shift(d.x, -2), span_shift(d.y, -2), span_shift(d.z, -2)};
     return q;
 }
 
@@ -80,11 +82,11 @@ static struct num_vec quarter(struct num_vec a)
  * With vectors divided by 4 the products fit; the sums of the sizes of their components make up for rounding. */
 static bool is_behind(const struct light_source *source, const struct span_sphere *caster)
 {
-    struct num_vec d = quarter(num_vec_sub(caster->centre, source->sphere->centre));
-    struct num_vec g = quarter(num_vec_sub(source->light, source->sphere->centre));
+    struct num_vec d = quarter_between(&source->sphere->centre, &caster->centre);
+    struct num_vec g = quarter_between(&source->sphere->centre, &source->light), sum = span_sum(&d, &g);
     num_wide r = span_shift(source->sphere->radius, -2) + 1;
 
-    return span_dot(&d, &g) + r * (sum_of_sizes(num_vec_add(d, g)) + r) + sum_of_sizes(d) + sum_of_sizes(g) <= 0;
+    return span_dot(&d, &g) + r * (sum_of_sizes(&sum) + r) + sum_of_sizes(&d) + sum_of_sizes(&g) <= 0;
 }
 
 bool shadow_line_prepare(const struct primary_rays *primary, const struct light_source *source,
@@ -93,7 +95,7 @@ bool shadow_line_prepare(const struct primary_rays *primary, const struct light_
     if (is_behind(source, caster))
         return false;
     const struct span_sphere *sphere = source->sphere;
-    struct num_vec from_light = num_vec_sub(caster->centre, source->light);
+    struct num_vec from_light = span_difference(&caster->centre, &source->light);
     int e_a = prepare_product(primary, source, caster, x, y, line);
     int e_k = prepare_power(primary, source, caster, x, y, line);
 
@@ -102,9 +104,9 @@ bool shadow_line_prepare(const struct primary_rays *primary, const struct light_
     line->bias_shift = 43 + (source->exponent >> 1) - e_a;
     line->square_down = e_a < source->exponent ? num_count(source->exponent - e_a) : 0;
     line->product_down = e_a < source->exponent ? 0 : num_count(e_a - source->exponent);
-    line->swell = num_swell(sphere->inverse, sphere->radius_bits, sphere->c < 0);
+    line->swell = span_swell(sphere->inverse, sphere->radius_bits, sphere->c < 0);
     line->exponent = 2 * e_a - source->exponent - e_k;
-    line->enclosed = num_is_within(from_light.x, from_light.y, from_light.z, caster->radius);
+    line->enclosed = span_is_within(&from_light, caster->radius);
     line->a_doubt = line->k_doubt = line->beyond_doubt = 0;
     line->a_clear = line->k_clear = 0;
     line->margin = 0;

@@ -5,6 +5,16 @@ num_wide span_shift(num_wide x, int s)
     return num_shift(x, s);
 }
 
+struct num_vec span_sum(const struct num_vec *a, const struct num_vec *b)
+{
+    return num_vec_add(*a, *b);
+}
+
+struct num_vec span_difference(const struct num_vec *a, const struct num_vec *b)
+{
+    return num_vec_sub(*a, *b);
+}
+
 num_wide span_dot(const struct num_vec *a, const struct num_vec *b)
 {
     return num_dot(*a, *b);
@@ -13,6 +23,26 @@ num_wide span_dot(const struct num_vec *a, const struct num_vec *b)
 num_wide span_square30(const struct num_vec *a)
 {
     return num_square30(*a);
+}
+
+bool span_product_above(num_wide a, num_wide b, num_wide c, num_wide d)
+{
+    return num_product_above(a, b, c, d);
+}
+
+bool span_is_within(const struct num_vec *a, num_wide r)
+{
+    return num_is_within(a->x, a->y, a->z, r);
+}
+
+num_wide span_bias_of(num_wide x, num_u inverse, int bits, int e)
+{
+    return num_bias_of(x, inverse, bits, e);
+}
+
+num_u span_swell(num_u inverse, int bits, bool inside)
+{
+    return num_swell(inverse, bits, inside);
 }
 
 int span_bits(num_wide x)

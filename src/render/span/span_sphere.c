@@ -9,9 +9,9 @@
  * sum b + sqrt(...) below 2^32. */
 static void prepare_discriminant(const struct primary_rays *primary, struct span_sphere *sphere)
 {
-    num_wide b_reach = primary_reach(primary, sphere->centre);
-    int spare = sphere->c < 0, b_shift = 63 - num_bits(b_reach) - spare;
-    int c_limit = ((primary->square_shift + 63 - num_bits(sphere->c)) >> 1) - spare;
+    num_wide b_reach = primary_reach(primary, &sphere->centre);
+    int spare = sphere->c < 0, b_shift = 63 - span_bits(b_reach) - spare;
+    int c_limit = ((primary->square_shift + 63 - span_bits(sphere->c)) >> 1) - spare;
 
     sphere->b_shift = b_shift < c_limit ? b_shift : c_limit;
     sphere->c_disc = num_scale(num_abs(sphere->c), 2 * sphere->b_shift - primary->square_shift - 32);
@@ -24,13 +24,13 @@ static void prepare_distance(const struct primary_rays *primary, struct span_sph
 {
     int b_exponent = sphere->b_shift + primary->exponent - 16;
     int v_exponent = primary->square_shift + 2 * primary->exponent - 32;
-    int depth_bits = num_bits(primary->depth * primary->depth) - 1 - 2 * primary->exponent;
+    int depth_bits = span_bits(num_square(primary->depth)) - 1 - 2 * primary->exponent;
 
-    int c_bits = num_bits(sphere->c);
+    int c_bits = span_bits(sphere->c);
 
-    c_bits += num_bits(span_shift(num_abs(sphere->c), 32 - c_bits)) > 32; /* all ones: rounded up to 2^32 */
+    c_bits += span_bits(span_shift(num_abs(sphere->c), 32 - c_bits)) > 32; /* all ones: rounded up to 2^32 */
     sphere->c_top = num_scale(num_abs(sphere->c), 32 - c_bits);
-    int reach_bits = sphere->c < 0 ? num_bits(sphere->radius * sphere->radius) + 2 : c_bits;
+    int reach_bits = sphere->c < 0 ? span_bits(num_square(sphere->radius)) + 2 : c_bits;
     sphere->t_exponent = (61 - (reach_bits - 32) + depth_bits) >> 1;
     int by_c = 64 - c_bits - b_exponent + 63 - sphere->t_exponent;
     int by_square = b_exponent - v_exponent + 63 - sphere->t_exponent;
@@ -50,22 +50,22 @@ static void prepare_distance(const struct primary_rays *primary, struct span_sph
  * 2^(70 - t_shift). */
 static void prepare_doubts(const struct primary_rays *primary, struct span_sphere *sphere)
 {
-    num_wide b_reach = primary_reach(primary, sphere->centre), depth = primary->depth;
-    bool accurate = sphere->c >= 0 && num_bits(sphere->radius) + sphere->b_shift - 32 <= 6;
-    sphere->depth_bits = primary->exact ? 62 : num_bits(depth);
-    sphere->turn = num_bits(depth * sphere->radius) + sphere->b_shift - 32 - sphere->depth_bits;
+    num_wide b_reach = primary_reach(primary, &sphere->centre), depth = primary->depth;
+    bool accurate = sphere->c >= 0 && span_bits(sphere->radius) + sphere->b_shift - 32 <= 6;
+    sphere->depth_bits = primary->exact ? 62 : span_bits(depth);
+    sphere->turn = span_bits(depth * sphere->radius) + sphere->b_shift - 32 - sphere->depth_bits;
     int root = (35 + num_larger(sphere->turn, 0)) >> 1, shift = 61 - root - sphere->t_shift;
-    int square_bits = num_bits(depth * depth) + primary->square_shift - 32;
+    int square_bits = span_bits(num_square(depth)) + primary->square_shift - 32;
     int inside = root + 64 - sphere->t_shift - square_bits;
 
     sphere->cone_doubt =
         primary->exact ? -1 : num_high(b_reach, num_abs(sphere->centre.z)) + num_high(num_abs(sphere->c), depth) + 3;
     sphere->doubt_shift = sphere->c < 0 || shift < 0 ? 31 : num_limited(shift, 0, 31);
-    sphere->accurate = (num_u)num_bound(accurate ? num_limited(70 - sphere->t_shift, 0, 31) : 0);
+    sphere->accurate = (num_u)span_power(accurate ? num_limited(70 - sphere->t_shift, 0, 31) : 0);
     if (sphere->c < 0 ? inside > 30 : shift < 0)
-        sphere->doubt = (num_u)num_bound(29) * 3;
+        sphere->doubt = (num_u)span_power(29) * 3;
     else
-        sphere->doubt = (num_u)num_bound(sphere->c < 0 ? inside : 0);
+        sphere->doubt = (num_u)span_power(sphere->c < 0 ? inside : 0);
 }
 
 /* Returns the rows that may show the sphere. They are treated as a line of pixels, one pixel for each row, with X =
@@ -75,11 +75,12 @@ static struct span rows_that_see(const struct primary_rays *primary, const struc
     struct span none = {0, 0}, all = {0, primary->height};
     struct cone_row s = {-sphere->centre.y,
                          -sphere->centre.z * primary->depth,
-                         primary->depth * primary->depth,
+                         num_square(primary->depth),
                          sphere->c - sphere->centre.x * sphere->centre.x,
                          primary->exponent,
                          primary->height,
                          sphere->cone_doubt,
+                         NULL,
                          NULL,
                          0,
                          0};
@@ -96,12 +97,12 @@ void span_sphere_prepare(const struct primary_rays *primary, struct span_sphere 
 
     sphere->centre = centre;
     sphere->radius = num_coordinate(radius);
-    sphere->c = span_dot(&sphere->centre, &sphere->centre) - sphere->radius * sphere->radius;
+    sphere->c = span_dot(&sphere->centre, &sphere->centre) - num_square(sphere->radius);
     sphere->rows = none;
     sphere->wide = false;
     if (radius == 0)
         return;
-    sphere->radius_bits = num_bits(sphere->radius);
+    sphere->radius_bits = span_bits(sphere->radius);
     sphere->inverse = num_inverse(sphere->radius);
     prepare_discriminant(primary, sphere);
     prepare_distance(primary, sphere);
@@ -109,28 +110,10 @@ void span_sphere_prepare(const struct primary_rays *primary, struct span_sphere 
     sphere->rows = rows_that_see(primary, sphere);
 }
 
-struct span span_sphere_row(const struct exact_picture *picture, const struct primary_rays *primary,
-                            const struct span_sphere *sphere, uint32_t object, int y, struct span guess)
-{
-    num_wide row = primary_y(primary, y);
-    struct cone_row s = {sphere->centre.x,
-                         sphere->centre.y * row - sphere->centre.z * primary->depth,
-                         row * row + primary->depth * primary->depth,
-                         sphere->c,
-                         primary->exponent,
-                         primary->width,
-                         sphere->cone_doubt,
-                         picture,
-                         object,
-                         y};
-
-    return cone_row_span(&s, guess);
-}
-
 void span_sphere_line(const struct primary_rays *primary, const struct span_sphere *sphere, int y, int x,
                       struct sphere_line *line)
 {
-    struct row_form b = primary_form(primary, sphere->centre, x, y, sphere->b_shift);
+    struct row_form b = primary_form(primary, &sphere->centre, x, y, sphere->b_shift);
 
     line->b = b.start;
     line->b_step = b.step;

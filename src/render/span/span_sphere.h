@@ -51,11 +51,6 @@ static inline bool span_is_accurate(const struct span_sphere *sphere, num_u t)
 void span_sphere_prepare(const struct primary_rays *primary, struct span_sphere *sphere, struct num_vec centre,
                          tia_q16 radius);
 
-/* Returns the pixels of row y that show ball `object` of the picture, which is `sphere`; `guess` affects only the
- * speed. */
-struct span span_sphere_row(const struct exact_picture *picture, const struct primary_rays *primary,
-                            const struct span_sphere *sphere, uint32_t object, int y, struct span guess);
-
 /* Gives all of `line` except count, for the pixels from (x, y) on. */
 void span_sphere_line(const struct primary_rays *primary, const struct span_sphere *sphere, int y, int x,
                       struct sphere_line *line);

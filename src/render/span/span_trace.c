@@ -32,39 +32,6 @@ static void clear(struct tia_hits *hits, struct tia_tile tile)
         fill(hits->object + hits_index(hits, tile.x, y), (int)tile.width, TIA_NO_OBJECT);
 }
 
-#define WORTH 16 /* least number of pixels for which all_nearer pays */
-
-static num_u apart(num_u a, num_u b)
-{
-    return a < b ? b - a : a - b;
-}
-
-/* True if sphere `n`, whose distances are t, is certainly nearer than sphere `other` at all pixels.
- *
- * In every plane through the eye the visible half of a sphere is convex. So along the row t is convex and largest at an
- * end, and S = c/t is concave. If three samples of t differ by up to 1/8, S between them is at most 1.17 times the
- * middle sample's, as a concave function stays below the extended line through two of its points.
- *
- * The error of t, as a part of it, grows with t: with 2^-7.2 at the samples it is at most 2^-7 everywhere. All t of
- * sphere `other` are above .84 of its middle sample, and all t of sphere `n` below 1.02 of the larger of its two ends.
- */
-static bool all_nearer(const struct span_view *spans, uint32_t n, uint32_t other, int y, struct span span,
-                       const num_u *t)
-{
-    int count = span.end - span.first;
-    num_u most = t[0] < t[count - 1] ? t[count - 1] : t[0], behind[3];
-    const int at[3] = {span.first, span.first + (count - 1) / 2, span.end - 1};
-
-    if (count < WORTH || !(spans->spheres[n].c > 0) || !span_is_accurate(&spans->spheres[n], most))
-        return false;
-    for (int i = 0; i < 3; i++)
-        span_distances(spans, other, y, at[i], 1, &behind[i]);
-    return span_is_accurate(&spans->spheres[other], behind[0]) && span_is_accurate(&spans->spheres[other], behind[1]) &&
-           span_is_accurate(&spans->spheres[other], behind[2]) && apart(behind[0], behind[1]) <= behind[0] / 8 &&
-           apart(behind[2], behind[1]) <= behind[2] / 8 &&
-           num_nearer(most, spans->spheres[n].t_exponent, behind[1] - behind[1] / 4, spans->spheres[other].t_exponent);
-}
-
 /* Traces sphere `n` in up to CHUNK pixels, all of which show the same object so far, or none. */
 static void trace_chunk(const struct tia_view *view, uint32_t n, int y, struct span span, num_u *distance,
                         uint32_t *object)
@@ -80,7 +47,7 @@ static void trace_chunk(const struct tia_view *view, uint32_t n, int y, struct s
         return;
     }
     span_distances(spans, n, y, span.first, count, t);
-    if (spans->spheres[object[0]].wide && all_nearer(spans, n, object[0], y, span, t)) {
+    if (spans->spheres[object[0]].wide && spans->coherence->nearer(spans, n, object[0], y, span, t)) {
         fill(object, count, n);
         for (int i = 0; i < count; i++)
             distance[i] = t[i];
@@ -105,12 +72,11 @@ static void trace_span(const struct tia_view *view, struct tia_hits *hits, uint3
 static void trace_sphere(const struct tia_view *view, struct tia_hits *hits, uint32_t n, struct tia_tile tile)
 {
     const struct span_view *spans = view->prepared;
-    struct exact_picture picture = span_picture_of(view);
     const struct span_sphere *sphere = &spans->spheres[n];
     struct span rows = span_within(sphere->rows, (int)tile.y, tile_bottom(tile)), span = {0, 0};
 
     for (int y = rows.first; y < rows.end; y++) {
-        span = span_sphere_row(&picture, &spans->primary, sphere, n, y, span);
+        span = span_sphere_row(view, n, y, span);
         trace_span(view, hits, n, y, span_within(span, (int)tile.x, tile_right(tile)));
     }
 }

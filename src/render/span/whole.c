@@ -3,7 +3,7 @@
 #include "coherence/coherence_pays.h"
 #include "span.h"
 
-static const struct span_coherence coherence = {coherence_pays, coherence_shade};
+static const struct span_coherence coherence = {coherence_pays, coherence_shade, coherence_nearer};
 
 static int prepare(struct tia_view *view)
 {

@@ -1,5 +1,11 @@
 #include "scene_check.h"
 
+/* Returns a x + b y. */
+static int64_t sum(int a, int32_t x, int b, int32_t y)
+{
+    return (int64_t)a * x + (int64_t)b * y;
+}
+
 bool tia_check_is_light_near(const struct check *check, const struct tia_light *l)
 {
     const struct tia_vec3 *c = &l->centre, *s = &l->side[0], *t = &l->side[1];
@@ -9,8 +15,8 @@ bool tia_check_is_light_near(const struct check *check, const struct tia_light *
     if (!tia_light_has(l->kind, TIA_LIGHT_SIDES))
         return tia_check_is_near(check, *c, tia_light_has(l->kind, TIA_LIGHT_RADIUS) ? l->radius : 0);
     for (int i = 0; i < 4; i++) {
-        int64_t a = i & 1 ? 1 : -1, b = i & 2 ? 1 : -1;
-        const int64_t p[3] = {c->x + a * s->x + b * t->x, c->y + a * s->y + b * t->y, c->z + a * s->z + b * t->z};
+        int a = i & 1 ? 1 : -1, b = i & 2 ? 1 : -1;
+        const int64_t p[3] = {c->x + sum(a, s->x, b, t->x), c->y + sum(a, s->y, b, t->y), c->z + sum(a, s->z, b, t->z)};
         if (!tia_check_is_box_near(check, &(struct bounds_wide){{p[0], p[1], p[2]}, {p[0], p[1], p[2]}}))
             return false;
     }

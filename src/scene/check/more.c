@@ -40,7 +40,8 @@ static int check_parts(struct check *check)
     return status ? status : tia_check_rendering(check);
 }
 
-static const struct check_more more = {find_eyes, tia_check_falling, tia_check_has_texture, check_parts};
+static const struct check_more more = {find_eyes, tia_check_look, tia_check_falling, tia_check_has_texture,
+                                       check_parts};
 
 int tia_check_scene(const struct tia_scene *scene, struct tia_fault *fault, struct cancel *cancel)
 {

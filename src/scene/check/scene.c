@@ -77,10 +77,10 @@ static int check_parts(struct check *check)
 static int refuse_more(const struct check *check)
 {
     const struct tia_scene *s = check->scene;
-    uint64_t count = (uint64_t)s->shape_count + s->transform_count + s->texture_count + s->mesh_count + s->grid_count +
-                     s->track_count;
+    uint32_t counts =
+        s->shape_count | s->transform_count | s->texture_count | s->mesh_count | s->grid_count | s->track_count;
 
-    REQUIRE(!count && !s->falling && !s->shadows, "counts", "must have spheres alone, without techniques for shadows");
+    REQUIRE(!counts && !s->falling && !s->shadows, "counts", "must have spheres alone, without techniques for shadows");
     return TIA_OK;
 }
 

@@ -12,6 +12,7 @@ struct check;
 struct check_more {
     /* enlarges the box around the camera's eye to cover every position that the eye may have */
     void (*eyes)(const struct tia_scene *scene, struct tia_bounds *eyes);
+    int (*camera)(const struct check *check);
     int (*falling)(const struct check *check);
     bool (*has_texture)(const struct check *check, uint32_t number, bool opacity);
     /* checks all parts that are checked after spheres and lights */
@@ -76,7 +77,10 @@ bool tia_check_is_near(const struct check *check, struct tia_vec3 centre, tia_q1
 /* True if all points of a box are near every position of the eye. */
 bool tia_check_is_box_near(const struct check *check, const struct bounds_wide *box);
 
+/* Checks the camera; its window and its line of sight only by the rules for more than spheres. */
 int tia_check_camera(const struct check *check);
+/* Checks the camera's window and its line of sight. */
+int tia_check_look(const struct check *check);
 
 /* True if a material may have texture `number`, from 1, as its opacity or, unless `opacity`, as its colour. */
 bool tia_check_has_texture(const struct check *check, uint32_t number, bool opacity);

@@ -288,6 +288,6 @@ void tia_simd_decide(const struct simd_pixels *pixels, const uint16_t *list, int
             continue;
         struct exact_picture picture = span_picture_of(pixels->view);
         pixels->out[at] =
-            tia_exact_shade(&picture, x, pixels->row->y, pixels->sphere, (tia_q30)pixels->threshold[x & 7], NULL);
+            tia_exact_shade(&picture, x, pixels->row->y, pixels->sphere, (tia_q30)pixels->threshold[x & 7], NULL, NULL);
     }
 }

@@ -171,7 +171,6 @@ void tia_simd_find(const struct tia_view *view, const struct simd_row *row, stru
                    struct simd_line *line)
 {
     const struct span_view *spans = span_view_of(view);
-    const struct exact_picture picture = span_picture_of(view);
     uint32_t objects = view->scene->sphere_count + view->light_count;
 
     line->which = 0;
@@ -182,7 +181,7 @@ void tia_simd_find(const struct tia_view *view, const struct simd_row *row, stru
         struct span *last = &guess[n < SIMD_GUESSES ? n : SIMD_GUESSES - 1];
         if (row->y < sphere->rows.first || row->y >= sphere->rows.end)
             continue;
-        *last = span_sphere_row(&picture, &spans->primary, sphere, n, row->y, n < SIMD_GUESSES ? *last : none_seen());
+        *last = span_sphere_row(view, n, row->y, n < SIMD_GUESSES ? *last : none_seen());
         struct span span = span_within(*last, (int)tile.x, tile_right(tile));
         if (span.first < span.end)
             merge(view, row, n, span, line);

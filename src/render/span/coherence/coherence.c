@@ -337,7 +337,7 @@ static bool prepare_run(struct coherence_run *run, const struct tia_view *view, 
     run->g = run->light.g;
     run->q = run->light.q;
     num_wide row = primary_y(run->primary, run->y);
-    run->row_square = row * row + run->primary->depth * run->primary->depth;
+    run->row_square = num_square(row) + num_square(run->primary->depth);
     return coherence_bound(run, first, last) && prepare_casters(run, view, span->object);
 }
 

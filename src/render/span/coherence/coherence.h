@@ -19,4 +19,8 @@
 bool coherence_shade(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[8],
                      tia_rgb565 *pixels);
 
+/* True if sphere `n`, whose distances are t, is certainly nearer than sphere `other` at all pixels. */
+bool coherence_nearer(const struct span_view *spans, uint32_t n, uint32_t other, int y, struct span span,
+                      const num_u *t);
+
 #endif

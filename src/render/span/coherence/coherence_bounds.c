@@ -1,14 +1,9 @@
 /* coherence_bounds.c - bounds on the fixed-point errors of a run, derived in coherence_proved.h. */
 #include "coherence_proved.h"
 #include "coherence_run.h"
+#include "math/noinline.h"
 
-#if defined(__GNUC__)
-#define OUT_OF_LINE __attribute__((noinline))
-#else
-#define OUT_OF_LINE
-#endif
-
-static OUT_OF_LINE num_u coherence_root(num_uwide x)
+static NOINLINE num_u coherence_root(num_uwide x)
 {
     return num_sqrt(x);
 }
@@ -33,7 +28,7 @@ void coherence_go(struct coherence_run *run, int x)
     run->body.b = run->b + ahead * run->body.b_step;
     run->light.g = run->g + ahead * run->light.g_step;
     run->light.q = run->q + ahead * run->light.q_step;
-    run->body.square.start = num_up(first * first + run->row_square, primary->square_shift) + NUM_HALF;
+    run->body.square.start = num_up(num_square(first) + run->row_square, primary->square_shift) + NUM_HALF;
     run->light.square.start = run->body.square.start;
 }
 
@@ -52,7 +47,8 @@ static num_wide longer(const struct coherence_run *run, int first, int last)
     num_wide b = num_pixel_coordinate(2 * last + 1 - run->primary->width, run->primary->exponent);
     num_wide x = num_max(num_abs(a), num_abs(b)), y = primary_y(run->primary, run->y), z = run->primary->depth;
 
-    return (num_wide)coherence_root((num_uwide)(x * x + y * y + z * z)) + num_bound(COHERENCE_BITS(COHERENCE_VIEW));
+    return (num_wide)coherence_root((num_uwide)(num_square(x) + num_square(y) + num_square(z))) +
+           num_bound(COHERENCE_BITS(COHERENCE_VIEW));
 }
 
 /* Returns a binary logarithm in 256ths as a whole number, rounded up. */

@@ -7,8 +7,8 @@
  * sqrt(c). */
 bool coherence_pays(const struct primary_rays *primary, const struct span_sphere *sphere)
 {
-    num_wide depth = num_shift(primary->depth * primary->depth, -2 * primary->exponent); /* exponent 0 */
+    num_wide depth = num_shift(num_square(primary->depth), -2 * primary->exponent); /* exponent 0 */
 
     return sphere->c > sphere->centre.x * sphere->centre.x && sphere->c > 0 &&
-           num_product_above(sphere->radius * sphere->radius, depth, sphere->c, (num_wide)4 * WIDE * WIDE);
+           num_product_above(num_square(sphere->radius), depth, sphere->c, (num_wide)4 * WIDE * WIDE);
 }
