@@ -16,7 +16,6 @@ static inline void simd_runs_row(const struct tia_view *view, const struct simd_
                                  simd_runs_try *try)
 {
     static struct simd_fine fine;
-    const struct span_view *spans = span_view_of(view);
     struct span span = span_sphere_row(view, sphere, row->y, (struct span){0, 0});
 
     if (span.end - span.first > SIMD_RUN)

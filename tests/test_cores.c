@@ -15,20 +15,6 @@ struct drawn {
     tia_rgb565 pixels[W * H];
 };
 
-/* A ball of the smallest radius far above a ground, with a light on its side: the shadow rays from the ground touch the
- * ball, so that its shadow is noise in double precision. */
-static const struct tia_material lamp_materials[] = {{.colour = TIA_RGB(1, 1, 1)}};
-static const struct tia_sphere lamp_spheres[] = {{TIA_VEC3(0, -1002, -30), TIA_Q16(1000), 0},
-                                                 {{64, TIA_Q16(12000), TIA_Q16(-21)}, 64, 0}};
-static const struct tia_light lamp_light = {{0, TIA_Q16(12000), TIA_Q16(-21)}, 0, TIA_RGB(1, 1, 1)};
-static const struct tia_scene lamp = {.camera = {.fov = TIA_Q16(40)},
-                                      .materials = lamp_materials,
-                                      .spheres = lamp_spheres,
-                                      .lights = &lamp_light,
-                                      .material_count = 1,
-                                      .sphere_count = 2,
-                                      .light_count = 1};
-
 /* Draws a scene, lit by one light. The core is used only to make the view. */
 static void draw_lit(struct drawn *d, const struct tia_core *core, const struct tia_scene *scene,
                      const struct tia_light *state)
@@ -54,6 +40,20 @@ static void draw(struct drawn *d, const struct tia_core *core)
 }
 
 #ifdef TIA_HAVE_F64
+/* A ball of the smallest radius far above a ground, with a light on its side: the shadow rays from the ground touch the
+ * ball, so that its shadow is noise in double precision. */
+static const struct tia_material lamp_materials[] = {{.colour = TIA_RGB(1, 1, 1)}};
+static const struct tia_sphere lamp_spheres[] = {{TIA_VEC3(0, -1002, -30), TIA_Q16(1000), 0},
+                                                 {{64, TIA_Q16(12000), TIA_Q16(-21)}, 64, 0}};
+static const struct tia_light lamp_light = {{0, TIA_Q16(12000), TIA_Q16(-21)}, 0, TIA_RGB(1, 1, 1)};
+static const struct tia_scene lamp = {.camera = {.fov = TIA_Q16(40)},
+                                      .materials = lamp_materials,
+                                      .spheres = lamp_spheres,
+                                      .lights = &lamp_light,
+                                      .material_count = 1,
+                                      .sphere_count = 2,
+                                      .light_count = 1};
+
 static struct drawn q16, f64;
 
 TEST(a_view_is_drawn_in_its_arithmetic)

@@ -208,7 +208,6 @@ static void try_pixels(const struct tia_view *view, const struct shaded_span *sp
  * pixels, as tiles would cut it. */
 static void try_row(const struct tia_view *view, uint32_t sphere, int y, uint64_t *state)
 {
-    const struct span_view *spans = span_view_of(view);
     struct span all = span_sphere_row(view, sphere, y, (struct span){0, 0});
     int width = all.end - all.first;
 
