@@ -2,6 +2,7 @@
 #include "check.h"
 #include "sweeps.h"
 
+#include "math/divide.h"
 #include "math/trig.h"
 
 /* Step of thinned sweeps; coprime to every power of two, so that they cover all residues. */
@@ -161,6 +162,21 @@ TEST(wide_products)
     }
 }
 
+/* Against the processor's own division. */
+TEST(quotients_bit_by_bit)
+{
+    uint64_t state = 7;
+    CHECK_EQ(divide_by_bits(UINT64_MAX, 1), UINT64_MAX);
+    CHECK_EQ(divide_by_bits(UINT64_MAX, UINT64_MAX), 1);
+    CHECK_EQ(divide_by_bits(0, UINT64_MAX), 0);
+    for (int i = 0; i < 100000; i++) {
+        uint64_t a = dice_next(&state) >> (state & 63), b = (dice_next(&state) >> (state & 63)) | 1;
+        CHECK_EQ(divide_by_bits(a, b), a / b);
+        CHECK_EQ(divide_by_bits(a, b | UINT64_C(1) << 63), a / (b | UINT64_C(1) << 63));
+        CHECK_EQ(divide_by_bits(b, a | 1), b / (a | 1));
+    }
+}
+
 TEST(products_compared)
 {
     uint64_t state = 6;
@@ -219,6 +235,7 @@ int main(void)
     RUN(reciprocal);
     RUN(normalise);
     RUN(wide_products);
+    RUN(quotients_bit_by_bit);
     RUN(products_compared);
     RUN(cotangent_to_50_bits);
     return check_status();
