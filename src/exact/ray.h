@@ -142,11 +142,13 @@ static void look(struct pixel *p, const struct exact_picture *picture, int x, in
 {
     const struct exact_depth *depth = &picture->depth;
     struct ball *k = &p->v[2];
-    int64_t v[3] = {p->x = 2 * x + 1 - picture->width, p->y = picture->height - 2 * y - 1, 1};
+    int64_t v[3] = {2 * x + 1 - picture->width, picture->height - 2 * y - 1, 1};
 
     p->picture = picture;
     p->open = p->tie = false;
     p->path_hash = 0;
+    p->x = (int)v[0];
+    p->y = (int)v[1];
     set_each(p, p->v, v, 0);
     if ((p->x || p->y) && p->n == 2) {
         k->m[0] = depth->m[0];

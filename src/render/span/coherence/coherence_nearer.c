@@ -1,6 +1,6 @@
 #include "coherence.h"
 
-#define WORTH 16 /* least number of pixels for which all_nearer pays */
+#define WORTH 16 /* least number of pixels for which the samples pay */
 
 static num_u apart(num_u a, num_u b)
 {
