@@ -166,18 +166,36 @@ static bool is_accepted(const struct tia_raster_grid *l, const struct shape *p)
     return true;
 }
 
-/* True if all sides have an outside. A side whose ends lie in one direction from the eye has none, and the polygon
- * covers nothing in the oracle. */
-static bool has_all_sides(const struct shape *p)
+__extension__ typedef __int128 integer;
+
+/* Returns the sign of the determinant of three corners' directions. */
+static int turn_of(const struct tia_raster_vertex *a, const struct tia_raster_vertex *b,
+                   const struct tia_raster_vertex *c)
 {
+    integer d = ((integer)b->y * c->w - (integer)b->w * c->y) * a->x +
+                ((integer)b->w * c->x - (integer)b->x * c->w) * a->y +
+                ((integer)b->x * c->y - (integer)b->y * c->x) * a->w;
+
+    return (d > 0) - (d < 0);
+}
+
+/* True if the polygon is convex, that is, if no two triples of corners, in their order, turn in opposite directions,
+ * and if all sides have an outside. Another polygon has no inside, and the sides' signs in the oracle mean nothing. A
+ * side whose ends lie in one direction from the eye has no outside, and the polygon covers nothing in the oracle. */
+static bool is_convex(const struct shape *p)
+{
+    bool turns[3] = {false};
+
     for (unsigned i = 0; i < p->count; i++) {
         const struct tia_raster_vertex *a = &p->v[i], *b = &p->v[(i + 1) % p->count];
-        __extension__ typedef __int128 integer;
         if ((integer)a->x * b->y == (integer)a->y * b->x && (integer)a->y * b->w == (integer)a->w * b->y &&
             (integer)a->w * b->x == (integer)a->x * b->w)
             return false;
+        for (unsigned j = i + 1; j < p->count; j++)
+            for (unsigned k = j + 1; k < p->count; k++)
+                turns[1 + turn_of(a, &p->v[j], &p->v[k])] = true;
     }
-    return true;
+    return !turns[0] || !turns[2];
 }
 
 static struct tia_stencil take_stencil(struct bytes *b)
@@ -331,7 +349,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
             continue;
         }
         must_be_alike(&any, &wide);
-        is_right = has_all_sides(p);
+        is_right = is_convex(p);
         if (!is_right)
             break;
         draw_oracles(&state, p, id, &any);
