@@ -288,7 +288,7 @@ $(BUILD)/tests/test_compiled: $(COMPILED:%=$(BUILD)/scenes/%.o)
 .SECONDARY: $(COMPILED:%=$(BUILD)/scenes/%.c)
 
 # ---- longer proofs ----
-.PHONY: check-exhaustive prove check-accuracy check-exact check-arch check-matrix check-simd check-denoise check-threads check-rays-billion check-mutants check-bounds fuzz
+.PHONY: check-exhaustive prove check-accuracy check-exact check-arch check-freestanding check-matrix check-simd check-denoise check-threads check-rays-billion check-mutants check-bounds fuzz
 $(BUILD)/tests/exhaustive: $(BUILD)/tests/exhaustive.o $(LIBTIA) $(BUILD)/made-with/link
 	$(link)
 check-exhaustive: $(BUILD)/tests/exhaustive
@@ -301,6 +301,8 @@ check-exact: $(BUILD)/tia-compare
 	@EXACT_FULL=yes $(run_tests) tests/slow/exact
 check-arch:
 	@ARCH_FULL=yes $(run_tests) tests/slow/arch
+check-freestanding:
+	@FREESTANDING_FULL=yes $(run_tests) tests/slow/freestanding
 check-matrix: all
 	@MATRIX_FULL=yes $(run_tests) tests/slow/build-matrix
 check-simd: $(addprefix $(BUILD)/tests/test_,simd_spans simd_rays ray_bounds)
@@ -411,7 +413,7 @@ help:
 	@echo "check-quick        the tests that take seconds; check: all of them"
 	@echo "test T=NAME C=CASE one test, or one case of it: make test T=ray_bounds C=scene_files"
 	@echo "check-boards prove                             parts of check"
-	@echo "check-accuracy check-exact check-arch check-matrix check-simd check-denoise check-threads check-vm fuzz   parts of check, for longer"
+	@echo "check-accuracy check-exact check-arch check-freestanding check-matrix check-simd check-denoise check-threads check-vm fuzz   parts of check, for longer"
 	@echo "check-rays-billion   10^9 rays by vector units against plain C, or RAYS=N"
 	@echo "check-exhaustive check-mutants check-bounds    longer than check"
 	@echo "bench count size   time, instructions a pixel on boards, flash, RAM and stack"
