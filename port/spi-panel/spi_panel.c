@@ -70,9 +70,9 @@ static int send_range(struct tia_spi_panel *panel, uint8_t command, unsigned fir
 
 static int send_setup(struct tia_spi_panel *panel)
 {
-    const uint8_t *next = panel->setup, *end = next + panel->setup_size;
+    const uint8_t *next = panel->setup, *end = next ? next + panel->setup_size : next;
     int status = TIA_OK;
-    while (!status && panel->setup && end - next >= 2) {
+    while (!status && end - next >= 2) {
         if (end - next - 2 < next[1]) {
             panel->why = "spi panel: the setup table ends inside a command";
             return TIA_ERR_ARGUMENT;

@@ -43,20 +43,20 @@ static bool blocks(struct pixel *p, const struct body *caster, bool own, const s
 {
     int n = p->n;
     struct ball g[3], a, h;
-    bool inside = reach(p, caster->centre, caster->radius, &h) == BALL_BELOW;
+    bool inside = side_of(p, caster->centre, caster->radius) == BALL_BELOW;
     int64_t d[3];
 
     if (own && !inside)
         return false;
     for (int i = 0; i < 3; i++)
         d[i] = caster->centre[i] - way->light.centre[i];
-    bool enclosed = reach(p, d, caster->radius, &h) != BALL_ABOVE;
     if (inside)
-        return !enclosed;
+        return side_of(p, d, caster->radius) == BALL_ABOVE;
     scaled(p, g, caster->centre, &p->scale);
     each(tia_ball_sub, p, g, g, p->start, 1);
     dot(p, &a, g, way->m);
-    if (sign_of(p, &a) != BALL_ABOVE || (!enclosed && compare(p, &way->reach, &a) != BALL_ABOVE))
+    if (sign_of(p, &a) != BALL_ABOVE ||
+        (compare(p, &way->reach, &a) != BALL_ABOVE && side_of(p, d, caster->radius) == BALL_ABOVE))
         return false;
     dot(p, &h, g, g);
     multiply_length(p, g, caster->radius, &p->scale);

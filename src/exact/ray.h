@@ -134,6 +134,18 @@ static int reach(struct pixel *p, const int64_t d[3], int64_t radius, struct bal
     return sign_of(p, c);
 }
 
+/* Returns the sign of d.d - radius^2. It is positive if a component alone is longer than the radius, as is most often.
+ */
+static int side_of(struct pixel *p, const int64_t d[3], int64_t radius)
+{
+    struct ball c;
+
+    for (int i = 0; i < 3; i++)
+        if (d[i] > radius || d[i] < -radius)
+            return BALL_ABOVE;
+    return reach(p, d, radius, &c);
+}
+
 /* ---- rays ---- */
 
 /* Begins a pixel: sets v and V. In the middle of a picture of odd sizes v is (0, 0, -K); (0, 0, -1) gives the same

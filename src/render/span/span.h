@@ -9,6 +9,15 @@
 
 struct shaded_span;
 struct span_view;
+struct span_error;
+struct light_source;
+
+/* A lit pixel of a span. */
+struct span_middle {
+    int pixel;    /* counted from the span's begin */
+    num_u facing; /* r N.w there, see struct lit */
+    int apart;    /* bound of all points' distances from its point, see span_error.h */
+};
 
 /* Functions that decide many pixels at once, see coherence.h and coherence_pays.h. */
 struct span_coherence {
@@ -16,6 +25,11 @@ struct span_coherence {
     bool (*shade)(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[8],
                   tia_rgb565 *pixels);
     bool (*nearer)(const struct span_view *spans, uint32_t n, uint32_t other, int y, struct span span, const num_u *t);
+    void (*find_middle)(const struct span_view *spans, const struct shaded_span *span, const struct lit *lit,
+                        const struct span_error *error, struct span_middle *middle);
+    bool (*passes)(const struct span_middle *middle, const struct light_source *source,
+                   const struct span_sphere *caster, const struct shadow_line *line, const num_u *t,
+                   const struct lit *lit);
 };
 
 /* The prepared view. All positions are relative to the eye: the point at a pixel is P = t v. */

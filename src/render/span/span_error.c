@@ -136,6 +136,38 @@ num_wide span_error_facing(const struct light_source *source, const struct light
     return num_bound_of_log(error->facing + exponent * ONE);
 }
 
+/* ---- distances of points ---- */
+
+/* The sizes of the components are added. Each of the points may be off by the error of P. The points P + bias N, where
+ * shadow rays begin, are farther apart by up to bias/r, an eighth: 44 is more than 256 log2(9/8). */
+int span_error_apart(const struct primary_rays *primary, const struct span_sphere *sphere, int y, const int x[2],
+                     const num_u t[2], const struct span_error *error)
+{
+    num_wide sides[2];
+    num along = num_signed(t[0] > t[1] ? t[0] - t[1] : t[1] - t[0]);
+
+    for (int i = 0; i < 2; i++)
+        sides[i] =
+            num_mul(num_signed(t[i]), (num)num_pixel_coordinate(2 * x[i] + 1 - primary->width, primary->exponent));
+    num_wide sum = num_abs(sides[0] - sides[1]) + num_mul(along, (num)num_abs(primary_y(primary, y))) +
+                   num_mul(along, (num)primary->depth);
+
+    return sum_of(log_up(sum + 1) - (sphere->t_exponent + primary->exponent) * ONE, error->point + error->t + ONE) + 44;
+}
+
+static int exponent_of_power(const struct light_source *source, const struct shadow_line *line)
+{
+    return 2 * (43 + (source->exponent >> 1) - line->bias_shift) - source->exponent - line->exponent;
+}
+
+num_wide span_error_spread(const struct light_source *source, const struct span_sphere *caster,
+                           const struct shadow_line *line, int apart)
+{
+    int twice_radius = log_up(caster->radius) - 15 * ONE;
+
+    return num_bound_of_log(sum_of(twice_radius, apart) + apart + exponent_of_power(source, line) * ONE);
+}
+
 /* ---- light and shadows ---- */
 
 void span_error_lambert(const struct light_source *source, num_wide square, struct span_error *error)
@@ -156,7 +188,7 @@ void span_error_lambert(const struct light_source *source, num_wide square, stru
 bool span_error_shadow(const struct light_source *source, const struct span_sphere *caster,
                        const struct span_error *error, struct shadow_line *line)
 {
-    int e_d = source->exponent, e_a = 43 + (e_d >> 1) - line->bias_shift, e_k = 2 * e_a - e_d - line->exponent;
+    int e_d = source->exponent, e_a = 43 + (e_d >> 1) - line->bias_shift, e_k = exponent_of_power(source, line);
     int w = sum_of(log_length(source->light), error->point), size = sum_of(log_length(caster->centre), error->point);
     int moved = error->point + error->t;
     int radii = sum_of(log_up(caster->radius), log_up(source->sphere->radius)) - 16 * ONE;

@@ -3,7 +3,8 @@
 #include "coherence/coherence_pays.h"
 #include "span.h"
 
-static const struct span_coherence coherence = {coherence_pays, coherence_shade, coherence_nearer};
+static const struct span_coherence coherence = {coherence_pays, coherence_shade, coherence_nearer,
+                                                coherence_find_middle, coherence_passes};
 
 static int prepare(struct tia_view *view)
 {

@@ -19,6 +19,15 @@
 bool coherence_shade(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[8],
                      tia_rgb565 *pixels);
 
+/* Finds the pixel whose shadow rays coherence_passes() takes. */
+void coherence_find_middle(const struct span_view *spans, const struct shaded_span *span, const struct lit *lit,
+                           const struct span_error *error, struct span_middle *middle);
+
+/* True if the caster certainly blocks the light of no pixel of the span. */
+bool coherence_passes(const struct span_middle *middle, const struct light_source *source,
+                      const struct span_sphere *caster, const struct shadow_line *line, const num_u *t,
+                      const struct lit *lit);
+
 /* True if sphere `n`, whose distances are t, is certainly nearer than sphere `other` at all pixels. */
 bool coherence_nearer(const struct span_view *spans, uint32_t n, uint32_t other, int y, struct span span,
                       const num_u *t);
