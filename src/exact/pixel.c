@@ -244,17 +244,11 @@ static bool nearer(struct pixel *p, uint32_t i, uint32_t j)
     return meet(p, &a, &t) && (!meet(p, &b, &u) || compare(p, &t, &u) == BALL_BELOW);
 }
 
-/* Prepares the next precision; the first one if n is 0. False, with the cost noted, if nothing is open or there is no
- * further precision. */
-static bool go_on(struct pixel *p, const struct exact_picture *picture, int x, int y, struct exact_cost *cost)
+/* Prepares the next precision; the first one if n is 0. False if nothing is open or there is no further precision. */
+static bool go_on(struct pixel *p, const struct exact_picture *picture, int x, int y)
 {
-    if (p->n && (!p->open || p->n == TIA_BALL_WORDS)) {
-        if (cost && cost->words < p->n)
-            cost->words = p->n;
-        if (cost)
-            cost->tie = cost->tie || p->tie;
+    if (p->n && (!p->open || p->n == TIA_BALL_WORDS))
         return false;
-    }
     p->n = p->n ? 2 * p->n : 2;
     look(p, picture, x, y);
     return true;
@@ -266,8 +260,12 @@ tia_rgb565 tia_exact_pixel(const struct exact_picture *picture, int x, int y, ti
     struct pixel p;
     tia_rgb565 pixel = 0;
 
-    for (p.n = 0, p.traces = false; go_on(&p, picture, x, y, cost);)
+    for (p.n = 0, p.traces = false; go_on(&p, picture, x, y);)
         pixel = pixel_of(&p, threshold);
+    if (cost) {
+        cost->words = cost->words < p.n ? p.n : cost->words;
+        cost->tie = cost->tie || p.tie;
+    }
     return pixel;
 }
 
@@ -277,7 +275,7 @@ tia_rgb565 tia_exact_shade(const struct exact_picture *picture, int x, int y, ui
     struct pixel p;
     tia_rgb565 pixel = 0;
 
-    for (p.n = 0, p.traces = path_hash != NULL; go_on(&p, picture, x, y, NULL);) {
+    for (p.n = 0, p.traces = path_hash != NULL; go_on(&p, picture, x, y);) {
         pixel = shade(&p, object, threshold);
         for (int c = 0; colours && !p.open && c < 3; c++)
             colours[c] = (uint16_t)quantise(&p, &p.sum[c], 65535, HALF);
@@ -287,24 +285,23 @@ tia_rgb565 tia_exact_shade(const struct exact_picture *picture, int x, int y, ui
     return pixel;
 }
 
-bool tia_exact_meets(const struct exact_picture *picture, int x, int y, uint32_t object, struct exact_cost *cost)
+bool tia_exact_meets(const struct exact_picture *picture, int x, int y, uint32_t object)
 {
     struct body body = body_of(picture, object);
     struct pixel p;
     bool met = false;
 
-    for (p.n = 0, p.traces = false; go_on(&p, picture, x, y, cost);)
+    for (p.n = 0, p.traces = false; go_on(&p, picture, x, y);)
         met = meet(&p, &body, NULL);
     return met;
 }
 
-bool tia_exact_nearer(const struct exact_picture *picture, int x, int y, uint32_t i, uint32_t j,
-                      struct exact_cost *cost)
+bool tia_exact_nearer(const struct exact_picture *picture, int x, int y, uint32_t i, uint32_t j)
 {
     struct pixel p;
     bool near = false;
 
-    for (p.n = 0, p.traces = false; go_on(&p, picture, x, y, cost);)
+    for (p.n = 0, p.traces = false; go_on(&p, picture, x, y);)
         near = nearer(&p, i, j);
     return near;
 }

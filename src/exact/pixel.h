@@ -22,10 +22,9 @@ tia_rgb565 tia_exact_shade(const struct exact_picture *picture, int x, int y, ui
                            uint16_t *colours, uint32_t *path_hash);
 
 /* True if the ray of pixel (x, y) meets ball `object`: a sphere of the scene or, counted after these, a light. */
-bool tia_exact_meets(const struct exact_picture *picture, int x, int y, uint32_t object, struct exact_cost *cost);
+bool tia_exact_meets(const struct exact_picture *picture, int x, int y, uint32_t object);
 
 /* True if the distance of ball i is smaller than that of ball j, where the ray of pixel (x, y) meets both. */
-bool tia_exact_nearer(const struct exact_picture *picture, int x, int y, uint32_t i, uint32_t j,
-                      struct exact_cost *cost);
+bool tia_exact_nearer(const struct exact_picture *picture, int x, int y, uint32_t i, uint32_t j);
 
 #endif

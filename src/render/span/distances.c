@@ -6,7 +6,7 @@ static bool shows(const struct tia_view *view, int x, int y, uint32_t object)
 {
     struct exact_picture picture = span_picture_of(view);
 
-    return tia_exact_meets(&picture, x, y, object, NULL);
+    return tia_exact_meets(&picture, x, y, object);
 }
 
 struct span span_sphere_row(const struct tia_view *view, uint32_t object, int y, struct span guess)
@@ -60,7 +60,7 @@ static NOINLINE bool is_nearer(const struct tia_view *view, uint32_t n, num_u t,
     if (order)
         return order < 0;
     struct exact_picture picture = span_picture_of(view);
-    return tia_exact_nearer(&picture, x, y, n, other, NULL);
+    return tia_exact_nearer(&picture, x, y, n, other);
 }
 
 void span_keep_nearer(const struct tia_view *view, uint32_t n, int y, int x, const num_u *t, int count, num_u *best,

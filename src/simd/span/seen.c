@@ -47,7 +47,7 @@ static bool wins(const struct contest *c, int x)
             return n.t < m.t;
     }
     struct exact_picture picture = span_picture_of(c->view);
-    return tia_exact_nearer(&picture, x, c->row->y, c->n, c->m, NULL);
+    return tia_exact_nearer(&picture, x, c->row->y, c->n, c->m);
 }
 
 static struct simd_body body_of(const struct simd_seen *seen, const struct simd_depth *depth)
