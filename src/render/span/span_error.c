@@ -97,6 +97,28 @@ static int bound_t_inside(const struct primary_rays *primary, const struct span_
     return sum_of(t, SPAN_LOG(SPAN_ERROR_INVERSE));
 }
 
+/* ---- exponents of the lines' numbers ---- */
+
+/* That of r N.(Q - P). */
+static int exponent_of_facing(const struct light_source *source, const struct light_line *line)
+{
+    return 15 - source->sphere->radius_bits + (source->exponent >> 1) - line->scale;
+}
+
+/* That of A.w. */
+static int exponent_of_toward(const struct light_source *source, const struct shadow_line *line)
+{
+    return 43 + (source->exponent >> 1) - line->bias_shift;
+}
+
+/* That of |A|^2 - R^2. */
+static int exponent_of_power(const struct light_source *source, const struct shadow_line *line)
+{
+    return 2 * exponent_of_toward(source, line) - source->exponent - line->exponent;
+}
+
+/* ---- the bounds without light and shadows ---- */
+
 void span_error_of(const struct primary_rays *primary, const struct light_source *source, const struct light_line *line,
                    const struct span_depth ends[2], num_wide v_most, struct span_error *error)
 {
@@ -123,17 +145,14 @@ void span_error_of(const struct primary_rays *primary, const struct light_source
                           SPAN_LOG(SPAN_ERROR_REACH_SQUARE) + 2 * error->mantissa - line->reach_down * ONE) -
                    source->reach_exponent * ONE;
     error->square = sum_of(SPAN_LOG(SPAN_ERROR_SQUARE) + error->mantissa - source->exponent * ONE, error->reach);
-    int facing_exponent = 15 - sphere->radius_bits + (source->exponent >> 1) - line->scale;
-    error->facing = sum_of(SPAN_LOG(SPAN_ERROR_FACING) + error->mantissa - facing_exponent * ONE,
+    error->facing = sum_of(SPAN_LOG(SPAN_ERROR_FACING) + error->mantissa - exponent_of_facing(source, line) * ONE,
                            log_length(g) + error->point + error->t);
 }
 
 num_wide span_error_facing(const struct light_source *source, const struct light_line *line,
                            const struct span_error *error)
 {
-    int exponent = 15 - source->sphere->radius_bits + (source->exponent >> 1) - line->scale;
-
-    return num_bound_of_log(error->facing + exponent * ONE);
+    return num_bound_of_log(error->facing + exponent_of_facing(source, line) * ONE);
 }
 
 /* ---- distances of points ---- */
@@ -153,11 +172,6 @@ int span_error_apart(const struct primary_rays *primary, const struct span_spher
                    num_mul(along, (num)primary->depth);
 
     return sum_of(log_up(sum + 1) - (sphere->t_exponent + primary->exponent) * ONE, error->point + error->t + ONE) + 44;
-}
-
-static int exponent_of_power(const struct light_source *source, const struct shadow_line *line)
-{
-    return 2 * (43 + (source->exponent >> 1) - line->bias_shift) - source->exponent - line->exponent;
 }
 
 num_wide span_error_spread(const struct light_source *source, const struct span_sphere *caster,
@@ -188,7 +202,7 @@ void span_error_lambert(const struct light_source *source, num_wide square, stru
 bool span_error_shadow(const struct light_source *source, const struct span_sphere *caster,
                        const struct span_error *error, struct shadow_line *line)
 {
-    int e_d = source->exponent, e_a = 43 + (e_d >> 1) - line->bias_shift, e_k = exponent_of_power(source, line);
+    int e_d = source->exponent, e_a = exponent_of_toward(source, line), e_k = exponent_of_power(source, line);
     int w = sum_of(log_length(source->light), error->point), size = sum_of(log_length(caster->centre), error->point);
     int moved = error->point + error->t;
     int radii = sum_of(log_up(caster->radius), log_up(source->sphere->radius)) - 16 * ONE;
