@@ -18,7 +18,7 @@ struct shading {
     struct span_depth ends[2]; /* of the first and the last pixel */
     struct span_error error;   /* of the light being added */
     bool bounded;              /* the light's error has a bound */
-    struct span_middle middle; /* if it has, and with coherence */
+    struct span_middle middle; /* its `apart` is SPAN_APART_NONE where the middle decides no caster */
 };
 
 #define SPAN_LAMBERT_MOST (-9 * 256) /* the largest error of a cosine with which pixels are decided */
@@ -99,7 +99,7 @@ static bool cast_shadow(struct shading *s, const struct light_source *source, ui
     line.count = span->count;
     if (s->bounded && !span_error_shadow(source, caster, &s->error, &line))
         give_up(s);
-    else if (s->bounded && s->spans->coherence &&
+    else if (s->bounded && s->middle.apart < SPAN_APART_NONE &&
              s->spans->coherence->passes(&s->middle, source, caster, &line, span->t, lit))
         return false;
     s->spans->kernels->shadow(&line, span->t, lit);
@@ -112,7 +112,8 @@ static NOINLINE void cast_shadows(struct shading *s, const struct light_source *
     const struct shaded_span *span = s->span;
     const struct tia_scene *scene = s->view->scene;
 
-    if (s->bounded && s->spans->coherence)
+    s->middle.apart = SPAN_APART_NONE;
+    if (s->bounded && s->spans->coherence && scene->sphere_count > 2) /* one caster is not worth it */
         s->spans->coherence->find_middle(s->spans, span, lit, &s->error, &s->middle);
     for (uint32_t j = 0; j < scene->sphere_count && !s->given_up; j++) {
         const struct tia_rgb *through = &scene->materials[scene->spheres[j].material].transmission;

@@ -37,9 +37,6 @@ bool coherence_passes(const struct span_middle *middle, const struct light_sourc
     num distance = num_signed(t[i]);
     num_wide product = num_mul(distance, num_top(line->a + (num_wide)i * line->a_step));
     num_wide turn = num_mul(distance, num_top(line->c + (num_wide)i * line->c_step));
-
-    if (middle->apart >= SPAN_APART_NONE)
-        return false;
     num_wide a = shadow_toward(line, product, lit->reach[i]) - shadow_bias(line, middle->facing, lit->half[i]);
     num_wide k = shadow_power(line, turn, lit->reach[i]) - line->k_doubt;
 
