@@ -7,6 +7,7 @@
 
 #include <tia/tia.h>
 
+#include "edge_scene.h"
 #include "random.h"
 
 struct regime {
@@ -82,6 +83,24 @@ static inline bool regime_make(struct regime *r, uint64_t seed, bool inside)
     r->height = sizes[k][1];
     r->dither = random_bits() % 5 == 0;
     return tia_scene_check(&r->scene, NULL) == TIA_OK;
+}
+
+typedef void regimes_try(const char *what, unsigned number, const struct tia_scene *scene, unsigned width,
+                         unsigned height, bool dither);
+
+/* Tries `count` edge scenes and as many of the pictures above, without those that tia refuses. */
+static inline void regimes_each(unsigned count, regimes_try *try)
+{
+    static struct edge_scene e;
+    static struct regime r;
+
+    for (unsigned i = 1; i <= count; i++) {
+        edge_make(&e, i);
+        if (!tia_scene_check(&e.scene, NULL))
+            try("edge", i, &e.scene, e.width, e.height, e.dither);
+        if (regime_make(&r, i, true))
+            try("regime", i, &r.scene, r.width, r.height, r.dither);
+    }
 }
 
 #endif

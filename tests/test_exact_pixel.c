@@ -4,7 +4,6 @@
  *     test_exact_pixel [N]    N edge scenes, by default 1200, and as many of span_regimes.h */
 #include "check.h"
 #include "common/corpus/corpus.h"
-#include "edge_scene.h"
 #include "exact_truth.h"
 #include "random.h"
 #include "render/core/dither.h"
@@ -41,19 +40,15 @@ static void compare(const char *what, unsigned number, const struct tia_scene *s
     }
 }
 
+static void compare_some(const char *what, unsigned number, const struct tia_scene *scene, unsigned width,
+                         unsigned height, bool dither)
+{
+    compare(what, number, scene, width, height, dither, 1 + width * height / 60);
+}
+
 TEST(scenes_of_any_magnitude)
 {
-    static struct edge_scene e;
-    static struct regime r;
-    unsigned count = check_count(scenes);
-
-    for (unsigned i = 1; i <= count; i++) {
-        edge_make(&e, i);
-        if (!tia_scene_check(&e.scene, NULL))
-            compare("edge", i, &e.scene, e.width, e.height, e.dither, 1 + e.width * e.height / 60);
-        if (regime_make(&r, i, true))
-            compare("regime", i, &r.scene, r.width, r.height, r.dither, 1 + r.width * r.height / 60);
-    }
+    regimes_each(check_count(scenes), compare_some);
 }
 
 TEST(random_corpus)

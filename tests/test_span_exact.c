@@ -6,7 +6,6 @@
 
 #include "check.h"
 #include "common/corpus/corpus.h"
-#include "edge_scene.h"
 #include "exact/pixel.h"
 #include "random.h"
 #include "render/core/dither.h"
@@ -96,19 +95,15 @@ TEST(random_corpus)
     }
 }
 
+static void try_some(const char *what, unsigned number, const struct tia_scene *scene, unsigned width, unsigned height,
+                     bool dither)
+{
+    try(what, number, scene, width, height, dither, 120);
+}
+
 TEST(scenes_of_any_magnitude)
 {
-    static struct edge_scene e;
-    static struct regime r;
-    unsigned count = check_count(scenes);
-
-    for (unsigned i = 1; i <= count; i++) {
-        edge_make(&e, i);
-        if (!tia_scene_check(&e.scene, NULL))
-            try("edge", i, &e.scene, e.width, e.height, e.dither, 120);
-        if (regime_make(&r, i, true))
-            try("regime", i, &r.scene, r.width, r.height, r.dither, 120);
-    }
+    regimes_each(check_count(scenes), try_some);
 }
 
 /* ---- scenes made by hand ---- */
