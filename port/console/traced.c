@@ -52,9 +52,20 @@ static void deliver(pid_t thread, uintptr_t number)
     (void)ptrace(PTRACE_CONT, thread, NULL, (void *)number);
 }
 
+/* Lets the held thread report the present state, also when it listens. Without this, it may miss a change: Linux does
+ * not wake a thread on a SIGCONT that comes during the call of PTRACE_LISTEN. */
+static void ask_holder(void)
+{
+    (void)ptrace(PTRACE_INTERRUPT, holder, NULL, NULL);
+}
+
 static void listen_too(void)
 {
-    listens = holder != 0 && ptrace(PTRACE_LISTEN, holder, NULL, NULL) == 0;
+    if (holder == 0)
+        return;
+    listens = ptrace(PTRACE_LISTEN, holder, NULL, NULL) == 0;
+    if (!listens) /* it listens already */
+        ask_holder();
 }
 
 /* Handles the reports of the held thread. After PTRACE_LISTEN in a stop of its own, the thread reports the present
@@ -70,7 +81,7 @@ static void follow_holder(void)
             listen_too();
         } else if (cause == SIGNAL) {
             deliver(holder, number);
-            (void)ptrace(PTRACE_INTERRUPT, holder, NULL, NULL);
+            ask_holder();
         } else {
             listens = false;
         }
@@ -99,7 +110,10 @@ void traced_settle(void)
     siginfo_t what;
 
     follow_holder();
-    if (listens && waitid(P_PID, (id_t)holder, &what, WSTOPPED | WEXITED | WNOWAIT | __WALL) == 0)
+    if (!listens)
+        return;
+    ask_holder();
+    if (waitid(P_PID, (id_t)holder, &what, WSTOPPED | WEXITED | WNOWAIT | __WALL) == 0)
         follow_holder();
 }
 
