@@ -8,6 +8,13 @@
 
 /* ---- light ---- */
 
+/* Sets n of the visible point on `body`. */
+static void set_normal(struct pixel *p, const struct body *body, struct ball n[3])
+{
+    scaled(p, n, body->centre, &p->square);
+    each(tia_ball_sub, p, n, p->inside ? n : p->point, p->inside ? p->point : n, 1);
+}
+
 /* Sets the visible point, at T, and what depends on it. Where T is 0, so is P, and 1 takes the place of V, which need
  * not be rational. */
 static void set_point(struct pixel *p, const struct body *body, const struct ball *t)
@@ -18,10 +25,8 @@ static void set_point(struct pixel *p, const struct body *body, const struct bal
         tia_ball_set(p->n, &p->square, 1, 0);
     multiply_length(p, &p->scale, body->radius, &p->square);
     each(tia_ball_mul, p, p->point, p->v, t, 0);
-    scaled(p, bias, body->centre, &p->square);
-    each(tia_ball_sub, p, p->normal, p->inside ? bias : p->point, p->inside ? p->point : bias, 1);
+    set_normal(p, body, bias);
     for (int i = 0; i < 3; i++) {
-        bias[i] = p->normal[i];
         bias[i].e += BIAS;
         bias[i].radius.e += BIAS;
     }
@@ -121,14 +126,16 @@ static void add_light(struct pixel *p, uint32_t object, uint32_t l)
     const struct tia_sphere *sphere = &scene->spheres[object];
     const struct tia_light *light = &p->picture->lights[l];
     struct tia_rgb colour = scene->materials[sphere->material].colour, white = {TIA_Q30_ONE, TIA_Q30_ONE, TIA_Q30_ONE};
+    struct body body = body_of(p->picture, object);
     struct way way;
-    struct ball lambert, product[3], length;
+    struct ball lambert, product[3];
     int n = p->n;
 
     way.light = body_of(p->picture, scene->sphere_count + l);
     scaled(p, way.m, way.light.centre, &p->square);
     each(tia_ball_sub, p, way.m, way.m, p->point, 1);
-    dot(p, &lambert, p->normal, way.m);
+    set_normal(p, &body, product);
+    dot(p, &lambert, product, way.m);
     way.passed = 0;
     if ((is_lost(colour, light->emission) && !p->traces) || sign_of(p, &lambert) != BALL_ABOVE)
         return;
@@ -141,9 +148,9 @@ static void add_light(struct pixel *p, uint32_t object, uint32_t l)
     note_reached(p, l, way.passed);
     multiply(p, product, colour);
     multiply(p, product, light->emission);
-    tia_ball_sqrt(n, &length, &way.square);
-    tia_ball_mul(n, &length, &length, &p->scale);
-    tia_ball_div(n, &lambert, &lambert, &length);
+    tia_ball_sqrt(n, &way.square, &way.square);
+    tia_ball_mul(n, &way.square, &way.square, &p->scale);
+    tia_ball_div(n, &lambert, &lambert, &way.square);
     each(tia_ball_mul, p, product, product, &lambert, 0);
     each(tia_ball_add, p, p->sum, p->sum, product, 1);
 }

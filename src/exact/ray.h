@@ -32,12 +32,14 @@ struct pixel {
     bool traces;              /* path_hash is needed, in which black lights count as well */
     uint32_t path_hash;       /* see tia/debug.h */
     int x, y;                 /* X, Y */
-    struct ball v[3], square; /* v, V */
-    struct ball point[3];     /* V P */
-    struct ball normal[3];    /* n */
-    struct ball scale;        /* r V */
-    struct ball start[3];     /* r V P + 2^-13 n */
-    struct ball sum[3];       /* S */
+    union {                   /* few bytes, as this is on the stack of boards */
+        struct ball v[3];     /* v, until `point` is set */
+        struct ball sum[3];   /* S, from then on */
+    };
+    struct ball square;   /* V */
+    struct ball point[3]; /* V P */
+    struct ball scale;    /* r V */
+    struct ball start[3]; /* r V P + 2^-13 n */
 };
 
 /* A sphere of the scene or a light. Lengths are in units of 2^-16, and the centre is relative to the eye. */

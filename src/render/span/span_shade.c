@@ -323,8 +323,8 @@ static NOINLINE uint64_t shade(const struct tia_view *view, struct shaded_span *
 }
 
 /* Decides one pixel, which is in doubt as a part of a longer span. */
-static void settle(const struct tia_view *view, const struct shaded_span *span, int i, const num_u threshold[8],
-                   tia_rgb565 *pixel)
+static NOINLINE void settle(const struct tia_view *view, const struct shaded_span *span, int i,
+                            const num_u threshold[8], tia_rgb565 *pixel)
 {
     struct shaded_span one = {span->object,
                               span->x + i,

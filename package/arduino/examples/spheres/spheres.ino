@@ -12,7 +12,7 @@
 static const uint8_t DC = 9, CS = 10, RESET = 8;
 
 // For a view of this scene and a row's hits on processors of up to 32 bits: tia-compile --memory.
-static uint64_t view_memory[57], hits_memory[WIDTH + 4];
+static uint64_t view_memory[72], hits_memory[WIDTH + 4];
 static tia_rgb565 row[WIDTH];
 
 static void command(uint8_t code, const uint8_t *data, uint8_t count)
