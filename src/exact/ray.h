@@ -26,15 +26,15 @@
 /* A pixel in one precision. The members from `point` on are of the visible sphere. */
 struct pixel {
     const struct exact_picture *picture;
-    int n;                    /* words of the balls */
-    bool open, tie;           /* a comparison is undecided; one has equal sides */
-    bool inside;              /* the eye is in the body of the last call of meet() */
-    bool traces;              /* path_hash is needed, in which black lights count as well */
-    uint32_t path_hash;       /* see tia/debug.h */
-    int x, y;                 /* X, Y */
-    union {                   /* few bytes, as this is on the stack of boards */
-        struct ball v[3];     /* v, until `point` is set */
-        struct ball sum[3];   /* S, from then on */
+    int n;                  /* words of the balls */
+    bool open, tie;         /* a comparison is undecided; one has equal sides */
+    bool inside;            /* the eye is in the body of the last call of meet() */
+    bool traces;            /* path_hash is needed, in which black lights count as well */
+    uint32_t path_hash;     /* see tia/debug.h */
+    int x, y;               /* X, Y */
+    union {                 /* few bytes, as this is on the stack of boards */
+        struct ball v[3];   /* v, until `point` is set */
+        struct ball sum[3]; /* S, from then on */
     };
     struct ball square;   /* V */
     struct ball point[3]; /* V P */
