@@ -288,7 +288,7 @@ $(BUILD)/tests/test_compiled: $(COMPILED:%=$(BUILD)/scenes/%.o)
 .SECONDARY: $(COMPILED:%=$(BUILD)/scenes/%.c)
 
 # ---- longer proofs ----
-.PHONY: check-exhaustive prove check-accuracy check-exact check-arch check-freestanding check-matrix check-simd check-denoise check-threads check-rays-billion check-mutants check-bounds fuzz
+.PHONY: check-exhaustive prove check-accuracy check-exact check-arch check-freestanding check-matrix check-simd check-denoise check-threads check-deb check-rays-billion check-mutants check-bounds fuzz
 $(BUILD)/tests/exhaustive: $(BUILD)/tests/exhaustive.o $(LIBTIA) $(BUILD)/made-with/link
 	$(link)
 check-exhaustive: $(BUILD)/tests/exhaustive
@@ -311,6 +311,8 @@ check-denoise: all
 	@DENOISE_FULL=yes $(run_tests) tests/slow/denoise
 check-threads: all
 	@THREADS_FULL=yes $(run_tests) tests/slow/threads
+check-deb: all
+	@DEB_FULL=yes $(run_tests) tests/slow/deb
 check-rays-billion: $(BUILD)/tests/test_ray_bounds
 	@$< --rays $(or $(RAYS),1000000000) $(PASS)
 SECONDS ?= 600
@@ -325,7 +327,8 @@ check-bounds:
 	@BUILD=$(BUILD)/scaled tests/bounds
 	@$(BUILD)/scaled/tests/test_ray_bounds --uses
 fuzz:
-	@$(alone) FUZZ_SECONDS=$(SECONDS) tests/slow/fuzz
+	@$(alone) FUZZ_SECONDS=$(SECONDS) tests/fuzz/run
+include tests/fuzz/fuzz.mk
 
 deps:
 	@echo "deps: all there"
@@ -354,7 +357,7 @@ processors = $$(nproc 2>/dev/null || echo 1)
 on_all_cores = $(run_tests) -j $(processors)
 # With CHECK_QUICK set tests try fewer random cases, see check_count in tests/check.h; check tries all.
 # Those that take longest are begun first, so that in the end no processor waits for one of them.
-LONG  := $(addprefix tests/slow/,build-matrix arch fuzz vm accuracy)
+LONG  := $(addprefix tests/slow/,build-matrix arch vm accuracy)
 # tests/slow/accuracy runs the one that is left out.
 QUICK := $(sort $(wildcard tests/quick/*)) $(filter-out $(BUILD)/tests/test_rays_accuracy,$(TESTS))
 SLOW  := $(LONG) $(filter-out $(LONG),$(sort $(wildcard tests/slow/*)))
@@ -413,7 +416,7 @@ help:
 	@echo "check-quick        the tests that take seconds; check: all of them"
 	@echo "test T=NAME C=CASE one test, or one case of it: make test T=ray_bounds C=scene_files"
 	@echo "check-boards prove                             parts of check"
-	@echo "check-accuracy check-exact check-arch check-freestanding check-matrix check-simd check-denoise check-threads check-vm fuzz   parts of check, for longer"
+	@echo "check-accuracy check-exact check-arch check-freestanding check-matrix check-simd check-denoise check-threads check-deb check-vm fuzz   parts of check, for longer"
 	@echo "check-rays-billion   10^9 rays by vector units against plain C, or RAYS=N"
 	@echo "check-exhaustive check-mutants check-bounds    longer than check"
 	@echo "bench count size   time, instructions a pixel on boards, flash, RAM and stack"

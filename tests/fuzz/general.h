@@ -119,7 +119,7 @@ static inline void take_grid(struct bytes *b, struct fuzz_general *g)
     g->grids[0] = (struct tia_grid){.corner = take_vec3(b), .cells = g->cells};
     g->grids[0].cell = TIA_RADIUS_MIN + take_number(b) / 4;
     for (int k = 0; k < 3; k++)
-        g->grids[0].size[k] = size == 255 ? (uint16_t)(take_byte(b) & 1 ? 0 : 1025 + k) : 1 + (size >> k & 1);
+        g->grids[0].size[k] = (uint16_t)(size != 255 ? 1 + (size >> k & 1) : take_byte(b) & 1 ? 0 : 1025 + k);
     for (int i = 0; i < FUZZ_CELLS; i++)
         g->cells[i] = take_byte(b) % 5;
 }

@@ -33,13 +33,14 @@ GROUPS = {
 }
 # What every driver has to show, what a DRM driver has to show too, and what is shown at one driver
 # of each kind, because it is not the driver that does it.
-BASIC = [display.conforms, display.frames, display.held, console.signals, console.switch, console.second]
+BASIC = [display.conforms, display.frames, display.held, console.switch, console.second]
 DRM = [*BASIC, console.master, display.screen_gone]
-# What takes long is done at one driver of each kind, with --full at every driver.
-LONG = [console.kills]
+# What takes long is done at one driver of each kind, or at one; with --full at every driver.
+LONG = [console.kills, console.signals]
+LONGEST = [console.exhausted, console.limited]
 THOROUGH = [display.automatic, display.latency, display.rotated, display.centred, console.keys_that_quit,
             console.terminal_keys, console.held_through, console.serial, console.ends_away,
-            console.exhausted, console.two_at_once, console.limited, *guardian.ALL]
+            console.two_at_once, *guardian.ALL]
 
 
 @dataclass
@@ -59,10 +60,13 @@ class Setup:
     machine: str = 'pc'
     keyboard: bool = True
     long: bool = False              # its LONG cases are run without --full too
+    longest: bool = False           # so are its LONGEST cases
 
     def all_cases(self, full):
         basic = set(BASIC) <= set(self.cases)
-        return self.cases + (LONG if basic and (full or self.long) else [])
+        thorough = set(THOROUGH) <= set(self.cases)
+        return self.cases + (LONG if basic and (full or self.long) else []) + \
+            (LONGEST if thorough and (full or self.longest) else [])
 
     def missing(self):
         """Why this guest cannot be had here, or None."""
@@ -90,7 +94,7 @@ def drm(name, qemu, modules, size=(640, 480), title='', **more):
 SETUPS = [
     vesafb('vesafb16', 0x311, '16 bpp', format='RGB565', cases=[*BASIC, *THOROUGH], long=True),
     drm('bochs', BOCHS, ['bochs'], cases=[*DRM, display.modes, display.device_gone, *THOROUGH],
-        long=True),
+        long=True, longest=True),
     vesafb('vesafb16-800', 0x314, '16 bpp, 800x600', size=(800, 600), format='RGB565', cases=[display.frames]),
     vesafb('vesafb32', 0x342, '32 bpp', cases=BASIC),
     vesafb('vesafb15', 0x310, '15 bpp', format='RGB555', eye=Scanout(picture.shift555), cases=[display.frames]),
