@@ -59,6 +59,8 @@ static inline unsigned tia_clz32(uint32_t x)
 {
 #if defined(__GNUC__) && !defined(TIA_NO_CLZ) && __SIZEOF_INT__ == 4
     return (unsigned)__builtin_clz(x);
+#elif defined(__GNUC__) && !defined(TIA_NO_CLZ) && __SIZEOF_LONG__ == 4
+    return (unsigned)__builtin_clzl(x);
 #else
     return tia_clz32_table(x);
 #endif
@@ -73,6 +75,15 @@ static inline unsigned tia_clz64(uint64_t x)
     uint32_t high = (uint32_t)(x >> 32);
     return high ? tia_clz32(high) : 32 + tia_clz32((uint32_t)x);
 #endif
+}
+
+/* True on processors of 8 bits, which shift bit by bit, but for whole bytes. */
+#define TIA_SHIFTS_BITS (sizeof(int) == 2)
+
+/* Returns x >> s for s in 16..31. */
+static inline uint32_t tia_top_bits(uint32_t x, unsigned s)
+{
+    return TIA_SHIFTS_BITS ? (uint32_t)((uint16_t)(x >> 16) >> (s - 16)) : x >> s;
 }
 
 /* Returns x / 2^s to nearest, ties up. s <= 63, |x| < 2^62. */
@@ -135,7 +146,7 @@ static inline uint32_t tia_seed(uint32_t line, uint32_t f)
 /* Returns 2^31 / sqrt(a / 2^32) with a relative error below 3.2e-6. a >= 2^30. */
 static inline uint32_t tia_rsqrt_seed(uint32_t a)
 {
-    return tia_seed(tia_rsqrt_lines[(a >> 23) - 128], (a >> 7) & 0xffff);
+    return tia_seed(tia_rsqrt_lines[tia_top_bits(a, 23) - 128], (a >> 7) & 0xffff);
 }
 
 /* Returns 2^63 / d with a relative error below 7.9e-6. d >= 2^31. */

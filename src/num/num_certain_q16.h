@@ -50,7 +50,7 @@ static inline int num_log(num_wide x)
     num_u high = (num_u)((num_uwide)x >> 32), low = (num_u)x, top = high ? high : low;
     int zeros = (int)tia_clz32(top);
     top = top << zeros | (high ? low : 0) >> 1 >> (31 - zeros);
-    return ((high ? 63 : 31) - zeros) * 256 + (int)(top >> 23 & 255);
+    return ((high ? 63 : 31) - zeros) * 256 + (int)(tia_top_bits(top, 23) & 255);
 }
 
 /* Returns the upper half of a b rounded down; a, b >= 0. */
@@ -104,7 +104,7 @@ static inline num_u num_light_doubt(num_u product, int lambert, uint32_t tints)
     return (num_u)(num_mul_u(product, cosine) >> 40) + 3 + tints / 2 + (tints > 0);
 }
 
-typedef uint32_t num_level_word;
+typedef unsigned num_level_word;
 
 /* A level is levels c + threshold + doubt with 26 bits behind the point. Where that may be above another whole number
  * than levels c + threshold, its fraction is below twice the doubt, even if the sum overflows. */
@@ -134,15 +134,15 @@ static inline num_u num_further_level(num_u level, num_u c, unsigned more, num_u
     return level + (c >> 4) * more;
 }
 
-static inline num_u num_floor_level(num_u level)
+static inline num_level_word num_floor_level(num_u level)
 {
-    return level >> 26;
+    return (num_level_word)tia_top_bits(level, 26);
 }
 
 /* True if a level, off by up to `doubt`, may be another one. */
 static inline bool num_is_near_level(num_u level, num_u doubt)
 {
-    return level << 6 < doubt << 7;
+    return TIA_SHIFTS_BITS ? (level & 0x3ffffff) < doubt << 1 : level << 6 < doubt << 7;
 }
 
 /* Returns -1 if t < u, 1 if not, and 0 if t and u, off by less than their doubts, leave it open; exponents as above. */
