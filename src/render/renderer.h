@@ -165,13 +165,21 @@ struct tia_hits {
     bool traced;      /* a part of the area was traced, by any thread */
 };
 
+/* True where the compiler accesses a bool atomically without a library. Elsewhere a byte is accessed at once, too, but
+ * clang would ask for one. */
+#if defined(__GNUC__) && __GCC_ATOMIC_BOOL_LOCK_FREE == 2
+#define HITS_ATOMIC 1
+#else
+#define HITS_ATOMIC 0
+#endif
+
 /* Sets `traced`. Several threads may do so at once, all to the same value. */
 static inline void hits_mark_traced(struct tia_hits *hits)
 {
-#ifdef __GNUC__
+#if HITS_ATOMIC
     __atomic_store_n(&hits->traced, true, __ATOMIC_RELAXED);
 #else
-    hits->traced = true;
+    *(volatile bool *)&hits->traced = true;
 #endif
 }
 
@@ -180,10 +188,10 @@ bool tia_hits_have(const struct tia_hits *hits, const struct tia_view *view, str
 
 static inline bool hits_are_traced(const struct tia_hits *hits)
 {
-#ifdef __GNUC__
+#if HITS_ATOMIC
     return __atomic_load_n(&hits->traced, __ATOMIC_RELAXED);
 #else
-    return hits->traced;
+    return *(const volatile bool *)&hits->traced;
 #endif
 }
 
