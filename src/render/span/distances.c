@@ -44,8 +44,8 @@ void span_distances(const struct span_view *spans, uint32_t n, int y, int x, int
 
 /* Returns -1 if the distance t of sphere a is smaller than u of sphere b, 1 if not, and 0 if these, off by less than
  * their doubts, leave it open. */
-static NOINLINE int order_of(const struct span_sphere *a, num_u t, num_u t_doubt, const struct span_sphere *b, num_u u,
-                             num_u u_doubt)
+static ONCE_IN_FLASH int order_of(const struct span_sphere *a, num_u t, num_u t_doubt, const struct span_sphere *b,
+                                  num_u u, num_u u_doubt)
 {
     return num_order(t, a->t_exponent, t_doubt, u, b->t_exponent, u_doubt);
 }

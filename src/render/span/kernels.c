@@ -54,7 +54,8 @@ static inline int light_pixel(const struct light_line *line, num_wide facing, nu
 
 /* Returns the first pixel from i on, where the accumulator of G.v is `g`, that may face the light, or the number of
  * pixels. Of those before it nothing else need be computed. */
-static NOINLINE int pass_turned(const struct light_line *line, const num_u *distance, int i, num_wide g, num_u *facing)
+static ONCE_IN_FLASH int pass_turned(const struct light_line *line, const num_u *distance, int i, num_wide g,
+                                     num_u *facing)
 {
     num_wide least = -line->facing_doubt;
 

@@ -14,13 +14,13 @@ num_wide span_error_number(int log)
 
 #define ONE 256
 
-static NOINLINE int log_down(num_wide x)
+static ONCE_IN_FLASH int log_down(num_wide x)
 {
     return num_log(x);
 }
 
 /* log2(1 + f) - f is at most .0861. */
-static NOINLINE int log_up(num_wide x)
+static ONCE_IN_FLASH int log_up(num_wide x)
 {
     return num_log(x) + 24;
 }
@@ -29,7 +29,7 @@ static NOINLINE int log_up(num_wide x)
 static const TIA_FLASH uint8_t sums[10] = {255, 149, 82, 43, 22, 11, 5, 2, 1, 0};
 
 /* Returns an upper limit of the logarithm of a sum. */
-static NOINLINE int sum_of(int a, int b)
+static ONCE_IN_FLASH int sum_of(int a, int b)
 {
     int larger = a > b ? a : b, apart = (larger - (a > b ? b : a)) >> 8;
 

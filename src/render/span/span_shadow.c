@@ -62,13 +62,13 @@ static int prepare_power(const struct primary_rays *primary, const struct light_
     return e;
 }
 
-static NOINLINE num_wide sum_of_sizes(const struct num_vec *a)
+static ONCE_IN_FLASH num_wide sum_of_sizes(const struct num_vec *a)
 {
     return num_abs(a->x) + num_abs(a->y) + num_abs(a->z);
 }
 
 /* Returns (b - a)/4. */
-static NOINLINE struct num_vec quarter_between(const struct num_vec *a, const struct num_vec *b)
+static ONCE_IN_FLASH struct num_vec quarter_between(const struct num_vec *a, const struct num_vec *b)
 {
     struct num_vec d = span_difference(b, a), q = {span_shift(d.x, -2), span_shift(d.y, -2), span_shift(d.z, -2)};
     return q;

@@ -1,6 +1,6 @@
 #include "span_shift.h"
 
-num_wide span_shift(num_wide x, int s)
+num_wide span_shift_apart(num_wide x, int s)
 {
     return num_shift(x, s);
 }
@@ -10,7 +10,7 @@ struct num_vec span_sum(const struct num_vec *a, const struct num_vec *b)
     return num_vec_add(*a, *b);
 }
 
-struct num_vec span_difference(const struct num_vec *a, const struct num_vec *b)
+struct num_vec span_difference_apart(const struct num_vec *a, const struct num_vec *b)
 {
     return num_vec_sub(*a, *b);
 }
@@ -20,7 +20,7 @@ num_wide span_dot(const struct num_vec *a, const struct num_vec *b)
     return num_dot(*a, *b);
 }
 
-num_wide span_square30(const struct num_vec *a)
+num_wide span_square30_apart(const struct num_vec *a)
 {
     return num_square30(*a);
 }
@@ -45,12 +45,12 @@ num_u span_swell(num_u inverse, int bits, bool inside)
     return num_swell(inverse, bits, inside);
 }
 
-int span_bits(num_wide x)
+int span_bits_apart(num_wide x)
 {
     return num_bits(x);
 }
 
-num_wide span_power(int bits)
+num_wide span_power_apart(int bits)
 {
     return num_bound(bits);
 }
