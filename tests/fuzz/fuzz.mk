@@ -1,15 +1,17 @@
-# The fuzzers with corpora and changed inputs of their own, replay.c, for a compiler without libFuzzer.
+# The fuzzers, driven by replay.c, or by libFuzzer with FUZZ_DRIVER= LDFLAGS=-fsanitize=fuzzer.
 FUZZERS := $(notdir $(wildcard tests/fuzz/corpus/*))
-replays: $(FUZZERS:%=$(BUILD)/fuzz/%)
-.PHONY: replays
+FUZZ_DRIVER := $(BUILD)/tests/fuzz/replay.o
+.PHONY: fuzzers
+fuzzers: $(FUZZERS:%=$(BUILD)/fuzzers/%)
 beside = $(filter-out $(BUILD)/host/tools/$(1)/$(1).o,$(call obj,host,$(wildcard tools/$(1)/*.c)))
-$(BUILD)/fuzz/options: $(call beside,tia)
-$(BUILD)/fuzz/parts: $(call beside,tia-join)
-$(BUILD)/fuzz/radio: $(call beside,tia-radio)
-$(BUILD)/fuzz/resume: $(call obj,host,$(addprefix tools/tia/,finished.c resume.c resume_file.c))
+$(BUILD)/fuzzers/options: $(call beside,tia)
+$(BUILD)/fuzzers/parts: $(call beside,tia-join)
+$(BUILD)/fuzzers/radio: $(call beside,tia-radio)
+$(BUILD)/fuzzers/resume: $(call obj,host,$(addprefix tools/tia/,finished.c resume.c resume_file.c))
 $(BUILD)/tests/fuzz/%.o: HOSTED += -Wno-missing-prototypes -iquote .
-$(FUZZERS:%=$(BUILD)/fuzz/%): $(BUILD)/fuzz/%: $(BUILD)/tests/fuzz/%.o $(BUILD)/tests/fuzz/replay.o $(BUILD)/liboracle.a \
-    $(LIBCOMMON) $(LIBPORTS) $(LIBWATCHED) $(LIBSIMD) $(BUILD)/libtia-chk.a $(LIBF64) $(LIBRADIO) $(LIBTIA)
+$(FUZZERS:%=$(BUILD)/fuzzers/%): $(BUILD)/fuzzers/%: $(BUILD)/tests/fuzz/%.o $(FUZZ_DRIVER) $(BUILD)/liboracle.a \
+    $(LIBCOMMON) $(LIBPORTS) $(LIBWATCHED) $(LIBSIMD) $(BUILD)/libtia-chk.a $(LIBF64) $(LIBRADIO) $(LIBTIA) \
+    $(BUILD)/made-with/link
 	@mkdir -p $(@D)
 	$(link)
-$(FUZZERS:%=$(BUILD)/fuzz/%): LIBS := $(OVERFLOW) $(LIBS)
+$(FUZZERS:%=$(BUILD)/fuzzers/%): LIBS := $(OVERFLOW) $(LIBS)
