@@ -1,5 +1,6 @@
 """What the tests of the command share: running it, reading its pictures, reporting cases."""
 import os
+import re
 import resource
 import shutil
 import signal
@@ -23,6 +24,12 @@ for ignored in (signal.SIGINT, signal.SIGQUIT, signal.SIGHUP, signal.SIGTERM):
         signal.signal(ignored, signal.SIG_DFL)
 
 LIMIT_S = 60            # far more than any case needs: only a hang takes that long
+
+
+def make_files(root):
+    """The Makefile, and the files of the tree that it includes."""
+    with open(os.path.join(root, "Makefile"), encoding="utf-8") as file:
+        return ["Makefile", *re.findall(r"^include (\S+)$", file.read(), re.M)]
 
 
 class Skip(Exception):
