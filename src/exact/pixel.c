@@ -8,7 +8,7 @@
 
 /* ---- light ---- */
 
-/* Sets n of the visible point on `body`. */
+/* Sets n of the visible point on `body`. Each light computes it again, since balls are large. */
 static void set_normal(struct pixel *p, const struct body *body, struct ball n[3])
 {
     scaled(p, n, body->centre, &p->square);

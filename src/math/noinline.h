@@ -11,10 +11,11 @@
 #define NOINLINE
 #endif
 
-#if UINTPTR_MAX > UINT32_MAX
-#define ONCE_IN_FLASH inline
-#else
+#define FLASH_IS_SCARCE (UINTPTR_MAX <= UINT32_MAX)
+#if FLASH_IS_SCARCE
 #define ONCE_IN_FLASH NOINLINE
+#else
+#define ONCE_IN_FLASH inline
 #endif
 
 #endif

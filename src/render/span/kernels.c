@@ -112,8 +112,8 @@ static void lambert(const struct lit *lit, num_u inverse, int count, num_u *lamb
 enum verdict { LIT, DARK, MAYBE_LIT, MAYBE_DARK };
 
 /* Compares (A'.w)^2 with |w|^2 (|A'|^2 - R^2). */
-static NOINLINE int cover_order(const struct shadow_line *line, num_wide a, num_wide k, const struct lit *lit, int i,
-                                int margin)
+static ONCE_IN_FLASH int cover_order(const struct shadow_line *line, num_wide a, num_wide k, const struct lit *lit,
+                                     int i, int margin)
 {
     return num_cover_order(a, lit->near[i], lit->half[i], k, line->swell, line->exponent, margin);
 }
@@ -153,9 +153,7 @@ static enum verdict meets(const struct shadow_line *line, num_wide product, num_
     if (!NUM_CERTIFIED && k <= 0)
         return DARK;
     if (!NUM_CERTIFIED || (a > line->a_clear && k > line->k_clear))
-        order = UINTPTR_MAX > UINT32_MAX
-                    ? num_cover_order(a, lit->near[i], lit->half[i], k, line->swell, line->exponent, 14)
-                    : cover_order(line, a, k, lit, i, 14);
+        order = cover_order(line, a, k, lit, i, 14);
     if (order < 0)
         return LIT;
     if (order > 0 && (line->enclosed || !NUM_CERTIFIED || beyond > line->beyond_doubt))

@@ -3,6 +3,7 @@
 #ifndef TIA_RENDER_SPAN_SHIFT_H
 #define TIA_RENDER_SPAN_SHIFT_H
 
+#include "math/noinline.h"
 #include "num/num.h"
 
 /* num_vec_add, num_dot, num_product_above, num_is_within, num_bias_of and num_swell. */
@@ -22,27 +23,27 @@ num_wide span_power_apart(int bits);
 
 static inline num_wide span_shift(num_wide x, int s)
 {
-    return UINTPTR_MAX > UINT32_MAX ? num_shift(x, s) : span_shift_apart(x, s);
+    return FLASH_IS_SCARCE ? span_shift_apart(x, s) : num_shift(x, s);
 }
 
 static inline struct num_vec span_difference(const struct num_vec *a, const struct num_vec *b)
 {
-    return UINTPTR_MAX > UINT32_MAX ? num_vec_sub(*a, *b) : span_difference_apart(a, b);
+    return FLASH_IS_SCARCE ? span_difference_apart(a, b) : num_vec_sub(*a, *b);
 }
 
 static inline num_wide span_square30(const struct num_vec *a)
 {
-    return UINTPTR_MAX > UINT32_MAX ? num_square30(*a) : span_square30_apart(a);
+    return FLASH_IS_SCARCE ? span_square30_apart(a) : num_square30(*a);
 }
 
 static inline int span_bits(num_wide x)
 {
-    return UINTPTR_MAX > UINT32_MAX ? num_bits(x) : span_bits_apart(x);
+    return FLASH_IS_SCARCE ? span_bits_apart(x) : num_bits(x);
 }
 
 static inline num_wide span_power(int bits)
 {
-    return UINTPTR_MAX > UINT32_MAX ? num_bound(bits) : span_power_apart(bits);
+    return FLASH_IS_SCARCE ? span_power_apart(bits) : num_bound(bits);
 }
 
 #endif
