@@ -103,14 +103,19 @@ class Calls:
         for caller, called in re.findall(r'edge: \{ sourcename: "([^"]+)" targetname: "([^"]+)"', text):
             self.calls.setdefault(caller, set()).add(called)
 
-    def depth(self, function, indirect, path=()):
-        """(bytes, the deepest chain). `indirect` tells what a function's calls through pointers may reach."""
+    def depth(self, function, indirect, path=(), known=None):
+        """(bytes, the deepest chain). `indirect` tells what a function's calls through pointers may reach; `known` has
+        the depths found so far."""
+        known = {} if known is None else known
         if function in path:
             raise ValueError("recursion: " + " > ".join(path[path.index(function):] + (function,)))
+        if function in known:
+            return known[function]
         called = self.calls.get(function, set())
         if "__indirect_call" in called:
             called = called - {"__indirect_call"} | set(indirect(function))
         best = (0, ())
         for other in sorted(called):
-            best = max(best, self.depth(other, indirect, path + (function,)), key=lambda d: d[0])
-        return self.stack.get(function, 0) + best[0], (function.split(":")[-1],) + best[1]
+            best = max(best, self.depth(other, indirect, path + (function,), known), key=lambda d: d[0])
+        known[function] = self.stack.get(function, 0) + best[0], (function.split(":")[-1],) + best[1]
+        return known[function]
