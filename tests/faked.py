@@ -3,7 +3,7 @@ import os
 import shutil
 import subprocess
 
-from command import LIMIT_S, check
+from command import LIMIT_S, check, make_files
 
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), ".."))
 FOLDERS = ("include", "src", "port", "tools", "tests", "bench", "scenes", "man")
@@ -37,8 +37,9 @@ def script(name, text):
 def prepare():
     for name in FOLDERS:
         os.symlink(os.path.join(ROOT, name), name)
-    for name in ("Makefile", "deps.mk", "install.mk", "pictures.mk"):
-        shutil.copy(os.path.join(ROOT, name), ".")
+    for name in make_files(ROOT):
+        if not os.path.dirname(name):
+            shutil.copy(os.path.join(ROOT, name), ".")
     script("fake-cc", COMPILER)
     script("fake-ar", ARCHIVER)
     script("fake-pkg-config", PKG_CONFIG)
