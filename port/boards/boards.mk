@@ -4,12 +4,14 @@ ARM_BARE   ?= arm-none-eabi-
 RISCV_BARE ?= riscv64-unknown-elf-
 AVR_BARE   ?= avr-
 PANEL_BOARDS := versatilepb vexpress-a9
-SMALL_BOARDS := mps2-an385 microbit rv32 atmega1284p
+SMALL_BOARDS := mps2-an385 mps2-an386 mps2-an500 microbit rv32 atmega1284p
 versatilepb_CC := $(ARM_BARE)gcc -marm -mcpu=arm926ej-s -mfloat-abi=soft
 vexpress-a9_CC := $(ARM_BARE)gcc -marm -mcpu=cortex-a9 -mfloat-abi=soft -mno-unaligned-access
 mps2-an385_CC  := $(ARM_BARE)gcc -mthumb -mcpu=cortex-m3
-microbit_CC    := $(ARM_BARE)gcc -mthumb -mcpu=cortex-m0 -DTIA_NO_CLZ -DTIA_MUL64='"math/arm/mul64.h"'
-rv32_CC        := $(RISCV_BARE)gcc -march=rv32imac -mabi=ilp32 -DTIA_NO_CLZ
+mps2-an386_CC  := $(ARM_BARE)gcc -mthumb -mcpu=cortex-m4 -mfloat-abi=soft
+mps2-an500_CC  := $(ARM_BARE)gcc -mthumb -mcpu=cortex-m7 -mfloat-abi=soft
+microbit_CC    := $(ARM_BARE)gcc -mthumb -mcpu=cortex-m0
+rv32_CC        := $(RISCV_BARE)gcc -march=rv32imac -mabi=ilp32
 atmega1284p_CC := $(AVR_BARE)gcc -mmcu=atmega1284p
 BOARD := $(COMMON) -ffreestanding -iquote src -Iport -O2 -g -ffunction-sections -fdata-sections
 BOARD_LD := -static -Wl,--gc-sections,--fatal-warnings
@@ -20,6 +22,10 @@ spheres = core_spheres$(if $(filter $(1),$(TIGHT_BOARDS)),_small)
 # 5760 without coherence.c, and 512 for the program itself. tests/slow/boards measures how much of the stack is used.
 small_stack = $(if $(filter $(1),$(TIGHT_BOARDS)),6272,7232)
 comma := ,
+# The MPS2's images of a Cortex-M4 and M7 have their memory where that of a Cortex-M3 has it.
+MORE_MPS2 := mps2-an386 mps2-an500
+map_of = $(if $(filter $(MORE_MPS2),$(1)),mps2-an385,$(1))
+large_map_of = $(if $(filter $(MORE_MPS2),$(1)),mps2-4m,$(1)-large)
 # An AVR's linker script is an addition to avr-libc's; those of other boards are complete.
 board_ld = $(if $(filter $(1),$(SMALL_BOARDS)),-Wl$(comma)--defsym=board_stack_min=$(call small_stack,$(1))) \
            $(if $(filter atmega%,$(1)),port/boards/$(1).ld,-nostdlib -Lport/boards -T port/boards/$(2).ld)
@@ -29,6 +35,8 @@ PANEL_SRC := $(BOARD_SRC) port/ps2/ps2.c $(addprefix port/boards/,pl011.c counte
 versatilepb_SRC := $(PANEL_SRC) port/boards/versatilepb.c
 vexpress-a9_SRC := $(PANEL_SRC) port/boards/vexpress-a9.c
 mps2-an385_SRC  := $(BOARD_SRC) port/boards/semihost.c port/boards/cortex-m.c
+mps2-an386_SRC  := $(mps2-an385_SRC)
+mps2-an500_SRC  := $(mps2-an385_SRC)
 microbit_SRC    := $(mps2-an385_SRC)
 rv32_SRC        := $(BOARD_SRC) port/boards/semihost.c port/boards/start-riscv.S
 atmega1284p_SRC := port/boards/print.c port/boards/atmega1284p.c
@@ -40,10 +48,16 @@ $(call say,$(2),$< ($(1)))$($(1)_CC) $(3) -c -o $@ $<
 endef
 
 # $(call image,board,name,sources,linker script,objects): the rule for a board's program. Objects of the core in another
-# arithmetic are in a folder named after it. All of the core is linked; --gc-sections drops what the program does not use.
+# arithmetic are in a folder named after it. All of the core is linked, or all that scenes of spheres may need on boards
+# with programs for no others; --gc-sections drops what the program does not use.
+SPHERE_SRC := $(filter src/math/% src/exact/% src/render/span/% src/render/core/dither.c src/render/core/spheres%.c \
+    $(addprefix src/render/,view.c hits.c render.c choose.c drawing.c) src/scene/thesis.c src/scene/shadow_names.c \
+    $(addprefix src/scene/check/,scene.c camera.c light.c material.c number_range.c sphere.c) \
+    $(addprefix src/viewer/,viewer.c run_spheres.c view_memory.c tiles.c present.c press.c key_events.c watch.c),$(CORE_SRC))
+core_of = $(if $(filter $(PANEL_BOARDS) mps2-an385,$(1)),$(CORE_SRC),$(SPHERE_SRC))
 bare = $(patsubst %,$(BUILD)/boards/$(1)/%.o,$(basename $(2)))
 define image
-$(BUILD)/boards/$(1)/$(2).elf: $(call bare,$(1),$(3) $($(1)_SRC) $(CORE_SRC)) $(5) $(wildcard port/boards/$(4).ld port/boards/$(1).ld) port/boards/sections.ld
+$(BUILD)/boards/$(1)/$(2).elf: $(call bare,$(1),$(3) $($(1)_SRC) $(call core_of,$(1))) $(5) $(wildcard port/boards/$(4).ld port/boards/$(1).ld) port/boards/sections.ld
 	$$(call say,LD,$$@)$$($(1)_CC) $$(BOARD_LD) $(call board_ld,$(1),$(4)) -o $$@ $$(filter %.o,$$^) -lgcc
 endef
 define bare_rule
@@ -57,16 +71,16 @@ $(call bare_rule,$(1),f64/,-DTIA_NUM_F64)
 $(BUILD)/boards/$(1)/%.o: %.S
 	$$(call board_compile,$(1),AS)
 endef
-# Optimisation. Flash is scarce on small boards: of the code that draws spheres only what runs for each pixel is optimised for
-# speed. The rest of the list is for rays and shadows, which scenes of spheres do not link.
-HOT := src/math/integer $(addprefix src/render/span/,coherence/coherence cone_row kernels span_rows span_shift span_trace)
-HOT += $(basename $(filter src/flat/% src/raster/% src/samples/% src/shadow/% src/math/normalise.c src/math/power.c \
+# Optimisation. Flash is scarce on small boards: all is compiled for size, and src/math/fast.h names what gcc compiles for
+# speed even so, as in any other build by -Os. This list is for rays and shadows, which scenes of spheres do not link.
+HOT := $(basename $(filter src/flat/% src/raster/% src/samples/% src/shadow/% src/math/normalise.c src/math/power.c \
 	$(addprefix src/render/,ao/% estimate/% geometry/% hybrid/% path/% trace/% whitted/%),$(CORE_SRC)))
-mps2-an385_SMALL := -fno-schedule-insns2 -fno-ssa-phiopt -fno-move-loop-invariants -fno-tree-coalesce-vars
-mps2-an385_FAST := -fschedule-insns2 -fssa-phiopt -fmove-loop-invariants -ftree-coalesce-vars
-rv32_HOT := src/render/span/primary
 rv32_SMALL := -msave-restore
 rv32_FAST := -mno-save-restore
+# What includes fast.h, which AVRs do without.
+FAST := $(basename $(shell grep -l '^.include "math/fast.h"' $(filter src/render/span/%,$(CORE_SRC))))
+rv32_HOT := $(FAST)
+atmega1284p_HOT := $(filter-out %/primary,$(FAST))
 atmega1284p_SMALL := -mcall-prologues -fno-inline
 atmega1284p_FAST := -mno-call-prologues -finline
 define optimised
@@ -75,12 +89,11 @@ $(patsubst %,$(BUILD)/boards/$(1)/%.o,$(HOT) $($(1)_HOT)): BOARD += -O2 $($(1)_F
 $(BUILD)/boards/$(1)/f%.o: BOARD += -O2 $($(1)_FAST)
 endef
 $(foreach b,$(SMALL_BOARDS),$(eval $(call optimised,$(b))))
-$(BUILD)/boards/mps2-an385/src/render/span/coherence/coherence.o: BOARD += -O3
 # The program whose instructions are counted: arithmetic $(2), strips of $(3) rows; $(4) is 1 to store a whole frame's hits.
 define counted
 $(BUILD)/boards/$(1)/count-$(2).o: tests/boards/count.c
 	$$(call board_compile,$(1),CC $(2),$$(BOARD) -DCORE=tia_$(if $(filter-out q16,$(2)),$(2)_)$(call spheres,$(1)) -DROWS=$(3) -DWHOLE=$(4))
-$(call image,$(1),count-$(2),,$(1)-large,$(BUILD)/boards/$(1)/count-$(2).o $(if $(filter-out q16,$(2)),$(call bare,$(1),tests/boards/soft_sqrt.c) $(call bare,$(1)/$(2),$(NUM_SRC))))
+$(call image,$(1),count-$(2),,$(call large_map_of,$(1)),$(BUILD)/boards/$(1)/count-$(2).o $(if $(filter-out q16,$(2)),$(call bare,$(1),tests/boards/soft_sqrt.c) $(call bare,$(1)/$(2),$(filter $(NUM_SRC),$(call core_of,$(1))))))
 endef
 # The viewer of the compiled scene $(2).
 define shown
@@ -110,12 +123,12 @@ BOARDS_SMALL := $(filter $(SMALL_BOARDS),$(BOARDS))
 $(foreach b,$(BOARDS_PANEL),$(eval $(call image,$(b),viewer,tools/boards/viewer.c,$(b))))
 $(foreach b,$(BOARDS_PANEL),$(eval $(call shown,$(b),castle)))
 $(foreach b,$(BOARDS_PANEL),$(eval $(call image,$(b),pattern,tests/boards/pattern.c,$(b))))
-$(foreach b,$(BOARDS_SMALL),$(eval $(call image,$(b),frames,tests/boards/frames.c,$(b))))
+$(foreach b,$(BOARDS_SMALL),$(eval $(call image,$(b),frames,tests/boards/frames.c,$(call map_of,$(b)))))
 $(BUILD)/boards/atmega1284p/tests/boards/frames.o: BOARD += -DROWS=1 -DLARGE=0 -DCORE=tia_core_spheres_small
-# On the AVR a double is only a float, so there is no f64. The RAM of the AVR and of the Cortex-M0 has room for one row.
-counted_in = q16 f32 $(if $(findstring atmega,$(1)),,f64)
+# On the AVR a double is only a float, so there is no f64; a Cortex-M4 or M7 usually has an FPU. The RAM of the AVR and of the Cortex-M0 has room for one row.
+counted_in = q16 $(if $(filter $(MORE_MPS2),$(1)),,f32 $(if $(findstring atmega,$(1)),,f64))
 rows_of = $(if $(findstring atmega,$(1)),1,$(if $(findstring microbit,$(1)),1,3))
-$(foreach b,$(BOARDS_SMALL),$(foreach n,$(call counted_in,$(b)),$(eval $(call counted,$(b),$(n),$(call rows_of,$(b),$(n)),$(if $(filter mps2-an385 rv32,$(b)),1,0)))))
+$(foreach b,$(BOARDS_SMALL),$(foreach n,$(call counted_in,$(b)),$(eval $(call counted,$(b),$(n),$(call rows_of,$(b),$(n)),$(if $(filter mps2-% rv32,$(b)),1,0)))))
 BOARDS_SHADOWS := $(filter vexpress-a9 mps2-an385,$(BOARDS))
 $(foreach b,$(BOARDS_SHADOWS),$(eval $(call image,$(b),shadows,tests/boards/shadows.c,$(if $(filter mps2-an385,$(b)),$(b)-large,$(b)))))
 RAYED := $(if $(filter mps2-an385,$(BOARDS)),$(patsubst scenes/nff/%.nff,%,$(wildcard scenes/nff/*.nff)))
@@ -151,7 +164,6 @@ COUNT_FILES := $(COUNTED) $(BOARDS_SHADOWS:%=$(BUILD)/boards/%/shadows.elf) $(BU
                $(RAYED:%=$(BUILD)/boards/mps2-an385/rays-%.elf) $(BUILD)/boards/observed
 
 .PHONY: boards check-boards size-boards count count-rays
-boards: $(addsuffix .c,$(HOT)) # fails if a file of these lists was moved: it would lose its flags
 boards: $(IMAGES) $(BOARDS_SMALL:%=$(BUILD)/boards/%/count-q16.elf) $(BUILD)/boards/insn.so $(SIMAVR) $(addprefix $(BUILD)/boards/,example shadows light) \
         $(if $(filter mps2-an385,$(BOARDS)),$(addprefix $(BUILD)/boards/mps2-an385/,example.elf light.elf) $(BUILD)/boards/microbit/mul64.elf)
 check: boards $(COUNT_FILES)

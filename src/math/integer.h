@@ -13,10 +13,8 @@
 #include <stdint.h>
 #include <tia/vec.h>
 
-#ifndef TIA_MUL64
-#define TIA_MUL64 "mul64.h"
-#endif
-#include TIA_MUL64
+#include "mul64.h"
+#include "target.h"
 
 /* Right shifts of negative numbers are implementation-defined in C, but arithmetic with every known compiler. */
 _Static_assert((-5 >> 1) == -3, "signed right shift must be arithmetic");
@@ -57,9 +55,9 @@ static inline unsigned tia_clz32_table(uint32_t x)
 /* Returns the number of leading zero bits of x, not 0. */
 static inline unsigned tia_clz32(uint32_t x)
 {
-#if defined(__GNUC__) && !defined(TIA_NO_CLZ) && __SIZEOF_INT__ == 4
+#if TIA_COUNTS_ZEROS && __SIZEOF_INT__ == 4
     return (unsigned)__builtin_clz(x);
-#elif defined(__GNUC__) && !defined(TIA_NO_CLZ) && __SIZEOF_LONG__ == 4
+#elif TIA_COUNTS_ZEROS && __SIZEOF_LONG__ == 4
     return (unsigned)__builtin_clzl(x);
 #else
     return tia_clz32_table(x);

@@ -1,8 +1,10 @@
-/* mul64.c - for a processor with its own functions for products (TIA_MUL64): tests both against the compiler's product,
- * for all pairs of numbers whose halves are edge cases, and for random ones. */
+/* mul64.c - for a processor whose products are made from halves (src/math/mul64.h): tests both functions against the
+ * compiler's product, for all pairs of numbers whose halves are edge cases, and for random ones. */
 #include "boards/board.h"
 
 #include "math/integer.h"
+
+_Static_assert(TIA_HALF_PRODUCTS, "the functions are the compiler's own");
 
 static uint32_t wrong, tried;
 

@@ -4,7 +4,8 @@ integer arithmetic. They need no other file.
 
 amalgamation.py FOLDER SOURCE...
 
-SOURCE are the core's files, as `make` compiles them. A header's text stands where it is first included. Of num.h's
+SOURCE are the core's files, as `make` compiles them, those that are compiled for speed first. A header's text stands where it
+is first included. Of num.h's
 arithmetics only the integers are included. If several files define the same name for themselves, each gets its file's name
 as a suffix. Constructs that C++ spells differently become macros, TIA_CXX_..., which expand to the original text in C.
 """
@@ -77,6 +78,12 @@ extern "C" {
 #define TIA_CXX_INDEX(index) [index] =
 #define TIA_CXX_OPEN
 #define TIA_CXX_FROM(pointer) (pointer)
+#endif
+"""
+FAST = "src/math/fast.h"
+FAST_END = """/* The rest is compiled as the build asks. */
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC pop_options
 #endif
 """
 SOURCE_END = """
@@ -155,9 +162,7 @@ class Library:
 
     def include(self, path, within, include):
         name, public, macro = include[1], include[2], include[3]
-        if macro == "TIA_MUL64":
-            name = "mul64.h"    # its default
-        elif macro:
+        if macro:
             raise SystemExit(f"amalgamation: {path} includes what {macro} stands for")
         if name:
             self.add(found(name, path), within)
@@ -336,10 +341,18 @@ def header():
     return HEADER_TOP + "".join("\n" + text for _, text in library.parts)
 
 
+def is_fast(path):
+    return '#include "math/fast.h"' in read(path)
+
+
 def source(files):
+    """Files whose code is fast come first: so the functions of headers are as fast there as in a build of many files."""
     library = Library()
     library.seen |= {os.path.join("include/tia", n) for n in os.listdir(os.path.join(ROOT, "include/tia"))}
     library.system |= {"stdint.h", "stddef.h", "stdbool.h"}
+    for path in filter(is_fast, files):
+        library.add(path)
+    library.put(FAST, [FAST_END])
     for path in files:
         library.add(path)
     parts = list(distinct(library.parts))

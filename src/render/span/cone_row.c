@@ -1,3 +1,5 @@
+#include "math/fast.h"
+
 #include "cone_row.h"
 
 #include "span_shift.h"

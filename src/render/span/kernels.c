@@ -1,3 +1,5 @@
+#include "math/fast.h"
+
 #include "kernels.h"
 
 #include "math/integer.h"

@@ -1,3 +1,5 @@
+#include "math/fast.h"
+
 #include "primary.h"
 
 #include "span_shift.h"

@@ -1,4 +1,6 @@
 /* span_rows.c - from hits to pixels: a row is divided into pieces, and a piece into spans of one object. */
+#include "math/fast.h"
+
 #include "coherence/coherence.h"
 #include "math/noinline.h"
 #include "render/core/dither.h"

@@ -1,3 +1,5 @@
+#include "math/fast.h"
+
 #include "span_shift.h"
 
 num_wide span_shift_apart(num_wide x, int s)

@@ -1,3 +1,5 @@
+#include "math/fast.h"
+
 #include "coherence.h"
 
 #include "coherence_colour.h"

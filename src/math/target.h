@@ -1,0 +1,22 @@
+/* target.h - what the processor has, by the compiler's macros: so every build system gets the same code. Beside
+ * src/simd, only this file and fast.h ask which processor the core is compiled for. */
+#ifndef TIA_MATH_TARGET_H
+#define TIA_MATH_TARGET_H
+
+/* 1 if the multiplier gives only the lower 32 bits of a product: ARMv6-M and ARMv8-M Baseline, such as Cortex-M0, M0+,
+ * M1 and M23. */
+#if defined(__GNUC__) && (defined(__ARM_ARCH_6M__) || defined(__ARM_ARCH_8M_BASE__))
+#define TIA_HALF_PRODUCTS 1
+#else
+#define TIA_HALF_PRODUCTS 0
+#endif
+
+/* 1 if __builtin_clz is an instruction, or at least better than a table of 32 bytes. */
+#if !defined(__GNUC__) || (defined(__arm__) && !defined(__ARM_FEATURE_CLZ)) ||                                         \
+    (defined(__riscv) && !defined(__riscv_zbb))
+#define TIA_COUNTS_ZEROS 0
+#else
+#define TIA_COUNTS_ZEROS 1
+#endif
+
+#endif
