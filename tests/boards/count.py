@@ -20,7 +20,7 @@ import qemu
 PIXELS = 320 * 240
 SHADOW_PIXELS = 160 * 120
 RAY_PIXELS = 64 * 48
-BOARDS = (('mps2-an385', 'Cortex-M3'), ('microbit', 'Cortex-M0'), ('rv32', 'rv32imac'), ('atmega1284p', 'ATmega1284P'))
+BOARDS = qemu.SMALL
 ARITHMETICS = (('q16', 'q16'), ('f32', 'float'), ('f64', 'double'))
 
 
@@ -35,13 +35,26 @@ def symbols(board, image):
 def count(board, image, plugin, text=None):
     """What the marks enclose: instructions of the full frame, of the relit one (or None), the
     frames' checksums, by address when `text` is a range, and the AVR's cycles."""
+    full, relit, crcs, lines, _ = counted(board, image, plugin, ',text=%#x:%#x' % text if text else '')
+    cycles = sum(int(line[2]) for line in lines if line[0] == 'passage' and len(line) == 3)
+    return full, relit, crcs, numbers(lines, 'at'), cycles
+
+
+def numbers(lines, word):
+    """By address, the numbers in the lines that begin with a word."""
+    return {int(line[1], 16): int(line[2]) for line in lines if line[0] == word}
+
+
+def counted(board, image, plugin, more=''):
+    """Instructions of the full frame, of the relit one (or None), the frames' checksums, the log's lines, and the
+    number of passages of a frame; `more` are options of the plugin."""
     at = {name: address for address, name in symbols(board, image)}
     begin, end = ('%#x' % at[mark] for mark in ('count_begin', 'count_end'))
     with tempfile.NamedTemporaryFile('r') as log:
         if board == qemu.AVR:
             arguments = [begin, end, log.name]
         else:
-            arguments = ['-plugin', '%s,begin=%s,end=%s' % (plugin, begin, end) + (',text=%#x:%#x' % text if text else ''),
+            arguments = ['-plugin', '%s,begin=%s,end=%s' % (plugin, begin, end) + more,
                          '-d', 'plugin', '-D', log.name]
         said = qemu.run(board, image, *arguments).split()
         lines = [line.split() for line in log.read().splitlines()]
@@ -51,9 +64,7 @@ def count(board, image, plugin, text=None):
         raise qemu.Failed('%s: %s, %d passages' % (image, ' '.join(said), len(passages)))
     each = len(passages) // len(frames)
     relit = sum(passages[each:]) if len(frames) == 2 else None
-    addresses = {int(line[1], 16): int(line[2]) for line in lines if line[0] == 'at'}
-    cycles = sum(int(line[2]) for line in lines if line[0] == 'passage' and len(line) == 3)
-    return sum(passages[:each]), relit, said[1::2], addresses, cycles
+    return sum(passages[:each]), relit, said[1::2], lines, each
 
 
 def shadows(build, board='mps2-an385'):

@@ -16,10 +16,17 @@ MACHINES = {
     'versatilepb': ['qemu-system-arm', '-M', 'versatilepb'],
     'vexpress-a9': ['qemu-system-arm', '-M', 'vexpress-a9'],
     'mps2-an385': ['qemu-system-arm', '-M', 'mps2-an385'],
+    'mps2-an386': ['qemu-system-arm', '-M', 'mps2-an386'],
+    'mps2-an500': ['qemu-system-arm', '-M', 'mps2-an500'],
+    'lm3s6965evb': ['qemu-system-arm', '-M', 'lm3s6965evb'],
+    'stm32vldiscovery': ['qemu-system-arm', '-M', 'stm32vldiscovery'],
     'microbit': ['qemu-system-arm', '-M', 'microbit'],
     'rv32': ['qemu-system-riscv32', '-M', 'virt', '-bios', 'none'],
 }
 AVR = 'atmega1284p'
+# The boards with programs of their own that draw spheres in little memory.
+SMALL = (('mps2-an385', 'Cortex-M3'), ('mps2-an386', 'Cortex-M4'), ('mps2-an500', 'Cortex-M7'), ('microbit', 'Cortex-M0'),
+         ('rv32', 'rv32imac'), (AVR, 'ATmega1284P'))
 PANELS = ('versatilepb', 'vexpress-a9')
 PACKAGES = {'qemu-system-arm': 'qemu-system-arm', 'qemu-system-riscv32': 'qemu-system-misc',
             'arm-none-eabi-gcc': 'gcc-arm-none-eabi', 'riscv64-unknown-elf-gcc': 'gcc-riscv64-unknown-elf',

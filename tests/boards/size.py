@@ -14,7 +14,7 @@ import sys
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import qemu
 
-BOARDS = (('mps2-an385', 'Cortex-M3'), ('microbit', 'Cortex-M0'), ('rv32', 'rv32imac'), ('atmega1284p', 'ATmega1284P'))
+BOARDS = qemu.SMALL
 RAM = 16 * 1024
 
 
