@@ -147,7 +147,7 @@ extern const struct tia_core tia_core_f64; /* double: the reference, libtia-f64.
  * renderer, and no code for other scenes. view_init returns TIA_ERR_RANGE for scenes with shapes, meshes, textures,
  * tracks, falling balls or techniques for shadows, and TIA_ERR_UNSUPPORTED for all others that spans do not draw. */
 extern const struct tia_core tia_core_spheres;
-/* A core like tia_core_spheres with less code: it computes each pixel on its own, and takes 1.7 times as long. */
+/* A core like tia_core_spheres with less code: it computes each pixel on its own, which takes longer. */
 extern const struct tia_core tia_core_spheres_small;
 
 #ifdef __cplusplus

@@ -1,7 +1,6 @@
 /* fast.h - the first header of the few files whose code runs for each pixel of a scene of spheres. Where a build asks
- * for small code (-Os), gcc compiles these files for speed, with the inline functions of the headers that follow:
- * instructions fall by a tenth to a fifth, flash grows by 3 to 6 KB. Not on AVRs, where flash would grow by 16 KB for 3
- * %. clang knows no such pragma, and needs it less. */
+ * for small code (-Os), gcc compiles these files for speed, with the inline functions of the headers that follow; not
+ * on AVRs, whose flash has no room for that. clang knows no such pragma, and needs it less. */
 #ifndef TIA_MATH_FAST_H
 #define TIA_MATH_FAST_H
 

@@ -7,7 +7,7 @@ static tia_rgb565 row[320];
 
 int draw(void (*send_row)(unsigned y, const tia_rgb565 *pixels))
 {
-    const struct tia_core *core = &tia_core_spheres_small; /* or tia_core_spheres; tia_core_q16: any scene */
+    const struct tia_core *core = &tia_core_spheres; /* or ..._spheres_small, in less flash; tia_core_q16: any scene */
     const struct tia_surface surface = {.pixels = row, .step = sizeof *row, .pitch = sizeof row};
     struct tia_view *view;
     struct tia_hits *hits;

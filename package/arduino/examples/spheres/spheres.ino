@@ -58,7 +58,11 @@ static int draw()
     const struct tia_surface surface = {.pixels = row, .step = 2, .pitch = sizeof row};
     struct tia_view *view;
     struct tia_hits *hits;
-    const struct tia_core *core = &tia_core_spheres_small; // tia_core_q16 draws any scene, in ten times the flash
+#ifdef __AVR__
+    const struct tia_core *core = &tia_core_spheres_small; // slower, in less flash
+#else
+    const struct tia_core *core = &tia_core_spheres; // tia_core_q16 draws any scene, in five times the flash
+#endif
     int status = core->view_init(core, &view, view_memory, sizeof view_memory, &tia_thesis_scene, 1, WIDTH, HEIGHT, NULL);
     if (status == TIA_OK)
         status = tia_view_set_lights(view, &tia_thesis_scene.bindings[0].state, 1);
