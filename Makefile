@@ -422,6 +422,7 @@ help:
 	@echo "check-rays-billion   10^9 rays by vector units against plain C, or RAYS=N"
 	@echo "check-exhaustive check-mutants check-bounds    longer than check"
 	@echo "bench count size   time, instructions a pixel on boards, flash, RAM and stack"
+	@echo "cycles ways        cycles a pixel on boards, by models; instructions, flash and stack by each build system"
 	@echo "bench-latency      from a key to its picture, in a guest; SCENES='chess glass': of these"
 	@echo "bench TINYGL=DIR   bench with TinyGL (github.com/C-Chads/tinygl), built in DIR"
 	@echo "boards             programs for boards without an operating system"

@@ -30,7 +30,7 @@ deps_of_docs = $(deps_of_all) $(deps_of_counted)
 deps_of_web := clang lld wasi-libc libclang-rt-14-dev-wasm32
 deps_of_deb := debhelper dpkg-dev
 deps_of_boards := gcc-arm-none-eabi gcc-riscv64-unknown-elf gcc-avr avr-libc python3
-deps_of_counted := $(deps_of_all) $(deps_of_boards) qemu-system-arm qemu-system-misc libsimavr-dev libelf-dev
+deps_of_counted := $(deps_of_all) $(deps_of_boards) qemu-system-arm qemu-system-misc libsimavr-dev libelf-dev cmake
 deps_of_prove := gappa frama-c-base why3 z3 cvc4 python3
 deps_of_check-arch := gcc libc6-dev python3 clang libclang-rt-14-dev libclang-rt-14-dev-wasm32 wasi-libc lld nodejs \
         $(DEPS_ARCH) $(DEPS_ARCH_FULL)

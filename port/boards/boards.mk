@@ -141,7 +141,11 @@ $(BUILD)/boards/observed: $(BUILD)/host/tests/boards/observed.o $(LIBCOMMON) $(L
 	@mkdir -p $(@D)
 	$(link)
 $(if $(filter mps2-an385,$(BOARDS)),$(eval $(call image,mps2-an385,light,tests/boards/light.c,mps2-an385-64k)))
-$(if $(filter mps2-an385,$(BOARDS)),$(eval $(call image,mps2-an385,example,tests/boards/example_main.c,mps2-an385)))
+EXAMPLES := $(filter mps2-an385 microbit rv32,$(BOARDS))
+$(foreach b,$(EXAMPLES),$(eval $(call image,$(b),example,tests/boards/example_main.c,$(b))))
+# The sources that are compiled once more, as other build systems do it: see tests/boards/ways.py.
+$(BUILD)/boards/spheres: port/boards/boards.mk $(SPHERE_SRC)
+	@mkdir -p $(@D) && echo $(SPHERE_SRC) >$@
 $(if $(filter microbit,$(BOARDS)),$(eval $(call image,microbit,mul64,tests/boards/mul64.c,microbit)))
 $(BUILD)/boards/example: tests/boards/example_main.c tests/boards/example.c tests/boards/thesis.h $(LIBTIA)
 	@mkdir -p $(@D)
@@ -163,9 +167,10 @@ $(BUILD)/boards/simavr: tests/boards/simavr.c
 COUNT_FILES := $(COUNTED) $(BOARDS_SHADOWS:%=$(BUILD)/boards/%/shadows.elf) $(BUILD)/boards/insn.so $(SIMAVR) \
                $(RAYED:%=$(BUILD)/boards/mps2-an385/rays-%.elf) $(BUILD)/boards/observed
 
-.PHONY: boards check-boards size-boards count count-rays
+.PHONY: boards check-boards size-boards count count-rays cycles ways
 boards: $(IMAGES) $(BOARDS_SMALL:%=$(BUILD)/boards/%/count-q16.elf) $(BUILD)/boards/insn.so $(SIMAVR) $(addprefix $(BUILD)/boards/,example shadows light) \
-        $(if $(filter mps2-an385,$(BOARDS)),$(addprefix $(BUILD)/boards/mps2-an385/,example.elf light.elf) $(BUILD)/boards/microbit/mul64.elf)
+        $(if $(filter mps2-an385,$(BOARDS)),$(addprefix $(BUILD)/boards/mps2-an385/,light.elf) $(BUILD)/boards/microbit/mul64.elf) \
+        $(EXAMPLES:%=$(BUILD)/boards/%/example.elf) $(BUILD)/boards/spheres
 check: boards $(COUNT_FILES)
 check-boards: all boards
 	@$(run_tests) tests/slow/boards
@@ -174,5 +179,9 @@ size-boards: boards
 	@$(call python,tests/boards/size.py $(BUILD))
 count: $(filter-out $(BUILD)/boards/mps2-an385/rays-%,$(COUNT_FILES))
 	@$(call python,tests/boards/count.py $(BUILD))
+cycles: $(BOARDS_SMALL:%=$(BUILD)/boards/%/count-q16.elf) $(BUILD)/boards/insn.so
+	@$(call python,tests/boards/cycles.py $(BUILD))
+ways: boards
+	@$(call python,tests/boards/ways.py $(BUILD))
 count-rays: $(RAYED:%=$(BUILD)/boards/mps2-an385/rays-%.elf) $(BUILD)/boards/insn.so
 	@$(call python,tests/boards/count.py --rays $(BUILD))

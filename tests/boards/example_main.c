@@ -1,5 +1,7 @@
-/* example_main.c - runs the example of docs/boards.md, word for word, on the host or on a board, and
- * prints the checksum of the picture that it sends. */
+/* example_main.c - runs the example of docs/boards.md, word for word, on the host or on a board, and prints the
+ * checksum of the picture that it sends, on a board also the stack. Its instructions are between marks, those of this
+ * file not. */
+#include "marks.h"
 #include <tia/debug.h>
 #include <tia/tia.h>
 
@@ -12,8 +14,10 @@ static unsigned rows;
 
 static void sum_row(unsigned y, const tia_rgb565 *pixels)
 {
+    count_end();
     if (y == rows++)
         crc = tia_crc32(crc, pixels, 320);
+    count_begin();
 }
 
 #if __STDC_HOSTED__
@@ -27,13 +31,17 @@ static void tell(uint32_t value)
 static void tell(uint32_t value)
 {
     board_print_hex(value);
+    board_print("\nstack ");
+    board_print_number(board_stack_used());
     board_print("\n");
 }
 #endif
 
 int main(void)
 {
+    count_begin();
     int status = draw(sum_row);
+    count_end();
     tell(crc);
     return !status && rows == 240 ? 0 : 1;
 }

@@ -22,8 +22,10 @@ sys.dont_write_bytecode = True
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
 sys.path.insert(0, os.path.join(ROOT, "tests/boards"))
 import count
+import cycles as cycle_models
 import qemu
 import size
+import ways as build_ways
 
 BUILD = "build"
 VERSIONS = {"gcc": "12", "arm-none-eabi-gcc": "12.2", "riscv64-unknown-elf-gcc": "12.2", "avr-gcc": "5.4"}
@@ -192,6 +194,63 @@ def cycles(_):
                   "float is faster, in {} cycles": (count.per_pixel(floats),)})
 
 
+@functools.lru_cache(None)
+def modelled():
+    boards(*{board for board, _ in cycle_models.MODELS.values()})
+    return cycle_models.measure(BUILD)
+
+
+def models(_):
+    return by_first_cell({processor: [count.per_pixel(number) for number in numbers] for processor, numbers in modelled().items()})
+
+
+def chips(_):
+    """Updates a table of chips: processor, MHz, instructions a pixel, those of floats, cycles, and a frame's time by the
+    model."""
+    def row(chip, processor, mhz):
+        executed, taken = modelled()[processor]
+        single = counts().get((processor.rstrip("+"), "f32"), (None,))[0]
+        return processor, mhz, *(count.per_pixel(number) for number in (executed, single, taken)), cycle_models.frame_ms(taken, mhz)
+    return by_first_cell({chip[0]: row(*chip) for chip in cycle_models.CHIPS})
+
+
+@functools.lru_cache(None)
+def ways_built():
+    boards(*(board for board, _ in build_ways.PROCESSORS.values()))
+    if build_ways.missing():
+        raise Missing(f"{build_ways.missing()[0]} is not installed (make deps docs installs it)")
+    return dict(build_ways.table(BUILD))
+
+
+# How many times the instructions of `make boards` any other way may take.
+WAYS_MOST = 1.05
+
+
+def ways(_):
+    """Updates the table of ways. Raises Wrong if one takes more than the boards' own programs, or draws something else."""
+    made = ways_built()
+    best = made[build_ways.FIRST]
+    for way, measured in made.items():
+        for processor, (instructions, _, _, picture) in measured.items():
+            if instructions > WAYS_MOST * best[processor][0]:
+                raise Wrong(f"{way} takes {count.per_pixel(instructions)} instructions on a {processor}, `make boards` {count.per_pixel(best[processor][0])}")
+            if picture != best[processor][3]:
+                raise Wrong(f"{way} draws {picture} on a {processor}, not {best[processor][3]}")
+    return by_first_cell({way: build_ways.cells(measured) for way, measured in made.items()})
+
+
+def cores(full):
+    """Updates the table of cores: a program's flash, and instructions a pixel; for the core of all scenes only if asked."""
+    boards("mps2-an385")
+    names = [name for name in build_ways.CORES if full or name != build_ways.ALL_SCENES]
+    made = {f"`{name}`": build_ways.core(BUILD, name) for name in names}
+
+    def row(old):
+        instructions, flash = made.get(old[0], (None, None))
+        return [*old[:2], count.per_pixel(instructions), round(flash / 1000) if flash else old[3]]
+    return table(row)
+
+
 def shadows(_):
     boards("mps2-an385")
     return by_first_cell({name: (f"{number:.0f}", view, hits) for name, number, view, hits in count.shadows(BUILD)})
@@ -301,6 +360,7 @@ def mutants(_):
 
 # In the order in which they are counted. The names in SLOW take minutes.
 NAMES = {"frames": frames, "mutants": mutants, "size": sizes, "count": instructions, "cycles": cycles,
+         "models": models, "chips": chips, "ways": ways, "cores": cores,
          "shadows": shadows, "light": light, "rays": ray_by_ray, "techniques": techniques,
          "compare": compare, **{f"compare-{what}": lambda _, what=what: block(compared(what)) for what in ("scene", "random", "everything", "databases")}}
 SLOW = ("compare-everything", "compare-random")
