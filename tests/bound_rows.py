@@ -5,15 +5,17 @@ import re
 from sources import read
 
 RAYS, SPANS, COHERENCE = "src/simd/rays/", "src/simd/span/", "src/render/span/coherence/"
-INTEGERS = "src/render/span/"
+INTEGERS, STEPS = "src/render/span/", "src/render/span/steps/"
 TABLES = [*sorted(glob.glob(RAYS + "bounds/*.h") + glob.glob(SPANS + "bounds/*.h")), INTEGERS + "span_proved.h",
-          COHERENCE + "coherence_proved.h"]
+          COHERENCE + "coherence_proved.h", STEPS + "steps_proved.h"]
 ROW = re.compile(r"^(?:#define BOUND_(\w+) |FORMULA\((\w+)\);"
-                 r"|#define (COHERENCE_(?!BITS|BELOW|WIDE)\w+|SPAN_ERROR_\w+)[ (])")
+                 r"|#define (COHERENCE_(?!BITS|BELOW|WIDE)\w+|SPAN_ERROR_\w+|STEPS_(?!BOUND)\w+)[ (])")
 
 
 def table_of(path):
     """A table's short name: rays/lights, span/cells, integers, coherence."""
+    if path.startswith(STEPS):
+        return "steps"
     if path.startswith(INTEGERS):
         return "coherence" if path.startswith(COHERENCE) else "integers"
     return re.sub(r"src/simd/(\w+)/bounds/(\w+)\.h", r"\1/\2", path)

@@ -80,7 +80,7 @@ rv32_FAST := -mno-save-restore
 # What includes fast.h, which AVRs do without.
 FAST := $(basename $(shell grep -l '^.include "math/fast.h"' $(filter src/render/span/%,$(CORE_SRC))))
 rv32_HOT := $(FAST)
-atmega1284p_HOT := $(filter-out %/primary,$(FAST))
+atmega1284p_HOT := $(filter-out %/primary %/span_rows %/span_trace,$(FAST))
 atmega1284p_SMALL := -mcall-prologues -fno-inline
 atmega1284p_FAST := -mno-call-prologues -finline
 define optimised

@@ -10,10 +10,11 @@
 #include <tia/debug.h>
 #include <tia/tia.h>
 
-enum { WIDTH = 320, HEIGHT = 240, HITS_ROWS = WHOLE ? HEIGHT : ROWS, VIEW_SIZE = 1024 };
+enum { WIDTH = 320, HEIGHT = 240, HITS_ROWS = WHOLE ? HEIGHT : ROWS, VIEW_SIZE = sizeof(void *) == 2 ? 1920 : 2048 };
 
-/* Size of the hits in bytes: in the widest arithmetic a distance takes eight bytes and an object four. */
-enum { HITS_SIZE = 64 + WIDTH * HITS_ROWS * 12 };
+/* Size of the hits in bytes: in the widest arithmetic a distance takes eight bytes, on an AVR four, and an object four.
+ */
+enum { HITS_SIZE = 64 + WIDTH * HITS_ROWS * (sizeof(void *) == 2 ? 8 : 12) };
 
 extern const struct tia_core CORE;
 

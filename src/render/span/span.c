@@ -2,6 +2,10 @@
 
 #include "math/align.h"
 #include "scene/colour.h"
+#include "span_shadow.h"
+#include "steps/steps.h"
+
+#define STEPS_SPHERES 8 /* most spheres of a scene whose colours have steps: the tables take memory */
 
 static bool is_matt(const struct tia_material *m)
 {
@@ -33,10 +37,19 @@ bool span_draws(const struct tia_scene *scene)
     return plain;
 }
 
+/* Returns the size in bytes of the tables of steps. */
+static uint64_t steps_size(const struct tia_scene *scene, uint32_t light_capacity)
+{
+    bool used = NUM_CERTIFIED && light_capacity == 1 && scene->sphere_count <= STEPS_SPHERES;
+
+    return used ? scene->sphere_count * (uint64_t)sizeof(struct colour_steps) : 0;
+}
+
 size_t span_prepared_size(const struct tia_scene *scene, uint32_t light_capacity)
 {
     uint64_t spheres = (uint64_t)scene->sphere_count + light_capacity;
-    uint64_t size = ALIGN(sizeof(struct span_view)) + spheres * sizeof(struct span_sphere);
+    uint64_t size = ALIGN(sizeof(struct span_view)) + ALIGN(spheres * sizeof(struct span_sphere)) +
+                    steps_size(scene, light_capacity);
 
     return spheres > SIZE_MAX / 4 / sizeof(struct span_sphere) ? SIZE_MAX : (size_t)size;
 }
@@ -56,6 +69,10 @@ int span_prepare(struct tia_view *view, const struct span_coherence *coherence)
     spans->kernels = &span_kernels_plain;
     spans->coherence = coherence;
     spans->spheres = (struct span_sphere *)(void *)((char *)view->prepared + ALIGN(sizeof *spans));
+    spans->steps = NULL;
+    if (steps_size(scene, view->light_capacity))
+        spans->steps = (struct colour_steps *)(void *)((char *)spans->spheres +
+                                                       ALIGN((scene->sphere_count + 1) * sizeof *spans->spheres));
     spans->tinted = false;
     spans->grey_shadows = true;
     primary_prepare(&spans->primary, (unsigned)view->width, (unsigned)view->height, scene->camera.fov);
@@ -69,7 +86,36 @@ int span_prepare(struct tia_view *view, const struct span_coherence *coherence)
     }
     for (uint32_t i = 0; coherence && !spans->tinted && i < scene->sphere_count; i++)
         spans->spheres[i].wide = coherence->pays(&spans->primary, &spans->spheres[i]);
+    for (uint32_t i = 0; !spans->tinted && i < scene->sphere_count; i++)
+        spans->spheres[i].unmeasured = spans->spheres[i].wide || (spans->steps && spans->spheres[i].c > 0);
     return TIA_OK;
+}
+
+/* True if no sphere can block the light anywhere on the light source's sphere. */
+static bool is_unshaded(const struct span_view *spans, uint32_t count, const struct light_source *source)
+{
+    for (uint32_t i = 0; i < count; i++)
+        if (&spans->spheres[i] != source->sphere &&
+            (spans->spheres[i].c <= 0 || !shadow_is_behind(source, &spans->spheres[i])))
+            return false;
+    return true;
+}
+
+static void set_steps(const struct tia_view *view)
+{
+    const struct span_view *spans = view->prepared;
+    const struct tia_scene *scene = view->scene;
+
+    for (uint32_t i = 0; spans->steps && i < scene->sphere_count; i++) {
+        struct light_source source = {&spans->spheres[i], {0, 0, 0}, 0, 0};
+        spans->steps[i].usable = false;
+        if (view->light_count != 1 || spans->tinted)
+            continue;
+        source.light = num_vec_between(scene->camera.eye, view->lights[0].centre);
+        if (is_unshaded(spans, scene->sphere_count, &source))
+            steps_prepare(&spans->primary, &source, &view->lights[0].emission,
+                          &scene->materials[scene->spheres[i].material], &spans->steps[i]);
+    }
 }
 
 int span_set_lights(struct tia_view *view)
@@ -83,6 +129,7 @@ int span_set_lights(struct tia_view *view)
         spans->grey = spans->grey && colour_is_grey(&light->emission);
         prepare_sphere(view, view->scene->sphere_count + i, light->centre, light->radius);
     }
+    set_steps(view);
     return cancel.stopped ? TIA_STOPPED : TIA_OK;
 }
 

@@ -7,6 +7,7 @@
 #include "render/renderer.h"
 #include "span_sphere.h"
 
+struct colour_steps;
 struct shaded_span;
 struct span_view;
 struct span_error;
@@ -24,7 +25,8 @@ struct span_coherence {
     bool (*pays)(const struct primary_rays *primary, const struct span_sphere *sphere);
     bool (*shade)(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[8],
                   tia_rgb565 *pixels);
-    bool (*nearer)(const struct span_view *spans, uint32_t n, uint32_t other, int y, struct span span, const num_u *t);
+    bool (*nearer)(const struct span_view *spans, uint32_t n, uint32_t other, int y, struct span span,
+                   const num_u ends[2]);
     void (*find_middle)(const struct span_view *spans, const struct shaded_span *span, const struct lit *lit,
                         const struct span_error *error, struct span_middle *middle);
     bool (*passes)(const struct span_middle *middle, const struct light_source *source,
@@ -37,6 +39,7 @@ struct span_view {
     const struct span_kernels *kernels;
     const struct span_coherence *coherence; /* NULL: no coherence; no sphere is wide */
     struct span_sphere *spheres;            /* the scene's spheres, then the lights' */
+    struct colour_steps *steps;             /* of the scene's spheres; NULL: none */
     struct primary_rays primary;
     struct exact_depth depth; /* K to 64 bits */
     bool tinted;              /* some material transmits shadow rays */

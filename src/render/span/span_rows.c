@@ -1,11 +1,15 @@
 /* span_rows.c - from hits to pixels: a row is divided into pieces, and a piece into spans of one object. */
+#include "math/target.h"
+#if !TIA_HALF_PRODUCTS /* whose flash is too small */
 #include "math/fast.h"
+#endif
 
 #include "coherence/coherence.h"
 #include "math/noinline.h"
 #include "render/core/dither.h"
 #include "span.h"
 #include "span_shade.h"
+#include "steps/steps.h"
 
 #define PIECE 1024 /* most pixels of a row drawn at once; CHUNK if lights may be visible or pixels are copied */
 
@@ -77,7 +81,7 @@ static void distances_of(const struct chunk *chunk, int first, int end, num_u *t
 {
     uint32_t object = chunk->object[first];
 
-    if (object != TIA_NO_OBJECT && chunk->spans->spheres[object].wide)
+    if (object != TIA_NO_OBJECT && chunk->spans->spheres[object].unmeasured)
         span_distances(chunk->spans, object, chunk->y, chunk->x + first, end - first, t);
     else
         for (int i = first; i < end; i++)
@@ -112,7 +116,7 @@ static void light_span(struct chunk *chunk, int first, int count, uint32_t n, co
         chunk->path_hash[i] = UINT32_C(0xffff0000) | (n & 0xffff);
 }
 
-/* Shades a span pixel by pixel. If the sphere is wide, computes the distances first. */
+/* Shades a span pixel by pixel. If hits do not store the distances, computes the distances first. */
 static NOINLINE void shade_pixels(const struct chunk *chunk, uint32_t object, int first, int end,
                                   const num_u threshold[8])
 {
@@ -122,7 +126,7 @@ static NOINLINE void shade_pixels(const struct chunk *chunk, uint32_t object, in
         struct shaded_span span = {object, chunk->x + first, chunk->y, 0, chunk->t + first, NULL, NULL};
         count = end - first < CHUNK ? end - first : CHUNK;
         span.count = count;
-        if (chunk->spans->spheres[object].wide) {
+        if (chunk->spans->spheres[object].unmeasured) {
             span_distances(chunk->spans, object, chunk->y, span.x, count, t);
             span.t = t;
         }
@@ -132,14 +136,37 @@ static NOINLINE void shade_pixels(const struct chunk *chunk, uint32_t object, in
     }
 }
 
+/* Draws a span of a sphere by the steps of its colour; false if that is not possible. */
+static bool draw_steps(const struct chunk *chunk, uint32_t object, int first, int end, const num_u threshold[8])
+{
+    const struct colour_steps *steps = chunk->spans->steps ? &chunk->spans->steps[object] : NULL;
+    struct step_row row;
+
+    if (!steps || !steps->usable || threshold[0] != threshold[1])
+        return false;
+    steps_begin(&chunk->spans->primary, &chunk->spans->spheres[object], steps, chunk->x + first, chunk->y, end - first,
+                &row);
+    for (int at; (at = first + row.at) < end;) {
+        uint64_t open = steps_draw(&row, chunk->pixels + at);
+        for (int i = 0; open; i++, open >>= 1)
+            if (open & 1)
+                shade_pixels(chunk, object, at + i, at + i + 1, threshold);
+    }
+    return true;
+}
+
 static void shade_sphere(const struct chunk *chunk, int first, int end, const num_u threshold[8])
 {
     uint32_t object = chunk->object[first];
     struct shaded_span span = {object, chunk->x + first, chunk->y, end - first, NULL, NULL, NULL};
 
-    if (chunk->path_hash || chunk->colours || chunk->lights || !chunk->spans->spheres[object].wide ||
-        !chunk->spans->coherence->shade(chunk->view, &span, threshold, chunk->pixels + first))
-        shade_pixels(chunk, object, first, end, threshold);
+    if (!chunk->path_hash && !chunk->colours && !chunk->lights) {
+        if (draw_steps(chunk, object, first, end, threshold) ||
+            (chunk->spans->spheres[object].wide &&
+             chunk->spans->coherence->shade(chunk->view, &span, threshold, chunk->pixels + first)))
+            return;
+    }
+    shade_pixels(chunk, object, first, end, threshold);
 }
 
 static void light_chunk(struct chunk *chunk, const num_u threshold[8])

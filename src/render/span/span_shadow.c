@@ -74,13 +74,12 @@ static ONCE_IN_FLASH struct num_vec quarter_between(const struct num_vec *a, con
     return q;
 }
 
-/* True if the caster is behind every point of the sphere L as seen from the light: with D = C - L, G = Q - L and P = L
- * + r N,
+/* With D = C - L, G = Q - L and P = L + r N,
  *
  *     A.w = (D - r N).(G - r N) <= D.G + r |D + G| + r^2 <= 0.
  *
  * With vectors divided by 4 the products fit; the sums of the sizes of their components make up for rounding. */
-static bool is_behind(const struct light_source *source, const struct span_sphere *caster)
+bool shadow_is_behind(const struct light_source *source, const struct span_sphere *caster)
 {
     struct num_vec d = quarter_between(&source->sphere->centre, &caster->centre);
     struct num_vec g = quarter_between(&source->sphere->centre, &source->light), sum = span_sum(&d, &g);
@@ -92,7 +91,7 @@ static bool is_behind(const struct light_source *source, const struct span_spher
 bool shadow_line_prepare(const struct primary_rays *primary, const struct light_source *source,
                          const struct span_sphere *caster, int x, int y, struct shadow_line *line)
 {
-    if (is_behind(source, caster))
+    if (shadow_is_behind(source, caster))
         return false;
     const struct span_sphere *sphere = source->sphere;
     struct num_vec from_light = span_difference(&caster->centre, &source->light);

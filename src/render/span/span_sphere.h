@@ -36,7 +36,8 @@ struct span_sphere {
     num_u doubt;
     num_u accurate;   /* t from SPAN_SHORT to here is accurate to 2^-7.2 */
     struct span rows; /* rows that may show the sphere; empty: no pixel does */
-    bool wide;        /* hits do not store its distances, see coherence.h */
+    bool wide;        /* coherence.h draws it */
+    bool unmeasured;  /* hits do not store its distances */
 };
 
 #define SPAN_SHORT 1024

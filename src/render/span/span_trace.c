@@ -34,6 +34,18 @@ static void clear(struct tia_hits *hits, struct tia_tile tile)
         fill(hits->object + hits_index(hits, tile.x, y), (int)tile.width, TIA_NO_OBJECT);
 }
 
+/* True if sphere `n` is certainly nearer than sphere `other` in a span of pixels, found by few of them. */
+static bool is_in_front(const struct span_view *spans, uint32_t n, uint32_t other, int y, struct span span)
+{
+    num_u ends[2];
+
+    if (!spans->coherence || !spans->spheres[other].unmeasured)
+        return false;
+    span_distances(spans, n, y, span.first, 1, &ends[0]);
+    span_distances(spans, n, y, span.end - 1, 1, &ends[1]);
+    return spans->coherence->nearer(spans, n, other, y, span, ends);
+}
+
 /* Traces sphere `n` in up to CHUNK pixels, all of which show the same object so far, or none. */
 static void trace_chunk(const struct tia_view *view, uint32_t n, int y, struct span span, num_u *distance,
                         uint32_t *object)
@@ -42,20 +54,14 @@ static void trace_chunk(const struct tia_view *view, uint32_t n, int y, struct s
     int count = span.end - span.first;
     num_u t[CHUNK];
 
-    if (object[0] == TIA_NO_OBJECT) {
+    if (object[0] == TIA_NO_OBJECT || is_in_front(spans, n, object[0], y, span)) {
         fill(object, count, n);
-        if (!spans->spheres[n].wide)
+        if (!spans->spheres[n].unmeasured)
             span_distances(spans, n, y, span.first, count, distance);
         return;
     }
     span_distances(spans, n, y, span.first, count, t);
-    if (spans->spheres[object[0]].wide && spans->coherence->nearer(spans, n, object[0], y, span, t)) {
-        fill(object, count, n);
-        for (int i = 0; i < count; i++)
-            distance[i] = t[i];
-        return;
-    }
-    if (spans->spheres[object[0]].wide)
+    if (spans->spheres[object[0]].unmeasured)
         span_distances(spans, object[0], y, span.first, count, distance);
     span_keep_nearer(view, n, y, span.first, t, count, distance, object);
 }

@@ -1,4 +1,7 @@
+#include "math/target.h"
+#if !TIA_HALF_PRODUCTS /* whose flash is too small */
 #include "math/fast.h"
+#endif
 
 #include "coherence.h"
 

@@ -29,8 +29,9 @@ bool coherence_passes(const struct span_middle *middle, const struct light_sourc
                       const struct span_sphere *caster, const struct shadow_line *line, const num_u *t,
                       const struct lit *lit);
 
-/* True if sphere `n`, whose distances are t, is certainly nearer than sphere `other` at all pixels. */
+/* True if sphere `n`, whose distances at the span's first and last pixel are `ends`, is certainly nearer than sphere
+ * `other` at all pixels. */
 bool coherence_nearer(const struct span_view *spans, uint32_t n, uint32_t other, int y, struct span span,
-                      const num_u *t);
+                      const num_u ends[2]);
 
 #endif

@@ -8,25 +8,29 @@ static num_u apart(num_u a, num_u b)
 }
 
 /* In every plane through the eye the visible half of a sphere is convex. So along the row t is convex and largest at an
- * end, and S = c/t is concave. If three samples of t differ by up to 1/8, S between them is at most 1.17 times the
- * middle sample's, as a concave function stays below the extended line through two of its points.
+ * end. A convex function stays above the line through two of its points, extended beyond them: with the samples f0, f1
+ * and f2, of which f1 is in the middle or a pixel before it, t of sphere `other` is at least f1 - (f2 - f1) and f1 -
+ * 8/7 (f0 - f1), as there are 7 pixels or more on each side.
  *
- * The error of t, as a part of it, grows with t: with 2^-7.2 at the samples it is at most 2^-7 everywhere. All t of
- * sphere `other` are above .84 of its middle sample, and all t of sphere `n` below 1.02 of the larger of its two ends.
- */
+ * The samples are off by up to 2^-7.2, .0069 of themselves: that lowers these limits by at most .0069 (f1 + 8/7 (f0 +
+ * f1)), .023 f1 and .008 times their distance, and the largest t of sphere `n` may be 1.007 times the larger of its two
+ * ends. So `n` is nearer if this end is below .968 f1 and 1.16 times the distance less. */
 bool coherence_nearer(const struct span_view *spans, uint32_t n, uint32_t other, int y, struct span span,
-                      const num_u *t)
+                      const num_u ends[2])
 {
     int count = span.end - span.first;
-    num_u most = t[0] < t[count - 1] ? t[count - 1] : t[0], behind[3];
+    num_u most = ends[0] < ends[1] ? ends[1] : ends[0], behind[3];
     const int at[3] = {span.first, span.first + (count - 1) / 2, span.end - 1};
 
     if (count < WORTH || !(spans->spheres[n].c > 0) || !span_is_accurate(&spans->spheres[n], most))
         return false;
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 3; i++) {
         span_distances(spans, other, y, at[i], 1, &behind[i]);
-    return span_is_accurate(&spans->spheres[other], behind[0]) && span_is_accurate(&spans->spheres[other], behind[1]) &&
-           span_is_accurate(&spans->spheres[other], behind[2]) && apart(behind[0], behind[1]) <= behind[0] / 8 &&
-           apart(behind[2], behind[1]) <= behind[2] / 8 &&
-           num_nearer(most, spans->spheres[n].t_exponent, behind[1] - behind[1] / 4, spans->spheres[other].t_exponent);
+        if (!span_is_accurate(&spans->spheres[other], behind[i]))
+            return false;
+    }
+    num_u left = apart(behind[0], behind[1]), right = apart(behind[2], behind[1]), far = left > right ? left : right;
+    return far <= behind[1] / 4 &&
+           num_nearer(most, spans->spheres[n].t_exponent, behind[1] - behind[1] / 16 - far - far / 4,
+                      spans->spheres[other].t_exponent);
 }
