@@ -16,9 +16,9 @@ typedef char tia_bytes_known[sizeof(void *) >= 4 ? 1 : -1]; /* fails on other ma
 
 /* A view with at most 1 lights; hits of a tile; all that tia_viewer_run asks for on a display of that size,
  * with an input and a clock. */
-#define THESIS_VIEW TIA_BYTES(624u, 576u, 576u)
+#define THESIS_VIEW TIA_BYTES(712u, 648u, 648u)
 #define THESIS_HITS_320x1 TIA_BYTES(2600u, 2584u, 2584u)
-#define THESIS_VIEWER_320x1 TIA_BYTES(3248u, 3184u, 3184u)
+#define THESIS_VIEWER_320x1 TIA_BYTES(3336u, 3256u, 3256u)
 
 /* Flash, about: the library's part of a program on a Cortex-M3 (gcc -Os), and the scene's tables. */
 #define THESIS_FLASH_LIBRARY 32200u

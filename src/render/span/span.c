@@ -36,9 +36,10 @@ bool span_draws(const struct tia_scene *scene)
 size_t span_prepared_size(const struct tia_scene *scene, uint32_t light_capacity)
 {
     uint64_t spheres = (uint64_t)scene->sphere_count + light_capacity;
-    uint64_t size = ALIGN(sizeof(struct span_view)) + spheres * sizeof(struct span_sphere);
+    uint64_t size = ALIGN(sizeof(struct span_view)) + spheres * sizeof(struct span_sphere) +
+                    span_casters_size(scene->sphere_count, light_capacity);
 
-    return spheres > SIZE_MAX / 4 / sizeof(struct span_sphere) ? SIZE_MAX : (size_t)size;
+    return size > SIZE_MAX / 4 ? SIZE_MAX : (size_t)size;
 }
 
 static void prepare_sphere(const struct tia_view *view, uint32_t n, struct tia_vec3 centre, tia_q16 radius)
@@ -46,6 +47,7 @@ static void prepare_sphere(const struct tia_view *view, uint32_t n, struct tia_v
     const struct span_view *spans = view->prepared;
 
     span_sphere_prepare(&spans->primary, &spans->spheres[n], num_vec_between(view->scene->camera.eye, centre), radius);
+    span_casters_put(&spans->casters, n);
 }
 
 int span_prepare(struct tia_view *view, const struct span_coherence *coherence)
@@ -56,6 +58,8 @@ int span_prepare(struct tia_view *view, const struct span_coherence *coherence)
     spans->kernels = &span_kernels_plain;
     spans->coherence = coherence;
     spans->spheres = (struct span_sphere *)(void *)((char *)view->prepared + ALIGN(sizeof *spans));
+    span_casters_place(&spans->casters, spans->spheres, scene->sphere_count, view->light_capacity,
+                       spans->spheres + scene->sphere_count + view->light_capacity);
     spans->tinted = false;
     spans->grey_shadows = true;
     primary_prepare(&spans->primary, (unsigned)view->width, (unsigned)view->height, scene->camera.fov);
@@ -82,6 +86,7 @@ int span_set_lights(struct tia_view *view)
         const struct tia_light *light = &view->lights[i];
         spans->grey = spans->grey && colour_is_grey(&light->emission);
         prepare_sphere(view, view->scene->sphere_count + i, light->centre, light->radius);
+        span_casters_find(&spans->casters, i, &cancel);
     }
     return cancel.stopped ? TIA_STOPPED : TIA_OK;
 }
