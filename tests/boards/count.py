@@ -3,6 +3,8 @@
 
     count.py [--profile BOARD | --rays] [BUILD]      BUILD is the build's folder, default "build"
 
+The table of crowds is of BUILD/boards/BOARD/crowd-SPHERES-LIGHTS.elf.
+
 Each program BUILD/boards/BOARD/count-ARITHMETIC.elf draws a frame of 320 x 240 between marks; a
 plugin of QEMU, or simavr, counts what is executed from mark to mark. --profile shows where the
 q16 program's instructions go, by function; not on the AVR. --rays counts the scenes of the databases,
@@ -99,6 +101,42 @@ def ray_table(build, board='mps2-an385'):
         print('| %s | %.0f | %s |' % (os.path.basename(image)[5:-4], full / RAY_PIXELS, checksums[0]), flush=True)
 
 
+CROWDS = ((4, 4), (16, 4), (64, 4))
+CROWDED = tuple((board, processor) for board, processor in BOARDS if board != qemu.AVR)
+
+
+def crowd(build, board, spheres, lights):
+    """Instructions of a frame with its preparation, and those of the row that takes most; None without a program."""
+    image = '%s/boards/%s/crowd-%d-%d.elf' % (build, board, spheres, lights)
+    if not os.path.exists(image):
+        return None
+    at = dict((name, address) for address, name in symbols(board, image))
+    with tempfile.NamedTemporaryFile('r') as log:
+        said = qemu.run(board, image, '-plugin', '%s,begin=%#x,end=%#x' % (plugin_of(build), at['count_begin'], at['count_end']),
+                        '-d', 'plugin', '-D', log.name)
+        passages = [int(line.split()[1]) for line in log.read().splitlines() if line.startswith('passage')]
+    if not said.startswith('full ') or len(passages) != 241:
+        raise qemu.Failed('%s: %s, %d passages' % (image, said, len(passages)))
+    return sum(passages), max(passages[1:])
+
+
+def crowds(build):
+    """A row for each crowd: its name, and for each processor instructions a pixel, and a pixel of the worst row."""
+    for spheres, lights in CROWDS:
+        cells = []
+        for board, _ in CROWDED:
+            made = None if qemu.missing(board) else crowd(build, board, spheres, lights)
+            cells += ['%.0f' % (made[0] / PIXELS), '%.0f' % (made[1] / 320)] if made else ['-', '-']
+        yield '%d spheres, %d lights' % (spheres, lights), cells
+
+
+def crowd_table(build):
+    print('\n| scene | ' + ' | '.join('%s | worst row' % title for _, title in CROWDED) + ' |')
+    print('|---|' + '--:|--:|' * len(CROWDED))
+    for name, cells in crowds(build):
+        print('| %s | %s |' % (name, ' | '.join(cells)), flush=True)
+
+
 def image_of(build, board, arithmetic):
     return '%s/boards/%s/count-%s.elf' % (build, board, arithmetic)
 
@@ -161,6 +199,7 @@ def main(arguments):
         ray_table(build)
     else:
         table(build)
+        crowd_table(build)
         shadow_table(build)
 
 

@@ -187,6 +187,11 @@ def instructions(_):
                           for _, processor in count.BOARDS})
 
 
+def crowds(_):
+    boards(*(board for board, _ in count.CROWDED))
+    return by_first_cell(dict(count.crowds(BUILD)))
+
+
 def cycles(_):
     integers, floats = (counts()["ATmega1284P", arithmetic][2] for arithmetic in ("q16", "f32"))
     return words({"takes {} cycles a pixel: a frame of 320x240 is drawn in {} seconds at 16 MHz":
@@ -359,7 +364,7 @@ def mutants(_):
 
 
 # In the order in which they are counted. The names in SLOW take minutes.
-NAMES = {"frames": frames, "mutants": mutants, "size": sizes, "count": instructions, "cycles": cycles,
+NAMES = {"frames": frames, "mutants": mutants, "size": sizes, "count": instructions, "crowds": crowds, "cycles": cycles,
          "models": models, "chips": chips, "ways": ways, "cores": cores,
          "shadows": shadows, "light": light, "rays": ray_by_ray, "techniques": techniques,
          "compare": compare, **{f"compare-{what}": lambda _, what=what: block(compared(what)) for what in ("scene", "random", "everything", "databases")}}

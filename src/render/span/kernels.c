@@ -165,9 +165,9 @@ static enum verdict meets(const struct shadow_line *line, num_wide product, num_
 
 static void shadow(const struct shadow_line *line, const num_u *t, struct lit *lit)
 {
-    num_wide a = line->a, c = line->c;
+    num_wide a = line->a + (num_wide)line->first * line->a_step, c = line->c + (num_wide)line->first * line->c_step;
 
-    for (int i = 0; i < line->count; i++) {
+    for (int i = line->first; i < line->count; i++) {
         num distance = num_signed(t[i]);
         if (lit->facing[i] > 0) {
             enum verdict verdict = meets(line, num_mul(distance, num_top(a)), num_mul(distance, num_top(c)), lit, i);

@@ -81,7 +81,7 @@ struct shadow_line {
     num_wide a_doubt, k_doubt, beyond_doubt;
     num_wide a_clear, k_clear; /* above these num_cover_order's margin of 14 includes all errors */
     int margin;                /* that of |w|^2 is 2^-margin of itself */
-    int count;
+    int first, count;          /* pixels first..count - 1 are tried */
 };
 
 struct span_kernels {

@@ -1,8 +1,6 @@
 /* span_rows.c - from hits to pixels: a row is divided into pieces, and a piece into spans of one object. */
-#include "math/target.h"
-#if !TIA_HALF_PRODUCTS /* whose flash is too small */
+#define FAST_WHERE_ROOM
 #include "math/fast.h"
-#endif
 
 #include "coherence/coherence.h"
 #include "math/noinline.h"
