@@ -9,8 +9,7 @@
 
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC push_options
-#if defined(__OPTIMIZE_SIZE__) && !defined(__AVR__) &&                                                                 \
-    !(defined(FAST_WHERE_ROOM) && (TIA_HALF_PRODUCTS || defined(__riscv)))
+#if defined(__OPTIMIZE_SIZE__) && !defined(__AVR__) && !(defined(FAST_WHERE_ROOM) && TIA_LONG_CODE)
 #pragma GCC optimize("O2")
 #endif
 #endif

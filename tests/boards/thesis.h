@@ -21,7 +21,7 @@ typedef char tia_bytes_known[sizeof(void *) >= 4 ? 1 : -1]; /* fails on other ma
 #define THESIS_VIEWER_320x1 TIA_BYTES(4720u, 4640u, 4640u)
 
 /* Flash, about: the library's part of a program on a Cortex-M3 (gcc -Os), and the scene's tables. */
-#define THESIS_FLASH_LIBRARY 42600u
+#define THESIS_FLASH_LIBRARY 48600u
 #define THESIS_FLASH_SCENE 936u
 
 #endif
