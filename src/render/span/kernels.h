@@ -141,6 +141,9 @@ static inline num_wide shadow_power(const struct shadow_line *line, num_wide tur
 /* Returns the pixel of an exact colour. */
 tia_rgb565 span_pixel(const num_u rgb[3], num_u threshold);
 
+/* The plain kernel `sphere_inside`. */
+void span_sphere_inside(const struct sphere_line *line, num_u *t);
+
 extern const struct span_kernels span_kernels_plain;
 
 #endif

@@ -92,27 +92,28 @@ int span_prepare(struct tia_view *view, const struct span_coherence *coherence)
     return TIA_OK;
 }
 
-/* True if no sphere can block light 0 anywhere on sphere `object`. */
-static bool is_unshaded(const struct span_view *spans, uint32_t count, uint32_t object)
+/* True if the eye is outside of all spheres. */
+static bool is_outside(const struct span_view *spans, uint32_t count)
 {
-    const struct span_lit all = {.casters = &spans->casters, .object = object};
-
     for (uint32_t i = 0; i < count; i++)
         if (spans->spheres[i].c <= 0)
             return false;
-    return span_next_caster(&all, 0, 0) >= count;
+    return true;
 }
 
 static void set_steps(const struct tia_view *view)
 {
     const struct span_view *spans = view->prepared;
     const struct tia_scene *scene = view->scene;
+    bool used = view->light_count == 1 && !spans->tinted && is_outside(spans, scene->sphere_count);
 
     for (uint32_t i = 0; spans->steps && i < scene->sphere_count; i++) {
+        const struct span_lit all = {.casters = &spans->casters, .object = i};
         struct light_source source = {.sphere = &spans->spheres[i], .number = 0};
         spans->steps[i].usable = false;
-        if (view->light_count != 1 || spans->tinted || !is_unshaded(spans, scene->sphere_count, i))
+        if (!used)
             continue;
+        spans->steps[i].shaded = span_next_caster(&all, 0, 0) < scene->sphere_count;
         source.light = num_vec_between(scene->camera.eye, view->lights[0].centre);
         steps_prepare(&spans->primary, &source, &view->lights[0].emission,
                       &scene->materials[scene->spheres[i].material], &spans->steps[i]);
