@@ -257,6 +257,63 @@ TEST(misuse_of_levels)
     misuse_end();
 }
 
+static int take_row(void *ctx, unsigned y, const tia_rgb565 *pixels, unsigned width)
+{
+    (void)ctx;
+    return y < MISUSE_H && width == MISUSE_W && pixels ? TIA_OK : TIA_ERR_DEVICE;
+}
+
+static int draw_rows(struct tia_rows rows)
+{
+    return tia_draw_rows(&rows, misuse_memory, sizeof misuse_memory, take_row, NULL);
+}
+
+#define REFUSES_ROWS(member, value)                                                                                    \
+    do {                                                                                                               \
+        struct tia_rows changed = rows;                                                                                \
+        changed.member = (value);                                                                                      \
+        GIVES(SIZE_MAX, (intmax_t)tia_draw_rows_size(&changed));                                                       \
+        REFUSES(draw_rows(changed));                                                                                   \
+    } while (0)
+
+TEST(misuse_of_rows)
+{
+    struct tia_rows rows = {.core = &tia_core_q16, .scene = &misuse_scene, .width = MISUSE_W, .height = MISUSE_H};
+    struct tia_light bad;
+    void *memory = misuse_memory;
+
+    misuse_read();
+    size_t need = tia_draw_rows_size(&rows);
+    GIVES(SIZE_MAX, (intmax_t)tia_draw_rows_size(NULL));
+    REFUSES(tia_draw_rows(NULL, memory, need, take_row, NULL));
+    REFUSES(tia_draw_rows(&rows, NULL, need, take_row, NULL));
+    REFUSES(tia_draw_rows(&rows, NULL, 0, take_row, NULL));
+    REFUSES(tia_draw_rows(&rows, MISALIGNED(memory), need, take_row, NULL));
+    REFUSES(tia_draw_rows(&rows, memory, need, NULL, NULL));
+    REFUSES_ROWS(core, NULL);
+    REFUSES_ROWS(scene, NULL);
+    REFUSES_ROWS(light_count, 1);
+    REFUSES_ROWS(width, 0);
+    REFUSES_ROWS(height, 0);
+    REFUSES_ROWS(width, TIA_SIZE_MAX + 1);
+    REFUSES_ROWS(height, UINT16_MAX);
+    REFUSES_ROWS(columns, MISUSE_W + 1);
+    GIVES(TIA_ERR_MEMORY, tia_draw_rows(&rows, memory, need - 1, take_row, NULL));
+    GIVES(TIA_ERR_MEMORY, tia_draw_rows(&rows, memory, 0, take_row, NULL));
+    GIVES(TIA_OK, tia_draw_rows(&rows, memory, need, take_row, NULL));
+    rows.core = &tia_core_spheres;
+    GIVES(TIA_ERR_RANGE, draw_rows(rows));
+    rows.core = &tia_core_q16;
+    memset(&bad, 0xff, sizeof bad);
+    rows.lights = &bad;
+    GIVES(TIA_OK, draw_rows(rows));
+    rows.light_count = 1;
+    GIVES(TIA_ERR_RANGE, draw_rows(rows));
+    rows.light_count = UINT32_MAX;
+    GIVES(TIA_ERR_MEMORY, draw_rows(rows));
+    misuse_end();
+}
+
 int main(void)
 {
     RUN(misuse_of_view_sizes);
@@ -269,5 +326,6 @@ int main(void)
     RUN(misuse_of_rendering);
     RUN(misuse_of_hits_of_spans);
     RUN(misuse_of_levels);
+    RUN(misuse_of_rows);
     return check_status();
 }

@@ -12,6 +12,7 @@
  *   motion.h  keyframe animation
  *   read.h    scene files
  *   render.h  from a scene to pixels
+ *   rows.h    a picture row by row, in one call
  *   simd.h    vector units
  *   port.h    display, input and clock, as a board or an OS provides them
  *   gaze.h    foveated pictures
@@ -36,6 +37,7 @@
 #include <tia/motion.h>
 #include <tia/orbit.h>
 #include <tia/read.h>
+#include <tia/rows.h>
 #include <tia/simd.h>
 #include <tia/text.h>
 #include <tia/viewer.h>

@@ -51,7 +51,7 @@ endef
 # arithmetic are in a folder named after it. All of the core is linked, or all that scenes of spheres may need on boards
 # with programs for no others; --gc-sections drops what the program does not use.
 SPHERE_SRC := $(filter src/math/% src/exact/% src/render/span/% src/render/core/dither.c src/render/core/spheres%.c \
-    $(addprefix src/render/,view.c hits.c render.c choose.c drawing.c) src/scene/thesis.c src/scene/shadow_names.c \
+    $(addprefix src/render/,view.c hits.c render.c choose.c drawing.c rows.c) src/scene/thesis.c src/scene/shadow_names.c \
     $(addprefix src/scene/check/,scene.c camera.c light.c material.c number_range.c sphere.c) \
     $(addprefix src/viewer/,viewer.c run_spheres.c view_memory.c tiles.c present.c press.c key_events.c watch.c),$(CORE_SRC))
 core_of = $(if $(filter $(PANEL_BOARDS) mps2-an385,$(1)),$(CORE_SRC),$(SPHERE_SRC))

@@ -68,7 +68,7 @@ static bool light(const struct light_line *line, const num_u *distance, struct l
                 most_half = half > most_half ? half : most_half;
             } else if (NUM_CERTIFIED && facing > least) {
                 lit->facing[i] = 0;
-                lit->open |= UINT64_C(1) << i;
+                lit->open |= PIXEL_BIT(i);
             } else {
                 lit->facing[i] = 0;
                 next = pass_turned(line, distance, i + 1, g + line->g_step, lit->facing);
@@ -153,7 +153,7 @@ static void shadow(const struct shadow_line *line, const num_u *t, struct lit *l
         if (lit->facing[i] > 0) {
             enum verdict verdict = meets(line, num_mul(distance, num_top(a)), num_mul(distance, num_top(c)), lit, i);
             if (verdict >= MAYBE_LIT)
-                lit->open |= UINT64_C(1) << i;
+                lit->open |= PIXEL_BIT(i);
             if (verdict == DARK || verdict == MAYBE_DARK)
                 lit->facing[i] = 0;
         }
@@ -196,11 +196,11 @@ static inline struct packed pack_grey(num_u grey, num_u threshold, num_u margin)
 }
 
 /* Eight pixels at a time, in arrays of their own, which compilers convert to vectors. */
-static inline uint64_t pack_eights(const num_u *const rgb[3], num_u margin, const num_u *threshold, int x, int count,
-                                   tia_rgb565 *out)
+static inline pixel_set pack_eights(const num_u *const rgb[3], num_u margin, const num_u *threshold, int x, int count,
+                                    tia_rgb565 *out)
 {
     num_u from[8];
-    uint64_t open = 0;
+    pixel_set open = 0;
 
     for (int j = 0; j < 8; j++)
         from[j] = num_level_threshold(threshold[(x + j) & 7], margin);
@@ -218,7 +218,7 @@ static inline uint64_t pack_eights(const num_u *const rgb[3], num_u margin, cons
             any |= near[j];
         }
         for (int j = 0; any && j < rest; j++)
-            open |= (uint64_t)near[j] << (i + j);
+            open |= (pixel_set)near[j] << (i + j);
     }
     return open;
 }
@@ -244,17 +244,17 @@ static inline bool pack_singly(const num_u *const rgb[3], num_u margin, const nu
     return any;
 }
 
-static NOINLINE uint64_t find_near(const num_u *const rgb[3], num_u margin, const num_u *threshold, int x, int count)
+static NOINLINE pixel_set find_near(const num_u *const rgb[3], num_u margin, const num_u *threshold, int x, int count)
 {
-    uint64_t open = 0;
+    pixel_set open = 0;
 
     for (int i = 0; i < count; i++)
         if (pack_pixel(rgb, i, num_level_threshold(threshold[(x + i) & 7], margin), margin).near)
-            open |= UINT64_C(1) << i;
+            open |= PIXEL_BIT(i);
     return open;
 }
 
-static uint64_t pack(const num_u *const rgb[3], num_u doubt, const num_u *threshold, int x, int count, tia_rgb565 *out)
+static pixel_set pack(const num_u *const rgb[3], num_u doubt, const num_u *threshold, int x, int count, tia_rgb565 *out)
 {
     num_u margin = num_level_doubt(doubt, 63);
 

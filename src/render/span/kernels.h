@@ -8,7 +8,24 @@
 
 #include "primary.h"
 
-#define CHUNK 64 /* largest number of pixels in a call of a kernel */
+/* The largest number of pixels in a call of a kernel: 64, 32 or 16. Fewer take less stack and more time; the picture is
+ * the same. */
+#ifndef TIA_CHUNK
+#define TIA_CHUNK 64
+#endif
+#if TIA_CHUNK != 64 && TIA_CHUNK != 32 && TIA_CHUNK != 16
+#error "TIA_CHUNK must be 64, 32 or 16"
+#endif
+#define CHUNK TIA_CHUNK
+
+/* A set of pixels of a call: bit i stands for pixel i. */
+#if CHUNK > 32
+typedef uint64_t pixel_set;
+#else
+typedef uint32_t pixel_set;
+#endif
+#define PIXEL_BIT(i) ((pixel_set)1 << (i))
+#define PIXELS_ALL ((pixel_set)-1)
 
 /* A span of pixels that see one sphere, for the kernels that compute t. */
 struct sphere_line {
@@ -47,7 +64,7 @@ struct lit {
     num_u inverse[CHUNK];   /* 1/|Q - P|, times 2^-half */
     uint8_t half[CHUNK];
     uint8_t most_half; /* the largest half of all pixels that face the light */
-    uint64_t open;     /* bit i is set if pixel i is in doubt: whether it faces the light, or a sphere blocks it */
+    pixel_set open;    /* pixels in doubt: whether they face the light, or a sphere blocks it */
 };
 
 /* A sphere, centre C and radius R, that may stand between a light Q and the points P of a span of
@@ -104,7 +121,8 @@ struct span_kernels {
 
     /* Converts clamped linear colours to RGB565; `threshold` has the 8 rounding offsets of the row, by x & 7. Returns
      * the set of those whose level another channel within `doubt` of it may not have. */
-    uint64_t (*pack)(const num_u *const rgb[3], num_u doubt, const num_u *threshold, int x, int count, tia_rgb565 *out);
+    pixel_set (*pack)(const num_u *const rgb[3], num_u doubt, const num_u *threshold, int x, int count,
+                      tia_rgb565 *out);
 };
 
 /* Returns |P|^2, from the accumulator of v.v. */

@@ -15,7 +15,7 @@ struct shading {
     bool grey; /* red serves as all three channels */
     num_u sum[3][CHUNK];
     num_u doubt;               /* bound of the sums' errors */
-    uint64_t open;             /* pixels whose sums have no bound, or whose lights or shadows are in doubt */
+    pixel_set open;            /* pixels whose sums have no bound, or whose lights or shadows are in doubt */
     bool given_up;             /* all pixels are open, and no other output needs them */
     struct span_depth ends[2]; /* of the first and the last pixel */
     struct span_error error;   /* of the light being added */
@@ -30,7 +30,7 @@ struct shading {
 /* Leaves all pixels open. */
 static NOINLINE void give_up(struct shading *s)
 {
-    s->open = UINT64_MAX;
+    s->open = PIXELS_ALL;
     s->given_up = !s->span->path_hash && !s->span->colours;
 }
 
@@ -260,14 +260,14 @@ void span_put_colours(const num_u *const rgb[3], int step, int count, uint16_t *
 
 /* Decides the pixels of a set whose channels are near a level, one by one: a channel is at least the emission, which is
  * exact, and often is exactly a level. Returns those that remain. */
-static uint64_t decide_levels(const struct shading *s, uint64_t near, const num_u threshold[8], tia_rgb565 *pixels)
+static pixel_set decide_levels(const struct shading *s, pixel_set near, const num_u threshold[8], tia_rgb565 *pixels)
 {
     const struct tia_rgb *emission = &s->material->emission;
     const num_u least[3] = {num_colour(emission->r), num_colour(emission->g), num_colour(emission->b)};
 
     for (int i = 0; i < s->span->count; i++) {
         num_u low[3], high[3], half = threshold[(s->span->x + i) & 7];
-        uint64_t bit = UINT64_C(1) << i;
+        pixel_set bit = PIXEL_BIT(i);
         if (!(near & bit))
             continue;
         for (int c = 0; c < 3; c++) {
@@ -322,8 +322,8 @@ static void begin_sums(struct shading *s)
 
 /* Shades a span, and returns the set of its pixels that are in doubt. Shortens it where D would be least in its
  * middle. */
-static NOINLINE uint64_t shade(const struct tia_view *view, struct shaded_span *span, const num_u threshold[8],
-                               tia_rgb565 *pixels)
+static NOINLINE pixel_set shade(const struct tia_view *view, struct shaded_span *span, const num_u threshold[8],
+                                tia_rgb565 *pixels)
 {
     const struct tia_scene *scene = view->scene;
     struct shading s; /* not zeroed, since the sums are large */
@@ -354,7 +354,7 @@ static NOINLINE uint64_t shade(const struct tia_view *view, struct shaded_span *
         give_up(&s);
         s.doubt = 0;
     }
-    uint64_t near = s.spans->kernels->pack(rgb, s.doubt, threshold, span->x, span->count, pixels) & ~s.open;
+    pixel_set near = s.spans->kernels->pack(rgb, s.doubt, threshold, span->x, span->count, pixels) & ~s.open;
     if (NUM_CERTIFIED && near)
         s.open |= decide_levels(&s, near, threshold, pixels);
     span_put_colours(rgb, 1, span->count, span->colours);
@@ -391,7 +391,7 @@ void shade_span(const struct tia_view *view, const struct shaded_span *span, con
         part.path_hash = span->path_hash ? span->path_hash + first : NULL;
         part.colours = span->colours ? span->colours + 3 * first : NULL;
         part.count = span->count - first;
-        uint64_t open = shade(view, &part, threshold, pixels + first);
+        pixel_set open = shade(view, &part, threshold, pixels + first);
         for (int i = 0; NUM_CERTIFIED && open && i < part.count; i++)
             if (open >> i & 1)
                 settle(view, &part, i, threshold, pixels + first + i);
