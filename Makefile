@@ -288,7 +288,7 @@ $(BUILD)/tests/test_compiled: $(COMPILED:%=$(BUILD)/scenes/%.o)
 .SECONDARY: $(COMPILED:%=$(BUILD)/scenes/%.c)
 
 # ---- longer proofs ----
-.PHONY: check-exhaustive prove check-accuracy check-exact check-arch check-freestanding check-matrix check-simd check-denoise check-threads check-deb check-light check-rays-billion check-mutants check-bounds fuzz
+.PHONY: check-exhaustive prove check-accuracy check-exact check-arch check-freestanding check-matrix check-simd check-denoise check-threads check-deb check-light check-rays-billion check-trust check-mutants check-bounds fuzz
 $(BUILD)/tests/exhaustive: $(BUILD)/tests/exhaustive.o $(LIBTIA) $(BUILD)/made-with/link
 	$(link)
 check-exhaustive: $(BUILD)/tests/exhaustive
@@ -317,6 +317,8 @@ check-light: $(BUILD)/tests/test_cornell
 	@LIGHT_TIMES=20 $(run_tests) tests/slow/light
 check-rays-billion: $(BUILD)/tests/test_ray_bounds
 	@$< --rays $(or $(RAYS),1000000000) $(PASS)
+check-trust: $(BUILD)/tests/test_seal
+	@TRUST_FULL=yes $(run_tests) $<
 SECONDS ?= 600
 check-mutants:
 	@$(alone) tests/mutate
@@ -419,6 +421,7 @@ help:
 	@echo "test T=NAME C=CASE one test, or one case of it: make test T=ray_bounds C=scene_files"
 	@echo "check-boards prove                             parts of check"
 	@echo "check-accuracy check-exact check-arch check-freestanding check-matrix check-simd check-denoise check-threads check-deb check-light check-vm fuzz   parts of check, for longer"
+	@echo "check-trust          each bit of a view changed, without and with checks: some minutes"
 	@echo "check-rays-billion   10^9 rays by vector units against plain C, or RAYS=N"
 	@echo "check-exhaustive check-mutants check-bounds    longer than check"
 	@echo "bench count size   time, instructions a pixel on boards, flash, RAM and stack"
