@@ -282,10 +282,15 @@ $(BUILD)/scenes/%.c: scenes/%.tia $(wildcard scenes/*.ppm) $(BUILD)/tia-compile
 $(BUILD)/scenes/every.c: tests/scenes/every.tia $(BUILD)/tia-compile
 	@mkdir -p $(@D)
 	$(call say,TABLES,$<)$(BUILD)/tia-compile $< -o $@ --name compiled_every
+TELLTALES := ball=40,20,48,56 horizon=0,60,128,4 corner=0,0,8,8
+$(BUILD)/scenes/telltales.c: scenes/thesis.tia $(BUILD)/tia-compile
+	@mkdir -p $(@D)
+	$(call say,TABLES,$<)$(BUILD)/tia-compile $< -o $@ --name compiled --crc 128x96 $(TELLTALES:%=--rectangle %)
 $(BUILD)/scenes/%.o: $(BUILD)/scenes/%.c $(BUILD)/made-with/core
 	$(call compile,CC,$(COMMON))
 $(BUILD)/tests/test_compiled: $(COMPILED:%=$(BUILD)/scenes/%.o)
-.SECONDARY: $(COMPILED:%=$(BUILD)/scenes/%.c)
+$(BUILD)/tests/test_telltales: $(BUILD)/scenes/telltales.o
+.SECONDARY: $(COMPILED:%=$(BUILD)/scenes/%.c) $(BUILD)/scenes/telltales.c
 
 # ---- longer proofs ----
 .PHONY: check-exhaustive prove check-accuracy check-exact check-arch check-freestanding check-matrix check-simd check-denoise check-threads check-deb check-light check-rays-billion check-trust check-mutants check-bounds fuzz
