@@ -372,7 +372,8 @@ QUICK := $(sort $(wildcard tests/quick/*)) $(filter-out $(BUILD)/tests/test_rays
 SLOW  := $(LONG) $(filter-out $(LONG),$(sort $(wildcard tests/slow/*)))
 TOOLS := $(PROGRAMS:%=$(BUILD)/%)
 export BUILD CC F64
-tests: $(TESTS) $(TOOLS) $(BUILD)/vm/probe
+VM_PROGRAMS := $(BUILD)/vm/probe $(BUILD)/vm/controller
+tests: $(TESTS) $(TOOLS) $(VM_PROGRAMS)
 # One more at a time than there are processors, as some wait for terminals and clocks.
 check-quick: all tests
 	@CHECK_QUICK=yes $(run_tests) -j $$(($(processors) + 1)) $(QUICK)
@@ -381,7 +382,7 @@ check: all tests
 
 # One test, make test T=NAME, or one case of it, C=CASE. Of the test programs those are built that it is or names.
 .PHONY: test-built
-test-built: $(TESTED) $(if $(filter tests/%,$(TESTED)),all) $(if $(filter tests/slow/vm,$(TESTED)),$(BUILD)/vm/probe)
+test-built: $(TESTED) $(if $(filter tests/%,$(TESTED)),all) $(if $(filter tests/slow/vm,$(TESTED)),$(VM_PROGRAMS))
 	@:
 test:
 	@tested=$$(tests/choose '$(T)') && $(MAKE) --no-print-directory test-built TESTED="$$tested" && \
@@ -392,7 +393,10 @@ test:
 $(BUILD)/vm/probe: tests/vm/probe.c $(BUILD)/made-with/host
 	@mkdir -p $(@D)
 	$(call say,LD,$@)$(CC) $(HOSTED) $(CFLAGS) $(LDFLAGS) -o $@ $<
-check-vm: all $(BUILD)/vm/probe $(BUILD)/tests/test_ports
+$(BUILD)/vm/controller: $(BUILD)/host/tests/vm/controller.o $(LIBPORTS) $(LIBSIMD) $(LIBTIA) $(BUILD)/made-with/link
+	@mkdir -p $(@D)
+	$(link)
+check-vm: all $(VM_PROGRAMS) $(BUILD)/tests/test_ports
 	@VM_FULL=yes $(run_tests) tests/slow/vm; status=$$?; $(call python,tests/vm/table); exit $$status
 
 include bench/bench.mk

@@ -59,7 +59,7 @@ $(BUILD)/boards/$(1)/%.o: %.S
 endef
 # Optimisation. Flash is scarce on small boards: of the code that draws spheres only what runs for each pixel is optimised for
 # speed. The rest of the list is for rays and shadows, which scenes of spheres do not link.
-HOT := src/math/integer $(addprefix src/render/span/,coherence/coherence cone_row kernels span_rows span_shift span_trace)
+HOT := src/math/integer src/math/checksum $(addprefix src/render/span/,coherence/coherence cone_row kernels span_rows span_shift span_trace)
 HOT += $(basename $(filter src/flat/% src/raster/% src/samples/% src/shadow/% src/math/normalise.c src/math/power.c \
 	$(addprefix src/render/,ao/% estimate/% geometry/% hybrid/% path/% trace/% whitted/%),$(CORE_SRC)))
 mps2-an385_SMALL := -fno-schedule-insns2 -fno-ssa-phiopt -fno-move-loop-invariants -fno-tree-coalesce-vars
@@ -81,6 +81,12 @@ define counted
 $(BUILD)/boards/$(1)/count-$(2).o: tests/boards/count.c
 	$$(call board_compile,$(1),CC $(2),$$(BOARD) -DCORE=tia_$(if $(filter-out q16,$(2)),$(2)_)$(call spheres,$(1)) -DROWS=$(3) -DWHOLE=$(4))
 $(call image,$(1),count-$(2),,$(1)-large,$(BUILD)/boards/$(1)/count-$(2).o $(if $(filter-out q16,$(2)),$(call bare,$(1),tests/boards/soft_sqrt.c) $(call bare,$(1)/$(2),$(NUM_SRC))))
+endef
+# The program whose checks are counted, in strips of $(2) rows.
+define checked
+$(BUILD)/boards/$(1)/trust-$(2).o: tests/boards/trust.c
+	$$(call board_compile,$(1),CC,$$(BOARD) -DROWS=$(2))
+$(call image,$(1),trust-$(2),,$(1)-large,$(BUILD)/boards/$(1)/trust-$(2).o)
 endef
 # The viewer of the compiled scene $(2).
 define shown
@@ -133,6 +139,9 @@ $(if $(filter microbit,$(BOARDS)),$(eval $(call image,microbit,mul64,tests/board
 $(BUILD)/boards/example: tests/boards/example_main.c tests/boards/example.c tests/boards/thesis.h $(LIBTIA)
 	@mkdir -p $(@D)
 	$(call say,LD,$@)$(CC) $(COMMON) $(CFLAGS) $(LDFLAGS) -o $@ $< $(LIBTIA)
+TRUST_ROWS := 2 8 16
+$(if $(filter mps2-an385,$(BOARDS)),$(foreach n,$(TRUST_ROWS),$(eval $(call checked,mps2-an385,$(n)))))
+TRUSTED := $(if $(filter mps2-an385,$(BOARDS)),$(TRUST_ROWS:%=$(BUILD)/boards/mps2-an385/trust-%.elf))
 IMAGES := $(foreach n,viewer castle,$(BOARDS_PANEL:%=$(BUILD)/boards/%/$(n).elf)) $(BOARDS_PANEL:%=$(BUILD)/boards/%/pattern.elf) $(BOARDS_SMALL:%=$(BUILD)/boards/%/frames.elf) \
           $(BOARDS_SHADOWS:%=$(BUILD)/boards/%/shadows.elf)
 COUNTED := $(foreach b,$(BOARDS_SMALL),$(patsubst %,$(BUILD)/boards/$(b)/count-%.elf,$(call counted_in,$(b))))
@@ -148,7 +157,7 @@ $(BUILD)/boards/simavr: tests/boards/simavr.c
 
 # The programs whose instructions are counted, and those that count instructions and rays.
 COUNT_FILES := $(COUNTED) $(BOARDS_SHADOWS:%=$(BUILD)/boards/%/shadows.elf) $(BUILD)/boards/insn.so $(SIMAVR) \
-               $(RAYED:%=$(BUILD)/boards/mps2-an385/rays-%.elf) $(BUILD)/boards/observed
+               $(TRUSTED) $(RAYED:%=$(BUILD)/boards/mps2-an385/rays-%.elf) $(BUILD)/boards/observed
 
 .PHONY: boards check-boards size-boards count count-rays
 boards: $(addsuffix .c,$(HOT)) # fails if a file of these lists was moved: it would lose its flags
