@@ -102,6 +102,12 @@ $(BUILD)/boards/$(1)/crowd-$(2)-$(3).o: tests/boards/crowd.c
 	$$(call board_compile,$(1),CC,$$(BOARD) -DSPHERES=$(2) -DLIGHTS=$(3))
 $(call image,$(1),crowd-$(2)-$(3),,$(1)-large,$(BUILD)/boards/$(1)/crowd-$(2)-$(3).o)
 endef
+# The program whose checks are counted, in strips of $(2) rows.
+define checked
+$(BUILD)/boards/$(1)/trust-$(2).o: tests/boards/trust.c
+	$$(call board_compile,$(1),CC,$$(BOARD) -DROWS=$(2))
+$(call image,$(1),trust-$(2),,$(1)-large,$(BUILD)/boards/$(1)/trust-$(2).o)
+endef
 # The viewer of the compiled scene $(2).
 define shown
 $(BUILD)/boards/$(1)/shows-$(2).o: tools/boards/viewer.c
@@ -161,6 +167,9 @@ $(if $(filter microbit,$(BOARDS)),$(eval $(call image,microbit,mul64,tests/board
 $(BUILD)/boards/example: tests/boards/example_main.c tests/boards/example.c tests/boards/thesis.h $(LIBTIA)
 	@mkdir -p $(@D)
 	$(call say,LD,$@)$(CC) $(COMMON) $(CFLAGS) $(LDFLAGS) -o $@ $< $(LIBTIA)
+TRUST_ROWS := 2 8 16
+$(if $(filter mps2-an385,$(BOARDS)),$(foreach n,$(TRUST_ROWS),$(eval $(call checked,mps2-an385,$(n)))))
+TRUSTED := $(if $(filter mps2-an385,$(BOARDS)),$(TRUST_ROWS:%=$(BUILD)/boards/mps2-an385/trust-%.elf))
 IMAGES := $(foreach n,viewer castle,$(BOARDS_PANEL:%=$(BUILD)/boards/%/$(n).elf)) $(BOARDS_PANEL:%=$(BUILD)/boards/%/pattern.elf) $(BOARDS_SMALL:%=$(BUILD)/boards/%/frames.elf) \
           $(BOARDS_SHADOWS:%=$(BUILD)/boards/%/shadows.elf)
 CROWDED := $(foreach b,$(BOARDS_CROWDED),$(foreach n,$(call crowds_of,$(b)),$(BUILD)/boards/$(b)/crowd-$(n)-4.elf))
@@ -177,7 +186,7 @@ $(BUILD)/boards/simavr: tests/boards/simavr.c
 
 # The programs whose instructions are counted, and those that count instructions and rays.
 COUNT_FILES := $(COUNTED) $(CROWDED) $(BOARDS_SHADOWS:%=$(BUILD)/boards/%/shadows.elf) $(BUILD)/boards/insn.so $(SIMAVR) \
-               $(RAYED:%=$(BUILD)/boards/mps2-an385/rays-%.elf) $(BUILD)/boards/observed
+               $(TRUSTED) $(RAYED:%=$(BUILD)/boards/mps2-an385/rays-%.elf) $(BUILD)/boards/observed
 
 .PHONY: boards check-boards size-boards count count-rays cycles ways
 boards: $(IMAGES) $(BOARDS_SMALL:%=$(BUILD)/boards/%/count-q16.elf) $(BUILD)/boards/insn.so $(SIMAVR) $(addprefix $(BUILD)/boards/,example shadows light) \

@@ -261,6 +261,11 @@ def shadows(_):
     return by_first_cell({name: (f"{number:.0f}", view, hits) for name, number, view, hits in count.shadows(BUILD)})
 
 
+def trust(_):
+    boards("mps2-an385")
+    return by_first_cell({f"strips of {rows} rows": count.trust_cells(BUILD, rows) for rows in count.TRUST_ROWS})
+
+
 def light(_):
     boards("mps2-an385")
     image = f"{BUILD}/boards/mps2-an385/light.elf"
@@ -366,7 +371,7 @@ def mutants(_):
 # In the order in which they are counted. The names in SLOW take minutes.
 NAMES = {"frames": frames, "mutants": mutants, "size": sizes, "count": instructions, "crowds": crowds, "cycles": cycles,
          "models": models, "chips": chips, "ways": ways, "cores": cores,
-         "shadows": shadows, "light": light, "rays": ray_by_ray, "techniques": techniques,
+         "shadows": shadows, "light": light, "trust": trust, "rays": ray_by_ray, "techniques": techniques,
          "compare": compare, **{f"compare-{what}": lambda _, what=what: block(compared(what)) for what in ("scene", "random", "everything", "databases")}}
 SLOW = ("compare-everything", "compare-random")
 
