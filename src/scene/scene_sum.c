@@ -12,7 +12,7 @@ static void add(struct checksum *sum, const void *array, uint32_t count, size_t 
         tia_checksum_add(sum, array, count * element);
 }
 
-#define ADD(sum, array, count) add(sum, array, count, sizeof *(array))
+#define ADD(sum, elements, count) add(sum, elements, count, sizeof *(elements))
 
 static void add_arrays(struct checksum *sum, const struct tia_scene *s)
 {
