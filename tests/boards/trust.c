@@ -9,7 +9,7 @@
 #include <tia/tia.h>
 #include <tia/trust.h>
 
-enum { WIDTH = 320, HEIGHT = 240, VIEW_SIZE = 1024, HITS_SIZE = 64 + WIDTH * ROWS * 8 };
+enum { WIDTH = 320, HEIGHT = 240, VIEW_SIZE = 2304, HITS_SIZE = 64 + WIDTH * ROWS * 8 };
 
 static uint64_t view_memory[VIEW_SIZE / sizeof(uint64_t)], hits_memory[HITS_SIZE / sizeof(uint64_t)];
 static tia_rgb565 strip[WIDTH * ROWS];
