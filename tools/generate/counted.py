@@ -15,6 +15,7 @@ import importlib.util
 import itertools
 import os
 import re
+import shutil
 import subprocess
 import sys
 
@@ -25,6 +26,7 @@ import count
 import cycles as cycle_models
 import qemu
 import size
+import stack as call_graph
 import ways as build_ways
 
 BUILD = "build"
@@ -164,6 +166,15 @@ def sizes(_):
         flash, data, stack = size.measure(BUILD, board)
         rows[processor] = (flash, data, stack, data + stack, size.RAM - data, size.least_stack(board, size.image_of(BUILD, board)))
     return by_first_cell(rows)
+
+
+def stacks(_):
+    """Updates the bounds of the stack that drawing takes."""
+    for prefix, _ in call_graph.PROCESSORS.values():
+        if not shutil.which(prefix + "gcc"):
+            raise Missing(f"{prefix}gcc is not installed (make deps docs installs it)")
+        version_is_right(prefix + "gcc", prefix + "gcc")
+    return by_first_cell({processor: list(call_graph.measure(processor).values()) for processor in call_graph.PROCESSORS})
 
 
 @functools.lru_cache(None)
@@ -369,11 +380,11 @@ def mutants(_):
 
 
 # In the order in which they are counted. The names in SLOW take minutes.
-NAMES = {"frames": frames, "mutants": mutants, "size": sizes, "count": instructions, "crowds": crowds, "cycles": cycles,
+NAMES = {"frames": frames, "mutants": mutants, "size": sizes, "stack": stacks, "count": instructions, "crowds": crowds, "cycles": cycles,
          "models": models, "chips": chips, "ways": ways, "cores": cores,
          "shadows": shadows, "light": light, "trust": trust, "rays": ray_by_ray, "techniques": techniques,
          "compare": compare, **{f"compare-{what}": lambda _, what=what: block(compared(what)) for what in ("scene", "random", "everything", "databases")}}
-SLOW = ("compare-everything", "compare-random")
+SLOW = ("compare-everything", "compare-random", "stack")
 
 
 # ---- pages ----

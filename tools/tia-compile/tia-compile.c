@@ -94,8 +94,8 @@ static const char *check_telltales(const struct request *request, const char **w
 static const struct option_row rows[] = {
     {"output", 'o', OPTION_TEXT, "FILE.c", "the file to write; - is standard output", CONVERT_TO(output)},
     {"memory", 0, OPTION_TEXT, "FILE.h",
-     "write the memory sizes of the scene as macros: SYMBOL_VIEW and, for each size, SYMBOL_HITS_320x240 and "
-     "SYMBOL_VIEWER_320x240",
+     "write the memory sizes of the scene as macros: SYMBOL_VIEW, SYMBOL_STACK and, for each size, "
+     "SYMBOL_ROWS_320, SYMBOL_HITS_320x240 and SYMBOL_VIEWER_320x240",
      CONVERT_TO(memory)},
     {"size", 's', OPTION_PARSED, "WIDTHxHEIGHT", "the size of a picture or a tile; up to 16 times", CONVERT_TO(tiles),
      .parse = add_size, .rule = "not a size (1x1 to 8192x8192, like 320x240), or one of more than 16"},
