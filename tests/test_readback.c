@@ -6,7 +6,7 @@
 
 enum { WIDTH = 64, HEIGHT = 48 };
 
-static uint64_t view_memory[200], hits_memory[WIDTH + 16];
+static uint64_t view_memory[320], hits_memory[WIDTH + 16];
 static struct tia_seal seal;
 static const struct tia_sealed sealed = {.view = view_memory,
                                          .view_size = sizeof view_memory,

@@ -13,7 +13,7 @@
 #include "check.h"
 #include "common/scene/scene_load.h"
 
-enum { WIDTH = 16, HEIGHT = 12, FULL_WIDTH = 320, FULL_HEIGHT = 240, VIEW_WORDS = 150 };
+enum { WIDTH = 16, HEIGHT = 12, FULL_WIDTH = 320, FULL_HEIGHT = 240, VIEW_WORDS = 320 };
 
 /* A scene in memory that can change, and its picture. */
 static struct tia_scene scene;

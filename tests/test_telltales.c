@@ -10,7 +10,7 @@ enum { WIDTH = 128, HEIGHT = 96 };
 /* From scenes/thesis.tia, see the Makefile: "ball", "horizon", "corner". */
 extern const struct tia_telltales compiled_telltales;
 
-static uint64_t view_memory[200], hits_memory[WIDTH * HEIGHT + 64];
+static uint64_t view_memory[320], hits_memory[WIDTH * HEIGHT + 64];
 static tia_rgb565 pixels[WIDTH * HEIGHT];
 static struct tia_telltale_sum sums[3];
 static const struct tia_telltales *const all = &compiled_telltales;
