@@ -177,6 +177,14 @@ def stacks(_):
     return by_first_cell({processor: list(call_graph.measure(processor).values()) for processor in call_graph.PROCESSORS})
 
 
+def tiny(_):
+    boards("stm32vldiscovery")
+    image = f"{BUILD}/boards/stm32vldiscovery/rows.elf"
+    stack = int(re.search(r"^stack (\d+)$", qemu.run("stm32vldiscovery", image), re.M)[1])
+    flash, data = size.sections("stm32vldiscovery", image)
+    return words({"takes {} bytes of flash, {} of data and {} of stack, for which 8 KB of RAM leave {}": (flash, data, stack, 8192 - data)})
+
+
 @functools.lru_cache(None)
 def counts():
     """Returns by processor and arithmetic: instructions of a full and of a relit frame, and the AVR's cycles."""
@@ -380,7 +388,11 @@ def mutants(_):
 
 
 # In the order in which they are counted. The names in SLOW take minutes.
+<<<<<<< HEAD
 NAMES = {"frames": frames, "mutants": mutants, "size": sizes, "stack": stacks, "count": instructions, "crowds": crowds, "cycles": cycles,
+=======
+NAMES = {"frames": frames, "mutants": mutants, "size": sizes, "stack": stacks, "tiny": tiny, "count": instructions, "cycles": cycles,
+>>>>>>> easy
          "models": models, "chips": chips, "ways": ways, "cores": cores,
          "shadows": shadows, "light": light, "trust": trust, "rays": ray_by_ray, "techniques": techniques,
          "compare": compare, **{f"compare-{what}": lambda _, what=what: block(compared(what)) for what in ("scene", "random", "everything", "databases")}}
