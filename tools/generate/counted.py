@@ -388,11 +388,7 @@ def mutants(_):
 
 
 # In the order in which they are counted. The names in SLOW take minutes.
-<<<<<<< HEAD
-NAMES = {"frames": frames, "mutants": mutants, "size": sizes, "stack": stacks, "count": instructions, "crowds": crowds, "cycles": cycles,
-=======
-NAMES = {"frames": frames, "mutants": mutants, "size": sizes, "stack": stacks, "tiny": tiny, "count": instructions, "cycles": cycles,
->>>>>>> easy
+NAMES = {"frames": frames, "mutants": mutants, "size": sizes, "stack": stacks, "tiny": tiny, "count": instructions, "crowds": crowds, "cycles": cycles,
          "models": models, "chips": chips, "ways": ways, "cores": cores,
          "shadows": shadows, "light": light, "trust": trust, "rays": ray_by_ray, "techniques": techniques,
          "compare": compare, **{f"compare-{what}": lambda _, what=what: block(compared(what)) for what in ("scene", "random", "everything", "databases")}}
