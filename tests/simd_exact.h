@@ -36,8 +36,11 @@ static inline tia_rgb565 simd_exact_got(const struct simd_frames *f, unsigned x,
 static inline unsigned simd_exact_differ(const struct simd_frames *f, bool dither, unsigned first, unsigned step,
                                          unsigned where[2])
 {
-    struct exact_picture picture = {f->scene,           f->simd->lights,     f->simd->light_count,
-                                    (int)f->area.width, (int)f->area.height, {{0}, 0, {0, 0}}};
+    struct exact_picture picture = {.scene = f->scene,
+                                    .lights = f->simd->lights,
+                                    .light_count = f->simd->light_count,
+                                    .width = (int)f->area.width,
+                                    .height = (int)f->area.height};
     unsigned differ = 0, width = f->area.width;
 
     tia_exact_depth(&picture.depth, f->area.height, f->scene->camera.fov);

@@ -19,8 +19,11 @@ static unsigned long tried, open, wide;
 static void compare(const char *what, unsigned number, const struct tia_scene *scene, unsigned width, unsigned height,
                     bool dither, unsigned step)
 {
-    struct exact_picture picture = {scene,      scene->lights, scene->light_count,
-                                    (int)width, (int)height,   {{0}, 0, {0, 0}}};
+    struct exact_picture picture = {.scene = scene,
+                                    .lights = scene->lights,
+                                    .light_count = scene->light_count,
+                                    .width = (int)width,
+                                    .height = (int)height};
     struct truth_pixel truth;
 
     tia_exact_depth(&picture.depth, height, scene->camera.fov);
@@ -116,7 +119,8 @@ static void light(int32_t x, int32_t y, int32_t z)
 
 static tia_rgb565 middle(void)
 {
-    struct exact_picture picture = {&scene, lights, scene.light_count, 41, 31, {{0}, 0, {0, 0}}};
+    struct exact_picture picture = {
+        .scene = &scene, .lights = lights, .light_count = scene.light_count, .width = 41, .height = 31};
 
     CHECK_EQ(tia_scene_check(&scene, NULL), TIA_OK);
     tia_exact_depth(&picture.depth, 31, scene.camera.fov);

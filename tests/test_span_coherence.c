@@ -127,19 +127,15 @@ static void try_chord(struct coherence_run *run, int first, int last)
              2 * sqrtl(radius * radius - up * up / (v.y * v.y + v.z * v.z)));
 }
 
-/* Finds the casters of a run by testing all spheres in their order. */
+/* Finds the casters of a run, in their order. */
 static void find_casters(const struct coherence_run *run, const struct tia_view *view, uint32_t object,
                          uint32_t casters[COHERENCE_CASTERS])
 {
-    const struct span_view *spans = span_view_of(view);
-    int n = 0;
+    const struct span_lit lit = {.casters = &span_view_of(view)->casters, .object = object};
+    uint32_t j = 0;
 
-    for (uint32_t j = 0; j < view->scene->sphere_count && n < run->caster_count; j++) {
-        struct shadow_line line;
-        if (j != object &&
-            shadow_line_prepare(run->primary, &run->source, &spans->spheres[j], run->middle, run->y, &line))
-            casters[n++] = j;
-    }
+    for (int n = 0; n < run->caster_count; n++, j++)
+        casters[n] = j = span_next_caster(&lit, 0, j);
 }
 
 static void try_bounds(const struct tia_view *view, const struct shaded_span *span)

@@ -235,12 +235,11 @@ static void try_casters(struct seen pixels[], const struct light_source *source,
 {
     const struct tia_scene *scene = s->view->scene;
 
-    for (uint32_t j = 0; j < scene->sphere_count; j++) {
+    for (uint32_t j = 0; (j = span_next_caster(&s->lit, source->number, j)) < scene->sphere_count; j++) {
         const struct span_sphere *caster = &s->spans->spheres[j];
         struct shadow_line line;
-        if (j == s->span->object || caster->c < 0 ||
-            !shadow_line_prepare(&s->spans->primary, source, caster, s->span->x, s->span->y, &line) ||
-            !span_error_shadow(source, caster, &s->error, &line))
+        shadow_line_prepare(&s->spans->primary, source, caster, s->span->x, s->span->y, &line);
+        if (caster->c < 0 || !span_error_shadow(source, caster, &s->error, &line))
             continue;
         int e_a = 43 + (source->exponent >> 1) - line.bias_shift;
         try_constant(s, source->sphere, caster, &line, 2 * e_a - source->exponent - line.exponent);
@@ -255,6 +254,7 @@ static void try_light(struct shading *s, struct seen pixels[], uint32_t l)
 {
     const struct tia_view *view = s->view;
     struct light_source source = {.sphere = &s->spans->spheres[s->span->object],
+                                  .number = l,
                                   .light = num_vec_between(view->scene->camera.eye, view->lights[l].centre)};
     struct light_line line;
     struct lit lit;
@@ -309,6 +309,7 @@ static void try_span(const struct tia_view *view, const struct shaded_span *span
     s.span = span;
     s.view = view;
     s.spans = view->prepared;
+    s.lit = (struct span_lit){.casters = &s.spans->casters, .object = span->object};
     s.open = 0;
     find_ends(&s, s.ends);
     for (int i = 0; i < span->count; i++) {

@@ -24,8 +24,11 @@ struct frame {
 /* Compares the pixels of a frame with exact ones. */
 static void compare_pixels(const struct tia_scene *scene, const struct frame *f, const tia_rgb565 *got)
 {
-    struct exact_picture picture = {scene,         scene->lights,  scene->light_count,
-                                    (int)f->width, (int)f->height, {{0}, 0, {0, 0}}};
+    struct exact_picture picture = {.scene = scene,
+                                    .lights = scene->lights,
+                                    .light_count = scene->light_count,
+                                    .width = (int)f->width,
+                                    .height = (int)f->height};
 
     tia_exact_depth(&picture.depth, f->height, scene->camera.fov);
     for (unsigned i = f->number % f->step; i < f->width * f->height; i += f->step) {
@@ -254,7 +257,8 @@ TEST(paths_and_colours)
     ball(19661, 78643, -1356595, 655, 1);
     light(19661, 78643 + 655, -1356595, 0);
     light(U(3), U(8), U(-10), 0);
-    struct exact_picture picture = {&scene, lights, scene.light_count, 160, 120, {{0}, 0, {0, 0}}};
+    struct exact_picture picture = {
+        .scene = &scene, .lights = lights, .light_count = scene.light_count, .width = 160, .height = 120};
     tia_exact_depth(&picture.depth, 120, scene.camera.fov);
     CHECK_EQ(tia_view_init(&view, memory, sizeof memory, &scene, 2, 160, 120, NULL), TIA_OK);
     CHECK_EQ(tia_hits_init(&hits, hits_memory, sizeof hits_memory, view, tile), TIA_OK);

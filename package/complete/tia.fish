@@ -89,6 +89,8 @@ complete -c tia-compile -l memory -r -F -d 'write the memory sizes of the scene 
 complete -c tia-compile -s s -l size -x -d 'the size of a picture or a tile'
 complete -c tia-compile -l lights -x -d 'the maximum number of lights'
 complete -c tia-compile -l name -x -d 'default: scene'
+complete -c tia-compile -l crc -x -d 'write SYMBOL_telltales, too: the CRC-32 of each rectangle of a picture of this size, without and after each key'
+complete -c tia-compile -l rectangle -x -d 'a rectangle for --crc'
 complete -c tia-compile -l scene-format -x -a 'tia nff obj' -d 'the format of SCENE, if its name has no such extension'
 complete -c tia-compile -l strict -d 'treat warnings about the scene as errors'
 complete -c tia-compile -s h -l help -d 'this text'

@@ -83,8 +83,9 @@ rv32_SMALL := -msave-restore
 rv32_FAST := -mno-save-restore
 # What includes fast.h, which AVRs do without.
 FAST := $(basename $(shell grep -l '^.include "math/fast.h"' $(filter src/render/span/%,$(CORE_SRC))))
-rv32_HOT := $(FAST)
-atmega1284p_HOT := $(filter-out %/primary %/span_rows %/span_trace,$(FAST))
+ROOMY := $(basename $(shell grep -l '^.define FAST_WHERE_ROOM' $(filter src/render/span/%,$(CORE_SRC))))
+rv32_HOT := $(filter-out $(ROOMY),$(FAST))
+atmega1284p_HOT := $(filter-out $(ROOMY) %/primary %/steps_walk,$(FAST))
 atmega1284p_SMALL := -mcall-prologues -fno-inline
 atmega1284p_FAST := -mno-call-prologues -finline
 define optimised
@@ -99,6 +100,18 @@ define counted
 $(BUILD)/boards/$(1)/count-$(2).o: tests/boards/count.c
 	$$(call board_compile,$(1),CC $(2),$$(BOARD) -DCORE=tia_$(if $(filter-out q16,$(2)),$(2)_)$(call spheres,$(1)) -DROWS=$(3) -DWHOLE=$(4))
 $(call image,$(1),count-$(2),,$(call large_map_of,$(1)),$(BUILD)/boards/$(1)/count-$(2).o $(if $(filter-out q16,$(2)),$(call bare,$(1),tests/boards/soft_sqrt.c) $(call bare,$(1)/$(2),$(filter $(NUM_SRC),$(call core_of,$(1))))))
+endef
+# The program that draws $(2) spheres with $(3) lights, whose instructions are counted.
+define crowded
+$(BUILD)/boards/$(1)/crowd-$(2)-$(3).o: tests/boards/crowd.c
+	$$(call board_compile,$(1),CC,$$(BOARD) -DSPHERES=$(2) -DLIGHTS=$(3))
+$(call image,$(1),crowd-$(2)-$(3),,$(1)-large,$(BUILD)/boards/$(1)/crowd-$(2)-$(3).o)
+endef
+# The program whose checks are counted, in strips of $(2) rows.
+define checked
+$(BUILD)/boards/$(1)/trust-$(2).o: tests/boards/trust.c
+	$$(call board_compile,$(1),CC,$$(BOARD) -DROWS=$(2))
+$(call image,$(1),trust-$(2),,$(1)-large,$(BUILD)/boards/$(1)/trust-$(2).o)
 endef
 # The viewer of the compiled scene $(2).
 define shown
@@ -135,6 +148,10 @@ $(BUILD)/boards/atmega1284p/tests/boards/frames.o: BOARD += -DROWS=1 -DLARGE=0 -
 counted_in = q16 $(if $(filter $(MORE_MPS2),$(1)),,f32 $(if $(findstring atmega,$(1)),,f64))
 rows_of = $(if $(findstring atmega,$(1)),1,$(if $(findstring microbit,$(1)),1,3))
 $(foreach b,$(BOARDS_SMALL),$(foreach n,$(call counted_in,$(b)),$(eval $(call counted,$(b),$(n),$(call rows_of,$(b),$(n)),$(if $(filter mps2-% rv32,$(b)),1,0)))))
+# A Cortex-M0 of 16 KB has no room for 64 spheres.
+BOARDS_CROWDED := $(filter mps2-an385 microbit rv32,$(BOARDS))
+crowds_of = 4 16 $(if $(filter microbit,$(1)),,64)
+$(foreach b,$(BOARDS_CROWDED),$(foreach n,$(call crowds_of,$(b)),$(eval $(call crowded,$(b),$(n),4))))
 BOARDS_SHADOWS := $(filter vexpress-a9 mps2-an385,$(BOARDS))
 $(foreach b,$(BOARDS_SHADOWS),$(eval $(call image,$(b),shadows,tests/boards/shadows.c,$(if $(filter mps2-an385,$(b)),$(b)-large,$(b)))))
 RAYED := $(if $(filter mps2-an385,$(BOARDS)),$(patsubst scenes/nff/%.nff,%,$(wildcard scenes/nff/*.nff)))
@@ -157,8 +174,12 @@ $(if $(filter microbit,$(BOARDS)),$(eval $(call image,microbit,mul64,tests/board
 $(BUILD)/boards/example: tests/boards/example_main.c tests/boards/example.c tests/boards/thesis.h $(LIBTIA)
 	@mkdir -p $(@D)
 	$(call say,LD,$@)$(CC) $(COMMON) $(CFLAGS) $(LDFLAGS) -o $@ $< $(LIBTIA)
+TRUST_ROWS := 2 8 16
+$(if $(filter mps2-an385,$(BOARDS)),$(foreach n,$(TRUST_ROWS),$(eval $(call checked,mps2-an385,$(n)))))
+TRUSTED := $(if $(filter mps2-an385,$(BOARDS)),$(TRUST_ROWS:%=$(BUILD)/boards/mps2-an385/trust-%.elf))
 IMAGES := $(foreach n,viewer castle,$(BOARDS_PANEL:%=$(BUILD)/boards/%/$(n).elf)) $(BOARDS_PANEL:%=$(BUILD)/boards/%/pattern.elf) $(BOARDS_SMALL:%=$(BUILD)/boards/%/frames.elf) \
           $(BOARDS_SHADOWS:%=$(BUILD)/boards/%/shadows.elf)
+CROWDED := $(foreach b,$(BOARDS_CROWDED),$(foreach n,$(call crowds_of,$(b)),$(BUILD)/boards/$(b)/crowd-$(n)-4.elf))
 COUNTED := $(foreach b,$(BOARDS_SMALL),$(patsubst %,$(BUILD)/boards/$(b)/count-%.elf,$(call counted_in,$(b))))
 
 $(BUILD)/boards/insn.so: tests/boards/insn.c
@@ -171,8 +192,8 @@ $(BUILD)/boards/simavr: tests/boards/simavr.c
 	$(call say,LD,$@)$(CC) -std=c11 -D_GNU_SOURCE $(WARN) -isystem /usr/include/simavr -O2 -o $@ $< -lsimavr -lelf
 
 # The programs whose instructions are counted, and those that count instructions and rays.
-COUNT_FILES := $(COUNTED) $(BOARDS_SHADOWS:%=$(BUILD)/boards/%/shadows.elf) $(BUILD)/boards/insn.so $(SIMAVR) \
-               $(RAYED:%=$(BUILD)/boards/mps2-an385/rays-%.elf) $(BUILD)/boards/observed
+COUNT_FILES := $(COUNTED) $(CROWDED) $(BOARDS_SHADOWS:%=$(BUILD)/boards/%/shadows.elf) $(BUILD)/boards/insn.so $(SIMAVR) \
+               $(TRUSTED) $(RAYED:%=$(BUILD)/boards/mps2-an385/rays-%.elf) $(BUILD)/boards/observed
 
 .PHONY: boards check-boards size-boards count count-rays cycles ways
 boards: $(IMAGES) $(BOARDS_SMALL:%=$(BUILD)/boards/%/count-q16.elf) $(BUILD)/boards/insn.so $(SIMAVR) $(addprefix $(BUILD)/boards/,example shadows light) \

@@ -20,6 +20,10 @@ struct exact_picture {
     uint32_t light_count;
     int width, height;
     struct exact_depth depth;
+    /* Returns the first sphere from number `from` on that may block the light at the pixel whose sphere is shaded; the
+     * number of spheres if there is none. NULL: all are tried. */
+    uint32_t (*next_caster)(const void *lit, uint32_t light, uint32_t from);
+    const void *lit; /* its first argument */
 };
 
 /* Sets K for a picture's height in pixels and a vertical field of view in degrees. */

@@ -92,12 +92,18 @@ static bool is_black(const struct ball product[3])
     return !product[0].sign && !product[1].sign && !product[2].sign;
 }
 
-/* Multiplies the light by the transmissions of all balls that block it. */
-static void cast_shadows(struct pixel *p, uint32_t object, struct way *way, struct ball product[3])
+static uint32_t next_caster(const struct pixel *p, uint32_t l, uint32_t from)
+{
+    return p->picture->next_caster ? p->picture->next_caster(p->picture->lit, l, from) : from;
+}
+
+/* Multiplies light l by the transmissions of all balls that block it. */
+static void cast_shadows(struct pixel *p, uint32_t object, uint32_t l, struct way *way, struct ball product[3])
 {
     const struct tia_scene *scene = p->picture->scene;
 
-    for (uint32_t j = 0; j < scene->sphere_count && !p->open && !is_black(product); j++) {
+    for (uint32_t j = next_caster(p, l, 0); j < scene->sphere_count && !p->open && !is_black(product);
+         j = next_caster(p, l, j + 1)) {
         struct body caster = body_of(p->picture, j);
         if (!blocks(p, &caster, j == object, way))
             continue;
@@ -142,7 +148,7 @@ static void add_light(struct pixel *p, uint32_t object, uint32_t l)
     dot(p, &way.square, way.m, way.m);
     multiply_length(p, &way.reach, sphere->radius, &way.square);
     set_colour(p, product, white);
-    cast_shadows(p, object, &way, product);
+    cast_shadows(p, object, l, &way, product);
     if (p->open || is_black(product))
         return;
     note_reached(p, l, way.passed);

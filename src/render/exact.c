@@ -27,8 +27,11 @@ int tia_view_exact(const struct tia_view *view, uint32_t first, uint32_t step, u
         return TIA_ERR_UNSUPPORTED;
     if (count && first + (uint64_t)step * (count - 1) >= (uint64_t)view->width * (uint64_t)view->height)
         return TIA_ERR_ARGUMENT;
-    struct exact_picture picture = {view->scene, view->lights, view->light_count,
-                                    view->width, view->height, {{0}, 0, {0, 0}}};
+    struct exact_picture picture = {.scene = view->scene,
+                                    .lights = view->lights,
+                                    .light_count = view->light_count,
+                                    .width = view->width,
+                                    .height = view->height};
     tia_exact_depth(&picture.depth, (uint32_t)view->height, view->scene->camera.fov);
     for (uint32_t i = 0; i < count; i++) {
         if (view_stops(view))

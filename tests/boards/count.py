@@ -3,6 +3,8 @@
 
     count.py [--profile BOARD | --rays] [BUILD]      BUILD is the build's folder, default "build"
 
+The table of crowds is of BUILD/boards/BOARD/crowd-SPHERES-LIGHTS.elf.
+
 Each program BUILD/boards/BOARD/count-ARITHMETIC.elf draws a frame of 320 x 240 between marks; a
 plugin of QEMU, or simavr, counts what is executed from mark to mark. --profile shows where the
 q16 program's instructions go, by function; not on the AVR. --rays counts the scenes of the databases,
@@ -21,6 +23,7 @@ PIXELS = 320 * 240
 SHADOW_PIXELS = 160 * 120
 RAY_PIXELS = 64 * 48
 BOARDS = qemu.SMALL
+TRUST_ROWS = 2, 8, 16
 ARITHMETICS = (('q16', 'q16'), ('f32', 'float'), ('f64', 'double'))
 
 
@@ -89,6 +92,35 @@ def shadow_table(build):
         print('| %s | %.0f | %s | %s |' % row)
 
 
+def trust(build, rows, board='mps2-an385'):
+    """Instructions of a frame in strips of so many rows: without checks, with a check before and after the frame, with
+    tia_view_draw_checked, and those of a telltale of 64x64 pixels alone; and the frame's checksum."""
+    image = '%s/boards/%s/trust-%d.elf' % (build, board, rows)
+    at = {name: address for address, name in symbols(board, image)}
+    with tempfile.NamedTemporaryFile('r') as log:
+        said = qemu.run(board, image, '-plugin', '%s,begin=%#x,end=%#x' % (plugin_of(build), at['count_begin'], at['count_end']),
+                        '-d', 'plugin', '-D', log.name).split()
+        passages = [int(line.split()[1]) for line in log.read().splitlines() if line.startswith('passage')]
+    if said[0::2] != ['plain', 'around', 'checked', 'telltale'] or len(passages) != 4 or len(set(said[1::2])) != 1:
+        raise qemu.Failed('%s: %s, %d passages' % (image, ' '.join(said), len(passages)))
+    plain, around, checked, telltale = passages
+    return plain, around, checked, telltale - plain, said[1]
+
+
+def trust_table(build):
+    if qemu.missing('mps2-an385'):
+        return
+    print('\n| checks, Cortex-M3 | instructions of a check | before and after a frame | each strip | telltale |\n|---|--:|--:|--:|--:|')
+    for rows in TRUST_ROWS:
+        print('| strips of %d rows | %s |' % (rows, ' | '.join(trust_cells(build, rows))))
+
+
+def trust_cells(build, rows):
+    plain, around, checked, telltale, _ = trust(build, rows)
+    return ['%d' % ((around - plain) // 2), '%.2f %%' % (100 * (around - plain) / plain),
+            '%.2f %%' % (100 * (checked - plain) / plain), '%.2f %%' % (100 * telltale / plain)]
+
+
 def ray_table(build, board='mps2-an385'):
     if qemu.missing(board):
         print('count: %s is missing' % qemu.missing(board)[0], file=sys.stderr)
@@ -97,6 +129,42 @@ def ray_table(build, board='mps2-an385'):
     for image in sorted(glob.glob('%s/boards/%s/rays-*.elf' % (build, board))):
         full, _, checksums, _, _ = count(board, image, plugin_of(build))
         print('| %s | %.0f | %s |' % (os.path.basename(image)[5:-4], full / RAY_PIXELS, checksums[0]), flush=True)
+
+
+CROWDS = ((4, 4), (16, 4), (64, 4))
+CROWDED = tuple((board, title) for board, title in BOARDS if board in ('mps2-an385', 'microbit', 'rv32'))
+
+
+def crowd(build, board, spheres, lights):
+    """Instructions of a frame with its preparation, and those of the row that takes most; None without a program."""
+    image = '%s/boards/%s/crowd-%d-%d.elf' % (build, board, spheres, lights)
+    if not os.path.exists(image):
+        return None
+    at = dict((name, address) for address, name in symbols(board, image))
+    with tempfile.NamedTemporaryFile('r') as log:
+        said = qemu.run(board, image, '-plugin', '%s,begin=%#x,end=%#x' % (plugin_of(build), at['count_begin'], at['count_end']),
+                        '-d', 'plugin', '-D', log.name)
+        passages = [int(line.split()[1]) for line in log.read().splitlines() if line.startswith('passage')]
+    if not said.startswith('full ') or len(passages) != 241:
+        raise qemu.Failed('%s: %s, %d passages' % (image, said, len(passages)))
+    return sum(passages), max(passages[1:])
+
+
+def crowds(build):
+    """A row for each crowd: its name, and for each processor instructions a pixel, and a pixel of the worst row."""
+    for spheres, lights in CROWDS:
+        cells = []
+        for board, _ in CROWDED:
+            made = None if qemu.missing(board) else crowd(build, board, spheres, lights)
+            cells += ['%.0f' % (made[0] / PIXELS), '%.0f' % (made[1] / 320)] if made else ['-', '-']
+        yield '%d spheres, %d lights' % (spheres, lights), cells
+
+
+def crowd_table(build):
+    print('\n| scene | ' + ' | '.join('%s | worst row' % title for _, title in CROWDED) + ' |')
+    print('|---|' + '--:|--:|' * len(CROWDED))
+    for name, cells in crowds(build):
+        print('| %s | %s |' % (name, ' | '.join(cells)), flush=True)
 
 
 def image_of(build, board, arithmetic):
@@ -161,7 +229,9 @@ def main(arguments):
         ray_table(build)
     else:
         table(build)
+        crowd_table(build)
         shadow_table(build)
+        trust_table(build)
 
 
 if __name__ == '__main__':

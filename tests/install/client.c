@@ -8,7 +8,7 @@
 #define CLIENT_CORE tia_core_q16
 #endif
 
-static uint64_t view_memory[128], hits_memory[320 + 8];
+static uint64_t view_memory[320], hits_memory[320 + 8];
 static tia_rgb565 row[320];
 
 int main(void)

@@ -206,6 +206,11 @@ def instructions(_):
                           for _, processor in count.BOARDS})
 
 
+def crowds(_):
+    boards(*(board for board, _ in count.CROWDED))
+    return by_first_cell(dict(count.crowds(BUILD)))
+
+
 def cycles(_):
     integers, floats = (counts()["ATmega1284P", arithmetic][2] for arithmetic in ("q16", "f32"))
     return words({"takes {} cycles a pixel: a frame of 320x240 is drawn in {} seconds at 16 MHz":
@@ -273,6 +278,11 @@ def cores(full):
 def shadows(_):
     boards("mps2-an385")
     return by_first_cell({name: (f"{number:.0f}", view, hits) for name, number, view, hits in count.shadows(BUILD)})
+
+
+def trust(_):
+    boards("mps2-an385")
+    return by_first_cell({f"strips of {rows} rows": count.trust_cells(BUILD, rows) for rows in count.TRUST_ROWS})
 
 
 def light(_):
@@ -378,9 +388,9 @@ def mutants(_):
 
 
 # In the order in which they are counted. The names in SLOW take minutes.
-NAMES = {"frames": frames, "mutants": mutants, "size": sizes, "stack": stacks, "tiny": tiny, "count": instructions, "cycles": cycles,
+NAMES = {"frames": frames, "mutants": mutants, "size": sizes, "stack": stacks, "tiny": tiny, "count": instructions, "crowds": crowds, "cycles": cycles,
          "models": models, "chips": chips, "ways": ways, "cores": cores,
-         "shadows": shadows, "light": light, "rays": ray_by_ray, "techniques": techniques,
+         "shadows": shadows, "light": light, "trust": trust, "rays": ray_by_ray, "techniques": techniques,
          "compare": compare, **{f"compare-{what}": lambda _, what=what: block(compared(what)) for what in ("scene", "random", "everything", "databases")}}
 SLOW = ("compare-everything", "compare-random", "stack")
 

@@ -1,3 +1,4 @@
+#define FAST_WHERE_ROOM
 #include "math/fast.h"
 
 #include "cone_row.h"

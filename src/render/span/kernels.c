@@ -21,25 +21,6 @@ static void sphere(const struct sphere_line *line, num_u *t)
     }
 }
 
-static void sphere_inside(const struct sphere_line *line, num_u *t)
-{
-    num_wide b = line->b;
-    struct row_square v = line->square;
-
-    for (int i = 0; i < line->count; i++) {
-        num_wide along = num_top(b);
-        num_u top = (num_u)num_abs(along), square = num_top_u(v.start);
-        num_u sum = top + num_sqrt(num_mul_u(top, top) + num_mul_u(line->c_disc, square));
-        if (along < 0)
-            t[i] = num_quotient(line->c_top, sum > 0 ? sum : NUM_LEAST, line->behind_shift);
-        else
-            t[i] = num_quotient(sum, square > 0 ? square : NUM_LEAST, line->t_shift);
-        b += line->b_step;
-        v.start += v.step;
-        v.step += v.twice;
-    }
-}
-
 /* Returns 'half' of the pixel's num_normal. */
 static inline int light_pixel(const struct light_line *line, num_wide facing, num_wide square, struct lit *lit, int i)
 {
@@ -165,9 +146,9 @@ static enum verdict meets(const struct shadow_line *line, num_wide product, num_
 
 static void shadow(const struct shadow_line *line, const num_u *t, struct lit *lit)
 {
-    num_wide a = line->a, c = line->c;
+    num_wide a = line->a + (num_wide)line->first * line->a_step, c = line->c + (num_wide)line->first * line->c_step;
 
-    for (int i = 0; i < line->count; i++) {
+    for (int i = line->first; i < line->count; i++) {
         num distance = num_signed(t[i]);
         if (lit->facing[i] > 0) {
             enum verdict verdict = meets(line, num_mul(distance, num_top(a)), num_mul(distance, num_top(c)), lit, i);
@@ -289,4 +270,4 @@ tia_rgb565 span_pixel(const num_u rgb[3], num_u threshold)
                         num_quantise(num_clamp(rgb[2]), 31, threshold));
 }
 
-const struct span_kernels span_kernels_plain = {sphere, sphere_inside, light, shadow, lambert, add, pack};
+const struct span_kernels span_kernels_plain = {sphere, span_sphere_inside, light, shadow, lambert, add, pack};

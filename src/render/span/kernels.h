@@ -98,7 +98,7 @@ struct shadow_line {
     num_wide a_doubt, k_doubt, beyond_doubt;
     num_wide a_clear, k_clear; /* above these num_cover_order's margin of 14 includes all errors */
     int margin;                /* that of |w|^2 is 2^-margin of itself */
-    int count;
+    int first, count;          /* pixels first..count - 1 are tried */
 };
 
 struct span_kernels {
@@ -158,6 +158,9 @@ static inline num_wide shadow_power(const struct shadow_line *line, num_wide tur
 
 /* Returns the pixel of an exact colour. */
 tia_rgb565 span_pixel(const num_u rgb[3], num_u threshold);
+
+/* The plain kernel `sphere_inside`. */
+void span_sphere_inside(const struct sphere_line *line, num_u *t);
 
 extern const struct span_kernels span_kernels_plain;
 

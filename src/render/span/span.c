@@ -2,7 +2,6 @@
 
 #include "math/align.h"
 #include "scene/colour.h"
-#include "span_shadow.h"
 #include "steps/steps.h"
 
 #define STEPS_SPHERES 8 /* most spheres of a scene whose colours have steps: the tables take memory */
@@ -48,10 +47,10 @@ static uint64_t steps_size(const struct tia_scene *scene, uint32_t light_capacit
 size_t span_prepared_size(const struct tia_scene *scene, uint32_t light_capacity)
 {
     uint64_t spheres = (uint64_t)scene->sphere_count + light_capacity;
-    uint64_t size = ALIGN(sizeof(struct span_view)) + ALIGN(spheres * sizeof(struct span_sphere)) +
-                    steps_size(scene, light_capacity);
+    uint64_t size = ALIGN(sizeof(struct span_view)) + spheres * sizeof(struct span_sphere) +
+                    ALIGN(span_casters_size(scene->sphere_count, light_capacity)) + steps_size(scene, light_capacity);
 
-    return spheres > SIZE_MAX / 4 / sizeof(struct span_sphere) ? SIZE_MAX : (size_t)size;
+    return size > SIZE_MAX / 4 ? SIZE_MAX : (size_t)size;
 }
 
 static void prepare_sphere(const struct tia_view *view, uint32_t n, struct tia_vec3 centre, tia_q16 radius)
@@ -59,6 +58,7 @@ static void prepare_sphere(const struct tia_view *view, uint32_t n, struct tia_v
     const struct span_view *spans = view->prepared;
 
     span_sphere_prepare(&spans->primary, &spans->spheres[n], num_vec_between(view->scene->camera.eye, centre), radius);
+    span_casters_put(&spans->casters, n);
 }
 
 int span_prepare(struct tia_view *view, const struct span_coherence *coherence)
@@ -69,10 +69,11 @@ int span_prepare(struct tia_view *view, const struct span_coherence *coherence)
     spans->kernels = &span_kernels_plain;
     spans->coherence = coherence;
     spans->spheres = (struct span_sphere *)(void *)((char *)view->prepared + ALIGN(sizeof *spans));
+    char *casters = (char *)(spans->spheres + scene->sphere_count + view->light_capacity);
+    span_casters_place(&spans->casters, spans->spheres, scene->sphere_count, view->light_capacity, casters);
     spans->steps = NULL;
     if (steps_size(scene, view->light_capacity))
-        spans->steps = (struct colour_steps *)(void *)((char *)spans->spheres +
-                                                       ALIGN((scene->sphere_count + 1) * sizeof *spans->spheres));
+        spans->steps = (struct colour_steps *)(void *)(casters + ALIGN(span_casters_size(scene->sphere_count, 1)));
     spans->tinted = false;
     spans->grey_shadows = true;
     primary_prepare(&spans->primary, (unsigned)view->width, (unsigned)view->height, scene->camera.fov);
@@ -91,12 +92,11 @@ int span_prepare(struct tia_view *view, const struct span_coherence *coherence)
     return TIA_OK;
 }
 
-/* True if no sphere can block the light anywhere on the light source's sphere. */
-static bool is_unshaded(const struct span_view *spans, uint32_t count, const struct light_source *source)
+/* True if the eye is outside of all spheres. */
+static bool is_outside(const struct span_view *spans, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++)
-        if (&spans->spheres[i] != source->sphere &&
-            (spans->spheres[i].c <= 0 || !shadow_is_behind(source, &spans->spheres[i])))
+        if (spans->spheres[i].c <= 0)
             return false;
     return true;
 }
@@ -105,16 +105,18 @@ static void set_steps(const struct tia_view *view)
 {
     const struct span_view *spans = view->prepared;
     const struct tia_scene *scene = view->scene;
+    bool used = view->light_count == 1 && !spans->tinted && is_outside(spans, scene->sphere_count);
 
     for (uint32_t i = 0; spans->steps && i < scene->sphere_count; i++) {
-        struct light_source source = {&spans->spheres[i], {0, 0, 0}, 0, 0};
+        const struct span_lit all = {.casters = &spans->casters, .object = i};
+        struct light_source source = {.sphere = &spans->spheres[i], .number = 0};
         spans->steps[i].usable = false;
-        if (view->light_count != 1 || spans->tinted)
+        if (!used)
             continue;
+        spans->steps[i].shaded = span_next_caster(&all, 0, 0) < scene->sphere_count;
         source.light = num_vec_between(scene->camera.eye, view->lights[0].centre);
-        if (is_unshaded(spans, scene->sphere_count, &source))
-            steps_prepare(&spans->primary, &source, &view->lights[0].emission,
-                          &scene->materials[scene->spheres[i].material], &spans->steps[i]);
+        steps_prepare(&spans->primary, &source, &view->lights[0].emission,
+                      &scene->materials[scene->spheres[i].material], &spans->steps[i]);
     }
 }
 
@@ -128,6 +130,7 @@ int span_set_lights(struct tia_view *view)
         const struct tia_light *light = &view->lights[i];
         spans->grey = spans->grey && colour_is_grey(&light->emission);
         prepare_sphere(view, view->scene->sphere_count + i, light->centre, light->radius);
+        span_casters_find(&spans->casters, i, &cancel);
     }
     set_steps(view);
     return cancel.stopped ? TIA_STOPPED : TIA_OK;

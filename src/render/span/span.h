@@ -5,6 +5,7 @@
 #include "exact/pixel.h"
 #include "kernels.h"
 #include "render/renderer.h"
+#include "span_casters.h"
 #include "span_sphere.h"
 
 struct colour_steps;
@@ -13,13 +14,6 @@ struct span_view;
 struct span_error;
 struct light_source;
 
-/* A lit pixel of a span. */
-struct span_middle {
-    int pixel;    /* counted from the span's begin */
-    num_u facing; /* r N.w there, see struct lit */
-    int apart;    /* bound of all points' distances from its point, see span_error.h */
-};
-
 /* Functions that decide many pixels at once, see coherence.h and coherence_pays.h. */
 struct span_coherence {
     bool (*pays)(const struct primary_rays *primary, const struct span_sphere *sphere);
@@ -27,11 +21,8 @@ struct span_coherence {
                   tia_rgb565 *pixels);
     bool (*nearer)(const struct span_view *spans, uint32_t n, uint32_t other, int y, struct span span,
                    const num_u ends[2]);
-    void (*find_middle)(const struct span_view *spans, const struct shaded_span *span, const struct lit *lit,
-                        const struct span_error *error, struct span_middle *middle);
-    bool (*passes)(const struct span_middle *middle, const struct light_source *source,
-                   const struct span_sphere *caster, const struct shadow_line *line, const num_u *t,
-                   const struct lit *lit);
+    bool (*surround)(const struct span_view *spans, const struct shaded_span *span, struct span part,
+                     const struct lit *lit, const struct span_error *error, struct coarse_ball *ball);
 };
 
 /* The prepared view. All positions are relative to the eye: the point at a pixel is P = t v. */
@@ -39,7 +30,8 @@ struct span_view {
     const struct span_kernels *kernels;
     const struct span_coherence *coherence; /* NULL: no coherence; no sphere is wide */
     struct span_sphere *spheres;            /* the scene's spheres, then the lights' */
-    struct colour_steps *steps;             /* of the scene's spheres; NULL: none */
+    struct span_casters casters;
+    struct colour_steps *steps; /* of the scene's spheres; NULL: none */
     struct primary_rays primary;
     struct exact_depth depth; /* K to 64 bits */
     bool tinted;              /* some material transmits shadow rays */
@@ -55,8 +47,12 @@ static inline const struct span_view *span_view_of(const struct tia_view *view)
 /* Returns the picture as src/exact computes it. */
 static inline struct exact_picture span_picture_of(const struct tia_view *view)
 {
-    return (struct exact_picture){view->scene,      view->lights,      view->light_count,
-                                  (int)view->width, (int)view->height, span_view_of(view)->depth};
+    return (struct exact_picture){.scene = view->scene,
+                                  .lights = view->lights,
+                                  .light_count = view->light_count,
+                                  .width = (int)view->width,
+                                  .height = (int)view->height,
+                                  .depth = span_view_of(view)->depth};
 }
 
 /* Returns the hit buffer: each pixel's distance along v, with the exponent of the object's sphere. It is undefined at

@@ -157,8 +157,7 @@ num_wide span_error_facing(const struct light_source *source, const struct light
 
 /* ---- distances of points ---- */
 
-/* The sizes of the components are added. Each of the points may be off by the error of P. The points P + bias N, where
- * shadow rays begin, are farther apart by up to bias/r, an eighth: 44 is more than 256 log2(9/8). */
+/* The sizes of the components are added. Each of the points may be off by the error of P. */
 int span_error_apart(const struct primary_rays *primary, const struct span_sphere *sphere, int y, const int x[2],
                      const num_u t[2], const struct span_error *error)
 {
@@ -171,15 +170,7 @@ int span_error_apart(const struct primary_rays *primary, const struct span_spher
     num_wide sum = num_abs(sides[0] - sides[1]) + num_mul(along, (num)num_abs(primary_y(primary, y))) +
                    num_mul(along, (num)primary->depth);
 
-    return sum_of(log_up(sum + 1) - (sphere->t_exponent + primary->exponent) * ONE, error->point + error->t + ONE) + 44;
-}
-
-num_wide span_error_spread(const struct light_source *source, const struct span_sphere *caster,
-                           const struct shadow_line *line, int apart)
-{
-    int twice_radius = log_up(caster->radius) - 15 * ONE;
-
-    return num_bound_of_log(sum_of(twice_radius, apart) + apart + exponent_of_power(source, line) * ONE);
+    return sum_of(log_up(sum + 1) - (sphere->t_exponent + primary->exponent) * ONE, error->point + error->t + ONE);
 }
 
 /* ---- light and shadows ---- */

@@ -38,16 +38,12 @@ void span_error_lambert(const struct light_source *source, num_wide square, stru
 num_wide span_error_facing(const struct light_source *source, const struct light_line *line,
                            const struct span_error *error);
 
-#define SPAN_APART_NONE (64 * 256) /* where a distance has no bound */
+#define SPAN_APART_MOST (15 * 256) /* no useful distance is larger */
 
 /* Returns the bound of the distance of two points of row y that the sphere shows at the pixels x[0] and x[1], and whose
- * t are t[0] and t[1]; also of the points on the way to a light where their shadow rays begin. */
+ * t are t[0] and t[1]. One of them is as computed, or both are exact. */
 int span_error_apart(const struct primary_rays *primary, const struct span_sphere *sphere, int y, const int x[2],
                      const num_u t[2], const struct span_error *error);
-
-/* Returns the bound of 2 R e + e^2, with the exponent of the line's `power`; e is given as its bound `apart`. */
-num_wide span_error_spread(const struct light_source *source, const struct span_sphere *caster,
-                           const struct shadow_line *line, int apart);
 
 /* Sets the line's doubts; false if they are too large for the kernel. */
 bool span_error_shadow(const struct light_source *source, const struct span_sphere *caster,

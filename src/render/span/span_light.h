@@ -8,6 +8,7 @@
 /* A light on the sphere of a span of pixels. */
 struct light_source {
     const struct span_sphere *sphere; /* the sphere whose span is lit */
+    uint32_t number;                  /* of the light */
     struct num_vec light;             /* Q */
     int exponent, reach_exponent;     /* the exponents e_d of |Q - P|^2 and e_p of |P|^2, set by light_line_prepare */
 };

@@ -1,8 +1,6 @@
 /* span_rows.c - from hits to pixels: a row is divided into pieces, and a piece into spans of one object. */
-#include "math/target.h"
-#if !TIA_HALF_PRODUCTS /* whose flash is too small */
+#define FAST_WHERE_ROOM
 #include "math/fast.h"
-#endif
 
 #include "coherence/coherence.h"
 #include "math/noinline.h"
@@ -11,6 +9,7 @@
 #include "span_shade.h"
 #include "steps/steps.h"
 
+#define PART 64    /* pixels of a span, and up to twice as many, of which it is looked whether they can be shaded */
 #define PIECE 1024 /* most pixels of a row drawn at once; CHUNK if lights may be visible or pixels are copied */
 
 /* Consecutive pixels of a row that are being drawn. */
@@ -136,37 +135,61 @@ static NOINLINE void shade_pixels(const struct chunk *chunk, uint32_t object, in
     }
 }
 
-/* Draws a span of a sphere by the steps of its colour; false if that is not possible. */
-static bool draw_steps(const struct chunk *chunk, uint32_t object, int first, int end, const num_u threshold[8])
+/* Draws a span of a sphere by the steps of its colour. */
+static void draw_steps(const struct chunk *chunk, uint32_t object, int first, int end, const num_u threshold[8])
 {
-    const struct colour_steps *steps = chunk->spans->steps ? &chunk->spans->steps[object] : NULL;
     struct step_row row;
 
-    if (!steps || !steps->usable || threshold[0] != threshold[1])
-        return false;
-    steps_begin(&chunk->spans->primary, &chunk->spans->spheres[object], steps, chunk->x + first, chunk->y, end - first,
-                &row);
+    steps_begin(&chunk->spans->primary, &chunk->spans->spheres[object], &chunk->spans->steps[object], chunk->x + first,
+                chunk->y, end - first, &row);
     for (int at; (at = first + row.at) < end;) {
         uint64_t open = steps_draw(&row, chunk->pixels + at);
         for (int i = 0; open; i++, open >>= 1)
             if (open & 1)
                 shade_pixels(chunk, object, at + i, at + i + 1, threshold);
     }
-    return true;
+}
+
+static void shade_shaded(const struct chunk *chunk, uint32_t object, int first, int end, const num_u threshold[8])
+{
+    struct shaded_span span = {object, chunk->x + first, chunk->y, end - first, NULL, NULL, NULL};
+
+    if (!chunk->spans->spheres[object].wide ||
+        !chunk->spans->coherence->shade(chunk->view, &span, threshold, chunk->pixels + first))
+        shade_pixels(chunk, object, first, end, threshold);
+}
+
+/* Draws a span of a sphere: by steps those parts where no sphere can block the light. */
+static void shade_parts(const struct chunk *chunk, uint32_t object, int first, int end, const num_u threshold[8])
+{
+    int begin = first;
+    bool clear = false;
+
+    for (int at = first, next; at < end; at = next) {
+        next = end - at < 2 * PART ? end : at + PART;
+        bool this_clear = !chunk->spans->steps[object].shaded ||
+                          span_is_unshaded(chunk->view, object, chunk->x + at, chunk->y, next - at);
+        if (at > begin && this_clear != clear) {
+            (clear ? draw_steps : shade_shaded)(chunk, object, begin, at, threshold);
+            begin = at;
+        }
+        clear = this_clear;
+    }
+    (clear ? draw_steps : shade_shaded)(chunk, object, begin, end, threshold);
 }
 
 static void shade_sphere(const struct chunk *chunk, int first, int end, const num_u threshold[8])
 {
+    const struct span_view *spans = chunk->spans;
     uint32_t object = chunk->object[first];
-    struct shaded_span span = {object, chunk->x + first, chunk->y, end - first, NULL, NULL, NULL};
 
-    if (!chunk->path_hash && !chunk->colours && !chunk->lights) {
-        if (draw_steps(chunk, object, first, end, threshold) ||
-            (chunk->spans->spheres[object].wide &&
-             chunk->spans->coherence->shade(chunk->view, &span, threshold, chunk->pixels + first)))
-            return;
-    }
-    shade_pixels(chunk, object, first, end, threshold);
+    if (chunk->path_hash || chunk->colours || chunk->lights)
+        shade_pixels(chunk, object, first, end, threshold);
+    else if (spans->steps && spans->steps[object].usable && threshold[0] == threshold[1] &&
+             !(spans->spheres[object].wide && spans->steps[object].shaded)) /* where coherence.h is faster */
+        shade_parts(chunk, object, first, end, threshold);
+    else
+        shade_shaded(chunk, object, first, end, threshold);
 }
 
 static void light_chunk(struct chunk *chunk, const num_u threshold[8])

@@ -4,6 +4,8 @@
 #include "scene/colour.h"
 #include "span_error.h"
 
+#define PART 16 /* pixels */
+
 /* A span being shaded. */
 struct shading {
     const struct shaded_span *span;
@@ -18,7 +20,9 @@ struct shading {
     struct span_depth ends[2]; /* of the first and the last pixel */
     struct span_error error;   /* of the light being added */
     bool bounded;              /* the light's error has a bound */
-    struct span_middle middle; /* its `apart` is SPAN_APART_NONE where the middle decides no caster */
+    struct span_lit lit;       /* the points that face the light */
+    int parts;                 /* number of parts, of PART pixels each, that are in a ball of `part`; -1: not yet set */
+    struct coarse_ball part[CHUNK / PART];
 };
 
 #define SPAN_LAMBERT_MOST (-9 * 256) /* the largest error of a cosine with which pixels are decided */
@@ -82,6 +86,36 @@ static void darken(struct lit *lit, int count)
         lit->facing[i] = 0;
 }
 
+/* Surrounds the parts of the span by balls; none if one part has none. */
+static NOINLINE void surround_parts(struct shading *s, const struct lit *lit)
+{
+    const struct shaded_span *span = s->span;
+    int n = (span->count + PART - 1) / PART;
+
+    s->parts = n;
+    for (int i = 0; i < n; i++) {
+        struct span part = {i * PART, i + 1 < n ? (i + 1) * PART : span->count};
+        if (!s->spans->coherence->surround(s->spans, span, part, lit, &s->error, &s->part[i]))
+            s->parts = 0;
+    }
+}
+
+/* Removes parts from both ends of the line where sphere j certainly blocks nothing. */
+static void trim(struct shading *s, const struct lit *lit, uint32_t light, uint32_t j, struct shadow_line *line)
+{
+    int first = 0, end;
+
+    if (s->parts < 0)
+        surround_parts(s, lit);
+    end = s->parts;
+    while (first < end && span_is_clear(&s->spans->casters, &s->part[first], light, j))
+        first++;
+    while (end > first && span_is_clear(&s->spans->casters, &s->part[end - 1], light, j))
+        end--;
+    line->first = first * PART;
+    line->count = end < s->parts ? end * PART : line->count;
+}
+
 /* Sets facing to 0 where sphere j blocks the light; false if it blocks it nowhere. */
 static bool cast_shadow(struct shading *s, const struct light_source *source, uint32_t j, struct lit *lit)
 {
@@ -94,14 +128,12 @@ static bool cast_shadow(struct shading *s, const struct light_source *source, ui
         darken(lit, all ? span->count : 0);
         return all;
     }
-    if (j == span->object || !shadow_line_prepare(&s->spans->primary, source, caster, span->x, span->y, &line))
-        return false;
+    shadow_line_prepare(&s->spans->primary, source, caster, span->x, span->y, &line);
     line.count = span->count;
     if (s->bounded && !span_error_shadow(source, caster, &s->error, &line))
         give_up(s);
-    else if (s->bounded && s->middle.apart < SPAN_APART_NONE &&
-             s->spans->coherence->passes(&s->middle, source, caster, &line, span->t, lit))
-        return false;
+    if (s->lit.surrounded)
+        trim(s, lit, source->number, j, &line);
     s->spans->kernels->shadow(&line, span->t, lit);
     return true;
 }
@@ -112,10 +144,14 @@ static NOINLINE void cast_shadows(struct shading *s, const struct light_source *
     const struct shaded_span *span = s->span;
     const struct tia_scene *scene = s->view->scene;
 
-    s->middle.apart = SPAN_APART_NONE;
-    if (s->bounded && s->spans->coherence && scene->sphere_count > 2) /* one caster is not worth it */
-        s->spans->coherence->find_middle(s->spans, span, lit, &s->error, &s->middle);
-    for (uint32_t j = 0; j < scene->sphere_count && !s->given_up; j++) {
+    s->lit.surrounded = false;
+    uint32_t j = span_next_caster(&s->lit, source->number, 0);
+    s->lit.surrounded =
+        s->bounded && s->spans->coherence && scene->sphere_count > 2 && j < scene->sphere_count &&
+        s->spans->coherence->surround(s->spans, span, (struct span){0, span->count}, lit, &s->error, &s->lit.around);
+    s->parts = -1;
+    for (j = s->lit.surrounded ? span_next_caster(&s->lit, source->number, j) : j;
+         j < scene->sphere_count && !s->given_up; j = span_next_caster(&s->lit, source->number, j + 1)) {
         const struct tia_rgb *through = &scene->materials[scene->spheres[j].material].transmission;
         num_u before[CHUNK];
 
@@ -181,6 +217,7 @@ static void shade_from_light(struct shading *s, uint32_t l, struct tint *tint)
     num_u *lambert = lit.facing; /* in the same memory, as stack is scarce */
 
     source.sphere = &s->spans->spheres[span->object];
+    source.number = l;
     source.light = num_vec_between(view->scene->camera.eye, view->lights[l].centre);
     light_line_prepare(&s->spans->primary, &source, span->x, span->y, &line);
     line.count = span->count;
@@ -293,7 +330,9 @@ static NOINLINE pixel_set shade(const struct tia_view *view, struct shaded_span 
 
     s.span = span;
     s.view = view;
+    s.lit.object = span->object;
     s.spans = view->prepared;
+    s.lit.casters = &s.spans->casters;
     s.material = &scene->materials[scene->spheres[span->object].material];
     s.grey = s.spans->grey && colour_is_grey(&s.material->colour) && colour_is_grey(&s.material->emission);
     s.open = 0;
@@ -338,9 +377,7 @@ static NOINLINE void settle(const struct tia_view *view, const struct shaded_spa
         *one.path_hash = 0;
     if (span->count > 1 && !shade(view, &one, threshold, pixel))
         return;
-    struct exact_picture picture = span_picture_of(view);
-    *pixel =
-        tia_exact_shade(&picture, one.x, one.y, one.object, (tia_q30)threshold[one.x & 7], one.colours, one.path_hash);
+    *pixel = span_shade_exactly(view, &one, threshold[one.x & 7]);
 }
 
 void shade_span(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[8],

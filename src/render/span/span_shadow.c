@@ -62,37 +62,9 @@ static int prepare_power(const struct primary_rays *primary, const struct light_
     return e;
 }
 
-static ONCE_IN_FLASH num_wide sum_of_sizes(const struct num_vec *a)
-{
-    return num_abs(a->x) + num_abs(a->y) + num_abs(a->z);
-}
-
-/* Returns (b - a)/4. */
-static ONCE_IN_FLASH struct num_vec quarter_between(const struct num_vec *a, const struct num_vec *b)
-{
-    struct num_vec d = span_difference(b, a), q = {span_shift(d.x, -2), span_shift(d.y, -2), span_shift(d.z, -2)};
-    return q;
-}
-
-/* With D = C - L, G = Q - L and P = L + r N,
- *
- *     A.w = (D - r N).(G - r N) <= D.G + r |D + G| + r^2 <= 0.
- *
- * With vectors divided by 4 the products fit; the sums of the sizes of their components make up for rounding. */
-bool shadow_is_behind(const struct light_source *source, const struct span_sphere *caster)
-{
-    struct num_vec d = quarter_between(&source->sphere->centre, &caster->centre);
-    struct num_vec g = quarter_between(&source->sphere->centre, &source->light), sum = span_sum(&d, &g);
-    num_wide r = span_shift(source->sphere->radius, -2) + 1;
-
-    return span_dot(&d, &g) + r * (sum_of_sizes(&sum) + r) + sum_of_sizes(&d) + sum_of_sizes(&g) <= 0;
-}
-
-bool shadow_line_prepare(const struct primary_rays *primary, const struct light_source *source,
+void shadow_line_prepare(const struct primary_rays *primary, const struct light_source *source,
                          const struct span_sphere *caster, int x, int y, struct shadow_line *line)
 {
-    if (shadow_is_behind(source, caster))
-        return false;
     const struct span_sphere *sphere = source->sphere;
     struct num_vec from_light = span_difference(&caster->centre, &source->light);
     int e_a = prepare_product(primary, source, caster, x, y, line);
@@ -108,6 +80,5 @@ bool shadow_line_prepare(const struct primary_rays *primary, const struct light_
     line->enclosed = span_is_within(&from_light, caster->radius);
     line->a_doubt = line->k_doubt = line->beyond_doubt = 0;
     line->a_clear = line->k_clear = 0;
-    line->margin = 0;
-    return true;
+    line->margin = line->first = 0;
 }

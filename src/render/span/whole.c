@@ -3,8 +3,7 @@
 #include "coherence/coherence_pays.h"
 #include "span.h"
 
-static const struct span_coherence coherence = {coherence_pays, coherence_shade, coherence_nearer,
-                                                coherence_find_middle, coherence_passes};
+static const struct span_coherence coherence = {coherence_pays, coherence_shade, coherence_nearer, coherence_surround};
 
 static int prepare(struct tia_view *view)
 {

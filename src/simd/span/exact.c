@@ -1,11 +1,11 @@
 /* exact.c - single pixels in double precision: the formulas of docs/definition.md, with a bound on the error of each
- * value, which bounds/pixels.h derives. Lengths are in units of 2^-16. The number of lights and casters is not limited,
- * as loops over the scene take the place of prepared forms. */
+ * value, which bounds/pixels.h derives. Lengths are in units of 2^-16. */
 #include "exact.h"
 
 #include <math.h>
 
 #include "distance.h"
+#include "render/span/span_shade.h"
 #include "scene/colour.h"
 
 #define U BOUND(SPAN_DOUBLE_UNIT)
@@ -166,12 +166,9 @@ static bool cast_shadows(const struct seat *seat, const struct simd_lamp *lamp, 
 {
     const struct tia_scene *scene = seat->pixels->view->scene;
     const struct span_sphere *spheres = span_view_of(seat->pixels->view)->spheres;
-    uint32_t count = lamp->plain ? scene->sphere_count : (uint32_t)lamp->casts;
 
-    for (uint32_t i = 0; i < count; i++) {
-        uint32_t j = lamp->plain ? i : lamp->cast[i].sphere;
-        if (j == seat->pixels->sphere)
-            continue;
+    for (int i = 0; i < lamp->casts; i++) {
+        uint32_t j = lamp->cast[i].sphere;
         enum shadow shadow = shadow_at(o, way, lamp->light, &spheres[j]);
         if (shadow == OPEN)
             return false;
@@ -286,8 +283,9 @@ void tia_simd_decide(const struct simd_pixels *pixels, const uint16_t *list, int
         int at = list ? list[i] : i, x = pixels->first + at;
         if (draw(&seat, x, &pixels->out[at]))
             continue;
-        struct exact_picture picture = span_picture_of(pixels->view);
-        pixels->out[at] =
-            tia_exact_shade(&picture, x, pixels->row->y, pixels->sphere, (tia_q30)pixels->threshold[x & 7], NULL, NULL);
+        num_u t;
+        const struct shaded_span one = {pixels->sphere, x, pixels->row->y, 1, &t, NULL, NULL};
+        span_distances(span_view_of(pixels->view), pixels->sphere, one.y, x, 1, &t);
+        pixels->out[at] = span_shade_exactly(pixels->view, &one, pixels->threshold[x & 7]);
     }
 }

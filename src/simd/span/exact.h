@@ -1,5 +1,5 @@
-/* exact.h - draws single pixels: those that the kernels leave undecided, and those of runs that the kernels do not
- * draw. */
+/* exact.h - draws single pixels: those that the kernels leave undecided, and those of runs whose errors have no small
+ * bound. */
 #ifndef TIA_SIMD_SPAN_EXACT_H
 #define TIA_SIMD_SPAN_EXACT_H
 

@@ -2,6 +2,7 @@
  * for each run. */
 #include "bound_cache.h"
 #include "exact.h"
+#include "render/span/span_shade.h"
 #include "seen.h"
 #include "simd/simd.h"
 
@@ -80,6 +81,29 @@ static size_t room(const struct tia_simd *simd)
     return simd_room(sizeof(struct carried), simd->kernels->cells);
 }
 
+/* True if a sphere has more lights or casters than the kernels take. */
+static bool is_crowded(const struct tia_view *view, uint32_t sphere)
+{
+    bool crowded = view->light_count > SIMD_LIGHTS;
+
+    for (uint32_t l = 0; l < view->light_count && !crowded; l++)
+        crowded = simd_lamp_of(view, sphere, l)->plain;
+    return crowded;
+}
+
+/* Draws pixels first..end-1 in plain C, which finds few casters for each chunk. */
+static void light_plainly(const struct tia_view *view, int y, uint32_t sphere, int first, int end,
+                          const num_u threshold[8], tia_rgb565 *out)
+{
+    num_u t[CHUNK];
+
+    for (int x = first; x < end; x += CHUNK) {
+        const struct shaded_span span = {sphere, x, y, end - x < CHUNK ? end - x : CHUNK, t, NULL, NULL};
+        span_distances(span_view_of(view), sphere, y, x, span.count, t);
+        shade_span(view, &span, threshold, out + (x - first));
+    }
+}
+
 static void light_part(const struct tia_view *view, const struct simd_row *row, uint32_t sphere, int first, int end,
                        struct carried *carried, tia_rgb565 *out)
 {
@@ -102,6 +126,10 @@ static void light_span(const struct tia_view *view, const struct simd_row *row, 
 {
     if (span->object >= view->scene->sphere_count) { /* a light or TIA_NO_OBJECT */
         light_flat(view, span, carried, out);
+        return;
+    }
+    if (is_crowded(view, span->object)) {
+        light_plainly(view, row->y, span->object, span->first, span->end, carried->dither.threshold, out);
         return;
     }
     for (int x = span->first; x < span->end; x += SIMD_RUN) {

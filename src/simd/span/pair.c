@@ -137,6 +137,7 @@ static bool is_out(const struct simd_lamp *lamp)
 static void prepare_lamp(const struct tia_view *view, uint32_t n, uint32_t l, struct simd_lamp *lamp)
 {
     const struct span_sphere *sphere = &span_view_of(view)->spheres[n];
+    const struct span_lit lit = {.casters = &span_view_of(view)->casters, .object = n};
     double emission[3], colour[3];
 
     lamp->casts = lamp->shades = 0;
@@ -148,9 +149,9 @@ static void prepare_lamp(const struct tia_view *view, uint32_t n, uint32_t l, st
     channels(&view->lights[l].emission, emission);
     for (int c = 0; c < 3; c++)
         lamp->colour[c] = colour[c] *= emission[c];
-    for (uint32_t j = 0; j < view->scene->sphere_count && !is_out(lamp); j++)
-        if (j != n)
-            add_cast(view, sphere, j, lamp);
+    for (uint32_t j = span_next_caster(&lit, l, 0); j < view->scene->sphere_count && !is_out(lamp);
+         j = span_next_caster(&lit, l, j + 1))
+        add_cast(view, sphere, j, lamp);
     if (is_out(lamp)) {
         lamp->casts = 0;
         lamp->plain = false;

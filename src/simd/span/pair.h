@@ -18,7 +18,7 @@ struct simd_caster {
 
 /* A light's constants for one sphere. */
 struct simd_lamp {
-    bool plain;              /* the sphere's pixels are drawn one by one, from all casters: `cast` is not used */
+    bool plain;              /* the sphere has too many casters, and is drawn in plain C: `cast` is not used */
     struct num_vec light, g; /* Q, Q - L */
     double k, qq, size;      /* K, Q.Q, |Q| */
     double reach, gap;       /* |G|; lower limit of ||G| - r|, the light's distance from the sphere */

@@ -1,7 +1,5 @@
-#include "math/target.h"
-#if !TIA_HALF_PRODUCTS /* whose flash is too small */
+#define FAST_WHERE_ROOM
 #include "math/fast.h"
-#endif
 
 #include "coherence.h"
 
@@ -297,17 +295,17 @@ static int length_exponent(const struct coherence_run *run, const struct span_vi
 static bool prepare_casters(struct coherence_run *run, const struct tia_view *view, uint32_t object)
 {
     const struct span_view *spans = span_view_of(view);
+    const struct span_lit lit = {.casters = &spans->casters, .object = object};
     uint32_t casters[COHERENCE_CASTERS];
 
     run->caster_count = 0;
-    for (uint32_t j = 0; j < view->scene->sphere_count; j++) {
+    for (uint32_t j = span_next_caster(&lit, run->source.number, 0); j < view->scene->sphere_count;
+         j = span_next_caster(&lit, run->source.number, j + 1)) {
         /* One caster too many overwrites the first, and the run is then not drawn here. */
         struct coherence_caster *cast = &run->caster[run->caster_count % COHERENCE_CASTERS];
         if (spans->spheres[j].c < 0)
             return false;
-        if (j == object ||
-            !shadow_line_prepare(run->primary, &run->source, &spans->spheres[j], run->middle, run->y, &cast->line))
-            continue;
+        shadow_line_prepare(run->primary, &run->source, &spans->spheres[j], run->middle, run->y, &cast->line);
         if (cast->line.enclosed || run->caster_count == COHERENCE_CASTERS)
             return false;
         casters[run->caster_count++] = j;
@@ -332,6 +330,7 @@ static bool prepare_run(struct coherence_run *run, const struct tia_view *view, 
     run->kernels = spans->kernels;
     run->sphere = &spans->spheres[span->object];
     run->source.sphere = run->sphere;
+    run->source.number = 0;
     run->source.light = num_vec_between(view->scene->camera.eye, view->lights[0].centre);
     run->y = span->y;
     run->middle = run->primary->width / 2;

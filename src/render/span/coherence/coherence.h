@@ -19,15 +19,10 @@
 bool coherence_shade(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[8],
                      tia_rgb565 *pixels);
 
-/* Finds the pixel whose shadow rays coherence_passes() takes. Its `apart` is SPAN_APART_NONE where there is none. */
-void coherence_find_middle(const struct span_view *spans, const struct shaded_span *span, const struct lit *lit,
-                           const struct span_error *error, struct span_middle *middle);
-
-/* True if the caster certainly blocks the light of no pixel of the span. The middle's `apart` is below SPAN_APART_NONE.
+/* Gives a ball around the points of all lit pixels of a part of a span, whose first pixel is 0; false if there is none.
  */
-bool coherence_passes(const struct span_middle *middle, const struct light_source *source,
-                      const struct span_sphere *caster, const struct shadow_line *line, const num_u *t,
-                      const struct lit *lit);
+bool coherence_surround(const struct span_view *spans, const struct shaded_span *span, struct span part,
+                        const struct lit *lit, const struct span_error *error, struct coarse_ball *ball);
 
 /* True if sphere `n`, whose distances at the span's first and last pixel are `ends`, is certainly nearer than sphere
  * `other` at all pixels. */

@@ -29,6 +29,7 @@
 /* The steps of a ball's colour under one light. */
 struct colour_steps {
     bool usable;
+    bool shaded; /* some sphere may block the light somewhere */
     uint8_t count;
     tia_rgb565 dark;                /* the pixel below the first step */
     int8_t form_shift;              /* of G.v, for primary_form; its upper words have the exponent of A */
