@@ -19,7 +19,7 @@
 
 enum { WIDTH = 640, HEIGHT = 480, FRAMES = 30 }; /* FRAMES: number of the controller's checksums to wait for */
 
-static uint64_t view_memory[200], hits_memory[WIDTH * HEIGHT + 64];
+static uint64_t view_memory[320], hits_memory[WIDTH * HEIGHT + 64];
 static struct tia_seal seal;
 static const struct tia_sealed sealed = {.view = view_memory,
                                          .view_size = sizeof view_memory,
