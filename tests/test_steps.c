@@ -10,13 +10,14 @@
 
 #define STEPS_HALVES 0
 #include "render/span/steps/steps_row.c"
+#include "render/span/steps/steps_side.c"
 #include "render/span/steps/steps_table.c"
 #include "render/span/steps/steps_walk.c"
 
 #if TRUTH_KNOWN
-enum { WORDS, FORMS, DEPTHS, BOUNDS };
-static struct used bounds[BOUNDS] = {{"W", 0, 0}, {"A", 0, 0}, {"D", 0, 0}};
-static unsigned long decided, open_pixels, steps_seen;
+enum { WORDS, FORMS, DEPTHS, TURNS, BOUNDS };
+static struct used bounds[BOUNDS] = {{"W", 0, 0}, {"A", 0, 0}, {"D", 0, 0}, {"where u turns", 0, 0}};
+static unsigned long decided, open_pixels, steps_seen, ways[3];
 
 static quad power(int e)
 {
@@ -71,11 +72,12 @@ static void try_table(const struct world *w)
     int level[3];
 
     for (int i = 0; i < 3; i++)
-        level[i] = pixel_level(w->steps->dark, i);
+        level[i] = pixel_level(w->steps->pixel[0], i);
     for (int k = 0; k < w->steps->count; k++) {
-        CHECK(w->steps->channels[k] && (k == 0 || w->steps->at[k] >= w->steps->at[k - 1] - 2 * STEPS_WORD));
+        CHECK(w->steps->pixel[k + 1] != w->steps->pixel[k]);
+        CHECK(k == 0 || w->steps->at[k] >= w->steps->at[k - 1] - 2 * STEPS_WORD);
         for (int i = 0; i < 3; i++)
-            if (w->steps->channels[k] >> i & 1)
+            if (pixel_level(w->steps->pixel[k + 1], i) != pixel_level(w->steps->pixel[k], i))
                 use(&bounds[WORDS], (real)(w->steps->at[k] - word_at(w, lambda_of(w, i, ++level[i]))),
                     STEPS_BOUND(STEPS_WORD));
     }
@@ -90,14 +92,41 @@ static void try_forms(const struct world *w, const struct step_row *row, const s
     const struct primary_rays *primary = &w->spans->primary;
     int b_shift = w->spans->spheres[0].b_shift, k = (int)(random_bits() % (w->steps->count + 1u));
     quad unit = power(primary->exponent + b_shift - 16);
-    quad d = (quad)(int64_t)(row->d - ((uint64_t)(uint32_t)w->steps->depth_doubt << 32)) * power(-32);
+    struct step_point point;
 
+    steps_point(row, &point);
+    quad d = (quad)(int64_t)(point.d - ((uint64_t)(uint32_t)w->steps->depth_doubt << 32)) * power(-32);
     use(&bounds[DEPTHS], (real)(d - o->d * unit * unit * power(-32)), w->steps->depth_doubt);
     if (k == w->steps->count)
         return;
     quad word = w->steps->at[k], form = quad_dot(w->g, o->v) * power(primary->exponent + w->steps->form_shift - 16);
-    use(&bounds[FORMS], (real)(steps_top(form_at(row, w->steps->at[k])) - (form - word * o->b * unit * power(-32))),
+    use(&bounds[FORMS], (real)(steps_top(form_at(&point, w->steps->at[k])) - (form - word * o->b * unit * power(-32))),
         w->steps->fine_doubt - STEPS_BOUND(STEPS_WORD));
+}
+
+/* Where u grows at the row's pixel, and what decides it: l and omega S with their words' exponents. */
+static void try_way(const struct world *w, const struct step_row *row, const struct truth *o)
+{
+    const struct primary_rays *primary = &w->spans->primary;
+    quad unit = power(primary->exponent + w->spans->spheres[0].b_shift - 16), long_step = power(w->steps->turn_shift);
+    quad unit_g = power(primary->exponent + w->steps->form_shift - 16);
+    quad g = quad_dot(w->g, o->v) * unit_g, g_step = 2 * w->g[0] * unit_g;
+    quad b = o->b * unit, b_step = 2 * w->l[0] * unit;
+    struct step_point point;
+    int32_t a, word;
+
+    if (!w->steps->turn_shift || o->d <= 0)
+        return;
+    quad d = o->d * unit * unit * power(-32),
+         d_step = 2 * (o->b * 2 * w->l[0] - w->c * 2 * o->v[0]) * unit * unit * power(-32);
+    steps_point(row, &point);
+    turn_at(row, &point, &a, &word);
+    quad l = (g_step * d - g * d_step / 2) * long_step * power(-32);
+    quad omega = (g_step * b - g * b_step) * long_step * power(-32), s = quad_root(d) * power(-16);
+    use(&bounds[TURNS], (real)(quad_size(a - l) + quad_size(word + omega) * s), w->steps->turn_doubt);
+    int way = way_at(row);
+    ways[way + 1]++;
+    CHECK_MSG(!way || (omega * s + l > 0) == (way > 0), "u %s", way > 0 ? "falls" : "grows");
 }
 
 /* Returns the pixel of the formulas. */
@@ -129,9 +158,9 @@ static void try_row(const struct world *w, int y, struct span span)
         truth_meet(w->scene, w->size, w->depth, span.first + i, y, w->scene->spheres[0].centre,
                    w->scene->spheres[0].radius, &truth[i]);
         struct step_row there = row;
-        there.d += (uint64_t)i * row.d_step + (uint64_t)i * (uint64_t)(i - 1) / 2 * row.d_twice;
         there.at = i;
         try_forms(w, &there, &truth[i]);
+        try_way(w, &there, &truth[i]);
     }
     while (row.at < count) {
         int at = row.at;
@@ -214,6 +243,8 @@ TEST(steps_are_those_of_the_formulas)
         }
     check_used(bounds, BOUNDS);
     printf("# %lu steps; %lu pixels decided, %lu in doubt\n", steps_seen, decided, open_pixels);
+    printf("# u falls at %lu, grows at %lu pixels, %lu in doubt\n", ways[0], ways[2], ways[1]);
+    CHECK(ways[1] < (ways[0] + ways[2]) / 10);
     CHECK(steps_seen > count && decided > 15 * count && open_pixels < decided / 50);
 }
 
@@ -225,8 +256,15 @@ TEST(steps_are_those_of_the_formulas)
 #define steps_square halves_square
 #define steps_top halves_top
 #define steps_times halves_times
-#define steps_b halves_b
-#define steps_g halves_g
+#define step_point halves_pixel
+#undef steps_point
+#undef steps_side
+#undef steps_upper
+#undef steps_compare
+#define steps_upper halves_upper
+#define steps_compare halves_compare
+#define steps_point halves_point
+#define steps_side halves_side
 #undef STEPS_HALF
 #include "render/span/steps/steps_row.h"
 

@@ -10,7 +10,7 @@
 #include <tia/debug.h>
 #include <tia/tia.h>
 
-enum { WIDTH = 320, HEIGHT = 240, HITS_ROWS = WHOLE ? HEIGHT : ROWS, VIEW_SIZE = sizeof(void *) == 2 ? 1920 : 2048 };
+enum { WIDTH = 320, HEIGHT = 240, HITS_ROWS = WHOLE ? HEIGHT : ROWS, VIEW_SIZE = sizeof(void *) == 2 ? 2176 : 2304 };
 
 /* Size of the hits in bytes: in the widest arithmetic a distance takes eight bytes, on an AVR four, and an object four.
  */

@@ -16,16 +16,16 @@ typedef char tia_bytes_known[sizeof(void *) <= 8 ? 1 : -1]; /* fails on other ma
 
 /* A view with at most 1 lights; hits of a tile; all that tia_viewer_run asks for on a display of that size,
  * with an input and a clock. */
-#define THESIS_VIEW TIA_BYTES(2096u, 2032u, 2032u)
+#define THESIS_VIEW TIA_BYTES(2352u, 2288u, 2288u)
 #define THESIS_HITS_320x1 TIA_BYTES(2600u, 2584u, 2584u)
-#define THESIS_VIEWER_320x1 TIA_BYTES(4720u, 4640u, 4640u)
+#define THESIS_VIEWER_320x1 TIA_BYTES(4976u, 4896u, 4896u)
 #define THESIS_HITS_64x1 TIA_BYTES(552u, 536u, 536u)
-#define THESIS_VIEWER_64x1 TIA_BYTES(2672u, 2592u, 2592u)
+#define THESIS_VIEWER_64x1 TIA_BYTES(2928u, 2848u, 2848u)
 
 /* tia_draw_rows, with rows of so many pixels; if fewer are drawn at once, the hits are those of a tile of one
  * row with so many: ROWS_320 - HITS_320x1 + HITS_64x1. */
-#define THESIS_ROWS_320 TIA_BYTES(5336u, 5256u, 5256u)
-#define THESIS_ROWS_64 TIA_BYTES(2776u, 2696u, 2696u)
+#define THESIS_ROWS_320 TIA_BYTES(5592u, 5512u, 5512u)
+#define THESIS_ROWS_64 TIA_BYTES(3032u, 2952u, 2952u)
 
 /* Stack, at most: of the library's functions that draw, on processors of 32 bits (gcc -Os); smaller with the library
  * compiled with TIA_CHUNK=32 or 16, and then with TIA_BALL_WORDS=8. */

@@ -23,6 +23,10 @@ depth_turned = 2 * 2 * 0.51 * 1.02;
 walked = 64 * 1 + 1b-9 * 2048 + 1b-9 * 64 + 0.05;
 turned = 0.51 * (1 + 2 * w);
 margin = 3 * (1 + 1 + 0.25) + 2;
+# Where u turns: l and omega S by what is cut off, by D's doubt and by K's, as shares of 2^32.
+way = (0.125 + 3 * 0.25) + 1 + 0.5 * ((2 * 0.25 + 0.125 + 0.5) + 1);
+way_depth = 2 * 0.125 + 0.25;
+way_turned = 0.25 * 0.5 + 0.25 + 0.5 * (0.25 * 0.5 + 0.25 + 0.125 + 0.5 * 0.5);
 
 { c1 in [-1b-31,0] /\ c2 in [-1b-31,0] /\ c3 in [-1b-31,0] /\ c4 in [-1b-31,0] /\ c5 in [-1b-31,0] /\ c6 in [-1b-31,0]
   /\ c7 in [-1b-31,0] /\ c8 in [-1b-31,0] /\ c9 in [-1b-31,0] /\ c10 in [-1b-31,0] /\ c11 in [-1b-31,0]
@@ -30,4 +34,5 @@ margin = 3 * (1 + 1 + 0.25) + 2;
   /\ i1 in [-17b-35,1b-33] /\ i2 in [-17b-35,1b-33] /\ i3 in [-17b-35,1b-33]
   /\ k in [0,1] /\ q in [0.5,1] /\ u in [0,1] /\ v in [0,1] /\ w in [0,0.27]
   -> word in [-STEPS_WORD,STEPS_WORD] /\ coarse <= STEPS_COARSE /\ fine <= STEPS_FINE /\ depth <= STEPS_DEPTH
-  /\ depth_turned <= STEPS_DEPTH_TURNED /\ walked <= STEPS_WALKED /\ turned <= STEPS_TURNED /\ margin <= STEPS_MARGIN }
+  /\ depth_turned <= STEPS_DEPTH_TURNED /\ walked <= STEPS_WALKED /\ turned <= STEPS_TURNED /\ margin <= STEPS_MARGIN
+  /\ way <= STEPS_WAY /\ way_depth <= 1 /\ way_turned <= 1 }

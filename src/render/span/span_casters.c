@@ -66,15 +66,20 @@ static inline bool is_clear(const struct hull *h, const struct coarse_ball *cast
 
 /* ---- points ---- */
 
-void span_coarse_point(const struct primary_rays *primary, const struct span_sphere *sphere, int x, int y, num_u t,
+/* |v| is below 2^30. */
+bool span_coarse_point(const struct primary_rays *primary, const struct span_sphere *sphere, int x, int y, num_u t,
                        struct coarse_ball *ball)
 {
+    num_u doubt = num_distance_doubt(t, sphere->doubt_shift, sphere->doubt);
     num_wide across = num_pixel_coordinate(2 * x + 1 - primary->width, primary->exponent);
     int shift = 14 - sphere->t_exponent - primary->exponent;
 
     ball->x = (num)span_shift(num_mul(num_signed(t), (num)across), shift);
     ball->y = (num)span_shift(num_mul(num_signed(t), (num)primary_y(primary, y)), shift);
     ball->z = (num)-span_shift(num_mul(num_signed(t), (num)primary->depth), shift);
+    num_wide radius = span_shift(num_up((num_wide)doubt, 30), shift);
+    ball->radius = (num)radius + 2;
+    return span_bits(radius) < 29;
 }
 
 /* ---- lists ---- */
@@ -181,22 +186,32 @@ bool span_is_clear(const struct span_casters *casters, const struct coarse_ball 
     return is_clear(&hull, &casters->coarse[j]);
 }
 
+uint32_t span_next_listed(const struct span_casters *casters, uint32_t sphere, uint32_t light, uint32_t from)
+{
+    const uint8_t *list = list_of(casters, sphere, light);
+    uint32_t j = from;
+
+    while (j < casters->count) {
+        unsigned rest = (unsigned)list[j >> 3] >> (j & 7);
+        if (rest & 1)
+            return j;
+        j = rest ? j + 1 : (j | 7) + 1;
+    }
+    return casters->count;
+}
+
 /* A sphere around the eye contains all visible points, so that no hull of these is clear of it. */
 uint32_t span_next_caster(const void *lit, uint32_t light, uint32_t from)
 {
     const struct span_lit *points = lit;
     const struct span_casters *casters = points->casters;
-    const uint8_t *list = list_of(casters, points->object, light);
-    uint32_t j = from;
-    struct hull hull = {.radius = 0};
+    uint32_t j = span_next_listed(casters, points->object, light, from);
+    struct hull hull;
 
-    if (points->surrounded)
+    if (points->surrounded && j < casters->count) {
         hull_of(&points->around, &casters->coarse[casters->count + light], &hull);
-    while (j < casters->count) {
-        unsigned rest = (unsigned)list[j >> 3] >> (j & 7);
-        if (rest & 1 && !(points->surrounded && is_clear(&hull, &casters->coarse[j])))
-            return j;
-        j = rest ? j + 1 : (j | 7) + 1;
+        while (j < casters->count && is_clear(&hull, &casters->coarse[j]))
+            j = span_next_listed(casters, points->object, light, j + 1);
     }
-    return casters->count;
+    return j;
 }

@@ -47,11 +47,14 @@ struct span_lit {
  * if there is none. `lit` is a struct span_lit. */
 uint32_t span_next_caster(const void *lit, uint32_t light, uint32_t from);
 
+/* The same for all points of a sphere. */
+uint32_t span_next_listed(const struct span_casters *casters, uint32_t sphere, uint32_t light, uint32_t from);
+
 /* True if sphere j certainly blocks the light at none of the points in `ball`. Only where NUM_CERTIFIED. */
 bool span_is_clear(const struct span_casters *casters, const struct coarse_ball *ball, uint32_t light, uint32_t j);
 
-/* Sets the ball's centre to the point of pixel (x, y) of a sphere, whose distance is t. */
-void span_coarse_point(const struct primary_rays *primary, const struct span_sphere *sphere, int x, int y, num_u t,
+/* Surrounds the point of pixel (x, y) of a sphere, whose distance is about t; false if t is too inaccurate. */
+bool span_coarse_point(const struct primary_rays *primary, const struct span_sphere *sphere, int x, int y, num_u t,
                        struct coarse_ball *ball);
 
 #endif

@@ -6,10 +6,10 @@
 #include "math/noinline.h"
 #include "render/core/dither.h"
 #include "span.h"
+#include "span_parts.h"
 #include "span_shade.h"
 #include "steps/steps.h"
 
-#define PART 64    /* pixels of a span, and up to twice as many, of which it is looked whether they can be shaded */
 #define PIECE 1024 /* most pixels of a row drawn at once; CHUNK if lights may be visible or pixels are copied */
 
 /* Consecutive pixels of a row that are being drawn. */
@@ -22,6 +22,7 @@ struct chunk {
     uint32_t *path_hash; /* path hashes of the row, or NULL */
     uint16_t *colours;   /* colours of the row, or NULL */
     bool lights;         /* the row may show lights */
+    bool empty;          /* the row shows no sphere of the scene */
     tia_rgb565 *pixels;  /* contiguous pixels for output */
 };
 
@@ -65,11 +66,10 @@ static bool row_sees(const struct chunk *chunk, uint32_t sphere)
     return chunk->y >= rows.first && chunk->y < rows.end;
 }
 
-static bool row_sees_lights(const struct chunk *chunk)
+/* True if the row may show one of the balls first..end-1. */
+static bool row_sees_some(const struct chunk *chunk, uint32_t first, uint32_t end)
 {
-    const struct tia_view *view = chunk->view;
-
-    for (uint32_t n = view->scene->sphere_count; n < view->scene->sphere_count + view->light_count; n++)
+    for (uint32_t n = first; n < end; n++)
         if (row_sees(chunk, n))
             return true;
     return false;
@@ -135,19 +135,53 @@ static NOINLINE void shade_pixels(const struct chunk *chunk, uint32_t object, in
     }
 }
 
+/* A span of a sphere with steps, which is drawn part by part. */
+struct step_span {
+    const struct chunk *chunk;
+    uint32_t object;
+    int first; /* pixel of the chunk */
+    const num_u *threshold;
+};
+
 /* Draws a span of a sphere by the steps of its colour. */
-static void draw_steps(const struct chunk *chunk, uint32_t object, int first, int end, const num_u threshold[8])
+static void draw_steps(const struct step_span *span, int first, int end)
 {
+    const struct chunk *chunk = span->chunk;
     struct step_row row;
 
-    steps_begin(&chunk->spans->primary, &chunk->spans->spheres[object], &chunk->spans->steps[object], chunk->x + first,
-                chunk->y, end - first, &row);
+    steps_begin(&chunk->spans->primary, &chunk->spans->spheres[span->object], &chunk->spans->steps[span->object],
+                chunk->x + first, chunk->y, end - first, &row);
     for (int at; (at = first + row.at) < end;) {
         uint64_t open = steps_draw(&row, chunk->pixels + at);
         for (int i = 0; open; i++, open >>= 1)
             if (open & 1)
-                shade_pixels(chunk, object, at + i, at + i + 1, threshold);
+                shade_pixels(chunk, span->object, at + i, at + i + 1, span->threshold);
     }
+}
+
+static void draw_part(const void *drawing, enum span_part part, int first, int end)
+{
+    const struct step_span *span = drawing;
+    const struct chunk *chunk = span->chunk;
+
+    first += span->first;
+    end += span->first;
+    if (part == SPAN_LIT)
+        draw_steps(span, first, end);
+    else if (part == SPAN_DARK)
+        span_fill(chunk->pixels + first, end - first, chunk->spans->steps[span->object].pixel[0]);
+    else
+        shade_pixels(chunk, span->object, first, end, span->threshold);
+}
+
+static void shade_by_steps(const struct chunk *chunk, uint32_t object, int first, int end, const num_u threshold[8])
+{
+    const struct step_span span = {chunk, object, first, threshold};
+
+    if (chunk->spans->steps[object].shaded)
+        span_divide(chunk->view, object, chunk->x + first, chunk->y, end - first, draw_part, &span);
+    else
+        draw_steps(&span, first, end);
 }
 
 static void shade_shaded(const struct chunk *chunk, uint32_t object, int first, int end, const num_u threshold[8])
@@ -159,25 +193,6 @@ static void shade_shaded(const struct chunk *chunk, uint32_t object, int first, 
         shade_pixels(chunk, object, first, end, threshold);
 }
 
-/* Draws a span of a sphere: by steps those parts where no sphere can block the light. */
-static void shade_parts(const struct chunk *chunk, uint32_t object, int first, int end, const num_u threshold[8])
-{
-    int begin = first;
-    bool clear = false;
-
-    for (int at = first, next; at < end; at = next) {
-        next = end - at < 2 * PART ? end : at + PART;
-        bool this_clear = !chunk->spans->steps[object].shaded ||
-                          span_is_unshaded(chunk->view, object, chunk->x + at, chunk->y, next - at);
-        if (at > begin && this_clear != clear) {
-            (clear ? draw_steps : shade_shaded)(chunk, object, begin, at, threshold);
-            begin = at;
-        }
-        clear = this_clear;
-    }
-    (clear ? draw_steps : shade_shaded)(chunk, object, begin, end, threshold);
-}
-
 static void shade_sphere(const struct chunk *chunk, int first, int end, const num_u threshold[8])
 {
     const struct span_view *spans = chunk->spans;
@@ -185,9 +200,8 @@ static void shade_sphere(const struct chunk *chunk, int first, int end, const nu
 
     if (chunk->path_hash || chunk->colours || chunk->lights)
         shade_pixels(chunk, object, first, end, threshold);
-    else if (spans->steps && spans->steps[object].usable && threshold[0] == threshold[1] &&
-             !(spans->spheres[object].wide && spans->steps[object].shaded)) /* where coherence.h is faster */
-        shade_parts(chunk, object, first, end, threshold);
+    else if (spans->steps && spans->steps[object].usable && threshold[0] == threshold[1])
+        shade_by_steps(chunk, object, first, end, threshold);
     else
         shade_shaded(chunk, object, first, end, threshold);
 }
@@ -199,7 +213,7 @@ static void light_chunk(struct chunk *chunk, const num_u threshold[8])
 
     for (int first = 0; first < chunk->count; first = end) {
         uint32_t object = chunk->object[first];
-        end = first + span_same(chunk->object + first, chunk->count - first);
+        end = chunk->empty ? chunk->count : first + span_same(chunk->object + first, chunk->count - first);
         if (object == TIA_NO_OBJECT)
             flat_span(chunk, first, end - first, &view->scene->background, threshold);
         else if (object >= view->scene->sphere_count)
@@ -215,6 +229,7 @@ static NOINLINE void light_chunk_with_lights(struct chunk *chunk, const num_u th
     uint32_t object[CHUNK];
 
     see_lights(chunk, object);
+    chunk->empty = false;
     light_chunk(chunk, threshold);
 }
 
@@ -270,13 +285,15 @@ static void light_row(struct chunk *chunk, const struct tia_hits *hits, struct t
 void span_light(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                 const struct tia_surface *surface, const struct tia_options *options)
 {
+    const uint32_t spheres = view->scene->sphere_count;
     struct chunk chunk;
 
     chunk.view = view;
     chunk.spans = view->prepared;
     for (int y = (int)tile.y; y < tile_bottom(tile) && !view_stops(view); y++) {
         chunk.y = y;
-        chunk.lights = row_sees_lights(&chunk);
+        chunk.lights = row_sees_some(&chunk, spheres, spheres + view->light_count);
+        chunk.empty = !row_sees_some(&chunk, 0, spheres);
         light_row(&chunk, hits, tile, surface, options);
     }
 }

@@ -22,8 +22,4 @@ tia_rgb565 span_shade_exactly(const struct tia_view *view, const struct shaded_s
 void shade_span(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[8],
                 tia_rgb565 *pixels);
 
-/* True if no sphere blocks light 0 from the points that `count` pixels of row y show, from column x on, of sphere
- * `object`, which the eye is outside of. */
-bool span_is_unshaded(const struct tia_view *view, uint32_t object, int x, int y, int count);
-
 #endif

@@ -10,10 +10,12 @@ int span_same(const uint32_t *object, int count)
     uint32_t seen = object[0];
     int end = 1;
 
-    while (end + 8 <= count && object[end] == seen && object[end + 1] == seen && object[end + 2] == seen &&
-           object[end + 3] == seen && object[end + 4] == seen && object[end + 5] == seen && object[end + 6] == seen &&
-           object[end + 7] == seen)
-        end += 8;
+    for (; end + 8 <= count; end += 8) {
+        const uint32_t *o = object + end;
+        if ((o[0] ^ seen) | (o[1] ^ seen) | (o[2] ^ seen) | (o[3] ^ seen) | (o[4] ^ seen) | (o[5] ^ seen) |
+            (o[6] ^ seen) | (o[7] ^ seen))
+            break;
+    }
     while (end < count && object[end] == seen)
         end++;
     return end;
@@ -23,8 +25,10 @@ static void fill(uint32_t *object, int count, uint32_t n)
 {
     int i = 0;
 
-    for (; i + 4 <= count; i += 4)
+    for (; i + 8 <= count; i += 8) {
         object[i] = object[i + 1] = object[i + 2] = object[i + 3] = n;
+        object[i + 4] = object[i + 5] = object[i + 6] = object[i + 7] = n;
+    }
     for (; i < count; i++)
         object[i] = n;
 }
@@ -67,7 +71,7 @@ static void trace_span(const struct tia_view *view, struct tia_hits *hits, uint3
         size_t at = hits_index(hits, (unsigned)part.first, (unsigned)y);
         uint32_t *object = hits->object + at;
         int limit = span.end - part.first < CHUNK ? span.end - part.first : CHUNK;
-        part.end = part.first + span_same(object, limit);
+        part.end = part.first + (n ? span_same(object, limit) : limit); /* of sphere 0: no objects yet */
         trace_chunk(view, n, y, part, span_distances_of(hits) + at, object);
     }
 }

@@ -31,16 +31,18 @@ struct colour_steps {
     bool usable;
     bool shaded; /* some sphere may block the light somewhere */
     uint8_t count;
-    tia_rgb565 dark;                /* the pixel below the first step */
-    int8_t form_shift;              /* of G.v, for primary_form; its upper words have the exponent of A */
-    int32_t root_most;              /* upper limit of S as a word */
-    int32_t depth_doubt;            /* bound of the error of D's upper word */
-    int32_t fine_doubt;             /* bound of the error of A and W S in a decision of 64 bits */
-    int32_t margin;                 /* bound of the error of A^2 - (W S)^2, upper words, in a decision of 32 bits */
-    int32_t walk_margin;            /* the same in steps_walk */
-    struct num_vec to_light;        /* G */
-    int32_t at[COLOUR_STEPS];       /* W, with the exponent form_shift - b_shift + 32 */
-    uint8_t channels[COLOUR_STEPS]; /* bit 0: red grows by a level, bit 1: green, bit 2: blue */
+    int8_t form_shift;               /* of G.v, for primary_form; its upper words have the exponent of A */
+    int32_t root_most;               /* upper limit of S as a word */
+    int32_t depth_doubt;             /* bound of the error of D's upper word */
+    int32_t fine_doubt;              /* bound of the error of A and W S in a decision of 64 bits */
+    int32_t margin;                  /* bound of the error of A^2 - (W S)^2, upper words, in a decision of 32 bits */
+    int32_t walk_doubt;              /* bound of the error of A and W S in steps_walk */
+    int32_t walk_margin;             /* as `margin`, there */
+    int32_t turn_margin, turn_doubt; /* as `margin` and fine_doubt, where it is decided whether u grows */
+    int turn_shift;                  /* 2^turn_shift is at most a quarter of the image's width; 0: that is too narrow */
+    struct num_vec to_light;         /* G */
+    int32_t at[COLOUR_STEPS];        /* W, with the exponent form_shift - b_shift + 32 */
+    tia_rgb565 pixel[COLOUR_STEPS + 1]; /* the pixels below the first step and above each */
 };
 
 /* Sets the steps of a ball under a light at `light` from the eye, whose emission is `emission`. `usable` is false where
@@ -48,18 +50,17 @@ struct colour_steps {
 void steps_prepare(const struct primary_rays *primary, const struct light_source *source,
                    const struct tia_rgb *emission, const struct tia_material *material, struct colour_steps *steps);
 
-/* A row of pixels of a ball; `at` is the pixel that is next, counted from the first. */
+/* A row of pixels of a ball. u has at most one extremum in it: it changes in one direction up to pixel `turn_first`,
+ * and in one from `turn_end` - 1 on. */
 struct step_row {
     const struct colour_steps *steps;
-    uint64_t d, d_step, d_twice;  /* D at pixel `at`, its step, and that step's step, modulo 2^64 */
+    uint64_t d, d_step, d_twice;  /* D at the first pixel, its step, and that step's step, modulo 2^64 */
     int64_t b, b_step, g, g_step; /* accumulators of L.v and G.v at the first pixel */
-    int at, count;
-    int index;        /* number of steps at or below u */
-    tia_rgb565 pixel; /* the pixel for this index */
-    int turn;         /* 1: u has no minimum in the row; -1: no maximum */
-    bool turned;      /* u has passed its extremum */
-    bool sure;        /* at the pixel before, u is certainly on this side of the step behind it; or it is turned */
-    int slow;         /* pixels to be decided by the steps on both sides */
+    int at, count;                /* the pixel that is next, counted from the first; number of pixels */
+    int index;                    /* number of steps at or below u */
+    int way[2];                   /* 1 where u grows, -1 where it falls: before turn_first, and from turn_end on */
+    int turn_first, turn_end;
+    bool sure; /* u is certainly on this side of the step that it passed last */
 };
 
 /* Begins a row of `count` pixels, which all show the ball, from pixel (x, y) on. */

@@ -19,9 +19,10 @@
  * (word), 17.1 of 20. */
 #define STEPS_WORD 20
 
-/* The error of A in steps_walk, without those of W and K. From one pixel to the next g is off by .5 and b by .5, which
- * W b has .27 of: .64, and after 64 pixels 41. At the first pixel: .51 of g and .27 of b, cut off, .8; a product of
- * steps_high, 3. Proved: steps.g (coarse), 45 of 52. Unseen: small. */
+/* The error of A in steps_walk, without those of W and K. At the first pixel: .51 of g and .27 of b, cut off, .8. At a
+ * run's first pixel after i others g is off by another .5 i and b by .5 i, which W b has .27 of; and a product of
+ * steps_high, 3. From there on A's step, which is rounded once, is off by .5 and by .27 of b's .5. So after 64 pixels
+ * in all, in one run or in many, 64 times .64, 41. Proved: steps.g (coarse), 45 of 52. Unseen: small. */
 #define STEPS_COARSE 52
 
 /* The error of A and W S by K, .51 of its last bit, of which K has 2^31/STEPS_TURNED at least: G.z K is below 2^30, and
@@ -49,5 +50,15 @@
 /* The error of the upper words of A^2 - W^2 D, without those of A, W S and D: three products, of which W^2 counts
  * D/2^32, a quarter: 3 (1 + 1 + .25), and two for the cut of STEPS_COARSE's terms. 8.8 of 10. Unseen: small. */
 #define STEPS_MARGIN 10
+
+/* The error of l and omega S, as words, where it is decided whether u grows, without K's and D's, which `turned` and
+ * `depth_doubt` count once each. Steps are those of 2^turn_shift pixels, at most a quarter of the image's width. A
+ * polynomial of degree n that is at most M on the image's width changes by at most 2 n^2 M there (Markov): so the step
+ * of g, below 2^30, is below 2^29, that of b below 2^30, and half of that of D, below 2^30, too; and an error e of g, b
+ * and D on the image is an error of at most e/2, e/2 and e of these. Cut off by 1 each are D, g, b and their steps. l
+ * has 2^29 1 + 2^30 (1 + 1 + 1) by that, divided by 2^32, .88, and is cut off, 1; omega has 2^30 (1 + 1) + 2^29 1 +
+ * 2^31 1, 1.2, and is cut off, 1, of which omega S has half. Of D's doubt, which is counted twice in D, l has 2^29 2 +
+ * 2^30, a half; of the doubts of g and b by K less than one. Proved: steps.g (way), 2.94 of 4. Unseen: small. */
+#define STEPS_WAY 4
 
 #endif

@@ -37,32 +37,38 @@ static inline int32_t steps_top(int64_t x)
     return (int32_t)(x >> 32);
 }
 
-/* Returns n x modulo 2^64; n is less than 2^16. */
+/* Returns n x modulo 2^64; n is in 0..2^16 - 1. */
 static inline uint64_t steps_times(uint64_t x, int n)
 {
-    return tia_mul_u32((uint32_t)x, (uint32_t)n) + ((uint64_t)((uint32_t)(x >> 32) * (uint32_t)n) << 32);
+    uint32_t high = (uint32_t)(x >> 32) * (uint32_t)n, factor = (uint16_t)n;
+
+    if (!STEPS_HALVES)
+        return tia_mul_u32((uint32_t)x, (uint32_t)n) + ((uint64_t)high << 32);
+    return ((uint64_t)high << 32) + (uint16_t)x * factor + ((uint64_t)(((uint32_t)x >> 16) * factor) << 16);
 }
 
-/* Returns the accumulators of L.v and G.v at the row's pixel. */
-static inline int64_t steps_b(const struct step_row *row)
-{
-    return row->b + (int64_t)steps_times((uint64_t)row->b_step, row->at);
-}
+/* Returns a b/2^64, too small by less than 3. */
+int64_t steps_upper(int64_t a, int64_t b);
 
-static inline int64_t steps_g(const struct step_row *row)
-{
-    return row->g + (int64_t)steps_times((uint64_t)row->g_step, row->at);
-}
+/* A pixel of a row: D and G.v, and the upper word of L.v. */
+struct step_point {
+    uint64_t d;
+    int64_t g;
+    int32_t b;
+};
 
-/* Returns the pixel above `index` steps. */
-tia_rgb565 steps_pixel(const struct colour_steps *steps, int index);
+/* Gives the row's pixel. */
+void steps_point(const struct step_row *row, struct step_point *point);
 
-/* Passes the next step upwards, with `by` 1, or the last one downwards, with -1. */
-void steps_pass(struct step_row *row, int by);
+/* Returns 1 if A is certainly at least W S at a pixel, -1 if it is less, 0 in doubt. A and W S are off by up to `doubt`
+ * in all, the upper words of the difference of their squares by up to `margin`. */
+int steps_compare(const struct colour_steps *steps, uint64_t d, int32_t a, int32_t w, int32_t margin, int32_t doubt);
 
-/* Draws up to `count` pixels, at most STEPS_BLOCK, by the steps in the direction of u alone, +1 or -1, until one is in
- * doubt, which `slow` counts, or, before the extremum, until STEPS_RUN have passed no step; returns how many. `passed`
- * receives the last one that did. */
-int steps_walk(struct step_row *row, int dir, int count, int *passed, tia_rgb565 *pixels);
+/* Returns 1 if u is at or above step k at a pixel, -1 if it is below, 0 in doubt. */
+int steps_side(const struct colour_steps *steps, const struct step_point *point, int k);
+
+/* Draws up to `count` pixels, at most STEPS_BLOCK, where u changes in one direction, 1: it grows, -1: it falls, and is
+ * on this side of the step behind it. Returns how many: the next one is in doubt if these are fewer. */
+int steps_walk(struct step_row *row, int way, int count, tia_rgb565 *pixels);
 
 #endif

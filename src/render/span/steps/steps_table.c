@@ -129,6 +129,9 @@ static bool begin_levels(const struct lit_ball *ball, tia_q30 colour, tia_q30 li
     return !dim || !l->light;
 }
 
+/* What a level of red, green, blue, and of red and blue together, adds to a pixel. */
+static const TIA_FLASH uint16_t grown[4] = {0x0800, 0x0020, 0x0001, 0x0801};
+
 /* Merges the channels' steps. */
 static void merge(const struct lit_ball *ball, struct levels levels[3], bool grey, struct colour_steps *steps)
 {
@@ -140,7 +143,8 @@ static void merge(const struct lit_ball *ball, struct levels levels[3], bool gre
         if (first < 0)
             return;
         steps->at[steps->count] = levels[first].next;
-        steps->channels[steps->count] = (uint8_t)(grey && first == 0 ? 5 : 1 << first);
+        steps->pixel[steps->count + 1] =
+            (tia_rgb565)(steps->pixel[steps->count] + grown[grey && first == 0 ? 3 : first]);
         levels[first].level++;
         find_next(ball, &levels[first]);
     }
@@ -157,7 +161,8 @@ static bool find_steps(const struct lit_ball *ball, const struct tia_rgb *light,
                  begin_levels(ball, colour->b, light->b, emission->b, 31, &levels[2]);
 
     if (known) {
-        steps->dark = (tia_rgb565)((levels[0].level - 1) << 11 | (levels[1].level - 1) << 5 | (levels[2].level - 1));
+        steps->pixel[0] =
+            (tia_rgb565)((levels[0].level - 1) << 11 | (levels[1].level - 1) << 5 | (levels[2].level - 1));
         merge(ball, levels, grey, steps);
     }
     return known;
@@ -198,7 +203,12 @@ static void find_bounds(const struct primary_rays *primary, const struct span_sp
     int64_t product = tia_mul_s32(steps->root_most / 2 + steps->root_most / 16 + 1, coarse);
     steps->margin =
         (int32_t)((product + tia_mul_s32(coarse, coarse)) >> 32) + steps->depth_doubt / 4 + STEPS_BOUND(STEPS_MARGIN);
+    steps->walk_doubt = coarse;
     steps->walk_margin = steps->margin + STEPS_BOUND(STEPS_WALKED) / 4;
+    steps->turn_doubt = STEPS_BOUND(STEPS_WAY) + turned + steps->depth_doubt;
+    steps->turn_margin = steps->turn_doubt + STEPS_BOUND(STEPS_MARGIN);
+    steps->turn_shift = (int)span_bits((num_wide)primary->width) - 3;
+    steps->turn_shift = steps->turn_shift > 0 ? steps->turn_shift : 0;
 }
 
 void steps_prepare(const struct primary_rays *primary, const struct light_source *source,

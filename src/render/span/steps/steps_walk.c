@@ -1,10 +1,11 @@
 /* steps_walk.c - the innermost loop of steps.h. */
 #include "math/fast.h"
 
+#include "math/noinline.h"
+#include "render/span/span.h"
 #include "steps_row.h"
 
-#define STEPS_RUN 16 /* pixels after which it is looked whether u has turned */
-#define FRACTION 8   /* bits of D's step below those of D's upper word */
+#define FRACTION 8 /* bits of D's step below those of D's upper word */
 
 /* Returns x/2^(32 - FRACTION) to nearest: the upper word with a fraction. */
 static int32_t with_fraction(uint64_t x)
@@ -12,77 +13,83 @@ static int32_t with_fraction(uint64_t x)
     return (int32_t)((int64_t)(x + (UINT64_C(1) << (31 - FRACTION))) >> (32 - FRACTION));
 }
 
-/* Moves the row on by `count` pixels. */
-static void move(struct step_row *row, int count)
-{
-    row->d += steps_times(row->d_step, count) + steps_times(row->d_twice, count * (count - 1) / 2);
-    row->d_step += steps_times(row->d_twice, count);
-    row->at += count;
-}
-
 /* True if D's upper word changes by less than 2^22 a pixel: its step by less than 2^21, as steps with a fraction have
  * it. */
-static bool is_smooth(const struct step_row *row)
+static bool is_smooth(const struct step_row *row, uint64_t d_step)
 {
-    int32_t step = steps_top((int64_t)row->d_step), twice = steps_top((int64_t)row->d_twice);
+    int32_t step = steps_top((int64_t)d_step), twice = steps_top((int64_t)row->d_twice);
 
     return step / (1 << 14) < 128 && step / (1 << 14) > -128 && twice / (1 << 14) == 0;
 }
 
-/* What a step adds to the pixel, by its channels. */
-static const TIA_FLASH uint16_t grown[8] = {0, 0x0800, 0x0020, 0x0820, 0x0001, 0x0801, 0x0021, 0x0821};
-
-void steps_pass(struct step_row *row, int by)
+/* Returns the bound of the error of A^2 - W^2 D, upper words, for one A and W^2. Where A and W S are off by up to e in
+ * all and in the wrong order, A is at most W S + e, and A |A| - W S |W S| at most 2 |A| e + 2 e^2. */
+static int32_t margin_at(const struct colour_steps *steps, int32_t a, int32_t square)
 {
-    uint8_t channels = row->steps->channels[by > 0 ? row->index : row->index - 1];
+    uint32_t size = (uint32_t)(a < 0 ? -a : a), weight = (uint32_t)(square < 0 ? -square : square) >> 16;
+    uint32_t doubt = (uint32_t)steps->walk_doubt;
+    uint64_t of_a = tia_mul_u32(size + doubt, doubt) >> 31;
+    uint64_t of_d = tia_mul_u32(weight + 1, (uint32_t)(STEPS_BOUND(STEPS_WALKED) + 2 * steps->depth_doubt)) >> 16;
 
-    row->pixel = (tia_rgb565)(by > 0 ? row->pixel + grown[channels] : row->pixel - grown[channels]);
-    row->index += by;
+    return (int32_t)of_a + (int32_t)of_d + 2 + STEPS_BOUND(STEPS_MARGIN);
 }
 
-tia_rgb565 steps_pixel(const struct colour_steps *steps, int index)
+/* Returns 1 if u at pixel `at` has passed step k, whose A^2 - W^2 D is about `more`, -1 if not, 0 in doubt. */
+static NOINLINE int settle(struct step_row *row, int at, int k, int way, int32_t more, int32_t a, int32_t square)
 {
-    tia_rgb565 pixel = steps->dark;
+    int32_t margin = margin_at(row->steps, a, square);
+    struct step_point point;
 
-    for (int k = 0; k < index; k++)
-        pixel = (tia_rgb565)(pixel + grown[steps->channels[k]]);
-    return pixel;
+    if (more > margin || more < -margin)
+        return more > margin ? 1 : -1;
+    row->at = at;
+    steps_point(row, &point);
+    return way * steps_side(row->steps, &point, k);
 }
 
-int steps_walk(struct step_row *row, int dir, int count, int *passed, tia_rgb565 *pixels)
+int steps_walk(struct step_row *row, int way, int count, tia_rgb565 *pixels)
 {
-    int32_t d = steps_top((int64_t)row->d) + STEPS_BOUND(STEPS_WALKED);
-    int32_t d_step = with_fraction(row->d_step), d_twice = with_fraction(row->d_twice);
-    int32_t b = steps_top(steps_b(row)), b_step = steps_top(row->b_step + STEPS_HALF);
-    int32_t g = dir * steps_top(steps_g(row)), g_step = dir * steps_top(row->g_step + STEPS_HALF);
-    int32_t margin = row->steps->walk_margin, more = 0;
-    int i = 0, limit = row->turned || count < STEPS_RUN ? count : STEPS_RUN;
+    const int first = row->at;
+    uint64_t step = row->d_step + steps_times(row->d_twice, first);
+    struct step_point point;
+    int i = 0;
 
-    *passed = 0;
-    if (!is_smooth(row))
-        limit = 0;
-    while (i < limit) {
-        int k = dir > 0 ? row->index : row->index - 1;
-        bool any = k >= 0 && k < row->steps->count;
-        int32_t w = any ? dir * row->steps->at[k] : 0, square = steps_square(w), least = any ? -margin : INT32_MAX;
-        tia_rgb565 pixel = row->pixel;
-        for (; i < limit; i++) {
-            more = steps_square(g - steps_high(w, b)) - steps_high(square, d);
-            if (more >= least)
-                break;
-            pixels[i] = pixel;
+    if (!is_smooth(row, step))
+        return 0;
+    steps_point(row, &point);
+    int32_t d = steps_top((int64_t)point.d) + STEPS_BOUND(STEPS_WALKED);
+    int32_t d_step = with_fraction(step), d_twice = with_fraction(row->d_twice);
+    int32_t b = point.b, b_step = steps_top(row->b_step + STEPS_HALF);
+    int32_t g = way * steps_top(point.g), g_step = way * steps_top(row->g_step + STEPS_HALF);
+    int32_t margin = row->steps->walk_margin;
+    while (i < count) {
+        int k = way > 0 ? row->index : row->index - 1;
+        tia_rgb565 pixel = row->steps->pixel[row->index];
+        if (k < 0 || k >= row->steps->count) {
+            span_fill(pixels + i, count - i, pixel);
+            i = count;
+            break;
+        }
+        int32_t w = row->steps->at[k], a_step = way * steps_top(row->g_step - tia_mul_s32(w, b_step) + STEPS_HALF);
+        int32_t a = g + i * g_step - way * steps_high(w, b + i * b_step), square = way * steps_square(w);
+        bool passed = false;
+        while (i < count) {
+            int32_t more = steps_square(a) - steps_high(square, d);
+            if (more >= -margin) {
+                int side = more > margin ? 1 : settle(row, first + i, k, way, more, a, square);
+                if (!side)
+                    return i;
+                passed = side > 0;
+                if (passed)
+                    break;
+            }
+            pixels[i++] = pixel;
             d += d_step >> FRACTION;
             d_step += d_twice;
-            b += b_step;
-            g += g_step;
+            a += a_step;
         }
-        if (i == limit || more <= margin)
-            break;
-        steps_pass(row, dir);
-        *passed = i;
-        limit = row->turned || count - i < STEPS_RUN ? count : i + STEPS_RUN;
+        row->index += passed ? way : 0;
     }
-    row->slow = i < limit || limit == 0;
-    move(row, i);
+    row->at = first + i;
     return i;
 }

@@ -1,0 +1,55 @@
+/* steps_side.c - on which side of a step a pixel is. */
+#include "math/noinline.h"
+#include "steps_row.h"
+
+int64_t steps_upper(int64_t a, int64_t b)
+{
+    uint32_t a_low = (uint32_t)a, b_low = (uint32_t)b;
+    int64_t left = tia_mul_s32(steps_top(a), (int32_t)(b_low >> 1)) >> 31;
+    int64_t right = tia_mul_s32(steps_top(b), (int32_t)(a_low >> 1)) >> 31;
+
+    return tia_mul_s32(steps_top(a), steps_top(b)) + left + right;
+}
+
+void steps_point(const struct step_row *row, struct step_point *point)
+{
+    int at = row->at, odd = at & 1; /* at (at - 1)/2 in two factors */
+
+    point->d = row->d + steps_times(row->d_step, at) +
+               steps_times(steps_times(row->d_twice, (at - odd) / 2), at > 0 ? at - 1 + odd : 0);
+    point->g = row->g + (int64_t)steps_times((uint64_t)row->g_step, at);
+    point->b = steps_top(row->b + (int64_t)steps_times((uint64_t)row->b_step, at));
+}
+
+/* Returns A at a pixel, with a lower word. */
+static int64_t form_at(const struct step_point *point, int32_t w)
+{
+    return point->g - tia_mul_s32(w, point->b);
+}
+
+/* Decides by 64 bits whether A is at least W S at a pixel: 1, or -1, or 0 in doubt. A and W S are off by up to `doubt`
+ * in all. */
+static NOINLINE int decide(const struct colour_steps *steps, uint64_t d, int32_t a, int32_t w, int32_t doubt)
+{
+    int64_t square = tia_mul_s32(w, w), root = (tia_mul_s32(w < 0 ? -w : w, steps->root_most) >> 32) + 1;
+    int64_t left = tia_mul_s32(a, a < 0 ? -a : a), right = steps_upper(square, (int64_t)d);
+    int64_t margin = (2 * root + doubt) * doubt + ((square >> 32) + 1) * (2 * (int64_t)steps->depth_doubt) + 4;
+    int64_t more = left - (w < 0 ? -right : right);
+
+    return more > margin ? 1 : more < -margin ? -1 : 0;
+}
+
+int steps_compare(const struct colour_steps *steps, uint64_t d, int32_t a, int32_t w, int32_t margin, int32_t doubt)
+{
+    int32_t more = steps_square(a) - steps_high(steps_square(w), steps_top((int64_t)d));
+
+    return more > margin ? 1 : more < -margin ? -1 : decide(steps, d, a, w, doubt);
+}
+
+int steps_side(const struct colour_steps *steps, const struct step_point *point, int k)
+{
+    if (k < 0 || k >= steps->count)
+        return k < 0 ? 1 : -1;
+    int32_t w = steps->at[k];
+    return steps_compare(steps, point->d, steps_top(form_at(point, w)), w, steps->margin, steps->fine_doubt);
+}
