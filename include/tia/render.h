@@ -32,6 +32,8 @@ struct tia_tile {
 struct tia_surface {
     tia_rgb565 *pixels;    /* the tile's upper left pixel, aligned for tia_rgb565 */
     ptrdiff_t step, pitch; /* even; if they are too small, pixels overlap */
+    bool swap; /* each pixel's bytes in the other order than the processor's, as panels on a bus want them. What is
+                  written may then be read again */
 };
 
 /* Dithering, and output besides the pixels. All zero, or NULL: none. */

@@ -198,9 +198,9 @@ static int drm_acquire(void *ctx, struct tia_tile tile, struct tia_surface *surf
         return canvas_tile(&d->canvas, tile, surface);
     if (!tile_inside(tile, d->scanout.mode.hdisplay, d->scanout.mode.vdisplay))
         return TIA_ERR_ARGUMENT;
-    surface->pixels = (tia_rgb565 *)(void *)(b->map + (size_t)tile.y * b->pitch) + tile.x;
-    surface->step = sizeof *surface->pixels;
-    surface->pitch = (ptrdiff_t)b->pitch;
+    *surface = (struct tia_surface){.pixels = (tia_rgb565 *)(void *)(b->map + (size_t)tile.y * b->pitch) + tile.x,
+                                    .step = sizeof(tia_rgb565),
+                                    .pitch = (ptrdiff_t)b->pitch};
     return TIA_OK;
 }
 

@@ -1,4 +1,4 @@
-/* tile.h - checks of a caller's tile and surface. */
+/* tile.h - checks of a caller's tile and surface; a surface's byte order. */
 #ifndef TIA_MATH_TILE_H
 #define TIA_MATH_TILE_H
 
@@ -25,6 +25,12 @@ static inline bool surface_is_usable(const struct tia_surface *surface)
 
     return surface && surface->pixels &&
            !(((uintptr_t)surface->pixels | (uintptr_t)surface->step | (uintptr_t)surface->pitch) & odd);
+}
+
+/* Returns a pixel in the surface's byte order. */
+static inline tia_rgb565 surface_order(const struct tia_surface *surface, tia_rgb565 pixel)
+{
+    return surface->swap ? (tia_rgb565)(pixel << 8 | pixel >> 8) : pixel;
 }
 
 #endif

@@ -68,7 +68,7 @@ static int draw_row(const struct tia_rows *rows, struct tia_view *view, void *me
                     unsigned y)
 {
     const struct tia_options options = {.dither = rows->dither};
-    struct tia_surface surface = {.step = sizeof(tia_rgb565), .pitch = sizeof(tia_rgb565)};
+    struct tia_surface surface = {.step = sizeof(tia_rgb565), .pitch = sizeof(tia_rgb565), .swap = rows->swap};
     int status = TIA_OK;
 
     surface.pixels = (tia_rgb565 *)(void *)((char *)memory + layout->pixels);

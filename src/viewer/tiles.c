@@ -22,7 +22,7 @@ static int draw_tile(struct loop *loop, struct tia_tile tile)
     const struct tia_viewer *v = loop->viewer;
     const struct tia_options options = {.dither = v->dither};
     struct tia_hits *hits = loop->hits;
-    struct tia_surface surface;
+    struct tia_surface surface = {.swap = false};
     int status = tia_viewer_watch(loop);
 
     if (!status && !loop->whole)

@@ -218,6 +218,13 @@ static NOINLINE void light_chunk_with_lights(struct chunk *chunk, const num_u th
     light_chunk(chunk, threshold);
 }
 
+/* Exchanges the two bytes of each pixel. */
+static NOINLINE void swap_bytes(tia_rgb565 *pixels, int count)
+{
+    for (tia_rgb565 *end = pixels + count; pixels < end; pixels++)
+        *pixels = (tia_rgb565)(*pixels << 8 | *pixels >> 8);
+}
+
 static void copy_pixels(const tia_rgb565 *pixels, int count, char *out, ptrdiff_t step)
 {
     for (int i = 0; i < count; i++)
@@ -244,6 +251,8 @@ static int light_columns(struct chunk *chunk, const struct tia_hits *hits, struc
         light_chunk_with_lights(chunk, threshold);
     else
         light_chunk(chunk, threshold);
+    if (surface->swap)
+        swap_bytes(chunk->pixels, chunk->count);
     if (!direct)
         copy_pixels(pixels, chunk->count, out, surface->step);
     return chunk->count;

@@ -138,10 +138,10 @@ static void light_span(const struct tia_view *view, const struct simd_row *row, 
     }
 }
 
-static void copy(const tia_rgb565 *pixels, unsigned count, char *out, ptrdiff_t step)
+static void copy(const tia_rgb565 *pixels, unsigned count, char *out, const struct tia_surface *surface)
 {
     for (unsigned i = 0; i < count; i++)
-        *(tia_rgb565 *)(void *)(out + (ptrdiff_t)i * step) = pixels[i];
+        *(tia_rgb565 *)(void *)(out + (ptrdiff_t)i * surface->step) = surface_order(surface, pixels[i]);
 }
 
 static void light_row(const struct tia_view *view, const struct simd_row *row, struct tia_tile tile,
@@ -149,7 +149,7 @@ static void light_row(const struct tia_view *view, const struct simd_row *row, s
 {
     const struct simd_line *line = &carried->line;
     char *out = (char *)surface->pixels + (row->y - (int)tile.y) * surface->pitch;
-    bool compact = surface->step == sizeof(tia_rgb565), direct = compact && !carried->streams;
+    bool compact = surface->step == sizeof(tia_rgb565) && !surface->swap, direct = compact && !carried->streams;
     tia_rgb565 *pixels = carried->pixels, *place = direct ? (tia_rgb565 *)(void *)out : pixels;
 
     for (int i = 0; i < line->count; i++) {
@@ -159,7 +159,7 @@ static void light_row(const struct tia_view *view, const struct simd_row *row, s
     if (compact && !direct)
         view->simd->kernels->stream((void *)out, pixels, (int)tile.width);
     else if (!direct)
-        copy(pixels, tile.width, out, surface->step);
+        copy(pixels, tile.width, out, surface);
 }
 
 #define ROWS 8 /* rows between two calls of `stop`, which takes a lock that threads share */
