@@ -13,6 +13,7 @@
  *   read.h    scene files
  *   render.h  from a scene to pixels
  *   rows.h    a picture row by row, in one call
+ *   damage.h  what has changed on a display
  *   simd.h    vector units
  *   port.h    display, input and clock, as a board or an OS provides them
  *   gaze.h    foveated pictures
@@ -34,6 +35,7 @@
 #define TIA_VERSION "0.1.0"
 
 #include <tia/bvh.h>
+#include <tia/damage.h>
 #include <tia/motion.h>
 #include <tia/orbit.h>
 #include <tia/read.h>
