@@ -282,13 +282,18 @@ $(BUILD)/scenes/%.c: scenes/%.tia $(wildcard scenes/*.ppm) $(BUILD)/tia-compile
 $(BUILD)/scenes/every.c: tests/scenes/every.tia $(BUILD)/tia-compile
 	@mkdir -p $(@D)
 	$(call say,TABLES,$<)$(BUILD)/tia-compile $< -o $@ --name compiled_every
+TELLTALES := ball=40,20,48,56 horizon=0,60,128,4 corner=0,0,8,8
+$(BUILD)/scenes/telltales.c: scenes/thesis.tia $(BUILD)/tia-compile
+	@mkdir -p $(@D)
+	$(call say,TABLES,$<)$(BUILD)/tia-compile $< -o $@ --name compiled --crc 128x96 $(TELLTALES:%=--rectangle %)
 $(BUILD)/scenes/%.o: $(BUILD)/scenes/%.c $(BUILD)/made-with/core
 	$(call compile,CC,$(COMMON))
 $(BUILD)/tests/test_compiled: $(COMPILED:%=$(BUILD)/scenes/%.o)
-.SECONDARY: $(COMPILED:%=$(BUILD)/scenes/%.c)
+$(BUILD)/tests/test_telltales: $(BUILD)/scenes/telltales.o
+.SECONDARY: $(COMPILED:%=$(BUILD)/scenes/%.c) $(BUILD)/scenes/telltales.c
 
 # ---- longer proofs ----
-.PHONY: check-exhaustive prove check-accuracy check-exact check-arch check-freestanding check-matrix check-simd check-denoise check-threads check-deb check-light check-rays-billion check-mutants check-bounds fuzz
+.PHONY: check-exhaustive prove check-accuracy check-exact check-arch check-freestanding check-matrix check-simd check-denoise check-threads check-deb check-light check-rays-billion check-trust check-mutants check-bounds fuzz
 $(BUILD)/tests/exhaustive: $(BUILD)/tests/exhaustive.o $(LIBTIA) $(BUILD)/made-with/link
 	$(link)
 check-exhaustive: $(BUILD)/tests/exhaustive
@@ -317,6 +322,8 @@ check-light: $(BUILD)/tests/test_cornell
 	@LIGHT_TIMES=20 $(run_tests) tests/slow/light
 check-rays-billion: $(BUILD)/tests/test_ray_bounds
 	@$< --rays $(or $(RAYS),1000000000) $(PASS)
+check-trust: $(BUILD)/tests/test_seal
+	@TRUST_FULL=yes $(run_tests) $<
 SECONDS ?= 600
 check-mutants:
 	@$(alone) tests/mutate
@@ -365,7 +372,8 @@ QUICK := $(sort $(wildcard tests/quick/*)) $(filter-out $(BUILD)/tests/test_rays
 SLOW  := $(LONG) $(filter-out $(LONG),$(sort $(wildcard tests/slow/*)))
 TOOLS := $(PROGRAMS:%=$(BUILD)/%)
 export BUILD CC F64
-tests: $(TESTS) $(TOOLS) $(BUILD)/vm/probe
+VM_PROGRAMS := $(BUILD)/vm/probe $(BUILD)/vm/controller
+tests: $(TESTS) $(TOOLS) $(VM_PROGRAMS)
 # One more at a time than there are processors, as some wait for terminals and clocks.
 check-quick: all tests
 	@CHECK_QUICK=yes $(run_tests) -j $$(($(processors) + 1)) $(QUICK)
@@ -374,7 +382,7 @@ check: all tests
 
 # One test, make test T=NAME, or one case of it, C=CASE. Of the test programs those are built that it is or names.
 .PHONY: test-built
-test-built: $(TESTED) $(if $(filter tests/%,$(TESTED)),all) $(if $(filter tests/slow/vm,$(TESTED)),$(BUILD)/vm/probe)
+test-built: $(TESTED) $(if $(filter tests/%,$(TESTED)),all) $(if $(filter tests/slow/vm,$(TESTED)),$(VM_PROGRAMS))
 	@:
 test:
 	@tested=$$(tests/choose '$(T)') && $(MAKE) --no-print-directory test-built TESTED="$$tested" && \
@@ -385,7 +393,10 @@ test:
 $(BUILD)/vm/probe: tests/vm/probe.c $(BUILD)/made-with/host
 	@mkdir -p $(@D)
 	$(call say,LD,$@)$(CC) $(HOSTED) $(CFLAGS) $(LDFLAGS) -o $@ $<
-check-vm: all $(BUILD)/vm/probe $(BUILD)/tests/test_ports
+$(BUILD)/vm/controller: $(BUILD)/host/tests/vm/controller.o $(LIBPORTS) $(LIBSIMD) $(LIBTIA) $(BUILD)/made-with/link
+	@mkdir -p $(@D)
+	$(link)
+check-vm: all $(VM_PROGRAMS) $(BUILD)/tests/test_ports
 	@VM_FULL=yes $(run_tests) tests/slow/vm; status=$$?; $(call python,tests/vm/table); exit $$status
 
 include bench/bench.mk
@@ -419,6 +430,7 @@ help:
 	@echo "test T=NAME C=CASE one test, or one case of it: make test T=ray_bounds C=scene_files"
 	@echo "check-boards prove                             parts of check"
 	@echo "check-accuracy check-exact check-arch check-freestanding check-matrix check-simd check-denoise check-threads check-deb check-light check-vm fuzz   parts of check, for longer"
+	@echo "check-trust          each bit of a view changed, without and with checks: some minutes"
 	@echo "check-rays-billion   10^9 rays by vector units against plain C, or RAYS=N"
 	@echo "check-exhaustive check-mutants check-bounds    longer than check"
 	@echo "bench count size   time, instructions a pixel on boards, flash, RAM and stack"

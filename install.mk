@@ -58,9 +58,9 @@ $(BUILD)/amalgamation/tia.c: tools/generate/amalgamation.py $(CORE_SRC) $(RADIO_
 # As Arduino wants a library: with headers at the top of src/.
 .PHONY: arduino
 ARDUINO := $(BUILD)/arduino/tia
-arduino: tools/generate/amalgamation.py $(CORE_SRC) $(wildcard include/tia/*.h src/*/*.h src/*/*/*.h src/*/*/*/*.h package/arduino/* package/arduino/examples/*/*)
+arduino: tools/generate/amalgamation.py $(CORE_SRC) $(wildcard include/tia/*.h src/*/*.h src/*/*/*.h src/*/*/*/*.h package/arduino/* package/arduino/*/* package/arduino/examples/*/*) tests/boards/thesis.h
 	$(call say,WRITE,$(ARDUINO))rm -rf $(ARDUINO) && mkdir -p $(ARDUINO) && cp -R package/arduino/. LICENSE $(ARDUINO) \
-	    && $(or $(PYTHON),python3) $< $(ARDUINO)/src $(CORE_SRC)
+	    && cp tests/boards/thesis.h $(ARDUINO)/src/tia_thesis.h && $(or $(PYTHON),python3) $< $(ARDUINO)/src $(CORE_SRC)
 
 # ---- what is installed: mode:file:place below PREFIX ----
 INSTALLED := $(if $(LIBF64),$(PROGRAMS),$(filter-out tia-compare,$(PROGRAMS)))

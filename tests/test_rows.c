@@ -71,7 +71,7 @@ static struct tia_rows rows_of(const struct tia_core *core, const struct tia_sce
 TEST(the_built_in_scene)
 {
     const struct tia_core *const cores[] = {&tia_core_q16, &tia_core_spheres, &tia_core_spheres_small};
-    const uint16_t columns[] = {0, 1, 7, 16, 60, W};
+    const uint16_t columns[] = {0, 1, 7, 16, 60, UINT16_MAX};
 
     for (int i = 0; i < 3; i++)
         for (unsigned n = 0; n < sizeof columns / sizeof *columns; n++)
@@ -147,6 +147,8 @@ TEST(fewer_columns_take_less_memory)
         before = tia_draw_rows_size(&rows);
     }
     CHECK_EQ(before, all);
+    rows.columns = UINT16_MAX;
+    CHECK_EQ(tia_draw_rows_size(&rows), all);
 }
 
 int main(void)

@@ -40,14 +40,15 @@ typedef uint16_t tia_rgb565;
  * otherwise; functions without a result do nothing. docs/library.md lists errors that no call detects. */
 enum tia_status {
     TIA_OK = 0,
-    TIA_HIDDEN = 1,          /* not an error: another program has the display at the moment */
-    TIA_STOPPED = 2,         /* not an error: the caller's `stop` returned true, see tia/job.h */
-    TIA_BUSY = 3,            /* not an error: a display is still showing a picture, see tia/port.h */
-    TIA_ERR_ARGUMENT = -1,   /* a size, a tile, an enum or a pointer outside the documented range */
-    TIA_ERR_RANGE = -2,      /* a scene value outside its range, which tia_scene_check reports */
-    TIA_ERR_MEMORY = -3,     /* the caller's memory is too small */
-    TIA_ERR_DEVICE = -4,     /* a port's device failed; the port's context has the reason */
-    TIA_ERR_UNSUPPORTED = -5 /* the device cannot do this */
+    TIA_HIDDEN = 1,           /* not an error: another program has the display at the moment */
+    TIA_STOPPED = 2,          /* not an error: the caller's `stop` returned true, see tia/job.h */
+    TIA_BUSY = 3,             /* not an error: a display is still showing a picture, see tia/port.h */
+    TIA_ERR_ARGUMENT = -1,    /* a size, a tile, an enum or a pointer outside the documented range */
+    TIA_ERR_RANGE = -2,       /* a scene value outside its range, which tia_scene_check reports */
+    TIA_ERR_MEMORY = -3,      /* the caller's memory is too small */
+    TIA_ERR_DEVICE = -4,      /* a port's device failed; the port's context has the reason */
+    TIA_ERR_UNSUPPORTED = -5, /* the device cannot do this */
+    TIA_ERR_DAMAGED = -6      /* memory or pixels are not what they were or must be, see tia/trust.h */
 };
 
 #ifdef __cplusplus

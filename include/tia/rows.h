@@ -21,8 +21,8 @@ struct tia_rows {
     const struct tia_light *lights; /* lights in place of the scene's own, such as a key's state; NULL: the scene's */
     uint32_t light_count;           /* number of `lights`; 0 if `lights` is NULL */
     uint16_t width, height;         /* of the picture in pixels, each 1..TIA_SIZE_MAX */
-    uint16_t columns;               /* pixels of a row that are drawn at once, 1..width; 0: all. Fewer take less memory
-                                     * and more time; the picture is the same */
+    uint16_t columns;               /* most pixels of a row that are drawn at once; 0: all. Fewer take less memory and
+                                     * more time; the picture is the same */
     bool dither;                    /* see struct tia_options */
     bool swap;                      /* see struct tia_surface: as an SPI panel wants the bytes */
 };

@@ -27,6 +27,7 @@
  *   denoise.h removal of noise from sampled pictures
  *   tone.h    conversion of sums of samples to pixel values
  *   radio.h   paths of radio waves, in libtia-radio.a
+ *   trust.h   checks of memory and pixels, for displays that must not show a wrong picture
  *   debug.h   for tests and comparison
  */
 #ifndef TIA_TIA_H

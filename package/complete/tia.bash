@@ -82,9 +82,11 @@ _tia() {
         -s|--size) COMPREPLY=(); return ;;
         --lights) COMPREPLY=(); return ;;
         --name) COMPREPLY=(); return ;;
+        --crc) COMPREPLY=(); return ;;
+        --rectangle) COMPREPLY=(); return ;;
         --scene-format) mapfile -t COMPREPLY < <(compgen -W 'tia nff obj' -- "$cur"); return ;;
         esac
-        words='--output --memory --size --lights --name --scene-format --strict --help --version' ends='tia nff obj' ;;
+        words='--output --memory --size --lights --name --crc --rectangle --scene-format --strict --help --version' ends='tia nff obj' ;;
     tia-join)
         case $prev in
         -o|--output) compopt -o default; COMPREPLY=(); return ;;

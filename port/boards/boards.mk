@@ -5,12 +5,15 @@ RISCV_BARE ?= riscv64-unknown-elf-
 AVR_BARE   ?= avr-
 PANEL_BOARDS := versatilepb vexpress-a9
 SMALL_BOARDS := mps2-an385 mps2-an386 mps2-an500 microbit rv32 atmega1284p
+# Boards with 8 KB of RAM.
+TINY_BOARDS := stm32vldiscovery
 versatilepb_CC := $(ARM_BARE)gcc -marm -mcpu=arm926ej-s -mfloat-abi=soft
 vexpress-a9_CC := $(ARM_BARE)gcc -marm -mcpu=cortex-a9 -mfloat-abi=soft -mno-unaligned-access
 mps2-an385_CC  := $(ARM_BARE)gcc -mthumb -mcpu=cortex-m3
 mps2-an386_CC  := $(ARM_BARE)gcc -mthumb -mcpu=cortex-m4 -mfloat-abi=soft
 mps2-an500_CC  := $(ARM_BARE)gcc -mthumb -mcpu=cortex-m7 -mfloat-abi=soft
 microbit_CC    := $(ARM_BARE)gcc -mthumb -mcpu=cortex-m0
+stm32vldiscovery_CC := $(mps2-an385_CC)
 rv32_CC        := $(RISCV_BARE)gcc -march=rv32imac -mabi=ilp32
 atmega1284p_CC := $(AVR_BARE)gcc -mmcu=atmega1284p
 BOARD := $(COMMON) -ffreestanding -iquote src -Iport -O2 -g -ffunction-sections -fdata-sections
@@ -19,15 +22,15 @@ BOARD_LD := -static -Wl,--gc-sections,--fatal-warnings
 TIGHT_BOARDS := atmega1284p
 spheres = core_spheres$(if $(filter $(1),$(TIGHT_BOARDS)),_small)
 # The stack in bytes that a small board's program must have: the limit of tests/slow/freestanding for the core, 6720, or
-# 5760 without coherence.c, and 512 for the program itself. tests/slow/boards measures how much of the stack is used.
-small_stack = $(if $(filter $(1),$(TIGHT_BOARDS)),6272,7232)
+# 5760 without coherence.c, or 3968 with TIA_CHUNK=16 and TIA_BALL_WORDS=8, and 512 for the program itself. tests/slow/boards measures how much of the stack is used.
+small_stack = $(if $(filter $(1),$(TINY_BOARDS)),4480,$(if $(filter $(1),$(TIGHT_BOARDS)),6272,7232))
 comma := ,
 # The MPS2's images of a Cortex-M4 and M7 have their memory where that of a Cortex-M3 has it.
 MORE_MPS2 := mps2-an386 mps2-an500
 map_of = $(if $(filter $(MORE_MPS2),$(1)),mps2-an385,$(1))
 large_map_of = $(if $(filter $(MORE_MPS2),$(1)),mps2-4m,$(1)-large)
 # An AVR's linker script is an addition to avr-libc's; those of other boards are complete.
-board_ld = $(if $(filter $(1),$(SMALL_BOARDS)),-Wl$(comma)--defsym=board_stack_min=$(call small_stack,$(1))) \
+board_ld = $(if $(filter $(1),$(SMALL_BOARDS) $(TINY_BOARDS)),-Wl$(comma)--defsym=board_stack_min=$(call small_stack,$(1))) \
            $(if $(filter atmega%,$(1)),port/boards/$(1).ld,-nostdlib -Lport/boards -T port/boards/$(2).ld)
 
 BOARD_SRC := port/boards/start.c port/boards/print.c port/boards/memcpy.c
@@ -38,6 +41,7 @@ mps2-an385_SRC  := $(BOARD_SRC) port/boards/semihost.c port/boards/cortex-m.c
 mps2-an386_SRC  := $(mps2-an385_SRC)
 mps2-an500_SRC  := $(mps2-an385_SRC)
 microbit_SRC    := $(mps2-an385_SRC)
+stm32vldiscovery_SRC := $(mps2-an385_SRC)
 rv32_SRC        := $(BOARD_SRC) port/boards/semihost.c port/boards/start-riscv.S
 atmega1284p_SRC := port/boards/print.c port/boards/atmega1284p.c
 
@@ -89,7 +93,8 @@ $(BUILD)/boards/$(1)/%.o: BOARD += -Os -DTIA_BALL_WORDS=8 $($(1)_SMALL)
 $(patsubst %,$(BUILD)/boards/$(1)/%.o,$(HOT) $($(1)_HOT)): BOARD += -O2 $($(1)_FAST)
 $(BUILD)/boards/$(1)/f%.o: BOARD += -O2 $($(1)_FAST)
 endef
-$(foreach b,$(SMALL_BOARDS),$(eval $(call optimised,$(b))))
+stm32vldiscovery_SMALL := -DTIA_CHUNK=16
+$(foreach b,$(SMALL_BOARDS) $(TINY_BOARDS),$(eval $(call optimised,$(b))))
 # The program whose instructions are counted: arithmetic $(2), strips of $(3) rows; $(4) is 1 to store a whole frame's hits.
 define counted
 $(BUILD)/boards/$(1)/count-$(2).o: tests/boards/count.c
@@ -101,6 +106,12 @@ define crowded
 $(BUILD)/boards/$(1)/crowd-$(2)-$(3).o: tests/boards/crowd.c
 	$$(call board_compile,$(1),CC,$$(BOARD) -DSPHERES=$(2) -DLIGHTS=$(3))
 $(call image,$(1),crowd-$(2)-$(3),,$(1)-large,$(BUILD)/boards/$(1)/crowd-$(2)-$(3).o)
+endef
+# The program whose checks are counted, in strips of $(2) rows.
+define checked
+$(BUILD)/boards/$(1)/trust-$(2).o: tests/boards/trust.c
+	$$(call board_compile,$(1),CC,$$(BOARD) -DROWS=$(2))
+$(call image,$(1),trust-$(2),,$(1)-large,$(BUILD)/boards/$(1)/trust-$(2).o)
 endef
 # The viewer of the compiled scene $(2).
 define shown
@@ -123,10 +134,11 @@ $(BUILD)/scenes/nff/%.c: scenes/nff/%.nff $(BUILD)/tia-compile
 	@mkdir -p $(@D)
 	$(call say,TABLES,$<)$(BUILD)/tia-compile $< -o $@ --name compiled_$*
 # The boards whose compiler is installed; the tests report the others.
-BOARDS := $(foreach b,$(PANEL_BOARDS) $(SMALL_BOARDS),$(if $(call found,$(firstword $($(b)_CC))),$(b)))
+BOARDS := $(foreach b,$(PANEL_BOARDS) $(SMALL_BOARDS) $(TINY_BOARDS),$(if $(call found,$(firstword $($(b)_CC))),$(b)))
 $(foreach b,$(BOARDS),$(eval $(call board,$(b))))
 BOARDS_PANEL := $(filter $(PANEL_BOARDS),$(BOARDS))
 BOARDS_SMALL := $(filter $(SMALL_BOARDS),$(BOARDS))
+BOARDS_TINY := $(filter $(TINY_BOARDS),$(BOARDS))
 $(foreach b,$(BOARDS_PANEL),$(eval $(call image,$(b),viewer,tools/boards/viewer.c,$(b))))
 $(foreach b,$(BOARDS_PANEL),$(eval $(call shown,$(b),castle)))
 $(foreach b,$(BOARDS_PANEL),$(eval $(call image,$(b),pattern,tests/boards/pattern.c,$(b))))
@@ -154,6 +166,7 @@ $(BUILD)/boards/observed: $(BUILD)/host/tests/boards/observed.o $(LIBCOMMON) $(L
 $(if $(filter mps2-an385,$(BOARDS)),$(eval $(call image,mps2-an385,light,tests/boards/light.c,mps2-an385-64k)))
 EXAMPLES := $(filter mps2-an385 microbit rv32,$(BOARDS))
 $(foreach b,$(EXAMPLES),$(eval $(call image,$(b),example,tests/boards/example_main.c,$(b))))
+$(foreach b,$(BOARDS_TINY),$(eval $(call image,$(b),rows,tests/boards/rows_main.c,$(b))))
 # The sources that are compiled once more, as other build systems do it: see tests/boards/ways.py.
 $(BUILD)/boards/spheres: port/boards/boards.mk $(SPHERE_SRC)
 	@mkdir -p $(@D) && echo $(SPHERE_SRC) >$@
@@ -161,6 +174,9 @@ $(if $(filter microbit,$(BOARDS)),$(eval $(call image,microbit,mul64,tests/board
 $(BUILD)/boards/example: tests/boards/example_main.c tests/boards/example.c tests/boards/thesis.h $(LIBTIA)
 	@mkdir -p $(@D)
 	$(call say,LD,$@)$(CC) $(COMMON) $(CFLAGS) $(LDFLAGS) -o $@ $< $(LIBTIA)
+TRUST_ROWS := 2 8 16
+$(if $(filter mps2-an385,$(BOARDS)),$(foreach n,$(TRUST_ROWS),$(eval $(call checked,mps2-an385,$(n)))))
+TRUSTED := $(if $(filter mps2-an385,$(BOARDS)),$(TRUST_ROWS:%=$(BUILD)/boards/mps2-an385/trust-%.elf))
 IMAGES := $(foreach n,viewer castle,$(BOARDS_PANEL:%=$(BUILD)/boards/%/$(n).elf)) $(BOARDS_PANEL:%=$(BUILD)/boards/%/pattern.elf) $(BOARDS_SMALL:%=$(BUILD)/boards/%/frames.elf) \
           $(BOARDS_SHADOWS:%=$(BUILD)/boards/%/shadows.elf)
 CROWDED := $(foreach b,$(BOARDS_CROWDED),$(foreach n,$(call crowds_of,$(b)),$(BUILD)/boards/$(b)/crowd-$(n)-4.elf))
@@ -177,12 +193,12 @@ $(BUILD)/boards/simavr: tests/boards/simavr.c
 
 # The programs whose instructions are counted, and those that count instructions and rays.
 COUNT_FILES := $(COUNTED) $(CROWDED) $(BOARDS_SHADOWS:%=$(BUILD)/boards/%/shadows.elf) $(BUILD)/boards/insn.so $(SIMAVR) \
-               $(RAYED:%=$(BUILD)/boards/mps2-an385/rays-%.elf) $(BUILD)/boards/observed
+               $(TRUSTED) $(RAYED:%=$(BUILD)/boards/mps2-an385/rays-%.elf) $(BUILD)/boards/observed
 
 .PHONY: boards check-boards size-boards count count-rays cycles ways
 boards: $(IMAGES) $(BOARDS_SMALL:%=$(BUILD)/boards/%/count-q16.elf) $(BUILD)/boards/insn.so $(SIMAVR) $(addprefix $(BUILD)/boards/,example shadows light) \
         $(if $(filter mps2-an385,$(BOARDS)),$(addprefix $(BUILD)/boards/mps2-an385/,light.elf) $(BUILD)/boards/microbit/mul64.elf) \
-        $(EXAMPLES:%=$(BUILD)/boards/%/example.elf) $(BUILD)/boards/spheres
+        $(EXAMPLES:%=$(BUILD)/boards/%/example.elf) $(BOARDS_TINY:%=$(BUILD)/boards/%/rows.elf) $(BUILD)/boards/spheres
 check: boards $(COUNT_FILES)
 check-boards: all boards
 	@$(run_tests) tests/slow/boards

@@ -11,7 +11,7 @@ struct layout {
 static bool is_valid(const struct tia_rows *rows)
 {
     return rows && rows->core && rows->scene && rows->width - 1u < TIA_SIZE_MAX && rows->height - 1u < TIA_SIZE_MAX &&
-           rows->columns <= rows->width && (rows->lights || !rows->light_count);
+           (rows->lights || !rows->light_count);
 }
 
 static uint32_t light_capacity(const struct tia_rows *rows)
@@ -29,15 +29,11 @@ static struct tia_tile part_at(const struct tia_rows *rows, unsigned x, unsigned
     return (struct tia_tile){(uint16_t)x, (uint16_t)y, (uint16_t)(rest < most ? rest : most), 1};
 }
 
-/* Returns a + b, and that rounded up for what must be aligned; SIZE_MAX when it does not fit. */
-static size_t sum(size_t a, size_t b)
+/* Returns a + b rounded up to a multiple of 2 or 8; SIZE_MAX when it does not fit. */
+static size_t sum(size_t a, size_t b, size_t multiple)
 {
-    return a > SIZE_MAX - b ? SIZE_MAX : a + b;
-}
-
-static size_t aligned(size_t size)
-{
-    return size > SIZE_MAX - 7 ? SIZE_MAX : ALIGN(size);
+    return a > SIZE_MAX - multiple || b > SIZE_MAX - multiple - a ? SIZE_MAX
+                                                                  : (a + b + multiple - 1) / multiple * multiple;
 }
 
 static struct layout layout_of(const struct tia_rows *rows)
@@ -45,9 +41,9 @@ static struct layout layout_of(const struct tia_rows *rows)
     const struct tia_core *core = rows->core;
     struct layout layout;
 
-    layout.hits = aligned(core->view_size(core, rows->scene, light_capacity(rows)));
-    layout.pixels = aligned(sum(layout.hits, core->hits_size(core, rows->scene, part_at(rows, 0, 0))));
-    layout.end = sum(layout.pixels, rows->width * sizeof(tia_rgb565));
+    layout.hits = sum(0, core->view_size(core, rows->scene, light_capacity(rows)), 8);
+    layout.pixels = sum(layout.hits, core->hits_size(core, rows->scene, part_at(rows, 0, 0)), sizeof(tia_rgb565));
+    layout.end = sum(layout.pixels, rows->width * sizeof(tia_rgb565), sizeof(tia_rgb565));
     return layout;
 }
 

@@ -23,6 +23,7 @@ PIXELS = 320 * 240
 SHADOW_PIXELS = 160 * 120
 RAY_PIXELS = 64 * 48
 BOARDS = qemu.SMALL
+TRUST_ROWS = 2, 8, 16
 ARITHMETICS = (('q16', 'q16'), ('f32', 'float'), ('f64', 'double'))
 
 
@@ -91,6 +92,35 @@ def shadow_table(build):
         print('| %s | %.0f | %s | %s |' % row)
 
 
+def trust(build, rows, board='mps2-an385'):
+    """Instructions of a frame in strips of so many rows: without checks, with a check before and after the frame, with
+    tia_view_draw_checked, and those of a telltale of 64x64 pixels alone; and the frame's checksum."""
+    image = '%s/boards/%s/trust-%d.elf' % (build, board, rows)
+    at = {name: address for address, name in symbols(board, image)}
+    with tempfile.NamedTemporaryFile('r') as log:
+        said = qemu.run(board, image, '-plugin', '%s,begin=%#x,end=%#x' % (plugin_of(build), at['count_begin'], at['count_end']),
+                        '-d', 'plugin', '-D', log.name).split()
+        passages = [int(line.split()[1]) for line in log.read().splitlines() if line.startswith('passage')]
+    if said[0::2] != ['plain', 'around', 'checked', 'telltale'] or len(passages) != 4 or len(set(said[1::2])) != 1:
+        raise qemu.Failed('%s: %s, %d passages' % (image, ' '.join(said), len(passages)))
+    plain, around, checked, telltale = passages
+    return plain, around, checked, telltale - plain, said[1]
+
+
+def trust_table(build):
+    if qemu.missing('mps2-an385'):
+        return
+    print('\n| checks, Cortex-M3 | instructions of a check | before and after a frame | each strip | telltale |\n|---|--:|--:|--:|--:|')
+    for rows in TRUST_ROWS:
+        print('| strips of %d rows | %s |' % (rows, ' | '.join(trust_cells(build, rows))))
+
+
+def trust_cells(build, rows):
+    plain, around, checked, telltale, _ = trust(build, rows)
+    return ['%d' % ((around - plain) // 2), '%.2f %%' % (100 * (around - plain) / plain),
+            '%.2f %%' % (100 * (checked - plain) / plain), '%.2f %%' % (100 * telltale / plain)]
+
+
 def ray_table(build, board='mps2-an385'):
     if qemu.missing(board):
         print('count: %s is missing' % qemu.missing(board)[0], file=sys.stderr)
@@ -102,7 +132,7 @@ def ray_table(build, board='mps2-an385'):
 
 
 CROWDS = ((4, 4), (16, 4), (64, 4))
-CROWDED = tuple((board, processor) for board, processor in BOARDS if board != qemu.AVR)
+CROWDED = tuple((board, title) for board, title in BOARDS if board in ('mps2-an385', 'microbit', 'rv32'))
 
 
 def crowd(build, board, spheres, lights):
@@ -201,6 +231,7 @@ def main(arguments):
         table(build)
         crowd_table(build)
         shadow_table(build)
+        trust_table(build)
 
 
 if __name__ == '__main__':

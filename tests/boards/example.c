@@ -1,6 +1,6 @@
 #include <tia/tia.h>
 
-#include "thesis.h" /* tia-compile scenes/thesis.tia --name thesis --memory thesis.h -s 320x1 --lights 1 */
+#include "thesis.h" /* tia-compile scenes/thesis.tia --name thesis --memory thesis.h -s 320x1 -s 64x1 --lights 1 */
 
 static uint64_t view_memory[TIA_WORDS(THESIS_VIEW)], hits_memory[TIA_WORDS(THESIS_HITS_320x1)]; /* a row's hits */
 static tia_rgb565 row[320];

@@ -14,7 +14,7 @@
 #ifndef LARGE
 #define LARGE 1 /* 0: only the small size, for emulators that take minutes */
 #endif
-enum { WIDTH = 320, HEIGHT = 240, SMALL_WIDTH = 128, SMALL_HEIGHT = 160, ARENA = WIDTH * ROWS * 8 + 1024 };
+enum { WIDTH = 320, HEIGHT = 240, SMALL_WIDTH = 128, SMALL_HEIGHT = 160, ARENA = WIDTH * ROWS * 8 + 2304 };
 
 static uint64_t arena[ARENA / sizeof(uint64_t)];
 

@@ -1,4 +1,6 @@
-/* simavr.c - runs an AVR program in simavr, prints its serial output, and ends with its status.
+/* simavr.c - runs an AVR program in simavr, prints its serial output, and ends with its status. SIGTERM ends the
+ * program earlier, with a line on standard error: "stack N", the bytes of RAM from the lowest that it has changed
+ * above its variables to the end.
  *
  *   simavr IMAGE                     as fast as possible
  *   simavr IMAGE BEGIN END LOG       counts instructions between two marks
@@ -7,16 +9,29 @@
  * a passage, for which LOG gets the line "passage INSTRUCTIONS CYCLES". Counting takes twice the time. */
 #include <avr_uart.h>
 #include <inttypes.h>
+#include <signal.h>
 #include <sim_avr.h>
 #include <sim_elf.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #ifndef MCU
 #define MCU "atmega1284p"
 #endif
 #define STATUS 0x3e                          /* GPIOR0: board_exit writes the status there and sleeps for ever */
 #define LIMIT (UINT64_C(16000000) * 60 * 60) /* an hour of the processor's time */
+
+#define PAINT 0xac
+
+static volatile sig_atomic_t ended;
+static uint32_t free_ram; /* address of the first byte above the variables */
+
+static void on_signal(int number)
+{
+    (void)number;
+    ended = 1;
+}
 
 static void on_byte(struct avr_irq_t *irq, uint32_t value, void *user)
 {
@@ -44,16 +59,27 @@ static avr_t *load(char *image)
     avr_init(avr);
     firmware.frequency = 16000000;
     avr_load_firmware(avr, &firmware);
+    free_ram = (uint32_t)avr->ioend + 1 + firmware.datasize + firmware.bsssize;
+    memset(avr->data + free_ram, PAINT, avr->ramend + 1 - free_ram);
     avr_ioctl(avr, AVR_IOCTL_UART_SET_FLAGS('0'), &flags);
     avr_irq_register_notify(avr_io_getirq(avr, AVR_IOCTL_UART_GETIRQ('0'), UART_IRQ_OUTPUT), on_byte, NULL);
     return avr;
+}
+
+static void print_stack(const avr_t *avr)
+{
+    uint32_t at = free_ram;
+
+    while (at <= avr->ramend && avr->data[at] == PAINT)
+        at++;
+    fprintf(stderr, "stack %" PRIu32 "\n", (uint32_t)avr->ramend + 1 - at);
 }
 
 static int run(avr_t *avr)
 {
     int state = cpu_Running;
 
-    while (state != cpu_Done && state != cpu_Crashed && avr->cycle < LIMIT)
+    while (!ended && state != cpu_Done && state != cpu_Crashed && avr->cycle < LIMIT)
         state = avr_run(avr);
     return state;
 }
@@ -87,11 +113,14 @@ int main(int argc, char **argv)
         fprintf(stderr, "simavr: %s cannot be run\n", argv[1]);
         return 1;
     }
+    signal(SIGTERM, on_signal);
     int state = log ? run_and_count(avr, (uint32_t)strtoul(argv[2], NULL, 0), (uint32_t)strtoul(argv[3], NULL, 0), log)
                     : run(avr);
     if (log && fclose(log))
         return 1;
-    if (state != cpu_Done)
+    if (ended)
+        print_stack(avr);
+    else if (state != cpu_Done)
         fprintf(stderr, "simavr: the program %s\n", state == cpu_Crashed ? "crashed" : "did not end");
     return state == cpu_Done ? avr->data[STATUS] : 1;
 }

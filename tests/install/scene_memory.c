@@ -96,6 +96,19 @@ static size_t viewer_size(void)
     return asked.size;
 }
 
+/* Returns the memory of rows of which `columns` pixels are drawn at once, with the number of lights that takes most. */
+static size_t rows_size(uint16_t columns)
+{
+    static struct tia_light lights[LIGHTS];
+    struct tia_rows rows = {.core = &tia_core_q16, .scene = &SCENE, .width = 320, .height = 250, .columns = columns};
+    size_t most = tia_draw_rows_size(&rows);
+
+    rows.lights = lights;
+    for (rows.light_count = 1; rows.light_count <= LIGHTS; rows.light_count++)
+        most = tia_draw_rows_size(&rows) > most ? tia_draw_rows_size(&rows) : most;
+    return most;
+}
+
 static void tell(const char *what, size_t said, size_t asked)
 {
     printf("%s %lu %lu\n", what, (unsigned long)said, (unsigned long)asked);
@@ -110,6 +123,8 @@ int main(void)
         return 1;
     tell("view", SIZE(_VIEW), tia_view_size(&SCENE, LIGHTS));
     tell("row", SIZE(_HITS_320x1), tia_hits_size(&SCENE, row));
+    tell("rows", SIZE(_ROWS_320), rows_size(0));
+    tell("part", SIZE(_ROWS_320) - SIZE(_HITS_320x1) + SIZE(_HITS_33x1), rows_size(33));
     tell("tile", SIZE(_HITS_33x7), tia_hits_size(&SCENE, odd));
     tell("frame", SIZE(_HITS_320x250), tia_hits_size(&SCENE, frame));
     tell("viewer", SIZE(_VIEWER_320x250), viewer_size());

@@ -217,7 +217,7 @@ def pack():
     for source in glob.glob(os.path.join(HERE, '../../scenes/*.*')):
         archive.file('/scenes/' + os.path.basename(source), source)
     archive.tree(os.path.join(KERNEL, 'root'))
-    for name in ('tia', 'vm/probe', 'tests/test_ports'):
+    for name in ('tia', 'vm/probe', 'vm/controller', 'tests/test_ports'):
         archive.program(os.path.join(BUILD, name))
     archive.write(IMAGE)
 

@@ -15,7 +15,8 @@ from session import Memory, Scanout, VkmsChecksum
 # The columns of the table.
 GROUPS = {
     'conformance': [display.conforms],
-    'pictures': [display.frames, display.automatic, display.rotated, display.centred, display.modes],
+    'pictures': [display.frames, display.automatic, display.rotated, display.centred, display.modes,
+                 display.controller],
     'held keys, latency': [display.held, display.latency],
     'pages, pacing': [display.panning, display.pacing],
     'keyboards': [keys.usb, keys.usb_hotplug, keys.virtio, keys.virtio_hotplug, keys.comes_and_goes, keys.two,
@@ -111,7 +112,7 @@ SETUPS = [
     # Its driver brings the kernel down when it has to let go of the device, with or without tia.
     drm('qxl', ['-device', 'qxl-vga'], ['qxl'], (1024, 768), cases=DRM),
     drm('vkms', [], ['vkms'], append='video=Virtual-1:640x480', options=['--mode', '640x480'], format='RGB565',
-        eye=VkmsChecksum(), cases=[*DRM, display.pacing]),
+        eye=VkmsChecksum(), cases=[*DRM, display.pacing, display.controller]),
     drm('keyboards', [*BOCHS, '-device', 'qemu-xhci,id=usb'],
         ['bochs', 'uinput', 'virtio_pci', 'virtio_input', 'xhci-pci', 'usbhid', 'hid-generic'],
         title='PS/2, USB, virtio, uinput keyboards',

@@ -21,6 +21,9 @@ static int check(const struct converter *converter, struct request *request, int
     request->scene = argv[0];
     if (argc > 1)
         return fail(converter, 2, argv[1], "unexpected argument (see --help)");
+    const char *why = "", *option = converter->check ? converter->check(request, &why) : NULL;
+    if (option)
+        return fail(converter, 2, option, why);
     return request->output || request->memory ? 0 : fail(converter, 2, "--output", "no file is named (see --help)");
 }
 

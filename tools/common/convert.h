@@ -2,7 +2,7 @@
 #ifndef TOOLS_CONVERT_H
 #define TOOLS_CONVERT_H
 
-#include <tia/scene.h>
+#include <tia/render.h>
 
 #include "choices.h"
 #include "command_line.h"
@@ -12,6 +12,18 @@
 struct convert_tiles {
     uint16_t size[CONVERT_TILES][2]; /* widths and heights */
     unsigned count;
+};
+
+#define CONVERT_TELLTALES 16
+
+/* Rectangles of a picture, for tia-compile --crc. */
+struct convert_telltales {
+    uint16_t width, height; /* 0: no --crc */
+    unsigned count;
+    struct {
+        const char *name;
+        struct tia_tile area;
+    } of[CONVERT_TELLTALES];
 };
 
 struct request {
@@ -25,6 +37,8 @@ struct request {
     const char *memory;         /* --memory: NULL, or a path; then `output` may be NULL */
     uint32_t lights;            /* --lights: 0 when it is not given */
     struct convert_tiles tiles; /* --size */
+
+    struct convert_telltales telltales; /* --crc, --rectangle */
 };
 
 #define CONVERT_TO(member) OPTION_TO(struct request, member)
@@ -42,6 +56,8 @@ struct converter {
     int (*write)(const struct request *request, const struct tia_scene *scene, char *why);
     /* writes request->memory; returns as `write`; NULL: the command has no --memory */
     int (*write_memory)(const struct request *request, const struct tia_scene *scene, char *why);
+    /* returns the first option that does not fit the others, with the reason in `why`, or NULL; NULL: all fit */
+    const char *(*check)(const struct request *request, const char **why);
 };
 
 /* Runs the whole command; returns its exit status: 0 success, 1 failure, 2 usage error or invalid scene. */

@@ -34,6 +34,12 @@ SOURCE_TOP = """/* tia.c - all of the core, in integers, in one file; tia.h is i
  * It needs no operating system and of the C library no more than memcpy, memset and the like. A linker that drops what
  * nothing refers to (-ffunction-sections -Wl,--gc-sections) keeps what a program uses.
  */
+/* tia_config.h, if there is one, has options such as TIA_CHUNK. */
+#if defined(__has_include)
+#if __has_include("tia_config.h")
+#include "tia_config.h"
+#endif
+#endif
 #include "tia.h"
 
 /* A function that this file happens not to use. */
@@ -336,7 +342,7 @@ def macros_of(text):
 
 def header():
     library = Header()
-    for name in ("tia", "raster", "denoise", "tone", "radio", "debug"):
+    for name in ("tia", "raster", "denoise", "tone", "radio", "trust", "debug"):
         library.add(f"include/tia/{name}.h")
     return HEADER_TOP + "".join("\n" + text for _, text in library.parts)
 

@@ -15,6 +15,7 @@ import importlib.util
 import itertools
 import os
 import re
+import shutil
 import subprocess
 import sys
 
@@ -25,6 +26,7 @@ import count
 import cycles as cycle_models
 import qemu
 import size
+import stack as call_graph
 import ways as build_ways
 
 BUILD = "build"
@@ -166,6 +168,23 @@ def sizes(_):
     return by_first_cell(rows)
 
 
+def stacks(_):
+    """Updates the bounds of the stack that drawing takes."""
+    for prefix, _ in call_graph.PROCESSORS.values():
+        if not shutil.which(prefix + "gcc"):
+            raise Missing(f"{prefix}gcc is not installed (make deps docs installs it)")
+        version_is_right(prefix + "gcc", prefix + "gcc")
+    return by_first_cell({processor: list(call_graph.measure(processor).values()) for processor in call_graph.PROCESSORS})
+
+
+def tiny(_):
+    boards("stm32vldiscovery")
+    image = f"{BUILD}/boards/stm32vldiscovery/rows.elf"
+    stack = int(re.search(r"^stack (\d+)$", qemu.run("stm32vldiscovery", image), re.M)[1])
+    flash, data = size.sections("stm32vldiscovery", image)
+    return words({"takes {} bytes of flash, {} of data and {} of stack, for which 8 KB of RAM leave {}": (flash, data, stack, 8192 - data)})
+
+
 @functools.lru_cache(None)
 def counts():
     """Returns by processor and arithmetic: instructions of a full and of a relit frame, and the AVR's cycles."""
@@ -259,6 +278,11 @@ def cores(full):
 def shadows(_):
     boards("mps2-an385")
     return by_first_cell({name: (f"{number:.0f}", view, hits) for name, number, view, hits in count.shadows(BUILD)})
+
+
+def trust(_):
+    boards("mps2-an385")
+    return by_first_cell({f"strips of {rows} rows": count.trust_cells(BUILD, rows) for rows in count.TRUST_ROWS})
 
 
 def light(_):
@@ -364,11 +388,11 @@ def mutants(_):
 
 
 # In the order in which they are counted. The names in SLOW take minutes.
-NAMES = {"frames": frames, "mutants": mutants, "size": sizes, "count": instructions, "crowds": crowds, "cycles": cycles,
+NAMES = {"frames": frames, "mutants": mutants, "size": sizes, "stack": stacks, "tiny": tiny, "count": instructions, "crowds": crowds, "cycles": cycles,
          "models": models, "chips": chips, "ways": ways, "cores": cores,
-         "shadows": shadows, "light": light, "rays": ray_by_ray, "techniques": techniques,
+         "shadows": shadows, "light": light, "trust": trust, "rays": ray_by_ray, "techniques": techniques,
          "compare": compare, **{f"compare-{what}": lambda _, what=what: block(compared(what)) for what in ("scene", "random", "everything", "databases")}}
-SLOW = ("compare-everything", "compare-random")
+SLOW = ("compare-everything", "compare-random", "stack")
 
 
 # ---- pages ----

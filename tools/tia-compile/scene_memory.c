@@ -144,11 +144,32 @@ static uint64_t viewer_size(const struct scene_memory *m, struct tia_tile frame,
     return size;
 }
 
-/* ---- flash ---- */
+/* Returns the memory of tia_draw_rows for rows of `width` pixels that are drawn at once. Its view has room for no more
+ * lights than it gets, and one light may take more than two, by the steps of its colour. */
+static uint64_t rows_size(const struct scene_memory *m, uint16_t width, int kind)
+{
+    const struct tia_tile row = {0, 0, width, 1};
+    const struct scene_memory one = {m->scene, 1};
+    uint64_t view = view_size(m, kind), single = m->scene->light_count > 1 ? 0 : view_size(&one, kind);
+
+    return ALIGN(single > view ? single : view) + hits_size(m->scene, row, kind) + width * sizeof(tia_rgb565);
+}
+
+/* ---- flash and stack ---- */
 
 /* Bytes of flash for a program's code and tables on a Cortex-M3 by gcc -Os, without the code for the board: measured
  * with the example of docs/boards.md, with tia_core_spheres and with tia_core_q16. */
 enum { FLASH_SPHERES = 48600, FLASH_ALL = 239000 };
+
+/* Bytes of stack: for scenes of spheres the limit of tests/slow/freestanding, and, rounded up, what
+ * tests/boards/stack.py prints for smaller chunks; for all others that test's limit on a Cortex-M0. */
+enum {
+    STACK_SPHERES = 6848,
+    STACK_CHUNK_32 = 5376,
+    STACK_CHUNK_16 = 5120,
+    STACK_CHUNK_16_WORDS_8 = 3968,
+    STACK_ALL = 15360
+};
 
 static uint64_t textures_size(const struct tia_scene *scene)
 {
@@ -197,10 +218,12 @@ static const char top[] =
     "#include <stdint.h>\n\n"
     "/* Bytes on a machine with 64-bit pointers, with 32-bit ones, and with those and enumerations of a byte, as "
     "arm-none-eabi\n"
-    " * has them. Where 64-bit numbers lie at multiples of 4, as on 32-bit x86, a little less is needed. */\n"
+    " * has them. Where 64-bit numbers lie at multiples of 4, as on 32-bit x86, and on an AVR, a little less is "
+    "needed. "
+    "*/\n"
     "#ifndef TIA_BYTES\n"
     "enum tia_bytes_small { TIA_BYTES_SMALL };\n"
-    "typedef char tia_bytes_known[sizeof(void *) >= 4 ? 1 : -1]; /* fails on other machines: call tia_view_size there "
+    "typedef char tia_bytes_known[sizeof(void *) <= 8 ? 1 : -1]; /* fails on other machines: call tia_view_size there "
     "*/\n"
     "#define TIA_BYTES(wide, narrow, small) \\\n"
     "    (sizeof(void *) == 8 ? (wide) : sizeof(enum tia_bytes_small) > 1 ? (narrow) : (small))\n"
@@ -228,6 +251,36 @@ static void write_tile(struct text *text, const char *name, const struct scene_m
     write_sizes(text, name, "VIEWER", size, viewer);
 }
 
+/* Writes the size for tile `i`'s width, unless an earlier tile has the same width. */
+static void write_rows(struct text *text, const char *name, const struct scene_memory *m,
+                       const struct convert_tiles *tiles, unsigned i)
+{
+    uint64_t rows[KINDS];
+    char size[16];
+
+    for (unsigned before = 0; before < i; before++)
+        if (tiles->size[before][0] == tiles->size[i][0])
+            return;
+    for (int kind = 0; kind < KINDS; kind++)
+        rows[kind] = rows_size(m, tiles->size[i][0], kind);
+    (void)snprintf(size, sizeof size, "_%u", tiles->size[i][0]);
+    write_sizes(text, name, "ROWS", size, rows);
+}
+
+static void write_stack(struct text *text, const char *name, bool by_row)
+{
+    text_print(text, "\n/* Stack, at most: of the library's functions that draw, on processors of 32 bits (gcc -Os)");
+    if (!by_row) {
+        text_print(text, ". */\n#define %s_STACK %uu\n", name, STACK_ALL);
+        return;
+    }
+    text_print(text, "; smaller with the library\n"
+                     " * compiled with TIA_CHUNK=32 or 16, and then with TIA_BALL_WORDS=8. */\n");
+    text_print(text, "#define %s_STACK %uu\n#define %s_STACK_32 %uu\n", name, STACK_SPHERES, name, STACK_CHUNK_32);
+    text_print(text, "#define %s_STACK_16 %uu\n#define %s_STACK_16_8 %uu\n", name, STACK_CHUNK_16, name,
+               STACK_CHUNK_16_WORDS_8);
+}
+
 static void write_header(struct text *text, const struct request *request, const struct scene_memory *m)
 {
     char name[64] = "";
@@ -248,6 +301,13 @@ static void write_header(struct text *text, const struct request *request, const
     write_sizes(text, name, "VIEW", "", view);
     for (unsigned i = 0; i < request->tiles.count; i++)
         write_tile(text, name, m, (struct tia_tile){0, 0, request->tiles.size[i][0], request->tiles.size[i][1]});
+    if (request->tiles.count)
+        text_print(text,
+                   "\n/* tia_draw_rows, with rows of so many pixels; if fewer are drawn at once, the hits are those "
+                   "of a tile of one\n * row with so many: ROWS_320 - HITS_320x1 + HITS_64x1. */\n");
+    for (unsigned i = 0; i < request->tiles.count; i++)
+        write_rows(text, name, m, &request->tiles, i);
+    write_stack(text, name, is_drawn_by_row(m->scene));
     text_print(
         text,
         "\n/* Flash, about: the library's part of a program on a Cortex-M3 (gcc -Os), and the scene's tables. */\n");

@@ -149,7 +149,7 @@ static void write_scene(struct unit *unit)
     text_print(&unit->text, "};\n");
 }
 
-void unit_write(struct unit *unit, const char *source)
+void unit_write(struct unit *unit, const char *source, const struct convert_telltales *telltales, const uint32_t *crcs)
 {
     const struct tia_scene *scene = unit->scene;
 
@@ -159,7 +159,7 @@ void unit_write(struct unit *unit, const char *source)
         text_print(&unit->text, "#include <tia/bvh.h>\n");
     if (tia_scene_moves(scene))
         text_print(&unit->text, "#include <tia/motion.h>\n");
-    text_print(&unit->text, "#include <tia/scene.h>\n\n");
+    text_print(&unit->text, "#include <tia/scene.h>\n%s\n", telltales ? "#include <tia/trust.h>\n" : "");
     /* the declaration avoids a warning in programs with -Wmissing-variable-declarations */
     text_print(&unit->text, "extern const struct tia_scene %s;\n\n", unit->symbol);
     unit_things(unit);
@@ -172,4 +172,6 @@ void unit_write(struct unit *unit, const char *source)
     unit_falling(unit);
     unit_bvh(unit);
     write_scene(unit);
+    if (telltales)
+        unit_telltales(unit, telltales, crcs);
 }

@@ -5,6 +5,7 @@
 #include <tia/bvh.h>
 #include <tia/motion.h>
 
+#include "common/convert.h"
 #include "common/text_file.h"
 
 struct unit {
@@ -13,8 +14,13 @@ struct unit {
     const struct tia_scene *scene;
 };
 
-/* Writes the whole unit; a comment in it names `source`. If scene->bvh is NULL, the unit has no hierarchy. */
-void unit_write(struct unit *unit, const char *source);
+/* Writes the whole unit; a comment in it names `source`. If scene->bvh is NULL, the unit has no hierarchy. If
+ * `telltales` is not NULL, the unit has the `crcs` of these as well. */
+void unit_write(struct unit *unit, const char *source, const struct convert_telltales *telltales, const uint32_t *crcs);
+
+/* Draws the rectangles in each state of the scene. Returns their CRCs, all states of the first rectangle first, to be
+ * freed by the caller; NULL after a failure, with the reason in `why`, PORT_WHY bytes. */
+uint32_t *telltales_draw(const struct tia_scene *scene, const struct convert_telltales *all, char *why);
 
 /* The parts of the unit: the tables that the scene points to. */
 void unit_things(struct unit *unit); /* writes materials, spheres, lights, keys */
@@ -24,6 +30,7 @@ void unit_images(struct unit *unit); /* writes textures and grids */
 void unit_meshes(struct unit *unit);
 void unit_tracks(struct unit *unit);
 void unit_bvh(struct unit *unit);
+void unit_telltales(struct unit *unit, const struct convert_telltales *all, const uint32_t *crcs);
 
 /* Writes one light, without a separator. */
 void unit_light(struct unit *unit, const struct tia_light *light);

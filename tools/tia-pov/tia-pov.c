@@ -34,7 +34,7 @@ static int write_pov(const struct request *request, const struct tia_scene *scen
 
 int main(int argc, char **argv)
 {
-    static const struct converter converter = {&command, NULL, write_pov, NULL};
+    static const struct converter converter = {&command, NULL, write_pov, NULL, NULL};
 
     return convert(&converter, argc, argv);
 }

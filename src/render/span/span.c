@@ -73,7 +73,8 @@ int span_prepare(struct tia_view *view, const struct span_coherence *coherence)
     span_casters_place(&spans->casters, spans->spheres, scene->sphere_count, view->light_capacity, casters);
     spans->steps = NULL;
     if (steps_size(scene, view->light_capacity))
-        spans->steps = (struct colour_steps *)(void *)(casters + ALIGN(span_casters_size(scene->sphere_count, 1)));
+        spans->steps = (struct colour_steps *)(void *)(casters + ALIGN(span_casters_size(scene->sphere_count,
+                                                                                         view->light_capacity)));
     spans->tinted = false;
     spans->grey_shadows = true;
     primary_prepare(&spans->primary, (unsigned)view->width, (unsigned)view->height, scene->camera.fov);
@@ -132,7 +133,8 @@ int span_set_lights(struct tia_view *view)
         prepare_sphere(view, view->scene->sphere_count + i, light->centre, light->radius);
         span_casters_find(&spans->casters, i, &cancel);
     }
-    set_steps(view);
+    if (!cancel.stopped)
+        set_steps(view);
     return cancel.stopped ? TIA_STOPPED : TIA_OK;
 }
 

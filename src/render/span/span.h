@@ -19,8 +19,7 @@ struct span_coherence {
     bool (*pays)(const struct primary_rays *primary, const struct span_sphere *sphere);
     bool (*shade)(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[8],
                   tia_rgb565 *pixels);
-    bool (*nearer)(const struct span_view *spans, uint32_t n, uint32_t other, int y, struct span span,
-                   const num_u ends[2]);
+    bool (*nearer)(const struct span_view *spans, uint32_t n, uint32_t other, int y, struct span span);
     bool (*surround)(const struct span_view *spans, const struct shaded_span *span, struct span part,
                      const struct lit *lit, const struct span_error *error, struct coarse_ball *ball);
 };
@@ -56,7 +55,7 @@ static inline struct exact_picture span_picture_of(const struct tia_view *view)
 }
 
 /* Returns the hit buffer: each pixel's distance along v, with the exponent of the object's sphere. It is undefined at
- * pixels that show no object, or a wide sphere. */
+ * pixels that show no object, or an unmeasured sphere. */
 static inline num_u *span_distances_of(const struct tia_hits *hits)
 {
     return hits->buffer;

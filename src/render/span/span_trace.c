@@ -38,13 +38,7 @@ static void clear(struct tia_hits *hits, struct tia_tile tile)
 /* True if sphere `n` is certainly nearer than sphere `other` in a span of pixels, found by few of them. */
 static bool is_in_front(const struct span_view *spans, uint32_t n, uint32_t other, int y, struct span span)
 {
-    num_u ends[2];
-
-    if (!spans->coherence || !spans->spheres[other].unmeasured)
-        return false;
-    span_distances(spans, n, y, span.first, 1, &ends[0]);
-    span_distances(spans, n, y, span.end - 1, 1, &ends[1]);
-    return spans->coherence->nearer(spans, n, other, y, span, ends);
+    return spans->coherence && spans->spheres[other].unmeasured && spans->coherence->nearer(spans, n, other, y, span);
 }
 
 /* Traces sphere `n` in up to CHUNK pixels, all of which show the same object so far, or none. */

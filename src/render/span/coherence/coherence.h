@@ -24,9 +24,7 @@ bool coherence_shade(const struct tia_view *view, const struct shaded_span *span
 bool coherence_surround(const struct span_view *spans, const struct shaded_span *span, struct span part,
                         const struct lit *lit, const struct span_error *error, struct coarse_ball *ball);
 
-/* True if sphere `n`, whose distances at the span's first and last pixel are `ends`, is certainly nearer than sphere
- * `other` at all pixels. */
-bool coherence_nearer(const struct span_view *spans, uint32_t n, uint32_t other, int y, struct span span,
-                      const num_u ends[2]);
+/* True if sphere `n` is certainly nearer than sphere `other` at all pixels of a span, which both show. */
+bool coherence_nearer(const struct span_view *spans, uint32_t n, uint32_t other, int y, struct span span);
 
 #endif

@@ -15,14 +15,18 @@ static num_u apart(num_u a, num_u b)
  * The samples are off by up to 2^-7.2, .0069 of themselves: that lowers these limits by at most .0069 (f1 + 8/7 (f0 +
  * f1)), .023 f1 and .008 times their distance, and the largest t of sphere `n` may be 1.007 times the larger of its two
  * ends. So `n` is nearer if this end is below .968 f1 and 1.16 times the distance less. */
-bool coherence_nearer(const struct span_view *spans, uint32_t n, uint32_t other, int y, struct span span,
-                      const num_u ends[2])
+bool coherence_nearer(const struct span_view *spans, uint32_t n, uint32_t other, int y, struct span span)
 {
     int count = span.end - span.first;
-    num_u most = ends[0] < ends[1] ? ends[1] : ends[0], behind[3];
     const int at[3] = {span.first, span.first + (count - 1) / 2, span.end - 1};
+    num_u ends[2], behind[3];
 
-    if (count < WORTH || !(spans->spheres[n].c > 0) || !span_is_accurate(&spans->spheres[n], most))
+    if (count < WORTH || !(spans->spheres[n].c > 0))
+        return false;
+    for (int i = 0; i < 2; i++)
+        span_distances(spans, n, y, at[2 * i], 1, &ends[i]);
+    num_u most = ends[0] < ends[1] ? ends[1] : ends[0];
+    if (!span_is_accurate(&spans->spheres[n], most))
         return false;
     for (int i = 0; i < 3; i++) {
         span_distances(spans, other, y, at[i], 1, &behind[i]);

@@ -1,7 +1,7 @@
 /* steps_proved.h - the error bounds of steps.h by name, each with its derivation.
  *
  * "Word": the upper 32 bits of an accumulator; its last bit is the unit. b is below 2^31, W below 2^30.1, g below 2^30,
- * and so A = g - W b below 2^30.7 and W S below 2^29.1. tia_mul_high may be too small by up to STEPS_PRODUCT. K is off
+ * and so A = g - W b below 2^30.7 and W S below 2^29.1. steps_high may be too small by up to 3. K is off
  * by .51 of its last bit, and has K of them. */
 #ifndef TIA_RENDER_SPAN_STEPS_STEPS_PROVED_H
 #define TIA_RENDER_SPAN_STEPS_STEPS_PROVED_H

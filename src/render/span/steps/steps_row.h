@@ -14,7 +14,7 @@
 #define STEPS_HALVES (TIA_HALF_PRODUCTS || TIA_SHIFTS_BITS)
 #endif
 
-/* Returns a b/2^32, too small by less than STEPS_PRODUCT, 3: of halves the lowest product is left out, and the middle
+/* Returns a b/2^32, too small by less than 3: of halves the lowest product is left out, and the middle
  * ones are cut off. |a b| < 2^62. */
 static inline int32_t steps_high(int32_t a, int32_t b)
 {

@@ -74,7 +74,7 @@ static int64_t quantity_at(const struct lit_ball *ball, struct mantissa lambda)
     return (int64_t)integer_of(product(r, away), 32) - ball->facing;
 }
 
-/* Returns u/c; `sign` receives its sign. */
+/* Returns the size of u/c. */
 static struct mantissa word_of(const struct lit_ball *ball, int64_t u)
 {
     return product(mantissa_of(u < 0 ? 0 - (uint64_t)u : (uint64_t)u, 32), ball->near);
