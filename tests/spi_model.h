@@ -195,14 +195,18 @@ static struct tia_spi_panel make_panel(uint16_t width, uint16_t height, uint8_t 
     return panel;
 }
 
-/* Writes a pixel, high byte first, as the surfaces of the panel have it on every processor. */
-static void put_high_first(const struct tia_surface *surface, unsigned x, unsigned y, tia_rgb565 pixel)
+/* Writes a pixel: if surfaces have `swap`, high byte first, as the panel's have it on every processor. */
+static void put_pixel_into(const struct tia_surface *surface, unsigned x, unsigned y, tia_rgb565 pixel)
 {
+    char *at = (char *)surface->pixels + (ptrdiff_t)y * surface->pitch + (ptrdiff_t)x * surface->step;
+#if TIA_SWAP
     const tia_rgb565 one = 1;
-    uint8_t *at = (uint8_t *)surface->pixels + (ptrdiff_t)y * surface->pitch + (ptrdiff_t)x * surface->step;
+    const uint8_t bytes[2] = {(uint8_t)(pixel >> 8), (uint8_t)pixel};
     CHECK(surface->swap == (*(const uint8_t *)&one == 1));
-    at[0] = (uint8_t)(pixel >> 8);
-    at[1] = (uint8_t)pixel;
+    memcpy(at, bytes, sizeof bytes);
+#else
+    memcpy(at, &pixel, sizeof pixel);
+#endif
 }
 
 #endif

@@ -93,7 +93,7 @@ static int send_tile(struct tia_spi_panel *panel, struct tia_tile tile)
 
     for (unsigned y = 0; y < tile.height && !status; y++)
         for (unsigned x = 0; x < tile.width; x++)
-            put_high_first(&surface, x, y, picture[(tile.y + y) * W + tile.x + x]);
+            put_pixel_into(&surface, x, y, picture[(tile.y + y) * W + tile.x + x]);
     return status ? status : tia_spi_panel_changes.submit(panel, tile);
 }
 
@@ -168,8 +168,9 @@ TEST(figures)
         unsigned columns, rows, block;
         size_t memory, key[2], arrow[2];
     } figures[] = {
-        {320, 4, 1, 153600, {85204, 85804}, {70084, 80916}}, {160, 4, 1, 153600, {64184, 74576}, {39740, 65596}}, {160, 4, 16, 10320, {69192, 77896}, {51304, 72648}},
-        {160, 4, 32, 5280, {74824, 82504}, {59208, 78408}},  {64, 8, 64, 2640, {83612, 86973}, {72889, 84519}},
+        {320, 4, 1, 153600, {85204, 85804}, {70084, 80916}}, {160, 4, 1, 153600, {64184, 74576}, {39740, 65596}},
+        {160, 4, 16, 10320, {69192, 77896}, {51304, 72648}}, {160, 4, 32, 5280, {74824, 82504}, {59208, 78408}},
+        {64, 8, 64, 2640, {83612, 86973}, {72889, 84519}},
     };
 
     for (size_t n = 0; n < sizeof figures / sizeof *figures; n++) {

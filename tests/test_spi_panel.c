@@ -12,7 +12,7 @@ static int draw_tile(struct tia_spi_panel *panel, struct tia_tile tile)
     int status = tia_spi_panel_display.acquire(panel, tile, &surface);
     for (unsigned y = 0; y < tile.height && !status; y++)
         for (unsigned x = 0; x < tile.width; x++)
-            put_high_first(&surface, x, y, pattern(tile.x + x, tile.y + y));
+            put_pixel_into(&surface, x, y, pattern(tile.x + x, tile.y + y));
     return !status ? tia_spi_panel_display.submit(panel, tile) : status;
 }
 

@@ -24,7 +24,9 @@ struct tia_rows {
     uint16_t columns;               /* most pixels of a row that are drawn at once; 0: all. Fewer take less memory and
                                      * more time; the picture is the same */
     bool dither;                    /* see struct tia_options */
-    bool swap;                      /* see struct tia_surface: as an SPI panel wants the bytes */
+#if TIA_SWAP
+    bool swap; /* see struct tia_surface: as an SPI panel wants the bytes */
+#endif
 };
 
 /* Returns the number of bytes of memory that tia_draw_rows needs, which `tia-compile --memory` writes as a macro;

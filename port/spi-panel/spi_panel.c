@@ -142,8 +142,8 @@ static bool inside(const struct tia_spi_panel *panel, struct tia_tile tile)
            tile.height <= panel->rows && tile.y + tile.height <= panel->height;
 }
 
-/* The panel wants a pixel's high byte first. */
-static bool swaps(void)
+/* True if the processor's order is not the panel's. */
+static bool is_low_first(void)
 {
     const uint16_t one = 1;
     return *(const uint8_t *)&one == 1;
@@ -156,15 +156,27 @@ static int panel_acquire(void *ctx, struct tia_tile tile, struct tia_surface *su
         panel->why = "spi panel: the tile is larger than a strip or leaves the picture";
         return TIA_ERR_ARGUMENT;
     }
-    *surface =
-        (struct tia_surface){.pixels = strip(panel), .step = 2, .pitch = (ptrdiff_t)(2u * tile.width), .swap = swaps()};
+    *surface = (struct tia_surface){.pixels = strip(panel), .step = 2, .pitch = (ptrdiff_t)(2u * tile.width)};
+#if TIA_SWAP
+    surface->swap = is_low_first();
+#endif
     return TIA_OK;
+}
+
+/* Puts pixels into the panel's byte order, high byte first, where tia has not written them so. */
+static void put_in_order(tia_rgb565 *pixels, size_t count)
+{
+    if (TIA_SWAP || !is_low_first())
+        return;
+    for (size_t i = 0; i < count; i++)
+        pixels[i] = (tia_rgb565)(pixels[i] << 8 | pixels[i] >> 8);
 }
 
 /* Sends pixels of the strip, which is not used until they are sent. The first command waits until the previous strip
  * has been sent, so that its buffer is free for the next acquire. */
-static int send_pixels(struct tia_spi_panel *panel, struct tia_tile area, const tia_rgb565 *pixels)
+static int send_pixels(struct tia_spi_panel *panel, struct tia_tile area, tia_rgb565 *pixels)
 {
+    put_in_order(pixels, (size_t)area.width * area.height);
     int status = send_range(panel, CASET, (unsigned)panel->left + area.x, area.width);
     if (!status)
         status = send_range(panel, PASET, (unsigned)panel->top + area.y, area.height);

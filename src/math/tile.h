@@ -4,6 +4,8 @@
 
 #include <tia/render.h>
 
+#include "noinline.h"
+
 /* True if a tile has pixels, and all of them are in an area. The sums have 32 bits, since the area may end beyond
  * 65535, the largest unsigned int on 16-bit machines. */
 static inline bool tile_is_inside(struct tia_tile tile, struct tia_tile area)
@@ -27,10 +29,35 @@ static inline bool surface_is_usable(const struct tia_surface *surface)
            !(((uintptr_t)surface->pixels | (uintptr_t)surface->step | (uintptr_t)surface->pitch) & odd);
 }
 
-/* Returns a pixel in the surface's byte order. */
-static inline tia_rgb565 surface_order(const struct tia_surface *surface, tia_rgb565 pixel)
+/* True if the surface's pixels have the other byte order. */
+static INLINED bool surface_swaps(const struct tia_surface *surface)
 {
-    return surface->swap ? (tia_rgb565)(pixel << 8 | pixel >> 8) : pixel;
+#if TIA_SWAP
+    return surface->swap;
+#else
+    (void)surface;
+    return false;
+#endif
+}
+
+static INLINED void surface_set_swap(struct tia_surface *surface, bool swap)
+{
+#if TIA_SWAP
+    surface->swap = swap;
+#else
+    (void)surface, (void)swap;
+#endif
+}
+
+static INLINED tia_rgb565 pixel_order(tia_rgb565 pixel, bool swap)
+{
+    return swap ? (tia_rgb565)(pixel << 8 | pixel >> 8) : pixel;
+}
+
+/* Returns a pixel in the surface's byte order. */
+static INLINED tia_rgb565 surface_order(const struct tia_surface *surface, tia_rgb565 pixel)
+{
+    return pixel_order(pixel, surface_swaps(surface));
 }
 
 #endif

@@ -86,7 +86,7 @@ static void draw_line(const struct loop *loop, struct tia_tile tile, const struc
 static int copy_tile(struct loop *loop, struct tia_tile tile)
 {
     const struct tia_viewer *v = loop->viewer;
-    struct tia_surface surface = {.swap = false};
+    struct tia_surface surface = {.pixels = NULL};
     int status = v->ports.display->acquire(v->ports.display_ctx, tile, &surface);
 
     for (unsigned y = 0; !status && y < tile.height; y++) {

@@ -60,11 +60,34 @@ struct step_row {
     bool turned;      /* u has passed its extremum */
     bool sure;        /* at the pixel before, u is certainly on this side of the step behind it; or it is turned */
     int slow;         /* pixels to be decided by the steps on both sides */
+#if TIA_SWAP
+    bool swap; /* pixels have the other byte order than `pixel` */
+#endif
 };
 
 /* Begins a row of `count` pixels, which all show the ball, from pixel (x, y) on. */
 void steps_begin(const struct primary_rays *primary, const struct span_sphere *sphere, const struct colour_steps *steps,
                  int x, int y, int count, struct step_row *row);
+
+/* Says whether the pixels have the other byte order. */
+static INLINED void steps_set_order(struct step_row *row, bool swap)
+{
+#if TIA_SWAP
+    row->swap = swap;
+#else
+    (void)row, (void)swap;
+#endif
+}
+
+/* Returns the row's pixel in the order in which it is written. */
+static INLINED tia_rgb565 steps_shown(const struct step_row *row)
+{
+#if TIA_SWAP
+    return pixel_order(row->pixel, row->swap);
+#else
+    return row->pixel;
+#endif
+}
 
 /* Draws the row's next pixels, up to STEPS_BLOCK, and returns the set of those in doubt. */
 uint64_t steps_draw(struct step_row *row, tia_rgb565 *pixels);

@@ -123,6 +123,7 @@ void steps_begin(const struct primary_rays *primary, const struct span_sphere *s
     row->turn = turn_of(primary, sphere, steps, y);
     row->turned = row->sure = false;
     row->slow = 0;
+    steps_set_order(row, false);
     find_index(row);
 }
 
@@ -155,7 +156,7 @@ static bool draw_pixel(struct step_row *row, tia_rgb565 *pixel)
     row->turned = row->turned || (row->sure && (row->index - before) * row->turn < 0);
     row->sure = row->turn > 0 ? below > 0 : above < 0;
     row->slow -= row->slow > 0;
-    *pixel = row->pixel;
+    *pixel = steps_shown(row);
     advance(row);
     return above && below;
 }

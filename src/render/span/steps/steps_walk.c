@@ -65,7 +65,7 @@ int steps_walk(struct step_row *row, int dir, int count, int *passed, tia_rgb565
         int k = dir > 0 ? row->index : row->index - 1;
         bool any = k >= 0 && k < row->steps->count;
         int32_t w = any ? dir * row->steps->at[k] : 0, square = steps_square(w), least = any ? -margin : INT32_MAX;
-        tia_rgb565 pixel = row->pixel;
+        tia_rgb565 pixel = steps_shown(row);
         for (; i < limit; i++) {
             more = steps_square(g - steps_high(w, b)) - steps_high(square, d);
             if (more >= least)
