@@ -125,6 +125,10 @@ TEST(spheres)
         CHECK_EQ(corpus_thesis(&c, (const char[]){*key, 0}, W, H), TIA_OK);
         try_all(&c.scene, "the built-in scene");
     }
+    /* Dark parts on a boundary between two levels, where each pixel is decided by itself. */
+    for (uint32_t i = 0; i < c.scene.material_count; i++)
+        c.materials[i].emission = (struct tia_rgb){1 << 29, 1 << 28, 1 << 29};
+    try_all(&c.scene, "emission of a half");
     /* A light in sight, by which rows are drawn in chunks. */
     c.lights[0].centre = (struct tia_vec3)TIA_VEC3(0, 0, -12);
     c.lights[0].radius = TIA_Q16(1);
