@@ -125,11 +125,18 @@ TEST(spheres)
         CHECK_EQ(corpus_thesis(&c, (const char[]){*key, 0}, W, H), TIA_OK);
         try_all(&c.scene, "the built-in scene");
     }
-    /* Dark parts on a boundary between two levels, where each pixel is decided by itself. */
+    /* Pixels without light that are on a boundary between two levels are decided by themselves, in spans that two
+     * lights reach. */
+    memcpy(c.materials, c.scene.materials, c.scene.material_count * sizeof *c.materials);
+    c.scene.materials = c.materials;
     for (uint32_t i = 0; i < c.scene.material_count; i++)
         c.materials[i].emission = (struct tia_rgb){1 << 29, 1 << 28, 1 << 29};
+    c.lights[1] = c.lights[0];
+    c.lights[1].centre.x += TIA_Q16(15);
+    c.scene.light_count = 2;
     try_all(&c.scene, "emission of a half");
     /* A light in sight, by which rows are drawn in chunks. */
+    c.scene.light_count = 1;
     c.lights[0].centre = (struct tia_vec3)TIA_VEC3(0, 0, -12);
     c.lights[0].radius = TIA_Q16(1);
     try_all(&c.scene, "a visible light");
