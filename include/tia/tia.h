@@ -13,7 +13,6 @@
  *   read.h    scene files
  *   render.h  from a scene to pixels
  *   rows.h    a picture row by row, in one call
- *   damage.h  what has changed on a display
  *   simd.h    vector units
  *   port.h    display, input and clock, as a board or an OS provides them
  *   gaze.h    foveated pictures
@@ -27,6 +26,7 @@
  *   denoise.h removal of noise from sampled pictures
  *   tone.h    conversion of sums of samples to pixel values
  *   radio.h   paths of radio waves, in libtia-radio.a
+ *   damage.h  what has changed on a display
  *   trust.h   checks of memory and pixels, for displays that must not show a wrong picture
  *   debug.h   for tests and comparison
  */
@@ -36,7 +36,6 @@
 #define TIA_VERSION "0.1.0"
 
 #include <tia/bvh.h>
-#include <tia/damage.h>
 #include <tia/motion.h>
 #include <tia/orbit.h>
 #include <tia/read.h>

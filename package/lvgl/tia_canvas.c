@@ -1,5 +1,7 @@
 #include "tia_canvas.h"
 
+#include <tia/damage.h>
+
 /* A canvas being drawn. */
 struct drawing {
     struct tia_damage damage; /* what the canvas shows are its own pixels */

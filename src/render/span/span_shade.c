@@ -260,8 +260,7 @@ void span_put_colours(const num_u *const rgb[3], int step, int count, uint16_t *
 
 /* Decides the pixels of a set whose channels are near a level, one by one: a channel is at least the emission, which is
  * exact, and often is exactly a level. Returns those that remain. */
-static pixel_set decide_levels(const struct shading *s, pixel_set near, const num_u threshold[THRESHOLDS],
-                               tia_rgb565 *pixels)
+static pixel_set decide_levels(const struct shading *s, pixel_set near, const num_u *threshold, tia_rgb565 *pixels)
 {
     const struct tia_rgb *emission = &s->material->emission;
     const num_u least[3] = {num_colour(emission->r), num_colour(emission->g), num_colour(emission->b)};
