@@ -2,7 +2,7 @@
 # Makefile includes it. tests/quick/gallery, tests/quick/course and tests/slow/counted compare them with today's.
 
 .PHONY: gallery docs counted
-counted: all boards $(COUNT_FILES)
+counted: all boards $(COUNT_FILES) $(BUILD)/tests/test_spi_figures
 	@$(call python,tools/generate/counted.py $(BUILD))
 docs: gallery counted
 	@sed -n 's,^    build/\(tia.* docs/course/[a-z0-9-]*\.png.*\),$(BUILD)/\1,p' docs/course/*.md | \

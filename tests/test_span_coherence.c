@@ -164,7 +164,7 @@ static unsigned long compared, left;
 static bool check_ordered = true; /* the last cases check what all have compared */
 
 /* Draws a span by the kernels for chunks, and some of its pixels exactly. */
-static void draw_singly(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[8],
+static void draw_singly(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[THRESHOLDS],
                         tia_rgb565 *want)
 {
     struct exact_picture picture = span_picture_of(view);
@@ -183,9 +183,10 @@ static void draw_singly(const struct tia_view *view, const struct shaded_span *s
 static void try_pixels(const struct tia_view *view, const struct shaded_span *span)
 {
     static tia_rgb565 want[MOST], got[MOST + 2 * GUARDS];
-    num_u threshold[8];
+    num_u threshold[THRESHOLDS];
 
     dither_thresholds(false, span->y, threshold);
+    span_set_order(threshold, false);
     memset(got, 0xa5, sizeof got);
     if (!coherence_shade(view, span, threshold, got + GUARDS)) {
         left += (unsigned long)span->count;

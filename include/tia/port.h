@@ -70,7 +70,9 @@ struct tia_display {
      * not draw then. TIA_BUSY, with the mode, if the last frame must be shown again: see go_on. */
     int (*mode)(void *ctx, struct tia_mode *mode);
     /* Gives memory for the pixels of `tile`, valid until submit. The memory may be write-combining, so that reads are
-     * slow: only write to it, in order of rising addresses. Its contents are undefined at first. */
+     * slow: only write to it, in order of rising addresses. Its contents are undefined at first. If surfaces have
+     * `swap`, the caller sets it to false before; a display whose pixels have the other byte order sets it to true,
+     * which the caller heeds. */
     int (*acquire)(void *ctx, struct tia_tile tile, struct tia_surface *surface);
     /* Takes the tile's pixels, which are complete. */
     int (*submit)(void *ctx, struct tia_tile tile);

@@ -22,6 +22,12 @@ extern "C" {
 #define TIA_SIZE_MAX 8192        /* the largest width and height of an image */
 #define TIA_NO_OBJECT UINT32_MAX /* the background */
 
+/* 1: surfaces have the member `swap`, else 0. The library and all files that use it are compiled with the same value.
+ * If it is not set, there is none where pointers are short, as on boards, since their programs would grow by it. */
+#ifndef TIA_SWAP
+#define TIA_SWAP (UINTPTR_MAX > UINT32_MAX)
+#endif
+
 /* A rectangle of the image, in pixels from the image's upper left corner. */
 struct tia_tile {
     uint16_t x, y, width, height;
@@ -32,6 +38,9 @@ struct tia_tile {
 struct tia_surface {
     tia_rgb565 *pixels;    /* the tile's upper left pixel, aligned for tia_rgb565 */
     ptrdiff_t step, pitch; /* even; if they are too small, pixels overlap */
+#if TIA_SWAP
+    bool swap; /* each pixel's bytes in the other order than the processor's, as panels on a bus want them */
+#endif
 };
 
 /* Dithering, and output besides the pixels. All zero, or NULL: none. */

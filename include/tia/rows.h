@@ -24,10 +24,13 @@ struct tia_rows {
     uint16_t columns;               /* most pixels of a row that are drawn at once; 0: all. Fewer take less memory and
                                      * more time; the picture is the same */
     bool dither;                    /* see struct tia_options */
+#if TIA_SWAP
+    bool swap; /* see struct tia_surface: as an SPI panel wants the bytes */
+#endif
 };
 
-/* Returns the number of bytes of memory that tia_draw_rows needs, which `tia-compile --memory` writes as a macro; SIZE_MAX
- * when that number does not fit. */
+/* Returns the number of bytes of memory that tia_draw_rows needs, which `tia-compile --memory` writes as a macro;
+ * SIZE_MAX when that number does not fit. */
 size_t tia_draw_rows_size(const struct tia_rows *rows);
 
 /* Draws the picture in `memory`, aligned for uint64_t, and calls `row` for each row, from y = 0 at the top to

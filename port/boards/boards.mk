@@ -171,6 +171,11 @@ $(foreach b,$(BOARDS_TINY),$(eval $(call image,$(b),rows,tests/boards/rows_main.
 $(BUILD)/boards/spheres: port/boards/boards.mk $(SPHERE_SRC)
 	@mkdir -p $(@D) && echo $(SPHERE_SRC) >$@
 $(if $(filter microbit,$(BOARDS)),$(eval $(call image,microbit,mul64,tests/boards/mul64.c,microbit)))
+# What no board's program here uses is compiled for those that may: the example for two cores, such as an RP2040's, and the
+# panels that receive what has changed.
+OTHERS := $(patsubst %,$(BUILD)/boards/%/tests/boards/two_cores.o,$(filter microbit rv32,$(BOARDS))) \
+          $(foreach b,$(filter microbit atmega1284p,$(BOARDS)),$(addprefix $(BUILD)/boards/$(b)/,port/spi-panel/spi_panel.o src/render/damage.o))
+$(BUILD)/boards/%/tests/boards/two_cores.o: BOARD += -Wno-missing-prototypes
 $(BUILD)/boards/example: tests/boards/example_main.c tests/boards/example.c tests/boards/thesis.h $(LIBTIA)
 	@mkdir -p $(@D)
 	$(call say,LD,$@)$(CC) $(COMMON) $(CFLAGS) $(LDFLAGS) -o $@ $< $(LIBTIA)
@@ -198,7 +203,7 @@ COUNT_FILES := $(COUNTED) $(CROWDED) $(BOARDS_SHADOWS:%=$(BUILD)/boards/%/shadow
 .PHONY: boards check-boards size-boards count count-rays cycles ways
 boards: $(IMAGES) $(BOARDS_SMALL:%=$(BUILD)/boards/%/count-q16.elf) $(BUILD)/boards/insn.so $(SIMAVR) $(addprefix $(BUILD)/boards/,example shadows light) \
         $(if $(filter mps2-an385,$(BOARDS)),$(addprefix $(BUILD)/boards/mps2-an385/,light.elf) $(BUILD)/boards/microbit/mul64.elf) \
-        $(EXAMPLES:%=$(BUILD)/boards/%/example.elf) $(BOARDS_TINY:%=$(BUILD)/boards/%/rows.elf) $(BUILD)/boards/spheres
+        $(EXAMPLES:%=$(BUILD)/boards/%/example.elf) $(BOARDS_TINY:%=$(BUILD)/boards/%/rows.elf) $(BUILD)/boards/spheres $(OTHERS)
 check: boards $(COUNT_FILES)
 check-boards: all boards
 	@$(run_tests) tests/slow/boards

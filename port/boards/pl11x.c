@@ -59,9 +59,8 @@ static int panel_open(void *ctx, struct tia_mode *mode)
 static int panel_acquire(void *ctx, struct tia_tile tile, struct tia_surface *surface)
 {
     (void)ctx;
-    surface->pixels = &frames[drawn][tile.y * PANEL_WIDTH + tile.x];
-    surface->step = 2;
-    surface->pitch = 2 * PANEL_WIDTH;
+    *surface = (struct tia_surface){
+        .pixels = &frames[drawn][tile.y * PANEL_WIDTH + tile.x], .step = 2, .pitch = 2 * PANEL_WIDTH};
     return TIA_OK;
 }
 

@@ -8,7 +8,7 @@
 #include "console/console.h"
 #include "console/guardian.h"
 #include "console/node.h"
-#include "pixels/canvas.h"
+#include "pixels/changes.h"
 #include "scanout.h"
 
 struct drm {
@@ -18,6 +18,7 @@ struct drm {
     const drmModeConnector *connector; /* one of the card's connectors */
     bool direct;                       /* frames are drawn straight into the buffers */
     struct canvas canvas;              /* if not direct: frames are drawn here, then expanded */
+    struct changes changes;            /* what the buffers lack of the canvas */
     struct expander expander;
     char format[PIXEL_NAME];
     struct console_listener listener;
@@ -57,6 +58,7 @@ static void drm_close(void *ctx)
     guardian_forget_card(d->card.fd);
     card_close(&d->card);
     console_close();
+    changes_free(&d->changes);
     canvas_free(&d->canvas);
 }
 
@@ -111,9 +113,10 @@ static int prepare_drawing(struct drm *d)
 
     format.swapped = *(const uint8_t *)&one != 1;
     (void)pixel_name(&format, d->format);
-    d->direct = pixel_is_rgb565(&format);
+    d->direct = pixel_is_rgb565(&format) && !d->scanout.copied;
     expander_init(&d->expander, &format);
-    if (!d->direct && canvas_resize(&d->canvas, d->scanout.mode.hdisplay, d->scanout.mode.vdisplay)) {
+    if (!d->direct && (canvas_resize(&d->canvas, d->scanout.mode.hdisplay, d->scanout.mode.vdisplay) ||
+                       changes_resize(&d->changes, &d->canvas))) {
         (void)snprintf(d->wish.why, PORT_WHY, "%s: no memory for a frame", d->card.path);
         return TIA_ERR_MEMORY;
     }
@@ -190,7 +193,7 @@ static int drm_mode(void *ctx, struct tia_mode *mode)
 static int drm_acquire(void *ctx, struct tia_tile tile, struct tia_surface *surface)
 {
     struct drm *d = ctx;
-    const struct card_buffer *b = scanout_hidden(&d->scanout);
+    const struct card_buffer *b = &d->scanout.buffers[scanout_drawn(&d->scanout)];
 
     if (d->card.fd < 0)
         return TIA_ERR_DEVICE;
@@ -198,9 +201,9 @@ static int drm_acquire(void *ctx, struct tia_tile tile, struct tia_surface *surf
         return canvas_tile(&d->canvas, tile, surface);
     if (!tile_inside(tile, d->scanout.mode.hdisplay, d->scanout.mode.vdisplay))
         return TIA_ERR_ARGUMENT;
-    surface->pixels = (tia_rgb565 *)(void *)(b->map + (size_t)tile.y * b->pitch) + tile.x;
-    surface->step = sizeof *surface->pixels;
-    surface->pitch = (ptrdiff_t)b->pitch;
+    *surface = (struct tia_surface){.pixels = (tia_rgb565 *)(void *)(b->map + (size_t)tile.y * b->pitch) + tile.x,
+                                    .step = sizeof(tia_rgb565),
+                                    .pitch = (ptrdiff_t)b->pitch};
     return TIA_OK;
 }
 
@@ -213,18 +216,43 @@ static int drm_submit(void *ctx, struct tia_tile tile)
     return tile_inside(tile, d->scanout.mode.hdisplay, d->scanout.mode.vdisplay) ? TIA_OK : TIA_ERR_ARGUMENT;
 }
 
+/* Copies what the buffer lacks of the canvas; returns the number of rectangles. */
+static unsigned copy(struct drm *d, drmModeClip clips[CHANGES_BANDS])
+{
+    int buffer = scanout_drawn(&d->scanout);
+    const struct card_buffer *b = &d->scanout.buffers[buffer];
+    size_t bytes = pixel_bytes(&d->expander.format);
+    struct tia_tile area;
+    unsigned count = 0;
+
+    changes_find(&d->changes, &d->canvas);
+    for (unsigned band = 0; band < d->changes.bands; band++) {
+        if (!changes_take(&d->changes, (unsigned)buffer, band, &area))
+            continue;
+        uint8_t *to = (uint8_t *)b->map + (size_t)area.y * b->pitch + area.x * bytes;
+        const tia_rgb565 *from = d->canvas.pixels + (size_t)area.y * d->canvas.width + area.x;
+        for (unsigned y = 0; y < area.height; y++, to += b->pitch, from += d->canvas.width)
+            expand_row(&d->expander, to, from, area.width);
+        clips[count++] =
+            (drmModeClip){area.x, area.y, (uint16_t)(area.x + area.width), (uint16_t)(area.y + area.height)};
+    }
+    return count;
+}
+
 static int drm_present(void *ctx)
 {
     struct drm *d = ctx;
-    const struct card_buffer *b = scanout_hidden(&d->scanout);
+    drmModeClip clips[CHANGES_BANDS];
+    unsigned count;
 
     if (d->card.fd < 0)
         return TIA_ERR_DEVICE;
     if (console_state() != CONSOLE_OURS)
         return TIA_HIDDEN;
-    for (size_t y = 0; y < d->canvas.height; y++)
-        expand_row(&d->expander, b->map + y * b->pitch, d->canvas.pixels + y * d->canvas.width, d->canvas.width);
-    return scanout_swap(&d->scanout, d->wish.why);
+    if (d->direct)
+        return scanout_swap(&d->scanout, NULL, 0, d->wish.why);
+    count = copy(d, clips);
+    return scanout_swap(&d->scanout, clips, count, d->wish.why);
 }
 
 const struct tia_display port_drm_display = {

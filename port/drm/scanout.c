@@ -12,6 +12,11 @@
  * frames per second. */
 #define FLIP_MS 1000
 
+#ifndef DRM_MODE_CONNECTOR_SPI /* in headers of Linux 5.10 and later */
+#define DRM_MODE_CONNECTOR_SPI 19
+#define DRM_MODE_CONNECTOR_USB 20
+#endif
+
 /* ---- saving and restoring the CRTC's state ---- */
 
 static void remember(struct scanout *s)
@@ -113,8 +118,12 @@ int scanout_light(struct scanout *scanout, const struct card *card, const drmMod
     const drmModeModeInfo *mode;
     int status = TIA_OK, answer = 1;
 
-    *scanout = (struct scanout){
-        .card = card, .connector = connector->connector_id, .crtc = pick_crtc(&card->parts, connector), .flips = true};
+    *scanout = (struct scanout){.card = card,
+                                .connector = connector->connector_id,
+                                .crtc = pick_crtc(&card->parts, connector),
+                                .copied = connector->connector_type == DRM_MODE_CONNECTOR_SPI ||
+                                          connector->connector_type == DRM_MODE_CONNECTOR_USB,
+                                .flips = true};
     remember(scanout);
     for (int n = 0; answer > 0 && (mode = pick_mode(connector, mode_wish, n)) != NULL; n++) {
         scanout->mode = *mode;
@@ -181,27 +190,48 @@ static int flip(struct scanout *s, int buffer)
     return 0;
 }
 
-int scanout_swap(struct scanout *scanout, char why[PORT_WHY])
+/* Shows another buffer. */
+static int show(struct scanout *s, int buffer, char why[PORT_WHY])
 {
-    int next = 1 - scanout->shown, fd = scanout->card->fd;
-
-    if (!scanout->flips || flip(scanout, next) != 0) {
-        if (scanout->flips && hopeless(errno))
-            return card_failed(scanout->card, "the picture cannot be shown", why);
-        scanout->flips = false;
-        if (set_crtc(scanout, next) != 0)
-            return card_failed(scanout->card, "the picture cannot be shown", why);
+    if (!s->flips || flip(s, buffer) != 0) {
+        if (s->flips && hopeless(errno))
+            return card_failed(s->card, "the picture cannot be shown", why);
+        s->flips = false;
+        if (set_crtc(s, buffer) != 0)
+            return card_failed(s->card, "the picture cannot be shown", why);
     }
-    scanout->shown = next;
-    /* Drivers that copy the buffer to the screen (USB, virtual machines) copy now; others return ENOSYS. */
-    if (drmModeDirtyFB(fd, scanout->buffers[next].fb, NULL, 0) != 0 && errno == ENODEV)
-        return card_failed(scanout->card, "the picture cannot be shown", why);
+    s->shown = buffer;
     return TIA_OK;
 }
 
-const struct card_buffer *scanout_hidden(const struct scanout *scanout)
+/* Tells the driver what has changed. Drivers that copy the buffer to the screen (USB, SPI, virtual machines) copy now;
+ * others return ENOSYS. */
+static int tell(struct scanout *s, drmModeClip *changed, unsigned count)
 {
-    return &scanout->buffers[1 - scanout->shown];
+    uint32_t fb = s->buffers[s->shown].fb;
+
+    if (changed && count == 0)
+        return 0;
+    if (changed && drmModeDirtyFB(s->card->fd, fb, changed, count) == 0)
+        return 0;
+    return drmModeDirtyFB(s->card->fd, fb, NULL, 0);
+}
+
+int scanout_swap(struct scanout *scanout, drmModeClip *changed, unsigned count, char why[PORT_WHY])
+{
+    int status = scanout->copied ? TIA_OK : show(scanout, scanout_drawn(scanout), why);
+
+    if (status || tell(scanout, changed, count) == 0)
+        return status;
+    if (errno == ENODEV)
+        return card_failed(scanout->card, "the picture cannot be shown", why);
+    scanout->copied = false; /* then the screen shows the buffer itself */
+    return TIA_OK;
+}
+
+int scanout_drawn(const struct scanout *scanout)
+{
+    return scanout->copied ? scanout->shown : 1 - scanout->shown;
 }
 
 int scanout_relight(struct scanout *scanout)

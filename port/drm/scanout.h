@@ -13,6 +13,8 @@ struct scanout {
     struct card_format format;
     struct card_buffer buffers[2];
     int shown;                                   /* index of the buffer on screen */
+    bool copied;                                 /* the screen has memory of its own, to which the driver copies the
+                                                    buffer on screen when it is told to: no other buffer is shown */
     bool flips;                                  /* the driver flips pages and sends an event for each flip */
     unsigned pending;                            /* flips whose event has not come yet */
     drmModeCrtc *old;                            /* the former state of the CRTC */
@@ -24,10 +26,11 @@ struct scanout {
  * master. */
 int scanout_light(struct scanout *scanout, const struct card *card, const drmModeConnector *connector,
                   const char *mode_wish, char why[PORT_WHY]);
-/* Returns the back buffer. */
-const struct card_buffer *scanout_hidden(const struct scanout *scanout);
-/* Shows the back buffer and waits until it is on screen. */
-int scanout_swap(struct scanout *scanout, char why[PORT_WHY]);
+/* Returns the index of the buffer to draw into: the back buffer, or the only one. */
+int scanout_drawn(const struct scanout *scanout);
+/* Shows that buffer and waits until it is on screen. The `count` rectangles have all its pixels that differ from those
+ * that it or the other buffer had when last shown; NULL: any pixel may. */
+int scanout_swap(struct scanout *scanout, drmModeClip *changed, unsigned count, char why[PORT_WHY]);
 /* Shows the front buffer again, after another master had the screen. */
 int scanout_relight(struct scanout *scanout);
 /* Waits for pending flips. */

@@ -8,7 +8,7 @@
 
 #include "console/console.h"
 #include "console/node.h"
-#include "pixels/canvas.h"
+#include "pixels/changes.h"
 #include "screen.h"
 
 #define DEVICE "/dev/fb"
@@ -20,28 +20,40 @@ struct fbdev {
     struct fb_screen screen;
     struct expander expander;
     struct console_listener listener;
-    struct canvas frame; /* the frame being drawn */
-    unsigned page;       /* the page that is shown */
+    struct canvas frame;    /* the frame being drawn */
+    struct changes changes; /* what the screen's pages lack of it */
+    unsigned page;          /* the page that is shown */
     char format[PIXEL_NAME];
 };
 
 /* ---- copying the frame to the screen ---- */
 
-static void copy(const struct fbdev *f, unsigned page)
+/* Copies what a page lacks. Drivers of slow panels send the parts of the memory that were written. */
+static void copy(struct fbdev *f, unsigned page)
 {
     const struct fb_screen *s = &f->screen;
-    uint8_t *to = fb_page(s, page);
+    size_t bytes = pixel_bytes(&s->format);
+    struct tia_tile area;
 
-    for (size_t y = 0; y < s->var.yres; y++)
-        expand_row(&f->expander, to + y * s->fix.line_length, f->frame.pixels + y * s->var.xres, s->var.xres);
+    for (unsigned band = 0; band < f->changes.bands; band++) {
+        if (!changes_take(&f->changes, page, band, &area))
+            continue;
+        uint8_t *to = fb_page(s, page) + (size_t)area.y * s->fix.line_length + area.x * bytes;
+        const tia_rgb565 *from = f->frame.pixels + (size_t)area.y * f->frame.width + area.x;
+        for (unsigned y = 0; y < area.height; y++, to += s->fix.line_length, from += f->frame.width)
+            expand_row(&f->expander, to, from, area.width);
+    }
 }
 
+/* The frame may be half drawn: the next one is copied whole. */
 static void enter(void *arg)
 {
     struct fbdev *f = arg;
 
     fb_show_again(&f->screen);
+    changes_forget(&f->changes);
     copy(f, f->page);
+    changes_forget(&f->changes);
 }
 
 /* Called when another program takes the screen. The frame stays in memory; meanwhile fbdev_mode returns TIA_HIDDEN. */
@@ -61,6 +73,7 @@ static void fbdev_close(void *ctx)
     console_ignore(&f->listener);
     fb_close(&f->screen, console_state() == CONSOLE_OURS);
     console_close();
+    changes_free(&f->changes);
     canvas_free(&f->frame);
 }
 
@@ -108,6 +121,8 @@ static int fbdev_open(void *ctx, struct tia_mode *mode)
         return status;
     }
     status = canvas_resize(&f->frame, (uint16_t)f->screen.var.xres, (uint16_t)f->screen.var.yres);
+    if (!status)
+        status = changes_resize(&f->changes, &f->frame);
     if (status)
         (void)snprintf(f->why, PORT_WHY, "%s: no memory for a frame", f->screen.path);
     else
@@ -180,6 +195,7 @@ static int fbdev_present(void *ctx)
         return TIA_ERR_DEVICE;
     if (console_state() != CONSOLE_OURS)
         return TIA_HIDDEN;
+    changes_find(&f->changes, &f->frame);
     fb_wait(&f->screen);
     copy(f, page);
     if (fb_show(&f->screen, page))

@@ -64,8 +64,8 @@ static int memory_acquire(void *ctx, struct tia_tile tile, struct tia_surface *s
     if (memory->is_open && !memory->hidden && tile_allowed(memory, tile)) {
         char *first = (char *)all->pixels + tile.y * all->pitch + tile.x * all->step;
         if (atomic_fetch_add(&memory->acquired, 1) == 0 || memory->concurrent) {
-            *surface =
-                (struct tia_surface){.pixels = (tia_rgb565 *)(void *)first, .step = all->step, .pitch = all->pitch};
+            *surface = *all;
+            surface->pixels = (tia_rgb565 *)(void *)first;
             result = TIA_OK;
         } else {
             atomic_fetch_sub(&memory->acquired, 1);

@@ -20,9 +20,9 @@ int canvas_tile(const struct canvas *canvas, struct tia_tile tile, struct tia_su
 {
     if (!tile_inside(tile, canvas->width, canvas->height))
         return TIA_ERR_ARGUMENT;
-    surface->pixels = canvas->pixels + (size_t)tile.y * canvas->width + tile.x;
-    surface->step = (ptrdiff_t)sizeof *canvas->pixels;
-    surface->pitch = surface->step * canvas->width;
+    *surface = (struct tia_surface){.pixels = canvas->pixels + (size_t)tile.y * canvas->width + tile.x,
+                                    .step = (ptrdiff_t)sizeof *canvas->pixels,
+                                    .pitch = (ptrdiff_t)(canvas->width * sizeof *canvas->pixels)};
     return TIA_OK;
 }
 

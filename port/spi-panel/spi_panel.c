@@ -106,7 +106,7 @@ static int panel_mode(void *ctx, struct tia_mode *mode)
     *mode = (struct tia_mode){
         .width = panel->width,
         .height = panel->height,
-        .tile_width = panel->width,
+        .tile_width = panel->across,
         .tile_height = panel->rows,
         .format = "RGB565 big-endian",
     };
@@ -116,11 +116,13 @@ static int panel_mode(void *ctx, struct tia_mode *mode)
 static int panel_open(void *ctx, struct tia_mode *mode)
 {
     struct tia_spi_panel *panel = ctx;
-    size_t rows = panel->width ? panel->strips_size / 2 / (2u * panel->width) : 0;
+    uint16_t across = panel->columns && panel->columns < panel->width ? panel->columns : panel->width;
+    size_t rows = across ? panel->strips_size / 2 / (2u * across) : 0;
     if (rows == 0 || panel->height == 0) {
         panel->why = "spi panel: no room for two rows (give more strips_size)";
         return TIA_ERR_ARGUMENT;
     }
+    panel->across = across;
     panel->rows = rows < panel->height ? (uint16_t)rows : panel->height;
     panel->strip = 0;
     panel->shown = false;
@@ -131,13 +133,20 @@ static int panel_open(void *ctx, struct tia_mode *mode)
 
 static tia_rgb565 *strip(const struct tia_spi_panel *panel)
 {
-    return panel->strips + (size_t)panel->strip * panel->rows * panel->width;
+    return panel->strips + (size_t)panel->strip * panel->rows * panel->across;
 }
 
 static bool inside(const struct tia_spi_panel *panel, struct tia_tile tile)
 {
-    return tile.width && tile.height && tile.x + tile.width <= panel->width && tile.height <= panel->rows &&
-           tile.y + tile.height <= panel->height;
+    return tile.width && tile.height && tile.width <= panel->across && tile.x + tile.width <= panel->width &&
+           tile.height <= panel->rows && tile.y + tile.height <= panel->height;
+}
+
+/* True if the processor's order is not the panel's. */
+static bool is_low_first(void)
+{
+    const uint16_t one = 1;
+    return *(const uint8_t *)&one == 1;
 }
 
 static int panel_acquire(void *ctx, struct tia_tile tile, struct tia_surface *surface)
@@ -148,35 +157,40 @@ static int panel_acquire(void *ctx, struct tia_tile tile, struct tia_surface *su
         return TIA_ERR_ARGUMENT;
     }
     *surface = (struct tia_surface){.pixels = strip(panel), .step = 2, .pitch = (ptrdiff_t)(2u * tile.width)};
+#if TIA_SWAP
+    surface->swap = is_low_first();
+#endif
     return TIA_OK;
 }
 
-/* Puts the pixels into the panel's byte order, in place; on a big-endian processor nothing changes. */
-static uint8_t *wire_order(tia_rgb565 *pixels, size_t count)
+/* Puts pixels into the panel's byte order, high byte first, where tia has not written them so. */
+static void put_in_order(tia_rgb565 *pixels, size_t count)
 {
-    uint8_t *bytes = (uint8_t *)pixels;
-    for (size_t i = 0; i < count; i++) {
-        tia_rgb565 pixel = pixels[i];
-        bytes[2 * i] = (uint8_t)(pixel >> 8);
-        bytes[2 * i + 1] = (uint8_t)pixel;
-    }
-    return bytes;
+    if (TIA_SWAP || !is_low_first())
+        return;
+    for (size_t i = 0; i < count; i++)
+        pixels[i] = (tia_rgb565)(pixels[i] << 8 | pixels[i] >> 8);
 }
 
-/* Sends a strip. The first command waits until the previous strip has been sent, so that its buffer is free for the
- * next acquire. */
+/* Sends pixels of the strip, which is not used until they are sent. The first command waits until the previous strip
+ * has been sent, so that its buffer is free for the next acquire. */
+static int send_pixels(struct tia_spi_panel *panel, struct tia_tile area, tia_rgb565 *pixels)
+{
+    put_in_order(pixels, (size_t)area.width * area.height);
+    int status = send_range(panel, CASET, (unsigned)panel->left + area.x, area.width);
+    if (!status)
+        status = send_range(panel, PASET, (unsigned)panel->top + area.y, area.height);
+    if (!status)
+        status = send(panel, RAMWR, (const uint8_t *)pixels, (size_t)2 * area.width * area.height);
+    if (!status)
+        panel->strip ^= 1;
+    return status;
+}
+
 static int panel_submit(void *ctx, struct tia_tile tile)
 {
     struct tia_spi_panel *panel = ctx;
-    size_t count = (size_t)tile.width * tile.height;
-    const uint8_t *bytes = wire_order(strip(panel), count);
-    int status = send_range(panel, CASET, (unsigned)panel->left + tile.x, tile.width);
-    if (!status)
-        status = send_range(panel, PASET, (unsigned)panel->top + tile.y, tile.height);
-    if (!status)
-        status = send(panel, RAMWR, bytes, 2 * count);
-    panel->strip ^= 1;
-    return status;
+    return send_pixels(panel, tile, strip(panel));
 }
 
 /* Switches the panel on once it has a whole frame. */
@@ -201,3 +215,58 @@ static void panel_close(void *ctx)
 
 const struct tia_display tia_spi_panel_display = {panel_open,    panel_mode,  panel_acquire, panel_submit,
                                                   panel_present, panel_close, NULL};
+
+/* ---- only what has changed ---- */
+
+static int changes_open(void *ctx, struct tia_mode *mode)
+{
+    struct tia_spi_panel *panel = ctx;
+    panel->torn = false;
+    if (tia_damage_init(&panel->damage, panel->shown_memory, panel->shown_size, panel->width, panel->height)) {
+        panel->why = "spi panel: no memory for what is shown (give more shown_size)";
+        return TIA_ERR_ARGUMENT;
+    }
+    return panel_open(ctx, mode);
+}
+
+/* Moves the pixels of an area together, which are rows of the tile. */
+static tia_rgb565 *gather(tia_rgb565 *pixels, struct tia_tile tile, struct tia_tile area)
+{
+    const tia_rgb565 *from = pixels + (size_t)(area.y - tile.y) * tile.width + (area.x - tile.x);
+    tia_rgb565 *to = pixels;
+    if (area.width == tile.width)
+        return pixels + (from - pixels);
+    for (unsigned y = 0; y < area.height; y++, from += tile.width)
+        for (unsigned x = 0; x < area.width; x++)
+            *to++ = from[x];
+    return pixels;
+}
+
+/* One area of a strip is sent, not several: before a second one the bus would wait for the first, and the next strip
+ * would be drawn later. */
+static int changes_submit(void *ctx, struct tia_tile tile)
+{
+    struct tia_spi_panel *panel = ctx;
+    const struct tia_surface surface = {.pixels = strip(panel), .step = 2, .pitch = (ptrdiff_t)(2u * tile.width)};
+    struct tia_tile area;
+    if (!tia_damage_update(&panel->damage, tile, &surface, &area))
+        return TIA_OK;
+    int status = send_pixels(panel, area, gather(surface.pixels, tile, area));
+    if (status) {
+        tia_damage_forget(&panel->damage);
+        panel->torn = true;
+    }
+    return status;
+}
+
+static int changes_present(void *ctx)
+{
+    struct tia_spi_panel *panel = ctx;
+    if (!panel->torn)
+        tia_damage_complete(&panel->damage);
+    panel->torn = false;
+    return panel_present(ctx);
+}
+
+const struct tia_display tia_spi_panel_changes = {changes_open,    panel_mode,  panel_acquire, changes_submit,
+                                                  changes_present, panel_close, NULL};

@@ -3,10 +3,13 @@
  * Such a panel has its own frame memory. It receives one-byte commands with the D/C line low, followed by data with
  * D/C high; pixels are RGB565, high byte first. The program draws a strip of rows into one of two buffers while
  * the other one is being sent.
+ *
+ * tia_spi_panel_changes sends of each strip only the rectangle that has changed, see tia/damage.h.
  */
 #ifndef PORT_SPI_PANEL_H
 #define PORT_SPI_PANEL_H
 
+#include <tia/damage.h>
 #include <tia/port.h>
 
 /* The bus. Both functions return 0, or anything else on failure. */
@@ -40,16 +43,21 @@ struct tia_spi_panel {
     size_t setup_size;      /* bytes of `setup` */
     tia_rgb565 *strips;     /* two strips, one after the other */
     size_t strips_size;     /* bytes of `strips`; a strip consists of the whole rows that fit into half of them */
+    uint16_t columns;       /* a strip's width in pixels; 0, or more than `width`: whole rows */
+    void *shown_memory;     /* tia_spi_panel_changes: memory for what the panel shows, aligned for uint16_t */
+    size_t shown_size;      /* bytes of `shown_memory`: tia_damage_size of the blocks that it is to have */
 
     /* Private to the port, except `why`. */
-    const char *why; /* reason for the last failure, one line */
-    uint16_t rows;   /* rows of a strip */
-    uint8_t strip;   /* index of the strip to draw next */
+    const char *why;       /* reason for the last failure, one line */
+    uint16_t across, rows; /* pixels and rows of a strip */
+    uint8_t strip;         /* index of the strip to draw next */
     bool awake, shown;
     uint8_t range[4]; /* CASET's or PASET's parameters, being sent */
+    bool torn;        /* a part of this frame was not sent */
+    struct tia_damage damage;
 };
 
-/* The context is a struct tia_spi_panel. */
-extern const struct tia_display tia_spi_panel_display;
+/* The context is a struct tia_spi_panel. A program links tia/damage.h's code only with tia_spi_panel_changes. */
+extern const struct tia_display tia_spi_panel_display, tia_spi_panel_changes;
 
 #endif

@@ -19,7 +19,7 @@
 #include "output.h"
 #include "picture_place.h"
 #include "pictures.h"
-#include "pixels/canvas.h"
+#include "shown.h"
 #include "symbols.h"
 #include "terminal.h"
 #include "terminal_colour.h"
@@ -49,6 +49,7 @@ struct terminal {
     struct symbols symbols;
     struct cell cell; /* size of a character for pictures */
     struct canvas canvas;
+    struct shown shown; /* sixel */
     struct grid grid;
     struct output output;
 };
@@ -108,6 +109,7 @@ static int fit_window(struct terminal *t)
         height = pictures_height(t->pictures, &t->cell, rows, t->max_height);
     }
     if (canvas_resize(&t->canvas, width, height) ||
+        (t->pictures == PICTURES_SIXEL && shown_resize(&t->shown, &t->canvas)) ||
         (!t->pictures && grid_resize(&t->grid, width, height, columns, rows))) {
         t->columns = t->rows = 0;
         (void)failed(t, "out of memory");
@@ -175,6 +177,7 @@ static void terminal_close(void *ctx)
     place_forget();
     grid_free(&t->grid);
     symbols_free(&t->symbols);
+    shown_free(&t->shown);
     canvas_free(&t->canvas);
 }
 
@@ -186,6 +189,7 @@ static void begin_frame(struct terminal *t)
         text_add(&t->output.text, t->grid.direct ? clear_direct : clear_256);
         grid_forget(&t->grid);
         symbols_forget(&t->symbols);
+        shown_forget(&t->shown);
     }
     t->clear = t->fresh = t->begun = false;
     t->encoding = true;
@@ -204,7 +208,7 @@ static void encode_strip(struct terminal *t)
     begun = text->count;
     if (t->pictures == PICTURES_SYMBOLS)
         symbols_draw(&t->symbols, t->canvas.pixels, t->canvas.width, t->canvas.height, strip, t->grid.direct, text);
-    else
+    else if (t->pictures != PICTURES_SIXEL || shown_update(&t->shown, &t->canvas, strip))
         pictures_draw(t->pictures, t->canvas.pixels, t->canvas.width, strip, &t->cell, text);
     t->begun = t->begun || text->count > begun;
     if (!t->begun)

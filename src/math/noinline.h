@@ -1,5 +1,6 @@
 /* noinline.h - NOINLINE marks functions that are not inlined: so their arrays stay off the stack during other calls, or
- * flash has them once. ONCE_IN_FLASH marks those that only processors of up to 32 bits have once. */
+ * flash has them once. ONCE_IN_FLASH marks those that only processors of up to 32 bits have once. INLINED marks those
+ * that are less code than a call, for builds by -fno-inline. */
 #ifndef TIA_MATH_NOINLINE_H
 #define TIA_MATH_NOINLINE_H
 
@@ -7,8 +8,10 @@
 
 #if defined(__GNUC__)
 #define NOINLINE __attribute__((noinline))
+#define INLINED inline __attribute__((always_inline))
 #else
 #define NOINLINE
+#define INLINED inline
 #endif
 
 #define FLASH_IS_SCARCE (UINTPTR_MAX <= UINT32_MAX)

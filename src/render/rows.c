@@ -2,6 +2,7 @@
 #include <tia/rows.h>
 
 #include "math/align.h"
+#include "math/tile.h"
 
 /* Offsets in the caller's memory, which begins with the view. */
 struct layout {
@@ -60,6 +61,16 @@ static int prepare(const struct tia_rows *rows, void *memory, size_t size, struc
     return status || !rows->lights ? status : tia_view_set_lights(*view, rows->lights, rows->light_count);
 }
 
+static INLINED bool rows_swap(const struct tia_rows *rows)
+{
+#if TIA_SWAP
+    return rows->swap;
+#else
+    (void)rows;
+    return false;
+#endif
+}
+
 static int draw_row(const struct tia_rows *rows, struct tia_view *view, void *memory, const struct layout *layout,
                     unsigned y)
 {
@@ -67,6 +78,7 @@ static int draw_row(const struct tia_rows *rows, struct tia_view *view, void *me
     struct tia_surface surface = {.step = sizeof(tia_rgb565), .pitch = sizeof(tia_rgb565)};
     int status = TIA_OK;
 
+    surface_set_swap(&surface, rows_swap(rows));
     surface.pixels = (tia_rgb565 *)(void *)((char *)memory + layout->pixels);
     for (unsigned x = 0; x < rows->width && !status;) {
         struct tia_tile part = part_at(rows, x, y);

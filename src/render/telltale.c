@@ -16,11 +16,13 @@ static void add_row(struct tia_telltale_sum *sum, struct tia_tile area, uint32_t
     const char *at = (const char *)surface->pixels + (ptrdiff_t)(y - tile.y) * surface->pitch +
                      (ptrdiff_t)(area.x - tile.x) * surface->step;
 
-    if (surface->step == sizeof(tia_rgb565))
+    if (surface->step == sizeof(tia_rgb565) && !surface_swaps(surface))
         sum->crc = tia_crc32(sum->crc, (const tia_rgb565 *)(const void *)at, area.width);
     else
-        for (uint16_t x = 0; x < area.width; x++, at += surface->step)
-            sum->crc = tia_crc32(sum->crc, (const tia_rgb565 *)(const void *)at, 1);
+        for (uint16_t x = 0; x < area.width; x++, at += surface->step) {
+            tia_rgb565 pixel = surface_order(surface, *(const tia_rgb565 *)(const void *)at);
+            sum->crc = tia_crc32(sum->crc, &pixel, 1);
+        }
     sum->rows++;
 }
 

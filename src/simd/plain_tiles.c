@@ -26,8 +26,8 @@ void tia_simd_light_plain(const struct tia_view *view, struct tia_tile tile, con
             size_t before = (size_t)y * tile.width + x;
             struct tia_tile piece = {(uint16_t)(tile.x + x), (uint16_t)(tile.y + y), (uint16_t)width, 1};
             char *out = (char *)surface->pixels + (ptrdiff_t)y * surface->pitch + (ptrdiff_t)x * surface->step;
-            struct tia_surface part = {
-                .pixels = (tia_rgb565 *)(void *)out, .step = surface->step, .pitch = surface->pitch};
+            struct tia_surface part = *surface;
+            part.pixels = (tia_rgb565 *)(void *)out;
             struct tia_debug here = {.path_hash = debug.path_hash ? debug.path_hash + before : NULL,
                                      .lit = debug.lit ? debug.lit + before : NULL};
             light_piece(view, piece, &part, &(struct tia_options){.dither = options->dither, .debug = &here});

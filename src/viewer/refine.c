@@ -7,6 +7,7 @@
  * The picture so far is in loop->canvas: a display does not keep earlier pictures. */
 #include "loop.h"
 #include "math/align.h"
+#include "math/tile.h"
 
 /* Time between two pictures of a long pass, or of a playing scene. Shorter frames in rows are not refined. */
 #define REFINE_US 250000
@@ -85,14 +86,14 @@ static void draw_line(const struct loop *loop, struct tia_tile tile, const struc
 static int copy_tile(struct loop *loop, struct tia_tile tile)
 {
     const struct tia_viewer *v = loop->viewer;
-    struct tia_surface surface;
+    struct tia_surface surface = {.pixels = NULL};
     int status = v->ports.display->acquire(v->ports.display_ctx, tile, &surface);
 
     for (unsigned y = 0; !status && y < tile.height; y++) {
         const tia_rgb565 *from = viewer_canvas_at(loop, tile.x, tile.y + y);
         char *row = (char *)surface.pixels + (ptrdiff_t)y * surface.pitch;
         for (unsigned x = 0; x < tile.width; x++)
-            *(tia_rgb565 *)(void *)(row + (ptrdiff_t)x * surface.step) = from[x];
+            *(tia_rgb565 *)(void *)(row + (ptrdiff_t)x * surface.step) = surface_order(&surface, from[x]);
     }
     if (!status && loop->line)
         draw_line(loop, tile, &surface);

@@ -101,7 +101,7 @@ int tia_text_draw(const struct tia_text *text, struct tia_tile tile, const struc
         char *out = (char *)surface->pixels + (ptrdiff_t)(y - tile.y) * surface->pitch;
         for (unsigned x = left; x < right && x < (unsigned)tile.x + tile.width; x++)
             *(tia_rgb565 *)(void *)(out + (ptrdiff_t)(x - tile.x) * surface->step) =
-                is_ink(&row, (x - area.x) / text->scale) ? text->ink : text->paper;
+                surface_order(surface, is_ink(&row, (x - area.x) / text->scale) ? text->ink : text->paper);
     }
     return TIA_OK;
 }

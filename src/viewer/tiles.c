@@ -1,5 +1,6 @@
 /* tiles.c - draws a frame tile by tile. */
 #include "loop.h"
+#include "math/tile.h"
 
 bool tia_viewer_same_mode(const struct tia_mode *a, const struct tia_mode *b)
 {
@@ -25,6 +26,7 @@ static int draw_tile(struct loop *loop, struct tia_tile tile)
     struct tia_surface surface;
     int status = tia_viewer_watch(loop);
 
+    surface_set_swap(&surface, false);
     if (!status && !loop->whole)
         status = tia_hits_init(&hits, loop->hits_memory, loop->hits_size, loop->view, tile);
     if (!status)

@@ -4,7 +4,8 @@
  *   CORE     the core: tia_core_spheres, tia_f32_core_spheres or tia_f64_core_spheres, or one of these with _small
  *   ROWS     rows of a strip
  *   WHOLE    1: the hits of a whole frame are stored, and the frame is lit once more from them, between
- *            the same marks; 0: the hits of one strip are stored */
+ *            the same marks; 0: the hits of one strip are stored
+ *   TIA_SWAP 1: the pixels have the other byte order */
 #include "boards/board.h"
 #include "marks.h"
 #include <tia/debug.h>
@@ -24,7 +25,14 @@ static tia_rgb565 strip[WIDTH * ROWS];
 
 static int draw(const struct tia_view *view, struct tia_hits *hits, bool trace, uint32_t *crc)
 {
-    const struct tia_surface surface = {.pixels = strip, .step = 2, .pitch = 2 * WIDTH};
+    const struct tia_surface surface = {
+        .pixels = strip,
+        .step = 2,
+#if TIA_SWAP
+        .swap = true,
+#endif
+        .pitch = 2 * WIDTH
+    };
     int status = TIA_OK;
     for (uint16_t y = 0; y < HEIGHT && !status; y += ROWS) {
         const struct tia_tile tile = {0, y, WIDTH, (uint16_t)(HEIGHT - y < ROWS ? HEIGHT - y : ROWS)};

@@ -89,7 +89,7 @@ static bool reports(const char *directory, uint32_t crc)
 /* Copies the pixels to the display. */
 static int show(const struct port_display *display, void *screen)
 {
-    struct tia_surface surface;
+    struct tia_surface surface = {.pixels = NULL};
     int status = display->ops->acquire(screen, frame, &surface);
 
     for (unsigned y = 0; y < HEIGHT && !status; y++)

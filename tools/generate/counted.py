@@ -263,6 +263,14 @@ def ways(_):
     return by_first_cell({way: build_ways.cells(measured) for way, measured in made.items()})
 
 
+def changes(_):
+    """Writes the bytes that keys take on an SPI panel."""
+    if not os.path.exists(os.path.join(BUILD, "tests/test_spi_figures")):
+        raise Missing("test_spi_figures is not built (make counted builds it)")
+    rows = tool("tests/test_spi_figures", "--table").splitlines()
+    return lambda lines: lines[:2] + rows
+
+
 def cores(full):
     """Updates the table of cores: a program's flash, and instructions a pixel; for the core of all scenes only if asked."""
     boards("mps2-an385")
@@ -389,7 +397,7 @@ def mutants(_):
 
 # In the order in which they are counted. The names in SLOW take minutes.
 NAMES = {"frames": frames, "mutants": mutants, "size": sizes, "stack": stacks, "tiny": tiny, "count": instructions, "crowds": crowds, "cycles": cycles,
-         "models": models, "chips": chips, "ways": ways, "cores": cores,
+         "models": models, "chips": chips, "ways": ways, "cores": cores, "changes": changes,
          "shadows": shadows, "light": light, "trust": trust, "rays": ray_by_ray, "techniques": techniques,
          "compare": compare, **{f"compare-{what}": lambda _, what=what: block(compared(what)) for what in ("scene", "random", "everything", "databases")}}
 SLOW = ("compare-everything", "compare-random", "stack")

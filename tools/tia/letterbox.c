@@ -130,7 +130,7 @@ static int letterbox_acquire(void *ctx, struct tia_tile tile, struct tia_surface
 {
     struct letterbox *letterbox = ctx;
     struct tia_tile place = on_screen(letterbox, tile);
-    struct tia_surface under;
+    struct tia_surface under = {.pixels = NULL};
     if (has_frame(letterbox)) {
         under = (struct tia_surface){.pixels = in_frame(letterbox, place),
                                      .step = sizeof(tia_rgb565),
@@ -144,19 +144,31 @@ static int letterbox_acquire(void *ctx, struct tia_tile tile, struct tia_surface
     return TIA_OK;
 }
 
+/* Writes a pixel in the surface's byte order. */
+static void put_pixel(const struct tia_surface *surface, char *at, tia_rgb565 pixel)
+{
+#if TIA_SWAP
+    if (surface->swap)
+        pixel = (tia_rgb565)(pixel << 8 | pixel >> 8);
+#else
+    (void)surface;
+#endif
+    *(tia_rgb565 *)(void *)at = pixel;
+}
+
 /* Copies rows of pixels, or black if `from` is NULL, to a surface of the screen. */
 static void put(const struct tia_surface *surface, struct tia_tile tile, const tia_rgb565 *from, size_t from_width)
 {
     for (unsigned y = 0; y < tile.height; y++) {
         char *at = (char *)surface->pixels + (ptrdiff_t)y * surface->pitch;
         for (unsigned x = 0; x < tile.width; x++, at += surface->step)
-            *(tia_rgb565 *)(void *)at = from ? from[y * from_width + x] : 0;
+            put_pixel(surface, at, from ? from[y * from_width + x] : 0);
     }
 }
 
 static int put_tile(struct letterbox *letterbox, struct tia_tile place, const tia_rgb565 *from)
 {
-    struct tia_surface surface;
+    struct tia_surface surface = {.pixels = NULL};
     int status = letterbox->screen->acquire(letterbox->screen_ctx, place, &surface);
     if (status)
         return status;
@@ -213,7 +225,7 @@ static int draw_border(struct letterbox *letterbox)
 static int label_tile(struct letterbox *letterbox, struct tia_tile tile)
 {
     struct tia_tile place = on_screen(letterbox, tile);
-    struct tia_surface under;
+    struct tia_surface under = {.pixels = NULL};
     int status = letterbox->screen->acquire(letterbox->screen_ctx, place, &under);
     if (status)
         return status;

@@ -185,7 +185,7 @@ void estimate_light_tile(const struct tia_view *view, struct tia_tile tile, cons
             e.hash = HASH;
             for (uint32_t i = 0; i < packing.spp && !e.stopped; i++)
                 add_sample(&e, x, y, i, radiance, &sum, rounded);
-            *(tia_rgb565 *)(void *)out = pack(&packing, &sum, x);
+            *(tia_rgb565 *)(void *)out = surface_order(surface, pack(&packing, &sum, x));
             if (debug.path_hash)
                 debug.path_hash[at] = e.hash;
             if (debug.lit)
@@ -201,5 +201,5 @@ void estimate_show(const struct tia_view *view, struct tia_tile row, const struc
     char *out = (char *)surface->pixels;
 
     for (int x = 0; x < (int)row.width; x++, out += surface->step)
-        *(tia_rgb565 *)(void *)out = pack(&packing, &sums[x], (int)row.x + x);
+        *(tia_rgb565 *)(void *)out = surface_order(surface, pack(&packing, &sums[x], (int)row.x + x));
 }

@@ -96,8 +96,9 @@ static void light_run(const struct rasterised *r, const struct tia_view *view, s
 {
     struct tia_tile run = {(uint16_t)x0, (uint16_t)y, (uint16_t)(x1 - x0), 1};
     char *first = (char *)surface->pixels + (y - (int)tile.y) * surface->pitch + (x0 - (int)tile.x) * surface->step;
-    struct tia_surface part = {.pixels = (tia_rgb565 *)(void *)first, .step = surface->step, .pitch = surface->pitch};
+    struct tia_surface part = *surface;
 
+    part.pixels = (tia_rgb565 *)(void *)first;
     if (x0 < x1)
         whitted_light_tile(view, r->hits, run, &part, options, &r->first);
 }
@@ -115,8 +116,10 @@ static void light_row(struct rasterised *r, const struct tia_view *view, struct 
     dither_thresholds(options->dither, y, threshold);
     for (int x = left; x < tile_right(tile); x++, at++) {
         struct diffuse_pixel p = {x, y, b.face[at], b.nearness[at], b.lit[at], shares_at(r, &b, at)};
-        if (!diffuse_pixel(&r->diffuse, &p, threshold[x & 7], (tia_rgb565 *)(void *)(row + (x - left) * surface->step)))
+        tia_rgb565 *out = (tia_rgb565 *)(void *)(row + (x - left) * surface->step), pixel;
+        if (!diffuse_pixel(&r->diffuse, &p, threshold[x & 7], &pixel))
             continue;
+        *out = surface_order(surface, pixel);
         light_run(r, view, tile, y, open, x, surface, options);
         open = x + 1;
     }

@@ -199,6 +199,7 @@ static inline struct packed pack_grey(num_u grey, num_u threshold, num_u margin)
 static inline pixel_set pack_eights(const num_u *const rgb[3], num_u margin, const num_u *threshold, int x, int count,
                                     tia_rgb565 *out)
 {
+    bool swap = span_swaps(threshold);
     num_u from[8];
     pixel_set open = 0;
 
@@ -213,6 +214,8 @@ static inline pixel_set pack_eights(const num_u *const rgb[3], num_u margin, con
             pixel[j] = packed.pixel;
             near[j] = packed.near;
         }
+        for (int j = 0; swap && j < 8; j++)
+            pixel[j] = pixel_order((tia_rgb565)pixel[j], true);
         for (int j = 0; j < rest; j++) {
             out[i + j] = (tia_rgb565)pixel[j];
             any |= near[j];
@@ -233,12 +236,12 @@ static inline bool pack_singly(const num_u *const rgb[3], num_u margin, const nu
 
     for (int i = 0; !grey && i < count; i++) {
         struct packed packed = pack_pixel(rgb, i, num_level_threshold(threshold[(x + i) & 7], margin), margin);
-        out[i] = (tia_rgb565)packed.pixel;
+        out[i] = span_order(threshold, (tia_rgb565)packed.pixel);
         any |= packed.near;
     }
     for (int i = 0; grey && i < count; i++) {
         struct packed packed = pack_grey(rgb[0][i], num_level_threshold(threshold[(x + i) & 7], margin), margin);
-        out[i] = (tia_rgb565)packed.pixel;
+        out[i] = span_order(threshold, (tia_rgb565)packed.pixel);
         any |= packed.near;
     }
     return any;

@@ -8,6 +8,8 @@
 
 #include "primary.h"
 
+#include "math/tile.h"
+
 /* The largest number of pixels in a call of a kernel: 64, 32 or 16. Fewer take less stack and more time; the picture is
  * the same. */
 #ifndef TIA_CHUNK
@@ -154,6 +156,27 @@ static inline num_wide shadow_bias(const struct shadow_line *line, num_u facing,
 static inline num_wide shadow_power(const struct shadow_line *line, num_wide turn, num_wide reach)
 {
     return line->power - 2 * turn + num_down(reach, line->power_down);
+}
+
+/* The rounding offsets of a row's pixels, by x & 7, see dither.h; and, if surfaces may have the other byte order, one
+ * number more, not 0 if the row's has. So the pixels are in the surface's order when they are first written. */
+#define THRESHOLDS (8 + TIA_SWAP)
+
+static INLINED void span_set_order(num_u threshold[THRESHOLDS], bool swap)
+{
+    if (TIA_SWAP)
+        threshold[THRESHOLDS - 1] = swap;
+}
+
+static INLINED bool span_swaps(const num_u threshold[THRESHOLDS])
+{
+    return TIA_SWAP && threshold[THRESHOLDS - 1] > 0;
+}
+
+/* Returns a pixel in the order of the row's surface. */
+static INLINED tia_rgb565 span_order(const num_u threshold[THRESHOLDS], tia_rgb565 pixel)
+{
+    return pixel_order(pixel, span_swaps(threshold));
 }
 
 /* Returns the pixel of an exact colour. */

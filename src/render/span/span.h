@@ -17,7 +17,7 @@ struct light_source;
 /* Functions that decide many pixels at once, see coherence.h and coherence_pays.h. */
 struct span_coherence {
     bool (*pays)(const struct primary_rays *primary, const struct span_sphere *sphere);
-    bool (*shade)(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[8],
+    bool (*shade)(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[THRESHOLDS],
                   tia_rgb565 *pixels);
     bool (*nearer)(const struct span_view *spans, uint32_t n, uint32_t other, int y, struct span span);
     bool (*surround)(const struct span_view *spans, const struct shaded_span *span, struct span part,

@@ -27,7 +27,8 @@ struct chunk {
 };
 
 /* Draws a span of the background or of a light: one colour, except for dithering, which repeats after 8 pixels. */
-static void flat_span(struct chunk *chunk, int first, int count, const struct tia_rgb *colour, const num_u threshold[8])
+static void flat_span(struct chunk *chunk, int first, int count, const struct tia_rgb *colour,
+                      const num_u threshold[THRESHOLDS])
 {
     const num_u rgb[3] = {num_clamp(num_colour(colour->r)), num_clamp(num_colour(colour->g)),
                           num_clamp(num_colour(colour->b))};
@@ -36,7 +37,7 @@ static void flat_span(struct chunk *chunk, int first, int count, const struct ti
     tia_rgb565 pixels[8];
 
     for (int i = 0; i < (dithered ? 8 : 1); i++)
-        pixels[i] = span_pixel(rgb, threshold[(chunk->x + first + i) & 7]);
+        pixels[i] = span_order(threshold, span_pixel(rgb, threshold[(chunk->x + first + i) & 7]));
     if (!dithered)
         span_fill(chunk->pixels + first, count, pixels[0]);
     for (int i = 0; dithered && i < count; i++)
@@ -108,7 +109,7 @@ static NOINLINE void see_lights(struct chunk *chunk, uint32_t object[CHUNK])
 }
 
 /* Draws a span that shows light number n. */
-static void light_span(struct chunk *chunk, int first, int count, uint32_t n, const num_u threshold[8])
+static void light_span(struct chunk *chunk, int first, int count, uint32_t n, const num_u threshold[THRESHOLDS])
 {
     flat_span(chunk, first, count, &chunk->view->lights[n].emission, threshold);
     for (int i = first; chunk->path_hash && i < first + count; i++)
@@ -117,7 +118,7 @@ static void light_span(struct chunk *chunk, int first, int count, uint32_t n, co
 
 /* Shades a span pixel by pixel. If hits do not store the distances, computes the distances first. */
 static NOINLINE void shade_pixels(const struct chunk *chunk, uint32_t object, int first, int end,
-                                  const num_u threshold[8])
+                                  const num_u threshold[THRESHOLDS])
 {
     num_u t[CHUNK];
 
@@ -151,6 +152,7 @@ static void draw_steps(const struct step_span *span, int first, int end)
 
     steps_begin(&chunk->spans->primary, &chunk->spans->spheres[span->object], &chunk->spans->steps[span->object],
                 chunk->x + first, chunk->y, end - first, &row);
+    steps_set_order(&row, span_swaps(span->threshold));
     for (int at; (at = first + row.at) < end;) {
         uint64_t open = steps_draw(&row, chunk->pixels + at);
         for (int i = 0; open; i++, open >>= 1)
@@ -169,12 +171,14 @@ static void draw_part(const void *drawing, enum span_part part, int first, int e
     if (part == SPAN_LIT)
         draw_steps(span, first, end);
     else if (part == SPAN_DARK)
-        span_fill(chunk->pixels + first, end - first, chunk->spans->steps[span->object].pixel[0]);
+        span_fill(chunk->pixels + first, end - first,
+                  span_order(span->threshold, chunk->spans->steps[span->object].pixel[0]));
     else
         shade_pixels(chunk, span->object, first, end, span->threshold);
 }
 
-static void shade_by_steps(const struct chunk *chunk, uint32_t object, int first, int end, const num_u threshold[8])
+static void shade_by_steps(const struct chunk *chunk, uint32_t object, int first, int end,
+                           const num_u threshold[THRESHOLDS])
 {
     const struct step_span span = {chunk, object, first, threshold};
 
@@ -184,7 +188,8 @@ static void shade_by_steps(const struct chunk *chunk, uint32_t object, int first
         draw_steps(&span, first, end);
 }
 
-static void shade_shaded(const struct chunk *chunk, uint32_t object, int first, int end, const num_u threshold[8])
+static void shade_shaded(const struct chunk *chunk, uint32_t object, int first, int end,
+                         const num_u threshold[THRESHOLDS])
 {
     struct shaded_span span = {object, chunk->x + first, chunk->y, end - first, NULL, NULL, NULL};
 
@@ -193,7 +198,7 @@ static void shade_shaded(const struct chunk *chunk, uint32_t object, int first, 
         shade_pixels(chunk, object, first, end, threshold);
 }
 
-static void shade_sphere(const struct chunk *chunk, int first, int end, const num_u threshold[8])
+static void shade_sphere(const struct chunk *chunk, int first, int end, const num_u threshold[THRESHOLDS])
 {
     const struct span_view *spans = chunk->spans;
     uint32_t object = chunk->object[first];
@@ -206,7 +211,7 @@ static void shade_sphere(const struct chunk *chunk, int first, int end, const nu
         shade_shaded(chunk, object, first, end, threshold);
 }
 
-static void light_chunk(struct chunk *chunk, const num_u threshold[8])
+static void light_chunk(struct chunk *chunk, const num_u threshold[THRESHOLDS])
 {
     const struct tia_view *view = chunk->view;
     int end;
@@ -224,7 +229,7 @@ static void light_chunk(struct chunk *chunk, const num_u threshold[8])
 }
 
 /* Draws a chunk where the row may show lights. */
-static NOINLINE void light_chunk_with_lights(struct chunk *chunk, const num_u threshold[8])
+static NOINLINE void light_chunk_with_lights(struct chunk *chunk, const num_u threshold[THRESHOLDS])
 {
     uint32_t object[CHUNK];
 
@@ -242,7 +247,7 @@ static void copy_pixels(const tia_rgb565 *pixels, int count, char *out, ptrdiff_
 /* Draws the chunk at column x of the tile, directly into the surface if the surface's pixels are contiguous. Returns
  * the number of pixels drawn. */
 static int light_columns(struct chunk *chunk, const struct tia_hits *hits, struct tia_tile tile, unsigned x,
-                         const struct tia_surface *surface, const num_u threshold[8])
+                         const struct tia_surface *surface, const num_u threshold[THRESHOLDS])
 {
     size_t at = hits_index(hits, tile.x + x, (unsigned)chunk->y);
     char *out = (char *)surface->pixels + (chunk->y - (int)tile.y) * surface->pitch + (ptrdiff_t)x * surface->step;
@@ -269,10 +274,11 @@ static void light_row(struct chunk *chunk, const struct tia_hits *hits, struct t
 {
     size_t before = (size_t)(chunk->y - (int)tile.y) * tile.width;
     uint32_t *path_hash = options_debug(options).path_hash;
-    num_u threshold[8];
+    num_u threshold[THRESHOLDS];
 
     path_hash = path_hash ? path_hash + before : NULL;
     dither_thresholds(options->dither, chunk->y, threshold);
+    span_set_order(threshold, surface_swaps(surface));
     for (unsigned x = 0; path_hash && x < tile.width; x++)
         path_hash[x] = 0;
     for (unsigned x = 0; x < tile.width;) {

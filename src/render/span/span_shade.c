@@ -260,7 +260,7 @@ void span_put_colours(const num_u *const rgb[3], int step, int count, uint16_t *
 
 /* Decides the pixels of a set whose channels are near a level, one by one: a channel is at least the emission, which is
  * exact, and often is exactly a level. Returns those that remain. */
-static pixel_set decide_levels(const struct shading *s, pixel_set near, const num_u threshold[8], tia_rgb565 *pixels)
+static pixel_set decide_levels(const struct shading *s, pixel_set near, const num_u *threshold, tia_rgb565 *pixels)
 {
     const struct tia_rgb *emission = &s->material->emission;
     const num_u least[3] = {num_colour(emission->r), num_colour(emission->g), num_colour(emission->b)};
@@ -275,8 +275,9 @@ static pixel_set decide_levels(const struct shading *s, pixel_set near, const nu
             low[c] = sum > least[c] + s->doubt ? sum - s->doubt : least[c];
             high[c] = sum + s->doubt;
         }
-        pixels[i] = span_pixel(low, half);
-        if (pixels[i] == span_pixel(high, half))
+        tia_rgb565 pixel = span_pixel(low, half);
+        pixels[i] = span_order(threshold, pixel);
+        if (pixel == span_pixel(high, half))
             near &= ~bit;
     }
     return near;
@@ -322,8 +323,8 @@ static void begin_sums(struct shading *s)
 
 /* Shades a span, and returns the set of its pixels that are in doubt. Shortens it where D would be least in its
  * middle. */
-static NOINLINE pixel_set shade(const struct tia_view *view, struct shaded_span *span, const num_u threshold[8],
-                                tia_rgb565 *pixels)
+static NOINLINE pixel_set shade(const struct tia_view *view, struct shaded_span *span,
+                                const num_u threshold[THRESHOLDS], tia_rgb565 *pixels)
 {
     const struct tia_scene *scene = view->scene;
     struct shading s; /* not zeroed, since the sums are large */
@@ -363,7 +364,7 @@ static NOINLINE pixel_set shade(const struct tia_view *view, struct shaded_span 
 
 /* Decides one pixel, which is in doubt as a part of a longer span. */
 static NOINLINE void settle(const struct tia_view *view, const struct shaded_span *span, int i,
-                            const num_u threshold[8], tia_rgb565 *pixel)
+                            const num_u threshold[THRESHOLDS], tia_rgb565 *pixel)
 {
     struct shaded_span one = {span->object,
                               span->x + i,
@@ -377,10 +378,10 @@ static NOINLINE void settle(const struct tia_view *view, const struct shaded_spa
         *one.path_hash = 0;
     if (span->count > 1 && !shade(view, &one, threshold, pixel))
         return;
-    *pixel = span_shade_exactly(view, &one, threshold[one.x & 7]);
+    *pixel = span_order(threshold, span_shade_exactly(view, &one, threshold[one.x & 7]));
 }
 
-void shade_span(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[8],
+void shade_span(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[THRESHOLDS],
                 tia_rgb565 *pixels)
 {
     struct shaded_span part = *span;

@@ -19,7 +19,7 @@ void span_put_colours(const num_u *const rgb[3], int step, int count, uint16_t *
 /* Returns the pixel of a span of one, computed with balls. */
 tia_rgb565 span_shade_exactly(const struct tia_view *view, const struct shaded_span *one, num_u threshold);
 
-void shade_span(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[8],
+void shade_span(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[THRESHOLDS],
                 tia_rgb565 *pixels);
 
 #endif

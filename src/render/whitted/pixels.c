@@ -116,7 +116,8 @@ static bool row(const struct job *job, int y)
         path.hash = PATH_HASH;
         path.reached = 0;
         pixel(&path, x, y, &objects[i], mean);
-        *(tia_rgb565 *)(void *)(out + i * job->surface->step) = pack(mean, threshold[x & 7]);
+        *(tia_rgb565 *)(void *)(out + i * job->surface->step) =
+            surface_order(job->surface, pack(mean, threshold[x & 7]));
         if (options->colours)
             put_colours(mean, options->colours + 3 * (before + (size_t)i));
         if (path_hash)

@@ -151,8 +151,8 @@ static void light(const struct tia_view *view, struct tia_tile tile, const struc
             struct tia_sum sums[PIECE] = {{{0, 0, 0}}};
             sample(view, piece, 0, spp, &(struct tia_gathered){.sums = sums, .pitch = PIECE}, memory);
             char *out = (char *)surface->pixels + (ptrdiff_t)y * surface->pitch + (ptrdiff_t)x * surface->step;
-            struct tia_surface part = {
-                .pixels = (tia_rgb565 *)(void *)out, .step = surface->step, .pitch = surface->pitch};
+            struct tia_surface part = *surface;
+            part.pixels = (tia_rgb565 *)(void *)out;
             estimate_show(view, piece, sums, spp, &part, options->dither);
         }
 }

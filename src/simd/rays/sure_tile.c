@@ -87,7 +87,7 @@ static void write_strip(struct tia_tile strip, const tia_rgb565 *pixels, char *o
 {
     for (int y = 0; y < strip.height; y++, out += surface->pitch)
         for (int x = 0; x < strip.width; x++)
-            *(tia_rgb565 *)(void *)(out + x * surface->step) = *pixels++;
+            *(tia_rgb565 *)(void *)(out + x * surface->step) = surface_order(surface, *pixels++);
 }
 
 static void light(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,

@@ -45,7 +45,7 @@ struct carried {
     struct simd_bound_cache caches[SIMD_CACHES];
 };
 
-static void find_flat(const struct tia_rgb *colour, int first, const num_u threshold[8], struct flat *flat)
+static void find_flat(const struct tia_rgb *colour, int first, const num_u threshold[THRESHOLDS], struct flat *flat)
 {
     const num_u rgb[3] = {num_colour(colour->r), num_colour(colour->g), num_colour(colour->b)};
 
@@ -93,7 +93,7 @@ static bool is_crowded(const struct tia_view *view, uint32_t sphere)
 
 /* Draws pixels first..end-1 in plain C, which finds few casters for each chunk. */
 static void light_plainly(const struct tia_view *view, int y, uint32_t sphere, int first, int end,
-                          const num_u threshold[8], tia_rgb565 *out)
+                          const num_u threshold[THRESHOLDS], tia_rgb565 *out)
 {
     num_u t[CHUNK];
 
@@ -138,10 +138,10 @@ static void light_span(const struct tia_view *view, const struct simd_row *row, 
     }
 }
 
-static void copy(const tia_rgb565 *pixels, unsigned count, char *out, ptrdiff_t step)
+static void copy(const tia_rgb565 *pixels, unsigned count, char *out, const struct tia_surface *surface)
 {
     for (unsigned i = 0; i < count; i++)
-        *(tia_rgb565 *)(void *)(out + (ptrdiff_t)i * step) = pixels[i];
+        *(tia_rgb565 *)(void *)(out + (ptrdiff_t)i * surface->step) = surface_order(surface, pixels[i]);
 }
 
 static void light_row(const struct tia_view *view, const struct simd_row *row, struct tia_tile tile,
@@ -149,7 +149,8 @@ static void light_row(const struct tia_view *view, const struct simd_row *row, s
 {
     const struct simd_line *line = &carried->line;
     char *out = (char *)surface->pixels + (row->y - (int)tile.y) * surface->pitch;
-    bool compact = surface->step == sizeof(tia_rgb565), direct = compact && !carried->streams;
+    bool compact = surface->step == sizeof(tia_rgb565) && !surface_swaps(surface),
+         direct = compact && !carried->streams;
     tia_rgb565 *pixels = carried->pixels, *place = direct ? (tia_rgb565 *)(void *)out : pixels;
 
     for (int i = 0; i < line->count; i++) {
@@ -159,7 +160,7 @@ static void light_row(const struct tia_view *view, const struct simd_row *row, s
     if (compact && !direct)
         view->simd->kernels->stream((void *)out, pixels, (int)tile.width);
     else if (!direct)
-        copy(pixels, tile.width, out, surface->step);
+        copy(pixels, tile.width, out, surface);
 }
 
 #define ROWS 8 /* rows between two calls of `stop`, which takes a lock that threads share */

@@ -130,6 +130,7 @@ static void run_light(const struct simd_fine *fine, const struct simd_fine_light
 void tia_simd_dither(bool on, int y, struct simd_dither *dither)
 {
     dither_thresholds(on, y, dither->threshold);
+    span_set_order(dither->threshold, false);
     for (int i = 0; i < SIMD_MORE; i++)
         dither->half[i] = (float)((double)dither->threshold[i & 7] * 0x1p-30 - .5);
 }

@@ -43,7 +43,7 @@ static inline const struct span_sphere *simd_sphere_of(const struct simd_fine *f
 
 /* Thresholds of a row's dithering. */
 struct simd_dither {
-    num_u threshold[8];
+    num_u threshold[THRESHOLDS];
     float half[SIMD_MORE]; /* the thresholds less 1/2, repeated, for the kernels */
 };
 

@@ -93,7 +93,7 @@ struct drawing {
 
 static void put(const struct drawing *d, int x, tia_rgb565 pixel)
 {
-    d->pixels[x - d->first] = pixel;
+    d->pixels[x - d->first] = span_order(d->threshold, pixel);
 }
 
 /* Draws a pixel by itself. */
@@ -191,7 +191,7 @@ static bool draw_between(const struct drawing *d, const struct coherence_sample 
     } else if (b->shadow == COHERENCE_DARK ||
                (b->shadow == COHERENCE_LIT && a->pixel == b->pixel && same_between(d, a, b))) {
         tia_rgb565 pixel = b->shadow == COHERENCE_DARK ? colour_of(&d->colouring, 0, 0) : a->pixel;
-        span_fill(d->pixels + (a->x - d->first), b->x + 1 - a->x, pixel);
+        span_fill(d->pixels + (a->x - d->first), b->x + 1 - a->x, span_order(d->threshold, pixel));
     } else if (b->shadow == COHERENCE_OPEN && b->x - a->x <= LEAF) {
         draw_leaf(d, a, b);
     } else {
@@ -345,7 +345,7 @@ static bool prepare_run(struct coherence_run *run, const struct tia_view *view, 
     return coherence_bound(run, first, last) && prepare_casters(run, view, span->object);
 }
 
-bool coherence_shade(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[8],
+bool coherence_shade(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[THRESHOLDS],
                      tia_rgb565 *pixels)
 {
     const struct tia_scene *scene = view->scene;

@@ -16,7 +16,7 @@
 
 /* Draws a span of a wide sphere. The span's t and path_hash are not used, and its count may exceed CHUNK. Returns
  * false, and draws nothing, if this does not pay or the pixels cannot be decided. */
-bool coherence_shade(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[8],
+bool coherence_shade(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[THRESHOLDS],
                      tia_rgb565 *pixels);
 
 /* Gives a ball around the points of all lit pixels of a part of a span, whose first pixel is 0; false if there is none.

@@ -137,6 +137,7 @@ void steps_begin(const struct primary_rays *primary, const struct span_sphere *s
     row->at = 0;
     row->count = count;
     row->sure = false;
+    steps_set_order(row, false);
     find_turn(row);
     find_index(row);
 }
@@ -162,7 +163,7 @@ static bool draw_pixel(struct step_row *row, tia_rgb565 *pixel)
     if (row->index < before)
         above = -1;
     row->sure = way_of(row) > 0 ? below > 0 : above < 0;
-    *pixel = row->steps->pixel[row->index];
+    *pixel = steps_shown(row);
     row->at++;
     return above && below;
 }

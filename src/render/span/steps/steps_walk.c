@@ -64,7 +64,7 @@ int steps_walk(struct step_row *row, int way, int count, tia_rgb565 *pixels)
     int32_t margin = row->steps->walk_margin;
     while (i < count) {
         int k = way > 0 ? row->index : row->index - 1;
-        tia_rgb565 pixel = row->steps->pixel[row->index];
+        tia_rgb565 pixel = steps_shown(row);
         if (k < 0 || k >= row->steps->count) {
             span_fill(pixels + i, count - i, pixel);
             i = count;
