@@ -120,6 +120,7 @@ def controller(s):
     right = [line for line in said if line.endswith('is what the controller reports')]
     if len(said) != 6 or right != said[:5] or not said[5].startswith('state 1, a pixel changed'):
         raise Failure('controller: ' + '; '.join(said))
+    s.console.forget()
     s.console.alive()
 
 
