@@ -293,7 +293,7 @@ $(BUILD)/tests/test_telltales: $(BUILD)/scenes/telltales.o
 .SECONDARY: $(COMPILED:%=$(BUILD)/scenes/%.c) $(BUILD)/scenes/telltales.c
 
 # ---- longer proofs ----
-.PHONY: check-exhaustive prove check-accuracy check-exact check-arch check-freestanding check-matrix check-simd check-denoise check-threads check-deb check-light check-rays-billion check-trust check-mutants check-bounds fuzz
+.PHONY: check-exhaustive prove check-accuracy check-exact check-arch check-freestanding check-matrix check-simd check-denoise check-threads check-deb check-light check-rays-billion check-trust check-mutants check-bounds evidence fuzz
 $(BUILD)/tests/exhaustive: $(BUILD)/tests/exhaustive.o $(LIBTIA) $(BUILD)/made-with/link
 	$(link)
 check-exhaustive: $(BUILD)/tests/exhaustive
@@ -327,6 +327,9 @@ check-trust: $(BUILD)/tests/test_seal
 SECONDS ?= 600
 check-mutants:
 	@$(alone) tests/mutate
+# The report for certifiers, docs/evidence.md; PARTS='misra stack': these parts.
+evidence: all $(addprefix $(BUILD)/tests/test_,$(file <tests/evidence/tests.txt))
+	@$(call python,$(alone) tests/evidence/evidence.py $(BUILD) $(PARTS))
 # The vector units' kernels once more, with their bounds scaled by the environment.
 SCALED_TESTS := ray_steps ray_spawned ray_ends ray_tubes ray_pixels ray_edges ray_pairs ray_bounds simd_samples \
     simd_bounds simd_steps simd_pixels simd_cells span_coherence span_error steps
@@ -433,6 +436,7 @@ help:
 	@echo "check-trust          each bit of a view changed, without and with checks: some minutes"
 	@echo "check-rays-billion   10^9 rays by vector units against plain C, or RAYS=N"
 	@echo "check-exhaustive check-mutants check-bounds    longer than check"
+	@echo "evidence           MISRA, static analysis, run-time errors, stack, coverage, requirements: build/evidence.md"
 	@echo "bench count size   time, instructions a pixel on boards, flash, RAM and stack"
 	@echo "cycles ways        cycles a pixel on boards, by models; instructions, flash and stack by each build system"
 	@echo "bench-latency      from a key to its picture, in a guest; SCENES='chess glass': of these"

@@ -193,7 +193,8 @@ TEST(quotients)
         tia_ball_mul(words, &p, &a, &b);
         tia_ball_div(words, &p, &p, &b);
         tia_ball_sub(words, &a, &a, &p);
-        CHECK(words == 2 ? tia_ball_sign(words, &a) == BALL_OPEN : a.sign == 0 && !a.radius.m);
+        /* Two words may be divided by a reciprocal, which is rounded. */
+        CHECK((words == 2 && tia_ball_sign(words, &a) == BALL_OPEN) || (a.sign == 0 && !a.radius.m));
     }
 }
 
