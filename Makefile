@@ -332,7 +332,7 @@ evidence: all $(addprefix $(BUILD)/tests/test_,$(file <tests/evidence/tests.txt)
 	@$(call python,$(alone) tests/evidence/evidence.py $(BUILD) $(PARTS))
 # The vector units' kernels once more, with their bounds scaled by the environment.
 SCALED_TESTS := ray_steps ray_spawned ray_ends ray_tubes ray_pixels ray_edges ray_pairs ray_bounds simd_samples \
-    simd_bounds simd_steps simd_pixels simd_cells span_coherence span_error steps
+    simd_bounds simd_steps simd_pixels simd_cells span_error steps
 check-bounds:
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)/scaled CFLAGS='$(CFLAGS) -DBOUND_SCALES=\"../tests/bound_scales.h\"' \
 	    $(SCALED_TESTS:%=$(BUILD)/scaled/tests/test_%)

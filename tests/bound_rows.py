@@ -4,20 +4,20 @@ import re
 
 from sources import read
 
-RAYS, SPANS, COHERENCE = "src/simd/rays/", "src/simd/span/", "src/render/span/coherence/"
+RAYS, SPANS = "src/simd/rays/", "src/simd/span/"
 INTEGERS, STEPS = "src/render/span/", "src/render/span/steps/"
 TABLES = [*sorted(glob.glob(RAYS + "bounds/*.h") + glob.glob(SPANS + "bounds/*.h")), INTEGERS + "span_proved.h",
-          COHERENCE + "coherence_proved.h", STEPS + "steps_proved.h"]
+          STEPS + "steps_proved.h"]
 ROW = re.compile(r"^(?:#define BOUND_(\w+) |FORMULA\((\w+)\);"
-                 r"|#define (COHERENCE_(?!BITS|BELOW|WIDE)\w+|SPAN_ERROR_\w+|STEPS_(?!BOUND)\w+)[ (])")
+                 r"|#define (SPAN_ERROR_\w+|STEPS_(?!BOUND)\w+)[ (])")
 
 
 def table_of(path):
-    """A table's short name: rays/lights, span/cells, integers, coherence."""
+    """A table's short name: rays/lights, span/cells, integers, steps."""
     if path.startswith(STEPS):
         return "steps"
     if path.startswith(INTEGERS):
-        return "coherence" if path.startswith(COHERENCE) else "integers"
+        return "integers"
     return re.sub(r"src/simd/(\w+)/bounds/(\w+)\.h", r"\1/\2", path)
 
 

@@ -177,17 +177,24 @@ static void try_row(const struct world *w, int y, struct span span)
     }
 }
 
+static bool is_usable(const struct tia_view *view)
+{
+    const struct colour_steps *steps = span_view_of(view)->spheres[0].steps;
+
+    return steps && steps->usable;
+}
+
 static void try_scene(const struct tia_scene *scene, unsigned width, unsigned height)
 {
     size_t size = tia_view_size(scene, 1);
     void *memory = malloc(size);
     struct tia_view *view;
 
-    if (!tia_view_init(&view, memory, size, scene, 1, width, height, NULL) && span_view_of(view)->steps->usable) {
+    if (!tia_view_init(&view, memory, size, scene, 1, width, height, NULL) && is_usable(view)) {
         const struct span_view *spans = span_view_of(view);
         struct world w = {.scene = scene,
                           .spans = spans,
-                          .steps = spans->steps,
+                          .steps = spans->spheres[0].steps,
                           .size = {(int)width, (int)height},
                           .depth = truth_depth(height, scene->camera.fov),
                           .r = (quad)scene->spheres[0].radius / 65536};

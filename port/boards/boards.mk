@@ -15,14 +15,14 @@ mps2-an500_CC  := $(ARM_BARE)gcc -mthumb -mcpu=cortex-m7 -mfloat-abi=soft
 microbit_CC    := $(ARM_BARE)gcc -mthumb -mcpu=cortex-m0
 stm32vldiscovery_CC := $(mps2-an385_CC)
 rv32_CC        := $(RISCV_BARE)gcc -march=rv32imac -mabi=ilp32
-atmega1284p_CC := $(AVR_BARE)gcc -mmcu=atmega1284p
+atmega1284p_CC := $(AVR_BARE)gcc -mmcu=atmega1284p -mrelax
 BOARD := $(COMMON) -ffreestanding -iquote src -Iport -O2 -g -ffunction-sections -fdata-sections
 BOARD_LD := -static -Wl,--gc-sections,--fatal-warnings
-# Boards whose flash is too small for coherence.c: their programs use tia_core_spheres_small.
+# Boards whose flash is too small for coherence.h: their programs use tia_core_spheres_small.
 TIGHT_BOARDS := atmega1284p
 spheres = core_spheres$(if $(filter $(1),$(TIGHT_BOARDS)),_small)
 # The stack in bytes that a small board's program must have: the limit of tests/slow/freestanding for the core, 6720, or
-# 5760 without coherence.c, or 3968 with TIA_CHUNK=16 and TIA_BALL_WORDS=8, and 512 for the program itself. tests/slow/boards measures how much of the stack is used.
+# 5760 without coherence.h, or 3968 with TIA_CHUNK=16 and TIA_BALL_WORDS=8, and 512 for the program itself. tests/slow/boards measures how much of the stack is used.
 small_stack = $(if $(filter $(1),$(TINY_BOARDS)),4480,$(if $(filter $(1),$(TIGHT_BOARDS)),6272,7232))
 comma := ,
 # The MPS2's images of a Cortex-M4 and M7 have their memory where that of a Cortex-M3 has it.
@@ -85,7 +85,7 @@ rv32_FAST := -mno-save-restore
 FAST := $(basename $(shell grep -l '^.include "math/fast.h"' $(filter src/render/span/%,$(CORE_SRC))))
 ROOMY := $(basename $(shell grep -l '^.define FAST_WHERE_ROOM' $(filter src/render/span/%,$(CORE_SRC))))
 rv32_HOT := $(filter-out $(ROOMY),$(FAST))
-atmega1284p_HOT := $(filter-out $(ROOMY) %/primary %/steps_walk,$(FAST))
+atmega1284p_HOT := $(filter-out $(ROOMY) %/primary %/steps_walk %/kernels,$(FAST))
 atmega1284p_SMALL := -mcall-prologues -fno-inline
 atmega1284p_FAST := -mno-call-prologues -finline
 define optimised

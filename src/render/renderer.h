@@ -212,7 +212,7 @@ static inline size_t hits_index(const struct tia_hits *hits, unsigned x, unsigne
     return (size_t)(y - hits->area.y) * hits->area.width + (x - hits->area.x);
 }
 
-/* Spans: scenes of spheres, row by row. The small renderer computes every pixel separately, without coherence.h. */
+/* Spans: scenes of spheres, row by row. The small renderer goes without coherence.h. */
 extern const struct renderer span_renderer, span_renderer_small;
 
 /* Rays, after Whitted: any scene. */

@@ -4,7 +4,7 @@
 #include "scene/colour.h"
 #include "steps/steps.h"
 
-#define STEPS_SPHERES 8 /* most spheres of a scene whose colours have steps: the tables take memory */
+#define STEPS_SPHERES 8 /* most spheres of a scene that have steps, which take memory, but for the largest one */
 
 static bool is_matt(const struct tia_material *m)
 {
@@ -36,19 +36,20 @@ bool span_draws(const struct tia_scene *scene)
     return plain;
 }
 
-/* Returns the size in bytes of the tables of steps. */
-static uint64_t steps_size(const struct tia_scene *scene, uint32_t light_capacity)
+/* Returns the number of tables of steps: for each sphere, or for the largest one. */
+static uint32_t steps_count(const struct tia_scene *scene, uint32_t light_capacity)
 {
-    bool used = NUM_CERTIFIED && light_capacity == 1 && scene->sphere_count <= STEPS_SPHERES;
-
-    return used ? scene->sphere_count * (uint64_t)sizeof(struct colour_steps) : 0;
+    if (!NUM_CERTIFIED || light_capacity != 1)
+        return 0;
+    return scene->sphere_count <= STEPS_SPHERES ? scene->sphere_count : 1;
 }
 
 size_t span_prepared_size(const struct tia_scene *scene, uint32_t light_capacity)
 {
     uint64_t spheres = (uint64_t)scene->sphere_count + light_capacity;
     uint64_t size = ALIGN(sizeof(struct span_view)) + spheres * sizeof(struct span_sphere) +
-                    ALIGN(span_casters_size(scene->sphere_count, light_capacity)) + steps_size(scene, light_capacity);
+                    ALIGN(span_casters_size(scene->sphere_count, light_capacity)) +
+                    steps_count(scene, light_capacity) * (uint64_t)sizeof(struct colour_steps);
 
     return size > SIZE_MAX / 4 ? SIZE_MAX : (size_t)size;
 }
@@ -59,6 +60,23 @@ static void prepare_sphere(const struct tia_view *view, uint32_t n, struct tia_v
 
     span_sphere_prepare(&spans->primary, &spans->spheres[n], num_vec_between(view->scene->camera.eye, centre), radius);
     span_casters_put(&spans->casters, n);
+    spans->spheres[n].steps = NULL;
+}
+
+/* Gives the tables of steps to the spheres. */
+static void place_steps(const struct tia_view *view, struct colour_steps *tables)
+{
+    const struct tia_scene *scene = view->scene;
+    struct span_sphere *spheres = span_view_of(view)->spheres, *largest = NULL;
+    uint32_t count = steps_count(scene, view->light_capacity);
+
+    for (uint32_t i = 0; i < scene->sphere_count; i++)
+        if (spheres[i].c > 0 && count == scene->sphere_count)
+            spheres[i].steps = &tables[i];
+        else if (spheres[i].c > 0 && (!largest || spheres[i].radius > largest->radius))
+            largest = &spheres[i];
+    if (count > 0 && count < scene->sphere_count && largest)
+        largest->steps = tables;
 }
 
 int span_prepare(struct tia_view *view, const struct span_coherence *coherence)
@@ -71,10 +89,6 @@ int span_prepare(struct tia_view *view, const struct span_coherence *coherence)
     spans->spheres = (struct span_sphere *)(void *)((char *)view->prepared + ALIGN(sizeof *spans));
     char *casters = (char *)(spans->spheres + scene->sphere_count + view->light_capacity);
     span_casters_place(&spans->casters, spans->spheres, scene->sphere_count, view->light_capacity, casters);
-    spans->steps = NULL;
-    if (steps_size(scene, view->light_capacity))
-        spans->steps = (struct colour_steps *)(void *)(casters + ALIGN(span_casters_size(scene->sphere_count,
-                                                                                         view->light_capacity)));
     spans->tinted = false;
     spans->grey_shadows = true;
     primary_prepare(&spans->primary, (unsigned)view->width, (unsigned)view->height, scene->camera.fov);
@@ -86,10 +100,9 @@ int span_prepare(struct tia_view *view, const struct span_coherence *coherence)
         spans->tinted = spans->tinted || !colour_is_black(through);
         spans->grey_shadows = spans->grey_shadows && colour_is_grey(through);
     }
-    for (uint32_t i = 0; coherence && !spans->tinted && i < scene->sphere_count; i++)
-        spans->spheres[i].wide = coherence->pays(&spans->primary, &spans->spheres[i]);
-    for (uint32_t i = 0; !spans->tinted && i < scene->sphere_count; i++)
-        spans->spheres[i].unmeasured = spans->spheres[i].wide || (spans->steps && spans->spheres[i].c > 0);
+    if (!spans->tinted)
+        place_steps(view, (struct colour_steps *)(void *)(casters + ALIGN(span_casters_size(scene->sphere_count,
+                                                                                            view->light_capacity))));
     return TIA_OK;
 }
 
@@ -106,18 +119,20 @@ static void set_steps(const struct tia_view *view)
 {
     const struct span_view *spans = view->prepared;
     const struct tia_scene *scene = view->scene;
-    bool used = view->light_count == 1 && !spans->tinted && is_outside(spans, scene->sphere_count);
+    bool used = view->light_count == 1 && is_outside(spans, scene->sphere_count);
 
-    for (uint32_t i = 0; spans->steps && i < scene->sphere_count; i++) {
-        const struct span_lit all = {.casters = &spans->casters, .object = i};
+    for (uint32_t i = 0; i < scene->sphere_count; i++) {
         struct light_source source = {.sphere = &spans->spheres[i], .number = 0};
-        spans->steps[i].usable = false;
+        struct colour_steps *steps = spans->spheres[i].steps;
+        if (!steps)
+            continue;
+        steps->usable = false;
         if (!used)
             continue;
-        spans->steps[i].shaded = span_next_caster(&all, 0, 0) < scene->sphere_count;
+        steps->shaded = span_next_listed(&spans->casters, i, 0, 0) < scene->sphere_count;
         source.light = num_vec_between(scene->camera.eye, view->lights[0].centre);
         steps_prepare(&spans->primary, &source, &view->lights[0].emission,
-                      &scene->materials[scene->spheres[i].material], &spans->steps[i]);
+                      &scene->materials[scene->spheres[i].material], steps);
     }
 }
 

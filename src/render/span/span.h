@@ -14,11 +14,8 @@ struct span_view;
 struct span_error;
 struct light_source;
 
-/* Functions that decide many pixels at once, see coherence.h and coherence_pays.h. */
+/* Functions that decide many pixels at once, see coherence.h. */
 struct span_coherence {
-    bool (*pays)(const struct primary_rays *primary, const struct span_sphere *sphere);
-    bool (*shade)(const struct tia_view *view, const struct shaded_span *span, const num_u threshold[THRESHOLDS],
-                  tia_rgb565 *pixels);
     bool (*nearer)(const struct span_view *spans, uint32_t n, uint32_t other, int y, struct span span);
     bool (*surround)(const struct span_view *spans, const struct shaded_span *span, struct span part,
                      const struct lit *lit, const struct span_error *error, struct coarse_ball *ball);
@@ -27,10 +24,9 @@ struct span_coherence {
 /* The prepared view. All positions are relative to the eye: the point at a pixel is P = t v. */
 struct span_view {
     const struct span_kernels *kernels;
-    const struct span_coherence *coherence; /* NULL: no coherence; no sphere is wide */
+    const struct span_coherence *coherence; /* NULL: none */
     struct span_sphere *spheres;            /* the scene's spheres, then the lights' */
     struct span_casters casters;
-    struct colour_steps *steps; /* of the scene's spheres; NULL: none */
     struct primary_rays primary;
     struct exact_depth depth; /* K to 64 bits */
     bool tinted;              /* some material transmits shadow rays */

@@ -2,7 +2,6 @@
 #define FAST_WHERE_ROOM
 #include "math/fast.h"
 
-#include "coherence/coherence.h"
 #include "math/noinline.h"
 #include "render/core/dither.h"
 #include "span.h"
@@ -81,7 +80,7 @@ static void distances_of(const struct chunk *chunk, int first, int end, num_u *t
 {
     uint32_t object = chunk->object[first];
 
-    if (object != TIA_NO_OBJECT && chunk->spans->spheres[object].unmeasured)
+    if (object != TIA_NO_OBJECT && chunk->spans->spheres[object].steps)
         span_distances(chunk->spans, object, chunk->y, chunk->x + first, end - first, t);
     else
         for (int i = first; i < end; i++)
@@ -126,7 +125,7 @@ static NOINLINE void shade_pixels(const struct chunk *chunk, uint32_t object, in
         struct shaded_span span = {object, chunk->x + first, chunk->y, 0, chunk->t + first, NULL, NULL};
         count = end - first < CHUNK ? end - first : CHUNK;
         span.count = count;
-        if (chunk->spans->spheres[object].unmeasured) {
+        if (chunk->spans->spheres[object].steps) {
             span_distances(chunk->spans, object, chunk->y, span.x, count, t);
             span.t = t;
         }
@@ -150,7 +149,7 @@ static void draw_steps(const struct step_span *span, int first, int end)
     const struct chunk *chunk = span->chunk;
     struct step_row row;
 
-    steps_begin(&chunk->spans->primary, &chunk->spans->spheres[span->object], &chunk->spans->steps[span->object],
+    steps_begin(&chunk->spans->primary, &chunk->spans->spheres[span->object], chunk->spans->spheres[span->object].steps,
                 chunk->x + first, chunk->y, end - first, &row);
     steps_set_order(&row, span_swaps(span->threshold));
     for (int at; (at = first + row.at) < end;) {
@@ -172,7 +171,7 @@ static void draw_part(const void *drawing, enum span_part part, int first, int e
         draw_steps(span, first, end);
     else if (part == SPAN_DARK)
         span_fill(chunk->pixels + first, end - first,
-                  span_order(span->threshold, chunk->spans->steps[span->object].pixel[0]));
+                  span_order(span->threshold, chunk->spans->spheres[span->object].steps->pixel[0]));
     else
         shade_pixels(chunk, span->object, first, end, span->threshold);
 }
@@ -182,33 +181,22 @@ static void shade_by_steps(const struct chunk *chunk, uint32_t object, int first
 {
     const struct step_span span = {chunk, object, first, threshold};
 
-    if (chunk->spans->steps[object].shaded)
+    if (chunk->spans->spheres[object].steps->shaded)
         span_divide(chunk->view, object, chunk->x + first, chunk->y, end - first, draw_part, &span);
     else
         draw_steps(&span, first, end);
 }
 
-static void shade_shaded(const struct chunk *chunk, uint32_t object, int first, int end,
-                         const num_u threshold[THRESHOLDS])
-{
-    struct shaded_span span = {object, chunk->x + first, chunk->y, end - first, NULL, NULL, NULL};
-
-    if (!chunk->spans->spheres[object].wide ||
-        !chunk->spans->coherence->shade(chunk->view, &span, threshold, chunk->pixels + first))
-        shade_pixels(chunk, object, first, end, threshold);
-}
-
 static void shade_sphere(const struct chunk *chunk, int first, int end, const num_u threshold[THRESHOLDS])
 {
-    const struct span_view *spans = chunk->spans;
     uint32_t object = chunk->object[first];
+    const struct colour_steps *steps = chunk->spans->spheres[object].steps;
 
-    if (chunk->path_hash || chunk->colours || chunk->lights)
-        shade_pixels(chunk, object, first, end, threshold);
-    else if (spans->steps && spans->steps[object].usable && threshold[0] == threshold[1])
+    if (steps && steps->usable && threshold[0] == threshold[1] && !chunk->path_hash && !chunk->colours &&
+        !chunk->lights)
         shade_by_steps(chunk, object, first, end, threshold);
     else
-        shade_shaded(chunk, object, first, end, threshold);
+        shade_pixels(chunk, object, first, end, threshold);
 }
 
 static void light_chunk(struct chunk *chunk, const num_u threshold[THRESHOLDS])

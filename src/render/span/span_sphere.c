@@ -99,7 +99,6 @@ void span_sphere_prepare(const struct primary_rays *primary, struct span_sphere 
     sphere->radius = num_coordinate(radius);
     sphere->c = span_dot(&sphere->centre, &sphere->centre) - num_square(sphere->radius);
     sphere->rows = none;
-    sphere->wide = sphere->unmeasured = false;
     if (radius == 0)
         return;
     sphere->radius_bits = span_bits(sphere->radius);

@@ -15,6 +15,8 @@
 #include "primary.h"
 #include "span_shift.h"
 
+struct colour_steps;
+
 /* A sphere of the scene, or of a visible light. */
 struct span_sphere {
     struct num_vec centre; /* L */
@@ -34,10 +36,9 @@ struct span_sphere {
     int turn;            /* K r in last bits of b is below 2^(turn + depth_bits) */
     int doubt_shift;     /* of t, for num_distance_doubt() */
     num_u doubt;
-    num_u accurate;   /* t from SPAN_SHORT to here is accurate to 2^-7.2 */
-    struct span rows; /* rows that may show the sphere; empty: no pixel does */
-    bool wide;        /* coherence.h draws it */
-    bool unmeasured;  /* hits do not store its distances */
+    num_u accurate;             /* t from SPAN_SHORT to here is accurate to 2^-7.2 */
+    struct span rows;           /* rows that may show the sphere; empty: no pixel does */
+    struct colour_steps *steps; /* the steps of its colour; hits do not store its distances then; or NULL */
 };
 
 #define SPAN_SHORT 1024

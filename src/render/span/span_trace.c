@@ -42,7 +42,7 @@ static void clear(struct tia_hits *hits, struct tia_tile tile)
 /* True if sphere `n` is certainly nearer than sphere `other` in a span of pixels, found by few of them. */
 static bool is_in_front(const struct span_view *spans, uint32_t n, uint32_t other, int y, struct span span)
 {
-    return spans->coherence && spans->spheres[other].unmeasured && spans->coherence->nearer(spans, n, other, y, span);
+    return spans->coherence && spans->spheres[other].steps && spans->coherence->nearer(spans, n, other, y, span);
 }
 
 /* Traces sphere `n` in up to CHUNK pixels, all of which show the same object so far, or none. */
@@ -55,12 +55,12 @@ static void trace_chunk(const struct tia_view *view, uint32_t n, int y, struct s
 
     if (object[0] == TIA_NO_OBJECT || is_in_front(spans, n, object[0], y, span)) {
         fill(object, count, n);
-        if (!spans->spheres[n].unmeasured)
+        if (!spans->spheres[n].steps)
             span_distances(spans, n, y, span.first, count, distance);
         return;
     }
     span_distances(spans, n, y, span.first, count, t);
-    if (spans->spheres[object[0]].unmeasured)
+    if (spans->spheres[object[0]].steps)
         span_distances(spans, object[0], y, span.first, count, distance);
     span_keep_nearer(view, n, y, span.first, t, count, distance, object);
 }

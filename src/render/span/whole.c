@@ -1,9 +1,8 @@
 /* whole.c - the span renderer with coherence. */
 #include "coherence/coherence.h"
-#include "coherence/coherence_pays.h"
 #include "span.h"
 
-static const struct span_coherence coherence = {coherence_pays, coherence_shade, coherence_nearer, coherence_surround};
+static const struct span_coherence coherence = {coherence_nearer, coherence_surround};
 
 static int prepare(struct tia_view *view)
 {
