@@ -16,18 +16,6 @@ enum { MOST = 4096, BALLS = 6 };
 
 static unsigned long seen[3], parts_seen, spans_seen;
 static enum span_part part_of[MOST];
-static int next_pixel;
-
-static void note_part(const void *drawing, enum span_part part, int first, int end)
-{
-    (void)drawing;
-    CHECK(first == next_pixel && end > first);
-    for (int i = first; i < end; i++)
-        part_of[i] = part;
-    next_pixel = end;
-    parts_seen++;
-}
-
 /* A picture and its exact values. */
 struct world {
     const struct tia_scene *scene;
@@ -70,9 +58,19 @@ static void try_pixel(const struct world *w, uint32_t object, int x, int y, enum
 
 static void try_span(const struct tia_view *view, const struct world *w, uint32_t object, int x, int y, int count)
 {
-    next_pixel = 0;
-    span_divide(view, object, x, y, count, note_part, NULL);
-    CHECK_EQ(next_pixel, count);
+    struct span_run runs[SPAN_RUNS];
+    int at = 0;
+
+    while (at < count) {
+        int from = at, found = span_divide(view, object, x + from, y, count - from, runs);
+        CHECK(found > 0 && found <= SPAN_RUNS);
+        parts_seen += (unsigned long)found;
+        for (int i = 0; i < found; i++) {
+            CHECK(runs[i].end > at - from && from + runs[i].end <= count);
+            for (; at < from + runs[i].end; at++)
+                part_of[at] = runs[i].part;
+        }
+    }
     spans_seen++;
     for (int i = 0; i < count; i += 1 + (int)(random_bits() & 3))
         try_pixel(w, object, x + i, y, part_of[i]);

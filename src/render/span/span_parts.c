@@ -190,47 +190,38 @@ static void give_point(struct division *d, int at, struct row_point *point)
     point->part = find_point(d, at, &point->ball) ? part_at(d, &point->ball) : SPAN_OPEN;
 }
 
-/* A part that is being extended to the right. */
-struct part_run {
-    span_part_draw *draw;
-    const void *drawing;
-    enum span_part part;
-    int first, end;
-};
-
-/* Extends the run by the pixels up to `end`, or draws it and begins another one. */
-static void extend(struct part_run *run, enum span_part part, int end)
+/* Extends the last part by the pixels up to `end`, or appends another one; false if it does not fit. */
+static bool extend(struct span_run runs[SPAN_RUNS], int *count, enum span_part part, int end)
 {
-    if (end > run->end && part != run->part) {
-        if (run->end > run->first)
-            run->draw(run->drawing, run->part, run->first, run->end);
-        run->first = run->end;
-        run->part = part;
+    if (*count > 0 && (runs[*count - 1].part == part || runs[*count - 1].end == end)) {
+        runs[*count - 1].end = end;
+        return true;
     }
-    run->end = end;
+    if (*count == SPAN_RUNS)
+        return false;
+    runs[(*count)++] = (struct span_run){end, part};
+    return true;
 }
 
-void span_divide(const struct tia_view *view, uint32_t object, int x, int y, int count, span_part_draw *draw,
-                 const void *drawing)
+int span_divide(const struct tia_view *view, uint32_t object, int x, int y, int count, struct span_run runs[SPAN_RUNS])
 {
     const struct span_view *spans = span_view_of(view);
     struct division d = {
         .spans = spans, .sphere = &spans->spheres[object], .object = object, .x = x, .y = y, .width = -1};
     struct row_point left, right[PENDING];
-    struct part_run run = {.draw = draw, .drawing = drawing, .part = SPAN_OPEN, .first = 0, .end = 0};
-    int depth = 1;
+    int depth = 1, found = 0;
 
     begin(&d);
     give_point(&d, 0, &left);
     if (left.part != SPAN_OPEN)
         find_width(&d, &left.ball);
     give_point(&d, count - 1, &right[0]);
-    extend(&run, left.part, 1);
+    (void)extend(runs, &found, left.part, 1);
     while (depth > 0) {
         struct row_point *next = &right[depth - 1];
         if (next->at - left.at <= 1 || is_same_between(&d, &left, next)) {
-            extend(&run, left.part, next->at);
-            extend(&run, next->part, next->at + 1);
+            if (!extend(runs, &found, left.part, next->at) || !extend(runs, &found, next->part, next->at + 1))
+                break;
             left = *next;
             depth--;
         } else {
@@ -238,5 +229,5 @@ void span_divide(const struct tia_view *view, uint32_t object, int x, int y, int
             depth++;
         }
     }
-    run.draw(run.drawing, run.part, run.first, run.end);
+    return found;
 }

@@ -11,12 +11,17 @@ enum span_part {
     SPAN_OPEN  /* not decided */
 };
 
-/* Receives pixels first..end-1 of the span, counted from its first one. */
-typedef void span_part_draw(const void *drawing, enum span_part part, int first, int end);
+#define SPAN_RUNS 8 /* most parts found at once */
 
-/* Divides the span of `count` pixels from pixel (x, y) on, which show sphere `object`, into parts from left to right.
- * The eye is outside of all spheres, and no material transmits light. */
-void span_divide(const struct tia_view *view, uint32_t object, int x, int y, int count, span_part_draw *draw,
-                 const void *drawing);
+/* A part from the end of the one before it, or from the first pixel, to pixel end-1. */
+struct span_run {
+    int end;
+    enum span_part part;
+};
+
+/* Divides the span of `count` pixels, at most 1024, from pixel (x, y) on, which show sphere `object`, into parts from
+ * left to right, as many as fit. Returns their number, at least 1. The eye is outside of all spheres, and no material
+ * transmits light. */
+int span_divide(const struct tia_view *view, uint32_t object, int x, int y, int count, struct span_run runs[SPAN_RUNS]);
 
 #endif

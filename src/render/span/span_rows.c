@@ -135,56 +135,48 @@ static NOINLINE void shade_pixels(const struct chunk *chunk, uint32_t object, in
     }
 }
 
-/* A span of a sphere with steps, which is drawn part by part. */
-struct step_span {
-    const struct chunk *chunk;
-    uint32_t object;
-    int first; /* pixel of the chunk */
-    const num_u *threshold;
-};
-
 /* Draws a span of a sphere by the steps of its colour. */
-static void draw_steps(const struct step_span *span, int first, int end)
+static NOINLINE void draw_steps(const struct chunk *chunk, uint32_t object, int first, int end,
+                                const num_u threshold[THRESHOLDS])
 {
-    const struct chunk *chunk = span->chunk;
     struct step_row row;
 
-    steps_begin(&chunk->spans->primary, &chunk->spans->spheres[span->object], chunk->spans->spheres[span->object].steps,
+    steps_begin(&chunk->spans->primary, &chunk->spans->spheres[object], chunk->spans->spheres[object].steps,
                 chunk->x + first, chunk->y, end - first, &row);
-    steps_set_order(&row, span_swaps(span->threshold));
+    steps_set_order(&row, span_swaps(threshold));
     for (int at; (at = first + row.at) < end;) {
         uint64_t open = steps_draw(&row, chunk->pixels + at);
         for (int i = 0; open; i++, open >>= 1)
             if (open & 1)
-                shade_pixels(chunk, span->object, at + i, at + i + 1, span->threshold);
+                shade_pixels(chunk, object, at + i, at + i + 1, threshold);
     }
 }
 
-static void draw_part(const void *drawing, enum span_part part, int first, int end)
+static void draw_part(const struct chunk *chunk, uint32_t object, enum span_part part, int first, int end,
+                      const num_u threshold[THRESHOLDS])
 {
-    const struct step_span *span = drawing;
-    const struct chunk *chunk = span->chunk;
-
-    first += span->first;
-    end += span->first;
     if (part == SPAN_LIT)
-        draw_steps(span, first, end);
+        draw_steps(chunk, object, first, end, threshold);
     else if (part == SPAN_DARK)
         span_fill(chunk->pixels + first, end - first,
-                  span_order(span->threshold, chunk->spans->spheres[span->object].steps->pixel[0]));
+                  span_order(threshold, chunk->spans->spheres[object].steps->pixel[0]));
     else
-        shade_pixels(chunk, span->object, first, end, span->threshold);
+        shade_pixels(chunk, object, first, end, threshold);
 }
 
-static void shade_by_steps(const struct chunk *chunk, uint32_t object, int first, int end,
-                           const num_u threshold[THRESHOLDS])
+/* Draws a span of a sphere part by part. */
+static NOINLINE void draw_parts(const struct chunk *chunk, uint32_t object, int first, int end,
+                                const num_u threshold[THRESHOLDS])
 {
-    const struct step_span span = {chunk, object, first, threshold};
+    struct span_run runs[SPAN_RUNS];
 
-    if (chunk->spans->spheres[object].steps->shaded)
-        span_divide(chunk->view, object, chunk->x + first, chunk->y, end - first, draw_part, &span);
-    else
-        draw_steps(&span, first, end);
+    for (int from = first; first < end; from = first) {
+        int count = span_divide(chunk->view, object, chunk->x + first, chunk->y, end - first, runs);
+        for (int i = 0; i < count; i++) {
+            draw_part(chunk, object, runs[i].part, first, from + runs[i].end, threshold);
+            first = from + runs[i].end;
+        }
+    }
 }
 
 static void shade_sphere(const struct chunk *chunk, int first, int end, const num_u threshold[THRESHOLDS])
@@ -194,7 +186,7 @@ static void shade_sphere(const struct chunk *chunk, int first, int end, const nu
 
     if (steps && steps->usable && threshold[0] == threshold[1] && !chunk->path_hash && !chunk->colours &&
         !chunk->lights)
-        shade_by_steps(chunk, object, first, end, threshold);
+        (steps->shaded ? draw_parts : draw_steps)(chunk, object, first, end, threshold);
     else
         shade_pixels(chunk, object, first, end, threshold);
 }
