@@ -60,11 +60,11 @@ static void prepare_sphere(const struct tia_view *view, uint32_t n, struct tia_v
 
     span_sphere_prepare(&spans->primary, &spans->spheres[n], num_vec_between(view->scene->camera.eye, centre), radius);
     span_casters_put(&spans->casters, n);
-    spans->spheres[n].steps = NULL;
+    spans->spheres[n].steps = 0;
 }
 
-/* Gives the tables of steps to the spheres. */
-static void place_steps(const struct tia_view *view, struct colour_steps *tables)
+/* Gives the tables of steps to the spheres: the largest one has the only table. */
+static void give_steps(const struct tia_view *view)
 {
     const struct tia_scene *scene = view->scene;
     struct span_sphere *spheres = span_view_of(view)->spheres, *largest = NULL;
@@ -72,11 +72,11 @@ static void place_steps(const struct tia_view *view, struct colour_steps *tables
 
     for (uint32_t i = 0; i < scene->sphere_count; i++)
         if (spheres[i].c > 0 && count == scene->sphere_count)
-            spheres[i].steps = &tables[i];
+            spheres[i].steps = (uint8_t)(i + 1);
         else if (spheres[i].c > 0 && (!largest || spheres[i].radius > largest->radius))
             largest = &spheres[i];
-    if (count > 0 && count < scene->sphere_count && largest)
-        largest->steps = tables;
+    if (count == 1 && largest)
+        largest->steps = 1;
 }
 
 int span_prepare(struct tia_view *view, const struct span_coherence *coherence)
@@ -87,8 +87,10 @@ int span_prepare(struct tia_view *view, const struct span_coherence *coherence)
     spans->kernels = &span_kernels_plain;
     spans->coherence = coherence;
     spans->spheres = (struct span_sphere *)(void *)((char *)view->prepared + ALIGN(sizeof *spans));
-    char *casters = (char *)(spans->spheres + scene->sphere_count + view->light_capacity);
-    span_casters_place(&spans->casters, spans->spheres, scene->sphere_count, view->light_capacity, casters);
+    char *after = (char *)(spans->spheres + scene->sphere_count + view->light_capacity);
+    span_casters_place(&spans->casters, spans->spheres, scene->sphere_count, view->light_capacity, after);
+    after += ALIGN(span_casters_size(scene->sphere_count, view->light_capacity));
+    spans->steps = steps_count(scene, view->light_capacity) ? (struct colour_steps *)(void *)after : NULL;
     spans->tinted = false;
     spans->grey_shadows = true;
     primary_prepare(&spans->primary, (unsigned)view->width, (unsigned)view->height, scene->camera.fov);
@@ -101,8 +103,7 @@ int span_prepare(struct tia_view *view, const struct span_coherence *coherence)
         spans->grey_shadows = spans->grey_shadows && colour_is_grey(through);
     }
     if (!spans->tinted)
-        place_steps(view, (struct colour_steps *)(void *)(casters + ALIGN(span_casters_size(scene->sphere_count,
-                                                                                            view->light_capacity))));
+        give_steps(view);
     return TIA_OK;
 }
 
@@ -123,7 +124,7 @@ static void set_steps(const struct tia_view *view)
 
     for (uint32_t i = 0; i < scene->sphere_count; i++) {
         struct light_source source = {.sphere = &spans->spheres[i], .number = 0};
-        struct colour_steps *steps = spans->spheres[i].steps;
+        struct colour_steps *steps = steps_of(spans, i);
         if (!steps)
             continue;
         steps->usable = false;

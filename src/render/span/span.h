@@ -27,6 +27,7 @@ struct span_view {
     const struct span_coherence *coherence; /* NULL: none */
     struct span_sphere *spheres;            /* the scene's spheres, then the lights' */
     struct span_casters casters;
+    struct colour_steps *steps; /* tables, one after the other; NULL: none */
     struct primary_rays primary;
     struct exact_depth depth; /* K to 64 bits */
     bool tinted;              /* some material transmits shadow rays */

@@ -141,7 +141,7 @@ static NOINLINE void draw_steps(const struct chunk *chunk, uint32_t object, int 
 {
     struct step_row row;
 
-    steps_begin(&chunk->spans->primary, &chunk->spans->spheres[object], chunk->spans->spheres[object].steps,
+    steps_begin(&chunk->spans->primary, &chunk->spans->spheres[object], steps_of(chunk->spans, object),
                 chunk->x + first, chunk->y, end - first, &row);
     steps_set_order(&row, span_swaps(threshold));
     for (int at; (at = first + row.at) < end;) {
@@ -158,8 +158,7 @@ static void draw_part(const struct chunk *chunk, uint32_t object, enum span_part
     if (part == SPAN_LIT)
         draw_steps(chunk, object, first, end, threshold);
     else if (part == SPAN_DARK)
-        span_fill(chunk->pixels + first, end - first,
-                  span_order(threshold, chunk->spans->spheres[object].steps->pixel[0]));
+        span_fill(chunk->pixels + first, end - first, span_order(threshold, steps_of(chunk->spans, object)->pixel[0]));
     else
         shade_pixels(chunk, object, first, end, threshold);
 }
@@ -182,7 +181,7 @@ static NOINLINE void draw_parts(const struct chunk *chunk, uint32_t object, int 
 static void shade_sphere(const struct chunk *chunk, int first, int end, const num_u threshold[THRESHOLDS])
 {
     uint32_t object = chunk->object[first];
-    const struct colour_steps *steps = chunk->spans->spheres[object].steps;
+    const struct colour_steps *steps = steps_of(chunk->spans, object);
 
     if (steps && steps->usable && threshold[0] == threshold[1] && !chunk->path_hash && !chunk->colours &&
         !chunk->lights)

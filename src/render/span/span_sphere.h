@@ -15,8 +15,6 @@
 #include "primary.h"
 #include "span_shift.h"
 
-struct colour_steps;
-
 /* A sphere of the scene, or of a visible light. */
 struct span_sphere {
     struct num_vec centre; /* L */
@@ -36,9 +34,9 @@ struct span_sphere {
     int turn;            /* K r in last bits of b is below 2^(turn + depth_bits) */
     int doubt_shift;     /* of t, for num_distance_doubt() */
     num_u doubt;
-    num_u accurate;             /* t from SPAN_SHORT to here is accurate to 2^-7.2 */
-    struct span rows;           /* rows that may show the sphere; empty: no pixel does */
-    struct colour_steps *steps; /* the steps of its colour; hits do not store its distances then; or NULL */
+    num_u accurate;   /* t from SPAN_SHORT to here is accurate to 2^-7.2 */
+    struct span rows; /* rows that may show the sphere; empty: no pixel does */
+    uint8_t steps;    /* 1 + number of the table of its colour's steps: then hits do not store its distances; or 0 */
 };
 
 #define SPAN_SHORT 1024

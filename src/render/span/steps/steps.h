@@ -19,6 +19,7 @@
 #ifndef TIA_RENDER_SPAN_STEPS_STEPS_H
 #define TIA_RENDER_SPAN_STEPS_STEPS_H
 
+#include "render/span/span.h"
 #include "render/span/span_light.h"
 
 #include <tia/scene.h>
@@ -44,6 +45,14 @@ struct colour_steps {
     int32_t at[COLOUR_STEPS];        /* W, with the exponent form_shift - b_shift + 32 */
     tia_rgb565 pixel[COLOUR_STEPS + 1]; /* the pixels below the first step and above each */
 };
+
+/* Returns the steps of sphere n; NULL: it has none. */
+static inline struct colour_steps *steps_of(const struct span_view *spans, uint32_t n)
+{
+    unsigned number = spans->spheres[n].steps;
+
+    return number ? &spans->steps[number - 1] : NULL;
+}
 
 /* Sets the steps of a ball under a light at `light` from the eye, whose emission is `emission`. `usable` is false where
  * they have no proved bounds. */
