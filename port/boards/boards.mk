@@ -81,11 +81,9 @@ HOT := $(basename $(filter src/flat/% src/raster/% src/samples/% src/shadow/% sr
 	$(addprefix src/render/,ao/% estimate/% geometry/% hybrid/% path/% trace/% whitted/%),$(CORE_SRC)))
 rv32_SMALL := -msave-restore
 rv32_FAST := -mno-save-restore
-# What includes fast.h, which AVRs do without.
+# What includes fast.h, which AVRs do without; for rv32 beside -mno-save-restore.
 FAST := $(basename $(shell grep -l '^.include "math/fast.h"' $(filter src/render/span/%,$(CORE_SRC))))
-ROOMY := $(basename $(shell grep -l '^.define FAST_WHERE_ROOM' $(filter src/render/span/%,$(CORE_SRC))))
-rv32_HOT := $(filter-out $(ROOMY),$(FAST))
-atmega1284p_HOT := $(filter-out $(ROOMY) %/primary %/steps_walk %/kernels,$(FAST))
+rv32_HOT := $(FAST)
 atmega1284p_SMALL := -mcall-prologues -fno-inline
 atmega1284p_FAST := -mno-call-prologues -finline
 define optimised

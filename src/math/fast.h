@@ -1,7 +1,6 @@
 /* fast.h - the first header of the few files whose code runs for each pixel of a scene of spheres. Where a build asks
  * for small code (-Os), gcc compiles these files for speed, with the inline functions of the headers that follow; not
- * on AVRs, whose flash has no room for that, and where the code is larger than that of Thumb-2 not in a file that
- * defines FAST_WHERE_ROOM. clang knows no such pragma, and needs it less. */
+ * on AVRs, whose flash has no room for that. clang knows no such pragma, and needs it less. */
 #ifndef TIA_MATH_FAST_H
 #define TIA_MATH_FAST_H
 
@@ -9,7 +8,7 @@
 
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC push_options
-#if defined(__OPTIMIZE_SIZE__) && !defined(__AVR__) && !(defined(FAST_WHERE_ROOM) && TIA_LONG_CODE)
+#if defined(__OPTIMIZE_SIZE__) && !defined(__AVR__)
 #pragma GCC optimize("O2")
 #endif
 #endif

@@ -19,11 +19,4 @@
 #define TIA_COUNTS_ZEROS 1
 #endif
 
-/* 1 if code takes more flash than Thumb-2's. */
-#if TIA_HALF_PRODUCTS || defined(__riscv)
-#define TIA_LONG_CODE 1
-#else
-#define TIA_LONG_CODE 0
-#endif
-
 #endif

@@ -1,5 +1,4 @@
 /* damage.c - compares pixels with those that a display shows. */
-#define FAST_WHERE_ROOM
 #include "math/fast.h"
 
 #include <tia/damage.h>

@@ -1,4 +1,6 @@
 /* distances.c - the pixels of a row that show a sphere, their distances, and the nearer of two. */
+#include "math/fast.h"
+
 #include "math/noinline.h"
 #include "span.h"
 

@@ -1,5 +1,4 @@
 /* span_rows.c - from hits to pixels: a row is divided into pieces, and a piece into spans of one object. */
-#define FAST_WHERE_ROOM
 #include "math/fast.h"
 
 #include "math/noinline.h"

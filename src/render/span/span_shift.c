@@ -1,4 +1,3 @@
-#define FAST_WHERE_ROOM
 #include "math/fast.h"
 
 #include "span_shift.h"

@@ -1,6 +1,5 @@
 /* span_trace.c - finds the visible sphere of each pixel of a tile. Each sphere's pixels are one span per row, which is
  * found exactly. Where spans overlap, the nearer sphere is visible; in a tie, the one with the lower index. */
-#define FAST_WHERE_ROOM
 #include "math/fast.h"
 
 #include "span.h"

@@ -1,4 +1,6 @@
 /* steps_side.c - on which side of a step a pixel is. */
+#include "math/fast.h"
+
 #include "math/noinline.h"
 #include "steps_row.h"
 
