@@ -35,7 +35,8 @@ static NOINLINE int decide(const struct colour_steps *steps, uint64_t d, int32_t
 {
     int64_t square = tia_mul_s32(w, w), root = (tia_mul_s32(w < 0 ? -w : w, steps->root_most) >> 32) + 1;
     int64_t left = tia_mul_s32(a, a < 0 ? -a : a), right = steps_upper(square, (int64_t)d);
-    int64_t margin = (2 * root + doubt) * doubt + ((square >> 32) + 1) * (2 * (int64_t)steps->depth_doubt) + 4;
+    uint64_t of_a = tia_mul_u32((uint32_t)(2 * root + doubt), (uint32_t)doubt);
+    int64_t margin = (int64_t)(of_a + tia_mul_u32((uint32_t)(square >> 32) + 1, 2 * (uint32_t)steps->depth_doubt) + 4);
     int64_t more = left - (w < 0 ? -right : right);
 
     return more > margin ? 1 : more < -margin ? -1 : 0;
