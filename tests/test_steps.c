@@ -179,7 +179,7 @@ static void try_row(const struct world *w, int y, struct span span)
 
 static bool is_usable(const struct tia_view *view)
 {
-    const struct colour_steps *steps = steps_of(span_view_of(view), 0);
+    const struct colour_steps *steps = steps_number(span_view_of(view)->steps, span_view_of(view)->spheres[0].steps);
 
     return steps && steps->usable;
 }
@@ -194,7 +194,7 @@ static void try_scene(const struct tia_scene *scene, unsigned width, unsigned he
         const struct span_view *spans = span_view_of(view);
         struct world w = {.scene = scene,
                           .spans = spans,
-                          .steps = steps_of(spans, 0),
+                          .steps = spans->steps,
                           .size = {(int)width, (int)height},
                           .depth = truth_depth(height, scene->camera.fov),
                           .r = (quad)scene->spheres[0].radius / 65536};

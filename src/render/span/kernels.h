@@ -179,6 +179,16 @@ static INLINED tia_rgb565 span_order(const num_u threshold[THRESHOLDS], tia_rgb5
     return pixel_order(pixel, span_swaps(threshold));
 }
 
+static inline void span_fill(tia_rgb565 *pixels, int count, tia_rgb565 pixel)
+{
+    int i = 0;
+
+    for (; i + 4 <= count; i += 4)
+        pixels[i] = pixels[i + 1] = pixels[i + 2] = pixels[i + 3] = pixel;
+    for (; i < count; i++)
+        pixels[i] = pixel;
+}
+
 /* Returns the pixel of an exact colour. */
 tia_rgb565 span_pixel(const num_u rgb[3], num_u threshold);
 

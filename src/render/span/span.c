@@ -124,7 +124,7 @@ static void set_steps(const struct tia_view *view)
 
     for (uint32_t i = 0; i < scene->sphere_count; i++) {
         struct light_source source = {.sphere = &spans->spheres[i], .number = 0};
-        struct colour_steps *steps = steps_of(spans, i);
+        struct colour_steps *steps = steps_number(spans->steps, spans->spheres[i].steps);
         if (!steps)
             continue;
         steps->usable = false;

@@ -58,16 +58,6 @@ static inline num_u *span_distances_of(const struct tia_hits *hits)
     return hits->buffer;
 }
 
-static inline void span_fill(tia_rgb565 *pixels, int count, tia_rgb565 pixel)
-{
-    int i = 0;
-
-    for (; i + 4 <= count; i += 4)
-        pixels[i] = pixels[i + 1] = pixels[i + 2] = pixels[i + 3] = pixel;
-    for (; i < count; i++)
-        pixels[i] = pixel;
-}
-
 /* Returns the pixels of row y that show ball `object`: a sphere of the scene or, counted after these, a light. `guess`
  * affects only the speed. */
 struct span span_sphere_row(const struct tia_view *view, uint32_t object, int y, struct span guess);

@@ -134,14 +134,19 @@ static NOINLINE void shade_pixels(const struct chunk *chunk, uint32_t object, in
     }
 }
 
+static const struct colour_steps *steps_of(const struct chunk *chunk, uint32_t object)
+{
+    return steps_number(chunk->spans->steps, chunk->spans->spheres[object].steps);
+}
+
 /* Draws a span of a sphere by the steps of its colour. */
 static NOINLINE void draw_steps(const struct chunk *chunk, uint32_t object, int first, int end,
                                 const num_u threshold[THRESHOLDS])
 {
     struct step_row row;
 
-    steps_begin(&chunk->spans->primary, &chunk->spans->spheres[object], steps_of(chunk->spans, object),
-                chunk->x + first, chunk->y, end - first, &row);
+    steps_begin(&chunk->spans->primary, &chunk->spans->spheres[object], steps_of(chunk, object), chunk->x + first,
+                chunk->y, end - first, &row);
     steps_set_order(&row, span_swaps(threshold));
     for (int at; (at = first + row.at) < end;) {
         uint64_t open = steps_draw(&row, chunk->pixels + at);
@@ -157,7 +162,7 @@ static void draw_part(const struct chunk *chunk, uint32_t object, enum span_part
     if (part == SPAN_LIT)
         draw_steps(chunk, object, first, end, threshold);
     else if (part == SPAN_DARK)
-        span_fill(chunk->pixels + first, end - first, span_order(threshold, steps_of(chunk->spans, object)->pixel[0]));
+        span_fill(chunk->pixels + first, end - first, span_order(threshold, steps_of(chunk, object)->pixel[0]));
     else
         shade_pixels(chunk, object, first, end, threshold);
 }
@@ -180,7 +185,7 @@ static NOINLINE void draw_parts(const struct chunk *chunk, uint32_t object, int 
 static void shade_sphere(const struct chunk *chunk, int first, int end, const num_u threshold[THRESHOLDS])
 {
     uint32_t object = chunk->object[first];
-    const struct colour_steps *steps = steps_of(chunk->spans, object);
+    const struct colour_steps *steps = steps_of(chunk, object);
 
     if (steps && steps->usable && threshold[0] == threshold[1] && !chunk->path_hash && !chunk->colours &&
         !chunk->lights)

@@ -19,7 +19,6 @@
 #ifndef TIA_RENDER_SPAN_STEPS_STEPS_H
 #define TIA_RENDER_SPAN_STEPS_STEPS_H
 
-#include "render/span/span.h"
 #include "render/span/span_light.h"
 
 #include <tia/scene.h>
@@ -46,12 +45,10 @@ struct colour_steps {
     tia_rgb565 pixel[COLOUR_STEPS + 1]; /* the pixels below the first step and above each */
 };
 
-/* Returns the steps of sphere n; NULL: it has none. */
-static inline struct colour_steps *steps_of(const struct span_view *spans, uint32_t n)
+/* Returns one of several tables, by its number, from 1 on; NULL for 0. */
+static inline struct colour_steps *steps_number(struct colour_steps *tables, unsigned number)
 {
-    unsigned number = spans->spheres[n].steps;
-
-    return number ? &spans->steps[number - 1] : NULL;
+    return number ? &tables[number - 1] : NULL;
 }
 
 /* Sets the steps of a ball under a light at `light` from the eye, whose emission is `emission`. `usable` is false where

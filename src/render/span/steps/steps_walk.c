@@ -2,7 +2,6 @@
 #include "math/fast.h"
 
 #include "math/noinline.h"
-#include "render/span/span.h"
 #include "steps_row.h"
 
 #define FRACTION 8 /* bits of D's step below those of D's upper word */
