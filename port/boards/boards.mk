@@ -105,6 +105,12 @@ $(BUILD)/boards/$(1)/crowd-$(2)-$(3).o: tests/boards/crowd.c
 	$$(call board_compile,$(1),CC,$$(BOARD) -DSPHERES=$(2) -DLIGHTS=$(3))
 $(call image,$(1),crowd-$(2)-$(3),,$(1)-large,$(BUILD)/boards/$(1)/crowd-$(2)-$(3).o)
 endef
+# The program that draws rows of $(1) random scenes, beginning with the number $(2), to compare with the bound of their instructions.
+define bounded
+$(BUILD)/boards/mps2-an385/bound-$(1)-$(2).o: tests/boards/bound.c
+	$$(call board_compile,mps2-an385,CC,$$(BOARD) -DSCENES=$(1) -DSEED=$(2))
+$(call image,mps2-an385,bound-$(1)-$(2),,mps2-an385-large,$(BUILD)/boards/mps2-an385/bound-$(1)-$(2).o)
+endef
 # The program whose checks are counted, in strips of $(2) rows.
 define checked
 $(BUILD)/boards/$(1)/trust-$(2).o: tests/boards/trust.c
@@ -154,6 +160,7 @@ BOARDS_SHADOWS := $(filter vexpress-a9 mps2-an385,$(BOARDS))
 $(foreach b,$(BOARDS_SHADOWS),$(eval $(call image,$(b),shadows,tests/boards/shadows.c,$(if $(filter mps2-an385,$(b)),$(b)-large,$(b)))))
 RAYED := $(if $(filter mps2-an385,$(BOARDS)),$(patsubst scenes/nff/%.nff,%,$(wildcard scenes/nff/*.nff)))
 $(foreach n,$(RAYED),$(eval $(call rayed,$(n))))
+$(if $(filter mps2-an385,$(BOARDS)),$(foreach n,20-1 1000-2 600-3,$(eval $(call bounded,$(firstword $(subst -, ,$(n))),$(lastword $(subst -, ,$(n)))))))
 .SECONDARY: $(RAYED:%=$(BUILD)/scenes/nff/%.c)
 $(BUILD)/boards/shadows $(BUILD)/boards/light: $(BUILD)/boards/%: tests/boards/%.c $(LIBTIA)
 	@mkdir -p $(@D)
@@ -198,9 +205,9 @@ $(BUILD)/boards/simavr: tests/boards/simavr.c
 COUNT_FILES := $(COUNTED) $(CROWDED) $(BOARDS_SHADOWS:%=$(BUILD)/boards/%/shadows.elf) $(BUILD)/boards/insn.so $(SIMAVR) \
                $(TRUSTED) $(RAYED:%=$(BUILD)/boards/mps2-an385/rays-%.elf) $(BUILD)/boards/observed
 
-.PHONY: boards check-boards size-boards count count-rays cycles ways
+.PHONY: boards check-boards size-boards count count-rays cycles ways check-row-bound
 boards: $(IMAGES) $(BOARDS_SMALL:%=$(BUILD)/boards/%/count-q16.elf) $(BUILD)/boards/insn.so $(SIMAVR) $(addprefix $(BUILD)/boards/,example shadows light) \
-        $(if $(filter mps2-an385,$(BOARDS)),$(addprefix $(BUILD)/boards/mps2-an385/,light.elf) $(BUILD)/boards/microbit/mul64.elf) \
+        $(if $(filter mps2-an385,$(BOARDS)),$(addprefix $(BUILD)/boards/mps2-an385/,light.elf bound-20-1.elf) $(BUILD)/boards/microbit/mul64.elf) \
         $(EXAMPLES:%=$(BUILD)/boards/%/example.elf) $(BOARDS_TINY:%=$(BUILD)/boards/%/rows.elf) $(BUILD)/boards/spheres $(OTHERS)
 check: boards $(COUNT_FILES)
 check-boards: all boards
@@ -214,5 +221,7 @@ cycles: $(BOARDS_SMALL:%=$(BUILD)/boards/%/count-q16.elf) $(BUILD)/boards/insn.s
 	@$(call python,tests/boards/cycles.py $(BUILD))
 ways: boards
 	@$(call python,tests/boards/ways.py $(BUILD))
+check-row-bound: $(addprefix $(BUILD)/boards/,mps2-an385/bound-1000-2.elf insn.so)
+	@$(call python,tests/boards/bound.py $(BUILD) 1000-2)
 count-rays: $(RAYED:%=$(BUILD)/boards/mps2-an385/rays-%.elf) $(BUILD)/boards/insn.so
 	@$(call python,tests/boards/count.py --rays $(BUILD))

@@ -5,7 +5,9 @@
  * begin and end are the addresses of two functions' first instructions. The instructions from the one to the other are
  * a passage, for which FILE gets the line "passage N". If `text` is given, a line "at ADDRESS N" follows at the end for
  * each instruction of that range that was executed in a passage, and "taken ADDRESS N" if another than the next one
- * followed N times; of the first `passages` passages, or of all. One processor is assumed.
+ * followed N times; of the first `passages` passages, or of all. For calls=ADDRESS, which may be given up to CALLED
+ * times, each passage gets a line "calls N ..." as well: how often the instructions at these addresses, such as the
+ * first ones of functions, were executed in it. One processor is assumed.
  *
  * Debian's QEMU 7.2 supports plugins but has no header for them: the functions of version 1 are declared here. */
 #include <inttypes.h>
@@ -55,6 +57,9 @@ struct events {
 static struct events executions, jumps;
 static uint64_t text_start, text_count, passages_left = UINT64_MAX;
 static const struct block *last_block;
+enum { CALLED = 8 };
+static uint64_t called_at[CALLED], calls_all[CALLED], calls_before[CALLED];
+static int called_count;
 
 static void say(const char *what, uint64_t address, uint64_t count)
 {
@@ -66,10 +71,22 @@ static void say(const char *what, uint64_t address, uint64_t count)
     qemu_plugin_outs(line);
 }
 
+static void say_calls(void)
+{
+    char line[24 * CALLED + 8] = "calls";
+    size_t at = strlen(line);
+
+    for (int i = 0; i < called_count; i++)
+        at += (size_t)snprintf(line + at, sizeof line - at, " %" PRIu64, calls_all[i] - calls_before[i]);
+    (void)snprintf(line + at, sizeof line - at, "\n");
+    qemu_plugin_outs(line);
+}
+
 static void on_begin(unsigned int cpu, void *user)
 {
     (void)cpu, (void)user;
     executed_before = executed_all;
+    memcpy(calls_before, calls_all, sizeof calls_before);
     if (text_count) {
         memcpy(executions.before, executions.all, text_count * sizeof(uint64_t));
         memcpy(jumps.before, jumps.all, text_count * sizeof(uint64_t));
@@ -80,6 +97,8 @@ static void on_end(unsigned int cpu, void *user)
 {
     (void)cpu, (void)user;
     say("passage", 0, executed_all - executed_before);
+    if (called_count)
+        say_calls();
     if (!passages_left)
         return;
     passages_left--;
@@ -135,6 +154,9 @@ static void on_translated(qemu_plugin_id_t id, struct qemu_plugin_tb *tb)
         if (address == end_at)
             qemu_plugin_register_vcpu_insn_exec_cb(insn, on_end, CB_NO_REGS, NULL);
         qemu_plugin_register_vcpu_insn_exec_inline(insn, INLINE_ADD_U64, &executed_all, 1);
+        for (int j = 0; j < called_count; j++)
+            if (address == called_at[j])
+                qemu_plugin_register_vcpu_insn_exec_inline(insn, INLINE_ADD_U64, &calls_all[j], 1);
         if (address >= text_start && at < text_count)
             qemu_plugin_register_vcpu_insn_exec_inline(insn, INLINE_ADD_U64, &executions.all[at], 1);
     }
@@ -177,6 +199,8 @@ EXPORT int qemu_plugin_install(qemu_plugin_id_t id, const struct qemu_info *info
             end_at = strtoull(argv[i] + 4, NULL, 0);
         if (!strncmp(argv[i], "passages=", 9))
             passages_left = strtoull(argv[i] + 9, NULL, 0);
+        if (!strncmp(argv[i], "calls=", 6) && called_count < CALLED)
+            called_at[called_count++] = strtoull(argv[i] + 6, NULL, 0);
         if (!strncmp(argv[i], "text=", 5) && take_text(argv[i] + 5))
             return -1;
     }

@@ -59,7 +59,7 @@ static NOINLINE bool is_nearer(const struct tia_view *view, uint32_t n, num_u t,
     int order = order_of(a, t, num_distance_doubt(t, a->doubt_shift, a->doubt), b, u,
                          num_distance_doubt(u, b->doubt_shift, b->doubt));
 
-    if (order)
+    if (order || view_stops(view)) /* balls take tens of thousands of instructions */
         return order < 0;
     struct exact_picture picture = span_picture_of(view);
     return tia_exact_nearer(&picture, x, y, n, other);

@@ -101,7 +101,7 @@ static NOINLINE void see_lights(struct chunk *chunk, uint32_t object[CHUNK])
             object[i] = chunk->object[first];
     }
     for (uint32_t n = view->scene->sphere_count; n < view->scene->sphere_count + view->light_count; n++)
-        if (row_sees(chunk, n))
+        if (row_sees(chunk, n) && !view_stops(view))
             see_light(chunk, n, nearest, object);
     chunk->object = object;
 }
@@ -120,7 +120,7 @@ static NOINLINE void shade_pixels(const struct chunk *chunk, uint32_t object, in
 {
     num_u t[CHUNK];
 
-    for (int count; first < end; first += count) {
+    for (int count; first < end && !view_stops(chunk->view); first += count) {
         struct shaded_span span = {object, chunk->x + first, chunk->y, 0, chunk->t + first, NULL, NULL};
         count = end - first < CHUNK ? end - first : CHUNK;
         span.count = count;

@@ -17,6 +17,7 @@ struct shading {
     num_u doubt;               /* bound of the sums' errors */
     pixel_set open;            /* pixels whose sums have no bound, or whose lights or shadows are in doubt */
     bool given_up;             /* all pixels are open, and no other output needs them */
+    unsigned work;             /* lights and casters so far */
     struct span_depth ends[2]; /* of the first and the last pixel */
     struct span_error error;   /* of the light being added */
     bool bounded;              /* the light's error has a bound */
@@ -151,7 +152,8 @@ static NOINLINE void cast_shadows(struct shading *s, const struct light_source *
         s->spans->coherence->surround(s->spans, span, (struct span){0, span->count}, lit, &s->error, &s->lit.around);
     s->parts = -1;
     for (j = s->lit.surrounded ? span_next_caster(&s->lit, source->number, j) : j;
-         j < scene->sphere_count && !s->given_up; j = span_next_caster(&s->lit, source->number, j + 1)) {
+         j < scene->sphere_count && !s->given_up && !span_work_stops(s->view, &s->work);
+         j = span_next_caster(&s->lit, source->number, j + 1)) {
         const struct tia_rgb *through = &scene->materials[scene->spheres[j].material].transmission;
         num_u before[CHUNK];
 
@@ -338,18 +340,16 @@ static NOINLINE pixel_set shade(const struct tia_view *view, struct shaded_span 
     s.grey = s.spans->grey && colour_is_grey(&s.material->colour) && colour_is_grey(&s.material->emission);
     s.open = 0;
     s.given_up = false;
+    s.work = 0;
     s.doubt = 0;
     while (NUM_CERTIFIED && find_ends(&s, s.ends))
         span->count = (span->count + 1) / 2;
     begin_sums(&s);
-    for (uint32_t l = 0; l < view->light_count && !s.given_up; l++) {
-        if ((l & 63) == 63 && view_stops(view)) /* many lights in one row may take long */
-            break;
+    for (uint32_t l = 0; l < view->light_count && !s.given_up && !span_work_stops(view, &s.work); l++)
         if (s.spans->tinted)
             shade_from_tinted_light(&s, l);
         else
             shade_from_light(&s, l, NULL);
-    }
     const num_u *const rgb[3] = {s.sum[0], s.sum[s.grey ? 0 : 1], s.sum[s.grey ? 0 : 2]};
     if (NUM_CERTIFIED && s.doubt > NUM_DOUBT_MOST) {
         give_up(&s);
@@ -386,7 +386,7 @@ void shade_span(const struct tia_view *view, const struct shaded_span *span, con
 {
     struct shaded_span part = *span;
 
-    for (int first = 0; first < span->count; first += part.count) {
+    for (int first = 0; first < span->count && !view_stops(view); first += part.count) {
         part.x = span->x + first;
         part.t = span->t + first;
         part.path_hash = span->path_hash ? span->path_hash + first : NULL;
@@ -394,7 +394,7 @@ void shade_span(const struct tia_view *view, const struct shaded_span *span, con
         part.count = span->count - first;
         pixel_set open = shade(view, &part, threshold, pixels + first);
         for (int i = 0; NUM_CERTIFIED && open && i < part.count; i++)
-            if (open >> i & 1)
+            if (open >> i & 1 && !view_stops(view))
                 settle(view, &part, i, threshold, pixels + first + i);
     }
 }

@@ -16,6 +16,18 @@ struct shaded_span {
  * NULL: stores nothing. */
 void span_put_colours(const num_u *const rgb[3], int step, int count, uint16_t *colours);
 
+#define SPAN_WORK 16 /* lights and casters of a span between polls of `stop` */
+
+/* Counts a light or a caster. Returns true if `stop` was polled, after each SPAN_WORK of them, and returned true; then
+ * each further call polls. */
+static inline bool span_work_stops(const struct tia_view *view, unsigned *work)
+{
+    if (++*work % SPAN_WORK || !view_stops(view))
+        return false;
+    --*work;
+    return true;
+}
+
 /* Returns the pixel of a span of one, computed with balls. */
 tia_rgb565 span_shade_exactly(const struct tia_view *view, const struct shaded_span *one, num_u threshold);
 

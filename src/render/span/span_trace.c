@@ -66,7 +66,7 @@ static void trace_chunk(const struct tia_view *view, uint32_t n, int y, struct s
 
 static void trace_span(const struct tia_view *view, struct tia_hits *hits, uint32_t n, int y, struct span span)
 {
-    for (struct span part = span; part.first < span.end; part.first = part.end) {
+    for (struct span part = span; part.first < span.end && !view_stops(view); part.first = part.end) {
         size_t at = hits_index(hits, (unsigned)part.first, (unsigned)y);
         uint32_t *object = hits->object + at;
         int limit = span.end - part.first < CHUNK ? span.end - part.first : CHUNK;
@@ -81,7 +81,7 @@ static void trace_sphere(const struct tia_view *view, struct tia_hits *hits, uin
     const struct span_sphere *sphere = &spans->spheres[n];
     struct span rows = span_within(sphere->rows, (int)tile.y, tile_bottom(tile)), span = {0, 0};
 
-    for (int y = rows.first; y < rows.end; y++) {
+    for (int y = rows.first; y < rows.end && !view_stops(view); y++) {
         span = span_sphere_row(view, n, y, span);
         trace_span(view, hits, n, y, span_within(span, (int)tile.x, tile_right(tile)));
     }
@@ -90,6 +90,6 @@ static void trace_sphere(const struct tia_view *view, struct tia_hits *hits, uin
 void span_trace(const struct tia_view *view, struct tia_hits *hits, struct tia_tile tile)
 {
     clear(hits, tile);
-    for (uint32_t n = 0; n < view->scene->sphere_count && !view_stops(view); n++)
+    for (uint32_t n = 0; n < view->scene->sphere_count; n++)
         trace_sphere(view, hits, n, tile);
 }
