@@ -23,7 +23,7 @@ PIXELS = 320 * 240
 SHADOW_PIXELS = 160 * 120
 RAY_PIXELS = 64 * 48
 BOARDS = qemu.SMALL
-TRUST_ROWS = 2, 8, 16
+TRUST_ROWS = 2, 8, 24
 ARITHMETICS = (('q16', 'q16'), ('f32', 'float'), ('f64', 'double'))
 
 
