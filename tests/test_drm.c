@@ -196,16 +196,5 @@ int main(void)
 }
 
 #else
-
-TEST(drm)
-{
-    SKIP("built without libdrm (install libdrm-dev)");
-}
-
-int main(void)
-{
-    RUN(drm);
-    return check_status();
-}
-
+#include "no_drm.h"
 #endif

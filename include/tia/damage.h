@@ -50,11 +50,11 @@ int tia_damage_init(struct tia_damage *damage, void *memory, size_t size, unsign
 bool tia_damage_update(struct tia_damage *damage, struct tia_tile tile, const struct tia_surface *surface,
                        struct tia_tile *changed);
 
-/* Tells that every pixel has been in a tile since tia_damage_init or tia_damage_forget, and that all have been sent. If
- * single pixels are compared, that the memory is what the display shows. */
+/* Marks all pixels as known: each has been in a tile since tia_damage_init or tia_damage_forget, and all have been
+ * sent; or, if single pixels are compared, the memory is what the display shows. */
 void tia_damage_complete(struct tia_damage *damage);
 
-/* Tells that nothing is known of what the display shows, as after a failure to send. */
+/* Marks all pixels as unknown, as after a failure to send. */
 void tia_damage_forget(struct tia_damage *damage);
 
 #ifdef __cplusplus

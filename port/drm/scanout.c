@@ -204,9 +204,9 @@ static int show(struct scanout *s, int buffer, char why[PORT_WHY])
     return TIA_OK;
 }
 
-/* Tells the driver what has changed. Drivers that copy the buffer to the screen (USB, SPI, virtual machines) copy now;
- * others return ENOSYS. */
-static int tell(struct scanout *s, drmModeClip *changed, unsigned count)
+/* Marks rectangles of the shown buffer as dirty. Drivers that copy the buffer to the screen (USB, SPI, virtual
+ * machines) copy them now; others return ENOSYS. */
+static int mark_dirty(struct scanout *s, drmModeClip *changed, unsigned count)
 {
     uint32_t fb = s->buffers[s->shown].fb;
 
@@ -221,7 +221,7 @@ int scanout_swap(struct scanout *scanout, drmModeClip *changed, unsigned count, 
 {
     int status = scanout->copied ? TIA_OK : show(scanout, scanout_drawn(scanout), why);
 
-    if (status || tell(scanout, changed, count) == 0)
+    if (status || mark_dirty(scanout, changed, count) == 0)
         return status;
     if (errno == ENODEV)
         return card_failed(scanout->card, "the picture cannot be shown", why);

@@ -14,7 +14,7 @@ struct scanout {
     struct card_buffer buffers[2];
     int shown;                                   /* index of the buffer on screen */
     bool copied;                                 /* the screen has memory of its own, to which the driver copies the
-                                                    buffer on screen when it is told to: no other buffer is shown */
+                                                    buffer on screen by DIRTYFB: no other buffer is shown */
     bool flips;                                  /* the driver flips pages and sends an event for each flip */
     unsigned pending;                            /* flips whose event has not come yet */
     drmModeCrtc *old;                            /* the former state of the CRTC */

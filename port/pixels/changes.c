@@ -37,17 +37,26 @@ static struct tia_tile around(struct tia_tile a, struct tia_tile b)
     return (struct tia_tile){(uint16_t)x, (uint16_t)y, (uint16_t)(right - x), (uint16_t)(bottom - y)};
 }
 
-int changes_resize(struct changes *changes, const struct canvas *canvas)
+tia_rgb565 *damage_of_canvas(struct tia_damage *damage, const struct canvas *canvas)
 {
     size_t size = tia_damage_size(canvas->width, canvas->height, 1);
+    tia_rgb565 *shown = pages_alloc(size);
 
+    if (!shown || tia_damage_init(damage, shown, size, canvas->width, canvas->height)) {
+        free(shown);
+        return NULL;
+    }
+    return shown;
+}
+
+int changes_resize(struct changes *changes, const struct canvas *canvas)
+{
     changes_free(changes);
     changes->rows = larger(BAND_ROWS, (canvas->height + CHANGES_BANDS - 1u) / CHANGES_BANDS);
     changes->bands = (canvas->height + changes->rows - 1) / changes->rows;
-    changes->shown = pages_alloc(size);
+    changes->shown = damage_of_canvas(&changes->damage, canvas);
     changes->lacks = malloc(changes->bands * sizeof *changes->lacks);
-    if (!changes->shown || !changes->lacks ||
-        tia_damage_init(&changes->damage, changes->shown, size, canvas->width, canvas->height)) {
+    if (!changes->shown || !changes->lacks) {
         changes_free(changes);
         return TIA_ERR_MEMORY;
     }

@@ -19,6 +19,10 @@ struct changes {
     struct tia_tile (*lacks)[CHANGES_PAGES]; /* of each band, what each page lacks; a width of 0: nothing */
 };
 
+/* Returns memory for the pixels of a canvas as they are shown, which nothing is known of, and which the caller frees;
+ * NULL: there is none. */
+tia_rgb565 *damage_of_canvas(struct tia_damage *damage, const struct canvas *canvas);
+
 /* Makes room for the changes of a canvas; both pages lack all of it. After TIA_ERR_MEMORY `changes` is empty. */
 int changes_resize(struct changes *changes, const struct canvas *canvas);
 

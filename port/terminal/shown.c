@@ -2,19 +2,13 @@
 
 #include <stdlib.h>
 
-#include "pixels/pages.h"
+#include "pixels/changes.h"
 
 int shown_resize(struct shown *shown, const struct canvas *canvas)
 {
-    size_t size = tia_damage_size(canvas->width, canvas->height, 1);
-
     shown_free(shown);
-    shown->pixels = pages_alloc(size);
-    if (!shown->pixels || tia_damage_init(&shown->damage, shown->pixels, size, canvas->width, canvas->height)) {
-        shown_free(shown);
-        return TIA_ERR_MEMORY;
-    }
-    return TIA_OK;
+    shown->pixels = damage_of_canvas(&shown->damage, canvas);
+    return shown->pixels ? TIA_OK : TIA_ERR_MEMORY;
 }
 
 bool shown_update(struct shown *shown, const struct canvas *canvas, struct strip strip)
