@@ -10,7 +10,6 @@ spheres, or of an outline, of which there are at most W (S + 1) and for each sph
 instructions and the decisions."""
 import os
 import sys
-import tempfile
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import count
@@ -50,13 +49,9 @@ def rows(build, name):
     """The rows that the program of some scenes and a first number draws."""
     image = f'{build}/boards/{BOARD}/bound-{name}.elf'
     at = {symbol: address for address, symbol in count.symbols(BOARD, image)}
-    calls = ''.join(',calls=%#x' % at[name] for name in DECISIONS)
     qemu.LIMIT = 3600
-    with tempfile.NamedTemporaryFile('r') as log:
-        said = qemu.run(BOARD, image, '-plugin', '%s,begin=%#x,end=%#x%s' % (count.plugin_of(build), at['count_begin'],
-                        at['count_end'], calls), '-d', 'plugin', '-D', log.name).split('\n')
-        lines = [line.split() for line in log]
-    passages = [int(line[1]) for line in lines if line[0] == 'passage']
+    text, lines = count.marked(BOARD, image, count.plugin_of(build), ''.join(',calls=%#x' % at[name] for name in DECISIONS))
+    said, passages = text.split('\n'), count.passages_of(lines)
     decisions = [sum(map(int, line[1:])) for line in lines if line[0] == 'calls']
     found, at = [], 0
     for word, *numbers in (line.split() for line in said if line.count(' ') == 5):

@@ -48,20 +48,29 @@ def numbers(lines, word):
     return {int(line[1], 16): int(line[2]) for line in lines if line[0] == word}
 
 
-def counted(board, image, plugin, more=''):
-    """Instructions of the full frame, of the relit one (or None), the frames' checksums, the log's lines, and the
-    number of passages of a frame; `more` are options of the plugin."""
-    at = {name: address for address, name in symbols(board, image)}
+def marked(board, image, plugin, more=''):
+    """What the program says, and the lines of the log of what its marks enclose, in words; `more` are options of the plugin."""
+    at = {name: address for address, name in reversed(symbols(board, image))}    # the program's own come first
     begin, end = ('%#x' % at[mark] for mark in ('count_begin', 'count_end'))
     with tempfile.NamedTemporaryFile('r') as log:
         if board == qemu.AVR:
             arguments = [begin, end, log.name]
         else:
-            arguments = ['-plugin', '%s,begin=%s,end=%s' % (plugin, begin, end) + more,
-                         '-d', 'plugin', '-D', log.name]
-        said = qemu.run(board, image, *arguments).split()
-        lines = [line.split() for line in log.read().splitlines()]
-    passages = [int(line[1]) for line in lines if line[0] == 'passage']
+            arguments = ['-plugin', '%s,begin=%s,end=%s' % (plugin, begin, end) + more, '-d', 'plugin', '-D', log.name]
+        said = qemu.run(board, image, *arguments)
+        return said, [line.split() for line in log.read().splitlines()]
+
+
+def passages_of(lines):
+    """The instructions of each passage."""
+    return [int(line[1]) for line in lines if line[0] == 'passage']
+
+
+def counted(board, image, plugin, more=''):
+    """Instructions of the full frame, of the relit one (or None), the frames' checksums, the log's lines, and the
+    number of passages of a frame; `more` are options of the plugin."""
+    text, lines = marked(board, image, plugin, more)
+    said, passages = text.split(), passages_of(lines)
     frames = said[0::2]
     if frames not in (['full'], ['full', 'relit']) or len(passages) % len(frames) or len(set(said[1::2])) > 1:
         raise qemu.Failed('%s: %s, %d passages' % (image, ' '.join(said), len(passages)))
@@ -73,12 +82,8 @@ def counted(board, image, plugin, more=''):
 def shadows(build, board='mps2-an385'):
     """A row for each technique: instructions a pixel, bytes of the view and of a tile's hits."""
     image = '%s/boards/%s/shadows.elf' % (build, board)
-    at = {name: address for address, name in reversed(symbols(board, image))}    # the program's own come first
-    with tempfile.NamedTemporaryFile('r') as log:
-        said = qemu.run(board, image, '-plugin', '%s,begin=%#x,end=%#x' % (plugin_of(build), at['count_begin'], at['count_end']),
-                        '-d', 'plugin', '-D', log.name)
-        passages = [int(line.split()[1]) for line in log.read().splitlines() if line.startswith('passage')]
-    lines = [line.split() for line in said.splitlines() if line]
+    said, log = marked(board, image, plugin_of(build))
+    lines, passages = [line.split() for line in said.splitlines() if line], passages_of(log)
     if len(lines) != len(passages):
         raise qemu.Failed('%s: %s, %d passages' % (image, said, len(passages)))
     return [(name, instructions / SHADOW_PIXELS, view, hits) for (name, _, view, hits), instructions in zip(lines, passages)]
@@ -96,11 +101,8 @@ def trust(build, rows, board='mps2-an385'):
     """Instructions of a frame in strips of so many rows: without checks, with a check before and after the frame, with
     tia_view_draw_checked, and those of a telltale of 64x64 pixels alone; and the frame's checksum."""
     image = '%s/boards/%s/trust-%d.elf' % (build, board, rows)
-    at = {name: address for address, name in symbols(board, image)}
-    with tempfile.NamedTemporaryFile('r') as log:
-        said = qemu.run(board, image, '-plugin', '%s,begin=%#x,end=%#x' % (plugin_of(build), at['count_begin'], at['count_end']),
-                        '-d', 'plugin', '-D', log.name).split()
-        passages = [int(line.split()[1]) for line in log.read().splitlines() if line.startswith('passage')]
+    text, lines = marked(board, image, plugin_of(build))
+    said, passages = text.split(), passages_of(lines)
     if said[0::2] != ['plain', 'around', 'checked', 'telltale'] or len(passages) != 4 or len(set(said[1::2])) != 1:
         raise qemu.Failed('%s: %s, %d passages' % (image, ' '.join(said), len(passages)))
     plain, around, checked, telltale = passages
@@ -140,11 +142,8 @@ def crowd(build, board, spheres, lights):
     image = '%s/boards/%s/crowd-%d-%d.elf' % (build, board, spheres, lights)
     if not os.path.exists(image):
         return None
-    at = dict((name, address) for address, name in symbols(board, image))
-    with tempfile.NamedTemporaryFile('r') as log:
-        said = qemu.run(board, image, '-plugin', '%s,begin=%#x,end=%#x' % (plugin_of(build), at['count_begin'], at['count_end']),
-                        '-d', 'plugin', '-D', log.name)
-        passages = [int(line.split()[1]) for line in log.read().splitlines() if line.startswith('passage')]
+    said, lines = marked(board, image, plugin_of(build))
+    passages = passages_of(lines)
     if not said.startswith('full ') or len(passages) != 241:
         raise qemu.Failed('%s: %s, %d passages' % (image, said, len(passages)))
     return sum(passages), max(passages[1:])
