@@ -150,7 +150,7 @@ static void try_row(const struct world *w, int y, struct span span)
     const struct span_sphere *sphere = &w->spans->spheres[0];
     static tia_rgb565 pixels[4096];
     static struct truth truth[4096];
-    struct step_row row;
+    struct step_row row = {.swap = false};
     int count = span.end - span.first < 1024 ? span.end - span.first : 1024;
 
     steps_begin(&w->spans->primary, sphere, w->steps, span.first, y, count, &row);

@@ -39,7 +39,7 @@ size_t tia_damage_size(unsigned width, unsigned height, unsigned block)
 {
     unsigned shift = 0;
 
-    while (shift < 13 && block > 1u << shift)
+    while (1u << shift < TIA_DAMAGE_BLOCK_MAX && block > 1u << shift)
         shift++;
     return is_picture(width, height) && block == 1u << shift ? size_of(width, height, shift) : SIZE_MAX;
 }

@@ -147,7 +147,8 @@ static NOINLINE void draw_steps(const struct chunk *chunk, uint32_t object, int 
 
     steps_begin(&chunk->spans->primary, &chunk->spans->spheres[object], steps_of(chunk, object), chunk->x + first,
                 chunk->y, end - first, &row);
-    steps_set_order(&row, span_swaps(threshold));
+    if (TIA_SWAP)
+        row.swap = span_swaps(threshold);
     for (int at; (at = first + row.at) < end;) {
         uint64_t open = steps_draw(&row, chunk->pixels + at);
         for (int i = 0; open; i++, open >>= 1)

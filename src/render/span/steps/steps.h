@@ -67,35 +67,17 @@ struct step_row {
     int way[2];                   /* 1 where u grows, -1 where it falls: before turn_first, and from turn_end on */
     int turn_first, turn_end;
     bool sure; /* u is certainly on this side of the step that it passed last */
-#if TIA_SWAP
-    bool swap; /* pixels have the other byte order than the table's */
-#endif
+    bool swap; /* pixels have the other byte order than the table's; set by the caller, read if TIA_SWAP */
 };
 
 /* Begins a row of `count` pixels, which all show the ball, from pixel (x, y) on. */
 void steps_begin(const struct primary_rays *primary, const struct span_sphere *sphere, const struct colour_steps *steps,
                  int x, int y, int count, struct step_row *row);
 
-/* Says whether the pixels have the other byte order. */
-static INLINED void steps_set_order(struct step_row *row, bool swap)
-{
-#if TIA_SWAP
-    row->swap = swap;
-#else
-    (void)row, (void)swap;
-#endif
-}
-
 /* Returns the row's pixel in the order in which it is written. */
 static INLINED tia_rgb565 steps_shown(const struct step_row *row)
 {
-    tia_rgb565 pixel = row->steps->pixel[row->index];
-
-#if TIA_SWAP
-    return pixel_order(pixel, row->swap);
-#else
-    return pixel;
-#endif
+    return pixel_order(row->steps->pixel[row->index], TIA_SWAP && row->swap);
 }
 
 /* Draws the row's next pixels, up to STEPS_BLOCK, and returns the set of those in doubt. */

@@ -137,7 +137,6 @@ void steps_begin(const struct primary_rays *primary, const struct span_sphere *s
     row->at = 0;
     row->count = count;
     row->sure = false;
-    steps_set_order(row, false);
     find_turn(row);
     find_index(row);
 }
