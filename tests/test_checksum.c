@@ -2,6 +2,8 @@
 #include "check.h"
 #include "math/checksum.h"
 
+__extension__ typedef unsigned __int128 wide128;
+
 enum { LONG = 100000 }; /* words: sums are reduced several times */
 
 static uint32_t words[LONG];
@@ -17,11 +19,11 @@ static uint64_t sum_of(const void *memory, size_t size)
 /* sum(w_i) and sum((n + 1 - i) w_i) modulo 2^32 - 1. */
 static uint64_t defined(const uint32_t *w, size_t n)
 {
-    unsigned __int128 first = 0, second = 0;
+    wide128 first = 0, second = 0;
 
     for (size_t i = 0; i < n; i++) {
         first += w[i];
-        second += (unsigned __int128)(n - i) * w[i];
+        second += (wide128)(n - i) * w[i];
     }
     return (uint64_t)(second % UINT32_MAX) << 32 | (uint64_t)(first % UINT32_MAX);
 }

@@ -82,7 +82,7 @@ HOT := $(basename $(filter src/flat/% src/raster/% src/samples/% src/shadow/% sr
 rv32_SMALL := -msave-restore
 rv32_FAST := -mno-save-restore
 # What includes fast.h, which AVRs do without; for rv32 beside -mno-save-restore.
-FAST := $(basename $(shell grep -l '^.include "math/fast.h"' $(filter src/render/span/%,$(CORE_SRC))))
+FAST := $(basename $(shell grep -l '^.include "math/fast.h"' $(filter src/render/span/%,$(CORE_SRC)) </dev/null))
 rv32_HOT := $(FAST)
 atmega1284p_SMALL := -mcall-prologues -fno-inline
 atmega1284p_FAST := -mno-call-prologues -finline

@@ -51,7 +51,9 @@ static INLINED void surface_set_swap(struct tia_surface *surface, bool swap)
 
 static INLINED tia_rgb565 pixel_order(tia_rgb565 pixel, bool swap)
 {
-    return swap ? (tia_rgb565)(pixel << 8 | pixel >> 8) : pixel;
+    if (swap)
+        pixel = (tia_rgb565)(pixel << 8 | pixel >> 8);
+    return pixel;
 }
 
 /* Returns a pixel in the surface's byte order. */

@@ -23,7 +23,7 @@ static int draw_and_compare(const struct tia_sealed *sealed, struct tia_tile row
                             const struct tia_readback *readback, tia_rgb565 *pixels, struct tia_difference *difference)
 {
     const struct tia_surface surface = {
-        .pixels = pixels, .step = sizeof *pixels, .pitch = (ptrdiff_t)sizeof *pixels * row.width};
+        .pixels = pixels, .step = sizeof *pixels, .pitch = (ptrdiff_t)(sizeof *pixels * row.width)};
     const struct tia_options options = {.dither = dither};
     struct tia_hits *hits;
     int status = tia_hits_init(&hits, sealed->hits, sealed->hits_size, sealed->view, row);

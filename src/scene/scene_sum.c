@@ -9,7 +9,7 @@
 static void add(struct checksum *sum, const void *array, uint32_t count, size_t element)
 {
     if (array)
-        tia_checksum_add(sum, array, count * element);
+        tia_checksum_add(sum, array, (size_t)count * element);
 }
 
 #define ADD(sum, elements, count) add(sum, elements, count, sizeof *(elements))

@@ -27,12 +27,12 @@ TRUST_ROWS = 2, 8, 24
 ARITHMETICS = (('q16', 'q16'), ('f32', 'float'), ('f64', 'double'))
 
 
-def symbols(board, image):
-    """The functions of an image: (address, name), in the order of their addresses."""
+def symbols(board, image, kinds='tT'):
+    """The functions of an image: (address, name), in the order of their addresses; of kind T: those of other files, too."""
     lines = subprocess.run([qemu.binutil(board, 'nm'), '-n', image], check=True, stdout=subprocess.PIPE,
                            text=True).stdout.splitlines()
     fields = [line.split() for line in lines]
-    return [(int(f[0], 16), f[2]) for f in fields if len(f) == 3 and f[1] in 'tT' and not f[2].startswith('$')]
+    return [(int(f[0], 16), f[2]) for f in fields if len(f) == 3 and f[1] in kinds and not f[2].startswith('$')]
 
 
 def count(board, image, plugin, text=None):
@@ -50,7 +50,7 @@ def numbers(lines, word):
 
 def marked(board, image, plugin, more=''):
     """What the program says, and the lines of the log of what its marks enclose, in words; `more` are options of the plugin."""
-    at = {name: address for address, name in reversed(symbols(board, image))}    # the program's own come first
+    at = {name: address for address, name in symbols(board, image, 'T')}
     begin, end = ('%#x' % at[mark] for mark in ('count_begin', 'count_end'))
     with tempfile.NamedTemporaryFile('r') as log:
         if board == qemu.AVR:
