@@ -15,8 +15,8 @@
 #define ROUNDS 5
 #define STRIP 16 /* rows that a thread draws at a time */
 /* Largest number of drawers: plain C, the instruction sets, the last of these with two threads, double precision, and
- * Embree. */
-#define DRAWERS 11
+ * Embree's ways. */
+#define DRAWERS (10 + EMBREE_WAYS)
 
 const char *bench_scene;
 
@@ -26,13 +26,17 @@ struct drawer {
     const struct tia_core *core;
     const struct tia_simd *simd;
     unsigned threads;
+    enum embree_way way;
 };
 
-/* Embree's speed relative to each drawer, for the databases' scenes. */
+/* What drawers are compared with: Embree's single rays, and the fastest of its ways, for each scene. */
+enum { OVER_SINGLE, OVER_BEST, RIVALS };
+
+/* Each drawer's time relative to Embree's, for the databases' scenes. */
 static struct against {
     char name[32];
-    double logarithm; /* sum of logarithms over all scenes */
-    unsigned scenes, lost;
+    double logarithm[RIVALS]; /* sum of logarithms over all scenes */
+    unsigned scenes, lost[RIVALS];
 } against[DRAWERS];
 
 struct canvas {
@@ -124,7 +128,7 @@ static void draw(struct canvas *c)
     double wall = milliseconds(), cpu = cpu_milliseconds();
 
     if (c->embree)
-        embree_draw(c->embree, c->width, c->height, c->pixels);
+        must(embree_draw(c->embree, c->by->way, c->width, c->height, c->pixels) ? TIA_OK : TIA_ERR_MEMORY);
     else
         threads_run(c->pool, draw_strip, c, (c->height + STRIP - 1u) / STRIP);
     keep_least(&c->wall, milliseconds() - wall);
@@ -140,7 +144,7 @@ static void count(void *ctx, const struct tia_traced *traced)
 /* Returns the number of rays of the picture, shadow rays included. */
 static double rays_of(const struct tia_scene *scene, uint16_t width, uint16_t height)
 {
-    static const struct drawer watched = {"watched", &tia_core_watched, NULL, 1};
+    static const struct drawer watched = {"watched", &tia_core_watched, NULL, 1, EMBREE_SINGLE};
     double rays = 0;
     struct tia_observer observer = {.traced = count, .ctx = &rays};
     struct canvas c;
@@ -157,15 +161,16 @@ static int find_drawers(struct drawer to[DRAWERS])
     const struct tia_simd *simd;
     int n = 0;
 
-    to[n++] = (struct drawer){"plain", &tia_core_q16, NULL, 1};
-    for (unsigned i = 0; (simd = tia_simd_at(i)) && n < DRAWERS - 3; i++)
-        to[n++] = (struct drawer){NULL, &tia_core_q16, simd, 1};
+    to[n++] = (struct drawer){"plain", &tia_core_q16, NULL, 1, EMBREE_SINGLE};
+    for (unsigned i = 0; (simd = tia_simd_at(i)) && n < DRAWERS - 2 - EMBREE_WAYS; i++)
+        to[n++] = (struct drawer){NULL, &tia_core_q16, simd, 1, EMBREE_SINGLE};
     simd = to[n - 1].simd;
-    to[n++] = (struct drawer){NULL, &tia_core_q16, simd, 2};
+    to[n++] = (struct drawer){NULL, &tia_core_q16, simd, 2, EMBREE_SINGLE};
 #ifdef TIA_HAVE_F64
-    to[n++] = (struct drawer){"f64", &tia_core_f64, NULL, 1};
+    to[n++] = (struct drawer){"f64", &tia_core_f64, NULL, 1, EMBREE_SINGLE};
 #endif
-    to[n++] = (struct drawer){"Embree", NULL, NULL, 1};
+    for (int way = EMBREE_WAYS; way-- > 0;) /* single rays are the last */
+        to[n++] = (struct drawer){embree_ways[way], NULL, NULL, 1, (enum embree_way)way};
     return n;
 }
 
@@ -201,22 +206,38 @@ static void print(const char *scene, const struct canvas *c, const struct canvas
     printf("%s\n", same || c->by->core != &tia_core_q16 ? "" : " OTHER PIXELS");
 }
 
-static void compare(struct against *to, const struct canvas *c, double embree)
+/* Compares the drawers of a scene with Embree, whose single rays are the last of `count` canvases. */
+static void compare(const struct canvas *canvas, int count)
 {
-    name_of(c, to->name);
-    to->logarithm += log(c->cpu / embree);
-    to->lost += c->cpu > embree;
-    to->scenes++;
+    double embree[RIVALS] = {canvas[count - 1].cpu, canvas[count - 1].cpu};
+
+    for (int i = 0; i < count; i++)
+        if (canvas[i].embree)
+            keep_least(&embree[OVER_BEST], canvas[i].cpu);
+    for (int i = 0; i < count; i++) {
+        name_of(&canvas[i], against[i].name);
+        for (int rival = 0; rival < RIVALS; rival++) {
+            against[i].logarithm[rival] += log(canvas[i].cpu / embree[rival]);
+            against[i].lost[rival] += canvas[i].cpu > embree[rival];
+        }
+        against[i].scenes++;
+    }
 }
 
 static void print_against(void)
 {
     if (!against[0].scenes)
         return;
-    printf("\n| drawn by | time over Embree's, geometric mean of %u scenes | slower on |\n|---|--:|--:|\n",
-           against[0].scenes);
-    for (int i = 0; i < DRAWERS && against[i].scenes; i++)
-        printf("| %s | %.2f | %u |\n", against[i].name, exp(against[i].logarithm / against[i].scenes), against[i].lost);
+    printf(
+        "\n| drawn by | time over Embree's single rays, geometric mean of %u scenes | slower on | over its fastest way "
+        "| slower on |\n|---|--:|--:|--:|--:|\n",
+        against[0].scenes);
+    for (int i = 0; i < DRAWERS && against[i].scenes; i++) {
+        printf("| %s |", against[i].name);
+        for (int rival = 0; rival < RIVALS; rival++)
+            printf(" %.2f | %u |", exp(against[i].logarithm[rival] / against[i].scenes), against[i].lost[rival]);
+        printf("\n");
+    }
 }
 
 /* Measures all drawers in turns, so that a change of the machine's speed affects all, and reports pixels that differ
@@ -234,11 +255,10 @@ static void measure(const char *name, const struct tia_scene *scene, uint16_t wi
     for (int round = 0; round < ROUNDS; round++)
         for (int i = 0; i < n; i++)
             draw(&canvas[i]);
-    for (int i = 0; i < n; i++) {
+    for (int i = 0; i < n; i++)
         print(name, &canvas[i], &canvas[0], rays);
-        if (database && canvas[n - 1].embree)
-            compare(&against[i], &canvas[i], canvas[n - 1].cpu);
-    }
+    if (database && canvas[n - 1].embree)
+        compare(canvas, n);
     (void)fflush(stdout);
     for (int i = 0; i < n; i++)
         end(&canvas[i]);

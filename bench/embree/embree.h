@@ -1,12 +1,24 @@
-/* embree.h - draws scenes of the Standard Procedural Databases with Embree 3, for comparison. Rays are traced one at a
- * time by rtcIntersect1 and rtcOccluded1, and shaded by Whitted's method, all in float. Camera, bias, depth and the
- * limit for faint rays are those of tia. */
+/* embree.h - draws scenes of the Standard Procedural Databases with Embree 3, for comparison. Points are shaded by
+ * Whitted's method, all in float. Camera, bias, depth and the limit for faint rays are those of tia. */
 #ifndef BENCH_EMBREE_EMBREE_H
 #define BENCH_EMBREE_EMBREE_H
 
 #include <tia/tia.h>
 
 struct embree;
+
+/* Ways to trace rays. All but the first trace the rays of a tile that have the same depth at once. */
+enum embree_way {
+    EMBREE_SINGLE, /* one after the other, by rtcIntersect1 and rtcOccluded1 */
+    EMBREE_PACKETS_8,
+    EMBREE_PACKETS_16,
+    EMBREE_FIRST_8, /* the eye's rays and their shadow rays in packets, the others singly */
+    EMBREE_FIRST_16,
+    EMBREE_STREAMS, /* by rtcIntersect1M and rtcOccluded1M */
+    EMBREE_WAYS
+};
+
+extern const char *const embree_ways[EMBREE_WAYS]; /* their names */
 
 /* False if the program was built without Embree: then embree_open always returns NULL. */
 extern const bool embree_is_there;
@@ -16,6 +28,7 @@ extern const bool embree_is_there;
 struct embree *embree_open(const struct tia_scene *scene);
 void embree_close(struct embree *embree);
 
-void embree_draw(const struct embree *embree, uint16_t width, uint16_t height, tia_rgb565 *pixels);
+/* Returns false if memory is short, or a tile has too many rays. */
+bool embree_draw(const struct embree *embree, enum embree_way way, uint16_t width, uint16_t height, tia_rgb565 *pixels);
 
 #endif

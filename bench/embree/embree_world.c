@@ -52,19 +52,34 @@ static bool takes(const struct tia_scene *scene)
     return all;
 }
 
+/* Members of N rays or hits, which lie one after the other as N words each: Embree has functions for them in C++ alone.
+ */
+enum { RAY_ID = 10, HIT_ITEM = 5, HIT_GEOMETRY = 6 };
+
+static uint32_t member_of(const void *packet, unsigned number, unsigned n, unsigned i)
+{
+    return ((const uint32_t *)packet)[number * n + i];
+}
+
 /* Filters the hits of shadow rays: a transparent object lets light pass, reduced by its transmission. */
 static void let_pass(const struct RTCFilterFunctionNArguments *args)
 {
     const struct embree *e = args->geometryUserPtr;
-    struct embree_context *context = (struct embree_context *)args->context;
-    const struct RTCHit *hit = (const struct RTCHit *)(const void *)args->hit; /* args->N is 1 */
-    const struct embree_material *m = &e->materials[e->material_of[hit->geomID][hit->primID]];
+    const struct embree_context *context = (const struct embree_context *)args->context;
 
-    if (args->valid[0] != -1 || !m->passes)
-        return;
-    for (int c = 0; c < 3; c++)
-        context->through[c] *= m->transmission[c];
-    args->valid[0] = 0;
+    for (unsigned i = 0; i < args->N; i++) {
+        if (args->valid[i] != -1)
+            continue;
+        uint32_t geometry = member_of(args->hit, HIT_GEOMETRY, args->N, i);
+        uint32_t item = member_of(args->hit, HIT_ITEM, args->N, i);
+        const struct embree_material *m = &e->materials[e->material_of[geometry][item]];
+        if (!m->passes)
+            continue;
+        float *through = context->through[member_of(args->ray, RAY_ID, args->N, i)];
+        for (int c = 0; c < 3; c++)
+            through[c] *= m->transmission[c];
+        args->valid[i] = 0;
+    }
 }
 
 static void attach(struct embree *e, RTCGeometry geometry, enum embree_geometry number)

@@ -52,10 +52,10 @@ static inline struct vec embree_place(const struct tia_scene *scene, struct tia_
     return (struct vec){embree_length(scene, v.x), embree_length(scene, v.y), embree_length(scene, v.z)};
 }
 
-/* The context of a ray. For a shadow ray, `through` is the fraction of the light that passes. */
+/* The context of rays. */
 struct embree_context {
     struct RTCIntersectContext context; /* must be the first member */
-    float through[3];
+    float (*through)[3];                /* of shadow rays, by their numbers: the fraction of the light that passes */
 };
 
 #endif

@@ -2,6 +2,7 @@
 #include "embree.h"
 
 const bool embree_is_there = false;
+const char *const embree_ways[EMBREE_WAYS];
 
 struct embree *embree_open(const struct tia_scene *scene)
 {
@@ -14,10 +15,12 @@ void embree_close(struct embree *embree)
     (void)embree;
 }
 
-void embree_draw(const struct embree *embree, uint16_t width, uint16_t height, tia_rgb565 *pixels)
+bool embree_draw(const struct embree *embree, enum embree_way way, uint16_t width, uint16_t height, tia_rgb565 *pixels)
 {
     (void)embree;
+    (void)way;
     (void)width;
     (void)height;
     (void)pixels;
+    return false;
 }
