@@ -2,8 +2,6 @@
 
 #include <stdlib.h>
 
-#include "float_world.h"
-
 #define PI 3.14159265F
 
 enum { ROULETTE = 3, BOUNCES_MAX = 1024 };
@@ -32,6 +30,7 @@ struct float_paths {
 
 struct path {
     const struct float_paths *scene;
+    const struct float_meeting *meeting;
     struct float_ray ray;
     float throughput[3], sum[3], density; /* probability density of the ray, times pi; 0 if it comes from a mirror or
                                              the eye */
@@ -205,7 +204,7 @@ static void look_for_light(struct path *p, const struct material *m, struct vec 
     if (vec_dot(shadow.direction, n) <= 0)
         return;
     p->rays++;
-    float_world_meet(&s->world, &shadow, true, &hit);
+    p->meeting->meet(p->meeting->world, &shadow, true, &hit);
     for (uint32_t i = 0; i < s->light_count && !hit.item; i++)
         if (meets_light(&s->lights[i], &shadow, &hit.t))
             return;
@@ -265,7 +264,7 @@ static bool step(struct path *p)
     struct float_hit hit = {.t = 1e30F};
 
     p->rays++;
-    float_world_meet(&s->world, &p->ray, false, &hit);
+    p->meeting->meet(p->meeting->world, &p->ray, false, &hit);
     for (uint32_t i = 0; i < s->light_count; i++)
         light = meets_light(&s->lights[i], &p->ray, &hit.t) ? &s->lights[i] : light;
     if (light)
@@ -289,9 +288,11 @@ static bool step(struct path *p)
     return bounce(p, m, n);
 }
 
-static uint64_t draw_pixel(const struct float_paths *s, unsigned x, unsigned y, unsigned spp, float rgb[3])
+static uint64_t draw_pixel(const struct float_paths *s, const struct float_meeting *meeting, unsigned x, unsigned y,
+                           unsigned spp, float rgb[3])
 {
-    struct path p = {.scene = s, .state = ((uint64_t)y << 32 | x) * UINT64_C(0x9e3779b97f4a7c15) + 1};
+    struct path p = {
+        .scene = s, .meeting = meeting, .state = ((uint64_t)y << 32 | x) * UINT64_C(0x9e3779b97f4a7c15) + 1};
     float sum[3] = {0, 0, 0};
 
     for (unsigned i = 0; i < spp; i++) {
@@ -314,12 +315,24 @@ static uint64_t draw_pixel(const struct float_paths *s, unsigned x, unsigned y, 
     return p.rays;
 }
 
-uint64_t float_paths_draw(const struct float_paths *paths, unsigned spp, float *rgb)
+static void meet_world(const void *world, const struct float_ray *ray, bool any, struct float_hit *hit)
 {
+    float_world_meet(world, ray, any, hit);
+}
+
+const struct float_world *float_paths_world(const struct float_paths *paths)
+{
+    return &paths->world;
+}
+
+uint64_t float_paths_draw(const struct float_paths *paths, const struct float_meeting *meeting, unsigned spp,
+                          float *rgb)
+{
+    const struct float_meeting own = {meet_world, &paths->world};
     uint64_t rays = 0;
 
     for (unsigned y = 0; y < paths->height; y++)
         for (unsigned x = 0; x < paths->width; x++)
-            rays += draw_pixel(paths, x, y, spp, rgb + 3 * ((size_t)y * paths->width + x));
+            rays += draw_pixel(paths, meeting ? meeting : &own, x, y, spp, rgb + 3 * ((size_t)y * paths->width + x));
     return rays;
 }

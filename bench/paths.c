@@ -8,6 +8,7 @@
 #include <tia/tia.h>
 
 #include "common/scene/scene_load.h"
+#include "embree/embree_items.h"
 #include "float_paths.h"
 #include "milliseconds.h"
 
@@ -54,11 +55,11 @@ static void draw_sums(const struct tia_core *core, const struct tia_estimator *e
     free(memory);
 }
 
-static uint64_t draw_floats(const struct float_paths *paths, struct run *run)
+static uint64_t draw_floats(const struct float_paths *paths, const struct float_meeting *meeting, struct run *run)
 {
     static float rgb[SIDE * SIDE * 3];
     double start = cpu_milliseconds();
-    uint64_t rays = float_paths_draw(paths, SPP, rgb);
+    uint64_t rays = float_paths_draw(paths, meeting, SPP, rgb);
 
     keep_least(&run->ms, cpu_milliseconds() - start);
     memset(run->mean, 0, sizeof run->mean);
@@ -67,12 +68,32 @@ static uint64_t draw_floats(const struct float_paths *paths, struct run *run)
     return rays;
 }
 
+static void draw_by_embree(const struct float_paths *paths, struct embree_items *items, struct run *run)
+{
+    const struct float_meeting meeting = {embree_items_meet, items};
+
+    if (!items)
+        return;
+    unsigned before = embree_modes_begin();
+    (void)draw_floats(paths, &meeting, run);
+    embree_modes_end(before);
+}
+
 static void print(const char *name, const struct run *run, double rays)
 {
     const double samples = (double)SIDE * SIDE * SPP;
 
     printf(" %s | %.0f | %.0f | %.4f %.4f %.4f |\n", name, samples / run->ms * 1000, run->ms * 1e6 / rays, run->mean[0],
            run->mean[1], run->mean[2]);
+}
+
+/* Prints one of the rows below the first, if there was such a run. */
+static void print_below(const char *name, const struct run *run, double rays)
+{
+    if (run->ms > 0) {
+        printf("| |");
+        print(name, run, rays);
+    }
 }
 
 /* Returns a copy of the materials without highlights. In the balls scenes, highlights and mirrors together reflect more
@@ -90,11 +111,44 @@ static struct tia_material *without_highlights(struct tia_scene *scene)
     return copy;
 }
 
+/* The path tracers of a scene. */
+enum { Q16, F64, FLOATS, EMBREE, LEVEL_FIRST, RUNS = LEVEL_FIRST + LEVELS };
+
+struct tracers {
+    const struct tia_scene *scene;
+    const struct float_paths *paths;
+    struct embree_items *items; /* NULL without Embree */
+    struct run run[RUNS];
+    double rays;
+};
+
+static void draw_all(struct tracers *t)
+{
+    t->rays = (double)draw_floats(t->paths, NULL, &t->run[FLOATS]);
+    draw_by_embree(t->paths, t->items, &t->run[EMBREE]);
+    draw_sums(&tia_core_q16, &tia_estimator_q16, NULL, t->scene, &t->run[Q16]);
+    for (unsigned k = 0; k < LEVELS && tia_simd_at(k); k++)
+        draw_sums(&tia_core_q16, &tia_estimator_q16, tia_simd_at(k), t->scene, &t->run[LEVEL_FIRST + k]);
+#ifdef TIA_HAVE_F64
+    draw_sums(&tia_core_f64, &tia_estimator_f64, NULL, t->scene, &t->run[F64]);
+#endif
+}
+
+static void print_all(const char *path, const struct tracers *t)
+{
+    printf("| `%s`, %.2f rays a sample |", path, t->rays / SIDE / SIDE / SPP);
+    print("q16", &t->run[Q16], t->rays);
+    for (unsigned k = 0; k < LEVELS && tia_simd_at(k); k++)
+        print_below(t->run[LEVEL_FIRST + k].simd, &t->run[LEVEL_FIRST + k], t->rays);
+    print_below("f64", &t->run[F64], t->rays);
+    print_below("small float tracer", &t->run[FLOATS], t->rays);
+    print_below("the same on Embree", &t->run[EMBREE], t->rays);
+}
+
 static void measure(const char *path)
 {
     struct scene_file file;
-    struct run q16 = {0}, f64 = {0}, floats = {0}, levels[LEVELS] = {{0}};
-    double rays = 0;
+    struct tracers t = {0};
 
     if (scene_open(&file, path, scene_format_of(path), false)) {
         printf("%s\n", file.why);
@@ -104,27 +158,13 @@ static void measure(const char *path)
     file.scene.integration = (struct tia_integration){.integrator = TIA_PATHS};
     struct float_paths *paths = float_paths_open(&file.scene, SIDE, SIDE);
     must(paths ? TIA_OK : TIA_ERR_UNSUPPORTED);
-    for (int i = 0; i < ROUNDS; i++) {
-        rays = (double)draw_floats(paths, &floats);
-        draw_sums(&tia_core_q16, &tia_estimator_q16, NULL, &file.scene, &q16);
-        for (unsigned k = 0; k < LEVELS && tia_simd_at(k); k++)
-            draw_sums(&tia_core_q16, &tia_estimator_q16, tia_simd_at(k), &file.scene, &levels[k]);
-#ifdef TIA_HAVE_F64
-        draw_sums(&tia_core_f64, &tia_estimator_f64, NULL, &file.scene, &f64);
-#endif
-    }
-    printf("| `%s`, %.2f rays a sample |", path, rays / SIDE / SIDE / SPP);
-    print("q16", &q16, rays);
-    for (unsigned k = 0; k < LEVELS && tia_simd_at(k); k++) {
-        printf("| |");
-        print(levels[k].simd, &levels[k], rays);
-    }
-    if (f64.ms > 0) {
-        printf("| |");
-        print("f64", &f64, rays);
-    }
-    printf("| |");
-    print("small float tracer", &floats, rays);
+    t.scene = &file.scene;
+    t.paths = paths;
+    t.items = embree_items_open(float_paths_world(paths));
+    for (int i = 0; i < ROUNDS; i++)
+        draw_all(&t);
+    print_all(path, &t);
+    embree_items_close(t.items);
     float_paths_close(paths);
     scene_close(&file);
     free(materials);
