@@ -14,7 +14,7 @@ $(if $(filter yes,$(OSMESA)),$(BENCH): LDFLAGS += -Xlinker --wrap=tia_raster_dra
 # Embree 3, found by its header since Debian's package has no pkg-config file. EMBREE=no leaves it out, and so does a cross
 # compiler.
 EMBREE ?= $(if $(and $(NATIVE),$(wildcard /usr/include/embree3/rtcore.h /usr/local/include/embree3/rtcore.h)),yes,no)
-EMBREE_SRC := $(addprefix bench/embree/,$(if $(filter yes,$(EMBREE)),embree_world.c embree_draw.c embree_items.c embree_waves.c,no_embree.c))
+EMBREE_SRC := $(addprefix bench/embree/,$(if $(filter yes,$(EMBREE)),embree_world.c embree_draw.c embree_items.c embree_scene.c embree_waves.c,no_embree.c))
 $(if $(filter yes,$(EMBREE)),$(BENCH): LIBS += -lembree3)
 # Optimised for this processor, and without errno from mathematical functions.
 $(addprefix $(BUILD)/host/bench/,$(addprefix embree/,embree_draw.o embree_items.o embree_waves.o) float_paths.o float_world.o): HOSTED += -march=native -fno-math-errno

@@ -48,8 +48,8 @@ struct canvas {
     void *view_memory, *simd_memory, *hits_memory;
     struct threads *pool;
     struct tia_observer *observer;
-    struct embree *embree;
-    double wall, cpu; /* milliseconds, the least so far */
+    const struct embree *embree; /* one for all canvases of Embree's ways; NULL: the core draws */
+    double wall, cpu;            /* milliseconds, the least so far */
 };
 
 static void must(int status)
@@ -85,17 +85,13 @@ static void begin_core(struct canvas *c)
         must(tia_view_set_simd(c->view, by->simd, c->simd_memory, more));
 }
 
-/* Begins a scene. Returns false if Embree does not support it. */
-static bool begin(struct canvas *c, const struct drawer *by, const struct tia_scene *scene, uint16_t width,
+static void begin(struct canvas *c, const struct drawer *by, const struct tia_scene *scene, uint16_t width,
                   uint16_t height)
 {
     *c = (struct canvas){.by = by, .scene = scene, .width = width, .height = height};
     if (by->core)
         begin_core(c);
-    else
-        c->embree = embree_open(scene);
     c->pixels = ray_scene_memory(sizeof *c->pixels * width * height);
-    return by->core || c->embree;
 }
 
 static void end(struct canvas *c)
@@ -105,7 +101,6 @@ static void end(struct canvas *c)
     free(c->hits_memory);
     free(c->simd_memory);
     free(c->view_memory);
-    embree_close(c->embree);
 }
 
 static void draw_strip(void *arg, unsigned index)
@@ -144,33 +139,33 @@ static void count(void *ctx, const struct tia_traced *traced)
 /* Returns the number of rays of the picture, shadow rays included. */
 static double rays_of(const struct tia_scene *scene, uint16_t width, uint16_t height)
 {
-    static const struct drawer watched = {"watched", &tia_core_watched, NULL, 1, EMBREE_SINGLE};
+    static const struct drawer watched = {.name = "watched", .core = &tia_core_watched, .threads = 1};
     double rays = 0;
     struct tia_observer observer = {.traced = count, .ctx = &rays};
     struct canvas c;
 
-    (void)begin(&c, &watched, scene, width, height);
+    begin(&c, &watched, scene, width, height);
     c.observer = &observer;
     draw(&c);
     end(&c);
     return rays;
 }
 
-static int find_drawers(struct drawer to[DRAWERS])
+static int find_drawers(struct drawer to[DRAWERS], bool with_embree)
 {
     const struct tia_simd *simd;
     int n = 0;
 
-    to[n++] = (struct drawer){"plain", &tia_core_q16, NULL, 1, EMBREE_SINGLE};
+    to[n++] = (struct drawer){.name = "plain", .core = &tia_core_q16, .threads = 1};
     for (unsigned i = 0; (simd = tia_simd_at(i)) && n < DRAWERS - 2 - EMBREE_WAYS; i++)
-        to[n++] = (struct drawer){NULL, &tia_core_q16, simd, 1, EMBREE_SINGLE};
+        to[n++] = (struct drawer){.core = &tia_core_q16, .simd = simd, .threads = 1};
     simd = to[n - 1].simd;
-    to[n++] = (struct drawer){NULL, &tia_core_q16, simd, 2, EMBREE_SINGLE};
+    to[n++] = (struct drawer){.core = &tia_core_q16, .simd = simd, .threads = 2};
 #ifdef TIA_HAVE_F64
-    to[n++] = (struct drawer){"f64", &tia_core_f64, NULL, 1, EMBREE_SINGLE};
+    to[n++] = (struct drawer){.name = "f64", .core = &tia_core_f64, .threads = 1};
 #endif
-    for (int way = EMBREE_WAYS; way-- > 0;) /* single rays are the last */
-        to[n++] = (struct drawer){embree_ways[way], NULL, NULL, 1, (enum embree_way)way};
+    for (int way = EMBREE_WAYS; with_embree && way-- > 0;) /* single rays are the last */
+        to[n++] = (struct drawer){.name = embree_ways[way], .threads = 1, .way = (enum embree_way)way};
     return n;
 }
 
@@ -246,22 +241,25 @@ static void measure(const char *name, const struct tia_scene *scene, uint16_t wi
 {
     struct drawer drawers[DRAWERS];
     struct canvas canvas[DRAWERS];
-    int n = find_drawers(drawers);
+    struct embree *embree = embree_open(scene); /* NULL where it does not support the scene */
+    int n = find_drawers(drawers, embree);
     double rays = rays_of(scene, width, height);
 
-    for (int i = 0; i < n; i++)
-        if (!begin(&canvas[i], &drawers[i], scene, width, height))
-            end(&canvas[n = i]);
+    for (int i = 0; i < n; i++) {
+        begin(&canvas[i], &drawers[i], scene, width, height);
+        canvas[i].embree = drawers[i].core ? NULL : embree;
+    }
     for (int round = 0; round < ROUNDS; round++)
         for (int i = 0; i < n; i++)
             draw(&canvas[i]);
     for (int i = 0; i < n; i++)
         print(name, &canvas[i], &canvas[0], rays);
-    if (database && canvas[n - 1].embree)
+    if (database && embree)
         compare(canvas, n);
     (void)fflush(stdout);
     for (int i = 0; i < n; i++)
         end(&canvas[i]);
+    embree_close(embree);
 }
 
 static bool wanted(const char *name)

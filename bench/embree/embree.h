@@ -28,7 +28,7 @@ extern const bool embree_is_there;
 struct embree *embree_open(const struct tia_scene *scene);
 void embree_close(struct embree *embree);
 
-/* Returns false if memory is short, or a tile has too many rays. */
+/* Returns false if a tile has too many rays. One picture of a scene is drawn at a time. */
 bool embree_draw(const struct embree *embree, enum embree_way way, uint16_t width, uint16_t height, tia_rgb565 *pixels);
 
 #endif

@@ -16,22 +16,6 @@ struct pixel {
     float colour[3];
 };
 
-/* Finds the nearest hit of a ray. Returns false if there is none. */
-static bool meet(const struct embree *e, const struct float_ray *ray, struct point *p)
-{
-    struct embree_context context;
-    struct RTCRayHit found;
-
-    found.ray = ray_of(ray, 1e30F);
-    found.hit.geomID = found.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    rtcInitIntersectContext(&context.context);
-    rtcIntersect1(e->scene, &context.context, &found);
-    if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID)
-        return false;
-    find_point(e, ray, &found.hit, found.ray.tfar, p);
-    return true;
-}
-
 static void add_light(const struct embree *e, const struct point *p, const struct embree_light *light, float own[3])
 {
     struct embree_context context;
@@ -43,24 +27,34 @@ static void add_light(const struct embree *e, const struct point *p, const struc
     struct RTCRay shadow = ray_of(&lit.shadow, lit.distance);
     rtcInitIntersectContext(&context.context);
     context.through = through;
-    rtcOccluded1(e->scene, &context.context, &shadow);
+    rtcOccluded1(e->made.scene, &context.context, &shadow);
     for (int c = 0; c < 3 && shadow.tfar >= 0; c++)
         own[c] += lit.part[c] * through[0][c];
+}
+
+static void add(struct pixel *pixel, const float colour[3], const float by[3])
+{
+    for (int c = 0; c < 3; c++)
+        pixel->colour[c] += colour[c] * by[c];
 }
 
 static void trace(struct pixel *pixel, const struct pending *now)
 {
     const struct embree *e = pixel->embree;
+    struct RTCRayHit found;
     struct point point;
     struct bounces bounces;
     float own[3] = {0, 0, 0};
-    bool meets = meet(e, &now->ray, &point);
 
-    for (uint32_t i = 0; meets && i < e->given->light_count; i++)
+    if (!meet_nearest(e->made.scene, &now->ray, 1e30F, &found)) {
+        add(pixel, e->background, now->throughput);
+        return;
+    }
+    find_point(e, &now->ray, &found.hit, found.ray.tfar, &point);
+    for (uint32_t i = 0; i < e->given->light_count; i++)
         add_light(e, &point, &e->lights[i], own);
-    for (int c = 0; c < 3; c++)
-        pixel->colour[c] += (meets ? own[c] : e->background[c]) * now->throughput[c];
-    if (!meets || now->depth >= e->depth)
+    add(pixel, own, now->throughput);
+    if (now->depth >= e->depth)
         return;
     find_bounces(&point, &bounces);
     for (int i = 0; i < bounces.count; i++) {

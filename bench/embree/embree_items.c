@@ -8,8 +8,7 @@ enum { TRIANGLES, BALLS, KINDS };
 
 struct embree_items {
     const struct float_world *world;
-    RTCDevice device;
-    RTCScene scene;
+    struct embree_scene made;
     uint32_t *item_of[KINDS]; /* indices of items, by the primitive's number */
 };
 
@@ -24,23 +23,19 @@ static uint32_t count_of(const struct float_world *world, int kind)
 
 static void add_triangles(struct embree_items *e, RTCGeometry geometry, uint32_t count)
 {
-    struct vec(*corner)[3] =
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, 3 * (size_t)count);
-    uint32_t *index = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, count);
+    struct vec(*corner)[3] = embree_triangles(geometry, count);
 
     for (uint32_t i = 0; i < count; i++) {
         const struct float_item *item = &e->world->items[e->item_of[TRIANGLES][i]];
         corner[i][0] = item->corner;
         corner[i][1] = vec_along(item->corner, 1, item->side[0]);
         corner[i][2] = vec_along(item->corner, 1, item->side[1]);
-        for (uint32_t k = 0; k < 3; k++)
-            index[3 * i + k] = 3 * i + k;
     }
 }
 
 static void add_balls(struct embree_items *e, RTCGeometry geometry, uint32_t count)
 {
-    float(*ball)[4] = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 16, count);
+    float(*ball)[4] = embree_rounds(geometry, count);
 
     for (uint32_t i = 0; i < count; i++) {
         const struct float_item *item = &e->world->items[e->item_of[BALLS][i]];
@@ -62,15 +57,12 @@ static bool add_kind(struct embree_items *e, int kind)
         if ((e->world->items[i].radius > 0) == (kind == BALLS))
             e->item_of[kind][n++] = i;
     RTCGeometry geometry =
-        rtcNewGeometry(e->device, kind == BALLS ? RTC_GEOMETRY_TYPE_SPHERE_POINT : RTC_GEOMETRY_TYPE_TRIANGLE);
+        rtcNewGeometry(e->made.device, kind == BALLS ? RTC_GEOMETRY_TYPE_SPHERE_POINT : RTC_GEOMETRY_TYPE_TRIANGLE);
     if (kind == BALLS)
         add_balls(e, geometry, count);
     else
         add_triangles(e, geometry, count);
-    rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_HIGH);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometryByID(e->scene, geometry, (unsigned)kind);
-    rtcReleaseGeometry(geometry);
+    embree_attach(&e->made, geometry, (unsigned)kind);
     return true;
 }
 
@@ -81,14 +73,11 @@ struct embree_items *embree_items_open(const struct float_world *world)
     if (!e)
         return NULL;
     e->world = world;
-    e->device = rtcNewDevice("threads=1");
-    e->scene = e->device ? rtcNewScene(e->device) : NULL;
-    if (!e->scene || !add_kind(e, TRIANGLES) || !add_kind(e, BALLS)) {
+    if (!embree_scene_begin(&e->made) || !add_kind(e, TRIANGLES) || !add_kind(e, BALLS)) {
         embree_items_close(e);
         return NULL;
     }
-    rtcSetSceneBuildQuality(e->scene, RTC_BUILD_QUALITY_HIGH);
-    rtcCommitScene(e->scene);
+    rtcCommitScene(e->made.scene);
     return e;
 }
 
@@ -96,10 +85,7 @@ void embree_items_close(struct embree_items *e)
 {
     if (!e)
         return;
-    if (e->scene)
-        rtcReleaseScene(e->scene);
-    if (e->device)
-        rtcReleaseDevice(e->device);
+    embree_scene_end(&e->made);
     for (int kind = 0; kind < KINDS; kind++)
         free(e->item_of[kind]);
     free(e);
@@ -111,25 +97,20 @@ static void meet_any(const struct embree_items *e, const struct float_ray *ray, 
     struct RTCRay shadow = ray_of(ray, hit->t);
 
     rtcInitIntersectContext(&context);
-    rtcOccluded1(e->scene, &context, &shadow);
+    rtcOccluded1(e->made.scene, &context, &shadow);
     hit->item = shadow.tfar < 0 ? e->world->items : NULL;
 }
 
 void embree_items_meet(const void *items, const struct float_ray *ray, bool any, struct float_hit *hit)
 {
     const struct embree_items *e = items;
-    struct RTCIntersectContext context;
     struct RTCRayHit found;
 
     if (any) {
         meet_any(e, ray, hit);
         return;
     }
-    found.ray = ray_of(ray, hit->t);
-    found.hit.geomID = found.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    rtcInitIntersectContext(&context);
-    rtcIntersect1(e->scene, &context, &found);
-    if (found.hit.geomID == RTC_INVALID_GEOMETRY_ID)
+    if (!meet_nearest(e->made.scene, ray, hit->t, &found))
         return;
     hit->t = found.ray.tfar;
     hit->item = &e->world->items[e->item_of[found.hit.geomID][found.hit.primID]];

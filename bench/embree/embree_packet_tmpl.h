@@ -28,7 +28,7 @@ static void PACKET(meet_)(struct wave *w, struct embree_context *context, unsign
         PACKET(set_ray_)(&packet.ray, i, &w->now[k].ray, 1e30F, k);
         packet.hit.geomID[i] = packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
     }
-    PACKET(rtcIntersect)(valid, w->embree->scene, &context->context, &packet);
+    PACKET(rtcIntersect)(valid, w->embree->made.scene, &context->context, &packet);
     for (int i = 0; i < count; i++)
         w->found[from + (unsigned)i] = (struct found){{.geomID = packet.hit.geomID[i],
                                                        .primID = packet.hit.primID[i],
@@ -51,7 +51,7 @@ static void PACKET(shade_)(struct wave *w, struct embree_context *context, unsig
         valid[i] = i < count ? -1 : 0;
         PACKET(set_ray_)(&packet, i, &s->lit.shadow, s->lit.distance, from + (unsigned)i);
     }
-    PACKET(rtcOccluded)(valid, w->embree->scene, &context->context, &packet);
+    PACKET(rtcOccluded)(valid, w->embree->made.scene, &context->context, &packet);
     for (int i = 0; i < count; i++)
         w->dark[from + (unsigned)i] = packet.tfar[i] < 0;
 }

@@ -32,6 +32,23 @@ static inline struct RTCRay ray_of(const struct float_ray *ray, float far)
                            .mask = UINT32_MAX};
 }
 
+static inline void start_ray(struct RTCRayHit *to, const struct float_ray *ray, float far)
+{
+    to->ray = ray_of(ray, far);
+    to->hit.geomID = to->hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+}
+
+/* Finds the nearest hit of a ray. Returns false if there is none up to `far`. */
+static inline bool meet_nearest(RTCScene scene, const struct float_ray *ray, float far, struct RTCRayHit *found)
+{
+    struct RTCIntersectContext context;
+
+    start_ray(found, ray, far);
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(scene, &context, found);
+    return found->hit.geomID != RTC_INVALID_GEOMETRY_ID;
+}
+
 static inline struct vec smooth_normal(const struct embree_face *face, float u, float v)
 {
     struct vec n = vec_scaled(face->normal[0], 1 - u - v);

@@ -1,6 +1,5 @@
 #include "embree_waves.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 #include "embree_shade.h"
@@ -60,15 +59,13 @@ static void meet_stream(struct wave *w, struct embree_context *context, unsigned
 {
     unsigned count = w->count - from < STREAM ? w->count - from : STREAM;
 
-    for (unsigned i = 0; i < count; i++) {
-        w->stream[i].ray = ray_of(&w->now[from + i].ray, 1e30F);
-        w->stream[i].hit.geomID = w->stream[i].hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    }
+    for (unsigned i = 0; i < count; i++)
+        start_ray(&w->stream[i], &w->now[from + i].ray, 1e30F);
     if (w->way == EMBREE_STREAMS)
-        rtcIntersect1M(w->embree->scene, &context->context, w->stream, count, sizeof w->stream[0]);
+        rtcIntersect1M(w->embree->made.scene, &context->context, w->stream, count, sizeof w->stream[0]);
     else
         for (unsigned i = 0; i < count; i++)
-            rtcIntersect1(w->embree->scene, &context->context, &w->stream[i]);
+            rtcIntersect1(w->embree->made.scene, &context->context, &w->stream[i]);
     for (unsigned i = 0; i < count; i++)
         w->found[from + i] = (struct found){w->stream[i].hit, w->stream[i].ray.tfar};
 }
@@ -83,10 +80,10 @@ static void shade_stream(struct wave *w, struct embree_context *context, unsigne
         w->shadow_stream[i].id = from + i;
     }
     if (w->way == EMBREE_STREAMS)
-        rtcOccluded1M(w->embree->scene, &context->context, w->shadow_stream, count, sizeof w->shadow_stream[0]);
+        rtcOccluded1M(w->embree->made.scene, &context->context, w->shadow_stream, count, sizeof w->shadow_stream[0]);
     else
         for (unsigned i = 0; i < count; i++)
-            rtcOccluded1(w->embree->scene, &context->context, &w->shadow_stream[i]);
+            rtcOccluded1(w->embree->made.scene, &context->context, &w->shadow_stream[i]);
     for (unsigned i = 0; i < count; i++)
         w->dark[from + i] = w->shadow_stream[i].tfar < 0;
 }
@@ -219,17 +216,14 @@ static void draw_tile(struct wave *w, const struct eye_rays *eye, unsigned left,
 
 bool embree_draw_waves(const struct embree *e, enum embree_way way, const struct eye_rays *eye, tia_rgb565 *pixels)
 {
-    struct wave *w = malloc(sizeof *w);
+    static struct wave wave; /* of 4.6 MB, static so that no picture waits for new pages but the first */
+    struct wave *w = &wave;
 
-    if (!w)
-        return false;
     w->embree = e;
     w->way = way;
     w->full = false;
     for (unsigned y = 0; y < eye->height && !w->full; y += SIDE)
         for (unsigned x = 0; x < eye->width && !w->full; x += SIDE)
             draw_tile(w, eye, x, y, pixels);
-    bool drawn = !w->full;
-    free(w);
-    return drawn;
+    return !w->full;
 }

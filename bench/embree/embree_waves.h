@@ -7,7 +7,7 @@
 
 struct eye_rays;
 
-/* Returns false if memory is short. */
+/* Returns false if a tile has too many rays. */
 bool embree_draw_waves(const struct embree *e, enum embree_way way, const struct eye_rays *eye, tia_rgb565 *pixels);
 
 #endif

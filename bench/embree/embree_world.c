@@ -91,15 +91,7 @@ static void attach(struct embree *e, RTCGeometry geometry, enum embree_geometry 
     rtcSetGeometryUserData(geometry, e);
     if (passes)
         rtcSetGeometryOccludedFilterFunction(geometry, let_pass);
-    rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_HIGH);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometryByID(e->scene, geometry, number);
-    rtcReleaseGeometry(geometry);
-}
-
-static float (*round_buffer(RTCGeometry geometry, size_t count))[4]
-{
-    return rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 16, count);
+    embree_attach(&e->made, geometry, number);
 }
 
 static void set_round(const struct tia_scene *scene, float to[4], struct tia_vec3 place, tia_q16 radius)
@@ -118,8 +110,8 @@ static void add_spheres(struct embree *e)
 
     if (!scene->sphere_count)
         return;
-    RTCGeometry geometry = rtcNewGeometry(e->device, RTC_GEOMETRY_TYPE_SPHERE_POINT);
-    float(*to)[4] = round_buffer(geometry, scene->sphere_count);
+    RTCGeometry geometry = rtcNewGeometry(e->made.device, RTC_GEOMETRY_TYPE_SPHERE_POINT);
+    float(*to)[4] = embree_rounds(geometry, scene->sphere_count);
     for (uint32_t i = 0; i < scene->sphere_count; i++) {
         set_round(scene, to[i], scene->spheres[i].centre, scene->spheres[i].radius);
         e->material_of[EMBREE_SPHERES][i] = scene->spheres[i].material;
@@ -139,8 +131,8 @@ static void add_cones(struct embree *e)
         count += scene->shapes[i].kind != TIA_MESH;
     if (!count)
         return;
-    RTCGeometry geometry = rtcNewGeometry(e->device, RTC_GEOMETRY_TYPE_CONE_LINEAR_CURVE);
-    float(*to)[4] = round_buffer(geometry, 2 * (size_t)count);
+    RTCGeometry geometry = rtcNewGeometry(e->made.device, RTC_GEOMETRY_TYPE_CONE_LINEAR_CURVE);
+    float(*to)[4] = embree_rounds(geometry, 2 * count);
     uint32_t *first = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT, 4, count), n = 0;
     for (uint32_t i = 0; i < scene->shape_count; i++) {
         const struct tia_shape *s = &scene->shapes[i];
@@ -191,10 +183,8 @@ static void add_faces(struct embree *e)
 
     if (!count)
         return;
-    RTCGeometry geometry = rtcNewGeometry(e->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    struct vec(*corners)[3] =
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, 3 * (size_t)count);
-    uint32_t *index = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, count);
+    RTCGeometry geometry = rtcNewGeometry(e->made.device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    struct vec(*corners)[3] = embree_triangles(geometry, count);
     for (uint32_t i = 0; i < scene->shape_count; i++) {
         const struct tia_shape *s = &scene->shapes[i];
         for (uint32_t k = 0; s->kind == TIA_MESH && k < scene->meshes[s->mesh].face_count; k++, n++) {
@@ -202,8 +192,6 @@ static void add_faces(struct embree *e)
             e->material_of[EMBREE_FACES][n] = s->material;
         }
     }
-    for (uint32_t i = 0; i < 3 * count; i++)
-        index[i] = i;
     attach(e, geometry, EMBREE_FACES);
 }
 
@@ -240,7 +228,7 @@ static void fill(struct embree *e)
     add_spheres(e);
     add_faces(e);
     add_cones(e);
-    rtcCommitScene(e->scene);
+    rtcCommitScene(e->made.scene);
 }
 
 struct embree *embree_open(const struct tia_scene *scene)
@@ -250,13 +238,10 @@ struct embree *embree_open(const struct tia_scene *scene)
     if (!e)
         return NULL;
     e->given = scene;
-    e->device = rtcNewDevice("threads=1");
-    e->scene = e->device ? rtcNewScene(e->device) : NULL;
-    if (!e->scene || !allocate(e)) {
+    if (!embree_scene_begin(&e->made) || !allocate(e)) {
         embree_close(e);
         return NULL;
     }
-    rtcSetSceneBuildQuality(e->scene, RTC_BUILD_QUALITY_HIGH);
     fill(e);
     return e;
 }
@@ -265,10 +250,7 @@ void embree_close(struct embree *e)
 {
     if (!e)
         return;
-    if (e->scene)
-        rtcReleaseScene(e->scene);
-    if (e->device)
-        rtcReleaseDevice(e->device);
+    embree_scene_end(&e->made);
     for (int i = 0; i < EMBREE_GEOMETRIES; i++)
         free(e->material_of[i]);
     free(e->faces);

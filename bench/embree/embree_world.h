@@ -2,10 +2,8 @@
 #ifndef BENCH_EMBREE_EMBREE_WORLD_H
 #define BENCH_EMBREE_EMBREE_WORLD_H
 
-#include <embree3/rtcore.h>
-#include <stdbool.h>
-
 #include "embree.h"
+#include "embree_scene.h"
 #include "float_world.h"
 
 #define EMBREE_DEPTH 64 /* largest depth */
@@ -29,8 +27,7 @@ struct embree_face {
 
 struct embree {
     const struct tia_scene *given;
-    RTCDevice device;
-    RTCScene scene;
+    struct embree_scene made;
     struct embree_material *materials;
     struct embree_light *lights;
     struct embree_face *faces;
