@@ -5,7 +5,7 @@
 #   make CROSS=aarch64-linux-gnu-    for another Linux
 #   make CROSS=arm-none-eabi- CFLAGS='-O2 -mthumb -mcpu=cortex-m3'    the library, for no operating system
 #   make F64=no          leaves the floating-point references out (targets without an FPU); F128=no: that of 113 bits
-#   make DRM=no PNG=no STB=no OSMESA=no EGL=no CHAFA=no JSON=no   leaves a part out though its library is there
+#   make DRM=no PNG=no STB=no OSMESA=no EGL=no CHAFA=no JSON=no ASSIMP=no   leaves a part out though its library is there
 
 BUILD   ?= build
 CROSS   ?=
@@ -67,7 +67,7 @@ endif
 unless_no = $(if $(filter no,$($(1))),,$(2))
 WANTED := $(if $(BARE),,$(sort $(call unless_no,DRM,libdrm) $(call unless_no,PNG,libpng) \
                                $(call unless_no,STB,stb) $(call unless_no,CHAFA,chafa) \
-                               $(call unless_no,JSON,jansson) \
+                               $(call unless_no,JSON,jansson) $(call unless_no,ASSIMP,assimp) \
                                $(call unless_no,OSMESA,osmesa gl) $(call unless_no,EGL,egl gl)))
 # Flags begin with -, the names of the packages that are there do not. All are asked for in one call;
 # only where one is missing they are asked for one by one.
@@ -81,13 +81,14 @@ PNG ?= $(call have,libpng)
 STB ?= $(call have,stb)
 CHAFA ?= $(call have,chafa)
 JSON ?= $(call have,jansson)
+ASSIMP ?= $(call have,assimp)
 OSMESA ?= $(call have,osmesa gl)
 EGL ?= $(call have,egl gl)
 # The osmesa display loads its library, OSMesa or EGL, when it is opened: only headers are needed.
 GL := $(filter yes,$(OSMESA) $(EGL))
 # stb_image is a header: it is compiled here, and the compiler's warnings about it are off.
 HOSTED += $(patsubst -I%,-isystem%,$(filter-out -l% -L% -Wl%,$(filter -%,$(PACKAGES))))
-LIBS := $(filter-out -lOSMesa -lEGL -lGL -lstb -lchafa -lglib-2.0 -ljansson,$(filter -l% -L% -Wl%,$(PACKAGES))) -lm
+LIBS := $(filter-out -lOSMesa -lEGL -lGL -lstb -lchafa -lglib-2.0 -ljansson -lassimp,$(filter -l% -L% -Wl%,$(PACKAGES))) -lm
 MISSING :=
 ifeq ($(DRM),yes)
 HOSTED += -DTIA_HAVE_DRM
@@ -117,6 +118,15 @@ HOSTED += -DTIA_HAVE_JANSSON
 LIBS += -Wl,--as-needed -ljansson -Wl,--no-as-needed
 else
 MISSING += "no libjansson: built without calibrations of light-field displays from .json files"
+endif
+# The library is loaded when a model is read: only its headers are needed, of the same version.
+ifeq ($(ASSIMP),yes)
+HOSTED += -DTIA_HAVE_ASSIMP
+LIBS += -ldl
+$(BUILD)/host/tools/common/scene/model/assimp/library.o: HOSTED += \
+    -DASSIMP_VERSION='"$(shell $(PKG_CONFIG) --modversion assimp | cut -d. -f1,2)"'
+else
+MISSING += "no libassimp: built without models from .glb, .gltf, .fbx, .dae, .3ds and other files"
 endif
 # Damaged pictures make its sums overflow, which is harmless where they wrap around.
 $(BUILD)/host/tools/common/image/decode_stb.o: HOSTED += -fwrapv
@@ -151,7 +161,7 @@ PORT_DIRS := console pixels memory none fbdev evdev terminal ps2 spi-panel $(if 
              terminal/$(if $(filter yes,$(CHAFA)),,no-)chafa $(if $(GL),osmesa) $(if $(filter yes,$(OSMESA)),osmesa/mesa) $(if $(filter yes,$(EGL)),osmesa/egl)
 PORT_SRC  := $(sort $(wildcard port/*.c $(PORT_DIRS:%=port/%/*.c)))
 # What commands share, and the scenes and measures that commands, tests and benchmarks share.
-COMMON_SRC := $(call c_below,tools/common)
+COMMON_SRC := $(filter-out $(if $(filter yes,$(ASSIMP)),,tools/common/scene/model/assimp/%),$(call c_below,tools/common))
 ORACLE_SRC := $(sort $(wildcard tests/oracle/*.c))
 TESTS     := $(patsubst tests/%.c,$(BUILD)/tests/%,$(sort $(wildcard tests/test_*.c)))
 
@@ -184,8 +194,8 @@ endif
 # A file each for the compiler, its flags and the libraries found; what is made with them depends on it. It is written
 # again only when its text changes.
 COMPILER := $(realpath $(call found,$(firstword $(CC)))) $(CC)
-made_with_core := $(COMPILER) $(CORE) $(CFLAGS)
-made_with_host := $(COMPILER) $(HOSTED) $(CFLAGS)
+made_with_core := $(COMPILER) $(CORE) $(CFLAGS) $(MEASURING_CFLAGS)
+made_with_host := $(COMPILER) $(HOSTED) $(CFLAGS) $(MEASURING_CFLAGS)
 made_with_parts := $(HAVE_SIMD) $(if $(TIA_F64),-DTIA_LINKED_F64) $(if $(filter %-f128.a,$(TIA_F64)),-DTIA_LINKED_F128) $(if $(TIA_WATCHED),-DTIA_LINKED_WATCHED)
 made_with_simd := $(COMPILER) $(CORE) $(foreach l,$(SIMD_NAMES),$(flags_$(l))) $(CFLAGS)
 made_with_link := $(COMPILER) $(CFLAGS) $(LDFLAGS) $(LIBS)
@@ -201,6 +211,8 @@ define compile
 @mkdir -p $(@D)
 $(call say,$(1),$<)$(CC) $(2) $(CFLAGS) -c -o $@ $<
 endef
+# More flags for what surrounds the library: the other arithmetics, ports and commands.
+$(foreach v,f32 f64 watched chk host,$(BUILD)/$(v)/%.o): override CFLAGS += $(MEASURING_CFLAGS)
 link = $(call say,LD,$@)$(CC) -pthread $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(LIBS)
 
 $(BUILD)/q16/%.o: %.c $(BUILD)/made-with/core
@@ -293,7 +305,7 @@ $(BUILD)/tests/test_telltales: $(BUILD)/scenes/telltales.o
 .SECONDARY: $(COMPILED:%=$(BUILD)/scenes/%.c) $(BUILD)/scenes/telltales.c
 
 # ---- longer proofs ----
-.PHONY: check-exhaustive prove check-accuracy check-exact check-arch check-freestanding check-matrix check-simd check-denoise check-threads check-deb check-light check-rays-billion check-trust check-mutants check-bounds evidence fuzz
+.PHONY: check-exhaustive prove check-accuracy check-exact check-arch check-freestanding check-matrix check-simd check-denoise check-threads check-deb check-assimp check-light check-rays-billion check-trust check-mutants check-bounds evidence fuzz
 $(BUILD)/tests/exhaustive: $(BUILD)/tests/exhaustive.o $(LIBTIA) $(BUILD)/made-with/link
 	$(link)
 check-exhaustive: $(BUILD)/tests/exhaustive
@@ -311,13 +323,15 @@ check-freestanding:
 check-matrix: all
 	@MATRIX_FULL=yes $(run_tests) tests/slow/build-matrix
 check-simd: $(addprefix $(BUILD)/tests/test_,simd_spans simd_rays ray_bounds)
-	@SIMD_SCENES=100000 $(run_tests) tests/slow/simd
+	@SIMD_SCENES=100000 SIMD_TIMES=10 $(run_tests) tests/slow/simd
 check-denoise: all
 	@DENOISE_FULL=yes $(run_tests) tests/slow/denoise
 check-threads: all
 	@THREADS_FULL=yes $(run_tests) tests/slow/threads
 check-deb: all
 	@DEB_FULL=yes $(run_tests) tests/slow/deb
+check-assimp: all
+	@ASSIMP_FULL=yes $(run_tests) tests/slow/assimp
 check-light: $(BUILD)/tests/test_cornell
 	@LIGHT_TIMES=20 $(run_tests) tests/slow/light
 check-rays-billion: $(BUILD)/tests/test_ray_bounds
@@ -331,8 +345,8 @@ check-mutants:
 evidence: all $(addprefix $(BUILD)/tests/test_,$(file <tests/evidence/tests.txt))
 	@$(call python,$(alone) tests/evidence/evidence.py $(BUILD) $(PARTS))
 # The vector units' kernels once more, with their bounds scaled by the environment.
-SCALED_TESTS := ray_steps ray_spawned ray_ends ray_tubes ray_pixels ray_edges ray_pairs ray_bounds simd_samples \
-    simd_bounds simd_steps simd_pixels simd_cells span_error steps
+SCALED_TESTS := ray_steps ray_spawned ray_sights ray_ends ray_tubes ray_pixels ray_edges ray_pairs ray_bounds simd_samples \
+    simd_bounds simd_steps simd_pixels simd_cells simd_maps span_error steps
 check-bounds:
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)/scaled CFLAGS='$(CFLAGS) -DBOUND_SCALES=\"../tests/bound_scales.h\"' \
 	    $(SCALED_TESTS:%=$(BUILD)/scaled/tests/test_%)

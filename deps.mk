@@ -2,7 +2,7 @@
 # not root. `make deps run`: what the command needs. `make deps`: what a build can use. A goal without a list of its own,
 # as `make deps check`: everything. With -n nothing is installed, and what would be is listed.
 DEPS_BUILD := gcc libc6-dev pkg-config libdrm-dev libpng-dev
-DEPS_ALL := libstb-dev libchafa-dev libjansson-dev libglib2.0-dev libosmesa6-dev libegl-dev libgl1-mesa-dri
+DEPS_ALL := libstb-dev libchafa-dev libjansson-dev libassimp-dev libglib2.0-dev libosmesa6-dev libegl-dev libgl1-mesa-dri
 # What tests/slow/arch builds with, and what only all of its builds want.
 DEPS_ARCH := gcc-i686-linux-gnu gcc-arm-linux-gnueabi gcc-arm-linux-gnueabihf gcc-aarch64-linux-gnu \
         gcc-riscv64-linux-gnu gcc-s390x-linux-gnu libc6-dev-i386-cross \

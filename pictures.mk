@@ -12,7 +12,7 @@ comma := ,
 draw = $(call say,DRAW,$(1))$(BUILD)/tia $(2) -o $(1)$(newline)
 draw_radio = $(call say,DRAW,$(1))$(BUILD)/tia-radio scenes/block.tia -f 3.5G --tx 2$(comma)8$(comma)1 $(2) -o $(1) >/dev/null$(newline)
 gallery: all $(BUILD)/tests/test_raster_mirror
-	$(foreach n,glass flake chess castle vase orrery shadow-volume shadow-mapping porch,$(call draw,docs/gallery/$(n).png,scenes/$(n).tia -s 400x300))
+	$(foreach n,glass avenue flake chess castle vase orrery shadow-volume shadow-mapping porch,$(call draw,docs/gallery/$(n).png,scenes/$(n).tia -s 400x300))
 	$(call draw,docs/gallery/marbles.png,scenes/marbles.tia --time 5 -s 400x300)
 	$(call draw,docs/gallery/cornell.png,scenes/cornell.tia --denoise -s 300x300)
 	$(call draw,docs/gallery/window.png,scenes/window.tia --spp 64 --denoise -s 400x300)

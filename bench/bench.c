@@ -1,8 +1,8 @@
 /* bench.c - milliseconds per frame on one core: a full frame, a frame with only the light moved, and the textbook loop
  * in float. The three are measured in turn, so that a change of the machine's speed affects them alike. Prints the
  * median of each and of their ratios. With a part's name as its argument it measures that part alone: thesis, levels,
- * threads, rays, simd-rays, paths, radio, raster, tinygl, shadows, shadow-frames or light-fields. For simd-rays, a
- * second argument selects the scenes whose names contain it. */
+ * threads, rays, simd-rays, paths, radio, raster, tinygl, shadows, shadow-frames, shadow-files or light-fields. For
+ * simd-rays and shadow-files, a second argument selects the scenes whose names contain it. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -118,6 +118,7 @@ static const struct part {
              {"tinygl", bench_tinygl},
              {"shadows", bench_shadows},
              {"shadow-frames", bench_shadow_frames},
+             {"shadow-files", bench_shadow_files},
              {"light-fields", bench_light_fields}};
 
 int main(int argc, char **argv)

@@ -1,10 +1,13 @@
 #include "shadow_frames.h"
 
+#include "common/scene/scene_load.h"
 #include "milliseconds.h"
 #include "shadow_scene.h"
+#include "simd_rays.h"
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <tia/tia.h>
 
 #define ROUNDS 7
@@ -112,15 +115,21 @@ static void measure_case(int index, struct shadow_scene *s)
     free(boxes);
 }
 
+/* Ends the row of a table's names, and prints the line below: `first`, and a column for each technique. */
+static void print_rule(const char *first)
+{
+    printf("\n%s", first);
+    for (int i = 0; i < TECHNIQUES; i++)
+        printf("--:|");
+    printf("\n");
+}
+
 static void print(const char *what, bool relit)
 {
     printf("\n| %s, ms: size | faces | lights |", what);
     for (int i = 0; i < TECHNIQUES; i++)
         printf(" %s |", techniques[i].name);
-    printf("\n|---|--:|--:|");
-    for (int i = 0; i < TECHNIQUES; i++)
-        printf("--:|");
-    printf("\n");
+    print_rule("|---|--:|--:|");
     for (int k = 0; k < CASES; k++) {
         printf("| %ux%u | %u | %u |", cases[k].width, cases[k].height, results[k].faces, cases[k].lights);
         for (int i = 0; i < TECHNIQUES; i++)
@@ -139,4 +148,45 @@ void bench_shadow_frames(void)
     shadow_scene_free(&s);
     print("frame", false);
     print("frame with moved lights", true);
+}
+
+/* ---- scene files ---- */
+
+static const char *const files[] = {
+    "scenes/shadow-volume.tia",    "scenes/shadow-mapping.tia", "scenes/shadows/open.tia", "scenes/shadows/place.tia",
+    "scenes/shadows/receiver.tia", "scenes/shadows/caster.tia", "scenes/shadows/soft.tia", "scenes/porch.tia"};
+
+/* Measures a scene file with each technique, and prints the time of traced rays and the others' ratios to it. */
+static void measure_file(const char *path, uint16_t width, uint16_t height)
+{
+    struct drawn_case c = {.width = width, .height = height};
+    double traced = 0;
+    struct scene_file file;
+
+    shadow_must(!scene_open(&file, path, scene_format_of(path), true));
+    printf("| %s | %ux%u |", path, width, height);
+    for (int i = 0; i < TECHNIQUES; i++) {
+        struct times least = {0, 0};
+        file.scene.shadows = techniques[i].shadows;
+        file.scene.shadow_map.size = techniques[i].map_size;
+        measure(&least, &file.scene, &c);
+        traced = i == 0 ? least.frame : traced;
+        printf(i == 0 ? " %.1f |" : " %.2f |", i == 0 ? traced : least.frame / traced);
+        (void)fflush(stdout);
+    }
+    printf("\n");
+    scene_close(&file);
+}
+
+void bench_shadow_files(void)
+{
+    printf("\n| scene | size | traced, ms |");
+    for (int i = 1; i < TECHNIQUES; i++)
+        printf(" %s/traced |", techniques[i].name);
+    print_rule("|---|---|");
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++)
+        if (!bench_scene || strstr(files[i], bench_scene)) {
+            measure_file(files[i], 640, 480);
+            measure_file(files[i], 1920, 1080);
+        }
 }

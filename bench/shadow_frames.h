@@ -4,4 +4,7 @@
 
 void bench_shadow_frames(void);
 
+/* The same for scene files, beside traced rays. */
+void bench_shadow_files(void);
+
 #endif

@@ -4,18 +4,20 @@ import re
 
 from sources import read
 
-RAYS, SPANS = "src/simd/rays/", "src/simd/span/"
-INTEGERS, STEPS = "src/render/span/", "src/render/span/steps/"
-TABLES = [*sorted(glob.glob(RAYS + "bounds/*.h") + glob.glob(SPANS + "bounds/*.h")), INTEGERS + "span_proved.h",
-          STEPS + "steps_proved.h"]
+RAYS, SPANS, SHADOWS = "src/simd/rays/", "src/simd/span/", "src/simd/shadow/"
+INTEGERS, STEPS, WORDS = "src/render/span/", "src/render/span/steps/", "src/render/span/words/"
+TABLES = [*sorted(glob.glob(RAYS + "bounds/*.h") + glob.glob(SPANS + "bounds/*.h") + glob.glob(SHADOWS + "bounds/*.h")), INTEGERS + "span_proved.h",
+          STEPS + "steps_proved.h", WORDS + "words_proved.h"]
 ROW = re.compile(r"^(?:#define BOUND_(\w+) |FORMULA\((\w+)\);"
-                 r"|#define (SPAN_ERROR_\w+|STEPS_(?!BOUND)\w+)[ (])")
+                 r"|#define (SPAN_ERROR_\w+|(?:STEPS|WORDS)_(?!BOUND)\w+)[ (])")
 
 
 def table_of(path):
-    """A table's short name: rays/lights, span/cells, integers, steps."""
+    """A table's short name: rays/lights, span/cells, integers, steps, words."""
     if path.startswith(STEPS):
         return "steps"
+    if path.startswith(WORDS):
+        return "words"
     if path.startswith(INTEGERS):
         return "integers"
     return re.sub(r"src/simd/(\w+)/bounds/(\w+)\.h", r"\1/\2", path)

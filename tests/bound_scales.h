@@ -1,7 +1,7 @@
 /* bound_scales.h - the bounds of src/simd and src/render/span by name, each with a factor. src/simd/bound.h,
- * span_proved.h and steps_proved.h include this file if BOUND_SCALES is defined. tests/bounds scales one bound of a
- * whole program by TIA_BOUND=NAME and TIA_BOUND_SCALE=x in the environment; test_ray_bounds --uses does so within the
- * program. */
+ * span_proved.h, steps_proved.h and words_proved.h include this file if BOUND_SCALES is defined. tests/bounds scales
+ * one bound of a whole program by TIA_BOUND=NAME and TIA_BOUND_SCALE=x in the environment; test_ray_bounds --uses does
+ * so within the program. */
 #ifndef TIA_TESTS_BOUND_SCALES_H
 #define TIA_TESTS_BOUND_SCALES_H
 

@@ -23,6 +23,7 @@ echo made >"$2"
 PKG_CONFIG = """#!/bin/sh
 echo "$*" >>"$ASKED"
 case " $* " in *" $LACKING "*) exit 1 ;; esac
+case " $* " in *" --modversion "*) echo 5.2.4; exit ;; esac
 echo -I/somewhere -lsomething -lGL
 """
 
@@ -48,7 +49,7 @@ def prepare():
 def environment(**more):
     """As of a shell in which nothing about make was said."""
     kept = {k: v for k, v in os.environ.items() if not k.startswith("MAKE") and
-            k not in ("MFLAGS", "BUILD", "CC", "CFLAGS", "CROSS", "F64", "F128", "DRM", "PNG", "CHAFA", "JSON", "OSMESA", "EGL", "V")}
+            k not in ("MFLAGS", "BUILD", "CC", "CFLAGS", "CROSS", "F64", "F128", "DRM", "PNG", "CHAFA", "JSON", "ASSIMP", "OSMESA", "EGL", "V")}
     here = os.getcwd()
     return {**kept, "PATH": f"{here}/bin:{kept['PATH']}", "CALLS": f"{here}/calls", "ASKED": f"{here}/asked",
             "LACKING": "-", "MACHINE": "some-linux-gnu", "LC_ALL": "C", **more}

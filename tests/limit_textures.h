@@ -13,6 +13,7 @@ LIMIT(least_repeat_bits)
     materials[1].texture = 1;
     texture.repeat[0] = texture.repeat[1] = INT32_MAX;
     texture.repeat_bits = (int8_t)(TIA_TEXTURE_BITS_MIN - beyond);
+    texture.footprint = true;
 }
 
 LIMIT(most_repeat_bits)
@@ -20,6 +21,7 @@ LIMIT(most_repeat_bits)
     materials[0].texture = 1;
     texture.repeat[0] = texture.repeat[1] = INT32_MAX;
     texture.repeat_bits = (int8_t)(TIA_TEXTURE_BITS_MAX + beyond);
+    texture.footprint = true;
 }
 
 LIMIT(least_offset_bits)

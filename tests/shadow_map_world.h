@@ -114,7 +114,7 @@ static void make_map(unsigned border)
     w.room = malloc((size_t)tia_map_room(SIZE, w.flat.face_count));
     for (unsigned i = 0; i < w.map.view_count; i++)
         w.map.view[i].distance = w.texels + (size_t)i * SIZE * SIZE;
-    CHECK(!tia_map_draw(&w.map, &w.flat, w.room, &never));
+    CHECK(!tia_map_draw(&w.map, &w.flat, w.room, NULL, &never));
 }
 
 static void unmake(void)
@@ -152,7 +152,7 @@ struct point {
 
 /* Finds a point on a side of a box that faces the light. Faces 2 n and 2 n + 1 of a box are its side n, the low or the
  * high one along an axis. */
-static bool any_point(struct point *p)
+static inline bool any_point(struct point *p)
 {
     static const int axis_of[6] = {0, 0, 1, 1, 2, 2};
     double corners[3][3], a = any(0, 1), b = any(0, 1 - a), way[3], origin[3], axes[3][3];
@@ -187,7 +187,7 @@ struct found {
     double u, v, distance, texel;
 };
 
-static struct found find(const double place[3])
+static inline struct found find(const double place[3])
 {
     struct found f = {&w.map.view[0], 0, 0, 0, 0};
     double origin[3], d[3], axes[3][3];
@@ -210,7 +210,7 @@ static struct found find(const double place[3])
 }
 
 /* Returns the depth in the map, at the centre of texel (i, j), of the plane through p with p's normal. */
-static double plane_at(const struct point *p, const struct found *f, int i, int j)
+static inline double plane_at(const struct point *p, const struct found *f, int i, int j)
 {
     double axes[3][3], origin[3], d[3], to[3], u = (i + 0.5 - SIZE / 2) / density(),
                                                v = (SIZE / 2 - j - 0.5) / density();

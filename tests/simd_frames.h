@@ -27,6 +27,7 @@ static inline void *simd_frames_memory(struct simd_frames *f, int i, size_t size
     f->memory[i] = malloc(size ? size : 1);
     if (!f->memory[i])
         abort();
+    memset(f->memory[i], 1, size); /* neither 0 by chance nor, in a shadow map, far away */
     return f->memory[i];
 }
 

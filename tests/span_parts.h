@@ -22,7 +22,7 @@ static real bound_of(int log)
 }
 
 /* Returns K0. */
-static quad rounded_depth(const struct shading *s)
+static quad rounded_depth(const struct span_shading *s)
 {
     return s->spans->primary.depth * power(-s->spans->primary.exponent);
 }
@@ -35,7 +35,7 @@ struct parts {
     real across, z;       /* r and L.z in last bits of b */
 };
 
-static struct parts parts_of(const struct shading *s, const struct span_sphere *sphere, const struct truth *o)
+static struct parts parts_of(const struct span_shading *s, const struct span_sphere *sphere, const struct truth *o)
 {
     const struct primary_rays *primary = &s->spans->primary;
     const quad v[3] = {o->v[0], o->v[1], -rounded_depth(s)}, c = sphere->c * power(-32);
@@ -48,6 +48,20 @@ static struct parts parts_of(const struct shading *s, const struct span_sphere *
     p.across = ldexpl((real)sphere->radius, sphere->b_shift - 32);
     p.z = ldexpl((real)num_abs(sphere->centre.z), sphere->b_shift - 32);
     return p;
+}
+
+/* Returns the depth at pixel i of a span. */
+static struct span_depth depth_at(const struct span_shading *s, int i)
+{
+    struct shaded_span one = *s->span;
+    struct span_shading alone = {.span = &one, .spans = s->spans};
+    struct span_depth ends[2];
+
+    one.x += i;
+    one.t += i;
+    one.count = 1;
+    find_ends(&alone, ends);
+    return ends[0];
 }
 
 static num_wide ahead(num_wide start, num_wide step, int i)

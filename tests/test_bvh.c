@@ -219,6 +219,28 @@ TEST(items_that_cost_more_are_split_sooner)
     }
 }
 
+/* The first axis on which the centres differ orders two items: the lower centre comes first. */
+TEST(order_of_two)
+{
+    static const struct {
+        struct tia_bounds second; /* the first item is a cube at 4, 4, 4 */
+        uint32_t left, first;
+    } cases[] = {
+        {{{4, 4, 4}, {5, 5, 5}}, 0, 0},  {{{4, 4, 0}, {5, 5, 1}}, 1, 1},  {{{4, 0, 9}, {5, 1, 10}}, 1, 1},
+        {{{4, 9, 0}, {5, 10, 1}}, 1, 0}, {{{9, 0, 0}, {10, 1, 1}}, 1, 0}, {{{0, 9, 9}, {1, 10, 10}}, 1, 1},
+    };
+    struct cancel never = {0};
+
+    for (unsigned i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct tia_bounds boxes[2] = {{{4, 4, 4}, {5, 5, 5}}, cases[i].second}, bounds;
+        uint32_t numbers[2] = {0, 1};
+        const struct tia_bvh_split_items items = {boxes, numbers, 2, 3, &never};
+        CHECK_EQ(tia_bvh_split_items(&items, &bounds, 2), cases[i].left);
+        CHECK_EQ(numbers[0], cases[i].first);
+        CHECK(!memcmp(&boxes[1 - cases[i].first], &cases[i].second, sizeof boxes[0]));
+    }
+}
+
 TEST(ends_of_the_numbers)
 {
     set_spheres(1000);
@@ -253,6 +275,7 @@ int main(void)
     RUN(exponential_spacing);
     RUN(a_depth_that_would_not_do);
     RUN(items_that_cost_more_are_split_sooner);
+    RUN(order_of_two);
     RUN(ends_of_the_numbers);
     RUN(too_large_for_the_machine);
     free(memory);

@@ -52,6 +52,45 @@ TEST(depth)
     check_refused("scene", 0, "depth", "must be in 1..16");
 }
 
+TEST(fog)
+{
+    struct tia_fog fog = {.colour = {TIA_Q30_ONE, 0, 0}, .distance = TIA_Q16(2)};
+
+    set_up();
+    scene.fog = &fog;
+    check_accepted();
+    fog.colour.g = TIA_Q30_ONE + 1;
+    check_refused("fog", 0, "colour", "each channel must be in 0..1");
+    fog.colour.g = -1;
+    check_refused("fog", 0, "colour", "each channel must be in 0..1");
+    fog.colour.g = 0;
+    check_range(&fog.distance, TIA_RADIUS_MIN, INT32_MAX, "fog", 0, "distance", "must be at least 2^-10");
+    fog.distance = TIA_Q16(2);
+    check_range(&fog.height, TIA_RADIUS_MIN, INT32_MAX, "fog", 0, "height", "must be 0 or at least 2^-10");
+    fog.height = 0;
+    scene.shadows = TIA_SHADOWS_ZFAIL;
+    check_refused("fog", 0, "distance", "needs traced rays for shadows");
+    scene.shadows = TIA_SHADOWS_TRACED;
+    check_accepted();
+}
+
+TEST(lens)
+{
+    struct tia_lens lens = {TIA_Q16(0.5), TIA_Q16(2)};
+
+    set_up();
+    scene.lens = &lens;
+    check_accepted();
+    check_range(&lens.radius, 1, TIA_Q16(2), "lens", 0, "radius", "must be above 0 and at most focus");
+    lens.radius = 1;
+    check_range(&lens.focus, TIA_RADIUS_MIN, INT32_MAX, "lens", 0, "focus", "must be at least 2^-10");
+    lens.focus = TIA_Q16(2);
+    scene.shadows = TIA_SHADOWS_MAP;
+    check_refused("lens", 0, "radius", "needs traced rays for shadows");
+    scene.shadows = TIA_SHADOWS_TRACED;
+    check_accepted();
+}
+
 TEST(integration)
 {
     struct tia_integration *how = &scene.integration;
@@ -276,6 +315,8 @@ int main(void)
 {
     RUN(arrays);
     RUN(depth);
+    RUN(fog);
+    RUN(lens);
     RUN(integration);
     RUN(scale_bits);
     RUN(bvh);

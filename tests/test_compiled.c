@@ -11,8 +11,8 @@ enum { WIDTH = 72, HEIGHT = 54 };
 
 /* Scenes that the Makefile compiles: each scene of the gallery, and one of everything. */
 extern const struct tia_scene compiled_every, compiled_glass, compiled_flake, compiled_chess, compiled_castle,
-    compiled_vase, compiled_orrery, compiled_porch, compiled_shadow_volume, compiled_shadow_mapping, compiled_cornell,
-    compiled_marbles, compiled_window, compiled_caustic, compiled_block;
+    compiled_avenue, compiled_vase, compiled_orrery, compiled_porch, compiled_shadow_volume, compiled_shadow_mapping,
+    compiled_cornell, compiled_marbles, compiled_window, compiled_caustic, compiled_block;
 
 static uint32_t picture(const struct tia_scene *given)
 {
@@ -97,6 +97,7 @@ SAME_AS_ITS_FILE(glass)
 SAME_AS_ITS_FILE(flake)
 SAME_AS_ITS_FILE(chess)
 SAME_AS_ITS_FILE(castle)
+SAME_AS_ITS_FILE(avenue)
 SAME_AS_ITS_FILE(vase)
 SAME_AS_ITS_FILE(orrery)
 SAME_AS_ITS_FILE(window)
@@ -147,6 +148,7 @@ int main(void)
     RUN(flake);
     RUN(chess);
     RUN(castle);
+    RUN(avenue);
     RUN(vase);
     RUN(orrery);
     RUN(porch);

@@ -28,7 +28,7 @@ static int fetch_chair(void *ctx, const char *name, const char **text, size_t *l
     return strcmp(name, "models/chair.tia") ? TIA_ERR_DEVICE : TIA_OK;
 }
 
-static char examples[40000];
+static char examples[65536];
 
 /* Copies a line of an example as the page shows it: "\-" is "-", "\e" a backslash. */
 static char *copy_line(char *to, const char *line, size_t length)

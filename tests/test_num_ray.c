@@ -163,6 +163,17 @@ TEST(powers_as_lengths)
     CHECK_EQ(num_power_length(NUM_UNIT_ONE, TIA_Q16(3.5)), NUM_LENGTH_ONE);
 }
 
+TEST(exponential_functions)
+{
+    for (int i = 0; i < ROUNDS / 10; i++) {
+        num_length x = (num_length)(random_short(51) * (i % 2 ? 1 : 22));
+        long double off = fabsl((long double)num_fade(x) / 0x1p62L - expl(-(long double)x / 0x1p45L));
+        CHECK_MSG(off < 0x1p-55L, "exp(-%Lg) is off by %Lg", (long double)x / 0x1p45L, off);
+    }
+    CHECK_EQ(num_fade(0), NUM_UNIT_ONE);
+    CHECK_EQ(num_fade(NUM_LENGTH_MAX), 0);
+}
+
 TEST(powers_and_turns)
 {
     for (int i = 0; i < ROUNDS / 10; i++) {
@@ -192,6 +203,7 @@ int main(void)
     RUN(what_is_beyond);
     RUN(quotients);
     RUN(powers_as_lengths);
+    RUN(exponential_functions);
     RUN(powers_and_turns);
     return check_status();
 }

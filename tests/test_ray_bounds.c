@@ -29,7 +29,7 @@ enum { ORIGIN, DIRECTION, DISTANCE, POINT, GEOMETRIC, NORMAL, OWN, COLOUR, BOUND
 static const char *const names[BOUNDS] = {"origin",           "direction", "distance",           "point",
                                           "geometric normal", "normal",    "light of a surface", "colour of a sample"};
 static double used[BOUNDS];
-static unsigned long compared, differing, rays, shadow_rays;
+static unsigned long compared, differing, rays, shadow_rays, rests;
 
 static void use(int what, double gap, double bound)
 {
@@ -57,7 +57,8 @@ static struct path path;
 
 static void check_camera(const struct sure_block *b, const struct rays *r)
 {
-    int slot = (int)r->slot[0] / b->samples, x = b->x + slot % b->width, y = b->y + slot / b->width;
+    struct sure_place place = sure_place_of(b, (int)r->slot[0] / b->samples);
+    int x = b->x + place.x, y = b->y + place.y;
     const struct light_pixel pixel = ray_pixel_at(x, y);
 
     now.class = ray_pixel_class(x, y);
@@ -140,12 +141,14 @@ static void check_block(struct sure_block *b)
     static struct work work;
 
     trace(b, &work);
+    rests += (unsigned long)b->rest_count;
+    tia_sure_add_rests(b);
     for (int i = 0; i < b->width * b->height * b->samples; i++) {
-        int pixel = i / b->samples;
+        struct sure_place place = sure_place_of(b, i / b->samples);
         num_length colour[3];
         if (b->unsure[i])
             continue;
-        tia_sure_sample(view, b->x + pixel % b->width, b->y + pixel / b->width, i % b->samples, colour);
+        tia_sure_sample(view, b->x + place.x, b->y + place.y, i % b->samples, colour);
         for (int c = 0; c < 3; c++)
             use(COLOUR, fabs(sure_length(colour[c]) - b->colour[c][i]), b->error[i]);
     }
@@ -170,6 +173,7 @@ static void check_scene(const struct tia_scene *scene, unsigned width, unsigned 
     tia_sure_set_lights(prepared);
     b.scene = tia_sure_scene(prepared);
     b.cancel = (struct cancel){0};
+    b.seen = NULL;
     b.samples = view->camera.side * view->camera.side;
     b.width = b.height = SURE_SIDE / 2 / view->camera.side;
     for (b.y = 0; b.y + b.height <= (int)height; b.y += b.height)
@@ -234,8 +238,11 @@ static void check_corpus(unsigned scenes)
 
 TEST(random_corpus)
 {
+    rests = 0;
     check_corpus(random_scenes);
     check_bounds("random scenes");
+    printf("# %lu rays were followed by the fixed-point path from where they start\n", rests);
+    CHECK(rests > 0);
 }
 
 /* ---- the needed part of each bound ---- */

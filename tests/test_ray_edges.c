@@ -158,11 +158,13 @@ static void compare_light(const struct shade *h, const struct shading *shading, 
         use(OWN, fabs(sure_length(colour[c]) - lit.own[c]), lit.eown);
 }
 
-static void compare_rays(const struct queued *item, const struct ray *ray, const num_length throughput[3])
+static void compare_rays(const struct queue *queue, int item, const struct ray *ray, const num_length throughput[3])
 {
-    const double *n = item->number;
+    double n[COLUMNS], v[3];
+
+    for (int i = 0; i < COLUMNS; i++)
+        n[i] = queue->number[i][item];
     const struct v3 o = {n[0], n[1], n[2]}, d = {n[3], n[4], n[5]};
-    double v[3];
 
     sure_point(v, ray->origin);
     use(BOUNCE, gap3(o, v), n[9]);
@@ -181,15 +183,15 @@ static void compare_bounces(const struct packet *p, const struct shade *h, const
     struct bounces next;
 
     w.block = &block;
-    w.count = 0;
+    w.queue.count = 0;
     bounce(&w, h, 1, &r);
     surely += !block.unsure[0];
     open += block.unsure[0];
     if (block.unsure[0])
         return;
     shade_bounce(view, shading, &none, &next);
-    for (int i = 0; i < w.count; i++)
-        compare_rays(&w.queue[i], is_refracted[i] ? &next.refracted : &next.reflected,
+    for (int i = 0; i < w.queue.count; i++)
+        compare_rays(&w.queue, i, is_refracted[i] ? &next.refracted : &next.reflected,
                      is_refracted[i] ? next.refracts : next.reflects);
 }
 

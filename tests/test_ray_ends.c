@@ -192,11 +192,11 @@ static const struct textured {
 /* True if the point is inside the face, as that of a certain hit is. */
 static bool is_in_face(const struct sure_object *o, const double at[3])
 {
-    const struct sure_face *f = o->kind == SURE_MESH ? &o->mesh->faces[0] : o->face;
     long double part[3], least = 1;
 
     if (o->kind != SURE_MESH && o->kind != SURE_TRIANGLE)
         return true;
+    const struct sure_face whole = o->kind == SURE_MESH ? sure_face_of(o->mesh, 0) : *o->face, *f = &whole;
     for (int i = 0; i < 3; i++) {
         const double *a = f->at[(i + 1) % 3], *b = f->at[(i + 2) % 3];
         part[i] = (a[0] - at[0]) * (long double)(b[1] - at[1]) - (a[1] - at[1]) * (long double)(b[0] - at[0]);
@@ -344,7 +344,7 @@ TEST(hits)
         for (int k = 0; k < LANES; k++)
             CHECK_EQ(lanes >> k & 1, !block.unsure[r.slot[k]]);
     }
-    CHECK_EQ(w.hit_count, 0);
+    CHECK_EQ(w.hits.count, 0);
 }
 
 int main(void)

@@ -60,13 +60,21 @@ static long double area_of(const struct sure_face *f, int edge, const struct pac
 static double used_by(const struct tried *t)
 {
     static const uint32_t items[1] = {0};
-    struct sure_tree tree = {.faces = &t->face, .items = items, .node_count = 1};
+    struct tia_vec3 vertices[3];
+    struct tia_face face = {
+        {{0, TIA_NO_INDEX, TIA_NO_INDEX}, {1, TIA_NO_INDEX, TIA_NO_INDEX}, {2, TIA_NO_INDEX, TIA_NO_INDEX}}};
+    struct tia_mesh mesh = {.vertices = vertices, .faces = &face};
+    const struct sure_flat flat = {.extent = 1};
+    struct sure_tree tree = {.faces = &flat, .mesh = &mesh, .items = items, .node_count = 1};
     struct sure_node node = {.count = {1, 0}};
     struct sure_pair made;
     const struct sure_pair *pair = &made;
     struct lines l;
     double most = 0;
 
+    for (int i = 0; i < 3; i++)
+        vertices[i] = (struct tia_vec3){(tia_q16)(65536 * t->face.at[i][0]), (tia_q16)(65536 * t->face.at[i][1]),
+                                        (tia_q16)(65536 * t->face.at[i][2])};
     tree.extent = t->half[0] + t->half[1] + t->half[2];
     (void)tia_sure_set_pairs(&made, &node, &tree);
     lines_of(&l, &t->packet, &tree);

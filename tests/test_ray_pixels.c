@@ -37,8 +37,8 @@ static void open_block(struct drawn *d)
     b->y = (int)(random_bits() % 100);
     for (int y = 0; y < b->height; y++) {
         dither_thresholds(random_bits() % 2, b->y + y, d->threshold[y]);
-        for (int x = 0; x < 16; x++)
-            b->threshold[y][x] = (double)d->threshold[y][x & 7] * P2M(30);
+        for (int x = 0; x < b->width; x++)
+            b->threshold[y * b->width + x] = (double)d->threshold[y][(b->x + x) & 7] * P2M(30);
     }
 }
 

@@ -63,6 +63,36 @@ TEST(random_scenes_by_their_hierarchies)
 
 /* Scenes found by fuzzing, each of which was once beyond some range, or had a different picture with a hierarchy. */
 
+/* Checkers with footprints, of the smallest and the largest cells, in pictures of few pixels, at the largest distances,
+ * along the plane and in an instance of the smallest and the largest scale. */
+TEST(footprints)
+{
+    static const uint16_t sizes[][2] = {{1, 1}, {2, 1}, {24, 18}};
+    static struct tia_texture texture;
+
+    for (int i = 0; i < 96; i++) {
+        set_up(2, 1);
+        texture = (struct tia_texture){.repeat = {i & 1 ? MOST : ONE / 1024, i & 1 ? MOST : ONE / 1024},
+                                       .repeat_bits = i & 1 ? TIA_TEXTURE_BITS_MIN : TIA_TEXTURE_BITS_MAX,
+                                       .cells = {TIA_RGB(1, 1, 1)},
+                                       .footprint = true};
+        scene.textures = &texture;
+        scene.texture_count = materials[0].texture = materials[1].texture = 1;
+        materials[1].mirror.r = materials[1].mirror.g = materials[1].mirror.b = 0;
+        lights[0] = (struct tia_light){.kind = TIA_AMBIENT_LIGHT, .emission = TIA_RGB(1, 1, 1)};
+        scene.camera.fov = i & 2 ? TIA_FOV_MAX : TIA_FOV_MIN;
+        scene.camera.eye = (struct tia_vec3){i & 4 ? 18000 * ONE : 0, i & 4 ? 18000 * ONE : 1, 0};
+        scene.scale_bits = i & 8 ? TIA_SCALE_BITS_MAX : -TIA_SCALE_BITS_MAX;
+        shapes[0].kind = TIA_PLANE;
+        shapes[0].plane.normal = (struct tia_dir3){0, TIA_Q30_ONE, i & 4 ? 1 << 29 : 0};
+        shapes[1] = (struct tia_shape){.kind = TIA_BOX, .material = 1, .transform = 1};
+        shapes[1].box = (struct tia_box){{-ONE, -ONE, -ONE}, {ONE, ONE, ONE}};
+        transform.scale.x = transform.scale.y = transform.scale.z = i & 1 ? TIA_SCALE_MIN : TIA_SCALE_MAX;
+        transform.position.z = -4000 * ONE;
+        draw_all(&scene, sizes[i / 32][0], sizes[i / 32][1]);
+    }
+}
+
 TEST(windows_as_high_as_may_be_in_wide_images)
 {
     static const uint16_t sizes[][2] = {{8192, 1}, {1, 8192}, {40, 30}};
@@ -213,6 +243,7 @@ TEST(light_that_bounces)
 int main(void)
 {
     RUN(random_scenes_by_their_hierarchies);
+    RUN(footprints);
     RUN(windows_as_high_as_may_be_in_wide_images);
     RUN(light_without_end);
     RUN(a_hall_of_mirrors);

@@ -59,15 +59,15 @@ static void try_leaving(struct used *u)
 }
 
 /* Returns the corners' mean normal, weighted by areas projected along axis `main`; areas below 0 count as 0. */
-static struct real smoothed(const struct sure_face *f, struct real at, int main)
+static struct real smoothed(const struct smooth_faces *f, struct real at, int main)
 {
     int a = (main + 1) % 3, b = (main + 2) % 3;
     struct real sum = {{0, 0, 0}};
     long double all = 0, part[3];
 
     for (int i = 0; i < 3; i++) {
-        const double *p = f->at[(i + 1) % 3], *q = f->at[(i + 2) % 3];
-        part[i] = (p[a] - at.v[a]) * (q[b] - at.v[b]) - (p[b] - at.v[b]) * (q[a] - at.v[a]);
+        const double(*p)[LANES] = f->at[(i + 1) % 3], (*q)[LANES] = f->at[(i + 2) % 3];
+        part[i] = (*p[a] - at.v[a]) * (*q[b] - at.v[b]) - (*p[b] - at.v[b]) * (*q[a] - at.v[a]);
     }
     long double sign = part[0] + part[1] + part[2] < 0 ? -1 : 1;
     for (int i = 0; i < 3; i++) {
@@ -75,33 +75,29 @@ static struct real smoothed(const struct sure_face *f, struct real at, int main)
         all += part[i];
     }
     for (int i = 0; i < 3; i++)
-        sum = real_along(sum, (struct real){{f->smooth[i][0], f->smooth[i][1], f->smooth[i][2]}}, part[i] / all);
+        sum = real_along(sum, (struct real){{*f->normal[i][0], *f->normal[i][1], *f->normal[i][2]}}, part[i] / all);
     return real_unit(sum);
 }
 
 /* Makes a face across the z axis, with corner 0 at the origin. */
-static void make_face(struct sure_face *f)
+static void make_face(struct smooth_faces *f)
 {
     const struct real up = {{0, 0, 1}};
     const double at[3][3] = {{0, 0, 0.1}, {1, 0.1 * random_double(), 0.1}, {0.6 * random_double(), 1, 0.1}};
 
-    *f = (struct sure_face){.normal = {0, 0, 1}, .any = true, .smoothed = true};
     memcpy(f->at, at, sizeof at);
-    f->extent = fmax(1 + fabs(at[1][1]), 1 + fabs(at[2][0]));
+    *f->extent = fmax(1 + fabs(at[1][1]), 1 + fabs(at[2][0]));
     for (int i = 0; i < 3; i++) {
         struct real n = i == 1 + (int)(random_bits() % 2) ? real_turned(up, real_aside(up), 0.4L) : up;
-        for (int k = 0; k < 3; k++) {
-            f->smooth[i][k] = (double)n.v[k];
-            f->bend += fabs(f->smooth[i][k] - f->smooth[0][k]);
-        }
+        for (int k = 0; k < 3; k++)
+            *f->normal[i][k] = (double)n.v[k];
     }
 }
 
 /* Tests points in the face, on its edges or at its corners; the fixed-point one may be outside. */
 static void try_smooth(struct used *u, bool inside)
 {
-    struct sure_face f;
-    const struct sure_face *face[1] = {&f};
+    struct smooth_faces f;
     int edge = (int)(random_bits() % 3);
     long double part[3], sum = 0;
     struct real at = nowhere, off = real_random();
@@ -114,11 +110,11 @@ static void try_smooth(struct used *u, bool inside)
     if (sum == 0)
         return;
     for (int i = 0; i < 3; i++)
-        at = real_along(at, (struct real){{f.at[i][0], f.at[i][1], f.at[i][2]}}, part[i] / sum);
+        at = real_along(at, (struct real){{*f.at[i][0], *f.at[i][1], *f.at[i][2]}}, part[i] / sum);
     off.v[2] = 0;
     off = real_unit(off);
     struct shade h = {.local = v3_of(at), .elocal = some_size(7, 30), .geometric = {0, 0, 1}};
-    smooth_normals(&h, face, 1);
+    smooth_normals(&h, &f, 1);
     if (h.unsure)
         u->open++;
     else
@@ -163,12 +159,14 @@ static struct one_ray *some_ray(double *theirs)
     one.scene = (struct sure_scene){.depth = 5, .bias = P2M(13), .brightest = {1}, .generations = 6};
     one.block = (struct sure_block){.scene = &one.scene};
     one.work.block = &one.block;
-    one.work.count = 0;
+    one.work.queue.count = 0;
     one.work.rays[0] = 0;
     one.rays = (struct rays){.weight = {weight, weight, weight}, .ew = some_size(4, 40)};
     *theirs = one.rays.ew * (double)WITHIN * some_sign();
     return &one;
 }
+
+#define FIRST(column) one->work.queue.number[column][0] /* of the first queued ray */
 
 static void try_own(struct used *u)
 {
@@ -177,7 +175,10 @@ static void try_own(struct used *u)
     struct shade h = {.flat = {1, 1, 1}, .facing = some_part(), .efacing = some_size(4, 40)};
     unsigned lanes = 1;
 
-    add_own(&one->work, &lanes, &h, &one->rays);
+    add_own(&one->work, &lanes, &h, &one->rays, NULL);
+    u->open += !lanes; /* the error is large: the fixed-point path follows the ray */
+    if (!lanes)
+        return;
     long double facing = h.facing + h.efacing * WITHIN * (theirs < 0 ? -1 : 1);
     use(u, (facing > 0 ? facing : 0) * (one->rays.weight[0] + theirs) - one->block.colour[0][0], one->block.error[0]);
 }
@@ -225,7 +226,7 @@ static void try_faint(struct used *u)
     if (one->block.unsure[0] || one->block.error[0] > 0)
         u->open++;
     else
-        use(u, (one->work.count == 1) == (theirs >= around) ? 0 : 2, 1);
+        use(u, (one->work.queue.count == 1) == (theirs >= around) ? 0 : 2, 1);
 }
 
 TEST(colours)
@@ -305,22 +306,21 @@ static void try_spawned(struct used *through, struct used *back)
     struct shade h = {.refraction = {1, 1, 1}, .geometric = {0, 0, 1}, .normal = {0, 0, 1}, .viewer = {0, 0, 1}};
     struct refraction f = {.to = {0, 0, -1}, .bends = 1, .fresnel = some_part(), .efresnel = some_size(4, 40)};
     const vd mirror = some_part(), both = mirror + f.fresnel, reflects[3] = {both, both, both};
-    const double *n = one->work.queue[0].number;
     long double weight = one->rays.weight[0] + (long double)theirs,
                 fresnel = f.fresnel + f.efresnel * WITHIN * (theirs < 0 ? -1 : 1);
 
     if (fresnel < 0 || fresnel > 1 || weight > 1 || weight < 0)
         return;
     push_reflected(&one->work, &h, 1, &one->rays, reflects, f.efresnel);
-    if (one->work.count == 1)
-        use(back, weight * (mirror + fresnel) - n[6], n[11]);
+    if (one->work.queue.count == 1)
+        use(back, weight * (mirror + fresnel) - FIRST(6), FIRST(11));
     fresnel = f.fresnel - f.efresnel * WITHIN * (theirs < 0 ? -1 : 1);
-    one->work.count = 0;
+    one->work.queue.count = 0;
     if (fresnel < 0)
         return;
     push_refracted(&one->work, &h, 1, &one->rays, &f);
-    if (one->work.count == 1)
-        use(through, weight * (1 - fresnel) - n[6], n[11]);
+    if (one->work.queue.count == 1)
+        use(through, weight * (1 - fresnel) - FIRST(6), FIRST(11));
 }
 
 static void try_straight(struct used *u)
@@ -330,16 +330,16 @@ static void try_straight(struct used *u)
     struct real point = real_random(), viewer = real_random(), off = real_random();
     struct shade h = {.refraction = {1, 1, 1}, .point = v3_of(point), .viewer = v3_of(viewer), .ep = some_size(20, 40)};
     struct refraction f = {.straight = 1};
-    const double *n = one->work.queue[0].number;
 
     h.ev = some_size(4, 30);
     one->rays.weight[0] = 1;
     push_refracted(&one->work, &h, 1, &one->rays, &f);
-    if (one->work.count != 1)
+    if (one->work.queue.count != 1)
         return;
     viewer = real_along(real_of(h.viewer), off, h.ev * WITHIN);
     point = real_along(real_of(h.point), off, -h.ep * WITHIN);
-    use(u, real_gap(real_along(point, viewer, -(long double)one->scene.bias), (struct v3){n[0], n[1], n[2]}), n[9]);
+    struct real start = real_along(point, viewer, -(long double)one->scene.bias);
+    use(u, real_gap(start, (struct v3){FIRST(0), FIRST(1), FIRST(2)}), FIRST(9));
 }
 
 /* Tests the straight rays of a path, which start less far behind the point. */

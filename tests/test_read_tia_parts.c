@@ -1,43 +1,5 @@
-/* Scenes in several files, names for numbers, and groups: their meaning and refusals. */
-#include <math.h>
-
-#include "obj_files.h"
-#include "oracle/shape.h"
-
-static struct reading now;
-static struct files files;
-
-static void read_scene(const char *text)
-{
-    read_end(&now);
-    now = (struct reading){.reader = {.format = TIA_FORMAT_TIA,
-                                      .text = text,
-                                      .length = strlen(text),
-                                      .library = fetch_library,
-                                      .image = fetch_image,
-                                      .ctx = &files}};
-    read_begin(&now);
-}
-
-static void check_reads(const char *text)
-{
-    read_scene(text);
-    CHECK_MSG(!now.status, "%.60s:%u:%u: %.150s: %.60s", now.reader.error.file, (unsigned)now.reader.error.line,
-              (unsigned)now.reader.error.column, now.reader.error.text, text);
-}
-
-static void check_refused(const char *text, const char *error)
-{
-    read_scene(text);
-    check_read_error(&now, error);
-}
-
-static bool is_vec(struct tia_vec3 v, double x, double y, double z)
-{
-    return v.x == TIA_Q16(x) && v.y == TIA_Q16(y) && v.z == TIA_Q16(z);
-}
-
-#define M "material m\n"
+/* Scenes in several files, and names for numbers: their meaning and refusals. */
+#include "scene_texts.h"
 
 /* ---- define ---- */
 
@@ -192,129 +154,6 @@ TEST(files_have_bounds)
                   "of at most 255 bytes from the scene");
 }
 
-/* ---- groups ---- */
-
-TEST(groups_move_and_scale)
-{
-    check_reads(M "group at 1 2 3 scale 2\n  sphere radius 1 centre 0 1 0 material m\n"
-                  "  group at 1 0 0 scale 1 3 1\n    box min 0 0 0 max 1 1 1 at 0 1 0 scale 0.5 material m\n  end\n"
-                  "  mesh x\n  vertex 0 0 0\n  end\nend\nsphere radius 1 material m\n");
-    CHECK(now.scene.shape_count == 2 && now.scene.transform_count == 2 && now.scene.sphere_count == 1);
-    CHECK(is_vec(now.scene.transforms[0].position, 1, 2, 3) && is_vec(now.scene.transforms[0].scale, 2, 2, 2));
-    CHECK(is_vec(now.scene.transforms[1].position, 3, 8, 3) && is_vec(now.scene.transforms[1].scale, 1, 3, 1));
-    CHECK(is_vec(now.scene.transforms[1].rotation, 0, 0, 0));
-}
-
-/* Angles from a single line are unchanged, those about one axis add up, and right angles are exact. */
-TEST(groups_rotate)
-{
-    check_reads(
-        M "group rotate 10.3 20.7 -30.1\nsphere radius 1 at 1 0 0 material m\nend\n"
-          "group at 5 0 0\nsphere radius 1 rotate 77 123 -170 material m\nend\n"
-          "group rotate 0 30.25 0\nsphere radius 1 rotate 0 20.5 0 material m\nend\n"
-          "group rotate 0 90 0 scale 1 2 3\nsphere radius 1 at 1 0 0 rotate 0 0 90 scale 4 5 6 material m\nend\n");
-    const struct tia_transform *t = now.scene.transforms;
-    CHECK(is_vec(t[0].rotation, 10.3, 20.7, -30.1) && is_vec(t[1].rotation, 77, 123, -170));
-    CHECK(is_vec(t[2].rotation, 0, 50.75, 0));
-    /* x becomes y, and so is scaled by 2, y becomes x and is scaled by 1; then x becomes -z */
-    CHECK(is_vec(t[3].position, 0, 0, -1) && is_vec(t[3].scale, 8, 5, 18));
-}
-
-static uint32_t seed = 1;
-
-static double any(double least, double most)
-{
-    seed = seed * 1664525 + 1013904223;
-    return least + (most - least) * (seed >> 8) / (double)(1 << 24);
-}
-
-static struct tia_transform any_transform(double uneven)
-{
-    double s = any(0.5, 2);
-
-    return (struct tia_transform){
-        {(tia_q16)(any(-9, 9) * 65536), (tia_q16)(any(-9, 9) * 65536), (tia_q16)(any(-9, 9) * 65536)},
-        {(tia_q16)(any(-200, 200) * 65536), (tia_q16)(any(-200, 200) * 65536), (tia_q16)(any(-200, 200) * 65536)},
-        {(tia_q16)(s * 65536), (tia_q16)(s * (1 + uneven) * 65536), (tia_q16)(s * (1 + uneven / 2) * 65536)}};
-}
-
-static char *say(char *to, const char *what, const struct tia_transform *t)
-{
-    return to + sprintf(to, "%s at %.9f %.9f %.9f rotate %.9f %.9f %.9f scale %.9f %.9f %.9f\n", what,
-                        t->position.x / 65536.0, t->position.y / 65536.0, t->position.z / 65536.0,
-                        t->rotation.x / 65536.0, t->rotation.y / 65536.0, t->rotation.z / 65536.0, t->scale.x / 65536.0,
-                        t->scale.y / 65536.0, t->scale.z / 65536.0);
-}
-
-/* Compares a point placed by the oracle's transforms, one after the other, with the point placed by the single
- * transform that was read. Positions and scales are half of 2^-16 off, three angles half of 2^-16 degrees each: at 2 by
- * 8 from the position 1.6e-5. */
-static void check_composed(const struct tia_transform t[3], const struct tia_transform *read, int bits)
-{
-    for (int i = 0; i < 8; i++) {
-        struct oracle_vec v = {i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1};
-        struct oracle_vec want = transform_point(&t[0], transform_point(&t[1], transform_point(&t[2], v)));
-        struct oracle_vec got = transform_point(read, scaled(v, ldexp(1, bits)));
-        double off = length(sub(scaled(got, ldexp(1, -bits)), want));
-        CHECK_MSG(off < 5e-5, "%g off", off);
-    }
-}
-
-TEST(groups_within_groups)
-{
-    for (int i = 0; i < 300; i++) {
-        char text[1000], *end = text + sprintf(text, M);
-        struct tia_transform t[3] = {any_transform(0), any_transform(0), any_transform(0.5)};
-        if (i % 3 == 0) /* the innermost group is uneven along the axis about which the shape turns */
-            t[1].scale.y += TIA_Q16_ONE, t[2].rotation.x = t[2].rotation.z = 0;
-        if (i % 3 == 1) /* near the poles of the angles */
-            t[0].rotation.y = TIA_Q16(90), t[1].rotation.x = t[1].rotation.z = 0, t[1].rotation.y = i % 2 * 3,
-            t[2].rotation.y = i - 150;
-        end = say(say(end, "group", &t[0]), "group", &t[1]);
-        end = say(end, "box min 0 0 0 max 1 1 1 material m", &t[2]);
-        (void)sprintf(end, "end\nend\n");
-        check_reads(text);
-        if (!now.status)
-            check_composed(t, &now.scene.transforms[0], (int)now.scene.scale_bits);
-    }
-}
-
-TEST(groups_refused)
-{
-    const char *deep = "group\ngroup\ngroup\ngroup\ngroup\ngroup\ngroup\ngroup\n";
-    char text[200];
-
-    check_refused("group", "1:6: the text ends within a group, expected end");
-    check_refused("group\nend\nend", "3:1: 'end' ends nothing, expected a group before it, in the same file");
-    check_refused("group name x", "1:7: 'name' is not a field of a group, expected at, rotate or scale");
-    check_refused(
-        M "group scale 1 2 1\nsphere radius 1 rotate 0 0 30 material m\nend",
-        "3:1: 'sphere' would be sheared: it is rotated in a group that is scaled unevenly, expected one scale "
-        "for that group, or the rotation around it");
-    check_refused(M "group scale 1 2 1\n group rotate 1 0 0\nend\nend",
-                  "3:2: 'group' would be sheared: it is rotated in a group that is scaled unevenly, expected one scale "
-                  "for that group, or the rotation around it");
-    check_refused("group scale 0", "1:1: 'group' is scaled out of range, expected 1/1024 to 1024");
-    check_refused("group scale 100\ngroup scale 100",
-                  "2:1: 'group' is scaled out of range with its groups, expected 1/1024 to 1024 in all");
-    check_refused("group scale 1000\ngroup at 2e9 0 0\nend\nend",
-                  "2:1: 'group' is moved out of range by its groups, expected a place nearer to 0");
-    check_refused("group scale 1000\ngroup at 0 0 -2e9\nend\nend",
-                  "2:1: 'group' is moved out of range by its groups, expected a place nearer to 0");
-    check_refused(M "group scale 100\nsphere radius 1 at 0 0 4e7 material m\nend",
-                  "3:1: 'sphere' is moved out of range by its groups, expected a place nearer to 0");
-    check_refused("group\nlight at 0 1 0\nend", "2:1: 'light' is not moved by groups, expected it outside of them");
-    check_refused(M "group\nplane normal 0 1 0 material m\nend",
-                  "3:1: 'plane' is not moved by groups, expected it outside of them");
-    check_refused("group\ncamera eye 0 0 0\nend", "2:1: 'camera' is not moved by groups, expected it outside of them");
-    check_refused("group\nkey a light 1 ambient\nend",
-                  "2:1: 'key' is not moved by groups, expected it outside of them");
-    check_refused(M "group\nsphere radius 1 name ball material m\nend\nanimate ball at 0: 0 0 0",
-                  "3:22: 'ball' moves, expected it outside of groups");
-    (void)sprintf(text, "%sgroup\n", deep);
-    check_refused(text, "9:1: 'group' is one too deep, expected at most 8 groups within each other");
-}
-
 TEST(cut_anywhere)
 {
     static const char text[] = M "define R 2\ngroup at R 0 0\ninclude a\nsphere radius R material m\nend\n";
@@ -333,10 +172,6 @@ int main(void)
     RUN(pictures_lie_beside_the_file_that_names_them);
     RUN(errors_name_the_innermost_file);
     RUN(files_have_bounds);
-    RUN(groups_move_and_scale);
-    RUN(groups_rotate);
-    RUN(groups_within_groups);
-    RUN(groups_refused);
     RUN(cut_anywhere);
     read_end(&now);
     return check_status();

@@ -335,7 +335,7 @@ TEST(stops)
     w.map.size = 4096; /* a band of this map is so much work that the first one is not finished */
     void *room = malloc((size_t)tia_map_room(4096, w.flat.face_count));
     CHECK(!tia_map_init(&w.map, &w.world, &(struct tia_map_light){&w.light, w.at}, 4096, 1));
-    CHECK_EQ(tia_map_draw(&w.map, &w.flat, room, &cancel), TIA_STOPPED);
+    CHECK_EQ(tia_map_draw(&w.map, &w.flat, room, NULL, &cancel), TIA_STOPPED);
     CHECK_EQ(asked, 1);
     free(room);
     unmake();

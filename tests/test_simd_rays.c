@@ -10,7 +10,7 @@
 #include "common/scene/scene_load.h"
 #include "common/thread_pool.h"
 #include "reading.h"
-#include "simd/rays/sure.h"
+#include "sample_count.h"
 #include "simd_frames.h"
 #include "simd_lights.h"
 #include "with_hierarchy.h"
@@ -18,16 +18,12 @@
 static const struct tia_simd *simd;
 static unsigned random_scenes = 6;
 
-/* The instruction set's kernels. `count` wraps them to detect kernels that leave all pixels to the fixed-point code. */
-static const struct sure_kernels *kernels;
-static unsigned long samples, unsure;
+static const struct sure_kernels *kernels; /* of the instruction set; `count` wraps them */
 
 static void count(struct sure_block *block, void *memory)
 {
     kernels->trace(block, memory);
-    samples += (unsigned)(block->width * block->height * block->samples);
-    for (int i = 0; i < block->width * block->height * block->samples; i++)
-        unsure += block->unsure[i];
+    count_samples(block);
 }
 
 static void compare(const char *what, unsigned number, const struct tia_scene *scene, unsigned width, unsigned height,
@@ -73,7 +69,7 @@ static const struct {
     {"scenes/nff/balls_3.nff", 2}, {"scenes/nff/gears_1.nff", 5},   {"scenes/nff/jacks_3.nff", 10},
     {"scenes/nff/mount_3.nff", 5}, {"scenes/nff/rings_3.nff", 20},  {"scenes/nff/shells_2.nff", 5},
     {"scenes/nff/tetra_4.nff", 2}, {"scenes/nff/teapot_3.nff", 30}, {"scenes/nff/lattice_3.nff", 5},
-    {"scenes/nff/tree_4.nff", 2},
+    {"scenes/nff/tree_4.nff", 2},  {"scenes/nff/balls_4.nff", 2},
 };
 
 TEST(scene_files)

@@ -106,7 +106,7 @@ static void compare_sample(const struct sure_gather *g, int i)
     e.sampler = sampler_of(view->scene->integration.seed, g->x[i], g->y[i], g->index[i]);
     sampler_pair(&e.sampler, ESTIMATE_FIRST_QUAD, 0, u);
     const struct light_pixel pixel = ray_pixel_at(g->x[i], g->y[i]);
-    ray_camera_ray_within(&view->camera, &pixel, u, &ray);
+    ray_camera_ray_within(&view->camera, &pixel, g->index[i], u, &ray);
     path_radiance(&e, &ray, rgb);
     for (int c = 0; c < 3; c++) {
         double want = (double)rgb[c] * P2M(45), gap = fabs(want - g->colour[i][c]);

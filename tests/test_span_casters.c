@@ -291,9 +291,12 @@ static void list_all(const struct tia_view *view)
     uint32_t rows = scene.light_count < CASTER_ROWS ? scene.light_count : CASTER_ROWS;
 
     memset(spans->casters.lists, 0xff, (size_t)(count * rows * bytes));
-    for (uint32_t i = 0; i < count * rows; i++)
+    for (uint32_t i = 0; i < count * rows; i++) {
+        uint8_t *list = spans->casters.lists + i * bytes;
+        list[bytes - 1] = (uint8_t)(0xffu >> (8 * bytes - count));
         if (spans->spheres[i / rows].c >= 0)
-            spans->casters.lists[i * bytes + i / rows / 8] &= (uint8_t) ~(1u << (i / rows & 7));
+            list[i / rows / 8] &= (uint8_t) ~(1u << (i / rows & 7));
+    }
 }
 
 /* Compares some pixels with exact ones, for which all spheres are tried. */

@@ -37,6 +37,7 @@ enum {
     TOWARD,
     POWER,
     BEYOND,
+    WORDS,
     BOUNDS
 };
 static struct used bounds[BOUNDS] = {{"t", 0, 0},
@@ -63,11 +64,12 @@ static struct used bounds[BOUNDS] = {{"t", 0, 0},
                                      {"the bias's part of k", 0, 0},
                                      {"A'.w", 0, 0},
                                      {"|A'|^2 - R^2", 0, 0},
-                                     {"|w|^2 - A'.w", 0, 0}};
+                                     {"|w|^2 - A'.w", 0, 0},
+                                     {"the cosine by words", 0, 0}};
 
 /* A pixel of a span: the integers' values, and the exact ones. */
 struct seen {
-    const struct shading *s;
+    const struct span_shading *s;
     const struct light_source *source;
     const struct lit *lit;
     struct truth truth;
@@ -80,7 +82,7 @@ struct seen {
 
 /* Tries the roundings of b with the root, of the root, which D's cause, and of v.v, in last bits; then b and P by K
  * - K0. */
-static void try_roundings(const struct shading *s, const struct span_sphere *sphere, const struct truth *o,
+static void try_roundings(const struct span_shading *s, const struct span_sphere *sphere, const struct truth *o,
                           const struct parts *p, int i)
 {
     const struct primary_rays *primary = &s->spans->primary;
@@ -106,21 +108,7 @@ static void try_roundings(const struct shading *s, const struct span_sphere *sph
         OF(TURNED) / (real)primary->depth);
 }
 
-/* Returns the depth at pixel i of a span. */
-static struct span_depth depth_at(const struct shading *s, int i)
-{
-    struct shaded_span one = *s->span;
-    struct shading alone = {.span = &one, .spans = s->spans};
-    struct span_depth ends[2];
-
-    one.x += i;
-    one.t += i;
-    one.count = 1;
-    find_ends(&alone, ends);
-    return ends[0];
-}
-
-static void try_parts(const struct shading *s, const struct span_sphere *sphere, const struct truth *o, int i)
+static void try_parts(const struct span_shading *s, const struct span_sphere *sphere, const struct truth *o, int i)
 {
     const struct primary_rays *primary = &s->spans->primary;
     struct parts p = parts_of(s, sphere, o);
@@ -149,7 +137,7 @@ static void try_parts(const struct shading *s, const struct span_sphere *sphere,
     }
 }
 
-static void try_t(const struct shading *s, const struct span_sphere *sphere, const struct truth *o, int i)
+static void try_t(const struct span_shading *s, const struct span_sphere *sphere, const struct truth *o, int i)
 {
     quad t = s->span->t[i] * power(-sphere->t_exponent);
 
@@ -192,8 +180,8 @@ static void try_square(const struct seen *p, const struct light_line *line, num_
 }
 
 /* Tries the constant of |A'|^2 - R^2, which has the bias's terms. */
-static void try_constant(const struct shading *s, const struct span_sphere *sphere, const struct span_sphere *caster,
-                         const struct shadow_line *line, int e_k)
+static void try_constant(const struct span_shading *s, const struct span_sphere *sphere,
+                         const struct span_sphere *caster, const struct shadow_line *line, int e_k)
 {
     bool inside = sphere->c < 0;
     quad r = sphere->radius * (quad)0x1p-16, other = caster->radius * (quad)0x1p-16;
@@ -231,7 +219,7 @@ static void try_caster(const struct seen *p, const struct shadow_line *line, con
 }
 
 /* Tries the casters of all pixels that face the light. */
-static void try_casters(struct seen pixels[], const struct light_source *source, struct shading *s)
+static void try_casters(struct seen pixels[], const struct light_source *source, struct span_shading *s)
 {
     const struct tia_scene *scene = s->view->scene;
 
@@ -249,8 +237,10 @@ static void try_casters(struct seen pixels[], const struct light_source *source,
     }
 }
 
+#include "span_words.h"
+
 /* Tries a light as shade_from_light() adds it. */
-static void try_light(struct shading *s, struct seen pixels[], uint32_t l)
+static void try_light(struct span_shading *s, struct seen pixels[], uint32_t l)
 {
     const struct tia_view *view = s->view;
     struct light_source source = {.sphere = &s->spans->spheres[s->span->object],
@@ -282,7 +272,8 @@ static void try_light(struct shading *s, struct seen pixels[], uint32_t l)
         use(&bounds[FACING], (real)(facing - exact * power(e_s)), (real)line.facing_doubt);
         CHECK(facing <= 0 || exact > 0 || facing <= line.facing_doubt);
     }
-    bound_lambert(s, &source, lit.most_half);
+    try_words(s, pixels, &source, &line);
+    span_bound_lambert(s, &source, lit.most_half);
     if (!any || !s->bounded)
         return;
     try_casters(pixels, &source, s);
@@ -300,7 +291,7 @@ static void try_light(struct shading *s, struct seen pixels[], uint32_t l)
 static void try_span(const struct tia_view *view, const struct shaded_span *span)
 {
     static struct seen pixels[CHUNK];
-    static struct shading s;
+    static struct span_shading s;
     const struct tia_scene *scene = view->scene;
     const struct tia_sphere *sphere = &scene->spheres[span->object];
     const int size[2] = {(int)view->width, (int)view->height};
@@ -312,6 +303,7 @@ static void try_span(const struct tia_view *view, const struct shaded_span *span
     s.lit = (struct span_lit){.casters = &s.spans->casters, .object = span->object};
     s.open = 0;
     find_ends(&s, s.ends);
+    span_error_points(&s.spans->primary, &s.spans->spheres[span->object], s.ends, num_bound(30), &s.error);
     for (int i = 0; i < span->count; i++) {
         pixels[i] = (struct seen){.s = &s, .i = i, .t = num_signed(span->t[i])};
         truth_meet(scene, size, depth, span->x + i, span->y, sphere->centre, sphere->radius, &pixels[i].truth);
@@ -332,7 +324,7 @@ static void try_row(const struct tia_view *view, uint32_t object, int y, int mos
     int count = all.end - all.first < most ? all.end - all.first : most, room = all.end - all.first - count;
     int place = (int)(random_bits() % 3), first = all.first + (place == 0 ? 0 : place == 1 ? room : room / 2);
     struct shaded_span span = {object, first, y, count, t, NULL, NULL};
-    struct shading probe = {.span = &span, .spans = spans};
+    struct span_shading probe = {.span = &span, .spans = spans};
     span_distances(spans, object, y, first, span.count, t);
     while (find_ends(&probe, probe.ends))
         span.count = (span.count + 1) / 2;

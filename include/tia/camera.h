@@ -57,6 +57,15 @@ struct tia_camera {
                      within 32768 of all eyes on the line. */
 };
 
+/* A thin lens instead of a pinhole: each sample's ray starts at a random point of a disc around the eye, across the
+ * line of sight, and goes to the point where the pinhole's ray meets the plane in focus. A point at the distance d from
+ * the plane of the lens so becomes a disc of radius * |1 - focus/d| on the plane in focus. The points of the disc are
+ * Owen-scrambled Sobol points of the pixel and sample. Not for light fields. */
+struct tia_lens {
+    tia_q16 radius; /* of the lens: half of its aperture; above 0, at most `focus` */
+    tia_q16 focus;  /* distance of the plane in focus from the eye, along the line of sight, at least 2^-10 */
+};
+
 #ifdef __cplusplus
 }
 #endif

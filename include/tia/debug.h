@@ -147,8 +147,8 @@ bool tia_scene_bounces_off(const struct tia_scene *scene, uint32_t shape);
 
 /* ---- vector units ---- */
 
-/* Returns the rasteriser's inner loops for an instruction set, to be set in struct tia_raster_target; NULL: none. A
- * view with vector units uses those of its instruction set, which need no memory. */
+/* Returns the rasteriser's inner loops for an instruction set, to be set in struct tia_raster_target: those of plain C
+ * if it has none of its own. A view with vector units uses those of its instruction set, which need no memory. */
 const struct tia_raster_runs *tia_simd_raster(const struct tia_simd *simd);
 
 #ifdef __cplusplus

@@ -107,7 +107,12 @@ struct tia_texture {
 
     /* TIA_IMAGE, TIA_OPACITY: covers 1 x 1 and repeats, its first row at the top, v = 1. The centre of texel (x, y),
      * counted from the upper left, is at u = (x + 1/2)/width, v = 1 - (y + 1/2)/height. */
-    bool bilinear;          /* false: nearest texel */
+    bool bilinear; /* false: nearest texel */
+
+    /* TIA_CHECKER: rays from the eye see the mean over the part of the surface that their sample stands for, instead of
+     * the value at a point; not on triangles and meshes, nor by TIA_OCCLUSION and TIA_PATHS. */
+    bool footprint;
+
     uint16_t width, height; /* 1..TIA_TEXTURE_MAX */
     const uint8_t *texels;  /* row by row: red, green, blue, or for TIA_OPACITY one byte; 255 is 1.0 */
 

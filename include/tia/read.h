@@ -8,6 +8,7 @@
 #ifndef TIA_READ_H
 #define TIA_READ_H
 
+#include <tia/job.h>
 #include <tia/motion.h>
 #include <tia/scene.h>
 
@@ -64,6 +65,22 @@ struct tia_read_warning {
     struct tia_read_error at; /* the first mistake, and its remedy */
 };
 
+/* Parts of a camera that replace those of a file. Positions are in the file's unit, Q31.32. */
+struct tia_camera_change {
+    bool has_eye, has_reference, has_up;
+    int64_t eye[3], reference[3];
+    int64_t up[3]; /* any length but 0 */
+    tia_q16 fov;   /* degrees: the camera becomes a perspective one; 0: no change */
+    int64_t
+        height; /* the camera becomes an orthographic one with a centred window of this height, Q31.32; 0: no change */
+};
+
+/* Where a reader puts positions: the position p of a file is (p - origin) 2^bits in the scene. */
+struct tia_placement {
+    int64_t origin[3]; /* Q31.32; other than 0 only for a model in .obj that is moved */
+    int bits;          /* scale_bits of the scene, or the scale of that model */
+};
+
 struct tia_reader {
     enum tia_format format;
     const char *text;
@@ -88,10 +105,22 @@ struct tia_reader {
      * coordinates are at most `reach`, in the file's unit. If 0, a unit finer than the file's is chosen only if a
      * length would be rounded, so that planes extend farther. */
     tia_q16 reach;
-    bool strict;                       /* warnings are errors */
-    struct tia_read_warning *warnings; /* array of TIA_WARNINGS elements, by kind, which tia_read sets; or NULL */
-    struct tia_read_error error;       /* set if tia_read returns TIA_ERR_RANGE */
+    /* Threads that share the reading of a large .obj file; NULL: none. The scene, the warnings and errors do not depend
+     * on them, and the functions above are called on the caller's thread only. */
+    const struct tia_workers *workers;
+    const struct tia_camera_change *camera; /* NULL, or changes of the file's camera */
+    struct tia_placement placement;         /* set by tia_read if it returns TIA_OK */
+    bool strict;                            /* warnings are errors */
+    struct tia_read_warning *warnings;      /* array of TIA_WARNINGS elements, by kind, which tia_read sets; or NULL */
+    struct tia_read_error error;            /* set if tia_read returns TIA_ERR_RANGE */
 };
+
+/* The view of a model that has neither a camera nor lights, such as an .obj file: its eye is 35 degrees to the right of
+ * +z and 25 above the horizon, and sees the sphere of that centre and radius, of TIA_RADIUS_MIN or more, in a field of
+ * view of 40 degrees. Its lights are the sun, to the left of the eye and above it, and an ambient light for its
+ * shadows. `lights` may be NULL. */
+#define TIA_MODEL_LIGHTS 2
+struct tia_camera tia_model_view(struct tia_vec3 centre, uint64_t radius, struct tia_light lights[TIA_MODEL_LIGHTS]);
 
 /* Reads the scene into `memory` of `size` bytes, aligned for uint64_t; *scene points into it, and tia_scene_check
  * accepts it. *need is the number of bytes needed. When `size` is less, the status is TIA_ERR_MEMORY, and a second call

@@ -69,6 +69,19 @@ struct tia_fine {
     const struct tia_fine_ends *shapes;
 };
 
+/* Fog between the eye and what it sees, in mirrors and through glass as well, but not inside of what refracts. Light on
+ * its way to a surface is not dimmed. Of the light at the end of a ray of length t, the share T = exp(-m t / distance)
+ * arrives, and the rest is fog: C = T L + (1 - T) colour. m is the mean density along the ray. The density is 1 or, if
+ * `height` is not 0, 1 up to y = level and 1/(1 + ((y - level)/height)^2) above, as in POV-Ray's ground fog. A ray that
+ * meets nothing has no end: behind fog without a height is only fog. For traced rays: the integrators whitted and path,
+ * without a shadow technique. */
+struct tia_fog {
+    struct tia_rgb colour; /* each channel in [0, 1] */
+    tia_q16 distance;      /* at least 2^-10 */
+    tia_q16 height;        /* 0, or at least 2^-10 */
+    tia_q16 level;         /* with a height only */
+};
+
 struct tia_scene {
     struct tia_camera camera;
     struct tia_rgb background; /* each channel in [0, 1] */
@@ -96,6 +109,8 @@ struct tia_scene {
     const struct tia_fine *fine;         /* NULL, or remainders of lengths: rays then start 2^-26 off a surface */
     const struct tia_light_field *field; /* NULL, or a picture for many eyes; needs a camera with an observer line, and
                                             traced rays for shadows */
+    const struct tia_fog *fog;           /* NULL: none */
+    const struct tia_lens *lens;         /* NULL: a pinhole; else as for fog, traced rays for shadows */
     const struct tia_bvh *bvh; /* NULL, or the scene's hierarchies, see bvh.h: the same picture in less time */
 
     /* Keyframes and balls that fall, see motion.h. Rendering ignores them; tia_scene_at applies them. */

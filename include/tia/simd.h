@@ -12,9 +12,11 @@
  *         return TIA_ERR_MEMORY;
  *     status = tia_view_set_simd(view, simd, memory, size);
  *
- * SIMD kernels draw two kinds of scenes: those of the span renderer (see scene.h), unless the eye is in a sphere; and
- * scenes with a hierarchy that are drawn by the ray renderer, by ambient occlusion or by paths. Plain C draws
- * everything else. No pixel, object or hash differs.
+ * SIMD kernels draw three kinds of scenes: those of the span renderer (see scene.h), unless the eye is in a sphere;
+ * scenes with a hierarchy that are drawn by the ray renderer, by ambient occlusion or by paths; and the colours of
+ * scenes with a hierarchy and a technique for shadows, without curved shapes. Shadow maps, exact shadow rays and the
+ * rasteriser's runs are theirs in all scenes with such a technique. Plain C draws everything else. No pixel, object or
+ * hash differs.
  *
  * The kernels compute with rounding to nearest, subnormal numbers and masked exceptions, whatever the caller has set:
  * each call sets these in the processor's control register and then restores the caller's register, with its exception

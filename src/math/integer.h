@@ -96,6 +96,12 @@ static inline int64_t tia_round_shift(int64_t x, unsigned s)
     return (x + half) >> s;
 }
 
+/* Returns x, clamped to the range of 32 bits. */
+static inline int32_t tia_saturate_s32(int64_t x)
+{
+    return (int32_t)(x < INT32_MIN ? INT32_MIN : x > INT32_MAX ? INT32_MAX : x);
+}
+
 /* True on 32-bit machines, where a 64-bit addition needs a carry. There tia_round_shift_words is used for s >= 1. */
 #define TIA_SHIFTS_WORDS (UINTPTR_MAX == UINT32_MAX)
 

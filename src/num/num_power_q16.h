@@ -51,4 +51,16 @@ static inline num_length num_power_length(num_unit d, tia_q16 e)
     return num_length_of_unit(num_power(d, e));
 }
 
+/* Returns exp(-x), 0 <= x: 2^-v with v = x log2 e, which is rounded to 2^-56; then see tia_exp2(). The error is below
+ * 2^-55. */
+static inline num_unit num_fade(num_length x)
+{
+    const int64_t log2_e = INT64_C(0x5c551d94ae0bf85e); /* Q1.62 */
+
+    NUM_CHECK(x >= 0);
+    if (x >= 44 * NUM_LENGTH_ONE)
+        return 0;
+    return tia_exp2(NUM_UNIT_ONE, wide_round(wide_product(x, log2_e), 45 + 62 - 56));
+}
+
 #endif

@@ -99,6 +99,19 @@ static inline num_length num_repeat(num_length x, int bits, const struct num_pat
     return (num_length)(part & ((UINT64_C(1) << 45) - 1));
 }
 
+/* Returns n 2^bits x, clamped to +-2^12. The product n x is in units of 2^-(45 + down), where down is -24 or more. A
+ * product of at most 57 + down bits fits after the shift; a larger one is clamped. */
+static inline num_length num_repeats(num_length x, int bits, const struct num_pattern *p)
+{
+    const num_length most = NUM_LENGTH_ONE * 4096;
+    int down = 16 + p->repeat_bits - bits;
+    wide y = wide_product(x, p->repeat), least = wide_size(y);
+
+    if (wide_bits(least) > 57 + down)
+        return wide_sign(y) < 0 ? -most : wide_sign(y) * most;
+    return down < 0 ? (num_length)wide_low(wide_up(y, (unsigned)-down)) : wide_down(y, (unsigned)down);
+}
+
 static inline int64_t num_dot3(int64_t ax, int64_t ay, int64_t az, num_unit bx, num_unit by, num_unit bz)
 {
     wide sum = wide_sum(wide_sum(wide_product(ax, bx), wide_product(ay, by)), wide_product(az, bz));

@@ -102,6 +102,13 @@ static inline num_length num_repeat(num_length x, int bits, const struct num_pat
     return y - (num_real)floor;
 }
 
+static inline num_length num_repeats(num_length x, int bits, const struct num_pattern *p)
+{
+    num_real y = x * num_two_to(bits) * ((num_real)p->repeat * num_two_to(-16 - p->repeat_bits));
+
+    return y > 4096 ? 4096 : y < -4096 ? -4096 : y;
+}
+
 static inline num_real num_dot3(num_real ax, num_real ay, num_real az, num_unit bx, num_unit by, num_unit bz)
 {
     return ax * bx + ay * by + az * bz;
@@ -236,6 +243,28 @@ static inline num_unit num_power(num_unit d, tia_q16 e)
 static inline num_length num_power_length(num_unit d, tia_q16 e)
 {
     return num_power(d, e);
+}
+
+#define NUM_EXP_TERMS 34 /* 1/34! < 2^-113 */
+
+/* Returns e^x, 0 <= x <= 1, by its power series. */
+static inline num_real num_grow(num_real x)
+{
+    num_real sum = 1;
+
+    for (int k = NUM_EXP_TERMS; k > 0; k--)
+        sum = 1 + sum * x / (num_real)k;
+    return sum;
+}
+
+static inline num_unit num_fade(num_length x)
+{
+    int whole = x < 44 ? (int)x : 44;
+    num_real sum = x < 44 ? num_grow(x - (num_real)whole) : 1, e = num_grow(1);
+
+    for (int i = 0; i < whole; i++)
+        sum *= e;
+    return x < 44 ? 1 / sum : 0;
 }
 
 #define NUM_UNIT_PARALLEL ((num_real)1 / 1048576)

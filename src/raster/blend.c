@@ -113,5 +113,5 @@ tia_q16 tia_raster_corners_blend(const struct tia_raster_corners *corners, int x
             nearest = shifted >> BLEND_BITS;
     if ((shifted & ((INT64_C(1) << BLEND_BITS) - 1)) < 2 * BLEND_UNSURE)
         nearest -= !is_at_least(weight, a, nearest);
-    return (tia_q16)(nearest > INT32_MAX ? INT32_MAX : nearest < INT32_MIN ? INT32_MIN : nearest);
+    return tia_saturate_s32(nearest);
 }

@@ -10,6 +10,7 @@ struct job {
     uint32_t face;
     const struct tia_raster_runs *runs;
     struct raster_polygon shared; /* data that all runs share */
+    uint32_t *equal;              /* a face whose plane is the polygon's, or TIA_NO_FACE */
 };
 
 /* True if the test passes; `order` is -1, 0 or 1. The number of a comparison, as in OpenGL, is a set of bits: less 1,
@@ -19,17 +20,28 @@ static inline bool passes(enum tia_compare test, int order)
     return (unsigned)test >> (order + 1) & 1;
 }
 
+/* Returns the order of the polygon and a face with the same plane. */
+static inline int order_of_equal(const struct job *job, uint32_t there)
+{
+    job->target->exact++;
+    return !job->state->ties_by_face ? 0 : job->face < there ? 1 : -1;
+}
+
 /* Returns the order of the polygon and face `there` by their planes; if these are equal, the state's ties_by_face
  * decides. */
 static int order_of_planes(const struct job *job, int x, int y, uint32_t there)
 {
     struct tia_raster_target *t = job->target;
 
-    t->exact++;
+    if (there == *job->equal)
+        return order_of_equal(job, there);
     int order = tia_depth_order(job->polygon, &t->planes[there], x, y);
-    if (!order && job->state->ties_by_face)
-        return job->face < there ? 1 : -1;
-    return order;
+    if (order) {
+        t->exact++;
+        return order;
+    }
+    *job->equal = there; /* planes that are equal at one pixel are equal at all, see tia_depth_order() */
+    return order_of_equal(job, there);
 }
 
 /* Returns 1 if the polygon is nearer than the face stored at the pixel, -1 if farther, 0 if equal; for pixels where
@@ -155,9 +167,14 @@ static bool is_nearer(const void *ctx, size_t at)
 {
     const struct job *job = ctx;
     const struct tia_raster_target *t = job->target;
-    int x = (int)(t->area.x + at % t->pitch), y = (int)(t->area.y + at / t->pitch);
+    uint32_t there = t->face[at];
 
-    return exact_order(job, x, y, at) > 0;
+    if (there == job->face || there == TIA_NO_FACE)
+        return there == TIA_NO_FACE;
+    if (there == *job->equal)
+        return order_of_equal(job, there) > 0;
+    int x = (int)(t->area.x + at % t->pitch), y = (int)(t->area.y + at / t->pitch);
+    return order_of_planes(job, x, y, there) > 0;
 }
 
 /* Draws depth alone, keeping the nearest face. */
@@ -215,8 +232,9 @@ static void share(struct job *job)
     uint32_t one = (nearer ? s->zpass : s->zfail) == TIA_STENCIL_DECR_WRAP ? UINT32_MAX : 1;
 
     job->runs = t->runs ? t->runs : &tia_raster_runs_plain;
-    job->shared = (struct raster_polygon){
-        t->nearness, t->face, t->count, (uint64_t)job->polygon->depth.step, job->face, nearer, one, is_nearer, job};
+    job->shared = (struct raster_polygon){t->nearness, t->face,   t->count, (uint64_t)job->polygon->depth.step,
+                                          job->face,   nearer,    one,      is_nearer,
+                                          job,         job->equal};
 }
 
 static bool counts(enum tia_stencil_op op)
@@ -266,7 +284,8 @@ int tia_raster_draw(struct tia_raster_target *target, const struct tia_raster_st
                     const struct tia_raster_vertex *corners, unsigned count, uint32_t face)
 {
     struct polygon p;
-    struct job job = {.target = target, .state = state, .polygon = &p, .face = face};
+    uint32_t equal = TIA_NO_FACE;
+    struct job job = {.target = target, .state = state, .polygon = &p, .face = face, .equal = &equal};
     int status;
 
     if (!is_valid(target, state, corners, count, face))

@@ -43,4 +43,4 @@ static void add(const struct raster_polygon *p, size_t at, int pixels, uint64_t 
     }
 }
 
-const struct tia_raster_runs tia_raster_runs_plain = {nearest, add};
+const struct tia_raster_runs tia_raster_runs_plain = {nearest, add, NULL};

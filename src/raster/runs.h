@@ -5,6 +5,8 @@
 
 #include "depth.h"
 
+struct tia_shadow_kernels;
+
 /* Data that all runs of a polygon share. */
 struct raster_polygon {
     uint64_t *nearness; /* buffer of the target, like face and count */
@@ -18,14 +20,16 @@ struct raster_polygon {
      * decide. */
     bool (*is_nearer)(const void *ctx, size_t at);
     const void *ctx;
+    const uint32_t *equal; /* last face found to be in the polygon's plane: all its pixels have one answer */
 };
 
 /* Draws a run of `pixels` pixels from index `at` on, where the polygon's nearness is z. */
 typedef void raster_run_kernel(const struct raster_polygon *p, size_t at, int pixels, uint64_t z);
 
 struct tia_raster_runs {
-    raster_run_kernel *nearest; /* stores nearness and face where the polygon is nearer */
-    raster_run_kernel *add;     /* adds to the counts */
+    raster_run_kernel *nearest;               /* stores nearness and face where the polygon is nearer */
+    raster_run_kernel *add;                   /* adds to the counts */
+    const struct tia_shadow_kernels *shadows; /* see shadow/kernels.h; NULL: plain C */
 };
 
 /* The runs in plain C. */

@@ -104,10 +104,11 @@ int tia_raster_clear_depth(struct tia_raster_target *target)
         return TIA_ERR_ARGUMENT;
     if (!target->face)
         return TIA_OK;
-    FOR_PIXELS(target, i)
-    {
-        target->nearness[i] = 0;
-        target->face[i] = TIA_NO_FACE;
+    for (unsigned row = 0; row < target->area.height; row++) {
+        uint64_t *nearness = target->nearness + (size_t)row * target->pitch;
+        uint32_t *face = target->face + (size_t)row * target->pitch;
+        __builtin_memset(nearness, 0, target->area.width * sizeof *nearness);
+        __builtin_memset(face, 255, target->area.width * sizeof *face); /* TIA_NO_FACE */
     }
     return TIA_OK;
 }
@@ -131,9 +132,10 @@ int tia_raster_clear_count(struct tia_raster_target *target, uint32_t value)
         return TIA_ERR_ARGUMENT;
     if (!target->count)
         return TIA_OK;
-    FOR_PIXELS(target, i)
-    {
-        target->count[i] = value;
+    for (unsigned row = 0; row < target->area.height; row++) {
+        uint32_t *count = target->count + (size_t)row * target->pitch;
+        for (unsigned i = 0, width = target->area.width; i < width; i++)
+            count[i] = value;
     }
     return TIA_OK;
 }

@@ -15,20 +15,23 @@ static int read_format(struct tia_reader *reader, struct tia_scene *scene, struc
     return TIA_ERR_ARGUMENT;
 }
 
-static void locate(struct tia_reader *reader, struct tia_fault *fault, struct tia_arena *arena)
-{
-    if (reader->format == TIA_FORMAT_TIA)
-        tia_locate_tia(reader, fault, arena);
-    else if (reader->format == TIA_FORMAT_NFF)
-        tia_locate_nff(reader, fault);
-}
-
 /* Returns the rest of the string behind `start`, or NULL if it does not begin with `start`. */
 static const char *after(const char *string, const char *start)
 {
     while (*start && *string == *start)
         string++, start++;
     return *start ? NULL : string;
+}
+
+/* Finds the statement at fault. A camera that the caller has changed has none. */
+static void locate(struct tia_reader *reader, struct tia_fault *fault, struct tia_arena *arena)
+{
+    if (reader->camera && after(fault->thing, "camera"))
+        return;
+    if (reader->format == TIA_FORMAT_TIA)
+        tia_locate_tia(reader, fault, arena);
+    else if (reader->format == TIA_FORMAT_NFF)
+        tia_locate_nff(reader, fault);
 }
 
 /* Appends the violated rule. If its limit is the smallest length (2^-10 in the scene) or the largest distance, converts
@@ -100,6 +103,7 @@ int tia_read(struct tia_reader *reader, struct tia_scene *scene, void *memory, s
         return TIA_ERR_ARGUMENT;
     *need = 0;
     *scene = (struct tia_scene){.bvh = NULL};
+    reader->placement = (struct tia_placement){.bits = 0};
     reader->error = (struct tia_read_error){{0}, 0, 0, {0}};
     for (unsigned i = 0; reader->warnings && i < TIA_WARNINGS; i++)
         reader->warnings[i].count = 0;
@@ -111,5 +115,7 @@ int tia_read(struct tia_reader *reader, struct tia_scene *scene, void *memory, s
     *need = arena.used;
     if (status)
         return status;
+    if (reader->format != TIA_FORMAT_OBJ)
+        reader->placement.bits = scene->scale_bits;
     return tia_arena_fits(&arena) ? check(reader, scene, &arena) : TIA_ERR_MEMORY;
 }

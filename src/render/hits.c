@@ -63,7 +63,7 @@ uint32_t tia_drawing_hits_object(const struct tia_hits *hits, unsigned x, unsign
 
     if (!hits || !hits->view || x > UINT16_MAX || y > UINT16_MAX || !tia_hits_have(hits, hits->view, pixel))
         return TIA_NO_OBJECT;
-    if (hits->view->simd)
+    if (!view_keeps_hits(hits->view))
         return traced_object(hits->view, x, y);
     if (!hits_are_traced(hits))
         return TIA_NO_OBJECT;

@@ -16,32 +16,33 @@ int tia_drawing_trace(const struct tia_view *view, struct tia_hits *hits, struct
 {
     if (!tia_hits_have(hits, view, tile))
         return TIA_ERR_ARGUMENT;
-    if (!view->simd) /* vector units find the visible surfaces when they light */
+    if (view_keeps_hits(view))
         view->renderer->trace(view, hits, tile);
-    return ended(view, hits, !view->simd);
+    return ended(view, hits, view_keeps_hits(view));
 }
 
 static const struct tia_options plain = {0};
 
-/* True if options->colours is NULL, or if the view can write these colours. It cannot with vector units, with a
- * renderer of samples, or with dithering. */
+/* True if options->colours is NULL, or if the view can write these colours. It cannot with vector units that trace,
+ * with a renderer of samples, or with dithering. */
 static bool has_colours(const struct tia_view *view, const struct tia_options *options)
 {
-    return !options->colours || !(view->simd || view->renderer->sample || options->dither);
+    return !options->colours || !(!view_keeps_hits(view) || view->renderer->sample || options->dither);
 }
 
 int tia_drawing_light(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                       const struct tia_surface *surface, const struct tia_options *options)
 {
-    if (!tia_hits_have(hits, view, tile) || !surface_is_usable(surface) || !(view->simd || hits_are_traced(hits)))
+    if (!tia_hits_have(hits, view, tile) || !surface_is_usable(surface) ||
+        (view_keeps_hits(view) && !hits_are_traced(hits)))
         return TIA_ERR_ARGUMENT;
     options = options ? options : &plain;
     if (!has_colours(view, options))
         return TIA_ERR_UNSUPPORTED;
-    if (view->simd)
-        view->simd->enter->light(view, tile, surface, options);
-    else
+    if (view_keeps_hits(view))
         view->renderer->light(view, hits, tile, surface, options);
+    else
+        view->simd->enter->light(view, tile, surface, options);
     return view_stops(view) ? TIA_STOPPED : TIA_OK;
 }
 

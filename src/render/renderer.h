@@ -15,7 +15,7 @@
 
 /* The parts of an instruction set's code, one for each kind of renderer that has such code. Renderers without such code
  * have the part SIMD_PARTS. */
-enum simd_part { SIMD_SPANS, SIMD_RAYS, SIMD_SAMPLES, SIMD_PARTS };
+enum simd_part { SIMD_SPANS, SIMD_RAYS, SIMD_SAMPLES, SIMD_SEEN, SIMD_PARTS };
 
 struct renderer {
     /* True if the renderer draws the scene; called only if no earlier renderer in the list does. NULL: always true.
@@ -79,6 +79,11 @@ struct simd_renderer {
     /* Adds samples, see struct renderer; called only if the renderer has samples. */
     void (*sample)(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end,
                    const struct tia_gathered *gathered, void *room);
+
+    /* Colours a tile whose faces and lights the renderer has found in the hits; SIMD_SEEN has only this function in
+     * place of `light`. Returns false if the renderer must draw the tile. */
+    bool (*shade)(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
+                  const struct tia_surface *surface, const struct tia_options *options, void *room);
 };
 
 /* Entry points to the vector units. They set the floating-point environment, call the functions of struct simd_renderer
@@ -94,6 +99,9 @@ struct simd_entries {
                   const struct tia_options *options);
     void (*sample)(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end,
                    const struct tia_gathered *gathered);
+    /* Returns false if plain C must draw. */
+    bool (*shade)(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
+                  const struct tia_surface *surface, const struct tia_options *options);
 };
 
 /* An instruction set, see tia/simd.h and src/simd. */
@@ -137,6 +145,13 @@ static inline const struct simd_renderer *simd_renderer_for(const struct tia_sim
                                                             const struct renderer *renderer)
 {
     return simd && renderer->part < SIMD_PARTS ? simd->parts[renderer->part] : NULL;
+}
+
+/* True if the view's renderer finds the visible surfaces; false if vector units do, when they light, and store no
+ * hits. */
+static inline bool view_keeps_hits(const struct tia_view *view)
+{
+    return !view->simd || view->renderer->part == SIMD_SEEN;
 }
 
 /* Returns the debug output that the caller requests; members for other output are NULL. */

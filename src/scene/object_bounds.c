@@ -1,6 +1,7 @@
 /* object_bounds.c - boxes around objects. */
 #include "object_bounds.h"
 
+#include "math/integer.h"
 #include "scene/shapes/description.h"
 
 /* Returns the most by which the scene's fine digits enlarge a box, in units of 2^-16: half a unit each for centre and
@@ -73,9 +74,10 @@ void tia_bounds_in_own_axes(const struct tia_scene *scene, const struct tia_shap
 /* Returns x as Q16.16; if it does not fit, clamps it and sets *fits to false. */
 static tia_q16 cut(int64_t x, bool *fits)
 {
-    if (x < INT32_MIN || x > INT32_MAX)
-        *fits = false;
-    return (tia_q16)(x < INT32_MIN ? INT32_MIN : x > INT32_MAX ? INT32_MAX : x);
+    tia_q16 nearest = tia_saturate_s32(x);
+
+    *fits = *fits && nearest == x;
+    return nearest;
 }
 
 bool tia_bounds_with_margin(const struct bounds_wide *bounds, struct tia_bounds *out)

@@ -28,6 +28,8 @@ static void add_arrays(struct checksum *sum, const struct tia_scene *s)
     ADD(sum, s->tracks, s->track_count);
     ADD(sum, s->fine, 1);
     ADD(sum, s->field, 1);
+    ADD(sum, s->fog, 1);
+    ADD(sum, s->lens, 1);
     ADD(sum, s->bvh, 1);
     ADD(sum, s->falling, 1);
 }

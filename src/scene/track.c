@@ -38,7 +38,7 @@ static tia_q16 interpolate(const struct segment *s, const struct weights *w)
                   tia_scaled_product(first, w->first_slope, 62) + tia_scaled_product(last, w->last_slope, 62);
     int64_t value = s->first + tia_round_shift(sum, 16);
     /* Between keyframes a smooth curve can overshoot Q16.16. */
-    return (tia_q16)(value < INT32_MIN ? INT32_MIN : value > INT32_MAX ? INT32_MAX : value);
+    return tia_saturate_s32(value);
 }
 
 static struct tia_vec3 between(const struct tia_track *track, uint32_t i, tia_q16 time)

@@ -1,11 +1,15 @@
 #include "map.h"
 
+#include "kernels.h"
 #include "math/wide.h"
 #include "raster/halves.h"
+#include "raster/runs.h"
 #include "raster/target.h"
 
-#define BAND_TEXELS (UINT32_C(1) << 20) /* largest number of texels in memory while a map is drawn, band by band */
-#define ASKED_TEXELS 4096               /* number of texels that count as one item of work, see cancel.h */
+#define BAND_TEXELS (UINT32_C(1) << 20)   /* largest number of texels in memory while a map is drawn, band by band */
+#define CACHED_TEXELS (UINT32_C(1) << 17) /* of a band that stays in a cache, where there are */
+#define FEW_FACES 512                     /* so few faces that each may be prepared for many bands */
+#define ASKED_TEXELS 4096                 /* number of texels that count as one item of work, see cancel.h */
 
 unsigned tia_map_corners(const struct tia_map *map, const struct tia_map_view *view, const struct tia_flat_scene *flat,
                          uint32_t face, struct tia_raster_vertex corners[TIA_SIDES])
@@ -73,12 +77,12 @@ void tia_map_plane_init(struct tia_map_plane *plane, const struct tia_map *map, 
     }
 }
 
-static uint32_t clamped(uint64_t distance)
+static inline uint32_t clamped(uint64_t distance)
 {
     return distance < TIA_MAP_FAR ? (uint32_t)distance : TIA_MAP_FAR;
 }
 
-static uint32_t parallel_distance(const struct tia_map_plane *plane, int64_t f)
+static inline uint32_t parallel_distance(const struct tia_map_plane *plane, int64_t f)
 {
     wide product = wide_product(-f, plane->factor);
 
@@ -90,12 +94,8 @@ static uint32_t parallel_distance(const struct tia_map_plane *plane, int64_t f)
 }
 
 /* The upper 32 bits of f give 31 correct bits of the quotient. */
-uint32_t tia_map_distance(const struct tia_map *map, const struct tia_map_plane *plane, int i, int j)
+static inline uint32_t central_distance(const struct tia_map_plane *plane, int64_t f)
 {
-    int64_t f = plane->c + plane->x * i + plane->y * j;
-
-    if (map->parallel)
-        return parallel_distance(plane, f);
     if (f <= 0)
         return 0;
     int zeros = (int)tia_clz64((uint64_t)f), down = plane->places + 33 - zeros;
@@ -105,16 +105,30 @@ uint32_t tia_map_distance(const struct tia_map *map, const struct tia_map_plane 
     return down > 40 ? 0 : clamped((quotient + (UINT64_C(1) << (down - 1))) >> down);
 }
 
-static struct tia_tile band_of(unsigned size, unsigned y)
+static int64_t form_at(const struct tia_map_plane *plane, int i, int j)
 {
-    unsigned rows = (unsigned)(BAND_TEXELS / size);
+    return plane->c + plane->x * i + plane->y * j;
+}
 
-    return (struct tia_tile){0, (uint16_t)y, (uint16_t)size, (uint16_t)(rows < size ? rows : size)};
+uint32_t tia_map_distance(const struct tia_map *map, const struct tia_map_plane *plane, int i, int j)
+{
+    int64_t f = form_at(plane, i, j);
+
+    return map->parallel ? parallel_distance(plane, f) : central_distance(plane, f);
+}
+
+static struct tia_tile band_of(struct tia_tile drawn, unsigned y, uint32_t texels)
+{
+    uint32_t rows = texels / drawn.width, left = drawn.y + (unsigned)drawn.height - y;
+
+    return (struct tia_tile){drawn.x, (uint16_t)y, drawn.width, (uint16_t)(rows < left ? rows : left)};
 }
 
 uint64_t tia_map_room(unsigned size, uint32_t faces)
 {
-    return tia_raster_size(band_of(size, 0), TIA_BUFFER_DEPTH, faces);
+    const struct tia_tile all = {0, 0, (uint16_t)size, (uint16_t)size};
+
+    return tia_raster_size(band_of(all, 0, BAND_TEXELS), TIA_BUFFER_DEPTH, faces);
 }
 
 static int draw_faces(const struct tia_map *map, const struct tia_map_view *view, struct tia_raster_target *target,
@@ -132,38 +146,72 @@ static int draw_faces(const struct tia_map *map, const struct tia_map_view *view
     return status;
 }
 
+/* Stores the distances of a plane at texels (i, j), (i + 1, j) ... as tia_map_distance() gives them. */
+static void keep_run(const struct tia_map *map, const struct tia_map_plane *plane, int i, int j, int count,
+                     uint32_t *to)
+{
+    const struct tia_map_plane own = *plane;
+    int64_t f = form_at(plane, i, j);
+
+    for (int k = 0; k < count && map->parallel; k++)
+        to[k] = parallel_distance(&own, f + k * own.x);
+    for (int k = 0; k < count && !map->parallel; k++)
+        to[k] = central_distance(&own, f + k * own.x);
+}
+
 static void keep_distances(const struct tia_map *map, const struct tia_map_view *view,
                            const struct tia_raster_target *target, struct cancel *cancel)
 {
     const struct tia_tile *area = &target->area;
-    uint32_t *to = view->distance + (size_t)area->y * area->width, last = TIA_NO_FACE;
+    uint32_t *to = view->distance + (size_t)area->y * map->size + area->x, last = TIA_NO_FACE;
     const uint32_t *face = target->face;
+    int width = (int)area->width;
     struct tia_map_plane plane = {.factor = 0};
 
-    for (int y = (int)area->y; y < target_bottom(target) && !cancelled(cancel, area->width); y++)
-        for (int x = 0; x < target_right(target); x++, face++, to++) {
-            if (*face != last && *face != TIA_NO_FACE)
-                tia_map_plane_init(&plane, map, view, &target->planes[*face]);
-            last = *face;
-            *to = last == TIA_NO_FACE ? TIA_MAP_NOTHING : tia_map_distance(map, &plane, x, y);
+    if (target->runs && target->runs->shadows && target->runs->shadows->keep(map, view, target, cancel))
+        return;
+    for (int y = (int)area->y; y < target_bottom(target) && !cancelled(cancel, area->width); y++, to += map->size)
+        for (int x = 0, count; x < width; x += count, face += count) {
+            uint32_t here = *face;
+            for (count = 1; x + count < width && face[count] == here; count++)
+                continue;
+            if (here != last && here != TIA_NO_FACE)
+                tia_map_plane_init(&plane, map, view, &target->planes[here]);
+            last = here == TIA_NO_FACE ? last : here;
+            for (int k = 0; k < count && here == TIA_NO_FACE; k++)
+                to[x + k] = TIA_MAP_NOTHING;
+            if (here != TIA_NO_FACE)
+                keep_run(map, &plane, (int)area->x + x, y, count, to + x);
         }
 }
 
-int tia_map_draw(const struct tia_map *map, const struct tia_flat_scene *flat, void *room, struct cancel *cancel)
+static int draw_band(const struct tia_map *map, const struct tia_map_view *view, const struct tia_flat_scene *flat,
+                     struct tia_raster_target *target, struct cancel *cancel)
+{
+    int status = draw_faces(map, view, target, flat, cancel);
+
+    if (!status && !cancel->stopped)
+        keep_distances(map, view, target, cancel);
+    return cancel->stopped ? TIA_STOPPED : status;
+}
+
+int tia_map_draw(const struct tia_map *map, const struct tia_flat_scene *flat, void *room,
+                 const struct tia_raster_runs *runs, struct cancel *cancel)
 {
     size_t size = (size_t)tia_map_room(map->size, flat->face_count);
+    uint32_t texels = flat->face_count <= FEW_FACES ? CACHED_TEXELS : BAND_TEXELS;
     int status = TIA_OK;
 
     for (unsigned i = 0; i < map->view_count; i++) {
         const struct tia_map_view *view = &map->view[i];
-        for (unsigned y = 0; !status && y < map->size; y += band_of(map->size, y).height) {
+        unsigned y = view->drawn.y, bottom = y + view->drawn.height;
+        while (!status && y < bottom && view->drawn.width) {
+            struct tia_tile band = band_of(view->drawn, y, texels);
             struct tia_raster_target target;
-            status = tia_raster_init(&target, room, size, &view->grid, band_of(map->size, y), TIA_BUFFER_DEPTH,
-                                     flat->face_count);
-            status = status ? status : draw_faces(map, view, &target, flat, cancel);
-            if (!status && !cancel->stopped)
-                keep_distances(map, view, &target, cancel);
-            status = cancel->stopped ? TIA_STOPPED : status;
+            y += band.height;
+            status = tia_raster_init(&target, room, size, &view->grid, band, TIA_BUFFER_DEPTH, flat->face_count);
+            target.runs = runs;
+            status = status ? status : draw_band(map, view, flat, &target, cancel);
         }
     }
     return status;

@@ -18,8 +18,9 @@
 struct tia_map_view {
     struct tia_eye eye; /* the view's matrix, for 256 times the coordinates of tia_flat_affine */
     struct tia_raster_grid grid;
-    int64_t axes[3][3]; /* right, up and forward, Q1.62 */
-    uint32_t *distance; /* TIA_MAP_NOTHING where there is no face */
+    int64_t axes[3][3];    /* right, up and forward, Q1.62 */
+    uint32_t *distance;    /* TIA_MAP_NOTHING where there is no face */
+    struct tia_tile drawn; /* the texels that are drawn; others are undefined */
 };
 
 struct tia_map {
@@ -42,16 +43,17 @@ struct tia_map_light {
 /* Returns the number of views in a light's map. */
 unsigned tia_map_views(const struct tia_light *light);
 
-/* Prepares a map without distances. Its views have `border` texels on each side beyond those that the light needs.
- * Returns TIA_OK or an error. */
+/* Prepares a map without distances, of which all texels will be drawn. Its views have `border` texels on each side
+ * beyond those that the light needs. Returns TIA_OK or an error. */
 int tia_map_init(struct tia_map *map, const struct tia_world *world, const struct tia_map_light *light, unsigned size,
                  unsigned border);
 
 /* Returns the number of bytes of working memory for tia_map_draw. */
 uint64_t tia_map_room(unsigned size, uint32_t faces);
 
-/* Draws the distances; TIA_STOPPED when cancelled. */
-int tia_map_draw(const struct tia_map *map, const struct tia_flat_scene *flat, void *room, struct cancel *cancel);
+/* Draws the distances; `runs` are the rasteriser's inner loops, or NULL. TIA_STOPPED when cancelled. */
+int tia_map_draw(const struct tia_map *map, const struct tia_flat_scene *flat, void *room,
+                 const struct tia_raster_runs *runs, struct cancel *cancel);
 
 /* Gives the corners of a face in a view; returns the number of corners. */
 unsigned tia_map_corners(const struct tia_map *map, const struct tia_map_view *view, const struct tia_flat_scene *flat,

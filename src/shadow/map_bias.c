@@ -136,9 +136,14 @@ static int64_t limit_at(const struct tia_map_point *point, int64_t i, int64_t j)
     return here ? ((int64_t)here << map->coarse) - point->slack : point->limit;
 }
 
+uint32_t tia_map_least(const struct tia_map *map, int64_t limit)
+{
+    int64_t least = limit > 0 ? ((limit - 1) >> map->coarse) + 1 : 0;
+
+    return least < TIA_MAP_FAR ? (uint32_t)least : TIA_MAP_FAR;
+}
+
 bool tia_map_tap(const struct tia_map_point *point, int64_t i, int64_t j)
 {
-    uint32_t there = texel(point, i, j);
-
-    return there >= TIA_MAP_FAR || (int64_t)there << point->map->coarse >= limit_at(point, i, j);
+    return texel(point, i, j) >= tia_map_least(point->map, limit_at(point, i, j));
 }

@@ -50,4 +50,24 @@ int64_t tia_map_read(const struct tia_map_point *point, int64_t i, int64_t j);
  * fraction bits; `turn` is a number that differs from pixel to pixel. */
 unsigned tia_map_share(const struct tia_map_point *point, enum tia_filter filter, int64_t radius, unsigned turn);
 
+/* Bounds of a point's position in a view, and of its limit: two values of each, the lower one first. */
+struct tia_map_bounds {
+    const struct tia_map_view *view;
+    int64_t u[2], v[2]; /* see struct tia_map_spot */
+    uint32_t least[2];  /* see tia_map_least */
+};
+
+/* Returns the smallest value of a texel that does not shadow a point with this limit. */
+uint32_t tia_map_least(const struct tia_map *map, int64_t limit);
+
+/* Returns the share by this number of lit taps. */
+unsigned tia_map_part(uint32_t lit, uint32_t taps);
+
+#define TIA_SHARE_UNSURE (2 * TIA_SHARE_ALL)
+
+/* Returns tia_map_share of each point within the bounds, or TIA_SHARE_UNSURE if points may differ; always with
+ * TIA_FILTER_PCSS. Not for TIA_BIAS_PLANE, where the limit depends on the texel. */
+unsigned tia_map_share_within(const struct tia_map *map, const struct tia_map_bounds *bounds, enum tia_filter filter,
+                              unsigned turn);
+
 #endif

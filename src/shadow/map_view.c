@@ -203,6 +203,7 @@ int tia_map_init(struct tia_map *map, const struct tia_world *world, const struc
     map->size = size;
     aim(map, world, light, (int64_t)size / 2 - border);
     for (unsigned i = 0; i < map->view_count; i++) {
+        map->view[i].drawn = (struct tia_tile){0, 0, (uint16_t)size, (uint16_t)size};
         make_rows(map, world, &map->view[i]);
         for (int k = 0; k < 3; k++)
             map->view[i].eye.origin[k] = 0;

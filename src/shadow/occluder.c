@@ -181,11 +181,17 @@ bool tia_occluder_init(struct tia_occluder *o, const struct tia_flat_scene *flat
     if (!o->side)
         return false;
     prepare(&o->plane[0], &plane, &flat->grid);
-    for (unsigned k = 1; k <= o->sides; k++) {
-        plane = plane_of(o, k);
-        prepare(&o->plane[k], &plane, &flat->grid);
-    }
+    o->ready = 1;
     return true;
+}
+
+void tia_occluder_ready(struct tia_occluder *o, unsigned k)
+{
+    if (k < o->ready)
+        return;
+    struct plane plane = plane_of(o, k);
+    prepare(&o->plane[k], &plane, &o->flat->grid);
+    o->ready = k + 1;
 }
 
 bool tia_occluder_hides(struct tia_occluder *o, const struct tia_seen *seen)
@@ -197,8 +203,10 @@ bool tia_occluder_hides(struct tia_occluder *o, const struct tia_seen *seen)
         o->flush = seen->of->face;
     if (side != o->side)
         return false;
-    for (unsigned k = 1; k <= o->sides; k++)
+    for (unsigned k = 1; k <= o->sides; k++) {
+        tia_occluder_ready(o, k);
         if (side_of(o, k, seen) != o->side)
             return false;
+    }
     return true;
 }

@@ -49,7 +49,8 @@ struct tia_occluder {
     uint32_t face;
     uint32_t flush; /* last face found to lie in the same plane, or TIA_NO_FACE */
     unsigned sides;
-    int side; /* the hidden points are on this side of all planes, 1 or -1; 0: no point is hidden */
+    int side;       /* the hidden points are on this side of all planes, 1 or -1; 0: no point is hidden */
+    unsigned ready; /* number of planes that are prepared, as most faces need few */
     struct tia_occluder_plane plane[TIA_SIDES + 1]; /* the face's own plane, then those through its edges */
 };
 
@@ -63,6 +64,9 @@ void tia_seen_init(struct tia_seen *seen, const struct tia_seen_face *of, int x,
  * that the face hides no point. */
 bool tia_occluder_init(struct tia_occluder *occluder, const struct tia_flat_scene *flat, const tia_flat_light *light,
                        uint32_t face);
+
+/* Prepares plane k, if it is not. All planes below k must be prepared. */
+void tia_occluder_ready(struct tia_occluder *occluder, unsigned k);
 
 /* True if the face hides the light from the pixel's visible point; a face never hides the light from itself. The
  * visible face must be turned to the light. */

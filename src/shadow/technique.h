@@ -13,6 +13,7 @@ struct tia_shadow_view {
     unsigned sample_count;
     tia_flat_light samples[TIA_SHADOW_SAMPLES_MAX];
     const struct tia_light *lights[TIA_SHADOW_SAMPLES_MAX]; /* light of each sample; valid only during set_lights */
+    const struct tia_raster_runs *runs;                     /* for set_lights; NULL: plain C */
     void *own;                                              /* the technique's data, aligned for uint64_t */
 };
 

@@ -1,8 +1,10 @@
 /* technique_map.c - a shadow map for each sample of a light. */
-#include "map_look.h"
+#include "kernels.h"
+#include "map_light.h"
 #include "math/align.h"
 #include "math/wide.h"
 #include "raster/distance.h"
+#include "raster/runs.h"
 #include "raster/target.h"
 #include "scene/axes.h"
 
@@ -85,6 +87,8 @@ static unsigned shares(const struct tia_scene *scene)
 
 /* ---- maps ---- */
 
+#define NARROWED_FACES 2048 /* with more faces, narrowing a map would take longer than drawing it */
+
 static int prepare(struct tia_shadow_view *view, struct cancel *cancel)
 {
     struct maps *maps = view->own;
@@ -132,7 +136,10 @@ static int make_map(struct maps *maps, const struct tia_shadow_view *view, unsig
     for (unsigned i = 0; i < map->view_count; i++, *used += texels)
         map->view[i].distance = maps->distance + *used;
     maps->radius[sample] = radius_of(light.light);
-    return tia_map_draw(map, &view->flat, maps->room, cancel);
+    bool fixed = maps->look.bias != TIA_BIAS_NORMAL && maps->look.filter != TIA_FILTER_PCSS;
+    if (fixed && view->flat.face_count <= NARROWED_FACES && view->runs && view->runs->shadows)
+        (void)view->runs->shadows->narrow(map, &maps->world, &view->samples[sample]);
+    return tia_map_draw(map, &view->flat, maps->room, view->runs, cancel);
 }
 
 static int set_lights(struct tia_shadow_view *view, struct cancel *cancel)
@@ -148,21 +155,10 @@ static int set_lights(struct tia_shadow_view *view, struct cancel *cancel)
 
 /* ---- light ---- */
 
-#define PIXEL_WORK 4 /* items of work for a pixel, see cancel.h: PCSS takes up to two hundred taps */
-
-struct lighting {
-    const struct tia_shadow_view *view;
-    struct tia_world world; /* converts coordinates of the grid of the pixels' current sample */
-    struct tia_shadow_tile *tile;
-    unsigned sample, shares;
-    bool turned; /* the point's face is turned to the light */
-    struct tia_map_point point;
-};
-
-static void light_pixel(struct lighting *l, int x, int y, size_t at)
+void tia_map_light_pixel(struct tia_map_lighting *l, int x, int y)
 {
-    const struct maps *maps = l->view->own;
     const struct tia_flat_scene *flat = &l->view->flat;
+    size_t at = target_index(&l->tile->target, x, y);
     uint32_t face = l->tile->target.face[at];
     int64_t place[3];
 
@@ -175,11 +171,8 @@ static void light_pixel(struct lighting *l, int x, int y, size_t at)
     if (!l->turned)
         return;
     tia_world_seen(&l->world, x, y, tia_plane_distance(&flat->planes[face], &flat->grid, x, y), place);
-    tia_map_place(&l->point, &maps->look, place);
-    unsigned share = tia_map_share(&l->point, maps->look.filter, maps->radius[l->sample], (unsigned)(x + 3 * y));
-    l->tile->lit[at] |= (uint64_t)(share > 0) << l->sample;
-    if (l->shares)
-        ((tia_share *)l->tile->more)[at * l->shares + l->sample] = (tia_share)share;
+    tia_map_place(&l->point, l->look, place);
+    tia_map_put_share(l, at, tia_map_share(&l->point, l->look->filter, l->radius, (unsigned)(x + 3 * y)));
 }
 
 static void light(const struct tia_shadow_view *view, struct tia_shadow_tile *tile, unsigned sample,
@@ -187,15 +180,23 @@ static void light(const struct tia_shadow_view *view, struct tia_shadow_tile *ti
 {
     const struct maps *maps = view->own;
     const struct tia_raster_target *t = &tile->target;
-    struct lighting l = {.view = view, .tile = tile, .sample = sample, .shares = shares(view->scene)};
+    struct tia_map_lighting l = {.view = view,
+                                 .look = &maps->look,
+                                 .tile = tile,
+                                 .cancel = cancel,
+                                 .sample = sample,
+                                 .shares = shares(view->scene),
+                                 .radius = maps->radius[sample]};
 
     l.point.map = &maps->map[sample];
     tia_world_init(&l.world, &view->flat);
     l.point.world = &l.world;
     l.point.face = TIA_NO_FACE;
+    if (t->runs && t->runs->shadows && t->runs->shadows->light(&l))
+        return;
     for (int y = (int)t->area.y; y < target_bottom(t); y++)
-        for (int x = (int)t->area.x; x < target_right(t) && !cancelled(cancel, PIXEL_WORK); x++)
-            light_pixel(&l, x, y, target_index(t, x, y));
+        for (int x = (int)t->area.x; x < target_right(t) && !cancelled(cancel, TIA_MAP_PIXEL_WORK); x++)
+            tia_map_light_pixel(&l, x, y);
 }
 
 const struct tia_shadow_technique tia_shadow_maps = {own_size, prepare,  set_lights, light,

@@ -151,4 +151,16 @@ static void sample(const struct tia_view *view, struct tia_tile tile, uint32_t f
     leave(&e);
 }
 
-const struct simd_entries tia_simd_entries = {size, open, prepare, light, sample};
+static bool shade(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
+                  const struct tia_surface *surface, const struct tia_options *options)
+{
+    struct entry e;
+
+    if (!enter(view, &e))
+        return false;
+    bool shaded = part_of(view)->shade(view, hits, tile, surface, options, room_of(&e));
+    leave(&e);
+    return shaded;
+}
+
+const struct simd_entries tia_simd_entries = {size, open, prepare, light, sample, shade};

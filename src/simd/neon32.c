@@ -3,4 +3,6 @@
 #include "simd.h"
 #include "span/kernel_tmpl.h"
 
-SIMD(neon, NULL);
+#include "raster_tmpl.h"
+
+SIMD(neon, &raster_runs);

@@ -1,10 +1,14 @@
-/* raster_tmpl.h - the template of the rasteriser's runs, for instruction sets that compare 64-bit integers.
+/* raster_tmpl.h - the template of the rasteriser's runs, for instruction sets that compare 64-bit integers; others have
+ * those of plain C. Besides, the kernels of shadow techniques.
  *
- * Parameters: the integers of isa/isa.h. Defines: `raster_runs`, a struct tia_raster_runs. */
+ * Parameters: the integers and doubles of isa/isa.h. Defines: `raster_runs`, a struct tia_raster_runs. */
 #ifndef TIA_SIMD_RASTER_TMPL_H
 #define TIA_SIMD_RASTER_TMPL_H
 
 #include "raster/runs.h"
+#include "shadow/kernels_tmpl.h"
+
+#ifdef QN
 
 /* Returns those of the `unsure` pixels in which the polygon is nearer. It is nearer than an empty pixel, and not nearer
  * than its own face. */
@@ -14,10 +18,13 @@ static __attribute__((noinline)) unsigned settle(const struct raster_polygon *p,
     unsigned empty = k_bits(w_eq(there, w_set(TIA_NO_FACE))), same = k_bits(w_eq(there, w_set(p->own)));
     unsigned nearer = unsure & empty;
 
-    for (unsigned open = unsure & ~(empty | same), bit; open; open ^= bit) {
-        bit = open & (0 - open);
-        if (p->is_nearer(p->ctx, at + (unsigned)__builtin_ctz(bit)))
-            nearer |= bit;
+    for (unsigned open = unsure & ~(empty | same), one; open; open &= ~one) {
+        unsigned first = (unsigned)__builtin_ctz(open);
+        bool is = p->is_nearer(p->ctx, at + first);
+        one = 1u << first;
+        if (p->face[at + first] == *p->equal)
+            one |= open & k_bits(w_eq(there, w_set(*p->equal)));
+        nearer |= is ? one : 0;
     }
     return nearer;
 }
@@ -71,6 +78,20 @@ static void add(const struct raster_polygon *p, size_t at, int pixels, uint64_t 
     }
 }
 
-static const struct tia_raster_runs raster_runs = {nearest, add};
+#else
+
+static void nearest(const struct raster_polygon *p, size_t at, int pixels, uint64_t z)
+{
+    tia_raster_runs_plain.nearest(p, at, pixels, z);
+}
+
+static void add(const struct raster_polygon *p, size_t at, int pixels, uint64_t z)
+{
+    tia_raster_runs_plain.add(p, at, pixels, z);
+}
+
+#endif
+
+static const struct tia_raster_runs raster_runs = {nearest, add, &shadow_kernels};
 
 #endif

@@ -31,7 +31,7 @@ static inline void *simd_kernels_room(void *room, size_t own)
     return (char *)room + SIMD_ALIGN(own);
 }
 
-extern const struct simd_renderer tia_simd_spans, tia_simd_rays, tia_simd_samples;
+extern const struct simd_renderer tia_simd_spans, tia_simd_rays, tia_simd_samples, tia_simd_seen;
 
 extern const struct simd_entries tia_simd_entries;
 
@@ -42,7 +42,7 @@ extern const struct simd_entries tia_simd_entries;
     const struct tia_simd tia_simd_##simd = {#simd,                                                                    \
                                              &tia_simd_entries,                                                        \
                                              &span_kernels_plain,                                                      \
-                                             {&tia_simd_spans, &tia_simd_rays, &tia_simd_samples},                     \
+                                             {&tia_simd_spans, &tia_simd_rays, &tia_simd_samples, &tia_simd_seen},     \
                                              &kernels,                                                                 \
                                              &tia_sure_##simd,                                                         \
                                              runs}

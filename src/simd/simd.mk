@@ -14,9 +14,11 @@ flags_neon   :=
 flags_neon32 := -mfpu=neon
 flags_rvv    := -march=rv64gcv
 flags_wasm   := -msimd128
+# yes, no, or the instruction sets that are wanted.
 SIMD ?= $(if $(BARE),no,yes)
+SIMD_WANTED := $(if $(filter yes,$(SIMD)),$(SIMD_NAMES),$(filter-out no,$(SIMD)))
 # tools/generate would be too late: the compiler is tried with a line for each instruction set.
-SIMD_HAD := $(if $(filter no,$(SIMD)),,$(strip $(foreach l,$(SIMD_NAMES),$(shell $(CC) -std=c11 $(CFLAGS) $(flags_$(l)) -DASK_$(l) -E -P src/simd/probe.h 2>/dev/null | grep -c '^yes$$' | sed -n 's/1/$(l)/p'))))
+SIMD_HAD := $(strip $(foreach l,$(SIMD_WANTED),$(shell $(CC) -std=c11 $(CFLAGS) $(flags_$(l)) -DASK_$(l) -E -P src/simd/probe.h 2>/dev/null | grep -c '^yes$$' | sed -n 's/1/$(l)/p')))
 # `make run` alone makes the best instruction set of this processor, besides those that are built already.
 ifneq ($(LEAN),)
 simd_asked = $(shell $(CC) -std=c11 $(CFLAGS) -march=native -DASK_$(1) -E -P src/simd/probe.h 2>/dev/null | sed -n 's/^yes$$/$(1)/p')

@@ -4,4 +4,6 @@
 #include "simd.h"
 #include "span/kernel_tmpl.h"
 
-SIMD(sse41, NULL);
+#include "raster_tmpl.h"
+
+SIMD(sse41, &raster_runs);

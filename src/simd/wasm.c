@@ -3,4 +3,6 @@
 #include "simd.h"
 #include "span/kernel_tmpl.h"
 
-SIMD(wasm, NULL);
+#include "raster_tmpl.h"
+
+SIMD(wasm, &raster_runs);

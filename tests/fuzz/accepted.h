@@ -60,7 +60,7 @@ static inline void make_texture(struct bytes *b, struct made *m, struct tia_text
     uint8_t kind = take_byte(b);
 
     t->kind = kind & 1 ? TIA_IMAGE : TIA_CHECKER;
-    t->bilinear = kind & 2;
+    t->bilinear = t->footprint = kind & 2;
     t->repeat[0] = take_within(b, TIA_Q16_ONE / 1024, INT32_MAX);
     t->repeat[1] = take_within(b, TIA_Q16_ONE / 1024, INT32_MAX);
     t->repeat_bits = (int8_t)take_within(b, TIA_TEXTURE_BITS_MIN, TIA_TEXTURE_BITS_MAX);

@@ -244,8 +244,35 @@ static struct colour shade(struct look *look, struct ray ray, uint32_t object, c
     return sum;
 }
 
+/* Returns the integral of the fog's density from its level to a height above it. */
+static double fog_below(const struct tia_fog *fog, double h)
+{
+    return h <= 0 ? h : q16(fog->height) * atan(h / q16(fog->height));
+}
+
+/* Returns the integral of the density up to t, which may be infinite. */
+static double fog_along(const struct tia_fog *fog, struct ray ray, double t)
+{
+    double h = ray.origin.y - q16(fog->level), slope = ray.direction.y;
+
+    if (fog->height == 0)
+        return t;
+    if (fabs(slope) * t < 1e-6 * q16(fog->height))
+        return h <= 0 ? t : t / (1 + pow(h / q16(fog->height), 2));
+    return (fog_below(fog, h + slope * t) - fog_below(fog, h)) / slope;
+}
+
+static double fog_share(const struct tia_fog *fog, struct ray ray, double t)
+{
+    if (isinf(t) && (fog->height == 0 || ray.direction.y <= 0))
+        return 0;
+    return exp(-fog_along(fog, ray, t) / q16(fog->distance));
+}
+
 static struct colour trace(struct look *look, struct ray ray, const struct way *way)
 {
+    const struct tia_fog *fog = look->scene->fog;
+    struct way beyond = *way;
     struct hit hit;
 
     if (look->rays++ >= TIA_RAYS_MAX)
@@ -254,10 +281,17 @@ static struct colour trace(struct look *look, struct ray ray, const struct way *
 
     feed(&look->path, light == TIA_NO_OBJECT ? object : TIA_NO_OBJECT - 1 - light);
     if (light != TIA_NO_OBJECT)
-        return rgb(look->scene->lights[light].emission);
-    if (object == TIA_NO_OBJECT)
-        return rgb(look->scene->background);
-    return shade(look, ray, object, &hit, way);
+        (void)light_hit(&look->scene->lights[light], ray, &hit.t);
+    double share = fog && way->media.count == 0 ? fog_share(fog, ray, hit.t) : 1;
+    struct colour sum = fog ? product(grey(1 - share), rgb(fog->colour)) : grey(0);
+    beyond.weight = product(grey(share), way->weight);
+    if (light != TIA_NO_OBJECT)
+        add(&sum, share, rgb(look->scene->lights[light].emission));
+    else if (object == TIA_NO_OBJECT)
+        add(&sum, share, rgb(look->scene->background));
+    else
+        add(&sum, share, shade(look, ray, object, &hit, &beyond));
+    return sum;
 }
 
 /* Returns the colour along a ray from the eye. */

@@ -3,8 +3,8 @@
  *
  *     controller DIRECTORY      such as /sys/kernel/debug/dri/0/crtc-0/crc
  *
- * Draws the built-in scene in each of its states, and once more with a wrong pixel. Prints a line for each frame, and
- * ends with 0 if the checksums agree for all right frames alone. */
+ * Draws the built-in scene in each of its states, and once more with a wrong pixel. Prints a line for each frame.
+ * Ends with 0 if the controller reports the checksum of each and that of the wrong frame is another. */
 #include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,7 +17,9 @@
 
 #include "ports.h"
 
-enum { WIDTH = 640, HEIGHT = 480, FRAMES = 30 }; /* FRAMES: number of the controller's checksums to wait for */
+/* FRAMES: number of the controller's checksums to wait for. A slow vkms reports that of an old frame many times, once
+ * for each vertical blank that it has missed. */
+enum { WIDTH = 640, HEIGHT = 480, FRAMES = 1200 };
 
 static uint64_t view_memory[320], hits_memory[WIDTH * HEIGHT + 64];
 static struct tia_seal seal;
@@ -110,28 +112,31 @@ static int draw(uint32_t state)
     return status ? status : tia_view_draw_checked(&sealed, frame, &surface, NULL);
 }
 
-/* Shows the frame of a state, with a wrong bit in one pixel or not; true if the controller's checksum is that of the
- * right frame. */
-static bool frame_is_right(const struct port_display *display, void *screen, const char *directory, uint32_t state,
-                           bool wrong)
+/* Shows the frame of a state, with a wrong bit in one pixel or not. Gives its checksum; true if the controller reports
+ * that. */
+static bool is_reported(const struct port_display *display, void *screen, const char *directory, uint32_t state,
+                        bool wrong, uint32_t *crc)
 {
     if (draw(state) != TIA_OK)
         return false;
-    uint32_t crc = expected();
     pixels[HEIGHT / 2 * WIDTH + WIDTH / 3] ^= wrong;
-    bool right = show(display, screen) == TIA_OK && reports(directory, crc);
-    printf("state %u, %s: %08x %s\n", (unsigned)state, wrong ? "a pixel changed" : "as drawn", (unsigned)crc,
-           right ? "is what the controller reports" : "is not reported");
-    return right;
+    *crc = expected();
+    bool reported = show(display, screen) == TIA_OK && reports(directory, *crc);
+    printf("state %u, %s: %08x %s\n", (unsigned)state, wrong ? "a pixel changed" : "as drawn", (unsigned)*crc,
+           reported ? "is what the controller reports" : "is not reported");
+    return reported;
 }
 
 static bool all_frames(const struct port_display *display, void *screen, const char *directory)
 {
+    uint32_t crc = 0, right = 0;
     bool fine = true;
 
-    for (uint32_t state = 0; state <= tia_thesis_scene.binding_count; state++)
-        fine = frame_is_right(display, screen, directory, state, false) && fine;
-    return !frame_is_right(display, screen, directory, 1, true) && fine;
+    for (uint32_t state = 0; state <= tia_thesis_scene.binding_count; state++) {
+        fine = is_reported(display, screen, directory, state, false, &crc) && fine;
+        right = state == 1 ? crc : right;
+    }
+    return is_reported(display, screen, directory, 1, true, &crc) && crc != right && fine;
 }
 
 static const struct port_display *find_drm(void)

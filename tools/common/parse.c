@@ -77,23 +77,56 @@ static uint64_t fraction(const char *text, size_t count, unsigned places)
     return (bits + 1) / 2;
 }
 
-bool parse_scaled(const char *text, int bits, tia_q16 *value)
+/* Parses a number whose integer part is at most `most`, with `places` bits after the point; *end receives its end. */
+static bool parse_fixed(const char *text, const char **end, uint32_t most, unsigned places, uint64_t *value)
 {
     uint32_t whole;
-    uint64_t part = 0;
-    const char *rest;
-    if (!parse_number(text, &rest, 0, bits < 0 ? INT32_MAX : 32767, &whole))
+    if (!parse_number(text, end, 0, most, &whole))
         return false;
-    if (*rest == '.') {
-        size_t count = strspn(rest + 1, "0123456789");
-        if (count == 0 || count > FRACTION_DIGITS)
-            return false;
-        part = fraction(rest + 1, count, (unsigned)(16 + bits));
-        rest += 1 + count;
-    }
-    uint64_t sum = ((uint64_t)whole << (16 + bits)) + part;
+    *value = (uint64_t)whole << places;
+    if (**end != '.')
+        return true;
+    const char *digits = *end + 1;
+    size_t count = strspn(digits, "0123456789");
+    if (count == 0 || count > FRACTION_DIGITS)
+        return false;
+    *value += fraction(digits, count, places);
+    *end = digits + count;
+    return true;
+}
+
+bool parse_scaled(const char *text, int bits, tia_q16 *value)
+{
+    const char *rest;
+    uint64_t sum;
+    if (!parse_fixed(text, &rest, bits < 0 ? INT32_MAX : 32767, (unsigned)(16 + bits), &sum))
+        return false;
     *value = (tia_q16)(sum & INT32_MAX);
     return *rest == '\0' && sum <= INT32_MAX;
+}
+
+bool parse_long(const char *text, const char **end, int64_t *value)
+{
+    bool minus = *text == '-';
+    const char *rest;
+    uint64_t sum;
+    if (!parse_fixed(text + minus, &rest, INT32_MAX, 32, &sum) || (!end && *rest != '\0') || sum > INT64_MAX)
+        return false;
+    if (end)
+        *end = rest;
+    *value = minus ? -(int64_t)sum : (int64_t)sum;
+    return true;
+}
+
+bool parse_place(const char *text, int64_t place[3])
+{
+    for (int i = 0; i < 3; i++) {
+        const char *rest;
+        if (!parse_long(text, &rest, &place[i]) || *rest != (i < 2 ? ',' : '\0'))
+            return false;
+        text = rest + 1;
+    }
+    return true;
 }
 
 unsigned parse_longest(int bits)

@@ -20,6 +20,10 @@ bool parse_mode(const char *text);
 bool parse_seconds(const char *text, tia_q16 *seconds);
 /* Parses a number as parse_seconds does, and multiplies it by 2^bits, -16..16, with a result below 32768. */
 bool parse_scaled(const char *text, int bits, tia_q16 *value);
+/* Parses a number as parse_seconds does, with an optional minus sign, below 2^31, Q31.32; `end` as for parse_number. */
+bool parse_long(const char *text, const char **end, int64_t *value);
+/* Parses "X,Y,Z", three such numbers. */
+bool parse_place(const char *text, int64_t place[3]);
 /* Returns the largest whole number that parse_scaled accepts. */
 unsigned parse_longest(int bits);
 

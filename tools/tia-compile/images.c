@@ -44,6 +44,8 @@ static void write_texture(struct unit *unit, uint32_t index)
     field_number(unit, "offset_bits", t->offset_bits);
     field_rgb(unit, "cells[0]", t->cells[0]);
     field_rgb(unit, "cells[1]", t->cells[1]);
+    if (t->footprint)
+        text_word(&unit->text, ".footprint = true,");
     if (t->kind != TIA_CHECKER) {
         if (t->bilinear)
             text_word(&unit->text, ".bilinear = true,");

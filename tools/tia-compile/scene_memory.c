@@ -31,9 +31,9 @@ struct layout {
     unsigned map, volumes, own; /* for these techniques: sizes of their data */
 };
 
-static const struct layout layouts[KINDS] = {{96, 40, 304, 48, 208, 136, 392, 224, 88, 40, 2856, 744, 560, 40},
-                                             {56, 24, 240, 28, 200, 108, 368, 216, 80, 32, 2576, 728, 544, 28},
-                                             {56, 24, 236, 28, 200, 108, 368, 208, 80, 32, 2576, 728, 544, 28}};
+static const struct layout layouts[KINDS] = {{96, 40, 320, 48, 208, 136, 416, 224, 88, 40, 2864, 744, 560, 40},
+                                             {56, 24, 248, 28, 200, 108, 392, 216, 80, 32, 2576, 728, 544, 28},
+                                             {56, 24, 244, 28, 200, 108, 392, 208, 80, 32, 2576, 728, 544, 28}};
 
 /* Returns the kind of this machine; KINDS when it is none of them. */
 static int kind_here(void)

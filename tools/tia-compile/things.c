@@ -137,6 +137,19 @@ void unit_fine(struct unit *unit)
     table_end(unit);
 }
 
+void unit_fog(struct unit *unit)
+{
+    const struct tia_fog *fog = unit->scene->fog;
+
+    text_print(&unit->text, "static const struct tia_fog %s_fog = {\n", unit->symbol);
+    unit->text.indent = 4;
+    field_rgb(unit, "colour", fog->colour);
+    field_number(unit, "distance", fog->distance);
+    field_number(unit, "height", fog->height);
+    field_number(unit, "level", fog->level);
+    table_end(unit);
+}
+
 void unit_things(struct unit *unit)
 {
     const struct tia_scene *scene = unit->scene;

@@ -139,6 +139,10 @@ static void write_scene(struct unit *unit)
     field_number(unit, "scale_bits", s->scale_bits);
     if (s->fine)
         text_word(&unit->text, ".fine = &%s_fine,", unit->symbol);
+    if (s->fog)
+        text_word(&unit->text, ".fog = &%s_fog,", unit->symbol);
+    if (s->lens)
+        text_word(&unit->text, ".lens = &%s_lens,", unit->symbol);
     if (s->bvh)
         text_word(&unit->text, ".bvh = &%s_bvh,", unit->symbol);
     refer(unit, &tracks, 1);
@@ -165,6 +169,11 @@ void unit_write(struct unit *unit, const char *source, const struct convert_tell
     unit_things(unit);
     if (scene->fine)
         unit_fine(unit);
+    if (scene->fog)
+        unit_fog(unit);
+    if (scene->lens)
+        text_print(&unit->text, "static const struct tia_lens %s_lens = {%d, %d};\n", unit->symbol, scene->lens->radius,
+                   scene->lens->focus);
     unit_shapes(unit);
     unit_images(unit);
     unit_meshes(unit);

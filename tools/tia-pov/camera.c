@@ -22,6 +22,19 @@ static struct axes axes_of(const struct pov *pov)
     return axes;
 }
 
+/* Ends the camera's block, with the lens: POV-Ray 3.7 spreads its rays over a disc of a quarter of the aperture. */
+static void end_camera(struct pov *pov, const struct axes *axes)
+{
+    const struct tia_lens *lens = pov->scene->lens;
+
+    if (lens) {
+        text_word(&pov->text, "aperture %.10g blur_samples 256 variance 0", 4 * pov_length(pov, lens->radius));
+        pov_triple(pov, "focal_point",
+                   pov_sum(pov_place(pov, pov->scene->camera.eye), pov_scaled(axes->n, -pov_length(pov, lens->focus))));
+    }
+    text_print(&pov->text, "\n}\n\n");
+}
+
 static void perspective(struct pov *pov, const struct axes *axes)
 {
     const struct tia_camera *c = &pov->scene->camera;
@@ -33,7 +46,7 @@ static void perspective(struct pov *pov, const struct axes *axes)
     pov_triple(pov, "right", pov_scaled(axes->u, height));
     text_word(&pov->text, ASPECT);
     pov_triple(pov, "up", pov_scaled(axes->v, height));
-    text_print(&pov->text, "\n}\n\n");
+    end_camera(pov, axes);
 }
 
 /* Writes the window. Rays of a frustum go from the eye through the window at the distance near. Those of an
@@ -58,7 +71,7 @@ static void window(struct pov *pov, const struct axes *axes)
     if (wide)
         text_word(&pov->text, ASPECT);
     pov_triple(pov, "up", pov_scaled(axes->v, height));
-    text_print(&pov->text, "\n}\n\n");
+    end_camera(pov, axes);
 }
 
 void pov_camera(struct pov *pov)

@@ -25,12 +25,29 @@ static void write_settings(struct pov *pov)
     text_print(&pov->text, " }\n\n");
 }
 
+/* POV-Ray's ground fog has the same density. */
+static void write_fog(struct pov *pov)
+{
+    const struct tia_fog *fog = pov->scene->fog;
+
+    text_print(&pov->text, "fog {\n");
+    text_word(&pov->text, "fog_type %d distance %.10g", fog->height ? 2 : 1, pov_length(pov, fog->distance));
+    pov_triple(pov, "rgb", pov_rgb(fog->colour));
+    if (fog->height)
+        text_word(&pov->text, "fog_offset %.10g fog_alt %.10g", pov_length(pov, fog->level),
+                  pov_length(pov, fog->height));
+    text_print(&pov->text, "\n}\n\n");
+}
+
 void pov_write(struct pov *pov, const char *source)
 {
     text_print(&pov->text, "// %s, as tia-pov wrote it. As tia draws it:\n", source);
     text_print(&pov->text, "//     povray +I... +O... +W640 +H480 -A -D File_Gamma=1.0\n#version 3.7;\n\n");
     pov->text.indent = 4;
     write_settings(pov);
+    pov->text.indent = 4;
+    if (pov->scene->fog)
+        write_fog(pov);
     pov->text.indent = 4;
     pov_camera(pov);
     pov_lights(pov);

@@ -151,7 +151,8 @@ void site_place(const struct site *site, struct options *o)
 
 int site_open(struct site *site, const struct options *o)
 {
-    const struct scene_wish wish = {.reach = reach_of(o), .threads = o->threads, .material = keep_name, .ctx = site};
+    const struct scene_wish wish = {
+        .reach = reach_of(o), .threads = o->threads, .hashed = true, .material = keep_name, .ctx = site};
     int format = scene_format_of(o->scene);
 
     *site = (struct site){.radio = NULL};

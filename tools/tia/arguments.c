@@ -8,6 +8,7 @@
 #include "common/parse.h"
 #include "common/pressed_keys.h"
 #include "common/thread_pool.h"
+#include "eye_setup.h"
 #include "fail.h"
 #include "integration.h"
 #include "lightfield_setup.h"
@@ -164,19 +165,17 @@ void arguments_set_view(struct options *options)
 
 int arguments_load(struct options *options)
 {
-    if (options->scene_path) {
-        const struct scene_wish wish = {.threads = options->threads};
-        int status = scene_open_for(&options->file, options->scene_path, options->scene_format, options->strict, &wish);
-        if (status)
-            return fail(status == TIA_ERR_MEMORY ? EXIT_RUNNING : EXIT_USAGE, "%s", options->file.why);
+    int status = options->scene_path ? eye_open(options) : EXIT_FINE;
+    if (status)
+        return status;
+    if (options->scene_path)
         warn(&options->file);
-        options->scene = options->file.scene;
-    }
+    status = eye_load(options);
     if (options->samples != 0)
         options->scene.camera.samples = options->samples;
     if (options->depth != 0)
         options->scene.depth = options->depth;
-    int status = load_shadows(options);
+    status = status ? status : load_shadows(options);
     status = status ? status : light_load(options);
     status = status ? status : integration_load(options);
     status = status ? status : load_views(options);

@@ -6,6 +6,7 @@
 
 #include "common/checksum.h"
 #include "common/image/series.h"
+#include "eye_setup.h"
 #include "fail.h"
 
 enum { DEFAULT_WIDTH = 640, DEFAULT_HEIGHT = 480 };
@@ -47,11 +48,18 @@ static int identify_field(char *text, size_t size, const struct light_options *l
                     (int)light->spacing);
 }
 
+static int identify_camera(char *text, size_t size, const struct tia_camera *c)
+{
+    return snprintf(text, size, " %d %d %d %d %d %d %d %d %d %d %d %d %d", (int)c->eye.x, (int)c->eye.y, (int)c->eye.z,
+                    (int)c->reference.x, (int)c->reference.y, (int)c->reference.z, (int)c->up.x, (int)c->up.y,
+                    (int)c->up.z, (int)c->fov, (int)c->projection, (int)c->window.bottom, (int)c->window.top);
+}
+
 /* Returns a CRC of all data on which the pixels depend, except the size. The CRC is the same in all parts of a film. */
 static uint32_t identify(const struct options *options)
 {
     const struct tia_integration *how = &options->scene.integration;
-    char text[480];
+    char text[640];
     const char *keys = options->key_text ? options->key_text : "";
     int length = snprintf(
         text, sizeof text, "%s %d %u %u %u %u %u %u %d %u %d %d %u/%u", options->core->name, options->dither,
@@ -64,6 +72,8 @@ static uint32_t identify(const struct options *options)
     if (how->integrator != TIA_WHITTED && !options->samples_range && !(options->resume && options->depth_bits))
         length += snprintf(text + length, sizeof text - (size_t)length, " %u %u %d", (unsigned)how->spp,
                            (unsigned)how->tone, (int)how->exposure);
+    if (options->eye.fit || eye_change(options))
+        length += identify_camera(text + length, sizeof text - (size_t)length, &options->scene.camera);
     if (options->scene.field)
         length += identify_field(text + length, sizeof text - (size_t)length, &options->light);
     if (options->views.view || options->views.draws_rays)

@@ -18,6 +18,7 @@ static const char help[] = "arrows, page up, page down: move the light\n"
                            "n p: next, previous scene\n"
                            "v: next view   t: shadows\n"
                            "space: pause   c: save a picture\n"
+                           "e: the eye as a camera line\n"
                            "q, escape: quit   ?: no help";
 
 /* ---- meaning of events ---- */
@@ -29,6 +30,8 @@ static bool views_are_there(const struct options *options)
 
 static bool ends(const struct options *options, uint16_t key)
 {
+    if (key == MOVE_CHANGED)
+        return true;
     if (key == 'n' || key == 'p')
         return options->scene_count > 1;
     return key == 'q' || key == TIA_KEY_ESCAPE || key == TIA_KEY_INTERRUPT || (key == 'v' && views_are_there(options));
@@ -54,7 +57,7 @@ enum tia_effect moves_weigh(const struct moves *moves, const struct tia_event *e
 
 void moves_say(struct moves *moves, const char *text)
 {
-    (void)snprintf(moves->message, sizeof moves->message, "%s", text);
+    (void)snprintf(moves->message, sizeof moves->message, "%.*s", PORT_WHY - 1, text);
     moves->until_us = clock_now_us() + TOLD_US;
 }
 
@@ -114,10 +117,11 @@ enum tia_effect moves_act(struct moves *moves, const struct tia_event *event, st
         return steer(&moves->steer, &moves->options->scene, event, camera);
     switch (moves_weigh(moves, event)) {
     case TIA_EFFECT_END:
-        moves->to = key == 'n'   ? MOVE_NEXT_SCENE
-                    : key == 'p' ? MOVE_PREVIOUS_SCENE
-                    : key == 'v' ? MOVE_NEXT_VIEW
-                                 : MOVE_NOWHERE;
+        moves->to = key == 'n'            ? MOVE_NEXT_SCENE
+                    : key == 'p'          ? MOVE_PREVIOUS_SCENE
+                    : key == 'v'          ? MOVE_NEXT_VIEW
+                    : key == MOVE_CHANGED ? MOVE_READ_AGAIN
+                                          : MOVE_NOWHERE;
         return TIA_EFFECT_END;
     case TIA_EFFECT_HOME:
         return TIA_EFFECT_HOME;
@@ -125,6 +129,11 @@ enum tia_effect moves_act(struct moves *moves, const struct tia_event *event, st
         return steer(&moves->steer, &moves->options->scene, event, camera);
     default:
         break;
+    }
+    if (key == 'e') {
+        camera_line(moves->line, camera, &moves->options->file.placement);
+        moves_say(moves, moves->line);
+        return TIA_EFFECT_PICTURE;
     }
     if (key != 'c')
         return tell(moves, key);

@@ -4,12 +4,16 @@
 
 #include <tia/viewer.h>
 
+#include "camera_line.h"
 #include "common/steer.h"
 #include "device.h"
 #include "letterbox.h"
 #include "options.h"
 
-enum move_to { MOVE_NOWHERE, MOVE_NEXT_SCENE, MOVE_PREVIOUS_SCENE, MOVE_NEXT_VIEW };
+/* The key of an event that reports a changed file. */
+#define MOVE_CHANGED 0x200
+
+enum move_to { MOVE_NOWHERE, MOVE_NEXT_SCENE, MOVE_PREVIOUS_SCENE, MOVE_NEXT_VIEW, MOVE_READ_AGAIN };
 
 struct moves {
     /* Set by the caller; all else zero. */
@@ -22,6 +26,8 @@ struct moves {
     bool help;              /* help is shown */
     char message[PORT_WHY]; /* message of the last key, if any */
     uint64_t until_us;      /* time when the message ends */
+    char line[CAMERA_LINE]; /* the camera of the last key `e`, to be printed at the end; empty: there was none */
+    char broken[PORT_WHY];  /* why the changed scene cannot be shown, until it can; empty: it is shown */
 
     /* Private. */
     bool saves;     /* a key has requested that the picture be saved when it is complete */

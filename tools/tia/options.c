@@ -73,6 +73,23 @@ static const char *set_integrator(void *member, char *value)
     return !name ? "" : equals && number != TIA_OCCLUSION ? "has no distance (ao=2.5 has)" : NULL;
 }
 
+static const char *set_place(void *member, char *value)
+{
+    return parse_place(value, member) ? NULL : "";
+}
+
+static const char *set_up(void *member, char *value)
+{
+    int64_t *up = member;
+    return parse_place(value, up) && (up[0] || up[1] || up[2]) ? NULL : "";
+}
+
+static const char *set_height(void *member, char *value)
+{
+    int64_t *height = member;
+    return parse_long(value, NULL, height) && *height > 0 ? NULL : "";
+}
+
 /* ---- the table, in the manual's order ---- */
 
 #define TO(member) OPTION_TO(struct options, member)
@@ -92,6 +109,17 @@ static const struct option_row rows[] = {
      .min = IMAGE_PNG},
     {"size", 's', OPTION_SIZE, "WIDTHxHEIGHT", "the picture's size, #; default the display's, 640x480 for a file",
      PAIR(width, height), .max = TIA_SIZE_MAX},
+    {"eye", 0, OPTION_PARSED, "X,Y,Z", "put the eye there, in the scene's coordinates",
+     PARSED(eye.change.eye, set_place), GIVEN(eye.change.has_eye), .rule = "not a place (X,Y,Z, like 0,2.5,-8)"},
+    {"look", 0, OPTION_PARSED, "X,Y,Z", "look at this point", PARSED(eye.change.reference, set_place),
+     GIVEN(eye.change.has_reference), .rule = "not a place (X,Y,Z, like 0,2.5,-8)"},
+    {"up", 0, OPTION_PARSED, "X,Y,Z", "the direction that is up in the picture", PARSED(eye.change.up, set_up),
+     GIVEN(eye.change.has_up), .rule = "not a direction (X,Y,Z, not all 0, like 0,0,1)"},
+    {"fov", 0, OPTION_DECIMAL, "DEGREES", "the vertical field of view, 1 to 170", TO(eye.change.fov),
+     .min = TIA_FOV_MIN, .max = TIA_FOV_MAX, .rule = "not an angle (1 to 170 degrees)"},
+    {"orthographic", 0, OPTION_PARSED, "HEIGHT", "parallel rays, from a window of this height",
+     PARSED(eye.change.height, set_height), .rule = "not a height (above 0, like 2.5)"},
+    {"fit", 0, OPTION_FLAG, NULL, "move the eye so that the whole scene is seen, from the same direction", TO(eye.fit)},
     {"samples", 0, OPTION_NUMBER, "1|4|16", "rays per pixel, for antialiasing; default the scene's", TO(samples),
      .max = TIA_SAMPLES_MAX},
     {"depth", 0, OPTION_NUMBER, "N", "reflections and refractions along a path, #; default the scene's", TO(depth),
@@ -178,6 +206,7 @@ static const struct option_row rows[] = {
      TO(gaze.m), GIVEN(m_given), .max = INT32_MAX, .bits = ACUITY_BITS,
      .rule = "not a number from 0 to 127 (like 0.0275)"},
     {"smooth", 0, OPTION_FLAG, NULL, "interpolate the pixels that are left out", TO(gaze.smooth)},
+    {"watch", 0, OPTION_FLAG, NULL, "draw the scene again whenever one of its files changes", TO(watches)},
     {"list-displays", 0, OPTION_FLAG, NULL, "list the displays, and why one cannot be opened", TO(action),
      .min = ACTION_LIST},
     {"scene-format", 0, OPTION_CHOICE, SCENE_FORMATS, "the format of SCENE, if its name has no such extension",
@@ -198,4 +227,5 @@ const struct command tia_command = {
     "page up/down move the first light. In the built-in scene every other key quits. In others:\n"
     "tab: next light   shift and arrows, page up/down: move the eye   h j k l, drag: orbit\n"
     "+ - : zoom   home: back   n p: next, previous scene   v: next view   t: shadow technique\n"
-    "space: pause   c: save a picture, tia-0001.png   ?: help   q, escape: quit\n"};
+    "space: pause   c: save a picture, tia-0001.png   e: print the eye as a camera line\n"
+    "?: help   q, escape: quit\n"};

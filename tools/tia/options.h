@@ -8,6 +8,9 @@
 #include "common/image/image.h"
 #include "common/scene/scene_load.h"
 #include "common/views/views.h"
+#include "device.h"
+#include "eye_options.h"
+#include "file_watch.h"
 #include "lightfield_options.h"
 
 enum action { ACTION_SHOW, ACTION_DRAW, ACTION_LIST, ACTION_MODES };
@@ -51,6 +54,7 @@ struct options {
     const char *tessellated;                  /* NULL: not given */
     const struct tia_core *core, *plain_core; /* the core that draws; the core that draws without false colours */
     struct views views;                       /* false colours and drawn rays */
+    struct eye_options eye;
     struct light_options light;
     struct tia_gaze gaze; /* view_angle 0: the default */
     bool gazes;
@@ -70,7 +74,10 @@ struct options {
     bool rate_given, frame_range, tile_rows;
     uint32_t first_frame, last_frame, first_row, last_row; /* bounds of frame_range and tile_rows */
     uint32_t threads;
-    uint32_t rotate; /* degrees, clockwise */
+    uint32_t rotate;          /* degrees, clockwise */
+    bool watches;             /* --watch */
+    struct file_watch *watch; /* NULL, or gets the files that are read */
+    char broken[PORT_WHY];    /* with --watch: why the scene could not be read at first; empty: it was */
     bool dither, checksum, stats, stats_overlay, progress, strict;
 };
 

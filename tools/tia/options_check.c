@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "common/image/series.h"
+#include "eye_setup.h"
 #include "fail.h"
 #include "gaze_options.h"
 #include "lightfield_setup.h"
@@ -155,6 +156,17 @@ static int check_scenes(struct options *options)
     return result;
 }
 
+static int check_watch(const struct options *options)
+{
+    if (!options->watches)
+        return EXIT_FINE;
+    if (options->output)
+        return fail(EXIT_USAGE, "--watch: needs a display, not --output");
+    if (!options->scene_path || strcmp(options->scene_path, "-") == 0)
+        return fail(EXIT_USAGE, "--watch: needs a SCENE that is a file");
+    return EXIT_FINE;
+}
+
 int check(struct options *options)
 {
     int result = check_names(options);
@@ -166,6 +178,10 @@ int check(struct options *options)
         result = check_drm(options);
     if (result == EXIT_FINE)
         result = gaze_check(options);
+    if (result == EXIT_FINE)
+        result = eye_check(options);
+    if (result == EXIT_FINE)
+        result = check_watch(options);
     if (result == EXIT_FINE)
         result = light_check(options);
     return result == EXIT_FINE ? check_scenes(options) : result;

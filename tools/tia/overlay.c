@@ -3,8 +3,10 @@
 #include <inttypes.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "clock.h"
+#include "label.h"
 
 /* A text of several lines. */
 struct lines {
@@ -45,6 +47,24 @@ static void add_stats(const struct overlay *overlay, const struct tia_frame *fra
         add_line(lines, "samples: %" PRIu32, frame->samples);
 }
 
+/* Adds a text in lines as wide as the picture. */
+static void add_wrapped(const struct overlay *overlay, const char *text, struct lines *lines)
+{
+    size_t columns = overlay->width / (TIA_TEXT_WIDTH * label_text(text, overlay->height).scale);
+
+    columns = columns > 8 ? columns : 8;
+    while (*text != '\0') {
+        size_t length = strlen(text), used = length;
+        for (used = length > columns ? columns : length; used < length && used > columns / 2 && text[used] != ' ';)
+            used--;
+        if (used < length && text[used] != ' ')
+            used = columns;
+        add_line(lines, "%.*s", (int)used, text);
+        text += used;
+        text += strspn(text, " ");
+    }
+}
+
 static void add_moves(const struct overlay *overlay, struct lines *lines)
 {
     const struct moves *moves = overlay->moves;
@@ -52,6 +72,8 @@ static void add_moves(const struct overlay *overlay, struct lines *lines)
 
     if (moves_help(moves))
         add_line(lines, "%s", moves_help(moves));
+    if (moves->broken[0] != '\0')
+        add_wrapped(overlay, moves->broken, lines);
     if (moves->until_us > clock_now_us())
         add_line(lines, "%s", moves->message);
     if (viewer->light > 0)

@@ -1,5 +1,7 @@
 #include "pointed.h"
 
+#include "move.h"
+
 static int pointed_open(void *ctx)
 {
     const struct pointed *pointed = ctx;
@@ -46,6 +48,10 @@ static void turn_way(unsigned degrees, struct tia_event *event)
 static int pointed_poll(void *ctx, struct tia_event *event)
 {
     const struct pointed *pointed = ctx;
+    if (pointed->watch && file_watch_fires(pointed->watch)) {
+        *event = (struct tia_event){.kind = TIA_EVENT_TAP, .key = MOVE_CHANGED};
+        return 1;
+    }
     int status = pointed->input->poll(pointed->input_ctx, event);
 
     if (status > 0 && event->kind == TIA_EVENT_POINT)

@@ -9,6 +9,9 @@
  * cannot be loaded, for the reason in `why`, [PORT_WHY]; the current scene stays open. */
 bool scenes_go(struct options *options, int step, char *why);
 
+/* Reads the current scene's files again, see scenes_go. */
+bool scenes_read_again(struct options *options, char *why);
+
 /* Selects the next view of the scene, see common/views/view_kind.h. */
 void scenes_next_view(struct options *options);
 

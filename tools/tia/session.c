@@ -9,6 +9,7 @@
 #include "arithmetic.h"
 #include "clock.h"
 #include "common/signals.h"
+#include "eye_setup.h"
 #include "fail.h"
 #include "gaze_options.h"
 #include "pixels/pages.h"
@@ -239,7 +240,30 @@ static void begin_overlay(struct session *session)
                                         .viewer = &session->viewer,
                                         .hints = !options->scene_path && !options->key_text && types};
     session->moves = (struct moves){.options = options, .letterbox = &session->letterbox, .viewer = &session->viewer};
-    session->pointed = (struct pointed){session->input->ops, session->input_ctx, &session->letterbox};
+    session->pointed = (struct pointed){session->input->ops, session->input_ctx, &session->letterbox, options->watch};
+    (void)snprintf(session->moves.broken, PORT_WHY, "%s", options->broken);
+}
+
+/* Reads the changed scene. The time and an eye that keys have moved stay, also if the unit of length is another now. */
+static bool read_again(struct session *session)
+{
+    struct tia_viewer_state *state = &session->viewer;
+    struct tia_placement before = session->options->file.placement;
+    struct tia_scene tried;
+
+    if (!scenes_read_again(session->options, session->moves.broken))
+        return true;
+    session->moves.broken[0] = '\0';
+    tried = session->options->scene;
+    if (state->moved) {
+        eye_carry(&state->camera, &before, &session->options->file.placement);
+        tried.camera = state->camera;
+        state->moved = !tia_scene_check(&tried, NULL);
+    }
+    state->light_count = session->options->scene.light_count;
+    state->light = 0;
+    lights_free(&session->lights);
+    return lights_copy(&session->lights, &session->options->scene);
 }
 
 /* Prepares the next scene or view if a key has selected one; false: the session ends. If a scene cannot be loaded, the
@@ -258,11 +282,14 @@ static bool move_on(struct session *session)
     }
     if (to == MOVE_NOWHERE)
         return false;
+    if (to == MOVE_READ_AGAIN)
+        return read_again(session);
     if (!scenes_go(session->options, to == MOVE_NEXT_SCENE ? 1 : -1, session->why)) {
         moves_say(&session->moves, session->why);
         session->why[0] = '\0';
         return true;
     }
+    session->moves.broken[0] = '\0';
     moves_say(&session->moves, session->options->scene_path);
     session->viewer.goes_on = false;
     lights_free(&session->lights);
@@ -318,6 +345,8 @@ int session_end(struct session *session, int status)
 {
     if (session->last[0] != '\0')
         note("%s", session->last);
+    if (session->moves.line[0] != '\0' && (puts(session->moves.line) < 0 || fflush(stdout) != 0) && status == EXIT_FINE)
+        status = fail_output();
     if (close_lines(session) && status == EXIT_FINE)
         status = fail_output();
     if (session->options->stats && session->stats.display && status == EXIT_FINE && stats_print(&session->stats) != 0)

@@ -2,6 +2,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
+#include <string.h>
 #include <unistd.h>
 
 #include <tia/tia.h>
@@ -38,9 +39,38 @@ static int act(struct options *options)
     }
 }
 
+/* Loads the scene with --watch. If it cannot be loaded, an empty one is shown, with the reason. */
+static int load_watched(struct options *options, struct file_watch *watch)
+{
+    if (!file_watch_open(watch))
+        return fail(EXIT_RUNNING, "--watch: %s", strerror(errno));
+    options->watch = watch;
+    fail_into(options->broken, sizeof options->broken);
+    int status = arguments_load(options);
+    fail_into(NULL, 0);
+    if (!status) {
+        if (options->broken[0] != '\0')
+            note("%s", options->broken); /* a warning */
+        options->broken[0] = '\0';
+        return EXIT_FINE;
+    }
+    scene_close(&options->file);
+    options->file = (struct scene_file){.path = NULL};
+    options->plain_scene = options->scene = (struct tia_scene){
+        .camera = tia_thesis_scene.camera, .background = {TIA_Q30_ONE / 8, TIA_Q30_ONE / 8, TIA_Q30_ONE / 8}};
+    return EXIT_FINE;
+}
+
 static int run(struct options *options)
 {
     bool draws = options->action == ACTION_DRAW || options->action == ACTION_SHOW;
+    struct file_watch watch = {.is_open = false};
+    if (draws && options->watches) {
+        int status = load_watched(options, &watch);
+        status = status ? status : act(options);
+        file_watch_close(&watch);
+        return status;
+    }
     int status = draws ? arguments_load(options) : EXIT_FINE;
 
     return status == EXIT_FINE ? act(options) : status;

@@ -23,6 +23,7 @@
  */
 #include "nff.h"
 #include "math/integer.h"
+#include "read/alter.h"
 #include "read/surface.h"
 
 /* ---- view, background, lights ---- */
@@ -37,7 +38,6 @@ static int read_from(struct nff *n)
 {
     n->view |= VIEW_FROM;
     int status = tia_text_fine_place(&n->text, &n->scene->camera.eye, &n->fine.eye);
-    tia_lengths_cover_eye(&n->lengths, n->scene->camera.eye);
     return status;
 }
 
@@ -45,7 +45,6 @@ static int read_at(struct nff *n)
 {
     n->view |= VIEW_AT;
     int status = tia_text_fine_place(&n->text, &n->scene->camera.reference, &n->fine.reference);
-    tia_lengths_cover(&n->lengths, n->scene->camera.reference, 0);
     return status;
 }
 
@@ -197,6 +196,19 @@ static bool is_found(const struct nff *n)
     return false;
 }
 
+static void alter_camera(struct nff *n, const struct tia_reader *reader)
+{
+    struct tia_camera *camera = &n->scene->camera;
+
+    if (reader->camera && reader->camera->has_eye)
+        n->fine.eye = (struct tia_fine_place){0, 0, 0};
+    if (reader->camera && reader->camera->has_reference)
+        n->fine.reference = (struct tia_fine_place){0, 0, 0};
+    tia_alter_measured(reader, camera, &n->lengths);
+    tia_lengths_cover_eye(&n->lengths, camera->eye);
+    tia_lengths_cover(&n->lengths, camera->reference, 0);
+}
+
 /* Reads the file once. When searching for a fault, stops at the statement that created the object, and sets the error's
  * place to it. */
 static int read_all(struct nff *n, const struct tia_reader *reader, struct tia_read_error *error)
@@ -217,6 +229,7 @@ static int read_all(struct nff *n, const struct tia_reader *reader, struct tia_r
         }
     }
     tia_nff_close_mesh(n);
+    alter_camera(n, reader);
     return TIA_OK;
 }
 

@@ -7,11 +7,13 @@ enum part { PART_VERTEX, PART_UV, PART_NORMAL, PARTS };
  * 1 or more, further digits are ignored. */
 static int64_t take_index(const char **p, const char *end)
 {
+    const char *at = *p;
     int64_t index = 0;
-    bool negative = *p < end && **p == '-';
+    bool negative = at < end && *at == '-';
 
-    for (*p += negative; *p < end && **p >= '0' && **p <= '9'; ++*p)
-        index = index < UINT32_MAX ? index * 10 + (**p - '0') : index;
+    for (at += negative; at < end && *at >= '0' && *at <= '9'; at++)
+        index = index < UINT32_MAX ? index * 10 + (*at - '0') : index;
+    *p = at;
     return negative ? -index : index;
 }
 
@@ -111,28 +113,43 @@ static void use(struct obj_group *g, enum part part, uint32_t index)
     g->high[part] = index > g->high[part] ? index : g->high[part];
 }
 
-static void add_faces(struct obj *o, uint32_t count)
+static void use_corners(struct obj *o, uint32_t count)
 {
-    const struct tia_vec3 *vertices = (const struct tia_vec3 *)(void *)o->vertices.items;
     struct obj_group *g = &o->groups[o->group];
-    struct polygon polygon;
-    uint32_t triangle[3];
 
     for (uint32_t i = 0; i < count; i++) {
-        o->polygon[i].point = vertices[o->corners[i].vertex];
         use(g, PART_VERTEX, o->corners[i].vertex);
         use(g, PART_UV, o->corners[i].uv);
         use(g, PART_NORMAL, o->corners[i].normal);
     }
-    tia_polygon_begin(&polygon, o->polygon, count);
-    while (tia_polygon_next(&polygon, triangle)) {
-        struct tia_face *face = &o->faces[g->next_face];
-        if (o->face_groups)
-            o->face_groups[g->next_face] = o->face_group;
-        g->next_face++;
-        for (int i = 0; i < 3; i++)
-            face->corner[i] = o->corners[triangle[i]];
+}
+
+static void add_face(struct obj *o, const uint32_t triangle[3])
+{
+    uint32_t place = o->groups[o->group].next_face++;
+
+    if (o->face_groups)
+        o->face_groups[place] = o->face_group;
+    for (int i = 0; i < 3; i++)
+        o->faces[place].corner[i] = o->corners[triangle[i]];
+}
+
+static void add_faces(struct obj *o, uint32_t count)
+{
+    const struct tia_vec3 *vertices = (const struct tia_vec3 *)(void *)o->vertices.items;
+    struct polygon polygon;
+    uint32_t triangle[3] = {0, 1, 2};
+
+    use_corners(o, count);
+    if (count == 3) { /* what the triangulation gives */
+        add_face(o, triangle);
+        return;
     }
+    for (uint32_t i = 0; i < count; i++)
+        o->polygon[i].point = vertices[o->corners[i].vertex];
+    tia_polygon_begin(&polygon, o->polygon, count);
+    while (tia_polygon_next(&polygon, triangle))
+        add_face(o, triangle);
 }
 
 /* True if no corner's normal is (0, 0, 0): see read_vn. */
@@ -202,16 +219,6 @@ int tia_obj_f(struct obj *o)
 }
 
 /* ---- meshes ---- */
-
-void tia_obj_place_groups(struct obj *o)
-{
-    uint32_t next = 0;
-
-    for (uint32_t i = 0; i < o->scene->material_count; i++) {
-        o->groups[i].next_face = next;
-        next += o->groups[i].face_count;
-    }
-}
 
 static const void *item(const struct tia_array *array, uint32_t index)
 {

@@ -6,6 +6,8 @@
  * scaled by a power of two, so that it extends 8 to 16 from there. The picture stays the same, since nothing else in an
  * .obj file has a size. Only models smaller than 2^-15 are refused: 28 fractional bits are too few for their shape.
  */
+#include <tia/fit.h>
+
 #include "math/integer.h"
 #include "obj.h"
 #include "read/surface.h"
@@ -27,11 +29,9 @@ static int read_coordinate(struct tia_text *t, int64_t *out)
 
 static void count_vertex(struct obj *o, const int64_t v[3])
 {
-    bool first = !o->vertices.count;
-
     for (int i = 0; i < 3; i++) {
-        o->min[i] = first || v[i] < o->min[i] ? v[i] : o->min[i];
-        o->max[i] = first || v[i] > o->max[i] ? v[i] : o->max[i];
+        o->min[i] = v[i] < o->min[i] ? v[i] : o->min[i];
+        o->max[i] = v[i] > o->max[i] ? v[i] : o->max[i];
     }
 }
 
@@ -140,24 +140,13 @@ static uint64_t farthest(const struct tia_scene *scene, struct tia_vec3 c)
     return most;
 }
 
-/* Components of the direction to the camera: 35 degrees to the right of +z and 25 degrees above the horizon. */
-#define TOWARDS_X INT32_C(558170729) /* 0.519837; TIA_Q30(0.519837) would lose bits where double has only 32 */
-#define TOWARDS_Y INT32_C(453782622) /* 0.422618 */
-#define TOWARDS_Z INT32_C(797149151) /* 0.742403 */
-/* The camera's distance in radii, 1/sin 20 degrees: the sphere around the model touches the edges of a field of view of
- * 40 degrees. */
-#define DISTANCE TIA_Q16(2.9238044)
-
-static struct tia_camera look_at(struct tia_vec3 c, uint64_t radius)
+static void set_placement(const struct obj *o)
 {
-    int64_t distance = (int64_t)((radius * (uint64_t)DISTANCE + 65535) >> 16);
+    struct tia_placement *placement = &o->reader->placement;
 
-    return (struct tia_camera){.eye = {c.x + (tia_q16)tia_round_shift(distance * TOWARDS_X, 30),
-                                       c.y + (tia_q16)tia_round_shift(distance * TOWARDS_Y, 30),
-                                       c.z + (tia_q16)tia_round_shift(distance * TOWARDS_Z, 30)},
-                               .fov = TIA_Q16(40),
-                               .reference = c,
-                               .up = {0, TIA_Q16_ONE, 0}};
+    for (int i = 0; i < 3 && o->moved; i++)
+        placement->origin[i] = o->origin[i] * (INT64_C(1) << (32 - COORDINATE_BITS));
+    placement->bits = o->moved ? COORDINATE_BITS - 16 - o->shift : 0;
 }
 
 int tia_obj_frame(struct obj *o, struct tia_light *lights)
@@ -173,14 +162,11 @@ int tia_obj_frame(struct obj *o, struct tia_light *lights)
     uint64_t radius = scene->mesh_count ? tia_sqrt64(farthest(scene, c)) + UINT64_C(1) : TIA_Q16_ONE;
     if (radius < TIA_RADIUS_MIN)
         return refuse(o, "all faces lie in one point, expected a model");
-    scene->camera = look_at(c, radius);
+    scene->camera = tia_model_view(c, radius, lights);
+    set_placement(o);
+    tia_camera_alter(&scene->camera, o->reader->camera, &o->reader->placement);
     scene->background = tia_grey(TIA_Q30(0.8));
-    /* the sun is to the left of the camera and above it; the sky brightens the shadows */
-    lights[0] = (struct tia_light){.emission = tia_grey(TIA_Q30(0.75)),
-                                   .kind = TIA_DIRECTIONAL_LIGHT,
-                                   .direction = {TIA_Q30(0.36), TIA_Q30(-0.8), TIA_Q30(-0.48)}};
-    lights[1] = (struct tia_light){.emission = tia_grey(TIA_Q30(0.25)), .kind = TIA_AMBIENT_LIGHT};
     scene->lights = lights;
-    scene->light_count = OBJ_LIGHTS;
+    scene->light_count = TIA_MODEL_LIGHTS;
     return TIA_OK;
 }

@@ -17,90 +17,8 @@
  */
 #include "obj.h"
 
-/* ---- texture coordinates and normals ---- */
-
-/* Reads a texture coordinate. A coordinate out of range is clamped: useful ones are far smaller. */
-static int read_texture_coordinate(struct obj *o, tia_q16 *out)
-{
-    struct tia_word word;
-    int64_t wide = 0;
-
-    (void)tia_text_peek(&o->text, &word);
-    int status = tia_text_q16(&o->text, out);
-    if (!status)
-        return status;
-    enum tia_decimal result = tia_decimal(&wide, &word, 16);
-    bool below = word.length && *word.at == '-';
-    *out = result == TIA_DECIMAL_NONE ? 0 : below ? INT32_MIN : INT32_MAX;
-    return tia_obj_forgive(o, result == TIA_DECIMAL_NONE ? TIA_WARN_NUMBER : TIA_WARN_RANGE);
-}
-
-static int read_uv(struct obj *o)
-{
-    struct tia_uv uv = {0, 0};
-    struct tia_word word;
-    tia_q16 more;
-    int status = read_texture_coordinate(o, &uv.u);
-
-    if (!status && tia_text_peek(&o->text, &word))
-        status = read_texture_coordinate(o, &uv.v);
-    if (!status && tia_text_has_number(&o->text))
-        status = read_texture_coordinate(o, &more);
-    tia_array_add(&o->uvs, &uv);
-    return status;
-}
-
-/* Reads a normal. A normal without a direction becomes (0, 0, 0); faces that use it are drawn flat, see
- * strip_corners. */
-static int read_vn(struct obj *o)
-{
-    struct tia_dir3 normal = {0, 0, 0};
-    int status = tia_text_dir3(&o->text, &normal);
-
-    if (status) {
-        normal = (struct tia_dir3){0, 0, 0};
-        status = tia_obj_forgive(o, TIA_WARN_NORMAL);
-        tia_obj_skip(&o->text);
-    }
-    tia_array_add(&o->normals, &normal);
-    return status;
-}
-
-/* ---- the whole file ---- */
-
-static const struct {
-    const char *name;
-    int (*read)(struct obj *);
-} statements[] = {
-    {"v", tia_obj_v},           {"f", tia_obj_f},           {"vn", read_vn},  {"vt", read_uv},
-    {"usemtl", tia_obj_usemtl}, {"mtllib", tia_obj_mtllib}, {"o", tia_obj_o}, {"g", tia_obj_g},
-};
-
-static const char *const skipped[] = {"s",        "l",          "p",         "mg",     "lod",    "bevel", "c_interp",
-                                      "d_interp", "shadow_obj", "trace_obj", "usemap", "maplib", "vp"};
-
-/* Skips the rest of a line with a mistake, and warns. */
-static int skip_mistake(struct obj *o)
-{
-    tia_obj_skip(&o->text);
-    return tia_obj_forgive(o, TIA_WARN_STATEMENT);
-}
-
-static int read_statement(struct obj *o, const struct tia_word *word)
-{
-    for (size_t i = 0; i < sizeof statements / sizeof *statements; i++)
-        if (tia_word_is(word, statements[i].name)) {
-            int status = statements[i].read(o);
-            return status || !tia_text_end(&o->text) ? status : skip_mistake(o);
-        }
-    for (size_t i = 0; i < sizeof skipped / sizeof *skipped; i++)
-        if (tia_word_is(word, skipped[i])) {
-            tia_obj_skip(&o->text);
-            return TIA_OK;
-        }
-    (void)tia_text_error(&o->text, word, "is not a statement", "v, vt, vn, f, g, o, s, usemtl or mtllib");
-    return skip_mistake(o);
-}
+/* Status of a text whose parts cannot be read by several threads. */
+#define UNSUITED 1
 
 /* Reads the text once. */
 static int read_text(struct obj *o)
@@ -113,13 +31,14 @@ static int read_text(struct obj *o)
     tia_array_restart(&o->group_lines);
     o->group = o->face_group = 0;
     o->text = tia_text_begin(o->reader->text, o->reader->length, "", &o->reader->error);
+    o->text.end = o->parts ? o->head_end : o->text.end;
     while (tia_text_line(&o->text)) {
         (void)tia_text_word(&o->text, &word);
-        int status = read_statement(o, &word);
+        int status = tia_obj_statement(o, &word);
         if (status)
-            return status;
+            return o->parts ? UNSUITED : status;
     }
-    return TIA_OK;
+    return o->parts && !tia_obj_read_parts(o) ? UNSUITED : TIA_OK;
 }
 
 /* Reads all libraries once. */
@@ -150,6 +69,7 @@ struct places {
 static struct places place(struct obj *o, struct tia_arena *arena)
 {
     uint32_t materials = o->materials.count, meshes = least(materials, least(o->material_uses + 1, o->face_count));
+    uint32_t copies = tia_obj_copies(o->reader, materials);
     struct places p;
 
     o->scene->material_count = materials;
@@ -162,13 +82,13 @@ static struct places place(struct obj *o, struct tia_arena *arena)
     o->faces = tia_arena_take(arena, o->face_count, sizeof *o->faces);
     p.meshes = tia_arena_take(arena, meshes, sizeof *p.meshes);
     p.shapes = tia_arena_take(arena, meshes, sizeof *p.shapes);
-    p.lights = tia_arena_take(arena, OBJ_LIGHTS, sizeof *p.lights);
+    p.lights = tia_arena_take(arena, TIA_MODEL_LIGHTS, sizeof *p.lights);
     (void)tia_array_place(arena, &o->names);
     (void)tia_array_place(arena, &o->group_lines);
     o->face_groups = tia_arena_take(arena, o->group_lines.capacity ? o->face_count : 0, sizeof *o->face_groups);
-    o->groups = tia_arena_take(arena, materials, sizeof *o->groups);
-    o->polygon = tia_arena_take(arena, o->most_corners, sizeof *o->polygon);
-    o->corners = tia_arena_take(arena, o->most_corners, sizeof *o->corners);
+    o->groups = tia_arena_take(arena, materials * copies, sizeof *o->groups);
+    o->polygon = tia_arena_take(arena, o->most_corners * copies, sizeof *o->polygon);
+    o->corners = tia_arena_take(arena, o->most_corners * copies, sizeof *o->corners);
     return p;
 }
 
@@ -186,9 +106,12 @@ static int measure(struct obj *o)
     if (status)
         return status;
     sort(&o->names);
-    for (uint32_t i = 0; i < o->scene->material_count; i++)
+    for (uint32_t i = 0; i < o->scene->material_count * tia_obj_copies(o->reader, o->scene->material_count); i++)
         o->groups[i] = (struct obj_group){.low = {UINT32_MAX, UINT32_MAX, UINT32_MAX}};
-    status = read_text(o);
+    if (o->material_uses || o->group_lines.capacity)
+        status = read_text(o);
+    else
+        tia_obj_count_faces(o, o->face_count);
     if (status)
         return status;
     tia_obj_place_groups(o);
@@ -203,11 +126,15 @@ static int fill(struct obj *o, const struct places *p)
     o->pass = OBJ_FILL;
     status = status ? status : read_libraries(o);
     status = status ? status : read_text(o);
+    if (!status)
+        tia_obj_join_groups(o);
     status = status ? status : tia_obj_make_meshes(o, p->meshes, p->shapes);
     return status ? status : tia_obj_frame(o, p->lights);
 }
 
-int tia_read_obj(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena)
+/* Reads the whole file; `parts`: by several threads, or NULL. */
+static int read_file(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena,
+                     struct obj_parts *parts)
 {
     struct obj o = {.reader = reader,
                     .scene = scene,
@@ -217,13 +144,36 @@ int tia_read_obj(struct tia_reader *reader, struct tia_scene *scene, struct tia_
                     .vertices = {.item = sizeof(struct tia_vec3)},
                     .normals = {.item = sizeof(struct tia_dir3)},
                     .uvs = {.item = sizeof(struct tia_uv)},
-                    .group_lines = {.item = sizeof(struct tia_name)}};
+                    .group_lines = {.item = sizeof(struct tia_name)},
+                    .parts = parts,
+                    .min = {INT64_MAX, INT64_MAX, INT64_MAX},
+                    .max = {INT64_MIN, INT64_MIN, INT64_MIN}};
 
+    if (parts && !tia_obj_divide(&o))
+        return UNSUITED;
     tia_mtl_add_default(&o);
     int status = read_text(&o);
     status = status ? status : tia_obj_fit(&o);
     if (status)
         return status;
     struct places p = place(&o, arena);
+    if (parts && tia_obj_copies(reader, o.scene->material_count) == 1)
+        return UNSUITED;
     return tia_arena_fits(arena) ? fill(&o, &p) : TIA_OK;
+}
+
+int tia_read_obj(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena)
+{
+    struct obj_parts *parts = tia_obj_take_parts(reader, arena);
+    const struct tia_arena before = *arena;
+    int status = parts ? read_file(reader, scene, arena, parts) : UNSUITED;
+
+    if (status != UNSUITED)
+        return status;
+    *arena = before;
+    *scene = (struct tia_scene){.bvh = NULL};
+    reader->error = (struct tia_read_error){{0}, 0, 0, {0}};
+    for (unsigned i = 0; reader->warnings && i < TIA_WARNINGS; i++)
+        reader->warnings[i].count = 0;
+    return read_file(reader, scene, arena, NULL);
 }

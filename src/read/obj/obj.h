@@ -48,8 +48,11 @@ struct obj {
     uint32_t *face_groups;        /* group of each face; NULL without such lines */
     uint32_t face_group;          /* group of the next face */
 
-    struct obj_group *groups; /* one for each material */
+    struct obj_group *groups; /* one for each material; then those of the parts */
     uint32_t group;           /* material of the next face */
+
+    struct obj_parts *parts; /* NULL: the text is read by one thread */
+    const char *head_end;    /* with parts, the end of the text that is read without them */
 
     /* min, max: bounds of all vertices, with 28 fractional bits. origin, shift and moved: the conversion to the scene's
      * coordinates, see tia_obj_fit. */
@@ -58,6 +61,28 @@ struct obj {
     bool moved;
 };
 
+/* ---- statement.c ---- */
+/* Reads a statement whose first word is `word`. */
+int tia_obj_statement(struct obj *o, const struct tia_word *word);
+
+/* ---- parts.c ---- */
+/* Allocates the parts of a long text for which there are threads. Returns NULL for any other text, or if they do not
+ * fit. */
+struct obj_parts *tia_obj_take_parts(const struct tia_reader *reader, struct tia_arena *arena);
+/* Returns how many copies of the working storage the head and the parts need. */
+uint32_t tia_obj_copies(const struct tia_reader *reader, uint32_t materials);
+/* Divides the text into the head, up to o->head_end, and parts. Returns false if it cannot be read by parts. */
+bool tia_obj_divide(struct obj *o);
+/* Reads the parts, after the head, in o->pass. Returns false if one of them has a mistake. */
+bool tia_obj_read_parts(struct obj *o);
+/* Counts all faces as those of the first material: `face_count` of the whole text, of which the parts have theirs. */
+void tia_obj_count_faces(struct obj *o, uint32_t face_count);
+/* Places the faces of each material in their order in the text. */
+void tia_obj_place_groups(struct obj *o);
+/* Adds the groups of the parts to those of the head. */
+void tia_obj_join_groups(struct obj *o);
+
+/* ---- name.c ---- */
 /* Reads the rest of the line as a name, which may contain blanks: many programs write such names. */
 int tia_obj_name(struct tia_text *t, struct tia_word *name, const char *expected);
 
@@ -80,7 +105,6 @@ int tia_obj_mtllib(struct obj *o);
 
 /* ---- face.c ---- */
 int tia_obj_f(struct obj *o);
-void tia_obj_place_groups(struct obj *o);
 int tia_obj_make_meshes(struct obj *o, struct tia_mesh *meshes, struct tia_shape *shapes);
 
 /* ---- group.c ---- */
@@ -91,7 +115,6 @@ int tia_obj_g(struct obj *o);
 int tia_obj_v(struct obj *o);
 int tia_obj_fit(struct obj *o);
 int tia_obj_frame(struct obj *o, struct tia_light *lights);
-#define OBJ_LIGHTS 2
 
 /* ---- mtl.c ---- */
 /* Adds the first material, which faces without a material get. */

@@ -110,7 +110,7 @@ static int measure(struct tia_text *t, tia_q16 *out)
     int64_t size = length < 0 ? -(length + 1) : length; /* INT32_MAX at both ends of the range of Q16.16 */
 
     l->longest = size > l->longest ? size : l->longest;
-    *out = (tia_q16)(length < INT32_MIN ? INT32_MIN : length > INT32_MAX ? INT32_MAX : length);
+    *out = tia_saturate_s32(length);
     if (!status && !l->rounded && !tia_text_q32(&before, &exact))
         l->rounded = exact != length * 65536;
     return status;
@@ -129,25 +129,34 @@ int tia_text_place(struct tia_text *t, struct tia_vec3 *out)
     return status ? status : tia_text_length(t, &out->z);
 }
 
+struct tia_vec3 tia_vector_of(const int64_t v[3])
+{
+    tia_q16 to[3];
+    uint64_t all = 0;
+    bool exact = true;
+
+    for (int i = 0; i < 3; i++) {
+        all |= (uint64_t)(v[i] < 0 ? -v[i] : v[i]);
+        exact = exact && !(v[i] & 0xffff) && v[i] >> 16 == (tia_q16)(v[i] >> 16);
+    }
+    /* the largest component has 64 - clz bits, of which 30 are kept: rounding up then does not overflow */
+    int shift = exact ? 16 : all ? 34 - (int)tia_clz64(all) : 0;
+    for (int i = 0; i < 3; i++)
+        to[i] = (tia_q16)(shift > 0 ? tia_round_shift(v[i], (unsigned)shift) : v[i] * (INT64_C(1) << -shift));
+    return (struct tia_vec3){to[0], to[1], to[2]};
+}
+
 int tia_text_vector(struct tia_text *t, struct tia_vec3 *out)
 {
     struct tia_text before = *t;
     int status = tia_text_vec3(t, out);
-    tia_q16 *const to[3] = {&out->x, &out->y, &out->z};
     int64_t v[3] = {0, 0, 0};
-    uint64_t all = 0;
 
-    for (int i = 0; !status && i < 3; i++) {
+    for (int i = 0; !status && i < 3; i++)
         status = tia_text_q32(&before, &v[i]);
-        all |= (uint64_t)(v[i] < 0 ? -v[i] : v[i]);
-    }
-    if (status || !((v[0] | v[1] | v[2]) & 0xffff))
-        return status;
-    /* the largest component has 64 - clz bits, of which 30 are kept: rounding up then does not overflow */
-    int shift = 34 - (int)tia_clz64(all);
-    for (int i = 0; i < 3; i++)
-        *to[i] = (tia_q16)(shift > 0 ? tia_round_shift(v[i], (unsigned)shift) : v[i] * (INT64_C(1) << -shift));
-    return TIA_OK;
+    if (!status && ((v[0] | v[1] | v[2]) & 0xffff))
+        *out = tia_vector_of(v);
+    return status;
 }
 
 int tia_text_fine_length(struct tia_text *t, tia_q16 *out, int16_t *digits)

@@ -56,6 +56,9 @@ int tia_text_length(struct tia_text *t, tia_q16 *out);
 /* Reads a position likewise. */
 int tia_text_place(struct tia_text *t, struct tia_vec3 *out);
 
+/* Returns such a vector for one of Q31.32. */
+struct tia_vec3 tia_vector_of(const int64_t v[3]);
+
 /* Reads a length. In the last pass, sets *digits to its further digits, see struct tia_fine; before it, to 0. */
 int tia_text_fine_length(struct tia_text *t, tia_q16 *out, int16_t *digits);
 /* Reads a position likewise. */

@@ -111,10 +111,59 @@ static uint64_t parse_fraction(const char *p, const struct digits *d, unsigned b
     return result;
 }
 
+/* Returns half of a number, rounded up. */
+static uint64_t half_of(uint64_t doubled)
+{
+    return (doubled >> 1) + (doubled & 1);
+}
+
+#define SHORT_DIGITS 9 /* below 2^30 */
+#define SHORT_BITS 32  /* a fraction of SHORT_DIGITS times 2^(SHORT_BITS + 1) is below 2^63 */
+
+/* Reads up to SHORT_DIGITS digits and advances *p; returns their number, which is larger if there are more. */
+static unsigned take_digits(const char **p, const char *end, uint32_t *value)
+{
+    const char *start = *p, *at = start;
+    uint32_t sum = 0;
+
+    for (; is_digit(at, end); at++)
+        sum = sum * 10 + (uint32_t)(*at - '0');
+    *p = at;
+    *value = sum;
+    return (unsigned)(at - start > SHORT_DIGITS ? SHORT_DIGITS + 1 : at - start);
+}
+
+/* Computes what tia_decimal does for a numeral of at most SHORT_DIGITS digits on either side of the point, without an
+ * exponent, as most are: one quotient instead of limbs. Returns false for other words. */
+static bool parse_short(int64_t *out, const struct tia_word *word, unsigned bits)
+{
+    static const uint32_t powers[SHORT_DIGITS + 1] = {1,      10,      100,      1000,      10000,
+                                                      100000, 1000000, 10000000, 100000000, 1000000000};
+    const char *end = word->at + word->length;
+    uint32_t whole, fraction = 0;
+    unsigned decimals = 0;
+    bool negative;
+    const char *p = skip_sign(word->at, end, &negative);
+    unsigned digits = take_digits(&p, end, &whole);
+
+    if (p < end && *p == '.') {
+        p++;
+        decimals = take_digits(&p, end, &fraction);
+    }
+    if (p < end || digits + decimals == 0 || digits > SHORT_DIGITS || decimals > SHORT_DIGITS || bits > SHORT_BITS)
+        return false;
+    uint64_t doubled = ((uint64_t)whole << (bits + 1)) + ((uint64_t)fraction << (bits + 1)) / powers[decimals];
+    int64_t rounded = (int64_t)half_of(doubled);
+    *out = negative ? -rounded : rounded;
+    return true;
+}
+
 enum tia_decimal tia_decimal(int64_t *out, const struct tia_word *word, unsigned bits)
 {
     struct digits d;
 
+    if (parse_short(out, word, bits))
+        return TIA_DECIMAL_FINE;
     if (!parse_digits(&d, word))
         return TIA_DECIMAL_NONE;
     const char *p = d.at;
@@ -122,7 +171,7 @@ enum tia_decimal tia_decimal(int64_t *out, const struct tia_word *word, unsigned
     if (whole >= UINT64_C(1) << (63 - bits) || whole == WHOLE_MAX)
         return TIA_DECIMAL_RANGE;
     uint64_t doubled = (whole << (bits + 1)) + parse_fraction(p, &d, bits + 1);
-    uint64_t rounded = (doubled >> 1) + (doubled & 1);
+    uint64_t rounded = half_of(doubled);
     if (rounded > INT64_MAX)
         return TIA_DECIMAL_RANGE;
     *out = d.negative ? -(int64_t)rounded : (int64_t)rounded;
@@ -131,10 +180,12 @@ enum tia_decimal tia_decimal(int64_t *out, const struct tia_word *word, unsigned
 
 bool tia_text_has_number(const struct tia_text *t)
 {
-    struct tia_text copy = *t;
     struct tia_word word;
     struct digits d;
 
+    if (!t->numbers && t->next < t->end && *t->next == '\n')
+        return false; /* the usual case: without a copy */
+    struct tia_text copy = *t;
     return tia_text_word(&copy, &word) && (tia_constant_use(&copy, &word) || parse_digits(&d, &word));
 }
 

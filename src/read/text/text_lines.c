@@ -56,9 +56,15 @@ static bool is_blank(char c)
     return c == ' ' || (c >= '\t' && c <= '\r' && c != '\n');
 }
 
+/* True for a byte of a word that cannot be the backslash of a joined line. */
+static bool is_plain(char c)
+{
+    return (unsigned char)c > ' ' && c != '\\';
+}
+
 static void skip_blanks(struct tia_text *t)
 {
-    while (t->next < t->end) {
+    while (t->next < t->end && !is_plain(*t->next)) {
         unsigned joined = join(t->next, t->end);
         if (!joined && (!is_blank(*t->next) || line_end(t->next, t->end)))
             return;
@@ -98,6 +104,14 @@ static struct tia_word empty_word(const struct tia_text *t)
     return (struct tia_word){t->next, 0, t->line, (uint32_t)(t->next - t->line_start) + 1};
 }
 
+/* Returns the end of the word in which p is. The pointer is not a member, which would be stored for each byte. */
+static const char *word_end(const char *p, const char *end)
+{
+    while (p < end && (is_plain(*p) || (*p != '\n' && !is_blank(*p) && !join(p, end))))
+        p++;
+    return p;
+}
+
 /* Reads the next word of the line, without replacing constants. */
 static bool take_word(struct tia_text *t, struct tia_word *word)
 {
@@ -106,8 +120,7 @@ static bool take_word(struct tia_text *t, struct tia_word *word)
     *word = empty_word(t);
     if (!found)
         return false;
-    while (t->next < t->end && *t->next != '\n' && !is_blank(*t->next) && !join(t->next, t->end))
-        t->next++;
+    t->next = word_end(t->next, t->end);
     word->length = (uint32_t)(t->next - word->at);
     return true;
 }

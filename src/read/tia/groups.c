@@ -91,7 +91,7 @@ static int compose(struct tia_parse *job, struct tia_place *place)
 {
     if (!job->group_count)
         return TIA_OK;
-    const struct tia_place *outer = &job->groups[job->group_count - 1];
+    const struct tia_place *outer = &job->groups[job->group_count - 1].place;
     const struct tia_place inner = *place;
     int64_t scale[3];
 
@@ -126,23 +126,31 @@ static bool rounded(const int64_t from[3], struct tia_vec3 *to)
 
     for (int i = 0; i < 3; i++) {
         int64_t q = tia_round_shift(from[i], 16);
-        fits = fits && q <= INT32_MAX && q >= INT32_MIN;
-        *out[i] = (tia_q16)(q < INT32_MIN ? INT32_MIN : q > INT32_MAX ? INT32_MAX : q);
+        *out[i] = tia_saturate_s32(q);
+        fits = fits && *out[i] == q;
     }
     return fits;
 }
 
+/* Composes a transform with the open groups. */
+static int set_place(struct tia_parse *job, const struct tia_transform *transform, struct tia_place *place)
+{
+    *place = place_of(transform);
+    int status = compose(job, place);
+    if (!status && job->pass == TIA_COUNTING)
+        tia_reach_group(&job->reach, place->position);
+    return status;
+}
+
 int tia_group_place(struct tia_parse *job, struct tia_transform *transform, const struct tia_word *name)
 {
-    struct tia_place place = place_of(transform);
+    struct tia_place place;
 
     if (name && tia_parse_moves(job, name))
         return tia_text_error(&job->text, name, "moves", "it outside of groups");
-    int status = compose(job, &place);
+    int status = set_place(job, transform, &place);
     if (status)
         return status;
-    if (job->pass == TIA_COUNTING)
-        tia_reach_group(&job->reach, place.position);
     if (!rounded(place.position, &transform->position) && job->pass == TIA_FILLING)
         return refuse(job, "is moved out of range by its groups", "a place nearer to 0");
     (void)rounded(place.scale, &transform->scale);
@@ -151,6 +159,8 @@ int tia_group_place(struct tia_parse *job, struct tia_transform *transform, cons
         tia_rotation_angles((const int64_t(*)[3])place.axes, &transform->rotation);
     return TIA_OK;
 }
+
+static const struct tia_transform unmoved = {.scale = {TIA_Q16_ONE, TIA_Q16_ONE, TIA_Q16_ONE}};
 
 static const struct tia_field group_fields[] = {
     {.word = "at", .kind = TIA_LENGTHS, .count = 3, .offset = offsetof(struct tia_transform, position)},
@@ -164,33 +174,81 @@ static bool has_scale(const struct tia_transform *t)
            t->scale.y <= TIA_SCALE_MAX && t->scale.z >= TIA_SCALE_MIN && t->scale.z <= TIA_SCALE_MAX;
 }
 
-int tia_line_group(struct tia_parse *job)
+/* Reads the fields of a group or of a repeat block, and begins it as a group. */
+static int begin_group(struct tia_parse *job, const char *what, struct tia_transform *transform)
 {
-    struct tia_transform transform = {.scale = {TIA_Q16_ONE, TIA_Q16_ONE, TIA_Q16_ONE}};
-    int status = tia_fields(&job->text, "a group", group_fields, TIA_COUNT_OF(group_fields), &transform, NULL);
-
+    *transform = unmoved;
+    int status = tia_fields(&job->text, what, group_fields, TIA_COUNT_OF(group_fields), transform, NULL);
     if (status)
         return status;
     if (job->group_count == TIA_GROUP_DEPTH)
         return refuse(job, "is one too deep", "at most 8 groups within each other");
-    if (!has_scale(&transform))
+    if (!has_scale(transform))
         return refuse(job, "is scaled out of range", "1/1024 to 1024");
-    struct tia_place place = place_of(&transform);
-    status = compose(job, &place);
+    job->groups[job->group_count].repeats = false;
+    return TIA_OK;
+}
+
+int tia_line_group(struct tia_parse *job)
+{
+    struct tia_transform transform;
+    int status = begin_group(job, "a group", &transform);
+
+    status = status ? status : set_place(job, &transform, &job->groups[job->group_count].place);
+    if (!status)
+        job->group_count++;
+    return status;
+}
+
+/* The first copy is where the block is, and each of the others in the one before it as a group in a group. */
+int tia_line_repeat(struct tia_parse *job)
+{
+    struct tia_transform step;
+    int64_t copies;
+    int status = tia_text_integer(&job->text, &copies, 1, TIA_REPEATS_MAX);
+
+    status = status ? status : begin_group(job, "a repeat block", &step);
     if (status)
         return status;
-    if (job->pass == TIA_COUNTING)
-        tia_reach_group(&job->reach, place.position);
-    job->groups[job->group_count++] = place;
-    return TIA_OK;
+    struct tia_group *group = &job->groups[job->group_count];
+    group->repeats = true;
+    group->left = (uint32_t)copies - 1;
+    group->step = step;
+    group->body = job->text;
+    group->first = job->first;
+    status = set_place(job, &unmoved, &group->place);
+    job->group_count++;
+    job->repeat_count++;
+    return status;
+}
+
+/* Goes back to the beginning of a repeat block for its next copy. */
+static int go_back(struct tia_parse *job, struct tia_group *group)
+{
+    struct tia_place place;
+
+    job->first = group->first;
+    int status = set_place(job, &group->step, &place);
+    group->place = place;
+    group->left--;
+    job->text = group->body;
+    return status;
 }
 
 int tia_line_end(struct tia_parse *job)
 {
     const struct tia_includes *includes = &job->includes;
+    struct tia_group *group;
 
     if (job->group_count == (includes->depth ? includes->outer[includes->depth - 1].groups : 0))
         return refuse(job, "ends nothing", "a group before it, in the same file");
+    int status = tia_text_end(&job->text);
+    if (status)
+        return status;
+    group = &job->groups[job->group_count - 1];
+    if (group->left)
+        return go_back(job, group);
     job->group_count--;
+    job->repeat_count -= group->repeats;
     return TIA_OK;
 }

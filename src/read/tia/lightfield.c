@@ -51,22 +51,18 @@ static struct tia_dir3 across(struct tia_dir3 a, struct tia_dir3 b)
                          (int32_t)(((int64_t)a.x * b.y - (int64_t)a.y * b.x) >> 30));
 }
 
-static tia_q16 saturated(int64_t q)
-{
-    return q < INT32_MIN ? INT32_MIN : q > INT32_MAX ? INT32_MAX : (tia_q16)q;
-}
-
 /* Returns d l, in the unit of l. */
 static struct tia_vec3 along(struct tia_dir3 d, int64_t l)
 {
-    return (struct tia_vec3){saturated(tia_round_shift(d.x * l, 30)), saturated(tia_round_shift(d.y * l, 30)),
-                             saturated(tia_round_shift(d.z * l, 30))};
+    return (struct tia_vec3){tia_saturate_s32(tia_round_shift(d.x * l, 30)),
+                             tia_saturate_s32(tia_round_shift(d.y * l, 30)),
+                             tia_saturate_s32(tia_round_shift(d.z * l, 30))};
 }
 
 static struct tia_vec3 added(struct tia_vec3 a, struct tia_vec3 b)
 {
-    return (struct tia_vec3){saturated((int64_t)a.x + b.x), saturated((int64_t)a.y + b.y),
-                             saturated((int64_t)a.z + b.z)};
+    return (struct tia_vec3){tia_saturate_s32((int64_t)a.x + b.x), tia_saturate_s32((int64_t)a.y + b.y),
+                             tia_saturate_s32((int64_t)a.z + b.z)};
 }
 
 /* Sets the camera. A screen that is not `turned` is upright and faces along z; the camera then has no up vector, so
@@ -74,7 +70,7 @@ static struct tia_vec3 added(struct tia_vec3 a, struct tia_vec3 b)
 static void place(struct tia_camera *camera, const struct display *d, bool turned)
 {
     struct tia_dir3 n = d->normal, u = {TIA_Q30_ONE, 0, 0}, v = {0, TIA_Q30_ONE, 0};
-    tia_q16 middle = saturated(((int64_t)d->from + d->to) >> 1);
+    tia_q16 middle = tia_saturate_s32(((int64_t)d->from + d->to) >> 1);
 
     if (turned) {
         u = across(tia_normalise(d->up.x, d->up.y, d->up.z), n);
@@ -84,11 +80,11 @@ static void place(struct tia_camera *camera, const struct display *d, bool turne
     camera->eye = added(on_screen, along(n, d->distance));
     camera->reference = turned ? on_screen : (struct tia_vec3){0, 0, 0};
     camera->up = turned ? d->up : (struct tia_vec3){0, 0, 0};
-    camera->line = saturated((int64_t)d->to - middle);
-    camera->window.left = saturated(-(int64_t)(d->width / 2) - middle);
-    camera->window.right = saturated((int64_t)camera->window.left + d->width);
-    camera->window.bottom = saturated(-(int64_t)(d->height / 2) - d->above);
-    camera->window.top = saturated((int64_t)camera->window.bottom + d->height);
+    camera->line = tia_saturate_s32((int64_t)d->to - middle);
+    camera->window.left = tia_saturate_s32(-(int64_t)(d->width / 2) - middle);
+    camera->window.right = tia_saturate_s32((int64_t)camera->window.left + d->width);
+    camera->window.bottom = tia_saturate_s32(-(int64_t)(d->height / 2) - d->above);
+    camera->window.top = tia_saturate_s32((int64_t)camera->window.bottom + d->height);
     camera->window.near = d->distance;
 }
 

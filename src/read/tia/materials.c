@@ -225,6 +225,7 @@ static int read_checker(struct tia_parse *job, struct texture_line *line)
 {
     uint32_t given = 0;
 
+    line->texture.footprint = job->footprints;
     line->texture.cells[0] = (struct tia_rgb){TIA_Q30_ONE, TIA_Q30_ONE, TIA_Q30_ONE};
     int status = tia_fields(&job->text, "a checker", checker_fields, TIA_COUNT_OF(checker_fields), line, &given);
     return status ? status : set_pattern(&job->text, line, given);

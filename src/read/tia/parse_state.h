@@ -39,6 +39,8 @@ enum tia_parse_array {
     TIA_OF_KEYS,
     TIA_OF_FALLS,
     TIA_OF_FALLING,
+    TIA_OF_FOGS,
+    TIA_OF_LENSES,
     TIA_OF_NAMES,    /* all defined names */
     TIA_OF_ANIMATED, /* the names in animate and fall statements */
     TIA_ARRAYS
@@ -49,6 +51,10 @@ enum tia_pass { TIA_COUNTING, TIA_NAMING, TIA_FILLING };
 #define TIA_INCLUDE_DEPTH 8 /* largest depth of nested files */
 #define TIA_INCLUDES_MAX 64 /* largest number of includes: 8 nested files, each including the next twice, make 256 */
 #define TIA_GROUP_DEPTH 8
+#define TIA_REPEATS_MAX 65536 /* most copies of a repeat block */
+
+/* Most lines of a scene in repeat blocks, each counted for each copy. */
+#define TIA_REPEATED_LINES (UINT32_C(1) << 24)
 
 /* The stack of included files. */
 struct tia_includes {
@@ -70,13 +76,26 @@ struct tia_place {
     bool as_written;
 };
 
+/* A group, or a copy of a repeat block. */
+struct tia_group {
+    struct tia_place place; /* composed with the groups around it */
+
+    /* Of a repeat block: what follows the copy. */
+    bool repeats;
+    uint32_t left;             /* number of copies */
+    struct tia_transform step; /* places each copy in the one before it */
+    struct tia_text body;      /* the block, from the end of its first line on */
+    struct tia_word first;     /* the statement's name */
+};
+
 struct tia_parse {
     struct tia_text text;
     struct tia_word first; /* first word of the line */
     struct tia_constants constants;
     struct tia_includes includes;
-    struct tia_place groups[TIA_GROUP_DEPTH]; /* each composed with the groups around it */
-    unsigned group_count;
+    struct tia_group groups[TIA_GROUP_DEPTH];
+    unsigned group_count, repeat_count; /* numbers of open groups, repeat blocks included, and of these blocks */
+    uint32_t repeated_lines;            /* see TIA_REPEATED_LINES */
     struct tia_reach reach;
     struct tia_reader *reader;
     struct tia_scene *scene;
@@ -85,6 +104,7 @@ struct tia_parse {
     struct tia_falling falling; /* gravity, and the time of its end */
     bool hides;                 /* a shape may be hidden: the scene needs a mesh without faces */
     int bits, most, room;       /* scale_bits of the last pass, and two limits: see next_unit */
+    bool footprints;            /* textures are filtered; known after the first pass */
     uint32_t images;            /* number of textures whose images have been loaded */
     uint32_t once;              /* bit n: statement n, which may occur only once, has occurred */
 
@@ -161,9 +181,12 @@ int tia_light_field_line(struct tia_parse *job); /* the statement `camera lightf
 int tia_line_samples(struct tia_parse *job);
 int tia_line_background(struct tia_parse *job);
 int tia_line_depth(struct tia_parse *job);
+int tia_line_fog(struct tia_parse *job);
+int tia_line_lens(struct tia_parse *job);
 int tia_line_shadows(struct tia_parse *job);
 int tia_line_integrator(struct tia_parse *job);
 int tia_line_spp(struct tia_parse *job);
+int tia_line_filter(struct tia_parse *job);
 int tia_line_tone(struct tia_parse *job);
 int tia_line_exposure(struct tia_parse *job);
 int tia_line_material(struct tia_parse *job);
@@ -178,6 +201,7 @@ int tia_line_animate(struct tia_parse *job);
 int tia_line_gravity(struct tia_parse *job);
 int tia_line_fall(struct tia_parse *job);
 int tia_line_group(struct tia_parse *job);
+int tia_line_repeat(struct tia_parse *job);
 int tia_line_end(struct tia_parse *job);
 int tia_line_include(struct tia_parse *job);
 int tia_line_define(struct tia_parse *job);

@@ -122,11 +122,8 @@ void tia_reach_light(struct tia_reach *r, const struct tia_light *light)
  * middle `eye`, the half length `line`, and any direction. */
 static struct tia_vec3 beside(struct tia_vec3 eye, tia_q16 line)
 {
-    int64_t at[3] = {(int64_t)eye.x + line, (int64_t)eye.y + line, (int64_t)eye.z + line};
-
-    for (int i = 0; i < 3; i++)
-        at[i] = at[i] < INT32_MIN ? INT32_MIN : at[i] > INT32_MAX ? INT32_MAX : at[i];
-    return (struct tia_vec3){(tia_q16)at[0], (tia_q16)at[1], (tia_q16)at[2]};
+    return (struct tia_vec3){tia_saturate_s32((int64_t)eye.x + line), tia_saturate_s32((int64_t)eye.y + line),
+                             tia_saturate_s32((int64_t)eye.z + line)};
 }
 
 void tia_reach_camera(struct tia_reach *r, const struct tia_camera *camera)

@@ -1,57 +1,62 @@
 /* tia.c - scenes in tia's own format, tia-scene(5): the passes over the text, and the table of statements. */
 #include "parse_state.h"
+#include "read/alter.h"
 #include "read/readers.h"
+#include "read/text/nearest.h"
 #include "scene/shapes/description.h"
+
+#define ONCE 1u     /* at most one in a scene */
+#define UNMOVED 2u  /* not allowed in groups, which would not move it */
+#define REPEATED 4u /* allowed in repeat blocks */
 
 /* All statements but those of shapes: a shape's word is in its description. */
 static const struct statement {
     const char *word;
     int (*read)(struct tia_parse *job);
-    bool once, outside; /* at most one in a scene; not allowed in groups, which would not move it */
+    unsigned flags;
 } statements[] = {
-    {"instance", tia_line_instance, false, false},
-    {"mesh", tia_line_mesh, false, false},
-    {"grid", tia_line_grid, false, false},
-    {"material", tia_line_material, false, false},
-    {"texture", tia_line_texture, false, false},
-    {"light", tia_line_light, false, true},
-    {"key", tia_line_key, false, true},
-    {"animate", tia_line_animate, false, false},
-    {"fall", tia_line_fall, false, false},
-    {"gravity", tia_line_gravity, true, false},
-    {"group", tia_line_group, false, false},
-    {"end", tia_line_end, false, false},
-    {"include", tia_line_include, false, false},
-    {"define", tia_line_define, false, false},
-    {"camera", tia_line_camera, true, true},
-    {"background", tia_line_background, true, false},
-    {"samples", tia_line_samples, true, false},
-    {"depth", tia_line_depth, true, false},
-    {"shadows", tia_line_shadows, true, false},
-    {"integrator", tia_line_integrator, true, false},
-    {"spp", tia_line_spp, true, false},
-    {"tone", tia_line_tone, true, false},
-    {"exposure", tia_line_exposure, true, false},
+    {"instance", tia_line_instance, REPEATED},
+    {"mesh", tia_line_mesh, 0},
+    {"grid", tia_line_grid, 0},
+    {"material", tia_line_material, 0},
+    {"texture", tia_line_texture, 0},
+    {"light", tia_line_light, UNMOVED},
+    {"key", tia_line_key, UNMOVED},
+    {"animate", tia_line_animate, 0},
+    {"fall", tia_line_fall, 0},
+    {"gravity", tia_line_gravity, ONCE},
+    {"group", tia_line_group, REPEATED},
+    {"repeat", tia_line_repeat, REPEATED},
+    {"end", tia_line_end, REPEATED},
+    {"include", tia_line_include, 0},
+    {"define", tia_line_define, 0},
+    {"camera", tia_line_camera, ONCE | UNMOVED},
+    {"background", tia_line_background, ONCE},
+    {"samples", tia_line_samples, ONCE},
+    {"depth", tia_line_depth, ONCE},
+    {"fog", tia_line_fog, ONCE | UNMOVED},
+    {"lens", tia_line_lens, ONCE | UNMOVED},
+    {"shadows", tia_line_shadows, ONCE},
+    {"integrator", tia_line_integrator, ONCE},
+    {"spp", tia_line_spp, ONCE},
+    {"filter", tia_line_filter, ONCE},
+    {"tone", tia_line_tone, ONCE},
+    {"exposure", tia_line_exposure, ONCE},
 };
 #define STATEMENTS TIA_COUNT_OF(statements)
 
 static int refuse(struct tia_parse *job, const struct tia_word *word)
 {
-    struct tia_read_error *error = job->text.error;
+    struct tia_nearest nearest = {.word = word};
     const struct shape_description *shape;
 
-    (void)tia_text_error(&job->text, word, "is not a statement", "");
-    for (unsigned kind = 0; (shape = tia_shape_description((enum tia_shape_kind)kind)); kind++) {
-        if (!shape->word)
-            continue;
-        tia_say(error, shape->word);
-        tia_say(error, ", ");
-    }
-    for (unsigned i = 0; i < STATEMENTS; i++) {
-        tia_say(error, i == 0 ? "" : i + 1 < STATEMENTS ? ", " : " or ");
-        tia_say(error, statements[i].word);
-    }
-    return TIA_ERR_RANGE;
+    for (unsigned kind = 0; (shape = tia_shape_description((enum tia_shape_kind)kind)); kind++)
+        if (shape->word)
+            tia_nearest_try(&nearest, shape->word);
+    for (unsigned i = 0; i < STATEMENTS; i++)
+        tia_nearest_try(&nearest, statements[i].word);
+    return tia_text_error(&job->text, word, "is not a statement",
+                          nearest.candidate ? nearest.candidate : "a shape, material, light, camera or the like");
 }
 
 /* Finds the kind of shape whose statement begins with the word. */
@@ -73,6 +78,8 @@ static int read_statement(struct tia_parse *job, const struct tia_word *word)
     unsigned i = 0;
 
     job->rest = job->text;
+    if (job->repeat_count && ++job->repeated_lines > TIA_REPEATED_LINES)
+        return tia_text_error(&job->text, word, "is a line too many", "at most 16777216 in repeat blocks");
     if (find_shape(word, &kind)) {
         job->statement = tia_shape_description(kind)->word;
         return tia_line_shape(job, kind);
@@ -81,10 +88,12 @@ static int read_statement(struct tia_parse *job, const struct tia_word *word)
         i++;
     if (i == STATEMENTS)
         return refuse(job, word);
-    if (statements[i].once && job->once >> i & 1)
+    if (statements[i].flags & ONCE && job->once >> i & 1)
         return tia_text_error(&job->text, word, "is given twice", "once");
-    if (statements[i].outside && job->group_count)
+    if (statements[i].flags & UNMOVED && job->group_count)
         return tia_text_error(&job->text, word, "is not moved by groups", "it outside of them");
+    if (!(statements[i].flags & REPEATED) && job->repeat_count)
+        return tia_text_error(&job->text, word, "is not repeated", "it outside of repeat blocks");
     job->once |= UINT32_C(1) << i;
     job->statement = statements[i].word;
     int status = statements[i].read(job);
@@ -108,7 +117,8 @@ static void begin_pass(struct tia_parse *job, enum tia_pass pass)
     job->constants.count = 0;
     job->includes.depth = job->includes.count = 0;
     job->includes.next.next = NULL;
-    job->group_count = 0;
+    job->group_count = job->repeat_count = 0;
+    job->repeated_lines = 0;
     tia_events_begin(job);
     for (unsigned i = 0; i < TIA_ARRAYS; i++)
         if (pass != TIA_FILLING || (i != TIA_OF_NAMES && i != TIA_OF_ANIMATED))
@@ -232,6 +242,10 @@ static void set_arrays(struct tia_parse *job)
     s->track_count = tia_parse_count(job, TIA_OF_TRACKS);
     if (tia_parse_count(job, TIA_OF_FALLING))
         s->falling = tia_parse_at(job, TIA_OF_FALLING, 0);
+    if (tia_parse_count(job, TIA_OF_FOGS))
+        s->fog = tia_parse_at(job, TIA_OF_FOGS, 0);
+    if (tia_parse_count(job, TIA_OF_LENSES))
+        s->lens = tia_parse_at(job, TIA_OF_LENSES, 0);
 }
 
 static void size_arrays(struct tia_parse *job)
@@ -255,6 +269,8 @@ static void size_arrays(struct tia_parse *job)
         [TIA_OF_KEYS] = sizeof(struct tia_keyframe),
         [TIA_OF_FALLS] = sizeof(struct tia_fall),
         [TIA_OF_FALLING] = sizeof(struct tia_falling),
+        [TIA_OF_FOGS] = sizeof(struct tia_fog),
+        [TIA_OF_LENSES] = sizeof(struct tia_lens),
         [TIA_OF_NAMES] = sizeof(struct tia_name),
         [TIA_OF_ANIMATED] = sizeof(struct tia_name),
     };
@@ -284,6 +300,7 @@ int tia_parse_read(struct tia_parse *job, struct tia_arena *arena)
         status = read_pass(job, TIA_COUNTING);
         if (status)
             return status;
+        tia_alter_measured(job->reader, &job->scene->camera, &job->reach.lengths);
     } while (!job->reader->unscaled && tia_lengths_widen(&job->reach.lengths, &bits));
     tia_reach_camera(&job->reach, &job->scene->camera);
     for (unsigned i = 0; i < TIA_ARRAYS; i++)
@@ -300,6 +317,7 @@ int tia_parse_read(struct tia_parse *job, struct tia_arena *arena)
 static void finish(struct tia_parse *job)
 {
     resolve_tracks(job);
+    tia_alter_measured(job->reader, &job->scene->camera, &job->reach.lengths);
     tia_events_resolve(job);
     set_arrays(job);
 }

@@ -92,6 +92,38 @@ int tia_line_depth(struct tia_parse *job)
     return status;
 }
 
+static const struct tia_field fog_fields[] = {
+    {.word = "colour", .kind = TIA_COLOUR, .offset = offsetof(struct tia_fog, colour), .needed = true},
+    {.word = "distance", .kind = TIA_LENGTHS, .count = 1, .offset = offsetof(struct tia_fog, distance), .needed = true},
+    {.word = "height", .kind = TIA_LENGTHS, .count = 1, .offset = offsetof(struct tia_fog, height)},
+    {.word = "level", .kind = TIA_LENGTHS, .count = 1, .offset = offsetof(struct tia_fog, level)},
+};
+
+int tia_line_fog(struct tia_parse *job)
+{
+    struct tia_fog fog = {.distance = 0};
+    int status = tia_fields(&job->text, "fog", fog_fields, TIA_COUNT_OF(fog_fields), &fog, NULL);
+
+    if (!status)
+        (void)tia_parse_add(job, TIA_OF_FOGS, &fog);
+    return status;
+}
+
+static const struct tia_field lens_fields[] = {
+    {.word = "radius", .kind = TIA_LENGTHS, .count = 1, .offset = offsetof(struct tia_lens, radius), .needed = true},
+    {.word = "focus", .kind = TIA_LENGTHS, .count = 1, .offset = offsetof(struct tia_lens, focus), .needed = true},
+};
+
+int tia_line_lens(struct tia_parse *job)
+{
+    struct tia_lens lens = {0, 0};
+    int status = tia_fields(&job->text, "a lens", lens_fields, TIA_COUNT_OF(lens_fields), &lens, NULL);
+
+    if (!status)
+        (void)tia_parse_add(job, TIA_OF_LENSES, &lens);
+    return status;
+}
+
 /* Reads a name, and sets *number to the number, not below `first`, for which `name_of` returns that name. */
 static int named(struct tia_text *t, const char *(*name_of)(unsigned), unsigned first, const char *what,
                  const char *expected, unsigned *number)
@@ -226,6 +258,18 @@ int tia_line_spp(struct tia_parse *job)
 
     job->scene->integration.spp = (uint32_t)spp;
     return status;
+}
+
+/* Reads the statement filter. It holds for all textures, also for those before it, since the first pass finds it. */
+int tia_line_filter(struct tia_parse *job)
+{
+    struct tia_word word;
+
+    (void)tia_text_word(&job->text, &word);
+    job->footprints = tia_word_is(&word, "footprint");
+    if (job->footprints || tia_word_is(&word, "none"))
+        return TIA_OK;
+    return tia_text_error(&job->text, &word, "is not a filter", "none or footprint");
 }
 
 int tia_line_tone(struct tia_parse *job)

@@ -30,12 +30,32 @@ static bool goes_past(struct estimate *e, const struct shading *s)
     return !num_happens(num_chance(num_fraction(s->opacity, NUM_LENGTH_ONE)), u[0]);
 }
 
+/* Computes the next hit if it is known what the ray meets. */
+static bool recall(const struct estimate *e, uint32_t ray_number, const struct ray *ray, struct hit *hit)
+{
+    const struct estimate_known *known = e->known;
+
+    if (!known || ray_number >= known->count)
+        return false;
+    ray_intersect_object(e->view, ray, known->hit[ray_number].object, hit);
+    hit->light = known->hit[ray_number].light;
+    return hit->light == TIA_NO_OBJECT ||
+           ray_light_intersect(&e->view->lights[hit->light], ray, NUM_LENGTH_MAX, &hit->t);
+}
+
+static void find_hit(struct estimate *e, const struct ray *ray, unsigned lights, struct hit *hit)
+{
+    if (recall(e, e->met++, ray, hit))
+        return;
+    ray_intersect(e->view, ray, hit);
+    if (lights)
+        ray_intersect_lights_of(e->view, ray, lights, hit);
+}
+
 bool estimate_meet(struct estimate *e, struct ray *ray, unsigned lights, struct hit *hit, struct shading *s)
 {
     for (;;) {
-        ray_intersect(e->view, ray, hit);
-        if (lights)
-            ray_intersect_lights_of(e->view, ray, lights, hit);
+        find_hit(e, ray, lights, hit);
         estimate_note(e, hit->object);
         estimate_note(e, hit->element);
         if (hit->object == TIA_NO_OBJECT || estimate_stops(e))
@@ -72,9 +92,9 @@ static void sample_of(struct estimate *e, const struct light_pixel *at, uint32_t
     uint32_t u[2];
 
     e->sampler = sampler_of(e->view->scene->integration.seed, at->x, at->y, index);
-    e->layers = 0;
+    e->layers = e->met = 0;
     sampler_pair(&e->sampler, ESTIMATE_FIRST_QUAD, 0, u);
-    ray_camera_ray_within(&e->view->camera, at, u, &ray);
+    ray_camera_ray_within(&e->view->camera, at, index, u, &ray);
     radiance(e, &ray, rgb);
 }
 
@@ -131,6 +151,15 @@ void estimate_sample_tile(const struct tia_view *view, struct tia_tile tile, uin
         for (int x = 0; x < (int)tile.width; x++)
             add_samples(&e, (int)tile.x + x, (int)tile.y + y, first, end, gathered,
                         (size_t)y * gathered->pitch + (size_t)x, radiance);
+}
+
+void estimate_resume(const struct tia_view *view, int x, int y, uint32_t index, const struct estimate_known *known,
+                     const struct tia_gathered *pixel, estimate_radiance *radiance)
+{
+    struct estimate e = begin(view);
+
+    e.known = known;
+    add_samples(&e, x, y, index, index + 1, pixel, 0, radiance);
 }
 
 /* Parameters of the conversion of a row's sums to pixels. */

@@ -6,10 +6,24 @@
 #include "render/trace/shading.h"
 #include "samples/sobol.h"
 
+#define ESTIMATE_KNOWN 16 /* most rays of a sample whose hits are known */
+
+/* The hits of a sample's first rays, as SIMD kernels have found them: ray number i meets `object`, or `light`, or
+ * neither. Bit i of `shadows_known` is set if the result of the shadow ray from that hit is known, too, and bit i of
+ * `lights_reached` if that ray reaches its light. */
+struct estimate_known {
+    struct {
+        uint32_t object, light; /* TIA_NO_OBJECT: none */
+    } hit[ESTIMATE_KNOWN];
+    uint32_t count, shadows_known, lights_reached;
+};
+
 /* A sample, and the state shared by consecutive samples. */
 struct estimate {
     const struct ray_view *view;
-    num_length bias; /* offset of rays from surfaces */
+    const struct estimate_known *known; /* NULL: nothing is known */
+    uint32_t met;                       /* number of the sample's rays so far, without shadow rays */
+    num_length bias;                    /* offset of rays from surfaces */
     struct sampler sampler;
     uint32_t layers;         /* number of random choices made for opacity textures */
     uint32_t hash;           /* hash of the hits of all rays of the pixel's samples */
@@ -28,6 +42,9 @@ typedef void estimate_radiance(struct estimate *e, const struct ray *ray, num_le
 /* Implements `sample` of struct renderer. */
 void estimate_sample_tile(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end,
                           const struct tia_gathered *gathered, estimate_radiance *radiance);
+/* Adds sample number `index` of pixel (x, y), of which `known` is known. */
+void estimate_resume(const struct tia_view *view, int x, int y, uint32_t index, const struct estimate_known *known,
+                     const struct tia_gathered *pixel, estimate_radiance *radiance);
 /* Implements `light` of struct renderer. */
 void estimate_light_tile(const struct tia_view *view, struct tia_tile tile, const struct tia_surface *surface,
                          const struct tia_options *options, estimate_radiance *radiance);
@@ -43,6 +60,15 @@ bool estimate_stops(struct estimate *e);
  * origin moves behind the surface. Returns false if no surface is met, but perhaps a light of the kinds `lights`, see
  * ray_intersect_lights_of; or if stopped. */
 bool estimate_meet(struct estimate *e, struct ray *ray, unsigned lights, struct hit *hit, struct shading *s);
+
+/* True if it is known whether the shadow ray from the last hit reaches its light; *seen is set to that. */
+static inline bool estimate_recalls(const struct estimate *e, bool *seen)
+{
+    uint32_t last = e->met - 1;
+
+    *seen = e->known && last < ESTIMATE_KNOWN && (e->known->lights_reached >> last & 1);
+    return e->known && last < ESTIMATE_KNOWN && (e->known->shadows_known >> last & 1);
+}
 
 /* Adds the sample's first visible surface to e->guide, and sets e->guide to NULL; does nothing if it is NULL. If there
  * is no surface, `normal` is NULL, and `depth` is unused. */

@@ -3,6 +3,7 @@
 #include "math/rotation.h"
 #include "math/wide.h"
 #include "raster/distance.h"
+#include "raster_view.h"
 #include "scene/colour.h"
 
 #define RAY_BITS 24
@@ -141,13 +142,6 @@ static bool is_diffuse(const struct tia_material *m)
            colour_is_black(&m->refraction) && colour_is_black(&m->facing);
 }
 
-static bool is_smooth(const struct tia_scene *scene, const struct tia_flat_object *object, uint32_t element)
-{
-    const struct tia_shape *shape = &scene->shapes[object->object - scene->sphere_count];
-
-    return object->kind == TIA_MESH && scene->meshes[shape->mesh].faces[element].corner[0].normal != TIA_NO_INDEX;
-}
-
 static void look_up(struct diffuse *m, uint32_t face)
 {
     const struct tia_flat_object *object = tia_flat_object_of(m->flat, face);
@@ -156,7 +150,7 @@ static void look_up(struct diffuse *m, uint32_t face)
     struct surface surface;
 
     m->face = (struct diffuse_face){.face = face};
-    if (object->divided || is_smooth(scene, object, element))
+    if (object->divided || raster_is_smooth(scene, object, element))
         return;
     m->face.material = &scene->materials[ray_material(m->rays, object->object, element)];
     m->face.fits = is_diffuse(m->face.material);

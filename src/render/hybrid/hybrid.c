@@ -132,6 +132,7 @@ static int set_lights(struct tia_view *view)
         status = make_vertices(view, &cancel);
     if (status)
         return status;
+    shadow->runs = view->raster_runs;
     for (uint32_t n = 0; n < view->light_count; n++) {
         raster->first_bit[n] = (uint8_t)shadow->sample_count;
         add_samples(raster, shadow, &view->lights[n]);
@@ -157,6 +158,6 @@ const struct renderer raster_renderer = {
     .buffer_size = buffer_size,
     .trace = raster_trace_tile,
     .light = raster_light_tile,
-    .part = SIMD_PARTS,
+    .part = SIMD_SEEN,
     .refuses = refuses,
 };

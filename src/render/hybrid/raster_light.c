@@ -6,6 +6,8 @@
 #include "render/core/dither.h"
 #include "render/whitted/whitted.h"
 
+#define SHARES_SIDE 64 /* side of a part whose pixels have several shares of lights */
+
 struct rasterised {
     struct first_hits first;
     const struct raster_view *raster;
@@ -90,6 +92,22 @@ static void light_sample(const struct tia_view *view, const struct tia_hits *hit
         technique->light(shadow, &open, i, cancel);
 }
 
+/* Several shares of a pixel are stored one after the other, so all lights of a part of the tile come before the next
+ * part, as long as it is in a cache. */
+static void light_parts(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile, unsigned sample,
+                        struct cancel *cancel)
+{
+    unsigned side = raster_of(view)->shares > 1 ? SHARES_SIDE : TIA_SIZE_MAX;
+
+    for (unsigned y = tile.y; y < (unsigned)tile_bottom(tile); y += side)
+        for (unsigned x = tile.x; x < (unsigned)tile_right(tile); x += side) {
+            unsigned width = (unsigned)tile_right(tile) - x, height = (unsigned)tile_bottom(tile) - y;
+            struct tia_tile part = {(uint16_t)x, (uint16_t)y, (uint16_t)(width < side ? width : side),
+                                    (uint16_t)(height < side ? height : side)};
+            light_sample(view, hits, part, sample, cancel);
+        }
+}
+
 /* Lights pixels x0..x1-1 of row y, ray by ray. */
 static void light_run(const struct rasterised *r, const struct tia_view *view, struct tia_tile tile, int y, int x0,
                       int x1, const struct tia_surface *surface, const struct tia_options *options)
@@ -126,24 +144,50 @@ static void light_row(struct rasterised *r, const struct tia_view *view, struct 
     light_run(r, view, tile, y, open, tile_right(tile), surface, options);
 }
 
-void raster_light_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
-                       const struct tia_surface *surface, const struct tia_options *options)
+static struct rasterised rasterised_of(const struct tia_view *view, const struct tia_hits *hits)
+{
+    const struct raster_view *raster = raster_of(view);
+
+    return (struct rasterised){
+        .first = {find_hit, raster->first_bit, raster->whole, raster->place_count ? passes : NULL},
+        .raster = raster,
+        .rays = view->prepared,
+        .hits = hits};
+}
+
+/* Finds the lights that reach each pixel. */
+static void find_lights(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile)
 {
     const struct raster_view *raster = raster_of(view);
     struct cancel cancel = view_cancel(view);
-    struct rasterised r = {.first = {find_hit, raster->first_bit, raster->whole, raster->place_count ? passes : NULL},
-                           .raster = raster,
-                           .rays = view->prepared,
-                           .hits = hits};
-    const struct tia_debug debug = options_debug(options);
     struct tia_hits again = {.view = view, .area = hits->area, .object = hits->object, .buffer = hits->buffer};
 
     if (is_outdated(raster, hits, tile))
         raster_trace_tile(view, &again, tile);
     for (unsigned i = 0; i < raster->sample_count; i++)
-        light_sample(view, hits, tile, i, &cancel);
-    if (raster->place_count || debug.path_hash || debug.lit || options->colours ||
-        !diffuse_init(&r.diffuse, view, raster->shadow, raster->first_bit)) {
+        light_parts(view, hits, tile, i, &cancel);
+}
+
+void raster_shade_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
+                       const struct tia_surface *surface, const struct tia_options *options)
+{
+    struct rasterised r = rasterised_of(view, hits);
+
+    whitted_light_tile(view, hits, tile, surface, options, &r.first);
+}
+
+void raster_light_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
+                       const struct tia_surface *surface, const struct tia_options *options)
+{
+    const struct raster_view *raster = raster_of(view);
+    struct rasterised r = rasterised_of(view, hits);
+    const struct tia_debug debug = options_debug(options);
+    bool rays = raster->place_count || debug.path_hash || debug.lit || options->colours;
+
+    find_lights(view, hits, tile);
+    if (!rays && view->simd && view->simd->enter->shade(view, hits, tile, surface, options))
+        return;
+    if (rays || !diffuse_init(&r.diffuse, view, raster->shadow, raster->first_bit)) {
         whitted_light_tile(view, hits, tile, surface, options, &r.first);
         return;
     }

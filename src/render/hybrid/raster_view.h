@@ -61,12 +61,25 @@ void raster_trace_tile(const struct tia_view *view, struct tia_hits *hits, struc
 void raster_open_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile, unsigned sample,
                       const struct raster_buffers *b, struct tia_shadow_tile *open);
 
+/* True if a face of an object has interpolated normals. */
+static inline bool raster_is_smooth(const struct tia_scene *scene, const struct tia_flat_object *object,
+                                    uint32_t element)
+{
+    const struct tia_shape *shape = &scene->shapes[object->object - scene->sphere_count];
+
+    return object->kind == TIA_MESH && scene->meshes[shape->mesh].faces[element].corner[0].normal != TIA_NO_INDEX;
+}
+
 /* Computes the hit of a pixel's ray on a face; TIA_NO_FACE means no hit. */
 void raster_find_face(const struct ray_view *rays, const struct tia_flat_scene *flat, uint32_t face, int x, int y,
                       const struct ray *ray, struct hit *hit);
 
 /* Implements tia_view_light. Defined in raster_light.c. */
 void raster_light_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
+                       const struct tia_surface *surface, const struct tia_options *options);
+
+/* Colours a tile ray by ray, after raster_light_tile has found its lights. */
+void raster_shade_tile(const struct tia_view *view, const struct tia_hits *hits, struct tia_tile tile,
                        const struct tia_surface *surface, const struct tia_options *options);
 
 #endif

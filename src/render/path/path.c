@@ -3,6 +3,7 @@
 
 #include "guide.h"
 #include "math/align.h"
+#include "render/trace/fog.h"
 #include "scatter.h"
 
 /* A path being followed. */
@@ -120,11 +121,14 @@ static void add_glow(struct walk *w, const struct hit *hit, const struct shading
 static bool is_seen(struct walk *w, const struct ray *shadow, struct emitter_sample *sample)
 {
     struct hit light = {sample->distance, TIA_NO_OBJECT, 0, TIA_NO_OBJECT};
-    num_length through;
+    num_length through = NUM_LENGTH_ONE;
+    bool seen;
 
-    ray_intersect_lights_of(w->e->view, shadow, PATH_SURFACES, &light);
-    bool seen =
-        light.light == TIA_NO_OBJECT && ray_visibility(w->e->view, shadow, sample->distance, &w->e->blocker, &through);
+    if (!estimate_recalls(w->e, &seen)) {
+        ray_intersect_lights_of(w->e->view, shadow, PATH_SURFACES, &light);
+        seen = light.light == TIA_NO_OBJECT &&
+               ray_visibility(w->e->view, shadow, sample->distance, &w->e->blocker, &through);
+    }
     estimate_note(w->e, seen);
     (void)estimate_stops(w->e);
     for (int c = 0; seen && through < NUM_LENGTH_ONE && c < 3; c++)
@@ -252,6 +256,15 @@ static bool survives(struct walk *w, uint32_t number)
     return goes_on;
 }
 
+/* Adds the fog along a ray whose end is seen from the eye, in a mirror or through glass. */
+static void add_fog(struct walk *w, const struct hit *hit)
+{
+    const struct tia_fog *fog = w->e->view->scene->fog;
+
+    if (fog && w->specular && !w->media.count)
+        ray_fog_veil(fog, &w->ray, hit, w->throughput, w->sum);
+}
+
 /* Follows one ray, and adds the light at its end. Returns false if the path ends there. */
 static bool step(struct walk *w)
 {
@@ -260,7 +273,9 @@ static bool step(struct walk *w)
     struct shading s;
     struct scatter scatter;
 
-    if (!estimate_meet(w->e, &w->ray, w->specular ? PATH_SEEN : PATH_SURFACES, &hit, &s)) {
+    bool meets = estimate_meet(w->e, &w->ray, w->specular ? PATH_SEEN : PATH_SURFACES, &hit, &s);
+    add_fog(w, &hit);
+    if (!meets) {
         add_beyond(w, &hit);
         return false;
     }

@@ -1,18 +1,24 @@
 #include "span.h"
 
 #include "math/align.h"
+#include "math/noinline.h"
 #include "scene/colour.h"
 #include "steps/steps.h"
 
 #define STEPS_SPHERES 8 /* most spheres of a scene that have steps, which take memory, but for the largest one */
 
-static bool is_matt(const struct tia_material *m)
+static ONCE_IN_FLASH bool is_black(const struct tia_rgb *colour)
 {
-    return !m->texture && !m->opacity && colour_is_black(&m->specular) && colour_is_black(&m->mirror) &&
-           colour_is_black(&m->refraction) && colour_is_black(&m->facing);
+    return colour_is_black(colour);
 }
 
-static bool is_plain_light(const struct tia_light *l)
+static bool is_matt(const struct tia_material *m)
+{
+    return !m->texture && !m->opacity && is_black(&m->specular) && is_black(&m->mirror) && is_black(&m->refraction) &&
+           is_black(&m->facing);
+}
+
+static ONCE_IN_FLASH bool is_plain_light(const struct tia_light *l)
 {
     return tia_light_has(l->kind, TIA_LIGHT_SPANS) && !l->constant && !l->linear && !l->quadratic;
 }
@@ -25,7 +31,8 @@ static bool is_plain_camera(const struct tia_camera *c)
 bool span_draws(const struct tia_scene *scene)
 {
     bool plain = !scene->integration.integrator && !scene->shape_count && !scene->mesh_count &&
-                 scene->sphere_count <= TIA_SPAN_SPHERES && is_plain_camera(&scene->camera);
+                 scene->sphere_count <= TIA_SPAN_SPHERES && !scene->fog && !scene->lens &&
+                 is_plain_camera(&scene->camera);
 
     for (uint32_t i = 0; plain && i < scene->material_count; i++)
         plain = is_matt(&scene->materials[i]);

@@ -6,19 +6,33 @@
 #include "kernels.h"
 #include "render/renderer.h"
 #include "span_casters.h"
-#include "span_sphere.h"
+#include "span_light.h"
 
 struct colour_steps;
 struct shaded_span;
 struct span_view;
-struct span_error;
-struct light_source;
+struct span_shading;
 
-/* Functions that decide many pixels at once, see coherence.h. */
+#define SHADOW_PART 8 /* pixels */
+
+/* What a light does in each part of a span, of SHADOW_PART pixels, and the spheres that may block it in open parts: a
+ * bit for each. The balls are around the points of a part, and of all of the span. */
+struct span_shadows {
+    bool tried, known, divided;        /* the span is in balls; so are its parts */
+    uint8_t part[CHUNK / SHADOW_PART]; /* enum span_part */
+    uint8_t near[(TIA_SPAN_SPHERES + 7) / 8];
+    struct span reach; /* all pixels of parts that are not lit */
+    struct coarse_ball around, end[2], ball[CHUNK / SHADOW_PART];
+    num sag; /* no point is farther from the line between the ends */
+};
+
+/* Functions that decide many pixels at once, see coherence.h and words_shade.h. */
 struct span_coherence {
     bool (*nearer)(const struct span_view *spans, uint32_t n, uint32_t other, int y, struct span span);
-    bool (*surround)(const struct span_view *spans, const struct shaded_span *span, struct span part,
-                     const struct lit *lit, const struct span_error *error, struct coarse_ball *ball);
+    bool (*shadows)(const struct span_view *spans, const struct shaded_span *span, uint32_t light,
+                    struct span_shadows *shadows);
+    void (*lights)(struct span_shading *s);
+    bool (*add)(struct span_shading *s, const num_u *lambert, const num_u product[3]);
 };
 
 /* The prepared view. All positions are relative to the eye: the point at a pixel is P = t v. */

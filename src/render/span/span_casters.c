@@ -23,16 +23,7 @@
  * so that D and G are below 2^30 + 2, rho is below 2^30 + 16, and no sum reaches 2^63. */
 #define SLACK 7
 
-/* The hull of a ball and a light. */
-struct hull {
-    num x, y, z, radius; /* the ball */
-    num gx, gy, gz;      /* G */
-    num_wide a;          /* A */
-    int down;            /* A 2^-down is below 2^30 */
-    num a_down;          /* A 2^-down, and less */
-};
-
-static void hull_of(const struct coarse_ball *ball, const struct coarse_ball *light, struct hull *h)
+void span_hull_of(const struct coarse_ball *ball, const struct coarse_ball *light, struct span_hull *h)
 {
     h->x = ball->x;
     h->y = ball->y;
@@ -46,9 +37,7 @@ static void hull_of(const struct coarse_ball *ball, const struct coarse_ball *li
     h->a_down = (num)num_down(h->a, h->down) - 1;
 }
 
-/* True if the caster certainly blocks no shadow ray in the hull, unless it encloses the eye. Only where
- * NUM_CERTIFIED. */
-static inline bool is_clear(const struct hull *h, const struct coarse_ball *caster)
+static inline bool is_clear(const struct span_hull *h, const struct coarse_ball *caster)
 {
     num x = caster->x - h->x, y = caster->y - h->y, z = caster->z - h->z, rho = h->radius + caster->radius + SLACK;
     num_wide k = num_mul(x, x) + num_mul(y, y) + num_mul(z, z) - num_mul(rho, rho);
@@ -150,7 +139,7 @@ static bool is_behind(const struct span_sphere *sphere, const struct num_vec *li
 
 /* True if sphere j may block the light of sphere n. A sphere around the eye does so by a rule of its own, also at
  * itself. */
-static bool may_block(const struct span_casters *casters, const struct hull *hull, uint32_t n, uint32_t light,
+static bool may_block(const struct span_casters *casters, const struct span_hull *hull, uint32_t n, uint32_t light,
                       uint32_t j)
 {
     const struct span_sphere *spheres = casters->spheres;
@@ -167,8 +156,8 @@ void span_casters_find(const struct span_casters *casters, uint32_t light, struc
 
     for (uint32_t n = 0; n < count && !cancelled(cancel, count); n++) {
         uint8_t *list = list_of(casters, n, light);
-        struct hull hull;
-        hull_of(&casters->coarse[n], &casters->coarse[count + light], &hull);
+        struct span_hull hull;
+        span_hull_of(&casters->coarse[n], &casters->coarse[count + light], &hull);
         for (uint32_t j = 0; j < count; j++) {
             if (!(j & 7) && light < CASTER_ROWS)
                 list[j >> 3] = 0;
@@ -178,17 +167,18 @@ void span_casters_find(const struct span_casters *casters, uint32_t light, struc
     }
 }
 
-bool span_is_clear(const struct span_casters *casters, const struct coarse_ball *ball, uint32_t light, uint32_t j)
+bool span_hull_clears(const struct span_hull *hull, const struct coarse_ball *caster)
 {
-    struct hull hull;
-
-    hull_of(ball, &casters->coarse[casters->count + light], &hull);
-    return is_clear(&hull, &casters->coarse[j]);
+    return is_clear(hull, caster);
 }
 
-uint32_t span_next_listed(const struct span_casters *casters, uint32_t sphere, uint32_t light, uint32_t from)
+const uint8_t *span_list_of(const struct span_casters *casters, uint32_t sphere, uint32_t light)
 {
-    const uint8_t *list = list_of(casters, sphere, light);
+    return list_of(casters, sphere, light);
+}
+
+static INLINED uint32_t next_in(const struct span_casters *casters, const uint8_t *list, uint32_t from)
+{
     uint32_t j = from;
 
     while (j < casters->count) {
@@ -200,16 +190,26 @@ uint32_t span_next_listed(const struct span_casters *casters, uint32_t sphere, u
     return casters->count;
 }
 
+uint32_t span_next_in(const struct span_casters *casters, const uint8_t *list, uint32_t from)
+{
+    return next_in(casters, list, from);
+}
+
+uint32_t span_next_listed(const struct span_casters *casters, uint32_t sphere, uint32_t light, uint32_t from)
+{
+    return next_in(casters, list_of(casters, sphere, light), from);
+}
+
 /* A sphere around the eye contains all visible points, so that no hull of these is clear of it. */
 uint32_t span_next_caster(const void *lit, uint32_t light, uint32_t from)
 {
     const struct span_lit *points = lit;
     const struct span_casters *casters = points->casters;
     uint32_t j = span_next_listed(casters, points->object, light, from);
-    struct hull hull;
+    struct span_hull hull;
 
     if (points->surrounded && j < casters->count) {
-        hull_of(&points->around, &casters->coarse[casters->count + light], &hull);
+        span_hull_of(&points->around, &casters->coarse[casters->count + light], &hull);
         while (j < casters->count && is_clear(&hull, &casters->coarse[j]))
             j = span_next_listed(casters, points->object, light, j + 1);
     }

@@ -50,8 +50,26 @@ uint32_t span_next_caster(const void *lit, uint32_t light, uint32_t from);
 /* The same for all points of a sphere. */
 uint32_t span_next_listed(const struct span_casters *casters, uint32_t sphere, uint32_t light, uint32_t from);
 
-/* True if sphere j certainly blocks the light at none of the points in `ball`. Only where NUM_CERTIFIED. */
-bool span_is_clear(const struct span_casters *casters, const struct coarse_ball *ball, uint32_t light, uint32_t j);
+/* Returns their list: a bit for each sphere of the scene. */
+const uint8_t *span_list_of(const struct span_casters *casters, uint32_t sphere, uint32_t light);
+
+/* Returns the first sphere from number `from` on in a list of bits; the number of spheres if there is none. */
+uint32_t span_next_in(const struct span_casters *casters, const uint8_t *list, uint32_t from);
+
+/* The hull of a ball and a light: L, r and Q of the derivation in span_casters.c. */
+struct span_hull {
+    num x, y, z, radius; /* the ball */
+    num gx, gy, gz;      /* G */
+    num_wide a;          /* A */
+    int down;            /* A 2^-down is below 2^30 */
+    num a_down;          /* A 2^-down, and less */
+};
+
+void span_hull_of(const struct coarse_ball *ball, const struct coarse_ball *light, struct span_hull *hull);
+
+/* True if the caster certainly blocks no shadow ray in the hull, unless it encloses the eye. Only where
+ * NUM_CERTIFIED. */
+bool span_hull_clears(const struct span_hull *hull, const struct coarse_ball *caster);
 
 /* Surrounds the point of pixel (x, y) of a sphere, whose distance is about t; false if t is too inaccurate. */
 bool span_coarse_point(const struct primary_rays *primary, const struct span_sphere *sphere, int x, int y, num_u t,

@@ -5,11 +5,6 @@
 #include "math/noinline.h"
 #include "span_proved.h"
 
-num_wide span_error_number(int log)
-{
-    return num_bound_of_log(log);
-}
-
 /* ---- logarithms ---- */
 
 #define ONE 256
@@ -99,12 +94,6 @@ static int bound_t_inside(const struct primary_rays *primary, const struct span_
 
 /* ---- exponents of the lines' numbers ---- */
 
-/* That of r N.(Q - P). */
-static int exponent_of_facing(const struct light_source *source, const struct light_line *line)
-{
-    return 15 - source->sphere->radius_bits + (source->exponent >> 1) - line->scale;
-}
-
 /* That of A.w. */
 static int exponent_of_toward(const struct light_source *source, const struct shadow_line *line)
 {
@@ -119,14 +108,12 @@ static int exponent_of_power(const struct light_source *source, const struct sha
 
 /* ---- the bounds without light and shadows ---- */
 
-void span_error_of(const struct primary_rays *primary, const struct light_source *source, const struct light_line *line,
-                   const struct span_depth ends[2], num_wide v_most, struct span_error *error)
+void span_error_points(const struct primary_rays *primary, const struct span_sphere *sphere,
+                       const struct span_depth ends[2], num_wide v_most, struct span_error *error)
 {
-    const struct span_sphere *sphere = source->sphere;
-    struct num_vec g = span_difference(&source->light, &sphere->centre);
     int v = log_up(v_most) - (sphere->t_exponent + primary->exponent) * ONE;
 
-    error->t = error->lambert = 0;
+    error->t = 0;
     if (span_bits(lesser(ends[0].root, ends[1].root)) < SPAN_ERROR_ROOT_BITS)
         return;
     if (sphere->c < 0) {
@@ -141,36 +128,27 @@ void span_error_of(const struct primary_rays *primary, const struct light_source
         error->point = error->mantissa + v < tangent ? error->mantissa + v : tangent;
     }
     error->radius = log_down(sphere->radius) - 16 * ONE;
+}
+
+void span_error_of(const struct light_source *source, const struct light_line *line, struct span_error *error)
+{
+    struct num_vec g = span_difference(&source->light, &source->sphere->centre);
+
+    error->lambert = 0;
+    if (error->t >= 0)
+        return;
     error->reach = sum_of(SPAN_LOG(SPAN_ERROR_REACH) + error->mantissa,
                           SPAN_LOG(SPAN_ERROR_REACH_SQUARE) + 2 * error->mantissa - line->reach_down * ONE) -
                    source->reach_exponent * ONE;
     error->square = sum_of(SPAN_LOG(SPAN_ERROR_SQUARE) + error->mantissa - source->exponent * ONE, error->reach);
-    error->facing = sum_of(SPAN_LOG(SPAN_ERROR_FACING) + error->mantissa - exponent_of_facing(source, line) * ONE,
+    error->facing = sum_of(SPAN_LOG(SPAN_ERROR_FACING) + error->mantissa - light_facing_exponent(source, line) * ONE,
                            log_length(g) + error->point + error->t);
 }
 
 num_wide span_error_facing(const struct light_source *source, const struct light_line *line,
                            const struct span_error *error)
 {
-    return num_bound_of_log(error->facing + exponent_of_facing(source, line) * ONE);
-}
-
-/* ---- distances of points ---- */
-
-/* The sizes of the components are added. Each of the points may be off by the error of P. */
-int span_error_apart(const struct primary_rays *primary, const struct span_sphere *sphere, int y, const int x[2],
-                     const num_u t[2], const struct span_error *error)
-{
-    num_wide sides[2];
-    num along = num_signed(t[0] > t[1] ? t[0] - t[1] : t[1] - t[0]);
-
-    for (int i = 0; i < 2; i++)
-        sides[i] =
-            num_mul(num_signed(t[i]), (num)num_pixel_coordinate(2 * x[i] + 1 - primary->width, primary->exponent));
-    num_wide sum = num_abs(sides[0] - sides[1]) + num_mul(along, (num)num_abs(primary_y(primary, y))) +
-                   num_mul(along, (num)primary->depth);
-
-    return sum_of(log_up(sum + 1) - (sphere->t_exponent + primary->exponent) * ONE, error->point + error->t + ONE);
+    return num_bound_of_log(error->facing + light_facing_exponent(source, line) * ONE);
 }
 
 /* ---- light and shadows ---- */

@@ -26,10 +26,13 @@ struct span_error {
  * image. */
 struct span_depth span_depth_of(const struct span_sphere *sphere, num_u top, num_u square, num_u t);
 
-/* Sets the bounds of a run of pixels with the depths `ends` at both ends, where |v|, with the exponent of pixel
- * coordinates, is at most v_most. */
-void span_error_of(const struct primary_rays *primary, const struct light_source *source, const struct light_line *line,
-                   const struct span_depth ends[2], num_wide v_most, struct span_error *error);
+/* Sets the bounds of t and P on a run of pixels with the depths `ends` at both ends, where |v|, with the exponent of
+ * pixel coordinates, is at most v_most. */
+void span_error_points(const struct primary_rays *primary, const struct span_sphere *sphere,
+                       const struct span_depth ends[2], num_wide v_most, struct span_error *error);
+
+/* Sets the bounds of a light there. */
+void span_error_of(const struct light_source *source, const struct light_line *line, struct span_error *error);
 
 /* Sets the bounds of lambert where |Q - P|^2, with the source's exponent, is at least `square`. */
 void span_error_lambert(const struct light_source *source, num_wide square, struct span_error *error);
@@ -38,18 +41,8 @@ void span_error_lambert(const struct light_source *source, num_wide square, stru
 num_wide span_error_facing(const struct light_source *source, const struct light_line *line,
                            const struct span_error *error);
 
-#define SPAN_APART_MOST (15 * 256) /* no useful distance is larger */
-
-/* Returns the bound of the distance of two points of row y that the sphere shows at the pixels x[0] and x[1], and whose
- * t are t[0] and t[1]. One of them is as computed, or both are exact. */
-int span_error_apart(const struct primary_rays *primary, const struct span_sphere *sphere, int y, const int x[2],
-                     const num_u t[2], const struct span_error *error);
-
 /* Sets the line's doubts; false if they are too large for the kernel. */
 bool span_error_shadow(const struct light_source *source, const struct span_sphere *caster,
                        const struct span_error *error, struct shadow_line *line);
-
-/* Returns 2^(log/256) rounded up, at most 2^62. */
-num_wide span_error_number(int log);
 
 #endif

@@ -17,4 +17,10 @@ struct light_source {
 void light_line_prepare(const struct primary_rays *primary, struct light_source *source, int x, int y,
                         struct light_line *line);
 
+/* Returns the exponent of the line's r N.(Q - P). */
+static inline int light_facing_exponent(const struct light_source *source, const struct light_line *line)
+{
+    return 15 - source->sphere->radius_bits + (source->exponent >> 1) - line->scale;
+}
+
 #endif

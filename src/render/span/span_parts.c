@@ -66,16 +66,33 @@ static num_wide size_of(num_wide x, num_wide y, num_wide z)
     return num_abs(x) + num_abs(y) + num_abs(z);
 }
 
-/* Sets `width` by one of the row's points. */
-static void find_width(struct division *d, const struct coarse_ball *p)
+/* Returns `width` by one of the row's points. */
+static int width_by(const struct span_sphere *sphere, const struct coarse_ball *p)
 {
     num_wide near = size_of(p->x, p->y, p->z) + 3 * (num_wide)p->radius;
     int zeros = (int)tia_clz32((uint32_t)near);
     num_wide inverse =
         (num_wide)(tia_reciprocal((uint32_t)near << zeros) - 1); /* of near 2^zeros, with the exponent 63 */
-    num_wide twice = span_shift(num_down(d->sphere->c, 34) * inverse, zeros - 33) - near - 1;
+    num_wide twice = span_shift(num_down(sphere->c, 34) * inverse, zeros - 33) - near - 1;
 
-    d->width = twice > 2 ? span_bits(twice) - 2 : -1;
+    return twice > 2 ? span_bits(twice) - 2 : -1;
+}
+
+/* Returns the bound of the sag of the arc between two points `chord` apart, below 2^29; width -1: it is not known. */
+static num_wide sag_of(num_wide chord, int width)
+{
+    num_wide sag = chord / 2 + 1;
+
+    if (width >= 0 && span_bits(chord * chord) - width - 2 < span_bits(sag))
+        sag = num_down(chord * chord, width + 2) + 1;
+    return sag;
+}
+
+num_wide span_sag(const struct span_sphere *sphere, const struct coarse_ball *a, const struct coarse_ball *b)
+{
+    num_wide chord = size_of(b->x - a->x, b->y - a->y, b->z - a->z) + a->radius + b->radius;
+
+    return span_bits(chord) > 29 ? chord : sag_of(chord, width_by(sphere, a));
 }
 
 /* ---- two points ---- */
@@ -120,6 +137,14 @@ static NOINLINE enum span_part part_by(const struct coarse_ball *e, const struct
     return SPAN_DARK;
 }
 
+enum span_part span_part_of(const struct span_casters *casters, const struct coarse_ball *ball, uint32_t light,
+                            uint32_t j)
+{
+    const struct row_step here = {0, 0, 0};
+
+    return part_by(ball, &here, &casters->coarse[casters->count + light], &casters->coarse[j]);
+}
+
 /* Returns the part that a point belongs to. */
 static enum span_part part_at(const struct division *d, const struct coarse_ball *point)
 {
@@ -156,13 +181,11 @@ static bool is_same_between(const struct division *d, const struct row_point *a,
     struct row_step p[2] = {between(&a->ball, &b->ball), between(&b->ball, &a->ball)};
     struct coarse_ball ends[2] = {a->ball, b->ball};
     num_wide doubt = a->ball.radius > b->ball.radius ? a->ball.radius : b->ball.radius;
-    num_wide chord = size_of(p[0].x, p[0].y, p[0].z) + 2 * doubt, sag = chord / 2 + 1;
+    num_wide chord = size_of(p[0].x, p[0].y, p[0].z) + 2 * doubt;
 
     if (a->part != b->part || a->part == SPAN_OPEN || span_bits(chord) > 29)
         return false;
-    if (d->width >= 0 && span_bits(chord * chord) - d->width - 2 < span_bits(sag))
-        sag = num_down(chord * chord, d->width + 2) + 1;
-    ends[0].radius = ends[1].radius = (num)(doubt + sag);
+    ends[0].radius = ends[1].radius = (num)(doubt + sag_of(chord, d->width));
     for (uint32_t j = span_next_listed(casters, d->object, 0, 0); j < casters->count;
          j = span_next_listed(casters, d->object, 0, j + 1))
         if (is_all(ends, p, &casters->coarse[casters->count], &casters->coarse[j], a->part) != (a->part == SPAN_LIT))
@@ -214,7 +237,7 @@ int span_divide(const struct tia_view *view, uint32_t object, int x, int y, int 
     begin(&d);
     give_point(&d, 0, &left);
     if (left.part != SPAN_OPEN)
-        find_width(&d, &left.ball);
+        d.width = width_by(d.sphere, &left.ball);
     give_point(&d, count - 1, &right[0]);
     (void)extend(runs, &found, left.part, 1);
     while (depth > 0) {

@@ -108,6 +108,11 @@
 /* The roundings of the products for a cosine: 2^-27.9. Proved: simd_integer.g (cosine). */
 #define SPAN_ERROR_KERNELS (-7142)
 
+/* The error of a cosine of 2^28 in words.h by a point that is off by d, of 2^(e/2) d: 1/|w| is off by half of
+ * SPAN_ERROR_MOVED, 1.05 |d|/|w|, of itself, and |w|^2 2^e is at least 2^28 there: 1.05 2^14, 2^14.071. Proved: words.g
+ * (moved). */
+#define SPAN_ERROR_WORDS 3603
+
 /* ---- shadows ---- */
 
 /* The error of A.w by t (C + Q).v, .51 T, and half a bit of the constant and of two shifts, T being at least 2^13:

@@ -2,34 +2,14 @@
 
 #include "math/noinline.h"
 #include "scene/colour.h"
-#include "span_error.h"
+#include "span_shading.h"
 
-#define PART 16 /* pixels */
-
-/* A span being shaded. */
-struct shading {
-    const struct shaded_span *span;
-    const struct tia_view *view;
-    const struct span_view *spans;
-    const struct tia_material *material;
-    bool grey; /* red serves as all three channels */
-    num_u sum[3][CHUNK];
-    num_u doubt;               /* bound of the sums' errors */
-    pixel_set open;            /* pixels whose sums have no bound, or whose lights or shadows are in doubt */
-    bool given_up;             /* all pixels are open, and no other output needs them */
-    unsigned work;             /* lights and casters so far */
-    struct span_depth ends[2]; /* of the first and the last pixel */
-    struct span_error error;   /* of the light being added */
-    bool bounded;              /* the light's error has a bound */
-    struct span_lit lit;       /* the points that face the light */
-    int parts;                 /* number of parts, of PART pixels each, that are in a ball of `part`; -1: not yet set */
-    struct coarse_ball part[CHUNK / PART];
-};
+#define WORTH 4 /* least number of pixels for which words pay */
 
 #define SPAN_LAMBERT_MOST (-9 * 256) /* the largest error of a cosine with which pixels are decided */
 
 /* Leaves all pixels open. */
-static NOINLINE void give_up(struct shading *s)
+NOINLINE void span_give_up(struct span_shading *s)
 {
     s->open = PIXELS_ALL;
     s->given_up = !s->span->path_hash && !s->span->colours;
@@ -38,19 +18,19 @@ static NOINLINE void give_up(struct shading *s)
 /* The part of a light that half-transparent spheres transmit to each pixel of a span. */
 struct tint {
     num_u left[3][CHUNK];
+    num_u before[CHUNK];    /* `facing` before the last caster */
     uint16_t passed[CHUNK]; /* sum of (index + 1) of the spheres on the way */
 };
 
 /* Where `sphere` has just darkened `lit`, multiplies the tint by `through`, the sphere's transmission, and restores
- * `lit` from `before` unless no light is left. */
-static void tint_light(const struct tia_rgb *through, uint32_t sphere, const num_u *before, struct lit *lit, int count,
-                       struct tint *tint)
+ * `lit` unless no light is left. */
+static void tint_light(const struct tia_rgb *through, uint32_t sphere, struct lit *lit, int count, struct tint *tint)
 {
     const num_u colour[3] = {num_colour(through->r), num_colour(through->g), num_colour(through->b)};
 
     for (int i = 0; i < count; i++) {
         bool lit_still = false;
-        if (before[i] == lit->facing[i])
+        if (tint->before[i] == lit->facing[i])
             continue;
         for (int c = 0; c < 3; c++) {
             tint->left[c][i] = num_colour_product(tint->left[c][i], colour[c]);
@@ -58,7 +38,7 @@ static void tint_light(const struct tia_rgb *through, uint32_t sphere, const num
         }
         tint->passed[i] = (uint16_t)((tint->passed[i] + sphere + 1) & 0xffff);
         if (lit_still)
-            lit->facing[i] = before[i];
+            lit->facing[i] = tint->before[i];
     }
 }
 
@@ -87,38 +67,9 @@ static void darken(struct lit *lit, int count)
         lit->facing[i] = 0;
 }
 
-/* Surrounds the parts of the span by balls; none if one part has none. */
-static NOINLINE void surround_parts(struct shading *s, const struct lit *lit)
-{
-    const struct shaded_span *span = s->span;
-    int n = (span->count + PART - 1) / PART;
-
-    s->parts = n;
-    for (int i = 0; i < n; i++) {
-        struct span part = {i * PART, i + 1 < n ? (i + 1) * PART : span->count};
-        if (!s->spans->coherence->surround(s->spans, span, part, lit, &s->error, &s->part[i]))
-            s->parts = 0;
-    }
-}
-
-/* Removes parts from both ends of the line where sphere j certainly blocks nothing. */
-static void trim(struct shading *s, const struct lit *lit, uint32_t light, uint32_t j, struct shadow_line *line)
-{
-    int first = 0, end;
-
-    if (s->parts < 0)
-        surround_parts(s, lit);
-    end = s->parts;
-    while (first < end && span_is_clear(&s->spans->casters, &s->part[first], light, j))
-        first++;
-    while (end > first && span_is_clear(&s->spans->casters, &s->part[end - 1], light, j))
-        end--;
-    line->first = first * PART;
-    line->count = end < s->parts ? end * PART : line->count;
-}
-
-/* Sets facing to 0 where sphere j blocks the light; false if it blocks it nowhere. */
-static bool cast_shadow(struct shading *s, const struct light_source *source, uint32_t j, struct lit *lit)
+/* Sets facing to 0 where sphere j blocks the light, in a part of the span; false if it blocks it nowhere. */
+static bool cast_shadow(struct span_shading *s, const struct light_source *source, uint32_t j, struct span reach,
+                        struct lit *lit)
 {
     const struct shaded_span *span = s->span;
     const struct span_sphere *caster = &s->spans->spheres[j];
@@ -130,37 +81,33 @@ static bool cast_shadow(struct shading *s, const struct light_source *source, ui
         return all;
     }
     shadow_line_prepare(&s->spans->primary, source, caster, span->x, span->y, &line);
-    line.count = span->count;
+    line.first = reach.first;
+    line.count = reach.end;
     if (s->bounded && !span_error_shadow(source, caster, &s->error, &line))
-        give_up(s);
-    if (s->lit.surrounded)
-        trim(s, lit, source->number, j, &line);
+        span_give_up(s);
     s->spans->kernels->shadow(&line, span->t, lit);
     return true;
 }
 
-static NOINLINE void cast_shadows(struct shading *s, const struct light_source *source, struct lit *lit,
-                                  struct tint *tint)
+/* Casts the shadows of spheres that may block the light in a part of the span: of those near it, unless NULL. */
+NOINLINE void span_cast_shadows(struct span_shading *s, const struct light_source *source, const uint8_t *near,
+                                struct span reach, struct lit *lit, struct tint *tint)
 {
     const struct shaded_span *span = s->span;
     const struct tia_scene *scene = s->view->scene;
+    const struct span_casters *casters = &s->spans->casters;
 
-    s->lit.surrounded = false;
-    uint32_t j = span_next_caster(&s->lit, source->number, 0);
-    s->lit.surrounded =
-        s->bounded && s->spans->coherence && scene->sphere_count > 2 && j < scene->sphere_count &&
-        s->spans->coherence->surround(s->spans, span, (struct span){0, span->count}, lit, &s->error, &s->lit.around);
-    s->parts = -1;
-    for (j = s->lit.surrounded ? span_next_caster(&s->lit, source->number, j) : j;
-         j < scene->sphere_count && !s->given_up && !span_work_stops(s->view, &s->work);
-         j = span_next_caster(&s->lit, source->number, j + 1)) {
+    for (uint32_t j = 0;
+         (j = near ? span_next_in(casters, near, j) : span_next_caster(&s->lit, source->number, j)) < casters->count &&
+         !s->given_up && !span_work_stops(s->view, &s->work);
+         j++) {
         const struct tia_rgb *through = &scene->materials[scene->spheres[j].material].transmission;
-        num_u before[CHUNK];
+        bool passes = tint && !colour_is_black(through);
 
-        for (int i = 0; !colour_is_black(through) && i < span->count; i++)
-            before[i] = lit->facing[i];
-        if (cast_shadow(s, source, j, lit) && !colour_is_black(through))
-            tint_light(through, j, before, lit, span->count, tint);
+        for (int i = 0; passes && i < span->count; i++)
+            tint->before[i] = lit->facing[i];
+        if (cast_shadow(s, source, j, reach, lit) && passes)
+            tint_light(through, j, lit, span->count, tint);
     }
 }
 
@@ -171,8 +118,9 @@ static num_u greatest(const num_u x[3])
     return larger > x[2] ? larger : x[2];
 }
 
-static NOINLINE void add_light(struct shading *s, const struct tia_light *light, const num_u *lambert,
-                               struct tint *tint)
+/* Adds a light whose cosines are off by up to `doubt`, and by a binary logarithm, `log`. */
+NOINLINE void span_add_light(struct span_shading *s, const struct tia_light *light, const num_u *lambert,
+                             struct tint *tint, int log, num_u doubt)
 {
     const struct tia_rgb *colour = &s->material->colour, *emission = &light->emission;
     num_u product[3] = {num_colour_product(num_colour(colour->r), num_colour(emission->r)),
@@ -180,7 +128,11 @@ static NOINLINE void add_light(struct shading *s, const struct tia_light *light,
                         num_colour_product(num_colour(colour->b), num_colour(emission->b))};
 
     if (s->bounded)
-        s->doubt += num_light_doubt(greatest(product), s->error.lambert, tint ? s->view->scene->sphere_count : 0);
+        s->doubt += num_light_doubt(greatest(product), log, tint ? s->view->scene->sphere_count : 0);
+    if (s->bounded && doubt > 0)
+        s->doubt += num_colour_product(greatest(product), doubt) + 1;
+    if (s->words && s->spans->coherence->add(s, lambert, product))
+        return;
     for (int c = 0; c < (s->grey ? 1 : 3); c++) {
         num_u tinted[CHUNK];
         for (int i = 0; tint && i < s->span->count; i++)
@@ -190,59 +142,84 @@ static NOINLINE void add_light(struct shading *s, const struct tia_light *light,
 }
 
 /* Bounds the errors of a light's line, if possible; otherwise all pixels are open. */
-static void bound_light(struct shading *s, const struct light_source *source, struct light_line *line)
+static void bound_light(struct span_shading *s, const struct light_source *source, struct light_line *line)
 {
-    span_error_of(&s->spans->primary, source, line, s->ends, num_bound(30), &s->error);
+    span_error_of(source, line, &s->error);
     line->facing_doubt = span_error_facing(source, line, &s->error);
     s->bounded = s->error.t < 0;
     if (!s->bounded)
-        give_up(s);
+        span_give_up(s);
 }
 
 /* Bounds the cosine's error, if possible; otherwise all pixels are open. */
-static void bound_lambert(struct shading *s, const struct light_source *source, int most_half)
+void span_bound_lambert(struct span_shading *s, const struct light_source *source, int most_half)
 {
     span_error_lambert(source, num_least_normal(most_half), &s->error);
     s->bounded = s->bounded && s->error.lambert <= SPAN_LAMBERT_MOST;
     if (!s->bounded)
-        give_up(s);
+        span_give_up(s);
 }
 
-/* Adds the light that arrives from one light, tinted by half-transparent spheres unless `tint` is NULL. */
-static void shade_from_light(struct shading *s, uint32_t l, struct tint *tint)
+/* Casts the shadows of a light: of spheres that may block it, if there are few such. */
+static void find_casters(struct span_shading *s, const struct light_source *source, struct lit *lit, struct tint *tint)
+{
+    struct span all = {0, s->span->count};
+    bool few = s->bounded && s->spans->coherence && s->view->scene->sphere_count > 2;
+
+    if (!few)
+        span_cast_shadows(s, source, NULL, all, lit, tint);
+    else if (s->spans->coherence->shadows(s->spans, s->span, source->number, &s->shadows))
+        span_cast_shadows(s, source, s->shadows.near, s->shadows.reach, lit, tint);
+}
+
+/* Adds the light that arrives from one light by the kernels. */
+NOINLINE void span_shade_by_kernels(struct span_shading *s, const struct light_source *source,
+                                    const struct light_line *line, struct tint *tint)
 {
     const struct shaded_span *span = s->span;
-    const struct tia_view *view = s->view;
-    struct light_source source;
-    struct light_line line;
     struct lit lit;
     num_u *lambert = lit.facing; /* in the same memory, as stack is scarce */
 
-    source.sphere = &s->spans->spheres[span->object];
-    source.number = l;
-    source.light = num_vec_between(view->scene->camera.eye, view->lights[l].centre);
-    light_line_prepare(&s->spans->primary, &source, span->x, span->y, &line);
-    line.count = span->count;
-    s->bounded = false;
-    if (NUM_CERTIFIED)
-        bound_light(s, &source, &line);
-    if (s->given_up)
-        return;
-    bool any = s->spans->kernels->light(&line, span->t, &lit);
+    bool any = s->spans->kernels->light(line, span->t, &lit);
     s->open |= lit.open;
     if (!any)
         return;
     if (NUM_CERTIFIED)
-        bound_lambert(s, &source, lit.most_half);
-    cast_shadows(s, &source, &lit, tint);
+        span_bound_lambert(s, source, lit.most_half);
+    find_casters(s, source, &lit, tint);
     s->open |= lit.open;
-    if (span->path_hash && l < 16)
-        note_reached(&lit, tint, l, span->count, span->path_hash);
-    s->spans->kernels->lambert(&lit, source.sphere->inverse, span->count, lambert);
-    add_light(s, &view->lights[l], lambert, tint);
+    if (span->path_hash && source->number < 16)
+        note_reached(&lit, tint, source->number, span->count, span->path_hash);
+    s->spans->kernels->lambert(&lit, source->sphere->inverse, span->count, lambert);
+    span_add_light(s, &s->view->lights[source->number], lambert, tint, s->error.lambert, 0);
 }
 
-static NOINLINE void shade_from_tinted_light(struct shading *s, uint32_t l)
+bool span_prepare_light(struct span_shading *s, uint32_t l, struct light_source *source, struct light_line *line)
+{
+    const struct shaded_span *span = s->span;
+
+    source->sphere = &s->spans->spheres[span->object];
+    source->number = l;
+    source->light = num_vec_between(s->view->scene->camera.eye, s->view->lights[l].centre);
+    light_line_prepare(&s->spans->primary, source, span->x, span->y, line);
+    line->count = span->count;
+    s->bounded = false;
+    if (NUM_CERTIFIED)
+        bound_light(s, source, line);
+    return !s->given_up;
+}
+
+/* Adds the light that arrives from one light, tinted by half-transparent spheres unless `tint` is NULL. */
+static void shade_from_light(struct span_shading *s, uint32_t l, struct tint *tint)
+{
+    struct light_source source;
+    struct light_line line;
+
+    if (span_prepare_light(s, l, &source, &line))
+        span_shade_by_kernels(s, &source, &line, tint);
+}
+
+static NOINLINE void shade_from_tinted_light(struct span_shading *s, uint32_t l)
 {
     struct tint tint;
 
@@ -262,7 +239,7 @@ void span_put_colours(const num_u *const rgb[3], int step, int count, uint16_t *
 
 /* Decides the pixels of a set whose channels are near a level, one by one: a channel is at least the emission, which is
  * exact, and often is exactly a level. Returns those that remain. */
-static pixel_set decide_levels(const struct shading *s, pixel_set near, const num_u *threshold, tia_rgb565 *pixels)
+static pixel_set decide_levels(const struct span_shading *s, pixel_set near, const num_u *threshold, tia_rgb565 *pixels)
 {
     const struct tia_rgb *emission = &s->material->emission;
     const num_u least[3] = {num_colour(emission->r), num_colour(emission->g), num_colour(emission->b)};
@@ -287,7 +264,7 @@ static pixel_set decide_levels(const struct shading *s, pixel_set near, const nu
 
 /* Gives the depths of the first and the last pixel. True if D = b^2 - c v.v, which is convex unless c > L.x^2, falls at
  * the first and rises at the last. */
-static bool find_ends(const struct shading *s, struct span_depth ends[2])
+static bool find_ends(const struct span_shading *s, struct span_depth ends[2])
 {
     const struct shaded_span *span = s->span;
     const struct primary_rays *primary = &s->spans->primary;
@@ -311,7 +288,7 @@ static bool find_ends(const struct shading *s, struct span_depth ends[2])
 }
 
 /* Sets the sums to the emission, in eights of pixels, as pack() reads them. */
-static void begin_sums(struct shading *s)
+static void begin_sums(struct span_shading *s)
 {
     const struct tia_rgb *emission = &s->material->emission;
     const num_u colour[3] = {num_colour(emission->r), num_colour(emission->g), num_colour(emission->b)};
@@ -323,19 +300,31 @@ static void begin_sums(struct shading *s)
             s->sum[c][i] = s->sum[c][i + 1] = s->sum[c][i + 2] = s->sum[c][i + 3] = colour[c];
 }
 
+/* True if words.h may compute the span. A ball with steps is left to them under one light: what they leave is at the
+ * edge of a shadow, where words do not pay. */
+static bool is_worded(const struct span_shading *s)
+{
+    const struct shaded_span *span = s->span;
+    const struct span_sphere *sphere = &s->spans->spheres[span->object];
+
+    return s->spans->coherence && !s->spans->tinted && !span->path_hash && !span->colours && sphere->c > 0 &&
+           (s->view->light_count > 1 || !sphere->steps);
+}
+
 /* Shades a span, and returns the set of its pixels that are in doubt. Shortens it where D would be least in its
  * middle. */
 static NOINLINE pixel_set shade(const struct tia_view *view, struct shaded_span *span,
                                 const num_u threshold[THRESHOLDS], tia_rgb565 *pixels)
 {
     const struct tia_scene *scene = view->scene;
-    struct shading s; /* not zeroed, since the sums are large */
+    struct span_shading s; /* not zeroed, since the sums are large */
 
     s.span = span;
     s.view = view;
-    s.lit.object = span->object;
     s.spans = view->prepared;
     s.lit.casters = &s.spans->casters;
+    s.lit.object = span->object;
+    s.lit.surrounded = false;
     s.material = &scene->materials[scene->spheres[span->object].material];
     s.grey = s.spans->grey && colour_is_grey(&s.material->colour) && colour_is_grey(&s.material->emission);
     s.open = 0;
@@ -344,15 +333,21 @@ static NOINLINE pixel_set shade(const struct tia_view *view, struct shaded_span 
     s.doubt = 0;
     while (NUM_CERTIFIED && find_ends(&s, s.ends))
         span->count = (span->count + 1) / 2;
+    if (NUM_CERTIFIED)
+        span_error_points(&s.spans->primary, &s.spans->spheres[span->object], s.ends, num_bound(30), &s.error);
+    s.shadows.tried = s.shadows.divided = false;
+    s.words = NUM_CERTIFIED && span->count >= WORTH && is_worded(&s);
     begin_sums(&s);
-    for (uint32_t l = 0; l < view->light_count && !s.given_up && !span_work_stops(view, &s.work); l++)
+    if (s.words)
+        s.spans->coherence->lights(&s);
+    for (uint32_t l = 0; !s.words && l < view->light_count && !s.given_up && !span_work_stops(view, &s.work); l++)
         if (s.spans->tinted)
             shade_from_tinted_light(&s, l);
         else
             shade_from_light(&s, l, NULL);
     const num_u *const rgb[3] = {s.sum[0], s.sum[s.grey ? 0 : 1], s.sum[s.grey ? 0 : 2]};
     if (NUM_CERTIFIED && s.doubt > NUM_DOUBT_MOST) {
-        give_up(&s);
+        span_give_up(&s);
         s.doubt = 0;
     }
     pixel_set near = s.spans->kernels->pack(rgb, s.doubt, threshold, span->x, span->count, pixels) & ~s.open;

@@ -1,6 +1,10 @@
 #include "ray_camera.h"
 
 #include "math/trig.h"
+#include "samples/direction.h"
+#include "samples/sobol.h"
+
+#define LENS_QUAD UINT32_C(0x50000000) /* of the random numbers of the lens */
 
 static struct num_point finely(struct tia_vec3 place, const struct tia_fine_place *fine)
 {
@@ -84,6 +88,9 @@ void ray_camera_prepare(struct ray_camera *c, const struct tia_scene *scene, int
     c->side = given->samples == 16 ? 4 : given->samples == 4 ? 2 : 1;
     c->columns = num_divisor_of(small(2 * c->side * c->side * (int64_t)c->width));
     c->rows = num_divisor_of(small(2 * c->side * c->side * (int64_t)c->height));
+    c->lens = scene->lens ? num_length_of(scene->lens->radius) : 0;
+    c->focus = scene->lens ? num_length_of(scene->lens->focus) : 0;
+    c->seed = scene->integration.seed;
     look(c, given, fine);
     open_window(c, given);
     c->ahead = num_point_sub((struct num_point){0, 0, 0}, num_point_along(c->n, c->depth));
@@ -112,15 +119,58 @@ static void through(const struct ray_camera *c, tia_q16 place, num_unit right, n
         (void)num_normalise(num_point_add(aside, c->ahead), &ray->direction);
 }
 
-/* The sample's position in the pixel is (n i + j + 1/2)/n^2 to the right and (n j + n - i - 1/2)/n^2 down, computed in
- * units of 1/(2 n^2). */
-void ray_camera_ray(const struct ray_camera *c, const struct light_pixel *pixel, int sample, struct ray *ray)
+/* Moves the ray's origin to the sample's point of the lens. With n the axis towards the eye's back, the ray meets the
+ * plane in focus at the distance focus/-n.d. */
+static void bend(const struct ray_camera *c, const struct light_pixel *pixel, uint32_t sample, struct ray *ray)
+{
+    uint32_t u[2];
+    int64_t place[2];
+
+    if (c->lens <= 0)
+        return;
+    const struct sampler sampler = sampler_of(c->seed, pixel->x, pixel->y, sample);
+    num_length way = num_div(c->focus, -num_dir_dot(ray->direction, c->n));
+    sampler_pair(&sampler, LENS_QUAD, 0, u);
+    tia_sample_disc(u, place);
+    const struct num_point aside = num_point_add(num_point_along(c->u, num_times(c->lens, num_unit_of_q62(place[0]))),
+                                                 num_point_along(c->v, num_times(c->lens, num_unit_of_q62(place[1]))));
+    ray->origin = num_point_add(ray->origin, aside);
+    const struct num_point to = num_point_sub(num_point_along(ray->direction, way), aside);
+    (void)num_normalise(to, &ray->direction);
+}
+
+/* Gives the sample's position in the image, in units of 1/(2 n^2): in its pixel, (n i + j + 1/2)/n^2 to the right and
+ * (n j + n - i - 1/2)/n^2 down. */
+static void place_sample(const struct ray_camera *c, const struct light_pixel *pixel, int sample, int32_t place[2])
 {
     int32_t n = c->side, i = sample % n, j = sample / n;
-    int32_t column = 2 * n * n * pixel->x + 2 * n * i + 2 * j + 1;
-    int32_t row = 2 * n * n * pixel->y + 2 * n * j + 2 * n - 2 * i - 1;
 
-    through(c, pixel->place, num_fraction_by(small(column), c->columns), num_fraction_by(small(row), c->rows), ray);
+    place[0] = 2 * n * n * pixel->x + 2 * n * i + 2 * j + 1;
+    place[1] = 2 * n * n * pixel->y + 2 * n * j + 2 * n - 2 * i - 1;
+}
+
+static void through_sample(const struct ray_camera *c, tia_q16 eye, const int32_t place[2], struct ray *ray)
+{
+    through(c, eye, num_fraction_by(small(place[0]), c->columns), num_fraction_by(small(place[1]), c->rows), ray);
+}
+
+void ray_camera_ray(const struct ray_camera *c, const struct light_pixel *pixel, int sample, struct ray *ray)
+{
+    int32_t place[2];
+
+    place_sample(c, pixel, sample, place);
+    through_sample(c, pixel->place, place, ray);
+    bend(c, pixel, (uint32_t)sample, ray);
+}
+
+void ray_camera_next(const struct ray_camera *c, const struct light_pixel *pixel, int sample, int axis, struct ray *ray)
+{
+    int32_t n = c->side, middle = n * n * (axis ? c->height : c->width), place[2];
+
+    place_sample(c, pixel, sample, place);
+    place[axis] += place[axis] < middle ? 2 * n : -2 * n;
+    through_sample(c, pixel->place, place, ray);
+    bend(c, pixel, (uint32_t)sample, ray);
 }
 
 /* Returns x + (u + 1/2)/2^32. */
@@ -129,9 +179,10 @@ static num_length within_pixel(int x, uint32_t u)
     return num_length_of_q45(((int64_t)x << 45) + ((int64_t)u << 13) + (1 << 12));
 }
 
-void ray_camera_ray_within(const struct ray_camera *c, const struct light_pixel *pixel, const uint32_t u[2],
-                           struct ray *ray)
+void ray_camera_ray_within(const struct ray_camera *c, const struct light_pixel *pixel, uint32_t sample,
+                           const uint32_t u[2], struct ray *ray)
 {
     through(c, pixel->place, num_fraction(within_pixel(pixel->x, u[0]), num_integer(c->width)),
             num_fraction(within_pixel(pixel->y, u[1]), num_integer(c->height)), ray);
+    bend(c, pixel, sample, ray);
 }

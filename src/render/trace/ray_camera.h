@@ -17,6 +17,8 @@ struct ray_camera {
     num_length left, bottom, across, upward; /* lower left corner and size of the window */
     num_divisor columns, rows;               /* divisors of the samples' positions in the image */
     struct num_point ahead;                  /* vector from the eye to the image plane */
+    num_length lens, focus;                  /* radius and distance in focus of the lens; 0: a pinhole */
+    uint32_t seed;                           /* of the points of the lens */
 };
 
 void ray_camera_prepare(struct ray_camera *camera, const struct tia_scene *scene, int width, int height);
@@ -35,8 +37,14 @@ static inline struct light_pixel ray_pixel_at(int x, int y)
 /* Writes the ray of sample number `sample` of the pixel. */
 void ray_camera_ray(const struct ray_camera *camera, const struct light_pixel *pixel, int sample, struct ray *ray);
 
-/* Writes the ray through the point (u + 1/2)/2^32 of the pixel, measured from its upper left corner. */
-void ray_camera_ray_within(const struct ray_camera *camera, const struct light_pixel *pixel, const uint32_t u[2],
-                           struct ray *ray);
+/* Writes the ray next to that of a sample, at the distance of samples: along the row for axis 0, along the column for
+ * axis 1, always towards the middle of the image. */
+void ray_camera_next(const struct ray_camera *camera, const struct light_pixel *pixel, int sample, int axis,
+                     struct ray *ray);
+
+/* Writes the ray of sample number `sample` through the point (u + 1/2)/2^32 of the pixel, measured from its upper left
+ * corner. */
+void ray_camera_ray_within(const struct ray_camera *camera, const struct light_pixel *pixel, uint32_t sample,
+                           const uint32_t u[2], struct ray *ray);
 
 #endif

@@ -78,6 +78,15 @@ static bool have_opacity(const struct tia_scene *scene, uint32_t first, uint32_t
     return found;
 }
 
+static bool have_footprints(const struct tia_scene *scene)
+{
+    bool found = false;
+
+    for (uint32_t i = 0; i < scene->texture_count; i++)
+        found = found || scene->textures[i].footprint;
+    return found;
+}
+
 /* Prepares a shape's instance. Returns false if the shape has no transform. */
 static bool place(struct preparation *p, const struct tia_shape *given, struct instance *instance)
 {
@@ -129,6 +138,7 @@ int ray_prepare(struct tia_view *view)
     ray_camera_prepare(&rays->camera, scene, view->width, view->height);
     rays->bias = num_scene_bias(scene->fine, scene->scale_bits);
     rays->layered = have_opacity(scene, 0, scene->material_count);
+    rays->filtered = have_footprints(scene);
     return prepare_shapes(rays, &preparation);
 }
 

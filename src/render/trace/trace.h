@@ -18,6 +18,7 @@ struct ray_view {
     uint32_t light_count, depth;
     num_length bias; /* offset of rays from surfaces */
     bool layered;    /* some material has an opacity texture */
+    bool filtered;   /* some texture is filtered over footprints */
     bool lit;        /* some light has a visible surface */
 };
 

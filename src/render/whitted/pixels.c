@@ -36,6 +36,8 @@ static void add_channel(struct path *path, const struct light_pixel *at, int cha
         num_length colour[3];
 
         path->next_reached = i + channel == 0 ? 0 : PATH_REACHED;
+        path->pixel = path->view->filtered ? at : NULL;
+        path->sample = i;
         path->seed = sampler_of((uint32_t)i, at->x, at->y, 0).seed;
         ray_camera_ray(camera, at, i, &ray);
         observe_count(path, &ray);

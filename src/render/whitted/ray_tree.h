@@ -35,6 +35,9 @@ struct path {
     bool traces;                    /* objects met by primary rays are stored in the hits */
     struct arrivals lit;            /* light of the primary hit; valid while `known` */
     bool known;
+    /* The pixel and the sample of a camera ray whose textures are filtered; `pixel` is NULL for other rays. */
+    const struct light_pixel *pixel;
+    int sample;
     uint32_t seed;         /* seed of a pixel's sample, for rays of ambient lights */
     unsigned class;        /* class of the pixel, see ray_light.h */
     uint64_t reached;      /* bits for tia_debug.lit */

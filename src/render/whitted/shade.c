@@ -1,5 +1,6 @@
 #include "shade.h"
 
+#include "footprint.h"
 #include "observe.h"
 #include "samples/sobol.h"
 #include "scene/colour.h"
@@ -15,6 +16,8 @@ void shade_prepare(struct path *path, const struct ray *ray, const struct hit *h
     path_hash_word(path, hit->object);
     path_hash_word(path, hit->element);
     shading_prepare(path->view, path->view->bias, ray, hit, s);
+    if (path->pixel)
+        footprint_filter(path->view, path->pixel, path->sample, ray, hit, s);
     for (int i = 0; i < 2; i++)
         if (s->textured[i])
             path_hash_word(path, s->texels[i]);

@@ -1,16 +1,8 @@
 #include "whitted.h"
 
 #include "observe.h"
+#include "render/trace/fog.h"
 #include "shade.h"
-
-/* A pending ray: its throughput, the numbers of bounces and of undeflected passages before it, and its media. */
-struct bounce {
-    struct ray ray;
-    num_length throughput[3];
-    uint32_t depth, layers;
-    struct media media;
-    enum tia_ray kind;
-};
 
 /* The pending rays. They are followed depth-first: the reflected ray, then the refracted ray, then the undeflected ray
  * behind a surface whose opacity is below 1. So at most two rays are pending for each bounce before the current one.
@@ -22,11 +14,10 @@ struct stack {
 
 #define THROUGHPUT_MIN (NUM_LENGTH_ONE / 65536)
 
-/* Pushes a ray spawned by b, unless it is too faint. */
-static void push(struct stack *stack, const struct ray *ray, const num_length factor[3], const struct bounce *b,
-                 const struct media *media, enum tia_ray kind, bool straight)
+/* Sets the ray that b spawns. Returns false if it is too faint. */
+static bool spawn(struct bounce *next, const struct ray *ray, const num_length factor[3], const struct bounce *b,
+                  const struct media *media, enum tia_ray kind, bool straight)
 {
-    struct bounce *next = &stack->bounces[stack->count];
     bool counts = false;
 
     for (int c = 0; c < 3; c++) {
@@ -38,7 +29,14 @@ static void push(struct stack *stack, const struct ray *ray, const num_length fa
     next->layers = b->layers + straight;
     next->media = *media;
     next->kind = kind;
-    stack->count += counts;
+    return counts;
+}
+
+/* Pushes a ray spawned by b, unless it is too faint. */
+static void push(struct stack *stack, const struct ray *ray, const num_length factor[3], const struct bounce *b,
+                 const struct media *media, enum tia_ray kind, bool straight)
+{
+    stack->count += spawn(&stack->bounces[stack->count], ray, factor, b, media, kind, straight);
 }
 
 static void add_flat(const struct tia_rgb *rgb, const num_length throughput[3], num_length colour[3])
@@ -96,23 +94,65 @@ static void follow(struct path *path, const struct bounce *b, const struct hit *
     bounce(view, &s, b, stack);
 }
 
-void path_colour(struct path *path, const struct ray *ray, const struct hit *first, num_length colour[3])
+/* Adds the fog along the ray b, and then what the ray meets. */
+static void look(struct path *path, struct bounce *b, const struct hit *hit, struct stack *stack, num_length colour[3])
 {
-    struct bounce b = {.ray = *ray, .throughput = {NUM_LENGTH_ONE, NUM_LENGTH_ONE, NUM_LENGTH_ONE}};
+    const struct tia_fog *fog = path->view->scene->fog;
+
+    if (fog && !b->media.count)
+        ray_fog_veil(fog, &b->ray, hit, b->throughput, colour);
+    follow(path, b, hit, stack, colour);
+}
+
+/* Follows the ray b, whose hit is known, and all rays that it spawns. Returns their number. */
+static uint32_t follow_all(struct path *path, struct bounce *b, struct hit *hit, num_length colour[3])
+{
     uint32_t rays = 1;
-    struct hit hit = *first;
     struct stack stack;
 
     colour[0] = colour[1] = colour[2] = 0;
     stack.count = 0;
-    follow(path, &b, &hit, &stack, colour);
+    look(path, b, hit, &stack, colour);
     path->known = false;
+    path->pixel = NULL;
     path->next_reached = PATH_REACHED;
     while (stack.count > 0 && rays++ < TIA_RAYS_MAX && !path_stops(path)) {
-        b = stack.bounces[--stack.count];
-        observe_count(path, &b.ray);
-        ray_intersect(path->view, &b.ray, &hit);
-        ray_intersect_lights(path->view, &b.ray, &hit);
-        follow(path, &b, &hit, &stack, colour);
+        *b = stack.bounces[--stack.count];
+        observe_count(path, &b->ray);
+        ray_intersect(path->view, &b->ray, hit);
+        ray_intersect_lights(path->view, &b->ray, hit);
+        look(path, b, hit, &stack, colour);
     }
+    return rays;
+}
+
+void path_colour(struct path *path, const struct ray *ray, const struct hit *first, num_length colour[3])
+{
+    struct bounce b = {.ray = *ray, .throughput = {NUM_LENGTH_ONE, NUM_LENGTH_ONE, NUM_LENGTH_ONE}};
+    struct hit hit = *first;
+
+    (void)follow_all(path, &b, &hit, colour);
+}
+
+uint32_t path_resume(struct path *path, struct bounce *b, const struct path_route *route, num_length colour[3])
+{
+    const struct ray_view *view = path->view;
+    struct hit hit;
+
+    for (uint32_t i = 0; i < route->count; i++) {
+        bool refracted = route->step[i] & PATH_REFRACTED;
+        const struct bounce before = *b;
+        struct bounces next;
+        struct shading s;
+        ray_intersect_object(view, &b->ray, route->step[i] & ~PATH_REFRACTED, &hit);
+        shading_prepare(view, view->bias, &b->ray, &hit, &s);
+        shade_bounce(view, &s, &before.media, &next);
+        if (refracted)
+            (void)spawn(b, &next.refracted, next.refracts, &before, &next.media, TIA_RAY_REFRACTED, next.straight);
+        else
+            (void)spawn(b, &next.reflected, next.reflects, &before, &before.media, TIA_RAY_REFLECTED, false);
+    }
+    ray_intersect(view, &b->ray, &hit);
+    ray_intersect_lights(view, &b->ray, &hit);
+    return follow_all(path, b, &hit, colour);
 }

@@ -138,13 +138,13 @@ static uint32_t split_together(struct crew *crew, struct tia_bounds *bounds, uin
         return 0;
     for (unsigned i = 1; i < CHUNKS; i++)
         tia_bvh_join_extents(&c->extent, &c[i].extent);
-    *bounds = c->extent.bounds;
+    *bounds = tia_bvh_bounds(&c->extent);
     bool divides = tia_bvh_choose_bins(crew->binning, &c->extent);
     if (divides && !run_chunks(crew, fill_chunk))
         return 0;
     for (unsigned i = 1; i < CHUNKS && divides; i++)
         tia_bvh_join_bins(&c->bins, &c[i].bins);
-    return tia_bvh_split_at_best(&crew->items, bounds, divides ? &c->bins : NULL, crew->binning, most);
+    return tia_bvh_split_at_best(&crew->items, &c->extent, divides ? &c->bins : NULL, crew->binning, most);
 }
 
 static struct part *find_largest(struct crew *crew)

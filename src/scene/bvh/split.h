@@ -19,9 +19,15 @@ struct tia_bvh_split_items {
     struct cancel *cancel;
 };
 
+/* A box, as eight numbers side by side for vector units: x, y, z of `min` and x of `max`, then z of `min` and x, y, z
+ * of `max`. The bits of `max` are inverted, so that the box around two boxes has the smaller of each two numbers. */
+struct tia_bvh_lanes {
+    int32_t at[8];
+};
+
 /* The extent of a node's items. */
 struct tia_bvh_extent {
-    struct tia_bounds bounds;  /* box around all items */
+    struct tia_bvh_lanes box;  /* box around all items */
     int64_t least[3], most[3]; /* range of twice the coordinates of the items' centres */
 };
 
@@ -35,7 +41,7 @@ struct tia_bvh_binning {
 };
 
 struct tia_bvh_bin {
-    struct tia_bounds bounds;
+    struct tia_bvh_lanes box;
     uint32_t count;
 };
 
@@ -55,6 +61,8 @@ uint32_t tia_bvh_split_items(const struct tia_bvh_split_items *items, struct tia
 
 /* Computes the extent of some of a node's items. */
 void tia_bvh_measure(struct tia_bvh_extent *extent, const struct tia_bvh_split_items *items);
+/* Returns the box around all items. */
+struct tia_bounds tia_bvh_bounds(const struct tia_bvh_extent *extent);
 /* Adds the extent of further items; the result does not depend on how the items are divided. */
 void tia_bvh_join_extents(struct tia_bvh_extent *to, const struct tia_bvh_extent *more);
 
@@ -69,7 +77,7 @@ void tia_bvh_join_bins(struct tia_bvh_bins *to, const struct tia_bvh_bins *more)
 
 /* Splits at the best plane, or into halves. Returns the same as tia_bvh_split_items. `bins` is NULL when there is no
  * axis to split along. */
-uint32_t tia_bvh_split_at_best(const struct tia_bvh_split_items *items, const struct tia_bounds *bounds,
+uint32_t tia_bvh_split_at_best(const struct tia_bvh_split_items *items, const struct tia_bvh_extent *extent,
                                const struct tia_bvh_bins *bins, const struct tia_bvh_binning binning[3], uint32_t most);
 
 #endif

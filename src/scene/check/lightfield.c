@@ -1,3 +1,4 @@
+#include "math/integer.h"
 #include "scene_check.h"
 
 static int check_line(const struct check *check)
@@ -42,19 +43,14 @@ static int check_field(const struct check *check, const struct tia_light_field *
     return TIA_OK;
 }
 
-static tia_q16 clamped(int64_t q)
-{
-    return q < INT32_MIN ? INT32_MIN : q > INT32_MAX ? INT32_MAX : (tia_q16)q;
-}
-
 void tia_check_eyes(const struct tia_camera *camera, struct tia_bounds *eyes)
 {
     int64_t line = camera->line;
 
-    eyes->min =
-        (struct tia_vec3){clamped(eyes->min.x - line), clamped(eyes->min.y - line), clamped(eyes->min.z - line)};
-    eyes->max =
-        (struct tia_vec3){clamped(eyes->max.x + line), clamped(eyes->max.y + line), clamped(eyes->max.z + line)};
+    eyes->min = (struct tia_vec3){tia_saturate_s32(eyes->min.x - line), tia_saturate_s32(eyes->min.y - line),
+                                  tia_saturate_s32(eyes->min.z - line)};
+    eyes->max = (struct tia_vec3){tia_saturate_s32(eyes->max.x + line), tia_saturate_s32(eyes->max.y + line),
+                                  tia_saturate_s32(eyes->max.z + line)};
 }
 
 int tia_check_light_field(struct check *check)

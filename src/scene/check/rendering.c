@@ -42,10 +42,41 @@ static int check_emission(struct check *check)
     return status;
 }
 
+static int check_fog(struct check *check)
+{
+    const struct tia_fog *fog = check->scene->fog;
+
+    check->thing = "fog";
+    check->index = 0;
+    if (!fog)
+        return TIA_OK;
+    REQUIRE(tia_check_is_unit(&fog->colour), "colour", CHECK_UNIT);
+    REQUIRE(fog->distance >= TIA_RADIUS_MIN, "distance", "must be at least 2^-10");
+    REQUIRE(fog->height == 0 || fog->height >= TIA_RADIUS_MIN, "height", "must be 0 or at least 2^-10");
+    REQUIRE(check->scene->shadows == TIA_SHADOWS_TRACED, "distance", "needs traced rays for shadows");
+    return TIA_OK;
+}
+
+static int check_lens(struct check *check)
+{
+    const struct tia_lens *lens = check->scene->lens;
+
+    check->thing = "lens";
+    if (!lens)
+        return TIA_OK;
+    REQUIRE(lens->focus >= TIA_RADIUS_MIN, "focus", "must be at least 2^-10");
+    REQUIRE(tia_check_is_between(lens->radius, 1, lens->focus), "radius", "must be above 0 and at most focus");
+    REQUIRE(!check->scene->field, "radius", "must not be in a light field");
+    REQUIRE(check->scene->shadows == TIA_SHADOWS_TRACED, "radius", "needs traced rays for shadows");
+    return TIA_OK;
+}
+
 int tia_check_rendering(struct check *check)
 {
     int status = tia_check_light_field(check);
 
+    status = status ? status : check_fog(check);
+    status = status ? status : check_lens(check);
     check->index = 0;
     check->thing = "scene";
     status = status ? status : check_integration(check);

@@ -142,7 +142,7 @@ static void put(const struct fall_ball *ball, struct tia_vec3 *position)
 
     for (int i = 0; i < 3; i++) {
         int64_t there = *to[i] + tia_round_shift(ball->place[i] - ball->start[i], 24);
-        *to[i] = (tia_q16)(there < INT32_MIN ? INT32_MIN : there > INT32_MAX ? INT32_MAX : there);
+        *to[i] = tia_saturate_s32(there);
     }
 }
 

@@ -131,6 +131,18 @@ LANE_OP vm mof(unsigned bits)
     return _mm256_castsi256_pd(_mm256_cmpeq_epi64(_mm256_and_si256(_mm256_set1_epi64x(bits), bit), bit));
 }
 
+#define VPACK(a, lanes) packed_lanes(a, lanes)
+LANE_OP vd packed_lanes(vd a, unsigned lanes)
+{
+    /* For each set of lanes the places of their halves, a byte each. */
+    static const uint64_t halves[16] = {
+        0,     0x100,     0x302,     0x3020100,     0x504,     0x5040100,     0x5040302,     0x50403020100,
+        0x706, 0x7060100, 0x7060302, 0x70603020100, 0x7060504, 0x70605040100, 0x70605040302, 0x706050403020100};
+    __m256i index = _mm256_cvtepu8_epi32(_mm_set1_epi64x((int64_t)halves[lanes]));
+
+    return _mm256_castps_pd(_mm256_permutevar8x32_ps(_mm256_castpd_ps(a), index));
+}
+
 typedef __m256 vp;
 #define vp_set(x) _mm256_set1_ps(x)
 #define vp_load(p) _mm256_castpd_ps(_mm256_set1_pd(two_floats(p)))

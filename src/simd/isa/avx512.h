@@ -127,9 +127,16 @@ typedef __mmask8 vm;
 #define mnot(a) _knot_mask8(a)
 #define mbits(m) ((unsigned)(m))
 #define mof(bits) ((vm)(bits))
+#define VPACK(a, lanes) _mm512_maskz_compress_pd(mof(lanes), a)
 #define OF16(table, index)                                                                                             \
     (vu) _mm256_permutex2var_epi32(_mm256_loadu_si256((const void *)(table)), (__m256i)(index),                        \
                                    _mm256_loadu_si256((const void *)((table) + 8)))
+
+typedef __m256 vb;
+#define vb_set(x) _mm256_set1_ps(x)
+#define vb_min(a, b) _mm256_min_ps(a, b)
+#define vb_max(a, b) _mm256_max_ps(a, b)
+#define vb_le(a, b) ((unsigned)_mm256_cmp_ps_mask(a, b, _CMP_LE_OQ))
 
 typedef __m512 vp;
 #define vp_set(x) _mm512_set1_ps(x)

@@ -28,7 +28,11 @@
  *   vp_set(x) vp_load(p) vp_of(a)         x everywhere; p[0], p[1] in each lane; each lane of a, twice
  *   vp_min vp_max vp_swap vp_le(a, b)     vp_swap swaps each pair; vp_le: bit 2 k + i is float i of lane k
  *
+ * Optional, where a vp has more than 8 floats:
+ *   vb               8 floats, with C's + - *, and vb_set vb_min vb_max vb_le, as for vp
+ *
  * Optional, where the instruction set does this quickly:
+ *   VPACK(a, lanes)           the chosen lanes, moved together to the first ones
  *   OF16(table, index)        table[index & 15] in each lane, as a vu of rays/random_tmpl.h; the table has 16 words
  *
  * Integers, for raster_tmpl.h, if the instruction set compares 64-bit integers:

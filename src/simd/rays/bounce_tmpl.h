@@ -24,7 +24,7 @@ static void find_boundaries(const struct sure_scene *s, const struct shade *h, u
 
     for (int k = 0; k < LANES; k++) {
         ratio[k] = part[k] = 0.25;
-        f->media[k] = r->media[k];
+        copy_media(&f->media[k], &r->media[k]);
         if (!(glass >> k & 1))
             continue;
         const struct tia_material *m = &s->view->scene->materials[h->material[k]];
@@ -89,8 +89,10 @@ LANE_OP void keep_paths(struct rays *next, const struct rays *r, const struct me
         next->slot[k] = r->slot[k];
         next->depth[k] = r->depth[k];
         next->layers[k] = r->layers[k];
-        next->media[k] = media[k];
+        copy_media(&next->media[k], &media[k]);
+        copy_route(&next->route[k], &r->route[k]);
     }
+    next->run = false;
 }
 
 /* Returns the lanes whose paths may bounce once more. */

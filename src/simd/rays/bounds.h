@@ -19,6 +19,7 @@
 #include "bounds/pictures.h"
 #include "bounds/rounds.h"
 #include "bounds/shapes.h"
+#include "bounds/sights.h"
 #include "bounds/surfaces.h"
 #include "bounds/vectors.h"
 

@@ -1,7 +1,7 @@
 /* descend_tmpl.h - traversal of a hierarchy by a packet, for any kind of leaf: see walk_tmpl.h.
  *
- * Parameters: the doubles and pairs of floats of isa/isa.h. Defines: WALK(), EVEN, twice(), half(), struct child,
- * struct pending, struct node_ref. */
+ * Parameters: the doubles and pairs of floats of isa/isa.h. Defines: WALK(), stay(), EVEN, twice(), half(), struct
+ * child, struct pending, struct node_ref. */
 #ifndef TIA_SIMD_RAYS_DESCEND_TMPL_H
 #define TIA_SIMD_RAYS_DESCEND_TMPL_H
 
@@ -20,10 +20,11 @@ struct pending {
     struct child child;
 };
 
-/* The child being visited. */
+/* The child being visited, and the lanes that enter it. */
 struct node_ref {
     struct child child;
     const vp *near;
+    unsigned lanes;
 };
 
 /* Search state of a packet. Lanes have two bits each, one for each float of a `vp`. */
@@ -104,6 +105,7 @@ LANE_OP int descend(struct node_ref *v, const struct search *w, vp *near, struct
     else
         child_of(&v->child, n, 0);
     v->near = near;
+    v->lanes = turn ? second : first;
     return first && second;
 }
 
@@ -113,18 +115,26 @@ LANE_OP int resume(struct node_ref *v, const struct search *w, const struct pend
 {
     while (depth > 0 && w->active) {
         const struct pending *next = &stack[--depth];
-        if (next->lanes & w->active & vp_le(next->near, w->limit)) {
-            *v = (struct node_ref){next->child, &next->near};
+        unsigned lanes = next->lanes & w->active & vp_le(next->near, w->limit);
+        if (lanes) {
+            *v = (struct node_ref){next->child, &next->near, (lanes | lanes >> 1) & EVEN};
             return depth;
         }
     }
     return -1;
 }
 
+/* The last parameter but one of WALK(), for walks that visit all nodes alike. */
+LANE_OP bool stay(const struct sure_scene *s, const struct sure_tree *tree, const struct node_ref *v, struct query *q)
+{
+    (void)s, (void)tree, (void)v, (void)q;
+    return false;
+}
+
 /* Defines a function that walks a hierarchy and calls `leaf` at each leaf. `waits` is the member of struct room that
  * holds the queued children; no other pointer refers to it. Walks of meshes run within that of the scene, so each kind
- * of walk is a function with a queue of its own. */
-#define WALK(name, leaf, waits)                                                                                        \
+ * of walk is a function with a queue of its own. `leave` may visit a node in another way, and then returns true. */
+#define WALK(name, leaf, leave, waits)                                                                                 \
     static __attribute__((noinline)) void name(const struct sure_scene *s, const struct sure_tree *tree,               \
                                                struct query *q)                                                        \
     {                                                                                                                  \
@@ -137,10 +147,15 @@ LANE_OP int resume(struct node_ref *v, const struct search *w, const struct pend
         if (!tree->node_count)                                                                                         \
             return;                                                                                                    \
         search_begin(&w, q);                                                                                           \
+        v.lanes = w.active & EVEN;                                                                                     \
         do {                                                                                                           \
-            while (v.child.count == SURE_INNER && (more = descend(&v, &w, &near, &stack[depth], tree, q)) >= 0)        \
+            bool left = false;                                                                                         \
+            while (v.child.count == SURE_INNER && !(left = leave(s, tree, &v, q)) &&                                   \
+                   (more = descend(&v, &w, &near, &stack[depth], tree, q)) >= 0)                                       \
                 depth += more;                                                                                         \
-            if (v.child.count != SURE_INNER) {                                                                         \
+            if (left) {                                                                                                \
+                search_update(&w, q);                                                                                  \
+            } else if (v.child.count != SURE_INNER) {                                                                  \
                 q->work += v.child.count;                                                                              \
                 leaf(s, tree, &v, q);                                                                                  \
                 search_update(&w, q);                                                                                  \

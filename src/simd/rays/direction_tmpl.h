@@ -74,11 +74,13 @@ LANE_OP struct v3 cosine_direction(vu u0, vu u1)
 }
 
 /* Rotates a direction from around z to around n, as in trace/around.c. n has the error e and `local` the error elocal;
- * *ed receives that of the result. Let n = (x, y, z) and k = 1/(1 + |z|). As x^2 + y^2 <= 1 - z^2, (x^2 + y^2) k <= 1.
- * So x^2 k changes by at most (2 |x| k + x^2 k^2) e <= 3 e and x y k by 2 e, either tangent by sqrt(9 + 4 + 1) e, and
- * the sum by sqrt(14 + 14 + 1) e < 6 e. Roundings are below 2^-50 in each coordinate. The tangents jump where z changes
- * its sign, so that lanes with |z| <= e are undecided, except `exact` lanes, in which z has the sign of the fixed-point
- * one. */
+ * *ed receives that of the result. For z >= 0 the tangents and n are the rotation about an axis across z that takes z
+ * to n, so at an angle a from z. If n moves at a speed of 1, this frame turns with 1 across n and, at most, tan(a/2) <=
+ * 1 around n: by sqrt 2 together. Both n are unit vectors in one half of the sphere, where the shorter arc between them
+ * stays. It is at most e asin(e/2)/(e/2) <= 1.05 e long for e <= 1, so any direction turns by at most 1.485 e. For z <
+ * 0 the frame is that of (x, y, -z), mirrored. Roundings are below 2^-50 in each coordinate. The tangents jump where z
+ * changes its sign, so that lanes with |z| <= e are undecided, except `exact` lanes, in which z has the sign of the
+ * fixed-point one. */
 LANE_OP struct v3 around(struct v3 n, vd e, vm exact, struct v3 local, vd elocal, vd *ed, vm *unsure)
 {
     vm down = vlt(n.z, vset(0)), upright = mnot(down);
@@ -88,7 +90,7 @@ LANE_OP struct v3 around(struct v3 n, vd e, vm exact, struct v3 local, vd elocal
     struct v3 sum = v3_add(v3_scale(n, local.z), v3_add(v3_scale(t, local.x), v3_scale(b, local.y)));
 
     *unsure = mand(mnot(exact), vle(vabs(n.z), e));
-    return v3_unit(sum, BOUND_OF(AROUND, 6 * e + elocal) + vset(BOUND(AROUND_ROUNDING)), ed);
+    return v3_unit(sum, BOUND_OF(AROUND, BOUND(AROUND_TURN) * e + elocal) + vset(BOUND(AROUND_ROUNDING)), ed);
 }
 
 #endif

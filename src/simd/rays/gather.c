@@ -67,7 +67,8 @@ static void set_lobes(struct sure_lobes *to, const struct tia_material *m)
     to->known = !(m->texture && scatter.below[2]);
     to->glow = (double)(UINT32_C(1) << m->emission_bits);
     for (int i = 0; i < 3; i++)
-        to->below[i] = scatter.below[i];
+        to->below[i] = to->upto[i] = scatter.below[i];
+    to->spread = 0;
     for (int i = 0; i < 4; i++) {
         num_unit before = i ? num_of_chance(scatter.below[i - 1]) : 0;
         to->chance[i] = sure_cosine((i < 3 ? num_of_chance(scatter.below[i]) : NUM_UNIT_ONE) - before);

@@ -2,10 +2,11 @@
  *
  * The rules of sure.h apply to each sample. A sample's radiance is rounded to 2^-24 in the end. If this result, or a
  * hit, a shadow, a lobe or a decision of roulette, is not the same everywhere within the bounds, the sample is
- * undecided. The fixed-point path then computes it from its camera ray on. */
+ * undecided. The fixed-point path then computes it; for a path it gets the hits that are certain. */
 #ifndef TIA_SIMD_RAYS_GATHER_H
 #define TIA_SIMD_RAYS_GATHER_H
 
+#include "render/estimate/estimate.h"
 #include "sure.h"
 
 /* The constants of an emitter for paths. */
@@ -15,12 +16,14 @@ struct sure_shine {
     bool known;  /* false: lanes that receive its light are undecided */
 };
 
-/* The lobes of a material, see scatter_tmpl.h, with chances cut to 32 bits as in the fixed-point code. */
+/* The lobes of a material, see scatter_tmpl.h, with chances cut to 32 bits as in the fixed-point code, where below[i]
+ * is between `below` and `upto`. */
 struct sure_lobes {
-    uint32_t below[3];
-    double chance[4]; /* chances of the mirror, glass, glossy and diffuse lobe */
-    double glow;      /* factor of the material's emission */
-    bool known;       /* the chances are the same everywhere on the surface */
+    uint32_t below[3], upto[3];
+    double chance[4]; /* chances of the mirror, glass, glossy and diffuse lobe, each within `spread` */
+    double spread;
+    double glow; /* factor of the material's emission */
+    bool known;  /* the chances are the same everywhere on the surface */
     bool black, rough;
 };
 
@@ -38,7 +41,7 @@ struct sure_paths {
     double one_of, reach; /* one_of: 1/emitter_count; reach: largest distance of occluding objects */
 };
 
-#define SURE_GATHERED 192 /* largest number of samples; they and their rays take 40 KB */
+#define SURE_GATHERED 192 /* largest number of samples; they and their rays take 70 KB */
 
 /* The samples of a block's pixels. */
 struct sure_gather {
@@ -49,6 +52,7 @@ struct sure_gather {
     uint32_t index[SURE_GATHERED];
     double colour[SURE_GATHERED][3], error[SURE_GATHERED];
     bool unsure[SURE_GATHERED];
+    struct estimate_known known[SURE_GATHERED]; /* what is certain of paths, even of undecided ones */
 };
 
 /* Returns the size in bytes of the scene in doubles and the data of paths. */

@@ -17,15 +17,19 @@ LANE_OP void multiply_by(struct paths *p, const vd factor[3])
               most * BOUND(THROUGHPUT_ROUNDING);
 }
 
-/* Divides throughputs by chances, which are exact. */
-LANE_OP void divide_by(struct paths *p, vd chance, vm lanes)
+/* Divides throughputs by chances. Returns the lanes that are undecided, as their chance is too small. A quotient w/c is
+ * off by (ew + w/c ec)/c', and 1/c' <= (1 + 2 ec/c)/c where 16 ec < c. */
+LANE_OP vm divide_by(struct paths *p, struct ve chance, vm lanes)
 {
-    vd inverse = 1 / vsel(lanes, chance, vset(1));
+    vm known = mand(lanes, vlt(BOUND(DIVIDED_KNOWN) * chance.e, chance.v));
+    vd inverse = 1 / vsel(known, chance.v, vset(1)), part = vsel(known, chance.e * inverse, vset(0));
 
     for (int c = 0; c < 3; c++)
         p->r.weight[c] = p->r.weight[c] * inverse;
-    p->r.ew = BOUND_OF(DIVIDED_WEIGHT, p->r.ew * inverse) +
-              vsel(lanes, BOUND(THROUGHPUT_UNIT) + most3(p->r.weight) * BOUND(THROUGHPUT_ROUNDING), vset(0));
+    vd most = most3(p->r.weight);
+    p->r.ew = BOUND_OF(DIVIDED_WEIGHT, (p->r.ew * inverse + most * part) * (1 + BOUND(DIVIDED_QUOTIENT) * part)) +
+              vsel(known, BOUND(THROUGHPUT_UNIT) + most * BOUND(THROUGHPUT_ROUNDING), vset(0));
+    return mand(lanes, mnot(known));
 }
 
 /* Returns the lanes whose fixed-point throughput is certainly not clipped, and marks the others as undecided.
@@ -131,7 +135,7 @@ static __attribute__((noinline)) void enter_glass(struct path_state *f, unsigned
     mark_unsure(f, unsure, p->r.slot);
     lanes &= ~unsure;
     multiply_by(&next, h->refraction);
-    divide_by(&next, l->chance[CHANCE_GLASS], mof(lanes));
+    lanes = sure_of(f, lanes, divide_by(&next, ve_of(l->chance[CHANCE_GLASS], l->spread), mof(lanes)), p->r.slot);
     if (lanes & straight)
         pass_straight(f, lanes & straight, p, &next, h, r.media);
     lanes &= ~straight;

@@ -47,7 +47,7 @@ LANE_OP void report_hit(struct query *q, struct hit_report r)
     q->t = vsel(nearer, r.t, q->t);
     q->e = vsel(nearer, r.e, q->e);
     q->ep = vsel(nearer, r.ep, q->ep);
-    q->id = vsel(nearer, vset(q->object), q->id);
+    q->id = vsel(nearer, q->object, q->id);
     q->element = vsel(nearer, r.element, q->element);
     q->limit = vmin(q->limit, vsel(nearer, r.t + r.e, q->limit));
 }

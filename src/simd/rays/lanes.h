@@ -6,7 +6,7 @@
 
 #define SURE(simd)                                                                                                     \
     extern const struct sure_kernels tia_sure_##simd;                                                                  \
-    const struct sure_kernels tia_sure_##simd = {trace,      set_pixels,          occlude,                             \
-                                                 walk_paths, sizeof(struct work), sizeof(struct path_state)}
+    const struct sure_kernels tia_sure_##simd = {                                                                      \
+        trace, shade_seen, set_pixels, occlude, walk_paths, sizeof(struct work), sizeof(struct path_state)}
 
 #endif

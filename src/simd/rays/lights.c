@@ -141,10 +141,12 @@ void tia_sure_set_lights(struct tia_view *view)
     struct sure_scene *s = tia_sure_scene(view);
 
     s->light_count = s->view->light_count;
-    s->occluded = s->fixed_only = false;
+    s->areas = s->occluded = false;
+    s->fixed_only = s->view->scene->fog || s->view->scene->lens;
     for (uint32_t i = 0; i < s->light_count; i++) {
         set_light(&s->lights[i], &s->view->lights[i]);
         enum tia_light_kind kind = s->view->lights[i].kind;
+        s->areas = s->areas || tia_light_has(kind, TIA_LIGHT_AREA);
         s->occluded = s->occluded || (tia_light_has(kind, TIA_LIGHT_EVERYWHERE) && s->lights[i].radius > 0);
         s->fixed_only = s->fixed_only || !tia_light_has(kind, TIA_LIGHT_SIMD);
         set_places(&s->lights[i], i < SURE_AREAS ? s->places[i] : NULL);

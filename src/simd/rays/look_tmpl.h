@@ -104,9 +104,9 @@ static unsigned look_for_lights(struct path_state *f, unsigned lanes, const stru
         return lanes;
     choose_emitters(f, p, which, u);
     find_sights(f, rough, which, h, u, radiance, &surface);
-    vd cosine = v3_dot(a->to, h->normal), above = v3_dot(a->to, h->geometric);
-    vd ec = BOUND_OF(LAMBERT, a->eto + h->en + BOUND(COSINE)), ea = BOUND_OF(ABOVE, a->eto + h->eg + BOUND(COSINE));
-    vm dark = mor(vlt(cosine, -ec), vlt(above, -ea)), lit = mand(vlt(ec, cosine), vlt(ea, above));
+    struct cosines of = cosines_of(h, l, a->to, a->eto);
+    vd above = v3_dot(a->to, h->geometric), ea = BOUND_OF(ABOVE, a->eto + h->eg + BOUND(COSINE));
+    vm dark = mor(vlt(of.normal, -of.enormal), vlt(above, -ea)), lit = mand(vlt(of.enormal, of.normal), vlt(ea, above));
     /* an undecided sample may lie in any direction, so its side of the surface is undecided too */
     vm none = mand(mnot(a->unsure), mor(dark, mnot(a->some))), open = mor(a->unsure, mnot(mor(none, lit)));
     unsigned unsure = rough & mbits(open);
@@ -129,10 +129,12 @@ static unsigned look_for_lights(struct path_state *f, unsigned lanes, const stru
     unsure = rough & mbits(shadow->unsure);
     mark_unsure(f, unsure, p->r.slot);
     lanes &= ~unsure;
-    rough &= ~unsure & ~mbits(shadow->blocked);
+    rough &= ~unsure;
+    note_shadows(f, rough, ~mbits(shadow->blocked), p);
+    rough &= ~mbits(shadow->blocked);
     if (!rough)
         return lanes;
-    respond(h, l, a->to, a->eto, cosine, ec, r);
+    respond(h, l, &of, r);
     add_sights(f, rough, p, r, a, radiance, surface);
     return lanes;
 }

@@ -28,8 +28,8 @@ static double size_of(const struct sure_edges *e, const double whole[3], double 
 
 static void set_face(struct sure_pair *to, int place, const struct sure_tree *tree, uint32_t face)
 {
-    const struct sure_face *f = &tree->faces[face];
-    struct sure_edges e = sure_edges_of(f, tree->centre);
+    const struct sure_face f = sure_face_of(tree, face);
+    struct sure_edges e = sure_edges_of(&f, tree->centre);
     double whole[3];
 
     for (int k = 0; k < 3; k++) {
@@ -41,7 +41,7 @@ static void set_face(struct sure_pair *to, int place, const struct sure_tree *tr
         }
     }
     to->face[place] = face;
-    to->size[place] = f->any ? (float)size_of(&e, whole, tree->extent) : SURE_NONE;
+    to->size[place] = f.any ? (float)size_of(&e, whole, tree->extent) : SURE_NONE;
 }
 
 static uint32_t set_leaf(struct sure_pair *to, const struct sure_tree *tree, const uint32_t *items, uint32_t count)

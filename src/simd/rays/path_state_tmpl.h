@@ -1,7 +1,8 @@
 /* path_state_tmpl.h - path states of a block: at most one queued ray per sample.
  *
  * Parameters: the doubles of isa/isa.h. Defines: path_open(), path_start(), path_push(), path_pop(), fullest(),
- * path_quads(), quads_of_paths(), path_choice(), mark_unsure(), sure_of(), find_first(), find_hidden(), struct paths,
+ * path_quads(), quads_of_paths(), path_choice(), mark_unsure(), sure_of(), note_hits(),
+ * note_shadows(), find_first(), find_hidden(), struct paths,
  * struct path_state. */
 #ifndef TIA_SIMD_RAYS_PATH_STATE_TMPL_H
 #define TIA_SIMD_RAYS_PATH_STATE_TMPL_H
@@ -74,6 +75,44 @@ LANE_OP unsigned sure_of(struct path_state *f, unsigned lanes, vm unsure, const 
 
     mark_unsure(f, gone, slot);
     return lanes & ~gone;
+}
+
+/* Returns the number of a lane's ray on its path, ESTIMATE_KNOWN at most. */
+LANE_OP uint32_t ray_number(const struct paths *p, int k)
+{
+    uint32_t number = p->r.depth[k] + p->r.layers[k];
+
+    return number < ESTIMATE_KNOWN ? number : ESTIMATE_KNOWN;
+}
+
+/* Notes what the rays of these lanes certainly meet. */
+LANE_OP void note_hits(struct path_state *f, unsigned lanes, const struct paths *p, const struct query *q)
+{
+    double id[LANES];
+
+    vstore(id, q->id);
+    for (; lanes; lanes &= lanes - 1) {
+        int k = __builtin_ctz(lanes);
+        struct estimate_known *known = &f->gather->known[p->r.slot[k]];
+        uint32_t i = ray_number(p, k);
+        if (i == ESTIMATE_KNOWN)
+            continue;
+        known->count = i + 1;
+        known->hit[i].object = id[k] < 0 || id[k] >= LIGHT_ID ? TIA_NO_OBJECT : (uint32_t)id[k];
+        known->hit[i].light = id[k] >= LIGHT_ID ? (uint32_t)(id[k] - LIGHT_ID) : TIA_NO_OBJECT;
+    }
+}
+
+/* Notes that the shadow rays of these lanes certainly reach their light, or do not. */
+LANE_OP void note_shadows(struct path_state *f, unsigned lanes, unsigned seen, const struct paths *p)
+{
+    for (; lanes; lanes &= lanes - 1) {
+        int k = __builtin_ctz(lanes);
+        struct estimate_known *known = &f->gather->known[p->r.slot[k]];
+        uint32_t bit = UINT32_C(1) << ray_number(p, k);
+        known->shadows_known |= bit;
+        known->lights_reached |= seen >> k & 1 ? bit : 0;
+    }
 }
 
 LANE_OP void path_push(struct path_state *f, struct paths *next, unsigned lanes)
@@ -176,7 +215,7 @@ static void first_paths(const struct path_state *f, struct paths *p, const struc
         const struct light_pixel pixel = ray_pixel_at(g->x[p->r.slot[k]], g->y[p->r.slot[k]]);
         double origin[3], direction[3];
         struct ray ray;
-        ray_camera_ray_within(&g->scene->view->camera, &pixel, pair, &ray);
+        ray_camera_ray_within(&g->scene->view->camera, &pixel, 0, pair, &ray);
         sure_point(origin, ray.origin);
         sure_dir(direction, ray.direction);
         for (int i = 0; i < 3; i++) {
@@ -218,11 +257,13 @@ static void path_open(struct path_state *f, struct sure_gather *g)
     uint32_t seed = g->scene->view->scene->integration.seed;
 
     f->gather = g;
+    f->room.scattered = true;
     f->blocker = TIA_NO_OBJECT;
     for (int i = 0; i < g->count; i++) {
         f->seed[i] = sampler_of(seed, g->x[i], g->y[i], 0).seed;
         g->colour[i][0] = g->colour[i][1] = g->colour[i][2] = g->error[i] = 0;
         g->unsure[i] = false;
+        g->known[i].count = g->known[i].shadows_known = g->known[i].lights_reached = 0;
     }
     for (int i = 0; i < OCTANTS; i++)
         f->count[i] = 0;
@@ -242,7 +283,7 @@ static void find_first(const struct sure_scene *s, struct room *room, struct que
             continue;
         vm all = q->active;
         q->active = point ? mand(all, mof(specular & lanes)) : all;
-        q->object = LIGHT_ID + n;
+        q->object = vset(LIGHT_ID + n);
         meet_light(l, q);
         q->active = all;
     }
@@ -258,7 +299,7 @@ LANE_OP void meet_other_light(const struct sure_scene *s, uint32_t n, const uint
         here |= (unsigned)(ends[k] == n) << k;
     vm mine = mand(q->active, mof(here));
     q->active = mand(q->active, mnot(mof(here)));
-    q->object = LIGHT_ID + n;
+    q->object = vset(LIGHT_ID + n);
     if (any(q->active))
         meet_light(&s->lights[n], q);
     q->active = mor(q->active, mine);
@@ -301,7 +342,7 @@ static void find_hidden(const struct sure_scene *s, struct room *room, struct sh
     if (any(q->active))
         meet_unbounded(s, q);
     if (any(q->active))
-        walk_objects(s, &s->objects, q);
+        walk_objects(s, q);
     *blocker = q->blocker;
     shadow->work = q->work;
     shadow->blocked = q->blocked;

@@ -23,21 +23,24 @@ LANE_OP vd level_of(vd mean, vd error, double levels, vd threshold, vm *one)
     return low;
 }
 
-/* Packs LANES pixels of a row, beginning with pixel `first` of the block. */
-LANE_OP void pack_pixels(struct sure_block *b, const vd mean[3], vd error, vd threshold, int first)
+/* Packs LANES pixels, beginning with pixel `first` of the block. The sum of a pixel and 2^52 has the pixel in its
+ * lowest bits. */
+LANE_OP void pack_pixels(struct sure_block *b, const vd mean[3], vd error, int first)
 {
+    const vd threshold = vload(&b->threshold[first]);
     vd sum = BOUND_OF(PIXEL_ERROR, error) + BOUND(PIXEL_MEAN);
     vm one = vlt(sum, vset(1));
     vd r = level_of(mean[0], sum, 31, threshold, &one), g = level_of(mean[1], sum, 63, threshold, &one);
-    vd blue = level_of(mean[2], sum, 31, threshold, &one);
+    vd blue = level_of(mean[2], sum, 31, threshold, &one),
+       pixel = (r * 2048 + g * 32 + blue) + vset(4503599627370496.0);
     unsigned fine = mbits(one);
-    double pixel[LANES];
+    int64_t bits[LANES];
 
-    vstore(pixel, r * 2048 + g * 32 + blue);
-    for (int k = 0; k < LANES; k++) {
-        b->pixels[first + k] = (tia_rgb565)(uint32_t)pixel[k];
+    __builtin_memcpy(bits, &pixel, sizeof bits);
+    for (int k = 0; k < LANES; k++)
+        b->pixels[first + k] = (tia_rgb565)bits[k];
+    for (int k = 0; k < LANES; k++)
         b->open[first + k] = !(fine >> k & 1);
-    }
 }
 
 /* Computes means over the samples of LANES pixels. */
@@ -62,17 +65,16 @@ static void set_pixels(struct sure_block *b)
 {
     vd mean[3], error;
 
-    for (int y = 0, first = 0; y < b->height; y++, first += b->width)
-        for (int x = 0; x < b->width; x += LANES) {
-            if (b->samples == 1) {
-                for (int c = 0; c < 3; c++)
-                    mean[c] = clamped(vload(&b->colour[c][first + x]));
-                error = vload(&b->error[first + x]);
-            } else {
-                mean_of_samples(b, first + x, mean, &error);
-            }
-            pack_pixels(b, mean, error, vload(&b->threshold[y][(b->x + x) & 7]), first + x);
+    for (int first = 0; first < b->width * b->height; first += LANES) {
+        if (b->samples == 1) {
+            for (int c = 0; c < 3; c++)
+                mean[c] = clamped(vload(&b->colour[c][first]));
+            error = vload(&b->error[first]);
+        } else {
+            mean_of_samples(b, first, mean, &error);
         }
+        pack_pixels(b, mean, error, first);
+    }
 }
 
 #endif

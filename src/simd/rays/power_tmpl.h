@@ -1,6 +1,6 @@
 /* power_tmpl.h - x^e for highlights, as 2^(e log2 x) by polynomials.
  *
- * Parameters: the doubles of isa/isa.h. Defines: power().
+ * Parameters: the doubles of isa/isa.h. Defines: power(), power_turn().
  *
  * The logarithm of m in sqrt(1/2)..sqrt(2) is 2 atanh z, with z = (m - 1)/(m + 1) and |z| <= 0.1716. Its series up to
  * z^15 is off by 2 z^17/17 < 1.2e-14, and log2, roundings included, by 2e-14. The exponential function is applied to ln
@@ -65,6 +65,17 @@ LANE_OP vd power(vd x, vd e)
     vm small = mor(none, vlt(y, vset(-64)));
 
     return vsel(small, vset(0), exp2_of(vsel(small, vset(0), y)));
+}
+
+/* Returns the change of x^n, computed as p, if x changes by e. It is at most n e, and n e (x + e)^(n - 1). For 4 n e <=
+ * x the power is at most exp(1/4) x^(n - 1) < 1.3 x^n/x. */
+LANE_OP vd power_turn(vd x, vd e, vd n, vd p)
+{
+    vd most = n * e;
+    vm known = vlt(vmax(BOUND(POWER_KNOWN) * most, vset(BOUND(POWER_LEAST))), x);
+    vd steep = BOUND_OF(POWER_STEEP, BOUND(POWER_GROWTH) * (p + vset(BOUND(POWER)))) / vsel(known, x, vset(1));
+
+    return most * vsel(known, vmin(steep, vset(1)), vset(1));
 }
 
 #endif

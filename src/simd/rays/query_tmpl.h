@@ -83,7 +83,7 @@ struct query {
     vd limit; /* hits that are certainly farther do not count */
     bool any;
     bool solid; /* search for any hit: all objects occlude, transparent ones too; an opacity is undecided */
-    double object;
+    vd object;
     bool opaque;
     vd t, e, ep, low; /* ep: bound of the point */
     vd id, element;
@@ -99,9 +99,7 @@ struct query {
 /* Returns the lanes whose rays start on the object that is tested. */
 LANE_OP vm from_object(const struct query *q)
 {
-    vd here = vset(q->object);
-
-    return mand(vle(q->p->from.object, here), vle(here, q->p->from.object));
+    return mand(vle(q->p->from.object, q->object), vle(q->object, q->p->from.object));
 }
 
 /* Returns the lanes whose rays start on this element, of any object. */

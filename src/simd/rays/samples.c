@@ -33,15 +33,35 @@ static size_t place_of(const struct drawing *d, int x, int y)
     return (size_t)(y - (int)d->tile.y) * d->gathered->pitch + (size_t)(x - (int)d->tile.x);
 }
 
-/* Adds samples first..end - 1 of a pixel by the fixed-point path. */
-static void sample_exactly(const struct drawing *d, int x, int y, uint32_t first, uint32_t end)
+static struct tia_gathered pixel_of(const struct drawing *d, int x, int y)
 {
     size_t at = place_of(d, x, y);
     const struct tia_gathered *g = d->gathered;
-    const struct tia_gathered pixel = {&g->sums[at], g->guides ? &g->guides[at] : NULL,
-                                       g->squares ? &g->squares[at] : NULL, 1};
+
+    return (struct tia_gathered){&g->sums[at], g->guides ? &g->guides[at] : NULL, g->squares ? &g->squares[at] : NULL,
+                                 1};
+}
+
+/* Adds samples first..end - 1 of a pixel by the fixed-point path. */
+static void sample_exactly(const struct drawing *d, int x, int y, uint32_t first, uint32_t end)
+{
+    const struct tia_gathered pixel = pixel_of(d, x, y);
 
     d->view->renderer->sample(d->view, (struct tia_tile){(uint16_t)x, (uint16_t)y, 1, 1}, first, end, &pixel);
+}
+
+/* Adds an undecided sample by the fixed-point path, from the hits that are certain. */
+static void finish_exactly(const struct drawing *d, int i)
+{
+    const struct sure_gather *b = &d->block;
+    struct tia_gathered pixel;
+
+    if (d->view->scene->integration.integrator != TIA_PATHS) {
+        sample_exactly(d, b->x[i], b->y[i], b->index[i], b->index[i] + 1);
+        return;
+    }
+    pixel = pixel_of(d, b->x[i], b->y[i]);
+    estimate_resume(d->view, b->x[i], b->y[i], b->index[i], &b->known[i], &pixel, path_radiance);
 }
 
 static void finish_sample(struct drawing *d, int i)
@@ -59,7 +79,7 @@ static void finish_sample(struct drawing *d, int i)
         if (cancelled(&d->block.cancel, CANCEL_INTERVAL)) /* a fixed-point sample may take a while */
             return;
         d->unsure++;
-        sample_exactly(d, b->x[i], b->y[i], b->index[i], b->index[i] + 1);
+        finish_exactly(d, i);
         return;
     }
     for (int c = 0; c < 3; c++)
@@ -164,5 +184,5 @@ static bool draws(const struct tia_view *view)
     return view->scene->bvh && !view->scene->integration.without && !view->scene->field;
 }
 
-const struct simd_renderer tia_simd_samples = {tia_gather_size, draws, tia_gather_prepare, tia_gather_set_lights, room,
-                                               light,           sample};
+const struct simd_renderer tia_simd_samples = {
+    tia_gather_size, draws, tia_gather_prepare, tia_gather_set_lights, room, light, sample, NULL};

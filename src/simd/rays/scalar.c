@@ -3,7 +3,7 @@
 
 #include "lanes.h"
 
-#include "tracer_tmpl.h"
+#include "seen_tmpl.h"
 
 #include "pixels_tmpl.h"
 #include "walk_paths_tmpl.h"

@@ -1,7 +1,7 @@
 /* scatter_tmpl.h - BSDF sampling and evaluation: render/path/scatter.c in doubles.
  *
- * Parameters: the doubles of isa/isa.h. Defines: lobes_of(), lobes_mirror(), respond(), phong_direction(), struct
- * lobes, struct response.
+ * Parameters: the doubles of isa/isa.h. Defines: lobes_of(), lobes_mirror(), cosines_of(), respond(),
+ * phong_direction(), struct lobes, struct cosines, struct response.
  *
  * The chances of a material's lobes are equal to those of the fixed-point code, or undecided. */
 #ifndef TIA_SIMD_RAYS_SCATTER_TMPL_H
@@ -14,31 +14,45 @@ enum { CHANCE_MIRROR, CHANCE_GLASS, CHANCE_GLOSSY, CHANCE_DIFFUSE };
 struct lobes {
     const struct sure_lobes *of[LANES]; /* lobes of each lane's material; unused lanes have those of another lane */
     struct sure_lobes mine[LANES];      /* lobes of lanes with textured materials, whose chances depend on the texel */
-    vd chance[4];
+    vd chance[4], spread;
     unsigned glossy; /* lanes with a glossy lobe */
     struct v3 mirrored;
     vd emirrored;
 };
 
 /* Computes the chances of a material's lobes from their parts `part`, the last one within e, and cuts them to 32 bits
- * as the fixed-point code does. `known` is false if e allows several results. */
+ * as the fixed-point code does. A chance is a difference of two numbers, each in the middle between `below` and `upto`,
+ * so `spread` is the largest difference of these. */
 static void cut_chances(const double part[4], double e, struct sure_lobes *to)
 {
-    double sum = part[0] + part[1] + part[2] + part[3], before = 0;
-    uint32_t last = 0;
+    double sum = part[0] + part[1] + part[2] + part[3], before = 0, last = 0;
 
     to->known = part[3] > BOUND(CHANCE_KNOWN) * e;
+    to->spread = 0;
     for (int i = 0; i < 3; i++) {
         before += part[i];
         double share = before / sum,
                error = BOUND_OF(CHANCE, share * (e / sum * BOUND(CHANCE_QUOTIENT) + BOUND(CHANCE_ROUNDING)));
         double low = (share - error) * 4294967296.0, high = (share + error) * 4294967296.0;
-        to->known = to->known && high < 4294967295.0 && (before == 0 || (uint32_t)low == (uint32_t)high);
+        to->known = to->known && (before == 0 || (low >= 1 && high < 4294967295.0));
         to->below[i] = to->known && before > 0 ? (uint32_t)low : 0;
-        to->chance[i] = (to->below[i] - last) * SURE_Q32;
-        last = to->below[i];
+        to->upto[i] = to->known && before > 0 ? (uint32_t)high : 0;
+        double middle = ((double)to->below[i] + to->upto[i]) / 2, spread = (to->upto[i] - to->below[i]) * SURE_Q32;
+        to->chance[i] = (middle - last) * SURE_Q32;
+        to->spread = spread > to->spread ? spread : to->spread;
+        last = middle;
     }
     to->chance[CHANCE_DIFFUSE] = 1 - last * SURE_Q32;
+}
+
+/* True if a random number may choose several lobes. */
+LANE_OP bool lobe_is_open(const struct sure_lobes *l, uint32_t number)
+{
+    bool open = false;
+
+    for (int i = 0; i < 3; i++)
+        open = open || (l->below[i] <= number && number < l->upto[i]);
+    return open;
 }
 
 static void cut_textured(const struct sure_paths *paths, const struct shade *h, unsigned lanes, struct lobes *l)
@@ -79,6 +93,9 @@ LANE_OP void lobes_of(const struct sure_paths *paths, const struct shade *h, uns
     }
     for (int i = 0; i < 4; i++)
         l->chance[i] = vgather(chance, i);
+#define SPREAD(k) l->of[k]->spread
+    l->spread = (vd){EACH_LANE(SPREAD)};
+#undef SPREAD
 }
 
 /* Sets the mirrored directions and their bounds. */
@@ -93,13 +110,24 @@ struct response {
     struct ve density;
 };
 
-static void add_glossy(const struct shade *h, const struct lobes *l, struct v3 to, vd eto, vd cosine, vd ecosine,
-                       struct response *r)
+/* A direction's cosines to the normal and to the mirrored direction, with their errors. */
+struct cosines {
+    vd normal, enormal, mirrored, emirrored;
+};
+
+/* Sets the cosines of a direction. */
+LANE_OP struct cosines cosines_of(const struct shade *h, const struct lobes *l, struct v3 to, vd eto)
+{
+    return (struct cosines){v3_dot(to, h->normal), BOUND_OF(LAMBERT, eto + h->en + BOUND(COSINE)),
+                            v3_dot(l->mirrored, to), BOUND_OF(LOBE_COSINE, l->emirrored + eto + BOUND(COSINE))};
+}
+
+static void add_glossy(const struct shade *h, const struct lobes *l, const struct cosines *of, struct response *r)
 {
     vm m = mof(l->glossy);
-    vd along = v3_dot(l->mirrored, to), ealong = BOUND_OF(LOBE_COSINE, l->emirrored + eto + BOUND(COSINE)),
-       n = h->exponent;
-    vd p = power(vmin(vmax(along, vset(0)), vset(1)), n), ep = BOUND_OF(LOBE_POWER, n * ealong) + vset(BOUND(POWER));
+    vd x = vmin(vmax(of->mirrored, vset(0)), vset(1)), n = h->exponent, p = power(x, n), cosine = of->normal,
+       ecosine = of->enormal;
+    vd ep = BOUND_OF(LOBE_POWER, power_turn(x, of->emirrored, n, p)) + vset(BOUND(POWER));
     vd broad = 0.5 * (n + 2), narrow = 0.5 * (n + 1), height = broad * p, most = most3(h->specular);
     vd e = BOUND_OF(LOBE_REFLECTED, most * (broad * ep * (cosine + ecosine) + height * ecosine)) +
            BOUND(LOBE_UNITS) * (1 + most);
@@ -109,20 +137,24 @@ static void add_glossy(const struct shade *h, const struct lobes *l, struct v3 t
     r->e = r->e + vsel(m, e, vset(0));
     vd part = l->chance[CHANCE_GLOSSY] * narrow;
     r->density.v = r->density.v + vsel(m, part * p, vset(0));
-    r->density.e = r->density.e + vsel(m, BOUND_OF(LOBE_DENSITY, part * ep) + BOUND(LOBE_DENSITY_UNITS), vset(0));
+    r->density.e =
+        r->density.e + vsel(m,
+                            BOUND_OF(LOBE_DENSITY, part * ep) + BOUND_OF(LOBE_SPREAD, l->spread * narrow * (p + ep)) +
+                                BOUND(LOBE_DENSITY_UNITS),
+                            vset(0));
 }
 
-/* Evaluates the response to light from the direction `to`. `cosine` is its cosine to the normal. */
-LANE_OP void respond(const struct shade *h, const struct lobes *l, struct v3 to, vd eto, vd cosine, vd ecosine,
-                     struct response *r)
+/* Evaluates the response to light from a direction. */
+LANE_OP void respond(const struct shade *h, const struct lobes *l, const struct cosines *of, struct response *r)
 {
     for (int c = 0; c < 3; c++)
-        r->rgb[c] = h->colour[c] * cosine;
-    r->e = BOUND_OF(DIFFUSE_REFLECTED, most3(h->colour) * ecosine + h->ecolour) + BOUND(DIFFUSE_UNITS);
-    r->density =
-        ve_of(l->chance[CHANCE_DIFFUSE] * cosine, BOUND_OF(DIFFUSE_DENSITY, ecosine) + BOUND(DIFFUSE_DENSITY_ROUNDING));
+        r->rgb[c] = h->colour[c] * of->normal;
+    r->e = BOUND_OF(DIFFUSE_REFLECTED, most3(h->colour) * of->enormal + h->ecolour) + BOUND(DIFFUSE_UNITS);
+    r->density = ve_of(l->chance[CHANCE_DIFFUSE] * of->normal, BOUND_OF(DIFFUSE_DENSITY, of->enormal) +
+                                                                   BOUND_OF(DIFFUSE_SPREAD, l->spread) +
+                                                                   BOUND(DIFFUSE_DENSITY_ROUNDING));
     if (l->glossy)
-        add_glossy(h, l, to, eto, cosine, ecosine, r);
+        add_glossy(h, l, of, r);
 }
 
 /* Returns directions of Phong's lobe around z, computed by the fixed-point code: a bound of doubles would be wide. */

@@ -1,6 +1,6 @@
 /* sphere_tmpl.h - spheres: L = C - O, P = L - (L.D) D, thc = sqrt(r^2 - |P|^2).
  *
- * Parameters: the doubles of isa/isa.h. Defines: meet_sphere().
+ * Parameters: the doubles of isa/isa.h. Defines: find_sphere(), meet_sphere().
  *
  * P is off by lambda = eo + |tca| ed + U + 16 u |L| across the ray, and by `all` = eo + 2 |L| ed + 2 U + 16 u |L| in
  * any direction. As P is at right angles to D, an error along the ray counts only in second order, as all^2. So s = r^2
@@ -20,11 +20,12 @@
 
 #include "hit_report_tmpl.h"
 
-LANE_OP void meet_sphere(struct query *q, const double at[3], double radius)
+/* Intersects each lane's ray with a sphere at `at` of radius r. Returns false if no lane may hit its sphere. */
+LANE_OP bool find_sphere(const struct query *q, struct v3 at, vd r, struct hit_report *found)
 {
     const struct packet *p = q->p;
-    struct v3 l = v3_sub(v3_set(at), p->o);
-    vd r = vset(radius), tca = v3_dot(l, p->d), l1 = v3_sum(l);
+    struct v3 l = v3_sub(at, p->o);
+    vd tca = v3_dot(l, p->d), l1 = v3_sum(l);
     struct v3 side = v3_sub(l, v3_scale(p->d, tca));
     vd p2 = v3_dot(side, side), s = r * r - p2, round = r * r * BOUND(SPHERE_SQUARE_ROUNDING);
     vd lambda =
@@ -35,7 +36,7 @@ LANE_OP void meet_sphere(struct query *q, const double at[3], double radius)
     vm hit = mand(vlt(es, s), active), unclear = mand(mand(vle(-es, s), mnot(hit)), active);
 
     if (!any(mor(hit, unclear)))
-        return;
+        return false;
     vd aside = vmin(vsqrt(p2) + all, r), thc = vsqrt(vmax(s, es)), more = all * p->ed;
     vd ethc = BOUND_OF(SPHERE_HALF_CHORD, (2 * aside * lambda + all * all + round) / thc + BOUND(SPHERE_ROOT_UNIT) +
                                               BOUND(SPHERE_ROOT) * r);
@@ -50,14 +51,23 @@ LANE_OP void meet_sphere(struct query *q, const double at[3], double radius)
     vm passed = vlt(tca + reach, vset(0));
     vm may = mor(mand(hit, mnot(mor(sure, behind))), mand(unclear, mnot(passed)));
 
-    report_hit(q, (struct hit_report){
-                      .sure = sure,
-                      .may = may,
-                      .t = vsel(ahead, t0, t1),
-                      .e = e,
-                      .ep = BOUND_OF(SPHERE_POINT, vsqrt(across * across + along * along) + BOUND(POINT_UNITS)),
-                      .low = vsel(hit, vset(0), tca - reach),
-                      .element = vset(0)});
+    *found =
+        (struct hit_report){.sure = sure,
+                            .may = may,
+                            .t = vsel(ahead, t0, t1),
+                            .e = e,
+                            .ep = BOUND_OF(SPHERE_POINT, vsqrt(across * across + along * along) + BOUND(POINT_UNITS)),
+                            .low = vsel(hit, vset(0), tca - reach),
+                            .element = vset(0)};
+    return any(mor(sure, may));
+}
+
+LANE_OP void meet_sphere(struct query *q, const double at[3], double radius)
+{
+    struct hit_report found;
+
+    if (find_sphere(q, v3_set(at), vset(radius), &found))
+        report_hit(q, found);
 }
 
 #endif

@@ -1,23 +1,10 @@
 /* spread_tmpl.h - one lane's point broadcast to all lanes, and sums over all lanes added to that lane.
  *
- * Parameters: the doubles of isa/isa.h. Defines: vspread(), v3_spread(), spread_shade(), on_several(), gain_lane(). */
+ * Parameters: the doubles of isa/isa.h. Defines: spread_shade(), on_several(), gain_lane(). */
 #ifndef TIA_SIMD_RAYS_SPREAD_TMPL_H
 #define TIA_SIMD_RAYS_SPREAD_TMPL_H
 
 #include "surface_tmpl.h"
-
-LANE_OP vd vspread(const vd *v, int k)
-{
-    double x;
-
-    __builtin_memcpy(&x, (const char *)v + (size_t)k * sizeof x, sizeof x);
-    return vset(x);
-}
-
-LANE_OP struct v3 v3_spread(const struct v3 *v, int k)
-{
-    return (struct v3){vspread(&v->x, k), vspread(&v->y, k), vspread(&v->z, k)};
-}
 
 LANE_OP vm mspread(vm m, int k)
 {

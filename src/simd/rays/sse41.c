@@ -4,7 +4,7 @@
 #include "lanes.h"
 
 #include "pixels_tmpl.h"
-#include "tracer_tmpl.h"
+#include "seen_tmpl.h"
 #include "walk_paths_tmpl.h"
 
 SURE(sse41);

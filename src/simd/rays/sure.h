@@ -3,10 +3,10 @@
  *
  * A pixel is first traced in doubles. Every quantity x carries a bound e on its distance from the fixed-point quantity,
  * whose roundings are included: |x_double - x_fixed| <= e. Each decision - hit or miss, the nearer of two, lit or not,
- * this level of a colour or the next - is made only where it is the same for all of x +- e. A sample with an undecided
- * decision is traced by the fixed-point code from its camera ray on. So the fixed-point code decides wherever doubles
- * might differ from it. A bound that is too small is the only way to a wrong bit, one that is too large only takes
- * time.
+ * this level of a colour or the next - is made only where it is the same for all of x +- e. A ray with an undecided
+ * decision is followed by the fixed-point code, which gets the hits of the rays before it; or its sample is traced from
+ * the camera ray on. So the fixed-point code decides wherever doubles might differ from it. A bound that is too small
+ * is the only way to a wrong bit, one that is too large only takes time.
  *
  * The result does not depend on lanes, their order, or fused products and sums: the bounds hold for any of them.
  * Instruction sets need not agree on which samples are certain.
@@ -16,7 +16,11 @@
 #ifndef TIA_SIMD_RAYS_SURE_H
 #define TIA_SIMD_RAYS_SURE_H
 
-#include "render/trace/trace.h"
+#include "render/whitted/whitted.h"
+#include "sure_numbers.h"
+
+struct tia_raster_grid;
+struct tia_raster_plane;
 
 #define SURE_INNER UINT32_MAX
 
@@ -31,11 +35,39 @@ struct sure_node {
 
 #define SURE_NOWHERE 1e9f
 
+#define SURE_WIDE 8 /* children of a wide node, and most spheres of a leaf that is made of a subtree */
+#define SURE_LEAF_AT 0x80000000u
+#define SURE_NO_WIDE UINT32_MAX
+
+/* A wide node has its children side by side; the boxes of missing ones are empty. A child is the index of a wide node,
+ * or SURE_LEAF_AT and the place of a leaf in the doubles `leaves` of the tree. A leaf starts with its number of spheres
+ * n, followed by n numbers each for their x, y, z, radii and indices of objects. */
+struct sure_wide {
+    float box[6][SURE_WIDE];
+    uint32_t child[SURE_WIDE], unused[SURE_WIDE]; /* so that a node takes whole lines of a cache */
+};
+
+/* Largest number of children that wait in a walk. */
+#define SURE_WIDE_WAITS ((SURE_WIDE - 1) * (TIA_BVH_DEPTH_MAX + 1) + 1)
+
+/* Least and largest number of spheres for wide nodes. With 820 spheres packets take as long, with 7381 longer. Places
+ * of leaves have 31 bits. */
+#define SURE_SCATTERED 2048
+#define SURE_MOST_SPHERES (SURE_LEAF_AT / 6 - 2)
+
 struct sure_face {
-    double at[3][3], normal[3], smooth[3][3];
+    double at[3][3], normal[3];
     double extent; /* of the two edges at the first corner: the larger |x| + |y| + |z| */
-    double bend;   /* |x| + |y| + |z| of the other smooth normals' differences from the first, added */
-    bool any, smoothed;
+    bool any;      /* it has a normal */
+};
+
+/* What is stored for a face of a mesh: its normal, its first corner in Q16.16, and `extent` as in struct sure_face,
+ * rounded up, but not above 0 if the face has no normal. The rest is read from the mesh, see sure_face_of(): of three
+ * million faces, a ray meets two. */
+struct sure_flat {
+    double normal[3];
+    struct tia_vec3 corner;
+    float extent;
 };
 
 /* The edges of a face, relative to a centre: A x B and B - A for an edge from A to B. */
@@ -58,9 +90,14 @@ struct sure_pair {
 struct sure_tree {
     const struct sure_node *nodes;
     const uint32_t *items;
-    const struct sure_face *faces; /* a mesh's faces */
+    const struct sure_flat *faces; /* a mesh's faces */
+    const struct tia_mesh *mesh;   /* the mesh */
+    const double (*normals)[3];    /* the mesh's normals */
     const struct sure_pair *pairs; /* pairs of the faces, the items of a mesh's leaves */
     const uint32_t *groups;        /* groups of the faces, or NULL */
+    const struct sure_wide *wide;  /* wide nodes of the subtrees that have only spheres, or NULL */
+    const double *leaves;          /* leaves of the wide nodes */
+    const uint32_t *wide_of;       /* for each node its wide node, or SURE_NO_WIDE */
     uint32_t node_count;
     double centre[3], extent; /* of the box around all items: its centre, and the sum of its half axes */
 };
@@ -165,7 +202,9 @@ struct sure_scene {
     double (*places)[16][2][SURE_PLACES]; /* places of the first SURE_AREAS lights */
     const uint32_t *unbounded;
     uint32_t unbounded_count, light_count, depth;
-    bool fixed_only; /* a light's kind lacks TIA_LIGHT_SIMD: the fixed-point path draws the whole scene */
+    bool fixed_only; /* fog, a lens, or a light's kind without TIA_LIGHT_SIMD: the fixed-point path draws the whole
+                        scene */
+    bool areas;      /* a light is an area */
     bool occluded;   /* objects occlude an ambient light: the fixed-point path draws the whole scene */
     double brightest[TIA_DEPTH_MAX + 1]; /* largest colour component of a ray, by its number of bounces */
     double generations; /* limit of the generations of rays, each with no more light than the one before; 0: none */
@@ -182,82 +221,91 @@ struct sure_scene {
 /* The work of a packet besides its hits, in items of cancel.h. So `stop` is polled at least once in 32 packets. */
 #define SURE_PACKET (CANCEL_INTERVAL / 32)
 
-/* A block of pixels, the first of which is (x, y). With n samples per pixel, slot i is sample i % n of pixel i / n;
- * pixels are numbered row by row. */
+/* A face as pixels see it: at pixel (x, y) the inverse of its distance from the eye, along the line of sight, is
+ * inverse[0] x + inverse[1] y + inverse[2]; in orthographic views the distance itself. `object` is TIA_NO_OBJECT where
+ * the fixed-point path must find the hit. `plain` faces spawn no rays; `normal` and `material` are theirs. */
+struct sure_seen_face {
+    double inverse[3], normal[3];
+    uint32_t object, element, material;
+    bool plain;
+};
+
+#define SURE_SHARE_BITS 15 /* as TIA_SHARE_BITS */
+
+/* What the rasteriser and a shadow technique have found for a block: for each slot the face, NULL for the background,
+ * and the arrivals of ray_tree.h. */
+struct sure_seen {
+    const struct sure_seen_face *face[SURE_ENDS];
+    uint64_t lit[SURE_ENDS];
+    const uint16_t *shares[SURE_ENDS]; /* unused unless `shared` */
+    const uint8_t *first_bit;
+    bool whole, shared;
+};
+
+#define SURE_RESTS 64 /* most rays of a block that the fixed-point path follows from where they start */
+
+/* An undecided ray of the sample in this slot. */
+struct sure_rest {
+    uint32_t slot;
+    struct path_route route;
+};
+
+/* A block of pixels, the first of which is (x, y). With n samples per pixel, slot i is sample i % n of pixel i / n.
+ * Pixels are numbered row by row in cells of `across` x `rows` pixels, one cell after the other, and these row by row.
+ * The kernels set `across` and `rows`. */
 struct sure_block {
     const struct sure_scene *scene;
     struct cancel cancel;
-    int x, y, width, height, samples;
+    int x, y, width, height, samples, across, rows;
     double colour[3][SURE_ENDS], error[SURE_ENDS];
     bool unsure[SURE_SLOTS];
-    double threshold[SURE_SIDE][16]; /* thresholds of each row's pixels by x mod 8, stored twice */
-    tia_rgb565 pixels[SURE_ENDS];    /* undefined where `open` is set */
+    struct sure_rest rest[SURE_RESTS]; /* their light is missing from `colour` */
+    int rest_count;
+    double threshold[SURE_ENDS];
+    tia_rgb565 pixels[SURE_ENDS]; /* undefined where `open` is set */
     bool open[SURE_ENDS];
+    const struct sure_seen *seen; /* used by `shade` alone */
 };
+
+/* A pixel's place in the block. */
+struct sure_place {
+    int x, y;
+};
+
+static inline struct sure_place sure_place_of(const struct sure_block *b, int pixel)
+{
+    int band = b->rows * b->width, cell = b->rows * b->across, in = pixel % band;
+
+    return (struct sure_place){in / cell * b->across + in % b->across, pixel / band * b->rows + in % cell / b->across};
+}
 
 struct sure_gather;
 
 struct sure_kernels {
     void (*trace)(struct sure_block *block, void *memory);
+    /* As `trace`, for the faces and lights of block->seen, in place of those that camera and shadow rays meet. */
+    void (*shade)(struct sure_block *block, void *memory);
     void (*set_pixels)(struct sure_block *block);
     void (*occlude)(struct sure_gather *gather, void *memory);
     void (*walk)(struct sure_gather *gather, void *memory);
-    size_t block_memory, gather_memory; /* block_memory: bytes for the first kernel; gather_memory: for the last two;
-                                           both aligned to 64 */
+    size_t block_memory, gather_memory; /* block_memory: bytes for the first two kernels; gather_memory: for the last
+                                           two; both aligned to 64 */
 };
 
-#define P2M(n) (1.0 / (double)(UINT64_C(1) << (n))) /* 2^-n, n < 64 */
-#define SURE_UNIT P2M(45)                           /* unit of fixed-point coordinates */
-#define SURE_EPS P2M(53)                            /* half a unit in the last place of 1.0 */
-
-/* Units of Q16.16 and similar formats, and of 32 random bits. Products of integers with these are exact. */
-#define SURE_Q16 P2M(16)
-#define SURE_Q30 P2M(30)
-#define SURE_Q32 P2M(32)
-#define SURE_Q62 P2M(62)
-
-static inline double sure_length(num_length x)
+/* Returns a face of a mesh. */
+static inline struct sure_face sure_face_of(const struct sure_tree *tree, uint32_t face)
 {
-    return (double)x * SURE_UNIT;
-}
+    const struct sure_flat *from = &tree->faces[face];
+    const struct tia_corner *corner = tree->mesh->faces[face].corner;
+    struct sure_face f;
 
-/* Returns 2^bits for bits in -28..31. */
-static inline double sure_two_to(int bits)
-{
-    return bits < 0 ? 1 / (double)(INT64_C(1) << -bits) : (double)(INT64_C(1) << bits);
-}
-
-static inline double sure_cosine(num_unit d)
-{
-    return (double)d * SURE_Q62;
-}
-
-static inline void sure_point(double to[3], struct num_point p)
-{
-    to[0] = sure_length(p.x);
-    to[1] = sure_length(p.y);
-    to[2] = sure_length(p.z);
-}
-
-static inline void sure_dir(double to[3], struct num_dir d)
-{
-    to[0] = sure_cosine(d.x);
-    to[1] = sure_cosine(d.y);
-    to[2] = sure_cosine(d.z);
-}
-
-static inline void sure_rgb(double to[3], const struct tia_rgb *c)
-{
-    to[0] = (double)c->r * SURE_Q30;
-    to[1] = (double)c->g * SURE_Q30;
-    to[2] = (double)c->b * SURE_Q30;
-}
-
-static inline double sure_most3(const double c[3])
-{
-    double most = c[0] > c[1] ? c[0] : c[1];
-
-    return most > c[2] ? most : c[2];
+    for (int i = 0; i < 3; i++) {
+        sure_corner(f.at[i], &tree->mesh->vertices[corner[i].vertex]);
+        f.normal[i] = from->normal[i];
+    }
+    f.any = from->extent > 0;
+    f.extent = __builtin_fabs((double)from->extent);
+    return f;
 }
 
 /* Returns a face's edges. Corners are multiples of 2^-16 and the centre is a multiple of 2^-17, so that only A x B is
@@ -295,7 +343,7 @@ void tia_sure_set_lights(struct tia_view *view);
 struct sure_places {
     struct sure_object *objects;
     struct sure_round *rounds;
-    struct sure_face *faces;
+    struct sure_face *faces; /* one for each shape */
     struct sure_grid *grids;
     struct sure_instance *instances;
 };
@@ -305,6 +353,15 @@ struct sure_places {
 
 /* Makes the nodes; returns their number. A given node with at most `few` items below it becomes a leaf. */
 uint32_t tia_sure_set_nodes(struct sure_node *to, const struct tia_bvh_tree *from, uint32_t few);
+
+/* Largest numbers of wide nodes, and of doubles in their leaves, behind which a vector may be loaded. A wide node with
+ * an inner child has eight children and takes the place of seven nodes; any other has more than eight spheres. */
+#define SURE_WIDES(spheres) ((spheres) / (SURE_WIDE - 1) + (spheres) / (SURE_WIDE + 1) + 1)
+#define SURE_LEAVES(spheres) (6 * (spheres) + SURE_WIDE)
+
+/* Makes wide nodes of the subtrees that have only spheres: objects with indices below `spheres`. */
+void tia_sure_widen(struct sure_tree *tree, const struct sure_object *objects, uint32_t spheres,
+                    struct sure_wide *nodes, double *leaves, uint32_t *wide_of);
 
 /* Largest number of pairs of a mesh: (nodes + 1)/2 nodes are leaves, each of which leaves half a pair empty at most. */
 #define SURE_PAIRS(items, nodes) (((items) + ((nodes) + 1) / 2) / 2)
@@ -319,7 +376,17 @@ void tia_sure_set_face(struct sure_face *to, const struct tia_vec3 corner[3]);
  * trace/ray_light.c. */
 void tia_sure_place(const struct sure_light *light, unsigned i, unsigned class, double at[2]);
 
+/* Sets to->inverse; without a visible plane, to->object becomes TIA_NO_OBJECT. */
+void tia_sure_set_plane(struct sure_seen_face *to, const struct tia_raster_plane *plane,
+                        const struct tia_raster_grid *grid);
+
+/* Returns a number of 128 bits as a double, see raster/halves.h. */
+double tia_sure_double(const uint64_t halves[2]);
+
 /* Computes the colour of sample i of a pixel by the fixed-point path; it is not clamped. */
 void tia_sure_sample(const struct ray_view *view, int x, int y, int i, num_length colour[3]);
+
+/* Adds the light of the block's undecided rays to their samples, and clears their list. */
+void tia_sure_add_rests(struct sure_block *block);
 
 #endif

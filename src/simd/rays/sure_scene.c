@@ -25,8 +25,12 @@ static void *take(struct room *room, uint64_t count, size_t size)
 struct places {
     struct sure_scene *scene;
     struct sure_node *nodes;
+    struct sure_wide *wides;
+    double *leaves;
+    uint32_t *wide_of;
     struct sure_tree *meshes;
-    struct sure_face *faces; /* the faces of all meshes, mesh by mesh, then one for each shape */
+    struct sure_flat *faces; /* the faces of all meshes, mesh by mesh */
+    double (*normals)[3];    /* the normals of all meshes, likewise */
     struct sure_pair *pairs; /* pairs of meshes */
     struct sure_places of;
     struct sure_material *materials;
@@ -34,23 +38,41 @@ struct places {
     double (*places)[16][2][SURE_PLACES];
 };
 
+static bool has_wide(const struct tia_scene *scene)
+{
+    return scene->sphere_count >= SURE_SCATTERED && scene->sphere_count <= SURE_MOST_SPHERES;
+}
+
+static void take_wide(struct room *room, uint64_t spheres, uint64_t nodes, struct places *p)
+{
+    p->wides = take(room, SURE_WIDES(spheres), sizeof *p->wides);
+    p->leaves = take(room, SURE_LEAVES(spheres), sizeof *p->leaves);
+    p->wide_of = take(room, nodes, sizeof *p->wide_of);
+}
+
 /* Divides the memory; returns the bytes used. If objects move, they suffice for the hierarchy at any time. */
 static uint64_t divide(struct room *room, const struct tia_scene *scene, uint32_t light_capacity, struct places *p)
 {
-    uint64_t objects = (uint64_t)scene->sphere_count + scene->shape_count, faces = scene->shape_count, pairs = 0;
+    uint64_t objects = (uint64_t)scene->sphere_count + scene->shape_count, faces = 0, pairs = 0, normals = 0;
     uint64_t nodes = SURE_NODES(tia_scene_moves(scene) ? TREE_NODES(objects) : scene->bvh->objects.node_count);
+    uint64_t top = nodes;
 
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
         nodes += SURE_NODES((uint64_t)scene->bvh->meshes[i].node_count);
         faces += scene->meshes[i].face_count;
+        normals += scene->meshes[i].normal_count;
         pairs += SURE_PAIRS((uint64_t)scene->bvh->meshes[i].item_count, scene->bvh->meshes[i].node_count);
     }
     p->scene = take(room, 1, sizeof *p->scene);
     p->nodes = take(room, nodes, sizeof *p->nodes);
+    if (has_wide(scene))
+        take_wide(room, scene->sphere_count, top, p);
     p->meshes = take(room, scene->mesh_count, sizeof *p->meshes);
     p->faces = take(room, faces, sizeof *p->faces);
+    p->normals = take(room, normals, sizeof *p->normals);
     p->pairs = take(room, pairs, sizeof *p->pairs);
     p->of.objects = take(room, objects, sizeof *p->of.objects);
+    p->of.faces = take(room, scene->shape_count, sizeof *p->of.faces);
     p->of.rounds = take(room, scene->shape_count, sizeof *p->of.rounds);
     p->of.grids = take(room, scene->shape_count, sizeof *p->of.grids);
     p->of.instances = take(room, scene->shape_count, sizeof *p->of.instances);
@@ -83,7 +105,7 @@ struct sure_scene *tia_sure_scene(const struct tia_view *view)
 
 static struct sure_tree tree_of(const struct tia_bvh_tree *tree, struct sure_node **nodes, uint32_t few)
 {
-    struct sure_tree t = {*nodes, tree->items, NULL, NULL, NULL, tia_sure_set_nodes(*nodes, tree, few), {0, 0, 0}, 0};
+    struct sure_tree t = {.nodes = *nodes, .items = tree->items, .node_count = tia_sure_set_nodes(*nodes, tree, few)};
     static const struct tia_bounds none;
     const struct tia_bounds *b = tree->node_count ? &tree->nodes[0].bounds : &none;
     const tia_q16 least[3] = {b->min.x, b->min.y, b->min.z}, most[3] = {b->max.x, b->max.y, b->max.z};
@@ -123,8 +145,7 @@ void tia_sure_set_face(struct sure_face *to, const struct tia_vec3 corner[3])
         sure_point(to->at[i], num_point_of(corner[i]));
     to->any = triangle_normal(&corners, &normal);
     sure_dir(to->normal, normal);
-    to->smoothed = false;
-    to->extent = to->bend = 0;
+    to->extent = 0;
     for (int i = 1; i < 3; i++) {
         double extent = 0;
         for (int k = 0; k < 3; k++)
@@ -133,42 +154,48 @@ void tia_sure_set_face(struct sure_face *to, const struct tia_vec3 corner[3])
     }
 }
 
-static void set_mesh_face(struct sure_face *to, const struct tia_mesh *mesh, uint32_t face)
+static void set_mesh_face(struct sure_flat *to, const struct tia_mesh *mesh, uint32_t face)
 {
     const struct tia_corner *c = mesh->faces[face].corner;
     const struct tia_vec3 at[3] = {mesh->vertices[c[0].vertex], mesh->vertices[c[1].vertex],
                                    mesh->vertices[c[2].vertex]};
+    struct sure_face whole;
 
-    tia_sure_set_face(to, at);
-    to->smoothed = c[0].normal != TIA_NO_INDEX;
-    for (int i = 0; i < 3 && to->smoothed; i++)
-        sure_dir(to->smooth[i], num_dir_of(mesh->normals[c[i].normal]));
-    for (int i = 1; i < 3 && to->smoothed; i++)
-        for (int k = 0; k < 3; k++)
-            to->bend += __builtin_fabs(to->smooth[i][k] - to->smooth[0][k]);
+    tia_sure_set_face(&whole, at);
+    for (int k = 0; k < 3; k++)
+        to->normal[k] = whole.normal[k];
+    to->corner = at[0];
+    to->extent = (float)(whole.extent * (1 + 0x1p-22)); /* more than what rounding to float may take */
+    to->extent = whole.any ? to->extent : -to->extent;
 }
 
 static void set_trees(struct sure_scene *s, const struct tia_scene *scene, struct places *p)
 {
     struct sure_node *nodes = p->nodes;
-    struct sure_face *faces = p->faces;
+    struct sure_flat *faces = p->faces;
     struct sure_pair *pairs = p->pairs;
+    double(*normals)[3] = p->normals;
 
     s->objects = tree_of(&scene->bvh->objects, &nodes, 0);
     for (uint32_t i = 0; i < scene->mesh_count; i++) {
         struct sure_node *own = nodes;
         p->meshes[i] = mesh_tree_of(&scene->bvh->meshes[i], &nodes);
         p->meshes[i].faces = faces;
+        p->meshes[i].mesh = &scene->meshes[i];
         p->meshes[i].groups = scene->meshes[i].groups;
         for (uint32_t k = 0; k < scene->meshes[i].face_count; k++)
             set_mesh_face(faces++, &scene->meshes[i], k);
+        p->meshes[i].normals = (const double(*)[3])normals;
+        for (uint32_t k = 0; k < scene->meshes[i].normal_count; k++)
+            sure_dir(*normals++, num_dir_of(scene->meshes[i].normals[k]));
         p->meshes[i].pairs = pairs;
         pairs += tia_sure_set_pairs(pairs, own, &p->meshes[i]);
     }
     s->meshes = p->meshes;
-    p->of.faces = faces;
     tia_sure_set_objects(s, &p->of);
     s->object = p->of.objects;
+    if (has_wide(scene))
+        tia_sure_widen(&s->objects, s->object, scene->sphere_count, p->wides, p->leaves, p->wide_of);
 }
 
 /* Sets a material. A ray that meets a material with an opacity is undecided. */

@@ -5,6 +5,7 @@
 #ifndef TIA_SIMD_RAYS_SURFACE_TMPL_H
 #define TIA_SIMD_RAYS_SURFACE_TMPL_H
 
+#include "smooth_tmpl.h"
 #include "texture_tmpl.h"
 #include "walk_tmpl.h"
 
@@ -238,61 +239,28 @@ static void side_normals(struct shade *h, unsigned lanes)
     h->eg = vsel(mof(side), e + BOUND(SIDE_ROUNDING), h->eg);
 }
 
-/* Sets smooth normals: the corners' normals, weighted by the opposite areas as seen along the face's main axis. */
-static void smooth_normals(struct shade *h, const struct sure_face *const face[LANES], unsigned smooth)
+/* Sets the smooth normals of the lanes `smooth`. */
+static void smooth_normals(struct shade *h, struct smooth_faces *faces, unsigned smooth)
 {
-    static const struct sure_face none;
-    const double *f[LANES];
-    struct v3 v[3], n[3];
-    vd w[3], e, far = vset(0);
-
-    for (int k = 0; k < LANES; k++)
-        f[k] = (const double *)(const void *)(smooth >> k & 1 ? face[k] : &none);
-    for (int i = 0; i < 3; i++) {
-        v[i] = v3_sub(v3_gather(f, 3 * i), h->local);
-        n[i] = v3_gather(f, 12 + 3 * i);
-        far = vmax(far, v3_sum(v[i]));
-    }
-    struct v3 g = h->geometric, size = {vabs(g.x), vabs(g.y), vabs(g.z)};
-    vd largest = vmax(vmax(size.x, size.y), size.z);
-    vm is_x = vle(largest, size.x), is_y = mand(mnot(is_x), vle(largest, size.y));
-    for (int i = 0; i < 3; i++) {
-        struct v3 c = v3_cross(v[(i + 1) % 3], v[(i + 2) % 3]);
-        w[i] = vsel(is_x, c.x, vsel(is_y, c.y, c.z));
-    }
-    vd sum = w[0] + w[1] + w[2],
-       ew = BOUND_OF(SMOOTH_AREA, vgather(f, 21) * h->elocal) + far * far * BOUND(SMOOTH_ROUNDING);
-    vm fine = vlt(BOUND(SMOOTH_KNOWN) * ew, vabs(sum));
-    vd inverse = 1 / vsel(fine, sum, vset(1)), epart = BOUND_OF(SMOOTH_SHARE, ew * vabs(inverse)) + BOUND(SMOOTH_PART);
-    vm clear = vlt(BOUND_OF(SMOOTH_CLEAR, 2 * epart), vmin(vmin(w[0] * inverse, w[1] * inverse), w[2] * inverse));
-    struct v3 total =
-        v3_add(v3_add(v3_scale(n[0], w[0] * inverse), v3_scale(n[1], w[1] * inverse)), v3_scale(n[2], w[2] * inverse));
-    struct v3 unit = v3_unit(total,
-                             BOUND_OF(SMOOTH_NORMAL, vsel(clear, epart, BOUND(SMOOTH_CUT) * epart) * vgather(f, 22)) +
-                                 BOUND(SMOOTH_SUM),
-                             &e);
+    struct smooth_normal n = smooth_normal_at(faces, h->local, h->elocal, h->geometric);
     vm m = mof(smooth);
-    h->normal = v3_sel(m, unit, h->normal);
-    h->en = vsel(m, e, h->en);
-    h->unsure = mor(h->unsure, mand(m, mnot(fine)));
+
+    h->normal = v3_sel(m, n.normal, h->normal);
+    h->en = vsel(m, n.e, h->en);
+    h->unsure = mor(h->unsure, mand(m, mnot(n.fine)));
 }
 
-_Static_assert(offsetof(struct sure_face, smooth) == 12 * sizeof(double) &&
-                   offsetof(struct sure_face, extent) == 21 * sizeof(double) &&
-                   offsetof(struct sure_face, bend) == 22 * sizeof(double),
-               "columns of a face");
-
 /* Returns the normal of a plane, cap, box or face. *turned is set if it must be negated. */
-static const double *flat_normal(const struct shade *h, int k, const struct sure_face **face, bool *turned)
+static const double *flat_normal(const struct shade *h, int k, bool *turned)
 {
     static const double axes[6][3] = {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}};
     const struct sure_object *o = h->object[k];
 
     *turned = o->kind == SURE_ROUND && h->element[k] != ROUND_TOP;
-    if (o->kind == SURE_MESH || o->kind == SURE_TRIANGLE) {
-        *face = o->kind == SURE_MESH ? &o->mesh->faces[h->element[k]] : o->face;
-        return (*face)->normal;
-    }
+    if (o->kind == SURE_MESH)
+        return o->mesh->faces[h->element[k]].normal;
+    if (o->kind == SURE_TRIANGLE)
+        return o->face->normal;
     if (o->kind == SURE_ROUND)
         return o->round->axis;
     return o->kind == SURE_BOX || o->kind == SURE_GRID ? axes[h->element[k] % 6] : o->normal;
@@ -305,10 +273,26 @@ LANE_OP bool is_round(const struct shade *h, int k)
     return kind == SURE_SPHERE || (kind == SURE_ROUND && h->element[k] == ROUND_SIDE);
 }
 
+LANE_OP bool is_smooth(const struct shade *h, int k)
+{
+    const struct sure_object *o = h->object[k];
+
+    return o->kind == SURE_MESH && o->faces->faces[h->element[k]].corner[0].normal != TIA_NO_INDEX;
+}
+
+/* Finds the faces of the lanes `smooth`, and sets their normals. */
+static __attribute__((noinline)) void find_smooth_normals(struct shade *h, unsigned smooth)
+{
+    struct smooth_faces faces;
+
+    for (int k = 0; k < LANES; k++)
+        set_smooth_face(&faces, k, smooth >> k & 1 ? h->object[k] : NULL, h->element[k]);
+    smooth_normals(h, &faces, smooth);
+}
+
 static void find_normals(struct shade *h, unsigned lanes)
 {
     static const double none[3];
-    const struct sure_face *face[LANES] = {NULL};
     const double *flat[LANES];
     unsigned smooth = 0, round = 0, back = 0;
 
@@ -316,11 +300,11 @@ static void find_normals(struct shade *h, unsigned lanes)
         bool turned = false;
         flat[k] = none;
         if (lanes >> k & 1) {
-            flat[k] = flat_normal(h, k, &face[k], &turned);
+            flat[k] = flat_normal(h, k, &turned);
             round |= (unsigned)is_round(h, k) << k;
+            smooth |= (unsigned)is_smooth(h, k) << k;
         }
         back |= (unsigned)turned << k;
-        smooth |= (unsigned)(face[k] && face[k]->smoothed) << k;
     }
     h->geometric = v3_gather(flat, 0);
     if (back)
@@ -333,7 +317,7 @@ static void find_normals(struct shade *h, unsigned lanes)
     h->normal = h->geometric;
     h->en = h->eg;
     if (smooth)
-        smooth_normals(h, face, smooth);
+        find_smooth_normals(h, smooth);
 }
 
 /* Turns the normals towards the viewer. */

@@ -84,7 +84,7 @@ static void grid_coordinates(const struct texture_point *p, struct coordinates *
 static bool face_coordinates(const struct texture_point *p, struct coordinates *c)
 {
     const struct sure_object *o = p->object;
-    const struct sure_face *f = o->kind == SURE_MESH ? &o->mesh->faces[p->element] : o->face;
+    const struct sure_face whole = o->kind == SURE_MESH ? sure_face_of(o->mesh, p->element) : *o->face, *f = &whole;
     const struct tia_corner *corner = o->kind == SURE_MESH ? o->faces->faces[p->element].corner : NULL;
     double x = __builtin_fabs(f->normal[0]), y = __builtin_fabs(f->normal[1]), z = __builtin_fabs(f->normal[2]);
     int main = x >= y && x >= z ? 0 : y >= z ? 1 : 2, a = (main + 1) % 3, b = (main + 2) % 3;
@@ -232,11 +232,12 @@ static const uint8_t *texel_at(const struct tia_texture *t, int64_t x, int64_t y
     return t->texels + 3 * ((size_t)(t->height - 1 - y) * t->width + (size_t)x);
 }
 
-/* Interpolates texels bilinearly. The result is continuous, and changes by 1 per texel at most. */
-static void blend_texels(const struct tia_texture *t, const double place[2], double rgb[3])
+/* Interpolates four texels bilinearly. Returns the larger change per texel of any channel, along either axis. */
+static double blend_texels(const struct tia_texture *t, const double place[2], double rgb[3])
 {
     double x = __builtin_floor(place[0]), y = __builtin_floor(place[1]), right = place[0] - x, up = place[1] - y;
     const uint8_t *texel[4];
+    int most = 0;
 
     for (int i = 0; i < 4; i++)
         texel[i] = texel_at(t, (int64_t)x + i % 2, (int64_t)y + i / 2);
@@ -244,7 +245,12 @@ static void blend_texels(const struct tia_texture *t, const double place[2], dou
         double below = texel[0][c] + right * (texel[1][c] - texel[0][c]);
         double above = texel[2][c] + right * (texel[3][c] - texel[2][c]);
         rgb[c] = (below + (above - below) * up) / 255;
+        for (int i = 0; i < 4; i++) {
+            int from = i < 2 ? 2 * i : i - 2, slope = texel[from + (i < 2 ? 1 : 2)][c] - texel[from][c];
+            most = slope > most ? slope : -slope > most ? -slope : most;
+        }
     }
+    return most / 255.0;
 }
 
 /* Gives the colour within *e; false when it is undecided. */
@@ -254,7 +260,7 @@ static bool texture_colour(const struct sure_material *m, const struct texture_p
     struct coordinates c;
     double place[2], off[2];
     int64_t cell[2];
-    bool sure = coordinates_of(p, &c);
+    bool sure = coordinates_of(p, &c), whole = true, bilinear = t->kind != TIA_CHECKER && t->bilinear;
 
     *e = BOUND(TEXEL_COLOUR);
     for (int i = 0; i < 2 && sure; i++) {
@@ -264,18 +270,18 @@ static bool texture_colour(const struct sure_material *m, const struct texture_p
                           (c.e + (__builtin_fabs(c.uv[i]) + __builtin_fabs(m->offset[i])) * BOUND(TEXEL_ROUNDING)) *
                               m->repeat[i] * texels) +
                  texels * BOUND(TEXEL_UNITS);
-        place[i] -= t->kind != TIA_CHECKER && t->bilinear ? 0.5 : 0;
-        sure = floor_of(place[i], off[i], &cell[i]) || (t->kind != TIA_CHECKER && t->bilinear);
-        sure = sure && __builtin_fabs(place[i]) < 1073741824.0;
+        place[i] -= bilinear ? 0.5 : 0;
+        whole = floor_of(place[i], off[i], &cell[i]) && whole;
+        sure = (whole || bilinear) && __builtin_fabs(place[i]) < 1073741824.0;
     }
     if (!sure)
         return false;
     if (t->kind == TIA_CHECKER) {
         for (int k = 0; k < 3; k++)
             rgb[k] = m->cells[(cell[0] ^ cell[1]) & 1][k];
-    } else if (t->bilinear) {
-        blend_texels(t, place, rgb);
-        *e = BOUND_OF(TEXEL_BLEND_PLACE, off[0] + off[1]) + BOUND(TEXEL_BLEND);
+    } else if (bilinear) {
+        double slope = blend_texels(t, place, rgb);
+        *e = BOUND_OF(TEXEL_BLEND_PLACE, (off[0] + off[1]) * (whole ? slope : 1)) + BOUND(TEXEL_BLEND);
     } else {
         const uint8_t *texel = texel_at(t, cell[0], cell[1]);
         for (int k = 0; k < 3; k++)

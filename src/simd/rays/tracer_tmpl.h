@@ -4,14 +4,34 @@
 #ifndef TIA_SIMD_RAYS_TRACER_TMPL_H
 #define TIA_SIMD_RAYS_TRACER_TMPL_H
 
+#include "beam_tmpl.h"
 #include "bounce_tmpl.h"
 
 LANE_OP void drop(unsigned *lanes, struct work *w, vm unsure, const struct rays *r)
 {
     unsigned gone = *lanes & mbits(unsure);
 
-    give_up(w, gone, r, vset(1));
+    if (!gone)
+        return;
+    give_up(w, gone & ~hand_over(w, gone, r), r, vset(1));
     *lanes &= ~gone;
+}
+
+/* Sets the emission of the lights that these lanes meet. */
+static void set_lights_colour(const struct sure_scene *s, unsigned lanes, const struct query *q, vd rgb[3])
+{
+    double id[LANES], of[3][LANES];
+
+    vstore(id, q->id);
+    for (int c = 0; c < 3; c++)
+        vstore(of[c], rgb[c]);
+    for (; lanes; lanes &= lanes - 1) {
+        int k = __builtin_ctz(lanes);
+        for (int c = 0; c < 3; c++)
+            of[c][k] = s->lights[(uint32_t)(id[k] - LIGHT_ID)].emission[c];
+    }
+    for (int c = 0; c < 3; c++)
+        rgb[c] = vload(of[c]);
 }
 
 /* Adds the background or a light in the lanes that meet it, and clears these lanes. */
@@ -19,29 +39,27 @@ static void add_far(struct work *w, unsigned *lanes, const struct query *q, cons
 {
     const struct sure_scene *s = w->block->scene;
     unsigned sky = *lanes & mbits(vle(vset(INFINITE), q->t)), shining = *lanes & ~mbits(vlt(q->id, vset(LIGHT_ID)));
-    double id[LANES], rgb[3][LANES];
 
     *lanes &= ~(sky | shining);
     if (!(sky | shining))
         return;
-    vstore(id, q->id);
-    for (int k = 0; k < LANES; k++) {
-        const double *from = shining >> k & 1 ? s->lights[(uint32_t)(id[k] - LIGHT_ID)].emission : s->background;
-        for (int c = 0; c < 3; c++)
-            rgb[c][k] = from[c];
-    }
-    vd flat[3] = {vload(rgb[0]), vload(rgb[1]), vload(rgb[2])}, top = most3(flat);
+    vd flat[3] = {vset(s->background[0]), vset(s->background[1]), vset(s->background[2])};
+    if (shining)
+        set_lights_colour(s, shining, q, flat);
+    vd top = most3(flat);
     for (int c = 0; c < 3; c++)
         flat[c] = flat[c] * r->weight[c];
-    add_colour(w, sky | shining, r->slot, flat, BOUND_OF(COLOUR_FAR, top * r->ew) + BOUND(COLOUR_UNITS) * (1 + top));
+    add_colour(w, sky | shining, r, flat, BOUND_OF(COLOUR_FAR, top * r->ew) + BOUND(COLOUR_UNITS) * (1 + top));
 }
 
-/* Adds emission and direct light; clears the undecided lanes. */
-static void add_own(struct work *w, unsigned *lanes, const struct shade *h, const struct rays *r)
+/* Adds emission and direct light; clears the undecided lanes. `known` is NULL, or has the lights that arrive. */
+static void add_own(struct work *w, unsigned *lanes, const struct shade *h, const struct rays *r,
+                    const struct known_lights *known)
 {
     const struct sure_scene *s = w->block->scene;
     struct lit lit = {.cancel = &w->block->cancel,
                       .room = &w->lights,
+                      .known = known,
                       .unsure = mnone(),
                       .eown = BOUND_OF(COLOUR_FACING, most3(h->flat) * h->efacing) + BOUND(COLOUR_UNITS)};
     uint8_t class[LANES];
@@ -51,20 +69,21 @@ static void add_own(struct work *w, unsigned *lanes, const struct shade *h, cons
         class[k] = w->class[r->slot[k]];
         bounced = bounced || (*lanes >> k & 1 && r->depth[k]);
     }
+    lit.room->room.scattered = bounced;
     bool apart = bounced && on_several(h, *lanes);
     for (int c = 0; c < 3; c++)
         lit.own[c] = h->emission[c] + h->flat[c] * vmax(h->facing, vset(0));
     for (uint32_t n = 0; n < s->light_count && !cancelled(lit.cancel, 1); n++)
         add_light(s, n, h, mof(*lanes), apart, class, &w->blocker[n % BLOCKERS], &lit);
-    drop(lanes, w, lit.unsure, r);
+    vd top = most3(lit.own);
+    vd error = BOUND_OF(COLOUR_OWN, lit.eown * (most3(r->weight) + r->ew)) + BOUND_OF(COLOUR_WEIGHT, top * r->ew) +
+               BOUND(COLOUR_UNITS);
+    drop(lanes, w, mor(lit.unsure, vlt(vset(BOUND(OWN_UNSURE)), error)), r);
     if (*lanes)
         check_own(&lit);
-    vd top = most3(lit.own);
     for (int c = 0; c < 3; c++)
         lit.own[c] = lit.own[c] * r->weight[c];
-    add_colour(w, *lanes, r->slot, lit.own,
-               BOUND_OF(COLOUR_OWN, lit.eown * (most3(r->weight) + r->ew)) + BOUND_OF(COLOUR_WEIGHT, top * r->ew) +
-                   BOUND(COLOUR_UNITS));
+    add_colour(w, *lanes, r, lit.own, error);
 }
 
 /* Adds the light of the surfaces that rays hit, and spawns the rays that continue from there. */
@@ -77,7 +96,7 @@ static void shade(struct work *w, struct rays *r, const struct query *q, unsigne
     if (!lanes)
         return;
     check_surface(h);
-    add_own(w, &lanes, h, r);
+    add_own(w, &lanes, h, r, NULL);
     if (lanes)
         bounce(w, h, lanes, r);
 }
@@ -94,6 +113,9 @@ static void follow(struct work *w, struct rays *r, unsigned lanes)
 {
     struct query *q = &w->query;
 
+    w->lights.room.scattered = false;
+    for (int k = 0; k < LANES; k++)
+        w->lights.room.scattered = w->lights.room.scattered || (lanes >> k & 1 && r->depth[k]);
     find_nearest(w->block->scene, &w->lights.room, q, &r->p, mof(lanes));
     (void)cancelled(&w->block->cancel, q->work);
     vm sky = mand(vle(vset(INFINITE), q->t), vle(vset(INFINITE), q->low));
@@ -106,7 +128,7 @@ static void follow(struct work *w, struct rays *r, unsigned lanes)
         return;
     }
     push_hits(w, lanes, r, q);
-    if (w->hit_count >= LANES)
+    if (w->hits.count >= LANES)
         shade_hits(w, r);
 }
 
@@ -135,76 +157,116 @@ static void camera_rays(const struct sure_camera *c, vd x, vd y, struct packet *
         &p->ed);
 }
 
-/* Returns the place of a pixel in the order of packets: 8 lanes take 4 x 2 neighbouring pixels, 4 lanes 2 x 2. */
-LANE_OP int place_in_packets(const struct sure_block *b, int x, int y)
+/* Sets the cells of pixels that packets take: 4 x 2 neighbours for 8 lanes, 2 x 2 for 4 lanes, or else a row. */
+LANE_OP void set_cells(struct sure_block *b)
 {
     const int across = LANES < 4 ? 1 : LANES / 2;
+    bool fit = LANES >= 4 && b->samples == 1 && b->width % across == 0 && b->height % 2 == 0;
 
-    if (LANES < 4 || b->width % across || b->height % 2)
-        return y * b->width + x;
-    return (y / 2 * (b->width / across) + x / across) * LANES + y % 2 * across + x % across;
+    b->across = fit ? across : b->width;
+    b->rows = fit ? 2 : 1;
 }
 
-/* Sets the positions of a pixel's samples, see ray_camera_ray(). */
-LANE_OP void place_samples(struct work *w, int slot, int x, int y)
+/* Sets the positions of all samples, see ray_camera_ray(). */
+static void place_samples(struct work *w, const struct sure_block *b)
 {
     const int n = w->block->scene->camera.side;
 
-    for (int j = 0; j < n; j++)
-        for (int i = 0; i < n; i++, slot++) {
-            w->place[0][slot] = 2 * n * n * x + 2 * n * i + 2 * j + 1;
-            w->place[1][slot] = 2 * n * n * y + 2 * n * j + 2 * n - 2 * i - 1;
+    for (int slot = 0, pixel = 0; pixel < b->width * b->height; pixel++) {
+        int x = b->x + pixel % b->width, y = b->y + pixel / b->width;
+        for (int j = 0; j < n; j++)
+            for (int i = 0; i < n; i++, slot++) {
+                w->place[0][slot] = 2 * n * n * x + 2 * n * i + 2 * j + 1;
+                w->place[1][slot] = 2 * n * n * y + 2 * n * j + 2 * n - 2 * i - 1;
+            }
+    }
+}
+
+/* Sets the positions of pixels with one sample each: their centres. Packets that extend beyond a row's end spoil slots
+ * of the next row, before these are set. */
+static void place_centres(struct work *w, const struct sure_block *b)
+{
+    const int across = LANES / b->rows;
+#define RIGHT(k) 2 * ((k) % across) + 1
+#define DOWN(k) 2 * ((k) / across) + 1
+    const vd right = {EACH_LANE(RIGHT)}, down = {EACH_LANE(DOWN)};
+#undef RIGHT
+#undef DOWN
+
+    for (int y = 0; y < b->height; y += b->rows)
+        for (int x = 0; x < b->width; x += across) {
+            int slot = y * b->width + x * b->rows;
+            vstore(&w->place[0][slot], vset(2 * (b->x + x)) + right);
+            vstore(&w->place[1][slot], vset(2 * (b->y + y)) + down);
         }
 }
 
-/* Sets the positions of all samples, their order in packets and the classes of their pixels. */
-static void place_pixels(struct work *w, const struct sure_block *b)
+/* Sets the classes of the samples' pixels, if any light has a pattern for each class. */
+static void set_classes(struct work *w, const struct sure_block *b)
 {
-    for (int y = 0, i = 0; y < b->height; y++)
-        for (int x = 0; x < b->width; x++) {
-            int place = b->samples == 1 ? place_in_packets(b, x, y) : i;
-            uint8_t class = (uint8_t)ray_pixel_class(b->x + x, b->y + y);
-            place_samples(w, i, b->x + x, b->y + y);
-            for (int end = i + b->samples; i < end; i++) {
-                w->order[place++] = (uint16_t)i;
-                w->class[i] = class;
-            }
-        }
+    for (int slot = 0; slot < SURE_SLOTS; slot++)
+        w->class[slot] = 0;
+    for (int slot = 0; b->scene->areas && slot < b->width * b->height * b->samples; slot++) {
+        struct sure_place p = sure_place_of(b, slot / b->samples);
+        w->class[slot] = (uint8_t)ray_pixel_class(b->x + p.x, b->y + p.y);
+    }
+}
+
+/* Begins a block, without its samples. */
+LANE_OP void work_begin(struct work *w, struct sure_block *b)
+{
+    const struct sure_camera *c = &b->scene->camera;
+
+    w->block = b;
+    w->unit[0] = 1.0 / (2 * c->side * c->side * c->width);
+    w->unit[1] = 1.0 / (2 * c->side * c->side * c->height);
+    w->in_order = true;
+    w->queue.count = w->hits.count = b->rest_count = 0;
+    for (int i = 0; i < BLOCKERS; i++)
+        w->blocker[i] = TIA_NO_OBJECT;
 }
 
 /* Begins a block: sets the colours of all samples to 0. */
 static void work_open(struct work *w, struct sure_block *b)
 {
-    w->block = b;
-    w->count = w->hit_count = 0;
-    for (int i = 0; i < BLOCKERS; i++)
-        w->blocker[i] = TIA_NO_OBJECT;
-    place_pixels(w, b);
+    work_begin(w, b);
+    if (b->samples == 1)
+        place_centres(w, b);
+    else
+        place_samples(w, b);
+    set_classes(w, b);
     for (int i = 0; i < SURE_SLOTS; i++) {
         b->colour[0][i] = b->colour[1][i] = b->colour[2][i] = b->error[i] = w->rays[i] = 0;
         b->unsure[i] = false;
     }
 }
 
+/* Sets the slots of a packet of camera rays, of which `count` are wanted; returns its lanes. */
+LANE_OP unsigned first_slots(const struct work *w, int from, int count, struct rays *r)
+{
+    const unsigned all = (1u << LANES) - 1;
+
+    r->run = w->in_order;
+    for (int k = 0; k < LANES; k++) {
+        r->slot[k] = w->in_order ? (uint32_t)(from + k) : w->order[k < count ? from + k : from + count - 1];
+        r->depth[k] = r->layers[k] = r->media[k].count = r->route[k].count = 0;
+    }
+    return count < LANES ? all >> (LANES - count) : all;
+}
+
 static unsigned first_rays(const struct work *w, int from, int count, struct rays *r)
 {
-    const struct sure_camera *c = &w->block->scene->camera;
-    const double parts = 2 * c->side * c->side;
-    unsigned lanes = 0;
+    unsigned lanes = first_slots(w, from, count - from, r);
 
-    for (int k = 0; k < LANES; k++) {
-        r->slot[k] = w->order[from + k < count ? from + k : count - 1];
-        r->depth[k] = r->layers[k] = r->media[k].count = 0;
-        lanes |= (unsigned)(from + k < count) << k;
-    }
     r->weight[0] = r->weight[1] = r->weight[2] = vset(1);
     r->ew = vset(0);
 #define PLACE_X(k) w->place[0][r->slot[k]]
 #define PLACE_Y(k) w->place[1][r->slot[k]]
-    camera_rays(c, (vd){EACH_LANE(PLACE_X)} / vset(parts * c->width),
-                (vd){EACH_LANE(PLACE_Y)} / vset(parts * c->height), &r->p);
+    vd x = r->run ? vload(&w->place[0][from]) : (vd){EACH_LANE(PLACE_X)};
+    vd y = r->run ? vload(&w->place[1][from]) : (vd){EACH_LANE(PLACE_Y)};
 #undef PLACE_X
 #undef PLACE_Y
+    camera_rays(&w->block->scene->camera, x * vset(w->unit[0]), y * vset(w->unit[1]), &r->p);
     check_camera(w->block, r);
     return lanes;
 }
@@ -214,7 +276,7 @@ static void go_on_with(struct work *w, struct rays *r)
 {
     unsigned lanes;
 
-    if (w->hit_count > w->count) {
+    if (w->hits.count > w->queue.count) {
         shade_hits(w, r);
         return;
     }
@@ -223,22 +285,35 @@ static void go_on_with(struct work *w, struct rays *r)
         follow(w, r, lanes);
 }
 
-static void trace(struct sure_block *b, void *memory)
+/* Draws the first `count` samples, in w->order or that of their slots. `begin` shades the hits of a packet of camera
+ * rays, or queues them. */
+LANE_OP void draw(struct work *w, const struct sure_block *b, int count,
+                  void (*begin)(struct work *w, struct rays *r, unsigned lanes))
 {
     const struct cancel *cancel = &b->cancel;
-    int count = b->width * b->height * b->samples;
-    struct work *w = memory;
     struct rays *r = &w->packet;
 
-    work_open(w, b);
     for (int from = 0; from < count && !cancel->stopped; from += LANES) {
         unsigned lanes = first_rays(w, from, count, r);
-        follow(w, r, lanes);
-        while (w->count > QUEUE_FULL && !cancel->stopped)
+        begin(w, r, lanes);
+        while (w->queue.count > QUEUE_FULL && !cancel->stopped)
             go_on_with(w, r);
     }
-    while ((w->count || w->hit_count) && !cancel->stopped)
+    while ((w->queue.count || w->hits.count) && !cancel->stopped)
         go_on_with(w, r);
+}
+
+static void trace(struct sure_block *b, void *memory)
+{
+    struct work *w = memory;
+
+    set_cells(b);
+    if (sees_background(b)) {
+        store_background(b);
+        return;
+    }
+    work_open(w, b);
+    draw(w, b, b->width * b->height * b->samples, follow);
 }
 
 #endif

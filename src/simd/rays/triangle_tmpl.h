@@ -78,21 +78,22 @@ LANE_OP void return_to_face(const struct query *q, struct v3 n, vd round, vd mor
     *ep = vsel(back, BOUND_OF(TRIANGLE_RETURN_POINT, q->p->eo + e + t * q->p->ed + BOUND(POINT_UNITS)), *ep);
 }
 
-LANE_OP void meet_plane_of(struct query *q, const struct sure_face *f, uint32_t face, struct sides sides)
+LANE_OP void meet_plane_of(struct query *q, const double at[3], const double normal[3], double extent, uint32_t face,
+                           struct sides sides)
 {
     vd element = vset((double)face);
 
     if (!any(mand(q->active, mnot(mor(sides.outside, starts_on(q, element))))))
         return;
-    struct v3 a = v3_sub(v3_set(f->at[0]), q->p->o);
-    vd l = v3_sum(a) + vset(f->extent), round = l * BOUND(TRIANGLE_AHEAD);
+    struct v3 a = v3_sub(v3_set(at), q->p->o);
+    vd l = v3_sum(a) + vset(extent), round = l * BOUND(TRIANGLE_AHEAD);
     vd more = BOUND(TRIANGLE_UNITS) + l * BOUND(TRIANGLE_QUOTIENT);
-    struct flat flat = flat_meet(q->p, v3_set(f->normal), a, round, more);
+    struct flat flat = flat_meet(q->p, v3_set(normal), a, round, more);
     vd ep = BOUND_OF(PLANE_POINT, flat.e + BOUND(POINT_UNIT));
     vm back = returns_to(q, element);
 
     if (any(back))
-        return_to_face(q, v3_set(f->normal), round, more, &flat, &ep, back);
+        return_to_face(q, v3_set(normal), round, more, &flat, &ep, back);
     flat_report(q, &flat, sides.inside, sides.outside, ep, element);
 }
 
@@ -102,7 +103,7 @@ LANE_OP void meet_face(struct query *q, const struct sure_face *f, uint32_t face
     struct sides sides = face_sides(q->p, &line, f);
 
     if (any(mand(mnot(sides.outside), q->active)))
-        meet_plane_of(q, f, face, sides);
+        meet_plane_of(q, f->at[0], f->normal, f->extent, face, sides);
 }
 
 #endif

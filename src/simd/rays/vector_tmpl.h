@@ -1,7 +1,8 @@
 /* vector_tmpl.h - 3D vectors whose components have one number per lane.
  *
  * Parameters: the doubles of isa/isa.h. Defines: struct v3 and its operations v3_*(), v3_unit(), vgather(), vfloor(),
- * vload(), vstore(), lane_of(), any(), mnone(), as_integers(), as_doubles(), most3(), EACH_LANE(), INFINITE. */
+ * vload(), vstore(), vpacked(), lane_of(), lane_at(), vspread(), v3_spread(), any(), mnone(), as_integers(),
+ * as_doubles(), most3(), EACH_LANE(), INFINITE. */
 #ifndef TIA_SIMD_RAYS_VECTOR_TMPL_H
 #define TIA_SIMD_RAYS_VECTOR_TMPL_H
 
@@ -51,12 +52,44 @@ LANE_OP void vstore(double *p, vd v)
     __builtin_memcpy(p, &v, sizeof v);
 }
 
+/* Returns lane k of a vector in memory. */
+LANE_OP double lane_at(const vd *v, int k)
+{
+    double x;
+
+    __builtin_memcpy(&x, (const char *)v + (size_t)k * sizeof x, sizeof x);
+    return x;
+}
+
+LANE_OP vd vspread(const vd *v, int k)
+{
+    return vset(lane_at(v, k));
+}
+
 LANE_OP double lane_of(vd v, int k)
 {
     double lanes[LANES];
 
     vstore(lanes, v);
     return lanes[k];
+}
+
+/* Returns the chosen lanes, moved together to the first ones; the others are unspecified. */
+LANE_OP vd vpacked(vd v, unsigned lanes)
+{
+#ifdef VPACK
+    return VPACK(v, lanes);
+#else
+    double from[LANES], to[LANES] = {0};
+    int n = 0;
+
+    if (LANES == 1 || lanes == (1u << LANES) - 1)
+        return v;
+    vstore(from, v);
+    for (; lanes; lanes &= lanes - 1)
+        to[n++] = from[__builtin_ctz(lanes)];
+    return vload(to);
+#endif
 }
 
 LANE_OP bool any(vm m)
@@ -67,6 +100,11 @@ LANE_OP bool any(vm m)
 LANE_OP vm mnone(void)
 {
     return mof(0);
+}
+
+LANE_OP struct v3 v3_spread(const struct v3 *v, int k)
+{
+    return (struct v3){vspread(&v->x, k), vspread(&v->y, k), vspread(&v->z, k)};
 }
 
 LANE_OP struct v3 v3_set(const double p[3])

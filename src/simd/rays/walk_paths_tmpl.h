@@ -11,27 +11,27 @@
 #include "occlude_tmpl.h"
 
 /* Returns the lanes that survive Russian roulette, see path.c. The chance is the largest component m of the throughput,
- * cut to 32 bits. The throughputs of survivors are divided by it, so it must be the same for all of m +- ew, else the
- * sample is undecided. */
+ * cut to 32 bits; from 2^32 - 1 on it is 1. If m +- ew allows several chances, only a random number among them leaves
+ * the lane undecided. The throughputs of survivors are divided by the chance. */
 static unsigned survivors(struct path_state *f, unsigned lanes, struct paths *p)
 {
-    const vd all = vset(4294967296.0), largest_chance = vset(UINT32_MAX);
-    vd most = most3(p->r.weight), e = BOUND_OF(SURVIVAL, p->r.ew + BOUND(SURVIVAL_UNIT)), low = (most - e) * all,
-       high = vfloor((most + e) * all);
+    const vd all = vset(4294967296.0), largest = vset(UINT32_MAX);
+    vd most = most3(p->r.weight), e = BOUND_OF(SURVIVAL, p->r.ew + BOUND(SURVIVAL_UNIT)),
+       low = vfloor(vmax((most - e) * all, vset(0))), high = vfloor((most + e) * all);
     unsigned asked = 0;
 
     for (int k = 0; k < LANES; k++)
         asked |= (unsigned)(p->r.depth[k] >= PATH_ROULETTE) << k & lanes;
-    vm open = mand(mof(asked), vlt(low, all));
+    vm open = mand(mof(asked), vlt(low, largest));
     if (!any(open))
         return lanes;
-    low = vfloor(vmax(low, vset(0)));
+    high = vsel(vlt(high, largest), high, all);
     vd number = vu_number(path_choice(f, p, 2));
-    vm ends = mand(open, mand(vle(high, number), vlt(high, largest_chance)));
-    vm unsure = mand(mand(open, mnot(ends)), mor(vlt(low, high), vle(largest_chance, high)));
-    lanes = sure_of(f, lanes & ~mbits(ends), unsure, p->r.slot);
-    divide_by(p, low * SURE_Q32, mand(open, mof(lanes)));
-    return lanes;
+    vm ends = mand(open, vle(high, number)), stays = mand(open, vlt(number, low));
+    lanes = sure_of(f, lanes & ~mbits(ends), mand(open, mnot(mor(ends, stays))), p->r.slot);
+    vm small =
+        divide_by(p, ve_of((high + low) * (SURE_Q32 / 2), (high - low) * (SURE_Q32 / 2)), mand(stays, mof(lanes)));
+    return sure_of(f, lanes, small, p->r.slot);
 }
 
 /* Gives the random numbers of the next directions. At the first bounce, even after layers, they are those of the first
@@ -47,7 +47,8 @@ LANE_OP void direction_numbers(const struct path_state *f, const struct paths *p
     u[1] = quads_number(&quads, 3);
 }
 
-/* Continues paths by Lambert's law or, in `shiny` lanes, by Phong's lobe. */
+/* Continues paths by Lambert's law or, in `shiny` lanes, by Phong's lobe. The cosine to the lobe's axis is the local
+ * direction's z: the axis's error does not count. */
 static __attribute__((noinline)) void scatter_paths(struct path_state *f, unsigned lanes, unsigned shiny,
                                                     const struct paths *p, const struct shade *h, const struct lobes *l)
 {
@@ -67,14 +68,17 @@ static __attribute__((noinline)) void scatter_paths(struct path_state *f, unsign
         exact = mand(exact, mnot(glossy));
     }
     next.r.p.d = around(axis, e, exact, local, vset(BOUND(LOCAL)), &next.r.p.ed, &unsure);
-    vd cosine = v3_dot(next.r.p.d, h->normal), above = v3_dot(next.r.p.d, h->geometric);
-    vd ec = BOUND_OF(LAMBERT, next.r.p.ed + h->en + BOUND(COSINE)),
-       ea = BOUND_OF(ABOVE, next.r.p.ed + h->eg + BOUND(COSINE));
-    vm lit = mand(vlt(ec, cosine), vlt(ea, above)), dark = mor(vlt(cosine, -ec), vlt(above, -ea));
+    struct cosines of = cosines_of(h, l, next.r.p.d, next.r.p.ed);
+    of.normal = vsel(glossy, of.normal, local.z);
+    of.enormal = vsel(glossy, of.enormal, vset(BOUND(LOCAL_COSINE)));
+    of.mirrored = vsel(glossy, local.z, of.mirrored);
+    of.emirrored = vsel(glossy, vset(BOUND(LOCAL_COSINE)), of.emirrored);
+    vd above = v3_dot(next.r.p.d, h->geometric), ea = BOUND_OF(ABOVE, next.r.p.ed + h->eg + BOUND(COSINE));
+    vm lit = mand(vlt(of.enormal, of.normal), vlt(ea, above)), dark = mor(vlt(of.normal, -of.enormal), vlt(above, -ea));
     lanes = sure_of(f, lanes, mor(unsure, mnot(mor(lit, dark))), p->r.slot) & mbits(lit);
     if (!lanes)
         return;
-    respond(h, l, next.r.p.d, next.r.p.ed, cosine, ec, &r);
+    respond(h, l, &of, &r);
     vd inverse = 1 / r.density.v, most = most3(p->r.weight);
     unsigned mixed = 0;
     for (int k = 0; k < LANES; k++)
@@ -103,7 +107,7 @@ static __attribute__((noinline)) void reflect_paths(struct path_state *f, unsign
     struct paths next = *p;
 
     multiply_by(&next, h->mirror);
-    divide_by(&next, l->chance[CHANCE_MIRROR], mof(lanes));
+    lanes = sure_of(f, lanes, divide_by(&next, ve_of(l->chance[CHANCE_MIRROR], l->spread), mof(lanes)), p->r.slot);
     next.r.p.o = h->outside;
     next.r.p.eo = h->eoutside;
     next.r.p.d = l->mirrored;
@@ -117,7 +121,7 @@ static __attribute__((noinline)) void reflect_paths(struct path_state *f, unsign
 static void bounce_paths(struct path_state *f, unsigned lanes, const struct paths *p, const struct shade *h,
                          struct lobes *l)
 {
-    unsigned mirror = 0, glass = 0, shiny = 0, rough = 0;
+    unsigned mirror = 0, glass = 0, shiny = 0, rough = 0, open = 0;
     bool several = false;
     uint32_t number[LANES];
 
@@ -131,6 +135,7 @@ static void bounce_paths(struct path_state *f, unsigned lanes, const struct path
     for (int k = 0; k < LANES; k++) {
         const uint32_t *below = l->of[k]->below;
         unsigned bit = 1u << k & lanes;
+        open |= lobe_is_open(l->of[k], number[k]) ? bit : 0;
         if (num_happens(below[0], number[k]))
             mirror |= bit;
         else if (num_happens(below[1], number[k]))
@@ -140,12 +145,13 @@ static void bounce_paths(struct path_state *f, unsigned lanes, const struct path
         else
             rough |= bit;
     }
-    if (shiny | rough)
-        scatter_paths(f, shiny | rough, shiny, p, h, l);
-    if (mirror)
-        reflect_paths(f, mirror, p, h, l);
-    if (glass)
-        enter_glass(f, glass, p, h, l, path_choice(f, p, 3));
+    mark_unsure(f, open, p->r.slot);
+    if ((shiny | rough) & ~open)
+        scatter_paths(f, (shiny | rough) & ~open, shiny & ~open, p, h, l);
+    if (mirror & ~open)
+        reflect_paths(f, mirror & ~open, p, h, l);
+    if (glass & ~open)
+        enter_glass(f, glass & ~open, p, h, l, path_choice(f, p, 3));
 }
 
 /* Returns the lanes whose paths continue; samples whose lobes are undecided become undecided. */
@@ -172,6 +178,7 @@ static void step_paths(struct path_state *f, struct paths *p, unsigned lanes)
     (void)cancelled(&f->gather->cancel, q->work);
     vm sky = mand(vle(vset(INFINITE), q->t), vle(vset(INFINITE), q->low));
     lanes = sure_of(f, lanes, mnot(mor(sky, vlt(q->t + q->e, q->low))), p->r.slot);
+    note_hits(f, lanes, p, q);
     lanes = add_far_ends(f, lanes, p, q);
     if (!lanes)
         return;

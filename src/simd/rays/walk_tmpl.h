@@ -20,6 +20,7 @@
 #include "sphere_tmpl.h"
 #include "sure_check.h"
 #include "triangle_tmpl.h"
+#include "wide_tmpl.h"
 
 /* Shadow rays and their results: the lanes that are blocked or undecided, and the transmission of the other lanes. */
 struct shadow {
@@ -34,6 +35,8 @@ struct shadow {
  * small. */
 struct room {
     struct pending objects[TIA_BVH_DEPTH_MAX + 1], faces[TIA_BVH_DEPTH_MAX + 1];
+    struct single single;
+    bool scattered; /* the packet's rays start where other rays ended, and may soon diverge */
     struct placed placed;
     struct query inner; /* query in the axes of an instance */
     struct query any;   /* query of shadow rays */
@@ -46,15 +49,17 @@ struct room {
  * edges, and in `inside` if it certainly does. */
 LANE_OP void meet_one_of(const struct sure_tree *tree, uint32_t face, unsigned maybe, unsigned inside, struct query *q)
 {
-    const struct sure_face *f = &tree->faces[face];
-    struct sides sides;
+    const struct sure_flat *f = &tree->faces[face];
+    struct sides sides = {mof(half(inside)), mnot(mof(half(maybe)))};
+    double at[3];
 
-    if (maybe & ~inside & EVEN)
-        sides = face_sides(q->p, &q->lines->line, f);
-    else
-        sides = (struct sides){mof(half(inside)), mnot(mof(half(maybe)))};
+    if (maybe & ~inside & EVEN) {
+        const struct sure_face whole = sure_face_of(tree, face);
+        sides = face_sides(q->p, &q->lines->line, &whole);
+    }
+    sure_corner(at, &f->corner);
     q->group = q->groups ? tree->groups[face] : 0;
-    meet_plane_of(q, f, face, sides);
+    meet_plane_of(q, at, f->normal, (double)f->extent, face, sides);
 }
 
 /* Intersects some of a leaf's faces. First finds the faces that any line may meet, without a branch for each, and then
@@ -88,7 +93,7 @@ LANE_OP void meet_faces(const struct sure_scene *s, const struct sure_tree *tree
     }
 }
 
-WALK(walk_faces, meet_faces, faces)
+WALK(walk_faces, meet_faces, stay, faces)
 
 /* Reports a possible hit of a shape of unknown kind, no nearer than its box. */
 LANE_OP void meet_unknown(struct query *q, vd near)
@@ -161,19 +166,6 @@ static __attribute__((noinline)) void meet_placed(const struct sure_scene *s, co
     report_placed(q, placed, inner, o->placed->most);
 }
 
-/* Filters light by an object, once for each ray. The products are rounded here and in fixed point. */
-LANE_OP void filter(struct query *q, const struct sure_object *o)
-{
-    vm unclear = mand(q->may_meet, mnot(q->met));
-
-    if (o->unclear)
-        unclear = mor(unclear, q->met);
-    q->maybe = mor(q->maybe, unclear);
-    q->ethrough = q->ethrough + vsel(q->met, vset(BOUND(THROUGH_UNIT)), vset(0));
-    for (int c = 0; c < 3; c++)
-        q->through[c] = vsel(q->met, q->through[c] * vset(o->transmission[c]), q->through[c]);
-}
-
 /* Filters light by a mesh that transmits some of it, once for each group that a ray meets. */
 static __attribute__((noinline)) void meet_grouped(const struct sure_scene *s, const struct sure_object *o,
                                                    struct query *q)
@@ -193,10 +185,7 @@ LANE_OP void meet_object(const struct sure_scene *s, uint32_t index, struct quer
 {
     const struct sure_object *o = &s->object[index];
 
-    q->index = index;
-    q->object = (double)index;
-    q->opaque = q->solid ? !o->layered : o->opaque;
-    q->met = q->may_meet = mnone();
+    begin_object(o, index, q);
     if (q->any && !q->solid && o->grouped) {
         meet_grouped(s, o, q);
         return;
@@ -205,8 +194,7 @@ LANE_OP void meet_object(const struct sure_scene *s, uint32_t index, struct quer
         meet_placed(s, o, q, at);
     else
         meet_shape(s, o, q, at, vset(1));
-    if (q->any && !q->opaque)
-        filter(q, o);
+    end_object(o, q);
 }
 
 LANE_OP void meet_objects(const struct sure_scene *s, const struct sure_tree *tree, const struct node_ref *v,
@@ -216,13 +204,38 @@ LANE_OP void meet_objects(const struct sure_scene *s, const struct sure_tree *tr
         meet_object(s, tree->items[i], q, v);
 }
 
-WALK(walk_objects, meet_objects, objects)
+WALK(walk_together, meet_objects, stay, objects)
+
+static __attribute__((noinline)) void meet_apart(const struct sure_scene *s, const struct sure_tree *tree,
+                                                 const struct node_ref *v, struct query *q)
+{
+    meet_objects(s, tree, v, q);
+}
+
+/* Visits the wide node in place of a node, if there is one and few rays enter it. Returns true if it did. */
+LANE_OP bool leave(const struct sure_scene *s, const struct sure_tree *tree, const struct node_ref *v, struct query *q)
+{
+    if (__builtin_popcount(v->lanes) > WIDE_LANES || tree->wide_of[v->child.index] == SURE_NO_WIDE)
+        return false;
+    walk_wide(s, tree, &q->room->single, q, tree->wide_of[v->child.index], half(v->lanes));
+    return true;
+}
+
+WALK(walk_scattered, meet_apart, leave, objects)
+
+LANE_OP void walk_objects(const struct sure_scene *s, struct query *q)
+{
+    if (WIDE_LANES && q->room->scattered && s->objects.wide)
+        walk_scattered(s, &s->objects, q);
+    else
+        walk_together(s, &s->objects, q);
+}
 
 /* Intersects an object whose box, if it has one, was not tested. */
 LANE_OP void meet_at_once(const struct sure_scene *s, uint32_t object, struct query *q)
 {
     static const vp zero;
-    const struct node_ref start = {{0, 0, 0}, &zero};
+    const struct node_ref start = {{0, 0, 0}, &zero, 0};
 
     meet_object(s, object, q, &start);
 }
@@ -253,7 +266,7 @@ static __attribute__((noinline)) void meet_lights(const struct sure_scene *s, st
 {
     for (uint32_t n = 0; n < s->light_count; n++) {
         const struct sure_light *l = &s->lights[n];
-        q->object = LIGHT_ID + n;
+        q->object = vset(LIGHT_ID + n);
         if (l->seen)
             meet_light(l, q);
     }
@@ -275,7 +288,7 @@ LANE_OP vm begin_nearest(const struct sure_scene *s, struct room *room, struct q
     q->e = q->ep = vset(0);
     q->id = q->element = vset(-1);
     meet_unbounded(s, q);
-    walk_objects(s, &s->objects, q);
+    walk_objects(s, q);
     return mand(active, mnot(fine));
 }
 
@@ -325,7 +338,7 @@ static void find_shadow(const struct sure_scene *s, struct room *room, struct sh
     if (any(q->active))
         meet_unbounded(s, q);
     if (any(q->active))
-        walk_objects(s, &s->objects, q);
+        walk_objects(s, q);
     *blocker = q->blocker;
     shadow->work = q->work;
     shadow->ethrough = q->ethrough;

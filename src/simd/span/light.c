@@ -208,5 +208,5 @@ void tia_simd_light(const struct tia_view *view, struct tia_tile tile, const str
         kernels->settle();
 }
 
-const struct simd_renderer tia_simd_spans = {
-    tia_simd_pairs_size, tia_simd_draws, NULL, tia_simd_prepare, room, tia_simd_light, NULL};
+const struct simd_renderer tia_simd_spans = {tia_simd_pairs_size, tia_simd_draws, NULL, tia_simd_prepare, room,
+                                             tia_simd_light,      NULL,           NULL};

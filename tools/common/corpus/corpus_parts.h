@@ -21,6 +21,7 @@ struct corpus_rays {
     struct tia_shape shapes[CORPUS_RAYS_OBJECTS + 1 + CORPUS_RAYS_NESTED];
     struct tia_transform transforms[CORPUS_RAYS_OBJECTS + CORPUS_RAYS_NESTED];
     struct tia_light lights[CORPUS_RAYS_LIGHTS];
+    struct tia_fog fog;
     struct tia_texture textures[5]; /* the last two are opacities */
     struct tia_mesh meshes[2];
     struct tia_grid grid;

@@ -217,6 +217,17 @@ void corpus_add_opacity(struct corpus_rays *out, uint64_t seed)
     parts_random_opacities(&state, out);
 }
 
+void corpus_add_fog(struct corpus_rays *out, uint64_t seed)
+{
+    uint64_t state = seed;
+
+    out->fog.colour = dice_rgb(&state, 0, 100);
+    out->fog.distance = dice_between(&state, TIA_Q16(0.5), TIA_Q16(60));
+    out->fog.height = dice_one_in(&state, 2) ? dice_between(&state, TIA_Q16(0.01), TIA_Q16(6)) : 0;
+    out->fog.level = dice_between(&state, TIA_Q16(-3), TIA_Q16(3));
+    out->scene.fog = &out->fog;
+}
+
 void corpus_random_rays(struct corpus_rays *out, uint64_t seed, unsigned index)
 {
     uint64_t state = seed;

@@ -12,15 +12,21 @@ struct scene_part; /* a file that the scene refers to */
 
 /* Optional settings for reading a scene. */
 struct scene_wish {
-    tia_q16 reach;    /* see tia/read.h */
-    unsigned threads; /* number of threads that build the hierarchy of a large scene; 0 means 1 */
+    tia_q16 reach;                          /* see tia/read.h */
+    const struct tia_camera_change *camera; /* likewise; keyframes of what it sets are left out */
+    unsigned threads;                       /* number of threads that read and build a large scene; 0 means 1 */
+    bool hashed;                            /* set `crc`: 6 ms a megabyte */
     void (*material)(void *ctx, uint32_t index, const char *name);
     void *ctx;
+    void (*opens)(void *ctx, const char *path); /* NULL, or called with each file before it is opened */
+    void *opens_ctx;
 };
 
 struct scene_file {
     struct tia_scene scene;
-    uint32_t crc;        /* CRC of the text and all files that it refers to; equal for equal scenes */
+    struct tia_placement placement;
+    uint32_t crc;        /* CRC of the text and all files that it refers to; equal for equal scenes; 0 unless
+                          * `hashed` */
     char why[SCENE_WHY]; /* after a failure: one line, "FILE:LINE:COLUMN: WHAT" or "FILE: WHAT" */
     struct tia_read_warning warnings[TIA_WARNINGS];
 
@@ -30,6 +36,8 @@ struct scene_file {
     void *memory, *boxes;
     struct scene_part *parts;
     size_t named_bytes;
+    void *map, *tables; /* of a model, see model.h */
+    size_t map_bytes;
 };
 
 #endif

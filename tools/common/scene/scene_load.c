@@ -5,8 +5,14 @@
 #include <string.h>
 #include <strings.h>
 #include <unistd.h>
+#ifdef __wasi__
+#define madvise(from, size, advice) ((void)(from), (void)(size)) /* all pages stay */
+#else
+#include <sys/mman.h>
+#endif
 
 #include "common/checksum.h"
+#include "common/scene/model/model.h"
 #include "common/thread_pool.h"
 #include "scene_part.h"
 #include "whole_file.h"
@@ -29,7 +35,8 @@ static int format_called(const char *name)
 int scene_format_of(const char *path)
 {
     const char *dot = strrchr(path, '.');
-    return dot ? format_called(dot + 1) : SCENE_UNKNOWN;
+    int format = dot ? format_called(dot + 1) : SCENE_UNKNOWN;
+    return dot && format == SCENE_UNKNOWN && model_is_extension(dot + 1) ? SCENE_MODEL : format;
 }
 
 static const char *shown(const struct scene_file *file)
@@ -46,6 +53,8 @@ static int exhausted(struct scene_file *file)
 static int read_text(struct scene_file *file, struct whole *text)
 {
     const char *why;
+    if (file->wish->opens)
+        file->wish->opens(file->wish->opens_ctx, file->path);
     int status = strcmp(file->path, "-") == 0 ? whole_read_from(text, STDIN_FILENO, SCENE_TEXT_MOST, &why)
                                               : whole_read(text, file->path, SCENE_TEXT_MOST, &why);
     if (status == TIA_ERR_MEMORY)
@@ -111,8 +120,26 @@ static void name_material(void *ctx, uint32_t index, const char *name)
         wish->material(wish->ctx, index, name);
 }
 
-/* Reads the scene. If memory is too small, tia_read returns the size that it needs for the next attempt. */
-static int read_scene(struct scene_file *file, const struct whole *text, int format, bool strict)
+/* Removes the tracks that would move what `change` sets. They are in the file's own memory. */
+static void drop_tracks(struct scene_file *file, const struct tia_camera_change *change)
+{
+    struct tia_scene *scene = &file->scene;
+    size_t at = scene->track_count ? (size_t)((const char *)scene->tracks - (const char *)file->memory) : 0;
+    struct tia_track *tracks = (struct tia_track *)(void *)((char *)file->memory + at);
+    uint32_t kept = 0;
+
+    for (uint32_t i = 0; i < scene->track_count; i++) {
+        bool set = (tracks[i].target == TIA_MOVES_EYE && change->has_eye) ||
+                   (tracks[i].target == TIA_MOVES_REFERENCE && change->has_reference);
+        if (!set)
+            tracks[kept++] = tracks[i];
+    }
+    scene->track_count = kept;
+}
+
+/* Reads the scene. If memory is too small, tia_read returns the size that it needs for the next attempt. The first size
+ * is twice the text's, which suffices for most large models; what is not used takes only addresses. */
+static int read_scene(struct scene_file *file, const struct whole *text, int format, bool strict, struct threads *pool)
 {
     struct tia_reader reader = {.format = (enum tia_format)format,
                                 .text = text->bytes,
@@ -123,9 +150,11 @@ static int read_scene(struct scene_file *file, const struct whole *text, int for
                                 .material = name_material,
                                 .ctx = file,
                                 .reach = file->wish->reach,
+                                .camera = file->wish->camera,
+                                .workers = threads_workers(pool),
                                 .strict = strict,
                                 .warnings = file->warnings};
-    size_t size = text->length > MEMORY_FIRST ? text->length : MEMORY_FIRST, need = 0;
+    size_t size = 2 * text->length > MEMORY_FIRST ? 2 * text->length : MEMORY_FIRST, need = 0;
     int status = TIA_ERR_MEMORY;
     for (unsigned tries = 0; tries < 4 && status == TIA_ERR_MEMORY && size <= MEMORY_MOST; tries++) {
         free(file->memory);
@@ -135,25 +164,45 @@ static int read_scene(struct scene_file *file, const struct whole *text, int for
         status = tia_read(&reader, &file->scene, file->memory, size, &need);
         size = need > size ? need : size * 2;
     }
+    file->placement = reader.placement;
+    if (!status && file->wish->camera)
+        drop_tracks(file, file->wish->camera);
     return status == TIA_ERR_MEMORY ? exhausted(file) : status ? set_error(file, &reader.error) : TIA_OK;
 }
 
 /* Size in bytes from which a hierarchy is built by several threads: building it takes as long as starting the
  * threads. */
 #define BOXES_FOR_THREADS ((size_t)1 << 20)
+/* Size in bytes of a text that is read by several threads, likewise. */
+#define TEXT_FOR_THREADS ((size_t)1 << 18)
 
-/* Builds the hierarchy, on one thread if there is no memory for a pool. */
-static int build_boxes(struct scene_file *file, unsigned threads)
+/* Returns whole pages behind the first `used` bytes to the system. They stay allocated. */
+static void drop_pages(void *memory, size_t used, size_t size)
+{
+    uintptr_t page = (uintptr_t)sysconf(_SC_PAGESIZE), start = (uintptr_t)memory;
+    uintptr_t from = (start + used + page - 1) / page * page, to = (start + size) / page * page;
+    if (to > from)
+        (void)madvise((void *)from, to - from, MADV_DONTNEED);
+}
+
+/* Builds the hierarchy. */
+static int build_boxes(struct scene_file *file, struct threads *pool)
 {
     struct tia_scene *scene = &file->scene;
-    size_t size = tia_bvh_size(scene);
-    struct threads *pool = threads > 1 && size >= BOXES_FOR_THREADS ? threads_create(threads) : NULL;
+    size_t size = tia_bvh_size(scene), used = 0;
     file->boxes = size <= MEMORY_MOST ? malloc(size > 0 ? size : 1) : NULL;
     int status = !file->boxes ? TIA_ERR_MEMORY
-                              : tia_bvh_build(&scene->bvh, file->boxes, size, NULL, scene,
+                              : tia_bvh_build(&scene->bvh, file->boxes, size, &used, scene,
                                               &(struct tia_job){.workers = threads_workers(pool)});
-    threads_destroy(pool);
+    if (!status)
+        drop_pages(file->boxes, used, size);
     return status == TIA_ERR_MEMORY ? exhausted(file) : TIA_OK;
+}
+
+/* Creates a pool for large work. Returns NULL, one thread, also if there is no memory. */
+static struct threads *create_pool(unsigned threads, bool large)
+{
+    return threads > 1 && large ? threads_create(threads) : NULL;
 }
 
 int scene_open(struct scene_file *file, const char *path, int format, bool strict)
@@ -161,18 +210,30 @@ int scene_open(struct scene_file *file, const char *path, int format, bool stric
     return scene_open_for(file, path, format, strict, &(struct scene_wish){.reach = 0});
 }
 
-int scene_open_for(struct scene_file *file, const char *path, int format, bool strict, const struct scene_wish *wish)
+/* Reads a scene in a format of the core. *pool receives the threads that were created for it. */
+static int open_text(struct scene_file *file, int format, bool strict, struct threads **pool)
 {
     struct whole text;
-    *file = (struct scene_file){.path = path, .wish = wish};
     int status = read_text(file, &text);
     if (status)
         return status;
-    file->crc = checksum_bytes(0, text.bytes, text.length);
-    status = read_scene(file, &text, format, strict);
+    file->crc = file->wish->hashed ? checksum_bytes(0, text.bytes, text.length) : 0;
+    *pool = create_pool(file->wish->threads, text.length >= TEXT_FOR_THREADS);
+    status = read_scene(file, &text, format, strict, *pool);
     free(text.bytes);
+    return status;
+}
+
+int scene_open_for(struct scene_file *file, const char *path, int format, bool strict, const struct scene_wish *wish)
+{
+    struct threads *pool = NULL;
+    *file = (struct scene_file){.path = path, .wish = wish};
+    int status = format == SCENE_MODEL ? model_open(file, strict) : open_text(file, format, strict, &pool);
+    if (!pool)
+        pool = create_pool(wish->threads, !status && tia_bvh_size(&file->scene) >= BOXES_FOR_THREADS);
     if (!status)
-        status = build_boxes(file, wish->threads);
+        status = build_boxes(file, pool);
+    threads_destroy(pool);
     if (status)
         scene_close(file);
     return status;
@@ -184,4 +245,5 @@ void scene_close(struct scene_file *file)
     free(file->boxes);
     file->memory = file->boxes = NULL;
     part_free_all(file);
+    model_close(file);
 }

@@ -5,14 +5,15 @@
 #include "file.h"
 
 #define SCENE_UNKNOWN (-1)
+#define SCENE_MODEL 1000 /* a format of libassimp, see common/scene/model/model.h */
 
 /* Returns the format of a file by its extension; SCENE_UNKNOWN for others. */
 int scene_format_of(const char *path);
 
-/* Reads the scene `path` ("-": standard input) of `format` (enum tia_format). Files that it refers to are relative to
- * its directory. Returns TIA_OK; TIA_ERR_MEMORY; TIA_ERR_DEVICE if a file cannot be read; TIA_ERR_RANGE if it is not a
- * valid scene. After an error file->why has the reason, and nothing needs to be closed. `path` must outlive the file.
- * With `strict`, warnings are errors. */
+/* Reads the scene `path` ("-": standard input) of `format` (enum tia_format, or SCENE_MODEL). Files that it refers to
+ * are relative to its directory. Returns TIA_OK; TIA_ERR_MEMORY; TIA_ERR_DEVICE if a file cannot be read; TIA_ERR_RANGE
+ * if it is not a valid scene. After an error file->why has the reason, and nothing needs to be closed. `path` must
+ * outlive the file. With `strict`, warnings are errors. */
 int scene_open(struct scene_file *file, const char *path, int format, bool strict);
 
 /* Reads the scene as scene_open does, with the settings `wish`, which must outlive the call. */

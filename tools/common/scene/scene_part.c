@@ -56,17 +56,25 @@ static int decode(struct scene_part *part, size_t most, const char **why)
     return status;
 }
 
+static int open_path(const struct scene_file *file, struct scene_part *part, const char *path, size_t most,
+                     const char **why)
+{
+    if (file->wish->opens)
+        file->wish->opens(file->wish->opens_ctx, path);
+    return whole_read(&part->text, path, most, why);
+}
+
 /* Reads the file. If it does not exist and its name has backslashes, as on Windows, reads the file whose name has
  * slashes instead. */
 static int read_path(const struct scene_file *file, struct scene_part *part, size_t most, const char **why)
 {
     char *path = part_path(file, part->name);
     *why = "memory: exhausted";
-    int status = path ? whole_read(&part->text, path, most, why) : TIA_ERR_MEMORY;
+    int status = path ? open_path(file, part, path, most, why) : TIA_ERR_MEMORY;
     if (status == TIA_ERR_DEVICE && strchr(path, '\\')) {
         for (char *at = path; (at = strchr(at, '\\')) != NULL;)
             *at = '/';
-        status = whole_read(&part->text, path, most, why);
+        status = open_path(file, part, path, most, why);
     }
     free(path);
     return status;
@@ -76,7 +84,7 @@ static int load(struct scene_file *file, struct scene_part *part, const char **w
 {
     size_t left = SCENE_NAMED_MOST - file->named_bytes;
     int status = read_path(file, part, left, why);
-    if (!status)
+    if (!status && file->wish->hashed)
         file->crc = checksum_bytes(file->crc, part->text.bytes, part->text.length);
     if (!status && part->kind != PART_LIBRARY)
         status = decode(part, left, why);

@@ -4,10 +4,10 @@
 
 #include "render/span/span_shade.h"
 
-/* Gives a ball around the points of all lit pixels of a part of a span, whose first pixel is 0; false if there is none.
- */
-bool coherence_surround(const struct span_view *spans, const struct shaded_span *span, struct span part,
-                        const struct lit *lit, const struct span_error *error, struct coarse_ball *ball);
+/* Finds what a light does in each part of a span, and the spheres that may block it in open parts; false if no sphere
+ * blocks it anywhere. No part is dark if some material transmits light. */
+bool coherence_shadows(const struct span_view *spans, const struct shaded_span *span, uint32_t light,
+                       struct span_shadows *shadows);
 
 /* True if sphere `n` is certainly nearer than sphere `other` at all pixels of a span, which both show. */
 bool coherence_nearer(const struct span_view *spans, uint32_t n, uint32_t other, int y, struct span span);

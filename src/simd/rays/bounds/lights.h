@@ -1,10 +1,10 @@
-/* lights.h - bounds of direct lighting, and of mirrors and glass: light_tmpl.h, bounce_tmpl.h. P is the lit point, G
- * the geometric and N the shading normal, V the direction to the viewer, L that to the light, and b the distance from
- * the surface at which new rays start. */
+/* lights.h - bounds of direct lighting, and of mirrors and glass: sample_tmpl.h, light_tmpl.h, bounce_tmpl.h. P is the
+ * lit point, G the geometric and N the shading normal, V the direction to the viewer, L that to the light, and b the
+ * distance from the surface at which new rays start. */
 #ifndef TIA_SIMD_RAYS_BOUNDS_LIGHTS_H
 #define TIA_SIMD_RAYS_BOUNDS_LIGHTS_H
 
-/* ---- a light's samples, see light_tmpl.h ---- */
+/* ---- a light's samples, see sample_tmpl.h and light_tmpl.h ---- */
 
 /* The error of the vector from a sphere light's centre to the point: the error of the point, and POINT_ROUNDING. */
 FORMULA(AIM_DIRECTION);
@@ -140,7 +140,7 @@ FORMULA(HIGHLIGHT_FACING);
  * most 3. Needed: 10 of 32 u. Unseen: small. */
 #define BOUND_HIGHLIGHT_ROUNDING P2M(48)
 
-/* The error of x^n, x = R.L: n times the error of x, as the slope of x^n is at most n for x <= 1. */
+/* The error of x^n, x = R.L: the slope of x^n times the error of x, see power_turn(). */
 FORMULA(HIGHLIGHT);
 
 /* The error of the colour times the cosine: the error of the cosine times the colour, and DIFFUSE_TEXTURE. */

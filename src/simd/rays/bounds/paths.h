@@ -202,7 +202,8 @@ FORMULA(CHANCE);
 /* The error of R.L: the errors of both directions, as in FACING, and COSINE. Unseen: hidden. */
 FORMULA(LOBE_COSINE);
 
-/* The error of p = x^n, x = R.L: n times LOBE_COSINE; POWER is added for the roundings. Unseen: hidden. */
+/* The error of p = x^n, x = R.L: the slope of x^n times LOBE_COSINE, see power_turn(); POWER is added for the
+ * roundings. Unseen: hidden. */
 FORMULA(LOBE_POWER);
 
 /* The error of (n + 2)/2 p c specular: the error of p times the cosine c, and the error of c times the height (n + 2)/2
@@ -216,6 +217,13 @@ FORMULA(LOBE_REFLECTED);
 
 /* The error of the density of a glossy lobe: the error of p times (n + 1)/2 and the lobe's chance. Unseen: hidden. */
 FORMULA(LOBE_DENSITY);
+
+/* The error of the density of a glossy lobe by that of its chance, which is multiplied by (n + 1)/2 p. Unseen: hidden.
+ */
+FORMULA(LOBE_SPREAD);
+
+/* The error of the density of a diffuse lobe by that of its chance, which is multiplied by a cosine. Unseen: hidden. */
+FORMULA(DIFFUSE_SPREAD);
 
 /* The rounding of the density of a glossy lobe in fixed point: half a unit of the height. Derived with LOBE_DENSITY.
  * Needed: .5 of 2 U. Unseen: small. */
@@ -293,8 +301,14 @@ FORMULA(SCATTERED_WEIGHT);
  * Unseen: hidden. */
 FORMULA(MULTIPLIED_WEIGHT);
 
-/* The error of a throughput divided by an exact chance: the error of the throughput, divided by the chance. Unseen:
- * hidden. */
+/* The least chance c by which a throughput is divided, in multiples of its error e. Chosen together with
+ * DIVIDED_QUOTIENT. Unseen: choice. */
+#define BOUND_DIVIDED_KNOWN 16
+
+/* The factor of x = e/c in 1/(1 - x) - 1 = x/(1 - x), which is at most 16/15 x for x < 1/16. Unseen: hidden. */
+#define BOUND_DIVIDED_QUOTIENT 2
+
+/* The error of a throughput w divided by a chance c within e: (ew + w/c e)/(c - e), see divide_by(). Unseen: hidden. */
 FORMULA(DIVIDED_WEIGHT);
 
 /* The rounding of the chance to survive in fixed point: the throughput within 2^-59, before it is truncated to 32 bits.

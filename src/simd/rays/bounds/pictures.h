@@ -3,9 +3,9 @@
 #ifndef TIA_SIMD_RAYS_BOUNDS_PICTURES_H
 #define TIA_SIMD_RAYS_BOUNDS_PICTURES_H
 
-/* The rounding in doubles of a position in the image, relative to |h|, |v| and the window: 4 u for h and v, by
- * conversions of the window's numbers, the quotient x, a product and a sum; 3 u for the axes, a conversion, a product
- * and a sum. Needed: 7 of 64 u. Unseen: small. */
+/* The rounding in doubles of a position in the image, relative to |h|, |v| and the window: 5 u for h and v, by
+ * conversions of the window's numbers, the quotient x as a product with a rounded inverse, a product and a sum; 3 u for
+ * the axes, a conversion, a product and a sum. Needed: 8 of 64 u. Unseen: small. */
 #define BOUND_CAMERA_PARALLEL P2M(47)
 
 /* The rounding of a position in the image in fixed point: half a unit each for h and v, .71 U, and .87 U for each of
@@ -20,8 +20,8 @@ FORMULA(CAMERA_PARALLEL_ORIGIN);
  * 8 u. */
 #define BOUND_CAMERA_EYE P2M(50)
 
-/* The rounding in doubles of the vector to a position in the image: 7 u, as CAMERA_PARALLEL; and 4 u of the depth times
- * the normal, by two conversions, a product and a difference. Needed: 7 of 16 u. Unseen: small. */
+/* The rounding in doubles of the vector to a position in the image: 8 u, as CAMERA_PARALLEL; and 4 u of the depth times
+ * the normal, by two conversions, a product and a difference. Needed: 8 of 16 u. Unseen: small. */
 #define BOUND_CAMERA_WAY P2M(49)
 
 /* The rounding of the vector to a position in the image in fixed point: 2.45 U, as CAMERA_PARALLEL_UNITS, and .87 U for
@@ -30,6 +30,15 @@ FORMULA(CAMERA_PARALLEL_ORIGIN);
 
 /* The error of the vector to a position in the image: CAMERA_WAY times the sizes of its parts, and CAMERA_WAY_UNITS. */
 FORMULA(CAMERA_DIRECTION);
+
+/* The rounding in doubles of a side's normal, relative to the square of the sizes of the corners' parts: a corner is
+ * off by 8 u of these, as CAMERA_WAY. So the difference of two products of corners' coordinates is off by 2 (16 + 1) u
+ * and, with its own rounding, by 36 u in each of the three coordinates, sqrt 3 of that in all. Needed: 63 of 128 u.
+ * Unseen: small. */
+#define BOUND_BEAM_NORMAL P2M(46)
+
+/* The change of N.(P - eye) by the normal's error, BEAM_NORMAL times the largest |P - eye|. Unseen: small. */
+FORMULA(BEAM_SIDE);
 
 /* The error of a fixed-point origin that is converted to doubles: u of each coordinate. Needed: 1 of 1 u. Unseen:
  * small. */
@@ -66,6 +75,10 @@ FORMULA(COLOUR_GIVEN_UP);
  * error. */
 #define BOUND_GIVEN_UP P2M(8)
 
+/* The largest error with which light of a surface is added to a sample. Light with larger errors would leave more
+ * pixels open, each of which takes longer than the fixed-point path from this surface on. A choice. Unseen: choice. */
+#define BOUND_OWN_UNSURE P2M(9)
+
 /* The throughput below which the fixed-point code does not follow rays, 2^-16: that limit itself, not an error. */
 #define BOUND_FAINT P2M(16)
 
@@ -92,6 +105,11 @@ FORMULA(FAINT_MARGIN);
 /* The rounding of a sample that the fixed-point code draws, and that is converted to a double: u of at most 1. Needed:
  * 1 of 8 u. Unseen: small. */
 #define BOUND_EXACT_SAMPLE P2M(50)
+
+/* The rounding of the light along a ray that the fixed-point code follows, relative to 1 and to this light: u for its
+ * conversion to a double, and u of the sum with the sample's other parts; sums above 1 count as 1. Needed: 2 of 8 u.
+ * Unseen: small. */
+#define BOUND_EXACT_REST P2M(50)
 
 /* The rounding of a pixel's mean. In doubles: 17 u. In fixed point: a sum of at most 16 quotients by the number of
  * samples, each truncated to a unit. Needed: 16.1 of 32 U. */

@@ -290,8 +290,8 @@ FORMULA(TEXEL_PLACE);
  * 1.04 of 8 U. Unseen: small. */
 #define BOUND_TEXEL_BLEND P2M(42)
 
-/* The error of a bilinear colour by that of the position: the sum of the errors of both coordinates, as the colour
- * changes by at most 1 within a texel along either. */
+/* The error of a bilinear colour by that of the position: the sum of the errors of both coordinates, times the largest
+ * difference between neighbours among the four texels. Where the position may lie among others, that is 1. */
 FORMULA(TEXEL_BLEND_PLACE);
 
 #endif

@@ -67,13 +67,34 @@ FORMULA(INTERVAL_ROOT);
  * small. */
 #define BOUND_LOCAL P2M(49)
 
+/* The error of z of a random direction around z, as the cosine between the turned direction and its axis: LOCAL, and in
+ * fixed point the roundings of the turned direction and of the dot product, each a unit of 2^-59 or less, and of the
+ * axis's length, 2^-57. Needed: 1.02 of 2 times 2^-49. */
+#define BOUND_LOCAL_COSINE P2M(48)
+
 /* The error of x^e, see power_tmpl.h: 2.1e-14 in doubles, by polynomials, and 1.7e-14 in fixed point. Needed: 3.8e-14
  * of 5.7e-14. */
 #define BOUND_POWER P2M(44)
 
-/* The error of a direction around an axis with the error e: sqrt(14 + 14 + 1) e < 6 e, see around(), and the error of
- * the direction around z, since a rotation preserves lengths. AROUND_ROUNDING is added for the roundings. Unseen:
- * small. */
+/* The least x by which the slope of x^n is known, in multiples of n times the error of x. Chosen together with
+ * POWER_GROWTH. Unseen: choice. */
+#define BOUND_POWER_KNOWN 4
+
+/* The least x by which the slope of x^n is known. A choice. Unseen: choice. */
+#define BOUND_POWER_LEAST P2M(20)
+
+/* The growth of x^(n - 1) within the error of x: exp(1/4) = 1.2841, as 4 n e < x. Unseen: hidden. */
+#define BOUND_POWER_GROWTH 1.3
+
+/* The slope of x^n, divided by n: POWER_GROWTH x^n/x, where x^n is within POWER. Unseen: hidden. */
+FORMULA(POWER_STEEP);
+
+/* The largest turn of a frame around an axis, in multiples of the axis's error e <= 1: sqrt 2 1.05, see around().
+ * Larger e leave the lane undecided, see v3_unit(). Needed: 1.485 of 1.5. */
+#define BOUND_AROUND_TURN 1.5
+
+/* The error of a direction around an axis with the error e: AROUND_TURN e, and the error of the direction around z,
+ * since a rotation preserves lengths. AROUND_ROUNDING is added for the roundings. Unseen: small. */
 FORMULA(AROUND);
 
 /* The rounding of a direction around an axis. In doubles: k = 1/(1 + |z|) has a relative error of 2 u. So x^2 k <= 1

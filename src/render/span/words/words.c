@@ -1,0 +1,221 @@
+#include "math/fast.h"
+
+#include "words.h"
+
+#include "math/noinline.h"
+#include "render/span/span_proved.h"
+#include "words_proved.h"
+
+#define ONE ((uint32_t)1 << 26)  /* q y^2 */
+#define NEAR ((uint32_t)1 << 14) /* the largest error of q y^2 before a step */
+#define ACCURATE (-9 * 256)      /* the largest error of t, see span_error.h */
+#define LEAST ((uint32_t)1 << 28)
+#define MOST ((uint32_t)15 << 28)
+
+uint32_t words_high_apart(uint32_t a, uint32_t b)
+{
+    return (uint32_t)(tia_mul_u32(a, b) >> 32);
+}
+
+static NOINLINE int32_t high_signed_apart(int32_t a, int32_t b)
+{
+    return (int32_t)(tia_mul_s32(a, b) >> 32);
+}
+
+static inline int32_t high_signed(int32_t a, int32_t b)
+{
+    return TIA_HALF_PRODUCTS ? high_signed_apart(a, b) : (int32_t)(tia_mul_s32(a, b) >> 32);
+}
+
+/* ---- points ---- */
+
+/* Along a row t is convex: largest at an end. It is off by less than 2^-8 of itself, or not used. */
+void words_points(const struct primary_rays *primary, const struct span_sphere *sphere, int x, int y, const num_u *t,
+                  int count, struct word_points *points)
+{
+    struct row_square square = primary_square(primary, x, y);
+    uint64_t v = (uint64_t)square.start, step = (uint64_t)square.step, twice = (uint64_t)square.twice;
+    uint32_t most = (uint32_t)t[0] > (uint32_t)t[count - 1] ? (uint32_t)t[0] : (uint32_t)t[count - 1];
+
+    points->up = (int)tia_clz32(most + (most >> 8) + 1) - 1;
+    points->exponent = 2 * (sphere->t_exponent + points->up) + 2 * primary->exponent + primary->square_shift - 93;
+    for (int i = 0; i < count; i++) {
+        points->t[i] = (uint32_t)t[i] << points->up;
+        points->reach[i] = words_high(words_high(points->t[i] << 1, points->t[i] << 1), (uint32_t)(v >> 32) << 1);
+        v += step;
+        step += twice;
+    }
+}
+
+/* ---- a run of pixels of a light ---- */
+
+/* A light on a ball. q is |w|^2, from LEAST to MOST, with an even exponent e; y is 2^45/sqrt(q), and so from 2^29 to
+ * 2^31. With R, r with its highest bit at 2^28, f has such an exponent that the upper word of f y is R times the
+ * cosine. So f is below 2^32. */
+struct words {
+    const struct word_points *points;
+    int32_t facing;               /* constant of f, as a word */
+    uint32_t doubt;               /* bound of the error of f's word */
+    uint32_t distance;            /* constant of |w|^2, as a word */
+    int exponent;                 /* that of |w|^2's word */
+    int reach_down;               /* from |P|^2's word to it */
+    uint32_t square_doubt;        /* bound of the error of |w|^2's word */
+    int moved;                    /* logarithm of the error of P, in 256ths */
+    int facing_scale;             /* e/2 plus this is `up` */
+    int up, square_up;            /* from f's word to f, and from |w|^2's to q */
+    uint32_t inverse;             /* 1/R */
+    uint32_t worst;               /* largest bound of the cosines so far */
+    uint32_t y, step;             /* that of the last pixel, and its difference to the one before */
+    int64_t g, g_step, q, q_step; /* accumulators of G.v and Q.v for the words of t */
+    uint32_t least, reach; /* the smallest word of |w|^2 in the run, and the largest one, minus the smallest one */
+    int at, count;         /* the next pixel */
+    num_u *lambert;
+};
+
+static inline int32_t facing_at(const struct words *w, int64_t g, int i)
+{
+    return w->facing + high_signed((int32_t)w->points->t[i], (int32_t)(g >> 32));
+}
+
+static inline uint32_t square_at(const struct words *w, int64_t q, int i)
+{
+    return w->distance + (w->points->reach[i] >> w->reach_down) -
+           2 * (uint32_t)high_signed((int32_t)w->points->t[i], (int32_t)(q >> 32));
+}
+
+/* Returns about 2^45/sqrt(q), by a table. */
+static NOINLINE uint32_t rough(uint32_t q)
+{
+    unsigned low = q >> 30 == 0;
+
+    return tia_rsqrt_seed(q << 2 * low) >> (2 - low);
+}
+
+/* Bounds the error of the run's cosines: that of f by up to y/2^32, a half, that of q, of q, by a half, and a 32nd of
+ * both for their product. */
+static bool bound_run(struct words *w)
+{
+    uint64_t of_f = (uint64_t)w->doubt << w->up, of_q = (uint64_t)w->square_doubt << w->square_up;
+    uint64_t moved = (uint64_t)num_bound_of_log(w->moved + (w->exponent + w->square_up) / 2 * 256);
+
+    if (of_f >> 18 || of_q >> 18 || moved >> 18)
+        return false;
+    uint32_t both = (uint32_t)(of_f + of_q + 2 * moved), bound = both / 2 + both / 32 + 1 + WORDS_BOUND(WORDS_COSINE);
+    w->worst = bound > w->worst ? bound : w->worst;
+    return true;
+}
+
+/* Begins a run at the next pixel, which faces the light; false if it would not be accurate. */
+static NOINLINE bool begin(struct words *w)
+{
+    uint32_t q = square_at(w, w->q, w->at);
+    int zeros = (int)tia_clz32(q | 1);
+
+    w->square_up = zeros - 1 - ((w->exponent + zeros - 1) & 1);
+    if (w->square_up < 0 || w->square_up > 20)
+        return false;
+    w->least = LEAST >> w->square_up;
+    w->reach = (MOST >> w->square_up) - w->least;
+    w->up = w->facing_scale + (w->exponent + w->square_up) / 2;
+    if (w->up < 0 || w->up > 15 || !bound_run(w))
+        return false;
+    w->y = rough(q << w->square_up);
+    w->step = 0;
+    return true;
+}
+
+/* Computes pixels up to the first one that does not face the light or needs another run. */
+static void draw_run(struct words *w)
+{
+    const struct words own = *w; /* which no pixel changes */
+    int64_t g = w->g, q = w->q;
+    uint32_t y = w->y, step = w->step;
+    int i = w->at;
+
+    for (; i < own.count; i++) {
+        int32_t facing = facing_at(&own, g, i);
+        uint32_t word = square_at(&own, q, i), square = word << own.square_up;
+        if (facing <= 0 || word - own.least > own.reach)
+            break;
+        uint32_t guess = y + step, off;
+        while ((off = words_high(square, words_high(guess, guess)) - (ONE - NEAR)) > 2 * NEAR)
+            guess = rough(square);
+        uint32_t next = guess + (uint32_t)high_signed((int32_t)(guess >> 1), (int32_t)((NEAR - off) << 6));
+        step = next - y;
+        y = next;
+        own.lambert[i] = (num_u)(words_high(words_high((uint32_t)facing << own.up, y), own.inverse) << 2);
+        g += own.g_step;
+        q += own.q_step;
+    }
+    w->g = g;
+    w->q = q;
+    w->at = i;
+}
+
+static void pass(struct words *w)
+{
+    w->lambert[w->at++] = 0;
+    w->g += w->g_step;
+    w->q += w->q_step;
+}
+
+/* Computes all pixels; false if some would not be accurate. */
+static bool draw(struct words *w, struct word_light *light)
+{
+    while (w->at < w->count) {
+        int32_t facing = facing_at(w, w->g, w->at);
+        if (facing <= 0) {
+            if (facing > -(int32_t)w->doubt)
+                light->open |= PIXEL_BIT(w->at);
+            pass(w);
+            continue;
+        }
+        light->first = light->first > w->at ? w->at : light->first;
+        int before = w->at;
+        if (!begin(w))
+            return false;
+        draw_run(w);
+        if (w->at == before)
+            return false;
+        light->last = w->at - 1;
+    }
+    return true;
+}
+
+bool words_light(const struct word_points *points, const struct light_source *source, const struct light_line *line,
+                 const struct span_error *error, struct word_light *light)
+{
+    const int by_constant = 60 - span_bits(line->distance);
+    const int by_points = points->exponent - (source->exponent - 32);
+    int up = points->up < by_constant ? points->up : by_constant;
+    struct words w;
+
+    up = up < by_points - 4 ? up : by_points - 4;
+    light->open = 0;
+    light->first = line->count;
+    light->last = -1;
+    if (error->t > ACCURATE || line->facing_doubt >= num_bound(46) || up < 0 || by_points - up > 31)
+        return false;
+    w.points = points;
+    w.facing = (int32_t)((int64_t)line->facing >> 32);
+    w.doubt = (uint32_t)((int64_t)line->facing_doubt >> 32) + 1 + WORDS_BOUND(WORDS_FACING);
+    w.distance = (uint32_t)num_top_u(span_shift(line->distance, up));
+    w.exponent = source->exponent - 32 + up;
+    w.reach_down = by_points - up;
+    w.square_doubt = WORDS_BOUND(WORDS_SQUARE) + (WORDS_BOUND(WORDS_REACH) >> w.reach_down) + 1;
+    w.moved = error->point + error->t + SPAN_LOG(SPAN_ERROR_WORDS);
+    w.facing_scale = 64 - source->sphere->radius_bits - light_facing_exponent(source, line);
+    w.inverse = (uint32_t)source->sphere->inverse;
+    w.worst = 0;
+    w.g = (int64_t)span_shift(line->g, -points->up);
+    w.g_step = (int64_t)span_shift(line->g_step, -points->up);
+    w.q = (int64_t)span_shift(line->q, up - points->up);
+    w.q_step = (int64_t)span_shift(line->q_step, up - points->up);
+    w.at = 0;
+    w.count = line->count;
+    w.lambert = light->lambert;
+    if (!draw(&w, light))
+        return false;
+    light->doubt = (num_u)(4 * w.worst);
+    return true;
+}

@@ -1,0 +1,252 @@
+/* Textures filtered over the footprints of rays. Expected values are sums over the cells that a footprint overlaps, and
+ * pictures of 256 samples per pixel in double precision, both computed here. */
+#include <math.h>
+
+#include "arch/frames_canvas.h"
+#include "check.h"
+#include "reading.h"
+
+#define WIDTH 64
+#define HEIGHT 48
+#define PIXELS (WIDTH * HEIGHT)
+#define EVEN 0.875
+#define ODD 0.125
+#define SKY 0.5
+
+#define FLOOR                                                                                                          \
+    "background 0.5\ntexture tiles checker even 0.875 odd 0.125\nmaterial floor colour 1 texture tiles\n"              \
+    "plane normal 0 1 0 material floor\nlight ambient emission 1\n"
+
+/* Draws a scene; `red` receives each pixel's red, 0..1. */
+static void draw(const struct tia_core *core, const char *text, double red[PIXELS])
+{
+    static uint16_t colours[3 * PIXELS];
+    struct frames_canvas canvas = {.core = core};
+    struct reading r;
+
+    read_string(&r, TIA_FORMAT_TIA, text);
+    CHECK_MSG(r.status == TIA_OK, "%u: %s", (unsigned)r.reader.error.line, r.reader.error.text);
+    if (r.status || !frames_open(&canvas, &r.scene, WIDTH, HEIGHT))
+        abort();
+    const struct tia_surface surface = {.pixels = canvas.pixels, .step = 2, .pitch = WIDTH * 2};
+    const struct tia_options options = {.colours = colours};
+    CHECK_EQ(tia_view_trace(canvas.view, canvas.hits, canvas.area), TIA_OK);
+    CHECK_EQ(tia_view_light(canvas.view, canvas.hits, canvas.area, &surface, &options), TIA_OK);
+    frames_close(&canvas);
+    read_end(&r);
+    for (int i = 0; i < PIXELS; i++)
+        red[i] = colours[3 * i] / 65535.0;
+}
+
+static double cell(double x, double z)
+{
+    return ((long)floor(x) + (long)floor(z)) % 2 ? ODD : EVEN;
+}
+
+/* A camera at (0.25, 1, 0.4), turned to the right by `turn` and down by `tilt`, in degrees, with a field of view of
+ * 50. */
+struct eye {
+    double turn, tilt;
+};
+
+/* Returns what the eye sees at a point of the image, -1..1 upwards. */
+static double seen(const struct eye *eye, double x, double y)
+{
+    const double degree = acos(-1) / 180, half = tan(25 * degree);
+    const double s = sin(eye->turn * degree), c = cos(eye->turn * degree);
+    const double down = sin(eye->tilt * degree), level = cos(eye->tilt * degree);
+    const double across = x * half, up = y * half, ahead = level + up * down, rise = up * level - down;
+
+    if (rise >= 0)
+        return SKY;
+    return cell(0.25 + (c * across + s * ahead) / -rise,
+                -0.4 - (s * across - c * ahead) / -rise); /* the v axis is -z */
+}
+
+/* Draws with n x n samples per pixel. */
+static void brute(const struct eye *eye, int n, double red[PIXELS])
+{
+    for (int i = 0; i < PIXELS; i++) {
+        red[i] = 0;
+        for (int k = 0; k < n * n; k++) {
+            double x = i % WIDTH + (k % n + 0.5) / n, y = i / WIDTH + (k / n + 0.5) / n;
+            red[i] += seen(eye, (2 * x - WIDTH) / HEIGHT, (HEIGHT - 2 * y) / HEIGHT) / (n * n);
+        }
+    }
+}
+
+static double distance(const double a[PIXELS], const double b[PIXELS])
+{
+    double sum = 0;
+
+    for (int i = 0; i < PIXELS; i++)
+        sum += (a[i] - b[i]) * (a[i] - b[i]);
+    return sqrt(sum / PIXELS);
+}
+
+static void draw_eye(const struct tia_core *core, const struct eye *eye, const char *more, double red[PIXELS])
+{
+    const double degree = acos(-1) / 180;
+    char text[600];
+
+    (void)snprintf(text, sizeof text, "camera eye 0.25 1 0.4 look %.6f %.6f %.6f fov 50\n" FLOOR "%s",
+                   0.25 + 9 * sin(eye->turn * degree) * cos(eye->tilt * degree), 1 - 9 * sin(eye->tilt * degree),
+                   0.4 - 9 * cos(eye->turn * degree) * cos(eye->tilt * degree), more);
+    draw(core, text, red);
+}
+
+/* One sample with footprints is nearer to 256 samples than 16 samples without. */
+TEST(checkers_to_the_horizon)
+{
+    static const struct eye eyes[] = {{0, 6}, {45, 8}, {30, 20}, {17, -3}};
+    static const struct tia_core *const cores[] = {&tia_core_q16, &tia_core_f64};
+    static double truth[PIXELS], one[PIXELS], sixteen[PIXELS], filtered[PIXELS];
+
+    for (size_t i = 0; i < sizeof eyes / sizeof *eyes; i++) {
+        brute(&eyes[i], 16, truth);
+        for (int k = 0; k < 2; k++) {
+            draw_eye(cores[k], &eyes[i], "", one);
+            draw_eye(cores[k], &eyes[i], "samples 16\n", sixteen);
+            draw_eye(cores[k], &eyes[i], "filter footprint\n", filtered);
+            double near = distance(filtered, truth), far = distance(sixteen, truth);
+            if (k == 0 && getenv("FIGURES"))
+                (void)printf("| %.0f, %.0f | %.1f | %.1f | %.1f |\n", eyes[i].turn, eyes[i].tilt,
+                             255 * distance(one, truth), 255 * far, 255 * near);
+            CHECK_MSG(near < far, "eye %zu: 1 sample with footprints %.5f, 16 without %.5f", i, near, far);
+            CHECK_MSG(distance(one, truth) > 4 * near, "eye %zu: 1 sample without %.5f", i, distance(one, truth));
+        }
+    }
+}
+
+/* Returns the mean of the square wave, 1 in even cells and -1 in odd ones, over lo..hi: a sum over the cells. */
+static double wave(double lo, double hi)
+{
+    double sum = 0;
+
+    for (double n = floor(lo); n < hi; n++)
+        sum += (fmin(hi, n + 1) - fmax(lo, n)) * (fmod(n, 2) == 0 ? 1 : -1);
+    return sum / (hi - lo);
+}
+
+/* An orthographic camera over the floor: the footprints are the pixels, `size` cells wide and high, and the result is
+ * exact. The windows' edges are no multiples of a cell. */
+static void check_above(const struct tia_core *core, double edge)
+{
+    static double red[PIXELS];
+    char text[600];
+    double size = 2 * edge / HEIGHT;
+
+    (void)snprintf(text, sizeof text,
+                   "camera orthographic eye 0.25 5 0.125 look 0.25 0 0.125 up 0 0 -1 window 0 0 %.4f %.4f\n" FLOOR
+                   "filter footprint\n",
+                   -edge, edge);
+    draw(core, text, red);
+    for (int i = 0; i < PIXELS; i++) {
+        double left = 0.25 + (i % WIDTH - WIDTH / 2) * size, v = -0.125 + (HEIGHT / 2 - i / WIDTH - 1) * size;
+        double mean = wave(left, left + size) * wave(v, v + size);
+        double want = (EVEN + ODD) / 2 + (EVEN - ODD) / 2 * mean;
+        CHECK_MSG(fabs(red[i] - want) < 3e-5, "edge %.4f, pixel %d: %.6f, not %.6f", edge, i, red[i], want);
+    }
+}
+
+TEST(boxes_exactly)
+{
+    static const double edges[] = {4.25, 17.125, 31.0625, 100.375, 999.5};
+
+    for (size_t i = 0; i < sizeof edges / sizeof *edges; i++) {
+        check_above(&tia_core_q16, edges[i]);
+        check_above(&tia_core_f64, edges[i]);
+    }
+}
+
+/* The statement applies to all textures of a scene, before and after it. */
+TEST(statement)
+{
+    static double before[PIXELS], after[PIXELS], none[PIXELS], plain[PIXELS];
+    const struct eye eye = {45, 8};
+
+    draw_eye(&tia_core_q16, &eye, "", plain);
+    draw_eye(&tia_core_q16, &eye, "filter none\n", none);
+    CHECK(!memcmp(plain, none, sizeof plain));
+    draw(&tia_core_q16, "camera eye 0 1 0\nfilter footprint\n" FLOOR, before);
+    draw(&tia_core_q16, "camera eye 0 1 0\n" FLOOR "filter footprint\n", after);
+    CHECK(!memcmp(before, after, sizeof before));
+    draw(&tia_core_q16, "camera eye 0 1 0\n" FLOOR, none);
+    CHECK(memcmp(before, none, sizeof before) != 0);
+}
+
+/* Of 16 samples, each stands for a 16th of the pixel: together they are nearer to the truth than one sample. */
+TEST(samples)
+{
+    static double truth[PIXELS], one[PIXELS], sixteen[PIXELS];
+    const struct eye eye = {45, 8};
+
+    brute(&eye, 16, truth);
+    draw_eye(&tia_core_q16, &eye, "filter footprint\n", one);
+    draw_eye(&tia_core_q16, &eye, "filter footprint\nsamples 16\n", sixteen);
+    CHECK_MSG(distance(sixteen, truth) < distance(one, truth), "%.5f, %.5f", distance(sixteen, truth),
+              distance(one, truth));
+}
+
+#define TILES                                                                                                          \
+    "filter footprint\ntexture tiles checker even 0.875 odd 0.125 repeat 400\nmaterial m texture tiles "               \
+    "colour 1\nlight ambient emission 1\ncamera eye 0 0 8\n"
+
+/* Where cells are far smaller than pixels, a pixel inside the outline is their mean; on triangles textures are not
+ * filtered. */
+TEST(shapes)
+{
+    static const char *const shapes[] = {
+        TILES "sphere centre 0 0 0 radius 1 material m\n",
+        TILES "box min -1 -1 -1 max 1 1 1 material m\n",
+        TILES "disc centre 0 0 0 normal 0.3 0.2 1 radius 1.5 material m\n",
+        TILES "cylinder base 0 -2 0 top 0 2 0 radius 1 material m\n",
+        TILES "cone base 0 -2 0 top 0 3 0 radii 1 0 material m\n",
+        TILES "cylinder base 0 0 -1 top 0 0 1 radius 1.5 capped material m\n",
+        TILES "box min -1 -1 -1 max 1 1 1 material m rotate 20 30 0 scale 1.5\n",
+        TILES "grid g size 1 1 1 corner -1 -1 -1 cell 2\nrow 1\nend\ninstance g material m\n",
+    };
+    static double red[PIXELS];
+
+    for (size_t i = 0; i < sizeof shapes / sizeof *shapes; i++) {
+        draw(&tia_core_q16, shapes[i], red);
+        for (int y = HEIGHT / 2 - 5; y < HEIGHT / 2 + 5; y++)
+            for (int x = WIDTH / 2 - 5; x < WIDTH / 2 + 5; x++)
+                CHECK_MSG(fabs(red[y * WIDTH + x] - 0.5) < 0.1, "shape %zu at %d %d: %.4f", i, x, y,
+                          red[y * WIDTH + x]);
+    }
+}
+
+/* Where u goes from 1 to 0, on a sphere's or cylinder's side towards -x, a picture is as on the opposite side. */
+TEST(seams)
+{
+    static const char *const shapes[] = {"sphere centre 0 0 0 radius 1", "cylinder base 0 -2 0 top 0 2 0 radius 1",
+                                         "cone base 0 -2 0 top 0 3 0 radii 1 0"};
+    static double seam[PIXELS], opposite[PIXELS];
+    char text[600];
+
+    for (size_t i = 0; i < sizeof shapes / sizeof *shapes; i++) {
+        for (int side = 0; side < 2; side++) {
+            (void)snprintf(
+                text, sizeof text,
+                "filter footprint\ntexture t checker even 0.875 odd 0.125 repeat 8\nlight ambient emission 1\n"
+                "material m texture t colour 1\ncamera eye %d 0 0 look 0 0 0 fov 12\n%s material m\n",
+                side ? 8 : -8, shapes[i]);
+            draw(&tia_core_q16, text, side ? opposite : seam);
+        }
+        for (int k = 0; k < PIXELS; k++)
+            CHECK_MSG(fabs(seam[k] - opposite[k]) < 1e-3, "shape %zu, pixel %d: %.4f, not %.4f", i, k, seam[k],
+                      opposite[k]);
+    }
+}
+
+int main(void)
+{
+    RUN(checkers_to_the_horizon);
+    RUN(boxes_exactly);
+    RUN(statement);
+    RUN(samples);
+    RUN(shapes);
+    RUN(seams);
+    return check_status();
+}

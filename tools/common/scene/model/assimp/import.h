@@ -1,0 +1,19 @@
+/* import.h - the process that imports a model by libassimp. */
+#ifndef TOOLS_SCENE_MODEL_ASSIMP_IMPORT_H
+#define TOOLS_SCENE_MODEL_ASSIMP_IMPORT_H
+
+#include "common/scene/model/model_pack.h"
+
+#define IMPORT_SECONDS 120 /* processor time */
+#define IMPORT_MEMORY ((uint64_t)4 << 30)
+
+struct import_result {
+    int fd; /* the packed model, to be closed; -1: none */
+    char why[MODEL_WHY];
+};
+
+/* Imports the model `path` in a process of its own, with the bounds above. Returns TIA_OK; or TIA_ERR_DEVICE,
+ * TIA_ERR_RANGE or TIA_ERR_MEMORY, with the reason. */
+int import_run(struct import_result *result, const char *path);
+
+#endif
