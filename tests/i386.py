@@ -10,7 +10,10 @@ def emulator():
         program = os.path.join(folder, "program")
         made = subprocess.run(["gcc", "-m32", "-static", "-x", "c", "-o", program, "-"], input="int main(void) { return 0; }",
                               capture_output=True, text=True, check=False)
+        if made.returncode:     # whoever builds such programs says what is missing
+            return None
         try:
-            return None if made.returncode or not subprocess.run([program], check=False).returncode else "qemu-i386-static"
+            subprocess.run([program], check=True)
         except OSError:
             return "qemu-i386-static"
+    return None
