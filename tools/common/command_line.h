@@ -69,4 +69,8 @@ enum { COMMAND_RUN = -1 };
  * after an error message. */
 int command_parse(const struct command *command, void *options, int *argc, char ***argv);
 
+/* Parses as command_parse does, with further options that --help does not list; NULL: none. */
+int command_parse_more(const struct command *command, const struct option_row *more, void *options, int *argc,
+                       char ***argv);
+
 #endif

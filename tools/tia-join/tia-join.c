@@ -10,7 +10,7 @@
 #include "common/message.h"
 #include "common/signals.h"
 #include "join_sums.h"
-#include "parts.h"
+#include "common/image/parts.h"
 #include "ports.h"
 
 enum { FINE, NOT_WRITTEN, REFUSED };

@@ -25,7 +25,7 @@ static int choose_simd(struct options *options)
     return EXIT_FINE;
 }
 
-int arguments_parse(struct options *options, int argc, char **argv)
+void arguments_default(struct options *options)
 {
     *options = (struct options){.scene_format = SCENE_UNKNOWN,
                                 .scene = tia_thesis_scene,
@@ -35,17 +35,27 @@ int arguments_parse(struct options *options, int argc, char **argv)
                                 .input = {"auto", NULL},
                                 .rate = {25, 1},
                                 .threads = threads_processors()};
-    int status = command_parse(&tia_command, options, &argc, &argv);
-    if (status != COMMAND_RUN)
-        return status;
+}
+
+int arguments_check(struct options *options, int argc, char **argv)
+{
     options->scene_path = argv[0]; /* NULL if no scene is given */
     options->scene_paths = argv;
     options->scene_count = (uint32_t)argc;
     options->format_of_scenes = options->scene_format;
     options->plain_core = options->core;
     options->depth_bits = 8 * options->colour;
-    status = check(options);
-    status = status ? status : choose_simd(options);
+    int status = check(options);
+    return status ? status : choose_simd(options);
+}
+
+int arguments_parse(struct options *options, int argc, char **argv)
+{
+    arguments_default(options);
+    int status = command_parse(&tia_command, options, &argc, &argv);
+    if (status != COMMAND_RUN)
+        return status;
+    status = arguments_check(options, argc, argv);
     return status ? status : COMMAND_RUN;
 }
 

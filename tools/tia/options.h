@@ -6,6 +6,7 @@
 
 #include "common/command_line.h"
 #include "common/image/image.h"
+#include "common/row_tap.h"
 #include "common/scene/scene_load.h"
 #include "common/views/views.h"
 #include "device.h"
@@ -63,6 +64,7 @@ struct options {
     struct port_option display, input;
     const char *connector, *mode; /* NULL: not given */
     const char *output;           /* path of the file; NULL: a display */
+    const struct row_tap *tap;    /* NULL, or receives the rows of the file */
     enum image_format format;
     uint16_t width, height; /* 0: not given */
     const char *key_text;   /* NULL: not given */

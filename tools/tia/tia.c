@@ -11,7 +11,6 @@
 #include "common/signals.h"
 #include "draw.h"
 #include "fail.h"
-#include "sample_picture.h"
 #include "show.h"
 
 /* Opens the standard descriptors that are closed when the program starts: a file opened later would get one of their
@@ -33,7 +32,7 @@ static int act(struct options *options)
     case ACTION_DRAW:
         if (options->gazes)
             return show_into_file(options);
-        return options->depth_bits && options->scene.integration.integrator ? estimate(options) : draw(options);
+        return draw_file(options);
     default:
         return show(options);
     }
