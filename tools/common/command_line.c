@@ -305,13 +305,13 @@ static const struct option_row *row_of(const struct tables *tables, int code)
 
 int command_parse(const struct command *command, void *options, int *argc, char ***argv)
 {
-    return command_parse_more(command, NULL, options, argc, argv);
+    return command_parse_extra(command, &(struct command_extra){.more = NULL}, options, argc, argv);
 }
 
-int command_parse_more(const struct command *command, const struct option_row *more, void *options, int *argc,
-                       char ***argv)
+int command_parse_extra(const struct command *command, const struct command_extra *extra, void *options, int *argc,
+                        char ***argv)
 {
-    const struct tables tables = {command->options, more};
+    const struct tables tables = {command->options, extra->more};
     struct option longs[OPTIONS_MOST + 1] = {{0}};
     char shorts[2 * OPTIONS_MOST + 2];
 
@@ -324,6 +324,8 @@ int command_parse_more(const struct command *command, const struct option_row *m
             return refuse_option(command->name, code, *argv);
         if (row->kind == OPTION_HELP || row->kind == OPTION_VERSION)
             return row->kind == OPTION_HELP ? print_help(command) : print_version(command);
+        if (extra->seen)
+            extra->seen(extra->ctx, row, optarg);
         const char *mistake = set(row, options, optarg);
         if (mistake)
             return refuse(command, row, optarg, mistake);

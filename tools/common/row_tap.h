@@ -14,7 +14,9 @@ struct row_tap {
      * row of sums with its checksum. */
     void (*row)(void *ctx, uint32_t frame, unsigned y, const unsigned char *bytes, size_t length);
     void *ctx;
-    bool alone; /* no file is written */
+    bool alone;        /* no file is written */
+    uint32_t *samples; /* NULL, or receives the number of samples a pixel of a picture of samples; 0: not as the options
+                          say */
 };
 
 static inline bool tap_wants(const struct row_tap *tap, uint32_t frame, unsigned y)

@@ -42,9 +42,11 @@ int main(int argc, char **argv)
         "\n"
         "Exit status: 0 all compared rows are as drawn, 1 something differs, 2 an error.\n"};
 
+    const struct command_extra extra = {.more = tia_command.options};
+
     signals_prepare();
     fail_as("tia-verify");
     arguments_default(&verify.drawn);
-    int result = command_parse_more(&command, tia_command.options, &verify, &argc, &argv);
+    int result = command_parse_extra(&command, &extra, &verify, &argc, &argv);
     return result == COMMAND_RUN ? run(&verify, argc, argv) : result;
 }

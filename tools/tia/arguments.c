@@ -49,10 +49,26 @@ int arguments_check(struct options *options, int argc, char **argv)
     return status ? status : choose_simd(options);
 }
 
+/* Stores an option as it was given. Without memory, options->given_bytes becomes SIZE_MAX. */
+static void remember(void *ctx, const struct option_row *row, const char *value)
+{
+    struct options *options = ctx;
+    size_t used = options->given_bytes, length = strlen(row->name) + 1 + (value ? strlen(value) + 1 : 0);
+    char *given = used < SIZE_MAX ? realloc(options->given, used + length) : NULL;
+
+    options->given_bytes = given ? used + length : SIZE_MAX;
+    if (!given)
+        return;
+    options->given = given;
+    (void)snprintf(given + used, length, "%s%s%s", row->name, value ? "=" : "", value ? value : "");
+}
+
 int arguments_parse(struct options *options, int argc, char **argv)
 {
+    const struct command_extra extra = {.seen = remember, .ctx = options};
+
     arguments_default(options);
-    int status = command_parse(&tia_command, options, &argc, &argv);
+    int status = command_parse_extra(&tia_command, &extra, options, &argc, &argv);
     if (status != COMMAND_RUN)
         return status;
     status = arguments_check(options, argc, argv);
@@ -196,5 +212,7 @@ void arguments_free(struct options *options)
 {
     free(options->keys);
     options->keys = NULL;
+    free(options->given);
+    options->given = NULL;
     scene_close(&options->file);
 }

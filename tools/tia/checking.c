@@ -134,6 +134,33 @@ static int check_film(const struct checking *c)
     return a->crc == b->crc ? CHECK_SAME : differs(c, "is of another scene, or drawn with other options");
 }
 
+/* Checks that a file of samples has those of the options; before take_sums. */
+static int check_samples(const struct checking *c)
+{
+    const struct options *options = &c->options;
+    const struct sums *sums = &c->stored.sums;
+    uint32_t first = options->samples_range ? options->first_sample : 0,
+             count = options->samples_range ? options->last_sample - first + 1 : options->spp;
+    char text[120];
+
+    if (!c->stored.is_sums || !count || (sums->first == first && sums->count == count))
+        return CHECK_SAME;
+    (void)snprintf(text, sizeof text, "has samples %u to %u, the options draw %u to %u", (unsigned)sums->first,
+                   (unsigned)(sums->first + sums->count - 1), (unsigned)first, (unsigned)(first + count - 1));
+    return differs(c, text);
+}
+
+/* Checks that a part has all rows and frames that the options draw; the file of an interrupted run may lack some. */
+static int check_complete(const struct checking *c)
+{
+    uint64_t rows = (uint64_t)c->film.rows * c->film.frames;
+    bool asked = c->options.frame_range || c->options.tile_rows;
+
+    if (!asked || !c->stored.is_part || c->stored.is_sums || stored_rows(&c->stored) == rows)
+        return CHECK_SAME;
+    return differs(c, "has fewer or other rows than the options draw");
+}
+
 static int load(struct checking *c, int argc, char **argv)
 {
     struct options *options = &c->options;
@@ -200,7 +227,7 @@ static void compare_row(void *ctx, uint32_t frame, unsigned y, const unsigned ch
 
 static int draw_again(struct checking *c)
 {
-    const struct row_tap tap = {wants, compare_row, c, true};
+    const struct row_tap tap = {wants, compare_row, c, true, NULL};
 
     c->options.tap = &tap;
     int status = draw_file(&c->options);
@@ -235,9 +262,13 @@ static int check_file(struct checking *c, int argc, char **argv, const struct ch
     c->series = series_is_pattern(c->path);
     if (open_file(c, c->options.frame_range ? c->options.first_frame : 0))
         return fail(CHECK_FAILED, "%s", c->stored.why);
+    int result = check_samples(c);
+    if (result)
+        return result;
     take_file(c);
-    int result = check_options(&c->options);
+    result = check_options(&c->options);
     result = result ? result : load(c, argc, argv);
+    result = result ? result : check_complete(c);
     return result ? result : check_rows(c, wish);
 }
 

@@ -29,6 +29,7 @@ struct estimation {
     uint64_t end_us;       /* end of the time limit; 0: the drawing cannot be stopped */
     atomic_uint looked_us; /* clock_now_us() at the last check for a reason to stop, mod 2^32 */
     atomic_bool stopped;
+    bool unfinished; /* a signal came, and the picture was not denoised */
     char why[PORT_WHY];
 };
 

@@ -62,9 +62,14 @@ struct options {
     bool w0_given, m_given;
     const struct tia_simd *simd; /* vector units; NULL: plain C */
     struct port_option display, input;
-    const char *connector, *mode; /* NULL: not given */
-    const char *output;           /* path of the file; NULL: a display */
-    const struct row_tap *tap;    /* NULL, or receives the rows of the file */
+    const char *connector, *mode;               /* NULL: not given */
+    const char *output;                         /* path of the file; NULL: a display */
+    const struct row_tap *tap;                  /* NULL, or receives the rows of the file */
+    const char *record;                         /* NULL, or the record's file */
+    bool (*opens)(void *ctx, const char *path); /* NULL, or asked about each file before it is read */
+    void *opens_ctx;
+    char *given; /* the options as given, "name=value" or "name", each with its NUL, see arguments_parse; NULL: none */
+    size_t given_bytes;
     enum image_format format;
     uint16_t width, height; /* 0: not given */
     const char *key_text;   /* NULL: not given */

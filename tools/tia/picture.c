@@ -3,8 +3,8 @@
 #include <stdlib.h>
 #include <tia/debug.h>
 
+#include "common/crc_join.h"
 #include "common/image/codec.h"
-#include "crc_join.h"
 #include "film_plan.h"
 
 /* Sizes. A band is so large that threads seldom wait for the last job, and so small that its hits, some tens of bytes

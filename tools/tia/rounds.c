@@ -329,6 +329,7 @@ static int finish(struct rounds *r)
     int status = TIA_OK;
 
     r->e->sums.count = r->done;
+    r->e->unfinished = late && options->denoise;
     if (late && r->e->image)
         image_hurry(r->e->image);
     if (options->denoise && !late)

@@ -11,6 +11,7 @@
 #include "common/signals.h"
 #include "draw.h"
 #include "fail.h"
+#include "recording.h"
 #include "show.h"
 
 /* Opens the standard descriptors that are closed when the program starts: a file opened later would get one of their
@@ -70,6 +71,8 @@ static int run(struct options *options)
         file_watch_close(&watch);
         return status;
     }
+    if (options->record)
+        return recording_draw(options);
     int status = draws ? arguments_load(options) : EXIT_FINE;
 
     return status == EXIT_FINE ? act(options) : status;

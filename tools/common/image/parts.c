@@ -195,7 +195,7 @@ static int check_overlaps(struct parts *parts)
 int parts_read(struct parts *parts, const char *path)
 {
     *parts = (struct parts){0};
-    return read_file(parts, path);
+    return read_file(parts, path) != 0 ? -1 : check_overlaps(parts);
 }
 
 int parts_open(struct parts *parts, char *const *paths, unsigned count)
