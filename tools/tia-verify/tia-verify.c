@@ -4,6 +4,8 @@
 
 #include "common/signals.h"
 #include "common/verify/choice.h"
+#include "record_check.h"
+#include "record_file.h"
 #include "tia/arguments.h"
 #include "tia/checking.h"
 #include "tia/fail.h"
@@ -12,9 +14,37 @@
 struct verify {
     struct options drawn;
     struct choice_wish wish;
+    const char *root;
+    const char *drawing; /* the first option given that a record has; NULL: none */
 };
 
-static const struct option_row rows[] = {CHOICE_ROWS(struct verify, wish), OPTION_END};
+static const struct option_row rows[] = {CHOICE_ROWS(struct verify, wish),
+                                         {"root", 0, OPTION_TEXT, "HASH",
+                                          "the record must have this root, 64 hexadecimal digits",
+                                          OPTION_TO(struct verify, root)},
+                                         OPTION_END};
+
+/* Remembers an option of tia, which a record already has. */
+static void remember(void *ctx, const struct option_row *row, const char *value)
+{
+    struct verify *verify = ctx;
+    bool own = row >= rows && row < rows + sizeof rows / sizeof *rows;
+
+    (void)value;
+    if (!own && !verify->drawing && strcmp(row->name, "threads") != 0)
+        verify->drawing = row->name;
+}
+
+static int run_record(const struct verify *verify, int argc, char **argv)
+{
+    const struct record_wish wish = {verify->wish, verify->root, verify->drawn.threads};
+
+    if (verify->drawing)
+        return fail(CHECK_FAILED, "--%s: the record has the options", verify->drawing);
+    if (argc > 2)
+        return fail(CHECK_FAILED, "%.200s: one picture at a time", argv[2]);
+    return argc == 1 ? record_check(argv[0], &wish) : record_compare(argv[0], argv[1], &wish);
+}
 
 static int run(struct verify *verify, int argc, char **argv)
 {
@@ -24,6 +54,10 @@ static int run(struct verify *verify, int argc, char **argv)
         return fail(CHECK_FAILED, "%s", why);
     if (argc == 0)
         return fail(CHECK_FAILED, "no picture is named (tia-verify -h)");
+    if (record_file_is(argv[argc > 1]))
+        return run_record(verify, argc, argv);
+    if (verify->root)
+        return fail(CHECK_FAILED, "--root: is for records");
     return checking_picture(&verify->drawn, argc - 1, argv + 1, argv[0], &verify->wish, "");
 }
 
@@ -33,7 +67,10 @@ int main(int argc, char **argv)
     static const struct command command = {
         "tia-verify",
         "Usage: tia-verify PICTURE [SCENE] [options of tia, as drawn]\n"
-        "Draws random rows of a picture or film by tia again and compares their bits, without a threshold.\n"
+        "       tia-verify RECORD\n"
+        "       tia-verify PICTURE RECORD\n"
+        "Draws random rows of a picture or film by tia again and compares their bits, without a threshold;\n"
+        "or draws what a record of --record tells; or compares a picture with its record.\n"
         "\n",
         rows,
         "\n"
@@ -42,7 +79,7 @@ int main(int argc, char **argv)
         "\n"
         "Exit status: 0 all compared rows are as drawn, 1 something differs, 2 an error.\n"};
 
-    const struct command_extra extra = {.more = tia_command.options};
+    const struct command_extra extra = {tia_command.options, remember, &verify};
 
     signals_prepare();
     fail_as("tia-verify");

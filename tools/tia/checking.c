@@ -278,6 +278,8 @@ int checking_picture(const struct options *options, int argc, char **argv, const
     struct checking c = {.options = *options, .path = path, .stored = {.fd = -1}};
 
     c.report.name = path;
+    c.report.unit = "rows";
+    c.report.done = "drawn again";
     c.report.from = from;
     if (!c.options.output)
         c.options.output = path;

@@ -41,7 +41,7 @@ bool recording_has(const struct option_row *row)
     return !row->argument || strcmp(row->argument, "FILE") != 0;
 }
 
-static const struct option_row *row_called(const char *text)
+const struct option_row *recording_option(const char *text)
 {
     size_t length = strcspn(text, "=");
 
@@ -85,7 +85,7 @@ static int add_options(struct recording *r)
     int status = o->given_bytes == SIZE_MAX ? fail(EXIT_RUNNING, "memory: exhausted") : EXIT_FINE;
 
     for (size_t at = 0; at < o->given_bytes && !status; at += strlen(o->given + at) + 1) {
-        const struct option_row *row = row_called(o->given + at);
+        const struct option_row *row = recording_option(o->given + at);
         bool samples = row && (strcmp(row->name, "spp") == 0 || strcmp(row->name, "samples-range") == 0);
         if (row && recording_has(row) && !(samples && r->samples))
             status = add_option(r, o->given + at);

@@ -11,4 +11,7 @@ int recording_draw(struct options *options);
 /* True if a record has the option: pixels can depend on it, and it names no file. */
 bool recording_has(const struct option_row *row);
 
+/* Returns the row of the option of tia in "name=value" or "name"; NULL: there is none. */
+const struct option_row *recording_option(const char *text);
+
 #endif

@@ -15,8 +15,7 @@ static void format_bytes(char *text, const unsigned char *bytes, size_t count)
         (void)snprintf(text + 2 * i, 3, "%02x", bytes[i]);
 }
 
-/* Prints FILE, without control characters. */
-static void print_name(const struct report *r)
+void report_name(const struct report *r)
 {
     char name[300];
 
@@ -34,7 +33,7 @@ static void print_row(const struct report *r, uint32_t frame, unsigned y, const 
     for (size_t at = 0; at + each <= length; at += each)
         if (memcmp(stored + at, drawn + at, each) != 0)
             first = pixels++ ? first : at;
-    print_name(r);
+    report_name(r);
     if (r->film)
         (void)printf("frame %u, ", (unsigned)frame);
     if (!pixels) {
@@ -58,14 +57,14 @@ void report_row(struct report *r, uint32_t frame, unsigned y, const unsigned cha
         print_row(r, frame, y, stored, drawn, length, exact);
 }
 
-static void print_chance(const struct choice *choice)
+static void print_chance(const struct report *r, const struct choice *choice)
 {
     static const double forged[] = {0.001, 0.01, 0.1, 0.5};
 
     (void)printf("a forgery of");
     for (unsigned i = 0; i < sizeof forged / sizeof *forged; i++)
         (void)printf("%s %g %%", i ? "," : "", 100 * forged[i]);
-    (void)printf(" of the rows stays unseen with a chance of");
+    (void)printf(" of the %s stays unseen with a chance of", r->unit);
     for (unsigned i = 0; i < sizeof forged / sizeof *forged; i++)
         (void)printf("%s %.3g %%", i ? "," : "", 100 * choice_unseen(choice, forged[i]));
     (void)printf("\n");
@@ -73,8 +72,8 @@ static void print_chance(const struct choice *choice)
 
 bool report_end(const struct report *r, const struct choice *choice)
 {
-    print_name(r);
-    (void)printf("%" PRIu64 " of %" PRIu64 " rows drawn again: ", r->seen, choice->total);
+    report_name(r);
+    (void)printf("%" PRIu64 " of %" PRIu64 " %s %s: ", r->seen, choice->total, r->unit, r->done);
     if (r->wrong)
         (void)printf("%" PRIu64 " differ%s%s", r->wrong, r->wrong == 1 ? "s" : "", r->from);
     else
@@ -83,8 +82,8 @@ bool report_end(const struct report *r, const struct choice *choice)
         (void)printf("; --seed %" PRIu64, choice->seed);
     (void)printf("\n");
     if (!r->wrong && choice->random && choice->count < choice->total) {
-        print_name(r);
-        print_chance(choice);
+        report_name(r);
+        print_chance(r, choice);
     }
     return !r->wrong;
 }

@@ -6,6 +6,8 @@
 
 struct report {
     const char *name;     /* name of the picture */
+    const char *unit;     /* what is counted: "rows" */
+    const char *done;     /* what was done with it: "drawn again" */
     const char *from;     /* what drew it, for messages; "": not known */
     unsigned pixels;      /* pixels of a row */
     bool film;            /* frames are named */
@@ -16,6 +18,9 @@ struct report {
  * Prints a line for each of the first rows that differ. */
 void report_row(struct report *report, uint32_t frame, unsigned y, const unsigned char *stored,
                 const unsigned char *drawn, size_t length, bool exact);
+
+/* Prints "NAME: ", without control characters. */
+void report_name(const struct report *report);
 
 /* Prints the result: what was looked at, what differs, and the chance that forged rows are unseen. Returns true if all
  * rows were as drawn. */
