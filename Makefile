@@ -266,7 +266,7 @@ $(BUILD)/liboracle.a: $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(ORACLE_SRC))
 	$(call say,AR,$@)$(AR) rcs $@ $^
 
 # A program is all of tools/NAME/. Those of DRAWING draw as tia does.
-DRAWING := tia tia-verify
+DRAWING := tia tia-verify tia-join
 define program
 $(BUILD)/$(1): $(call obj,host,$(sort $(wildcard tools/$(1)/*.c))) $(if $(filter-out tia,$(filter $(1),$(DRAWING))),$(LIBDRAWING)) $(LIBCOMMON) $(LIBPORTS) $(if $(filter $(1),$(DRAWING)),$(TIA_F64),$(LIBF64)) $(LIBSIMD) $(if $(filter tia-radio,$(1)),$(LIBRADIO)) $(LIBTIA) $(BUILD)/made-with/link
 	$$(link)

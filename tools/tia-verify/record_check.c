@@ -76,20 +76,20 @@ static const unsigned char *leaf_of(const void *leaves, size_t index)
     return ((const struct record_group *)leaves)[index].hash;
 }
 
-static void print_hash(const char *what, const unsigned char *hash)
+static void print_hash(FILE *out, const char *what, const unsigned char *hash)
 {
     char text[SHA256_TEXT];
 
     sha256_print(text, hash);
-    (void)printf("  %-5s %s\n", what, text);
+    (void)fprintf(out, "  %-5s %s\n", what, text);
 }
 
 static void print_group(const struct check *c, const struct record_group *group)
 {
     report_name(&c->report);
     if (c->report.film)
-        (void)printf("frame %u, ", (unsigned)group->frame);
-    (void)printf("rows %u-%u: ", group->first, group->first + group->count - 1);
+        (void)fprintf(c->report.out, "frame %u, ", (unsigned)group->frame);
+    (void)fprintf(c->report.out, "rows %u-%u: ", group->first, group->first + group->count - 1);
 }
 
 /* Prints the hashes that lead from a group to the root. */
@@ -101,11 +101,11 @@ static void print_path(const struct check *c, size_t index)
     unsigned length = merkle_path(root, path, leaf_of, r->groups, r->group_count, index);
 
     print_group(c, &r->groups[index]);
-    (void)printf("its path to the root\n");
-    print_hash("leaf", r->groups[index].hash);
+    (void)fprintf(c->report.out, "its path to the root\n");
+    print_hash(c->report.out, "leaf", r->groups[index].hash);
     for (unsigned i = 0; i < length; i++)
-        print_hash(path[i].left ? "left" : "right", path[i].hash);
-    print_hash("root", root);
+        print_hash(c->report.out, path[i].left ? "left" : "right", path[i].hash);
+    print_hash(c->report.out, "root", root);
 }
 
 static void compare_group(struct check *c, size_t index)
@@ -124,9 +124,10 @@ static void compare_group(struct check *c, size_t index)
         return;
     print_group(c, group);
     if (complete)
-        (void)printf("CRC-32 %08x in the record, %08x %s\n", (unsigned)group->crc, (unsigned)found.crc, c->report.done);
+        (void)fprintf(c->report.out, "CRC-32 %08x in the record, %08x %s\n", (unsigned)group->crc, (unsigned)found.crc,
+                      c->report.done);
     else
-        (void)printf("not all of them can be had\n");
+        (void)fprintf(c->report.out, "not all of them can be had\n");
 }
 
 /* Compares the CRC-32 of frames of which all groups were seen. */
@@ -137,8 +138,8 @@ static void compare_frames(struct check *c)
     for (uint32_t i = 0; i < r->film.frames && c->choice.count == c->choice.total && !c->report.wrong; i++)
         if (row_hashes_frame(&c->hashes, r, i) != r->frames[i]) {
             report_name(&c->report);
-            (void)printf("frame %u: its CRC-32 in the record is not that of its rows\n",
-                         (unsigned)(r->film.first_frame + i));
+            (void)fprintf(c->report.out, "frame %u: its CRC-32 in the record is not that of its rows\n",
+                          (unsigned)(r->film.first_frame + i));
             c->report.wrong++;
         }
 }
@@ -164,7 +165,7 @@ static int check_root(const struct check *c)
     if (!c->wish->root || strcmp(c->wish->root, text) == 0)
         return CHECK_SAME;
     report_name(&c->report);
-    (void)printf("its root is %s, not the given one\n", text);
+    (void)fprintf(c->report.out, "its root is %s, not the given one\n", text);
     return CHECK_DIFFERS;
 }
 
@@ -193,7 +194,8 @@ int record_check(const char *path, const struct record_wish *wish)
     struct check c = {.wish = wish};
     const struct row_tap tap = {wants, add_row, &c, true, NULL};
 
-    c.report = (struct report){.name = path, .unit = "groups of rows", .done = "drawn again", .from = ""};
+    c.report =
+        (struct report){.name = path, .out = stdout, .unit = "groups of rows", .done = "drawn again", .from = ""};
     int result = begin(&c, path);
     result = result ? result : record_file_inputs(&c.place);
     result = result ? result : replay(&c.place, &tap, wish->threads);
@@ -212,7 +214,7 @@ static int check_file(const struct check *c, struct stored *s)
     if (s->film.width == film->width && s->film.height == film->height && s->is_sums == (film->depth == RECORD_SUMS))
         return s->is_part || !stored_depth(s, film->depth) ? CHECK_SAME : fail(CHECK_FAILED, "%s", s->why);
     report_name(&c->report);
-    (void)printf("is of another size than the record says\n");
+    (void)fprintf(c->report.out, "is of another size than the record says\n");
     return CHECK_DIFFERS;
 }
 
@@ -239,12 +241,13 @@ static int hash_rows(struct check *c, struct stored *s, uint32_t frame)
 static int hash_file(struct check *c, const char *path, uint32_t first, uint32_t count)
 {
     const struct image_film *film = &c->place.record.film;
-    enum image_format format = c->place.record.format;
     struct stored stored;
     int result = CHECK_FAILED;
 
     if (!path)
         return fail(CHECK_FAILED, "memory: exhausted");
+    enum image_format format = image_format_of(path);
+    format = format == IMAGE_UNKNOWN ? c->place.record.format : format;
     if (stored_open(&stored, path, format, film->width, film->height))
         (void)fail(0, "%s", stored.why);
     else
@@ -274,7 +277,7 @@ int record_compare(const char *picture, const char *path, const struct record_wi
 {
     struct check c = {.wish = wish};
 
-    c.report = (struct report){.name = picture, .unit = "groups of rows", .done = "read", .from = ""};
+    c.report = (struct report){.name = picture, .out = stdout, .unit = "groups of rows", .done = "read", .from = ""};
     int result = begin(&c, path);
     result = result ? result : hash_picture(&c, picture);
     result = result ? result : report(&c);

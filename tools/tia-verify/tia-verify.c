@@ -58,7 +58,9 @@ static int run(struct verify *verify, int argc, char **argv)
         return run_record(verify, argc, argv);
     if (verify->root)
         return fail(CHECK_FAILED, "--root: is for records");
-    return checking_picture(&verify->drawn, argc - 1, argv + 1, argv[0], &verify->wish, "");
+    struct checking_wish wish = {.choice = verify->wish, .out = stdout, .before = "", .from = ""};
+    int result = checking_picture(&verify->drawn, argc - 1, argv + 1, argv[0], &wish);
+    return fflush(stdout) == 0 ? result : fail_output();
 }
 
 int main(int argc, char **argv)

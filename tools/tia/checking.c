@@ -7,7 +7,6 @@
 #include "arguments.h"
 #include "common/image/series.h"
 #include "common/image/stored.h"
-#include "common/message.h"
 #include "common/verify/report.h"
 #include "draw.h"
 #include "fail.h"
@@ -29,11 +28,8 @@ struct checking {
 
 static int differs(const struct checking *c, const char *what)
 {
-    char line[STORED_WHY];
-
-    (void)snprintf(line, sizeof line, "%.200s: %s%s", c->path, what, c->report.from);
-    message_clean(line);
-    (void)puts(line);
+    report_name(&c->report);
+    (void)fprintf(c->report.out, "%s%s\n", what, c->report.from);
     return CHECK_DIFFERS;
 }
 
@@ -272,18 +268,21 @@ static int check_file(struct checking *c, int argc, char **argv, const struct ch
     return result ? result : check_rows(c, wish);
 }
 
-int checking_picture(const struct options *options, int argc, char **argv, const char *path,
-                     const struct choice_wish *wish, const char *from)
+int checking_picture(const struct options *options, int argc, char **argv, const char *path, struct checking_wish *wish)
 {
     struct checking c = {.options = *options, .path = path, .stored = {.fd = -1}};
 
-    c.report.name = path;
-    c.report.unit = "rows";
-    c.report.done = "drawn again";
-    c.report.from = from;
+    c.report = (struct report){.out = wish->out,
+                               .before = wish->before,
+                               .quiet = wish->quiet,
+                               .name = path,
+                               .unit = "rows",
+                               .done = "drawn again",
+                               .from = wish->from};
     if (!c.options.output)
         c.options.output = path;
-    int result = check_file(&c, argc, argv, wish);
+    int result = check_file(&c, argc, argv, &wish->choice);
+    wish->seen += c.report.seen;
     arguments_free(&c.options);
     stored_close(&c.stored);
     choice_free(&c.choice);

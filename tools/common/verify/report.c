@@ -21,7 +21,7 @@ void report_name(const struct report *r)
 
     (void)snprintf(name, sizeof name, "%s", r->name);
     message_clean(name);
-    (void)printf("%s: ", name);
+    (void)fprintf(r->out, "%s%s: ", r->before ? r->before : "", name);
 }
 
 static void print_row(const struct report *r, uint32_t frame, unsigned y, const unsigned char *stored,
@@ -35,16 +35,16 @@ static void print_row(const struct report *r, uint32_t frame, unsigned y, const 
             first = pixels++ ? first : at;
     report_name(r);
     if (r->film)
-        (void)printf("frame %u, ", (unsigned)frame);
+        (void)fprintf(r->out, "frame %u, ", (unsigned)frame);
     if (!pixels) {
-        (void)printf("row %u differs: %s\n", y,
-                     exact ? "its checksum is another" : "a colour that RGB565 does not have");
+        (void)fprintf(r->out, "row %u differs: %s\n", y,
+                      exact ? "its checksum is another" : "a colour that RGB565 does not have");
         return;
     }
     format_bytes(old, stored + first, each);
     format_bytes(new, drawn + first, each);
-    (void)printf("row %u: %zu pixel%s differ%s, the first is %zu: %s, drawn again %s\n", y, pixels,
-                 pixels == 1 ? "" : "s", pixels == 1 ? "s" : "", first / each, old, new);
+    (void)fprintf(r->out, "row %u: %zu pixel%s differ%s, the first is %zu: %s, drawn again %s\n", y, pixels,
+                  pixels == 1 ? "" : "s", pixels == 1 ? "s" : "", first / each, old, new);
 }
 
 void report_row(struct report *r, uint32_t frame, unsigned y, const unsigned char *stored, const unsigned char *drawn,
@@ -61,26 +61,28 @@ static void print_chance(const struct report *r, const struct choice *choice)
 {
     static const double forged[] = {0.001, 0.01, 0.1, 0.5};
 
-    (void)printf("a forgery of");
+    (void)fprintf(r->out, "a forgery of");
     for (unsigned i = 0; i < sizeof forged / sizeof *forged; i++)
-        (void)printf("%s %g %%", i ? "," : "", 100 * forged[i]);
-    (void)printf(" of the %s stays unseen with a chance of", r->unit);
+        (void)fprintf(r->out, "%s %g %%", i ? "," : "", 100 * forged[i]);
+    (void)fprintf(r->out, " of the %s stays unseen with a chance of", r->unit);
     for (unsigned i = 0; i < sizeof forged / sizeof *forged; i++)
-        (void)printf("%s %.3g %%", i ? "," : "", 100 * choice_unseen(choice, forged[i]));
-    (void)printf("\n");
+        (void)fprintf(r->out, "%s %.3g %%", i ? "," : "", 100 * choice_unseen(choice, forged[i]));
+    (void)fprintf(r->out, "\n");
 }
 
 bool report_end(const struct report *r, const struct choice *choice)
 {
+    if (r->quiet && !r->wrong)
+        return true;
     report_name(r);
-    (void)printf("%" PRIu64 " of %" PRIu64 " %s %s: ", r->seen, choice->total, r->unit, r->done);
+    (void)fprintf(r->out, "%" PRIu64 " of %" PRIu64 " %s %s: ", r->seen, choice->total, r->unit, r->done);
     if (r->wrong)
-        (void)printf("%" PRIu64 " differ%s%s", r->wrong, r->wrong == 1 ? "s" : "", r->from);
+        (void)fprintf(r->out, "%" PRIu64 " differ%s%s", r->wrong, r->wrong == 1 ? "s" : "", r->from);
     else
-        (void)printf("all the same");
+        (void)fprintf(r->out, "all the same");
     if (choice->random && choice->count < choice->total)
-        (void)printf("; --seed %" PRIu64, choice->seed);
-    (void)printf("\n");
+        (void)fprintf(r->out, "; --seed %" PRIu64, choice->seed);
+    (void)fprintf(r->out, "\n");
     if (!r->wrong && choice->random && choice->count < choice->total) {
         report_name(r);
         print_chance(r, choice);

@@ -2,9 +2,14 @@
 #ifndef TOOLS_VERIFY_REPORT_H
 #define TOOLS_VERIFY_REPORT_H
 
+#include <stdio.h>
+
 #include "choice.h"
 
 struct report {
+    FILE *out;
+    const char *before;   /* begins each line: "", or "tia-join: " */
+    bool quiet;           /* only what differs is printed */
     const char *name;     /* name of the picture */
     const char *unit;     /* what is counted: "rows" */
     const char *done;     /* what was done with it: "drawn again" */
