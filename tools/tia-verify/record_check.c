@@ -34,12 +34,12 @@ static void place_of(const void *rows, uint64_t index, uint32_t *frame, unsigned
     *y = group->first;
 }
 
-/* Returns the first row of the group of row `y`. */
+/* Returns the first row of the group of row `y`; a row that is in no group as it is. */
 static unsigned group_row(const struct check *c, unsigned y)
 {
-    unsigned first = c->place.record.film.first_row;
+    unsigned first = c->place.record.film.first_row, rows = c->place.record.film.rows;
 
-    return y < first ? y : first + (y - first) / RECORD_GROUP * RECORD_GROUP;
+    return y < first || y - first >= rows ? y : first + (y - first) / RECORD_GROUP * RECORD_GROUP;
 }
 
 static int choose(struct check *c)

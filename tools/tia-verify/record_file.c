@@ -82,7 +82,8 @@ static int find_folder(struct record_place *place)
 {
     char *copy = strdup(place->path);
 
-    place->folder = copy ? realpath(dirname(copy), NULL) : NULL;
+    place->given = copy ? strdup(dirname(copy)) : NULL;
+    place->folder = place->given ? realpath(place->given, NULL) : NULL;
     free(copy);
     return place->folder ? CHECK_SAME : fail(CHECK_FAILED, "%.300s: %s", place->path, strerror(errno));
 }
@@ -111,6 +112,7 @@ void record_file_close(struct record_place *place)
     for (size_t i = 0; place->real && i < place->record.file_count; i++)
         free(place->real[i]);
     free(place->real);
+    free(place->given);
     free(place->folder);
     record_free(&place->record);
 }

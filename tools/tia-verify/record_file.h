@@ -6,6 +6,7 @@
 
 struct record_place {
     const char *path;
+    char *given;  /* folder of the record, as given */
     char *folder; /* folder of the record, resolved */
     char **real;  /* resolved paths of its files, as many as record.file_count */
     struct record record;

@@ -23,6 +23,18 @@ static bool add_word(struct arguments *line, const char *before, const char *tex
     return asprintf(&line->words[line->count], "%s%s", before, text) >= 0 && ++line->count;
 }
 
+/* Adds the scene's path, as it can be opened from here; "-" alone would be standard input. */
+static bool add_scene(struct arguments *line, const struct record_place *place)
+{
+    char *before = NULL;
+    bool here = strcmp(place->given, ".") == 0 && place->record.files[0].name[0] != '-';
+    bool fine = here || asprintf(&before, "%s/", place->given) >= 0;
+
+    fine = fine && add_word(line, here ? "" : before, place->record.files[0].name);
+    free(before);
+    return fine;
+}
+
 static int make_line(struct arguments *line, const struct record_place *place)
 {
     const struct record *r = &place->record;
@@ -37,7 +49,7 @@ static int make_line(struct arguments *line, const struct record_place *place)
     }
     fine = fine && add_word(line, "", "--");
     if (fine && r->file_count)
-        fine = add_word(line, "", place->real[0]);
+        fine = add_scene(line, place);
     return fine ? CHECK_SAME : fail(CHECK_FAILED, "memory: exhausted");
 }
 

@@ -23,7 +23,7 @@ struct scene_wish {
     void *opens_ctx;
 };
 
-#define SCENE_REFUSED "not read: it is not among the files that the record names"
+#define SCENE_REFUSED "not read: the record does not name it"
 
 struct scene_file {
     struct tia_scene scene;
