@@ -1,5 +1,6 @@
 /* The records of pictures (common/record/record.h): raw bytes, and records as tia writes them with some bytes changed and
  * their hashes made right again. What is accepted is printed as the same bytes, and its names stay in their folder. */
+#include <stdio.h>
 #include <string.h>
 
 #include "bytes.h"
