@@ -10,7 +10,7 @@
  *     endfacet
  *     endsolid NAME
  *
- * A binary file may begin with "solid", too; its length tells. Normals are not used: faces are flat, and have two sides.
+ * A binary file may begin with "solid", too; its length and zeros tell. Normals are not used: faces are flat, and have two sides.
  *
  * The format repeats a vertex for each facet. Equal ones are stored once, by a hash table in the members of the faces
  * that are not needed: `uv` of corner number h is the last vertex with the hash h, `normal` of corner number i the
@@ -219,7 +219,19 @@ static int read_text(struct tia_plain *p)
 
 /* ---- both ---- */
 
-/* True if the file begins with "solid" and its length is not that of a binary file. */
+#define LOOKED 512 /* first bytes that tell text from binary */
+
+/* True if one of the first bytes is 0, as those of the number of facets. */
+static bool has_zero(const struct tia_reader *reader)
+{
+    size_t i = 0;
+
+    while (i < LOOKED && i < reader->length && reader->text[i])
+        i++;
+    return i < LOOKED && i < reader->length;
+}
+
+/* True if the file begins with "solid", has no zeros, and its length is not that of a binary file. */
 static bool is_text(const struct tia_reader *reader)
 {
     struct tia_read_error error;
@@ -227,6 +239,8 @@ static bool is_text(const struct tia_reader *reader)
     struct tia_word word;
 
     if (reader->length >= HEAD && reader->length - HEAD == (uint64_t)facets_of(reader) * FACET)
+        return false;
+    if (has_zero(reader))
         return false;
     return tia_text_line(&text) && tia_text_word(&text, &word) && is(&word, "solid");
 }

@@ -174,7 +174,10 @@ static void add_mesh(const struct mesh_block *block)
         .face_count = tia_parse_count(job, TIA_OF_FACES) - block->faces,
     };
 
+    const struct tia_parse_part part = {0};
+
     (void)tia_parse_add(job, TIA_OF_MESHES, &mesh);
+    (void)tia_parse_add(job, TIA_OF_PARTS, &part);
 }
 
 int tia_line_mesh(struct tia_parse *job)
@@ -182,8 +185,12 @@ int tia_line_mesh(struct tia_parse *job)
     struct mesh_block block = {job, tia_parse_count(job, TIA_OF_VERTICES), tia_parse_count(job, TIA_OF_NORMALS),
                                tia_parse_count(job, TIA_OF_UVS), tia_parse_count(job, TIA_OF_FACES)};
     struct tia_word word = {NULL, 0, 0, 0};
-    int status = tia_parse_define(job, TIA_NAMED_SOLID, 2 * tia_parse_count(job, TIA_OF_MESHES));
+    struct tia_word name;
 
+    (void)tia_text_peek(&job->text, &name);
+    int status = tia_parse_define(job, TIA_NAMED_SOLID, 2 * tia_parse_count(job, TIA_OF_MESHES));
+    if (!status && tia_text_peek(&job->text, &word) && tia_word_is(&word, "file"))
+        return tia_mesh_file(job, &name);
     status = status ? status : tia_text_end(&job->text);
     while (!status) {
         status = take_line(&job->text, &word, MESH_EXPECTED);
