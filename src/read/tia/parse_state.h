@@ -31,6 +31,7 @@ enum tia_parse_array {
     TIA_OF_NORMALS,
     TIA_OF_UVS,
     TIA_OF_FACES,
+    TIA_OF_FACE_GROUPS, /* of the faces of meshes with groups */
     TIA_OF_GRIDS,
     TIA_OF_CELLS,
     TIA_OF_MODELS,      /* meshes from files; filled in the second pass */

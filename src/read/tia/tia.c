@@ -265,6 +265,7 @@ static void size_arrays(struct tia_parse *job)
         [TIA_OF_NORMALS] = sizeof(struct tia_dir3),
         [TIA_OF_UVS] = sizeof(struct tia_uv),
         [TIA_OF_FACES] = sizeof(struct tia_face),
+        [TIA_OF_FACE_GROUPS] = sizeof(uint32_t),
         [TIA_OF_GRIDS] = sizeof(struct tia_grid),
         [TIA_OF_CELLS] = sizeof(uint8_t),
         [TIA_OF_MODELS] = sizeof(struct tia_parse_model),
