@@ -157,8 +157,8 @@ static void write_attenuation(struct writing *w, const struct tia_light *l)
     if (!l->constant && !l->linear && !l->quadratic)
         return;
     write_numbers(&w->text, " attenuation", &l->constant, 1, 16);
-    write_numbers(&w->text, "", &l->linear, 1, (unsigned)(16 + bits));
-    write_numbers(&w->text, "", &l->quadratic, 1, (unsigned)(16 + 2 * bits));
+    write_exactly(&w->text, ldexp(l->linear, -16 - bits));
+    write_exactly(&w->text, ldexp(l->quadratic, -16 - 2 * bits));
 }
 
 static void write_light(struct writing *w, const struct tia_light *l)

@@ -20,6 +20,9 @@ void write_mesh(struct text *text, const struct tia_mesh *mesh);
 /* Writes " WORD NUMBER ..." for numbers times 2^-bits, with digits from which they are read again exactly. */
 void write_numbers(struct text *text, const char *word, const int32_t *numbers, unsigned count, unsigned bits);
 
+/* Writes " NUMBER" with all its digits. */
+void write_exactly(struct text *text, double number);
+
 /* Writes " WORD R G B", or one number for grey, for a colour times 2^bits. */
 void write_rgb(struct text *text, const char *word, struct tia_rgb colour, unsigned bits);
 

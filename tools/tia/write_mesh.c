@@ -10,7 +10,7 @@
 
 static void write_number(struct text *text, double number, int decimals)
 {
-    char digits[64];
+    char digits[128];
     int length = snprintf(digits, sizeof digits, "%.*f", decimals, number);
 
     while (decimals > 0 && digits[length - 1] == '0')
@@ -24,6 +24,11 @@ void write_numbers(struct text *text, const char *word, const int32_t *numbers, 
     text_print(text, "%s", word);
     for (unsigned i = 0; i < count; i++)
         write_number(text, ldexp(numbers[i], -(int)bits), DIGITS);
+}
+
+void write_exactly(struct text *text, double number)
+{
+    write_number(text, number, 60);
 }
 
 /* Returns the fewest decimals from which a number of Q2.30 is read again. */
