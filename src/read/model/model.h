@@ -72,6 +72,12 @@ int tia_model_forgive(struct tia_reader *reader, enum tia_read_warning_kind kind
 void tia_model_polygon(struct tia_face *faces, const struct tia_vec3 *vertices, const struct tia_corner *corners,
                        uint32_t count, struct polygon_corner *work);
 
+/* If there are many faces that are the same as one before them, see unique.c, removes these; returns how many are left. `groups` has the
+ * group of each face, or is NULL; `table` has room for tia_model_slots(count) numbers. */
+uint32_t tia_model_unique(struct tia_face *faces, uint32_t *groups, uint32_t count, const struct tia_vec3 *vertices,
+                          uint32_t *table);
+uint32_t tia_model_slots(uint32_t face_count);
+
 /* True if all corners have normals, none of them (0, 0, 0). */
 bool tia_model_has_normals(const struct tia_array *normals, const struct tia_corner *corners, uint32_t count);
 

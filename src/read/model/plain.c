@@ -71,6 +71,7 @@ static struct places place(struct tia_plain *p, struct tia_arena *arena)
     p->corners = tia_arena_take(arena, p->most_corners, sizeof *p->corners);
     p->polygon = tia_arena_take(arena, p->most_corners > 3 ? p->most_corners : 0, sizeof *p->polygon);
     p->faces = tia_arena_take(arena, p->face_count, sizeof *p->faces);
+    p->table = tia_arena_take(arena, p->distinct ? 0 : tia_model_slots(p->face_count), sizeof *p->table);
     (void)tia_array_place(arena, &p->normals);
     (void)tia_array_place(arena, &p->uvs);
     (void)tia_array_place(arena, &p->vertices);
@@ -92,6 +93,9 @@ static void finish(struct tia_plain *p, const struct places *at)
     struct tia_scene *scene = p->model.scene;
 
     tia_model_fix_normals(&p->normals);
+    if (!p->distinct)
+        p->face_count = tia_model_unique(p->faces, NULL, p->face_count,
+                                         (const struct tia_vec3 *)(void *)p->vertices.items, p->table);
     *at->material = (struct tia_material){.colour = colour_of(p), .index = TIA_Q16_ONE};
     *at->mesh = (struct tia_mesh){.vertices = (const struct tia_vec3 *)(void *)p->vertices.items,
                                   .normals = (const struct tia_dir3 *)(void *)p->normals.items,

@@ -16,6 +16,8 @@ struct tia_plain {
     uint32_t face_count, most_corners;
     struct tia_corner *corners;     /* of the next polygon: room for most_corners */
     struct polygon_corner *polygon; /* working storage */
+    bool distinct;                  /* no face is given twice */
+    uint32_t *table;                /* working storage */
     uint64_t colour[3];             /* sums of the vertices' colours, 0 to 255 each */
     uint32_t colours;               /* number of vertices with a colour */
 };

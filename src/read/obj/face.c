@@ -196,6 +196,15 @@ static const void *item(const struct tia_array *array, uint32_t index)
     return array->items + index * array->item;
 }
 
+static void remove_copies(const struct obj *o, struct obj_group *g)
+{
+    uint32_t first = g->next_face - g->face_count;
+
+    g->face_count = tia_model_unique(&o->faces[first], o->face_groups ? &o->face_groups[first] : NULL, g->face_count,
+                                     (const struct tia_vec3 *)(void *)o->vertices.items, o->table);
+    g->next_face = first + g->face_count;
+}
+
 /* Makes the mesh of a group. Each of its arrays is the range from the first to the last element that the group uses. */
 static struct tia_mesh make_mesh(const struct obj *o, const struct obj_group *g)
 {
@@ -236,6 +245,7 @@ int tia_obj_make_meshes(struct obj *o, struct tia_mesh *meshes, struct tia_shape
     for (uint32_t i = 0; i < o->scene->material_count; i++) {
         if (!o->groups[i].face_count)
             continue;
+        remove_copies(o, &o->groups[i]);
         meshes[count] = make_mesh(o, &o->groups[i]);
         shapes[count] = (struct tia_shape){.kind = TIA_MESH, .material = i, .mesh = count};
         seen += meshes[count].normal_count;

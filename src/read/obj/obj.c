@@ -82,6 +82,7 @@ static struct places place(struct obj *o, struct tia_arena *arena)
     (void)tia_array_place(arena, &o->normals);
     (void)tia_array_place(arena, &o->uvs);
     o->faces = tia_arena_take(arena, o->face_count, sizeof *o->faces);
+    o->table = tia_arena_take(arena, tia_model_slots(o->face_count), sizeof *o->table);
     p.meshes = tia_arena_take(arena, meshes, sizeof *p.meshes);
     p.shapes = tia_arena_take(arena, meshes, sizeof *p.shapes);
     p.lights = tia_arena_take(arena, TIA_MODEL_LIGHTS, sizeof *p.lights);

@@ -41,6 +41,7 @@ struct obj {
 
     struct tia_array materials, textures, names, vertices, normals, uvs;
     struct tia_face *faces;
+    uint32_t *table; /* working storage, see tia_model_unique */
     uint32_t face_count, material_uses, most_corners;
     struct polygon_corner *polygon; /* working storage for the largest polygon */
     struct tia_corner *corners;

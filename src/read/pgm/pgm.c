@@ -181,5 +181,6 @@ int tia_read_pgm(struct tia_reader *reader, struct tia_scene *scene, struct tia_
 {
     struct tia_plain p = tia_plain_begin(reader, scene, use, "some squares");
 
+    p.distinct = true;
     return tia_plain_read(&p, arena, read_once, NULL);
 }
