@@ -122,6 +122,8 @@ static int open_file(struct mesh_file *m, const struct tia_word *name)
         return status;
     if (!outer->library)
         return tia_text_error(&job->text, name, "cannot be fetched here", "a scene of one file");
+    if (tia_parse_count(job, TIA_OF_MODELS) == TIA_MODELS_MAX && job->pass != TIA_FILLING)
+        return tia_text_error(&job->text, name, "is one file too many", "at most 256 models");
     if (outer->library(outer->ctx, m->path, &m->reader.text, &m->reader.length, &why))
         return tia_parse_missing(job, name, why, "a model's file");
     if (tia_text_is_too_long(m->reader.length))

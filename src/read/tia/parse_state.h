@@ -85,6 +85,7 @@ struct tia_parse_model {
     uint32_t mesh, parts;
 };
 #define TIA_MODEL_HASHES 64
+#define TIA_MODELS_MAX 256 /* most models in a scene: a file is read for each time it is named */
 
 /* What belongs to a mesh: the material of a model's own. */
 struct tia_parse_part {
