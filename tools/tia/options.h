@@ -13,7 +13,13 @@
 #include "file_watch.h"
 #include "lightfield_options.h"
 
-enum action { ACTION_SHOW, ACTION_DRAW, ACTION_LIST, ACTION_MODES };
+enum action { ACTION_SHOW, ACTION_DRAW, ACTION_LIST, ACTION_MODES, ACTION_WRITE };
+
+/* Names of a model's materials, by index; NULL for those without. */
+struct write_names {
+    char **names;
+    uint32_t count;
+};
 
 /* A display or an input: "auto" by default. */
 struct port_option {
@@ -63,6 +69,8 @@ struct options {
     struct port_option display, input;
     const char *connector, *mode; /* NULL: not given */
     const char *output;           /* path of the file; NULL: a display */
+    const char *write;            /* --write: path of the scene; NULL: none */
+    struct write_names names;     /* for --write */
     enum image_format format;
     uint16_t width, height; /* 0: not given */
     const char *key_text;   /* NULL: not given */

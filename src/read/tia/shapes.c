@@ -8,6 +8,8 @@ struct shape_line {
     struct tia_transform transform;
     tia_q16 appears, vanishes;
     struct tia_shape shape;
+    uint32_t parts; /* number of shapes, of consecutive meshes: more than 1 only for a model of several materials */
+    bool may_own;   /* the material may be left out: the model has its own */
 };
 
 /* Indices of the common fields, which come first. Infinite shapes have only those before the name. */
@@ -25,6 +27,7 @@ static const struct tia_field common_fields[COMMON_FIELDS] = {
 #define PLACED (1u << AT_FIELD | 1u << ROTATE_FIELD | 1u << SCALE_FIELD)
 #define NAMED (1u << NAME_FIELD)
 #define SHOWN (1u << APPEARS_FIELD | 1u << VANISHES_FIELD)
+#define OF_MATERIAL (1u << MATERIAL_FIELD)
 
 static struct tia_field field_of(const struct tia_shape_field *f)
 {
@@ -113,8 +116,10 @@ static int add_shape(struct tia_parse *job, struct shape_line *line, uint32_t gi
     add_transform(job, line, given);
     if (sphere && !(given & (PLACED | SHOWN)) && (job->pass != TIA_FILLING || !line->shape.transform))
         add_sphere(job, &line->shape);
-    if (!sphere || line->shape.transform || given & SHOWN)
+    for (uint32_t i = 0; i < line->parts && (!sphere || line->shape.transform || given & SHOWN); i++) {
         (void)tia_parse_add(job, TIA_OF_SHAPES, &line->shape);
+        line->shape.mesh += line->parts > 1;
+    }
     return tia_parse_show(job, TIA_SHOWS_SHAPE, tia_parse_count(job, TIA_OF_SHAPES) - 1,
                           given & 1u << APPEARS_FIELD ? &line->appears : NULL,
                           given & 1u << VANISHES_FIELD ? &line->vanishes : NULL);
@@ -126,13 +131,18 @@ static int read_fields(struct tia_parse *job, struct shape_line *line)
     const struct shape_description *description = tia_shape_description(line->shape.kind);
     struct tia_field fields[COMMON_FIELDS + SHAPE_FIELDS_MAX];
     uint32_t given = 0;
-    int status = tia_fields(&job->text, description->what, fields, fields_of(description, fields), line, &given);
+    unsigned count = fields_of(description, fields);
 
+    fields[MATERIAL_FIELD].needed = !line->may_own;
+    int status = tia_fields(&job->text, description->what, fields, count, line, &given);
     if (!description->add_bounds)
         given &= NAMED - 1; /* the bits from NAMED on are the shape's own fields */
     if (!status && (given & NAMED) && tia_word_is(&line->name, "camera"))
         status = tia_text_error(&job->text, &line->name, "is the camera's name", "another");
-    if (!status)
+    if (!status && line->parts > 1 && given & SHOWN)
+        status = tia_text_error(&job->text, &job->first, "has several materials", "one if it appears or vanishes");
+    line->shape.material = TIA_OWN_MATERIAL;
+    if (!status && given & OF_MATERIAL)
         status =
             tia_parse_find(job, TIA_NAMED_MATERIAL, &line->material, "the name of a material", &line->shape.material);
     if (!status && job->group_count && !description->add_bounds)
@@ -146,7 +156,8 @@ static int read_fields(struct tia_parse *job, struct shape_line *line)
 
 static struct shape_line line_of(enum tia_shape_kind kind)
 {
-    return (struct shape_line){.transform = {.scale = {TIA_Q16_ONE, TIA_Q16_ONE, TIA_Q16_ONE}},
+    return (struct shape_line){.parts = 1,
+                               .transform = {.scale = {TIA_Q16_ONE, TIA_Q16_ONE, TIA_Q16_ONE}},
                                .shape = {.kind = kind}};
 }
 
@@ -155,6 +166,16 @@ int tia_line_shape(struct tia_parse *job, enum tia_shape_kind kind)
     struct shape_line line = line_of(kind);
 
     return read_fields(job, &line);
+}
+
+/* Sets the mesh of an instance. Which meshes are models is known in the last pass. */
+static void set_mesh(struct tia_parse *job, struct shape_line *line, uint32_t mesh)
+{
+    const struct tia_parse_model *model = job->pass == TIA_FILLING ? tia_model_at(job, mesh) : NULL;
+
+    line->shape.mesh = mesh;
+    line->may_own = model || job->pass != TIA_FILLING;
+    line->parts = model ? model->parts : 1;
 }
 
 int tia_line_instance(struct tia_parse *job)
@@ -172,7 +193,9 @@ int tia_line_instance(struct tia_parse *job)
         line.shape.kind = TIA_GRID;
         line.shape.grid = index / 2;
     } else {
-        line.shape.mesh = index / 2;
+        set_mesh(job, &line, index / 2);
     }
+    if (job->pass == TIA_COUNTING)
+        tia_models_note(job, &solid);
     return read_fields(job, &line);
 }

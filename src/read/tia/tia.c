@@ -119,10 +119,14 @@ static void begin_pass(struct tia_parse *job, enum tia_pass pass)
     job->includes.next.next = NULL;
     job->group_count = job->repeat_count = 0;
     job->repeated_lines = 0;
+    for (unsigned i = 0; i < TIA_MODEL_HASHES; i++)
+        job->models[i].parts = job->models[i].instances = 0;
     tia_events_begin(job);
     for (unsigned i = 0; i < TIA_ARRAYS; i++)
-        if (pass != TIA_FILLING || (i != TIA_OF_NAMES && i != TIA_OF_ANIMATED))
+        if (pass != TIA_FILLING || (i != TIA_OF_NAMES && i != TIA_OF_ANIMATED && i != TIA_OF_MODELS))
             tia_array_restart(&job->arrays[i]);
+    for (unsigned i = 0; reader->warnings && pass == TIA_FILLING && i < TIA_WARNINGS; i++)
+        reader->warnings[i].count = 0; /* this pass may be repeated */
     job->reach.lengths.filling = pass == TIA_FILLING;
     if (pass == TIA_FILLING)
         job->reach.lengths.scale_bits = job->bits;
@@ -261,8 +265,12 @@ static void size_arrays(struct tia_parse *job)
         [TIA_OF_NORMALS] = sizeof(struct tia_dir3),
         [TIA_OF_UVS] = sizeof(struct tia_uv),
         [TIA_OF_FACES] = sizeof(struct tia_face),
+        [TIA_OF_FACE_GROUPS] = sizeof(uint32_t),
         [TIA_OF_GRIDS] = sizeof(struct tia_grid),
         [TIA_OF_CELLS] = sizeof(uint8_t),
+        [TIA_OF_MODELS] = sizeof(struct tia_parse_model),
+        [TIA_OF_MODEL_WORDS] = sizeof(uint64_t),
+        [TIA_OF_PARTS] = sizeof(struct tia_parse_part),
         [TIA_OF_LIGHTS] = sizeof(struct tia_light),
         [TIA_OF_BINDINGS] = sizeof(struct tia_binding),
         [TIA_OF_TRACKS] = sizeof(struct tia_track),
@@ -303,6 +311,7 @@ int tia_parse_read(struct tia_parse *job, struct tia_arena *arena)
         tia_alter_measured(job->reader, &job->scene->camera, &job->reach.lengths);
     } while (!job->reader->unscaled && tia_lengths_widen(&job->reach.lengths, &bits));
     tia_reach_camera(&job->reach, &job->scene->camera);
+    tia_models_count(job);
     for (unsigned i = 0; i < TIA_ARRAYS; i++)
         (void)tia_array_place(arena, &job->arrays[i]);
     if (!tia_arena_fits(arena))
@@ -319,6 +328,7 @@ static void finish(struct tia_parse *job)
     resolve_tracks(job);
     tia_alter_measured(job->reader, &job->scene->camera, &job->reach.lengths);
     tia_events_resolve(job);
+    tia_models_resolve(job);
     set_arrays(job);
 }
 
