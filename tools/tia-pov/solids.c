@@ -6,6 +6,7 @@ struct writing {
     struct pov *pov;
     const struct tia_solid *solid;
     bool unseen; /* as the invisible object for the shadow */
+    bool whole;  /* the solid's material is written for it as a whole */
 };
 
 static const struct tia_shape *member_at(const struct tia_solid *solid, uint32_t step)
@@ -29,6 +30,14 @@ static uint32_t first_of(const struct tia_solid *solid, uint32_t last)
     }
 }
 
+static void write_material(const struct writing *w, const struct tia_shape *s)
+{
+    if (w->unseen)
+        pov_shadow_material(w->pov, s->material, s);
+    else
+        pov_material(w->pov, s->material, s);
+}
+
 static void write_member(const struct writing *w, const struct tia_shape *s)
 {
     struct pov *pov = w->pov;
@@ -37,10 +46,8 @@ static void write_member(const struct writing *w, const struct tia_shape *s)
     pov_solid_geometry(pov, s);
     if (pov_textured(pov, s->material) && (s->kind == TIA_BOX || pov_parts(pov, s, parts) > 0))
         pov_note(pov, "material %u: its texture lies otherwise on boxes and caps in solids here", s->material);
-    if (w->unseen)
-        pov_shadow_material(pov, s->material, s);
-    else
-        pov_material(pov, s->material, s);
+    if (!w->whole)
+        write_material(w, s);
     pov_transform(pov, s->transform);
     text_print(&pov->text, " }\n");
 }
@@ -71,16 +78,35 @@ static bool has_shadow(const struct pov *pov, const struct tia_solid *solid)
     return found;
 }
 
+/* True if all members have one material without a texture. POV-Ray's rays enter and leave the interior of one object:
+ * glass must be that of the whole. */
+static bool is_whole(struct pov *pov, const struct tia_solid *solid)
+{
+    uint32_t material = solid->members[0].material;
+    bool refracts = false, same = true;
+
+    for (uint32_t i = 0; i < solid->member_count; i++) {
+        refracts = refracts || !pov_black(pov->scene->materials[solid->members[i].material].refraction);
+        same = same && solid->members[i].material == material;
+    }
+    bool whole = same && !pov_textured(pov, material);
+    if (refracts && !whole)
+        pov_note(pov, "material %u: solids with it and others, or with its texture, refract otherwise here", material);
+    return whole;
+}
+
 void pov_solid(struct pov *pov, const struct tia_shape *s)
 {
     const struct tia_solid *solid = &pov->scene->solids[s->solid];
-    bool shadow = has_shadow(pov, solid);
+    bool shadow = has_shadow(pov, solid), whole = is_whole(pov, solid);
 
     for (int unseen = 0; unseen <= shadow; unseen++) {
-        const struct writing w = {pov, solid, unseen};
+        const struct writing w = {pov, solid, unseen, whole};
         text_print(&pov->text, "object {\n");
         write_operand(&w, solid->step_count - 1);
         text_word(&pov->text, unseen ? "no_image no_reflection" : shadow ? "no_shadow" : "");
+        if (whole)
+            write_material(&w, &solid->members[0]);
         pov_transform(pov, s->transform);
         text_print(&pov->text, " }\n");
     }
