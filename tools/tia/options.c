@@ -107,6 +107,7 @@ static const struct option_row rows[] = {
      TO(output)},
     {"format", 0, OPTION_CHOICE, IMAGE_FORMATS, "the format of FILE, if its name has no such extension", TO(format),
      .min = IMAGE_PNG},
+    {"record", 0, OPTION_TEXT, "FILE", "write a record of the picture, by which tia-verify draws it again", TO(record)},
     {"size", 's', OPTION_SIZE, "WIDTHxHEIGHT", "the picture's size, #; default the display's, 640x480 for a file",
      PAIR(width, height), .max = TIA_SIZE_MAX},
     {"eye", 0, OPTION_PARSED, "X,Y,Z", "put the eye there, in the scene's coordinates",

@@ -136,6 +136,8 @@ int estimate(const struct options *options)
     status = begin(&e);
     if (!status)
         status = draw(&e);
+    if (options->tap && options->tap->samples)
+        *options->tap->samples = e.unfinished ? 0 : e.sums.count;
     status = finish(&e, status);
     progress_end(&e.progress);
     threads_destroy(e.pool);

@@ -11,7 +11,7 @@
 #include "common/signals.h"
 #include "draw.h"
 #include "fail.h"
-#include "sample_picture.h"
+#include "recording.h"
 #include "show.h"
 #include "write.h"
 
@@ -36,7 +36,7 @@ static int act(struct options *options)
     case ACTION_DRAW:
         if (options->gazes)
             return show_into_file(options);
-        return options->depth_bits && options->scene.integration.integrator ? estimate(options) : draw(options);
+        return draw_file(options);
     default:
         return show(options);
     }
@@ -74,6 +74,8 @@ static int run(struct options *options)
         file_watch_close(&watch);
         return status;
     }
+    if (options->record)
+        return recording_draw(options);
     int status = draws ? arguments_load(options) : EXIT_FINE;
 
     return status == EXIT_FINE ? act(options) : status;

@@ -106,8 +106,8 @@ int model_open(struct scene_file *file, bool strict)
 {
     struct import_result result;
 
-    if (file->wish->opens)
-        file->wish->opens(file->wish->opens_ctx, file->path);
+    if (!scene_opens(file, file->path))
+        return say(file, TIA_ERR_DEVICE, SCENE_REFUSED);
     int status = import_run(&result, file->path);
     if (!status)
         status = map_file(file, result.fd);
