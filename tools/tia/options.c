@@ -8,6 +8,7 @@
 #include "common/modules.h"
 #include "common/parse.h"
 #include "common/thread_pool.h"
+#include "thumbnail_page.h"
 
 enum { ACUITY_BITS = 8 }; /* w0 and m are Q8.24 */
 
@@ -109,6 +110,9 @@ static const struct option_row rows[] = {
      .min = IMAGE_PNG},
     {"size", 's', OPTION_SIZE, "WIDTHxHEIGHT", "the picture's size, #; default the display's, 640x480 for a file",
      PAIR(width, height), .max = TIA_SIZE_MAX},
+    {"thumbnail", 0, OPTION_NUMBER, "SIZE",
+     "draw SCENE, which need not be trusted, as a .png of at most this width and height, #", TO(thumbnail),
+     .min = THUMBNAIL_MIN, .max = THUMBNAIL_MAX},
     {"eye", 0, OPTION_PARSED, "X,Y,Z", "put the eye there, in the scene's coordinates",
      PARSED(eye.change.eye, set_place), GIVEN(eye.change.has_eye), .rule = "not a place (X,Y,Z, like 0,2.5,-8)"},
     {"look", 0, OPTION_PARSED, "X,Y,Z", "look at this point", PARSED(eye.change.reference, set_place),

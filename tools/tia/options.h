@@ -65,6 +65,7 @@ struct options {
     const char *output;           /* path of the file; NULL: a display */
     enum image_format format;
     uint16_t width, height; /* 0: not given */
+    uint32_t thumbnail;     /* size of a thumbnail; 0: not given */
     const char *key_text;   /* NULL: not given */
     uint16_t *keys;         /* keys pressed before the first frame */
     size_t key_count;

@@ -8,6 +8,7 @@
 #include "gaze_options.h"
 #include "lightfield_setup.h"
 #include "ports.h"
+#include "thumbnail.h"
 
 enum { PACE_MAX = 1000 };
 
@@ -184,5 +185,7 @@ int check(struct options *options)
         result = check_watch(options);
     if (result == EXIT_FINE)
         result = light_check(options);
-    return result == EXIT_FINE ? check_scenes(options) : result;
+    if (result == EXIT_FINE)
+        result = check_scenes(options);
+    return result == EXIT_FINE ? thumbnail_check(options) : result;
 }

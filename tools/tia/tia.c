@@ -13,6 +13,7 @@
 #include "fail.h"
 #include "sample_picture.h"
 #include "show.h"
+#include "thumbnail.h"
 
 /* Opens the standard descriptors that are closed when the program starts: a file opened later would get one of their
  * numbers, and messages would go into the picture. */
@@ -71,6 +72,8 @@ static int run(struct options *options)
         file_watch_close(&watch);
         return status;
     }
+    if (draws && options->thumbnail)
+        return thumbnail(options);
     int status = draws ? arguments_load(options) : EXIT_FINE;
 
     return status == EXIT_FINE ? act(options) : status;
