@@ -11,6 +11,7 @@ _tia() {
         -o|--output) compopt -o default; COMPREPLY=(); return ;;
         --format) mapfile -t COMPREPLY < <(compgen -W 'png ppm bmp 565 y4m tiapart pfm' -- "$cur"); return ;;
         -s|--size) COMPREPLY=(); return ;;
+        --thumbnail) COMPREPLY=(); return ;;
         --eye) COMPREPLY=(); return ;;
         --look) COMPREPLY=(); return ;;
         --up) COMPREPLY=(); return ;;
@@ -58,7 +59,7 @@ _tia() {
         --m) COMPREPLY=(); return ;;
         --scene-format) mapfile -t COMPREPLY < <(compgen -W 'tia nff obj' -- "$cur"); return ;;
         esac
-        words='--display --output --format --size --eye --look --up --fov --orthographic --fit --samples --depth --integrator --spp --samples-range --resume --time-limit --error --denoise --guide --tone --exposure --colour --shadows --map-size --bias --filter --tessellated --keys --input --frames --time --fps --frame-range --tile-rows --threads --arithmetic --dither --rotate --connector --mode --checksum --stats --stats-overlay --progress --view --draw-rays --views --lenticular --calibration --modules --module-range --gaze --view-angle --w0 --m --smooth --watch --list-displays --scene-format --strict --help --version' ends='tia nff obj' ;;
+        words='--display --output --format --size --thumbnail --eye --look --up --fov --orthographic --fit --samples --depth --integrator --spp --samples-range --resume --time-limit --error --denoise --guide --tone --exposure --colour --shadows --map-size --bias --filter --tessellated --keys --input --frames --time --fps --frame-range --tile-rows --threads --arithmetic --dither --rotate --connector --mode --checksum --stats --stats-overlay --progress --view --draw-rays --views --lenticular --calibration --modules --module-range --gaze --view-angle --w0 --m --smooth --watch --list-displays --scene-format --strict --help --version' ends='tia nff obj' ;;
     tia-compare)
         case $prev in
         -k|--keys) COMPREPLY=(); return ;;

@@ -5,6 +5,7 @@ complete -c tia -s d -l display -x -a 'auto drm fbdev terminal none' -d 'the dis
 complete -c tia -s o -l output -r -F -d 'draw into FILE, or - for standard output: a picture'
 complete -c tia -l format -x -a 'png ppm bmp 565 y4m tiapart pfm' -d 'the format of FILE, if its name has no such extension'
 complete -c tia -s s -l size -x -d 'the picture\'s size, 1x1 to 8192x8192'
+complete -c tia -l thumbnail -x -d 'draw SCENE, which need not be trusted, as a .png of at most this width and height, 16 to 1024'
 complete -c tia -l eye -x -d 'put the eye there, in the scene\'s coordinates'
 complete -c tia -l look -x -d 'look at this point'
 complete -c tia -l up -x -d 'the direction that is up in the picture'

@@ -51,7 +51,8 @@ bool confine_descriptors(int kept)
         return false;
     for (int fd = 0; fd < 3; fd++)
         (void)dup2(null, fd);
-    rlim_t most = getrlimit(RLIMIT_NOFILE, &open_files) == 0 && open_files.rlim_cur < 65536 ? open_files.rlim_cur : 65536;
+    rlim_t most =
+        getrlimit(RLIMIT_NOFILE, &open_files) == 0 && open_files.rlim_cur < 65536 ? open_files.rlim_cur : 65536;
     for (int fd = 3; fd < (int)most; fd++)
         if (fd != kept)
             (void)close(fd);
@@ -101,8 +102,8 @@ bool confine_descriptors(int kept)
 
 /* The filter. glibc makes threads by clone where clone3, whose flags are in memory, seems not to exist. */
 static const struct sock_filter filter[] = {
-    LOAD(offsetof(struct seccomp_data, arch)), BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, ARCH, 1, 0),
-    END(REFUSE(EPERM)), LOAD(offsetof(struct seccomp_data, nr)),
+    LOAD(offsetof(struct seccomp_data, arch)), BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, ARCH, 1, 0), END(REFUSE(EPERM)),
+    LOAD(offsetof(struct seccomp_data, nr)),
     /* memory */
     PERMIT(brk), PERMIT(munmap), PERMIT(mremap), PERMIT(madvise), PERMIT_WITHOUT(mprotect, 2, PROT_EXEC),
 #ifdef __NR_mmap

@@ -8,7 +8,7 @@
 #include "gaze_options.h"
 #include "lightfield_setup.h"
 #include "ports.h"
-#include "thumbnail.h"
+#include "thumbnail_check.h"
 
 enum { PACE_MAX = 1000 };
 

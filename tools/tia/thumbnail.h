@@ -8,10 +8,6 @@
 
 #include "options.h"
 
-/* Checks the options of --thumbnail and sets those that follow from it. Returns EXIT_FINE, also without --thumbnail, or
- * EXIT_USAGE after an error message. */
-int thumbnail_check(struct options *options);
-
 /* Draws options->output. Returns the exit status, after an error message if it is not 0. */
 int thumbnail(struct options *options);
 

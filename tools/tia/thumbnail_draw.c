@@ -21,8 +21,8 @@
 /* Bounds. Above FACES_MOST, preparing the vector units takes longer than drawing without them. */
 enum { MEMORY_MIB = 2048, THREADS_MOST = 8, FACES_MOST = 50000, ROWS = 4 };
 
-/* Samples a pixel of integrators: after the first and the last the picture is shown, from the second on denoised. */
-enum { SAMPLES_COARSE = 1, SAMPLES_FEW = 4, SAMPLES_ALL = 16 };
+/* Samples a pixel of integrators: a picture is shown after each number, from the second on denoised. */
+enum { SAMPLES_ONE = 1, SAMPLES_FEW = 4, SAMPLES_ALL = 16, COARSE = 8 };
 
 struct drawer {
     struct options *options;
@@ -30,11 +30,11 @@ struct drawer {
     struct threads *pool;
     struct estimation e;
     uint64_t end_us;
-    uint64_t took_us;           /* time that the last picture took */
-    unsigned coarse, fine;      /* each drawn pixel makes coarse^2 of the thumbnail's, or fine^2 make one */
-    unsigned columns, rows;     /* drawn pixels */
-    tia_rgb565 *pixels;         /* drawn by vector units, dithered; or */
-    uint16_t *colours;          /* drawn without */
+    uint64_t took_us;       /* time that the pixels of the last picture took */
+    unsigned coarse, fine;  /* each drawn pixel makes coarse^2 of the thumbnail's, or fine^2 make one */
+    unsigned columns, rows; /* drawn pixels */
+    tia_rgb565 *pixels;     /* drawn by vector units, dithered; or */
+    uint16_t *colours;      /* drawn without */
     struct tia_hits *hits;
     struct tia_gathered gathered;
     uint32_t done, round; /* samples drawn, and samples to be added */
@@ -133,7 +133,7 @@ static int begin_hits(struct drawer *d, void **memory)
 
 static int draw_picture(struct drawer *d, unsigned coarse, unsigned fine)
 {
-    uint64_t begun_us = clock_now_us();
+    uint64_t begun_us = 0;
     void *memory = NULL;
 
     d->coarse = coarse;
@@ -142,6 +142,7 @@ static int draw_picture(struct drawer *d, unsigned coarse, unsigned fine)
     d->rows = (d->page->height + coarse - 1) / coarse * fine;
     int status = begin_view(d);
     status = status ? status : begin_hits(d, &memory);
+    begun_us = clock_now_us();
     if (!status)
         threads_run(d->pool, draw_rows, d, (d->rows + ROWS - 1) / ROWS);
     status = status ? status : atomic_load(&d->e.status);
@@ -171,10 +172,10 @@ static int draw_pictures(struct drawer *d)
     if (is_large(&d->options->scene))
         d->options->simd = NULL;
     unsigned fine = d->options->simd ? 4 : 2;
-    int status = draw_picture(d, 8, 1);
-    if (!status && has_time(d, 64))
+    int status = draw_picture(d, COARSE, 1);
+    if (!status)
         status = draw_picture(d, 1, 1);
-    if (!status && d->coarse == 1 && has_time(d, fine * fine))
+    if (!status && has_time(d, fine * fine))
         status = draw_picture(d, 1, fine);
     return status;
 }
@@ -214,7 +215,17 @@ static void develop_row(void *arg, unsigned y)
         memcpy(sums, row_at(d, y).sums, d->columns * sizeof *sums);
     else
         denoising_get(&d->denoising, y, sums);
-    sums_develop(next_picture(d) + (size_t)3 * y * d->columns, &d->e.sums, sums, 8);
+    sums_develop(d->e.bytes + (size_t)3 * y * d->columns, &d->e.sums, sums, 8);
+}
+
+static void enlarge_row(void *arg, unsigned y)
+{
+    const struct drawer *d = arg;
+    const unsigned char *from = d->e.bytes + (size_t)3 * (y / d->coarse) * d->columns;
+    unsigned char *to = next_picture(d) + (size_t)3 * y * d->page->width;
+
+    for (unsigned x = 0; x < d->page->width; x++, to += 3)
+        memcpy(to, from + (size_t)3 * (x / d->coarse), 3);
 }
 
 /* Adds samples until each pixel has `count`, and shows them. */
@@ -234,37 +245,76 @@ static int add_samples(struct drawer *d, uint32_t count)
     }
     if (!status) {
         threads_run(d->pool, develop_row, d, d->rows);
+        threads_run(d->pool, enlarge_row, d, d->page->height);
         show(d, begun_us);
     }
     denoising_end(&d->denoising);
     return status;
 }
 
-static int draw_samples(struct drawer *d)
+/* Prepares a picture of columns x rows pixels without samples. */
+static int begin_samples(struct drawer *d, unsigned coarse)
 {
     const struct tia_integration *how = &d->options->scene.integration;
-    size_t pixels = (size_t)d->page->width * d->page->height;
 
-    d->columns = d->page->width;
-    d->rows = d->page->height;
+    d->coarse = coarse;
+    d->columns = (d->page->width + coarse - 1) / coarse;
+    d->rows = (d->page->height + coarse - 1) / coarse;
+    d->done = 0;
     d->e.film = (struct image_film){.width = d->columns, .height = d->rows, .depth = 8};
-    d->e.sums = (struct sums){.width = d->columns, .height = d->rows, .tone = tia_tone_of(how), .exposure = how->exposure};
+    d->e.sums =
+        (struct sums){.width = d->columns, .height = d->rows, .tone = tia_tone_of(how), .exposure = how->exposure};
+    size_t pixels = (size_t)d->columns * d->rows;
+    d->e.bytes = malloc(3 * pixels);
     d->gathered = (struct tia_gathered){.sums = calloc(pixels, sizeof *d->gathered.sums),
                                         .guides = calloc(pixels, sizeof *d->gathered.guides),
                                         .squares = calloc(pixels, sizeof *d->gathered.squares),
                                         .pitch = d->columns};
-    if (!d->gathered.sums || !d->gathered.guides || !d->gathered.squares)
-        return TIA_ERR_MEMORY;
-    int status = begin_view(d);
-    status = status ? status : add_samples(d, SAMPLES_COARSE);
-    if (!status && has_time(d, SAMPLES_FEW))
+    bool has = d->e.bytes && d->gathered.sums && d->gathered.guides && d->gathered.squares;
+    return has ? begin_view(d) : TIA_ERR_MEMORY;
+}
+
+static void end_samples(struct drawer *d)
+{
+    film_scene_end(&d->e.film_scene);
+    free(d->e.bytes);
+    free(d->gathered.sums);
+    free(d->gathered.guides);
+    free(d->gathered.squares);
+}
+
+static int draw_samples(struct drawer *d)
+{
+    int status = begin_samples(d, COARSE);
+    status = status ? status : add_samples(d, SAMPLES_FEW);
+    end_samples(d);
+    if (status)
+        return status;
+    status = begin_samples(d, 1);
+    status = status ? status : add_samples(d, SAMPLES_ONE);
+    if (!status && has_time(d, SAMPLES_FEW - SAMPLES_ONE))
         status = add_samples(d, SAMPLES_FEW);
-    if (!status && d->done == SAMPLES_FEW && has_time(d, SAMPLES_ALL / SAMPLES_FEW))
+    if (!status && d->done == SAMPLES_FEW && has_time(d, (SAMPLES_ALL - SAMPLES_FEW) / (SAMPLES_FEW - SAMPLES_ONE)))
         status = add_samples(d, SAMPLES_ALL);
+    end_samples(d);
     return status;
 }
 
 /* ---- the process ---- */
+
+/* Presses the first key of a scene that has no other light. */
+static int light_up(struct options *options)
+{
+    const struct tia_scene *scene = &options->scene;
+
+    if (scene->light_count || !scene->binding_count || options->keys)
+        return EXIT_FINE;
+    options->keys = malloc(sizeof *options->keys);
+    if (!options->keys)
+        return fail(EXIT_RUNNING, "memory: exhausted");
+    options->keys[options->key_count++] = scene->bindings[0].key;
+    return EXIT_FINE;
+}
 
 static int draw(struct drawer *d)
 {
@@ -275,7 +325,7 @@ static int draw(struct drawer *d)
     d->e.options = options;
     d->e.estimator = arithmetic_estimator(options->core);
     d->pool = d->e.pool = threads_create(options->threads);
-    int status = !d->pool ? TIA_ERR_MEMORY
+    int status = !d->pool                                               ? TIA_ERR_MEMORY
                  : options->scene.integration.integrator == TIA_WHITTED ? draw_pictures(d)
                                                                         : draw_samples(d);
     return status ? fail(status == TIA_ERR_RANGE ? EXIT_USAGE : EXIT_RUNNING, "%s",
@@ -299,6 +349,7 @@ _Noreturn void thumbnail_draw(struct options *options, struct thumbnail_page *pa
         page->status = fail(EXIT_RUNNING, "/dev/null: cannot be opened");
     (void)confine((uint64_t)MEMORY_MIB << 20, seconds * options->threads);
     page->status = page->status ? page->status : arguments_load(options);
+    page->status = page->status ? page->status : light_up(options);
     d = (struct drawer){.options = options, .page = page, .end_us = end_us};
     page->status = page->status ? page->status : draw(&d);
     atomic_store(&page->ended, true);

@@ -3,9 +3,11 @@
 #define TOOLS_TIA_THUMBNAIL_PAGE_H
 
 #include <stdatomic.h>
+#include <stdint.h>
 
-#include "options.h"
-#include "ports.h"
+#include "device.h"
+
+struct options;
 
 /* Bounds of --thumbnail. The sizes of freedesktop.org's thumbnails are 128, 256, 512 and 1024. */
 enum { THUMBNAIL_MIN = 16, THUMBNAIL_MAX = 1024 };
