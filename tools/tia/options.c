@@ -103,7 +103,7 @@ static const struct option_row rows[] = {
      "the display, such as drm:/dev/dri/card1 or terminal:halfblocks, symbols, sixel or kitty",
      PARSED(display, set_port)},
     {"output", 'o', OPTION_TEXT, "FILE",
-     "draw into FILE, or - for standard output: a picture (.png .ppm .bmp .565 .pfm), a film (.y4m, or one picture per "
+     "draw into FILE, or - for standard output: a picture (.png .ppm .bmp .565 .pfm .exr), a film (.y4m, or one picture per "
      "frame with %04d in its name) or a part for tia-join (.tiapart)",
      TO(output)},
     {"format", 0, OPTION_CHOICE, IMAGE_FORMATS, "the format of FILE, if its name has no such extension", TO(format),
@@ -138,7 +138,7 @@ static const struct option_row rows[] = {
      .max = INT32_MAX, .rule = "not a number of seconds (above 0, to 32767.999, like 10)"},
     {"error", 0, OPTION_DECIMAL, "PART", "stop at this estimated error, 0.02 for 2 percent; for ao and path", TO(error),
      .min = 1, .max = TIA_Q16_ONE, .rule = "not an error (0.0001 to 1, like 0.02)"},
-    {"denoise", 0, OPTION_FLAG, NULL, "remove the noise of a .png, .ppm or .pfm; for ao and path", TO(denoise)},
+    {"denoise", 0, OPTION_FLAG, NULL, "remove the noise of a .png, .ppm, .pfm or .exr; for ao and path", TO(denoise)},
     {"guide", 0, OPTION_CHOICE, "normal|depth|albedo|error", "draw this guide of the denoiser instead", TO(guide),
      .min = TIA_SHOW_NORMAL},
     {"tone", 0, OPTION_CHOICE, "linear|srgb", "the transfer function; for ao and path", TO(tone),

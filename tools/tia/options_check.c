@@ -56,7 +56,7 @@ static int check_output(struct options *options)
         options->format = image_format_of(options->output);
     if (options->format == IMAGE_UNKNOWN) {
         return fail(EXIT_USAGE,
-                    "%.200s: unknown picture format (name it .png, .ppm, .bmp, .565, .pfm or .y4m, or use --format)",
+                    "%.200s: unknown picture format (name it .png, .ppm, .bmp, .565, .pfm, .exr or .y4m, or use --format)",
                     is_standard ? "standard output" : options->output);
     }
     if (!image_format_built(options->format)) {

@@ -1,6 +1,7 @@
 #include "picture.h"
 
 #include <stdlib.h>
+#include <string.h>
 #include <tia/debug.h>
 
 #include "crc_join.h"
@@ -39,11 +40,33 @@ static const unsigned char *colour_bytes(uint16_t *colours, size_t count, unsign
     return bytes;
 }
 
+/* Writes colours of 16 bits as floats, 0..1, little-endian. */
+static int write_floats(struct picture *picture, const struct picture_band *band)
+{
+    size_t count = (size_t)3 * picture->width;
+    int status = TIA_OK;
+
+    for (unsigned y = 0; y < band->rows && !status; y++) {
+        for (size_t i = 0; i < count; i++) {
+            float value = (float)band->colours[y * count + i] / 65535;
+            uint32_t bits;
+            memcpy(&bits, &value, sizeof bits);
+            for (unsigned k = 0; k < 4; k++)
+                picture->floats[4 * i + k] = (unsigned char)(bits >> 8 * k & 255);
+        }
+        status = image_rows(picture->image, picture->floats, 1);
+    }
+    return status;
+}
+
 static void write_band(struct picture *picture, const struct picture_band *band)
 {
     size_t count = (size_t)band->rows * picture->width;
     if (band->colours) {
-        int status = image_rows(picture->image, colour_bytes(band->colours, 3 * count, picture->depth), band->rows);
+        int status =
+            picture->depth == 32
+                ? write_floats(picture, band)
+                : image_rows(picture->image, colour_bytes(band->colours, 3 * count, picture->depth), band->rows);
         if (status)
             atomic_store(&picture->status, status);
         return;
@@ -171,7 +194,8 @@ static bool allocate_bands(struct picture *picture)
         band->colours = picture->depth ? malloc(3 * pixels * sizeof *band->colours) : NULL;
         has = has && band->pixels && (band->colours || !picture->depth);
     }
-    return has;
+    picture->floats = picture->depth == 32 ? malloc((size_t)12 * picture->width) : NULL;
+    return has && (picture->floats || picture->depth != 32);
 }
 
 int picture_begin(struct picture *picture, const struct options *options, const struct image_film *film)
@@ -208,5 +232,6 @@ void picture_end(struct picture *picture)
         free(picture->band[i].pixels);
         free(picture->band[i].colours);
     }
+    free(picture->floats);
     free(picture->hits_memory);
 }

@@ -39,6 +39,7 @@ struct picture {
     struct tia_tile tile;        /* tile of the picture: the band being drawn */
     unsigned depth;              /* bits of the colours, see struct image_film */
     bool checksum;
+    unsigned char *floats; /* a row of 32 bits a channel; NULL: other colours */
     uint32_t crc; /* CRC of the rows written so far */
     uint64_t crc_bytes;
     atomic_int status; /* the last error of a job */
