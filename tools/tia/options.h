@@ -80,6 +80,7 @@ struct options {
     struct write_names names;     /* for --write */
     enum image_format format;
     uint16_t width, height; /* 0: not given */
+    uint32_t thumbnail;     /* size of a thumbnail; 0: not given */
     const char *key_text;   /* NULL: not given */
     uint16_t *keys;         /* keys pressed before the first frame */
     size_t key_count;

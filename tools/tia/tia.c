@@ -13,6 +13,7 @@
 #include "fail.h"
 #include "recording.h"
 #include "show.h"
+#include "thumbnail.h"
 #include "write.h"
 
 /* Opens the standard descriptors that are closed when the program starts: a file opened later would get one of their
@@ -74,6 +75,8 @@ static int run(struct options *options)
         file_watch_close(&watch);
         return status;
     }
+    if (draws && options->thumbnail)
+        return thumbnail(options);
     if (options->record)
         return recording_draw(options);
     int status = draws ? arguments_load(options) : EXIT_FINE;

@@ -118,6 +118,11 @@ int model_open(struct scene_file *file, bool strict)
     return status ? say(file, status, "memory: exhausted") : take(file, strict);
 }
 
+void model_confine(void)
+{
+    import_here();
+}
+
 void model_close(struct scene_file *file)
 {
     if (file->map)
@@ -126,6 +131,10 @@ void model_close(struct scene_file *file)
     file->map = file->tables = NULL;
 }
 #else
+void model_confine(void)
+{
+}
+
 int model_open(struct scene_file *file, bool strict)
 {
     (void)strict;
