@@ -11,7 +11,7 @@ import sys
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../..")
 COMMANDS = ("tia", "tia-compare", "tia-compile", "tia-join", "tia-pov", "tia-observe", "tia-radio")
-SCENES = ("tia", "nff", "obj")
+SCENES = ("tia", "nff", "obj", "stl", "ply", "off", "pgm")
 PARTS = ("tiapart",)
 ROW = re.compile(r"^  (?:-(?P<letter>\w),|   ) --(?P<name>[\w-]+)(?: (?P<argument>\S+))?(?:  +(?P<text>.*))?$")
 
