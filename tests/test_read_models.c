@@ -328,6 +328,7 @@ TEST(mistakes)
          "0 0 0\n1 1\n",
          "0:0: vertex 2: the file ends here, expected more numbers"},
         {TIA_FORMAT_OFF, "4OFF\n", "1:1: '4OFF' is not a form that can be read, expected OFF, COFF, NOFF, CNOFF or STOFF"},
+        {TIA_FORMAT_OFF, "C", "1:1: 'C' is not a form that can be read, expected OFF, COFF, NOFF, CNOFF or STOFF"},
         {TIA_FORMAT_OFF, "OFF BINARY\n", "1:5: 'BINARY' is not a form that can be read, expected text"},
         {TIA_FORMAT_OFF, "OFF\n2 1 0\n0 0 0\n", "4:1: the file ends here, expected a vertex"},
         {TIA_FORMAT_PGM, "P6 2 2 255\n", "0:0: the file does not begin with P2 or P5, expected a PGM file"},
