@@ -9,7 +9,7 @@ _tia() {
         case $prev in
         -d|--display) mapfile -t COMPREPLY < <(compgen -W 'auto drm fbdev terminal none' -- "$cur"); return ;;
         -o|--output) compopt -o default; COMPREPLY=(); return ;;
-        --format) mapfile -t COMPREPLY < <(compgen -W 'png ppm bmp 565 y4m tiapart pfm' -- "$cur"); return ;;
+        --format) mapfile -t COMPREPLY < <(compgen -W 'png ppm bmp 565 y4m tiapart pfm exr' -- "$cur"); return ;;
         -s|--size) COMPREPLY=(); return ;;
         --thumbnail) COMPREPLY=(); return ;;
         --eye) COMPREPLY=(); return ;;
@@ -96,7 +96,7 @@ _tia() {
     tia-join)
         case $prev in
         -o|--output) compopt -o default; COMPREPLY=(); return ;;
-        --format) mapfile -t COMPREPLY < <(compgen -W 'png ppm bmp 565 y4m tiapart pfm' -- "$cur"); return ;;
+        --format) mapfile -t COMPREPLY < <(compgen -W 'png ppm bmp 565 y4m tiapart pfm exr' -- "$cur"); return ;;
         esac
         words='--output --format --help --version' ends='tiapart' ;;
     tia-pov)
