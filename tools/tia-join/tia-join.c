@@ -113,7 +113,8 @@ static const struct command command = {
     "Usage: tia-join -o FILE PART...\n"
     "       tia-join -o FILE --verify PART... -- SCENE [options of tia, as drawn]\n"
     "Joins parts that tia drew, -o PART.tiapart with --frame-range or --tile-rows, or -o PART.y4m with\n"
-    "--frame-range, in any order. Adds parts with --samples-range, into .png, .ppm, .pfm or .tiapart.\n"
+    "--frame-range, in any order. Adds parts with --samples-range, into .png, .ppm, .pfm, .exr or\n"
+    ".tiapart.\n"
     "\n",
     rows,
     "\n"

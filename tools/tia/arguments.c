@@ -13,6 +13,7 @@
 #include "integration.h"
 #include "lightfield_setup.h"
 #include "options_check.h"
+#include "write.h"
 
 /* Chooses the widest instruction set that the processor has and TIA_SIMD allows. */
 static int choose_simd(struct options *options)
@@ -215,4 +216,5 @@ void arguments_free(struct options *options)
     free(options->given);
     options->given = NULL;
     scene_close(&options->file);
+    write_free_names(&options->names);
 }

@@ -3,6 +3,7 @@
 
 #include <inttypes.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 #include "clock.h"
 #include "common/image/series.h"
@@ -13,6 +14,7 @@
 #include "ports.h"
 #include "sample_picture.h"
 #include "stats.h"
+#include "surfaces.h"
 
 struct drawing {
     const struct options *options;
@@ -21,6 +23,7 @@ struct drawing {
     struct picture picture;
     struct finished finished;
     struct series series;
+    struct image_surface *surfaces; /* of an .exr; to be freed by free() */
     uint64_t start_us; /* time when the frame was begun */
     bool no_output;    /* writing a line of --checksum failed */
     char why[PORT_WHY];
@@ -83,6 +86,9 @@ static int draw_film(struct drawing *drawing)
 static int draw_all(struct drawing *drawing)
 {
     int status = picture_begin(&drawing->picture, drawing->options, &drawing->film);
+    if (!status && drawing->options->format == IMAGE_EXR)
+        status = surfaces_find(&drawing->surfaces, drawing->options, drawing->why);
+    drawing->series.film.surfaces = drawing->surfaces;
     if (!status)
         status = film_scene_begin(&drawing->film_scene, drawing->options, drawing->why);
     if (!status && drawing->options->resume) {
@@ -132,6 +138,7 @@ int draw(const struct options *options)
     picture_end(&drawing.picture);
     finished_close(&drawing.finished);
     film_scene_end(&drawing.film_scene);
+    free(drawing.surfaces);
     return result;
 }
 

@@ -14,7 +14,13 @@
 #include "file_watch.h"
 #include "lightfield_options.h"
 
-enum action { ACTION_SHOW, ACTION_DRAW, ACTION_LIST, ACTION_MODES };
+enum action { ACTION_SHOW, ACTION_DRAW, ACTION_LIST, ACTION_MODES, ACTION_WRITE };
+
+/* Names of a model's materials, by index; NULL for those without. */
+struct write_names {
+    char **names;
+    uint32_t count;
+};
 
 /* A display or an input: "auto" by default. */
 struct port_option {
@@ -70,8 +76,11 @@ struct options {
     void *opens_ctx;
     char *given; /* the options as given, "name=value" or "name", each with its NUL, see arguments_parse; NULL: none */
     size_t given_bytes;
+    const char *write;            /* --write: path of the scene; NULL: none */
+    struct write_names names;     /* for --write */
     enum image_format format;
     uint16_t width, height; /* 0: not given */
+    uint32_t thumbnail;     /* size of a thumbnail; 0: not given */
     const char *key_text;   /* NULL: not given */
     uint16_t *keys;         /* keys pressed before the first frame */
     size_t key_count;

@@ -1,6 +1,7 @@
 #include "picture.h"
 
 #include <stdlib.h>
+#include <string.h>
 #include <tia/debug.h>
 
 #include "common/crc_join.h"
@@ -49,11 +50,33 @@ static void tap_pixels(struct picture *picture, const struct picture_band *band)
     }
 }
 
+/* Writes colours of 16 bits as floats, 0..1, little-endian. */
+static int write_floats(struct picture *picture, const struct picture_band *band)
+{
+    size_t count = (size_t)3 * picture->width;
+    int status = TIA_OK;
+
+    for (unsigned y = 0; y < band->rows && !status; y++) {
+        for (size_t i = 0; i < count; i++) {
+            float value = (float)band->colours[y * count + i] / 65535;
+            uint32_t bits;
+            memcpy(&bits, &value, sizeof bits);
+            for (unsigned k = 0; k < 4; k++)
+                picture->floats[4 * i + k] = (unsigned char)(bits >> 8 * k & 255);
+        }
+        tap_rows(picture->tap, picture->frame, band->y + y, 1, picture->floats, 4 * count);
+        status = picture->image ? image_rows(picture->image, picture->floats, 1) : TIA_OK;
+    }
+    return status;
+}
+
 static int write_colours(struct picture *picture, const struct picture_band *band)
 {
     size_t length = (size_t)picture->width * 3 * picture->depth / 8;
-    const unsigned char *bytes = colour_bytes(band->colours, (size_t)band->rows * picture->width * 3, picture->depth);
 
+    if (picture->depth == 32)
+        return write_floats(picture, band);
+    const unsigned char *bytes = colour_bytes(band->colours, (size_t)band->rows * picture->width * 3, picture->depth);
     tap_rows(picture->tap, picture->frame, band->y, band->rows, bytes, length);
     return picture->image ? image_rows(picture->image, bytes, band->rows) : TIA_OK;
 }
@@ -209,7 +232,8 @@ static bool allocate_bands(struct picture *picture)
         band->colours = picture->depth ? malloc(3 * pixels * sizeof *band->colours) : NULL;
         has = has && band->pixels && (band->colours || !picture->depth);
     }
-    return has;
+    picture->floats = picture->depth == 32 ? malloc((size_t)12 * picture->width) : NULL;
+    return has && (picture->floats || picture->depth != 32);
 }
 
 int picture_begin(struct picture *picture, const struct options *options, const struct image_film *film)
@@ -248,5 +272,6 @@ void picture_end(struct picture *picture)
         free(picture->band[i].colours);
     }
     free(picture->row);
+    free(picture->floats);
     free(picture->hits_memory);
 }

@@ -41,6 +41,7 @@ struct picture {
     const struct row_tap *tap;   /* NULL: none */
     unsigned char *row;          /* a row as bytes, for the tap */
     bool checksum;
+    unsigned char *floats; /* a row of 32 bits a channel; NULL: other colours */
     uint32_t crc; /* CRC of the rows written so far */
     uint64_t crc_bytes;
     atomic_int status; /* the last error of a job */
