@@ -8,6 +8,7 @@
 #include "gaze_options.h"
 #include "lightfield_setup.h"
 #include "ports.h"
+#include "thumbnail_check.h"
 
 enum { PACE_MAX = 1000 };
 
@@ -55,7 +56,7 @@ static int check_output(struct options *options)
         options->format = image_format_of(options->output);
     if (options->format == IMAGE_UNKNOWN) {
         return fail(EXIT_USAGE,
-                    "%.200s: unknown picture format (name it .png, .ppm, .bmp, .565, .pfm or .y4m, or use --format)",
+                    "%.200s: unknown picture format (name it .png, .ppm, .bmp, .565, .pfm, .exr or .y4m, or use --format)",
                     is_standard ? "standard output" : options->output);
     }
     if (!image_format_built(options->format)) {
@@ -198,5 +199,7 @@ int check(struct options *options)
         result = check_write(options);
     if (result == EXIT_FINE)
         result = light_check(options);
-    return result == EXIT_FINE ? check_scenes(options) : result;
+    if (result == EXIT_FINE)
+        result = check_scenes(options);
+    return result == EXIT_FINE ? thumbnail_check(options) : result;
 }

@@ -11,8 +11,9 @@
 #include "common/signals.h"
 #include "draw.h"
 #include "fail.h"
-#include "sample_picture.h"
+#include "recording.h"
 #include "show.h"
+#include "thumbnail.h"
 #include "write.h"
 
 /* Opens the standard descriptors that are closed when the program starts: a file opened later would get one of their
@@ -36,7 +37,7 @@ static int act(struct options *options)
     case ACTION_DRAW:
         if (options->gazes)
             return show_into_file(options);
-        return options->depth_bits && options->scene.integration.integrator ? estimate(options) : draw(options);
+        return draw_file(options);
     default:
         return show(options);
     }
@@ -74,6 +75,10 @@ static int run(struct options *options)
         file_watch_close(&watch);
         return status;
     }
+    if (draws && options->thumbnail)
+        return thumbnail(options);
+    if (options->record)
+        return recording_draw(options);
     int status = draws ? arguments_load(options) : EXIT_FINE;
 
     return status == EXIT_FINE ? act(options) : status;

@@ -37,6 +37,9 @@ enum tia_parse_array {
     TIA_OF_MODELS,      /* meshes from files; filled in the second pass */
     TIA_OF_MODEL_WORDS, /* their memory */
     TIA_OF_PARTS,       /* one item for each mesh of the scene */
+    TIA_OF_SOLIDS,
+    TIA_OF_MEMBERS,
+    TIA_OF_STEPS,
     TIA_OF_LIGHTS,
     TIA_OF_BINDINGS,
     TIA_OF_TRACKS,
@@ -94,9 +97,13 @@ struct tia_parse_part {
 
 #define TIA_OWN_MATERIAL UINT32_MAX /* of a shape, until the end of the last pass: that of its mesh */
 
-/* A group, or a copy of a repeat block. */
+/* A group, a copy of a repeat block, or an operation of a solid. */
 struct tia_group {
-    struct tia_place place; /* composed with the groups around it */
+    struct tia_place place; /* composed with the groups around it, up to the solid */
+
+    /* Of an operation of a solid: see enum tia_solid_step, else 0; and the number of its operands so far. */
+    uint8_t operation;
+    uint32_t operands;
 
     /* Of a repeat block: what follows the copy. */
     bool repeats;
@@ -114,6 +121,7 @@ struct tia_parse {
     struct tia_group groups[TIA_GROUP_DEPTH];
     unsigned group_count, repeat_count; /* numbers of open groups, repeat blocks included, and of these blocks */
     uint32_t repeated_lines;            /* see TIA_REPEATED_LINES */
+    unsigned solid_groups;              /* number of open groups with the first operation of the open solid; 0: none */
     struct tia_reach reach;
     struct tia_reader *reader;
     struct tia_scene *scene;
@@ -184,6 +192,16 @@ void tia_events_resolve(struct tia_parse *job);
 /* Composes a shape's transform with those of the groups around it. `name`: the shape's name, or NULL. */
 int tia_group_place(struct tia_parse *job, struct tia_transform *transform, const struct tia_word *name);
 
+/* True if the innermost group, or the solid, leaves its contents in place. */
+bool tia_group_is_still(const struct tia_parse *job);
+
+/* Begins an operation of a solid: the first one, whose place is the solid's, or one within it. */
+int tia_operation_begin(struct tia_parse *job, enum tia_solid_step step);
+/* Ends the innermost group, which is an operation. */
+int tia_operation_end(struct tia_parse *job);
+/* Adds a member to the open solid. */
+int tia_operation_add(struct tia_parse *job, const struct tia_shape *member);
+
 /* Writes the path, relative to the scene's folder, of a file that is named in the file being read. */
 int tia_include_path(struct tia_parse *job, const struct tia_word *name, char path[TIA_NAME_MAX + 1]);
 
@@ -231,6 +249,9 @@ int tia_line_material(struct tia_parse *job);
 int tia_line_texture(struct tia_parse *job);
 int tia_line_shape(struct tia_parse *job, enum tia_shape_kind kind);
 int tia_line_instance(struct tia_parse *job);
+int tia_line_union(struct tia_parse *job);
+int tia_line_intersection(struct tia_parse *job);
+int tia_line_difference(struct tia_parse *job);
 int tia_line_mesh(struct tia_parse *job);
 int tia_line_grid(struct tia_parse *job);
 int tia_line_light(struct tia_parse *job);

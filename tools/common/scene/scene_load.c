@@ -56,8 +56,10 @@ static int exhausted(struct scene_file *file)
 static int read_text(struct scene_file *file, struct whole *text)
 {
     const char *why;
-    if (file->wish->opens)
-        file->wish->opens(file->wish->opens_ctx, file->path);
+    if (!scene_opens(file, file->path)) {
+        (void)snprintf(file->why, SCENE_WHY, "%.300s: " SCENE_REFUSED, shown(file));
+        return TIA_ERR_DEVICE;
+    }
     int status = strcmp(file->path, "-") == 0 ? whole_read_from(text, STDIN_FILENO, SCENE_TEXT_MOST, &why)
                                               : whole_read(text, file->path, SCENE_TEXT_MOST, &why);
     if (status == TIA_ERR_MEMORY)

@@ -106,8 +106,8 @@ int model_open(struct scene_file *file, bool strict)
 {
     struct import_result result;
 
-    if (file->wish->opens)
-        file->wish->opens(file->wish->opens_ctx, file->path);
+    if (!scene_opens(file, file->path))
+        return say(file, TIA_ERR_DEVICE, SCENE_REFUSED);
     int status = import_run(&result, file->path);
     if (!status)
         status = map_file(file, result.fd);
@@ -118,6 +118,11 @@ int model_open(struct scene_file *file, bool strict)
     return status ? say(file, status, "memory: exhausted") : take(file, strict);
 }
 
+void model_confine(void)
+{
+    import_here();
+}
+
 void model_close(struct scene_file *file)
 {
     if (file->map)
@@ -126,6 +131,10 @@ void model_close(struct scene_file *file)
     file->map = file->tables = NULL;
 }
 #else
+void model_confine(void)
+{
+}
+
 int model_open(struct scene_file *file, bool strict)
 {
     (void)strict;
