@@ -185,6 +185,33 @@ TEST(attributes)
     read_end(&r);
 }
 
+/* Coordinates that are integers with signs, in both byte orders. */
+TEST(integers)
+{
+    for (int big = 0; big < 2; big++) {
+        struct bytes b = {.big = big};
+        struct reading r;
+        const int16_t z[] = {-3, 300, 0};
+        put_string(&b, big ? "ply\nformat binary_big_endian 1.0\n" : "ply\nformat binary_little_endian 1.0\n");
+        put_string(&b, "element vertex 3\nproperty char x\nproperty uchar y\nproperty short z\nelement face 1\n"
+                       "property list ushort int8 vertex_index\nend_header\n");
+        for (int i = 0; i < 3; i++) {
+            put(&b, i == 0 ? "\377\377" : i == 1 ? "\1\0" : "\200\5", 1);
+            put(&b, i == 0 ? "\377" : i == 1 ? "\0" : "\5", 1);
+            put(&b, &z[i], 2);
+        }
+        put(&b, &(uint16_t){3}, 2);
+        for (int i = 0; i < 3; i++)
+            b.at[b.length++] = (unsigned char)i;
+        read_bytes(&r, TIA_FORMAT_PLY, &b);
+        CHECK_EQ(r.status, TIA_OK);
+        const struct tia_vec3 *v = r.scene.meshes[0].vertices;
+        CHECK(v[0].x == -ONE && v[0].y == 255 * ONE && v[0].z == -3 * ONE);
+        CHECK(v[1].x == ONE && v[1].y == 0 && v[1].z == 300 * ONE && v[2].x == -128 * ONE && v[2].y == 5 * ONE);
+        read_end(&r);
+    }
+}
+
 /* A polygon with a notch: three triangles, which cover it without corner 3 being covered by that of its neighbours. */
 TEST(polygons)
 {
@@ -257,6 +284,7 @@ int main(void)
     RUN(encodings);
     RUN(cut_off);
     RUN(attributes);
+    RUN(integers);
     RUN(polygons);
     RUN(heights);
     return check_status();
