@@ -20,6 +20,11 @@
  *     triangle   the barycentric coordinates of corners 1 and 2                edge 0-2      edge 0-1
  *     mesh       the coordinates of its corners, interpolated; without any, those of a triangle
  *     grid       those of a box, on each cell
+ *     torus      u around the axis as on a cylinder; v = 1/2 + a/(2 pi), a     at -U         on the inner
+ *                being the angle around the tube: 0 on the outer equator,                    equator
+ *                where v grows along the axis; within the hole an image is upside down
+ *     rounded    those of the box without rounding, on the face that the      as on a box   as on a box
+ *     box        normal is nearest to; at equal angles the first of x, y, z
  *
  * A ray hits a shape at the smallest distance that is not negative; a ray from inside hits where it leaves. There is no
  * hit at points with a coordinate of magnitude 65536 or more. At equal distances the lower index wins, and an object
@@ -27,7 +32,11 @@
  * an empty cell or from one of another material hits that cell's front; a ray that leaves a filled cell for an empty
  * one or for the outside hits the back of the cell.
  *
- * Normals of spheres, boxes, cylinders and cones point outwards, those of planes and discs as given, those of
+ * A torus with the unit axis N, of radii R and r, is where (rho - R)^2 + z^2 <= r^2: z = P.N is a point's height above
+ * the centre and rho = |P - z N| its distance from the axis. A rounded box of radius r is all points within r of the
+ * box from min + r to max - r.
+ *
+ * Normals of spheres, boxes, cylinders, cones and tori point outwards, those of planes and discs as given, those of
  * triangles along (B - A) x (C - A). For refraction, the back side of a surface is its inside. A ray that hits
  * the back sees the same material, with the normal negated.
  */
@@ -64,7 +73,9 @@ struct tia_sphere {
     SHAPE(TIA_BOX, box)                                                                                                \
     SHAPE(TIA_TRIANGLE, triangle)                                                                                      \
     SHAPE(TIA_MESH, mesh)                                                                                              \
-    SHAPE(TIA_GRID, grid)
+    SHAPE(TIA_GRID, grid)                                                                                              \
+    SHAPE(TIA_TORUS, torus)                                                                                            \
+    SHAPE(TIA_ROUNDED, rounded) /* a box with rounded edges and corners */
 
 #define TIA_SHAPE_KIND(KIND, name) KIND,
 enum tia_shape_kind { TIA_SHAPES(TIA_SHAPE_KIND) };
@@ -101,6 +112,19 @@ struct tia_triangle {
     struct tia_vec3 corner[3]; /* not collinear */
 };
 
+/* A ring around the axis through the centre. The hole's radius, major - minor, is TIA_RADIUS_MIN or more. */
+struct tia_torus {
+    struct tia_vec3 centre;
+    struct tia_dir3 axis; /* length 0.5..1.5; it is normalised */
+    tia_q16 major;        /* radius of the circle in the middle of the tube */
+    tia_q16 minor;        /* radius of the tube, TIA_RADIUS_MIN or more */
+};
+
+struct tia_rounded {
+    struct tia_vec3 min, max; /* of the whole; max - min is at least twice the radius in each coordinate */
+    tia_q16 radius;           /* of the edges and corners, TIA_RADIUS_MIN or more */
+};
+
 struct tia_shape {
     enum tia_shape_kind kind;
     uint32_t material;  /* an index into the scene's materials */
@@ -118,6 +142,8 @@ struct tia_shape {
         struct tia_triangle triangle;
         uint32_t mesh; /* an index into the scene's meshes */
         uint32_t grid; /* an index into the scene's grids */
+        struct tia_torus torus;
+        struct tia_rounded rounded;
     };
 };
 
