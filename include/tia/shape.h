@@ -21,6 +21,11 @@
  *     mesh       the coordinates of its corners, interpolated; without any, those of a triangle
  *     grid       those of a box, on each cell
  *     solid      those of the member whose surface it is
+ *     torus      u around the axis as on a cylinder; v = 1/2 + a/(2 pi), a     at -U         on the inner
+ *                being the angle around the tube: 0 on the outer equator,                    equator
+ *                where v grows along the axis; within the hole an image is upside down
+ *     rounded    those of the box without rounding, on the face that the      as on a box   as on a box
+ *     box        normal is nearest to; at equal angles the first of x, y, z
  *
  * A ray hits a shape at the smallest distance that is not negative; a ray from inside hits where it leaves. There is no
  * hit at points with a coordinate of magnitude 65536 or more. At equal distances the lower index wins, and an object
@@ -28,13 +33,17 @@
  * an empty cell or from one of another material hits that cell's front; a ray that leaves a filled cell for an empty
  * one or for the outside hits the back of the cell.
  *
+ * A torus with the unit axis N, of radii R and r, is where (rho - R)^2 + z^2 <= r^2: z = P.N is a point's height above
+ * the centre and rho = |P - z N| its distance from the axis. A rounded box of radius r is all points within r of the
+ * box from min + r to max - r.
+ *
  * A solid has surfaces where a ray enters or leaves it; each is that of a member, with the member's material. Crossings
  * of the line of a ray that are within 2^-16 of each other, in the solid's axes, are at one place: so surfaces that
  * coincide leave no parts in between. The surface there is that of the first member that enters or leaves the solid by
  * itself; if there is none, of the first member that crosses.
  *
  * Normals of solids point outwards; on the surface of a member that is subtracted they are turned round. Normals of
- * spheres, boxes, cylinders and cones point outwards, those of planes and discs as given, those of
+ * spheres, boxes, cylinders, cones and tori point outwards, those of planes and discs as given, those of
  * triangles along (B - A) x (C - A). For refraction, the back side of a surface is its inside. A ray that hits
  * the back sees the same material, with the normal negated.
  */
@@ -53,9 +62,9 @@ extern "C" {
 #define TIA_SCALE_MAX TIA_Q16(1024)
 #define TIA_GRID_MAX 1024 /* cells along an axis */
 #define TIA_GRID_CELLS_MAX (UINT32_C(1) << 28)
-#define TIA_SOLID_MEMBERS 32                       /* in one solid */
+#define TIA_SOLID_MEMBERS 32                        /* in one solid */
 #define TIA_SOLID_STEPS (2 * TIA_SOLID_MEMBERS - 1) /* of one solid */
-#define TIA_SOLID_DEPTH 16                         /* operands that wait for an operation */
+#define TIA_SOLID_DEPTH 16                          /* operands that wait for an operation */
 
 struct tia_sphere {
     struct tia_vec3 centre;
@@ -75,7 +84,9 @@ struct tia_sphere {
     SHAPE(TIA_TRIANGLE, triangle)                                                                                      \
     SHAPE(TIA_MESH, mesh)                                                                                              \
     SHAPE(TIA_GRID, grid)                                                                                              \
-    SHAPE(TIA_SOLID, solid)
+    SHAPE(TIA_SOLID, solid)                                                                                            \
+    SHAPE(TIA_TORUS, torus)                                                                                            \
+    SHAPE(TIA_ROUNDED, rounded) /* a box with rounded edges and corners */
 
 #define TIA_SHAPE_KIND(KIND, name) KIND,
 enum tia_shape_kind { TIA_SHAPES(TIA_SHAPE_KIND) };
@@ -112,6 +123,19 @@ struct tia_triangle {
     struct tia_vec3 corner[3]; /* not collinear */
 };
 
+/* A ring around the axis through the centre. The hole's radius, major - minor, is TIA_RADIUS_MIN or more. */
+struct tia_torus {
+    struct tia_vec3 centre;
+    struct tia_dir3 axis; /* length 0.5..1.5; it is normalised */
+    tia_q16 major;        /* radius of the circle in the middle of the tube */
+    tia_q16 minor;        /* radius of the tube, TIA_RADIUS_MIN or more */
+};
+
+struct tia_rounded {
+    struct tia_vec3 min, max; /* of the whole; max - min is at least twice the radius in each coordinate */
+    tia_q16 radius;           /* of the edges and corners, TIA_RADIUS_MIN or more */
+};
+
 struct tia_shape {
     enum tia_shape_kind kind;
     uint32_t material;  /* an index into the scene's materials */
@@ -127,9 +151,11 @@ struct tia_shape {
         struct tia_cone cone;
         struct tia_box box;
         struct tia_triangle triangle;
-        uint32_t mesh; /* an index into the scene's meshes */
+        uint32_t mesh;  /* an index into the scene's meshes */
         uint32_t grid;  /* an index into the scene's grids */
         uint32_t solid; /* an index into the scene's solids */
+        struct tia_torus torus;
+        struct tia_rounded rounded;
     };
 };
 

@@ -136,6 +136,8 @@
 #define box_intersect NAMES(box_intersect)
 #define box_surface NAMES(box_surface)
 #define box_uv NAMES(box_uv)
+#define torus_crossings NAMES(torus_crossings)
+#define rounded_crossings NAMES(rounded_crossings)
 #define round_fine NAMES(round_fine)
 #define round_prepare NAMES(round_prepare)
 #define round_chord NAMES(round_chord)

@@ -86,6 +86,11 @@ static bool local_hit(const struct tia_scene *scene, const struct tia_shape *s, 
                            s->cone.capped, hit);
     case TIA_BOX:
         return shape_box(ray, position(s->box.min), position(s->box.max), hit);
+    case TIA_TORUS:
+        return shape_torus(ray, position(s->torus.centre), direction(s->torus.axis), q16(s->torus.major),
+                           q16(s->torus.minor), hit);
+    case TIA_ROUNDED:
+        return shape_rounded(ray, position(s->rounded.min), position(s->rounded.max), q16(s->rounded.radius), hit);
     case TIA_TRIANGLE:
         for (int i = 0; i < 3; i++)
             corner[i] = position(s->triangle.corner[i]);

@@ -140,6 +140,20 @@ struct prepared_solid {
     const struct shape *members;
 };
 
+struct prepared_torus {
+    struct num_point centre;
+    struct num_dir axis, across[2]; /* of length 1, at right angles, as those of a cone */
+    num_length major, minor;
+    num_length reach;    /* radius of a ball around the centre that has the torus inside */
+    num_divisor per;     /* of reach, the unit of the numbers below */
+    num_unit ring, bulk; /* R^2 and R^2 - r^2 */
+};
+
+struct prepared_rounded {
+    struct prepared_box box;
+    num_length radius;
+};
+
 /* Parts that a refracted ray may enter: none, the shape, or one of its cells. */
 enum inside { INSIDE_NONE, INSIDE_WHOLE, INSIDE_CELLS };
 
@@ -159,6 +173,8 @@ struct shape {
         struct prepared_mesh mesh;
         struct prepared_grid grid;
         struct prepared_solid solid;
+        struct prepared_torus torus;
+        struct prepared_rounded rounded;
     };
 };
 
