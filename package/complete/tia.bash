@@ -10,6 +10,7 @@ _tia() {
         -d|--display) mapfile -t COMPREPLY < <(compgen -W 'auto drm fbdev terminal none' -- "$cur"); return ;;
         -o|--output) compopt -o default; COMPREPLY=(); return ;;
         --format) mapfile -t COMPREPLY < <(compgen -W 'png ppm bmp 565 y4m tiapart pfm exr' -- "$cur"); return ;;
+        --record) compopt -o default; COMPREPLY=(); return ;;
         -s|--size) COMPREPLY=(); return ;;
         --thumbnail) COMPREPLY=(); return ;;
         --eye) COMPREPLY=(); return ;;
@@ -57,9 +58,10 @@ _tia() {
         --view-angle) COMPREPLY=(); return ;;
         --w0) COMPREPLY=(); return ;;
         --m) COMPREPLY=(); return ;;
-        --scene-format) mapfile -t COMPREPLY < <(compgen -W 'tia nff obj' -- "$cur"); return ;;
+        --write) compopt -o default; COMPREPLY=(); return ;;
+        --scene-format) mapfile -t COMPREPLY < <(compgen -W 'tia nff obj stl ply off pgm' -- "$cur"); return ;;
         esac
-        words='--display --output --format --size --thumbnail --eye --look --up --fov --orthographic --fit --samples --depth --integrator --spp --samples-range --resume --time-limit --error --denoise --guide --tone --exposure --colour --shadows --map-size --bias --filter --tessellated --keys --input --frames --time --fps --frame-range --tile-rows --threads --arithmetic --dither --rotate --connector --mode --checksum --stats --stats-overlay --progress --view --draw-rays --views --lenticular --calibration --modules --module-range --gaze --view-angle --w0 --m --smooth --watch --list-displays --scene-format --strict --help --version' ends='tia nff obj' ;;
+        words='--display --output --format --record --size --thumbnail --eye --look --up --fov --orthographic --fit --samples --depth --integrator --spp --samples-range --resume --time-limit --error --denoise --guide --tone --exposure --colour --shadows --map-size --bias --filter --tessellated --keys --input --frames --time --fps --frame-range --tile-rows --threads --arithmetic --dither --rotate --connector --mode --checksum --stats --stats-overlay --progress --view --draw-rays --views --lenticular --calibration --modules --module-range --gaze --view-angle --w0 --m --smooth --watch --write --list-displays --scene-format --strict --help --version' ends='tia nff obj' ;;
     tia-compare)
         case $prev in
         -k|--keys) COMPREPLY=(); return ;;
@@ -90,19 +92,23 @@ _tia() {
         --name) COMPREPLY=(); return ;;
         --crc) COMPREPLY=(); return ;;
         --rectangle) COMPREPLY=(); return ;;
-        --scene-format) mapfile -t COMPREPLY < <(compgen -W 'tia nff obj' -- "$cur"); return ;;
+        --scene-format) mapfile -t COMPREPLY < <(compgen -W 'tia nff obj stl ply off pgm' -- "$cur"); return ;;
         esac
         words='--output --memory --size --lights --name --crc --rectangle --scene-format --strict --help --version' ends='tia nff obj' ;;
     tia-join)
         case $prev in
         -o|--output) compopt -o default; COMPREPLY=(); return ;;
         --format) mapfile -t COMPREPLY < <(compgen -W 'png ppm bmp 565 y4m tiapart pfm exr' -- "$cur"); return ;;
+        --share) COMPREPLY=(); return ;;
+        --count) COMPREPLY=(); return ;;
+        --rows) COMPREPLY=(); return ;;
+        --seed) COMPREPLY=(); return ;;
         esac
-        words='--output --format --help --version' ends='tiapart' ;;
+        words='--output --format --verify --share --count --rows --all --seed --help --version' ends='tiapart' ;;
     tia-pov)
         case $prev in
         -o|--output) compopt -o default; COMPREPLY=(); return ;;
-        --scene-format) mapfile -t COMPREPLY < <(compgen -W 'tia nff obj' -- "$cur"); return ;;
+        --scene-format) mapfile -t COMPREPLY < <(compgen -W 'tia nff obj stl ply off pgm' -- "$cur"); return ;;
         esac
         words='--output --scene-format --strict --help --version' ends='tia nff obj' ;;
     tia-observe)
@@ -138,9 +144,23 @@ _tia() {
         --csv) compopt -o default; COMPREPLY=(); return ;;
         --range) COMPREPLY=(); return ;;
         --tile-rows) COMPREPLY=(); return ;;
+        --verify) compopt -o default; COMPREPLY=(); return ;;
+        --share) COMPREPLY=(); return ;;
+        --count) COMPREPLY=(); return ;;
+        --rows) COMPREPLY=(); return ;;
+        --seed) COMPREPLY=(); return ;;
         -j|--threads) COMPREPLY=(); return ;;
         esac
-        words='--tx --rx --frequency --reflections --transmissions --method --density --material --materials --up --polarization --json --output --size --map --area --csv --range --best-server --tile-rows --threads --help --version' ends='tia nff obj' ;;
+        words='--tx --rx --frequency --reflections --transmissions --method --density --material --materials --up --polarization --json --output --size --map --area --csv --range --best-server --tile-rows --verify --share --count --rows --all --seed --threads --help --version' ends='tia nff obj' ;;
+    tia-verify)
+        case $prev in
+        --share) COMPREPLY=(); return ;;
+        --count) COMPREPLY=(); return ;;
+        --rows) COMPREPLY=(); return ;;
+        --seed) COMPREPLY=(); return ;;
+        --root) COMPREPLY=(); return ;;
+        esac
+        words='--share --count --rows --all --seed --root --help --version' ends='png ppm bmp 565 pfm y4m tiapart record tia nff obj' ;;
     esac
     if [[ $cur == -* ]]; then mapfile -t COMPREPLY < <(compgen -W "$words" -- "$cur"); return; fi
     # Folders, and files of the right kind.
@@ -149,4 +169,4 @@ _tia() {
     COMPREPLY=($(compgen -d -- "$cur"))
     for end in ${ends// /$IFS}; do COMPREPLY+=($(compgen -f -X "!*.$end" -- "$cur")); done
 }
-complete -F _tia tia tia-compare tia-compile tia-join tia-pov tia-observe tia-radio
+complete -F _tia tia tia-compare tia-compile tia-join tia-pov tia-observe tia-radio tia-verify

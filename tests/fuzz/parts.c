@@ -7,7 +7,7 @@
 #include "common/image/sums.h"
 #include "files.h"
 #include "tia-join/join_sums.h"
-#include "tia-join/parts.h"
+#include "common/image/parts.h"
 
 enum { FILES = 3, SIDE = 8, FRAMES = 4 };
 enum kind { RAW, PART, SUMS, PLANES };

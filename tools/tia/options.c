@@ -108,6 +108,7 @@ static const struct option_row rows[] = {
      TO(output)},
     {"format", 0, OPTION_CHOICE, IMAGE_FORMATS, "the format of FILE, if its name has no such extension", TO(format),
      .min = IMAGE_PNG},
+    {"record", 0, OPTION_TEXT, "FILE", "write a record of the picture, by which tia-verify draws it again", TO(record)},
     {"size", 's', OPTION_SIZE, "WIDTHxHEIGHT", "the picture's size, #; default the display's, 640x480 for a file",
      PAIR(width, height), .max = TIA_SIZE_MAX},
     {"thumbnail", 0, OPTION_NUMBER, "SIZE",
@@ -211,6 +212,7 @@ static const struct option_row rows[] = {
      .rule = "not a number from 0 to 127 (like 0.0275)"},
     {"smooth", 0, OPTION_FLAG, NULL, "interpolate the pixels that are left out", TO(gaze.smooth)},
     {"watch", 0, OPTION_FLAG, NULL, "draw the scene again whenever one of its files changes", TO(watches)},
+    {"write", 0, OPTION_TEXT, "FILE.tia", "write SCENE, a model, as a scene to edit; - is standard output", TO(write)},
     {"list-displays", 0, OPTION_FLAG, NULL, "list the displays, and why one cannot be opened", TO(action),
      .min = ACTION_LIST},
     {"scene-format", 0, OPTION_CHOICE, SCENE_FORMATS, "the format of SCENE, if its name has no such extension",
@@ -222,7 +224,8 @@ const struct command tia_command = {
     "tia",
     "Usage: tia [options] [SCENE ...]\n"
     "Draws a ray-traced scene with integers only, on a screen or into a file. SCENE is a file, .tia,\n"
-    ".nff or .obj, or - for standard input; without it a ball on the ground is drawn. On a screen\n"
+    ".nff, .obj, .stl, .ply, .off or .pgm, or another model's; or - for standard input; without it a ball\n"
+    "on the ground is drawn. On a screen\n"
     "there may be several scenes: n and p show the next and the previous one.\n"
     "\n",
     rows,

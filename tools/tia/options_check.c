@@ -133,7 +133,7 @@ int check_scene(struct options *options)
     if (options->scene_format == SCENE_UNKNOWN)
         options->scene_format = scene_format_of(path);
     if (options->scene_format == SCENE_UNKNOWN) {
-        return fail(EXIT_USAGE, "%.200s: unknown scene format (name it .tia, .nff or .obj, or use --scene-format)",
+        return fail(EXIT_USAGE, "%.200s: unknown scene format (name it .tia, .nff, .obj, .stl, .ply, .off or .pgm, or use --scene-format)",
                     path);
     }
     return EXIT_FINE;
@@ -155,6 +155,18 @@ static int check_scenes(struct options *options)
         result = check_scene(&other);
     }
     return result;
+}
+
+static int check_write(struct options *options)
+{
+    if (!options->write)
+        return EXIT_FINE;
+    if (options->output || options->watches)
+        return fail(EXIT_USAGE, "--write: not with --%s", options->output ? "output" : "watch");
+    if (!options->scene_path || options->scene_count > 1)
+        return fail(EXIT_USAGE, "--write: needs one SCENE, a model");
+    options->action = ACTION_WRITE;
+    return EXIT_FINE;
 }
 
 static int check_watch(const struct options *options)
@@ -183,6 +195,8 @@ int check(struct options *options)
         result = eye_check(options);
     if (result == EXIT_FINE)
         result = check_watch(options);
+    if (result == EXIT_FINE)
+        result = check_write(options);
     if (result == EXIT_FINE)
         result = light_check(options);
     if (result == EXIT_FINE)

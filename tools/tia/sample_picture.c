@@ -141,6 +141,8 @@ int estimate(const struct options *options)
     e.film.surfaces = surfaces;
     if (!status)
         status = draw(&e);
+    if (options->tap && options->tap->samples)
+        *options->tap->samples = e.unfinished ? 0 : e.sums.count;
     status = finish(&e, status);
     progress_end(&e.progress);
     threads_destroy(e.pool);
