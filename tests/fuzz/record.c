@@ -1,5 +1,7 @@
-/* The records of pictures (common/record/record.h): raw bytes, and records as tia writes them with some bytes changed and
- * their hashes made right again. What is accepted is printed as the same bytes, and its names stay in their folder. */
+/* The records of pictures (common/record/record.h): raw bytes, and records as tia writes them with some bytes changed
+ * and their hashes made right again. What is accepted is printed as the same bytes, and its names stay in their folder.
+ */
+#include <stdio.h>
 #include <string.h>
 
 #include "bytes.h"
@@ -15,7 +17,7 @@ static void take_record(struct bytes *b, struct record *r)
     *r = (struct record){.definition = kind / 8 + 1u, .format = (enum image_format)(kind % 7 + 1)};
     (void)snprintf(r->tia, sizeof r->tia, "0.%u.0", kind);
     (void)snprintf(r->picture, sizeof r->picture, "%s", names[files / 16 % 10]);
-    r->film = (struct image_film){.width = take_byte(b) + 1u, .height = take_byte(b) + 1u, .rate = {25, 1}};
+    r->film = (struct image_film){.width = take_byte(b) + 1u, .height = take_byte(b) % 40 + 1u, .rate = {25, 1}};
     r->film.rows = 1 + take_byte(b) % r->film.height;
     r->film.first_row = r->film.height - r->film.rows;
     r->film.frames = 1 + take_byte(b) % 3u;
@@ -38,8 +40,8 @@ static void take_record(struct bytes *b, struct record *r)
     MUST(record_set_root(r));
 }
 
-/* Changes some bytes, or cuts the text, and then makes the hash of its last line right, so that the change is seen by the
- * other checks. */
+/* Changes some bytes, or cuts the text, and then makes the hash of its last line right, so that the change is seen by
+ * the other checks. */
 static size_t damage(struct bytes *b, char *text, size_t length)
 {
     uint8_t changes = take_byte(b);

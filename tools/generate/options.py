@@ -11,9 +11,9 @@ import sys
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../..")
 COMMANDS = ("tia", "tia-compare", "tia-compile", "tia-join", "tia-pov", "tia-observe", "tia-radio", "tia-verify")
-SCENES = ("tia", "nff", "obj")
+SCENES = ("tia", "nff", "obj", "stl", "ply", "off", "pgm")
 PARTS = ("tiapart",)
-PICTURES = ("png", "ppm", "bmp", "565", "pfm", "y4m", "tiapart", "record")
+PICTURES = ("png", "ppm", "bmp", "565", "pfm", "exr", "y4m", "tiapart", "record")
 ROW = re.compile(r"^  (?:-(?P<letter>\w),|   ) --(?P<name>[\w-]+)(?: (?P<argument>\S+))?(?:  +(?P<text>.*))?$")
 
 

@@ -128,6 +128,8 @@ void pov_shapes(struct pov *pov)
         write_object(pov, &shape);
     }
     for (uint32_t i = 0; i < scene->shape_count; i++) {
+        if (scene->shapes[i].kind == TIA_MESH && !scene->meshes[scene->shapes[i].mesh].face_count)
+            continue; /* POV-Ray refuses a mesh without faces */
         note_shadow(pov, i, &scene->shapes[i]);
         switch (scene->shapes[i].kind) {
         case TIA_GRID:

@@ -41,6 +41,15 @@ static const unsigned char *colour_bytes(uint16_t *colours, size_t count, unsign
     return bytes;
 }
 
+/* Gives a band of RGB565 to the tap. */
+static void tap_pixels(struct picture *picture, const struct picture_band *band)
+{
+    for (unsigned i = 0; picture->tap && i < band->rows; i++) {
+        size_t length = image_put565(picture->row, band->pixels + (size_t)i * picture->width, picture->width);
+        tap_rows(picture->tap, picture->frame, band->y + i, 1, picture->row, length);
+    }
+}
+
 /* Writes colours of 16 bits as floats, 0..1, little-endian. */
 static int write_floats(struct picture *picture, const struct picture_band *band)
 {
@@ -61,20 +70,13 @@ static int write_floats(struct picture *picture, const struct picture_band *band
     return status;
 }
 
-/* Gives a band of RGB565 to the tap. */
-static void tap_pixels(struct picture *picture, const struct picture_band *band)
-{
-    for (unsigned i = 0; picture->tap && i < band->rows; i++) {
-        size_t length = image_put565(picture->row, band->pixels + (size_t)i * picture->width, picture->width);
-        tap_rows(picture->tap, picture->frame, band->y + i, 1, picture->row, length);
-    }
-}
-
 static int write_colours(struct picture *picture, const struct picture_band *band)
 {
     size_t length = (size_t)picture->width * 3 * picture->depth / 8;
-    const unsigned char *bytes = colour_bytes(band->colours, (size_t)band->rows * picture->width * 3, picture->depth);
 
+    if (picture->depth == 32)
+        return write_floats(picture, band);
+    const unsigned char *bytes = colour_bytes(band->colours, (size_t)band->rows * picture->width * 3, picture->depth);
     tap_rows(picture->tap, picture->frame, band->y, band->rows, bytes, length);
     return picture->image ? image_rows(picture->image, bytes, band->rows) : TIA_OK;
 }
@@ -88,7 +90,7 @@ static void write_band(struct picture *picture, const struct picture_band *band)
 {
     size_t count = (size_t)band->rows * picture->width;
     if (band->colours) {
-        int status = picture->depth == 32 ? write_floats(picture, band) : write_colours(picture, band);
+        int status = write_colours(picture, band);
         if (status)
             atomic_store(&picture->status, status);
         return;
@@ -269,7 +271,7 @@ void picture_end(struct picture *picture)
         free(picture->band[i].pixels);
         free(picture->band[i].colours);
     }
-    free(picture->floats);
     free(picture->row);
+    free(picture->floats);
     free(picture->hits_memory);
 }

@@ -12,30 +12,38 @@
 struct off {
     struct tia_plain *p;
     struct tia_text text;
-    bool normals, colours, uvs;
+    bool normals, uvs;
     uint32_t vertices, faces; /* numbers that the file gives */
 };
+
+/* Removes `letters` from the front of a word; returns false if it does not begin with them. */
+static bool take(struct tia_word *word, const char *letters)
+{
+    uint32_t i = 0;
+
+    while (letters[i] && i < word->length && word->at[i] == letters[i])
+        i++;
+    if (letters[i])
+        return false;
+    word->at += i;
+    word->length -= i;
+    return true;
+}
 
 /* Reads the first line, a word. A file without it begins with the numbers. */
 static int read_form(struct off *off)
 {
     struct tia_word word, rest;
-    const char *at;
 
     if (!tia_text_line(&off->text))
         return tia_model_refuse(&off->p->model, "the file is empty, expected OFF");
     if (tia_text_has_number(&off->text))
         return TIA_OK;
     (void)tia_text_word(&off->text, &word);
-    at = word.at;
     rest = word;
-    off->uvs = word.length > 2 && at[0] == 'S' && at[1] == 'T';
-    rest.at += off->uvs ? 2 : 0;
-    off->colours = *rest.at == 'C';
-    rest.at += off->colours;
-    off->normals = *rest.at == 'N' && word.length > (uint32_t)(rest.at - word.at) + 1;
-    rest.at += off->normals;
-    rest.length = word.length - (uint32_t)(rest.at - word.at);
+    off->uvs = take(&rest, "ST");
+    (void)take(&rest, "C");
+    off->normals = take(&rest, "N");
     if (!tia_word_is(&rest, "OFF"))
         return tia_text_error(&off->text, &word, "is not a form that can be read", "OFF, COFF, NOFF, CNOFF or STOFF");
     if (tia_text_peek(&off->text, &word) && tia_word_is(&word, "BINARY"))
