@@ -142,7 +142,7 @@ static const struct sock_filter filter[] = {
 #ifdef __NR__llseek
     PERMIT(_llseek),
 #endif
-    PERMIT(close), PERMIT(sendmsg), PERMIT(recvmsg), PERMIT(sendto), PERMIT(recvfrom),
+    PERMIT(close), PERMIT(recvmsg),
 #ifdef __NR_fstat
     PERMIT(fstat),
 #endif

@@ -106,6 +106,8 @@ static int choose_floats(struct options *options, bool plain)
     if (exr && !sampled && (options->resume || options->views.view || options->views.draws_rays))
         return fail(EXIT_USAGE, "%.200s: not with --resume, --view and --draw-rays, which take 565 of whitted",
                     options->output);
+    if (exr && options->record)
+        return fail(EXIT_USAGE, "--record: not of an .exr (use .pfm, or .png with --colour 16)");
     if (exr && (uint32_t)width * height > SURFACES_MOST)
         return fail(EXIT_USAGE, "%.200s: a picture of at most %u pixels, not %ux%u", options->output, SURFACES_MOST,
                     width, height);

@@ -12,6 +12,7 @@ static const char *foreign_option(const struct options *options)
         const char *name;
     } foreign[] = {{options->width, "size"},
                    {options->resume, "resume"},
+                   {options->record, "record"},
                    {options->samples_range, "samples-range"},
                    {options->error, "error"},
                    {options->denoise, "denoise"},
