@@ -32,6 +32,7 @@ gallery: all $(BUILD)/tests/test_raster_mirror
 	$(call draw,docs/light/error.png,scenes/cornell.tia -s 128x128 --spp 16 --guide error --exposure 3)
 	$(call draw,docs/tori.png,scenes/shapes/tori.tia -s 480x360)
 	$(call draw,docs/glass.png,scenes/glass.tia -s 640x360)
+	$(call draw,docs/solids.png,scenes/solids.tia -s 640x360)
 	$(call draw,docs/thesis.png,-k a -s 640x360)
 	$(foreach n,place receiver caster,$(call draw,docs/shadows/$(n).png,scenes/shadows/$(n).tia -s 240x180))
 	$(foreach n,place receiver caster,$(call draw,docs/shadows/$(n)-bare.png,scenes/shadows/$(n)-bare.tia -s 240x180))

@@ -1,33 +1,17 @@
-/* Solids: rays with known hits, rays against the oracle's, coinciding faces, boxes, and pictures against the oracle by
- * each arithmetic and by the vector units. */
+/* Solids: rays with known hits, coinciding faces, boxes, refusals. */
 #include "check.h"
-#include "common/corpus/corpus_rays.h"
-#include "common/thread_pool.h"
 #include "random.h"
 #include "render/trace/trace.h"
 #include "scene/solid.h"
-#include "simd_frames_all.h"
-#include "with_hierarchy.h"
+#include "solid_made.h"
 
 #include <math.h>
 #include <string.h>
 #include <tia/tia.h>
 
-#ifdef TIA_HAVE_F64
-#include "against.h"
-#endif
-
 #define NEAR(got, want)                                                                                                \
     CHECK_MSG(fabs((got) - (want)) < 1e-9, "%s is %.12g, not %.12g", #got, (double)(got), (double)(want))
 
-enum { M = TIA_SOLID_MEMBER, U = TIA_SOLID_UNION, I = TIA_SOLID_INTERSECTION, D = TIA_SOLID_DIFFERENCE };
-
-static struct tia_material materials[TIA_SOLID_MEMBERS];
-static struct tia_shape members[TIA_SOLID_MEMBERS + 1], shapes[1];
-static uint8_t steps[TIA_SOLID_STEPS];
-static struct tia_solid solid;
-static struct tia_scene scene;
-static struct tia_transform transforms[2];
 static struct tia_view *view;
 static void *memory;
 
@@ -46,59 +30,6 @@ static void open_view(void)
     close_view();
     memory = malloc(size);
     CHECK_EQ(tia_view_init(&view, memory, size, &scene, 1, 16, 16, NULL), TIA_OK);
-}
-
-/* Begins a solid of no members; member i has material i. */
-static void begin(void)
-{
-    memset(members, 0, sizeof members);
-    for (uint32_t i = 0; i <= TIA_SOLID_MEMBERS; i++)
-        members[i].material = i % TIA_SOLID_MEMBERS;
-    solid = (struct tia_solid){members, steps, 0, 0};
-    shapes[0] = (struct tia_shape){.kind = TIA_SOLID};
-    scene = (struct tia_scene){.camera = {.eye = {0, 0, TIA_Q16(100)}, .fov = TIA_Q16(40)},
-                               .materials = materials,
-                               .material_count = TIA_SOLID_MEMBERS,
-                               .shapes = shapes,
-                               .shape_count = 1,
-                               .transforms = transforms,
-                               .solids = &solid,
-                               .solid_count = 1};
-}
-
-static struct tia_vec3 q16s(double x, double y, double z)
-{
-    return (struct tia_vec3){(tia_q16)(x * 65536), (tia_q16)(y * 65536), (tia_q16)(z * 65536)};
-}
-
-static void step(uint8_t kind)
-{
-    steps[solid.step_count++] = kind;
-}
-
-static struct tia_shape *member(enum tia_shape_kind kind)
-{
-    step(M);
-    members[solid.member_count].kind = kind;
-    return &members[solid.member_count++];
-}
-
-static void box(double x0, double y0, double z0, double x1, double y1, double z1)
-{
-    member(TIA_BOX)->box = (struct tia_box){q16s(x0, y0, z0), q16s(x1, y1, z1)};
-}
-
-static void ball(double x, double y, double z, double radius)
-{
-    struct tia_shape *s = member(TIA_SPHERE);
-
-    s->sphere.centre = q16s(x, y, z);
-    s->sphere.radius = (tia_q16)(radius * 65536);
-}
-
-static void cylinder(struct tia_vec3 base, struct tia_vec3 top, double radius)
-{
-    member(TIA_CYLINDER)->cylinder = (struct tia_cylinder){base, top, (tia_q16)(radius * 65536), true};
 }
 
 static struct num_point point_of(double x, double y, double z)
@@ -426,57 +357,6 @@ TEST(refused_solids)
     refused("members");
 }
 
-static unsigned number;
-
-static void same_picture(const struct tia_scene *with, unsigned unused)
-{
-    (void)unused;
-    simd_frames_check_all(with, 40, 30, number);
-}
-
-TEST(vector_units_draw_the_same)
-{
-    static struct corpus_rays c;
-
-    for (number = 0; number < 12; number++) {
-        corpus_random_rays(&c, 5, number);
-        corpus_add_solids(&c, number);
-        if (number % 3 == 2)
-            corpus_add_opacity(&c, number);
-        c.scene.integration.integrator = (enum tia_integrator)(number % 4 == 3 ? number / 4 % 2 + 1 : 0);
-        with_hierarchy(&c.scene, same_picture, 0);
-    }
-}
-
-#ifdef TIA_HAVE_F64
-static void against_the_oracle(const struct tia_core *core, double margin, double identical)
-{
-    static struct corpus_rays c;
-    struct threads *pool = threads_create(threads_processors());
-    struct against sum = {0}, a;
-
-    for (unsigned i = 0; i < check_count(24); i++) {
-        corpus_random_rays(&c, 3, i);
-        corpus_add_solids(&c, i);
-        c.scene.camera.samples = 1;
-        CHECK_EQ(against_oracle(core, &c.scene, 96, 72, false, threads_workers(pool), &a), TIA_OK);
-        CHECK_MSG(a.tally.stray == 0 && a.margin < margin, "scene %u: %ju stray, margin %g", i,
-                  (uintmax_t)a.tally.stray, a.margin);
-        against_add(&sum, &a);
-    }
-    printf("# %ju of %ju pixels identical, margin %g\n", (uintmax_t)sum.tally.identical, (uintmax_t)sum.tally.pixels,
-           sum.margin);
-    CHECK_MSG(tally_percent(&sum.tally) >= identical, "%.5f %% identical", tally_percent(&sum.tally));
-    threads_destroy(pool);
-}
-
-TEST(pictures_are_those_of_the_oracle)
-{
-    against_the_oracle(&tia_core_f64, 1e-4, 99.99);
-    against_the_oracle(&tia_core_q16, 1e-2, 99.99);
-}
-#endif
-
 int main(void)
 {
     RUN(two_balls);
@@ -489,9 +369,5 @@ int main(void)
     RUN(boxes_around);
     RUN(refused_solids);
     close_view();
-    RUN(vector_units_draw_the_same);
-#ifdef TIA_HAVE_F64
-    RUN_LONG(pictures_are_those_of_the_oracle);
-#endif
     return check_status();
 }

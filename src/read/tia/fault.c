@@ -60,6 +60,7 @@ static const char *keyword(const struct tia_fault *fault)
         {"shape", "top_radius", "radii"},
         {"shape", "transform", "scale"},
         {"shape", "place", ""},
+        {"solid", "place", ""},
         {"shape", "corners", ""},
         {"transform", "position", "at"},
         {"track", "value", ""},

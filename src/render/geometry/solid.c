@@ -26,7 +26,7 @@ struct passage {
 };
 
 /* Finds a chord of a member, as `chord` of struct shape_kind does. */
-NOINLINE static bool chord_of(const struct shape *member, const struct ray *ray, num_length after, struct chord *chord)
+NOINLINE static bool member_chord(const struct shape *member, const struct ray *ray, num_length after, struct chord *chord)
 {
     struct instance_ray placed;
 
@@ -48,7 +48,7 @@ NOINLINE static bool chord_of(const struct shape *member, const struct ray *ray,
 static void take_chord(struct passage *p, uint32_t i, num_length after)
 {
     struct chord chord;
-    bool found = chord_of(&p->solid->members[i], p->ray, after, &chord) && chord.leave.t > after;
+    bool found = member_chord(&p->solid->members[i], p->ray, after, &chord) && chord.leave.t > after;
 
     p->enter[i] = found ? chord.enter.t : 0;
     p->leave[i] = found ? chord.leave.t : 0;
@@ -123,7 +123,7 @@ static void set_crossing(const struct passage *p, uint32_t i, num_length t, bool
     num_length after = t > CLOSE ? t - CLOSE : -NUM_LENGTH_LEAST;
     struct chord chord = {{t, 0}, {t, 0}};
 
-    (void)chord_of(&p->solid->members[i], p->ray, after, &chord);
+    (void)member_chord(&p->solid->members[i], p->ray, after, &chord);
     const struct intersection *at = enters ? &chord.enter : &chord.leave;
     intersection->t = at->t;
     intersection->element = 2 * TIA_SOLID_MEMBERS * at->element + (enters == is_in ? 0 : TURNED) + i;
