@@ -172,7 +172,7 @@ static void write_light(struct writing *w, const struct tia_light *l)
     if (tia_light_has(l->kind, TIA_LIGHT_SIDES))
         write_numbers(&w->text, " sides", &l->side[0].x, 6, 16);
     if (l->radius)
-        write_numbers(&w->text, l->kind == TIA_AMBIENT_LIGHT ? " occlusion" : " radius", &l->radius, 1, 16);
+        write_numbers(&w->text, tia_light_has(l->kind, TIA_LIGHT_EVERYWHERE) ? " occlusion" : " radius", &l->radius, 1, 16);
     if (tia_light_has(l->kind, TIA_LIGHT_CONE)) {
         write_numbers(&w->text, " inner", &l->inner, 1, 16);
         write_numbers(&w->text, " outer", &l->outer, 1, 16);

@@ -1,5 +1,5 @@
 /* read_model.c - the readers of models, by format. */
-#include "read/readers.h"
+#include "readers.h"
 
 int tia_read_model(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena,
                    struct tia_model_use *use)
