@@ -99,8 +99,8 @@ static void take_file(struct checking *c)
 
 static int check_options(const struct options *options)
 {
-    if (options->gazes)
-        return fail(CHECK_FAILED, "--gaze: its pictures are not verified");
+    if (options->gazes || options->thumbnail)
+        return fail(CHECK_FAILED, "--%s: its pictures are not verified", options->gazes ? "gaze" : "thumbnail");
     if (options->time_limit || options->error)
         return fail(CHECK_FAILED, "--%s: the file does not tell its samples (--spp N instead, as tia said)",
                     options->time_limit ? "time-limit" : "error");

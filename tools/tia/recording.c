@@ -31,14 +31,15 @@ struct recording {
 bool recording_has(const struct option_row *row)
 {
     /* on which no pixel depends, or that the record has in other lines */
-    static const char *const without[] = {
-        "display",  "format", "size",          "time-limit", "error", "input",  "threads", "connector",     "mode",
-        "checksum", "stats",  "stats-overlay", "progress",   "watch", "strict", "help",    "list-displays", "version"};
+    static const char *const without[] = {"display", "format",        "size",      "time-limit", "error",
+                                          "input",   "threads",       "connector", "mode",       "checksum",
+                                          "stats",   "stats-overlay", "progress",  "watch",      "strict",
+                                          "help",    "list-displays", "version",   "thumbnail",  "write"};
 
     for (unsigned i = 0; i < sizeof without / sizeof *without; i++)
         if (strcmp(row->name, without[i]) == 0)
             return false;
-    return !row->argument || strcmp(row->argument, "FILE") != 0;
+    return !row->argument || strncmp(row->argument, "FILE", 4) != 0;
 }
 
 const struct option_row *recording_option(const char *text)
