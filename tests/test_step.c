@@ -2,6 +2,7 @@
 #include <tia/step.h>
 
 #include "arch/frames_play.h"
+#include "arch/frames_steps.h"
 #include "fall_world.h"
 #include "random.h"
 
@@ -288,6 +289,33 @@ TEST(misuse)
     read_end(&world);
 }
 
+#define GOLDEN "tests/golden/steps.hash"
+
+/* Compares with the next line of the file that is no comment. */
+static void compare_hash(void *file, uint32_t step, uint64_t hash)
+{
+    char line[100], want[100];
+
+    do
+        CHECK(fgets(line, sizeof line, (FILE *)file) != NULL);
+    while (!check_failed && line[0] == '#');
+    (void)snprintf(want, sizeof want, "%lu %016llx\n", (unsigned long)step, (unsigned long long)hash);
+    CHECK_MSG(!strcmp(line, want), "%s is not %s", want, line);
+}
+
+/* As on every processor of tests/slow/arch. */
+TEST(pinned_hashes)
+{
+    FILE *file = fopen(GOLDEN, "r");
+
+    CHECK(file != NULL);
+    if (!file)
+        return;
+    steps_all(compare_hash, file);
+    CHECK(fgetc(file) == EOF);
+    (void)fclose(file);
+}
+
 int main(void)
 {
     RUN(steps_are_the_scene_at_times);
@@ -298,5 +326,6 @@ int main(void)
     RUN(a_ball_that_is_gone);
     RUN(states_that_are_refused);
     RUN(misuse);
+    RUN(pinned_hashes);
     return check_status();
 }

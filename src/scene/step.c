@@ -1,9 +1,9 @@
 #include <tia/step.h>
 
-#include "fall/fall.h"
-#include "fall/tick.h"
 #include "math/align.h"
 #include "scene/cancel.h"
+#include "scene/fall/fall.h"
+#include "scene/fall/tick.h"
 #include "scene/motion.h"
 
 /* Largest coordinate in a saved state, 2^17: balls begin within 2^16, and one is gone in the tick in which it passes
