@@ -431,6 +431,7 @@ include install.mk
 ifeq ($(BARE),)
 include port/boards/boards.mk
 include port/web/web.mk
+include tools/kit/kit.mk
 endif
 
 include pictures.mk
