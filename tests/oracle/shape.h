@@ -27,6 +27,9 @@ bool shape_triangle(struct ray ray, const struct oracle_vec corner[3], struct hi
 bool shape_mesh(struct ray ray, const struct tia_mesh *mesh, struct hit *hit);
 bool shape_grid(struct ray ray, const struct tia_grid *grid, struct hit *hit);
 
+/* Intersects a solid; hit->material is a material's index, no offset. */
+bool shape_solid(const struct tia_scene *scene, const struct tia_solid *solid, struct ray ray, struct hit *hit);
+
 /* Returns the number of groups of a mesh's faces that the ray meets before t. A group counts once. */
 unsigned shape_mesh_groups(struct ray ray, const struct tia_mesh *mesh, double t);
 

@@ -147,9 +147,9 @@ static int open_output(struct addition *a, const char *output, enum image_format
         }
         return sink_write(a->sink, header, sums_print(header, &a->sums)) ? NOT_WRITTEN : FINE;
     }
-    a->depth = format == IMAGE_PFM ? 32 : 8;
+    a->depth = image_format_has(format, 32) ? 32 : 8;
     if (!image_format_has(format, a->depth))
-        return refuse(a, output, "samples make a .png, .ppm, .pfm or .tiapart");
+        return refuse(a, output, "samples make a .png, .ppm, .pfm, .exr or .tiapart");
     if (a->sums.first)
         return refuse(a, a->summands[0].path, "a picture needs sample 0");
     film.depth = a->depth;

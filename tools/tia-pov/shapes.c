@@ -28,14 +28,18 @@ static void write_ball(struct pov *pov, struct tia_vec3 centre, tia_q16 radius)
     text_word(&pov->text, ", %.10g", pov_length(pov, radius));
 }
 
-static void write_box(struct pov *pov, struct tia_vec3 min, struct tia_vec3 max, uint32_t material)
+static void write_box(struct pov *pov, const struct tia_box *box)
 {
-    if (pov_textured(pov, material)) {
-        pov_box(pov, min, max);
-        return;
-    }
-    pov_triple(pov, "box {", pov_place(pov, min));
-    pov_triple(pov, ",", pov_place(pov, max));
+    pov_triple(pov, "box {", pov_place(pov, box->min));
+    pov_triple(pov, ",", pov_place(pov, box->max));
+}
+
+void pov_solid_geometry(struct pov *pov, const struct tia_shape *s)
+{
+    if (s->kind == TIA_BOX)
+        write_box(pov, &s->box);
+    else
+        pov_geometry(pov, s);
 }
 
 void pov_geometry(struct pov *pov, const struct tia_shape *s)
@@ -62,7 +66,10 @@ void pov_geometry(struct pov *pov, const struct tia_shape *s)
         text_word(&pov->text, s->cone.capped ? "" : "open");
         break;
     case TIA_BOX:
-        write_box(pov, s->box.min, s->box.max, s->material);
+        if (pov_textured(pov, s->material))
+            pov_box(pov, s->box.min, s->box.max);
+        else
+            write_box(pov, &s->box);
         break;
     case TIA_TRIANGLE:
         pov_triangle(pov, &s->triangle);
@@ -70,7 +77,8 @@ void pov_geometry(struct pov *pov, const struct tia_shape *s)
     case TIA_MESH:
         pov_mesh(pov, &pov->scene->meshes[s->mesh]);
         break;
-    case TIA_GRID: /* grids are written by objects.c, cell by cell */
+    case TIA_GRID: /* grids are written by objects.c, cell by cell; solids by solids.c */
+    case TIA_SOLID:
         break;
     }
 }
@@ -189,6 +197,7 @@ void pov_mapping(struct pov *pov, uint32_t material, const struct tia_shape *s)
     case TIA_TRIANGLE:
     case TIA_MESH:
     case TIA_GRID:
+    case TIA_SOLID:
         break; /* meshes have tia's coordinates */
     }
 }
