@@ -435,6 +435,7 @@ include install.mk
 ifeq ($(BARE),)
 include port/boards/boards.mk
 include port/web/web.mk
+include tools/kit/kit.mk
 endif
 
 include pictures.mk
@@ -459,8 +460,10 @@ help:
 	@echo "cycles ways        cycles a pixel on boards, by models; instructions, flash and stack by each build system"
 	@echo "bench-latency      from a key to its picture, in a guest; SCENES='chess glass': of these"
 	@echo "bench TINYGL=DIR   bench with TinyGL (github.com/C-Chads/tinygl), built in DIR"
+	@echo "conform            OpenGL beside the exact rasteriser: docs/conform.md"
 	@echo "boards             programs for boards without an operating system"
 	@echo "web                the viewer as a page for browsers, in build/web"
+	@echo "python npm         packages for the tests of other programs, in build/kit: docs/kit.md"
 	@echo "docs               draws the pictures of docs again and counts their figures; gallery: the pictures"
 	@echo "                   without the course's; counted: the figures"
 	@echo "man3               the reference of the library, in build/man3: man pages made from the headers"
