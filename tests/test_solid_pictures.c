@@ -1,4 +1,4 @@
-/* Pictures of random scenes with solids: by the vector units, and against the oracle. */
+/* Pictures of random scenes with solids, tori and rounded boxes: by the vector units, and against the oracle. */
 #include "check.h"
 #include "common/corpus/corpus_rays.h"
 #include "common/thread_pool.h"
@@ -28,6 +28,7 @@ TEST(vector_units_draw_the_same)
     for (number = 0; number < 12; number++) {
         corpus_random_rays(&c, 5, number);
         corpus_add_solids(&c, number);
+        corpus_add_rings(&c, number);
         if (number % 3 == 2)
             corpus_add_opacity(&c, number);
         c.scene.integration.integrator = (enum tia_integrator)(number % 4 == 3 ? number / 4 % 2 + 1 : 0);
@@ -45,6 +46,7 @@ static void against_the_oracle(const struct tia_core *core, double margin, doubl
     for (unsigned i = 0; i < check_count(24); i++) {
         corpus_random_rays(&c, 3, i);
         corpus_add_solids(&c, i);
+        corpus_add_rings(&c, i);
         c.scene.camera.samples = 1;
         CHECK_EQ(against_oracle(core, &c.scene, 96, 72, false, threads_workers(pool), &a), TIA_OK);
         CHECK_MSG(a.tally.stray == 0 && a.margin < margin, "scene %u: %ju stray, margin %g", i,

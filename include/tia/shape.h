@@ -229,7 +229,7 @@ enum tia_solid_step { TIA_SOLID_MEMBER, TIA_SOLID_UNION, TIA_SOLID_INTERSECTION,
  * half-spaces behind them; their transforms lead to the solid's own axes. They must not reach beyond 32768 there, and
  * the solid must be bounded, as seen from the boxes of its members: the result of each operation is bounded by the box
  * around both boxes for a union, by what the boxes share for an intersection, and by the first box for a difference.
- * The material of the solid's own tia_shape is not used, but must exist. */
+ * The material of the solid's own struct tia_shape is not used, but must exist. */
 struct tia_solid {
     const struct tia_shape *members;
     const uint8_t *steps;              /* enum tia_solid_step */

@@ -1,16 +1,6 @@
 /* objects.c - the objects of a scene: shapes with their materials, and grids cell by cell. */
 #include "pov.h"
 
-void pov_transform(struct pov *pov, uint32_t transform)
-{
-    if (transform == 0)
-        return;
-    const struct tia_transform *t = &pov->scene->transforms[transform - 1];
-    pov_triple(pov, "scale", pov_vec3(t->scale));
-    pov_triple(pov, "rotate", pov_vec3(t->rotation));
-    pov_triple(pov, "translate", pov_place(pov, t->position));
-}
-
 /* Writes a part of a shape. The block stays open, for a transform. */
 static void write_part(struct pov *pov, const struct tia_shape *s, bool unseen)
 {

@@ -17,12 +17,3 @@ uint32_t shape_material(const struct shape *shape, uint32_t element)
         return shape->material + shape->grid.grid->cells[element / 6] - 1;
     return shape_part(shape, &element)->material;
 }
-
-const struct shape *shape_part(const struct shape *shape, uint32_t *element)
-{
-    if (shape->kind != &SHAPE_KIND(solid))
-        return shape;
-    const struct shape *member = &shape->solid.members[*element % TIA_SOLID_MEMBERS];
-    *element /= 2 * TIA_SOLID_MEMBERS;
-    return member;
-}

@@ -8,9 +8,9 @@
  * Only each member's next chord is kept. Crossings within CLOSE of the first one are taken together: where surfaces
  * coincide, roundings would else leave slivers between them. An intersection's element is 64 times the member's own,
  * plus 32 if the member's normal is turned round, plus the member's number. */
+#include "scene/solid.h"
 #include "instance.h"
 #include "math/noinline.h"
-#include "scene/solid.h"
 
 #define CLOSE (NUM_LENGTH_BIAS / 8) /* 2^-16, a unit of the scene's coordinates */
 
@@ -20,13 +20,14 @@
 struct passage {
     const struct prepared_solid *solid;
     const struct ray *ray;
-    uint32_t inside, left;              /* bits of the members that the ray is inside of, and that it has yet to leave */
+    uint32_t inside, left; /* bits of the members that the ray is inside of, and that it has yet to leave */
     num_length enter[TIA_SOLID_MEMBERS]; /* the next chord of each member in `left` */
     num_length leave[TIA_SOLID_MEMBERS];
 };
 
 /* Finds a chord of a member, as `chord` of struct shape_kind does. */
-NOINLINE static bool member_chord(const struct shape *member, const struct ray *ray, num_length after, struct chord *chord)
+NOINLINE static bool member_chord(const struct shape *member, const struct ray *ray, num_length after,
+                                  struct chord *chord)
 {
     struct instance_ray placed;
 
@@ -178,6 +179,15 @@ static void uv_at(const struct shape *shape, struct num_point point, uint32_t el
 static void prepare(struct shape *shape, const struct tia_scene *scene, const struct tia_shape *given)
 {
     shape->solid = (struct prepared_solid){&scene->solids[given->solid], NULL};
+}
+
+const struct shape *shape_part(const struct shape *shape, uint32_t *element)
+{
+    if (shape->kind != &SHAPE_KIND(solid))
+        return shape;
+    const struct shape *member = &shape->solid.members[*element % TIA_SOLID_MEMBERS];
+    *element /= 2 * TIA_SOLID_MEMBERS;
+    return member;
 }
 
 const struct shape_kind SHAPE_KIND(solid) = {prepare, intersect, shape_occludes, surface_at, uv_at, NULL};

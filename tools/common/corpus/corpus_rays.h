@@ -18,6 +18,9 @@ void corpus_add_opacity(struct corpus_rays *out, uint64_t seed);
  * combined at random. */
 void corpus_add_solids(struct corpus_rays *out, uint64_t seed);
 
+/* Makes such a scene's discs tori and its boxes rounded ones. */
+void corpus_add_rings(struct corpus_rays *out, uint64_t seed);
+
 /* Gives such a scene fog, thin or thick; in half of all scenes with a height. */
 void corpus_add_fog(struct corpus_rays *out, uint64_t seed);
 

@@ -4,7 +4,8 @@
 
 #define ONE TIA_Q16(1)
 
-/* Makes a member about 1 large near the solid's origin. A coordinate is often a whole number, so that faces coincide. */
+/* Makes a member about 1 large near the solid's origin. A coordinate is often a whole number, so that faces coincide.
+ */
 static void random_member(uint64_t *state, struct tia_shape *s)
 {
     static const enum tia_shape_kind kinds[] = {TIA_SPHERE, TIA_BOX, TIA_BOX, TIA_CYLINDER, TIA_CONE};
@@ -48,8 +49,7 @@ static void random_half_space(uint64_t *state, struct tia_shape *s)
 
     s->kind = TIA_PLANE;
     s->plane.point = dice_vec3(state, near[0], near[1]);
-    s->plane.normal =
-        dice_one_in(state, 2) ? (struct tia_dir3){0, TIA_Q30(-1), 0} : parts_random_direction(state);
+    s->plane.normal = dice_one_in(state, 2) ? (struct tia_dir3){0, TIA_Q30(-1), 0} : parts_random_direction(state);
 }
 
 /* Gives a member a transform: turned or only moved, and stretched or not. */

@@ -2,7 +2,6 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,30 +11,6 @@
 #include "codec.h"
 #include "common/inputs.h"
 #include "stored_files.h"
-
-int stored_failed(struct stored *s, const char *format, ...)
-{
-    va_list values;
-    int used = snprintf(s->why, STORED_WHY, "%.300s: ", s->path);
-
-    va_start(values, format);
-    (void)vsnprintf(s->why + used, STORED_WHY - (size_t)used, format, values);
-    va_end(values);
-    return -1;
-}
-
-int stored_read_at(struct stored *s, void *bytes, size_t count, uint64_t offset)
-{
-    for (size_t done = 0; done < count;) {
-        ssize_t got = pread(s->fd, (char *)bytes + done, count - done, (off_t)(offset + done));
-        if (got < 0 && errno == EINTR)
-            continue;
-        if (got <= 0)
-            return stored_failed(s, "%s", got == 0 ? "ends too early" : strerror(errno));
-        done += (size_t)got;
-    }
-    return 0;
-}
 
 /* Opens a regular file; others could block, or have rows only once. */
 static int open_file(struct stored *s, uint64_t *length)

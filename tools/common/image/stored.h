@@ -2,29 +2,7 @@
 #ifndef TOOLS_IMAGE_STORED_H
 #define TOOLS_IMAGE_STORED_H
 
-#include "image.h"
-#include "parts.h"
-#include "sums.h"
-
-#define STORED_WHY 512
-
-struct stored {
-    const char *path;
-    enum image_format format; /* of a picture; IMAGE_PART also for .y4m and sums */
-    struct image_film film;   /* of a part: its film; of a picture: its size, and the depth of stored_depth */
-    unsigned bits;            /* bits of a channel in the file; 0: RGB565 */
-    bool is_part, is_sums;
-    struct parts parts;
-    struct sums sums;
-
-    /* Private. */
-    int fd;
-    uint64_t at, stride; /* offset of the first row, and bytes from one row to the next */
-    bool bottom_up;
-    unsigned char *pixels; /* of a .png: all rows */
-    unsigned char *line;   /* a row of the file */
-    char why[STORED_WHY];  /* reason of a failure, one line */
-};
+#include "stored_file.h"
 
 /* Opens a file of the format that tia wrote. A .565 has the size `width` x `height`; other files know theirs. Returns
  * 0; or -1 if the file cannot be read or is not as tia writes it. Then, too, stored_close is to be called. */

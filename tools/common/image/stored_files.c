@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "codec.h"
+#include "stored_png.h"
 
 enum { HEADER = 80, BMP_HEADER = 66 };
 

@@ -1,5 +1,4 @@
-/* stored_png.c - decodes a .png of RGB with 8 or 16 bits per channel, without any conversion. */
-#include "stored_files.h"
+#include "stored_png.h"
 
 #ifdef TIA_HAVE_PNG
 
