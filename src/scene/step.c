@@ -23,8 +23,8 @@ static struct falling falling_of(const struct tia_steps *steps, struct cancel *c
 {
     struct falling f = {.given = steps->scene->falling, .ball_count = balls_of(steps->scene), .cancel = cancel};
 
-    f.balls = steps->balls;
-    f.blocks = steps->blocks;
+    f.balls = (struct fall_ball *)steps->balls;
+    f.blocks = (struct fall_block *)steps->blocks;
     f.block_count = steps->block_count;
     return f;
 }

@@ -74,13 +74,18 @@ static void write_rounded(struct pov *pov, const struct tia_rounded *b)
     tia_q16 r = b->radius;
     struct tia_vec3 low = {b->min.x + r, b->min.y + r, b->min.z + r}, high = {b->max.x - r, b->max.y - r, b->max.z - r};
 
+    /* Of corners that coincide one is written: POV-Ray loses points of surfaces that do. */
+    unsigned flat = (low.x == high.x) | (low.y == high.y) << 1 | (low.z == high.z) << 2;
+
     text_print(&pov->text, "merge {\n");
     for (unsigned i = 0; i < 8; i++) {
+        if (i & flat)
+            continue;
         write_ball(pov, chosen(low, high, i), r);
         text_print(&pov->text, " }\n");
         for (unsigned axis = 1; axis < 8; axis *= 2) {
             struct tia_vec3 from = chosen(low, high, i), to = chosen(low, high, i | axis);
-            if (i & axis || (from.x == to.x && from.y == to.y && from.z == to.z))
+            if ((i | flat) & axis)
                 continue;
             write_tapered(pov, "cylinder {", from, to, pov_length(pov, r), NULL);
             text_print(&pov->text, " }\n");

@@ -31,8 +31,10 @@ struct ply_property {
     uint8_t type, count_type, role; /* count_type: PLY_NONE, or that of a list's number of items */
 };
 
+enum ply_kind { PLY_UNKNOWN, PLY_VERTEX, PLY_FACE };
+
 struct ply_element {
-    enum { PLY_UNKNOWN, PLY_VERTEX, PLY_FACE } kind;
+    enum ply_kind kind;
     struct tia_word name;
     uint32_t count, roles; /* roles: bit n if a property has role n */
     unsigned first, end;   /* the range of its properties */

@@ -194,9 +194,9 @@ static int read_fields(struct tia_parse *job, struct shape_line *line)
 
 static struct shape_line line_of(enum tia_shape_kind kind)
 {
-    return (struct shape_line){.parts = 1,
-                               .transform = {.scale = {TIA_Q16_ONE, TIA_Q16_ONE, TIA_Q16_ONE}},
-                               .shape = {.kind = kind}};
+    return (struct shape_line){.transform = {.scale = {TIA_Q16_ONE, TIA_Q16_ONE, TIA_Q16_ONE}},
+                               .shape = {.kind = kind},
+                               .parts = 1};
 }
 
 int tia_line_shape(struct tia_parse *job, enum tia_shape_kind kind)
@@ -242,8 +242,7 @@ int tia_line_instance(struct tia_parse *job)
 static int begin_solid(struct tia_parse *job)
 {
     struct shape_line line = line_of(TIA_SOLID);
-    struct tia_solid solid = {tia_parse_at(job, TIA_OF_MEMBERS, tia_parse_count(job, TIA_OF_MEMBERS)),
-                              tia_parse_at(job, TIA_OF_STEPS, tia_parse_count(job, TIA_OF_STEPS)), 0, 0};
+    struct tia_solid solid = {NULL, NULL, 0, 0};
     uint32_t given = 0;
     int status = tia_fields(&job->text, "a solid", common_fields + 1, COMMON_FIELDS - 1, &line, &given);
 
@@ -252,6 +251,8 @@ static int begin_solid(struct tia_parse *job)
         status = check_name(job, &line.name);
     if (status)
         return status;
+    solid.members = tia_parse_at(job, TIA_OF_MEMBERS, tia_parse_count(job, TIA_OF_MEMBERS));
+    solid.steps = tia_parse_at(job, TIA_OF_STEPS, tia_parse_count(job, TIA_OF_STEPS));
     line.shape.solid = tia_parse_add(job, TIA_OF_SOLIDS, &solid);
     return place_shape(job, &line, given);
 }

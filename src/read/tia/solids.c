@@ -195,7 +195,9 @@ static void add_mesh(const struct mesh_block *block)
 
     const struct tia_parse_part part = {0};
 
-    mesh.groups = block->grouped ? tia_parse_at(job, TIA_OF_FACE_GROUPS, block->groups) : NULL;
+    mesh.groups = NULL;
+    if (block->grouped)
+        mesh.groups = tia_parse_at(job, TIA_OF_FACE_GROUPS, block->groups);
     (void)tia_parse_add(job, TIA_OF_MESHES, &mesh);
     (void)tia_parse_add(job, TIA_OF_PARTS, &part);
 }
