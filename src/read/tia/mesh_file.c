@@ -172,7 +172,7 @@ static void measure(const struct mesh_file *m)
 }
 
 /* Adds `count` to an array's items. */
-static void add_items(struct tia_parse *job, enum tia_parse_array array, size_t count)
+static void add_items(struct tia_parse *job, enum tia_parse_array array, uint64_t count)
 {
     uint32_t *now = &job->arrays[array].count;
 
@@ -245,7 +245,7 @@ static int fill(struct mesh_file *m, const struct tia_word *name)
     struct tia_parse *job = m->job;
     struct tia_array *words = &job->arrays[TIA_OF_MODEL_WORDS];
     struct tia_arena arena = {words->items + words->count * sizeof(uint64_t),
-                              (words->capacity - words->count) * sizeof(uint64_t), 0};
+                              (size_t)(words->capacity - words->count) * sizeof(uint64_t), 0};
     int status = read_model(m, &arena);
 
     if (status)

@@ -167,7 +167,7 @@ int ray_prepare(struct tia_view *view)
     const struct tia_scene *scene = view->scene;
     struct ray_view *rays = view->prepared;
     struct preparation preparation = {.scene = scene, .cancel = view_cancel(view)};
-    size_t shapes = scene->shape_count + (size_t)solid_members(scene);
+    size_t shapes = (size_t)(scene->shape_count + solid_members(scene));
 
     rays->view = view;
     rays->scene = scene;

@@ -15,10 +15,11 @@ unsigned record_frame_groups(const struct image_film *film)
 bool record_make_groups(struct record *r)
 {
     unsigned each = record_frame_groups(&r->film);
-    uint64_t count = (uint64_t)each * r->film.frames;
+    uint64_t groups = (uint64_t)each * r->film.frames;
 
-    if (count > RECORD_MOST / SHA256_TEXT)
+    if (groups > RECORD_MOST / SHA256_TEXT)
         return false;
+    size_t count = (size_t)groups;
     r->groups = calloc(count + 1, sizeof *r->groups);
     r->frames = calloc((size_t)r->film.frames + 1, sizeof *r->frames);
     if (!r->groups || !r->frames)

@@ -98,7 +98,8 @@ int choice_make(struct choice *choice, const struct choice_wish *wish, uint64_t 
     uint64_t left = count_of(wish, total), state;
 
     *choice = (struct choice){.total = total, .random = !wish->all && !wish->has_rows};
-    choice->keys = malloc((left + 1) * sizeof *choice->keys);
+    if (left < SIZE_MAX / sizeof *choice->keys)
+        choice->keys = malloc(((size_t)left + 1) * sizeof *choice->keys);
     choice->seed = state = wish->seeded ? wish->seed : unknown_seed();
     for (uint64_t i = 0; i < total && left && choice->keys; i++) {
         uint32_t frame;
@@ -111,7 +112,7 @@ int choice_make(struct choice *choice, const struct choice_wish *wish, uint64_t 
             choice->keys[choice->count++] = choice_key(frame, y);
     }
     if (choice->count)
-        qsort(choice->keys, choice->count, sizeof *choice->keys, by_key);
+        qsort(choice->keys, (size_t)choice->count, sizeof *choice->keys, by_key);
     return choice->keys ? 0 : -1;
 }
 
@@ -125,7 +126,7 @@ bool choice_has(const struct choice *choice, uint32_t frame, unsigned y)
 {
     uint64_t key = choice_key(frame, y);
 
-    return choice->count && bsearch(&key, choice->keys, choice->count, sizeof key, by_key);
+    return choice->count && bsearch(&key, choice->keys, (size_t)choice->count, sizeof key, by_key);
 }
 
 double choice_unseen(const struct choice *choice, double forged)
