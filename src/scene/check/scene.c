@@ -1,19 +1,12 @@
 /* scene.c - the whole check, in order: objects are checked before the indices that refer to them. */
 #include "scene_check.h"
 
-static bool is_array(const void *array, uint32_t count)
-{
-    return array || !count;
-}
-
+/* True if the arrays of scenes of spheres are there; more.c checks the others. */
 static bool are_arrays(const struct tia_scene *s)
 {
-    return is_array(s->materials, s->material_count) && is_array(s->spheres, s->sphere_count) &&
-           is_array(s->lights, s->light_count) && is_array(s->bindings, s->binding_count) &&
-           is_array(s->shapes, s->shape_count) && is_array(s->transforms, s->transform_count) &&
-           is_array(s->textures, s->texture_count) && is_array(s->meshes, s->mesh_count) &&
-           is_array(s->grids, s->grid_count) && is_array(s->solids, s->solid_count) &&
-           is_array(s->tracks, s->track_count);
+    return check_is_array(s->materials, s->material_count) && check_is_array(s->spheres, s->sphere_count) &&
+           check_is_array(s->lights, s->light_count) && check_is_array(s->bindings, s->binding_count) &&
+           check_is_array(s->textures, s->texture_count) && check_is_array(s->tracks, s->track_count);
 }
 
 /* True if the hierarchy, if any, has as many objects as the scene: a hierarchy of another scene would omit some. */

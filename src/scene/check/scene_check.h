@@ -129,4 +129,9 @@ int tia_check_rendering(struct check *check);
 /* Checks the scene by the rules of its technique for shadows. */
 int tia_check_shadows(struct check *check);
 
+static inline bool check_is_array(const void *array, uint32_t count)
+{
+    return array || !count;
+}
+
 #endif
