@@ -62,9 +62,9 @@ static void change_deep_arrays(const struct tia_scene *s)
     }
     for (uint32_t i = 0; i < s->texture_count; i++)
         ARRAY(SCENE_PARTS, s->textures[i].texels,
-              s->textures[i].kind == TIA_CHECKER
-                  ? 0
-                  : (size_t)s->textures[i].width * s->textures[i].height * (s->textures[i].kind == TIA_IMAGE ? 3 : 1));
+              tia_texture_is_picture(&s->textures[i])
+                  ? (size_t)s->textures[i].width * s->textures[i].height * (s->textures[i].kind == TIA_IMAGE ? 3 : 1)
+                  : 0);
     for (uint32_t i = 0; i < s->grid_count; i++)
         ARRAY(SCENE_PARTS, s->grids[i].cells, (size_t)s->grids[i].size[0] * s->grids[i].size[1] * s->grids[i].size[2]);
     for (uint32_t i = 0; i < s->track_count; i++)

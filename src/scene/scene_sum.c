@@ -47,7 +47,7 @@ static void add_images(struct checksum *sum, const struct tia_scene *s)
 {
     for (uint32_t i = 0; i < s->texture_count; i++) {
         const struct tia_texture *t = &s->textures[i];
-        if (t->kind != TIA_CHECKER)
+        if (tia_texture_is_picture(t))
             add(sum, t->texels, (uint32_t)t->width * t->height, t->kind == TIA_IMAGE ? 3 : 1);
     }
     for (uint32_t i = 0; i < s->grid_count; i++) {

@@ -69,6 +69,9 @@ static inline void make_texture(struct bytes *b, struct made *m, struct tia_text
     t->offset[1] = kind & 64 ? INT32_MAX : kind & 128 ? TIA_Q16(-0.3) : 0;
     t->cells[0] = take_colour(b, TIA_Q30_ONE);
     t->cells[1] = take_colour(b, TIA_Q30_ONE);
+    t->octaves = 1 + kind % TIA_OCTAVES_MAX;
+    if ((kind & 13) == 12)
+        t->kind = TIA_NOISE;
     t->width = sizes[kind >> 2 & 3][0];
     t->height = sizes[kind >> 2 & 3][1];
     t->texels = m->texels + sizeof m->texels - (size_t)3 * t->width * t->height;

@@ -221,7 +221,8 @@ static inline void take_general(struct bytes *b, struct fuzz_scene *f, struct fu
         const struct tia_transform unit = {{0, 0, 0}, {0, 0, 0}, {TIA_Q16_ONE, TIA_Q16_ONE, TIA_Q16_ONE}};
         g->textures[i] = (struct tia_texture){.repeat = {TIA_Q16_ONE, TIA_Q16_ONE}, .width = 2, .height = 2};
         g->textures[i].texels = g->texels;
-        g->textures[i].kind = (enum tia_texture_kind)(what & 32 ? take_kind(b, 3) : 0);
+        g->textures[i].kind = (enum tia_texture_kind)(what & 32 ? take_kind(b, 4) : 0);
+        g->textures[i].octaves = 3;
         g->transforms[i] = unit;
         if (what & 64) {
             g->transforms[i].position = take_vec3(b);

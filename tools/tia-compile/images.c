@@ -23,7 +23,7 @@ static void write_texels(struct unit *unit, uint32_t index)
 {
     const struct tia_texture *t = &unit->scene->textures[index];
 
-    if (t->kind == TIA_CHECKER || first_with_texels(unit->scene, index) != index)
+    if (!tia_texture_is_picture(t) || first_with_texels(unit->scene, index) != index)
         return;
     table_begin(unit, "uint8_t", "texels_%u", index);
     write_bytes(unit, t->texels, (size_t)(t->kind == TIA_IMAGE ? 3 : 1) * t->width * t->height);
@@ -32,7 +32,7 @@ static void write_texels(struct unit *unit, uint32_t index)
 
 static void write_texture(struct unit *unit, uint32_t index)
 {
-    static const char *const kinds[] = {"TIA_CHECKER", "TIA_IMAGE", "TIA_OPACITY"};
+    static const char *const kinds[] = {"TIA_CHECKER", "TIA_IMAGE", "TIA_OPACITY", "TIA_NOISE"};
     const struct tia_texture *t = &unit->scene->textures[index];
 
     text_word(&unit->text, "{.kind = %s,", kinds[t->kind]);
@@ -46,7 +46,9 @@ static void write_texture(struct unit *unit, uint32_t index)
     field_rgb(unit, "cells[1]", t->cells[1]);
     if (t->footprint)
         text_word(&unit->text, ".footprint = true,");
-    if (t->kind != TIA_CHECKER) {
+    if (t->kind == TIA_NOISE)
+        field_number(unit, "octaves", t->octaves);
+    if (tia_texture_is_picture(t)) {
         if (t->bilinear)
             text_word(&unit->text, ".bilinear = true,");
         field_number(unit, "width", t->width);

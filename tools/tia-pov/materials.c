@@ -115,7 +115,7 @@ static void declare_material(struct pov *pov, uint32_t i, const struct tia_mater
     write_finish(pov, m);
     text_print(&pov->text, "\n#declare Interior_%u = interior { ior %.10g }\n#declare Pigment_%u =\n", i,
                pov_black(m->refraction) ? 1 : pov_q16(m->index), i);
-    if (!pov_coloured(pov, i) || !pov_texture(pov, i, transmit_of(m)))
+    if (!pov_noise(pov, i, transmit_of(m)) && (!pov_coloured(pov, i) || !pov_texture(pov, i, transmit_of(m))))
         write_pigment(pov, m);
     text_print(&pov->text, "\n#declare Material_%u = material {\n", i);
     text_word(&pov->text, "texture { pigment { Pigment_%u } finish { Finish_%u } }", i, i);

@@ -9,7 +9,7 @@ bool pov_coloured(const struct pov *pov, uint32_t material)
 {
     const struct tia_material *m = &pov->scene->materials[material];
 
-    return m->texture != 0 && !pov_black(m->colour);
+    return m->texture != 0 && !pov_black(m->colour) && pov->scene->textures[m->texture - 1].kind != TIA_NOISE;
 }
 
 bool pov_has_opacity(const struct pov *pov, uint32_t material)
@@ -135,6 +135,28 @@ bool pov_texture(struct pov *pov, uint32_t material, double transmit)
         write_checker(pov, material, transmit);
     write_place(pov, t);
     text_word(&pov->text, "}");
+    return true;
+}
+
+bool pov_noise(struct pov *pov, uint32_t material, double transmit)
+{
+    const struct tia_material *m = &pov->scene->materials[material];
+    const struct tia_texture *t = m->texture ? texture_of(pov, material) : NULL;
+    const struct point colour = pov_rgb(m->colour);
+
+    if (!t || t->kind != TIA_NOISE || pov_black(m->colour))
+        return false;
+    pov_note(pov, "material %u: its noise is POV-Ray's here, with other places of light and dark", material);
+    text_word(&pov->text, "pigment { %s color_map {", t->octaves > 1 ? "granite" : "bozo");
+    for (int i = 0; i < 2; i++) {
+        struct point end = pov_rgb(t->cells[i]);
+        end = (struct point){end.x * colour.x, end.y * colour.y, end.z * colour.z};
+        pov_triple(pov, i == 0 ? "[0 rgb" : "[1 rgb", end);
+        text_word(&pov->text, "transmit %.10g]", transmit);
+    }
+    const double once = ldexp(t->octaves > 1 ? 4 : 1, t->repeat_bits); /* granite begins at a quarter of its unit */
+    const double across = once / pov_q16(t->repeat[0]);
+    text_word(&pov->text, "} scale <%.10g, %.10g, %.10g> }", across, once / pov_q16(t->repeat[1]), across);
     return true;
 }
 

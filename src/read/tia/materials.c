@@ -94,10 +94,12 @@ int tia_line_material(struct tia_parse *job)
 struct texture_line {
     struct tia_texture texture;
     int64_t repeat[2], scale[2], offset[2];
+    uint16_t octaves;
 };
 
 /* Indices of fields that every texture has; they come first. */
 enum { REPEAT_FIELD, SCALE_FIELD };
+#define OCTAVES_DEFAULT 4
 #define LYING                                                                                                          \
     {.word = "repeat", .kind = TIA_LONGS, .count = 2, .max = 1, .offset = offsetof(struct texture_line, repeat)},      \
         {.word = "scale", .kind = TIA_LONGS, .count = 2, .max = 1, .offset = offsetof(struct texture_line, scale)},    \
@@ -109,6 +111,17 @@ static const struct tia_field checker_fields[] = {
     LYING,
     {.word = "even", .kind = TIA_COLOUR, .offset = offsetof(struct texture_line, texture.cells[0])},
     {.word = "odd", .kind = TIA_COLOUR, .offset = offsetof(struct texture_line, texture.cells[1])},
+};
+
+static const struct tia_field noise_fields[] = {
+    LYING,
+    {.word = "low", .kind = TIA_COLOUR, .offset = offsetof(struct texture_line, texture.cells[0])},
+    {.word = "high", .kind = TIA_COLOUR, .offset = offsetof(struct texture_line, texture.cells[1])},
+    {.word = "octaves",
+     .kind = TIA_WHOLE,
+     .count = 1,
+     .max = TIA_OCTAVES_MAX,
+     .offset = offsetof(struct texture_line, octaves)},
 };
 
 static const struct tia_field image_fields[] = {
@@ -221,13 +234,26 @@ static int read_image(struct tia_parse *job, struct texture_line *line, enum tia
     return status ? status : fetch_image(job, &file, &line->texture);
 }
 
+static const struct tia_rgb white = {TIA_Q30_ONE, TIA_Q30_ONE, TIA_Q30_ONE};
+
 static int read_checker(struct tia_parse *job, struct texture_line *line)
 {
     uint32_t given = 0;
 
-    line->texture.footprint = job->footprints;
-    line->texture.cells[0] = (struct tia_rgb){TIA_Q30_ONE, TIA_Q30_ONE, TIA_Q30_ONE};
+    line->texture.cells[0] = white;
     int status = tia_fields(&job->text, "a checker", checker_fields, TIA_COUNT_OF(checker_fields), line, &given);
+    return status ? status : set_pattern(&job->text, line, given);
+}
+
+static int read_noise(struct tia_parse *job, struct texture_line *line)
+{
+    uint32_t given = 0;
+
+    line->texture.kind = TIA_NOISE;
+    line->texture.cells[1] = white;
+    line->octaves = OCTAVES_DEFAULT;
+    int status = tia_fields(&job->text, "a noise", noise_fields, TIA_COUNT_OF(noise_fields), line, &given);
+    line->texture.octaves = (uint8_t)line->octaves;
     return status ? status : set_pattern(&job->text, line, given);
 }
 
@@ -239,6 +265,7 @@ int tia_line_texture(struct tia_parse *job)
 
     if (status)
         return status;
+    line.texture.footprint = job->footprints;
     (void)tia_text_word(&job->text, &kind);
     if (tia_word_is(&kind, "checker"))
         status = read_checker(job, &line);
@@ -246,8 +273,10 @@ int tia_line_texture(struct tia_parse *job)
         status = read_image(job, &line, TIA_IMAGE);
     else if (tia_word_is(&kind, "opacity"))
         status = read_image(job, &line, TIA_OPACITY);
+    else if (tia_word_is(&kind, "noise"))
+        status = read_noise(job, &line);
     else
-        return tia_text_error(&job->text, &kind, "is not a kind of texture", "checker, image or opacity");
+        return tia_text_error(&job->text, &kind, "is not a kind of texture", "checker, image, opacity or noise");
     if (!status)
         (void)tia_parse_add(job, TIA_OF_TEXTURES, &line.texture);
     return status;

@@ -186,6 +186,18 @@ void ray_surface(const struct ray_view *view, const struct hit *hit, struct num_
     }
 }
 
+struct num_point ray_own_point(const struct ray_view *view, const struct hit *hit, struct num_point point)
+{
+    const struct tia_scene *scene = view->scene;
+
+    if (hit->object < scene->sphere_count)
+        return num_point_sub(point, ray_sphere_centre(scene, hit->object));
+    const struct shape *shape = &view->shapes[hit->object - scene->sphere_count];
+    if (shape->instance)
+        point = instance_point(shape->instance, point);
+    return shape->kind == &SHAPE_KIND(sphere) ? num_point_sub(point, shape->sphere.centre) : point;
+}
+
 int ray_uv(const struct ray_view *view, const struct hit *hit, struct num_point point, num_length uv[2])
 {
     const struct tia_scene *scene = view->scene;

@@ -1,6 +1,21 @@
 #include "texture.h"
 
+#include "noise.h"
 #include "rgb.h"
+
+void ray_texture_place(const struct ray_view *view, const struct tia_texture *texture, const struct hit *hit,
+                       struct num_point point, struct texture_place *place)
+{
+    if (texture->kind != TIA_NOISE) {
+        place->bits = ray_uv(view, hit, point, place->at);
+        return;
+    }
+    struct num_point own = ray_own_point(view, hit, point);
+    place->at[0] = own.x;
+    place->at[1] = own.y;
+    place->at[2] = own.z;
+    place->bits = -view->scene->scale_bits;
+}
 
 static uint32_t checker(const struct tia_texture *t, const int32_t cell[2], num_length rgb[3])
 {
@@ -48,18 +63,37 @@ static uint32_t nearest(const struct tia_texture *t, num_length u, num_length v,
     return (uint32_t)(found - t->texels) / channels_of(t);
 }
 
-static num_length place(const struct tia_texture *t, int axis, num_length x, int bits, int32_t *cell)
+/* Gives the position in the texture's cells, 0..1, along one of its axes. */
+static num_length position(const struct tia_texture *t, int axis, const struct texture_place *place, int32_t *cell)
 {
-    const struct num_pattern pattern = {t->repeat[axis], t->offset[axis], t->repeat_bits, t->offset_bits};
+    const struct num_pattern pattern = texture_pattern(t, axis);
 
-    return num_repeat(x, bits, &pattern, cell);
+    return num_repeat(place->at[axis], place->bits, &pattern, cell);
 }
 
-uint32_t ray_texture(const struct tia_texture *t, const num_length uv[2], int bits, num_length value[])
+static void noise(const struct tia_texture *t, const struct texture_place *place, num_length rgb[3])
+{
+    struct noise_place at;
+    num_length high[3];
+
+    for (int i = 0; i < 3; i++)
+        at.part[i] = position(t, i, place, &at.cell[i]);
+    num_length value = num_length_clamp(noise_value(&at, t->octaves, 0), 0, NUM_LENGTH_ONE);
+    ray_rgb(&t->cells[0], rgb);
+    ray_rgb(&t->cells[1], high);
+    for (int c = 0; c < 3; c++)
+        rgb[c] += num_product(value, high[c] - rgb[c]);
+}
+
+uint32_t ray_texture(const struct tia_texture *t, const struct texture_place *place, num_length value[])
 {
     int32_t cell[2];
-    num_length u = place(t, 0, uv[0], bits, &cell[0]), v = place(t, 1, uv[1], bits, &cell[1]);
 
+    if (t->kind == TIA_NOISE) {
+        noise(t, place, value);
+        return 0;
+    }
+    num_length u = position(t, 0, place, &cell[0]), v = position(t, 1, place, &cell[1]);
     if (t->kind == TIA_CHECKER)
         return checker(t, cell, value);
     if (!t->bilinear)

@@ -21,12 +21,14 @@ int tia_check_texture(const struct check *check)
 {
     const struct tia_texture *t = &check->scene->textures[check->index];
 
-    REQUIRE(t->kind == TIA_CHECKER || t->kind == TIA_IMAGE || t->kind == TIA_OPACITY, "kind",
-            "must be a checker, an image or an opacity");
+    REQUIRE(t->kind == TIA_CHECKER || tia_texture_is_picture(t) || t->kind == TIA_NOISE, "kind",
+            "must be a checker, an image, an opacity or a noise");
     REQUIRE(is_repeat(t->repeat[0]) && is_repeat(t->repeat[1]), "repeat", "must be 1/1024 or more");
     REQUIRE(is_bits(t->repeat_bits), "repeat_bits", "must be in -8..12");
     REQUIRE(is_bits(t->offset_bits), "offset_bits", "must be in -8..12");
-    if (t->kind == TIA_CHECKER) {
+    REQUIRE(t->kind != TIA_NOISE || tia_check_is_between(t->octaves, 1, TIA_OCTAVES_MAX), "octaves",
+            "must be in 1..8");
+    if (!tia_texture_is_picture(t)) {
         REQUIRE(tia_check_is_unit(&t->cells[0]) && tia_check_is_unit(&t->cells[1]), "cells", CHECK_UNIT);
     } else {
         REQUIRE(tia_check_is_between(t->width, 1, TIA_TEXTURE_MAX), "width", "must be in 1..16384");

@@ -14,6 +14,9 @@ void corpus_random_rays(struct corpus_rays *out, uint64_t seed, unsigned index);
 /* Gives on average half of the materials of such a scene an opacity texture, with holes and half-transparent texels. */
 void corpus_add_opacity(struct corpus_rays *out, uint64_t seed);
 
+/* Makes about half of the textures of such a scene's colours noise. */
+void corpus_add_noise(struct corpus_rays *out, uint64_t seed);
+
 /* Gives such a scene fog, thin or thick; in half of all scenes with a height. */
 void corpus_add_fog(struct corpus_rays *out, uint64_t seed);
 
