@@ -274,6 +274,10 @@ TEST(materials)
     check_refused("material", 0, "opacity", "must be 0 or the number of an opacity texture");
     material.opacity = 1;
     check_accepted();
+    material.bump = 2;
+    check_refused("material", 0, "bump", "must be 0 or the number of a texture");
+    material.bump = 1;
+    check_accepted();
     material.texture = 1;
     check_refused("material", 0, "texture", "must be 0 or the number of a checker, an image or a noise");
 }
@@ -289,6 +293,8 @@ TEST(textures)
         for (int i = 0; i < 2; i++)
             check_range(&texture.repeat[i], 64, INT32_MAX, "texture", 0, "repeat", "must be 1/1024 or more");
     }
+    check_range(&texture.depth, -64 * ONE, 64 * ONE, "texture", 0, "depth", "must be in -64..64");
+    texture.depth = 0;
     texture.octaves = 8;
     check_accepted();
     texture.octaves = 9;

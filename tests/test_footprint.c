@@ -6,12 +6,16 @@
 #include "check.h"
 #include "reading.h"
 
+#include <tia/mip.h>
+
 #define WIDTH 64
 #define HEIGHT 48
 #define PIXELS (WIDTH * HEIGHT)
 #define EVEN 0.875
 #define ODD 0.125
 #define SKY 0.5
+
+static const struct tia_texture *replacement; /* of the scene's first texture */
 
 #define FLOOR                                                                                                          \
     "background 0.5\ntexture tiles checker even 0.875 odd 0.125\nmaterial floor colour 1 texture tiles\n"              \
@@ -22,10 +26,16 @@ static void draw(const struct tia_core *core, const char *text, double red[PIXEL
 {
     static uint16_t colours[3 * PIXELS];
     struct frames_canvas canvas = {.core = core};
+    struct tia_texture other;
     struct reading r;
 
     read_string(&r, TIA_FORMAT_TIA, text);
     CHECK_MSG(r.status == TIA_OK, "%u: %s", (unsigned)r.reader.error.line, r.reader.error.text);
+    if (replacement) {
+        other = *replacement;
+        other.footprint = r.scene.textures[0].footprint;
+        r.scene.textures = &other;
+    }
     if (r.status || !frames_open(&canvas, &r.scene, WIDTH, HEIGHT))
         abort();
     const struct tia_surface surface = {.pixels = canvas.pixels, .step = 2, .pitch = WIDTH * 2};
@@ -43,6 +53,8 @@ static double cell(double x, double z)
     return ((long)floor(x) + (long)floor(z)) % 2 ? ODD : EVEN;
 }
 
+static double (*pattern)(double x, double v) = cell; /* what the floor shows at x, v */
+
 /* A camera at (0.25, 1, 0.4), turned to the right by `turn` and down by `tilt`, in degrees, with a field of view of
  * 50. */
 struct eye {
@@ -59,8 +71,8 @@ static double seen(const struct eye *eye, double x, double y)
 
     if (rise >= 0)
         return SKY;
-    return cell(0.25 + (c * across + s * ahead) / -rise,
-                -0.4 - (s * across - c * ahead) / -rise); /* the v axis is -z */
+    return pattern(0.25 + (c * across + s * ahead) / -rise,
+                   -0.4 - (s * across - c * ahead) / -rise); /* the v axis is -z */
 }
 
 /* Draws with n x n samples per pixel. */
@@ -95,8 +107,9 @@ static void draw_eye(const struct tia_core *core, const struct eye *eye, const c
     draw(core, text, red);
 }
 
-/* One sample with footprints is nearer to 256 samples than 16 samples without. */
-TEST(checkers_to_the_horizon)
+/* One sample with footprints is nearer to 256 samples than 16 samples without, if it beats them, and `times` nearer than
+ * one sample. */
+static void check_floor(const char *more, double times, bool beats_sixteen)
 {
     static const struct eye eyes[] = {{0, 6}, {45, 8}, {30, 20}, {17, -3}};
     static const struct tia_core *const cores[] = {&tia_core_q16, &tia_core_f64};
@@ -105,17 +118,91 @@ TEST(checkers_to_the_horizon)
     for (size_t i = 0; i < sizeof eyes / sizeof *eyes; i++) {
         brute(&eyes[i], 16, truth);
         for (int k = 0; k < 2; k++) {
-            draw_eye(cores[k], &eyes[i], "", one);
-            draw_eye(cores[k], &eyes[i], "samples 16\n", sixteen);
-            draw_eye(cores[k], &eyes[i], "filter footprint\n", filtered);
+            char all[200];
+            draw_eye(cores[k], &eyes[i], more, one);
+            (void)snprintf(all, sizeof all, "samples 16\n%s", more);
+            draw_eye(cores[k], &eyes[i], all, sixteen);
+            (void)snprintf(all, sizeof all, "filter footprint\n%s", more);
+            draw_eye(cores[k], &eyes[i], all, filtered);
             double near = distance(filtered, truth), far = distance(sixteen, truth);
             if (k == 0 && getenv("FIGURES"))
-                (void)printf("| %.0f, %.0f | %.1f | %.1f | %.1f |\n", eyes[i].turn, eyes[i].tilt,
+                (void)printf("| %.0f, %.0f %s | %.1f | %.1f | %.1f |\n", eyes[i].turn, eyes[i].tilt, replacement ? "image" : "",
                              255 * distance(one, truth), 255 * far, 255 * near);
-            CHECK_MSG(near < far, "eye %zu: 1 sample with footprints %.5f, 16 without %.5f", i, near, far);
-            CHECK_MSG(distance(one, truth) > 4 * near, "eye %zu: 1 sample without %.5f", i, distance(one, truth));
+            CHECK_MSG(near < far || !beats_sixteen, "eye %zu: 1 sample with footprints %.5f, 16 without %.5f", i, near, far);
+            CHECK_MSG(distance(one, truth) > times * near, "eye %zu: 1 sample without %.5f", i, distance(one, truth));
         }
     }
+}
+
+TEST(checkers_to_the_horizon)
+{
+    check_floor("", 4, true);
+}
+
+#define SIDE 16
+#define MIRROR 3 /* the mirror's v */
+
+static uint8_t texels[3 * SIDE * SIDE], mips[SIDE * SIDE];
+
+/* Returns the image's texel at x, v, in units of texels a quarter of a unit wide. */
+static double nearest(double x, double v)
+{
+    int i = (int)floor(4 * x) & (SIDE - 1), j = (int)floor(4 * v) & (SIDE - 1);
+
+    return texels[3 * ((SIDE - 1 - j) * SIDE + i)] / 255.0;
+}
+
+static double bilinear(double x, double v)
+{
+    double u = 4 * x - 0.5, w = 4 * v - 0.5, right = u - floor(u), up = w - floor(w);
+    double low = nearest(floor(u) / 4, floor(w) / 4) * (1 - right) + nearest(floor(u) / 4 + 0.25, floor(w) / 4) * right;
+    double high = nearest(floor(u) / 4, floor(w) / 4 + 0.25) * (1 - right) +
+                  nearest(floor(u) / 4 + 0.25, floor(w) / 4 + 0.25) * right;
+
+    return low * (1 - up) + high * up;
+}
+
+static double mirrored(double x, double v)
+{
+    return nearest(x, v > MIRROR ? 2 * MIRROR - v : v);
+}
+
+/* Draws the floor with an image of texels of any brightness, four per unit. Drawing again without the filter clears
+ * `footprint`, as the reader does. */
+static void check_image(double (*shown)(double x, double v), bool is_bilinear, const char *more, double times,
+                        bool beats_sixteen)
+{
+    struct tia_texture image = {.kind = TIA_IMAGE,
+                                .repeat = {TIA_Q16(0.25), TIA_Q16(0.25)},
+                                .bilinear = is_bilinear,
+                                .width = SIDE,
+                                .height = SIDE,
+                                .texels = texels,
+                                .mips = mips};
+
+    for (int i = 0; i < SIDE * SIDE; i++)
+        texels[3 * i] = texels[3 * i + 1] = texels[3 * i + 2] = (uint8_t)((uint32_t)i * UINT32_C(2654435761) >> 16);
+    CHECK(tia_mip_size(&image) <= sizeof mips);
+    tia_mip_build(&image, mips);
+    pattern = shown;
+    replacement = &image;
+    check_floor(more, times, beats_sixteen);
+    replacement = NULL;
+    pattern = cell;
+}
+
+TEST(images_to_the_horizon)
+{
+    check_image(nearest, false, "", 8, true);
+    check_image(bilinear, true, "", 5, false); /* 16 samples of a smooth image are good enough */
+}
+
+/* A wall that is a mirror shows the floor behind the eye, up to the horizon; cones are not as exact as differentials. */
+TEST(images_in_a_mirror)
+{
+    check_image(mirrored, false,
+                "material glass mirror 1\nplane point 0 0 -3 normal 0 0 1 material glass\n",
+                4, false);
 }
 
 /* Returns the mean of the square wave, 1 in even cells and -1 in odd ones, over lo..hi: a sum over the cells. */
@@ -192,7 +279,7 @@ TEST(samples)
     "filter footprint\ntexture tiles checker even 0.875 odd 0.125 repeat 400\nmaterial m texture tiles "               \
     "colour 1\nlight ambient emission 1\ncamera eye 0 0 8\n"
 
-/* Where cells are far smaller than pixels, a pixel inside the outline is their mean; on triangles textures are not
+/* Where cells are far smaller than pixels, a pixel inside the outline is their mean; on triangles checkers are not
  * filtered. */
 TEST(shapes)
 {
@@ -243,6 +330,8 @@ TEST(seams)
 int main(void)
 {
     RUN(checkers_to_the_horizon);
+    RUN(images_to_the_horizon);
+    RUN(images_in_a_mirror);
     RUN(boxes_exactly);
     RUN(statement);
     RUN(samples);

@@ -14,7 +14,12 @@
  * (1 - F) refraction, where F is the reflectance by Fresnel's equations for unpolarised light. On total
  * internal reflection F = 1, with or without `fresnel`.
  *
- * N is the shading normal: interpolated on a mesh that has normals, elsewhere the geometric normal G. Where the ray
+ * N is the shading normal: interpolated on a mesh that has normals, elsewhere the geometric normal G; a material's bump
+ * perturbs it (Blinn, "Simulation of wrinkled surfaces", 1978) as if the surface were moved outwards by a height, the
+ * value of the bump's texture times its depth: N - grad h, normalised. That value is 0 or 1 in a checker's even and odd
+ * cells, with a ramp of a sixteenth of a cell on both sides of an edge; the mean of the channels of a picture, blended
+ * bilinearly; the value of a noise, not clamped. Where N.V would be below 1/64, N is turned to V until it is not, but not
+ * beyond the normal before. Where the ray
  * hits the back of the surface both are negated. Shadow rays and reflected rays start at P + b G, and refracted rays at
  * P - b G, so that rounding cannot make them hit the surface that they leave; b is 2^-13, or 2^-26 in scenes that have
  * `fine`. A shadow ray ends exactly at the light's sample, but in the span renderer b G beside it. A light contributes
@@ -85,6 +90,7 @@ struct tia_material {
     tia_q16 index;
     bool fresnel;
     uint8_t emission_bits; /* TIA_PATHS: emission is 2^emission_bits times as large, 0..TIA_EMISSION_BITS_MAX */
+    uint16_t bump;         /* 0: smooth; n: the scene's texture n - 1 is the height of the surface, see its `depth` */
     struct tia_rgb facing; /* weight of the facing ratio N.V */
     uint32_t texture;      /* texture of the colour. 0: none; n: the scene's texture n - 1, any but a TIA_OPACITY */
     uint32_t opacity;      /* 0: opaque; n: the scene's texture n - 1, of the kind TIA_OPACITY */
@@ -95,6 +101,7 @@ enum tia_texture_kind { TIA_CHECKER, TIA_IMAGE, TIA_OPACITY, TIA_NOISE };
 #define TIA_TEXTURE_BITS_MIN (-8)
 #define TIA_TEXTURE_BITS_MAX 12
 #define TIA_OCTAVES_MAX 8
+#define TIA_BUMP_MAX TIA_Q16(64)
 
 /* A texture. Its value is taken at repeat (u - offset), repeat (v - offset) of the surface coordinates u, v: see
  * shape.h.
@@ -128,8 +135,9 @@ struct tia_texture {
      * counted from the upper left, is at u = (x + 1/2)/width, v = 1 - (y + 1/2)/height. */
     bool bilinear; /* false: nearest texel */
 
-    /* TIA_CHECKER: rays from the eye see the mean over the part of the surface that their sample stands for, instead of
-     * the value at a point; not on triangles and meshes, nor by TIA_OCCLUSION and TIA_PATHS. */
+    /* Rays see the mean over the part of the surface that their sample stands for, instead of the value at a point: of
+     * an image or opacity with `mips`, of a noise, of a checker. On triangles and meshes only a noise has a mean. Shadow
+     * rays, TIA_OCCLUSION, TIA_PATHS and libraries made with TIA_FOOTPRINTS=0 see the value at a point. */
     bool footprint;
 
     uint16_t width, height; /* 1..TIA_TEXTURE_MAX */
@@ -138,6 +146,12 @@ struct tia_texture {
     int8_t repeat_bits, offset_bits; /* TIA_TEXTURE_BITS_MIN..TIA_TEXTURE_BITS_MAX */
 
     uint8_t octaves; /* TIA_NOISE: 1..TIA_OCTAVES_MAX */
+
+    /* As a material's bump: the height of the surface where the value is 1, above where it is 0, in the file's units,
+     * -TIA_BUMP_MAX..TIA_BUMP_MAX. */
+    tia_q16 depth;
+
+    const uint8_t *mips; /* TIA_IMAGE, TIA_OPACITY: NULL, or what tia_mip_build of mip.h has made */
 };
 
 /* True for the textures that have texels. */

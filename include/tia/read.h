@@ -91,7 +91,8 @@ struct tia_reader {
      * and must then return the same text. Here and below, the loaded memory stays the caller's and must outlive the
      * scene. If the function is NULL, a reference to such a file is an error. */
     int (*library)(void *ctx, const char *name, const char **text, size_t *length, const char **why);
-    /* Loads an image: sets the texture's width, height and texels. Called once for each texture, and only once the
+    /* Loads an image: sets the texture's width, height and texels; if it has `footprint`, also `mips`, without which it
+     * is not filtered. Called once for each texture, and only once the
      * memory is certain to suffice. Names and errors are as for `library`. */
     int (*image)(void *ctx, const char *name, struct tia_texture *texture, const char **why);
     /* Loads one channel of an image, otherwise as `image` does. */

@@ -3,6 +3,7 @@
 #include "math/checksum.h"
 
 #include <tia/bvh.h>
+#include <tia/mip.h>
 #include <tia/motion.h>
 
 /* Adds an array of `count` elements, which is NULL if there are none. */
@@ -47,8 +48,11 @@ static void add_images(struct checksum *sum, const struct tia_scene *s)
 {
     for (uint32_t i = 0; i < s->texture_count; i++) {
         const struct tia_texture *t = &s->textures[i];
-        if (tia_texture_is_picture(t))
-            add(sum, t->texels, (uint32_t)t->width * t->height, t->kind == TIA_IMAGE ? 3 : 1);
+        if (!tia_texture_is_picture(t))
+            continue;
+        add(sum, t->texels, (uint32_t)t->width * t->height, t->kind == TIA_IMAGE ? 3 : 1);
+        if (t->mips)
+            add(sum, t->mips, 1, tia_mip_size(t));
     }
     for (uint32_t i = 0; i < s->grid_count; i++) {
         const uint16_t *size = s->grids[i].size;

@@ -1,5 +1,7 @@
 #include "unit.h"
 
+#include <tia/mip.h>
+
 static void write_bytes(struct unit *unit, const uint8_t *bytes, size_t count)
 {
     for (size_t i = 0; i < count; i++)
@@ -28,6 +30,11 @@ static void write_texels(struct unit *unit, uint32_t index)
     table_begin(unit, "uint8_t", "texels_%u", index);
     write_bytes(unit, t->texels, (size_t)(t->kind == TIA_IMAGE ? 3 : 1) * t->width * t->height);
     table_end(unit);
+    if (!t->mips)
+        return;
+    table_begin(unit, "uint8_t", "mips_%u", index);
+    write_bytes(unit, t->mips, tia_mip_size(t));
+    table_end(unit);
 }
 
 static void write_texture(struct unit *unit, uint32_t index)
@@ -48,12 +55,15 @@ static void write_texture(struct unit *unit, uint32_t index)
         text_word(&unit->text, ".footprint = true,");
     if (t->kind == TIA_NOISE)
         field_number(unit, "octaves", t->octaves);
+    field_number(unit, "depth", t->depth);
     if (tia_texture_is_picture(t)) {
         if (t->bilinear)
             text_word(&unit->text, ".bilinear = true,");
         field_number(unit, "width", t->width);
         field_number(unit, "height", t->height);
         field_table(unit, "texels", 1, "texels_%u", first_with_texels(unit->scene, index));
+        if (t->mips)
+            field_table(unit, "mips", 1, "mips_%u", first_with_texels(unit->scene, index));
     }
     text_print(&unit->text, "},\n");
 }

@@ -49,6 +49,8 @@ bool pov_texture(struct pov *pov, uint32_t material, double transmit);
 /* Writes the pigment of a material whose texture is a noise, in space, as near as POV-Ray's patterns are. Returns false
  * for other materials. */
 bool pov_noise(struct pov *pov, uint32_t material, double transmit);
+/* Writes the normal of a material whose bump is a noise, as near as POV-Ray's bumps are. */
+void pov_bump(struct pov *pov, uint32_t material);
 /* True if a material has an opacity that can be written. */
 bool pov_has_opacity(const struct pov *pov, uint32_t material);
 /* Declares the opacity as a pigment that is white where the opacity is 1. */

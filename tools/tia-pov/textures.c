@@ -138,6 +138,14 @@ bool pov_texture(struct pov *pov, uint32_t material, double transmit)
     return true;
 }
 
+/* Writes the size of a noise's unit in space, `times` as large. */
+static void write_size(struct pov *pov, const struct tia_texture *t, int times)
+{
+    const double once = ldexp(times, t->repeat_bits), across = once / pov_q16(t->repeat[0]);
+
+    text_word(&pov->text, "scale <%.10g, %.10g, %.10g>", across, once / pov_q16(t->repeat[1]), across);
+}
+
 bool pov_noise(struct pov *pov, uint32_t material, double transmit)
 {
     const struct tia_material *m = &pov->scene->materials[material];
@@ -154,10 +162,22 @@ bool pov_noise(struct pov *pov, uint32_t material, double transmit)
         pov_triple(pov, i == 0 ? "[0 rgb" : "[1 rgb", end);
         text_word(&pov->text, "transmit %.10g]", transmit);
     }
-    const double once = ldexp(t->octaves > 1 ? 4 : 1, t->repeat_bits); /* granite begins at a quarter of its unit */
-    const double across = once / pov_q16(t->repeat[0]);
-    text_word(&pov->text, "} scale <%.10g, %.10g, %.10g> }", across, once / pov_q16(t->repeat[1]), across);
+    text_word(&pov->text, "}");
+    write_size(pov, t, t->octaves > 1 ? 4 : 1); /* granite begins at a quarter of its unit */
+    text_word(&pov->text, "}");
     return true;
+}
+
+void pov_bump(struct pov *pov, uint32_t material)
+{
+    const uint16_t bump = pov->scene->materials[material].bump;
+    const struct tia_texture *t = bump ? &pov->scene->textures[bump - 1] : NULL;
+
+    if (!t || t->kind != TIA_NOISE)
+        return;
+    text_word(&pov->text, "normal { bumps %.10g", pov_q16(t->depth) * pov_q16(t->repeat[0]) * ldexp(1, -t->repeat_bits));
+    write_size(pov, t, 1);
+    text_word(&pov->text, "}");
 }
 
 static bool closes(const struct tia_texture *t)

@@ -4,7 +4,7 @@
 
 struct material_line {
     struct tia_material material;
-    struct tia_word texture, opacity;
+    struct tia_word texture, opacity, bump;
     struct tia_emission emission;
 };
 
@@ -17,11 +17,12 @@ struct material_line {
         .word = #name, .kind = TIA_NUMBERS, .count = 1, .offset = offsetof(struct material_line, material.name)        \
     }
 
-enum { COLOUR_FIELD, TEXTURE_FIELD, OPACITY_FIELD, SPECULAR_FIELD, EXPONENT_FIELD, REFRACTION_FIELD, INDEX_FIELD };
+enum { COLOUR_FIELD, TEXTURE_FIELD, OPACITY_FIELD, BUMP_FIELD, SPECULAR_FIELD, EXPONENT_FIELD, REFRACTION_FIELD, INDEX_FIELD };
 static const struct tia_field material_fields[] = {
     COLOUR(colour),
     {.word = "texture", .kind = TIA_NAME_FIELD, .offset = offsetof(struct material_line, texture)},
     {.word = "opacity", .kind = TIA_NAME_FIELD, .offset = offsetof(struct material_line, opacity)},
+    {.word = "bump", .kind = TIA_NAME_FIELD, .offset = offsetof(struct material_line, bump)},
     COLOUR(specular),
     NUMBER(exponent),
     COLOUR(refraction),
@@ -46,6 +47,17 @@ static int find_texture(struct tia_parse *job, const struct tia_word *name, uint
     return status;
 }
 
+static int find_bump(struct tia_parse *job, const struct tia_word *name, uint16_t *number)
+{
+    uint32_t found = 0;
+    int status = find_texture(job, name, &found);
+
+    if (!status && found > UINT16_MAX)
+        return tia_text_error(&job->text, name, "is defined too late", "one of the first 65535 textures");
+    *number = (uint16_t)found;
+    return status;
+}
+
 /* Reads and defines a material's name; in the last pass, reports it to the caller's callback. */
 static int define(struct tia_parse *job)
 {
@@ -67,7 +79,7 @@ static int define(struct tia_parse *job)
 
 int tia_line_material(struct tia_parse *job)
 {
-    struct material_line line = {.texture = {NULL, 0, 0, 0}, .opacity = {NULL, 0, 0, 0}};
+    struct material_line line = {.texture = {NULL, 0, 0, 0}, .opacity = {NULL, 0, 0, 0}, .bump = {NULL, 0, 0, 0}};
     struct tia_material *material = &line.material;
     uint32_t given = 0;
     int status = define(job);
@@ -79,6 +91,8 @@ int tia_line_material(struct tia_parse *job)
         status = find_texture(job, &line.texture, &material->texture);
     if (!status && has(given, OPACITY_FIELD))
         status = find_texture(job, &line.opacity, &material->opacity);
+    if (!status && has(given, BUMP_FIELD))
+        status = find_bump(job, &line.bump, &material->bump);
     if (has(given, SPECULAR_FIELD) && !has(given, EXPONENT_FIELD))
         material->exponent = TIA_Q16(32);
     if (has(given, REFRACTION_FIELD) && !has(given, INDEX_FIELD))
@@ -103,8 +117,9 @@ enum { REPEAT_FIELD, SCALE_FIELD };
 #define LYING                                                                                                          \
     {.word = "repeat", .kind = TIA_LONGS, .count = 2, .max = 1, .offset = offsetof(struct texture_line, repeat)},      \
         {.word = "scale", .kind = TIA_LONGS, .count = 2, .max = 1, .offset = offsetof(struct texture_line, scale)},    \
+        {.word = "offset", .kind = TIA_LONGS, .count = 2, .offset = offsetof(struct texture_line, offset)},            \
     {                                                                                                                  \
-        .word = "offset", .kind = TIA_LONGS, .count = 2, .offset = offsetof(struct texture_line, offset)               \
+        .word = "depth", .kind = TIA_NUMBERS, .count = 1, .offset = offsetof(struct texture_line, texture.depth)       \
     }
 
 static const struct tia_field checker_fields[] = {
@@ -195,7 +210,7 @@ static int fetch_image(struct tia_parse *job, const struct tia_word *file, struc
 {
     struct tia_reader *reader = job->reader;
     bool is_image = texture->kind == TIA_IMAGE;
-    struct tia_texture image = {.kind = texture->kind};
+    struct tia_texture image = {.kind = texture->kind, .footprint = texture->footprint};
     char path[TIA_NAME_MAX + 1];
     const char *why = "cannot be read";
 
@@ -209,6 +224,7 @@ static int fetch_image(struct tia_parse *job, const struct tia_word *file, struc
         texture->width = loaded->width;
         texture->height = loaded->height;
         texture->texels = loaded->texels;
+        texture->mips = loaded->mips;
         return TIA_OK;
     }
     if (is_image ? reader->image(reader->ctx, path, &image, &why)
@@ -218,6 +234,7 @@ static int fetch_image(struct tia_parse *job, const struct tia_word *file, struc
     texture->width = image.width;
     texture->height = image.height;
     texture->texels = image.texels;
+    texture->mips = image.mips;
     return TIA_OK;
 }
 

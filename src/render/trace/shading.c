@@ -1,5 +1,6 @@
 #include "shading.h"
 
+#include "bump.h"
 #include "scene/colour.h"
 #include "texture.h"
 
@@ -45,6 +46,8 @@ void shading_prepare(const struct ray_view *view, num_length bias, const struct 
     s->geometric = s->back ? num_dir_negated(surface.normal) : surface.normal;
     s->outside = num_point_at(s->point, s->geometric, bias);
     s->normal = s->back ? num_dir_negated(surface.smooth) : surface.smooth;
+    if (s->material->bump)
+        bump_normal(view, hit, s->point, s->viewer, s->back, &s->normal);
     s->facing = num_dir_dot(s->normal, s->viewer);
     texture(view, hit, s);
 }

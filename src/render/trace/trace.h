@@ -8,6 +8,10 @@
 #include "render/renderer.h"
 #include "rgb.h"
 
+#ifndef TIA_FOOTPRINTS
+#define TIA_FOOTPRINTS 1 /* 0: textures are looked up at points even if they have `footprint` */
+#endif
+
 struct ray_view {
     const struct tia_view *view; /* the view that these data belong to */
     const struct tia_scene *scene;

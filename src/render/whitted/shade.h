@@ -19,6 +19,9 @@ struct bounces {
     num_length reflects[3], refracts[3], passes[3];
     struct media media; /* media of `refracted` and of `past` */
     bool straight;      /* the refracted ray is undeflected, and stands for `past` as well */
+    struct boundary between; /* what `refracted` crosses; not set without refraction and opacity */
+    /* In views that are filtered: the cones' width and, by enum tia_ray - TIA_RAY_REFLECTED, their spreads. */
+    num_length width, spread[3];
 };
 
 /* Sets the bounces; `media` are those of the incoming ray. */

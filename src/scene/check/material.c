@@ -24,5 +24,7 @@ int tia_check_material(const struct check *check)
             "must be in 0.25..4");
     REQUIRE(has_texture(check, m->texture, false), "texture", "must be 0 or the number of a checker, an image or a noise");
     REQUIRE(has_texture(check, m->opacity, true), "opacity", "must be 0 or the number of an opacity texture");
+    REQUIRE(!m->bump || has_texture(check, m->bump, false) || has_texture(check, m->bump, true), "bump",
+            "must be 0 or the number of a texture");
     return TIA_OK;
 }

@@ -26,6 +26,7 @@ int tia_check_texture(const struct check *check)
     REQUIRE(is_repeat(t->repeat[0]) && is_repeat(t->repeat[1]), "repeat", "must be 1/1024 or more");
     REQUIRE(is_bits(t->repeat_bits), "repeat_bits", "must be in -8..12");
     REQUIRE(is_bits(t->offset_bits), "offset_bits", "must be in -8..12");
+    REQUIRE(t->depth >= -TIA_BUMP_MAX && t->depth <= TIA_BUMP_MAX, "depth", "must be in -64..64");
     REQUIRE(t->kind != TIA_NOISE || tia_check_is_between(t->octaves, 1, TIA_OCTAVES_MAX), "octaves",
             "must be in 1..8");
     if (!tia_texture_is_picture(t)) {

@@ -17,6 +17,9 @@ void corpus_add_opacity(struct corpus_rays *out, uint64_t seed);
 /* Makes about half of the textures of such a scene's colours noise. */
 void corpus_add_noise(struct corpus_rays *out, uint64_t seed);
 
+/* Gives on average half of the materials of such a scene a bump, of any of its textures. */
+void corpus_add_bumps(struct corpus_rays *out, uint64_t seed);
+
 /* Gives such a scene fog, thin or thick; in half of all scenes with a height. */
 void corpus_add_fog(struct corpus_rays *out, uint64_t seed);
 

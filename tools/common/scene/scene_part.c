@@ -8,6 +8,8 @@
 #include "common/image/decode.h"
 #include "whole_file.h"
 
+#include <tia/mip.h>
+
 /* Kinds of parts. The last one stands for several: PART_OPACITY + c for each enum tia_channel c. */
 enum { PART_LIBRARY, PART_IMAGE, PART_OPACITY };
 
@@ -16,6 +18,7 @@ struct scene_part {
     unsigned kind;
     struct whole text;          /* text of a library */
     struct image_texels texels; /* texels of an image or opacity */
+    uint8_t *mips;              /* their smaller levels, or NULL */
     char name[];                /* the name in the scene */
 };
 
@@ -39,6 +42,7 @@ static void release(struct scene_part *part)
 {
     free(part->text.bytes);
     image_free(&part->texels);
+    free(part->mips);
     free(part);
 }
 
@@ -127,6 +131,24 @@ int part_library(void *ctx, const char *name, const char **text, size_t *length,
     return status;
 }
 
+/* Makes the levels of a texture that is filtered, once for each file. */
+static int add_mips(struct scene_part *part, struct tia_texture *texture, const char **why)
+{
+    size_t size = tia_mip_size(texture);
+    if (!texture->footprint || size == 0)
+        return TIA_OK;
+    if (!part->mips) {
+        part->mips = malloc(size);
+        if (!part->mips) {
+            *why = "memory: exhausted";
+            return TIA_ERR_MEMORY;
+        }
+        tia_mip_build(texture, part->mips);
+    }
+    texture->mips = part->mips;
+    return TIA_OK;
+}
+
 static int fetch_texels(struct scene_file *file, const char *name, unsigned kind, struct tia_texture *texture,
                         const char **why)
 {
@@ -136,6 +158,7 @@ static int fetch_texels(struct scene_file *file, const char *name, unsigned kind
         texture->width = (uint16_t)part->texels.width;
         texture->height = (uint16_t)part->texels.height;
         texture->texels = kind == PART_IMAGE ? part->texels.rgb : part->texels.alpha;
+        status = add_mips(part, texture, why);
     }
     return status;
 }

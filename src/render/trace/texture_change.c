@@ -1,0 +1,58 @@
+/* texture_change.c - how far apart two places near a hit are in a texture. */
+#include "render/geometry/round.h"
+#include "texture.h"
+
+static bool is_long(num_length x)
+{
+    return x > NUM_LENGTH_ONE || x < -NUM_LENGTH_ONE;
+}
+
+/* Halves a vector until no component is above 1. Returns the number of times. */
+static int shorten(struct num_point *v)
+{
+    int times = 0;
+
+    for (; is_long(v->x) || is_long(v->y) || is_long(v->z); times++)
+        *v = (struct num_point){v->x / 2, v->y / 2, v->z / 2};
+    return times;
+}
+
+/* Returns the change of a coordinate that goes round, 0 and 1 being one place. */
+static num_length around(num_length x)
+{
+    return x > NUM_LENGTH_ONE / 2 ? x - NUM_LENGTH_ONE : x < -NUM_LENGTH_ONE / 2 ? x + NUM_LENGTH_ONE : x;
+}
+
+static const struct shape_kind *kind_of(const struct ray_view *view, uint32_t object)
+{
+    uint32_t spheres = view->scene->sphere_count;
+
+    return object < spheres ? &SHAPE_KIND(sphere) : view->shapes[object - spheres].kind;
+}
+
+/* True if the coordinate u goes round at the hit: on spheres, and on the sides of cylinders and cones. */
+static bool is_round(const struct shape_kind *kind, uint32_t element)
+{
+    bool has_sides = kind == &SHAPE_KIND(cylinder) || kind == &SHAPE_KIND(cone);
+
+    return kind == &SHAPE_KIND(sphere) || (has_sides && element == ROUND_SIDE);
+}
+
+void ray_texture_change(const struct ray_view *view, const struct tia_texture *t, const struct hit *hit,
+                        struct num_point point, struct num_point change, num_length cells[3])
+{
+    int times = shorten(&change);
+    struct texture_place from, to;
+
+    ray_texture_place(view, t, hit, point, &from);
+    ray_texture_place(view, t, hit, num_point_add(point, change), &to);
+    cells[2] = 0;
+    for (int i = 0; i < texture_axes(t); i++) {
+        const struct num_pattern pattern = texture_pattern(t, i);
+        num_length d = to.at[i] - from.at[i];
+
+        if (i == 0 && t->kind != TIA_NOISE && is_round(kind_of(view, hit->object), hit->element))
+            d = around(d);
+        cells[i] = num_repeats(d, from.bits + times, &pattern);
+    }
+}

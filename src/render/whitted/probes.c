@@ -1,0 +1,140 @@
+/* probes.c - the means of noise and pictures over a footprint.
+ *
+ * Each place is averaged over a round part of the width w. Octaves of noise fade with w. A picture has the level whose
+ * texels are as wide as w, blended between two levels with 2^n <= w < 2^(n + 1) by w/2^n - 1. */
+#include "probes.h"
+
+#include "render/trace/noise.h"
+#include "render/trace/rgb.h"
+#include "render/trace/texture.h"
+
+/* The places: `count` of them, each `width` wide, from `first` on at the distance `step`, relative to the centre. */
+struct probes {
+    int count;
+    num_length width, first[3], step[3];
+};
+
+/* Places the probes in a footprint whose edges are `longer` and `shorter` long, in units of the width. */
+static struct probes probes_of(const struct print *p, num_length longer, num_length shorter)
+{
+    struct probes at = {.count = 1};
+
+    while (at.count < PIECES && (num_length)at.count * shorter < longer)
+        at.count++;
+    num_length piece = longer / (num_length)at.count;
+    at.width = piece > shorter ? piece : shorter;
+    for (int k = 0; k < 3; k++) {
+        at.step[k] = p->edge[0][k] / (num_length)at.count;
+        at.first[k] = at.step[k] * (num_length)(1 - at.count) / 2;
+    }
+    return at;
+}
+
+bool mean_of_noise(const struct tia_texture *t, const struct print *p, num_length rgb[3])
+{
+    const num_length longer = print_length(p->edge[0]);
+    const struct probes probes = probes_of(p, longer, print_length(p->edge[1]));
+    num_length sum = 0, high[3];
+
+    if (longer < NUM_LENGTH_ONE / (num_length)(INT32_C(1) << t->octaves)) /* no octave fades */
+        return false;
+    for (int i = 0; i < probes.count; i++) {
+        struct noise_place place;
+        for (int k = 0; k < 3; k++) {
+            num_length at = p->part[k] + probes.first[k] + (num_length)i * probes.step[k];
+            int32_t whole = num_floor(at);
+            place.part[k] = at - num_integer(whole);
+            place.cell[k] = (int32_t)(((uint32_t)p->cell[k] + (uint32_t)whole) & INT32_MAX);
+        }
+        sum += num_length_clamp(noise_value(&place, t->octaves, probes.width), 0, NUM_LENGTH_ONE);
+    }
+    ray_rgb(&t->cells[0], rgb);
+    ray_rgb(&t->cells[1], high);
+    for (int c = 0; c < 3; c++)
+        rgb[c] += num_product(sum / (num_length)probes.count, high[c] - rgb[c]);
+    return true;
+}
+
+/* Goes to the next level of a picture; a level is halved as in tia/mip.h. */
+static void next_level(const struct tia_texture *t, struct texels *level)
+{
+    const uint8_t *behind = level->first + level->channels * (size_t)level->width * (size_t)level->height;
+
+    level->first = level->first == t->texels ? t->mips : behind;
+    level->width = level->width > 1 ? level->width / 2 : 1;
+    level->height = level->height > 1 ? level->height / 2 : 1;
+}
+
+/* Moves a position between the centres of two texels away from the edge between them, so that a blend of the texels is
+ * the mean of a box of this width over them. */
+static num_length sharpened(num_length x, num_length width)
+{
+    num_length whole = num_integer(num_floor(x));
+    num_length part = num_ratio(x - whole - NUM_LENGTH_ONE / 2, width) + NUM_LENGTH_ONE / 2;
+
+    return whole + num_length_clamp(part, 0, NUM_LENGTH_ONE);
+}
+
+/* Looks up one level at a position in the picture, 0..1. */
+static void look_up(const struct texels *level, const num_length at[2], num_length sharp, num_length value[3])
+{
+    num_length u = at[0] * (num_length)level->width - NUM_LENGTH_ONE / 2;
+    num_length v = at[1] * (num_length)level->height - NUM_LENGTH_ONE / 2;
+
+    if (sharp < NUM_LENGTH_ONE) {
+        u = sharpened(u, sharp);
+        v = sharpened(v, sharp);
+    }
+    texture_blend(level, u, v, value);
+}
+
+/* Computes the mean over a round part, `width` texels wide. */
+static void mean_around(const struct tia_texture *t, const num_length at[2], num_length width, num_length value[3])
+{
+    struct texels level = texture_texels(t);
+    num_length more[3];
+
+    for (; width >= 2 * NUM_LENGTH_ONE && (level.width > 1 || level.height > 1); width /= 2)
+        next_level(t, &level);
+    look_up(&level, at, t->bilinear || width >= NUM_LENGTH_ONE ? NUM_LENGTH_ONE : width, value);
+    if (width <= NUM_LENGTH_ONE || (level.width <= 1 && level.height <= 1))
+        return;
+    next_level(t, &level);
+    look_up(&level, at, NUM_LENGTH_ONE, more);
+    for (unsigned c = 0; c < level.channels; c++)
+        value[c] += num_product(more[c] - value[c], width - NUM_LENGTH_ONE);
+}
+
+#define WHOLE (4 * NUM_LENGTH_ONE) /* a footprint of more pictures sees their mean */
+
+/* Returns an edge's length in texels. */
+static num_length texels_long(const struct tia_texture *t, const num_length edge[3])
+{
+    return num_norm3(num_length_clamp(edge[0], -WHOLE, WHOLE) * t->width,
+                     num_length_clamp(edge[1], -WHOLE, WHOLE) * t->height, 0);
+}
+
+bool mean_of_picture(const struct tia_texture *t, const struct print *p, num_length value[3])
+{
+    const num_length edge[2] = {texels_long(t, p->edge[0]), texels_long(t, p->edge[1])};
+    const int first = edge[1] > edge[0]; /* in texels, the other edge may be the longer one */
+    const struct print turned = {.edge = {{p->edge[first][0], p->edge[first][1], 0}}};
+    const struct probes probes = probes_of(&turned, edge[first], edge[!first]);
+    const unsigned channels = texture_texels(t).channels;
+
+    if (t->bilinear && edge[first] <= NUM_LENGTH_ONE)
+        return false;
+    for (unsigned c = 0; c < channels; c++)
+        value[c] = 0;
+    for (int i = 0; i < probes.count; i++) {
+        num_length at[2], one[3];
+        for (int k = 0; k < 2; k++) {
+            at[k] = p->part[k] + probes.first[k] + (num_length)i * probes.step[k];
+            at[k] -= num_integer(num_floor(at[k]));
+        }
+        mean_around(t, at, probes.width, one);
+        for (unsigned c = 0; c < channels; c++)
+            value[c] += one[c] / (num_length)probes.count;
+    }
+    return true;
+}
