@@ -37,6 +37,10 @@ static inline struct tia_shape sample(enum tia_shape_kind kind)
         s.cone = (struct tia_cone){{0, 0, 0}, {0, ONE, 0}, ONE, 0, true};
     if (kind == TIA_BOX)
         s.box = (struct tia_box){{0, 0, 0}, {ONE, ONE, ONE}};
+    if (kind == TIA_TORUS)
+        s.torus = (struct tia_torus){{0, 0, 0}, {0, TIA_Q30_ONE, 0}, 2 * ONE, ONE};
+    if (kind == TIA_ROUNDED)
+        s.rounded = (struct tia_rounded){{0, 0, 0}, {ONE, ONE, ONE}, ONE / 4};
     if (kind == TIA_TRIANGLE)
         s.triangle = (struct tia_triangle){{{0, 0, 0}, {ONE, 0, 0}, {0, ONE, 0}}};
     return s;

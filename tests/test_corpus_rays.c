@@ -21,7 +21,7 @@ TEST(every_scene_is_accepted)
 
 /* Counts of each kind of object. */
 struct census {
-    unsigned shapes[TIA_GRID + 1], lights[TIA_SPHERE_LIGHT + 1], projections[TIA_ORTHOGRAPHIC + 1], samples[17];
+    unsigned shapes[TIA_ROUNDED + 1], lights[TIA_SPHERE_LIGHT + 1], projections[TIA_ORTHOGRAPHIC + 1], samples[17];
     unsigned spheres, instances, smooth, mirrors, glass, fresnel, textures[4], filters, seen, look_at, depths;
 };
 
@@ -71,7 +71,7 @@ TEST(scenes_have_variety)
         corpus_random_rays(&c, 1, i);
         count(&n, &c);
     }
-    at_least(n.shapes, TIA_GRID + 1, "shape");
+    at_least(n.shapes, TIA_ROUNDED + 1, "shape");
     at_least(n.lights, TIA_SPHERE_LIGHT + 1, "light");
     at_least(n.projections, TIA_ORTHOGRAPHIC + 1, "projection");
     at_least(n.textures, 4, "texture");

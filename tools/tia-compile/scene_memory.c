@@ -186,6 +186,15 @@ static uint64_t textures_size(const struct tia_scene *scene)
     return size;
 }
 
+static uint64_t solids_size(const struct tia_scene *scene)
+{
+    uint64_t size = scene->solid_count * (uint64_t)sizeof *scene->solids;
+
+    for (uint32_t i = 0; i < scene->solid_count; i++)
+        size += scene->solids[i].member_count * (uint64_t)sizeof *scene->solids->members + scene->solids[i].step_count;
+    return size;
+}
+
 static uint64_t meshes_size(const struct tia_scene *scene)
 {
     uint64_t size = scene->mesh_count * (uint64_t)sizeof *scene->meshes;
@@ -211,7 +220,7 @@ static uint64_t tables_size(const struct tia_scene *scene)
 
     for (uint32_t i = 0; i < scene->track_count; i++)
         size += scene->tracks[i].key_count * (uint64_t)sizeof *scene->tracks[i].keys;
-    return size + textures_size(scene) + meshes_size(scene);
+    return size + textures_size(scene) + meshes_size(scene) + solids_size(scene);
 }
 
 /* ---- the header ---- */

@@ -210,7 +210,17 @@ int ray_uv(const struct ray_view *view, const struct hit *hit, struct num_point 
     if (shape->instance)
         point = instance_point(shape->instance, point);
     shape->kind->uv(shape, point, hit->element, uv);
-    return shape->uv_bits;
+    uint32_t element = hit->element;
+    return shape_part(shape, &element)->uv_bits;
+}
+
+const struct shape_kind *ray_kind(const struct ray_view *view, const struct hit *hit, uint32_t *element)
+{
+    uint32_t spheres = view->scene->sphere_count;
+
+    *element = hit->element;
+    return hit->object < spheres ? &SHAPE_KIND(sphere)
+                                 : shape_part(&view->shapes[hit->object - spheres], element)->kind;
 }
 
 uint32_t ray_material(const struct ray_view *view, uint32_t object, uint32_t element)

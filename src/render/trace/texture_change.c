@@ -23,19 +23,15 @@ static num_length around(num_length x)
     return x > NUM_LENGTH_ONE / 2 ? x - NUM_LENGTH_ONE : x < -NUM_LENGTH_ONE / 2 ? x + NUM_LENGTH_ONE : x;
 }
 
-static const struct shape_kind *kind_of(const struct ray_view *view, uint32_t object)
+/* True if a coordinate goes round at the hit: u on spheres, and on the sides of cylinders and cones; both on tori. */
+static bool is_round(const struct ray_view *view, const struct hit *hit, int axis)
 {
-    uint32_t spheres = view->scene->sphere_count;
-
-    return object < spheres ? &SHAPE_KIND(sphere) : view->shapes[object - spheres].kind;
-}
-
-/* True if the coordinate u goes round at the hit: on spheres, and on the sides of cylinders and cones. */
-static bool is_round(const struct shape_kind *kind, uint32_t element)
-{
+    uint32_t element;
+    const struct shape_kind *kind = ray_kind(view, hit, &element);
     bool has_sides = kind == &SHAPE_KIND(cylinder) || kind == &SHAPE_KIND(cone);
+    bool u = kind == &SHAPE_KIND(sphere) || (has_sides && element == ROUND_SIDE);
 
-    return kind == &SHAPE_KIND(sphere) || (has_sides && element == ROUND_SIDE);
+    return kind == &SHAPE_KIND(torus) || (axis == 0 && u);
 }
 
 void ray_texture_change(const struct ray_view *view, const struct tia_texture *t, const struct hit *hit,
@@ -51,7 +47,7 @@ void ray_texture_change(const struct ray_view *view, const struct tia_texture *t
         const struct num_pattern pattern = texture_pattern(t, i);
         num_length d = to.at[i] - from.at[i];
 
-        if (i == 0 && t->kind != TIA_NOISE && is_round(kind_of(view, hit->object), hit->element))
+        if (t->kind != TIA_NOISE && is_round(view, hit, i))
             d = around(d);
         cells[i] = num_repeats(d, from.bits + times, &pattern);
     }

@@ -16,8 +16,8 @@ struct ray_view {
     const struct tia_view *view; /* the view that these data belong to */
     const struct tia_scene *scene;
     struct ray_camera camera;
-    struct shape *shapes;       /* the scene's shapes, prepared */
-    struct instance *instances; /* one for each shape that has a transform */
+    struct shape *shapes;       /* the scene's shapes, prepared; behind them the members of its solids */
+    struct instance *instances; /* one for each shape and each member of a solid that has a transform */
     struct ray_light *lights;
     uint32_t light_count, depth;
     num_length bias; /* offset of rays from surfaces */
@@ -111,6 +111,8 @@ void ray_surface(const struct ray_view *view, const struct hit *hit, struct num_
 struct num_point ray_own_point(const struct ray_view *view, const struct hit *hit, struct num_point point);
 /* Computes the hit's surface coordinates, times 2^-bits; returns bits. */
 int ray_uv(const struct ray_view *view, const struct hit *hit, struct num_point point, num_length uv[2]);
+/* Returns the kind of the shape that is hit, or of the member of a solid, and its own element. */
+const struct shape_kind *ray_kind(const struct ray_view *view, const struct hit *hit, uint32_t *element);
 /* Returns the material of an object's element. */
 uint32_t ray_material(const struct ray_view *view, uint32_t object, uint32_t element);
 

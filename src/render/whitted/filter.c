@@ -16,12 +16,12 @@
 #define NARROW (NUM_LENGTH_ONE / 1024) /* a narrower box is its centre: S would be divided by its rounding */
 
 /* True if the coordinates u, v of the hit's shape continue beyond its edges. */
-static bool has_footprints(const struct ray_view *view, uint32_t object)
+static bool has_footprints(const struct ray_view *view, const struct hit *hit)
 {
-    uint32_t spheres = view->scene->sphere_count;
+    uint32_t element;
+    const struct shape_kind *kind = ray_kind(view, hit, &element);
 
-    return object < spheres || (view->shapes[object - spheres].kind != &SHAPE_KIND(triangle) &&
-                                view->shapes[object - spheres].kind != &SHAPE_KIND(mesh));
+    return kind != &SHAPE_KIND(triangle) && kind != &SHAPE_KIND(mesh);
 }
 
 static void set_centre(const struct ray_view *view, const struct hit *hit, struct num_point point,
@@ -115,7 +115,7 @@ bool filter_texture(const struct ray_view *view, const struct hit *hit, struct n
 {
     struct print p;
 
-    if ((t->kind != TIA_NOISE && !has_footprints(view, hit->object)) ||
+    if ((t->kind != TIA_NOISE && !has_footprints(view, hit)) ||
         (tia_texture_is_picture(t) && !t->mips))
         return false;
     for (int i = 0; i < 2; i++)

@@ -25,6 +25,7 @@ static int check_parts(struct check *check)
         {"transform", offsetof(struct tia_scene, transform_count), tia_check_transform},
         {"mesh", offsetof(struct tia_scene, mesh_count), tia_check_mesh},
         {"grid", offsetof(struct tia_scene, grid_count), tia_check_grid},
+        {"solid", offsetof(struct tia_scene, solid_count), tia_check_solid},
         {"shape", offsetof(struct tia_scene, shape_count), tia_check_shape},
         {"track", offsetof(struct tia_scene, track_count), tia_check_track},
     };

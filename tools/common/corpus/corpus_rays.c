@@ -93,6 +93,16 @@ static void random_flat(uint64_t *state, struct tia_shape *shape, struct tia_vec
         struct tia_vec3 half = dice_vec3(state, (struct tia_vec3){size / 4, size / 4, size / 4}, high);
         shape->box.min = parts_moved(centre, half, -1);
         shape->box.max = parts_moved(centre, half, 1);
+    } else if (shape->kind == TIA_ROUNDED) {
+        struct tia_vec3 half = dice_vec3(state, (struct tia_vec3){size / 4, size / 4, size / 4}, high);
+        shape->rounded.min = parts_moved(centre, half, -1);
+        shape->rounded.max = parts_moved(centre, half, 1);
+        shape->rounded.radius = dice_between(state, size / 64, size / 4 - 2);
+    } else if (shape->kind == TIA_TORUS) {
+        shape->torus.centre = centre;
+        shape->torus.axis = parts_random_direction(state);
+        shape->torus.major = size;
+        shape->torus.minor = dice_one_in(state, 4) ? size / 200 : dice_between(state, size / 16, size / 10 * 9);
     } else if (shape->kind == TIA_DISC) {
         shape->disc.centre = centre;
         shape->disc.normal = parts_random_direction(state);
@@ -148,8 +158,8 @@ static uint32_t random_transform(uint64_t *state, struct corpus_rays *out, struc
 /* Makes an object: with probability 1/10 a sphere of the scene's `spheres`, otherwise a shape, but no plane. */
 static void random_object(uint64_t *state, struct corpus_rays *out, uint32_t material)
 {
-    static const enum tia_shape_kind kinds[] = {TIA_SPHERE,   TIA_DISC, TIA_CYLINDER, TIA_CONE, TIA_BOX,
-                                                TIA_TRIANGLE, TIA_MESH, TIA_MESH,     TIA_GRID};
+    static const enum tia_shape_kind kinds[] = {TIA_SPHERE, TIA_DISC, TIA_CYLINDER, TIA_CONE,  TIA_BOX,    TIA_TRIANGLE,
+                                                TIA_MESH,   TIA_MESH, TIA_GRID,     TIA_TORUS, TIA_ROUNDED};
     struct tia_vec3 centre = dice_vec3(state, LOW, HIGH);
 
     if (dice_one_in(state, 10)) {

@@ -20,6 +20,10 @@ void corpus_add_noise(struct corpus_rays *out, uint64_t seed);
 /* Gives on average half of the materials of such a scene a bump, of any of its textures. */
 void corpus_add_bumps(struct corpus_rays *out, uint64_t seed);
 
+/* Makes at most 6 of such a scene's shapes solids, of 1 to 7 members each: of random members, some with coinciding faces,
+ * combined at random. */
+void corpus_add_solids(struct corpus_rays *out, uint64_t seed);
+
 /* Gives such a scene fog, thin or thick; in half of all scenes with a height. */
 void corpus_add_fog(struct corpus_rays *out, uint64_t seed);
 
