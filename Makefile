@@ -178,7 +178,8 @@ TIA_F64 := $(call unless_lean,$(LIBF64))
 TIA_WATCHED := $(call unless_lean,$(LIBWATCHED))
 LIBPORTS := $(BUILD)/libports.a
 LIBCOMMON := $(BUILD)/libcommon.a
-PROGRAMS := $(if $(BARE),,tia tia-compare tia-join tia-compile tia-pov tia-observe tia-radio)
+LIBDRAWING := $(BUILD)/libdrawing.a
+PROGRAMS := $(if $(BARE),,tia tia-compare tia-join tia-compile tia-pov tia-observe tia-radio tia-verify)
 
 .PHONY: all run check check-quick test bench deps install uninstall size lint clean help tests FORCE
 all: $(LIBTIA) $(LIBRADIO) $(LIBDEVICES) $(if $(BARE),,$(LIBSIMD)) $(LIBF64) $(PROGRAMS:%=$(BUILD)/%)
@@ -257,14 +258,17 @@ $(BUILD)/libtia-chk.a: $(call obj,chk,$(NUM_SRC))
 $(LIBSIMD): $(call obj,simd,$(SIMD_SRC) port/simd/best.c)
 $(LIBPORTS): $(call obj,host,$(PORT_SRC))
 $(LIBCOMMON): $(call obj,host,$(COMMON_SRC))
+# All of tia but its main(): other commands draw with it.
+$(LIBDRAWING): $(call obj,host,$(filter-out tools/tia/tia.c,$(sort $(wildcard tools/tia/*.c))))
 $(BUILD)/liboracle.a: $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(ORACLE_SRC))
 %.a:
 	@rm -f $@
 	$(call say,AR,$@)$(AR) rcs $@ $^
 
-# A program is all of tools/NAME/.
+# A program is all of tools/NAME/. Those of DRAWING draw as tia does.
+DRAWING := tia tia-verify tia-join
 define program
-$(BUILD)/$(1): $(call obj,host,$(sort $(wildcard tools/$(1)/*.c))) $(LIBCOMMON) $(LIBPORTS) $(if $(filter tia,$(1)),$(TIA_F64),$(LIBF64)) $(LIBSIMD) $(if $(filter tia-radio,$(1)),$(LIBRADIO)) $(LIBTIA) $(BUILD)/made-with/link
+$(BUILD)/$(1): $(call obj,host,$(sort $(wildcard tools/$(1)/*.c))) $(if $(filter-out tia,$(filter $(1),$(DRAWING))),$(LIBDRAWING)) $(LIBCOMMON) $(LIBPORTS) $(if $(filter $(1),$(DRAWING)),$(TIA_F64),$(LIBF64)) $(LIBSIMD) $(if $(filter tia-radio,$(1)),$(LIBRADIO)) $(LIBTIA) $(BUILD)/made-with/link
 	$$(link)
 endef
 $(foreach p,$(PROGRAMS),$(eval $(call program,$(p))))
@@ -278,8 +282,8 @@ CHK_TESTS := $(addprefix $(BUILD)/tests/,test_ranges test_ray_ranges test_limits
 $(CHK_TESTS): $(BUILD)/libtia-chk.a
 $(BUILD)/host/tools/tia/arithmetic.o: $(BUILD)/made-with/parts
 $(BUILD)/host/tools/tia/arithmetic.o: HOSTED += $(filter -DTIA_LINKED_%,$(made_with_parts))
-$(BUILD)/tia: $(TIA_WATCHED)
-$(BUILD)/tia: LIBS := $(TIA_WATCHED) $(LIBTIA) $(LIBS)
+$(DRAWING:%=$(BUILD)/%): $(TIA_WATCHED)
+$(DRAWING:%=$(BUILD)/%): LIBS := $(TIA_WATCHED) $(LIBTIA) $(LIBS)
 $(BUILD)/tests/test_observe: $(LIBWATCHED)
 $(BUILD)/tests/test_observe: LIBS := $(LIBWATCHED) $(LIBTIA) $(LIBS)
 $(CHK_TESTS): LIBS := $(BUILD)/libtia-chk.a $(LIBTIA) $(overflow) $(LIBS)
@@ -431,6 +435,7 @@ include install.mk
 ifeq ($(BARE),)
 include port/boards/boards.mk
 include port/web/web.mk
+include tools/kit/kit.mk
 endif
 
 include pictures.mk
@@ -455,8 +460,10 @@ help:
 	@echo "cycles ways        cycles a pixel on boards, by models; instructions, flash and stack by each build system"
 	@echo "bench-latency      from a key to its picture, in a guest; SCENES='chess glass': of these"
 	@echo "bench TINYGL=DIR   bench with TinyGL (github.com/C-Chads/tinygl), built in DIR"
+	@echo "conform            OpenGL beside the exact rasteriser: docs/conform.md"
 	@echo "boards             programs for boards without an operating system"
 	@echo "web                the viewer as a page for browsers, in build/web"
+	@echo "python npm         packages for the tests of other programs, in build/kit: docs/kit.md"
 	@echo "docs               draws the pictures of docs again and counts their figures; gallery: the pictures"
 	@echo "                   without the course's; counted: the figures"
 	@echo "man3               the reference of the library, in build/man3: man pages made from the headers"

@@ -20,7 +20,9 @@ DEPS_CHECK := make python3 clang clang-format libclang-rt-14-dev universal-ctags
         parallel openssh-server openssh-client slurm-wlm slurm-client slurmctld slurmd munge \
         debhelper dpkg-dev lintian mmdebstrap libgl-dev \
         arduino-builder arduino-ctags arduino-core-avr picolibc-arm-none-eabi \
-        gcc-avr avr-libc libsimavr-dev libelf-dev sweethome3d-furniture assimp-testmodels glmark2-data
+        python3-setuptools python3-wheel python3-pip python3-pytest \
+        gcc-avr avr-libc libsimavr-dev libelf-dev sweethome3d-furniture assimp-testmodels glmark2-data \
+        shared-mime-info openexr
 deps_of_run := $(DEPS_BUILD)
 deps_of_all := $(DEPS_BUILD) $(DEPS_ALL)
 deps_of_install := $(deps_of_all)

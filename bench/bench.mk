@@ -41,3 +41,17 @@ bench: $(BENCH)
 .PHONY: bench-latency
 bench-latency: all $(BUILD)/vm/probe $(BUILD)/tests/test_ports
 	@BUILD=$(BUILD) bench/latency.py $(SCENES)
+
+# OpenGL beside the exact rasteriser, docs/conform.md.
+.PHONY: conform
+CONFORM_OBJ := $(call obj,host,$(addprefix bench/conform/,trial.c shrink.c))
+$(BUILD)/tests/test_conform: $(CONFORM_OBJ)
+ifneq ($(GL),)
+$(BUILD)/tia-conform: $(CONFORM_OBJ) $(call obj,host,bench/conform/tia-conform.c bench/gl/gl_raster.c) $(LIBPORTS) $(LIBSIMD) $(LIBTIA) $(BUILD)/made-with/link
+	$(link)
+conform: $(BUILD)/tia-conform
+	@$<
+else
+conform:
+	@echo "conform: no OSMesa, no EGL (make deps installs them)" >&2; exit 1
+endif

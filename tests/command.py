@@ -174,11 +174,17 @@ def read_565(data, width, height):
     return width, height, array("H", struct.unpack(f"<{width * height}H", data))
 
 
-def read_ppm(data):
+def ppm_pixels(data):
+    """(width, height, bytes of 8-bit RGB)"""
     magic, size, most, rgb = data.split(b"\n", 3)
     same((magic, most), (b"P6", b"255"), "the header of the .ppm")
     width, height = map(int, size.split())
     same(len(rgb), width * height * 3, "the length of the .ppm")
+    return width, height, rgb
+
+
+def read_ppm(data):
+    width, height, rgb = ppm_pixels(data)
     return width, height, pack(rgb)
 
 

@@ -50,6 +50,12 @@ static const struct world {
     {"cones", "cone base -0.4 -0.1 0 top 0.5 0.5 0.2 radii 0.5 0.2 capped material squares\n"
               "cone base 0.6 -0.7 0 top 0.6 0.2 0.1 radii 0.1 0.7 capped material thin\n"
               "cone base -0.2 -0.9 0.2 top 0 0.7 0.1 radii 0.8 0 material mirror\n"},
+    {"tori", "torus centre 0.1 0 0 axis 0.2 0.5 1 major 0.7 minor 0.2 material squares\n"
+             "torus axis 0 1 0 major 1 minor 0.001 material mirror\n"
+             "sphere centre 0.3 0 0.1 radius 0.3 material plain\n"},
+    {"rounded boxes", "rounded min -0.4 -0.3 -0.5 max 0.5 0.4 0.2 radius 0.1 material squares\n"
+                      "rounded min -1 -0.2 0.1 max -0.7 0.8 0.4 radius 0.15 material mirror\n"
+                      "sphere centre 0.3 0 0.3 radius 0.3 material plain\n"},
     {"grid",
      "instance steps material mirror\ngrid steps size 3 3 2 corner -0.7 -0.7 -0.5 cell 0.5\nrow 1 2 0\nrow 0 2 1\n"
      "row 0 1 1\nrow 1 0 2\nrow 1 0 0\nrow 0 2 2\nend\nsphere centre 0.3 0 0.1 radius 0.3 material plain\n"},

@@ -1,4 +1,4 @@
-/* refused_shapes.h - a scene of one shape, with a transform, a mesh and a grid. */
+/* refused_shapes.h - a scene of one shape, with a transform, a mesh, a grid and a solid. */
 #ifndef TESTS_REFUSED_SHAPES_H
 #define TESTS_REFUSED_SHAPES_H
 
@@ -20,6 +20,9 @@ static struct tia_dir3 normals[2];
 static struct tia_uv uvs[2];
 static struct tia_face face;
 static uint8_t cells[4];
+static const struct tia_shape member = {.kind = TIA_SPHERE, .sphere = {.radius = ONE}};
+static const uint8_t step = TIA_SOLID_MEMBER;
+static const struct tia_solid solid = {&member, &step, 1, 1};
 
 static inline struct tia_shape sample(enum tia_shape_kind kind)
 {
@@ -37,6 +40,10 @@ static inline struct tia_shape sample(enum tia_shape_kind kind)
         s.cone = (struct tia_cone){{0, 0, 0}, {0, ONE, 0}, ONE, 0, true};
     if (kind == TIA_BOX)
         s.box = (struct tia_box){{0, 0, 0}, {ONE, ONE, ONE}};
+    if (kind == TIA_TORUS)
+        s.torus = (struct tia_torus){{0, 0, 0}, {0, TIA_Q30_ONE, 0}, 2 * ONE, ONE};
+    if (kind == TIA_ROUNDED)
+        s.rounded = (struct tia_rounded){{0, 0, 0}, {ONE, ONE, ONE}, ONE / 4};
     if (kind == TIA_TRIANGLE)
         s.triangle = (struct tia_triangle){{{0, 0, 0}, {ONE, 0, 0}, {0, ONE, 0}}};
     return s;
@@ -68,7 +75,9 @@ static inline void set_up(enum tia_shape_kind kind)
                                .meshes = meshes,
                                .mesh_count = 1,
                                .grids = grids,
-                               .grid_count = 1};
+                               .grid_count = 1,
+                               .solids = &solid,
+                               .solid_count = 1};
     check_accepted();
 }
 

@@ -2,6 +2,7 @@
 #include "shape_box_cases.h"
 #include "shape_cases.h"
 #include "shape_exact_cases.h"
+#include "shape_ring_cases.h"
 
 static void start(void)
 {
@@ -99,6 +100,32 @@ TEST(blocks_of_cells_are_boxes)
     check_counts();
 }
 
+TEST(tori)
+{
+    start();
+    for (int i = 0; i < 60; i++) {
+        double major = any_length(0x1p-8, 8000);
+        check_ring(any_length(1, 10000), major, any_length(major / 2000 > 0x1p-10 ? major / 2000 : 0x1p-10, major * 0.7));
+    }
+    check_ring(10, 1, 0.99);
+    check_ring(30000, 0x1p-9, 0x1p-10);
+    check_ring(1000, 20000, 0x1p-10);
+    check_ring(1000, 15000, 15000 - 0x1p-10);
+    check_ring(1000, 20000, 1);
+    check_counts();
+}
+
+TEST(rounded_boxes)
+{
+    start();
+    for (int i = 0; i < 40; i++)
+        check_cushion(any_length(1, 10000), 0x1p-8, 10000, i % 4 ? between(0, 1) : 1);
+    check_cushion(30000, 0x1p-9, 0x1p-8, 0.5);
+    check_cushion(100, 20000, 20001, 1);
+    check_cushion(100, 20000, 20001, 0);
+    check_counts();
+}
+
 int main(void)
 {
     RUN(planes);
@@ -108,6 +135,8 @@ int main(void)
     RUN(cones);
     RUN(grids);
     RUN(blocks_of_cells_are_boxes);
+    RUN(tori);
+    RUN(rounded_boxes);
     RUN(cylinders_along_the_axes);
     RUN(cones_along_the_axes);
     RUN(surface_coordinates);

@@ -212,6 +212,51 @@ TEST(cylinders_and_cones)
     }
 }
 
+/* A torus touches its box where its circle does, a tube farther out; without a transform only, where the tube is
+ * round. A point of the tube is seen at the nearest unit. */
+TEST(tori)
+{
+    for (int i = 0; i < 100; i++) {
+        any_transform();
+        tia_q16 minor = q16(any(0.001, 5)), major = minor + 64 + q16(any(0.001, 20));
+        struct tia_vec3 p = any_point(20);
+        double n[3] = {any(-1, 1), any(-1, 1), any(-1, 1)}, a[3], b[3],
+               size = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+        struct tia_dir3 axis = {(tia_q30)(n[0] / size * 0x1p30), (tia_q30)(n[1] / size * 0x1p30),
+                                (tia_q30)(n[2] / size * 0x1p30)};
+        shape = (struct tia_shape){.kind = TIA_TORUS, .torus = {p, axis, major, minor}};
+        struct tia_bounds box = bounds(i & 1);
+        across(n, a, b);
+        see_nothing();
+        for (int k = 0; k < 400 * 200; k++) {
+            double t = 2 * pi * (k % 400) / 400, s = 2 * pi * (k / 400) / 200, out = major + minor * cos(s);
+            double x[3];
+            for (int j = 0; j < 3; j++)
+                x[j] = out * (cos(t) * a[j] + sin(t) * b[j]) + minor * sin(s) * n[j] / size;
+            see(p.x + x[0], p.y + x[1], p.z + x[2]);
+        }
+        check_tight(box, 0.001);
+    }
+}
+
+/* The hull of eight balls. */
+TEST(rounded_boxes)
+{
+    for (int i = 0; i < 30; i++) {
+        any_transform();
+        tia_q16 r = q16(any(0.001, 3));
+        struct tia_vec3 p = any_point(20), d = any_point(1);
+        struct tia_vec3 q = {p.x + (d.x & 0xffff), p.y + (d.y & 0xffff), p.z + (d.z & 0xffff)};
+        shape = (struct tia_shape){.kind = TIA_ROUNDED,
+                                   .rounded = {{p.x - r, p.y - r, p.z - r}, {q.x + r, q.y + r, q.z + r}, r}};
+        struct tia_bounds box = bounds(i & 1);
+        see_nothing();
+        for (int k = 0; k < 8; k++)
+            see_sphere((struct tia_vec3){k & 1 ? q.x : p.x, k & 2 ? q.y : p.y, k & 4 ? q.z : p.z}, r);
+        check_tight(box, 0.001);
+    }
+}
+
 TEST(corners)
 {
     static struct tia_vec3 vertices[30];
@@ -319,6 +364,8 @@ int main(void)
     RUN(spheres);
     RUN(discs);
     RUN(cylinders_and_cones);
+    RUN(tori);
+    RUN(rounded_boxes);
     RUN(corners);
     RUN(exact);
     RUN(nothing);

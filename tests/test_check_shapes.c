@@ -23,7 +23,7 @@ TEST(counts)
 
 TEST(what_all_shapes_have)
 {
-    for (int kind = 0; kind < 9; kind++) {
+    for (int kind = 0; kind <= TIA_ROUNDED; kind++) {
         set_up((enum tia_shape_kind)kind);
         shape->material = 2;
         check_accepted();
@@ -44,7 +44,7 @@ TEST(what_all_shapes_have)
         shapes[1].material = UINT32_MAX;
         check_refused("shape", 1, "material", "must be the index of a material");
     }
-    shape->kind = (enum tia_shape_kind)9;
+    shape->kind = (enum tia_shape_kind)(TIA_ROUNDED + 1);
     check_refused("shape", 0, "kind", "must be a kind of shape");
     shape->kind = (enum tia_shape_kind) - 1;
     check_refused("shape", 0, "kind", "must be a kind of shape");
@@ -89,6 +89,53 @@ TEST(cones)
     check_accepted();
     shape->cone.top_radius = 0;
     check_refused("shape", 0, "top_radius", "must differ from the base's");
+}
+
+TEST(tori)
+{
+    set_up(TIA_TORUS);
+    shape->torus.axis.y = TIA_Q30_ONE / 2 - 1;
+    check_refused("shape", 0, "axis", LENGTH);
+    shape->torus.axis.y = TIA_Q30_ONE / 2;
+    check_accepted();
+    shape->torus.minor = 63;
+    check_refused("shape", 0, "minor", RADIUS);
+    shape->torus.minor = INT32_MIN;
+    check_refused("shape", 0, "minor", RADIUS);
+    shape->torus.minor = 64;
+    shape->torus.major = 128;
+    check_accepted();
+    shape->torus.major = 127;
+    check_refused("shape", 0, "major", "must be at least 2^-10 above minor");
+    shape->torus.major = INT32_MIN;
+    check_refused("shape", 0, "major", "must be at least 2^-10 above minor");
+    shape->torus.major = INT32_MAX;
+    shape->torus.minor = INT32_MAX - 64;
+    check_refused("shape", 0, "place", FAR);
+}
+
+TEST(rounded_boxes)
+{
+    const char *rule = "must be at least twice the radius above min";
+    tia_q16 *const max[] = {&shape->rounded.max.x, &shape->rounded.max.y, &shape->rounded.max.z};
+
+    set_up(TIA_ROUNDED);
+    shape->rounded.radius = 63;
+    check_refused("shape", 0, "radius", RADIUS);
+    shape->rounded.radius = 64;
+    check_accepted();
+    shape->rounded.radius = ONE / 2;
+    check_accepted();
+    for (int i = 0; i < 3; i++) {
+        const tia_q16 bad[] = {ONE - 1, 0, INT32_MIN};
+        for (int k = 0; k < 3; k++) {
+            *max[i] = bad[k];
+            check_refused("shape", 0, "max", rule);
+        }
+        *max[i] = ONE;
+    }
+    shape->rounded = (struct tia_rounded){{INT32_MIN, 0, 0}, {INT32_MAX, ONE, ONE}, 64};
+    check_refused("shape", 0, "place", FAR);
 }
 
 /* Ends are 64 units of 2^-16 apart: along an axis, and at 2, 3, 6 times 9 and a little, |.| = 63 and more. */
@@ -298,6 +345,8 @@ int main(void)
     RUN(what_all_shapes_have);
     RUN(radii);
     RUN(cones);
+    RUN(tori);
+    RUN(rounded_boxes);
     RUN(ends_of_axes);
     RUN(normals_of_shapes);
     RUN(boxes);

@@ -12,7 +12,7 @@ enum { WIDTH = 72, HEIGHT = 54 };
 /* Scenes that the Makefile compiles: each scene of the gallery, and one of everything. */
 extern const struct tia_scene compiled_every, compiled_glass, compiled_flake, compiled_chess, compiled_castle,
     compiled_avenue, compiled_vase, compiled_orrery, compiled_porch, compiled_shadow_volume, compiled_shadow_mapping,
-    compiled_cornell, compiled_marbles, compiled_window, compiled_caustic, compiled_block;
+    compiled_cornell, compiled_marbles, compiled_window, compiled_caustic, compiled_block, compiled_solids;
 
 static uint32_t picture(const struct tia_scene *given)
 {
@@ -103,6 +103,7 @@ SAME_AS_ITS_FILE(orrery)
 SAME_AS_ITS_FILE(window)
 SAME_AS_ITS_FILE(block)
 SAME_AS_ITS_FILE(caustic)
+SAME_AS_ITS_FILE(solids)
 
 TEST(every)
 {
@@ -155,6 +156,7 @@ int main(void)
     RUN(window);
     RUN(block);
     RUN(caustic);
+    RUN(solids);
     RUN(cornell);
     RUN(marbles);
     RUN(shadow_volume);

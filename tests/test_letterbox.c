@@ -1,7 +1,7 @@
 /* The command's letterbox around the strict memory display: position, border, rotation, tiles, checksum; and its
  * statistics. The command is a program: its files are in no library, and are included here. */
 
-#include "tia/crc_join.c"
+#include "common/crc_join.h"
 #include "tia/label.c"
 #include "tia/letterbox.c"
 #include "tia/rotate.c"

@@ -18,14 +18,15 @@ static int fetch_opacity(void *ctx, const char *name, enum tia_channel channel, 
     return fetch(ctx, name, texture, why);
 }
 
-/* Fetches the file that the page's scenes include. */
+/* Fetches the files that the page's scenes include and take a mesh from. */
 static int fetch_chair(void *ctx, const char *name, const char **text, size_t *length, const char **why)
 {
     (void)ctx;
     *why = "no such file";
-    *text = "box min 0 0 0 max 1 1 1 material wood\n";
+    *text = strcmp(name, "models/dragon.off") ? "box min 0 0 0 max 1 1 1 material wood\n"
+                                              : "OFF\n3 1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
     *length = strlen(*text);
-    return strcmp(name, "models/chair.tia") ? TIA_ERR_DEVICE : TIA_OK;
+    return strcmp(name, "models/chair.tia") && strcmp(name, "models/dragon.off") ? TIA_ERR_DEVICE : TIA_OK;
 }
 
 static char examples[65536];

@@ -31,7 +31,7 @@ TEST(misuse_of_readers)
     GIVES(TIA_ERR_MEMORY, read_with(reader, NULL, 0));
     GIVES(TIA_ERR_MEMORY, read_with(reader, NULL, SIZE_MAX));
     GIVES(TIA_ERR_MEMORY, read_with(reader, misuse_memory, 1));
-    for (int f = TIA_FORMAT_TIA; f <= TIA_FORMAT_OBJ; f++)
+    for (int f = TIA_FORMAT_TIA; f < TIA_FORMATS; f++)
         GIVES(1,
               read_with(READER(.format = (enum tia_format)f), misuse_memory, sizeof misuse_memory) != TIA_ERR_ARGUMENT);
     misuse_end();

@@ -114,9 +114,9 @@ TEST(shapes)
 TEST(solids)
 {
     check_refused("mesh a\nvertex 0 0 0\n",
-                  "3:1: the text ends within a block, expected vertex, normal, uv, face or end");
+                  "3:1: the text ends within a block, expected vertex, normal, uv, face, group or end");
     check_refused("mesh a\nvertex 0 0 0\nsphere radius 1\nend",
-                  "3:1: 'sphere' is not a line of a mesh, expected vertex, normal, uv, face or end");
+                  "3:1: 'sphere' is not a line of a mesh, expected vertex, normal, uv, face, group or end");
     check_refused("mesh a\nvertex 0 0\nend", "2:11: the line ends here, expected a number below 2147483648");
     check_refused("mesh a\nvertex 0 0 0\nface 1 2 1\nend",
                   "3:8: '2' does not exist, expected the number of a vertex of the mesh, from 1 to 1");

@@ -125,7 +125,7 @@ TEST(errors_name_the_innermost_file)
     check_refused(M "include empty x", "2:15: 'x' is too much, expected the end of the line");
     check_refused("include", "1:8: the line ends here, expected a file's name");
     check_refused("mesh x\ninclude empty",
-                  "2:1: 'include' is not a line of a mesh, expected vertex, normal, uv, face or end");
+                  "2:1: 'include' is not a line of a mesh, expected vertex, normal, uv, face, group or end");
     check_reads(M "include empty\ninclude empty\nsphere radius 1 material m");
     read_end(&now);
     read_string(&now, TIA_FORMAT_TIA, "include a");

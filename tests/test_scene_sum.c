@@ -67,6 +67,10 @@ static void change_deep_arrays(const struct tia_scene *s)
                   : (size_t)s->textures[i].width * s->textures[i].height * (s->textures[i].kind == TIA_IMAGE ? 3 : 1));
     for (uint32_t i = 0; i < s->grid_count; i++)
         ARRAY(SCENE_PARTS, s->grids[i].cells, (size_t)s->grids[i].size[0] * s->grids[i].size[1] * s->grids[i].size[2]);
+    for (uint32_t i = 0; i < s->solid_count; i++) {
+        ARRAY(SCENE_PARTS, s->solids[i].members, s->solids[i].member_count);
+        ARRAY(SCENE_PARTS, s->solids[i].steps, s->solids[i].step_count);
+    }
     for (uint32_t i = 0; i < s->track_count; i++)
         ARRAY(SCENE_PARTS, s->tracks[i].keys, s->tracks[i].key_count);
     if (s->fine) {
@@ -89,6 +93,7 @@ static void change_arrays(const struct tia_scene *s)
     ARRAY(SCENE_ARRAYS, s->textures, s->texture_count);
     ARRAY(SCENE_ARRAYS, s->meshes, s->mesh_count);
     ARRAY(SCENE_ARRAYS, s->grids, s->grid_count);
+    ARRAY(SCENE_ARRAYS, s->solids, s->solid_count);
     ARRAY(SCENE_ARRAYS, s->tracks, s->track_count);
     ARRAY(SCENE_ARRAYS, s->fine, s->fine ? 1 : 0);
     ARRAY(SCENE_ARRAYS, s->field, s->field ? 1 : 0);

@@ -19,7 +19,12 @@ extern "C" {
 enum tia_format {
     TIA_FORMAT_TIA, /* tia-scene(5) */
     TIA_FORMAT_NFF, /* the Standard Procedural Databases' neutral file format */
-    TIA_FORMAT_OBJ  /* Wavefront, with .mtl */
+    TIA_FORMAT_OBJ, /* Wavefront, with .mtl */
+    TIA_FORMAT_STL, /* stereolithography, text or binary */
+    TIA_FORMAT_PLY, /* Stanford's polygons, text or binary */
+    TIA_FORMAT_OFF, /* Geomview's object file format */
+    TIA_FORMAT_PGM, /* a grey picture as a height field */
+    TIA_FORMATS
 };
 
 /* The channel of an image that an opacity is read from. */
@@ -42,7 +47,7 @@ struct tia_read_error {
     char text[280];
 };
 
-/* Mistakes that a reader tolerates, and their remedies; all but the last occur only in .obj and .mtl. */
+/* Mistakes that a reader tolerates, and their remedies; all but the last occur only in models. */
 enum tia_read_warning_kind {
     TIA_WARN_STATEMENT, /* an unknown or faulty statement: skipped */
     TIA_WARN_LIBRARY,   /* a material library that cannot be read: its materials are grey */
@@ -77,7 +82,7 @@ struct tia_camera_change {
 
 /* Where a reader puts positions: the position p of a file is (p - origin) 2^bits in the scene. */
 struct tia_placement {
-    int64_t origin[3]; /* Q31.32; other than 0 only for a model in .obj that is moved */
+    int64_t origin[3]; /* Q31.32; other than 0 only for a model that is moved */
     int bits;          /* scale_bits of the scene, or the scale of that model */
 };
 
@@ -115,7 +120,7 @@ struct tia_reader {
     struct tia_read_error error;            /* set if tia_read returns TIA_ERR_RANGE */
 };
 
-/* The view of a model that has neither a camera nor lights, such as an .obj file: its eye is 35 degrees to the right of
+/* The view of a model that has neither a camera nor lights, such as an .obj or .stl file: its eye is 35 degrees to the right of
  * +z and 25 above the horizon, and sees the sphere of that centre and radius, of TIA_RADIUS_MIN or more, in a field of
  * view of 40 degrees. Its lights are the sun, to the left of the eye and above it, and an ambient light for its
  * shadows. `lights` may be NULL. */

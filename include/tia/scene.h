@@ -97,7 +97,8 @@ struct tia_scene {
     const struct tia_texture *textures;
     const struct tia_mesh *meshes;
     const struct tia_grid *grids;
-    uint32_t shape_count, transform_count, texture_count, mesh_count, grid_count;
+    const struct tia_solid *solids;
+    uint32_t shape_count, transform_count, texture_count, mesh_count, grid_count, solid_count;
     uint32_t depth; /* maximum reflections and refractions along a path, see material.h; 0 means TIA_DEPTH_DEFAULT */
     struct tia_integration integration; /* another integrator than Whitted's */
     enum tia_shadows shadows;           /* another technique than traced rays, see shadow.h */

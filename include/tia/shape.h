@@ -20,6 +20,12 @@
  *     triangle   the barycentric coordinates of corners 1 and 2                edge 0-2      edge 0-1
  *     mesh       the coordinates of its corners, interpolated; without any, those of a triangle
  *     grid       those of a box, on each cell
+ *     solid      those of the member whose surface it is
+ *     torus      u around the axis as on a cylinder; v = 1/2 + a/(2 pi), a     at -U         on the inner
+ *                being the angle around the tube: 0 on the outer equator,                    equator
+ *                where v grows along the axis; within the hole an image is upside down
+ *     rounded    those of the box without rounding, on the face that the      as on a box   as on a box
+ *     box        normal is nearest to; at equal angles the first of x, y, z
  *
  * A ray hits a shape at the smallest distance that is not negative; a ray from inside hits where it leaves. There is no
  * hit at points with a coordinate of magnitude 65536 or more. At equal distances the lower index wins, and an object
@@ -27,7 +33,17 @@
  * an empty cell or from one of another material hits that cell's front; a ray that leaves a filled cell for an empty
  * one or for the outside hits the back of the cell.
  *
- * Normals of spheres, boxes, cylinders and cones point outwards, those of planes and discs as given, those of
+ * A torus with the unit axis N, of radii R and r, is where (rho - R)^2 + z^2 <= r^2: z = P.N is a point's height above
+ * the centre and rho = |P - z N| its distance from the axis. A rounded box of radius r is all points within r of the
+ * box from min + r to max - r.
+ *
+ * A solid has surfaces where a ray enters or leaves it; each is that of a member, with the member's material. Crossings
+ * of the line of a ray that are within 2^-16 of each other, in the solid's axes, are at one place: so surfaces that
+ * coincide leave no parts in between. The surface there is that of the first member that enters or leaves the solid by
+ * itself; if there is none, of the first member that crosses.
+ *
+ * Normals of solids point outwards; on the surface of a member that is subtracted they are turned round. Normals of
+ * spheres, boxes, cylinders, cones and tori point outwards, those of planes and discs as given, those of
  * triangles along (B - A) x (C - A). For refraction, the back side of a surface is its inside. A ray that hits
  * the back sees the same material, with the normal negated.
  */
@@ -46,6 +62,9 @@ extern "C" {
 #define TIA_SCALE_MAX TIA_Q16(1024)
 #define TIA_GRID_MAX 1024 /* cells along an axis */
 #define TIA_GRID_CELLS_MAX (UINT32_C(1) << 28)
+#define TIA_SOLID_MEMBERS 32                        /* in one solid */
+#define TIA_SOLID_STEPS (2 * TIA_SOLID_MEMBERS - 1) /* of one solid */
+#define TIA_SOLID_DEPTH 16                          /* operands that wait for an operation */
 
 struct tia_sphere {
     struct tia_vec3 centre;
@@ -64,7 +83,10 @@ struct tia_sphere {
     SHAPE(TIA_BOX, box)                                                                                                \
     SHAPE(TIA_TRIANGLE, triangle)                                                                                      \
     SHAPE(TIA_MESH, mesh)                                                                                              \
-    SHAPE(TIA_GRID, grid)
+    SHAPE(TIA_GRID, grid)                                                                                              \
+    SHAPE(TIA_SOLID, solid)                                                                                            \
+    SHAPE(TIA_TORUS, torus)                                                                                            \
+    SHAPE(TIA_ROUNDED, rounded) /* a box with rounded edges and corners */
 
 #define TIA_SHAPE_KIND(KIND, name) KIND,
 enum tia_shape_kind { TIA_SHAPES(TIA_SHAPE_KIND) };
@@ -101,6 +123,19 @@ struct tia_triangle {
     struct tia_vec3 corner[3]; /* not collinear */
 };
 
+/* A ring around the axis through the centre. The hole's radius, major - minor, is TIA_RADIUS_MIN or more. */
+struct tia_torus {
+    struct tia_vec3 centre;
+    struct tia_dir3 axis; /* length 0.5..1.5; it is normalised */
+    tia_q16 major;        /* radius of the circle in the middle of the tube */
+    tia_q16 minor;        /* radius of the tube, TIA_RADIUS_MIN or more */
+};
+
+struct tia_rounded {
+    struct tia_vec3 min, max; /* of the whole; max - min is at least twice the radius in each coordinate */
+    tia_q16 radius;           /* of the edges and corners, TIA_RADIUS_MIN or more */
+};
+
 struct tia_shape {
     enum tia_shape_kind kind;
     uint32_t material;  /* an index into the scene's materials */
@@ -116,8 +151,11 @@ struct tia_shape {
         struct tia_cone cone;
         struct tia_box box;
         struct tia_triangle triangle;
-        uint32_t mesh; /* an index into the scene's meshes */
-        uint32_t grid; /* an index into the scene's grids */
+        uint32_t mesh;  /* an index into the scene's meshes */
+        uint32_t grid;  /* an index into the scene's grids */
+        uint32_t solid; /* an index into the scene's solids */
+        struct tia_torus torus;
+        struct tia_rounded rounded;
     };
 };
 
@@ -181,6 +219,21 @@ struct tia_grid {
     tia_q16 cell;           /* edge of a cell, TIA_RADIUS_MIN or more */
     uint16_t size[3];       /* cells along x, y, z: each 1..TIA_GRID_MAX, at most TIA_GRID_CELLS_MAX in all */
     const uint8_t *cells;   /* 0: empty; n: material number shape.material + n - 1 */
+};
+
+/* A step in the expression of a solid, in postfix order. A member pushes the next member on a stack; an operation
+ * replaces the two topmost operands by its result, the difference the lower by what is outside of the upper one. */
+enum tia_solid_step { TIA_SOLID_MEMBER, TIA_SOLID_UNION, TIA_SOLID_INTERSECTION, TIA_SOLID_DIFFERENCE };
+
+/* Constructive solid geometry. Members are spheres, boxes, capped cylinders and cones, and planes, which are the
+ * half-spaces behind them; their transforms lead to the solid's own axes. They must not reach beyond 32768 there, and
+ * the solid must be bounded, as seen from the boxes of its members: the result of each operation is bounded by the box
+ * around both boxes for a union, by what the boxes share for an intersection, and by the first box for a difference.
+ * The material of the solid's own struct tia_shape is not used, but must exist. */
+struct tia_solid {
+    const struct tia_shape *members;
+    const uint8_t *steps;              /* enum tia_solid_step */
+    uint32_t member_count, step_count; /* 1..TIA_SOLID_MEMBERS; 2 member_count - 1 */
 };
 
 #ifdef __cplusplus

@@ -27,6 +27,7 @@
  *   tone.h    conversion of sums of samples to pixel values
  *   radio.h   paths of radio waves, in libtia-radio.a
  *   fit.h     a camera that is changed, or sees a whole scene
+ *   step.h    lockstep: a scene step by step, with inputs
  *   damage.h  what has changed on a display
  *   trust.h   checks of memory and pixels, for displays that must not show a wrong picture
  *   debug.h   for tests and comparison

@@ -9,8 +9,10 @@ _tia() {
         case $prev in
         -d|--display) mapfile -t COMPREPLY < <(compgen -W 'auto drm fbdev terminal none' -- "$cur"); return ;;
         -o|--output) compopt -o default; COMPREPLY=(); return ;;
-        --format) mapfile -t COMPREPLY < <(compgen -W 'png ppm bmp 565 y4m tiapart pfm' -- "$cur"); return ;;
+        --format) mapfile -t COMPREPLY < <(compgen -W 'png ppm bmp 565 y4m tiapart pfm exr' -- "$cur"); return ;;
+        --record) compopt -o default; COMPREPLY=(); return ;;
         -s|--size) COMPREPLY=(); return ;;
+        --thumbnail) COMPREPLY=(); return ;;
         --eye) COMPREPLY=(); return ;;
         --look) COMPREPLY=(); return ;;
         --up) COMPREPLY=(); return ;;
@@ -56,9 +58,10 @@ _tia() {
         --view-angle) COMPREPLY=(); return ;;
         --w0) COMPREPLY=(); return ;;
         --m) COMPREPLY=(); return ;;
-        --scene-format) mapfile -t COMPREPLY < <(compgen -W 'tia nff obj' -- "$cur"); return ;;
+        --write) compopt -o default; COMPREPLY=(); return ;;
+        --scene-format) mapfile -t COMPREPLY < <(compgen -W 'tia nff obj stl ply off pgm' -- "$cur"); return ;;
         esac
-        words='--display --output --format --size --eye --look --up --fov --orthographic --fit --samples --depth --integrator --spp --samples-range --resume --time-limit --error --denoise --guide --tone --exposure --colour --shadows --map-size --bias --filter --tessellated --keys --input --frames --time --fps --frame-range --tile-rows --threads --arithmetic --dither --rotate --connector --mode --checksum --stats --stats-overlay --progress --view --draw-rays --views --lenticular --calibration --modules --module-range --gaze --view-angle --w0 --m --smooth --watch --list-displays --scene-format --strict --help --version' ends='tia nff obj' ;;
+        words='--display --output --format --record --size --thumbnail --eye --look --up --fov --orthographic --fit --samples --depth --integrator --spp --samples-range --resume --time-limit --error --denoise --guide --tone --exposure --colour --shadows --map-size --bias --filter --tessellated --keys --input --frames --time --fps --frame-range --tile-rows --threads --arithmetic --dither --rotate --connector --mode --checksum --stats --stats-overlay --progress --view --draw-rays --views --lenticular --calibration --modules --module-range --gaze --view-angle --w0 --m --smooth --watch --write --list-displays --scene-format --strict --help --version' ends='tia nff obj stl ply off pgm' ;;
     tia-compare)
         case $prev in
         -k|--keys) COMPREPLY=(); return ;;
@@ -79,7 +82,7 @@ _tia() {
         --light) COMPREPLY=(); return ;;
         --best-of) COMPREPLY=(); return ;;
         esac
-        words='--keys --random --rays-random --ties --hard --seed --thesis --size --dither --threads --arithmetic --json --summary --heatmap --require-identical --max-flips --max-levels --exact --every --shadows --technique --light --best-of --help --version' ends='tia nff obj' ;;
+        words='--keys --random --rays-random --ties --hard --seed --thesis --size --dither --threads --arithmetic --json --summary --heatmap --require-identical --max-flips --max-levels --exact --every --shadows --technique --light --best-of --help --version' ends='tia nff obj stl ply off pgm' ;;
     tia-compile)
         case $prev in
         -o|--output) compopt -o default; COMPREPLY=(); return ;;
@@ -89,21 +92,25 @@ _tia() {
         --name) COMPREPLY=(); return ;;
         --crc) COMPREPLY=(); return ;;
         --rectangle) COMPREPLY=(); return ;;
-        --scene-format) mapfile -t COMPREPLY < <(compgen -W 'tia nff obj' -- "$cur"); return ;;
+        --scene-format) mapfile -t COMPREPLY < <(compgen -W 'tia nff obj stl ply off pgm' -- "$cur"); return ;;
         esac
-        words='--output --memory --size --lights --name --crc --rectangle --scene-format --strict --help --version' ends='tia nff obj' ;;
+        words='--output --memory --size --lights --name --crc --rectangle --scene-format --strict --help --version' ends='tia nff obj stl ply off pgm' ;;
     tia-join)
         case $prev in
         -o|--output) compopt -o default; COMPREPLY=(); return ;;
-        --format) mapfile -t COMPREPLY < <(compgen -W 'png ppm bmp 565 y4m tiapart pfm' -- "$cur"); return ;;
+        --format) mapfile -t COMPREPLY < <(compgen -W 'png ppm bmp 565 y4m tiapart pfm exr' -- "$cur"); return ;;
+        --share) COMPREPLY=(); return ;;
+        --count) COMPREPLY=(); return ;;
+        --rows) COMPREPLY=(); return ;;
+        --seed) COMPREPLY=(); return ;;
         esac
-        words='--output --format --help --version' ends='tiapart' ;;
+        words='--output --format --verify --share --count --rows --all --seed --help --version' ends='tiapart' ;;
     tia-pov)
         case $prev in
         -o|--output) compopt -o default; COMPREPLY=(); return ;;
-        --scene-format) mapfile -t COMPREPLY < <(compgen -W 'tia nff obj' -- "$cur"); return ;;
+        --scene-format) mapfile -t COMPREPLY < <(compgen -W 'tia nff obj stl ply off pgm' -- "$cur"); return ;;
         esac
-        words='--output --scene-format --strict --help --version' ends='tia nff obj' ;;
+        words='--output --scene-format --strict --help --version' ends='tia nff obj stl ply off pgm' ;;
     tia-observe)
         case $prev in
         -e|--eye) COMPREPLY=(); return ;;
@@ -117,7 +124,7 @@ _tia() {
         --to) COMPREPLY=(); return ;;
         -n|--frames) COMPREPLY=(); return ;;
         esac
-        words='--eye --output --views --modules --lenticular --calibration --size --two --anaglyph --to --frames --help --version' ends='tia nff obj' ;;
+        words='--eye --output --views --modules --lenticular --calibration --size --two --anaglyph --to --frames --help --version' ends='tia nff obj stl ply off pgm' ;;
     tia-radio)
         case $prev in
         --tx) COMPREPLY=(); return ;;
@@ -137,9 +144,23 @@ _tia() {
         --csv) compopt -o default; COMPREPLY=(); return ;;
         --range) COMPREPLY=(); return ;;
         --tile-rows) COMPREPLY=(); return ;;
+        --verify) compopt -o default; COMPREPLY=(); return ;;
+        --share) COMPREPLY=(); return ;;
+        --count) COMPREPLY=(); return ;;
+        --rows) COMPREPLY=(); return ;;
+        --seed) COMPREPLY=(); return ;;
         -j|--threads) COMPREPLY=(); return ;;
         esac
-        words='--tx --rx --frequency --reflections --transmissions --method --density --material --materials --up --polarization --json --output --size --map --area --csv --range --best-server --tile-rows --threads --help --version' ends='tia nff obj' ;;
+        words='--tx --rx --frequency --reflections --transmissions --method --density --material --materials --up --polarization --json --output --size --map --area --csv --range --best-server --tile-rows --verify --share --count --rows --all --seed --threads --help --version' ends='tia nff obj stl ply off pgm' ;;
+    tia-verify)
+        case $prev in
+        --share) COMPREPLY=(); return ;;
+        --count) COMPREPLY=(); return ;;
+        --rows) COMPREPLY=(); return ;;
+        --seed) COMPREPLY=(); return ;;
+        --root) COMPREPLY=(); return ;;
+        esac
+        words='--share --count --rows --all --seed --root --help --version' ends='png ppm bmp 565 pfm exr y4m tiapart record tia nff obj stl ply off pgm' ;;
     esac
     if [[ $cur == -* ]]; then mapfile -t COMPREPLY < <(compgen -W "$words" -- "$cur"); return; fi
     # Folders, and files of the right kind.
@@ -148,4 +169,4 @@ _tia() {
     COMPREPLY=($(compgen -d -- "$cur"))
     for end in ${ends// /$IFS}; do COMPREPLY+=($(compgen -f -X "!*.$end" -- "$cur")); done
 }
-complete -F _tia tia tia-compare tia-compile tia-join tia-pov tia-observe tia-radio
+complete -F _tia tia tia-compare tia-compile tia-join tia-pov tia-observe tia-radio tia-verify

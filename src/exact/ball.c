@@ -2,10 +2,8 @@
 
 #include <stddef.h>
 
+#include "math/target.h"
 #include "math/wide.h"
-
-/* True on 64-bit processors: there numbers of two words have faster code of their own. Elsewhere flash is scarce. */
-#define BALL_PAIRS (UINTPTR_MAX > UINT32_MAX)
 
 /* ---- radii, always rounded up ---- */
 
@@ -211,7 +209,7 @@ static void sum(int n, struct ball *r, const struct ball *a, const struct ball *
         *r = *large;
         r->sign = sign;
         r->radius = radius;
-    } else if (BALL_PAIRS && n == 2) {
+    } else if (TIA_WORD_PAIRS && n == 2) {
         sum_two(r, large, small, sign, small_sign, radius);
     } else {
         sum_words(n, r, large, small, sign, small_sign, radius);
@@ -243,7 +241,7 @@ void tia_ball_mul(int words, struct ball *r, const struct ball *a, const struct 
     uint32_t p[2 * TIA_BALL_WORDS];
     int sign = a->sign * b->sign, e = a->e + b->e;
 
-    if (BALL_PAIRS && words == 2) {
+    if (TIA_WORD_PAIRS && words == 2) {
         struct tia_wide q = tia_wide_product(sign ? two(a) : 0, sign ? two(b) : 0);
         put_two(r, sign, q.high, q.low, e, radius);
         return;
@@ -327,7 +325,7 @@ void tia_ball_div(int words, struct ball *r, const struct ball *a, const struct 
     if (!is_clear(words, b, 2)) {
         q.radius = radius_of(1, 1 << 13);
     } else {
-        if (a->sign && BALL_PAIRS && words == 2)
+        if (a->sign && TIA_WORD_PAIRS && words == 2)
             divide_two(&q, a, b);
         else if (a->sign)
             find_digits(words, &q, a->sign * b->sign, a->e - b->e - 32 * words, a->m, 0, 32 * words + 1, b->m);
@@ -351,7 +349,7 @@ static void root_two(struct ball *r, uint64_t m, int odd, int e)
 void tia_ball_sqrt(int words, struct ball *r, const struct ball *a)
 {
     struct ball_radius off = a->radius;
-    int up = BALL_PAIRS && words == 2 ? 62 : 32 * words, odd = (a->e - up) & 1, e = (a->e - up + odd) / 2;
+    int up = TIA_WORD_PAIRS && words == 2 ? 62 : 32 * words, odd = (a->e - up) & 1, e = (a->e - up + odd) / 2;
 
     if (tia_ball_sign(words, a) != BALL_ABOVE) { /* from 0 to the root of the largest number */
         off = a->sign > 0 ? most_of(words, a) : off;
@@ -359,7 +357,7 @@ void tia_ball_sqrt(int words, struct ball *r, const struct ball *a)
         tia_ball_set(words, r, 0, 0);
     } else {
         off.e -= (a->e + 32 * words - 1) >> 1;
-        if (BALL_PAIRS && words == 2)
+        if (TIA_WORD_PAIRS && words == 2)
             root_two(r, two(a), odd, e);
         else
             find_digits(words, r, 1, e, a->m, 32 * words - 2 + odd, 32 * words, NULL);

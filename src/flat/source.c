@@ -26,6 +26,7 @@ bool tia_flat_takes(const struct tia_scene *scene, uint32_t object)
     case TIA_MESH:
         return !tia_flat_is_empty(scene, object);
     case TIA_GRID:
+    case TIA_SOLID:
         return false;
     default:
         return scene->tessellated != 0;

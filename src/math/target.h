@@ -3,12 +3,22 @@
 #ifndef TIA_MATH_TARGET_H
 #define TIA_MATH_TARGET_H
 
+#include <stdint.h>
+
 /* 1 if the multiplier gives only the lower 32 bits of a product: ARMv6-M and ARMv8-M Baseline, such as Cortex-M0, M0+,
  * M1 and M23. */
 #if defined(__GNUC__) && (defined(__ARM_ARCH_6M__) || defined(__ARM_ARCH_8M_BASE__))
 #define TIA_HALF_PRODUCTS 1
 #else
 #define TIA_HALF_PRODUCTS 0
+#endif
+
+/* 1 if numbers of two words have code of their own beside that for any number of words: 64-bit processors, and those
+ * with Thumb-2, such as Cortex-M3. It takes 2.4 KB of flash, for which others have no room in 64 KiB. */
+#if UINTPTR_MAX > UINT32_MAX || defined(__thumb2__)
+#define TIA_WORD_PAIRS 1
+#else
+#define TIA_WORD_PAIRS 0
 #endif
 
 /* 1 if __builtin_clz is an instruction, or at least better than a table of 32 bytes. */

@@ -4,15 +4,15 @@
 
 static int read_format(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena)
 {
-    switch (reader->format) {
-    case TIA_FORMAT_TIA:
+    if (reader->format == TIA_FORMAT_TIA)
         return tia_read_tia(reader, scene, arena);
-    case TIA_FORMAT_NFF:
-        return tia_read_nff(reader, scene, arena);
-    case TIA_FORMAT_OBJ:
-        return tia_read_obj(reader, scene, arena);
-    }
-    return TIA_ERR_ARGUMENT;
+    return reader->format == TIA_FORMAT_NFF ? tia_read_nff(reader, scene, arena)
+                                            : tia_read_model(reader, scene, arena, NULL);
+}
+
+static bool is_model(const struct tia_reader *reader)
+{
+    return reader->format != TIA_FORMAT_TIA && reader->format != TIA_FORMAT_NFF;
 }
 
 /* Returns the rest of the string behind `start`, or NULL if it does not begin with `start`. */
@@ -115,7 +115,7 @@ int tia_read(struct tia_reader *reader, struct tia_scene *scene, void *memory, s
     *need = arena.used;
     if (status)
         return status;
-    if (reader->format != TIA_FORMAT_OBJ)
+    if (!is_model(reader))
         reader->placement.bits = scene->scale_bits;
     return tia_arena_fits(&arena) ? check(reader, scene, &arena) : TIA_ERR_MEMORY;
 }

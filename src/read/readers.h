@@ -15,12 +15,26 @@
 
 int tia_read_tia(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena);
 int tia_read_nff(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena);
-int tia_read_obj(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena);
+
+/* Readers of models. `use` is NULL for a scene of its own; see model/model.h. */
+struct tia_model_use;
+int tia_read_obj(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena,
+                 struct tia_model_use *use);
+int tia_read_stl(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena,
+                 struct tia_model_use *use);
+int tia_read_ply(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena,
+                 struct tia_model_use *use);
+int tia_read_off(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena,
+                 struct tia_model_use *use);
+int tia_read_pgm(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena,
+                 struct tia_model_use *use);
+/* Reads a model in any of these formats. */
+int tia_read_model(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena,
+                   struct tia_model_use *use);
 
 /* Finds a fault in the text. Sets the line and column of reader->error, which must be 0, and replaces the fault's thing
  * and field by the words that the file uses. Changes nothing if the fault is not found. The arena must be as the reader
- * left it. The .obj format needs no such function: its statements refuse all values that tia_scene_check would
- * refuse. */
+ * left it. Models need no such function: their readers refuse all values that tia_scene_check would refuse. */
 void tia_locate_tia(struct tia_reader *reader, struct tia_fault *fault, struct tia_arena *arena);
 /* Does the same for a .nff file. */
 void tia_locate_nff(struct tia_reader *reader, struct tia_fault *fault);

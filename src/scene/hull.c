@@ -135,7 +135,7 @@ void tia_hull_add_box(struct hull *hull, const struct tia_bounds *b)
 
 /* The products in w x N, of 62-bit and 33-bit factors, lose their lowest 34 bits. If the disc is perpendicular to the
  * axis, the products cancel; the remaining bits are then enough. */
-void tia_hull_add_disc(struct hull *hull, struct tia_vec3 centre, tia_q16 radius, const int64_t normal[3])
+void tia_hull_add_ring(struct hull *hull, struct tia_vec3 centre, tia_q16 radius, tia_q16 tube, const int64_t normal[3])
 {
     const struct length whole = measure(normal, false);
 
@@ -148,8 +148,14 @@ void tia_hull_add_disc(struct hull *hull, struct tia_vec3 centre, tia_q16 radius
         }
         struct length part = measure(cross, true);
         part.exponent += 34;
-        include(hull, k, tia_frame_place(hull->frame, k, centre), stretch(radius, ratio(part, whole)));
+        int64_t around = tube ? stretch(tube, measure(w, true)) : 0;
+        include(hull, k, tia_frame_place(hull->frame, k, centre), stretch(radius, ratio(part, whole)) + around);
     }
+}
+
+void tia_hull_add_disc(struct hull *hull, struct tia_vec3 centre, tia_q16 radius, const int64_t normal[3])
+{
+    tia_hull_add_ring(hull, centre, radius, 0, normal);
 }
 
 /* The axis is shifted left until its largest component has 33 bits, so that tia_hull_add_disc loses little

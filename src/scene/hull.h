@@ -53,6 +53,9 @@ void tia_hull_add_sphere(struct hull *hull, struct tia_vec3 centre, tia_q16 radi
 void tia_hull_add_box(struct hull *hull, const struct tia_bounds *box); /* the box may be empty */
 /* Adds a disc. The normal may have any length; components have at most 33 bits. */
 void tia_hull_add_disc(struct hull *hull, struct tia_vec3 centre, tia_q16 radius, const int64_t normal[3]);
+/* Adds a torus: all points within `tube` of the edge of such a disc. */
+void tia_hull_add_ring(struct hull *hull, struct tia_vec3 centre, tia_q16 radius, tia_q16 tube,
+                       const int64_t normal[3]);
 /* Adds discs at both ends of an axis. */
 void tia_hull_add_ends(struct hull *hull, struct tia_vec3 base, struct tia_vec3 top, tia_q16 base_radius,
                        tia_q16 top_radius);

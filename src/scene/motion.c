@@ -4,6 +4,7 @@
 #include "math/integer.h"
 #include "scene/cancel.h"
 #include "scene/fall/fall.h"
+#include "scene/motion.h"
 #include "scene/track.h"
 
 /* Sets a light's direction. A value of 0, which an interpolation can pass through, changes nothing. */
@@ -183,8 +184,8 @@ static void put(struct tia_scene *out, const struct moving *from, bool moves)
     out->bvh = NULL;
 }
 
-int tia_scene_at(struct tia_scene *out, void *memory, size_t size, const struct tia_scene *scene, tia_q16 time,
-                 const struct tia_job *job)
+int tia_motion_at(struct tia_scene *out, void *memory, size_t size, const struct tia_scene *scene, tia_q16 time,
+                  const struct falling *at, const struct tia_job *job)
 {
     if (!out || !scene)
         return TIA_ERR_ARGUMENT;
@@ -200,11 +201,19 @@ int tia_scene_at(struct tia_scene *out, void *memory, size_t size, const struct 
     copy(&to, memory, &base, &cancel);
     for (uint32_t i = 0; i < base.track_count && !cancelled(&cancel, base.tracks[i].key_count); i++)
         apply(&base, &base.tracks[i], time, &to);
-    if (base.falling && !cancel.stopped)
+    if (base.falling && at)
+        tia_fall_put(at, &base, to.transforms, to.shapes);
+    else if (base.falling && !cancel.stopped)
         tia_fall_at(&base, to.falling, time, to.transforms, to.shapes, &cancel);
     *out = base;
     put(out, &to, tia_scene_moves(&base));
     return cancel.stopped ? TIA_STOPPED : TIA_OK;
+}
+
+int tia_scene_at(struct tia_scene *out, void *memory, size_t size, const struct tia_scene *scene, tia_q16 time,
+                 const struct tia_job *job)
+{
+    return tia_motion_at(out, memory, size, scene, time, NULL, job);
 }
 
 bool tia_scene_moves(const struct tia_scene *scene)

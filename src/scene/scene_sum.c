@@ -25,6 +25,7 @@ static void add_arrays(struct checksum *sum, const struct tia_scene *s)
     ADD(sum, s->textures, s->texture_count);
     ADD(sum, s->meshes, s->mesh_count);
     ADD(sum, s->grids, s->grid_count);
+    ADD(sum, s->solids, s->solid_count);
     ADD(sum, s->tracks, s->track_count);
     ADD(sum, s->fine, 1);
     ADD(sum, s->field, 1);
@@ -67,6 +68,10 @@ static void add_parts(struct checksum *sum, const struct tia_scene *s)
 {
     for (uint32_t i = 0; i < s->mesh_count; i++)
         add_mesh(sum, &s->meshes[i]);
+    for (uint32_t i = 0; i < s->solid_count; i++) {
+        ADD(sum, s->solids[i].members, s->solids[i].member_count);
+        ADD(sum, s->solids[i].steps, s->solids[i].step_count);
+    }
     add_images(sum, s);
     for (uint32_t i = 0; i < s->track_count; i++)
         ADD(sum, s->tracks[i].keys, s->tracks[i].key_count);

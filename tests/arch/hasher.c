@@ -1,8 +1,10 @@
 /* hasher.c - prints the checksums of tests/arch/frames.h: `hasher` or, built with TIA_HAVE_F32, `hasher f32` for the
  * same frames in single precision. `hasher sums FIRST END` prints those sums of samples instead, of occlusion and then
- * of paths. Built with HASHER_SIMD, the program draws with the vector units named by TIA_SIMD, and fails if these are
- * not available. It needs only the libraries, so that it can be built for any machine. */
+ * of paths. `hasher steps` prints the hashes of frames_steps.h. Built with HASHER_SIMD, the program draws with the
+ * vector units named by TIA_SIMD, and fails if these are not available. It needs only the libraries, so that it can be
+ * built for any machine. */
 #include "frames.h"
+#include "frames_steps.h"
 
 static void print(void *ctx, const char *name, uint32_t crc)
 {
@@ -20,6 +22,12 @@ static void print_sums(uint32_t first, uint32_t end)
         for (unsigned i = 0; i < FRAMES_SUMS_WIDTH * FRAMES_SUMS_HEIGHT * 3; i++)
             printf("%lld\n", (long long)sums[i / 3].rgb[i % 3]);
     }
+}
+
+static void print_hash(void *ctx, uint32_t step, uint64_t hash)
+{
+    (void)ctx;
+    printf("%lu %016llx\n", (unsigned long)step, (unsigned long long)hash);
 }
 
 #ifdef HASHER_SIMD
@@ -68,6 +76,10 @@ int main(int argc, char **argv)
 
     if (argc == 4 && !strcmp(argv[1], "sums")) {
         print_sums((uint32_t)strtoul(argv[2], NULL, 10), (uint32_t)strtoul(argv[3], NULL, 10));
+        return 0;
+    }
+    if (argc == 2 && !strcmp(argv[1], "steps")) {
+        steps_all(print_hash, NULL);
         return 0;
     }
 #ifdef HASHER_SIMD

@@ -134,6 +134,15 @@ static inline void make_grid(struct bytes *b, struct made *m)
     g->cells = m->cells + MADE_CELLS - (size_t)g->size[0] * g->size[1] * g->size[2];
 }
 
+static inline void make_box(struct bytes *b, const struct made *m, struct tia_box *box, bool placed)
+{
+    box->min = take_point(b, m, placed);
+    struct tia_vec3 size = take_size(b);
+    box->max = (struct tia_vec3){moved(box->min.x, size.x < 0 ? -size.x : size.x),
+                                 moved(box->min.y, size.y < 0 ? -size.y : size.y),
+                                 moved(box->min.z, size.z < 0 ? -size.z : size.z)};
+}
+
 static inline void make_solid(struct bytes *b, const struct made *m, struct tia_shape *s, bool placed)
 {
     switch (s->kind) {
@@ -151,22 +160,27 @@ static inline void make_solid(struct bytes *b, const struct made *m, struct tia_
         if (take_byte(b) & 1)
             s->cone.top_radius = 0;
         break;
+    case TIA_TORUS:
+        s->torus = (struct tia_torus){take_point(b, m, placed), take_direction(b), take_radius(b), take_radius(b)};
+        s->torus.major = moved(s->torus.major, s->torus.minor);
+        break;
+    case TIA_ROUNDED:
+        make_box(b, m, &s->box, placed);
+        const struct tia_box box = s->box;
+        s->rounded = (struct tia_rounded){box.min, box.max, TIA_RADIUS_MIN};
+        break;
     default:
-        s->box.min = take_point(b, m, placed);
-        struct tia_vec3 size = take_size(b);
-        s->box.max = (struct tia_vec3){moved(s->box.min.x, size.x < 0 ? -size.x : size.x),
-                                       moved(s->box.min.y, size.y < 0 ? -size.y : size.y),
-                                       moved(s->box.min.z, size.z < 0 ? -size.z : size.z)};
+        make_box(b, m, &s->box, placed);
     }
 }
 
 static inline void make_shape(struct bytes *b, const struct made *m, struct tia_shape *s)
 {
     uint8_t kind = take_byte(b);
-    bool placed = kind / 9 % 4 != 0;
+    bool placed = kind / 11 % 4 != 0;
 
-    *s = (struct tia_shape){.kind = (enum tia_shape_kind)(kind % 9), .material = take_byte(b) % 3};
-    s->transform = s->kind == TIA_PLANE || !placed ? 0 : 1 + kind / 36 % 2;
+    *s = (struct tia_shape){.kind = (enum tia_shape_kind)(kind % 11), .material = take_byte(b) % 3};
+    s->transform = s->kind == TIA_PLANE || !placed ? 0 : 1 + kind / 44 % 2;
     switch (s->kind) {
     case TIA_PLANE:
         s->plane = (struct tia_plane){take_place(b, m), take_direction(b)};
@@ -179,7 +193,7 @@ static inline void make_shape(struct bytes *b, const struct made *m, struct tia_
             s->triangle.corner[i] = take_point(b, m, placed);
         break;
     case TIA_MESH:
-        s->mesh = kind / 72 % 2;
+        s->mesh = kind / 88 % 2;
         break;
     case TIA_GRID:
         s->grid = 0;

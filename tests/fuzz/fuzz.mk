@@ -5,7 +5,7 @@ FUZZ_DRIVER := $(BUILD)/tests/fuzz/replay.o
 fuzzers: $(FUZZERS:%=$(BUILD)/fuzzers/%)
 beside = $(filter-out $(BUILD)/host/tools/$(1)/$(1).o,$(call obj,host,$(wildcard tools/$(1)/*.c)))
 $(BUILD)/fuzzers/options: $(call beside,tia)
-$(BUILD)/fuzzers/parts: $(call beside,tia-join)
+$(BUILD)/fuzzers/parts: $(BUILD)/host/tools/tia-join/join_sums.o
 $(BUILD)/fuzzers/radio: $(call beside,tia-radio)
 $(BUILD)/fuzzers/resume: $(call obj,host,$(addprefix tools/tia/,finished.c resume.c resume_file.c))
 $(BUILD)/tests/fuzz/%.o: HOSTED += -Wno-missing-prototypes -iquote .

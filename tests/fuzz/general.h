@@ -84,6 +84,12 @@ static inline void take_shape(struct bytes *b, struct tia_shape *s)
     case TIA_MESH:
         s->mesh = take_index(b, 2);
         break;
+    case TIA_TORUS:
+        s->torus = (struct tia_torus){one, take_dir3(b), radius, other};
+        break;
+    case TIA_ROUNDED:
+        s->rounded = (struct tia_rounded){one, two, radius};
+        break;
     case TIA_GRID:
         s->grid = take_index(b, 1);
         break;

@@ -7,7 +7,7 @@
 #include "common/image/sums.h"
 #include "files.h"
 #include "tia-join/join_sums.h"
-#include "tia-join/parts.h"
+#include "common/image/parts.h"
 
 enum { FILES = 3, SIDE = 8, FRAMES = 4 };
 enum kind { RAW, PART, SUMS, PLANES };
@@ -212,9 +212,9 @@ static void must_join(char *const *paths, unsigned count, bool raw)
 
 static void must_add(char *const *paths, unsigned count, uint8_t how)
 {
-    static const enum image_format formats[] = {IMAGE_PPM, IMAGE_PFM, IMAGE_PART};
+    static const enum image_format formats[] = {IMAGE_PPM, IMAGE_PFM, IMAGE_PART, IMAGE_EXR};
     char why[SUMS_WHY] = "";
-    int result = join_sums(paths, count, "/dev/null", formats[how % 3], why);
+    int result = join_sums(paths, count, "/dev/null", formats[how % 4], why);
 
     MUST(result >= 0 && result <= 2 && !result == !*why && memchr(why, '\0', sizeof why));
 }

@@ -1,6 +1,6 @@
 /* read.h - any bytes as a scene file: the result is an error with a text, or a scene that tia_scene_check accepts, in
  * exactly the memory that the reader required. The bytes after the first zero byte are the text of each library, and of
- * each of up to 64 files that a .tia file includes. */
+ * each of up to 64 files that a .tia file includes, and of up to 256 models. */
 #ifndef TESTS_FUZZ_READ_H
 #define TESTS_FUZZ_READ_H
 
@@ -51,7 +51,8 @@ static void must_warn(const struct tia_read_warning *warnings, size_t size)
 static inline void read_any(enum tia_format format, const uint8_t *data, size_t size)
 {
     const uint8_t *zero = size ? memchr(data, 0, size) : NULL;
-    size_t length = format != TIA_FORMAT_NFF && zero ? (size_t)(zero - data) : size;
+    bool has_parts = format == TIA_FORMAT_TIA || format == TIA_FORMAT_OBJ;
+    size_t length = has_parts && zero ? (size_t)(zero - data) : size;
     struct rest rest = {(const char *)data + length, size - length};
     struct tia_read_warning warnings[TIA_WARNINGS];
     struct tia_reader reader = {.format = format,
@@ -75,7 +76,9 @@ static inline void read_any(enum tia_format format, const uint8_t *data, size_t 
     }
     int status = tia_read(&reader, &scene, NULL, 0, &need);
     if (status == TIA_ERR_MEMORY) {
-        MUST(need > 0 && need < 100 * (size + (format == TIA_FORMAT_TIA ? 64 * rest.length : 0)) + 1000);
+        /* a model has at most a part for each two bytes, and an instance needs ten */
+        size_t more = format == TIA_FORMAT_TIA ? 256 * rest.length + length / 10 * (rest.length / 2) : 0;
+        MUST(need > 0 && need < 110 * (size + more) + 1000);
         memory = malloc(need);
         MUST(tia_read(&reader, &scene, memory, need - 1, &again) == TIA_ERR_MEMORY && again == need);
         status = tia_read(&reader, &scene, memory, need, &again);

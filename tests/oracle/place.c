@@ -55,10 +55,20 @@ static bool tapered_hit(struct ray ray, const struct tia_vec3 *base, const struc
                       hit);
 }
 
+/* False for a member of a solid. */
+static bool is_of_scene(const struct tia_scene *scene, const struct tia_shape *s)
+{
+    bool found = false;
+
+    for (uint32_t i = 0; i < scene->shape_count; i++)
+        found = found || s == &scene->shapes[i];
+    return found;
+}
+
 static bool local_hit(const struct tia_scene *scene, const struct tia_shape *s, struct ray ray, struct hit *hit)
 {
     const struct tia_fine_ends *fine =
-        scene->fine && s->transform == 0 ? &scene->fine->shapes[s - scene->shapes] : NULL;
+        scene->fine && s->transform == 0 && is_of_scene(scene, s) ? &scene->fine->shapes[s - scene->shapes] : NULL;
     struct oracle_vec corner[3];
 
     switch (s->kind) {
@@ -76,12 +86,19 @@ static bool local_hit(const struct tia_scene *scene, const struct tia_shape *s, 
                            s->cone.capped, hit);
     case TIA_BOX:
         return shape_box(ray, position(s->box.min), position(s->box.max), hit);
+    case TIA_TORUS:
+        return shape_torus(ray, position(s->torus.centre), direction(s->torus.axis), q16(s->torus.major),
+                           q16(s->torus.minor), hit);
+    case TIA_ROUNDED:
+        return shape_rounded(ray, position(s->rounded.min), position(s->rounded.max), q16(s->rounded.radius), hit);
     case TIA_TRIANGLE:
         for (int i = 0; i < 3; i++)
             corner[i] = position(s->triangle.corner[i]);
         return shape_triangle(ray, corner, hit);
     case TIA_MESH:
         return shape_mesh(ray, &scene->meshes[s->mesh], hit);
+    case TIA_SOLID:
+        return shape_solid(scene, &scene->solids[s->solid], ray, hit);
     default:
         return shape_grid(ray, &scene->grids[s->grid], hit);
     }
@@ -123,7 +140,7 @@ bool object_hit(const struct tia_scene *scene, uint32_t index, struct ray ray, s
         const struct tia_shape *s = &scene->shapes[index - scene->sphere_count];
         if (!shape_hit(scene, s, ray, hit))
             return false;
-        hit->material += s->material;
+        hit->material += s->kind == TIA_SOLID ? 0 : s->material;
         if (s->kind == TIA_PLANE) {
             hit->u = ldexp(hit->u, -(int)scene->scale_bits);
             hit->v = ldexp(hit->v, -(int)scene->scale_bits);

@@ -32,9 +32,16 @@ static struct colour surfaces(const struct tia_scene *scene, uint32_t object, st
     return left;
 }
 
-static bool is_grid(const struct tia_scene *scene, uint32_t object)
+/* True if an object's surfaces may filter light differently: for a grid, and for a solid with an opacity. */
+static bool is_mixed(const struct tia_scene *scene, uint32_t object)
 {
-    return object >= scene->sphere_count && scene->shapes[object - scene->sphere_count].kind == TIA_GRID;
+    const struct tia_shape *s =
+        object < scene->sphere_count ? NULL : &scene->shapes[object - scene->sphere_count];
+    bool opacity = false;
+
+    for (uint32_t i = 0; s && s->kind == TIA_SOLID && i < scene->solids[s->solid].member_count; i++)
+        opacity = opacity || scene->materials[scene->solids[s->solid].members[i].material].opacity != 0;
+    return s && (s->kind == TIA_GRID || opacity);
 }
 
 struct colour oracle_transmission(const struct tia_scene *scene, struct ray ray, double distance)
@@ -45,7 +52,7 @@ struct colour oracle_transmission(const struct tia_scene *scene, struct ray ray,
     for (uint32_t i = 0; i < scene->sphere_count + scene->shape_count; i++) {
         if (!object_hit(scene, i, ray, &h) || h.t >= distance)
             continue;
-        if (is_grid(scene, i) || scene->materials[h.material].opacity != 0)
+        if (is_mixed(scene, i) || scene->materials[h.material].opacity != 0)
             left = product(left, surfaces(scene, i, ray, distance));
         else
             for (unsigned n = groups_hit(scene, i, ray, distance); n > 0; n--)

@@ -23,9 +23,15 @@ bool shape_disc(struct ray ray, struct oracle_vec centre, struct oracle_vec norm
 bool shape_cone(struct ray ray, struct oracle_vec base, struct oracle_vec top, double base_radius, double top_radius,
                 bool capped, struct hit *hit); /* with equal radii, a cylinder */
 bool shape_box(struct ray ray, struct oracle_vec min, struct oracle_vec max, struct hit *hit);
+bool shape_torus(struct ray ray, struct oracle_vec centre, struct oracle_vec axis, double major, double minor,
+                 struct hit *hit);
+bool shape_rounded(struct ray ray, struct oracle_vec min, struct oracle_vec max, double radius, struct hit *hit);
 bool shape_triangle(struct ray ray, const struct oracle_vec corner[3], struct hit *hit);
 bool shape_mesh(struct ray ray, const struct tia_mesh *mesh, struct hit *hit);
 bool shape_grid(struct ray ray, const struct tia_grid *grid, struct hit *hit);
+
+/* Intersects a solid; hit->material is a material's index, no offset. */
+bool shape_solid(const struct tia_scene *scene, const struct tia_solid *solid, struct ray ray, struct hit *hit);
 
 /* Returns the number of groups of a mesh's faces that the ray meets before t. A group counts once. */
 unsigned shape_mesh_groups(struct ray ray, const struct tia_mesh *mesh, double t);

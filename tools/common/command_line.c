@@ -13,8 +13,8 @@
 #include "parse.h"
 
 enum {
-    OPTIONS_MOST = 96, /* rows of a table */
-    CODE = 256,        /* code of the first row for getopt_long: greater than any letter */
+    OPTIONS_MOST = 128, /* rows of a command */
+    CODE = 256,         /* code of the first row for getopt_long: greater than any letter */
     TEXT_SIZE = 400,
     LINE_WIDTH = 100,
     LEFT_MOST = 32 /* width of the column of options; wider rows have their help text on the next line */
@@ -256,43 +256,76 @@ static int print_version(const struct command *command)
 
 /* ---- the command line ---- */
 
-static void name_options(const struct option_row *rows, struct option *longs, char *shorts)
+/* The rows of --help, and further ones. */
+struct tables {
+    const struct option_row *own, *more;
+};
+
+/* Returns row number `i` of both tables; NULL after the last. */
+static const struct option_row *row_at(const struct tables *tables, int i)
 {
+    const struct option_row *row = tables->own;
+
+    for (; row->name && i > 0; i--)
+        row++;
+    if (row->name || !tables->more)
+        return row->name ? row : NULL;
+    for (row = tables->more; row->name && i > 0; i--)
+        row++;
+    return row->name ? row : NULL;
+}
+
+static void name_options(const struct tables *tables, struct option *longs, char *shorts)
+{
+    const struct option_row *row;
+
     *shorts++ = ':';
-    for (int i = 0; rows[i].name && i < OPTIONS_MOST; i++) {
-        int has_arg = rows[i].argument ? required_argument : no_argument;
-        longs[i] = (struct option){rows[i].name, has_arg, NULL, CODE + i};
-        if (rows[i].letter)
-            *shorts++ = rows[i].letter;
-        if (rows[i].letter && rows[i].argument)
+    for (int i = 0; i < OPTIONS_MOST && (row = row_at(tables, i)) != NULL; i++) {
+        longs[i] = (struct option){row->name, row->argument ? required_argument : no_argument, NULL, CODE + i};
+        if (row->letter)
+            *shorts++ = row->letter;
+        if (row->letter && row->argument)
             *shorts++ = ':';
     }
     *shorts = '\0';
 }
 
 /* Returns the row for a code of getopt_long; NULL for the codes of an invalid option. */
-static const struct option_row *row_of(const struct option_row *rows, int code)
+static const struct option_row *row_of(const struct tables *tables, int code)
 {
+    const struct option_row *row;
+    int i = 0;
+
     if (code >= CODE)
-        return rows + (code - CODE);
-    while (rows->name && rows->letter != code)
-        rows++;
-    return rows->name ? rows : NULL;
+        return row_at(tables, code - CODE);
+    while ((row = row_at(tables, i)) != NULL && row->letter != code)
+        i++;
+    return row;
 }
 
 int command_parse(const struct command *command, void *options, int *argc, char ***argv)
 {
+    return command_parse_extra(command, &(struct command_extra){.more = NULL}, options, argc, argv);
+}
+
+int command_parse_extra(const struct command *command, const struct command_extra *extra, void *options, int *argc,
+                        char ***argv)
+{
+    const struct tables tables = {command->options, extra->more};
     struct option longs[OPTIONS_MOST + 1] = {{0}};
     char shorts[2 * OPTIONS_MOST + 2];
 
-    name_options(command->options, longs, shorts);
+    name_options(&tables, longs, shorts);
     opterr = 0;
+    optind = 0; /* a command may parse several lists of arguments */
     for (int code; (code = getopt_long(*argc, *argv, shorts, longs, NULL)) != -1;) {
-        const struct option_row *row = row_of(command->options, code);
+        const struct option_row *row = row_of(&tables, code);
         if (!row)
             return refuse_option(command->name, code, *argv);
         if (row->kind == OPTION_HELP || row->kind == OPTION_VERSION)
             return row->kind == OPTION_HELP ? print_help(command) : print_version(command);
+        if (extra->seen)
+            extra->seen(extra->ctx, row, optarg);
         const char *mistake = set(row, options, optarg);
         if (mistake)
             return refuse(command, row, optarg, mistake);

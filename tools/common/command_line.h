@@ -69,4 +69,16 @@ enum { COMMAND_RUN = -1 };
  * after an error message. */
 int command_parse(const struct command *command, void *options, int *argc, char ***argv);
 
+struct command_extra {
+    const struct option_row *more; /* further options, which --help does not list; NULL: none */
+    /* Receives each option before its value, which may be changed then, is parsed; value: NULL for a flag. NULL: none.
+     */
+    void (*seen)(void *ctx, const struct option_row *row, const char *value);
+    void *ctx;
+};
+
+/* Parses as command_parse does, with these extras. */
+int command_parse_extra(const struct command *command, const struct command_extra *extra, void *options, int *argc,
+                        char ***argv);
+
 #endif

@@ -10,9 +10,10 @@ import subprocess
 import sys
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../..")
-COMMANDS = ("tia", "tia-compare", "tia-compile", "tia-join", "tia-pov", "tia-observe", "tia-radio")
-SCENES = ("tia", "nff", "obj")
+COMMANDS = ("tia", "tia-compare", "tia-compile", "tia-join", "tia-pov", "tia-observe", "tia-radio", "tia-verify")
+SCENES = ("tia", "nff", "obj", "stl", "ply", "off", "pgm")
 PARTS = ("tiapart",)
+PICTURES = ("png", "ppm", "bmp", "565", "pfm", "exr", "y4m", "tiapart", "record")
 ROW = re.compile(r"^  (?:-(?P<letter>\w),|   ) --(?P<name>[\w-]+)(?: (?P<argument>\S+))?(?:  +(?P<text>.*))?$")
 
 
@@ -124,7 +125,7 @@ def bash(commands):
 
 
 def arguments(name):
-    return PARTS if name == "tia-join" else SCENES
+    return PARTS if name == "tia-join" else (*PICTURES, *SCENES) if name == "tia-verify" else SCENES
 
 
 def quoted(text):

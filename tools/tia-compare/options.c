@@ -159,7 +159,7 @@ int options_parse(struct options *options, int argc, char **argv)
     options->scene_count = argc;
     for (int i = 0; i < options->scene_count && result == 0; i++)
         if (scene_format_of(options->scenes[i]) == SCENE_UNKNOWN)
-            result = mistake(options->scenes[i], "not a scene: must end in .tia, .nff or .obj");
+            result = mistake(options->scenes[i], "not a scene: must end in .tia, .nff, .obj, .stl, .ply, .off or .pgm");
     if (result == 0)
         result = check_shadows(options);
     if (result == 0)

@@ -43,7 +43,10 @@ static void write_shape(struct unit *unit, const struct tia_shape *s)
     if (s->kind == TIA_TRIANGLE) {
         write_triangle(unit, &s->triangle);
     } else if (!f->member) {
-        text_word(text, ".%s = %uu},\n", names[s->kind], s->kind == TIA_MESH ? s->mesh : s->grid);
+        text_word(text, ".%s = %uu},\n", names[s->kind],
+                  s->kind == TIA_MESH   ? s->mesh
+                  : s->kind == TIA_GRID ? s->grid
+                                        : s->solid);
     } else {
         text_word(text, ".%s = {", names[s->kind]);
         for (; f->member; f++)
@@ -69,11 +72,42 @@ static void write_transforms(struct unit *unit)
     table_end(unit);
 }
 
+static void write_solids(struct unit *unit)
+{
+    const struct tia_scene *scene = unit->scene;
+
+    for (uint32_t i = 0; i < scene->solid_count; i++) {
+        const struct tia_solid *s = &scene->solids[i];
+        table_begin(unit, "struct tia_shape", "members_%u", i);
+        for (uint32_t k = 0; k < s->member_count; k++)
+            write_shape(unit, &s->members[k]);
+        table_end(unit);
+        table_begin(unit, "uint8_t", "steps_%u", i);
+        for (uint32_t k = 0; k < s->step_count; k++)
+            text_word(&unit->text, "%u,", s->steps[k]);
+        text_print(&unit->text, "\n");
+        table_end(unit);
+    }
+    if (scene->solid_count == 0)
+        return;
+    table_begin(unit, "struct tia_solid", "solids");
+    for (uint32_t i = 0; i < scene->solid_count; i++) {
+        text_word(&unit->text, "{");
+        field_table(unit, "members", 1, "members_%u", i);
+        field_table(unit, "steps", 1, "steps_%u", i);
+        field_unsigned(unit, "member_count", scene->solids[i].member_count);
+        field_unsigned(unit, "step_count", scene->solids[i].step_count);
+        text_print(&unit->text, "},\n");
+    }
+    table_end(unit);
+}
+
 void unit_shapes(struct unit *unit)
 {
     const struct tia_scene *scene = unit->scene;
 
     write_transforms(unit);
+    write_solids(unit);
     if (scene->shape_count == 0)
         return;
     table_begin(unit, "struct tia_shape", "shapes");

@@ -124,7 +124,8 @@ static void write_scene(struct unit *unit)
                                      {"transforms", "transform_count", s->transform_count},
                                      {"textures", "texture_count", s->texture_count},
                                      {"meshes", "mesh_count", s->mesh_count},
-                                     {"grids", "grid_count", s->grid_count}};
+                                     {"grids", "grid_count", s->grid_count},
+                                     {"solids", "solid_count", s->solid_count}};
     const struct reference tracks = {"tracks", "track_count", s->track_count};
 
     text_print(&unit->text, "const struct tia_scene %s = {\n", unit->symbol);

@@ -26,7 +26,7 @@ uint32_t *telltales_draw(const struct tia_scene *scene, const struct convert_tel
 void unit_things(struct unit *unit); /* writes materials, spheres, lights, keys */
 void unit_fine(struct unit *unit);   /* writes fine digits, if the scene has them */
 void unit_fog(struct unit *unit);    /* writes the fog, if the scene has one */
-void unit_shapes(struct unit *unit); /* writes shapes, transforms */
+void unit_shapes(struct unit *unit); /* writes shapes, transforms, solids */
 void unit_images(struct unit *unit); /* writes textures and grids */
 void unit_meshes(struct unit *unit);
 void unit_tracks(struct unit *unit);

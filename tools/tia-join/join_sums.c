@@ -13,9 +13,12 @@
 #include "common/sink.h"
 #include "ports.h"
 
+/* Bytes of the rows that are added at once. Parts are open only while they are read, so that neither the memory nor the
+ * number of open files grows with their number, apart from a struct summand each. */
+enum { BAND_BYTES = 1 << 20 };
+
 struct summand {
     const char *path;
-    FILE *file;
     struct sums sums;
 };
 
@@ -25,8 +28,9 @@ struct addition {
     struct sums sums; /* description of the result */
     struct image *image;
     struct sink *sink;
-    struct tia_sum *row;
-    unsigned char *bytes; /* bytes of a row, in a file or in a picture */
+    struct tia_sum *band;
+    unsigned char *bytes; /* bytes of the band in a file, or of a row in a picture */
+    unsigned band_rows;
     unsigned depth;
     char written[PORT_WHY];
     char *why;
@@ -69,26 +73,32 @@ bool is_sums(const char *path)
     return is;
 }
 
-static int open_one(struct addition *a, struct summand *s, const char *path)
+static int check_one(struct addition *a, struct summand *s, FILE *file)
 {
     char text[SUMS_HEADER];
+    size_t header = sums_parse(&s->sums, text, fread(text, 1, sizeof text, file));
 
-    s->path = path;
-    s->file = open_regular(path);
-    if (!s->file)
-        return refuse(a, path, strerror(errno));
-    size_t header = sums_parse(&s->sums, text, fread(text, 1, sizeof text, s->file));
     if (!header || s->sums.guided)
-        return refuse(a, path, "not a part of samples");
-    if (fseek(s->file, 0, SEEK_END) != 0 ||
-        (uint64_t)ftell(s->file) != header + (uint64_t)s->sums.height * sums_row_bytes(&s->sums))
-        return refuse(a, path, "is not complete (tia --resume goes on with it)");
-    if (fseek(s->file, (long)header, SEEK_SET) != 0)
-        return refuse(a, path, strerror(errno));
+        return refuse(a, s->path, "not a part of samples");
+    if (fseek(file, 0, SEEK_END) != 0 ||
+        (uint64_t)ftell(file) != header + (uint64_t)s->sums.height * sums_row_bytes(&s->sums))
+        return refuse(a, s->path, "is not complete (tia --resume goes on with it)");
     const struct sums *first = &a->summands[0].sums, *this = &s->sums;
     if (this->crc != first->crc || this->width != first->width || this->height != first->height)
-        return refuse(a, path, "a part of another scene, size or integrator");
+        return refuse(a, s->path, "a part of another scene, size or integrator");
     return FINE;
+}
+
+static int open_one(struct addition *a, struct summand *s, const char *path)
+{
+    FILE *file = open_regular(path);
+
+    s->path = path;
+    if (!file)
+        return refuse(a, path, strerror(errno));
+    int result = check_one(a, s, file);
+    (void)fclose(file);
+    return result;
 }
 
 static int by_first(const void *a, const void *b)
@@ -137,9 +147,9 @@ static int open_output(struct addition *a, const char *output, enum image_format
         }
         return sink_write(a->sink, header, sums_print(header, &a->sums)) ? NOT_WRITTEN : FINE;
     }
-    a->depth = format == IMAGE_PFM ? 32 : 8;
+    a->depth = image_format_has(format, 32) ? 32 : 8;
     if (!image_format_has(format, a->depth))
-        return refuse(a, output, "samples make a .png, .ppm, .pfm or .tiapart");
+        return refuse(a, output, "samples make a .png, .ppm, .pfm, .exr or .tiapart");
     if (a->sums.first)
         return refuse(a, a->summands[0].path, "a picture needs sample 0");
     film.depth = a->depth;
@@ -148,45 +158,63 @@ static int open_output(struct addition *a, const char *output, enum image_format
     return a->image ? FINE : NOT_WRITTEN;
 }
 
-static int add_row(struct addition *a, unsigned y)
+/* Adds rows y to y + rows - 1 of one part to the band. */
+static int add_rows_of(struct addition *a, const struct summand *s, unsigned y, unsigned rows)
 {
-    memset(a->row, 0, a->sums.width * sizeof *a->row);
-    for (unsigned i = 0; i < a->count; i++) {
-        struct summand *s = &a->summands[i];
-        size_t length = sums_row_bytes(&s->sums);
-        /* counted from the end: a .pfm stores the bottom row first */
-        long back = -(long)((uint64_t)(s->sums.height - y) * length);
-        if (fseek(s->file, back, SEEK_END) != 0 || fread(a->bytes, 1, length, s->file) != length)
-            return refuse(a, s->path, "cannot be read");
-        if (!sums_add_row(a->row, &s->sums, y, a->bytes))
+    size_t length = sums_row_bytes(&s->sums);
+    long back = -(long)((uint64_t)(s->sums.height - y) * length);
+    FILE *file = open_regular(s->path);
+
+    bool is_read = file && fseek(file, back, SEEK_END) == 0 && fread(a->bytes, 1, rows * length, file) == rows * length;
+    if (file)
+        (void)fclose(file);
+    if (!is_read)
+        return refuse(a, s->path, "cannot be read");
+    for (unsigned i = 0; i < rows; i++)
+        if (!sums_add_row(a->band + (size_t)i * a->sums.width, &s->sums, y + i, a->bytes + i * length))
             return refuse(a, s->path, "is damaged");
-    }
     return FINE;
 }
 
-static int write_row(struct addition *a, unsigned y)
+static int write_row(struct addition *a, unsigned y, const struct tia_sum *row)
 {
     if (a->sink) {
-        sums_put_row(a->bytes, &a->sums, y, a->row);
+        sums_put_row(a->bytes, &a->sums, y, row);
         return sink_write(a->sink, a->bytes, sums_row_bytes(&a->sums)) ? NOT_WRITTEN : FINE;
     }
-    sums_develop(a->bytes, &a->sums, a->row, a->depth);
+    sums_develop(a->bytes, &a->sums, row, a->depth);
     return image_rows(a->image, a->bytes, 1) ? NOT_WRITTEN : FINE;
 }
 
-static int add_rows(struct addition *a)
+/* Adds and writes rows y to y + rows - 1, with `upwards` the last one first. */
+static int add_band(struct addition *a, unsigned y, unsigned rows, bool upwards)
 {
-    unsigned height = a->sums.height;
     int result = FINE;
 
-    a->row = malloc(a->sums.width * sizeof *a->row);
-    a->bytes = malloc(sums_row_bytes(&a->sums));
-    if (!a->row || !a->bytes)
+    memset(a->band, 0, (size_t)rows * a->sums.width * sizeof *a->band);
+    for (unsigned i = 0; i < a->count && result == FINE; i++)
+        result = add_rows_of(a, &a->summands[i], y, rows);
+    for (unsigned i = 0; i < rows && result == FINE; i++) {
+        unsigned row = upwards ? rows - 1 - i : i;
+        result = write_row(a, y + row, a->band + (size_t)row * a->sums.width);
+    }
+    return result;
+}
+
+static int add_bands(struct addition *a)
+{
+    unsigned height = a->sums.height, most = (unsigned)(BAND_BYTES / sums_row_bytes(&a->sums));
+    bool upwards = a->image && image_bottom_up(a->image); /* as a .pfm, which stores the bottom row first */
+    int result = FINE;
+
+    a->band_rows = most < 1 ? 1 : most < height ? most : height;
+    a->band = malloc((size_t)a->band_rows * a->sums.width * sizeof *a->band);
+    a->bytes = malloc(a->band_rows * sums_row_bytes(&a->sums));
+    if (!a->band || !a->bytes)
         return NOT_WRITTEN;
-    for (unsigned i = 0; i < height && result == FINE; i++) {
-        unsigned y = a->image && image_bottom_up(a->image) ? height - 1 - i : i;
-        result = add_row(a, y);
-        result = result == FINE ? write_row(a, y) : result;
+    for (unsigned done = 0; done < height && result == FINE; done += a->band_rows) {
+        unsigned rows = height - done < a->band_rows ? height - done : a->band_rows;
+        result = add_band(a, upwards ? height - done - rows : done, rows, upwards);
     }
     return result;
 }
@@ -215,7 +243,7 @@ static int add(struct addition *a, char *const *paths, const char *output, enum 
         result = open_one(a, &a->summands[i], paths[i]);
     result = result == FINE ? follow(a) : result;
     result = result == FINE ? open_output(a, output, format) : result;
-    result = result == FINE ? add_rows(a) : result;
+    result = result == FINE ? add_bands(a) : result;
     return finish(a, result);
 }
 
@@ -224,13 +252,10 @@ int join_sums(char *const *paths, unsigned count, const char *output, enum image
     struct addition a = {.summands = calloc(count, sizeof(struct summand)), .count = count, .why = why};
     int result = a.summands ? add(&a, paths, output, format) : NOT_WRITTEN;
 
-    for (unsigned i = 0; a.summands && i < count; i++)
-        if (a.summands[i].file)
-            (void)fclose(a.summands[i].file);
     if (result == NOT_WRITTEN)
         (void)snprintf(why, SUMS_WHY, "%s", a.written[0] ? a.written : "memory: exhausted");
     free(a.summands);
-    free(a.row);
+    free(a.band);
     free(a.bytes);
     return result;
 }

@@ -6,12 +6,13 @@
 
 #include "common/choices.h"
 #include "common/command_line.h"
+#include "common/image/parts.h"
 #include "common/image/series.h"
 #include "common/message.h"
 #include "common/signals.h"
 #include "join_sums.h"
-#include "parts.h"
 #include "ports.h"
+#include "verify_parts.h"
 
 enum { FINE, NOT_WRITTEN, REFUSED };
 
@@ -19,6 +20,7 @@ struct join {
     const char *output;
     enum image_format format;
     struct parts parts;
+    struct verify_wish verify;
     char why[PORT_WHY];
 };
 
@@ -99,13 +101,20 @@ static const struct option_row rows[] = {{"output", 'o', OPTION_TEXT, "FILE",
                                          {"format", 0, OPTION_CHOICE, IMAGE_FORMATS,
                                           "the format of FILE, if its name has no such extension",
                                           OPTION_TO(struct join, format), .min = IMAGE_PNG},
+                                         {"verify", 0, OPTION_FLAG, NULL,
+                                          "draw random rows of each part again and refuse parts with other bits; the "
+                                          "scene and the options of tia, as drawn, follow --",
+                                          OPTION_TO(struct join, verify.asked)},
+                                         CHOICE_ROWS(struct join, verify.choice),
                                          OPTION_END};
 
 static const struct command command = {
     "tia-join",
     "Usage: tia-join -o FILE PART...\n"
+    "       tia-join -o FILE --verify PART... -- SCENE [options of tia, as drawn]\n"
     "Joins parts that tia drew, -o PART.tiapart with --frame-range or --tile-rows, or -o PART.y4m with\n"
-    "--frame-range, in any order. Adds parts with --samples-range, into .png, .ppm, .pfm or .tiapart.\n"
+    "--frame-range, in any order. Adds parts with --samples-range, into .png, .ppm, .pfm, .exr or\n"
+    ".tiapart.\n"
     "\n",
     rows,
     "\n"
@@ -115,10 +124,13 @@ int main(int argc, char **argv)
 {
     struct join join = {.format = IMAGE_UNKNOWN};
     signals_prepare();
+    verify_split(&join.verify, &argc, argv);
     int result = command_parse(&command, &join, &argc, &argv);
     if (result != COMMAND_RUN)
         return result;
     result = check(&join, argc);
+    if (result == FINE)
+        result = verify_parts(&join.verify, argv, argc) ? REFUSED : FINE;
     if (result == FINE)
         result = join_parts(&join, argv, (unsigned)argc);
     parts_close(&join.parts);

@@ -86,3 +86,13 @@ void pov_triple(struct pov *pov, const char *name, struct point p)
 {
     text_word(&pov->text, "%s%s<%.10g, %.10g, %.10g>", name, *name != '\0' ? " " : "", p.x, p.y, p.z);
 }
+
+void pov_transform(struct pov *pov, uint32_t transform)
+{
+    if (transform == 0)
+        return;
+    const struct tia_transform *t = &pov->scene->transforms[transform - 1];
+    pov_triple(pov, "scale", pov_vec3(t->scale));
+    pov_triple(pov, "rotate", pov_vec3(t->rotation));
+    pov_triple(pov, "translate", pov_place(pov, t->position));
+}

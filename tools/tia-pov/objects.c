@@ -1,16 +1,6 @@
 /* objects.c - the objects of a scene: shapes with their materials, and grids cell by cell. */
 #include "pov.h"
 
-static void write_transform(struct pov *pov, uint32_t transform)
-{
-    if (transform == 0)
-        return;
-    const struct tia_transform *t = &pov->scene->transforms[transform - 1];
-    pov_triple(pov, "scale", pov_vec3(t->scale));
-    pov_triple(pov, "rotate", pov_vec3(t->rotation));
-    pov_triple(pov, "translate", pov_place(pov, t->position));
-}
-
 /* Writes a part of a shape. The block stays open, for a transform. */
 static void write_part(struct pov *pov, const struct tia_shape *s, bool unseen)
 {
@@ -37,7 +27,7 @@ static void write_object(struct pov *pov, const struct tia_shape *s)
         }
         if (count == 0)
             write_part(pov, s, unseen);
-        write_transform(pov, s->transform);
+        pov_transform(pov, s->transform);
         text_print(&pov->text, " }\n");
     }
 }
@@ -82,7 +72,7 @@ static void write_grid(struct pov *pov, const struct tia_shape *s)
                 write_cells(pov, g, row, x, n, material);
         }
     }
-    write_transform(pov, s->transform);
+    pov_transform(pov, s->transform);
     text_print(&pov->text, "\n}\n");
 }
 
@@ -110,7 +100,7 @@ static void note_shadow(struct pov *pov, uint32_t index, const struct tia_shape 
 {
     struct tia_shape parts[3];
 
-    if (s->kind == TIA_GRID || !pov_has_shadow(pov, s->material) || pov->scene->materials[s->material].opacity != 0)
+    if (s->kind == TIA_GRID || s->kind == TIA_SOLID || !pov_has_shadow(pov, s->material) || pov->scene->materials[s->material].opacity != 0)
         return;
     if (s->kind == TIA_MESH && pov->scene->meshes[s->mesh].groups)
         pov_note(pov, "shape %u: its groups of faces filter shadow rays face by face here", index);
@@ -128,12 +118,19 @@ void pov_shapes(struct pov *pov)
         write_object(pov, &shape);
     }
     for (uint32_t i = 0; i < scene->shape_count; i++) {
+        if (scene->shapes[i].kind == TIA_MESH && !scene->meshes[scene->shapes[i].mesh].face_count)
+            continue; /* POV-Ray refuses a mesh without faces */
         note_shadow(pov, i, &scene->shapes[i]);
-        if (scene->shapes[i].kind != TIA_GRID) {
+        switch (scene->shapes[i].kind) {
+        case TIA_GRID:
+            note_grid(pov, i, &scene->shapes[i]);
+            write_grid(pov, &scene->shapes[i]);
+            break;
+        case TIA_SOLID:
+            pov_solid(pov, &scene->shapes[i]);
+            break;
+        default:
             write_object(pov, &scene->shapes[i]);
-            continue;
         }
-        note_grid(pov, i, &scene->shapes[i]);
-        write_grid(pov, &scene->shapes[i]);
     }
 }

@@ -62,10 +62,18 @@ void pov_mapping(struct pov *pov, uint32_t material, const struct tia_shape *sha
  * coordinates differ. Returns their number; 0 for other shapes. */
 unsigned pov_parts(const struct pov *pov, const struct tia_shape *shape, struct tia_shape parts[3]);
 
-/* Writes a shape without its material; not for grids. */
+/* Writes a shape without its material; not for grids and solids. */
 void pov_geometry(struct pov *pov, const struct tia_shape *shape);
 /* True if a shape has an inside. */
 bool pov_closed(const struct tia_scene *scene, const struct tia_shape *shape);
+
+/* Writes a transform as words; nothing for number 0. */
+void pov_transform(struct pov *pov, uint32_t transform);
+
+/* Writes the shape of a solid's member, as POV-Ray's own solid object, without its material. */
+void pov_solid_geometry(struct pov *pov, const struct tia_shape *member);
+/* Writes a solid with its materials. */
+void pov_solid(struct pov *pov, const struct tia_shape *shape);
 
 /* Writes a mesh as a mesh2, without its material. */
 void pov_mesh(struct pov *pov, const struct tia_mesh *mesh);

@@ -9,7 +9,10 @@
 #include <tia/bvh.h>
 #include <tia/text.h>
 
+#include "common/image/codec.h"
+#include "common/image/stored.h"
 #include "common/text_file.h"
+#include "common/verify/report.h"
 #include "common/views/palette.h"
 #include "path_picture.h"
 #include "ports.h"
@@ -29,6 +32,7 @@ struct map {
     unsigned first_row, rows;
     double *gain; /* gains in dB by row, pixel and transmitter; NAN inside a wall, -INFINITY without a path */
     atomic_bool exhausted;
+    const struct choice *choice; /* NULL, or the rows to compute */
 };
 
 /* ---- axes ---- */
@@ -122,8 +126,9 @@ static void fill_row(void *arg, unsigned row)
     struct tia_radio_room *room = malloc(tia_radio_room_size());
     struct path_list list = {.paths = NULL};
     double *gain = map->gain + (size_t)row * o->width * o->tx.count;
+    bool wanted = !map->choice || choice_has(map->choice, 0, map->first_row + row);
 
-    for (unsigned x = 0; x < o->width && room && !atomic_load(&map->exhausted); x++) {
+    for (unsigned x = 0; wanted && x < o->width && room && !atomic_load(&map->exhausted); x++) {
         struct tia_vec3 place;
         bool outside = place_of(map, x, map->first_row + row, &place);
         for (unsigned tx = 0; tx < o->tx.count; tx++)
@@ -186,20 +191,28 @@ static void draw_legend(const struct options *o, struct tia_tile tile, const str
     }
 }
 
-static int write_picture(const struct map *map)
+/* Colours rows of the map, from row `y` of the picture on. */
+static void colour_rows(const struct map *map, unsigned y, unsigned rows, tia_rgb565 *pixels)
 {
     const struct options *o = map->options;
-    size_t count = (size_t)o->width * map->rows;
-    tia_rgb565 *pixels = malloc(count * sizeof *pixels);
-    struct tia_tile tile = {0, (uint16_t)map->first_row, o->width, (uint16_t)map->rows};
+    const double *gain = map->gain + (size_t)(y - map->first_row) * o->width * o->tx.count;
+    struct tia_tile tile = {0, (uint16_t)y, o->width, (uint16_t)rows};
     struct tia_surface surface = {
         .pixels = pixels, .step = sizeof *pixels, .pitch = (ptrdiff_t)(o->width * sizeof *pixels)};
 
+    for (size_t i = 0; i < (size_t)o->width * rows; i++)
+        pixels[i] = colour_of(o, gain + i * o->tx.count);
+    draw_legend(o, tile, &surface);
+}
+
+static int write_picture(const struct map *map)
+{
+    const struct options *o = map->options;
+    tia_rgb565 *pixels = malloc((size_t)o->width * map->rows * sizeof *pixels);
+
     if (!pixels)
         return refuse(FAILED, "memory: exhausted");
-    for (size_t i = 0; i < count; i++)
-        pixels[i] = colour_of(o, map->gain + i * o->tx.count);
-    draw_legend(o, tile, &surface);
+    colour_rows(map, map->first_row, map->rows, pixels);
     int result = picture_write(o, pixels, map->first_row, map->rows, map->site->file.crc);
     free(pixels);
     return result;
@@ -261,6 +274,22 @@ static bool compute(struct map *map)
     return !atomic_load(&map->exhausted);
 }
 
+/* Chooses the area and computes the map. */
+static int prepare(struct map *map)
+{
+    choose_axes(map);
+    int result = choose_area(map);
+
+    return result == FINE && !compute(map) ? refuse(FAILED, "memory: exhausted") : result;
+}
+
+static void release(struct map *map)
+{
+    for (unsigned i = 0; i < PLACES_MOST; i++)
+        free(map->sequences[i].array);
+    free(map->gain);
+}
+
 int map_draw(const struct options *o, const struct site *site, const struct search *search)
 {
     static struct map map;
@@ -270,16 +299,94 @@ int map_draw(const struct options *o, const struct site *site, const struct sear
         map.first_row = o->first_row;
         map.rows = o->last_row - o->first_row + 1u;
     }
-    choose_axes(&map);
-    int result = choose_area(&map);
-    if (result == FINE && !compute(&map))
-        result = refuse(FAILED, "memory: exhausted");
+    int result = prepare(&map);
     if (result == FINE && o->output)
         result = write_picture(&map);
     if (result == FINE && o->csv)
         result = write_csv(&map);
-    for (unsigned i = 0; i < PLACES_MOST; i++)
-        free(map.sequences[i].array);
-    free(map.gain);
+    release(&map);
+    return result;
+}
+
+/* ---- a map to be verified ---- */
+
+static void place_in(const void *rows, uint64_t index, uint32_t *frame, unsigned *y)
+{
+    stored_place(rows, index, frame, y);
+}
+
+/* Compares the chosen rows. */
+static int compare(struct map *map, struct stored *stored, struct report *report)
+{
+    const struct options *o = map->options;
+    tia_rgb565 *pixels = malloc(o->width * sizeof *pixels);
+    unsigned char *bytes = malloc(2 * o->width * sizeof *pixels);
+    int result = pixels && bytes ? FINE : refuse(REFUSED, "memory: exhausted");
+    bool exact;
+
+    for (uint64_t i = 0; i < map->choice->count && result == FINE; i++) {
+        unsigned y = (unsigned)map->choice->keys[i];
+        colour_rows(map, y, 1, pixels);
+        size_t length = image_put565(bytes, pixels, o->width);
+        if (stored_row(stored, 0, y, bytes + length, &exact))
+            result = refuse(REFUSED, "%s", stored->why);
+        else
+            report_row(report, 0, y, bytes + length, bytes, length, exact);
+    }
+    free(pixels);
+    free(bytes);
+    return result != FINE ? result : report_end(report, map->choice) ? FINE : FAILED;
+}
+
+/* Checks the size of the picture, and that a part is of this scene. */
+static int check_stored(const struct map *map, struct stored *stored)
+{
+    const struct options *o = map->options;
+
+    if (stored->film.width != o->width || stored->film.height != o->height)
+        return refuse(FAILED, "%.200s: is of %ux%u, not %ux%u", o->verify, stored->film.width, stored->film.height,
+                      o->width, o->height);
+    if (stored->is_sums || (!stored->is_part && stored_depth(stored, 0)))
+        return refuse(REFUSED, "%.200s: not a map", o->verify);
+    if (stored->is_part && (stored->film.crc != map->site->file.crc || stored->film.all_frames != 1))
+        return refuse(FAILED, "%.200s: is a map of another scene", o->verify);
+    return FINE;
+}
+
+static int verify(struct map *map, struct stored *stored)
+{
+    const struct options *o = map->options;
+    struct choice choice = {.keys = NULL};
+    struct report report = {
+        .out = stdout, .name = o->verify, .unit = "rows", .done = "drawn again", .from = "", .pixels = o->width};
+    int result = check_stored(map, stored);
+
+    if (result == FINE && choice_make(&choice, &o->choice, stored_rows(stored), place_in, stored))
+        result = refuse(REFUSED, "memory: exhausted");
+    if (result == FINE && !choice.count)
+        result = refuse(REFUSED, "--rows: none of them is in %.200s", o->verify);
+    map->choice = &choice;
+    result = result == FINE ? prepare(map) : result;
+    result = result == FINE ? compare(map, stored, &report) : result;
+    choice_free(&choice);
+    return result;
+}
+
+int map_verify(struct options *o, const struct site *site, const struct search *search)
+{
+    static struct map map;
+    struct stored stored;
+    int result = REFUSED;
+
+    if (stored_open(&stored, o->verify, image_format_of(o->verify), o->width, o->height)) {
+        (void)refuse(REFUSED, "%s", stored.why);
+    } else {
+        o->width = o->has_size ? o->width : (uint16_t)stored.film.width;
+        o->height = o->has_size ? o->height : (uint16_t)stored.film.height;
+        map = (struct map){.options = o, .site = site, .search = search, .rows = o->height};
+        result = verify(&map, &stored);
+        release(&map);
+    }
+    stored_close(&stored);
     return result;
 }

@@ -156,6 +156,9 @@ static const struct option_row rows[] = {
      TO(best_server)},
     {"tile-rows", 0, OPTION_RANGE, "FIRST-LAST", "draw only these rows of the map, into a .tiapart file for tia-join",
      OPTION_PAIR(struct options, first_row, last_row), GIVEN(has_rows), .max = TIA_SIZE_MAX - 1},
+    {"verify", 0, OPTION_TEXT, "FILE", "compute random rows of the map again, and compare their bits with this picture",
+     TO(verify)},
+    CHOICE_ROWS(struct options, choice),
     {"threads", 'j', OPTION_NUMBER, "N", "the number of threads, # (default: one per processor)", TO(threads), .min = 1,
      .max = THREADS_MAX},
     OPTION_END};
@@ -180,14 +183,28 @@ static int list_materials(void)
     return message_output("tia-radio", "");
 }
 
+static int check_verify(const struct options *o)
+{
+    const char *why = choice_check(&o->choice);
+
+    if (why)
+        return refuse(REFUSED, "%s", why);
+    if (o->output || o->csv || o->has_rows)
+        return refuse(REFUSED, "--verify: compares a picture, without --output, --csv and --tile-rows");
+    return o->method == METHOD_SBR ? refuse(REFUSED, "--map: needs exact paths (--method image or hybrid)") : FINE;
+}
+
 static int check_map(const struct options *o)
 {
     if (o->map.axis < 0)
-        return o->csv || o->has_area || o->best_server || o->has_rows
-                   ? refuse(REFUSED, "--csv, --area, --best-server and --tile-rows are for maps (--map y=1.5)")
+        return o->csv || o->has_area || o->best_server || o->has_rows || o->verify
+                   ? refuse(REFUSED,
+                            "--csv, --area, --best-server, --tile-rows and --verify are for maps (--map y=1.5)")
                    : FINE;
     if (o->rx.count > 0 || o->json)
         return refuse(REFUSED, "--map: its pixels are the receivers (without --rx and --json)");
+    if (o->verify)
+        return check_verify(o);
     if (!o->output && !o->csv)
         return refuse(REFUSED, "--map: needs --output FILE or --csv FILE");
     if (o->method == METHOD_SBR)

@@ -4,6 +4,7 @@
 
 #include "common/command_line.h"
 #include "common/image/film.h"
+#include "common/verify/choice.h"
 #include "links.h"
 
 enum { PLACES_MOST = 16, NAMES_MOST = 64 };
@@ -50,6 +51,8 @@ struct options {
     bool has_rows;
     uint16_t first_row, last_row; /* rows of the map */
     enum image_format format;
+    const char *verify; /* NULL, or a picture of the map to be verified */
+    struct choice_wish choice;
 };
 
 /* Parses the command line. Returns COMMAND_RUN; or the exit status: FINE after --help and --version, any other after an

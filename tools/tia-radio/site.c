@@ -159,7 +159,7 @@ int site_open(struct site *site, const struct options *o)
     if (format == SCENE_UNKNOWN && strcmp(o->scene, "-") == 0)
         format = TIA_FORMAT_TIA;
     if (format == SCENE_UNKNOWN)
-        return refuse(REFUSED, "%.300s: unknown scene format (name it .tia, .nff or .obj)", o->scene);
+        return refuse(REFUSED, "%.300s: unknown scene format (name it .tia, .nff, .obj, .stl, .ply, .off or .pgm)", o->scene);
     int status = scene_open_for(&site->file, o->scene, format, false, &wish);
     if (status)
         return refuse(status == TIA_ERR_MEMORY ? FAILED : REFUSED, "%s", site->file.why);

@@ -112,7 +112,9 @@ int main(int argc, char **argv)
     if (result == FINE)
         result = check_places(&run);
     if (result == FINE)
-        result = o->map.axis >= 0 ? map_draw(o, &run.site, &run.search) : run_links(&run);
+        result = o->verify          ? map_verify(&run.options, &run.site, &run.search)
+                 : o->map.axis >= 0 ? map_draw(o, &run.site, &run.search)
+                                    : run_links(&run);
     site_close(&run.site);
     free(run.all.paths);
     free(run.ends);

@@ -13,6 +13,7 @@
 #include "integration.h"
 #include "lightfield_setup.h"
 #include "options_check.h"
+#include "write.h"
 
 /* Chooses the widest instruction set that the processor has and TIA_SIMD allows. */
 static int choose_simd(struct options *options)
@@ -25,7 +26,7 @@ static int choose_simd(struct options *options)
     return EXIT_FINE;
 }
 
-int arguments_parse(struct options *options, int argc, char **argv)
+void arguments_default(struct options *options)
 {
     *options = (struct options){.scene_format = SCENE_UNKNOWN,
                                 .scene = tia_thesis_scene,
@@ -35,17 +36,43 @@ int arguments_parse(struct options *options, int argc, char **argv)
                                 .input = {"auto", NULL},
                                 .rate = {25, 1},
                                 .threads = threads_processors()};
-    int status = command_parse(&tia_command, options, &argc, &argv);
-    if (status != COMMAND_RUN)
-        return status;
+}
+
+int arguments_check(struct options *options, int argc, char **argv)
+{
     options->scene_path = argv[0]; /* NULL if no scene is given */
     options->scene_paths = argv;
     options->scene_count = (uint32_t)argc;
     options->format_of_scenes = options->scene_format;
     options->plain_core = options->core;
     options->depth_bits = 8 * options->colour;
-    status = check(options);
-    status = status ? status : choose_simd(options);
+    int status = check(options);
+    return status ? status : choose_simd(options);
+}
+
+/* Stores an option as it was given. Without memory, options->given_bytes becomes SIZE_MAX. */
+static void remember(void *ctx, const struct option_row *row, const char *value)
+{
+    struct options *options = ctx;
+    size_t used = options->given_bytes, length = strlen(row->name) + 1 + (value ? strlen(value) + 1 : 0);
+    char *given = used < SIZE_MAX ? realloc(options->given, used + length) : NULL;
+
+    options->given_bytes = given ? used + length : SIZE_MAX;
+    if (!given)
+        return;
+    options->given = given;
+    (void)snprintf(given + used, length, "%s%s%s", row->name, value ? "=" : "", value ? value : "");
+}
+
+int arguments_parse(struct options *options, int argc, char **argv)
+{
+    const struct command_extra extra = {.seen = remember, .ctx = options};
+
+    arguments_default(options);
+    int status = command_parse_extra(&tia_command, &extra, options, &argc, &argv);
+    if (status != COMMAND_RUN)
+        return status;
+    status = arguments_check(options, argc, argv);
     return status ? status : COMMAND_RUN;
 }
 
@@ -186,5 +213,8 @@ void arguments_free(struct options *options)
 {
     free(options->keys);
     options->keys = NULL;
+    free(options->given);
+    options->given = NULL;
     scene_close(&options->file);
+    write_free_names(&options->names);
 }

@@ -8,6 +8,13 @@
  * after an error message. */
 int arguments_parse(struct options *options, int argc, char **argv);
 
+/* Sets the options to their defaults. */
+void arguments_default(struct options *options);
+
+/* Checks the options once the command line is parsed; argv has the scenes. Returns EXIT_FINE, or the exit status after
+ * an error message. */
+int arguments_check(struct options *options, int argc, char **argv);
+
 /* Reads the scene and its keys; called after arguments_parse if something is to be drawn. Returns EXIT_FINE, or
  * EXIT_USAGE or EXIT_RUNNING after an error message. */
 int arguments_load(struct options *options);

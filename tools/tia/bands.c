@@ -39,7 +39,7 @@ static void draw_row(void *arg, unsigned row)
     struct tia_gathered to = row_of(b, row);
     int status = TIA_OK;
 
-    if (row >= b->known) {
+    if (row >= b->known && estimation_wants(e, y)) {
         clear(&to, width);
         status = e->estimator->gather(e->film_scene.view, tile, e->sums.first, e->sums.first + e->sums.count, &to);
     }
@@ -99,6 +99,8 @@ static void develop_row(void *arg, unsigned row)
     struct bands *b = arg;
     const struct tia_gathered from = row_of(b, row);
 
+    if (!tap_wants(b->e->options->tap, 0, b->y + row))
+        return;
     if (b->e->options->denoise)
         denoising_get(&b->denoising, b->y + row, from.sums);
     else if (b->e->options->guide)
@@ -140,7 +142,7 @@ static int draw(struct bands *b)
         if (status)
             break;
         threads_run(e->pool, develop_row, b, b->rows);
-        status = estimation_write(e, b->rows);
+        status = estimation_write(e, b->y, b->rows);
     }
     return status;
 }

@@ -3,6 +3,7 @@
 
 #include <inttypes.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 #include "clock.h"
 #include "common/image/series.h"
@@ -11,7 +12,9 @@
 #include "film_scene.h"
 #include "picture.h"
 #include "ports.h"
+#include "sample_picture.h"
 #include "stats.h"
+#include "surfaces.h"
 
 struct drawing {
     const struct options *options;
@@ -20,6 +23,7 @@ struct drawing {
     struct picture picture;
     struct finished finished;
     struct series series;
+    struct image_surface *surfaces; /* of an .exr; to be freed by free() */
     uint64_t start_us; /* time when the frame was begun */
     bool no_output;    /* writing a line of --checksum failed */
     char why[PORT_WHY];
@@ -29,7 +33,7 @@ static struct stats stats; /* static, since it is too large for the stack */
 
 static int end_frame(struct drawing *drawing, uint32_t frame)
 {
-    int status = series_end(&drawing->series);
+    int status = tap_alone(drawing->options->tap) ? TIA_OK : series_end(&drawing->series);
     uint64_t now = clock_now_us();
     if (status)
         return status;
@@ -51,7 +55,7 @@ static int draw_frame(struct drawing *drawing, uint32_t frame)
     const struct image_film *film = &drawing->film;
     bool known = finished_has(&drawing->finished, frame, film->first_row, film->rows);
     int status = known ? TIA_OK : film_scene_update(&drawing->film_scene, frame);
-    if (!status)
+    if (!status && !tap_alone(drawing->options->tap))
         status = series_begin(&drawing->series, frame);
     if (status)
         return status;
@@ -66,8 +70,12 @@ static int draw_film(struct drawing *drawing)
 {
     const struct image_film *film = &drawing->film;
     int status = TIA_OK;
+    const struct row_tap *tap = drawing->options->tap;
     for (uint32_t i = 0; i < film->frames && !status; i++)
-        status = draw_frame(drawing, film->first_frame + i);
+        if (tap_wants_any(tap, film->first_frame + i, film->first_row, film->rows))
+            status = draw_frame(drawing, film->first_frame + i);
+    if (tap_alone(tap))
+        return status;
     if (status) {
         series_discard(&drawing->series);
         return status;
@@ -78,6 +86,9 @@ static int draw_film(struct drawing *drawing)
 static int draw_all(struct drawing *drawing)
 {
     int status = picture_begin(&drawing->picture, drawing->options, &drawing->film);
+    if (!status && drawing->options->format == IMAGE_EXR)
+        status = surfaces_find(&drawing->surfaces, drawing->options, drawing->why);
+    drawing->series.film.surfaces = drawing->surfaces;
     if (!status)
         status = film_scene_begin(&drawing->film_scene, drawing->options, drawing->why);
     if (!status && drawing->options->resume) {
@@ -127,5 +138,11 @@ int draw(const struct options *options)
     picture_end(&drawing.picture);
     finished_close(&drawing.finished);
     film_scene_end(&drawing.film_scene);
+    free(drawing.surfaces);
     return result;
+}
+
+int draw_file(const struct options *options)
+{
+    return options->depth_bits && options->scene.integration.integrator ? estimate(options) : draw(options);
 }

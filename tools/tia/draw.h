@@ -7,4 +7,7 @@
 /* Draws options->output. Returns the exit status, after an error message if it is not 0. */
 int draw(const struct options *options);
 
+/* Draws as `draw` does, or by samples, as the options and the scene say. */
+int draw_file(const struct options *options);
+
 #endif

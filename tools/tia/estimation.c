@@ -21,6 +21,8 @@ int estimation_open(struct estimation *e)
 {
     const struct options *options = e->options;
 
+    if (tap_alone(options->tap))
+        return TIA_OK;
     if (options->format != IMAGE_PART) {
         e->image = image_create_film(options->output, options->format, &e->film, e->why);
         return e->image ? TIA_OK : TIA_ERR_DEVICE;
@@ -48,13 +50,22 @@ void estimation_develop(struct estimation *e, unsigned y, unsigned row, const st
 {
     unsigned char *at = e->bytes + row * e->row_bytes;
 
-    if (e->sink)
+    if (e->options->format == IMAGE_PART)
         sums_put_row(at, &e->sums, y + row, sums);
     else
         sums_develop(at, &e->sums, sums, e->film.depth);
 }
 
-int estimation_write(struct estimation *e, unsigned rows)
+/* The denoiser needs all rows. */
+bool estimation_wants(const struct estimation *e, unsigned y)
 {
+    return e->options->denoise || tap_wants(e->options->tap, 0, y);
+}
+
+int estimation_write(struct estimation *e, unsigned y, unsigned rows)
+{
+    tap_rows(e->options->tap, 0, y, rows, e->bytes, e->row_bytes);
+    if (tap_alone(e->options->tap))
+        return TIA_OK;
     return e->sink ? sink_write(e->sink, e->bytes, rows * e->row_bytes) : image_rows(e->image, e->bytes, rows);
 }

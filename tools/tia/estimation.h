@@ -29,6 +29,7 @@ struct estimation {
     uint64_t end_us;       /* end of the time limit; 0: the drawing cannot be stopped */
     atomic_uint looked_us; /* clock_now_us() at the last check for a reason to stop, mod 2^32 */
     atomic_bool stopped;
+    bool unfinished; /* a signal came, and the picture was not denoised */
     char why[PORT_WHY];
 };
 
@@ -42,8 +43,11 @@ int estimation_head(struct estimation *e);
 
 /* Converts row `row` of the band that begins at row `y` of the picture to the output's format, in e->bytes. */
 void estimation_develop(struct estimation *e, unsigned y, unsigned row, const struct tia_sum *sums);
-/* Writes the first `rows` rows of e->bytes. */
-int estimation_write(struct estimation *e, unsigned rows);
+/* Writes the first `rows` rows of e->bytes, which begin at row `y` of the picture. */
+int estimation_write(struct estimation *e, unsigned y, unsigned rows);
+
+/* True if row `y` must be drawn. */
+bool estimation_wants(const struct estimation *e, unsigned y);
 
 /* Draws one band after the other, each with all its samples. The picture may have any size, and --resume can store the
  * finished rows. Including the output rows, but without the denoiser's guides, a band takes at most 16 bytes for each

@@ -3,6 +3,7 @@
 #include <tia/fit.h>
 
 #include "fail.h"
+#include "write.h"
 
 static bool changes(const struct tia_camera_change *change)
 {
@@ -25,8 +26,10 @@ static int open_with(struct options *options, const struct tia_camera_change *ch
     const struct scene_wish wish = {.camera = change,
                                     .threads = options->threads,
                                     .hashed = names_scene(options),
-                                    .opens = options->watch ? file_watch_add : NULL,
-                                    .opens_ctx = options->watch};
+                                    .opens = options->watch ? file_watch_add : options->opens,
+                                    .opens_ctx = options->watch ? options->watch : options->opens_ctx,
+                                    .material = options->write ? write_note_name : NULL,
+                                    .ctx = &options->names};
     int status = scene_open_for(&options->file, options->scene_path, options->scene_format, options->strict, &wish);
 
     options->scene = options->file.scene;

@@ -16,6 +16,13 @@ static struct {
     size_t size;
 } into;
 
+static const char *tool = "tia";
+
+void fail_as(const char *name)
+{
+    tool = name;
+}
+
 void fail_into(char *text, size_t size)
 {
     into.text = text;
@@ -30,7 +37,7 @@ static void say(const char *format, va_list values)
         return;
     }
     (void)fflush(stdout);
-    (void)message_list("tia", 0, format, values);
+    (void)message_list(tool, 0, format, values);
 }
 
 int fail(int status, const char *format, ...)

@@ -17,6 +17,9 @@ int wrong(const char *option, const char *value, const char *rule);
 /* Reports a failed write to standard output, by errno. Returns EXIT_RUNNING. */
 int fail_output(void);
 
+/* Names the command in later messages; "tia" at first. */
+void fail_as(const char *name);
+
 /* Sends later messages to text[size], where each replaces the one before; text NULL: to standard error, the default. */
 void fail_into(char *text, size_t size);
 

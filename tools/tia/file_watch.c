@@ -168,7 +168,7 @@ static void add_path(struct file_watch *watch, char *path)
     }
 }
 
-void file_watch_add(void *ctx, const char *path)
+bool file_watch_add(void *ctx, const char *path)
 {
     char *copy = strdup(path), *target = realpath(path, NULL);
 
@@ -178,4 +178,5 @@ void file_watch_add(void *ctx, const char *path)
         add_path(ctx, target);
     free(copy);
     free(target);
+    return true;
 }

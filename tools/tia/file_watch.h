@@ -24,8 +24,8 @@ void file_watch_close(struct file_watch *watch);
 
 /* Begins another reading of the scene, for which file_watch_add gets each file before it is read. */
 void file_watch_begin(struct file_watch *watch);
-/* Adds a file, which need not exist; `ctx` is the watch. A file that cannot be watched is left out. */
-void file_watch_add(void *ctx, const char *path);
+/* Adds a file, which need not exist; `ctx` is the watch. A file that cannot be watched is left out. Returns true. */
+bool file_watch_add(void *ctx, const char *path);
 /* Drops the files of earlier readings; to be called after a successful one. */
 void file_watch_end(struct file_watch *watch);
 

@@ -19,7 +19,7 @@ static const char *option_of(const struct options *options)
 /* Checks the options for a file. With a gaze, it is a single RGB565 picture, drawn at once as on a display. */
 static int check_file(const struct options *options)
 {
-    bool film = image_format_films(options->format) || options->format == IMAGE_PFM ||
+    bool film = image_format_films(options->format) || image_format_has(options->format, 32) ||
                 series_is_pattern(options->output) || options->depth_bits;
 
     if (options->resume)

@@ -3,6 +3,7 @@
 #include "common/image/series.h"
 #include "common/parse.h"
 #include "fail.h"
+#include "surfaces.h"
 #include <tia/debug.h>
 
 static int load_exposure(const char *text, struct tia_integration *how)
@@ -83,7 +84,7 @@ static int check_rounds(struct options *options)
     if (!option)
         return EXIT_FINE;
     if (!is_sampled(options) || !options->output || !options->depth_bits)
-        return fail(EXIT_USAGE, "--%s: is for .png, .ppm and .pfm files of --integrator ao and path", option);
+        return fail(EXIT_USAGE, "--%s: is for .png, .ppm, .pfm and .exr files of --integrator ao and path", option);
     if (options->format == IMAGE_PART && (options->denoise || options->guide))
         return fail(EXIT_USAGE, "--%s: not with parts of samples", option);
     if (options->denoise && options->guide)
@@ -91,6 +92,28 @@ static int check_rounds(struct options *options)
     if (options->guide && !options->tone)
         options->scene.integration.tone = TIA_TONE_LINEAR;
     return options->time_limit || options->error ? check_limits(options) : EXIT_FINE;
+}
+
+/* Chooses floats for a .pfm, which only samples have, or an .exr; `plain`: other options need RGB565. */
+static int choose_floats(struct options *options, bool plain)
+{
+    bool exr = options->format == IMAGE_EXR, sampled = is_sampled(options);
+    unsigned width = options->width ? options->width : 640, height = options->height ? options->height : 480;
+
+    if ((!sampled && !exr) || plain || options->colour_given)
+        return fail(EXIT_USAGE, "%.200s: floats are %s, without --colour, --checksum, --dither and --rotate",
+                    options->output, exr ? "one picture" : "what --integrator ao and path draw");
+    if (exr && !sampled && (options->resume || options->views.view || options->views.draws_rays))
+        return fail(EXIT_USAGE, "%.200s: not with --resume, --view and --draw-rays, which take 565 of whitted",
+                    options->output);
+    if (exr && options->record)
+        return fail(EXIT_USAGE, "--record: not of an .exr (use .pfm, or .png with --colour 16)");
+    if (exr && (uint32_t)width * height > SURFACES_MOST)
+        return fail(EXIT_USAGE, "%.200s: a picture of at most %u pixels, not %ux%u", options->output, SURFACES_MOST,
+                    width, height);
+    options->simd = sampled ? options->simd : NULL;
+    options->depth_bits = 32;
+    return EXIT_FINE;
 }
 
 /* Chooses the bits of a channel. By default, pictures of samples have 8 bits where the format has them, but RGB565 if
@@ -109,15 +132,8 @@ static int choose_depth(struct options *options)
         options->simd = NULL; /* vector units draw only RGB565 */
     if (options->colour_given && options->depth_bits && plain)
         return fail(EXIT_USAGE, "--colour: films, --checksum, --dither, --rotate, --views and --modules take 565");
-    if (options->format == IMAGE_PFM) {
-        if (!sampled || plain || options->colour_given)
-            return fail(EXIT_USAGE,
-                        "%.200s: floats are what --integrator ao and path draw, without --colour, --checksum, "
-                        "--dither and --rotate",
-                        options->output);
-        options->depth_bits = 32;
-        return EXIT_FINE;
-    }
+    if (options->output && image_format_has(options->format, 32))
+        return choose_floats(options, plain);
     if (options->samples_range)
         options->depth_bits = 32;
     if (options->samples_range)

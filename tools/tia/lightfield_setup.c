@@ -54,7 +54,7 @@ static int check_pictures(const struct options *options)
         return fail(EXIT_USAGE, "--%s: needs a picture each (-o NAME%%03d.png)", option);
     if (options->frames || options->rate_given)
         return fail(EXIT_USAGE, "--%s: not with --frames or --fps: its pictures are of one time", option);
-    if (options->tile_rows || options->samples_range || options->resume || options->format == IMAGE_PFM)
+    if (options->tile_rows || options->samples_range || options->resume || image_format_has(options->format, 32))
         return fail(EXIT_USAGE, "--%s: draws whole pictures in RGB565", option);
     return EXIT_FINE;
 }

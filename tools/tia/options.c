@@ -8,6 +8,7 @@
 #include "common/modules.h"
 #include "common/parse.h"
 #include "common/thread_pool.h"
+#include "thumbnail_page.h"
 
 enum { ACUITY_BITS = 8 }; /* w0 and m are Q8.24 */
 
@@ -102,13 +103,17 @@ static const struct option_row rows[] = {
      "the display, such as drm:/dev/dri/card1 or terminal:halfblocks, symbols, sixel or kitty",
      PARSED(display, set_port)},
     {"output", 'o', OPTION_TEXT, "FILE",
-     "draw into FILE, or - for standard output: a picture (.png .ppm .bmp .565 .pfm), a film (.y4m, or one picture per "
+     "draw into FILE, or - for standard output: a picture (.png .ppm .bmp .565 .pfm .exr), a film (.y4m, or one picture per "
      "frame with %04d in its name) or a part for tia-join (.tiapart)",
      TO(output)},
     {"format", 0, OPTION_CHOICE, IMAGE_FORMATS, "the format of FILE, if its name has no such extension", TO(format),
      .min = IMAGE_PNG},
+    {"record", 0, OPTION_TEXT, "FILE", "write a record of the picture, by which tia-verify draws it again", TO(record)},
     {"size", 's', OPTION_SIZE, "WIDTHxHEIGHT", "the picture's size, #; default the display's, 640x480 for a file",
      PAIR(width, height), .max = TIA_SIZE_MAX},
+    {"thumbnail", 0, OPTION_NUMBER, "SIZE",
+     "draw SCENE, which need not be trusted, as a .png of at most this width and height, #", TO(thumbnail),
+     .min = THUMBNAIL_MIN, .max = THUMBNAIL_MAX},
     {"eye", 0, OPTION_PARSED, "X,Y,Z", "put the eye there, in the scene's coordinates",
      PARSED(eye.change.eye, set_place), GIVEN(eye.change.has_eye), .rule = "not a place (X,Y,Z, like 0,2.5,-8)"},
     {"look", 0, OPTION_PARSED, "X,Y,Z", "look at this point", PARSED(eye.change.reference, set_place),
@@ -134,7 +139,7 @@ static const struct option_row rows[] = {
      .max = INT32_MAX, .rule = "not a number of seconds (above 0, to 32767.999, like 10)"},
     {"error", 0, OPTION_DECIMAL, "PART", "stop at this estimated error, 0.02 for 2 percent; for ao and path", TO(error),
      .min = 1, .max = TIA_Q16_ONE, .rule = "not an error (0.0001 to 1, like 0.02)"},
-    {"denoise", 0, OPTION_FLAG, NULL, "remove the noise of a .png, .ppm or .pfm; for ao and path", TO(denoise)},
+    {"denoise", 0, OPTION_FLAG, NULL, "remove the noise of a .png, .ppm, .pfm or .exr; for ao and path", TO(denoise)},
     {"guide", 0, OPTION_CHOICE, "normal|depth|albedo|error", "draw this guide of the denoiser instead", TO(guide),
      .min = TIA_SHOW_NORMAL},
     {"tone", 0, OPTION_CHOICE, "linear|srgb", "the transfer function; for ao and path", TO(tone),
@@ -207,6 +212,7 @@ static const struct option_row rows[] = {
      .rule = "not a number from 0 to 127 (like 0.0275)"},
     {"smooth", 0, OPTION_FLAG, NULL, "interpolate the pixels that are left out", TO(gaze.smooth)},
     {"watch", 0, OPTION_FLAG, NULL, "draw the scene again whenever one of its files changes", TO(watches)},
+    {"write", 0, OPTION_TEXT, "FILE.tia", "write SCENE, a model, as a scene to edit; - is standard output", TO(write)},
     {"list-displays", 0, OPTION_FLAG, NULL, "list the displays, and why one cannot be opened", TO(action),
      .min = ACTION_LIST},
     {"scene-format", 0, OPTION_CHOICE, SCENE_FORMATS, "the format of SCENE, if its name has no such extension",
@@ -218,7 +224,8 @@ const struct command tia_command = {
     "tia",
     "Usage: tia [options] [SCENE ...]\n"
     "Draws a ray-traced scene with integers only, on a screen or into a file. SCENE is a file, .tia,\n"
-    ".nff or .obj, or - for standard input; without it a ball on the ground is drawn. On a screen\n"
+    ".nff, .obj, .stl, .ply, .off or .pgm, or another model's; or - for standard input; without it a ball\n"
+    "on the ground is drawn. On a screen\n"
     "there may be several scenes: n and p show the next and the previous one.\n"
     "\n",
     rows,

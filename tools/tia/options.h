@@ -6,6 +6,7 @@
 
 #include "common/command_line.h"
 #include "common/image/image.h"
+#include "common/row_tap.h"
 #include "common/scene/scene_load.h"
 #include "common/views/views.h"
 #include "device.h"
@@ -13,7 +14,13 @@
 #include "file_watch.h"
 #include "lightfield_options.h"
 
-enum action { ACTION_SHOW, ACTION_DRAW, ACTION_LIST, ACTION_MODES };
+enum action { ACTION_SHOW, ACTION_DRAW, ACTION_LIST, ACTION_MODES, ACTION_WRITE };
+
+/* Names of a model's materials, by index; NULL for those without. */
+struct write_names {
+    char **names;
+    uint32_t count;
+};
 
 /* A display or an input: "auto" by default. */
 struct port_option {
@@ -61,10 +68,19 @@ struct options {
     bool w0_given, m_given;
     const struct tia_simd *simd; /* vector units; NULL: plain C */
     struct port_option display, input;
-    const char *connector, *mode; /* NULL: not given */
-    const char *output;           /* path of the file; NULL: a display */
+    const char *connector, *mode;               /* NULL: not given */
+    const char *output;                         /* path of the file; NULL: a display */
+    const struct row_tap *tap;                  /* NULL, or receives the rows of the file */
+    const char *record;                         /* NULL, or the record's file */
+    bool (*opens)(void *ctx, const char *path); /* NULL, or asked about each file before it is read */
+    void *opens_ctx;
+    char *given; /* the options as given, "name=value" or "name", each with its NUL, see arguments_parse; NULL: none */
+    size_t given_bytes;
+    const char *write;            /* --write: path of the scene; NULL: none */
+    struct write_names names;     /* for --write */
     enum image_format format;
     uint16_t width, height; /* 0: not given */
+    uint32_t thumbnail;     /* size of a thumbnail; 0: not given */
     const char *key_text;   /* NULL: not given */
     uint16_t *keys;         /* keys pressed before the first frame */
     size_t key_count;

@@ -8,6 +8,7 @@
 #include "gaze_options.h"
 #include "lightfield_setup.h"
 #include "ports.h"
+#include "thumbnail_check.h"
 
 enum { PACE_MAX = 1000 };
 
@@ -55,7 +56,7 @@ static int check_output(struct options *options)
         options->format = image_format_of(options->output);
     if (options->format == IMAGE_UNKNOWN) {
         return fail(EXIT_USAGE,
-                    "%.200s: unknown picture format (name it .png, .ppm, .bmp, .565, .pfm or .y4m, or use --format)",
+                    "%.200s: unknown picture format (name it .png, .ppm, .bmp, .565, .pfm, .exr or .y4m, or use --format)",
                     is_standard ? "standard output" : options->output);
     }
     if (!image_format_built(options->format)) {
@@ -132,7 +133,7 @@ int check_scene(struct options *options)
     if (options->scene_format == SCENE_UNKNOWN)
         options->scene_format = scene_format_of(path);
     if (options->scene_format == SCENE_UNKNOWN) {
-        return fail(EXIT_USAGE, "%.200s: unknown scene format (name it .tia, .nff or .obj, or use --scene-format)",
+        return fail(EXIT_USAGE, "%.200s: unknown scene format (name it .tia, .nff, .obj, .stl, .ply, .off or .pgm, or use --scene-format)",
                     path);
     }
     return EXIT_FINE;
@@ -154,6 +155,18 @@ static int check_scenes(struct options *options)
         result = check_scene(&other);
     }
     return result;
+}
+
+static int check_write(struct options *options)
+{
+    if (!options->write)
+        return EXIT_FINE;
+    if (options->output || options->watches)
+        return fail(EXIT_USAGE, "--write: not with --%s", options->output ? "output" : "watch");
+    if (!options->scene_path || options->scene_count > 1)
+        return fail(EXIT_USAGE, "--write: needs one SCENE, a model");
+    options->action = ACTION_WRITE;
+    return EXIT_FINE;
 }
 
 static int check_watch(const struct options *options)
@@ -183,6 +196,10 @@ int check(struct options *options)
     if (result == EXIT_FINE)
         result = check_watch(options);
     if (result == EXIT_FINE)
+        result = check_write(options);
+    if (result == EXIT_FINE)
         result = light_check(options);
-    return result == EXIT_FINE ? check_scenes(options) : result;
+    if (result == EXIT_FINE)
+        result = check_scenes(options);
+    return result == EXIT_FINE ? thumbnail_check(options) : result;
 }

@@ -1,9 +1,11 @@
 #include "picture.h"
 
 #include <stdlib.h>
+#include <string.h>
 #include <tia/debug.h>
 
-#include "crc_join.h"
+#include "common/crc_join.h"
+#include "common/image/codec.h"
 #include "film_plan.h"
 
 /* Sizes. A band is so large that threads seldom wait for the last job, and so small that its hits, some tens of bytes
@@ -39,32 +41,89 @@ static const unsigned char *colour_bytes(uint16_t *colours, size_t count, unsign
     return bytes;
 }
 
+/* Gives a band of RGB565 to the tap. */
+static void tap_pixels(struct picture *picture, const struct picture_band *band)
+{
+    for (unsigned i = 0; picture->tap && i < band->rows; i++) {
+        size_t length = image_put565(picture->row, band->pixels + (size_t)i * picture->width, picture->width);
+        tap_rows(picture->tap, picture->frame, band->y + i, 1, picture->row, length);
+    }
+}
+
+/* Writes colours of 16 bits as floats, 0..1, little-endian. */
+static int write_floats(struct picture *picture, const struct picture_band *band)
+{
+    size_t count = (size_t)3 * picture->width;
+    int status = TIA_OK;
+
+    for (unsigned y = 0; y < band->rows && !status; y++) {
+        for (size_t i = 0; i < count; i++) {
+            float value = (float)band->colours[y * count + i] / 65535;
+            uint32_t bits;
+            memcpy(&bits, &value, sizeof bits);
+            for (unsigned k = 0; k < 4; k++)
+                picture->floats[4 * i + k] = (unsigned char)(bits >> 8 * k & 255);
+        }
+        tap_rows(picture->tap, picture->frame, band->y + y, 1, picture->floats, 4 * count);
+        status = picture->image ? image_rows(picture->image, picture->floats, 1) : TIA_OK;
+    }
+    return status;
+}
+
+static int write_colours(struct picture *picture, const struct picture_band *band)
+{
+    size_t length = (size_t)picture->width * 3 * picture->depth / 8;
+
+    if (picture->depth == 32)
+        return write_floats(picture, band);
+    const unsigned char *bytes = colour_bytes(band->colours, (size_t)band->rows * picture->width * 3, picture->depth);
+    tap_rows(picture->tap, picture->frame, band->y, band->rows, bytes, length);
+    return picture->image ? image_rows(picture->image, bytes, band->rows) : TIA_OK;
+}
+
+static bool is_bottom_up(const struct picture *picture)
+{
+    return picture->image && image_bottom_up(picture->image);
+}
+
 static void write_band(struct picture *picture, const struct picture_band *band)
 {
     size_t count = (size_t)band->rows * picture->width;
     if (band->colours) {
-        int status = image_rows(picture->image, colour_bytes(band->colours, 3 * count, picture->depth), band->rows);
+        int status = write_colours(picture, band);
         if (status)
             atomic_store(&picture->status, status);
         return;
     }
-    if (picture->checksum && image_bottom_up(picture->image))
+    tap_pixels(picture, band);
+    if (picture->checksum && is_bottom_up(picture))
         picture->crc = crc_join(tia_crc32(0, band->pixels, count), picture->crc, picture->crc_bytes);
     else if (picture->checksum)
         picture->crc = tia_crc32(picture->crc, band->pixels, count);
     picture->crc_bytes += count * sizeof *band->pixels;
-    int status = image_band(picture->image, band->pixels, band->rows);
+    int status = picture->image ? image_band(picture->image, band->pixels, band->rows) : TIA_OK;
     if (status)
         atomic_store(&picture->status, status);
 }
 
-static void draw_rows(struct picture *picture, unsigned job)
+/* Returns the tile of a job: some rows of the picture; but a row of the file if a tap chooses rows. */
+static struct tia_tile tile_of_job(const struct picture *picture, unsigned job)
 {
+    const struct picture_band row = {picture->band[0].y + job, 1, NULL, NULL};
     unsigned first = job * picture->job_rows, left = picture->tile.height - first;
     struct tia_tile tile = picture->tile;
+    if (tap_chooses(picture->tap))
+        return tile_of(picture, &row);
     tile.y = (uint16_t)(tile.y + first);
     tile.height = (uint16_t)(left < picture->job_rows ? left : picture->job_rows);
+    return tile;
+}
 
+static void draw_rows(struct picture *picture, unsigned job)
+{
+    if (tap_chooses(picture->tap) && !tap_wants(picture->tap, picture->frame, picture->band[0].y + job))
+        return;
+    struct tia_tile tile = tile_of_job(picture, job);
     struct tia_tile place = rotation_tile(&picture->rotation, tile);
     const struct picture_band *band = &picture->band[0];
     struct tia_surface rows = {.pixels = band->pixels + (size_t)(place.y - band->y) * picture->width + place.x,
@@ -97,7 +156,7 @@ static void work(void *arg, unsigned index)
 static int prepare_band(struct picture *picture, const struct picture_band *band, unsigned *jobs)
 {
     picture->tile = tile_of(picture, band);
-    *jobs = (picture->tile.height + picture->job_rows - 1) / picture->job_rows;
+    *jobs = tap_chooses(picture->tap) ? band->rows : (picture->tile.height + picture->job_rows - 1) / picture->job_rows;
     return tia_hits_init(&picture->hits, picture->hits_memory, picture->hits_bytes, picture->view, picture->tile);
 }
 
@@ -140,10 +199,11 @@ int picture_draw(struct picture *picture)
         struct picture_band *band = &picture->band[0];
         band->rows = 0;
         if (i < count) {
-            unsigned first = (image_bottom_up(picture->image) ? count - 1 - i : i) * picture->band_rows;
+            unsigned first = (is_bottom_up(picture) ? count - 1 - i : i) * picture->band_rows;
             unsigned left = picture->rows - first;
             band->y = picture->first_row + first;
-            band->rows = left < picture->band_rows ? left : picture->band_rows;
+            unsigned rows = left < picture->band_rows ? left : picture->band_rows;
+            band->rows = tap_wants_any(picture->tap, picture->frame, band->y, rows) ? rows : 0;
         }
         status = draw_band(picture);
     }
@@ -163,7 +223,8 @@ static unsigned band_pixels(const struct options *options, const struct image_fi
 static bool allocate_bands(struct picture *picture)
 {
     size_t pixels = (size_t)picture->band_rows * picture->width;
-    bool has = true;
+    picture->row = malloc(picture->width * sizeof(tia_rgb565));
+    bool has = picture->row;
 
     for (unsigned i = 0; i < 2; i++) {
         struct picture_band *band = &picture->band[i];
@@ -171,7 +232,8 @@ static bool allocate_bands(struct picture *picture)
         band->colours = picture->depth ? malloc(3 * pixels * sizeof *band->colours) : NULL;
         has = has && band->pixels && (band->colours || !picture->depth);
     }
-    return has;
+    picture->floats = picture->depth == 32 ? malloc((size_t)12 * picture->width) : NULL;
+    return has && (picture->floats || picture->depth != 32);
 }
 
 int picture_begin(struct picture *picture, const struct options *options, const struct image_film *film)
@@ -184,6 +246,7 @@ int picture_begin(struct picture *picture, const struct options *options, const 
                                 .first_row = film->first_row,
                                 .rows = film->rows,
                                 .depth = options->depth_bits,
+                                .tap = options->tap,
                                 .checksum = options->checksum};
     unsigned pixels = band_pixels(options, film), part = pixels / KEPT_JOBS;
     unsigned job_pixels = options->resume && part < JOB_PIXELS ? part : (unsigned)JOB_PIXELS;
@@ -208,5 +271,7 @@ void picture_end(struct picture *picture)
         free(picture->band[i].pixels);
         free(picture->band[i].colours);
     }
+    free(picture->row);
+    free(picture->floats);
     free(picture->hits_memory);
 }

@@ -21,7 +21,7 @@ struct picture_band {
 struct picture {
     /* Set by the caller before each picture. */
     struct tia_view *view;
-    struct image *image;
+    struct image *image;       /* NULL: no file is written */
     struct finished *finished; /* NULL: finished rows are not stored */
     uint32_t frame;            /* number of the frame in `finished` */
 
@@ -38,7 +38,10 @@ struct picture {
     struct picture_band band[2]; /* one band being drawn, one being written */
     struct tia_tile tile;        /* tile of the picture: the band being drawn */
     unsigned depth;              /* bits of the colours, see struct image_film */
+    const struct row_tap *tap;   /* NULL: none */
+    unsigned char *row;          /* a row as bytes, for the tap */
     bool checksum;
+    unsigned char *floats; /* a row of 32 bits a channel; NULL: other colours */
     uint32_t crc; /* CRC of the rows written so far */
     uint64_t crc_bytes;
     atomic_int status; /* the last error of a job */

@@ -41,7 +41,7 @@ struct row_error {
 
 bool rounds_possible(const struct estimation *e)
 {
-    return !e->options->resume && (uint64_t)e->film.width * e->film.height <= PIXELS_MAX;
+    return !e->options->resume && !tap_alone(e->options->tap) && (uint64_t)e->film.width * e->film.height <= PIXELS_MAX;
 }
 
 /* ---- memory ---- */
@@ -278,7 +278,7 @@ static int write_all(const struct rounds *r)
         unsigned y = (bottom_up ? count - 1 - i : i) * band;
         struct rows rows = {r, y, height - y < band ? height - y : band};
         threads_run(e->pool, develop_row, &rows, rows.count);
-        status = estimation_write(e, rows.count);
+        status = estimation_write(e, rows.y, rows.count);
     }
     return status;
 }
@@ -329,6 +329,7 @@ static int finish(struct rounds *r)
     int status = TIA_OK;
 
     r->e->sums.count = r->done;
+    r->e->unfinished = late && options->denoise;
     if (late && r->e->image)
         image_hurry(r->e->image);
     if (options->denoise && !late)

@@ -10,6 +10,7 @@
 #include "estimation.h"
 #include "fail.h"
 #include "film_plan.h"
+#include "surfaces.h"
 
 enum { LOOK_US = 5000 };
 
@@ -127,6 +128,7 @@ static int draw(struct estimation *e)
 int estimate(const struct options *options)
 {
     struct estimation e = {.options = options};
+    struct image_surface *surfaces = NULL;
     int status = film_plan(options, &e.film);
 
     if (status != EXIT_FINE)
@@ -134,12 +136,18 @@ int estimate(const struct options *options)
     prepare(&e);
     progress_begin(&e.progress, (uint64_t)e.film.width * e.film.height, 1, options->progress);
     status = begin(&e);
+    if (!status && options->format == IMAGE_EXR)
+        status = surfaces_find(&surfaces, options, e.why);
+    e.film.surfaces = surfaces;
     if (!status)
         status = draw(&e);
+    if (options->tap && options->tap->samples)
+        *options->tap->samples = e.unfinished ? 0 : e.sums.count;
     status = finish(&e, status);
     progress_end(&e.progress);
     threads_destroy(e.pool);
     film_scene_end(&e.film_scene);
     free(e.bytes);
+    free(surfaces);
     return report(&e, status);
 }

@@ -11,8 +11,10 @@
 #include "common/signals.h"
 #include "draw.h"
 #include "fail.h"
-#include "sample_picture.h"
+#include "recording.h"
 #include "show.h"
+#include "thumbnail.h"
+#include "write.h"
 
 /* Opens the standard descriptors that are closed when the program starts: a file opened later would get one of their
  * numbers, and messages would go into the picture. */
@@ -30,10 +32,12 @@ static int act(struct options *options)
         return show_list(NULL);
     case ACTION_MODES:
         return show_list(options->display.name);
+    case ACTION_WRITE:
+        return write_scene(options);
     case ACTION_DRAW:
         if (options->gazes)
             return show_into_file(options);
-        return options->depth_bits && options->scene.integration.integrator ? estimate(options) : draw(options);
+        return draw_file(options);
     default:
         return show(options);
     }
@@ -63,7 +67,7 @@ static int load_watched(struct options *options, struct file_watch *watch)
 
 static int run(struct options *options)
 {
-    bool draws = options->action == ACTION_DRAW || options->action == ACTION_SHOW;
+    bool draws = options->action != ACTION_LIST && options->action != ACTION_MODES;
     struct file_watch watch = {.is_open = false};
     if (draws && options->watches) {
         int status = load_watched(options, &watch);
@@ -71,6 +75,12 @@ static int run(struct options *options)
         file_watch_close(&watch);
         return status;
     }
+    if (options->record && options->thumbnail)
+        return fail(EXIT_USAGE, "--record: not with --thumbnail");
+    if (draws && options->thumbnail)
+        return thumbnail(options);
+    if (options->record)
+        return recording_draw(options);
     int status = draws ? arguments_load(options) : EXIT_FINE;
 
     return status == EXIT_FINE ? act(options) : status;

@@ -124,45 +124,16 @@ static void use_corners(struct obj *o, uint32_t count)
     }
 }
 
-static void add_face(struct obj *o, const uint32_t triangle[3])
-{
-    uint32_t place = o->groups[o->group].next_face++;
-
-    if (o->face_groups)
-        o->face_groups[place] = o->face_group;
-    for (int i = 0; i < 3; i++)
-        o->faces[place].corner[i] = o->corners[triangle[i]];
-}
-
 static void add_faces(struct obj *o, uint32_t count)
 {
-    const struct tia_vec3 *vertices = (const struct tia_vec3 *)(void *)o->vertices.items;
-    struct polygon polygon;
-    uint32_t triangle[3] = {0, 1, 2};
+    struct obj_group *g = &o->groups[o->group];
 
     use_corners(o, count);
-    if (count == 3) { /* what the triangulation gives */
-        add_face(o, triangle);
-        return;
-    }
-    for (uint32_t i = 0; i < count; i++)
-        o->polygon[i].point = vertices[o->corners[i].vertex];
-    tia_polygon_begin(&polygon, o->polygon, count);
-    while (tia_polygon_next(&polygon, triangle))
-        add_face(o, triangle);
-}
-
-/* True if no corner's normal is (0, 0, 0): see read_vn. */
-static bool are_normals(const struct obj *o, uint32_t count)
-{
-    const struct tia_dir3 *normals = (const struct tia_dir3 *)(void *)o->normals.items;
-
-    for (uint32_t i = 0; i < count; i++) {
-        const struct tia_dir3 *n = &normals[o->corners[i].normal];
-        if (!n->x && !n->y && !n->z)
-            return false;
-    }
-    return true;
+    for (uint32_t i = 0; o->face_groups && i < count - 2; i++)
+        o->face_groups[g->next_face + i] = o->face_group;
+    tia_model_polygon(&o->faces[g->next_face], (const struct tia_vec3 *)(void *)o->vertices.items, o->corners, count,
+                      o->polygon);
+    g->next_face += count - 2;
 }
 
 /* Reads the corners of this line; only the last pass stores them. */
@@ -189,7 +160,7 @@ static int read_corners(struct obj *o, struct obj_face *face)
 /* Removes from the corners the parts that not all of them have. */
 static void strip_corners(struct obj *o, const struct obj_face *face)
 {
-    bool normals = face->has[PART_NORMAL] && are_normals(o, face->count);
+    bool normals = face->has[PART_NORMAL] && tia_model_has_normals(&o->normals, o->corners, face->count);
 
     for (uint32_t i = 0; i < face->count; i++) {
         if (!face->has[PART_UV])
@@ -225,6 +196,15 @@ static const void *item(const struct tia_array *array, uint32_t index)
     return array->items + index * array->item;
 }
 
+static void remove_copies(const struct obj *o, struct obj_group *g)
+{
+    uint32_t first = g->next_face - g->face_count;
+
+    g->face_count = tia_model_unique(&o->faces[first], o->face_groups ? &o->face_groups[first] : NULL, g->face_count,
+                                     (const struct tia_vec3 *)(void *)o->vertices.items, o->table);
+    g->next_face = first + g->face_count;
+}
+
 /* Makes the mesh of a group. Each of its arrays is the range from the first to the last element that the group uses. */
 static struct tia_mesh make_mesh(const struct obj *o, const struct obj_group *g)
 {
@@ -256,25 +236,16 @@ static struct tia_mesh make_mesh(const struct obj *o, const struct obj_group *g)
  * nearly all normals, and a loop over all meshes takes time quadratic in the size of the file. */
 #define SEEN_MAX (UINT64_C(1) << 30)
 
-/* Gives a direction to normals of (0, 0, 0): no face uses them any more, but a mesh must not contain them. */
-static void fix_normals(struct obj *o)
-{
-    struct tia_dir3 *normals = (struct tia_dir3 *)(void *)o->normals.items;
-
-    for (uint32_t i = 0; i < o->normals.count; i++)
-        if (!normals[i].x && !normals[i].y && !normals[i].z)
-            normals[i].z = TIA_Q30_ONE;
-}
-
 int tia_obj_make_meshes(struct obj *o, struct tia_mesh *meshes, struct tia_shape *shapes)
 {
     uint32_t count = 0;
     uint64_t seen = 0; /* total number of normals of all meshes */
 
-    fix_normals(o);
+    tia_model_fix_normals(&o->normals);
     for (uint32_t i = 0; i < o->scene->material_count; i++) {
         if (!o->groups[i].face_count)
             continue;
+        remove_copies(o, &o->groups[i]);
         meshes[count] = make_mesh(o, &o->groups[i]);
         shapes[count] = (struct tia_shape){.kind = TIA_MESH, .material = i, .mesh = count};
         seen += meshes[count].normal_count;

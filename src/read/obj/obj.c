@@ -9,7 +9,7 @@
  *     o g              see group.c
  *
  * The faces of one material, wherever they are, make one mesh. Smoothing groups, points and lines are skipped.
- * The format has no camera, light or unit: see frame.c.
+ * The format has no camera, light or unit: see read/model/model.h.
  *
  * Many programs write files full of small mistakes, and other programs draw them nevertheless. So most mistakes cause
  * warnings, one for each kind of mistake; with reader->strict they are errors. Mistakes in vertices are always errors:
@@ -30,7 +30,7 @@ static int read_text(struct obj *o)
     tia_array_restart(&o->uvs);
     tia_array_restart(&o->group_lines);
     o->group = o->face_group = 0;
-    o->text = tia_text_begin(o->reader->text, o->reader->length, "", &o->reader->error);
+    o->text = tia_model_text(&o->model);
     o->text.end = o->parts ? o->head_end : o->text.end;
     while (tia_text_line(&o->text)) {
         (void)tia_text_word(&o->text, &word);
@@ -72,6 +72,8 @@ static struct places place(struct obj *o, struct tia_arena *arena)
     uint32_t copies = tia_obj_copies(o->reader, materials);
     struct places p;
 
+    if (o->model.use)
+        o->model.use->mesh_most = meshes;
     o->scene->material_count = materials;
     o->scene->texture_count = o->textures.count;
     o->scene->materials = tia_array_place(arena, &o->materials);
@@ -80,6 +82,7 @@ static struct places place(struct obj *o, struct tia_arena *arena)
     (void)tia_array_place(arena, &o->normals);
     (void)tia_array_place(arena, &o->uvs);
     o->faces = tia_arena_take(arena, o->face_count, sizeof *o->faces);
+    o->table = tia_arena_take(arena, tia_model_slots(o->face_count), sizeof *o->table);
     p.meshes = tia_arena_take(arena, meshes, sizeof *p.meshes);
     p.shapes = tia_arena_take(arena, meshes, sizeof *p.shapes);
     p.lights = tia_arena_take(arena, TIA_MODEL_LIGHTS, sizeof *p.lights);
@@ -129,14 +132,15 @@ static int fill(struct obj *o, const struct places *p)
     if (!status)
         tia_obj_join_groups(o);
     status = status ? status : tia_obj_make_meshes(o, p->meshes, p->shapes);
-    return status ? status : tia_obj_frame(o, p->lights);
+    return status || o->model.use ? status : tia_model_frame(&o->model, p->lights);
 }
 
 /* Reads the whole file; `parts`: by several threads, or NULL. */
 static int read_file(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena,
-                     struct obj_parts *parts)
+                     struct tia_model_use *use, struct obj_parts *parts)
 {
-    struct obj o = {.reader = reader,
+    struct obj o = {.model = tia_model_begin(reader, scene, use),
+                    .reader = reader,
                     .scene = scene,
                     .materials = {.item = sizeof(struct tia_material)},
                     .textures = {.item = sizeof(struct tia_texture)},
@@ -145,15 +149,13 @@ static int read_file(struct tia_reader *reader, struct tia_scene *scene, struct 
                     .normals = {.item = sizeof(struct tia_dir3)},
                     .uvs = {.item = sizeof(struct tia_uv)},
                     .group_lines = {.item = sizeof(struct tia_name)},
-                    .parts = parts,
-                    .min = {INT64_MAX, INT64_MAX, INT64_MAX},
-                    .max = {INT64_MIN, INT64_MIN, INT64_MIN}};
+                    .parts = parts};
 
     if (parts && !tia_obj_divide(&o))
         return UNSUITED;
     tia_mtl_add_default(&o);
     int status = read_text(&o);
-    status = status ? status : tia_obj_fit(&o);
+    status = status ? status : tia_model_fit(&o.model, o.face_count, o.vertices.count > 0, "some f");
     if (status)
         return status;
     struct places p = place(&o, arena);
@@ -162,11 +164,12 @@ static int read_file(struct tia_reader *reader, struct tia_scene *scene, struct 
     return tia_arena_fits(arena) ? fill(&o, &p) : TIA_OK;
 }
 
-int tia_read_obj(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena)
+int tia_read_obj(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena,
+                 struct tia_model_use *use)
 {
     struct obj_parts *parts = tia_obj_take_parts(reader, arena);
     const struct tia_arena before = *arena;
-    int status = parts ? read_file(reader, scene, arena, parts) : UNSUITED;
+    int status = parts ? read_file(reader, scene, arena, use, parts) : UNSUITED;
 
     if (status != UNSUITED)
         return status;
@@ -175,5 +178,5 @@ int tia_read_obj(struct tia_reader *reader, struct tia_scene *scene, struct tia_
     reader->error = (struct tia_read_error){{0}, 0, 0, {0}};
     for (unsigned i = 0; reader->warnings && i < TIA_WARNINGS; i++)
         reader->warnings[i].count = 0;
-    return read_file(reader, scene, arena, NULL);
+    return read_file(reader, scene, arena, use, NULL);
 }

@@ -2,9 +2,9 @@
 #ifndef TIA_READ_OBJ_OBJ_H
 #define TIA_READ_OBJ_OBJ_H
 
+#include "read/model/model.h"
 #include "read/readers.h"
 #include "read/text/name_table.h"
-#include "read/triangulation.h"
 
 #define OBJ_LIBRARIES 16 /* material libraries in one scene */
 
@@ -31,7 +31,8 @@ struct obj_group {
 };
 
 struct obj {
-    struct tia_reader *reader;
+    struct tia_model model;
+    struct tia_reader *reader; /* model.reader */
     struct tia_scene *scene;
     struct tia_text text;
     enum obj_pass pass;
@@ -40,6 +41,7 @@ struct obj {
 
     struct tia_array materials, textures, names, vertices, normals, uvs;
     struct tia_face *faces;
+    uint32_t *table; /* working storage, see tia_model_unique */
     uint32_t face_count, material_uses, most_corners;
     struct polygon_corner *polygon; /* working storage for the largest polygon */
     struct tia_corner *corners;
@@ -53,12 +55,6 @@ struct obj {
 
     struct obj_parts *parts; /* NULL: the text is read by one thread */
     const char *head_end;    /* with parts, the end of the text that is read without them */
-
-    /* min, max: bounds of all vertices, with 28 fractional bits. origin, shift and moved: the conversion to the scene's
-     * coordinates, see tia_obj_fit. */
-    int64_t min[3], max[3], origin[3];
-    int shift;
-    bool moved;
 };
 
 /* ---- statement.c ---- */
@@ -110,11 +106,6 @@ int tia_obj_make_meshes(struct obj *o, struct tia_mesh *meshes, struct tia_shape
 /* ---- group.c ---- */
 int tia_obj_o(struct obj *o);
 int tia_obj_g(struct obj *o);
-
-/* ---- frame.c ---- */
-int tia_obj_v(struct obj *o);
-int tia_obj_fit(struct obj *o);
-int tia_obj_frame(struct obj *o, struct tia_light *lights);
 
 /* ---- mtl.c ---- */
 /* Adds the first material, which faces without a material get. */

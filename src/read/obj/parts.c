@@ -268,8 +268,8 @@ static void add_count(struct obj *o, struct part *p)
     o->material_uses += p->o.material_uses;
     o->most_corners = p->o.most_corners > o->most_corners ? p->o.most_corners : o->most_corners;
     for (int i = 0; i < 3; i++) {
-        o->min[i] = p->o.min[i] < o->min[i] ? p->o.min[i] : o->min[i];
-        o->max[i] = p->o.max[i] > o->max[i] ? p->o.max[i] : o->max[i];
+        o->model.min[i] = p->o.model.min[i] < o->model.min[i] ? p->o.model.min[i] : o->model.min[i];
+        o->model.max[i] = p->o.model.max[i] > o->model.max[i] ? p->o.model.max[i] : o->model.max[i];
     }
 }
 

@@ -1,5 +1,21 @@
-/* statement.c - one line of an .obj file: texture coordinates and normals here, the others in files of their own. */
+/* statement.c - one line of an .obj file: vertices, texture coordinates and normals here, the others in files of their own. */
 #include "obj.h"
+
+/* Reads a vertex; a weight or a colour behind it is skipped. */
+static int read_v(struct obj *o)
+{
+    unsigned bits = tia_model_bits(&o->model);
+    int64_t v[3] = {0, 0, 0}, more;
+    int status = TIA_OK;
+
+    for (int i = 0; !status && i < 3; i++)
+        status = tia_text_long(&o->text, &v[i], bits);
+    struct tia_vec3 vertex = tia_model_vertex(&o->model, v);
+    for (int i = 0; !status && i < 4 && tia_text_has_number(&o->text); i++)
+        status = tia_text_q32(&o->text, &more);
+    tia_array_add(&o->vertices, &vertex);
+    return status;
+}
 
 /* Reads a texture coordinate. A coordinate out of range is clamped: useful ones are far smaller. */
 static int read_texture_coordinate(struct obj *o, tia_q16 *out)
@@ -54,7 +70,7 @@ static const struct {
     const char *name;
     int (*read)(struct obj *);
 } statements[] = {
-    {"v", tia_obj_v},           {"f", tia_obj_f},           {"vn", read_vn},  {"vt", read_uv},
+    {"v", read_v},              {"f", tia_obj_f},           {"vn", read_vn},  {"vt", read_uv},
     {"usemtl", tia_obj_usemtl}, {"mtllib", tia_obj_mtllib}, {"o", tia_obj_o}, {"g", tia_obj_g},
 };
 

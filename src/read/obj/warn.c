@@ -17,24 +17,11 @@ static const struct {
     [TIA_WARN_NORMAL] = {"faces that use it are drawn flat", OBJ_COUNT},
     [TIA_WARN_CORNER] = {"the face is drawn without", OBJ_COUNT},
     [TIA_WARN_FACE] = {"the face is left out", OBJ_COUNT},
-    [TIA_WARN_EMPTY] = {"only the background is drawn", OBJ_COUNT},
 };
 
 int tia_obj_forgive(struct obj *o, enum tia_read_warning_kind kind)
 {
-    struct tia_read_error *error = &o->reader->error;
-    struct tia_read_warning *warning = o->reader->warnings;
-
-    if (o->reader->strict)
-        return TIA_ERR_RANGE;
-    if (warning && o->pass == warnings[kind].pass && !warning[kind].count++) {
-        warning[kind].at = *error;
-        tia_say(&warning[kind].at, "; ");
-        tia_say(&warning[kind].at, warnings[kind].remedy);
-    }
-    error->file[0] = error->text[0] = 0;
-    error->line = error->column = 0;
-    return TIA_OK;
+    return tia_model_forgive(o->reader, kind, warnings[kind].remedy, o->pass == warnings[kind].pass);
 }
 
 void tia_obj_skip(struct tia_text *t)

@@ -44,6 +44,20 @@ static uint64_t magnitude(int64_t x)
 /* Normalises a vector. Its components are shifted so that the largest is in 2^30..2^31. The sum of squares is then
  * below 2^64, and its root at least 2^30. So the truncation of the components and of the root changes each by less than
  * 2^-30 of the root. */
+/* True if v, Q31.32, is a unit vector of Q2.30 within 2 ulp: it stays as it is, so that a direction that was written
+ * as it is stored is read as it was. The length is within 2^-29 of 1 if its square is within 2^-28, all in 60 bits. */
+static bool is_unit(const int64_t v[3])
+{
+    const uint64_t one = UINT64_C(1) << 60, most = UINT64_C(1) << 32;
+    uint64_t square = 0;
+
+    if ((v[0] | v[1] | v[2]) & 3 || magnitude(v[0]) >> 33 || magnitude(v[1]) >> 33 || magnitude(v[2]) >> 33)
+        return false;
+    for (int i = 0; i < 3; i++)
+        square += (magnitude(v[i]) >> 2) * (magnitude(v[i]) >> 2);
+    return square >= one - most && square <= one + most;
+}
+
 bool tia_dir3_of(struct tia_dir3 *out, const int64_t v[3])
 {
     tia_q30 unit[3];
@@ -51,6 +65,10 @@ bool tia_dir3_of(struct tia_dir3 *out, const int64_t v[3])
 
     if (!all)
         return false;
+    if (is_unit(v)) {
+        *out = (struct tia_dir3){(tia_q30)(v[0] / 4), (tia_q30)(v[1] / 4), (tia_q30)(v[2] / 4)};
+        return true;
+    }
     unsigned zeros = tia_clz64(all);
     for (int i = 0; i < 3; i++) {
         part[i] = zeros < 33 ? magnitude(v[i]) >> (33 - zeros) : magnitude(v[i]) << (zeros - 33);

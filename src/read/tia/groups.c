@@ -142,6 +142,16 @@ static int set_place(struct tia_parse *job, const struct tia_transform *transfor
     return status;
 }
 
+bool tia_group_is_still(const struct tia_parse *job)
+{
+    const struct tia_place *p = &job->groups[job->group_count - 1].place;
+    bool still = p->as_written && !is_turned(&p->rotation);
+
+    for (int i = 0; i < 3; i++)
+        still = still && !p->position[i] && p->scale[i] == INT64_C(1) << 32;
+    return still;
+}
+
 int tia_group_place(struct tia_parse *job, struct tia_transform *transform, const struct tia_word *name)
 {
     struct tia_place place;
@@ -174,11 +184,15 @@ static bool has_scale(const struct tia_transform *t)
            t->scale.y <= TIA_SCALE_MAX && t->scale.z >= TIA_SCALE_MIN && t->scale.z <= TIA_SCALE_MAX;
 }
 
-/* Reads the fields of a group or of a repeat block, and begins it as a group. */
+/* Reads the fields of a group, a repeat block or an operation, and begins it as a group. If `what` is NULL, there are
+ * no fields. */
 static int begin_group(struct tia_parse *job, const char *what, struct tia_transform *transform)
 {
+    int status = TIA_OK;
+
     *transform = unmoved;
-    int status = tia_fields(&job->text, what, group_fields, TIA_COUNT_OF(group_fields), transform, NULL);
+    if (what)
+        status = tia_fields(&job->text, what, group_fields, TIA_COUNT_OF(group_fields), transform, NULL);
     if (status)
         return status;
     if (job->group_count == TIA_GROUP_DEPTH)
@@ -186,6 +200,7 @@ static int begin_group(struct tia_parse *job, const char *what, struct tia_trans
     if (!has_scale(transform))
         return refuse(job, "is scaled out of range", "1/1024 to 1024");
     job->groups[job->group_count].repeats = false;
+    job->groups[job->group_count].operation = 0;
     return TIA_OK;
 }
 
@@ -197,6 +212,26 @@ int tia_line_group(struct tia_parse *job)
     status = status ? status : set_place(job, &transform, &job->groups[job->group_count].place);
     if (!status)
         job->group_count++;
+    return status;
+}
+
+int tia_operation_begin(struct tia_parse *job, enum tia_solid_step step)
+{
+    bool first = !job->solid_groups;
+    struct tia_transform transform;
+    int status = begin_group(job, first ? NULL : "an operation", &transform);
+
+    if (status)
+        return status;
+    struct tia_group *group = &job->groups[job->group_count];
+    group->operation = (uint8_t)step;
+    group->operands = 0;
+    if (first)
+        group->place = place_of(&transform);
+    else
+        status = set_place(job, &transform, &group->place);
+    job->group_count++;
+    job->solid_groups = first ? job->group_count : job->solid_groups;
     return status;
 }
 
@@ -246,7 +281,9 @@ int tia_line_end(struct tia_parse *job)
     if (status)
         return status;
     group = &job->groups[job->group_count - 1];
-    if (group->left)
+    if (group->operation)
+        return tia_operation_end(job);
+    if (group->repeats && group->left)
         return go_back(job, group);
     job->group_count--;
     job->repeat_count -= group->repeats;

@@ -6,9 +6,7 @@
  */
 #include "parse_state.h"
 
-/* Replaces a file's path by the path of `name`, which is relative to the file's folder. Returns false if the new path
- * is too long. */
-static bool follow(char path[TIA_NAME_MAX + 1], const struct tia_word *name)
+bool tia_path_follow(char path[TIA_NAME_MAX + 1], const struct tia_word *name)
 {
     size_t folder = 0;
 
@@ -27,13 +25,13 @@ static void path_at(const struct tia_includes *includes, unsigned depth, char pa
 {
     path[0] = 0;
     for (unsigned i = 0; i < depth; i++)
-        (void)follow(path, &includes->names[i]);
+        (void)tia_path_follow(path, &includes->names[i]);
 }
 
 int tia_include_path(struct tia_parse *job, const struct tia_word *name, char path[TIA_NAME_MAX + 1])
 {
     path_at(&job->includes, job->includes.depth, path);
-    if (!follow(path, name))
+    if (!tia_path_follow(path, name))
         return tia_text_error(&job->text, name, "has too long a path", "a path of at most 255 bytes from the scene");
     return TIA_OK;
 }

@@ -31,8 +31,15 @@ enum tia_parse_array {
     TIA_OF_NORMALS,
     TIA_OF_UVS,
     TIA_OF_FACES,
+    TIA_OF_FACE_GROUPS, /* of the faces of meshes with groups */
     TIA_OF_GRIDS,
     TIA_OF_CELLS,
+    TIA_OF_MODELS,      /* meshes from files; filled in the second pass */
+    TIA_OF_MODEL_WORDS, /* their memory */
+    TIA_OF_PARTS,       /* one item for each mesh of the scene */
+    TIA_OF_SOLIDS,
+    TIA_OF_MEMBERS,
+    TIA_OF_STEPS,
     TIA_OF_LIGHTS,
     TIA_OF_BINDINGS,
     TIA_OF_TRACKS,
@@ -76,9 +83,27 @@ struct tia_place {
     bool as_written;
 };
 
-/* A group, or a copy of a repeat block. */
+/* A mesh from a file: its parts are consecutive meshes. */
+struct tia_parse_model {
+    uint32_t mesh, parts;
+};
+#define TIA_MODEL_HASHES 64
+#define TIA_MODELS_MAX 256 /* most models in a scene: a file is read for each time it is named */
+
+/* What belongs to a mesh: the material of a model's own. */
+struct tia_parse_part {
+    uint32_t material;
+};
+
+#define TIA_OWN_MATERIAL UINT32_MAX /* of a shape, until the end of the last pass: that of its mesh */
+
+/* A group, a copy of a repeat block, or an operation of a solid. */
 struct tia_group {
-    struct tia_place place; /* composed with the groups around it */
+    struct tia_place place; /* composed with the groups around it, up to the solid */
+
+    /* Of an operation of a solid: see enum tia_solid_step, else 0; and the number of its operands so far. */
+    uint8_t operation;
+    uint32_t operands;
 
     /* Of a repeat block: what follows the copy. */
     bool repeats;
@@ -96,12 +121,16 @@ struct tia_parse {
     struct tia_group groups[TIA_GROUP_DEPTH];
     unsigned group_count, repeat_count; /* numbers of open groups, repeat blocks included, and of these blocks */
     uint32_t repeated_lines;            /* see TIA_REPEATED_LINES */
+    unsigned solid_groups;              /* number of open groups with the first operation of the open solid; 0: none */
     struct tia_reach reach;
     struct tia_reader *reader;
     struct tia_scene *scene;
     enum tia_pass pass;
     struct tia_array arrays[TIA_ARRAYS];
     struct tia_falling falling; /* gravity, and the time of its end */
+    struct {
+        uint32_t parts, instances; /* the most parts of a model, and the number of instances */
+    } models[TIA_MODEL_HASHES];    /* by the hash of the mesh's name: see mesh_file.c */
     bool hides;                 /* a shape may be hidden: the scene needs a mesh without faces */
     int bits, most, room;       /* scale_bits of the last pass, and two limits: see next_unit */
     bool footprints;            /* textures are filtered; known after the first pass */
@@ -163,6 +192,16 @@ void tia_events_resolve(struct tia_parse *job);
 /* Composes a shape's transform with those of the groups around it. `name`: the shape's name, or NULL. */
 int tia_group_place(struct tia_parse *job, struct tia_transform *transform, const struct tia_word *name);
 
+/* True if the innermost group, or the solid, leaves its contents in place. */
+bool tia_group_is_still(const struct tia_parse *job);
+
+/* Begins an operation of a solid: the first one, whose place is the solid's, or one within it. */
+int tia_operation_begin(struct tia_parse *job, enum tia_solid_step step);
+/* Ends the innermost group, which is an operation. */
+int tia_operation_end(struct tia_parse *job);
+/* Adds a member to the open solid. */
+int tia_operation_add(struct tia_parse *job, const struct tia_shape *member);
+
 /* Writes the path, relative to the scene's folder, of a file that is named in the file being read. */
 int tia_include_path(struct tia_parse *job, const struct tia_word *name, char path[TIA_NAME_MAX + 1]);
 
@@ -173,6 +212,23 @@ int tia_parse_missing(struct tia_parse *job, const struct tia_word *file, const 
 void tia_include_begin(struct tia_parse *job);
 /* Switches back at the end of a file. Fails if one of its groups is still open. */
 int tia_include_end(struct tia_parse *job);
+
+/* Replaces a file's path by the path of `name`, which is relative to the file's folder. Returns false if the new path
+ * is too long. */
+bool tia_path_follow(char path[TIA_NAME_MAX + 1], const struct tia_word *name);
+
+/* ---- mesh_file.c ---- */
+
+/* Reads the rest of a mesh statement from the word `file` on; `mesh` is its name. */
+int tia_mesh_file(struct tia_parse *job, const struct tia_word *mesh);
+/* Returns the model whose first part has that index; NULL if there is none. */
+const struct tia_parse_model *tia_model_at(const struct tia_parse *job, uint32_t mesh);
+/* Counts an instance, in the first pass. */
+void tia_models_note(struct tia_parse *job, const struct tia_word *mesh);
+/* Ends the first pass: counts the shapes of instances with several parts. */
+void tia_models_count(struct tia_parse *job);
+/* Ends the last pass: sets the materials of shapes with a model's own. */
+void tia_models_resolve(struct tia_parse *job);
 
 /* ---- statements: each function reads the rest of the line, and the block if there is one ---- */
 
@@ -193,6 +249,9 @@ int tia_line_material(struct tia_parse *job);
 int tia_line_texture(struct tia_parse *job);
 int tia_line_shape(struct tia_parse *job, enum tia_shape_kind kind);
 int tia_line_instance(struct tia_parse *job);
+int tia_line_union(struct tia_parse *job);
+int tia_line_intersection(struct tia_parse *job);
+int tia_line_difference(struct tia_parse *job);
 int tia_line_mesh(struct tia_parse *job);
 int tia_line_grid(struct tia_parse *job);
 int tia_line_light(struct tia_parse *job);

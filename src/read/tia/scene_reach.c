@@ -74,25 +74,44 @@ static int64_t radius_of(const struct tia_shape *shape)
     return radius;
 }
 
+/* Returns the field of a shape's struct. */
+static struct tia_vec3 vector_of(const struct tia_shape *shape, const struct tia_shape_field *f)
+{
+    return *(const struct tia_vec3 *)(const void *)((const char *)shape + f->offset);
+}
+
 void tia_reach_shape(struct tia_reach *r, const struct tia_shape *shape, const struct tia_transform *transform,
                      bool placed, bool moves)
 {
-    bool solid = shape->kind == TIA_MESH || shape->kind == TIA_GRID;
+    bool solid = shape->kind == TIA_MESH || shape->kind == TIA_GRID || shape->kind == TIA_SOLID;
     int64_t radius = solid ? 0 : radius_of(shape);
 
     for (const struct tia_shape_field *f = solid ? NULL : tia_shape_fields(shape->kind); f && f->member; f++) {
         if (f->value != TIA_SHAPE_VEC3)
             continue;
-        const struct tia_vec3 *point = (const struct tia_vec3 *)(const void *)((const char *)shape + f->offset);
+        struct tia_vec3 point = vector_of(shape, f);
         if (!placed)
-            tia_lengths_cover(&r->lengths, *point, radius);
+            tia_lengths_cover(&r->lengths, point, radius);
         if (placed || moves)
-            enlarge_own(r, distance(size_of(*point)) + radius);
+            enlarge_own(r, distance(size_of(point)) + radius);
     }
     if (placed || moves || solid)
         place(r, transform->position);
     if (placed)
         scale(r, transform->scale);
+}
+
+void tia_reach_member(struct tia_reach *r, const struct tia_shape *member, const struct tia_transform *t)
+{
+    int64_t radius = radius_of(member), at = distance(size_of(t->position)), by = size_of(t->scale);
+
+    scale(r, t->scale);
+    for (const struct tia_shape_field *f = tia_shape_fields(member->kind); f->member; f++)
+        if (f->value == TIA_SHAPE_VEC3) {
+            int64_t around = (distance(size_of(vector_of(member, f))) + radius) * by / TIA_Q16_ONE + at;
+            lengthen(r, around);
+            enlarge_own(r, around);
+        }
 }
 
 void tia_reach_vertex(struct tia_reach *r, struct tia_vec3 vertex)

@@ -27,6 +27,8 @@ void tia_reach_begin(struct tia_reach *reach, int scale_bits, tia_q16 places);
 /* Adds a shape. Its transform counts if it places the shape (`placed`) or a track may move the shape (`moves`). */
 void tia_reach_shape(struct tia_reach *reach, const struct tia_shape *shape, const struct tia_transform *transform,
                      bool placed, bool moves);
+/* Adds a member of a solid, which is placed by its transform in the solid's own axes. */
+void tia_reach_member(struct tia_reach *reach, const struct tia_shape *member, const struct tia_transform *transform);
 /* Adds a vertex of a mesh. */
 void tia_reach_vertex(struct tia_reach *reach, struct tia_vec3 vertex);
 void tia_reach_grid(struct tia_reach *reach, const struct tia_grid *grid);

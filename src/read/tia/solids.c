@@ -20,7 +20,9 @@ static int take_line(struct tia_text *t, struct tia_word *word, const char *expe
 /* A mesh that is being read: the indices of its first elements in the arrays. */
 struct mesh_block {
     struct tia_parse *job;
-    uint32_t vertices, normals, uvs, faces;
+    uint32_t vertices, normals, uvs, faces, groups;
+    bool grouped;   /* the mesh has a group line */
+    uint32_t group; /* of the next face */
 };
 
 static int read_vertex(struct mesh_block *block)
@@ -141,11 +143,26 @@ static int read_face(struct mesh_block *block)
         face.corner[n < 2 ? n : 2] = corner;
         if (n >= 2)
             (void)tia_parse_add(block->job, TIA_OF_FACES, &face);
+        if (n >= 2 && block->grouped)
+            (void)tia_parse_add(block->job, TIA_OF_FACE_GROUPS, &block->group);
     }
     return TIA_OK;
 }
 
-#define MESH_EXPECTED "vertex, normal, uv, face or end"
+/* Reads the group of the following faces. Faces before the first such line have the group 0. */
+static int read_group(struct mesh_block *block)
+{
+    int64_t group = 0;
+    int status = tia_text_integer(&block->job->text, &group, 0, UINT32_MAX);
+
+    for (uint32_t i = tia_parse_count(block->job, TIA_OF_FACES) - block->faces; i > 0 && !block->grouped; i--)
+        (void)tia_parse_add(block->job, TIA_OF_FACE_GROUPS, &block->group);
+    block->grouped = true;
+    block->group = (uint32_t)group;
+    return status;
+}
+
+#define MESH_EXPECTED "vertex, normal, uv, face, group or end"
 
 static int read_mesh_line(struct mesh_block *block, const struct tia_word *word)
 {
@@ -157,6 +174,8 @@ static int read_mesh_line(struct mesh_block *block, const struct tia_word *word)
         return read_normal(block);
     if (tia_word_is(word, "uv"))
         return read_uv(block);
+    if (tia_word_is(word, "group"))
+        return read_group(block);
     return tia_text_error(&block->job->text, word, "is not a line of a mesh", MESH_EXPECTED);
 }
 
@@ -174,16 +193,30 @@ static void add_mesh(const struct mesh_block *block)
         .face_count = tia_parse_count(job, TIA_OF_FACES) - block->faces,
     };
 
+    const struct tia_parse_part part = {0};
+
+    mesh.groups = NULL;
+    if (block->grouped)
+        mesh.groups = tia_parse_at(job, TIA_OF_FACE_GROUPS, block->groups);
     (void)tia_parse_add(job, TIA_OF_MESHES, &mesh);
+    (void)tia_parse_add(job, TIA_OF_PARTS, &part);
 }
 
 int tia_line_mesh(struct tia_parse *job)
 {
-    struct mesh_block block = {job, tia_parse_count(job, TIA_OF_VERTICES), tia_parse_count(job, TIA_OF_NORMALS),
-                               tia_parse_count(job, TIA_OF_UVS), tia_parse_count(job, TIA_OF_FACES)};
+    struct mesh_block block = {.job = job,
+                               .vertices = tia_parse_count(job, TIA_OF_VERTICES),
+                               .normals = tia_parse_count(job, TIA_OF_NORMALS),
+                               .uvs = tia_parse_count(job, TIA_OF_UVS),
+                               .faces = tia_parse_count(job, TIA_OF_FACES),
+                               .groups = tia_parse_count(job, TIA_OF_FACE_GROUPS)};
     struct tia_word word = {NULL, 0, 0, 0};
-    int status = tia_parse_define(job, TIA_NAMED_SOLID, 2 * tia_parse_count(job, TIA_OF_MESHES));
+    struct tia_word name;
 
+    (void)tia_text_peek(&job->text, &name);
+    int status = tia_parse_define(job, TIA_NAMED_SOLID, 2 * tia_parse_count(job, TIA_OF_MESHES));
+    if (!status && tia_text_peek(&job->text, &word) && tia_word_is(&word, "file"))
+        return tia_mesh_file(job, &name);
     status = status ? status : tia_text_end(&job->text);
     while (!status) {
         status = take_line(&job->text, &word, MESH_EXPECTED);

@@ -8,6 +8,7 @@
 #define ONCE 1u     /* at most one in a scene */
 #define UNMOVED 2u  /* not allowed in groups, which would not move it */
 #define REPEATED 4u /* allowed in repeat blocks */
+#define MEMBER 8u   /* allowed in solids */
 
 /* All statements but those of shapes: a shape's word is in its description. */
 static const struct statement {
@@ -25,9 +26,12 @@ static const struct statement {
     {"animate", tia_line_animate, 0},
     {"fall", tia_line_fall, 0},
     {"gravity", tia_line_gravity, ONCE},
-    {"group", tia_line_group, REPEATED},
-    {"repeat", tia_line_repeat, REPEATED},
-    {"end", tia_line_end, REPEATED},
+    {"union", tia_line_union, REPEATED | MEMBER},
+    {"intersection", tia_line_intersection, REPEATED | MEMBER},
+    {"difference", tia_line_difference, REPEATED | MEMBER},
+    {"group", tia_line_group, REPEATED | MEMBER},
+    {"repeat", tia_line_repeat, REPEATED | MEMBER},
+    {"end", tia_line_end, REPEATED | MEMBER},
     {"include", tia_line_include, 0},
     {"define", tia_line_define, 0},
     {"camera", tia_line_camera, ONCE | UNMOVED},
@@ -90,6 +94,8 @@ static int read_statement(struct tia_parse *job, const struct tia_word *word)
         return refuse(job, word);
     if (statements[i].flags & ONCE && job->once >> i & 1)
         return tia_text_error(&job->text, word, "is given twice", "once");
+    if (job->solid_groups && !(statements[i].flags & MEMBER))
+        return tia_text_error(&job->text, word, "is not a part of a solid", "members, operations, groups or end");
     if (statements[i].flags & UNMOVED && job->group_count)
         return tia_text_error(&job->text, word, "is not moved by groups", "it outside of them");
     if (!(statements[i].flags & REPEATED) && job->repeat_count)
@@ -117,12 +123,16 @@ static void begin_pass(struct tia_parse *job, enum tia_pass pass)
     job->constants.count = 0;
     job->includes.depth = job->includes.count = 0;
     job->includes.next.next = NULL;
-    job->group_count = job->repeat_count = 0;
+    job->group_count = job->repeat_count = job->solid_groups = 0;
     job->repeated_lines = 0;
+    for (unsigned i = 0; i < TIA_MODEL_HASHES; i++)
+        job->models[i].parts = job->models[i].instances = 0;
     tia_events_begin(job);
     for (unsigned i = 0; i < TIA_ARRAYS; i++)
-        if (pass != TIA_FILLING || (i != TIA_OF_NAMES && i != TIA_OF_ANIMATED))
+        if (pass != TIA_FILLING || (i != TIA_OF_NAMES && i != TIA_OF_ANIMATED && i != TIA_OF_MODELS))
             tia_array_restart(&job->arrays[i]);
+    for (unsigned i = 0; reader->warnings && pass == TIA_FILLING && i < TIA_WARNINGS; i++)
+        reader->warnings[i].count = 0; /* this pass may be repeated */
     job->reach.lengths.filling = pass == TIA_FILLING;
     if (pass == TIA_FILLING)
         job->reach.lengths.scale_bits = job->bits;
@@ -234,6 +244,8 @@ static void set_arrays(struct tia_parse *job)
     s->mesh_count = tia_parse_count(job, TIA_OF_MESHES);
     s->grids = tia_parse_at(job, TIA_OF_GRIDS, 0);
     s->grid_count = tia_parse_count(job, TIA_OF_GRIDS);
+    s->solids = tia_parse_at(job, TIA_OF_SOLIDS, 0);
+    s->solid_count = tia_parse_count(job, TIA_OF_SOLIDS);
     s->lights = tia_parse_at(job, TIA_OF_LIGHTS, 0);
     s->light_count = tia_parse_count(job, TIA_OF_LIGHTS);
     s->bindings = tia_parse_at(job, TIA_OF_BINDINGS, 0);
@@ -261,8 +273,15 @@ static void size_arrays(struct tia_parse *job)
         [TIA_OF_NORMALS] = sizeof(struct tia_dir3),
         [TIA_OF_UVS] = sizeof(struct tia_uv),
         [TIA_OF_FACES] = sizeof(struct tia_face),
+        [TIA_OF_FACE_GROUPS] = sizeof(uint32_t),
         [TIA_OF_GRIDS] = sizeof(struct tia_grid),
         [TIA_OF_CELLS] = sizeof(uint8_t),
+        [TIA_OF_MODELS] = sizeof(struct tia_parse_model),
+        [TIA_OF_MODEL_WORDS] = sizeof(uint64_t),
+        [TIA_OF_PARTS] = sizeof(struct tia_parse_part),
+        [TIA_OF_SOLIDS] = sizeof(struct tia_solid),
+        [TIA_OF_MEMBERS] = sizeof(struct tia_shape),
+        [TIA_OF_STEPS] = sizeof(uint8_t),
         [TIA_OF_LIGHTS] = sizeof(struct tia_light),
         [TIA_OF_BINDINGS] = sizeof(struct tia_binding),
         [TIA_OF_TRACKS] = sizeof(struct tia_track),
@@ -303,6 +322,7 @@ int tia_parse_read(struct tia_parse *job, struct tia_arena *arena)
         tia_alter_measured(job->reader, &job->scene->camera, &job->reach.lengths);
     } while (!job->reader->unscaled && tia_lengths_widen(&job->reach.lengths, &bits));
     tia_reach_camera(&job->reach, &job->scene->camera);
+    tia_models_count(job);
     for (unsigned i = 0; i < TIA_ARRAYS; i++)
         (void)tia_array_place(arena, &job->arrays[i]);
     if (!tia_arena_fits(arena))
@@ -319,6 +339,7 @@ static void finish(struct tia_parse *job)
     resolve_tracks(job);
     tia_alter_measured(job->reader, &job->scene->camera, &job->reach.lengths);
     tia_events_resolve(job);
+    tia_models_resolve(job);
     set_arrays(job);
 }
 

@@ -60,12 +60,22 @@ static bool is_left(const struct box_axis *axis, num_length t)
     return num_times(t, axis->speed) > axis->leave;
 }
 
+struct box_axes {
+    struct box_axis of[3];
+};
+
+static struct box_axes axes_of(const struct prepared_box *box, const struct ray *ray)
+{
+    return (struct box_axes){{box_axis(box->min.x, box->max.x, ray->origin.x, ray->direction.x),
+                              box_axis(box->min.y, box->max.y, ray->origin.y, ray->direction.y),
+                              box_axis(box->min.z, box->max.z, ray->origin.z, ray->direction.z)}};
+}
+
 bool box_intersect(const struct prepared_box *box, const struct ray *ray, num_length limit,
                    struct intersection *intersection, bool *inside)
 {
-    const struct box_axis axes[3] = {box_axis(box->min.x, box->max.x, ray->origin.x, ray->direction.x),
-                                     box_axis(box->min.y, box->max.y, ray->origin.y, ray->direction.y),
-                                     box_axis(box->min.z, box->max.z, ray->origin.z, ray->direction.z)};
+    const struct box_axes all = axes_of(box, ray);
+    const struct box_axis *axes = all.of;
     num_length t = 0;
 
     if (is_passed(&axes[0]) || is_passed(&axes[1]) || is_passed(&axes[2]))
@@ -112,6 +122,27 @@ static bool intersect(const struct shape *shape, const struct ray *ray, num_leng
     return box_intersect(&shape->box, ray, limit, intersection, &inside);
 }
 
+/* The exit of a ray that starts outside is at its entry or later, whatever the roundings. */
+static bool chord_of(const struct shape *shape, const struct ray *ray, num_length after, struct chord *chord)
+{
+    const struct prepared_box *box = &shape->box;
+    bool inside;
+
+    if (!box_intersect(box, ray, NUM_LENGTH_MAX, &chord->enter, &inside))
+        return false;
+    chord->leave = chord->enter;
+    if (inside) {
+        chord->enter.t = -NUM_LENGTH_MAX;
+    } else {
+        const struct box_axes axes = axes_of(box, ray);
+        num_length t = 0;
+        int axis = leave(axes.of, &t);
+        chord->leave.t = t > chord->enter.t ? t : chord->enter.t;
+        chord->leave.element = entered(axes.of, axis) ^ 1;
+    }
+    return chord->leave.t > after;
+}
+
 static void surface_at(const struct shape *shape, struct num_point point, uint32_t element, struct surface *surface)
 {
     (void)shape;
@@ -130,4 +161,4 @@ static void prepare(struct shape *shape, const struct tia_scene *scene, const st
     shape->box = (struct prepared_box){num_point_of(given->box.min), num_point_of(given->box.max)};
 }
 
-const struct shape_kind SHAPE_KIND(box) = {prepare, intersect, shape_occludes, surface_at, uv_at};
+const struct shape_kind SHAPE_KIND(box) = {prepare, intersect, shape_occludes, surface_at, uv_at, chord_of};

@@ -29,4 +29,4 @@ static void prepare(struct shape *shape, const struct tia_scene *scene, const st
     shape->plane.radius = num_length_of(given->disc.radius);
 }
 
-const struct shape_kind SHAPE_KIND(disc) = {prepare, intersect, shape_occludes, flat_surface, uv_at};
+const struct shape_kind SHAPE_KIND(disc) = {prepare, intersect, shape_occludes, flat_surface, uv_at, NULL};

@@ -156,4 +156,4 @@ static void prepare(struct shape *shape, const struct tia_scene *scene, const st
     shape->grid = (struct prepared_grid){grid, num_point_of(grid->corner), num_length_of(grid->cell)};
 }
 
-const struct shape_kind SHAPE_KIND(grid) = {prepare, intersect, shape_occludes, surface_at, uv_at};
+const struct shape_kind SHAPE_KIND(grid) = {prepare, intersect, shape_occludes, surface_at, uv_at, NULL};

@@ -211,4 +211,4 @@ static void prepare(struct shape *shape, const struct tia_scene *scene, const st
     shape->mesh.tree = scene->bvh ? &scene->bvh->meshes[given->mesh] : NULL;
 }
 
-const struct shape_kind SHAPE_KIND(mesh) = {prepare, intersect, occluded, surface_at, uv_at};
+const struct shape_kind SHAPE_KIND(mesh) = {prepare, intersect, occluded, surface_at, uv_at, NULL};

@@ -16,6 +16,21 @@ static bool intersect(const struct shape *shape, const struct ray *ray, num_leng
     return is_near(p.x) && is_near(p.y) && is_near(p.z);
 }
 
+/* The half-space behind the plane: its chord begins or ends at infinity. */
+static bool chord_of(const struct shape *shape, const struct ray *ray, num_length after, struct chord *chord)
+{
+    const struct prepared_plane *plane = &shape->plane;
+    num_unit slope = num_dir_dot(ray->direction, plane->normal);
+    num_length height = num_point_dot(num_point_sub(plane->point, ray->origin), plane->normal);
+
+    *chord = (struct chord){{-NUM_LENGTH_MAX, 0}, {NUM_LENGTH_MAX, 0}};
+    if (slope < NUM_UNIT_LEAST && slope > -NUM_UNIT_LEAST)
+        return height > 0 && after < NUM_LENGTH_MAX;
+    struct intersection *end = slope < 0 ? &chord->enter : &chord->leave;
+    end->t = num_div(height, slope);
+    return chord->leave.t > after;
+}
+
 static void uv_at(const struct shape *shape, struct num_point point, uint32_t element, num_length uv[2])
 {
     (void)element;
@@ -29,4 +44,5 @@ static void prepare(struct shape *shape, const struct tia_scene *scene, const st
     shape->uv_bits = (int8_t)-scene->scale_bits;
 }
 
-const struct shape_kind SHAPE_KIND(plane) = {prepare, intersect, shape_occludes, flat_surface, uv_at};
+const struct shape_kind SHAPE_KIND(plane) = {prepare, intersect, shape_occludes, flat_surface, uv_at,
+                                           chord_of};

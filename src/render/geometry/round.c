@@ -156,16 +156,39 @@ static bool take(const struct prepared_cone *cone, const struct beam *b, num_len
     return intersection->t >= 0 && intersection->t <= limit;
 }
 
+/* Gives the intervals of t inside the side and between the ends; false if they share nothing. */
+static bool spans_of(const struct prepared_cone *cone, const struct beam *b, struct span *side, struct span *height)
+{
+    *side = side_span(cone, b);
+    *height = height_span(cone, b);
+    return side->near <= side->far && side->near <= height->far && height->near <= side->far;
+}
+
+bool round_chord(const struct shape *shape, const struct ray *ray, num_length after, struct chord *chord)
+{
+    const struct prepared_cone *cone = &shape->cone;
+    struct beam b = {.start = 0};
+    struct span side, height;
+
+    if (!beam_of(cone, ray, NUM_LENGTH_MAX, &b) || !spans_of(cone, &b, &side, &height))
+        return false;
+    bool rises = b.rise > 0, enters = side.near >= height.near, leaves = side.far <= height.far;
+    num_length near = enters ? side.near : height.near, far = leaves ? side.far : height.far;
+    if (near < -cone->reach || far > cone->reach)
+        return false;
+    chord->enter = (struct intersection){b.start + near, enters ? ROUND_SIDE : rises ? ROUND_BASE : ROUND_TOP};
+    chord->leave = (struct intersection){b.start + far, leaves ? ROUND_SIDE : rises ? ROUND_TOP : ROUND_BASE};
+    return chord->leave.t > after && near <= far;
+}
+
 bool round_intersect(const struct shape *shape, const struct ray *ray, num_length limit,
                      struct intersection *intersection)
 {
     const struct prepared_cone *cone = &shape->cone;
     struct beam b = {.start = 0};
+    struct span side, height;
 
-    if (!beam_of(cone, ray, limit, &b))
-        return false;
-    struct span side = side_span(cone, &b), height = height_span(cone, &b);
-    if (side.near > side.far || side.near > height.far || height.near > side.far)
+    if (!beam_of(cone, ray, limit, &b) || !spans_of(cone, &b, &side, &height))
         return false;
     bool enters = side.near >= height.near, leaves = side.far <= height.far;
     if (cone->capped) {
@@ -259,7 +282,10 @@ struct tia_fine_ends round_fine(const struct tia_scene *scene, const struct tia_
 {
     static const struct tia_fine_ends none = {0};
 
-    return scene->fine && !given->transform ? scene->fine->shapes[given - scene->shapes] : none;
+    /* members of solids are not among the scene's shapes, and have none */
+    size_t i = ((uintptr_t)given - (uintptr_t)scene->shapes) / sizeof *given;
+
+    return scene->fine && !given->transform && i < scene->shape_count ? scene->fine->shapes[i] : none;
 }
 
 void round_prepare(struct prepared_cone *cone, const struct round_ends *ends, bool capped)

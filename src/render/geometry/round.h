@@ -22,6 +22,8 @@ void round_prepare(struct prepared_cone *cone, const struct round_ends *ends, bo
 /* Implements `intersect` of struct shape_kind. */
 bool round_intersect(const struct shape *shape, const struct ray *ray, num_length limit,
                      struct intersection *intersection);
+/* Implements `chord` of struct shape_kind. */
+bool round_chord(const struct shape *shape, const struct ray *ray, num_length after, struct chord *chord);
 /* Implements `surface` of struct shape_kind. */
 void round_surface(const struct shape *shape, struct num_point point, uint32_t element, struct surface *surface);
 /* Implements `uv` of struct shape_kind. */

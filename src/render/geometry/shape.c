@@ -13,7 +13,7 @@ void shape_prepare(struct shape *shape, const struct tia_scene *scene, const str
 
 uint32_t shape_material(const struct shape *shape, uint32_t element)
 {
-    if (shape->kind != &SHAPE_KIND(grid))
-        return shape->material;
-    return shape->material + shape->grid.grid->cells[element / 6] - 1;
+    if (shape->kind == &SHAPE_KIND(grid))
+        return shape->material + shape->grid.grid->cells[element / 6] - 1;
+    return shape_part(shape, &element)->material;
 }

@@ -60,6 +60,12 @@ struct intersection {
     uint32_t element;
 };
 
+/* A part of the line of a ray that is inside a shape. enter.t is negative if the ray starts inside; its element is then
+ * undefined. */
+struct chord {
+    struct intersection enter, leave;
+};
+
 /* The surface at an intersection, for shading. */
 struct surface {
     struct num_dir normal; /* geometric normal of length 1, outward as in tia/shape.h */
@@ -83,6 +89,9 @@ struct shape_kind {
     void (*surface)(const struct shape *shape, struct num_point point, uint32_t element, struct surface *surface);
     /* Gives the surface coordinates of a point, see tia/shape.h. */
     void (*uv)(const struct shape *shape, struct num_point point, uint32_t element, num_length uv[2]);
+    /* NULL for shapes that cannot be members of solids. Else finds the first chord of the ray's line with leave.t above
+     * `after`, which is at least -NUM_LENGTH_LEAST. */
+    bool (*chord)(const struct shape *shape, const struct ray *ray, num_length after, struct chord *chord);
 };
 
 /* A plane or disc. */
@@ -125,6 +134,26 @@ struct prepared_grid {
     num_length cell;
 };
 
+/* A solid; its members are in its own axes. */
+struct prepared_solid {
+    const struct tia_solid *solid;
+    const struct shape *members;
+};
+
+struct prepared_torus {
+    struct num_point centre;
+    struct num_dir axis, across[2]; /* of length 1, at right angles, as those of a cone */
+    num_length major, minor;
+    num_length reach;    /* radius of a ball around the centre that has the torus inside */
+    num_divisor per;     /* of reach, the unit of the numbers below */
+    num_unit ring, bulk; /* R^2 and R^2 - r^2 */
+};
+
+struct prepared_rounded {
+    struct prepared_box box;
+    num_length radius;
+};
+
 /* Parts that a refracted ray may enter: none, the shape, or one of its cells. */
 enum inside { INSIDE_NONE, INSIDE_WHOLE, INSIDE_CELLS };
 
@@ -143,6 +172,9 @@ struct shape {
         struct tia_triangle triangle;
         struct prepared_mesh mesh;
         struct prepared_grid grid;
+        struct prepared_solid solid;
+        struct prepared_torus torus;
+        struct prepared_rounded rounded;
     };
 };
 
@@ -164,8 +196,12 @@ uint32_t mesh_groups_met(const struct shape *shape, const struct ray *ray, num_l
 /* Implements `occluded` for shapes without a faster test: calls intersect. */
 bool shape_occludes(const struct shape *shape, const struct ray *ray, num_length limit);
 
-/* Returns the material of an element: a grid's cells have their own. */
+/* Returns the material of an element: a grid's cells and a solid's members have their own. */
 uint32_t shape_material(const struct shape *shape, uint32_t element);
+
+/* Returns the member of a solid that an element belongs to; for other shapes, the shape itself. *element becomes the
+ * member's own. */
+const struct shape *shape_part(const struct shape *shape, uint32_t *element);
 
 /* Gives the axes A, B of tia/light.h for a normal. */
 void shape_axes(struct num_dir normal, struct num_dir axes[2]);

@@ -44,6 +44,17 @@ static bool intersect(const struct shape *shape, const struct ray *ray, num_leng
     return sphere_intersect(shape->sphere.centre, shape->sphere.radius, ray, limit, &intersection->t);
 }
 
+static bool chord_of(const struct shape *shape, const struct ray *ray, num_length after, struct chord *chord)
+{
+    num_length radius = shape->sphere.radius;
+    struct num_point l = num_point_sub(shape->sphere.centre, ray->origin);
+    num_length tca = num_point_dot(l, ray->direction);
+    num_length thc = num_half_chord(radius, num_point_sub(l, num_point_along(ray->direction, tca)));
+
+    *chord = (struct chord){{tca - thc, 0}, {tca + thc, 0}};
+    return thc >= 0 && chord->leave.t > after;
+}
+
 static void surface_at(const struct shape *shape, struct num_point point, uint32_t element, struct surface *surface)
 {
     (void)element;
@@ -62,4 +73,5 @@ static void prepare(struct shape *shape, const struct tia_scene *scene, const st
     shape->sphere = (struct prepared_sphere){num_point_of(given->sphere.centre), num_length_of(given->sphere.radius)};
 }
 
-const struct shape_kind SHAPE_KIND(sphere) = {prepare, intersect, shape_occludes, surface_at, uv_at};
+const struct shape_kind SHAPE_KIND(sphere) = {prepare, intersect, shape_occludes, surface_at, uv_at,
+                                            chord_of};

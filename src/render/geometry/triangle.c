@@ -253,4 +253,4 @@ static void prepare(struct shape *shape, const struct tia_scene *scene, const st
     shape->triangle = given->triangle;
 }
 
-const struct shape_kind SHAPE_KIND(triangle) = {prepare, intersect, shape_occludes, surface_at, uv_at};
+const struct shape_kind SHAPE_KIND(triangle) = {prepare, intersect, shape_occludes, surface_at, uv_at, NULL};

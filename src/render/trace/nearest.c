@@ -198,7 +198,8 @@ int ray_uv(const struct ray_view *view, const struct hit *hit, struct num_point 
     if (shape->instance)
         point = instance_point(shape->instance, point);
     shape->kind->uv(shape, point, hit->element, uv);
-    return shape->uv_bits;
+    uint32_t element = hit->element;
+    return shape_part(shape, &element)->uv_bits;
 }
 
 uint32_t ray_material(const struct ray_view *view, uint32_t object, uint32_t element)

@@ -10,11 +10,22 @@ struct mesh_facts {
     bool has_box, has_edges, is_closed;
 };
 
+/* Returns the number of members of all solids. */
+static uint64_t solid_members(const struct tia_scene *scene)
+{
+    uint64_t count = 0;
+
+    for (uint32_t i = 0; i < scene->solid_count; i++)
+        count += scene->solids[i].member_count;
+    return count;
+}
+
 size_t ray_prepared_size(const struct tia_scene *scene, uint32_t light_capacity)
 {
     uint64_t size = ALIGN(sizeof(struct ray_view)) + ALIGN((uint64_t)light_capacity * sizeof(struct ray_light)) +
-                    (uint64_t)scene->shape_count * (sizeof(struct shape) + sizeof(struct instance)) +
-                    (uint64_t)scene->mesh_count * sizeof(struct mesh_facts);
+                    (scene->shape_count + solid_members(scene)) * (sizeof(struct shape) + sizeof(struct instance)) +
+                    (uint64_t)scene->mesh_count * sizeof(struct mesh_facts) +
+                    (uint64_t)scene->solid_count * sizeof(struct shape *);
 
     return size < SIZE_MAX / 2 ? (size_t)size : SIZE_MAX;
 }
@@ -23,6 +34,8 @@ size_t ray_prepared_size(const struct tia_scene *scene, uint32_t light_capacity)
 struct preparation {
     const struct tia_scene *scene;
     struct mesh_facts *meshes;
+    const struct shape **solids; /* the first member of each solid */
+    struct instance *instance;   /* the next one to use */
     struct cancel cancel;
 };
 
@@ -87,37 +100,65 @@ static bool have_footprints(const struct tia_scene *scene)
     return found;
 }
 
-/* Prepares a shape's instance. Returns false if the shape has no transform. */
-static bool place(struct preparation *p, const struct tia_shape *given, struct instance *instance)
+/* True if a member of the solid has an opacity texture. */
+static bool solid_has_opacity(const struct tia_scene *scene, const struct tia_solid *solid)
+{
+    bool found = false;
+
+    for (uint32_t i = 0; i < solid->member_count; i++)
+        found = found || have_opacity(scene, solid->members[i].material, 1);
+    return found;
+}
+
+/* Gives a shape its instance, if the shape has a transform. */
+static void place(struct preparation *p, const struct tia_shape *given, struct shape *shape)
 {
     struct bounds_wide box;
 
+    shape->instance = NULL;
     if (!given->transform)
-        return false;
+        return;
     tia_bounds_in_own_axes(p->scene, given, given->kind == TIA_MESH ? mesh_box(p, given->mesh) : NULL, &box);
-    instance_prepare(instance, &p->scene->transforms[given->transform - 1], &box);
-    return true;
+    instance_prepare(p->instance, &p->scene->transforms[given->transform - 1], &box);
+    shape->instance = p->instance++;
+}
+
+static void prepare_shape(struct preparation *p, const struct tia_shape *given, struct shape *shape)
+{
+    const struct tia_scene *scene = p->scene;
+
+    shape->material = given->material;
+    shape->inside = inside_of(p, given);
+    shape->layered = have_opacity(scene, given->material, given->kind == TIA_GRID ? UINT8_MAX : 1);
+    shape_prepare(shape, scene, given);
+    place(p, given, shape);
+    if (given->kind == TIA_SOLID) {
+        shape->solid.members = p->solids[given->solid];
+        shape->layered = solid_has_opacity(scene, shape->solid.solid);
+    }
+}
+
+/* Prepares the members of all solids. */
+static void prepare_solids(struct shape *members, struct preparation *p)
+{
+    const struct tia_scene *scene = p->scene;
+
+    for (uint32_t i = 0; i < scene->solid_count && !cancelled(&p->cancel, 1); i++) {
+        p->solids[i] = members;
+        for (uint32_t k = 0; k < scene->solids[i].member_count; k++)
+            prepare_shape(p, &scene->solids[i].members[k], members++);
+    }
 }
 
 static int prepare_shapes(struct ray_view *view, struct preparation *p)
 {
     const struct tia_scene *scene = p->scene;
-    struct instance *instance = view->instances;
 
     for (uint32_t i = 0; i < scene->mesh_count; i++)
         p->meshes[i].has_box = p->meshes[i].has_edges = false;
-    for (uint32_t i = 0; i < scene->shape_count && !cancelled(&p->cancel, 1); i++) {
-        const struct tia_shape *given = &scene->shapes[i];
-        struct shape *shape = &view->shapes[i];
-
-        shape->material = given->material;
-        shape->inside = inside_of(p, given);
-        shape->layered = have_opacity(scene, given->material, given->kind == TIA_GRID ? UINT8_MAX : 1);
-        shape->instance = NULL;
-        shape_prepare(shape, scene, given);
-        if (place(p, given, instance))
-            shape->instance = instance++;
-    }
+    prepare_solids(view->shapes + scene->shape_count, p);
+    for (uint32_t i = 0; i < scene->shape_count && !cancelled(&p->cancel, 1); i++)
+        prepare_shape(p, &scene->shapes[i], &view->shapes[i]);
     return p->cancel.stopped ? TIA_STOPPED : TIA_OK;
 }
 
@@ -125,14 +166,16 @@ int ray_prepare(struct tia_view *view)
 {
     const struct tia_scene *scene = view->scene;
     struct ray_view *rays = view->prepared;
-    struct preparation preparation = {scene, NULL, view_cancel(view)};
+    struct preparation preparation = {.scene = scene, .cancel = view_cancel(view)};
+    size_t shapes = (size_t)(scene->shape_count + solid_members(scene));
 
     rays->view = view;
     rays->scene = scene;
     rays->lights = (struct ray_light *)(void *)((char *)view->prepared + ALIGN(sizeof *rays));
     rays->shapes = (struct shape *)(void *)((char *)rays->lights + ALIGN(view->light_capacity * sizeof *rays->lights));
-    rays->instances = (struct instance *)(rays->shapes + scene->shape_count);
-    preparation.meshes = (struct mesh_facts *)(rays->instances + scene->shape_count);
+    rays->instances = preparation.instance = (struct instance *)(rays->shapes + shapes);
+    preparation.solids = (const struct shape **)(void *)(rays->instances + shapes);
+    preparation.meshes = (struct mesh_facts *)(void *)(preparation.solids + scene->solid_count);
     rays->light_count = 0;
     rays->depth = scene->depth ? scene->depth : TIA_DEPTH_DEFAULT;
     ray_camera_prepare(&rays->camera, scene, view->width, view->height);

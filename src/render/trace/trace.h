@@ -12,8 +12,8 @@ struct ray_view {
     const struct tia_view *view; /* the view that these data belong to */
     const struct tia_scene *scene;
     struct ray_camera camera;
-    struct shape *shapes;       /* the scene's shapes, prepared */
-    struct instance *instances; /* one for each shape that has a transform */
+    struct shape *shapes;       /* the scene's shapes, prepared; behind them the members of its solids */
+    struct instance *instances; /* one for each shape and each member of a solid that has a transform */
     struct ray_light *lights;
     uint32_t light_count, depth;
     num_length bias; /* offset of rays from surfaces */

@@ -42,11 +42,13 @@ static void keep(struct filters *filters, const struct filter *filter)
     filters->count += filters->count < KEPT;
 }
 
-static bool is_grid(const struct ray_view *view, uint32_t object)
+/* True if the material depends on the element: for grids and solids. */
+static bool has_materials(const struct ray_view *view, uint32_t object)
 {
     uint32_t spheres = view->scene->sphere_count;
+    enum tia_shape_kind kind = object < spheres ? TIA_SPHERE : view->scene->shapes[object - spheres].kind;
 
-    return object >= spheres && view->scene->shapes[object - spheres].kind == TIA_GRID;
+    return kind == TIA_GRID || kind == TIA_SOLID;
 }
 
 /* A shadow ray that crosses an object with an opacity texture. */
@@ -122,7 +124,7 @@ static bool object_transmits(const struct ray_view *view, const struct ray *ray,
                              struct filters *filters)
 {
     const struct tia_material *materials = view->scene->materials;
-    bool grid = is_grid(view, object);
+    bool several = has_materials(view, object);
     struct filter filter = {.object = object};
     uint32_t element = 0;
 
@@ -130,7 +132,7 @@ static bool object_transmits(const struct ray_view *view, const struct ray *ray,
         return true;
     if (view->layered && ray_is_layered(view, object))
         return layers_transmit(view, ray, object, limit, filters);
-    if (!ray_occluded_by(view, ray, object, limit, grid ? &element : NULL))
+    if (!ray_occluded_by(view, ray, object, limit, several ? &element : NULL))
         return true;
     const struct tia_rgb *transmission = &materials[ray_material(view, object, element)].transmission;
     if (filters->opaque || colour_is_black(transmission)) {

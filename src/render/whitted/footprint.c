@@ -61,24 +61,32 @@ static num_length around(num_length x)
     return x > NUM_LENGTH_ONE / 2 ? x - NUM_LENGTH_ONE : x < -NUM_LENGTH_ONE / 2 ? x + NUM_LENGTH_ONE : x;
 }
 
-static const struct shape_kind *kind_of(const struct ray_view *view, uint32_t object)
+/* Returns the kind of the shape that is hit, or of the member of a solid, and its element. */
+static const struct shape_kind *kind_of(const struct ray_view *view, const struct hit *hit, uint32_t *element)
 {
     uint32_t spheres = view->scene->sphere_count;
 
-    return object < spheres ? &SHAPE_KIND(sphere) : view->shapes[object - spheres].kind;
+    *element = hit->element;
+    return hit->object < spheres ? &SHAPE_KIND(sphere)
+                                 : shape_part(&view->shapes[hit->object - spheres], element)->kind;
 }
 
 /* True if the coordinate u goes round at the hit: on spheres, and on the sides of cylinders and cones. */
-static bool is_round(const struct shape_kind *kind, uint32_t element)
+static bool is_round(const struct ray_view *view, const struct hit *hit)
 {
+    uint32_t element;
+    const struct shape_kind *kind = kind_of(view, hit, &element);
     bool has_sides = kind == &SHAPE_KIND(cylinder) || kind == &SHAPE_KIND(cone);
 
     return kind == &SHAPE_KIND(sphere) || (has_sides && element == ROUND_SIDE);
 }
 
 /* True for the shapes whose coordinates u, v continue beyond their edges. */
-static bool has_footprints(const struct shape_kind *kind)
+static bool has_footprints(const struct ray_view *view, const struct hit *hit)
 {
+    uint32_t element;
+    const struct shape_kind *kind = kind_of(view, hit, &element);
+
     return kind != &SHAPE_KIND(triangle) && kind != &SHAPE_KIND(mesh);
 }
 
@@ -100,7 +108,7 @@ static void set_edge(const struct ray_view *view, const struct hit *hit, const s
         const struct num_pattern pattern = pattern_of(t, i);
         num_length d = to[i] - from[i];
 
-        if (i == 0 && is_round(kind_of(view, hit->object), hit->element))
+        if (i == 0 && is_round(view, hit))
             d = around(d);
         edge[i] = num_repeats(d, bits, &pattern);
     }
@@ -202,7 +210,7 @@ void footprint_filter(const struct ray_view *view, const struct light_pixel *pix
     struct print p;
 
     if (!t || !t->footprint || t->kind != TIA_CHECKER || colour_is_black(&s->material->colour) ||
-        !has_footprints(kind_of(view, hit->object)))
+        !has_footprints(view, hit))
         return;
     for (int i = 0; i < 2; i++) {
         struct ray next;

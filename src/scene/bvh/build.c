@@ -94,6 +94,11 @@ bool tia_bvh_object_box(struct tia_bounds *box, const struct tia_scene *scene, u
     return tia_bounds_in_world(scene, object, &own, &wide) && tia_bounds_with_margin(&wide, box);
 }
 
+static bool is_costly(enum tia_shape_kind kind)
+{
+    return kind == TIA_CYLINDER || kind == TIA_CONE || kind == TIA_TORUS || kind == TIA_ROUNDED;
+}
+
 /* Returns the mean cost of testing an item, at least 1. */
 static uint32_t object_cost(const struct tia_scene *scene, const uint32_t *items, uint32_t count, struct cancel *cancel)
 {
@@ -103,7 +108,7 @@ static uint32_t object_cost(const struct tia_scene *scene, const uint32_t *items
         uint32_t spheres = scene->sphere_count;
         bool sphere = items[i] < spheres;
         enum tia_shape_kind kind = sphere ? TIA_SPHERE : scene->shapes[items[i] - spheres].kind;
-        sum += sphere ? SPHERE_COST : kind == TIA_CYLINDER || kind == TIA_CONE ? ROUND_COST : FACE_COST;
+        sum += sphere ? SPHERE_COST : is_costly(kind) ? ROUND_COST : FACE_COST;
     }
     return sum > count ? (uint32_t)(sum / count) : 1;
 }

@@ -39,14 +39,25 @@ struct following {
     bool fits; /* all moved objects still have a box */
 };
 
+/* True if transform `number`, from 1, is as it was; also if it is 0. */
+static bool is_still(const struct following *f, uint32_t number)
+{
+    return !number || same(&f->scene->transforms[number - 1], &f->standing->transforms[number - 1],
+                           sizeof(struct tia_transform));
+}
+
 /* True if the object has moved; spheres without a transform never do. */
 static bool has_moved(const struct following *f, uint32_t object)
 {
     if (object < f->scene->sphere_count)
         return false;
-    uint32_t i = object - f->scene->sphere_count, transform = f->scene->shapes[i].transform;
-    bool same_place = !transform || same(&f->scene->transforms[transform - 1], &f->standing->transforms[transform - 1],
-                                         sizeof(struct tia_transform));
+    uint32_t i = object - f->scene->sphere_count;
+    const struct tia_shape *shape = &f->scene->shapes[i];
+    const struct tia_solid *solid = shape->kind == TIA_SOLID ? &f->scene->solids[shape->solid] : NULL;
+    bool same_place = is_still(f, shape->transform);
+
+    for (uint32_t k = 0; solid && k < solid->member_count; k++)
+        same_place = same_place && is_still(f, solid->members[k].transform);
     return !same_place || !same(&f->scene->shapes[i], &f->standing->shapes[i], sizeof(struct tia_shape));
 }
 

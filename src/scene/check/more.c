@@ -14,6 +14,13 @@ static void find_eyes(const struct tia_scene *scene, struct tia_bounds *eyes)
     tia_check_eyes(&scene->camera, eyes);
 }
 
+static bool are_arrays(const struct tia_scene *s)
+{
+    return check_is_array(s->shapes, s->shape_count) && check_is_array(s->transforms, s->transform_count) &&
+           check_is_array(s->meshes, s->mesh_count) && check_is_array(s->grids, s->grid_count) &&
+           check_is_array(s->solids, s->solid_count);
+}
+
 static int check_parts(struct check *check)
 {
     static const struct {
@@ -25,12 +32,16 @@ static int check_parts(struct check *check)
         {"transform", offsetof(struct tia_scene, transform_count), tia_check_transform},
         {"mesh", offsetof(struct tia_scene, mesh_count), tia_check_mesh},
         {"grid", offsetof(struct tia_scene, grid_count), tia_check_grid},
+        {"solid", offsetof(struct tia_scene, solid_count), tia_check_solid},
         {"shape", offsetof(struct tia_scene, shape_count), tia_check_shape},
         {"track", offsetof(struct tia_scene, track_count), tia_check_track},
     };
     const struct tia_scene *s = check->scene;
     int status = TIA_OK;
 
+    check->thing = "scene";
+    check->index = 0;
+    REQUIRE(are_arrays(s), "arrays", "an array with a count must not be NULL");
     for (size_t i = 0; !status && i < sizeof parts / sizeof *parts; i++)
         status = tia_check_each(check, parts[i].thing,
                                 *(const uint32_t *)(const void *)((const char *)s + parts[i].count), parts[i].one);

@@ -1,18 +1,12 @@
 /* scene.c - the whole check, in order: objects are checked before the indices that refer to them. */
 #include "scene_check.h"
 
-static bool is_array(const void *array, uint32_t count)
-{
-    return array || !count;
-}
-
+/* True if the arrays of scenes of spheres are there; more.c checks the others. */
 static bool are_arrays(const struct tia_scene *s)
 {
-    return is_array(s->materials, s->material_count) && is_array(s->spheres, s->sphere_count) &&
-           is_array(s->lights, s->light_count) && is_array(s->bindings, s->binding_count) &&
-           is_array(s->shapes, s->shape_count) && is_array(s->transforms, s->transform_count) &&
-           is_array(s->textures, s->texture_count) && is_array(s->meshes, s->mesh_count) &&
-           is_array(s->grids, s->grid_count) && is_array(s->tracks, s->track_count);
+    return check_is_array(s->materials, s->material_count) && check_is_array(s->spheres, s->sphere_count) &&
+           check_is_array(s->lights, s->light_count) && check_is_array(s->bindings, s->binding_count) &&
+           check_is_array(s->textures, s->texture_count) && check_is_array(s->tracks, s->track_count);
 }
 
 /* True if the hierarchy, if any, has as many objects as the scene: a hierarchy of another scene would omit some. */
@@ -77,8 +71,8 @@ static int check_parts(struct check *check)
 static int refuse_more(const struct check *check)
 {
     const struct tia_scene *s = check->scene;
-    uint32_t counts =
-        s->shape_count | s->transform_count | s->texture_count | s->mesh_count | s->grid_count | s->track_count;
+    uint32_t counts = s->shape_count | s->transform_count | s->texture_count | s->mesh_count | s->grid_count |
+                      s->solid_count | s->track_count;
 
     REQUIRE(!counts && !s->falling && !s->shadows, "counts", "must have spheres alone, without techniques for shadows");
     return TIA_OK;

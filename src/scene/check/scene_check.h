@@ -93,6 +93,7 @@ int tia_check_sphere(const struct check *check);
 int tia_check_transform(const struct check *check);
 int tia_check_mesh(const struct check *check);
 int tia_check_grid(const struct check *check);
+int tia_check_solid(const struct check *check);
 int tia_check_shape(const struct check *check);
 int tia_check_track(const struct check *check);
 int tia_check_fall(const struct check *check);
@@ -111,6 +112,9 @@ bool tia_check_is_light_near(const struct check *check, const struct tia_light *
 /* Checks that the box of a shape is near every position of the eye and, if the shape has a transform, not too flat. */
 int tia_check_placed(const struct check *check, const struct tia_shape *shape, const struct bounds_wide *box);
 
+/* Checks that a transformed box is not too flat; the shape has a transform. */
+int tia_check_roundness(const struct check *check, const struct tia_shape *shape, const struct bounds_wide *box);
+
 /* Checks the shapes that use meshes and grids, the scene's unit of length, and its fine digits. */
 int tia_check_uses(struct check *check);
 
@@ -124,5 +128,10 @@ void tia_check_eyes(const struct tia_camera *camera, struct tia_bounds *eyes);
 int tia_check_rendering(struct check *check);
 /* Checks the scene by the rules of its technique for shadows. */
 int tia_check_shadows(struct check *check);
+
+static inline bool check_is_array(const void *array, uint32_t count)
+{
+    return array || !count;
+}
 
 #endif

@@ -30,13 +30,17 @@ static bool is_round_enough(const struct tia_transform *t, const struct bounds_w
     return scale >= TIA_Q16_ONE || square < limit * limit;
 }
 
+int tia_check_roundness(const struct check *check, const struct tia_shape *s, const struct bounds_wide *box)
+{
+    REQUIRE(is_round_enough(&check->scene->transforms[s->transform - 1], box), "transform",
+            "too flat for its size: the radius around it, over the least scale, must be below 32768");
+    return TIA_OK;
+}
+
 int tia_check_placed(const struct check *check, const struct tia_shape *s, const struct bounds_wide *box)
 {
     REQUIRE(tia_check_is_box_near(check, box), "place", CHECK_FAR);
-    if (s->transform)
-        REQUIRE(is_round_enough(&check->scene->transforms[s->transform - 1], box), "transform",
-                "too flat for its size: the radius around it, over the least scale, must be below 32768");
-    return TIA_OK;
+    return s->transform ? tia_check_roundness(check, s, box) : TIA_OK;
 }
 
 int tia_check_shape(const struct check *check)

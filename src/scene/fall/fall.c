@@ -146,25 +146,48 @@ static void put(const struct fall_ball *ball, struct tia_vec3 *position)
     }
 }
 
+void tia_fall_begin(struct falling *f, const struct tia_scene *scene, void *memory)
+{
+    const struct tia_falling *given = scene->falling;
+
+    f->given = given;
+    f->balls = memory;
+    f->ball_count = given->count;
+    f->blocks = (struct fall_block *)(void *)((char *)memory + ALIGN(given->count * sizeof *f->balls));
+    f->block_count = 0;
+    for (uint32_t i = 0; i < given->count; i++)
+        set_ball(scene, &given->balls[i], &f->balls[i]);
+    set_blocks(f, scene);
+}
+
+void tia_fall_to(struct falling *f, uint32_t tick, uint32_t until)
+{
+    uint32_t left = until >> 8 >= tick ? until - (tick << 8) : 0;
+
+    if (left)
+        tia_fall_tick(f, tick, left < 256 ? left * 16 : FALL_TICK);
+}
+
+void tia_fall_put(const struct falling *f, const struct tia_scene *scene, struct tia_transform *transforms,
+                  struct tia_shape *shapes)
+{
+    for (uint32_t i = 0; i < f->ball_count; i++) {
+        uint32_t shape = f->given->balls[i].shape;
+        put(&f->balls[i], &transforms[scene->shapes[shape].transform - 1].position);
+        if (f->balls[i].lost)
+            tia_fall_hide(scene, &shapes[shape]);
+    }
+}
+
 void tia_fall_at(const struct tia_scene *scene, void *memory, tia_q16 time, struct tia_transform *transforms,
                  struct tia_shape *shapes, struct cancel *cancel)
 {
     const struct tia_falling *given = scene->falling;
-    uint32_t until = (uint32_t)(time < 0 ? 0 : time < given->end ? time : given->end), tick = 0;
-    struct falling f = {.given = given, .balls = memory, .ball_count = given->count, .cancel = cancel};
+    uint32_t until = (uint32_t)(time < 0 ? 0 : time < given->end ? time : given->end);
+    struct falling f = {.cancel = cancel};
 
-    f.blocks = (struct fall_block *)(void *)((char *)memory + ALIGN(given->count * sizeof *f.balls));
-    for (uint32_t i = 0; i < given->count; i++)
-        set_ball(scene, &given->balls[i], &f.balls[i]);
-    set_blocks(&f, scene);
-    for (; tick < until >> 8 && !cancel->stopped; tick++)
-        tia_fall_tick(&f, tick, FALL_TICK);
-    if (!cancel->stopped)
-        tia_fall_tick(&f, tick, (until & 255) * 16);
-    for (uint32_t i = 0; i < given->count; i++) {
-        uint32_t shape = given->balls[i].shape;
-        put(&f.balls[i], &transforms[scene->shapes[shape].transform - 1].position);
-        if (f.balls[i].lost)
-            tia_fall_hide(scene, &shapes[shape]);
-    }
+    tia_fall_begin(&f, scene, memory);
+    for (uint32_t tick = 0; tick <= until >> 8 && !cancel->stopped; tick++)
+        tia_fall_to(&f, tick, until);
+    tia_fall_put(&f, scene, transforms, shapes);
 }

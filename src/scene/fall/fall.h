@@ -5,9 +5,21 @@
 #include <tia/motion.h>
 
 struct cancel;
+struct falling;
 
 /* Returns the number of bytes of memory that tia_fall_at needs; the scene's `falling` must not be NULL. */
 uint64_t tia_fall_size(const struct tia_scene *scene);
+
+/* Sets balls to the beginning, in memory of tia_fall_size bytes. f->cancel must be set. */
+void tia_fall_begin(struct falling *f, const struct tia_scene *scene, void *memory);
+
+/* Moves the balls through tick number `tick`, at whose beginning they are, or as much of it as is before `until`,
+ * Q16.16 s. */
+void tia_fall_to(struct falling *f, uint32_t tick, uint32_t until);
+
+/* Sets the positions of the balls' transforms, and hides the balls that are lost. */
+void tia_fall_put(const struct falling *f, const struct tia_scene *scene, struct tia_transform *transforms,
+                  struct tia_shape *shapes);
 
 /* Sets the positions of the balls' transforms at `time`, and hides the balls that are lost. The arrays hold the scene's
  * elements at that time. Once cancelled, the positions are undefined. */

@@ -143,6 +143,10 @@ static void set_shape(struct sure_scene *s, uint32_t i, const struct sure_places
     o->grouped = o->grouped && !several;
     if (given->kind == TIA_GRID)
         set_cells(o, scene);
+    if (given->kind == TIA_SOLID) { /* its members have their own materials */
+        o->opaque = false;
+        o->unclear = true;
+    }
 }
 
 void tia_sure_set_objects(struct sure_scene *s, const struct sure_places *places)

@@ -13,18 +13,25 @@
 #define CORPUS_RAYS_TEXELS 8                                                      /* texels of an image along an axis */
 
 /* A scene and the arrays that it points to; do not copy it. */
+#define CORPUS_RAYS_SOLIDS 6
+#define CORPUS_RAYS_MEMBERS 7
+
 struct corpus_rays {
     struct tia_scene scene;
     unsigned width, height;
     struct tia_material materials[CORPUS_RAYS_OBJECTS + 3 + CORPUS_RAYS_NESTED];
     struct tia_sphere spheres[CORPUS_RAYS_OBJECTS + 1];
     struct tia_shape shapes[CORPUS_RAYS_OBJECTS + 1 + CORPUS_RAYS_NESTED];
-    struct tia_transform transforms[CORPUS_RAYS_OBJECTS + CORPUS_RAYS_NESTED];
+    struct tia_transform transforms[CORPUS_RAYS_OBJECTS + CORPUS_RAYS_NESTED +
+                                    CORPUS_RAYS_SOLIDS * CORPUS_RAYS_MEMBERS];
     struct tia_light lights[CORPUS_RAYS_LIGHTS];
     struct tia_fog fog;
     struct tia_texture textures[5]; /* the last two are opacities */
     struct tia_mesh meshes[2];
     struct tia_grid grid;
+    struct tia_solid solids[CORPUS_RAYS_SOLIDS];
+    struct tia_shape members[CORPUS_RAYS_SOLIDS][CORPUS_RAYS_MEMBERS];
+    uint8_t steps[CORPUS_RAYS_SOLIDS][2 * CORPUS_RAYS_MEMBERS - 1];
     struct tia_vec3 heights[CORPUS_RAYS_LAND_POINTS];
     struct tia_dir3 slopes[CORPUS_RAYS_LAND_POINTS];
     struct tia_uv places[CORPUS_RAYS_LAND_POINTS];

@@ -14,6 +14,13 @@ void corpus_random_rays(struct corpus_rays *out, uint64_t seed, unsigned index);
 /* Gives on average half of the materials of such a scene an opacity texture, with holes and half-transparent texels. */
 void corpus_add_opacity(struct corpus_rays *out, uint64_t seed);
 
+/* Makes at most 6 of such a scene's shapes solids, of 1 to 7 members each: of random members, some with coinciding faces,
+ * combined at random. */
+void corpus_add_solids(struct corpus_rays *out, uint64_t seed);
+
+/* Makes such a scene's discs tori and its boxes rounded ones. */
+void corpus_add_rings(struct corpus_rays *out, uint64_t seed);
+
 /* Gives such a scene fog, thin or thick; in half of all scenes with a height. */
 void corpus_add_fog(struct corpus_rays *out, uint64_t seed);
 

@@ -33,7 +33,7 @@ struct image {
 };
 
 extern const struct image_codec image_codec_ppm, image_codec_bmp, image_codec_565;
-extern const struct image_codec image_codec_y4m, image_codec_part, image_codec_pfm;
+extern const struct image_codec image_codec_y4m, image_codec_part, image_codec_pfm, image_codec_exr;
 #ifdef TIA_HAVE_PNG
 extern const struct image_codec image_codec_png;
 #endif

@@ -10,19 +10,20 @@
 #include "ports.h"
 
 static const char *const names[] = {
-    [IMAGE_UNKNOWN] = "", [IMAGE_PNG] = "png", [IMAGE_PPM] = "ppm",      [IMAGE_BMP] = "bmp",
-    [IMAGE_565] = "565",  [IMAGE_Y4M] = "y4m", [IMAGE_PART] = "tiapart", [IMAGE_PFM] = "pfm"};
+    [IMAGE_UNKNOWN] = "", [IMAGE_PNG] = "png",      [IMAGE_PPM] = "ppm", [IMAGE_BMP] = "bmp", [IMAGE_565] = "565",
+    [IMAGE_Y4M] = "y4m",  [IMAGE_PART] = "tiapart", [IMAGE_PFM] = "pfm", [IMAGE_EXR] = "exr"};
 
 static const struct image_codec *const codecs[] = {
 #ifdef TIA_HAVE_PNG
     [IMAGE_PNG] = &image_codec_png,
 #endif
     [IMAGE_PPM] = &image_codec_ppm, [IMAGE_BMP] = &image_codec_bmp,   [IMAGE_565] = &image_codec_565,
-    [IMAGE_Y4M] = &image_codec_y4m, [IMAGE_PART] = &image_codec_part, [IMAGE_PFM] = &image_codec_pfm};
+    [IMAGE_Y4M] = &image_codec_y4m, [IMAGE_PART] = &image_codec_part, [IMAGE_PFM] = &image_codec_pfm,
+    [IMAGE_EXR] = &image_codec_exr};
 
 enum image_format image_format_called(const char *name)
 {
-    for (enum image_format format = IMAGE_PNG; format <= IMAGE_PFM; format++)
+    for (enum image_format format = IMAGE_PNG; format <= IMAGE_EXR; format++)
         if (strcasecmp(name, names[format]) == 0)
             return format;
     return IMAGE_UNKNOWN;
@@ -51,7 +52,7 @@ bool image_format_films(enum image_format format)
 
 bool image_format_has(enum image_format format, unsigned depth)
 {
-    if (format == IMAGE_PFM)
+    if (format == IMAGE_PFM || format == IMAGE_EXR)
         return depth == 32;
     return depth == 0 || ((format == IMAGE_PNG || format == IMAGE_PPM) && (depth == 8 || depth == 16));
 }

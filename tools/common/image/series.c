@@ -55,7 +55,8 @@ static int begin_picture(struct series *series, uint32_t frame)
                                        .all_frames = 1,
                                        .rate = {1, 1},
                                        .depth = series->film.depth,
-                                       .transfer = series->film.transfer};
+                                       .transfer = series->film.transfer,
+                                       .surfaces = series->film.surfaces};
     series->image = image_create_film(series->path, series->format, &picture, series->why);
     return series->image ? TIA_OK : TIA_ERR_DEVICE;
 }

@@ -18,9 +18,12 @@ struct scene_wish {
     bool hashed;                            /* set `crc`: 6 ms a megabyte */
     void (*material)(void *ctx, uint32_t index, const char *name);
     void *ctx;
-    void (*opens)(void *ctx, const char *path); /* NULL, or called with each file before it is opened */
+    /* NULL, or called with each file before it is opened; returns false to refuse it */
+    bool (*opens)(void *ctx, const char *path);
     void *opens_ctx;
 };
+
+#define SCENE_REFUSED "not read: the record does not name it"
 
 struct scene_file {
     struct tia_scene scene;
@@ -39,5 +42,11 @@ struct scene_file {
     void *map, *tables; /* of a model, see model.h */
     size_t map_bytes;
 };
+
+/* True if the file may be opened. */
+static inline bool scene_opens(const struct scene_file *file, const char *path)
+{
+    return !file->wish->opens || file->wish->opens(file->wish->opens_ctx, path);
+}
 
 #endif

@@ -22,11 +22,14 @@
 /* Largest size of the memory, in bytes. The memory takes at most some tens of bytes per byte of the file. */
 #define MEMORY_MOST ((size_t)1 << (sizeof(size_t) > 4 ? 34 : 30))
 
-static const char *const names[] = {[TIA_FORMAT_TIA] = "tia", [TIA_FORMAT_NFF] = "nff", [TIA_FORMAT_OBJ] = "obj"};
+static const char *const names[TIA_FORMATS] = {[TIA_FORMAT_TIA] = "tia", [TIA_FORMAT_NFF] = "nff",
+                                               [TIA_FORMAT_OBJ] = "obj", [TIA_FORMAT_STL] = "stl",
+                                               [TIA_FORMAT_PLY] = "ply", [TIA_FORMAT_OFF] = "off",
+                                               [TIA_FORMAT_PGM] = "pgm"};
 
 static int format_called(const char *name)
 {
-    for (int format = TIA_FORMAT_TIA; format <= TIA_FORMAT_OBJ; format++)
+    for (int format = TIA_FORMAT_TIA; format < TIA_FORMATS; format++)
         if (strcasecmp(name, names[format]) == 0)
             return format;
     return SCENE_UNKNOWN;
@@ -53,8 +56,10 @@ static int exhausted(struct scene_file *file)
 static int read_text(struct scene_file *file, struct whole *text)
 {
     const char *why;
-    if (file->wish->opens)
-        file->wish->opens(file->wish->opens_ctx, file->path);
+    if (!scene_opens(file, file->path)) {
+        (void)snprintf(file->why, SCENE_WHY, "%.300s: " SCENE_REFUSED, shown(file));
+        return TIA_ERR_DEVICE;
+    }
     int status = strcmp(file->path, "-") == 0 ? whole_read_from(text, STDIN_FILENO, SCENE_TEXT_MOST, &why)
                                               : whole_read(text, file->path, SCENE_TEXT_MOST, &why);
     if (status == TIA_ERR_MEMORY)

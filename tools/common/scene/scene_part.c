@@ -59,8 +59,10 @@ static int decode(struct scene_part *part, size_t most, const char **why)
 static int open_path(const struct scene_file *file, struct scene_part *part, const char *path, size_t most,
                      const char **why)
 {
-    if (file->wish->opens)
-        file->wish->opens(file->wish->opens_ctx, path);
+    if (!scene_opens(file, path)) {
+        *why = SCENE_REFUSED;
+        return TIA_ERR_RANGE;
+    }
     return whole_read(&part->text, path, most, why);
 }
 

@@ -9,6 +9,16 @@
 
 #include "common/inputs.h"
 
+/* See whole_open_by; NULL: files are opened by their paths. */
+static whole_opener *opens;
+static void *opens_ctx;
+
+void whole_open_by(whole_opener *opener, void *ctx)
+{
+    opens = opener;
+    opens_ctx = ctx;
+}
+
 static int failed(const char **why, int error)
 {
     *why = strerror(error);
@@ -78,22 +88,29 @@ static int check(const struct stat *status, size_t most, const char **why)
     return TIA_OK;
 }
 
-/* Reads the file. Its type is checked before opening, since opening alone may block (a FIFO) or have effects (a
- * device), and again afterwards, since the name may refer to another file by then. */
+/* Opens the file. Its type is checked before, since opening alone may block (a FIFO) or have effects (a device). */
+static int open_path(int *fd, const char *path, size_t most, const char **why)
+{
+    struct stat status;
+
+    if (!opens && stat(path, &status) != 0)
+        return failed(why, errno);
+    int result = opens ? TIA_OK : check(&status, most, why);
+    if (result)
+        return result;
+    *fd = opens ? opens(opens_ctx, path) : open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
+    return *fd < 0 ? failed(why, errno) : TIA_OK;
+}
+
+/* Reads the file. Its type is checked again, since the name may refer to another file by the time it is open. */
 int whole_read(struct whole *whole, const char *path, size_t most, const char **why)
 {
     struct stat status;
+    int fd = -1, result = open_path(&fd, path, most, why);
+
     *whole = (struct whole){NULL, 0};
-    if (stat(path, &status) != 0)
-        return failed(why, errno);
-    int result = check(&status, most, why);
-    if (result)
-        return result;
-    int fd = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
-    if (fd < 0 || fstat(fd, &status) != 0)
-        result = failed(why, errno);
-    else
-        result = check(&status, most, why);
+    if (!result)
+        result = fstat(fd, &status) != 0 ? failed(why, errno) : check(&status, most, why);
     if (!result) {
         inputs_add(&status);
         result = read_sized(whole, fd, (size_t)status.st_size, most, why);

@@ -14,6 +14,12 @@ struct whole {
  * static string. */
 int whole_read(struct whole *whole, const char *path, size_t most, const char **why);
 
+/* Opens a file for whole_read: returns a descriptor, or -1 and errno. */
+typedef int whole_opener(void *ctx, const char *path);
+
+/* Sets the function that opens all files from now on, in a process that may not open any itself. */
+void whole_open_by(whole_opener *opener, void *ctx);
+
 /* Reads from an open descriptor of any kind, from its current position, as whole_read does. */
 int whole_read_from(struct whole *whole, int fd, size_t most, const char **why);
 

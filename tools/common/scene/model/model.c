@@ -12,8 +12,8 @@
 /* The extensions of libassimp 5.2 and its optional importers, without those of formats that tia reads itself. */
 static const char extensions[] =
     " 3d 3ds 3mf ac ac3d acc amf ase ask assbin b3d blend bsp bvh cob csm dae dxf enff fbx glb gltf hmp ifc ifczip iqm "
-    "irr irrmesh lwo lws lxo m3d md2 md3 md5anim md5camera md5mesh mdc mdl mesh mot ms3d ndo off ogex pk3 ply pmx prj "
-    "q3o q3s raw scn sib smd step stl stp ter uc vrml vta wrl x x3d x3db xgl xml zae zgl ";
+    "irr irrmesh lwo lws lxo m3d md2 md3 md5anim md5camera md5mesh mdc mdl mesh mot ms3d ndo ogex pk3 pmx prj "
+    "q3o q3s raw scn sib smd step stp ter uc vrml vta wrl x x3d x3db xgl xml zae zgl ";
 
 bool model_is_extension(const char *extension)
 {
@@ -106,8 +106,8 @@ int model_open(struct scene_file *file, bool strict)
 {
     struct import_result result;
 
-    if (file->wish->opens)
-        file->wish->opens(file->wish->opens_ctx, file->path);
+    if (!scene_opens(file, file->path))
+        return say(file, TIA_ERR_DEVICE, SCENE_REFUSED);
     int status = import_run(&result, file->path);
     if (!status)
         status = map_file(file, result.fd);
@@ -118,6 +118,11 @@ int model_open(struct scene_file *file, bool strict)
     return status ? say(file, status, "memory: exhausted") : take(file, strict);
 }
 
+void model_confine(void)
+{
+    import_here();
+}
+
 void model_close(struct scene_file *file)
 {
     if (file->map)
@@ -126,6 +131,10 @@ void model_close(struct scene_file *file)
     file->map = file->tables = NULL;
 }
 #else
+void model_confine(void)
+{
+}
+
 int model_open(struct scene_file *file, bool strict)
 {
     (void)strict;

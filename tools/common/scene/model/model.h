@@ -16,6 +16,10 @@ bool model_is_extension(const char *extension);
  * lights get those of .obj files. After an error, call model_close. */
 int model_open(struct scene_file *file, bool strict);
 
+/* Prepares for reading a model in this process, which will be confined; see assimp/import.h. Does nothing without
+ * libassimp. */
+void model_confine(void);
+
 void model_close(struct scene_file *file);
 
 #endif

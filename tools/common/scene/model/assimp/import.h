@@ -12,6 +12,10 @@ struct import_result {
     char why[MODEL_WHY];
 };
 
+/* Loads the library. From then on models are imported in this process, which is confined already, and may neither open
+ * the library's file nor make processes. A missing library is reported by import_run. */
+void import_here(void);
+
 /* Imports the model `path` in a process of its own, with the bounds above. Returns TIA_OK; or TIA_ERR_DEVICE,
  * TIA_ERR_RANGE or TIA_ERR_MEMORY, with the reason. */
 int import_run(struct import_result *result, const char *path);

@@ -1,6 +1,6 @@
 /* crc_join.h - combines the CRC-32s of two pieces of data. */
-#ifndef TOOLS_TIA_CRC_JOIN_H
-#define TOOLS_TIA_CRC_JOIN_H
+#ifndef TOOLS_COMMON_CRC_JOIN_H
+#define TOOLS_COMMON_CRC_JOIN_H
 
 #include <stdint.h>
 

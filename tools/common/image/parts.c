@@ -12,8 +12,8 @@
 #include <tia/debug.h>
 #include <tia/render.h>
 
-#include "common/image/part.h"
 #include "common/inputs.h"
+#include "part.h"
 
 __attribute__((format(printf, 2, 3))) static int failed(struct parts *parts, const char *format, ...)
 {
@@ -192,6 +192,12 @@ static int check_overlaps(struct parts *parts)
     return 0;
 }
 
+int parts_read(struct parts *parts, const char *path)
+{
+    *parts = (struct parts){0};
+    return read_file(parts, path) != 0 ? -1 : check_overlaps(parts);
+}
+
 int parts_open(struct parts *parts, char *const *paths, unsigned count)
 {
     *parts = (struct parts){0};
@@ -239,15 +245,19 @@ static bool find_pixel(const uint64_t *colours, uint32_t colour, tia_rgb565 *pix
     return *at >> 16 == colour;
 }
 
-static int read_planes(struct parts *parts, const struct part *part, int fd, uint64_t offset, tia_rgb565 *rows)
+/* Reads `count` pixels of a frame, from pixel `first` of the part on. */
+static int read_planes(struct parts *parts, const struct part *part, int fd, uint64_t offset, size_t first,
+                       size_t count, tia_rgb565 *rows)
 {
-    size_t count = (size_t)part->film.width * part->film.rows;
+    size_t plane = (size_t)part->film.width * part->film.rows;
     unsigned char *bytes = malloc(3 * count);
     if (!bytes || !learn_colours(parts)) {
         free(bytes);
         return failed(parts, "memory: exhausted");
     }
-    int result = read_at(parts, part, fd, bytes, 3 * count, offset + IMAGE_Y4M_FRAME);
+    int result = 0;
+    for (size_t i = 0; i < 3 && result == 0; i++)
+        result = read_at(parts, part, fd, bytes + i * count, count, offset + IMAGE_Y4M_FRAME + i * plane + first);
     for (size_t i = 0; i < count && result == 0; i++) {
         uint32_t colour = (uint32_t)bytes[i] << 16 | (uint32_t)bytes[count + i] << 8 | bytes[2 * count + i];
         if (!find_pixel(parts->colours, colour, &rows[i]))
@@ -257,11 +267,12 @@ static int read_planes(struct parts *parts, const struct part *part, int fd, uin
     return result;
 }
 
-static int read_pixels(struct parts *parts, const struct part *part, int fd, uint64_t offset, tia_rgb565 *rows)
+/* Reads pixels as read_planes does. */
+static int read_pixels(struct parts *parts, const struct part *part, int fd, uint64_t offset, size_t first,
+                       size_t count, tia_rgb565 *rows)
 {
-    size_t count = (size_t)part->film.width * part->film.rows;
     unsigned char *bytes = (unsigned char *)rows;
-    int result = read_at(parts, part, fd, bytes, count * sizeof *rows, offset);
+    int result = read_at(parts, part, fd, bytes, count * sizeof *rows, offset + first * sizeof *rows);
     for (size_t i = 0; i < count && result == 0; i++) /* converts little-endian bytes in place */
         rows[i] = (tia_rgb565)(bytes[2 * i] | bytes[2 * i + 1] << 8);
     return result;
@@ -284,11 +295,22 @@ static int check_sum(struct parts *parts, const struct part *part, uint32_t fram
     return 0;
 }
 
+/* Reads some rows of a frame, from row `first` of the part on. */
+static int read_some(struct parts *parts, const struct part *part, int fd, uint32_t frame, size_t first, size_t rows,
+                     tia_rgb565 *pixels)
+{
+    uint64_t at = part->frames + frame_bytes(part) * (frame - part->film.first_frame);
+    size_t width = part->film.width;
+
+    return part->is_y4m ? read_planes(parts, part, fd, at, first * width, rows * width, pixels)
+                        : read_pixels(parts, part, fd, at, first * width, rows * width, pixels);
+}
+
 static int read_frame(struct parts *parts, const struct part *part, int fd, uint32_t frame, tia_rgb565 *rows)
 {
     unsigned char sum[IMAGE_Y4M_FRAME];
     uint64_t bytes = frame_bytes(part), at = part->frames + bytes * (frame - part->film.first_frame);
-    int result = part->is_y4m ? read_planes(parts, part, fd, at, rows) : read_pixels(parts, part, fd, at, rows);
+    int result = read_some(parts, part, fd, frame, 0, part->film.rows, rows);
     if (result == 0) {
         result = part->is_y4m ? read_at(parts, part, fd, sum, IMAGE_Y4M_FRAME, at)
                               : read_at(parts, part, fd, sum, IMAGE_PART_SUM, at + bytes - IMAGE_PART_SUM);
@@ -318,4 +340,15 @@ int parts_frame(struct parts *parts, uint32_t frame, tia_rgb565 *pixels)
             return -1;
     }
     return 0;
+}
+
+int parts_row(struct parts *parts, const struct part *part, uint32_t frame, unsigned y, tia_rgb565 *pixels)
+{
+    uint64_t length;
+    int fd = open_part(parts, part, &length);
+    int result = fd < 0 ? -1 : read_some(parts, part, fd, frame, y - part->film.first_row, 1, pixels);
+
+    if (fd >= 0)
+        (void)close(fd);
+    return result;
 }

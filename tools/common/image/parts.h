@@ -1,8 +1,8 @@
 /* parts.h - reads the parts of a film and checks that they fit together. */
-#ifndef TIA_JOIN_PARTS_H
-#define TIA_JOIN_PARTS_H
+#ifndef TOOLS_IMAGE_PARTS_H
+#define TOOLS_IMAGE_PARTS_H
 
-#include "common/image/image.h"
+#include "image.h"
 
 #define PARTS_WHY 512
 
@@ -24,7 +24,12 @@ struct parts {
 /* Reads the parts' headers, also those of several parts in one .tiapart. Checks that the parts make one film, without
  * gaps or overlaps. Returns 0, or -1 if they do not. */
 int parts_open(struct parts *parts, char *const *paths, unsigned count);
+/* Reads the headers of a single file, which may lack rows of its film. Returns as parts_open. */
+int parts_read(struct parts *parts, const char *path);
 void parts_close(struct parts *parts);
+
+/* Reads row `y` of a frame, both in the part, without verifying the frame's checksum. Returns 0, or -1 on failure. */
+int parts_row(struct parts *parts, const struct part *part, uint32_t frame, unsigned y, tia_rgb565 *pixels);
 
 /* Reads the pixels of a whole frame from all parts that have rows of it. Returns 0, or -1 on failure. */
 int parts_frame(struct parts *parts, uint32_t frame, tia_rgb565 *pixels);
