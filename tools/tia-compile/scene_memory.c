@@ -73,6 +73,16 @@ static uint64_t emitters(const struct scene_memory *m)
     return count;
 }
 
+/* Returns the number of prepared shapes: the scene's, and the members of its solids. */
+static uint64_t prepared_shapes(const struct tia_scene *scene)
+{
+    uint64_t count = scene->shape_count;
+
+    for (uint32_t i = 0; i < scene->solid_count; i++)
+        count += scene->solids[i].member_count;
+    return count;
+}
+
 static uint64_t technique_part(const struct layout *l, const struct tia_scene *scene)
 {
     uint64_t samples = scene->camera.samples ? scene->camera.samples : 1, part = ALIGN(l->raster + samples * l->sample);
@@ -97,7 +107,7 @@ static uint64_t view_part(const struct layout *l, const struct scene_memory *m)
 
     if (is_drawn_by_row(m->scene))
         return part + ALIGN(l->spans);
-    part += ALIGN(l->rays) + (uint64_t)m->scene->shape_count * l->shape;
+    part += ALIGN(l->rays) + prepared_shapes(m->scene) * l->shape;
     if (integrator == TIA_PATHS)
         return part + l->emitter * emitters(m);
     return integrator == TIA_OCCLUSION || !m->scene->shadows ? part : part + technique_part(l, m->scene);

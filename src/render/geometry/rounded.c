@@ -192,7 +192,7 @@ static bool intersect(const struct shape *shape, const struct ray *ray, num_leng
     return t[0] >= 0 && t[0] <= limit;
 }
 
-static bool chord(const struct shape *shape, const struct ray *ray, num_length after, struct chord *chord)
+static bool chord_of(const struct shape *shape, const struct ray *ray, num_length after, struct chord *chord)
 {
     const struct line_part whole = {-NUM_LENGTH_MAX, NUM_LENGTH_MAX, ROUNDED_CROSSINGS};
     num_length t[ROUNDED_CROSSINGS];
@@ -244,4 +244,4 @@ static void prepare(struct shape *shape, const struct tia_scene *scene, const st
     shape->rounded.radius = num_length_of(b->radius);
 }
 
-const struct shape_kind SHAPE_KIND(rounded) = {prepare, intersect, shape_occludes, surface_at, uv_at, chord};
+const struct shape_kind SHAPE_KIND(rounded) = {prepare, intersect, shape_occludes, surface_at, uv_at, chord_of};

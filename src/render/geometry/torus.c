@@ -267,7 +267,7 @@ static bool intersect(const struct shape *shape, const struct ray *ray, num_leng
     return t[0] >= 0 && t[0] <= limit;
 }
 
-static bool chord(const struct shape *shape, const struct ray *ray, num_length after, struct chord *chord)
+static bool chord_of(const struct shape *shape, const struct ray *ray, num_length after, struct chord *chord)
 {
     const struct line_part whole = {-NUM_LENGTH_MAX, NUM_LENGTH_MAX, TORUS_CROSSINGS};
     num_length t[TORUS_CROSSINGS];
@@ -336,4 +336,4 @@ static void prepare(struct shape *shape, const struct tia_scene *scene, const st
         num_times(num_fraction_by(hole, torus->per), num_fraction_by(torus->major + torus->minor, torus->per));
 }
 
-const struct shape_kind SHAPE_KIND(torus) = {prepare, intersect, shape_occludes, surface_at, uv_at, chord};
+const struct shape_kind SHAPE_KIND(torus) = {prepare, intersect, shape_occludes, surface_at, uv_at, chord_of};
