@@ -7,8 +7,8 @@ static void check_steps(const struct tia_solid *solid, const char *steps)
 
     CHECK_EQ(solid->step_count, strlen(steps));
     for (uint32_t i = 0; i < solid->step_count; i++)
-        CHECK_MSG(letters[solid->steps[i]] == steps[i], "step %u is %c, not %c", (unsigned)i,
-                  letters[solid->steps[i]], steps[i]);
+        CHECK_MSG(letters[solid->steps[i]] == steps[i], "step %u is %c, not %c", (unsigned)i, letters[solid->steps[i]],
+                  steps[i]);
 }
 
 #define BALL "sphere radius 1 material m\n"
@@ -16,7 +16,8 @@ static void check_steps(const struct tia_solid *solid, const char *steps)
 
 TEST(operations_become_steps)
 {
-    check_reads(M "difference\n" BALL "union\n" BALL BALL BALL "end\nintersection\n" BALL "plane normal 0 1 0 material m\n"
+    check_reads(M "difference\n" BALL "union\n" BALL BALL BALL "end\nintersection\n" BALL
+                  "plane normal 0 1 0 material m\n"
                   "end\nend\n" TWO "union\n" BALL "end\n");
     CHECK(now.scene.solid_count == 3 && now.scene.shape_count == 3 && now.scene.sphere_count == 0);
     check_steps(&now.scene.solids[0], "MMMUMUDMMID");
@@ -24,11 +25,13 @@ TEST(operations_become_steps)
     check_steps(&now.scene.solids[2], "M");
     CHECK(now.scene.solids[0].member_count == 6 && now.scene.solids[0].members[5].kind == TIA_PLANE);
     for (uint32_t i = 0; i < 3; i++)
-        CHECK(now.scene.shapes[i].kind == TIA_SOLID && now.scene.shapes[i].solid == i && !now.scene.shapes[i].transform);
+        CHECK(now.scene.shapes[i].kind == TIA_SOLID && now.scene.shapes[i].solid == i &&
+              !now.scene.shapes[i].transform);
     CHECK(now.scene.transform_count == 0);
 }
 
-/* The solid has its own place and that of the groups around it; members have theirs and those of what is in the solid. */
+/* The solid has its own place and that of the groups around it; members have theirs and those of what is in the solid.
+ */
 TEST(places)
 {
     check_reads(M "group at 0 5 0\ndifference at 1 0 0 scale 2\nsphere radius 1 at 3 0 0 material m\n"
@@ -59,7 +62,8 @@ TEST(solids_move_and_appear)
 /* Long solids, far apart: the unit of length has room for all members. */
 TEST(large_members)
 {
-    check_reads(M "intersection\nbox min -1 -1 -1 max 1 1 1 material m\nsphere radius 100000 at 100000 0 0 material m\nend\n");
+    check_reads(
+        M "intersection\nbox min -1 -1 -1 max 1 1 1 material m\nsphere radius 100000 at 100000 0 0 material m\nend\n");
     CHECK(now.scene.scale_bits < 0);
 }
 
@@ -70,14 +74,16 @@ TEST(refusals)
     check_refused(M "union\nlight at 0 0 0\nend",
                   "3:1: 'light' is not a part of a solid, expected members, operations, groups or end");
     check_refused(M "union\ndisc radius 1 normal 0 1 0 material m\nend",
-                  "3:1: 'disc' cannot be a member of a solid, expected a sphere, plane or box, or a cylinder or cone "
-                  "that is capped");
-    check_refused(M "union\ncylinder base 0 0 0 top 0 1 0 radius 1 material m\nend",
-                  "3:1: 'cylinder' cannot be a member of a solid, expected a sphere, plane or box, or a cylinder or "
+                  "3:1: 'disc' cannot be a member of a solid, expected a sphere, plane, box or torus, or a cylinder or "
                   "cone that is capped");
-    check_refused(M "union\nsphere radius 1 material m name x\nend",
-                  "3:1: 'sphere' is a member, which has no name, no appears and no vanishes, expected them in the first "
-                  "line of the solid");
+    check_refused(
+        M "union\ncylinder base 0 0 0 top 0 1 0 radius 1 material m\nend",
+        "3:1: 'cylinder' cannot be a member of a solid, expected a sphere, plane, box or torus, or a cylinder "
+        "or cone that is capped");
+    check_refused(
+        M "union\nsphere radius 1 material m name x\nend",
+        "3:1: 'sphere' is a member, which has no name, no appears and no vanishes, expected them in the first "
+        "line of the solid");
     check_refused(M "union\nrepeat 33 at 1 0 0\n" BALL "end\nend",
                   "4:1: 'sphere' is a member too many, expected at most 32 in a solid");
     check_refused(M "union\nunion at 1 0 0\nplane normal 0 1 0 material m\nend\nend",

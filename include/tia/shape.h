@@ -225,11 +225,11 @@ struct tia_grid {
  * replaces the two topmost operands by its result, the difference the lower by what is outside of the upper one. */
 enum tia_solid_step { TIA_SOLID_MEMBER, TIA_SOLID_UNION, TIA_SOLID_INTERSECTION, TIA_SOLID_DIFFERENCE };
 
-/* Constructive solid geometry. Members are spheres, boxes, capped cylinders and cones, and planes, which are the
- * half-spaces behind them; their transforms lead to the solid's own axes. They must not reach beyond 32768 there, and
- * the solid must be bounded, as seen from the boxes of its members: the result of each operation is bounded by the box
- * around both boxes for a union, by what the boxes share for an intersection, and by the first box for a difference.
- * The material of the solid's own struct tia_shape is not used, but must exist. */
+/* Constructive solid geometry. Members are spheres, boxes, rounded boxes, tori, capped cylinders and cones, and
+ * planes, which are the half-spaces behind them; their transforms lead to the solid's own axes. They must not reach
+ * beyond 32768 there, and the solid must be bounded, as seen from the boxes of its members: the result of each
+ * operation is bounded by the box around both boxes for a union, by what the boxes share for an intersection, and by
+ * the first box for a difference. The material of the solid's own struct tia_shape is not used, but must exist. */
 struct tia_solid {
     const struct tia_shape *members;
     const uint8_t *steps;              /* enum tia_solid_step */

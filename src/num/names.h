@@ -138,6 +138,7 @@
 #define box_uv NAMES(box_uv)
 #define torus_crossings NAMES(torus_crossings)
 #define rounded_crossings NAMES(rounded_crossings)
+#define crossings_chord NAMES(crossings_chord)
 #define round_fine NAMES(round_fine)
 #define round_prepare NAMES(round_prepare)
 #define round_chord NAMES(round_chord)

@@ -59,6 +59,10 @@ const struct shape_description *tia_solid_member_kind(const struct tia_shape *sh
         return shape->cylinder.capped ? &tia_cylinder_description : NULL;
     case TIA_CONE:
         return shape->cone.capped ? &tia_cone_description : NULL;
+    case TIA_TORUS:
+        return &tia_torus_description;
+    case TIA_ROUNDED:
+        return &tia_rounded_description;
     default:
         return NULL;
     }

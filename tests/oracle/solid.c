@@ -5,13 +5,15 @@
 
 #define BEHIND 4096.0 /* members are nearer than this to a ray's origin, in units */
 
+#define CHORDS 2 /* the most parts of a line inside a member */
+
 /* A crossing of a member's surface. */
 struct edge {
     struct hit hit;
     uint32_t member;
 };
 
-/* The part of a line inside a member, which is convex. */
+/* A part of a line inside a member. */
 struct interval {
     struct hit enter, leave;
     bool exists;
@@ -34,19 +36,48 @@ static struct interval behind(const struct tia_plane *plane, struct ray ray)
     return i;
 }
 
-/* Finds the interval by two rays, which come from both ends of the line. */
+/* Finds the part inside a convex member by two rays, which come from both ends of the line. */
 static struct interval inside_of(const struct tia_scene *scene, const struct tia_shape *member, struct ray ray)
 {
     double far = BEHIND / length(ray.direction);
     struct interval i = {.exists = false};
 
-    if (member->kind == TIA_PLANE)
-        return behind(&member->plane, ray);
     i.exists = shape_hit(scene, member, (struct ray){at(ray, -far), ray.direction}, &i.enter) &&
                shape_hit(scene, member, (struct ray){at(ray, far), scaled(ray.direction, -1)}, &i.leave);
     i.enter.t -= far;
     i.leave.t = far - i.leave.t;
     return i;
+}
+
+/* Finds the next hit beyond t; a shorter way than 2^-24 of a unit is not seen. */
+static bool hit_beyond(const struct tia_scene *scene, const struct tia_shape *member, struct ray ray, double t,
+                       struct hit *hit)
+{
+    t += ldexp(1, -24) / length(ray.direction);
+    bool found = shape_hit(scene, member, (struct ray){at(ray, t), ray.direction}, hit);
+    hit->t += t;
+    return found;
+}
+
+/* Finds all parts of a line inside a member. */
+static void find_parts(const struct tia_scene *scene, const struct tia_shape *member, struct ray ray,
+                       struct interval parts[CHORDS])
+{
+    double t = -BEHIND / length(ray.direction);
+
+    parts[0] = parts[1] = (struct interval){.exists = false};
+    if (member->kind == TIA_PLANE)
+        parts[0] = behind(&member->plane, ray);
+    else if (member->kind != TIA_TORUS)
+        parts[0] = inside_of(scene, member, ray);
+    for (int k = 0; k < CHORDS && member->kind == TIA_TORUS; k++) {
+        struct interval *part = &parts[k];
+        part->exists = hit_beyond(scene, member, ray, t, &part->enter) &&
+                       hit_beyond(scene, member, ray, part->enter.t, &part->leave);
+        if (!part->exists)
+            break;
+        t = part->leave.t;
+    }
 }
 
 /* Evaluates the solid's expression. */
@@ -69,20 +100,23 @@ static bool holds(const struct tia_solid *solid, const bool *inside)
 }
 
 /* Sets the members that the point at t is inside of. */
-static void find_inside(const struct tia_solid *solid, const struct interval *of, double t, bool *inside)
+static void find_inside(const struct tia_solid *solid, struct interval (*of)[CHORDS], double t, bool *inside)
 {
-    for (uint32_t i = 0; i < solid->member_count; i++)
-        inside[i] = of[i].exists && of[i].enter.t < t && t < of[i].leave.t;
+    for (uint32_t i = 0; i < solid->member_count; i++) {
+        inside[i] = false;
+        for (int k = 0; k < CHORDS; k++)
+            inside[i] = inside[i] || (of[i][k].exists && of[i][k].enter.t < t && t < of[i][k].leave.t);
+    }
 }
 
 /* Collects the crossings at t >= 0 in order; returns their number. */
-static unsigned sort(const struct tia_solid *solid, const struct interval *of, struct edge *edges)
+static unsigned sort(const struct tia_solid *solid, struct interval (*of)[CHORDS], struct edge *edges)
 {
     unsigned count = 0;
 
     for (uint32_t i = 0; i < solid->member_count; i++)
-        for (int k = 0; k < 2 && of[i].exists; k++) {
-            struct edge edge = {k ? of[i].leave : of[i].enter, i};
+        for (int k = 0; k < 2 * CHORDS && of[i][k / 2].exists; k++) {
+            struct edge edge = {k % 2 ? of[i][k / 2].leave : of[i][k / 2].enter, i};
             unsigned at = count;
             if (!(edge.hit.t >= 0 && edge.hit.t < INFINITY))
                 continue;
@@ -134,13 +168,13 @@ static void set_hit(const struct tia_scene *scene, const struct tia_solid *solid
 
 bool shape_solid(const struct tia_scene *scene, const struct tia_solid *solid, struct ray ray, struct hit *hit)
 {
-    struct interval of[TIA_SOLID_MEMBERS];
-    struct edge edges[2 * TIA_SOLID_MEMBERS];
+    struct interval of[TIA_SOLID_MEMBERS][CHORDS];
+    struct edge edges[2 * CHORDS * TIA_SOLID_MEMBERS];
     bool before[TIA_SOLID_MEMBERS], after[TIA_SOLID_MEMBERS];
     double near = ldexp(1, -16) / length(ray.direction);
 
     for (uint32_t i = 0; i < solid->member_count; i++)
-        of[i] = inside_of(scene, &solid->members[i], ray);
+        find_parts(scene, &solid->members[i], ray, of[i]);
     unsigned count = sort(solid, of, edges), next;
     find_inside(solid, of, count && edges[0].hit.t == 0 ? -ldexp(1, -40) : 0, before);
     for (unsigned i = 0; i < count; i = next) {

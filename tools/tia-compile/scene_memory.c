@@ -23,7 +23,8 @@ enum { WIDE, NARROW, SHORT, KINDS };
 struct layout {
     unsigned view, hits, scene, bvh, block; /* block: a plane or a box that balls bounce off */
     unsigned spans;                         /* for scenes drawn by row: size of the view's part */
-    unsigned rays, shape;                   /* for all other scenes: size of the view's part, and of a shape */
+    unsigned rays, shape, solid;            /* for all other scenes: size of the view's part, of a shape and of the
+                                               pointer to a solid's members */
     unsigned emitter;                       /* for paths: size of an emitter, of which there is one for each light and
                                                for each sphere that emits */
     unsigned raster, sample;    /* for techniques for shadows other than traced rays: size of the view, and of a pixel's
@@ -31,9 +32,9 @@ struct layout {
     unsigned map, volumes, own; /* for these techniques: sizes of their data */
 };
 
-static const struct layout layouts[KINDS] = {{96, 40, 336, 48, 208, 136, 416, 224, 88, 40, 2864, 744, 560, 40},
-                                             {56, 24, 256, 28, 200, 108, 392, 216, 80, 32, 2576, 728, 544, 28},
-                                             {56, 24, 252, 28, 200, 108, 392, 208, 80, 32, 2576, 728, 544, 28}};
+static const struct layout layouts[KINDS] = {{96, 40, 336, 48, 208, 136, 416, 224, 8, 88, 40, 2864, 744, 560, 40},
+                                             {56, 24, 256, 28, 200, 108, 392, 216, 4, 80, 32, 2576, 728, 544, 28},
+                                             {56, 24, 252, 28, 200, 108, 392, 208, 4, 80, 32, 2576, 728, 544, 28}};
 
 /* Returns the kind of this machine; KINDS when it is none of them. */
 static int kind_here(void)
@@ -73,6 +74,16 @@ static uint64_t emitters(const struct scene_memory *m)
     return count;
 }
 
+/* Returns the number of prepared shapes: the scene's, and the members of its solids. */
+static uint64_t prepared_shapes(const struct tia_scene *scene)
+{
+    uint64_t count = scene->shape_count;
+
+    for (uint32_t i = 0; i < scene->solid_count; i++)
+        count += scene->solids[i].member_count;
+    return count;
+}
+
 static uint64_t technique_part(const struct layout *l, const struct tia_scene *scene)
 {
     uint64_t samples = scene->camera.samples ? scene->camera.samples : 1, part = ALIGN(l->raster + samples * l->sample);
@@ -97,7 +108,7 @@ static uint64_t view_part(const struct layout *l, const struct scene_memory *m)
 
     if (is_drawn_by_row(m->scene))
         return part + ALIGN(l->spans);
-    part += ALIGN(l->rays) + (uint64_t)m->scene->shape_count * l->shape;
+    part += ALIGN(l->rays) + prepared_shapes(m->scene) * l->shape + (uint64_t)m->scene->solid_count * l->solid;
     if (integrator == TIA_PATHS)
         return part + l->emitter * emitters(m);
     return integrator == TIA_OCCLUSION || !m->scene->shadows ? part : part + technique_part(l, m->scene);

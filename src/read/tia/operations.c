@@ -38,7 +38,7 @@ int tia_operation_add(struct tia_parse *job, const struct tia_shape *member)
 
     if (!tia_solid_member_kind(member))
         return tia_text_error(&job->text, &job->first, "cannot be a member of a solid",
-                              "a sphere, plane or box, or a cylinder or cone that is capped");
+                              "a sphere, plane, box or torus, or a cylinder or cone that is capped");
     if (solid && solid->member_count == TIA_SOLID_MEMBERS)
         return tia_text_error(&job->text, &job->first, "is a member too many", "at most 32 in a solid");
     (void)tia_parse_add(job, TIA_OF_MEMBERS, member);

@@ -22,4 +22,7 @@ unsigned torus_crossings(const struct prepared_torus *torus, const struct ray *r
 unsigned rounded_crossings(const struct prepared_rounded *box, const struct ray *ray, const struct line_part *part,
                            num_length t[ROUNDED_CROSSINGS], bool *inside);
 
+/* Gives the first chord between two of `count` crossings of a whole line that ends beyond `after`; false: none. */
+bool crossings_chord(const num_length *t, unsigned count, num_length after, struct chord *chord);
+
 #endif

@@ -192,6 +192,16 @@ static bool intersect(const struct shape *shape, const struct ray *ray, num_leng
     return t[0] >= 0 && t[0] <= limit;
 }
 
+static bool chord_of(const struct shape *shape, const struct ray *ray, num_length after, struct chord *chord)
+{
+    const struct line_part whole = {-NUM_LENGTH_MAX, NUM_LENGTH_MAX, ROUNDED_CROSSINGS};
+    num_length t[ROUNDED_CROSSINGS];
+    bool inside;
+    unsigned count = rounded_crossings(&shape->rounded, ray, &whole, t, &inside);
+
+    return crossings_chord(t, count, after, chord);
+}
+
 /* Returns the point minus the nearest point of the inner box. */
 static struct num_point outwards(const struct prepared_rounded *box, struct num_point p)
 {
@@ -234,4 +244,4 @@ static void prepare(struct shape *shape, const struct tia_scene *scene, const st
     shape->rounded.radius = num_length_of(b->radius);
 }
 
-const struct shape_kind SHAPE_KIND(rounded) = {prepare, intersect, shape_occludes, surface_at, uv_at, NULL};
+const struct shape_kind SHAPE_KIND(rounded) = {prepare, intersect, shape_occludes, surface_at, uv_at, chord_of};

@@ -36,12 +36,15 @@ NOINLINE static bool member_chord(const struct shape *member, const struct ray *
     instance_transform_ray(member->instance, ray, &placed);
     if (placed.start > NUM_LENGTH_MAX)
         return false;
-    after = after > placed.start ? instance_distance(&placed, after) : -NUM_LENGTH_LEAST;
-    if (!member->kind->chord(member, &placed.ray, after, chord))
-        return false;
+    num_length left = after > placed.start ? instance_distance(&placed, after) : -NUM_LENGTH_LEAST;
+    do { /* `left` is rounded, so it may be before the end of the last chord */
+        if (!member->kind->chord(member, &placed.ray, left, chord))
+            return false;
+        left = chord->leave.t;
+        chord->leave.t = instance_distance_back(&placed, left);
+    } while (chord->leave.t <= after);
     if (chord->enter.t >= 0 || placed.start > 0)
         chord->enter.t = instance_distance_back(&placed, chord->enter.t > 0 ? chord->enter.t : 0);
-    chord->leave.t = instance_distance_back(&placed, chord->leave.t);
     return true;
 }
 

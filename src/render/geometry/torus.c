@@ -267,6 +267,16 @@ static bool intersect(const struct shape *shape, const struct ray *ray, num_leng
     return t[0] >= 0 && t[0] <= limit;
 }
 
+static bool chord_of(const struct shape *shape, const struct ray *ray, num_length after, struct chord *chord)
+{
+    const struct line_part whole = {-NUM_LENGTH_MAX, NUM_LENGTH_MAX, TORUS_CROSSINGS};
+    num_length t[TORUS_CROSSINGS];
+    bool inside;
+    unsigned count = torus_crossings(&shape->torus, ray, &whole, t, &inside);
+
+    return crossings_chord(t, count, after, chord);
+}
+
 /* Gives the point relative to the centre in the torus's own frame: along U and -V, and the height. */
 static struct num_point framed(const struct prepared_torus *torus, struct num_point point)
 {
@@ -326,4 +336,4 @@ static void prepare(struct shape *shape, const struct tia_scene *scene, const st
         num_times(num_fraction_by(hole, torus->per), num_fraction_by(torus->major + torus->minor, torus->per));
 }
 
-const struct shape_kind SHAPE_KIND(torus) = {prepare, intersect, shape_occludes, surface_at, uv_at, NULL};
+const struct shape_kind SHAPE_KIND(torus) = {prepare, intersect, shape_occludes, surface_at, uv_at, chord_of};

@@ -42,7 +42,7 @@ static int check_member(const struct check *check, const struct tia_shape *s)
 
     REQUIRE(s->material < scene->material_count, "material", "must be the index of a material");
     REQUIRE(s->transform <= scene->transform_count, "transform", "must be 0 or the number of a transform");
-    REQUIRE(kind, "kind", "a member must be a sphere, a box, a capped cylinder, a capped cone or a plane");
+    REQUIRE(kind, "kind", "a member must be a sphere, a box, a torus, a capped cylinder, a capped cone or a plane");
     int status = s->kind == TIA_PLANE ? check_plane(check, s) : kind->check(check, s);
     if (status || !tia_solid_member_box(scene, s, &box))
         return status;

@@ -26,6 +26,20 @@ static void make_rounded(uint64_t *state, struct tia_shape *shape)
     shape->rounded = (struct tia_rounded){box.min, box.max, dice_between(state, least / 64, least / 2)};
 }
 
+/* Makes some of a solid's balls tori, and some of its boxes rounded. */
+static void round_members(uint64_t *state, struct tia_shape *members, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        struct tia_shape *s = &members[i];
+        if (s->kind == TIA_SPHERE && dice_one_in(state, 2)) {
+            s->disc = (struct tia_disc){s->sphere.centre, parts_random_direction(state), s->sphere.radius};
+            make_torus(state, s);
+        } else if (s->kind == TIA_BOX && dice_one_in(state, 3)) {
+            make_rounded(state, s);
+        }
+    }
+}
+
 void corpus_add_rings(struct corpus_rays *out, uint64_t seed)
 {
     uint64_t state = seed;
@@ -35,4 +49,6 @@ void corpus_add_rings(struct corpus_rays *out, uint64_t seed)
             make_torus(&state, &out->shapes[i]);
         else if (out->shapes[i].kind == TIA_BOX)
             make_rounded(&state, &out->shapes[i]);
+    for (uint32_t i = 0; i < out->scene.solid_count; i++)
+        round_members(&state, out->members[i], out->solids[i].member_count);
 }
