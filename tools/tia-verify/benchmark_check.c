@@ -100,8 +100,9 @@ static int check_line(struct lines *l, const char *text, size_t length)
     int result = check_crcs(l, &line);
     result = result ? result : draw_frames(l);
     if (!result)
-        (void)printf("%s%s: %u rows of scores: the CRCs are right, as of %u frames drawn again (%s)\n", place(l, at),
-                     line.cpu, line.row_count, (unsigned)BENCHMARK_FRAMES, l->how);
+        (void)printf("%s%s: %u row%s of scores: all %u frames have the right CRC-32, drawn again here as well (%s)\n",
+                     place(l, at), line.cpu, line.row_count, line.row_count == 1 ? "" : "s", (unsigned)BENCHMARK_FRAMES,
+                     l->how);
     return result;
 }
 
