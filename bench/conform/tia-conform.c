@@ -5,15 +5,23 @@
 #include <string.h>
 
 #include "gl/gl_raster.h"
+#include "piped.h"
 #include "ports.h"
 #include "trial.h"
 
 enum { CONFORMS, DIFFERS, USAGE, NO_GL };
 
 struct options {
-    const char *library;
+    const char *library, *by; /* by: a program that draws instead; NULL: none */
     unsigned trials, step;
     uint64_t seed;
+};
+
+/* What is compared with the exact rasteriser. */
+struct tested {
+    trial_drawer *draw;
+    void *ctx;
+    const char *driver;
 };
 
 static const char *const rules[RULES] = {"edges", "ties", "depth", "stencil"};
@@ -77,7 +85,7 @@ static void print_finding(const struct finding *f)
 }
 
 /* Draws all trials; prints the smallest finding of each rule, and the numbers. */
-static int compare(const struct options *options, struct gl_raster *gl)
+static int compare(const struct options *options, const struct tested *tested)
 {
     static struct pixels exact, found;
     static struct finding smallest[RULES], finding;
@@ -89,13 +97,13 @@ static int compare(const struct options *options, struct gl_raster *gl)
         unsigned first;
         memset(&trial, 0, sizeof trial);
         trial_random(&trial, &seed, options->step);
-        if (!trial_exact(NULL, &trial, &exact) || !draw_gl(gl, &trial, &found))
+        if (!trial_exact(NULL, &trial, &exact) || !tested->draw(tested->ctx, &trial, &found))
             return NO_GL;
         unsigned differing = trial_differs(&exact, &found, &first);
         if (!differing)
             continue;
         pixels += differing;
-        if (!trial_shrink(&trial, draw_gl, gl, &finding)) {
+        if (!trial_shrink(&trial, tested->draw, tested->ctx, &finding)) {
             printf("unsteady: a trial differs only sometimes\n");
             continue;
         }
@@ -105,11 +113,36 @@ static int compare(const struct options *options, struct gl_raster *gl)
     for (int r = 0; r < RULES; r++)
         if (trials[r])
             print_finding(&smallest[r]);
-    printf("%s: %lu of %llu pixels differ; trials by the rule that they break:", gl_raster_driver(), pixels,
+    printf("%s: %lu of %llu pixels differ; trials by the rule that they break:", tested->driver, pixels,
            (unsigned long long)options->trials * PIXELS);
     for (int r = 0; r < RULES; r++)
         printf(" %s %lu%s", rules[r], trials[r], r + 1 < RULES ? "," : "\n");
     return pixels ? DIFFERS : CONFORMS;
+}
+
+static int compare_gl(const struct options *options)
+{
+    char why[PORT_WHY];
+    struct gl_raster *gl = gl_raster_open(options->library, SIDE, SIDE, why);
+
+    if (!gl) {
+        (void)fprintf(stderr, "tia-conform: %s\n", why);
+        return NO_GL;
+    }
+    int status = compare(options, &(struct tested){draw_gl, gl, gl_raster_driver()});
+    gl_raster_close(gl);
+    return status;
+}
+
+static int compare_by(const struct options *options)
+{
+    struct piped *piped = piped_open(options->by);
+
+    if (!piped)
+        return NO_GL;
+    int status = compare(options, &(struct tested){piped_draw, piped, piped_driver(piped)});
+    piped_close(piped);
+    return status;
 }
 
 static int refuse(const char *what)
@@ -133,6 +166,8 @@ static int parse(struct options *options, int argc, char **argv)
         const char *text = i + 1 < argc ? argv[i + 1] : "";
         if (strcmp(argv[i], "--library") == 0 && (strcmp(text, "osmesa") == 0 || strcmp(text, "egl") == 0))
             options->library = text;
+        else if (strcmp(argv[i], "--by") == 0 && *text)
+            options->by = text;
         else if (strcmp(argv[i], "--trials") == 0 && number(text, 1, 1000000, &value))
             options->trials = (unsigned)value;
         else if (strcmp(argv[i], "--step") == 0 && number(text, 1, 256, &value))
@@ -148,12 +183,12 @@ static int parse(struct options *options, int argc, char **argv)
 int main(int argc, char **argv)
 {
     struct options options = {.library = "egl", .trials = 200, .step = 1, .seed = 1};
-    char why[PORT_WHY];
 
     if (argc == 2 && (strcmp(argv[1], "-h") == 0 || strcmp(argv[1], "--help") == 0)) {
         printf("usage: tia-conform [options]\n"
                "Draws random triangles by OpenGL and exactly, and prints the fewest that show each difference.\n"
                "      --library egl|osmesa  the library of OpenGL; default egl\n"
+               "      --by COMMAND          a program that draws instead, such as bench/conform/webgl.py\n"
                "      --trials N            pictures of 64x64 pixels with 24 triangles; default 200\n"
                "      --step N              corners are multiples of N/256 pixel; default 1, 128 for many ties\n"
                "      --seed N              another row of pictures; default 1\n"
@@ -163,13 +198,7 @@ int main(int argc, char **argv)
     int status = parse(&options, argc, argv);
     if (status)
         return status;
-    struct gl_raster *gl = gl_raster_open(options.library, SIDE, SIDE, why);
-    if (!gl) {
-        (void)fprintf(stderr, "tia-conform: %s\n", why);
-        return NO_GL;
-    }
-    status = compare(&options, gl);
-    gl_raster_close(gl);
+    status = options.by ? compare_by(&options) : compare_gl(&options);
     if (status == NO_GL)
         (void)fprintf(stderr, "tia-conform: OpenGL failed\n");
     return status;

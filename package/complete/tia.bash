@@ -61,7 +61,7 @@ _tia() {
         --write) compopt -o default; COMPREPLY=(); return ;;
         --scene-format) mapfile -t COMPREPLY < <(compgen -W 'tia nff obj stl ply off pgm' -- "$cur"); return ;;
         esac
-        words='--display --output --format --record --size --thumbnail --eye --look --up --fov --orthographic --fit --samples --depth --integrator --spp --samples-range --resume --time-limit --error --denoise --guide --tone --exposure --colour --shadows --map-size --bias --filter --tessellated --keys --input --frames --time --fps --frame-range --tile-rows --threads --arithmetic --dither --rotate --connector --mode --checksum --stats --stats-overlay --progress --view --draw-rays --views --lenticular --calibration --modules --module-range --gaze --view-angle --w0 --m --smooth --watch --write --list-displays --scene-format --strict --help --version' ends='tia nff obj stl ply off pgm' ;;
+        words='--display --output --format --record --size --thumbnail --eye --look --up --fov --orthographic --fit --samples --depth --integrator --spp --samples-range --resume --time-limit --error --denoise --guide --tone --exposure --colour --shadows --map-size --bias --filter --tessellated --keys --input --frames --time --fps --frame-range --tile-rows --threads --arithmetic --dither --rotate --connector --mode --checksum --stats --stats-overlay --progress --benchmark --view --draw-rays --views --lenticular --calibration --modules --module-range --gaze --view-angle --w0 --m --smooth --watch --write --list-displays --scene-format --strict --help --version' ends='tia nff obj stl ply off pgm' ;;
     tia-compare)
         case $prev in
         -k|--keys) COMPREPLY=(); return ;;
@@ -159,8 +159,9 @@ _tia() {
         --rows) COMPREPLY=(); return ;;
         --seed) COMPREPLY=(); return ;;
         --root) COMPREPLY=(); return ;;
+        --benchmark) compopt -o default; COMPREPLY=(); return ;;
         esac
-        words='--share --count --rows --all --seed --root --help --version' ends='png ppm bmp 565 pfm exr y4m tiapart record tia nff obj stl ply off pgm' ;;
+        words='--share --count --rows --all --seed --root --benchmark --help --version' ends='png ppm bmp 565 pfm exr y4m tiapart record tia nff obj stl ply off pgm' ;;
     esac
     if [[ $cur == -* ]]; then mapfile -t COMPREPLY < <(compgen -W "$words" -- "$cur"); return; fi
     # Folders, and files of the right kind.

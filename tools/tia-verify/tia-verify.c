@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "benchmark_check.h"
 #include "common/signals.h"
 #include "common/verify/choice.h"
 #include "record_check.h"
@@ -15,14 +16,18 @@ struct verify {
     struct options drawn;
     struct choice_wish wish;
     const char *root;
-    const char *drawing; /* the first option given that a record has; NULL: none */
+    const char *benchmark; /* a line of tia --benchmark, or a file */
+    const char *drawing;   /* the first option given that a record has; NULL: none */
 };
 
-static const struct option_row rows[] = {CHOICE_ROWS(struct verify, wish),
-                                         {"root", 0, OPTION_TEXT, "HASH",
-                                          "the record must have this root, 64 hexadecimal digits",
-                                          OPTION_TO(struct verify, root)},
-                                         OPTION_END};
+static const struct option_row rows[] = {
+    CHOICE_ROWS(struct verify, wish),
+    {"root", 0, OPTION_TEXT, "HASH", "the record must have this root, 64 hexadecimal digits",
+     OPTION_TO(struct verify, root)},
+    {"benchmark", 0, OPTION_TEXT, "FILE|LINE",
+     "verify a line of tia --benchmark, or those of a file, or of - for standard input",
+     OPTION_TO(struct verify, benchmark)},
+    OPTION_END};
 
 /* Remembers an option of tia, which a record already has. */
 static void remember(void *ctx, const struct option_row *row, const char *value)
@@ -46,10 +51,23 @@ static int run_record(const struct verify *verify, int argc, char **argv)
     return argc == 1 ? record_check(argv[0], &wish) : record_compare(argv[0], argv[1], &wish);
 }
 
+static int run_benchmark(struct verify *verify, int argc, char **argv)
+{
+    const struct choice_wish *wish = &verify->wish;
+    bool chooses = wish->all || wish->share || wish->count || wish->has_rows || wish->seeded;
+
+    if (verify->drawing || chooses || verify->root || argc > 0)
+        return fail(CHECK_FAILED, "--benchmark: alone, or with --threads");
+    int result = arguments_check(&verify->drawn, argc, argv);
+    return result ? CHECK_FAILED : benchmark_check(verify->benchmark, verify->drawn.simd, verify->drawn.threads);
+}
+
 static int run(struct verify *verify, int argc, char **argv)
 {
     const char *why = choice_check(&verify->wish);
 
+    if (verify->benchmark)
+        return run_benchmark(verify, argc, argv);
     if (why)
         return fail(CHECK_FAILED, "%s", why);
     if (argc == 0)
@@ -71,8 +89,10 @@ int main(int argc, char **argv)
         "Usage: tia-verify PICTURE [SCENE] [options of tia, as drawn]\n"
         "       tia-verify RECORD\n"
         "       tia-verify PICTURE RECORD\n"
+        "       tia-verify --benchmark LINE\n"
         "Draws random rows of a picture or film by tia again and compares their bits, without a threshold;\n"
-        "or draws what a record of --record tells; or compares a picture with its record.\n"
+        "or draws what a record of --record tells; or compares a picture with its record;\n"
+        "or verifies a result of tia --benchmark.\n"
         "\n",
         rows,
         "\n"

@@ -94,6 +94,7 @@ struct options {
     bool watches;             /* --watch */
     struct file_watch *watch; /* NULL, or gets the files that are read */
     char broken[PORT_WHY];    /* with --watch: why the scene could not be read at first; empty: it was */
+    bool benchmark;           /* --benchmark */
     bool dither, checksum, stats, stats_overlay, progress, strict;
 };
 

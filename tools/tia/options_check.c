@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "benchmark.h"
 #include "common/image/series.h"
 #include "eye_setup.h"
 #include "fail.h"
@@ -201,5 +202,7 @@ int check(struct options *options)
         result = light_check(options);
     if (result == EXIT_FINE)
         result = check_scenes(options);
+    if (result == EXIT_FINE)
+        result = benchmark_options(options);
     return result == EXIT_FINE ? thumbnail_check(options) : result;
 }

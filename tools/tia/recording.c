@@ -31,10 +31,10 @@ struct recording {
 bool recording_has(const struct option_row *row)
 {
     /* on which no pixel depends, or that the record has in other lines */
-    static const char *const without[] = {"display", "format",        "size",      "time-limit", "error",
-                                          "input",   "threads",       "connector", "mode",       "checksum",
-                                          "stats",   "stats-overlay", "progress",  "watch",      "strict",
-                                          "help",    "list-displays", "version",   "thumbnail",  "write"};
+    static const char *const without[] = {
+        "display",   "format", "size",          "time-limit", "error",         "input",    "threads",
+        "connector", "mode",   "checksum",      "stats",      "stats-overlay", "progress", "watch",
+        "strict",    "help",   "list-displays", "version",    "thumbnail",     "write",    "benchmark"};
 
     for (unsigned i = 0; i < sizeof without / sizeof *without; i++)
         if (strcmp(row->name, without[i]) == 0)

@@ -8,6 +8,7 @@
 #include <tia/tia.h>
 
 #include "arguments.h"
+#include "benchmark.h"
 #include "common/signals.h"
 #include "draw.h"
 #include "fail.h"
@@ -69,6 +70,8 @@ static int run(struct options *options)
 {
     bool draws = options->action != ACTION_LIST && options->action != ACTION_MODES;
     struct file_watch watch = {.is_open = false};
+    if (options->benchmark)
+        return benchmark(options);
     if (draws && options->watches) {
         int status = load_watched(options, &watch);
         status = status ? status : act(options);
