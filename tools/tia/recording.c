@@ -163,7 +163,7 @@ static int check(const struct options *o)
     if (o->light.calibration)
         return fail(EXIT_USAGE, "--record: not with --calibration (--lenticular has its keys)");
     if (o->scene_path && (strcmp(o->scene_path, "-") == 0 || o->scene_format == SCENE_MODEL))
-        return fail(EXIT_USAGE, "--record: needs a SCENE that is a .tia, .nff or .obj file");
+        return fail(EXIT_USAGE, "--record: needs a SCENE that is a file, and not of a format of libassimp");
     return EXIT_FINE;
 }
 

@@ -55,19 +55,38 @@ static int say(struct scene_file *file, int status, const char *why)
     return status;
 }
 
+/* Passes on the files that the importing process has read. What it asked scene_opens about was forgotten with it. */
+static void take_files(const struct scene_file *file, const struct model_header *header)
+{
+    const struct model_input *inputs = model_map_array(header, MODEL_FILES);
+
+    for (uint64_t i = 0; i < header->count[MODEL_FILES]; i++) {
+        inputs_add(&(struct stat){.st_dev = inputs[i].device, .st_ino = inputs[i].inode});
+        if (memchr(inputs[i].path, '\0', sizeof inputs[i].path) && strcmp(inputs[i].path, file->path) != 0)
+            (void)scene_opens(file, inputs[i].path);
+    }
+}
+
+/* Returns the CRC of the scene: of all but warnings and names of files, which depend on the model's folder. */
+static uint32_t scene_crc(const struct model_header *header)
+{
+    const char *from = (const char *)&header->camera, *to = model_map_array(header, MODEL_FILES);
+    uint32_t crc = checksum_bytes(0, (const char *)&header->scale_bits, sizeof header->scale_bits);
+
+    return checksum_bytes(crc, from, (size_t)(to - from));
+}
+
 /* Passes on what the importing process knows besides the scene. */
 static void take_notes(struct scene_file *file, const struct model_header *header)
 {
-    const struct model_input *inputs = model_map_array(header, MODEL_FILES);
     const struct model_name *names = model_map_array(header, MODEL_NAMES);
 
     memcpy(file->warnings, header->warnings, sizeof file->warnings);
-    for (uint64_t i = 0; i < header->count[MODEL_FILES]; i++)
-        inputs_add(&(struct stat){.st_dev = inputs[i].device, .st_ino = inputs[i].inode});
+    take_files(file, header);
     for (uint32_t i = 0; file->wish->material && i < header->count[MODEL_NAMES]; i++)
         file->wish->material(file->wish->ctx, i, names[i].text);
     if (file->wish->hashed)
-        file->crc = checksum_bytes(0, (const char *)file->map, file->map_bytes);
+        file->crc = scene_crc(header);
 }
 
 static int check_scene(struct scene_file *file)
@@ -108,7 +127,7 @@ int model_open(struct scene_file *file, bool strict)
 
     if (!scene_opens(file, file->path))
         return say(file, TIA_ERR_DEVICE, SCENE_REFUSED);
-    int status = import_run(&result, file->path);
+    int status = import_run(&result, file);
     if (!status)
         status = map_file(file, result.fd);
     if (result.fd >= 0)
@@ -131,9 +150,7 @@ void model_close(struct scene_file *file)
     file->map = file->tables = NULL;
 }
 #else
-void model_confine(void)
-{
-}
+void model_confine(void) {}
 
 int model_open(struct scene_file *file, bool strict)
 {

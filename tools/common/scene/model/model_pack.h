@@ -22,7 +22,7 @@ enum model_array_name {
     MODEL_FACES,      /* struct tia_face */
     MODEL_GROUPS,     /* uint32_t */
     MODEL_TEXELS,     /* uint8_t */
-    MODEL_FILES,      /* struct model_input */
+    MODEL_FILES,      /* struct model_input; the last array */
     MODEL_ARRAYS
 };
 
@@ -30,8 +30,11 @@ struct model_name {
     char text[TIA_NAME_MAX + 1];
 };
 
+#define MODEL_PATH 4096
+
 struct model_input {
     uint64_t device, inode;
+    char path[MODEL_PATH]; /* ends with a 0 */
 };
 
 /* A range of an array. */

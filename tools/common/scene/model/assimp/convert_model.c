@@ -22,13 +22,13 @@ static int import(struct convert *c)
     struct whole whole;
     const char *why;
 
-    int status = model_files_read(&c->files, c->files.path, &whole, &why);
+    int status = model_files_read(&c->files, c->files.file->path, &whole, &why);
     if (status)
         return convert_fail(c, status, "%s", why);
     free(whole.bytes);
     c->files.left += whole.length;
     c->library.set_integer(properties, AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-    c->from = c->library.import(c->files.path, STEPS, &c->files.io, properties);
+    c->from = c->library.import(c->files.file->path, STEPS, &c->files.io, properties);
     if (!c->from)
         return convert_fail(c, TIA_ERR_RANGE, "libassimp: %.400s", c->library.error());
     return TIA_OK;
@@ -47,7 +47,7 @@ static int convert_all(struct convert *c)
     return TIA_OK;
 }
 
-int convert_model(int fd, const char *path)
+int convert_model(int fd, const struct scene_file *file)
 {
     static struct convert c;
     const char *why;
@@ -56,7 +56,7 @@ int convert_model(int fd, const char *path)
     c.pack.header.status = MODEL_UNFINISHED;
     if (!pack_write(&c.pack, fd))
         return TIA_ERR_MEMORY;
-    model_files_init(&c.files, path, &c.pack.arrays[MODEL_FILES]);
+    model_files_init(&c.files, file, &c.pack.arrays[MODEL_FILES]);
     if (!assimp_load(&c.library, &why))
         (void)convert_fail(&c, TIA_ERR_DEVICE, "%s", why);
     else if (!convert_all(&c))

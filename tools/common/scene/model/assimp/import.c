@@ -55,10 +55,10 @@ static void confine(void)
         limit(RLIMIT_AS, (rlim_t)IMPORT_MEMORY);
 }
 
-static void work(int fd, const char *path)
+static void work(int fd, const struct scene_file *file)
 {
     confine();
-    _exit(convert_model(fd, path) ? EXIT_FAILURE : EXIT_SUCCESS);
+    _exit(convert_model(fd, file) ? EXIT_FAILURE : EXIT_SUCCESS);
 }
 
 /* ---- in the program ---- */
@@ -114,13 +114,13 @@ void import_here(void)
     is_here = true;
 }
 
-int import_run(struct import_result *result, const char *path)
+int import_run(struct import_result *result, const struct scene_file *file)
 {
     *result = (struct import_result){.fd = memfd_create("model", MFD_CLOEXEC)};
     if (result->fd < 0)
         return fail(result, TIA_ERR_MEMORY, strerror(errno));
     if (is_here) {
-        (void)convert_model(result->fd, path);
+        (void)convert_model(result->fd, file);
         return read_status(result, 0);
     }
     (void)fflush(NULL);
@@ -128,6 +128,6 @@ int import_run(struct import_result *result, const char *path)
     if (child < 0)
         return fail(result, TIA_ERR_MEMORY, strerror(errno));
     if (child == 0)
-        work(result->fd, path);
+        work(result->fd, file);
     return read_status(result, wait_for(child));
 }

@@ -5,8 +5,6 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "common/scene/file.h"
-
 /* An open file: its bytes, which are freed with it. */
 struct open_file {
     struct aiFile calls;
@@ -14,27 +12,40 @@ struct open_file {
     size_t at;
 };
 
-int model_files_read(struct model_files *files, const char *path, struct whole *whole, const char **why)
+static void note(struct model_files *files, const char *path)
 {
     struct stat status;
-    int result = whole_read(whole, path, files->left, why);
+    struct model_input input = {.device = 0};
 
+    if (stat(path, &status) != 0)
+        return;
+    input.device = (uint64_t)status.st_dev;
+    input.inode = (uint64_t)status.st_ino;
+    (void)snprintf(input.path, sizeof input.path, "%s", path);
+    (void)pack_add(files->noted, &input);
+}
+
+int model_files_read(struct model_files *files, const char *path, struct whole *whole, const char **why)
+{
+    *why = SCENE_REFUSED;
+    if (!scene_opens(files->file, path))
+        return TIA_ERR_RANGE;
+    int result = whole_read(whole, path, files->left, why);
     if (result)
         return result;
     files->left -= whole->length;
-    if (stat(path, &status) == 0)
-        (void)pack_add(files->noted, &(struct model_input){(uint64_t)status.st_dev, (uint64_t)status.st_ino});
+    note(files, path);
     return TIA_OK;
 }
 
 /* Reads a file of the model's folder or, with a path from the root, that one. */
 static int read_beside(struct model_files *files, const char *name, struct whole *whole, const char **why)
 {
-    const char *slash = strrchr(files->path, '/');
-    int folder = slash && name[0] != '/' ? (int)(slash + 1 - files->path) : 0;
-    char path[4096];
+    const char *model = files->file->path, *slash = strrchr(model, '/');
+    int folder = slash && name[0] != '/' ? (int)(slash + 1 - model) : 0;
+    char path[MODEL_PATH];
 
-    (void)snprintf(path, sizeof path, "%.*s%s", folder, files->path, name);
+    (void)snprintf(path, sizeof path, "%.*s%s", folder, model, name);
     return model_files_read(files, path, whole, why);
 }
 
@@ -134,8 +145,8 @@ static void close_file(struct aiFileIO *io, struct aiFile *file)
     free(open);
 }
 
-void model_files_init(struct model_files *files, const char *path, struct pack_array *noted)
+void model_files_init(struct model_files *files, const struct scene_file *file, struct pack_array *noted)
 {
-    *files = (struct model_files){.noted = noted, .left = SCENE_NAMED_MOST, .path = path};
+    *files = (struct model_files){.file = file, .noted = noted, .left = SCENE_NAMED_MOST};
     files->io = (struct aiFileIO){.OpenProc = open_named, .CloseProc = close_file, .UserData = (void *)files};
 }

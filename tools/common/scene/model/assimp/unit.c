@@ -24,7 +24,7 @@ bool convert_reaches(const struct convert *c, const double at[3])
 
 bool convert_is_gltf(const struct convert *c)
 {
-    const char *dot = strrchr(c->files.path, '.');
+    const char *dot = strrchr(c->files.file->path, '.');
     return dot && (strcasecmp(dot, ".gltf") == 0 || strcasecmp(dot, ".glb") == 0);
 }
 
