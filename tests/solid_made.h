@@ -15,7 +15,7 @@ static struct tia_scene scene;
 static struct tia_transform transforms[2];
 
 /* Begins a solid of no members; member i has material i. */
-static void begin(void)
+static inline void begin(void)
 {
     memset(members, 0, sizeof members);
     for (uint32_t i = 0; i <= TIA_SOLID_MEMBERS; i++)
@@ -32,29 +32,29 @@ static void begin(void)
                                .solid_count = 1};
 }
 
-static struct tia_vec3 q16s(double x, double y, double z)
+static inline struct tia_vec3 q16s(double x, double y, double z)
 {
     return (struct tia_vec3){(tia_q16)(x * 65536), (tia_q16)(y * 65536), (tia_q16)(z * 65536)};
 }
 
-static void step(uint8_t kind)
+static inline void step(uint8_t kind)
 {
     steps[solid.step_count++] = kind;
 }
 
-static struct tia_shape *member(enum tia_shape_kind kind)
+static inline struct tia_shape *member(enum tia_shape_kind kind)
 {
     step(M);
     members[solid.member_count].kind = kind;
     return &members[solid.member_count++];
 }
 
-static void box(double x0, double y0, double z0, double x1, double y1, double z1)
+static inline void box(double x0, double y0, double z0, double x1, double y1, double z1)
 {
     member(TIA_BOX)->box = (struct tia_box){q16s(x0, y0, z0), q16s(x1, y1, z1)};
 }
 
-static void ball(double x, double y, double z, double radius)
+static inline void ball(double x, double y, double z, double radius)
 {
     struct tia_shape *s = member(TIA_SPHERE);
 
@@ -62,7 +62,7 @@ static void ball(double x, double y, double z, double radius)
     s->sphere.radius = (tia_q16)(radius * 65536);
 }
 
-static void cylinder(struct tia_vec3 base, struct tia_vec3 top, double radius)
+static inline void cylinder(struct tia_vec3 base, struct tia_vec3 top, double radius)
 {
     member(TIA_CYLINDER)->cylinder = (struct tia_cylinder){base, top, (tia_q16)(radius * 65536), true};
 }

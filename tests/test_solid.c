@@ -1,96 +1,12 @@
 /* Solids: rays with known hits, coinciding faces, boxes, refusals. */
 #include "check.h"
 #include "random.h"
-#include "render/trace/trace.h"
 #include "scene/solid.h"
-#include "solid_made.h"
+#include "solid_rays.h"
 
 #include <math.h>
 #include <string.h>
 #include <tia/tia.h>
-
-#define NEAR(got, want)                                                                                                \
-    CHECK_MSG(fabs((got) - (want)) < 1e-9, "%s is %.12g, not %.12g", #got, (double)(got), (double)(want))
-
-static struct tia_view *view;
-static void *memory;
-
-static void close_view(void)
-{
-    free(memory);
-    memory = NULL;
-}
-
-static void open_view(void)
-{
-    size_t size = tia_view_size(&scene, 1);
-    struct tia_fault fault = {0};
-
-    CHECK_MSG(!tia_scene_check(&scene, &fault), "%s %u: %s: %s", fault.thing, fault.index, fault.field, fault.rule);
-    close_view();
-    memory = malloc(size);
-    CHECK_EQ(tia_view_init(&view, memory, size, &scene, 1, 16, 16, NULL), TIA_OK);
-}
-
-static struct num_point point_of(double x, double y, double z)
-{
-    return (struct num_point){num_length_of_q45((int64_t)ldexp(x, 45)), num_length_of_q45((int64_t)ldexp(y, 45)),
-                              num_length_of_q45((int64_t)ldexp(z, 45))};
-}
-
-static struct ray ray_of(double x, double y, double z, double dx, double dy, double dz)
-{
-    struct num_dir d = num_dir_normalised((struct num_dir){num_unit_of_q62((int64_t)ldexp(dx, 60)),
-                                                           num_unit_of_q62((int64_t)ldexp(dy, 60)),
-                                                           num_unit_of_q62((int64_t)ldexp(dz, 60))});
-
-    return (struct ray){.origin = point_of(x, y, z), .direction = d};
-}
-
-/* A hit's distance, its member, and the normal against the ray's direction: 0 if there is none. */
-struct found {
-    double t, facing;
-    struct num_dir normal;
-    uint32_t material;
-    bool met;
-};
-
-static double real_of(num_length x)
-{
-    return (double)x / (double)NUM_LENGTH_ONE;
-}
-
-static struct found cast(struct ray ray)
-{
-    const struct ray_view *rays = view->prepared;
-    struct found found = {.met = false};
-    struct surface surface;
-    struct hit hit;
-
-    ray_intersect(rays, &ray, &hit);
-    if (hit.object == TIA_NO_OBJECT)
-        return found;
-    ray_surface(rays, &hit, num_point_at(ray.origin, ray.direction, hit.t), &surface);
-    found.met = true;
-    found.t = real_of(hit.t);
-    found.normal = surface.normal;
-    found.facing = (double)num_dir_dot(surface.normal, ray.direction) / (double)NUM_UNIT_ONE;
-    found.material = ray_material(rays, hit.object, hit.element);
-    return found;
-}
-
-/* Checks the hit of a ray: its distance, or none if that is negative, the material, and the side that is met. */
-static void expect(struct ray ray, double t, uint32_t material, bool enters)
-{
-    struct found found = cast(ray);
-
-    CHECK_MSG(found.met == (t >= 0), "met: %d, not %d", found.met, t >= 0);
-    if (t < 0)
-        return;
-    NEAR(found.t, t);
-    CHECK_MSG(found.material == material, "material %u, not %u", found.material, material);
-    CHECK_MSG((found.facing < 0) == enters, "normal at %g against the ray", found.facing);
-}
 
 /* Two overlapping balls of radius 2 at x = -1 and 1, along their axis: -3 -1 1 3. */
 TEST(two_balls)
@@ -161,85 +77,6 @@ TEST(half_spaces)
     open_view();
     expect(ray_of(0, -10, 0, 0, 1, 0), 11, 1, true);
     expect(ray_of(0, 10, 0, 0, -1, 0), 8, 0, true);
-}
-
-static void torus(double x, double y, double z, double major, double minor)
-{
-    member(TIA_TORUS)->torus =
-        (struct tia_torus){q16s(x, y, z), {0, TIA_Q30_ONE, 0}, (tia_q16)(major * 65536), (tia_q16)(minor * 65536)};
-}
-
-/* A line through a torus is inside twice: -5 -3 3 5. A box takes the ring's far half away, a groove is the torus taken
- * out of a plate. */
-TEST(rings)
-{
-    begin();
-    torus(0, 0, 0, 4, 1);
-    box(0, -2, -6, 6, 2, 6);
-    step(D);
-    open_view();
-    expect(ray_of(-10, 0, 0, 1, 0, 0), 5, 0, true);
-    expect(ray_of(-4, 0, 0, 1, 0, 0), 1, 0, false);
-    expect(ray_of(-2, 0, 0, 1, 0, 0), -1, 0, true);
-    expect(ray_of(10, 0, 0, -1, 0, 0), 13, 0, true);
-    expect(ray_of(-0.5, 0, 4, 1, 0, 0), 0.5, 1, false); /* the cut */
-    steps[2] = I;
-    open_view();
-    expect(ray_of(-10, 0, 0, 1, 0, 0), 13, 0, true);
-    expect(ray_of(4, 0, 0, 1, 0, 0), 1, 0, false);
-    begin();
-    box(-6, -3, -6, 6, 0, 6);
-    torus(0, 0, 0, 4, 1);
-    step(D);
-    open_view();
-    expect(ray_of(4, 10, 0, 0, -1, 0), 11, 1, true);
-    expect(ray_of(0, 10, 0, 0, -1, 0), 10, 0, true);
-    expect(ray_of(-10, -0.5, 0, 1, 0, 0), 4, 0, true);
-    expect(ray_of(-4, -0.5, 0, 1, 0, 0), sqrt(0.75), 1, true);
-    expect(ray_of(-2, -0.5, 0, 1, 0, 0), 6 - sqrt(0.75), 1, false);
-}
-
-/* A torus of half the size, moved: its second chord is found behind its first one, whatever the roundings are. */
-TEST(placed_ring)
-{
-    for (int i = 0; i < 50; i++) {
-        double angle = i * 0.7, x = cos(angle), z = sin(angle);
-        begin();
-        torus(0, 0, 0, 4, 1);
-        box(-6, -2, -6, 6, 2, 6);
-        step(I);
-        ball(0, 0, 0, 1);
-        step(U);
-        transforms[0] = (struct tia_transform){q16s(0, 0, 0), q16s(0, 0, 0), q16s(0.3, 0.3, 0.3)};
-        scene.transform_count = 1;
-        members[0].transform = 1;
-        open_view();
-        double scale = transforms[0].scale.x / 65536.0;
-        expect(ray_of(-10 * x, 0, -10 * z, x, 0, z), 10 - 5 * scale, 0, true);
-        expect(ray_of(-2 * x, 0.5, -2 * z, x, 0, z), 2 - sqrt(0.75), 2, true);
-        members[2].sphere.radius = TIA_Q16(0.5);
-        open_view();
-        expect(ray_of(-0.7 * x, 0, -0.7 * z, x, 0, z), 0.2, 2, true);
-        expect(ray_of(0.7 * x, 0, 0.7 * z, x, 0, z), 3 * scale - 0.7, 0, true);
-        steps[4] = D; /* the ball has no part in the ring */
-        open_view();
-        expect(ray_of(0, 0, 0, x, 0, z), 3 * scale, 0, true);
-        expect(ray_of(-4 * scale * x, 0, -4 * scale * z, x, 0, z), scale, 0, false);
-    }
-}
-
-TEST(rounded_member)
-{
-    begin();
-    member(TIA_ROUNDED)->rounded = (struct tia_rounded){q16s(-2, -2, -2), q16s(2, 2, 2), TIA_Q16(1)};
-    ball(0, 2, 0, 1);
-    step(D);
-    open_view();
-    expect(ray_of(0, 10, 0, 0, -1, 0), 9, 1, true);
-    expect(ray_of(1.5, 10, 0, 0, -1, 0), 9 - sqrt(0.75), 0, true); /* the rounded edge */
-    expect(ray_of(0, 0, 0, 1, 0, 0), 2, 0, false);
-    expect(ray_of(-10, 1.5, 0, 1, 0, 0), 9 - sqrt(0.75), 0, true);
-    expect(ray_of(-1.25, 1.5, 0, 1, 0, 0), 1.25 - sqrt(0.75), 1, false);
 }
 
 /* Random rays at a solid with coinciding faces never see what would be a sliver between them. */
@@ -441,9 +278,6 @@ int main(void)
     RUN(two_balls);
     RUN(nested);
     RUN(half_spaces);
-    RUN(rings);
-    RUN(placed_ring);
-    RUN(rounded_member);
     RUN(faces_that_coincide);
     RUN(thin_parts);
     RUN(placed);

@@ -9,5 +9,5 @@ static void prepare(struct shape *shape, const struct tia_scene *scene, const st
     round_prepare(&shape->cone, &ends, c->capped);
 }
 
-const struct shape_kind SHAPE_KIND(cone) = {prepare, round_intersect, shape_occludes, round_surface, round_uv,
-                                         round_chord};
+const struct shape_kind SHAPE_KIND(cone) = {prepare,       round_intersect, shape_occludes,
+                                            round_surface, round_uv,        round_chord};

@@ -44,5 +44,4 @@ static void prepare(struct shape *shape, const struct tia_scene *scene, const st
     shape->uv_bits = (int8_t)-scene->scale_bits;
 }
 
-const struct shape_kind SHAPE_KIND(plane) = {prepare, intersect, shape_occludes, flat_surface, uv_at,
-                                           chord_of};
+const struct shape_kind SHAPE_KIND(plane) = {prepare, intersect, shape_occludes, flat_surface, uv_at, chord_of};

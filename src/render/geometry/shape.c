@@ -1,4 +1,4 @@
-#include "crossings.h"
+#include "shape.h"
 
 void shape_prepare(struct shape *shape, const struct tia_scene *scene, const struct tia_shape *given)
 {
@@ -16,14 +16,4 @@ uint32_t shape_material(const struct shape *shape, uint32_t element)
     if (shape->kind == &SHAPE_KIND(grid))
         return shape->material + shape->grid.grid->cells[element / 6] - 1;
     return shape_part(shape, &element)->material;
-}
-
-bool crossings_chord(const num_length *t, unsigned count, num_length after, struct chord *chord)
-{
-    for (unsigned i = 0; i + 1 < count; i += 2)
-        if (t[i + 1] > after) {
-            *chord = (struct chord){{t[i], 0}, {t[i + 1], 0}};
-            return true;
-        }
-    return false;
 }

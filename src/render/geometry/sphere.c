@@ -73,5 +73,4 @@ static void prepare(struct shape *shape, const struct tia_scene *scene, const st
     shape->sphere = (struct prepared_sphere){num_point_of(given->sphere.centre), num_length_of(given->sphere.radius)};
 }
 
-const struct shape_kind SHAPE_KIND(sphere) = {prepare, intersect, shape_occludes, surface_at, uv_at,
-                                            chord_of};
+const struct shape_kind SHAPE_KIND(sphere) = {prepare, intersect, shape_occludes, surface_at, uv_at, chord_of};
