@@ -292,7 +292,7 @@ $(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(BUILD)/liboracle.a $(LIBCOMMON)
 
 # Scenes as const tables: for a test, and for boards without files.
 COMPILED := every $(filter-out thesis,$(patsubst scenes/%.tia,%,$(wildcard scenes/*.tia)))
-$(BUILD)/scenes/%.c: scenes/%.tia $(wildcard scenes/*.ppm) $(BUILD)/tia-compile
+$(BUILD)/scenes/%.c: scenes/%.tia $(wildcard scenes/*.p[gp]m scenes/*.ply) $(BUILD)/tia-compile
 	@mkdir -p $(@D)
 	$(call say,TABLES,$<)$(BUILD)/tia-compile $< -o $@ --name compiled_$(subst -,_,$*)
 $(BUILD)/scenes/every.c: tests/scenes/every.tia $(BUILD)/tia-compile

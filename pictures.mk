@@ -11,8 +11,9 @@ docs: gallery counted
 comma := ,
 draw = $(call say,DRAW,$(1))$(BUILD)/tia $(2) -o $(1)$(newline)
 draw_radio = $(call say,DRAW,$(1))$(BUILD)/tia-radio scenes/block.tia -f 3.5G --tx 2$(comma)8$(comma)1 $(2) -o $(1) >/dev/null$(newline)
+MODELS := desk knots fjord dice clockwork
 gallery: all $(BUILD)/tests/test_raster_mirror
-	$(foreach n,glass avenue flake chess castle vase orrery shadow-volume shadow-mapping porch,$(call draw,docs/gallery/$(n).png,scenes/$(n).tia -s 400x300))
+	$(foreach n,glass avenue flake chess castle vase orrery shadow-volume shadow-mapping porch $(MODELS),$(call draw,docs/gallery/$(n).png,scenes/$(n).tia -s 400x300))
 	$(call draw,docs/gallery/marbles.png,scenes/marbles.tia --time 5 -s 400x300)
 	$(call draw,docs/gallery/cornell.png,scenes/cornell.tia --denoise -s 300x300)
 	$(call draw,docs/gallery/window.png,scenes/window.tia --spp 64 --denoise -s 400x300)
@@ -31,7 +32,9 @@ gallery: all $(BUILD)/tests/test_raster_mirror
 	$(call draw,docs/light/depth.png,scenes/cornell.tia -s 128x128 --spp 16 --guide depth --exposure -10.5)
 	$(call draw,docs/light/error.png,scenes/cornell.tia -s 128x128 --spp 16 --guide error --exposure 3)
 	$(call draw,docs/tori.png,scenes/shapes/tori.tia -s 480x360)
-	$(call draw,docs/glass.png,scenes/glass.tia -s 640x360)
+	$(call draw,docs/desk.png,scenes/desk.tia -s 640x360)
+	$(call draw,docs/wrinkles.png,scenes/textures/wrinkles.tia -s 480x360)
+	$(foreach n,horizon horizon-none,$(call draw,docs/$(n).png,scenes/textures/$(n).tia -s 400x300))
 	$(call draw,docs/solids.png,scenes/solids.tia -s 640x360)
 	$(call draw,docs/thesis.png,-k a -s 640x360)
 	$(foreach n,place receiver caster,$(call draw,docs/shadows/$(n).png,scenes/shadows/$(n).tia -s 240x180))

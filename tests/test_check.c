@@ -266,7 +266,7 @@ TEST(materials)
     material.texture = 1;
     check_accepted();
     material.texture = 2;
-    check_refused("material", 0, "texture", "must be 0 or the number of a checker or an image");
+    check_refused("material", 0, "texture", "must be 0 or the number of a checker, an image or a noise");
     material.texture = 0;
     for (material.opacity = 1; material.opacity < 3; material.opacity++)
         check_refused("material", 0, "opacity", "must be 0 or the number of an opacity texture");
@@ -274,20 +274,34 @@ TEST(materials)
     check_refused("material", 0, "opacity", "must be 0 or the number of an opacity texture");
     material.opacity = 1;
     check_accepted();
+    material.bump = 2;
+    check_refused("material", 0, "bump", "must be 0 or the number of a texture");
+    material.bump = 1;
+    check_accepted();
     material.texture = 1;
-    check_refused("material", 0, "texture", "must be 0 or the number of a checker or an image");
+    check_refused("material", 0, "texture", "must be 0 or the number of a checker, an image or a noise");
 }
 
 TEST(textures)
 {
     set_up();
-    texture.kind = (enum tia_texture_kind)3;
-    check_refused("texture", 0, "kind", "must be a checker, an image or an opacity");
-    for (int kind = 0; kind < 3; kind++) {
+    texture.kind = (enum tia_texture_kind)4;
+    check_refused("texture", 0, "kind", "must be a checker, an image, an opacity or a noise");
+    texture.octaves = 1;
+    for (int kind = 0; kind < 4; kind++) {
         texture.kind = (enum tia_texture_kind)kind;
         for (int i = 0; i < 2; i++)
             check_range(&texture.repeat[i], 64, INT32_MAX, "texture", 0, "repeat", "must be 1/1024 or more");
     }
+    check_range(&texture.depth, -64 * ONE, 64 * ONE, "texture", 0, "depth", "must be in -64..64");
+    texture.depth = 0;
+    texture.octaves = 8;
+    check_accepted();
+    texture.octaves = 9;
+    check_refused("texture", 0, "octaves", "must be in 1..8");
+    texture.octaves = 0;
+    check_refused("texture", 0, "octaves", "must be in 1..8");
+    texture.kind = TIA_OPACITY;
     texture.cells[0].r = -1; /* cells are only for checkers */
     check_accepted();
     texture.cells[0].r = 0;
@@ -306,9 +320,12 @@ TEST(textures)
     texture.height = 1;
     texture.texels = NULL;
     check_refused("texture", 0, "texels", "must not be NULL");
-    texture.kind = TIA_CHECKER;
-    check_colour(&texture.cells[0], TIA_Q30_ONE, "texture", 0, "cells", UNIT);
-    check_colour(&texture.cells[1], TIA_Q30_ONE, "texture", 0, "cells", UNIT);
+    texture.octaves = 1;
+    for (int kind = 0; kind < 2; kind++) {
+        texture.kind = kind ? TIA_NOISE : TIA_CHECKER;
+        check_colour(&texture.cells[0], TIA_Q30_ONE, "texture", 0, "cells", UNIT);
+        check_colour(&texture.cells[1], TIA_Q30_ONE, "texture", 0, "cells", UNIT);
+    }
 }
 
 int main(void)

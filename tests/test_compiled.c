@@ -12,7 +12,8 @@ enum { WIDTH = 72, HEIGHT = 54 };
 /* Scenes that the Makefile compiles: each scene of the gallery, and one of everything. */
 extern const struct tia_scene compiled_every, compiled_glass, compiled_flake, compiled_chess, compiled_castle,
     compiled_avenue, compiled_vase, compiled_orrery, compiled_porch, compiled_shadow_volume, compiled_shadow_mapping,
-    compiled_cornell, compiled_marbles, compiled_window, compiled_caustic, compiled_block, compiled_solids;
+    compiled_cornell, compiled_marbles, compiled_window, compiled_caustic, compiled_block, compiled_solids,
+    compiled_desk, compiled_knots, compiled_fjord, compiled_dice, compiled_clockwork;
 
 static uint32_t picture(const struct tia_scene *given)
 {
@@ -98,6 +99,11 @@ SAME_AS_ITS_FILE(flake)
 SAME_AS_ITS_FILE(chess)
 SAME_AS_ITS_FILE(castle)
 SAME_AS_ITS_FILE(avenue)
+SAME_AS_ITS_FILE(desk)
+SAME_AS_ITS_FILE(knots)
+SAME_AS_ITS_FILE(fjord)
+SAME_AS_ITS_FILE(dice)
+SAME_AS_ITS_FILE(clockwork)
 SAME_AS_ITS_FILE(vase)
 SAME_AS_ITS_FILE(orrery)
 SAME_AS_ITS_FILE(window)
@@ -150,6 +156,11 @@ int main(void)
     RUN(chess);
     RUN(castle);
     RUN(avenue);
+    RUN(desk);
+    RUN(knots);
+    RUN(fjord);
+    RUN(dice);
+    RUN(clockwork);
     RUN(vase);
     RUN(orrery);
     RUN(porch);

@@ -263,7 +263,8 @@ static void try_blend(struct used *u)
     const struct sure_material m = {.texture = &t, .repeat = {1, 1}};
     struct texture_point p = {&scene->object[0], 0, {0, 0, 0}, (double)unit * some_size(4, 30)};
     struct coordinates c;
-    num_length uv[2], value[3];
+    struct texture_place place = {.bits = 0};
+    num_length value[3];
     double rgb[3], e;
 
     for (int i = 0; i < 3; i++)
@@ -274,8 +275,8 @@ static void try_blend(struct used *u)
         return;
     }
     for (int i = 0; i < 2; i++)
-        uv[i] = (num_length)((c.uv[i] + (double)WITHIN * c.e * some_sign()) / SURE_UNIT);
-    (void)ray_texture(&t, uv, 0, value);
+        place.at[i] = (num_length)((c.uv[i] + (double)WITHIN * c.e * some_sign()) / SURE_UNIT);
+    (void)ray_texture(&t, &place, value);
     for (int i = 0; i < 3; i++)
         use(u, sure_length(value[i]) - rgb[i], e + P2M(44));
 }

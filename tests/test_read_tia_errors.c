@@ -77,7 +77,7 @@ TEST(names)
 TEST(looks)
 {
     check_refused("material m color 1",
-                  "1:12: 'color' is not a field of a material, expected colour, texture, opacity, specular, "
+                  "1:12: 'color' is not a field of a material, expected colour, texture, opacity, bump, specular, "
                   "exponent, refraction, index, mirror, fresnel, transmission, emission or facing");
     check_refused("material m mirror 1 mirror 1", "1:21: 'mirror' is given twice, expected once");
     check_refused(M "material n colour 0.5 1.5 0", "2:23: '1.5' is out of range, expected a number from 0 to 1");
@@ -85,12 +85,15 @@ TEST(looks)
     check_refused("filter", "1:7: the line ends here, expected none or footprint");
     check_refused("filter mip", "1:8: 'mip' is not a filter, expected none or footprint");
     check_refused("filter none\nfilter none", "2:1: 'filter' is given twice, expected once");
-    check_refused("texture t stripes", "1:11: 'stripes' is not a kind of texture, expected checker, image or opacity");
-    check_refused("texture t", "1:10: the line ends here, expected checker, image or opacity");
+    check_refused("texture t stripes", "1:11: 'stripes' is not a kind of texture, expected checker, image, opacity or noise");
+    check_refused("texture t", "1:10: the line ends here, expected checker, image, opacity or noise");
     check_refused("texture t checker repeat 1 2 3",
-                  "1:30: '3' is not a field of a checker, expected repeat, scale, offset, even or odd");
+                  "1:30: '3' is not a field of a checker, expected repeat, scale, offset, depth, even or odd");
     check_refused("texture t checker repeat 2 scale 3",
                   "1:35: the line ends here, expected either repeat or scale, not both");
+    check_refused("texture t noise octaves 9", "1:25: '9' is out of range, expected a whole number from 1 to 8");
+    check_refused("texture t noise odd 1",
+                  "1:17: 'odd' is not a field of a noise, expected repeat, scale, offset, depth, low, high or octaves");
     check_refused("texture t checker scale 0", "1:26: the line ends here, expected a scale of 1/1048576 to 1048576");
     check_refused("texture t checker offset 1", "1:27: the line ends here, expected a number below 2147483648");
     check_refused("texture t image", "1:16: the line ends here, expected an image's file");

@@ -3,6 +3,7 @@
 
 #include "check.h"
 #include "common/scene/scene_load.h"
+#include "scene/picture.h"
 #include "scene/scene_sum.h"
 
 static struct scene_file file;
@@ -62,9 +63,9 @@ static void change_deep_arrays(const struct tia_scene *s)
     }
     for (uint32_t i = 0; i < s->texture_count; i++)
         ARRAY(SCENE_PARTS, s->textures[i].texels,
-              s->textures[i].kind == TIA_CHECKER
-                  ? 0
-                  : (size_t)s->textures[i].width * s->textures[i].height * (s->textures[i].kind == TIA_IMAGE ? 3 : 1));
+              texture_has_texels(&s->textures[i])
+                  ? (size_t)s->textures[i].width * s->textures[i].height * (s->textures[i].kind == TIA_IMAGE ? 3 : 1)
+                  : 0);
     for (uint32_t i = 0; i < s->grid_count; i++)
         ARRAY(SCENE_PARTS, s->grids[i].cells, (size_t)s->grids[i].size[0] * s->grids[i].size[1] * s->grids[i].size[2]);
     for (uint32_t i = 0; i < s->solid_count; i++) {

@@ -14,13 +14,18 @@
  * (1 - F) refraction, where F is the reflectance by Fresnel's equations for unpolarised light. On total
  * internal reflection F = 1, with or without `fresnel`.
  *
- * N is the shading normal: interpolated on a mesh that has normals, elsewhere the geometric normal G. Where the ray
- * hits the back of the surface both are negated. Shadow rays and reflected rays start at P + b G, and refracted rays at
- * P - b G, so that rounding cannot make them hit the surface that they leave; b is 2^-13, or 2^-26 in scenes that have
- * `fine`. A shadow ray ends exactly at the light's sample, but in the span renderer b G beside it. A light contributes
- * nothing where G.L <= 0 or N.L <= 0. Where an interpolated normal has N.V <= 0, F = 1. T is the product of
- * `transmission` over the objects that the shadow ray hits before the light. Each object counts once, however often the
- * ray hits it: a grid counts by the first cell hit, and a mesh that has groups once for each group hit.
+ * N is the shading normal: interpolated on a mesh that has normals, elsewhere the geometric normal G; a material's bump
+ * perturbs it (Blinn, "Simulation of wrinkled surfaces", 1978) as if the surface were moved outwards by a height, the
+ * value of the bump's texture times its depth: N - grad h, normalised. That value is 0 or 1 in a checker's even and odd
+ * cells, with a ramp of a sixteenth of a cell on both sides of an edge; the mean of the channels of a picture, blended
+ * bilinearly; the value of a noise, not clamped. Where N.V would be below 1/64, N is turned to V until it is not, but
+ * not beyond the normal before. Where the ray hits the back of the surface both are negated. Shadow rays and reflected
+ * rays start at P + b G, and refracted rays at P - b G, so that rounding cannot make them hit the surface that they
+ * leave; b is 2^-13, or 2^-26 in scenes that have `fine`. A shadow ray ends exactly at the light's sample, but in the
+ * span renderer b G beside it. A light contributes nothing where G.L <= 0 or N.L <= 0. Where an interpolated normal has
+ * N.V <= 0, F = 1. T is the product of `transmission` over the objects that the shadow ray hits before the light. Each
+ * object counts once, however often the ray hits it: a grid counts by the first cell hit, and a mesh that has groups
+ * once for each group hit.
  *
  * An opacity texture makes parts of a surface invisible. Where its value at P is o, the colour is o times the one above
  * plus 1 - o times the colour seen behind the surface, along a ray that goes straight on from P - b V. Where the
@@ -85,38 +90,70 @@ struct tia_material {
     tia_q16 index;
     bool fresnel;
     uint8_t emission_bits; /* TIA_PATHS: emission is 2^emission_bits times as large, 0..TIA_EMISSION_BITS_MAX */
+    uint16_t bump;         /* 0: smooth; n: the scene's texture n - 1 is the height of the surface, see its `depth` */
     struct tia_rgb facing; /* weight of the facing ratio N.V */
-    uint32_t texture;      /* texture of the colour. 0: none; n: the scene's texture n - 1, a checker or an image */
+    uint32_t texture;      /* texture of the colour. 0: none; n: the scene's texture n - 1, any but a TIA_OPACITY */
     uint32_t opacity;      /* 0: opaque; n: the scene's texture n - 1, of the kind TIA_OPACITY */
 };
 
-enum tia_texture_kind { TIA_CHECKER, TIA_IMAGE, TIA_OPACITY };
+enum tia_texture_kind { TIA_CHECKER, TIA_IMAGE, TIA_OPACITY, TIA_NOISE };
 
 #define TIA_TEXTURE_BITS_MIN (-8)
 #define TIA_TEXTURE_BITS_MAX 12
+#define TIA_OCTAVES_MAX 8
+#define TIA_BUMP_MAX TIA_Q16(64)
 
 /* A texture. Its value is taken at repeat (u - offset), repeat (v - offset) of the surface coordinates u, v: see
- * shape.h. */
+ * shape.h.
+ *
+ * TIA_NOISE fills space: it is taken at a point of the shape's own axes, before the transform, relative to the centre
+ * for spheres, in the file's units. x and z are multiplied by repeat[0], y by repeat[1]; offset[0] is subtracted from x
+ * before, offset[1] from y. At the point p
+ *
+ *     value = 1/2 + 3/4 sum_o 2^-o n_o(2^o p), clamped to 0..1, o = 0..octaves - 1
+ *     colour = cells[0] + value (cells[1] - cells[0])
+ *
+ * where n_o is gradient noise after Perlin, "Improving noise" (2002), between -1.04 and 1.04, with the mean 0. The
+ * eight corners c of the cube of integers around q contribute g_c.(q - c), blended along the axes by the fade
+ * polynomial f(t) = t^3 (t (6 t - 15) + 10) of the position t in the cube. g_c is one of the twelve vectors from the
+ * middle of a cube to the middles of its edges. Their permutation is an integer hash of c modulo 2^31 and o, modulo
+ * 2^32:
+ *
+ *     h = 0x9e3779b1 c.x + 0x85ebca77 c.y + 0xc2b2ae3d c.z + 0x27d4eb2f o
+ *     h = (h ^ h >> 16) 0x21f0aaad,  h = (h ^ h >> 15) 0x735a2d97,  h = h ^ h >> 15
+ *     i = floor(12 floor(h / 2^16) / 2^16)
+ *     g = (0, a, b) for i = 0..3, (a, 0, b) for 4..7, (a, b, 0) for 8..11; a = -1 if i is odd, b = -1 if i & 2, else 1
+ */
 struct tia_texture {
     enum tia_texture_kind kind;
     tia_q16 repeat[2]; /* repetitions per unit of u and v, times 2^-repeat_bits, TIA_Q16(1/1024)..INT32_MAX */
     tia_q16 offset[2]; /* position of the texture's (0, 0) on the surface, times 2^-offset_bits */
 
-    /* TIA_CHECKER: cells of 1 x 1, cells[0] where floor(u) + floor(v) is even. Channels in [0, 1]. */
+    /* TIA_CHECKER: cells of 1 x 1, cells[0] where floor(u) + floor(v) is even. TIA_NOISE: see above. Channels in
+     * [0, 1]. */
     struct tia_rgb cells[2];
 
     /* TIA_IMAGE, TIA_OPACITY: covers 1 x 1 and repeats, its first row at the top, v = 1. The centre of texel (x, y),
      * counted from the upper left, is at u = (x + 1/2)/width, v = 1 - (y + 1/2)/height. */
     bool bilinear; /* false: nearest texel */
 
-    /* TIA_CHECKER: rays from the eye see the mean over the part of the surface that their sample stands for, instead of
-     * the value at a point; not on triangles and meshes, nor by TIA_OCCLUSION and TIA_PATHS. */
+    /* Rays see the mean over the part of the surface that their sample stands for, instead of the value at a point: of
+     * an image or opacity with `mip_levels`, of a noise, of a checker. Shadow rays, bumps, TIA_OCCLUSION, TIA_PATHS and
+     * libraries made without footprints see the value at a point. */
     bool footprint;
 
     uint16_t width, height; /* 1..TIA_TEXTURE_MAX */
     const uint8_t *texels;  /* row by row: red, green, blue, or for TIA_OPACITY one byte; 255 is 1.0 */
 
     int8_t repeat_bits, offset_bits; /* TIA_TEXTURE_BITS_MIN..TIA_TEXTURE_BITS_MAX */
+
+    uint8_t octaves; /* TIA_NOISE: 1..TIA_OCTAVES_MAX */
+
+    /* As a material's bump: the height of the surface where the value is 1, above where it is 0, in the file's units,
+     * -TIA_BUMP_MAX..TIA_BUMP_MAX. */
+    tia_q16 depth;
+
+    const uint8_t *mip_levels; /* TIA_IMAGE, TIA_OPACITY: NULL, or what tia_mip_build of mip.h has made */
 };
 
 #define TIA_TEXTURE_MAX 16384

@@ -96,8 +96,9 @@ struct tia_reader {
      * and must then return the same text. Here and below, the loaded memory stays the caller's and must outlive the
      * scene. If the function is NULL, a reference to such a file is an error. */
     int (*library)(void *ctx, const char *name, const char **text, size_t *length, const char **why);
-    /* Loads an image: sets the texture's width, height and texels. Called once for each texture, and only once the
-     * memory is certain to suffice. Names and errors are as for `library`. */
+    /* Loads an image: sets the texture's width, height and texels; if it has `footprint`, also `mip_levels`, without
+     * which it is not filtered. Called once for each texture, and only once the memory is certain to suffice. Names and
+     * errors are as for `library`. */
     int (*image)(void *ctx, const char *name, struct tia_texture *texture, const char **why);
     /* Loads one channel of an image, otherwise as `image` does. */
     int (*opacity)(void *ctx, const char *name, enum tia_channel channel, struct tia_texture *texture,
@@ -120,10 +121,10 @@ struct tia_reader {
     struct tia_read_error error;            /* set if tia_read returns TIA_ERR_RANGE */
 };
 
-/* The view of a model that has neither a camera nor lights, such as an .obj or .stl file: its eye is 35 degrees to the right of
- * +z and 25 above the horizon, and sees the sphere of that centre and radius, of TIA_RADIUS_MIN or more, in a field of
- * view of 40 degrees. Its lights are the sun, to the left of the eye and above it, and an ambient light for its
- * shadows. `lights` may be NULL. */
+/* The view of a model that has neither a camera nor lights, such as an .obj or .stl file: its eye is 35 degrees to the
+ * right of +z and 25 above the horizon, and sees the sphere of that centre and radius, of TIA_RADIUS_MIN or more, in a
+ * field of view of 40 degrees. Its lights are the sun, to the left of the eye and above it, and an ambient light for
+ * its shadows. `lights` may be NULL. */
 #define TIA_MODEL_LIGHTS 2
 struct tia_camera tia_model_view(struct tia_vec3 centre, uint64_t radius, struct tia_light lights[TIA_MODEL_LIGHTS]);
 

@@ -45,7 +45,7 @@ $(WEB)/tia.wasm: $(call web_obj,q16,$(CORE_SRC)) $(call web_obj,f64,$(NUM_SRC)) 
 
 # The page, and the scenes with their files.
 WEB_PAGE   := $(patsubst tools/web/page/%,$(WEB)/%,$(wildcard tools/web/page/*))
-WEB_SCENES := $(patsubst %,$(WEB)/%,$(wildcard scenes/*.tia scenes/*.ppm))
+WEB_SCENES := $(patsubst %,$(WEB)/%,$(wildcard scenes/*.tia scenes/*.p[gp]m scenes/*.ply))
 $(WEB)/%: tools/web/page/%
 	@mkdir -p $(@D)
 	$(call say,COPY,$@)cp $< $@

@@ -1,8 +1,10 @@
 #include "scene_sum.h"
 
 #include "math/checksum.h"
+#include "picture.h"
 
 #include <tia/bvh.h>
+#include <tia/mip.h>
 #include <tia/motion.h>
 
 /* Adds an array of `count` elements, which is NULL if there are none. */
@@ -48,8 +50,11 @@ static void add_images(struct checksum *sum, const struct tia_scene *s)
 {
     for (uint32_t i = 0; i < s->texture_count; i++) {
         const struct tia_texture *t = &s->textures[i];
-        if (t->kind != TIA_CHECKER)
-            add(sum, t->texels, (uint32_t)t->width * t->height, t->kind == TIA_IMAGE ? 3 : 1);
+        if (!texture_has_texels(t))
+            continue;
+        add(sum, t->texels, (uint32_t)t->width * t->height, t->kind == TIA_IMAGE ? 3 : 1);
+        if (t->mip_levels)
+            add(sum, t->mip_levels, 1, tia_mip_size(t));
     }
     for (uint32_t i = 0; i < s->grid_count; i++) {
         const uint16_t *size = s->grids[i].size;

@@ -47,6 +47,8 @@ static inline void make_material(struct bytes *b, struct tia_material *m)
         m->texture = 1 + (take_byte(b) & 1);
     if (kind % 5 == 4)
         m->opacity = 3;
+    if (kind % 7 == 6)
+        m->bump = (uint16_t)(1 + take_byte(b) % 3);
     if (kind & 64)
         m->emission = take_colour(b, TIA_Q30_ONE);
     if (kind & 128)
@@ -69,9 +71,14 @@ static inline void make_texture(struct bytes *b, struct made *m, struct tia_text
     t->offset[1] = kind & 64 ? INT32_MAX : kind & 128 ? TIA_Q16(-0.3) : 0;
     t->cells[0] = take_colour(b, TIA_Q30_ONE);
     t->cells[1] = take_colour(b, TIA_Q30_ONE);
+    t->octaves = (uint8_t)(1 + kind % TIA_OCTAVES_MAX);
+    t->depth = take_within(b, -TIA_BUMP_MAX, TIA_BUMP_MAX);
+    if ((kind & 13) == 12)
+        t->kind = TIA_NOISE;
     t->width = sizes[kind >> 2 & 3][0];
     t->height = sizes[kind >> 2 & 3][1];
     t->texels = m->texels + sizeof m->texels - (size_t)3 * t->width * t->height;
+    t->mip_levels = kind & 4 ? m->texels + sizeof m->texels - tia_mip_size(t) : NULL;
 }
 
 static inline void make_transform(struct bytes *b, struct made *m, struct tia_transform *t)
@@ -314,6 +321,7 @@ static inline void make_scene(struct bytes *b, struct made *m)
     make_texture(b, m, &m->textures[1]);
     make_texture(b, m, &m->textures[2]);
     m->textures[2].kind = TIA_OPACITY;
+    m->textures[2].mip_levels = m->texels;
     m->textures[2].texels = m->texels + sizeof m->texels - (size_t)m->textures[2].width * m->textures[2].height;
     for (size_t i = sizeof m->texels - 64; i < sizeof m->texels; i++)
         m->texels[i] = (uint8_t)(i * 77);

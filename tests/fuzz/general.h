@@ -185,6 +185,7 @@ static inline void take_material_rest(struct bytes *b, struct tia_material *m)
     uint8_t flags = take_byte(b);
     m->fresnel = flags & 1;
     m->opacity = flags >> 1 & 3;
+    m->bump = flags >> 3 & 3;
 }
 
 static inline void take_camera_rest(struct bytes *b, struct tia_camera *c)
@@ -227,7 +228,10 @@ static inline void take_general(struct bytes *b, struct fuzz_scene *f, struct fu
         const struct tia_transform unit = {{0, 0, 0}, {0, 0, 0}, {TIA_Q16_ONE, TIA_Q16_ONE, TIA_Q16_ONE}};
         g->textures[i] = (struct tia_texture){.repeat = {TIA_Q16_ONE, TIA_Q16_ONE}, .width = 2, .height = 2};
         g->textures[i].texels = g->texels;
-        g->textures[i].kind = (enum tia_texture_kind)(what & 32 ? take_kind(b, 3) : 0);
+        g->textures[i].kind = (enum tia_texture_kind)(what & 32 ? take_kind(b, 4) : 0);
+        g->textures[i].octaves = what & 128 ? take_byte(b) : 3;
+        g->textures[i].depth = what & 128 ? take_number(b) : 0;
+        g->textures[i].footprint = what & 128;
         g->transforms[i] = unit;
         if (what & 64) {
             g->transforms[i].position = take_vec3(b);

@@ -8,6 +8,8 @@
 
 #include "bytes.h"
 
+#include <tia/mip.h>
+
 #define MADE_SPHERES 2
 #define MADE_SHAPES 5
 #define MADE_LIGHTS 3

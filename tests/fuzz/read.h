@@ -30,6 +30,7 @@ static int fetch_image(void *ctx, const char *name, struct tia_texture *texture,
     *why = "no such file";
     texture->width = texture->height = 2;
     texture->texels = texels;
+    texture->mip_levels = texture->footprint ? texels : NULL;
     return *name == 'x' ? TIA_ERR_DEVICE : TIA_OK;
 }
 

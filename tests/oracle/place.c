@@ -113,14 +113,26 @@ static struct ray local_ray(const struct tia_transform *t, struct ray ray)
                         quotient(transform_turn_back(t, ray.direction), scale)};
 }
 
+static struct oracle_vec own_point(const struct tia_shape *s, struct ray local, double t)
+{
+    struct oracle_vec p = at(local, t);
+
+    return s->kind == TIA_SPHERE ? sub(p, position(s->sphere.centre)) : p;
+}
+
 bool shape_hit(const struct tia_scene *scene, const struct tia_shape *shape, struct ray ray, struct hit *hit)
 {
-    if (shape->transform == 0)
-        return local_hit(scene, shape, ray, hit);
+    if (shape->transform == 0) {
+        bool met = local_hit(scene, shape, ray, hit);
+        hit->own = own_point(shape, ray, met ? hit->t : 0);
+        return met;
+    }
     const struct tia_transform *t = &scene->transforms[shape->transform - 1];
     struct oracle_vec scale = position(t->scale);
-    if (!local_hit(scene, shape, local_ray(t, ray), hit))
+    const struct ray local = local_ray(t, ray);
+    if (!local_hit(scene, shape, local, hit))
         return false;
+    hit->own = own_point(shape, local, hit->t);
     /* normals are transformed by the inverse's transpose */
     hit->normal = unit(transform_turn(t, quotient(hit->normal, scale)));
     hit->smooth = unit(transform_turn(t, quotient(hit->smooth, scale)));
@@ -136,6 +148,7 @@ bool object_hit(const struct tia_scene *scene, uint32_t index, struct ray ray, s
                           q16(s->radius) + (fine ? ldexp(fine->radius, -32) : 0), hit))
             return false;
         hit->material = s->material;
+        hit->own = sub(at(ray, hit->t), finely(s->centre, fine ? &fine->centre : NULL));
     } else {
         const struct tia_shape *s = &scene->shapes[index - scene->sphere_count];
         if (!shape_hit(scene, s, ray, hit))
@@ -146,6 +159,7 @@ bool object_hit(const struct tia_scene *scene, uint32_t index, struct ray ray, s
             hit->v = ldexp(hit->v, -(int)scene->scale_bits);
         }
     }
+    hit->own = scaled(hit->own, ldexp(1, -(int)scene->scale_bits));
     struct oracle_vec p = at(ray, hit->t);
     return fabs(p.x) < FAR && fabs(p.y) < FAR && fabs(p.z) < FAR;
 }

@@ -207,6 +207,18 @@ static void add_secondary(struct look *look, const struct surface *s, const stru
     add_ray(look, (struct ray){along(s->p, -oracle_bias(look->scene), s->v), scaled(s->v, -1)}, grey(1 - o), past, sum);
 }
 
+/* Returns the colour of the material's texture at a hit. */
+static struct colour textured(const struct tia_texture *t, const struct hit *hit, uint32_t *cell)
+{
+    if (t->kind != TIA_NOISE)
+        return oracle_texture(t, hit->u, hit->v, cell);
+    double high = fmin(1, fmax(0, oracle_noise(t, hit->own)));
+    struct colour sum = {{0, 0, 0}};
+    add(&sum, 1 - high, rgb(t->cells[0]));
+    add(&sum, high, rgb(t->cells[1]));
+    return sum;
+}
+
 static struct surface surface_at(const struct tia_scene *scene, struct ray ray, uint32_t object, const struct hit *hit)
 {
     struct surface s = {.material = &scene->materials[hit->material], .p = at(ray, hit->t), .object = object};
@@ -219,8 +231,7 @@ static struct surface surface_at(const struct tia_scene *scene, struct ray ray, 
     s.colour = rgb(s.material->colour);
     s.cell = ORACLE_BLENDED;
     if (s.material->texture != 0 && !is_black(s.colour))
-        s.colour =
-            product(s.colour, oracle_texture(&scene->textures[s.material->texture - 1], hit->u, hit->v, &s.cell));
+        s.colour = product(s.colour, textured(&scene->textures[s.material->texture - 1], hit, &s.cell));
     s.opacity = oracle_opacity(scene, hit, &s.opaque_cell);
     return s;
 }

@@ -37,6 +37,12 @@ void oracle_sample(unsigned samples, unsigned n, double *x, double *y);
  * the number of the checker's colour, or ORACLE_BLENDED. */
 struct colour oracle_texture(const struct tia_texture *texture, double u, double v, uint32_t *cell);
 
+/* Returns one octave of noise at a point in its own units. */
+double oracle_octave(struct oracle_vec p, uint32_t octave);
+
+/* Returns the value of a noise at a point of a shape's axes, not clamped. */
+double oracle_noise(const struct tia_texture *texture, struct oracle_vec p);
+
 /* Returns the opacity of the material at a hit; *cell as from oracle_texture. */
 double oracle_opacity(const struct tia_scene *scene, const struct hit *hit, uint32_t *cell);
 

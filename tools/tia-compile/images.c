@@ -1,5 +1,7 @@
 #include "unit.h"
 
+#include <tia/mip.h>
+
 static void write_bytes(struct unit *unit, const uint8_t *bytes, size_t count)
 {
     for (size_t i = 0; i < count; i++)
@@ -19,20 +21,30 @@ static uint32_t first_with_texels(const struct tia_scene *scene, uint32_t index)
     return first;
 }
 
+static bool texture_has_texels(const struct tia_texture *texture)
+{
+    return texture->kind == TIA_IMAGE || texture->kind == TIA_OPACITY;
+}
+
 static void write_texels(struct unit *unit, uint32_t index)
 {
     const struct tia_texture *t = &unit->scene->textures[index];
 
-    if (t->kind == TIA_CHECKER || first_with_texels(unit->scene, index) != index)
+    if (!texture_has_texels(t) || first_with_texels(unit->scene, index) != index)
         return;
     table_begin(unit, "uint8_t", "texels_%u", index);
     write_bytes(unit, t->texels, (size_t)(t->kind == TIA_IMAGE ? 3 : 1) * t->width * t->height);
+    table_end(unit);
+    if (!t->mip_levels)
+        return;
+    table_begin(unit, "uint8_t", "mips_%u", index);
+    write_bytes(unit, t->mip_levels, tia_mip_size(t));
     table_end(unit);
 }
 
 static void write_texture(struct unit *unit, uint32_t index)
 {
-    static const char *const kinds[] = {"TIA_CHECKER", "TIA_IMAGE", "TIA_OPACITY"};
+    static const char *const kinds[] = {"TIA_CHECKER", "TIA_IMAGE", "TIA_OPACITY", "TIA_NOISE"};
     const struct tia_texture *t = &unit->scene->textures[index];
 
     text_word(&unit->text, "{.kind = %s,", kinds[t->kind]);
@@ -46,12 +58,17 @@ static void write_texture(struct unit *unit, uint32_t index)
     field_rgb(unit, "cells[1]", t->cells[1]);
     if (t->footprint)
         text_word(&unit->text, ".footprint = true,");
-    if (t->kind != TIA_CHECKER) {
+    if (t->kind == TIA_NOISE)
+        field_number(unit, "octaves", t->octaves);
+    field_number(unit, "depth", t->depth);
+    if (texture_has_texels(t)) {
         if (t->bilinear)
             text_word(&unit->text, ".bilinear = true,");
         field_number(unit, "width", t->width);
         field_number(unit, "height", t->height);
         field_table(unit, "texels", 1, "texels_%u", first_with_texels(unit->scene, index));
+        if (t->mip_levels)
+            field_table(unit, "mip_levels", 1, "mips_%u", first_with_texels(unit->scene, index));
     }
     text_print(&unit->text, "},\n");
 }

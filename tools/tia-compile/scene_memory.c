@@ -6,6 +6,7 @@
 
 #include <tia/bvh.h>
 #include <tia/debug.h>
+#include <tia/mip.h>
 #include <tia/motion.h>
 #include <tia/render.h>
 
@@ -188,7 +189,8 @@ static uint64_t textures_size(const struct tia_scene *scene)
 
     for (uint32_t i = 0; i < scene->texture_count; i++)
         size += (uint64_t)scene->textures[i].width * scene->textures[i].height *
-                (scene->textures[i].kind == TIA_OPACITY ? 1 : 3);
+                    (scene->textures[i].kind == TIA_OPACITY ? 1 : 3) +
+                (scene->textures[i].mip_levels ? tia_mip_size(&scene->textures[i]) : 0);
     for (uint32_t i = 0; i < scene->grid_count; i++)
         size += sizeof *scene->grids +
                 (uint64_t)scene->grids[i].size[0] * scene->grids[i].size[1] * scene->grids[i].size[2];

@@ -7,6 +7,7 @@ static void write_material(struct unit *unit, const struct tia_material *m)
     field_rgb(unit, "transmission", m->transmission);
     field_rgb(unit, "emission", m->emission);
     field_unsigned(unit, "emission_bits", m->emission_bits);
+    field_unsigned(unit, "bump", m->bump);
     field_rgb(unit, "specular", m->specular);
     field_number(unit, "exponent", m->exponent);
     field_rgb(unit, "mirror", m->mirror);

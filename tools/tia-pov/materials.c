@@ -101,6 +101,11 @@ static void note_material(struct pov *pov, uint32_t index, const struct tia_mate
         pov_note(pov, "material %u: its emission takes the texture here", index);
     if (glass && (m->refraction.r != TIA_Q30_ONE || !is_grey(m->refraction)))
         pov_note(pov, "material %u: its total internal reflection is not tinted here", index);
+    if (m->bump != 0)
+        pov_note(pov, "material %u: %s", index,
+                 pov->scene->textures[m->bump - 1].kind == TIA_NOISE
+                     ? "its bumps are POV-Ray's here, at other places"
+                     : "smooth here: only bumps of noise are written");
     if (m->opacity != 0 && !pov_has_opacity(pov, index))
         pov_note(pov, "material %u: opaque here: a picture needs a file beside the scene's", index);
     if (m->opacity != 0 && glass && m->index != TIA_Q16_ONE)
@@ -115,10 +120,12 @@ static void declare_material(struct pov *pov, uint32_t i, const struct tia_mater
     write_finish(pov, m);
     text_print(&pov->text, "\n#declare Interior_%u = interior { ior %.10g }\n#declare Pigment_%u =\n", i,
                pov_black(m->refraction) ? 1 : pov_q16(m->index), i);
-    if (!pov_coloured(pov, i) || !pov_texture(pov, i, transmit_of(m)))
+    if (!pov_noise(pov, i, transmit_of(m)) && (!pov_coloured(pov, i) || !pov_texture(pov, i, transmit_of(m))))
         write_pigment(pov, m);
     text_print(&pov->text, "\n#declare Material_%u = material {\n", i);
-    text_word(&pov->text, "texture { pigment { Pigment_%u } finish { Finish_%u } }", i, i);
+    text_word(&pov->text, "texture { pigment { Pigment_%u } finish { Finish_%u }", i, i);
+    pov_bump(pov, i);
+    text_word(&pov->text, "}");
     text_word(&pov->text, "interior { Interior_%u }\n}\n", i);
     if (pov_has_opacity(pov, i))
         pov_write_opacity(pov, i);
@@ -156,7 +163,9 @@ void pov_material(struct pov *pov, uint32_t material, const struct tia_shape *sh
         text_word(&pov->text, "texture {%s", uv);
     text_word(&pov->text, "pigment { Pigment_%u", material);
     pov_mapping(pov, material, shape);
-    text_word(&pov->text, "} finish { Finish_%u } %s}", material, opacity ? "] } " : "");
+    text_word(&pov->text, "} finish { Finish_%u }", material);
+    pov_bump(pov, material);
+    text_word(&pov->text, "%s}", opacity ? "] } " : "");
     text_word(&pov->text, "interior { Interior_%u }", material);
 }
 

@@ -41,11 +41,16 @@ void pov_shadow_material(struct pov *pov, uint32_t material, const struct tia_sh
 
 /* True if a material has a texture, of its colour or as its opacity. */
 bool pov_textured(const struct pov *pov, uint32_t material);
-/* True if a material's colour has a texture. */
+/* True if a material's colour has a texture on its surface: any but a noise. */
 bool pov_coloured(const struct pov *pov, uint32_t material);
 /* Writes the pigment as a function of tia's u, v, with the given `transmit`. Returns false if POV-Ray cannot express
  * it. */
 bool pov_texture(struct pov *pov, uint32_t material, double transmit);
+/* Writes the pigment of a material whose texture is a noise, in space, as near as POV-Ray's patterns are. Returns false
+ * for other materials. */
+bool pov_noise(struct pov *pov, uint32_t material, double transmit);
+/* Writes the normal of a material whose bump is a noise, as near as POV-Ray's bumps are. */
+void pov_bump(struct pov *pov, uint32_t material);
 /* True if a material has an opacity that can be written. */
 bool pov_has_opacity(const struct pov *pov, uint32_t material);
 /* Declares the opacity as a pigment that is white where the opacity is 1. */

@@ -9,7 +9,7 @@ bool pov_coloured(const struct pov *pov, uint32_t material)
 {
     const struct tia_material *m = &pov->scene->materials[material];
 
-    return m->texture != 0 && !pov_black(m->colour);
+    return m->texture != 0 && !pov_black(m->colour) && pov->scene->textures[m->texture - 1].kind != TIA_NOISE;
 }
 
 bool pov_has_opacity(const struct pov *pov, uint32_t material)
@@ -136,6 +136,62 @@ bool pov_texture(struct pov *pov, uint32_t material, double transmit)
     write_place(pov, t);
     text_word(&pov->text, "}");
     return true;
+}
+
+/* Writes the size of a noise's unit in space, `times` as large. */
+static void write_size(struct pov *pov, const struct tia_texture *t, double times)
+{
+    const double once = times * ldexp(1, t->repeat_bits), across = once / pov_q16(t->repeat[0]);
+
+    text_word(&pov->text, "scale <%.10g, %.10g, %.10g>", across, once / pov_q16(t->repeat[1]), across);
+}
+
+/* A pattern of POV-Ray, with the values that stand for 0 and 1 of a noise and the size that stands for its unit: its
+ * mean, standard deviation and correlation over distances are then those of tia's (tests/slow/povray). */
+struct pattern {
+    const char *name;
+    double low, high, size;
+};
+
+static const struct pattern one_octave = {"bozo", 0.2, 0.82, 0.8}, several = {"granite", 0.05, 0.735, 4.7};
+
+bool pov_noise(struct pov *pov, uint32_t material, double transmit)
+{
+    const struct tia_material *m = &pov->scene->materials[material];
+    const struct tia_texture *t = m->texture ? texture_of(pov, material) : NULL;
+    const struct point colour = pov_rgb(m->colour);
+
+    if (!t || t->kind != TIA_NOISE || pov_black(m->colour))
+        return false;
+    pov_note(pov, "material %u: its noise is POV-Ray's here, with other places of light and dark", material);
+    const struct pattern *like = t->octaves > 1 ? &several : &one_octave;
+    text_word(&pov->text, "pigment { %s color_map {", like->name);
+    for (int i = 0; i < 2; i++) {
+        struct point end = pov_rgb(t->cells[i]);
+        end = (struct point){end.x * colour.x, end.y * colour.y, end.z * colour.z};
+        text_word(&pov->text, "[%.10g", i == 0 ? like->low : like->high);
+        pov_triple(pov, "rgb", end);
+        text_word(&pov->text, "transmit %.10g]", transmit);
+    }
+    text_word(&pov->text, "}");
+    write_size(pov, t, like->size);
+    text_word(&pov->text, "}");
+    return true;
+}
+
+/* POV-Ray's bumps are half as steep as those of one octave, and more than twice as wide. Each octave is as steep as the
+ * first, so that the slopes of n are sqrt(n) times as steep; the octave in the middle stands for all. */
+void pov_bump(struct pov *pov, uint32_t material)
+{
+    const uint16_t bump = pov->scene->materials[material].bump;
+    const struct tia_texture *t = bump ? &pov->scene->textures[bump - 1] : NULL;
+
+    if (!t || t->kind != TIA_NOISE)
+        return;
+    text_word(&pov->text, "normal { bumps %.10g",
+              2 * sqrt(t->octaves) * pov_q16(t->depth) * pov_q16(t->repeat[0]) * ldexp(1, -t->repeat_bits));
+    write_size(pov, t, 0.4 * exp2((1 - t->octaves) / 2.0));
+    text_word(&pov->text, "}");
 }
 
 static bool closes(const struct tia_texture *t)

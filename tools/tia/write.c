@@ -237,7 +237,7 @@ static int write_all(struct writing *w)
     text_print(&w->text, "# Written by tia --write from a model; see tia-scene(5).\n");
     write_place(w);
     write_camera(w);
-    text_print(&w->text, "samples %u\ndepth %u\nfilter none\n", s->camera.samples ? s->camera.samples : 1,
+    text_print(&w->text, "samples %u\ndepth %u\nfilter footprint\n", s->camera.samples ? s->camera.samples : 1,
                s->depth ? s->depth : TIA_DEPTH_DEFAULT);
     write_rgb(&w->text, "background", s->background, 0);
     text_print(&w->text, "\n");

@@ -4,7 +4,7 @@
 
 struct material_line {
     struct tia_material material;
-    struct tia_word texture, opacity;
+    struct tia_word texture, opacity, bump;
     struct tia_emission emission;
 };
 
@@ -17,11 +17,21 @@ struct material_line {
         .word = #name, .kind = TIA_NUMBERS, .count = 1, .offset = offsetof(struct material_line, material.name)        \
     }
 
-enum { COLOUR_FIELD, TEXTURE_FIELD, OPACITY_FIELD, SPECULAR_FIELD, EXPONENT_FIELD, REFRACTION_FIELD, INDEX_FIELD };
+enum {
+    COLOUR_FIELD,
+    TEXTURE_FIELD,
+    OPACITY_FIELD,
+    BUMP_FIELD,
+    SPECULAR_FIELD,
+    EXPONENT_FIELD,
+    REFRACTION_FIELD,
+    INDEX_FIELD
+};
 static const struct tia_field material_fields[] = {
     COLOUR(colour),
     {.word = "texture", .kind = TIA_NAME_FIELD, .offset = offsetof(struct material_line, texture)},
     {.word = "opacity", .kind = TIA_NAME_FIELD, .offset = offsetof(struct material_line, opacity)},
+    {.word = "bump", .kind = TIA_NAME_FIELD, .offset = offsetof(struct material_line, bump)},
     COLOUR(specular),
     NUMBER(exponent),
     COLOUR(refraction),
@@ -46,6 +56,17 @@ static int find_texture(struct tia_parse *job, const struct tia_word *name, uint
     return status;
 }
 
+static int find_bump(struct tia_parse *job, const struct tia_word *name, uint16_t *number)
+{
+    uint32_t found = 0;
+    int status = find_texture(job, name, &found);
+
+    if (!status && found > UINT16_MAX)
+        return tia_text_error(&job->text, name, "is defined too late", "one of the first 65535 textures");
+    *number = (uint16_t)found;
+    return status;
+}
+
 /* Reads and defines a material's name; in the last pass, reports it to the caller's callback. */
 static int define(struct tia_parse *job)
 {
@@ -67,7 +88,7 @@ static int define(struct tia_parse *job)
 
 int tia_line_material(struct tia_parse *job)
 {
-    struct material_line line = {.texture = {NULL, 0, 0, 0}, .opacity = {NULL, 0, 0, 0}};
+    struct material_line line = {.texture = {NULL, 0, 0, 0}, .opacity = {NULL, 0, 0, 0}, .bump = {NULL, 0, 0, 0}};
     struct tia_material *material = &line.material;
     uint32_t given = 0;
     int status = define(job);
@@ -79,6 +100,8 @@ int tia_line_material(struct tia_parse *job)
         status = find_texture(job, &line.texture, &material->texture);
     if (!status && has(given, OPACITY_FIELD))
         status = find_texture(job, &line.opacity, &material->opacity);
+    if (!status && has(given, BUMP_FIELD))
+        status = find_bump(job, &line.bump, &material->bump);
     if (has(given, SPECULAR_FIELD) && !has(given, EXPONENT_FIELD))
         material->exponent = TIA_Q16(32);
     if (has(given, REFRACTION_FIELD) && !has(given, INDEX_FIELD))
@@ -94,21 +117,35 @@ int tia_line_material(struct tia_parse *job)
 struct texture_line {
     struct tia_texture texture;
     int64_t repeat[2], scale[2], offset[2];
+    uint16_t octaves;
 };
 
 /* Indices of fields that every texture has; they come first. */
 enum { REPEAT_FIELD, SCALE_FIELD };
+#define OCTAVES_DEFAULT 4
 #define LYING                                                                                                          \
     {.word = "repeat", .kind = TIA_LONGS, .count = 2, .max = 1, .offset = offsetof(struct texture_line, repeat)},      \
         {.word = "scale", .kind = TIA_LONGS, .count = 2, .max = 1, .offset = offsetof(struct texture_line, scale)},    \
+        {.word = "offset", .kind = TIA_LONGS, .count = 2, .offset = offsetof(struct texture_line, offset)},            \
     {                                                                                                                  \
-        .word = "offset", .kind = TIA_LONGS, .count = 2, .offset = offsetof(struct texture_line, offset)               \
+        .word = "depth", .kind = TIA_NUMBERS, .count = 1, .offset = offsetof(struct texture_line, texture.depth)       \
     }
 
 static const struct tia_field checker_fields[] = {
     LYING,
     {.word = "even", .kind = TIA_COLOUR, .offset = offsetof(struct texture_line, texture.cells[0])},
     {.word = "odd", .kind = TIA_COLOUR, .offset = offsetof(struct texture_line, texture.cells[1])},
+};
+
+static const struct tia_field noise_fields[] = {
+    LYING,
+    {.word = "low", .kind = TIA_COLOUR, .offset = offsetof(struct texture_line, texture.cells[0])},
+    {.word = "high", .kind = TIA_COLOUR, .offset = offsetof(struct texture_line, texture.cells[1])},
+    {.word = "octaves",
+     .kind = TIA_WHOLE,
+     .count = 1,
+     .max = TIA_OCTAVES_MAX,
+     .offset = offsetof(struct texture_line, octaves)},
 };
 
 static const struct tia_field image_fields[] = {
@@ -182,7 +219,7 @@ static int fetch_image(struct tia_parse *job, const struct tia_word *file, struc
 {
     struct tia_reader *reader = job->reader;
     bool is_image = texture->kind == TIA_IMAGE;
-    struct tia_texture image = {.kind = texture->kind};
+    struct tia_texture image = {.kind = texture->kind, .footprint = texture->footprint};
     char path[TIA_NAME_MAX + 1];
     const char *why = "cannot be read";
 
@@ -196,6 +233,7 @@ static int fetch_image(struct tia_parse *job, const struct tia_word *file, struc
         texture->width = loaded->width;
         texture->height = loaded->height;
         texture->texels = loaded->texels;
+        texture->mip_levels = loaded->mip_levels;
         return TIA_OK;
     }
     if (is_image ? reader->image(reader->ctx, path, &image, &why)
@@ -205,6 +243,7 @@ static int fetch_image(struct tia_parse *job, const struct tia_word *file, struc
     texture->width = image.width;
     texture->height = image.height;
     texture->texels = image.texels;
+    texture->mip_levels = image.mip_levels;
     return TIA_OK;
 }
 
@@ -221,13 +260,26 @@ static int read_image(struct tia_parse *job, struct texture_line *line, enum tia
     return status ? status : fetch_image(job, &file, &line->texture);
 }
 
+static const struct tia_rgb white = {TIA_Q30_ONE, TIA_Q30_ONE, TIA_Q30_ONE};
+
 static int read_checker(struct tia_parse *job, struct texture_line *line)
 {
     uint32_t given = 0;
 
-    line->texture.footprint = job->footprints;
-    line->texture.cells[0] = (struct tia_rgb){TIA_Q30_ONE, TIA_Q30_ONE, TIA_Q30_ONE};
+    line->texture.cells[0] = white;
     int status = tia_fields(&job->text, "a checker", checker_fields, TIA_COUNT_OF(checker_fields), line, &given);
+    return status ? status : set_pattern(&job->text, line, given);
+}
+
+static int read_noise(struct tia_parse *job, struct texture_line *line)
+{
+    uint32_t given = 0;
+
+    line->texture.kind = TIA_NOISE;
+    line->texture.cells[1] = white;
+    line->octaves = OCTAVES_DEFAULT;
+    int status = tia_fields(&job->text, "a noise", noise_fields, TIA_COUNT_OF(noise_fields), line, &given);
+    line->texture.octaves = (uint8_t)line->octaves;
     return status ? status : set_pattern(&job->text, line, given);
 }
 
@@ -239,6 +291,7 @@ int tia_line_texture(struct tia_parse *job)
 
     if (status)
         return status;
+    line.texture.footprint = job->footprints;
     (void)tia_text_word(&job->text, &kind);
     if (tia_word_is(&kind, "checker"))
         status = read_checker(job, &line);
@@ -246,8 +299,10 @@ int tia_line_texture(struct tia_parse *job)
         status = read_image(job, &line, TIA_IMAGE);
     else if (tia_word_is(&kind, "opacity"))
         status = read_image(job, &line, TIA_OPACITY);
+    else if (tia_word_is(&kind, "noise"))
+        status = read_noise(job, &line);
     else
-        return tia_text_error(&job->text, &kind, "is not a kind of texture", "checker, image or opacity");
+        return tia_text_error(&job->text, &kind, "is not a kind of texture", "checker, image, opacity or noise");
     if (!status)
         (void)tia_parse_add(job, TIA_OF_TEXTURES, &line.texture);
     return status;

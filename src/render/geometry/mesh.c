@@ -205,6 +205,34 @@ static void uv_at(const struct shape *shape, struct num_point point, uint32_t el
     uv[1] = num_dot3(num_length_of(a->v), num_length_of(b->v), num_length_of(c->v), parts[0], parts[1], parts[2]);
 }
 
+/* Returns the part p of the difference from a to b, within +-2^15. */
+static num_length part_of(tia_q16 a, tia_q16 b, num_length p)
+{
+    const num_length d = num_length_of(b) - num_length_of(a);
+    const num_length most = num_ratio(NUM_LENGTH_FAR / 2, (d < 0 ? -d : d) + NUM_LENGTH_ONE);
+
+    return num_product(d, num_length_clamp(p, -most, most));
+}
+
+void mesh_uv_change(const struct shape *shape, uint32_t element, struct num_point vector, num_length uv[2])
+{
+    const struct tia_mesh *mesh = shape->mesh.mesh;
+    const struct tia_corner *corner = mesh->faces[element].corner;
+    struct triangle_corners corners = corners_of(mesh, element);
+    struct num_dir normal;
+    num_length parts[2];
+
+    (void)triangle_normal(&corners, &normal);
+    triangle_change(&corners, normal, vector, parts);
+    uv[0] = parts[0];
+    uv[1] = parts[1];
+    if (corner[0].uv == TIA_NO_INDEX)
+        return;
+    const struct tia_uv *a = &mesh->uvs[corner[0].uv], *b = &mesh->uvs[corner[1].uv], *c = &mesh->uvs[corner[2].uv];
+    uv[0] = part_of(a->u, b->u, parts[0]) + part_of(a->u, c->u, parts[1]);
+    uv[1] = part_of(a->v, b->v, parts[0]) + part_of(a->v, c->v, parts[1]);
+}
+
 static void prepare(struct shape *shape, const struct tia_scene *scene, const struct tia_shape *given)
 {
     shape->mesh.mesh = &scene->meshes[given->mesh];

@@ -206,6 +206,63 @@ void triangle_barycentric(const struct triangle_corners *corners, struct num_dir
     num_barycentric(areas, parts);
 }
 
+static num_length cross(const num_length a[2], const num_length b[2])
+{
+    return num_product(a[0], b[1]) - num_product(a[1], b[0]);
+}
+
+static num_length longest(num_length v[2][2])
+{
+    num_length most = 0;
+
+    for (int i = 0; i < 4; i++) {
+        num_length x = v[i / 2][i % 2] < 0 ? -v[i / 2][i % 2] : v[i / 2][i % 2];
+        most = x > most ? x : most;
+    }
+    return most;
+}
+
+/* Gives the projection of a vector and of the edges from the first corner along the normal's main axis, all scaled by a
+ * power of two, by which the edges' largest component becomes 1/2..1. The vector's is below 2^16. */
+static void flatten(const struct triangle_corners *corners, struct num_dir normal, struct num_point vector,
+                    num_length edge[2][2], num_length v[2])
+{
+    const struct num_point from = num_point_of(corners->at[0]);
+    num_length turned[3];
+
+    turn(largest(normal), vector, turned);
+    for (int k = 0; k < 2; k++)
+        v[k] = turned[k + 1];
+    for (int i = 0; i < 2; i++) {
+        relative(from, largest(normal), corners->at[i + 1], turned);
+        for (int k = 0; k < 2; k++)
+            edge[i][k] = turned[k + 1];
+    }
+    for (; longest(edge) > NUM_LENGTH_ONE; v[0] /= 2, v[1] /= 2)
+        for (int i = 0; i < 4; i++)
+            edge[i / 2][i % 2] /= 2;
+    for (; longest(edge) > 0 && longest(edge) < NUM_LENGTH_ONE / 2; v[0] *= 2, v[1] *= 2)
+        for (int i = 0; i < 4; i++)
+            edge[i / 2][i % 2] *= 2;
+}
+
+/* With the edges b and c from the first corner, projected along the normal's main axis, the vector is p b + q c, where
+ * p = (v x c)/(b x c) and q = (b x v)/(b x c). */
+void triangle_change(const struct triangle_corners *corners, struct num_dir normal, struct num_point vector,
+                     num_length parts[2])
+{
+    const num_length most = 4096 * NUM_LENGTH_ONE;
+    num_length edge[2][2], v[2];
+
+    flatten(corners, normal, vector, edge, v);
+    num_length area = cross(edge[0], edge[1]);
+    parts[0] = parts[1] = 0;
+    if (area == 0)
+        return;
+    parts[0] = num_length_clamp(num_ratio(cross(v, edge[1]), area), -most, most);
+    parts[1] = num_length_clamp(num_ratio(cross(edge[0], v), area), -most, most);
+}
+
 static struct triangle_corners corners_of(const struct shape *shape)
 {
     const struct tia_vec3 *corner = shape->triangle.corner;
@@ -245,6 +302,16 @@ static void uv_at(const struct shape *shape, struct num_point point, uint32_t el
     triangle_barycentric(&corners, normal, point, parts);
     uv[0] = num_length_of_unit(parts[1]);
     uv[1] = num_length_of_unit(parts[2]);
+}
+
+void triangle_uv_change(const struct shape *shape, uint32_t element, struct num_point vector, num_length uv[2])
+{
+    struct triangle_corners corners = corners_of(shape);
+    struct num_dir normal;
+
+    (void)element;
+    (void)triangle_normal(&corners, &normal);
+    triangle_change(&corners, normal, vector, uv);
 }
 
 static void prepare(struct shape *shape, const struct tia_scene *scene, const struct tia_shape *given)

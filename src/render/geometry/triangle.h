@@ -32,4 +32,14 @@ bool triangle_normal(const struct triangle_corners *corners, struct num_dir *nor
 void triangle_barycentric(const struct triangle_corners *corners, struct num_dir normal, struct num_point point,
                           num_unit parts[3]);
 
+/* Gives the change of the second and third barycentric coordinate along a vector in the plane of a triangle, within
+ * +-2^12; 0 if its corners are on one line. No component of the vector is above 1. */
+void triangle_change(const struct triangle_corners *corners, struct num_dir normal, struct num_point vector,
+                     num_length parts[2]);
+
+/* Give the change of a triangle's or mesh's surface coordinates along such a vector, in the plane of the element,
+ * within +-2^16: that of u and v beyond its edges, too. */
+void triangle_uv_change(const struct shape *shape, uint32_t element, struct num_point vector, num_length uv[2]);
+void mesh_uv_change(const struct shape *shape, uint32_t element, struct num_point vector, num_length uv[2]);
+
 #endif

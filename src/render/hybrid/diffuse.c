@@ -138,7 +138,7 @@ static int64_t digits(num_unit a)
 
 static bool is_diffuse(const struct tia_material *m)
 {
-    return !m->texture && !m->opacity && colour_is_black(&m->specular) && colour_is_black(&m->mirror) &&
+    return !m->texture && !m->opacity && !m->bump && colour_is_black(&m->specular) && colour_is_black(&m->mirror) &&
            colour_is_black(&m->refraction) && colour_is_black(&m->facing);
 }
 

@@ -186,6 +186,18 @@ void ray_surface(const struct ray_view *view, const struct hit *hit, struct num_
     }
 }
 
+struct num_point ray_own_point(const struct ray_view *view, const struct hit *hit, struct num_point point)
+{
+    const struct tia_scene *scene = view->scene;
+
+    if (hit->object < scene->sphere_count)
+        return num_point_sub(point, ray_sphere_centre(scene, hit->object));
+    const struct shape *shape = &view->shapes[hit->object - scene->sphere_count];
+    if (shape->instance)
+        point = instance_point(shape->instance, point);
+    return shape->kind == &SHAPE_KIND(sphere) ? num_point_sub(point, shape->sphere.centre) : point;
+}
+
 int ray_uv(const struct ray_view *view, const struct hit *hit, struct num_point point, num_length uv[2])
 {
     const struct tia_scene *scene = view->scene;
@@ -200,6 +212,15 @@ int ray_uv(const struct ray_view *view, const struct hit *hit, struct num_point 
     shape->kind->uv(shape, point, hit->element, uv);
     uint32_t element = hit->element;
     return shape_part(shape, &element)->uv_bits;
+}
+
+const struct shape_kind *ray_kind(const struct ray_view *view, const struct hit *hit, uint32_t *element)
+{
+    uint32_t spheres = view->scene->sphere_count;
+
+    *element = hit->element;
+    return hit->object < spheres ? &SHAPE_KIND(sphere)
+                                 : shape_part(&view->shapes[hit->object - spheres], element)->kind;
 }
 
 uint32_t ray_material(const struct ray_view *view, uint32_t object, uint32_t element)

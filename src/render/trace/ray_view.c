@@ -95,7 +95,7 @@ static bool have_footprints(const struct tia_scene *scene)
 {
     bool found = false;
 
-    for (uint32_t i = 0; i < scene->texture_count; i++)
+    for (uint32_t i = 0; TIA_FOOTPRINTS && i < scene->texture_count; i++)
         found = found || scene->textures[i].footprint;
     return found;
 }

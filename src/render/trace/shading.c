@@ -1,42 +1,35 @@
 #include "shading.h"
 
+#include "bump.h"
 #include "scene/colour.h"
 #include "texture.h"
 
-struct place {
-    num_length uv[2];
-    int bits;
-};
-
-static void look_up(const struct ray_view *view, uint32_t texture, const struct place *at, num_length value[],
+static void look_up(const struct ray_view *view, uint32_t texture, const struct hit *hit, num_length value[],
                     struct shading *s, unsigned which)
 {
     const struct tia_texture *t = &view->scene->textures[texture - 1];
+    struct texture_place at;
 
-    s->texels[which] = ray_texture(t, at->uv, at->bits, value);
+    ray_texture_place(view, t, hit, s->point, &at);
+    s->texels[which] = ray_texture(t, &at, value);
     s->textured[which] = ray_texture_is_hashed(t);
 }
 
 static void texture(const struct ray_view *view, const struct hit *hit, struct shading *s)
 {
     const struct tia_material *m = s->material;
-    bool is_coloured = m->texture && !colour_is_black(&m->colour);
     num_length texel[3];
-    struct place at;
 
     ray_rgb(&m->colour, s->colour);
     s->opacity = NUM_LENGTH_ONE;
     s->textured[0] = s->textured[1] = false;
-    if (!is_coloured && !m->opacity)
-        return;
-    at.bits = ray_uv(view, hit, s->point, at.uv);
-    if (is_coloured) {
-        look_up(view, m->texture, &at, texel, s, 0);
+    if (m->texture && !colour_is_black(&m->colour)) {
+        look_up(view, m->texture, hit, texel, s, 0);
         for (int c = 0; c < 3; c++)
             s->colour[c] = num_product(s->colour[c], texel[c]);
     }
     if (m->opacity)
-        look_up(view, m->opacity, &at, &s->opacity, s, 1);
+        look_up(view, m->opacity, hit, &s->opacity, s, 1);
 }
 
 void shading_prepare(const struct ray_view *view, num_length bias, const struct ray *ray, const struct hit *hit,
@@ -53,6 +46,8 @@ void shading_prepare(const struct ray_view *view, num_length bias, const struct 
     s->geometric = s->back ? num_dir_negated(surface.normal) : surface.normal;
     s->outside = num_point_at(s->point, s->geometric, bias);
     s->normal = s->back ? num_dir_negated(surface.smooth) : surface.smooth;
+    if (s->material->bump)
+        bump_normal(view, hit, s->point, s->viewer, s->back, &s->normal);
     s->facing = num_dir_dot(s->normal, s->viewer);
     texture(view, hit, s);
 }

@@ -8,6 +8,10 @@
 #include "render/renderer.h"
 #include "rgb.h"
 
+#ifndef TIA_FOOTPRINTS
+#define TIA_FOOTPRINTS 1 /* 0: textures are looked up at points even if they have `footprint` */
+#endif
+
 struct ray_view {
     const struct tia_view *view; /* the view that these data belong to */
     const struct tia_scene *scene;
@@ -103,8 +107,12 @@ enum inside ray_inside(const struct ray_view *view, uint32_t object);
 
 /* Computes the surface at the hit, in the world's axes. */
 void ray_surface(const struct ray_view *view, const struct hit *hit, struct num_point point, struct surface *surface);
-/* Computes the hit's surface coordinates, for textures. Returns the `bits` for ray_texture. */
+/* Converts a world point on the hit's object to the object's axes, relative to the centre if it is a sphere. */
+struct num_point ray_own_point(const struct ray_view *view, const struct hit *hit, struct num_point point);
+/* Computes the hit's surface coordinates, times 2^-bits; returns bits. */
 int ray_uv(const struct ray_view *view, const struct hit *hit, struct num_point point, num_length uv[2]);
+/* Returns the kind of the shape that is hit, or of the member of a solid, and its own element. */
+const struct shape_kind *ray_kind(const struct ray_view *view, const struct hit *hit, uint32_t *element);
 /* Returns the material of an object's element. */
 uint32_t ray_material(const struct ray_view *view, uint32_t object, uint32_t element);
 

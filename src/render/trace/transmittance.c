@@ -71,14 +71,16 @@ static void cross(const struct ray_view *view, struct crossing *crossing, const 
 {
     const struct tia_material *m = &view->scene->materials[ray_material(view, hit->object, hit->element)];
     struct num_point point = num_point_at(crossing->ray.origin, crossing->ray.direction, hit->t);
-    num_length uv[2], opacity, factor[3];
+    num_length opacity, factor[3];
 
     factor[0] = factor[1] = factor[2] = 0;
     if (!crossing->opaque)
         ray_rgb(&m->transmission, factor);
     if (m->opacity) {
-        int bits = ray_uv(view, hit, point, uv);
-        (void)ray_texture(&view->scene->textures[m->opacity - 1], uv, bits, &opacity);
+        const struct tia_texture *t = &view->scene->textures[m->opacity - 1];
+        struct texture_place place;
+        ray_texture_place(view, t, hit, point, &place);
+        (void)ray_texture(t, &place, &opacity);
         for (int c = 0; c < 3; c++)
             factor[c] = num_product(factor[c], opacity) + NUM_LENGTH_ONE - opacity;
     }

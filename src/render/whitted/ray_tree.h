@@ -28,6 +28,12 @@ struct first_hits {
     bool (*passes)(const struct first_hits *hits, const struct ray *shadow, num_length distance, uint32_t *blocker);
 };
 
+/* The part of space that a ray stands for: `width` across at its origin, and as much more at each unit of length, see
+ * footprint.h. */
+struct cone {
+    num_length width, spread;
+};
+
 /* The tree of rays of a sample, and the state shared by consecutive samples. */
 struct path {
     const struct ray_view *view;
@@ -35,9 +41,11 @@ struct path {
     bool traces;                    /* objects met by primary rays are stored in the hits */
     struct arrivals lit;            /* light of the primary hit; valid while `known` */
     bool known;
-    /* The pixel and the sample of a camera ray whose textures are filtered; `pixel` is NULL for other rays. */
+    /* Where textures are filtered: the pixel and the sample of a camera ray; `pixel` is NULL for other rays, which have
+     * a cone. */
     const struct light_pixel *pixel;
     int sample;
+    struct cone cone;
     uint32_t seed;         /* seed of a pixel's sample, for rays of ambient lights */
     unsigned class;        /* class of the pixel, see ray_light.h */
     uint64_t reached;      /* bits for tia_debug.lit */

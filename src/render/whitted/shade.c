@@ -16,8 +16,8 @@ void shade_prepare(struct path *path, const struct ray *ray, const struct hit *h
     path_hash_word(path, hit->object);
     path_hash_word(path, hit->element);
     shading_prepare(path->view, path->view->bias, ray, hit, s);
-    if (path->pixel)
-        footprint_filter(path->view, path->pixel, path->sample, ray, hit, s);
+    if (TIA_FOOTPRINTS && path->view->filtered)
+        footprint_filter(path, ray, hit, s);
     for (int i = 0; i < 2; i++)
         if (s->textured[i])
             path_hash_word(path, s->texels[i]);
@@ -194,6 +194,7 @@ static num_unit pass(const struct ray_view *view, const struct shading *s, struc
     const struct tia_material *m = s->material;
     struct boundary between = media_cross(view, &b->media, s->object, m, s->back);
 
+    b->between = between;
     b->straight = between.from == between.to || colour_is_black(&m->refraction);
     b->refracted = straight_on(view, s);
     if (b->straight)

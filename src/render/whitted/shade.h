@@ -17,8 +17,11 @@ void shade_light(struct path *path, const struct shading *s, const num_length th
 struct bounces {
     struct ray reflected, refracted, past;
     num_length reflects[3], refracts[3], passes[3];
-    struct media media; /* media of `refracted` and of `past` */
-    bool straight;      /* the refracted ray is undeflected, and stands for `past` as well */
+    struct media media;      /* media of `refracted` and of `past` */
+    bool straight;           /* the refracted ray is undeflected, and stands for `past` as well */
+    struct boundary between; /* what `refracted` crosses; not set without refraction and opacity */
+    /* In views that are filtered: the cones' width and, by enum tia_ray - TIA_RAY_REFLECTED, their spreads. */
+    num_length width, spread[3];
 };
 
 /* Sets the bounces; `media` are those of the incoming ray. */

@@ -1,8 +1,8 @@
 #include "whitted.h"
 
+#include "cone.h"
 #include "observe.h"
 #include "render/trace/fog.h"
-#include "shade.h"
 
 /* The pending rays. They are followed depth-first: the reflected ray, then the refracted ray, then the undeflected ray
  * behind a surface whose opacity is below 1. So at most two rays are pending for each bounce before the current one.
@@ -32,11 +32,37 @@ static bool spawn(struct bounce *next, const struct ray *ray, const num_length f
     return counts;
 }
 
+/* Gives a ray its cone, of those that cone_spread has set. */
+static void set_cone(struct bounce *b, const struct bounces *from)
+{
+#if TIA_FOOTPRINTS
+    b->cone = (struct cone){from->width, from->spread[b->kind - TIA_RAY_REFLECTED]};
+#else
+    (void)b;
+    (void)from;
+#endif
+}
+
+static void follow_cone(struct path *path, const struct bounce *b)
+{
+#if TIA_FOOTPRINTS
+    path->cone = b->cone;
+#else
+    (void)path;
+    (void)b;
+#endif
+}
+
 /* Pushes a ray spawned by b, unless it is too faint. */
 static void push(struct stack *stack, const struct ray *ray, const num_length factor[3], const struct bounce *b,
-                 const struct media *media, enum tia_ray kind, bool straight)
+                 const struct bounces *from, const struct media *media, enum tia_ray kind, bool straight)
 {
-    stack->count += spawn(&stack->bounces[stack->count], ray, factor, b, media, kind, straight);
+    struct bounce *next = &stack->bounces[stack->count];
+
+    if (!spawn(next, ray, factor, b, media, kind, straight))
+        return;
+    set_cone(next, from);
+    stack->count++;
 }
 
 static void add_flat(const struct tia_rgb *rgb, const num_length throughput[3], num_length colour[3])
@@ -54,18 +80,22 @@ static void add_seen_light(const struct ray_light *light, const num_length throu
         colour[c] = num_sum_within(colour[c], num_product(light->emission[c], throughput[c]));
 }
 
-static void bounce(const struct ray_view *view, const struct shading *s, const struct bounce *b, struct stack *stack)
+static void bounce(const struct path *path, const struct shading *s, const struct bounce *b, const struct hit *hit,
+                   struct stack *stack)
 {
-    bool bends = b->depth < view->depth;
+    bool bends = b->depth < path->view->depth;
     struct bounces next;
 
-    shade_bounce(view, s, &b->media, &next);
+    next.width = next.spread[0] = next.spread[1] = next.spread[2] = 0;
+    shade_bounce(path->view, s, &b->media, &next);
+    if (TIA_FOOTPRINTS && path->view->filtered)
+        cone_spread(path, &b->ray, hit, s, &next);
     if (!next.straight && s->opacity < NUM_LENGTH_ONE && b->layers < TIA_LAYERS_MAX)
-        push(stack, &next.past, next.passes, b, &next.media, TIA_RAY_PAST, true);
+        push(stack, &next.past, next.passes, b, &next, &next.media, TIA_RAY_PAST, true);
     if (next.straight ? b->layers < TIA_LAYERS_MAX : bends)
-        push(stack, &next.refracted, next.refracts, b, &next.media, TIA_RAY_REFRACTED, next.straight);
+        push(stack, &next.refracted, next.refracts, b, &next, &next.media, TIA_RAY_REFRACTED, next.straight);
     if (bends)
-        push(stack, &next.reflected, next.reflects, b, &b->media, TIA_RAY_REFLECTED, false);
+        push(stack, &next.reflected, next.reflects, b, &next, &b->media, TIA_RAY_REFLECTED, false);
 }
 
 static void follow(struct path *path, const struct bounce *b, const struct hit *hit, struct stack *stack,
@@ -91,7 +121,7 @@ static void follow(struct path *path, const struct bounce *b, const struct hit *
     if (path_is_watched(path))
         observe_ray(path, b->kind, &b->ray, hit, &s.normal);
     shade_light(path, &s, b->throughput, colour);
-    bounce(view, &s, b, stack);
+    bounce(path, &s, b, hit, stack);
 }
 
 /* Adds the fog along the ray b, and then what the ray meets. */
@@ -118,6 +148,7 @@ static uint32_t follow_all(struct path *path, struct bounce *b, struct hit *hit,
     path->next_reached = PATH_REACHED;
     while (stack.count > 0 && rays++ < TIA_RAYS_MAX && !path_stops(path)) {
         *b = stack.bounces[--stack.count];
+        follow_cone(path, b);
         observe_count(path, &b->ray);
         ray_intersect(path->view, &b->ray, hit);
         ray_intersect_lights(path->view, &b->ray, hit);

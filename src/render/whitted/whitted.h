@@ -13,6 +13,9 @@ struct bounce {
     uint32_t depth, layers;
     struct media media;
     enum tia_ray kind;
+#if TIA_FOOTPRINTS
+    struct cone cone; /* set in views that are filtered, except for rays from the eye */
+#endif
 };
 
 #define PATH_STEPS 8 /* most hits of a route */

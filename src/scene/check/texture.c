@@ -1,3 +1,4 @@
+#include "scene/picture.h"
 #include "scene_check.h"
 
 bool tia_check_has_texture(const struct check *check, uint32_t number, bool opacity)
@@ -21,12 +22,15 @@ int tia_check_texture(const struct check *check)
 {
     const struct tia_texture *t = &check->scene->textures[check->index];
 
-    REQUIRE(t->kind == TIA_CHECKER || t->kind == TIA_IMAGE || t->kind == TIA_OPACITY, "kind",
-            "must be a checker, an image or an opacity");
+    REQUIRE(t->kind == TIA_CHECKER || texture_has_texels(t) || t->kind == TIA_NOISE, "kind",
+            "must be a checker, an image, an opacity or a noise");
     REQUIRE(is_repeat(t->repeat[0]) && is_repeat(t->repeat[1]), "repeat", "must be 1/1024 or more");
     REQUIRE(is_bits(t->repeat_bits), "repeat_bits", "must be in -8..12");
     REQUIRE(is_bits(t->offset_bits), "offset_bits", "must be in -8..12");
-    if (t->kind == TIA_CHECKER) {
+    REQUIRE(t->depth >= -TIA_BUMP_MAX && t->depth <= TIA_BUMP_MAX, "depth", "must be in -64..64");
+    REQUIRE(t->kind != TIA_NOISE || tia_check_is_between(t->octaves, 1, TIA_OCTAVES_MAX), "octaves",
+            "must be in 1..8");
+    if (!texture_has_texels(t)) {
         REQUIRE(tia_check_is_unit(&t->cells[0]) && tia_check_is_unit(&t->cells[1]), "cells", CHECK_UNIT);
     } else {
         REQUIRE(tia_check_is_between(t->width, 1, TIA_TEXTURE_MAX), "width", "must be in 1..16384");

@@ -198,12 +198,17 @@ static void set_trees(struct sure_scene *s, const struct tia_scene *scene, struc
         tia_sure_widen(&s->objects, s->object, scene->sphere_count, p->wides, p->leaves, p->wide_of);
 }
 
-/* Sets a material. A ray that meets a material with an opacity is undecided. */
+/* Sets a material. A ray that meets a material with an opacity, a bump or a noise is undecided. */
 static void set_material(struct sure_material *to, const struct tia_material *m, const struct tia_texture *textures)
 {
     const struct tia_texture *t = m->texture && !colour_is_black(&m->colour) ? &textures[m->texture - 1] : NULL;
 
-    *to = (struct sure_material){.known = !m->opacity, .texture = t};
+    *to = (struct sure_material){.known = !m->opacity && !m->bump};
+    if (t && t->kind == TIA_NOISE) {
+        to->known = false;
+        t = NULL;
+    }
+    to->texture = t;
     for (int i = 0; i < 2 && t; i++) {
         sure_rgb(to->cells[i], &t->cells[i]);
         to->repeat[i] = (double)t->repeat[i] * sure_two_to(-16 - t->repeat_bits);

@@ -217,6 +217,30 @@ void corpus_add_opacity(struct corpus_rays *out, uint64_t seed)
     parts_random_opacities(&state, out);
 }
 
+void corpus_add_noise(struct corpus_rays *out, uint64_t seed)
+{
+    uint64_t state = seed;
+
+    for (int i = 0; i < 3; i++) {
+        struct tia_texture *t = &out->textures[i];
+        if (!dice_one_in(&state, 2))
+            continue;
+        t->kind = TIA_NOISE;
+        t->octaves = (uint8_t)dice_between(&state, 1, TIA_OCTAVES_MAX);
+    }
+}
+
+void corpus_add_bumps(struct corpus_rays *out, uint64_t seed)
+{
+    uint64_t state = seed;
+
+    for (uint32_t i = 0; i < out->scene.texture_count; i++)
+        out->textures[i].depth = dice_between(&state, TIA_Q16(-0.3), TIA_Q16(0.3));
+    for (uint32_t i = 0; i < out->scene.material_count; i++)
+        if (dice_one_in(&state, 2))
+            out->materials[i].bump = (uint16_t)(1 + dice_next(&state) % out->scene.texture_count);
+}
+
 void corpus_add_fog(struct corpus_rays *out, uint64_t seed)
 {
     uint64_t state = seed;

@@ -14,6 +14,12 @@ void corpus_random_rays(struct corpus_rays *out, uint64_t seed, unsigned index);
 /* Gives on average half of the materials of such a scene an opacity texture, with holes and half-transparent texels. */
 void corpus_add_opacity(struct corpus_rays *out, uint64_t seed);
 
+/* Makes about half of the textures of such a scene's colours noise. */
+void corpus_add_noise(struct corpus_rays *out, uint64_t seed);
+
+/* Gives on average half of the materials of such a scene a bump, of any of its textures. */
+void corpus_add_bumps(struct corpus_rays *out, uint64_t seed);
+
 /* Makes at most 6 of such a scene's shapes solids, of 1 to 7 members each: of random members, some with coinciding faces,
  * combined at random. */
 void corpus_add_solids(struct corpus_rays *out, uint64_t seed);

@@ -8,6 +8,8 @@
 #include "common/image/decode.h"
 #include "whole_file.h"
 
+#include <tia/mip.h>
+
 /* Kinds of parts. The last one stands for several: PART_OPACITY + c for each enum tia_channel c. */
 enum { PART_LIBRARY, PART_IMAGE, PART_OPACITY };
 
@@ -16,6 +18,7 @@ struct scene_part {
     unsigned kind;
     struct whole text;          /* text of a library */
     struct image_texels texels; /* texels of an image or opacity */
+    uint8_t *mip_levels;        /* their smaller levels, or NULL */
     char name[];                /* the name in the scene */
 };
 
@@ -39,6 +42,7 @@ static void release(struct scene_part *part)
 {
     free(part->text.bytes);
     image_free(&part->texels);
+    free(part->mip_levels);
     free(part);
 }
 
@@ -129,6 +133,24 @@ int part_library(void *ctx, const char *name, const char **text, size_t *length,
     return status;
 }
 
+/* Makes the levels of a texture that is filtered, once for each file. */
+static int add_mips(struct scene_part *part, struct tia_texture *texture, const char **why)
+{
+    size_t size = tia_mip_size(texture);
+    if (!texture->footprint || size == 0)
+        return TIA_OK;
+    if (!part->mip_levels) {
+        part->mip_levels = malloc(size);
+        if (!part->mip_levels) {
+            *why = "memory: exhausted";
+            return TIA_ERR_MEMORY;
+        }
+        tia_mip_build(texture, part->mip_levels);
+    }
+    texture->mip_levels = part->mip_levels;
+    return TIA_OK;
+}
+
 static int fetch_texels(struct scene_file *file, const char *name, unsigned kind, struct tia_texture *texture,
                         const char **why)
 {
@@ -138,6 +160,7 @@ static int fetch_texels(struct scene_file *file, const char *name, unsigned kind
         texture->width = (uint16_t)part->texels.width;
         texture->height = (uint16_t)part->texels.height;
         texture->texels = kind == PART_IMAGE ? part->texels.rgb : part->texels.alpha;
+        status = add_mips(part, texture, why);
     }
     return status;
 }
