@@ -14,9 +14,9 @@ static uint32_t hash(int64_t x, int64_t y, int64_t z, uint32_t octave)
 }
 
 /* The twelve gradients of "Improving noise", in the order of tia/material.h. */
-static const struct oracle_vec gradients[12] = {{0, 1, 1},   {0, -1, 1},  {0, 1, -1},  {0, -1, -1},
-                                                {1, 0, 1},   {-1, 0, 1},  {1, 0, -1},  {-1, 0, -1},
-                                                {1, 1, 0},   {-1, 1, 0},  {1, -1, 0},  {-1, -1, 0}};
+static const struct oracle_vec gradients[12] = {{0, 1, 1}, {0, -1, 1}, {0, 1, -1}, {0, -1, -1},
+                                                {1, 0, 1}, {-1, 0, 1}, {1, 0, -1}, {-1, 0, -1},
+                                                {1, 1, 0}, {-1, 1, 0}, {1, -1, 0}, {-1, -1, 0}};
 
 static double fade(double t)
 {

@@ -4,8 +4,8 @@
 
 #include "trace.h"
 
-/* Perturbs the shading normal of a hit, whose material has a bump; `back` is true where it points inwards. The result is
- * on the viewer's side if the normal was. */
+/* Perturbs the shading normal of a hit, whose material has a bump; `back` is true where it points inwards. The result
+ * is on the viewer's side if the normal was. */
 void bump_normal(const struct ray_view *view, const struct hit *hit, struct num_point point, struct num_dir viewer,
                  bool back, struct num_dir *normal);
 

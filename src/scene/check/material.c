@@ -22,7 +22,8 @@ int tia_check_material(const struct check *check)
             "exponent", "must be in 1..10000");
     REQUIRE(colour_is_black(&m->refraction) || tia_check_is_between(m->index, TIA_INDEX_MIN, TIA_INDEX_MAX), "index",
             "must be in 0.25..4");
-    REQUIRE(has_texture(check, m->texture, false), "texture", "must be 0 or the number of a checker, an image or a noise");
+    REQUIRE(has_texture(check, m->texture, false), "texture",
+            "must be 0 or the number of a checker, an image or a noise");
     REQUIRE(has_texture(check, m->opacity, true), "opacity", "must be 0 or the number of an opacity texture");
     REQUIRE(!m->bump || has_texture(check, m->bump, false) || has_texture(check, m->bump, true), "bump",
             "must be 0 or the number of a texture");

@@ -28,8 +28,7 @@ int tia_check_texture(const struct check *check)
     REQUIRE(is_bits(t->repeat_bits), "repeat_bits", "must be in -8..12");
     REQUIRE(is_bits(t->offset_bits), "offset_bits", "must be in -8..12");
     REQUIRE(t->depth >= -TIA_BUMP_MAX && t->depth <= TIA_BUMP_MAX, "depth", "must be in -64..64");
-    REQUIRE(t->kind != TIA_NOISE || tia_check_is_between(t->octaves, 1, TIA_OCTAVES_MAX), "octaves",
-            "must be in 1..8");
+    REQUIRE(t->kind != TIA_NOISE || tia_check_is_between(t->octaves, 1, TIA_OCTAVES_MAX), "octaves", "must be in 1..8");
     if (!texture_has_texels(t)) {
         REQUIRE(tia_check_is_unit(&t->cells[0]) && tia_check_is_unit(&t->cells[1]), "cells", CHECK_UNIT);
     } else {
