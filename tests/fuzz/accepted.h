@@ -150,7 +150,7 @@ static inline void make_box(struct bytes *b, const struct made *m, struct tia_bo
                                  moved(box->min.z, size.z < 0 ? -size.z : size.z)};
 }
 
-static inline void make_solid(struct bytes *b, const struct made *m, struct tia_shape *s, bool placed)
+static inline void make_closed(struct bytes *b, const struct made *m, struct tia_shape *s, bool placed)
 {
     switch (s->kind) {
     case TIA_SPHERE:
@@ -184,10 +184,10 @@ static inline void make_solid(struct bytes *b, const struct made *m, struct tia_
 static inline void make_shape(struct bytes *b, const struct made *m, struct tia_shape *s)
 {
     uint8_t kind = take_byte(b);
-    bool placed = kind / 11 % 4 != 0;
+    bool placed = kind / 12 % 4 != 0;
 
-    *s = (struct tia_shape){.kind = (enum tia_shape_kind)(kind % 11), .material = take_byte(b) % 3};
-    s->transform = s->kind == TIA_PLANE || !placed ? 0 : 1 + kind / 44 % 2;
+    *s = (struct tia_shape){.kind = (enum tia_shape_kind)(kind % 12), .material = take_byte(b) % 3};
+    s->transform = s->kind == TIA_PLANE || !placed ? 0 : 1 + kind / 48 % 2;
     switch (s->kind) {
     case TIA_PLANE:
         s->plane = (struct tia_plane){take_place(b, m), take_direction(b)};
@@ -200,14 +200,39 @@ static inline void make_shape(struct bytes *b, const struct made *m, struct tia_
             s->triangle.corner[i] = take_point(b, m, placed);
         break;
     case TIA_MESH:
-        s->mesh = kind / 88 % 2;
+        s->mesh = kind / 96 % 2;
         break;
     case TIA_GRID:
         s->grid = 0;
         break;
+    case TIA_SOLID:
+        s->solid = 0;
+        break;
     default:
-        make_solid(b, m, s, placed);
+        make_closed(b, m, s, placed);
     }
+}
+
+/* Makes a solid of members near its origin: two are combined, then the third with these. */
+static inline void make_solid(struct bytes *b, struct made *m)
+{
+    static const enum tia_shape_kind kinds[] = {TIA_SPHERE, TIA_BOX, TIA_CYLINDER, TIA_CONE, TIA_TORUS, TIA_ROUNDED};
+    const uint8_t operations = take_byte(b);
+    const uint8_t steps[] = {TIA_SOLID_MEMBER, TIA_SOLID_MEMBER, (uint8_t)(TIA_SOLID_UNION + operations % 3),
+                             TIA_SOLID_MEMBER, (uint8_t)(TIA_SOLID_UNION + operations / 3 % 3)};
+
+    for (int i = 0; i < MADE_MEMBERS; i++) {
+        uint8_t kind = take_byte(b);
+        struct tia_shape *s = &m->members[i];
+        *s = (struct tia_shape){.kind = kinds[kind % 6], .material = kind / 6 % 3, .transform = kind / 18 % 3};
+        make_closed(b, m, s, true);
+        if (s->kind == TIA_CYLINDER)
+            s->cylinder.capped = true;
+        else if (s->kind == TIA_CONE)
+            s->cone.capped = true;
+    }
+    memcpy(m->steps, steps, sizeof m->steps);
+    m->solid = (struct tia_solid){m->members, m->steps, MADE_MEMBERS, sizeof m->steps};
 }
 
 static inline void make_light(struct bytes *b, const struct made *m, struct tia_light *l)
@@ -248,11 +273,12 @@ static inline void connect(struct made *m, uint8_t counts)
     s->textures = m->textures;
     s->meshes = m->meshes;
     s->grids = &m->grid;
+    s->solids = &m->solid;
     s->tracks = &m->track;
     s->material_count = MADE_MATERIALS;
     s->transform_count = s->mesh_count = 2;
     s->texture_count = 3;
-    s->grid_count = 1;
+    s->grid_count = s->solid_count = 1;
     s->sphere_count = counts % (MADE_SPHERES + 1);
     s->shape_count = counts / 4 % (MADE_SHAPES + 1);
     s->light_count = counts / 32 % (MADE_LIGHTS + 1);
@@ -317,6 +343,7 @@ static inline void make_scene(struct bytes *b, struct made *m)
         make_material(b, &m->materials[i]);
     make_mesh(b, m);
     make_grid(b, m);
+    make_solid(b, m);
     make_texture(b, m, &m->textures[0]);
     make_texture(b, m, &m->textures[1]);
     make_texture(b, m, &m->textures[2]);
@@ -373,6 +400,9 @@ static inline void mend(struct made *m, const struct tia_fault *f)
         m->transforms[f->index].position = eye;
     else if (!strcmp(f->thing, "grid"))
         m->grid = (struct tia_grid){{0, 0, 0}, TIA_RADIUS_MIN, {1, 1, 1}, m->cells};
+    else if (!strcmp(f->thing, "solid"))
+        for (int i = 0; i < MADE_MEMBERS; i++)
+            m->members[i] = (struct tia_shape){.kind = TIA_SPHERE, .sphere = {{0, 0, 0}, (3 + i) << 16}};
     else if (!strcmp(f->thing, "camera"))
         m->scene.camera = (struct tia_camera){.eye = eye, .fov = 25 << 16};
     else

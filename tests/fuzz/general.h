@@ -9,6 +9,7 @@
 #define FUZZ_SHAPES 6
 #define FUZZ_FACES 4
 #define FUZZ_CELLS 8
+#define FUZZ_MEMBERS 2
 
 struct fuzz_general {
     struct tia_shape shapes[FUZZ_SHAPES];
@@ -16,6 +17,9 @@ struct fuzz_general {
     struct tia_texture textures[2];
     struct tia_mesh meshes[2];
     struct tia_grid grids[1];
+    struct tia_shape members[FUZZ_MEMBERS];
+    uint8_t steps[2 * FUZZ_MEMBERS - 1];
+    struct tia_solid solids[1];
     struct tia_vec3 vertices[5];
     struct tia_dir3 normals[2];
     struct tia_uv uvs[2];
@@ -53,7 +57,7 @@ static inline struct tia_dir3 take_dir3(struct bytes *b)
 
 static inline void take_shape(struct bytes *b, struct tia_shape *s)
 {
-    *s = (struct tia_shape){.kind = (enum tia_shape_kind)take_kind(b, 9)};
+    *s = (struct tia_shape){.kind = (enum tia_shape_kind)take_kind(b, 12)};
     s->material = take_index(b, FUZZ_MATERIALS);
     s->transform = s->kind == TIA_PLANE ? 0 : take_index(b, 3);
     struct tia_vec3 one = take_vec3(b), two = take_vec3(b);
@@ -93,7 +97,20 @@ static inline void take_shape(struct bytes *b, struct tia_shape *s)
     case TIA_GRID:
         s->grid = take_index(b, 1);
         break;
+    case TIA_SOLID:
+        s->solid = take_index(b, 1);
+        break;
     }
+}
+
+/* Takes a solid, whose members and operation may be refused. */
+static inline void take_solid(struct bytes *b, struct fuzz_general *g)
+{
+    for (int i = 0; i < FUZZ_MEMBERS; i++)
+        take_shape(b, &g->members[i]);
+    g->steps[0] = g->steps[1] = TIA_SOLID_MEMBER;
+    g->steps[2] = (uint8_t)take_kind(b, 4);
+    g->solids[0] = (struct tia_solid){g->members, g->steps, FUZZ_MEMBERS, sizeof g->steps};
 }
 
 static inline void take_meshes(struct bytes *b, struct fuzz_general *g)
@@ -220,9 +237,10 @@ static inline void take_general(struct bytes *b, struct fuzz_scene *f, struct fu
     f->scene.textures = g->textures;
     f->scene.meshes = g->meshes;
     f->scene.grids = g->grids;
+    f->scene.solids = g->solids;
     f->scene.tracks = g->tracks;
     f->scene.transform_count = f->scene.texture_count = f->scene.mesh_count = 2;
-    f->scene.grid_count = 1;
+    f->scene.grid_count = f->scene.solid_count = 1;
     f->scene.track_count = what & 16 ? 2 : 0;
     for (int i = 0; i < 2; i++) {
         const struct tia_transform unit = {{0, 0, 0}, {0, 0, 0}, {TIA_Q16_ONE, TIA_Q16_ONE, TIA_Q16_ONE}};
@@ -245,6 +263,7 @@ static inline void take_general(struct bytes *b, struct fuzz_scene *f, struct fu
         take_tracks(b, g);
     for (uint32_t i = 0; i < f->scene.shape_count; i++)
         take_shape(b, &g->shapes[i]);
+    take_solid(b, g);
     if (take_byte(b) & 1) {
         take_falls(b, g);
         f->scene.falling = &g->falling;

@@ -15,6 +15,7 @@
 #define MADE_LIGHTS 3
 #define MADE_MATERIALS 5
 #define MADE_FACES 4
+#define MADE_MEMBERS 3
 #define MADE_VERTICES 6
 #define MADE_CELLS 4096
 
@@ -29,6 +30,9 @@ struct made {
     struct tia_texture textures[3]; /* textures, of which the last one is an opacity */
     struct tia_mesh meshes[2];
     struct tia_grid grid;
+    struct tia_shape members[MADE_MEMBERS];
+    uint8_t steps[2 * MADE_MEMBERS - 1];
+    struct tia_solid solid;
     struct tia_vec3 vertices[MADE_VERTICES];
     struct tia_dir3 normals[3];
     struct tia_uv uvs[3];

@@ -75,7 +75,7 @@ static void write_rounded(struct pov *pov, const struct tia_rounded *b)
     struct tia_vec3 low = {b->min.x + r, b->min.y + r, b->min.z + r}, high = {b->max.x - r, b->max.y - r, b->max.z - r};
 
     /* Of corners that coincide one is written: POV-Ray loses points of surfaces that do. */
-    unsigned flat = (low.x == high.x) | (low.y == high.y) << 1 | (low.z == high.z) << 2;
+    unsigned flat = (low.x == high.x ? 1u : 0u) | (low.y == high.y ? 2u : 0u) | (low.z == high.z ? 4u : 0u);
 
     text_print(&pov->text, "merge {\n");
     for (unsigned i = 0; i < 8; i++) {

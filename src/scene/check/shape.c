@@ -21,10 +21,11 @@ static int64_t least_scale(const struct tia_transform *t)
  * scale is below 32768. If no scale is below 1, a box near the eye always passes. */
 static bool is_round_enough(const struct tia_transform *t, const struct bounds_wide *box)
 {
-    int64_t scale = least_scale(t), limit = (scale < TIA_Q16_ONE ? scale : TIA_Q16_ONE) << 15, square = 0;
+    int64_t scale = least_scale(t);
+    uint64_t limit = (uint64_t)(scale < TIA_Q16_ONE ? scale : TIA_Q16_ONE) << 15, square = 0;
 
     for (int k = 0; k < 3; k++) {
-        int64_t half = (box->max[k] - box->min[k] + 3) / 2;
+        uint64_t half = (uint64_t)(box->max[k] - box->min[k] + 3) / 2; /* at most 2^31 */
         square += half * half;
     }
     return scale >= TIA_Q16_ONE || square < limit * limit;
