@@ -273,6 +273,21 @@ TEST(refused_solids)
     refused("members");
 }
 
+/* Half the diagonal of a box of 65536^3 is 56756: too much for a scale below 1, though a sphere of that width is not.
+ */
+TEST(members_of_the_largest_size)
+{
+    begin();
+    member(TIA_BOX)->box = (struct tia_box){{-INT32_MAX, -INT32_MAX, -INT32_MAX}, {INT32_MAX, INT32_MAX, INT32_MAX}};
+    transforms[0].scale = q16s(0.999, 0.999, 0.999);
+    scene.transform_count = 1;
+    members[0].transform = 1;
+    refused("transform");
+    members[0].box = (struct tia_box){q16s(-15000, -15000, -15000), q16s(15000, 15000, 15000)};
+    struct tia_fault fault = {0};
+    CHECK_MSG(!tia_scene_check(&scene, &fault), "%s: %s", fault.field, fault.rule);
+}
+
 int main(void)
 {
     RUN(two_balls);
@@ -284,6 +299,7 @@ int main(void)
     RUN(most_members);
     RUN(boxes_around);
     RUN(refused_solids);
+    RUN(members_of_the_largest_size);
     close_view();
     return check_status();
 }
