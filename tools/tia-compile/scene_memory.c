@@ -15,6 +15,9 @@
 
 #define ALIGN(size) (((size) + 7) / 8 * 8)
 
+#define MESH_FACTS 28 /* size of what a view has for each mesh, on all kinds; with the pointers below it, rounded up   \
+                       */
+
 /* Kinds of machines, by the sizes of pointers and enumerations. All of them align 64-bit numbers to 8 bytes. */
 enum { WIDE, NARROW, SHORT, KINDS };
 
@@ -109,7 +112,8 @@ static uint64_t view_part(const struct layout *l, const struct scene_memory *m)
 
     if (is_drawn_by_row(m->scene))
         return part + ALIGN(l->spans);
-    part += ALIGN(l->rays) + prepared_shapes(m->scene) * l->shape + (uint64_t)m->scene->solid_count * l->solid;
+    part += ALIGN(l->rays) + prepared_shapes(m->scene) * l->shape;
+    part += ALIGN((uint64_t)m->scene->mesh_count * MESH_FACTS + (uint64_t)m->scene->solid_count * l->solid);
     if (integrator == TIA_PATHS)
         return part + l->emitter * emitters(m);
     return integrator == TIA_OCCLUSION || !m->scene->shadows ? part : part + technique_part(l, m->scene);
