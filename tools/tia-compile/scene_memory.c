@@ -15,8 +15,7 @@
 
 #define ALIGN(size) (((size) + 7) / 8 * 8)
 
-#define MESH_FACTS 28 /* size of what a view has for each mesh, on all kinds; with the pointers below it, rounded up   \
-                       */
+#define MESH_FACTS 28 /* size of what a view has for each mesh, on all kinds of machines */
 
 /* Kinds of machines, by the sizes of pointers and enumerations. All of them align 64-bit numbers to 8 bytes. */
 enum { WIDE, NARROW, SHORT, KINDS };

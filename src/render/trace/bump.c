@@ -58,7 +58,7 @@ static num_length wave_at(const struct spot *at, int axis)
     num_length part = at->part[axis] - num_integer(whole), beyond = NUM_LENGTH_ONE - part;
     num_length ramp = num_length_clamp(16 * (part < beyond ? part : beyond), 0, NUM_LENGTH_ONE);
 
-    return (at->cell[axis] + whole) & 1 ? -ramp : ramp;
+    return ((uint32_t)at->cell[axis] + (uint32_t)whole) & 1 ? -ramp : ramp;
 }
 
 static num_length picture_at(const struct tia_texture *t, const struct spot *at)
