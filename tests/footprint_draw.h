@@ -2,9 +2,9 @@
 #ifndef TIA_TESTS_FOOTPRINT_DRAW_H
 #define TIA_TESTS_FOOTPRINT_DRAW_H
 
-#include "arch/frames_canvas.h"
 #include "check.h"
 #include "reading.h"
+#include "red_picture.h"
 
 #define WIDTH 64
 #define HEIGHT 48
@@ -14,8 +14,6 @@
 static inline void draw_red(const struct tia_core *core, const char *text, const struct tia_texture *replacement,
                             double red[PIXELS])
 {
-    static uint16_t colours[3 * PIXELS];
-    struct frames_canvas canvas = {.core = core};
     struct tia_texture other;
     struct reading r;
 
@@ -26,16 +24,10 @@ static inline void draw_red(const struct tia_core *core, const char *text, const
         other.footprint = r.scene.textures[0].footprint;
         r.scene.textures = &other;
     }
-    if (r.status || !frames_open(&canvas, &r.scene, WIDTH, HEIGHT))
+    if (r.status)
         abort();
-    const struct tia_surface surface = {.pixels = canvas.pixels, .step = 2, .pitch = WIDTH * 2};
-    const struct tia_options options = {.colours = colours};
-    CHECK_EQ(tia_view_trace(canvas.view, canvas.hits, canvas.area), TIA_OK);
-    CHECK_EQ(tia_view_light(canvas.view, canvas.hits, canvas.area, &surface, &options), TIA_OK);
-    frames_close(&canvas);
+    red_picture(core, &r.scene, WIDTH, HEIGHT, red);
     read_end(&r);
-    for (int i = 0; i < PIXELS; i++)
-        red[i] = colours[3 * i] / 65535.0;
 }
 
 #endif

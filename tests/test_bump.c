@@ -1,18 +1,17 @@
 /* Bumps: pictures of N.V from above against gradients by the formulas, and what holds for every normal. */
 #include <math.h>
 
-#include "arch/frames_canvas.h"
 #include "check.h"
 #include "common/corpus/corpus_rays.h"
 #include "oracle/rays.h"
 #include "reading.h"
+#include "red_picture.h"
 #include "simd_frames_all.h"
 
 #define SIZE 48
 #define PIXELS (SIZE * SIZE)
 
-#define ABOVE                                                                                                          \
-    "camera orthographic eye 0.5 5 -0.5 look 0.5 0 -0.5 up 0 0 -1 window -0.5 0.5 -0.5 0.5\n"
+#define ABOVE "camera orthographic eye 0.5 5 -0.5 look 0.5 0 -0.5 up 0 0 -1 window -0.5 0.5 -0.5 0.5\n"
 #define FLOOR "\nmaterial m facing 1 bump t\nplane normal 0 1 0 material m\n"
 
 static const struct tia_texture *replacement; /* of the scene's first texture */
@@ -20,24 +19,16 @@ static const struct tia_texture *replacement; /* of the scene's first texture */
 /* Draws a scene; `red` receives each pixel's red, 0..1. */
 static void draw(const struct tia_core *core, const char *text, double red[PIXELS])
 {
-    static uint16_t colours[3 * PIXELS];
-    struct frames_canvas canvas = {.core = core};
     struct reading r;
 
     read_string(&r, TIA_FORMAT_TIA, text);
     CHECK_MSG(r.status == TIA_OK, "%u: %s", (unsigned)r.reader.error.line, r.reader.error.text);
     if (replacement)
         r.scene.textures = replacement;
-    if (r.status || !frames_open(&canvas, &r.scene, SIZE, SIZE))
+    if (r.status)
         abort();
-    const struct tia_surface surface = {.pixels = canvas.pixels, .step = 2, .pitch = SIZE * 2};
-    const struct tia_options options = {.colours = colours};
-    CHECK_EQ(tia_view_trace(canvas.view, canvas.hits, canvas.area), TIA_OK);
-    CHECK_EQ(tia_view_light(canvas.view, canvas.hits, canvas.area, &surface, &options), TIA_OK);
-    frames_close(&canvas);
+    red_picture(core, &r.scene, SIZE, SIZE, red);
     read_end(&r);
-    for (int i = 0; i < PIXELS; i++)
-        red[i] = colours[3 * i] / 65535.0;
 }
 
 /* Returns N.V of the height h(x, z) over the plane, seen from above; slopes are taken over `step`. */
@@ -145,10 +136,11 @@ TEST(checkers_from_above)
 TEST(light_falls_on_slopes)
 {
     static double bump[PIXELS], dent[PIXELS];
-    static const char format[] = "camera orthographic eye 0.5 5 -0.5 look 0.5 0 -0.5 up 0 0 -1 window -0.5 0.5 -0.5 0.5\n"
-                                 "texture t noise repeat 4 octaves 2 depth %s\n"
-                                 "material m colour 1 bump t\nplane normal 0 1 0 material m\n"
-                                 "light directional direction %s emission 0.9\n";
+    static const char format[] =
+        "camera orthographic eye 0.5 5 -0.5 look 0.5 0 -0.5 up 0 0 -1 window -0.5 0.5 -0.5 0.5\n"
+        "texture t noise repeat 4 octaves 2 depth %s\n"
+        "material m colour 1 bump t\nplane normal 0 1 0 material m\n"
+        "light directional direction %s emission 0.9\n";
     char text[600];
 
     (void)snprintf(text, sizeof text, format, "0.1", "1 -2 0.5");

@@ -10,7 +10,7 @@
 #include <math.h>
 
 #ifdef TIA_HAVE_F64
-#include "against.h"
+#include "against_scenes.h"
 #endif
 
 static double density(const struct tia_fog *fog, long double h)
@@ -124,28 +124,10 @@ TEST(vector_units_draw_the_same)
 }
 
 #ifdef TIA_HAVE_F64
-static void against_the_oracle(const struct tia_core *core, double margin, double identical)
-{
-    struct threads *pool = threads_create(threads_processors());
-    struct against sum = {0}, a;
-
-    for (unsigned i = 0; i < 4; i++) {
-        struct corpus_rays c;
-        corpus_random_rays(&c, 3, i);
-        corpus_add_fog(&c, i);
-        CHECK_EQ(against_oracle(core, &c.scene, 48, 36, false, threads_workers(pool), &a), TIA_OK);
-        CHECK_MSG(a.tally.stray == 0 && a.margin < margin, "scene %u: %ju stray, margin %g", i,
-                  (uintmax_t)a.tally.stray, a.margin);
-        against_add(&sum, &a);
-    }
-    CHECK_MSG(tally_percent(&sum.tally) >= identical, "%.5f %% identical", tally_percent(&sum.tally));
-    threads_destroy(pool);
-}
-
 TEST(pictures_are_those_of_the_oracle)
 {
-    against_the_oracle(&tia_core_f64, 1e-4, 99.99);
-    against_the_oracle(&tia_core_q16, 1e-2, 99.9);
+    against_scenes(&tia_core_f64, 4, corpus_add_fog, 1e-4, 99.99);
+    against_scenes(&tia_core_q16, 4, corpus_add_fog, 1e-2, 99.9);
 }
 #endif
 

@@ -1,6 +1,6 @@
-/* Noise textures: values known from the formula, its range and mean, and pictures against the oracle, by each arithmetic
- * and by the vector units. */
-#include "against.h"
+/* Noise textures: values known from the formula, its range and mean, and pictures against the oracle, by each
+ * arithmetic and by the vector units. */
+#include "against_scenes.h"
 #include "check.h"
 #include "common/corpus/corpus_rays.h"
 #include "common/thread_pool.h"
@@ -15,7 +15,8 @@ static struct noise_place place_of(struct oracle_vec p)
 {
     return (struct noise_place){{(int32_t)((int64_t)floor(p.x) & INT32_MAX), (int32_t)((int64_t)floor(p.y) & INT32_MAX),
                                  (int32_t)((int64_t)floor(p.z) & INT32_MAX)},
-                                {(num_length)((p.x - floor(p.x)) * 2 * HALF), (num_length)((p.y - floor(p.y)) * 2 * HALF),
+                                {(num_length)((p.x - floor(p.x)) * 2 * HALF),
+                                 (num_length)((p.y - floor(p.y)) * 2 * HALF),
                                  (num_length)((p.z - floor(p.z)) * 2 * HALF)}};
 }
 
@@ -119,28 +120,10 @@ TEST(vector_units_draw_the_same)
 }
 
 #ifdef TIA_HAVE_F64
-static void against_the_oracle(const struct tia_core *core, double margin, double identical)
-{
-    struct threads *pool = threads_create(threads_processors());
-    struct against sum = {0}, a;
-
-    for (unsigned i = 0; i < 12; i++) {
-        static struct corpus_rays c;
-        corpus_random_rays(&c, 3, i);
-        corpus_add_noise(&c, i);
-        CHECK_EQ(against_oracle(core, &c.scene, 48, 36, false, threads_workers(pool), &a), TIA_OK);
-        CHECK_MSG(a.tally.stray == 0 && a.margin < margin, "scene %u: %ju stray, margin %g", i,
-                  (uintmax_t)a.tally.stray, a.margin);
-        against_add(&sum, &a);
-    }
-    CHECK_MSG(tally_percent(&sum.tally) >= identical, "%.5f %% identical", tally_percent(&sum.tally));
-    threads_destroy(pool);
-}
-
 TEST(pictures_are_those_of_the_oracle)
 {
-    against_the_oracle(&tia_core_f64, 1e-4, 99.99);
-    against_the_oracle(&tia_core_q16, 1e-2, 99.9);
+    against_scenes(&tia_core_f64, 12, corpus_add_noise, 1e-4, 99.99);
+    against_scenes(&tia_core_q16, 12, corpus_add_noise, 1e-2, 99.9);
 }
 #endif
 
