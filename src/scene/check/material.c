@@ -2,11 +2,6 @@
 
 #include "scene/colour.h"
 
-static bool has_texture(const struct check *check, uint32_t number, bool opacity)
-{
-    return !number || (check->more && check->more->has_texture(check, number, opacity));
-}
-
 int tia_check_material(const struct check *check)
 {
     const struct tia_material *m = &check->scene->materials[check->index];
@@ -22,10 +17,10 @@ int tia_check_material(const struct check *check)
             "exponent", "must be in 1..10000");
     REQUIRE(colour_is_black(&m->refraction) || tia_check_is_between(m->index, TIA_INDEX_MIN, TIA_INDEX_MAX), "index",
             "must be in 0.25..4");
-    REQUIRE(has_texture(check, m->texture, false), "texture",
-            "must be 0 or the number of a checker, an image or a noise");
-    REQUIRE(has_texture(check, m->opacity, true), "opacity", "must be 0 or the number of an opacity texture");
-    REQUIRE(!m->bump || has_texture(check, m->bump, false) || has_texture(check, m->bump, true), "bump",
-            "must be 0 or the number of a texture");
+    if (check->more)
+        return check->more->textures_of(check, m);
+    REQUIRE(!m->texture, "texture", "must be 0");
+    REQUIRE(!m->opacity, "opacity", "must be 0");
+    REQUIRE(!m->bump, "bump", "must be 0");
     return TIA_OK;
 }

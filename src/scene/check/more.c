@@ -51,7 +51,7 @@ static int check_parts(struct check *check)
     return status ? status : tia_check_rendering(check);
 }
 
-static const struct check_more more = {find_eyes, tia_check_look, tia_check_falling, tia_check_has_texture,
+static const struct check_more more = {find_eyes, tia_check_look, tia_check_falling, tia_check_textures_of,
                                        check_parts};
 
 int tia_check_scene(const struct tia_scene *scene, struct tia_fault *fault, struct cancel *cancel)

@@ -14,7 +14,7 @@ struct check_more {
     void (*eyes)(const struct tia_scene *scene, struct tia_bounds *eyes);
     int (*camera)(const struct check *check);
     int (*falling)(const struct check *check);
-    bool (*has_texture)(const struct check *check, uint32_t number, bool opacity);
+    int (*textures_of)(const struct check *check, const struct tia_material *material);
     /* checks all parts that are checked after spheres and lights */
     int (*parts)(struct check *check);
 };
@@ -82,8 +82,8 @@ int tia_check_camera(const struct check *check);
 /* Checks the camera's window and its line of sight. */
 int tia_check_look(const struct check *check);
 
-/* True if a material may have texture `number`, from 1, as its opacity or, unless `opacity`, as its colour. */
-bool tia_check_has_texture(const struct check *check, uint32_t number, bool opacity);
+/* Checks the numbers of a material's textures. */
+int tia_check_textures_of(const struct check *check, const struct tia_material *material);
 
 /* ---- checks of element number check->index of a kind ---- */
 

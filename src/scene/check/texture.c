@@ -1,11 +1,21 @@
 #include "scene/picture.h"
 #include "scene_check.h"
 
-bool tia_check_has_texture(const struct check *check, uint32_t number, bool opacity)
+/* True if a number is 0 or that of a texture: an opacity, or another one. */
+static bool is_texture(const struct check *check, uint32_t number, bool opacity)
 {
     const struct tia_scene *scene = check->scene;
 
-    return number <= scene->texture_count && (scene->textures[number - 1].kind == TIA_OPACITY) == opacity;
+    return !number || (number <= scene->texture_count && (scene->textures[number - 1].kind == TIA_OPACITY) == opacity);
+}
+
+int tia_check_textures_of(const struct check *check, const struct tia_material *m)
+{
+    REQUIRE(is_texture(check, m->texture, false), "texture",
+            "must be 0 or the number of a checker, an image or a noise");
+    REQUIRE(is_texture(check, m->opacity, true), "opacity", "must be 0 or the number of an opacity texture");
+    REQUIRE(m->bump <= check->scene->texture_count, "bump", "must be 0 or the number of a texture");
+    return TIA_OK;
 }
 
 static bool is_repeat(tia_q16 x)
