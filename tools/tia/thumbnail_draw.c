@@ -166,13 +166,16 @@ static bool is_large(const struct tia_scene *scene)
     return count > FACES_MOST;
 }
 
-/* Draws 4 samples a pixel, 16 where vector units draw, whose pixels have fewer bits and take less time. */
+/* Draws 4 samples a pixel, 16 where vector units draw, whose pixels have fewer bits and take less time. A large scene
+ * has no coarse picture: to prepare its view takes longer than to draw. */
 static int draw_pictures(struct drawer *d)
 {
-    if (is_large(&d->options->scene))
+    bool large = is_large(&d->options->scene);
+
+    if (large)
         d->options->simd = NULL;
     unsigned fine = d->options->simd ? 4 : 2;
-    int status = draw_picture(d, COARSE, 1);
+    int status = large ? TIA_OK : draw_picture(d, COARSE, 1);
     if (!status)
         status = draw_picture(d, 1, 1);
     if (!status && has_time(d, fine * fine))

@@ -1,14 +1,5 @@
 #include "binary.h"
 
-uint64_t tia_binary_unsigned(const char *at, unsigned size, bool big_endian)
-{
-    uint64_t value = 0;
-
-    for (unsigned i = 0; i < size; i++)
-        value = value << 8 | (unsigned char)at[big_endian ? i : size - 1 - i];
-    return value;
-}
-
 /* Converts (-1)^negative m 2^exponent, m < 2^53. */
 static enum tia_decimal fixed(int64_t *out, bool negative, uint64_t m, int exponent)
 {

@@ -24,8 +24,7 @@ struct tia_text tia_model_text(const struct tia_model *model)
 {
     const struct tia_reader *reader = model->reader;
 
-    return tia_text_begin(reader->text, reader->length, model->use ? model->use->file : "",
-                          &model->reader->error);
+    return tia_text_begin(reader->text, reader->length, model->use ? model->use->file : "", &model->reader->error);
 }
 
 unsigned tia_model_bits(const struct tia_model *model)

@@ -22,9 +22,9 @@ struct tia_model_use {
     int scale_bits;   /* of the scene's unit */
 
     /* Results of the first pass. */
-    uint32_t mesh_most;      /* an upper bound of the number of meshes */
-    int64_t min[3], max[3];  /* bounds of the vertices in the file's unit, Q35.28, rounded down; min > max: none */
-    bool rounded;            /* a coordinate is not exact in Q16.16 */
+    uint32_t mesh_most;     /* an upper bound of the number of meshes */
+    int64_t min[3], max[3]; /* bounds of the vertices in the file's unit, Q35.28, rounded down; min > max: none */
+    bool rounded;           /* a coordinate is not exact in Q16.16 */
 };
 
 struct tia_model {
@@ -72,8 +72,8 @@ int tia_model_forgive(struct tia_reader *reader, enum tia_read_warning_kind kind
 void tia_model_polygon(struct tia_face *faces, const struct tia_vec3 *vertices, const struct tia_corner *corners,
                        uint32_t count, struct polygon_corner *work);
 
-/* If there are many faces that are the same as one before them, see unique.c, removes these; returns how many are left. `groups` has the
- * group of each face, or is NULL; `table` has room for tia_model_slots(count) numbers. */
+/* If there are many faces that are the same as one before them, see unique.c, removes these; returns how many are left.
+ * `groups` has the group of each face, or is NULL; `table` has room for tia_model_slots(count) numbers. */
 uint32_t tia_model_unique(struct tia_face *faces, uint32_t *groups, uint32_t count, const struct tia_vec3 *vertices,
                           uint32_t *table);
 uint32_t tia_model_slots(uint32_t face_count);
