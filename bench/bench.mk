@@ -47,7 +47,7 @@ bench-latency: all $(BUILD)/vm/probe $(BUILD)/tests/test_ports
 CONFORM_OBJ := $(call obj,host,$(addprefix bench/conform/,trial.c shrink.c))
 $(BUILD)/tests/test_conform: $(CONFORM_OBJ)
 ifneq ($(GL),)
-$(BUILD)/tia-conform: $(CONFORM_OBJ) $(call obj,host,bench/conform/tia-conform.c bench/conform/piped.c bench/gl/gl_raster.c) $(LIBPORTS) $(LIBSIMD) $(LIBTIA) $(BUILD)/made-with/link
+$(BUILD)/tia-conform: $(CONFORM_OBJ) $(call obj,host,$(addprefix bench/conform/,tia-conform.c compare.c piped.c) bench/gl/gl_raster.c) $(LIBPORTS) $(LIBSIMD) $(LIBTIA) $(BUILD)/made-with/link
 	$(link)
 conform: $(BUILD)/tia-conform
 	@$<

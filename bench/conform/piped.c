@@ -59,37 +59,19 @@ const char *piped_driver(const struct piped *piped)
     return piped->driver;
 }
 
-static void write_side(FILE *to, const struct tia_stencil *s)
-{
-    (void)fprintf(to, " %d %u %u %u %d %d %d", (int)s->test, (unsigned)s->reference, (unsigned)s->mask,
-                  (unsigned)s->write, (int)s->fail, (int)s->zfail, (int)s->zpass);
-}
-
-static void write_triangle(FILE *to, const struct triangle *t)
-{
-    for (int i = 0; i < 3; i++)
-        (void)fprintf(to, " %d %d", (int)t->x[i], (int)t->y[i]);
-    (void)fprintf(to, " %d %d %d %d %d %d", (int)t->level, (int)t->state.depth, t->state.depth_write,
-                  t->state.colour_write[0], t->state.skip_front, t->state.skip_back);
-    write_side(to, &t->state.front);
-    write_side(to, &t->state.back);
-}
-
 bool piped_draw(void *ctx, const struct trial *trial, struct pixels *pixels)
 {
     struct piped *p = ctx;
-    unsigned char bytes[2 * PIXELS];
+    int32_t numbers[TRIAL_NUMBERS];
+    uint8_t bytes[2 * PIXELS];
+    unsigned count = trial_numbers(trial, numbers);
 
-    (void)fprintf(p->to, "%u %u", trial->count, (unsigned)trial->clear);
-    for (unsigned i = 0; i < trial->count; i++)
-        write_triangle(p->to, &trial->triangles[i]);
+    for (unsigned i = 0; i < count; i++)
+        (void)fprintf(p->to, "%d ", (int)numbers[i]);
     (void)fputc('\n', p->to);
     if (fflush(p->to) != 0 || fread(bytes, 1, sizeof bytes, p->from) != sizeof bytes)
         return false;
-    for (unsigned i = 0; i < PIXELS; i++) {
-        pixels->face[i] = bytes[i] == 255 ? TIA_NO_FACE : bytes[i];
-        pixels->stencil[i] = bytes[PIXELS + i];
-    }
+    trial_take(pixels, bytes);
     return true;
 }
 

@@ -1,6 +1,7 @@
 #include "trial.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 /* Marsaglia's xorshift, "Xorshift RNGs", 2003. */
 static uint32_t below(uint64_t *seed, uint32_t n)
@@ -96,6 +97,46 @@ bool trial_exact(void *ctx, const struct trial *trial, struct pixels *pixels)
     }
     free(memory);
     return drawn;
+}
+
+static int32_t *put_side(int32_t *to, const struct tia_stencil *s)
+{
+    const int32_t side[] = {(int32_t)s->test, s->reference,      s->mask,          s->write,
+                            (int32_t)s->fail, (int32_t)s->zfail, (int32_t)s->zpass};
+
+    memcpy(to, side, sizeof side);
+    return to + sizeof side / sizeof *side;
+}
+
+unsigned trial_numbers(const struct trial *trial, int32_t numbers[TRIAL_NUMBERS])
+{
+    int32_t *to = numbers;
+
+    *to++ = (int32_t)trial->count;
+    *to++ = trial->clear;
+    for (unsigned i = 0; i < trial->count; i++) {
+        const struct triangle *t = &trial->triangles[i];
+        for (int k = 0; k < 3; k++) {
+            *to++ = t->x[k];
+            *to++ = t->y[k];
+        }
+        *to++ = t->level;
+        *to++ = (int32_t)t->state.depth;
+        *to++ = t->state.depth_write;
+        *to++ = t->state.colour_write[0];
+        *to++ = t->state.skip_front;
+        *to++ = t->state.skip_back;
+        to = put_side(put_side(to, &t->state.front), &t->state.back);
+    }
+    return (unsigned)(to - numbers);
+}
+
+void trial_take(struct pixels *pixels, const uint8_t bytes[2 * PIXELS])
+{
+    for (unsigned i = 0; i < PIXELS; i++) {
+        pixels->face[i] = bytes[i] == 255 ? TIA_NO_FACE : bytes[i];
+        pixels->stencil[i] = bytes[PIXELS + i];
+    }
 }
 
 unsigned trial_differs(const struct pixels *exact, const struct pixels *found, unsigned *first)

@@ -5,7 +5,7 @@
 
 #include <tia/raster.h>
 
-enum { SIDE = 64, PIXELS = SIDE * SIDE, TRIANGLES = 24, LEVELS = 12 };
+enum { SIDE = 64, PIXELS = SIDE * SIDE, TRIANGLES = 24, LEVELS = 12, TRIAL_NUMBERS = 2 + 26 * TRIANGLES };
 
 /* A triangle of one depth: 1, nearest, to LEVELS. Corners are in 1/256 of a pixel from the top left of the image. */
 struct triangle {
@@ -44,6 +44,17 @@ void trial_random(struct trial *trial, uint64_t *seed, unsigned step);
 
 /* Returns corner number `corner` in clip coordinates with `one` as 1. */
 struct tia_raster_vertex trial_vertex(const struct triangle *triangle, int corner, int64_t one);
+
+/* Writes a trial as numbers, for drawers in other languages: the number of triangles and the stencil value at first;
+ * then for each triangle x and y of its corners in 1/256 pixel, its level, the test of depth (enum tia_compare),
+ * whether it writes depth, whether it writes colours, whether front and back faces are culled; and for front faces,
+ * then for back faces, test, reference, mask and written bits of the stencil and its operations fail, zfail, zpass
+ * (enum tia_stencil_op). Returns how many numbers. */
+unsigned trial_numbers(const struct trial *trial, int32_t numbers[TRIAL_NUMBERS]);
+
+/* Takes the answer of such a drawer: SIDE x SIDE bytes, the top row first, the number of the triangle that a pixel
+ * shows, 255 for none; and as many with the stencil values. */
+void trial_take(struct pixels *pixels, const uint8_t bytes[2 * PIXELS]);
 
 /* Draws by the exact rasteriser; `ctx` is ignored. */
 bool trial_exact(void *ctx, const struct trial *trial, struct pixels *pixels);

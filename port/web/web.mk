@@ -43,6 +43,12 @@ $(WEB)/tia.wasm: $(call web_obj,q16,$(CORE_SRC)) $(call web_obj,f64,$(NUM_SRC)) 
 	$(call say,LD,$@)$(WASM_LD) --no-entry --gc-sections --strip-all --fatal-warnings -z stack-size=$(WEB_STACK) \
 	    -o $@ $^ -L$(WASM_LIB) -lc $(WASM_BUILTINS)
 
+# WebGL 2 beside the exact rasteriser, docs/conform.md.
+$(WEB)/conform.wasm: $(call web_obj,q16,$(CORE_SRC)) $(call web_obj,tools,$(addprefix bench/conform/,conform_page.c compare.c trial.c shrink.c) tools/web/no_files.c)
+	@mkdir -p $(@D)
+	$(call say,LD,$@)$(WASM_LD) --no-entry --gc-sections --strip-all --fatal-warnings -z stack-size=$(WEB_STACK) \
+	    -o $@ $^ -L$(WASM_LIB) -lc $(WASM_BUILTINS)
+
 # The page, and the scenes with their files.
 WEB_PAGE   := $(patsubst tools/web/page/%,$(WEB)/%,$(wildcard tools/web/page/*))
 WEB_SCENES := $(patsubst %,$(WEB)/%,$(wildcard scenes/*.tia scenes/*.p[gp]m scenes/*.ply))
@@ -66,7 +72,7 @@ WEB_MISSING = $(strip $(if $(call found,$(WASM_CC)),,clang) $(if $(call found,$(
 ifneq ($(filter web check,$(MAKECMDGOALS)),)
 check: $(if $(WEB_MISSING),,web)
 ifeq ($(WEB_MISSING),)
-web: $(WEB)/tia.wasm $(WEB_PAGE) $(WEB_SCENES) $(WEB)/gallery.json
+web: $(WEB)/tia.wasm $(WEB)/conform.wasm $(WEB_PAGE) $(WEB_SCENES) $(WEB)/gallery.json
 	@echo "web: python3 -m http.server -d $(WEB), then http://localhost:8000/"
 else
 web:
