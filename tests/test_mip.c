@@ -26,11 +26,11 @@ static void check_level(const struct tia_texture *t, const uint8_t *from, int wi
                         int half_width, int half_height)
 {
     const int channels = t->kind == TIA_OPACITY ? 1 : 3;
-    const double w = (double)width / half_width, h = (double)height / half_height;
 
     for (int y = 0; y < half_height; y++) {
         for (int x = 0; x < half_width; x++) {
-            const double across[2] = {x * w, (x + 1) * w}, down[2] = {y * h, (y + 1) * h};
+            const double across[2] = {(double)x * width / half_width, (double)(x + 1) * width / half_width};
+            const double down[2] = {(double)y * height / half_height, (double)(y + 1) * height / half_height};
             for (int c = 0; c < channels; c++) {
                 double want = mean(from, width, channels, c, across, down);
                 int got = to[channels * (y * half_width + x) + c];
