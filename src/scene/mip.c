@@ -1,21 +1,13 @@
 /* mip.c - the levels of a picture, each the means of the one before. */
 #include <tia/mip.h>
 
+#include "picture.h"
+
 /* A level: its texels of one or three channels. */
 struct level {
     const uint8_t *texels;
     uint32_t width, height, channels;
 };
-
-static uint32_t channels_of(const struct tia_texture *t)
-{
-    return t->kind == TIA_OPACITY ? 1 : 3;
-}
-
-static uint32_t half(uint32_t side)
-{
-    return side > 1 ? side / 2 : 1;
-}
 
 size_t tia_mip_size(const struct tia_texture *t)
 {
@@ -23,9 +15,9 @@ size_t tia_mip_size(const struct tia_texture *t)
     uint64_t size = 0;
 
     while (width > 1 || height > 1) {
-        width = half(width);
-        height = half(height);
-        size += (uint64_t)channels_of(t) * width * height;
+        width = picture_half(width);
+        height = picture_half(height);
+        size += (uint64_t)picture_channels(t) * width * height;
     }
     return size < SIZE_MAX / 2 ? (size_t)size : SIZE_MAX;
 }
@@ -70,10 +62,10 @@ static uint8_t mean(const struct level *l, const struct cover *x, const struct c
 
 void tia_mip_build(const struct tia_texture *t, uint8_t *levels)
 {
-    struct level l = {t->texels, t->width, t->height, channels_of(t)};
+    struct level l = {t->texels, t->width, t->height, picture_channels(t)};
 
     while (l.width > 1 || l.height > 1) {
-        const uint32_t width = half(l.width), height = half(l.height);
+        const uint32_t width = picture_half(l.width), height = picture_half(l.height);
         uint8_t *to = levels;
         for (uint32_t y = 0; y < height; y++) {
             const struct cover down = cover_of(l.height, height, y);

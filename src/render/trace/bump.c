@@ -41,13 +41,9 @@ static int32_t side_of(const struct tia_texture *t, int axis)
 
 static num_length noise_at(const struct tia_texture *t, const struct spot *at)
 {
-    struct noise_place place;
+    struct noise_place place = {{at->cell[0], at->cell[1], at->cell[2]}, {at->part[0], at->part[1], at->part[2]}};
 
-    for (int k = 0; k < 3; k++) {
-        int32_t whole = num_floor(at->part[k]);
-        place.cell[k] = (int32_t)(((uint32_t)at->cell[k] + (uint32_t)whole) & INT32_MAX);
-        place.part[k] = at->part[k] - num_integer(whole);
-    }
+    noise_carry(&place);
     return noise_value(&place, t->octaves, 0);
 }
 

@@ -59,10 +59,10 @@ static num_length left_over(num_length width)
 static void next_octave(struct noise_place *p)
 {
     for (int k = 0; k < 3; k++) {
-        int32_t whole = num_floor(2 * p->part[k]);
-        p->cell[k] = (int32_t)((2 * (uint32_t)p->cell[k] + (uint32_t)whole) & INT32_MAX);
-        p->part[k] = 2 * p->part[k] - num_integer(whole);
+        p->cell[k] = (int32_t)(2 * (uint32_t)p->cell[k] & INT32_MAX);
+        p->part[k] *= 2;
     }
+    noise_carry(p);
 }
 
 num_length noise_value(const struct noise_place *place, unsigned octaves, num_length width)

@@ -67,15 +67,10 @@ num_length texture_position(const struct tia_texture *t, int axis, const struct 
 static void noise(const struct tia_texture *t, const struct texture_place *place, num_length rgb[3])
 {
     struct noise_place at;
-    num_length high[3];
 
     for (int i = 0; i < 3; i++)
         at.part[i] = texture_position(t, i, place, &at.cell[i]);
-    num_length value = num_length_clamp(noise_value(&at, t->octaves, 0), 0, NUM_LENGTH_ONE);
-    ray_rgb(&t->cells[0], rgb);
-    ray_rgb(&t->cells[1], high);
-    for (int c = 0; c < 3; c++)
-        rgb[c] += num_product(value, high[c] - rgb[c]);
+    ray_rgb_blend(t->cells, num_length_clamp(noise_value(&at, t->octaves, 0), 0, NUM_LENGTH_ONE), rgb);
 }
 
 uint32_t ray_texture(const struct tia_texture *t, const struct texture_place *place, num_length value[])

@@ -2,6 +2,7 @@
 #ifndef TIA_RENDER_TRACE_TEXTURE_H
 #define TIA_RENDER_TRACE_TEXTURE_H
 
+#include "scene/picture.h"
 #include "trace.h"
 
 /* A place on a surface: the surface coordinates or, for TIA_NOISE, the point in the shape's axes, times 2^-bits. */
@@ -39,7 +40,7 @@ struct texels {
 /* Returns the texels of a picture as they are given. */
 static inline struct texels texture_texels(const struct tia_texture *t)
 {
-    return (struct texels){t->texels, t->width, t->height, t->kind == TIA_OPACITY ? 1U : 3U};
+    return (struct texels){t->texels, t->width, t->height, picture_channels(t)};
 }
 
 /* Interpolates the four texels around a position bilinearly. Positions are in texels from the centre of the lower left

@@ -90,15 +90,9 @@ static num_length odd_part(const struct print *p)
 /* Computes the mean of a checker. Returns false if the footprint is inside one cell. */
 static bool mean_of_checker(const struct tia_texture *t, const struct print *p, num_length rgb[3])
 {
-    num_length odd_rgb[3];
-
     if (is_in_cell(p, 0) && is_in_cell(p, 1))
         return false;
-    num_length odd = odd_part(p);
-    ray_rgb(&t->cells[0], rgb);
-    ray_rgb(&t->cells[1], odd_rgb);
-    for (int c = 0; c < 3; c++)
-        rgb[c] += num_product(odd, odd_rgb[c] - rgb[c]);
+    ray_rgb_blend(t->cells, odd_part(p), rgb);
     return true;
 }
 

@@ -14,6 +14,7 @@
 #include "render/trace/noise.h"
 #include "render/trace/rgb.h"
 #include "render/trace/texture.h"
+#include "scene/picture.h"
 
 /* The places: `count` of them, each `width` wide, from `first` on at the distance `step`, relative to the centre. */
 struct probes {
@@ -43,24 +44,20 @@ bool mean_of_noise(const struct tia_texture *t, const struct print *p, num_lengt
 {
     const num_length longer = print_length(p->edge[0]);
     const struct probes probes = probes_of(p, PIECES, longer, print_length(p->edge[1]));
-    num_length sum = 0, high[3];
+    num_length sum = 0;
 
     if (longer < NUM_LENGTH_ONE / (num_length)(INT32_C(1) << t->octaves)) /* no octave fades */
         return false;
     for (int i = 0; i < probes.count; i++) {
         struct noise_place place;
         for (int k = 0; k < 3; k++) {
-            num_length at = p->part[k] + probes.first[k] + (num_length)i * probes.step[k];
-            int32_t whole = num_floor(at);
-            place.part[k] = at - num_integer(whole);
-            place.cell[k] = (int32_t)(((uint32_t)p->cell[k] + (uint32_t)whole) & INT32_MAX);
+            place.cell[k] = p->cell[k];
+            place.part[k] = p->part[k] + probes.first[k] + (num_length)i * probes.step[k];
         }
+        noise_carry(&place);
         sum += num_length_clamp(noise_value(&place, t->octaves, probes.width), 0, NUM_LENGTH_ONE);
     }
-    ray_rgb(&t->cells[0], rgb);
-    ray_rgb(&t->cells[1], high);
-    for (int c = 0; c < 3; c++)
-        rgb[c] += num_product(sum / (num_length)probes.count, high[c] - rgb[c]);
+    ray_rgb_blend(t->cells, sum / (num_length)probes.count, rgb);
     return true;
 }
 
@@ -75,8 +72,8 @@ static void next_level(const struct tia_texture *t, struct texels *level)
     const uint8_t *behind = level->first + level->channels * (size_t)level->width * (size_t)level->height;
 
     level->first = level->first == t->texels ? t->mip_levels : behind;
-    level->width = level->width > 1 ? level->width / 2 : 1;
-    level->height = level->height > 1 ? level->height / 2 : 1;
+    level->width = (int32_t)picture_half((uint32_t)level->width);
+    level->height = (int32_t)picture_half((uint32_t)level->height);
 }
 
 /* Moves a position between the centres of two texels away from the edge between them, so that a blend of the texels is
