@@ -18,7 +18,6 @@ with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../tools/
 DRAW = "btoa(Array.from(triangles.draw({}), byte => String.fromCharCode(byte)).join(''))"
 
 
-
 def main():
     if not browser.PROGRAM:
         sys.exit("webgl.py: no Chromium")

@@ -17,9 +17,7 @@ $(LIBKIT): $(call obj,pic,$(KIT_C) $(CORE_SRC) $(SIMD_SRC) port/simd/best.c) too
 
 $(KIT)/tia-kit.wasm: $(call web_obj,q16,$(CORE_SRC)) $(call web_obj,simd,$(WASM_SIMD) port/simd/best.c) \
     $(call web_obj,tools,$(KIT_C) tools/web/no_files.c)
-	@mkdir -p $(@D)
-	$(call say,LD,$@)$(WASM_LD) --no-entry --gc-sections --strip-all --fatal-warnings -z stack-size=$(WEB_STACK) \
-	    -o $@ $^ -L$(WASM_LIB) -lc $(WASM_BUILTINS)
+	$(link_wasm)
 
 # Copies of package/python and package/npm, with what is built: what their tools pack.
 .PHONY: kit python npm

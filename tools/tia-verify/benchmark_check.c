@@ -51,13 +51,12 @@ static int draw_frame(struct lines *l, struct threads *pool, const struct benchm
     return status ? fail(CHECK_FAILED, "%s: %s", frame->name, fail_reason(status)) : CHECK_SAME;
 }
 
-/* Draws all frames the first time. */
 static int draw_frames(struct lines *l)
 {
-    struct threads *pool = l->drawn ? NULL : threads_create(l->threads);
-    int result = l->drawn || pool ? CHECK_SAME : fail(CHECK_FAILED, "memory: exhausted");
+    struct threads *pool = threads_create(l->threads);
+    int result = pool ? CHECK_SAME : fail(CHECK_FAILED, "memory: exhausted");
 
-    for (unsigned i = 0; i < BENCHMARK_FRAMES && !result && !l->drawn; i++) {
+    for (unsigned i = 0; i < BENCHMARK_FRAMES && !result; i++) {
         uint32_t crc = 0;
         result = draw_frame(l, pool, &benchmark_frames[i], &crc);
         if (!result && crc != benchmark_frames[i].crc)
@@ -98,7 +97,8 @@ static int check_line(struct lines *l, const char *text, size_t length)
         return fail(CHECK_FAILED, "%sdrawn by definition %u; this tia draws definition %u", place(l, at),
                     line.definition, (unsigned)RECORD_DEFINITION);
     int result = check_crcs(l, &line);
-    result = result ? result : draw_frames(l);
+    if (!result && !l->drawn)
+        result = draw_frames(l);
     if (!result)
         (void)printf("%s%s: %u row%s of scores: all %u frames have the right CRC-32, drawn again here as well (%s)\n",
                      place(l, at), line.cpu, line.row_count, line.row_count == 1 ? "" : "s", (unsigned)BENCHMARK_FRAMES,
