@@ -71,11 +71,8 @@ static struct box_axes axes_of(const struct prepared_box *box, const struct ray 
                               box_axis(box->min.z, box->max.z, ray->origin.z, ray->direction.z)}};
 }
 
-bool box_intersect(const struct prepared_box *box, const struct ray *ray, num_length limit,
-                   struct intersection *intersection, bool *inside)
+static bool meet(const struct box_axis axes[3], num_length limit, struct intersection *intersection, bool *inside)
 {
-    const struct box_axes all = axes_of(box, ray);
-    const struct box_axis *axes = all.of;
     num_length t = 0;
 
     if (is_passed(&axes[0]) || is_passed(&axes[1]) || is_passed(&axes[2]))
@@ -92,6 +89,14 @@ bool box_intersect(const struct prepared_box *box, const struct ray *ray, num_le
     intersection->t = t;
     intersection->element = entered(axes, axis) ^ *inside;
     return true;
+}
+
+bool box_intersect(const struct prepared_box *box, const struct ray *ray, num_length limit,
+                   struct intersection *intersection, bool *inside)
+{
+    const struct box_axes axes = axes_of(box, ray);
+
+    return meet(axes.of, limit, intersection, inside);
 }
 
 void box_surface(uint32_t face, struct surface *surface)
@@ -125,16 +130,15 @@ static bool intersect(const struct shape *shape, const struct ray *ray, num_leng
 /* The exit of a ray that starts outside is at its entry or later, whatever the roundings. */
 static bool chord_of(const struct shape *shape, const struct ray *ray, num_length after, struct chord *chord)
 {
-    const struct prepared_box *box = &shape->box;
+    const struct box_axes axes = axes_of(&shape->box, ray);
     bool inside;
 
-    if (!box_intersect(box, ray, NUM_LENGTH_MAX, &chord->enter, &inside))
+    if (!meet(axes.of, NUM_LENGTH_MAX, &chord->enter, &inside))
         return false;
     chord->leave = chord->enter;
     if (inside) {
         chord->enter.t = -NUM_LENGTH_MAX;
     } else {
-        const struct box_axes axes = axes_of(box, ray);
         num_length t = 0;
         int axis = leave(axes.of, &t);
         chord->leave.t = t > chord->enter.t ? t : chord->enter.t;

@@ -15,12 +15,12 @@ struct line_part {
 };
 
 /* Both give the distances t at which a line enters and leaves the shape by turns, in ascending order, and return their
- * number. *inside is set if the line is inside the shape at `from`: then the first crossing is an exit. For all
- * crossings of the line, `from` is -NUM_LENGTH_MAX, where a line is always outside. */
+ * number. If the line is inside the shape at `from`, the first crossing is an exit. For all crossings of the line,
+ * `from` is -NUM_LENGTH_MAX, where a line is always outside. */
 unsigned torus_crossings(const struct prepared_torus *torus, const struct ray *ray, const struct line_part *part,
-                         num_length t[TORUS_CROSSINGS], bool *inside);
+                         num_length t[TORUS_CROSSINGS]);
 unsigned rounded_crossings(const struct prepared_rounded *box, const struct ray *ray, const struct line_part *part,
-                           num_length t[ROUNDED_CROSSINGS], bool *inside);
+                           num_length t[ROUNDED_CROSSINGS]);
 
 /* Gives the first chord between two of `count` crossings of a whole line that ends beyond `after`; false: none. */
 bool crossings_chord(const num_length *t, unsigned count, num_length after, struct chord *chord);

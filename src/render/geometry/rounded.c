@@ -156,18 +156,16 @@ static void cross(const struct line *line, struct piece *piece)
 }
 
 NOINLINE unsigned rounded_crossings(const struct prepared_rounded *box, const struct ray *ray,
-                                    const struct line_part *part, num_length t[ROUNDED_CROSSINGS], bool *inside)
+                                    const struct line_part *part, num_length t[ROUNDED_CROSSINGS])
 {
     struct line line;
     struct piece piece = {.t = t};
 
-    *inside = false;
     if (!approach(box, ray, part, &line))
         return 0;
-    *inside = line.cut && is_inside(&line, line.lo);
     piece.from = line.lo;
-    piece.starts_inside = *inside;
-    piece.room = *inside ? 1 : ROUNDED_CROSSINGS;
+    piece.starts_inside = line.cut && is_inside(&line, line.lo);
+    piece.room = piece.starts_inside ? 1 : ROUNDED_CROSSINGS;
     do {
         piece.to = end_of(&line, piece.from);
         piece.ends_inside = piece.to < line.hi && is_inside(&line, piece.to);
@@ -183,10 +181,9 @@ static bool intersect(const struct shape *shape, const struct ray *ray, num_leng
 {
     const struct line_part ahead = {0, limit, 1};
     num_length t[ROUNDED_CROSSINGS];
-    bool inside;
 
     intersection->element = 0;
-    if (!rounded_crossings(&shape->rounded, ray, &ahead, t, &inside))
+    if (!rounded_crossings(&shape->rounded, ray, &ahead, t))
         return false;
     intersection->t = t[0];
     return t[0] >= 0 && t[0] <= limit;
@@ -196,8 +193,7 @@ static bool chord_of(const struct shape *shape, const struct ray *ray, num_lengt
 {
     const struct line_part whole = {-NUM_LENGTH_MAX, NUM_LENGTH_MAX, ROUNDED_CROSSINGS};
     num_length t[ROUNDED_CROSSINGS];
-    bool inside;
-    unsigned count = rounded_crossings(&shape->rounded, ray, &whole, t, &inside);
+    unsigned count = rounded_crossings(&shape->rounded, ray, &whole, t);
 
     return crossings_chord(t, count, after, chord);
 }

@@ -239,16 +239,15 @@ static NOINLINE void search(const struct passage *p, struct search *s, unsigned 
 }
 
 unsigned torus_crossings(const struct prepared_torus *torus, const struct ray *ray, const struct line_part *part,
-                         num_length t[TORUS_CROSSINGS], bool *inside)
+                         num_length t[TORUS_CROSSINGS])
 {
     struct passage p;
     struct search s = {0, false, 0, t};
 
-    *inside = false;
     if (!approach(torus, ray, part, &p))
         return 0;
     set_quartic(&p);
-    s.inside = *inside = p.cut && distance_at(&p, p.lo, NULL) < 0;
+    s.inside = p.cut && distance_at(&p, p.lo, NULL) < 0;
     search(&p, &s, part->most);
     return s.count;
 }
@@ -258,10 +257,9 @@ static bool intersect(const struct shape *shape, const struct ray *ray, num_leng
 {
     const struct line_part ahead = {0, limit, 1};
     num_length t[TORUS_CROSSINGS];
-    bool inside;
 
     intersection->element = 0;
-    if (!torus_crossings(&shape->torus, ray, &ahead, t, &inside))
+    if (!torus_crossings(&shape->torus, ray, &ahead, t))
         return false;
     intersection->t = t[0];
     return t[0] >= 0 && t[0] <= limit;
@@ -271,8 +269,7 @@ static bool chord_of(const struct shape *shape, const struct ray *ray, num_lengt
 {
     const struct line_part whole = {-NUM_LENGTH_MAX, NUM_LENGTH_MAX, TORUS_CROSSINGS};
     num_length t[TORUS_CROSSINGS];
-    bool inside;
-    unsigned count = torus_crossings(&shape->torus, ray, &whole, t, &inside);
+    unsigned count = torus_crossings(&shape->torus, ray, &whole, t);
 
     return crossings_chord(t, count, after, chord);
 }

@@ -118,9 +118,12 @@ static num_length rise(const struct ray_view *view, const struct hit *hit, const
 {
     const struct num_point half = num_point_along(tangent, STEP);
     const struct num_point whole = num_point_add(half, half);
+    const struct num_point begin = num_point_sub(point, half);
     num_length cells[3], sum = 0;
+    struct texture_place from;
 
-    ray_texture_change(view, t, hit, num_point_sub(point, half), whole, cells);
+    ray_texture_place(view, t, hit, begin, &from);
+    ray_texture_change(view, t, hit, begin, &from, whole, cells);
     for (int k = 0; k < texture_axes(t); k++) {
         const num_length side = (num_length)side_of(t, k);
         const num_length most = CELLS_MAX / side;

@@ -4,32 +4,37 @@
 #include "scene/colour.h"
 #include "texture.h"
 
-static void look_up(const struct ray_view *view, uint32_t texture, const struct hit *hit, num_length value[],
-                    struct shading *s, unsigned which)
+static void look_up(const struct tia_texture *t, const struct texture_place *at, num_length value[], struct shading *s,
+                    unsigned which)
 {
-    const struct tia_texture *t = &view->scene->textures[texture - 1];
-    struct texture_place at;
-
-    ray_texture_place(view, t, hit, s->point, &at);
-    s->texels[which] = ray_texture(t, &at, value);
+    s->texels[which] = ray_texture(t, at, value);
     s->textured[which] = ray_texture_is_hashed(t);
 }
 
 static void texture(const struct ray_view *view, const struct hit *hit, struct shading *s)
 {
     const struct tia_material *m = s->material;
+    const struct tia_texture *textures = view->scene->textures;
+    bool coloured = m->texture && !colour_is_black(&m->colour);
+    struct texture_place at;
     num_length texel[3];
 
     ray_rgb(&m->colour, s->colour);
     s->opacity = NUM_LENGTH_ONE;
     s->textured[0] = s->textured[1] = false;
-    if (m->texture && !colour_is_black(&m->colour)) {
-        look_up(view, m->texture, hit, texel, s, 0);
+    if (coloured) {
+        const struct tia_texture *t = &textures[m->texture - 1];
+        ray_texture_place(view, t, hit, s->point, &at);
+        look_up(t, &at, texel, s, 0);
         for (int c = 0; c < 3; c++)
             s->colour[c] = num_product(s->colour[c], texel[c]);
     }
-    if (m->opacity)
-        look_up(view, m->opacity, hit, &s->opacity, s, 1);
+    if (m->opacity) {
+        const struct tia_texture *t = &textures[m->opacity - 1];
+        if (!coloured || textures[m->texture - 1].kind == TIA_NOISE) /* else the place is the same */
+            ray_texture_place(view, t, hit, s->point, &at);
+        look_up(t, &at, &s->opacity, s, 1);
+    }
 }
 
 void shading_prepare(const struct ray_view *view, num_length bias, const struct ray *ray, const struct hit *hit,

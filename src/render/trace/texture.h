@@ -21,10 +21,11 @@ static inline int texture_axes(const struct tia_texture *t)
     return t->kind == TIA_NOISE ? 3 : 2;
 }
 
-/* Gives the change of the place from a point near the hit to another one, in the texture's cells, each at most 2^12. A
- * change of more than a unit of length is that of the first part of the way, continued. */
+/* Gives the change of the place from a point near the hit, whose place is `from`, to another one, in the texture's
+ * cells, each at most 2^12. A change of more than a unit of length is that of the first part of the way, continued. */
 void ray_texture_change(const struct ray_view *view, const struct tia_texture *texture, const struct hit *hit,
-                        struct num_point point, struct num_point change, num_length cells[3]);
+                        struct num_point point, const struct texture_place *from, struct num_point change,
+                        num_length cells[3]);
 
 /* Computes the texture's value at a place. `value` becomes red, green and blue, or one number for TIA_OPACITY. Returns
  * the index of the value in the texture: a checker's cell, 0 or 1, or the number of a texel; 0 for a blend. */

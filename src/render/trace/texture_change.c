@@ -57,30 +57,31 @@ static bool change_on_flat(const struct ray_view *view, const struct hit *hit, s
 
 /* Gives the change of the place in a texture, times 2^bits. */
 static void change_of_place(const struct ray_view *view, const struct tia_texture *t, const struct hit *hit,
-                            struct num_point point, struct num_point change, num_length d[3], int *bits)
+                            struct num_point point, const struct texture_place *from, struct num_point change,
+                            num_length d[3], int *bits)
 {
     const struct num_point end = num_point_add(point, change);
-    struct texture_place from, to;
+    struct texture_place to;
 
-    ray_texture_place(view, t, hit, point, &from);
-    *bits += from.bits;
+    *bits += from->bits;
     if (t->kind != TIA_NOISE && change_on_flat(view, hit, point, end, d, bits))
         return;
     ray_texture_place(view, t, hit, end, &to);
     for (int i = 0; i < texture_axes(t); i++) {
-        d[i] = to.at[i] - from.at[i];
+        d[i] = to.at[i] - from->at[i];
         if (t->kind != TIA_NOISE && is_round(view, hit, i))
             d[i] = around(d[i]);
     }
 }
 
 void ray_texture_change(const struct ray_view *view, const struct tia_texture *t, const struct hit *hit,
-                        struct num_point point, struct num_point change, num_length cells[3])
+                        struct num_point point, const struct texture_place *from, struct num_point change,
+                        num_length cells[3])
 {
     int bits = shorten(&change);
     num_length d[3];
 
-    change_of_place(view, t, hit, point, change, d, &bits);
+    change_of_place(view, t, hit, point, from, change, d, &bits);
     cells[2] = 0;
     for (int i = 0; i < texture_axes(t); i++) {
         const struct num_pattern pattern = texture_pattern(t, i);

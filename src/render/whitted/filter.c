@@ -16,16 +16,6 @@
 
 #define NARROW (NUM_LENGTH_ONE / 1024) /* a narrower box is its centre: S would be divided by its rounding */
 
-static void set_centre(const struct ray_view *view, const struct hit *hit, struct num_point point,
-                       const struct tia_texture *t, struct print *p)
-{
-    struct texture_place place;
-
-    ray_texture_place(view, t, hit, point, &place);
-    for (int i = 0; i < texture_axes(t); i++)
-        p->part[i] = texture_position(t, i, &place, &p->cell[i]);
-}
-
 /* Puts the longer edge first. */
 static void order(struct print *p)
 {
@@ -99,13 +89,16 @@ static bool mean_of_checker(const struct tia_texture *t, const struct print *p, 
 bool filter_texture(const struct ray_view *view, const struct hit *hit, struct num_point point,
                     const struct tia_texture *t, const struct num_point edge[2], num_length value[3])
 {
+    struct texture_place place;
     struct print p;
 
     if (texture_has_texels(t) && !t->mip_levels)
         return false;
+    ray_texture_place(view, t, hit, point, &place);
     for (int i = 0; i < 2; i++)
-        ray_texture_change(view, t, hit, point, edge[i], p.edge[i]);
-    set_centre(view, hit, point, t, &p);
+        ray_texture_change(view, t, hit, point, &place, edge[i], p.edge[i]);
+    for (int i = 0; i < texture_axes(t); i++)
+        p.part[i] = texture_position(t, i, &place, &p.cell[i]);
     order(&p);
     if (t->kind == TIA_CHECKER)
         return mean_of_checker(t, &p, value);

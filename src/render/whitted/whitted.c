@@ -32,21 +32,11 @@ static bool spawn(struct bounce *next, const struct ray *ray, const num_length f
     return counts;
 }
 
-/* Gives a ray its cone, of those that cone_spread has set. */
-static void set_cone(struct bounce *b, const struct bounces *from)
-{
-#if TIA_FOOTPRINTS
-    b->cone = (struct cone){from->width, from->spread[b->kind - TIA_RAY_REFLECTED]};
-#else
-    (void)b;
-    (void)from;
-#endif
-}
-
 static void follow_cone(struct path *path, const struct bounce *b)
 {
 #if TIA_FOOTPRINTS
-    path->cone = b->cone;
+    if (path->view->filtered)
+        path->cone = b->cone;
 #else
     (void)path;
     (void)b;
@@ -55,14 +45,26 @@ static void follow_cone(struct path *path, const struct bounce *b)
 
 /* Pushes a ray spawned by b, unless it is too faint. */
 static void push(struct stack *stack, const struct ray *ray, const num_length factor[3], const struct bounce *b,
-                 const struct bounces *from, const struct media *media, enum tia_ray kind, bool straight)
+                 const struct media *media, enum tia_ray kind, bool straight)
 {
-    struct bounce *next = &stack->bounces[stack->count];
+    stack->count += spawn(&stack->bounces[stack->count], ray, factor, b, media, kind, straight);
+}
 
-    if (!spawn(next, ray, factor, b, media, kind, straight))
+/* Gives the rays from number `first` on, which leave the hit of the ray b, their cones. */
+static void set_cones(const struct path *path, const struct bounce *b, const struct hit *hit, const struct shading *s,
+                      struct bounces *next, struct stack *stack, int first)
+{
+#if TIA_FOOTPRINTS
+    if (!path->view->filtered || stack->count == first)
         return;
-    set_cone(next, from);
-    stack->count++;
+    cone_spread(path, &b->ray, hit, s, next);
+    for (int i = first; i < stack->count; i++) {
+        struct bounce *spawned = &stack->bounces[i];
+        spawned->cone = (struct cone){next->width, next->spread[spawned->kind - TIA_RAY_REFLECTED]};
+    }
+#else
+    (void)path, (void)b, (void)hit, (void)s, (void)next, (void)stack, (void)first;
+#endif
 }
 
 static void add_flat(const struct tia_rgb *rgb, const num_length throughput[3], num_length colour[3])
@@ -84,18 +86,17 @@ static void bounce(const struct path *path, const struct shading *s, const struc
                    struct stack *stack)
 {
     bool bends = b->depth < path->view->depth;
+    const int first = stack->count;
     struct bounces next;
 
-    next.width = next.spread[0] = next.spread[1] = next.spread[2] = 0;
     shade_bounce(path->view, s, &b->media, &next);
-    if (TIA_FOOTPRINTS && path->view->filtered)
-        cone_spread(path, &b->ray, hit, s, &next);
     if (!next.straight && s->opacity < NUM_LENGTH_ONE && b->layers < TIA_LAYERS_MAX)
-        push(stack, &next.past, next.passes, b, &next, &next.media, TIA_RAY_PAST, true);
+        push(stack, &next.past, next.passes, b, &next.media, TIA_RAY_PAST, true);
     if (next.straight ? b->layers < TIA_LAYERS_MAX : bends)
-        push(stack, &next.refracted, next.refracts, b, &next, &next.media, TIA_RAY_REFRACTED, next.straight);
+        push(stack, &next.refracted, next.refracts, b, &next.media, TIA_RAY_REFRACTED, next.straight);
     if (bends)
-        push(stack, &next.reflected, next.reflects, b, &next, &b->media, TIA_RAY_REFLECTED, false);
+        push(stack, &next.reflected, next.reflects, b, &b->media, TIA_RAY_REFLECTED, false);
+    set_cones(path, b, hit, s, &next, stack, first);
 }
 
 static void follow(struct path *path, const struct bounce *b, const struct hit *hit, struct stack *stack,
