@@ -91,6 +91,8 @@ static void clear(const struct unique *u)
 
 uint32_t tia_model_slots(uint32_t face_count)
 {
+    if (face_count <= COPIES_MOST)
+        return 0;
     return face_count < UINT32_MAX / 2 ? face_count + face_count / 2 : face_count;
 }
 
@@ -100,6 +102,8 @@ uint32_t tia_model_unique(struct tia_face *faces, uint32_t *groups, uint32_t cou
     const struct unique u = {faces, vertices, groups, table, tia_model_slots(count)};
     uint32_t kept = 0, copies = 0;
 
+    if (count <= COPIES_MOST) /* a face is no copy of itself */
+        return count;
     clear(&u);
     for (uint32_t i = 0; i < count; i++) {
         if (i + AHEAD < count)

@@ -67,7 +67,6 @@ static int read_element(struct ply *ply)
     *e = (struct ply_element){.kind = tia_word_is(&word, "vertex") ? PLY_VERTEX
                                       : tia_word_is(&word, "face") ? PLY_FACE
                                                                    : PLY_UNKNOWN,
-                              .name = word,
                               .count = (uint32_t)count,
                               .first = ply->property_count,
                               .end = ply->property_count};

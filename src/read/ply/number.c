@@ -32,7 +32,7 @@ static enum tia_decimal convert(int64_t *out, uint64_t value, uint8_t type, unsi
     return from_integer(out, value, size, is_signed && value >> (8 * size - 1), bits);
 }
 
-static int say(struct ply *ply, const char *why)
+int tia_ply_error(struct ply *ply, const char *why)
 {
     (void)tia_plain_error(ply->p, ply->thing, ply->number);
     tia_say(&ply->p->model.reader->error, why);
@@ -43,7 +43,7 @@ static int say(struct ply *ply, const char *why)
 static int take(struct ply *ply, unsigned size, uint64_t *value)
 {
     if ((size_t)(ply->text.end - ply->at) < size)
-        return say(ply, "the file ends here, expected more numbers");
+        return tia_ply_error(ply, "the file ends here, expected more numbers");
     *value = tia_binary_unsigned(ply->at, size, ply->big_endian);
     ply->at += size;
     return TIA_OK;
@@ -67,9 +67,9 @@ static int read_binary(struct ply *ply, uint8_t type, unsigned bits, int64_t *ou
     case TIA_DECIMAL_FINE:
         return TIA_OK;
     case TIA_DECIMAL_NONE:
-        return say(ply, "not a number, expected a number below 2147483648");
+        return tia_ply_error(ply, "not a number, expected a number below 2147483648");
     default:
-        return say(ply, "a number is out of range, expected a number below 2147483648");
+        return tia_ply_error(ply, "a number is out of range, expected a number below 2147483648");
     }
 }
 
@@ -82,5 +82,5 @@ int tia_ply_number(struct ply *ply, uint8_t type, unsigned bits, int64_t *out)
     if (tia_text_line(&ply->text))
         return tia_text_long(&ply->text, out, bits);
     (void)tia_text_word(&ply->text, &end);
-    return say(ply, "the file ends here, expected more numbers");
+    return tia_ply_error(ply, "the file ends here, expected more numbers");
 }

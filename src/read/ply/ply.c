@@ -18,8 +18,6 @@ static unsigned bits_of(const struct ply *ply, const struct ply_property *proper
 {
     if (property->role <= PLY_Z)
         return tia_model_bits(&ply->p->model);
-    if (property->role == PLY_U || property->role == PLY_V)
-        return 16;
     return property->role <= PLY_NZ ? 32 : 16;
 }
 
@@ -43,8 +41,7 @@ static int add_normal(struct ply *ply, const int64_t values[PLY_ROLES])
     int status = TIA_OK;
 
     if (!tia_dir3_of(&normal, &values[PLY_NX])) {
-        (void)tia_plain_error(ply->p, "vertex", ply->number);
-        tia_say(&ply->p->model.reader->error, "its normal has no length, expected nx, ny and nz that are not all 0");
+        (void)tia_ply_error(ply, "its normal has no length, expected nx, ny and nz that are not all 0");
         status = tia_plain_forgive(ply->p, TIA_WARN_NORMAL, "faces that use it are drawn flat");
     }
     tia_array_add(&ply->p->normals, &normal);
@@ -62,7 +59,6 @@ static int add_vertex(struct ply *ply, const struct ply_element *e, const int64_
         const struct tia_uv uv = {(tia_q16)values[PLY_U], (tia_q16)values[PLY_V]};
         tia_array_add(&ply->p->uvs, &uv);
     }
-    ply->vertices++;
     return HAS(e, PLY_NX) && HAS(e, PLY_NY) && HAS(e, PLY_NZ) ? add_normal(ply, values) : TIA_OK;
 }
 
@@ -73,11 +69,8 @@ static int read_length(struct ply *ply, const struct ply_property *property, uin
     int64_t wide;
     int status = tia_ply_number(ply, property->count_type, 0, &wide);
 
-    if (!status && wide < 0) {
-        (void)tia_plain_error(ply->p, ply->thing, ply->number);
-        tia_say(&ply->p->model.reader->error, "a list has a negative length, expected 0 or more");
-        return TIA_ERR_RANGE;
-    }
+    if (!status && wide < 0)
+        return tia_ply_error(ply, "a list has a negative length, expected 0 or more");
     *length = (uint32_t)wide;
     return status;
 }
@@ -95,8 +88,7 @@ static int skip_list(struct ply *ply, const struct ply_property *property)
 
 static int leave_out(struct ply *ply, const char *why)
 {
-    (void)tia_plain_error(ply->p, ply->thing, ply->number);
-    tia_say(&ply->p->model.reader->error, why);
+    (void)tia_ply_error(ply, why);
     return tia_plain_forgive(ply->p, TIA_WARN_FACE, "the face is left out");
 }
 
@@ -107,14 +99,11 @@ static int read_polygon(struct ply *ply, const struct ply_property *property)
     int64_t index;
     int status = read_length(ply, property, &length);
 
-    if (!status && length > POLYGON_MAX) {
-        (void)tia_plain_error(ply->p, ply->thing, ply->number);
-        tia_say(&ply->p->model.reader->error, "it has too many corners, expected at most 4096");
-        return TIA_ERR_RANGE;
-    }
+    if (!status && length > POLYGON_MAX)
+        return tia_ply_error(ply, "it has too many corners, expected at most 4096");
     for (uint32_t i = 0; !status && i < length; i++) {
         status = tia_ply_number(ply, property->type, 0, &index);
-        bad = bad || status || index < 0 || index >= ply->vertices;
+        bad = bad || status || index < 0 || index >= ply->p->vertices.count;
         if (!bad)
             tia_plain_corner(ply->p, i, (uint32_t)index);
     }

@@ -9,7 +9,7 @@
 
 enum ply_type { PLY_NONE, PLY_I8, PLY_U8, PLY_I16, PLY_U16, PLY_I32, PLY_U32, PLY_F32, PLY_F64 };
 
-/* What a property means. The order of those of a vertex is that of struct ply_vertex. */
+/* What a property means. */
 enum ply_role {
     PLY_X,
     PLY_Y,
@@ -35,7 +35,6 @@ enum ply_kind { PLY_UNKNOWN, PLY_VERTEX, PLY_FACE };
 
 struct ply_element {
     enum ply_kind kind;
-    struct tia_word name;
     uint32_t count, roles; /* roles: bit n if a property has role n */
     unsigned first, end;   /* the range of its properties */
 };
@@ -47,11 +46,13 @@ struct ply {
     struct ply_element elements[PLY_ELEMENTS];
     struct ply_property properties[PLY_PROPERTIES];
     unsigned element_count, property_count;
-    uint32_t vertices;  /* number of vertices read */
     const char *at;     /* next byte of a binary file */
     const char *thing;  /* the element being read, for messages: "vertex" */
     uint32_t number;    /* its number, from 1 */
 };
+
+/* Sets the error of the element being read; returns TIA_ERR_RANGE. */
+int tia_ply_error(struct ply *ply, const char *why);
 
 /* Reads the header; the next byte of a binary file is ply->at. */
 int tia_ply_header(struct ply *ply);
