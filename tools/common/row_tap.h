@@ -14,7 +14,6 @@ struct row_tap {
      * row of sums with its checksum. */
     void (*row)(void *ctx, uint32_t frame, unsigned y, const unsigned char *bytes, size_t length);
     void *ctx;
-    bool alone;        /* no file is written */
     uint32_t *samples; /* NULL, or receives the number of samples a pixel of a picture of samples; 0: not as the options
                           say */
 };
@@ -24,15 +23,10 @@ static inline bool tap_wants(const struct row_tap *tap, uint32_t frame, unsigned
     return !tap || !tap->wants || tap->wants(tap->ctx, frame, y);
 }
 
+/* True if it chooses rows. Then no file is written. */
 static inline bool tap_chooses(const struct row_tap *tap)
 {
     return tap && tap->wants;
-}
-
-/* True if no file is written. */
-static inline bool tap_alone(const struct row_tap *tap)
-{
-    return tap && tap->alone;
 }
 
 /* True if any of the rows is to be drawn. */

@@ -10,6 +10,7 @@
 
 #include "common/image/sums.h"
 #include "common/inputs.h"
+#include "common/regular.h"
 #include "common/sink.h"
 #include "ports.h"
 
@@ -44,28 +45,23 @@ static int refuse(struct addition *a, const char *path, const char *reason)
     return REFUSED;
 }
 
-/* Opens a regular file; all parts must be regular files, as a FIFO would block. */
-static FILE *open_regular(const char *path)
+/* Opens a part. */
+static FILE *open_part(const char *path)
 {
-    int fd = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
     struct stat status;
+    int fd = regular_open(path, &status);
 
     if (fd < 0)
         return NULL;
-    if (fstat(fd, &status) == 0 && S_ISREG(status.st_mode)) {
-        inputs_add(&status);
-        return fdopen(fd, "rb");
-    }
-    (void)close(fd);
-    errno = EINVAL;
-    return NULL;
+    inputs_add(&status);
+    return fdopen(fd, "rb");
 }
 
 bool is_sums(const char *path)
 {
     static const char magic[] = "TIASUMS1 ";
     char text[sizeof magic - 1];
-    FILE *file = open_regular(path);
+    FILE *file = open_part(path);
     bool is = file && fread(text, 1, sizeof text, file) == sizeof text && !memcmp(text, magic, sizeof text);
 
     if (file)
@@ -91,7 +87,7 @@ static int check_one(struct addition *a, struct summand *s, FILE *file)
 
 static int open_one(struct addition *a, struct summand *s, const char *path)
 {
-    FILE *file = open_regular(path);
+    FILE *file = open_part(path);
 
     s->path = path;
     if (!file)
@@ -163,7 +159,7 @@ static int add_rows_of(struct addition *a, const struct summand *s, unsigned y, 
 {
     size_t length = sums_row_bytes(&s->sums);
     long back = -(long)((uint64_t)(s->sums.height - y) * length);
-    FILE *file = open_regular(s->path);
+    FILE *file = open_part(s->path);
 
     bool is_read = file && fseek(file, back, SEEK_END) == 0 && fread(a->bytes, 1, rows * length, file) == rows * length;
     if (file)

@@ -91,7 +91,7 @@ int verify_parts(const struct verify_wish *wish, char *const *parts, int count)
     if (why)
         return message("tia-join", -1, "%s", why);
     if (!wish->asked)
-        return choice->share || choice->count || choice->all || choice->has_rows || choice->seeded
+        return choice_given(choice)
                    ? message("tia-join", -1, "--share, --count, --rows, --all and --seed: are for --verify")
                    : 0;
     if (!wish->argc)

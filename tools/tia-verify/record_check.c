@@ -192,7 +192,7 @@ static void end(struct check *c)
 int record_check(const char *path, const struct record_wish *wish)
 {
     struct check c = {.wish = wish};
-    const struct row_tap tap = {wants, add_row, &c, true, NULL};
+    const struct row_tap tap = {wants, add_row, &c, NULL};
 
     c.report =
         (struct report){.name = path, .out = stdout, .unit = "groups of rows", .done = "drawn again", .from = ""};

@@ -1,81 +1,29 @@
 #include "record_file.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <libgen.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include "common/message.h"
+#include "common/regular.h"
+#include "common/scene/whole_file.h"
 #include "tia/checking.h"
 #include "tia/fail.h"
-
-/* Opens a regular file; others could block. */
-static int open_regular(const char *path, uint64_t *size)
-{
-    int fd = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
-    struct stat status;
-
-    if (fd < 0)
-        return -1;
-    if (fstat(fd, &status) == 0 && S_ISREG(status.st_mode)) {
-        *size = (uint64_t)status.st_size;
-        return fd;
-    }
-    (void)close(fd);
-    errno = EINVAL;
-    return -1;
-}
-
-static bool read_bytes(int fd, char *text, size_t count)
-{
-    for (size_t done = 0; done < count;) {
-        ssize_t got = read(fd, text + done, count - done);
-        if (got < 0 && errno == EINTR)
-            continue;
-        if (got <= 0)
-            return false;
-        done += (size_t)got;
-    }
-    return true;
-}
 
 bool record_file_is(const char *path)
 {
     static const char magic[] = "TIARECORD ";
     char text[sizeof magic - 1];
-    uint64_t size;
-    int fd = open_regular(path, &size);
-    bool is = fd >= 0 && size >= sizeof text && read_bytes(fd, text, sizeof text) && !memcmp(text, magic, sizeof text);
+    struct stat status;
+    int fd = regular_open(path, &status);
+    bool is = fd >= 0 && !regular_read(fd, text, sizeof text, 0) && !memcmp(text, magic, sizeof text);
 
     if (fd >= 0)
         (void)close(fd);
     return is;
-}
-
-/* Returns the text of the file, or NULL after a message. */
-static char *read_text(const char *path, size_t *length)
-{
-    uint64_t size = 0;
-    int fd = open_regular(path, &size);
-    char *text = fd >= 0 && size <= RECORD_MOST ? malloc((size_t)size + 1) : NULL;
-
-    if (fd >= 0 && size > RECORD_MOST)
-        (void)fail(0, "%.300s: larger than %zu MiB", path, RECORD_MOST >> 20);
-    else if (fd < 0 || !text)
-        (void)fail(0, "%.300s: %s", path, fd < 0 ? strerror(errno) : "no memory for it");
-    else if (!read_bytes(fd, text, (size_t)size)) {
-        (void)fail(0, "%.300s: cannot be read", path);
-        free(text);
-        text = NULL;
-    }
-    if (fd >= 0)
-        (void)close(fd);
-    *length = (size_t)size;
-    return text;
 }
 
 static int find_folder(struct record_place *place)
@@ -91,14 +39,17 @@ static int find_folder(struct record_place *place)
 int record_file_open(struct record_place *place, const char *path)
 {
     char why[RECORD_WHY];
-    size_t length;
+    const char *reason;
+    struct whole text;
 
     *place = (struct record_place){.path = path};
-    char *text = read_text(path, &length);
-    if (!text)
-        return CHECK_FAILED;
-    bool fine = record_parse(&place->record, text, length, why);
-    free(text);
+    int status = whole_read(&text, path, RECORD_MOST, &reason);
+    if (status == TIA_ERR_RANGE)
+        return fail(CHECK_FAILED, "%.300s: larger than %zu MiB", path, RECORD_MOST >> 20);
+    if (status)
+        return fail(CHECK_FAILED, "%.300s: %s", path, reason);
+    bool fine = record_parse(&place->record, text.bytes, text.length, why);
+    free(text.bytes);
     if (!fine)
         return fail(CHECK_FAILED, "%.300s:%s%s", path, why[0] >= '0' && why[0] <= '9' ? "" : " ", why);
     if (place->record.definition != RECORD_DEFINITION)
@@ -123,7 +74,6 @@ void record_file_close(struct record_place *place)
 static int resolve(struct record_place *place, size_t number)
 {
     const struct record_file *file = &place->record.files[number];
-    size_t length = strlen(place->folder);
     char *path = NULL;
 
     if (asprintf(&path, "%s/%s", place->folder, file->name) < 0)
@@ -132,7 +82,7 @@ static int resolve(struct record_place *place, size_t number)
     free(path);
     if (!real)
         return fail(CHECK_FAILED, "%.300s: %.300s: %s", place->path, file->name, strerror(errno));
-    if (strncmp(real, place->folder, length) != 0 || (length > 1 && real[length] != '/'))
+    if (!record_name_in(place->folder, real))
         return fail(CHECK_FAILED, "%.300s: %.300s: a link that leaves the record's folder", place->path, file->name);
     return CHECK_SAME;
 }

@@ -53,10 +53,7 @@ static int run_record(const struct verify *verify, int argc, char **argv)
 
 static int run_benchmark(struct verify *verify, int argc, char **argv)
 {
-    const struct choice_wish *wish = &verify->wish;
-    bool chooses = wish->all || wish->share || wish->count || wish->has_rows || wish->seeded;
-
-    if (verify->drawing || chooses || verify->root || argc > 0)
+    if (verify->drawing || choice_given(&verify->wish) || verify->root || argc > 0)
         return fail(CHECK_FAILED, "--benchmark: alone, or with --threads");
     int result = arguments_check(&verify->drawn, argc, argv);
     return result ? CHECK_FAILED : benchmark_check(verify->benchmark, verify->drawn.simd, verify->drawn.threads);

@@ -223,7 +223,7 @@ static void compare_row(void *ctx, uint32_t frame, unsigned y, const unsigned ch
 
 static int draw_again(struct checking *c)
 {
-    const struct row_tap tap = {wants, compare_row, c, true, NULL};
+    const struct row_tap tap = {wants, compare_row, c, NULL};
 
     c->options.tap = &tap;
     int status = draw_file(&c->options);

@@ -24,8 +24,8 @@ struct drawing {
     struct finished finished;
     struct series series;
     struct image_surface *surfaces; /* of an .exr; to be freed by free() */
-    uint64_t start_us; /* time when the frame was begun */
-    bool no_output;    /* writing a line of --checksum failed */
+    uint64_t start_us;              /* time when the frame was begun */
+    bool no_output;                 /* writing a line of --checksum failed */
     char why[PORT_WHY];
 };
 
@@ -33,7 +33,7 @@ static struct stats stats; /* static, since it is too large for the stack */
 
 static int end_frame(struct drawing *drawing, uint32_t frame)
 {
-    int status = tap_alone(drawing->options->tap) ? TIA_OK : series_end(&drawing->series);
+    int status = tap_chooses(drawing->options->tap) ? TIA_OK : series_end(&drawing->series);
     uint64_t now = clock_now_us();
     if (status)
         return status;
@@ -55,7 +55,7 @@ static int draw_frame(struct drawing *drawing, uint32_t frame)
     const struct image_film *film = &drawing->film;
     bool known = finished_has(&drawing->finished, frame, film->first_row, film->rows);
     int status = known ? TIA_OK : film_scene_update(&drawing->film_scene, frame);
-    if (!status && !tap_alone(drawing->options->tap))
+    if (!status && !tap_chooses(drawing->options->tap))
         status = series_begin(&drawing->series, frame);
     if (status)
         return status;
@@ -74,7 +74,7 @@ static int draw_film(struct drawing *drawing)
     for (uint32_t i = 0; i < film->frames && !status; i++)
         if (tap_wants_any(tap, film->first_frame + i, film->first_row, film->rows))
             status = draw_frame(drawing, film->first_frame + i);
-    if (tap_alone(tap))
+    if (tap_chooses(tap))
         return status;
     if (status) {
         series_discard(&drawing->series);

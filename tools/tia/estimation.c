@@ -21,7 +21,7 @@ int estimation_open(struct estimation *e)
 {
     const struct options *options = e->options;
 
-    if (tap_alone(options->tap))
+    if (tap_chooses(options->tap))
         return TIA_OK;
     if (options->format != IMAGE_PART) {
         e->image = image_create_film(options->output, options->format, &e->film, e->why);
@@ -65,7 +65,7 @@ bool estimation_wants(const struct estimation *e, unsigned y)
 int estimation_write(struct estimation *e, unsigned y, unsigned rows)
 {
     tap_rows(e->options->tap, 0, y, rows, e->bytes, e->row_bytes);
-    if (tap_alone(e->options->tap))
+    if (tap_chooses(e->options->tap))
         return TIA_OK;
     return e->sink ? sink_write(e->sink, e->bytes, rows * e->row_bytes) : image_rows(e->image, e->bytes, rows);
 }

@@ -96,22 +96,12 @@ static int add_options(struct recording *r)
 
 /* ---- the files that are read ---- */
 
-/* Returns the name of a resolved path in the record's folder; NULL: it is outside. */
-static const char *name_in(const struct recording *r, const char *path)
-{
-    size_t length = strlen(r->folder);
-
-    if (length == 1)
-        return path + 1;
-    return strncmp(path, r->folder, length) == 0 && path[length] == '/' ? path + length + 1 : NULL;
-}
-
 /* Adds a file before it is read; one that does not exist is not. */
 static bool add_file(void *ctx, const char *path)
 {
     struct recording *r = ctx;
     char *real = realpath(path, NULL);
-    const char *name = real ? name_in(r, real) : NULL;
+    const char *name = real ? record_name_in(r->folder, real) : NULL;
     bool known = !real;
 
     if (real && (!name || strlen(name) > RECORD_NAME || !record_name_stays(name)) && !r->outside[0])
@@ -179,7 +169,7 @@ static int find_folder(struct recording *r)
 static int draw_rows(struct recording *r)
 {
     struct options *o = r->options;
-    const struct row_tap tap = {NULL, add_row, r, false, &r->samples};
+    const struct row_tap tap = {NULL, add_row, r, &r->samples};
     int status = film_plan(o, &r->record.film);
 
     if (status)

@@ -41,7 +41,8 @@ struct row_error {
 
 bool rounds_possible(const struct estimation *e)
 {
-    return !e->options->resume && !tap_alone(e->options->tap) && (uint64_t)e->film.width * e->film.height <= PIXELS_MAX;
+    return !e->options->resume && !tap_chooses(e->options->tap) &&
+           (uint64_t)e->film.width * e->film.height <= PIXELS_MAX;
 }
 
 /* ---- memory ---- */

@@ -78,8 +78,6 @@ static int run(struct options *options)
         file_watch_close(&watch);
         return status;
     }
-    if (options->record && options->thumbnail)
-        return fail(EXIT_USAGE, "--record: not with --thumbnail");
     if (draws && options->thumbnail)
         return thumbnail(options);
     if (options->record)

@@ -1,18 +1,16 @@
 #include "parts.h"
 
-#include <errno.h>
-#include <fcntl.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <tia/debug.h>
 #include <tia/render.h>
 
 #include "common/inputs.h"
+#include "common/regular.h"
 #include "part.h"
 
 __attribute__((format(printf, 2, 3))) static int failed(struct parts *parts, const char *format, ...)
@@ -34,32 +32,19 @@ static uint64_t frame_bytes(const struct part *part)
 
 static int read_at(struct parts *parts, const struct part *part, int fd, void *bytes, size_t count, uint64_t offset)
 {
-    for (size_t done = 0; done < count;) {
-        ssize_t got = pread(fd, (char *)bytes + done, count - done, (off_t)(offset + done));
-        if (got <= 0)
-            return failed(parts, "%.300s: %s", part->path, got == 0 ? "ends too early" : strerror(errno));
-        done += (size_t)got;
-    }
-    return 0;
+    return regular_read(fd, bytes, count, offset) ? failed(parts, "%.300s: %s", part->path, regular_reason()) : 0;
 }
 
-/* Opens a part; only regular files, since parts are read in any order, and a FIFO would block. */
 static int open_part(struct parts *parts, const struct part *part, uint64_t *length)
 {
     struct stat status;
-    int fd = open(part->path, O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
-    if (fd < 0 || fstat(fd, &status) != 0) {
-        (void)failed(parts, "%.300s: %s", part->path, strerror(errno));
-    } else if (!S_ISREG(status.st_mode)) {
-        (void)failed(parts, "%.300s: not a regular file", part->path);
-    } else {
-        *length = (uint64_t)status.st_size;
-        inputs_add(&status);
-        return fd;
-    }
-    if (fd >= 0)
-        (void)close(fd);
-    return -1;
+    int fd = regular_open(part->path, &status);
+
+    if (fd < 0)
+        return failed(parts, "%.300s: %s", part->path, regular_reason());
+    *length = (uint64_t)status.st_size;
+    inputs_add(&status);
+    return fd;
 }
 
 static int check_same(struct parts *parts, const struct part *part)
@@ -150,7 +135,7 @@ static bool overlap(const struct image_film *a, const struct image_film *b)
            b->first_frame < (uint64_t)a->first_frame + a->frames;
 }
 
-static const struct part *part_of(const struct parts *parts, uint32_t frame, unsigned row)
+const struct part *parts_find(const struct parts *parts, uint32_t frame, unsigned row)
 {
     const struct image_film pixel = {.first_row = row, .rows = 1, .first_frame = frame, .frames = 1};
     for (unsigned i = 0; i < parts->count; i++)
@@ -159,19 +144,25 @@ static const struct part *part_of(const struct parts *parts, uint32_t frame, uns
     return NULL;
 }
 
+uint64_t parts_rows(const struct parts *parts)
+{
+    uint64_t rows = 0;
+
+    for (unsigned i = 0; i < parts->count; i++)
+        rows += (uint64_t)parts->array[i].film.rows * parts->array[i].film.frames;
+    return rows;
+}
+
 /* Checks for gaps. Parts that do not overlap and together have as many rows as the film leave no gap. If they have
  * fewer rows, there is a gap at the first row of a frame or after the end of a part; the first gap is reported. */
 static int check_gaps(struct parts *parts)
 {
     const struct image_film *film = &parts->array[0].film;
-    uint64_t rows = 0;
-    for (unsigned i = 0; i < parts->count; i++)
-        rows += (uint64_t)parts->array[i].film.rows * parts->array[i].film.frames;
-    if (rows == (uint64_t)film->height * film->all_frames)
+    if (parts_rows(parts) == (uint64_t)film->height * film->all_frames)
         return 0;
     for (uint32_t frame = 0; frame < film->all_frames; frame++) {
         for (unsigned row = 0; row < film->height;) {
-            const struct part *part = part_of(parts, frame, row);
+            const struct part *part = parts_find(parts, frame, row);
             if (!part)
                 return failed(parts, "row %u of frame %u is in no part", row, (unsigned)frame);
             row = part->film.first_row + part->film.rows;
@@ -342,13 +333,7 @@ int parts_frame(struct parts *parts, uint32_t frame, tia_rgb565 *pixels)
     return 0;
 }
 
-int parts_row(struct parts *parts, const struct part *part, uint32_t frame, unsigned y, tia_rgb565 *pixels)
+int parts_row(struct parts *parts, const struct part *part, int fd, uint32_t frame, unsigned y, tia_rgb565 *pixels)
 {
-    uint64_t length;
-    int fd = open_part(parts, part, &length);
-    int result = fd < 0 ? -1 : read_some(parts, part, fd, frame, y - part->film.first_row, 1, pixels);
-
-    if (fd >= 0)
-        (void)close(fd);
-    return result;
+    return read_some(parts, part, fd, frame, y - part->film.first_row, 1, pixels);
 }

@@ -28,8 +28,14 @@ int parts_open(struct parts *parts, char *const *paths, unsigned count);
 int parts_read(struct parts *parts, const char *path);
 void parts_close(struct parts *parts);
 
-/* Reads row `y` of a frame, both in the part, without verifying the frame's checksum. Returns 0, or -1 on failure. */
-int parts_row(struct parts *parts, const struct part *part, uint32_t frame, unsigned y, tia_rgb565 *pixels);
+/* Returns the number of rows of all frames in all parts. */
+uint64_t parts_rows(const struct parts *parts);
+/* Returns the part with that row of a frame; NULL: none. */
+const struct part *parts_find(const struct parts *parts, uint32_t frame, unsigned row);
+
+/* Reads row `y` of a frame, both in the part, whose file is open, without verifying the frame's checksum. Returns 0, or
+ * -1 on failure. */
+int parts_row(struct parts *parts, const struct part *part, int fd, uint32_t frame, unsigned y, tia_rgb565 *pixels);
 
 /* Reads the pixels of a whole frame from all parts that have rows of it. Returns 0, or -1 on failure. */
 int parts_frame(struct parts *parts, uint32_t frame, tia_rgb565 *pixels);

@@ -1,27 +1,22 @@
 #include "stored.h"
 
-#include <errno.h>
-#include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include "codec.h"
 #include "common/inputs.h"
+#include "common/regular.h"
 #include "stored_files.h"
 
-/* Opens a regular file; others could block, or have rows only once. */
 static int open_file(struct stored *s, uint64_t *length)
 {
     struct stat status;
 
-    s->fd = open(s->path, O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
-    if (s->fd < 0 || fstat(s->fd, &status) != 0)
-        return stored_failed(s, "%s", strerror(errno));
-    if (!S_ISREG(status.st_mode))
-        return stored_failed(s, "not a regular file");
+    s->fd = regular_open(s->path, &status);
+    if (s->fd < 0)
+        return stored_failed(s, "%s", regular_reason());
     *length = (uint64_t)status.st_size;
     inputs_add(&status);
     return 0;
@@ -65,25 +60,14 @@ static int open_part(struct stored *s, uint64_t length)
     return 0;
 }
 
-static const struct part *part_with(const struct stored *s, uint32_t frame, unsigned y)
-{
-    for (unsigned i = 0; i < s->parts.count; i++) {
-        const struct image_film *film = &s->parts.array[i].film;
-        if (frame >= film->first_frame && frame - film->first_frame < film->frames && y >= film->first_row &&
-            y - film->first_row < film->rows)
-            return &s->parts.array[i];
-    }
-    return NULL;
-}
-
 static int part_row(struct stored *s, uint32_t frame, unsigned y, unsigned char *bytes)
 {
-    const struct part *part = part_with(s, frame, y);
+    const struct part *part = parts_find(&s->parts, frame, y);
     tia_rgb565 *pixels = (tia_rgb565 *)(void *)s->line;
 
     if (!part)
         return stored_failed(s, "row %u of frame %u is not in it", y, (unsigned)frame);
-    if (parts_row(&s->parts, part, frame, y, pixels)) {
+    if (parts_row(&s->parts, part, s->fd, frame, y, pixels)) {
         (void)snprintf(s->why, STORED_WHY, "%s", s->parts.why);
         return -1;
     }
@@ -142,13 +126,7 @@ int stored_depth(struct stored *s, unsigned depth)
 
 uint64_t stored_rows(const struct stored *s)
 {
-    uint64_t rows = 0;
-
-    if (!s->is_part || s->is_sums)
-        return s->film.rows;
-    for (unsigned i = 0; i < s->parts.count; i++)
-        rows += (uint64_t)s->parts.array[i].film.rows * s->parts.array[i].film.frames;
-    return rows;
+    return s->is_part && !s->is_sums ? parts_rows(&s->parts) : s->film.rows;
 }
 
 void stored_place(const struct stored *s, uint64_t index, uint32_t *frame, unsigned *y)

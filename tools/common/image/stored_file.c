@@ -1,10 +1,9 @@
 #include "stored_file.h"
 
-#include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
-#include <string.h>
-#include <unistd.h>
+
+#include "common/regular.h"
 
 int stored_failed(struct stored *s, const char *format, ...)
 {
@@ -19,13 +18,5 @@ int stored_failed(struct stored *s, const char *format, ...)
 
 int stored_read_at(struct stored *s, void *bytes, size_t count, uint64_t offset)
 {
-    for (size_t done = 0; done < count;) {
-        ssize_t got = pread(s->fd, (char *)bytes + done, count - done, (off_t)(offset + done));
-        if (got < 0 && errno == EINTR)
-            continue;
-        if (got <= 0)
-            return stored_failed(s, "%s", got == 0 ? "ends too early" : strerror(errno));
-        done += (size_t)got;
-    }
-    return 0;
+    return regular_read(s->fd, bytes, count, offset) ? stored_failed(s, "%s", regular_reason()) : 0;
 }

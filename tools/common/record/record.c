@@ -80,6 +80,15 @@ bool record_name_stays(const char *name)
     }
 }
 
+const char *record_name_in(const char *folder, const char *path)
+{
+    size_t length = strlen(folder);
+
+    if (length == 1)
+        return path + 1;
+    return strncmp(path, folder, length) == 0 && path[length] == '/' ? path + length + 1 : NULL;
+}
+
 static const unsigned char *leaf_of(const void *leaves, size_t index)
 {
     return ((const struct record_group *)leaves)[index].hash;

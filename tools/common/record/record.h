@@ -57,6 +57,9 @@ char *record_add_option(struct record *record);
  * control characters. */
 bool record_name_stays(const char *name);
 
+/* Returns the name of a resolved path in a resolved folder; NULL: it is outside. */
+const char *record_name_in(const char *folder, const char *path);
+
 /* Computes the root from the hashes of the groups. False: no memory. */
 bool record_set_root(struct record *record);
 

@@ -1,11 +1,11 @@
 #include "sha256.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
+
+#include "common/regular.h"
 
 /* First 32 bits of the fractional parts of the cube roots of the first 64 primes. */
 static const uint32_t constants[64] = {
@@ -114,17 +114,10 @@ static int add_file(int fd, unsigned char hash[SHA256_BYTES], uint64_t *size)
 
 int sha256_file(const char *path, unsigned char hash[SHA256_BYTES], uint64_t *size)
 {
-    int fd = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
     struct stat status;
+    int fd = regular_open(path, &status), result = fd < 0 ? -1 : add_file(fd, hash, size);
 
-    if (fd < 0)
-        return -1;
-    int result = fstat(fd, &status);
-    if (!result && !S_ISREG(status.st_mode)) {
-        errno = EINVAL;
-        result = -1;
-    }
-    result = result ? result : add_file(fd, hash, size);
-    (void)close(fd);
+    if (fd >= 0)
+        (void)close(fd);
     return result;
 }

@@ -17,6 +17,12 @@ struct choice_wish {
     uint64_t seed;                /* with `seeded`: else it is random */
 };
 
+/* True if any of it is given. */
+static inline bool choice_given(const struct choice_wish *wish)
+{
+    return wish->share || wish->count || wish->all || wish->has_rows || wish->seeded;
+}
+
 /* The options for it, for tables of options in a struct of type `type` with a member `wish`. */
 #define CHOICE_ROWS(type, wish)                                                                                        \
     {"share",                                                                                                          \
