@@ -2,7 +2,6 @@
  * by the vector units. */
 #include "check.h"
 #include "common/corpus/corpus_rays.h"
-#include "common/thread_pool.h"
 #include "random.h"
 #include "render/trace/fog.h"
 #include "simd_frames_all.h"
@@ -126,8 +125,8 @@ TEST(vector_units_draw_the_same)
 #ifdef TIA_HAVE_F64
 TEST(pictures_are_those_of_the_oracle)
 {
-    against_scenes(&tia_core_f64, 4, corpus_add_fog, 1e-4, 99.99);
-    against_scenes(&tia_core_q16, 4, corpus_add_fog, 1e-2, 99.9);
+    against_scenes(&tia_core_f64, 4, 48, 36, corpus_add_fog, 1e-4, 99.99);
+    against_scenes(&tia_core_q16, 4, 48, 36, corpus_add_fog, 1e-2, 99.9);
 }
 #endif
 

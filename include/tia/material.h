@@ -18,14 +18,14 @@
  * perturbs it (Blinn, "Simulation of wrinkled surfaces", 1978) as if the surface were moved outwards by a height, the
  * value of the bump's texture times its depth: N - grad h, normalised. That value is 0 or 1 in a checker's even and odd
  * cells, with a ramp of a sixteenth of a cell on both sides of an edge; the mean of the channels of a picture, blended
- * bilinearly; the value of a noise, not clamped. Where N.V would be below 1/64, N is turned to V until it is not, but
- * not beyond the normal before. Where the ray hits the back of the surface both are negated. Shadow rays and reflected
- * rays start at P + b G, and refracted rays at P - b G, so that rounding cannot make them hit the surface that they
- * leave; b is 2^-13, or 2^-26 in scenes that have `fine`. A shadow ray ends exactly at the light's sample, but in the
- * span renderer b G beside it. A light contributes nothing where G.L <= 0 or N.L <= 0. Where an interpolated normal has
- * N.V <= 0, F = 1. T is the product of `transmission` over the objects that the shadow ray hits before the light. Each
- * object counts once, however often the ray hits it: a grid counts by the first cell hit, and a mesh that has groups
- * once for each group hit.
+ * bilinearly; the value of a noise, not clamped. Where N.V would be below 1/64, N is turned towards V until N.V is
+ * 1/64, but not beyond the unperturbed normal. Where the ray hits the back of the surface both are negated. Shadow rays
+ * and reflected rays start at P + b G, and refracted rays at P - b G, so that rounding cannot make them hit the surface
+ * that they leave; b is 2^-13, or 2^-26 in scenes that have `fine`. A shadow ray ends exactly at the light's sample,
+ * but in the span renderer b G beside it. A light contributes nothing where G.L <= 0 or N.L <= 0. Where an interpolated
+ * normal has N.V <= 0, F = 1. T is the product of `transmission` over the objects that the shadow ray hits before the
+ * light. Each object counts once, however often the ray hits it: a grid counts by the first cell hit, and a mesh that
+ * has groups once for each group hit.
  *
  * An opacity texture makes parts of a surface invisible. Where its value at P is o, the colour is o times the one above
  * plus 1 - o times the colour seen behind the surface, along a ray that goes straight on from P - b V. Where the

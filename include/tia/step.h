@@ -6,9 +6,9 @@
  *         tia_steps_hash(&steps)                       equal for all who had the same inputs
  *
  * Programs that share a scene and send each other only their inputs see the same motion. After step n the scene is that
- * of tia_scene_at at n/256 s, except for what pushes have changed; a step takes the time of 1/256 s of tia_scene_at,
+ * of tia_scene_at at n/256 s, except for what pushes have changed. A step costs as much as 1/256 s of tia_scene_at,
  * however many steps came before. A step depends on the scene, the state and the pushes and on nothing else, so a
- * program goes back, or joins later, by a saved state. It is not included by tia.h.
+ * program can go back, or join later, by a saved state. tia.h does not include this header.
  *
  * The state is the number of steps so far and for each falling ball its centre, its velocity, and whether it is gone.
  * Keyframes are functions of the number of steps. The scene is no part of the state: all need the same one. A saved
@@ -19,7 +19,7 @@
  *     4..7         number of steps
  *     8..11        number of balls
  *     12..         for each ball, in the order of scene->falling, TIA_STEPS_BALL bytes:
- *     +0           1: the ball is gone, see struct tia_fall; 0
+ *     +0           1 if the ball is gone, see struct tia_fall; else 0
  *     +1..24       its centre's x, y and z, Q23.40, two's complement, 8 bytes each
  *     +25..48      its velocity, Q31.32 units of length per second, the same
  *
@@ -55,15 +55,14 @@ struct tia_push {
  * when that number does not fit. The memory must be aligned for uint64_t, and may be NULL if the result is 0. */
 size_t tia_steps_size(const struct tia_scene *scene);
 
-/* Prepares a scene's step 0, its beginning. `scene` and `memory` must stay as long as *steps is used; neither may be
- * shared with another *steps that is used at the same time, except the scene. TIA_ERR_MEMORY when `size` is too small.
- */
+/* Sets *steps to step 0, the scene's beginning. `scene` and `memory` must stay as long as *steps is used. Several
+ * *steps may share a scene, but not memory. TIA_ERR_MEMORY when `size` is too small. */
 int tia_steps_init(struct tia_steps *steps, void *memory, size_t size, const struct tia_scene *scene);
 
 /* Does one step of 1/256 s. First the pushes are added, in their order; each component of a velocity saturates at
- * +-2^15. A push of a ball that is gone has no effect, and from scene->falling->end on none moves anything. The step
- * does not change after TIA_ERR_ARGUMENT, when a ball does not exist, and TIA_ERR_RANGE, when a velocity is out of its
- * range or there have been TIA_STEPS_MAX steps. `pushes` may be NULL when `count` is 0. */
+ * +-2^15. A push of a ball that is gone has no effect, and from scene->falling->end on none moves anything. On an
+ * error the state does not change: TIA_ERR_ARGUMENT when a pointer is NULL or a ball does not exist, TIA_ERR_RANGE when
+ * a velocity is out of its range or there have been TIA_STEPS_MAX steps. `pushes` may be NULL when `count` is 0. */
 int tia_scene_step(struct tia_steps *steps, const struct tia_push *pushes, uint32_t count);
 
 /* Returns the hash of the state; 0 when `steps` is NULL. */

@@ -144,7 +144,7 @@ int kit_draw(const char *name, const int32_t *options, uint16_t *pixels)
     if (!are_valid(options))
         return TIA_ERR_ARGUMENT;
     if (format == SCENE_UNKNOWN || format == SCENE_MODEL) {
-        kit_refuse("%.300s: not a scene of a format that the kit reads (.tia, .nff, .obj)", name);
+        kit_refuse("%.300s: not a scene of a format that the kit reads (.tia, .nff, .obj, .stl, .ply, .off, .pgm)", name);
         return TIA_ERR_ARGUMENT;
     }
     int status = scene_open(&file, name, format, false);

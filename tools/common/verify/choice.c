@@ -65,7 +65,7 @@ static uint64_t below(uint64_t *state, uint64_t limit)
     return value % limit;
 }
 
-/* Returns a seed that nobody knows beforehand. */
+/* Returns a seed that cannot be predicted. */
 static uint64_t unknown_seed(void)
 {
     uint64_t seed = 0;
