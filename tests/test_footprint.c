@@ -286,7 +286,6 @@ TEST(statement)
 /* Of 16 samples, each stands for a 16th of the pixel: together they are nearer to the truth than one sample. */
 TEST(samples)
 {
-    static double ;
     const struct eye eye = {45, 8};
 
     brute(&eye, 16, truth);
