@@ -35,7 +35,7 @@ uint32_t ray_texture(const struct tia_texture *texture, const struct texture_pla
 struct texels {
     const uint8_t *first;
     int32_t width, height;
-    unsigned channels;
+    uint32_t channels;
 };
 
 /* Returns the texels of a picture as they are given. */

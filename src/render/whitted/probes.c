@@ -136,7 +136,7 @@ bool mean_of_picture(const struct tia_texture *t, const struct print *p, num_len
     const int first = edge[1] > edge[0]; /* in texels, the other edge may be the longer one */
     const struct print turned = {.edge = {{p->edge[first][0], p->edge[first][1], 0}}};
     const struct probes probes = probes_of(&turned, PLACES, edge[first], edge[!first]);
-    const unsigned channels = texture_texels(t).channels;
+    const uint32_t channels = texture_texels(t).channels;
 
     if (t->bilinear && edge[first] < POINT)
         return false;
