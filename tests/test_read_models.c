@@ -140,6 +140,26 @@ TEST(encodings)
     check_four(&r, &camera);
 }
 
+/* A facet far from the origin: the middle of its bounds, (-9002, -8001, -7000.25), becomes the origin, and half of their
+ * largest side, 2, becomes 8. */
+TEST(far_away)
+{
+    static const float facet[9] = {-9000, -8000, -7000, -9004, -8000, -7000, -9000, -8002, -7000.5F};
+    static const struct tia_vec3 want[3] = {{8 * ONE, 4 * ONE, ONE}, {-8 * ONE, 4 * ONE, ONE}, {8 * ONE, -4 * ONE, -ONE}};
+    struct bytes b = {.length = 80};
+    struct reading r;
+
+    put_u32(&b, 1);
+    b.length += 12;
+    for (int k = 0; k < 9; k++)
+        put_float(&b, facet[k]);
+    b.length += 2;
+    read_bytes(&r, TIA_FORMAT_STL, &b);
+    CHECK(!r.status && r.scene.meshes[0].vertex_count == 3);
+    CHECK(!r.status && !memcmp(r.scene.meshes[0].vertices, want, sizeof want));
+    read_end(&r);
+}
+
 TEST(cut_off)
 {
     struct bytes stl = binary_stl(), little = binary_ply(false);
@@ -282,6 +302,7 @@ int main(void)
     RUN(floats);
     RUN(doubles);
     RUN(encodings);
+    RUN(far_away);
     RUN(cut_off);
     RUN(attributes);
     RUN(integers);

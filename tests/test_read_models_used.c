@@ -52,10 +52,12 @@ TEST(bad_floats)
         {0x7fc00000, "0:0: facet 2: a coordinate is not a number, expected a number below 2147483648"},
         {0x7f800000, "0:0: facet 2: a coordinate is out of range, expected a number below 2147483648"},
         {0xcf000000, "0:0: facet 2: a coordinate is out of range, expected a number below 2147483648"},
+        {0xff800000, "0:0: facet 2: a coordinate is out of range, expected a number below 2147483648"},
+        {0xffffffff, "0:0: facet 2: a coordinate is not a number, expected a number below 2147483648"},
     };
     struct reading r;
 
-    for (unsigned i = 0; i < 3; i++) {
+    for (unsigned i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct bytes stl = binary_stl();
         memcpy(stl.at + 84 + 50 + 12 + 16, &cases[i].ieee, 4);
         read_bytes(&r, TIA_FORMAT_STL, &stl);
@@ -105,6 +107,29 @@ TEST(copies)
     read_string(&r, TIA_FORMAT_OFF, text);
     CHECK(!r.status && r.scene.meshes[0].face_count == 4098);
     read_end(&r);
+    free(text);
+}
+
+/* In a large mesh most faces are known to be no copies by their hashes alone. */
+TEST(copies_among_many)
+{
+    enum { SIDE = 200, EXTRA = 4097 };
+    char *text = malloc((size_t)40 * SIDE * SIDE + (size_t)24 * (SIDE * SIDE + EXTRA) + 64), *at = text;
+    struct reading r;
+
+    for (int copies = EXTRA - 1; copies <= EXTRA; copies++) {
+        at = text + sprintf(text, "OFF\n%d %d 0\n", SIDE * SIDE, (SIDE - 1) * (SIDE - 1) + copies);
+        for (int i = 0; i < SIDE * SIDE; i++)
+            at += sprintf(at, "%d %d 0\n", i % SIDE, i / SIDE);
+        for (int i = 0; i < (SIDE - 1) * (SIDE - 1) + copies; i++) {
+            int face = i % ((SIDE - 1) * (SIDE - 1)), from = face / (SIDE - 1) * SIDE + face % (SIDE - 1);
+            at += sprintf(at, "3 %d %d %d\n", from, from + 1, from + SIDE);
+        }
+        read_string(&r, TIA_FORMAT_OFF, text);
+        CHECK(!r.status);
+        CHECK_EQ(r.scene.meshes[0].face_count, (SIDE - 1) * (SIDE - 1) + (copies == EXTRA ? 0 : copies));
+        read_end(&r);
+    }
     free(text);
 }
 
@@ -203,6 +228,7 @@ int main(void)
     RUN(bad_floats);
     RUN(tolerated);
     RUN(copies);
+    RUN(copies_among_many);
     RUN(meshes_of_scenes);
     RUN(mistakes_in_scenes);
     RUN(groups_of_meshes);

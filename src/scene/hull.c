@@ -183,14 +183,25 @@ void tia_bounds_add(struct tia_bounds *bounds, const struct tia_bounds *more)
 #undef ADD
 }
 
+/* Enlarges the bounds so that they include a face. */
+static inline void add_face(struct tia_bounds *bounds, const struct tia_mesh *mesh, uint32_t face)
+{
+    for (int i = 0; i < 3; i++) {
+        const struct tia_vec3 *p = &mesh->vertices[mesh->faces[face].corner[i].vertex];
+        bounds->min.x = p->x < bounds->min.x ? p->x : bounds->min.x;
+        bounds->min.y = p->y < bounds->min.y ? p->y : bounds->min.y;
+        bounds->min.z = p->z < bounds->min.z ? p->z : bounds->min.z;
+        bounds->max.x = p->x > bounds->max.x ? p->x : bounds->max.x;
+        bounds->max.y = p->y > bounds->max.y ? p->y : bounds->max.y;
+        bounds->max.z = p->z > bounds->max.z ? p->z : bounds->max.z;
+    }
+}
+
 struct tia_bounds tia_bounds_of_face(const struct tia_mesh *mesh, uint32_t face)
 {
     struct tia_bounds bounds = BOUNDS_NOTHING;
 
-    for (int i = 0; i < 3; i++) {
-        struct tia_vec3 p = mesh->vertices[mesh->faces[face].corner[i].vertex];
-        tia_bounds_add(&bounds, &(struct tia_bounds){p, p});
-    }
+    add_face(&bounds, mesh, face);
     return bounds;
 }
 
@@ -198,9 +209,7 @@ struct tia_bounds tia_bounds_of_mesh(const struct tia_mesh *mesh, struct cancel 
 {
     struct tia_bounds bounds = BOUNDS_NOTHING;
 
-    for (uint32_t i = 0; i < mesh->face_count && !cancelled(cancel, 1); i++) {
-        struct tia_bounds face = tia_bounds_of_face(mesh, i);
-        tia_bounds_add(&bounds, &face);
-    }
+    for (uint32_t i = 0; i < mesh->face_count && !cancelled(cancel, 1); i++)
+        add_face(&bounds, mesh, i);
     return bounds;
 }

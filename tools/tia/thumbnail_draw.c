@@ -33,6 +33,7 @@ struct drawer {
     uint64_t took_us;       /* time that the pixels of the last picture took */
     unsigned coarse, fine;  /* each drawn pixel makes coarse^2 of the thumbnail's, or fine^2 make one */
     unsigned columns, rows; /* drawn pixels */
+    unsigned first, step;   /* rows of pixels to be drawn next: first, first + step, ... */
     tia_rgb565 *pixels;     /* drawn by vector units, dithered; or */
     uint16_t *colours;      /* drawn without */
     struct tia_hits *hits;
@@ -60,10 +61,17 @@ static bool has_time(const struct drawer *d, unsigned times)
 
 /* ---- pictures of rays, spans and the rasteriser ---- */
 
+/* Returns how many rows a job draws: those of a tile. */
+static unsigned rows_of_job(const struct drawer *d)
+{
+    return d->step == 1 ? ROWS : 1;
+}
+
 static void draw_rows(void *arg, unsigned job)
 {
     struct drawer *d = arg;
-    unsigned y = job * ROWS, rows = d->rows - y < ROWS ? d->rows - y : (unsigned)ROWS;
+    unsigned y = d->first + job * rows_of_job(d) * d->step;
+    unsigned rows = d->rows - y < rows_of_job(d) ? d->rows - y : rows_of_job(d);
     size_t at = (size_t)y * d->columns;
     const struct tia_tile tile = {0, (uint16_t)y, (uint16_t)d->columns, (uint16_t)rows};
     const struct tia_surface surface = {
@@ -93,7 +101,7 @@ static void add_pixel(const struct drawer *d, size_t at, unsigned sum[3])
 static void put_row(void *arg, unsigned y)
 {
     struct drawer *d = arg;
-    unsigned count = d->fine * d->fine;
+    unsigned count = (d->first + 1 < d->step ? d->first + 1 : d->fine) * d->fine;
     unsigned char *to = next_picture(d) + (size_t)3 * y * d->page->width;
 
     for (unsigned x = 0; x < d->page->width; x++) {
@@ -131,29 +139,63 @@ static int begin_hits(struct drawer *d, void **memory)
     return tia_hits_init(&d->hits, *memory, size, d->e.film_scene.view, all);
 }
 
-static int draw_picture(struct drawer *d, unsigned coarse, unsigned fine)
+/* Prepares a picture. *memory receives the memory of the hits. */
+static int begin_picture(struct drawer *d, unsigned coarse, unsigned fine, void **memory)
 {
-    uint64_t begun_us = 0;
-    void *memory = NULL;
-
     d->coarse = coarse;
     d->fine = fine;
     d->columns = (d->page->width + coarse - 1) / coarse * fine;
     d->rows = (d->page->height + coarse - 1) / coarse * fine;
     int status = begin_view(d);
-    status = status ? status : begin_hits(d, &memory);
-    begun_us = clock_now_us();
-    if (!status)
-        threads_run(d->pool, draw_rows, d, (d->rows + ROWS - 1) / ROWS);
-    status = status ? status : atomic_load(&d->e.status);
-    if (!status)
-        threads_run(d->pool, put_row, d, d->page->height);
-    if (!status)
-        show(d, begun_us);
+    return status ? status : begin_hits(d, memory);
+}
+
+static void end_picture(struct drawer *d, void *memory)
+{
     free(memory);
     free(d->pixels);
     free(d->colours);
     film_scene_end(&d->e.film_scene);
+}
+
+/* Draws the rows first, first + step, ..., then shows the picture. */
+static int add_rows(struct drawer *d, unsigned first, unsigned step)
+{
+    uint64_t begun_us = clock_now_us();
+    unsigned each;
+
+    d->first = first;
+    d->step = step;
+    each = rows_of_job(d) * step;
+    threads_run(d->pool, draw_rows, d, (d->rows - first + each - 1) / each);
+    int status = atomic_load(&d->e.status);
+    if (!status)
+        threads_run(d->pool, put_row, d, d->page->height);
+    if (!status)
+        show(d, begun_us);
+    return status;
+}
+
+static int draw_picture(struct drawer *d, unsigned coarse, unsigned fine)
+{
+    void *memory = NULL;
+    int status = begin_picture(d, coarse, fine, &memory);
+
+    status = status ? status : add_rows(d, 0, 1);
+    end_picture(d, memory);
+    return status;
+}
+
+/* Draws 2 samples a pixel, then 2 more: the upper and the lower half of each. */
+static int draw_halves(struct drawer *d)
+{
+    void *memory = NULL;
+    int status = begin_picture(d, 1, 2, &memory);
+
+    status = status ? status : add_rows(d, 0, 2);
+    if (!status && has_time(d, 1))
+        status = add_rows(d, 1, 2);
+    end_picture(d, memory);
     return status;
 }
 
@@ -167,15 +209,15 @@ static bool is_large(const struct tia_scene *scene)
 }
 
 /* Draws 4 samples a pixel, 16 where vector units draw, whose pixels have fewer bits and take less time. A large scene
- * has no coarse picture: to prepare its view takes longer than to draw. */
+ * has one view without vector units: to prepare it takes longer than to draw. */
 static int draw_pictures(struct drawer *d)
 {
-    bool large = is_large(&d->options->scene);
-
-    if (large)
+    if (is_large(&d->options->scene)) {
         d->options->simd = NULL;
+        return draw_halves(d);
+    }
     unsigned fine = d->options->simd ? 4 : 2;
-    int status = large ? TIA_OK : draw_picture(d, COARSE, 1);
+    int status = draw_picture(d, COARSE, 1);
     if (!status)
         status = draw_picture(d, 1, 1);
     if (!status && has_time(d, fine * fine))

@@ -2,13 +2,11 @@
 
 #include <tia/fit.h>
 
-#include "math/integer.h"
 #include "read/surface.h"
 
 #define FAR_AWAY (INT64_C(4096) << TIA_MODEL_BITS)
 #define SMALL (INT64_C(1) << (TIA_MODEL_BITS - 1))
 #define TINY (INT64_C(1) << (TIA_MODEL_BITS - 16))
-#define FINE_BITS 32 /* fractional bits of coordinates as files are measured, and as moved models are read */
 
 struct tia_model tia_model_begin(struct tia_reader *reader, struct tia_scene *scene, struct tia_model_use *use)
 {
@@ -29,36 +27,26 @@ struct tia_text tia_model_text(const struct tia_model *model)
 
 unsigned tia_model_bits(const struct tia_model *model)
 {
-    return model->counting || model->moved ? FINE_BITS : (unsigned)(16 + (model->use ? model->use->scale_bits : 0));
+    return model->counting || model->moved ? TIA_MODEL_FINE_BITS
+                                           : (unsigned)(16 + (model->use ? model->use->scale_bits : 0));
 }
 
 static void measure(struct tia_model *m, const int64_t v[3])
 {
     for (int i = 0; i < 3; i++) {
-        int64_t at = v[i] >> (FINE_BITS - TIA_MODEL_BITS);
+        int64_t at = v[i] >> (TIA_MODEL_FINE_BITS - TIA_MODEL_BITS);
         m->min[i] = at < m->min[i] ? at : m->min[i];
         m->max[i] = at > m->max[i] ? at : m->max[i];
         m->rounded = m->rounded || v[i] & 0xffff;
     }
 }
 
-/* Converts a coordinate of a moved model. |v - origin| is below 2^61; shifted, it is below 2^21. */
-static tia_q16 move(const struct tia_model *m, int64_t v, int axis)
-{
-    int64_t from = (v >> (FINE_BITS - TIA_MODEL_BITS)) - m->origin[axis];
-    return (tia_q16)(m->shift >= 0 ? tia_round_shift(from, (unsigned)m->shift)
-                                   : (int64_t)((uint64_t)from << (unsigned)-m->shift));
-}
-
 struct tia_vec3 tia_model_vertex(struct tia_model *m, const int64_t v[3])
 {
-    tia_q16 to[3] = {0, 0, 0};
-
-    if (m->counting)
-        measure(m, v);
-    for (int i = 0; i < 3 && !m->counting; i++)
-        to[i] = m->moved ? move(m, v[i], i) : tia_saturate_s32(v[i]);
-    return (struct tia_vec3){to[0], to[1], to[2]};
+    if (!m->counting)
+        return tia_model_place(m, v);
+    measure(m, v);
+    return (struct tia_vec3){0, 0, 0};
 }
 
 int tia_model_refuse(const struct tia_model *model, const char *why)

@@ -10,11 +10,14 @@
 #ifndef TIA_READ_MODEL_MODEL_H
 #define TIA_READ_MODEL_MODEL_H
 
+#include "math/integer.h"
 #include "read/text/arena.h"
 #include "read/text/text_lines.h"
 #include "read/triangulation.h"
 
-#define TIA_MODEL_BITS 28 /* fractional bits of bounds */
+#define TIA_MODEL_BITS 28      /* fractional bits of bounds */
+#define TIA_MODEL_FINE_BITS 32 /* fractional bits of coordinates as files are measured, and as moved models are read   \
+                                */
 
 /* A model that is a mesh of a .tia scene. */
 struct tia_model_use {
@@ -51,6 +54,23 @@ unsigned tia_model_bits(const struct tia_model *model);
 /* Converts a vertex with tia_model_bits fractional bits, each coordinate below 2^31 in size. The first pass only
  * measures it. */
 struct tia_vec3 tia_model_vertex(struct tia_model *model, const int64_t v[3]);
+
+/* Converts a coordinate of a moved model. |v - origin| is below 2^61; shifted, it is below 2^21. */
+static inline tia_q16 tia_model_move(const struct tia_model *model, int64_t v, int axis)
+{
+    int64_t from = (v >> (TIA_MODEL_FINE_BITS - TIA_MODEL_BITS)) - model->origin[axis];
+    return (tia_q16)(model->shift >= 0 ? tia_round_shift(from, (unsigned)model->shift)
+                                       : (int64_t)((uint64_t)from << (unsigned)-model->shift));
+}
+
+/* Does what tia_model_vertex does in the second pass. */
+static inline struct tia_vec3 tia_model_place(const struct tia_model *model, const int64_t v[3])
+{
+    if (!model->moved)
+        return (struct tia_vec3){tia_saturate_s32(v[0]), tia_saturate_s32(v[1]), tia_saturate_s32(v[2])};
+    return (struct tia_vec3){tia_model_move(model, v[0], 0), tia_model_move(model, v[1], 1),
+                             tia_model_move(model, v[2], 2)};
+}
 
 /* Ends the first pass: chooses the unit, or refuses the model. `expected` describes the statement of a face: "some
  * f". */

@@ -10,7 +10,8 @@
  *     endfacet
  *     endsolid NAME
  *
- * A binary file may begin with "solid", too; its length and zeros tell. Normals are not used: faces are flat, and have two sides.
+ * A binary file may begin with "solid", too; its length and zeros tell. Normals are not used: faces are flat, and have
+ * two sides.
  *
  * The format repeats a vertex for each facet. Equal ones are stored once, by a hash table in the members of the faces
  * that are not needed: `uv` of corner number h is the last vertex with the hash h, `normal` of corner number i the
@@ -19,33 +20,43 @@
  */
 #include "read/model/binary.h"
 #include "read/model/plain.h"
+#include "read/model/prefetch.h"
 
 #define HEAD 84  /* bytes before the facets */
 #define FACET 50 /* bytes of a facet */
 #define SEARCH 24
+#define AHEAD 48 /* vertices whose places in the table are fetched before they are needed: those of some facets */
 
 /* ---- vertices ---- */
+
+struct stl {
+    struct tia_plain *p;
+    /* The last vertices, which are not stored yet, and their hashes. */
+    struct tia_vec3 vertices[AHEAD];
+    uint32_t hashes[AHEAD], waiting;
+};
 
 static struct tia_corner *slot(struct tia_plain *p, uint32_t index)
 {
     return &p->faces[index / 3].corner[index % 3];
 }
 
-static uint32_t hash(const struct tia_vec3 *v)
+/* Returns the number of a corner. */
+static uint32_t hash(const struct tia_plain *p, const struct tia_vec3 *v)
 {
     uint64_t h = (uint32_t)v->x;
 
     h = (h ^ (h >> 15)) * UINT64_C(0x9e3779b97f4a7c15) + (uint32_t)v->y;
     h = (h ^ (h >> 29)) * UINT64_C(0xbf58476d1ce4e5b9) + (uint32_t)v->z;
     h = (h ^ (h >> 32)) * UINT64_C(0x94d049bb133111eb);
-    return (uint32_t)(h >> 32);
+    return (uint32_t)((uint64_t)(uint32_t)(h >> 32) * p->vertices.capacity >> 32);
 }
 
 /* Returns the index of a vertex, which is new or was stored before. */
-static uint32_t find_vertex(struct tia_plain *p, const struct tia_vec3 *v)
+static uint32_t find_vertex(struct tia_plain *p, const struct tia_vec3 *v, uint32_t hash)
 {
     const struct tia_vec3 *all = (const struct tia_vec3 *)(void *)p->vertices.items;
-    uint32_t *head = &slot(p, (uint32_t)((uint64_t)hash(v) * p->vertices.capacity >> 32))->uv, at = *head;
+    uint32_t *head = &slot(p, hash)->uv, at = *head;
 
     for (int i = 0; i < SEARCH && at != TIA_NO_INDEX; i++, at = slot(p, at)->normal)
         if (all[at].x == v->x && all[at].y == v->y && all[at].z == v->z)
@@ -56,17 +67,35 @@ static uint32_t find_vertex(struct tia_plain *p, const struct tia_vec3 *v)
     return *head;
 }
 
-/* Adds a facet of three vertices with tia_model_bits fractional bits. */
-static void add_facet(struct tia_plain *p, const int64_t v[3][3])
+/* Stores the facets whose vertices wait. */
+static void store_facets(struct stl *stl)
 {
-    for (int i = 0; i < 3; i++) {
+    struct tia_plain *p = stl->p;
+
+    for (uint32_t i = 0; i < stl->waiting; i += 3, p->face_count++)
+        for (uint32_t k = 0; k < 3; k++)
+            p->faces[p->face_count].corner[k].vertex = find_vertex(p, &stl->vertices[i + k], stl->hashes[i + k]);
+    stl->waiting = 0;
+}
+
+/* Adds a facet of three vertices with tia_model_bits fractional bits; the first pass measures and counts it. */
+static inline void add_facet(struct stl *stl, const int64_t v[3][3])
+{
+    struct tia_plain *p = stl->p;
+
+    for (int i = 0; i < 3 && p->model.counting; i++) {
         struct tia_vec3 vertex = tia_model_vertex(&p->model, v[i]);
-        if (p->model.counting)
-            tia_array_add(&p->vertices, &vertex);
-        else
-            p->faces[p->face_count].corner[i].vertex = find_vertex(p, &vertex);
+        tia_array_add(&p->vertices, &vertex);
     }
-    p->face_count++;
+    for (int i = 0; i < 3 && !p->model.counting; i++, stl->waiting++) {
+        struct tia_vec3 vertex = tia_model_place(&p->model, v[i]);
+        stl->vertices[stl->waiting] = vertex;
+        stl->hashes[stl->waiting] = hash(p, &vertex);
+        PREFETCH(slot(p, stl->hashes[stl->waiting]));
+    }
+    p->face_count += p->model.counting;
+    if (stl->waiting == AHEAD)
+        store_facets(stl);
 }
 
 /* Empties or, after the last facet, removes the hash table. */
@@ -78,30 +107,31 @@ static void clear_table(struct tia_plain *p)
 
 /* ---- binary ---- */
 
-static int read_coordinate(struct tia_plain *p, int64_t *out, const char *at, uint32_t facet)
+static int refuse_coordinate(struct tia_plain *p, enum tia_decimal result, uint32_t facet)
 {
     static const char *const whats[] = {"", "a coordinate is not a number", "a coordinate is out of range"};
-    enum tia_decimal result =
-        tia_binary_float(out, (uint32_t)tia_binary_unsigned(at, 4, false), tia_model_bits(&p->model));
 
-    if (result == TIA_DECIMAL_FINE)
-        return TIA_OK;
     (void)tia_plain_error(p, "facet", facet);
     tia_say(&p->model.reader->error, whats[result]);
     tia_say(&p->model.reader->error, ", expected a number below 2147483648");
     return TIA_ERR_RANGE;
 }
 
-static int read_binary_facet(struct tia_plain *p, const char *at, uint32_t facet)
+/* Reads the facets number 1 to `facets`. */
+static int read_facets(struct stl *stl, uint32_t facets)
 {
+    const char *at = stl->p->model.reader->text + HEAD + 12;
+    const unsigned bits = tia_model_bits(&stl->p->model);
     int64_t v[3][3];
 
-    for (int i = 0; i < 9; i++) {
-        int status = read_coordinate(p, &v[i / 3][i % 3], at + 12 + 4 * i, facet);
-        if (status)
-            return status;
+    for (uint32_t i = 1; i <= facets; i++, at += FACET) {
+        for (int k = 0; k < 9; k++) {
+            enum tia_decimal result = tia_binary_float(&v[k / 3][k % 3], tia_binary_little(at + 4 * k), bits);
+            if (result != TIA_DECIMAL_FINE)
+                return refuse_coordinate(stl->p, result, i);
+        }
+        add_facet(stl, (const int64_t(*)[3])v);
     }
-    add_facet(p, (const int64_t(*)[3])v);
     return TIA_OK;
 }
 
@@ -128,17 +158,54 @@ static int check_length(struct tia_plain *p, uint32_t facets)
 
 static uint32_t facets_of(const struct tia_reader *reader)
 {
-    return reader->length < HEAD ? 0 : (uint32_t)tia_binary_unsigned(reader->text + 80, 4, false);
+    return reader->length < HEAD ? 0 : tia_binary_little(reader->text + 80);
 }
 
-static int read_binary(struct tia_plain *p)
+/* Returns an integer that compares as the float of these bits does. Only NaN are beyond the infinities. */
+static int32_t order_of(uint32_t ieee)
 {
-    uint32_t facets = facets_of(p->model.reader);
-    int status = check_length(p, facets);
+    return (int32_t)(ieee >> 31 ? ~(ieee & INT32_MAX) : ieee);
+}
 
-    for (uint32_t i = 0; !status && i < facets; i++)
-        status = read_binary_facet(p, p->model.reader->text + HEAD + (size_t)i * FACET, i + 1);
-    return status;
+static uint32_t float_of(int32_t order)
+{
+    return order < 0 ? ~(uint32_t)order | UINT32_C(1) << 31 : (uint32_t)order;
+}
+
+/* Measures the facets as reading each of them would, by the least and the largest coordinates, since a conversion keeps
+ * their order. Returns false if one of these is out of range. */
+static bool measure_binary(struct stl *stl, uint32_t facets)
+{
+    const char *at = stl->p->model.reader->text + HEAD + 12;
+    int32_t range[2][3] = {{INT32_MAX, INT32_MAX, INT32_MAX}, {INT32_MIN, INT32_MIN, INT32_MIN}};
+    int64_t v[2][3];
+
+    for (uint32_t i = 0; i < facets; i++, at += FACET)
+        for (int k = 0; k < 9; k++) {
+            int32_t order = order_of(tia_binary_little(at + 4 * k));
+            range[0][k % 3] = order < range[0][k % 3] ? order : range[0][k % 3];
+            range[1][k % 3] = order > range[1][k % 3] ? order : range[1][k % 3];
+        }
+    for (int k = 0; k < 6; k++)
+        if (tia_binary_float(&v[k / 3][k % 3], float_of(range[k / 3][k % 3]), tia_model_bits(&stl->p->model)))
+            return false;
+    (void)tia_model_vertex(&stl->p->model, v[0]);
+    (void)tia_model_vertex(&stl->p->model, v[1]);
+    stl->p->vertices.count = 3 * facets;
+    stl->p->face_count = facets;
+    return true;
+}
+
+static int read_binary(struct stl *stl)
+{
+    const struct tia_model *model = &stl->p->model;
+    uint32_t facets = facets_of(model->reader);
+    int status = check_length(stl->p, facets);
+
+    /* a part of a scene needs to know whether a coordinate was rounded */
+    if (!status && model->counting && !model->use && facets && measure_binary(stl, facets))
+        return TIA_OK;
+    return status ? status : read_facets(stl, facets);
 }
 
 /* ---- text ---- */
@@ -174,44 +241,44 @@ static int read_vertex(struct tia_plain *p, struct facet *f, const struct tia_wo
 }
 
 /* Ends a facet. One without three corners is left out. */
-static int end_facet(struct tia_plain *p, struct facet *f, const struct tia_word *word)
+static int end_facet(struct stl *stl, struct facet *f, const struct tia_word *word)
 {
     uint32_t corners = f->corners;
 
     f->corners = 0;
     if (corners == 3) {
-        add_facet(p, (const int64_t(*)[3])f->v);
+        add_facet(stl, (const int64_t(*)[3])f->v);
         return TIA_OK;
     }
     (void)tia_text_error(f->text, word, "comes too early", "three vertex lines in a facet");
-    return tia_plain_forgive(p, TIA_WARN_FACE, "the facet is left out");
+    return tia_plain_forgive(stl->p, TIA_WARN_FACE, "the facet is left out");
 }
 
-static int read_line(struct tia_plain *p, struct facet *f, const struct tia_word *word)
+static int read_line(struct stl *stl, struct facet *f, const struct tia_word *word)
 {
     static const char *const skipped[] = {"facet", "outer", "endfacet", "solid", "endsolid", "color"};
 
     if (is(word, "vertex"))
-        return read_vertex(p, f, word);
+        return read_vertex(stl->p, f, word);
     if (is(word, "endloop"))
-        return end_facet(p, f, word);
+        return end_facet(stl, f, word);
     for (size_t i = 0; i < sizeof skipped / sizeof *skipped; i++)
         if (is(word, skipped[i]))
             return TIA_OK;
     (void)tia_text_error(f->text, word, "is not a statement", "facet, outer, vertex, endloop, endfacet or endsolid");
-    return tia_plain_forgive(p, TIA_WARN_STATEMENT, "skipped");
+    return tia_plain_forgive(stl->p, TIA_WARN_STATEMENT, "skipped");
 }
 
-static int read_text(struct tia_plain *p)
+static int read_text(struct stl *stl)
 {
-    struct tia_text text = tia_model_text(&p->model);
+    struct tia_text text = tia_model_text(&stl->p->model);
     struct facet f = {.text = &text};
     struct tia_word word;
     int status = TIA_OK;
 
     while (!status && tia_text_line(&text)) {
         (void)tia_text_word(&text, &word);
-        status = read_line(p, &f, &word);
+        status = read_line(stl, &f, &word);
         tia_text_skip(&text);
     }
     return status;
@@ -247,15 +314,17 @@ static bool is_text(const struct tia_reader *reader)
 
 static int read_once(struct tia_plain *p, void *ctx)
 {
+    struct stl stl = {.p = p};
+
     (void)ctx;
     clear_table(p);
-    int status = is_text(p->model.reader) ? read_text(p) : read_binary(p);
+    int status = is_text(p->model.reader) ? read_text(&stl) : read_binary(&stl);
+    store_facets(&stl);
     clear_table(p);
     return status;
 }
 
-int tia_read_stl(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena,
-                 struct tia_model_use *use)
+int tia_read_stl(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena, struct tia_model_use *use)
 {
     struct tia_plain p = tia_plain_begin(reader, scene, use, "some facets");
 

@@ -143,7 +143,7 @@ static void drop_tracks(struct scene_file *file, const struct tia_camera_change 
 }
 
 /* Reads the scene. If memory is too small, tia_read returns the size that it needs for the next attempt. The first size
- * is twice the text's, which suffices for most large models; what is not used takes only addresses. */
+ * is three times the text's, which suffices for most large models; what is not used takes only addresses. */
 static int read_scene(struct scene_file *file, const struct whole *text, int format, bool strict, struct threads *pool)
 {
     struct tia_reader reader = {.format = (enum tia_format)format,
@@ -159,7 +159,7 @@ static int read_scene(struct scene_file *file, const struct whole *text, int for
                                 .workers = threads_workers(pool),
                                 .strict = strict,
                                 .warnings = file->warnings};
-    size_t size = 2 * text->length > MEMORY_FIRST ? 2 * text->length : MEMORY_FIRST, need = 0;
+    size_t size = 3 * text->length > MEMORY_FIRST ? 3 * text->length : MEMORY_FIRST, need = 0;
     int status = TIA_ERR_MEMORY;
     for (unsigned tries = 0; tries < 4 && status == TIA_ERR_MEMORY && size <= MEMORY_MOST; tries++) {
         free(file->memory);
