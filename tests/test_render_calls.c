@@ -153,6 +153,29 @@ TEST(lights_that_are_refused)
     CHECK(memcmp(before, after, sizeof before));
 }
 
+/* Lights fade in the unit of the view's scene: unit_bits + scale_bits must be in 0..30. */
+TEST(units_of_lights)
+{
+    struct tia_light fading = light;
+    struct tia_scene scene = tia_thesis_scene;
+    struct tia_view *view = NULL;
+
+    fading.quadratic = TIA_Q16(0.001);
+    scene.lights = &fading; /* rays draw it, not spans */
+    scene.light_count = 1;
+    for (int scale = -3; scale <= 3; scale += 6) {
+        scene.scale_bits = (int8_t)scale;
+        fading.unit_bits = (int8_t)-scale;
+        size_t size = tia_view_size(&scene, 1);
+        void *memory = malloc(size);
+        CHECK_EQ(tia_view_init(&view, memory, size, &scene, 1, W, H, NULL), TIA_OK);
+        CHECK_EQ(tia_view_set_lights(view, &fading, 1), TIA_OK);
+        fading.unit_bits = (int8_t)(-scale - 1);
+        CHECK_EQ(tia_view_set_lights(view, &fading, 1), TIA_ERR_RANGE);
+        free(memory);
+    }
+}
+
 /* Lights are refused, too, when they need more shadow maps than the scene's: six for a point light, or a second one. */
 TEST(lights_without_room_for_maps)
 {
@@ -329,6 +352,7 @@ int main(void)
     RUN(memory_of_hits);
     RUN(scenes_that_are_refused);
     RUN(lights_that_are_refused);
+    RUN(units_of_lights);
     RUN(lights_without_room_for_maps);
     RUN(tiles_that_are_refused);
     RUN(the_largest_picture);

@@ -60,6 +60,7 @@ int tia_core_view_init(const struct tia_core *core, struct tia_view **view, void
 static int check_lights(const struct tia_view *view, const struct tia_light *lights, uint32_t count)
 {
     struct tia_scene alone = {.camera = view->scene->camera,
+                              .scale_bits = view->scene->scale_bits,
                               .lights = lights,
                               .light_count = count,
                               .integration = view->scene->integration,
