@@ -60,12 +60,12 @@ int tia_core_view_init(const struct tia_core *core, struct tia_view **view, void
 static int check_lights(const struct tia_view *view, const struct tia_light *lights, uint32_t count)
 {
     struct tia_scene alone = {.camera = view->scene->camera,
-                              .scale_bits = view->scene->scale_bits,
                               .lights = lights,
                               .light_count = count,
                               .integration = view->scene->integration,
                               .shadows = view->scene->shadows,
-                              .shadow_map = view->scene->shadow_map};
+                              .shadow_map = view->scene->shadow_map,
+                              .scale_bits = view->scene->scale_bits};
     bool (*draws)(const struct tia_scene *scene) = view->renderer->draws;
     int status = check(view->core, &alone, view_cancel(view));
 

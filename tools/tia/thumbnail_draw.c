@@ -1,5 +1,4 @@
-/* thumbnail_draw.c - the process that draws a thumbnail: pictures of 1/64 of its pixels, of one sample a pixel, and of
- * several. */
+/* thumbnail_draw.c - the process that draws a thumbnail of 1/64 of its pixels, then one sample a pixel, then several. */
 #include <stdlib.h>
 #include <string.h>
 #include <tia/tone.h>
@@ -162,11 +161,10 @@ static void end_picture(struct drawer *d, void *memory)
 static int add_rows(struct drawer *d, unsigned first, unsigned step)
 {
     uint64_t begun_us = clock_now_us();
-    unsigned each;
 
     d->first = first;
     d->step = step;
-    each = rows_of_job(d) * step;
+    unsigned each = rows_of_job(d) * step;
     threads_run(d->pool, draw_rows, d, (d->rows - first + each - 1) / each);
     int status = atomic_load(&d->e.status);
     if (!status)
