@@ -305,7 +305,7 @@ static int fill(struct nff *n, struct tia_reader *reader, int bits)
     n->transmits = false;
     n->lengths.filling = true;
     n->lengths.scale_bits = n->scene->scale_bits = bits;
-    reader->error = (struct tia_read_error){{0}, 0, 0, {0}};
+    reader->error = (struct tia_read_error){.line = 0};
     return read_all(n, reader, &reader->error);
 }
 

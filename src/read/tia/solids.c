@@ -1,18 +1,121 @@
 /* solids.c - meshes and grids: blocks of lines, from their statement to the line "end". */
 #include "parse_state.h"
+#include "read/text/nearest.h"
 
-/* Reads the first word of a block's next line. Fails at the end of the text. */
-static int take_line(struct tia_text *t, struct tia_word *word, const char *expected)
+/* What the next line of a block is. */
+enum block_line {
+    BLOCK_LINE,    /* a line of the block, or one that is not allowed there: its first word is read */
+    BLOCK_END,     /* "end" */
+    BLOCK_UNCLOSED /* the block has no end: nothing is read */
+};
+
+#define SCANS_MOST 64 /* most lines of a pass for which the rest of the text is scanned, so that its time is linear */
+
+static bool is_of_block(const struct tia_word *word)
 {
-    if (tia_text_line(t)) {
-        (void)tia_text_word(t, word);
-        return TIA_OK;
+    static const char *const lines[] = {"vertex", "normal", "uv", "face", "group", "row", "end"};
+
+    for (unsigned i = 0; i < TIA_COUNT_OF(lines); i++)
+        if (tia_word_is(word, lines[i]))
+            return true;
+    return false;
+}
+
+/* True if the line is a statement and not of a block. After the word "group", `rest` decides. */
+static bool is_statement(const struct tia_word *word, const struct tia_text *rest)
+{
+    struct tia_word next;
+
+    if (!tia_word_is(word, "group"))
+        return tia_statement_is(word) && !is_of_block(word);
+    return !tia_text_peek(rest, &next) || (*next.at >= 'a' && *next.at <= 'z');
+}
+
+/* Returns 1 for a line that opens a block, -1 for one that ends a block, else 0. */
+static int depth_of(const struct tia_word *word, const struct tia_text *rest)
+{
+    static const char *const openers[] = {"repeat", "union", "intersection", "difference", "grid"};
+    struct tia_text text = *rest;
+    struct tia_word next;
+
+    if (tia_word_is(word, "end"))
+        return -1;
+    for (unsigned i = 0; i < TIA_COUNT_OF(openers); i++)
+        if (tia_word_is(word, openers[i]))
+            return 1;
+    if (tia_word_is(word, "group"))
+        return is_statement(word, rest);
+    (void)tia_text_word(&text, &next);
+    return tia_word_is(word, "mesh") && !(tia_text_word(&text, &next) && tia_word_is(&next, "file"));
+}
+
+/* True if the rest of the text has an end for the block, besides those of groups and of later blocks. */
+static bool has_end(struct tia_parse *job)
+{
+    struct tia_includes *includes = &job->includes;
+    int64_t surplus = (int64_t)(includes->depth ? includes->outer[includes->depth - 1].groups : 0) - job->group_count;
+    struct tia_text rest = job->text;
+    struct tia_word word;
+
+    if (job->mistakes && ++job->mistakes->scans > SCANS_MOST)
+        return false;
+    while (tia_text_line(&rest)) {
+        (void)tia_text_word(&rest, &word);
+        surplus -= depth_of(&word, &rest);
+        tia_text_abandon(&rest);
     }
-    (void)tia_text_word(t, word);
-    (void)tia_text_error_at(t, word);
-    tia_say(t->error, "the text ends within a block, expected ");
-    tia_say(t->error, expected);
-    return TIA_ERR_RANGE;
+    return surplus > 0;
+}
+
+/* Goes to the next line of a block, and reads its first word. */
+static enum block_line take_line(struct tia_parse *job, struct tia_word *word)
+{
+    struct tia_text *t = &job->text, before = *t;
+
+    if (tia_text_line(t)) {
+        struct tia_text line = *t;
+        (void)tia_text_word(t, word);
+        if (tia_word_is(word, "end"))
+            return BLOCK_END;
+        if (!is_statement(word, t))
+            return BLOCK_LINE;
+        *t = line;
+        if (has_end(job)) {
+            (void)tia_text_word(t, word);
+            return BLOCK_LINE;
+        }
+    }
+    *t = before;
+    return BLOCK_UNCLOSED;
+}
+
+/* Refuses a block without an end. */
+static int refuse_unclosed(struct tia_parse *job)
+{
+    (void)tia_block_has_no_end(&job->text, &job->first);
+    return tia_text_goes_on(&job->text) ? TIA_OK : TIA_ERR_RANGE;
+}
+
+/* Skips the rest of a line with a mistake, if the reader goes on. */
+static int go_on(struct tia_parse *job)
+{
+    if (!tia_text_goes_on(&job->text))
+        return TIA_ERR_RANGE;
+    tia_text_abandon(&job->text);
+    return TIA_OK;
+}
+
+/* After a mistake in a block's first line: skips the block if there is one. */
+static int skip_block(struct tia_parse *job)
+{
+    struct tia_word word;
+    enum block_line line;
+
+    if (go_on(job))
+        return TIA_ERR_RANGE;
+    while ((line = take_line(job, &word)) == BLOCK_LINE)
+        tia_text_abandon(&job->text);
+    return TIA_OK;
 }
 
 /* ---- meshes ---- */
@@ -30,6 +133,8 @@ static int read_vertex(struct mesh_block *block)
     struct tia_vec3 vertex;
     int status = tia_text_place(&block->job->text, &vertex);
 
+    if (status && block->job->mistakes) /* later faces may use it */
+        (void)tia_parse_add(block->job, TIA_OF_VERTICES, &(struct tia_vec3){0, 0, 0});
     if (!status && block->job->pass == TIA_COUNTING)
         tia_reach_vertex(&block->job->reach, vertex);
     if (!status)
@@ -42,7 +147,9 @@ static int read_normal(struct mesh_block *block)
     struct tia_dir3 normal;
     int status = tia_text_dir3(&block->job->text, &normal);
 
-    if (!status)
+    if (status)
+        normal = (struct tia_dir3){0, 0, 0};
+    if (!status || block->job->mistakes)
         (void)tia_parse_add(block->job, TIA_OF_NORMALS, &normal);
     return status;
 }
@@ -53,7 +160,9 @@ static int read_uv(struct mesh_block *block)
     int status = tia_text_q16(&block->job->text, &uv.u);
 
     status = status ? status : tia_text_q16(&block->job->text, &uv.v);
-    if (!status)
+    if (status)
+        uv = (struct tia_uv){0, 0};
+    if (!status || block->job->mistakes)
         (void)tia_parse_add(block->job, TIA_OF_UVS, &uv);
     return status;
 }
@@ -164,19 +273,53 @@ static int read_group(struct mesh_block *block)
 
 #define MESH_EXPECTED "vertex, normal, uv, face, group or end"
 
-static int read_mesh_line(struct mesh_block *block, const struct tia_word *word)
+static const struct mesh_line {
+    const char *word;
+    int (*read)(struct mesh_block *block);
+} mesh_lines[] = {
+    {"vertex", read_vertex}, {"face", read_face}, {"normal", read_normal}, {"uv", read_uv}, {"group", read_group}};
+
+static const struct mesh_line *find_mesh_line(const struct tia_word *word)
 {
-    if (tia_word_is(word, "vertex"))
-        return read_vertex(block);
-    if (tia_word_is(word, "face"))
-        return read_face(block);
-    if (tia_word_is(word, "normal"))
-        return read_normal(block);
-    if (tia_word_is(word, "uv"))
-        return read_uv(block);
-    if (tia_word_is(word, "group"))
-        return read_group(block);
-    return tia_text_error(&block->job->text, word, "is not a line of a mesh", MESH_EXPECTED);
+    for (unsigned i = 0; i < TIA_COUNT_OF(mesh_lines); i++)
+        if (tia_word_is(word, mesh_lines[i].word))
+            return &mesh_lines[i];
+    return NULL;
+}
+
+/* Reads a line; sets *end if it is probably the end of the mesh. */
+static int read_mesh_line(struct mesh_block *block, const struct tia_word *word, bool *end)
+{
+    struct tia_text *t = &block->job->text;
+    const struct mesh_line *line = find_mesh_line(word);
+    struct tia_word meant;
+
+    if (line)
+        return line->read(block);
+    (void)tia_text_error_of(t, word, "is not a line of a mesh", MESH_EXPECTED, &meant);
+    if (!meant.length || !tia_text_goes_on(t))
+        return TIA_ERR_RANGE;
+    line = find_mesh_line(&meant);
+    *end = !line;
+    return line ? line->read(block) : TIA_OK;
+}
+
+static int read_mesh(struct mesh_block *block)
+{
+    struct tia_parse *job = block->job;
+    struct tia_word word;
+    bool end = false;
+
+    while (!end) {
+        enum block_line line = take_line(job, &word);
+        if (line != BLOCK_LINE)
+            return line == BLOCK_END ? TIA_OK : refuse_unclosed(job);
+        int status = read_mesh_line(block, &word, &end);
+        status = status ? status : tia_text_end(&job->text);
+        if (status && go_on(job))
+            return status;
+    }
+    return TIA_OK;
 }
 
 static void add_mesh(const struct mesh_block *block)
@@ -218,13 +361,9 @@ int tia_line_mesh(struct tia_parse *job)
     if (!status && tia_text_peek(&job->text, &word) && tia_word_is(&word, "file"))
         return tia_mesh_file(job, &name);
     status = status ? status : tia_text_end(&job->text);
-    while (!status) {
-        status = take_line(&job->text, &word, MESH_EXPECTED);
-        if (status || tia_word_is(&word, "end"))
-            break;
-        status = read_mesh_line(&block, &word);
-        status = status ? status : tia_text_end(&job->text);
-    }
+    if (status)
+        return skip_block(job);
+    status = read_mesh(&block);
     if (!status)
         add_mesh(&block);
     return status;
@@ -256,23 +395,33 @@ static int read_row(struct tia_parse *job, unsigned cells)
     return tia_text_end(&job->text);
 }
 
+/* Reads a line of a grid, whose rows are `left` too few. */
+static int read_grid_line(struct tia_parse *job, const struct tia_word *word, const struct tia_grid *grid,
+                          uint32_t left)
+{
+    if (left && tia_word_is(word, "row"))
+        return read_row(job, grid->size[0]);
+    return tia_text_error_of(&job->text, word, "is not the next line of the grid", left ? "row" : "end", NULL);
+}
+
 /* Reads the rows of a grid, one for each y and z, and the line "end". */
 static int read_rows(struct tia_parse *job, const struct tia_grid *grid)
 {
+    uint32_t left = (uint32_t)grid->size[1] * grid->size[2];
     struct tia_word word;
 
-    for (uint32_t row = 0; row <= (uint32_t)grid->size[1] * grid->size[2]; row++) {
-        const char *expected = row < (uint32_t)grid->size[1] * grid->size[2] ? "row" : "end";
-        int status = take_line(&job->text, &word, expected);
-        if (status)
+    for (;; left--) {
+        enum block_line line = take_line(job, &word);
+        if (line == BLOCK_UNCLOSED || (line == BLOCK_END && !left))
+            return line == BLOCK_END ? TIA_OK : refuse_unclosed(job);
+        int status = read_grid_line(job, &word, grid, left);
+        if (status && line == BLOCK_LINE && !left)
+            return skip_block(job); /* rows too many */
+        if (status && go_on(job))
             return status;
-        if (!tia_word_is(&word, expected))
-            return tia_text_error(&job->text, &word, "is not the next line of the grid", expected);
-        status = *expected == 'r' ? read_row(job, grid->size[0]) : TIA_OK;
-        if (status)
-            return status;
+        if (line == BLOCK_END)
+            return TIA_OK;
     }
-    return TIA_OK;
 }
 
 int tia_line_grid(struct tia_parse *job)
@@ -282,7 +431,9 @@ int tia_line_grid(struct tia_parse *job)
     int status = tia_parse_define(job, TIA_NAMED_SOLID, 2 * tia_parse_count(job, TIA_OF_GRIDS) + 1);
 
     status = status ? status : tia_fields(&job->text, "a grid", grid_fields, TIA_COUNT_OF(grid_fields), &grid, NULL);
-    status = status ? status : read_rows(job, &grid);
+    if (status)
+        return skip_block(job);
+    status = read_rows(job, &grid);
     if (status)
         return status;
     if (job->pass == TIA_COUNTING)
