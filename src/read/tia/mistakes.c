@@ -10,7 +10,6 @@
  *   such blocks are the mistakes, and the following passes do not open the blocks.
  */
 #include "parse_state.h"
-#include "read/readers.h"
 
 /* Returns the word at the error's place, without a minus. */
 static struct tia_word word_at(const struct tia_read_error *error)
@@ -50,7 +49,7 @@ static bool was_told(struct tia_mistakes *mistakes, uint32_t count, const char *
     return false;
 }
 
-static void tell(void *ctx)
+void tia_mistake_tell(void *ctx)
 {
     struct tia_parse *job = ctx;
     struct tia_mistakes *mistakes = job->mistakes;
@@ -120,7 +119,7 @@ static void note_member(struct tia_parse *job)
 
 int tia_mistake_recover(struct tia_parse *job)
 {
-    tell(job);
+    tia_mistake_tell(job);
     add_names(job);
     tia_text_abandon(&job->text);
     if (job->opens && job->group_count == job->mistakes->groups)
@@ -204,16 +203,4 @@ void tia_mistake_pass(struct tia_parse *job)
     job->mistakes->tells = true;
     job->mistakes->deep = 0;
     job->bits = job->most = job->room; /* everything fits */
-}
-
-void tia_tell_tia(struct tia_reader *reader, struct tia_arena *arena)
-{
-    struct tia_scene scene;
-    struct tia_mistakes mistakes = {.tolerance = {.tell = tell}, .first = reader->error};
-    struct tia_parse job = {.reader = reader, .scene = &scene, .mistakes = &mistakes};
-
-    mistakes.tolerance.ctx = &job;
-    arena->used = 0;
-    (void)tia_parse_read(&job, arena);
-    reader->error = mistakes.first;
 }

@@ -157,6 +157,7 @@ struct tia_parse {
     const char *statement; /* the statement read last */
     struct tia_text rest;  /* the rest of its line */
     bool opens, names;     /* it opens a group, it defines the name that follows it */
+    bool (*is_statement)(const struct tia_word *word);
 
     struct tia_mistakes *mistakes; /* NULL: the first mistake ends the reading */
 
@@ -170,11 +171,11 @@ struct tia_parse {
 
 /* Reads the statement whose first word is job->first. Defined in statement.c. */
 int tia_statement_read(struct tia_parse *job);
-/* True if the word is a statement's. */
-bool tia_statement_is(const struct tia_word *word);
 
 /* ---- mistakes.c: after a mistake, while all of them are told ---- */
 
+/* Tells the mistake in the reader's error, in the pass for that; `ctx` is the struct tia_parse. */
+void tia_mistake_tell(void *ctx);
 /* Tells the mistake of the statement just read, and skips the rest of its line. Returns TIA_OK, or TIA_ERR_RANGE after
  * too many mistakes. */
 int tia_mistake_recover(struct tia_parse *job);

@@ -22,17 +22,17 @@ static bool is_of_block(const struct tia_word *word)
 }
 
 /* True if the line is a statement and not of a block. After the word "group", `rest` decides. */
-static bool is_statement(const struct tia_word *word, const struct tia_text *rest)
+static bool is_statement(const struct tia_parse *job, const struct tia_word *word, const struct tia_text *rest)
 {
     struct tia_word next;
 
     if (!tia_word_is(word, "group"))
-        return tia_statement_is(word) && !is_of_block(word);
+        return job->is_statement(word) && !is_of_block(word);
     return !tia_text_peek(rest, &next) || (*next.at >= 'a' && *next.at <= 'z');
 }
 
 /* Returns 1 for a line that opens a block, -1 for one that ends a block, else 0. */
-static int depth_of(const struct tia_word *word, const struct tia_text *rest)
+static int depth_of(const struct tia_parse *job, const struct tia_word *word, const struct tia_text *rest)
 {
     static const char *const openers[] = {"repeat", "union", "intersection", "difference", "grid"};
     struct tia_text text = *rest;
@@ -44,7 +44,7 @@ static int depth_of(const struct tia_word *word, const struct tia_text *rest)
         if (tia_word_is(word, openers[i]))
             return 1;
     if (tia_word_is(word, "group"))
-        return is_statement(word, rest);
+        return is_statement(job, word, rest);
     (void)tia_text_word(&text, &next);
     return tia_word_is(word, "mesh") && !(tia_text_word(&text, &next) && tia_word_is(&next, "file"));
 }
@@ -61,7 +61,7 @@ static bool has_end(struct tia_parse *job)
         return false;
     while (tia_text_line(&rest)) {
         (void)tia_text_word(&rest, &word);
-        surplus -= depth_of(&word, &rest);
+        surplus -= depth_of(job, &word, &rest);
         tia_text_abandon(&rest);
     }
     return surplus > 0;
@@ -77,7 +77,7 @@ static enum block_line take_line(struct tia_parse *job, struct tia_word *word)
         (void)tia_text_word(t, word);
         if (tia_word_is(word, "end"))
             return BLOCK_END;
-        if (!is_statement(word, t))
+        if (!is_statement(job, word, t))
             return BLOCK_LINE;
         *t = line;
         if (has_end(job)) {

@@ -88,7 +88,7 @@ static const struct statement *find_statement(const struct tia_word *word)
     return NULL;
 }
 
-bool tia_statement_is(const struct tia_word *word)
+static bool is_statement(const struct tia_word *word)
 {
     const struct tia_word british = tia_word_british(word);
     enum tia_shape_kind kind;
@@ -132,12 +132,13 @@ int tia_statement_read(struct tia_parse *job)
     enum tia_shape_kind kind = TIA_SPHERE;
 
     job->rest = job->text;
+    job->is_statement = is_statement;
     job->opens = job->names = false;
     if (job->mistakes)
         job->mistakes->groups = job->group_count;
     if (job->repeat_count && ++job->repeated_lines > TIA_REPEATED_LINES)
         return tia_text_error(&job->text, &job->first, "is a line too many", "at most 16777216 in repeat blocks");
-    if (!tia_statement_is(&word)) {
+    if (!is_statement(&word)) {
         job->names = true; /* whatever it is, it may define a name */
         refuse(job, &job->first, &word);
         if (!word.length || !tia_text_goes_on(&job->text))
