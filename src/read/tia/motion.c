@@ -26,7 +26,9 @@ static const struct property {
 };
 
 static const char *const expected[] = {"eye or look, of the camera", "at or direction, of a light",
-                                       "at, rotate or scale, of a shape"};
+                                       "at, rotate or scale, of a shape",
+                                       "colour, transmission, emission, specular, mirror, refraction or facing, of a "
+                                       "material"};
 
 static const struct property *find_property(enum moving of, const struct tia_word *name)
 {
@@ -67,6 +69,10 @@ static int read_target(struct tia_parse *job, enum moving *of, struct tia_track 
     const struct tia_name *name = tia_parse_mover(job, &word);
     if (job->pass != TIA_FILLING)
         return TIA_OK;
+    if (!name && tia_parse_has(job, TIA_NAMED_MATERIAL, &word)) {
+        *of = MATERIAL; /* which has no such property */
+        return TIA_OK;
+    }
     if (!name)
         return tia_parse_undefined(job, TIA_NAMED_MOVER, &word, "the name of a shape or light, or camera");
     track->index = (uint32_t)(name - (const struct tia_name *)tia_parse_at(job, TIA_OF_NAMES, 0));

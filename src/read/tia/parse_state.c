@@ -42,7 +42,7 @@ static bool is_taken(const struct tia_parse *job, enum tia_kind_of_name kind, co
 
 void tia_parse_name(struct tia_parse *job, enum tia_kind_of_name kind, const struct tia_word *name, uint32_t index)
 {
-    if (job->mistakes && is_taken(job, kind, name)) {
+    if (job->mistakes && kind != TIA_NAMED_FAULTY && is_taken(job, kind, name)) {
         (void)tia_text_error(&job->text, name, "is already defined", "another name");
         (void)tia_text_goes_on(&job->text);
     }
@@ -71,9 +71,9 @@ int tia_parse_find(struct tia_parse *job, enum tia_kind_of_name kind, const stru
     return !found && job->pass == TIA_FILLING ? tia_parse_undefined(job, kind, name, expected) : TIA_OK;
 }
 
-bool tia_parse_is_faulty(const struct tia_parse *job, const struct tia_word *name)
+bool tia_parse_has(const struct tia_parse *job, enum tia_kind_of_name kind, const struct tia_word *name)
 {
-    return find(job, TIA_OF_NAMES, TIA_NAMED_FAULTY, name);
+    return find(job, TIA_OF_NAMES, kind, name);
 }
 
 int tia_parse_undefined(struct tia_parse *job, enum tia_kind_of_name kind, const struct tia_word *name,
@@ -82,7 +82,7 @@ int tia_parse_undefined(struct tia_parse *job, enum tia_kind_of_name kind, const
     struct tia_nearest nearest = {.word = name};
     const struct tia_name *names = tia_parse_at(job, TIA_OF_NAMES, 0);
 
-    if (job->mistakes && (job->mistakes->lost || tia_parse_is_faulty(job, name)))
+    if (job->mistakes && (job->mistakes->lost || tia_parse_has(job, TIA_NAMED_FAULTY, name)))
         job->mistakes->follows = true;
     for (uint32_t i = 0; names && !(job->mistakes && job->mistakes->follows) && i < tia_parse_count(job, TIA_OF_NAMES);
          i++)

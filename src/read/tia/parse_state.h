@@ -172,6 +172,24 @@ struct tia_parse {
 /* Reads the statement whose first word is job->first. Defined in statement.c. */
 int tia_statement_read(struct tia_parse *job);
 
+/* ---- blocks.c: blocks of lines, from their statement to the line "end" ---- */
+
+/* What the next line of a block is. */
+enum tia_block_line {
+    TIA_BLOCK_LINE,    /* a line of the block, or one that is not allowed there: its first word is read */
+    TIA_BLOCK_END,     /* "end" */
+    TIA_BLOCK_UNCLOSED /* the block has no end: nothing is read */
+};
+
+/* Goes to the next line of a block, and reads its first word. */
+enum tia_block_line tia_block_take(struct tia_parse *job, struct tia_word *word);
+/* Refuses a block without an end. Returns TIA_OK if the reader goes on. */
+int tia_block_refuse(struct tia_parse *job);
+/* Skips the rest of a line with a mistake. Returns TIA_ERR_RANGE if the reader does not go on. */
+int tia_block_go_on(struct tia_parse *job);
+/* After a mistake in a block's first line: skips the block if there is one, likewise. */
+int tia_block_skip(struct tia_parse *job);
+
 /* ---- mistakes.c: after a mistake, while all of them are told ---- */
 
 /* Tells the mistake in the reader's error, in the pass for that; `ctx` is the struct tia_parse. */
@@ -215,8 +233,8 @@ int tia_parse_find(struct tia_parse *job, enum tia_kind_of_name kind, const stru
 /* Refuses a name that is not defined, likewise. */
 int tia_parse_undefined(struct tia_parse *job, enum tia_kind_of_name kind, const struct tia_word *name,
                         const char *expected);
-/* True if the name's line has a mistake. */
-bool tia_parse_is_faulty(const struct tia_parse *job, const struct tia_word *name);
+/* True if there is such a name; false before the last pass. */
+bool tia_parse_has(const struct tia_parse *job, enum tia_kind_of_name kind, const struct tia_word *name);
 
 /* Records that a name is animated. */
 void tia_parse_animate(struct tia_parse *job, const struct tia_word *name);

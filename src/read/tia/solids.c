@@ -1,122 +1,6 @@
-/* solids.c - meshes and grids: blocks of lines, from their statement to the line "end". */
+/* solids.c - meshes and grids: blocks of lines, see blocks.c. */
 #include "parse_state.h"
 #include "read/text/nearest.h"
-
-/* What the next line of a block is. */
-enum block_line {
-    BLOCK_LINE,    /* a line of the block, or one that is not allowed there: its first word is read */
-    BLOCK_END,     /* "end" */
-    BLOCK_UNCLOSED /* the block has no end: nothing is read */
-};
-
-#define SCANS_MOST 64 /* most lines of a pass for which the rest of the text is scanned, so that its time is linear */
-
-static bool is_of_block(const struct tia_word *word)
-{
-    static const char *const lines[] = {"vertex", "normal", "uv", "face", "group", "row", "end"};
-
-    for (unsigned i = 0; i < TIA_COUNT_OF(lines); i++)
-        if (tia_word_is(word, lines[i]))
-            return true;
-    return false;
-}
-
-/* True if the line is a statement and not of a block. After the word "group", `rest` decides. */
-static bool is_statement(const struct tia_parse *job, const struct tia_word *word, const struct tia_text *rest)
-{
-    struct tia_word next;
-
-    if (!tia_word_is(word, "group"))
-        return job->is_statement(word) && !is_of_block(word);
-    return !tia_text_peek(rest, &next) || (*next.at >= 'a' && *next.at <= 'z');
-}
-
-/* Returns 1 for a line that opens a block, -1 for one that ends a block, else 0. */
-static int depth_of(const struct tia_parse *job, const struct tia_word *word, const struct tia_text *rest)
-{
-    static const char *const openers[] = {"repeat", "union", "intersection", "difference", "grid"};
-    struct tia_text text = *rest;
-    struct tia_word next;
-
-    if (tia_word_is(word, "end"))
-        return -1;
-    for (unsigned i = 0; i < TIA_COUNT_OF(openers); i++)
-        if (tia_word_is(word, openers[i]))
-            return 1;
-    if (tia_word_is(word, "group"))
-        return is_statement(job, word, rest);
-    (void)tia_text_word(&text, &next);
-    return tia_word_is(word, "mesh") && !(tia_text_word(&text, &next) && tia_word_is(&next, "file"));
-}
-
-/* True if the rest of the text has an end for the block, besides those of groups and of later blocks. */
-static bool has_end(struct tia_parse *job)
-{
-    struct tia_includes *includes = &job->includes;
-    int64_t surplus = (int64_t)(includes->depth ? includes->outer[includes->depth - 1].groups : 0) - job->group_count;
-    struct tia_text rest = job->text;
-    struct tia_word word;
-
-    if (job->mistakes && ++job->mistakes->scans > SCANS_MOST)
-        return false;
-    while (tia_text_line(&rest)) {
-        (void)tia_text_word(&rest, &word);
-        surplus -= depth_of(job, &word, &rest);
-        tia_text_abandon(&rest);
-    }
-    return surplus > 0;
-}
-
-/* Goes to the next line of a block, and reads its first word. */
-static enum block_line take_line(struct tia_parse *job, struct tia_word *word)
-{
-    struct tia_text *t = &job->text, before = *t;
-
-    if (tia_text_line(t)) {
-        struct tia_text line = *t;
-        (void)tia_text_word(t, word);
-        if (tia_word_is(word, "end"))
-            return BLOCK_END;
-        if (!is_statement(job, word, t))
-            return BLOCK_LINE;
-        *t = line;
-        if (has_end(job)) {
-            (void)tia_text_word(t, word);
-            return BLOCK_LINE;
-        }
-    }
-    *t = before;
-    return BLOCK_UNCLOSED;
-}
-
-/* Refuses a block without an end. */
-static int refuse_unclosed(struct tia_parse *job)
-{
-    (void)tia_block_has_no_end(&job->text, &job->first);
-    return tia_text_goes_on(&job->text) ? TIA_OK : TIA_ERR_RANGE;
-}
-
-/* Skips the rest of a line with a mistake, if the reader goes on. */
-static int go_on(struct tia_parse *job)
-{
-    if (!tia_text_goes_on(&job->text))
-        return TIA_ERR_RANGE;
-    tia_text_abandon(&job->text);
-    return TIA_OK;
-}
-
-/* After a mistake in a block's first line: skips the block if there is one. */
-static int skip_block(struct tia_parse *job)
-{
-    struct tia_word word;
-    enum block_line line;
-
-    if (go_on(job))
-        return TIA_ERR_RANGE;
-    while ((line = take_line(job, &word)) == BLOCK_LINE)
-        tia_text_abandon(&job->text);
-    return TIA_OK;
-}
 
 /* ---- meshes ---- */
 
@@ -311,12 +195,12 @@ static int read_mesh(struct mesh_block *block)
     bool end = false;
 
     while (!end) {
-        enum block_line line = take_line(job, &word);
-        if (line != BLOCK_LINE)
-            return line == BLOCK_END ? TIA_OK : refuse_unclosed(job);
+        enum tia_block_line line = tia_block_take(job, &word);
+        if (line != TIA_BLOCK_LINE)
+            return line == TIA_BLOCK_END ? TIA_OK : tia_block_refuse(job);
         int status = read_mesh_line(block, &word, &end);
         status = status ? status : tia_text_end(&job->text);
-        if (status && go_on(job))
+        if (status && tia_block_go_on(job))
             return status;
     }
     return TIA_OK;
@@ -362,7 +246,7 @@ int tia_line_mesh(struct tia_parse *job)
         return tia_mesh_file(job, &name);
     status = status ? status : tia_text_end(&job->text);
     if (status)
-        return skip_block(job);
+        return tia_block_skip(job);
     status = read_mesh(&block);
     if (!status)
         add_mesh(&block);
@@ -411,15 +295,15 @@ static int read_rows(struct tia_parse *job, const struct tia_grid *grid)
     struct tia_word word;
 
     for (;; left--) {
-        enum block_line line = take_line(job, &word);
-        if (line == BLOCK_UNCLOSED || (line == BLOCK_END && !left))
-            return line == BLOCK_END ? TIA_OK : refuse_unclosed(job);
+        enum tia_block_line line = tia_block_take(job, &word);
+        if (line == TIA_BLOCK_UNCLOSED || (line == TIA_BLOCK_END && !left))
+            return line == TIA_BLOCK_END ? TIA_OK : tia_block_refuse(job);
         int status = read_grid_line(job, &word, grid, left);
-        if (status && line == BLOCK_LINE && !left)
-            return skip_block(job); /* rows too many */
-        if (status && go_on(job))
+        if (status && line == TIA_BLOCK_LINE && !left)
+            return tia_block_skip(job); /* rows too many */
+        if (status && tia_block_go_on(job))
             return status;
-        if (line == BLOCK_END)
+        if (line == TIA_BLOCK_END)
             return TIA_OK;
     }
 }
@@ -432,7 +316,7 @@ int tia_line_grid(struct tia_parse *job)
 
     status = status ? status : tia_fields(&job->text, "a grid", grid_fields, TIA_COUNT_OF(grid_fields), &grid, NULL);
     if (status)
-        return skip_block(job);
+        return tia_block_skip(job);
     status = read_rows(job, &grid);
     if (status)
         return status;
