@@ -198,7 +198,8 @@ static bool format_near(const struct option_row *row, const char *value, char *t
 
     for (const char *words = has_words(row) ? row->argument : ""; *words != '\0';) {
         size_t word = strcspn(words, "|");
-        near_word_try(&near, words, word);
+        if (strcspn(words, "=") > word) /* "ao=DISTANCE" is no word */
+            near_word_try(&near, words, word);
         words += word + (words[word] != '\0');
     }
     (void)snprintf(text, size, "unknown (did you mean %.*s?)", (int)near.found_length, near.found ? near.found : "");
@@ -209,7 +210,7 @@ static int refuse(const struct command *command, const struct option_row *row, c
 {
     char rule[TEXT_SIZE + 40];
 
-    if (!value || !format_near(row, value, rule, sizeof rule))
+    if (!value || *mistake || row->rule || !format_near(row, value, rule, sizeof rule))
         format_rule(row, rule, sizeof rule);
     return message(command->name, 2, "--%s '%.200s': %s", row->name, value ? value : "", *mistake ? mistake : rule);
 }

@@ -3,7 +3,7 @@
 void tia_nearest_try_word(struct tia_nearest *nearest, const struct tia_word *candidate)
 {
     const struct tia_word *word = nearest->word;
-    uint32_t distance = tia_spelling_distance(word->at, word->length, candidate->at, candidate->length);
+    uint32_t distance = tia_spelling_distance(word->at, (size_t)word->length, candidate->at, (size_t)candidate->length);
 
     if (distance > TIA_NEAR || (nearest->candidate.length && distance >= nearest->distance))
         return;

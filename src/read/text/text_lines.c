@@ -228,7 +228,7 @@ bool tia_word_is(const struct tia_word *word, const char *string)
 
 struct tia_word tia_word_british(const struct tia_word *word)
 {
-    const char *british = tia_spelling_british(word->at, word->length);
+    const char *british = tia_spelling_british(word->at, (size_t)word->length);
     struct tia_word same = *word;
 
     if (!british)
