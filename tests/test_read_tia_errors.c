@@ -277,6 +277,75 @@ TEST(texts_that_are_cut_off)
     check_truncated(&reader);
 }
 
+/* ---- all mistakes ---- */
+
+struct list {
+    uint32_t count, line[TIA_MISTAKES_MAX + 1];
+    char word[TIA_MISTAKES_MAX + 1][20];
+};
+
+static void note(void *ctx, const struct tia_read_error *error)
+{
+    struct list *list = ctx;
+
+    CHECK(list->count < TIA_MISTAKES_MAX);
+    list->line[list->count] = error->line;
+    (void)snprintf(list->word[list->count++], 20, "%.*s", (int)error->length, error->source + error->column - 1);
+}
+
+/* Reads a text with that much memory. Checks the status, and the lines and words of the mistakes: "1 a 2 b". */
+static size_t check_mistakes(const char *text, size_t size, const char *want)
+{
+    struct list list = {.count = 0};
+    struct tia_reader reader = {
+        .format = TIA_FORMAT_TIA, .text = text, .length = strlen(text), .mistake = note, .ctx = &list};
+    uint64_t *memory = calloc(1, size + 8);
+    char got[400] = "";
+    size_t need = 0;
+
+    CHECK_EQ(tia_read(&reader, &now.scene, memory, size, &need), TIA_ERR_RANGE);
+    for (uint32_t i = 0; i < list.count; i++)
+        (void)snprintf(got + strlen(got), sizeof got - strlen(got), "%s%u %s", i ? " " : "", (unsigned)list.line[i],
+                       list.word[i]);
+    CHECK_MSG(!strcmp(got, want), "'%s', not '%s'", got, want);
+    CHECK(reader.mistakes == list.count && reader.error.line == list.line[0]);
+    free(memory);
+    return need;
+}
+
+/* Undefined names are told if there is memory; *need says how much. */
+TEST(all_mistakes)
+{
+    const char *text = M "sphere radius 1 material n\ndepth x\nsphere radius 1 materal m\n";
+    size_t need = check_mistakes(text, 0, "3 x 4 materal");
+
+    CHECK(need > 0);
+    CHECK_EQ(check_mistakes(text, need - 1, "3 x 4 materal"), need);
+    CHECK_EQ(check_mistakes(text, need, "2 n 3 x 4 materal"), need);
+    (void)check_mistakes("group\nlight at 0 0 0 \\\n radus 1\ngroup\ngroup\nend\nend\n", 9999, "1 group 3 radus");
+    (void)check_mistakes(M "sphere radius 0 material m", 9999, "2 radius");
+    (void)check_mistakes("repeat 9\nsphere radius 1 material n\nend\n", 9999, "2 n");
+    (void)check_mistakes("define R 1\ndefine S x\nsphere radius S\nsphere radius Q material n", 9999, "2 x 4 Q");
+}
+
+/* Every mistake is counted up to one more than are told. */
+TEST(mistakes_counted)
+{
+    char text[400] = "";
+    struct list list;
+    size_t need;
+
+    for (uint32_t count = 1; count < 40; count++) {
+        struct tia_reader reader = {.format = TIA_FORMAT_TIA, .text = text, .mistake = note, .ctx = &list};
+        strcat(text, "xyzzy\n");
+        reader.length = strlen(text);
+        list.count = 0;
+        CHECK_EQ(tia_read(&reader, &now.scene, NULL, 0, &need), TIA_ERR_RANGE);
+        CHECK_EQ(reader.mistakes, count < TIA_MISTAKES_MAX + 1 ? count : TIA_MISTAKES_MAX + 1);
+        CHECK_EQ(list.count, reader.mistakes < TIA_MISTAKES_MAX ? reader.mistakes : TIA_MISTAKES_MAX);
+    }
+}
+
 int main(void)
 {
     RUN(statements);
@@ -290,6 +359,8 @@ int main(void)
     RUN(byte_order_mark);
     RUN(bytes_that_are_no_text);
     RUN(texts_that_are_cut_off);
+    RUN(all_mistakes);
+    RUN(mistakes_counted);
     read_end(&now);
     return check_status();
 }
