@@ -78,6 +78,9 @@ TEST(names)
 TEST(looks)
 {
     check_refused("material m colr 1", "1:12: 'colr' is not a field of a material, expected colour");
+    check_refused("material m col 1",
+                  "1:12: 'col' is not a field of a material, expected colour, texture, opacity or the like");
+    check_refused("material m colors 1", "1:12: 'colors' is not a field of a material, expected colour");
     check_refused("material m shiny 1",
                   "1:12: 'shiny' is not a field of a material, expected colour, texture, opacity or the like");
     check_refused("material m mirror 1 mirror 1", "1:21: 'mirror' is given twice, expected once");
@@ -323,6 +326,7 @@ TEST(all_mistakes)
     CHECK_EQ(check_mistakes(text, need - 1, "3 x 4 materal"), need);
     CHECK_EQ(check_mistakes(text, need, "2 n 3 x 4 materal"), need);
     (void)check_mistakes("group\nlight at 0 0 0 \\\n radus 1\ngroup\ngroup\nend\nend\n", 9999, "1 group 3 radus");
+    (void)check_mistakes("group at 0 x 0\nend\nunion at x 0 0\nend\nrepeat 0\nend\n", 9999, "1 x 3 x 5 0");
     (void)check_mistakes(M "sphere radius 0 material m", 9999, "2 radius");
     (void)check_mistakes("repeat 9\nsphere radius 1 material n\nend\n", 9999, "2 n");
     (void)check_mistakes("define R 1\ndefine S x\nsphere radius S\nsphere radius Q material n", 9999, "2 x 4 Q");
