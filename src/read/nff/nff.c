@@ -223,8 +223,7 @@ static int read_all(struct nff *n, const struct tia_reader *reader, struct tia_r
         if (status)
             return status;
         if (is_found(n)) {
-            error->line = word.line;
-            error->column = word.column;
+            tia_text_error_place(&n->text, &word);
             return TIA_OK;
         }
     }

@@ -245,8 +245,11 @@ static int fill(struct mesh_file *m, const struct tia_word *name)
 {
     struct tia_parse *job = m->job;
     struct tia_array *words = &job->arrays[TIA_OF_MODEL_WORDS];
-    struct tia_arena arena = {words->items + words->count * sizeof(uint64_t),
-                              (size_t)(words->capacity - words->count) * sizeof(uint64_t), 0};
+    struct tia_arena arena = {NULL, 0, 0};
+
+    if (words->items && words->count < words->capacity) /* else the model has a mistake, as in the passes before */
+        arena = (struct tia_arena){words->items + words->count * sizeof(uint64_t),
+                                   (size_t)(words->capacity - words->count) * sizeof(uint64_t), 0};
     int status = read_model(m, &arena);
 
     if (status)
