@@ -1,7 +1,7 @@
 /* blocks.c - blocks of lines, from their statement to the line "end": where they end, and mistakes in them. */
 #include "parse_state.h"
 
-#define SCANS_MOST 64 /* most lines of a pass for which the rest of the text is scanned, so that its time is linear */
+#define SCANS_MOST 16 /* most lines of a pass for which the rest of the text is scanned, so that its time is linear */
 
 static bool is_of_block(const struct tia_word *word)
 {
