@@ -143,20 +143,6 @@ void scene_report_more(struct scene_file *file)
     append(file, "and more mistakes\n");
 }
 
-int scene_report_print(struct scene_file *file, const char *tool, int status)
-{
-    if (!file->report)
-        return message(tool, status, "%s", file->why);
-    (void)fflush(stdout);
-    for (const char *line = file->report; *line != '\0';) {
-        int length = (int)strcspn(line, "\n");
-        (void)fprintf(stderr, "%s%s%.*s\n", *line == ' ' ? "" : tool, *line == ' ' ? "" : ": ", length, line);
-        line += length + 1;
-    }
-    scene_report_free(file);
-    return status;
-}
-
 void scene_report_free(struct scene_file *file)
 {
     free(file->report);
