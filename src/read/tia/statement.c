@@ -8,7 +8,7 @@
 #define REPEATED 4u /* allowed in repeat blocks */
 #define MEMBER 8u   /* allowed in solids */
 #define OPENS 16u   /* opens a group, which an end closes */
-#define NAMES 32u   /* a name follows, which the statement defines */
+#define DEFINES 32u /* a name follows, which the statement defines */
 
 /* All statements but those of shapes: a shape's word is in its description. */
 static const struct statement {
@@ -17,10 +17,10 @@ static const struct statement {
     unsigned flags;
 } statements[] = {
     {"instance", tia_line_instance, REPEATED},
-    {"mesh", tia_line_mesh, NAMES},
-    {"grid", tia_line_grid, NAMES},
-    {"material", tia_line_material, NAMES},
-    {"texture", tia_line_texture, NAMES},
+    {"mesh", tia_line_mesh, DEFINES},
+    {"grid", tia_line_grid, DEFINES},
+    {"material", tia_line_material, DEFINES},
+    {"texture", tia_line_texture, DEFINES},
     {"light", tia_line_light, UNMOVED},
     {"key", tia_line_key, UNMOVED},
     {"animate", tia_line_animate, 0},
@@ -33,7 +33,7 @@ static const struct statement {
     {"repeat", tia_line_repeat, REPEATED | MEMBER | OPENS},
     {"end", tia_line_end, REPEATED | MEMBER},
     {"include", tia_line_include, 0},
-    {"define", tia_line_define, NAMES},
+    {"define", tia_line_define, DEFINES},
     {"camera", tia_line_camera, ONCE | UNMOVED},
     {"background", tia_line_background, ONCE},
     {"samples", tia_line_samples, ONCE},
@@ -115,7 +115,7 @@ static int check_place(struct tia_parse *job, const struct statement *statement)
 static int read_other(struct tia_parse *job, const struct statement *statement)
 {
     job->opens = statement->flags & OPENS;
-    job->names = statement->flags & NAMES;
+    job->names = statement->flags & DEFINES;
     if (job->opens && job->mistakes && tia_mistake_unclosed(job))
         return TIA_ERR_RANGE;
     if (check_place(job, statement) && !tia_text_goes_on(&job->text))
