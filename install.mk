@@ -76,6 +76,7 @@ PLACES := $(foreach p,$(INSTALLED),755:$(BUILD)/$(p):bin/$(p) 644:man/$(p).1:sha
     644:LICENSE:share/doc/tia/LICENSE 644:README.md:share/doc/tia/README.md \
     $(if $(BARE),,644:package/complete/tia.bash:share/bash-completion/completions/tia \
     644:package/freedesktop/tia.thumbnailer:share/thumbnailers/tia.thumbnailer 644:package/freedesktop/tia.xml:share/mime/packages/tia.xml \
+    644:package/editors/vim/compiler/tia.vim:share/vim/vimfiles/compiler/tia.vim \
     644:package/complete/_tia:share/zsh/site-functions/_tia 644:package/complete/tia.fish:share/fish/vendor_completions.d/tia.fish)
 # The reference, a page for each header and one that leads to it for each function: python3 writes it.
 paren := (

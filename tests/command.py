@@ -89,12 +89,13 @@ def fine(*args, **options):
 
 
 def refused(status, *args, says="", **options):
-    """Must fail with `status` and one line, which has `says` in it, and leave no file behind."""
+    """Must fail with `status` and one message, which has `says` in it, or several with lines of a scene below them, and leave no
+    file behind."""
     before = sorted(os.listdir("."))
     done = tia(*args, **options)
     text = done.stderr.decode()
     same(done.returncode, status, f"the status of {args} ({text!r})")
-    check(text.startswith("tia: ") and text.endswith("\n") and text.count("\n") == 1, f"{args} said {text!r}")
+    check(re.fullmatch(r"tia: .*\n|(tia: .*\n( *[0-9]+ \| .*\n +\| .*\n)?)+", text), f"{args} said {text!r}")
     check(says in text, f"{args} said {text!r}, not {says!r}")
     same(done.stdout or b"", b"", f"the standard output of {args}")
     same(sorted(os.listdir(".")), before, f"the directory after {args}")

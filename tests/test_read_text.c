@@ -109,7 +109,7 @@ TEST(names_and_files)
     CHECK_EQ(word.column, 8);
     tia_word_copy(name, &word);
     CHECK(!strcmp(name, "two words.png"));
-    check_error(tia_text_file(&t, &word, "a file"), 1, 24, "'\"\"' is empty, expected a file");
+    check_error(tia_text_file(&t, &word, "a file"), 1, 23, "'\"\"' is empty, expected a file");
     t.next++;
     check_error(tia_text_file(&t, &word, "a file"), 1, 26, "'\"open' has no closing quote, expected a file");
     memset(lengthy, 'x', 299);

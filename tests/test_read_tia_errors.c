@@ -30,8 +30,9 @@ TEST(statements)
     check_refused("x", "1:1: 'x' is not a statement, expected " STATEMENTS);
     check_refused("materialname", "1:1: 'materialname' is not a statement, expected " STATEMENTS);
     check_refused("fog colour 1", "1:13: the line ends here, expected distance");
-    check_refused("fog colour 1 distance 4 heigt 2",
-                  "1:25: 'heigt' is not a field of fog, expected colour, distance, height or level");
+    check_refused("fog colour 1 distance 4 heigt 2", "1:25: 'heigt' is not a field of fog, expected height");
+    check_refused("fog colour 1 distance 4 up 2",
+                  "1:25: 'up' is not a field of fog, expected colour, distance, height or level");
     check_refused("fog colour 1 distance 4\nfog colour 1 distance 4", "2:1: 'fog' is given twice, expected once");
     check_refused("group\nfog colour 1 distance 4\nend",
                   "2:1: 'fog' is not moved by groups, expected it outside of them");
@@ -76,16 +77,20 @@ TEST(names)
 
 TEST(looks)
 {
-    check_refused("material m color 1",
-                  "1:12: 'color' is not a field of a material, expected colour, texture, opacity, bump, specular, "
-                  "exponent, refraction, index, mirror, fresnel, transmission, emission or facing");
+    check_refused("material m colr 1", "1:12: 'colr' is not a field of a material, expected colour");
+    check_refused("material m col 1",
+                  "1:12: 'col' is not a field of a material, expected colour, texture, opacity or the like");
+    check_refused("material m colors 1", "1:12: 'colors' is not a field of a material, expected colour");
+    check_refused("material m shiny 1",
+                  "1:12: 'shiny' is not a field of a material, expected colour, texture, opacity or the like");
     check_refused("material m mirror 1 mirror 1", "1:21: 'mirror' is given twice, expected once");
     check_refused(M "material n colour 0.5 1.5 0", "2:23: '1.5' is out of range, expected a number from 0 to 1");
     check_refused("texture t checker odd 1 1 -1", "1:27: '-1' is out of range, expected a number from 0 to 1");
     check_refused("filter", "1:7: the line ends here, expected none or footprint");
     check_refused("filter mip", "1:8: 'mip' is not a filter, expected none or footprint");
     check_refused("filter none\nfilter none", "2:1: 'filter' is given twice, expected once");
-    check_refused("texture t stripes", "1:11: 'stripes' is not a kind of texture, expected checker, image, opacity or noise");
+    check_refused("texture t stripes",
+                  "1:11: 'stripes' is not a kind of texture, expected checker, image, opacity or noise");
     check_refused("texture t", "1:10: the line ends here, expected checker, image, opacity or noise");
     check_refused("texture t checker repeat 1 2 3",
                   "1:30: '3' is not a field of a checker, expected repeat, scale, offset, depth, even or odd");
@@ -109,15 +114,14 @@ TEST(shapes)
     check_refused(M "plane point 0 0 0 normal 0 1 0 material m at 0 0 0",
                   "2:43: 'at' is not a field of a plane, expected material, appears, vanishes, point or normal");
     check_refused(M "box min 0 0 0 max 1 1 1 1 material m", "2:25: '1' is not a field of a box, expected material, "
-                                                            "appears, vanishes, name, at, rotate, scale, min or max");
+                                                            "min, max or the like");
     check_refused(M "cone base 0 0 0 top 0 1 0 radii 1 material m",
                   "2:35: 'material' is not a number, expected a number below 2147483648");
 }
 
 TEST(solids)
 {
-    check_refused("mesh a\nvertex 0 0 0\n",
-                  "3:1: the text ends within a block, expected vertex, normal, uv, face, group or end");
+    check_refused("mesh a\nvertex 0 0 0\n", "1:1: mesh of line 1 has no end");
     check_refused("mesh a\nvertex 0 0 0\nsphere radius 1\nend",
                   "3:1: 'sphere' is not a line of a mesh, expected vertex, normal, uv, face, group or end");
     check_refused("mesh a\nvertex 0 0\nend", "2:11: the line ends here, expected a number below 2147483648");
@@ -145,7 +149,7 @@ TEST(solids)
                   "2:5: '256' is out of range, expected a whole number from 0 to 255");
     check_refused("grid g size 1 1 1\nend", "2:1: 'end' is not the next line of the grid, expected row");
     check_refused("grid g size 1 1 1\nrow 0\nrow 0", "3:1: 'row' is not the next line of the grid, expected end");
-    check_refused("grid g size 1 1 1\nrow 0", "2:6: the text ends within a block, expected end");
+    check_refused("grid g size 1 1 1\nrow 0", "1:1: grid of line 1 has no end");
 }
 
 TEST(lights)
@@ -276,6 +280,76 @@ TEST(texts_that_are_cut_off)
     check_truncated(&reader);
 }
 
+/* ---- all mistakes ---- */
+
+struct list {
+    uint32_t count, line[TIA_MISTAKES_MAX + 1];
+    char word[TIA_MISTAKES_MAX + 1][20];
+};
+
+static void note(void *ctx, const struct tia_read_error *error)
+{
+    struct list *list = ctx;
+
+    CHECK(list->count < TIA_MISTAKES_MAX);
+    list->line[list->count] = error->line;
+    (void)snprintf(list->word[list->count++], 20, "%.*s", (int)error->length, error->source + error->column - 1);
+}
+
+/* Reads a text with that much memory. Checks the status, and the lines and words of the mistakes: "1 a 2 b". */
+static size_t check_mistakes(const char *text, size_t size, const char *want)
+{
+    struct list list = {.count = 0};
+    struct tia_reader reader = {
+        .format = TIA_FORMAT_TIA, .text = text, .length = strlen(text), .mistake = note, .ctx = &list};
+    uint64_t *memory = calloc(1, size + 8);
+    char got[400] = "";
+    size_t need = 0;
+
+    CHECK_EQ(tia_read(&reader, &now.scene, memory, size, &need), TIA_ERR_RANGE);
+    for (uint32_t i = 0; i < list.count; i++)
+        (void)snprintf(got + strlen(got), sizeof got - strlen(got), "%s%u %s", i ? " " : "", (unsigned)list.line[i],
+                       list.word[i]);
+    CHECK_MSG(!strcmp(got, want), "'%s', not '%s'", got, want);
+    CHECK(reader.mistakes == list.count && reader.error.line == list.line[0]);
+    free(memory);
+    return need;
+}
+
+/* Undefined names are told if there is memory; *need says how much. */
+TEST(all_mistakes)
+{
+    const char *text = M "sphere radius 1 material n\ndepth x\nsphere radius 1 materal m\n";
+    size_t need = check_mistakes(text, 0, "3 x 4 materal");
+
+    CHECK(need > 0);
+    CHECK_EQ(check_mistakes(text, need - 1, "3 x 4 materal"), need);
+    CHECK_EQ(check_mistakes(text, need, "2 n 3 x 4 materal"), need);
+    (void)check_mistakes("group\nlight at 0 0 0 \\\n radus 1\ngroup\ngroup\nend\nend\n", 9999, "1 group 3 radus");
+    (void)check_mistakes("group at 0 x 0\nend\nunion at x 0 0\nend\nrepeat 0\nend\n", 9999, "1 x 3 x 5 0");
+    (void)check_mistakes(M "sphere radius 0 material m", 9999, "2 radius");
+    (void)check_mistakes("repeat 9\nsphere radius 1 material n\nend\n", 9999, "2 n");
+    (void)check_mistakes("define R 1\ndefine S x\nsphere radius S\nsphere radius Q material n", 9999, "2 x 4 Q");
+}
+
+/* Every mistake is counted up to one more than are told. */
+TEST(mistakes_counted)
+{
+    char text[400] = "";
+    struct list list;
+    size_t need;
+
+    for (uint32_t count = 1; count < 40; count++) {
+        struct tia_reader reader = {.format = TIA_FORMAT_TIA, .text = text, .mistake = note, .ctx = &list};
+        strcat(text, "xyzzy\n");
+        reader.length = strlen(text);
+        list.count = 0;
+        CHECK_EQ(tia_read(&reader, &now.scene, NULL, 0, &need), TIA_ERR_RANGE);
+        CHECK_EQ(reader.mistakes, count < TIA_MISTAKES_MAX + 1 ? count : TIA_MISTAKES_MAX + 1);
+        CHECK_EQ(list.count, reader.mistakes < TIA_MISTAKES_MAX ? reader.mistakes : TIA_MISTAKES_MAX);
+    }
+}
+
 int main(void)
 {
     RUN(statements);
@@ -289,6 +363,8 @@ int main(void)
     RUN(byte_order_mark);
     RUN(bytes_that_are_no_text);
     RUN(texts_that_are_cut_off);
+    RUN(all_mistakes);
+    RUN(mistakes_counted);
     read_end(&now);
     return check_status();
 }

@@ -96,9 +96,9 @@ TEST(groups_refused)
     const char *deep = "group\ngroup\ngroup\ngroup\ngroup\ngroup\ngroup\ngroup\n";
     char text[200];
 
-    check_refused("group", "1:6: the text ends within a group, expected end");
+    check_refused("group", "1:1: group of line 1 has no end");
     check_refused("group\nend\nend", "3:1: 'end' ends nothing, expected a group before it, in the same file");
-    check_refused("group name x", "1:7: 'name' is not a field of a group, expected at, rotate or scale");
+    check_refused("group name x\nend", "1:7: 'name' is not a field of a group, expected at, rotate or scale");
     check_refused(
         M "group scale 1 2 1\nsphere radius 1 rotate 0 0 30 material m\nend",
         "3:1: 'sphere' would be sheared: it is rotated in a group that is scaled unevenly, expected one scale "
@@ -106,8 +106,8 @@ TEST(groups_refused)
     check_refused(M "group scale 1 2 1\n group rotate 1 0 0\nend\nend",
                   "3:2: 'group' would be sheared: it is rotated in a group that is scaled unevenly, expected one scale "
                   "for that group, or the rotation around it");
-    check_refused("group scale 0", "1:1: 'group' is scaled out of range, expected 1/1024 to 1024");
-    check_refused("group scale 100\ngroup scale 100",
+    check_refused("group scale 0\nend", "1:1: 'group' is scaled out of range, expected 1/1024 to 1024");
+    check_refused("group scale 100\ngroup scale 100\nend\nend",
                   "2:1: 'group' is scaled out of range with its groups, expected 1/1024 to 1024 in all");
     check_refused("group scale 1000\ngroup at 2e9 0 0\nend\nend",
                   "2:1: 'group' is moved out of range by its groups, expected a place nearer to 0");
@@ -123,7 +123,7 @@ TEST(groups_refused)
                   "2:1: 'key' is not moved by groups, expected it outside of them");
     check_refused(M "group\nsphere radius 1 name ball material m\nend\nanimate ball at 0: 0 0 0",
                   "3:22: 'ball' moves, expected it outside of groups");
-    (void)sprintf(text, "%sgroup\n", deep);
+    (void)sprintf(text, "%sgroup\n%s", deep, "end\nend\nend\nend\nend\nend\nend\nend\nend");
     check_refused(text, "9:1: 'group' is one too deep, expected at most 8 groups within each other");
 }
 
@@ -167,14 +167,15 @@ TEST(copies_are_placed_in_turn)
 
 TEST(copies_refused)
 {
-    check_refused("repeat", "1:7: the line ends here, expected a whole number from 1 to 65536");
-    check_refused("repeat 0", "1:8: '0' is out of range, expected a whole number from 1 to 65536");
-    check_refused("repeat 65537", "1:8: '65537' is out of range, expected a whole number from 1 to 65536");
-    check_refused("repeat 2 name x", "1:10: 'name' is not a field of a repeat block, expected at, rotate or scale");
+    check_refused("repeat\nend", "1:7: the line ends here, expected a whole number from 1 to 65536");
+    check_refused("repeat 0\nend", "1:8: '0' is out of range, expected a whole number from 1 to 65536");
+    check_refused("repeat 65537\nend", "1:8: '65537' is out of range, expected a whole number from 1 to 65536");
+    check_refused("repeat 2 name x\nend",
+                  "1:10: 'name' is not a field of a repeat block, expected at, rotate or scale");
     check_refused("repeat 2 scale 0\nend", "1:1: 'repeat' is scaled out of range, expected 1/1024 to 1024");
     check_refused("repeat 12 scale 2\nend",
                   "1:1: 'repeat' is scaled out of range with its groups, expected 1/1024 to 1024 in all");
-    check_refused("repeat 2", "1:9: the text ends within a group, expected end");
+    check_refused("repeat 2", "1:1: repeat of line 1 has no end");
     check_refused("repeat 2\nend 1", "2:5: '1' is too much, expected the end of the line");
     check_refused("repeat 2\nmaterial m\nend", "2:1: 'material' is not repeated, expected it outside of repeat blocks");
     check_refused("repeat 2\ngroup\ninclude x\nend\nend",

@@ -70,7 +70,7 @@ TEST(large_members)
 TEST(refusals)
 {
     check_refused(M "union\nend", "3:1: 'end' ends a solid without members, expected a shape before it");
-    check_refused(M "union\n" BALL, "4:1: the text ends within a group, expected end");
+    check_refused(M "union\n" BALL, "2:1: union of line 2 has no end");
     check_refused(M "union\nlight at 0 0 0\nend",
                   "3:1: 'light' is not a part of a solid, expected members, operations, groups or end");
     check_refused(M "union\ndisc radius 1 normal 0 1 0 material m\nend",

@@ -38,14 +38,23 @@ enum tia_channel {
     TIA_CHANNELS
 };
 
+#define TIA_MISTAKES_MAX 20 /* most mistakes that tia_read tells */
+
 #define TIA_NAME_MAX 255 /* bytes of the name of a file, material, texture, ... */
 
-/* An error in the text, to be printed as "FILE:LINE:COLUMN: what is wrong, what was expected". */
+/* An error in the text, to be printed as "FILE:LINE:COLUMN: what is wrong, what was expected", and below it the line
+ * with a mark under the word. */
 struct tia_read_error {
     char file[TIA_NAME_MAX + 1]; /* the included file with the error; "" for the scene's own text */
-    uint32_t line, column;       /* from 1; 0 when no single place is wrong */
-    char text[280];
+    uint32_t line, column;       /* from 1, columns in bytes; 0 when no single place is wrong */
+    char text[280];              /* printable ASCII */
+    uint32_t length;             /* bytes of the wrong word; 0: something is missing at that column */
+    /* The line, any bytes, without its end; at most TIA_SOURCE_AFTER bytes behind the word. It is in the text that the
+     * caller gave or loaded. NULL: none. */
+    const char *source;
+    uint32_t source_length;
 };
+#define TIA_SOURCE_AFTER 1024
 
 /* Mistakes that a reader tolerates, and their remedies; all but the last occur only in models. */
 enum tia_read_warning_kind {
@@ -118,7 +127,12 @@ struct tia_reader {
     struct tia_placement placement;         /* set by tia_read if it returns TIA_OK */
     bool strict;                            /* warnings are errors */
     struct tia_read_warning *warnings;      /* array of TIA_WARNINGS elements, by kind, which tia_read sets; or NULL */
-    struct tia_read_error error;            /* set if tia_read returns TIA_ERR_RANGE */
+    struct tia_read_error error;            /* set if tia_read returns TIA_ERR_RANGE: the first mistake */
+    /* NULL, or called with each mistake, in the order of the text, for the first TIA_MISTAKES_MAX of them, before
+     * tia_read returns TIA_ERR_RANGE. `image` and `opacity` may then have been called twice for a texture. What only
+     * tia_scene_check refuses, and mistakes in formats other than TIA_FORMAT_TIA, are told one at a time. */
+    void (*mistake)(void *ctx, const struct tia_read_error *error);
+    uint32_t mistakes; /* set by tia_read: the number of mistakes; TIA_MISTAKES_MAX + 1: there are more */
 };
 
 /* The view of a model that has neither a camera nor lights, such as an .obj or .stl file: its eye is 35 degrees to the
@@ -131,7 +145,8 @@ struct tia_camera tia_model_view(struct tia_vec3 centre, uint64_t radius, struct
 /* Reads the scene into `memory` of `size` bytes, aligned for uint64_t; *scene points into it, and tia_scene_check
  * accepts it. *need is the number of bytes needed. When `size` is less, the status is TIA_ERR_MEMORY, and a second call
  * with *need bytes succeeds; `memory` may be NULL in the first. TIA_ERR_RANGE when the text is not a valid scene:
- * reader->error has the place and the reason. */
+ * reader->error has the place and the reason. If *need is then greater than `size`, mistakes that need memory, such as
+ * undefined names, were not looked for: a call with *need bytes tells all. */
 int tia_read(struct tia_reader *reader, struct tia_scene *scene, void *memory, size_t size, size_t *need);
 
 #ifdef __cplusplus

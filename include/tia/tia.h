@@ -26,6 +26,7 @@
  *   denoise.h removal of noise from sampled pictures
  *   tone.h    conversion of sums of samples to pixel values
  *   radio.h   paths of radio waves, in libtia-radio.a
+ *   spelling.h    words with two spellings, and near words
  *   mip.h     smaller copies of textures
  *   fit.h     a camera that is changed, or sees a whole scene
  *   step.h    lockstep: a scene step by step, with inputs

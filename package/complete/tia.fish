@@ -65,6 +65,7 @@ complete -c tia -l watch -d 'draw the scene again whenever one of its files chan
 complete -c tia -l write -r -F -d 'write SCENE, a model, as a scene to edit'
 complete -c tia -l list-displays -d 'list the displays, and why one cannot be opened'
 complete -c tia -l scene-format -x -a 'tia nff obj stl ply off pgm' -d 'the format of SCENE, if its name has no such extension'
+complete -c tia -l check -d 'tell all mistakes of each SCENE, and draw nothing'
 complete -c tia -l strict -d 'treat warnings about the scene as errors'
 complete -c tia -s h -l help -d 'this text'
 complete -c tia -s V -l version -d 'the version'

@@ -11,7 +11,7 @@ WASM_LIB := /usr/lib/wasm32-wasi
 WASM_BUILTINS = $(shell $(WASM_CC) --print-resource-dir 2>/dev/null)/lib/wasi/libclang_rt.builtins-wasm32.a
 
 WEB_TOOLS := $(sort $(wildcard tools/web/*.c) port/web/web.c tools/common/light_copy.c tools/common/checksum.c tools/common/steer.c \
-             $(wildcard tools/common/views/*.c) $(addprefix tools/common/,scene/scene_load.c scene/scene_part.c scene/model/model.c image/decode.c image/texels.c))
+             $(wildcard tools/common/views/*.c) $(addprefix tools/common/,message_clean.c scene/scene_load.c scene/scene_part.c scene/scene_report.c scene/model/model.c image/decode.c image/texels.c))
 web_obj = $(patsubst %.c,$(WEB_O)/$(1)/%.o,$(2))
 WASM_CORE = $(WASM_CC) --target=wasm32 $(CORE) $(WASM_CFLAGS)
 WASM_TOOL = $(WASM_CC) --target=wasm32-wasi --sysroot=/usr $(COMMON) -D_GNU_SOURCE -Iport -Itools $(WASM_CFLAGS)

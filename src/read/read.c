@@ -4,8 +4,14 @@
 
 static int read_format(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena)
 {
-    if (reader->format == TIA_FORMAT_TIA)
-        return tia_read_tia(reader, scene, arena);
+    if (reader->format == TIA_FORMAT_TIA) {
+        int status = tia_read_tia(reader, scene, arena);
+        size_t used = arena->used;
+        if (status)
+            tia_tell_tia(reader, arena);
+        arena->used = arena->used > used ? arena->used : used;
+        return status;
+    }
     return reader->format == TIA_FORMAT_NFF ? tia_read_nff(reader, scene, arena)
                                             : tia_read_model(reader, scene, arena, NULL);
 }
@@ -63,7 +69,7 @@ static void say_fault(struct tia_reader *reader, const struct tia_scene *scene, 
 {
     struct tia_read_error *error = &reader->error;
 
-    *error = (struct tia_read_error){{0}, 0, 0, {0}};
+    *error = (struct tia_read_error){.line = 0};
     locate(reader, fault, arena);
     tia_say(error, fault->thing);
     if (!error->line) { /* without a line, the index identifies the object */
@@ -91,8 +97,19 @@ static int check(struct tia_reader *reader, const struct tia_scene *scene, struc
         return TIA_ERR_RANGE;
     if (reader->warnings)
         reader->warnings[TIA_WARN_DARK] = (struct tia_read_warning){1, reader->error};
-    reader->error = (struct tia_read_error){{0}, 0, 0, {0}};
+    reader->error = (struct tia_read_error){.line = 0};
     return TIA_OK;
+}
+
+/* Tells the error, if it has not been told. */
+static int told(struct tia_reader *reader, int status)
+{
+    if (status != TIA_ERR_RANGE || reader->mistakes)
+        return status;
+    reader->mistakes = 1;
+    if (reader->mistake)
+        reader->mistake(reader->ctx, &reader->error);
+    return status;
 }
 
 int tia_read(struct tia_reader *reader, struct tia_scene *scene, void *memory, size_t size, size_t *need)
@@ -104,18 +121,19 @@ int tia_read(struct tia_reader *reader, struct tia_scene *scene, void *memory, s
     *need = 0;
     *scene = (struct tia_scene){.bvh = NULL};
     reader->placement = (struct tia_placement){.bits = 0};
-    reader->error = (struct tia_read_error){{0}, 0, 0, {0}};
+    reader->error = (struct tia_read_error){.line = 0};
+    reader->mistakes = 0;
     for (unsigned i = 0; reader->warnings && i < TIA_WARNINGS; i++)
         reader->warnings[i].count = 0;
     if (tia_text_is_too_long(reader->length)) {
         tia_say(&reader->error, "the text is too long, expected less than 4 GiB");
-        return TIA_ERR_RANGE;
+        return told(reader, TIA_ERR_RANGE);
     }
     int status = read_format(reader, scene, &arena);
     *need = arena.used;
     if (status)
-        return status;
+        return told(reader, status);
     if (!is_model(reader))
         reader->placement.bits = scene->scale_bits;
-    return tia_arena_fits(&arena) ? check(reader, scene, &arena) : TIA_ERR_MEMORY;
+    return tia_arena_fits(&arena) ? told(reader, check(reader, scene, &arena)) : TIA_ERR_MEMORY;
 }

@@ -32,6 +32,10 @@ int tia_read_pgm(struct tia_reader *reader, struct tia_scene *scene, struct tia_
 int tia_read_model(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena,
                    struct tia_model_use *use);
 
+/* Tells all mistakes of a .tia text in which tia_read_tia found one, see `mistake` in tia/read.h, and sets
+ * reader->error to the first. Uses the arena anew; its `used` becomes what is needed to tell all. */
+void tia_tell_tia(struct tia_reader *reader, struct tia_arena *arena);
+
 /* Finds a fault in the text. Sets the line and column of reader->error, which must be 0, and replaces the fault's thing
  * and field by the words that the file uses. Changes nothing if the fault is not found. The arena must be as the reader
  * left it. Models need no such function: their readers refuse all values that tia_scene_check would refuse. */

@@ -49,6 +49,20 @@ static void must_warn(const struct tia_read_warning *warnings, size_t size)
                                     warnings[i].at.line <= size + 1 && warnings[i].at.column <= size + 1));
 }
 
+/* Counts a mistake, and checks its place and its line of text. */
+static void must_tell(void *ctx, const struct tia_read_error *error)
+{
+    unsigned sum = 0;
+
+    (void)ctx;
+    for (uint32_t i = 0; i < error->source_length; i++)
+        sum += (unsigned char)error->source[i]; /* is readable */
+    MUST(sum <= 255 * error->source_length && *error->text && memchr(error->text, 0, sizeof error->text));
+    MUST(!error->source || (error->line && error->column - 1 + error->length <= error->source_length));
+    for (const char *c = error->text; *c; c++)
+        MUST(*c >= ' ' && *c < 127);
+}
+
 static inline void read_any(enum tia_format format, const uint8_t *data, size_t size)
 {
     const uint8_t *zero = size ? memchr(data, 0, size) : NULL;
@@ -61,6 +75,7 @@ static inline void read_any(enum tia_format format, const uint8_t *data, size_t 
                                 .length = length,
                                 .ctx = &rest,
                                 .strict = size % 4 == 1,
+                                .mistake = must_tell,
                                 .warnings = warnings};
     struct tia_scene scene;
     void *memory = NULL;
@@ -83,15 +98,20 @@ static inline void read_any(enum tia_format format, const uint8_t *data, size_t 
         memory = malloc(need);
         MUST(tia_read(&reader, &scene, memory, need - 1, &again) == TIA_ERR_MEMORY && again == need);
         status = tia_read(&reader, &scene, memory, need, &again);
-        MUST(again == need);
+        MUST(status ? again >= need : again == need);
+    } else if (status == TIA_ERR_RANGE && need) { /* with memory, all mistakes are told */
+        MUST(need < 200 * (size + 256 * rest.length + length / 10 * (rest.length / 2)) + 1000);
+        memory = malloc(need);
+        status = tia_read(&reader, &scene, memory, need, &again);
+        MUST(status == TIA_ERR_RANGE && reader.mistakes);
     }
     if (!status)
         must_warn(warnings, size);
     if (!status)
         MUST(!tia_scene_check(&scene, NULL));
     else
-        MUST(status == TIA_ERR_RANGE && *reader.error.text && reader.error.line <= size + 1 &&
-             reader.error.column <= size + 1);
+        MUST(status == TIA_ERR_RANGE && reader.mistakes && reader.mistakes <= TIA_MISTAKES_MAX + 1 &&
+             *reader.error.text && reader.error.line <= size + 1 && reader.error.column <= size + 1);
     free(memory);
 }
 

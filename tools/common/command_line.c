@@ -10,10 +10,12 @@
 #include <tia/tia.h>
 
 #include "message.h"
+#include "near_word.h"
 #include "parse.h"
 
 enum {
     OPTIONS_MOST = 128, /* rows of a command */
+    SPELLINGS_MOST = 8, /* rows whose names have a second spelling */
     CODE = 256,         /* code of the first row for getopt_long: greater than any letter */
     TEXT_SIZE = 400,
     LINE_WIDTH = 100,
@@ -27,10 +29,13 @@ enum {
 static int word_of(const char *words, const char *value)
 {
     size_t length = strlen(value);
+    const char *british = tia_spelling_british(value, length);
 
     for (int i = 0;; i++) {
         size_t word = strcspn(words, "|");
         if ((*words >= 'A' && *words <= 'Z') || (word == length && strncasecmp(words, value, length) == 0))
+            return i;
+        if (british && word == strlen(british) && strncmp(words, british, word) == 0)
             return i;
         if (words[word] == '\0')
             return -1;
@@ -119,6 +124,25 @@ static const char *set(const struct option_row *row, char *options, char *value)
     return NULL;
 }
 
+/* The rows of --help, and further ones. */
+struct tables {
+    const struct option_row *own, *more;
+};
+
+/* Returns row number `i` of both tables; NULL after the last. */
+static const struct option_row *row_at(const struct tables *tables, int i)
+{
+    const struct option_row *row = tables->own;
+
+    for (; row->name && i > 0; i--)
+        row++;
+    if (row->name || !tables->more)
+        return row->name ? row : NULL;
+    for (row = tables->more; row->name && i > 0; i--)
+        row++;
+    return row->name ? row : NULL;
+}
+
 /* ---- messages ---- */
 
 /* Writes "a|b|c" as "a, b or c". */
@@ -167,16 +191,46 @@ static void format_rule(const struct option_row *row, char *text, size_t size)
         (void)snprintf(text, size, "not %s%s", words ? "" : "a number from ", allowed);
 }
 
+/* Writes "unknown (did you mean WORD?)" if a word of the row is near the value. */
+static bool format_near(const struct option_row *row, const char *value, char *text, size_t size)
+{
+    struct near_word near = {.word = value, .length = strlen(value)};
+
+    for (const char *words = has_words(row) ? row->argument : ""; *words != '\0';) {
+        size_t word = strcspn(words, "|");
+        if (strcspn(words, "=") > word) /* "ao=DISTANCE" is no word */
+            near_word_try(&near, words, word);
+        words += word + (words[word] != '\0');
+    }
+    (void)snprintf(text, size, "unknown (did you mean %.*s?)", (int)near.found_length, near.found ? near.found : "");
+    return near.found;
+}
+
 static int refuse(const struct command *command, const struct option_row *row, const char *value, const char *mistake)
 {
     char rule[TEXT_SIZE + 40];
 
-    format_rule(row, rule, sizeof rule);
+    if (!value || *mistake || row->rule || !format_near(row, value, rule, sizeof rule))
+        format_rule(row, rule, sizeof rule);
     return message(command->name, 2, "--%s '%.200s': %s", row->name, value ? value : "", *mistake ? mistake : rule);
 }
 
+/* Reports an unknown option, with the one that was probably meant. */
+static int refuse_unknown(const char *tool, const char *name, const struct tables *tables)
+{
+    struct near_word near = {.word = name + strspn(name, "-")};
+    const struct option_row *row;
+
+    near.length = strcspn(near.word, "=");
+    for (int i = 0; strncmp(name, "--", 2) == 0 && (row = row_at(tables, i)) != NULL; i++)
+        near_word_try(&near, row->name, strlen(row->name));
+    if (near.found)
+        return message(tool, 2, "%.200s: unknown option (did you mean --%s?)", name, near.found);
+    return message(tool, 2, "%.200s: unknown option (%s -h lists them)", name, tool);
+}
+
 /* Reports an invalid option: getopt_long returned the code ':' for a missing value, '?' for anything else. */
-static int refuse_option(const char *tool, int code, char **argv)
+static int refuse_option(const char *tool, int code, char **argv, const struct tables *tables)
 {
     const char letter[] = {'-', (char)optopt, '\0'};
     bool is_short = optopt > 0 && optopt < CODE && strncmp(argv[optind - 1], "--", 2) != 0;
@@ -186,7 +240,7 @@ static int refuse_option(const char *tool, int code, char **argv)
         return message(tool, 2, "%.200s: a value is missing (%s -h shows which)", name, tool);
     if (!is_short && optopt != 0)
         return message(tool, 2, "%.200s: takes no value", name);
-    return message(tool, 2, "%.200s: unknown option (%s -h lists them)", name, tool);
+    return refuse_unknown(tool, name, tables);
 }
 
 /* ---- help ---- */
@@ -256,38 +310,36 @@ static int print_version(const struct command *command)
 
 /* ---- the command line ---- */
 
-/* The rows of --help, and further ones. */
-struct tables {
-    const struct option_row *own, *more;
-};
-
-/* Returns row number `i` of both tables; NULL after the last. */
-static const struct option_row *row_at(const struct tables *tables, int i)
+/* Adds the options whose names have a second spelling. */
+static void name_american(const struct tables *tables, struct option *longs)
 {
-    const struct option_row *row = tables->own;
+#define PAIR(american, british) {american, british},
+    static const char *const pairs[][2] = {TIA_SPELLINGS(PAIR)};
+#undef PAIR
+    const struct option_row *row;
 
-    for (; row->name && i > 0; i--)
-        row++;
-    if (row->name || !tables->more)
-        return row->name ? row : NULL;
-    for (row = tables->more; row->name && i > 0; i--)
-        row++;
-    return row->name ? row : NULL;
+    for (int i = 0; i < OPTIONS_MOST && (row = row_at(tables, i)) != NULL; i++)
+        for (size_t k = 0; k < sizeof pairs / sizeof *pairs; k++)
+            if (strcmp(row->name, pairs[k][1]) == 0)
+                *longs++ =
+                    (struct option){pairs[k][0], row->argument ? required_argument : no_argument, NULL, CODE + i};
 }
 
 static void name_options(const struct tables *tables, struct option *longs, char *shorts)
 {
     const struct option_row *row;
+    int count = 0;
 
     *shorts++ = ':';
     for (int i = 0; i < OPTIONS_MOST && (row = row_at(tables, i)) != NULL; i++) {
-        longs[i] = (struct option){row->name, row->argument ? required_argument : no_argument, NULL, CODE + i};
+        longs[count++] = (struct option){row->name, row->argument ? required_argument : no_argument, NULL, CODE + i};
         if (row->letter)
             *shorts++ = row->letter;
         if (row->letter && row->argument)
             *shorts++ = ':';
     }
     *shorts = '\0';
+    name_american(tables, longs + count);
 }
 
 /* Returns the row for a code of getopt_long; NULL for the codes of an invalid option. */
@@ -312,7 +364,7 @@ int command_parse_extra(const struct command *command, const struct command_extr
                         char ***argv)
 {
     const struct tables tables = {command->options, extra->more};
-    struct option longs[OPTIONS_MOST + 1] = {{0}};
+    struct option longs[OPTIONS_MOST + SPELLINGS_MOST + 1] = {{0}};
     char shorts[2 * OPTIONS_MOST + 2];
 
     name_options(&tables, longs, shorts);
@@ -321,7 +373,7 @@ int command_parse_extra(const struct command *command, const struct command_extr
     for (int code; (code = getopt_long(*argc, *argv, shorts, longs, NULL)) != -1;) {
         const struct option_row *row = row_of(&tables, code);
         if (!row)
-            return refuse_option(command->name, code, *argv);
+            return refuse_option(command->name, code, *argv, &tables);
         if (row->kind == OPTION_HELP || row->kind == OPTION_VERSION)
             return row->kind == OPTION_HELP ? print_help(command) : print_version(command);
         if (extra->seen)

@@ -6,6 +6,7 @@
 
 #include "common/message.h"
 #include "common/scene/scene_load.h"
+#include "common/scene/scene_report.h"
 #include "common/signals.h"
 #include "ports.h"
 
@@ -59,7 +60,7 @@ static int open_scene(const struct converter *converter, struct request *request
         warn(converter, file);
         return 0;
     }
-    return fail(converter, status == TIA_ERR_RANGE ? 2 : 1, file->why, "");
+    return scene_report_print(file, converter->command->name, status == TIA_ERR_RANGE ? 2 : 1);
 }
 
 int convert(const struct converter *converter, int argc, char **argv)

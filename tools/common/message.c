@@ -4,13 +4,6 @@
 #include <stdio.h>
 #include <string.h>
 
-void message_clean(char *text)
-{
-    for (char *at = text; *at != '\0'; at++)
-        if ((unsigned char)*at < ' ' || *at == 127)
-            *at = '?';
-}
-
 int message_list(const char *tool, int status, const char *format, va_list values)
 {
     char text[1400]; /* the message; longer ones are cut */

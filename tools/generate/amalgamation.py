@@ -342,7 +342,7 @@ def macros_of(text):
 
 def header():
     library = Header()
-    for name in ("tia", "raster", "denoise", "tone", "radio", "trust", "damage", "fit", "step", "debug"):
+    for name in ("tia", "raster", "denoise", "tone", "radio", "trust", "damage", "fit", "step", "debug", "spelling"):
         library.add(f"include/tia/{name}.h")
     return HEADER_TOP + "".join("\n" + text for _, text in library.parts)
 

@@ -3,6 +3,7 @@
 #include <tia/tia.h>
 
 #include "common/scene/scene_load.h"
+#include "common/scene/scene_report.h"
 #include "kit.h"
 
 /* The memory of a picture. */
@@ -144,12 +145,14 @@ int kit_draw(const char *name, const int32_t *options, uint16_t *pixels)
     if (!are_valid(options))
         return TIA_ERR_ARGUMENT;
     if (format == SCENE_UNKNOWN || format == SCENE_MODEL) {
-        kit_refuse("%.300s: not a scene of a format that the kit reads (.tia, .nff, .obj, .stl, .ply, .off, .pgm)", name);
+        kit_refuse("%.300s: not a scene of a format that the kit reads (.tia, .nff, .obj, .stl, .ply, .off, .pgm)",
+                   name);
         return TIA_ERR_ARGUMENT;
     }
     int status = scene_open(&file, name, format, false);
     if (status) {
         kit_refuse("%s", file.why);
+        scene_report_free(&file);
         return status;
     }
     struct tia_scene scene = file.scene;

@@ -9,6 +9,7 @@
 #include "common/message.h"
 #include "common/pressed_keys.h"
 #include "common/scene/scene_load.h"
+#include "common/scene/scene_report.h"
 #include "heatmap_files.h"
 #include "shadows_report.h"
 #include "technique_frame.h"
@@ -278,7 +279,7 @@ static int compare_file(struct comparison *c, const char *path)
     char line[SCENE_WHY];
 
     if (scene_open(&file, path, scene_format_of(path), false))
-        return message("tia-compare", 2, "%s", file.why);
+        return scene_report_print(&file, "tia-compare", 2);
     for (unsigned at = 0; scene_warning(&file, &at, line);)
         (void)message("tia-compare", 0, "%s", line);
     c->name = slash ? slash + 1 : path;

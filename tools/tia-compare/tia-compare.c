@@ -10,6 +10,7 @@
 #include "common/corpus/corpus_ties.h"
 #include "common/message.h"
 #include "common/scene/scene_load.h"
+#include "common/scene/scene_report.h"
 #include "common/signals.h"
 #include "common/thread_pool.h"
 #include "exact_compare.h"
@@ -146,7 +147,7 @@ static int run_file(struct run *run, const char *path)
     const char *slash = strrchr(path, '/');
 
     if (scene_open_for(&file, path, scene_format_of(path), false, &wish))
-        return message("tia-compare", 2, "%s", file.why);
+        return scene_report_print(&file, "tia-compare", 2);
     char line[SCENE_WHY];
     for (unsigned at = 0; scene_warning(&file, &at, line);)
         (void)message("tia-compare", 0, "%s", line);

@@ -11,6 +11,7 @@
 #include "common/parse.h"
 #include "common/quilt.h"
 #include "common/scene/scene_load.h"
+#include "common/scene/scene_report.h"
 #include "common/signals.h"
 #include "eye_views.h"
 #include "ports.h"
@@ -126,7 +127,7 @@ static int load_scene(struct request *r)
         return refuse(REFUSED, r->scene, "unknown scene format (name it .tia)");
     int status = scene_open(&r->file, r->scene, format, false);
     if (status)
-        return refuse(status == TIA_ERR_RANGE ? REFUSED : FAILED, r->file.why, "");
+        return scene_report_print(&r->file, "tia-observe", status == TIA_ERR_RANGE ? REFUSED : FAILED);
     if (!r->file.scene.camera.line)
         return refuse(REFUSED, r->scene, "has no observer line (camera lightfield)");
     return FINE;

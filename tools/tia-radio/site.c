@@ -1,5 +1,6 @@
 #include "site.h"
 
+#include "common/scene/scene_report.h"
 #include "refuse.h"
 
 #include <inttypes.h>
@@ -159,10 +160,11 @@ int site_open(struct site *site, const struct options *o)
     if (format == SCENE_UNKNOWN && strcmp(o->scene, "-") == 0)
         format = TIA_FORMAT_TIA;
     if (format == SCENE_UNKNOWN)
-        return refuse(REFUSED, "%.300s: unknown scene format (name it .tia, .nff, .obj, .stl, .ply, .off or .pgm)", o->scene);
+        return refuse(REFUSED, "%.300s: unknown scene format (name it .tia, .nff, .obj, .stl, .ply, .off or .pgm)",
+                      o->scene);
     int status = scene_open_for(&site->file, o->scene, format, false, &wish);
     if (status)
-        return refuse(status == TIA_ERR_MEMORY ? FAILED : REFUSED, "%s", site->file.why);
+        return scene_report_print(&site->file, "tia-radio", status == TIA_ERR_MEMORY ? FAILED : REFUSED);
     int result = find_faces(site, o);
     if (result == FINE)
         result = set_media(site, o);

@@ -107,7 +107,7 @@ static int load_keys(struct options *options)
     return EXIT_FINE;
 }
 
-static void warn(const struct scene_file *file)
+void arguments_warn(const struct scene_file *file)
 {
     char line[SCENE_WHY];
     for (unsigned at = 0; scene_warning(file, &at, line);)
@@ -196,7 +196,7 @@ int arguments_load(struct options *options)
     if (status)
         return status;
     if (options->scene_path)
-        warn(&options->file);
+        arguments_warn(&options->file);
     status = eye_load(options);
     if (options->samples != 0)
         options->scene.camera.samples = options->samples;

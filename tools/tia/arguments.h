@@ -19,6 +19,9 @@ int arguments_check(struct options *options, int argc, char **argv);
  * EXIT_USAGE or EXIT_RUNNING after an error message. */
 int arguments_load(struct options *options);
 
+/* Prints the warnings about a scene. */
+void arguments_warn(const struct scene_file *file);
+
 /* Chooses the core and the scene for options->views, once the scene is loaded. */
 void arguments_set_view(struct options *options);
 

@@ -33,7 +33,7 @@ static int open_with(struct options *options, const struct tia_camera_change *ch
     int status = scene_open_for(&options->file, options->scene_path, options->scene_format, options->strict, &wish);
 
     options->scene = options->file.scene;
-    return status ? fail(status == TIA_ERR_MEMORY ? EXIT_RUNNING : EXIT_USAGE, "%s", options->file.why) : EXIT_FINE;
+    return status ? fail_scene(status == TIA_ERR_MEMORY ? EXIT_RUNNING : EXIT_USAGE, &options->file) : EXIT_FINE;
 }
 
 int eye_open(struct options *options)

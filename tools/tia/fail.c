@@ -9,6 +9,7 @@
 #include <tia/render.h>
 
 #include "common/message.h"
+#include "common/scene/scene_report.h"
 
 /* The target of messages; text NULL: standard error. */
 static struct {
@@ -52,6 +53,14 @@ int fail(int status, const char *format, ...)
 int wrong(const char *option, const char *value, const char *rule)
 {
     return fail(EXIT_USAGE, "%s '%.200s': %s", option, value, rule);
+}
+
+int fail_scene(int status, struct scene_file *file)
+{
+    if (!into.text)
+        return scene_report_print(file, tool, status);
+    scene_report_free(file);
+    return fail(status, "%s", file->why);
 }
 
 int fail_output(void)

@@ -2,7 +2,7 @@
 #ifndef TOOLS_TIA_FAIL_H
 #define TOOLS_TIA_FAIL_H
 
-#include <tia/scene.h>
+#include "common/scene/file.h"
 
 /* The exit statuses. */
 enum { EXIT_FINE, EXIT_RUNNING, EXIT_USAGE, EXIT_DISPLAY, EXIT_INPUT };
@@ -13,6 +13,10 @@ __attribute__((format(printf, 2, 3))) int fail(int status, const char *format, .
 
 /* Reports an invalid value of an option; `rule` is the reason. Returns EXIT_USAGE. */
 int wrong(const char *option, const char *value, const char *rule);
+
+/* Reports a scene file that was not read: all its mistakes with their lines or, into a text, the first one. Returns
+ * `status`. */
+int fail_scene(int status, struct scene_file *file);
 
 /* Reports a failed write to standard output, by errno. Returns EXIT_RUNNING. */
 int fail_output(void);

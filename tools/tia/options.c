@@ -103,7 +103,8 @@ static const struct option_row rows[] = {
      "the display, such as drm:/dev/dri/card1 or terminal:halfblocks, symbols, sixel or kitty",
      PARSED(display, set_port)},
     {"output", 'o', OPTION_TEXT, "FILE",
-     "draw into FILE, or - for standard output: a picture (.png .ppm .bmp .565 .pfm .exr), a film (.y4m, or one picture per "
+     "draw into FILE, or - for standard output: a picture (.png .ppm .bmp .565 .pfm .exr), a film (.y4m, or one "
+     "picture per "
      "frame with %04d in its name) or a part for tia-join (.tiapart)",
      TO(output)},
     {"format", 0, OPTION_CHOICE, IMAGE_FORMATS, "the format of FILE, if its name has no such extension", TO(format),
@@ -220,6 +221,8 @@ static const struct option_row rows[] = {
      .min = ACTION_LIST},
     {"scene-format", 0, OPTION_CHOICE, SCENE_FORMATS, "the format of SCENE, if its name has no such extension",
      TO(scene_format)},
+    {"check", 0, OPTION_FLAG, NULL, "tell all mistakes of each SCENE, and draw nothing; exit status 0 or 1",
+     TO(checks)},
     {"strict", 0, OPTION_FLAG, NULL, "treat warnings about the scene as errors", TO(strict)},
     OPTION_END};
 

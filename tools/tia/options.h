@@ -96,6 +96,7 @@ struct options {
     char broken[PORT_WHY];    /* with --watch: why the scene could not be read at first; empty: it was */
     bool benchmark;           /* --benchmark */
     bool dither, checksum, stats, stats_overlay, progress, strict;
+    bool checks; /* only tell the mistakes of the scenes */
 };
 
 extern const struct command tia_command; /* its options fill a struct options */

@@ -56,9 +56,10 @@ static int check_output(struct options *options)
     if (options->format == IMAGE_UNKNOWN && !is_standard)
         options->format = image_format_of(options->output);
     if (options->format == IMAGE_UNKNOWN) {
-        return fail(EXIT_USAGE,
-                    "%.200s: unknown picture format (name it .png, .ppm, .bmp, .565, .pfm, .exr or .y4m, or use --format)",
-                    is_standard ? "standard output" : options->output);
+        return fail(
+            EXIT_USAGE,
+            "%.200s: unknown picture format (name it .png, .ppm, .bmp, .565, .pfm, .exr or .y4m, or use --format)",
+            is_standard ? "standard output" : options->output);
     }
     if (!image_format_built(options->format)) {
         return fail(EXIT_USAGE, "%.200s: this build writes no .%s (use .ppm)", options->output,
@@ -129,13 +130,17 @@ int check_scene(struct options *options)
     const char *path = options->scene_path;
     if (!path)
         return options->scene_format == SCENE_UNKNOWN ? EXIT_FINE : fail(EXIT_USAGE, "--scene-format: needs a SCENE");
+    if (strcmp(path, "-") == 0 && options->scene_format == SCENE_UNKNOWN && options->checks)
+        options->scene_format = TIA_FORMAT_TIA;
     if (strcmp(path, "-") == 0 && options->scene_format == SCENE_UNKNOWN)
         return fail(EXIT_USAGE, "standard input: unknown scene format (use --scene-format)");
     if (options->scene_format == SCENE_UNKNOWN)
         options->scene_format = scene_format_of(path);
     if (options->scene_format == SCENE_UNKNOWN) {
-        return fail(EXIT_USAGE, "%.200s: unknown scene format (name it .tia, .nff, .obj, .stl, .ply, .off or .pgm, or use --scene-format)",
-                    path);
+        return fail(
+            EXIT_USAGE,
+            "%.200s: unknown scene format (name it .tia, .nff, .obj, .stl, .ply, .off or .pgm, or use --scene-format)",
+            path);
     }
     return EXIT_FINE;
 }
@@ -170,6 +175,17 @@ static int check_write(struct options *options)
     return EXIT_FINE;
 }
 
+static int check_checks(const struct options *options)
+{
+    const char *other = options->output ? "output" : options->write ? "write" : options->watches ? "watch" : NULL;
+
+    if (!options->checks)
+        return EXIT_FINE;
+    if (other)
+        return fail(EXIT_USAGE, "--check: not with --%s: it draws nothing", other);
+    return options->scene_path ? EXIT_FINE : fail(EXIT_USAGE, "--check: needs a SCENE");
+}
+
 static int check_watch(const struct options *options)
 {
     if (!options->watches)
@@ -194,6 +210,8 @@ int check(struct options *options)
         result = gaze_check(options);
     if (result == EXIT_FINE)
         result = eye_check(options);
+    if (result == EXIT_FINE)
+        result = check_checks(options);
     if (result == EXIT_FINE)
         result = check_watch(options);
     if (result == EXIT_FINE)

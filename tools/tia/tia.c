@@ -9,6 +9,7 @@
 
 #include "arguments.h"
 #include "benchmark.h"
+#include "check_only.h"
 #include "common/signals.h"
 #include "draw.h"
 #include "fail.h"
@@ -70,6 +71,8 @@ static int run(struct options *options)
 {
     bool draws = options->action != ACTION_LIST && options->action != ACTION_MODES;
     struct file_watch watch = {.is_open = false};
+    if (options->checks)
+        return check_only(options);
     if (options->benchmark)
         return benchmark(options);
     if (draws && options->watches) {

@@ -169,8 +169,12 @@ int web_load(const char *name)
     int format = scene_format_of(name);
 
     (void)snprintf(kept, sizeof kept, "%s", name);
+    free(session.report);
+    session.report = NULL;
+    file.report = NULL;
     if (format == SCENE_UNKNOWN || scene_open(&file, kept, format, false)) {
         (void)snprintf(session.why, sizeof session.why, "%s", format == SCENE_UNKNOWN ? "unknown format" : file.why);
+        session.report = file.report;
         return 1;
     }
     if (session.loaded)
@@ -252,6 +256,15 @@ EXPORT("web_why") const char *web_why(void);
 const char *web_why(void)
 {
     return session.why;
+}
+
+/* Returns all mistakes of the scene that web_load refused, up to 20, in the order of the text; "" if none has a place. A
+ * mistake is a line "FILE:LINE:COLUMN: WHAT" (columns count bytes, from 1), and two lines that begin with blanks: the
+ * line of the text, and a mark below the word. Valid until the next web_load. */
+EXPORT("web_mistakes") const char *web_mistakes(void);
+const char *web_mistakes(void)
+{
+    return session.report ? session.report : "";
 }
 
 /* Returns memory for a name that the script writes, of SCENE_WHY bytes. */

@@ -41,6 +41,7 @@ struct session {
     void *memory, *kept;
     size_t memory_size;
     char why[SCENE_WHY];
+    char *report; /* of the scene that was refused last; NULL: none */
 };
 
 extern struct session session;

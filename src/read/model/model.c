@@ -75,7 +75,8 @@ int tia_model_forgive(struct tia_reader *reader, enum tia_read_warning_kind kind
         tia_say(&warning[kind].at, remedy);
     }
     error->file[0] = error->text[0] = 0;
-    error->line = error->column = 0;
+    error->line = error->column = error->length = error->source_length = 0;
+    error->source = NULL;
     return TIA_OK;
 }
 

@@ -223,8 +223,7 @@ static int read_all(struct nff *n, const struct tia_reader *reader, struct tia_r
         if (status)
             return status;
         if (is_found(n)) {
-            error->line = word.line;
-            error->column = word.column;
+            tia_text_error_place(&n->text, &word);
             return TIA_OK;
         }
     }
@@ -305,7 +304,7 @@ static int fill(struct nff *n, struct tia_reader *reader, int bits)
     n->transmits = false;
     n->lengths.filling = true;
     n->lengths.scale_bits = n->scene->scale_bits = bits;
-    reader->error = (struct tia_read_error){{0}, 0, 0, {0}};
+    reader->error = (struct tia_read_error){.line = 0};
     return read_all(n, reader, &reader->error);
 }
 

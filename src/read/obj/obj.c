@@ -164,8 +164,7 @@ static int read_file(struct tia_reader *reader, struct tia_scene *scene, struct 
     return tia_arena_fits(arena) ? fill(&o, &p) : TIA_OK;
 }
 
-int tia_read_obj(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena,
-                 struct tia_model_use *use)
+int tia_read_obj(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena, struct tia_model_use *use)
 {
     struct obj_parts *parts = tia_obj_take_parts(reader, arena);
     const struct tia_arena before = *arena;
@@ -175,7 +174,7 @@ int tia_read_obj(struct tia_reader *reader, struct tia_scene *scene, struct tia_
         return status;
     *arena = before;
     *scene = (struct tia_scene){.bvh = NULL};
-    reader->error = (struct tia_read_error){{0}, 0, 0, {0}};
+    reader->error = (struct tia_read_error){.line = 0};
     for (unsigned i = 0; reader->warnings && i < TIA_WARNINGS; i++)
         reader->warnings[i].count = 0;
     return read_file(reader, scene, arena, use, NULL);

@@ -28,7 +28,7 @@ bool tia_constant_use(struct tia_text *t, const struct tia_word *word)
     if (!t->constants || !length || !tia_constant_named(name) || t->numbers)
         return false;
     constant = tia_constant_find(t->constants, name, length);
-    if (!constant)
+    if (!constant || !constant->end)
         return false;
     t->numbers = constant->name + constant->length;
     t->numbers_end = constant->end;

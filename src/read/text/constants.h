@@ -12,7 +12,8 @@
 #define TIA_CONSTANTS_MAX 128
 
 struct tia_constant {
-    const char *name, *end; /* the name, followed by its numbers up to the end of its line; the text's end */
+    const char *name, *end; /* the name, followed by its numbers up to the end of its line; the text's end, or NULL if
+                               the line has a mistake */
     uint32_t length;        /* length of the name */
 };
 

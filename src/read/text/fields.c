@@ -3,6 +3,7 @@
 
 #include "length.h"
 #include "math/integer.h"
+#include "nearest.h"
 
 int tia_colour(struct tia_text *t, struct tia_rgb *out)
 {
@@ -175,28 +176,78 @@ static int read_values(struct tia_text *t, const struct tia_field *field, void *
     return TIA_ERR_ARGUMENT;
 }
 
-static int refuse(struct tia_text *t, const struct tia_word *word, const char *what, const struct tia_field *fields,
-                  unsigned count)
+/* Appends the fields' words; of a long list only some, those that every such line needs first. */
+static void list(struct tia_read_error *error, const struct tia_field *fields, unsigned count)
 {
-    (void)tia_text_error_at(t, word);
-    tia_say_word(t->error, word);
-    tia_say(t->error, " is not a field of ");
-    tia_say(t->error, what);
-    tia_say(t->error, ", expected ");
-    for (unsigned i = 0; i < count; i++) {
-        tia_say(t->error, i == 0 ? "" : i + 1 < count ? ", " : " or ");
-        tia_say(t->error, fields[i].word);
+    bool all = count <= TIA_LIST_MOST;
+    unsigned most = all ? count : TIA_LIST_START, shown = 0;
+
+    for (unsigned i = 0; i < 2 * count && shown < most; i++) {
+        const struct tia_field *field = &fields[i % count];
+        if (all ? i >= count : field->needed != (i < count))
+            continue;
+        tia_say(error, shown == 0 ? "" : shown + 1 < count ? ", " : " or ");
+        tia_say(error, field->word);
+        shown++;
     }
-    return TIA_ERR_RANGE;
+    tia_say(error, all ? "" : " or the like");
 }
 
 /* Returns the index of the field called `word`, or `count` if there is none. */
-static unsigned find(const struct tia_word *word, const struct tia_field *fields, unsigned count)
+static unsigned index_of(const struct tia_word *word, const struct tia_field *fields, unsigned count)
 {
     unsigned i = 0;
 
     while (i < count && !tia_word_is(word, fields[i].word))
         i++;
+    return i;
+}
+
+static unsigned find(const struct tia_word *word, const struct tia_field *fields, unsigned count)
+{
+    unsigned i = index_of(word, fields, count);
+
+    if (i < count)
+        return i;
+    const struct tia_word british = tia_word_british(word);
+    return index_of(&british, fields, count);
+}
+
+/* Refuses a word that is no field. Returns the index of the field that was probably meant, or `count`. */
+static unsigned refuse(struct tia_text *t, const struct tia_word *word, const char *what,
+                       const struct tia_field *fields, unsigned count)
+{
+    struct tia_nearest nearest = {.word = word};
+
+    for (unsigned i = 0; i < count; i++)
+        tia_nearest_try(&nearest, fields[i].word);
+    (void)tia_text_error_at(t, word);
+    tia_say_word(t->error, word);
+    tia_say(t->error, " is not a field of ");
+    tia_say(t->error, what);
+    tia_say(t->error, ", expected ");
+    tia_say_plain(t->error, &nearest.candidate);
+    if (!nearest.candidate.length)
+        list(t->error, fields, count);
+    return nearest.candidate.length ? index_of(&nearest.candidate, fields, count) : count;
+}
+
+/* Finds the field that the word names, or probably means if the reader goes on after mistakes. Returns `count` if there
+ * is none, or if it has been seen. */
+static unsigned choose(struct tia_text *t, const struct tia_word *word, const char *what,
+                       const struct tia_field *fields, unsigned count, uint32_t seen)
+{
+    unsigned i = find(word, fields, count);
+
+    if (i == count) {
+        i = refuse(t, word, what, fields, count);
+        if (i == count || !tia_text_goes_on(t))
+            return count;
+    } else if (seen >> i & 1) {
+        (void)tia_text_error(t, word, "is given twice", "once");
+        if (!tia_text_goes_on(t))
+            return count;
+    }
     return i;
 }
 
@@ -207,11 +258,9 @@ int tia_fields(struct tia_text *t, const char *what, const struct tia_field *fie
     uint32_t seen = 0;
 
     while (tia_text_word(t, &word)) {
-        unsigned i = find(&word, fields, count);
+        unsigned i = choose(t, &word, what, fields, count, seen);
         if (i == count)
-            return refuse(t, &word, what, fields, count);
-        if (seen >> i & 1)
-            return tia_text_error(t, &word, "is given twice", "once");
+            return TIA_ERR_RANGE;
         seen |= UINT32_C(1) << i;
         int status = read_values(t, &fields[i], (unsigned char *)out + fields[i].offset);
         if (status)
@@ -225,15 +274,49 @@ int tia_fields(struct tia_text *t, const char *what, const struct tia_field *fie
     return TIA_OK;
 }
 
-const struct tia_form *tia_form(struct tia_text *t, const struct tia_form *forms, unsigned count)
+/* Returns the form called `word`; NULL if there is none. */
+static const struct tia_form *form_called(const struct tia_word *word, const struct tia_form *forms, unsigned count)
+{
+    const struct tia_word british = tia_word_british(word);
+
+    while (count-- > 0)
+        if (tia_word_is(&british, forms[count].word))
+            return &forms[count];
+    return NULL;
+}
+
+/* Returns the form that a word probably means which is neither a form nor a field of the first form; NULL if there is
+ * none. Sets the error then. */
+static const struct tia_form *guess(struct tia_text *t, const struct tia_word *word, const struct tia_form *forms,
+                                    unsigned count)
+{
+    struct tia_nearest nearest = {.word = word};
+
+    if (find(word, forms->fields, forms->count) < forms->count)
+        return NULL;
+    for (unsigned i = 0; i < count; i++)
+        tia_nearest_try(&nearest, forms[i].word);
+    if (!nearest.candidate.length)
+        return NULL;
+    (void)tia_text_error(t, word, "is not a kind of this statement", "");
+    tia_say_plain(t->error, &nearest.candidate);
+    return form_called(&nearest.candidate, forms, count);
+}
+
+int tia_form(struct tia_text *t, const struct tia_form *forms, unsigned count, const struct tia_form **form)
 {
     struct tia_word word;
 
     (void)tia_text_peek(t, &word);
-    while (count-- > 0)
-        if (tia_word_is(&word, forms[count].word)) {
-            (void)tia_text_word(t, &word);
-            return &forms[count];
-        }
-    return forms;
+    *form = form_called(&word, forms, count);
+    if (!*form) {
+        const struct tia_form *meant = guess(t, &word, forms, count);
+        *form = meant ? meant : forms;
+        if (!meant)
+            return TIA_OK;
+        if (!tia_text_goes_on(t))
+            return TIA_ERR_RANGE;
+    }
+    (void)tia_text_word(t, &word);
+    return TIA_OK;
 }

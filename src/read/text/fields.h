@@ -58,9 +58,9 @@ struct tia_form {
     unsigned count;
 };
 
-/* Returns the form that the next word names, and skips the word. If it names no form, returns the first one, and the
- * word stays unread. */
-const struct tia_form *tia_form(struct tia_text *t, const struct tia_form *forms, unsigned count);
+/* Sets *form to the form that the next word names, and skips the word. If the word is a field, sets *form to the first
+ * one, and the word stays unread. Fails at a misspelt form. */
+int tia_form(struct tia_text *t, const struct tia_form *forms, unsigned count, const struct tia_form **form);
 
 /* Reads an emission; `most` is the upper limit of out->rgb's channels, Q2.30. */
 int tia_emission(struct tia_text *t, struct tia_emission *out, int64_t most);

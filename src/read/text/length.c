@@ -116,9 +116,10 @@ static int measure(struct tia_text *t, tia_q16 *out)
     return status;
 }
 
+/* Where mistakes are told, the unit does not matter: only what no unit holds is out of range. */
 int tia_text_length(struct tia_text *t, tia_q16 *out)
 {
-    return t->lengths->filling ? tia_text_scaled(t, out, t->lengths->scale_bits) : measure(t, out);
+    return t->lengths->filling && !t->tolerance ? tia_text_scaled(t, out, t->lengths->scale_bits) : measure(t, out);
 }
 
 int tia_text_place(struct tia_text *t, struct tia_vec3 *out)

@@ -1,45 +1,57 @@
 #include "nearest.h"
 
-#define LONGEST 24 /* longer words are near none */
-
-static unsigned least(unsigned a, unsigned b)
+void tia_nearest_try_word(struct tia_nearest *nearest, const struct tia_word *candidate)
 {
-    return a < b ? a : b;
-}
+    const struct tia_word *word = nearest->word;
+    uint32_t distance = tia_spelling_distance(word->at, (size_t)word->length, candidate->at, (size_t)candidate->length);
 
-/* Fills the row of the distances between the first `i` letters of the word and the first 0..n of the candidate, from
- * the two rows before it. */
-static void fill_row(const char *word, unsigned i, const char *candidate, unsigned n, uint8_t row[3][LONGEST + 1])
-{
-    uint8_t *now = row[i % 3], *last = row[(i + 2) % 3], *before = row[(i + 1) % 3];
-
-    now[0] = (uint8_t)i;
-    for (unsigned j = 1; j <= n; j++) {
-        bool same = word[i - 1] == candidate[j - 1];
-        unsigned d = least(least(last[j], now[j - 1]) + 1u, last[j - 1] + (same ? 0u : 1u));
-        if (i > 1 && j > 1 && word[i - 1] == candidate[j - 2] && word[i - 2] == candidate[j - 1])
-            d = least(d, before[j - 2] + 1u);
-        now[j] = (uint8_t)d;
-    }
+    if (distance > TIA_NEAR || (nearest->candidate.length && distance >= nearest->distance))
+        return;
+    nearest->candidate = *candidate;
+    nearest->distance = distance;
 }
 
 void tia_nearest_try(struct tia_nearest *nearest, const char *candidate)
 {
-    const struct tia_word *word = nearest->word;
-    uint8_t row[3][LONGEST + 1];
-    unsigned n = 0;
+    struct tia_word word = {candidate, 0, 0, 0};
 
-    while (candidate[n])
-        n++;
-    if (n > LONGEST || word->length > LONGEST)
-        return;
-    for (unsigned j = 0; j <= n; j++)
-        row[0][j] = (uint8_t)j;
-    for (unsigned i = 1; i <= word->length; i++)
-        fill_row(word->at, i, candidate, n, row);
-    unsigned distance = row[word->length % 3][n];
-    if (distance > TIA_NEAR || 2 * distance >= n || (nearest->candidate && distance >= nearest->distance))
-        return;
-    nearest->candidate = candidate;
-    nearest->distance = distance;
+    while (candidate[word.length])
+        word.length++;
+    tia_nearest_try_word(nearest, &word);
+}
+
+/* Takes the next word of "a, b or c" from the front of `list`. Returns false at its end. */
+static bool take(const char **list, struct tia_word *word)
+{
+    const char *at = *list;
+
+    *word = (struct tia_word){at, 0, 0, 0};
+    while (at[word->length] && at[word->length] != ',' && at[word->length] != ' ')
+        word->length++;
+    at += word->length;
+    if (at[0] == ',' && at[1] == ' ')
+        at += 2;
+    else if (at[0] == ' ' && at[1] == 'o' && at[2] == 'r' && at[3] == ' ')
+        at += 4;
+    else
+        while (*at)
+            at++;
+    *list = at;
+    return word->length > 0;
+}
+
+int tia_text_error_of(struct tia_text *t, const struct tia_word *word, const char *what, const char *list,
+                      struct tia_word *meant)
+{
+    struct tia_nearest nearest = {.word = word};
+    struct tia_word candidate;
+    const char *rest = list;
+
+    while (take(&rest, &candidate))
+        tia_nearest_try_word(&nearest, &candidate);
+    (void)tia_text_error(t, word, what, nearest.candidate.length ? "" : list);
+    tia_say_plain(t->error, &nearest.candidate);
+    if (meant)
+        *meant = nearest.candidate;
+    return TIA_ERR_RANGE;
 }

@@ -1,6 +1,8 @@
 /* text_lines.c - splits text into lines and words. */
 #include "text_lines.h"
 
+#include <tia/spelling.h>
+
 /* the UTF-8 byte order mark, which many editors write at the start of a text */
 static const char byte_order_mark[] = "\xef\xbb\xbf";
 #define MARK_LENGTH (sizeof byte_order_mark - 1)
@@ -151,6 +153,22 @@ bool tia_text_peek(const struct tia_text *t, struct tia_word *word)
     return tia_text_word(&copy, word);
 }
 
+void tia_text_abandon(struct tia_text *t)
+{
+    struct tia_word word;
+
+    t->numbers = NULL;
+    while (take_word(t, &word))
+        continue;
+}
+
+bool tia_text_goes_on(const struct tia_text *t)
+{
+    if (t->tolerance)
+        t->tolerance->tell(t->tolerance->ctx);
+    return t->tolerance;
+}
+
 int tia_text_end(struct tia_text *t)
 {
     struct tia_word word;
@@ -193,7 +211,7 @@ int tia_text_file(struct tia_text *t, struct tia_word *name, const char *expecte
     name->length = (uint32_t)(p - t->next);
     t->next = p + 1;
     if (!name->length) {
-        name->length = 2, name->at--; /* the error message shows the quotes */
+        name->length = 2, name->at--, name->column--; /* the error message shows the quotes */
         return tia_text_error(t, name, "is empty", expected);
     }
     return check_name(t, name, expected);
@@ -206,6 +224,19 @@ bool tia_word_is(const struct tia_word *word, const char *string)
     while (i < word->length && string[i] && word->at[i] == string[i])
         i++;
     return i == word->length && !string[i];
+}
+
+struct tia_word tia_word_british(const struct tia_word *word)
+{
+    const char *british = tia_spelling_british(word->at, (size_t)word->length);
+    struct tia_word same = *word;
+
+    if (!british)
+        return same;
+    same.at = british;
+    for (same.length = 0; british[same.length];)
+        same.length++;
+    return same;
 }
 
 void tia_word_copy(char out[TIA_NAME_MAX + 1], const struct tia_word *word)
@@ -221,11 +252,13 @@ bool tia_text_locate(struct tia_text rest, unsigned skip, const char *word, stru
 {
     struct tia_word found;
 
-    for (unsigned i = 0; tia_text_word(&rest, &found); i++)
-        if (i >= skip && (!word || tia_word_is(&found, word))) {
-            error->line = found.line;
-            error->column = found.column;
+    rest.error = error;
+    for (unsigned i = 0; tia_text_word(&rest, &found); i++) {
+        const struct tia_word british = tia_word_british(&found);
+        if (i >= skip && (!word || tia_word_is(&british, word))) {
+            tia_text_error_place(&rest, &found);
             return true;
         }
+    }
     return false;
 }

@@ -27,12 +27,19 @@ struct tia_word {
     uint32_t length, line, column;
 };
 
+/* Receives mistakes after which a reader goes on; *error has the mistake. */
+struct tia_tolerance {
+    void (*tell)(void *ctx);
+    void *ctx;
+};
+
 struct tia_text {
     const char *next, *end, *line_start;
     uint32_t line;
     const char *file; /* "", or the name of the library being read */
     struct tia_read_error *error;
-    struct tia_lengths *lengths; /* units and bounds of lengths, see length.h; NULL: none */
+    const struct tia_tolerance *tolerance; /* NULL: the reader ends at the first mistake */
+    struct tia_lengths *lengths;           /* units and bounds of lengths, see length.h; NULL: none */
 
     /* Names for numbers, see constants.h; NULL: none. The numbers of a name replace it: they are read before the next
      * word of the line, and errors give the place of the name. */
@@ -59,6 +66,13 @@ bool tia_text_peek(const struct tia_text *t, struct tia_word *word);
 /* Skips the rest of the line. */
 void tia_text_skip(struct tia_text *t);
 
+/* Skips the rest of the line and the lines that are joined to it. */
+void tia_text_abandon(struct tia_text *t);
+
+/* Called after an error was set: if the text has a `tolerance`, tells it the error and returns true, and the reader
+ * goes on. */
+bool tia_text_goes_on(const struct tia_text *t);
+
 /* Fails if the line has another word. */
 int tia_text_end(struct tia_text *t);
 
@@ -69,6 +83,8 @@ int tia_text_name(struct tia_text *t, struct tia_word *name, const char *expecte
 int tia_text_file(struct tia_text *t, struct tia_word *name, const char *expected);
 
 bool tia_word_is(const struct tia_word *word, const char *string);
+/* Returns the word in British spelling, or as it is. */
+struct tia_word tia_word_british(const struct tia_word *word);
 
 /* Sets the error's place to word number `skip`, from 0, of the rest of a line. If `word` is not NULL, sets it to the
  * first word that equals `word`, starting at that number. Returns false, and leaves the place unchanged, if there is no
@@ -127,12 +143,16 @@ bool tia_dir3_of(struct tia_dir3 *out, const int64_t v[3]);
  * TIA_ERR_RANGE. */
 int tia_text_error(struct tia_text *t, const struct tia_word *word, const char *what, const char *expected);
 
+/* Sets the error's place, and nothing else. */
+void tia_text_error_place(struct tia_text *t, const struct tia_word *word);
 /* Sets the error's place, empties its text for tia_say, and returns TIA_ERR_RANGE. */
 int tia_text_error_at(struct tia_text *t, const struct tia_word *word);
 /* Appends a string to the error's text, as far as it fits. */
 void tia_say(struct tia_read_error *error, const char *string);
 /* Appends a word in quotes, with bytes that are safe to print. */
 void tia_say_word(struct tia_read_error *error, const struct tia_word *word);
+/* Appends the word without quotes. */
+void tia_say_plain(struct tia_read_error *error, const struct tia_word *word);
 /* Appends a number in decimal. */
 void tia_say_number(struct tia_read_error *error, int64_t number);
 

@@ -25,8 +25,9 @@ int tia_line_define(struct tia_parse *job)
     do {
         (void)tia_text_word(t, &word);
         if (tia_decimal(&value, &word, 0) == TIA_DECIMAL_NONE)
-            return tia_text_error(t, &word, "is not a number", "numbers");
-    } while (tia_text_peek(t, &word));
-    job->constants.at[job->constants.count++] = (struct tia_constant){name.at, t->end, name.length};
-    return TIA_OK;
+            status = tia_text_error(t, &word, "is not a number", "numbers");
+    } while (!status && tia_text_peek(t, &word));
+    if (!status || t->tolerance)
+        job->constants.at[job->constants.count++] = (struct tia_constant){name.at, status ? NULL : t->end, name.length};
+    return status;
 }

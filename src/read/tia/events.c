@@ -79,8 +79,10 @@ int tia_line_fall(struct tia_parse *job)
         return status;
     tia_parse_animate(job, &word);
     const struct tia_name *name = tia_parse_mover(job, &word);
-    if (job->pass == TIA_FILLING && (!name || name->index % 2))
-        return tia_text_error(&job->text, &word, name ? "is a light" : "is not defined", "the name of a sphere");
+    if (job->pass == TIA_FILLING && !name)
+        return tia_parse_undefined(job, TIA_NAMED_MOVER, &word, "the name of a sphere");
+    if (job->pass == TIA_FILLING && name->index % 2)
+        return tia_text_error(&job->text, &word, "is a light", "the name of a sphere");
     if (name)
         fall.shape = (uint32_t)(name - (const struct tia_name *)tia_parse_at(job, TIA_OF_NAMES, 0));
     status = tia_fields(&job->text, "a ball that falls", fall_fields, TIA_COUNT_OF(fall_fields), &fall, NULL);

@@ -22,10 +22,9 @@ static void seek(struct tia_parse *job, const struct tia_fault *fault)
         enum tia_parse_array array;
     } things[] = {{"material", TIA_OF_MATERIALS}, {"texture", TIA_OF_TEXTURES}, {"sphere", TIA_OF_SPHERES},
                   {"shape", TIA_OF_SHAPES},       {"mesh", TIA_OF_MESHES},      {"transform", TIA_OF_TRANSFORMS},
-                  {"grid", TIA_OF_GRIDS},         {"solid", TIA_OF_SOLIDS},
-                         {"light", TIA_OF_LIGHTS},     {"key", TIA_OF_BINDINGS},
-                  {"track", TIA_OF_TRACKS},       {"fall", TIA_OF_FALLS},       {"fog", TIA_OF_FOGS},
-                  {"lens", TIA_OF_LENSES}};
+                  {"grid", TIA_OF_GRIDS},         {"solid", TIA_OF_SOLIDS},     {"light", TIA_OF_LIGHTS},
+                  {"key", TIA_OF_BINDINGS},       {"track", TIA_OF_TRACKS},     {"fall", TIA_OF_FALLS},
+                  {"fog", TIA_OF_FOGS},           {"lens", TIA_OF_LENSES}};
     struct tia_word thing = word_of(fault->thing), field = word_of(fault->field);
 
     job->seeking = true;

@@ -201,6 +201,7 @@ static int begin_group(struct tia_parse *job, const char *what, struct tia_trans
         return refuse(job, "is scaled out of range", "1/1024 to 1024");
     job->groups[job->group_count].repeats = false;
     job->groups[job->group_count].operation = 0;
+    job->groups[job->group_count].first = job->first;
     return TIA_OK;
 }
 
@@ -247,10 +248,9 @@ int tia_line_repeat(struct tia_parse *job)
         return status;
     struct tia_group *group = &job->groups[job->group_count];
     group->repeats = true;
-    group->left = (uint32_t)copies - 1;
+    group->left = job->mistakes ? 0 : (uint32_t)copies - 1; /* mistakes are told in the first copy */
     group->step = step;
     group->body = job->text;
-    group->first = job->first;
     status = set_place(job, &unmoved, &group->place);
     job->group_count++;
     job->repeat_count++;
@@ -275,11 +275,18 @@ int tia_line_end(struct tia_parse *job)
     const struct tia_includes *includes = &job->includes;
     struct tia_group *group;
 
+    if (job->mistakes && job->mistakes->deep) {
+        job->mistakes->deep--;
+        return TIA_OK;
+    }
     if (job->group_count == (includes->depth ? includes->outer[includes->depth - 1].groups : 0))
         return refuse(job, "ends nothing", "a group before it, in the same file");
     int status = tia_text_end(&job->text);
-    if (status)
+    if (status && !tia_text_goes_on(&job->text))
         return status;
+    if (job->mistakes)
+        tia_mistake_closed(job, &job->first);
+    tia_text_abandon(&job->text);
     group = &job->groups[job->group_count - 1];
     if (group->operation)
         return tia_operation_end(job);

@@ -73,7 +73,7 @@ static int check(struct tia_parse *job, const struct tia_word *name, const char 
     return TIA_OK;
 }
 
-int tia_line_include(struct tia_parse *job)
+static int read_include(struct tia_parse *job)
 {
     struct tia_reader *reader = job->reader;
     char path[TIA_NAME_MAX + 1];
@@ -92,9 +92,19 @@ int tia_line_include(struct tia_parse *job)
         return tia_text_error(&job->text, &name, "is too long", "less than 4 GiB");
     job->includes.next = tia_text_begin(text ? text : "", text ? length : 0, job->includes.file, job->text.error);
     job->includes.next.constants = &job->constants;
+    job->includes.next.tolerance = job->text.tolerance;
     job->includes.next.lengths = &job->reach.lengths;
     job->includes.names[job->includes.depth] = name;
     return TIA_OK;
+}
+
+int tia_line_include(struct tia_parse *job)
+{
+    int status = read_include(job);
+
+    if (status && job->mistakes)
+        job->mistakes->lost = true;
+    return status;
 }
 
 void tia_include_begin(struct tia_parse *job)
@@ -113,14 +123,12 @@ void tia_include_begin(struct tia_parse *job)
 int tia_include_end(struct tia_parse *job)
 {
     struct tia_includes *includes = &job->includes;
-    struct tia_word end;
+    unsigned base = includes->depth ? includes->outer[includes->depth - 1].groups : 0;
 
-    (void)tia_text_word(&job->text, &end);
-    if (job->group_count > (includes->depth ? includes->outer[includes->depth - 1].groups : 0)) {
-        (void)tia_text_error_at(&job->text, &end);
-        tia_say(job->text.error, "the text ends within a group, expected end");
-        return TIA_ERR_RANGE;
-    }
+    if (job->mistakes)
+        tia_mistake_close(job, base);
+    if (job->group_count > base)
+        return tia_block_has_no_end(&job->text, &job->groups[job->group_count - 1].first);
     if (!includes->depth)
         return TIA_OK;
     includes->depth--;

@@ -1,5 +1,6 @@
 /* lights.c - lights, and keys that set them. */
 #include "parse_state.h"
+#include "read/text/nearest.h"
 #include <tia/port.h>
 
 struct light_line {
@@ -62,13 +63,15 @@ static const struct tia_form kinds[] = {TIA_LIGHTS(FORM)};
 
 static int read_light(struct tia_parse *job, struct light_line *line, bool nameable, uint32_t *given)
 {
-    const struct tia_form *kind = tia_form(&job->text, kinds, TIA_COUNT_OF(kinds));
+    const struct tia_form *kind;
+    int status = tia_form(&job->text, kinds, TIA_COUNT_OF(kinds), &kind);
     unsigned skip = nameable ? 0 : OWN;
 
     line->light = (struct tia_light){.kind = (enum tia_light_kind)kind->kind};
     line->fading = (struct tia_fading){.constant = 0};
     line->emission = (struct tia_emission){{TIA_Q30_ONE, TIA_Q30_ONE, TIA_Q30_ONE}, 0};
-    int status = tia_fields(&job->text, kind->what, kind->fields + skip, kind->count - skip, line, given);
+    if (!status)
+        status = tia_fields(&job->text, kind->what, kind->fields + skip, kind->count - skip, line, given);
     line->light.emission = line->emission.rgb;
     line->light.emission_bits = line->emission.bits;
     line->light.constant = line->fading.constant;
@@ -116,8 +119,8 @@ static int take_key(struct tia_text *t, uint16_t *key)
             *key = (uint16_t)keys[i].key;
             return TIA_OK;
         }
-    return tia_text_error(t, &word, "is not a key",
-                          "a small letter, a digit, left, right, up, down, page-up or page-down");
+    return tia_text_error_of(t, &word, "is not a key",
+                             "a small letter, a digit, left, right, up, down, page-up or page-down", NULL);
 }
 
 int tia_line_key(struct tia_parse *job)

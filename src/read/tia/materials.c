@@ -1,6 +1,7 @@
 /* materials.c - materials and textures. */
 #include "math/integer.h"
 #include "parse_state.h"
+#include "read/text/nearest.h"
 
 struct material_line {
     struct tia_material material;
@@ -302,7 +303,8 @@ int tia_line_texture(struct tia_parse *job)
     else if (tia_word_is(&kind, "noise"))
         status = read_noise(job, &line);
     else
-        return tia_text_error(&job->text, &kind, "is not a kind of texture", "checker, image, opacity or noise");
+        return tia_text_error_of(&job->text, &kind, "is not a kind of texture", "checker, image, opacity or noise",
+                                 NULL);
     if (!status)
         (void)tia_parse_add(job, TIA_OF_TEXTURES, &line.texture);
     return status;

@@ -3,10 +3,11 @@
  * The model's reader runs on its file in each pass. The first two passes only count; the last one reads the model into
  * words of the scene's memory, and copies its materials, textures and meshes to the scene's arrays.
  *
- * A model of several materials has several parts, a mesh for each, and each instance of it has as many shapes. Without a
- * material of its own, the instance has those of the model. The number of parts is an upper bound, since only the last
- * pass finds out which materials have faces: the remaining meshes are empty. Nor does the first pass know which model an
- * instance names. It counts the instances and the parts of all names with the same hash, whose product is enough.
+ * A model of several materials has several parts, a mesh for each, and each instance of it has as many shapes. Without
+ * a material of its own, the instance has those of the model. The number of parts is an upper bound, since only the
+ * last pass finds out which materials have faces: the remaining meshes are empty. Nor does the first pass know which
+ * model an instance names. It counts the instances and the parts of all names with the same hash, whose product is
+ * enough.
  */
 #include "math/integer.h"
 #include "parse_state.h"
@@ -140,7 +141,7 @@ static int read_model(struct mesh_file *m, struct tia_arena *arena)
 {
     m->scene = (struct tia_scene){.bvh = NULL};
     m->use = (struct tia_model_use){.file = m->path, .scale_bits = m->job->reach.lengths.scale_bits};
-    m->reader.error = (struct tia_read_error){{0}, 0, 0, {0}};
+    m->reader.error = (struct tia_read_error){.line = 0};
     int status = tia_read_model(&m->reader, &m->scene, arena, &m->use);
     if (status)
         m->job->reader->error = m->reader.error;
@@ -244,8 +245,11 @@ static int fill(struct mesh_file *m, const struct tia_word *name)
 {
     struct tia_parse *job = m->job;
     struct tia_array *words = &job->arrays[TIA_OF_MODEL_WORDS];
-    struct tia_arena arena = {words->items + words->count * sizeof(uint64_t),
-                              (size_t)(words->capacity - words->count) * sizeof(uint64_t), 0};
+    struct tia_arena arena = {NULL, 0, 0};
+
+    if (words->items && words->count < words->capacity) /* else the model has a mistake, as in the passes before */
+        arena = (struct tia_arena){words->items + words->count * sizeof(uint64_t),
+                                   (size_t)(words->capacity - words->count) * sizeof(uint64_t), 0};
     int status = read_model(m, &arena);
 
     if (status)

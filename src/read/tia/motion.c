@@ -1,5 +1,6 @@
 /* motion.c - keyframes:  animate ball at smooth 0: 0 0 0  2: 0 3 0    animate gold colour 0: 1 0.8 0  1: 0.5 */
 #include "parse_state.h"
+#include "read/text/nearest.h"
 
 enum moving { CAMERA, LIGHT, SHAPE, MATERIAL };
 
@@ -25,14 +26,31 @@ static const struct property {
 };
 
 static const char *const expected[] = {"eye or look, of the camera", "at or direction, of a light",
-                                       "at, rotate or scale, of a shape"};
+                                       "at, rotate or scale, of a shape",
+                                       "colour, transmission, emission, specular, mirror, refraction or facing, of a "
+                                       "material"};
 
-static const struct property *find_property(enum moving of, const struct tia_word *word)
+static const struct property *find_property(enum moving of, const struct tia_word *name)
 {
+    const struct tia_word british = tia_word_british(name), *word = &british;
+
     for (unsigned i = 0; i < TIA_COUNT_OF(properties); i++)
         if (properties[i].of == of && tia_word_is(word, properties[i].word))
             return &properties[i];
     return NULL;
+}
+
+/* Refuses a word that is no property; of shapes, also those of materials may have been meant. */
+static int refuse(struct tia_text *t, enum moving of, const struct tia_word *word)
+{
+    struct tia_nearest nearest = {.word = word};
+
+    for (unsigned i = 0; i < TIA_COUNT_OF(properties); i++)
+        if (properties[i].of == of || (of == SHAPE && properties[i].of == MATERIAL))
+            tia_nearest_try(&nearest, properties[i].word);
+    (void)tia_text_error(t, word, "cannot be animated", nearest.candidate.length ? "" : expected[of]);
+    tia_say_plain(t->error, &nearest.candidate);
+    return TIA_ERR_RANGE;
 }
 
 /* Reads the name of the animated object. Before the last pass, names of lights and of shapes are not distinguished. */
@@ -51,8 +69,12 @@ static int read_target(struct tia_parse *job, enum moving *of, struct tia_track 
     const struct tia_name *name = tia_parse_mover(job, &word);
     if (job->pass != TIA_FILLING)
         return TIA_OK;
+    if (!name && tia_parse_has(job, TIA_NAMED_MATERIAL, &word)) {
+        *of = MATERIAL; /* which has no such property */
+        return TIA_OK;
+    }
     if (!name)
-        return tia_text_error(&job->text, &word, "is not defined", "the name of a shape or light, or camera");
+        return tia_parse_undefined(job, TIA_NAMED_MOVER, &word, "the name of a shape or light, or camera");
     track->index = (uint32_t)(name - (const struct tia_name *)tia_parse_at(job, TIA_OF_NAMES, 0));
     *of = name->index % 2 ? LIGHT : SHAPE;
     return TIA_OK;
@@ -71,7 +93,7 @@ static int take_property(struct tia_parse *job, struct tia_track *track)
     if (!property && job->pass != TIA_FILLING)
         property = find_property(LIGHT, &word);
     if (!property)
-        return tia_text_error(&job->text, &word, "cannot be animated", expected[of]);
+        return refuse(&job->text, of, &word);
     track->target = property->target;
     job->hides |= track->target >= TIA_SETS_SPECULAR;
     return TIA_OK;

@@ -9,7 +9,7 @@ static struct tia_solid *open_solid(struct tia_parse *job)
     struct tia_array *solids = &job->arrays[TIA_OF_SOLIDS];
     struct tia_solid *first = (struct tia_solid *)(void *)solids->items;
 
-    return first && job->pass == TIA_FILLING ? &first[solids->count - 1] : NULL;
+    return first && job->pass == TIA_FILLING && solids->count <= solids->capacity ? &first[solids->count - 1] : NULL;
 }
 
 static void add_step(struct tia_parse *job, uint8_t step)
@@ -51,8 +51,12 @@ int tia_operation_add(struct tia_parse *job, const struct tia_shape *member)
 
 int tia_operation_end(struct tia_parse *job)
 {
-    if (!job->groups[job->group_count - 1].operands)
-        return tia_text_error(&job->text, &job->first, "ends a solid without members", "a shape before it");
+    bool empty = !job->groups[job->group_count - 1].operands;
+
+    if (empty)
+        (void)tia_text_error(&job->text, &job->first, "ends a solid without members", "a shape before it");
+    if (empty && !tia_text_goes_on(&job->text))
+        return TIA_ERR_RANGE;
     if (job->solid_groups == job->group_count)
         job->solid_groups = 0;
     job->group_count--;

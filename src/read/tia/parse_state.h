@@ -17,7 +17,8 @@ enum tia_kind_of_name {
     TIA_NAMED_MATERIAL, /* the material's index */
     TIA_NAMED_TEXTURE,  /* the texture's index */
     TIA_NAMED_SOLID,    /* 2 i for mesh i, 2 i + 1 for grid i */
-    TIA_NAMED_MOVER     /* 2 i for transform i, 2 i + 1 for light i */
+    TIA_NAMED_MOVER,    /* 2 i for transform i, 2 i + 1 for light i */
+    TIA_NAMED_FAULTY    /* nothing: the name's line has a mistake; while mistakes are told */
 };
 
 enum tia_parse_array {
@@ -110,7 +111,23 @@ struct tia_group {
     uint32_t left;             /* number of copies */
     struct tia_transform step; /* places each copy in the one before it */
     struct tia_text body;      /* the block, from the end of its first line on */
-    struct tia_word first;     /* the statement's name */
+    struct tia_word first;     /* the statement's name; of any group */
+};
+
+/* All mistakes of a text, see mistakes.c. */
+struct tia_mistakes {
+    struct tia_tolerance tolerance;
+    bool tells;      /* the last pass: mistakes are told; the passes before it only count and collect names */
+    bool follows;    /* the error was caused by a mistake that is told elsewhere */
+    bool lost;       /* a file was not read: it may define any name */
+    uint32_t deep;   /* number of open groups that are too deep */
+    uint32_t scans;  /* number of times that the rest of the text was scanned in the pass */
+    unsigned groups; /* number of open groups at the beginning of the line */
+    struct tia_read_error first;
+    const char *places[TIA_MISTAKES_MAX];   /* of mistakes, to tell each of them once */
+    const char *unclosed[TIA_GROUP_DEPTH];  /* first words of groups without an end */
+    uint32_t unclosed_count, unclosed_seen; /* their number, and what it was before the pass */
+    struct tia_word suspect; /* first word of a group whose end has the indentation of a group around it; or empty */
 };
 
 struct tia_parse {
@@ -131,14 +148,18 @@ struct tia_parse {
     struct {
         uint32_t parts, instances; /* the most parts of a model, and the number of instances */
     } models[TIA_MODEL_HASHES];    /* by the hash of the mesh's name: see mesh_file.c */
-    bool hides;                 /* a shape may be hidden: the scene needs a mesh without faces */
-    int bits, most, room;       /* scale_bits of the last pass, and two limits: see next_unit */
-    bool footprints;            /* textures are filtered; known after the first pass */
-    uint32_t images;            /* number of textures whose images have been loaded */
-    uint32_t once;              /* bit n: statement n, which may occur only once, has occurred */
+    bool hides;                    /* a shape may be hidden: the scene needs a mesh without faces */
+    int bits, most, room;          /* scale_bits of the last pass, and two limits: see next_unit */
+    bool footprints;               /* textures are filtered; known after the first pass */
+    uint32_t images;               /* number of textures whose images have been loaded */
+    uint32_t once;                 /* bit n: statement n, which may occur only once, has occurred */
 
     const char *statement; /* the statement read last */
     struct tia_text rest;  /* the rest of its line */
+    bool opens, names;     /* it opens a group, it defines the name that follows it */
+    bool (*is_statement)(const struct tia_word *word);
+
+    struct tia_mistakes *mistakes; /* NULL: the first mistake ends the reading */
 
     /* Set when the text is read again to find a line: that of a statement, or of the item sought_index of an array. */
     bool seeking;
@@ -147,6 +168,47 @@ struct tia_parse {
     uint32_t sought_index;
     const char *sought_statement; /* NULL: none */
 };
+
+/* Reads the statement whose first word is job->first. Defined in statement.c. */
+int tia_statement_read(struct tia_parse *job);
+
+/* ---- blocks.c: blocks of lines, from their statement to the line "end" ---- */
+
+/* What the next line of a block is. */
+enum tia_block_line {
+    TIA_BLOCK_LINE,    /* a line of the block, or one that is not allowed there: its first word is read */
+    TIA_BLOCK_END,     /* "end" */
+    TIA_BLOCK_UNCLOSED /* the block has no end: nothing is read */
+};
+
+/* Goes to the next line of a block, and reads its first word. */
+enum tia_block_line tia_block_take(struct tia_parse *job, struct tia_word *word);
+/* Refuses a block without an end. Returns TIA_OK if the reader goes on. */
+int tia_block_refuse(struct tia_parse *job);
+/* Skips the rest of a line with a mistake. Returns TIA_ERR_RANGE if the reader does not go on. */
+int tia_block_go_on(struct tia_parse *job);
+/* After a mistake in a block's first line: skips the block if there is one, likewise. */
+int tia_block_skip(struct tia_parse *job);
+
+/* ---- mistakes.c: after a mistake, while all of them are told ---- */
+
+/* Tells the mistake in the reader's error, in the pass for that; `ctx` is the struct tia_parse. */
+void tia_mistake_tell(void *ctx);
+/* Tells the mistake of the statement just read, and skips the rest of its line. Returns TIA_OK, or TIA_ERR_RANGE after
+ * too many mistakes. */
+int tia_mistake_recover(struct tia_parse *job);
+/* Ends a counting pass. True if it has found further blocks without an end, and must be repeated without them. */
+bool tia_mistake_blocks(struct tia_parse *job);
+/* Begins the pass that tells the mistakes. */
+void tia_mistake_pass(struct tia_parse *job);
+/* True if the group that begins at job->first has no end. Sets the error then. */
+bool tia_mistake_unclosed(struct tia_parse *job);
+/* Notes a closed group, and whether its end has the indentation of a group around it. */
+void tia_mistake_closed(struct tia_parse *job, const struct tia_word *end);
+/* Closes the groups from number `base` on, which have no end. */
+void tia_mistake_close(struct tia_parse *job, unsigned base);
+/* Sets the error of a block without an end. */
+int tia_block_has_no_end(struct tia_text *t, const struct tia_word *first);
 
 /* Runs all passes, but only the first one if the memory is too small. Defined in tia.c. */
 int tia_parse_read(struct tia_parse *job, struct tia_arena *arena);
@@ -167,6 +229,12 @@ void tia_parse_name(struct tia_parse *job, enum tia_kind_of_name kind, const str
  * material". */
 int tia_parse_find(struct tia_parse *job, enum tia_kind_of_name kind, const struct tia_word *name, const char *expected,
                    uint32_t *index);
+
+/* Refuses a name that is not defined, likewise. */
+int tia_parse_undefined(struct tia_parse *job, enum tia_kind_of_name kind, const struct tia_word *name,
+                        const char *expected);
+/* True if there is such a name; false before the last pass. */
+bool tia_parse_has(const struct tia_parse *job, enum tia_kind_of_name kind, const struct tia_word *name);
 
 /* Records that a name is animated. */
 void tia_parse_animate(struct tia_parse *job, const struct tia_word *name);

@@ -194,9 +194,8 @@ static int read_fields(struct tia_parse *job, struct shape_line *line)
 
 static struct shape_line line_of(enum tia_shape_kind kind)
 {
-    return (struct shape_line){.transform = {.scale = {TIA_Q16_ONE, TIA_Q16_ONE, TIA_Q16_ONE}},
-                               .shape = {.kind = kind},
-                               .parts = 1};
+    return (struct shape_line){
+        .transform = {.scale = {TIA_Q16_ONE, TIA_Q16_ONE, TIA_Q16_ONE}}, .shape = {.kind = kind}, .parts = 1};
 }
 
 int tia_line_shape(struct tia_parse *job, enum tia_shape_kind kind)

@@ -1,19 +1,6 @@
-/* solids.c - meshes and grids: blocks of lines, from their statement to the line "end". */
+/* solids.c - meshes and grids: blocks of lines, see blocks.c. */
 #include "parse_state.h"
-
-/* Reads the first word of a block's next line. Fails at the end of the text. */
-static int take_line(struct tia_text *t, struct tia_word *word, const char *expected)
-{
-    if (tia_text_line(t)) {
-        (void)tia_text_word(t, word);
-        return TIA_OK;
-    }
-    (void)tia_text_word(t, word);
-    (void)tia_text_error_at(t, word);
-    tia_say(t->error, "the text ends within a block, expected ");
-    tia_say(t->error, expected);
-    return TIA_ERR_RANGE;
-}
+#include "read/text/nearest.h"
 
 /* ---- meshes ---- */
 
@@ -30,6 +17,8 @@ static int read_vertex(struct mesh_block *block)
     struct tia_vec3 vertex;
     int status = tia_text_place(&block->job->text, &vertex);
 
+    if (status && block->job->mistakes) /* later faces may use it */
+        (void)tia_parse_add(block->job, TIA_OF_VERTICES, &(struct tia_vec3){0, 0, 0});
     if (!status && block->job->pass == TIA_COUNTING)
         tia_reach_vertex(&block->job->reach, vertex);
     if (!status)
@@ -42,7 +31,9 @@ static int read_normal(struct mesh_block *block)
     struct tia_dir3 normal;
     int status = tia_text_dir3(&block->job->text, &normal);
 
-    if (!status)
+    if (status)
+        normal = (struct tia_dir3){0, 0, 0};
+    if (!status || block->job->mistakes)
         (void)tia_parse_add(block->job, TIA_OF_NORMALS, &normal);
     return status;
 }
@@ -53,7 +44,9 @@ static int read_uv(struct mesh_block *block)
     int status = tia_text_q16(&block->job->text, &uv.u);
 
     status = status ? status : tia_text_q16(&block->job->text, &uv.v);
-    if (!status)
+    if (status)
+        uv = (struct tia_uv){0, 0};
+    if (!status || block->job->mistakes)
         (void)tia_parse_add(block->job, TIA_OF_UVS, &uv);
     return status;
 }
@@ -164,19 +157,53 @@ static int read_group(struct mesh_block *block)
 
 #define MESH_EXPECTED "vertex, normal, uv, face, group or end"
 
-static int read_mesh_line(struct mesh_block *block, const struct tia_word *word)
+static const struct mesh_line {
+    const char *word;
+    int (*read)(struct mesh_block *block);
+} mesh_lines[] = {
+    {"vertex", read_vertex}, {"face", read_face}, {"normal", read_normal}, {"uv", read_uv}, {"group", read_group}};
+
+static const struct mesh_line *find_mesh_line(const struct tia_word *word)
 {
-    if (tia_word_is(word, "vertex"))
-        return read_vertex(block);
-    if (tia_word_is(word, "face"))
-        return read_face(block);
-    if (tia_word_is(word, "normal"))
-        return read_normal(block);
-    if (tia_word_is(word, "uv"))
-        return read_uv(block);
-    if (tia_word_is(word, "group"))
-        return read_group(block);
-    return tia_text_error(&block->job->text, word, "is not a line of a mesh", MESH_EXPECTED);
+    for (unsigned i = 0; i < TIA_COUNT_OF(mesh_lines); i++)
+        if (tia_word_is(word, mesh_lines[i].word))
+            return &mesh_lines[i];
+    return NULL;
+}
+
+/* Reads a line; sets *end if it is probably the end of the mesh. */
+static int read_mesh_line(struct mesh_block *block, const struct tia_word *word, bool *end)
+{
+    struct tia_text *t = &block->job->text;
+    const struct mesh_line *line = find_mesh_line(word);
+    struct tia_word meant;
+
+    if (line)
+        return line->read(block);
+    (void)tia_text_error_of(t, word, "is not a line of a mesh", MESH_EXPECTED, &meant);
+    if (!meant.length || !tia_text_goes_on(t))
+        return TIA_ERR_RANGE;
+    line = find_mesh_line(&meant);
+    *end = !line;
+    return line ? line->read(block) : TIA_OK;
+}
+
+static int read_mesh(struct mesh_block *block)
+{
+    struct tia_parse *job = block->job;
+    struct tia_word word;
+    bool end = false;
+
+    while (!end) {
+        enum tia_block_line line = tia_block_take(job, &word);
+        if (line != TIA_BLOCK_LINE)
+            return line == TIA_BLOCK_END ? TIA_OK : tia_block_refuse(job);
+        int status = read_mesh_line(block, &word, &end);
+        status = status ? status : tia_text_end(&job->text);
+        if (status && tia_block_go_on(job))
+            return status;
+    }
+    return TIA_OK;
 }
 
 static void add_mesh(const struct mesh_block *block)
@@ -218,13 +245,9 @@ int tia_line_mesh(struct tia_parse *job)
     if (!status && tia_text_peek(&job->text, &word) && tia_word_is(&word, "file"))
         return tia_mesh_file(job, &name);
     status = status ? status : tia_text_end(&job->text);
-    while (!status) {
-        status = take_line(&job->text, &word, MESH_EXPECTED);
-        if (status || tia_word_is(&word, "end"))
-            break;
-        status = read_mesh_line(&block, &word);
-        status = status ? status : tia_text_end(&job->text);
-    }
+    if (status)
+        return tia_block_skip(job);
+    status = read_mesh(&block);
     if (!status)
         add_mesh(&block);
     return status;
@@ -256,23 +279,33 @@ static int read_row(struct tia_parse *job, unsigned cells)
     return tia_text_end(&job->text);
 }
 
+/* Reads a line of a grid, whose rows are `left` too few. */
+static int read_grid_line(struct tia_parse *job, const struct tia_word *word, const struct tia_grid *grid,
+                          uint32_t left)
+{
+    if (left && tia_word_is(word, "row"))
+        return read_row(job, grid->size[0]);
+    return tia_text_error_of(&job->text, word, "is not the next line of the grid", left ? "row" : "end", NULL);
+}
+
 /* Reads the rows of a grid, one for each y and z, and the line "end". */
 static int read_rows(struct tia_parse *job, const struct tia_grid *grid)
 {
+    uint32_t left = (uint32_t)grid->size[1] * grid->size[2];
     struct tia_word word;
 
-    for (uint32_t row = 0; row <= (uint32_t)grid->size[1] * grid->size[2]; row++) {
-        const char *expected = row < (uint32_t)grid->size[1] * grid->size[2] ? "row" : "end";
-        int status = take_line(&job->text, &word, expected);
-        if (status)
+    for (;; left--) {
+        enum tia_block_line line = tia_block_take(job, &word);
+        if (line == TIA_BLOCK_UNCLOSED || (line == TIA_BLOCK_END && !left))
+            return line == TIA_BLOCK_END ? TIA_OK : tia_block_refuse(job);
+        int status = read_grid_line(job, &word, grid, left);
+        if (status && line == TIA_BLOCK_LINE && !left)
+            return tia_block_skip(job); /* rows too many */
+        if (status && tia_block_go_on(job))
             return status;
-        if (!tia_word_is(&word, expected))
-            return tia_text_error(&job->text, &word, "is not the next line of the grid", expected);
-        status = *expected == 'r' ? read_row(job, grid->size[0]) : TIA_OK;
-        if (status)
-            return status;
+        if (line == TIA_BLOCK_END)
+            return TIA_OK;
     }
-    return TIA_OK;
 }
 
 int tia_line_grid(struct tia_parse *job)
@@ -282,7 +315,9 @@ int tia_line_grid(struct tia_parse *job)
     int status = tia_parse_define(job, TIA_NAMED_SOLID, 2 * tia_parse_count(job, TIA_OF_GRIDS) + 1);
 
     status = status ? status : tia_fields(&job->text, "a grid", grid_fields, TIA_COUNT_OF(grid_fields), &grid, NULL);
-    status = status ? status : read_rows(job, &grid);
+    if (status)
+        return tia_block_skip(job);
+    status = read_rows(job, &grid);
     if (status)
         return status;
     if (job->pass == TIA_COUNTING)

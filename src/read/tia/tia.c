@@ -1,110 +1,7 @@
-/* tia.c - scenes in tia's own format, tia-scene(5): the passes over the text, and the table of statements. */
+/* tia.c - scenes in tia's own format, tia-scene(5): the passes over the text. */
 #include "parse_state.h"
 #include "read/alter.h"
 #include "read/readers.h"
-#include "read/text/nearest.h"
-#include "scene/shapes/description.h"
-
-#define ONCE 1u     /* at most one in a scene */
-#define UNMOVED 2u  /* not allowed in groups, which would not move it */
-#define REPEATED 4u /* allowed in repeat blocks */
-#define MEMBER 8u   /* allowed in solids */
-
-/* All statements but those of shapes: a shape's word is in its description. */
-static const struct statement {
-    const char *word;
-    int (*read)(struct tia_parse *job);
-    unsigned flags;
-} statements[] = {
-    {"instance", tia_line_instance, REPEATED},
-    {"mesh", tia_line_mesh, 0},
-    {"grid", tia_line_grid, 0},
-    {"material", tia_line_material, 0},
-    {"texture", tia_line_texture, 0},
-    {"light", tia_line_light, UNMOVED},
-    {"key", tia_line_key, UNMOVED},
-    {"animate", tia_line_animate, 0},
-    {"fall", tia_line_fall, 0},
-    {"gravity", tia_line_gravity, ONCE},
-    {"union", tia_line_union, REPEATED | MEMBER},
-    {"intersection", tia_line_intersection, REPEATED | MEMBER},
-    {"difference", tia_line_difference, REPEATED | MEMBER},
-    {"group", tia_line_group, REPEATED | MEMBER},
-    {"repeat", tia_line_repeat, REPEATED | MEMBER},
-    {"end", tia_line_end, REPEATED | MEMBER},
-    {"include", tia_line_include, 0},
-    {"define", tia_line_define, 0},
-    {"camera", tia_line_camera, ONCE | UNMOVED},
-    {"background", tia_line_background, ONCE},
-    {"samples", tia_line_samples, ONCE},
-    {"depth", tia_line_depth, ONCE},
-    {"fog", tia_line_fog, ONCE | UNMOVED},
-    {"lens", tia_line_lens, ONCE | UNMOVED},
-    {"shadows", tia_line_shadows, ONCE},
-    {"integrator", tia_line_integrator, ONCE},
-    {"spp", tia_line_spp, ONCE},
-    {"filter", tia_line_filter, ONCE},
-    {"tone", tia_line_tone, ONCE},
-    {"exposure", tia_line_exposure, ONCE},
-};
-#define STATEMENTS TIA_COUNT_OF(statements)
-
-static int refuse(struct tia_parse *job, const struct tia_word *word)
-{
-    struct tia_nearest nearest = {.word = word};
-    const struct shape_description *shape;
-
-    for (unsigned kind = 0; (shape = tia_shape_description((enum tia_shape_kind)kind)); kind++)
-        if (shape->word)
-            tia_nearest_try(&nearest, shape->word);
-    for (unsigned i = 0; i < STATEMENTS; i++)
-        tia_nearest_try(&nearest, statements[i].word);
-    return tia_text_error(&job->text, word, "is not a statement",
-                          nearest.candidate ? nearest.candidate : "a shape, material, light, camera or the like");
-}
-
-/* Finds the kind of shape whose statement begins with the word. */
-static bool find_shape(const struct tia_word *word, enum tia_shape_kind *kind)
-{
-    const struct shape_description *shape;
-
-    for (unsigned i = TIA_SPHERE; (shape = tia_shape_description((enum tia_shape_kind)i)); i++)
-        if (shape->word && tia_word_is(word, shape->word)) {
-            *kind = (enum tia_shape_kind)i;
-            return true;
-        }
-    return false;
-}
-
-static int read_statement(struct tia_parse *job, const struct tia_word *word)
-{
-    enum tia_shape_kind kind;
-    unsigned i = 0;
-
-    job->rest = job->text;
-    if (job->repeat_count && ++job->repeated_lines > TIA_REPEATED_LINES)
-        return tia_text_error(&job->text, word, "is a line too many", "at most 16777216 in repeat blocks");
-    if (find_shape(word, &kind)) {
-        job->statement = tia_shape_description(kind)->word;
-        return tia_line_shape(job, kind);
-    }
-    while (i < STATEMENTS && !tia_word_is(word, statements[i].word))
-        i++;
-    if (i == STATEMENTS)
-        return refuse(job, word);
-    if (statements[i].flags & ONCE && job->once >> i & 1)
-        return tia_text_error(&job->text, word, "is given twice", "once");
-    if (job->solid_groups && !(statements[i].flags & MEMBER))
-        return tia_text_error(&job->text, word, "is not a part of a solid", "members, operations, groups or end");
-    if (statements[i].flags & UNMOVED && job->group_count)
-        return tia_text_error(&job->text, word, "is not moved by groups", "it outside of them");
-    if (!(statements[i].flags & REPEATED) && job->repeat_count)
-        return tia_text_error(&job->text, word, "is not repeated", "it outside of repeat blocks");
-    job->once |= UINT32_C(1) << i;
-    job->statement = statements[i].word;
-    int status = statements[i].read(job);
-    return status ? status : tia_text_end(&job->text);
-}
 
 /* True if the statement just read is the sought one. */
 static bool is_sought(const struct tia_parse *job, const struct tia_word *word)
@@ -140,6 +37,9 @@ static void begin_pass(struct tia_parse *job, enum tia_pass pass)
     job->text = tia_text_begin(reader->text, reader->length, "", &reader->error);
     job->text.constants = &job->constants;
     job->text.lengths = &job->reach.lengths;
+    if (job->mistakes)
+        job->mistakes->scans = 0;
+    job->text.tolerance = job->mistakes ? &job->mistakes->tolerance : NULL;
 }
 
 /* Goes to the next line of this file or, at its end, of the file that includes it. Returns false at the end of the
@@ -162,7 +62,9 @@ static int read_pass(struct tia_parse *job, enum tia_pass pass)
     begin_pass(job, pass);
     while (next_line(job, &status)) {
         (void)tia_text_word(&job->text, &job->first);
-        status = read_statement(job, &job->first);
+        status = tia_statement_read(job);
+        if (status && job->mistakes)
+            status = tia_mistake_recover(job);
         if (status)
             return status;
         if (job->seeking && pass == job->seeking_in && is_sought(job, &job->first)) {
@@ -200,7 +102,7 @@ static int sort_names(struct tia_parse *job)
     tia_names_sort((struct tia_name *)(void *)animated->items, animated->count);
     tia_names_sort(first, names->count);
     twice = tia_names_twice(first, names->count);
-    return twice ? refuse_twice(job, twice) : TIA_OK;
+    return twice && !job->mistakes ? refuse_twice(job, twice) : TIA_OK;
 }
 
 /* Sets the reference point of a camera without one: the first value of its track. */
@@ -316,7 +218,9 @@ int tia_parse_read(struct tia_parse *job, struct tia_arena *arena)
     size_arrays(job);
     do {
         tia_reach_begin(&job->reach, bits, job->reader->reach);
-        status = read_pass(job, TIA_COUNTING);
+        do
+            status = read_pass(job, TIA_COUNTING);
+        while (!status && tia_mistake_blocks(job));
         if (status)
             return status;
         tia_alter_measured(job->reader, &job->scene->camera, &job->reach.lengths);
@@ -326,11 +230,13 @@ int tia_parse_read(struct tia_parse *job, struct tia_arena *arena)
     for (unsigned i = 0; i < TIA_ARRAYS; i++)
         (void)tia_array_place(arena, &job->arrays[i]);
     if (!tia_arena_fits(arena))
-        return TIA_OK;
+        return job->mistakes ? tia_mistake_pass(job), read_pass(job, TIA_COUNTING) : TIA_OK;
     status = read_pass(job, TIA_NAMING);
     status = status ? status : sort_names(job);
     if (!job->reader->unscaled)
         choose_unit(job);
+    if (job->mistakes)
+        tia_mistake_pass(job);
     return status ? status : read_pass(job, TIA_FILLING);
 }
 
@@ -368,10 +274,22 @@ int tia_read_tia(struct tia_reader *reader, struct tia_scene *scene, struct tia_
     if (!status)
         finish(&job);
     while ((status || tia_scene_check(scene, NULL)) && next_unit(&job)) {
-        reader->error = (struct tia_read_error){{0}, 0, 0, {0}};
+        reader->error = (struct tia_read_error){.line = 0};
         status = read_pass(&job, TIA_FILLING);
         if (!status)
             finish(&job);
     }
     return status;
+}
+
+void tia_tell_tia(struct tia_reader *reader, struct tia_arena *arena)
+{
+    struct tia_scene scene;
+    struct tia_mistakes mistakes = {.tolerance = {.tell = tia_mistake_tell}, .first = reader->error};
+    struct tia_parse job = {.reader = reader, .scene = &scene, .mistakes = &mistakes};
+
+    mistakes.tolerance.ctx = &job;
+    arena->used = 0;
+    (void)tia_parse_read(&job, arena);
+    reader->error = mistakes.first;
 }

@@ -2,6 +2,7 @@
 #include "parse_state.h"
 
 #include "math/integer.h"
+#include "read/text/nearest.h"
 
 #define EYE                                                                                                            \
     {.word = "eye", .kind = TIA_LENGTHS, .count = 3, .offset = offsetof(struct tia_camera, eye)},                      \
@@ -51,10 +52,11 @@ int tia_line_camera(struct tia_parse *job)
     (void)tia_text_peek(&job->text, &word);
     if (tia_word_is(&word, "lightfield"))
         return tia_light_field_line(job);
-    const struct tia_form *form = tia_form(&job->text, projections, TIA_COUNT_OF(projections));
+    const struct tia_form *form;
+    int status = tia_form(&job->text, projections, TIA_COUNT_OF(projections), &form);
 
     camera->projection = (enum tia_projection)form->kind;
-    int status = tia_fields(&job->text, form->what, form->fields, form->count, camera, &given);
+    status = status ? status : tia_fields(&job->text, form->what, form->fields, form->count, camera, &given);
     if (status)
         return status;
     (void)tia_text_peek(&job->text, &word);
@@ -135,7 +137,7 @@ static int named(struct tia_text *t, const char *(*name_of)(unsigned), unsigned 
     for (*number = first; (name = name_of(*number)) != NULL; ++*number)
         if (tia_word_is(&word, name))
             return TIA_OK;
-    return tia_text_error(t, &word, what, expected);
+    return tia_text_error_of(t, &word, what, expected, NULL);
 }
 
 static int map_size(struct tia_text *t, struct tia_shadow_map *map)
@@ -207,8 +209,8 @@ static int shadow_field(struct tia_text *t, const struct tia_word *word, struct 
     while (i < count && !tia_word_is(word, fields[i]))
         i++;
     if (i == count)
-        return tia_text_error(t, word, "is not a field of this technique",
-                              map ? "size, bias, filter or tessellated" : "tessellated");
+        return tia_text_error_of(t, word, "is not a field of this technique",
+                                 map ? "size, bias, filter or tessellated" : "tessellated", NULL);
     if (*seen >> i & 1)
         return tia_text_error(t, word, "is given twice", "once");
     *seen |= 1U << i;
@@ -269,7 +271,7 @@ int tia_line_filter(struct tia_parse *job)
     job->footprints = tia_word_is(&word, "footprint");
     if (job->footprints || tia_word_is(&word, "none"))
         return TIA_OK;
-    return tia_text_error(&job->text, &word, "is not a filter", "none or footprint");
+    return tia_text_error_of(&job->text, &word, "is not a filter", "none or footprint", NULL);
 }
 
 int tia_line_tone(struct tia_parse *job)

@@ -31,6 +31,7 @@ struct scene_file {
     uint32_t crc;        /* CRC of the text and all files that it refers to; equal for equal scenes; 0 unless
                           * `hashed` */
     char why[SCENE_WHY]; /* after a failure: one line, "FILE:LINE:COLUMN: WHAT" or "FILE: WHAT" */
+    char *report;        /* after a failure: all mistakes of the text, see scene_report.h; NULL: none are known */
     struct tia_read_warning warnings[TIA_WARNINGS];
 
     /* Private. */

@@ -15,6 +15,7 @@
 #include "common/scene/model/model.h"
 #include "common/thread_pool.h"
 #include "scene_part.h"
+#include "scene_report.h"
 #include "whole_file.h"
 
 /* Size of the memory for the first attempt, in bytes; after it, tia_read returns the size that it needs. */
@@ -22,10 +23,9 @@
 /* Largest size of the memory, in bytes. The memory takes at most some tens of bytes per byte of the file. */
 #define MEMORY_MOST ((size_t)1 << (sizeof(size_t) > 4 ? 34 : 30))
 
-static const char *const names[TIA_FORMATS] = {[TIA_FORMAT_TIA] = "tia", [TIA_FORMAT_NFF] = "nff",
-                                               [TIA_FORMAT_OBJ] = "obj", [TIA_FORMAT_STL] = "stl",
-                                               [TIA_FORMAT_PLY] = "ply", [TIA_FORMAT_OFF] = "off",
-                                               [TIA_FORMAT_PGM] = "pgm"};
+static const char *const names[TIA_FORMATS] = {
+    [TIA_FORMAT_TIA] = "tia", [TIA_FORMAT_NFF] = "nff", [TIA_FORMAT_OBJ] = "obj", [TIA_FORMAT_STL] = "stl",
+    [TIA_FORMAT_PLY] = "ply", [TIA_FORMAT_OFF] = "off", [TIA_FORMAT_PGM] = "pgm"};
 
 static int format_called(const char *name)
 {
@@ -85,10 +85,27 @@ static size_t format_place(const struct scene_file *file, const struct tia_read_
     return (size_t)used;
 }
 
-static int set_error(struct scene_file *file, const struct tia_read_error *error)
+static void format_error(const struct scene_file *file, const struct tia_read_error *error, char line[SCENE_WHY])
 {
-    size_t used = format_place(file, error, true, file->why);
-    (void)snprintf(file->why + used, SCENE_WHY - used, " %s", error->text);
+    size_t used = format_place(file, error, true, line);
+    (void)snprintf(line + used, SCENE_WHY - used, " %s", error->text);
+}
+
+/* Receives a mistake from tia_read. */
+static void add_mistake(void *ctx, const struct tia_read_error *error)
+{
+    struct scene_file *file = ctx;
+    char line[SCENE_WHY];
+
+    format_error(file, error, line);
+    scene_report_add(file, line, error);
+}
+
+static int set_error(struct scene_file *file, const struct tia_reader *reader)
+{
+    format_error(file, &reader->error, file->why);
+    if (reader->mistakes > TIA_MISTAKES_MAX)
+        scene_report_more(file);
     return TIA_ERR_RANGE;
 }
 
@@ -158,21 +175,25 @@ static int read_scene(struct scene_file *file, const struct whole *text, int for
                                 .camera = file->wish->camera,
                                 .workers = threads_workers(pool),
                                 .strict = strict,
-                                .warnings = file->warnings};
+                                .warnings = file->warnings,
+                                .mistake = add_mistake};
     size_t size = 3 * text->length > MEMORY_FIRST ? 3 * text->length : MEMORY_FIRST, need = 0;
     int status = TIA_ERR_MEMORY;
-    for (unsigned tries = 0; tries < 4 && status == TIA_ERR_MEMORY && size <= MEMORY_MOST; tries++) {
+    bool more = true; /* memory is needed: for the scene, or for the rest of its mistakes */
+    for (unsigned tries = 0; tries < 4 && more && size <= MEMORY_MOST; tries++) {
         free(file->memory);
+        scene_report_free(file);
         file->memory = malloc(size);
         if (!file->memory)
             return exhausted(file);
         status = tia_read(&reader, &file->scene, file->memory, size, &need);
+        more = status == TIA_ERR_MEMORY || (status == TIA_ERR_RANGE && need > size);
         size = need > size ? need : size * 2;
     }
     file->placement = reader.placement;
     if (!status && file->wish->camera)
         drop_tracks(file, file->wish->camera);
-    return status == TIA_ERR_MEMORY ? exhausted(file) : status ? set_error(file, &reader.error) : TIA_OK;
+    return status == TIA_ERR_MEMORY ? exhausted(file) : status ? set_error(file, &reader) : TIA_OK;
 }
 
 /* Size in bytes from which a hierarchy is built by several threads: building it takes as long as starting the
@@ -239,8 +260,12 @@ int scene_open_for(struct scene_file *file, const char *path, int format, bool s
     if (!status)
         status = build_boxes(file, pool);
     threads_destroy(pool);
-    if (status)
+    if (status) {
+        char *report = file->report;
+        file->report = NULL;
         scene_close(file);
+        file->report = report;
+    }
     return status;
 }
 
@@ -249,6 +274,7 @@ void scene_close(struct scene_file *file)
     free(file->memory);
     free(file->boxes);
     file->memory = file->boxes = NULL;
+    scene_report_free(file);
     part_free_all(file);
     model_close(file);
 }

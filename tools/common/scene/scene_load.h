@@ -12,7 +12,8 @@ int scene_format_of(const char *path);
 
 /* Reads the scene `path` ("-": standard input) of `format` (enum tia_format, or SCENE_MODEL). Files that it refers to
  * are relative to its directory. Returns TIA_OK; TIA_ERR_MEMORY; TIA_ERR_DEVICE if a file cannot be read; TIA_ERR_RANGE
- * if it is not a valid scene. After an error file->why has the reason, and nothing needs to be closed. `path` must
+ * if it is not a valid scene. After an error file->why has the reason, the first mistake, and file->report all of them:
+ * scene_report_print, scene_report_free or scene_close frees it, and nothing else needs to be closed. `path` must
  * outlive the file. With `strict`, warnings are errors. */
 int scene_open(struct scene_file *file, const char *path, int format, bool strict);
 
