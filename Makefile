@@ -469,6 +469,7 @@ help:
 	@echo "python npm         packages for the tests of other programs, in build/kit: docs/kit.md"
 	@echo "docs               draws the pictures of docs again and counts their figures; gallery: the pictures"
 	@echo "                   without the course's; counted: the figures"
+	@echo "language           docs/language.md with its pictures, and what editors colour scene files by"
 	@echo "man3               the reference of the library, in build/man3: man pages made from the headers"
 	@echo "amalgamation       the library as two files, tia.c and tia.h, in build/amalgamation"
 	@echo "arduino            a library for Arduino, in build/arduino/tia (docs/ecosystems.md has the others)"

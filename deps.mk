@@ -39,6 +39,7 @@ deps_of_check-arch := gcc libc6-dev python3 clang libclang-rt-14-dev libclang-rt
         $(DEPS_ARCH) $(DEPS_ARCH_FULL)
 deps_of_evidence = $(deps_of_all) gcc-arm-none-eabi gcc-riscv64-unknown-elf frama-c-base cppcheck clang clang-tidy llvm \
         libclang-rt-14-dev python3
+deps_of_language := $(deps_of_all) python3
 deps_of_lint := clang-format
 deps_of_man3 := python3
 deps_of_amalgamation := python3
