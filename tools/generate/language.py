@@ -316,24 +316,29 @@ class Html:
         return "\n".join(self.out) + "\n</dl>\n</body>\n</html>\n"
 
 
-def sentence(text, word=None):
-    """The first sentence, or the first one with the word."""
-    sentences = re.split(r"(?<=[.;:]) (?=[A-Z\d])", text)
-    if word:
-        return next((s for s in sentences if re.search(rf"(?<![\w-]){re.escape(word)}(?![\w-])", s)), sentences[0])
-    return sentences[0]
+MARK = "\0"        # before a word of the language, while sentences are chosen
+
+
+def sentence(lines, word=None):
+    """The first sentence of some lines of parts, or the first one with the word, or else with its letters."""
+    text = " ".join("".join(MARK + text if style == "word" else text for style, text in parts) for parts in lines)
+    sentences = re.split(r"(?<=\.) (?=\S)", text)
+    ends = r"(?![\w-])"
+    for start in (MARK, r"(?<![\w-])") if word else ():
+        fits = [found for found in sentences if re.search(start + re.escape(word) + ends, found)]
+        if fits:
+            return fits[0].replace(MARK, "")
+    return sentences[0].replace(MARK, "")
 
 
 def help_of(entry, word=None):
-    """A short text about an entry or about a word in it: that of its item, or else the first sentence that has it."""
-    texts = [text_of(content) for kind, _, content in entry.blocks if kind == "text"]
+    """A short text about an entry, or about a word in it: of that word's item, if there is one."""
+    lines = [content for kind, _, content in entry.blocks if kind == "text"]
     for at, (kind, _, content) in enumerate(entry.blocks):
         if word and kind == "item" and word in [w for head in content for w in first_words(head)]:
-            after = next((text_of(c) for k, _, c in entry.blocks[at + 1:] if k == "text"), "")
-            return sentence(after)
-    if word:
-        texts = [text for text in texts if re.search(rf"(?<![\w-]){re.escape(word)}(?![\w-])", text)] or texts
-    return sentence(texts[0], word) if texts else " / ".join(text_of(head) for head in entry.heads)
+            lines = [next((c for k, _, c in entry.blocks[at + 1:] if k == "text"), content[0])]
+            return sentence(lines)
+    return sentence(lines, word) if lines else " / ".join(text_of(head) for head in entry.heads)
 
 
 def for_editor(words, places):
