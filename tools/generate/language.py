@@ -353,6 +353,8 @@ def for_editor(words, places):
         statements[name] = {"lines": lines, "help": help_of(entry), "place": place(entry)}
     for word in words.words:
         entry = places.word(word)
+        if not entry:
+            sys.exit(f"language.py: {MANUAL} does not describe {word.word} of {word.path}")
         row = {"of": word.path, "kind": word.kind, "count": word.count, "needed": word.needed,
                "help": help_of(entry, word.word), "place": place(entry)}
         properties.setdefault(word.word, []).append(row)
