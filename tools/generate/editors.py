@@ -307,7 +307,7 @@ def textmate(words):
              {"match": rf"^\s*({any_of(words.first)})(?!\S)", "captures": {"1": statement}}]
     return {"$schema": "https://raw.githubusercontent.com/martinring/tmlanguage/master/tmlanguage.json",
             "comment": MADE, "name": "tia scene", "scopeName": "source.tia", "fileTypes": ["tia"],
-            "patterns": [{"comment": "a line that continues another has no statement", "begin": r"\\$", "end": r"(?<!\\)$",
+            "patterns": [{"comment": "a line that continues another has no statement", "begin": r"\\$", "end": r"(?<!\\)\n",
                           "patterns": [{"include": "#rest"}]}, *first, {"include": "#rest"}],
             "repository": {"rest": {"patterns": rest}}}
 
