@@ -312,6 +312,9 @@ $(BUILD)/tests/test_telltales: $(BUILD)/scenes/telltales.o
 .PHONY: check-exhaustive prove check-accuracy check-exact check-arch check-freestanding check-matrix check-simd check-denoise check-threads check-deb check-assimp check-light check-rays-billion check-trust check-mutants check-bounds evidence fuzz
 $(BUILD)/tests/exhaustive: $(BUILD)/tests/exhaustive.o $(LIBTIA) $(BUILD)/made-with/link
 	$(link)
+# The words of scene files, from the tables of their reader: tools/generate/language.py makes files of them.
+$(BUILD)/tests/scene_words: $(BUILD)/tests/scene_words.o $(LIBTIA) $(BUILD)/made-with/link
+	$(link) $(foreach f,word_is fields text_name text_file,-Xlinker --wrap=tia_$(f))
 check-exhaustive: $(BUILD)/tests/exhaustive
 	@$(run_tests) $<
 prove:
@@ -394,7 +397,7 @@ SLOW  := $(LONG) $(filter-out $(LONG),$(sort $(wildcard tests/slow/*)))
 TOOLS := $(PROGRAMS:%=$(BUILD)/%)
 export BUILD CC F64
 VM_PROGRAMS := $(BUILD)/vm/probe $(BUILD)/vm/controller
-tests: $(TESTS) $(TOOLS) $(VM_PROGRAMS)
+tests: $(TESTS) $(TOOLS) $(VM_PROGRAMS) $(BUILD)/tests/scene_words
 # One more at a time than there are processors, as some wait for terminals and clocks.
 check-quick: all tests
 	@CHECK_QUICK=yes $(run_tests) -j $$(($(processors) + 1)) $(QUICK)
@@ -466,6 +469,7 @@ help:
 	@echo "python npm         packages for the tests of other programs, in build/kit: docs/kit.md"
 	@echo "docs               draws the pictures of docs again and counts their figures; gallery: the pictures"
 	@echo "                   without the course's; counted: the figures"
+	@echo "language           docs/language.md with its pictures, and what editors colour scene files by"
 	@echo "man3               the reference of the library, in build/man3: man pages made from the headers"
 	@echo "amalgamation       the library as two files, tia.c and tia.h, in build/amalgamation"
 	@echo "arduino            a library for Arduino, in build/arduino/tia (docs/ecosystems.md has the others)"

@@ -22,7 +22,8 @@ DEPS_CHECK := make python3 clang clang-format libclang-rt-14-dev universal-ctags
         arduino-builder arduino-ctags arduino-core-avr picolibc-arm-none-eabi \
         python3-setuptools python3-wheel python3-pip python3-pytest \
         gcc-avr avr-libc libsimavr-dev libelf-dev sweethome3d-furniture assimp-testmodels glmark2-data \
-        shared-mime-info openexr
+        shared-mime-info openexr \
+        vim nano python3-pygments python3-gi gir1.2-gtksource-4
 deps_of_run := $(DEPS_BUILD)
 deps_of_all := $(DEPS_BUILD) $(DEPS_ALL)
 deps_of_install := $(deps_of_all)
@@ -38,6 +39,7 @@ deps_of_check-arch := gcc libc6-dev python3 clang libclang-rt-14-dev libclang-rt
         $(DEPS_ARCH) $(DEPS_ARCH_FULL)
 deps_of_evidence = $(deps_of_all) gcc-arm-none-eabi gcc-riscv64-unknown-elf frama-c-base cppcheck clang clang-tidy llvm \
         libclang-rt-14-dev python3
+deps_of_language := $(deps_of_all) python3
 deps_of_lint := clang-format
 deps_of_man3 := python3
 deps_of_amalgamation := python3

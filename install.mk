@@ -63,6 +63,12 @@ arduino: tools/generate/amalgamation.py $(CORE_SRC) $(wildcard include/tia/*.h s
 	    && cp tests/boards/thesis.h $(ARDUINO)/src/tia_thesis.h && $(or $(PYTHON),python3) $< $(ARDUINO)/src $(CORE_SRC)
 
 # ---- what is installed: mode:file:place below PREFIX ----
+# Colours of scene files in editors. Visual Studio Code and Pygments take theirs from a folder that users name.
+EDITORS := package/editors
+EDITOR_PLACES := 644:$(EDITORS)/nano/tia.nanorc:share/nano/tia.nanorc \
+    $(foreach v,4 5,644:$(EDITORS)/gtksourceview/tia.lang:share/gtksourceview-$(v)/language-specs/tia.lang) \
+    $(foreach f,$(wildcard $(EDITORS)/vim/*/tia.vim),644:$(f):$(f:$(EDITORS)/vim/%=share/vim/vimfiles/%)) \
+    $(foreach f,$(wildcard $(addprefix $(EDITORS)/,vscode/*.json vscode/*/*.json pygments/*.*)),644:$(f):$(f:$(EDITORS)/%=share/tia/%))
 INSTALLED := $(if $(LIBF64),$(PROGRAMS),$(filter-out tia-compare,$(PROGRAMS)))
 PLACES := $(foreach p,$(INSTALLED),755:$(BUILD)/$(p):bin/$(p) 644:man/$(p).1:share/man/man1/$(p).1) \
     644:man/tia-scene.5:share/man/man5/tia-scene.5 \
@@ -74,7 +80,7 @@ PLACES := $(foreach p,$(INSTALLED),755:$(BUILD)/$(p):bin/$(p) 644:man/$(p).1:sha
     $(foreach h,$(PORT_HEADERS),644:$(h):include/tia/ports/$(notdir $(h))) \
     $(foreach s,$(wildcard scenes/*.* scenes/*/*.*),644:$(s):share/tia/$(s)) \
     644:LICENSE:share/doc/tia/LICENSE 644:README.md:share/doc/tia/README.md \
-    $(if $(BARE),,644:package/complete/tia.bash:share/bash-completion/completions/tia \
+    $(if $(BARE),,$(EDITOR_PLACES) 644:package/complete/tia.bash:share/bash-completion/completions/tia \
     644:package/freedesktop/tia.thumbnailer:share/thumbnailers/tia.thumbnailer 644:package/freedesktop/tia.xml:share/mime/packages/tia.xml \
     644:package/editors/vim/compiler/tia.vim:share/vim/vimfiles/compiler/tia.vim \
     644:package/complete/_tia:share/zsh/site-functions/_tia 644:package/complete/tia.fish:share/fish/vendor_completions.d/tia.fish)

@@ -1,12 +1,22 @@
 # pictures.mk - draws the pictures of README.md and docs/ again, and writes the figures there that are counted; the
-# Makefile includes it. tests/quick/gallery, tests/quick/course and tests/slow/counted compare them with today's.
+# Makefile includes it. tests/quick/gallery, tests/quick/course, tests/quick/language and tests/slow/counted compare them
+# with today's.
 
 .PHONY: gallery docs counted
 counted: all boards $(COUNT_FILES) $(BUILD)/tests/test_spi_figures
 	@$(call python,tools/generate/counted.py $(BUILD))
-docs: gallery counted
+docs: gallery counted language
 	@sed -n 's,^    build/\(tia.* docs/course/[a-z0-9-]*\.png.*\),$(BUILD)/\1,p' docs/course/*.md | \
 	    while read -r command; do echo "  DRAW    $${command##*docs/course/}"; sh -c "$$command" >/dev/null || exit; done
+
+# The reference of scene files with its pictures, from the manual and from the words that the reader knows, and what
+# editors colour by these words; and the page's help.
+.PHONY: language
+language: $(BUILD)/tia $(BUILD)/tests/scene_words
+	@$(call python,python3 tools/generate/language_pictures.py $(BUILD) && python3 tools/generate/language.py $(BUILD) && \
+	    python3 tools/generate/editors.py $(BUILD))
+$(BUILD)/web/language.json: man/tia-scene.5 $(wildcard tools/generate/*.py docs/language/*.png) $(BUILD)/tests/scene_words
+	$(call say,WRITE,$(@D)/language.html)$(or $(PYTHON),python3) tools/generate/language.py $(BUILD) --page $(@D)
 
 comma := ,
 draw = $(call say,DRAW,$(1))$(BUILD)/tia $(2) -o $(1)$(newline)

@@ -1,0 +1,2 @@
+" Scenes for tia; written by tools/generate/editors.py.
+au BufRead,BufNewFile *.tia setfiletype tia
