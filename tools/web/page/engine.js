@@ -49,7 +49,8 @@ export const settings = () => {
 };
 
 function ask(job) {
-  idle = false;
+  idle = page.complete = false;
+  $('crc').textContent = '\u2026';
   kept = job.goesOn ? kept : null;
   worker.postMessage({job: {settings: settings(), ...job}});
 }
