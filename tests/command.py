@@ -23,7 +23,7 @@ for ignored in (signal.SIGINT, signal.SIGQUIT, signal.SIGHUP, signal.SIGTERM):
     if signal.getsignal(ignored) == signal.SIG_IGN:
         signal.signal(ignored, signal.SIG_DFL)
 
-LIMIT_S = 12            # far more than any case needs: only a hang takes that long
+LIMIT_S = 60            # far more than any case needs: only a hang takes that long
 
 
 def make_files(root):

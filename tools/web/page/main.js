@@ -3,7 +3,7 @@ import {$, fail, page} from './page.js';
 import {change, startEngine} from './engine.js';
 import {repaint, showMistakes, startEditor} from './editor.js';
 import {startCompletions} from './complete.js';
-import {clearRays, drawRays, show, updateNote} from './picture.js';
+import {clearRays, drawRays, show, showAgain, updateNote} from './picture.js';
 import {startFiles} from './files.js';
 import {startInput} from './input.js';
 import {edited, startScenes} from './scenes.js';
@@ -13,6 +13,7 @@ import {setWords} from './words.js';
 function hear(data) {
   if (data.words) { setWords(data.words); repaint(); }
   if (data.frame) show(data.frame, data.pixels);
+  if (data.unchanged) showAgain();
   if (data.lines) drawRays(data.lines);
   if (data.loaded) showMistakes(null, page.scene);
   if (data.error) showMistakes(data.error, page.scene);

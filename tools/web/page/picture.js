@@ -58,6 +58,13 @@ export function show(now, pixels) {
   updateNote();
 }
 
+// Shows the checksum of the picture again, which has stayed.
+export function showAgain() {
+  if (!page.frame) return;
+  page.complete = true;
+  $('crc').textContent = hex(page.frame.crc);
+}
+
 export function placeLight() {
   const {frame} = page;
   if (!frame) return;

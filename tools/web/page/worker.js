@@ -5,6 +5,7 @@ importScripts('worker-files.js', 'helper.js');
 
 const ESCAPE = 27, POINT = 3, DRAGGED = 0x200; // as in tia/port.h and port/web/web.h
 let run, suspends, job = null, busy = false, loaded = false, settings;
+let whole = false, drawn = ''; // the last picture is complete; its settings
 let queue = [], wake = null;
 
 // ---- events ----
@@ -59,6 +60,7 @@ function show(at, width, height, info) {
   const words = new DataView(wasm.memory.buffer, info), frame = {width, height};
   FRAME.forEach((name, i) => { frame[name] = name.length > 1 && name !== 'light' ? words.getUint32(4 * i, true) : words.getInt32(4 * i, true); });
   frame.kept = bytes(frame.kept, frame.keptSize).slice();
+  whole = frame.block === 1 && frame.samples >= frame.spp;
   const pixels = expand(at, width * height);
   postMessage({frame, pixels}, [pixels]);
 }
@@ -108,6 +110,8 @@ function addHelper(port) {
 
 // ---- jobs, one after the other ----
 
+// Returns true if the viewer continues with its lights and camera; null if nothing is to be drawn: the text has a mistake, and the
+// picture of the last one without is complete.
 async function prepare(now) {
   settings = now.settings || settings;
   let goesOn = now.goesOn && loaded;
@@ -116,6 +120,7 @@ async function prepare(now) {
     if (!error) { scene = now.load; number++; }
     postMessage(error ? {error, name: now.load.name} : {loaded: now.load.name});
     loaded = loaded || !error;
+    if (error && whole && !now.kept && drawn === JSON.stringify(settings)) return null;
     goesOn = error !== null || (now.kept ? takeKept(now.kept) : goesOn);
   }
   return goesOn;
@@ -130,7 +135,10 @@ async function work() {
     job = null;
     const goesOn = await prepare(now);
     queue = queue.filter(event => event.key !== ESCAPE);
-    if (job || !loaded) continue;
+    if (goesOn === null) postMessage({unchanged: true});
+    if (job || !loaded || goesOn === null) continue;
+    whole = false;
+    drawn = JSON.stringify(settings);
     applySettings(settings);
     const status = await run(goesOn ? 1 : 0);
     if (status === 2) postMessage({failed: cString(wasm.web_why())});
