@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../../src/read/text/text_lines.h"
+#include <tia/read.h>
 
 #define EXPORT(name) __attribute__((export_name(name)))
 #define PROBE "\x7f" /* the word that no table has */
@@ -18,6 +18,8 @@ struct found {
     unsigned count;
 };
 static struct found *found;
+
+struct tia_word; /* of the parser */
 
 bool __real_tia_word_is(const struct tia_word *word, const char *string);
 bool __wrap_tia_word_is(const struct tia_word *word, const char *string);
