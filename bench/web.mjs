@@ -9,7 +9,7 @@ let wasm, crc, drawn;
 const bytes = (at, length) => new Uint8Array(wasm.memory.buffer, at, length);
 const file = (at, length) => path.join(path.dirname(scene), Buffer.from(bytes(at, length)).toString());
 const host = {
-  now: () => performance.now() * 1000, take: () => 0, look: () => 0, rest: () => 1, lines: () => {},
+  now: () => performance.now() * 1000, take: () => 0, look: () => 0, rest: () => 1, lines: () => {}, share: () => {},
   file_size: (at, length) => fs.existsSync(file(at, length)) ? fs.statSync(file(at, length)).size : -1,
   file_read: (at, length, to) => { const text = fs.readFileSync(file(at, length)); bytes(to, text.length).set(text); },
   show: (at, w, h, info) => {

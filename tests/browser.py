@@ -22,15 +22,29 @@ class Server:
     """Serves a folder, as python3 -m http.server does; `asked` are the paths that were asked for."""
 
     def __init__(self, folder):
-        asked = self.asked = []
+        asked, self.paused = [], False
+        self.asked = asked
 
         class Handler(http.server.SimpleHTTPRequestHandler):
+            def handle_one_request(this):
+                if self.paused:
+                    this.close_connection = True
+                    return
+                super().handle_one_request()
+
             def log_message(self, *_):
                 asked.append(self.path)
 
         self.http = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Handler, directory=folder))
         self.url = f"http://127.0.0.1:{self.http.server_port}/"
         threading.Thread(target=self.http.serve_forever, daemon=True).start()
+
+    def pause(self):
+        """From now on connections are closed without an answer."""
+        self.paused = True
+
+    def resume(self):
+        self.paused = False
 
     def __enter__(self):
         return self
@@ -131,14 +145,24 @@ class Page:
             check(time.monotonic() < end, f"{what} did not happen: {self.complaints()}")
             time.sleep(0.02)
 
-    def key(self, key, held=False, shift=False):
-        """Types a key, or presses it down."""
-        one = {"key": key, "modifiers": 8 if shift else 0, "windowsVirtualKeyCode": KEYS.get(key, ord(key[0].upper()))}
-        if len(key) == 1:
+    def key(self, key, held=False, shift=False, control=False, commands=()):
+        """Types a key, or presses it down; `commands`: what an editor does with it, as "undo"."""
+        one = {"key": key, "modifiers": 8 * shift + 2 * control, "windowsVirtualKeyCode": KEYS.get(key, ord(key[0].upper())),
+               "commands": list(commands)}
+        if len(key) == 1 and not control:
             one["text"] = key
         self.call("Input.dispatchKeyEvent", type="keyDown", **one)
         if not held:
             self.release(key)
+
+    def type(self, text):
+        for letter in text:
+            self.key("Enter" if letter == "\n" else letter)
+
+    def reload(self):
+        self.run("window.old = true")
+        self.call("Page.reload")
+        self.wait("!window.old && document.readyState === 'complete'", "the page again")
 
     def release(self, key):
         self.call("Input.dispatchKeyEvent", type="keyUp", key=key)
@@ -167,4 +191,4 @@ class Page:
 
 
 KEYS = {"Tab": 9, "Enter": 13, "ArrowLeft": 37, "ArrowUp": 38, "ArrowRight": 39, "ArrowDown": 40, "PageUp": 33, "PageDown": 34,
-        "Home": 36}
+        "Home": 36, "Escape": 27}

@@ -15,6 +15,7 @@ HOST("rest") int32_t host_rest(int32_t timeout_ms); /* returns 1 if the browser 
 HOST("take") int32_t host_take(struct host_event *event);
 HOST("show") void host_show(const tia_rgb565 *pixels, uint32_t width, uint32_t height, const struct web_frame *frame);
 HOST("lines") void host_lines(const struct web_line *lines, uint32_t count);
+HOST("share") void host_share(const struct web_share *share);
 HOST("file_size") int32_t host_file_size(const char *name, uint32_t length);
 HOST("file_read") void host_file_read(const char *name, uint32_t length, void *bytes);
 
@@ -119,6 +120,11 @@ void web_show(const struct web_screen *screen, const struct web_frame *frame)
 void web_draw_lines(const struct web_line *lines, unsigned count)
 {
     host_lines(lines, count);
+}
+
+void web_share(const struct web_share *share)
+{
+    host_share(share);
 }
 
 int32_t web_file_size(const char *name, uint32_t length)

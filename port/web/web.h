@@ -24,7 +24,16 @@ struct web_frame {
     uint32_t draw_us, key_us, relit;
     const void *state; /* state from which another worker can continue */
     uint32_t state_size;
-    uint32_t plays; /* not 0: the scene moves over time */
+    uint32_t plays;  /* not 0: the scene moves over time */
+    uint32_t copied; /* pixels that other workers have drawn */
+};
+
+/* A frame that other workers may help to draw, in the layout that the script reads. */
+struct web_share {
+    const void *state; /* state of the frame, as in struct web_frame */
+    uint32_t state_size;
+    tia_rgb565 *pixels; /* receives the rows that other workers have drawn */
+    uint8_t *have;      /* for each row, set to 1 after its pixels */
 };
 
 struct web_line {
@@ -46,6 +55,9 @@ extern const struct tia_clock web_clock;     /* the clock; ignores its context *
 void web_show(const struct web_screen *screen, const struct web_frame *frame);
 /* Draws lines over the pixels. */
 void web_draw_lines(const struct web_line *lines, unsigned count);
+
+/* Asks other workers for rows of a frame, which may arrive until the next call; NULL: rows are wanted no longer. */
+void web_share(const struct web_share *share);
 
 /* True if an event is pending. Lets the script run first, if the browser can. */
 bool web_look(void);

@@ -11,7 +11,9 @@ WASM_LIB := /usr/lib/wasm32-wasi
 WASM_BUILTINS = $(shell $(WASM_CC) --print-resource-dir 2>/dev/null)/lib/wasi/libclang_rt.builtins-wasm32.a
 
 WEB_TOOLS := $(sort $(wildcard tools/web/*.c) port/web/web.c tools/common/light_copy.c tools/common/checksum.c tools/common/steer.c \
-             $(wildcard tools/common/views/*.c) $(addprefix tools/common/,message_clean.c scene/scene_load.c scene/scene_part.c scene/scene_report.c scene/model/model.c image/decode.c image/texels.c))
+             tools/common/crc_join.c \
+             $(wildcard tools/common/views/*.c) $(addprefix tools/common/,message_clean.c scene/scene_load.c scene/scene_part.c scene/scene_report.c scene/model/model.c image/decode.c image/texels.c \
+             record/record.c record/row_hashes.c record/merkle.c record/sha256.c))
 web_obj = $(patsubst %.c,$(WEB_O)/$(1)/%.o,$(2))
 WASM_CORE = $(WASM_CC) --target=wasm32 $(CORE) $(WASM_CFLAGS)
 WASM_TOOL = $(WASM_CC) --target=wasm32-wasi --sysroot=/usr $(COMMON) -D_GNU_SOURCE -Iport -Itools $(WASM_CFLAGS)
@@ -40,18 +42,18 @@ WEB_STACK := 1048576
 define link_wasm
 @mkdir -p $(@D)
 $(call say,LD,$@)$(WASM_LD) --no-entry --gc-sections --strip-all --fatal-warnings -z stack-size=$(WEB_STACK) \
-    -o $@ $^ -L$(WASM_LIB) -lc $(WASM_BUILTINS)
+    -o $@ $^ $(1) -L$(WASM_LIB) -lc $(WASM_BUILTINS)
 endef
 $(WEB)/tia.wasm: $(call web_obj,q16,$(CORE_SRC)) $(call web_obj,f64,$(NUM_SRC)) $(call web_obj,watched,$(NUM_SRC)) $(call web_obj,simd,$(WASM_SIMD) port/simd/best.c) \
     $(call web_obj,tools,$(WEB_TOOLS))
-	$(link_wasm)
+	$(call link_wasm,--wrap=tia_word_is)
 
 # WebGL 2 beside the exact rasteriser, docs/conform.md.
 $(WEB)/conform.wasm: $(call web_obj,q16,$(CORE_SRC)) $(call web_obj,tools,$(addprefix bench/conform/,conform_page.c compare.c trial.c shrink.c) tools/web/no_files.c)
-	$(link_wasm)
+	$(call link_wasm,)
 
 # The page, and the scenes with their files.
-WEB_PAGE   := $(patsubst tools/web/page/%,$(WEB)/%,$(wildcard tools/web/page/*))
+WEB_PAGE   := $(patsubst tools/web/page/%,$(WEB)/%,$(filter-out %/sw.js,$(wildcard tools/web/page/*)))
 WEB_SCENES := $(patsubst %,$(WEB)/%,$(wildcard scenes/*.tia scenes/*.p[gp]m scenes/*.ply))
 $(WEB)/%: tools/web/page/%
 	@mkdir -p $(@D)
@@ -59,6 +61,14 @@ $(WEB)/%: tools/web/page/%
 $(WEB)/scenes/%: scenes/%
 	@mkdir -p $(@D)
 	$(call say,COPY,$@)cp $< $@
+# Small pictures of the scenes, by the command.
+WEB_THUMBNAILS := $(if $(filter yes,$(PNG)),$(patsubst scenes/%.tia,$(WEB)/thumbnails/%.png,$(wildcard scenes/*.tia)))
+$(WEB)/thumbnails/%.png: scenes/%.tia $(BUILD)/tia
+	@mkdir -p $(@D)
+	$(call say,DRAW,$@)$(BUILD)/tia $< -s 160x120 $(if $(filter thesis,$*),-k a) -o $@
+# The service worker: with the names of all files, and a hash of them as its version.
+$(WEB)/sw.js: tools/web/page/sw.js $(WEB)/tia.wasm $(WEB)/conform.wasm $(WEB_PAGE) $(WEB_SCENES) $(WEB_THUMBNAILS) $(WEB)/gallery.json
+	$(call say,LIST,$@)sed "s|@VERSION@|$$(cat $^ | sha256sum | cut -c 1-16)|; s|@FILES@|$(subst $() $(),'$(comma) ',$(patsubst $(WEB)/%,%,$(filter $(WEB)/%,$^)))|" $< >$@
 # The names of the scenes, and the checksums of tests/golden/web.crc.
 $(WEB)/gallery.json: tests/golden/web.crc $(wildcard scenes/*.tia) port/web/web.mk
 	@mkdir -p $(@D)
@@ -73,7 +83,7 @@ WEB_MISSING = $(strip $(if $(call found,$(WASM_CC)),,clang) $(if $(call found,$(
 ifneq ($(filter web check,$(MAKECMDGOALS)),)
 check: $(if $(WEB_MISSING),,web)
 ifeq ($(WEB_MISSING),)
-web: $(WEB)/tia.wasm $(WEB)/conform.wasm $(WEB_PAGE) $(WEB_SCENES) $(WEB)/gallery.json
+web: $(WEB)/sw.js
 	@echo "web: python3 -m http.server -d $(WEB), then http://localhost:8000/"
 else
 web:

@@ -36,24 +36,30 @@ static bool get_memory(size_t pixels)
     return now.sums;
 }
 
-static tia_rgb565 develop(const struct tia_sum *sum, enum tia_tone tone, const struct tia_exposure *exposure)
+unsigned samples_level(const struct tia_integration *how, enum tia_tone tone, int64_t sum, uint32_t count,
+                       unsigned bits)
+{
+    const struct tia_exposure exposure = tia_exposure_of(how->exposure);
+
+    return tia_tone_level(tone, tia_exposed(&exposure, sum, count), bits);
+}
+
+tia_rgb565 samples_pixel(const struct tia_integration *how, const struct tia_sum *sum, uint32_t count)
 {
     static const unsigned bits[3] = {5, 6, 5};
     unsigned pixel = 0;
 
     for (int c = 0; c < 3; c++)
-        pixel = pixel << bits[c] | tia_tone_level(tone, tia_exposed(exposure, sum->rgb[c], now.done), bits[c]);
+        pixel = pixel << bits[c] | samples_level(how, tia_tone_of(how), sum->rgb[c], count, bits[c]);
     return (tia_rgb565)pixel;
 }
 
 static void show(void)
 {
     const struct tia_integration *how = &session.scene.integration;
-    const struct tia_exposure exposure = tia_exposure_of(how->exposure);
-    enum tia_tone tone = tia_tone_of(how);
 
     for (size_t i = 0; i < (size_t)session.screen.width * session.screen.height; i++)
-        session.screen.pixels[i] = develop(&now.sums[i], tone, &exposure);
+        session.screen.pixels[i] = samples_pixel(how, &now.sums[i], now.done);
     session.frame.samples = now.done;
     session_show();
     now.shown_us = web_clock.now_us(NULL);

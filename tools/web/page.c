@@ -22,15 +22,14 @@ static size_t lights_size(void)
     return session.lights.capacity * sizeof *session.lights.array;
 }
 
-/* Stores the state from which another worker continues. */
-static void keep(struct web_frame *frame)
+uint32_t session_keep(const void **state)
 {
     if (!session.kept)
-        return;
+        return 0;
     memcpy(session.kept, &session.state, sizeof session.state);
     memcpy((char *)session.kept + sizeof session.state, session.lights.array, lights_size());
-    frame->state = session.kept;
-    frame->state_size = (uint32_t)(sizeof session.state + lights_size());
+    *state = session.kept;
+    return (uint32_t)(sizeof session.state + lights_size());
 }
 
 void session_show(void)
@@ -41,7 +40,10 @@ void session_show(void)
     frame->crc = frame->block == 1 ? tia_crc32(0, screen->pixels, (size_t)screen->width * screen->height) : 0;
     memcpy(frame->differs, difference_counts, sizeof frame->differs);
     light_tell(frame);
-    keep(frame);
+    frame->state_size = session_keep(&frame->state);
+    frame->copied = share_copied();
+    if (frame->block == 1)
+        share_end();
     if (session.settings.arithmetic == ARITHMETIC_DIFFERENCE && frame->block == 1)
         difference_spread(screen->pixels, screen->width, screen->height);
     web_show(screen, frame);
@@ -117,7 +119,7 @@ static void set_samples(struct tia_scene *scene)
     }
 }
 
-static void failed(int status)
+void session_failed(int status)
 {
     struct tia_fault fault;
 
@@ -131,7 +133,7 @@ static void failed(int status)
 
 static bool begin_lights(bool goes_on)
 {
-    if (goes_on && session.lights.array)
+    if (goes_on && session.kept)
         return true;
     lights_free(&session.lights);
     session.lights = (struct lights){.array = NULL};
@@ -141,7 +143,7 @@ static bool begin_lights(bool goes_on)
     return session.kept;
 }
 
-static bool begin(bool goes_on)
+bool session_begin(bool goes_on)
 {
     struct web_screen *screen = &session.screen;
 
@@ -202,8 +204,8 @@ void web_set(unsigned width, unsigned height, int arithmetic, int view, int rays
 EXPORT("web_run") int web_run(int goes_on);
 int web_run(int goes_on)
 {
-    if (!session.loaded || !begin(goes_on)) {
-        failed(TIA_ERR_MEMORY);
+    if (!session.loaded || !session_begin(goes_on)) {
+        session_failed(TIA_ERR_MEMORY);
         return 2;
     }
     session.state.goes_on = goes_on;
@@ -230,7 +232,7 @@ int web_run(int goes_on)
         return 0;
     if (status == TIA_STOPPED && session.screen.stays)
         return 1;
-    failed(status);
+    session_failed(status);
     return 2;
 }
 

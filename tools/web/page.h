@@ -69,6 +69,10 @@ bool samples_left(void);
 /* Draws one more sample of each pixel of a row of the seat's view, and shows the picture from time to time. Returns
  * TIA_STOPPED, or a negative status on failure. */
 int samples_go_on(void);
+/* Returns a channel of a pixel from its sum of `count` samples, 0..2^bits - 1; the pixel. */
+unsigned samples_level(const struct tia_integration *how, enum tia_tone tone, int64_t sum, uint32_t count,
+                       unsigned bits);
+tia_rgb565 samples_pixel(const struct tia_integration *how, const struct tia_sum *sum, uint32_t count);
 
 /* Control and input of the session. page_control.c */
 extern const struct tia_control session_control;
@@ -81,6 +85,25 @@ void light_tell(struct web_frame *frame);
 /* Moves the chosen light by `right` and `down`, in 2^-16 of the picture's width and height. Returns false if there is
  * no light that can be moved, or if its new position is not valid. */
 bool light_drag(int32_t right, int32_t down);
+
+/* Prepares the scene, the lights and the screen for the settings; `goes_on`: with the lights of the session's state,
+ * not the scene's. Returns false if there is no memory. */
+bool session_begin(bool goes_on);
+/* Stores the reason of a failure, for web_why. */
+void session_failed(int status);
+/* Copies the state from which another worker can continue. Returns its size, 0 if there is none. */
+uint32_t session_keep(const void **state);
+
+/* Draws rows into the session's screen, after web_rows_begin. page_rows.c */
+int rows_draw(unsigned y, unsigned count);
+
+/* Sharing of a slow picture with helpers. page_share.c */
+void share_begin(void); /* begins a frame */
+void share_end(void);   /* the helpers may stop */
+/* Returns the number of the frame's pixels that helpers have drawn. */
+uint32_t share_copied(void);
+/* Replaces functions of `drawing`; `base` has the functions that draw. */
+void share_wrap(const struct tia_drawing *base, struct tia_drawing *drawing);
 
 /* Shows the picture, with its checksum when it is complete. */
 void session_show(void);

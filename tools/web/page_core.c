@@ -21,6 +21,7 @@ static int view_init(const struct tia_core *core, struct tia_view **view, void *
 static int set_lights(struct tia_view *view, const struct tia_light *lights, uint32_t count)
 {
     samples_reset();
+    share_begin();
     for (unsigned i = 0; i < 3; i++)
         difference_counts[i] = 0;
     return base_drawing.set_lights(view, lights, count);
@@ -49,5 +50,6 @@ const struct tia_core *seat_core(void)
     base_drawing = seat.base->drawing ? *seat.base->drawing : tia_drawing;
     drawing = base_drawing;
     drawing.set_lights = set_lights;
+    share_wrap(&base_drawing, &drawing);
     return &own;
 }

@@ -1,11 +1,7 @@
 #include "sha256.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
-
-#include "common/regular.h"
 
 /* First 32 bits of the fractional parts of the cube roots of the first 64 primes. */
 static const uint32_t constants[64] = {
@@ -92,32 +88,4 @@ void sha256_print(char text[SHA256_TEXT], const unsigned char hash[SHA256_BYTES]
 {
     for (unsigned i = 0; i < SHA256_BYTES; i++)
         (void)snprintf(text + 2 * i, 3, "%02x", hash[i]);
-}
-
-static int add_file(int fd, unsigned char hash[SHA256_BYTES], uint64_t *size)
-{
-    unsigned char bytes[1 << 14];
-    struct sha256 sha;
-
-    sha256_begin(&sha);
-    for (ssize_t got = 1; got > 0;) {
-        got = read(fd, bytes, sizeof bytes);
-        if (got < 0 && errno != EINTR)
-            return -1;
-        sha256_add(&sha, bytes, got > 0 ? (size_t)got : 0);
-        got = got < 0 ? 1 : got;
-    }
-    *size = sha.length;
-    sha256_end(&sha, hash);
-    return 0;
-}
-
-int sha256_file(const char *path, unsigned char hash[SHA256_BYTES], uint64_t *size)
-{
-    struct stat status;
-    int fd = regular_open(path, &status), result = fd < 0 ? -1 : add_file(fd, hash, size);
-
-    if (fd >= 0)
-        (void)close(fd);
-    return result;
 }

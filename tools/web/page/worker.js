@@ -1,25 +1,14 @@
 // worker.js - runs the viewer. Provides the functions that the module imports (port/web/web.h): a queue of events, files, pictures.
 'use strict';
 
+importScripts('worker-files.js', 'helper.js');
+
 const ESCAPE = 27, POINT = 3, DRAGGED = 0x200; // as in tia/port.h and port/web/web.h
-const files = new Map(), missing = new Set();
-const decoder = new TextDecoder(), encoder = new TextEncoder();
-let wasm, run, suspends, job = null, busy = false, loaded = false, settings;
+let run, suspends, job = null, busy = false, loaded = false, settings;
+let whole = false, drawn = ''; // the last picture is complete; its settings
 let queue = [], wake = null;
 
-// ---- the module's memory, whose buffer changes when it grows ----
-
-const bytes = (at, length) => new Uint8Array(wasm.memory.buffer, at, length);
-const string = (at, length) => decoder.decode(bytes(at, length).slice());
-const cString = at => string(at, new Uint8Array(wasm.memory.buffer, at).indexOf(0));
-
 // ---- events ----
-
-const turns = [], channel = new MessageChannel();
-channel.port1.onmessage = () => turns.shift()();
-
-// Resolves after all pending messages. A timer would be delayed by at least 4 ms.
-const turn = () => new Promise(resolve => { turns.push(resolve); channel.port2.postMessage(0); });
 
 async function look() {
   if (!queue.length) await turn();
@@ -56,7 +45,7 @@ function take(at) {
 // ---- pictures ----
 
 const FRAME = ['number', 'crc', 'block', 'done', 'samples', 'spp', 'near', 'far', 'path', 'lights', 'light', 'x', 'y',
-  'drawUs', 'keyUs', 'relit', 'kept', 'keptSize', 'plays'];
+  'drawUs', 'keyUs', 'relit', 'kept', 'keptSize', 'plays', 'copied'];
 
 function expand(at, count) {
   const pixels = new Uint16Array(wasm.memory.buffer, at, count), rgba = new Uint32Array(count);
@@ -70,7 +59,8 @@ function expand(at, count) {
 function show(at, width, height, info) {
   const words = new DataView(wasm.memory.buffer, info), frame = {width, height};
   FRAME.forEach((name, i) => { frame[name] = name.length > 1 && name !== 'light' ? words.getUint32(4 * i, true) : words.getInt32(4 * i, true); });
-  frame.kept = suspends ? null : bytes(frame.kept, frame.keptSize).slice();
+  frame.kept = bytes(frame.kept, frame.keptSize).slice();
+  whole = frame.block === 1 && frame.samples >= frame.spp;
   const pixels = expand(at, width * height);
   postMessage({frame, pixels}, [pixels]);
 }
@@ -82,50 +72,55 @@ function lines(at, count) {
   postMessage({lines: list});
 }
 
-// ---- files ----
+// ---- helpers ----
 
-function fileSize(at, length) {
-  const name = string(at, length), file = files.get(name);
-  if (file === undefined) missing.add(name);
-  return file ? file.length : -1;
-}
+const helpers = [];
+let scene = null, number = 0, generation = 0, shared = null;
 
-// Fetches a file that a scene names. Only files below the page's own scenes/ are allowed.
-async function fetchFile(name) {
-  if (!/^[\w.-]+(\/[\w.-]+)*$/.test(name) || name.includes('..')) return null;
-  const answer = await fetch('scenes/' + name).catch(() => null);
-  return answer && answer.ok ? new Uint8Array(await answer.arrayBuffer()) : null;
-}
-
-async function load({name, text}) {
-  files.set(name, encoder.encode(text));
-  for (;;) {
-    const at = wasm.web_name(), letters = encoder.encode(name.slice(0, 200) + '\0');
-    missing.clear();
-    bytes(at, letters.length).set(letters);
-    if (wasm.web_load(at) === 0) return null;
-    if (!missing.size) return cString(wasm.web_why());
-    for (const file of [...missing]) files.set(file, await fetchFile(file));
+// Asks the helpers for rows of a frame that takes long (struct web_share); 0: no longer.
+function share(at) {
+  generation++;
+  shared = null;
+  if (!suspends) return;
+  if (at) {
+    const view = new DataView(wasm.memory.buffer, at), word = i => view.getUint32(4 * i, true);
+    shared = {kept: bytes(word(0), word(1)).slice(), pixels: word(2), have: word(3), width: settings.width};
+    if (!helpers.length) postMessage({slow: true});
   }
+  helpers.forEach(askHelper);
+}
+
+function askHelper(helper) {
+  helper.postMessage({task: shared && {generation, kept: shared.kept, settings, load: scene, number}});
+}
+
+function takeRows({generation: of, y, count, pixels}) {
+  if (of !== generation || !shared) return;
+  new Uint16Array(wasm.memory.buffer, shared.pixels + 2 * y * shared.width, pixels.length).set(pixels);
+  bytes(shared.have + y, count).fill(1);
+}
+
+function addHelper(port) {
+  port.onmessage = ({data}) => {
+    if (!data.ready) return takeRows(data);
+    helpers.push(port);
+    if (shared) askHelper(port);
+  };
 }
 
 // ---- jobs, one after the other ----
 
-function takeKept(kept) {
-  const at = kept && wasm.web_kept(kept.length);
-  if (!at) return false;
-  bytes(at, kept.length).set(kept);
-  wasm.web_take_kept();
-  return true;
-}
-
+// Returns true if the viewer continues with its lights and camera; null if nothing is to be drawn: the text has a mistake, and the
+// picture of the last one without is complete.
 async function prepare(now) {
   settings = now.settings || settings;
   let goesOn = now.goesOn && loaded;
   if (now.load) {
     const error = await load(now.load);
+    if (!error) { scene = now.load; number++; }
     postMessage(error ? {error, name: now.load.name} : {loaded: now.load.name});
     loaded = loaded || !error;
+    if (error && whole && !now.kept && drawn === JSON.stringify(settings)) return null;
     goesOn = error !== null || (now.kept ? takeKept(now.kept) : goesOn);
   }
   return goesOn;
@@ -140,9 +135,11 @@ async function work() {
     job = null;
     const goesOn = await prepare(now);
     queue = queue.filter(event => event.key !== ESCAPE);
-    if (job || !loaded) continue;
-    const s = settings;
-    wasm.web_set(s.width, s.height, s.arithmetic, s.view, s.rays, s.integrator, s.samples);
+    if (goesOn === null) postMessage({unchanged: true});
+    if (job || !loaded || goesOn === null) continue;
+    whole = false;
+    drawn = JSON.stringify(settings);
+    applySettings(settings);
     const status = await run(goesOn ? 1 : 0);
     if (status === 2) postMessage({failed: cString(wasm.web_why())});
     if (status === 1 && queue.length && !job) job = {goesOn: true};
@@ -153,22 +150,42 @@ async function work() {
 
 const begin = () => work().catch(error => { busy = false; postMessage({failed: String(error.stack || error)}); });
 
+// ---- start ----
+
+// Gives {word, fields: [[word, note]]} of each statement, as words.js wants them.
+const words = () => cString(wasm.web_words()).trimEnd().split('\n').map(line => {
+  const [word, ...fields] = line.split(' ');
+  return {word, fields: fields.filter(field => /^[a-z]/.test(field)).map(field => [field, ''])};
+});
+
+async function instantiate(module, waits) {
+  const now = () => performance.now() * 1000;
+  const host = {now, take, show, lines, share, ...waits, file_size: fileSize, file_read: fileRead};
+  wasm = (await WebAssembly.instantiate(module, {host})).exports;
+}
+
 async function start(module, wanted) {
   suspends = wanted && 'Suspending' in WebAssembly && 'promising' in WebAssembly;
-  const now = () => performance.now() * 1000;
-  const wait = suspends
+  await instantiate(module, suspends
     ? {look: new WebAssembly.Suspending(look), rest: new WebAssembly.Suspending(rest)}
-    : {look: () => queue.length, rest: ms => ms < 0 && !queue.length ? 1 : 0};
-  const host = {now, take, show, lines, ...wait, file_size: fileSize,
-    file_read: (name, length, to) => { const file = files.get(string(name, length)); bytes(to, file.length).set(file); }};
-  wasm = (await WebAssembly.instantiate(module, {host})).exports;
+    : {look: () => queue.length, rest: ms => ms < 0 && !queue.length ? 1 : 0});
   run = suspends ? WebAssembly.promising(wasm.web_run) : wasm.web_run;
-  postMessage({ready: true, suspends});
+  postMessage({ready: true, suspends, words: words()});
   begin();
 }
 
+// A worker that only draws rows: for another worker, or for a file.
+async function startRows(data) {
+  await instantiate(data.module, {look: () => 0, rest: () => 1});
+  if (data.helps) help(data.helps);
+  else await fulfil(data.order);
+}
+
 onmessage = ({data}) => {
-  if (data.module) start(data.module, data.suspends).catch(error => postMessage({failed: String(error)}));
+  const failed = error => postMessage({failed: error.message || String(error)});
+  if (data.helps || data.order) { startRows(data).catch(failed); return; }
+  if (data.module) start(data.module, data.suspends).catch(failed);
+  if (data.helper) addHelper(data.helper);
   if (data.job) {
     job = data.job.load || !job ? data.job : {...job, settings: data.job.settings};
     queue = [{kind: 2, key: ESCAPE}];
@@ -178,5 +195,5 @@ onmessage = ({data}) => {
     if (!busy && loaded) job = job || {goesOn: true};
   }
   if (wake) wake();
-  if (wasm) begin();
+  if (run) begin();
 };

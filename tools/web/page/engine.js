@@ -1,0 +1,104 @@
+// engine.js - the worker that draws, and its helpers: starts them, sends them jobs and events.
+import {$, fail, page} from './page.js';
+import {text} from './editor.js';
+
+let module, worker, suspends = page.query.get('suspend') !== 'no', ready = false, idle = true, kept = null;
+let hear = () => {}, helpers = [], extra = new Map();
+
+export const suspending = () => suspends;
+
+// As many helpers as processors beside the first, at most 7; `workers=N` in the address sets the number of all workers.
+const helperCount = () => Math.min(Math.max((+page.query.get('workers') || navigator.hardwareConcurrency || 1) - 1, 0), 7);
+
+function newWorker() {
+  const made = new Worker('worker.js');
+  made.onerror = error => fail(error.message || 'the worker cannot be started');
+  return made;
+}
+
+function begin() {
+  ready = false;
+  worker = newWorker();
+  worker.onmessage = ({data}) => receive(data);
+  worker.postMessage({module, suspends});
+}
+
+// Each helper is joined to the worker by a channel; they are started when a picture first takes long.
+function beginHelpers() {
+  helpers = Array.from({length: helperCount()}, (_, turn) => {
+    const helper = newWorker(), channel = new MessageChannel();
+    helper.postMessage({module, helps: {port: channel.port2, turn, of: helperCount()}}, [channel.port2]);
+    worker.postMessage({helper: channel.port1}, [channel.port1]);
+    return helper;
+  });
+  document.documentElement.dataset.workers = helpers.length + 1;
+}
+
+export function startEngine(compiled, listener) {
+  module = compiled;
+  hear = listener;
+  begin();
+}
+
+export const settings = () => {
+  const size = $('size').value === 'auto' ? page.scene === 'thesis.tia' && innerWidth >= 600 ? '640x480' : '320x240' : $('size').value;
+  const [width, height] = size.split('x').map(Number);
+  const plain = $('arithmetic').value === '0';
+  return {width, height, arithmetic: +$('arithmetic').value, view: plain ? +$('view').value : 0, rays: plain && $('show-rays').checked,
+    integrator: +$('integrator').value, samples: +$('samples').value};
+};
+
+function ask(job) {
+  idle = page.complete = false;
+  $('crc').textContent = '\u2026';
+  kept = job.goesOn ? kept : null;
+  worker.postMessage({job: {settings: settings(), ...job}});
+}
+
+export const load = () => ({load: {name: page.scene, text: text(), extra}});
+
+// Files of the user's that scenes may name, by name.
+export const addFile = (name, bytes) => extra.set(name, bytes);
+
+function replace() {
+  worker.terminate();
+  begin();
+}
+
+// If the browser cannot suspend WebAssembly, a worker that draws receives no messages, so another worker replaces it.
+export function send(events) {
+  if (!suspends && !idle && ready) {
+    replace();
+    worker.postMessage({job: {settings: settings(), ...load(), goesOn: true, kept}, events});
+  } else worker.postMessage({events});
+  idle = false;
+}
+
+export function change(job) {
+  if (!page.scene) return;
+  if (!suspends && !idle && ready) {
+    replace();
+    job = {...load(), ...job, kept: job.goesOn ? kept : null};
+  }
+  ask(job);
+}
+
+function receive(data) {
+  if (data.ready) { ready = true; suspends = data.suspends; }
+  if (data.idle) idle = true;
+  if (data.frame) kept = data.frame.kept || kept;
+  if (data.slow && suspends && !helpers.length && helperCount()) beginHelpers();
+  hear(data);
+}
+
+// Asks a worker of its own for a picture of the lights and the camera that are shown: 16 bits a channel, or a record.
+export function order(what) {
+  return new Promise((resolve, reject) => {
+    const clerk = newWorker();
+    clerk.onmessage = ({data}) => {
+      clerk.terminate();
+      data.failed ? reject(new Error(data.failed)) : resolve(data);
+    };
+    clerk.postMessage({module, order: {settings: settings(), ...load(), kept, ...what}});
+  });
+}

@@ -1,0 +1,31 @@
+// page.js - what the modules of the page share: its elements, its state, and its voice for screen readers.
+
+export const $ = id => document.getElementById(id);
+
+// scene: name of the scene; pose: the key that has set its only light, '-' for none, null if something else has moved;
+// frame: data of the last picture (worker.js); pixels: of the last complete picture, RGBA; gallery: gallery.json.
+export const page = {scene: null, pose: '-', frame: null, gallery: null, query: new URLSearchParams(location.search)};
+
+let saying = 0;
+export function say(text) {
+  clearTimeout(saying);
+  saying = setTimeout(() => { $('status').textContent = text; }, 500);
+}
+
+export function fail(text) {
+  $('verdict').className = 'bad';
+  $('verdict').textContent = text;
+  say(text);
+}
+
+// A short notice beside the buttons of the text, spoken too.
+export function notice(text) {
+  $('notice').textContent = text;
+  say(text);
+}
+
+export function element(tag, properties, ...children) {
+  const made = Object.assign(document.createElement(tag), properties);
+  made.append(...children);
+  return made;
+}
