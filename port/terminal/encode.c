@@ -190,13 +190,26 @@ static uint32_t cell_of(const struct grid *grid, const tia_rgb565 *pixels, unsig
     return code_of(grid, *upper) << 16 | lower;
 }
 
+/* True if text covers a part of the cell. */
+static bool is_hidden(const struct grid *grid, unsigned column, unsigned row)
+{
+    const struct cover *cover = grid->covers ? &grid->covers[grid->top + row] : NULL;
+    unsigned left = grid->left + column * span(grid);
+
+    return cover && left + span(grid) > cover->left && left < cover->left + cover->width;
+}
+
 static void draw_row(struct pen *pen, struct grid *grid, const tia_rgb565 *pixels, unsigned height, unsigned row)
 {
-    uint32_t *cells = grid->cells + (size_t)row * grid->columns;
+    uint64_t *cells = grid->cells + (size_t)row * grid->columns;
 
     if (!text_room(pen->text, (size_t)grid->columns * GRID_CELL_BYTES))
         return;
     for (unsigned column = 0; column < grid->columns; column++) {
+        if (is_hidden(grid, column, row)) {
+            cells[column] = GRID_HIDDEN;
+            continue;
+        }
         uint32_t cell = cell_of(grid, pixels, height, column, row);
         if (!grid->known || cell != cells[column]) {
             put_cell(pen, grid, column, row, cell);

@@ -29,6 +29,11 @@ struct strip {
     unsigned first, rows;
 };
 
+/* Columns of a row of the window that text covers; width 0: none. */
+struct cover {
+    unsigned left, width;
+};
+
 /* The terminal's contents, cell by cell, as last written. */
 struct grid {
     unsigned columns, rows; /* size in cells: the picture's width and (height + 1)/2 or, with `spaces`, its height */
@@ -36,8 +41,11 @@ struct grid {
     bool direct;            /* 24-bit colours, else 256 */
     bool spaces;            /* a cell is one pixel, drawn as two spaces; else two pixels, drawn as a half block */
     bool known;             /* the terminal shows `cells` */
-    uint32_t *cells;        /* codes of a cell's colours: upper << 16 | lower */
+    uint64_t *cells;        /* codes of a cell's colours: upper << 16 | lower; or GRID_HIDDEN */
+    const struct cover *covers; /* NULL, or for each row of the window what is not drawn */
 };
+
+#define GRID_HIDDEN UINT64_MAX /* a cell below text */
 
 /* The longest text for one cell: a cursor movement (14 bytes at 5-digit coordinates), two 24-bit colours (36) and the
  * block (3). */

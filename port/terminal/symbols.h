@@ -17,6 +17,7 @@ struct symbols {
     struct symbol *cells;
     unsigned columns, rows;
     bool known;
+    const struct cover *covers; /* NULL, or for each row of the window what is not drawn */
 };
 
 /* Adds the text that shows a strip of a picture of width x height pixels, in whole characters, with 24-bit colours

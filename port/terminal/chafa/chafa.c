@@ -55,6 +55,25 @@ static void mend_base64(char *text)
     }
 }
 
+/* A layer below all text and all backgrounds of cells but the terminal's own: the protocol has those below -2^30. */
+#define BELOW_TEXT "z=-1073741825,"
+
+/* Adds a picture of kitty's protocol in the layer below the text. */
+static void add_below(const char *printed, struct text *text)
+{
+    const char *head = strstr(printed, "\033_G");
+
+    if (!head) {
+        text_add(text, printed);
+        return;
+    }
+    head += strlen("\033_G");
+    for (const char *at = printed; at < head; at++)
+        text_add(text, (const char[]){*at, '\0'});
+    text_add(text, BELOW_TEXT);
+    text_add(text, head);
+}
+
 static void put_cursor(unsigned row, struct text *text)
 {
     char sequence[32];
@@ -82,7 +101,10 @@ void pictures_draw(enum pictures pictures, const tia_rgb565 *pixels, unsigned wi
     if (pictures == PICTURES_KITTY && strip.first == 0)
         text_add(text, remove_before);
     put_cursor(strip.first / cell->height, text);
-    text_add(text, printed->str);
+    if (pictures == PICTURES_KITTY)
+        add_below(printed->str, text);
+    else
+        text_add(text, printed->str);
     (void)g_string_free(printed, TRUE);
     chafa_canvas_unref(canvas);
     free(rgba);

@@ -32,7 +32,14 @@ void symbols_forget(struct symbols *symbols)
 void symbols_free(struct symbols *symbols)
 {
     free(symbols->cells);
-    *symbols = (struct symbols){0};
+    *symbols = (struct symbols){.covers = symbols->covers};
+}
+
+static bool is_hidden(const struct symbols *symbols, unsigned column, unsigned row)
+{
+    const struct cover *cover = symbols->covers ? &symbols->covers[row] : NULL;
+
+    return cover && column >= cover->left && column < cover->left + cover->width;
 }
 
 static bool resize(struct symbols *symbols, unsigned columns, unsigned rows)
@@ -143,6 +150,10 @@ static void put_changed(struct symbols *symbols, ChafaCanvas *canvas, unsigned t
         unsigned column = i % symbols->columns, row = i / symbols->columns;
         struct symbol s = symbol_at(canvas, column, row, direct);
         struct symbol *known = &symbols->cells[(size_t)top * symbols->columns + i];
+        if (is_hidden(symbols, column, top + row)) {
+            *known = (struct symbol){UNKNOWN, UNKNOWN, UNKNOWN};
+            continue;
+        }
         if (symbols->known && s.code == known->code && s.fore == known->fore && s.back == known->back)
             continue;
         move(&pen, column, top + row, text);
