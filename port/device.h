@@ -18,6 +18,7 @@ struct port_wish {
     const char *connector; /* DRM: a connector's name, or NULL */
     const char *mode;      /* DRM: "preferred", "WxH" or "WxH@R", or NULL */
     bool pointer;          /* the input must also report a pointer */
+    bool in_line;          /* a terminal: print frames one below the other into the scrollback, and leave them there */
     bool row;              /* the display leaves a row of characters below the picture free, if it has text */
     char *why;             /* [PORT_WHY] */
 };

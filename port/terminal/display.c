@@ -22,10 +22,14 @@ static void terminal_close(void *ctx)
 
     if (t->output.entered)
         output_leave(&t->output);
+    if (t->in_line && output_is_left(&t->output))
+        output_cut(&t->output);
     output_free(&t->output);
     t->columns = t->rows = 0;
     place_forget();
     grid_free(&t->grid);
+    free(t->grid.dither);
+    t->grid.dither = NULL;
     symbols_free(&t->symbols);
     sheet_free(&t->sheet);
     sheet_free(&t->before);
@@ -79,7 +83,7 @@ static void describe(const struct terminal *t, struct tia_mode *mode)
         .width = t->canvas.width,
         .height = t->canvas.height,
         .concurrent = true,
-        .format = ways_format(t->pictures, t->grid.direct),
+        .format = ways_format(t->pictures, t->colours),
     };
 }
 
@@ -106,6 +110,9 @@ static int terminal_open(void *ctx, struct tia_mode *mode)
         status = display_fit(t);
     if (!status) {
         t->output.kitty = t->pictures == PICTURES_KITTY;
+        t->symbols.prints = t->in_line;
+    }
+    if (!status && !t->in_line) {
         output_enter(&t->output);
         t->clear = true;
         status = output_send(&t->output, SLICE_MS) ? display_failed_with(t, errno) : TIA_OK;
@@ -129,10 +136,22 @@ static int terminal_submit(void *ctx, struct tia_tile tile)
     return tile_inside(tile, t->canvas.width, t->canvas.height) ? TIA_OK : TIA_ERR_ARGUMENT;
 }
 
+/* Prints a frame at the cursor. Waits until the terminal has taken it, or until a signal. */
+static int print_frame(struct terminal *t)
+{
+    int status = display_print(t);
+
+    if (!status && output_send(&t->output, -1))
+        status = display_failed_with(t, errno);
+    return status;
+}
+
 static int terminal_present(void *ctx)
 {
     struct terminal *t = ctx;
 
+    if (t->in_line && t->output.fd >= 0)
+        return print_frame(t);
     if (!t->output.entered)
         return TIA_ERR_ARGUMENT;
     t->fresh = true;
@@ -152,7 +171,7 @@ const struct tia_display port_terminal_display = {
 void port_terminal_text(void *ctx, struct port_text *text)
 {
     struct terminal *t = ctx;
-    const struct sheet_window window = {t->columns, t->rows, !t->grid.spaces, false, false};
+    const struct sheet_window window = {t->columns, t->rows, !t->grid.spaces, t->grid.few, false};
     struct sheet sheet = {.known = false};
 
     t->text = text;
@@ -171,7 +190,8 @@ void *port_terminal_create(const struct port_wish *wish)
     }
     t->device = ways_find(wish->device, &t->way) ? NULL : wish->device;
     t->why = wish->why;
-    t->row = wish->row;
+    t->in_line = wish->in_line;
+    t->row = wish->row && !t->in_line;
     t->max_width = wish->width ? wish->width : TIA_SIZE_MAX;
     t->max_height = wish->height ? wish->height : TIA_SIZE_MAX;
     t->output.fd = -1;
@@ -195,7 +215,9 @@ void port_terminal_list(port_line *line, void *arg)
         display_read_window(&t, &columns, &rows);
         (void)snprintf(text, sizeof text, "%ux%u, %s", display_pixels_across(&t, columns),
                        display_pixels_down(&t, rows),
-                       t.grid.direct ? "24-bit colours" : "256 colours (set COLORTERM=truecolor if it has more)");
+                       t.grid.direct ? "24-bit colours"
+                       : t.grid.few  ? "16 colours (set COLORTERM=truecolor if it has more)"
+                                     : "256 colours (set COLORTERM=truecolor if it has more)");
         line(arg, text);
     }
     terminal_close(&t);

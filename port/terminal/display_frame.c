@@ -2,13 +2,15 @@
 #include "display_state.h"
 
 static const char clear_bare[] = "\033[0m\033[2J";
-static const char clear_direct[] = "\033[48;2;0;0;0m\033[2J", clear_256[] = "\033[48;5;16m\033[2J";
+static const char clear_direct[] = "\033[48;2;0;0;0m\033[2J", clear_256[] = "\033[48;5;16m\033[2J",
+                  clear_few[] = "\033[40m\033[2J";
 
 /* Lays out the text of the frame. Cells that the text no longer covers are erased; in a character mode they are then
  * drawn as changed ones, a picture is drawn whole. */
 static void begin_text(struct terminal *t)
 {
-    const struct sheet_window window = {t->columns, t->rows, !t->grid.spaces, false, t->pictures == PICTURES_KITTY};
+    const struct sheet_window window = {t->columns, t->rows, !t->grid.spaces, t->grid.few,
+                                        t->pictures == PICTURES_KITTY};
     struct port_text none = {.status = NULL};
     struct text *text = &t->output.text;
     struct sheet before = t->before;
@@ -25,7 +27,10 @@ static void begin_text(struct terminal *t)
 
 static const char *clearing(const struct terminal *t)
 {
-    return t->pictures == PICTURES_KITTY ? clear_bare : t->grid.direct ? clear_direct : clear_256;
+    return t->pictures == PICTURES_KITTY ? clear_bare
+           : t->grid.direct              ? clear_direct
+           : t->grid.few                 ? clear_few
+                                         : clear_256;
 }
 
 static void begin_frame(struct terminal *t)
@@ -90,6 +95,29 @@ int display_encode(struct terminal *t)
         return TIA_OK;
     t->output.text.failed = t->encoding = false;
     t->clear = true;
+    (void)display_failed(t, "out of memory");
+    return TIA_ERR_MEMORY;
+}
+
+int display_print(struct terminal *t)
+{
+    const struct canvas *canvas = &t->canvas;
+    struct text *text = &t->output.text;
+
+    if (!t->pictures) {
+        grid_print(&t->grid, canvas->pixels, canvas->height, text);
+    } else if (t->pictures == PICTURES_SYMBOLS) {
+        symbols_forget(&t->symbols);
+        for (unsigned next = 0; next < canvas->height;) {
+            struct strip strip = pictures_strip(t->pictures, &t->cell, next, canvas->width, canvas->height);
+            symbols_draw(&t->symbols, canvas->pixels, canvas->width, canvas->height, strip, t->grid.direct, text);
+            next += strip.rows;
+        }
+    } else {
+        pictures_print(t->pictures, canvas->pixels, canvas->width, canvas->height, &t->cell, text);
+    }
+    if (!text->failed)
+        return TIA_OK;
     (void)display_failed(t, "out of memory");
     return TIA_ERR_MEMORY;
 }

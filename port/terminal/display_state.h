@@ -11,6 +11,7 @@
 #include "sheet.h"
 #include "shown.h"
 #include "symbols.h"
+#include "terminal_colour.h"
 #include "ways.h"
 
 struct terminal {
@@ -23,6 +24,7 @@ struct terminal {
     bool begun;    /* text has been added for the frame being encoded */
     unsigned next;
     unsigned columns, rows; /* size of the window */
+    bool in_line;           /* frames are printed at the cursor */
     bool row;               /* a row is left below the picture if the window has room for it */
     struct way way;         /* the user's choice */
     enum pictures pictures;
@@ -30,6 +32,7 @@ struct terminal {
     struct cell cell; /* size of a character for pictures */
     struct canvas canvas;
     struct shown shown; /* sixel */
+    enum colours colours;
     struct grid grid;
     struct port_text *text;     /* NULL: none was set */
     struct sheet sheet, before; /* the text of the frame being encoded, and of the frame before */
@@ -60,5 +63,7 @@ int display_fit(struct terminal *t);
 /* Encodes the frame in the canvas, or a part of it; t->encoding is true while a part is left. Returns TIA_OK or
  * TIA_ERR_MEMORY. */
 int display_encode(struct terminal *t);
+/* Encodes the frame in the canvas at the cursor, followed by the end of a line. Returns TIA_OK or TIA_ERR_MEMORY. */
+int display_print(struct terminal *t);
 
 #endif

@@ -10,6 +10,7 @@
 #include "console/node.h"
 #include "descriptor.h"
 #include "display_state.h"
+#include "dither.h"
 #include "picture_place.h"
 #include "terminal_colour.h"
 #include "utf8.h"
@@ -60,6 +61,8 @@ unsigned display_pixels_down(const struct terminal *t, unsigned rows)
  * chose a picture that needs it. Pictures of sixel and kitty's protocol never use the last row. */
 static unsigned rows_of_picture(const struct terminal *t, unsigned rows)
 {
+    if (t->in_line)
+        return rows > 1 && t->max_height == TIA_SIZE_MAX ? rows - 1 : rows; /* one row is for the shell's prompt */
     bool characters = t->pictures <= PICTURES_SYMBOLS;
     unsigned height = t->pictures ? t->cell.height * (rows - 1) : display_pixels_down(t, rows - 1);
 
@@ -104,7 +107,8 @@ int display_fit(struct terminal *t)
 int display_open_window(struct terminal *t)
 {
     if (!t->device && !isatty(STDOUT_FILENO))
-        return display_failed(t, "standard output is not a terminal");
+        return display_failed(
+            t, "standard output is not a terminal (-o FILE draws into a file, -o - --format ppm into a pipe)");
     t->output.fd = t->device ? descriptor_open(t->device, O_WRONLY) : descriptor_copy(STDOUT_FILENO, O_WRONLY);
     if (t->output.fd < 0 && errno == ENOENT && t->device && !strchr(t->device, '/'))
         return display_failed(t, "is not a device, nor " WAYS_NAMES);
@@ -119,7 +123,10 @@ int display_environment(struct terminal *t)
 
     if (!term || !*term || strcmp(term, "dumb") == 0)
         return display_failed(t, "cannot place a cursor (set TERM if it can)");
-    t->grid.direct = colour_is_direct(term, getenv("COLORTERM"));
+    t->colours = colours_of(term, getenv("COLORTERM"));
+    t->grid.direct = t->colours == COLOURS_DIRECT;
+    t->grid.few = t->symbols.few = t->colours >= COLOURS_16;
+    t->grid.dim_back = t->colours == COLOURS_CONSOLE;
     t->grid.spaces = !locale_is_utf8();
     return TIA_OK;
 }
@@ -137,5 +144,9 @@ int display_choose_pictures(struct terminal *t)
         t->pictures = PICTURES_HALF_BLOCKS;
     else if (t->pictures == PICTURES_SYMBOLS && t->grid.spaces && !why)
         why = "symbols need a locale with UTF-8";
-    return why ? display_failed(t, why) : TIA_OK;
+    if (why)
+        return display_failed(t, why);
+    if (t->pictures == PICTURES_HALF_BLOCKS && !t->grid.direct && !t->grid.dither)
+        t->grid.dither = dither_new(t->colours);
+    return t->grid.dither || t->pictures || t->grid.direct ? TIA_OK : display_failed(t, "out of memory");
 }

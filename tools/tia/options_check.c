@@ -56,9 +56,10 @@ static int check_output(struct options *options)
     if (options->format == IMAGE_UNKNOWN && !is_standard)
         options->format = image_format_of(options->output);
     if (options->format == IMAGE_UNKNOWN) {
-        return fail(EXIT_USAGE,
-                    "%.200s: unknown picture format (name it .png, .ppm, .bmp, .565, .pfm, .exr or .y4m, or use --format)",
-                    is_standard ? "standard output" : options->output);
+        return fail(
+            EXIT_USAGE,
+            "%.200s: unknown picture format (name it .png, .ppm, .bmp, .565, .pfm, .exr or .y4m, or use --format)",
+            is_standard ? "standard output" : options->output);
     }
     if (!image_format_built(options->format)) {
         return fail(EXIT_USAGE, "%.200s: this build writes no .%s (use .ppm)", options->output,
@@ -102,6 +103,21 @@ static int check_parts(const struct options *options)
     return check_pace(options);
 }
 
+/* Checks --inline, which prints one picture on the terminal unless --frames says how many. */
+static int check_inline(struct options *options)
+{
+    if (!options->in_line)
+        return EXIT_FINE;
+    if (options->output || options->watches)
+        return fail(EXIT_USAGE, "--inline: not with --%s", options->output ? "output" : "watch");
+    if (strcmp(options->display.name, "auto") == 0)
+        options->display.name = "terminal";
+    if (strcmp(options->display.name, "terminal") != 0)
+        return fail(EXIT_USAGE, "--inline: only the terminal display has it (-d terminal)");
+    options->frames = options->frames ? options->frames : 1;
+    return EXIT_FINE;
+}
+
 static bool is_help(const char *value)
 {
     return value && strcmp(value, "help") == 0;
@@ -134,8 +150,10 @@ int check_scene(struct options *options)
     if (options->scene_format == SCENE_UNKNOWN)
         options->scene_format = scene_format_of(path);
     if (options->scene_format == SCENE_UNKNOWN) {
-        return fail(EXIT_USAGE, "%.200s: unknown scene format (name it .tia, .nff, .obj, .stl, .ply, .off or .pgm, or use --scene-format)",
-                    path);
+        return fail(
+            EXIT_USAGE,
+            "%.200s: unknown scene format (name it .tia, .nff, .obj, .stl, .ply, .off or .pgm, or use --scene-format)",
+            path);
     }
     return EXIT_FINE;
 }
@@ -186,6 +204,8 @@ int check(struct options *options)
     int result = check_names(options);
     if (result == EXIT_FINE)
         result = check_output(options);
+    if (result == EXIT_FINE)
+        result = check_inline(options);
     if (result == EXIT_FINE)
         result = check_parts(options);
     if (result == EXIT_FINE)

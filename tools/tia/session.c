@@ -56,6 +56,7 @@ static struct port_wish display_wish(struct session *session)
                               .height = swaps ? options->width : options->height,
                               .connector = options->connector,
                               .mode = options->mode,
+                              .in_line = options->in_line || options->frames == 1,
                               .row = true,
                               .why = session->why};
 }
