@@ -43,6 +43,7 @@ const struct port_display port_displays[] = {
         .create = port_terminal_create,
         .destroy = port_terminal_destroy,
         .list = port_terminal_list,
+        .text = port_terminal_text,
     },
     {
         .name = "none",

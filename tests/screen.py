@@ -1,6 +1,7 @@
 """A pseudo-terminal with the command in it, and a model of what a person would see there.
 
-The model knows the few sequences that a picture of half blocks needs; anything else is an error.
+The model knows the few sequences that a picture of half blocks and rows of text need; anything else is an error.
+The last row of a window of three rows or more is the status: a window has twice as many rows of pixels as other rows.
 """
 import fcntl
 import os
@@ -27,7 +28,7 @@ AS_BEFORE = dict(alternate=False, cursor=True, wrap=True, paste=False, frame=Fal
 
 
 class Screen:
-    """What a terminal shows: two colours (r, g, b) a cell."""
+    """What a terminal shows: two colours (r, g, b) a cell, and the character, which is None for a half block."""
 
     def __init__(self, columns, rows):
         self.mode = dict(AS_BEFORE)
@@ -39,6 +40,14 @@ class Screen:
     def resize(self, columns, rows):
         self.columns, self.rows = columns, rows
         self.cells = [[(None, None)] * columns for _ in range(rows)]
+        self.letters = [[" "] * columns for _ in range(rows)]
+
+    def pixel_rows(self):
+        return 2 * (self.rows - 1 if self.rows >= 3 else self.rows)
+
+    def text(self):
+        """The window's rows as text; a half block is a blank."""
+        return ["".join(letter or " " for letter in row) for row in self.letters]
 
     def feed(self, data):
         data = self.rest + data
@@ -53,14 +62,16 @@ class Screen:
             if token[2]:
                 self.control(token[1].decode(), token[2].decode())
             elif token[3] or token[4]:
-                self.put(token[3] != b" " if token[3] else True, token[3])
+                self.put(token[3].decode() if token[3] else None)
 
-    def put(self, block, text):
+    def put(self, letter):
+        """A letter, which covers two pixels, or None for a half block."""
         check(self.x < self.columns and self.y < self.rows, f"a cell outside: {self.x}, {self.y}")
-        check(text in (None, b" "), f"the terminal got the text {text!r}")
-        self.cells[self.y][self.x] = (self.fore if block else self.back, self.back)
-        self.cells_written += 1
-        self.blocks += text is None
+        self.cells[self.y][self.x] = ((self.fore, self.back) if letter is None else (self.back, self.back) if letter == " " else
+                                      (None, None))
+        self.letters[self.y][self.x] = letter
+        self.cells_written += self.rows < 3 or self.y + 1 < self.rows
+        self.blocks += letter is None
         self.x = min(self.x + 1, self.columns - 1)
 
     def control(self, text, final):
@@ -78,6 +89,7 @@ class Screen:
             self.colours(numbers)
         elif final == "J" and numbers == [2]:
             self.cells = [[(self.back, self.back)] * self.columns for _ in range(self.rows)]
+            self.letters = [[" "] * self.columns for _ in range(self.rows)]
         else:
             check(False, f"the terminal got ESC [ {text} {final}")
 
@@ -86,6 +98,8 @@ class Screen:
             kind = numbers.pop(0)
             if kind == 0:
                 self.fore, self.back = (255, 255, 255), (0, 0, 0)
+                continue
+            if kind == 1:
                 continue
             check(kind in (38, 48) and numbers and numbers[0] in (2, 5), f"the colour {kind} {numbers}")
             direct = numbers.pop(0) == 2
@@ -104,7 +118,7 @@ class Screen:
 class Terminal:
     """The command in a terminal of its own, as a shell would start it. `with` ends it."""
 
-    def __init__(self, *args, size=(40, 12), settle=True, env=None, preexec=None, **options):
+    def __init__(self, *args, size=(40, 13), settle=True, env=None, preexec=None, **options):
         self.screen, self.preexec = Screen(*size), preexec
         self.master, self.slave = pty.openpty()
         self.set_size(*size)

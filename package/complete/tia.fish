@@ -34,6 +34,7 @@ complete -c tia -l tessellated -x -d 'draw curved shapes as flat faces at most E
 complete -c tia -s k -l keys -x -d 'press these keys first: the scene\'s'
 complete -c tia -s i -l input -x -a 'auto evdev tty none' -d 'the keyboard'
 complete -c tia -s n -l frames -x -d 'stop after N frames'
+complete -c tia -l inline -d 'print the picture into the terminal\'s scrollback, as -d terminal -n 1 does'
 complete -c tia -l time -x -d 'draw the scene at this time'
 complete -c tia -l fps -x -d 'frames per second of a film, 25'
 complete -c tia -l frame-range -x -d 'draw only these frames of a film, counted from 0'

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "dither.h"
 #include "terminal_colour.h"
 
 #define BLACK_256 16
@@ -78,7 +79,7 @@ void grid_free(struct grid *grid)
 /* The pen: the terminal's cursor position, and the colours that are set. */
 struct pen {
     struct text *text;
-    bool direct;
+    bool direct, few;
     unsigned column, row; /* position in the grid, or UNKNOWN */
     uint32_t fore, back;  /* codes, or UNKNOWN */
 };
@@ -133,6 +134,9 @@ static void put_colour(struct pen *pen, const char *direct, const char *indexed,
         put_number(pen->text, c.g);
         put(pen->text, ";", 1);
         put_number(pen->text, c.b);
+    } else if (pen->few) {
+        unsigned ground = direct[0] == '4' ? 40 : 30;
+        put_number(pen->text, code < 8 ? ground + code : ground + 60 + code - 8);
     } else {
         put(pen->text, indexed, 5);
         put_number(pen->text, code);
@@ -157,46 +161,81 @@ static void set_colours(struct pen *pen, uint32_t fore, uint32_t back)
     pen->back = back;
 }
 
+static const char upper_block[] = "\xe2\x96\x80", lower_block[] = "\xe2\x96\x84", full_block[] = "\xe2\x96\x88";
+
+/* Writes a cell of a terminal whose backgrounds are the first 8 of the 16 colours: a bright colour is the block's. Of
+ * two different bright ones the upper becomes the dark one of its hue. */
+static void put_dim_cell(struct pen *pen, uint32_t upper, uint32_t lower)
+{
+    bool full = upper == lower;
+
+    set_colours(pen, lower, full ? pen->back : upper & 7);
+    put(pen->text, full ? full_block : lower_block, 3);
+}
+
 /* Writes a cell. A cell of a single colour is written as spaces, which need no foreground colour. */
 static void put_cell(struct pen *pen, const struct grid *grid, unsigned column, unsigned row, uint32_t cell)
 {
     uint32_t upper = cell >> 16, lower = cell & 0xffff;
 
     move(pen, grid, column, row);
+    if (grid->dim_back && !grid->spaces && lower > 7) {
+        put_dim_cell(pen, upper, lower);
+        pen->row = row;
+        pen->column = column + 1;
+        return;
+    }
     set_colours(pen, upper == lower ? pen->fore : upper, lower);
     if (upper == lower)
         put(pen->text, "  ", span(grid));
     else
-        put(pen->text, "\xe2\x96\x80", 3);
+        put(pen->text, upper_block, 3);
     pen->row = row;
     pen->column = column + 1; /* terminals differ after the last column, but no cell of the row follows it */
 }
 
-static uint32_t code_of(const struct grid *grid, tia_rgb565 pixel)
+static uint32_t code_of(const struct grid *grid, tia_rgb565 pixel, unsigned x, unsigned y)
 {
-    return grid->direct ? pixel : colour_nearest(colour_expand(pixel));
+    if (grid->direct)
+        return pixel;
+    return grid->dither ? dither_pixel(grid->dither, pixel, x, y) : colour_nearest(colour_expand(pixel));
 }
 
 static uint32_t cell_of(const struct grid *grid, const tia_rgb565 *pixels, unsigned height, unsigned column,
                         unsigned row)
 {
     const tia_rgb565 *upper = pixels + (size_t)(grid->spaces ? 1 : 2) * row * grid->columns + column;
-    uint32_t black = grid->direct ? 0 : BLACK_256;
+    uint32_t lower = grid->direct || grid->few ? 0 : BLACK_256;
 
-    if (grid->spaces)
-        return code_of(grid, *upper) << 16 | code_of(grid, *upper);
-    uint32_t lower = 2 * row + 1 < height ? code_of(grid, upper[grid->columns]) : black;
+    if (grid->spaces) {
+        lower = code_of(grid, *upper, column, row);
+        return lower << 16 | lower;
+    }
+    if (2 * row + 1 < height)
+        lower = code_of(grid, upper[grid->columns], column, 2 * row + 1);
+    return code_of(grid, *upper, column, 2 * row) << 16 | lower;
+}
 
-    return code_of(grid, *upper) << 16 | lower;
+/* True if text covers a part of the cell. */
+static bool is_hidden(const struct grid *grid, unsigned column, unsigned row)
+{
+    const struct cover *cover = grid->covers ? &grid->covers[grid->top + row] : NULL;
+    unsigned left = grid->left + column * span(grid);
+
+    return cover && left + span(grid) > cover->left && left < cover->left + cover->width;
 }
 
 static void draw_row(struct pen *pen, struct grid *grid, const tia_rgb565 *pixels, unsigned height, unsigned row)
 {
-    uint32_t *cells = grid->cells + (size_t)row * grid->columns;
+    uint64_t *cells = grid->cells + (size_t)row * grid->columns;
 
     if (!text_room(pen->text, (size_t)grid->columns * GRID_CELL_BYTES))
         return;
     for (unsigned column = 0; column < grid->columns; column++) {
+        if (is_hidden(grid, column, row)) {
+            cells[column] = GRID_HIDDEN;
+            continue;
+        }
         uint32_t cell = cell_of(grid, pixels, height, column, row);
         if (!grid->known || cell != cells[column]) {
             put_cell(pen, grid, column, row, cell);
@@ -207,7 +246,7 @@ static void draw_row(struct pen *pen, struct grid *grid, const tia_rgb565 *pixel
 
 void grid_draw(struct grid *grid, const tia_rgb565 *pixels, unsigned height, struct text *text)
 {
-    struct pen pen = {text, grid->direct, UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN};
+    struct pen pen = {text, grid->direct, grid->few, UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN};
     size_t before = text->count, begun;
 
     text_add(text, FRAME_BEGIN);
@@ -219,4 +258,14 @@ void grid_draw(struct grid *grid, const tia_rgb565 *pixels, unsigned height, str
     if (text->failed || !changed)
         text->count = before;
     grid->known = !text->failed;
+}
+
+void grid_print(struct grid *grid, const tia_rgb565 *pixels, unsigned height, struct text *text)
+{
+    for (unsigned row = 0; row < grid->rows && text_room(text, (size_t)grid->columns * GRID_CELL_BYTES); row++) {
+        struct pen pen = {text, grid->direct, grid->few, 0, row, UNKNOWN, UNKNOWN};
+        for (unsigned column = 0; column < grid->columns; column++)
+            put_cell(&pen, grid, column, row, cell_of(grid, pixels, height, column, row));
+        text_add(text, LINE_END);
+    }
 }

@@ -22,6 +22,8 @@ void text_add(struct text *text, const char *string);
 #define FRAME_BEGIN "\033[?2026h"
 /* Ends a synchronised update. */
 #define FRAME_END "\033[?2026l"
+/* Ends a line in a terminal's own colours. */
+#define LINE_END "\033[0m\r\n"
 void text_free(struct text *text);
 
 /* A strip: some pixel rows of a picture. */
@@ -29,15 +31,28 @@ struct strip {
     unsigned first, rows;
 };
 
+struct dither;
+
+/* Columns of a row of the window that text covers; width 0: none. */
+struct cover {
+    unsigned left, width;
+};
+
 /* The terminal's contents, cell by cell, as last written. */
 struct grid {
     unsigned columns, rows; /* size in cells: the picture's width and (height + 1)/2 or, with `spaces`, its height */
     unsigned left, top;     /* position of the grid in the window, columns and rows from 0 */
-    bool direct;            /* 24-bit colours, else 256 */
+    bool direct;            /* 24-bit colours, else 256 or 16 */
+    bool few;               /* 16 colours, if not direct */
+    bool dim_back;          /* 16 colours: only the first 8 as backgrounds */
+    struct dither *dither;  /* how to show a pixel by the palette; NULL: the nearest of the 256 colours */
     bool spaces;            /* a cell is one pixel, drawn as two spaces; else two pixels, drawn as a half block */
     bool known;             /* the terminal shows `cells` */
-    uint32_t *cells;        /* codes of a cell's colours: upper << 16 | lower */
+    uint64_t *cells;        /* codes of a cell's colours: upper << 16 | lower; or GRID_HIDDEN */
+    const struct cover *covers; /* NULL, or for each row of the window what is not drawn */
 };
+
+#define GRID_HIDDEN UINT64_MAX /* a cell below text */
 
 /* The longest text for one cell: a cursor movement (14 bytes at 5-digit coordinates), two 24-bit colours (36) and the
  * block (3). */
@@ -46,6 +61,9 @@ struct grid {
 /* Makes the grid for a width x height picture in the middle of a window of window_columns x window_rows; its contents
  * are unknown. Returns TIA_OK or TIA_ERR_MEMORY. */
 int grid_resize(struct grid *grid, unsigned width, unsigned height, unsigned window_columns, unsigned window_rows);
+/* Adds the picture at the cursor: rows of cells, each with the end of a line. */
+void grid_print(struct grid *grid, const tia_rgb565 *pixels, unsigned height, struct text *text);
+
 void grid_forget(struct grid *grid); /* Marks the contents as unknown: the window may show anything. */
 void grid_free(struct grid *grid);
 

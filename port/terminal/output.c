@@ -114,6 +114,14 @@ void output_leave(struct output *output)
     output->entered = false;
 }
 
+void output_cut(struct output *output)
+{
+    descriptor_drop_output(output->fd);
+    forget(output);
+    text_add(&output->text, output->kitty ? CUT "\033_Gm=0,q=2;\033\\" LINE_END : CUT LINE_END);
+    (void)output_send(output, LAST_WRITE_MS);
+}
+
 void output_free(struct output *output)
 {
     if (output->fd >= 0)

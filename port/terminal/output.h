@@ -36,6 +36,9 @@ bool output_is_left(const struct output *output);
  * the text once the window is lost. Returns TIA_OK, or TIA_ERR_DEVICE with errno. */
 int output_send(struct output *output, int timeout_ms);
 
+/* Drops text that is still to be sent, after a signal, and ends the line; for a window that was not taken. */
+void output_cut(struct output *output);
+
 void output_free(struct output *output);
 
 #endif

@@ -41,4 +41,8 @@ struct strip pictures_strip(enum pictures pictures, const struct cell *cell, uns
 void pictures_draw(enum pictures pictures, const tia_rgb565 *pixels, unsigned width, struct strip strip,
                    const struct cell *cell, struct text *text);
 
+/* Adds the text that shows a picture of width x height pixels at the cursor, and the end of a line, in the same way. */
+void pictures_print(enum pictures pictures, const tia_rgb565 *pixels, unsigned width, unsigned height,
+                    const struct cell *cell, struct text *text);
+
 #endif

@@ -17,11 +17,14 @@ struct symbols {
     struct symbol *cells;
     unsigned columns, rows;
     bool known;
+    bool few;                   /* 16 colours, if not direct */
+    bool prints;                /* characters are sent at the cursor, each row with the end of a line */
+    const struct cover *covers; /* NULL, or for each row of the window what is not drawn */
 };
 
 /* Adds the text that shows a strip of a picture of width x height pixels, in whole characters, with 24-bit colours
- * (`direct`) or the nearest of the 256. Characters that have not changed are left out. A frame's strips come from the
- * top down. When text->failed is set, the contents are unknown. */
+ * (`direct`) or 256 or 16, by libchafa's ordered dithering. Characters that have not changed are left out. A frame's
+ * strips come from the top down. When text->failed is set, the contents are unknown. */
 void symbols_draw(struct symbols *symbols, const tia_rgb565 *pixels, unsigned width, unsigned height,
                   struct strip strip, bool direct, struct text *text);
 void symbols_forget(struct symbols *symbols); /* Marks the contents as unknown: the window may show anything. */

@@ -80,3 +80,46 @@ bool colour_is_direct(const char *term, const char *colorterm)
             return true;
     return ends_with(term, "-direct");
 }
+
+/* True for terminals that are known to have 16 colours; others have 256, or show the nearest of theirs. */
+static bool has_sixteen(const char *term)
+{
+    return strcmp(term, "ansi") == 0 || strcmp(term, "cygwin") == 0 || ends_with(term, "-16color");
+}
+
+enum colours colours_of(const char *term, const char *colorterm)
+{
+    if (colour_is_direct(term, colorterm))
+        return COLOURS_DIRECT;
+    if (term && strcmp(term, "linux") == 0)
+        return COLOURS_CONSOLE;
+    return term && has_sixteen(term) ? COLOURS_16 : COLOURS_256;
+}
+
+/* Returns one of the 16: bits 0 to 2 are red, green and blue, bit 3 is bright. */
+static struct rgb8 first_colour(enum colours colours, unsigned index)
+{
+    static const struct rgb8 xterm[] = {{0, 0, 0},       {205, 0, 0},   {0, 205, 0},   {205, 205, 0},
+                                        {0, 0, 238},     {205, 0, 205}, {0, 205, 205}, {229, 229, 229},
+                                        {127, 127, 127}, {255, 0, 0},   {0, 255, 0},   {255, 255, 0},
+                                        {92, 92, 255},   {255, 0, 255}, {0, 255, 255}, {255, 255, 255}};
+    unsigned low = index & 8 ? 85 : 0, high = low + 170;
+
+    if (colours == COLOURS_16)
+        return xterm[index];
+    if (index == 3)
+        return (struct rgb8){170, 85, 0}; /* brown */
+    return (struct rgb8){(uint8_t)(index & 1 ? high : low), (uint8_t)(index & 2 ? high : low),
+                         (uint8_t)(index & 4 ? high : low)};
+}
+
+struct rgb8 colour_indexed(enum colours colours, unsigned index)
+{
+    unsigned grey = 8 + 10 * (index - GREYS), cube = index - CUBE;
+
+    if (colours != COLOURS_256)
+        return first_colour(colours, index & 15);
+    if (index >= GREYS)
+        return (struct rgb8){(uint8_t)grey, (uint8_t)grey, (uint8_t)grey};
+    return (struct rgb8){cube_levels[cube / 36], cube_levels[cube / 6 % 6], cube_levels[cube % 6]};
+}

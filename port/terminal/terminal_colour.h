@@ -8,6 +8,15 @@ struct rgb8 {
     uint8_t r, g, b;
 };
 
+/* The colours of a terminal: 24 bits; xterm's 256; or 16, of xterm or of a PC's console, which users can redefine. */
+enum colours { COLOURS_DIRECT, COLOURS_256, COLOURS_16, COLOURS_CONSOLE };
+
+/* Returns the colours of a terminal with these environment variables (NULL: not set). */
+enum colours colours_of(const char *term, const char *colorterm);
+
+/* Returns a colour of one of the palettes: of COLOURS_256 16..255, of the others 0..15. */
+struct rgb8 colour_indexed(enum colours colours, unsigned index);
+
 /* Expands RGB565 to 8 bits a channel by bit replication: black stays black, full intensity stays full. */
 struct rgb8 colour_expand(tia_rgb565 pixel);
 

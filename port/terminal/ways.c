@@ -24,16 +24,18 @@ bool ways_find(const char *name, struct way *way)
     return false;
 }
 
-const char *ways_format(enum pictures pictures, bool direct)
+const char *ways_format(enum pictures pictures, enum colours colours)
 {
+    bool direct = colours == COLOURS_DIRECT, few = colours >= COLOURS_16;
+
     switch (pictures) {
     case PICTURES_KITTY:
         return "kitty's pictures";
     case PICTURES_SIXEL:
         return "sixel";
     case PICTURES_SYMBOLS:
-        return direct ? "symbols, 24-bit colours" : "symbols, 256 colours";
+        return direct ? "symbols, 24-bit colours" : few ? "symbols, 16 colours" : "symbols, 256 colours";
     default:
-        return direct ? "24-bit colours" : "256 colours";
+        return direct ? "24-bit colours" : few ? "16 colours" : "256 colours";
     }
 }

@@ -5,6 +5,7 @@
 #include <stdbool.h>
 
 #include "answers.h"
+#include "terminal_colour.h"
 
 #define WAYS_NAMES "automatic, halfblocks, symbols, sixel or kitty"
 
@@ -17,7 +18,7 @@ struct way {
 /* True if `name` (NULL: not given) is one of WAYS_NAMES; it is then stored in `way`. */
 bool ways_find(const char *name, struct way *way);
 
-/* Returns the name of the format for struct tia_mode; `direct`: characters have 24-bit colours. */
-const char *ways_format(enum pictures pictures, bool direct);
+/* Returns the name of the format for struct tia_mode; `colours` are those of characters. */
+const char *ways_format(enum pictures pictures, enum colours colours);
 
 #endif

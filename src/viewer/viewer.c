@@ -121,6 +121,7 @@ static int show_again(struct loop *loop)
     frame.moving = false;
     tia_viewer_watch_begin(loop);
     status = loop->more ? loop->more->copy(loop) : tia_viewer_draw_tiles(loop);
+    frame.pixels = loop->more ? 0 : frame.pixels;
     frame.draw_us = viewer_now(loop) - start;
     return status ? status : show_frame(loop, &frame);
 }

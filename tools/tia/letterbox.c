@@ -274,7 +274,9 @@ static int letterbox_present(void *ctx)
     int status = draw_border(letterbox);
     if (!status && letterbox->checksum)
         status = compute_crc(letterbox);
-    if (!status)
+    if (!status && letterbox->set_text)
+        letterbox->set_text(letterbox->screen_ctx, letterbox->text);
+    else if (!status)
         status = draw_label(letterbox);
     letterbox->shown = letterbox->shown || !status;
     return status ? status : letterbox->screen->present(letterbox->screen_ctx);

@@ -1,5 +1,5 @@
 /* letterbox.h - a display (tia/port.h) that draws on another one: it centres a smaller picture on black, rotates
- * it, puts a label on it, and computes its checksum, without the label.
+ * it, puts a label or, if the other display has it, text on it, and computes its checksum, without the label.
  *
  * If neither its checksum nor its pixels are needed later, the picture is drawn straight into the other display's
  * memory.
@@ -7,8 +7,7 @@
 #ifndef TOOLS_TIA_LETTERBOX_H
 #define TOOLS_TIA_LETTERBOX_H
 
-#include <tia/port.h>
-
+#include "device.h"
 #include "rotate.h"
 
 struct letterbox {
@@ -22,7 +21,10 @@ struct letterbox {
     bool keeps; /* the picture is needed after it is shown */
     char *why;  /* receives the reason for a failure, [PORT_WHY], see port/device.h */
 
-    char label[1200]; /* see label.h; empty: no label. May change from frame to frame */
+    /* NULL if the screen has pixels alone, else the screen's function that shows text, see port/device.h. */
+    void (*set_text)(void *ctx, struct port_text *text);
+    struct port_text *text; /* the text for set_text; may change from frame to frame */
+    char label[1200];       /* see label.h; empty: no label. May change from frame to frame; not used with set_text */
 
     /* Private, but readable. */
     bool opened;          /* the screen was opened, even if the letterbox was not */

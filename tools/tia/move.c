@@ -10,16 +10,22 @@
 
 #define TOLD_US 4000000
 
-static const char help[] = "arrows, page up, page down: move the light\n"
-                           "a scene's own keys: put lights; tab: next light\n"
-                           "shift and these: move the eye\n"
-                           "h j k l, or drag the mouse: orbit\n"
-                           "+ -: zoom   home: back\n"
-                           "n p: next, previous scene\n"
-                           "v: next view   t: shadows\n"
-                           "space: pause   c: save a picture\n"
-                           "e: the eye as a camera line\n"
-                           "q, escape: quit   ?: no help";
+static const char help[] = "arrows\tmove the light\n"
+                           "page up, page down\traise, lower the light\n"
+                           "a scene's own keys\tput lights\n"
+                           "tab\tnext light\n"
+                           "shift and these\tmove the eye\n"
+                           "h j k l, drag\torbit\n"
+                           "+ -\tzoom\n"
+                           "home\tback to the scene's eye\n"
+                           "n p\tnext, previous scene\n"
+                           "v\tnext view in false colours\n"
+                           "t\tnext shadow technique\n"
+                           "space\tpause\n"
+                           "c\tsave a picture\n"
+                           "e\tprint the eye as a camera line\n"
+                           "q, escape\tquit\n"
+                           "?\tno help";
 
 /* ---- meaning of events ---- */
 
@@ -37,6 +43,22 @@ static bool ends(const struct options *options, uint16_t key)
     return key == 'q' || key == TIA_KEY_ESCAPE || key == TIA_KEY_INTERRUPT || (key == 'v' && views_are_there(options));
 }
 
+static bool scrolls(uint16_t key)
+{
+    return key >= MOVE_LINE_UP && key <= MOVE_PAGE_DOWN;
+}
+
+uint16_t moves_scroll_key(const struct moves *moves, uint16_t key)
+{
+    if (!moves->help || !moves->text || !moves->text->more)
+        return key;
+    return key == TIA_KEY_UP          ? MOVE_LINE_UP
+           : key == TIA_KEY_DOWN      ? MOVE_LINE_DOWN
+           : key == TIA_KEY_PAGE_UP   ? MOVE_PAGE_UP
+           : key == TIA_KEY_PAGE_DOWN ? MOVE_PAGE_DOWN
+                                      : key;
+}
+
 /* Returns the effect of an event. The key that saves has none, since only complete pictures are saved. */
 enum tia_effect moves_weigh(const struct moves *moves, const struct tia_event *event)
 {
@@ -46,6 +68,8 @@ enum tia_effect moves_weigh(const struct moves *moves, const struct tia_event *e
         return event->drag ? TIA_EFFECT_CAMERA : TIA_EFFECT_NONE;
     if (ends(moves->options, event->key))
         return TIA_EFFECT_END;
+    if (scrolls(event->key))
+        return TIA_EFFECT_PICTURE;
     if (event->key == TIA_KEY_HOME)
         return TIA_EFFECT_HOME;
     if (steer_takes(event))
@@ -94,10 +118,22 @@ static void say_no_light(struct moves *moves)
     moves_say(moves, text);
 }
 
+/* Scrolls the help; the display lowers the number of the first line if there are not so many. */
+static void scroll(struct moves *moves, uint16_t key)
+{
+    bool page = key == MOVE_PAGE_UP || key == MOVE_PAGE_DOWN, down = key == MOVE_LINE_DOWN || key == MOVE_PAGE_DOWN;
+    unsigned step = page ? 8 : 1, *first = &moves->text->first;
+
+    *first = down ? *first + step : *first > step ? *first - step : 0;
+}
+
 static enum tia_effect tell(struct moves *moves, uint16_t key)
 {
-    if (key == TIA_KEY_HELP)
+    if (key == TIA_KEY_HELP) {
         moves->help = !moves->help;
+        moves->text->first = 0;
+    } else if (scrolls(key))
+        scroll(moves, key);
     else if (key == 'v')
         moves_say(moves, "false colours: not of this integrator or arithmetic");
     else if (key == 'n' || key == 'p')

@@ -13,6 +13,9 @@
 /* The key of an event that reports a changed file. */
 #define MOVE_CHANGED 0x200
 
+/* Keys that scroll the help; see moves_scroll_key. */
+enum { MOVE_LINE_UP = 0x201, MOVE_LINE_DOWN, MOVE_PAGE_UP, MOVE_PAGE_DOWN };
+
 enum move_to { MOVE_NOWHERE, MOVE_NEXT_SCENE, MOVE_PREVIOUS_SCENE, MOVE_NEXT_VIEW, MOVE_READ_AGAIN };
 
 struct moves {
@@ -20,6 +23,7 @@ struct moves {
     const struct options *options;
     const struct letterbox *letterbox;     /* a letterbox with `keeps` set */
     const struct tia_viewer_state *viewer; /* the changes that keys have made */
+    struct port_text *text;                /* the text on a display that has it */
 
     /* For the caller to read. */
     enum move_to to;        /* the user's choice, to be read after the loop */
@@ -50,7 +54,10 @@ bool moves_finish(struct moves *moves, char text[PORT_WHY]);
 /* Shows a line for a few seconds. */
 void moves_say(struct moves *moves, const char *text);
 
-/* Returns the help to show, in lines, or NULL. */
+/* Returns the help to show, or NULL. Its lines are "KEYS\tMEANING". */
 const char *moves_help(const struct moves *moves);
+
+/* Returns the key by which `key` scrolls the help while that has more lines than the display shows; else `key`. */
+uint16_t moves_scroll_key(const struct moves *moves, uint16_t key);
 
 #endif

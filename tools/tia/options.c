@@ -163,6 +163,8 @@ static const struct option_row rows[] = {
     {"input", 'i', OPTION_PARSED, "auto|evdev|tty|none[:DEVICE]", "the keyboard", PARSED(input, set_port)},
     {"frames", 'n', OPTION_NUMBER, "N", "stop after N frames; by default a film ends at the last keyframe", TO(frames),
      .min = 1, .max = UINT32_MAX},
+    {"inline", 0, OPTION_FLAG, NULL, "print the picture into the terminal's scrollback, as -d terminal -n 1 does",
+     TO(in_line)},
     {"time", 0, OPTION_DECIMAL, "SECONDS", "draw the scene at this time; a film begins there", TO(time),
      .max = INT32_MAX, .rule = "not a number of seconds (0 to 32767.999, like 1.25)"},
     {"fps", 0, OPTION_PARSED, "RATE",

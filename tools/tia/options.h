@@ -85,6 +85,7 @@ struct options {
     uint16_t *keys;         /* keys pressed before the first frame */
     size_t key_count;
     uint32_t frames;  /* number of frames; 0: no limit */
+    bool in_line;     /* print the picture into a terminal's scrollback */
     tia_q16 time;     /* time of the first frame, seconds */
     uint32_t rate[2]; /* frames per second: numerator, denominator */
     bool rate_given, frame_range, tile_rows;

@@ -103,6 +103,21 @@ static int check_parts(const struct options *options)
     return check_pace(options);
 }
 
+/* Checks --inline, which prints one picture on the terminal unless --frames says how many. */
+static int check_inline(struct options *options)
+{
+    if (!options->in_line)
+        return EXIT_FINE;
+    if (options->output || options->watches)
+        return fail(EXIT_USAGE, "--inline: not with --%s", options->output ? "output" : "watch");
+    if (strcmp(options->display.name, "auto") == 0)
+        options->display.name = "terminal";
+    if (strcmp(options->display.name, "terminal") != 0)
+        return fail(EXIT_USAGE, "--inline: only the terminal display has it (-d terminal)");
+    options->frames = options->frames ? options->frames : 1;
+    return EXIT_FINE;
+}
+
 static bool is_help(const char *value)
 {
     return value && strcmp(value, "help") == 0;
@@ -202,6 +217,8 @@ int check(struct options *options)
     int result = check_names(options);
     if (result == EXIT_FINE)
         result = check_output(options);
+    if (result == EXIT_FINE)
+        result = check_inline(options);
     if (result == EXIT_FINE)
         result = check_parts(options);
     if (result == EXIT_FINE)

@@ -65,13 +65,23 @@ static void add_wrapped(const struct overlay *overlay, const char *text, struct 
     }
 }
 
+/* Adds the help, with a colon between keys and meaning. */
+static void add_help(const char *help, struct lines *lines)
+{
+    while (*help != '\0') {
+        int keys = (int)strcspn(help, "\t"), length = (int)strcspn(help, "\n");
+        add_line(lines, "%.*s: %.*s", keys, help, length - keys - 1, help + keys + 1);
+        help += length + (help[length] == '\n');
+    }
+}
+
 static void add_moves(const struct overlay *overlay, struct lines *lines)
 {
     const struct moves *moves = overlay->moves;
     const struct tia_viewer_state *viewer = overlay->viewer;
 
     if (moves_help(moves))
-        add_line(lines, "%s", moves_help(moves));
+        add_help(moves_help(moves), lines);
     if (moves->broken[0] != '\0')
         add_wrapped(overlay, moves->broken, lines);
     if (moves->until_us > clock_now_us())
@@ -100,6 +110,75 @@ void overlay_text(struct overlay *overlay, const struct tia_frame *frame, char *
         add_stats(overlay, frame, &lines);
     if (overlay->options->progress && frame->block > 1)
         add_line(&lines, "%u %%, %" PRIu64 " s left", frame->done * 100u >> 16, seconds);
+}
+
+/* ---- text ---- */
+
+/* Adds a part of the status. */
+__attribute__((format(printf, 2, 3))) static void add_part(struct overlay *overlay, const char *format, ...)
+{
+    size_t used = strlen(overlay->status), size = sizeof overlay->status - used;
+    va_list arguments;
+
+    if (used > 0 && size > 1) {
+        overlay->status[used] = '\t';
+        used++, size--;
+    }
+    va_start(arguments, format);
+    (void)vsnprintf(overlay->status + used, size, format, arguments);
+    va_end(arguments);
+}
+
+static const char *scene_name(const struct options *options)
+{
+    const char *path = options->scene_path, *slash = path ? strrchr(path, '/') : NULL;
+
+    return !path ? "tia" : strcmp(path, "-") == 0 ? "standard input" : slash ? slash + 1 : path;
+}
+
+/* Adds the parts of the status, the most important first: not all fit into a small window. */
+static void add_status(struct overlay *overlay, const struct tia_frame *frame)
+{
+    const struct tia_viewer_state *viewer = overlay->viewer;
+
+    overlay->status[0] = '\0';
+    add_part(overlay, "%.80s", scene_name(overlay->options));
+    if (viewer->paused)
+        add_part(overlay, "paused");
+    if (overlay->hints && viewer->light_count == 0)
+        add_part(overlay, "a d s w put the light");
+    if (frame->block > 1)
+        add_part(overlay, "%u %%, %" PRIu64 " s left", frame->done * 100u >> 16, (frame->left_us + 999999) / 1000000);
+    if (overlay->moves)
+        add_part(overlay, "?: help");
+    add_part(overlay, "%" PRIu64 ".%" PRIu64 " ms", overlay->draw_us / 1000, overlay->draw_us % 1000 / 100);
+    if (overlay->labelled)
+        add_part(overlay, "%s", tia_shadows_name(frame->shadows));
+    if (viewer->light > 0)
+        add_part(overlay, "light %" PRIu32 " of %" PRIu32, viewer->light + 1, viewer->light_count);
+}
+
+void overlay_words(struct overlay *overlay, const struct tia_frame *frame)
+{
+    const struct moves *moves = overlay->moves;
+    struct lines lines = {overlay->notes, sizeof overlay->notes, 0};
+
+    overlay->labelled = overlay->labelled || frame->shadows != overlay->options->scene.shadows;
+    if (frame->pixels > 0)
+        overlay->draw_us = frame->draw_us;
+    add_status(overlay, frame);
+    overlay->notes[0] = '\0';
+    if (moves && moves->broken[0] != '\0')
+        add_line(&lines, "%s", moves->broken);
+    if (moves && moves->until_us > clock_now_us())
+        add_line(&lines, "%s", moves->message);
+    if (overlay->options->stats_overlay)
+        add_stats(overlay, frame, &lines);
+    overlay->text.status = overlay->status;
+    overlay->text.notes = overlay->notes;
+    overlay->text.title = "Keys";
+    overlay->text.scroll = "arrows: more";
+    overlay->text.panel = moves ? moves_help(moves) : NULL;
 }
 
 void overlay_shown(struct overlay *overlay, const struct tia_frame *frame)

@@ -1,7 +1,5 @@
 #include "pointed.h"
 
-#include "move.h"
-
 static int pointed_open(void *ctx)
 {
     const struct pointed *pointed = ctx;
@@ -54,6 +52,8 @@ static int pointed_poll(void *ctx, struct tia_event *event)
     }
     int status = pointed->input->poll(pointed->input_ctx, event);
 
+    if (status > 0 && event->kind == TIA_EVENT_TAP && !event->shift)
+        event->key = moves_scroll_key(pointed->moves, event->key);
     if (status > 0 && event->kind == TIA_EVENT_POINT)
         turn_place(pointed->letterbox, event);
     if (status > 0 && event->kind == TIA_EVENT_MOVE)

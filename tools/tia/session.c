@@ -56,6 +56,8 @@ static struct port_wish display_wish(struct session *session)
                               .height = swaps ? options->width : options->height,
                               .connector = options->connector,
                               .mode = options->mode,
+                              .in_line = options->in_line || options->frames == 1,
+                              .row = true,
                               .why = session->why};
 }
 
@@ -75,6 +77,8 @@ int session_open_display(struct session *session, const struct port_display *por
                                             .degrees = options->rotate,
                                             .checksum = options->checksum,
                                             .keeps = session->is_moved || session->save_to,
+                                            .set_text = port->text,
+                                            .text = &session->overlay.text,
                                             .why = session->why};
     int status = letterbox_display.open(&session->letterbox, &session->mode);
     if (status == TIA_ERR_MEMORY)
@@ -126,7 +130,10 @@ static void frame_drawn(void *ctx, const struct tia_frame *frame)
     struct letterbox *letterbox = &session->letterbox;
     session->overlay.width = letterbox->rotation.width;
     session->overlay.height = letterbox->rotation.height;
-    overlay_text(&session->overlay, frame, letterbox->label, sizeof letterbox->label);
+    if (letterbox->set_text)
+        overlay_words(&session->overlay, frame);
+    else
+        overlay_text(&session->overlay, frame, letterbox->label, sizeof letterbox->label);
 }
 
 static int frame_done(void *ctx, const struct tia_frame *frame)
@@ -239,8 +246,12 @@ static void begin_overlay(struct session *session)
                                         .moves = session->is_moved ? &session->moves : NULL,
                                         .viewer = &session->viewer,
                                         .hints = !options->scene_path && !options->key_text && types};
-    session->moves = (struct moves){.options = options, .letterbox = &session->letterbox, .viewer = &session->viewer};
-    session->pointed = (struct pointed){session->input->ops, session->input_ctx, &session->letterbox, options->watch};
+    session->moves = (struct moves){.options = options,
+                                    .letterbox = &session->letterbox,
+                                    .viewer = &session->viewer,
+                                    .text = &session->overlay.text};
+    session->pointed =
+        (struct pointed){session->input->ops, session->input_ctx, &session->letterbox, &session->moves, options->watch};
     (void)snprintf(session->moves.broken, PORT_WHY, "%s", options->broken);
 }
 

@@ -60,7 +60,7 @@ static int choose_input(struct session *session, const struct port_display *port
         return open_input(session, options->input.name);
     if (port->takes_screen)
         return open_input(session, "evdev");
-    bool terminal = strcmp(port->name, "terminal") == 0;
+    bool terminal = strcmp(port->name, "terminal") == 0 && !options->in_line && options->frames != 1;
     if (!terminal && (limited || isatty(STDIN_FILENO) == 0))
         return open_input(session, "none");
     int status = open_input(session, "tty");

@@ -55,6 +55,25 @@ static void mend_base64(char *text)
     }
 }
 
+/* A layer below all text and all backgrounds of cells but the terminal's own: the protocol has those below -2^30. */
+#define BELOW_TEXT "z=-1073741825,"
+
+/* Adds a picture of kitty's protocol in the layer below the text. */
+static void add_below(const char *printed, struct text *text)
+{
+    const char *head = strstr(printed, "\033_G");
+
+    if (!head) {
+        text_add(text, printed);
+        return;
+    }
+    head += strlen("\033_G");
+    for (const char *at = printed; at < head; at++)
+        text_add(text, (const char[]){*at, '\0'});
+    text_add(text, BELOW_TEXT);
+    text_add(text, head);
+}
+
 static void put_cursor(unsigned row, struct text *text)
 {
     char sequence[32];
@@ -63,27 +82,54 @@ static void put_cursor(unsigned row, struct text *text)
     text_add(text, sequence);
 }
 
-void pictures_draw(enum pictures pictures, const tia_rgb565 *pixels, unsigned width, struct strip strip,
-                   const struct cell *cell, struct text *text)
+/* Returns the text for a picture, to be freed by g_string_free; NULL: memory is short. */
+static GString *encode(enum pictures pictures, const tia_rgb565 *pixels, unsigned width, unsigned height,
+                       const struct cell *cell)
 {
-    uint8_t *rgba = expand(pixels + (size_t)strip.first * width, (size_t)width * strip.rows, 1);
+    uint8_t *rgba = expand(pixels, (size_t)width * height, 1);
 
-    if (!rgba) {
-        text->failed = true;
-        return;
-    }
+    if (!rgba)
+        return NULL;
     chafa_set_n_threads(1); /* ports start no threads */
-    ChafaCanvas *canvas = canvas_for(pictures, width, strip.rows, cell->width, cell->height);
-    chafa_canvas_draw_all_pixels(canvas, CHAFA_PIXEL_RGBA8_UNASSOCIATED, rgba, (gint)width, (gint)strip.rows,
+    ChafaCanvas *canvas = canvas_for(pictures, width, height, cell->width, cell->height);
+    chafa_canvas_draw_all_pixels(canvas, CHAFA_PIXEL_RGBA8_UNASSOCIATED, rgba, (gint)width, (gint)height,
                                  (gint)(4 * width));
     GString *printed = print(canvas);
     if (pictures == PICTURES_KITTY)
         mend_base64(printed->str);
+    chafa_canvas_unref(canvas);
+    free(rgba);
+    return printed;
+}
+
+void pictures_draw(enum pictures pictures, const tia_rgb565 *pixels, unsigned width, struct strip strip,
+                   const struct cell *cell, struct text *text)
+{
+    GString *printed = encode(pictures, pixels + (size_t)strip.first * width, width, strip.rows, cell);
+
+    if (!printed) {
+        text->failed = true;
+        return;
+    }
     if (pictures == PICTURES_KITTY && strip.first == 0)
         text_add(text, remove_before);
     put_cursor(strip.first / cell->height, text);
-    text_add(text, printed->str);
+    if (pictures == PICTURES_KITTY)
+        add_below(printed->str, text);
+    else
+        text_add(text, printed->str);
     (void)g_string_free(printed, TRUE);
-    chafa_canvas_unref(canvas);
-    free(rgba);
+}
+
+void pictures_print(enum pictures pictures, const tia_rgb565 *pixels, unsigned width, unsigned height,
+                    const struct cell *cell, struct text *text)
+{
+    GString *printed = encode(pictures, pixels, width, height, cell);
+
+    text->failed = text->failed || !printed;
+    if (!printed)
+        return;
+    text_add(text, printed->str);
+    text_add(text, LINE_END);
+    (void)g_string_free(printed, TRUE);
 }

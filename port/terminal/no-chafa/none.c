@@ -41,6 +41,12 @@ void pictures_draw(enum pictures pictures, const tia_rgb565 *pixels, unsigned wi
     (void)pictures, (void)pixels, (void)width, (void)strip, (void)cell, (void)text;
 }
 
+void pictures_print(enum pictures pictures, const tia_rgb565 *pixels, unsigned width, unsigned height,
+                    const struct cell *cell, struct text *text)
+{
+    (void)pictures, (void)pixels, (void)width, (void)height, (void)cell, (void)text;
+}
+
 void symbols_draw(struct symbols *symbols, const tia_rgb565 *pixels, unsigned width, unsigned height,
                   struct strip strip, bool direct, struct text *text)
 {
