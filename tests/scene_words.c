@@ -22,6 +22,7 @@
 #define TEXT_MAX 256    /* bytes of a line */
 #define WORDS_MAX 512   /* words compared with the unknown one in one reading */
 #define STARTS_MAX 1024 /* beginnings of lines */
+#define LINES_MAX 16    /* words that begin lines of a block */
 #define VALUES_MAX 9    /* values before a word: those of `gravity`, of a fall's name, and the like */
 
 static const char *const kinds[] = {
@@ -34,6 +35,7 @@ static const char *const kinds[] = {
 static struct found {
     const char *words[WORDS_MAX];
     const struct tia_field *fields[WORDS_MAX]; /* NULL: the word is no field */
+    unsigned times[WORDS_MAX];                 /* how often the word was compared */
     unsigned count;
     const char *named;     /* what is named by the unknown word: "name" or "file"; NULL: nothing */
     char values[TEXT_MAX]; /* the fields that the statement needs, with values */
@@ -84,13 +86,16 @@ static void note(const char *string)
             field = copy;
         }
     for (unsigned i = 0; i < found.count; i++)
-        if (!strcmp(found.words[i], string))
+        if (!strcmp(found.words[i], string)) {
+            found.times[i]++;
             return;
+        }
     if (found.count == WORDS_MAX) {
         fprintf(stderr, "scene_words: more than %d words after one\n", WORDS_MAX);
         exit(1);
     }
     found.words[found.count] = copied(string);
+    found.times[found.count] = 1;
     found.fields[found.count++] = field;
 }
 
@@ -273,10 +278,47 @@ static void print_line(const char *text, const char *path)
     }
 }
 
-/* Prints the first words of the lines in the block that the statement begins, if these are no statements. */
+static bool is_statement(const char *word)
+{
+    for (unsigned i = 0; i < statements; i++)
+        if (!strcmp(word, starts.text[i]))
+            return true;
+    return false;
+}
+
+/* Returns how often the reading asked whether the line is a statement: the first of these words is as rare as any. */
+static unsigned count_questions(void)
+{
+    for (unsigned i = 0; i < found.count; i++)
+        if (!strcmp(found.words[i], starts.text[0]))
+            return found.times[i];
+    return 0;
+}
+
+/* Prints the first words of lines that one reading found after the lines of a block: those that are no statements, or
+ * were compared once more. `printed` has the `count` words printed before. Returns the new count. */
+static unsigned print_lines(const char *path, const char *printed[], unsigned count)
+{
+    unsigned questions = count_questions();
+
+    for (unsigned i = 0; i < found.count; i++) {
+        bool known = is_statement(found.words[i]) && found.times[i] <= questions;
+        for (unsigned k = 0; k < count; k++)
+            known = known || !strcmp(found.words[i], printed[k]);
+        if (known || count == LINES_MAX)
+            continue;
+        printed[count++] = found.words[i];
+        print(path, i, "line");
+    }
+    return count;
+}
+
+/* Prints the first words of the lines in the block that the statement begins. */
 static void print_block(const char *text, const char *path)
 {
     char block[3 * TEXT_MAX];
+    const char *printed[LINES_MAX];
+    unsigned count = 0;
 
     for (int n = 0; n <= 1; n++) {
         (void)snprintf(block, TEXT_MAX, "%s%s", text, n ? " " VALUE : "");
@@ -284,8 +326,7 @@ static void print_block(const char *text, const char *path)
         strcat(strcat(block, found.values), "\n");
         for (int line = 0; line < 2; line++) {
             read_after(block);
-            if (found.count && found.count < statements)
-                (void)print_all(path, "line");
+            count = print_lines(path, printed, count);
             strcat(block, "row " VALUE "\n"); /* of a grid with one row; in other blocks a mistake */
         }
     }

@@ -27,7 +27,7 @@ PROPERTIES = (
     "sides", "inner", "outer", "occlusion", "smooth", "width", "above", "from", "to", "window", "near",
     "tessellated", "bias", "filter", "constant", "slope", "plane", "3x3", "5x5", "7x7", "poisson", "pcss",)
 NAMES = (
-    "file", "image", "opacity", "material", "name", "texture", "bump",)
+    "file", "image", "opacity", "name", "material", "texture", "bump",)
 END = r"(?!\S)"
 NAMED = r'([^\S\n]+)(?:("[^"\n]*")|([^#\s]\S*))'
 

@@ -18,8 +18,10 @@ static bool is_statement(const struct tia_parse *job, const struct tia_word *wor
 {
     struct tia_word next;
 
+    if (!job->is_statement(word))
+        return false;
     if (!tia_word_is(word, "group"))
-        return job->is_statement(word) && !is_of_block(word);
+        return !is_of_block(word);
     return !tia_text_peek(rest, &next) || (*next.at >= 'a' && *next.at <= 'z');
 }
 
