@@ -88,6 +88,14 @@ def fine(*args, **options):
     return (done.stdout or b"").decode()
 
 
+# A message, and below it the line of a scene with a caret.
+MESSAGE = r"TOOL: .*\n( *[0-9]+ \| .*\n +\| .*\n)?"
+
+
+def is_message(text, tool):
+    return bool(re.fullmatch(MESSAGE.replace("TOOL", re.escape(tool)), text))
+
+
 def refused(status, *args, says="", **options):
     """Must fail with `status` and one message, which has `says` in it, or several with lines of a scene below them, and leave no
     file behind."""
@@ -95,7 +103,7 @@ def refused(status, *args, says="", **options):
     done = tia(*args, **options)
     text = done.stderr.decode()
     same(done.returncode, status, f"the status of {args} ({text!r})")
-    check(re.fullmatch(r"tia: .*\n|(tia: .*\n( *[0-9]+ \| .*\n +\| .*\n)?)+", text), f"{args} said {text!r}")
+    check(re.fullmatch(f"({MESSAGE})+".replace("TOOL", "tia"), text), f"{args} said {text!r}")
     check(says in text, f"{args} said {text!r}, not {says!r}")
     same(done.stdout or b"", b"", f"the standard output of {args}")
     same(sorted(os.listdir(".")), before, f"the directory after {args}")
