@@ -8,6 +8,8 @@
 #   make DRM=no PNG=no STB=no OSMESA=no EGL=no CHAFA=no JSON=no ASSIMP=no   leaves a part out though its library is there
 
 BUILD   ?= build
+# One spelling of each object's path, as the files of dependencies have it.
+override BUILD := $(patsubst $(CURDIR)/%,%,$(BUILD))
 CROSS   ?=
 found    = $(firstword $(wildcard $(addsuffix /$(1),$(subst :, ,$(PATH)))))
 ifeq ($(origin CC),default)

@@ -25,10 +25,10 @@ static const struct property {
     {MATERIAL, "facing", TIA_SETS_FACING},
 };
 
+#define OF_MATERIALS "colour, transmission, emission, specular, mirror, refraction or facing, of a material"
+
 static const char *const expected[] = {"eye or look, of the camera", "at or direction, of a light",
-                                       "at, rotate or scale, of a shape",
-                                       "colour, transmission, emission, specular, mirror, refraction or facing, of a "
-                                       "material"};
+                                       "at, rotate or scale, of a shape", OF_MATERIALS};
 
 static const struct property *find_property(enum moving of, const struct tia_word *name)
 {
