@@ -110,7 +110,7 @@ TEST(wide_octaves_fade)
 
 TEST(vector_units_draw_the_same)
 {
-    for (unsigned i = 0; i < 6; i++) {
+    for (unsigned i = 0; i < check_count(6); i++) {
         static struct corpus_rays c;
         corpus_random_rays(&c, 5, i);
         corpus_add_noise(&c, i);

@@ -77,12 +77,12 @@ function showMessage() {
   redraw();
 }
 
-// Shows messages, a line each: FILE:LINE:COLUMN: WHAT. Those of the scene's own text are marked there; of others the first is shown.
+// Shows messages: lines FILE:LINE:COLUMN: WHAT. Those of the scene's own text are marked there; of others the first is shown.
 export function showMistakes(message, scene) {
   const found = [...(message || '').matchAll(/^([^:\n]*):(\d+):(\d+): (.*)$/gm)];
   mistakes = found.filter(one => one[1] === scene).map(([, , line, column, what]) => ({line: +line, column: +column, what}));
   chosen = Math.max(mistakes.findIndex(one => one.line === caretLine()), 0);
-  general = mistakes.length ? '' : message || '';
+  general = mistakes.length ? '' : (message || '').split('\n')[0];
   showMessage();
 }
 

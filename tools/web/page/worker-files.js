@@ -36,7 +36,8 @@ async function fetchFile(name) {
   return answer && answer.ok ? new Uint8Array(await answer.arrayBuffer()) : null;
 }
 
-// Loads a scene and the files that it names; `extra`: files of the user's, by name. Returns null, or why it cannot be read.
+// Loads a scene and the files that it names; `extra`: files of the user's, by name. Returns null; or why it cannot be read, each of
+// its mistakes with its line below it, as web_mistakes has them.
 async function load({name, text, extra}) {
   for (const [other, content] of extra) files.set(other, content);
   files.set(name, encoder.encode(text));
@@ -44,7 +45,7 @@ async function load({name, text, extra}) {
     missing.clear();
     asked.clear();
     if (wasm.web_load(putName(name)) === 0) return null;
-    if (!missing.size || [...missing].every(file => files.has(file))) return cString(wasm.web_why());
+    if (!missing.size || [...missing].every(file => files.has(file))) return cString(wasm.web_mistakes()) || cString(wasm.web_why());
     for (const file of [...missing]) files.set(file, await fetchFile(file));
   }
 }
