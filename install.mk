@@ -21,6 +21,7 @@ $(LIBSHARED): $(call obj,pic,$(CORE_SRC) $(SIMD_SRC) port/simd/best.c) libtia.ma
 	    -o $@ $(filter %.o,$^) -lm
 
 # ---- how other builds find it ----
+HOMEPAGE := $(shell sed -n 's/^homepage *= *//p' package/home.txt)
 define PC
 prefix=$(PREFIX)
 libdir=$${prefix}/$(LIBDIR)
@@ -29,7 +30,8 @@ includedir=$${prefix}/include
 Name: $(1)
 Description: $(2)
 Version: $(VERSION)
-Cflags: -I$${includedir}
+$(if $(HOMEPAGE),URL: $(HOMEPAGE)
+)Cflags: -I$${includedir}
 Libs: -L$${libdir} -l$(1)$(4)
 Libs.private: $(3)
 

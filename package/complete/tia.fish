@@ -68,7 +68,7 @@ complete -c tia -l list-displays -d 'list the displays, and why one cannot be op
 complete -c tia -l scene-format -x -a 'tia nff obj stl ply off pgm' -d 'the format of SCENE, if its name has no such extension'
 complete -c tia -l check -d 'tell all mistakes of each SCENE, and draw nothing'
 complete -c tia -l strict -d 'treat warnings about the scene as errors'
-complete -c tia -s h -l help -d 'this text'
+complete -c tia -s h -l help -x -a 'output picture display keys scene eye time paths shadows gaze lightfield farm inspect speed all' -d 'an overview'
 complete -c tia -s V -l version -d 'the version'
 complete -c tia-compare -f -a '(__fish_complete_suffix .tia; __fish_complete_suffix .nff; __fish_complete_suffix .obj; __fish_complete_suffix .stl; __fish_complete_suffix .ply; __fish_complete_suffix .off; __fish_complete_suffix .pgm)'
 complete -c tia-compare -s k -l keys -x -d 'draw the built-in scene after these keys'

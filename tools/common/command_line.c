@@ -9,6 +9,7 @@
 
 #include <tia/tia.h>
 
+#include "command_help.h"
 #include "message.h"
 #include "near_word.h"
 #include "parse.h"
@@ -17,9 +18,7 @@ enum {
     OPTIONS_MOST = 128, /* rows of a command */
     SPELLINGS_MOST = 8, /* rows whose names have a second spelling */
     CODE = 256,         /* code of the first row for getopt_long: greater than any letter */
-    TEXT_SIZE = 400,
-    LINE_WIDTH = 100,
-    LEFT_MOST = 32 /* width of the column of options; wider rows have their help text on the next line */
+    TEXT_SIZE = 400
 };
 
 /* ---- values ---- */
@@ -160,16 +159,6 @@ static void list_words(const char *words, char *text, size_t size)
     }
 }
 
-static void format_limits(const struct option_row *row, char *text, size_t size)
-{
-    unsigned long long min = row->min, max = row->max;
-
-    if (row->kind == OPTION_SIZE)
-        (void)snprintf(text, size, "1x1 to %llux%llu", max, max);
-    else
-        (void)snprintf(text, size, "%llu to %llu", min, max);
-}
-
 static void format_rule(const struct option_row *row, char *text, size_t size)
 {
     char allowed[TEXT_SIZE];
@@ -178,7 +167,7 @@ static void format_rule(const struct option_row *row, char *text, size_t size)
     if (words)
         list_words(row->argument, allowed, sizeof allowed);
     else
-        format_limits(row, allowed, sizeof allowed);
+        command_format_limits(row, allowed, sizeof allowed);
     if (row->rule)
         (void)snprintf(text, size, "%s", row->rule);
     else if (row->kind == OPTION_PIXEL)
@@ -245,61 +234,12 @@ static int refuse_option(const char *tool, int code, char **argv, const struct t
 
 /* ---- help ---- */
 
-/* Writes "  -s, --size WIDTHxHEIGHT". Returns its width. */
-static unsigned format_left(const struct option_row *row, char *text, size_t size)
+/* Prints the help; a command with themes takes one after --help. */
+static int print_help(const struct command *command, const struct option_row *row, const char *next)
 {
-    const char letter[] = {'-', row->letter, ',', '\0'};
+    bool is_theme = row->themes && next && *next != '-';
 
-    return (unsigned)snprintf(text, size, "  %3s --%s%s%s", row->letter ? letter : "", row->name,
-                              row->argument ? " " : "", row->argument ? row->argument : "");
-}
-
-/* Writes the row's help text, with the limits in place of '#'. */
-static void format_right(const struct option_row *row, char *text, size_t size)
-{
-    const char *mark = strchr(row->help, '#');
-    char limits[64];
-
-    format_limits(row, limits, sizeof limits);
-    (void)snprintf(text, size, "%.*s%s%s", mark ? (int)(mark - row->help) : (int)strlen(row->help), row->help,
-                   mark ? limits : "", mark ? mark + 1 : "");
-}
-
-static void print_row(const struct option_row *row, unsigned column)
-{
-    char left[TEXT_SIZE], right[TEXT_SIZE];
-    unsigned at = format_left(row, left, sizeof left);
-
-    format_right(row, right, sizeof right);
-    (void)fputs(left, stdout);
-    for (const char *word = right; *word != '\0';) {
-        unsigned length = (unsigned)strcspn(word, " ");
-        bool starts = word == right && at + 2 <= column;
-        if (!starts && (word == right || at + 1 + length > LINE_WIDTH)) {
-            (void)putchar('\n');
-            at = 0;
-        }
-        unsigned indent = at < column ? column - at : 1;
-        (void)printf("%*s%.*s", (int)indent, "", (int)length, word);
-        at += indent + length;
-        word += length + strspn(word + length, " ");
-    }
-    (void)putchar('\n');
-}
-
-static int print_help(const struct command *command)
-{
-    unsigned column = 0;
-    char left[TEXT_SIZE];
-
-    for (const struct option_row *row = command->options; row->name; row++) {
-        unsigned width = format_left(row, left, sizeof left) + 2;
-        column = width > column && width <= LEFT_MOST ? width : column;
-    }
-    (void)fputs(command->about, stdout);
-    for (const struct option_row *row = command->options; row->name; row++)
-        print_row(row, column);
-    return message_output(command->name, command->notes);
+    return command_help(command, row, optarg ? optarg : is_theme ? next : NULL);
 }
 
 static int print_version(const struct command *command)
@@ -309,6 +249,11 @@ static int print_version(const struct command *command)
 }
 
 /* ---- the command line ---- */
+
+static int argument_of(const struct option_row *row)
+{
+    return !row->argument ? no_argument : row->kind == OPTION_HELP ? optional_argument : required_argument;
+}
 
 /* Adds the options whose names have a second spelling. */
 static void name_american(const struct tables *tables, struct option *longs)
@@ -321,8 +266,7 @@ static void name_american(const struct tables *tables, struct option *longs)
     for (int i = 0; i < OPTIONS_MOST && (row = row_at(tables, i)) != NULL; i++)
         for (size_t k = 0; k < sizeof pairs / sizeof *pairs; k++)
             if (strcmp(row->name, pairs[k][1]) == 0)
-                *longs++ =
-                    (struct option){pairs[k][0], row->argument ? required_argument : no_argument, NULL, CODE + i};
+                *longs++ = (struct option){pairs[k][0], argument_of(row), NULL, CODE + i};
 }
 
 static void name_options(const struct tables *tables, struct option *longs, char *shorts)
@@ -332,11 +276,11 @@ static void name_options(const struct tables *tables, struct option *longs, char
 
     *shorts++ = ':';
     for (int i = 0; i < OPTIONS_MOST && (row = row_at(tables, i)) != NULL; i++) {
-        longs[count++] = (struct option){row->name, row->argument ? required_argument : no_argument, NULL, CODE + i};
+        longs[count++] = (struct option){row->name, argument_of(row), NULL, CODE + i};
         if (row->letter)
             *shorts++ = row->letter;
-        if (row->letter && row->argument)
-            *shorts++ = ':';
+        for (int colons = row->letter ? argument_of(row) : 0; colons > 0; colons--)
+            *shorts++ = ':'; /* two for an optional argument */
     }
     *shorts = '\0';
     name_american(tables, longs + count);
@@ -365,7 +309,7 @@ int command_parse_extra(const struct command *command, const struct command_extr
 {
     const struct tables tables = {command->options, extra->more};
     struct option longs[OPTIONS_MOST + SPELLINGS_MOST + 1] = {{0}};
-    char shorts[2 * OPTIONS_MOST + 2];
+    char shorts[3 * OPTIONS_MOST + 2];
 
     name_options(&tables, longs, shorts);
     opterr = 0;
@@ -374,8 +318,10 @@ int command_parse_extra(const struct command *command, const struct command_extr
         const struct option_row *row = row_of(&tables, code);
         if (!row)
             return refuse_option(command->name, code, *argv, &tables);
-        if (row->kind == OPTION_HELP || row->kind == OPTION_VERSION)
-            return row->kind == OPTION_HELP ? print_help(command) : print_version(command);
+        if (row->kind == OPTION_HELP)
+            return print_help(command, row, optind < *argc ? (*argv)[optind] : NULL);
+        if (row->kind == OPTION_VERSION)
+            return print_version(command);
         if (extra->seen)
             extra->seen(extra->ctx, row, optarg);
         const char *mistake = set(row, options, optarg);

@@ -13,6 +13,7 @@ import sys
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import manifests  # noqa: E402
 import words as scene_words  # noqa: E402
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../..")
@@ -358,6 +359,8 @@ def files(words):
     found["pygments/pyproject.toml"] = filled(PYPROJECT)
     for name, value in vscode(words).items():
         found[f"vscode/{name}"] = json.dumps(value, indent=2) + "\n"
+    for name in ("pygments/pyproject.toml", "vscode/package.json"):
+        found[name] = manifests.filled(f"package/editors/{name}", found[name], manifests.home())
     return found
 
 

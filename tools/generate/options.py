@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Generates files from the commands' tables of options, as printed by --help: the completions of bash, zsh and fish in
+"""Generates files from the commands' tables of options, as printed by --help all: the completions of bash, zsh and fish in
 package/complete/, and the headings of the options in man/.
 
 options.py BUILD [FOLDER]: BUILD has the commands; FOLDER gets package/complete/ and man/, by default the source tree.
@@ -18,12 +18,18 @@ ROW = re.compile(r"^  (?:-(?P<letter>\w),|   ) --(?P<name>[\w-]+)(?: (?P<argumen
 
 
 class Option:
-    """A row of --help: its letter or None, its name, its argument or None, its text, and the words that its value may be."""
+    """A row of --help: its letter or None, its name, its argument or None, its text, the words that its value may be, and
+    those that shells complete, of help the themes."""
 
     def __init__(self, letter, name, argument, text):
         self.letter, self.name, self.argument, self.text = letter, name, argument, text
         self.is_file = bool(argument) and argument.startswith("FILE")
         self.words = words(argument) if argument and "|" in argument else []
+
+    @property
+    def completed(self):
+        themes = self.text.split(" of a theme: ")[1:] if self.name == "help" else []
+        return re.split(", | or ", themes[0]) if themes else self.words
 
     def brief(self):
         return re.split(r"; | \(", self.text)[0]
@@ -107,7 +113,7 @@ def bash(commands):
                 continue
             names = "|".join(([f"-{option.letter}"] if option.letter else []) + [f"--{option.name}"])
             then = "compopt -o default; COMPREPLY=()" if option.is_file else \
-                f"mapfile -t COMPREPLY < <(compgen -W '{' '.join(option.words)}' -- \"$cur\")" if option.words else "COMPREPLY=()"
+                f"mapfile -t COMPREPLY < <(compgen -W '{' '.join(option.completed)}' -- \"$cur\")" if option.completed else "COMPREPLY=()"
             if any(word.endswith("=") for word in option.words):
                 then += "; compopt -o nospace"
             lines.append(f"        {names}) {then}; return ;;")
@@ -141,7 +147,8 @@ def zsh(commands):
         for option in found:
             what = re.sub(r"([\[\]:])", r"\\\1", quoted(option.brief()))
             value = "" if not option.argument else ":file:_files" if option.is_file else \
-                f":value:({' '.join(option.words)})" if option.words else ":value: "
+                f":value:({' '.join(option.completed)})" if option.completed else ":value: "
+            value = f":{value}" if value and option.name == "help" else value
             names = f"(-{option.letter} --{option.name})'{{-{option.letter},--{option.name}}}'" if option.letter else f"--{option.name}"
             lines.append(f"        '{names}[{what}]{value}' \\")
         lines.append(f"        '*:file:_files -g \"*.({'|'.join(arguments(name))})\"' ;;")
@@ -155,7 +162,7 @@ def fish(commands):
         lines.append(f"complete -c {name} -f -a '({'; '.join(f'__fish_complete_suffix .{end}' for end in ends)})'")
         for option in found:
             value = "" if not option.argument else " -r -F" if option.is_file else \
-                f" -x -a '{' '.join(option.words)}'" if option.words else " -x"
+                f" -x -a '{' '.join(option.completed)}'" if option.completed else " -x"
             letter = f" -s {option.letter}" if option.letter else ""
             lines.append(f"complete -c {name}{letter} -l {option.name}{value} -d '{quoted(option.brief())}'".replace("'\\''", "\\'"))
     return "\n".join(lines + [""])
@@ -171,7 +178,7 @@ def main():
     build, folder = sys.argv[1], (sys.argv[2:] + [ROOT])[0]
     commands = []
     for name in COMMANDS:
-        said = subprocess.run([os.path.join(build, name), "--help"], capture_output=True, text=True, check=True).stdout
+        said = subprocess.run([os.path.join(build, name), "--help", "all"], capture_output=True, text=True, check=True).stdout
         commands.append((name, options(said)))
     for file, completed in (("tia.bash", bash), ("_tia", zsh), ("tia.fish", fish)):
         write(folder, f"package/complete/{file}", completed(commands))

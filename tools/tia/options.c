@@ -8,6 +8,7 @@
 #include "common/modules.h"
 #include "common/parse.h"
 #include "common/thread_pool.h"
+#include "help.h"
 #include "thumbnail_page.h"
 
 enum { ACUITY_BITS = 8 }; /* w0 and m are Q8.24 */
@@ -226,21 +227,14 @@ static const struct option_row rows[] = {
     {"check", 0, OPTION_FLAG, NULL, "tell all mistakes of each SCENE, and draw nothing; exit status 0 or 1",
      TO(checks)},
     {"strict", 0, OPTION_FLAG, NULL, "treat warnings about the scene as errors", TO(strict)},
-    OPTION_END};
+    OPTION_END_THEMES(help_themes, help_overview)};
 
 const struct command tia_command = {
     "tia",
     "Usage: tia [options] [SCENE ...]\n"
     "Draws a ray-traced scene with integers only, on a screen or into a file. SCENE is a file, .tia,\n"
     ".nff, .obj, .stl, .ply, .off or .pgm, or another model's; or - for standard input; without it a ball\n"
-    "on the ground is drawn. On a screen\n"
-    "there may be several scenes: n and p show the next and the previous one.\n"
+    "on the ground is drawn. On a screen there may be several scenes: n and p show the next and the\n"
+    "previous one.\n"
     "\n",
-    rows,
-    "\n"
-    "Keys: a scene's own keys place lights (a d s w: above left, above right, near, far); arrows and\n"
-    "page up/down move the first light. In the built-in scene every other key quits. In others:\n"
-    "tab: next light   shift and arrows, page up/down: move the eye   h j k l, drag: orbit\n"
-    "+ - : zoom   home: back   n p: next, previous scene   v: next view   t: shadow technique\n"
-    "space: pause   c: save a picture, tia-0001.png   e: print the eye as a camera line\n"
-    "?: help   q, escape: quit\n"};
+    rows, "\n" HELP_KEYS};

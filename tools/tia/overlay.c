@@ -8,6 +8,11 @@
 #include "clock.h"
 #include "label.h"
 
+/* The keys of the built-in scene. */
+#define HINT_PUT "a d s w put the light"
+#define HINT_MOVE "arrows move it"
+#define HINT_QUIT "other keys quit"
+
 /* A text of several lines. */
 struct lines {
     char *text;
@@ -103,7 +108,7 @@ void overlay_text(struct overlay *overlay, const struct tia_frame *frame, char *
         add_line(&lines, "%s %" PRIu64 ".%" PRIu64 " ms", tia_shadows_name(frame->shadows), frame->draw_us / 1000,
                  frame->draw_us % 1000 / 100);
     if (overlay->hints && overlay->viewer->light_count == 0)
-        add_line(&lines, "a d s w put the light");
+        add_line(&lines, HINT_PUT "\n" HINT_MOVE "\n" HINT_QUIT);
     if (overlay->moves)
         add_moves(overlay, &lines);
     if (overlay->options->stats_overlay)
@@ -145,8 +150,10 @@ static void add_status(struct overlay *overlay, const struct tia_frame *frame)
     add_part(overlay, "%.80s", scene_name(overlay->options));
     if (viewer->paused)
         add_part(overlay, "paused");
-    if (overlay->hints && viewer->light_count == 0)
-        add_part(overlay, "a d s w put the light");
+    if (overlay->hints) {
+        add_part(overlay, viewer->light_count == 0 ? HINT_PUT : HINT_MOVE);
+        add_part(overlay, HINT_QUIT);
+    }
     if (frame->block > 1)
         add_part(overlay, "%u %%, %" PRIu64 " s left", frame->done * 100u >> 16, (frame->left_us + 999999) / 1000000);
     if (overlay->moves)
