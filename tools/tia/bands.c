@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "common/forecast.h"
 #include "common/image/image.h"
 #include "estimation.h"
 #include "fail.h"
@@ -30,11 +31,11 @@ static void clear(const struct tia_gathered *row, size_t width)
         memset(row->squares, 0, width * sizeof *row->squares);
 }
 
-static void draw_row(void *arg, unsigned row)
+static void draw_row(void *arg, unsigned index)
 {
     struct bands *b = arg;
     struct estimation *e = b->e;
-    unsigned width = e->film.width, y = b->y + row;
+    unsigned width = e->film.width, row = forecast_part(index, b->rows), y = b->y + row;
     struct tia_tile tile = {0, (uint16_t)y, (uint16_t)width, 1};
     struct tia_gathered to = row_of(b, row);
     int status = TIA_OK;
@@ -45,8 +46,10 @@ static void draw_row(void *arg, unsigned row)
     }
     if (status)
         atomic_store(&e->status, status);
-    if (!b->again)
+    if (!b->again && row >= b->known)
         progress_add(&e->progress, width);
+    else if (!b->again)
+        progress_skip(&e->progress, width);
 }
 
 /* Reads the first rows of the band, as far as the file of --resume has them. */
@@ -173,6 +176,7 @@ int bands_draw(struct estimation *e)
         status = resume_open(&b.resume, e->options->resume, &e->sums, e->why);
     status = status ? status : estimation_open(e);
     status = status ? status : estimation_head(e);
+    progress_start(&e->progress);
     status = status ? status : draw(&b);
     resume_close(&b.resume);
     denoising_end(&b.denoising);

@@ -189,7 +189,7 @@ static const struct option_row rows[] = {
     {"stats-overlay", 0, OPTION_FLAG, NULL, "show times, frames per second and latency on the picture",
      TO(stats_overlay)},
     {"progress", 0, OPTION_FLAG, NULL,
-     "show percent and time left, on coarse pictures or, for a file, on standard error", TO(progress)},
+     "show percent, time passed and left, on coarse pictures or, for a file, on standard error", TO(progress)},
     {"benchmark", 0, OPTION_FLAG, NULL,
      "measure this machine for about a minute, or --frames N of each: a table, and a line that tia-verify checks",
      TO(benchmark)},

@@ -7,6 +7,8 @@
 
 #include "clock.h"
 #include "label.h"
+#include "progress.h"
+#include "scenes.h"
 
 /* The keys of the built-in scene. */
 #define HINT_PUT "a d s w put the light"
@@ -100,7 +102,7 @@ static void add_moves(const struct overlay *overlay, struct lines *lines)
 void overlay_text(struct overlay *overlay, const struct tia_frame *frame, char *text, size_t size)
 {
     struct lines lines = {text, size, 0};
-    uint64_t seconds = (frame->left_us + 999999) / 1000000;
+    char passed[PROGRESS_TIME], left[PROGRESS_TIME];
 
     text[0] = '\0';
     overlay->labelled = overlay->labelled || frame->shadows != overlay->options->scene.shadows;
@@ -113,8 +115,10 @@ void overlay_text(struct overlay *overlay, const struct tia_frame *frame, char *
         add_moves(overlay, &lines);
     if (overlay->options->stats_overlay)
         add_stats(overlay, frame, &lines);
+    progress_time(passed, (double)frame->draw_us / 1e6);
+    progress_time(left, (double)frame->left_us / 1e6);
     if (overlay->options->progress && frame->block > 1)
-        add_line(&lines, "%u %%, %" PRIu64 " s left", frame->done * 100u >> 16, seconds);
+        add_line(&lines, "%u %%, %s passed, %s left", frame->done * 100u >> 16, passed, left);
 }
 
 /* ---- text ---- */
@@ -134,11 +138,17 @@ __attribute__((format(printf, 2, 3))) static void add_part(struct overlay *overl
     va_end(arguments);
 }
 
-static const char *scene_name(const struct options *options)
+/* Adds how much of a coarse picture is drawn, the time that has passed if --progress asks for it, and the time left. */
+static void add_progress(struct overlay *overlay, const struct tia_frame *frame)
 {
-    const char *path = options->scene_path, *slash = path ? strrchr(path, '/') : NULL;
+    char passed[PROGRESS_TIME], left[PROGRESS_TIME];
 
-    return !path ? "tia" : strcmp(path, "-") == 0 ? "standard input" : slash ? slash + 1 : path;
+    progress_time(passed, (double)frame->draw_us / 1e6);
+    progress_time(left, (double)frame->left_us / 1e6);
+    if (overlay->options->progress)
+        add_part(overlay, "%u %%, %s passed, %s left", frame->done * 100u >> 16, passed, left);
+    else
+        add_part(overlay, "%u %%, %s left", frame->done * 100u >> 16, left);
 }
 
 /* Adds the parts of the status, the most important first: not all fit into a small window. */
@@ -146,8 +156,11 @@ static void add_status(struct overlay *overlay, const struct tia_frame *frame)
 {
     const struct tia_viewer_state *viewer = overlay->viewer;
 
+    char name[81];
+
+    scenes_name(overlay->options, name, sizeof name);
     overlay->status[0] = '\0';
-    add_part(overlay, "%.80s", scene_name(overlay->options));
+    add_part(overlay, "%s", name[0] ? name : "tia");
     if (viewer->paused)
         add_part(overlay, "paused");
     if (overlay->hints) {
@@ -155,7 +168,7 @@ static void add_status(struct overlay *overlay, const struct tia_frame *frame)
         add_part(overlay, HINT_QUIT);
     }
     if (frame->block > 1)
-        add_part(overlay, "%u %%, %" PRIu64 " s left", frame->done * 100u >> 16, (frame->left_us + 999999) / 1000000);
+        add_progress(overlay, frame);
     if (overlay->moves)
         add_part(overlay, "?: help");
     add_part(overlay, "%" PRIu64 ".%" PRIu64 " ms", overlay->draw_us / 1000, overlay->draw_us % 1000 / 100);

@@ -5,12 +5,14 @@
 #include <tia/debug.h>
 
 #include "common/crc_join.h"
+#include "common/forecast.h"
 #include "common/image/codec.h"
 #include "film_plan.h"
 
 /* Sizes. A band is so large that threads seldom wait for the last job, and so small that its hits, some tens of bytes
- * per pixel, take little memory. A job consists of whole rows, since the core draws row by row. */
-enum { BAND_PIXELS = 1 << 19, JOB_PIXELS = 1 << 13 };
+ * per pixel, take little memory. A job consists of whole rows, since the core draws row by row. Jobs of rays are small,
+ * so that a tenth of them is a fair sample of the picture. The rasteriser takes each face again for each job. */
+enum { BAND_PIXELS = 1 << 19, JOB_PIXELS = 1 << 13, RAY_JOB_PIXELS = 1 << 11, RAY_JOBS = 120 };
 
 /* Sizes with --resume. A signal loses at most one band, so a band is a small part of the picture, or quickly drawn. */
 enum { KEPT_PIXELS = 1 << 14, KEPT_BANDS = 64, KEPT_JOBS = 16 };
@@ -119,6 +121,40 @@ static struct tia_tile tile_of_job(const struct picture *picture, unsigned job)
     return tile;
 }
 
+/* Draws a tile into `pixels`, the memory of its first pixel in the file, whose rows are `pitch` pixels apart. */
+static void draw_tile(struct picture *picture, struct tia_tile tile, tia_rgb565 *pixels, size_t pitch,
+                      uint16_t *colours)
+{
+    struct tia_tile place = rotation_tile(&picture->rotation, tile);
+    struct tia_surface rows = {
+        .pixels = pixels, .step = sizeof(tia_rgb565), .pitch = (ptrdiff_t)(pitch * sizeof(tia_rgb565))};
+    struct tia_surface surface = rotation_surface(&picture->rotation, &rows, place.width, place.height);
+    struct tia_options pixel_options = picture->pixel_options;
+
+    pixel_options.colours = colours;
+    int status = tia_view_draw(picture->view, picture->hits, tile, &surface, &pixel_options);
+    if (status)
+        atomic_store(&picture->status, status);
+}
+
+/* Copies a tile that was drawn beforehand. */
+static void copy_tile(const struct survey *survey, size_t number, struct tia_tile place, tia_rgb565 *pixels,
+                      size_t pitch, uint16_t *colours)
+{
+    const tia_rgb565 *from = survey->pixels + number * survey->probe_pixels;
+    size_t count = (size_t)place.width * place.height;
+
+    for (unsigned y = 0; y < place.height; y++)
+        memcpy(pixels + y * pitch, from + (size_t)y * place.width, place.width * sizeof *pixels);
+    if (colours)
+        memcpy(colours, survey->colours + 3 * number * survey->probe_pixels, 3 * count * sizeof *colours);
+}
+
+static uint64_t work_of(const struct picture *picture, unsigned band, uint64_t pixels)
+{
+    return picture->survey.probes ? pixels * picture->survey.weights[band] : pixels;
+}
+
 static void draw_rows(struct picture *picture, unsigned job)
 {
     if (tap_chooses(picture->tap) && !tap_wants(picture->tap, picture->frame, picture->band[0].y + job))
@@ -126,43 +162,42 @@ static void draw_rows(struct picture *picture, unsigned job)
     struct tia_tile tile = tile_of_job(picture, job);
     struct tia_tile place = rotation_tile(&picture->rotation, tile);
     const struct picture_band *band = &picture->band[0];
-    struct tia_surface rows = {.pixels = band->pixels + (size_t)(place.y - band->y) * picture->width + place.x,
-                               .step = sizeof(tia_rgb565),
-                               .pitch = (ptrdiff_t)(picture->width * sizeof(tia_rgb565))};
-    struct tia_surface surface = rotation_surface(&picture->rotation, &rows, place.width, place.height);
+    size_t row = (size_t)(place.y - band->y) * picture->width;
+    tia_rgb565 *pixels = band->pixels + row + place.x;
+    uint16_t *colours = band->colours ? band->colours + 3 * row : NULL;
+    ptrdiff_t probe = survey_place(&picture->survey, picture->number, job);
 
-    struct tia_options pixel_options = picture->pixel_options;
-    if (band->colours)
-        pixel_options.colours = band->colours + 3 * (size_t)(place.y - band->y) * picture->width;
-
-    int status = tia_view_draw(picture->view, picture->hits, tile, &surface, &pixel_options);
-    if (status)
-        atomic_store(&picture->status, status);
-    progress_add(&picture->progress, (uint64_t)tile.width * tile.height);
+    if (probe >= 0) {
+        copy_tile(&picture->survey, (size_t)probe, place, pixels, picture->width, colours);
+        return;
+    }
+    draw_tile(picture, tile, pixels, picture->width, colours);
+    progress_add(&picture->progress, work_of(picture, picture->number, (uint64_t)tile.width * tile.height));
 }
 
 static void work(void *arg, unsigned index)
 {
     struct picture *picture = arg;
     if (index > 0)
-        draw_rows(picture, index - 1);
+        draw_rows(picture, forecast_part(index - 1, picture->jobs));
     else if (picture->band[1].rows > 0)
         write_band(picture, &picture->band[1]);
 }
 
 /* ---- the picture ---- */
 
-/* Prepares a band for drawing; *jobs receives the number of its jobs. */
-static int prepare_band(struct picture *picture, const struct picture_band *band, unsigned *jobs)
+/* Prepares a band for drawing. */
+static int prepare_band(struct picture *picture, const struct picture_band *band)
 {
     picture->tile = tile_of(picture, band);
-    *jobs = tap_chooses(picture->tap) ? band->rows : (picture->tile.height + picture->job_rows - 1) / picture->job_rows;
+    picture->jobs =
+        tap_chooses(picture->tap) ? band->rows : (picture->tile.height + picture->job_rows - 1) / picture->job_rows;
     return tia_hits_init(&picture->hits, picture->hits_memory, picture->hits_bytes, picture->view, picture->tile);
 }
 
 static int read_band(struct picture *picture, const struct picture_band *band)
 {
-    progress_add(&picture->progress, (uint64_t)band->rows * picture->width);
+    progress_skip(&picture->progress, (uint64_t)band->rows * picture->width);
     return finished_read(picture->finished, picture->frame, band->y, band->rows, band->pixels);
 }
 
@@ -172,11 +207,11 @@ static int draw_band(struct picture *picture)
     struct finished *finished = picture->finished;
     bool draws = band->rows > 0,
          known = draws && finished && finished_has(finished, picture->frame, band->y, band->rows);
-    unsigned jobs = 0;
-    int status = known ? read_band(picture, band) : draws ? prepare_band(picture, band, &jobs) : TIA_OK;
+    picture->jobs = 0;
+    int status = known ? read_band(picture, band) : draws ? prepare_band(picture, band) : TIA_OK;
     if (status)
         return status;
-    threads_run(picture->pool, work, picture, jobs + 1);
+    threads_run(picture->pool, work, picture, picture->jobs + 1);
     status = atomic_load(&picture->status);
     if (!status && draws && !known && finished)
         status = finished_append(finished, picture->frame, band->y, band->rows, band->pixels);
@@ -187,23 +222,96 @@ static int draw_band(struct picture *picture)
     return status;
 }
 
+/* ---- the survey ---- */
+
+/* Returns a band, counted from the top. */
+static struct picture_band band_at(const struct picture *picture, unsigned number)
+{
+    unsigned first = number * picture->band_rows, left = picture->rows - first;
+    struct picture_band band = picture->band[0];
+
+    band.y = picture->first_row + first;
+    band.rows = left < picture->band_rows ? left : picture->band_rows;
+    return band;
+}
+
+static void draw_probe(void *arg, unsigned probe)
+{
+    struct picture *picture = arg;
+    struct survey *survey = &picture->survey;
+    struct tia_tile tile = tile_of_job(picture, forecast_probe(probe));
+    size_t number = (size_t)picture->number * survey->probes + probe;
+    uint64_t begun = survey_clock();
+
+    draw_tile(picture, tile, survey->pixels + number * survey->probe_pixels,
+              rotation_tile(&picture->rotation, tile).width,
+              survey->colours ? survey->colours + 3 * number * survey->probe_pixels : NULL);
+    survey->ns[number] = survey_clock() - begun;
+    progress_add(&picture->progress, (uint64_t)tile.width * tile.height);
+}
+
+/* Draws the probes of a band; *done and *all receive the work of the probes and of the band. */
+static int survey_band(struct picture *picture, unsigned number, uint64_t *done, uint64_t *all)
+{
+    struct picture_band band = band_at(picture, number);
+    int status = prepare_band(picture, &band);
+    unsigned probes = forecast_probes(picture->jobs);
+    uint64_t pixels = 0;
+
+    if (status)
+        return status;
+    picture->number = number;
+    threads_run(picture->pool, draw_probe, picture, probes);
+    for (unsigned i = 0; i < probes; i++) {
+        struct tia_tile tile = tile_of_job(picture, forecast_probe(i));
+        pixels += (uint64_t)tile.width * tile.height;
+    }
+    survey_weigh(&picture->survey, number, probes, pixels);
+    *done = work_of(picture, number, pixels);
+    *all = work_of(picture, number, (uint64_t)band.rows * picture->width);
+    return atomic_load(&picture->status);
+}
+
+/* Draws the probes of all bands if the progress is shown. One picture of several bands needs them. Where rows are
+ * known, or a tap chooses them, the share of pixels is the measure; in a film, that of frames. */
+static int survey_bands(struct picture *picture, unsigned count)
+{
+    const struct progress *progress = &picture->progress;
+    unsigned tile_rows = tile_of(picture, &(struct picture_band){.rows = picture->band_rows}).height;
+    unsigned parts = (tile_rows + picture->job_rows - 1) / picture->job_rows;
+    size_t pixels = (size_t)picture->band_rows * picture->width / tile_rows * picture->job_rows;
+    uint64_t done = 0, all = 0, some, band;
+    int status = TIA_OK;
+
+    if (!progress_shows(progress) || progress->frames > 1 || count < 2 || tap_chooses(picture->tap) ||
+        picture->finished || !survey_begin(&picture->survey, count, parts, pixels, picture->depth != 0))
+        return TIA_OK;
+    for (unsigned i = 0; i < count && !status; i++) {
+        status = survey_band(picture, i, &some, &band);
+        done += some;
+        all += band;
+    }
+    if (!status)
+        progress_weigh(&picture->progress, done, all);
+    return status;
+}
+
 /* Draws all bands in the file's order. Each round also writes the band drawn in the previous round; the last round only
  * writes. */
 int picture_draw(struct picture *picture)
 {
     unsigned count = (picture->rows + picture->band_rows - 1) / picture->band_rows;
-    int status = TIA_OK;
     picture->crc = 0;
     picture->crc_bytes = 0;
+    progress_start(&picture->progress);
+    int status = survey_bands(picture, count);
     for (unsigned i = 0; i <= count && !status; i++) {
         struct picture_band *band = &picture->band[0];
         band->rows = 0;
         if (i < count) {
-            unsigned first = (is_bottom_up(picture) ? count - 1 - i : i) * picture->band_rows;
-            unsigned left = picture->rows - first;
-            band->y = picture->first_row + first;
-            unsigned rows = left < picture->band_rows ? left : picture->band_rows;
-            band->rows = tap_wants_any(picture->tap, picture->frame, band->y, rows) ? rows : 0;
+            picture->number = is_bottom_up(picture) ? count - 1 - i : i;
+            *band = band_at(picture, picture->number);
+            band->rows = tap_wants_any(picture->tap, picture->frame, band->y, band->rows) ? band->rows : 0;
         }
         status = draw_band(picture);
     }
@@ -249,23 +357,27 @@ int picture_begin(struct picture *picture, const struct options *options, const 
                                 .tap = options->tap,
                                 .checksum = options->checksum};
     unsigned pixels = band_pixels(options, film), part = pixels / KEPT_JOBS;
-    unsigned job_pixels = options->resume && part < JOB_PIXELS ? part : (unsigned)JOB_PIXELS;
+    bool rays = options->scene.shadows == TIA_SHADOWS_TRACED;
+    unsigned most = rays ? RAY_JOB_PIXELS : JOB_PIXELS, job_pixels = options->resume && part < most ? part : most;
     picture->band_rows = pixels / film->width < film->rows ? pixels / film->width : film->rows;
 
     struct picture_band whole = {0, picture->band_rows, NULL, NULL};
     struct tia_tile tile = tile_of(picture, &whole);
     picture->job_rows = tile.width < job_pixels ? job_pixels / tile.width : 1;
+    if (rays && picture->job_rows > tile.height / RAY_JOBS)
+        picture->job_rows = tile.height > RAY_JOBS ? tile.height / RAY_JOBS : 1;
     picture->hits_bytes = core->hits_size(core, &options->scene, tile);
     picture->hits_memory = malloc(picture->hits_bytes);
     bool has = allocate_bands(picture);
     picture->pool = threads_create(options->threads);
-    progress_begin(&picture->progress, (uint64_t)film->width * film->rows, film->frames, options->progress);
+    progress_begin(&picture->progress, options, (uint64_t)film->width * film->rows, film->frames);
     return has && picture->hits_memory && picture->pool ? TIA_OK : TIA_ERR_MEMORY;
 }
 
 void picture_end(struct picture *picture)
 {
     progress_end(&picture->progress);
+    survey_end(&picture->survey);
     threads_destroy(picture->pool);
     for (unsigned i = 0; i < 2; i++) {
         free(picture->band[i].pixels);

@@ -11,6 +11,7 @@
 #include "options.h"
 #include "progress.h"
 #include "rotate.h"
+#include "survey.h"
 
 struct picture_band {
     unsigned y, rows; /* rows of the file */
@@ -31,6 +32,8 @@ struct picture {
     struct rotation rotation;
     unsigned width, first_row, rows; /* size and rows of the file, that is, of the rotated picture */
     unsigned band_rows, job_rows;
+    unsigned number, jobs; /* the band being drawn, counted from the top; number of its jobs */
+    struct survey survey;
     void *hits_memory;
     size_t hits_bytes;
     struct tia_hits *hits;
@@ -42,7 +45,7 @@ struct picture {
     unsigned char *row;          /* a row as bytes, for the tap */
     bool checksum;
     unsigned char *floats; /* a row of 32 bits a channel; NULL: other colours */
-    uint32_t crc; /* CRC of the rows written so far */
+    uint32_t crc;          /* CRC of the rows written so far */
     uint64_t crc_bytes;
     atomic_int status; /* the last error of a job */
     struct progress progress;

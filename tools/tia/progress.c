@@ -1,13 +1,18 @@
 #include "progress.h"
 
 #include <stdio.h>
+#include <string.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include "clock.h"
+#include "scenes.h"
 
 /* Times. A drawing of less than half a second shows nothing; later a terminal is updated ten times a second, and other
  * outputs get a line once a second. */
 enum { FIRST_US = 500000, STEP_US = 100000, LINE_US = 1000000 };
+
+enum { LINE_SIZE = 256 };
 
 static const char erase[] = "\r\033[K";
 
@@ -21,46 +26,117 @@ static void undo(void *arg)
     }
 }
 
-void progress_begin(struct progress *progress, uint64_t frame_pixels, uint32_t frames, bool asked)
+void progress_begin(struct progress *progress, const struct options *options, uint64_t frame_pixels, uint32_t frames)
 {
-    progress->terminal = isatty(STDERR_FILENO) == 1;
-    progress->frame_pixels = frame_pixels;
-    progress->frames = frames;
+    *progress = (struct progress){.terminal = isatty(STDERR_FILENO) == 1,
+                                  .asked = options->progress,
+                                  .begun_us = clock_now_us(),
+                                  .frame_work = frame_pixels,
+                                  .frames = frames,
+                                  .share = -1,
+                                  .left = -1};
+    scenes_name(options, progress->name, sizeof progress->name);
     (void)pthread_mutex_init(&progress->lock, NULL);
-    progress->done = 0;
-    progress->asked = asked;
-    progress->begun_us = clock_now_us();
     progress->next_us = progress->begun_us + (progress->terminal ? FIRST_US : LINE_US);
     progress->cleanup = (struct signals_cleanup){.undo = undo, .arg = progress};
     signals_add(&progress->cleanup);
 }
 
-/* Returns the estimated number of seconds left, rounded up. */
-static unsigned seconds_left(const struct progress *progress, uint64_t now)
+bool progress_shows(const struct progress *progress)
 {
-    double all = (double)progress->frame_pixels * progress->frames, done = (double)progress->done;
+    return progress->terminal || progress->asked;
+}
 
-    return (unsigned)((double)(now - progress->begun_us) * (all - done) / done / 1e6) + 1;
+void progress_start(struct progress *progress)
+{
+    (void)pthread_mutex_lock(&progress->lock);
+    if (!progress->start_us)
+        progress->start_us = clock_now_us();
+    (void)pthread_mutex_unlock(&progress->lock);
+}
+
+void progress_weigh(struct progress *progress, uint64_t done, uint64_t all)
+{
+    (void)pthread_mutex_lock(&progress->lock);
+    progress->done = done;
+    progress->frame_work = all;
+    (void)pthread_mutex_unlock(&progress->lock);
+}
+
+/* ---- the line ---- */
+
+void progress_time(char text[PROGRESS_TIME], double seconds)
+{
+    unsigned whole = seconds < 1e9 ? (unsigned)(seconds + 0.5) : 1000000000;
+
+    if (seconds < 9.95)
+        (void)snprintf(text, PROGRESS_TIME, "%.1f s", seconds);
+    else if (whole < 120)
+        (void)snprintf(text, PROGRESS_TIME, "%u s", whole);
+    else if (whole < 7200)
+        (void)snprintf(text, PROGRESS_TIME, "%u min %02u s", whole / 60, whole % 60);
+    else
+        (void)snprintf(text, PROGRESS_TIME, "%u h %02u min", whole / 3600, whole / 60 % 60);
+}
+
+/* Returns the estimated number of seconds left; negative: nothing tells it yet. */
+static double seconds_left(const struct progress *progress, uint64_t now)
+{
+    double all = (double)progress->frame_work * progress->frames, done = (double)progress->done,
+           drawn = done - (double)progress->skipped;
+
+    if (progress->left >= 0)
+        return progress->left;
+    return drawn > 0 && progress->start_us ? (double)(now - progress->start_us) / 1e6 * (all - done) / drawn : -1;
+}
+
+static unsigned percent(const struct progress *progress)
+{
+    double share = progress->share >= 0 ? progress->share
+                                        : (double)progress->done / ((double)progress->frame_work * progress->frames);
+
+    return share < 1 ? (unsigned)(share * 100) : 100;
+}
+
+/* Writes the line: the scene, how much is drawn and, if asked, the times. */
+static void compose(const struct progress *progress, uint64_t now, char line[LINE_SIZE])
+{
+    char passed[PROGRESS_TIME], left[PROGRESS_TIME];
+    double rest = seconds_left(progress, now);
+    int used = snprintf(line, LINE_SIZE, "drawing%s%s: %3u %%", progress->name[0] ? " " : "", progress->name,
+                        percent(progress));
+
+    if (progress->text[0])
+        used += snprintf(line + used, LINE_SIZE - (size_t)used, ", %s", progress->text);
+    else if (progress->frames > 1)
+        used += snprintf(line + used, LINE_SIZE - (size_t)used, ", %u of %u frames",
+                         (unsigned)(progress->done / progress->frame_work), (unsigned)progress->frames);
+    if (!progress->asked)
+        return;
+    progress_time(passed, (double)(now - progress->begun_us) / 1e6);
+    used += snprintf(line + used, LINE_SIZE - (size_t)used, ", %s passed", passed);
+    progress_time(left, rest < 0 ? 0 : rest);
+    if (rest >= 0)
+        (void)snprintf(line + used, LINE_SIZE - (size_t)used, ", %s left", left);
+}
+
+/* Cuts the line so that it stays in one row of the terminal. */
+static void fit(char line[LINE_SIZE])
+{
+    struct winsize size;
+
+    if (ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1 && strlen(line) >= size.ws_col)
+        line[size.ws_col - 1u] = '\0';
 }
 
 static void print(const struct progress *progress, uint64_t now)
 {
-    uint64_t done = progress->done;
+    char line[LINE_SIZE];
 
+    compose(progress, now, line);
     if (progress->terminal)
-        (void)fputc('\r', stderr);
-    if (progress->text[0]) {
-        (void)fprintf(stderr, "drawing: %s", progress->text);
-    } else if (progress->frames > 1) {
-        (void)fprintf(stderr, "drawing: %u of %u frames, %u %% of the next", (unsigned)(done / progress->frame_pixels),
-                      (unsigned)progress->frames,
-                      (unsigned)(done % progress->frame_pixels * 100 / progress->frame_pixels));
-    } else {
-        (void)fprintf(stderr, "drawing: %3u %%", (unsigned)(done * 100 / progress->frame_pixels));
-    }
-    if (progress->asked && !progress->text[0])
-        (void)fprintf(stderr, ", %u s left", seconds_left(progress, now));
-    (void)fputs(progress->terminal ? "\033[K" : "\n", stderr);
+        fit(line);
+    (void)fprintf(stderr, progress->terminal ? "\r%s\033[K" : "%s\n", line);
     (void)fflush(stderr);
 }
 
@@ -74,23 +150,37 @@ static void show(struct progress *progress, uint64_t now)
     progress->next_us = now + (progress->terminal ? STEP_US : LINE_US);
 }
 
-void progress_add(struct progress *progress, uint64_t pixels)
+/* ---- the work ---- */
+
+static void add(struct progress *progress, uint64_t work, uint64_t known)
 {
-    bool told = progress->terminal || progress->asked;
-    uint64_t now = told ? clock_now_us() : 0;
+    uint64_t now = progress_shows(progress) ? clock_now_us() : 0;
 
     (void)pthread_mutex_lock(&progress->lock);
-    progress->done += pixels;
-    if (told && progress->done < progress->frame_pixels * progress->frames)
+    progress->done += work;
+    progress->skipped += known;
+    if (progress_shows(progress) && progress->done < progress->frame_work * progress->frames)
         show(progress, now);
     (void)pthread_mutex_unlock(&progress->lock);
 }
 
-void progress_say(struct progress *progress, const char *text)
+void progress_add(struct progress *progress, uint64_t work)
+{
+    add(progress, work, 0);
+}
+
+void progress_skip(struct progress *progress, uint64_t work)
+{
+    add(progress, work, work);
+}
+
+void progress_say(struct progress *progress, const char *text, double share, double left)
 {
     (void)pthread_mutex_lock(&progress->lock);
     (void)snprintf(progress->text, sizeof progress->text, "%s", text);
-    if (progress->terminal || progress->asked)
+    progress->share = share;
+    progress->left = left;
+    if (progress_shows(progress))
         show(progress, clock_now_us());
     (void)pthread_mutex_unlock(&progress->lock);
 }

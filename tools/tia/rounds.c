@@ -6,6 +6,7 @@
 #include <tia/debug.h>
 
 #include "clock.h"
+#include "common/forecast.h"
 #include "common/image/image.h"
 #include "common/signals.h"
 #include "estimation.h"
@@ -148,10 +149,11 @@ static void begin_row(const struct rounds *r, size_t place, const struct tia_gat
 }
 
 /* Draws a row. Once a row was stopped the round is invalid, so the remaining rows are not drawn. */
-static void draw_row(void *arg, unsigned y)
+static void draw_row(void *arg, unsigned index)
 {
     struct rounds *r = arg;
     struct estimation *e = r->e;
+    unsigned y = forecast_part(index, e->film.height);
     size_t width = e->film.width, place = y * width;
     struct tia_gathered to = gathered_at(&r->next.all, place);
     struct tia_tile row = {0, (uint16_t)y, (uint16_t)width, 1};
@@ -163,8 +165,7 @@ static void draw_row(void *arg, unsigned y)
     int status = e->estimator->gather(e->film_scene.view, row, first, first + r->round, &to);
     if (status)
         atomic_store(&e->status, status);
-    if (r->done == 0)
-        progress_add(&e->progress, width);
+    progress_add(&e->progress, width * r->round);
 }
 
 static int draw_round(struct rounds *r)
@@ -198,18 +199,21 @@ static double seconds_left(const struct rounds *r, uint64_t now)
     return left > 0 ? left : 0;
 }
 
+/* Shows the samples and, if the time or the error is limited, the time left until that limit; otherwise the rows that
+ * are drawn tell it. */
 static void tell(struct rounds *r, uint64_t now)
 {
     char text[PROGRESS_TEXT];
+    bool limited = r->e->options->time_limit || r->e->options->error;
+    double left = limited ? seconds_left(r, now) : -1, took = (double)(now - r->begun_us) / 1e6;
     int used = snprintf(text, sizeof text, "%u", (unsigned)r->done);
 
     if (r->e->sums.count < TIA_SPP_MAX)
         used += snprintf(text + used, sizeof text - (size_t)used, " of %u", (unsigned)r->e->sums.count);
     used += snprintf(text + used, sizeof text - (size_t)used, " samples");
     if (r->error >= 0)
-        used += snprintf(text + used, sizeof text - (size_t)used, ", error %.4f", r->error);
-    (void)snprintf(text + used, sizeof text - (size_t)used, ", %.0f s left", seconds_left(r, now) + 0.5);
-    progress_say(&r->e->progress, text);
+        (void)snprintf(text + used, sizeof text - (size_t)used, ", error %.4f", r->error);
+    progress_say(&r->e->progress, text, limited ? took / (took + left + 1e-6) : -1, left);
 }
 
 /* Shows the state of the drawing. Estimates the error only if it is a limit or is shown, since that takes a while. */
@@ -370,6 +374,8 @@ static int begin(struct rounds *r)
         return status;
     signals_catch_waiting();
     r->begun_us = clock_now_us();
+    progress_start(&e->progress);
+    progress_weigh(&e->progress, 0, (uint64_t)r->pixels * e->sums.count);
     e->end_us = e->options->time_limit ? r->begun_us + (uint64_t)e->options->time_limit * 1000000 / 65536 : UINT64_MAX;
     return TIA_OK;
 }

@@ -134,7 +134,7 @@ int estimate(const struct options *options)
     if (status != EXIT_FINE)
         return status;
     prepare(&e);
-    progress_begin(&e.progress, (uint64_t)e.film.width * e.film.height, 1, options->progress);
+    progress_begin(&e.progress, options, (uint64_t)e.film.width * e.film.height, 1);
     status = begin(&e);
     if (!status && options->format == IMAGE_EXR)
         status = surfaces_find(&surfaces, options, e.why);

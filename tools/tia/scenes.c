@@ -1,6 +1,10 @@
 #include "scenes.h"
 
+#include <stdio.h>
+#include <string.h>
+
 #include "arguments.h"
+#include "common/message.h"
 #include "fail.h"
 #include "lightfield_setup.h"
 #include "options_check.h"
@@ -54,4 +58,12 @@ void scenes_next_view(struct options *options)
 {
     options->views.view = (options->views.view + 1) % VIEW_COUNT;
     arguments_set_view(options);
+}
+
+void scenes_name(const struct options *options, char *name, size_t size)
+{
+    const char *path = options->scene_path ? options->scene_path : "", *slash = strrchr(path, '/');
+
+    (void)snprintf(name, size, "%s", strcmp(path, "-") == 0 ? "standard input" : slash ? slash + 1 : path);
+    message_clean(name);
 }

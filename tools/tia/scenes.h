@@ -12,6 +12,9 @@ bool scenes_go(struct options *options, int step, char *why);
 /* Reads the current scene's files again, see scenes_go. */
 bool scenes_read_again(struct options *options, char *why);
 
+/* Gives the name of the current scene for messages, without folders and control characters; "" for the built-in one. */
+void scenes_name(const struct options *options, char *name, size_t size);
+
 /* Selects the next view of the scene, see common/views/view_kind.h. */
 void scenes_next_view(struct options *options);
 
