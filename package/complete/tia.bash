@@ -61,7 +61,7 @@ _tia() {
         --write) compopt -o default; COMPREPLY=(); return ;;
         --scene-format) mapfile -t COMPREPLY < <(compgen -W 'tia nff obj stl ply off pgm' -- "$cur"); return ;;
         esac
-        words='--display --output --format --record --size --thumbnail --eye --look --up --fov --orthographic --fit --samples --depth --integrator --spp --samples-range --resume --time-limit --error --denoise --guide --tone --exposure --colour --shadows --map-size --bias --filter --tessellated --keys --input --frames --inline --time --fps --frame-range --tile-rows --threads --arithmetic --dither --rotate --connector --mode --checksum --stats --stats-overlay --progress --benchmark --view --draw-rays --views --lenticular --calibration --modules --module-range --gaze --view-angle --w0 --m --smooth --watch --write --list-displays --scene-format --check --strict --help --version' ends='tia nff obj stl ply off pgm' ;;
+        words='--display --output --format --record --size --thumbnail --eye --look --up --fov --orthographic --fit --samples --depth --integrator --spp --samples-range --resume --time-limit --error --denoise --guide --tone --exposure --colour --shadows --map-size --bias --filter --tessellated --keys --input --frames --inline --time --fps --frame-range --tile-rows --threads --arithmetic --dither --rotate --connector --mode --checksum --stats --stats-overlay --progress --notify --benchmark --view --draw-rays --views --lenticular --calibration --modules --module-range --gaze --view-angle --w0 --m --smooth --watch --write --list-displays --scene-format --check --strict --help --version' ends='tia nff obj stl ply off pgm' ;;
     tia-compare)
         case $prev in
         -k|--keys) COMPREPLY=(); return ;;
