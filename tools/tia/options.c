@@ -190,6 +190,8 @@ static const struct option_row rows[] = {
      TO(stats_overlay)},
     {"progress", 0, OPTION_FLAG, NULL,
      "show percent, time passed and left, on coarse pictures or, for a file, on standard error", TO(progress)},
+    {"notify", 0, OPTION_FLAG, NULL, "beep, or notify, on the terminal when work of more than a second ends",
+     TO(notify)},
     {"benchmark", 0, OPTION_FLAG, NULL,
      "measure this machine for about a minute, or --frames N of each: a table, and a line that tia-verify checks",
      TO(benchmark)},

@@ -96,7 +96,7 @@ struct options {
     struct file_watch *watch; /* NULL, or gets the files that are read */
     char broken[PORT_WHY];    /* with --watch: why the scene could not be read at first; empty: it was */
     bool benchmark;           /* --benchmark */
-    bool dither, checksum, stats, stats_overlay, progress, strict;
+    bool dither, checksum, stats, stats_overlay, progress, notify, strict;
     bool checks; /* only tell the mistakes of the scenes */
 };
 

@@ -98,6 +98,8 @@ static int check_parts(const struct options *options)
                     width, height);
     if (options->stats_overlay && output)
         return fail(EXIT_USAGE, "--stats-overlay: needs a display (a file has --stats)");
+    if (options->notify && !output && !options->benchmark && !options->write && !options->frames && !options->in_line)
+        return fail(EXIT_USAGE, "--notify: needs work that ends (--output, --frames, --write or --benchmark)");
     if (options->rate_given && output && !films)
         return fail(EXIT_USAGE, "--fps: needs a film (-o FILE.y4m, FILE.tiapart or FILE%%04d.png)");
     return check_pace(options);

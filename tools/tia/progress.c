@@ -1,6 +1,7 @@
 #include "progress.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
@@ -14,16 +15,24 @@ enum { FIRST_US = 500000, STEP_US = 100000, LINE_US = 1000000 };
 
 enum { LINE_SIZE = 256 };
 
-static const char erase[] = "\r\033[K";
+static const char erase[] = "\r\033[K", title_save[] = "\033[22;2t", title_restore[] = "\033[23;2t";
 
 /* Erases the line, in the handler of a signal. */
 static void undo(void *arg)
 {
     struct progress *progress = arg;
-    if (progress->shown) {
-        ssize_t wrote = write(STDERR_FILENO, erase, sizeof erase - 1);
-        (void)wrote; /* a failure has no remedy */
-    }
+    ssize_t wrote = 0; /* a failure has no remedy */
+    if (progress->shown)
+        wrote = write(STDERR_FILENO, erase, sizeof erase - 1);
+    if (progress->titled)
+        wrote = write(STDERR_FILENO, title_restore, sizeof title_restore - 1);
+    (void)wrote;
+}
+
+/* True if the terminal has a window with a title: not the console, where the text would be shown. */
+static bool has_title(const char *term)
+{
+    return term && *term && strcmp(term, "dumb") != 0 && strncmp(term, "linux", 5) != 0;
 }
 
 void progress_begin(struct progress *progress, const struct options *options, uint64_t frame_pixels, uint32_t frames)
@@ -35,6 +44,7 @@ void progress_begin(struct progress *progress, const struct options *options, ui
                                   .frames = frames,
                                   .share = -1,
                                   .left = -1};
+    progress->titles = progress->terminal && has_title(getenv("TERM"));
     scenes_name(options, progress->name, sizeof progress->name);
     (void)pthread_mutex_init(&progress->lock, NULL);
     progress->next_us = progress->begun_us + (progress->terminal ? FIRST_US : LINE_US);
@@ -129,10 +139,21 @@ static void fit(char line[LINE_SIZE])
         line[size.ws_col - 1u] = '\0';
 }
 
-static void print(const struct progress *progress, uint64_t now)
+/* Sets the window's title: the scene and the percentage. */
+static void set_title(struct progress *progress)
+{
+    if (!progress->titled)
+        (void)fputs(title_save, stderr);
+    progress->titled = true;
+    (void)fprintf(stderr, "\033]2;%s %u %%\033\\", progress->name[0] ? progress->name : "tia", percent(progress));
+}
+
+static void print(struct progress *progress, uint64_t now)
 {
     char line[LINE_SIZE];
 
+    if (progress->titles)
+        set_title(progress);
     compose(progress, now, line);
     if (progress->terminal)
         fit(line);
@@ -195,5 +216,8 @@ void progress_erase(struct progress *progress)
 void progress_end(struct progress *progress)
 {
     progress_erase(progress);
+    if (progress->titled)
+        (void)fputs(title_restore, stderr);
+    progress->titled = false;
     signals_remove(&progress->cleanup);
 }

@@ -15,7 +15,8 @@
 #define PROGRESS_NAME 48
 
 struct progress {
-    bool terminal, asked;        /* asked: show the times, and lines without a terminal */
+    bool terminal, titles;       /* titles: the window has a title that can be put back */
+    bool asked;                  /* asked: show the times, and lines without a terminal */
     char name[PROGRESS_NAME];    /* the scene; empty: the built-in one */
     uint64_t begun_us, start_us; /* begin of the command's work, and of the drawing */
     uint32_t frames;
@@ -26,6 +27,7 @@ struct progress {
     uint64_t next_us;
     char text[PROGRESS_TEXT];       /* more about the drawing; empty: none */
     double share, left;             /* the share done and seconds left of progress_say; negative: `done` tells them */
+    atomic_bool titled;             /* the window has the title of the drawing */
     atomic_bool shown;              /* the line is on the terminal */
     struct signals_cleanup cleanup; /* erases the line */
 };

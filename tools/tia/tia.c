@@ -13,6 +13,7 @@
 #include "common/signals.h"
 #include "draw.h"
 #include "fail.h"
+#include "notify.h"
 #include "recording.h"
 #include "show.h"
 #include "thumbnail.h"
@@ -96,8 +97,11 @@ int main(int argc, char **argv)
     fill_descriptors();
     signals_prepare();
     int status = arguments_parse(&options, argc, argv);
-    if (status == COMMAND_RUN)
+    if (status == COMMAND_RUN) {
+        notify_begin(&options);
         status = run(&options);
+        notify_end(status);
+    }
     arguments_free(&options);
     return status;
 }
