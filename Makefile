@@ -389,7 +389,8 @@ run: $(BUILD)/tia
 alone = env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL
 run_tests = $(alone) tests/run
 processors = $$(nproc 2>/dev/null || echo 1)
-on_all_cores = $(run_tests) -j $(processors)
+# One more at a time than there are processors, as some wait for terminals, clocks and guests.
+on_all_cores = $(run_tests) -j $$(($(processors) + 1))
 # With CHECK_QUICK set tests try fewer random cases, see check_count in tests/check.h; check tries all.
 # Those that take longest are begun first, so that in the end no processor waits for one of them.
 LONG  := $(addprefix tests/slow/,build-matrix arch vm accuracy)
@@ -400,9 +401,8 @@ TOOLS := $(PROGRAMS:%=$(BUILD)/%)
 export BUILD CC F64
 VM_PROGRAMS := $(BUILD)/vm/probe $(BUILD)/vm/controller
 tests: $(TESTS) $(TOOLS) $(VM_PROGRAMS) $(BUILD)/tests/scene_words
-# One more at a time than there are processors, as some wait for terminals and clocks.
 check-quick: all tests
-	@CHECK_QUICK=yes $(run_tests) -j $$(($(processors) + 1)) $(QUICK)
+	@CHECK_QUICK=yes $(on_all_cores) $(QUICK)
 check: all tests
 	@$(on_all_cores) $(SLOW) $(QUICK)
 

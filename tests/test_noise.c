@@ -121,8 +121,8 @@ TEST(vector_units_draw_the_same)
 #ifdef TIA_HAVE_F64
 TEST(pictures_are_those_of_the_oracle)
 {
-    against_scenes(&tia_core_f64, 12, 48, 36, corpus_add_noise, 1e-4, 99.99);
-    against_scenes(&tia_core_q16, 12, 48, 36, corpus_add_noise, 1e-2, 99.9);
+    against_scenes(&tia_core_f64, check_count(12), 48, 36, corpus_add_noise, 1e-4, 99.99);
+    against_scenes(&tia_core_q16, check_count(12), 48, 36, corpus_add_noise, 1e-2, 99.9);
 }
 #endif
 
