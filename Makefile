@@ -10,6 +10,7 @@
 BUILD   ?= build
 # One spelling of each object's path, as the files of dependencies have it.
 override BUILD := $(patsubst $(CURDIR)/%,%,$(BUILD))
+$(CURDIR)/$(BUILD)/%: $(BUILD)/% ;
 CROSS   ?=
 found    = $(firstword $(wildcard $(addsuffix /$(1),$(subst :, ,$(PATH)))))
 ifeq ($(origin CC),default)

@@ -21,7 +21,7 @@ $(LIBSHARED): $(call obj,pic,$(CORE_SRC) $(SIMD_SRC) port/simd/best.c) libtia.ma
 	    -o $@ $(filter %.o,$^) -lm
 
 # ---- how other builds find it ----
-HOMEPAGE := $(shell sed -n 's/^homepage *= *//p' package/home.txt)
+HOMEPAGE := $(if $(wildcard package/home.txt),$(shell sed -n 's/^homepage *= *//p' package/home.txt))
 define PC
 prefix=$(PREFIX)
 libdir=$${prefix}/$(LIBDIR)

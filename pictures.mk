@@ -10,13 +10,11 @@ docs: gallery counted language
 	    while read -r command; do echo "  DRAW    $${command##*docs/course/}"; sh -c "$$command" >/dev/null || exit; done
 
 # The reference of scene files with its pictures, from the manual and from the words that the reader knows, and what
-# editors colour by these words; and the page's help.
+# editors colour by these words.
 .PHONY: language
 language: $(BUILD)/tia $(BUILD)/tests/scene_words
 	@$(call python,python3 tools/generate/language_pictures.py $(BUILD) && python3 tools/generate/language.py $(BUILD) && \
 	    python3 tools/generate/editors.py $(BUILD))
-$(BUILD)/web/language.json: man/tia-scene.5 $(wildcard tools/generate/*.py docs/language/*.png) $(BUILD)/tests/scene_words
-	$(call say,WRITE,$(@D)/language.html)$(or $(PYTHON),python3) tools/generate/language.py $(BUILD) --page $(@D)
 
 comma := ,
 draw = $(call say,DRAW,$(1))$(BUILD)/tia $(2) -o $(1)$(newline)

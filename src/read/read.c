@@ -8,7 +8,7 @@ static int read_format(struct tia_reader *reader, struct tia_scene *scene, struc
         int status = tia_read_tia(reader, scene, arena);
         size_t used = arena->used;
         if (status)
-            tia_tell_tia(reader, arena);
+            tia_tell_tia(reader, scene, arena);
         arena->used = arena->used > used ? arena->used : used;
         return status;
     }

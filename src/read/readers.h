@@ -33,8 +33,8 @@ int tia_read_model(struct tia_reader *reader, struct tia_scene *scene, struct ti
                    struct tia_model_use *use);
 
 /* Tells all mistakes of a .tia text in which tia_read_tia found one, see `mistake` in tia/read.h, and sets
- * reader->error to the first. Uses the arena anew; its `used` becomes what is needed to tell all. */
-void tia_tell_tia(struct tia_reader *reader, struct tia_arena *arena);
+ * reader->error to the first. Uses the scene and the arena anew, whose `used` becomes what is needed to tell all. */
+void tia_tell_tia(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena);
 
 /* Finds a fault in the text. Sets the line and column of reader->error, which must be 0, and replaces the fault's thing
  * and field by the words that the file uses. Changes nothing if the fault is not found. The arena must be as the reader

@@ -258,7 +258,7 @@ def places_of(uses, places):
 # ---- the page's help ----
 
 class Html:
-    """Writes entries as a page without styles or scripts."""
+    """Writes entries as a page without scripts, whose style is tools/web/page/language.css."""
 
     def __init__(self, places):
         self.places, self.out = places, []
@@ -304,7 +304,10 @@ class Html:
 
     def page(self, found, words):
         self.out.append('<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n<title>The language of scene files</title>\n'
-                        '<meta name="viewport" content="width=device-width">\n</head>\n<body>\n<h1>The language of scene files</h1>')
+                        '<meta name="viewport" content="width=device-width">\n<meta name="color-scheme" content="light dark">\n'
+                        '<meta http-equiv="Content-Security-Policy" content="default-src \'none\'; style-src \'self\'; img-src \'self\' data:; '
+                        'base-uri \'none\'; form-action \'none\'">\n'
+                        '<link rel="icon" href="data:,">\n<link rel="stylesheet" href="language.css">\n</head>\n<body>\n<h1>The language of scene files</h1>')
         for entry in found:
             self.entry(entry)
         self.out.append('<h2 id="index-of-all-words">Index of all words</h2>\n<dl>')

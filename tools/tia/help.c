@@ -35,5 +35,5 @@ const struct help_theme help_themes[] = {
     {"lightfield", "3D panels and projectors", "views lenticular calibration modules module-range", NULL},
     {"farm", "parts, for many machines", "samples-range resume frame-range tile-rows threads module-range", NULL},
     {"inspect", "false colours and rays", "checksum stats stats-overlay view draw-rays", NULL},
-    {"speed", "threads and benchmarks", "threads arithmetic stats progress benchmark", NULL},
+    {"speed", "threads and benchmarks", "threads arithmetic stats progress notify benchmark", NULL},
     {NULL, NULL, NULL, NULL}};

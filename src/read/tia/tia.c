@@ -282,11 +282,10 @@ int tia_read_tia(struct tia_reader *reader, struct tia_scene *scene, struct tia_
     return status;
 }
 
-void tia_tell_tia(struct tia_reader *reader, struct tia_arena *arena)
+void tia_tell_tia(struct tia_reader *reader, struct tia_scene *scene, struct tia_arena *arena)
 {
-    struct tia_scene scene;
     struct tia_mistakes mistakes = {.tolerance = {.tell = tia_mistake_tell}, .first = reader->error};
-    struct tia_parse job = {.reader = reader, .scene = &scene, .mistakes = &mistakes};
+    struct tia_parse job = {.reader = reader, .scene = scene, .mistakes = &mistakes};
 
     mistakes.tolerance.ctx = &job;
     arena->used = 0;

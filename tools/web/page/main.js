@@ -8,6 +8,7 @@ import {startFiles} from './files.js';
 import {startInput} from './input.js';
 import {edited, startScenes} from './scenes.js';
 import {startOffline} from './offline.js';
+import {startReference} from './reference.js';
 import {setWords} from './words.js';
 
 function hear(data) {
@@ -35,6 +36,7 @@ function listen() {
   startInput();
   startEditor(edited);
   startCompletions();
+  startReference();
   startFiles();
   for (const id of ['view', 'arithmetic', 'integrator', 'samples', 'size', 'show-rays'])
     $(id).addEventListener('change', () => { clearRays(); updateNote(); change({goesOn: true}); });
