@@ -88,12 +88,13 @@ def fine(*args, **options):
     return (done.stdout or b"").decode()
 
 
-# A message, and below it the line of a scene with a caret.
-MESSAGE = r"TOOL: .*\n( *[0-9]+ \| .*\n +\| .*\n)?"
+def message_of(tool):
+    """A pattern: a message, and perhaps the line of a scene with a mark below it."""
+    return rf"({re.escape(tool)}: .*\n( *[0-9]+ \| .*\n +\| .*\n)?)"
 
 
 def is_message(text, tool):
-    return bool(re.fullmatch(MESSAGE.replace("TOOL", re.escape(tool)), text))
+    return bool(re.fullmatch(message_of(tool), text))
 
 
 def refused(status, *args, says="", **options):
@@ -103,7 +104,7 @@ def refused(status, *args, says="", **options):
     done = tia(*args, **options)
     text = done.stderr.decode()
     same(done.returncode, status, f"the status of {args} ({text!r})")
-    check(re.fullmatch(f"({MESSAGE})+".replace("TOOL", "tia"), text), f"{args} said {text!r}")
+    check(re.fullmatch(message_of("tia") + "+", text), f"{args} said {text!r}")
     check(says in text, f"{args} said {text!r}, not {says!r}")
     same(done.stdout or b"", b"", f"the standard output of {args}")
     same(sorted(os.listdir(".")), before, f"the directory after {args}")

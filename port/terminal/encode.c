@@ -135,8 +135,7 @@ static void put_colour(struct pen *pen, const char *direct, const char *indexed,
         put(pen->text, ";", 1);
         put_number(pen->text, c.b);
     } else if (pen->few) {
-        unsigned ground = direct[0] == '4' ? 40 : 30;
-        put_number(pen->text, code < 8 ? ground + code : ground + 60 + code - 8);
+        put_number(pen->text, colour_code(code, direct[0] == '4'));
     } else {
         put(pen->text, indexed, 5);
         put_number(pen->text, code);

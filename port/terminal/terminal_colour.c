@@ -113,6 +113,11 @@ static struct rgb8 first_colour(enum colours colours, unsigned index)
                          (uint8_t)(index & 4 ? high : low)};
 }
 
+unsigned colour_code(unsigned index, bool background)
+{
+    return (background ? 40 : 30) + (index < 8 ? index : 60 + index - 8);
+}
+
 struct rgb8 colour_indexed(enum colours colours, unsigned index)
 {
     unsigned grey = 8 + 10 * (index - GREYS), cube = index - CUBE;

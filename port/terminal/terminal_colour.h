@@ -17,6 +17,9 @@ enum colours colours_of(const char *term, const char *colorterm);
 /* Returns a colour of one of the palettes: of COLOURS_256 16..255, of the others 0..15. */
 struct rgb8 colour_indexed(enum colours colours, unsigned index);
 
+/* Returns the code of one of the 16 colours, 0..15, in a control sequence, as a background or else as text. */
+unsigned colour_code(unsigned index, bool background);
+
 /* Expands RGB565 to 8 bits a channel by bit replication: black stays black, full intensity stays full. */
 struct rgb8 colour_expand(tia_rgb565 pixel);
 

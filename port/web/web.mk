@@ -68,11 +68,7 @@ $(WEB)/thumbnails/%.png: scenes/%.tia $(BUILD)/tia
 	$(call say,DRAW,$@)$(BUILD)/tia $< -s 160x120 $(if $(filter thesis,$*),-k a) -o $@
 # The reference of scene files, and the editor's help, from the manual; with its pictures.
 WEB_LANGUAGE := $(if $(call found,python3),$(addprefix $(WEB)/,language.html language.json $(patsubst docs/%,%,$(wildcard docs/language/*.png))))
-$(WEB)/language/%.png: docs/language/%.png
-	@mkdir -p $(@D)
-	$(call say,COPY,$@)cp $< $@
-$(WEB)/language.html $(WEB)/language.json &: $(addprefix tools/generate/,language.py mdoc.py words.py) man/tia-scene.5 $(BUILD)/tests/scene_words
-	@mkdir -p $(@D)
+$(WEB_LANGUAGE) &: $(addprefix tools/generate/,language.py mdoc.py words.py) man/tia-scene.5 $(wildcard docs/language/*.png) $(BUILD)/tests/scene_words
 	$(call say,WRITE,$(WEB)/language.html)$(or $(PYTHON),python3) tools/generate/language.py $(BUILD) --page $(WEB)
 # The service worker: with the names of all files, and a hash of them as its version.
 $(WEB)/sw.js: tools/web/page/sw.js $(WEB)/tia.wasm $(WEB)/conform.wasm $(WEB_PAGE) $(WEB_SCENES) $(WEB_THUMBNAILS) $(WEB_LANGUAGE) $(WEB)/gallery.json

@@ -15,6 +15,8 @@
 #define HINT_MOVE "arrows move it"
 #define HINT_QUIT "other keys quit"
 
+enum { PROGRESS_SIZE = 2 * PROGRESS_TIME + 32 };
+
 /* A text of several lines. */
 struct lines {
     char *text;
@@ -99,10 +101,24 @@ static void add_moves(const struct overlay *overlay, struct lines *lines)
         add_line(lines, "paused");
 }
 
+/* Writes how much of a coarse picture is drawn, the time passed if --progress asks for it, and the time left. */
+static void format_progress(const struct overlay *overlay, const struct tia_frame *frame, char text[PROGRESS_SIZE])
+{
+    unsigned percent = frame->done * 100u >> 16;
+    char passed[PROGRESS_TIME], left[PROGRESS_TIME];
+
+    progress_time(passed, (double)frame->draw_us / 1e6);
+    progress_time(left, (double)frame->left_us / 1e6);
+    if (overlay->options->progress)
+        (void)snprintf(text, PROGRESS_SIZE, "%u %%, %s passed, %s left", percent, passed, left);
+    else
+        (void)snprintf(text, PROGRESS_SIZE, "%u %%, %s left", percent, left);
+}
+
 void overlay_text(struct overlay *overlay, const struct tia_frame *frame, char *text, size_t size)
 {
     struct lines lines = {text, size, 0};
-    char passed[PROGRESS_TIME], left[PROGRESS_TIME];
+    char progress[PROGRESS_SIZE];
 
     text[0] = '\0';
     overlay->labelled = overlay->labelled || frame->shadows != overlay->options->scene.shadows;
@@ -115,10 +131,10 @@ void overlay_text(struct overlay *overlay, const struct tia_frame *frame, char *
         add_moves(overlay, &lines);
     if (overlay->options->stats_overlay)
         add_stats(overlay, frame, &lines);
-    progress_time(passed, (double)frame->draw_us / 1e6);
-    progress_time(left, (double)frame->left_us / 1e6);
-    if (overlay->options->progress && frame->block > 1)
-        add_line(&lines, "%u %%, %s passed, %s left", frame->done * 100u >> 16, passed, left);
+    if (overlay->options->progress && frame->block > 1) {
+        format_progress(overlay, frame, progress);
+        add_line(&lines, "%s", progress);
+    }
 }
 
 /* ---- text ---- */
@@ -138,25 +154,11 @@ __attribute__((format(printf, 2, 3))) static void add_part(struct overlay *overl
     va_end(arguments);
 }
 
-/* Adds how much of a coarse picture is drawn, the time that has passed if --progress asks for it, and the time left. */
-static void add_progress(struct overlay *overlay, const struct tia_frame *frame)
-{
-    char passed[PROGRESS_TIME], left[PROGRESS_TIME];
-
-    progress_time(passed, (double)frame->draw_us / 1e6);
-    progress_time(left, (double)frame->left_us / 1e6);
-    if (overlay->options->progress)
-        add_part(overlay, "%u %%, %s passed, %s left", frame->done * 100u >> 16, passed, left);
-    else
-        add_part(overlay, "%u %%, %s left", frame->done * 100u >> 16, left);
-}
-
 /* Adds the parts of the status, the most important first: not all fit into a small window. */
 static void add_status(struct overlay *overlay, const struct tia_frame *frame)
 {
     const struct tia_viewer_state *viewer = overlay->viewer;
-
-    char name[81];
+    char name[81], progress[PROGRESS_SIZE];
 
     scenes_name(overlay->options, name, sizeof name);
     overlay->status[0] = '\0';
@@ -167,8 +169,10 @@ static void add_status(struct overlay *overlay, const struct tia_frame *frame)
         add_part(overlay, viewer->light_count == 0 ? HINT_PUT : HINT_MOVE);
         add_part(overlay, HINT_QUIT);
     }
-    if (frame->block > 1)
-        add_progress(overlay, frame);
+    if (frame->block > 1) {
+        format_progress(overlay, frame, progress);
+        add_part(overlay, "%s", progress);
+    }
     if (overlay->moves)
         add_part(overlay, "?: help");
     add_part(overlay, "%" PRIu64 ".%" PRIu64 " ms", overlay->draw_us / 1000, overlay->draw_us % 1000 / 100);

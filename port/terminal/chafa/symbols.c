@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "terminal/chafa/chafa_pixels.h"
+#include "terminal/terminal_colour.h"
 
 #define POINTS 8 /* points across a character */
 #define UNKNOWN UINT32_MAX
@@ -63,9 +64,7 @@ static ChafaSymbolMap *map_new(void)
     return map;
 }
 
-/* Makes a canvas. A palette's colours are dithered in DIN99d, a space in which distances are about as large as they
- * look.
- */
+/* Makes a canvas. A palette's colours are dithered in DIN99d, a space of nearly uniform perceived distances. */
 static ChafaCanvas *canvas_new(unsigned columns, unsigned rows, ChafaCanvasMode mode)
 {
     ChafaCanvasConfig *config = chafa_canvas_config_new();
@@ -109,8 +108,7 @@ static void put_colour(struct text *text, char ground, uint32_t code, bool direc
     char sequence[32];
 
     if (few && !direct)
-        (void)snprintf(sequence, sizeof sequence, "\033[%um",
-                       (unsigned)(ground - '0') * 10 + code + (code < 8 ? 0 : 52));
+        (void)snprintf(sequence, sizeof sequence, "\033[%um", colour_code(code, ground == '4'));
     else if (direct)
         (void)snprintf(sequence, sizeof sequence, "\033[%c8;2;%u;%u;%um", ground, (unsigned)(code >> 16),
                        (unsigned)(code >> 8 & 255), (unsigned)(code & 255));

@@ -4,7 +4,7 @@ import {change, load} from './engine.js';
 import {setText, showMistakes, text, type} from './editor.js';
 import {bindings, pressEarly, releaseAll} from './input.js';
 import {clearRays} from './picture.js';
-import {keepChoice, keepText, keptTexts, pack, unpack} from './store.js';
+import {keepText, keptTexts, pack, unpack} from './store.js';
 
 const texts = new Map(); // texts of the gallery's scenes by name, as they were fetched
 
@@ -55,7 +55,6 @@ function begin(name, value) {
   setText(value);
   showMistakes(null, name);
   $('reset').hidden = texts.get(name) === undefined || value === texts.get(name);
-  keepChoice({scene: name});
   showBindings();
   clearRays();
   change(load());

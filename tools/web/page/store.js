@@ -1,6 +1,6 @@
 // store.js - keeps texts that were edited in the browser, and packs a scene into a link.
 
-const TEXTS = 'tia.texts', LAST = 'tia.last', MOST = 4 << 20; // bytes of a text in a link, unpacked
+const TEXTS = 'tia.texts', MOST = 4 << 20; // bytes of a text in a link, unpacked
 
 function read(key, otherwise) {
   try { return JSON.parse(localStorage.getItem(key)) || otherwise; } catch { return otherwise; }
@@ -12,8 +12,6 @@ function write(key, value) {
 }
 
 export const keptTexts = () => read(TEXTS, {});
-export const keptChoice = () => read(LAST, {});
-export const keepChoice = choice => write(LAST, choice);
 
 // Keeps the text of a scene; null: it is the one of the gallery again.
 export function keepText(name, text) {
