@@ -26,8 +26,7 @@ struct port_wish {
 /* Text that a display shows as characters, in its window's last row and over its picture. NULL or empty: none. Strings
  * stay valid until the next text or until close. */
 struct port_text {
-    const char
-        *status; /* parts of the last row, separated by tabs, the most important first; those that fit are shown */
+    const char *status;        /* parts of the last row, separated by tabs, the most important first */
     const char *notes;         /* lines in the upper left corner, wrapped; not shown while there is a panel */
     const char *title, *panel; /* the panel: its lines are "WHAT\tTEXT", in ASCII */
     const char *scroll;        /* how to scroll the panel: shown beside the title if it has more lines than fit */

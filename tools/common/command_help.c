@@ -39,7 +39,7 @@ void command_format_limits(const struct option_row *row, char *text, size_t size
         (void)snprintf(text, size, "%llu to %llu", min, max);
 }
 
-/* Tells whether the space-separated `words` have the word. */
+/* True if `words`, separated by spaces, contain the word. */
 static bool has_word(const char *words, const char *word)
 {
     size_t length = strlen(word);

@@ -1,7 +1,7 @@
-/* forecast.h - the order in which the parts of a picture are drawn, so that the time left can be told early.
+/* forecast.h - the order in which the parts of a picture are drawn, so that the time left can be estimated early.
  *
  * Rows cost differently: those of the sky a tenth of the others, or a hundredth. From top to bottom, a tenth of the
- * rows says nothing of the rest: the scenes of the gallery then take up to a hundred times as long as the rows so far
+ * rows does not predict the rest: the scenes of the gallery then take up to a hundred times as long as the rows so far
  * let one expect. Spread over the picture, a tenth of the rows is a fair sample of it. */
 #ifndef TOOLS_COMMON_FORECAST_H
 #define TOOLS_COMMON_FORECAST_H

@@ -19,7 +19,7 @@ enum way { WAY_NONE, WAY_BELL, WAY_9, WAY_99, WAY_777 };
 
 /* The texts are complete before the work begins, since a signal's handler can only write. */
 static char done[TEXT_SIZE], failed[TEXT_SIZE], stopped[TEXT_SIZE];
-static uint64_t begun_us; /* 0: nothing is told */
+static uint64_t begun_us; /* 0: no notification */
 
 static bool begins(const char *text, const char *with)
 {

@@ -15,9 +15,9 @@
 #include "read/text/text_lines.h"
 #include "read/triangulation.h"
 
-#define TIA_MODEL_BITS 28      /* fractional bits of bounds */
-#define TIA_MODEL_FINE_BITS 32 /* fractional bits of coordinates as files are measured, and as moved models are read   \
-                                */
+/* Fractional bits of bounds; and of coordinates as files are measured and as moved models are read. */
+#define TIA_MODEL_BITS 28
+#define TIA_MODEL_FINE_BITS 32
 
 /* A model that is a mesh of a .tia scene. */
 struct tia_model_use {
