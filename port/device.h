@@ -28,6 +28,7 @@ struct port_wish {
 struct port_text {
     const char *status;        /* parts of the last row, separated by tabs, the most important first */
     const char *notes;         /* lines in the upper left corner, wrapped; not shown while there is a panel */
+    const char *window_title;  /* the window's title, if there is a window; without control characters */
     const char *title, *panel; /* the panel: its lines are "WHAT\tTEXT", in ASCII */
     const char *scroll;        /* how to scroll the panel: shown beside the title if it has more lines than fit */
     unsigned first; /* the panel's first line to show, from 0; the display lowers it to the last that fills the panel */

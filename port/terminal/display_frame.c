@@ -1,4 +1,6 @@
 /* display_frame.c - encodes frames: the picture's changes strip by strip, then the text over it. */
+#include <string.h>
+
 #include "display_state.h"
 
 static const char clear_bare[] = "\033[0m\033[2J";
@@ -25,6 +27,18 @@ static void begin_text(struct terminal *t)
     t->grid.covers = t->symbols.covers = t->sheet.covers;
 }
 
+/* Sets the window's title if it is another now. */
+static void add_title(struct terminal *t)
+{
+    char sequence[TITLE_SIZE];
+
+    if (!t->titles || !t->text || !t->text->window_title)
+        return;
+    title_sequence(sequence, t->text->window_title);
+    if (strcmp(sequence, t->title) != 0)
+        text_add(&t->output.text, strcpy(t->title, sequence));
+}
+
 static const char *clearing(const struct terminal *t)
 {
     return t->pictures == PICTURES_KITTY ? clear_bare
@@ -41,7 +55,9 @@ static void begin_frame(struct terminal *t)
         symbols_forget(&t->symbols);
         shown_forget(&t->shown);
         t->sheet.known = false;
+        t->title[0] = '\0';
     }
+    add_title(t);
     begin_text(t);
     t->clear = t->fresh = t->begun = false;
     t->encoding = true;

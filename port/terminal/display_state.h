@@ -13,6 +13,7 @@
 #include "symbols.h"
 #include "terminal_colour.h"
 #include "ways.h"
+#include "window_title.h"
 
 struct terminal {
     const char *device;
@@ -35,6 +36,8 @@ struct terminal {
     enum colours colours;
     struct grid grid;
     struct port_text *text;     /* NULL: none was set */
+    bool titles;                /* the window has a title */
+    char title[TITLE_SIZE];     /* the sequence that has set it; empty: none has */
     struct sheet sheet, before; /* the text of the frame being encoded, and of the frame before */
     struct output output;
 };

@@ -128,6 +128,7 @@ int display_environment(struct terminal *t)
     t->grid.few = t->symbols.few = t->colours >= COLOURS_16;
     t->grid.dim_back = t->colours == COLOURS_CONSOLE;
     t->grid.spaces = !locale_is_utf8();
+    t->titles = title_is_shown(term);
     return TIA_OK;
 }
 

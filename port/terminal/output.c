@@ -8,16 +8,17 @@
 #include "console/console.h"
 #include "console/guardian.h"
 #include "descriptor.h"
+#include "window_title.h"
 
 #define LAST_WRITE_MS 150 /* time that output_leave waits for a terminal that accepts nothing */
 
-/* Texts that enter the alternate screen, with neither cursor nor automatic wrap, and leave it. The text for leaving
- * first ends a control sequence or a picture's string that was cut off: CAN does so on some terminals, ST on the
- * others. For kitty it also ends the picture's data, without requesting an answer. A terminal without an alternate
- * screen is cleared. */
+/* Texts that save the window's title and enter the alternate screen, with neither cursor nor automatic wrap, and undo
+ * that. The text for leaving first ends a control sequence or a picture's string that was cut off: CAN does so on some
+ * terminals, ST on the others. For kitty it also ends the picture's data, without requesting an answer. A terminal
+ * without an alternate screen is cleared. */
 #define CUT "\030\033\\"
-#define LEAVE "\033[?2026l\033[0m\033[2J\033[H\033[?7h\033[?25h\033[?1049l"
-static const char enter_text[] = "\033[?1049h\033[?25l\033[?7l", leave_text[] = CUT LEAVE,
+#define LEAVE TITLE_RESTORE "\033[?2026l\033[0m\033[2J\033[H\033[?7h\033[?25h\033[?1049l"
+static const char enter_text[] = TITLE_SAVE "\033[?1049h\033[?25l\033[?7l", leave_text[] = CUT LEAVE,
                   leave_kitty[] = CUT "\033_Gm=0,q=2;\033\\" LEAVE;
 
 static const char *leaving(const struct output *output)

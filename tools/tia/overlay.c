@@ -154,6 +154,15 @@ __attribute__((format(printf, 2, 3))) static void add_part(struct overlay *overl
     va_end(arguments);
 }
 
+/* Sets the title of the window: the scene's name and, if the picture is coarse, how much of it is drawn. */
+static void set_window(struct overlay *overlay, const struct tia_frame *frame, const char *name)
+{
+    if (frame->block > 1)
+        (void)snprintf(overlay->window_title, sizeof overlay->window_title, "%s %u %%", name, frame->done * 100u >> 16);
+    else
+        (void)snprintf(overlay->window_title, sizeof overlay->window_title, "%s", name);
+}
+
 /* Adds the parts of the status, the most important first: not all fit into a small window. */
 static void add_status(struct overlay *overlay, const struct tia_frame *frame)
 {
@@ -162,6 +171,7 @@ static void add_status(struct overlay *overlay, const struct tia_frame *frame)
 
     scenes_name(overlay->options, name, sizeof name);
     overlay->status[0] = '\0';
+    set_window(overlay, frame, name[0] ? name : "tia");
     add_part(overlay, "%s", name[0] ? name : "tia");
     if (viewer->paused)
         add_part(overlay, "paused");
@@ -200,6 +210,7 @@ void overlay_words(struct overlay *overlay, const struct tia_frame *frame)
         add_stats(overlay, frame, &lines);
     overlay->text.status = overlay->status;
     overlay->text.notes = overlay->notes;
+    overlay->text.window_title = overlay->window_title;
     overlay->text.title = "Keys";
     overlay->text.scroll = "arrows: more";
     overlay->text.panel = moves ? moves_help(moves) : NULL;

@@ -19,8 +19,8 @@ struct overlay {
     const struct moves *moves;             /* NULL, or the source of the keys' messages */
     const struct tia_viewer_state *viewer; /* the changes that keys have made */
     bool hints; /* tell the keys of the built-in scene: on the picture until it has a light, in a status always */
-    struct port_text text;         /* the text for a display that has it */
-    char status[256], notes[1024]; /* strings of `text` */
+    struct port_text text;                           /* the text for a display that has it */
+    char status[256], notes[1024], window_title[96]; /* strings of `text` */
 };
 
 /* Writes the text for a picture that has been drawn but not shown; empty when there are no messages. */

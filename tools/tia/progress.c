@@ -8,6 +8,7 @@
 
 #include "clock.h"
 #include "scenes.h"
+#include "terminal/window_title.h"
 
 /* Times. A drawing of less than half a second shows nothing; later a terminal is updated ten times a second, and other
  * outputs get a line once a second. */
@@ -15,7 +16,7 @@ enum { FIRST_US = 500000, STEP_US = 100000, LINE_US = 1000000 };
 
 enum { LINE_SIZE = 256 };
 
-static const char erase[] = "\r\033[K", title_save[] = "\033[22;2t", title_restore[] = "\033[23;2t";
+static const char erase[] = "\r\033[K", title_restore[] = TITLE_RESTORE;
 
 /* Erases the line, in the handler of a signal. */
 static void undo(void *arg)
@@ -29,12 +30,6 @@ static void undo(void *arg)
     (void)wrote;
 }
 
-/* True if the terminal has a window with a title: not the console, where the text would be shown. */
-static bool has_title(const char *term)
-{
-    return term && *term && strcmp(term, "dumb") != 0 && strncmp(term, "linux", 5) != 0;
-}
-
 void progress_begin(struct progress *progress, const struct options *options, uint64_t frame_pixels, uint32_t frames)
 {
     *progress = (struct progress){.terminal = isatty(STDERR_FILENO) == 1,
@@ -44,7 +39,7 @@ void progress_begin(struct progress *progress, const struct options *options, ui
                                   .frames = frames,
                                   .share = -1,
                                   .left = -1};
-    progress->titles = progress->terminal && has_title(getenv("TERM"));
+    progress->titles = progress->terminal && title_is_shown(getenv("TERM"));
     scenes_name(options, progress->name, sizeof progress->name);
     (void)pthread_mutex_init(&progress->lock, NULL);
     progress->next_us = progress->begun_us + (progress->terminal ? FIRST_US : LINE_US);
@@ -142,10 +137,12 @@ static void fit(char line[LINE_SIZE])
 /* Sets the window's title: the scene and the percentage. */
 static void set_title(struct progress *progress)
 {
-    if (!progress->titled)
-        (void)fputs(title_save, stderr);
+    char title[TITLE_SIZE], sequence[TITLE_SIZE];
+
+    (void)snprintf(title, sizeof title, "%s %u %%", progress->name[0] ? progress->name : "tia", percent(progress));
+    title_sequence(sequence, title);
+    (void)fprintf(stderr, "%s%s", progress->titled ? "" : TITLE_SAVE, sequence);
     progress->titled = true;
-    (void)fprintf(stderr, "\033]2;%s %u %%\033\\", progress->name[0] ? progress->name : "tia", percent(progress));
 }
 
 static void print(struct progress *progress, uint64_t now)
