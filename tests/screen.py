@@ -17,14 +17,17 @@ import time
 from command import LIMIT_S, TIA, check, same
 
 # A sequence or a character that another one, or CAN, cuts short is none; ST without a string does nothing.
-TOKEN = re.compile(rb"(?:\x1b(?:\[[?0-9;]*)?|\xe2\x96?)?\x18|\x1b\\|(?:\xe2\x96?(?=\x1b)|\x1b\[[?0-9;]*(?=\x1b))?"
+# The window's title ends with ST.
+TOKEN = re.compile(rb"(?:\x1b(?:\[[?0-9;]*|\][^\0-\x1f]*)?|\xe2\x96?)?\x18|\x1b\][^\0-\x1f]*(?=\x1b)|\x1b\\|"
+                   rb"(?:\xe2\x96?(?=\x1b)|\x1b\[[?0-9;]*(?=\x1b))?"
                    rb"\x1b\[([?0-9;]*)([A-Za-z])|([ -~])|(\xe2\x96\x80)", re.S)
-UNFINISHED = re.compile(rb"\x1b(\[[?0-9;]*)?$|\xe2\x96?$")
+UNFINISHED = re.compile(rb"\x1b(\[[?0-9;]*|\][^\0-\x1f]*)?$|\xe2\x96?$")
 GREYS = [(8 + 10 * i,) * 3 for i in range(24)]
 LEVELS = (0, 95, 135, 175, 215, 255)
 PALETTE = [None] * 16 + [(r, g, b) for r in LEVELS for g in LEVELS for b in LEVELS] + GREYS
 MODES = {"?1049": "alternate", "?25": "cursor", "?7": "wrap", "?2004": "paste", "?2026": "frame", "?1003": "mouse", "?1006": "numbers"}
-AS_BEFORE = dict(alternate=False, cursor=True, wrap=True, paste=False, frame=False, mouse=False, numbers=False)
+AS_BEFORE = dict(alternate=False, cursor=True, wrap=True, paste=False, frame=False, mouse=False, numbers=False,
+                 title=False)
 
 
 class Screen:
@@ -81,7 +84,9 @@ class Screen:
             self.mode[name] = on
             return
         numbers = [int(n or 0) for n in text.split(";")]
-        if final == "H":
+        if final == "t" and numbers in ([22, 2], [23, 2]):      # the window's title is put onto a stack, and taken from there
+            self.mode["title"] = numbers == [22, 2]
+        elif final == "H":
             self.y, self.x = (max(n, 1) - 1 for n in (numbers + [1])[:2])
         elif final == "C":
             self.x += max(numbers[0], 1)
