@@ -59,7 +59,7 @@ struct tia_frame {
     uint16_t done;            /* coarse picture: share of the frame's samples drawn so far, in units of 2^-16 */
     uint32_t pixels;          /* number of pixels drawn; the others repeat these, or are interpolated from them */
     bool moving;              /* with `pace`: the picture moves */
-    uint64_t left_us;         /* coarse picture: microseconds for the rest, estimated from the time so far */
+    uint64_t left_us;         /* coarse picture: microseconds that the rest takes, estimated */
     bool relit;               /* only lights changed: the previous frame's hits were used again */
     uint64_t draw_us;         /* time to draw, microseconds, without waiting for the display */
     enum tia_shadows shadows; /* technique for shadows */

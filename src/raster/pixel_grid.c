@@ -1,20 +1,11 @@
 #include <tia/raster.h>
 
+#include "math/divisor.h"
 #include "math/integer.h"
 #include "ranges.h"
 
 #define SMALL_BITS 25
 #define SMALL_FRACTION 18
-
-static int32_t common_divisor(int32_t a, int32_t b)
-{
-    while (b) {
-        int32_t rest = a % b;
-        a = b;
-        b = rest;
-    }
-    return a;
-}
 
 static int bits_of(uint64_t n)
 {
@@ -27,7 +18,8 @@ static int bits_of(uint64_t n)
  * are integers. */
 static void place(struct tia_raster_grid *l, int32_t n, int32_t sample)
 {
-    int32_t width = l->width, height = l->height, g = common_divisor(width, height), i = sample % n, j = sample / n;
+    int32_t width = l->width, height = l->height, i = sample % n, j = sample / n;
+    int32_t g = (int32_t)common_divisor((uint32_t)width, (uint32_t)height);
     int32_t column = 2 * n * i + 2 * j + 1 - n * n * width, row = n * n * height - (2 * n * j + 2 * n - 2 * i - 1);
 
     l->x = column * (height / g);

@@ -53,6 +53,13 @@ struct viewer_more {
     void (*switch_shadows)(struct loop *loop);
 };
 
+/* What a coarse frame has drawn of a tile. */
+struct tile_work {
+    uint64_t us;       /* time spent on it, microseconds */
+    uint64_t alone_us; /* time before the last pass of blocks */
+    uint32_t drawn;    /* number of pixels drawn */
+};
+
 struct loop {
     const struct tia_viewer *viewer;
     const struct viewer_more *more; /* NULL: spheres alone */
@@ -68,14 +75,15 @@ struct loop {
     struct tia_hits *hits;
     size_t view_size, hits_size, simd_size;
     void *hits_memory, *simd_memory;
-    int8_t *status;       /* status of each tile */
-    uint8_t *passes;      /* number of passes done in each tile */
-    uint32_t *drawn;      /* number of pixels drawn in each tile */
-    tia_rgb565 *canvas;   /* the picture so far, see refine.c; NULL: frames are drawn at once */
-    struct tia_sum *sums; /* each pixel's samples so far; NULL: pixels get all their samples at once */
+    int8_t *status;         /* status of each tile */
+    uint8_t *passes;        /* number of passes done in each tile */
+    struct tile_work *work; /* of each tile of frames that are drawn coarse to fine */
+    tia_rgb565 *canvas;     /* the picture so far, see refine.c; NULL: frames are drawn at once */
+    struct tia_sum *sums;   /* each pixel's samples so far; NULL: pixels get all their samples at once */
     unsigned tile_width, tile_height, columns;
     uint32_t tiles;
     bool view_ready; /* the view is up to date, except perhaps for its lights */
+    uint32_t step;   /* from one tile to the next in the order of a coarse frame */
     bool whole;      /* there is memory for the whole frame's hits */
     unsigned traced; /* number of passes whose hits are valid; VIEWER_PASSES: all hits are, so the frame is lit without
                         tracing */
@@ -273,6 +281,15 @@ struct tia_tile tia_viewer_tile(const struct loop *loop, unsigned index);
 /* Runs a job for each tile, on the workers if the display allows it. The job stores its status in loop->status. */
 int tia_viewer_run_tiles(struct loop *loop, void (*job)(void *loop, unsigned index));
 bool tia_viewer_same_mode(const struct tia_mode *a, const struct tia_mode *b);
+
+/* Sets the order in which a coarse frame's tiles are drawn, and returns the tile that is drawn as number `index`. */
+void tia_viewer_set_order(struct loop *loop);
+unsigned tia_viewer_in_order(const struct loop *loop, unsigned index);
+
+/* ---- estimate.c ---- */
+
+/* Returns the estimated time for the rest of a coarse frame for which spent_us has passed; microseconds. */
+uint64_t tia_viewer_left_us(const struct loop *loop, uint64_t spent_us);
 
 /* ---- pace.c ---- */
 

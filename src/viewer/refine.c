@@ -27,14 +27,20 @@ static bool is_watched(const struct loop *loop)
 static void pass_job(void *arg, unsigned index)
 {
     struct loop *loop = arg;
+    unsigned tile = tia_viewer_in_order(loop, index);
+    struct tile_work *work = &loop->work[tile];
+    uint64_t begun = viewer_now(loop);
     int status = TIA_OK;
 
-    if (loop->passes[index] <= loop->pass && viewer_now(loop) < loop->show_us) {
+    if (loop->passes[tile] <= loop->pass && begun < loop->show_us) {
         status = tia_viewer_watch(loop);
         if (!status)
-            status = tia_viewer_refine_tile(loop, tia_viewer_tile(loop, index), &loop->drawn[index]);
+            status = tia_viewer_refine_tile(loop, tia_viewer_tile(loop, tile), &work->drawn);
         if (!status)
-            loop->passes[index]++;
+            loop->passes[tile]++;
+        work->us += viewer_now(loop) - begun;
+        if (loop->pass + 1 < VIEWER_PASSES)
+            work->alone_us = work->us;
     }
     loop->status[index] = (int8_t)status;
 }
@@ -66,7 +72,7 @@ static uint32_t sum_drawn(const struct loop *loop)
     uint32_t sum = 0;
 
     for (uint32_t i = 0; i < loop->tiles; i++)
-        sum += loop->drawn[i];
+        sum += loop->work[i].drawn;
     return sum;
 }
 
@@ -136,7 +142,7 @@ static int show_so_far(struct loop *loop, struct tia_frame *frame)
     frame->samples = loop->sums ? tia_viewer_samples(loop, loop->pass + !left) : 0;
     frame->done = (uint16_t)done;
     frame->pixels = sum_drawn(loop);
-    frame->left_us = (spent << 16) / (done + !done) - spent;
+    frame->left_us = tia_viewer_left_us(loop, spent);
     loop->line = spent + frame->left_us >= WORTH_LINE_US ? done : 0;
     if (!status)
         status = tia_viewer_run_tiles(loop, copy_job);
@@ -244,9 +250,10 @@ static void begin_passes(struct loop *loop)
     loop->refining = true;
     loop->complete = loop->unfinished = false;
     loop->shown_us = loop->begun_us;
+    tia_viewer_set_order(loop);
     for (uint32_t i = 0; i < loop->tiles; i++) {
         loop->passes[i] = 0;
-        loop->drawn[i] = 0;
+        loop->work[i] = (struct tile_work){0};
     }
 }
 

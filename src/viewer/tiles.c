@@ -1,5 +1,6 @@
 /* tiles.c - draws a frame tile by tile. */
 #include "loop.h"
+#include "math/divisor.h"
 #include "math/tile.h"
 
 bool tia_viewer_same_mode(const struct tia_mode *a, const struct tia_mode *b)
@@ -16,6 +17,21 @@ struct tia_tile tia_viewer_tile(const struct loop *loop, unsigned index)
                             (uint16_t)(height < loop->tile_height ? height : loop->tile_height)};
 
     return tile;
+}
+
+/* Tiles of a coarse frame are drawn in steps of the golden section, 40503/65536, of their number, or the next smaller
+ * step that comes to each tile: so those drawn so far are always spread over the picture, a fair sample of it. */
+void tia_viewer_set_order(struct loop *loop)
+{
+    loop->step = (uint32_t)((uint64_t)loop->tiles * 40503 >> 16);
+    while (loop->step > 1 && common_divisor(loop->step, loop->tiles) != 1)
+        loop->step--;
+    loop->step += !loop->step;
+}
+
+unsigned tia_viewer_in_order(const struct loop *loop, unsigned index)
+{
+    return (unsigned)((uint64_t)index * loop->step % loop->tiles);
 }
 
 static int draw_tile(struct loop *loop, struct tia_tile tile)

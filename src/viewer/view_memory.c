@@ -14,8 +14,8 @@ static void set_tiles(struct loop *loop, unsigned height)
 
 enum { PARTS = 9 };
 
-/* Gets memory from the caller for the current scene, its hierarchy, the view, six bytes for each tile, the hits of an
- * area, the vector units, and a canvas of `canvas` bytes. False: there is not enough. */
+/* Gets memory from the caller for the current scene, its hierarchy, the view, two bytes for each tile, the hits of an
+ * area, the vector units, and a canvas of `canvas` bytes with the work of its tiles. False: there is not enough. */
 static bool get_memory(struct loop *loop, struct tia_tile hits, uint64_t canvas)
 {
     const struct tia_viewer *v = loop->viewer;
@@ -27,7 +27,7 @@ static bool get_memory(struct loop *loop, struct tia_tile hits, uint64_t canvas)
                              loop->simd_size,
                              loop->tiles,
                              canvas,
-                             (uint64_t)loop->tiles * sizeof *loop->drawn};
+                             canvas ? (uint64_t)loop->tiles * sizeof *loop->work : 0};
     size_t sum = 0;
     char *parts[PARTS] = {NULL}, *memory;
 
@@ -51,7 +51,7 @@ static bool get_memory(struct loop *loop, struct tia_tile hits, uint64_t canvas)
     loop->hits_size = (size_t)sizes[4];
     loop->simd_memory = parts[5];
     loop->passes = (uint8_t *)parts[6];
-    loop->drawn = (uint32_t *)(void *)parts[8];
+    loop->work = (struct tile_work *)(void *)parts[8];
     if (loop->more)
         loop->more->set_canvas(loop, parts[7], canvas);
     return true;
