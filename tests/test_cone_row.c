@@ -26,6 +26,20 @@ static bool is_inside(const struct cone_row *s, int i)
 
 static int widths, empties, partials; /* kinds of the cases */
 
+static int estimates, near_estimates; /* spans that end within the row; those estimated to within a pixel */
+
+static void check_estimate(const struct cone_row *s, struct span want)
+{
+    struct span span = cone_row_estimate(s);
+    int first = span.first - want.first, end = span.end - want.end;
+
+    CHECK(span.first >= 0 && span.first <= s->count && span.end >= 0 && span.end <= s->count);
+    if (s->c < 0 || want.first == 0 || want.end == s->count || want.end - want.first < 2)
+        return;
+    estimates++;
+    near_estimates += first >= -1 && first <= 1 && end >= -1 && end <= 1;
+}
+
 static void check_slice(const struct cone_row *s)
 {
     struct span want = {0, 0}, span;
@@ -40,6 +54,7 @@ static void check_slice(const struct cone_row *s)
     widths += pixels == s->count;
     empties += !pixels;
     partials += pixels && pixels < s->count;
+    check_estimate(s, want);
     for (int k = 0; k < 12; k++) {
         int near = (int)(random_bits() % 5) - 2, first = (int)(random_bits() % (unsigned)s->count);
         struct span guess = {0, 0}; /* guesses: none; good; nearly good; bad; the whole row */
@@ -123,6 +138,12 @@ TEST(the_longest_line)
     CHECK(empties > 20 && partials > 100);
 }
 
+/* The estimates of the cases before; not where a cone reaches 90 degrees from the middle. */
+TEST(ends_are_estimated)
+{
+    CHECK_MSG(estimates > 500 && near_estimates >= estimates / 100 * 97, "%d of %d", near_estimates, estimates);
+}
+
 /* Pixels where both sides of the inequality are equal are inside. L = (0, 0, -5), r = 3: c = 16, and with v = (X, 0,
  * -4) it is 20^2 >= 16 (X^2 + 16), that is X^2 <= 9: X = -3..3, of the odd numbers. */
 TEST(tangents)
@@ -192,6 +213,7 @@ int main(void)
     RUN(lines_of_few_pixels);
     RUN(lines_of_many_pixels);
     RUN(the_longest_line);
+    RUN(ends_are_estimated);
     RUN(tangents);
     RUN(from_inside);
     RUN(doubts);

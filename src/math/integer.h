@@ -42,7 +42,7 @@ extern const TIA_FLASH int64_t tia_sines[65];
 /* Returns the number of leading zero bits of x, not 0, on machines without an instruction for it. Setting all bits
  * below the highest set bit makes x = 2^n - 1; the product with the constant (from Anderson's Bit Twiddling Hacks) has
  * different upper five bits for each n. */
-static inline unsigned tia_clz32_table(uint32_t x)
+SHARED unsigned tia_clz32_table(uint32_t x)
 {
     x |= x >> 1;
     x |= x >> 2;

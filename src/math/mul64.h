@@ -2,6 +2,7 @@
 #ifndef TIA_MATH_MUL64_H
 #define TIA_MATH_MUL64_H
 
+#include "noinline.h"
 #include "target.h"
 
 #include <stdint.h>
@@ -41,14 +42,14 @@
                 : "cc");                                                                                               \
     } while (0)
 
-static inline uint64_t tia_mul_u32(uint32_t a, uint32_t b)
+SHARED uint64_t tia_mul_u32(uint32_t a, uint32_t b)
 {
     uint32_t low, high;
     TIA_MUL64_HALVES(a, b, low, high, "lsrs");
     return (uint64_t)high << 32 | low;
 }
 
-static inline int64_t tia_mul_s32(int32_t a, int32_t b)
+SHARED int64_t tia_mul_s32(int32_t a, int32_t b)
 {
     uint32_t low, high;
     TIA_MUL64_HALVES((uint32_t)a, (uint32_t)b, low, high, "asrs");

@@ -21,4 +21,12 @@
 #define ONCE_IN_FLASH inline
 #endif
 
+/* SHARED marks inline functions of headers: where flash is scarce and the compiler does not inline them, once.c has the
+ * one copy. */
+#if FLASH_IS_SCARCE
+#define SHARED inline
+#else
+#define SHARED static inline
+#endif
+
 #endif

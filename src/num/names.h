@@ -54,6 +54,7 @@
 #define ray_prepare NAMES(ray_prepare)
 #define ray_set_lights NAMES(ray_set_lights)
 #define cone_row_span NAMES(cone_row_span)
+#define cone_row_estimate NAMES(cone_row_estimate)
 #define span_sphere_prepare NAMES(span_sphere_prepare)
 #define span_sphere_row NAMES(span_sphere_row)
 #define span_casters_size NAMES(span_casters_size)

@@ -2,6 +2,7 @@
 
 #include "cone_row.h"
 
+#include "math/integer.h"
 #include "span_shift.h"
 
 static num_wide coordinate_at(const struct cone_row *s, int i)
@@ -86,12 +87,14 @@ static int any_inside(const struct cone_row *s, struct span guess)
 
 struct span cone_row_span(const struct cone_row *cone_row, struct span guess)
 {
-    struct span span = {0, 0};
-    int seed = any_inside(cone_row, guess);
+    struct span span = {0, 0}, near = guess;
+    if (guess.first >= guess.end && !TIA_SHIFTS_BITS)
+        near = cone_row_estimate(cone_row);
+    int seed = any_inside(cone_row, near);
 
     if (seed >= 0) {
-        span.first = boundary(cone_row, seed, -1, guess.first);
-        span.end = boundary(cone_row, seed, 1, guess.end - 1) + 1;
+        span.first = boundary(cone_row, seed, -1, near.first);
+        span.end = boundary(cone_row, seed, 1, near.end - 1) + 1;
     }
     return span;
 }

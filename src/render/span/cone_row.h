@@ -6,7 +6,7 @@
  *
  * Along a line of pixels v = (X, ...), X = 2i + 1 - n for pixel i of n, the product is linear and the square quadratic:
  * L.v = slope X + base and v.v = X^2 + square. A cone is convex, so its pixels on the line form one span. Exact
- * comparisons find both ends. From a good guess this takes a few steps, otherwise a bisection.
+ * comparisons find both ends, from a guess in a few steps.
  */
 #ifndef TIA_RENDER_SPAN_CONE_ROW_H
 #define TIA_RENDER_SPAN_CONE_ROW_H
@@ -42,8 +42,15 @@ static inline struct span span_within(struct span span, int first, int end)
     return r;
 }
 
-/* Returns the span of pixels inside the cone. `guess`, for example the span of the row above, affects only the
- * speed. */
+/* Returns the span of pixels inside the cone. `guess`, such as the span of the row above, affects only the speed;
+ * without pixels, the roots of the quadratic are computed. */
 struct span cone_row_span(const struct cone_row *cone_row, struct span guess);
+
+/* Returns about the span, from the roots of (L.v)^2 = c v.v, a quadratic in X; no pixels where it has none, or where
+ * the cone reaches 90 degrees from the line's middle. With a = c - slope^2 they are
+ *
+ *     base / a (slope +- sqrt(c (1 - a square / base^2))).
+ */
+struct span cone_row_estimate(const struct cone_row *cone_row);
 
 #endif
