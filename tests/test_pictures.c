@@ -50,6 +50,28 @@ TEST(what_terminals_answer)
     check_heard("\033[A\033[?62;65540c", false, false, true);
 }
 
+TEST(largest_pictures_that_terminals_answer)
+{
+    static const struct {
+        const char *text;
+        unsigned width, height;
+    } rows[] = {
+        {"\033[?2;0;1000;800S\033[?62;4c", 1000, 800}, /* as xterm answers */
+        {"\033[?2;3;0S\033[?62;4c", 0, 0},             /* failure */
+        {"\033[?1;0;256;4S\033[?62;4c", 0, 0},         /* registers of colours */
+        {"\033[?2;0;1000;800c", 0, 0},
+        {"\033[2;0;1000;800S", 0, 0},
+    };
+
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct limit limit = heard(rows[i].text).limit;
+        CHECK_MSG(limit.width == rows[i].width && limit.height == rows[i].height, "row %zu: %u x %u", i, limit.width,
+                  limit.height);
+    }
+    check_heard("\033[?2;0;4;4S", false, false, false);
+    check_heard("\033[?2;0;4;4S\033[?62c", false, false, true);
+}
+
 /* ---- a terminal that answers, or not ---- */
 
 #ifdef TIA_HAVE_CHAFA
@@ -164,7 +186,8 @@ TEST(terminals_are_asked)
 #ifdef TIA_HAVE_CHAFA
     (void)unsetenv("COLORTERM");
     check_mode("\033[?62;4c", "xterm", 800, 456, "sixel");
-    check_mode(KITTY_OK "\033[?62;4c", "xterm", 800, 460, "kitty's pictures");
+    check_mode("\033[?2;0;303;207S\033[?62;4c", "xterm", 300, 198, "sixel"); /* whole cells and bands */
+    check_mode(KITTY_OK "\033[?2;0;303;207S\033[?62;4c", "xterm", 800, 460, "kitty's pictures");
     check_mode("\033[?62;4c", "tmux-256color", 800, 456, "sixel");
     check_mode("\033[?62c", "screen", 320, 192, "symbols, 256 colours");
     check_mode("", "xterm", 80, 48, "256 colours");
@@ -386,6 +409,7 @@ int main(void)
 {
     (void)setenv("LC_ALL", "C.UTF-8", 1); /* symbols need UTF-8 */
     RUN(what_terminals_answer);
+    RUN(largest_pictures_that_terminals_answer);
     RUN(terminals_are_asked);
     RUN(kittys_pictures);
     RUN(sixel);
