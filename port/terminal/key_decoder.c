@@ -10,6 +10,7 @@ enum { GROUND, ESCAPE, CSI, SS3, STRING, STRING_ESCAPE, LINUX_FUNCTION };
 #define ESC 0x1b
 #define BEL 0x07
 #define DEL 0x7f
+#define CTRL_Z 0x1a
 #define PASTE_BEGIN 200
 #define PASTE_END 201
 
@@ -46,6 +47,8 @@ static uint16_t plain_key(uint8_t byte)
 {
     if (byte == TIA_KEY_INTERRUPT)
         return TIA_KEY_INTERRUPT;
+    if (byte == CTRL_Z)
+        return DECODED_STOP;
     if (byte >= 'A' && byte <= 'Z')
         return (uint16_t)(byte - 'A' + 'a');
     if (is_ctrl_letter(byte))

@@ -235,7 +235,7 @@ static struct tia_viewer viewer_of(struct session *session)
     };
 }
 
-/* Begins the overlay. It shows hints for the built-in scene with a keyboard. */
+/* Begins the overlay. It shows hints if there is a keyboard. */
 static void begin_overlay(struct session *session)
 {
     const struct options *options = session->options;
@@ -245,7 +245,7 @@ static void begin_overlay(struct session *session)
                                         .threads = threads_count(session->pool),
                                         .moves = session->is_moved ? &session->moves : NULL,
                                         .viewer = &session->viewer,
-                                        .hints = !options->scene_path && types};
+                                        .hints = types};
     session->moves = (struct moves){.options = options,
                                     .letterbox = &session->letterbox,
                                     .viewer = &session->viewer,
