@@ -220,7 +220,8 @@ TEST(shift_is_told_with_keys_that_move)
         bool shift;
     } rows[] = {
         {"\033[A", TIA_KEY_UP, false},          {"\033[1;2A", TIA_KEY_UP, true},
-        {"\033[1;5D", TIA_KEY_LEFT, false},     {"\033[1;6D", TIA_KEY_LEFT, true},
+        {"\033[1;5D", TIA_KEY_LEFT, true},      {"\033[1;3D", TIA_KEY_LEFT, false},
+        {"\033[1;6D", TIA_KEY_LEFT, true},      {"\033[5;5~", TIA_KEY_PAGE_UP, true},
         {"\033[5;2~", TIA_KEY_PAGE_UP, true},   {"\033[6~", TIA_KEY_PAGE_DOWN, false},
         {"\033[1;2A\033[A", TIA_KEY_UP, false}, {"\033[1;2Aa", 'a', false},
     };

@@ -24,7 +24,7 @@ struct decoder {
     uint16_t more[2];     /* second and third parameter; 0: not given */
     uint8_t parameters;   /* number of complete parameters, 3 at most */
     bool more_parameters;
-    bool shift;           /* the last key was typed with Shift, as far as the terminal reports it */
+    bool shift;           /* the last key was typed with Shift or Ctrl, as far as the terminal reports it */
     bool drag;            /* the mouse's left button was down in its last report */
     uint16_t column, row; /* position in the mouse's last report, from 1 */
     bool in_paste;
