@@ -369,7 +369,7 @@ static struct part row_of(const struct sheet *sheet, unsigned row)
 {
     size_t from = row > 0 ? sheet->ends[row - 1] : 0;
 
-    return (struct part){sheet->text.bytes + from, sheet->ends[row] - from};
+    return (struct part){sheet->text.bytes ? sheet->text.bytes + from : NULL, sheet->ends[row] - from};
 }
 
 static void add(struct text *text, struct part part)
