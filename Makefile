@@ -382,9 +382,10 @@ run: $(BUILD)/tia
 	file) where="into $$(sed -n 's/.*: wrote \([^ ]*\).*/\1/p' $(SAID))" to=' -o glass.png';; \
 	terminal) where='on this terminal' to=;; \
 	*) where='on the screen' to=;; esac; \
-	echo "drawn: a ball on the ground, its light above left (tia -k a), $$size, $$where"; \
+	echo "drawn: a ball, its light above left (tia -k a), $$size, $$where"; \
 	[ "$$to" ] || echo 'keys:  a d s w, arrows, page up and down move the light; any other key quits'; \
-	echo "next:  $(BUILD)/tia scenes/glass.tia$$to    (more: ls scenes, man -l man/tia.1, make help)"
+	echo "next:  $(BUILD)/tia scenes/glass.tia$$to"; \
+	echo "more:  ls scenes, $(BUILD)/tia --help, man -l man/tia.1, make help"
 
 # Tests are independent of this make: those that build start one of their own.
 alone = env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL

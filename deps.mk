@@ -63,6 +63,8 @@ $(BUILD)/deps.mk: $(if $(DEPS_MISSING),FORCE)
 	@if [ -n "$(DEPS_MISSING)" ]; then \
 	    command -v apt-get >/dev/null || { echo "deps: no apt-get here; Debian calls what is missing: $(DEPS_MISSING)" >&2; exit 1; }; \
 	    sudo=; [ "$$(id -u)" = 0 ] || sudo=sudo; \
+	    [ -z "$$sudo" ] || command -v sudo >/dev/null || { echo "deps: no sudo here; as root: apt-get install $(DEPS_MISSING)" >&2; \
+	        echo "deps: or leave out what they are for: make $(filter-out deps,$(MAKECMDGOALS))" >&2; exit 1; }; \
 	    echo "deps: apt-get installs $(DEPS_MISSING) ($(BUILD)/deps.log)"; \
 	    { $$sudo apt-get update -q && \
 	      $$sudo env DEBIAN_FRONTEND=noninteractive apt-get install -qy --no-install-recommends $(DEPS_MISSING); } \

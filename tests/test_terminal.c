@@ -6,8 +6,8 @@
 #include <tia/port.h>
 
 /* Returns the keys of `bytes` and, with `silence`, of the silence after them, as text: letters and digits as
- * themselves, arrows L R U D, page up and down ^ v, Home H, Tab T, Space _, + and -, ? as /, Escape E, Ctrl-C !, other
- * keys ?, the mouse M; at the end ~ for an unfinished sequence. */
+ * themselves, arrows L R U D, page up and down ^ v, Home H, Tab T, Space _, + and -, ? as /, Escape E, Ctrl-C !, Ctrl-Z
+ * Z, other keys ?, the mouse M; at the end ~ for an unfinished sequence. */
 static const char *typed(const char *bytes, size_t count, bool silence)
 {
     static char text[64];
@@ -24,6 +24,8 @@ static const char *typed(const char *bytes, size_t count, bool silence)
             text[n++] = key == TIA_KEY_TAB ? 'T' : key == TIA_KEY_SPACE ? '_' : '/';
         else if (key == DECODED_POINTER)
             text[n++] = 'M';
+        else if (key == DECODED_STOP)
+            text[n++] = 'Z';
         else if (key)
             text[n++] = (char)key;
     }
@@ -56,7 +58,7 @@ TEST(letters_and_digits_are_themselves)
         {"\x01\x13\x17\x04", "aswd"},
         {" !,\t\r\n\b\x7f~", "_??T?????"},
         {"+=-_?/", "++--//"},
-        {"\x1a", "z"},
+        {"\x1a", "Z"},
         {"\x03", "!"},
         {"\x1c\x1d\x1f", "???"},
     };
@@ -188,7 +190,8 @@ TEST(any_bytes_at_all)
     for (unsigned i = 0; i < 1000000; i++) {
         unsigned r = random_u32();
         uint16_t key = decode_byte(&d, (uint8_t)(r % 8 ? common[r / 8 % (sizeof common - 1)] : (int)(r / 8 % 256)));
-        CHECK_MSG(key <= TIA_KEY_OTHER && (key < 0x80 || key >= TIA_KEY_LEFT), "byte %u: key %u", i, key);
+        CHECK_MSG(key == DECODED_STOP || (key <= TIA_KEY_OTHER && (key < 0x80 || key >= TIA_KEY_LEFT)),
+                  "byte %u: key %u", i, key);
         if (i % 100 == 0)
             CHECK_EQ(decode_byte(&d, 3), TIA_KEY_INTERRUPT);
         if (i % 1000 == 0) {
@@ -217,7 +220,8 @@ TEST(shift_is_told_with_keys_that_move)
         bool shift;
     } rows[] = {
         {"\033[A", TIA_KEY_UP, false},          {"\033[1;2A", TIA_KEY_UP, true},
-        {"\033[1;5D", TIA_KEY_LEFT, false},     {"\033[1;6D", TIA_KEY_LEFT, true},
+        {"\033[1;5D", TIA_KEY_LEFT, true},      {"\033[1;3D", TIA_KEY_LEFT, false},
+        {"\033[1;6D", TIA_KEY_LEFT, true},      {"\033[5;5~", TIA_KEY_PAGE_UP, true},
         {"\033[5;2~", TIA_KEY_PAGE_UP, true},   {"\033[6~", TIA_KEY_PAGE_DOWN, false},
         {"\033[1;2A\033[A", TIA_KEY_UP, false}, {"\033[1;2Aa", 'a', false},
     };

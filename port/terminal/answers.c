@@ -15,31 +15,53 @@
 
 #define ESC 0x1b
 #define SIXEL_ATTRIBUTE 4
+#define SIXEL_ITEM 2
 
-enum { GROUND, ESCAPE, CSI, ATTRIBUTES, MESSAGE, MESSAGE_ESCAPE };
+enum { NUMBERS = 4 };
+enum { GROUND, ESCAPE, CSI, SEQUENCE, MESSAGE, MESSAGE_ESCAPE };
 
-/* Queries: for kitty's protocol, a picture of one pixel that the terminal only checks; for sixel, the device's
- * attributes. */
-static const char ask_kitty[] = "\033_Gi=31,s=1,v=1,a=q,t=d,f=24;AAAA\033\\", ask_attributes[] = "\033[c";
+/* Queries: for kitty's protocol, a picture of one pixel that the terminal only checks; for sixel, the largest picture
+ * and the device's attributes. */
+static const char ask_kitty[] = "\033_Gi=31,s=1,v=1,a=q,t=d,f=24;AAAA\033\\", ask_sixel[] = "\033[?2;1;0S\033[c";
 
 static void begin(struct answers *a, uint8_t state)
 {
     a->state = state;
-    a->number = 0;
+    memset(a->numbers, 0, sizeof a->numbers);
+    a->count = 0;
+    a->has_sixel = false;
     a->length = 0;
 }
 
-static void after_attribute(struct answers *a, uint8_t byte)
+/* Evaluates a sequence at its end. The limit's first number, 2, stands for sixel, the second for success. */
+static void end_sequence(struct answers *a, uint8_t final)
 {
+    const uint16_t *n = a->numbers;
+
+    if (final == 'c') {
+        a->sixel |= a->has_sixel;
+        a->complete = true;
+    } else if (final == 'S' && a->count == NUMBERS && n[0] == SIXEL_ITEM && n[1] == 0) {
+        a->limit = (struct limit){n[2], n[3]};
+    }
+    begin(a, GROUND);
+}
+
+static void after_number(struct answers *a, uint8_t byte)
+{
+    /* Numbers beyond the first four overwrite the fourth. */
+    uint16_t *number = &a->numbers[a->count < NUMBERS ? a->count : NUMBERS - 1];
+
     if (byte >= '0' && byte <= '9') {
-        a->number = a->number < 1000 ? (uint16_t)(a->number * 10 + byte - '0') : a->number;
+        *number = *number < 6000 ? (uint16_t)(*number * 10 + byte - '0') : *number;
         return;
     }
-    a->sixel |= a->number == SIXEL_ATTRIBUTE;
-    a->number = 0;
-    a->complete |= byte == 'c';
+    a->has_sixel |= *number == SIXEL_ATTRIBUTE;
+    a->count = (uint8_t)(a->count < NUMBERS ? a->count + 1 : NUMBERS);
     if (byte != ';')
-        begin(a, GROUND);
+        end_sequence(a, byte);
+    else if (a->count == NUMBERS)
+        a->numbers[NUMBERS - 1] = 0;
 }
 
 /* Evaluates kitty's message at its end: "Gi=31;OK" reports support; 31 is the query's number. */
@@ -60,10 +82,10 @@ void answers_byte(struct answers *a, uint8_t byte)
         begin(a, byte == '[' ? CSI : byte == '_' ? MESSAGE : byte == ESC ? ESCAPE : GROUND);
         break;
     case CSI:
-        begin(a, byte == '?' ? ATTRIBUTES : byte == ESC ? ESCAPE : GROUND);
+        begin(a, byte == '?' ? SEQUENCE : byte == ESC ? ESCAPE : GROUND);
         break;
-    case ATTRIBUTES:
-        after_attribute(a, byte);
+    case SEQUENCE:
+        after_number(a, byte);
         break;
     case MESSAGE:
         after_message(a, byte);
@@ -105,7 +127,7 @@ bool answers_multiplexer(const char *term)
 
 static void ask(int fd, const char *term, struct answers *answers)
 {
-    if ((answers_multiplexer(term) || say(fd, ask_kitty)) && say(fd, ask_attributes))
+    if ((answers_multiplexer(term) || say(fd, ask_kitty)) && say(fd, ask_sixel))
         read_answers(fd, answers);
 }
 
@@ -140,11 +162,12 @@ static enum pictures best(const struct answers *answers)
     return answers->kitty ? PICTURES_KITTY : answers->sixel ? PICTURES_SIXEL : characters;
 }
 
-enum pictures answers_ask(int fd, const char *term)
+enum pictures answers_ask(int fd, const char *term, struct limit *limit)
 {
     struct answers answers = {0};
     int both = descriptor_copy(fd, O_RDWR);
 
+    *limit = (struct limit){0};
     if (both < 0)
         return PICTURES_HALF_BLOCKS;
     terminal_signals_begin();
@@ -152,5 +175,6 @@ enum pictures answers_ask(int fd, const char *term)
         ask_raw(both, term, &answers);
     terminal_signals_end();
     (void)close(both);
+    *limit = answers.kitty ? (struct limit){0} : answers.limit;
     return best(&answers);
 }

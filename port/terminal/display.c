@@ -171,7 +171,7 @@ const struct tia_display port_terminal_display = {
 void port_terminal_text(void *ctx, struct port_text *text)
 {
     struct terminal *t = ctx;
-    const struct sheet_window window = {t->columns, t->rows, !t->grid.spaces, t->grid.few, false};
+    const struct sheet_window window = display_sheet_window(t);
     struct sheet sheet = {.known = false};
 
     t->text = text;
@@ -215,9 +215,10 @@ void port_terminal_list(port_line *line, void *arg)
         display_read_window(&t, &columns, &rows);
         (void)snprintf(text, sizeof text, "%ux%u, %s", display_pixels_across(&t, columns),
                        display_pixels_down(&t, rows),
-                       t.grid.direct ? "24-bit colours"
-                       : t.grid.few  ? "16 colours (set COLORTERM=truecolor if it has more)"
-                                     : "256 colours (set COLORTERM=truecolor if it has more)");
+                       t.grid.direct    ? "24-bit colours"
+                       : t.grid.letters ? "no colours (set COLORTERM=truecolor if it has them)"
+                       : t.grid.few     ? "16 colours (set COLORTERM=truecolor if it has more)"
+                                        : "256 colours (set COLORTERM=truecolor if it has more)");
         line(arg, text);
     }
     terminal_close(&t);

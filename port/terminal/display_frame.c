@@ -11,8 +11,7 @@ static const char clear_direct[] = "\033[48;2;0;0;0m\033[2J", clear_256[] = "\03
  * drawn as changed ones, a picture is drawn whole. */
 static void begin_text(struct terminal *t)
 {
-    const struct sheet_window window = {t->columns, t->rows, !t->grid.spaces, t->grid.few,
-                                        t->pictures == PICTURES_KITTY};
+    const struct sheet_window window = display_sheet_window(t);
     struct port_text none = {.status = NULL};
     struct text *text = &t->output.text;
     struct sheet before = t->before;
@@ -41,10 +40,10 @@ static void add_title(struct terminal *t)
 
 static const char *clearing(const struct terminal *t)
 {
-    return t->pictures == PICTURES_KITTY ? clear_bare
-           : t->grid.direct              ? clear_direct
-           : t->grid.few                 ? clear_few
-                                         : clear_256;
+    return t->pictures == PICTURES_KITTY || t->grid.letters ? clear_bare
+           : t->grid.direct                                 ? clear_direct
+           : t->grid.few                                    ? clear_few
+                                                            : clear_256;
 }
 
 static void begin_frame(struct terminal *t)

@@ -51,8 +51,11 @@ int display_failed_with(const struct terminal *t, int error);
 int display_open_window(struct terminal *t);
 /* Finds the terminal's colours and characters by TERM, COLORTERM and the locale. */
 int display_environment(struct terminal *t);
-/* Chooses the kind of pictures; symbols need UTF-8. */
+/* Chooses the kind of pictures; symbols need UTF-8 and colours. */
 int display_choose_pictures(struct terminal *t);
+
+/* Returns what text is laid out for in the window. */
+struct sheet_window display_sheet_window(const struct terminal *t);
 
 /* Gives the size of the window in characters. */
 void display_read_window(const struct terminal *t, unsigned *columns, unsigned *rows);

@@ -117,19 +117,47 @@ int display_open_window(struct terminal *t)
     return isatty(t->output.fd) ? TIA_OK : display_failed(t, "is not a terminal");
 }
 
+/* True for a terminal that only prints characters, or of which nothing is known. */
+static bool is_dumb(const char *term)
+{
+    return !term || !*term || strcmp(term, "dumb") == 0;
+}
+
 int display_environment(struct terminal *t)
 {
     const char *term = getenv("TERM");
 
-    if (!term || !*term || strcmp(term, "dumb") == 0)
-        return display_failed(t, "cannot place a cursor (set TERM if it can)");
+    if (is_dumb(term) && !t->in_line)
+        return display_failed(t, "cannot place a cursor (--inline prints a picture; set TERM if it can)");
     t->colours = colours_of(term, getenv("COLORTERM"));
     t->grid.direct = t->colours == COLOURS_DIRECT;
-    t->grid.few = t->symbols.few = t->colours >= COLOURS_16;
+    t->grid.letters = t->colours == COLOURS_NONE;
+    t->grid.few = t->symbols.few = t->colours == COLOURS_16 || t->colours == COLOURS_CONSOLE;
     t->grid.dim_back = t->colours == COLOURS_CONSOLE;
+<<<<<<< HEAD
     t->grid.spaces = !locale_is_utf8();
     t->titles = title_is_shown(term);
+=======
+    t->grid.spaces = !locale_is_utf8() && !t->grid.letters;
+>>>>>>> first
     return TIA_OK;
+}
+
+struct sheet_window display_sheet_window(const struct terminal *t)
+{
+    return (struct sheet_window){.columns = t->columns,
+                                 .rows = t->rows,
+                                 .utf8 = !t->grid.spaces && !t->grid.letters,
+                                 .colours = t->grid.letters ? SHEET_PLAIN
+                                            : t->grid.few   ? SHEET_16
+                                                            : SHEET_256,
+                                 .bare_back = t->pictures == PICTURES_KITTY};
+}
+
+/* Returns the reason why the terminal has no symbols, or NULL. */
+static const char *symbols_need(const struct terminal *t)
+{
+    return t->grid.spaces ? "symbols need a locale with UTF-8" : t->grid.letters ? "symbols need colours" : NULL;
 }
 
 int display_choose_pictures(struct terminal *t)
@@ -139,15 +167,16 @@ int display_choose_pictures(struct terminal *t)
     t->pictures = t->way.pictures;
     if (t->way.chosen)
         why = pictures_need(t->output.fd, t->pictures, &t->cell);
-    else
+    else if (!is_dumb(getenv("TERM")))
         t->pictures = pictures_find(t->output.fd, &t->cell);
-    if (t->pictures == PICTURES_SYMBOLS && t->grid.spaces && !t->way.chosen)
+    if (t->pictures == PICTURES_SYMBOLS && symbols_need(t) && !t->way.chosen)
         t->pictures = PICTURES_HALF_BLOCKS;
-    else if (t->pictures == PICTURES_SYMBOLS && t->grid.spaces && !why)
-        why = "symbols need a locale with UTF-8";
+    else if (t->pictures == PICTURES_SYMBOLS && !why)
+        why = symbols_need(t);
     if (why)
         return display_failed(t, why);
-    if (t->pictures == PICTURES_HALF_BLOCKS && !t->grid.direct && !t->grid.dither)
+    bool palette = t->pictures == PICTURES_HALF_BLOCKS && !t->grid.direct && !t->grid.letters;
+    if (palette && !t->grid.dither)
         t->grid.dither = dither_new(t->colours);
-    return t->grid.dither || t->pictures || t->grid.direct ? TIA_OK : display_failed(t, "out of memory");
+    return t->grid.dither || !palette ? TIA_OK : display_failed(t, "out of memory");
 }

@@ -172,23 +172,28 @@ static void put_dim_cell(struct pen *pen, uint32_t upper, uint32_t lower)
     put(pen->text, full ? full_block : lower_block, 3);
 }
 
-/* Writes a cell. A cell of a single colour is written as spaces, which need no foreground colour. */
-static void put_cell(struct pen *pen, const struct grid *grid, unsigned column, unsigned row, uint32_t cell)
+/* Writes a cell of two pixels, or one of two spaces. A single colour is written as spaces, which need no foreground
+ * colour. */
+static void put_colours(struct pen *pen, const struct grid *grid, uint32_t upper, uint32_t lower)
 {
-    uint32_t upper = cell >> 16, lower = cell & 0xffff;
-
-    move(pen, grid, column, row);
-    if (grid->dim_back && !grid->spaces && lower > 7) {
-        put_dim_cell(pen, upper, lower);
-        pen->row = row;
-        pen->column = column + 1;
-        return;
-    }
     set_colours(pen, upper == lower ? pen->fore : upper, lower);
     if (upper == lower)
         put(pen->text, "  ", span(grid));
     else
         put(pen->text, upper_block, 3);
+}
+
+static void put_cell(struct pen *pen, const struct grid *grid, unsigned column, unsigned row, uint32_t cell)
+{
+    uint32_t upper = cell >> 16, lower = cell & 0xffff;
+
+    move(pen, grid, column, row);
+    if (grid->letters)
+        put(pen->text, &(char){(char)cell}, 1);
+    else if (grid->dim_back && !grid->spaces && lower > 7)
+        put_dim_cell(pen, upper, lower);
+    else
+        put_colours(pen, grid, upper, lower);
     pen->row = row;
     pen->column = column + 1; /* terminals differ after the last column, but no cell of the row follows it */
 }
@@ -206,6 +211,8 @@ static uint32_t cell_of(const struct grid *grid, const tia_rgb565 *pixels, unsig
     const tia_rgb565 *upper = pixels + (size_t)(grid->spaces ? 1 : 2) * row * grid->columns + column;
     uint32_t lower = grid->direct || grid->few ? 0 : BLACK_256;
 
+    if (grid->letters)
+        return (unsigned char)colour_letter(*upper, 2 * row + 1 < height ? upper[grid->columns] : *upper);
     if (grid->spaces) {
         lower = code_of(grid, *upper, column, row);
         return lower << 16 | lower;
@@ -249,6 +256,8 @@ void grid_draw(struct grid *grid, const tia_rgb565 *pixels, unsigned height, str
     size_t before = text->count, begun;
 
     text_add(text, FRAME_BEGIN);
+    if (grid->letters)
+        text_add(text, "\033[0m"); /* the text over the picture may be bold or reversed */
     begun = text->count;
     for (unsigned row = 0; row < grid->rows && !text->failed; row++)
         draw_row(&pen, grid, pixels, height, row);
@@ -265,6 +274,6 @@ void grid_print(struct grid *grid, const tia_rgb565 *pixels, unsigned height, st
         struct pen pen = {text, grid->direct, grid->few, 0, row, UNKNOWN, UNKNOWN};
         for (unsigned column = 0; column < grid->columns; column++)
             put_cell(&pen, grid, column, row, cell_of(grid, pixels, height, column, row));
-        text_add(text, LINE_END);
+        text_add(text, grid->letters ? "\r\n" : LINE_END);
     }
 }

@@ -1,8 +1,8 @@
 /* encode.h - turns pixels into text that makes a terminal show them. Uses no device.
  *
  * A character cell shows two pixels: the upper half block U+2580 in the upper pixel's colour on a background of the
- * lower pixel's. Without UTF-8 a pixel is two spaces, which together are about square. Only cells that changed are
- * written.
+ * lower pixel's. Without UTF-8 a pixel is two spaces, which together are about square. Without colours a cell of two
+ * pixels is a letter. Only cells that changed are written.
  */
 #ifndef PORT_TERMINAL_ENCODE_H
 #define PORT_TERMINAL_ENCODE_H
@@ -46,9 +46,10 @@ struct grid {
     bool few;               /* 16 colours, if not direct */
     bool dim_back;          /* 16 colours: only the first 8 as backgrounds */
     struct dither *dither;  /* how to show a pixel by the palette; NULL: the nearest of the 256 colours */
+    bool letters;           /* no colours: a cell is two pixels, drawn as a letter */
     bool spaces;            /* a cell is one pixel, drawn as two spaces; else two pixels, drawn as a half block */
     bool known;             /* the terminal shows `cells` */
-    uint64_t *cells;        /* codes of a cell's colours: upper << 16 | lower; or GRID_HIDDEN */
+    uint64_t *cells;        /* codes of a cell's colours: upper << 16 | lower; or its letter, or GRID_HIDDEN */
     const struct cover *covers; /* NULL, or for each row of the window what is not drawn */
 };
 

@@ -10,6 +10,11 @@ enum { GROUND, ESCAPE, CSI, SS3, STRING, STRING_ESCAPE, LINUX_FUNCTION };
 #define ESC 0x1b
 #define BEL 0x07
 #define DEL 0x7f
+#define CTRL_Z 0x1a
+
+/* Bits of a sequence's second parameter, less 1. Ctrl counts as Shift: xterm scrolls by Shift and page keys itself. */
+enum { SHIFT = 1, CTRL = 4 };
+
 #define PASTE_BEGIN 200
 #define PASTE_END 201
 
@@ -46,6 +51,8 @@ static uint16_t plain_key(uint8_t byte)
 {
     if (byte == TIA_KEY_INTERRUPT)
         return TIA_KEY_INTERRUPT;
+    if (byte == CTRL_Z)
+        return DECODED_STOP;
     if (byte >= 'A' && byte <= 'Z')
         return (uint16_t)(byte - 'A' + 'a');
     if (is_ctrl_letter(byte))
@@ -99,7 +106,7 @@ static uint16_t csi_key(struct decoder *d, uint8_t final)
         return mouse_report(d, final);
     if (d->private_mark || focus)
         return 0;
-    d->shift = d->more[0] > 1 && ((d->more[0] - 1) & 1);
+    d->shift = d->more[0] > 1 && ((d->more[0] - 1) & (SHIFT | CTRL));
     if (final == '~' && (d->number == 1 || d->number == 7))
         return TIA_KEY_HOME;
     if (final == '~' && d->number == 5)

@@ -9,9 +9,10 @@
 
 #define PICTURES_BAND 6 /* pixel rows of a sixel band; heights of sixel pictures are multiples of it */
 
-/* The size of a character in pixels. */
+/* The size of a character in pixels, and of the largest picture. */
 struct cell {
     unsigned width, height;
+    struct limit limit;
 };
 
 /* Queries the terminal for the pictures that it can show, and sets the size of its cells. A terminal that does not
@@ -22,8 +23,8 @@ enum pictures pictures_find(int fd, struct cell *cell);
  * them. */
 const char *pictures_need(int fd, enum pictures pictures, struct cell *cell);
 
-/* Returns the width of a picture, in pixels, in a window of `columns` columns: whole cells, `most` pixels at most, but
- * at least one cell. */
+/* Returns the width of a picture, in pixels, in a window of `columns` columns: whole cells, `most` pixels at most and
+ * no more than the terminal shows, but at least one cell. */
 uint16_t pictures_width(const struct cell *cell, unsigned columns, unsigned most);
 /* Returns the height of a picture, in pixels, in a window of `rows` rows: whole cells as for the width, and then whole
  * bands for sixel. Only symbols use the last row, since some terminals scroll after a picture in it. */

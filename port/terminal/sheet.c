@@ -13,9 +13,12 @@
 
 enum style { BODY, KEY, TITLE, TITLE_KEY };
 
-static const char *const many[] = {"\033[0;38;5;252;48;5;235m", "\033[0;1;38;5;222;48;5;235m",
-                                   "\033[0;38;5;255;48;5;24m", "\033[0;1;38;5;231;48;5;24m"};
-static const char *const few[] = {"\033[0;37;40m", "\033[0;1;33;40m", "\033[0;37;44m", "\033[0;1;37;44m"};
+/* The attributes of each style, by the colours. */
+static const char *const styles[][4] = {{"\033[0;38;5;252;48;5;235m", "\033[0;1;38;5;222;48;5;235m",
+                                         "\033[0;38;5;255;48;5;24m", "\033[0;1;38;5;231;48;5;24m"},
+                                        {"\033[0;37;40m", "\033[0;1;33;40m", "\033[0;37;44m", "\033[0;1;37;44m"},
+                                        {"\033[0m", "\033[0;1m", "\033[0;7m", "\033[0;1;7m"}};
+static const char *const backs[] = {";48;5;16", ";40", ""}; /* of erased cells */
 
 /* A part of a string. */
 struct part {
@@ -83,7 +86,7 @@ static void put_blanks(struct writer *w, unsigned count)
 
 static void put_style(const struct writer *w, enum style style)
 {
-    text_add(&w->sheet->text, (w->sheet->window.few ? few : many)[style]);
+    text_add(&w->sheet->text, styles[w->sheet->window.colours][style]);
 }
 
 static struct part part_of(const char *text)
@@ -342,9 +345,7 @@ static void erase(const struct sheet *sheet, unsigned row, struct text *text)
     char move[64];
 
     (void)snprintf(move, sizeof move, "\033[%u;%uH\033[0%sm", row + 1, cover->left + 1,
-                   sheet->window.bare_back ? ""
-                   : sheet->window.few     ? ";40"
-                                           : ";48;5;16");
+                   sheet->window.bare_back ? "" : backs[sheet->window.colours]);
     text_add(text, move);
     for (unsigned i = 0; i < cover->width; i++)
         text_add(text, " ");
@@ -368,7 +369,7 @@ static struct part row_of(const struct sheet *sheet, unsigned row)
 {
     size_t from = row > 0 ? sheet->ends[row - 1] : 0;
 
-    return (struct part){sheet->text.bytes + from, sheet->ends[row] - from};
+    return (struct part){sheet->text.bytes ? sheet->text.bytes + from : NULL, sheet->ends[row] - from};
 }
 
 static void add(struct text *text, struct part part)

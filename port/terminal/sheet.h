@@ -8,11 +8,14 @@
 
 #define SHEET_STATUS_ROWS 3 /* least rows of a window that has one of them for the status */
 
+/* The colours of the text: of 256; of 16; or none, but bold and reversed text. */
+enum sheet_colours { SHEET_256, SHEET_16, SHEET_PLAIN };
+
 /* What the sheet is laid out for. */
 struct sheet_window {
     unsigned columns, rows;
-    bool utf8;      /* other characters than ASCII are sent too */
-    bool few;       /* 16 colours, else 256 */
+    bool utf8; /* other characters than ASCII are sent too */
+    enum sheet_colours colours;
     bool bare_back; /* an erased cell has the terminal's own background, else black */
 };
 

@@ -1,4 +1,5 @@
-/* terminal_colour.c - 24-bit colours, and the 256 of terminals that have no more. */
+/* terminal_colour.c - 24-bit colours, the 256 or 16 of terminals that have no more, and letters where there are none.
+ */
 #include "terminal_colour.h"
 
 #include <string.h>
@@ -87,13 +88,39 @@ static bool has_sixteen(const char *term)
     return strcmp(term, "ansi") == 0 || strcmp(term, "cygwin") == 0 || ends_with(term, "-16color");
 }
 
+/* True for terminals that terminfo has without colours: DEC's up to the VT420, monochrome variants, and those that are
+ * not known. */
+static bool has_none(const char *term)
+{
+    bool dec = strncmp(term, "vt", 2) == 0 && term[2] >= '1' && term[2] <= '4';
+
+    return *term == '\0' || strcmp(term, "dumb") == 0 || dec || ends_with(term, "-m") || ends_with(term, "-mono");
+}
+
 enum colours colours_of(const char *term, const char *colorterm)
 {
     if (colour_is_direct(term, colorterm))
         return COLOURS_DIRECT;
-    if (term && strcmp(term, "linux") == 0)
+    if (!term || has_none(term))
+        return COLOURS_NONE;
+    if (strcmp(term, "linux") == 0)
         return COLOURS_CONSOLE;
-    return term && has_sixteen(term) ? COLOURS_16 : COLOURS_256;
+    return has_sixteen(term) ? COLOURS_16 : COLOURS_256;
+}
+
+/* Returns 10,000 times the luma of a pixel, whose channels are 0..255. */
+static unsigned luma(tia_rgb565 pixel)
+{
+    struct rgb8 c = colour_expand(pixel);
+
+    return 2126u * c.r + 7152u * c.g + 722u * c.b;
+}
+
+char colour_letter(tia_rgb565 upper, tia_rgb565 lower)
+{
+    static const char letters[] = " .:-=+*#%@"; /* the more ink the later */
+
+    return letters[(luma(upper) + luma(lower)) * (sizeof letters - 1) / (2u * 10000u * 256u)];
 }
 
 /* Returns one of the 16: bits 0 to 2 are red, green and blue, bit 3 is bright. */

@@ -8,11 +8,16 @@ struct rgb8 {
     uint8_t r, g, b;
 };
 
-/* The colours of a terminal: 24 bits; xterm's 256; or 16, of xterm or of a PC's console, which users can redefine. */
-enum colours { COLOURS_DIRECT, COLOURS_256, COLOURS_16, COLOURS_CONSOLE };
+/* The colours of a terminal: 24 bits; xterm's 256; 16, of xterm or of a PC's console, which users can redefine; or
+ * none. */
+enum colours { COLOURS_DIRECT, COLOURS_256, COLOURS_16, COLOURS_CONSOLE, COLOURS_NONE };
 
 /* Returns the colours of a terminal with these environment variables (NULL: not set). */
 enum colours colours_of(const char *term, const char *colorterm);
+
+/* Returns the character that shows the mean of two pixels in a terminal without colours, bright on dark: one of ten,
+ * from a space to '@', by Rec. 709's luma, 0.2126 R + 0.7152 G + 0.0722 B. */
+char colour_letter(tia_rgb565 upper, tia_rgb565 lower);
 
 /* Returns a colour of one of the palettes: of COLOURS_256 16..255, of the others 0..15. */
 struct rgb8 colour_indexed(enum colours colours, unsigned index);

@@ -1,12 +1,13 @@
 /* tty.c - the terminal's keyboard as an input.
  *
  * The terminal is read byte by byte (termios without ICANON and ECHO), and Ctrl-C, Ctrl-Z and Ctrl-S are keys like any
- * other (without ISIG and IXON). VMIN is 1: with 0, a read without input looks like the end of a file, and a shell
- * exits if it finds the terminal in that state.
+ * other (without ISIG and IXON); but Ctrl-Z stops a program whose keys are the viewer's. VMIN is 1: with 0, a read
+ * without input looks like the end of a file, and a shell exits if it finds the terminal in that state.
  */
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -41,6 +42,7 @@ struct tty {
     const char *device;
     char *why;
     const char *on, *off; /* texts to be sent on open and on close */
+    bool stops;           /* Ctrl-Z stops the program */
     int fd;               /* -1: closed */
     bool controlling;     /* `fd` is the controlling terminal, which the display may have queried */
     bool raw;             /* `before` holds the modes that close restores */
@@ -191,12 +193,25 @@ static int read_bytes(struct tty *tty)
     return 1;
 }
 
+/* Does what Ctrl-Z does: stops all processes of the group, as the terminal would with ISIG. The guardian then restores
+ * the terminal. Returns the key that it is if it stops nothing, or 0. */
+static uint16_t stop(const struct tty *tty)
+{
+    if (!tty->stops)
+        return 'z';
+    (void)kill(0, SIGTSTP);
+    return 0;
+}
+
 static uint16_t next_key(struct tty *tty)
 {
     uint16_t key = 0;
 
-    while (key == 0 && tty->next < tty->count)
+    while (key == 0 && tty->next < tty->count) {
         key = decode_byte(&tty->decoder, tty->bytes[tty->next++]);
+        if (key == DECODED_STOP)
+            key = stop(tty);
+    }
     return key;
 }
 
@@ -297,6 +312,7 @@ void *port_tty_create(const struct port_wish *wish)
     tty->why = wish->why;
     tty->on = wish->pointer ? mouse_on : paste_on;
     tty->off = wish->pointer ? mouse_off : paste_off;
+    tty->stops = wish->pointer;
     tty->fd = -1;
     return tty;
 }

@@ -26,7 +26,7 @@ bool ways_find(const char *name, struct way *way)
 
 const char *ways_format(enum pictures pictures, enum colours colours)
 {
-    bool direct = colours == COLOURS_DIRECT, few = colours >= COLOURS_16;
+    bool direct = colours == COLOURS_DIRECT, few = colours == COLOURS_16 || colours == COLOURS_CONSOLE;
 
     switch (pictures) {
     case PICTURES_KITTY:
@@ -36,6 +36,6 @@ const char *ways_format(enum pictures pictures, enum colours colours)
     case PICTURES_SYMBOLS:
         return direct ? "symbols, 24-bit colours" : few ? "symbols, 16 colours" : "symbols, 256 colours";
     default:
-        return direct ? "24-bit colours" : few ? "16 colours" : "256 colours";
+        return direct ? "24-bit colours" : few ? "16 colours" : colours == COLOURS_NONE ? "no colours" : "256 colours";
     }
 }

@@ -6,7 +6,7 @@
 #define SCENE_FORMATS "tia|nff|obj|stl|ply|off|pgm"                           /* enum tia_format */
 #define SHADOW_TECHNIQUES "traced|rays|zpass|zfail|map|map-exact|zpass-plain" /* enum tia_shadows */
 
-#define LENTICULAR_KEYS "pitch=50.2,slope=-7.1,center=0.3,subpixels=rgb|bgr|none,flip,invert"
+#define LENTICULAR_KEYS "pitch=50.2,slope=-7.1,center=0.3 and ,subpixels=rgb|bgr|none ,flip ,invert"
 #define MODULES_KEYS "M[,distance=D,spacing=L]"
 
 #endif

@@ -9,7 +9,7 @@
 
 enum {
     TEXT_SIZE = 400,
-    LINE_WIDTH = 100,
+    LINE_WIDTH = 79, /* a terminal of 80 columns */
     LEFT_MOST = 32,  /* width of the column of options; wider rows have their help text on the next line */
     THEME_WIDTH = 40 /* width of the columns of themes in the overview: two on a terminal of 80 */
 };

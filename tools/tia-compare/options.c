@@ -88,14 +88,14 @@ static const struct option_row rows[] = {
 static const struct command command = {
     "tia-compare",
     "Usage: tia-compare [options] [SCENE...]\n"
-    "Draws scenes in integers (q16), in single (f32) and in double precision (f64), and counts how\n"
-    "q16 and f32 differ from f64. Or: tia-compare --exact [options] [SCENE...], or\n"
-    "tia-compare --shadows [options] SCENE...\n"
+    "Draws scenes in integers (q16), in single (f32) and in double precision (f64),\n"
+    "and counts how q16 and f32 differ from f64. Or: tia-compare --exact [options]\n"
+    "[SCENE...], or tia-compare --shadows [options] SCENE...\n"
     "\n",
     rows,
     "\n"
-    "Exit status: 0 success, 1 a limit is exceeded, a pixel is not exact or something failed, 2 usage\n"
-    "error.\n"};
+    "Exit status: 0 success, 1 a limit is exceeded, a pixel is not exact or\n"
+    "something failed, 2 usage error.\n"};
 
 static int mistake(const char *what, const char *why)
 {

@@ -111,15 +111,16 @@ static const struct option_row rows[] = {
      .rule = "not a rectangle (a name in C, and four numbers, like ball=100,60,120,80), or one of more than 16"},
     CONVERT_END};
 
-static const struct command command = {
-    "tia-compile",
-    "Usage: tia-compile SCENE -o FILE.c [--name SYMBOL]\n"
-    "       tia-compile SCENE -o FILE.c --crc WIDTHxHEIGHT --rectangle NAME=X,Y,WIDTH,HEIGHT...\n"
-    "       tia-compile SCENE --memory FILE.h [--name SYMBOL] [--lights N] [-s WIDTHxHEIGHT]...\n"
-    "Writes a scene as C: const tables, with its bounding volume hierarchy, as\n"
-    "`const struct tia_scene SYMBOL`. The file needs only tia's public headers.\n"
-    "\n",
-    rows, CONVERT_NOTES};
+static const struct command command = {"tia-compile",
+                                       "Usage: tia-compile SCENE -o FILE.c [--name SYMBOL]\n"
+                                       "       tia-compile SCENE -o FILE.c --crc WIDTHxHEIGHT\n"
+                                       "                   --rectangle NAME=X,Y,WIDTH,HEIGHT...\n"
+                                       "       tia-compile SCENE --memory FILE.h [--name SYMBOL] [--lights N]\n"
+                                       "                   [-s WIDTHxHEIGHT]...\n"
+                                       "Writes a scene as C: const tables, with its bounding volume hierarchy, as\n"
+                                       "`const struct tia_scene SYMBOL`. The file needs only tia's public headers.\n"
+                                       "\n",
+                                       rows, CONVERT_NOTES};
 
 /* Largest number of objects without a hierarchy: it would be a single box around them all, a waste of flash. */
 #define FEW 4

@@ -108,17 +108,17 @@ static const struct option_row rows[] = {{"output", 'o', OPTION_TEXT, "FILE",
                                          CHOICE_ROWS(struct join, verify.choice),
                                          OPTION_END};
 
-static const struct command command = {
-    "tia-join",
-    "Usage: tia-join -o FILE PART...\n"
-    "       tia-join -o FILE --verify PART... -- SCENE [options of tia, as drawn]\n"
-    "Joins parts that tia drew, -o PART.tiapart with --frame-range or --tile-rows, or -o PART.y4m with\n"
-    "--frame-range, in any order. Adds parts with --samples-range, into .png, .ppm, .pfm, .exr or\n"
-    ".tiapart.\n"
-    "\n",
-    rows,
-    "\n"
-    "Exit status: 0 success, 1 the file cannot be written, 2 usage error or parts that do not fit.\n"};
+static const struct command command = {"tia-join",
+                                       "Usage: tia-join -o FILE PART...\n"
+                                       "       tia-join -o FILE --verify PART... -- SCENE [options of tia, as drawn]\n"
+                                       "Joins parts that tia drew, -o PART.tiapart with --frame-range or --tile-rows,\n"
+                                       "or -o PART.y4m with --frame-range, in any order. Adds parts with\n"
+                                       "--samples-range, into .png, .ppm, .pfm, .exr or .tiapart.\n"
+                                       "\n",
+                                       rows,
+                                       "\n"
+                                       "Exit status: 0 success, 1 the file cannot be written, 2 usage error or parts\n"
+                                       "that do not fit.\n"};
 
 int main(int argc, char **argv)
 {

@@ -84,15 +84,17 @@ static const struct option_row rows[] = {
 static const struct command command = {
     "tia-observe",
     "Usage: tia-observe [options] --eye X,Y,Z -o FILE SCENE PICTURES\n"
-    "Shows the view of an eye in front of the display of SCENE's camera lightfield. PICTURES, which\n"
-    "tia has drawn, is a quilt (NAME_qs8x6a0.75.png), a name with %03d of --views or --modules, or the\n"
-    "picture of a lenticular panel, with the --lenticular or --calibration of tia. The screen fills\n"
-    "the written picture from edge to edge.\n"
-    "The eye is X to the right of the screen's middle, Y above it and Z in front of it.\n"
+    "Shows the view of an eye in front of the display of SCENE's camera lightfield.\n"
+    "PICTURES, which tia has drawn, is a quilt (NAME_qs8x6a0.75.png), a name with\n"
+    "%03d of --views or --modules, or the picture of a lenticular panel, with the\n"
+    "--lenticular or --calibration of tia. The screen fills the written picture from\n"
+    "edge to edge. The eye is X to the right of the screen's middle, Y above it and\n"
+    "Z in front of it.\n"
     "\n",
     rows,
     "\n"
-    "Exit status: 0 success, 1 a file cannot be read or written, 2 usage error, wrong scene or pictures.\n"};
+    "Exit status: 0 success, 1 a file cannot be read or written, 2 usage error,\n"
+    "wrong scene or pictures.\n"};
 
 static int check(const struct request *r, int arguments)
 {

@@ -7,13 +7,13 @@ static const struct option_row rows[] = {{"output", 'o', OPTION_TEXT, "FILE.pov"
                                           CONVERT_TO(output)},
                                          CONVERT_END};
 
-static const struct command command = {
-    "tia-pov",
-    "Usage: tia-pov SCENE -o FILE.pov\n"
-    "Writes a scene in POV-Ray's language, version 3.7. Whatever POV-Ray cannot express is a comment\n"
-    "in the file and a line on standard error. Images become FILE-N.ppm or .pgm beside it.\n"
-    "\n",
-    rows, CONVERT_NOTES};
+static const struct command command = {"tia-pov",
+                                       "Usage: tia-pov SCENE -o FILE.pov\n"
+                                       "Writes a scene in POV-Ray's language, version 3.7. Whatever POV-Ray cannot\n"
+                                       "express is a comment in the file and a line on standard error. Images become\n"
+                                       "FILE-N.ppm or .pgm beside it.\n"
+                                       "\n",
+                                       rows, CONVERT_NOTES};
 
 static int write_pov(const struct request *request, const struct tia_scene *scene, char *why)
 {

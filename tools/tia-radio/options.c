@@ -163,15 +163,16 @@ static const struct option_row rows[] = {
      .max = THREADS_MAX},
     OPTION_END};
 
-static const struct command command = {
-    "tia-radio",
-    "Usage: tia-radio SCENE --tx X,Y,Z --rx X,Y,Z --frequency HZ [OPTION...]\n"
-    "       tia-radio SCENE --tx X,Y,Z --map y=HEIGHT --frequency HZ [OPTION...]\n"
-    "Finds the paths of radio waves by reflection at flat faces, and their fields. Lengths are in metres.\n"
-    "\n",
-    rows,
-    "\n"
-    "Exit status: 0 success, 1 failure, 2 usage error or a scene that is not usable.\n"};
+static const struct command command = {"tia-radio",
+                                       "Usage: tia-radio SCENE --tx X,Y,Z --rx X,Y,Z --frequency HZ [OPTION...]\n"
+                                       "       tia-radio SCENE --tx X,Y,Z --map y=HEIGHT --frequency HZ [OPTION...]\n"
+                                       "Finds the paths of radio waves by reflection at flat faces, and their fields.\n"
+                                       "Lengths are in metres.\n"
+                                       "\n",
+                                       rows,
+                                       "\n"
+                                       "Exit status: 0 success, 1 failure, 2 usage error or a scene that is not\n"
+                                       "usable.\n"};
 
 static int list_materials(void)
 {

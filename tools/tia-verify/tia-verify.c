@@ -87,16 +87,17 @@ int main(int argc, char **argv)
         "       tia-verify RECORD\n"
         "       tia-verify PICTURE RECORD\n"
         "       tia-verify --benchmark LINE\n"
-        "Draws random rows of a picture or film by tia again and compares their bits, without a threshold;\n"
-        "or draws what a record of --record tells; or compares a picture with its record;\n"
-        "or verifies a result of tia --benchmark.\n"
+        "Draws random rows of a picture or film by tia again and compares their bits,\n"
+        "without a threshold; or draws what a record of --record tells; or compares a\n"
+        "picture with its record; or verifies a result of tia --benchmark.\n"
         "\n",
         rows,
         "\n"
-        "All options of tia that the picture was drawn with must be given as well (tia -h). The size may be\n"
-        "left out.\n"
+        "All options of tia that the picture was drawn with must be given as well\n"
+        "(tia -h). The size may be left out.\n"
         "\n"
-        "Exit status: 0 all compared rows are as drawn, 1 something differs, 2 an error.\n"};
+        "Exit status: 0 all compared rows are as drawn, 1 something differs,\n"
+        "2 an error.\n"};
 
     const struct command_extra extra = {tia_command.options, remember, &verify};
 

@@ -135,7 +135,8 @@ static enum tia_effect tell(struct moves *moves, uint16_t key)
     } else if (scrolls(key))
         scroll(moves, key);
     else if (key == 'v')
-        moves_say(moves, "false colours: not of this integrator or arithmetic");
+        moves_say(moves, arithmetic_watched() ? "false colours: not of this integrator or arithmetic"
+                                              : "false colours: not built in (make builds them)");
     else if (key == 'n' || key == 'p')
         moves_say(moves, "there is one scene (tia SCENE SCENE ...)");
     else if (key == TIA_KEY_TAB || steer_is_arrow(key))

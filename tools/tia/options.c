@@ -231,12 +231,11 @@ static const struct option_row rows[] = {
     {"strict", 0, OPTION_FLAG, NULL, "treat warnings about the scene as errors", TO(strict)},
     OPTION_END_THEMES(help_themes, help_overview)};
 
-const struct command tia_command = {
-    "tia",
-    "Usage: tia [options] [SCENE ...]\n"
-    "Draws a ray-traced scene with integers only, on a screen or into a file. SCENE is a file, .tia,\n"
-    ".nff, .obj, .stl, .ply, .off or .pgm, or another model's; or - for standard input; without it a ball\n"
-    "on the ground is drawn. On a screen there may be several scenes: n and p show the next and the\n"
-    "previous one.\n"
-    "\n",
-    rows, "\n" HELP_KEYS};
+const struct command tia_command = {"tia",
+                                    "Usage: tia [options] [SCENE ...]\n"
+                                    "Draws a ray-traced scene with integers only, on a screen or into a file. SCENE\n"
+                                    "is a file, .tia, .nff, .obj, .stl, .ply, .off or .pgm, or another model's; or -\n"
+                                    "for standard input; without it a ball on the ground is drawn. On a screen there\n"
+                                    "may be several scenes: n and p show the next and the previous one.\n"
+                                    "\n",
+                                    rows, "\n" HELP_KEYS};

@@ -1,6 +1,8 @@
 #include "options_check.h"
 
+#include <errno.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "benchmark.h"
 #include "common/image/series.h"
@@ -141,6 +143,21 @@ static int check_drm(struct options *options)
     return EXIT_FINE;
 }
 
+/* Tells why a file whose name has no extension of a format is no scene: it may not even exist. */
+static int refuse_format(const char *path)
+{
+    struct stat status;
+
+    if (stat(path, &status) != 0)
+        return fail(EXIT_USAGE, "%.200s: %s", path, strerror(errno));
+    if (S_ISDIR(status.st_mode))
+        return fail(EXIT_USAGE, "%.200s: %s", path, strerror(EISDIR));
+    return fail(
+        EXIT_USAGE,
+        "%.200s: unknown scene format (name it .tia, .nff, .obj, .stl, .ply, .off or .pgm, or use --scene-format)",
+        path);
+}
+
 /* Chooses the scene's format by the file's name unless it is given. */
 int check_scene(struct options *options)
 {
@@ -153,13 +170,7 @@ int check_scene(struct options *options)
         return fail(EXIT_USAGE, "standard input: unknown scene format (use --scene-format)");
     if (options->scene_format == SCENE_UNKNOWN)
         options->scene_format = scene_format_of(path);
-    if (options->scene_format == SCENE_UNKNOWN) {
-        return fail(
-            EXIT_USAGE,
-            "%.200s: unknown scene format (name it .tia, .nff, .obj, .stl, .ply, .off or .pgm, or use --scene-format)",
-            path);
-    }
-    return EXIT_FINE;
+    return options->scene_format == SCENE_UNKNOWN ? refuse_format(path) : EXIT_FINE;
 }
 
 /* Checks several scenes: they need a display, where a key selects the next one. */

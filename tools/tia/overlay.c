@@ -15,6 +15,10 @@
 #define HINT_MOVE "arrows move it"
 #define HINT_QUIT "other keys quit"
 
+/* The two keys of other scenes that tell or end all. */
+#define HINT_HELP "?: help"
+#define HINT_END "q: quit"
+
 enum { PROGRESS_SIZE = 2 * PROGRESS_TIME + 32 };
 
 /* A text of several lines. */
@@ -125,8 +129,10 @@ void overlay_text(struct overlay *overlay, const struct tia_frame *frame, char *
     if (overlay->labelled)
         add_line(&lines, "%s %" PRIu64 ".%" PRIu64 " ms", tia_shadows_name(frame->shadows), frame->draw_us / 1000,
                  frame->draw_us % 1000 / 100);
-    if (overlay->hints && overlay->viewer->light_count == 0)
+    if (overlay->hints && !overlay->moves && !overlay->options->key_text && overlay->viewer->light_count == 0)
         add_line(&lines, HINT_PUT "\n" HINT_MOVE "\n" HINT_QUIT);
+    if (overlay->hints && overlay->moves && frame->block > 1 && overlay->shown_us == 0)
+        add_line(&lines, HINT_HELP "  " HINT_END);
     if (overlay->moves)
         add_moves(overlay, &lines);
     if (overlay->options->stats_overlay)
@@ -175,7 +181,7 @@ static void add_status(struct overlay *overlay, const struct tia_frame *frame)
     add_part(overlay, "%s", name[0] ? name : "tia");
     if (viewer->paused)
         add_part(overlay, "paused");
-    if (overlay->hints) {
+    if (overlay->hints && !overlay->moves) {
         add_part(overlay, viewer->light_count == 0 ? HINT_PUT : HINT_MOVE);
         add_part(overlay, HINT_QUIT);
     }
@@ -183,13 +189,15 @@ static void add_status(struct overlay *overlay, const struct tia_frame *frame)
         format_progress(overlay, frame, progress);
         add_part(overlay, "%s", progress);
     }
-    if (overlay->moves)
-        add_part(overlay, "?: help");
+    if (overlay->hints && overlay->moves)
+        add_part(overlay, HINT_HELP);
     add_part(overlay, "%" PRIu64 ".%" PRIu64 " ms", overlay->draw_us / 1000, overlay->draw_us % 1000 / 100);
     if (overlay->labelled)
         add_part(overlay, "%s", tia_shadows_name(frame->shadows));
     if (viewer->light > 0)
         add_part(overlay, "light %" PRIu32 " of %" PRIu32, viewer->light + 1, viewer->light_count);
+    if (overlay->hints && overlay->moves)
+        add_part(overlay, HINT_END);
 }
 
 void overlay_words(struct overlay *overlay, const struct tia_frame *frame)

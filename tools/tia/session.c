@@ -61,6 +61,23 @@ static struct port_wish display_wish(struct session *session)
                               .why = session->why};
 }
 
+/* True if pictures are printed where the cursor is. */
+static bool prints(const struct options *options, const struct port_display *port)
+{
+    return strcmp(port->name, "terminal") == 0 && (options->in_line || options->frames == 1);
+}
+
+/* Shows the progress of pictures that are printed, since nothing is seen before they are complete. */
+static void begin_progress(struct session *session)
+{
+    const struct options *options = session->options;
+    uint64_t pixels = (uint64_t)session->mode.width * session->mode.height;
+
+    session->letterbox.progress = &session->progress;
+    progress_begin(&session->progress, options, pixels, options->frames ? options->frames : 1);
+    progress_start(&session->progress);
+}
+
 int session_open_display(struct session *session, const struct port_display *port)
 {
     const struct options *options = session->options;
@@ -83,11 +100,16 @@ int session_open_display(struct session *session, const struct port_display *por
     int status = letterbox_display.open(&session->letterbox, &session->mode);
     if (status == TIA_ERR_MEMORY)
         return EXIT_RUNNING;
+    if (!status && prints(options, port))
+        begin_progress(session);
     return !status ? EXIT_FINE : EXIT_DISPLAY;
 }
 
 void session_close(struct session *session)
 {
+    if (session->letterbox.progress)
+        progress_end(session->letterbox.progress);
+    session->letterbox.progress = NULL;
     if (session->display) {
         letterbox_display.close(&session->letterbox);
         session->display->destroy(session->display_ctx);
@@ -235,7 +257,7 @@ static struct tia_viewer viewer_of(struct session *session)
     };
 }
 
-/* Begins the overlay. It shows hints for the built-in scene with a keyboard, unless --keys already add a light. */
+/* Begins the overlay. It shows hints if there is a keyboard. */
 static void begin_overlay(struct session *session)
 {
     const struct options *options = session->options;
@@ -245,7 +267,7 @@ static void begin_overlay(struct session *session)
                                         .threads = threads_count(session->pool),
                                         .moves = session->is_moved ? &session->moves : NULL,
                                         .viewer = &session->viewer,
-                                        .hints = !options->scene_path && !options->key_text && types};
+                                        .hints = types};
     session->moves = (struct moves){.options = options,
                                     .letterbox = &session->letterbox,
                                     .viewer = &session->viewer,

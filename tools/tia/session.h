@@ -22,6 +22,7 @@ struct session {
     const struct port_input *input;
     void *display_ctx, *input_ctx;
     struct letterbox letterbox;
+    struct progress progress; /* of pictures that are printed; letterbox.progress points to it then */
     struct tia_mode mode;
     struct threads *pool;
     struct lights lights;

@@ -5,7 +5,7 @@
 #include "terminal/pictures.h"
 #include "terminal/symbols.h"
 
-static const struct cell symbols_cell = {SYMBOLS_WIDTH, SYMBOLS_HEIGHT};
+static const struct cell symbols_cell = {SYMBOLS_WIDTH, SYMBOLS_HEIGHT, {0, 0}};
 
 static bool cell_is_known(int fd, struct cell *cell)
 {
@@ -13,7 +13,7 @@ static bool cell_is_known(int fd, struct cell *cell)
 
     if (ioctl(fd, TIOCGWINSZ, &size) != 0 || !size.ws_col || !size.ws_row)
         return false;
-    *cell = (struct cell){size.ws_xpixel / size.ws_col, size.ws_ypixel / size.ws_row};
+    *cell = (struct cell){.width = size.ws_xpixel / size.ws_col, .height = size.ws_ypixel / size.ws_row};
     return cell->width && cell->height >= PICTURES_BAND;
 }
 
@@ -21,7 +21,7 @@ enum pictures pictures_find(int fd, struct cell *cell)
 {
     if (!cell_is_known(fd, cell))
         return PICTURES_HALF_BLOCKS;
-    enum pictures found = answers_ask(fd, getenv("TERM"));
+    enum pictures found = answers_ask(fd, getenv("TERM"), &cell->limit);
     if (found == PICTURES_SYMBOLS)
         *cell = symbols_cell;
     return found;
@@ -29,7 +29,7 @@ enum pictures pictures_find(int fd, struct cell *cell)
 
 /* Returns the reason why a multiplexer cannot show these pictures, or NULL. A multiplexer silently drops pictures that
  * it cannot show, but its answer reports sixel. */
-static const char *multiplexer_needs(int fd, enum pictures pictures)
+static const char *multiplexer_needs(int fd, enum pictures pictures, struct limit *limit)
 {
     const char *term = getenv("TERM");
 
@@ -37,8 +37,9 @@ static const char *multiplexer_needs(int fd, enum pictures pictures)
         return NULL;
     if (pictures == PICTURES_KITTY)
         return "tmux and screen show no pictures of kitty's (terminal:symbols works there)";
-    return answers_ask(fd, term) == PICTURES_SIXEL ? NULL
-                                                   : "this tmux or screen has no sixel (terminal:symbols works there)";
+    return answers_ask(fd, term, limit) == PICTURES_SIXEL
+               ? NULL
+               : "this tmux or screen has no sixel (terminal:symbols works there)";
 }
 
 const char *pictures_need(int fd, enum pictures pictures, struct cell *cell)
@@ -47,12 +48,18 @@ const char *pictures_need(int fd, enum pictures pictures, struct cell *cell)
         *cell = symbols_cell;
     if (pictures <= PICTURES_SYMBOLS)
         return NULL;
-    return cell_is_known(fd, cell) ? multiplexer_needs(fd, pictures) : "does not report its size in pixels";
+    return cell_is_known(fd, cell) ? multiplexer_needs(fd, pictures, &cell->limit)
+                                   : "does not report its size in pixels";
 }
 
 static unsigned whole_cells(unsigned count, unsigned cell, unsigned most)
 {
     return count * cell <= most ? count * cell : most > cell ? most / cell * cell : cell;
+}
+
+static unsigned within(unsigned most, unsigned limit)
+{
+    return limit && limit < most ? limit : most;
 }
 
 /* Most pixels of a strip for sixel or kitty's protocol. libchafa takes some 30 to 50 ns per pixel. */
@@ -83,13 +90,13 @@ struct strip pictures_strip(enum pictures pictures, const struct cell *cell, uns
 
 uint16_t pictures_width(const struct cell *cell, unsigned columns, unsigned most)
 {
-    return (uint16_t)whole_cells(columns, cell->width, most);
+    return (uint16_t)whole_cells(columns, cell->width, within(most, cell->limit.width));
 }
 
 uint16_t pictures_height(enum pictures pictures, const struct cell *cell, unsigned rows, unsigned most)
 {
     unsigned used = pictures == PICTURES_SYMBOLS ? rows : rows > 1 ? rows - 1 : 1;
-    unsigned height = whole_cells(used, cell->height, most);
+    unsigned height = whole_cells(used, cell->height, within(most, cell->limit.height));
 
     return (uint16_t)(pictures == PICTURES_SIXEL ? height - height % PICTURES_BAND : height);
 }
