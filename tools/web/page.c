@@ -41,9 +41,6 @@ void session_show(void)
     memcpy(frame->differs, difference_counts, sizeof frame->differs);
     light_tell(frame);
     frame->state_size = session_keep(&frame->state);
-    frame->copied = share_copied();
-    if (frame->block == 1)
-        share_end();
     if (session.settings.arithmetic == ARITHMETIC_DIFFERENCE && frame->block == 1)
         difference_spread(screen->pixels, screen->width, screen->height);
     web_show(screen, frame);
@@ -60,7 +57,10 @@ static int frame_done(void *ctx, const struct tia_frame *frame)
                                        .draw_us = (uint32_t)frame->draw_us,
                                        .key_us = (uint32_t)frame->key_us,
                                        .relit = frame->relit,
-                                       .plays = tia_scene_moves(&session.scene)};
+                                       .plays = tia_scene_moves(&session.scene),
+                                       .copied = share_copied()};
+    if (frame->block == 1)
+        share_end();
     session_show();
     session.rays_due = session.settings.rays && session.pointer_x >= 0;
     return TIA_OK;
@@ -147,6 +147,7 @@ bool session_begin(bool goes_on)
 {
     struct web_screen *screen = &session.screen;
 
+    share_end();
     session.why[0] = '\0';
     session.rays_due = false;
     session.steer = (struct steer){.has_place = false};
