@@ -25,6 +25,8 @@ struct web_frame {
     const void *state; /* state from which another worker can continue */
     uint32_t state_size;
     uint32_t plays;  /* not 0: the scene moves over time */
+    uint32_t paused; /* not 0: a key has stopped it */
+    int32_t time;    /* time of the picture, in 2^-16 s */
     uint32_t copied; /* share of the pixels, or of their samples, that other workers have drawn; in 2^-16 */
 };
 

@@ -12,7 +12,7 @@ WASM_BUILTINS = $(shell $(WASM_CC) --print-resource-dir 2>/dev/null)/lib/wasi/li
 
 WEB_TOOLS := $(sort $(wildcard tools/web/*.c) port/web/web.c tools/common/light_copy.c tools/common/checksum.c tools/common/steer.c \
              tools/common/crc_join.c \
-             $(wildcard tools/common/views/*.c) $(addprefix tools/common/,message_clean.c scene/scene_load.c scene/scene_part.c scene/scene_report.c scene/model/model.c image/decode.c image/texels.c \
+             $(wildcard tools/common/views/*.c) $(addprefix tools/common/,message_clean.c scene/moment.c scene/scene_load.c scene/scene_part.c scene/scene_report.c scene/model/model.c image/decode.c image/texels.c \
              record/record.c record/row_hashes.c record/merkle.c record/sha256.c))
 web_obj = $(patsubst %.c,$(WEB_O)/$(1)/%.o,$(2))
 WASM_CORE = $(WASM_CC) --target=wasm32 $(CORE) $(WASM_CFLAGS)

@@ -29,6 +29,7 @@ struct session {
     struct lights lights;
     struct tia_binding *bindings; /* the scene's bindings, and one for the pointer, which sets a light */
     struct tia_viewer_state state;
+    enum tia_shadows shadows; /* of the state that web_take_kept took over */
     struct steer steer;
     uint32_t spp; /* samples of a pixel to draw one by one; 0: Whitted's integrator, or not drawn one by one */
     bool polled;  /* an event has been polled */

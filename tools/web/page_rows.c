@@ -5,11 +5,14 @@
 #include <stdlib.h>
 #include <tia/tone.h>
 
+#include "common/scene/moment.h"
+
 #define EXPORT(name) __attribute__((export_name(name)))
 
 enum { ROWS = 16 }; /* most rows drawn at once */
 
 static struct {
+    struct moment moment;
     void *view_memory, *hits_memory, *simd_memory;
     size_t hits_size;
     struct tia_view *view;
@@ -20,6 +23,7 @@ static struct {
 
 static void release(void)
 {
+    moment_end(&rows.moment);
     free(rows.view_memory);
     free(rows.hits_memory);
     free(rows.simd_memory);
@@ -69,9 +73,10 @@ EXPORT("web_rows_begin") int web_rows_begin(int colours, unsigned samples);
 int web_rows_begin(int colours, unsigned samples)
 {
     release();
-    int status = session_begin(true) ? TIA_OK : TIA_ERR_MEMORY;
+    int status = session_begin(true) ? moment_begin(&rows.moment, &session.scene, session.state.time) : TIA_ERR_MEMORY;
     if (!status) {
         session.scene.camera = *session_camera();
+        session.scene.shadows = session.shadows;
         rows.samples = samples ? samples : session.spp;
         status = begin(colours != 0);
     }

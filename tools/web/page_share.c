@@ -50,14 +50,14 @@ static bool is_shared(void)
 {
     const struct settings *settings = &session.settings;
 
-    return settings->arithmetic != ARITHMETIC_DIFFERENCE && settings->view == VIEW_COLOUR && !settings->rays &&
-           !tia_scene_moves(&session.scene) && session.variant.shadows == session.scene.shadows;
+    return settings->arithmetic != ARITHMETIC_DIFFERENCE && settings->view == VIEW_COLOUR && !settings->rays;
 }
 
-/* True if, in addition, pixels do not depend on each other. */
+/* True if, in addition, pixels do not depend on each other, and the frame's time is known while it is drawn. */
 static bool shares_rows(void)
 {
-    return is_shared() && seat.base->draws_by_pixel && seat.base->draws_by_pixel(seat.base, &session.scene);
+    return is_shared() && !tia_scene_moves(&session.scene) && seat.base->draws_by_pixel &&
+           seat.base->draws_by_pixel(seat.base, &session.variant);
 }
 
 void share_begin(void)

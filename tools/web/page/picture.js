@@ -17,7 +17,7 @@ const hex = crc => crc.toString(16).padStart(8, '0');
 // Returns the known checksum of this picture; undefined if there is none.
 function pinned() {
   const {frame} = page, s = settings(), edited = original(page.scene) !== text();
-  if (edited || page.pose === null || (frame && frame.plays) || s.arithmetic || s.view || s.rays || s.integrator !== -1 || s.samples) return undefined;
+  if (edited || page.pose === null || page.eye !== 'home' || page.technique !== 'own' || (frame && frame.plays) || s.arithmetic || s.view || s.rays || s.integrator !== -1 || s.samples) return undefined;
   return page.gallery.pinned[`${page.scene.replace('.tia', '')} ${page.pose} ${s.width}x${s.height}`];
 }
 

@@ -45,7 +45,7 @@ function take(at) {
 // ---- pictures ----
 
 const FRAME = ['number', 'crc', 'block', 'done', 'samples', 'spp', 'near', 'far', 'path', 'lights', 'light', 'x', 'y',
-  'drawUs', 'keyUs', 'relit', 'kept', 'keptSize', 'plays', 'copied'];
+  'drawUs', 'keyUs', 'relit', 'kept', 'keptSize', 'plays', 'paused', 'time', 'copied'];
 
 function expand(at, count) {
   const pixels = new Uint16Array(wasm.memory.buffer, at, count), rgba = new Uint32Array(count);
