@@ -100,7 +100,7 @@ export function clearRays() {
 export function updateNote() {
   const {frame} = page, whitted = !frame || frame.spp === 0, plain = $('arithmetic').value === '0', rays = plain && whitted && $('show-rays').checked;
   $('view').disabled = $('show-rays').disabled = !plain || !whitted;
-  $('note').textContent = !plain ? 'Views show the rays of integers: choose q16 for them.'
+  $('note').textContent = !plain ? 'Views show the rays of integers: choose that arithmetic for them.'
     : !whitted ? 'Views show Whitted\u2019s rays: choose that integrator for them.' : '';
   const entries = rays ? RAYS : $('arithmetic').value === '2' ? ERRORS : [];
   if ($('legend').childElementCount !== entries.length) {
