@@ -170,12 +170,6 @@ const begin = () => work().catch(error => { busy = false; postMessage({failed: S
 
 // ---- start ----
 
-// Gives {word, fields: [[word, note]]} of each statement, as words.js wants them.
-const words = () => cString(wasm.web_words()).trimEnd().split('\n').map(line => {
-  const [word, ...fields] = line.split(' ');
-  return {word, fields: fields.filter(field => /^[a-z]/.test(field)).map(field => [field, ''])};
-});
-
 async function instantiate(module, waits) {
   const now = () => performance.now() * 1000;
   const host = {now, take, show, lines, share, ...waits, file_size: fileSize, file_read: fileRead};
@@ -188,7 +182,7 @@ async function start(module, wanted) {
     ? {look: new WebAssembly.Suspending(look), rest: new WebAssembly.Suspending(rest)}
     : {look: () => queue.length, rest: ms => ms < 0 && !queue.length ? 1 : 0});
   run = suspends ? WebAssembly.promising(wasm.web_run) : wasm.web_run;
-  postMessage({ready: true, suspends, words: words()});
+  postMessage({ready: true, suspends});
   begin();
 }
 
