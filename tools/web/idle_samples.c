@@ -184,8 +184,10 @@ tia_rgb565 samples_pixel(const struct tia_integration *how, const struct tia_sum
 }
 
 /* Rows may have more samples than others, never fewer than now.done. */
-static void show(void)
+bool samples_show(void)
 {
+    if (now.done == 0)
+        return false;
     const struct tia_integration *how = &session.scene.integration;
     size_t width = session.screen.width, group = width * ROWS, pixels = width * session.screen.height;
 
@@ -197,6 +199,7 @@ static void show(void)
         share_end();
     session_show();
     now.shown_us = web_clock.now_us(NULL);
+    return true;
 }
 
 int samples_go_on(void)
@@ -212,6 +215,6 @@ int samples_go_on(void)
     }
     int status = draw_row();
     if (!status && (now.done == session.spp || (now.done > now.shown && now_us >= now.shown_us + SHOW_US)))
-        show();
+        (void)samples_show();
     return status;
 }

@@ -69,7 +69,10 @@ static int frame_done(void *ctx, const struct tia_frame *frame)
                                        .paused = session.state.paused,
                                        .time = session.state.time,
                                        .copied = share_copied()};
-    if (frame->block == 1)
+    bool again = frame->pixels == 0; /* the picture is shown again, by the viewer as it was without samples */
+    if (again && samples_show())
+        return TIA_OK;
+    if (frame->block == 1 && !again)
         share_end();
     session_show();
     session.rays_due = session.settings.rays && session.pointer_x >= 0;

@@ -70,6 +70,8 @@ bool samples_left(void);
 /* Draws a row of samples of the seat's view, and shows the picture from time to time. Returns TIA_STOPPED, or a
  * negative status on failure. */
 int samples_go_on(void);
+/* Shows the samples so far. Returns false if some pixels have none. */
+bool samples_show(void);
 /* Stores the sums of samples first .. end - 1 of a tile's pixels, row by row. Returns a status as struct
  * tia_estimator's `sample`. */
 int samples_sum(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end, struct tia_sum *sums);
