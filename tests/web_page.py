@@ -1,16 +1,20 @@
-"""The page of `make web` in headless Chromium, for tests/slow/web and tests/slow/web-editor. Screenshots lie in build/web-shots."""
+"""The page of `make web` in headless Chromium, for tests/slow/web*. Screenshots lie in build/web-shots."""
 import base64
 import json
 import os
 import shutil
+import subprocess
 import time
 
 from browser import PROGRAM, Browser, Server
-from command import LIMIT_S, check, fine, same
+from command import LIMIT_S, Skip, check, fine, run_cases, same
 
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), ".."))
 BUILD = os.path.join(ROOT, os.environ.get("BUILD", "build"))
 GOLDEN = os.path.join(ROOT, "tests/golden/web.crc")
+SCENES = os.path.join(ROOT, "scenes")
+SMALL = "160x120"
+SHORT = "camera eye 0 0 4\nmaterial red colour 0.8 0.1 0.1\nsphere centre 0 0 0 radius 1 material red\nlight at 4 6 4\n"
 
 # Pixels of the canvas as RGB565 again, little-endian, in base64.
 PIXELS = """(() => { const c = document.getElementById('canvas'), d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;
@@ -28,10 +32,30 @@ def native(name, size, *options):
     return fine(os.path.join(ROOT, "scenes", name + ".tia"), "-n", "1", "--checksum", "-d", "none", "-s", size, *options).split()[1]
 
 
+def text_of(name):
+    with open(os.path.join(SCENES, name), encoding="utf-8") as file:
+        return file.read()
+
+
+def editor(page):
+    return page.run("document.getElementById('text').value")
+
+
 def missing_packages():
     """The Debian packages that are missing for tests of the page."""
     return [name for name, there in (("chromium", PROGRAM), ("clang", shutil.which("clang")), ("lld", shutil.which("wasm-ld")),
             ("nodejs", shutil.which("node")), ("wasi-libc", os.path.exists("/usr/lib/wasm32-wasi/libc.a"))) if not there]
+
+
+def run_page_cases(cases, anyway=()):
+    """Builds the page and runs the cases; without the packages for that, only those that run anyway."""
+    missing = missing_packages()
+    if missing:
+        def page():
+            raise Skip(f"no {', no '.join(missing)} (apt-get install {' '.join(missing)})")
+        return run_cases([*anyway, page])
+    subprocess.run(["make", "-s", "web"], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
+    return run_cases([*anyway, *cases])
 
 
 class Shown:

@@ -25,15 +25,18 @@ struct web_frame {
     const void *state; /* state from which another worker can continue */
     uint32_t state_size;
     uint32_t plays;  /* not 0: the scene moves over time */
-    uint32_t copied; /* pixels that other workers have drawn */
+    uint32_t paused; /* not 0: a key has stopped it */
+    int32_t time;    /* time of the picture, in 2^-16 s */
+    uint32_t copied; /* share of the pixels, or of their samples, that other workers have drawn; in 2^-16 */
 };
 
 /* A frame that other workers may help to draw, in the layout that the script reads. */
 struct web_share {
     const void *state; /* state of the frame, as in struct web_frame */
     uint32_t state_size;
-    tia_rgb565 *pixels; /* receives the rows that other workers have drawn */
+    tia_rgb565 *pixels; /* receives the rows that other workers have drawn; NULL: parts of samples are wanted instead */
     uint8_t *have;      /* for each row, set to 1 after its pixels */
+    uint32_t samples;   /* samples of a pixel of these rows; 0: all that the settings ask for */
 };
 
 struct web_line {

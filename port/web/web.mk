@@ -12,7 +12,7 @@ WASM_BUILTINS = $(shell $(WASM_CC) --print-resource-dir 2>/dev/null)/lib/wasi/li
 
 WEB_TOOLS := $(sort $(wildcard tools/web/*.c) port/web/web.c tools/common/light_copy.c tools/common/checksum.c tools/common/steer.c \
              tools/common/crc_join.c \
-             $(wildcard tools/common/views/*.c) $(addprefix tools/common/,message_clean.c scene/scene_load.c scene/scene_part.c scene/scene_report.c scene/model/model.c image/decode.c image/texels.c \
+             $(wildcard tools/common/views/*.c) $(addprefix tools/common/,message_clean.c scene/moment.c scene/scene_load.c scene/scene_part.c scene/scene_report.c scene/model/model.c image/decode.c image/texels.c \
              record/record.c record/row_hashes.c record/merkle.c record/sha256.c))
 web_obj = $(patsubst %.c,$(WEB_O)/$(1)/%.o,$(2))
 WASM_CORE = $(WASM_CC) --target=wasm32 $(CORE) $(WASM_CFLAGS)
@@ -42,15 +42,15 @@ WEB_STACK := 1048576
 define link_wasm
 @mkdir -p $(@D)
 $(call say,LD,$@)$(WASM_LD) --no-entry --gc-sections --strip-all --fatal-warnings -z stack-size=$(WEB_STACK) \
-    -o $@ $^ $(1) -L$(WASM_LIB) -lc $(WASM_BUILTINS)
+    -o $@ $^ -L$(WASM_LIB) -lc $(WASM_BUILTINS)
 endef
 $(WEB)/tia.wasm: $(call web_obj,q16,$(CORE_SRC)) $(call web_obj,f64,$(NUM_SRC)) $(call web_obj,watched,$(NUM_SRC)) $(call web_obj,simd,$(WASM_SIMD) port/simd/best.c) \
     $(call web_obj,tools,$(WEB_TOOLS))
-	$(call link_wasm,--wrap=tia_word_is)
+	$(link_wasm)
 
 # WebGL 2 beside the exact rasteriser, docs/conform.md.
 $(WEB)/conform.wasm: $(call web_obj,q16,$(CORE_SRC)) $(call web_obj,tools,$(addprefix bench/conform/,conform_page.c compare.c trial.c shrink.c) tools/web/no_files.c)
-	$(call link_wasm,)
+	$(link_wasm)
 
 # The page, and the scenes with their files.
 WEB_PAGE   := $(patsubst tools/web/page/%,$(WEB)/%,$(filter-out %/sw.js,$(wildcard tools/web/page/*)))

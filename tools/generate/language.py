@@ -307,7 +307,7 @@ class Html:
                         '<meta name="viewport" content="width=device-width">\n<meta name="color-scheme" content="light dark">\n'
                         '<meta http-equiv="Content-Security-Policy" content="default-src \'none\'; style-src \'self\'; img-src \'self\' data:; '
                         'base-uri \'none\'; form-action \'none\'">\n'
-                        '<link rel="icon" href="data:,">\n<link rel="stylesheet" href="language.css">\n</head>\n<body>\n<h1>The language of scene files</h1>')
+                        '<link rel="icon" href="data:,">\n<link rel="stylesheet" href="colours.css">\n<link rel="stylesheet" href="language.css">\n</head>\n<body>\n<h1>The language of scene files</h1>')
         for entry in found:
             self.entry(entry)
         self.out.append('<h2 id="index-of-all-words">Index of all words</h2>\n<dl>')

@@ -3,7 +3,7 @@
 
 KIT := $(BUILD)/kit
 KIT_C := $(sort $(wildcard tools/kit/*.c) $(addprefix tools/web/,alone.c whole_file.c) $(addprefix tools/common/,checksum.c \
-         message_clean.c scene/scene_load.c scene/scene_part.c scene/scene_report.c scene/model/model.c image/decode.c image/texels.c))
+         message_clean.c scene/moment.c scene/scene_load.c scene/scene_part.c scene/scene_report.c scene/model/model.c image/decode.c image/texels.c))
 LIBKIT := $(KIT)/libtia-kit.so
 
 # Without optional libraries: the package needs nothing but libc, and reads what the WebAssembly module reads.

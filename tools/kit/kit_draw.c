@@ -2,13 +2,15 @@
 #include <stdlib.h>
 #include <tia/tia.h>
 
+#include "common/scene/moment.h"
 #include "common/scene/scene_load.h"
 #include "common/scene/scene_report.h"
 #include "kit.h"
 
 /* The memory of a picture. */
 struct drawing {
-    void *arrays, *boxes, *view, *simd, *hits;
+    struct moment moment;
+    void *view, *simd, *hits;
 };
 
 static int exhausted(void)
@@ -34,25 +36,6 @@ static void *get(void **memory, size_t size)
 {
     *memory = size < SIZE_MAX ? malloc(size ? size : 1) : NULL;
     return *memory;
-}
-
-/* Replaces the scene by that at `time`, with hierarchies of its own. */
-static int set_time(struct drawing *drawing, struct tia_scene *scene, tia_q16 time)
-{
-    const struct tia_scene whole = *scene;
-    size_t size = tia_scene_at_size(&whole);
-
-    if (!tia_scene_moves(&whole))
-        return TIA_OK;
-    if (!get(&drawing->arrays, size))
-        return TIA_ERR_MEMORY;
-    int status = tia_scene_at(scene, drawing->arrays, size, &whole, time, NULL);
-    if (status || !whole.bvh)
-        return status;
-    size = tia_bvh_move_size(scene);
-    if (!get(&drawing->boxes, size))
-        return TIA_ERR_MEMORY;
-    return tia_bvh_move(&scene->bvh, drawing->boxes, size, scene, &whole, NULL);
 }
 
 static void set_options(struct tia_scene *scene, const int32_t *options)
@@ -97,21 +80,20 @@ static int draw_view(struct drawing *drawing, const struct tia_scene *scene, con
 
 static int draw(const char *name, struct tia_scene *scene, const int32_t *options, uint16_t *pixels)
 {
-    struct drawing drawing = {NULL, NULL, NULL, NULL, NULL};
+    struct drawing drawing = {.view = NULL};
     struct tia_fault fault;
 
     set_options(scene, options);
     int status = tia_scene_check(scene, &fault);
     if (!status)
-        status = set_time(&drawing, scene, options[KIT_TIME]);
+        status = moment_begin(&drawing.moment, scene, options[KIT_TIME]);
     if (!status)
         status = tia_scene_check(scene, &fault);
     if (!status)
         status = draw_view(&drawing, scene, options, pixels);
     if (status)
         (void)refuse_scene(status, name, scene);
-    free(drawing.arrays);
-    free(drawing.boxes);
+    moment_end(&drawing.moment);
     free(drawing.view);
     free(drawing.simd);
     free(drawing.hits);

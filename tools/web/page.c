@@ -17,6 +17,12 @@ const struct tia_camera *session_camera(void)
     return session.state.moved ? &session.state.camera : &session.scene.camera;
 }
 
+/* What another worker needs to go on; the lights follow. */
+struct kept {
+    struct tia_viewer_state state;
+    enum tia_shadows shadows;
+};
+
 static size_t lights_size(void)
 {
     return session.lights.capacity * sizeof *session.lights.array;
@@ -24,12 +30,14 @@ static size_t lights_size(void)
 
 uint32_t session_keep(const void **state)
 {
+    const struct kept kept = {session.state, session.variant.shadows};
+
     if (!session.kept)
         return 0;
-    memcpy(session.kept, &session.state, sizeof session.state);
-    memcpy((char *)session.kept + sizeof session.state, session.lights.array, lights_size());
+    memcpy(session.kept, &kept, sizeof kept);
+    memcpy((char *)session.kept + sizeof kept, session.lights.array, lights_size());
     *state = session.kept;
-    return (uint32_t)(sizeof session.state + lights_size());
+    return (uint32_t)(sizeof kept + lights_size());
 }
 
 void session_show(void)
@@ -41,9 +49,6 @@ void session_show(void)
     memcpy(frame->differs, difference_counts, sizeof frame->differs);
     light_tell(frame);
     frame->state_size = session_keep(&frame->state);
-    frame->copied = share_copied();
-    if (frame->block == 1)
-        share_end();
     if (session.settings.arithmetic == ARITHMETIC_DIFFERENCE && frame->block == 1)
         difference_spread(screen->pixels, screen->width, screen->height);
     web_show(screen, frame);
@@ -60,7 +65,15 @@ static int frame_done(void *ctx, const struct tia_frame *frame)
                                        .draw_us = (uint32_t)frame->draw_us,
                                        .key_us = (uint32_t)frame->key_us,
                                        .relit = frame->relit,
-                                       .plays = tia_scene_moves(&session.scene)};
+                                       .plays = tia_scene_moves(&session.scene),
+                                       .paused = session.state.paused,
+                                       .time = session.state.time,
+                                       .copied = share_copied()};
+    bool again = frame->pixels == 0; /* the picture is shown again, by the viewer as it was without samples */
+    if (again && samples_show())
+        return TIA_OK;
+    if (frame->block == 1 && !again)
+        share_end();
     session_show();
     session.rays_due = session.settings.rays && session.pointer_x >= 0;
     return TIA_OK;
@@ -138,7 +151,7 @@ static bool begin_lights(bool goes_on)
     lights_free(&session.lights);
     session.lights = (struct lights){.array = NULL};
     free(session.kept);
-    session.kept = lights_copy(&session.lights, &session.scene) ? malloc(sizeof session.state + lights_size()) : NULL;
+    session.kept = lights_copy(&session.lights, &session.scene) ? malloc(sizeof(struct kept) + lights_size()) : NULL;
     session.state = (struct tia_viewer_state){.light_count = session.scene.light_count};
     return session.kept;
 }
@@ -147,6 +160,7 @@ bool session_begin(bool goes_on)
 {
     struct web_screen *screen = &session.screen;
 
+    share_end();
     session.why[0] = '\0';
     session.rays_due = false;
     session.steer = (struct steer){.has_place = false};
@@ -244,14 +258,18 @@ void *web_kept(unsigned size)
     session.scene = session.file.scene;
     if (!session.loaded || !copy_bindings(&session.scene) || !begin_lights(false))
         return NULL;
-    return size == sizeof session.state + lights_size() ? session.kept : NULL;
+    return size == sizeof(struct kept) + lights_size() ? session.kept : NULL;
 }
 
 EXPORT("web_take_kept") void web_take_kept(void);
 void web_take_kept(void)
 {
-    memcpy(&session.state, session.kept, sizeof session.state);
-    memcpy(session.lights.array, (char *)session.kept + sizeof session.state, lights_size());
+    struct kept kept;
+
+    memcpy(&kept, session.kept, sizeof kept);
+    session.state = kept.state;
+    session.shadows = kept.shadows;
+    memcpy(session.lights.array, (char *)session.kept + sizeof kept, lights_size());
 }
 
 EXPORT("web_why") const char *web_why(void);
@@ -260,8 +278,8 @@ const char *web_why(void)
     return session.why;
 }
 
-/* Returns all mistakes of the scene that web_load refused, up to 20, in the order of the text; "" if none has a place. A
- * mistake is a line "FILE:LINE:COLUMN: WHAT" (columns count bytes, from 1), and two lines that begin with blanks: the
+/* Returns all mistakes of the scene that web_load refused, up to 20, in the order of the text; "" if none has a place.
+ * A mistake is a line "FILE:LINE:COLUMN: WHAT" (columns count bytes, from 1), and two lines that begin with blanks: the
  * line of the text, and a mark below the word. Valid until the next web_load. */
 EXPORT("web_mistakes") const char *web_mistakes(void);
 const char *web_mistakes(void)

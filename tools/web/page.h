@@ -29,6 +29,7 @@ struct session {
     struct lights lights;
     struct tia_binding *bindings; /* the scene's bindings, and one for the pointer, which sets a light */
     struct tia_viewer_state state;
+    enum tia_shadows shadows; /* of the state that web_take_kept took over */
     struct steer steer;
     uint32_t spp; /* samples of a pixel to draw one by one; 0: Whitted's integrator, or not drawn one by one */
     bool polled;  /* an event has been polled */
@@ -66,9 +67,14 @@ void difference_spread(tia_rgb565 *pixels, unsigned width, unsigned height);
 void samples_reset(void);
 /* True if there are samples to draw. */
 bool samples_left(void);
-/* Draws one more sample of each pixel of a row of the seat's view, and shows the picture from time to time. Returns
- * TIA_STOPPED, or a negative status on failure. */
+/* Draws a row of samples of the seat's view, and shows the picture from time to time. Returns TIA_STOPPED, or a
+ * negative status on failure. */
 int samples_go_on(void);
+/* Shows the samples so far. Returns false if some pixels have none. */
+bool samples_show(void);
+/* Stores the sums of samples first .. end - 1 of a tile's pixels, row by row. Returns a status as struct
+ * tia_estimator's `sample`. */
+int samples_sum(const struct tia_view *view, struct tia_tile tile, uint32_t first, uint32_t end, struct tia_sum *sums);
 /* Returns a channel of a pixel from its sum of `count` samples, 0..2^bits - 1; the pixel. */
 unsigned samples_level(const struct tia_integration *how, enum tia_tone tone, int64_t sum, uint32_t count,
                        unsigned bits);
@@ -100,7 +106,9 @@ int rows_draw(unsigned y, unsigned count);
 /* Sharing of a slow picture with helpers. page_share.c */
 void share_begin(void); /* begins a frame */
 void share_end(void);   /* the helpers may stop */
-/* Returns the number of the frame's pixels that helpers have drawn. */
+/* Asks helpers for parts of samples, if they can draw them. */
+void share_samples(void);
+/* Returns the share of the frame's pixels that helpers have drawn, in 2^-16. */
 uint32_t share_copied(void);
 /* Replaces functions of `drawing`; `base` has the functions that draw. */
 void share_wrap(const struct tia_drawing *base, struct tia_drawing *drawing);

@@ -5,20 +5,25 @@
 #include <stdlib.h>
 #include <tia/tone.h>
 
+#include "common/scene/moment.h"
+
 #define EXPORT(name) __attribute__((export_name(name)))
 
 enum { ROWS = 16 }; /* most rows drawn at once */
 
 static struct {
+    struct moment moment;
     void *view_memory, *hits_memory, *simd_memory;
     size_t hits_size;
     struct tia_view *view;
-    struct tia_sum *sums; /* of a row; NULL: Whitted's integrator */
+    struct tia_sum *sums; /* of ROWS rows; NULL: Whitted's integrator */
+    uint32_t samples;     /* samples of a pixel that web_rows draws */
     uint16_t *colours;    /* NULL, or 16 bits a channel of the whole picture */
 } rows;
 
 static void release(void)
 {
+    moment_end(&rows.moment);
     free(rows.view_memory);
     free(rows.hits_memory);
     free(rows.simd_memory);
@@ -38,7 +43,7 @@ static bool get_memory(const struct tia_core *core, size_t view_size, size_t sim
     rows.view_memory = malloc(view_size);
     rows.hits_memory = malloc(rows.hits_size);
     rows.simd_memory = simd_size ? malloc(simd_size) : NULL;
-    rows.sums = session.spp ? malloc(width * sizeof *rows.sums) : NULL;
+    rows.sums = session.spp ? malloc((size_t)ROWS * width * sizeof *rows.sums) : NULL;
     rows.colours = colours ? malloc((size_t)width * height * 3 * sizeof *rows.colours) : NULL;
     return rows.view_memory && rows.hits_memory && (rows.simd_memory || !simd_size) && (rows.sums || !session.spp) &&
            (rows.colours || !colours);
@@ -62,15 +67,17 @@ static int begin(bool colours)
     return status ? status : tia_view_set_lights(rows.view, session.lights.array, session.state.light_count);
 }
 
-/* Prepares the picture of the state that web_take_kept took over, with 16 bits a channel if `colours` is not 0.
- * Returns 0; or 1, with the reason in web_why. */
-EXPORT("web_rows_begin") int web_rows_begin(int colours);
-int web_rows_begin(int colours)
+/* Prepares the picture of the state that web_take_kept took over, with 16 bits a channel if `colours` is not 0, and
+ * with `samples` samples a pixel, 0: those of the settings. Returns 0; or 1, with the reason in web_why. */
+EXPORT("web_rows_begin") int web_rows_begin(int colours, unsigned samples);
+int web_rows_begin(int colours, unsigned samples)
 {
     release();
-    int status = session_begin(true) ? TIA_OK : TIA_ERR_MEMORY;
+    int status = session_begin(true) ? moment_begin(&rows.moment, &session.scene, session.state.time) : TIA_ERR_MEMORY;
     if (!status) {
         session.scene.camera = *session_camera();
+        session.scene.shadows = session.shadows;
+        rows.samples = samples ? samples : session.spp;
         status = begin(colours != 0);
     }
     if (status)
@@ -82,19 +89,15 @@ int web_rows_begin(int colours)
 static int draw_samples(uint16_t y)
 {
     const struct tia_integration *how = &session.scene.integration;
-    const struct tia_estimator *estimator =
-        session.settings.arithmetic == ARITHMETIC_F64 ? &tia_estimator_f64 : &tia_estimator_q16;
     uint16_t width = session.screen.width;
+    int status = samples_sum(rows.view, (struct tia_tile){0, y, width, 1}, 0, rows.samples, rows.sums);
 
-    for (unsigned x = 0; x < width; x++)
-        rows.sums[x] = (struct tia_sum){{0, 0, 0}};
-    int status = estimator->sample(rows.view, (struct tia_tile){0, y, width, 1}, 0, session.spp, rows.sums, width);
     for (unsigned x = 0; x < width && !status; x++) {
         size_t at = (size_t)y * width + x;
-        session.screen.pixels[at] = samples_pixel(how, &rows.sums[x], session.spp);
+        session.screen.pixels[at] = samples_pixel(how, &rows.sums[x], rows.samples);
         for (unsigned c = 0; c < 3 && rows.colours; c++)
             rows.colours[3 * at + c] =
-                (uint16_t)samples_level(how, TIA_TONE_LINEAR, rows.sums[x].rgb[c], session.spp, 16);
+                (uint16_t)samples_level(how, TIA_TONE_LINEAR, rows.sums[x].rgb[c], rows.samples, 16);
     }
     return status;
 }
@@ -125,16 +128,37 @@ int rows_draw(unsigned y, unsigned count)
     return status;
 }
 
+static bool has_drawn(int status)
+{
+    if (status)
+        session_failed(status);
+    return !status;
+}
+
+static bool are_rows(unsigned y, unsigned count)
+{
+    return count <= ROWS && y + count <= session.screen.height;
+}
+
 /* Draws rows y .. y + count - 1, at most 16. Returns their first pixel, RGB565; NULL on failure, with the reason in
  * web_why. */
 EXPORT("web_rows") const tia_rgb565 *web_rows(unsigned y, unsigned count);
 const tia_rgb565 *web_rows(unsigned y, unsigned count)
 {
-    int status = count <= ROWS && y + count <= session.screen.height ? rows_draw(y, count) : TIA_ERR_ARGUMENT;
+    int status = are_rows(y, count) ? rows_draw(y, count) : TIA_ERR_ARGUMENT;
 
-    if (status)
-        session_failed(status);
-    return status ? NULL : session.screen.pixels + (size_t)y * session.screen.width;
+    return has_drawn(status) ? session.screen.pixels + (size_t)y * session.screen.width : NULL;
+}
+
+/* Draws one sample of the same rows, of a picture with samples. Returns their pixels' sums, or NULL. */
+EXPORT("web_sums") const struct tia_sum *web_sums(unsigned y, unsigned count, unsigned sample);
+const struct tia_sum *web_sums(unsigned y, unsigned count, unsigned sample)
+{
+    const struct tia_tile tile = {0, (uint16_t)y, session.screen.width, (uint16_t)count};
+    int status = rows.sums && are_rows(y, count) ? samples_sum(rows.view, tile, sample, sample + 1, rows.sums)
+                                                 : TIA_ERR_ARGUMENT;
+
+    return has_drawn(status) ? rows.sums : NULL;
 }
 
 /* Returns the red, green and blue of all pixels drawn by web_rows, 0..65535. */

@@ -1,6 +1,7 @@
 /* page_share.c - shares the work of a slow picture: helpers, workers of their own, draw its rows from the bottom up
  * (page_rows.c), while the viewer draws it coarse to fine. Pixels of a row that a helper has delivered are copied, and
- * since every worker draws the same bits, it does not matter which ones. */
+ * since every worker draws the same bits, it does not matter which ones. Samples are shared in parts
+ * (idle_samples.c). */
 #include "page.h"
 
 #include <stdlib.h>
@@ -20,7 +21,7 @@ static struct {
 
 uint32_t share_copied(void)
 {
-    return now.copied;
+    return (uint32_t)(((uint64_t)now.copied << 16) / ((uint32_t)session.screen.width * session.screen.height));
 }
 
 void share_end(void)
@@ -44,21 +45,26 @@ static bool get_memory(size_t pixels)
     return now.pixels;
 }
 
-/* True if the settings and the state are ones that a helper has as well, and pixels do not depend on each other. */
+/* True if the settings and the state are ones that a helper has as well. */
 static bool is_shared(void)
 {
     const struct settings *settings = &session.settings;
 
-    return settings->arithmetic != ARITHMETIC_DIFFERENCE && settings->view == VIEW_COLOUR && !settings->rays &&
-           session.spp <= 1 && !tia_scene_moves(&session.scene) && session.variant.shadows == session.scene.shadows &&
-           seat.base->draws_by_pixel && seat.base->draws_by_pixel(seat.base, &session.scene);
+    return settings->arithmetic != ARITHMETIC_DIFFERENCE && settings->view == VIEW_COLOUR && !settings->rays;
+}
+
+/* True if, in addition, pixels do not depend on each other, and the frame's time is known while it is drawn. */
+static bool shares_rows(void)
+{
+    return is_shared() && !tia_scene_moves(&session.scene) && seat.base->draws_by_pixel &&
+           seat.base->draws_by_pixel(seat.base, &session.variant);
 }
 
 void share_begin(void)
 {
     share_end();
     now.copied = 0;
-    now.begun_us = is_shared() && get_memory((size_t)session.screen.width * session.screen.height)
+    now.begun_us = shares_rows() && get_memory((size_t)session.screen.width * session.screen.height)
                        ? web_clock.now_us(NULL)
                        : UINT64_MAX;
     if (now.begun_us != UINT64_MAX)
@@ -70,8 +76,20 @@ static void ask(void)
     if (now.asked || now.begun_us == UINT64_MAX || web_clock.now_us(NULL) < now.begun_us + SLOW_US)
         return;
     now.asked = true;
+    now.share.samples = session.spp ? 1 : 0;
     now.share.state_size = session_keep(&now.share.state);
     web_share(&now.share);
+}
+
+void share_samples(void)
+{
+    struct web_share share = {.pixels = NULL};
+
+    now.asked = is_shared();
+    if (now.asked) {
+        share.state_size = session_keep(&share.state);
+        web_share(&share);
+    }
 }
 
 static bool has_rows(struct tia_tile tile)

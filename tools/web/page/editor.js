@@ -36,19 +36,21 @@ function paint() {
   }
   $('gutter').replaceChildren(...numbers);
   $('backdrop').replaceChildren(...shown);
-  const down = TOP + first * LINE - area.scrollTop;
+  const down = TOP + first * LINE - area.scrollTop, under = $('backdrop').parentElement;
+  under.style.width = area.clientWidth + 'px'; // without its scroll bars
+  under.style.height = area.clientHeight + 'px';
   $('gutter').style.transform = `translateY(${down}px)`;
   $('backdrop').style.transform = `translate(${-area.scrollLeft}px, ${down}px)`;
 }
 
-// Places the message below its line, or above it when the caret is below; at the edge if the line is out of sight.
+// Places the message below its line, or above it when the caret is below or there is no room; at the edge if the line is out of sight.
 function placeMessage() {
   const one = mistakes[chosen], box = $('error');
   if (box.hidden) return;
   const top = one ? TOP + (one.line - 1) * LINE - area.scrollTop : 0, below = top + LINE;
-  box.classList.toggle('away', Boolean(one) && (below < 0 || below > area.clientHeight - LINE)); // with its button it may be higher
+  box.classList.toggle('away', Boolean(one) && (top < -LINE / 2 || top > area.clientHeight - LINE / 2)); // with its button it may be higher
   const room = Math.max(area.clientHeight - box.offsetHeight, 0), covered = document.activeElement === area && one && caretLine() > one.line;
-  const wanted = !one ? room : covered && top >= box.offsetHeight ? top - box.offsetHeight : below;
+  const wanted = !one ? room : (covered || below > room) && top >= box.offsetHeight ? top - box.offsetHeight : below;
   box.style.top = Math.min(Math.max(wanted, 0), room) + 'px';
 }
 

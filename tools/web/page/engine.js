@@ -4,6 +4,8 @@ import {text} from './editor.js';
 
 let module, worker, suspends = page.query.get('suspend') !== 'no', ready = false, idle = true, kept = null;
 let hear = () => {}, helpers = [], extra = new Map();
+const RELEASE = 1, TAP = 2, SPACE = 32; // as in tia/port.h
+let pauses = null, whenPaused = []; // whether the scene will be paused, null: as it is shown; functions to call when it is shown so
 
 export const suspending = () => suspends;
 
@@ -52,6 +54,8 @@ function ask(job) {
   idle = page.complete = false;
   $('crc').textContent = '\u2026';
   kept = job.goesOn ? kept : null;
+  pauses = null;
+  whenPaused = [];
   worker.postMessage({job: {settings: settings(), ...job}});
 }
 
@@ -67,6 +71,10 @@ function replace() {
 
 // If the browser cannot suspend WebAssembly, a worker that draws receives no messages, so another worker replaces it.
 export function send(events) {
+  if (events.some(event => event.key === SPACE && event.kind !== RELEASE)) {
+    pauses = !willPause();
+    whenPaused = [];
+  }
   if (!suspends && !idle && ready) {
     replace();
     worker.postMessage({job: {settings: settings(), ...load(), goesOn: true, kept}, events});
@@ -83,12 +91,23 @@ export function change(job) {
   ask(job);
 }
 
+const willPause = () => pauses === null ? page.frame !== null && page.frame.paused !== 0 : pauses;
+
+// Pauses a scene that plays, and resolves when it stands still. If a key goes on playing before, or another scene begins, it never does.
+export async function pause() {
+  if (!page.frame || !page.frame.plays || (page.frame.paused && pauses === null)) return;
+  if (!willPause()) send([{kind: TAP, key: SPACE}]);
+  await new Promise(resolve => whenPaused.push(resolve));
+}
+
 function receive(data) {
   if (data.ready) { ready = true; suspends = data.suspends; }
   if (data.idle) idle = true;
   if (data.frame) kept = data.frame.kept || kept;
   if (data.slow && suspends && !helpers.length && helperCount()) beginHelpers();
   hear(data);
+  if (data.frame && pauses === (data.frame.paused !== 0) && data.frame.block === 1) pauses = null;
+  if (data.frame && data.frame.paused && pauses === null) whenPaused.splice(0).forEach(resolve => resolve());
 }
 
 // Asks a worker of its own for a picture of the lights and the camera that are shown: 16 bits a channel, or a record.

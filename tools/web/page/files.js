@@ -1,6 +1,6 @@
 // files.js - opens files, and saves the text, the picture and its record.
 import {$, element, notice, page} from './page.js';
-import {addFile, change, load, order} from './engine.js';
+import {addFile, change, load, order, pause} from './engine.js';
 import {text} from './editor.js';
 import {openText} from './scenes.js';
 import {png, withoutAlpha} from './png.js';
@@ -8,12 +8,17 @@ import {png, withoutAlpha} from './png.js';
 const MOST = 32 << 20; // bytes of a file
 const base = () => page.scene.replace(/\.tia$/, '');
 
-function save(name, blob) {
+// The time of the picture, with as many digits as it takes to read it again exactly.
+const seconds = () => String(+(page.frame.time / 65536).toFixed(6));
+
+function save(name, blob, more = '') {
   const url = URL.createObjectURL(blob), link = element('a', {href: url, download: name});
   link.click();
   setTimeout(() => URL.revokeObjectURL(url), 60000);
-  notice(`${name} saved, ${blob.size} bytes.`);
+  notice(`${name} saved, ${blob.size} bytes.${more}`);
 }
+
+const savePicture = (name, blob) => save(name, blob, page.frame.plays ? ` The scene is paused at ${seconds()} s.` : '');
 
 // Opens a scene; other files are those that scenes name: images, models, included text.
 async function openFiles(list) {
@@ -25,28 +30,34 @@ async function openFiles(list) {
   notice(`${files.map(file => file.name).join(', ')} opened.`);
 }
 
-const ready = () => page.complete || (notice('The picture is not complete yet.'), false);
+// Pauses a scene that plays, so that all that is saved shows the same moment. Returns false, and says so, if there is no picture to save.
+async function ready() {
+  await pause();
+  if (!page.complete) notice('The picture is not complete yet.');
+  return page.complete;
+}
 
 async function savePng8() {
-  if (!ready()) return;
+  if (!await ready()) return;
   const {width, height} = $('canvas'), {data} = $('canvas').getContext('2d').getImageData(0, 0, width, height);
-  save(base() + '.png', await png(width, height, withoutAlpha(data), {significant: [5, 6, 5]}));
+  savePicture(base() + '.png', await png(width, height, withoutAlpha(data), {significant: [5, 6, 5]}));
 }
 
 async function savePng16() {
-  if (!ready()) return;
-  if (page.frame.plays || $('view').value !== '0' || $('arithmetic').value === '2') return notice('16 bits are for the colours of a scene that does not play.');
+  if (!await ready()) return;
+  if ($('arithmetic').value === '2' || ($('view').value !== '0' && !$('view').disabled)) return notice('16 bits are for colours: views and error maps have none.');
   notice('Drawing with 16 bits a channel\u2026');
   const {width, height, colours} = await order({colours: true});
-  save(base() + '-16.png', await png(width, height, colours, {linear: page.frame.spp > 0}));
+  savePicture(base() + '-16.png', await png(width, height, colours, {linear: page.frame.spp > 0}));
 }
 
 // Returns why there is no record of this picture; '' if there can be one.
 function unrecorded() {
   if ($('arithmetic').value === '2') return 'an error map has no record';
   if ($('show-rays').checked) return 'a picture with rays has no record';
-  if (page.frame.plays) return 'a scene that plays has no record';
-  return page.pose === null ? 'the light or the eye was moved: a record needs the scene\u2019s own, or one that a key sets (home, then a key)' : '';
+  if (page.eye !== 'home') return 'the eye was moved (the key home takes it back)';
+  if (page.technique !== 'own') return 'the key t has chosen another technique for shadows';
+  return page.pose === null ? 'the light was moved: a record needs the scene\u2019s own, or one that a key of the scene sets' : '';
 }
 
 // The options that draw this picture by the command.
@@ -58,15 +69,16 @@ function options() {
   if (value('integrator') !== '-1') list.push('integrator=' + ['whitted', 'ao', 'path'][value('integrator')]);
   if (sampled) list.push('colour=565', 'spp=' + page.frame.spp);
   else if (value('samples') !== '0') list.push('samples=' + Math.min(value('samples'), 16));
+  if (page.frame.plays) list.push('time=' + seconds());
   return list;
 }
 
 async function saveRecord() {
-  if (!ready()) return;
+  if (!await ready()) return;
   const why = unrecorded();
   if (why) return notice('No record: ' + why + '.');
   const {record} = await order({record: {picture: base() + '.png', options: options()}});
-  save(base() + '.record', new Blob([record], {type: 'text/plain'}));
+  savePicture(base() + '.record', new Blob([record], {type: 'text/plain'}));
 }
 
 export function startFiles() {

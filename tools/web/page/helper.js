@@ -2,24 +2,28 @@
 'use strict';
 
 const CHUNK = 4; // rows of a message: few, so that two workers seldom draw the same row
-let task = null, working = false, known = null;
+const AHEAD = 2; // parts of samples that a helper has, so that it need not wait for the next one
+const SUM = 24; // bytes of struct tia_sum
+let task = null, parts = [], wakeUp = () => {}, working = false, known = null;
 
 // Makes the picture of a task ready to be drawn; throws if that fails.
-async function prepareRows({settings, load: scene, number, kept}, colours) {
+async function prepareRows({settings, load: scene, number, kept, samples}, colours) {
   if (number === undefined || known !== number) {
     const why = await load(scene);
     if (why) throw new Error(why);
     known = number;
   }
   applySettings(settings);
-  if (!takeKept(kept) || wasm.web_rows_begin(colours ? 1 : 0)) throw new Error(cString(wasm.web_why()) || 'the picture is another one');
+  if (!takeKept(kept) || wasm.web_rows_begin(colours ? 1 : 0, samples || 0)) throw new Error(cString(wasm.web_why()) || 'the picture is another one');
 }
 
-function rows(y, count, width) {
-  const at = wasm.web_rows(y, count);
+// Returns where the module has drawn; throws if it has not.
+function drawnAt(at) {
   if (!at) throw new Error(cString(wasm.web_why()));
-  return new Uint16Array(wasm.memory.buffer, at, width * count).slice();
+  return at;
 }
+
+const rows = (y, count, width) => new Uint16Array(wasm.memory.buffer, drawnAt(wasm.web_rows(y, count)), width * count).slice();
 
 // ---- sharing ----
 
@@ -34,17 +38,36 @@ async function shareRows(now, {port, turn: mine, of}) {
   }
 }
 
+// Draws the parts of samples that it is given, until the task is replaced.
+async function shareSamples(now, {port}) {
+  await prepareRows(now, false);
+  port.postMessage({generation: now.generation, wants: AHEAD});
+  while (task === now) {
+    const part = parts.shift();
+    if (part) {
+      const {y, count, sample} = part, sums = bytes(drawnAt(wasm.web_sums(y, count, sample)), now.settings.width * count * SUM).slice();
+      port.postMessage({generation: now.generation, y, sample, sums, wants: 1}, [sums.buffer]);
+      await turn();
+    } else await new Promise(resolve => { wakeUp = resolve; });
+  }
+}
+
 function help(place) {
   const begin = async () => {
     if (working) return;
     working = true;
     for (let now = task; now; now = task) {
-      await shareRows(now, place).catch(error => console.warn(String(error)));
+      await (now.parts ? shareSamples : shareRows)(now, place).catch(error => console.warn(String(error)));
       if (task === now) task = null;
     }
     working = false;
   };
-  place.port.onmessage = ({data}) => { task = data.task; begin(); };
+  place.port.onmessage = ({data}) => {
+    if (data.part) parts.push(data.part);
+    else { task = data.task; parts = []; }
+    wakeUp();
+    begin();
+  };
   place.port.postMessage({ready: true});
 }
 

@@ -17,18 +17,26 @@ export const bindings = () => [...text().matchAll(/^\s*key\s+(\S)\s/gm)].map(mat
 
 const code = key => KEYS[key] || (key.length === 1 && key >= ' ' && key <= '~' ? key.toLowerCase().charCodeAt(0) : 0);
 
-// Sets page.pose to the key that has set the only light, or to null if the picture's checksum is no longer known.
-function follow(key) {
-  const own = bindings().includes(key);
-  if (page.pose !== null && own && (!page.frame || page.frame.lights <= 1)) page.pose = key;
-  else if (key !== 'Tab') page.pose = null;
+// Returns the number of the light that a key of the scene sets; undefined for other keys.
+const lightOf = key => (text().match(new RegExp(`^\\s*key\\s+${key.replace(/\W/g, '\\$&')}\\s+light\\s+(\\d+)`, 'm')) || [])[1];
+
+// Keeps account of what keys have changed, for checksums and records: page.pose, page.eye and page.technique.
+function follow(key, shift) {
+  const light = lightOf(key), last = page.pose ? page.pose.slice(-1) : '-';
+  if (light !== undefined) {
+    if (page.pose === null) page.pose = page.frame && page.frame.lights > 1 ? null : key;
+    else page.pose = (last === '-' || lightOf(last) === light ? page.pose.slice(0, -1) : page.pose) + key;
+  } else if (key === 'Home') page.eye = 'home';
+  else if (key === 't') page.technique = 'another';
+  else if ((shift && key in KEYS) || 'hjkl+-=_'.includes(key)) page.eye = 'moved';
+  else if (key !== 'Tab' && key !== ' ') page.pose = null;
 }
 
 export function press(key, shift, time, repeat) {
   const value = code(key);
   if (!value) return;
   if (!page.frame && !page.scene) { early.push(key); return; }
-  follow(key);
+  follow(key, shift);
   if (!suspending()) send([{kind: TAP, key: value, shift, time}]);
   else if (!repeat) {
     held.set(key, value);
@@ -79,7 +87,7 @@ picture.addEventListener('pointerdown', event => {
 });
 picture.addEventListener('pointermove', event => {
   if (!event.isPrimary || page.drag === 'light') return;
-  if (page.drag === 'eye') page.pose = null;
+  if (page.drag === 'eye') page.eye = 'moved';
   if (page.drag === 'eye' || $('show-rays').checked) point(event, page.drag === 'eye');
 });
 for (const over of ['pointerup', 'pointercancel'])

@@ -1,18 +1,16 @@
 // main.js - the page: compiles the module, starts the parts, and passes on what the worker says.
 import {$, fail, page} from './page.js';
 import {change, startEngine} from './engine.js';
-import {repaint, showMistakes, startEditor} from './editor.js';
+import {showMistakes, startEditor} from './editor.js';
 import {startCompletions} from './complete.js';
 import {clearRays, drawRays, show, showAgain, updateNote} from './picture.js';
 import {startFiles} from './files.js';
 import {startInput} from './input.js';
 import {edited, startScenes} from './scenes.js';
 import {startOffline} from './offline.js';
-import {startReference} from './reference.js';
-import {setWords} from './words.js';
+import {loadReference, startReference} from './reference.js';
 
 function hear(data) {
-  if (data.words) { setWords(data.words); repaint(); }
   if (data.frame) show(data.frame, data.pixels);
   if (data.unchanged) showAgain();
   if (data.lines) drawRays(data.lines);
@@ -52,6 +50,7 @@ async function start() {
   page.gallery = gallery;
   $('version').textContent = `tia ${gallery.version}.`;
   startEngine(module, hear);
+  loadReference();
   await startScenes();
   $('picture').focus({preventScroll: true});
 }

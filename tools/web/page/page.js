@@ -2,9 +2,10 @@
 
 export const $ = id => document.getElementById(id);
 
-// scene: name of the scene; pose: the key that has set its only light, '-' for none, null if something else has moved;
+// scene: name of the scene; pose: the keys that have set its lights, '-' for none, null if something else has moved one; eye: 'home' or
+// 'moved'; technique: 'own' or 'another', for shadows;
 // frame: data of the last picture (worker.js); pixels: of the last complete picture, RGBA; gallery: gallery.json.
-export const page = {scene: null, pose: '-', frame: null, gallery: null, query: new URLSearchParams(location.search)};
+export const page = {scene: null, pose: '-', eye: 'home', technique: 'own', frame: null, gallery: null, query: new URLSearchParams(location.search)};
 
 let saying = 0;
 export function say(text) {

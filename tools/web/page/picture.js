@@ -17,7 +17,7 @@ const hex = crc => crc.toString(16).padStart(8, '0');
 // Returns the known checksum of this picture; undefined if there is none.
 function pinned() {
   const {frame} = page, s = settings(), edited = original(page.scene) !== text();
-  if (edited || page.pose === null || (frame && frame.plays) || s.arithmetic || s.view || s.rays || s.integrator !== -1 || s.samples) return undefined;
+  if (edited || page.pose === null || page.eye !== 'home' || page.technique !== 'own' || (frame && frame.plays) || s.arithmetic || s.view || s.rays || s.integrator !== -1 || s.samples) return undefined;
   return page.gallery.pinned[`${page.scene.replace('.tia', '')} ${page.pose} ${s.width}x${s.height}`];
 }
 
@@ -100,7 +100,7 @@ export function clearRays() {
 export function updateNote() {
   const {frame} = page, whitted = !frame || frame.spp === 0, plain = $('arithmetic').value === '0', rays = plain && whitted && $('show-rays').checked;
   $('view').disabled = $('show-rays').disabled = !plain || !whitted;
-  $('note').textContent = !plain ? 'Views show the rays of integers: choose q16 for them.'
+  $('note').textContent = !plain ? 'Views show the rays of integers: choose that arithmetic for them.'
     : !whitted ? 'Views show Whitted\u2019s rays: choose that integrator for them.' : '';
   const entries = rays ? RAYS : $('arithmetic').value === '2' ? ERRORS : [];
   if ($('legend').childElementCount !== entries.length) {

@@ -1,7 +1,8 @@
-// reference.js - help about the word at the caret, with a link to its place in the reference; F1 opens it. The texts are
-// made from the manual (tools/generate/language.py), and are fetched when the text is entered first.
+// reference.js - help about the word at the caret, with a link to its place in the reference; F1 opens it. The texts, and the words of
+// the language, are made from the manual and the parser's tables (tools/generate/language.py).
 import {$, element} from './page.js';
-import {text} from './editor.js';
+import {repaint, text} from './editor.js';
+import {setWords} from './words.js';
 
 const area = $('text'), box = $('word-help');
 let loading = null, reference = null, shown = '';
@@ -33,12 +34,20 @@ function showHelp() {
     element('a', {href: entry.place, target: 'tia-reference', rel: 'noopener', textContent: 'reference'}));
 }
 
-function enter() {
-  loading = loading || fetch('language.json').then(answer => answer.json()).then(found => { reference = found; showHelp(); }, () => { loading = null; });
+function take(found) {
+  reference = found;
+  setWords(found);
+  repaint();
+  showHelp();
+}
+
+// Fetches the words and their help, once; again if that has failed.
+export function loadReference() {
+  loading = loading || fetch('language.json').then(answer => answer.json()).then(take).catch(() => { loading = null; });
 }
 
 export function startReference() {
-  area.addEventListener('focus', enter);
+  area.addEventListener('focus', loadReference);
   document.addEventListener('selectionchange', showHelp);
   area.addEventListener('keydown', event => {
     const link = box.querySelector('a');

@@ -50,7 +50,7 @@ function showName(name) {
 
 function begin(name, value) {
   releaseAll();
-  Object.assign(page, {scene: name, frame: null, complete: false, pose: '-'});
+  Object.assign(page, {scene: name, frame: null, complete: false, pose: '-', eye: 'home', technique: 'own'});
   showName(name);
   setText(value);
   showMistakes(null, name);
@@ -100,7 +100,7 @@ function flush() {
   clearTimeout(typing);
   typing = 0;
   keepNow();
-  page.pose = '-';
+  Object.assign(page, {pose: '-', eye: 'home', technique: 'own'});
   change(load());
 }
 

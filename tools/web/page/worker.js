@@ -45,7 +45,7 @@ function take(at) {
 // ---- pictures ----
 
 const FRAME = ['number', 'crc', 'block', 'done', 'samples', 'spp', 'near', 'far', 'path', 'lights', 'light', 'x', 'y',
-  'drawUs', 'keyUs', 'relit', 'kept', 'keptSize', 'plays', 'copied'];
+  'drawUs', 'keyUs', 'relit', 'kept', 'keptSize', 'plays', 'paused', 'time', 'copied'];
 
 function expand(at, count) {
   const pixels = new Uint16Array(wasm.memory.buffer, at, count), rgba = new Uint32Array(count);
@@ -77,32 +77,50 @@ function lines(at, count) {
 const helpers = [];
 let scene = null, number = 0, generation = 0, shared = null;
 
-// Asks the helpers for rows of a frame that takes long (struct web_share); 0: no longer.
+// Asks the helpers for rows of a frame that takes long, or for parts of its samples (struct web_share); 0: no longer.
 function share(at) {
   generation++;
   shared = null;
   if (!suspends) return;
   if (at) {
     const view = new DataView(wasm.memory.buffer, at), word = i => view.getUint32(4 * i, true);
-    shared = {kept: bytes(word(0), word(1)).slice(), pixels: word(2), have: word(3), width: settings.width};
+    shared = {kept: bytes(word(0), word(1)).slice(), pixels: word(2), have: word(3), samples: word(4), width: settings.width};
     if (!helpers.length) postMessage({slow: true});
   }
   helpers.forEach(askHelper);
 }
 
 function askHelper(helper) {
-  helper.postMessage({task: shared && {generation, kept: shared.kept, settings, load: scene, number}});
+  helper.postMessage({task: shared && {generation, kept: shared.kept, samples: shared.samples, parts: !shared.pixels, settings, load: scene, number}});
 }
 
-function takeRows({generation: of, y, count, pixels}) {
-  if (of !== generation || !shared) return;
+function takeRows({y, count, pixels}) {
   new Uint16Array(wasm.memory.buffer, shared.pixels + 2 * y * shared.width, pixels.length).set(pixels);
   bytes(shared.have + y, count).fill(1);
 }
 
+function takeSums({y, sample, sums}) {
+  bytes(wasm.web_part_sums(), sums.length).set(sums);
+  wasm.web_part_done(y, sample);
+}
+
+// Gives the next part of the samples to a helper (struct part).
+function givePart(helper) {
+  const at = wasm.web_part(), view = new DataView(wasm.memory.buffer, at, at && 12), word = i => view.getUint32(4 * i, true);
+  if (at) helper.postMessage({part: {y: word(0), count: word(1), sample: word(2)}});
+}
+
+// Takes what a helper has drawn; it wants as many parts as it says.
+function receive(helper, data) {
+  if (data.generation !== generation || !shared) return;
+  if (data.pixels) takeRows(data);
+  if (data.sums) takeSums(data);
+  for (let i = 0; i < data.wants; i++) givePart(helper);
+}
+
 function addHelper(port) {
   port.onmessage = ({data}) => {
-    if (!data.ready) return takeRows(data);
+    if (!data.ready) return receive(port, data);
     helpers.push(port);
     if (shared) askHelper(port);
   };
@@ -152,12 +170,6 @@ const begin = () => work().catch(error => { busy = false; postMessage({failed: S
 
 // ---- start ----
 
-// Gives {word, fields: [[word, note]]} of each statement, as words.js wants them.
-const words = () => cString(wasm.web_words()).trimEnd().split('\n').map(line => {
-  const [word, ...fields] = line.split(' ');
-  return {word, fields: fields.filter(field => /^[a-z]/.test(field)).map(field => [field, ''])};
-});
-
 async function instantiate(module, waits) {
   const now = () => performance.now() * 1000;
   const host = {now, take, show, lines, share, ...waits, file_size: fileSize, file_read: fileRead};
@@ -170,7 +182,7 @@ async function start(module, wanted) {
     ? {look: new WebAssembly.Suspending(look), rest: new WebAssembly.Suspending(rest)}
     : {look: () => queue.length, rest: ms => ms < 0 && !queue.length ? 1 : 0});
   run = suspends ? WebAssembly.promising(wasm.web_run) : wasm.web_run;
-  postMessage({ready: true, suspends, words: words()});
+  postMessage({ready: true, suspends});
   begin();
 }
 
