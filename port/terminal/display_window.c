@@ -134,12 +134,8 @@ int display_environment(struct terminal *t)
     t->grid.letters = t->colours == COLOURS_NONE;
     t->grid.few = t->symbols.few = t->colours == COLOURS_16 || t->colours == COLOURS_CONSOLE;
     t->grid.dim_back = t->colours == COLOURS_CONSOLE;
-<<<<<<< HEAD
-    t->grid.spaces = !locale_is_utf8();
-    t->titles = title_is_shown(term);
-=======
     t->grid.spaces = !locale_is_utf8() && !t->grid.letters;
->>>>>>> first
+    t->titles = title_is_shown(term);
     return TIA_OK;
 }
 

@@ -180,8 +180,8 @@ static int letterbox_submit(void *ctx, struct tia_tile tile)
 {
     struct letterbox *letterbox = ctx;
     struct tia_tile place = on_screen(letterbox, tile);
-    if (letterbox->progress)
-        progress_add(letterbox->progress, (uint64_t)tile.width * tile.height);
+    if (letterbox->drawn)
+        letterbox->drawn(letterbox->drawn_ctx, (uint64_t)tile.width * tile.height);
     if (has_frame(letterbox))
         return put_tile(letterbox, place, in_frame(letterbox, place));
     return letterbox->screen->submit(letterbox->screen_ctx, place);
@@ -281,8 +281,8 @@ static int letterbox_present(void *ctx)
     else if (!status)
         status = draw_label(letterbox);
     letterbox->shown = letterbox->shown || !status;
-    if (letterbox->progress)
-        progress_erase(letterbox->progress);
+    if (letterbox->drawn)
+        letterbox->drawn(letterbox->drawn_ctx, 0);
     return status ? status : letterbox->screen->present(letterbox->screen_ctx);
 }
 

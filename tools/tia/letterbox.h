@@ -8,7 +8,6 @@
 #define TOOLS_TIA_LETTERBOX_H
 
 #include "device.h"
-#include "progress.h"
 #include "rotate.h"
 
 struct letterbox {
@@ -19,9 +18,11 @@ struct letterbox {
     uint16_t width, height; /* size of the picture; 0: as large as the screen */
     unsigned degrees;       /* rotation of the picture, clockwise */
     bool checksum;
-    bool keeps;                /* the picture is needed after it is shown */
-    struct progress *progress; /* NULL, or where drawn pixels are added; its line is erased before a picture is shown */
-    char *why;                 /* receives the reason for a failure, [PORT_WHY], see port/device.h */
+    bool keeps; /* the picture is needed after it is shown */
+    void (*drawn)(void *ctx,
+                  uint64_t pixels); /* NULL, or called after each tile, and with 0 before a picture is shown */
+    void *drawn_ctx;
+    char *why; /* receives the reason for a failure, [PORT_WHY], see port/device.h */
 
     /* NULL if the screen has pixels alone, else the screen's function that shows text, see port/device.h. */
     void (*set_text)(void *ctx, struct port_text *text);

@@ -218,3 +218,11 @@ void progress_end(struct progress *progress)
     progress->titled = false;
     signals_remove(&progress->cleanup);
 }
+
+void progress_drawn(void *progress, uint64_t pixels)
+{
+    if (pixels)
+        progress_add(progress, pixels);
+    else
+        progress_erase(progress);
+}

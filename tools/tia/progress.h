@@ -59,6 +59,8 @@ void progress_time(char text[PROGRESS_TIME], double seconds);
 
 /* Erases the line, which may be shown again. */
 void progress_erase(struct progress *progress);
+/* A letterbox's `drawn`: adds the pixels of a tile; with 0 erases the line, since a picture is shown. */
+void progress_drawn(void *progress, uint64_t pixels);
 /* Erases the line for good. */
 void progress_end(struct progress *progress);
 

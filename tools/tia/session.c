@@ -73,7 +73,8 @@ static void begin_progress(struct session *session)
     const struct options *options = session->options;
     uint64_t pixels = (uint64_t)session->mode.width * session->mode.height;
 
-    session->letterbox.progress = &session->progress;
+    session->letterbox.drawn = progress_drawn;
+    session->letterbox.drawn_ctx = &session->progress;
     progress_begin(&session->progress, options, pixels, options->frames ? options->frames : 1);
     progress_start(&session->progress);
 }
@@ -107,9 +108,9 @@ int session_open_display(struct session *session, const struct port_display *por
 
 void session_close(struct session *session)
 {
-    if (session->letterbox.progress)
-        progress_end(session->letterbox.progress);
-    session->letterbox.progress = NULL;
+    if (session->letterbox.drawn)
+        progress_end(&session->progress);
+    session->letterbox.drawn = NULL;
     if (session->display) {
         letterbox_display.close(&session->letterbox);
         session->display->destroy(session->display_ctx);

@@ -12,6 +12,7 @@
 #include "overlay.h"
 #include "pointed.h"
 #include "ports.h"
+#include "progress.h"
 #include "stats.h"
 
 struct session {
@@ -22,7 +23,7 @@ struct session {
     const struct port_input *input;
     void *display_ctx, *input_ctx;
     struct letterbox letterbox;
-    struct progress progress; /* of pictures that are printed; letterbox.progress points to it then */
+    struct progress progress; /* of pictures that are printed, if letterbox.drawn is set */
     struct tia_mode mode;
     struct threads *pool;
     struct lights lights;
