@@ -18,6 +18,7 @@ struct model {
     unsigned column, row;    /* position of the cursor */
     uint32_t fore, back;
     bool alternate, cursor_shown, wrap, paste, synchronised;
+    int titles; /* on the stack of the window's titles */
     unsigned printed, frames, unknown, bytes;
     /* State of the parser. */
     int state; /* 0: text, 1: after ESC, 2: in CSI */
@@ -133,6 +134,8 @@ static inline void model_csi(struct model *m, char final)
         m->column += p[0] ? p[0] : 1;
     } else if (final == 'm') {
         model_colours(m, p, n);
+    } else if (final == 't' && (p[0] == 22 || p[0] == 23) && p[1] == 2) {
+        m->titles += p[0] == 22 ? 1 : -1;
     } else if (final == 'J' && p[0] == 2) {
         for (size_t i = 0; i < (size_t)m->columns * m->rows; i++)
             m->upper[i] = m->lower[i] = m->back;
