@@ -5,7 +5,12 @@
 
 bool title_is_shown(const char *term)
 {
-    return term && *term && strcmp(term, "dumb") != 0 && strncmp(term, "linux", 5) != 0;
+    static const char *const without[] = {"dumb", "linux", "vt"};
+
+    for (size_t i = 0; i < sizeof without / sizeof without[0]; i++)
+        if (!term || !*term || strncmp(term, without[i], strlen(without[i])) == 0)
+            return false;
+    return true;
 }
 
 void title_sequence(char sequence[TITLE_SIZE], const char *title)

@@ -11,8 +11,8 @@
 
 enum { TITLE_SIZE = 128 };
 
-/* True if a terminal with this TERM (NULL: not set) has a window with a title: not the console, where old kernels would
- * show the text. */
+/* True if a terminal with this TERM (NULL: not set) has a window with a title: not the console nor
+ * DEC's terminals, which would show the text. */
 bool title_is_shown(const char *term);
 
 /* Writes the sequence that sets the title; a title too long is cut. It must be without control characters. */

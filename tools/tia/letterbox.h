@@ -19,8 +19,8 @@ struct letterbox {
     unsigned degrees;       /* rotation of the picture, clockwise */
     bool checksum;
     bool keeps; /* the picture is needed after it is shown */
-    void (*drawn)(void *ctx,
-                  uint64_t pixels); /* NULL, or called after each tile, and with 0 before a picture is shown */
+    /* NULL, or called after each tile, and with 0 before a picture is shown. */
+    void (*drawn)(void *ctx, uint64_t pixels);
     void *drawn_ctx;
     char *why; /* receives the reason for a failure, [PORT_WHY], see port/device.h */
 
