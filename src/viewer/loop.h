@@ -57,7 +57,7 @@ struct viewer_more {
 struct tile_work {
     uint64_t us;       /* time spent on it, microseconds */
     uint64_t alone_us; /* time before the last pass of blocks */
-    uint32_t drawn;    /* number of pixels drawn */
+    uint64_t drawn;    /* number of pixels drawn; 64 bits, so that the size is the same on all machines */
 };
 
 struct loop {

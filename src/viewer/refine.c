@@ -30,14 +30,16 @@ static void pass_job(void *arg, unsigned index)
     unsigned tile = tia_viewer_in_order(loop, index);
     struct tile_work *work = &loop->work[tile];
     uint64_t begun = viewer_now(loop);
+    uint32_t pixels = 0;
     int status = TIA_OK;
 
     if (loop->passes[tile] <= loop->pass && begun < loop->show_us) {
         status = tia_viewer_watch(loop);
         if (!status)
-            status = tia_viewer_refine_tile(loop, tia_viewer_tile(loop, tile), &work->drawn);
+            status = tia_viewer_refine_tile(loop, tia_viewer_tile(loop, tile), &pixels);
         if (!status)
             loop->passes[tile]++;
+        work->drawn += pixels;
         work->us += viewer_now(loop) - begun;
         if (loop->pass + 1 < VIEWER_PASSES)
             work->alone_us = work->us;
@@ -72,7 +74,7 @@ static uint32_t sum_drawn(const struct loop *loop)
     uint32_t sum = 0;
 
     for (uint32_t i = 0; i < loop->tiles; i++)
-        sum += loop->work[i].drawn;
+        sum += (uint32_t)loop->work[i].drawn;
     return sum;
 }
 

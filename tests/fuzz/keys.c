@@ -1,5 +1,5 @@
-/* keys.c - a terminal's bytes, one by one with pauses: the results are keys of tia/port.h or positions of a mouse, and
- * silence ends every sequence but a paste. */
+/* keys.c - a terminal's bytes, one by one with pauses: the results are keys of tia/port.h, positions of a mouse or
+ * Ctrl-Z, and silence ends every sequence but a paste. */
 #include <stdio.h>
 
 #include "bytes.h"
@@ -7,7 +7,7 @@
 
 static void must_be_key(uint16_t key)
 {
-    MUST(key == DECODED_POINTER || (key <= TIA_KEY_OTHER && (key < 128 || key >= TIA_KEY_LEFT)));
+    MUST(key == DECODED_POINTER || key == DECODED_STOP || (key <= TIA_KEY_OTHER && (key < 128 || key >= TIA_KEY_LEFT)));
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

@@ -141,11 +141,12 @@ static uint64_t copy_part(const struct layout *l, const struct tia_scene *scene)
     return part + (scene->bvh ? ALIGN(l->bvh) : 0);
 }
 
-/* Returns the size of the viewer's first request: a view, whole frames of hits, a canvas to refine pictures on, and a
- * copy of the moving arrays. A tile has the number of rows that it has for a display without a limit. */
+/* Returns the size of the viewer's first request: a view, whole frames of hits, a canvas to refine pictures on
+ * with the work of its tiles, and a copy of the moving arrays. A tile has the number of rows that it has for a display
+ * without a limit. */
 static uint64_t viewer_size(const struct scene_memory *m, struct tia_tile frame, int kind)
 {
-    enum { ROWS = 16 };
+    enum { ROWS = 16, TILE_WORK = 24 };
     const struct tia_scene *scene = m->scene;
     uint64_t tiles = (frame.height + ROWS - 1u) / ROWS, size = 0;
 
@@ -153,9 +154,9 @@ static uint64_t viewer_size(const struct scene_memory *m, struct tia_tile frame,
         size = ALIGN(tia_scene_at_size(scene)) + ALIGN(sizeof *scene) + (scene->bvh ? tia_bvh_move_size(scene) : 0);
         size = size - copy_part(&layouts[kind_here()], scene) + copy_part(&layouts[kind], scene);
     }
-    size += view_size(m, kind) + ALIGN(hits_size(scene, frame, kind)) + 2 * ALIGN(tiles) + ALIGN(4 * tiles);
+    size += view_size(m, kind) + ALIGN(hits_size(scene, frame, kind)) + 2 * ALIGN(tiles);
     if (tia_draws_by_pixel(scene) || scene->shadows)
-        size += ALIGN((uint64_t)frame.width * frame.height * sizeof(tia_rgb565));
+        size += ALIGN((uint64_t)frame.width * frame.height * sizeof(tia_rgb565)) + ALIGN(TILE_WORK * tiles);
     return size;
 }
 
