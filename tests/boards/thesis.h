@@ -18,9 +18,9 @@ typedef char tia_bytes_known[sizeof(void *) <= 8 ? 1 : -1]; /* fails on other ma
  * with an input and a clock. */
 #define THESIS_VIEW TIA_BYTES(2352u, 2288u, 2288u)
 #define THESIS_HITS_320x1 TIA_BYTES(2600u, 2584u, 2584u)
-#define THESIS_VIEWER_320x1 TIA_BYTES(4976u, 4896u, 4896u)
+#define THESIS_VIEWER_320x1 TIA_BYTES(4968u, 4888u, 4888u)
 #define THESIS_HITS_64x1 TIA_BYTES(552u, 536u, 536u)
-#define THESIS_VIEWER_64x1 TIA_BYTES(2928u, 2848u, 2848u)
+#define THESIS_VIEWER_64x1 TIA_BYTES(2920u, 2840u, 2840u)
 
 /* tia_draw_rows, with rows of so many pixels; if fewer are drawn at once, the hits are those of a tile of one
  * row with so many: ROWS_320 - HITS_320x1 + HITS_64x1. */
